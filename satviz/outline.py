@@ -1,0 +1,200 @@
+"""What is checked of an outline at the door, with exact predicates: numbers, repeats, turns, crossings."""
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
+
+from .exact import orient
+from .geometry import InvalidShape, Vec
+
+
+class Corners(NamedTuple):
+    """An outline as the engine walks it: counter-clockwise, without repeats and straight-on vertices."""
+
+    ids: tuple[int, ...]  # the owner's vertex numbers
+    convex: bool
+    notes: tuple[str, ...]
+
+
+def number(value: Any, name: str) -> float:
+    """One finite float64 equal to what was given; bool, text, complex and lossy integers are refused."""
+    if type(value) is not float:
+        if isinstance(value, (bool, str, bytes, complex)) or getattr(value, "dtype", None) in ("bool", "complex"):
+            raise InvalidShape(f"{name} is {value!r}: a coordinate must be a real number")
+        if getattr(value, "mask", False):
+            raise InvalidShape(f"{name} is masked: fill or drop it first")
+        try:
+            as_float = float(value)
+        except (TypeError, ValueError):
+            raise InvalidShape(f"{name} is {value!r}: a coordinate must be a real number") from None
+        except OverflowError:
+            raise InvalidShape(f"{name} is too large for float64: scale the scene down") from None
+        if as_float != value and as_float == as_float:
+            raise InvalidShape(
+                f"{name} is {value!r}, which float64 cannot hold (nearest {as_float!r}): round or scale it first"
+            )
+        value = as_float
+    if not math.isfinite(value):
+        raise InvalidShape(f"{name} is {value}: coordinates must be finite")
+    return value
+
+
+def point(value: Any, name: str) -> Vec:
+    """A pair of finite numbers."""
+    try:
+        x, y = plain(value, name)
+    except (TypeError, ValueError) as error:
+        if isinstance(error, InvalidShape):
+            raise
+        raise InvalidShape(f"{name} is {value!r}: expected a pair (x, y)") from None
+    return Vec(number(x, f"{name}.x"), number(y, f"{name}.y"))
+
+
+def plain(values: Any, name: str) -> Any:
+    """An array as nested lists (NumPy is not imported for it); masked entries are refused."""
+    if isinstance(values, (str, bytes, dict, set, frozenset)):
+        raise InvalidShape(f"{name} is {values!r}: expected numbers in order")
+    if hasattr(values, "tolist") and hasattr(values, "dtype"):
+        if values.dtype.kind in "bcSU":
+            raise InvalidShape(f"{name} is an array of {values.dtype}: coordinates must be real numbers")
+        mask = getattr(values, "mask", None)
+        if mask is not None and getattr(mask, "any", bool)():
+            raise InvalidShape(f"{name} has masked entries: fill or drop them first")
+        if values.dtype.itemsize > 8:  # long double: tolist() keeps its own scalars, checked one by one
+            return list(values)
+        return values.tolist()
+    return values
+
+
+def vertices(values: Any) -> tuple[Vec, ...]:
+    """The owner's vertices, in the owner's order, from nested sequences, arrays or `__geo_interface__`."""
+    interface = getattr(values, "__geo_interface__", None)
+    if interface is not None:
+        values = _ring_of(interface)
+    values = plain(values, "vertices")
+    if not isinstance(values, Iterable):
+        raise InvalidShape(f"vertices is {values!r}: expected a sequence of (x, y) pairs")
+    return tuple(point(v, f"vertex {i}") for i, v in enumerate(values))
+
+
+def _ring_of(interface: Any) -> Any:
+    """The outer ring of a GeoJSON-like Polygon."""
+    kind = interface.get("type")
+    if kind == "Feature":
+        return _ring_of(interface.get("geometry") or {})
+    if kind == "LinearRing":
+        return interface["coordinates"]
+    if kind != "Polygon":
+        raise InvalidShape(f"a {kind} is not a polygon: pass one Polygon at a time")
+    rings = interface["coordinates"]
+    if len(rings) > 1:
+        raise InvalidShape("the polygon has holes: pass its outer ring, or split it into parts without holes")
+    if not rings:
+        raise InvalidShape("the polygon is empty: it needs at least 3 distinct vertices")
+    return rings[0]
+
+
+def corners(points: Sequence[Vec]) -> Corners:
+    """Check that the points run once round a simple outline of positive area, and find its corners.
+
+    The first edge stays first: a clockwise outline is walked backwards from it.
+    """
+    ring, notes = _without_repeats(points)
+    if len({points[i] for i in ring}) < 3:
+        raise InvalidShape(f"{len(set(points))} distinct vertices: a polygon needs at least 3")
+    turns = []
+    for before, i, after in _around(ring):
+        turn = orient(points[before], points[i], points[after])
+        if turn == 0 and _reverses(points[before], points[i], points[after]):
+            if _flat(points, ring):
+                raise InvalidShape("all vertices lie on one line: a polygon needs a positive area; move one off it")
+            raise InvalidShape(f"the outline turns back on itself at vertex {i} (a spike): remove that vertex")
+        turns.append(turn)
+    notes += [f"vertex {i} lies straight on between its neighbours" for i, turn in zip(ring, turns) if turn == 0]
+    kept = [i for i, turn in zip(ring, turns) if turn]
+    if not kept:
+        raise InvalidShape("all vertices lie on one line: a polygon needs a positive area; move one off it")
+    bends = {turn for turn in turns if turn}
+    convex = len(bends) == 1 and _runs_round_once([points[i] for i in kept])
+    if not convex:
+        refuse_crossings([points[i] for i in ring], ring)
+    lowest = min(range(len(kept)), key=lambda j: points[kept[j]])
+    # the turn at the lowest corner is the winding of the whole: no vertex lies beyond it
+    if next(t for i, t in zip(ring, turns) if i == kept[lowest]) < 0:
+        kept = [kept[1], kept[0], *kept[:1:-1]]
+    return Corners(tuple(kept), convex, tuple(notes))
+
+
+def _without_repeats(points: Sequence[Vec]) -> tuple[list[int], list[str]]:
+    ring: list[int] = []
+    notes = []
+    for i, p in enumerate(points):
+        if ring and points[ring[-1]] == p:
+            notes.append(f"vertex {i} repeats vertex {ring[-1]}: merged")
+        else:
+            ring.append(i)
+    while len(ring) > 1 and points[ring[-1]] == points[ring[0]]:
+        notes.append(f"vertex {ring.pop()} closes the outline on vertex {ring[0]}: merged")
+    return ring, notes
+
+
+def _around(ring: Sequence[int]) -> Iterable[tuple[int, int, int]]:
+    return zip([ring[-1], *ring[:-1]], ring, [*ring[1:], ring[0]], strict=True)
+
+
+def _reverses(before: Vec, here: Vec, after: Vec) -> bool:
+    """Of three points on one line: does the way go back?  Signs of float differences are exact."""
+    return (here > before) != (after > here)
+
+
+def _flat(points: Sequence[Vec], ring: Sequence[int]) -> bool:
+    first, second = points[ring[0]], points[ring[1]]
+    return all(orient(first, second, points[i]) == 0 for i in ring)
+
+
+def _runs_round_once(ring: Sequence[Vec]) -> bool:
+    """All turns one way is not enough (a pentagram turns left everywhere, twice round)."""
+    rising = [q > p for p, q in zip(ring, [*ring[1:], ring[0]], strict=True)]
+    return sum(r != s for r, s in zip(rising, [*rising[1:], rising[0]], strict=True)) == 2
+
+
+def refuse_crossings(ring: Sequence[Vec], ids: Sequence[int]) -> None:
+    """Raise InvalidShape if two edges that are not neighbours meet.
+
+    Edges are swept from left to right, so only those that share an x are compared.
+    """
+    n = len(ring)
+    edges = sorted((min(ring[i].x, ring[(i + 1) % n].x), i) for i in range(n))
+    active: list[int] = []
+    for left, i in edges:
+        p, q = ring[i], ring[(i + 1) % n]
+        active = [j for j in active if max(ring[j].x, ring[(j + 1) % n].x) >= left]
+        for j in active:
+            r, s = ring[j], ring[(j + 1) % n]
+            if (i - j) % n in (1, n - 1) or not _meet(p, q, r, s):
+                continue
+            first, second = sorted((ids[i], ids[j]))
+            x, y = _near(p, q, r, s)
+            raise InvalidShape(
+                f"edges {first} and {second} cross near ({x:.6g}, {y:.6g}): "
+                "an outline must not cross or touch itself; reorder the vertices"
+            )
+        active.append(i)
+
+
+def _meet(p: Vec, q: Vec, r: Vec, s: Vec) -> bool:
+    """Do two closed segments share a point?"""
+    if max(p.y, q.y) < min(r.y, s.y) or max(r.y, s.y) < min(p.y, q.y):
+        return False
+    if max(p.x, q.x) < min(r.x, s.x) or max(r.x, s.x) < min(p.x, q.x):
+        return False
+    return orient(p, q, r) * orient(p, q, s) <= 0 and orient(r, s, p) * orient(r, s, q) <= 0
+
+
+def _near(p: Vec, q: Vec, r: Vec, s: Vec) -> Vec:
+    """Roughly where two segments meet: for the message only."""
+    dx, dy, ex, ey = q.x - p.x, q.y - p.y, s.x - r.x, s.y - r.y
+    det = dx * ey - dy * ex
+    t = ((r.x - p.x) * ey - (r.y - p.y) * ex) / det if det else 0.0
+    t = min(1.0, max(0.0, t)) if t == t else 0.5
+    return Vec(p.x + t * dx, p.y + t * dy)

@@ -1,0 +1,199 @@
+"""Polygon and Circle: checked once at the door, unchangeable after; the owner's order and labels are kept."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from . import outline
+from .exact import to_int_points, to_integers
+from .geometry import InvalidShape, Vec
+
+INF = math.inf
+
+
+class _Shape:
+    """What the engine asks of a shape; slots with an underscore are worked out from the public ones."""
+
+    __slots__ = (
+        "_box",  # (x min, y min, x max, y max): holds the shape, rounded outwards
+        "_cache",  # what is worked out at first use: integers, axes, parts
+        "_reach",  # the largest coordinate's magnitude
+        "_slabs",  # per edge direction (nx, ny, lo, hi), see Polygon; None for circles and concave polygons
+        "_span",  # the largest edge component's magnitude
+    )
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"a {type(self).__name__} cannot be changed: make a new one")
+
+    __delattr__ = __setattr__
+
+    def _set(self, **values: Any) -> None:
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and self._facts() == other._facts()
+
+    def __hash__(self) -> int:
+        return hash(self._facts())
+
+    def __reduce__(self) -> tuple:
+        return type(self), self._facts()
+
+    def __repr__(self) -> str:
+        facts = [repr(_listed(f)) for f in self._facts() if f is not None]
+        return f"{type(self).__name__}({', '.join(facts)})"
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """(x min, y min, x max, y max) in scene units; a circle's is rounded outwards."""
+        return self._box
+
+
+class Polygon(_Shape):
+    """A simple polygon, convex or concave, either winding, with the owner's vertex order and labels.
+
+    `vertices`: (n, 2) numbers in scene units, or anything with `__geo_interface__`;
+    repeats, a closing vertex and collinear vertices are allowed and listed in `notes`.
+    `labels`: one text a vertex.  Raises InvalidShape naming the vertex at fault.
+    """
+
+    __slots__ = ("corner_ids", "corners", "is_convex", "labels", "notes", "vertices")
+
+    vertices: tuple[Vec, ...]
+    labels: tuple[str, ...] | None
+    corners: tuple[Vec, ...]  # as the engine walks them: counter-clockwise, no repeats, none straight on
+    corner_ids: tuple[int, ...]  # which vertex each corner is
+    is_convex: bool
+    notes: tuple[str, ...]
+
+    def __init__(self, vertices: Any, labels: Sequence[str] | None = None) -> None:
+        points = outline.vertices(vertices)
+        ring = outline.corners(points)
+        corners = tuple(Vec(points[i].x + 0.0, points[i].y + 0.0) for i in ring.ids)  # -0.0 becomes 0.0
+        xs, ys = [c.x for c in corners], [c.y for c in corners]
+        edges = [(q.x - p.x, q.y - p.y) for p, q in zip(corners, (*corners[1:], corners[0]), strict=True)]
+        self._set(
+            vertices=points,
+            labels=_checked_labels(labels, len(points)),
+            corners=corners,
+            corner_ids=ring.ids,
+            is_convex=ring.convex,
+            notes=ring.notes,
+            _box=(min(xs), min(ys), max(xs), max(ys)),
+            _reach=max(map(abs, xs + ys)),
+            _span=max(abs(d) for edge in edges for d in edge),
+            _slabs=_slabs(corners, edges) if ring.convex else None,
+            _cache={},
+        )
+
+    def _facts(self) -> tuple:
+        return self.vertices, self.labels
+
+    @property
+    def is_upright_box(self) -> bool:
+        """Is it a rectangle with its sides along x and y?"""
+        x0, y0, x1, y1 = self._box
+        return len(self.corners) == 4 and all(x in (x0, x1) and y in (y0, y1) for x, y in self.corners)
+
+    @property
+    def __geo_interface__(self) -> dict:
+        return {"type": "Polygon", "coordinates": (tuple(map(tuple, (*self.vertices, self.vertices[0]))),)}
+
+    @property
+    def integers(self) -> tuple[int, list[tuple[int, int]], int]:
+        """(k, corners, radius) as integers in units of 2**-k; the radius of a polygon is 0."""
+        if "integers" not in self._cache:
+            self._cache["integers"] = (*to_int_points(self.corners), 0)
+        return self._cache["integers"]
+
+
+class Circle(_Shape):
+    """A circle with its inside: centre (x, y) and radius > 0 in scene units; InvalidShape otherwise."""
+
+    __slots__ = ("center", "radius")
+
+    center: Vec
+    radius: float
+
+    def __init__(self, center: Any, radius: Any) -> None:
+        c = outline.point(center, "center")
+        r = outline.number(radius, "radius")
+        if r <= 0:
+            raise InvalidShape(f"radius is {r}: a circle needs a positive radius")
+        c = Vec(c.x + 0.0, c.y + 0.0)
+        self._set(
+            center=c,
+            radius=r,
+            _box=(
+                math.nextafter(c.x - r, -INF),
+                math.nextafter(c.y - r, -INF),
+                math.nextafter(c.x + r, INF),
+                math.nextafter(c.y + r, INF),
+            ),
+            _reach=max(abs(c.x), abs(c.y)) + r,
+            _span=r,
+            _slabs=None,
+            _cache={},
+        )
+
+    def _facts(self) -> tuple:
+        return self.center, self.radius
+
+    @property
+    def integers(self) -> tuple[int, list[tuple[int, int]], int]:
+        """(k, [centre], radius) as integers in units of 2**-k: a circle is a point with a radius."""
+        if "integers" not in self._cache:
+            k, (x, y, r) = to_integers((*self.center, self.radius))
+            self._cache["integers"] = k, [(x, y)], r
+        return self._cache["integers"]
+
+
+Shape = Polygon | Circle
+
+
+def checked(shape: Any, name: str) -> Shape:
+    """The shape itself; TypeError says how to make one of anything else."""
+    if isinstance(shape, (Polygon, Circle)):
+        return shape
+    raise TypeError(f"{name} is a {type(shape).__name__}: make it a satviz.Polygon or satviz.Circle first")
+
+
+def _slabs(corners: tuple[Vec, ...], edges: list[tuple[float, float]]) -> tuple[tuple[float, ...], ...]:
+    """Per direction (nx, ny, lo, hi): inside means lo < nx*x + ny*y < hi, up to rounding.
+
+    (nx, ny) is the outward normal (dy, -dx) of an edge and hi where the edge lies on
+    it.  Where another edge runs exactly opposite (a box's far side), lo is its place
+    and one look serves both; otherwise lo is -inf.
+    """
+    slabs = []
+    index = {edge: i for i, edge in enumerate(edges)}
+    for i, (dx, dy) in enumerate(edges):
+        # float components exactly opposite: the filter's bound covers the rounding of both
+        j = index.get((-dx, -dy), -1)
+        if index.get((dx, dy)) == i and 0 <= j < i:
+            continue
+        lo = dy * corners[j].x - dx * corners[j].y if j >= 0 else -INF
+        slabs.append((dy, -dx, lo, dy * corners[i].x - dx * corners[i].y))
+    return tuple(slabs)
+
+
+def _checked_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | None:
+    if labels is None:
+        return None
+    if isinstance(labels, str):
+        raise InvalidShape(f"labels is the text {labels!r}: pass a list with one label a vertex")
+    labels = tuple(labels)
+    if len(labels) != n:
+        raise InvalidShape(f"{len(labels)} labels for {n} vertices: pass one a vertex")
+    for i, label in enumerate(labels):
+        if not isinstance(label, str):
+            raise InvalidShape(f"label {i} is {label!r}: a label must be text")
+    return labels
+
+
+def _listed(fact: Any) -> Any:
+    """Plain lists and tuples for a repr that can be pasted back."""
+    if isinstance(fact, Vec):
+        return tuple(fact)
+    return [_listed(f) for f in fact] if isinstance(fact, tuple) else fact
