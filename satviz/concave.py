@@ -1,3 +1,282 @@
-from .shapes import Polygon, Shape
-def parts(shape: Shape):
-    return (shape,)
+"""parts: a concave polygon as few convex parts that fill it exactly.
+
+Every coordinate is an integer times one power of two, so all of this is done on
+integers: each side and length is exact, and the straight lines that drawn outlines
+are full of cost no more than other turns.
+"""
+
+from collections.abc import Iterable
+from fractions import Fraction
+from heapq import nsmallest
+from typing import NamedTuple
+
+from .exact import IntPoint, shifted
+from .geometry import Vec
+from .shapes import Circle, Polygon, Shape, checked
+
+NEAREST = 8  # partners tried for each reflex vertex, so that a big outline does not try all pairs
+
+Ring = list[int]  # the vertex numbers of a piece: counter-clockwise, none straight on
+
+
+def parts(shape: Shape) -> tuple[Shape, ...]:
+    """Convex parts with disjoint insides that fill the shape exactly; a convex shape is its own only part.
+
+    Their vertices are the polygon's and points where the line of an edge ends on
+    another edge or cut (label "" if the polygon has labels).  Sorted by the lowest
+    vertex number they hold.
+    """
+    if isinstance(checked(shape, "shape"), Circle) or shape.is_convex:
+        return (shape,)
+    if "parts" not in shape._cache:
+        shape._cache["parts"] = _parts(shape)
+    return shape._cache["parts"]
+
+
+def _parts(shape: Polygon) -> tuple[Polygon, ...]:
+    pieces = _Pieces(shape)
+    pieces.cut_in_pairs()
+    pieces.cut_one_by_one()
+    numbers = {p: i for i, p in reversed(list(enumerate(shape.vertices)))}
+    found = []
+    for ring in pieces.merged():
+        places = [(numbers.get(p, len(shape.vertices)), p) for p in map(pieces.points.__getitem__, ring)]
+        start = places.index(min(places))
+        found.append(places[start:] + places[:start])
+    found.sort()
+    labels = (*shape.labels, "") if shape.labels else None
+    return tuple(
+        Polygon([p for _, p in places], [labels[i] for i, _ in places] if labels else None) for places in found
+    )
+
+
+class _Hit(NamedTuple):
+    """Where an edge's line ends: on the edge from p to q, or on the vertex q."""
+
+    end: int | None  # None if float64 cannot hold the point
+    p: int
+    q: int
+
+
+class _Pieces:
+    """The pieces of one polygon while it is cut; no cut makes a vertex reflex."""
+
+    def __init__(self, shape: Polygon) -> None:
+        self.points = list(shape.corners)
+        self.numbers = {p: v for v, p in enumerate(self.points)}
+        self.k, at, _ = shape.integers  # one unit for all: 2**-k
+        self.at = list(at)
+        self.convex: list[Ring] = []
+        ring = list(range(len(at)))
+        # the piece in which a vertex is still reflex: one at most, as all its angles add up to less than 360 degrees
+        self.home = {v: ring for i, v in enumerate(ring) if _bend(self.at, ring, i) < 0}
+
+    def cut_in_pairs(self) -> None:
+        """Cuts that end two reflex vertices at once: first those along an edge's line, then the shortest."""
+        at = self.at
+        ends = [(v, at[v], at[v - 1], at[(v + 1) % len(at)]) for v in self.home]
+        partners: dict[int, list] = {v: [] for v in self.home}
+        for i, (u, pu, before, after) in enumerate(ends):
+            ax, ay, bx, by = pu[0] - before[0], pu[1] - before[1], after[0] - pu[0], after[1] - pu[1]
+            for v, pv, before_v, after_v in ends[i + 1 :]:
+                x, y = pv[0] - pu[0], pv[1] - pu[1]
+                # each in the cone of the other, see _in_cone; written out, as most pairs end here
+                first, second = ax * y - ay * x, bx * y - by * x
+                if first < 0 or second < 0:
+                    continue
+                third, fourth = _turn(before_v, pv, pu), _turn(pv, after_v, pu)
+                if third < 0 or fourth < 0:
+                    continue
+                pair = (bool(first and second and third and fourth), x * x + y * y, u, v)
+                partners[u].append(pair)
+                partners[v].append(pair)
+        for _, _, u, v in sorted({pair for pairs in partners.values() for pair in nsmallest(NEAREST, pairs)}):
+            ring = self.home.get(u)
+            if ring is not None and ring is self.home.get(v) and self._sees(ring, u, v):
+                self._cut(ring, u, v)
+
+    def cut_one_by_one(self) -> None:
+        """Cuts that end one reflex vertex; those that need two cuts wait, as cuts of others may spare them one."""
+        for patient in (True, False):
+            for v in sorted(self.home):
+                while v in self.home and self._cut_at(v, patient):
+                    pass
+
+    def merged(self) -> list[Ring]:
+        """The pieces without the cuts that were not needed after all (Hertel and Mehlhorn 1983)."""
+        side = {edge: ring for ring in self.convex for edge in _edges(ring)}
+        queue = list(side)
+        for a, b in queue:
+            ring, other = side.get((a, b)), side.get((b, a))
+            if ring is None or other is None:
+                continue
+            union = [*_from(ring, b)[:-1], *_from(other, a)[:-1]]
+            bends = {v: _bend(self.at, union, union.index(v)) for v in (a, b)}
+            if min(bends.values()) < 0:
+                continue
+            for edge in (*_edges(ring), *_edges(other)):
+                del side[edge]
+            union = [v for v in union if bends.get(v, 1)]
+            side.update((edge, union) for edge in _edges(union))
+            queue += _edges(union)
+        return list({id(ring): ring for ring in side.values()}.values())
+
+    def _cut(self, ring: Ring, u: int, v: int) -> None:
+        """Split a ring between two of its vertices; where one then lies straight on, it is left out."""
+        i, j = sorted((ring.index(u), ring.index(v)))
+        for end in (u, v):
+            if self.home.get(end) is ring:  # it may be reflex still in the piece behind an earlier cut
+                del self.home[end]
+        found = []
+        for piece in (ring[i : j + 1], ring[j:] + ring[: i + 1]):
+            bends = {piece[0]: _bend(self.at, piece, 0), piece[-1]: _bend(self.at, piece, -1)}
+            reflex = [w for w in piece if self.home.get(w) is ring or bends.get(w, 0) < 0]
+            found.append(([w for w in piece if bends.get(w, 1)], reflex))
+        for piece, reflex in found:
+            self.home.update(dict.fromkeys(reflex, piece))
+            if not reflex:
+                self.convex.append(piece)
+
+    def _cut_at(self, v: int, patient: bool) -> bool:
+        """One cut that ends the reflex vertex v; if there is none, nothing when patient, else the first of two."""
+        ring = self.home[v]
+        i = ring.index(v)
+        a, b = ring[i - 1], ring[(i + 1) % len(ring)]
+        ahead, back = self._extended(ring, a, v), self._extended(ring, b, v)
+        # A cut along an edge's own line comes first: it gives the parts no new normal, so no new axis to test.
+        straight = [hit for hit in (ahead, back) if hit.end is not None]
+        if straight:
+            end, _, q = min(straight, key=lambda hit: _square(self.at[v], self.at[hit.end]))
+            if end != q:
+                ring.insert(ring.index(q), end)
+        else:
+            end = self._first_beside(ring, a, v, ahead, left=True)
+            if _in_cone(self.at, ring, v, end):
+                ends = (end, self._first_beside(ring, b, v, back, left=False))
+                end = min(ends, key=lambda w: (not self._ends_too(ring, w, v), _square(self.at[v], self.at[w])))
+            elif patient:
+                return False
+            else:
+                # The cone of v is empty: a cut to each side of it ends v, and each of the two sees v.
+                end = self._first_beside(ring, a, v, ahead, left=False)
+        self._cut(ring, v, end)
+        return True
+
+    def _ends_too(self, ring: Ring, w: int, v: int) -> bool:
+        """Does a cut from v to w end w as well?"""
+        return self.home.get(w) is ring and _in_cone(self.at, ring, w, v)
+
+    def _sees(self, ring: Ring, u: int, v: int) -> bool:
+        """Does the cut from u to v, inside at both its ends, meet the ring nowhere between them?"""
+        at = self.at
+        (ux, uy), (vx, vy) = pu, pv = at[u], at[v]
+        dx, dy = vx - ux, vy - uy
+        square = dx * dx + dy * dy
+        p, before = pu, 0
+        for w in (ring[-1], *ring):
+            q = at[w]
+            x, y = q[0] - ux, q[1] - uy
+            side = dx * y - dy * x
+            if side == 0:
+                if 0 < dx * x + dy * y < square:
+                    return False
+            elif (before < 0 < side or side < 0 < before) and (_turn(p, q, pu) < 0) != (_turn(p, q, pv) < 0):
+                return False
+            p, before = q, side
+        return True
+
+    def _extended(self, ring: Ring, a: int, v: int) -> _Hit:
+        """Where the edge from a to the reflex vertex v, made longer beyond v, first meets the ring."""
+        at = self.at
+        (ax, ay), (vx, vy) = at[a], at[v]
+        dx, dy = vx - ax, vy - ay
+        num, den, best = 1, 0, None
+        p = ring[-1]
+        px, py = at[p][0] - vx, at[p][1] - vy
+        before = dx * py - dy * px
+        for q in ring:
+            qx, qy = at[q][0] - vx, at[q][1] - vy
+            side = dx * qy - dy * qx
+            t = None
+            if side == 0:
+                t, along = dx * qx + dy * qy, dx * dx + dy * dy
+            elif before < 0 < side:  # from inside, a counter-clockwise ring passes from right to left
+                t, along = px * (qy - py) - py * (qx - px), side - before
+            if t is not None and t > 0 and t * den < num * along:
+                num, den, best = t, along, (p, q, side)
+            p, px, py, before = q, qx, qy, side
+        p, q, side = best
+        if side == 0:
+            return _Hit(q, p, q)
+        unit = den << self.k
+        return _Hit(self._number(Fraction(vx * den + num * dx, unit), Fraction(vy * den + num * dy, unit)), p, q)
+
+    def _first_beside(self, ring: Ring, a: int, v: int, hit: _Hit, left: bool) -> int:
+        """The first vertex that a ray from v meets as it turns left or right from the line of a and v.
+
+        That line is clear up to the edge it hits, so it is the one at the smallest
+        angle among the vertices before that edge, the nearest if there are several.
+        """
+        at = self.at
+        pa, pv, pp, pq = at[a], at[v], at[hit.p], at[hit.q]
+        way = 1 if left else -1
+        best = hit.q if left else hit.p
+        for w in ring:
+            pw = at[w]
+            if way * _turn(pa, pv, pw) > 0 and _turn(pp, pq, pw) > 0:
+                turn = way * _turn(pv, at[best], pw)
+                if turn < 0 or (turn == 0 and _square(pv, pw) < _square(pv, at[best])):
+                    best = w
+        return best
+
+    def _number(self, x: Fraction, y: Fraction) -> int | None:
+        """The number of a point, a new one if need be; None if float64 cannot hold it."""
+        point = Vec(float(x), float(y))
+        if point.x != x or point.y != y:
+            return None
+        if point not in self.numbers:
+            self.numbers[point] = len(self.points)
+            self.points.append(point)
+            finer = max(x.denominator, y.denominator).bit_length() - 1 - self.k
+            if finer > 0:
+                self.at, self.k = list(shifted(self.at, finer)), self.k + finer
+            self.at.append((int(x * 2**self.k), int(y * 2**self.k)))
+        return self.numbers[point]
+
+
+def _turn(p: IntPoint, q: IntPoint, r: IntPoint) -> int:
+    """Positive when the way from p over q to r turns left, 0 when it is straight."""
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+
+def _square(p: IntPoint, q: IntPoint) -> int:
+    """The squared distance."""
+    return (q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2
+
+
+def _bend(at: list[IntPoint], ring: Ring, i: int) -> int:
+    """The turn at the ring's i-th vertex: negative when it is reflex."""
+    return _turn(at[ring[i - 1]], at[ring[i]], at[ring[(i + 1) % len(ring)]])
+
+
+def _in_cone(at: list[IntPoint], ring: Ring, v: int, w: int) -> bool:
+    """Is w left of (or on) both edges at the reflex vertex v?  A cut to it leaves v convex or straight on both sides."""
+    i = ring.index(v)
+    before, after = ring[i - 1], ring[(i + 1) % len(ring)]
+    return _turn(at[before], at[v], at[w]) >= 0 and _turn(at[v], at[after], at[w]) >= 0
+
+
+def _edges(ring: Ring) -> Iterable[tuple[int, int]]:
+    return zip(ring, (*ring[1:], ring[0]), strict=True)
+
+
+def _from(ring: Ring, v: int) -> Ring:
+    """The ring walked from v."""
+    i = ring.index(v)
+    return ring[i:] + ring[:i]
+
+
+def named_parts(shape: Shape, name: str) -> list[tuple[Shape, str]]:
+    """The convex parts with their names: B1, B2, ... for a concave B, else just B."""
+    found = parts(shape)
+    return [(p, f"{name}{i}" if len(found) > 1 else name) for i, p in enumerate(found, 1)]

@@ -10,6 +10,7 @@ they step aside where products could overflow or lose bits to underflow.
 import sys
 from collections.abc import Iterable, Sequence
 from math import isqrt
+from typing import Any
 
 UNIT = 2.0**-53  # unit roundoff of float64
 TINY, HUGE = 1e-280, 1e290  # products inside this range neither lose bits nor overflow
@@ -39,6 +40,14 @@ def to_int_points(points: Sequence[Point]) -> tuple[int, list[IntPoint]]:
 def shifted(points: Sequence[IntPoint], by: int) -> Sequence[IntPoint]:
     """Integer points in units finer by 2**by."""
     return [(x << by, y << by) for x, y in points] if by else points
+
+
+def aligned(a: Any, b: Any) -> tuple[Sequence[IntPoint], Sequence[IntPoint], int, int]:
+    """Both shapes in one integer unit: (a's points, b's points, sum of radii, k), the unit being 2**-k."""
+    ka, pa, ra = a.integers
+    kb, pb, rb = b.integers
+    k = max(ka, kb)
+    return shifted(pa, k - ka), shifted(pb, k - kb), (ra << k - ka) + (rb << k - kb), k
 
 
 def orient(p: Point, q: Point, r: Point) -> int:

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from .concave import parts
-from .exact import HUGE, TINY, IntPoint, root_sign, shifted, sign
-from .geometry import Relation
+from .exact import HUGE, TINY, IntPoint, aligned, root_sign, shifted, sign, to_integers
+from .geometry import Relation, Vec
 from .shapes import Circle, Polygon, Shape, checked
 
 APART, TOUCHING, OVERLAPPING = Relation
@@ -78,13 +78,30 @@ def _polygons(a: Polygon, b: Polygon, slabs: Any, others: Any) -> Relation:
     return OVERLAPPING
 
 
+def relate_moved(a: Shape, b: Shape, move: Vec) -> Relation:
+    """The exact relation of convex a and b, once b has moved by exactly `move` (no coordinate is rounded)."""
+    core_a, core_b, radii, k = aligned(a, b)
+    own_k, (dx, dy) = to_integers(move)
+    finer = max(k, own_k)
+    dx, dy = dx << finer - own_k, dy << finer - own_k
+    core_a = shifted(core_a, finer - k)
+    core_b = [(x + dx, y + dy) for x, y in shifted(core_b, finer - k)]
+    return _exact(core_a, core_b, radii << finer - k)
+
+
+def _exact(p: Sequence[IntPoint], q: Sequence[IntPoint], radii: int) -> Relation:
+    """The integer twins: a circle is a point with a radius."""
+    if len(p) == 1:
+        return _exact_circles(p[0], q[0], radii) if len(q) == 1 else _exact_circle_polygon(p[0], radii, q)
+    return _exact_circle_polygon(q[0], radii, p) if len(q) == 1 else _by_sign(max(_edge_side(p, q), _edge_side(q, p)))
+
+
 def _exact_polygons(a: Polygon, b: Polygon) -> Relation:
     """The integer twin of _polygons; for upright boxes comparing the sides is exact already."""
     if a.is_upright_box and b.is_upright_box:
         (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = a._box, b._box
         return _by_sign(sign(max(ax0 - bx1, bx0 - ax1, ay0 - by1, by0 - ay1)))
-    p, q, _, _ = aligned(a, b)
-    return _by_sign(max(_edge_side(p, q), _edge_side(q, p)))
+    return _exact(*aligned(a, b)[:3])
 
 
 def _edge_side(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> int:
@@ -101,14 +118,6 @@ def _edge_side(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> int:
     return best
 
 
-def aligned(a: Shape, b: Shape) -> tuple[Sequence[IntPoint], Sequence[IntPoint], int, int]:
-    """Both shapes in one integer unit: (a's points, b's points, sum of radii, k), the unit being 2**-k."""
-    ka, pa, ra = a.integers
-    kb, pb, rb = b.integers
-    k = max(ka, kb)
-    return shifted(pa, k - ka), shifted(pb, k - kb), (ra << k - ka) + (rb << k - kb), k
-
-
 def _circles(a: Circle, b: Circle) -> Relation:
     """Distance against the sum of radii, squared: each side carries under 5 roundings; asked: 8."""
     dx = a.center.x - b.center.x
@@ -122,8 +131,11 @@ def _circles(a: Circle, b: Circle) -> Relation:
             return APART
         if gap < room * -(2.0**-50):
             return OVERLAPPING
-    ((px, py),), ((qx, qy),), radii, _ = aligned(a, b)
-    return _by_sign(sign((px - qx) ** 2 + (py - qy) ** 2 - radii * radii))
+    return _exact(*aligned(a, b)[:3])
+
+
+def _exact_circles(p: IntPoint, q: IntPoint, radii: int) -> Relation:
+    return _by_sign(sign((p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2 - radii * radii))
 
 
 def _by_sign(gap: int) -> Relation:
@@ -145,7 +157,7 @@ def _circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
     far = max(x1 - cx, cx - x0, y1 - cy, cy - y0, circle.radius)
     room = far * far * 2.0**-46
     if not TINY < room < HUGE * 2.0**-46:
-        return _exact_circle_polygon(circle, polygon)
+        return _exact(*aligned(circle, polygon)[:3])
     side_room = far * 2.0**-48
     inside, outside, nearest = True, False, HUGE
     vx, vy = ring[-1]
@@ -160,7 +172,7 @@ def _circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
             outside = outside or turn < -tolerance
             along, square = -(px * dx + py * dy), dx * dx + dy * dy
             if square < TINY:
-                return _exact_circle_polygon(circle, polygon)
+                return _exact(*aligned(circle, polygon)[:3])
             if along <= 0:
                 distance = px * px + py * py
             elif along >= square:
@@ -175,12 +187,12 @@ def _circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
         return OVERLAPPING
     if outside and nearest > reach + room:
         return APART
-    return _exact_circle_polygon(circle, polygon)
+    return _exact(*aligned(circle, polygon)[:3])
 
 
-def _exact_circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
+def _exact_circle_polygon(center: IntPoint, r: int, ring: Sequence[IntPoint]) -> Relation:
     """The integer twin of _circle_polygon."""
-    ((cx, cy),), ring, r, _ = aligned(circle, polygon)
+    cx, cy = center
     inside, best = True, 1
     px, py = ring[-1][0] - cx, ring[-1][1] - cy
     for qx, qy in ring:

@@ -1,0 +1,287 @@
+"""The choices of axes: a method is a choice of axes, and one loop runs them all.
+
+A choice is a function (a, b) -> Choice.  `needed` is the engine's own: the
+smallest set that is complete for the pair.  The others are the article's
+shortcuts and the building blocks of a choice of one's own.
+"""
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from math import gcd, hypot
+from typing import Any, NamedTuple
+
+from .exact import IntPoint, aligned, orient, to_float, to_integers
+from .geometry import Vec
+from .outline import point
+from .shapes import Circle, Polygon, Shape
+
+EDGE, HULL, WORLD = "edge normal", "hull edge normal", "world"
+CENTERS, VERTEX, GIVEN = "centers", "nearest vertex", "given direction"
+
+
+class Source(NamedTuple):
+    """Where an axis comes from: its kind, whose ("A", "B" or None) and which of the owner's vertices."""
+
+    kind: str
+    shape: str | None = None
+    ids: tuple[int, ...] = ()
+
+
+class Axis(NamedTuple):
+    """A direction to project on, pointing right (or up), and where it comes from.
+
+    `normal` is the direction as found, not normalised (edge v1v2 of the article's B
+    gives (2, 3)); `length` its length; `direction` the unit vector.
+    """
+
+    normal: Vec
+    length: float
+    source: Source
+
+    @property
+    def direction(self) -> Vec:
+        return Vec(self.normal.x / self.length, self.normal.y / self.length)
+
+
+class Skip(NamedTuple):
+    """An axis that was not tested, and why."""
+
+    axis: Axis
+    reason: str
+
+
+class Choice(NamedTuple):
+    """Axes in the order to test them, those left out, and whether no gap on these proves a hit."""
+
+    axes: tuple[Axis, ...]
+    skipped: tuple[Skip, ...] = ()
+    complete: bool = False
+
+
+Chooser = Callable[[Shape, Shape], Choice]
+
+# y first, as in the article
+WORLD_AXES = (Axis(Vec(0.0, 1.0), 1.0, Source(WORLD, None, (1,))), Axis(Vec(1.0, 0.0), 1.0, Source(WORLD, None, (0,))))
+
+
+def needed(a: Shape, b: Shape) -> Choice:
+    """The smallest complete set for this pair; for a concave polygon, of the pair's outlines.
+
+    Two circles: the axis through their centres.  Upright boxes: y and x.  Circle and
+    polygon: the polygon's edge normals without parallel repeats, and the nearest
+    vertex (without it a circle off a corner is a false hit).  Polygons: edge normals
+    without parallel repeats, B's first as in the article.
+    """
+    if isinstance(a, Circle) and isinstance(b, Circle):
+        return centers(a, b)
+    # which side of a rectangle gives which axis does not matter: y and x serve all eight
+    upright = all(isinstance(s, Polygon) and s.is_upright_box for s in (a, b))
+    axes: list[Axis] = list(WORLD_AXES) if upright else []
+    number = {(0, 1): 1, (1, 0): 2} if upright else {}
+    skipped = []
+    for shape, role in (b, "B"), (a, "A"):
+        if isinstance(shape, Polygon):
+            for axis, key in _own_normals(shape, role):
+                if key in number:
+                    skipped.append(Skip(axis, f"parallel to axis {number[key]}"))
+                else:
+                    axes.append(axis)
+                    number[key] = len(axes)
+    if isinstance(a, Circle) or isinstance(b, Circle):
+        vertex, why_not = _vertex_axis(a, b, number)
+        if why_not:
+            skipped.append(Skip(vertex, why_not))
+        else:
+            axes.append(vertex)
+    return Choice(tuple(axes), tuple(skipped), _convex(a) and _convex(b))
+
+
+def world(a: Shape, b: Shape) -> Choice:
+    """y and x: the AABB method; complete for upright boxes only."""
+    boxes = all(isinstance(s, Polygon) and s.is_upright_box for s in (a, b))
+    return Choice(WORLD_AXES, complete=boxes)
+
+
+def edge_normals(a: Shape, b: Shape) -> Choice:
+    """Every edge normal of both shapes, B's first, parallel repeats included; not complete for circles."""
+    axes = _normals(b, "B") + _normals(a, "A")
+    return Choice(axes, complete=all(isinstance(s, Polygon) and s.is_convex for s in (a, b)))
+
+
+def hull_normals(a: Shape, b: Shape) -> Choice:
+    """The edge normals of both convex hulls, B's first; no gap on these proves that no line separates the polygons."""
+    axes: list[Axis] = []
+    for shape, role in (b, "B"), (a, "A"):
+        if isinstance(shape, Polygon):
+            k, points, _ = shape.integers
+            hull = _hull(shape.corners)
+            for i, j in zip(hull, [*hull[1:], hull[0]]):
+                normal = points[j][1] - points[i][1], points[i][0] - points[j][0]
+                kind = EDGE if (j - i) % len(points) == 1 else HULL
+                ids = tuple(sorted((shape.corner_ids[i], shape.corner_ids[j])))
+                axes.append(_axis(normal, k, Source(kind, role, ids)))
+    return Choice(tuple(axes), complete=all(isinstance(s, Polygon) and s.is_convex for s in (a, b)))
+
+
+def edge_normals_of_a(a: Shape, b: Shape) -> Choice:
+    """A's edge normals only: a shortcut that gives false hits."""
+    return Choice(_normals(a, "A"))
+
+
+def edge_normals_of_b(a: Shape, b: Shape) -> Choice:
+    """B's edge normals only: a shortcut that gives false hits."""
+    return Choice(_normals(b, "B"))
+
+
+def centers(a: Shape, b: Shape) -> Choice:
+    """The one axis through both centres (polygons: centroids); complete for two circles, also concentric."""
+    circles = isinstance(a, Circle) and isinstance(b, Circle)
+    if circles:
+        ((px, py),), ((qx, qy),), _, k = aligned(a, b)
+        axis = _axis((qx - px, qy - py), k, Source(CENTERS))
+    else:
+        p, q = centroid(a), centroid(b)
+        k, vector = to_integers((q.x - p.x, q.y - p.y))
+        axis = _axis(vector, k, Source(GIVEN, None, (0,)))
+    # concentric: no direction is special, and on every one the ranges overlap by as much
+    return Choice((axis or Axis(Vec(1.0, 0.0), 1.0, Source(GIVEN, None, (0,))),), complete=circles)
+
+
+def nearest_vertex(a: Shape, b: Shape) -> Choice:
+    """The axis from a circle's centre to the polygon's nearest vertex; no axis for other pairs."""
+    if isinstance(a, Circle) == isinstance(b, Circle):
+        return Choice(())
+    axis, why_not = _vertex_axis(a, b, {})
+    return Choice((), (Skip(axis, why_not),)) if why_not else Choice((axis,))
+
+
+def directions(*vectors: Any) -> Chooser:
+    """A choice of the given (x, y) directions, taken exactly as given and not turned round."""
+    axes = []
+    for i, vector in enumerate(vectors):
+        v = point(vector, f"direction {i}")
+        if v == (0, 0):
+            raise ValueError(f"direction {i} is (0, 0): an axis needs a direction")
+        k, integers = to_integers(v)
+        axes.append(_axis(integers, k, Source(GIVEN, None, (i,)), as_given=True))
+    return lambda a, b: Choice(tuple(axes))
+
+
+NAMED: dict[str, Chooser] = {
+    "needed": needed,
+    "world": world,
+    "edge-normals": edge_normals,
+    "hull-normals": hull_normals,
+    "edge-normals-of-a": edge_normals_of_a,
+    "edge-normals-of-b": edge_normals_of_b,
+    "centers": centers,
+    "nearest-vertex": nearest_vertex,
+}
+
+
+def exact_normal(axis: Axis, shapes: dict[str, Shape], points: dict[str, Sequence[IntPoint]]) -> IntPoint:
+    """The axis's true direction in integers; `points` are both shapes' integer points in one unit."""
+    kind, role, ids = axis.source
+    if kind in (EDGE, HULL):
+        i, j = (shapes[role].corner_ids.index(v) for v in ids)
+        (px, py), (qx, qy) = points[role][i], points[role][j]
+        x, y = qy - py, px - qx
+    elif kind == CENTERS:
+        ((px, py),), ((qx, qy),) = points["A"], points["B"]
+        x, y = qx - px, qy - py
+    elif kind == VERTEX:
+        ((cx, cy),) = points["B" if role == "A" else "A"]
+        vx, vy = points[role][shapes[role].corner_ids.index(ids[0])]
+        x, y = cx - vx, cy - vy
+    else:
+        return tuple(to_integers(axis.normal)[1])
+    return (x, y) if (x, y) > (0, 0) else (-x, -y)
+
+
+def centroid(shape: Shape) -> Vec:
+    """The centre of area, rounded."""
+    if isinstance(shape, Circle):
+        return shape.center
+    (ox, oy), ring = shape.corners[0], shape.corners
+    area = x = y = 0.0
+    for (px, py), (qx, qy) in pairwise(ring):
+        cross = (px - ox) * (qy - oy) - (py - oy) * (qx - ox)
+        area += cross
+        x += cross * (px - ox + qx - ox)
+        y += cross * (py - oy + qy - oy)
+    if not 1e-280 < area < 1e280:
+        return Vec(sum(p.x / len(ring) for p in ring), sum(p.y / len(ring) for p in ring))
+    return Vec(ox + x / area / 3, oy + y / area / 3)
+
+
+def _hull(ring: Sequence[Vec]) -> list[int]:
+    """Which corners are on the convex hull, counter-clockwise: Andrew's monotone chain with exact turns."""
+    order = sorted(range(len(ring)), key=ring.__getitem__)
+
+    def chain(ids: Sequence[int]) -> list[int]:
+        kept: list[int] = []
+        for i in ids:
+            while len(kept) > 1 and orient(ring[kept[-2]], ring[kept[-1]], ring[i]) <= 0:
+                kept.pop()
+            kept.append(i)
+        return kept[:-1]
+
+    return chain(order) + chain(order[::-1])
+
+
+def _convex(shape: Shape) -> bool:
+    return isinstance(shape, Circle) or shape.is_convex
+
+
+def _axis(normal: Sequence[int], k: int, source: Source, *, as_given: bool = False) -> Axis | None:
+    """The axis along an integer vector in units of 2**-k; None for (0, 0)."""
+    x, y = normal
+    if not (x or y):
+        return None
+    if not as_given and (x, y) < (0, 0):
+        x, y = -x, -y
+    size = max(x.bit_length(), y.bit_length())
+    if abs(size - k) > 300:
+        k = size  # a direction has no size: bring extreme ones near 1, where lengths neither overflow nor vanish
+    vector = Vec(to_float(x, k), to_float(y, k))
+    return Axis(vector, hypot(*vector), source)
+
+
+def _own_normals(polygon: Polygon, role: str) -> tuple[tuple[Axis, IntPoint], ...]:
+    """Each edge's normal with a key that is equal exactly for parallel edges; kept on the shape."""
+    if role not in polygon._cache:
+        k, points, _ = polygon.integers
+        found = []
+        for i, (px, py) in enumerate(points):
+            j = (i + 1) % len(points)
+            normal = points[j][1] - py, px - points[j][0]
+            source = Source(EDGE, role, tuple(sorted((polygon.corner_ids[i], polygon.corner_ids[j]))))
+            found.append((_axis(normal, k, source), _direction_key(*normal)))
+        polygon._cache[role] = tuple(found)
+    return polygon._cache[role]
+
+
+def _direction_key(x: int, y: int) -> IntPoint:
+    """The shortest integer vector on the same line, pointing right (or up)."""
+    common = gcd(x, y)
+    return (x // common, y // common) if (x, y) > (0, 0) else (-x // common, -y // common)
+
+
+def _normals(shape: Shape, role: str) -> tuple[Axis, ...]:
+    return tuple(axis for axis, _ in _own_normals(shape, role)) if isinstance(shape, Polygon) else ()
+
+
+def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis, str | None]:
+    """The axis between a circle's centre and the polygon's nearest vertex, and why it is left out if it is."""
+    role = "A" if isinstance(a, Polygon) else "B"
+    polygon = a if role == "A" else b
+    core_a, core_b, _, k = aligned(a, b)
+    ring, ((cx, cy),) = (core_a, core_b) if role == "A" else (core_b, core_a)
+    i = min(range(len(ring)), key=lambda i: (cx - ring[i][0]) ** 2 + (cy - ring[i][1]) ** 2)
+    source = Source(VERTEX, role, (polygon.corner_ids[i],))
+    x, y = cx - ring[i][0], cy - ring[i][1]
+    if not (x or y):
+        return Axis(Vec(1.0, 0.0), 1.0, source), "the centre is on that vertex: no direction"
+    key = _direction_key(x, y)
+    parallel = f"parallel to axis {number[key]}" if key in number else None
+    return _axis((x, y), k, source), parallel

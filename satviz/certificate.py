@@ -1,0 +1,201 @@
+"""Evidence for a verdict that anyone can check with fractions, without trusting the engine."""
+
+from fractions import Fraction
+from functools import lru_cache
+from math import gcd, isqrt
+from typing import NamedTuple
+
+from .axes import Axis, exact_normal
+from .concave import parts
+from .exact import aligned
+from .geometry import Vec
+from .shapes import Circle, Shape
+
+Rational = tuple[Fraction, Fraction]
+
+
+class SeparatingLine(NamedTuple):
+    """The line normal . (x, y) = offset, with all of one shape strictly on either side (exact fractions)."""
+
+    a: Shape
+    b: Shape
+    normal: Rational
+    offset: Fraction
+
+    def check(self) -> bool:
+        """Exactly: does the line lie strictly between the shapes?"""
+        below, above = _sides(self.a, self.normal, self.offset), _sides(self.b, self.normal, self.offset)
+        return (below, above) in ((-1, 1), (1, -1))
+
+    @property
+    def point(self) -> Vec:
+        """A point on the line, the nearest to the origin, rounded."""
+        nx, ny = self.normal
+        t = self.offset / (nx * nx + ny * ny)
+        return Vec(float(nx * t), float(ny * t))
+
+    def __str__(self) -> str:
+        nx, ny = self.normal
+        return f"separating line {_short(nx)} x {'-' if ny < 0 else '+'} {_short(abs(ny))} y = {_short(self.offset)}"
+
+
+class SharedPoint(NamedTuple):
+    """A point of both closed shapes (exact fractions)."""
+
+    a: Shape
+    b: Shape
+    x: Fraction
+    y: Fraction
+
+    def check(self) -> bool:
+        """Exactly: does the point lie in both shapes (their borders included)?"""
+        return all(any(_holds(part, (self.x, self.y)) for part in parts(s)) for s in (self.a, self.b))
+
+    @property
+    def point(self) -> Vec:
+        return Vec(float(self.x), float(self.y))
+
+    def __str__(self) -> str:
+        return f"the point ({_short(self.x)}, {_short(self.y)}) lies in both"
+
+
+class PartLines(NamedTuple):
+    """For concave outlines: one separating line for each pair of convex parts, which make up the whole."""
+
+    a: Shape
+    b: Shape
+    lines: tuple[SeparatingLine, ...]
+
+    def check(self) -> bool:
+        """Exactly: does every line separate its pair, and do the parts' areas add up to the shapes'?"""
+        pairs = [(p, q) for p in parts(self.a) for q in parts(self.b)]
+        return (
+            [(line.a, line.b) for line in self.lines] == pairs
+            and all(line.check() for line in self.lines)
+            and all(_area(s) == sum(map(_area, parts(s))) for s in (self.a, self.b))
+        )
+
+    def __str__(self) -> str:
+        return f"{len(self.lines)} separating lines, one a pair of parts"
+
+
+Certificate = SeparatingLine | SharedPoint | PartLines
+
+
+def separating_line(a: Shape, b: Shape, axis: Axis) -> SeparatingLine:
+    """The line across a separating axis, in the middle of the gap (as near as fractions name it)."""
+    core_a, core_b, _, k = aligned(a, b)
+    nx, ny = exact_normal(axis, {"A": a, "B": b}, {"A": core_a, "B": core_b})
+    dots_a, dots_b = ([nx * x + ny * y for x, y in core] for core in (core_a, core_b))
+    if min(dots_a) > max(dots_b):
+        (lo, low), (hi, high) = (max(dots_b), b), (min(dots_a), a)
+    else:
+        (lo, low), (hi, high) = (max(dots_a), a), (min(dots_b), b)
+    square = nx * nx + ny * ny
+    # the edges of the gap are lo + r|n| and hi - r|n|; r|n| is irrational in general, so bracket it
+    bits = 16
+    while True:
+        start = Fraction(lo) + _root(low, k, square, bits)
+        end = Fraction(hi) - _root(high, k, square, bits)
+        if start < end:
+            common = gcd(nx, ny)
+            offset = (start + end) / 2 / Fraction(2) ** k / common
+            return SeparatingLine(a, b, (Fraction(nx // common), Fraction(ny // common)), offset)
+        bits *= 2
+
+
+def _root(shape: Shape, k: int, square: int, bits: int) -> Fraction:
+    """radius * sqrt(square) in units of 2**-k, rounded to 2**-bits of a unit upwards; 0 for a polygon."""
+    if not isinstance(shape, Circle):
+        return Fraction(0)
+    own_k, _, r = shape.integers
+    scaled = (r << k - own_k) ** 2 * square << 2 * bits
+    return Fraction(isqrt(scaled - 1) + 1, 1 << bits)
+
+
+@lru_cache(maxsize=256)
+def shared_point(a: Shape, b: Shape) -> SharedPoint:
+    """A point of both of two convex shapes that touch or overlap, well inside the overlap where it has an inside."""
+    if isinstance(a, Circle) and isinstance(b, Circle):
+        (ax, ay, ra), (bx, by, rb) = (tuple(map(Fraction, (*c.center, c.radius))) for c in (a, b))
+        t = ra / (ra + rb)  # works whenever the distance is at most ra + rb
+        point = ax + t * (bx - ax), ay + t * (by - ay)
+    elif isinstance(a, Circle) or isinstance(b, Circle):
+        circle, polygon = (a, b) if isinstance(a, Circle) else (b, a)
+        point = _nearest_point(_ring(polygon), (Fraction(circle.center.x), Fraction(circle.center.y)))
+    else:
+        common = _clipped(_ring(a), _ring(b))
+        point = sum(x for x, _ in common) / len(common), sum(y for _, y in common) / len(common)
+    return SharedPoint(a, b, *point)
+
+
+def _ring(shape: Shape) -> list[Rational]:
+    return [(Fraction(x), Fraction(y)) for x, y in shape.corners]
+
+
+def _cross(p: Rational, q: Rational, r: Rational) -> Fraction:
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+
+def _edges(ring: list[Rational]):
+    return zip(ring, [*ring[1:], ring[0]], strict=True)
+
+
+def _clipped(subject: list[Rational], clip: list[Rational]) -> list[Rational]:
+    """Sutherland and Hodgman's clipping of one convex ring by another, in fractions."""
+    for p, q in _edges(clip):
+        kept = []
+        for u, v in _edges(subject):
+            side_u, side_v = _cross(p, q, u), _cross(p, q, v)
+            if side_u >= 0:
+                kept.append(u)
+            if side_u * side_v < 0:
+                t = side_u / (side_u - side_v)
+                kept.append((u[0] + t * (v[0] - u[0]), u[1] + t * (v[1] - u[1])))
+        subject = list(dict.fromkeys(kept))
+    return subject
+
+
+def _nearest_point(ring: list[Rational], c: Rational) -> Rational:
+    """The ring's point nearest to c, or c itself inside."""
+    if all(_cross(p, q, c) >= 0 for p, q in _edges(ring)):
+        return c
+    feet = []
+    for p, q in _edges(ring):
+        dx, dy = q[0] - p[0], q[1] - p[1]
+        t = min(1, max(0, ((c[0] - p[0]) * dx + (c[1] - p[1]) * dy) / (dx * dx + dy * dy)))
+        feet.append((p[0] + t * dx, p[1] + t * dy))
+    return min(feet, key=lambda f: (f[0] - c[0]) ** 2 + (f[1] - c[1]) ** 2)
+
+
+def _holds(shape: Shape, point: Rational) -> bool:
+    if isinstance(shape, Circle):
+        x, y, r = map(Fraction, (*shape.center, shape.radius))
+        return (point[0] - x) ** 2 + (point[1] - y) ** 2 <= r * r
+    return all(_cross(p, q, point) >= 0 for p, q in _edges(_ring(shape)))
+
+
+def _sides(shape: Shape, normal: Rational, offset: Fraction) -> int:
+    """-1 or 1 if the whole shape is strictly below or above the line, else 0."""
+    nx, ny = normal
+    if isinstance(shape, Circle):
+        x, y, r = map(Fraction, (*shape.center, shape.radius))
+        d = nx * x + ny * y - offset
+        return 0 if d * d <= r * r * (nx * nx + ny * ny) else 1 if d > 0 else -1
+    dots = [nx * x + ny * y - offset for x, y in _ring(shape)]
+    return 1 if min(dots) > 0 else -1 if max(dots) < 0 else 0
+
+
+def _area(shape: Shape) -> Fraction:
+    """Twice the area; a circle is its own only part, so any number serves."""
+    if isinstance(shape, Circle):
+        return Fraction(0)
+    ring = _ring(shape)
+    return sum((p[0] * q[1] - p[1] * q[0] for p, q in _edges(ring)), Fraction(0))
+
+
+def _short(value: Fraction) -> str:
+    try:
+        return f"{float(value):.6g}"
+    except OverflowError:
+        return str(value)

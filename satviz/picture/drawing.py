@@ -1,0 +1,299 @@
+"""The layers a picture is made of: shapes, an edge, its normal, an axis, drops, ranges, gaps, lines, words.
+
+Every number comes from the trace.  Labels are only asked for here; they are placed
+when all strokes are known.
+"""
+
+from collections.abc import Sequence
+from itertools import pairwise
+from math import cos, hypot, pi, sin
+
+from .. import telling
+from ..axes import CENTERS, EDGE, HULL, VERTEX, WORLD, centroid
+from ..geometry import Interval, Vec
+from ..sat import AxisTest, Projection
+from ..shapes import Circle, Polygon, Shape
+from ..trace import Trace
+from .layout import AxisPlace, Board, Layout, Request, moved
+from .marks import Mark, Picture
+from .theme import DOT
+
+NORMAL = 34.0  # the length of a normal's arrow, in points
+TICK = 5.0
+LIST_WIDTH = 34  # letters a line in a list of axes
+
+
+class Drawing:
+    """Collects marks for one picture of a trace."""
+
+    def __init__(self, trace: Trace, layout: Layout) -> None:
+        self.trace = trace
+        self.layout = layout
+        self.marks: list[Mark] = []
+        self.requests: list[tuple[int, Request]] = []
+
+    def add(self, mark_id: str, kind: str, role: str, *points: Vec, **more) -> None:
+        self.marks.append(Mark(mark_id, kind, role, tuple(points), **more))
+
+    def label(self, mark_id: str, text: str, role: str, anchor: Vec, *, first: int = 5, **more) -> None:
+        """Ask for a label; those with a lower `first` choose their place earlier."""
+        self.requests.append((first, Request(mark_id, text, role, anchor, **more)))
+
+    # -- shapes
+
+    def shape(self, role: str, name: str, shape: Shape, *, weight: str = "plain", named: bool = True) -> None:
+        """The outline and its name; vertices the owner labelled get a dot and their label."""
+        if isinstance(shape, Circle):
+            self.add(f"{name}.outline", "disc", role, shape.center, radius=shape.radius, weight=weight)
+        else:
+            self.add(f"{name}.outline", "outline", role, *shape.vertices, weight=weight)
+        if named:
+            middle = centroid(shape)
+            self.label(f"{name}.name", name, role, middle, inside=True, weight="title", first=2)
+
+    def shapes(self, *, weight: str = "plain") -> None:
+        for role, name, shape in self.pair():
+            self.shape(role, name, shape, weight=weight)
+            if isinstance(shape, Polygon) and shape.labels and weight != "faint":
+                self.vertices(role, range(len(shape.vertices)))
+
+    def pair(self):
+        """(role, name, shape) of both."""
+        return zip("AB", self.trace.names, (self.trace.a, self.trace.b), strict=True)
+
+    def of(self, role: str) -> tuple[str, Shape]:
+        return (self.trace.names.a, self.trace.a) if role == "A" else (self.trace.names.b, self.trace.b)
+
+    def vertices(self, role: str, ids: Sequence[int], *, as_role: str = "") -> None:
+        """Dots with names on some of a polygon's vertices."""
+        name, polygon = self.of(role)
+        middle = centroid(polygon)
+        for i in ids:
+            if any(m.id == f"{name}.vertex.{i}" for m in self.marks):
+                continue
+            v = polygon.vertices[i]
+            self.add(f"{name}.vertex.{i}", "dot", role, v)
+            away = Vec(v.x - middle.x, v.y - middle.y)
+            text = telling.vertex_name(polygon, name, i)
+            self.label(f"{name}.vertex.{i}.name", text, as_role or role, v, prefer=away, first=4, optional=True)
+
+    # -- where the axis comes from
+
+    def edge(self, test: AxisTest, *, told: bool = False) -> None:
+        """The edge (or the line between centres or to the nearest vertex) the axis comes from."""
+        kind, role, ids = test.source
+        if kind in (EDGE, HULL):
+            name, polygon = self.of(role)
+            p, q = (polygon.vertices[i] for i in ids)
+            self.add("edge", "segment", role, p, q, weight="strong")
+            if told:
+                self.vertices(role, ids)
+                ends = [telling.vertex_name(polygon, name, i) for i in ids]
+                middle = self.middle(p, q)
+                out = self.outward(polygon, p, q)
+                text = f"edge = {ends[0]} - {ends[1]} = {telling.vector(Vec(p.x - q.x, p.y - q.y))}"
+                self.label("edge.name", text, role, middle, prefer=out, first=1)
+        elif kind in (CENTERS, VERTEX):
+            p, q = self.joined(test)
+            self.add("edge", "segment", "ink", p, q)
+            for i, end in enumerate((p, q)):
+                self.add(f"edge.end.{i}", "dot", "AB"[i], end)
+            if told:
+                self.label("edge.name", telling.vector(Vec(q.x - p.x, q.y - p.y)), "ink", self.middle(p, q), first=1)
+
+    def joined(self, test: AxisTest) -> tuple[Vec, Vec]:
+        """The two points whose difference is the axis: A's, then B's."""
+        ends = []
+        for role, _, shape in self.pair():
+            at_vertex = test.source.kind == VERTEX and test.source.shape == role
+            ends.append(shape.vertices[test.source.ids[0]] if at_vertex else shape.center)
+        return ends[0], ends[1]
+
+    def normal(self, test: AxisTest, *, told: bool = False) -> None:
+        """The axis's direction as an arrow where it comes from."""
+        kind, role, ids = test.source
+        if kind in (EDGE, HULL):
+            _, polygon = self.of(role)
+            start = self.middle(*(polygon.vertices[i] for i in ids))
+        elif kind in (CENTERS, VERTEX):
+            start = self.middle(*self.joined(test))
+        else:
+            return
+        tip = moved(start, test.axis.direction, self.layout.units(NORMAL))
+        self.add("normal", "arrow", role or "ink", start, tip, weight="strong")
+        if told:
+            text = f"normal {telling.vector(test.axis.normal)}" if kind in (EDGE, HULL) else "direction"
+            self.label("normal.name", text, role or "ink", tip, prefer=test.axis.direction, first=1)
+
+    def all_normals(self) -> None:
+        """A small outward arrow on every edge."""
+        for role, name, shape in self.pair():
+            if isinstance(shape, Polygon):
+                ring = shape.corners
+                for i, (p, q) in enumerate(zip(ring, [*ring[1:], ring[0]], strict=True)):
+                    tip = moved(self.middle(p, q), self.outward(shape, p, q), self.layout.units(NORMAL * 0.8))
+                    self.add(f"{name}.normal.{i}", "arrow", role, self.middle(p, q), tip)
+
+    def middle(self, p: Vec, q: Vec) -> Vec:
+        return Vec((p.x + q.x) / 2, (p.y + q.y) / 2)
+
+    def outward(self, polygon: Polygon, p: Vec, q: Vec) -> Vec:
+        """The unit vector across an edge, away from the polygon's inside."""
+        i, j = polygon.corners.index(p), polygon.corners.index(q)
+        if (i + 1) % len(polygon.corners) != j:
+            p, q = q, p
+        length = hypot(q.x - p.x, q.y - p.y)
+        return Vec((q.y - p.y) / length, (p.x - q.x) / length)
+
+    # -- the axis and what lands on it
+
+    def axis(self, test: AxisTest, place: AxisPlace, number: int, *, told: bool = True) -> None:
+        """The axis as a long arrow clear of the shapes."""
+        self.add(f"axis.{number}", "arrow", "ink", place.at(place.lo), place.at(place.hi))
+        if told:
+            kind, _, ids = test.source
+            text = "xy"[ids[0]] if kind == WORLD else f"axis {number}"
+            self.label(f"axis.{number}.name", text, "ink", place.at(place.hi), prefer=place.n, first=3)
+
+    def drops(self, test: AxisTest, place: AxisPlace, number: int, role: str, *, ends_only: bool, told: bool) -> None:
+        """Dotted lines from the points to where they land."""
+        side = test.a if role == "A" else test.b
+        name, shape = self.of(role)
+        shown = self.nearest_ends(side, place) if ends_only else range(len(side.points))
+        for i in shown:
+            spot = place.at(side.landings[i], role)
+            self.add(f"axis.{number}.{name}.drop.{i}", "segment", "guide", side.points[i], spot)
+            self.add(f"axis.{number}.{name}.from.{i}", "dot", role, side.points[i])
+            self.add(f"axis.{number}.{name}.landing.{i}", "dot", role, spot)
+        if told:
+            for end, way in zip(side.interval, (-1, 1), strict=True):
+                who = self.landed_names(shape, side, end)
+                prefer = Vec(place.out.x * (1 if role == "B" else -1), place.out.y * (1 if role == "B" else -1))
+                prefer = Vec(prefer.x + place.n.x * way * 0.5, prefer.y + place.n.y * way * 0.5)
+                mark = f"axis.{number}.{name}.{'lowest' if way < 0 else 'highest'}"
+                self.label(mark, f"{who} {telling.number(end)}".strip(), role, place.at(end, role), prefer=prefer)
+
+    def landed_names(self, shape: Shape, side: Projection, end: float) -> str:
+        """Who landed at an end of the range, if the owner named the vertices: "v1, v2"."""
+        if isinstance(shape, Circle) or not shape.labels:
+            return ""
+        shown = telling.number(end)
+        ids = [shape.corner_ids[i] for i, t in enumerate(side.landings) if telling.number(t) == shown]
+        return ", ".join(shape.labels[i] for i in sorted(ids))
+
+    def nearest_ends(self, side: Projection, place: AxisPlace) -> list[int]:
+        """A lowest and a highest point; of several that land together the one nearest to the axis."""
+
+        def height(i: int) -> float:
+            return side.points[i].x * place.out.x + side.points[i].y * place.out.y
+
+        close = self.layout.units(0.5)
+        found = []
+        for end in side.interval:
+            ties = [i for i, t in enumerate(side.landings) if abs(t - end) <= close]
+            found.append(max(ties, key=height))
+        return sorted(set(found))
+
+    def range(self, test: AxisTest, place: AxisPlace, number: int, role: str) -> None:
+        """One shape's range as a bar beside the axis, with its interval."""
+        side = test.a if role == "A" else test.b
+        name, _ = self.of(role)
+        ends = [place.at(t, role) for t in side.interval]
+        self.add(f"axis.{number}.{name}.range", "interval", role, *ends)
+        out = place.out if role == "B" else Vec(-place.out.x, -place.out.y)
+        text = f"{name} {telling.interval(side.interval)}"
+        self.label(f"axis.{number}.{name}.interval", text, role, self.middle(*ends), prefer=out, first=3)
+
+    def gap(self, test: AxisTest, place: AxisPlace, number: int) -> None:
+        """The gap as an open bracket, the overlap as a filled bar, with the trace's number."""
+        a, b = test.a.interval, test.b.interval
+        if test.gap >= 0:
+            span = Interval(*((a.hi, b.lo) if a.hi <= b.lo else (b.hi, a.lo)))
+            tick = self.layout.units(TICK)
+            ends = [place.at(t) for t in span]
+            points = [moved(ends[0], place.out, tick), *ends, moved(ends[1], place.out, tick)]
+            role, kind = "gap", "bracket"
+            points = [moved(p, place.out, -tick / 2) for p in points]
+        else:
+            span = Interval(max(a.lo, b.lo), min(a.hi, b.hi))
+            ends = points = [place.at(t) for t in span]
+            role, kind = "overlap", "interval"
+        self.add(f"axis.{number}.gap", kind, role, *points)
+        anchor = self.middle(*ends)
+        self.label(f"axis.{number}.gap.name", telling.outcome(test.gap), role, anchor, prefer=place.out, first=0)
+
+    def project(self, test: AxisTest, place: AxisPlace, number: int, *, drops: bool = True) -> None:
+        """A finished test: the axis, the extreme points' drops, both ranges, the gap or overlap."""
+        self.axis(test, place, number)
+        for role in "AB":
+            if drops:
+                self.drops(test, place, number, role, ends_only=True, told=False)
+            self.range(test, place, number, role)
+        self.gap(test, place, number)
+
+    # -- lines, moves, words
+
+    def line_across(self, mark_id: str, through: Vec, normal: Vec, role: str, *, weight: str = "plain") -> tuple:
+        """The part of a line (through a point, across a normal) that lies well inside the canvas."""
+        x0, y0, x1, y1 = self.layout.limits
+        rim = self.layout.units(14)
+        d = Vec(-normal.y, normal.x)
+        start, end = -float("inf"), float("inf")
+        for u, p, lo, hi in (d.x, through.x, x0 + rim, x1 - rim), (d.y, through.y, y0 + rim, y1 - rim):
+            if abs(u) > 1e-12:
+                near, far = sorted(((lo - p) / u, (hi - p) / u))
+                start, end = max(start, near), min(end, far)
+        ends = moved(through, d, start), moved(through, d, end)
+        self.add(mark_id, "segment", role, *ends, weight=weight)
+        return ends
+
+    def note(self, mark_id: str, text: str, role: str, *, weight: str = "plain", first: int = 8) -> None:
+        """Words that belong to no mark: near the top, wherever there is room."""
+        x0, _, x1, y1 = self.layout.limits
+        anchor = Vec((x0 + x1) / 2, y1 - self.layout.units(20))
+        self.label(mark_id, text, role, anchor, weight=weight, first=first, inside=True, far=True, optional=True)
+
+    def left_out(self) -> None:
+        """The axes the early exit made unnecessary, listed in grey."""
+        left = [s.axis for s in self.trace.skipped if s.reason.startswith("early exit")]
+        if not left:
+            return
+        names = [telling.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names) for axis in left]
+        if len(names) > 8:
+            names = [*names[:7], f"{len(names) - 7} more"]
+        lines = ["not tested:"]
+        for i, name in enumerate(names):
+            piece = name + ("," if i < len(names) - 1 else "")
+            if len(lines) > 1 and len(lines[-1]) + len(piece) < LIST_WIDTH:
+                lines[-1] += f" {piece}"
+            else:
+                lines.append(piece)
+        self.note("left-out", "\n".join(lines), "guide")
+
+    def finish(self, title: str, sentence: str) -> Picture:
+        """Place the labels and close the picture."""
+        board = Board(self.layout)
+        for mark in self.marks:
+            _put(board, mark)
+        for _, request in sorted(self.requests, key=lambda r: r[0]):
+            spot = board.place(request)
+            if spot is not None:
+                self.add(request.id, "label", request.role, spot, text=request.text, weight=request.weight)
+        return Picture(tuple(self.marks), self.layout.limits, self.layout.size, title, sentence)
+
+
+def _put(board: Board, mark: Mark) -> None:
+    """Tell the board what a mark covers."""
+    points = mark.points
+    if mark.kind == "dot":
+        board.dot(points[0], DOT / 2)
+    elif mark.kind == "disc":
+        ring = [moved(points[0], Vec(cos(k * pi / 16), sin(k * pi / 16)), mark.radius) for k in range(33)]
+        for p, q in pairwise(ring):
+            board.stroke(p, q, 300)
+    else:
+        price = 40 if mark.role == "guide" else 300 if mark.weight != "faint" else 60
+        ring = (*points, points[0]) if mark.kind == "outline" else points
+        for p, q in pairwise(ring):
+            board.stroke(p, q, price)
+

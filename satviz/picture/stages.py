@@ -1,0 +1,218 @@
+"""The drawing stages: a trace as a row of steps, and the picture of any of them."""
+
+from collections.abc import Sequence
+from enum import StrEnum
+from functools import lru_cache
+from typing import NamedTuple
+
+from .. import telling
+from ..axes import GIVEN, WORLD
+from ..certificate import SeparatingLine, SharedPoint
+from ..geometry import Relation, Vec
+from ..shapes import Circle, Shape
+from ..concave import named_parts
+from ..trace import Trace
+from .drawing import Drawing
+from .layout import HEIGHT, WIDTH, AxisPlace, Layout, arrange, moved
+from .marks import Picture
+
+
+class Stage(StrEnum):
+    """How far a test has been drawn."""
+
+    SCENE = "scene"
+    PARTS = "parts"
+    EDGE = "edge"
+    NORMAL = "normal"
+    AXIS = "axis"
+    DROPS = "drops"
+    RANGE = "range"
+    BOTH = "both ranges"
+    GAP = "gap"
+    VERDICT = "verdict"
+
+
+OF_A_TEST = (Stage.EDGE, Stage.NORMAL, Stage.AXIS, Stage.DROPS, Stage.RANGE, Stage.BOTH, Stage.GAP)
+
+
+class Step(NamedTuple):
+    """One drawing stage of one test; `pair` counts the part pairs of concave outlines (None for plain pairs)."""
+
+    stage: Stage
+    test: int | None = None
+    pair: int | None = None
+
+
+def steps(trace: Trace) -> list[Step]:
+    """Every step of a trace in drawing order, from the bare scene to the verdict."""
+    found = [Step(Stage.SCENE)]
+    if trace.pairs:
+        found.append(Step(Stage.PARTS))
+        for p, pair in enumerate(trace.pairs):
+            found += [Step(stage, t, p) for t in range(len(pair.tests)) for stage in _stages(pair, t)]
+    else:
+        found += [Step(stage, t) for t in range(len(trace.tests)) for stage in _stages(trace, t)]
+    return [*found, Step(Stage.VERDICT)]
+
+
+def _stages(trace: Trace, test: int) -> Sequence[Stage]:
+    """World and given axes come from no edge."""
+    return OF_A_TEST[2:] if trace.tests[test].source.kind in (WORLD, GIVEN) else OF_A_TEST
+
+
+def picture(
+    trace: Trace, step: int | Step = -1, *, title: str = "", largest: tuple[float, float] = (WIDTH, HEIGHT)
+) -> Picture:
+    """The picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
+
+    `largest`: the canvas in points at most.  IndexError for a step the trace does not have.
+    """
+    every = steps(trace)
+    if not isinstance(step, Step):
+        if not -len(every) <= step < len(every):
+            raise IndexError(f"step {step}: this trace has the steps 0 to {len(every) - 1}")
+        step = every[step]
+    elif step not in every:
+        raise IndexError(f"{step}: this trace has no such step")
+    layout = scene_layout(trace, largest)
+    run = trace if step.pair is None else trace.pairs[step.pair]
+    drawing = Drawing(run, layout)
+    if step.pair is not None:
+        others(drawing, trace, run)
+    if step.test is not None:
+        before = sum(len(pair.tests) for pair in trace.pairs[: step.pair or 0])
+        draw_test(drawing, step.stage, step.test, layout.places[before + step.test])
+    elif step.stage is Stage.PARTS:
+        draw_parts(drawing)
+    else:
+        drawing.shapes()
+        if step.stage is Stage.VERDICT:
+            draw_verdict(drawing, layout.places)
+    return drawing.finish(title, sentence(run, step))
+
+
+@lru_cache(maxsize=64)
+def scene_layout(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> Layout:
+    """One layout for all steps, so that nothing jumps between them."""
+    tests = [t for pair in trace.pairs for t in pair.tests] or trace.tests
+    return arrange(_drawn(trace), tests, largest=largest)
+
+
+def _drawn(trace: Trace) -> list[Shape]:
+    """The shapes, and where the verdict moves B to, which must fit too."""
+    shapes: list[Shape] = [trace.a, trace.b]
+    move = trace.mtv
+    return shapes if not move else [*shapes, shifted(trace.b, move)]
+
+
+def shifted(shape: Shape, move: Vec) -> Shape:
+    """The shape moved, rounded: for drawing only."""
+    if isinstance(shape, Circle):
+        return Circle(moved(shape.center, move, 1.0), shape.radius)
+    return type(shape)([moved(v, move, 1.0) for v in shape.vertices], shape.labels)
+
+
+def first_role(trace: Trace, test: int) -> str:
+    """Whose points drop first: the axis's owner's, as the article does with B; else A's."""
+    return trace.tests[test].source.shape or "A"
+
+
+def draw_test(drawing: Drawing, stage: Stage, i: int, place: AxisPlace) -> None:
+    """One test as far as the stage goes."""
+    trace = drawing.trace
+    test, number = trace.tests[i], i + 1
+    done = OF_A_TEST.index(stage)
+    drawing.shapes()
+    drawing.edge(test, told=stage in (Stage.EDGE, Stage.NORMAL))
+    if Stage.NORMAL in OF_A_TEST[: done + 1]:
+        drawing.normal(test, told=stage in (Stage.NORMAL, Stage.AXIS))
+    if Stage.AXIS in OF_A_TEST[: done + 1]:
+        drawing.axis(test, place, number)
+    one = first_role(trace, i)
+    other = "B" if one == "A" else "A"
+    if stage is Stage.DROPS:
+        drawing.drops(test, place, number, one, ends_only=False, told=True)
+    if stage in (Stage.RANGE, Stage.BOTH, Stage.GAP):
+        for role in one if stage is Stage.RANGE else (one, other):
+            drawing.drops(test, place, number, role, ends_only=True, told=False)
+            drawing.range(test, place, number, role)
+    if stage is Stage.GAP:
+        drawing.gap(test, place, number)
+        if test.separates:
+            drawing.left_out()
+
+
+def others(drawing: Drawing, whole: Trace, run: Trace) -> None:
+    """The parts that this pair leaves aside, faintly."""
+    for role, name, shape in zip("AB", whole.names, (whole.a, whole.b), strict=True):
+        for part, part_name in named_parts(shape, name):
+            if part_name not in run.names:
+                drawing.shape(role, part_name, part, weight="faint", named=False)
+
+
+def draw_parts(drawing: Drawing) -> None:
+    """Both shapes as their convex parts."""
+    for role, name, shape in drawing.pair():
+        for part, part_name in named_parts(shape, name):
+            drawing.shape(role, part_name, part)
+
+
+def draw_verdict(drawing: Drawing, places: Sequence[AxisPlace]) -> None:
+    """What proves the verdict: a separating line, a shared point, the move that parts them."""
+    trace = drawing.trace
+    drawing.note("verdict", str(trace.relation), "ink", weight="title", first=1)
+    certificate = trace.certificate
+    if isinstance(certificate, SeparatingLine):
+        separating_line(drawing, certificate)
+        if trace.separating:
+            i = trace.tests.index(trace.separating)
+            drawing.project(trace.separating, places[i], i + 1, drops=False)
+    elif isinstance(certificate, SharedPoint):
+        spot = certificate.point
+        drawing.add("shared", "dot", "ink", spot)
+        drawing.label("shared.name", f"in both: {telling.vector(spot)}", "ink", spot, first=4)
+        draw_move(drawing)
+    else:
+        for n, (p, q) in enumerate(zip(trace.pairs, certificate.lines, strict=True), 1):
+            drawing.line_across(f"line.{n}", q.point, _unit(q), "gap")
+            drawing.label(f"line.{n}.name", f"{p.names.a} | {p.names.b}", "gap", q.point, first=4, far=True)
+
+
+def draw_move(drawing: Drawing) -> None:
+    """B where the MTV takes it, and the arrow of the move."""
+    trace = drawing.trace
+    if trace.relation is not Relation.OVERLAPPING:
+        return
+    move = trace.mtv
+    ghost = shifted(trace.b, move)
+    drawing.shape("B", f"{trace.names.b} moved", ghost, weight="faint", named=False)
+    start = trace.certificate.point
+    tip = moved(start, move, 1.0)
+    drawing.add("mtv", "arrow", "overlap", start, tip, weight="strong")
+    drawing.label("mtv.name", f"MTV {telling.vector(move)}", "overlap", tip, prefer=move, first=3)
+
+
+def separating_line(drawing: Drawing, certificate: SeparatingLine, text: str = "separating line") -> None:
+    """The certificate's line across the canvas."""
+    ends = drawing.line_across("line", certificate.point, _unit(certificate), "gap")
+    low, high = sorted(ends, key=lambda p: p.y)
+    drawing.label("line.name", text, "gap", high, prefer=Vec(low.x - high.x, low.y - high.y), first=2, far=True)
+
+
+def _unit(certificate: SeparatingLine) -> Vec:
+    """The line's normal, scaled from its fractions without overflow."""
+    nx, ny = certificate.normal
+    size = max(abs(nx), abs(ny))
+    x, y = float(nx / size), float(ny / size)
+    length = (x * x + y * y) ** 0.5
+    return Vec(x / length, y / length)
+
+
+def sentence(trace: Trace, step: Step) -> str:
+    """What a step shows, in words made from the trace."""
+    stage = step.stage
+    if step.test is not None:
+        return telling.stage(trace, step.test, stage.value, first_role(trace, step.test))
+    if stage is Stage.PARTS:
+        return telling.parts(trace)
+    return telling.scene(trace) if stage is Stage.SCENE else trace.sentence

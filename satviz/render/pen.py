@@ -1,0 +1,174 @@
+"""The matplotlib pen: draws a picture's marks on given Axes and updates them in place."""
+
+from collections.abc import Sequence
+from math import hypot
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.collections import PathCollection
+from matplotlib.colors import to_rgba
+from matplotlib.path import Path
+from matplotlib.text import Text
+
+from ..geometry import Vec
+from ..picture import theme as look
+from ..picture.marks import Mark, Picture
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+# drawing order: fills, then what guides, then the shapes, then what the step is about
+LAYERS = {"guide": 0, "faint": 1, "plain": 2, "strong": 3, "interval": 4, "bracket": 5}
+
+
+class Pen:
+    """Draws pictures on one Axes: three collections (fills, strokes, solids) and a pool of texts.
+
+    Few artists, kept and given new numbers for the next picture, are what makes a
+    redraw quick.
+    """
+
+    def __init__(self, ax: "Axes", theme: look.Theme = look.LIGHT) -> None:
+        self.ax = ax
+        self.theme = theme
+        ax.set_axis_off()
+        ax.figure.set_facecolor(theme.paper)
+        self.fills = PathCollection([], linewidths=0, zorder=1)
+        self.strokes = PathCollection([], facecolors="none", capstyle="butt", joinstyle="round", zorder=2)
+        self.solids = PathCollection([], linewidths=0, zorder=3)
+        for collection in (self.fills, self.strokes, self.solids):
+            collection.set_transform(ax.transData)
+            ax.add_collection(collection, autolim=False)
+        self.texts: list[Text] = []
+
+    def draw(self, picture: Picture) -> "dict[str, Artist]":
+        """Put the picture on the Axes in place of the one before; returns the artist of each mark by its id.
+
+        Marks of one kind share a collection, so several ids may give one artist.
+        """
+        self._view(picture)
+        fills, strokes, solids = [], [], []
+        artists: dict[str, Artist] = {}
+        labels = [mark for mark in picture.marks if mark.kind == "label"]
+        for mark in picture.marks:
+            if mark.kind == "label":
+                continue
+            colour = self.theme.roles[mark.role]
+            artists[mark.id] = self.solids if mark.kind == "dot" else self.strokes
+            if mark.kind in ("outline", "disc"):
+                fills.append((_outline(mark), to_rgba(colour, look.FILL / (3 if mark.weight == "faint" else 1))))
+            if mark.kind == "dot":
+                solids.append((_dot(mark, picture.scale), to_rgba(colour)))
+            else:
+                strokes.append(self._stroke(mark, picture.scale, colour))
+            if mark.kind == "arrow":
+                solids.append((_head(mark, picture.scale), to_rgba(colour)))
+        strokes.sort(key=lambda stroke: stroke[0])
+        _fill(self.fills, fills)
+        _fill(self.solids, solids)
+        self.strokes.set_paths([stroke[1] for stroke in strokes])
+        self.strokes.set_edgecolors([stroke[2] for stroke in strokes])
+        self.strokes.set_linewidths([stroke[3] for stroke in strokes])
+        self.strokes.set_linestyles([stroke[4] for stroke in strokes])
+        self._write(labels, artists)
+        return artists
+
+    def _view(self, picture: Picture) -> None:
+        x0, y0, x1, y1 = picture.limits
+        self.ax.set_xlim(x0, x1)
+        self.ax.set_ylim(y0, y1)
+        self.ax.set_aspect("equal", adjustable="box")
+
+    def _stroke(self, mark: Mark, scale: float, colour: str) -> tuple:
+        """(layer, path, colour, width, line style) of one mark's line."""
+        faint = mark.weight == "faint"
+        width, style = look.OUTLINE, "solid"
+        layer = LAYERS.get(mark.kind, LAYERS[mark.weight if mark.weight in LAYERS else "plain"])
+        if mark.kind in ("outline", "disc"):
+            path = _outline(mark)
+            width = look.GUIDE if faint else look.OUTLINE
+            style = (0, look.DASH) if mark.role == "B" else "solid"
+        else:
+            path = _line(_shaft(mark, scale) if mark.kind == "arrow" else mark.points)
+            if mark.kind == "interval":
+                width = look.OVERLAP_BAR if mark.role == "overlap" else look.BAR
+            elif mark.kind == "arrow":
+                width = look.OUTLINE if mark.weight == "strong" or mark.role in "AB" else look.AXIS
+            elif mark.role == "guide":
+                width, style, layer = look.GUIDE, (0, look.DOTTED), LAYERS["guide"]
+            elif mark.weight == "strong":
+                width = look.STRONG
+            elif mark.kind == "segment":
+                width = look.GUIDE * 1.5
+        return layer, path, to_rgba(colour, 0.55 if faint else 1), width, style
+
+    def _write(self, labels: Sequence[Mark], artists: "dict[str, Artist]") -> None:
+        while len(self.texts) < len(labels):
+            text = self.ax.text(
+                0,
+                0,
+                "",
+                ha="center",
+                va="center",
+                fontfamily="sans-serif",
+                parse_math=False,
+                zorder=4,
+                linespacing=1.2,
+                clip_on=False,
+            )
+            self.texts.append(text)
+        for text, mark in zip(self.texts, labels):
+            text.set_position(mark.points[0])
+            text.set_text(mark.text)
+            text.set_color(self.theme.text.get(mark.role, self.theme.roles[mark.role]))
+            text.set_fontsize(look.text_size(mark.weight))
+            text.set_fontweight("bold" if mark.weight == "title" else "normal")
+            text.set_visible(True)
+            artists[mark.id] = text
+        for text in self.texts[len(labels) :]:
+            text.set_visible(False)
+
+
+def _fill(collection: PathCollection, shapes: Sequence[tuple]) -> None:
+    collection.set_paths([path for path, _ in shapes])
+    collection.set_facecolors([colour for _, colour in shapes])
+
+
+def _line(points: Sequence[Vec]) -> Path:
+    return Path(np.asarray(points, dtype=float))
+
+
+def _outline(mark: Mark) -> Path:
+    if mark.kind == "disc":
+        return Path.circle(mark.points[0], mark.radius)
+    return Path(np.asarray([*mark.points, mark.points[0]], dtype=float), closed=True)
+
+
+def _dot(mark: Mark, scale: float) -> Path:
+    """Round for A, square for B."""
+    r = look.DOT / 2 / scale
+    (x, y) = mark.points[0]
+    if mark.role == "B":
+        r *= 0.9
+        return Path([(x - r, y - r), (x + r, y - r), (x + r, y + r), (x - r, y + r), (x - r, y - r)], closed=True)
+    return Path.circle((x, y), r)
+
+
+def _arrow(mark: Mark, scale: float) -> tuple[Vec, Vec, float, float]:
+    (tail, tip), (length, width) = mark.points, look.HEAD
+    size = hypot(tip.x - tail.x, tip.y - tail.y) or 1.0
+    u = Vec((tip.x - tail.x) / size, (tip.y - tail.y) / size)
+    return u, tip, min(length / scale, size), width / 2 / scale
+
+
+def _shaft(mark: Mark, scale: float) -> Sequence[Vec]:
+    u, tip, length, _ = _arrow(mark, scale)
+    return mark.points[0], Vec(tip.x - u.x * length * 0.8, tip.y - u.y * length * 0.8)
+
+
+def _head(mark: Mark, scale: float) -> Path:
+    u, tip, length, half = _arrow(mark, scale)
+    bx, by = tip.x - u.x * length, tip.y - u.y * length
+    left, right = (bx - u.y * half, by + u.x * half), (bx + u.y * half, by - u.x * half)
+    return Path([tip, left, right, tip], closed=True)

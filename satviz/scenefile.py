@@ -1,0 +1,116 @@
+"""Shapes and scenes as JSON: what a scene file may say, read strictly."""
+
+import json
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from .axes import NAMED
+from .geometry import InvalidScene, InvalidShape
+from .shapes import Circle, Polygon, Shape
+from .strictjson import keys, parse, typed
+from .trace import Trace, record
+
+MAX_CHARS = 1 << 20
+MAX_VERTICES = 1000  # a trace has (n + m) axes with n + m landings each
+NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
+MAX_NAME = 60
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """Two shapes, the choice of axes to test them on, a name for files and a title for people.
+
+    `axes` is a name from satviz.axes.NAMED; `every_axis` goes on past the early exit.
+    """
+
+    name: str
+    a: Shape
+    b: Shape
+    axes: str = "needed"
+    every_axis: bool = False
+    title: str = ""
+
+    def __post_init__(self) -> None:
+        if not NAME.fullmatch(self.name) or len(self.name) > MAX_NAME:
+            raise InvalidScene(
+                f"the name {self.name!r} must be small letters and digits in words joined by -, at most {MAX_NAME}"
+            )
+        if self.axes not in NAMED:
+            raise InvalidScene(f"unknown axes {self.axes!r}: choose one of {', '.join(NAMED)}")
+
+    def record(self) -> Trace:
+        """The scene's trace."""
+        return record(self.a, self.b, axes=NAMED[self.axes], every_axis=self.every_axis)
+
+    def to_json(self) -> str:
+        """The scene as a scene file."""
+        data = {"satviz": "scene 1", "name": self.name, "title": self.title}
+        data |= {"a": shape_data(self.a), "b": shape_data(self.b), "axes": self.axes, "every_axis": self.every_axis}
+        return json.dumps(data, ensure_ascii=False)
+
+    @staticmethod
+    def from_json(text: str) -> "Scene":
+        """The scene of a scene file; InvalidScene names the field that is wrong."""
+        data = keys(parse(text, MAX_CHARS), "the scene", {"satviz", "a", "b"}, {"name", "title", "axes", "every_axis"})
+        if data["satviz"] != "scene 1":
+            raise InvalidScene('"satviz" must be "scene 1"')
+        return Scene(
+            name=typed(data.get("name", "scene"), "name", str),
+            a=shape_from(data["a"], "a"),
+            b=shape_from(data["b"], "b"),
+            axes=typed(data.get("axes", "needed"), "axes", str),
+            every_axis=typed(data.get("every_axis", False), "every_axis", bool),
+            title=typed(data.get("title", ""), "title", str),
+        )
+
+
+def load(path: str | Path) -> Scene:
+    """The scene of a file; InvalidScene if it cannot be read or is not a scene."""
+    path = Path(path)
+    try:
+        with path.open("rb") as file:
+            raw = file.read(MAX_CHARS + 1)
+        text = raw.decode("utf-8-sig")
+    except OSError as error:
+        raise InvalidScene(f"cannot read {path}: {error.strerror or error}") from None
+    except UnicodeDecodeError:
+        raise InvalidScene(f"{path}: not UTF-8 text") from None
+    try:
+        return Scene.from_json(text)
+    except InvalidScene as error:
+        raise InvalidScene(f"{path}: {error}") from None
+
+
+def shape_data(shape: Shape) -> dict:
+    """A shape as plain JSON values."""
+    if isinstance(shape, Circle):
+        return {"circle": list(shape.center), "radius": shape.radius}
+    data: dict = {"polygon": [list(v) for v in shape.vertices]}
+    if shape.labels:
+        data["labels"] = list(shape.labels)
+    return data
+
+
+def shape_from(data: Any, where: str) -> Shape:
+    """The shape of plain JSON values; InvalidScene names the field."""
+    try:
+        if isinstance(data, dict) and "circle" in data:
+            keys(data, where, {"circle", "radius"})
+            return Circle(_numbers(data["circle"], f"{where}.circle"), data["radius"])
+        keys(data, where, {"polygon"}, {"labels"})
+        vertices = typed(data["polygon"], f"{where}.polygon", list)
+        if len(vertices) > MAX_VERTICES:
+            raise InvalidScene(f"{where}.polygon has {len(vertices)} vertices: the limit is {MAX_VERTICES}")
+        vertices = [_numbers(v, f"{where}.polygon[{i}]") for i, v in enumerate(vertices)]
+        labels = data.get("labels")
+        return Polygon(vertices, labels if labels is None else typed(labels, f"{where}.labels", list))
+    except InvalidShape as error:
+        raise InvalidScene(f"{where}: {error}") from None
+
+
+def _numbers(value: Any, where: str) -> list:
+    if not isinstance(value, list) or len(value) != 2:
+        raise InvalidScene(f"{where} must be a pair of numbers")
+    return value

@@ -1,0 +1,83 @@
+"""JSON read strictly: finite numbers, no key twice, bounded size and nesting, exactly the keys asked for."""
+
+import json
+import re
+from typing import Any
+
+from .geometry import InvalidScene
+
+MAX_DEPTH = 12
+STRING = re.compile(r'"(?:[^"\\]|\\.)*"', re.DOTALL)
+
+
+def parse(text: str, max_chars: int) -> Any:
+    """The value of a JSON text; InvalidScene names what is wrong.  Size and depth are checked before parsing."""
+    if len(text) > max_chars:
+        raise InvalidScene(f"{len(text)} characters: the limit is {max_chars}")
+    depth = 0
+    for bracket in re.findall(r"[\[\]{}]", STRING.sub("", text)):
+        depth += 1 if bracket in "[{" else -1
+        if depth > MAX_DEPTH:
+            raise InvalidScene(f"nested deeper than {MAX_DEPTH} levels")
+    try:
+        return json.loads(
+            text, object_pairs_hook=_no_twice, parse_constant=_no_constant, parse_float=_finite, parse_int=_whole
+        )
+    except json.JSONDecodeError as error:
+        raise InvalidScene(f"not JSON: {error}") from None
+
+
+def keys(data: Any, where: str, required: set[str], optional: set[str] = frozenset()) -> dict:
+    """The object itself, if it has all the required keys and none beyond the optional ones."""
+    if not isinstance(data, dict):
+        raise InvalidScene(f"{where} must be an object, not {kind(data)}")
+    if missing := sorted(required - data.keys()):
+        raise InvalidScene(f"{where} lacks {_quoted(missing)}")
+    if unknown := sorted(data.keys() - required - optional):
+        raise InvalidScene(
+            f"{where} has the unknown key {_quoted(unknown)}; known: {_quoted(sorted(required | optional))}"
+        )
+    return data
+
+
+def typed(value: Any, where: str, wanted: type) -> Any:
+    """The value itself, if it is of the type (a bool is no number)."""
+    if not isinstance(value, wanted) or (isinstance(value, bool) and wanted is not bool):
+        raise InvalidScene(f"{where} must be {_NAMES[wanted]}, not {kind(value)}")
+    return value
+
+
+def kind(value: Any) -> str:
+    return "null" if value is None else _NAMES.get(type(value), type(value).__name__)
+
+
+_NAMES = {str: "text", list: "a list", dict: "an object", bool: "true or false", int: "a number", float: "a number"}
+
+
+def _no_twice(pairs: list[tuple[str, Any]]) -> dict:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [key for key, _ in pairs]
+        raise InvalidScene(f"the key {_quoted([k for k in found if names.count(k) > 1])} stands twice in one object")
+    return found
+
+
+def _no_constant(name: str) -> float:
+    raise InvalidScene(f"{name} is not a number of a scene: coordinates must be finite")
+
+
+def _finite(text: str) -> float:
+    value = float(text)
+    if abs(value) == float("inf"):
+        raise InvalidScene(f"{text} is too large for float64")
+    return value
+
+
+def _whole(text: str) -> int:
+    if len(text) > 400:  # no float64 is longer; int() of a million digits takes seconds
+        raise InvalidScene(f"a number of {len(text)} digits is too large for float64")
+    return int(text)
+
+
+def _quoted(names: list[str]) -> str:
+    return ", ".join(f'"{name}"' for name in names)

@@ -1,0 +1,215 @@
+"""A second opinion on how two convex shapes lie, by another way than satviz: rationals and clipping, no axes.
+
+Coordinates become integers over one power of two, and all that follows is exact:
+- polygons: one is cut down by the other's edges; what is left has an area
+  (overlapping), is a point or a stretch (touching), or is nothing (apart);
+- a circle and a polygon: the squared distance from the centre to each edge as a
+  Fraction, and whether the centre lies inside by counting crossings of a ray;
+- two circles: squares of the distance and of the sum of radii.
+"""
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from math import gcd
+
+from satviz.geometry import Relation
+from satviz.shapes import Circle, Polygon, Shape
+
+Ints = tuple[int, int]
+Homogeneous = tuple[int, int, int]  # (X, Y, W): the point (X / W, Y / W), W > 0
+
+
+def relation(a: Shape, b: Shape) -> Relation:
+    """The exact relation of two convex shapes as closed sets."""
+    if isinstance(a, Circle) and isinstance(b, Circle):
+        return circles(a, b)
+    if isinstance(a, Circle):
+        return circle_polygon(a, b)
+    if isinstance(b, Circle):
+        return circle_polygon(b, a)
+    return polygons(a, b)
+
+
+def polygons(a: Polygon, b: Polygon) -> Relation:
+    """By what is left of a when everything outside b is cut off."""
+    _, (p, q) = _rings(a, b)
+    common = _clipped(p, q)
+    if not common:
+        return Relation.APART
+    return Relation.OVERLAPPING if _has_area(common) else Relation.TOUCHING
+
+
+def circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
+    """By the squared distance from the centre to the nearest point of the polygon."""
+    _, (cx, cy, r, *flat) = _integers((*circle.center, circle.radius, *(c for v in polygon.vertices for c in v)))
+    ring = _distinct(zip(flat[::2], flat[1::2], strict=True))
+    if _inside((cx, cy), ring):
+        return Relation.OVERLAPPING
+    nearest = min(_segment_distance2((cx, cy), p, q) for p, q in _edges(ring))
+    return _by_gap(nearest, r * r)
+
+
+def circles(a: Circle, b: Circle) -> Relation:
+    """By squares of the distance of the centres and of the sum of the radii."""
+    _, (ax, ay, ar, bx, by, br) = _integers((*a.center, a.radius, *b.center, b.radius))
+    return _by_gap((ax - bx) ** 2 + (ay - by) ** 2, (ar + br) ** 2)
+
+
+def distance2(a: Polygon, b: Polygon) -> Fraction:
+    """The exact squared distance of two convex polygons; 0 when they meet."""
+    if polygons(a, b):
+        return Fraction(0)
+    k, (p, q) = _rings(a, b)
+    both = [(v, edge) for ring, other in ((p, q), (q, p)) for v in other for edge in _edges(ring)]
+    return min(_segment_distance2(v, *edge) for v, edge in both) / Fraction(4) ** k
+
+
+def turn(p: Iterable[float], q: Iterable[float], r: Iterable[float]) -> Fraction:
+    """Twice the signed area of a triangle, exactly."""
+    (px, py), (qx, qy), (rx, ry) = (map(Fraction, v) for v in (p, q, r))
+    return (qx - px) * (ry - py) - (qy - py) * (rx - px)
+
+
+def area2(vertices: Iterable[Iterable[float]]) -> Fraction:
+    """Twice the signed area of an outline, exactly: positive when it runs counter-clockwise."""
+    ring = [tuple(map(Fraction, v)) for v in vertices]
+    return sum((px * qy - py * qx for (px, py), (qx, qy) in _edges(ring)), Fraction(0))
+
+
+def is_simple(vertices: Iterable[Iterable[float]]) -> bool:
+    """Is an outline a simple polygon once repeated neighbours are merged?  Every pair of edges is compared."""
+    ring = _distinct(tuple(map(Fraction, v)) for v in vertices)
+    edges = list(_edges(ring))
+    n = len(edges)
+    if n < 3:
+        return False
+    for i, (p, q) in enumerate(edges):
+        for j, (r, s) in enumerate(edges[:i]):
+            if j == i - 1 or (j == 0 and i == n - 1):
+                # neighbours share one end, and may share nothing else
+                shared, one, other = (p, q, r) if j == i - 1 else (q, p, s)
+                if _on_segment(one, shared, other) or _on_segment(other, shared, one):
+                    return False
+            elif _segments_meet(p, q, r, s):
+                return False
+    return True
+
+
+def _by_gap(gap: int | Fraction, reach: int) -> Relation:
+    return Relation.APART if gap > reach else Relation.TOUCHING if gap == reach else Relation.OVERLAPPING
+
+
+def _integers(values: Sequence[float]) -> tuple[int, list[int]]:
+    """Integers n and one exponent k with value = n / 2**k; every float64 is a ratio over a power of two."""
+    ratios = [value.as_integer_ratio() for value in values]
+    unit = max(den for _, den in ratios)
+    return unit.bit_length() - 1, [num * (unit // den) for num, den in ratios]
+
+
+def _rings(a: Polygon, b: Polygon) -> tuple[int, tuple[list[Ints], list[Ints]]]:
+    """Both outlines in one integer unit, counter-clockwise, without repeats."""
+    k, flat = _integers([c for v in (*a.vertices, *b.vertices) for c in v])
+    points = list(zip(flat[::2], flat[1::2], strict=True))
+    n = len(a.vertices)
+    return k, (_counter_clockwise(points[:n]), _counter_clockwise(points[n:]))
+
+
+def _counter_clockwise(points: Sequence[Ints]) -> list[Ints]:
+    ring = _distinct(points)
+    twice = sum(px * qy - py * qx for (px, py), (qx, qy) in _edges(ring))
+    assert twice, "a polygon of no area"
+    return ring if twice > 0 else ring[::-1]
+
+
+def _distinct(points: Iterable) -> list:
+    ring: list = []
+    for p in points:
+        if not ring or ring[-1] != p:
+            ring.append(p)
+    while len(ring) > 1 and ring[0] == ring[-1]:
+        ring.pop()
+    return ring
+
+
+def _edges(ring: Sequence) -> Iterable:
+    return zip(ring, [*ring[1:], ring[0]], strict=True)
+
+
+def _clipped(ring: Sequence[Ints], by: Sequence[Ints]) -> list[Homogeneous]:
+    """Sutherland-Hodgman with closed half-planes: corners of what both convex rings share, perhaps flat or none."""
+    left: list[Homogeneous] = [(x, y, 1) for x, y in ring]
+    for (px, py), (qx, qy) in _edges(by):
+        ex, ey = qx - px, qy - py
+        sides = [ex * (y - py * w) - ey * (x - px * w) for x, y, w in left]
+        if min(sides) >= 0:
+            continue
+        if max(sides) < 0:
+            return []
+        kept: list[Homogeneous] = []
+        for i, (point, side) in enumerate(zip(left, sides, strict=True)):
+            before, side_before = left[i - 1], sides[i - 1]
+            if side * side_before < 0:
+                kept.append(_between(point, side, before, side_before))
+            if side >= 0:
+                kept.append(point)
+        left = kept
+    return left
+
+
+def _between(p: Homogeneous, s: int, q: Homogeneous, t: int) -> Homogeneous:
+    """The point of the segment p q on the line where the sides s and t (of opposite signs) vanish."""
+    if s < 0:
+        p, s, q, t = q, t, p, s
+    x, y, w = (s * b - t * a for a, b in zip(p, q, strict=True))
+    common = gcd(x, y, w)
+    return x // common, y // common, w // common
+
+
+def _has_area(points: Sequence[Homogeneous]) -> bool:
+    """Are three of the points not on one line?"""
+    ox, oy, ow = points[0]
+    arms = [(x * ow - ox * w, y * ow - oy * w) for x, y, w in points[1:]]
+    arms = [arm for arm in arms if arm != (0, 0)]
+    return any(arms[0][0] * y != arms[0][1] * x for x, y in arms[1:])
+
+
+def _inside(c: Ints, ring: Sequence[Ints]) -> bool:
+    """Does a ray from c to the right cross the ring an odd number of times?  On the ring: either answer."""
+    cx, cy = c
+    odd = False
+    for (px, py), (qx, qy) in _edges(ring):
+        if (py > cy) != (qy > cy):
+            reach = (qx - px) * (cy - py) - (cx - px) * (qy - py)
+            odd ^= (reach > 0) == (qy > py)
+    return odd
+
+
+def _segment_distance2(c: Ints, p: Ints, q: Ints) -> Fraction | int:
+    """The squared distance of a point from a segment."""
+    (cx, cy), (px, py), (qx, qy) = c, p, q
+    dx, dy = qx - px, qy - py
+    along, length2 = (cx - px) * dx + (cy - py) * dy, dx * dx + dy * dy
+    if along <= 0:
+        return (cx - px) ** 2 + (cy - py) ** 2
+    if along >= length2:
+        return (cx - qx) ** 2 + (cy - qy) ** 2
+    # |c - p|^2 less the part along the segment (Pythagoras)
+    return (cx - px) ** 2 + (cy - py) ** 2 - Fraction(along * along, length2)
+
+
+def _on_segment(v: Ints, p: Ints, q: Ints) -> bool:
+    (vx, vy), (px, py), (qx, qy) = v, p, q
+    if (qx - px) * (vy - py) != (qy - py) * (vx - px):
+        return False
+    return min(px, qx) <= vx <= max(px, qx) and min(py, qy) <= vy <= max(py, qy)
+
+
+def _segments_meet(p: Ints, q: Ints, r: Ints, s: Ints) -> bool:
+    """Do two closed segments share a point?  Cramer's rule; parallel ones by their ends."""
+    (px, py), (qx, qy), (rx, ry), (sx, sy) = p, q, r, s
+    det = (qx - px) * (sy - ry) - (qy - py) * (sx - rx)
+    if det == 0:
+        return any((_on_segment(p, r, s), _on_segment(q, r, s), _on_segment(r, p, q), _on_segment(s, p, q)))
+    t = Fraction((rx - px) * (sy - ry) - (ry - py) * (sx - rx), det)
+    u = Fraction((rx - px) * (qy - py) - (ry - py) * (qx - px), det)
+    return 0 <= t <= 1 and 0 <= u <= 1
