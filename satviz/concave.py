@@ -5,18 +5,19 @@ integers: each side and length is exact, and the straight lines that drawn outli
 are full of cost no more than other turns.
 """
 
-from collections.abc import Iterable
 from fractions import Fraction
 from heapq import nsmallest
+from math import gcd, lcm
 from typing import NamedTuple
 
-from .exact import IntPoint, shifted
+from .exact import IntPoint
 from .geometry import Vec
 from .shapes import Circle, Polygon, Shape, checked
 
 NEAREST = 8  # partners tried for each reflex vertex, so that a big outline does not try all pairs
 
 Ring = list[int]  # the vertex numbers of a piece: counter-clockwise, none straight on
+Edge = tuple[int, int]
 
 
 def parts(shape: Shape) -> tuple[Shape, ...]:
@@ -64,8 +65,10 @@ class _Pieces:
     def __init__(self, shape: Polygon) -> None:
         self.points = list(shape.corners)
         self.numbers = {p: v for v, p in enumerate(self.points)}
-        self.k, at, _ = shape.integers  # one unit for all: 2**-k
-        self.at = list(at)
+        k, at, _ = shape.integers
+        common = gcd(*(c for p in at for c in p))
+        self.unit = Fraction(common, 1 << k)  # of the integers in self.at
+        self.at = [(x // common, y // common) for x, y in at]
         self.convex: list[Ring] = []
         ring = list(range(len(at)))
         # the piece in which a vertex is still reflex: one at most, as all its angles add up to less than 360 degrees
@@ -73,24 +76,24 @@ class _Pieces:
 
     def cut_in_pairs(self) -> None:
         """Cuts that end two reflex vertices at once: first those along an edge's line, then the shortest."""
-        at = self.at
-        ends = [(v, at[v], at[v - 1], at[(v + 1) % len(at)]) for v in self.home]
-        partners: dict[int, list] = {v: [] for v in self.home}
-        for i, (u, pu, before, after) in enumerate(ends):
-            ax, ay, bx, by = pu[0] - before[0], pu[1] - before[1], after[0] - pu[0], after[1] - pu[1]
-            for v, pv, before_v, after_v in ends[i + 1 :]:
+        at, pairs = self.at, set()
+        bends = [(v, at[v - 1], at[v], at[(v + 1) % len(at)]) for v in self.home]
+        for u, before_u, pu, after_u in bends:
+            ax, ay, bx, by = pu[0] - before_u[0], pu[1] - before_u[1], after_u[0] - pu[0], after_u[1] - pu[1]
+            found = []
+            for v, before_v, pv, after_v in bends:
                 x, y = pv[0] - pu[0], pv[1] - pu[1]
-                # each in the cone of the other, see _in_cone; written out, as most pairs end here
+                # each in the cone of the other, see _in_cone; written out, as most pairs fail at once
                 first, second = ax * y - ay * x, bx * y - by * x
-                if first < 0 or second < 0:
+                if first < 0 or second < 0 or u == v:
                     continue
                 third, fourth = _turn(before_v, pv, pu), _turn(pv, after_v, pu)
                 if third < 0 or fourth < 0:
                     continue
-                pair = (bool(first and second and third and fourth), x * x + y * y, u, v)
-                partners[u].append(pair)
-                partners[v].append(pair)
-        for _, _, u, v in sorted({pair for pairs in partners.values() for pair in nsmallest(NEAREST, pairs)}):
+                new_normal = 0 not in (first, second, third, fourth)
+                found.append((new_normal, x * x + y * y, min(u, v), max(u, v)))
+            pairs.update(nsmallest(NEAREST, found))
+        for _, _, u, v in sorted(pairs):
             ring = self.home.get(u)
             if ring is not None and ring is self.home.get(v) and self._sees(ring, u, v):
                 self._cut(ring, u, v)
@@ -104,22 +107,44 @@ class _Pieces:
 
     def merged(self) -> list[Ring]:
         """The pieces without the cuts that were not needed after all (Hertel and Mehlhorn 1983)."""
-        side = {edge: ring for ring in self.convex for edge in _edges(ring)}
-        queue = list(side)
-        for a, b in queue:
-            ring, other = side.get((a, b)), side.get((b, a))
-            if ring is None or other is None:
+        after: dict[Edge, Edge] = {}
+        before: dict[Edge, Edge] = {}
+
+        def link(first: Edge, second: Edge) -> None:
+            after[first], before[second] = second, first
+
+        for ring in self.convex:
+            edges = list(zip(ring, [*ring[1:], ring[0]], strict=True))
+            for first, second in zip(edges, [*edges[1:], edges[0]], strict=True):
+                link(first, second)
+        queue = list(after)
+        for cut in queue:
+            twin = cut[::-1]
+            if cut not in after or twin not in after:
                 continue
-            union = [*_from(ring, b)[:-1], *_from(other, a)[:-1]]
-            bends = {v: _bend(self.at, union, union.index(v)) for v in (a, b)}
-            if min(bends.values()) < 0:
+            joints = (before[cut], after[twin]), (before[twin], after[cut])
+            turns = [_turn(self.at[p], self.at[v], self.at[q]) for (p, v), (_, q) in joints]
+            if min(turns) < 0:
                 continue
-            for edge in (*_edges(ring), *_edges(other)):
-                del side[edge]
-            union = [v for v in union if bends.get(v, 1)]
-            side.update((edge, union) for edge in _edges(union))
-            queue += _edges(union)
-        return list({id(ring): ring for ring in side.values()}.values())
+            for gone in (cut, twin):
+                del after[gone], before[gone]
+            for turn, (first, second) in zip(turns, joints, strict=True):
+                if turn:
+                    link(first, second)
+                    continue
+                edge = (first[0], second[1])
+                del after[first], before[second]
+                link(before.pop(first), edge)
+                link(edge, after.pop(second))
+                queue.append(edge)
+        rings = []
+        while after:
+            edge, ring = next(iter(after)), []
+            while edge in after:
+                ring.append(edge[0])
+                edge = after.pop(edge)
+            rings.append(ring)
+        return rings
 
     def _cut(self, ring: Ring, u: int, v: int) -> None:
         """Split a ring between two of its vertices; where one then lies straight on, it is left out."""
@@ -190,26 +215,25 @@ class _Pieces:
         at = self.at
         (ax, ay), (vx, vy) = at[a], at[v]
         dx, dy = vx - ax, vy - ay
-        num, den, best = 1, 0, None
+        on_line = dx * vy - dy * vx
+        best, num, den = None, 1, 0  # the hit is at v + num/den * (dx, dy)
         p = ring[-1]
-        px, py = at[p][0] - vx, at[p][1] - vy
-        before = dx * py - dy * px
+        px, py = at[p]
+        before = dx * py - dy * px - on_line
         for q in ring:
-            qx, qy = at[q][0] - vx, at[q][1] - vy
-            side = dx * qy - dy * qx
-            t = None
+            qx, qy = at[q]
+            side = dx * qy - dy * qx - on_line
             if side == 0:
-                t, along = dx * qx + dy * qy, dx * dx + dy * dy
-            elif before < 0 < side:  # from inside, a counter-clockwise ring passes from right to left
-                t, along = px * (qy - py) - py * (qx - px), side - before
-            if t is not None and t > 0 and t * den < num * along:
-                num, den, best = t, along, (p, q, side)
+                s, t = dx * (qx - vx) + dy * (qy - vy), dx * dx + dy * dy
+            elif before < 0 < side:  # seen from inside, the ring runs from right to left
+                s, t = (px - vx) * (qy - py) - (py - vy) * (qx - px), side - before
+            else:
+                s = 0
+            if s > 0 and s * den < num * t:
+                best, num, den = (p, q, side), s, t
             p, px, py, before = q, qx, qy, side
         p, q, side = best
-        if side == 0:
-            return _Hit(q, p, q)
-        unit = den << self.k
-        return _Hit(self._number(Fraction(vx * den + num * dx, unit), Fraction(vy * den + num * dy, unit)), p, q)
+        return _Hit(self._number(vx + Fraction(num * dx, den), vy + Fraction(num * dy, den)) if side else q, p, q)
 
     def _first_beside(self, ring: Ring, a: int, v: int, hit: _Hit, left: bool) -> int:
         """The first vertex that a ray from v meets as it turns left or right from the line of a and v.
@@ -218,29 +242,31 @@ class _Pieces:
         angle among the vertices before that edge, the nearest if there are several.
         """
         at = self.at
-        pa, pv, pp, pq = at[a], at[v], at[hit.p], at[hit.q]
-        way = 1 if left else -1
-        best = hit.q if left else hit.p
+        pv, pp, pq = at[v], at[hit.p], at[hit.q]
+        way, best = (1, hit.q) if left else (-1, hit.p)
+        dx, dy = way * (pv[0] - at[a][0]), way * (pv[1] - at[a][1])
+        on_line = dx * pv[1] - dy * pv[0]
         for w in ring:
-            pw = at[w]
-            if way * _turn(pa, pv, pw) > 0 and _turn(pp, pq, pw) > 0:
+            x, y = pw = at[w]
+            if dx * y - dy * x > on_line:
                 turn = way * _turn(pv, at[best], pw)
-                if turn < 0 or (turn == 0 and _square(pv, pw) < _square(pv, at[best])):
+                nearer = turn < 0 or (turn == 0 and _square(pv, pw) < _square(pv, at[best]))
+                if nearer and _turn(pp, pq, pw) > 0:
                     best = w
         return best
 
     def _number(self, x: Fraction, y: Fraction) -> int | None:
-        """The number of a point, a new one if need be; None if float64 cannot hold it."""
-        point = Vec(float(x), float(y))
-        if point.x != x or point.y != y:
+        """The number of a point given in units, a new one if need be; None if float64 cannot hold it."""
+        point = Vec(float(x * self.unit), float(y * self.unit))
+        if point != (x * self.unit, y * self.unit):
             return None
         if point not in self.numbers:
             self.numbers[point] = len(self.points)
             self.points.append(point)
-            finer = max(x.denominator, y.denominator).bit_length() - 1 - self.k
-            if finer > 0:
-                self.at, self.k = list(shifted(self.at, finer)), self.k + finer
-            self.at.append((int(x * 2**self.k), int(y * 2**self.k)))
+            finer = lcm(x.denominator, y.denominator)
+            self.unit /= finer
+            self.at = [(px * finer, py * finer) for px, py in self.at]
+            self.at.append((int(x * finer), int(y * finer)))
         return self.numbers[point]
 
 
@@ -260,20 +286,10 @@ def _bend(at: list[IntPoint], ring: Ring, i: int) -> int:
 
 
 def _in_cone(at: list[IntPoint], ring: Ring, v: int, w: int) -> bool:
-    """Is w left of (or on) both edges at the reflex vertex v?  A cut to it leaves v convex or straight on both sides."""
+    """Is w left of (or on) both edges at the reflex vertex v?  Then a cut to it ends v."""
     i = ring.index(v)
     before, after = ring[i - 1], ring[(i + 1) % len(ring)]
     return _turn(at[before], at[v], at[w]) >= 0 and _turn(at[v], at[after], at[w]) >= 0
-
-
-def _edges(ring: Ring) -> Iterable[tuple[int, int]]:
-    return zip(ring, (*ring[1:], ring[0]), strict=True)
-
-
-def _from(ring: Ring, v: int) -> Ring:
-    """The ring walked from v."""
-    i = ring.index(v)
-    return ring[i:] + ring[:i]
 
 
 def named_parts(shape: Shape, name: str) -> list[tuple[Shape, str]]:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from .axes import CENTERS, EDGE, HULL, VERTEX, WORLD, Axis
-from .geometry import Interval, Relation, Vec
 from .concave import named_parts
+from .geometry import Interval, Relation, Vec
 from .shapes import Circle, Shape
 
 if TYPE_CHECKING:
+    from .certificate import SeparatingLine
     from .trace import Names, Trace
 
 
@@ -146,14 +147,35 @@ def _pad(text: str, width: int, *, right: bool) -> str:
 
 
 def scene(trace: Trace) -> str:
-    """What is given."""
-    return f"{shape_in_words(trace.a, trace.names.a)}, {shape_in_words(trace.b, trace.names.b)}. Do they touch?"
+    """What is given and what is asked."""
+    return f"{both(trace)} Do they touch?"
+
+
+def both(trace: Trace) -> str:
+    """What the two shapes are."""
+    return f"{shape_in_words(trace.a, trace.names.a)}, {shape_in_words(trace.b, trace.names.b)}."
+
+
+def line(certificate: SeparatingLine) -> str:
+    """A separating line by its equation: "x = 5 (parallel to y)", "4x - y = 12.5"."""
+    nx, ny = (float(c) for c in certificate.normal)
+    offset = float(certificate.offset)
+    if ny == 0 or nx == 0:
+        return f"{'y' if nx == 0 else 'x'} = {number(offset / (nx or ny))} (parallel to {'x' if nx == 0 else 'y'})"
+    size = max(abs(nx), abs(ny))
+    if size > 1000:
+        nx, ny, offset = nx / size, ny / size, offset / size
+    return f"{_term(nx)}x {'-' if ny < 0 else '+'} {_term(abs(ny))}y = {number(offset)}"
+
+
+def _term(factor: float) -> str:
+    return "" if factor == 1 else "-" if factor == -1 else number(factor)
 
 
 def parts(trace: Trace) -> str:
     """How concave outlines are split."""
     names = [[name for _, name in named_parts(s, n)] for s, n in zip((trace.a, trace.b), trace.names)]
-    split = [f"{n} is split into {_listed(ps)}" for ps, n in zip(names, trace.names) if len(ps) > 1]
+    split = [f"{n} is split into {listed(ps)}" for ps, n in zip(names, trace.names) if len(ps) > 1]
     return f"{' and '.join(split)}: the shapes collide only if two of their convex parts do."
 
 
@@ -198,7 +220,10 @@ def _origin(trace: Trace, axis: Axis) -> str:
     return f"{what} {edge_name(ends)} of {name}: {ends[0]} - {ends[1]} = {vector(Vec(p.x - q.x, p.y - q.y))}"
 
 
-def _listed(words: list[str]) -> str:
+def listed(words: list[str]) -> str:
+    """ "x", "x and y", "x, y and z"."""
+    if len(words) == 1:
+        return words[0]
     return ", ".join(words[:-1]) + " and " + words[-1]
 
 

@@ -185,4 +185,3 @@ def _record_parts(a: Shape, b: Shape, every_axis: bool) -> Trace:
 
 def _convex(shape: Shape) -> bool:
     return isinstance(shape, Circle) or (isinstance(shape, Polygon) and shape.is_convex)
-

@@ -353,7 +353,9 @@ def circle_vertex_345(rng: Random) -> Pair:
     x, y = ring[extreme(ring, p, q)]
     grow, step = rng.randint(1, 9), 2.0 ** rng.randint(-20, 20)
     circle = Circle(((x + p * grow) * step, (y + q * grow) * step), r * grow * step)
-    return convex([(x * step, y * step) for x, y in ring]), _jolted_circle(rng, circle) if rng.random() < 0.5 else circle
+    return convex([(x * step, y * step) for x, y in ring]), _jolted_circle(
+        rng, circle
+    ) if rng.random() < 0.5 else circle
 
 
 def circles_near_tangent(rng: Random) -> Pair:
@@ -368,7 +370,9 @@ def circles_near_tangent(rng: Random) -> Pair:
 def circle_polygon_near_tangent(rng: Random) -> Pair:
     """Any polygon and a circle outside whose radius is its distance, then moved by two floats or less."""
     offset = rng.choice(OFFSETS) * rng.choice((0.0, 1.0, 1.0))
-    ring = moved(round_ring(rng, 0.0, 0.0, rng.uniform(0.5, 5)), offset * rng.uniform(-1, 1), offset * rng.uniform(-1, 1))
+    ring = moved(
+        round_ring(rng, 0.0, 0.0, rng.uniform(0.5, 5)), offset * rng.uniform(-1, 1), offset * rng.uniform(-1, 1)
+    )
     i, j, nx, ny = edge_of(ring, rng)
     r = rng.uniform(0.01, 3) * rng.choice((1.0, 1.0, 1e-6, 1e6))
     length = math.hypot(nx, ny)
@@ -428,7 +432,9 @@ def any_scale(rng: Random) -> Pair:
 
 def smallest_scale(rng: Random) -> Pair:
     """Down among the subnormals, where coordinates round to a few units of 2**-1074."""
-    a, b = rng.choice((exact_touch("vertex-edge"), circle_edge_345, random_polygons, random_circles, upright_boxes))(rng)
+    a, b = rng.choice((exact_touch("vertex-edge"), circle_edge_345, random_polygons, random_circles, upright_boxes))(
+        rng
+    )
     power = -rng.randint(1000, 1080)
     return scaled(a, power), scaled(b, power)
 
@@ -475,8 +481,11 @@ def mixed_magnitudes(rng: Random) -> Pair:
     """Triangles (and circles) whose own coordinates differ by hundreds of powers of two."""
 
     def wild() -> float:
-        return rng.choice((-1, 1)) * rng.uniform(1, 2) * 2.0 ** rng.choice(
-            (rng.randint(-3, 3), rng.randint(-60, 60), rng.randint(-500, 500), rng.randint(-1000, 1000))
+        return (
+            rng.choice((-1, 1))
+            * rng.uniform(1, 2)
+            * 2.0
+            ** rng.choice((rng.randint(-3, 3), rng.randint(-60, 60), rng.randint(-500, 500), rng.randint(-1000, 1000)))
         )
 
     def triangle() -> Ring:
@@ -501,7 +510,7 @@ def mixed_magnitudes(rng: Random) -> Pair:
 
 def dressed(rng: Random) -> Pair:
     """Grid contacts with the outlines given as people give them: clockwise, with repeats, midpoints, closed."""
-    a, b, v = _touching_rings(rng, rng.choice(("vertex-vertex", "vertex-edge", "edge-edge")))
+    a, b, _ = _touching_rings(rng, rng.choice(("vertex-vertex", "vertex-edge", "edge-edge")))
     b = moved(b, *rng.choice(((0.0, 0.0), (0.0, 0.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 1.0))))
     a, b = dress(rng, a), dress(rng, b)
     if rng.random() < 0.2:

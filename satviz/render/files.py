@@ -1,1 +1,125 @@
-"""Pictures as files: SVG, PNG, PDF and GIF, the same bytes each time, each with its words inside."""
+"""Pictures as files: SVG, PNG, PDF and GIF; the same bytes each time, each with its words inside.
+
+A file is written beside its place and renamed, so an interrupted run leaves no half
+file.  Every file carries MADE_BY; one that does not is somebody else's and is not
+overwritten unless asked.
+"""
+
+import io
+import os
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from xml.sax.saxutils import escape
+
+import matplotlib
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from ..pictures import LIGHT, Picture, Theme
+from .pen import Pen
+
+MADE_BY = "made by satviz"
+MAKER = f"{MADE_BY} with matplotlib {matplotlib.__version__}"
+FORMATS = ("svg", "png", "pdf")
+DPI = 144  # of PNG and GIF: twice the canvas's points
+FRAME, LAST_FRAME = 1200, 4000  # milliseconds a step of a GIF stays
+
+_STYLE = {
+    "svg.fonttype": "none",
+    "font.family": ["sans-serif"],
+    # the first ships with matplotlib; the others have its widths, for browsers without it
+    "font.sans-serif": ["DejaVu Sans", "Bitstream Vera Sans", "Verdana"],
+    "pdf.fonttype": 42,
+    "pdf.compression": 6,
+    "path.simplify": False,
+}
+
+
+def canvas(size: tuple[float, float], theme: Theme = LIGHT) -> tuple[Figure, Pen]:
+    """A Figure of that size in points and a pen on it (no pyplot, nothing global)."""
+    fig = Figure(figsize=(size[0] / 72, size[1] / 72), dpi=DPI)
+    FigureCanvasAgg(fig)
+    return fig, Pen(fig.add_axes((0, 0, 1, 1)), theme)
+
+
+def encode(picture: Picture, form: str, theme: Theme = LIGHT, *, stem: str = "picture") -> bytes:
+    """The file of a picture: form "svg", "png" or "pdf"; `stem` seeds the ids in an SVG."""
+    title = picture.title or picture.sentence
+    out = io.BytesIO()
+    with matplotlib.rc_context({**_STYLE, "svg.hashsalt": stem}):
+        fig, pen = canvas(picture.size, theme)
+        pen.draw(picture)
+        if form == "png":
+            words = {"Title": title, "Description": picture.sentence, "Software": MAKER}
+            fig.savefig(out, format="png", dpi=DPI, metadata=words)
+        elif form == "pdf":
+            words = {"Title": title, "Subject": picture.sentence, "Creator": MAKER, "CreationDate": None}
+            fig.savefig(out, format="pdf", metadata=words)
+        elif form == "svg":
+            fig.savefig(out, format="svg", metadata={"Title": title, "Creator": MAKER, "Date": None})
+            return _described(out.getvalue().decode(), stem, title, picture.sentence).encode()
+        else:
+            raise ValueError(f"unknown format {form!r}: choose one of {', '.join(FORMATS)}")
+    return out.getvalue()
+
+
+def _described(svg: str, stem: str, title: str, sentence: str) -> str:
+    """The SVG with a description after its title, and both named as what a screen reader says."""
+    head = f"<title>{escape(title)}</title>"
+    before, found, after = svg.partition(head)
+    if not found:
+        raise AssertionError("matplotlib wrote no title")
+    ids = f"{stem}-title", f"{stem}-desc"
+    before = before.replace("<svg ", f'<svg role="img" aria-labelledby="{ids[0]} {ids[1]}" ', 1)
+    words = f'<title id="{ids[0]}">{escape(title)}</title>\n <desc id="{ids[1]}">{escape(sentence)}</desc>'
+    return "\n".join(line.rstrip() for line in f"{before}{words}{after}".split("\n"))
+
+
+def animate(pictures: Sequence[Picture], theme: Theme = LIGHT) -> bytes:
+    """All pictures as one GIF that plays once a round, the last one longest."""
+    from PIL import Image
+
+    frames = []
+    with matplotlib.rc_context(_STYLE):
+        fig, pen = canvas(pictures[0].size, theme)
+        for picture in pictures:
+            pen.draw(picture)
+            fig.canvas.draw()
+            size = fig.canvas.get_width_height()
+            frame = Image.frombuffer("RGBA", size, fig.canvas.buffer_rgba(), "raw", "RGBA", 0, 1)
+            frames.append(frame.convert("RGB").quantize(128, dither=Image.Dither.NONE))
+    out = io.BytesIO()
+    times = [FRAME] * (len(frames) - 1) + [LAST_FRAME]
+    comment = f"{MADE_BY}. {pictures[-1].sentence}".encode()
+    frames[0].save(
+        out, "GIF", save_all=True, append_images=frames[1:], duration=times, loop=0, comment=comment, optimize=False
+    )
+    return out.getvalue()
+
+
+def check(path: Path, *, force: bool = False) -> None:
+    """FileExistsError for a file that satviz did not make, unless forced."""
+    if path.exists() and not force and not (path.is_file() and MADE_BY.encode() in path.read_bytes()):
+        raise FileExistsError(f"{path} was not made by satviz: choose another folder, or overwrite it with --force")
+
+
+def write(path: Path, data: bytes, *, force: bool = False) -> None:
+    """Put the bytes there in one go, or not at all; FileExistsError as `check`."""
+    check(path, force=force)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+        os.chmod(name, 0o666 & ~_umask())
+        os.replace(name, path)
+    except BaseException:
+        os.unlink(name)
+        raise
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

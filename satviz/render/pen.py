@@ -11,8 +11,8 @@ from matplotlib.path import Path
 from matplotlib.text import Text
 
 from ..geometry import Vec
-from ..picture import theme as look
-from ..picture.marks import Mark, Picture
+from ..pictures import theme as look
+from ..pictures.marks import Mark, Picture
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -90,7 +90,7 @@ class Pen:
             width = look.GUIDE if faint else look.OUTLINE
             style = (0, look.DASH) if mark.role == "B" else "solid"
         else:
-            path = _line(_shaft(mark, scale) if mark.kind == "arrow" else mark.points)
+            path = _line(_shaft(mark, scale) if mark.kind == "arrow" else mark.points, pieces=mark.kind == "segment")
             if mark.kind == "interval":
                 width = look.OVERLAP_BAR if mark.role == "overlap" else look.BAR
             elif mark.kind == "arrow":
@@ -135,8 +135,9 @@ def _fill(collection: PathCollection, shapes: Sequence[tuple]) -> None:
     collection.set_facecolors([colour for _, colour in shapes])
 
 
-def _line(points: Sequence[Vec]) -> Path:
-    return Path(np.asarray(points, dtype=float))
+def _line(points: Sequence[Vec], *, pieces: bool) -> Path:
+    codes = [Path.MOVETO, Path.LINETO] * (len(points) // 2) if pieces else None
+    return Path(np.asarray(points, dtype=float), codes)
 
 
 def _outline(mark: Mark) -> Path:

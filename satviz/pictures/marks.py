@@ -15,7 +15,7 @@ class Mark(NamedTuple):
     """One thing in a picture.
 
     `kind` and `points` (scene units): outline (its vertices), disc (its centre; `radius`),
-    segment, arrow (tail, head), interval (a bar's ends), bracket (a polyline), dot and
+    segment (two ends a piece), arrow (tail, head), interval (a bar's ends), bracket (a polyline), dot and
     label (one point; a label is centred on it, lines parted by newlines).  `weight` is
     "plain", "strong" (what the step is about), "faint" or "title".
     """

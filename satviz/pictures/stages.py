@@ -8,9 +8,9 @@ from typing import NamedTuple
 from .. import telling
 from ..axes import GIVEN, WORLD
 from ..certificate import SeparatingLine, SharedPoint
+from ..concave import named_parts
 from ..geometry import Relation, Vec
 from ..shapes import Circle, Shape
-from ..concave import named_parts
 from ..trace import Trace
 from .drawing import Drawing
 from .layout import HEIGHT, WIDTH, AxisPlace, Layout, arrange, moved
@@ -88,7 +88,7 @@ def picture(
         drawing.shapes()
         if step.stage is Stage.VERDICT:
             draw_verdict(drawing, layout.places)
-    return drawing.finish(title, sentence(run, step))
+    return drawing.finish(title, sentence(run, step), steady=step.stage is not Stage.VERDICT)
 
 
 @lru_cache(maxsize=64)

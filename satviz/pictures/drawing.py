@@ -14,8 +14,8 @@ from ..geometry import Interval, Vec
 from ..sat import AxisTest, Projection
 from ..shapes import Circle, Polygon, Shape
 from ..trace import Trace
-from .layout import AxisPlace, Board, Layout, Request, moved
-from .marks import Mark, Picture
+from .layout import AxisPlace, Board, Layout, Request, clipped, moved, text_box
+from .marks import Limits, Mark, Picture
 from .theme import DOT
 
 NORMAL = 34.0  # the length of a normal's arrow, in points
@@ -49,7 +49,7 @@ class Drawing:
             self.add(f"{name}.outline", "outline", role, *shape.vertices, weight=weight)
         if named:
             middle = centroid(shape)
-            self.label(f"{name}.name", name, role, middle, inside=True, weight="title", first=2)
+            self.label(f"{name}.name", name, role, middle, inside=True, weight="title")
 
     def shapes(self, *, weight: str = "plain") -> None:
         for role, name, shape in self.pair():
@@ -123,7 +123,8 @@ class Drawing:
         self.add("normal", "arrow", role or "ink", start, tip, weight="strong")
         if told:
             text = f"normal {telling.vector(test.axis.normal)}" if kind in (EDGE, HULL) else "direction"
-            self.label("normal.name", text, role or "ink", tip, prefer=test.axis.direction, first=1)
+            more = {"along": (start,), "prefer": test.axis.direction, "first": 1}
+            self.label("normal.name", text, role or "ink", tip, **more)
 
     def all_normals(self) -> None:
         """A small outward arrow on every edge."""
@@ -202,7 +203,11 @@ class Drawing:
         self.add(f"axis.{number}.{name}.range", "interval", role, *ends)
         out = place.out if role == "B" else Vec(-place.out.x, -place.out.y)
         text = f"{name} {telling.interval(side.interval)}"
-        self.label(f"axis.{number}.{name}.interval", text, role, self.middle(*ends), prefer=out, first=3)
+        along = [
+            Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for p, q in [ends] for f in (0.5, 0.3, 0.7, 0.1, 0.9)
+        ]
+        mark = f"axis.{number}.{name}.interval"
+        self.label(mark, text, role, along[0], along=tuple(along[1:]), prefer=out, first=1)
 
     def gap(self, test: AxisTest, place: AxisPlace, number: int) -> None:
         """The gap as an open bracket, the overlap as a filled bar, with the trace's number."""
@@ -211,16 +216,15 @@ class Drawing:
             span = Interval(*((a.hi, b.lo) if a.hi <= b.lo else (b.hi, a.lo)))
             tick = self.layout.units(TICK)
             ends = [place.at(t) for t in span]
-            points = [moved(ends[0], place.out, tick), *ends, moved(ends[1], place.out, tick)]
+            points = [moved(ends[0], place.out, -tick), *ends, moved(ends[1], place.out, -tick)]
             role, kind = "gap", "bracket"
-            points = [moved(p, place.out, -tick / 2) for p in points]
         else:
             span = Interval(max(a.lo, b.lo), min(a.hi, b.hi))
             ends = points = [place.at(t) for t in span]
             role, kind = "overlap", "interval"
         self.add(f"axis.{number}.gap", kind, role, *points)
         anchor = self.middle(*ends)
-        self.label(f"axis.{number}.gap.name", telling.outcome(test.gap), role, anchor, prefer=place.out, first=0)
+        self.label(f"axis.{number}.gap.name", telling.outcome(test.gap), role, anchor, prefer=place.out, first=2)
 
     def project(self, test: AxisTest, place: AxisPlace, number: int, *, drops: bool = True) -> None:
         """A finished test: the axis, the extreme points' drops, both ranges, the gap or overlap."""
@@ -258,6 +262,9 @@ class Drawing:
         left = [s.axis for s in self.trace.skipped if s.reason.startswith("early exit")]
         if not left:
             return
+        for role, _, shape in self.pair():
+            if isinstance(shape, Polygon) and not shape.labels and len(shape.corners) <= 6:
+                self.vertices(role, shape.corner_ids, as_role="guide")
         names = [telling.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names) for axis in left]
         if len(names) > 8:
             names = [*names[:7], f"{len(names) - 7} more"]
@@ -270,16 +277,49 @@ class Drawing:
                 lines.append(piece)
         self.note("left-out", "\n".join(lines), "guide")
 
-    def finish(self, title: str, sentence: str) -> Picture:
-        """Place the labels and close the picture."""
+    def finish(self, title: str, sentence: str, *, steady: bool = True) -> Picture:
+        """Place the labels and close the picture; `steady` names stay put from step to step."""
         board = Board(self.layout)
-        for mark in self.marks:
+        requests = [request for _, request in sorted(self.requests, key=lambda r: r[0])]
+        outlines = [mark for mark in self.marks if mark.kind in ("outline", "disc")]
+        names = [r for r in requests if r.weight == "title" and not r.far]
+        for mark in outlines:
             _put(board, mark)
-        for _, request in sorted(self.requests, key=lambda r: r[0]):
+        if steady:  # they see only the outlines, which every step has
+            self._place(board, names)
+        for mark in self.marks:
+            if mark.kind not in ("outline", "disc", "label"):
+                _put(board, mark)
+        if not steady:
+            self._place(board, names)
+        self._place(board, [r for r in requests if r not in names])
+        boxes = [(m.points[0], text_box(m.text, m.weight)) for m in self.marks if m.weight == "title"]
+        self.marks = [self._broken(m, boxes) if m.role == "guide" and m.kind == "segment" else m for m in self.marks]
+        return Picture(tuple(self.marks), self.layout.limits, self.layout.size, title, sentence)
+
+    def _broken(self, mark: Mark, names: Sequence[tuple[Vec, tuple[float, float]]]) -> Mark:
+        """A guide line left out where it would run through a shape's name."""
+        pieces = [mark.points]
+        for center, (width, height) in names:
+            w, h = self.layout.units(width / 2 + 2), self.layout.units(height / 2)
+            box = center.x - w, center.y - h, center.x + w, center.y + h
+            pieces = [rest for p, q in pieces for rest in _around(p, q, box)]
+        return mark._replace(points=tuple(end for piece in pieces for end in piece))
+
+    def _place(self, board: Board, requests: Sequence[Request]) -> None:
+        for request in requests:
             spot = board.place(request)
             if spot is not None:
                 self.add(request.id, "label", request.role, spot, text=request.text, weight=request.weight)
-        return Picture(tuple(self.marks), self.layout.limits, self.layout.size, title, sentence)
+
+
+def _around(p: Vec, q: Vec, box: Limits) -> list[tuple[Vec, Vec]]:
+    """What is left of a segment outside a box."""
+    inside = clipped(*p, *q, *box)
+    if inside is None:
+        return [(p, q)]
+    start, end = (Vec(p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t) for t in inside)
+    return [piece for piece, keep in (((p, start), inside[0] > 0), ((end, q), inside[1] < 1)) if keep]
 
 
 def _put(board: Board, mark: Mark) -> None:
@@ -296,4 +336,3 @@ def _put(board: Board, mark: Mark) -> None:
         ring = (*points, points[0]) if mark.kind == "outline" else points
         for p, q in pairwise(ring):
             board.stroke(p, q, price)
-

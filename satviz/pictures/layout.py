@@ -6,7 +6,7 @@ from math import cos, hypot, pi, sin
 from typing import NamedTuple
 
 from ..geometry import Vec
-from ..sat import AxisTest
+from ..sat import AxisTest, Projection
 from ..shapes import Circle, Shape
 from .marks import Limits
 from .theme import text_size
@@ -14,7 +14,8 @@ from .theme import text_size
 # all in points
 WIDTH, HEIGHT = 500.0, 400.0  # the largest canvas
 LEAST_WIDTH, LEAST_HEIGHT = 300.0, 190.0
-PAD = 36.0  # room for labels all round
+PAD = 36.0  # all round
+LABEL = 84.0, 18.0  # room for a range's label on the far side of its axis
 CLEAR = 34.0  # from the shapes to an axis
 BEYOND = 20.0  # an axis runs on past the ranges
 TRACK = 5.5  # A's bar on one side of the axis, B's on the other
@@ -87,6 +88,10 @@ def arrange(
     for _ in range(6):
         places = _places(shapes, tests, scale, together)
         ends = [place.at(t, role) for place in places for t in (place.lo, place.hi) for role in "AB"]
+        for place in places:
+            for part in (0.15, 0.85):
+                spot = place.at(place.lo + part * (place.hi - place.lo), "B")
+                ends.append(Vec(spot.x + place.out.x * LABEL[0] / scale, spot.y + place.out.y * LABEL[1] / scale))
         xs, ys = [x0, x1, *(p.x for p in ends)], [y0, y1, *(p.y for p in ends)]
         box = min(xs), min(ys), max(xs), max(ys)
         room = [(most - 2 * PAD) / (box[i + 2] - box[i]) for i, most in enumerate(largest)]
@@ -103,10 +108,8 @@ def _places(shapes: Sequence[Shape], tests: Sequence[AxisTest], scale: float, to
     places: list[AxisPlace] = []
     for test in tests:
         sides = [_place(shapes, test, scale, side) for side in (-1, 1)]
-        # below rather than above, left rather than right, unless the other side is clearly tighter
-        sides.sort(key=lambda p: (p.out.y > 1e-9, p.out.x > 1e-9))
         others = places if together else []
-        places.append(min(sides, key=lambda p: (_crossings(p, others), round(_spread(shapes, p) * 4))))
+        places.append(min(sides, key=lambda p: (_crossings(p, others), _awkward(shapes, test, p))))
     return places
 
 
@@ -132,13 +135,25 @@ def _reach(shape: Shape, out: Vec) -> float:
     return max(v.x * out.x + v.y * out.y for v in shape.corners)
 
 
-def _spread(shapes: Sequence[Shape], place: AxisPlace) -> float:
-    """How much the axis widens the scene's box: its new area over the old size squared."""
+def _awkward(shapes: Sequence[Shape], test: AxisTest, place: AxisPlace) -> float:
+    """How little one likes an axis there: it should not widen the scene much, lie near the shape
+    whose edge it comes from (so that those points drop past nothing), and rather below or left.
+    """
     x0, y0, x1, y1 = box_of(shapes)
     ends = place.at(place.lo), place.at(place.hi)
     xs, ys = [x0, x1, *(p.x for p in ends)], [y0, y1, *(p.y for p in ends)]
     size = max(x1 - x0, y1 - y0)
-    return (max(xs) - min(xs)) / size * ((max(ys) - min(ys)) / size)
+    area = (max(xs) - min(xs)) / size * ((max(ys) - min(ys)) / size)
+    away = 0.0
+    if test.source.shape:
+        own, other = (test.a, test.b) if test.source.shape == "A" else (test.b, test.a)
+        away = (_height(other, place.out) - _height(own, place.out)) / size
+    above = place.out.y > 1e-9 or (abs(place.out.y) <= 1e-9 and place.out.x > 0)
+    return area + away + 0.6 * above
+
+
+def _height(side: Projection, out: Vec) -> float:
+    return sum(p.x * out.x + p.y * out.y for p in side.points) / len(side.points)
 
 
 def _crossings(place: AxisPlace, others: Sequence[AxisPlace]) -> int:
@@ -180,12 +195,16 @@ def text_box(text: str, weight: str = "plain") -> tuple[float, float]:
 
 
 class Request(NamedTuple):
-    """A label that wants a place near its anchor (scene units), rather towards `prefer` than elsewhere."""
+    """A label that wants a place near its anchor (scene units), rather towards `prefer` than elsewhere.
+
+    `along`: other anchors that serve nearly as well, such as the rest of a bar.
+    """
 
     id: str
     text: str
     role: str
     anchor: Vec
+    along: tuple[Vec, ...] = ()
     prefer: Vec = Vec(0.0, 1.0)
     weight: str = "plain"
     inside: bool = False  # try the anchor itself first
@@ -220,10 +239,9 @@ class Board:
 
     def place(self, request: Request) -> Vec | None:
         """The label's centre in scene units, or None for an optional one that finds no clear spot."""
-        x, y = self._points(request.anchor)
         w, h = text_box(request.text, request.weight)
-        best, found = float("inf"), (x, y)
-        for spot, penalty in self._spots(request, x, y, w / 2, h / 2):
+        best, found = float("inf"), self._points(request.anchor)
+        for spot, penalty in self._spots(request, w / 2, h / 2):
             if penalty >= best:
                 break
             cost = penalty + self._cost(spot, w / 2 + 2, h / 2 + 1)
@@ -236,18 +254,21 @@ class Board:
         x0, y0, _, _ = self.layout.limits
         return Vec(x0 + cx / self.layout.scale, y0 + cy / self.layout.scale)
 
-    def _spots(self, request: Request, x: float, y: float, w: float, h: float):
+    def _spots(self, request: Request, w: float, h: float):
         """Candidate centres in points with what each costs by itself, cheapest first."""
+        x, y = self._points(request.anchor)
         if request.inside:
             yield (x, y), 0.0
         size = hypot(*request.prefer) or 1.0
         toward = Vec(request.prefer.x / size, request.prefer.y / size)
         spots = []
-        for distance in DISTANCES:
-            for u in (toward, *DIRECTIONS):
-                turn = 1 - (u.x * toward.x + u.y * toward.y)
-                penalty = distance + turn * (1 if request.far else 9)
-                spots.append((penalty, (x + u.x * (w + distance), y + u.y * (h + distance))))
+        for rank, anchor in enumerate((request.anchor, *request.along)):
+            px, py = self._points(anchor)
+            for distance in DISTANCES:
+                for u in (toward, *DIRECTIONS):
+                    turn = 1 - (u.x * toward.x + u.y * toward.y)
+                    penalty = distance + turn * (1 if request.far else 9) + rank
+                    spots.append((penalty, (px + u.x * (w + distance), py + u.y * (h + distance))))
         if request.far:
             width, height = self.layout.size
             for i in range(13):
@@ -267,15 +288,17 @@ class Board:
             if x0 < bx1 and bx0 < x1 and y0 < by1 and by0 < y1:
                 cost += 1e4
         for sx, sy, tx, ty, price in self.strokes:
-            if _crosses(sx, sy, tx, ty, x0, y0, x1, y1):
+            if clipped(sx, sy, tx, ty, x0, y0, x1, y1):
                 cost += price
         return cost
 
 
-def _crosses(sx: float, sy: float, tx: float, ty: float, x0: float, y0: float, x1: float, y1: float) -> bool:
-    """Does a segment meet an upright box?  (Liang and Barsky's clipping.)"""
+def clipped(
+    sx: float, sy: float, tx: float, ty: float, x0: float, y0: float, x1: float, y1: float
+) -> tuple[float, float] | None:
+    """The part (from, to) of a segment inside an upright box, 0 to 1, or None.  (Liang and Barsky's clipping.)"""
     if max(sx, tx) < x0 or min(sx, tx) > x1 or max(sy, ty) < y0 or min(sy, ty) > y1:
-        return False
+        return None
     start, end = 0.0, 1.0
     for d, near, far in ((tx - sx, x0 - sx, x1 - sx), (ty - sy, y0 - sy, y1 - sy)):
         if d == 0:
@@ -283,5 +306,5 @@ def _crosses(sx: float, sy: float, tx: float, ty: float, x0: float, y0: float, x
         first, last = (near / d, far / d) if d > 0 else (far / d, near / d)
         start, end = max(start, first), min(end, last)
         if start > end:
-            return False
-    return True
+            return None
+    return start, end

@@ -1,0 +1,167 @@
+"""satviz figures | trace | draw | scenes: a thin call of the public face."""
+
+import argparse
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+
+from . import __version__
+from .geometry import InvalidScene
+
+THEMES = ("light", "dark")
+FIGURE_FORMATS = ("svg", "png", "pdf")
+DRAW_FORMATS = (*FIGURE_FORMATS, "gif")
+
+
+class Refused(Exception):
+    """Bad input: one clear line and exit code 2."""
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run a command; 0 done, 2 bad input, 130 interrupted."""
+    args = _parser().parse_args(argv)
+    try:
+        return args.run(args)
+    except (Refused, InvalidScene, FileExistsError) as error:
+        message = str(error)
+    except OSError as error:
+        if isinstance(error, BrokenPipeError):
+            sys.stderr.close()  # the reader has gone: nothing left to say
+            return 0
+        message = f"{error.filename or 'file'}: {error.strerror or error}"
+    except KeyboardInterrupt:
+        print("satviz: interrupted; files already named are whole", file=sys.stderr)
+        return 130
+    print(f"satviz: {message}", file=sys.stderr)
+    return 2
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="satviz", description="2D collision detection by the Separating Axis Theorem, made visible."
+    )
+    parser.add_argument("--version", action="version", version=f"satviz {__version__}")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+
+    figures = commands.add_parser("figures", help="make the article's twenty figures")
+    _output(figures, "figures", FIGURE_FORMATS)
+    figures.add_argument("--only", metavar="NAME", action="append", help="only this figure, by name or number")
+    figures.set_defaults(run=_figures)
+
+    trace = commands.add_parser("trace", help="print every test of a scene as a table")
+    _scene(trace)
+    trace.add_argument("--json", action="store_true", help="print the whole trace as JSON")
+    trace.set_defaults(run=_trace)
+
+    draw = commands.add_parser("draw", help="draw every step of a scene")
+    _scene(draw)
+    _output(draw, "satviz-out", DRAW_FORMATS)
+    draw.set_defaults(run=_draw)
+
+    scenes = commands.add_parser("scenes", help="list the built-in scenes")
+    scenes.set_defaults(run=_scenes)
+    return parser
+
+
+def _scene(parser: argparse.ArgumentParser) -> None:
+    from .axes import NAMED
+
+    parser.add_argument("scene", metavar="SCENE", help="a built-in scene's name or a scene file")
+    parser.add_argument("--axes", choices=NAMED, metavar="NAME", help=f"which axes to test: {', '.join(NAMED)}")
+    parser.add_argument("--every-axis", action="store_true", help="go on past the first separating axis")
+
+
+def _output(parser: argparse.ArgumentParser, out: str, formats: Sequence[str]) -> None:
+    parser.add_argument("--out", type=Path, default=Path(out), metavar="DIR", help=f"where to (default: {out})")
+    parser.add_argument("--format", action="append", choices=formats, help="may be given several times (default: svg)")
+    parser.add_argument("--theme", choices=THEMES, default="light")
+    parser.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
+
+
+def _load(args: argparse.Namespace):
+    """The scene by name or file, with the options of the command line."""
+    from dataclasses import replace
+
+    from .scenefile import load
+    from .scenes import NAMED, scene
+
+    found = scene(args.scene) if args.scene in NAMED or not Path(args.scene).exists() else load(args.scene)
+    return replace(found, axes=args.axes or found.axes, every_axis=args.every_axis or found.every_axis)
+
+
+def _figures(args: argparse.Namespace) -> int:
+    from .pictures.figures import FIGURES
+
+    wanted = FIGURES
+    if args.only:
+        known = {key: figure for figure in FIGURES for key in (figure.name, figure.stem, str(figure.number))}
+        for name in args.only:
+            if name not in known:
+                raise Refused(f"no figure {name!r}: choose one of {', '.join(f.name for f in FIGURES)}")
+        wanted = [figure for figure in FIGURES if figure in [known[name] for name in args.only]]
+    jobs = [(figure.stem, form, figure.picture) for figure in wanted for form in args.format or ["svg"]]
+    return _write(args, jobs)
+
+
+def _draw(args: argparse.Namespace) -> int:
+    from .pictures import picture, steps
+
+    scene = _load(args)
+    trace = scene.record()
+    try:
+        picture(trace, 0)
+    except ValueError as error:
+        raise Refused(str(error)) from None
+    count = len(steps(trace))
+    jobs: list = []
+    for form in args.format or ["svg"]:
+        if form == "gif":
+            jobs.append((scene.name, form, lambda: [picture(trace, i) for i in range(count)]))
+            continue
+        for i in range(count):
+            stem = f"{scene.name}-{i:0{len(str(count - 1))}}"
+            jobs.append((stem, form, lambda i=i: picture(trace, i, title=scene.title)))
+    return _write(args, jobs)
+
+
+def _write(args: argparse.Namespace, jobs: Sequence[tuple[str, str, Callable]]) -> int:
+    """Draw and write each job (stem, form, picture maker); the dark theme's files say so in their names."""
+    from .pictures import THEMES as LOOKS
+    from .render.files import animate, check, encode, write
+
+    theme = LOOKS[args.theme]
+    suffix = "" if theme.name == "light" else f"-{theme.name}"
+    paths = [args.out / f"{stem}{suffix}.{form}" for stem, form, _ in jobs]
+    for path in paths:
+        check(path, force=args.force)
+    for path, (stem, form, make) in zip(_progress(paths), jobs, strict=True):
+        made = make()
+        data = animate(made, theme) if form == "gif" else encode(made, form, theme, stem=stem + suffix)
+        write(path, data, force=args.force)
+    print(f"{len(paths)} {'file' if len(paths) == 1 else 'files'} in {args.out}")
+    return 0
+
+
+def _progress(paths: Sequence[Path]) -> Iterator[Path]:
+    """A bar on stderr, none where that is no terminal."""
+    from tqdm import tqdm
+
+    with tqdm(paths, unit="file", disable=None, leave=False, file=sys.stderr) as bar:
+        for path in bar:
+            bar.set_postfix_str(path.name)
+            yield path
+
+
+def _trace(args: argparse.Namespace) -> int:
+    trace = _load(args).record()
+    print(trace.to_json(indent=1) if args.json else trace)
+    return 0
+
+
+def _scenes(args: argparse.Namespace) -> int:
+    from .scenes import SCENES
+
+    width = max(len(scene.name) for scene in SCENES)
+    for scene in SCENES:
+        print(f"{scene.name:{width}}  {scene.title}")
+    return 0

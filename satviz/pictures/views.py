@@ -1,0 +1,192 @@
+"""Pictures that are no single step: all normals, several axes at once, lines that fail, a circle by itself."""
+
+from collections.abc import Sequence
+from math import hypot
+
+from .. import telling
+from ..axes import EDGE, GIVEN, WORLD
+from ..concave import named_parts
+from ..geometry import Vec
+from ..sat import AxisTest
+from ..trace import Trace
+from .drawing import Drawing
+from .layout import arrange
+from .marks import Picture
+from .stages import draw_parts, scene_layout, separating_line
+
+
+def normals(trace: Trace, *, title: str = "") -> Picture:
+    """Both shapes with an outward normal on every edge."""
+    drawing = Drawing(trace, scene_layout(trace))
+    drawing.shapes()
+    drawing.all_normals()
+    count = sum(mark.kind == "arrow" for mark in drawing.marks)
+    return drawing.finish(title, f"{telling.both(trace)} Each of the {count} edges has a normal.")
+
+
+def world(trace: Trace, *, title: str = "") -> Picture:
+    """Both shapes beside the axes they will be projected on, with nothing projected yet."""
+    layout = scene_layout(trace)
+    drawing = Drawing(trace, layout)
+    drawing.shapes()
+    for i, test in enumerate(trace.tests):
+        drawing.axis(test, layout.places[i], i + 1)
+    names = [telling.axis_name(t.axis, (trace.a, trace.b), trace.names) for t in trace.tests]
+    return drawing.finish(title, f"{telling.both(trace)} They will be projected on {telling.listed(names)}.")
+
+
+def at_once(trace: Trace, *, kinds: Sequence[str] = (EDGE, WORLD, GIVEN), title: str = "") -> Picture:
+    """Several finished tests in one picture: every axis of the given kinds with both ranges."""
+    chosen = [(i, t) for i, t in enumerate(trace.tests) if t.source.kind in kinds]
+    layout = arrange([trace.a, trace.b], [t for _, t in chosen], together=True)
+    drawing = Drawing(trace, layout)
+    drawing.shapes()
+    for (i, test), place in zip(chosen, layout.places, strict=True):
+        drawing.project(test, place, i + 1)
+    tests = " ".join(telling.test(trace, i) for i, _ in chosen)
+    return drawing.finish(title, f"{tests} {trace.sentence}")
+
+
+def separation(trace: Trace, *, title: str = "") -> Picture:
+    """The separating axis and the separating line, each named: the line runs across the axis."""
+    test = trace.separating
+    i = trace.tests.index(test)
+    layout = scene_layout(trace)
+    drawing = Drawing(trace, layout)
+    drawing.shapes()
+    drawing.axis(test, layout.places[i], i + 1)
+    name = telling.axis_name(test.axis, (trace.a, trace.b), trace.names)
+    place = layout.places[i]
+    text = f"separating axis: {name.removeprefix('the ').removesuffix(' axis')}"
+    drawing.label("axis.caption", text, "ink", place.at((place.lo + place.hi) / 2), prefer=place.out, first=1)
+    for role in "AB":
+        drawing.range(test, place, i + 1, role)
+    drawing.gap(test, place, i + 1)
+    line = telling.line(trace.certificate)
+    separating_line(drawing, trace.certificate, f"separating line: {line}")
+    return drawing.finish(
+        title, f"The separating axis is {name}; the separating line {line} runs across it, through the gap."
+    )
+
+
+def radii(trace: Trace, *, title: str = "") -> Picture:
+    """Two circles: centres, radii, and the distance between the centres against the sum of the radii."""
+    layout = scene_layout(trace)
+    drawing = Drawing(trace, layout)
+    test = trace.tests[0]
+    p, q = trace.a.center, trace.b.center
+    for role, name, circle in drawing.pair():
+        drawing.shape(role, name, circle, named=False)
+        below = Vec(circle.center.x, circle.center.y - circle.radius / 2)
+        drawing.label(f"{name}.name", name, role, below, inside=True, weight="title")
+    drawing.add("distance", "segment", "ink", p, q)
+    sides = ("A", trace.a, Vec(-1.0, 0.0)), ("B", trace.b, Vec(1.0, 0.0))
+    for role, circle, _ in sides:
+        drawing.add(f"{role}.center", "dot", role, circle.center)
+        across = Vec(-test.axis.direction.y, test.axis.direction.x)
+        rim = Vec(circle.center.x + across.x * circle.radius, circle.center.y + across.y * circle.radius)
+        drawing.add(f"{role}.radius", "segment", role, circle.center, rim)
+        half = drawing.middle(circle.center, rim)
+        text = f"r{'12'[role == 'B']} = {telling.number(circle.radius)}"
+        drawing.label(f"{role}.radius.name", text, role, half, prefer=Vec(-1.0, 0.3), first=1)
+    # on this axis the gap is the distance less both radii, so the trace has the distance
+    reach = trace.a.radius + trace.b.radius
+    distance = telling.number(test.gap + reach)
+    compare = ">" if test.gap > 0 else "<" if test.gap < 0 else "="
+    drawing.label("distance.name", f"distance {distance}", "ink", drawing.middle(p, q), prefer=Vec(0.3, -1.0), first=1)
+    for role in "AB":
+        drawing.range(test, layout.places[0], 1, role)
+    drawing.axis(test, layout.places[0], 1)
+    drawing.gap(test, layout.places[0], 1)
+    words = f"distance {distance} {compare} r1 + r2 = {telling.number(reach)}"
+    drawing.note("verdict", words, "ink", first=2)
+    return drawing.finish(
+        title, f"The centers lie {words.replace('distance ', '', 1)} apart. {trace.sentence}", steady=False
+    )
+
+
+def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title: str = "") -> Picture:
+    """The circle of a circle and polygon pair with one axis: its parts, or the two points that land furthest."""
+    test = trace.tests[number]
+    side, circle = (test.a, trace.a) if role == "A" else (test.b, trace.b)
+    name = trace.names["AB".index(role)]
+    layout = arrange([circle], [test._replace(a=side, b=side)])
+    place = layout.places[0]
+    drawing = Drawing(trace, layout)
+    drawing.shape(role, name, circle, named=False)
+    drawing.axis(test, place, number + 1)
+    drawing.add("center", "dot", role, circle.center)
+    p2, p1 = side.points
+    n = test.axis.direction
+    if not extremes:
+        rim = Vec(circle.center.x - n.y * circle.radius, circle.center.y + n.x * circle.radius)
+        drawing.add("radius", "segment", role, circle.center, rim)
+        text = f"radius r = {telling.number(circle.radius)}"
+        drawing.label("radius.name", text, role, drawing.middle(circle.center, rim), prefer=n, first=1)
+        drawing.label("center.name", "center C", role, circle.center, prefer=Vec(0.0, -1.0), first=2)
+        words = f"A circle has no edges: its center C {telling.vector(circle.center)} and radius"
+        return drawing.finish(title, f"{words} {telling.number(circle.radius)} are all that a projection needs.")
+    drawing.add("diameter", "segment", role, p2, p1)
+    drawing.label("center.name", "C", role, circle.center, prefer=Vec(-n.y, n.x), first=2)
+    for label, point, landing, sign in ("P1", p1, side.landings[1], "+"), ("P2", p2, side.landings[0], "-"):
+        spot = place.at(landing)
+        drawing.add(f"{label}.drop", "segment", "guide", point, spot)
+        drawing.add(label, "dot", role, point)
+        drawing.add(f"{label}.landing", "dot", role, spot)
+        away = Vec(point.x - circle.center.x, point.y - circle.center.y)
+        drawing.label(f"{label}.name", f"{label} = C {sign} r n", role, point, prefer=away, first=1)
+        drawing.label(f"{label}.value", telling.number(landing), role, spot, prefer=place.out, first=1)
+    return drawing.finish(
+        title,
+        f"The extremes along the axis are P1 = C + r n {telling.vector(p1)} and P2 = C - r n {telling.vector(p2)}; "
+        f"they land at {telling.number(side.landings[1])} and {telling.number(side.landings[0])}.",
+    )
+
+
+def failed_lines(trace: Trace, *, most: int = 3, title: str = "") -> Picture:
+    """The lines that come nearest to separating, one a direction, each with the overlap it leaves."""
+    best: list[AxisTest] = []
+    for test in sorted(trace.tests, key=lambda t: -t.gap):
+        if all(test.axis.direction != other.axis.direction for other in best):
+            best.append(test)
+    layout = arrange([trace.a, trace.b], [])
+    drawing = Drawing(trace, layout)
+    drawing.shapes()
+    for i, test in enumerate(best[:most], 1):
+        a, b, n = test.a.interval, test.b.interval, test.axis.direction
+        middle = (max(a.lo, b.lo) + min(a.hi, b.hi)) / 2
+        ends = drawing.line_across(f"line.{i}", Vec(n.x * middle, n.y * middle), n, "overlap")
+        x0, y0, x1, y1 = layout.limits
+        end = max(ends, key=lambda p: hypot(p.x - x0, p.y - y0) + (p.y - y0) * 0.1)
+        inwards = Vec((x0 + x1) / 2 - end.x, (y0 + y1) / 2 - end.y)
+        drawing.label(f"line.{i}.name", telling.outcome(test.gap), "overlap", end, prefer=inwards, first=1)
+    worst = telling.number(best[0].gap)
+    return drawing.finish(
+        title,
+        f"No line separates {trace.names.a} and {trace.names.b}: the best gap is {worst}. {trace.sentence}",
+        steady=False,
+    )
+
+
+def split(trace: Trace, *, title: str = "") -> Picture:
+    """Concave outlines as their parts, each part pair with the axis that separates it."""
+    tests = [pair.separating for pair in trace.pairs]
+    layout = arrange([trace.a, trace.b], [t for t in tests if t], together=True)
+    drawing = Drawing(trace, layout)
+    draw_parts(drawing)
+    places = iter(layout.places)
+    for pair, test in zip(trace.pairs, tests, strict=True):
+        if test:
+            place = next(places)
+            inner = Drawing(pair, layout)
+            inner.project(test, place, pair.tests.index(test) + 1)
+            tag = f"{pair.names.a}.{pair.names.b}."
+            drawing.marks += [mark._replace(id=tag + mark.id) for mark in inner.marks]
+            drawing.requests += [(first, request._replace(id=tag + request.id)) for first, request in inner.requests]
+    parts = [f"{n} is {telling.listed([p for _, p in found])}" for n, found in _split_shapes(trace)]
+    return drawing.finish(title, f"{'; '.join(parts)}. {' '.join(p.sentence for p in trace.pairs)} {trace.sentence}")
+
+
+def _split_shapes(trace: Trace):
+    found = [(n, named_parts(s, n)) for n, s in zip(trace.names, (trace.a, trace.b), strict=True)]
+    return [(n, parts) for n, parts in found if len(parts) > 1]

@@ -1,0 +1,1 @@
+"""Pens and files: the only floor that knows matplotlib's artists."""
