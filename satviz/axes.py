@@ -7,10 +7,11 @@ shortcuts and the building blocks of a choice of one's own.
 
 from collections.abc import Callable, Sequence
 from itertools import pairwise
-from math import gcd, hypot
+from math import gcd, hypot, isfinite
+from math import inf as INF
 from typing import Any, NamedTuple
 
-from .exact import IntPoint, aligned, orient, to_float, to_integers
+from .exact import IntPoint, aligned, orient, to_float, to_int_points, to_integers
 from .geometry import Vec
 from .outline import point
 from .shapes import Circle, Polygon, Shape
@@ -140,9 +141,8 @@ def centers(a: Shape, b: Shape) -> Choice:
         ((px, py),), ((qx, qy),), _, k = aligned(a, b)
         axis = _axis((qx - px, qy - py), k, Source(CENTERS))
     else:
-        p, q = centroid(a), centroid(b)
-        k, vector = to_integers((q.x - p.x, q.y - p.y))
-        axis = _axis(vector, k, Source(GIVEN, None, (0,)))
+        k, ((px, py), (qx, qy)) = to_int_points((centroid(a), centroid(b)))
+        axis = _axis((qx - px, qy - py), k, Source(GIVEN, None, (0,)))
     # concentric: no direction is special, and on every one the ranges overlap by as much
     return Choice((axis or Axis(Vec(1.0, 0.0), 1.0, Source(GIVEN, None, (0,))),), complete=circles)
 
@@ -194,6 +194,8 @@ def exact_normal(axis: Axis, shapes: dict[str, Shape], points: dict[str, Sequenc
         vx, vy = points[role][shapes[role].corner_ids.index(ids[0])]
         x, y = cx - vx, cy - vy
     else:
+        x = y = 0
+    if not (x or y):
         return tuple(to_integers(axis.normal)[1])
     return (x, y) if (x, y) > (0, 0) else (-x, -y)
 
@@ -202,16 +204,17 @@ def centroid(shape: Shape) -> Vec:
     """The centre of area, rounded."""
     if isinstance(shape, Circle):
         return shape.center
-    (ox, oy), ring = shape.corners[0], shape.corners
+    (ox, oy), ring, size = shape.corners[0], shape.corners, shape._span
     area = x = y = 0.0
-    for (px, py), (qx, qy) in pairwise(ring):
-        cross = (px - ox) * (qy - oy) - (py - oy) * (qx - ox)
+    for (px, py), (qx, qy) in pairwise(((p.x - ox) / size, (p.y - oy) / size) for p in ring):
+        cross = px * qy - py * qx
         area += cross
-        x += cross * (px - ox + qx - ox)
-        y += cross * (py - oy + qy - oy)
-    if not 1e-280 < area < 1e280:
-        return Vec(sum(p.x / len(ring) for p in ring), sum(p.y / len(ring) for p in ring))
-    return Vec(ox + x / area / 3, oy + y / area / 3)
+        x += cross * (px + qx)
+        y += cross * (py + qy)
+    middle = Vec(ox + x / area / 3 * size, oy + y / area / 3 * size) if area > 1e-12 else Vec(INF, INF)
+    if isfinite(middle.x) and isfinite(middle.y):
+        return middle
+    return Vec(sum(p.x / len(ring) for p in ring), sum(p.y / len(ring) for p in ring))
 
 
 def _hull(ring: Sequence[Vec]) -> list[int]:

@@ -23,9 +23,9 @@ Edge = tuple[int, int]
 def parts(shape: Shape) -> tuple[Shape, ...]:
     """Convex parts with disjoint insides that fill the shape exactly; a convex shape is its own only part.
 
-    Their vertices are the polygon's and points where the line of an edge ends on
-    another edge or cut (label "" if the polygon has labels).  Sorted by the lowest
-    vertex number they hold.
+    Their vertices are the polygon's and points where the line of an edge or cut ends
+    on another (label "" if the polygon has labels), never more parts than twice the
+    reflex vertices and one.  Sorted by the lowest vertex number they hold.
     """
     if isinstance(checked(shape, "shape"), Circle) or shape.is_convex:
         return (shape,)

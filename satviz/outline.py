@@ -16,13 +16,24 @@ class Corners(NamedTuple):
     notes: tuple[str, ...]
 
 
+_NOT_REAL = tuple("bcSUmMV")  # NumPy's kinds: bool, complex, text, times, records
+_WHOLE = ("i", "u")
+
+
+def _not_real(value: Any) -> bool:
+    return getattr(getattr(value, "dtype", None), "kind", "") in _NOT_REAL
+
+
 def number(value: Any, name: str) -> float:
     """One finite float64 equal to what was given; bool, text, complex and lossy integers are refused."""
     if type(value) is not float:
-        if isinstance(value, (bool, str, bytes, complex)) or getattr(value, "dtype", None) in ("bool", "complex"):
-            raise InvalidShape(f"{name} is {value!r}: a coordinate must be a real number")
         if getattr(value, "mask", False):
             raise InvalidShape(f"{name} is masked: fill or drop it first")
+        given = value
+        if getattr(getattr(value, "dtype", None), "kind", "") in _WHOLE:
+            value = int(value)  # a NumPy integer compares in float64, which hides what it loses
+        if isinstance(value, (bool, str, bytes, complex)) or _not_real(value):
+            raise InvalidShape(f"{name} is {given!r}: a coordinate must be a real number")
         try:
             as_float = float(value)
         except (TypeError, ValueError):
@@ -55,7 +66,7 @@ def plain(values: Any, name: str) -> Any:
     if isinstance(values, (str, bytes, dict, set, frozenset)):
         raise InvalidShape(f"{name} is {values!r}: expected numbers in order")
     if hasattr(values, "tolist") and hasattr(values, "dtype"):
-        if values.dtype.kind in "bcSU":
+        if values.dtype.kind in _NOT_REAL:
             raise InvalidShape(f"{name} is an array of {values.dtype}: coordinates must be real numbers")
         mask = getattr(values, "mask", None)
         if mask is not None and getattr(mask, "any", bool)():

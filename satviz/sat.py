@@ -1,5 +1,6 @@
 """The one loop: project both shapes on each chosen axis and measure the gap between their ranges."""
 
+import sys
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
@@ -12,6 +13,7 @@ from .shapes import Circle, Shape
 # more, so that a float gap has not only the right sign but five right digits.
 CLOSE = 2.0**-30
 SAFE = 1e-100, 1e100
+LARGEST = sys.float_info.max
 
 
 class Projection(NamedTuple):
@@ -118,4 +120,10 @@ def _landed(shape: Shape, axis: Axis, dots: list[int], square: int, k: int) -> P
     (x, y), r, (nx, ny) = shape.center, shape.radius, axis.direction
     lo = root_difference(dots[0], radius, square, k)
     hi = -root_difference(-dots[0], radius, square, k) + 0.0
-    return Projection((Vec(x - r * nx, y - r * ny), Vec(x + r * nx, y + r * ny)), (lo, hi))
+    ends = (Vec(_capped(x + s * r * nx), _capped(y + s * r * ny)) for s in (-1, 1))
+    return Projection(tuple(ends), (lo, hi))
+
+
+def _capped(value: float) -> float:
+    """An extreme beyond float64 is shown at its rim."""
+    return max(-LARGEST, min(LARGEST, value))

@@ -37,6 +37,8 @@ class Scene:
             raise InvalidScene(
                 f"the name {self.name!r} must be small letters and digits in words joined by -, at most {MAX_NAME}"
             )
+        if not self.title.isprintable():
+            raise InvalidScene(f"the title {self.title!r} must be one line of printable text")
         if self.axes not in NAMED:
             raise InvalidScene(f"unknown axes {self.axes!r}: choose one of {', '.join(NAMED)}")
 

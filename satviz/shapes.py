@@ -25,7 +25,8 @@ class _Shape:
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"a {type(self).__name__} cannot be changed: make a new one")
 
-    __delattr__ = __setattr__
+    def __delattr__(self, name: str) -> None:
+        self.__setattr__(name, None)
 
     def _set(self, **values: Any) -> None:
         for name, value in values.items():
@@ -121,7 +122,6 @@ class Circle(_Shape):
         r = outline.number(radius, "radius")
         if r <= 0:
             raise InvalidShape(f"radius is {r}: a circle needs a positive radius")
-        c = Vec(c.x + 0.0, c.y + 0.0)
         self._set(
             center=c,
             radius=r,
@@ -183,12 +183,17 @@ def _checked_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | N
         return None
     if isinstance(labels, str):
         raise InvalidShape(f"labels is the text {labels!r}: pass a list with one label a vertex")
-    labels = tuple(labels)
+    try:
+        labels = tuple(labels)
+    except TypeError:
+        raise InvalidShape(f"labels is {labels!r}: pass a list with one label a vertex") from None
     if len(labels) != n:
         raise InvalidShape(f"{len(labels)} labels for {n} vertices: pass one a vertex")
     for i, label in enumerate(labels):
         if not isinstance(label, str):
             raise InvalidShape(f"label {i} is {label!r}: a label must be text")
+        if any("\ud800" <= c <= "\udfff" for c in label):
+            raise InvalidShape(f"label {i} is {label!r}: half a surrogate pair is no text")
     return labels
 
 

@@ -38,6 +38,7 @@ def vector(value: Vec) -> str:
 def vertex_name(shape: Shape, name: str, i: int) -> str:
     """The owner's label, or the shape's letter in small with a number from 1: b1, b2 ..."""
     label = shape.labels[i] if shape.labels else ""
+    label = "".join(c if c.isprintable() else "\ufffd" for c in label)  # a control character would break an SVG
     return label or f"{name.lower()}{'.' if name[-1].isdigit() else ''}{i + 1}"
 
 

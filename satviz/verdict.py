@@ -178,7 +178,7 @@ def _circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
             elif along >= square:
                 distance = qx * qx + qy * qy
             else:
-                distance = turn * turn / square
+                distance = turn / square * turn  # in this order it stays in range
             if distance < nearest:
                 nearest = distance
         px, py, vx, vy = qx, qy, wx, wy

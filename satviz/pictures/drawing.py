@@ -48,8 +48,9 @@ class Drawing:
         else:
             self.add(f"{name}.outline", "outline", role, *shape.vertices, weight=weight)
         if named:
-            middle = centroid(shape)
-            self.label(f"{name}.name", name, role, middle, inside=True, weight="title")
+            other = self.trace.b if role == "A" else self.trace.a
+            spots = sorted(_name_spots(shape), key=lambda p: _holds(other, p))
+            self.label(f"{name}.name", name, role, spots[0], along=tuple(spots[1:]), inside=True, weight="title")
 
     def shapes(self, *, weight: str = "plain") -> None:
         for role, name, shape in self.pair():
@@ -180,7 +181,7 @@ class Drawing:
             return ""
         shown = telling.number(end)
         ids = [shape.corner_ids[i] for i, t in enumerate(side.landings) if telling.number(t) == shown]
-        return ", ".join(shape.labels[i] for i in sorted(ids))
+        return ", ".join(telling.vertex_name(shape, "", i) for i in sorted(ids))
 
     def nearest_ends(self, side: Projection, place: AxisPlace) -> list[int]:
         """A lowest and a highest point; of several that land together the one nearest to the axis."""
@@ -219,7 +220,8 @@ class Drawing:
             points = [moved(ends[0], place.out, -tick), *ends, moved(ends[1], place.out, -tick)]
             role, kind = "gap", "bracket"
         else:
-            span = Interval(max(a.lo, b.lo), min(a.hi, b.hi))
+            # the stretch B must clear: the shared part, or more where one range holds the other
+            span = Interval(b.lo, a.hi) if a.hi - b.lo <= b.hi - a.lo else Interval(a.lo, b.hi)
             ends = points = [place.at(t) for t in span]
             role, kind = "overlap", "interval"
         self.add(f"axis.{number}.gap", kind, role, *points)
@@ -311,6 +313,28 @@ class Drawing:
             spot = board.place(request)
             if spot is not None:
                 self.add(request.id, "label", request.role, spot, text=request.text, weight=request.weight)
+
+
+def _name_spots(shape: Shape) -> list[Vec]:
+    """Where a shape's name may stand, best first: the middle, or half way out; below a circle's centre."""
+    if isinstance(shape, Circle):
+        turns = [k * pi / 4 - pi / 2 for k in range(8)]
+        return [moved(shape.center, Vec(cos(t), sin(t)), shape.radius * f) for f in (0.5, 0.8) for t in turns]
+    middle = centroid(shape)
+    outer = [*shape.corners, *(Vec((p.x + q.x) / 2, (p.y + q.y) / 2) for p, q in pairwise(shape.corners))]
+    spots = [Vec(middle.x + (v.x - middle.x) * f, middle.y + (v.y - middle.y) * f) for f in (0.5, 0.75) for v in outer]
+    return [spot for spot in (middle, *spots) if _holds(shape, spot)] or [middle]
+
+
+def _holds(shape: Shape, p: Vec) -> bool:
+    """Is the point inside, roughly?  (Crossing number; a label needs no more.)"""
+    if isinstance(shape, Circle):
+        return hypot(p.x - shape.center.x, p.y - shape.center.y) < shape.radius
+    inside = False
+    for u, v in pairwise((*shape.corners, shape.corners[0])):
+        if (u.y > p.y) != (v.y > p.y) and p.x < u.x + (p.y - u.y) / (v.y - u.y) * (v.x - u.x):
+            inside = not inside
+    return inside
 
 
 def _around(p: Vec, q: Vec, box: Limits) -> list[tuple[Vec, Vec]]:

@@ -5,6 +5,7 @@ from functools import cache, lru_cache
 from math import cos, hypot, pi, sin
 from typing import NamedTuple
 
+from .. import telling
 from ..geometry import Vec
 from ..sat import AxisTest, Projection
 from ..shapes import Circle, Shape
@@ -15,7 +16,7 @@ from .theme import text_size
 WIDTH, HEIGHT = 500.0, 400.0  # the largest canvas
 LEAST_WIDTH, LEAST_HEIGHT = 300.0, 190.0
 PAD = 36.0  # all round
-LABEL = 84.0, 18.0  # room for a range's label on the far side of its axis
+LABEL_HEIGHT = 18.0  # room for a range's label on the far side of its axis
 CLEAR = 34.0  # from the shapes to an axis
 BEYOND = 20.0  # an axis runs on past the ranges
 TRACK = 5.5  # A's bar on one side of the axis, B's on the other
@@ -85,13 +86,15 @@ def arrange(
             "move or scale it first (its trace is exact all the same)"
         )
     scale = largest[0] / size / 2
+    words = [text_box(f"B {telling.interval(r.interval)}")[0] for test in tests for r in (test.a, test.b)]
+    label = min(max(words, default=0.0), 110.0)
     for _ in range(6):
         places = _places(shapes, tests, scale, together)
         ends = [place.at(t, role) for place in places for t in (place.lo, place.hi) for role in "AB"]
         for place in places:
             for part in (0.15, 0.85):
                 spot = place.at(place.lo + part * (place.hi - place.lo), "B")
-                ends.append(Vec(spot.x + place.out.x * LABEL[0] / scale, spot.y + place.out.y * LABEL[1] / scale))
+                ends.append(Vec(spot.x + place.out.x * label / scale, spot.y + place.out.y * LABEL_HEIGHT / scale))
         xs, ys = [x0, x1, *(p.x for p in ends)], [y0, y1, *(p.y for p in ends)]
         box = min(xs), min(ys), max(xs), max(ys)
         room = [(most - 2 * PAD) / (box[i + 2] - box[i]) for i, most in enumerate(largest)]
@@ -181,9 +184,11 @@ def _font():
 
 @lru_cache(maxsize=4096)
 def _advance(char: str) -> float:
-    """A letter's width as a part of the text size."""
+    """A letter's width as a part of the text size; one the font lacks is taken for a full square."""
     from matplotlib.ft2font import LoadFlags
 
+    if not _font().get_char_index(ord(char)):
+        return 1.0
     return _font().load_char(ord(char), LoadFlags.NO_HINTING).linearHoriAdvance / 655360
 
 
@@ -207,7 +212,7 @@ class Request(NamedTuple):
     along: tuple[Vec, ...] = ()
     prefer: Vec = Vec(0.0, 1.0)
     weight: str = "plain"
-    inside: bool = False  # try the anchor itself first
+    inside: bool = False  # centred on an anchor if that is clear
     optional: bool = False  # leave it out rather than run it over something
     far: bool = False  # anywhere on the canvas will do
 
@@ -259,6 +264,8 @@ class Board:
         x, y = self._points(request.anchor)
         if request.inside:
             yield (x, y), 0.0
+            for rank, anchor in enumerate(request.along, 1):
+                yield self._points(anchor), rank / 8
         size = hypot(*request.prefer) or 1.0
         toward = Vec(request.prefer.x / size, request.prefer.y / size)
         spots = []

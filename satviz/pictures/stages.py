@@ -173,9 +173,11 @@ def draw_verdict(drawing: Drawing, places: Sequence[AxisPlace]) -> None:
         drawing.label("shared.name", f"in both: {telling.vector(spot)}", "ink", spot, first=4)
         draw_move(drawing)
     else:
-        for n, (p, q) in enumerate(zip(trace.pairs, certificate.lines, strict=True), 1):
-            drawing.line_across(f"line.{n}", q.point, _unit(q), "gap")
-            drawing.label(f"line.{n}.name", f"{p.names.a} | {p.names.b}", "gap", q.point, first=4, far=True)
+        (_, a, whole_a), (_, b, whole_b) = drawing.pair()
+        names = [f"{p} | {q}" for _, p in named_parts(whole_a, a) for _, q in named_parts(whole_b, b)]
+        for n, (text, line) in enumerate(zip(names, certificate.lines, strict=True), 1):
+            ends = drawing.line_across(f"line.{n}", line.point, _unit(line), "gap")
+            drawing.label(f"line.{n}.name", text, "gap", drawing.middle(*ends), along=ends, first=4, far=True)
 
 
 def draw_move(drawing: Drawing) -> None:

@@ -75,10 +75,7 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
     drawing = Drawing(trace, layout)
     test = trace.tests[0]
     p, q = trace.a.center, trace.b.center
-    for role, name, circle in drawing.pair():
-        drawing.shape(role, name, circle, named=False)
-        below = Vec(circle.center.x, circle.center.y - circle.radius / 2)
-        drawing.label(f"{name}.name", name, role, below, inside=True, weight="title")
+    drawing.shapes()
     drawing.add("distance", "segment", "ink", p, q)
     sides = ("A", trace.a, Vec(-1.0, 0.0)), ("B", trace.b, Vec(1.0, 0.0))
     for role, circle, _ in sides:

@@ -8,6 +8,7 @@ overwritten unless asked.
 import io
 import os
 import tempfile
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
 from xml.sax.saxutils import escape
@@ -47,7 +48,9 @@ def encode(picture: Picture, form: str, theme: Theme = LIGHT, *, stem: str = "pi
     """The file of a picture: form "svg", "png" or "pdf"; `stem` seeds the ids in an SVG."""
     title = picture.title or picture.sentence
     out = io.BytesIO()
-    with matplotlib.rc_context({**_STYLE, "svg.hashsalt": stem}):
+    with matplotlib.rc_context({**_STYLE, "svg.hashsalt": stem}), warnings.catch_warnings():
+        # a letter the font lacks is a square in PNG and PDF; an SVG shows it where the reader has a font
+        warnings.filterwarnings("ignore", "Glyph .* missing")
         fig, pen = canvas(picture.size, theme)
         pen.draw(picture)
         if form == "png":

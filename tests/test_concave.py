@@ -1,0 +1,509 @@
+"""The parts of a concave polygon fill it exactly, and relate is right about concave shapes."""
+
+import functools
+import math
+import time
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from fractions import Fraction
+from itertools import combinations
+from random import Random
+
+import oracle
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from satviz.concave import parts
+from satviz.geometry import InvalidShape, Relation
+from satviz.shapes import Circle, Polygon
+from satviz.verdict import relate
+
+APART, TOUCHING, OVERLAPPING = Relation
+
+Ring = Sequence[tuple[float, float]]
+
+L = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
+NOTCH = Polygon([(2.5, 2.5), (3.5, 2.5), (3.5, 3.5), (2.5, 3.5)])
+ULP = 2.0**-52
+
+
+# -- random simple polygons ------------------------------------------------------------------------
+
+
+def untangled(points: Iterable[tuple[float, float]]) -> Ring:
+    """The points in an order without crossings where 2-opt finds one; exact on small grids, else what comes out."""
+    ring = list(dict.fromkeys(points))
+    n = len(ring)
+    for _ in range(200):
+        crossed = False
+        for i, j in combinations(range(n), 2):
+            p, q, r, s = ring[i], ring[i + 1], ring[j], ring[(j + 1) % n]
+            if j - i in (1, n - 1) or not meet(p, q, r, s):
+                continue
+            ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
+            crossed = True
+        if not crossed:
+            break
+    return ring
+
+
+def spread(rng: Random, n: int, coordinate: Callable[[Random], float]) -> Ring:
+    return untangled([(coordinate(rng), coordinate(rng)) for _ in range(n)])
+
+
+def star_shaped(rng: Random, n: int, size: float, step: float = 0) -> Ring:
+    """Around the origin, rounded to a grid so that vertices, edges and lines fall together."""
+    angles = sorted(rng.uniform(0, math.tau) for _ in range(n))
+    arms = [(rng.uniform(size / 5, size), angle) for angle in angles]
+    ring = [(r * math.cos(angle), r * math.sin(angle)) for r, angle in arms]
+    return [(round(x / step) * step, round(y / step) * step) for x, y in ring] if step else ring
+
+
+def polyomino(rng: Random, n: int) -> Ring:
+    """The outline of n squares grown together: only right angles, many edges on one line."""
+    cells = {(0, 0)}
+    while len(cells) < n:
+        x, y = rng.choice(sorted(cells))
+        dx, dy = rng.choice([(1, 0), (-1, 0), (0, 1), (0, -1)])
+        cells.add((x + dx, y + dy))
+    after: dict = {}
+    for x, y in cells:
+        square = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]
+        for i, beside in enumerate([(x, y - 1), (x + 1, y), (x, y + 1), (x - 1, y)]):
+            if beside not in cells:
+                after[square[i]] = square[(i + 1) % 4]
+    ring = [min(after)]
+    while after[ring[-1]] != ring[0]:
+        ring.append(after[ring[-1]])
+    return ring  # with a hole or two squares corner to corner, Polygon or the caller's area check refuses it
+
+
+def scaled(ring: Ring, power: int) -> Ring:
+    return [(math.ldexp(x, power), math.ldexp(y, power)) for x, y in ring]
+
+
+KINDS: dict[str, Callable[[Random, int], Ring]] = {
+    "small grid": lambda rng, n: spread(rng, n, lambda rng: rng.randint(0, 5)),
+    "quarters": lambda rng, n: spread(rng, n, lambda rng: rng.randint(0, 40) / 4),
+    "floats": lambda rng, n: spread(rng, n, lambda rng: rng.uniform(-5, 5)),
+    "star of integers": lambda rng, n: star_shaped(rng, n, 8, 1),
+    "star of quarters": lambda rng, n: star_shaped(rng, n, 5, 0.25),
+    "star of floats": lambda rng, n: star_shaped(rng, n, 5),
+    "right angles": polyomino,
+    "offset of 1e8": lambda rng, n: [(x + 1e8, y - 1e8) for x, y in spread(rng, n, lambda rng: rng.randint(0, 12) / 2)],
+    "1 ulp": lambda rng, n: spread(rng, n, lambda rng: rng.choice([1, 1.25, 1.5]) + rng.randint(0, 3) * ULP),
+    "mixed magnitudes": lambda rng, n: spread(
+        rng, n, lambda rng: rng.randint(0, 3) * rng.choice([1, 1, 1e-17, 1e-300])
+    ),
+    "2^-1000": lambda rng, n: scaled(spread(rng, n, lambda rng: rng.randint(0, 9)), -1000),
+    "2^1000": lambda rng, n: scaled(spread(rng, n, lambda rng: rng.uniform(0, 9)), 1000),
+}
+every_kind = pytest.mark.parametrize("kind", KINDS)
+
+
+def concave_polygons(kind: str, count: int, most: int = 30, seed: int = 1) -> Iterator[Polygon]:
+    """Concave polygons of one kind with 4 to `most` vertices; what satviz refuses to build is drawn again."""
+    rng = Random(f"{kind} {seed}")
+    while count:
+        try:
+            polygon = Polygon(KINDS[kind](rng, rng.randint(4, most)))
+        except (InvalidShape, KeyError):
+            continue
+        if not polygon.is_convex:
+            count -= 1
+            yield polygon
+
+
+@functools.cache
+def sample(kind: str) -> tuple[Polygon, ...]:
+    return tuple(concave_polygons(kind, 25))
+
+
+# -- exact geometry that is not satviz -------------------------------------------------------------
+
+
+def cross(p: Sequence, q: Sequence, r: Sequence) -> Fraction:
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+
+def edges(ring: Sequence) -> list:
+    return list(zip(ring, [*ring[1:], ring[0]], strict=True))
+
+
+def on_segment(v: Sequence, p: Sequence, q: Sequence) -> bool:
+    inside = min(p[0], q[0]) <= v[0] <= max(p[0], q[0]) and min(p[1], q[1]) <= v[1] <= max(p[1], q[1])
+    return inside and cross(p, q, v) == 0
+
+
+def meet(p: Sequence, q: Sequence, r: Sequence, s: Sequence) -> bool:
+    """Do two closed segments share a point?"""
+    a, b, c, d = cross(p, q, r), cross(p, q, s), cross(r, s, p), cross(r, s, q)
+    if (a > 0) != (b > 0) and (c > 0) != (d > 0) and a and b and c and d:
+        return True
+    return on_segment(r, p, q) or on_segment(s, p, q) or on_segment(p, r, s) or on_segment(q, r, s)
+
+
+def holds(ring: Sequence, v: Sequence) -> bool:
+    """Does the closed outline hold a point?  On an edge, or an odd number of crossings to the right."""
+    if any(on_segment(v, p, q) for p, q in edges(ring)):
+        return True
+    rows = [(p, q) if p[1] < q[1] else (q, p) for p, q in edges(ring)]
+    return sum(p[1] <= v[1] < q[1] and cross(p, q, v) > 0 for p, q in rows) % 2 == 1
+
+
+def integers(*rings: Iterable[Sequence]) -> list[list[tuple[int, int]]]:
+    """The rings in one unit in which all their coordinates are whole."""
+    exact = [[(Fraction(x), Fraction(y)) for x, y in ring] for ring in rings]
+    unit = math.lcm(*(c.denominator for ring in exact for p in ring for c in p))
+    return [[(int(x * unit), int(y * unit)) for x, y in ring] for ring in exact]
+
+
+@functools.lru_cache(maxsize=4)
+def ears(polygon: Polygon) -> list[Polygon]:
+    """The polygon cut into triangles, one ear after the other: not the way satviz goes."""
+    vertices = polygon.vertices if oracle.area2(polygon.vertices) > 0 else polygon.vertices[::-1]
+    (at,) = integers(vertices)
+    left, found = list(range(len(at))), []
+
+    def clips(a: int, b: int, c: int) -> bool:
+        sides = [(at[a], at[b]), (at[b], at[c]), (at[c], at[a])]
+        others = (at[v] for v in left if v not in (a, b, c))
+        return cross(at[a], at[b], at[c]) > 0 and not any(all(cross(*s, v) >= 0 for s in sides) for v in others)
+
+    while len(left) > 2:
+        for i, b in enumerate(left):
+            a, c = left[i - 1], left[(i + 1) % len(left)]
+            straight = cross(at[a], at[b], at[c]) == 0
+            if straight or clips(a, b, c):
+                if not straight:
+                    found.append(Polygon([vertices[a], vertices[b], vertices[c]]))
+                left.pop(i)
+                break
+        else:
+            raise AssertionError(f"no ear left: {polygon!r}")
+    return found
+
+
+def true_relation(a: Polygon, b: Polygon) -> Relation:
+    """By crossings of edges and containment of vertices; it is an overlap if two ears share an area."""
+    p, q = integers(a.vertices, b.vertices)
+    crossing = any(meet(*e, *f) for e in edges(p) for f in edges(q))
+    if not (crossing or any(holds(q, v) for v in p) or any(holds(p, v) for v in q)):
+        return APART
+    areas = (oracle.polygons(s, t) is OVERLAPPING for s in ears(a) for t in ears(b) if boxes_meet(s, t))
+    return OVERLAPPING if any(areas) else TOUCHING
+
+
+def boxes_meet(a: Polygon, b: Polygon) -> bool:
+    (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = a.bounds, b.bounds
+    return ax0 < bx1 and bx0 < ax1 and ay0 < by1 and by0 < ay1
+
+
+def reflex_count(polygon: Polygon) -> int:
+    ring = polygon.corners
+    return sum(oracle.turn(ring[i - 1], ring[i], ring[(i + 1) % len(ring)]) < 0 for i in range(len(ring)))
+
+
+def refute(polygon: Polygon) -> str:
+    """What is wrong with the parts of a concave polygon, with the polygon to paste back; else nothing."""
+    found = parts(polygon)
+    own, *rings = integers(polygon.corners, *(part.vertices for part in found))
+    wrong = []
+    if not all(part.is_convex and not part.notes and oracle.area2(part.vertices) > 0 for part in found):
+        wrong.append("a part is not convex, not counter-clockwise, or has a straight-on vertex")
+    if sum(map(oracle.area2, rings)) != oracle.area2(own):
+        wrong.append("the areas do not add up")
+    if any(oracle.polygons(p, q) is OVERLAPPING for p, q in combinations(found, 2) if boxes_meet(p, q)):
+        wrong.append("two parts overlap")
+    if not all(holds(own, v) for ring in rings for v in ring):
+        wrong.append("a part has a vertex outside")
+    if len(found) > 2 * reflex_count(polygon) + 1:
+        wrong.append("more than two cuts for a reflex vertex")
+    return f"{'; '.join(wrong)}:\n{polygon!r}" if wrong else ""
+
+
+def refute_all(polygons: Iterable[Polygon]) -> None:
+    """Fail with polygons to paste back if the parts of any are wrong."""
+    wrong = [said for said in map(refute, polygons) if said]
+    if wrong:
+        pytest.fail(f"{len(wrong)} wrong\n" + "\n".join(wrong[:3]), pytrace=False)
+
+
+# -- exactly the polygon ---------------------------------------------------------------------------
+
+
+@every_kind
+def test_the_parts_are_convex_and_disjoint_and_fill_the_polygon_exactly(kind):
+    refute_all(sample(kind))
+
+
+@pytest.mark.full
+@every_kind
+def test_the_parts_are_right_on_twenty_thousand_polygons(kind, request):
+    if "full" not in request.config.option.markexpr:
+        pytest.skip("takes minutes: asked for with -m full")
+    refute_all(concave_polygons(kind, 1_700, seed=2))
+
+
+grid_points = st.tuples(st.integers(0, 6), st.integers(0, 6))
+float_points = st.tuples(st.floats(-9, 9), st.floats(-9, 9))
+
+
+@given(st.lists(grid_points, min_size=4, max_size=14) | st.lists(float_points, min_size=4, max_size=10))
+@settings(max_examples=200, deadline=None, derandomize=True, database=None)
+def test_the_parts_are_right_for_any_simple_polygon(points):
+    try:
+        polygon = Polygon(untangled(points))
+    except InvalidShape:
+        assume(False)
+    assume(not polygon.is_convex)
+    refute_all([polygon])
+
+
+@every_kind
+def test_the_first_vertex_and_the_winding_do_not_make_it_wrong(kind):
+    for polygon in sample(kind)[:10]:
+        ring = polygon.vertices
+        for other in (ring[::-1], ring[3:] + ring[:3]):
+            refute_all([Polygon(other)])
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in ("mixed magnitudes", "2^-1000", "2^1000")])
+def test_the_parts_scale_with_the_polygon(kind):
+    for polygon in sample(kind)[:10]:
+        for power in (-900, 900):
+            there = [Polygon(scaled(part.vertices, power)) for part in parts(polygon)]
+            assert parts(Polygon(scaled(polygon.vertices, power))) == tuple(there), repr(polygon)
+
+
+@pytest.mark.parametrize("unit", [5e-324, 2.0**1020])
+def test_the_ends_of_the_float_range_are_cut_exactly_too(unit):
+    for ring in (L, [(0, 0), (5, 1), (3, 3), (7, 6), (1, 7), (2, 4)]):
+        refute_all([Polygon([(x * unit, y * unit) for x, y in ring])])
+
+
+@pytest.mark.parametrize(
+    "ring",
+    [
+        [(0, 0), (1, 0), (1, 1), (0.5 + ULP, 1), (0.5, ULP), (0.5, 1), (0, 1)],
+        [(0, 0), (1, 0), (1, 1), (0.5, 1 - ULP), (0, 1)],
+        [(0, 0), (1, 0), (1, 1), (0.5, 5e-324), (0, 1)],
+        [(1e8, 1e8), (1e8 + 3, 1e8), (1e8 + 3, 1e8 + 3), (1e8 + 1.5, 1e8 + 2**-26), (1e8, 1e8 + 3)],
+    ],
+)
+def test_a_notch_one_ulp_wide_or_deep_is_left_out(ring):
+    polygon = Polygon(ring)
+    assert not polygon.is_convex
+    refute_all([polygon])
+
+
+# -- few parts -------------------------------------------------------------------------------------
+
+
+def test_the_L_of_the_article_becomes_its_two_boxes():
+    bottom, top = parts(Polygon(L))
+    assert bottom.vertices == ((0, 0), (4, 0), (4, 2), (0, 2))
+    assert top.vertices == ((2, 2), (2, 4), (0, 4), (0, 2))
+
+
+@pytest.mark.parametrize("start", range(6))
+@pytest.mark.parametrize("step", [1, -1])
+def test_the_L_becomes_the_same_boxes_from_any_first_vertex_and_winding(start, step):
+    found = parts(Polygon((L[start:] + L[:start])[::step]))
+    assert {part.bounds for part in found} == {(0, 0, 4, 2), (0, 2, 2, 4)}
+    assert all(part.is_upright_box for part in found)
+
+
+def comb(teeth: int) -> Ring:
+    ring = [(0, -1), (2 * teeth - 1, -1)]
+    for i in reversed(range(teeth)):
+        ring += [(2 * i + 1, 0), (2 * i + 1, 3), (2 * i, 3), (2 * i, 0)]
+    return [p for p in ring if p not in ((0, 0), (2 * teeth - 1, 0))]
+
+
+def star(points: int, inner: float = 0.4) -> Ring:
+    turns = [(math.tau * i / (2 * points), (1, inner)[i % 2]) for i in range(2 * points)]
+    return [(r * math.cos(angle), r * math.sin(angle)) for angle, r in turns]
+
+
+def spiral(n: int) -> Ring:
+    outer = [(10 + 0.9 * i, 0.3 * i) for i in range(n // 2)]
+    ring = outer + [(r - 6, angle) for r, angle in reversed(outer)]
+    return [(r * math.cos(angle), r * math.sin(angle)) for r, angle in ring]
+
+
+def saw(n: int) -> Ring:
+    return [(0, -5), (n - 3, -5)] + [(x, x % 2 * 100 + x * 7 % 5 / 10) for x in reversed(range(n - 2))]
+
+
+@pytest.mark.parametrize(
+    ("name", "ring", "count"),
+    [
+        ("L", L, 2),
+        ("plus", [(1, 0), (2, 0), (2, 1), (3, 1), (3, 2), (2, 2), (2, 3), (1, 3), (1, 2), (0, 2), (0, 1), (1, 1)], 3),
+        ("T", [(1, 0), (2, 0), (2, 2), (3, 2), (3, 3), (0, 3), (0, 2), (1, 2)], 2),
+        ("U", [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)], 3),
+        ("Z", [(0, 0), (2, 0), (2, 1), (3, 1), (3, 2), (1, 2), (1, 1), (0, 1)], 2),
+        ("dart", [(-3, -3), (4, 0), (1, 1), (0, 4)], 2),
+        ("comb", comb(7), 8),
+        ("hourglass", [(0, 0), (4, 0), (3, 3), (4, 6), (0, 6), (1, 3)], 2),
+    ],
+)
+def test_well_known_outlines_have_the_fewest_parts(name, ring, count):
+    assert len(parts(Polygon(ring))) == count
+
+
+@pytest.mark.parametrize("kind", ["right angles", "small grid", "quarters", "star of integers"])
+def test_a_cut_for_each_reflex_vertex_is_the_rule(kind):
+    cuts, reflex = 0, 0
+    for polygon in sample(kind):
+        cuts += len(parts(polygon)) - 1
+        reflex += reflex_count(polygon)
+        assert kind != "right angles" or len(parts(polygon)) <= reflex_count(polygon) + 1, repr(polygon)
+    assert cuts <= reflex
+
+
+def test_a_reflex_vertex_takes_two_cuts_only_where_float64_holds_neither_end_of_its_edges_lines():
+    # between the lines of its edges the reflex vertex sees the inside of one edge and no vertex
+    assert len(parts(Polygon([(0, 0), (10, 0), (9, 9), (5, 1), (3, 10)]))) == 2  # cut to (4.5, 0)
+    assert len(parts(Polygon([(0, 0), (10, 0), (7, 10), (5, 1), (3, 10)]))) == 3  # 5 - 2/9 and 5 + 2/9
+
+
+@every_kind
+def test_no_two_parts_with_an_edge_in_common_could_be_one(kind):
+    for polygon in sample(kind):
+        sides = {edge: part for part in parts(polygon) for edge in edges(part.vertices)}
+        for (p, q), part in sides.items():
+            if (other := sides.get((q, p))) is None:
+                continue
+            i, j = part.vertices.index(q), other.vertices.index(p)
+            joined = (*part.vertices[i:], *part.vertices[:i])[:-1] + (*other.vertices[j:], *other.vertices[:j])[:-1]
+            assert not Polygon(joined).is_convex, repr(polygon)
+
+
+# -- what a part tells -----------------------------------------------------------------------------
+
+
+def test_a_circle_and_a_convex_polygon_are_their_own_only_part():
+    for shape in (Circle((1, 2), 3), NOTCH, Polygon([(0, 0), (2, 0), (2, 1), (2, 2), (0, 2)])):
+        assert parts(shape) == (shape,)
+        assert parts(shape)[0] is shape
+
+
+@pytest.mark.parametrize("thing", [None, [(0, 0), (1, 0), (0, 1)], "L", 3])
+def test_anything_but_a_shape_is_a_type_error(thing):
+    with pytest.raises(TypeError, match=r"make it a satviz\.Polygon or satviz\.Circle"):
+        parts(thing)
+
+
+def test_the_parts_are_worked_out_once():
+    polygon = Polygon(L)
+    assert parts(polygon) is parts(polygon)
+
+
+@every_kind
+def test_the_order_of_the_parts_is_by_the_lowest_vertex_number(kind):
+    for polygon in sample(kind):
+        number = {v: i for i, v in enumerate(polygon.vertices)}
+        lowest = [min(number.get(v, math.inf) for v in part.vertices) for part in parts(polygon)]
+        assert lowest == sorted(lowest)
+        assert all(number.get(part.vertices[0], math.inf) == low for part, low in zip(parts(polygon), lowest))
+        assert parts(polygon) == parts(Polygon(polygon.vertices))
+
+
+def test_parts_carry_the_labels_of_the_vertices_and_none_for_new_points():
+    bottom, top = parts(Polygon(L, labels=list("abcdef")))
+    assert bottom.labels == ("a", "b", "c", "")
+    assert top.labels == ("d", "e", "f", "")
+    assert all(part.labels is None for part in parts(Polygon(L)))
+
+
+def test_a_cut_that_ends_on_a_straight_on_vertex_takes_its_label():
+    ring = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4), (0, 2)]
+    bottom, top = parts(Polygon(ring, labels=list("abcdefg")))
+    assert bottom.labels == ("a", "b", "c", "g")
+    assert top.labels == ("d", "e", "f", "g")
+
+
+# -- relate on concave shapes ----------------------------------------------------------------------
+
+
+def concave_pairs(count: int) -> Iterator[tuple[Polygon, Polygon]]:
+    """Pairs near each other, on grids that let vertices and edges fall on each other."""
+    kinds = ["small grid", "quarters", "star of integers", "star of quarters", "right angles"]
+    pools = [list(concave_polygons(kind, 40, most=10, seed=3)) for kind in kinds]
+    rng = Random(4)
+    for _ in range(count):
+        a, b = (rng.choice(pool) for pool in rng.choices(pools, k=2))
+        ax0, ay0, ax1, ay1 = a.bounds
+        bx0, by0, bx1, by1 = b.bounds
+        # from side by side to on top of each other, more often near a touch
+        dx = rng.choice([ax1 - bx0, rng.uniform(ax0 - bx1, ax1 - bx0)])
+        dy = rng.uniform(ay0 - by1, ay1 - by0)
+        dx, dy = (round(d * 4) / 4 for d in rng.sample([dx, dy], 2))
+        yield a, Polygon([(x + dx, y + dy) for x, y in b.vertices])
+
+
+def test_relate_is_right_on_a_thousand_concave_pairs():
+    seen: Counter = Counter()
+    for a, b in concave_pairs(1000):
+        truth = true_relation(a, b)
+        seen[truth] += 1
+        assert relate(a, b) is truth, f"{truth}\na = {a!r}\nb = {b!r}"
+        assert relate(b, a) is truth, f"{truth}\na = {b!r}\nb = {a!r}"
+    assert min(seen[relation] for relation in Relation) >= 50, seen
+
+
+def test_the_box_in_the_notch_of_the_L_is_apart():
+    assert relate(Polygon(L), NOTCH) is APART
+    assert relate(NOTCH, Polygon(L)) is APART
+
+
+@pytest.mark.parametrize(
+    ("x0", "y0", "x1", "y1", "truth"),
+    [
+        (0.5, 0.5, 1, 1, OVERLAPPING),  # inside, far from the seam
+        (0.5, 1.5, 1, 2.5, OVERLAPPING),  # inside, across the seam
+        (0.5, 2, 1, 2.5, OVERLAPPING),  # inside, an edge on the seam
+        (-9, -9, 9, 9, OVERLAPPING),  # the other way round
+        (2, 2, 3, 3, TOUCHING),  # in the notch, along both its edges
+        (2 + ULP, 2 + 2 * ULP, 3, 3, TOUCHING),  # 2 + ULP rounds to 2
+        (2.5, 2 + 2 * ULP, 3, 3, APART),
+        (2 - ULP, 2 + 2 * ULP, 3, 3, OVERLAPPING),
+        (4, 2, 5, 3, TOUCHING),  # corner to corner
+    ],
+)
+def test_a_box_in_and_about_the_L(x0, y0, x1, y1, truth):
+    box = Polygon([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
+    assert relate(Polygon(L), box) is truth
+    assert relate(box, Polygon(L)) is truth
+    assert true_relation(Polygon(L), box) is truth
+
+
+def test_a_circle_in_the_notch_of_the_L_is_told_to_the_last_bit():
+    assert relate(Polygon(L), Circle((3, 3), 1)) is TOUCHING
+    assert relate(Polygon(L), Circle((3, 3), 1 - ULP)) is APART
+    assert relate(Polygon(L), Circle((3, 3), 1 + ULP)) is OVERLAPPING
+    assert relate(Circle((1, 2), 0.25), Polygon(L)) is OVERLAPPING
+
+
+# -- fast enough -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "ring", "seconds"),
+    [
+        ("12-vertex star", star(6), 0.02),
+        ("star", star(500), 3),
+        ("comb", comb(250), 3),
+        ("spiral", spiral(1000), 3),
+        ("saw", saw(1000), 3),
+    ],
+)
+def test_a_thousand_vertices_take_less_than_three_seconds(name, ring, seconds):
+    polygon = Polygon(ring)
+    start = time.process_time()
+    found = parts(polygon)
+    assert time.process_time() - start < seconds
+    assert sum(oracle.area2(part.vertices) for part in found) == oracle.area2(polygon.corners)

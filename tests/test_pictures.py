@@ -1,0 +1,266 @@
+"""Pictures: marks and numbers, never pixels."""
+
+import json
+from itertools import combinations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import satviz as sv
+from satviz import axes, telling
+from satviz.pictures import THEMES, Stage, Step
+from satviz.pictures.drawing import DOT
+from satviz.pictures.figures import FIGURES
+from satviz.pictures.layout import RIM, clipped, text_box
+from satviz.pictures.marks import KINDS, ROLES
+from satviz.scenes import SCENES, box
+
+L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
+TRACES = {scene.name: scene.record() for scene in SCENES} | {
+    "overlap": sv.record(sv.Polygon([(0, 1), (3, 2), (1, 5)]), sv.Polygon([(2, 3), (6, 2), (5, 6)])),
+    "inside": sv.record(sv.Circle((0, 0), 3), sv.Circle((0.5, 0.5), 1)),
+    "concentric": sv.record(sv.Circle((0, 0), 2), sv.Circle((0, 0), 1)),
+    "touch": sv.record(box(0, 0, 2, 2), box(2, 1, 4, 3)),
+    "corner": sv.record(box(0, 0, 2, 2), sv.Circle((3.5, 3.5), 1.8)),
+    "concave hit": sv.record(L, sv.Circle((3.2, 3.2), 1.5)),
+    "two concave": sv.record(L, sv.Polygon([(3, 3), (7, 3), (7, 7), (5, 7), (5, 5), (3, 5)])),
+}
+
+
+def every_picture():
+    for name, trace in TRACES.items():
+        for i in range(len(sv.steps(trace))):
+            yield f"{name} {i}", sv.picture(trace, i)
+    for figure in FIGURES:
+        yield figure.stem, figure.picture()
+
+
+PICTURES = dict(every_picture())
+
+
+def boxes(picture):
+    """Each label's box in points from the lower left."""
+    x0, y0 = picture.limits[:2]
+    for mark in picture.marks:
+        if mark.kind == "label":
+            w, h = text_box(mark.text, mark.weight)
+            x, y = ((c - o) * picture.scale for c, o in zip(mark.points[0], (x0, y0)))
+            yield mark, (x - w / 2, y - h / 2, x + w / 2, y + h / 2)
+
+
+def meet(p, q):
+    return p[0] < q[2] and q[0] < p[2] and p[1] < q[3] and q[1] < p[3]
+
+
+def strokes(picture):
+    """What a label must not cover: each mark's segments in points, without the dotted guides."""
+    x0, y0 = picture.limits[:2]
+    for mark in picture.marks:
+        if mark.kind in ("outline", "segment", "arrow", "interval", "bracket"):
+            points = [((p.x - x0) * picture.scale, (p.y - y0) * picture.scale) for p in mark.points]
+            points += points[:1] if mark.kind == "outline" else []
+            if mark.role != "guide" and mark.weight != "faint":
+                yield from ((mark, p, q) for p, q in zip(points, points[1:]))
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_no_label_runs_over_another_or_off_the_canvas(name):
+    picture = PICTURES[name]
+    placed = list(boxes(picture))
+    for (one, p), (other, q) in combinations(placed, 2):
+        assert not meet(p, q), (one.text, other.text)
+    width, height = picture.size
+    for mark, (left, low, right, high) in placed:
+        assert left >= RIM - 1 and low >= RIM - 1 and right <= width - RIM + 1 and high <= height - RIM + 1, mark
+
+
+@pytest.mark.parametrize("name", [figure.stem for figure in FIGURES])
+def test_no_label_of_a_figure_covers_an_edge_or_a_dot(name):
+    picture = PICTURES[name]
+    for label, rect in boxes(picture):
+        for mark, p, q in strokes(picture):
+            assert clipped(*p, *q, *rect) is None, (label.text, mark.id)
+        for mark in picture.marks:
+            if mark.kind == "dot":
+                x, y = ((c - o) * picture.scale for c, o in zip(mark.points[0], picture.limits))
+                r = DOT / 2
+                assert not meet(rect, (x - r, y - r, x + r, y + r)), (label.text, mark.id)
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_marks_have_unique_ids_known_kinds_and_roles_and_lie_on_the_canvas(name):
+    picture = PICTURES[name]
+    ids = [mark.id for mark in picture.marks]
+    assert len(ids) == len(set(ids))
+    x0, y0, x1, y1 = picture.limits
+    for mark in picture.marks:
+        assert mark.kind in KINDS and mark.role in ROLES
+        for p in mark.points:
+            assert x0 - 1e-9 <= p.x <= x1 + 1e-9 and y0 - 1e-9 <= p.y <= y1 + 1e-9, mark
+    assert picture.sentence
+
+
+@pytest.mark.parametrize("name", TRACES)
+def test_nothing_jumps_between_the_steps_of_a_scene(name):
+    trace = TRACES[name]
+    pictures = [sv.picture(trace, i) for i in range(len(sv.steps(trace)))]
+    assert len({(p.limits, p.size) for p in pictures}) == 1
+    for role in "AB":
+        spots = {p.mark(f"{role}.name").points for p in pictures[:-1] if f"{role}.name" in [m.id for m in p.marks]}
+        assert len(spots) <= 1
+
+
+@pytest.mark.parametrize("name", TRACES)
+def test_bars_brackets_and_numbers_are_the_traces(name):
+    trace = TRACES[name]
+    for run, pair in [(t, i) for i, t in enumerate(trace.pairs)] or [(trace, None)]:
+        for i, test in enumerate(run.tests):
+            picture = sv.picture(trace, Step(Stage.GAP, i, pair))
+            axis, n = f"axis.{i + 1}", test.axis.direction
+            for side, who in ((test.a, run.names.a), (test.b, run.names.b)):
+                mark = picture.mark(f"{axis}.{who}.range")
+                along = [p.x * n.x + p.y * n.y for p in mark.points]
+                assert along == pytest.approx(list(side.interval), abs=1e-9)
+                assert picture.mark(f"{axis}.{who}.interval").text == f"{who} {telling.interval(side.interval)}"
+            gap = picture.mark(f"{axis}.gap")
+            along = [p.x * n.x + p.y * n.y for p in gap.points]
+            assert max(along) - min(along) == pytest.approx(abs(test.gap), abs=1e-9)
+            assert gap.role == ("overlap" if test.gap < 0 else "gap")
+            assert picture.mark(f"{axis}.gap.name").text == telling.outcome(test.gap)
+            assert picture.sentence == run.step_sentence(i)
+
+
+@pytest.mark.parametrize("name", TRACES)
+def test_the_axis_is_clear_of_both_shapes(name):
+    trace = TRACES[name]
+    for i, step in enumerate(sv.steps(trace)):
+        if step.stage is not Stage.GAP:
+            continue
+        picture = sv.picture(trace, i)
+        for mark in picture.marks:
+            if mark.kind in ("interval", "bracket") or mark.id == f"axis.{step.test + 1}":
+                for shape in (trace.a, trace.b):
+                    rest = [m for m in picture.marks if m.kind in ("outline", "disc") and m.id[0] in "AB"]
+                    assert rest and apart(mark.points, shape), (mark.id, shape)
+
+
+def apart(points, shape):
+    """Is a drawn line apart from the shape?  A sliver of a triangle stands in for the line."""
+    p, q = points[0], points[-1]
+    if p == q:
+        return True
+    sliver = sv.Polygon([p, q, (q.x - (q.y - p.y) * 1e-6, q.y + (q.x - p.x) * 1e-6)])
+    return sv.relate(sliver, shape) is sv.Relation.APART
+
+
+def test_drop_lines_run_across_the_axis_from_the_points_to_where_they_land():
+    trace = TRACES["triangles"]
+    picture = sv.picture(trace, Step(Stage.DROPS, 0))
+    n = trace.tests[0].axis.direction
+    drops = [m for m in picture.marks if ".drop." in m.id]
+    assert len(drops) == 3
+    for mark in drops:
+        p, q = mark.points[0], mark.points[-1]
+        assert (q.x - p.x) * n.x + (q.y - p.y) * n.y == pytest.approx(0, abs=1e-12)
+    assert {"v3 3.051", "v1, v2 6.934"} <= set(picture.texts)
+
+
+def test_the_moved_normal_keeps_its_direction():
+    picture = sv.picture(TRACES["triangles"], Step(Stage.AXIS, 1))
+    arrows = [picture.mark("normal").points, picture.mark("axis.2").points]
+    (ax, ay), (bx, by) = ((q.x - p.x, q.y - p.y) for p, q in arrows)
+    assert ax * by - ay * bx == pytest.approx(0, abs=1e-9) and ax * bx + ay * by > 0
+
+
+def test_steps_run_from_the_scene_over_every_stage_to_the_verdict():
+    stages = [step.stage for step in sv.steps(TRACES["triangles"])]
+    assert stages[0] is Stage.SCENE and stages[-1] is Stage.VERDICT
+    assert [s.value for s in stages[1:8]] == ["edge", "normal", "axis", "drops", "range", "both ranges", "gap"]
+    assert [s.stage.value for s in sv.steps(TRACES["aabb"])][1:3] == ["axis", "drops"]  # no edge to show
+    assert sv.steps(TRACES["concave"])[1].stage is Stage.PARTS
+
+
+def test_a_step_the_trace_does_not_have_is_an_index_error():
+    with pytest.raises(IndexError, match="steps 0 to 15"):
+        sv.picture(TRACES["triangles"], 16)
+    with pytest.raises(IndexError):
+        sv.picture(TRACES["triangles"], Step(Stage.GAP, 5))
+
+
+def test_a_picture_goes_to_json_whole():
+    picture = PICTURES["14-sat-ranges-gap"]
+    data = json.loads(picture.to_json())
+    assert [m["id"] for m in data["marks"]] == [m.id for m in picture.marks]
+    assert data["sentence"] == picture.sentence and data["limits"] == list(picture.limits)
+
+
+def test_labels_are_text_and_never_markup():
+    odd = sv.Polygon([(0, 0), (2, 0), (0, 2)], labels=["$x^2$", "<b>&amp;", "a_b 日本"])
+    texts = sv.picture(sv.record(odd, box(3, 3, 4, 4)), 0).texts
+    assert {"$x^2$", "<b>&amp;", "a_b 日本"} <= set(texts)
+
+
+def luminance(colour):
+    parts = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    linear = [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
+def test_colours_have_enough_contrast(theme):
+    def ratio(colour):
+        low, high = sorted((luminance(colour), luminance(theme.paper)))
+        return (high + 0.05) / (low + 0.05)
+
+    for role in ROLES:
+        assert ratio(theme.roles[role]) >= 3, role
+        assert ratio(theme.text.get(role, theme.roles[role])) >= 4.5, role
+
+
+@pytest.mark.parametrize("scale", [1e-200, 1e-6, 1.0, 1e6, 1e200])
+def test_scenes_of_any_size_are_drawn_alike(scale):
+    a = sv.Polygon([(0, 0), (2 * scale, 0), (0, 2 * scale)])
+    b = sv.Polygon([(3 * scale, 0), (5 * scale, scale), (3 * scale, 2 * scale)])
+    picture = sv.picture(sv.record(a, b), 3)
+    assert max(picture.size) <= 500
+
+
+def test_a_scene_too_far_out_to_draw_says_so():
+    trace = sv.record(box(1e15, 0, 1e15 + 1, 1), box(1e15 + 2, 0, 1e15 + 3, 1))
+    with pytest.raises(ValueError, match="cannot be drawn"):
+        sv.picture(trace, 0)
+
+
+@st.composite
+def shapes(draw):
+    x, y = draw(st.integers(-6, 6)), draw(st.integers(-6, 6))
+    if draw(st.booleans()):
+        return sv.Circle((x, y), draw(st.integers(1, 4)))
+    points = draw(st.lists(st.tuples(st.integers(-4, 4), st.integers(-4, 4)), min_size=3, max_size=6, unique=True))
+    try:
+        return sv.Polygon([(x + p, y + q) for p, q in points], labels=[f"p{i}" for i in range(len(points))])
+    except sv.InvalidShape:
+        return box(x, y, x + 2, y + 3)
+
+
+@given(shapes(), shapes())
+@settings(max_examples=60, deadline=None)
+def test_any_scene_is_drawn_at_every_step_with_its_labels_apart(a, b):
+    trace = sv.record(a, b)
+    for i in range(len(sv.steps(trace))):
+        picture = sv.picture(trace, i)
+        placed = list(boxes(picture))
+        overlaps = [(m.text, n.text) for (m, p), (n, q) in combinations(placed, 2) if meet(p, q)]
+        assert not overlaps, (a, b, i, overlaps)
+        width, height = picture.size
+        for mark, (left, low, right, high) in placed:
+            inside = left >= 0 and low >= 0 and right <= width and high <= height
+            assert inside, (a, b, i, mark)
+
+
+def test_every_choice_of_axes_can_be_drawn():
+    for name, choose in axes.NAMED.items():
+        trace = sv.record(L, sv.Circle((3, 3.5), 0.4), axes=choose, every_axis=True)
+        for i in range(len(sv.steps(trace))):
+            assert sv.picture(trace, i).sentence, name

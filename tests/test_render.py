@@ -1,0 +1,204 @@
+"""The matplotlib pen and the files it makes."""
+
+import io
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from PIL import Image
+
+import satviz as sv
+from satviz.pictures import DARK, LIGHT, Stage, Step, Theme
+from satviz.pictures.figures import FIGURES
+from satviz.render.files import MADE_BY, animate, check, encode, write
+from satviz.render.pen import Pen
+from satviz.scenes import box
+
+COMMITTED = Path(__file__).parent.parent / "figures"
+TRIANGLES = sv.scene("triangles").record()
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def axes_of(size=(6.9, 5.3)):
+    fig = Figure(figsize=size, dpi=100)
+    FigureCanvasAgg(fig)
+    return fig.add_axes((0, 0, 1, 1))
+
+
+def pixels(fig):
+    fig.canvas.draw()
+    return np.asarray(fig.canvas.buffer_rgba()).copy()
+
+
+def test_the_pen_draws_every_mark_and_returns_its_artist_by_id():
+    for i in range(len(sv.steps(TRIANGLES))):
+        picture = sv.picture(TRIANGLES, i)
+        artists = Pen(axes_of()).draw(picture)
+        assert set(artists) == {mark.id for mark in picture.marks}
+
+
+def test_labels_stand_where_the_picture_puts_them():
+    picture = sv.picture(TRIANGLES, 14)
+    artists = Pen(axes_of()).draw(picture)
+    for mark in picture.marks:
+        if mark.kind == "label":
+            assert artists[mark.id].get_text() == mark.text
+            assert artists[mark.id].get_position() == pytest.approx(mark.points[0])
+
+
+def test_a_picture_drawn_over_another_looks_like_one_drawn_afresh():
+    ax = axes_of()
+    pen = Pen(ax)
+    for i in (15, 3, 14, 0, 7):
+        pen.draw(sv.picture(TRIANGLES, i))
+        again = pixels(ax.figure)
+        fresh = axes_of()
+        Pen(fresh).draw(sv.picture(TRIANGLES, i))
+        assert np.array_equal(again, pixels(fresh.figure)), i
+
+
+def test_the_pen_keeps_few_artists():
+    ax = axes_of()
+    pen = Pen(ax)
+    most = 0
+    for i in range(len(sv.steps(TRIANGLES))):
+        pen.draw(sv.picture(TRIANGLES, i))
+        most = max(most, len(sv.picture(TRIANGLES, i).texts))
+    assert len(ax.collections) == 3 and len(ax.texts) == most and not ax.lines and not ax.patches
+
+
+def test_colours_by_role_reach_the_canvas():
+    for theme in (LIGHT, DARK):
+        ax = axes_of()
+        Pen(ax, theme).draw(sv.picture(TRIANGLES, Step(Stage.GAP, 1)))
+        seen = {tuple(p) for p in pixels(ax.figure)[::1, ::1, :3].reshape(-1, 3)}
+        for colour in (theme.paper, theme.roles["A"], theme.roles["B"], theme.roles["gap"]):
+            assert tuple(int(colour[i : i + 2], 16) for i in (1, 3, 5)) in seen, colour
+
+
+def test_draw_gives_a_figure_or_draws_on_given_axes():
+    assert isinstance(sv.draw(TRIANGLES, 3), Figure)
+    fig = Figure(figsize=(8, 4))
+    left, right = fig.subplots(1, 2)
+    artists = sv.draw(TRIANGLES, 14, ax=left)
+    sv.draw(TRIANGLES, 15, ax=right, theme="dark")
+    assert "A.outline" in artists and len(left.collections) == 3
+    with pytest.raises(ValueError, match="unknown theme"):
+        sv.draw(TRIANGLES, theme="sepia")
+
+
+def test_drawing_needs_no_pyplot_and_changes_no_setting():
+    code = (
+        "import sys, matplotlib as m; before = dict(m.rcParams)\n"
+        "import satviz as sv; t = sv.scene('aabb').record(); sv.draw(t, 3)\n"
+        "from satviz.render.files import encode; [encode(sv.picture(t), f) for f in ('svg', 'png', 'pdf')]\n"
+        "assert 'matplotlib.pyplot' not in sys.modules and dict(m.rcParams) == before"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+@pytest.mark.parametrize("form", ["svg", "png", "pdf"])
+def test_files_are_the_same_bytes_in_another_process_with_another_hash_seed(form, tmp_path):
+    code = (
+        "import sys, satviz as sv; from satviz.render.files import encode\n"
+        f"sys.stdout.buffer.write(encode(sv.picture(sv.scene('concave').record()), {form!r}, stem='x'))"
+    )
+    runs = [
+        subprocess.run(
+            [sys.executable, "-c", code], env={"PYTHONHASHSEED": seed, "PATH": ""}, check=True, capture_output=True
+        ).stdout
+        for seed in ("1", "77")
+    ]
+    assert runs[0] == runs[1] and len(runs[0]) > 1000
+
+
+def test_every_format_carries_its_words_and_its_maker():
+    picture = sv.picture(TRIANGLES, Step(Stage.GAP, 1), title="A gap <&> a line")
+    svg = encode(picture, "svg").decode()
+    root = ET.fromstring(svg)
+    assert root.find(f"{SVG}title").text == "A gap <&> a line" and root.find(f"{SVG}desc").text == picture.sentence
+    assert root.get("role") == "img" and root.get("aria-labelledby").split() == ["picture-title", "picture-desc"]
+    info = Image.open(io.BytesIO(encode(picture, "png"))).info
+    assert info["Title"] == "A gap <&> a line" and info["Description"] == picture.sentence
+    pdf = encode(picture, "pdf")
+    assert b"/Title (A gap <&> a line)" in pdf
+    for data in (svg.encode(), encode(picture, "png"), pdf, animate([picture])):
+        assert MADE_BY.encode() in data
+
+
+def test_an_svg_keeps_text_as_text_and_labels_as_text_only():
+    odd = sv.Polygon([(0, 0), (2, 0), (0, 2)], labels=["$x^2$", "<script>&", "\x00日本"])
+    root = ET.fromstring(encode(sv.picture(sv.record(odd, box(3, 3, 4, 4)), 0), "svg").decode())
+    texts = {t.text for t in root.iter(f"{SVG}text")}
+    assert {"$x^2$", "<script>&", "\ufffd日本", "A", "B"} <= texts
+    assert not list(root.iter(f"{SVG}script"))
+
+
+def test_a_gif_is_the_whole_run_and_the_same_each_time():
+    pictures = [sv.picture(TRIANGLES, i) for i in (0, 3, 7, 15)]
+    data = animate(pictures)
+    assert data == animate(pictures)
+    image = Image.open(io.BytesIO(data))
+    assert image.n_frames == 4 and image.info["loop"] == 0
+    assert pictures[-1].sentence.encode() in data
+
+
+def test_a_file_somebody_else_made_is_left_alone(tmp_path):
+    path = tmp_path / "a.svg"
+    path.write_text("<svg/>")
+    with pytest.raises(FileExistsError, match="--force"):
+        write(path, b"made by satviz")
+    assert path.read_text() == "<svg/>"
+    write(path, b"made by satviz 1", force=True)
+    write(path, b"made by satviz 2")
+    assert path.read_bytes() == b"made by satviz 2"
+    with pytest.raises(FileExistsError):
+        check(tmp_path)
+
+
+def test_an_interrupted_write_leaves_nothing(tmp_path, monkeypatch):
+    def stop(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("os.replace", stop)
+    with pytest.raises(KeyboardInterrupt):
+        write(tmp_path / "a.svg", b"data")
+    assert list(tmp_path.iterdir()) == []
+
+
+def words_and_numbers(svg):
+    """What a picture says and where: its texts, and the points of its paths in points of the canvas."""
+    root = ET.fromstring(svg)
+    texts = [t.text for t in root.iter(f"{SVG}text")]
+    numbers = []
+    for group in root.iter(f"{SVG}g"):
+        if (group.get("id") or "").startswith("PathCollection"):
+            for path in group.iter(f"{SVG}path"):
+                numbers += [float(n) for n in re.findall(r"-?\d+\.?\d*(?:e-?\d+)?", path.get("d"))]
+    return [*texts, root.find(f"{SVG}title").text, root.find(f"{SVG}desc").text], numbers
+
+
+@pytest.mark.parametrize("theme", [LIGHT, DARK], ids=["light", "dark"])
+@pytest.mark.parametrize("figure", FIGURES, ids=[f.stem for f in FIGURES])
+def test_the_committed_figures_are_what_the_code_draws(figure, theme: Theme):
+    stem = figure.stem + ("" if theme is LIGHT else "-dark")
+    committed = (COMMITTED / f"{stem}.svg").read_text(encoding="utf-8")
+    drawn = encode(figure.picture(), "svg", theme, stem=stem).decode()
+    if f"with matplotlib {matplotlib.__version__}<" in committed:
+        assert drawn == committed
+    words, numbers = words_and_numbers(drawn)
+    committed_words, committed_numbers = words_and_numbers(committed)
+    assert words == committed_words and len(numbers) > 20
+    assert numbers == pytest.approx(committed_numbers, abs=0.05)
+
+
+def test_there_are_twenty_figures_and_no_strangers_beside_them():
+    stems = {f"{f.stem}{end}.svg" for f in FIGURES for end in ("", "-dark")}
+    assert len(FIGURES) == 20 and {p.name for p in COMMITTED.iterdir()} == stems
