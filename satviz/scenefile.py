@@ -46,6 +46,12 @@ class Scene:
         """The scene's trace."""
         return record(self.a, self.b, axes=NAMED[self.axes], every_axis=self.every_axis)
 
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        """In a notebook: its trace's table and last picture."""
+        from .render.shown import bundle
+
+        return bundle(self)
+
     def to_json(self) -> str:
         """The scene as a scene file."""
         data = {"satviz": "scene 1", "name": self.name, "title": self.title}

@@ -45,6 +45,12 @@ class _Shape:
         facts = [repr(_listed(f)) for f in self._facts() if f is not None]
         return f"{type(self).__name__}({', '.join(facts)})"
 
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        """In a notebook: the repr and a picture."""
+        from .render.shown import bundle
+
+        return bundle(self)
+
     @property
     def bounds(self) -> tuple[float, float, float, float]:
         """(x min, y min, x max, y max) in scene units; a circle's is rounded outwards."""

@@ -136,6 +136,12 @@ class Trace:
     def __iter__(self) -> Iterator[AxisTest]:
         return iter(self.tests)
 
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        """In a notebook: the table and the last picture."""
+        from .render.shown import bundle
+
+        return bundle(self)
+
     def to_json(self, *, indent: int | None = None) -> str:
         """The trace as JSON: the shapes, each axis and landing place, and the verdicts for readers elsewhere."""
         from .tracefile import dump

@@ -1,7 +1,7 @@
 """Pictures: marks and numbers, never pixels."""
 
 import json
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import pytest
 from hypothesis import given, settings
@@ -10,10 +10,11 @@ from hypothesis import strategies as st
 import satviz as sv
 from satviz import axes, telling
 from satviz.pictures import THEMES, Stage, Step
-from satviz.pictures.drawing import DOT
 from satviz.pictures.figures import FIGURES
-from satviz.pictures.layout import RIM, clipped, text_box
+from satviz.pictures.labels import RIM, clipped
+from satviz.pictures.layout import text_box
 from satviz.pictures.marks import KINDS, ROLES
+from satviz.pictures.theme import DOT
 from satviz.scenes import SCENES, box
 
 L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
@@ -61,7 +62,7 @@ def strokes(picture):
             points = [((p.x - x0) * picture.scale, (p.y - y0) * picture.scale) for p in mark.points]
             points += points[:1] if mark.kind == "outline" else []
             if mark.role != "guide" and mark.weight != "faint":
-                yield from ((mark, p, q) for p, q in zip(points, points[1:]))
+                yield from ((mark, p, q) for p, q in pairwise(points))
 
 
 @pytest.mark.parametrize("name", PICTURES)

@@ -96,10 +96,10 @@ def test_draw_gives_a_figure_or_draws_on_given_axes():
 
 def test_drawing_needs_no_pyplot_and_changes_no_setting():
     code = (
-        "import sys, matplotlib as m; before = dict(m.rcParams)\n"
+        "import sys, matplotlib as m; before = m.rcParams.copy()\n"
         "import satviz as sv; t = sv.scene('aabb').record(); sv.draw(t, 3)\n"
         "from satviz.render.files import encode; [encode(sv.picture(t), f) for f in ('svg', 'png', 'pdf')]\n"
-        "assert 'matplotlib.pyplot' not in sys.modules and dict(m.rcParams) == before"
+        "assert 'matplotlib.pyplot' not in sys.modules and m.rcParams.copy() == before"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
 
@@ -202,3 +202,20 @@ def test_the_committed_figures_are_what_the_code_draws(figure, theme: Theme):
 def test_there_are_twenty_figures_and_no_strangers_beside_them():
     stems = {f"{f.stem}{end}.svg" for f in FIGURES for end in ("", "-dark")}
     assert len(FIGURES) == 20 and {p.name for p in COMMITTED.iterdir()} == stems
+
+
+@pytest.mark.parametrize(
+    "what",
+    [TRIANGLES, sv.scene("concave"), sv.Polygon([(0, 0), (1, 0), (0, 1)], ["<b>", "$y$", ""]), sv.Circle((0, 0), 1)],
+    ids=["trace", "scene", "polygon", "circle"],
+)
+def test_things_show_themselves_in_a_notebook(what):
+    shown = what._repr_mimebundle_()
+    root = ET.fromstring(shown["image/svg+xml"])
+    assert root.tag == f"{SVG}svg" and shown["text/plain"]
+    assert "<b>" not in shown["text/html"]
+
+
+def test_what_cannot_be_drawn_still_shows_its_text():
+    far = sv.record(box(1e15, 0, 1e15 + 1, 1), box(1e15 + 2, 0, 1e15 + 3, 1))
+    assert set(far._repr_mimebundle_()) == {"text/plain"}

@@ -5,8 +5,7 @@ when all strokes are known.
 """
 
 from collections.abc import Sequence
-from itertools import pairwise
-from math import cos, hypot, pi, sin
+from math import hypot
 
 from .. import telling
 from ..axes import CENTERS, EDGE, HULL, VERTEX, WORLD, centroid
@@ -14,9 +13,9 @@ from ..geometry import Interval, Vec
 from ..sat import AxisTest, Projection
 from ..shapes import Circle, Polygon, Shape
 from ..trace import Trace
-from .layout import AxisPlace, Board, Layout, Request, clipped, moved, text_box
-from .marks import Limits, Mark, Picture
-from .theme import DOT
+from .labels import Request, holds, name_spots, with_labels
+from .layout import AxisPlace, Layout, moved
+from .marks import Mark, Picture
 
 NORMAL = 34.0  # the length of a normal's arrow, in points
 TICK = 5.0
@@ -49,7 +48,7 @@ class Drawing:
             self.add(f"{name}.outline", "outline", role, *shape.vertices, weight=weight)
         if named:
             other = self.trace.b if role == "A" else self.trace.a
-            spots = sorted(_name_spots(shape), key=lambda p: _holds(other, p))
+            spots = sorted(name_spots(shape), key=lambda p: holds(other, p))
             self.label(f"{name}.name", name, role, spots[0], along=tuple(spots[1:]), inside=True, weight="title")
 
     def shapes(self, *, weight: str = "plain") -> None:
@@ -281,82 +280,6 @@ class Drawing:
 
     def finish(self, title: str, sentence: str, *, steady: bool = True) -> Picture:
         """Place the labels and close the picture; `steady` names stay put from step to step."""
-        board = Board(self.layout)
         requests = [request for _, request in sorted(self.requests, key=lambda r: r[0])]
-        outlines = [mark for mark in self.marks if mark.kind in ("outline", "disc")]
-        names = [r for r in requests if r.weight == "title" and not r.far]
-        for mark in outlines:
-            _put(board, mark)
-        if steady:  # they see only the outlines, which every step has
-            self._place(board, names)
-        for mark in self.marks:
-            if mark.kind not in ("outline", "disc", "label"):
-                _put(board, mark)
-        if not steady:
-            self._place(board, names)
-        self._place(board, [r for r in requests if r not in names])
-        boxes = [(m.points[0], text_box(m.text, m.weight)) for m in self.marks if m.weight == "title"]
-        self.marks = [self._broken(m, boxes) if m.role == "guide" and m.kind == "segment" else m for m in self.marks]
-        return Picture(tuple(self.marks), self.layout.limits, self.layout.size, title, sentence)
-
-    def _broken(self, mark: Mark, names: Sequence[tuple[Vec, tuple[float, float]]]) -> Mark:
-        """A guide line left out where it would run through a shape's name."""
-        pieces = [mark.points]
-        for center, (width, height) in names:
-            w, h = self.layout.units(width / 2 + 2), self.layout.units(height / 2)
-            box = center.x - w, center.y - h, center.x + w, center.y + h
-            pieces = [rest for p, q in pieces for rest in _around(p, q, box)]
-        return mark._replace(points=tuple(end for piece in pieces for end in piece))
-
-    def _place(self, board: Board, requests: Sequence[Request]) -> None:
-        for request in requests:
-            spot = board.place(request)
-            if spot is not None:
-                self.add(request.id, "label", request.role, spot, text=request.text, weight=request.weight)
-
-
-def _name_spots(shape: Shape) -> list[Vec]:
-    """Where a shape's name may stand, best first: the middle, or half way out; below a circle's centre."""
-    if isinstance(shape, Circle):
-        turns = [k * pi / 4 - pi / 2 for k in range(8)]
-        return [moved(shape.center, Vec(cos(t), sin(t)), shape.radius * f) for f in (0.5, 0.8) for t in turns]
-    middle = centroid(shape)
-    outer = [*shape.corners, *(Vec((p.x + q.x) / 2, (p.y + q.y) / 2) for p, q in pairwise(shape.corners))]
-    spots = [Vec(middle.x + (v.x - middle.x) * f, middle.y + (v.y - middle.y) * f) for f in (0.5, 0.75) for v in outer]
-    return [spot for spot in (middle, *spots) if _holds(shape, spot)] or [middle]
-
-
-def _holds(shape: Shape, p: Vec) -> bool:
-    """Is the point inside, roughly?  (Crossing number; a label needs no more.)"""
-    if isinstance(shape, Circle):
-        return hypot(p.x - shape.center.x, p.y - shape.center.y) < shape.radius
-    inside = False
-    for u, v in pairwise((*shape.corners, shape.corners[0])):
-        if (u.y > p.y) != (v.y > p.y) and p.x < u.x + (p.y - u.y) / (v.y - u.y) * (v.x - u.x):
-            inside = not inside
-    return inside
-
-
-def _around(p: Vec, q: Vec, box: Limits) -> list[tuple[Vec, Vec]]:
-    """What is left of a segment outside a box."""
-    inside = clipped(*p, *q, *box)
-    if inside is None:
-        return [(p, q)]
-    start, end = (Vec(p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t) for t in inside)
-    return [piece for piece, keep in (((p, start), inside[0] > 0), ((end, q), inside[1] < 1)) if keep]
-
-
-def _put(board: Board, mark: Mark) -> None:
-    """Tell the board what a mark covers."""
-    points = mark.points
-    if mark.kind == "dot":
-        board.dot(points[0], DOT / 2)
-    elif mark.kind == "disc":
-        ring = [moved(points[0], Vec(cos(k * pi / 16), sin(k * pi / 16)), mark.radius) for k in range(33)]
-        for p, q in pairwise(ring):
-            board.stroke(p, q, 300)
-    else:
-        price = 40 if mark.role == "guide" else 300 if mark.weight != "faint" else 60
-        ring = (*points, points[0]) if mark.kind == "outline" else points
-        for p, q in pairwise(ring):
-            board.stroke(p, q, price)
+        marks = with_labels(self.marks, requests, self.layout, steady=steady)
+        return Picture(tuple(marks), self.layout.limits, self.layout.size, title, sentence)

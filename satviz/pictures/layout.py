@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Sequence
 from functools import cache, lru_cache
-from math import cos, hypot, pi, sin
 from typing import NamedTuple
 
 from .. import telling
@@ -20,7 +19,6 @@ LABEL_HEIGHT = 18.0  # room for a range's label on the far side of its axis
 CLEAR = 34.0  # from the shapes to an axis
 BEYOND = 20.0  # an axis runs on past the ranges
 TRACK = 5.5  # A's bar on one side of the axis, B's on the other
-RIM = 4.0
 
 
 def moved(p: Vec, d: Vec, t: float) -> Vec:
@@ -197,121 +195,3 @@ def text_box(text: str, weight: str = "plain") -> tuple[float, float]:
     size = text_size(weight)
     lines = text.split("\n")
     return max(sum(map(_advance, line)) for line in lines) * size, len(lines) * size * 1.2
-
-
-class Request(NamedTuple):
-    """A label that wants a place near its anchor (scene units), rather towards `prefer` than elsewhere.
-
-    `along`: other anchors that serve nearly as well, such as the rest of a bar.
-    """
-
-    id: str
-    text: str
-    role: str
-    anchor: Vec
-    along: tuple[Vec, ...] = ()
-    prefer: Vec = Vec(0.0, 1.0)
-    weight: str = "plain"
-    inside: bool = False  # centred on an anchor if that is clear
-    optional: bool = False  # leave it out rather than run it over something
-    far: bool = False  # anywhere on the canvas will do
-
-
-Box = tuple[float, float, float, float]
-DISTANCES = (3.0, 7.0, 12.0, 18.0, 26.0, 36.0, 50.0, 70.0, 95.0, 125.0)
-DIRECTIONS = tuple(Vec(cos(k * pi / 8), sin(k * pi / 8)) for k in range(16))
-
-
-class Board:
-    """Places labels one by one, each at the nearest spot clear of strokes, dots, labels and the rim."""
-
-    def __init__(self, layout: Layout) -> None:
-        self.layout = layout
-        self.strokes: list[tuple[float, float, float, float, float]] = []  # x, y, x, y, cost of crossing it
-        self.boxes: list[Box] = []
-
-    def stroke(self, p: Vec, q: Vec, cost: float) -> None:
-        self.strokes.append((*self._points(p), *self._points(q), cost))
-
-    def dot(self, p: Vec, radius: float) -> None:
-        x, y = self._points(p)
-        self.boxes.append((x - radius, y - radius, x + radius, y + radius))
-
-    def _points(self, p: Vec) -> tuple[float, float]:
-        x0, y0, _, _ = self.layout.limits
-        scale = self.layout.scale
-        return (p.x - x0) * scale, (p.y - y0) * scale
-
-    def place(self, request: Request) -> Vec | None:
-        """The label's centre in scene units, or None for an optional one that finds no clear spot."""
-        w, h = text_box(request.text, request.weight)
-        best, found = float("inf"), self._points(request.anchor)
-        for spot, penalty in self._spots(request, w / 2, h / 2):
-            if penalty >= best:
-                break
-            cost = penalty + self._cost(spot, w / 2 + 2, h / 2 + 1)
-            if cost < best:
-                best, found = cost, spot
-        if request.optional and best >= 300:
-            return None
-        cx, cy = found
-        self.boxes.append((cx - w / 2 - 2, cy - h / 2 - 1, cx + w / 2 + 2, cy + h / 2 + 1))
-        x0, y0, _, _ = self.layout.limits
-        return Vec(x0 + cx / self.layout.scale, y0 + cy / self.layout.scale)
-
-    def _spots(self, request: Request, w: float, h: float):
-        """Candidate centres in points with what each costs by itself, cheapest first."""
-        x, y = self._points(request.anchor)
-        if request.inside:
-            yield (x, y), 0.0
-            for rank, anchor in enumerate(request.along, 1):
-                yield self._points(anchor), rank / 8
-        size = hypot(*request.prefer) or 1.0
-        toward = Vec(request.prefer.x / size, request.prefer.y / size)
-        spots = []
-        for rank, anchor in enumerate((request.anchor, *request.along)):
-            px, py = self._points(anchor)
-            for distance in DISTANCES:
-                for u in (toward, *DIRECTIONS):
-                    turn = 1 - (u.x * toward.x + u.y * toward.y)
-                    penalty = distance + turn * (1 if request.far else 9) + rank
-                    spots.append((penalty, (px + u.x * (w + distance), py + u.y * (h + distance))))
-        if request.far:
-            width, height = self.layout.size
-            for i in range(13):
-                for j in range(13):
-                    spot = RIM + w + (width - 2 * (RIM + w)) * i / 12, RIM + h + (height - 2 * (RIM + h)) * j / 12
-                    spots.append((60 + hypot(spot[0] - x, spot[1] - y) / 10, spot))
-        spots.sort(key=lambda s: s[0])
-        for penalty, spot in spots:
-            yield spot, penalty
-
-    def _cost(self, spot: tuple[float, float], w: float, h: float) -> float:
-        cx, cy = spot
-        x0, y0, x1, y1 = cx - w, cy - h, cx + w, cy + h
-        width, height = self.layout.size
-        cost = 0.0 if x0 >= RIM and y0 >= RIM and x1 <= width - RIM and y1 <= height - RIM else 1e5
-        for bx0, by0, bx1, by1 in self.boxes:
-            if x0 < bx1 and bx0 < x1 and y0 < by1 and by0 < y1:
-                cost += 1e4
-        for sx, sy, tx, ty, price in self.strokes:
-            if clipped(sx, sy, tx, ty, x0, y0, x1, y1):
-                cost += price
-        return cost
-
-
-def clipped(
-    sx: float, sy: float, tx: float, ty: float, x0: float, y0: float, x1: float, y1: float
-) -> tuple[float, float] | None:
-    """The part (from, to) of a segment inside an upright box, 0 to 1, or None.  (Liang and Barsky's clipping.)"""
-    if max(sx, tx) < x0 or min(sx, tx) > x1 or max(sy, ty) < y0 or min(sy, ty) > y1:
-        return None
-    start, end = 0.0, 1.0
-    for d, near, far in ((tx - sx, x0 - sx, x1 - sx), (ty - sy, y0 - sy, y1 - sy)):
-        if d == 0:
-            continue
-        first, last = (near / d, far / d) if d > 0 else (far / d, near / d)
-        start, end = max(start, first), min(end, last)
-        if start > end:
-            return None
-    return start, end

@@ -4,15 +4,25 @@ from collections.abc import Sequence
 from math import hypot
 
 from .. import telling
-from ..axes import EDGE, GIVEN, WORLD
+from ..axes import EDGE, GIVEN, WORLD, Choice
 from ..concave import named_parts
 from ..geometry import Vec
 from ..sat import AxisTest
-from ..trace import Trace
+from ..shapes import Polygon, Shape
+from ..trace import Trace, record
 from .drawing import Drawing
 from .layout import arrange
 from .marks import Picture
 from .stages import draw_parts, scene_layout, separating_line
+
+
+def alone(shape: Shape) -> Picture:
+    """One shape by itself."""
+    drawing = Drawing(record(shape, shape, axes=Choice(())), arrange([shape], []))
+    drawing.shape("A", "A", shape, named=False)
+    if isinstance(shape, Polygon) and shape.labels:
+        drawing.vertices("A", range(len(shape.vertices)))
+    return drawing.finish("", f"{telling.shape_in_words(shape, 'This')}.")
 
 
 def normals(trace: Trace, *, title: str = "") -> Picture:

@@ -1,0 +1,216 @@
+"""Where labels go: each at the nearest spot clear of strokes, dots, other labels and the rim."""
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from math import cos, hypot, pi, sin
+from typing import NamedTuple
+
+from ..axes import centroid
+from ..geometry import Vec
+from ..shapes import Circle, Shape
+from .layout import Layout, moved, text_box
+from .marks import Limits, Mark
+from .theme import DOT
+
+RIM = 4.0  # points that a label keeps from the canvas's rim
+
+
+class Request(NamedTuple):
+    """A label that wants a place near its anchor (scene units), rather towards `prefer` than elsewhere.
+
+    `along`: other anchors that serve nearly as well, such as the rest of a bar.
+    """
+
+    id: str
+    text: str
+    role: str
+    anchor: Vec
+    along: tuple[Vec, ...] = ()
+    prefer: Vec = Vec(0.0, 1.0)
+    weight: str = "plain"
+    inside: bool = False  # centred on an anchor if that is clear
+    optional: bool = False  # leave it out rather than run it over something
+    far: bool = False  # anywhere on the canvas will do
+
+
+def with_labels(marks: Sequence[Mark], requests: Sequence[Request], layout: Layout, *, steady: bool) -> list[Mark]:
+    """The marks and a label for each request that finds a place, the most important first.
+
+    `steady`: the shapes' names see only the outlines, which every step has, so that
+    they stay put from step to step.
+    """
+    board = Board(layout)
+    names = [r for r in requests if r.weight == "title" and not r.far]
+    rest = [r for r in requests if r not in names]
+    outlines = [mark for mark in marks if mark.kind in ("outline", "disc")]
+    others = [mark for mark in marks if mark.kind not in ("outline", "disc")]
+    for mark in outlines:
+        _put(board, mark)
+    labels = board.labels(names) if steady else []
+    for mark in others:
+        _put(board, mark)
+    labels += board.labels(rest if steady else [*names, *rest])
+    boxes = [(m.points[0], text_box(m.text, m.weight)) for m in labels if m.weight == "title"]
+    return [_broken(m, boxes, layout) if m.role == "guide" and m.kind == "segment" else m for m in marks] + labels
+
+
+def _broken(mark: Mark, boxes: Sequence[tuple[Vec, tuple[float, float]]], layout: Layout) -> Mark:
+    """A guide line left out where it would run through a shape's name."""
+    pieces = [mark.points]
+    for center, (width, height) in boxes:
+        w, h = layout.units(width / 2 + 2), layout.units(height / 2)
+        box = center.x - w, center.y - h, center.x + w, center.y + h
+        pieces = [rest for p, q in pieces for rest in _around(p, q, box)]
+    return mark._replace(points=tuple(end for piece in pieces for end in piece))
+
+
+def name_spots(shape: Shape) -> list[Vec]:
+    """Where a shape's name may stand, best first: the middle, or half way out; below a circle's centre."""
+    if isinstance(shape, Circle):
+        turns = [k * pi / 4 - pi / 2 for k in range(8)]
+        return [moved(shape.center, Vec(cos(t), sin(t)), shape.radius * f) for f in (0.5, 0.8) for t in turns]
+    middle = centroid(shape)
+    outer = [*shape.corners, *(Vec((p.x + q.x) / 2, (p.y + q.y) / 2) for p, q in pairwise(shape.corners))]
+    spots = [Vec(middle.x + (v.x - middle.x) * f, middle.y + (v.y - middle.y) * f) for f in (0.5, 0.75) for v in outer]
+    return [spot for spot in (middle, *spots) if holds(shape, spot)] or [middle]
+
+
+def holds(shape: Shape, p: Vec) -> bool:
+    """Is the point inside, roughly?  (Crossing number; a label needs no more.)"""
+    if isinstance(shape, Circle):
+        return hypot(p.x - shape.center.x, p.y - shape.center.y) < shape.radius
+    inside = False
+    for u, v in pairwise((*shape.corners, shape.corners[0])):
+        if (u.y > p.y) != (v.y > p.y) and p.x < u.x + (p.y - u.y) / (v.y - u.y) * (v.x - u.x):
+            inside = not inside
+    return inside
+
+
+Box = tuple[float, float, float, float]
+DISTANCES = (3.0, 7.0, 12.0, 18.0, 26.0, 36.0, 50.0, 70.0, 95.0, 125.0)
+DIRECTIONS = tuple(Vec(cos(k * pi / 8), sin(k * pi / 8)) for k in range(16))
+
+
+class Board:
+    """Places labels one by one, each at the nearest spot clear of strokes, dots, labels and the rim."""
+
+    def __init__(self, layout: Layout) -> None:
+        self.layout = layout
+        self.strokes: list[tuple[float, float, float, float, float]] = []  # x, y, x, y, cost of crossing it
+        self.boxes: list[Box] = []
+
+    def stroke(self, p: Vec, q: Vec, cost: float) -> None:
+        self.strokes.append((*self._points(p), *self._points(q), cost))
+
+    def dot(self, p: Vec, radius: float) -> None:
+        x, y = self._points(p)
+        self.boxes.append((x - radius, y - radius, x + radius, y + radius))
+
+    def _points(self, p: Vec) -> tuple[float, float]:
+        x0, y0, _, _ = self.layout.limits
+        scale = self.layout.scale
+        return (p.x - x0) * scale, (p.y - y0) * scale
+
+    def labels(self, requests: Sequence[Request]) -> list[Mark]:
+        """The label of each request that finds a place, in order."""
+        placed = ((r, self.place(r)) for r in requests)
+        return [Mark(r.id, "label", r.role, (at,), text=r.text, weight=r.weight) for r, at in placed if at is not None]
+
+    def place(self, request: Request) -> Vec | None:
+        """The label's centre in scene units, or None for an optional one that finds no clear spot."""
+        w, h = text_box(request.text, request.weight)
+        best, found = float("inf"), self._points(request.anchor)
+        for spot, penalty in self._spots(request, w / 2, h / 2):
+            if penalty >= best:
+                break
+            cost = penalty + self._cost(spot, w / 2 + 2, h / 2 + 1)
+            if cost < best:
+                best, found = cost, spot
+        if request.optional and best >= 300:
+            return None
+        cx, cy = found
+        self.boxes.append((cx - w / 2 - 2, cy - h / 2 - 1, cx + w / 2 + 2, cy + h / 2 + 1))
+        x0, y0, _, _ = self.layout.limits
+        return Vec(x0 + cx / self.layout.scale, y0 + cy / self.layout.scale)
+
+    def _spots(self, request: Request, w: float, h: float) -> Iterator[tuple[tuple[float, float], float]]:
+        """Candidate centres in points with what each costs by itself, cheapest first."""
+        x, y = self._points(request.anchor)
+        if request.inside:
+            yield (x, y), 0.0
+            for rank, anchor in enumerate(request.along, 1):
+                yield self._points(anchor), rank / 8
+        size = hypot(*request.prefer) or 1.0
+        toward = Vec(request.prefer.x / size, request.prefer.y / size)
+        spots = []
+        for rank, anchor in enumerate((request.anchor, *request.along)):
+            px, py = self._points(anchor)
+            for distance in DISTANCES:
+                for u in (toward, *DIRECTIONS):
+                    turn = 1 - (u.x * toward.x + u.y * toward.y)
+                    penalty = distance + turn * (1 if request.far else 9) + rank
+                    spots.append((penalty, (px + u.x * (w + distance), py + u.y * (h + distance))))
+        if request.far:
+            width, height = self.layout.size
+            for i in range(13):
+                for j in range(13):
+                    spot = RIM + w + (width - 2 * (RIM + w)) * i / 12, RIM + h + (height - 2 * (RIM + h)) * j / 12
+                    spots.append((60 + hypot(spot[0] - x, spot[1] - y) / 10, spot))
+        spots.sort(key=lambda s: s[0])
+        for penalty, spot in spots:
+            yield spot, penalty
+
+    def _cost(self, spot: tuple[float, float], w: float, h: float) -> float:
+        cx, cy = spot
+        x0, y0, x1, y1 = cx - w, cy - h, cx + w, cy + h
+        width, height = self.layout.size
+        cost = 0.0 if x0 >= RIM and y0 >= RIM and x1 <= width - RIM and y1 <= height - RIM else 1e5
+        for bx0, by0, bx1, by1 in self.boxes:
+            if x0 < bx1 and bx0 < x1 and y0 < by1 and by0 < y1:
+                cost += 1e4
+        for sx, sy, tx, ty, price in self.strokes:
+            if clipped(sx, sy, tx, ty, x0, y0, x1, y1):
+                cost += price
+        return cost
+
+
+def clipped(
+    sx: float, sy: float, tx: float, ty: float, x0: float, y0: float, x1: float, y1: float
+) -> tuple[float, float] | None:
+    """The part (from, to) of a segment inside an upright box, 0 to 1, or None.  (Liang and Barsky's clipping.)"""
+    if max(sx, tx) < x0 or min(sx, tx) > x1 or max(sy, ty) < y0 or min(sy, ty) > y1:
+        return None
+    start, end = 0.0, 1.0
+    for d, near, far in ((tx - sx, x0 - sx, x1 - sx), (ty - sy, y0 - sy, y1 - sy)):
+        if d == 0:
+            continue
+        first, last = (near / d, far / d) if d > 0 else (far / d, near / d)
+        start, end = max(start, first), min(end, last)
+        if start > end:
+            return None
+    return start, end
+
+
+def _around(p: Vec, q: Vec, box: Limits) -> list[tuple[Vec, Vec]]:
+    """What is left of a segment outside a box."""
+    inside = clipped(*p, *q, *box)
+    if inside is None:
+        return [(p, q)]
+    start, end = (Vec(p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t) for t in inside)
+    return [piece for piece, keep in (((p, start), inside[0] > 0), ((end, q), inside[1] < 1)) if keep]
+
+
+def _put(board: Board, mark: Mark) -> None:
+    """Tell the board what a mark covers."""
+    points = mark.points
+    if mark.kind == "dot":
+        board.dot(points[0], DOT / 2)
+    elif mark.kind == "disc":
+        ring = [moved(points[0], Vec(cos(k * pi / 16), sin(k * pi / 16)), mark.radius) for k in range(33)]
+        for p, q in pairwise(ring):
+            board.stroke(p, q, 300)
+    else:
+        price = 40 if mark.role == "guide" else 300 if mark.weight != "faint" else 60
+        ring = (*points, points[0]) if mark.kind == "outline" else points
+        for p, q in pairwise(ring):
+            board.stroke(p, q, price)

@@ -1,0 +1,121 @@
+"""The floors: imports only go down, and importing satviz loads the standard library only."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import satviz
+
+ROOT = Path(satviz.__file__).parent
+# from the bottom up; a folder is one floor
+FLOORS = [
+    "geometry",
+    "exact",
+    "outline",
+    "shapes",
+    "concave",
+    "verdict",
+    "axes",
+    "sat",
+    "escape",
+    "certificate",
+    "telling",
+    "trace",
+    "strictjson",
+    "scenefile",
+    "tracefile",
+    "scenes",
+    "pictures",
+    "render",
+    "cli",
+]
+# the doors that open upward, at call time only
+DOORS = {("trace", "tracefile"), ("trace", "render"), ("scenefile", "render"), ("shapes", "render")}
+
+
+def floor_of(path):
+    return path.relative_to(ROOT).parts[0].removesuffix(".py")
+
+
+def imports(path):
+    """(floor imported, whether at import time) of a file's satviz imports, those for type checkers left out."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    inside = {node for outer in ast.walk(tree) if isinstance(outer, ast.FunctionDef) for node in ast.walk(outer)}
+    typing_only = {
+        node
+        for outer in ast.walk(tree)
+        if isinstance(outer, ast.If) and getattr(outer.test, "id", "") == "TYPE_CHECKING"
+        for node in ast.walk(outer)
+    }
+    depth = len(path.relative_to(ROOT).parts)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and node not in typing_only:
+            up = node.level
+            if up == 0 and (node.module or "").split(".")[0] == "satviz":
+                yield node.module.split(".")[1], node not in inside
+            elif up == depth:
+                names = [node.module.split(".")[0]] if node.module else [alias.name for alias in node.names]
+                yield from ((name, node not in inside) for name in names)
+
+
+def files():
+    return [p for p in ROOT.rglob("*.py") if p.name not in ("__init__.py", "__main__.py") or p.parent != ROOT]
+
+
+def test_every_module_stands_on_a_floor():
+    assert {floor_of(p) for p in files()} == set(FLOORS)
+
+
+def test_imports_only_go_down():
+    doors = set()
+    for path in files():
+        mine = floor_of(path)
+        for other, at_import in imports(path):
+            if other == mine or other.startswith("__"):
+                continue
+            if FLOORS.index(other) > FLOORS.index(mine):
+                assert not at_import and (mine, other) in DOORS, f"{path} imports {other}"
+                doors.add((mine, other))
+    assert doors == DOORS  # no door that nobody uses
+
+
+def test_pictures_know_no_pen_and_only_render_knows_artists():
+    for path in files():
+        text = path.read_text(encoding="utf-8")
+        if floor_of(path) == "pictures":
+            assert "ft2font" in text or "matplotlib." not in text.replace("matplotlib.get_data_path", ""), path
+        elif floor_of(path) != "render":
+            assert "import matplotlib" not in text and "from matplotlib" not in text, path
+
+
+def run(code):
+    return subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout.split()
+
+
+def test_the_engine_loads_the_standard_library_only():
+    code = (
+        "import sys; import satviz as sv\n"
+        "a = sv.Polygon([(0,0),(4,0),(4,2),(2,2),(2,4),(0,4)]); t = sv.record(a, sv.Circle((3,3),2))\n"
+        "str(t), t.certificate.check(), sv.Trace.from_json(t.to_json())\n"
+        "print(*{m.split('.')[0] for m in sys.modules})"
+    )
+    outside = set(run(code)) - set(sys.stdlib_module_names) - {"satviz"}
+    assert not [m for m in outside if not m.startswith(("_", "sitecustomize", "usercustomize"))]
+
+
+def test_importing_satviz_loads_no_room_it_does_not_need():
+    loaded = set(run("import sys, satviz; print(*sys.modules)"))
+    assert not loaded & {"satviz.trace", "satviz.pictures", "json", "dataclasses", "argparse"}
+
+
+def test_no_module_is_longer_than_three_hundred_lines():
+    long = {str(p): n for p in files() if (n := len(p.read_text(encoding="utf-8").splitlines())) > 300}
+    assert not long
+
+
+def test_everything_public_is_there_and_documented():
+    for name in satviz.__all__:
+        value = getattr(satviz, name)
+        assert name.startswith("__") or value.__doc__, name
+    assert set(satviz.__all__) <= set(dir(satviz))

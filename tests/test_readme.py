@@ -1,0 +1,51 @@
+"""The README's code, commands and scene file do what it says."""
+
+import contextlib
+import io
+import json
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+import satviz as sv
+from satviz.cli import main
+
+ROOT = Path(__file__).parent.parent
+TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def blocks(language):
+    return re.findall(rf"^```{language}\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)
+
+
+def test_the_code_prints_what_stands_below_it(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (code,), (output,) = blocks("python"), blocks("text")
+    assert len([line for line in code.splitlines() if line]) <= 8
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out):
+        exec(compile(code, "README.md", "exec"), {})
+    assert out.getvalue() == output
+    assert (tmp_path / "verdict.png").stat().st_size > 1000
+
+
+def test_the_scene_file_loads():
+    (data,) = blocks("json")
+    scene = sv.Scene.from_json(data)
+    assert scene.name == "kite-and-coin" and json.loads(scene.to_json()) == json.loads(data)
+
+
+@pytest.mark.parametrize("line", [line for block in blocks("sh") for line in block.splitlines() if "pip" not in line])
+def test_every_command_runs(line, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "my-scene.json").write_text(blocks("json")[0], encoding="utf-8")
+    program, *args = shlex.split(line)
+    assert program == "satviz" and main(args) == 0
+    assert capsys.readouterr().out
+
+
+def test_pictures_shown_are_there():
+    for name in re.findall(r'(?:src|srcset)="([^"]+)"', TEXT):
+        assert (ROOT / name).is_file(), name
