@@ -83,7 +83,7 @@ class _Pieces:
             found = []
             for v, before_v, pv, after_v in bends:
                 x, y = pv[0] - pu[0], pv[1] - pu[1]
-                # each in the cone of the other, see _in_cone; written out, as most pairs fail at once
+                # a cut ends a reflex vertex if it goes to the left of both its edges or along one's line
                 first, second = ax * y - ay * x, bx * y - by * x
                 if first < 0 or second < 0 or u == v:
                     continue
@@ -99,11 +99,10 @@ class _Pieces:
                 self._cut(ring, u, v)
 
     def cut_one_by_one(self) -> None:
-        """Cuts that end one reflex vertex; those that need two cuts wait, as cuts of others may spare them one."""
-        for patient in (True, False):
-            for v in sorted(self.home):
-                while v in self.home and self._cut_at(v, patient):
-                    pass
+        """Cuts that end the other reflex vertices, one for each where there is one, else two."""
+        for v in sorted(self.home):
+            while v in self.home:
+                self._cut_at(v)
 
     def merged(self) -> list[Ring]:
         """The pieces without the cuts that were not needed after all (Hertel and Mehlhorn 1983)."""
@@ -126,16 +125,15 @@ class _Pieces:
             turns = [_turn(self.at[p], self.at[v], self.at[q]) for (p, v), (_, q) in joints]
             if min(turns) < 0:
                 continue
-            for gone in (cut, twin):
-                del after[gone], before[gone]
+            del after[cut], after[twin]
             for turn, (first, second) in zip(turns, joints, strict=True):
                 if turn:
                     link(first, second)
                     continue
                 edge = (first[0], second[1])
-                del after[first], before[second]
-                link(before.pop(first), edge)
-                link(edge, after.pop(second))
+                link(before[first], edge)
+                link(edge, after[second])
+                del after[first], after[second]
                 queue.append(edge)
         rings = []
         while after:
@@ -162,34 +160,22 @@ class _Pieces:
             if not reflex:
                 self.convex.append(piece)
 
-    def _cut_at(self, v: int, patient: bool) -> bool:
-        """One cut that ends the reflex vertex v; if there is none, nothing when patient, else the first of two."""
+    def _cut_at(self, v: int) -> None:
+        """The shortest of the cuts at the reflex vertex v that are worked out here."""
         ring = self.home[v]
         i = ring.index(v)
         a, b = ring[i - 1], ring[(i + 1) % len(ring)]
-        ahead, back = self._extended(ring, a, v), self._extended(ring, b, v)
+        hits = ahead, back = self._extended(ring, a, v), self._extended(ring, b, v)
         # A cut along an edge's own line comes first: it gives the parts no new normal, so no new axis to test.
-        straight = [hit for hit in (ahead, back) if hit.end is not None]
-        if straight:
-            end, _, q = min(straight, key=lambda hit: _square(self.at[v], self.at[hit.end]))
-            if end != q:
-                ring.insert(ring.index(q), end)
-        else:
-            end = self._first_beside(ring, a, v, ahead, left=True)
-            if _in_cone(self.at, ring, v, end):
-                ends = (end, self._first_beside(ring, b, v, back, left=False))
-                end = min(ends, key=lambda w: (not self._ends_too(ring, w, v), _square(self.at[v], self.at[w])))
-            elif patient:
-                return False
-            else:
-                # The cone of v is empty: a cut to each side of it ends v, and each of the two sees v.
-                end = self._first_beside(ring, a, v, ahead, left=False)
+        ends = [hit.end for hit in hits if hit.end is not None]
+        # The next best ends v too if v sees any vertex between the two lines.  If not, both lines end on one
+        # edge, and these two cuts go to either side of them: one now, and then the other is between the lines.
+        ends = ends or [self._first_beside(ring, a, v, ahead, True), self._first_beside(ring, b, v, back, False)]
+        end = min(ends, key=lambda w: _square(self.at[v], self.at[w]))
+        for hit in hits:
+            if end == hit.end != hit.q:
+                ring.insert(ring.index(hit.q), end)
         self._cut(ring, v, end)
-        return True
-
-    def _ends_too(self, ring: Ring, w: int, v: int) -> bool:
-        """Does a cut from v to w end w as well?"""
-        return self.home.get(w) is ring and _in_cone(self.at, ring, w, v)
 
     def _sees(self, ring: Ring, u: int, v: int) -> bool:
         """Does the cut from u to v, inside at both its ends, meet the ring nowhere between them?"""
@@ -283,13 +269,6 @@ def _square(p: IntPoint, q: IntPoint) -> int:
 def _bend(at: list[IntPoint], ring: Ring, i: int) -> int:
     """The turn at the ring's i-th vertex: negative when it is reflex."""
     return _turn(at[ring[i - 1]], at[ring[i]], at[ring[(i + 1) % len(ring)]])
-
-
-def _in_cone(at: list[IntPoint], ring: Ring, v: int, w: int) -> bool:
-    """Is w left of (or on) both edges at the reflex vertex v?  Then a cut to it ends v."""
-    i = ring.index(v)
-    before, after = ring[i - 1], ring[(i + 1) % len(ring)]
-    return _turn(at[before], at[v], at[w]) >= 0 and _turn(at[v], at[after], at[w]) >= 0
 
 
 def named_parts(shape: Shape, name: str) -> list[tuple[Shape, str]]:
