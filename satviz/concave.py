@@ -116,8 +116,7 @@ class _Pieces:
             edges = list(zip(ring, [*ring[1:], ring[0]], strict=True))
             for first, second in zip(edges, [*edges[1:], edges[0]], strict=True):
                 link(first, second)
-        queue = list(after)
-        for cut in queue:
+        for cut in list(after):
             twin = cut[::-1]
             if cut not in after or twin not in after:
                 continue
@@ -134,7 +133,6 @@ class _Pieces:
                 link(before[first], edge)
                 link(edge, after[second])
                 del after[first], after[second]
-                queue.append(edge)
         rings = []
         while after:
             edge, ring = next(iter(after)), []

@@ -298,6 +298,18 @@ def test_a_notch_one_ulp_wide_or_deep_is_left_out(ring):
     refute_all([polygon])
 
 
+@pytest.mark.parametrize(
+    "ring",
+    [
+        [(5, 7), (4, 4), (4, 7), (3, 5), (2, 6), (7, 0)],
+        [(3, 3), (4, 1), (1, 4), (0, 6), (0, 3), (0, 0), (6, 1), (5, 1)],
+        [(6, 0), (4, 0), (5, 8), (-1, 5), (-7, 5), (-4, 2), (4, -7), (4, -4)],
+    ],
+)
+def test_a_cut_ends_on_the_nearest_of_the_vertices_in_its_way(ring):
+    refute_all([Polygon(ring)])
+
+
 # -- few parts -------------------------------------------------------------------------------------
 
 
