@@ -17,7 +17,8 @@ from .outline import point
 from .shapes import Circle, Polygon, Shape
 
 EDGE, HULL, WORLD = "edge normal", "hull edge normal", "world"
-CENTERS, VERTEX, GIVEN = "centers", "nearest vertex", "given direction"
+CENTERS, VERTEX, CENTROIDS = "centers", "nearest vertex", "centroids"
+ANY, GIVEN = "any direction", "given direction"
 
 
 class Source(NamedTuple):
@@ -142,9 +143,9 @@ def centers(a: Shape, b: Shape) -> Choice:
         axis = _axis((qx - px, qy - py), k, Source(CENTERS))
     else:
         k, ((px, py), (qx, qy)) = to_int_points((centroid(a), centroid(b)))
-        axis = _axis((qx - px, qy - py), k, Source(GIVEN, None, (0,)))
+        axis = _axis((qx - px, qy - py), k, Source(CENTROIDS))
     # concentric: no direction is special, and on every one the ranges overlap by as much
-    return Choice((axis or Axis(Vec(1.0, 0.0), 1.0, Source(GIVEN, None, (0,))),), complete=circles)
+    return Choice((axis or Axis(Vec(1.0, 0.0), 1.0, Source(ANY)),), complete=circles)
 
 
 def nearest_vertex(a: Shape, b: Shape) -> Choice:

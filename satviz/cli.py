@@ -2,8 +2,9 @@
 
 import argparse
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
+from typing import NoReturn
 
 from . import __version__
 from .geometry import InvalidScene
@@ -15,6 +16,14 @@ DRAW_FORMATS = (*FIGURE_FORMATS, "gif")
 
 class Refused(Exception):
     """Bad input: one clear line and exit code 2."""
+
+
+class Parser(argparse.ArgumentParser):
+    """Says what is wrong in one line, as every command does."""
+
+    def error(self, message: str) -> NoReturn:
+        print(f"satviz: {message} (try {self.prog} --help)", file=sys.stderr)
+        raise SystemExit(2)
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -37,15 +46,15 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="satviz", description="2D collision detection by the Separating Axis Theorem, made visible."
-    )
+    parser = Parser(prog="satviz", description="2D collision detection by the Separating Axis Theorem, made visible.")
     parser.add_argument("--version", action="version", version=f"satviz {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
     figures = commands.add_parser("figures", help="make the article's twenty figures")
     _output(figures, "figures", FIGURE_FORMATS)
-    figures.add_argument("--only", metavar="NAME", action="append", help="only this figure, by name or number")
+    figures.add_argument(
+        "--only", metavar="NAME", action="append", help="only this figure, by name or number; may be repeated"
+    )
     figures.set_defaults(run=_figures)
 
     trace = commands.add_parser("trace", help="print every test of a scene as a table")
@@ -56,6 +65,9 @@ def _parser() -> argparse.ArgumentParser:
     draw = commands.add_parser("draw", help="draw every step of a scene")
     _scene(draw)
     _output(draw, "satviz-out", DRAW_FORMATS)
+    draw.add_argument(
+        "--caption", action="store_true", help="put each sentence under its picture (a GIF always has it)"
+    )
     draw.set_defaults(run=_draw)
 
     scenes = commands.add_parser("scenes", help="list the built-in scenes")
@@ -72,7 +84,9 @@ def _scene(parser: argparse.ArgumentParser) -> None:
 
 
 def _output(parser: argparse.ArgumentParser, out: str, formats: Sequence[str]) -> None:
-    parser.add_argument("--out", type=Path, default=Path(out), metavar="DIR", help=f"where to (default: {out})")
+    parser.add_argument(
+        "--out", type=Path, default=Path(out), metavar="DIR", help=f"the folder to write to (default: {out})"
+    )
     parser.add_argument("--format", action="append", choices=formats, help="may be given several times (default: svg)")
     parser.add_argument("--theme", choices=THEMES, default="light")
     parser.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
@@ -85,8 +99,18 @@ def _load(args: argparse.Namespace):
     from .scenefile import load
     from .scenes import NAMED, scene
 
-    found = scene(args.scene) if args.scene in NAMED or not Path(args.scene).exists() else load(args.scene)
+    is_file = Path(args.scene).exists() or any(c in args.scene for c in "./\\")
+    if args.scene not in NAMED and not is_file:
+        raise Refused(f"no scene {args.scene!r}{_did_you_mean(args.scene, NAMED)}, or give a file")
+    found = scene(args.scene) if args.scene in NAMED else load(args.scene)
     return replace(found, axes=args.axes or found.axes, every_axis=args.every_axis or found.every_axis)
+
+
+def _did_you_mean(name: str, known: Iterable[str]) -> str:
+    from difflib import get_close_matches
+
+    near = get_close_matches(name, known, n=1)
+    return f": did you mean {near[0]}?" if near else f": choose one of {', '.join(known)}"
 
 
 def _figures(args: argparse.Namespace) -> int:
@@ -94,17 +118,18 @@ def _figures(args: argparse.Namespace) -> int:
 
     wanted = FIGURES
     if args.only:
-        known = {key: figure for figure in FIGURES for key in (figure.name, figure.stem, str(figure.number))}
+        known = {key: f for f in FIGURES for key in (f.name, f.stem, str(f.number), f"{f.number:02}")}
         for name in args.only:
             if name not in known:
-                raise Refused(f"no figure {name!r}: choose one of {', '.join(f.name for f in FIGURES)}")
+                raise Refused(f"no figure {name!r}{_did_you_mean(name, known)}")
         wanted = [figure for figure in FIGURES if figure in [known[name] for name in args.only]]
     jobs = [(figure.stem, form, figure.picture) for figure in wanted for form in args.format or ["svg"]]
     return _write(args, jobs)
 
 
 def _draw(args: argparse.Namespace) -> int:
-    from .pictures import picture, steps
+    from .pictures import Picture, picture, steps
+    from .pictures.caption import captioned
 
     scene = _load(args)
     trace = scene.record()
@@ -114,13 +139,17 @@ def _draw(args: argparse.Namespace) -> int:
         raise Refused(str(error)) from None
     count = len(steps(trace))
     jobs: list = []
+
+    def finished(drawn: Picture) -> Picture:
+        return captioned([drawn])[0] if args.caption else drawn
+
     for form in args.format or ["svg"]:
         if form == "gif":
-            jobs.append((scene.name, form, lambda: [picture(trace, i) for i in range(count)]))
+            jobs.append((scene.name, form, lambda: captioned([picture(trace, i) for i in range(count)])))
             continue
         for i in range(count):
             stem = f"{scene.name}-{i:0{len(str(count - 1))}}"
-            jobs.append((stem, form, lambda i=i: picture(trace, i, title=scene.title)))
+            jobs.append((stem, form, lambda i=i: finished(picture(trace, i, title=scene.title))))
     return _write(args, jobs)
 
 
@@ -129,6 +158,8 @@ def _write(args: argparse.Namespace, jobs: Sequence[tuple[str, str, Callable]]) 
     from .pictures import THEMES as LOOKS
     from .render.files import animate, check, encode, write
 
+    if args.out.exists() and not args.out.is_dir():
+        raise Refused(f"--out {args.out} is a file, not a folder")
     theme = LOOKS[args.theme]
     suffix = "" if theme.name == "light" else f"-{theme.name}"
     paths = [args.out / f"{stem}{suffix}.{form}" for stem, form, _ in jobs]

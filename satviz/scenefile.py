@@ -63,7 +63,7 @@ class Scene:
         """The scene of a scene file; InvalidScene names the field that is wrong."""
         data = keys(parse(text, MAX_CHARS), "the scene", {"satviz", "a", "b"}, {"name", "title", "axes", "every_axis"})
         if data["satviz"] != "scene 1":
-            raise InvalidScene('"satviz" must be "scene 1"')
+            raise InvalidScene('"satviz" must be "scene 1", the name of the format')
         return Scene(
             name=typed(data.get("name", "scene"), "name", str),
             a=shape_from(data["a"], "a"),

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
-from .axes import CENTERS, EDGE, HULL, VERTEX, WORLD, Axis
+from .axes import ANY, CENTERS, CENTROIDS, EDGE, HULL, VERTEX, WORLD, Axis
 from .concave import named_parts
 from .geometry import Interval, Relation, Vec
 from .shapes import Circle, Shape
 
 if TYPE_CHECKING:
     from .certificate import SeparatingLine
+    from .sat import AxisTest
     from .trace import Names, Trace
 
 
@@ -42,13 +44,20 @@ def vertex_name(shape: Shape, name: str, i: int) -> str:
     return label or f"{name.lower()}{'.' if name[-1].isdigit() else ''}{i + 1}"
 
 
+_PLAIN = {
+    CENTERS: "through both centers",
+    CENTROIDS: "through both centroids",
+    ANY: "any direction, since the centers coincide",
+}
+
+
 def axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
     """Where an axis comes from: "normal of B's edge v1v3"."""
     kind, role, ids = axis.source
     if kind == WORLD:
         return f"the {'xy'[ids[0]]} axis"
-    if kind == CENTERS:
-        return "through both centers"
+    if kind in _PLAIN:
+        return _PLAIN[kind]
     if kind in (EDGE, HULL, VERTEX):
         at = "AB".index(role)
         ends = [vertex_name(shapes[at], names[at], i) for i in ids]
@@ -64,15 +73,18 @@ def short_axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> st
 
 
 def edge_name(ends: list[str]) -> str:
-    """Two short labels run together (v1v3), longer ones keep apart."""
-    return "".join(ends) if all(len(end) <= 3 for end in ends) else "-".join(ends)
+    """A letter and a number each run together (v1v3), other labels keep apart."""
+    return "".join(ends) if all(re.fullmatch(r"[^\W\d]\d{1,2}", end) for end in ends) else " to ".join(ends)
 
 
-def outcome(gap: float) -> str:
-    """What one gap says of the two ranges, and of nothing else."""
-    if gap > 0:
-        return f"gap {signed(gap)}"
-    return f"overlap {number(-gap)}" if gap < 0 else "touching, gap 0"
+def outcome(t: AxisTest) -> str:
+    """What one test says of the two ranges, and of nothing else."""
+    if t.gap >= 0:
+        return f"gap {signed(t.gap)}" if t.gap else "touching, gap 0"
+    a, b = t.a.interval, t.b.interval
+    shared, way_out = min(a.hi, b.hi) - max(a.lo, b.lo), number(-t.gap)
+    # where one range holds the other, getting out takes more than what they share
+    return f"overlap {number(shared)}, way out {way_out}" if -t.gap > 1.001 * shared else f"overlap {way_out}"
 
 
 def test(trace: Trace, i: int) -> str:
@@ -81,8 +93,9 @@ def test(trace: Trace, i: int) -> str:
     head = f"Axis {i + 1} of {len(trace.choice.axes)}, {axis_name(t.axis, (trace.a, trace.b), trace.names)}"
     ranges = f"{trace.names.a} {interval(t.a.interval)}, {trace.names.b} {interval(t.b.interval)}"
     if t.separates:
-        return f"{head}: {ranges}, {outcome(t.gap)}: separating, so the shapes are apart."
-    return f"{head}: {ranges}, {outcome(t.gap)}: not a separating axis."
+        who = "the shapes" if trace.names == ("A", "B") else " and ".join(trace.names)
+        return f"{head}: {ranges}, {outcome(t)}: separating, so {who} are apart."
+    return f"{head}: {ranges}, {outcome(t)}: not a separating axis."
 
 
 def verdict(trace: Trace) -> str:
@@ -97,13 +110,22 @@ def verdict(trace: Trace) -> str:
         return f"{a} and {b} are apart: axis {i + 1} ({name}) leaves a gap of {number(separating.gap)}."
     if trace.false_hit:
         return f"No gap on the {_axes(len(trace.tests))} tested, yet {a} and {b} are apart: a false hit."
-    n = len(trace.tests)
-    count = f"no gap on any of {n} axes" if n > 1 else "no gap on the one axis" if n else "no axis tested"
+    if not trace.tests:
+        return f"This choice of axes has none for the pair: nothing is tested. {a} and {b} are {trace.relation}."
+    count = f"no gap on {_any_of(len(trace.tests))}"
     if not trace.choice.complete:
         count += " (not a proof; the exact test decides)"
     if trace.relation is Relation.TOUCHING:
-        return f"{a} and {b} touch: {count}, and they share no inner point. Touching is a hit."
-    return f"{a} and {b} overlap: {count}. Moving {b} by {vector(trace.mtv)} parts them."
+        return f"{a} and {b} touch: {count}, and they share no interior point. Touching is a hit."
+    return f"{a} and {b} overlap: {count}. {_move(trace)}"
+
+
+def _move(trace: Trace) -> str:
+    return f"Moving {trace.names.b} by {vector(trace.mtv)} leaves them just touching."
+
+
+def _any_of(n: int) -> str:
+    return "the one axis" if n == 1 else "either axis" if n == 2 else f"any of the {n} axes"
 
 
 def _axes(n: int) -> str:
@@ -112,13 +134,12 @@ def _axes(n: int) -> str:
 
 def _parts_verdict(trace: Trace) -> str:
     a, b = trace.names
-    pairs = "1 pair" if len(trace.pairs) == 1 else f"{len(trace.pairs)} pairs"
     if not trace.hit:
-        return f"{a} and {b} are apart: each of {pairs} of convex parts has a separating axis."
+        return f"{a} and {b} are apart: each of the {len(trace.pairs)} pairs of convex parts has a separating axis."
     p, q = trace.colliding.names
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: their parts {p} and {q} do, and no parts overlap. Touching is a hit."
-    return f"{a} and {b} overlap: their parts {p} and {q} do. Moving {b} by {vector(trace.mtv)} parts them."
+    return f"{a} and {b} overlap: their parts {p} and {q} do. {_move(trace)}"
 
 
 def table(trace: Trace) -> str:
@@ -139,7 +160,10 @@ def _rows(trace: Trace) -> str:
         rows.append((f"{i} {name}", *cells))
     widths = [max(len(row[i]) for row in rows) for i in range(6)]
     lines = ["  ".join(_pad(cell, w, right=i in (4,)) for i, (cell, w) in enumerate(zip(row, widths))) for row in rows]
-    lines += [f"- {axis_name(s.axis, shapes, trace.names)}: {s.reason}" for s in trace.skipped]
+    axes = trace.choice.axes
+    for s in sorted(trace.skipped, key=lambda s: s.axis not in axes):  # those with a number first
+        place = f"{axes.index(s.axis) + 1} " if s.axis in axes else ""
+        lines.append(f"- {place}{axis_name(s.axis, shapes, trace.names)}: {s.reason}")
     return "\n".join(line.rstrip() for line in lines)
 
 
@@ -149,12 +173,22 @@ def _pad(text: str, width: int, *, right: bool) -> str:
 
 def scene(trace: Trace) -> str:
     """What is given and what is asked."""
-    return f"{both(trace)} Do they touch?"
+    return f"{both(trace)} Do they collide?"
 
 
 def both(trace: Trace) -> str:
     """What the two shapes are."""
+    kinds = [shape_in_words(shape, "").split("is ", 1)[1] for shape in (trace.a, trace.b)]
+    if kinds[0] == kinds[1] and not isinstance(trace.a, Circle):
+        return f"{trace.names.a} and {trace.names.b} are {plural(kinds[0])}."
     return f"{shape_in_words(trace.a, trace.names.a)}, {shape_in_words(trace.b, trace.names.b)}."
+
+
+def plural(kind: str) -> str:
+    """ "a triangle" as "triangles", "an upright box" as "upright boxes"."""
+    noun = kind.split(" ", 1)[1]
+    head, _, tail = noun.partition(" with")
+    return f"{head}{'es' if head.endswith('x') else 's'}{' with' if tail else ''}{tail}"
 
 
 def line(certificate: SeparatingLine) -> str:
@@ -190,8 +224,9 @@ def stage(trace: Trace, i: int, name: str, first: str) -> str:
     if name == "edge":
         return f"{_origin(trace, t.axis)}."
     if name == "normal":
-        what = f"its normal {vector(t.axis.normal)}" if t.source.kind in (EDGE, HULL) else "its direction"
-        return f"{_origin(trace, t.axis)}; {what} is the direction of axis {i + 1} of {len(trace.choice.axes)}."
+        edge = t.source.kind in (EDGE, HULL)
+        what = f"its normal {vector(t.axis.normal)} (of two, the one to the right)" if edge else "it"
+        return f"{_origin(trace, t.axis)}; {what} gives axis {i + 1} of {len(trace.choice.axes)} its direction."
     if name == "axis":
         what = axis_name(t.axis, shapes, trace.names)
         return f"Axis {i + 1}, {what}, moved clear of the shapes: direction {vector(t.axis.direction)}."

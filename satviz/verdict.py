@@ -88,10 +88,10 @@ def relate_moved(a: Shape, b: Shape, move: Vec) -> Relation:
     dx, dy = dx << finer - own_k, dy << finer - own_k
     core_a = shifted(core_a, finer - k)
     core_b = [(x + dx, y + dy) for x, y in shifted(core_b, finer - k)]
-    return _exact(core_a, core_b, radii << finer - k)
+    return relate_integers(core_a, core_b, radii << finer - k)
 
 
-def _exact(p: Sequence[IntPoint], q: Sequence[IntPoint], radii: int) -> Relation:
+def relate_integers(p: Sequence[IntPoint], q: Sequence[IntPoint], radii: int) -> Relation:
     """The integer twins: a circle is a point with a radius."""
     if len(p) == 1:
         return _exact_circles(p[0], q[0], radii) if len(q) == 1 else _exact_circle_polygon(p[0], radii, q)
@@ -103,7 +103,7 @@ def _exact_polygons(a: Polygon, b: Polygon) -> Relation:
     if a.is_upright_box and b.is_upright_box:
         (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = a._box, b._box
         return _by_sign(sign(max(ax0 - bx1, bx0 - ax1, ay0 - by1, by0 - ay1)))
-    return _exact(*aligned(a, b)[:3])
+    return relate_integers(*aligned(a, b)[:3])
 
 
 def _edge_side(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> int:
@@ -133,7 +133,7 @@ def _circles(a: Circle, b: Circle) -> Relation:
             return APART
         if gap < room * -(2.0**-50):
             return OVERLAPPING
-    return _exact(*aligned(a, b)[:3])
+    return relate_integers(*aligned(a, b)[:3])
 
 
 def _exact_circles(p: IntPoint, q: IntPoint, radii: int) -> Relation:
@@ -159,7 +159,7 @@ def _circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
     far = max(x1 - cx, cx - x0, y1 - cy, cy - y0, circle.radius)
     room = far * far * 2.0**-46
     if not TINY < room < HUGE * 2.0**-46:
-        return _exact(*aligned(circle, polygon)[:3])
+        return relate_integers(*aligned(circle, polygon)[:3])
     side_room = far * 2.0**-48
     inside, outside, nearest = True, False, HUGE
     vx, vy = ring[-1]
@@ -174,7 +174,7 @@ def _circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
             outside = outside or turn < -tolerance
             along, square = -(px * dx + py * dy), dx * dx + dy * dy
             if square < TINY:
-                return _exact(*aligned(circle, polygon)[:3])
+                return relate_integers(*aligned(circle, polygon)[:3])
             if along <= 0:
                 distance = px * px + py * py
             elif along >= square:
@@ -189,7 +189,7 @@ def _circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
         return OVERLAPPING
     if outside and nearest > reach + room:
         return APART
-    return _exact(*aligned(circle, polygon)[:3])
+    return relate_integers(*aligned(circle, polygon)[:3])
 
 
 def _exact_circle_polygon(center: IntPoint, r: int, ring: Sequence[IntPoint]) -> Relation:

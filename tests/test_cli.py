@@ -60,6 +60,12 @@ def test_draw_writes_every_step(tmp_path, capsys):
     assert names == sorted(["scene.gif", *(f"scene-{i:0{len(str(count - 1))}}.png" for i in range(count))])
 
 
+def test_a_caption_says_the_sentence_under_the_picture(tmp_path):
+    assert main(["draw", "aabb", "--caption", "--out", str(tmp_path)]) == 0
+    svg = (tmp_path / f"aabb-{len(sv.steps(sv.scene('aabb').record())) - 1}.svg").read_text()
+    assert svg.count("A and B are apart: axis 2 (the x axis)") == 2  # the description and the caption
+
+
 def test_scenes_lists_the_built_in_scenes(capsys):
     assert main(["scenes"]) == 0
     assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == [s.name for s in SCENES]
@@ -109,6 +115,8 @@ def test_a_bad_scene_file_gives_one_clear_line_and_exit_code_2(what, tmp_path, c
 def test_other_bad_input_gives_one_clear_line_too(tmp_path, capsys):
     for args, words in (
         (["trace", "nosuch"], "no scene 'nosuch': choose one of aabb"),
+        (["trace", "triangle"], "no scene 'triangle': did you mean triangles?, or give a file"),
+        (["trace", "nosuch.json"], "cannot read nosuch.json"),
         (["trace", str(tmp_path)], "cannot read"),
         (["figures", "--only", "nosuch"], "no figure 'nosuch'"),
     ):
@@ -122,7 +130,7 @@ def test_other_bad_input_gives_one_clear_line_too(tmp_path, capsys):
 
 def test_an_option_nobody_knows_shows_usage_and_no_traceback():
     done = run("figures", "--format", "bmp")
-    assert done.returncode == 2 and "Traceback" not in done.stderr
+    assert done.returncode == 2 and done.stderr.count("\n") == 1 and "Traceback" not in done.stderr
 
 
 def test_files_of_others_are_not_overwritten_without_force(tmp_path, capsys):

@@ -126,9 +126,12 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
                 assert picture.mark(f"{axis}.{who}.interval").text == f"{who} {telling.interval(side.interval)}"
             gap = picture.mark(f"{axis}.gap")
             along = [p.x * n.x + p.y * n.y for p in gap.points]
-            assert max(along) - min(along) == pytest.approx(abs(test.gap), abs=1e-9)
+            a, b = test.a.interval, test.b.interval
+            shared = min(a.hi, b.hi) - max(a.lo, b.lo)
+            assert max(along) - min(along) == pytest.approx(abs(shared), abs=1e-9)
+            assert test.gap <= 0 or -shared == pytest.approx(test.gap)
             assert gap.role == ("overlap" if test.gap < 0 else "gap")
-            assert picture.mark(f"{axis}.gap.name").text == telling.outcome(test.gap)
+            assert picture.mark(f"{axis}.gap.name").text == telling.outcome(test)
             assert picture.sentence == run.step_sentence(i)
 
 
@@ -164,7 +167,7 @@ def test_drop_lines_run_across_the_axis_from_the_points_to_where_they_land():
     for mark in drops:
         p, q = mark.points[0], mark.points[-1]
         assert (q.x - p.x) * n.x + (q.y - p.y) * n.y == pytest.approx(0, abs=1e-12)
-    assert {"v3 3.051", "v1, v2 6.934"} <= set(picture.texts)
+    assert {"v3: 3.051", "v1, v2: 6.934"} <= set(picture.texts)
 
 
 def test_the_moved_normal_keeps_its_direction():
@@ -258,6 +261,33 @@ def test_any_scene_is_drawn_at_every_step_with_its_labels_apart(a, b):
         for mark, (left, low, right, high) in placed:
             inside = left >= 0 and low >= 0 and right <= width and high <= height
             assert inside, (a, b, i, mark)
+
+
+def test_where_one_range_holds_the_other_overlap_and_way_out_are_told_apart():
+    trace = sv.record(box(0, 0, 10, 1), box(4, 0, 5, 1))
+    assert "overlap 1, way out 5" in trace.step_sentence(1)
+    picture = sv.picture(trace, Step(Stage.GAP, 1))
+    (p, q) = picture.mark("axis.2.gap").points
+    assert q.x - p.x == pytest.approx(1)
+
+
+@pytest.mark.parametrize(
+    "shape",
+    [
+        sv.Polygon([(0, 0), (0, -1), (1, 0), (-1, 1)], labels=["p0", "p1", "p2", "p3"]),  # its parts have a new vertex
+        sv.Polygon([(0, 0), (2, 0), (0, 2)], labels=["a", "", "c"]),
+    ],
+)
+def test_vertices_without_a_label_among_labelled_ones_are_drawn(shape):
+    trace = sv.record(shape, sv.Circle((0.5, 0.5), 1))
+    for i in range(len(sv.steps(trace))):
+        assert sv.picture(trace, i).marks
+
+
+def test_a_part_pair_that_is_apart_does_not_say_that_the_shapes_are():
+    trace = sv.record(sv.Polygon([(1, 3), (3.5, 3), (3.5, 3.5), (1, 3.5)]), L)
+    apart = next(pair for pair in trace.pairs if pair.separating)
+    assert trace.hit and "so A and B1 are apart" in apart.step_sentence(len(apart.tests) - 1)
 
 
 def test_every_choice_of_axes_can_be_drawn():

@@ -49,7 +49,9 @@ class Drawing:
         if named:
             other = self.trace.b if role == "A" else self.trace.a
             spots = sorted(name_spots(shape), key=lambda p: holds(other, p))
-            self.label(f"{name}.name", name, role, spots[0], along=tuple(spots[1:]), inside=True, weight="title")
+            self.label(
+                f"{name}.name", name, role, spots[0], along=tuple(spots[1:]), inside=True, weight="title", steady=True
+            )
 
     def shapes(self, *, weight: str = "plain") -> None:
         for role, name, shape in self.pair():
@@ -75,7 +77,9 @@ class Drawing:
             self.add(f"{name}.vertex.{i}", "dot", role, v)
             away = Vec(v.x - middle.x, v.y - middle.y)
             text = telling.vertex_name(polygon, name, i)
-            self.label(f"{name}.vertex.{i}.name", text, as_role or role, v, prefer=away, first=4, optional=True)
+            self.label(
+                f"{name}.vertex.{i}.name", text, as_role or role, v, prefer=away, first=4, optional=True, steady=True
+            )
 
     # -- where the axis comes from
 
@@ -109,8 +113,8 @@ class Drawing:
             ends.append(shape.vertices[test.source.ids[0]] if at_vertex else shape.center)
         return ends[0], ends[1]
 
-    def normal(self, test: AxisTest, *, told: bool = False) -> None:
-        """The axis's direction as an arrow where it comes from."""
+    def normal_arrow(self, test: AxisTest) -> tuple[Vec, Vec] | None:
+        """Tail and tip of the axis's direction where it comes from; None for an axis from nowhere."""
         kind, role, ids = test.source
         if kind in (EDGE, HULL):
             _, polygon = self.of(role)
@@ -118,13 +122,19 @@ class Drawing:
         elif kind in (CENTERS, VERTEX):
             start = self.middle(*self.joined(test))
         else:
+            return None
+        return start, moved(start, test.axis.direction, self.layout.units(NORMAL))
+
+    def normal(self, test: AxisTest, *, told: bool = False) -> None:
+        """The axis's direction as an arrow where it comes from."""
+        arrow = self.normal_arrow(test)
+        if arrow is None:
             return
-        tip = moved(start, test.axis.direction, self.layout.units(NORMAL))
-        self.add("normal", "arrow", role or "ink", start, tip, weight="strong")
+        role = test.source.shape or "ink"
+        self.add("normal", "arrow", role, *arrow, weight="strong")
         if told:
-            text = f"normal {telling.vector(test.axis.normal)}" if kind in (EDGE, HULL) else "direction"
-            more = {"along": (start,), "prefer": test.axis.direction, "first": 1}
-            self.label("normal.name", text, role or "ink", tip, **more)
+            text = f"normal {telling.vector(test.axis.normal)}" if test.source.kind in (EDGE, HULL) else "direction"
+            self.label("normal.name", text, role, arrow[1], prefer=test.axis.direction, first=1)
 
     def all_normals(self) -> None:
         """A small outward arrow on every edge."""
@@ -162,25 +172,31 @@ class Drawing:
         name, shape = self.of(role)
         shown = self.nearest_ends(side, place) if ends_only else range(len(side.points))
         for i in shown:
-            spot = place.at(side.landings[i], role)
+            spot = place.at(side.landings[i])
             self.add(f"axis.{number}.{name}.drop.{i}", "segment", "guide", side.points[i], spot)
             self.add(f"axis.{number}.{name}.from.{i}", "dot", role, side.points[i])
             self.add(f"axis.{number}.{name}.landing.{i}", "dot", role, spot)
         if told:
             for end, way in zip(side.interval, (-1, 1), strict=True):
-                who = self.landed_names(shape, side, end)
+                who = self.landed_names(name, shape, side, end)
                 prefer = Vec(place.out.x * (1 if role == "B" else -1), place.out.y * (1 if role == "B" else -1))
                 prefer = Vec(prefer.x + place.n.x * way * 0.5, prefer.y + place.n.y * way * 0.5)
                 mark = f"axis.{number}.{name}.{'lowest' if way < 0 else 'highest'}"
-                self.label(mark, f"{who} {telling.number(end)}".strip(), role, place.at(end, role), prefer=prefer)
+                self.label(
+                    mark,
+                    f"{who}: {telling.number(end)}" if who else telling.number(end),
+                    role,
+                    place.at(end),
+                    prefer=prefer,
+                )
 
-    def landed_names(self, shape: Shape, side: Projection, end: float) -> str:
+    def landed_names(self, name: str, shape: Shape, side: Projection, end: float) -> str:
         """Who landed at an end of the range, if the owner named the vertices: "v1, v2"."""
         if isinstance(shape, Circle) or not shape.labels:
             return ""
         shown = telling.number(end)
         ids = [shape.corner_ids[i] for i, t in enumerate(side.landings) if telling.number(t) == shown]
-        return ", ".join(telling.vertex_name(shape, "", i) for i in sorted(ids))
+        return ", ".join(telling.vertex_name(shape, name, i) for i in sorted(ids))
 
     def nearest_ends(self, side: Projection, place: AxisPlace) -> list[int]:
         """A lowest and a highest point; of several that land together the one nearest to the axis."""
@@ -219,13 +235,11 @@ class Drawing:
             points = [moved(ends[0], place.out, -tick), *ends, moved(ends[1], place.out, -tick)]
             role, kind = "gap", "bracket"
         else:
-            # the stretch B must clear: the shared part, or more where one range holds the other
-            span = Interval(b.lo, a.hi) if a.hi - b.lo <= b.hi - a.lo else Interval(a.lo, b.hi)
-            ends = points = [place.at(t) for t in span]
+            ends = points = [place.at(t) for t in Interval(max(a.lo, b.lo), min(a.hi, b.hi))]
             role, kind = "overlap", "interval"
         self.add(f"axis.{number}.gap", kind, role, *points)
         anchor = self.middle(*ends)
-        self.label(f"axis.{number}.gap.name", telling.outcome(test.gap), role, anchor, prefer=place.out, first=2)
+        self.label(f"axis.{number}.gap.name", telling.outcome(test), role, anchor, prefer=place.out, first=2)
 
     def project(self, test: AxisTest, place: AxisPlace, number: int, *, drops: bool = True) -> None:
         """A finished test: the axis, the extreme points' drops, both ranges, the gap or overlap."""
@@ -281,5 +295,6 @@ class Drawing:
     def finish(self, title: str, sentence: str, *, steady: bool = True) -> Picture:
         """Place the labels and close the picture; `steady` names stay put from step to step."""
         requests = [request for _, request in sorted(self.requests, key=lambda r: r[0])]
-        marks = with_labels(self.marks, requests, self.layout, steady=steady)
+        keep_off = [arrow for arrow in map(self.normal_arrow, self.trace.tests) if arrow]
+        marks = with_labels(self.marks, requests, self.layout, steady=steady, keep_off=keep_off)
         return Picture(tuple(marks), self.layout.limits, self.layout.size, title, sentence)

@@ -12,7 +12,10 @@ from .layout import Layout, moved, text_box
 from .marks import Limits, Mark
 from .theme import DOT
 
+Segment = tuple[Vec, Vec]
+
 RIM = 4.0  # points that a label keeps from the canvas's rim
+LEADER = 22.0  # points beyond which a label is tied to its anchor by a line
 
 
 class Request(NamedTuple):
@@ -31,26 +34,37 @@ class Request(NamedTuple):
     inside: bool = False  # centred on an anchor if that is clear
     optional: bool = False  # leave it out rather than run it over something
     far: bool = False  # anywhere on the canvas will do
+    steady: bool = False  # stays put from step to step, whatever else the step shows
 
 
-def with_labels(marks: Sequence[Mark], requests: Sequence[Request], layout: Layout, *, steady: bool) -> list[Mark]:
+def with_labels(
+    marks: Sequence[Mark], requests: Sequence[Request], layout: Layout, *, steady: bool, keep_off: Sequence[Segment]
+) -> list[Mark]:
     """The marks and a label for each request that finds a place, the most important first.
 
-    `steady`: the shapes' names see only the outlines, which every step has, so that
-    they stay put from step to step.
+    `steady`: the names of shapes and vertices see only what every step has (the
+    outlines, and `keep_off`: where normals will stand), so that nothing jumps.
     """
     board = Board(layout)
-    names = [r for r in requests if r.weight == "title" and not r.far]
-    rest = [r for r in requests if r not in names]
+    names = [r for r in requests if r.steady and r.weight == "title"]
+    vertices = [r for r in requests if r.steady and r.weight != "title"]
+    rest = [r for r in requests if not r.steady]
     outlines = [mark for mark in marks if mark.kind in ("outline", "disc")]
-    others = [mark for mark in marks if mark.kind not in ("outline", "disc")]
-    for mark in outlines:
+    corners = [mark for mark in marks if ".vertex." in mark.id]
+    others = [mark for mark in marks if mark not in outlines and mark not in corners]
+    for mark in outlines if steady else (*outlines, *corners, *others):
         _put(board, mark)
-    labels = board.labels(names) if steady else []
-    for mark in others:
+    for p, q in keep_off if steady else ():
+        board.stroke(p, q, 100)
+    labels = board.labels(names)
+    for mark in corners if steady else ():
         _put(board, mark)
-    labels += board.labels(rest if steady else [*names, *rest])
-    boxes = [(m.points[0], text_box(m.text, m.weight)) for m in labels if m.weight == "title"]
+    labels += board.labels(vertices)
+    for mark in others if steady else ():
+        _put(board, mark)
+    labels += board.labels(rest)
+    fixed = {r.id for r in requests if r.steady}
+    boxes = [(m.points[0], text_box(m.text, m.weight)) for m in labels if m.id in fixed]
     return [_broken(m, boxes, layout) if m.role == "guide" and m.kind == "segment" else m for m in marks] + labels
 
 
@@ -112,9 +126,25 @@ class Board:
         return (p.x - x0) * scale, (p.y - y0) * scale
 
     def labels(self, requests: Sequence[Request]) -> list[Mark]:
-        """The label of each request that finds a place, in order."""
-        placed = ((r, self.place(r)) for r in requests)
-        return [Mark(r.id, "label", r.role, (at,), text=r.text, weight=r.weight) for r, at in placed if at is not None]
+        """The label of each request that finds a place, in order; one far from its anchor gets a line to it."""
+        found = []
+        for r in requests:
+            at = self.place(r)
+            if at is None:
+                continue
+            if not (r.far or r.inside or r.along) and (end := self._leader(r, at)):
+                found.append(Mark(f"{r.id}.leader", "segment", "guide", (r.anchor, end)))
+            found.append(Mark(r.id, "label", r.role, (at,), text=r.text, weight=r.weight))
+        return found
+
+    def _leader(self, request: Request, at: Vec) -> Vec | None:
+        """Where a line from the anchor meets the label's box; None if they are near enough without."""
+        w, h = (self.layout.units(c / 2 + 1) for c in text_box(request.text, request.weight))
+        a = request.anchor
+        inside = clipped(a.x, a.y, at.x, at.y, at.x - w, at.y - h, at.x + w, at.y + h)
+        if inside is None or inside[0] * hypot(at.x - a.x, at.y - a.y) < self.layout.units(LEADER):
+            return None
+        return Vec(a.x + (at.x - a.x) * inside[0], a.y + (at.y - a.y) * inside[0])
 
     def place(self, request: Request) -> Vec | None:
         """The label's centre in scene units, or None for an optional one that finds no clear spot."""

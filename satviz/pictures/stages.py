@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from .. import telling
-from ..axes import GIVEN, WORLD
+from ..axes import ANY, CENTROIDS, GIVEN, WORLD
 from ..certificate import SeparatingLine, SharedPoint
 from ..concave import named_parts
 from ..geometry import Relation, Vec
@@ -56,8 +56,8 @@ def steps(trace: Trace) -> list[Step]:
 
 
 def _stages(trace: Trace, test: int) -> Sequence[Stage]:
-    """World and given axes come from no edge."""
-    return OF_A_TEST[2:] if trace.tests[test].source.kind in (WORLD, GIVEN) else OF_A_TEST
+    """World axes and the like come from no edge."""
+    return OF_A_TEST[2:] if trace.tests[test].source.kind in (WORLD, GIVEN, ANY, CENTROIDS) else OF_A_TEST
 
 
 def picture(
@@ -85,7 +85,8 @@ def picture(
     elif step.stage is Stage.PARTS:
         draw_parts(drawing)
     else:
-        drawing.shapes()
+        # seams and part names belong to what proves concave outlines apart
+        draw_parts(drawing) if step.stage is Stage.VERDICT and trace.pairs else drawing.shapes()
         if step.stage is Stage.VERDICT:
             draw_verdict(drawing, layout.places)
     return drawing.finish(title, sentence(run, step), steady=step.stage is not Stage.VERDICT)
@@ -157,10 +158,15 @@ def draw_parts(drawing: Drawing) -> None:
             drawing.shape(role, part_name, part)
 
 
+FALSE_HIT = "a false hit: the axes tested show no gap"
+
+
 def draw_verdict(drawing: Drawing, places: Sequence[AxisPlace]) -> None:
     """What proves the verdict: a separating line, a shared point, the move that parts them."""
     trace = drawing.trace
     drawing.note("verdict", str(trace.relation), "ink", weight="title", first=1)
+    if trace.false_hit:
+        drawing.note("false-hit", FALSE_HIT, "overlap", first=2)
     certificate = trace.certificate
     if isinstance(certificate, SeparatingLine):
         separating_line(drawing, certificate)
@@ -170,7 +176,7 @@ def draw_verdict(drawing: Drawing, places: Sequence[AxisPlace]) -> None:
     elif isinstance(certificate, SharedPoint):
         spot = certificate.point
         drawing.add("shared", "dot", "ink", spot)
-        drawing.label("shared.name", f"in both: {telling.vector(spot)}", "ink", spot, first=4)
+        drawing.label("shared.name", f"a point in both: {telling.vector(spot)}", "ink", spot, first=4)
         draw_move(drawing)
     else:
         (_, a, whole_a), (_, b, whole_b) = drawing.pair()

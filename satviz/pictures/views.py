@@ -13,7 +13,7 @@ from ..trace import Trace, record
 from .drawing import Drawing
 from .layout import arrange
 from .marks import Picture
-from .stages import draw_parts, scene_layout, separating_line
+from .stages import FALSE_HIT, draw_parts, scene_layout, separating_line
 
 
 def alone(shape: Shape) -> Picture:
@@ -41,7 +41,8 @@ def world(trace: Trace, *, title: str = "") -> Picture:
     drawing.shapes()
     for i, test in enumerate(trace.tests):
         drawing.axis(test, layout.places[i], i + 1)
-    names = [telling.axis_name(t.axis, (trace.a, trace.b), trace.names) for t in trace.tests]
+    # projecting starts with y, as in the article, but one says x and y
+    names = sorted(telling.axis_name(t.axis, (trace.a, trace.b), trace.names) for t in trace.tests)
     return drawing.finish(title, f"{telling.both(trace)} They will be projected on {telling.listed(names)}.")
 
 
@@ -53,6 +54,15 @@ def at_once(trace: Trace, *, kinds: Sequence[str] = (EDGE, WORLD, GIVEN), title:
     drawing.shapes()
     for (i, test), place in zip(chosen, layout.places, strict=True):
         drawing.project(test, place, i + 1)
+    if trace.false_hit:
+        drawing.note("false-hit", FALSE_HIT, "overlap")
+    rest = [
+        telling.short_axis_name(t.axis, (trace.a, trace.b), trace.names)
+        for t in trace.tests
+        if t.source.kind not in kinds
+    ]
+    if rest:
+        drawing.note("rest", f"not shown: {', '.join(rest)}", "guide")
     tests = " ".join(telling.test(trace, i) for i, _ in chosen)
     return drawing.finish(title, f"{tests} {trace.sentence}")
 
@@ -121,7 +131,8 @@ def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title:
     place = layout.places[0]
     drawing = Drawing(trace, layout)
     drawing.shape(role, name, circle, named=False)
-    drawing.axis(test, place, number + 1)
+    drawing.axis(test, place, number + 1, told=False)
+    drawing.label("axis.caption", "axis, direction n", "ink", place.at(place.hi), prefer=test.axis.direction, first=1)
     drawing.add("center", "dot", role, circle.center)
     p2, p1 = side.points
     n = test.axis.direction
@@ -145,8 +156,9 @@ def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title:
         drawing.label(f"{label}.value", telling.number(landing), role, spot, prefer=place.out, first=1)
     return drawing.finish(
         title,
-        f"The extremes along the axis are P1 = C + r n {telling.vector(p1)} and P2 = C - r n {telling.vector(p2)}; "
-        f"they land at {telling.number(side.landings[1])} and {telling.number(side.landings[0])}.",
+        f"The extremes along an axis of direction n = {telling.vector(n)} are P1 = C + r n {telling.vector(p1)} "
+        f"and P2 = C - r n {telling.vector(p2)}; they land at {telling.number(side.landings[1])} "
+        f"and {telling.number(side.landings[0])}.",
     )
 
 
@@ -166,7 +178,8 @@ def failed_lines(trace: Trace, *, most: int = 3, title: str = "") -> Picture:
         x0, y0, x1, y1 = layout.limits
         end = max(ends, key=lambda p: hypot(p.x - x0, p.y - y0) + (p.y - y0) * 0.1)
         inwards = Vec((x0 + x1) / 2 - end.x, (y0 + y1) / 2 - end.y)
-        drawing.label(f"line.{i}.name", telling.outcome(test.gap), "overlap", end, prefer=inwards, first=1)
+        text = f"fails: gap {telling.signed(test.gap)}"
+        drawing.label(f"line.{i}.name", text, "overlap", end, prefer=inwards, first=1)
     worst = telling.number(best[0].gap)
     return drawing.finish(
         title,
