@@ -6,15 +6,13 @@ shortcuts and the building blocks of a choice of one's own.
 """
 
 from collections.abc import Callable, Sequence
-from itertools import pairwise
-from math import gcd, hypot, isfinite
-from math import inf as INF
+from math import gcd, hypot
 from typing import Any, NamedTuple
 
 from .exact import IntPoint, aligned, orient, to_float, to_int_points, to_integers
 from .geometry import Vec
 from .outline import point
-from .shapes import Circle, Polygon, Shape
+from .shapes import Circle, Polygon, Shape, centroid
 
 EDGE, HULL, WORLD = "edge normal", "hull edge normal", "world"
 CENTERS, VERTEX, CENTROIDS = "centers", "nearest vertex", "centroids"
@@ -180,6 +178,20 @@ NAMED: dict[str, Chooser] = {
 }
 
 
+def exact_direction(axis: Axis, a: Shape, b: Shape) -> IntPoint:
+    """The direction that an axis's source has in integers; an error if these shapes have no such source."""
+    kind, role, ids = axis.source
+    expected = {EDGE: 2, HULL: 2, VERTEX: 1, WORLD: 1, GIVEN: 1}.get(kind, 0)
+    if kind not in (EDGE, HULL, WORLD, CENTERS, VERTEX, CENTROIDS, ANY, GIVEN) or len(set(ids)) != expected:
+        raise ValueError(kind)
+    if (role in ("A", "B")) != (kind in (EDGE, HULL, VERTEX)) or (role is not None and role not in ("A", "B")):
+        raise ValueError(role)
+    if kind == WORLD:
+        return ((1, 0), (0, 1))[ids[0]]
+    core_a, core_b, _, _ = aligned(a, b)
+    return exact_normal(axis, {"A": a, "B": b}, {"A": core_a, "B": core_b})
+
+
 def exact_normal(axis: Axis, shapes: dict[str, Shape], points: dict[str, Sequence[IntPoint]]) -> IntPoint:
     """The axis's true direction in integers; `points` are both shapes' integer points in one unit."""
     kind, role, ids = axis.source
@@ -199,23 +211,6 @@ def exact_normal(axis: Axis, shapes: dict[str, Shape], points: dict[str, Sequenc
     if not (x or y):
         return tuple(to_integers(axis.normal)[1])
     return (x, y) if (x, y) > (0, 0) else (-x, -y)
-
-
-def centroid(shape: Shape) -> Vec:
-    """The centre of area, rounded."""
-    if isinstance(shape, Circle):
-        return shape.center
-    (ox, oy), ring, size = shape.corners[0], shape.corners, shape._span
-    area = x = y = 0.0
-    for (px, py), (qx, qy) in pairwise(((p.x - ox) / size, (p.y - oy) / size) for p in ring):
-        cross = px * qy - py * qx
-        area += cross
-        x += cross * (px + qx)
-        y += cross * (py + qy)
-    middle = Vec(ox + x / area / 3 * size, oy + y / area / 3 * size) if area > 1e-12 else Vec(INF, INF)
-    if isfinite(middle.x) and isfinite(middle.y):
-        return middle
-    return Vec(sum(p.x / len(ring) for p in ring), sum(p.y / len(ring) for p in ring))
 
 
 def _hull(ring: Sequence[Vec]) -> list[int]:

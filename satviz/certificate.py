@@ -2,12 +2,12 @@
 
 from fractions import Fraction
 from functools import lru_cache
-from math import gcd, isqrt
+from math import gcd, isfinite, isqrt
 from typing import NamedTuple
 
 from .axes import Axis, exact_normal
 from .concave import parts
-from .exact import aligned
+from .exact import aligned, orient
 from .geometry import Vec
 from .shapes import Circle, Shape
 
@@ -124,9 +124,22 @@ def shared_point(a: Shape, b: Shape) -> SharedPoint:
         circle, polygon = (a, b) if isinstance(a, Circle) else (b, a)
         point = _nearest_point(_ring(polygon), (Fraction(circle.center.x), Fraction(circle.center.y)))
     else:
-        common = _clipped(_ring(a), _ring(b))
-        point = sum(x for x, _ in common) / len(common), sum(y for _, y in common) / len(common)
+        point = _in_both(a, b)
     return SharedPoint(a, b, *point)
+
+
+def _in_both(a: Shape, b: Shape) -> Rational:
+    """A point of two convex polygons: the rounded middle of the overlap, or a corner, or worked out in fractions."""
+    common = _clipped(list(a.corners), list(b.corners))
+    if common:
+        middle = Vec(sum(x / len(common) for x, _ in common), sum(y / len(common) for _, y in common))
+        for spot in (middle, *a.corners, *b.corners):
+            if all(isfinite(c) for c in spot) and all(
+                orient(p, q, spot) >= 0 for s in (a, b) for p, q in _edges(list(s.corners))
+            ):
+                return Fraction(spot[0]), Fraction(spot[1])
+    common = _clipped(_ring(a), _ring(b))
+    return sum(x for x, _ in common) / len(common), sum(y for _, y in common) / len(common)
 
 
 def _ring(shape: Shape) -> list[Rational]:
@@ -141,9 +154,11 @@ def _edges(ring: list[Rational]):
     return zip(ring, [*ring[1:], ring[0]], strict=True)
 
 
-def _clipped(subject: list[Rational], clip: list[Rational]) -> list[Rational]:
-    """Sutherland and Hodgman's clipping of one convex ring by another, in fractions."""
+def _clipped(subject: list, clip: list) -> list:
+    """Sutherland and Hodgman's clipping of one convex ring by another: exact in fractions, roughly in floats."""
     for p, q in _edges(clip):
+        if not subject:
+            break
         kept = []
         for u, v in _edges(subject):
             side_u, side_v = _cross(p, q, u), _cross(p, q, v)

@@ -54,15 +54,6 @@ class AxisTest(NamedTuple):
         """Is this a separating axis?  Ranges that touch do not separate."""
         return self.gap > 0
 
-    @property
-    def push(self) -> Vec:
-        """The shortest move of B along this axis that parts the ranges (none if they are apart)."""
-        if self.gap >= 0:
-            return Vec(0.0, 0.0)
-        up = self.a.interval.hi - self.b.interval.lo <= self.b.interval.hi - self.a.interval.lo
-        n, step = self.axis.direction, -self.gap if up else self.gap
-        return Vec(n.x * step + 0.0, n.y * step + 0.0)
-
 
 def project(shape: Shape, axis: Axis) -> Projection:
     """Drop a shape on an axis in float64; a landing is (x*nx + y*ny) / length.

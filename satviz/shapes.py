@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 from . import outline
@@ -163,6 +164,23 @@ def checked(shape: Any, name: str) -> Shape:
     if isinstance(shape, (Polygon, Circle)):
         return shape
     raise TypeError(f"{name} is a {type(shape).__name__}: make it a satviz.Polygon or satviz.Circle first")
+
+
+def centroid(shape: Shape) -> Vec:
+    """The centre of area, rounded."""
+    if isinstance(shape, Circle):
+        return shape.center
+    (ox, oy), ring, size = shape.corners[0], shape.corners, shape._span
+    area = x = y = 0.0
+    for (px, py), (qx, qy) in pairwise(((p.x - ox) / size, (p.y - oy) / size) for p in ring):
+        cross = px * qy - py * qx
+        area += cross
+        x += cross * (px + qx)
+        y += cross * (py + qy)
+    middle = Vec(ox + x / area / 3 * size, oy + y / area / 3 * size) if area > 1e-12 else Vec(INF, INF)
+    if math.isfinite(middle.x) and math.isfinite(middle.y):
+        return middle
+    return Vec(sum(p.x / len(ring) for p in ring), sum(p.y / len(ring) for p in ring))
 
 
 def _slabs(corners: tuple[Vec, ...], edges: list[tuple[float, float]]) -> tuple[tuple[float, ...], ...]:

@@ -7,7 +7,7 @@ from typing import Any
 from .geometry import InvalidScene
 
 MAX_DEPTH = 12
-STRING = re.compile(r'"(?:[^"\\]|\\.)*"', re.DOTALL)
+STRING = re.compile(r'"(?:[^"\\]|\\.)*+(?:"|$)', re.DOTALL)  # an unended one runs to the end, once
 
 
 def parse(text: str, max_chars: int) -> Any:
@@ -57,8 +57,9 @@ _NAMES = {str: "text", list: "a list", dict: "an object", bool: "true or false",
 def _no_twice(pairs: list[tuple[str, Any]]) -> dict:
     found = dict(pairs)
     if len(found) < len(pairs):
-        names = [key for key, _ in pairs]
-        raise InvalidScene(f"the key {_quoted([k for k in found if names.count(k) > 1])} stands twice in one object")
+        seen: set[str] = set()
+        twice = next(key for key, _ in pairs if key in seen or seen.add(key))
+        raise InvalidScene(f"the key {_quoted([twice])} stands twice in one object")
     return found
 
 
@@ -80,4 +81,4 @@ def _whole(text: str) -> int:
 
 
 def _quoted(names: list[str]) -> str:
-    return ", ".join(f'"{name}"' for name in names)
+    return ", ".join(json.dumps(name) for name in names)

@@ -37,11 +37,15 @@ def vector(value: Vec) -> str:
     return f"({number(value.x)}, {number(value.y)})"
 
 
+def printable(text: str) -> str:
+    """The text with a sign in place of each control character, which would break an SVG."""
+    return "".join(c if c.isprintable() else "\ufffd" for c in text)
+
+
 def vertex_name(shape: Shape, name: str, i: int) -> str:
     """The owner's label, or the shape's letter in small with a number from 1: b1, b2 ..."""
     label = shape.labels[i] if shape.labels else ""
-    label = "".join(c if c.isprintable() else "\ufffd" for c in label)  # a control character would break an SVG
-    return label or f"{name.lower()}{'.' if name[-1].isdigit() else ''}{i + 1}"
+    return printable(label) or f"{name.lower()}{'.' if name[-1].isdigit() else ''}{i + 1}"
 
 
 _PLAIN = {
@@ -121,7 +125,10 @@ def verdict(trace: Trace) -> str:
 
 
 def _move(trace: Trace) -> str:
-    return f"Moving {trace.names.b} by {vector(trace.mtv)} leaves them just touching."
+    move = trace.mtv
+    if move is None:
+        return "No move that float64 can hold parts them."
+    return f"Moving {trace.names.b} by {vector(move)} leaves them just touching."
 
 
 def _any_of(n: int) -> str:

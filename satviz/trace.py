@@ -8,7 +8,7 @@ from . import telling
 from .axes import Choice, Chooser, Skip, needed
 from .certificate import Certificate, PartLines, separating_line, shared_point
 from .concave import named_parts, parts
-from .escape import around_parts, lengthened
+from .escape import along_axis, around_parts
 from .geometry import Relation, Vec
 from .sat import AxisTest, axis_tests
 from .shapes import Circle, Polygon, Shape, checked
@@ -89,18 +89,19 @@ class Trace:
 
     @property
     def mtv(self) -> Vec | None:
-        """The minimum translation vector: the shortest move of B found to end the overlap; None when apart.
+        """The minimum translation vector: the shortest move of B found to end the overlap, in scene units.
 
-        It ends the overlap exactly (checked with integers, and lengthened by a rounding
-        where needed); (0, 0) when the shapes only touch.  It is the shortest of all where
-        the choice of axes is complete, else the shortest along the tested axes.
+        It ends the overlap exactly, being rounded outwards; (0, 0) when the shapes only
+        touch, None when they are apart or when no float64 move is long enough.  It is the
+        shortest of all (to a rounding) where the choice of axes is complete, else the
+        shortest along the tested axes.
         """
         relation = self.relation
         if relation is not OVERLAPPING:
             return None if relation is APART else Vec(0.0, 0.0)
         if not (_convex(self.a) and _convex(self.b)):
             return around_parts(self.a, self.b)
-        return lengthened(self.a, self.b, self.shallowest.push) if self.tests else around_parts(self.a, self.b)
+        return along_axis(self.a, self.b, self.shallowest) if self.tests else around_parts(self.a, self.b)
 
     @property
     def certificate(self) -> Certificate:

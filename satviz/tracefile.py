@@ -1,17 +1,17 @@
 """A trace as JSON and back: the facts, and beside them the verdicts, which the reader checks."""
 
 import json
+from math import hypot
 from typing import Any
 
-from .axes import Axis, Choice, Skip, Source, exact_normal
-from .exact import aligned, to_float
+from . import axes
+from .axes import Axis, Choice, Skip, Source
+from .exact import to_float
 from .geometry import InvalidScene, Vec
-from .sat import AxisTest, Projection, axis_tests
+from .sat import AxisTest, Projection
 from .scenefile import shape_data, shape_from
-from .shapes import Circle
 from .strictjson import keys, parse, typed
-from .trace import Names, Trace, record
-from .verdict import relate
+from .trace import PLAIN, Names, Trace, record
 
 MAX_CHARS = 1 << 26
 ROUNDING = 2.0**-28  # how far another machine's square root may move a landing, relative to the reach
@@ -26,8 +26,8 @@ def load(text: str) -> Trace:
     if data.pop("satviz") != "trace 1":
         raise InvalidScene('"satviz" must be "trace 1"')
     trace = _trace(data, "trace")
-    _agree(_data(trace), data, "trace")
     _true(trace)
+    _agree(_data(trace), data, "trace")
     return trace
 
 
@@ -76,16 +76,16 @@ def _trace(data: Any, where: str) -> Trace:
     if len(names) != 2:
         raise InvalidScene(f"{where}.names must be two texts")
     lists = {name: list(enumerate(typed(data[name], f"{where}.{name}", list))) for name in _LISTS}
-    axes = tuple(_axis(axis, f"{where}.axes[{i}]", (a, b)) for i, axis in lists["axes"])
+    found = tuple(_axis(axis, f"{where}.axes[{i}]", (a, b)) for i, axis in lists["axes"])
     skipped = []
     for i, skip in lists["skipped"]:
         keys(skip, f"{where}.skipped[{i}]", {"axis", "reason"})
         reason = typed(skip["reason"], f"{where}.skipped[{i}].reason", str)
         skipped.append(Skip(_axis(skip["axis"], f"{where}.skipped[{i}].axis", (a, b)), reason))
-    if len(lists["tests"]) > len(axes):
+    if len(lists["tests"]) > len(found):
         raise InvalidScene(f"{where}.tests has more tests than there are axes")
-    tests = tuple(_test(test, f"{where}.tests[{i}]", axes[i]) for i, test in lists["tests"])
-    choice = Choice(axes, tuple(skipped), typed(data["complete"], f"{where}.complete", bool))
+    tests = tuple(_test(test, f"{where}.tests[{i}]", found[i]) for i, test in lists["tests"])
+    choice = Choice(found, tuple(skipped), typed(data["complete"], f"{where}.complete", bool))
     pairs = tuple(_trace(pair, f"{where}.pairs[{i}]") for i, pair in lists["pairs"])
     return Trace(a, b, choice, tests, typed(data["every_axis"], f"{where}.every_axis", bool), pairs, Names(*names))
 
@@ -95,20 +95,18 @@ def _axis(data: Any, where: str, shapes: tuple) -> Axis:
     source = keys(data["source"], f"{where}.source", {"kind", "shape", "vertices"})
     ids = tuple(typed(i, f"{where}.source.vertices", int) for i in typed(source["vertices"], f"{where}.source", list))
     kind, role = typed(source["kind"], f"{where}.source.kind", str), source["shape"]
-    if role is not None and role not in ("A", "B"):
-        raise InvalidScene(f'{where}.source.shape must be "A", "B" or null')
     axis = Axis(_vec(data["normal"], f"{where}.normal"), _float(data["length"], where), Source(kind, role, ids))
     try:
-        cores = aligned(*shapes)
-        x, y = exact_normal(axis, dict(zip("AB", shapes)), dict(zip("AB", cores)))
+        x, y = axes.exact_direction(axis, *shapes)
     except (AttributeError, KeyError, TypeError, ValueError, IndexError):
         raise InvalidScene(f"{where}.source names vertices or a kind that these shapes do not have") from None
     k = max(abs(x), abs(y)).bit_length()
     exact = Vec(to_float(x, k), to_float(y, k))
     size = max(map(abs, axis.normal))
     off = abs(exact.x * axis.normal.y - exact.y * axis.normal.x)
-    if not (x or y) or axis.length <= 0 or off > size * 1e-12 or exact.x * axis.normal.x + exact.y * axis.normal.y <= 0:
-        raise InvalidScene(f"{where}.normal is not the direction its source has")
+    along = exact.x * axis.normal.x + exact.y * axis.normal.y
+    if not size or off > size * 1e-12 or along <= 0 or abs(axis.length - hypot(*axis.normal)) > axis.length * 1e-12:
+        raise InvalidScene(f"{where} is not the direction (or not the length) that its source has")
     return axis
 
 
@@ -134,6 +132,9 @@ def _vec(data: Any, where: str) -> Vec:
 
 
 def _float(value: Any, where: str) -> float:
+    """A number; other writers of JSON leave the .0 of a whole one out."""
+    if isinstance(value, int) and not isinstance(value, bool) and abs(value) <= 1 << 53:
+        return float(value)
     return typed(value, where, float)
 
 
@@ -145,30 +146,57 @@ def _agree(ours: Any, theirs: Any, where: str) -> None:
     elif isinstance(ours, list) and isinstance(theirs, list) and len(ours) == len(theirs):
         for i, (mine, yours) in enumerate(zip(ours, theirs)):
             _agree(mine, yours, f"{where}[{i}]")
-    elif ours != theirs or type(ours) is not type(theirs):
+    elif ours != theirs or isinstance(ours, bool) is not isinstance(theirs, bool):
         raise InvalidScene(f"{where} is {theirs!r}, but the facts give {ours!r}")
 
 
 def _true(trace: Trace) -> None:
-    """Measure again: landings may differ by a rounding of another machine, signs may not."""
-    if trace.relation is not relate(trace.a, trace.b):
-        raise InvalidScene(f"the trace says {trace.relation}, but the shapes are {relate(trace.a, trace.b)}")
-    if trace.pairs:
-        again = record(trace.a, trace.b, every_axis=trace.every_axis)
-        if [(p.a, p.b, p.names) for p in again.pairs] != [(p.a, p.b, p.names) for p in trace.pairs]:
-            raise InvalidScene("the trace's pairs are not those of the shapes' convex parts")
-        for pair in trace.pairs:
-            _true(pair)
+    """Measure again: numbers may differ by a rounding of another machine, signs and everything else may not."""
+    if trace.names != PLAIN:
+        raise InvalidScene(f"trace.names is {list(trace.names)}: expected {list(PLAIN)}")
+    if not trace.pairs:
+        again = record(trace.a, trace.b, axes=_choice_like(trace), every_axis=trace.every_axis)
+        _same(trace, again, "trace")
+        return
+    again = record(trace.a, trace.b, every_axis=trace.every_axis)
+    if len(again.pairs) != len(trace.pairs) or trace.choice != again.choice or trace.tests:
+        raise InvalidScene("trace.pairs are not those of the shapes' convex parts")
+    for i, (pair, ours) in enumerate(zip(trace.pairs, again.pairs)):
+        if (pair.a, pair.b, pair.names, pair.pairs) != (ours.a, ours.b, ours.names, ()):
+            raise InvalidScene(f"trace.pairs[{i}] is not that of the shapes' convex parts")
+        _same(pair, ours, f"trace.pairs[{i}]")
+
+
+def _choice_like(trace: Trace) -> Choice:
+    """The named choice of axes that the trace made; one of its own may leave nothing out and prove nothing complete."""
+    for choose in axes.NAMED.values():
+        choice = choose(trace.a, trace.b)
+        if _sources(choice) == _sources(trace.choice) and choice.complete == trace.choice.complete:
+            return choice
+    if trace.choice.complete or trace.choice.skipped:
+        raise InvalidScene("trace.axes are complete, or leave some out, in a way that no choice of axes does")
+    return trace.choice
+
+
+def _sources(choice: Choice) -> tuple:
+    given = [axis.normal if axis.source.kind == axes.GIVEN else axis.source for axis in choice.axes]
+    return given, [(skip.axis.source, skip.reason) for skip in choice.skipped]
+
+
+def _same(trace: Trace, again: Trace, where: str) -> None:
+    if _sources(trace.choice) != _sources(again.choice) or trace.choice.complete != again.choice.complete:
+        raise InvalidScene(f"{where}.axes are not those of these shapes")
+    if trace.every_axis != again.every_axis or len(trace.tests) != len(again.tests):
+        raise InvalidScene(f"{where}.tests has {len(trace.tests)} tests where the run has {len(again.tests)}")
     room = max(trace.a._reach, trace.b._reach) * ROUNDING
-    for i, (test, again) in enumerate(zip(trace.tests, axis_tests(trace.a, trace.b, trace.choice.axes))):
-        same_sign = (test.gap > 0) == (again.gap > 0) and (test.gap < 0) == (again.gap < 0)
-        if not same_sign or not _near((test.gap,), (again.gap,), room):
-            raise InvalidScene(f"tests[{i}].gap is {test.gap}, but the shapes give {again.gap}")
-        for name, mine, ours, shape in ("a", test.a, again.a, trace.a), ("b", test.b, again.b, trace.b):
-            exact_points = isinstance(shape, Circle) or mine.points == ours.points
-            flat = [c for p in mine.points for c in p], [c for p in ours.points for c in p]
-            if not (exact_points and _near(*flat, room) and _near(mine.landings, ours.landings, room)):
-                raise InvalidScene(f"tests[{i}].{name} is not where these shapes land")
+    for i, (test, ours) in enumerate(zip(trace.tests, again.tests)):
+        same_sign = (test.gap > 0) == (ours.gap > 0) and (test.gap < 0) == (ours.gap < 0)
+        if not same_sign or not _near((test.gap,), (ours.gap,), room):
+            raise InvalidScene(f"{where}.tests[{i}].gap is {test.gap}, but the shapes give {ours.gap}")
+        for name, mine, other in ("a", test.a, ours.a), ("b", test.b, ours.b):
+            flat = [c for p in mine.points for c in p], [c for p in other.points for c in p]
+            if not (_near(*flat, room) and _near(mine.landings, other.landings, room)):
+                raise InvalidScene(f"{where}.tests[{i}].{name} is not where these shapes land")
 
 
 def _near(mine: Any, ours: Any, room: float) -> bool:

@@ -183,3 +183,18 @@ def test_a_closed_pipe_is_no_error():
 def test_a_scene_file_survives_its_own_format():
     for scene in SCENES:
         assert sv.Scene.from_json(scene.to_json()) == scene
+
+
+def test_a_label_the_terminal_cannot_show_is_no_reason_to_fail(tmp_path):
+    data = {**GOOD, "a": {**GOOD["a"], "labels": ["日", "é", "c"]}}
+    done = run("trace", scene_file(tmp_path, data), env={**os.environ, "PYTHONIOENCODING": "ascii"})
+    assert done.returncode == 0 and "\\u65e5" in done.stdout
+
+
+def test_small_hostile_files_are_refused_at_once(tmp_path, capsys):
+    many = "{" + ",".join(f'"{i:x}":1' for i in range(16_000)) + ',"1":1}'
+    for data in ('"' + '\\"' * 500_000, many):
+        start = time.perf_counter()
+        assert main(["trace", scene_file(tmp_path, data)]) == 2
+        print(f"{time.perf_counter() - start:.2f} s")
+        assert capsys.readouterr().err.count("\n") == 1

@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import matplotlib
@@ -156,9 +157,18 @@ def test_a_file_somebody_else_made_is_left_alone(tmp_path):
     with pytest.raises(FileExistsError, match="--force"):
         write(path, b"made by satviz")
     assert path.read_text() == "<svg/>"
-    write(path, b"made by satviz 1", force=True)
-    write(path, b"made by satviz 2")
-    assert path.read_bytes() == b"made by satviz 2"
+    path.write_text("notes on files made by satviz")  # saying so is not enough
+    with pytest.raises(FileExistsError):
+        check(path)
+    ours = encode(sv.picture(TRIANGLES, 0), "svg")
+    write(path, ours, force=True)
+    write(path, ours)
+    assert path.read_bytes() == ours
+    for form in ("png", "pdf"):
+        write(tmp_path / f"a.{form}", encode(sv.picture(TRIANGLES, 0), form))
+        check(tmp_path / f"a.{form}")
+    write(tmp_path / "a.gif", animate([sv.picture(TRIANGLES, 0)]))
+    check(tmp_path / "a.gif")
     with pytest.raises(FileExistsError):
         check(tmp_path)
 
@@ -219,3 +229,33 @@ def test_things_show_themselves_in_a_notebook(what):
 def test_what_cannot_be_drawn_still_shows_its_text():
     far = sv.record(box(1e15, 0, 1e15 + 1, 1), box(1e15 + 2, 0, 1e15 + 3, 1))
     assert set(far._repr_mimebundle_()) == {"text/plain"}
+
+
+def test_drawing_again_on_given_axes_takes_the_place_of_the_first_picture():
+    fig = Figure(facecolor="#123456")
+    ax = fig.subplots()
+    for theme in ("light", "light", "dark"):
+        sv.draw(TRIANGLES, 14, ax=ax, theme=theme)
+        assert len(ax.collections) == 3
+    assert matplotlib.colors.to_hex(fig.get_facecolor()) == "#123456"
+
+
+@pytest.mark.parametrize("shape", [(2, 2), (2, 3), (4, 1), (1, 6)])
+def test_small_axes_get_a_sound_picture(shape):
+    ax = np.ravel(Figure().subplots(*shape))[0]
+    sv.draw(TRIANGLES, 14, ax=ax)
+    (x0, x1), (y0, y1) = ax.get_xlim(), ax.get_ylim()
+    assert -15 < x0 < 0 and 8 < x1 < 30 and -20 < y0 < 1 and 5 < y1 < 25
+
+
+def test_threads_draw_the_same_bytes_and_leave_the_settings_alone():
+    pictures = [sv.picture(TRIANGLES, i) for i in range(8)]
+    before = matplotlib.rcParams.copy()
+    with ThreadPoolExecutor(4) as pool:
+        together = list(pool.map(lambda i: encode(pictures[i], "svg", stem=str(i)), range(8)))
+    assert together == [encode(pictures[i], "svg", stem=str(i)) for i in range(8)]
+    assert matplotlib.rcParams.copy() == before
+
+
+def test_a_title_with_control_characters_gives_a_sound_svg():
+    ET.fromstring(encode(sv.picture(TRIANGLES, 0, title="a\x00b\ud800"), "svg").decode())

@@ -289,6 +289,15 @@ LIES = {
     "text for number": lambda d: d["tests"][0].update(gap="1"),
     "too many tests": lambda d: d["tests"].extend(d["tests"] * 6),
     "complete": lambda d: (d.update(complete=True), d["tests"].pop(), d["axes"].pop()),
+    "all lengths": lambda d: [axis.update(length=axis["length"] / 10) for axis in d["axes"]],
+    "names": lambda d: d.update(names=["B", "A"]),
+    "odd names": lambda d: d.update(names=["\ud800", "B"]),
+    "world axis": lambda d: d["axes"][0].update(source={"kind": "world", "shape": None, "vertices": [0]}),
+    "unknown kind": lambda d: d["axes"][0]["source"].update(kind="guess"),
+    "one vertex twice": lambda d: d["axes"][0]["source"].update(vertices=[1, 1]),
+    "reason": lambda d: d.update(skipped=[{"axis": d["axes"][0], "reason": "parallel to axis 2"}]),
+    "fewer axes, complete": lambda d: (d["axes"].pop(3), d.update(complete=True)),
+    "tiny gap": lambda d: d["tests"][0].update(gap=-5e-324),
     "shape": lambda d: d["b"]["polygon"][0].__setitem__(0, 2.0),
     "null shape": lambda d: d.update(a=None),
     "format": lambda d: d.update(satviz="trace 2"),
@@ -336,3 +345,67 @@ def test_given_directions_are_taken_as_given(x, y, length):
 def test_record_refuses_what_is_no_shape():
     with pytest.raises(TypeError, match="b is a list: make it a satviz"):
         sv.record(A, [(0, 0)])
+
+
+def test_a_trace_rewritten_by_another_json_writer_is_still_true():
+    text = sv.record(A, B).to_json().replace(".0,", ",").replace(".0]", "]")
+    assert sv.Trace.from_json(text) == sv.record(A, B)
+
+
+def test_a_choice_of_ones_own_survives_json():
+    some = axes.edge_normals(A, B)._replace(complete=False)
+    trace = sv.record(A, B, axes=axes.Choice(some.axes[::2]), every_axis=True)
+    assert sv.Trace.from_json(trace.to_json()) == trace
+    trace = sv.record(A, B, axes=axes.directions((1, 2), (-3, 0.25)), every_axis=True)
+    assert sv.Trace.from_json(trace.to_json()) == trace
+
+
+HARD = [
+    # a pocket whose free wedge lies sideways; a tiny circle; rounding against a large outline
+    (sv.Polygon([(5, -1), (0, 1), (0, -1), (-2, 4), (-5, -3)]), sv.Circle((-0.9, 0.2), 0.3), 0.6986),
+    (sv.Polygon([(0, 1), (1, 3), (-5, 4), (4, -4)]), sv.Circle((-1.9, 2.2), 1e-7), 0.71419),
+    (
+        sv.Polygon([(-3, 1), (-4, 2), (-2, 4), (2, 3), (1, 1), (-3, -4)]),
+        sv.Circle((-1e-10, 4e-10), 2e-10),
+        0.156174,
+    ),
+    # just deep enough for the float filter, whose gap has five right digits only
+    (
+        sv.Polygon(
+            [
+                (0.33134916401791936, -0.943508204259309),
+                (0.9372193363989527, 0.3492565531593265),
+                (-0.33134916401791936, 0.943508204259309),
+            ]
+        ),
+        sv.Polygon(
+            [
+                (0.33134916512778495, -0.943508203869537),
+                (-0.3313491629080538, 0.943508204649081),
+                (-1.0097428727454139, -0.1427476526537444),
+            ]
+        ),
+        1.1763e-9,
+    ),
+]
+
+
+@pytest.mark.parametrize(("a", "b", "length"), HARD)
+def test_the_mtv_of_hard_scenes_is_there_ends_the_overlap_and_is_short(a, b, length):
+    trace = sv.record(a, b)
+    assert ends_overlap(a, b, trace.mtv) and hypot(*trace.mtv) == pytest.approx(length, rel=1e-4)
+    assert str(trace)
+
+
+@pytest.mark.parametrize("e", [-1060, -540, 0, 512, 1015])
+def test_a_concave_mtv_scales_with_the_scene(e):
+    s = 2.0**e
+    mtv = sv.record(sv.Polygon([(x * s, y * s) for x, y in L.vertices]), sv.Circle((2.25 * s, 2.25 * s), s)).mtv
+    assert mtv == pytest.approx((0.75 * s, 0.75 * s), rel=1e-3)
+
+
+def test_a_move_beyond_float64_is_none_and_said():
+    huge = box(-1.7e308, -1.7e308, 1.7e308, 1.7e308)
+    trace = sv.record(huge, sv.Polygon([(-1e308, -1e308), (1e308, -1e308), (0, 1e308)]))
+    assert trace.mtv is None and "No move" in trace.sentence and trace.certificate.check()
+    assert sv.Trace.from_json(trace.to_json()) == trace

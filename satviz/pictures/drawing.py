@@ -8,12 +8,12 @@ from collections.abc import Sequence
 from math import hypot
 
 from .. import telling
-from ..axes import CENTERS, EDGE, HULL, VERTEX, WORLD, centroid
+from ..axes import CENTERS, EDGE, HULL, VERTEX, WORLD
 from ..geometry import Interval, Vec
 from ..sat import AxisTest, Projection
-from ..shapes import Circle, Polygon, Shape
+from ..shapes import Circle, Polygon, Shape, centroid
 from ..trace import Trace
-from .labels import Request, holds, name_spots, with_labels
+from .labels import Request, holds, name_spots, short_name, with_labels
 from .layout import AxisPlace, Layout, moved
 from .marks import Mark, Picture
 
@@ -76,7 +76,7 @@ class Drawing:
             v = polygon.vertices[i]
             self.add(f"{name}.vertex.{i}", "dot", role, v)
             away = Vec(v.x - middle.x, v.y - middle.y)
-            text = telling.vertex_name(polygon, name, i)
+            text = short_name(polygon, name, i)
             self.label(
                 f"{name}.vertex.{i}.name", text, as_role or role, v, prefer=away, first=4, optional=True, steady=True
             )
@@ -92,7 +92,7 @@ class Drawing:
             self.add("edge", "segment", role, p, q, weight="strong")
             if told:
                 self.vertices(role, ids)
-                ends = [telling.vertex_name(polygon, name, i) for i in ids]
+                ends = [short_name(polygon, name, i) for i in ids]
                 middle = self.middle(p, q)
                 out = self.outward(polygon, p, q)
                 text = f"edge = {ends[0]} - {ends[1]} = {telling.vector(Vec(p.x - q.x, p.y - q.y))}"
@@ -196,7 +196,7 @@ class Drawing:
             return ""
         shown = telling.number(end)
         ids = [shape.corner_ids[i] for i, t in enumerate(side.landings) if telling.number(t) == shown]
-        return ", ".join(telling.vertex_name(shape, name, i) for i in sorted(ids))
+        return ", ".join(short_name(shape, name, i) for i in sorted(ids))
 
     def nearest_ends(self, side: Projection, place: AxisPlace) -> list[int]:
         """A lowest and a highest point; of several that land together the one nearest to the axis."""

@@ -5,15 +5,16 @@ from itertools import pairwise
 from math import cos, hypot, pi, sin
 from typing import NamedTuple
 
-from ..axes import centroid
+from .. import telling
 from ..geometry import Vec
-from ..shapes import Circle, Shape
+from ..shapes import Circle, Shape, centroid
 from .layout import Layout, moved, text_box
 from .marks import Limits, Mark
 from .theme import DOT
 
 Segment = tuple[Vec, Vec]
 
+LONGEST_NAME = 16  # letters
 RIM = 4.0  # points that a label keeps from the canvas's rim
 LEADER = 22.0  # points beyond which a label is tied to its anchor by a line
 
@@ -76,6 +77,12 @@ def _broken(mark: Mark, boxes: Sequence[tuple[Vec, tuple[float, float]]], layout
         box = center.x - w, center.y - h, center.x + w, center.y + h
         pieces = [rest for p, q in pieces for rest in _around(p, q, box)]
     return mark._replace(points=tuple(end for piece in pieces for end in piece))
+
+
+def short_name(shape: Shape, name: str, i: int) -> str:
+    """A vertex's name cut to what a picture has room for."""
+    text = telling.vertex_name(shape, name, i)
+    return text if len(text) <= LONGEST_NAME else f"{text[: LONGEST_NAME - 1]}\u2026"
 
 
 def name_spots(shape: Shape) -> list[Vec]:
@@ -158,7 +165,12 @@ class Board:
                 best, found = cost, spot
         if request.optional and best >= 300:
             return None
-        cx, cy = found
+        # what is too long for any spot stays on the canvas all the same
+        width, height = self.layout.size
+        cx, cy = (
+            min(max(found[0], w / 2 + RIM), width - w / 2 - RIM),
+            min(max(found[1], h / 2 + RIM), height - h / 2 - RIM),
+        )
         self.boxes.append((cx - w / 2 - 2, cy - h / 2 - 1, cx + w / 2 + 2, cy + h / 2 + 1))
         x0, y0, _, _ = self.layout.limits
         return Vec(x0 + cx / self.layout.scale, y0 + cy / self.layout.scale)

@@ -83,10 +83,24 @@ def arrange(
             f"a scene {size:.3g} across at ({x0:.3g}, {y0:.3g}) cannot be drawn in float64: "
             "move or scale it first (its trace is exact all the same)"
         )
-    scale = largest[0] / size / 2
     words = [text_box(f"B {telling.interval(r.interval)}")[0] for test in tests for r in (test.a, test.b)]
     label = min(max(words, default=0.0), 110.0)
-    for _ in range(6):
+    while True:
+        layout = _arranged(shapes, tests, together, largest, label)
+        if layout is not None:
+            return layout
+        # the room for labels is measured in points: too small a canvas is laid out larger and shown smaller
+        largest = largest[0] * 1.25, largest[1] * 1.25
+
+
+def _arranged(
+    shapes: Sequence[Shape], tests: Sequence[AxisTest], together: bool, largest: tuple[float, float], label: float
+) -> Layout | None:
+    """The layout on a canvas of that size at most; None if the shapes would be lost on it."""
+    x0, y0, x1, y1 = box_of(shapes)
+    size = max(x1 - x0, y1 - y0)
+    scale = start = min(largest) / size / 2
+    for _ in range(8):
         places = _places(shapes, tests, scale, together)
         ends = [place.at(t, role) for place in places for t in (place.lo, place.hi) for role in "AB"]
         for place in places:
@@ -97,6 +111,8 @@ def arrange(
         box = min(xs), min(ys), max(xs), max(ys)
         room = [(most - 2 * PAD) / (box[i + 2] - box[i]) for i, most in enumerate(largest)]
         scale = min(room)
+        if not scale > start / 2.5:
+            return None
     width = min(largest[0], max(LEAST_WIDTH, (box[2] - box[0]) * scale + 2 * PAD))
     height = min(largest[1], max(LEAST_HEIGHT, (box[3] - box[1]) * scale + 2 * PAD))
     width, height = round(width), round(height)

@@ -189,9 +189,9 @@ def draw_verdict(drawing: Drawing, places: Sequence[AxisPlace]) -> None:
 def draw_move(drawing: Drawing) -> None:
     """B where the MTV takes it, and the arrow of the move."""
     trace = drawing.trace
-    if trace.relation is not Relation.OVERLAPPING:
-        return
     move = trace.mtv
+    if trace.relation is not Relation.OVERLAPPING or move is None:
+        return
     ghost = shifted(trace.b, move)
     drawing.shape("B", f"{trace.names.b} moved", ghost, weight="faint", named=False)
     start = trace.certificate.point

@@ -7,16 +7,18 @@ overwritten unless asked.
 
 import io
 import os
-import tempfile
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
+from threading import RLock, get_ident
 from xml.sax.saxutils import escape
 
 import matplotlib
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from .. import telling
 from ..pictures import LIGHT, Picture, Theme
 from .pen import Pen
 
@@ -26,6 +28,7 @@ FORMATS = ("svg", "png", "pdf")
 DPI = 144  # of PNG and GIF: twice the canvas's points
 FRAME, LAST_FRAME = 1200, 4000  # milliseconds a step of a GIF stays
 
+_LOCK = RLock()
 _STYLE = {
     "svg.fonttype": "none",
     "font.family": ["sans-serif"],
@@ -41,16 +44,27 @@ def canvas(size: tuple[float, float], theme: Theme = LIGHT) -> tuple[Figure, Pen
     """A Figure of that size in points and a pen on it (no pyplot, nothing global)."""
     fig = Figure(figsize=(size[0] / 72, size[1] / 72), dpi=DPI)
     FigureCanvasAgg(fig)
-    return fig, Pen(fig.add_axes((0, 0, 1, 1)), theme)
+    fig.set_facecolor(theme.paper)
+    ax = fig.add_axes((0, 0, 1, 1))
+    pen = Pen(ax, theme)
+    ax.set_axis_off()
+    return fig, pen
+
+
+@contextmanager
+def _settings(more: dict) -> Iterator[None]:
+    """matplotlib's settings are the whole process's: one thread at a time changes and restores them."""
+    with _LOCK, matplotlib.rc_context({**_STYLE, **more}), warnings.catch_warnings():
+        # a letter the font lacks is a square in PNG and PDF; an SVG shows it where the reader has a font
+        warnings.filterwarnings("ignore", "Glyph .* missing")
+        yield
 
 
 def encode(picture: Picture, form: str, theme: Theme = LIGHT, *, stem: str = "picture") -> bytes:
     """The file of a picture: form "svg", "png" or "pdf"; `stem` seeds the ids in an SVG."""
-    title = picture.title or picture.sentence
+    title = telling.printable(picture.title or picture.sentence)
     out = io.BytesIO()
-    with matplotlib.rc_context({**_STYLE, "svg.hashsalt": stem}), warnings.catch_warnings():
-        # a letter the font lacks is a square in PNG and PDF; an SVG shows it where the reader has a font
-        warnings.filterwarnings("ignore", "Glyph .* missing")
+    with _settings({"svg.hashsalt": stem}):
         fig, pen = canvas(picture.size, theme)
         pen.draw(picture)
         if form == "png":
@@ -84,7 +98,7 @@ def animate(pictures: Sequence[Picture], theme: Theme = LIGHT) -> bytes:
     from PIL import Image
 
     frames = []
-    with matplotlib.rc_context(_STYLE):
+    with _settings({}):
         fig, pen = canvas(pictures[0].size, theme)
         for picture in pictures:
             pen.draw(picture)
@@ -103,26 +117,33 @@ def animate(pictures: Sequence[Picture], theme: Theme = LIGHT) -> bytes:
 
 def check(path: Path, *, force: bool = False) -> None:
     """FileExistsError for a file that satviz did not make, unless forced."""
-    if path.exists() and not force and not (path.is_file() and MADE_BY.encode() in path.read_bytes()):
+    if path.exists() and not force and not (path.is_file() and _ours(path)):
         raise FileExistsError(f"{path} was not made by satviz: choose another folder, or overwrite it with --force")
+
+
+def _ours(path: Path) -> bool:
+    """Does the file's own field for its maker name us?"""
+    with path.open("rb") as file:
+        head = file.read(1 << 16)
+        file.seek(max(0, os.fstat(file.fileno()).st_size - (1 << 16)))
+        tail = file.read(1 << 16)
+    mark = {
+        ".svg": b"<dc:title>" + MADE_BY.encode(),
+        ".png": b"Software\0" + MADE_BY.encode(),
+        ".pdf": b"/Creator (" + MADE_BY.encode(),
+    }.get(path.suffix, MADE_BY.encode())
+    return mark in head or mark in tail
 
 
 def write(path: Path, data: bytes, *, force: bool = False) -> None:
     """Put the bytes there in one go, or not at all; FileExistsError as `check`."""
     check(path, force=force)
     path.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    beside = path.with_name(f".{path.name}.{os.getpid()}-{get_ident()}.part")
     try:
-        with os.fdopen(handle, "wb") as file:
+        with beside.open("xb") as file:
             file.write(data)
-        os.chmod(name, 0o666 & ~_umask())
-        os.replace(name, path)
+        os.replace(beside, path)
     except BaseException:
-        os.unlink(name)
+        beside.unlink(missing_ok=True)
         raise
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

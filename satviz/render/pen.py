@@ -32,8 +32,9 @@ class Pen:
     def __init__(self, ax: "Axes", theme: look.Theme = look.LIGHT) -> None:
         self.ax = ax
         self.theme = theme
-        ax.set_axis_off()
-        ax.figure.set_facecolor(theme.paper)
+        ax.set_facecolor(theme.paper)
+        ax.set(xticks=[], yticks=[])
+        ax.spines[:].set_visible(False)
         self.fills = PathCollection([], linewidths=0, zorder=1)
         self.strokes = PathCollection([], facecolors="none", capstyle="butt", joinstyle="round", zorder=2)
         self.solids = PathCollection([], linewidths=0, zorder=3)
@@ -73,6 +74,11 @@ class Pen:
         self.strokes.set_linestyles([stroke[4] for stroke in strokes])
         self._write(labels, artists)
         return artists
+
+    def remove(self) -> None:
+        """Take everything drawn off the Axes."""
+        for artist in (self.fills, self.strokes, self.solids, *self.texts):
+            artist.remove()
 
     def _view(self, picture: Picture) -> None:
         x0, y0, x1, y1 = picture.limits
