@@ -37,12 +37,17 @@ __all__ = [
     "Vec",
     "__version__",
     "axes",
+    "batch",
     "relate",
     *_LATER,
 ]
 
 
 def __getattr__(name: str):
+    if name == "batch":
+        from importlib import import_module
+
+        return import_module("satviz.batch")
     if name not in _LATER:
         raise AttributeError(f"module 'satviz' has no attribute {name!r}")
     from importlib import import_module

@@ -16,6 +16,7 @@ FLOORS = [
     "shapes",
     "concave",
     "verdict",
+    "batch",
     "axes",
     "sat",
     "escape",

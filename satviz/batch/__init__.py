@@ -1,0 +1,18 @@
+"""Many pairs at once: exact like satviz.relate, near the machine's speed (loads NumPy)."""
+
+from .arrays import Circles, Polygons, Shapes, concat
+from .broad import candidate_pairs
+from .collide import colliding_pairs, stream_colliding_pairs
+from .narrow import hits, relate
+
+__all__ = [
+    "Circles",
+    "Polygons",
+    "Shapes",
+    "candidate_pairs",
+    "colliding_pairs",
+    "concat",
+    "hits",
+    "relate",
+    "stream_colliding_pairs",
+]

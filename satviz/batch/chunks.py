@@ -1,0 +1,72 @@
+"""Work cut into chunks and handed to any concurrent.futures.Executor; no scheduler of our own."""
+
+from collections import deque
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, Future
+from typing import Any
+
+CHUNK = 1 << 20  # pairs: large enough to hide what a hand-over costs, small enough to hold a few at once
+WAITING = 8  # chunks handed over and not yet fetched: what bounds the memory
+
+Job = Callable[[int, int], tuple[Callable, tuple]]
+
+
+class ChunkFailed(RuntimeError):
+    """A chunk of the work failed; `start` and `stop` are its range, the cause is chained."""
+
+    def __init__(self, start: int, stop: int, cause: BaseException) -> None:
+        super().__init__(f"items {start} to {stop - 1} failed: {type(cause).__name__}: {cause}")
+        self.start, self.stop = start, stop
+
+
+def in_chunks(
+    job: Job, n: int, executor: Executor | None, progress: Callable[[int, int], None] | None, size: int
+) -> Iterator[tuple[int, int, Any]]:
+    """(start, stop, result) for each chunk, in order; `job(start, stop)` gives a function and its arguments.
+
+    At most WAITING chunks are under way, so memory does not grow with n.  An
+    interrupt or a failed chunk cancels those not yet started.
+    """
+    if size < 1:
+        raise ValueError(f"chunk is {size}: it must be at least 1")
+    ranges = ((start, min(start + size, n)) for start in range(0, n, size))
+    waiting: deque[tuple[int, int, Future]] = deque()
+    try:
+        if executor is None:
+            for start, stop in ranges:
+                yield start, stop, _result(start, stop, job)
+                _tell(progress, stop, n)
+            return
+        for start, stop in ranges:
+            function, arguments = job(start, stop)
+            waiting.append((start, stop, executor.submit(function, *arguments)))
+            if len(waiting) >= WAITING:
+                yield _next(waiting, progress, n)
+        while waiting:
+            yield _next(waiting, progress, n)
+    finally:
+        for _, _, future in waiting:
+            future.cancel()
+
+
+def _result(start: int, stop: int, job: Job) -> Any:
+    function, arguments = job(start, stop)
+    try:
+        return function(*arguments)
+    except Exception as error:
+        raise ChunkFailed(start, stop, error) from error
+
+
+def _next(waiting: deque, progress: Callable[[int, int], None] | None, n: int) -> tuple[int, int, Any]:
+    start, stop, future = waiting.popleft()
+    try:
+        result = future.result()
+    except Exception as error:
+        raise ChunkFailed(start, stop, error) from error
+    _tell(progress, stop, n)
+    return start, stop, result
+
+
+def _tell(progress: Callable[[int, int], None] | None, done: int, total: int) -> None:
+    if progress is not None:
+        progress(done, total)

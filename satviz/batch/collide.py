@@ -1,0 +1,78 @@
+"""Which of many shapes collide: broad phase, then exact narrow phase; for a whole set or for a file in strips."""
+
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from .arrays import Polygons, Shapes
+from .broad import Pairs, candidate_blocks, in_order
+from .chunks import CHUNK
+from .narrow import hits
+
+STRIP = 1 << 19  # shapes a strip of a streamed file should hold
+
+
+def colliding_pairs(
+    shapes: Shapes,
+    *,
+    engine: str | None = None,
+    executor: Executor | None = None,
+    progress: Callable[[int, int], None] | None = None,
+    chunk: int = CHUNK,
+) -> Pairs:
+    """(K, 2) indices i < j, in order, of the shapes that share a point (touching counts).
+
+    Parts of one concave polygon count as their owner.  `engine`, `executor`,
+    `progress` (told of candidates done in each block) and `chunk`: as in `relate`.
+    """
+    found = []
+    parts = Shapes(shapes.groups, shapes.count, shapes.slot)
+    for pairs in candidate_blocks(parts.bounds):
+        if shapes.owner is not None:
+            owners = shapes.owner[pairs]
+            pairs = pairs[owners[:, 0] != owners[:, 1]]
+        hit = hits(parts, parts, pairs, engine=engine, executor=executor, progress=progress, chunk=chunk)
+        found.append(pairs[hit])
+    pairs = in_order(found)
+    if shapes.owner is not None:
+        pairs = np.unique(np.sort(shapes.owner[pairs], axis=1), axis=0)
+    return pairs
+
+
+def stream_colliding_pairs(
+    vertices: Any,
+    *,
+    engine: str | None = None,
+    executor: Executor | None = None,
+    progress: Callable[[int, int], None] | None = None,
+    strip: int = STRIP,
+) -> Iterator[Pairs]:
+    """The colliding pairs of an (N, V, 2) array too large for memory (np.load(..., mmap_mode="r")), a strip at a time.
+
+    The scene is cut into upright strips of about `strip` shapes each; every strip
+    reads the file once and holds only the shapes that reach into it.  A pair is
+    given once, by the strip where the later of the two begins.  Memory: a few
+    hundred bytes a shape of one strip, and 16 bytes a shape of the file for the x ranges.
+    """
+    n = len(vertices)
+    if not n:
+        return
+    low, high = np.empty(n), np.empty(n)
+    for start in range(0, n, strip):
+        x = np.asarray(vertices[start : start + strip, :, 0], dtype=np.float64)
+        low[start : start + strip], high[start : start + strip] = x.min(axis=1), x.max(axis=1)
+    count = -(-n // strip)
+    edges = np.concatenate([[-np.inf], np.quantile(low, np.arange(1, count) / count), [np.inf]])
+    edges = np.unique(edges)
+    for k, (left, right) in enumerate(pairwise(edges)):
+        ids = np.flatnonzero((low < right) & (high >= left))
+        if ids.size:
+            shapes = Polygons(np.asarray(vertices[ids], dtype=np.float64))
+            pairs = ids[colliding_pairs(shapes, engine=engine, executor=executor)]
+            begins = low[pairs].max(axis=1)
+            yield pairs[(begins >= left) & (begins < right)]
+        if progress is not None:
+            progress(k + 1, len(edges) - 1)

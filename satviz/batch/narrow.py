@@ -1,0 +1,184 @@
+"""relate and hits for many pairs: the filter in blocks, the exact twin for what it leaves undecided."""
+
+from collections.abc import Callable
+from concurrent.futures import Executor
+from functools import cache
+from importlib.util import find_spec
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..verdict import LEAST_ROOM, LOOK, MOST_ROOM
+from . import undecided
+from .arrays import Group, Shapes
+from .chunks import CHUNK, in_chunks
+from .filter_numpy import APART, UNDECIDED
+
+Relations = NDArray[np.int8]
+Indices = NDArray[np.intp]
+
+
+def relate(
+    a: Shapes,
+    b: Shapes,
+    pairs: Any = None,
+    *,
+    engine: str | None = None,
+    executor: Executor | None = None,
+    progress: Callable[[int, int], None] | None = None,
+    chunk: int = CHUNK,
+) -> Relations:
+    """The exact relation of each pair as int8: 0 apart, 1 touching, 2 overlapping (satviz.Relation's values).
+
+    Pairs are a[i] with b[i], one against many, or the rows (i, j) of `pairs`.
+    `engine`: "numpy" or "numba" (by default the best installed; the answers are the
+    same).  `executor`: any concurrent.futures.Executor; chunks of pairs come back in
+    order, `progress(done, total)` is told of each.  ValueError for lengths that do not
+    fit, IndexError for pairs out of range, ChunkFailed names the range that failed.
+    """
+    filter_of(engine)  # an engine that is not there is told of before the work starts
+    if pairs is not None:
+        ia, ib = _checked_pairs(pairs, len(a), len(b))
+    elif len(a) != len(b) and 1 not in (len(a), len(b)):
+        raise ValueError(f"{len(a)} shapes against {len(b)}: pass as many of both, or one against many")
+    else:
+        ia = ib = None
+    n = len(ia) if ia is not None else 0 if 0 in (len(a), len(b)) else max(len(a), len(b))
+    if a.owner is not None or b.owner is not None:
+        ia, ib = (np.arange(n) if i is None else i for i in (ia, ib))
+        return _relate_parts(a, b, ia % max(len(a), 1), ib % max(len(b), 1), engine)
+    out = np.empty(n, np.int8)
+
+    def job(start: int, stop: int) -> tuple:
+        if ia is not None:
+            return _relate_some, (*_picked(a, ia[start:stop]), *_picked(b, ib[start:stop]), engine)
+        mine, theirs = (s if len(s) == 1 else s[start:stop] for s in (a, b))
+        return _relate_some, (mine, None, theirs, None, engine)
+
+    if executor is None and ia is not None:  # no need to copy the shapes of a chunk out
+
+        def job(start: int, stop: int) -> tuple:
+            return _relate_some, (a, ia[start:stop], b, ib[start:stop], engine)
+
+    for start, stop, found in in_chunks(job, n, executor, progress, chunk):
+        out[start:stop] = found
+    return out
+
+
+def hits(a: Shapes, b: Shapes, pairs: Any = None, **options: Any) -> NDArray[np.bool_]:
+    """Which pairs share a point (touching counts); the arguments of `relate`."""
+    return relate(a, b, pairs, **options) != APART
+
+
+@cache
+def filter_of(engine: str | None) -> ModuleType:
+    """The module with the float filter; numba is imported here and nowhere else."""
+    if engine is None:
+        engine = "numba" if find_spec("numba") else "numpy"
+    if engine == "numpy":
+        from . import filter_numpy
+
+        return filter_numpy
+    if engine == "numba":
+        try:
+            from . import filter_numba
+        except ImportError as error:
+            raise ImportError('engine "numba" needs the extra: pip install "satviz[fast]"') from error
+        return filter_numba
+    raise ValueError(f'engine is {engine!r}: choose "numpy" or "numba"')
+
+
+def _checked_pairs(pairs: Any, na: int, nb: int) -> tuple[Indices, Indices]:
+    pairs = np.asarray(pairs)
+    if pairs.ndim != 2 or pairs.shape[1] != 2 or (pairs.size and pairs.dtype.kind not in "iu"):
+        raise ValueError(f"pairs has the shape {pairs.shape} of {pairs.dtype}: expected (K, 2) integers")
+    pairs = pairs.astype(np.intp, copy=False)
+    if pairs.size and (pairs.min() < 0 or pairs[:, 0].max() >= na or pairs[:, 1].max() >= nb):
+        raise IndexError(f"pairs name shapes outside 0 to {na - 1} and 0 to {nb - 1}")
+    return pairs[:, 0], pairs[:, 1]
+
+
+def _picked(shapes: Shapes, indices: Indices) -> tuple[Shapes, Indices]:
+    """Only the shapes that a chunk needs, to send elsewhere, and the indices into them."""
+    used, where = np.unique(indices, return_inverse=True)
+    return shapes[used], where
+
+
+def _relate_parts(a: Shapes, b: Shapes, ia: Indices, ib: Indices, engine: str | None) -> Relations:
+    """Pairs of owners: the most of what their parts do."""
+    starts, counts = [], []
+    for shapes, indices in ((a, ia), (b, ib)):
+        owner = np.arange(len(shapes.count)) if shapes.owner is None else shapes.owner
+        first = np.searchsorted(owner, indices)
+        starts.append(first)
+        counts.append(np.searchsorted(owner, indices, side="right") - first)
+    each = counts[0] * counts[1]
+    of = np.repeat(np.arange(len(ia)), each)
+    rank = np.arange(len(of)) - np.repeat(np.cumsum(each) - each, each)
+    pa = starts[0][of] + rank // counts[1][of]
+    pb = starts[1][of] + rank % counts[1][of]
+    found = _relate_some(Shapes(a.groups, a.count, a.slot), pa, Shapes(b.groups, b.count, b.slot), pb, engine)
+    out = np.zeros(len(ia), np.int8)
+    np.maximum.at(out, of, found)
+    return out
+
+
+def _relate_some(a: Shapes, ia: Indices | None, b: Shapes, ib: Indices | None, engine: str | None) -> Relations:
+    """One chunk of pairs, group by group, block by block."""
+    kernels = filter_of(engine)
+    n = len(ia) if ia is not None else 0 if 0 in (len(a), len(b)) else max(len(a), len(b))
+    out = np.empty(n, np.int8)
+    one, other = a.uniform, b.uniform
+    straight = ia is None and len(a) == len(b)
+    if one and other and straight:
+        for start in range(0, n, kernels.BLOCK):
+            part = slice(start, start + kernels.BLOCK)
+            _relate_block(kernels, _columns(one, part), _columns(other, part), out[part])
+        return out
+    ia = np.broadcast_to(np.arange(len(a)), n) if ia is None else ia
+    ib = np.broadcast_to(np.arange(len(b)), n) if ib is None else ib
+    key = a.count[ia] * (1 << 32) + b.count[ib]
+    for kind in np.unique(key).tolist() if len(a.groups) * len(b.groups) > 1 else key[:1].tolist():
+        mine = np.flatnonzero(key == kind) if len(a.groups) * len(b.groups) > 1 else np.arange(n)
+        one, other = a.groups[kind >> 32], b.groups[kind & 0xFFFFFFFF]
+        for start in range(0, len(mine), BLOCK_OF_PICKED):
+            part = mine[start : start + BLOCK_OF_PICKED]
+            found = np.empty(len(part), np.int8)
+            _relate_block(kernels, _columns(one, a.slot[ia[part]]), _columns(other, b.slot[ib[part]]), found)
+            out[part] = found
+    return out
+
+
+BLOCK_OF_PICKED = 16384  # picked columns are copied first: the copies stay in the cache
+
+
+def _columns(group: Group, where: Any) -> Group:
+    r = None if group.r is None else group.r[where]
+    return group._replace(x=group.x[:, where], y=group.y[:, where], r=r)
+
+
+def _relate_block(kernels: ModuleType, a: Group, b: Group, out: Relations) -> None:
+    """Filter one block of one kind of pair, then decide the rest exactly."""
+    with np.errstate(all="ignore"):
+        if a.r is not None and b.r is not None:
+            columns = a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r
+            kernels.circles(*columns, out)
+            decide = undecided.circles
+        elif a.r is not None or b.r is not None:
+            circle, polygon = (a, b) if a.r is not None else (b, a)
+            columns = circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y
+            kernels.circle_polygons(*columns, out)
+            decide = undecided.circle_polygons
+        else:
+            columns = a.x, a.y, b.x, b.y
+            room = (a.span + b.span) * (a.reach + b.reach) * LOOK
+            if LEAST_ROOM < room < MOST_ROOM:
+                kernels.polygons(*columns, room, out)
+            else:
+                out.fill(UNDECIDED)
+            decide = undecided.polygons
+    rest = np.flatnonzero(out == UNDECIDED)
+    if rest.size:
+        out[rest] = decide(*(c[..., rest] for c in columns))

@@ -1,0 +1,355 @@
+"""Many pairs at once: the same answers as one by one, whatever the engine, the layout and the executor."""
+
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from fractions import Fraction
+
+import numpy as np
+import oracle
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from pairs import pairs
+
+import satviz as sv
+from satviz import batch
+from satviz.batch import signs
+from satviz.batch.chunks import ChunkFailed
+
+ENGINES = ["numpy", "numba"]
+RNG = np.random.default_rng
+
+
+def ngons(rng, n, v, spread=1.5):
+    center = rng.uniform(-spread, spread, (n, 1, 2))
+    turns = np.sort(rng.uniform(0, 2 * np.pi, (n, v)), axis=1)
+    return center + np.stack([np.cos(turns), np.sin(turns)], axis=2)
+
+
+def circles(rng, n, spread=2.0):
+    return batch.Circles(rng.uniform(-spread, spread, (n, 2)), rng.uniform(0.1, 1, n))
+
+
+def scalar(shapes):
+    """The same shapes one by one."""
+    found = []
+    for v, slot in zip(shapes.count.tolist(), shapes.slot.tolist()):
+        group = shapes.groups[v]
+        x, y = group.x[:, slot], group.y[:, slot]
+        found.append(sv.Circle((x[0], y[0]), group.r[slot]) if v == 1 else sv.Polygon(np.stack([x, y], axis=1)))
+    return found
+
+
+def one_by_one(a, b):
+    return [sv.relate(p, q) for p, q in zip(scalar(a), scalar(b))]
+
+
+def batches_of(known):
+    """Scalar convex shapes as one mixed batch, in order."""
+    return batch.concat(
+        [batch.Circles([s.center], [s.radius]) if isinstance(s, sv.Circle) else batch.Polygons([s]) for s in known]
+    )
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("kinds", ["33", "44", "88", "34", "38", "57", "11", "13", "81", "19"])
+def test_batch_gives_the_scalar_answers(engine, kinds):
+    rng = RNG(int(kinds))
+    a, b = (circles(rng, 300) if k == "1" else batch.Polygons(ngons(rng, 300, int(k))) for k in kinds)
+    found = batch.relate(a, b, engine=engine)
+    assert found.dtype == np.int8 and found.tolist() == one_by_one(a, b)
+    assert 0 < (found > 0).sum() < 300
+    assert batch.hits(a, b, engine=engine).tolist() == (found > 0).tolist()
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_batch_is_never_wrong_on_the_adversarial_pairs(engine):
+    known = [(a, b) for _, a, b in pairs(seed=9, count=26 * 40)]
+    a, b = (batches_of([pair[i] for pair in known]) for i in (0, 1))
+    found = batch.relate(a, b, engine=engine)
+    wrong = [(p, q, r) for (p, q), r in zip(known, found) if r != oracle.relation(p, q)]
+    assert not wrong, wrong[:2]
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_million_random_pairs_agree_with_relate(engine, request):
+    if "full" not in request.config.option.markexpr:
+        pytest.skip("a long run: ask for it with -m full")
+    rng = RNG(1)
+    for v, w in ((3, 3), (4, 4), (8, 8), (1, 3), (1, 1)):
+        a, b = (circles(rng, 200_000) if k == 1 else batch.Polygons(ngons(rng, 200_000, k)) for k in (v, w))
+        assert batch.relate(a, b, engine=engine).tolist() == one_by_one(a, b)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_touching_boxes_and_circles_touch(engine):
+    boxes = batch.Polygons(np.array([[[0, 0], [1, 0], [1, 1], [0, 1]], [[1, 0], [2, 0], [2, 1], [1, 1]]] * 2))
+    assert batch.relate(boxes[:2], boxes[1:3], engine=engine).tolist() == [1, 1]
+    coins = batch.Circles([(0, 0), (3, 4)], [1, 4])
+    assert batch.relate(coins[:1], coins[1:], engine=engine).tolist() == [1]
+    assert batch.relate(boxes[:1], batch.Circles([(4, 5)], [5]), engine=engine).tolist() == [1]  # 3-4-5 off a corner
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_one_against_many_and_pairs_by_index(engine):
+    rng = RNG(3)
+    many = batch.concat([batch.Polygons(ngons(rng, 40, 3)), circles(rng, 30), batch.Polygons(ngons(rng, 30, 6))])
+    one = many[:1]
+    shapes = scalar(many)
+    expected = [sv.relate(shapes[0], s) for s in shapes]
+    assert batch.relate(one, many, engine=engine).tolist() == expected
+    assert batch.relate(many, one, engine=engine).tolist() == expected
+    index = rng.integers(0, 100, (500, 2))
+    found = batch.relate(many, many, index, engine=engine)
+    assert found.tolist() == [sv.relate(shapes[i], shapes[j]) for i, j in index]
+
+
+def test_lengths_and_indices_that_do_not_fit_are_refused():
+    three, two = batch.Circles(np.zeros((3, 2)), 1), batch.Circles(np.zeros((2, 2)), 1)
+    with pytest.raises(ValueError, match="3 shapes against 2"):
+        batch.relate(three, two)
+    with pytest.raises(IndexError, match="outside 0 to 2"):
+        batch.relate(three, three, [(0, 3)])
+    with pytest.raises(ValueError, match="expected \\(K, 2\\)"):
+        batch.relate(three, three, [0, 1])
+    with pytest.raises(ValueError, match="engine is 'cuda'"):
+        batch.relate(three, three, engine="cuda")
+    assert batch.relate(three[:0], three[:0]).tolist() == [] == batch.relate(three[:1], three[:0]).tolist()
+
+
+def test_either_winding_repeats_and_straight_on_vertices_are_taken():
+    square = [(0, 0), (2, 0), (2, 2), (0, 2)]
+    rings = [square[::-1], [*square, square[0]], [(0, 0), (1, 0), (2, 0), (2, 2), (0, 2)], [(0, 0), *square]]
+    shapes = batch.Polygons(rings)
+    assert shapes.count.tolist() == [4] * 4
+    assert batch.relate(shapes, batch.Circles([(3, 1)], [1])).tolist() == [1] * 4
+
+
+def test_a_concave_polygon_is_refused_or_split_with_its_owner():
+    ell = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
+    box = [(2.5, 2.5), (3.5, 2.5), (3.5, 3.5), (2.5, 3.5)]
+    with pytest.raises(sv.InvalidShape, match="polygon 1 is not convex"):
+        batch.Polygons([box, ell])
+    shapes = batch.Polygons([box, ell, box], concave="split")
+    assert len(shapes) == 3 and shapes.owner.tolist() == [0, 1, 1, 2]
+    coins = batch.Circles([(3, 3), (3, 3), (9, 9)], [0.1, 0.9, 1])
+    assert batch.relate(shapes, coins).tolist() == [2, 0, 0]
+    assert batch.colliding_pairs(shapes).tolist() == [[0, 2]]
+
+
+@pytest.mark.parametrize(
+    ("vertices", "words"),
+    [
+        (np.zeros((2, 3)), "expected \\(N, V, 2\\)"),
+        (np.array([[[0, 0], [1, 0], [np.nan, 1]]]), "vertices\\[0, 2, 0\\] is nan"),
+        (np.array([[[0, 0], [1, 0], [2**53 + 1, 1]]]), "integers that float64 cannot"),
+        (np.array([[[0, 0], [1, 1j], [1, 1]]]), "complex128"),
+        (np.ma.masked_less(np.array([[[0, 0], [1, 0], [0, 1]]]), 1), "masked"),
+        ([[(0, 0), (1, 0), (0, 1)], [(0, 0), (2, 2), (2, 0), (0, 2)]], "polygon 1: edges 0 and 2 cross"),
+        ([[(0, 0), (1, 1), (2, 2)]], "polygon 0: all vertices lie on one line"),
+        ([[(0, 0), (1, 1)]], "polygon 0 has the shape"),
+    ],
+)
+def test_bad_polygons_are_refused_by_number(vertices, words):
+    with pytest.raises(sv.InvalidShape, match=words):
+        batch.Polygons(vertices)
+
+
+def test_bad_circles_are_refused_by_number():
+    for centers, radii, words in (
+        ([(0, 0), (1, 1)], [1, 0], "circle 1 has radius 0"),
+        ([(0, 0), (1, np.inf)], 1, "centers\\[1, 1\\] is inf"),
+        ([0, 1], 1, "expected \\(N, 2\\)"),
+    ):
+        with pytest.raises(sv.InvalidShape, match=words):
+            batch.Circles(centers, radii)
+
+
+def test_a_pentagram_is_not_convex_though_it_turns_left_everywhere():
+    turns = 4 * np.pi * np.arange(5) / 5
+    with pytest.raises(sv.InvalidShape, match="cross"):
+        batch.Polygons([np.stack([np.cos(turns), np.sin(turns)], axis=1)])
+
+
+@given(st.lists(st.tuples(*[st.integers(-3, 3)] * 6), min_size=1, max_size=20), st.integers(-60, 60))
+@settings(max_examples=80, deadline=None)
+def test_turns_are_exact(points, e):
+    cols = np.array(points, dtype=float).T * 2.0**e
+    nudged = np.nextafter(cols, np.inf)
+    for c in (cols, nudged, np.where(cols == 0, 1e-300, cols)):
+        found = signs.orient(*c)
+        for i, value in enumerate(found):
+            px, py, qx, qy, rx, ry = map(Fraction, c[:, i])
+            det = (qx - px) * (ry - py) - (qy - py) * (rx - px)
+            assert value == (det > 0) - (det < 0)
+
+
+# -- broad phase
+
+
+def brute(bounds):
+    i, j = np.triu_indices(len(bounds), 1)
+    p, q = bounds[i], bounds[j]
+    return np.stack([i, j], axis=1)[((p[:, :2] <= q[:, 2:]) & (q[:, :2] <= p[:, 2:])).all(axis=1)]
+
+
+def layouts(n, rng):
+    at, size = rng.uniform(0, np.sqrt(n) * 1.5, (n, 2)), rng.uniform(0.3, 1, (n, 2))
+    yield "even", at, size
+    yield "whole numbers", np.floor(at), np.ceil(size)
+    yield "thousandfold sizes", at * 6, 10 ** rng.uniform(-1.5, 1.5, (n, 1)) * size
+    large = size.copy()
+    large[0] = 1000
+    yield "one large", at, large
+    yield "one cell", np.r_[[[0.0, 0.0]], rng.uniform(0, 1e-3, (n - 1, 2))], np.r_[[[1.0, 1.0]], size[1:] * 1e-6]
+    yield "all meet", at * 1e-9, size
+    stack = np.c_[np.zeros(n), np.arange(n) * 0.01]
+    yield "needles", stack, np.tile([1000.0, 0.005], (n, 1))
+    yield (
+        "crossed needles",
+        np.r_[stack[::2], stack[1::2, ::-1] - [0, 5]],
+        np.r_[np.tile([1000.0, 0.005], (len(stack[::2]), 1)), np.tile([0.005, 1000.0], (len(stack[1::2]), 1))],
+    )
+    yield "range of 1e300", rng.uniform(-1, 1, (n, 2)) * 1e300, size * 1e300 / np.sqrt(n)
+    yield "one at 1e300", np.r_[[[1e300, -1e300]], at[1:]], np.r_[[[1e285, 1e285]], size[1:]]
+    yield "every scale", (wide := 10 ** rng.uniform(-300, 300, (n, 2))), wide * rng.uniform(0.01, 0.1, (n, 2))
+    yield "points", np.floor(at), np.zeros((n, 2))
+
+
+@pytest.mark.parametrize("n", [2, 300])
+def test_candidate_pairs_are_the_boxes_that_meet_in_every_layout(n):
+    for name, at, size in layouts(n, RNG(n)):
+        bounds = np.c_[at, at + size]
+        assert np.array_equal(batch.candidate_pairs(bounds), brute(bounds)), name
+
+
+def test_candidate_pairs_of_little_or_bad_input():
+    assert batch.candidate_pairs(np.empty((0, 4))).shape == (0, 2)
+    assert batch.candidate_pairs([[0, 0, 1, 1]]).shape == (0, 2)
+    for bad, words in (
+        ([[0, 0, 1]], "expected \\(N, 4\\)"),
+        ([[0, 0, -1, 1]], "bounds\\[0\\]"),
+        ([[0, 0, 1, np.nan]], "0"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            batch.candidate_pairs(bad)
+
+
+def test_the_looks_of_the_grid_grow_like_shapes_and_pairs(monkeypatch):
+    from satviz.batch import broad
+
+    looked = []
+    met = broad._met
+
+    def counted(bounds, queries, stored, first, last):
+        looked.append(int(np.maximum(last - first, 0).sum()))
+        return met(bounds, queries, stored, first, last)
+
+    monkeypatch.setattr(broad, "_met", counted)
+    for name, at, size in layouts(3000, RNG(5)):
+        if name == "every scale":  # 600 decades of sizes: as many size classes as shapes
+            continue
+        looked.clear()
+        found = len(batch.candidate_pairs(np.c_[at, at + size]))
+        assert sum(looked) <= 60 * (3000 + found), (name, sum(looked), found)
+
+
+def test_colliding_pairs_are_those_of_every_pair():
+    rng = RNG(8)
+    shapes = batch.concat(
+        [batch.Polygons(ngons(rng, 60, 3, 8)), circles(rng, 40, 8), batch.Polygons(ngons(rng, 30, 7, 8))]
+    )
+    known = scalar(shapes)
+    expected = [(i, j) for i in range(130) for j in range(i + 1, 130) if sv.relate(known[i], known[j])]
+    assert batch.colliding_pairs(shapes).tolist() == [list(p) for p in expected]
+
+
+# -- executors
+
+
+def run_with(executor, **more):
+    rng = RNG(4)
+    a, b = batch.Polygons(ngons(rng, 5000, 3)), batch.Polygons(ngons(rng, 5000, 4))
+    index = rng.integers(0, 5000, (7000, 2))
+    done = []
+    found = batch.relate(a, b, executor=executor, chunk=900, progress=lambda *at: done.append(at), **more)
+    assert found.tolist() == batch.relate(a, b).tolist()
+    assert done == [(min(k, 5000), 5000) for k in range(900, 5401, 900)]
+    assert batch.relate(a, b, index, executor=executor, chunk=900).tolist() == batch.relate(a, b, index).tolist()
+    assert (
+        batch.colliding_pairs(a[:500], executor=executor, chunk=5000).tolist()
+        == batch.colliding_pairs(a[:500]).tolist()
+    )
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_threads_give_the_same_in_order(engine):
+    with ThreadPoolExecutor(2) as pool:
+        run_with(pool, engine=engine)
+
+
+def test_processes_give_the_same_in_order():
+    with ProcessPoolExecutor(2) as pool:
+        run_with(pool, engine="numpy")
+
+
+def test_a_dask_cluster_of_two_workers_gives_the_same_in_order(tmp_path):
+    distributed = pytest.importorskip("distributed", reason="the extra `cluster` is not installed")
+    import dask
+
+    dask.config.set({"temporary_directory": str(tmp_path)})
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        run_with(client.get_executor(), engine="numpy")
+
+
+class Failing(ThreadPoolExecutor):
+    """Fails the third piece of work."""
+
+    count = 0
+
+    def submit(self, function, *args):
+        self.count += 1
+        return super().submit(int, "no") if self.count == 3 else super().submit(function, *args)
+
+
+def test_a_failed_chunk_names_its_range():
+    a = batch.Polygons(ngons(RNG(1), 1000, 3))
+    with Failing(1) as pool, pytest.raises(ChunkFailed, match="items 200 to 299 failed: ValueError") as failed:
+        batch.relate(a, a, executor=pool, chunk=100)
+    assert (failed.value.start, failed.value.stop) == (200, 300)
+
+
+def test_an_interrupt_stops_the_work():
+    a = batch.Polygons(ngons(RNG(1), 1000, 3))
+
+    def stop(done, total):
+        raise KeyboardInterrupt
+
+    with ThreadPoolExecutor(1) as pool, pytest.raises(KeyboardInterrupt):
+        batch.relate(a, a, executor=pool, chunk=10, progress=stop)
+
+
+# -- streams
+
+
+def test_a_file_in_strips_gives_each_pair_once(tmp_path):
+    rings = ngons(RNG(6), 4000, 3, spread=60)
+    np.save(tmp_path / "rings.npy", rings)
+    mapped = np.load(tmp_path / "rings.npy", mmap_mode="r")
+    told = []
+    found = np.concatenate(list(batch.stream_colliding_pairs(mapped, strip=700, progress=lambda *at: told.append(at))))
+    expected = batch.colliding_pairs(batch.Polygons(rings))
+    assert sorted(map(tuple, found.tolist())) == [tuple(p) for p in expected.tolist()]
+    assert told[-1] == (6, 6)
+    assert list(batch.stream_colliding_pairs(rings[:0])) == []
+
+
+def test_memory_mapped_arrays_are_taken_and_left_alone(tmp_path):
+    rings = ngons(RNG(2), 50, 4)[:, ::-1]
+    np.save(tmp_path / "rings.npy", rings)
+    shapes = batch.Polygons(np.load(tmp_path / "rings.npy", mmap_mode="r"))
+    assert one_by_one(shapes, shapes) == [2] * 50
+    assert np.array_equal(np.load(tmp_path / "rings.npy"), rings)
