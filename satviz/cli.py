@@ -73,9 +73,27 @@ def _parser() -> argparse.ArgumentParser:
     )
     draw.set_defaults(run=_draw)
 
+    bench = commands.add_parser("bench", help="time satviz beside its peers and count the wrong answers of each")
+    bench.add_argument(
+        "--pairs", type=_count, default=100_000, metavar="N", help="pairs a workload, boxes a layout (default: 100000)"
+    )
+    bench.add_argument(
+        "--rounds", type=_count, default=9, metavar="N", help="rounds to take the median of (default: 9)"
+    )
+    bench.add_argument("--seed", type=int, default=1, metavar="N", help="of the random pairs (default: 1)")
+    bench.add_argument("--json", action="store_true", help="print the figures, the machine and the versions as JSON")
+    bench.set_defaults(run=_bench)
+
     scenes = commands.add_parser("scenes", help="list the built-in scenes")
     scenes.set_defaults(run=_scenes)
     return parser
+
+
+def _count(text: str) -> int:
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not a positive number")
+    return value
 
 
 def _scene(parser: argparse.ArgumentParser) -> None:
@@ -189,6 +207,32 @@ def _progress(paths: Sequence[Path]) -> Iterator[Path]:
 def _trace(args: argparse.Namespace) -> int:
     trace = _load(args).record()
     print(trace.to_json(indent=1) if args.json else trace)
+    return 0
+
+
+def _bench(args: argparse.Namespace) -> int:
+    import json
+
+    from tqdm import tqdm
+
+    from .study.bench import bench, bench_broad, broad_table, machine, missing, table, when_numba_pays
+
+    shown = {"unit": "method", "disable": None, "leave": False}
+    rows = list(tqdm(bench(args.pairs, args.rounds, args.seed), **shown))
+    sizes = tuple(args.pairs // k for k in (100, 10, 1) if args.pairs // k > 1)
+    broad = list(tqdm(bench_broad(sizes, args.rounds, args.seed), **shown)) if len(sizes) > 1 else []
+    if args.json:
+        figures = {"narrow": [row._asdict() for row in rows], "broad": [row._asdict() for row in broad]}
+        print(json.dumps({"machine": machine(), "missing": missing(), "pairs": args.pairs, **figures}, indent=1))
+        return 0
+    print(table(rows))
+    if broad:
+        print(broad_table(broad), end="\n\n")
+    if "numba" not in missing():
+        print(when_numba_pays(rows))
+    if missing():
+        print(f"not installed, so left out: {', '.join(missing())}")
+    print(", ".join(f"{name} {what}" for name, what in machine().items()))
     return 0
 
 

@@ -29,6 +29,7 @@ FLOORS = [
     "scenes",
     "pictures",
     "render",
+    "study",
     "cli",
 ]
 # the doors that open upward, at call time only

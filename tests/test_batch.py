@@ -4,7 +4,6 @@ from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from fractions import Fraction
 
 import numpy as np
-import oracle
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -14,6 +13,7 @@ import satviz as sv
 from satviz import batch
 from satviz.batch import signs
 from satviz.batch.chunks import ChunkFailed
+from satviz.study import truth as oracle
 
 ENGINES = ["numpy", "numba"]
 RNG = np.random.default_rng

@@ -9,7 +9,6 @@ from fractions import Fraction
 from itertools import combinations
 from random import Random
 
-import oracle
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
@@ -17,6 +16,7 @@ from hypothesis import strategies as st
 from satviz.concave import parts
 from satviz.geometry import InvalidShape, Relation
 from satviz.shapes import Circle, Polygon
+from satviz.study import truth as oracle
 from satviz.verdict import relate
 
 APART, TOUCHING, OVERLAPPING = Relation

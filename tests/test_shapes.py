@@ -10,7 +10,6 @@ from fractions import Fraction
 from random import Random
 
 import numpy as np
-import oracle
 import pytest
 import shapely
 import shapely.geometry
@@ -19,6 +18,7 @@ from hypothesis import strategies as st
 
 from satviz.geometry import InvalidShape
 from satviz.shapes import Circle, Polygon
+from satviz.study import truth as oracle
 
 often = settings(max_examples=200, deadline=None, database=None)
 

@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from random import Random
 
-import oracle
 import pytest
 import shapely
 from hypothesis import assume, given, settings
@@ -16,6 +15,7 @@ from pairs import BASIC, KINDS, NotConvex, convex, dress, hull, nudged, pairs, r
 from satviz import verdict
 from satviz.geometry import InvalidShape, Relation
 from satviz.shapes import Circle, Polygon, Shape
+from satviz.study import truth as oracle
 from satviz.trace import record
 from satviz.verdict import relate
 

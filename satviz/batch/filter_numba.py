@@ -1,5 +1,8 @@
 """The same filter compiled with numba: vectorised over pairs, the GIL released, cached on disk.
 
+Arrays come whole, with the first column to look at: a slice of them has rows that the
+compiler cannot know to be without gaps, and then it does not vectorise.
+
 Loops over corners are unrolled by the compiler where their number is a constant
 (3 and 4 corners), written out for 8, and taken four at a time otherwise.
 """
@@ -17,15 +20,15 @@ TILE = 128  # pairs whose columns stay in the first-level cache between edges
 _OPTIONS = {"nogil": True, "cache": True, "error_model": "numpy"}
 
 
-def polygons(ax, ay, bx, by, room: float, out) -> None:
+def polygons(ax, ay, bx, by, first: int, room: float, out) -> None:
     """(Va, n) and (Vb, n) corners: APART where an edge has the other shape beyond it by more than room."""
     a, b = len(ax), len(bx)
     if a <= 4 and b <= 4:
-        _unrolled(a, b)(ax, ay, bx, by, room, out)
+        _unrolled(a, b)(ax, ay, bx, by, first, room, out)
     elif a == b == 8:
-        _eight(ax, ay, bx, by, room, out)
+        _eight(ax, ay, bx, by, first, room, out)
     else:
-        _general(ax, ay, bx, by, room, out)
+        _general(ax, ay, bx, by, first, room, out)
 
 
 @cache
@@ -33,8 +36,9 @@ def _unrolled(va: int, vb: int):
     """A kernel for fixed numbers of corners: the compiler unrolls its inner loops and vectorises over pairs."""
 
     @njit(**_OPTIONS)
-    def kernel(ax, ay, bx, by, room, out):
-        for i in range(out.size):
+    def kernel(ax, ay, bx, by, first, room, out):
+        for k in range(out.size):
+            i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end
             best = -np.inf
             for e in range(va):
                 f = (e + 1) % va
@@ -52,20 +56,20 @@ def _unrolled(va: int, vb: int):
                 for v in range(va):
                     least = min(least, nx * ax[v, i] + ny * ay[v, i])
                 best = max(best, least - (nx * px + ny * py))
-            out[i] = APART if best > room else OVERLAPPING if best < -room else UNDECIDED
+            out[k] = APART if best > room else OVERLAPPING if best < -room else UNDECIDED
 
     return kernel
 
 
 @njit(**_OPTIONS)
-def _eight(ax, ay, bx, by, room, out):
+def _eight(ax, ay, bx, by, first, room, out):
     best = np.empty(TILE)
     for start in range(0, out.size, TILE):
         n = min(TILE, out.size - start)
         for i in range(n):
             best[i] = -np.inf
-        _edges_of_eight(ax, ay, bx, by, start, n, best)
-        _edges_of_eight(bx, by, ax, ay, start, n, best)
+        _edges_of_eight(ax, ay, bx, by, first + start, n, best)
+        _edges_of_eight(bx, by, ax, ay, first + start, n, best)
         for i in range(n):
             out[start + i] = APART if best[i] > room else OVERLAPPING if best[i] < -room else UNDECIDED
 
@@ -108,14 +112,14 @@ def _edges_of_eight(x, y, px, py, s, n, best):
 
 
 @njit(**_OPTIONS)
-def _general(ax, ay, bx, by, room, out):
+def _general(ax, ay, bx, by, first, room, out):
     best, least, nx, ny = np.empty(TILE), np.empty(TILE), np.empty(TILE), np.empty(TILE)
     for start in range(0, out.size, TILE):
         n = min(TILE, out.size - start)
         for i in range(n):
             best[i] = -np.inf
-        _edges(ax, ay, bx, by, start, n, best, least, nx, ny)
-        _edges(bx, by, ax, ay, start, n, best, least, nx, ny)
+        _edges(ax, ay, bx, by, first + start, n, best, least, nx, ny)
+        _edges(bx, by, ax, ay, first + start, n, best, least, nx, ny)
         for i in range(n):
             out[start + i] = APART if best[i] > room else OVERLAPPING if best[i] < -room else UNDECIDED
 
@@ -150,29 +154,31 @@ def _edges(x, y, px, py, s, n, best, least, nx, ny):
 
 
 @njit(**_OPTIONS)
-def circles(ax, ay, ar, bx, by, br, out):
+def circles(ax, ay, ar, bx, by, br, first, out):
     """Distance against the sum of radii, squared."""
-    for i in range(out.size):
+    for k in range(out.size):
+        i = np.uintp(first + k)
         dx, dy, reach = ax[i] - bx[i], ay[i] - by[i], ar[i] + br[i]
         distance, reach = dx * dx + dy * dy, reach * reach
         size = distance + reach
         room = size * 2.0**-50 if size > TINY and size < HUGE else np.inf
         gap = distance - reach
-        out[i] = APART if gap > room else OVERLAPPING if gap < -room else UNDECIDED
+        out[k] = APART if gap > room else OVERLAPPING if gap < -room else UNDECIDED
 
 
-def circle_polygons(cx, cy, cr, px, py, out) -> None:
+def circle_polygons(cx, cy, cr, px, py, first: int, out) -> None:
     """The squared distance from each centre to the nearest edge or corner, against the squared radius."""
-    (_circle_unrolled(len(px)) if len(px) <= 8 else _circle_general)(cx, cy, cr, px, py, out)
+    (_circle_unrolled(len(px)) if len(px) <= 8 else _circle_general)(cx, cy, cr, px, py, first, out)
 
 
 def _circle_kernel(corners: int | None):
     """`corners` fixed for the compiler to unroll, or None for any number."""
 
     @njit(**_OPTIONS)
-    def kernel(cx, cy, cr, px, py, out):
+    def kernel(cx, cy, cr, px, py, first, out):
         count = px.shape[0] if corners is None else corners
-        for i in range(out.size):
+        for k in range(out.size):
+            i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end
             x0, y0, r = cx[i], cy[i], cr[i]
             far = r
             for v in range(count):
@@ -196,7 +202,7 @@ def _circle_kernel(corners: int | None):
             reach = r * r
             over = inside | (nearest < reach - room)
             apart = outside & (nearest > reach + room)
-            out[i] = UNDECIDED if not safe else OVERLAPPING if over else APART if apart else UNDECIDED
+            out[k] = UNDECIDED if not safe else OVERLAPPING if over else APART if apart else UNDECIDED
 
     return kernel
 

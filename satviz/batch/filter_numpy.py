@@ -1,7 +1,8 @@
 """The float filter for arrays of pairs, in NumPy: what it cannot tell stays UNDECIDED.
 
 The bounds are those of the scalar engine (satviz.verdict), which hold for any order
-of operations.  Every kernel takes one column a pair and fills `out` with relations.
+of operations.  Every kernel takes one column a pair, from column `first` on, and fills `out` with
+relations.
 """
 
 import numpy as np
@@ -9,11 +10,12 @@ import numpy as np
 from ..exact import HUGE, TINY
 
 APART, TOUCHING, OVERLAPPING, UNDECIDED = 0, 1, 2, -1
-BLOCK = 16384  # pairs at a time: the scratch arrays stay in the second-level cache
+BLOCK = 8192  # pairs at a time: their columns and the scratch arrays stay in the second-level cache
 
 
-def polygons(ax, ay, bx, by, room: float, out) -> None:
+def polygons(ax, ay, bx, by, first: int, room: float, out) -> None:
     """(Va, n) and (Vb, n) corners: APART where an edge has the other shape beyond it by more than room."""
+    ax, ay, bx, by = (c[:, first : first + out.size] for c in (ax, ay, bx, by))
     best = np.full(out.size, -np.inf)
     scratch = [np.empty(out.size) for _ in range(5)]
     _edges(ax, ay, bx, by, best, *scratch)
@@ -48,8 +50,9 @@ def _decide(gap, room, out) -> None:
     out[gap < -room] = OVERLAPPING
 
 
-def circles(ax, ay, ar, bx, by, br, out) -> None:
+def circles(ax, ay, ar, bx, by, br, first: int, out) -> None:
     """Distance against the sum of radii, squared."""
+    ax, ay, ar, bx, by, br = (c[first : first + out.size] for c in (ax, ay, ar, bx, by, br))
     dx, dy, reach = ax - bx, ay - by, ar + br
     distance = dx * dx + dy * dy
     reach *= reach
@@ -60,8 +63,9 @@ def circles(ax, ay, ar, bx, by, br, out) -> None:
     _decide(distance - reach, room, out)
 
 
-def circle_polygons(cx, cy, cr, px, py, out) -> None:
+def circle_polygons(cx, cy, cr, px, py, first: int, out) -> None:
     """The squared distance from each centre to the nearest edge or corner, against the squared radius."""
+    cx, cy, cr, px, py = (c[..., first : first + out.size] for c in (cx, cy, cr, px, py))
     x, y = px - cx, py - cy
     far = np.maximum(np.maximum(np.abs(x).max(axis=0), np.abs(y).max(axis=0)), cr)
     room = far * far * 2.0**-46

@@ -1,7 +1,7 @@
 """relate and hits for many pairs: the filter in blocks, the exact twin for what it leaves undecided."""
 
 from collections.abc import Callable
-from concurrent.futures import Executor
+from concurrent.futures import Executor, ThreadPoolExecutor
 from functools import cache
 from importlib.util import find_spec
 from types import ModuleType
@@ -51,16 +51,17 @@ def relate(
         return _relate_parts(a, b, ia % max(len(a), 1), ib % max(len(b), 1), engine)
     out = np.empty(n, np.int8)
 
+    # threads share the shapes; to other processes each chunk takes only what it needs
+    shared = executor is None or isinstance(executor, ThreadPoolExecutor)
+
     def job(start: int, stop: int) -> tuple:
         if ia is not None:
-            return _relate_some, (*_picked(a, ia[start:stop]), *_picked(b, ib[start:stop]), engine)
+            i, j = ia[start:stop], ib[start:stop]
+            return _relate_some, (a, i, b, j, engine) if shared else (*_picked(a, i), *_picked(b, j), engine)
+        if shared:
+            return _relate_range, (a, b, start, stop, engine)
         mine, theirs = (s if len(s) == 1 else s[start:stop] for s in (a, b))
-        return _relate_some, (mine, None, theirs, None, engine)
-
-    if executor is None and ia is not None:  # no need to copy the shapes of a chunk out
-
-        def job(start: int, stop: int) -> tuple:
-            return _relate_some, (a, ia[start:stop], b, ib[start:stop], engine)
+        return _relate_range, (mine, theirs, 0, stop - start, engine)
 
     for start, stop, found in in_chunks(job, n, executor, progress, chunk):
         out[start:stop] = found
@@ -125,28 +126,34 @@ def _relate_parts(a: Shapes, b: Shapes, ia: Indices, ib: Indices, engine: str | 
     return out
 
 
-def _relate_some(a: Shapes, ia: Indices | None, b: Shapes, ib: Indices | None, engine: str | None) -> Relations:
-    """One chunk of pairs, group by group, block by block."""
-    kernels = filter_of(engine)
-    n = len(ia) if ia is not None else 0 if 0 in (len(a), len(b)) else max(len(a), len(b))
-    out = np.empty(n, np.int8)
+def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | None) -> Relations:
+    """Pairs start to stop of a[i] with b[i], or of one with many."""
     one, other = a.uniform, b.uniform
-    straight = ia is None and len(a) == len(b)
-    if one and other and straight:
-        for start in range(0, n, kernels.BLOCK):
-            part = slice(start, start + kernels.BLOCK)
-            _relate_block(kernels, _columns(one, part), _columns(other, part), out[part])
-        return out
-    ia = np.broadcast_to(np.arange(len(a)), n) if ia is None else ia
-    ib = np.broadcast_to(np.arange(len(b)), n) if ib is None else ib
-    key = a.count[ia] * (1 << 32) + b.count[ib]
-    for kind in np.unique(key).tolist() if len(a.groups) * len(b.groups) > 1 else key[:1].tolist():
-        mine = np.flatnonzero(key == kind) if len(a.groups) * len(b.groups) > 1 else np.arange(n)
+    if not (one and other and len(a) == len(b)):
+        indices = np.arange(start, stop)
+        zeros = np.zeros(stop - start, np.intp)
+        return _relate_some(a, indices if len(a) > 1 else zeros, b, indices if len(b) > 1 else zeros, engine)
+    kernels = filter_of(engine)
+    out = np.empty(stop - start, np.int8)
+    for first in range(start, stop, kernels.BLOCK):
+        last = min(first + kernels.BLOCK, stop)
+        _relate_block(kernels, one, other, first, out[first - start : last - start])
+    return out
+
+
+def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | None) -> Relations:
+    """The pairs (ia, ib), group by group, block by block; their columns are copied together first."""
+    kernels = filter_of(engine)
+    out = np.empty(len(ia), np.int8)
+    key = a.count[ia] << 32 | b.count[ib]
+    for kind in np.unique(key).tolist():
+        mine = np.flatnonzero(key == kind)
         one, other = a.groups[kind >> 32], b.groups[kind & 0xFFFFFFFF]
         for start in range(0, len(mine), BLOCK_OF_PICKED):
             part = mine[start : start + BLOCK_OF_PICKED]
             found = np.empty(len(part), np.int8)
-            _relate_block(kernels, _columns(one, a.slot[ia[part]]), _columns(other, b.slot[ib[part]]), found)
+            columns = _columns(one, a.slot[ia[part]]), _columns(other, b.slot[ib[part]])
+            _relate_block(kernels, *columns, 0, found)
             out[part] = found
     return out
 
@@ -154,31 +161,31 @@ def _relate_some(a: Shapes, ia: Indices | None, b: Shapes, ib: Indices | None, e
 BLOCK_OF_PICKED = 16384  # picked columns are copied first: the copies stay in the cache
 
 
-def _columns(group: Group, where: Any) -> Group:
+def _columns(group: Group, where: Indices) -> Group:
     r = None if group.r is None else group.r[where]
     return group._replace(x=group.x[:, where], y=group.y[:, where], r=r)
 
 
-def _relate_block(kernels: ModuleType, a: Group, b: Group, out: Relations) -> None:
-    """Filter one block of one kind of pair, then decide the rest exactly."""
+def _relate_block(kernels: ModuleType, a: Group, b: Group, first: int, out: Relations) -> None:
+    """Filter one block of one kind of pair, from column `first` on, then decide the rest exactly."""
     with np.errstate(all="ignore"):
         if a.r is not None and b.r is not None:
             columns = a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r
-            kernels.circles(*columns, out)
+            kernels.circles(*columns, first, out)
             decide = undecided.circles
         elif a.r is not None or b.r is not None:
             circle, polygon = (a, b) if a.r is not None else (b, a)
             columns = circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y
-            kernels.circle_polygons(*columns, out)
+            kernels.circle_polygons(*columns, first, out)
             decide = undecided.circle_polygons
         else:
             columns = a.x, a.y, b.x, b.y
             room = (a.span + b.span) * (a.reach + b.reach) * LOOK
             if LEAST_ROOM < room < MOST_ROOM:
-                kernels.polygons(*columns, room, out)
+                kernels.polygons(*columns, first, room, out)
             else:
                 out.fill(UNDECIDED)
             decide = undecided.polygons
     rest = np.flatnonzero(out == UNDECIDED)
     if rest.size:
-        out[rest] = decide(*(c[..., rest] for c in columns))
+        out[rest] = decide(*(c[..., first + rest] for c in columns))

@@ -1,0 +1,1 @@
+"""Speed against accuracy: the methods measured beside each other, against the truth in rationals."""

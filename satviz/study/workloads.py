@@ -1,0 +1,110 @@
+"""Seeded pairs of shapes to measure on: random ones with about 40 % hits, and ones that nearly touch."""
+
+from collections.abc import Callable
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+Rings = NDArray[np.float64]  # (N, V, 2), counter-clockwise
+Coins = tuple[NDArray[np.float64], NDArray[np.float64]]  # (N, 2) centres, (N,) radii
+Side = Rings | Coins
+Make = Callable[[np.random.Generator, int], tuple[Side, Side]]
+
+
+def ngons(rng: np.random.Generator, n: int, v: int, spread: float) -> Rings:
+    """Corners at random turns on a unit circle around a random centre."""
+    turns = np.sort(rng.uniform(0, 2 * np.pi, (n, v)), axis=1)
+    return _around(rng, n, spread) + np.stack([np.cos(turns), np.sin(turns)], axis=2)
+
+
+def boxes(rng: np.random.Generator, n: int, spread: float) -> Rings:
+    """Turned boxes of half sizes 0.3 to 1."""
+    half = rng.uniform(0.3, 1, (n, 1, 2)) * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    turn = rng.uniform(0, 2 * np.pi, n)
+    c, s = np.cos(turn)[:, None], np.sin(turn)[:, None]
+    x, y = half[..., 0] * c - half[..., 1] * s, half[..., 0] * s + half[..., 1] * c
+    return _around(rng, n, spread) + np.stack([x, y], axis=2)
+
+
+def coins(rng: np.random.Generator, n: int, spread: float) -> Coins:
+    """Circles of radius 0.3 to 1."""
+    return _around(rng, n, spread)[:, 0], rng.uniform(0.3, 1, n)
+
+
+def nearly_touching(rng: np.random.Generator, n: int) -> tuple[Rings, Rings]:
+    """Triangles where a corner of B lies on an edge of A or within 4 units in the last place of it."""
+    a = ngons(rng, n, 3, 2.0)
+    along = rng.uniform(0.1, 0.9, (n, 1))
+    spot = a[:, 0] + along * (a[:, 1] - a[:, 0])
+    edge = a[:, 1] - a[:, 0]
+    out = np.stack([edge[:, 1], -edge[:, 0]], axis=1)
+    out /= np.linalg.norm(out, axis=1, keepdims=True)
+    side = np.stack([-out[:, 1], out[:, 0]], axis=1)
+    far, wide = rng.uniform(0.5, 1.5, (2, n, 1))
+    b = np.stack([spot, spot + far * out + wide * side, spot + far * out - wide * side], axis=1)
+    b = b[:, ::-1] if _turn(b[0]) < 0 else b
+    steps = rng.integers(-4, 5, n)
+    at = np.argmin(np.abs(b - spot[:, None]).sum(axis=2), axis=1)
+    for k in range(1, 5):
+        for way in (-1, 1):
+            rows = np.flatnonzero(steps * way >= k)
+            b[rows, at[rows], 0] = np.nextafter(b[rows, at[rows], 0], way * inf)
+    return a, b
+
+
+def _turn(ring: NDArray) -> float:
+    (px, py), (qx, qy), (rx, ry) = ring
+    return (qx - px) * (ry - py) - (qy - py) * (rx - px)
+
+
+def _around(rng: np.random.Generator, n: int, spread: float) -> NDArray:
+    return rng.uniform(-spread, spread, (n, 1, 2))
+
+
+WORKLOADS: dict[str, Make] = {
+    "triangles": lambda rng, n: (ngons(rng, n, 3, 0.9), ngons(rng, n, 3, 0.9)),
+    "boxes": lambda rng, n: (boxes(rng, n, 1.7), boxes(rng, n, 1.7)),
+    "8-gons": lambda rng, n: (ngons(rng, n, 8, 1.9), ngons(rng, n, 8, 1.9)),
+    "circle and triangle": lambda rng, n: (coins(rng, n, 1.3), ngons(rng, n, 3, 1.3)),
+    "nearly touching": nearly_touching,
+}
+
+
+def _boxed(at: NDArray, size: NDArray) -> NDArray:
+    return np.concatenate([at, at + size], axis=1)
+
+
+def _spread_out(rng: np.random.Generator, n: int) -> tuple[NDArray, NDArray]:
+    return rng.uniform(0, np.sqrt(n) * 1.5, (n, 2)), rng.uniform(0.3, 1, (n, 2))
+
+
+def _even(rng: np.random.Generator, n: int) -> NDArray:
+    return _boxed(*_spread_out(rng, n))
+
+
+def _thousandfold(rng: np.random.Generator, n: int) -> NDArray:
+    at, size = _spread_out(rng, n)
+    return _boxed(at * 6, size * 10 ** rng.uniform(-1.5, 1.5, (n, 1)))
+
+
+def _one_cell(rng: np.random.Generator, n: int) -> NDArray:
+    at, size = _spread_out(rng, n)
+    at, size = at * 1e-6, size * 1e-6
+    at[0], size[0] = 0, 1  # one box as large as everything, beside tiny ones
+    return _boxed(at, size)
+
+
+def _far_out(rng: np.random.Generator, n: int) -> NDArray:
+    at, size = _spread_out(rng, n)
+    at[0], size[0] = 1e300, 1e285
+    return _boxed(at, size)
+
+
+# (N, 4) boxes whose pairs grow like N
+LAYOUTS: dict[str, Callable[[np.random.Generator, int], NDArray]] = {
+    "even": _even,
+    "sizes thousandfold": _thousandfold,
+    "all in one cell": _one_cell,
+    "one at 1e300": _far_out,
+}
