@@ -251,7 +251,7 @@ def test_the_looks_of_the_grid_grow_like_shapes_and_pairs(monkeypatch):
             continue
         looked.clear()
         found = len(batch.candidate_pairs(np.c_[at, at + size]))
-        assert sum(looked) <= 60 * (3000 + found), (name, sum(looked), found)
+        assert sum(looked) <= 2 * broad.CHEAP * (3000 + found), (name, sum(looked), found)
 
 
 def test_colliding_pairs_are_those_of_every_pair():

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 Pairs = NDArray[np.intp]
 
 BLOCK = 1 << 20  # candidates looked at in one go: what bounds the memory
-CHEAP = 24  # looks a box that are not worth a split
+CHEAP = 128  # looks a box that are not worth a split: a look is far cheaper than sorting again
 ALIKE = 4.0
 
 
@@ -134,6 +134,8 @@ def _met(bounds: NDArray[np.float64], queries: Pairs, stored: Pairs, first: Pair
     """Of each query with stored[first:last], those whose boxes meet."""
     count = np.maximum(last - first, 0)
     end = np.cumsum(count)
+    # in the order of the cells: the looks then run through memory nearly straight on
+    (px0, py0, px1, py1), (qx0, qy0, qx1, qy1) = bounds[queries].T.copy(), bounds[stored].T.copy()
     start = 0
     while start < len(queries):
         # at least one query, and as many as fit the block
@@ -143,9 +145,9 @@ def _met(bounds: NDArray[np.float64], queries: Pairs, stored: Pairs, first: Pair
         if each.any():
             of = np.repeat(np.arange(start, stop), each)
             with_ = np.arange(len(of)) + np.repeat(first[start:stop] - (end[start:stop] - each - done), each)
-            i, j = queries[of], stored[with_]
-            p, q = bounds[i], bounds[j]
-            meet = (p[:, :2] <= q[:, 2:]).all(axis=1) & (q[:, :2] <= p[:, 2:]).all(axis=1)
-            i, j = i[meet], j[meet]
+            meet = (px0[of] <= qx1[with_]) & (qx0[with_] <= px1[of])
+            of, with_ = of[meet], with_[meet]
+            meet = (py0[of] <= qy1[with_]) & (qy0[with_] <= py1[of])
+            i, j = queries[of[meet]], stored[with_[meet]]
             yield np.stack([np.minimum(i, j), np.maximum(i, j)], axis=1)
         start = stop
