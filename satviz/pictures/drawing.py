@@ -18,7 +18,7 @@ from .layout import AxisPlace, Layout, moved
 from .marks import Mark, Picture
 
 NORMAL = 34.0  # the length of a normal's arrow, in points
-TICK = 5.0
+BRACKET = 4.0, 11.0  # a gap's bracket stands this far out from the axis
 LIST_WIDTH = 34  # letters a line in a list of axes
 
 
@@ -230,15 +230,15 @@ class Drawing:
         a, b = test.a.interval, test.b.interval
         if test.gap >= 0:
             span = Interval(*((a.hi, b.lo) if a.hi <= b.lo else (b.hi, a.lo)))
-            tick = self.layout.units(TICK)
+            near, far = (self.layout.units(c) for c in BRACKET)
             ends = [place.at(t) for t in span]
-            points = [moved(ends[0], place.out, -tick), *ends, moved(ends[1], place.out, -tick)]
+            points = [moved(ends[i], place.out, c) for i, c in ((0, near), (0, far), (1, far), (1, near))]
             role, kind = "gap", "bracket"
         else:
             ends = points = [place.at(t) for t in Interval(max(a.lo, b.lo), min(a.hi, b.hi))]
             role, kind = "overlap", "interval"
         self.add(f"axis.{number}.gap", kind, role, *points)
-        anchor = self.middle(*ends)
+        anchor = self.middle(*points[1:3]) if kind == "bracket" else self.middle(*ends)
         self.label(f"axis.{number}.gap.name", telling.outcome(test), role, anchor, prefer=place.out, first=2)
 
     def project(self, test: AxisTest, place: AxisPlace, number: int, *, drops: bool = True) -> None:

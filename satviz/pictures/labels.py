@@ -151,7 +151,10 @@ class Board:
         inside = clipped(a.x, a.y, at.x, at.y, at.x - w, at.y - h, at.x + w, at.y + h)
         if inside is None or inside[0] * hypot(at.x - a.x, at.y - a.y) < self.layout.units(LEADER):
             return None
-        return Vec(a.x + (at.x - a.x) * inside[0], a.y + (at.y - a.y) * inside[0])
+        end = Vec(a.x + (at.x - a.x) * inside[0], a.y + (at.y - a.y) * inside[0])
+        line = *self._points(a), *self._points(end)
+        # the last box is the label's own; a line through another label would tie the wrong one
+        return None if any(clipped(*line, *box) and not _is_dot(box) for box in self.boxes[:-1]) else end
 
     def place(self, request: Request) -> Vec | None:
         """The label's centre in scene units, or None for an optional one that finds no clear spot."""
@@ -214,6 +217,10 @@ class Board:
             if clipped(sx, sy, tx, ty, x0, y0, x1, y1):
                 cost += price
         return cost
+
+
+def _is_dot(box: Box) -> bool:
+    return box[2] - box[0] <= DOT
 
 
 def clipped(

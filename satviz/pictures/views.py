@@ -78,7 +78,8 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
     name = telling.axis_name(test.axis, (trace.a, trace.b), trace.names)
     place = layout.places[i]
     text = f"separating axis: {name.removeprefix('the ').removesuffix(' axis')}"
-    drawing.label("axis.caption", text, "ink", place.at((place.lo + place.hi) / 2), prefer=place.out, first=1)
+    along = tuple(place.at(place.lo + (place.hi - place.lo) * part) for part in (0.5, 0.2, 0.8))
+    drawing.label("axis.caption", text, "ink", along[0], along=along[1:], prefer=place.out, first=1)
     for role in "AB":
         drawing.range(test, place, i + 1, role)
     drawing.gap(test, place, i + 1)
