@@ -173,7 +173,7 @@ def _borders(region: Region) -> Iterable[Border]:
     ring, radius, _ = region
     if radius:
         yield from (Border(abs(hypot(*v) - radius), (v, v), Vec(0.0, 0.0), radius) for v in ring)
-    for p, q in pairwise((*ring, ring[0])):
+    for p, q in _sides(ring):
         length = hypot(q.x - p.x, q.y - p.y)
         if length:
             n = Vec((q.y - p.y) / length, (p.x - q.x) / length)
@@ -280,7 +280,7 @@ def _inside(move: Vec, region: Region) -> bool:
     ring, radius, rounding = region
     if len(ring) > 2:
         depth = inf
-        for p, q in pairwise((*ring, ring[0])):
+        for p, q in _sides(ring):
             depth = min(depth, _cross(p, q, move) / hypot(q.x - p.x, q.y - p.y))
             if depth < -radius:
                 return False
@@ -293,4 +293,5 @@ def _inside(move: Vec, region: Region) -> bool:
 
 
 def _sides(ring: list[Vec]) -> Iterable[tuple[Vec, Vec]]:
+    """From each corner to the next, round to the first."""
     return pairwise((*ring, ring[0]))

@@ -53,7 +53,7 @@ def stream_colliding_pairs(
     """The colliding pairs of an (N, V, 2) array too large for memory (np.load(..., mmap_mode="r")), a strip at a time.
 
     The scene is cut into upright strips of about `strip` shapes each; every strip
-    reads the file once and holds only the shapes that reach into it.  A pair is
+    reads and holds only the shapes that reach into it.  A pair is
     given once, by the strip where the later of the two begins.  Memory: a few
     hundred bytes a shape of one strip, and 16 bytes a shape of the file for the x ranges.
     """

@@ -23,12 +23,6 @@ SPLIT = 2.0**27 + 1
 MOST_PASSES = 12
 
 
-def tame(values: Array) -> bool:
-    """Are all values zero or of everyday size?"""
-    sizes = np.abs(values)
-    return bool(np.all((sizes == 0) | ((sizes > TAME[0]) & (sizes < TAME[1]))))
-
-
 def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
     """The exact turns from p over q to r: 1 left, -1 right, 0 straight; arrays of one length."""
     with np.errstate(all="ignore"):

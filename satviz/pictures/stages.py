@@ -103,7 +103,7 @@ def _drawn(trace: Trace) -> list[Shape]:
     """The shapes, and where the verdict moves B to, which must fit too."""
     shapes: list[Shape] = [trace.a, trace.b]
     move = trace.mtv
-    return shapes if not move else [*shapes, shifted(trace.b, move)]
+    return shapes if move is None else [*shapes, shifted(trace.b, move)]
 
 
 def shifted(shape: Shape, move: Vec) -> Shape:
