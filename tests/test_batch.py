@@ -11,7 +11,7 @@ from pairs import pairs
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import signs
+from satviz.batch import filter_numpy, signs
 from satviz.batch.chunks import ChunkFailed
 from satviz.study import truth as oracle
 
@@ -68,6 +68,40 @@ def test_batch_is_never_wrong_on_the_adversarial_pairs(engine):
     found = batch.relate(a, b, engine=engine)
     wrong = [(p, q, r) for (p, q), r in zip(known, found) if r != oracle.relation(p, q)]
     assert not wrong, wrong[:2]
+
+
+def test_what_float32_decides_is_right_pair_by_pair():
+    """One pair a batch, so that no other pair widens its room; the hard pairs, near and far from the origin."""
+    decided = 0
+    for _, p, q in pairs(seed=5, count=26 * 60):
+        if isinstance(p, sv.Polygon) and isinstance(q, sv.Polygon):
+            found = batch.relate(batch.Polygons([p]), batch.Polygons([q]), engine="numpy")[0]
+            assert found == oracle.relation(p, q), (p, q)
+            one, other = batch.Polygons([p]).uniform, batch.Polygons([q]).uniform
+            out = np.empty(1, np.int8)
+            with np.errstate(all="ignore"):
+                filter_numpy.polygons(one, other, 0, out)
+            assert out[0] in (found, filter_numpy.UNDECIDED), (p, q)
+            decided += out[0] != filter_numpy.UNDECIDED
+    assert decided > 50
+
+
+@pytest.mark.parametrize("v, w", [(3, 3), (4, 4), (8, 5)])
+@pytest.mark.parametrize("far", [0.0, 10.0, 1e4])
+def test_the_float32_look_errs_less_than_its_room(v, w, far):
+    """Against float64, whose own error is 2**-29 of that; the room is 64 units, the worst found is told."""
+    rng = RNG(7)
+    a, b = ngons(rng, 20_000, v), ngons(rng, 20_000, w) + rng.uniform(-far, far, (20_000, 1, 2))
+    b[::2] = a[::2, :1] + (b[::2] - b[::2, :1])  # half share a corner
+    columns = [np.ascontiguousarray(shape[:, :, k].T) for shape in (a, b) for k in (0, 1)]
+    width = 4.0
+    found, room = filter_numpy._look_32(*columns, width)
+    size = np.sqrt(room / filter_numpy.LOOK_32)
+    assert (size >= np.abs(b - a[:, :1]).max(axis=(1, 2)) * (1 - 1e-6)).all()
+    near = [c - origin for c, origin in zip(columns, (columns[0][0], columns[1][0]) * 2)]
+    error = np.abs(found - filter_numpy._clearance(*near, 0)) / (2.0**-24 * size.astype(float) ** 2)
+    print(f"{v} against {w} corners, up to {far:g} apart: worst {error.max():.1f} of 64")
+    assert 0 < error.max() < 64
 
 
 @pytest.mark.full

@@ -13,22 +13,19 @@ import numpy as np
 from numba import njit
 
 from ..exact import HUGE, TINY
-from .filter_numpy import APART, OVERLAPPING, UNDECIDED
+from .arrays import Group
+from .filter_numpy import APART, OVERLAPPING, UNDECIDED, room_64
 
 BLOCK = 1 << 17  # pairs a call: long enough that Python's share vanishes
 TILE = 128  # pairs whose columns stay in the first-level cache between edges
 _OPTIONS = {"nogil": True, "cache": True, "error_model": "numpy"}
 
 
-def polygons(ax, ay, bx, by, first: int, room: float, out) -> None:
-    """(Va, n) and (Vb, n) corners: APART where an edge has the other shape beyond it by more than room."""
-    a, b = len(ax), len(bx)
-    if a <= 4 and b <= 4:
-        _unrolled(a, b)(ax, ay, bx, by, first, room, out)
-    elif a == b == 8:
-        _eight(ax, ay, bx, by, first, room, out)
-    else:
-        _general(ax, ay, bx, by, first, room, out)
+def polygons(a: Group, b: Group, first: int, out) -> None:
+    """APART where an edge has the other shape beyond it by more than rounding can hide."""
+    va, vb = len(a.x), len(b.x)
+    kernel = _unrolled(va, vb) if va <= 4 and vb <= 4 else _eight if va == vb == 8 else _general
+    kernel(a.x, a.y, b.x, b.y, first, room_64(a, b), out)
 
 
 @cache

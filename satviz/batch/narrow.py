@@ -1,4 +1,4 @@
-"""relate and hits for many pairs: the filter in blocks, the exact twin for what it leaves undecided."""
+"""relate and hits for many pairs: the filter in blocks, then the exact twin for all that it left undecided."""
 
 from collections.abc import Callable
 from concurrent.futures import Executor, ThreadPoolExecutor
@@ -10,11 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from . import undecided
 from .arrays import Group, Shapes
 from .chunks import CHUNK, in_chunks
-from .filter_numpy import APART, UNDECIDED
+from .filter_numpy import APART, UNDECIDED, room_64
 
 Relations = NDArray[np.int8]
 Indices = NDArray[np.intp]
@@ -137,7 +136,9 @@ def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | Non
     out = np.empty(stop - start, np.int8)
     for first in range(start, stop, kernels.BLOCK):
         last = min(first + kernels.BLOCK, stop)
-        _relate_block(kernels, one, other, first, out[first - start : last - start])
+        _filter(kernels, one, other, first, out[first - start : last - start])
+    rest = np.flatnonzero(out == UNDECIDED)
+    out[rest] = undecided.relations(_columns(one, start + rest), _columns(other, start + rest))
     return out
 
 
@@ -152,9 +153,10 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
         for start in range(0, len(mine), BLOCK_OF_PICKED):
             part = mine[start : start + BLOCK_OF_PICKED]
             found = np.empty(len(part), np.int8)
-            columns = _columns(one, a.slot[ia[part]]), _columns(other, b.slot[ib[part]])
-            _relate_block(kernels, *columns, 0, found)
+            _filter(kernels, _columns(one, a.slot[ia[part]]), _columns(other, b.slot[ib[part]]), 0, found)
             out[part] = found
+        rest = mine[out[mine] == UNDECIDED]
+        out[rest] = undecided.relations(_columns(one, a.slot[ia[rest]]), _columns(other, b.slot[ib[rest]]))
     return out
 
 
@@ -166,26 +168,15 @@ def _columns(group: Group, where: Indices) -> Group:
     return group._replace(x=group.x[:, where], y=group.y[:, where], r=r)
 
 
-def _relate_block(kernels: ModuleType, a: Group, b: Group, first: int, out: Relations) -> None:
-    """Filter one block of one kind of pair, from column `first` on, then decide the rest exactly."""
+def _filter(kernels: ModuleType, a: Group, b: Group, first: int, out: Relations) -> None:
+    """Relations of one block of one kind of pair, from column `first` on; UNDECIDED where floats cannot tell."""
     with np.errstate(all="ignore"):
         if a.r is not None and b.r is not None:
-            columns = a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r
-            kernels.circles(*columns, first, out)
-            decide = undecided.circles
+            kernels.circles(a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r, first, out)
         elif a.r is not None or b.r is not None:
             circle, polygon = (a, b) if a.r is not None else (b, a)
-            columns = circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y
-            kernels.circle_polygons(*columns, first, out)
-            decide = undecided.circle_polygons
+            kernels.circle_polygons(circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y, first, out)
+        elif room_64(a, b) < np.inf:
+            kernels.polygons(a, b, first, out)
         else:
-            columns = a.x, a.y, b.x, b.y
-            room = (a.span + b.span) * (a.reach + b.reach) * LOOK
-            if LEAST_ROOM < room < MOST_ROOM:
-                kernels.polygons(*columns, first, room, out)
-            else:
-                out.fill(UNDECIDED)
-            decide = undecided.polygons
-    rest = np.flatnonzero(out == UNDECIDED)
-    if rest.size:
-        out[rest] = decide(*(c[..., first + rest] for c in columns))
+            out.fill(UNDECIDED)

@@ -6,19 +6,33 @@ from numpy.typing import NDArray
 from ..exact import to_integers
 from ..verdict import relate_integers
 from . import signs
-from .filter_numpy import APART, OVERLAPPING, TOUCHING
+from .arrays import Group
+from .filter_numpy import APART, OVERLAPPING, TOUCHING, UNDECIDED, look_64
 
 BLOCK = 2048  # pairs at a time: every corner of one against every edge of the other takes room
 RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 and -1
 
 
-def polygons(ax, ay, bx, by) -> NDArray[np.int8]:
-    """Exact relations of (Va, n) and (Vb, n) corners."""
-    found = np.empty(ax.shape[1], np.int8)
+def relations(a: Group, b: Group) -> NDArray[np.int8]:
+    """Exact relations of two groups, column by column."""
+    if a.r is not None and b.r is not None:
+        return RELATION_OF_SIGN[signs.circles(a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r)]
+    if a.r is not None or b.r is not None:
+        circle, polygon = (a, b) if a.r is not None else (b, a)
+        return _circle_polygons(circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y)
+    return _polygons(a, b)
+
+
+def _polygons(a: Group, b: Group) -> NDArray[np.int8]:
+    """First in float64 (the filter may have looked in float32), then the signs of all turns, exactly."""
+    found = np.empty(a.x.shape[1], np.int8)
     for start in range(0, len(found), BLOCK):
-        part = slice(start, start + BLOCK)
-        a, b = (ax[:, part], ay[:, part]), (bx[:, part], by[:, part])
-        found[part] = RELATION_OF_SIGN[np.maximum(_clearance(*a, *b), _clearance(*b, *a))]
+        part = found[start : start + BLOCK]
+        with np.errstate(all="ignore"):
+            look_64(a, b, start, part)
+        rest = np.flatnonzero(part == UNDECIDED)
+        ax, ay, bx, by = (c[:, start + rest] for c in (a.x, a.y, b.x, b.y))
+        part[rest] = RELATION_OF_SIGN[np.maximum(_clearance(ax, ay, bx, by), _clearance(bx, by, ax, ay))]
     return found
 
 
@@ -30,13 +44,8 @@ def _clearance(x, y, px, py) -> NDArray[np.int8]:
     return (-signs.orient(*ends, *corners)).reshape(shape).min(axis=1).max(axis=0)
 
 
-def circles(ax, ay, ar, bx, by, br) -> NDArray[np.int8]:
-    """Exact relations of pairs of circles."""
-    return RELATION_OF_SIGN[signs.circles(ax, ay, ar, bx, by, br)]
-
-
-def circle_polygons(cx, cy, cr, px, py) -> NDArray[np.int8]:
-    """Exact relations of circles with polygons, one by one with integers: a foot on an edge has degree four."""
+def _circle_polygons(cx, cy, cr, px, py) -> NDArray[np.int8]:
+    """Circles with polygons, one by one with integers: a foot on an edge has degree four."""
     found = np.empty(len(cx), np.int8)
     for i in range(len(cx)):
         _, flat = to_integers([float(cx[i]), float(cy[i]), float(cr[i]), *px[:, i].tolist(), *py[:, i].tolist()])

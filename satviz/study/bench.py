@@ -247,8 +247,8 @@ def _tree(bounds: NDArray) -> NDArray:
 def broad_table(rows: list[BroadRow]) -> str:
     """Milliseconds for each number of boxes, and n**growth at the end."""
     sizes = list(rows[0].ms)
-    lines = [f"{'broad phase, ms':38}" + "".join(f"{n:>10}" for n in sizes) + f"{'growth':>8}{'pairs':>9}"]
+    lines = [f"{'broad phase, ms':40}" + "".join(f"{n:>10}" for n in sizes) + f"{'growth':>8}{'pairs':>9}"]
     for row in rows:
         ms = "".join(f"{row.ms[n]:10.2f}" for n in sizes)
-        lines.append(f"  {row.layout:18}{row.method:18}{ms}{row.growth:8.2f}{row.pairs[sizes[-1]]:9}")
+        lines.append(f"  {row.layout:20}{row.method:18}{ms}{row.growth:8.2f}{row.pairs[sizes[-1]]:9}")
     return "\n".join(lines)
