@@ -1,4 +1,4 @@
-"""satviz figures | trace | draw | scenes: a thin call of the public face."""
+"""satviz figures | trace | draw | notebook | scenes | bench: a thin call of the public face."""
 
 import argparse
 import sys
@@ -11,7 +11,7 @@ from .geometry import InvalidScene
 
 THEMES = ("light", "dark")
 FIGURE_FORMATS = ("svg", "png", "pdf")
-DRAW_FORMATS = (*FIGURE_FORMATS, "gif")
+DRAW_FORMATS = (*FIGURE_FORMATS, "gif", "html")
 
 
 class Refused(Exception):
@@ -72,6 +72,14 @@ def _parser() -> argparse.ArgumentParser:
         "--caption", action="store_true", help="put each sentence under its picture (a GIF always has it)"
     )
     draw.set_defaults(run=_draw)
+
+    notebook = commands.add_parser("notebook", help="copy the walkthrough's notebooks and open them in JupyterLab")
+    notebook.add_argument(
+        "out", nargs="?", type=Path, default=Path("satviz-notebooks"), metavar="DIR", help="(default: satviz-notebooks)"
+    )
+    notebook.add_argument("--no-open", action="store_true", help="copy them only")
+    notebook.add_argument("--force", action="store_true", help="overwrite notebooks that were changed")
+    notebook.set_defaults(run=_notebook)
 
     bench = commands.add_parser("bench", help="time satviz beside its peers and count the wrong answers of each")
     bench.add_argument(
@@ -168,10 +176,44 @@ def _draw(args: argparse.Namespace) -> int:
         if form == "gif":
             jobs.append((scene.name, form, lambda: captioned([picture(trace, i) for i in range(count)])))
             continue
+        if form == "html":
+            jobs.append((scene.name, form, lambda: _page(trace, scene.title)))
+            continue
         for i in range(count):
             stem = f"{scene.name}-{i:0{len(str(count - 1))}}"
             jobs.append((stem, form, lambda i=i: finished(picture(trace, i, title=scene.title))))
     return _write(args, jobs)
+
+
+def _page(trace, title: str) -> bytes:
+    from .render.page import page
+
+    try:
+        return page(trace, title=title).encode()
+    except ValueError as error:
+        raise Refused(str(error)) from None
+
+
+def _notebook(args: argparse.Namespace) -> int:
+    import shutil
+    import subprocess
+    from importlib.util import find_spec
+
+    here = Path(__file__).parent
+    shipped = sorted((here / "notebooks").glob("*.ipynb")) or sorted((here.parent / "notebooks").glob("*.ipynb"))
+    args.out.mkdir(parents=True, exist_ok=True)
+    for source in shipped:
+        copy = args.out / source.name
+        if copy.exists() and copy.read_bytes() != source.read_bytes() and not args.force:
+            print(f"satviz: {copy} was changed and is left alone (overwrite it with --force)", file=sys.stderr)
+        else:
+            shutil.copyfile(source, copy)
+    print(f"{len(shipped)} notebooks in {args.out}")
+    if args.no_open:
+        return 0
+    if not find_spec("jupyterlab") or not find_spec("anywidget"):
+        raise Refused('JupyterLab and anywidget are not installed: python -m pip install "satviz[jupyter]"')
+    return subprocess.run([sys.executable, "-m", "jupyterlab", str(args.out)]).returncode
 
 
 def _write(args: argparse.Namespace, jobs: Sequence[tuple[str, str, Callable]]) -> int:
@@ -183,12 +225,16 @@ def _write(args: argparse.Namespace, jobs: Sequence[tuple[str, str, Callable]]) 
         raise Refused(f"--out {args.out} is a file, not a folder")
     theme = LOOKS[args.theme]
     suffix = "" if theme.name == "light" else f"-{theme.name}"
-    paths = [args.out / f"{stem}{suffix}.{form}" for stem, form, _ in jobs]
+    # a page has both themes
+    paths = [args.out / f"{stem}{suffix if form != 'html' else ''}.{form}" for stem, form, _ in jobs]
     for path in paths:
         check(path, force=args.force)
     for path, (stem, form, make) in zip(_progress(paths), jobs, strict=True):
         made = make()
-        data = animate(made, theme) if form == "gif" else encode(made, form, theme, stem=stem + suffix)
+        if form == "html":
+            data = made
+        else:
+            data = animate(made, theme) if form == "gif" else encode(made, form, theme, stem=stem + suffix)
         write(path, data, force=args.force)
     print(f"{len(paths)} {'file' if len(paths) == 1 else 'files'} in {args.out}")
     return 0

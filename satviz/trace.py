@@ -122,6 +122,14 @@ class Trace:
         left = self.choice.axes[len(self.tests) :]
         return self.choice.skipped + tuple(Skip(axis, f"early exit: axis {len(self.tests)} separates") for axis in left)
 
+    def without_early_exit(self) -> "Trace":
+        """The same run over every axis of the choice (and every pair of parts)."""
+        if self.every_axis:
+            return self
+        if self.pairs:
+            return _record_parts(self.a, self.b, True)
+        return _record(self.a, self.b, self.choice, True, self.names)
+
     @property
     def sentence(self) -> str:
         """The verdict in words."""

@@ -29,11 +29,18 @@ FLOORS = [
     "scenes",
     "pictures",
     "render",
+    "widgets",
     "study",
     "cli",
 ]
 # the doors that open upward, at call time only
-DOORS = {("trace", "tracefile"), ("trace", "render"), ("scenefile", "render"), ("shapes", "render")}
+DOORS = {
+    ("pictures", "render"),
+    ("trace", "tracefile"),
+    ("trace", "render"),
+    ("scenefile", "render"),
+    ("shapes", "render"),
+}
 
 
 def floor_of(path):

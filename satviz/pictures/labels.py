@@ -163,9 +163,11 @@ class Board:
         for spot, penalty in self._spots(request, w / 2, h / 2):
             if penalty >= best:
                 break
-            cost = penalty + self._cost(spot, w / 2 + 2, h / 2 + 1)
+            cost = penalty + self._cost(spot, w / 2 + 2, h / 2 + 1, best - penalty)
             if cost < best:
                 best, found = cost, spot
+            if best == 0:
+                break
         if request.optional and best >= 300:
             return None
         # what is too long for any spot stays on the canvas all the same
@@ -205,7 +207,8 @@ class Board:
         for penalty, spot in spots:
             yield spot, penalty
 
-    def _cost(self, spot: tuple[float, float], w: float, h: float) -> float:
+    def _cost(self, spot: tuple[float, float], w: float, h: float, enough: float) -> float:
+        """What a label there would cover; it stops counting at `enough`."""
         cx, cy = spot
         x0, y0, x1, y1 = cx - w, cy - h, cx + w, cy + h
         width, height = self.layout.size
@@ -214,6 +217,11 @@ class Board:
             if x0 < bx1 and bx0 < x1 and y0 < by1 and by0 < y1:
                 cost += 1e4
         for sx, sy, tx, ty, price in self.strokes:
+            if cost >= enough:
+                break
+            # most strokes are far off: that is seen before the exact look
+            if (sx < x0 and tx < x0) or (sx > x1 and tx > x1) or (sy < y0 and ty < y0) or (sy > y1 and ty > y1):
+                continue
             if clipped(sx, sy, tx, ty, x0, y0, x1, y1):
                 cost += price
         return cost

@@ -146,6 +146,33 @@ def _place(shapes: Sequence[Shape], test: AxisTest, scale: float, side: int) -> 
     )
 
 
+def place_within(layout: Layout, shapes: Sequence[Shape], test: AxisTest, near: Vec | None = None) -> AxisPlace:
+    """An axis clear of the shapes on limits that are given: on the side where it fits, rather where it was before."""
+    x0, y0, x1, y1 = layout.limits
+    rim = layout.units(BEYOND)
+
+    def outside(p: Vec) -> float:
+        return max(x0 + rim - p.x, p.x - x1 + rim, y0 + rim - p.y, p.y - y1 + rim, 0.0)
+
+    def lacking(place: AxisPlace) -> float:
+        ends = (r.lo for r in (test.a.interval, test.b.interval)), (r.hi for r in (test.a.interval, test.b.interval))
+        return sum(outside(place.at(t)) for t in (min(ends[0]), max(ends[1])))
+
+    places = [_place(shapes, test, layout.scale, side) for side in (-1, 1)]
+    if near is not None:
+        places.sort(key=lambda p: -(p.out.x * near.x + p.out.y * near.y))
+    else:
+        places.sort(key=lambda p: _awkward(shapes, test, p))
+    best = min(places, key=lacking)
+    step = layout.units(8.0)
+    for _ in range(60):  # no room on either side: nearer, over the shapes if it must be
+        nearer = best._replace(zero=moved(best.zero, best.out, -step))
+        if lacking(nearer) >= lacking(best):
+            break
+        best = nearer
+    return best
+
+
 def _reach(shape: Shape, out: Vec) -> float:
     if isinstance(shape, Circle):
         return shape.center.x * out.x + shape.center.y * out.y + shape.radius

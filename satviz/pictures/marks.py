@@ -1,7 +1,7 @@
 """A picture: what to draw for a step, as a short list of marks in scene coordinates."""
 
 import json
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..geometry import Vec
 
@@ -27,6 +27,13 @@ class Mark(NamedTuple):
     radius: float = 0.0
     text: str = ""
     weight: str = "plain"
+
+    def data(self) -> dict[str, Any]:
+        """The mark as JSON values."""
+        data: dict = {"id": self.id, "kind": self.kind, "role": self.role, "points": [list(p) for p in self.points]}
+        data |= {"radius": self.radius} if self.kind == "disc" else {}
+        data |= {"text": self.text} if self.kind == "label" else {}
+        return data | ({"weight": self.weight} if self.weight != "plain" else {})
 
 
 class Picture(NamedTuple):
@@ -58,15 +65,17 @@ class Picture(NamedTuple):
         """What the labels say, in drawing order."""
         return tuple(mark.text for mark in self.marks if mark.kind == "label")
 
-    def to_json(self, *, indent: int | None = None) -> str:
-        """The picture as JSON: all a pen needs."""
-        marks = []
-        for mark in self.marks:
-            data: dict = {"id": mark.id, "kind": mark.kind, "role": mark.role, "points": [list(p) for p in mark.points]}
-            data |= {"radius": mark.radius} if mark.kind == "disc" else {}
-            data |= {"text": mark.text} if mark.kind == "label" else {}
-            data |= {"weight": mark.weight} if mark.weight != "plain" else {}
-            marks.append(data)
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        """In a notebook: the picture, and its sentence."""
+        from ..render.shown import bundle
+
+        return bundle(self)
+
+    def data(self) -> dict[str, Any]:
+        """The picture as JSON values: all a pen needs."""
         data = {"satviz": "picture 1", "title": self.title, "sentence": self.sentence}
-        data |= {"limits": list(self.limits), "size": list(self.size), "marks": marks}
-        return json.dumps(data, indent=indent, ensure_ascii=False, allow_nan=False)
+        return data | {"limits": list(self.limits), "size": list(self.size), "marks": [m.data() for m in self.marks]}
+
+    def to_json(self, *, indent: int | None = None) -> str:
+        """The same as text."""
+        return json.dumps(self.data(), indent=indent, ensure_ascii=False, allow_nan=False)

@@ -52,9 +52,9 @@ def canvas(size: tuple[float, float], theme: Theme = LIGHT) -> tuple[Figure, Pen
 
 
 @contextmanager
-def _settings(more: dict) -> Iterator[None]:
+def styled(more: dict | None = None) -> Iterator[None]:
     """matplotlib's settings are the whole process's: one thread at a time changes and restores them."""
-    with _LOCK, matplotlib.rc_context({**_STYLE, **more}), warnings.catch_warnings():
+    with _LOCK, matplotlib.rc_context({**_STYLE, **(more or {})}), warnings.catch_warnings():
         # a letter the font lacks is a square in PNG and PDF; an SVG shows it where the reader has a font
         warnings.filterwarnings("ignore", "Glyph .* missing")
         yield
@@ -64,7 +64,7 @@ def encode(picture: Picture, form: str, theme: Theme = LIGHT, *, stem: str = "pi
     """The file of a picture: form "svg", "png" or "pdf"; `stem` seeds the ids in an SVG."""
     title = telling.printable(picture.title or picture.sentence)
     out = io.BytesIO()
-    with _settings({"svg.hashsalt": stem}):
+    with styled({"svg.hashsalt": stem}):
         fig, pen = canvas(picture.size, theme)
         pen.draw(picture)
         if form == "png":
@@ -79,6 +79,13 @@ def encode(picture: Picture, form: str, theme: Theme = LIGHT, *, stem: str = "pi
         else:
             raise ValueError(f"unknown format {form!r}: choose one of {', '.join(FORMATS)}")
     return out.getvalue()
+
+
+def inline_svg(picture: Picture, theme: Theme = LIGHT, *, stem: str) -> str:
+    """The SVG element alone, for a page or a notebook: no XML head, no note of its maker."""
+    svg = encode(picture, "svg", theme, stem=stem).decode()
+    before, _, rest = svg[svg.index("<svg") :].partition(" <metadata>")
+    return before + rest.partition("</metadata>\n")[2] if rest else before
 
 
 def _described(svg: str, stem: str, title: str, sentence: str) -> str:
@@ -98,7 +105,7 @@ def animate(pictures: Sequence[Picture], theme: Theme = LIGHT) -> bytes:
     from PIL import Image
 
     frames = []
-    with _settings({}):
+    with styled():
         fig, pen = canvas(pictures[0].size, theme)
         for picture in pictures:
             pen.draw(picture)

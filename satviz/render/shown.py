@@ -1,18 +1,20 @@
-"""What a notebook shows of a trace, a scene or a shape: its text and its picture, labels escaped."""
+"""What a notebook shows of a picture, a trace, a scene or a shape: its text and its picture."""
 
-from html import escape
 from typing import Any
+from zlib import crc32
 
-from ..pictures import picture
+from ..pictures import Picture, picture
 from ..pictures.views import alone
 from ..shapes import Circle, Polygon
 from ..trace import Trace
-from .files import encode
+from .files import inline_svg
 
 
 def bundle(what: Any) -> dict[str, str]:
     """The MIME bundle: plain text, and the picture as SVG where it can be drawn."""
-    if isinstance(what, (Circle, Polygon)):
+    if isinstance(what, Picture):
+        text, make = what.sentence, lambda: what
+    elif isinstance(what, (Circle, Polygon)):
         text, make = repr(what), lambda: alone(what)
     else:
         trace = what if isinstance(what, Trace) else what.record()
@@ -21,6 +23,9 @@ def bundle(what: Any) -> dict[str, str]:
         drawn = make()
     except ValueError as error:  # too far out to draw: the text is right all the same
         return {"text/plain": f"{text}\n({error})"}
-    svg = encode(drawn, "svg").decode()
-    svg = svg[svg.index("<svg") :]
-    return {"text/plain": text, "image/svg+xml": svg, "text/html": f"{svg}<pre>{escape(text)}</pre>"}
+    return {"text/plain": text, "image/svg+xml": inline_svg(drawn, stem=_stem(drawn))}
+
+
+def _stem(drawn: Picture) -> str:
+    """Ids of its own for each picture: a page may show many."""
+    return f"satviz-{crc32(drawn.to_json().encode()):08x}"

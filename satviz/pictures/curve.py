@@ -1,0 +1,133 @@
+"""The gap against the direction of the axis: why the edge normals are enough becomes visible."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+from math import atan2, cos, degrees, pi, radians, sin
+
+from .. import telling
+from ..axes import WORLD, Axis
+from ..geometry import Vec
+from ..sat import axis_tests
+from ..shapes import Circle, Shape
+from ..trace import PLAIN
+from .labels import Request, with_labels
+from .layout import Layout
+from .marks import Mark, Picture
+
+SIZE = 500.0, 190.0  # points; the picture's own units
+LEFT, RIGHT, BOTTOM, TOP = 16.0, 484.0, 30.0, 172.0
+MOST_NAMES = 12
+
+
+def gap_curve(a: Shape, b: Shape, degree: float | None = None) -> Picture:
+    """The signed gap on every axis from 0 to 180 degrees, with the axes that SAT would test marked on it.
+
+    The gap is in scene units, the angle counter-clockwise from x.  `degree` marks one
+    more direction.  Concave outlines count as their convex hulls, whose ranges are the same.
+    """
+    candidates = [(_degree(t.axis), t.gap, t.axis) for t in axis_tests(a, b)]
+    grid = {float(d) for d in range(181)} | {d for d, _, _ in candidates}
+    points = [(d, gap_at(a, b, d)) for d in sorted(grid)]
+    lo, hi = min(g for _, g in points), max(g for _, g in points)
+    low, high = min(lo, 0.0), max(hi, 0.0)
+    span = (high - low) or 1.0
+
+    def at(d: float, gap: float) -> Vec:
+        return Vec(LEFT + (RIGHT - LEFT) * d / 180, BOTTOM + (TOP - BOTTOM) * ((gap - low) / span))
+
+    marks = [Mark("zero", "segment", "guide", (at(0, 0), at(180, 0)))]
+    requests = [Request("zero.name", "gap 0", "guide", at(180, 0), prefer=Vec(-1.0, 0.3), optional=True)]
+    for role, side in ("overlap", -1), ("gap", 1):
+        pieces = _pieces(points, side)
+        if pieces:
+            marks.append(Mark(f"curve.{role}", "segment", role, tuple(at(*p) for p in pieces), weight="plain"))
+    best = max(points, key=lambda p: p[1])
+    requests.append(Request("best", f"largest {telling.signed(best[1])}", _role(best[1]), at(*best)))
+    if degree is not None:
+        d, gap = degree % 180, gap_at(a, b, degree)
+        marks += [
+            Mark("here.line", "segment", "ink", (at(d, low), at(d, high))),
+            Mark("here", "dot", "ink", (at(d, gap),)),
+        ]
+        text = f"{telling.number(round(d, 1))}°: {telling.signed(gap)}"
+        requests.insert(0, Request("here.name", text, "ink", at(d, gap)))
+    for i, (d, gap, axis) in enumerate(candidates):
+        role = axis.source.shape or "ink"
+        marks.append(Mark(f"candidate.{i}", "dot", role, (at(d, gap),)))
+        if len(candidates) <= MOST_NAMES:
+            requests.append(Request(f"candidate.{i}.name", _short(axis, a, b), role, at(d, gap), optional=True))
+    ticks = [Mark(f"at.{d}", "label", "guide", (Vec(at(d, 0).x, 12.0),), text=f"{d}°") for d in (0, 45, 90, 135, 180)]
+    layout = Layout((0.0, 0.0, *SIZE), SIZE, ())
+    marks = with_labels(marks, requests, layout, steady=False, keep_off=())
+    return Picture((*marks, *_inside(ticks)), layout.limits, SIZE, "", _sentence(a, b, best, candidates))
+
+
+def gap_at(a: Shape, b: Shape, degree: float) -> float:
+    """The signed gap on the axis at that angle, in float64."""
+    n = direction(degree)
+    (alo, ahi), (blo, bhi) = (_range(shape, n) for shape in (a, b))
+    return max(blo - ahi, alo - bhi)
+
+
+def direction(degree: float) -> Vec:
+    """The unit vector at an angle counter-clockwise from x, exact on the quarter turns."""
+    turns, rest = divmod(degree, 90.0)
+    if rest == 0.0:
+        return (Vec(1.0, 0.0), Vec(0.0, 1.0), Vec(-1.0, 0.0), Vec(0.0, -1.0))[int(turns) % 4]
+    return Vec(cos(radians(degree)), sin(radians(degree)))
+
+
+def _range(shape: Shape, n: Vec) -> tuple[float, float]:
+    if isinstance(shape, Circle):
+        at = shape.center.x * n.x + shape.center.y * n.y
+        return at - shape.radius, at + shape.radius
+    dots = [v.x * n.x + v.y * n.y for v in shape.corners]
+    return min(dots), max(dots)
+
+
+def _degree(axis: Axis) -> float:
+    return degrees(atan2(axis.normal.y, axis.normal.x) % pi)
+
+
+def _role(gap: float) -> str:
+    return "gap" if gap >= 0 else "overlap"
+
+
+def _pieces(points: Sequence[tuple[float, float]], side: int) -> list[tuple[float, float]]:
+    """The parts of the curve above (1) or below (-1) zero, two points a piece."""
+    found = []
+    for (d, g), (e, h) in pairwise(points):
+        if g * side > 0 or h * side > 0:
+            if g * h < 0:
+                zero = (d + (e - d) * g / (g - h), 0.0)
+                (d, g), (e, h) = ((d, g), zero) if g * side > 0 else (zero, (e, h))
+            found += [(d, g), (e, h)]
+    return found
+
+
+def _short(axis: Axis, a: Shape, b: Shape) -> str:
+    """What fits beside a dot: the edge or the vertex that the axis comes from, or x and y."""
+    kind, role, ids = axis.source
+    if role:
+        shape = a if role == "A" else b
+        return telling.edge_name([telling.vertex_name(shape, role, i) for i in ids])
+    return "xy"[ids[0]] if kind == WORLD else "centers"
+
+
+def _inside(ticks: Sequence[Mark]) -> list[Mark]:
+    """The outermost labels moved in, clear of the rim."""
+    return [t._replace(points=(Vec(min(max(t.points[0].x, 20.0), SIZE[0] - 22.0), t.points[0].y),)) for t in ticks]
+
+
+def _sentence(a: Shape, b: Shape, best: tuple[float, float], candidates: Sequence[tuple[float, float, Axis]]) -> str:
+    at, gap = best
+    top = max(candidates, key=lambda c: c[1])
+    name = telling.axis_name(top[2], (a, b), PLAIN)
+    if gap >= 0:
+        first = f"The gap of A and B on every axis from 0 to 180 degrees: the largest is {telling.signed(gap)}"
+    else:
+        first = f"A and B overlap on every axis from 0 to 180 degrees, least by {telling.number(-gap)}"
+    return (
+        f"{first}, at {telling.number(round(at, 1))} degrees. "
+        f"Of the {len(candidates)} axes that SAT tests, the best is {name}: {telling.signed(top[1])}."
+    )

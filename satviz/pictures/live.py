@@ -1,0 +1,104 @@
+"""The picture under the hand: limits that stay while a shape is dragged, and one axis of the pair's."""
+
+from typing import NamedTuple
+
+from .. import telling
+from ..geometry import Relation, Vec
+from ..trace import Trace
+from .curve import direction
+from .drawing import Drawing
+from .layout import AxisPlace, Layout, arrange, box_of, place_within
+from .marks import Picture
+from .stages import draw_move, draw_parts, others
+
+LARGEST = 540.0, 390.0  # points
+PART = 0.6, 0.48  # of the width and height that the shapes take at first: the rest is room to move and for axes
+
+
+class Chosen(NamedTuple):
+    """Which test is shown: of which run (None: the whole trace, else a pair's number) and its number."""
+
+    pair: int | None
+    test: int
+
+
+def field(trace: Trace) -> Layout:
+    """Limits with room to move in; ValueError for what cannot be drawn."""
+    arrange([trace.a, trace.b], ())
+    x0, y0, x1, y1 = box_of([trace.a, trace.b])
+    scale = min(size * part / (hi - lo) for size, part, lo, hi in zip(LARGEST, PART, (x0, y0), (x1, y1), strict=True))
+    w, h = LARGEST[0] / scale / 2, LARGEST[1] / scale / 2
+    cx, cy = (x0 + x1) / 2, (y0 + y1) / 2
+    return Layout((cx - w, cy - h, cx + w, cy + h), LARGEST, ())
+
+
+def fits(drawn: Picture) -> bool:
+    """Does every mark lie inside the limits?"""
+    x0, y0, x1, y1 = drawn.limits
+    reach = [(p, m.radius) for m in drawn.marks if m.id != "line" for p in m.points]
+    return all(x0 <= p.x - r and p.x + r <= x1 and y0 <= p.y - r and p.y + r <= y1 for p, r in reach)
+
+
+def telling_test(trace: Trace) -> Chosen | None:
+    """The test that says most: the first that separates, else the one of least overlap; None without tests."""
+    runs = list(enumerate(trace.pairs)) or [(None, trace)]
+    if trace.pairs and trace.colliding:
+        runs = [run for run in runs if run[1] is trace.colliding]
+    # of pairs that are all apart the closest one
+    pair, run = min(runs, key=lambda r: max((t.gap for t in r[1].tests), default=0.0))
+    if not run.tests:
+        return None
+    best = run.separating or max(run.tests, key=lambda t: t.gap)
+    return Chosen(pair, run.tests.index(best))
+
+
+def live(trace: Trace, layout: Layout, chosen: Chosen | None, *, way_out: bool = False, near: Vec | None = None):
+    """The picture of one finished test on fixed limits, and where its axis was placed.
+
+    `way_out` adds the MTV; `near` is the way the axis lay before, so that it stays on its side.
+    """
+    run = trace if chosen is None or chosen.pair is None else trace.pairs[chosen.pair]
+    place = None if chosen is None else place_within(layout, (trace.a, trace.b), run.tests[chosen.test], near)
+    drawing = Drawing(run, layout)
+    if trace.pairs and run is trace:
+        draw_parts(drawing)
+    else:
+        drawing.shapes()
+    if run is not trace:
+        others(drawing, trace, run)
+    if chosen is not None:
+        test = run.tests[chosen.test]
+        drawing.edge(test)
+        drawing.normal(test)
+        drawing.project(test, place, chosen.test + 1)
+    drawing.note("verdict", str(trace.relation), _role(trace.relation), weight="title", first=1)
+    if way_out and run is trace:
+        draw_move(drawing)
+    return drawing.finish("", trace.sentence, steady=False), place
+
+
+def turned_axis(trace: Trace, layout: Layout, degree: float, *, near: Vec | None = None) -> tuple[Picture, AxisPlace]:
+    """The same for a free axis at an angle in degrees; `trace` has that one direction as its choice."""
+    drawing = Drawing(trace, layout)
+    drawing.shapes()
+    test = trace.tests[0]
+    place = place_within(layout, (trace.a, trace.b), test, near)
+    drawing.project(test, place, 1)
+    says = "this axis separates them" if test.separates else "this axis shows no gap"
+    drawing.note("verdict", says, "gap" if test.separates else "overlap", weight="title", first=1)
+    sentence = f"The axis at {telling.number(round(degree, 1))} degrees: {telling.outcome(test)}; {says}."
+    return drawing.finish("", sentence, steady=False), place
+
+
+def knob(layout: Layout, place: AxisPlace, degree: float) -> Vec:
+    """Where the handle that turns a free axis sits: at its end that points along `degree`, inside the canvas."""
+    x0, y0, x1, y1 = layout.limits
+    rim = layout.units(16.0)
+    n = direction(degree)
+    along = place.n.x * n.x + place.n.y * n.y
+    tip = place.at(place.hi if along > 0 else place.lo)
+    return Vec(min(max(tip.x, x0 + rim), x1 - rim), min(max(tip.y, y0 + rim), y1 - rim))
+
+
+def _role(relation: Relation) -> str:
+    return "gap" if relation is Relation.APART else "ink" if relation is Relation.TOUCHING else "overlap"

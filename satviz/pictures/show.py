@@ -1,0 +1,99 @@
+"""All steps of a trace as plain data: what a player needs to show them, without a kernel."""
+
+from typing import Any
+
+from .. import telling
+from ..geometry import Relation
+from ..trace import Trace
+from .marks import Mark
+from .stages import Stage, Step, picture, steps
+
+# the algorithm line by line, and the stages that each line is about
+CODE = (
+    ("for each axis to test:", (Stage.EDGE, Stage.NORMAL, Stage.AXIS)),
+    ("    drop the points of both shapes onto it", (Stage.DROPS,)),
+    ("    note the range of each", (Stage.RANGE, Stage.BOTH)),
+    ("    if the ranges leave a gap:", (Stage.GAP,)),
+    ("        stop: the shapes are apart", ()),
+    ("no axis left: {end}", ()),
+)
+PROVED, NOT_PROVED = "the shapes collide", "no gap found (no proof of a hit)"
+
+
+MOST_STEPS = 600
+
+
+def both_shows(trace: Trace) -> list[dict[str, Any]]:
+    """The show of a trace and, if the early exit left something out, that of every axis."""
+    whole = trace.without_early_exit()
+    return [show(trace)] if whole.tests == trace.tests and whole.pairs == trace.pairs else [show(trace), show(whole)]
+
+
+def show(trace: Trace) -> dict[str, Any]:
+    """Marks, steps, table and pseudo-code as JSON values; equal marks are stored once.
+
+    steps: the marks by number, the sentence, the row of the table (None: no test), the
+    lines of the code; rows: those of `rows`.  Of very many tests only the last stage of
+    each is kept.  ValueError for a scene that cannot be drawn, or that has too many tests.
+    """
+    every = steps(trace)
+    if len(every) > MOST_STEPS:
+        every = [step for step in every if step.test is None or step.stage is Stage.GAP]
+    if len(every) > MOST_STEPS:
+        raise ValueError(f"{len(every)} tests are too many to step through: at most {MOST_STEPS}")
+    marks: dict[Mark, int] = {}
+    found = []
+    for step in every:
+        drawn = picture(trace, step)
+        ids = [marks.setdefault(mark, len(marks)) for mark in drawn.marks]
+        found.append({"marks": ids, "sentence": drawn.sentence, "row": _row(trace, step), "code": _lines(trace, step)})
+    proves = trace.choice.complete or any(pair.choice.complete for pair in trace.pairs)
+    return {
+        "satviz": "show 1",
+        "sentence": trace.sentence,
+        "relation": str(trace.relation),
+        "limits": list(drawn.limits),
+        "size": list(drawn.size),
+        "marks": [mark.data() for mark in marks],
+        "steps": [step | {"stage": s.stage.value} for step, s in zip(found, every, strict=True)],
+        "names": list(trace.names),
+        "rows": rows(trace),
+        "code": [line.format(end=PROVED if proves else NOT_PROVED) for line, _ in CODE],
+    }
+
+
+def rows(trace: Trace) -> list[dict[str, Any]]:
+    """The table's rows: each test, then the axes left out, of each pair of parts in turn."""
+    found = []
+    for pair in trace.pairs or (trace,):
+        shapes = pair.a, pair.b
+        of = f"{pair.names.a} and {pair.names.b}" if trace.pairs else ""
+        for i, t in enumerate(pair.tests, 1):
+            row = {"pair": of, "number": i, "axis": telling.axis_name(t.axis, shapes, pair.names), "gap": t.gap}
+            row |= {"direction": telling.vector(t.axis.direction), "outcome": telling.outcome(t)}
+            row |= {"a": telling.interval(t.a.interval), "b": telling.interval(t.b.interval)}
+            found.append(row)
+        found += [
+            {"pair": of, "axis": telling.axis_name(s.axis, shapes, pair.names), "reason": s.reason}
+            for s in pair.skipped
+        ]
+    return found
+
+
+def _row(trace: Trace, step: Step) -> int | None:
+    """Which row a step is about."""
+    if step.test is None:
+        return None
+    before = trace.pairs[: step.pair or 0]
+    return sum(len(pair.tests) + len(pair.skipped) for pair in before) + step.test
+
+
+def _lines(trace: Trace, step: Step) -> list[int]:
+    """The numbers of the code's lines that a step is about."""
+    if step.stage is Stage.VERDICT:
+        return [4] if trace.relation is Relation.APART and not trace.false_hit else [5]
+    lines = [i for i, (_, stages) in enumerate(CODE) if step.stage in stages]
+    if step.stage is Stage.GAP:
+        run = trace if step.pair is None else trace.pairs[step.pair]
+        lines += [4] if run.tests[step.test].separates else []
+    return lines

@@ -1,0 +1,346 @@
+// The widget of sv.explore: handles over the picture.  The dragged outline and handle move here, in the same
+// frame; Python answers each pose with the picture that follows from it.  One pose is in flight, the newest wins.
+
+const FREE_MS = 5; // an empty message this long after the last pose frees the server's socket
+const LATE_MS = 3000; // an answer that has not come by then is not waited for
+const STEP = 8; // points that an arrow key moves; with Shift a tenth
+const TURN = 5; // degrees that [ and ] turn; with Shift 1
+
+class Explorer {
+  constructor(model, root) {
+    this.model = model;
+    this.root = root;
+    this.state = model.get("first");
+    this.pose = this.poseOf(this.state);
+    this.valid = this.pose; // the last that Python took
+    this.undone = []; // poses to go back to
+    this.start = this.pose;
+    this.sent = 0;
+    this.heard = 0;
+    this.waiting = false; // one pose in flight
+    this.next = null; // the newest that waits
+    this.drag = null;
+    const svg = element("svg", { class: "sv-picture", role: "img" });
+    this.pen = new Pen(svg);
+    this.handles = element("g", { class: "sv-handles" });
+    svg.append(this.handles);
+    this.svg = svg;
+    this.curve = element("svg", { class: "sv-picture sv-curve", role: "img", hidden: true });
+    this.curvePen = new Pen(this.curve);
+    this.sentence = element("p", { class: "sv-sentence", "aria-live": "polite" });
+    this.why = element("p", { class: "sv-why", role: "alert", hidden: true });
+    this.table = new Table(this.state.names, { pick: (row) => this.pick(row) });
+    const side = element("div", { class: "sv-side" }, this.table.element, this.curve);
+    const stage = element("div", { class: "sv-stage" }, svg, this.why, this.sentence, this.controls());
+    root.classList.add("satviz");
+    root.setAttribute("data-lm-suppress-shortcuts", "true");
+    root.append(element("div", { class: "sv-columns" }, stage, side));
+    svg.addEventListener("pointerdown", (event) => this.down(event));
+    svg.addEventListener("pointermove", (event) => this.moved(event));
+    svg.addEventListener("pointerup", () => this.up());
+    svg.addEventListener("pointercancel", () => this.up());
+    svg.addEventListener("keydown", (event) => this.key(event));
+    this.onmessage = (content, buffers) => this.message(content, buffers);
+    model.on("msg:custom", this.onmessage);
+    this.show(this.state);
+  }
+
+  controls() {
+    const check = (label, does) => {
+      const box = element("input", { type: "checkbox", onchange: () => does(box.checked) });
+      return element("label", {}, box, ` ${label}`);
+    };
+    const options = ["presets", ...this.model.get("presets")].map((name, i) => element("option", { value: i ? name : "" }, name));
+    this.presets = element("select", { "aria-label": "presets", onchange: () => this.preset() }, ...options);
+    this.undoButton = button("undo", () => this.undo());
+    return element("div", { class: "sv-controls", role: "group", "aria-label": "explorer" },
+      this.presets, this.undoButton, button("reset", () => this.commit(this.start)),
+      check("free axis", (on) => this.change({ degree: on ? 30 : null, pinned: null })),
+      check("way out", (on) => this.change({ wayOut: on })),
+      button("copy scene as JSON", () => this.copy(), { shows: "copy JSON" }),
+      ...["svg", "png", "gif"].map((form) => button(`save ${form.toUpperCase()}`, () => this.model.send({ kind: "save", form }))));
+  }
+
+  poseOf({ a, b }) {
+    return { a, b, degree: this.pose?.degree ?? null, pinned: this.pose?.pinned ?? null, wayOut: this.pose?.wayOut ?? false };
+  }
+
+  // -- to and from Python
+
+  send(pose, final) {
+    this.pose = pose;
+    this.next = { pose, final };
+    this.flush();
+  }
+
+  flush() {
+    if (this.waiting || !this.next) return;
+    const { pose, final } = this.next;
+    this.next = null;
+    this.waiting = true;
+    this.sent += 1;
+    this.model.send({ kind: "pose", n: this.sent, final, ...pose });
+    clearTimeout(this.freeing);
+    this.freeing = setTimeout(() => this.model.send({}), FREE_MS);
+    clearTimeout(this.late);
+    this.late = setTimeout(() => this.answered(), LATE_MS);
+  }
+
+  answered() {
+    clearTimeout(this.late);
+    this.waiting = false;
+    this.flush();
+  }
+
+  message(content, buffers) {
+    if (content.kind === "file") return download(content, buffers);
+    if (content.n && content.n !== this.sent) return; // of a pose given up
+    if (content.kind === "refused") {
+      this.why.textContent = `Not possible: ${content.why}`;
+      this.why.hidden = false;
+      this.refused = true;
+      if (!this.drag) this.show(this.state);
+    } else if (content.kind === "state") {
+      this.why.hidden = true;
+      this.refused = false;
+      this.state = content;
+      if (!content.n) {
+        this.undone.push(this.valid);
+        this.start = this.poseOf(content);
+        this.pose = this.start;
+      }
+      this.valid = { ...this.pose, a: content.a, b: content.b };
+      this.show(content);
+    }
+    if (content.n) this.answered();
+  }
+
+  // -- what is seen
+
+  show(state) {
+    this.pen.draw(state.picture);
+    if (!this.drag) this.pose = { ...this.pose, a: state.a, b: state.b };
+    this.follow();
+    this.sentence.textContent = state.sentence;
+    this.table.names(state.names);
+    this.table.show(state.rows, { lit: state.lit });
+    this.curve.toggleAttribute("hidden", !state.curve);
+    if (state.curve) this.curvePen.draw(state.curve);
+    this.undoButton.disabled = !this.undone.length;
+    this.placeHandles();
+  }
+
+  // What is under the hand runs ahead of the picture: its outline goes where the hand is.
+  follow() {
+    if (!this.drag) return;
+    for (const key of ["a", "b"]) {
+      const shape = this.pose[key];
+      const points = shape.polygon ?? [shape.circle];
+      this.pen.patch(`${key.toUpperCase()}.outline`, points, shape.radius);
+      points.forEach((p, i) => this.pen.patch(`${key.toUpperCase()}.vertex.${i}`, [p]));
+    }
+  }
+
+  // The handles of a pose: what each is, where it sits, what it is called.
+  wanted() {
+    const found = [];
+    for (const key of ["a", "b"]) {
+      const shape = this.pose[key];
+      const name = key.toUpperCase();
+      const center = middle(shape);
+      found.push({ id: `${name}-move`, key, does: "move", at: center, label: `${name}: move` });
+      if (shape.polygon) {
+        shape.polygon.forEach((at, i) => {
+          const vertex = shape.labels?.[i] || `${key}${i + 1}`;
+          found.push({ id: `${name}-vertex-${i}`, key, does: "vertex", i, at, label: `${name}: vertex ${vertex}` });
+        });
+        const far = Math.max(...shape.polygon.map(([, y]) => y)) + 26 / this.pen.scale;
+        const top = this.pen.scene([0, 14])[1];
+        found.push({ id: `${name}-rotate`, key, does: "rotate", at: [center[0], Math.min(far, top)], label: `${name}: turn` });
+      } else {
+        found.push({ id: `${name}-radius`, key, does: "radius", at: [center[0] + shape.radius, center[1]], label: `${name}: radius` });
+      }
+    }
+    if (this.state.knob) found.push({ id: "axis", key: null, does: "axis", at: this.state.knob, label: "turn the axis" });
+    return found;
+  }
+
+  placeHandles() {
+    const wanted = this.wanted();
+    const old = new Map([...this.handles.children].map((handle) => [handle.dataset.handle, handle]));
+    for (const spec of wanted) {
+      let handle = old.get(spec.id);
+      old.delete(spec.id);
+      if (!handle) {
+        const more = { "data-handle": spec.id, tabindex: 0, role: "button", "aria-roledescription": "handle" };
+        handle = element("g", { class: `sv-handle sv-does-${spec.does} sv-role-${spec.key ?? "axis"}`, ...more });
+        handle.append(element("circle", { class: "sv-target", r: 14 }), element("circle", { class: "sv-grip", r: spec.does === "move" ? 0 : 5 }));
+        handle.setAttribute("aria-label", `${spec.label}; arrow keys move, [ and ] turn`);
+        this.handles.append(handle);
+      }
+      handle.spec = spec;
+      const mine = this.drag && this.drag.spec.id === spec.id && spec.does !== "vertex" && this.drag.spot;
+      const [x, y] = this.pen.at(mine || spec.at);
+      handle.setAttribute("transform", `translate(${x} ${y})`);
+    }
+    for (const handle of old.values()) handle.remove();
+  }
+
+  // -- the hand
+
+  pointed(event) {
+    const box = this.svg.getBoundingClientRect();
+    const [, , width] = this.svg.getAttribute("viewBox").split(" ").map(Number);
+    const k = width / box.width;
+    return this.pen.scene([(event.clientX - box.left) * k, (event.clientY - box.top) * k]);
+  }
+
+  down(event) {
+    if (event.button > 0 || this.drag) return;
+    const spot = this.pointed(event);
+    let handle = event.target.closest(".sv-handle");
+    // a shape is moved by any point of it; where both lie B, which is drawn last, is meant
+    const key = !handle && ["b", "a"].find((k) => holds(this.pose[k], spot));
+    if (key) handle = this.handles.querySelector(`[data-handle="${key.toUpperCase()}-move"]`);
+    if (!handle) return;
+    event.preventDefault();
+    handle.focus({ preventScroll: true });
+    this.svg.setPointerCapture(event.pointerId);
+    this.drag = { spec: handle.spec, from: spot, pose: this.pose };
+  }
+
+  moved(event) {
+    if (!this.drag) return;
+    const { spec, from, pose } = this.drag;
+    const grid = 10 ** Math.floor(Math.log10(1 / this.pen.scale));
+    const [x, y] = this.pointed(event).map((v) => snap(v, grid));
+    this.drag.spot = [x, y];
+    const shape = spec.key && pose[spec.key];
+    const [cx, cy] = spec.key ? middle(shape) : this.pen.scene([this.pen.width / 2, this.pen.height / 2]);
+    if (spec.does === "axis") {
+      const degree = (Math.atan2(y - cy, x - cx) * 180) / Math.PI;
+      return this.go({ ...this.pose, degree: snap(degree, 0.1) });
+    }
+    let made = shape;
+    if (spec.does === "move") made = shifted(shape, snap(x - from[0], grid), snap(y - from[1], grid));
+    else if (spec.does === "vertex") made = { ...shape, polygon: shape.polygon.map((p, i) => (i === spec.i ? [x, y] : p)) };
+    else if (spec.does === "radius") made = { ...shape, radius: snap(Math.hypot(x - cx, y - cy), grid) };
+    else made = turned(shape, Math.atan2(y - cy, x - cx) - Math.atan2(from[1] - cy, from[0] - cx));
+    this.go({ ...this.pose, [spec.key]: made });
+  }
+
+  go(pose) {
+    this.pose = pose;
+    this.follow();
+    this.placeHandles();
+    this.send(pose, false);
+  }
+
+  up() {
+    if (!this.drag) return;
+    const before = this.drag.pose;
+    this.drag = null;
+    const to = this.refused ? this.valid : this.pose;
+    if (JSON.stringify(to) !== JSON.stringify(before)) this.undone.push(before);
+    this.send(to, true);
+  }
+
+  key(event) {
+    const handle = event.target.closest(".sv-handle");
+    if (!handle || event.ctrlKey || event.metaKey || event.altKey) return;
+    const { spec } = handle;
+    const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    const side = { "[": 1, "{": 1, "]": -1, "}": -1 }[event.key];
+    if (!way && !side) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const size = nice(STEP / this.pen.scale) * (event.shiftKey ? 0.1 : 1);
+    const angle = (side ?? (spec.does === "rotate" || spec.does === "axis" ? -way[0] || way[1] : 0)) * (event.shiftKey ? 1 : TURN);
+    if (spec.does === "axis") return this.commit({ ...this.pose, degree: snap(this.pose.degree + angle, 0.1) });
+    const shape = this.pose[spec.key];
+    const [dx, dy] = (way ?? [0, 0]).map((d) => d * size);
+    let made;
+    if (angle) made = turned(shape, (angle * Math.PI) / 180);
+    else if (spec.does === "vertex") made = { ...shape, polygon: shape.polygon.map((p, i) => (i === spec.i ? [snap(p[0] + dx, size / 10), snap(p[1] + dy, size / 10)] : p)) };
+    else if (spec.does === "radius") made = { ...shape, radius: snap(shape.radius + dx + dy, size / 10) };
+    else made = shifted(shape, dx, dy);
+    this.commit({ ...this.pose, [spec.key]: made });
+  }
+
+  // -- changes that can be undone
+
+  commit(pose) {
+    this.undone.push(this.pose);
+    this.send(pose, true);
+  }
+  change(more) {
+    this.send({ ...this.pose, ...more }, true);
+  }
+  undo() {
+    const pose = this.undone.pop();
+    if (pose) this.send({ ...this.pose, a: pose.a, b: pose.b }, true);
+  }
+  pick(row) {
+    this.change({ pinned: this.pose.pinned === row ? null : row });
+  }
+  preset() {
+    if (this.presets.value) this.model.send({ kind: "preset", name: this.presets.value });
+  }
+  copy() {
+    navigator.clipboard?.writeText(this.state.json);
+  }
+
+  remove() {
+    clearTimeout(this.freeing);
+    clearTimeout(this.late);
+    this.model.off("msg:custom", this.onmessage);
+    this.pen.remove();
+    this.root.replaceChildren();
+  }
+}
+
+// A number on a grid, without the tail of digits that a float multiplication leaves.
+function snap(value, grid) {
+  return Number((Math.round(value / grid) * grid).toPrecision(12));
+}
+
+// The round number (1, 2 or 5 times a power of ten) below.
+function nice(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * (value / power >= 5 ? 5 : value / power >= 2 ? 2 : 1);
+}
+
+function middle({ polygon, circle }) {
+  if (circle) return circle;
+  return [0, 1].map((k) => polygon.reduce((sum, p) => sum + p[k], 0) / polygon.length);
+}
+
+function shifted(shape, dx, dy) {
+  const go = ([x, y]) => [Number((x + dx).toPrecision(12)), Number((y + dy).toPrecision(12))];
+  return shape.circle ? { ...shape, circle: go(shape.circle) } : { ...shape, polygon: shape.polygon.map(go) };
+}
+
+function turned(shape, angle) {
+  if (shape.circle) return shape;
+  const [cx, cy] = middle(shape);
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  return { ...shape, polygon: shape.polygon.map(([x, y]) => [cx + (x - cx) * c - (y - cy) * s, cy + (x - cx) * s + (y - cy) * c]) };
+}
+
+// Is the point inside?  (Crossing number; a pointer needs no more.)
+function holds({ polygon, circle, radius }, [x, y]) {
+  if (circle) return Math.hypot(x - circle[0], y - circle[1]) <= radius;
+  let inside = false;
+  polygon.forEach(([px, py], i) => {
+    const [qx, qy] = polygon[(i + 1) % polygon.length];
+    if (py > y !== qy > y && x < px + ((y - py) / (qy - py)) * (qx - px)) inside = !inside;
+  });
+  return inside;
+}
+
+function render({ model, el }) {
+  const explorer = new Explorer(model, el.appendChild(element("div")));
+  return () => explorer.remove();
+}
+
+export default { render };

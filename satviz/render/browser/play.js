@@ -1,0 +1,14 @@
+// The widget of sv.play: the player, with files made by the kernel.
+
+function render({ model, el }) {
+  const asks = (form, step, which) => model.send({ kind: "save", form, step, which });
+  const player = new Player(el.appendChild(element("div")), model.get("shows"), { predict: model.get("predict"), save: asks });
+  const heard = (content, buffers) => content.kind === "file" && download(content, buffers);
+  model.on("msg:custom", heard);
+  return () => {
+    model.off("msg:custom", heard);
+    player.remove();
+  };
+}
+
+export default { render };

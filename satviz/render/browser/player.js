@@ -1,0 +1,239 @@
+// The step player: the picture of each step, the table of axes, the algorithm, the sentence.
+// Everything shown was computed in Python; this walks through it.
+
+const PLAY_MS = 1800;
+const ASKED = new Set(["range", "both ranges", "gap"]); // stages that give the answer away
+const ICONS = {
+  first: "M3 3h2v10H3zM13 3v10L6 8z",
+  back: "M11 3v10L4 8z",
+  play: "M4 3v10l9-5z",
+  pause: "M4 3h3v10H4zM9 3h3v10H9z",
+  forward: "M5 3v10l7-5z",
+  last: "M3 3v10l7-5zM11 3h2v10h-2z",
+};
+
+export function icon(name) {
+  return element("svg", { viewBox: "0 0 16 16", class: "sv-icon", "aria-hidden": "true" }, element("path", { d: ICONS[name] }));
+}
+
+export function button(label, does, { shows, pressed } = {}) {
+  const what = { type: "button", "aria-label": label, title: label, onclick: does, "aria-pressed": pressed };
+  return element("button", what, shows ?? label);
+}
+
+// The table of axes.  A row is lit, greyed or still empty; `pick` makes the rows buttons.
+export class Table {
+  constructor(names, { pick } = {}) {
+    this.pick = pick;
+    this.head = element("tr");
+    this.body = element("tbody");
+    this.element = element("table", { class: "sv-table" }, element("thead", {}, this.head), this.body);
+    this.names(names);
+  }
+  names(names) {
+    this.head.replaceChildren(...["", "axis", ...names, "gap"].map((name) => element("th", { scope: "col" }, name)));
+  }
+  show(rows, { lit = null, done = () => true } = {}) {
+    let pair = "";
+    const made = [];
+    rows.forEach((row, i) => {
+      if (row.pair !== pair) {
+        pair = row.pair;
+        const cell = element("th", { colspan: 5, scope: "rowgroup" }, pair);
+        made.push(element("tr", { class: "sv-pair" }, cell));
+      }
+      const known = done(i);
+      const skipped = "reason" in row;
+      const result = !known ? "" : skipped ? row.reason : row.outcome;
+      const role = skipped || !known ? "" : row.gap >= 0 ? "sv-gap" : "sv-overlap";
+      const shown = (text) => (known && !skipped ? text : "");
+      const cells = skipped && known ? [element("td", { colspan: 3, class: "sv-reason" }, result)] : [
+        element("td", { class: "sv-A" }, shown(row.a)),
+        element("td", { class: "sv-B" }, shown(row.b)),
+        element("td", { class: role }, result),
+      ];
+      const classes = `${lit === i ? "sv-lit" : ""} ${skipped && known ? "sv-skipped" : ""}`.trim();
+      const name = this.pick && !skipped ? button(`show ${row.axis}`, () => this.pick(i), { shows: row.axis }) : row.axis;
+      const first = element("td", {}, String(row.number ?? "–"));
+      const line = element("tr", { class: classes, "aria-current": lit === i ? "step" : null }, first, element("td", {}, name), ...cells);
+      made.push(line);
+    });
+    this.body.replaceChildren(...made);
+  }
+}
+
+// shows: one, or that of the early exit and that of every axis.  save(form, step, which) asks a kernel for a file.
+export class Player {
+  constructor(root, shows, { predict = false, save = null } = {}) {
+    this.root = root;
+    this.shows = shows;
+    this.which = 0;
+    this.at = 0;
+    this.timer = 0;
+    this.answered = new Map(); // row -> was the guess right?
+    this.asking = null;
+    const svg = element("svg", { class: "sv-picture", role: "img", tabindex: 0, "data-lm-suppress-shortcuts": "true" });
+    this.pen = new Pen(svg);
+    this.sentence = element("p", { class: "sv-sentence", "aria-live": "polite" });
+    this.question = element("div", { class: "sv-question", role: "group", hidden: true });
+    this.table = new Table(this.show.names);
+    this.code = element("ol", { class: "sv-code", "aria-label": "the algorithm" });
+    this.controls = this.makeControls(predict, save);
+    const side = element("div", { class: "sv-side" }, this.code, this.table.element);
+    const stage = element("div", { class: "sv-stage" }, svg, this.question, this.sentence, this.controls);
+    root.classList.add("satviz");
+    root.append(element("div", { class: "sv-columns" }, stage, side));
+    this.onkey = (event) => this.key(event);
+    root.addEventListener("keydown", this.onkey);
+    this.load();
+  }
+
+  get show() {
+    return this.shows[this.which];
+  }
+  get last() {
+    return this.show.steps.length - 1;
+  }
+
+  makeControls(predict, save) {
+    const go = (where) => () => this.go(where());
+    this.playButton = button("play", () => this.toggle(), { shows: icon("play") });
+    this.scrub = element("input", { type: "range", min: 0, step: 1, "aria-label": "step", oninput: () => this.go(Number(this.scrub.value)) });
+    this.count = element("output", { class: "sv-count" });
+    const options = [0.5, 1, 2].map((v) => element("option", { value: v, selected: v === 1 }, `${v}×`));
+    this.speed = element("select", { "aria-label": "speed" }, ...options);
+    this.predict = element("input", { type: "checkbox", checked: predict, onchange: () => this.go(this.at) });
+    this.score = element("output", { class: "sv-score" });
+    this.rest = button("test the axes left out", () => this.other(), { shows: "test the rest", pressed: "false" });
+    this.rest.hidden = this.shows.length < 2;
+    const row = element("div", { class: "sv-controls", role: "group", "aria-label": "player", "data-lm-suppress-shortcuts": "true" },
+      button("first step", go(() => 0), { shows: icon("first") }),
+      button("step back", go(() => this.at - 1), { shows: icon("back") }),
+      this.playButton,
+      button("step forward", go(() => this.at + 1), { shows: icon("forward") }),
+      button("last step", go(() => this.last), { shows: icon("last") }),
+      this.scrub, this.count, this.speed,
+      element("label", {}, this.predict, " predict"), this.score,
+      button("start again", () => this.reset(), { shows: "reset" }), this.rest);
+    if (save) row.append(...["svg", "png", "gif"].map((form) => button(`save ${form.toUpperCase()}`, () => save(form, this.at, this.which))));
+    return row;
+  }
+
+  // Take in a show: when each row of its table is known, and the pictures by number.
+  load() {
+    const { steps, rows } = this.show;
+    this.doneAt = rows.map(() => 0);
+    steps.forEach((step, i) => {
+      if (step.stage === "gap") this.doneAt[step.row] = i;
+    });
+    rows.forEach((row, i) => {
+      if ("reason" in row && i) this.doneAt[i] = this.doneAt[i - 1];
+    });
+    this.scrub.max = this.last;
+    this.table.names(this.show.names);
+    this.code.replaceChildren(...this.show.code.map((text) => element("li", {}, text)));
+    this.go(Math.min(this.at, this.last), { animate: false });
+  }
+
+  picture(i) {
+    const { limits, size, marks, steps } = this.show;
+    return { limits, size, sentence: steps[i].sentence, marks: steps[i].marks.map((m) => marks[m]) };
+  }
+
+  // Go to a step; in predict mode no further than the first question that is open.
+  go(step, { animate = true } = {}) {
+    let to = Math.max(0, Math.min(this.last, step));
+    this.asking = null;
+    if (this.predict.checked) {
+      const open = this.show.steps.findIndex((s, i) => i <= to && s.row !== null && ASKED.has(s.stage) && !this.answered.has(s.row));
+      if (open > 0) {
+        to = open - 1;
+        this.asking = this.show.steps[open].row;
+      }
+    }
+    const forward = to === this.at + 1;
+    this.at = to;
+    this.pen.draw(this.picture(to), { animate: animate && forward });
+    const { sentence, row, code } = this.show.steps[to];
+    this.sentence.textContent = sentence;
+    this.scrub.value = to;
+    this.count.textContent = `${to + 1} / ${this.last + 1}`;
+    const hides = (i) => this.predict.checked && !("reason" in this.show.rows[i]) && !this.answered.has(i);
+    this.table.show(this.show.rows, { lit: row, done: (i) => this.doneAt[i] <= to && !hides(i) });
+    [...this.code.children].forEach((line, i) => line.classList.toggle("sv-lit", code.includes(i)));
+    this.ask();
+    if (to === this.last || this.asking !== null) this.pause();
+  }
+
+  ask() {
+    this.question.hidden = this.asking === null;
+    if (this.asking !== null) {
+      const name = this.show.rows[this.asking].axis;
+      const answer = (yes) => () => this.answer(yes);
+      this.question.replaceChildren(element("span", {}, `Does this axis (${name}) separate them?`), button("yes", answer(true)), button("no", answer(false)));
+    }
+    const right = [...this.answered.values()].filter(Boolean).length;
+    this.score.textContent = this.predict.checked && this.answered.size ? `${right} of ${this.answered.size} right` : "";
+  }
+
+  answer(yes) {
+    const row = this.asking;
+    const separates = this.show.rows[row].gap > 0;
+    this.answered.set(row, yes === separates);
+    this.go(this.doneAt[row]);
+    const said = yes === separates ? "Right. " : "Not so. ";
+    this.sentence.textContent = said + this.sentence.textContent;
+    this.root.querySelector(".sv-picture").focus();
+  }
+
+  toggle() {
+    if (this.timer) return this.pause();
+    if (this.at === this.last) this.go(0);
+    this.playButton.replaceChildren(icon("pause"));
+    this.playButton.setAttribute("aria-label", "pause");
+    const next = () => {
+      this.timer = setTimeout(next, PLAY_MS / Number(this.speed.value));
+      this.go(this.at + 1);
+    };
+    this.timer = setTimeout(next, 300);
+  }
+
+  pause() {
+    clearTimeout(this.timer);
+    this.timer = 0;
+    this.playButton.replaceChildren(icon("play"));
+    this.playButton.setAttribute("aria-label", "play");
+  }
+
+  reset() {
+    this.answered.clear();
+    this.pause();
+    if (this.which) this.other();
+    this.go(0, { animate: false });
+  }
+
+  // The early exit's steps, or those of every axis.
+  other() {
+    this.which = this.which ? 0 : 1;
+    this.rest.setAttribute("aria-pressed", String(Boolean(this.which)));
+    this.load();
+  }
+
+  key(event) {
+    const inside = event.target.closest("input, select, button");
+    if (event.ctrlKey || event.metaKey || event.altKey || (inside && inside !== this.scrub)) return;
+    const where = { ArrowRight: this.at + 1, ArrowLeft: this.at - 1, Home: 0, End: this.last }[event.key];
+    if (where !== undefined) this.go(where);
+    else if (event.key === " " && !inside) this.toggle();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  remove() {
+    this.pause();
+    this.pen.remove();
+    this.root.removeEventListener("keydown", this.onkey);
+    this.root.replaceChildren();
+  }
+}

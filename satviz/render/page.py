@@ -1,0 +1,83 @@
+"""sv.page: a trace as one HTML file to share, with its player; no network, no kernel, the same bytes each time."""
+
+import json
+from base64 import b64encode
+from collections.abc import Sequence
+from hashlib import sha256
+from html import escape
+
+from .. import telling
+from ..pictures import picture
+from ..pictures.show import both_shows
+from ..trace import Trace
+from .files import MADE_BY, inline_svg
+from .script import javascript, stylesheet
+
+START = """
+const data = JSON.parse(document.getElementById("satviz-show").textContent);
+new Player(document.getElementById("satviz-player"), data);
+document.documentElement.classList.add("with-player");
+"""
+STYLE = """
+body.satviz { margin: 0; border-radius: 0; }
+main { max-width: 1200px; margin: 0 auto; padding: 8px 16px; min-height: 100vh; }
+h1 { font-size: 20px; margin: 8px; }
+.sv-static svg { display: block; width: 100%; max-width: 620px; height: auto; background: #fff; }
+.sv-static pre { overflow-x: auto; font-size: 12px; }
+.sv-static figure { margin: 12px 0; break-inside: avoid; }
+.sv-static h2 { font-size: 16px; }
+footer { font-size: 12px; color: var(--sv-guide); margin: 12px 8px; }
+.with-player .sv-static { display: none; }
+@media print { #satviz-player { display: none; } .with-player .sv-static { display: block; } main { padding: 0; } }
+"""
+
+
+def page(trace: Trace, *, title: str = "") -> str:
+    """One self-contained HTML file: every step with its player, the table and every sentence.
+
+    Without JavaScript, and on paper, it shows the first and the last picture instead.
+    ValueError for a scene that cannot be drawn, or one with too many steps.
+    """
+    title = title or "Do A and B collide?"
+    shows = both_shows(trace)
+    script = javascript("pen", "player") + START
+    policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_hash(script)}'; base-uri 'none'"
+    data = json.dumps(shows, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
+    first, last = (picture(trace, i) for i in (0, -1))
+    sentences = [s["sentence"] for s in shows[0]["steps"]]
+    parts = [
+        "<!doctype html>",
+        '<html lang="en">',
+        "<head>",
+        '<meta charset="utf-8">',
+        f'<meta http-equiv="Content-Security-Policy" content="{policy}">',
+        '<meta name="viewport" content="width=device-width, initial-scale=1">',
+        f'<meta name="generator" content="{MADE_BY}">',
+        f'<meta name="description" content="{escape(telling.printable(trace.sentence))}">',
+        f"<title>{escape(telling.printable(title))}</title>",
+        f"<style>\n{stylesheet()}{STYLE}</style>",
+        "</head>",
+        '<body class="satviz"><main>',
+        f"<h1>{escape(telling.printable(title))}</h1>",
+        '<div id="satviz-player"></div>',
+        '<section class="sv-static">',
+        *(f"<figure>{inline_svg(drawn, stem=stem)}</figure>" for drawn, stem in ((first, "first"), (last, "last"))),
+        f"<pre>{escape(str(trace))}</pre>",
+        "<h2>Step by step</h2>",
+        *_listed(sentences),
+        "</section>",
+        f"<footer>{MADE_BY}</footer>",
+        f'<script type="application/json" id="satviz-show">{data}</script>',
+        f'<script type="module">{script}</script>',
+        "</main></body>",
+        "</html>",
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def _listed(sentences: Sequence[str]) -> list[str]:
+    return ["<ol>", *(f"<li>{escape(sentence)}</li>" for sentence in sentences), "</ol>"]
+
+
+def _hash(script: str) -> str:
+    return b64encode(sha256(script.encode()).digest()).decode()

@@ -1,0 +1,47 @@
+"""The browser's side, put together from its files: one module of JavaScript, one style sheet, the theme in both."""
+
+import json
+import re
+from functools import cache
+from importlib.resources import files
+
+from ..pictures import DARK, LIGHT, Theme
+from ..pictures import theme as look
+
+_EXPORT = re.compile(r"^export (?=class|function)", re.MULTILINE)  # one module needs none between its files
+
+# where a page says that it is dark: by itself, in JupyterLab and Notebook, in VS Code
+DARK_BODIES = 'body[data-jp-theme-light="false"]', "body.vscode-dark", "body.vscode-high-contrast"
+LIGHT_BODIES = 'body[data-jp-theme-light="true"]', "body.vscode-light"
+
+
+@cache
+def javascript(*names: str) -> str:
+    """The named files (pen, player ...) as one module, after the theme's numbers."""
+    numbers = {"outline": look.OUTLINE, "strong": look.STRONG, "bar": look.BAR, "overlapBar": look.OVERLAP_BAR}
+    numbers |= {"guide": look.GUIDE, "axis": look.AXIS, "fill": look.FILL, "dot": look.DOT, "head": look.HEAD}
+    numbers |= {"dash": look.DASH, "dotted": look.DOTTED, "text": look.TEXT, "titleText": look.TITLE_TEXT}
+    parts = [f"const LOOK = {json.dumps(numbers)};", *(_EXPORT.sub("", _file(f"{name}.js")) for name in names)]
+    return "\n".join(parts)
+
+
+@cache
+def stylesheet() -> str:
+    """The style sheet, with the colours of both themes as variables."""
+    light, dark = (_variables(theme) for theme in (LIGHT, DARK))
+    rules = [f".satviz {{ {light} }}", f"@media (prefers-color-scheme: dark) {{ .satviz {{ {dark} }} }}"]
+    for bodies, variables in (LIGHT_BODIES, light), (DARK_BODIES, dark):
+        rules.append(f"{', '.join(f'{body} .satviz' for body in bodies)} {{ {variables} }}")
+    rules.append(f"@media print {{ .satviz {{ {light} }} }}")
+    return "\n".join([*rules, _file("satviz.css")])
+
+
+def _variables(theme: Theme) -> str:
+    scheme = {"light": "light", "dark": "dark"}[theme.name]
+    pairs = [("paper", theme.paper), *theme.roles.items()]
+    pairs += [(f"text-{role}", theme.text.get(role, colour)) for role, colour in theme.roles.items()]
+    return " ".join(f"--sv-{name}: {colour};" for name, colour in pairs) + f" color-scheme: {scheme};"
+
+
+def _file(name: str) -> str:
+    return (files(__package__) / "browser" / name).read_text(encoding="utf-8")

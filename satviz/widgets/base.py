@@ -1,0 +1,79 @@
+"""What both widgets share: the browser's code, files by the matplotlib pen, the picture where no front end runs."""
+
+from base64 import b64encode
+from threading import RLock
+from typing import Any
+
+import anywidget
+import traitlets
+
+from .. import telling
+from ..pictures import LIGHT, Picture, picture, steps
+from ..pictures.caption import captioned
+from ..render.files import animate, encode
+from ..render.script import javascript, stylesheet
+
+LOCK = RLock()  # a front end's messages can come on any thread
+
+
+class Shown(anywidget.AnyWidget):
+    """A widget whose trace is shown; its messages are answered one at a time."""
+
+    _css = stylesheet()
+    trace = traitlets.Any(help="the Trace that is shown; observe it to follow").tag(sync=False)
+
+    def __init__(self, **more: Any) -> None:
+        super().__init__(**more)
+        self.on_msg(self._heard)
+
+    def _heard(self, _widget: Any, content: Any, _buffers: Any) -> None:
+        if not isinstance(content, dict) or not content:
+            return  # the empty message that frees the server's socket
+        with LOCK:
+            if content.get("kind") == "save":
+                self._save(content)
+            else:
+                self.answer(content)
+
+    def answer(self, content: dict) -> None:
+        """Answer a message from the browser."""
+
+    def picture(self) -> Picture:
+        """What is shown where no front end runs."""
+        return picture(self.trace)
+
+    def pictures(self, which: int) -> list[Picture]:
+        """All steps, for an animation."""
+        trace = self.trace.without_early_exit() if which else self.trace
+        return [picture(trace, i) for i in range(len(steps(trace)))]
+
+    def _save(self, content: dict) -> None:
+        form, step, which = (content.get(key) for key in ("form", "step", "which"))
+        if form == "gif":
+            data = animate(captioned(self.pictures(1 if which else 0)))
+        elif form in ("svg", "png"):
+            drawn = self.picture() if not isinstance(step, int) else self.pictures(1 if which else 0)[step]
+            data = encode(drawn, form, LIGHT)
+        else:
+            return
+        self.send({"kind": "file", "name": f"satviz.{form}"}, [data])
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self.trace.sentence}>"
+
+    def _repr_mimebundle_(self, **more: Any) -> tuple[dict, dict] | dict:
+        """The widget, and for where none runs the picture and the sentence."""
+        found = super()._repr_mimebundle_(**more)
+        data, metadata = found if isinstance(found, tuple) else (found or {}, {})
+        still = {"text/plain": telling.printable(repr(self)), "image/png": still_png(self.picture())}
+        return {**data, **still}, metadata
+
+
+def still_png(drawn: Picture) -> str:
+    """A picture for a notebook's output, base64."""
+    return b64encode(encode(drawn, "png")).decode()
+
+
+def code(*names: str) -> str:
+    """The browser's module for a widget."""
+    return javascript("pen", "player", "download", *names)

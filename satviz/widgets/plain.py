@@ -1,0 +1,53 @@
+"""The player as plain ipywidgets over the matplotlib pen, for places where anywidget does not load."""
+
+import io
+from html import escape
+from typing import Any
+
+import ipywidgets as ui
+
+from .. import telling
+from ..pictures import LIGHT, picture, steps
+from ..render.files import canvas, styled
+from ..trace import Trace
+from .base import LOCK, still_png
+
+
+class PlainPlayer(ui.VBox):
+    """A slider, a play button and the picture, drawn anew on one Figure for each step."""
+
+    def __init__(self, trace: Trace) -> None:
+        self.trace = trace
+        last = len(steps(trace)) - 1
+        self.figure, self.pen = canvas(picture(trace, 0).size, LIGHT)
+        self.image = ui.Image(format="png", layout={"max_width": "100%", "object_fit": "contain"})
+        self.sentence = ui.HTML()
+        self.slider = ui.IntSlider(0, 0, last, description="step")
+        self.player = ui.Play(value=0, min=0, max=last, interval=1800)
+        ui.jslink((self.player, "value"), (self.slider, "value"))
+        back, forward = (ui.Button(description=name, layout={"width": "80px"}) for name in ("back", "forward"))
+        back.on_click(lambda _: self._by(-1))
+        forward.on_click(lambda _: self._by(1))
+        self.slider.observe(lambda _: self._draw(), "value")
+        super().__init__([self.image, self.sentence, ui.HBox([self.player, back, forward, self.slider])])
+        self._draw()
+
+    def _by(self, way: int) -> None:
+        self.slider.value = max(0, min(self.slider.max, self.slider.value + way))
+
+    def _draw(self) -> None:
+        with LOCK, styled():
+            drawn = picture(self.trace, self.slider.value)
+            self.pen.draw(drawn)
+            out = io.BytesIO()
+            self.figure.savefig(out, format="png", dpi=96)
+        self.image.value = out.getvalue()
+        self.sentence.value = f"<p>{escape(drawn.sentence)}</p>"
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self.trace.sentence}>"
+
+    def _repr_mimebundle_(self, **more: Any) -> dict:
+        """The widget, and for where none runs the picture and the sentence (a box loses its children's)."""
+        found = super()._repr_mimebundle_(**more) or {}
+        return {**found, "text/plain": telling.printable(repr(self)), "image/png": still_png(picture(self.trace))}

@@ -1,0 +1,118 @@
+"""A real browser and a real JupyterLab for the tests: what is needed, and a plain reason where it is missing."""
+
+import json
+import os
+import secrets
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from contextlib import contextmanager
+
+import pytest
+
+REQUIRED = os.environ.get("SATVIZ_BROWSER") == "required"
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+
+
+def missing(what):
+    """Skip with the reason, or fail where the browser tests are required."""
+    if REQUIRED:
+        pytest.fail(f"{what}, and SATVIZ_BROWSER=required")
+    pytest.skip(what)
+
+
+@contextmanager
+def chromium():
+    """A headless browser; every page of it fails its test on an error of satviz's."""
+    try:
+        from playwright.sync_api import sync_playwright
+    except ImportError:
+        missing("playwright is not installed")
+    if CHROMIUM is None:
+        missing("no Chromium is installed")
+    with sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        yield browser
+        browser.close()
+
+
+class Lab:
+    """A JupyterLab on a random port, with a folder of notebooks."""
+
+    def __init__(self, folder, url, token):
+        self.folder, self.url, self.token = folder, url, token
+
+    def notebook(self, name, *sources):
+        cells = [
+            {"cell_type": "code", "id": f"c{i}", "metadata": {}, "execution_count": None, "outputs": [], "source": s}
+            for i, s in enumerate(sources)
+        ]
+        kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}
+        data = {"nbformat": 4, "nbformat_minor": 5, "metadata": {"kernelspec": kernel}, "cells": cells}
+        (self.folder / name).write_text(json.dumps(data), encoding="utf-8")
+
+    def open(self, page, name):
+        """The notebook, its kernel ready: cells run before that get lost."""
+        page.goto(f"{self.url}/lab/tree/{name}?token={self.token}")
+        page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=60_000)
+        page.wait_for_function("() => window.jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel")
+        page.evaluate("async () => { await jupyterapp.shell.currentWidget.sessionContext.ready; }")
+        page.evaluate("async () => { await jupyterapp.shell.currentWidget.sessionContext.session.kernel.info; }")
+
+    def run_all(self, page):
+        page.evaluate("async () => { await jupyterapp.commands.execute('notebook:run-all-cells'); }")
+
+
+@contextmanager
+def jupyterlab(folder):
+    """Start the server, wait until it answers, and stop it by its pid whatever happens."""
+    try:
+        import anywidget  # noqa: F401
+        import jupyterlab  # noqa: F401
+    except ImportError:
+        missing("JupyterLab or anywidget is not installed")
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    token = secrets.token_hex(16)
+    settings = {"IPYTHONDIR": str(folder / ".ipython"), "JUPYTER_CONFIG_DIR": str(folder / ".jupyter")}
+    settings |= {"JUPYTERLAB_SETTINGS_DIR": str(folder / ".lab"), "JUPYTER_RUNTIME_DIR": str(folder / ".run")}
+    options = [
+        "--no-browser",
+        "--expose-app-in-browser",
+        "--allow-root",
+        "--ip=127.0.0.1",
+        f"--port={port}",
+        f"--IdentityProvider.token={token}",
+    ]
+    options += [
+        f"--ServerApp.root_dir={folder}",
+        "--LabApp.news_url=None",
+        "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
+    ]
+    with (folder / ".lab.log").open("wb") as log:
+        command = [sys.executable, "-m", "jupyterlab", *options]
+        server = subprocess.Popen(
+            command, env={**os.environ, **settings}, stdout=log, stderr=log, start_new_session=True
+        )
+        try:
+            url = f"http://127.0.0.1:{port}"
+            for _ in range(240):
+                try:
+                    urllib.request.urlopen(f"{url}/api?token={token}", timeout=2).close()
+                    break
+                except OSError:
+                    if server.poll() is not None:
+                        pytest.fail((folder / ".lab.log").read_text(errors="replace")[-2000:])
+                    time.sleep(0.25)
+            yield Lab(folder, url, token)
+        finally:
+            os.killpg(server.pid, signal.SIGTERM)
+            try:
+                server.wait(10)
+            except subprocess.TimeoutExpired:
+                os.killpg(server.pid, signal.SIGKILL)

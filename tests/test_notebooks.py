@@ -1,0 +1,154 @@
+"""The walkthrough runs from top to bottom and shows what stands in it."""
+
+import ast
+import re
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from xml.etree import ElementTree
+
+import pytest
+
+for needed in ("nbval", "nbformat", "ipykernel", "ipywidgets", "anywidget"):
+    pytest.importorskip(needed, reason=f"the walkthrough needs {needed}: pip install 'satviz[jupyter,test]'")
+nbformat = pytest.importorskip("nbformat")
+
+FOLDER = Path(__file__).parent.parent / "notebooks"
+CHAPTERS = sorted(path.name for path in FOLDER.glob("*.ipynb"))
+MOST_BYTES = 400_000
+
+# a picture's bytes depend on matplotlib's version, its sentence does not
+SANITIZE = "[picture]\nregex: (?s)<svg.*</svg>\nreplace: SVG\n"
+
+
+def read(chapter):
+    return nbformat.read(FOLDER / chapter, as_version=4)
+
+
+def code_cells(notebook):
+    return [cell for cell in notebook.cells if cell.cell_type == "code"]
+
+
+def prose(notebook):
+    return "\n\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
+
+
+def cells_that_differ(notebook, folder):
+    """Run a copy of the notebook; what nbval says of the code cells that failed or showed something else, by id."""
+    nbformat.write(notebook, folder / "copy.ipynb")
+    (folder / "sanitize.cfg").write_text(SANITIZE)
+    (folder / "pytest.ini").write_text("[pytest]\n")
+    options = ["--nbval", "--nbval-current-env", "--nbval-sanitize-with=sanitize.cfg", "--nbval-cell-timeout=60"]
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, "--junitxml=report.xml"]
+    run = subprocess.run([*command, "copy.ipynb"], cwd=folder, capture_output=True, text=True, timeout=120)
+    cells = code_cells(notebook)
+    report = ElementTree.parse(folder / "report.xml")
+    cases = {case.get("name"): case for case in report.iter("testcase")}
+    assert sorted(cases) == sorted(f"Cell {i}" for i in range(len(cells))), run.stdout[-3000:]
+    said = {
+        cell.id: "\n".join(found.text for found in cases[f"Cell {i}"] if found.tag in ("failure", "error"))
+        for i, cell in enumerate(cells)
+    }
+    return {cell_id: text for cell_id, text in said.items() if text}
+
+
+def with_numbers_changed(notebook):
+    """The ids of the cells in which the first digit shown was made another one."""
+    changed = set()
+    for cell in code_cells(notebook):
+        if "nbval-ignore-output" in cell.metadata.get("tags", ()):
+            continue
+        for output in cell.outputs:
+            where, key = (output, "text") if output.output_type == "stream" else (output.data, "text/plain")
+            shown = where.get(key, "")
+            where[key] = re.sub(r"\d", lambda digit: str((int(digit[0]) + 1) % 10), shown, count=1)
+            if where[key] != shown:
+                changed.add(cell.id)
+                break
+    return changed
+
+
+def test_there_are_chapters():
+    assert [name[0] for name in CHAPTERS] == [str(i + 1) for i in range(len(CHAPTERS))] and len(CHAPTERS) >= 6
+
+
+@cache
+def both_runs(chapter):
+    """(cells that differ, cells that differ once numbers were changed, cells changed); run side by side."""
+    as_it_is, altered = read(chapter), read(chapter)
+    changed = with_numbers_changed(altered)
+    with TemporaryDirectory() as one, TemporaryDirectory() as other, ThreadPoolExecutor(2) as pool:
+        plain, different = pool.map(cells_that_differ, (as_it_is, altered), (Path(one), Path(other)))
+    return plain, different, changed
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_a_chapter_shows_again_what_it_shows(chapter):
+    differ, _, _ = both_runs(chapter)
+    assert differ == {}, "\n".join(differ.values())
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_a_changed_number_is_noticed_in_every_cell_that_shows_one(chapter):
+    _, differ, changed = both_runs(chapter)
+    assert len(changed) >= 5 and set(differ) == changed
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_a_chapter_is_committed_executed_small_and_bare(chapter):
+    notebook, text = read(chapter), (FOLDER / chapter).read_text(encoding="utf-8")
+    nbformat.validate(notebook)
+    cells = code_cells(notebook)
+    assert [cell.execution_count for cell in cells] == list(range(1, len(cells) + 1))
+    assert not [output for cell in cells for output in cell.outputs if output.output_type == "error"]
+    assert len(text.encode()) <= MOST_BYTES
+    assert set(notebook.metadata) == {"kernelspec"} and notebook.metadata.kernelspec.display_name == "Python 3"
+    assert "application/vnd.jupyter.widget" not in text
+    shown = [
+        part
+        for cell in cells
+        for output in cell.outputs
+        for part in output.get("data", {"text": output.get("text")}).items()
+    ]
+    words = [cell.source for cell in notebook.cells] + [part for kind, part in shown if kind in ("text", "text/plain")]
+    assert not re.findall(r"/tmp|/home/|/root/|/Users/|[A-Z]:\\", "\n".join(words))
+    ids = [cell.id for cell in notebook.cells]
+    assert ids == [f"ch{chapter[0]}-{i:02d}" for i in range(1, len(ids) + 1)]
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_links_lead_somewhere(chapter):
+    links = re.findall(r"\]\(([^)#]+)\)", prose(read(chapter)))
+    assert links and not [link for link in links if "://" not in link and not (FOLDER / link).is_file()]
+    neighbours = {CHAPTERS[i] for i in (int(chapter[0]) - 2, int(chapter[0])) if 0 <= i < len(CHAPTERS)}
+    first, *_, last = [cell.source for cell in read(chapter).cells]
+    for neighbour in neighbours:
+        assert f"({neighbour})" in first and f"({neighbour})" in last
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_every_exercise_has_a_solution_that_comes_out_as_it_says(chapter):
+    """A solution's last words, `# value`, are what the expression before them gives."""
+    notebook = read(chapter)
+    exercises = re.split(r"^\*\*\d\.\*\* ", prose(notebook).split("## Exercises")[1], flags=re.MULTILINE)[1:]
+    assert len(exercises) in (2, 3)
+    names = {}
+    for cell in code_cells(notebook):
+        if "nbval-ignore-output" not in cell.metadata.get("tags", ()):
+            exec(compile(cell.source, cell.id, "exec"), names)
+    for exercise in exercises:
+        assert exercise.count("<details><summary>Solution</summary>") == exercise.count("</details>") == 1
+        for block in re.findall(r"^```python\n(.*?)^```$", exercise, re.MULTILINE | re.DOTALL):
+            lines = block.splitlines()
+            for statement in ast.parse(block).body:
+                source = "\n".join(lines[statement.lineno - 1 : statement.end_lineno])
+                if not isinstance(statement, ast.Expr):
+                    exec(source, names)
+                    continue
+                after = lines[statement.end_lineno - 1][statement.end_col_offset :].split("# ")[1:]
+                below = lines[statement.end_lineno] if statement.end_lineno < len(lines) else ""
+                claim = after[0] if after else below.removeprefix("# ")
+                assert repr(eval(source, names)) == claim.strip(), source

@@ -1,0 +1,88 @@
+"""The page to share: one file, the same bytes each time, nothing from anywhere else, words that cannot run."""
+
+import json
+import re
+
+import pytest
+
+import satviz as sv
+from satviz.pictures import show as module
+from satviz.pictures.show import both_shows, show
+from satviz.scenes import SCENES
+
+TRIANGLES = sv.scene("triangles").record()
+
+
+def data_of(page):
+    return json.loads(re.search(r'id="satviz-show">(.*?)</script>', page, re.DOTALL)[1])
+
+
+def test_a_page_of_two_triangles_is_small_and_the_same_each_time():
+    page = sv.page(TRIANGLES)
+    assert page == sv.page(sv.Trace.from_json(TRIANGLES.to_json()))
+    assert len(page.encode()) <= 150_000
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.name)
+def test_a_page_loads_nothing_from_elsewhere(scene):
+    page = sv.page(scene.record(), title=scene.title)
+    assert re.findall(r"https?://[^\s\"'<]+", page.replace("http://www.w3.org/", "")) == []
+    assert "default-src 'none'" in page and 'src="' not in page and "@import" not in page
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.name)
+def test_a_show_holds_every_step_as_it_is_drawn(scene):
+    trace = scene.record()
+    found = show(trace)
+    assert len(found["steps"]) == len(sv.steps(trace))
+    for i, step in enumerate(found["steps"]):
+        drawn = sv.picture(trace, i)
+        assert [found["marks"][m] for m in step["marks"]] == drawn.data()["marks"]
+        assert (step["sentence"], found["limits"]) == (drawn.sentence, list(drawn.limits))
+
+
+def test_without_a_script_the_page_has_two_pictures_the_table_and_every_sentence():
+    page = sv.page(TRIANGLES)
+    static = page.split('class="sv-static"')[1].split("</section>")[0]
+    assert static.count("<svg") == 2 and "normal of B&#x27;s edge v1v3" in static
+    for i in range(len(sv.steps(TRIANGLES))):
+        assert sv.picture(TRIANGLES, i).sentence.replace("'", "&#x27;") in static
+
+
+def test_labels_are_text_wherever_they_stand():
+    evil = '</script><script>alert(1)</script><img src=x onerror=alert(2)>"&$_'
+    a = sv.Polygon([(0, 0), (1, 0), (0, 1)], [evil, "b", "c"])
+    page = sv.page(sv.record(a, sv.Circle((3, 3), 1)), title=evil)
+    assert "<script>alert" not in page and "<img" not in page
+    assert page.count("</script>") == 2
+    assert any(evil[:8] in mark.get("text", "") for mark in data_of(page)[0]["marks"])
+
+
+def test_what_the_early_exit_left_out_is_on_the_page_too():
+    early, whole = both_shows(TRIANGLES)
+    assert [row.get("number") for row in early["rows"]] == [1, 2, None, None, None, None]
+    assert [row["number"] for row in whole["rows"]] == [1, 2, 3, 4, 5, 6]
+    assert len(both_shows(TRIANGLES.without_early_exit())) == 1
+    hit = sv.record(TRIANGLES.a, TRIANGLES.a)
+    assert len(both_shows(hit)) == 1
+
+
+def test_the_lit_line_of_the_algorithm_is_what_happens():
+    found = show(TRIANGLES)
+    last_gap = [s for s in found["steps"] if s["stage"] == "gap"][-1]
+    assert [found["code"][i].strip() for i in last_gap["code"]] == [
+        "if the ranges leave a gap:",
+        "stop: the shapes are apart",
+    ]
+    hit = show(sv.record(TRIANGLES.a, TRIANGLES.a))
+    assert found["code"][-1] == hit["code"][hit["steps"][-1]["code"][0]] == "no axis left: the shapes collide"
+    unsure = show(sv.record(TRIANGLES.a, TRIANGLES.b, axes=sv.axes.edge_normals_of_a))
+    assert "no proof" in unsure["code"][-1]
+
+
+def test_too_many_steps_are_thinned_then_refused(monkeypatch):
+    monkeypatch.setattr(module, "MOST_STEPS", 10)
+    assert [s["stage"] for s in show(TRIANGLES)["steps"]] == ["scene", "gap", "gap", "verdict"]
+    monkeypatch.setattr(module, "MOST_STEPS", 3)
+    with pytest.raises(ValueError, match="too many"):
+        show(TRIANGLES)

@@ -1,0 +1,159 @@
+"""The widgets without a browser: what they answer, what they show where no front end runs."""
+
+import base64
+import io
+
+import pytest
+
+import satviz as sv
+from satviz.geometry import Relation
+
+pytest.importorskip("anywidget", reason="anywidget is not installed")
+
+TRIANGLES = sv.scene("triangles")
+
+
+def explorer(scene="triangles"):
+    """A widget whose messages are kept instead of sent."""
+    widget = sv.explore(scene)
+    widget.sent = []
+    widget.send = lambda content, buffers=None: widget.sent.append((content, buffers))
+    return widget
+
+
+def pose(widget, n=1, **more):
+    state = {"kind": "pose", "n": n, "a": widget.first["a"], "b": widget.first["b"], "degree": None, "pinned": None}
+    widget._heard(widget, state | more, [])
+    return widget.sent[-1][0]
+
+
+def moved_b(widget, dx, dy):
+    b = widget.first["b"]
+    return {**b, "polygon": [[x + dx, y + dy] for x, y in b["polygon"]]}
+
+
+def test_a_pose_is_answered_with_the_picture_that_follows():
+    widget = explorer()
+    assert widget.trace.relation is Relation.APART
+    said = pose(widget, b=moved_b(widget, -3, 0))
+    assert widget.trace.relation is Relation.OVERLAPPING and said["relation"] == "overlapping"
+    assert said["n"] == 1 and "Moving B by" in said["sentence"]
+    assert widget.trace == sv.record(widget.scene.a, widget.scene.b, axes=sv.axes.edge_normals, every_axis=True)
+
+
+@pytest.mark.parametrize(
+    "b, why",
+    [
+        ({"polygon": [[0, 0], [1, 1], [2, 2]]}, "one line"),
+        ({"polygon": [[0, 0], [1, 1], [1, 0], [0, 1]]}, "cross"),
+        ({"circle": [0, 0], "radius": 0}, "radius"),
+        ({"polygon": [[0, 0], [float("nan"), 1], [1, 0]]}, "B"),
+        ({"polygon": "abc"}, "B"),
+        ({"circle": [1e300, 0], "radius": 1}, "cannot be drawn"),
+        (None, "B"),
+    ],
+)
+def test_an_invalid_pose_says_why_and_changes_nothing(b, why):
+    widget = explorer()
+    before = widget.scene
+    said = pose(widget, b=b)
+    assert said["kind"] == "refused" and why in said["why"]
+    assert widget.scene == before and widget.trace.relation is Relation.APART
+
+
+@pytest.mark.parametrize("content", [{}, None, "pose", {"kind": "no"}, {"kind": "save", "form": "exe"}])
+def test_messages_that_mean_nothing_are_left_alone(content):
+    widget = explorer()
+    widget._heard(widget, content, [])
+    assert widget.sent == []
+
+
+def test_the_view_stays_while_dragging_and_is_fitted_when_the_drag_ends():
+    widget = explorer()
+    limits = widget.first["picture"]["limits"]
+    far = moved_b(widget, 30, 0)
+    assert pose(widget, b=far, final=False)["picture"]["limits"] == limits
+    fitted = pose(widget, b=far, final=True)["picture"]
+    x0, y0, x1, y1 = fitted["limits"]
+    assert fitted["limits"] != limits
+    assert all(x0 < x < x1 and y0 < y < y1 for m in fitted["marks"] if m["id"] == "B.outline" for x, y in m["points"])
+
+
+def test_a_free_axis_shows_its_gap_and_the_curve():
+    widget = explorer()
+    said = pose(widget, degree=166.0)
+    assert "this axis separates them" in said["sentence"]
+    names = {mark["id"] for mark in said["curve"]["marks"]}
+    assert {"here", "candidate.0", "curve.gap", "curve.overlap"} <= names
+    assert "no gap" in pose(widget, degree=90.0)["sentence"]
+
+
+def test_a_row_that_is_picked_stays_picked():
+    widget = explorer()
+    assert pose(widget)["lit"] == 1
+    assert pose(widget, pinned=4)["lit"] == 4
+    assert pose(widget, pinned=4, b=moved_b(widget, 1, 1))["lit"] == 4
+
+
+def test_presets_are_the_built_in_scenes():
+    widget = explorer()
+    for name in widget.presets:
+        widget._heard(widget, {"kind": "preset", "name": name}, [])
+        assert widget.sent[-1][0]["kind"] == "state" and widget.scene == sv.scene(name)
+    widget._heard(widget, {"kind": "preset", "name": "nothing"}, [])
+    assert widget.sent[-1][0]["kind"] == "refused"
+
+
+def test_files_come_from_the_matplotlib_pen():
+    widget = sv.play(TRIANGLES.record())
+    sent = []
+    widget.send = lambda content, buffers=None: sent.append((content, buffers))
+    for form, magic in ("svg", b"<?xml"), ("png", b"\x89PNG"), ("gif", b"GIF89a"):
+        widget._heard(widget, {"kind": "save", "form": form, "step": 3, "which": 1}, [])
+        content, (data,) = sent[-1]
+        assert content["name"] == f"satviz.{form}" and data.startswith(magic)
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda: sv.explore("circles"),
+        lambda: sv.play(TRIANGLES.record()),
+        lambda: sv.play(TRIANGLES.record(), pen="matplotlib"),
+    ],
+    ids=["explore", "play", "plain"],
+)
+def test_where_no_front_end_runs_there_is_the_picture_and_the_sentence(make):
+    from PIL import Image
+
+    widget = make()
+    found = widget._repr_mimebundle_()
+    data = found[0] if isinstance(found, tuple) else found
+    assert data["text/plain"] == repr(widget) and " at 0x" not in repr(widget)
+    assert widget.trace.sentence in data["text/plain"]
+    assert Image.open(io.BytesIO(base64.b64decode(data["image/png"]))).size[0] > 500
+    assert "application/vnd.jupyter.widget-view+json" in data
+
+
+def test_the_plain_player_steps_with_its_slider_and_buttons():
+    trace = TRIANGLES.record()
+    widget = sv.play(trace, pen="matplotlib")
+    first = widget.image.value
+    widget.slider.value = 7
+    assert sv.picture(trace, 7).sentence.replace("'", "&#x27;") in widget.sentence.value
+    assert widget.image.value != first
+    widget.slider.value = widget.slider.max
+    widget.children[2].children[2].click()
+    assert widget.slider.value == widget.slider.max
+    with pytest.raises(ValueError, match="matplotlib"):
+        sv.play(trace, pen="crayon")
+
+
+def test_the_gap_curve_tells_the_numbers_of_the_trace():
+    for scene in ("triangles", "circle-polygon", "aabb", "circles"):
+        found = sv.scene(scene)
+        curve = sv.gap_curve(found.a, found.b, 20)
+        best = max(t.gap for t in sv.record(found.a, found.b, every_axis=True).tests)
+        assert f"{best:.3f}".rstrip("0").rstrip(".") in curve.sentence
+        x0, y0, x1, y1 = curve.limits
+        assert all(x0 <= x <= x1 and y0 <= y <= y1 for mark in curve.marks for x, y in mark.points)
