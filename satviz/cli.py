@@ -93,6 +93,7 @@ def _parser() -> argparse.ArgumentParser:
     bench.set_defaults(run=_bench)
 
     scenes = commands.add_parser("scenes", help="list the built-in scenes")
+    scenes.add_argument("--failing", action="store_true", help="those where shortcuts fail, and what is right")
     scenes.set_defaults(run=_scenes)
     return parser
 
@@ -126,12 +127,13 @@ def _load(args: argparse.Namespace):
     from dataclasses import replace
 
     from .scenefile import load
-    from .scenes import NAMED, scene
+    from .scenes import names, scene
 
     is_file = Path(args.scene).exists() or any(c in args.scene for c in "./\\")
-    if args.scene not in NAMED and not is_file:
-        raise Refused(f"no scene {args.scene!r}{_did_you_mean(args.scene, NAMED)}, or give a file")
-    found = scene(args.scene) if args.scene in NAMED else load(args.scene)
+    known = names()
+    if args.scene not in known and not is_file:
+        raise Refused(f"no scene {args.scene!r}{_did_you_mean(args.scene, known)}, or give a file")
+    found = scene(args.scene) if args.scene in known else load(args.scene)
     return replace(found, axes=args.axes or found.axes, every_axis=args.every_axis or found.every_axis)
 
 
@@ -261,7 +263,8 @@ def _bench(args: argparse.Namespace) -> int:
 
     from tqdm import tqdm
 
-    from .study.bench import bench, bench_broad, broad_table, machine, missing, table, when_numba_pays
+    from .study.bench import bench, bench_broad, broad_table, table, when_numba_pays
+    from .study.machine import machine, missing
 
     shown = {"unit": "method", "disable": None, "leave": False}
     rows = list(tqdm(bench(args.pairs, args.rounds, args.seed), **shown))
@@ -283,6 +286,11 @@ def _bench(args: argparse.Namespace) -> int:
 
 
 def _scenes(args: argparse.Namespace) -> int:
+    if args.failing:
+        from .failing import ROWS
+
+        print(*ROWS, sep="\n")
+        return 0
     from .scenes import SCENES
 
     width = max(len(scene.name) for scene in SCENES)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from satviz.cli import main
-from satviz.study import bench as study
+from satviz.study import machine
 from satviz.study.workloads import LAYOUTS, WORKLOADS
 
 
@@ -25,8 +25,8 @@ def test_bench_times_every_method_and_satviz_is_never_wrong(capsys):
 
 
 def test_bench_prints_a_table_and_names_what_is_missing(capsys, monkeypatch):
-    real = study.find_spec
-    monkeypatch.setattr(study, "find_spec", lambda name: None if name in ("pymunk", "shapely") else real(name))
+    real = machine.find_spec
+    monkeypatch.setattr(machine, "find_spec", lambda name: None if name in ("pymunk", "shapely") else real(name))
     assert main(["bench", "--pairs", "200", "--rounds", "1"]) == 0
     out = capsys.readouterr().out
     assert "not installed, so left out: shapely, pymunk" in out and "satviz numpy" in out and "broad phase, ms" in out

@@ -8,7 +8,7 @@ overwritten unless asked.
 import io
 import os
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from threading import RLock, get_ident
@@ -62,20 +62,30 @@ def styled(more: dict | None = None) -> Iterator[None]:
 
 def encode(picture: Picture, form: str, theme: Theme = LIGHT, *, stem: str = "picture") -> bytes:
     """The file of a picture: form "svg", "png" or "pdf"; `stem` seeds the ids in an SVG."""
-    title = telling.printable(picture.title or picture.sentence)
-    out = io.BytesIO()
-    with styled({"svg.hashsalt": stem}):
+
+    def drawn() -> Figure:
         fig, pen = canvas(picture.size, theme)
         pen.draw(picture)
+        return fig
+
+    return encode_figure(drawn, form, stem=stem, title=picture.title or picture.sentence, sentence=picture.sentence)
+
+
+def encode_figure(drawn: Callable[[], Figure], form: str, *, stem: str, title: str, sentence: str) -> bytes:
+    """The file of a matplotlib Figure, with its words inside; `drawn` makes it under the files' own settings."""
+    title = telling.printable(title)
+    out = io.BytesIO()
+    with styled({"svg.hashsalt": stem}):
+        fig = drawn()
         if form == "png":
-            words = {"Title": title, "Description": picture.sentence, "Software": MAKER}
+            words = {"Title": title, "Description": sentence, "Software": MAKER}
             fig.savefig(out, format="png", dpi=DPI, metadata=words)
         elif form == "pdf":
-            words = {"Title": title, "Subject": picture.sentence, "Creator": MAKER, "CreationDate": None}
+            words = {"Title": title, "Subject": sentence, "Creator": MAKER, "CreationDate": None}
             fig.savefig(out, format="pdf", metadata=words)
         elif form == "svg":
             fig.savefig(out, format="svg", metadata={"Title": title, "Creator": MAKER, "Date": None})
-            return _described(out.getvalue().decode(), stem, title, picture.sentence).encode()
+            return _described(out.getvalue().decode(), stem, title, sentence).encode()
         else:
             raise ValueError(f"unknown format {form!r}: choose one of {', '.join(FORMATS)}")
     return out.getvalue()

@@ -32,6 +32,40 @@ def coins(rng: np.random.Generator, n: int, spread: float) -> Coins:
     return _around(rng, n, spread)[:, 0], rng.uniform(0.3, 1, n)
 
 
+def mixed(rng: np.random.Generator, n: int, spread: float) -> Rings:
+    """Polygons with 3 to 8 corners and sizes of 0.4 to 1.6; the last corner is repeated to make up 8."""
+    rings, most = np.empty((n, 8, 2)), rng.integers(3, 9, n)
+    for v in range(3, 9):
+        mine = np.flatnonzero(most == v)
+        rings[mine, :v] = ngons(rng, len(mine), v, 0.0) * rng.uniform(0.4, 1.6, (len(mine), 1, 1))
+        rings[mine, v:] = rings[mine, v - 1 : v]
+    return rings + _around(rng, n, spread)
+
+
+def at_corners(rng: np.random.Generator, n: int) -> tuple[Coins, Rings]:
+    """Circles off a triangle's corner, in the cone where that corner is nearest, from 0.7 to 1.3 radii away."""
+    rings, r = ngons(rng, n, 3, 0.9), rng.uniform(0.3, 1, n)
+    before, corner, after = rings[:, 2], rings[:, 0], rings[:, 1]
+    ways = []
+    for p, q in ((before, corner), (corner, after)):
+        edge = q - p
+        ways.append(np.stack([edge[:, 1], -edge[:, 0]], axis=1) / np.linalg.norm(edge, axis=1, keepdims=True))
+    share = rng.uniform(0, 1, (n, 1))
+    way = share * ways[0] + (1 - share) * ways[1]
+    way /= np.linalg.norm(way, axis=1, keepdims=True)
+    return (corner + way * (r * rng.uniform(0.7, 1.3, n))[:, None], r), rings
+
+
+def needles(rng: np.random.Generator, n: int, spread: float) -> Rings:
+    """Triangles of length 2 and a width of 1e-1 to 1e-6, turned at random."""
+    width = 10 ** rng.uniform(-6, -1, n)
+    zero, one = np.zeros(n), np.ones(n)
+    x, y = np.stack([-one, one, one], axis=1), np.stack([zero, -width, width], axis=1)
+    turn = rng.uniform(0, 2 * np.pi, n)
+    c, s = np.cos(turn)[:, None], np.sin(turn)[:, None]
+    return _around(rng, n, spread) + np.stack([x * c - y * s, x * s + y * c], axis=2)
+
+
 def nearly_touching(rng: np.random.Generator, n: int) -> tuple[Rings, Rings]:
     """Triangles where a corner of B lies on an edge of A or within 4 units in the last place of it."""
     a = ngons(rng, n, 3, 2.0)
@@ -67,6 +101,15 @@ WORKLOADS: dict[str, Make] = {
     "boxes": lambda rng, n: (boxes(rng, n, 1.7), boxes(rng, n, 1.7)),
     "8-gons": lambda rng, n: (ngons(rng, n, 8, 1.9), ngons(rng, n, 8, 1.9)),
     "circle and triangle": lambda rng, n: (coins(rng, n, 1.3), ngons(rng, n, 3, 1.3)),
+    "nearly touching": nearly_touching,
+}
+
+# what the study charts speed against accuracy on
+STUDIED: dict[str, Make] = {
+    "mixed polygons": lambda rng, n: (mixed(rng, n, 1.0), mixed(rng, n, 1.0)),
+    "circles at corners": at_corners,
+    "boxes": WORKLOADS["boxes"],
+    "needles": lambda rng, n: (needles(rng, n, 0.55), needles(rng, n, 0.55)),
     "nearly touching": nearly_touching,
 }
 

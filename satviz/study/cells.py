@@ -1,0 +1,108 @@
+"""The study's work in cells: each done once, kept on disk with a checksum, and not done again.
+
+A cell is a function of plain arguments that gives plain JSON values.  It is kept under
+a key of all that decides its result: the function, its arguments, the code of satviz
+and the versions it ran with.  Cells that measure time run one at a time in this
+process, after all others, so that nothing runs beside them.
+"""
+
+import json
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+from typing import Any, NamedTuple
+from zlib import crc32
+
+import numpy as np
+
+from ..batch.chunks import in_chunks
+from ..render.files import write
+from .machine import machine
+
+ROOT = Path(__file__).parents[1]
+
+
+class Settings(NamedTuple):
+    """What the whole study is asked: fewer and smaller runs if `quick`, and the seed of all that is random."""
+
+    quick: bool = False
+    seed: int = 1
+
+    def rng(self, *what: str | int) -> np.random.Generator:
+        """Random numbers for one purpose, the same whenever the seed is."""
+        return np.random.default_rng([self.seed, *(crc32(str(word).encode()) for word in what)])
+
+
+class Cell(NamedTuple):
+    """One piece of the study: `work(*arguments)`, both to be pickled; `timed` if it measures time."""
+
+    name: str
+    work: Callable[..., Any]
+    arguments: tuple
+    timed: bool = False
+
+    @property
+    def key(self) -> str:
+        """What decides the result, as a digest."""
+        facts = [self.work.__module__, self.work.__qualname__, self.arguments, machine(), _code()]
+        return sha256(json.dumps(facts).encode()).hexdigest()
+
+
+@cache
+def _code() -> str:
+    """A digest of satviz's own modules: numbers from other code are not these numbers."""
+    files = sorted(ROOT.rglob("*.py"))
+    return sha256(b"".join(sha256(path.read_bytes()).digest() for path in files)).hexdigest()
+
+
+def results(cells: Sequence[Cell], folder: Path, executor: Executor | None) -> Iterator[tuple[Cell, Any]]:
+    """Each cell with its result, those kept in `folder` first; what is finished is kept, whatever comes after.
+
+    A file whose key or checksum is not right counts as not there.  ChunkFailed names
+    the range of the cell that failed; an interrupt stops after the running cells.
+    """
+    todo = []
+    for cell in cells:
+        kept = _load(cell, folder)
+        if kept is None:
+            todo.append(cell)
+        else:
+            yield cell, kept
+    for timed, pool in (False, executor), (True, None):
+        mine = [cell for cell in todo if cell.timed is timed]
+
+        def job(start: int, stop: int, mine: list[Cell] = mine) -> tuple[Callable, tuple]:
+            return mine[start].work, mine[start].arguments
+
+        for start, _, result in in_chunks(job, len(mine), pool, None, 1):
+            _keep(mine[start], result, folder)
+            yield mine[start], _plain(result)
+
+
+def _path(cell: Cell, folder: Path) -> Path:
+    return folder / f"{cell.name}.json"
+
+
+def _load(cell: Cell, folder: Path) -> Any:
+    try:
+        data = json.loads(_path(cell, folder).read_text(encoding="utf-8"))
+        good = data["key"] == cell.key and data["checksum"] == _checksum(data["result"])
+        return data["result"] if good else None
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+
+
+def _keep(cell: Cell, result: Any, folder: Path) -> None:
+    data = {"satviz": "study cell 1", "key": cell.key, "checksum": _checksum(result), "result": result}
+    write(_path(cell, folder), json.dumps(data).encode(), force=True)
+
+
+def _plain(result: Any) -> Any:
+    """As it comes back from disk, so that a resumed study ends as one that was not interrupted."""
+    return json.loads(json.dumps(result))
+
+
+def _checksum(result: Any) -> str:
+    return sha256(json.dumps(result, sort_keys=True).encode()).hexdigest()

@@ -1,0 +1,219 @@
+"""A chart of the study: what draws it, the numbers beside it, and a reading made from the numbers."""
+
+import csv
+import io
+import json
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from ..pictures import THEMES, Theme
+from ..render.files import DPI, MADE_BY, encode_figure, write
+
+TEXT, TITLE = 10.0, 13.0  # points, at final size
+# who a method is, by colour; every mark is named beside it as well
+FAMILIES = {"exact": "gap", "float SAT": "A", "fewer axes": "B", "library": "guide", "GJK": "overlap"}
+
+
+class Chart(NamedTuple):
+    """One chart: `draw` puts it on an empty Figure of `size` (points) in a theme.
+
+    `rows`: the numbers drawn, flat and of plain values, written beside it as JSON and
+    CSV; `reading`: what it shows in words, made from the rows, and its alt text.
+    """
+
+    stem: str
+    title: str
+    size: tuple[float, float]
+    draw: Callable[[Figure, Theme], None]
+    rows: Sequence[dict[str, Any]]
+    reading: str
+
+    def figure(self, theme: Theme) -> Figure:
+        """The chart on a Figure of its own."""
+        fig = Figure(figsize=(self.size[0] / 72, self.size[1] / 72), dpi=DPI)
+        FigureCanvasAgg(fig)
+        fig.set_facecolor(theme.paper)
+        self.draw(fig, theme)
+        return fig
+
+    def encode(self, form: str, theme: Theme) -> bytes:
+        """The chart's file: form "svg" or "png"."""
+        stem = f"{self.stem}{suffix(theme)}"
+        return encode_figure(lambda: self.figure(theme), form, stem=stem, title=self.title, sentence=self.reading)
+
+
+def suffix(theme: Theme) -> str:
+    """What the files of a theme end in."""
+    return "" if theme.name == "light" else f"-{theme.name}"
+
+
+def save(chart: Chart, folder: Path, facts: dict[str, Any], *, force: bool = False) -> Iterator[Path]:
+    """Write the chart as SVG and PNG, light and dark, and its numbers as JSON (with `facts`) and CSV."""
+    for theme in THEMES.values():
+        for form in ("svg", "png"):
+            path = folder / f"{chart.stem}{suffix(theme)}.{form}"
+            write(path, chart.encode(form, theme), force=force)
+            yield path
+    data = {"made_by": MADE_BY, "title": chart.title, "reading": chart.reading, **facts, "rows": list(chart.rows)}
+    write(folder / f"{chart.stem}.json", (json.dumps(data, indent=1) + "\n").encode(), force=force)
+    yield folder / f"{chart.stem}.json"
+    text = io.StringIO()
+    names = list(dict.fromkeys(name for row in chart.rows for name in row))
+    text.write(f"# {MADE_BY}: {chart.title}\n")
+    table = csv.DictWriter(text, names, lineterminator="\n")
+    table.writeheader()
+    table.writerows(chart.rows)
+    write(folder / f"{chart.stem}.csv", text.getvalue().encode(), force=force)
+    yield folder / f"{chart.stem}.csv"
+
+
+def axes(fig: Figure, box: tuple[float, float, float, float], theme: Theme, title: str = "") -> Axes:
+    """Quiet axes in the project's look, at (left, bottom, width, height) in parts of the figure."""
+    ax = fig.add_axes(box)
+    ink, guide = theme.roles["ink"], theme.roles["guide"]
+    ax.set_facecolor(theme.paper)
+    ax.spines[["top", "right"]].set_visible(False)
+    ax.spines[["left", "bottom"]].set_color(guide)
+    ax.tick_params(which="both", color=guide, labelcolor=ink, labelsize=TEXT, length=3)
+    ax.tick_params(which="minor", length=0)
+    for axis in (ax.xaxis, ax.yaxis):
+        axis.label.set(color=ink, fontsize=TEXT)
+    if title:
+        ax.set_title(title, loc="left", color=ink, fontsize=TEXT + 1, fontweight="bold", parse_math=False)
+    return ax
+
+
+def headline(fig: Figure, theme: Theme, text: str, under: str = "") -> None:
+    """The chart's title at its upper left, and one quiet line under it."""
+    height = fig.get_size_inches()[1] * 72
+    at = {"ha": "left", "va": "top", "parse_math": False}
+    fig.text(0.012, 1 - 8 / height, text, color=theme.roles["ink"], fontsize=TITLE, fontweight="bold", **at)
+    if under:
+        fig.text(0.012, 1 - 27 / height, under, color=theme.roles["guide"], fontsize=TEXT, **at)
+
+
+def colour(theme: Theme, family: str, *, text: bool = False) -> str:
+    """A family's colour; for letters the darker one."""
+    role = FAMILIES[family]
+    return theme.text.get(role, theme.roles[role]) if text else theme.roles[role]
+
+
+def label_ends(
+    ax: Axes, ends: Sequence[tuple[float, float, str, str]], *, gap: float = 13.0, room: float = 12.0
+) -> None:
+    """Write (x, y, text, colour) to the right of the axes, pushed apart to `gap` points, each tied to its point.
+
+    `room`: points between the axes' right side and the letters.
+    """
+    if not ends:
+        return
+    scale = 72 / ax.figure.dpi
+    box = ax.get_window_extent()
+    spots = sorted(((ax.transData.transform((x, y))[1] * scale, x, y, t, c) for x, y, t, c in ends), reverse=True)
+    heights = [spot[0] for spot in spots]
+    low, high = box.y0 * scale, box.y1 * scale
+    for _ in range(200):  # push neighbours apart until none is too close
+        moved = False
+        for i in range(len(heights) - 1):
+            short = gap - (heights[i] - heights[i + 1])
+            if short > 0.01:
+                heights[i] += short / 2
+                heights[i + 1] -= short / 2
+                moved = True
+        heights[0] = min(heights[0], high)
+        heights[-1] = max(heights[-1], low - 4)
+        if not moved:
+            break
+    for height, (_, x, y, text, shade) in zip(heights, spots, strict=True):
+        ax.annotate(
+            text,
+            xy=(x, y),
+            xytext=(box.x1 * scale + room, height),
+            textcoords="figure points",
+            color=shade,
+            fontsize=TEXT,
+            va="center",
+            parse_math=False,
+            annotation_clip=False,
+            arrowprops={"arrowstyle": "-", "color": shade, "lw": 0.6, "alpha": 0.6, "shrinkA": 1, "shrinkB": 2},
+        )
+
+
+def label_points(
+    ax: Axes, points: Sequence[tuple[float, float, str, str]], theme: Theme, taken: Sequence[tuple] = ()
+) -> None:
+    """Write each (x, y, text, colour) beside its point, where it covers no other label, point or the axes' rim.
+
+    `taken`: more (x, y) points to keep clear of.
+    """
+    scale = 72 / ax.figure.dpi
+    box = ax.get_window_extent()
+    rim = box.x0 * scale, box.y0 * scale, box.x1 * scale, box.y1 * scale
+    spots = [tuple(ax.transData.transform((p[0], p[1])) * scale) for p in (*points, *taken)]
+    placed: list[tuple[float, float, float, float]] = [(x - 4, y - 4, x + 4, y + 4) for x, y in spots]
+    renderer = ax.figure.canvas.get_renderer()
+    for (x, y), (px, py, text, shade) in sorted(zip(spots, points), key=lambda item: (-item[0][1], item[0][0])):
+        note = ax.annotate(
+            text,
+            xy=(px, py),
+            xytext=(0, 0),
+            textcoords="offset points",
+            color=shade,
+            fontsize=TEXT,
+            ha="left",
+            va="bottom",
+            parse_math=False,
+            annotation_clip=False,
+            bbox={"facecolor": theme.paper, "edgecolor": "none", "alpha": 0.8, "pad": 0.6},
+            arrowprops={"arrowstyle": "-", "color": shade, "lw": 0.6, "alpha": 0.6, "shrinkA": 0, "shrinkB": 3},
+        )
+        size = note.get_window_extent(renderer)
+        w, h = size.width * scale, size.height * scale
+
+        def cost(offset: tuple[float, float], at: tuple[float, float] = (x, y), w: float = w, h: float = h) -> float:
+            mine = at[0] + offset[0], at[1] + offset[1], at[0] + offset[0] + w, at[1] + offset[1] + h
+            over = sum(_common(mine, other) for other in placed)
+            out = (
+                max(0, rim[0] - mine[0])
+                + max(0, mine[2] - rim[2])
+                + max(0, rim[1] - mine[1])
+                + max(0, mine[3] - rim[3])
+            )
+            away = abs(offset[0] + w / 2) / 2 + abs(offset[1] + h / 2)
+            return over * 10 + out * 50 + away
+
+        best = min(_offsets(w, h), key=cost)
+        note.set_position(best)
+        placed.append((x + best[0] - 1, y + best[1], x + best[0] + w + 1, y + best[1] + h))
+
+
+def _offsets(w: float, h: float) -> Iterator[tuple[float, float]]:
+    """Places for a label's lower left corner, seen from its point: beside it, then further up and down."""
+    for step in range(12):
+        for side in (1, -1):
+            up = side * (4 + step * h * 0.75)
+            y = up if side > 0 else up - h
+            yield from ((x, y) for x in (5, -w / 2, -w - 5, 24, -w - 24))
+    yield from ((5, -h / 2), (-w - 5, -h / 2))
+
+
+def _common(one: tuple, other: tuple) -> float:
+    """How much area two boxes (x0, y0, x1, y1) share, in square points."""
+    return max(0.0, min(one[2], other[2]) - max(one[0], other[0])) * max(
+        0.0, min(one[3], other[3]) - max(one[1], other[1])
+    )
+
+
+def wilson(wrong: int, of: int) -> tuple[float, float]:
+    """The 95 % interval of a rate (Wilson 1927), which has a meaning for 0 of n too."""
+    if not of:
+        return 0.0, 1.0
+    z = 1.959964
+    p, zz = wrong / of, z * z / of
+    centre, half = p + zz / 2, z * (p * (1 - p) / of + zz / (4 * of)) ** 0.5
+    return max(0.0, (centre - half) / (1 + zz)), min(1.0, (centre + half) / (1 + zz))

@@ -1,0 +1,150 @@
+"""One pair at a time, as it is usually written: plain floats, no bound, no second look.
+
+A shape here is (points, radius): a polygon's corners with radius 0, or a circle's centre.
+"""
+
+from collections.abc import Iterator, Sequence
+from math import cos, hypot, inf, pi, sin
+
+from ..shapes import Circle, Shape
+
+Points = Sequence[tuple[float, float]]
+Plain = tuple[Points, float]
+MOST_TURNS = 64  # of GJK: rounding may make it go round
+
+
+def plain(shape: Shape) -> Plain:
+    """The numbers of a shape alone."""
+    return ((shape.center,), shape.radius) if isinstance(shape, Circle) else (shape.corners, 0.0)
+
+
+def as_ngon(shape: Shape, n: int) -> Plain:
+    """A circle as the regular n-gon inscribed in it; a polygon as it is."""
+    if not isinstance(shape, Circle):
+        return plain(shape)
+    (x, y), r = shape.center, shape.radius
+    return [(x + r * cos(2 * pi * i / n), y + r * sin(2 * pi * i / n)) for i in range(n)], 0.0
+
+
+def normals(a: Plain, b: Plain) -> Iterator[tuple[float, float]]:
+    """Every edge normal, A's first, not normalised; for a circle and a polygon also towards the nearest vertex."""
+    for points, _ in (a, b):
+        if len(points) > 1:
+            px, py = points[-1]
+            for qx, qy in points:
+                yield qy - py, px - qx
+                px, py = qx, qy
+    if a[1] or b[1]:
+        (((cx, cy),), _), (ring, _) = (a, b) if a[1] else (b, a)
+        yield min(((x - cx, y - cy) for x, y in ring), key=lambda v: v[0] * v[0] + v[1] * v[1])
+
+
+def sat(a: Plain, b: Plain, *, unit: bool = False, tolerance: float = 0.0) -> bool:
+    """Textbook SAT: a hit unless some axis leaves a gap of more than `tolerance`; `unit` normalises the normals."""
+    for nx, ny in normals(a, b):
+        length = hypot(nx, ny)
+        if unit and length:
+            nx, ny, length = nx / length, ny / length, 1.0
+        lo_a, hi_a = span(a, nx, ny, length)
+        lo_b, hi_b = span(b, nx, ny, length)
+        if max(lo_a - hi_b, lo_b - hi_a) > tolerance:
+            return False
+    return True
+
+
+def span(shape: Plain, nx: float, ny: float, length: float) -> tuple[float, float]:
+    """The range of a shape on an axis of that length."""
+    points, r = shape
+    landings = [x * nx + y * ny for x, y in points]
+    return min(landings) - r * length, max(landings) + r * length
+
+
+def ranges(shape: Shape, directions: Points) -> list[tuple[float, float]]:
+    """The ranges on fixed unit directions, to be kept with the shape."""
+    return [span(plain(shape), x, y, 1.0) for x, y in directions]
+
+
+def ranges_overlap(a: Sequence[tuple[float, float]], b: Sequence[tuple[float, float]]) -> bool:
+    """Do kept ranges overlap or touch on every direction?"""
+    return all(p[0] <= q[1] and q[0] <= p[1] for p, q in zip(a, b))
+
+
+def around(shape: Shape) -> tuple[float, float, float]:
+    """A circle (x, y, radius) round the mean of the corners that holds them all."""
+    points, r = plain(shape)
+    x, y = sum(p[0] for p in points) / len(points), sum(p[1] for p in points) / len(points)
+    return x, y, r + max(hypot(p[0] - x, p[1] - y) for p in points)
+
+
+def circles_overlap(a: tuple[float, float, float], b: tuple[float, float, float]) -> bool:
+    """Are the centres within the sum of the radii?"""
+    dx, dy, reach = a[0] - b[0], a[1] - b[1], a[2] + b[2]
+    return dx * dx + dy * dy <= reach * reach
+
+
+def gjk(a: Plain, b: Plain) -> bool:
+    """Gilbert, Johnson and Keerthi (1988): does the difference of the shapes hold the origin?  Touching counts."""
+    ax, ay = _difference(a, b, 1.0, 0.0)
+    corners = [(ax, ay)]
+    dx, dy = -ax, -ay
+    for _ in range(MOST_TURNS):
+        if dx == 0 and dy == 0:
+            return True  # the origin lies on what is left
+        ax, ay = _difference(a, b, dx, dy)
+        if ax * dx + ay * dy < 0:
+            return False
+        corners, (dx, dy) = _towards_origin(corners, ax, ay)
+        if len(corners) == 3:
+            return True
+    return True
+
+
+def _difference(a: Plain, b: Plain, dx: float, dy: float) -> tuple[float, float]:
+    """The support point of A - B along (dx, dy)."""
+    px, py = _support(a, dx, dy)
+    qx, qy = _support(b, -dx, -dy)
+    return px - qx, py - qy
+
+
+def _support(shape: Plain, dx: float, dy: float) -> tuple[float, float]:
+    points, r = shape
+    best, found = -inf, points[0]
+    for p in points:
+        along = p[0] * dx + p[1] * dy
+        if along > best:
+            best, found = along, p
+    if not r:
+        return found
+    length = hypot(dx, dy)
+    return found[0] + r * dx / length, found[1] + r * dy / length
+
+
+def _towards_origin(corners: list, ax: float, ay: float) -> tuple[list, tuple[float, float]]:
+    """The part of the simplex nearest the origin once (ax, ay) is added, and the way from there to the origin.
+
+    All three corners left means the origin is inside.
+    """
+    a = ax, ay
+    if len(corners) == 1:
+        return _edge(a, corners[0])
+    c, b = corners
+    # the sides of the triangle that face away from the third corner
+    turn = (b[0] - ax) * (c[1] - ay) - (b[1] - ay) * (c[0] - ax)
+    for near, sign in ((b, 1.0), (c, -1.0)):
+        side = (near[0] - ax) * -ay - (near[1] - ay) * -ax
+        if side * sign * turn < 0:
+            return _edge(a, near)
+    return [c, b, a], (0.0, 0.0)
+
+
+def _edge(a: tuple[float, float], b: tuple[float, float]) -> tuple[list, tuple[float, float]]:
+    ex, ey = b[0] - a[0], b[1] - a[1]
+    if ex * -a[0] + ey * -a[1] <= 0:
+        return [a], (-a[0], -a[1])
+    turn = ex * -a[1] - ey * -a[0]
+    return [b, a], (-ey * turn, ex * turn)
+
+
+def spread(k: int) -> list[tuple[float, float]]:
+    """k unit directions evenly over a half turn, x first."""
+    return [(cos(pi * i / k), sin(pi * i / k)) for i in range(k)]
