@@ -1,21 +1,18 @@
-"""satviz figures | trace | draw | notebook | scenes | bench: a thin call of the public face."""
+"""satviz figures | trace | draw | study | notebook | scenes | bench: what the command line understands."""
 
 import argparse
 import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NoReturn
 
-from . import __version__
+from . import __version__, commands
+from .commands import Refused
 from .geometry import InvalidScene
 
 THEMES = ("light", "dark")
 FIGURE_FORMATS = ("svg", "png", "pdf")
 DRAW_FORMATS = (*FIGURE_FORMATS, "gif", "html")
-
-
-class Refused(Exception):
-    """Bad input: one clear line and exit code 2."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -51,37 +48,37 @@ def main(argv: Sequence[str] | None = None) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = Parser(prog="satviz", description="2D collision detection by the Separating Axis Theorem, made visible.")
     parser.add_argument("--version", action="version", version=f"satviz {__version__}")
-    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    command = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    figures = commands.add_parser("figures", help="make the article's twenty figures")
+    figures = command.add_parser("figures", help="make the article's twenty figures")
     _output(figures, "figures", FIGURE_FORMATS)
     figures.add_argument(
         "--only", metavar="NAME", action="append", help="only this figure, by name or number; may be repeated"
     )
-    figures.set_defaults(run=_figures)
+    figures.set_defaults(run=commands.figures)
 
-    trace = commands.add_parser("trace", help="print every test of a scene as a table")
+    trace = command.add_parser("trace", help="print every test of a scene as a table")
     _scene(trace)
     trace.add_argument("--json", action="store_true", help="print the whole trace as JSON")
-    trace.set_defaults(run=_trace)
+    trace.set_defaults(run=commands.trace)
 
-    draw = commands.add_parser("draw", help="draw every step of a scene")
+    draw = command.add_parser("draw", help="draw every step of a scene")
     _scene(draw)
     _output(draw, "satviz-out", DRAW_FORMATS)
     draw.add_argument(
         "--caption", action="store_true", help="put each sentence under its picture (a GIF always has it)"
     )
-    draw.set_defaults(run=_draw)
+    draw.set_defaults(run=commands.draw)
 
-    notebook = commands.add_parser("notebook", help="copy the walkthrough's notebooks and open them in JupyterLab")
+    notebook = command.add_parser("notebook", help="copy the walkthrough's notebooks and open them in JupyterLab")
     notebook.add_argument(
         "out", nargs="?", type=Path, default=Path("satviz-notebooks"), metavar="DIR", help="(default: satviz-notebooks)"
     )
     notebook.add_argument("--no-open", action="store_true", help="copy them only")
     notebook.add_argument("--force", action="store_true", help="overwrite notebooks that were changed")
-    notebook.set_defaults(run=_notebook)
+    notebook.set_defaults(run=commands.notebook)
 
-    bench = commands.add_parser("bench", help="time satviz beside its peers and count the wrong answers of each")
+    bench = command.add_parser("bench", help="time satviz beside its peers and count the wrong answers of each")
     bench.add_argument(
         "--pairs", type=_count, default=100_000, metavar="N", help="pairs a workload, boxes a layout (default: 100000)"
     )
@@ -90,11 +87,23 @@ def _parser() -> argparse.ArgumentParser:
     )
     bench.add_argument("--seed", type=int, default=1, metavar="N", help="of the random pairs (default: 1)")
     bench.add_argument("--json", action="store_true", help="print the figures, the machine and the versions as JSON")
-    bench.set_defaults(run=_bench)
+    bench.set_defaults(run=commands.bench)
 
-    scenes = commands.add_parser("scenes", help="list the built-in scenes")
+    study = command.add_parser("study", help="chart speed against accuracy, and stability where methods fail")
+    study.add_argument("--quick", action="store_true", help="fewer and smaller runs: under a minute")
+    study.add_argument(
+        "--out", type=Path, default=Path("satviz-study"), metavar="DIR", help="the folder (default: satviz-study)"
+    )
+    study.add_argument("--seed", type=_seed, default=1, metavar="N", help="of all that is random (default: 1)")
+    study.add_argument(
+        "--executor", metavar="WHERE", help="threads, processes, or a dask scheduler's address, for what is not timed"
+    )
+    study.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
+    study.set_defaults(run=commands.study)
+
+    scenes = command.add_parser("scenes", help="list the built-in scenes")
     scenes.add_argument("--failing", action="store_true", help="those where shortcuts fail, and what is right")
-    scenes.set_defaults(run=_scenes)
+    scenes.set_defaults(run=commands.scenes)
     return parser
 
 
@@ -102,6 +111,13 @@ def _count(text: str) -> int:
     value = int(text)
     if value < 1:
         raise argparse.ArgumentTypeError(f"{text} is not a positive number")
+    return value
+
+
+def _seed(text: str) -> int:
+    value = int(text)
+    if value < 0:
+        raise argparse.ArgumentTypeError(f"{text} is negative")
     return value
 
 
@@ -120,180 +136,3 @@ def _output(parser: argparse.ArgumentParser, out: str, formats: Sequence[str]) -
     parser.add_argument("--format", action="append", choices=formats, help="may be given several times (default: svg)")
     parser.add_argument("--theme", choices=THEMES, default="light")
     parser.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
-
-
-def _load(args: argparse.Namespace):
-    """The scene by name or file, with the options of the command line."""
-    from dataclasses import replace
-
-    from .scenefile import load
-    from .scenes import names, scene
-
-    is_file = Path(args.scene).exists() or any(c in args.scene for c in "./\\")
-    known = names()
-    if args.scene not in known and not is_file:
-        raise Refused(f"no scene {args.scene!r}{_did_you_mean(args.scene, known)}, or give a file")
-    found = scene(args.scene) if args.scene in known else load(args.scene)
-    return replace(found, axes=args.axes or found.axes, every_axis=args.every_axis or found.every_axis)
-
-
-def _did_you_mean(name: str, known: Iterable[str]) -> str:
-    from difflib import get_close_matches
-
-    near = get_close_matches(name, known, n=1)
-    return f": did you mean {near[0]}?" if near else f": choose one of {', '.join(known)}"
-
-
-def _figures(args: argparse.Namespace) -> int:
-    from .pictures.figures import FIGURES
-
-    wanted = FIGURES
-    if args.only:
-        known = {key: f for f in FIGURES for key in (f.name, f.stem, str(f.number), f"{f.number:02}")}
-        for name in args.only:
-            if name not in known:
-                raise Refused(f"no figure {name!r}{_did_you_mean(name, known)}")
-        wanted = [figure for figure in FIGURES if figure in [known[name] for name in args.only]]
-    jobs = [(figure.stem, form, figure.picture) for figure in wanted for form in args.format or ["svg"]]
-    return _write(args, jobs)
-
-
-def _draw(args: argparse.Namespace) -> int:
-    from .pictures import Picture, picture, steps
-    from .pictures.caption import captioned
-
-    scene = _load(args)
-    trace = scene.record()
-    try:
-        picture(trace, 0)
-    except ValueError as error:
-        raise Refused(str(error)) from None
-    count = len(steps(trace))
-    jobs: list = []
-
-    def finished(drawn: Picture) -> Picture:
-        return captioned([drawn])[0] if args.caption else drawn
-
-    for form in args.format or ["svg"]:
-        if form == "gif":
-            jobs.append((scene.name, form, lambda: captioned([picture(trace, i) for i in range(count)])))
-            continue
-        if form == "html":
-            jobs.append((scene.name, form, lambda: _page(trace, scene.title)))
-            continue
-        for i in range(count):
-            stem = f"{scene.name}-{i:0{len(str(count - 1))}}"
-            jobs.append((stem, form, lambda i=i: finished(picture(trace, i, title=scene.title))))
-    return _write(args, jobs)
-
-
-def _page(trace, title: str) -> bytes:
-    from .render.page import page
-
-    try:
-        return page(trace, title=title).encode()
-    except ValueError as error:
-        raise Refused(str(error)) from None
-
-
-def _notebook(args: argparse.Namespace) -> int:
-    import shutil
-    import subprocess
-    from importlib.util import find_spec
-
-    here = Path(__file__).parent
-    shipped = sorted((here / "notebooks").glob("*.ipynb")) or sorted((here.parent / "notebooks").glob("*.ipynb"))
-    args.out.mkdir(parents=True, exist_ok=True)
-    for source in shipped:
-        copy = args.out / source.name
-        if copy.exists() and copy.read_bytes() != source.read_bytes() and not args.force:
-            print(f"satviz: {copy} was changed and is left alone (overwrite it with --force)", file=sys.stderr)
-        else:
-            shutil.copyfile(source, copy)
-    print(f"{len(shipped)} notebooks in {args.out}")
-    if args.no_open:
-        return 0
-    if not find_spec("jupyterlab") or not find_spec("anywidget"):
-        raise Refused('JupyterLab and anywidget are not installed: python -m pip install "satviz[jupyter]"')
-    return subprocess.run([sys.executable, "-m", "jupyterlab", str(args.out)]).returncode
-
-
-def _write(args: argparse.Namespace, jobs: Sequence[tuple[str, str, Callable]]) -> int:
-    """Draw and write each job (stem, form, picture maker); the dark theme's files say so in their names."""
-    from .pictures import THEMES as LOOKS
-    from .render.files import animate, check, encode, write
-
-    if args.out.exists() and not args.out.is_dir():
-        raise Refused(f"--out {args.out} is a file, not a folder")
-    theme = LOOKS[args.theme]
-    suffix = "" if theme.name == "light" else f"-{theme.name}"
-    # a page has both themes
-    paths = [args.out / f"{stem}{suffix if form != 'html' else ''}.{form}" for stem, form, _ in jobs]
-    for path in paths:
-        check(path, force=args.force)
-    for path, (stem, form, make) in zip(_progress(paths), jobs, strict=True):
-        made = make()
-        if form == "html":
-            data = made
-        else:
-            data = animate(made, theme) if form == "gif" else encode(made, form, theme, stem=stem + suffix)
-        write(path, data, force=args.force)
-    print(f"{len(paths)} {'file' if len(paths) == 1 else 'files'} in {args.out}")
-    return 0
-
-
-def _progress(paths: Sequence[Path]) -> Iterator[Path]:
-    """A bar on stderr, none where that is no terminal."""
-    from tqdm import tqdm
-
-    with tqdm(paths, unit="file", disable=None, leave=False, file=sys.stderr) as bar:
-        for path in bar:
-            bar.set_postfix_str(path.name)
-            yield path
-
-
-def _trace(args: argparse.Namespace) -> int:
-    trace = _load(args).record()
-    print(trace.to_json(indent=1) if args.json else trace)
-    return 0
-
-
-def _bench(args: argparse.Namespace) -> int:
-    import json
-
-    from tqdm import tqdm
-
-    from .study.bench import bench, bench_broad, broad_table, table, when_numba_pays
-    from .study.machine import machine, missing
-
-    shown = {"unit": "method", "disable": None, "leave": False}
-    rows = list(tqdm(bench(args.pairs, args.rounds, args.seed), **shown))
-    sizes = tuple(args.pairs // k for k in (100, 10, 1) if args.pairs // k > 1)
-    broad = list(tqdm(bench_broad(sizes, args.rounds, args.seed), **shown)) if len(sizes) > 1 else []
-    if args.json:
-        figures = {"narrow": [row._asdict() for row in rows], "broad": [row._asdict() for row in broad]}
-        print(json.dumps({"machine": machine(), "missing": missing(), "pairs": args.pairs, **figures}, indent=1))
-        return 0
-    print(table(rows))
-    if broad:
-        print(broad_table(broad), end="\n\n")
-    if "numba" not in missing():
-        print(when_numba_pays(rows))
-    if missing():
-        print(f"not installed, so left out: {', '.join(missing())}")
-    print(", ".join(f"{name} {what}" for name, what in machine().items()))
-    return 0
-
-
-def _scenes(args: argparse.Namespace) -> int:
-    if args.failing:
-        from .failing import ROWS
-
-        print(*ROWS, sep="\n")
-        return 0
-    from .scenes import SCENES
-
-    width = max(len(scene.name) for scene in SCENES)
-    for scene in SCENES:
-        print(f"{scene.name:{width}}  {scene.title}")
-    return 0

@@ -242,7 +242,7 @@ def _reading(rows: Rows, name: str) -> str:
     text = f"{name[0].upper()}{name[1:]}: of {len(rows)} methods, {never} gave no wrong answer in {of:,}. "
     if worst:
         text += f"Wrong most often: {worst['method']}, {worst['rate']:.1%} ({_kinds(worst)}). "
-    floats = [row for row in wrong if row["family"] == "float SAT" and "eps" not in row["method"]]
+    floats = [row for row in wrong if row["family"] == "float SAT"]
     if floats:
         best = min(floats, key=lambda row: row["rate"])
         text += f"The best of the float SATs that were wrong, {best['method']}: {best['rate']:.2%} ({_kinds(best)}). "

@@ -16,7 +16,14 @@ from ..render.files import DPI, MADE_BY, encode_figure, write
 
 TEXT, TITLE = 10.0, 13.0  # points, at final size
 # who a method is, by colour; every mark is named beside it as well
-FAMILIES = {"exact": "gap", "float SAT": "A", "fewer axes": "B", "library": "guide", "GJK": "overlap"}
+FAMILIES = {
+    "exact": "gap",
+    "float SAT": "A",
+    "tolerance": "overlap",
+    "fewer axes": "B",
+    "GJK": "ink",
+    "library": "guide",
+}
 
 
 class Chart(NamedTuple):
@@ -64,11 +71,11 @@ def save(chart: Chart, folder: Path, facts: dict[str, Any], *, force: bool = Fal
     yield folder / f"{chart.stem}.json"
     text = io.StringIO()
     names = list(dict.fromkeys(name for row in chart.rows for name in row))
-    text.write(f"# {MADE_BY}: {chart.title}\n")
     table = csv.DictWriter(text, names, lineterminator="\n")
     table.writeheader()
     table.writerows(chart.rows)
-    write(folder / f"{chart.stem}.csv", text.getvalue().encode(), force=force)
+    # plain numbers have no place for a maker's name; the JSON beside them, written first, has
+    write(folder / f"{chart.stem}.csv", text.getvalue().encode(), force=True)
     yield folder / f"{chart.stem}.csv"
 
 
@@ -216,4 +223,5 @@ def wilson(wrong: int, of: int) -> tuple[float, float]:
     z = 1.959964
     p, zz = wrong / of, z * z / of
     centre, half = p + zz / 2, z * (p * (1 - p) / of + zz / (4 * of)) ** 0.5
-    return max(0.0, (centre - half) / (1 + zz)), min(1.0, (centre + half) / (1 + zz))
+    low, high = (centre - half) / (1 + zz), (centre + half) / (1 + zz)
+    return low if wrong else 0.0, high if wrong < of else 1.0

@@ -91,7 +91,7 @@ def _batch() -> Iterator[Method]:
     yield choice("SAT, unit normals", "float SAT", normalised)
     for name, eps in (f"SAT, eps {EPS:g} to hit", EPS), (f"SAT, eps {EPS:g} to miss", -EPS):
         tolerant = partial(columns.hits, axes=normalised, tolerance=eps)
-        yield Method(name, "batch", "float SAT", columns.columns, tolerant)
+        yield Method(name, "batch", "tolerance", columns.columns, tolerant)
     raw = partial(columns.hits, axes=columns.complete)
     yield Method("SAT, float32", "batch", "float SAT", partial(columns.columns, dtype=np.float32), raw)
     yield choice("SAT, no vertex axis", "fewer axes", columns.edge_normals, "circles")
@@ -128,8 +128,9 @@ def _scalar() -> Iterator[Method]:
     yield engine("centroid axis", "fewer axes", axes.centers)
     yield engine("SAT, no vertex axis", "fewer axes", axes.edge_normals, "circles")
     yield each("SAT, raw normals", "float SAT", plain.plain, plain.sat)
-    for name, eps in ("unit normals", 0.0), (f"eps {EPS:g} to hit", EPS), (f"eps {EPS:g} to miss", -EPS):
-        yield each(f"SAT, {name}", "float SAT", plain.plain, partial(plain.sat, unit=True, tolerance=eps))
+    yield each("SAT, unit normals", "float SAT", plain.plain, partial(plain.sat, unit=True))
+    for name, eps in (f"SAT, eps {EPS:g} to hit", EPS), (f"SAT, eps {EPS:g} to miss", -EPS):
+        yield each(name, "tolerance", plain.plain, partial(plain.sat, unit=True, tolerance=eps))
     for n in NGONS:
         sides = partial(plain.as_ngon, n=n)
         yield each(f"circle as {n}-gon", "fewer axes", sides, plain.sat, "circles", "circle as n-gon")
