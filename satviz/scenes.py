@@ -1,4 +1,4 @@
-"""The named scenes: those of the article."""
+"""The named scenes: those of the article, and by name also the failing ones."""
 
 from math import cos, radians, sin
 
@@ -53,8 +53,19 @@ SCENES = (
 NAMED = {scene.name: scene for scene in SCENES}
 
 
+def names() -> list[str]:
+    """Every name that `scene` knows, the article's first."""
+    from .failing import NAMED as failing
+
+    return [*NAMED, *failing]
+
+
 def scene(name: str) -> Scene:
-    """The built-in scene of that name; InvalidScene lists the names."""
+    """The built-in scene of that name, also a failing one; InvalidScene lists the names or tells why it is no scene."""
+    from .failing import NAMED as failing
+
+    if name in failing:
+        return failing[name].scene
     if name not in NAMED:
-        raise InvalidScene(f"no scene {name!r}: choose one of {', '.join(NAMED)}, or give a file")
+        raise InvalidScene(f"no scene {name!r}: choose one of {', '.join(names())}, or give a file")
     return NAMED[name]

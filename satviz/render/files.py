@@ -92,8 +92,13 @@ def encode_figure(drawn: Callable[[], Figure], form: str, *, stem: str, title: s
 
 
 def inline_svg(picture: Picture, theme: Theme = LIGHT, *, stem: str) -> str:
-    """The SVG element alone, for a page or a notebook: no XML head, no note of its maker."""
-    svg = encode(picture, "svg", theme, stem=stem).decode()
+    """The picture as an SVG element, for a page or a notebook."""
+    return bare(encode(picture, "svg", theme, stem=stem))
+
+
+def bare(file: bytes) -> str:
+    """The SVG element of a file alone, without the XML head and the note of its maker."""
+    svg = file.decode()
     before, _, rest = svg[svg.index("<svg") :].partition(" <metadata>")
     return before + rest.partition("</metadata>\n")[2] if rest else before
 

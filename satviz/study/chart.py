@@ -11,8 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from ..pictures import THEMES, Theme
-from ..render.files import DPI, MADE_BY, encode_figure, write
+from ..pictures import LIGHT, THEMES, Theme
+from ..render.files import DPI, MADE_BY, bare, encode_figure, write
 
 TEXT, TITLE = 10.0, 13.0  # points, at final size
 # who a method is, by colour; every mark is named beside it as well
@@ -47,6 +47,13 @@ class Chart(NamedTuple):
         fig.set_facecolor(theme.paper)
         self.draw(fig, theme)
         return fig
+
+    def __repr__(self) -> str:
+        return self.reading
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        """In a notebook: the chart, and its reading."""
+        return {"text/plain": self.reading, "image/svg+xml": bare(self.encode("svg", LIGHT))}
 
     def encode(self, form: str, theme: Theme) -> bytes:
         """The chart's file: form "svg" or "png"."""

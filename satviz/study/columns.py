@@ -98,7 +98,7 @@ def unit(choice: Choice) -> Choice:
 
     def normalised(a: Columns, b: Columns) -> Iterator[Axes]:
         for nx, ny, _ in choice(a, b):
-            length = np.hypot(nx, ny)
+            length = np.sqrt(nx * nx + ny * ny)
             yield Axes(nx / length, ny / length, 1.0)
 
     return normalised

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .workloads import Rings, ngons
+from .workloads import Rings, directions, ngons, outward, turned
 
 Pairs = tuple[Rings, Rings]
 
@@ -22,20 +22,13 @@ class Way(NamedTuple):
 
 def at_an_edge(rng: np.random.Generator, n: int, v: int = 3, gap: float = 0.0) -> tuple[Rings, Rings, NDArray]:
     """v-gons with a triangle whose nearest corner lies about `gap` beyond an edge's middle; and the ways outwards."""
-    a = ngons(rng, n, v, 2.0) if v < 9 else _even(rng, n, v)
+    a = ngons(rng, n, v, 2.0)
     p, q = a[:, 0], a[:, 1]
-    out = np.stack([q[:, 1] - p[:, 1], p[:, 0] - q[:, 0]], axis=1)
-    out /= np.linalg.norm(out, axis=1, keepdims=True)
+    out = outward(p, q)
     side = np.stack([-out[:, 1], out[:, 0]], axis=1)
     spot = p + rng.uniform(0.2, 0.8, (n, 1)) * (q - p) + gap * out
     far, wide = rng.uniform(0.5, 1.5, (2, n, 1))
     return a, np.stack([spot, spot + far * out - wide * side, spot + far * out + wide * side], axis=1), out
-
-
-def _even(rng: np.random.Generator, n: int, v: int) -> Rings:
-    """Regular v-gons, turned at random, so that many corners stay apart."""
-    turns = rng.uniform(0, 1, (n, 1)) + 2 * np.pi * np.arange(v) / v
-    return rng.uniform(-2, 2, (n, 1, 2)) + np.stack([np.cos(turns), np.sin(turns)], axis=2)
 
 
 def _ulps(rng: np.random.Generator, n: int, level: int) -> Pairs:
@@ -83,8 +76,8 @@ def _needles(rng: np.random.Generator, n: int, level: int) -> Pairs:
     at = rng.uniform(-0.5, 0.5, (n, 1))
     low = np.concatenate([at, width * (1 - np.abs(at)) + width * rng.uniform(-1, 1, (n, 1)) * 2.0**-12], axis=1)
     b = np.stack([low, low + _points(0.8, 2 * width, n), low + _points(-0.8, 2 * width, n)], axis=1)
-    turn = rng.uniform(0, 2 * np.pi, n)
-    return _proper(_turned(a, turn), _turned(b, turn))
+    ways = directions(rng, n)
+    return _proper(turned(a, ways), turned(b, ways))
 
 
 def _parallel(rng: np.random.Generator, n: int, level: int) -> Pairs:
@@ -100,8 +93,8 @@ def _parallel(rng: np.random.Generator, n: int, level: int) -> Pairs:
         ],
         axis=1,
     )
-    turn = rng.uniform(0, 2 * np.pi, n)
-    return _proper(_turned(a, turn), _turned(b, turn))
+    ways = directions(rng, n)
+    return _proper(turned(a, ways), turned(b, ways))
 
 
 def _vertices(rng: np.random.Generator, n: int, level: int) -> Pairs:
@@ -120,11 +113,6 @@ def _mixed_scales(rng: np.random.Generator, n: int, level: int) -> Pairs:
 
 def _points(x: float, y: float, n: int) -> NDArray:
     return np.tile(np.array([x, y], float), (n, 1))
-
-
-def _turned(rings: Rings, turn: NDArray) -> Rings:
-    c, s = np.cos(turn)[:, None], np.sin(turn)[:, None]
-    return np.stack([rings[..., 0] * c - rings[..., 1] * s, rings[..., 0] * s + rings[..., 1] * c], axis=2)
 
 
 WAYS = (

@@ -4,7 +4,7 @@ A shape here is (points, radius): a polygon's corners with radius 0, or a circle
 """
 
 from collections.abc import Iterator, Sequence
-from math import cos, hypot, inf, pi, sin
+from math import cos, hypot, inf, pi, sin, sqrt
 
 from ..shapes import Circle, Shape
 
@@ -42,7 +42,7 @@ def normals(a: Plain, b: Plain) -> Iterator[tuple[float, float]]:
 def sat(a: Plain, b: Plain, *, unit: bool = False, tolerance: float = 0.0) -> bool:
     """Textbook SAT: a hit unless some axis leaves a gap of more than `tolerance`; `unit` normalises the normals."""
     for nx, ny in normals(a, b):
-        length = hypot(nx, ny)
+        length = sqrt(nx * nx + ny * ny)
         if unit and length:
             nx, ny, length = nx / length, ny / length, 1.0
         lo_a, hi_a = span(a, nx, ny, length)

@@ -57,27 +57,25 @@ def count_wrong(way: int, level: int, n: int, settings: Settings) -> list[dict]:
 
 
 def charts(results: dict[str, Any]) -> list[Chart]:
-    """All panels in one chart."""
-    rows: Rows = [
-        row
-        for way in WAYS
-        for level in way.levels
-        for row in results[f"stability-{way.name.replace(' ', '-')}-{level}"]
-    ]
+    """A panel for each way of being hard there are results of, in one chart."""
+    names = {(way, level): f"stability-{way.name.replace(' ', '-')}-{level}" for way in WAYS for level in way.levels}
+    rows: Rows = [row for name in names.values() if name in results for row in results[name]]
+    ways = [way for way in WAYS if any(row["way"] == way.name for row in rows)]
     title = "Stability: wrong answers as the scenes grow harder"
     columns, wide, high, top = 2, 540.0, 275.0, 44.0
-    lines = -(-len(WAYS) // columns)
+    lines = -(-(len(ways) + 1) // columns)  # the last place is for the totals
     size = columns * wide, top + lines * high
 
     def draw(fig: Figure, theme: Theme) -> None:
         headline(fig, theme, title, "each level: pairs of polygons made alike, checked against rationals")
-        for i, way in enumerate(WAYS):
+        for i, way in enumerate(ways):
             x, y = (i % columns) * wide + 62, size[1] - top - (i // columns + 1) * high + 58
             box = x / size[0], y / size[1], (wide - 80) / size[0], (high - 92) / size[1]
             _panel(axes(fig, box, theme), way, [row for row in rows if row["way"] == way.name], theme)
-        _totals(fig, rows, ((columns - 1) * wide + 62) / size[0], (high - 20) / size[1], theme)
+        x, y = len(ways) % columns * wide + 62, high - 20
+        _totals(fig, rows, x / size[0], y / size[1], theme)
 
-    return [Chart("stability", title, size, draw, rows, _reading(rows))]
+    return [Chart("stability", title, size, draw, rows, _reading(rows, ways))]
 
 
 def _panel(ax: Axes, way: Way, rows: Rows, theme: Theme) -> None:
@@ -121,7 +119,7 @@ def _together(names: list[str]) -> list[str]:
     """satviz's three forms as one, where all are there."""
     mine = [name for name in names if name.startswith("satviz")]
     forms = [name for _, name in SHOWN.values() if name.startswith("satviz")]
-    return ["satviz", *(name for name in names if name not in mine)] if mine == forms else names
+    return ["satviz", *(name for name in names if name not in mine)] if set(mine) == set(forms) else names
 
 
 def _totals(fig: Figure, rows: Rows, x: float, y: float, theme: Theme) -> None:
@@ -152,14 +150,14 @@ def _wrong(row: dict) -> int:
     return row["false_hits"] + row["false_misses"]
 
 
-def _reading(rows: Rows) -> str:
+def _reading(rows: Rows, ways: list[Way]) -> str:
     """Who was never wrong, and where the others break, in words."""
     sums = _sums(rows)
     never = _together([name for name, (wrong, _, _) in sums.items() if not wrong])
-    pairs, levels = next(iter(sums.values()))[1], sum(len(way.levels) for way in WAYS)
-    text = f"On {pairs:,} pairs at {levels} levels of {len(WAYS)} kinds of hardness, "
+    pairs, levels = next(iter(sums.values()))[1], len({(row["way"], row["level"]) for row in rows})
+    text = f"On {pairs:,} pairs at {levels} levels of {len(ways)} kinds of hardness, "
     text += f"never wrong: {', '.join(never) or 'none'}. "
-    for way in WAYS:
+    for way in ways:
         worst = max((row for row in rows if row["way"] == way.name), key=lambda row: _wrong(row) / row["checked"])
         if _wrong(worst):
             name, level = SHOWN[worst["form"], worst["method"]][1], _power(worst["level"])

@@ -1,4 +1,9 @@
-"""Seeded pairs of shapes to measure on: random ones with about 40 % hits, and ones that nearly touch."""
+"""Seeded pairs of shapes to measure on: random ones with about 40 % hits, and ones that nearly touch.
+
+Coordinates come from sums, products, quotients and square roots alone, which every
+machine rounds alike; sines and cosines it may not, and where shapes nearly touch one
+unit in the last place decides.
+"""
 
 from collections.abc import Callable
 from math import inf
@@ -12,19 +17,40 @@ Side = Rings | Coins
 Make = Callable[[np.random.Generator, int], tuple[Side, Side]]
 
 
+def directions(rng: np.random.Generator, *shape: int) -> NDArray[np.float64]:
+    """Unit vectors, evenly over the full turn: points drawn in a square until they fall in its circle."""
+    found = rng.uniform(-1, 1, (*shape, 2))
+    while True:
+        squares = (found * found).sum(axis=-1, keepdims=True)
+        bad = ((squares > 1) | (squares < 1e-4))[..., 0]
+        if not bad.any():
+            return found / np.sqrt(squares)
+        found[bad] = rng.uniform(-1, 1, (bad.sum(), 2))
+
+
 def ngons(rng: np.random.Generator, n: int, v: int, spread: float) -> Rings:
     """Corners at random turns on a unit circle around a random centre."""
-    turns = np.sort(rng.uniform(0, 2 * np.pi, (n, v)), axis=1)
-    return _around(rng, n, spread) + np.stack([np.cos(turns), np.sin(turns)], axis=2)
+    corners = directions(rng, n, v)
+    order = np.argsort(np.arctan2(corners[..., 1], corners[..., 0]), axis=1)
+    return _around(rng, n, spread) + np.take_along_axis(corners, order[..., None], axis=1)
 
 
 def boxes(rng: np.random.Generator, n: int, spread: float) -> Rings:
     """Turned boxes of half sizes 0.3 to 1."""
     half = rng.uniform(0.3, 1, (n, 1, 2)) * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
-    turn = rng.uniform(0, 2 * np.pi, n)
-    c, s = np.cos(turn)[:, None], np.sin(turn)[:, None]
-    x, y = half[..., 0] * c - half[..., 1] * s, half[..., 0] * s + half[..., 1] * c
-    return _around(rng, n, spread) + np.stack([x, y], axis=2)
+    return _around(rng, n, spread) + turned(half, directions(rng, n))
+
+
+def turned(rings: Rings, ways: NDArray) -> Rings:
+    """Each shape turned so that the x axis points along its unit vector."""
+    c, s = ways[:, :1], ways[:, 1:]
+    return np.stack([rings[..., 0] * c - rings[..., 1] * s, rings[..., 0] * s + rings[..., 1] * c], axis=2)
+
+
+def outward(p: NDArray, q: NDArray) -> NDArray:
+    """The unit normals of edges from p to q (N, 2), outwards for counter-clockwise shapes."""
+    edge = q - p
+    return np.stack([edge[:, 1], -edge[:, 0]], axis=1) / np.sqrt((edge * edge).sum(axis=1, keepdims=True))
 
 
 def coins(rng: np.random.Generator, n: int, spread: float) -> Coins:
@@ -46,24 +72,18 @@ def at_corners(rng: np.random.Generator, n: int) -> tuple[Coins, Rings]:
     """Circles off a triangle's corner, in the cone where that corner is nearest, from 0.7 to 1.3 radii away."""
     rings, r = ngons(rng, n, 3, 0.9), rng.uniform(0.3, 1, n)
     before, corner, after = rings[:, 2], rings[:, 0], rings[:, 1]
-    ways = []
-    for p, q in ((before, corner), (corner, after)):
-        edge = q - p
-        ways.append(np.stack([edge[:, 1], -edge[:, 0]], axis=1) / np.linalg.norm(edge, axis=1, keepdims=True))
     share = rng.uniform(0, 1, (n, 1))
-    way = share * ways[0] + (1 - share) * ways[1]
-    way /= np.linalg.norm(way, axis=1, keepdims=True)
+    way = share * outward(before, corner) + (1 - share) * outward(corner, after)
+    way /= np.sqrt((way * way).sum(axis=1, keepdims=True))
     return (corner + way * (r * rng.uniform(0.7, 1.3, n))[:, None], r), rings
 
 
 def needles(rng: np.random.Generator, n: int, spread: float) -> Rings:
-    """Triangles of length 2 and a width of 1e-1 to 1e-6, turned at random."""
-    width = 10 ** rng.uniform(-6, -1, n)
+    """Triangles of length 2 and a width of 2**-3 to 2**-20, turned at random."""
+    width = np.ldexp(rng.uniform(1, 2, n), -rng.integers(4, 21, n))
     zero, one = np.zeros(n), np.ones(n)
     x, y = np.stack([-one, one, one], axis=1), np.stack([zero, -width, width], axis=1)
-    turn = rng.uniform(0, 2 * np.pi, n)
-    c, s = np.cos(turn)[:, None], np.sin(turn)[:, None]
-    return _around(rng, n, spread) + np.stack([x * c - y * s, x * s + y * c], axis=2)
+    return _around(rng, n, spread) + turned(np.stack([x, y], axis=2), directions(rng, n))
 
 
 def nearly_touching(rng: np.random.Generator, n: int) -> tuple[Rings, Rings]:
@@ -71,9 +91,7 @@ def nearly_touching(rng: np.random.Generator, n: int) -> tuple[Rings, Rings]:
     a = ngons(rng, n, 3, 2.0)
     along = rng.uniform(0.1, 0.9, (n, 1))
     spot = a[:, 0] + along * (a[:, 1] - a[:, 0])
-    edge = a[:, 1] - a[:, 0]
-    out = np.stack([edge[:, 1], -edge[:, 0]], axis=1)
-    out /= np.linalg.norm(out, axis=1, keepdims=True)
+    out = outward(a[:, 0], a[:, 1])
     side = np.stack([-out[:, 1], out[:, 0]], axis=1)
     far, wide = rng.uniform(0.5, 1.5, (2, n, 1))
     b = np.stack([spot, spot + far * out + wide * side, spot + far * out - wide * side], axis=1)

@@ -1,0 +1,103 @@
+"""The right answers: what the engine says of a row's scene."""
+
+from fractions import Fraction
+from itertools import combinations
+from math import cos, hypot, radians, sin
+
+from ..axes import HULL, directions, hull_normals
+from ..geometry import InvalidShape, Vec
+from ..sat import AxisTest, axis_tests
+from ..shapes import Polygon, Shape
+from ..trace import record
+from . import swept, threed
+from .shortcuts import MANY, Outline, ring, written
+
+Answer = float | tuple[Fraction, Fraction] | tuple[float, float] | str
+
+
+def gap(a: Shape, b: Shape) -> float:
+    """The largest gap of all axes tested; of concave outlines that of the pair of parts nearest to each other."""
+    trace = record(a, b, every_axis=True)
+    return min(max(test.gap for test in run.tests) for run in trace.pairs or (trace,))
+
+
+def hull_gap(a: Shape, b: Shape) -> float:
+    """The largest gap on a hull's edges that are no edges of the outlines: also for concave ones a proof."""
+    tests = record(a, b, axes=hull_normals, every_axis=True).tests
+    return max(test.gap for test in tests if test.source.kind == HULL)
+
+
+def depth(a: Shape, b: Shape) -> float:
+    """The length of the shortest way out."""
+    return hypot(*record(a, b).mtv)
+
+
+def overlap_after_mtv(a: Shape, b: Polygon) -> float:
+    """How deep B still is once it has made the shortest move out."""
+    move = record(a, b).mtv
+    return max(0.0, -gap(a, Polygon([(x + move.x, y + move.y) for x, y in b.vertices])))
+
+
+def distance(a: Polygon, b: Polygon) -> float:
+    """The largest gap once the directions from vertex to vertex are tested too."""
+    between = [Vec(q.x - p.x, q.y - p.y) for p in a.vertices for q in b.vertices if p != q]
+    tests = record(a, b, axes=directions(*between), every_axis=True).tests
+    return max(gap(a, b), *(test.gap for test in tests))
+
+
+def fan(a: Shape, b: Shape) -> tuple[float, float]:
+    """From which to which angle every direction separates, in degrees, to a rounding: each end found by halving."""
+    best = max(axis_tests(a, b), key=lambda test: test.gap).axis.direction
+
+    def separates(degrees: float) -> bool:
+        c, s = cos(radians(degrees)), sin(radians(degrees))
+        (test,) = axis_tests(a, b, directions((best.x * c - best.y * s, best.x * s + best.y * c))(a, b).axes)
+        return test.separates
+
+    ends = []
+    for inside, outside in (0.0, -90.0), (0.0, 90.0):
+        for _ in range(50):
+            middle = (inside + outside) / 2
+            inside, outside = (middle, outside) if separates(middle) else (inside, middle)
+        ends.append(inside)
+    return ends[0], ends[1]
+
+
+def fan_width(a: Shape, b: Shape) -> float:
+    lo, hi = fan(a, b)
+    return hi - lo
+
+
+def extremes_of_b(a: Shape, b: Shape) -> float:
+    """How many of B's corners land on the end of its range, on the normal of its first edge."""
+    test: AxisTest = next(t for t in record(a, b, every_axis=True).tests if t.source.ids == (0, 1))
+    return test.b.landings.count(test.b.interval.hi)
+
+
+def refusal(a: Outline, b: Outline) -> str:
+    """What the engine says at the door."""
+    try:
+        Polygon(ring(a))
+    except InvalidShape as error:
+        return str(error)
+    raise AssertionError("the outline was not refused")
+
+
+def looks(a: Shape, b: Shape) -> float:
+    """How many vertices SAT puts in a dot product until it is sure."""
+    return sum(len(test.a.points) + len(test.b.points) for test in record(a, b).tests)
+
+
+def pairs_of_many(a: Shape, b: Shape) -> float:
+    """Each pair counted, as a loop over all of them meets it."""
+    return sum(1 for _ in combinations(range(MANY), 2))
+
+
+def gap_3d(a: Shape, b: Shape) -> float:
+    """On all fifteen axes of the boxes in space that the scene is the view from above of."""
+    return max(found.gap for found in (*threed.faces(*threed.PAIR), *threed.crosses(*threed.PAIR)))
+
+
+def contact(a: Shape, b: Shape) -> tuple[Fraction, Fraction]:
+    """When A, flying over B, meets it, in parts of the way; exact for the decimals of the scene."""
+    return swept.contact(swept.windows(written(a), written(b), swept.FLIGHT))

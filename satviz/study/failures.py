@@ -1,0 +1,217 @@
+"""Where each shortcut is wrong: B slid over a grid of positions, and every answer held against rationals.
+
+A position counts as right or as one of the ways to be wrong, by the oracle of truth.py:
+a verdict can be a false or a missed hit; a push can leave an overlap or be longer than
+the exact depth; a distance can be another than the exact one.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+from math import ceil, frexp
+from typing import Any, NamedTuple
+
+from ..concave import parts
+from ..failing import FALSE_HIT, MISSED_HIT, NAMED, ROWS, Row, pushes
+from ..failing.pushes import mean
+from ..geometry import Relation, Vec
+from ..shapes import Circle, Polygon, Shape
+from . import swept, threed, truth
+from .cells import Cell, Settings
+from .chart import Chart
+
+APART, HIT, FALSE, MISSED, SHORT, LONG, FAR = ".oHMSLD"
+WRONG = {
+    FALSE: ("false hit", "false hits"),
+    MISSED: ("missed hit", "missed hits"),
+    SHORT: ("push too short", "pushes too short"),
+    LONG: ("push too long", "pushes too long"),
+    FAR: ("wrong distance", "wrong distances"),
+}
+PUSHES: dict[str, Callable[[Shape, Shape], Vec]] = {
+    "repeated-vertex": pushes.push_raw,
+    "raw-depth": pushes.push_raw,
+    "sum-of-parts": pushes.push_of_halves,
+    "push-from-centre": pushes.push_from_centre,
+    "range-inside": pushes.push_flat_overlap,
+}
+DISTANCES = ("gap-as-distance",)
+# no methods of their own for two shapes in the plane: row 3's again, boxes in space, frames in time
+OTHERS = "line-for-axis", "faces-in-3d", "tunnelling"
+VERDICTS = (*(r.name for r in ROWS if r.how in (FALSE_HIT, MISSED_HIT) and r.name not in OTHERS), "touch-on-paper")
+METHODS = tuple(row.name for row in ROWS if row.name in {*VERDICTS, *PUSHES, *DISTANCES})
+ALONG_CONTACT = "unit-normals"  # wrong at exact contact only: B goes round A and touches it all the way
+ON_PAPER = "touch-on-paper"
+A_LITTLE = 1 + 2.0**-20  # a push this much longer leaves a rounding's worth of overlap
+
+
+class Slide(NamedTuple):
+    """Where B was put: its reference point at (x + i dx, y + j dy), line by line from below, or along a contact.
+
+    `codes`: one letter a position; `path`: the positions along a contact, then `codes` is one line.
+    """
+
+    name: str
+    x: float
+    y: float
+    dx: float
+    dy: float
+    codes: list[str]
+    path: list[list[float]]
+
+    @property
+    def counts(self) -> Counter[str]:
+        return Counter("".join(self.codes))
+
+    @property
+    def wrong(self) -> int:
+        return sum(self.counts[code] for code in WRONG)
+
+    @property
+    def told(self) -> str:
+        """How many of each way to be wrong: "37 false hits"."""
+        found = self.counts
+        return ", ".join(f"{found[c]} {many if found[c] != 1 else one}" for c, (one, many) in WRONG.items() if found[c])
+
+    def positions(self) -> Iterator[tuple[float, float, str]]:
+        """Every position of the reference point with its letter."""
+        if self.path:
+            yield from ((x, y, code) for (x, y), code in zip(self.path, self.codes[0], strict=True))
+            return
+        for j, line in enumerate(self.codes):
+            yield from ((self.x + i * self.dx, self.y + j * self.dy, code) for i, code in enumerate(line))
+
+
+def cells(settings: Settings) -> list[Cell]:
+    """A cell for each method, and those of the boxes in space and of the moving pair."""
+    n = 25 if settings.quick else 61
+    maps = [Cell(f"failures-{name}", slide, (name, n if name != ON_PAPER else 25)) for name in METHODS]
+    return [*maps, *threed.cells(settings), *swept.cells(settings)]
+
+
+def charts(results: dict[str, Any]) -> list[Chart]:
+    """All maps side by side, each with its scene, and the charts of boxes in space and of the moving pair."""
+    from .failure_charts import map_chart, overview
+
+    slides = [Slide(**results[f"failures-{name}"]) for name in METHODS]
+    return [overview(slides), *map(map_chart, slides), *threed.charts(results), *swept.charts(results)]
+
+
+def slide(name: str, n: int) -> dict[str, Any]:
+    """The Slide of a method over n x n positions, as JSON values."""
+    row = NAMED[name]
+    judge = _judge(row)
+    at = reference(row.b)
+    if name == ALONG_CONTACT:
+        moves = list(contacts(row.a, row.b, n))
+        codes = ["".join(judge(row.a, moved(row.b, move)) for move in moves)]
+        return Slide(name, *at, 0.0, 0.0, codes, [[at.x + m.x, at.y + m.y] for m in moves])._asdict()
+    lines = _lattice(row, n)
+    (i0, dx), (j0, dy) = lines
+    codes = ["".join(judge(row.a, moved(row.b, Vec((i0 + i) * dx, (j0 + j) * dy))) for i in range(n)) for j in range(n)]
+    return Slide(name, at.x + i0 * dx, at.y + j0 * dy, dx, dy, codes, [])._asdict()
+
+
+def reference(shape: Shape) -> Vec:
+    """The point by which B is moved about: its middle."""
+    return shape.center if isinstance(shape, Circle) else mean(shape)
+
+
+def moved(shape: Shape, move: Vec) -> Shape:
+    """The shape elsewhere, its coordinates rounded: what both the shortcut and the oracle are asked about."""
+    if isinstance(shape, Circle):
+        return Circle((shape.center.x + move.x, shape.center.y + move.y), shape.radius)
+    return Polygon([(x + move.x, y + move.y) for x, y in shape.vertices], shape.labels)
+
+
+def relation(a: Shape, b: Shape) -> Relation:
+    """The exact relation; of concave outlines the closest one of their parts."""
+    return max(truth.relation(p, q) for p in parts(a) for q in parts(b))
+
+
+def _judge(row: Row) -> Callable[[Shape, Shape], str]:
+    """A function that gives the letter of a pair of shapes."""
+    if row.name in PUSHES:
+        push = PUSHES[row.name]
+        return lambda a, b: _of_push(a, b, push)
+    if row.name in DISTANCES:
+        return lambda a, b: _of_distance(a, b, row.shortcut)
+
+    def of_verdict(a: Shape, b: Shape) -> str:
+        says, is_hit = row.shortcut(a, b) <= 0, bool(relation(a, b))
+        return (HIT if is_hit else FALSE) if says else (MISSED if is_hit else APART)
+
+    return of_verdict
+
+
+def _of_push(a: Shape, b: Shape, push: Callable[[Shape, Shape], Vec]) -> str:
+    if relation(a, b) is not Relation.OVERLAPPING:
+        return APART
+    x, y = push(a, b)
+    if relation(a, moved(b, Vec(x * A_LITTLE, y * A_LITTLE))) is Relation.OVERLAPPING:
+        return SHORT
+    return LONG if x * x + y * y > depth2(a, b) * A_LITTLE else HIT
+
+
+def _of_distance(a: Polygon, b: Polygon, says: Callable[[Shape, Shape], float]) -> str:
+    right = truth.distance2(a, b)
+    if not right:
+        return HIT
+    gap = says(a, b)
+    return APART if gap > 0 and right / A_LITTLE < gap * gap < right * A_LITTLE else FAR
+
+
+def depth2(a: Polygon, b: Polygon) -> Fraction:
+    """The exact squared depth of two convex polygons: how far the origin is from the rim of their difference."""
+    ring = difference(a, b)
+    found = []
+    for (px, py), (qx, qy) in zip(ring, (*ring[1:], ring[0])):
+        cross = px * qy - py * qx
+        found.append(cross * cross / ((qx - px) ** 2 + (qy - py) ** 2))
+    return min(found)
+
+
+def difference(a: Polygon, b: Polygon) -> list[tuple[Fraction, Fraction]]:
+    """The convex hull of all a - b, counter-clockwise, exactly."""
+    every = {(Fraction(p.x) - Fraction(q.x), Fraction(p.y) - Fraction(q.y)) for p in a.vertices for q in b.vertices}
+
+    def chain(points: Sequence[tuple[Fraction, Fraction]]) -> list[tuple[Fraction, Fraction]]:
+        kept: list = []
+        for p in points:
+            while len(kept) > 1 and truth.turn(kept[-2], kept[-1], p) <= 0:
+                kept.pop()
+            kept.append(p)
+        return kept[:-1]
+
+    order = sorted(every)
+    return chain(order) + chain(order[::-1])
+
+
+def contacts(a: Polygon, b: Polygon, n: int) -> Iterator[Vec]:
+    """Moves of B after which it touches A exactly, n steps and more along each side of a's and b's difference."""
+    steps = 1 << n.bit_length()  # whole corners and a power of two: every move is a float
+    ring = difference(a, b)
+    for (px, py), (qx, qy) in zip(ring, (*ring[1:], ring[0])):
+        yield from (
+            Vec(float(px + (qx - px) * Fraction(k, steps)), float(py + (qy - py) * Fraction(k, steps)))
+            for k in range(steps)
+        )
+
+
+def _lattice(row: Row, n: int) -> tuple[tuple[int, float], tuple[int, float]]:
+    """First number and step in x and in y: round A with room for B, the scene's own position among them."""
+    if row.name == ON_PAPER:
+        return (-6 - n // 2, 0.05), (-(n // 2), 0.05)  # steps as a person would write them, round A's own place
+    (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = row.a.bounds, row.b.bounds
+    off = [(bx0 + bx1 - ax0 - ax1) / 2, (by0 + by1 - ay0 - ay1) / 2]
+    half = [
+        max((a1 - a0 + b1 - b0) / 2 * 1.2, abs(d) * 1.15)
+        for a0, a1, b0, b1, d in ((ax0, ax1, bx0, bx1, off[0]), (ay0, ay1, by0, by1, off[1]))
+    ]
+    half = [max(h, max(half) / 4) for h in half]
+    found = []
+    for d, h in zip(off, half, strict=True):
+        unit = 2.0 ** (frexp(2 * h / (n - 1))[1] - 4)  # four bits are enough: moved coordinates are rarely rounded
+        step = ceil(2 * h / (n - 1) / unit) * unit
+        found.append((round(-d / step) - n // 2, step))
+    return found[0], found[1]

@@ -1,0 +1,346 @@
+"""The failing scenes: each shortcut is wrong by the number that is known, and the engine is right."""
+
+from fractions import Fraction
+from itertools import combinations
+from math import cos, isnan, nextafter, radians, sin, sqrt
+from random import Random
+
+import numpy as np
+import pytest
+
+import satviz as sv
+from satviz import batch
+from satviz.axes import NAMED as CHOICES
+from satviz.cli import main
+from satviz.failing import (
+    FALSE_HIT,
+    MISSED_HIT,
+    NAMED,
+    REFUSED,
+    ROWS,
+    WRONG_NUMBER,
+    pushes,
+    right,
+    shortcuts,
+    swept,
+    threed,
+)
+from satviz.scenes import SCENES, box, names
+from satviz.study import truth
+
+# by number: how it fails, what the shortcut says, what is right (None: refused), to the digits that are known
+KNOWN = {
+    1: (FALSE_HIT, -1, sqrt(2)),
+    2: (FALSE_HIT, -0.5, 0.707),
+    3: (FALSE_HIT, -1.5, 1),
+    4: (FALSE_HIT, -1.5, 1),
+    5: (WRONG_NUMBER, 0, 55.491),
+    6: (FALSE_HIT, -0.4, 0.424),
+    7: (REFUSED, 0, None),
+    8: (WRONG_NUMBER, 0, 0.5),
+    9: (REFUSED, 2.127, None),
+    10: (MISSED_HIT, 0.141, -0.424),
+    11: (FALSE_HIT, -0.949, 1.789),
+    12: (MISSED_HIT, sqrt(2), -sqrt(2)),
+    13: (MISSED_HIT, 4.4e-16, 0),
+    14: (WRONG_NUMBER, 1, 0.5),
+    15: (FALSE_HIT, -1, 4),
+    16: (WRONG_NUMBER, 1, 2),
+    17: (WRONG_NUMBER, 0, -5.6e-17),
+    18: (FALSE_HIT, -1, 1),
+    19: (FALSE_HIT, -0.2, 0.131),
+    20: (FALSE_HIT, -1.012, 0.283),
+    21: (FALSE_HIT, -2, 1),
+    22: (WRONG_NUMBER, 0, 2.5),
+    23: (FALSE_HIT, -0.1, 0.212),
+    24: (FALSE_HIT, -0.614, 0.131),
+    25: (MISSED_HIT, 9.5, -1),
+    26: (WRONG_NUMBER, 1000, 499_500),
+    27: (FALSE_HIT, -0.374, 0.472),
+    28: (WRONG_NUMBER, 24, 16),
+    29: (WRONG_NUMBER, -0.0846, 0),
+    30: (WRONG_NUMBER, 1, 5),
+    31: (WRONG_NUMBER, 3, 5),
+    32: (MISSED_HIT, 1.85, (0.4625, 0.5375)),
+}
+each_row = pytest.mark.parametrize("row", ROWS, ids=lambda row: row.name)
+SCENE_ROWS = [row for row in ROWS if row.how != REFUSED]
+each_scene = pytest.mark.parametrize("row", SCENE_ROWS, ids=lambda row: row.name)
+# what an outside oracle says of a scene is not what these are about: frames, boxes in space
+OTHER_WORLDS = "tunnelling", "faces-in-3d"
+
+
+def exact(a, b):
+    """The relation by rationals; of concave outlines the closest relation of their parts."""
+    return max(truth.relation(p, q) for p in sv.parts(a) for q in sv.parts(b))
+
+
+def about(value):
+    """Equal to the digits in which the number is known."""
+    return pytest.approx(value, abs=6e-4) if abs(value) > 1e-9 else pytest.approx(value, rel=0.02)
+
+
+def test_there_are_thirty_two_rows_with_names_of_their_own():
+    assert [row.number for row in ROWS] == list(range(1, 33)) == list(KNOWN)
+    assert len(set(names())) == len(names()) == len(SCENES) + 32
+
+
+@each_row
+def test_the_shortcut_fails_with_its_number_and_the_engine_is_right(row):
+    how, wrong, good = KNOWN[row.number]
+    assert row.how == how
+    assert row.wrong == about(wrong)
+    if good is None:
+        with pytest.raises(sv.InvalidShape) as refused:
+            sv.Polygon(row.a)
+        assert row.truth == str(refused.value)
+    else:
+        assert row.truth == (about(good) if not isinstance(good, tuple) else pytest.approx(good, abs=0))
+
+
+@each_scene
+def test_the_engine_says_of_each_scene_what_rationals_say(row):
+    scene = row.scene
+    assert scene.record().relation is exact(scene.a, scene.b)
+
+
+@each_scene
+def test_a_verdict_is_wrong_in_the_way_the_row_says(row):
+    hit = bool(exact(row.a, row.b))
+    if row.how == FALSE_HIT:
+        assert row.wrong <= 0 and not hit
+    elif row.how == MISSED_HIT:
+        assert row.wrong > 0 and (hit or row.name in OTHER_WORLDS)
+    else:
+        assert row.wrong != row.truth
+
+
+@pytest.mark.parametrize("row", [row for row in ROWS if row.axes], ids=lambda row: row.name)
+def test_a_shortcut_that_is_a_choice_of_axes_is_the_engines_own_false_hit(row):
+    trace = sv.record(row.a, row.b, axes=CHOICES[row.axes], every_axis=True)
+    assert trace.false_hit
+    assert max(test.gap for test in trace.tests) == pytest.approx(row.wrong)
+
+
+@each_scene
+def test_each_scene_is_recorded_told_and_drawn_by_its_name(row):
+    scene = sv.scene(row.name)
+    assert scene.title == row.claim
+    trace = scene.record()
+    assert sv.Trace.from_json(trace.to_json()) == trace
+    assert sv.picture(trace).sentence == trace.sentence
+    sv.draw(trace)
+
+
+@pytest.mark.parametrize("row", [row for row in ROWS if row.how == REFUSED], ids=lambda row: row.name)
+def test_what_is_no_scene_is_refused_with_the_reason(row, capsys, tmp_path):
+    with pytest.raises(sv.InvalidScene, match=r"is no scene: .*(line|cross)"):
+        sv.scene(row.name)
+    for command in ["trace", row.name], ["draw", row.name, "--out", str(tmp_path / "out")]:
+        assert main(command) == 2
+        assert capsys.readouterr().err == f"satviz: {row.name} is no scene: {row.truth}\n"
+
+
+def test_scenes_failing_lists_claim_and_both_numbers_of_every_row(capsys):
+    assert main(["scenes", "--failing"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 2 * 32
+    for row, line, under in zip(ROWS, lines[::2], lines[1::2], strict=True):
+        assert line.split(maxsplit=2) == [str(row.number), row.name, row.claim]
+        assert under.strip() == f"{row.how}: {row.told(row.wrong)}; right: {row.told(row.truth)}"
+
+
+def test_a_failing_scene_is_traced_by_name_and_a_name_nearly_right_is_guessed(capsys):
+    assert main(["trace", "one-shapes-normals", "--axes", "edge-normals-of-a"]) == 0
+    assert "false hit" in capsys.readouterr().out
+    assert main(["trace", "one-shape-normals"]) == 2
+    assert "did you mean one-shapes-normals" in capsys.readouterr().err
+
+
+# -- the other numbers that a row is about
+
+
+def test_turned_boxes_are_still_cleared_where_their_bounding_boxes_are_apart():
+    a, b = NAMED["aabb-turned"].a, sv.Polygon([(4, 0), (3, 1), (2, 0), (3, -1)])
+    assert shortcuts.on_world_axes(a, b) == 1
+    assert exact(a, b) is sv.Relation.APART
+
+
+def test_the_line_of_one_overlap_stands_at_x_2_5_and_the_fan_is_as_wide_as_known():
+    row = NAMED["line-for-axis"]
+    line = row.scene.record().certificate
+    assert line.check() and line.point.x == 2.5 and line.normal[1] == 0
+    assert right.fan(row.a, row.b) == pytest.approx((-21.80, 33.69), abs=5e-3)
+    touching = right.fan(box(0, 0, 1, 1), box(nextafter(1, 2), 0, 2, 1))
+    assert touching == pytest.approx((0, 0), abs=1e-9)  # at a shared edge one direction is left
+
+
+def test_rods_a_unit_apart_touch_on_all_their_edge_normals():
+    row = NAMED["no-area"]
+    assert {shortcuts.gap(row.a, row.b, n) for n in shortcuts.both_normals(row.a, row.b)} == {0}
+    assert shortcuts.on_x(row.a, row.b) == 1
+
+
+def test_a_repeated_vertex_gives_nan_when_normalised_and_a_note_in_the_engine():
+    row = NAMED["repeated-vertex"]
+    units = [shortcuts.unit(n) for n in shortcuts.normals(row.a)]
+    assert sum(isnan(x) and isnan(y) for x, y in units) == 1
+    assert row.a.notes == ("vertex 2 repeats vertex 1: merged",)
+
+
+def test_a_pentagram_turns_left_five_times_by_the_same():
+    star = NAMED["pentagram"].a
+    around = list(shortcuts.edges(star))
+    turns = [p.x * q.y - p.y * q.x for p, q in zip(around, around[1:] + around[:1])]
+    assert turns == pytest.approx([2.127] * 5, abs=5e-4)
+
+
+def test_a_range_is_mirrored_on_the_opposite_normal():
+    a = NAMED["mixed-signs"].a
+    assert shortcuts.span(a, sv.Vec(0, 1)) == (0, 3)
+    assert shortcuts.span(a, sv.Vec(0, -1)) == (-3, 0)
+
+
+def test_raw_normals_decide_where_normals_of_length_one_find_a_gap():
+    row = NAMED["unit-normals"]
+    assert shortcuts.with_raw_normals(row.a, row.b) == 0
+    assert row.scene.record().relation is sv.Relation.TOUCHING
+
+
+def test_raw_depth_takes_the_x_axis_and_the_mtv_goes_up():
+    row = NAMED["raw-depth"]
+    assert pushes.push_raw(row.a, row.b) == (1, 0)
+    assert row.scene.record().mtv == (0, 0.5)
+
+
+def test_both_ends_of_an_edge_land_together_on_its_normal_in_the_engine():
+    row = NAMED["one-maximum"]
+    v1, v2, _ = next(t for t in row.scene.record().tests if t.source.ids == (0, 1)).b.landings
+    assert v1 == v2 == about(6.934)
+
+
+def test_a_touch_on_paper_goes_either_way_in_floats():
+    wall = 0.1 + 0.2
+    assert right.gap(box(0, 0, wall, 1), box(0.3, 0, 1, 1)) == about(-5.6e-17)
+    assert right.gap(box(0, 0, 0.3, 1), box(wall, 0, 1, 1)) == about(5.6e-17)
+
+
+def test_concentric_circles_collide_though_no_direction_is_theirs():
+    a, b = sv.Circle((1, 1), 1), sv.Circle((1, 1), 0.5)
+    trace = sv.record(a, b)
+    assert trace.relation is exact(a, b) is sv.Relation.OVERLAPPING
+    assert trace.tests[0].source.kind == "any direction"
+
+
+def test_the_dart_is_1_518_away_and_a_gap_on_its_hull_is_a_proof():
+    row = NAMED["dart"]
+    distance2 = min(truth.distance2(p, row.b) for p in sv.parts(row.a))
+    assert sqrt(distance2) == pytest.approx(1.518, abs=5e-4)
+    trace = sv.record(row.a, row.b, axes=CHOICES["hull-normals"])
+    assert trace.separating.gap == about(0.283) and trace.certificate.check()
+
+
+def test_no_direction_at_all_clears_the_notch_though_the_distance_is_one():
+    row = NAMED["box-in-u"]
+    turns = [(cos(radians(d)), sin(radians(d))) for d in range(180)]
+    trace = sv.record(row.a, row.b, axes=sv.axes.directions(*turns), every_axis=True)
+    assert max(test.gap for test in trace.tests) == -2
+    assert min(truth.distance2(p, row.b) for p in sv.parts(row.a)) == 1
+
+
+def test_the_box_lies_in_neither_half_and_the_halves_push_against_each_other():
+    row = NAMED["sum-of-parts"]
+    corners = [sv.Polygon([(x, y), (x + 0.01, y), (x, y + 0.01)]) for x, y in row.b.vertices]
+    for half in map(sv.Polygon, pushes.halves(row.a)):
+        assert not all(truth.relation(half, corner) for corner in corners)
+    assert pushes.push_of_halves(row.a, row.b) == (0, 0)
+
+
+def test_centres_that_far_apart_belong_to_a_hit():
+    row = NAMED["far-centres"]
+    assert shortcuts.centre_distance(row.a, row.b) == pytest.approx(9.5)
+    assert exact(row.a, row.b) is sv.Relation.OVERLAPPING
+
+
+def test_a_thousand_shapes_in_a_row_are_many_pairs_and_no_candidates():
+    boxes = np.array([[2 * i, 0, 2 * i + 1, 1] for i in range(shortcuts.MANY)], float)
+    assert len(list(combinations(boxes, 2))) == NAMED["many-pairs"].truth
+    assert len(batch.candidate_pairs(boxes)) == 0
+
+
+def test_of_fifteen_axes_in_space_only_edge_crosses_separate():
+    a, b = threed.PAIR
+    assert max(gap.gap for gap in threed.faces(a, b)) == about(-0.374)
+    crosses = threed.crosses(a, b)
+    assert (len(threed.faces(a, b)), len(crosses)) == (6, 9)
+    best = max(crosses, key=lambda gap: gap.gap)
+    assert best.name == "A3 × B1" and best.gap == about(0.472)
+
+
+def test_a_gap_in_space_is_what_the_sixteen_corners_leave():
+    rng = Random(5)
+    a = threed.PAIR[0]._replace(center=(0.3, 0.2, -0.4), half=(0.5, 1.5, 1.0))
+    b = threed.PAIR[1]
+    for _ in range(50):
+        n = tuple(rng.uniform(-1, 1) for _ in range(3))
+        ranges = [[threed.dot(corner, n) for corner in threed.corners(box)] for box in (a, b)]
+        by_corners = max(min(ranges[0]) - max(ranges[1]), min(ranges[1]) - max(ranges[0])) / sqrt(threed.dot(n, n))
+        assert threed.gap(a, b, "", n).gap == pytest.approx(by_corners)
+
+
+def test_the_scene_of_the_boxes_is_their_view_from_above():
+    row = NAMED["faces-in-3d"]
+    for shape, solid in zip((row.a, row.b), threed.PAIR, strict=True):
+        for n in sv.Vec(1.0, 0.0), sv.Vec(0.6, 0.8), sv.Vec(-3.0, 1.0):
+            assert shortcuts.span(shape, n) == pytest.approx(threed.span(solid, (n.x, n.y, 0.0)))
+
+
+def test_a_push_away_from_the_centre_is_as_long_as_the_right_one_and_leaves_them_colliding():
+    row = NAMED["push-from-centre"]
+    push = pushes.push_from_centre(row.a, row.b)
+    assert sqrt(push.x**2 + push.y**2) == about(1.426) == right.depth(row.a, row.b)
+    pushed = sv.Polygon([(x + push.x, y + push.y) for x, y in row.b.vertices])
+    assert exact(row.a, pushed) is sv.Relation.OVERLAPPING
+
+
+def test_first_gap_best_gap_and_distance_are_three_four_five():
+    row = NAMED["gap-as-distance"]
+    assert (row.wrong, right.gap(row.a, row.b), row.truth) == (3, 4, 5)
+    assert truth.distance2(row.a, row.b) == 25
+
+
+def test_the_bullet_touches_the_wall_from_37_to_43_eightieths_exactly():
+    row = NAMED["tunnelling"]
+    assert row.truth == (Fraction(37, 80), Fraction(43, 80))
+    found = swept.windows(shortcuts.written(row.a), shortcuts.written(row.b), swept.FLIGHT)
+    assert sorted((w.enter, w.leave) for w in found) == [(0, 1), row.truth]
+
+
+def test_swept_contact_is_where_rationals_say_touching_apart_before_and_after():
+    rng = Random(7)
+    met = 0
+    for _ in range(200):
+        a = sv.Polygon([(-3, rng.randint(-8, 8) / 4), (-2, 0.5), (-2.5, 3)])
+        b = sv.Polygon([(0, 0), (1, rng.randint(-4, 0)), (2, 1), (0.5, rng.randint(2, 4))])
+        move = rng.randint(16, 40) / 4, rng.randint(-32, 32) / 4
+        found = swept.windows(
+            *([tuple(map(Fraction, v)) for v in s.vertices] for s in (a, b)), tuple(map(Fraction, move))
+        )
+        times = swept.contact(found)
+
+        def at(t, a=a, b=b, move=move):
+            """The relation at a time that is a float, in a position that is rounded."""
+            moved = sv.Polygon([(x + float(t) * move[0], y + float(t) * move[1]) for x, y in a.vertices])
+            return exact(moved, b)
+
+        if times is None:
+            assert not any(at(i / 64) for i in range(65))
+            continue
+        met += 1
+        enter, leave = map(float, times)
+        assert at((enter + leave) / 2) or leave - enter < 1e-6
+        assert enter < 1e-9 or not at(enter - 1e-9)
+        assert leave > 1 - 1e-9 or not at(leave + 1e-9)
+        if leave - enter > 1e-6:
+            assert at(enter + 1e-9) and at(leave - 1e-9)
+    assert 40 < met < 200
