@@ -8,12 +8,12 @@ from types import ModuleType
 from typing import Any
 
 from ..render.files import MADE_BY, write
-from . import accuracy, stability
+from . import accuracy, continuity, cost, doing_less, failures, moving, stability
 from .cells import Settings, results
 from .chart import Chart, save
 from .machine import machine
 
-SECTIONS: tuple[ModuleType, ...] = (accuracy, stability)
+SECTIONS: tuple[ModuleType, ...] = (accuracy, stability, continuity, moving, failures, cost, doing_less)
 KEPT = "cells"  # the folder of finished cells, inside the study's own
 
 
