@@ -1,6 +1,7 @@
 """Many pairs at once: the same answers as one by one, whatever the engine, the layout and the executor."""
 
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from decimal import Decimal, localcontext
 from fractions import Fraction
 
 import numpy as np
@@ -11,7 +12,7 @@ from pairs import pairs
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import filter_numpy, signs
+from satviz.batch import circle_polygons, filter_numpy, signs
 from satviz.batch.chunks import ChunkFailed
 from satviz.study import truth as oracle
 
@@ -216,6 +217,226 @@ def test_turns_are_exact(points, e):
             px, py, qx, qy, rx, ry = map(Fraction, c[:, i])
             det = (qx - px) * (ry - py) - (qy - py) * (rx - px)
             assert value == (det > 0) - (det < 0)
+
+
+# -- circles and polygons that floats leave undecided
+
+TRIPLES = np.array([(3, 4, 5), (5, 12, 13), (8, 15, 17), (20, 21, 29), (-9, 40, 41)], float)
+
+
+def turned(vectors):
+    return np.stack([vectors[..., 1], -vectors[..., 0]], axis=-1)
+
+
+def resting(rng, n, v=3):
+    """Circles that rest on an edge or a corner of a polygon as nearly as floats allow."""
+    rings = ngons(rng, 4 * n, v)
+    fat = (rings * turned(np.roll(rings, -1, axis=1))).sum(axis=(1, 2)) > 0.2
+    rings = rings[fat][:n]
+    i = rng.integers(0, v, n)
+    p, q, o = (rings[np.arange(n), (i + step) % v] for step in (0, 1, -1))
+    on_corner, w = rng.random((n, 1)) < 0.5, rng.uniform(0.1, 0.9, (n, 1))
+    out, other = (turned(e) / np.linalg.norm(e, axis=1, keepdims=True) for e in (q - p, p - o))
+    out = np.where(on_corner, w * out + (1 - w) * other, out) * rng.uniform(0.3, 1, (n, 1))
+    spot = np.where(on_corner, p, p + w * (q - p))
+    centers = spot + out
+    return centers, np.hypot(*(centers - spot).T), rings
+
+
+def resting_exactly(rng, n, bits=10):
+    """The same on a grid: edges along whole-number triples, the corner of a right angle or the middle of its edge."""
+    x, y, z = TRIPLES[rng.integers(0, len(TRIPLES), n)].T
+    along = np.stack([x, y], axis=1)
+    p = rng.integers(-(2**bits), 2**bits, (n, 2)).astype(float)
+    k, m = rng.integers(1, 2**bits, (2, n, 1)).astype(float)
+    q = p + 2 * k * along
+    o = p + k * along - turned(along) * rng.integers(1, 5, (n, 1)) * k + along * rng.integers(-1, 2, (n, 1)) * k
+    centers = np.where(rng.random((n, 1)) < 0.5, p + k * along + m * turned(along), q + m * along)
+    return centers, z * m[:, 0], np.stack([p, q, o], axis=1)
+
+
+def resting_on_boxes(rng, n):
+    """Below boxes, then mirrored and turned to each of the four sides."""
+    low = rng.uniform(-2, 2, (n, 2))
+    high = low + rng.uniform(0.1, 3, (n, 2))
+    corners = [low, np.c_[high[:, 0], low[:, 1]], high, np.c_[low[:, 0], high[:, 1]]]
+    centers = np.c_[low[:, 0] + rng.uniform(0, 1, n) * (high - low)[:, 0], low[:, 1] - rng.uniform(0.1, 1, n)]
+    mirror, swap = rng.choice([-1.0, 1.0], (n, 1, 2)), rng.random((n, 1, 1)) < 0.5
+    points = np.stack([centers, *corners], axis=1) * mirror
+    points = np.where(swap, points[..., ::-1], points)
+    return points[:, 0], low[:, 1] - centers[:, 1], points[:, 1:]
+
+
+def tiny_on_edges(rng, n):
+    """Radii near or far below the last places of coordinates; centres on edges, on corners and a float or two off."""
+    _, _, rings = resting_exactly(rng, n) if rng.random() < 0.5 else resting(rng, n, 5)
+    w = rng.choice([0, 0.25, 0.5, 1], (n, 1))
+    centers = jolt(rng, rings[:, 0] + w * (rings[:, 1] - rings[:, 0]), 2)
+    return centers, 2.0 ** -rng.choice([1, 30, 52, 53, 54, 60, 105, 120], n) * rng.uniform(1, 2, n), rings
+
+
+def beside_corners(rng, n):
+    """Turned squares with a circle under a corner: foot and corner are as far, until a float moves."""
+    z = TRIPLES[rng.integers(0, len(TRIPLES), n)]
+    along, side = np.where(rng.random((n, 1)) < 0.5, z[:, :2], [1, 0]), rng.integers(1, 2**16, (n, 1)).astype(float)
+    p = rng.integers(1, 2**20, (n, 2)).astype(float)
+    right, up = side * along, -side * turned(along)
+    down = rng.integers(1, 2**16, n)
+    rings = np.stack([p, p + right, p + right + up, p + up], axis=1)
+    centers = p + right * rng.integers(0, 2, (n, 1)) + turned(along) * down[:, None]
+    far = np.where(along[:, 1] == 0, 1, z[:, 2]) * down
+    return jolt(rng, centers, 1), far, np.where(rng.random((n, 1, 1)) < 0.5, jolt(rng, rings, 1), rings)
+
+
+def slivers(rng, n):
+    """Triangles no higher than rounding, and circles no larger."""
+    p, q = rng.uniform(-1, 1, (2, n, 2))
+    rings = np.stack([p, q, p + rng.uniform(0.1, 0.9, (n, 1)) * (q - p)], axis=1)
+    rings[:, 2, 1] = np.nextafter(np.nextafter(rings[:, 2, 1], 9), 9)
+    keep = signs.orient(*rings.reshape(n, 6).T) != 0
+    centers = jolt(rng, p + rng.uniform(0, 1, (n, 1)) * (q - p), 3)
+    return centers[keep], (2.0 ** -rng.choice([50, 53, 54, 56, 70], n))[keep], rings[keep]
+
+
+def jolt(rng, values, most):
+    """Each up to `most` floats up or down."""
+    steps = rng.integers(-most, most + 1, values.shape)
+    for k in range(1, most + 1):
+        values = np.where(np.abs(steps) >= k, np.nextafter(values, np.where(steps > 0, np.inf, -np.inf)), values)
+    return values
+
+
+def a_float_off(make):
+    def made(rng, n):
+        centers, radii, rings = make(rng, n)
+        return jolt(rng, centers, 1), jolt(rng, radii, 1), rings
+
+    return made
+
+
+def moved(make):
+    """Scaled by 2**-300 to 2**300, or shifted by up to 2**40: what is then rounded is the question."""
+
+    def made(rng, n):
+        made = make(rng, n)
+        scale, shift = 2.0 ** rng.integers(-300, 301, n), 2.0 ** rng.integers(0, 41, n)
+        scale, shift = np.where(rng.random(n) < 0.5, (scale, 0 * shift), (np.ones(n), shift))
+        return tuple((c.T * scale + (0 if c.ndim == 1 else shift)).T for c in made)
+
+    return made
+
+
+COMMON = {
+    "near triangles": resting,
+    "near 8-gons": lambda rng, n: resting(rng, n, 8),
+    "on a grid": resting_exactly,
+    "on a fine grid": lambda rng, n: resting_exactly(rng, n, 22),
+    "on boxes": resting_on_boxes,
+    "a float off a grid": a_float_off(resting_exactly),
+    "a float off a fine grid": a_float_off(lambda rng, n: resting_exactly(rng, n, 22)),
+    "a float off a box": a_float_off(resting_on_boxes),
+    "near, moved": moved(resting),
+    "on a grid, moved": moved(resting_exactly),
+    "a float off, moved": moved(a_float_off(resting_exactly)),
+}
+RARE = {"tiny on edges": tiny_on_edges, "beside corners": beside_corners, "slivers": slivers}
+
+
+def batches_from(made):
+    centers, radii, rings = made
+    return batch.Circles(centers, radii), batch.Polygons(rings.copy())
+
+
+@pytest.mark.parametrize("kind", COMMON | RARE)
+def test_circles_that_rest_on_polygons_are_exact(kind):
+    for seed in range(4):
+        circles, polygons = batches_from((COMMON | RARE)[kind](RNG(seed), 200))
+        right = [oracle.relation(p, q) for p, q in zip(scalar(circles), scalar(polygons))]
+        found = {engine: batch.relate(circles, polygons, engine=engine).tolist() for engine in ENGINES}
+        c, p = circles.uniform, polygons.uniform
+        found["all undecided"] = (1 - circle_polygons.gaps(c.x[0], c.y[0], c.r, p.x, p.y)).tolist()
+        found["swapped"] = batch.relate(polygons, circles).tolist()
+        assert found == dict.fromkeys(found, right)
+
+
+@pytest.mark.parametrize(
+    ("center", "radius", "ring", "right"),
+    [
+        ((4, -3), 5, [(-3 * 2.0**60, -4 * 2.0**60), (3 * 2.0**60, 4 * 2.0**60), (-4 * 2.0**60, 3 * 2.0**60)], 1),
+        ((4, -3), 5, [(-3, -4), (3 * 2.0**60, 4 * 2.0**60), (-4 * 2.0**60, 3 * 2.0**60)], 1),
+        ((1e-200, -1), 1, [(0, 0), (-1, 1), (-1, 0.5)], 0),
+        ((1e-150, -1), 1, [(0, 0), (1, 1e-200), (0.5, 1)], 0),
+        ((0.5, -1), 1, [(0, 0), (1, 1e-200), (0.5, 1)], 0),
+        ((0.5, -1), 1, [(0, 0), (1, -5e-324), (0.5, 1)], 2),
+    ],
+)
+def test_circles_are_exact_where_all_hangs_on_what_was_rounded_off_or_lost(center, radius, ring, right):
+    assert oracle.relation(sv.Circle(center, radius), sv.Polygon(ring)) == right
+    circles, polygons = batch.Circles([center] * 50, radius), batch.Polygons([ring] * 50)
+    assert batch.relate(circles, polygons, engine="numpy").tolist() == [right] * 50
+
+
+def test_circles_are_exact_with_ragged_and_repeated_vertices():
+    rng = RNG(2)
+    made = [make(rng, 60) for make in (resting, COMMON["near 8-gons"], resting_on_boxes, resting_exactly)]
+    rings = [ring for _, _, rings in made for ring in rings.tolist()]
+    rings = [ring[:1] + ring[::-1] if i % 3 else ring[::-1] + ring[-1:] for i, ring in enumerate(rings)]
+    circles = batch.Circles(*(np.concatenate([m[k] for m in made]) for k in (0, 1)))
+    order = rng.permutation(len(rings))
+    circles, polygons = circles[order], batch.Polygons([rings[i] for i in order])
+    right = [oracle.relation(p, q) for p, q in zip(scalar(circles), scalar(polygons))]
+    for engine in ENGINES:
+        assert batch.relate(circles, polygons, engine=engine).tolist() == right
+
+
+def test_what_floats_settle_of_the_hard_pairs_is_right():
+    """Those of every scale too, up to overflow and down to the smallest floats."""
+    known = [(a, b) for _, a, b in pairs(seed=3, count=26 * 250)]
+    known = [(a, b) if isinstance(a, sv.Circle) else (b, a) for a, b in known if type(a) is not type(b)]
+    known = [(c, p) for c, p in known if len(sv.parts(p)) == 1]
+    circles, polygons = batches_of([c for c, _ in known]).groups[1], batch.Polygons([p for _, p in known])
+    settled = 0
+    for v, group in polygons.groups.items():
+        mine = np.flatnonzero(polygons.count == v)
+        columns = circles.x[0, mine], circles.y[0, mine], circles.r[mine], group.x, group.y
+        with np.errstate(all="ignore"):
+            found = circle_polygons._by_floats(*columns)
+        for i, value in zip(mine, found):
+            assert value in (signs.UNKNOWN, 1 - oracle.relation(*known[i])), known[i]
+        settled += (found != signs.UNKNOWN).sum()
+    assert settled > len(known) / 2
+
+
+@pytest.mark.parametrize("kind", COMMON)
+def test_hardly_a_circle_on_a_polygon_needs_integers(kind, monkeypatch):
+    counted = []
+    real = circle_polygons._by_integers
+    monkeypatch.setattr(circle_polygons, "_by_integers", lambda *columns: counted.append(1) or real(*columns))
+    circles, polygons = (shapes.uniform for shapes in batches_from(COMMON[kind](RNG(5), 5000)))
+    circle_polygons.gaps(circles.x[0], circles.y[0], circles.r, polygons.x, polygons.y)
+    assert len(counted) <= 5
+
+
+@pytest.mark.parametrize("kind", ["near triangles", "near, moved", "slivers"])
+def test_turns_in_two_floats_are_off_by_less_than_granted(kind, monkeypatch):
+    """Granted are 256 roundings of roundings, 88 can be shown, besides the sum's own; the worst found is told."""
+    seen = []
+    real = signs.nearly
+    monkeypatch.setattr(signs, "nearly", lambda *terms: seen.append(real(*terms)) or seen[-1])
+    centers, radii, rings = (COMMON | RARE)[kind](RNG(1), 500)
+    columns = *centers.T, radii, *rings[:, 0].T, *rings[:, 1].T
+    side = -signs.orient(*rings[:, 0].T, *rings[:, 1].T, *centers.T)
+    circle_polygons._foot_signs(*columns, room=np.full(len(radii), np.inf))
+    (_, _, _), (total, off, _) = seen
+    worst = 0.0
+    with localcontext(prec=150):
+        for i, (cx, cy, r, px, py, qx, qy) in enumerate(zip(*(map(Decimal, c.tolist()) for c in columns))):
+            turn = (py - cy) * (qx - px) - (px - cx) * (qy - py)
+            right = turn * int(side[i]) - r * ((qx - px) ** 2 + (qy - py) ** 2).sqrt()
+            error = abs(Decimal(total[i]) - right) - abs(right) / 2**53
+            worst = max(worst, float(error / Decimal(off[i])) * 256)
+    print(f"{kind}: worst {worst:.1f} of 256")
+    assert 0 < worst < 88
 
 
 # -- broad phase

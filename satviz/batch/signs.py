@@ -14,11 +14,11 @@ from ..exact import HUGE, TINY, sign, to_integers
 
 Array = NDArray[np.float64]
 Signs = NDArray[np.int8]
+Pairs = Sequence[tuple[Array, Array]]  # the factors of products
 
-# Nonzero coordinates in this range are multiples of 1e-116, so products and their
-# errors are multiples of 1e-232: nothing is lost to underflow, nor does anything overflow.
-TAME = 1e-100, 1e100
+UNKNOWN = -2  # below every sign: the least of several signs is known when all are
 ROUND = 2.0**-50  # eight roundings
+FINE = 2.0**-98  # 256 roundings of roundings
 SPLIT = 2.0**27 + 1
 MOST_PASSES = 12
 
@@ -40,7 +40,7 @@ def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
 
 def _turns(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
     pairs = [(px, qy), (-py, qx), (qx, ry), (-qy, rx), (rx, py), (-ry, px)]
-    return _sign_of_products(pairs)
+    return sign_of_products(pairs)
 
 
 def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array) -> Signs:
@@ -49,55 +49,116 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array) ->
     for p, q in ((ax, bx), (ay, by)):
         pairs += [(p, p), (q, q), (-p, q), (-p, q)]  # twice, as doubling could overflow
     pairs += [(-ar, ar), (-br, br), (-ar, br), (-ar, br)]
-    return _sign_of_products(pairs)
+    return sign_of_products(pairs)
 
 
-def _sign_of_products(pairs: Sequence[tuple[Array, Array]]) -> Signs:
+def sign_of_products(pairs: Pairs) -> Signs:
     """The exact signs of the sums of the products, column by column."""
-    flat = np.stack([f for pair in pairs for f in pair])
-    sizes = np.abs(flat)
-    wild = ~np.all((sizes == 0) | ((sizes > TAME[0]) & (sizes < TAME[1])), axis=0)
-    found = np.zeros(flat.shape[1], np.int8)
-    calm = np.flatnonzero(~wild)
-    if calm.size:
-        terms = np.concatenate(
-            [np.stack(_two_product(flat[i, calm], flat[i + 1, calm])) for i in range(0, len(flat), 2)]
-        )
-        found[calm], undecided = _sign_of_sum(terms)
-        wild[calm[undecided]] = True
-    for i in np.flatnonzero(wild):
-        _, n = to_integers(flat[:, i].tolist())
+    with np.errstate(all="ignore"):
+        terms, size = _products(pairs)
+        found = np.full(len(size), UNKNOWN, np.int8)
+        calm = np.flatnonzero(size < np.inf)
+        found[calm] = sign_of_sum(columns(terms, calm))
+    for i in np.flatnonzero(found == UNKNOWN):
+        _, n = to_integers([float(f[i]) for pair in pairs for f in pair])
         found[i] = sign(sum(p * q for p, q in zip(n[::2], n[1::2], strict=True)))
     return found
 
 
-def _two_product(a: Array, b: Array) -> tuple[Array, Array]:
-    """a * b as (error, rounded product)."""
-    product = a * b
+def nearly(pairs: Pairs, more: Array) -> tuple[Array, Array, Array]:
+    """The sums of up to three products and of `more`, how far they can be off, and the products as floats to add up.
+
+    With products of size R in all, u = 2**-53 and `more` at most 3uR: the errors of the products
+    and of their sums are 3uR in all, and adding all this up rounds five times, by 30uuR.
+    Granted are 256uuR: the difference is for how far `more` itself may be off.
+    """
+    terms, size = _products(pairs)
+    _add_up(terms[len(pairs) :])
+    rest = terms[:-1].sum(axis=0)
+    rest += more
+    rest += terms[-1]
+    size *= FINE
+    return rest, size, terms
+
+
+def _products(pairs: Pairs) -> tuple[Array, Array]:
+    """Floats that add up to the products exactly, errors first, and the products' size: infinite where bits are lost.
+
+    The error of a product above TINY, and the parts it is made of, are multiples of 1e-312: floats.
+    """
+    k = len(pairs)
+    terms = np.empty((2 * k, len(pairs[0][0])))
+    for i, (a, b) in enumerate(pairs):
+        _two_product(a, b, terms[i], terms[k + i])
+    sizes = np.abs(terms[k:])
+    size = sizes.sum(axis=0)
+    lost = ~(size < HUGE)
+    small = sizes < TINY
+    if small.any():
+        for look, (a, b) in zip(small, pairs, strict=True):
+            lost |= look & (a != 0) & (b != 0)
+    size[lost] = np.inf
+    return terms, size
+
+
+def _two_product(a: Array, b: Array, error: Array, product: Array) -> None:
+    """a * b as the rounded product and its error."""
+    np.multiply(a, b, out=product)
+    a1, a0 = _split(a)
+    b1, b0 = (a1, a0) if b is a else _split(b)
+    np.multiply(a1, b1, out=error)
+    error -= product
+    for p, q in ((a0, b1), (a1, b0), (a0, b0)):
+        error += p * q
+
+
+def _split(a: Array) -> tuple[Array, Array]:
+    """a as two floats of half the bits."""
     high = a * SPLIT
-    a1 = high - (high - a)
-    high = b * SPLIT
-    b1 = high - (high - b)
-    a0, b0 = a - a1, b - b1
-    return a0 * b0 - (((product - a1 * b1) - a0 * b1) - a1 * b0), product
+    high -= high - a
+    return high, a - high
 
 
-def _sign_of_sum(terms: Array) -> tuple[Signs, NDArray[np.intp]]:
-    """Exact signs of the columns' sums, and the columns (if any) that took too many passes."""
-    found = np.zeros(terms.shape[1], np.int8)
-    columns = np.arange(terms.shape[1])
+def two_sum(a: Array, b: Array) -> tuple[Array, Array]:
+    """a + b as (rounded sum, error)."""
+    total = a + b
+    part = total - a
+    error = b - part
+    np.subtract(total, part, out=part)
+    np.subtract(a, part, out=part)
+    error += part
+    return total, error
+
+
+def _add_up(terms: Array) -> None:
+    """The rounded sum of each column into its last place; what was rounded off each time into the others."""
+    for i in range(1, len(terms)):
+        terms[i], terms[i - 1] = two_sum(terms[i], terms[i - 1])
+
+
+def columns(terms: Array, where: NDArray[np.intp]) -> Array:
+    """Some of the columns, in ascending order; "clip" as NumPy's check of the indices takes twice the copying."""
+    return terms if len(where) == terms.shape[1] else terms.take(where, axis=1, mode="clip")
+
+
+def sign_beyond(values: Array, room: Array | float) -> Signs:
+    """1 above the room, -1 below, 0 between."""
+    return (values > room).view(np.int8) - (values < -room).view(np.int8)
+
+
+def sign_of_sum(terms: Array) -> Signs:
+    """The exact signs of the columns' sums; UNKNOWN where it takes too many passes.  The terms are used up."""
+    found = np.full(terms.shape[1], UNKNOWN, np.int8)
+    left = np.arange(len(found))
     for _ in range(MOST_PASSES):
-        for i in range(1, len(terms)):
-            a, b = terms[i], terms[i - 1]
-            total = a + b
-            part = total - a
-            terms[i - 1] = (a - (total - part)) + (b - part)
-            terms[i] = total
         rest = np.abs(terms[:-1]).sum(axis=0)
-        top = terms[-1]
-        done = (np.abs(top) > rest * (1 + 2.0**-40)) | (rest == 0)
-        found[columns[done]] = np.sign(top[done])
-        columns, terms = columns[~done], np.ascontiguousarray(terms[:, ~done])
-        if not columns.size:
+        rest *= 1 + 2.0**-40
+        signs = sign_beyond(terms[-1], rest)
+        done = (signs != 0) | (rest == 0)
+        found[left] = np.where(done, signs, UNKNOWN)
+        more = np.flatnonzero(~done)
+        if not more.size:
             break
-    return found, columns
+        left, terms = left[more], columns(terms, more)
+        _add_up(terms)
+    return found

@@ -3,9 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact import to_integers
-from ..verdict import relate_integers
-from . import signs
+from . import circle_polygons, signs
 from .arrays import Group
 from .filter_numpy import APART, OVERLAPPING, TOUCHING, UNDECIDED, look_64
 
@@ -19,7 +17,7 @@ def relations(a: Group, b: Group) -> NDArray[np.int8]:
         return RELATION_OF_SIGN[signs.circles(a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r)]
     if a.r is not None or b.r is not None:
         circle, polygon = (a, b) if a.r is not None else (b, a)
-        return _circle_polygons(circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y)
+        return RELATION_OF_SIGN[circle_polygons.gaps(circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y)]
     return _polygons(a, b)
 
 
@@ -31,7 +29,7 @@ def _polygons(a: Group, b: Group) -> NDArray[np.int8]:
         with np.errstate(all="ignore"):
             look_64(a, b, start, part)
         rest = np.flatnonzero(part == UNDECIDED)
-        ax, ay, bx, by = (c[:, start + rest] for c in (a.x, a.y, b.x, b.y))
+        ax, ay, bx, by = (signs.columns(c, start + rest) for c in (a.x, a.y, b.x, b.y))
         part[rest] = RELATION_OF_SIGN[np.maximum(_clearance(ax, ay, bx, by), _clearance(bx, by, ax, ay))]
     return found
 
@@ -42,13 +40,3 @@ def _clearance(x, y, px, py) -> NDArray[np.int8]:
     ends = [np.broadcast_to(c[:, None, :], shape).ravel() for c in (x, y, np.roll(x, -1, 0), np.roll(y, -1, 0))]
     corners = [np.broadcast_to(c[None, :, :], shape).ravel() for c in (px, py)]
     return (-signs.orient(*ends, *corners)).reshape(shape).min(axis=1).max(axis=0)
-
-
-def _circle_polygons(cx, cy, cr, px, py) -> NDArray[np.int8]:
-    """Circles with polygons, one by one with integers: a foot on an edge has degree four."""
-    found = np.empty(len(cx), np.int8)
-    for i in range(len(cx)):
-        _, flat = to_integers([float(cx[i]), float(cy[i]), float(cr[i]), *px[:, i].tolist(), *py[:, i].tolist()])
-        ring = list(zip(flat[3 : 3 + len(px)], flat[3 + len(px) :], strict=True))
-        found[i] = relate_integers([(flat[0], flat[1])], ring, flat[2])
-    return found
