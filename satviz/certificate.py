@@ -5,6 +5,7 @@ from functools import lru_cache
 from math import gcd, isfinite, isqrt
 from typing import NamedTuple
 
+from . import telling
 from .axes import Axis, exact_normal
 from .concave import parts
 from .exact import aligned, orient
@@ -35,8 +36,7 @@ class SeparatingLine(NamedTuple):
         return Vec(float(nx * t), float(ny * t))
 
     def __str__(self) -> str:
-        nx, ny = self.normal
-        return f"separating line {_short(nx)} x {'-' if ny < 0 else '+'} {_short(abs(ny))} y = {_short(self.offset)}"
+        return f"separating line {telling.line(self)}"
 
 
 class SharedPoint(NamedTuple):
@@ -56,7 +56,7 @@ class SharedPoint(NamedTuple):
         return Vec(float(self.x), float(self.y))
 
     def __str__(self) -> str:
-        return f"the point ({_short(self.x)}, {_short(self.y)}) lies in both"
+        return f"the point {telling.vector(self.point)} lies in both"
 
 
 class PartLines(NamedTuple):
@@ -207,10 +207,3 @@ def _area(shape: Shape) -> Fraction:
         return Fraction(0)
     ring = _ring(shape)
     return sum((p[0] * q[1] - p[1] * q[0] for p, q in _edges(ring)), Fraction(0))
-
-
-def _short(value: Fraction) -> str:
-    try:
-        return f"{float(value):.6g}"
-    except OverflowError:
-        return str(value)

@@ -11,6 +11,8 @@ from .geometry import Interval, Relation, Vec
 from .shapes import Circle, Shape
 
 if TYPE_CHECKING:
+    from fractions import Fraction
+
     from .certificate import SeparatingLine
     from .sat import AxisTest
     from .trace import Names, Trace
@@ -200,18 +202,19 @@ def plural(kind: str) -> str:
 
 def line(certificate: SeparatingLine) -> str:
     """A separating line by its equation: "x = 5 (parallel to y)", "4x - y = 12.5"."""
-    nx, ny = (float(c) for c in certificate.normal)
-    offset = float(certificate.offset)
+    nx, ny, offset = (*certificate.normal, certificate.offset)
     if ny == 0 or nx == 0:
-        return f"{'y' if nx == 0 else 'x'} = {number(offset / (nx or ny))} (parallel to {'x' if nx == 0 else 'y'})"
+        at = number(float(offset / (nx or ny)))
+        return f"{'y' if nx == 0 else 'x'} = {at} (parallel to {'x' if nx == 0 else 'y'})"
     size = max(abs(nx), abs(ny))
-    if size > 1000:
-        nx, ny, offset = nx / size, ny / size, offset / size
-    return f"{_term(nx)}x {'-' if ny < 0 else '+'} {_term(abs(ny))}y = {number(offset)}"
+    unit = size if size > 1000 else 1
+    if abs(offset) > unit * 10**308:  # as the sum of two coordinates, out of a float's range
+        unit *= 4
+    return f"{_term(nx / unit)}x {'-' if ny < 0 else '+'} {_term(abs(ny / unit))}y = {number(float(offset / unit))}"
 
 
-def _term(factor: float) -> str:
-    return "" if factor == 1 else "-" if factor == -1 else number(factor)
+def _term(factor: Fraction) -> str:
+    return "" if factor == 1 else "-" if factor == -1 else number(float(factor))
 
 
 def parts(trace: Trace) -> str:

@@ -135,10 +135,6 @@ class Trace:
         """The verdict in words."""
         return telling.verdict(self)
 
-    def step_sentence(self, number: int) -> str:
-        """Test `number` (from 0) in words."""
-        return telling.test(self, number)
-
     def __str__(self) -> str:
         return telling.table(self)
 

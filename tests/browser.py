@@ -55,9 +55,10 @@ class Lab:
         data = {"nbformat": 4, "nbformat_minor": 5, "metadata": {"kernelspec": kernel}, "cells": cells}
         (self.folder / name).write_text(json.dumps(data), encoding="utf-8")
 
-    def open(self, page, name):
-        """The notebook, its kernel ready: cells run before that get lost."""
-        page.goto(f"{self.url}/lab/tree/{name}?token={self.token}")
+    def open(self, page, name, app="lab"):
+        """The notebook in JupyterLab or Notebook 7 ("notebooks"), its kernel ready: cells run before that get lost."""
+        where = "lab/tree" if app == "lab" else app
+        page.goto(f"{self.url}/{where}/{name}?token={self.token}")
         page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=60_000)
         page.wait_for_function("() => window.jupyterapp?.shell.currentWidget?.sessionContext?.session?.kernel")
         page.evaluate("async () => { await jupyterapp.shell.currentWidget.sessionContext.ready; }")
@@ -84,6 +85,7 @@ def jupyterlab(folder):
     options = [
         "--no-browser",
         "--expose-app-in-browser",
+        "--JupyterNotebookApp.expose_app_in_browser=True",
         "--allow-root",
         "--ip=127.0.0.1",
         f"--port={port}",

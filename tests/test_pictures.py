@@ -9,11 +9,12 @@ from hypothesis import strategies as st
 
 import satviz as sv
 from satviz import axes, telling
-from satviz.pictures import THEMES, Stage, Step
+from satviz.pictures import LIGHT, THEMES, Stage, Step
+from satviz.pictures.curve import direction
 from satviz.pictures.figures import FIGURES
 from satviz.pictures.labels import RIM, clipped
 from satviz.pictures.layout import text_box
-from satviz.pictures.marks import KINDS, ROLES
+from satviz.pictures.live import KNOB, field, turned_axis
 from satviz.pictures.theme import DOT
 from satviz.scenes import SCENES, box
 
@@ -90,13 +91,13 @@ def test_no_label_of_a_figure_covers_an_edge_or_a_dot(name):
 
 
 @pytest.mark.parametrize("name", PICTURES)
-def test_marks_have_unique_ids_known_kinds_and_roles_and_lie_on_the_canvas(name):
+def test_marks_have_unique_ids_and_known_roles_and_lie_on_the_canvas(name):
     picture = PICTURES[name]
     ids = [mark.id for mark in picture.marks]
     assert len(ids) == len(set(ids))
     x0, y0, x1, y1 = picture.limits
     for mark in picture.marks:
-        assert mark.kind in KINDS and mark.role in ROLES
+        assert mark.role in LIGHT.roles
         for p in mark.points:
             assert x0 - 1e-9 <= p.x <= x1 + 1e-9 and y0 - 1e-9 <= p.y <= y1 + 1e-9, mark
     assert picture.sentence
@@ -132,7 +133,7 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
             assert test.gap <= 0 or -shared == pytest.approx(test.gap)
             assert gap.role == ("overlap" if test.gap < 0 else "gap")
             assert picture.mark(f"{axis}.gap.name").text == telling.outcome(test)
-            assert picture.sentence == run.step_sentence(i)
+            assert picture.sentence == telling.test(run, i)
 
 
 @pytest.mark.parametrize("name", TRACES)
@@ -217,7 +218,7 @@ def test_colours_have_enough_contrast(theme):
         low, high = sorted((luminance(colour), luminance(theme.paper)))
         return (high + 0.05) / (low + 0.05)
 
-    for role in ROLES:
+    for role in theme.roles:
         assert ratio(theme.roles[role]) >= 3, role
         assert ratio(theme.text.get(role, theme.roles[role])) >= 4.5, role
 
@@ -265,7 +266,7 @@ def test_any_scene_is_drawn_at_every_step_with_its_labels_apart(a, b):
 
 def test_where_one_range_holds_the_other_overlap_and_way_out_are_told_apart():
     trace = sv.record(box(0, 0, 10, 1), box(4, 0, 5, 1))
-    assert "overlap 1, way out 5" in trace.step_sentence(1)
+    assert "overlap 1, way out 5" in telling.test(trace, 1)
     picture = sv.picture(trace, Step(Stage.GAP, 1))
     (p, q) = picture.mark("axis.2.gap").points
     assert q.x - p.x == pytest.approx(1)
@@ -287,7 +288,7 @@ def test_vertices_without_a_label_among_labelled_ones_are_drawn(shape):
 def test_a_part_pair_that_is_apart_does_not_say_that_the_shapes_are():
     trace = sv.record(sv.Polygon([(1, 3), (3.5, 3), (3.5, 3.5), (1, 3.5)]), L)
     apart = next(pair for pair in trace.pairs if pair.separating)
-    assert trace.hit and "so A and B1 are apart" in apart.step_sentence(len(apart.tests) - 1)
+    assert trace.hit and "so A and B1 are apart" in telling.test(apart, len(apart.tests) - 1)
 
 
 def test_every_choice_of_axes_can_be_drawn():
@@ -295,3 +296,22 @@ def test_every_choice_of_axes_can_be_drawn():
         trace = sv.record(L, sv.Circle((3, 3.5), 0.4), axes=choose, every_axis=True)
         for i in range(len(sv.steps(trace))):
             assert sv.picture(trace, i).sentence, name
+
+
+def test_a_corners_name_stands_on_its_side_of_the_separating_line():
+    square = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)], labels=["p", "q", "r", "s"])
+    trace = sv.record(square, sv.Circle((1.8, 1.8), 1))
+    spot = sv.picture(trace).mark("A.vertex.2.name").points[0]
+    (nx, ny), offset = trace.certificate.normal, trace.certificate.offset
+    assert (nx * spot.x + ny * spot.y > offset) == (nx * 1 + ny * 1 > offset)
+
+
+@pytest.mark.parametrize("degree", range(0, 360, 30))
+def test_no_label_lies_under_the_knob_of_a_free_axis(degree):
+    scene = sv.scene("triangles")
+    trace = sv.record(scene.a, scene.b, axes=axes.directions(direction(degree)))
+    drawn, _ = turned_axis(trace, field(trace), degree)
+    knob = drawn.mark("knob").points[0]
+    x, y = (knob.x - drawn.limits[0]) * drawn.scale, (knob.y - drawn.limits[1]) * drawn.scale
+    grip = x - KNOB, y - KNOB, x + KNOB, y + KNOB
+    assert not [mark.text for mark, box in boxes(drawn) if meet(grip, box)]

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from pairs import pairs
 
 import satviz as sv
-from satviz import axes
+from satviz import axes, telling
 from satviz.escape import ends_overlap
 from satviz.scenes import SCENES, box
 from satviz.verdict import relate_moved
@@ -43,7 +43,7 @@ def test_ties_on_an_edges_own_normal_land_on_one_spot():
 
 def test_the_sentence_of_a_step_is_made_from_the_trace():
     trace = sv.record(A, B, axes=axes.edge_normals)
-    assert trace.step_sentence(1) == (
+    assert telling.test(trace, 1) == (
         "Axis 2 of 6, normal of B's edge v1v3: A [-0.243, 2.425], B [3.638, 7.034], gap +1.213: "
         "separating, so the shapes are apart."
     )
@@ -189,6 +189,20 @@ def test_a_wrong_certificate_does_not_check():
     assert not hit._replace(x=hit.x + 100).check()
     lines = sv.record(box(2.5, 2.5, 3.5, 3.5), L).certificate
     assert lines.check() and not lines._replace(lines=lines.lines[:1]).check()
+
+
+def test_a_certificate_in_words_names_its_line_as_the_pictures_do():
+    def words(a, b):
+        return str(sv.record(a, b).certificate)
+
+    assert words(box(0, 0, 1, 1), box(2, 0, 3, 1)) == "separating line x = 1.5 (parallel to y)"
+    slanted = sv.Polygon([(0, 0), (1, 0), (0, 1)]), sv.Polygon([(1, 1), (2, 1), (1, 2)])
+    assert words(*slanted) == "separating line x + y = 1.5"
+    steep = sv.Circle((0, 0), 0.1), sv.Circle((0.3, 0.1), 0.1)
+    assert words(*steep).startswith("separating line x + 0.333y = ")
+    near, far = [(0, 0), (1.5e308, 0), (0, 1.5e308)], [(1.7e308, 1.7e308), (1e308, 1.7e308), (1.7e308, 1e308)]
+    assert words(sv.Polygon(near), sv.Polygon(far)) == "separating line 0.25x + 0.25y = 5.250e+307"
+    assert words(A, A) == "the point (1.333, 2.667) lies in both"
 
 
 def test_the_mtv_really_ends_the_overlap_and_hardly_less_does_not():

@@ -14,8 +14,9 @@ from .labels import Request, with_labels
 from .layout import Layout
 from .marks import Mark, Picture
 
-SIZE = 500.0, 190.0  # points; the picture's own units
+SIZE = 500.0, 204.0  # points; the picture's own units
 LEFT, RIGHT, BOTTOM, TOP = 16.0, 484.0, 30.0, 172.0
+HERE = 6.0
 MOST_NAMES = 12
 
 
@@ -47,7 +48,7 @@ def gap_curve(a: Shape, b: Shape, degree: float | None = None) -> Picture:
         d, gap = degree % 180, gap_at(a, b, degree)
         marks += [
             Mark("here.line", "segment", "ink", (at(d, low), at(d, high))),
-            Mark("here", "dot", "ink", (at(d, gap),)),
+            Mark("here", "disc", "ink", (at(d, gap),), radius=HERE),  # a ring: a candidate's dot shows inside it
         ]
         text = f"{telling.number(round(d, 1))}°: {telling.signed(gap)}"
         requests.insert(0, Request("here.name", text, "ink", at(d, gap)))

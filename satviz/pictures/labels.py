@@ -118,6 +118,7 @@ class Board:
     def __init__(self, layout: Layout) -> None:
         self.layout = layout
         self.strokes: list[tuple[float, float, float, float, float]] = []  # x, y, x, y, cost of crossing it
+        self.walls: list[tuple[float, float, float, float]] = []  # x, y, x, y that no name strays across
         self.boxes: list[Box] = []
 
     def stroke(self, p: Vec, q: Vec, cost: float) -> None:
@@ -140,6 +141,7 @@ class Board:
             if at is None:
                 continue
             if not (r.far or r.inside or r.along) and (end := self._leader(r, at)):
+                self.stroke(r.anchor, end, 300)
                 found.append(Mark(f"{r.id}.leader", "segment", "guide", (r.anchor, end)))
             found.append(Mark(r.id, "label", r.role, (at,), text=r.text, weight=r.weight))
         return found
@@ -159,10 +161,13 @@ class Board:
     def place(self, request: Request) -> Vec | None:
         """The label's centre in scene units, or None for an optional one that finds no clear spot."""
         w, h = text_box(request.text, request.weight)
-        best, found = float("inf"), self._points(request.anchor)
+        anchor = self._points(request.anchor)
+        best, found = float("inf"), anchor
         for spot, penalty in self._spots(request, w / 2, h / 2):
             if penalty >= best:
                 break
+            if request.steady and any(_cross(*anchor, *spot, *wall) for wall in self.walls):
+                penalty += 200
             cost = penalty + self._cost(spot, w / 2 + 2, h / 2 + 1, best - penalty)
             if cost < best:
                 best, found = cost, spot
@@ -227,6 +232,11 @@ class Board:
         return cost
 
 
+def _cross(ax: float, ay: float, bx: float, by: float, sx: float, sy: float, tx: float, ty: float) -> bool:
+    """Do the ends a and b lie on two sides of the line through s and t?"""
+    return ((tx - sx) * (ay - sy) - (ty - sy) * (ax - sx)) * ((tx - sx) * (by - sy) - (ty - sy) * (bx - sx)) < 0
+
+
 def _is_dot(box: Box) -> bool:
     return box[2] - box[0] <= DOT
 
@@ -271,3 +281,5 @@ def _put(board: Board, mark: Mark) -> None:
         ring = (*points, points[0]) if mark.kind == "outline" else points
         for p, q in pairwise(ring):
             board.stroke(p, q, price)
+        if mark.id == "line":  # what stands beyond the separating line seems to belong there
+            board.walls.append((*board._points(points[0]), *board._points(points[1])))

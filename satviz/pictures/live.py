@@ -13,6 +13,7 @@ from .stages import draw_move, draw_parts, others
 
 LARGEST = 540.0, 390.0  # points
 PART = 0.6, 0.48  # of the width and height that the shapes take at first: the rest is room to move and for axes
+KNOB = 7.0  # points
 
 
 class Chosen(NamedTuple):
@@ -84,6 +85,7 @@ def turned_axis(trace: Trace, layout: Layout, degree: float, *, near: Vec | None
     test = trace.tests[0]
     place = place_within(layout, (trace.a, trace.b), test, near)
     drawing.project(test, place, 1)
+    drawing.add("knob", "disc", "ink", knob(layout, place, degree), radius=layout.units(KNOB))  # no label lies on it
     says = "this axis separates them" if test.separates else "this axis shows no gap"
     drawing.note("verdict", says, "gap" if test.separates else "overlap", weight="title", first=1)
     sentence = f"The axis at {telling.number(round(degree, 1))} degrees: {telling.outcome(test)}; {says}."

@@ -7,17 +7,14 @@ from ..geometry import Vec
 
 Limits = tuple[float, float, float, float]
 
-KINDS = ("outline", "disc", "segment", "arrow", "dot", "interval", "bracket", "label")
-ROLES = ("A", "B", "gap", "overlap", "guide", "ink")
-
 
 class Mark(NamedTuple):
     """One thing in a picture.
 
     `kind` and `points` (scene units): outline (its vertices), disc (its centre; `radius`),
     segment (two ends a piece), arrow (tail, head), interval (a bar's ends), bracket (a polyline), dot and
-    label (one point; a label is centred on it, lines parted by newlines).  `weight` is
-    "plain", "strong" (what the step is about), "faint" or "title".
+    label (one point; a label is centred on it, lines parted by newlines).  `role`: a colour
+    of the theme.  `weight` is "plain", "strong" (what the step is about), "faint" or "title".
     """
 
     id: str
@@ -64,6 +61,9 @@ class Picture(NamedTuple):
     def texts(self) -> tuple[str, ...]:
         """What the labels say, in drawing order."""
         return tuple(mark.text for mark in self.marks if mark.kind == "label")
+
+    def __repr__(self) -> str:
+        return f"<Picture: {self.sentence}>"
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: the picture, and its sentence."""

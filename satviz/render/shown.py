@@ -3,6 +3,7 @@
 from typing import Any
 from zlib import crc32
 
+from .. import telling
 from ..pictures import Picture, picture
 from ..pictures.views import alone
 from ..shapes import Circle, Polygon
@@ -13,7 +14,7 @@ from .files import inline_svg
 def bundle(what: Any) -> dict[str, str]:
     """The MIME bundle: plain text, and the picture as SVG where it can be drawn."""
     if isinstance(what, Picture):
-        text, make = what.sentence, lambda: what
+        text, make = telling.printable(repr(what)), lambda: what
     elif isinstance(what, (Circle, Polygon)):
         text, make = repr(what), lambda: alone(what)
     else:

@@ -1,0 +1,18 @@
+"""The browser that all browser tests share."""
+
+import pytest
+from browser import chromium
+
+
+@pytest.fixture(scope="session")
+def browser():
+    with chromium() as found:
+        yield found
+
+
+@pytest.fixture
+def errors():
+    """What the browser complained of; a test ends with none."""
+    found = []
+    yield found
+    assert not found, found
