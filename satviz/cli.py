@@ -90,7 +90,7 @@ def _parser() -> argparse.ArgumentParser:
     bench.set_defaults(run=commands.bench)
 
     study = command.add_parser("study", help="chart speed against accuracy, and stability where methods fail")
-    study.add_argument("--quick", action="store_true", help="fewer and smaller runs: under a minute")
+    study.add_argument("--quick", action="store_true", help="fewer and smaller runs, about a minute, and no PNG")
     study.add_argument(
         "--out", type=Path, default=Path("satviz-study"), metavar="DIR", help="the folder (default: satviz-study)"
     )

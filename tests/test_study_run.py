@@ -3,8 +3,11 @@
 import csv
 import json
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from pathlib import Path
 from types import SimpleNamespace
+from xml.etree import ElementTree
 
+import matplotlib
 import numpy as np
 import pytest
 
@@ -14,7 +17,7 @@ from satviz.cli import main
 from satviz.pictures import THEMES
 from satviz.study import accuracy, plain, run, stability, truth
 from satviz.study.cells import Cell, Settings, results
-from satviz.study.chart import Chart, axes, wilson
+from satviz.study.chart import Chart, axes, suffix, wilson
 from satviz.study.hard import WAYS
 from satviz.study.methods import methods, outlines, shapes
 from satviz.study.run import charts, study
@@ -196,7 +199,7 @@ def test_a_failing_cell_says_so(tmp_path):
 def test_a_chart_is_saved_with_its_numbers_beside_it(tmp_path, accurate):
     chart = accuracy.charts(accurate)[0]
     section = SimpleNamespace(cells=lambda settings: [], charts=lambda found: [chart])
-    files = study(QUICK, tmp_path, sections=[section])
+    files = study(QUICK._replace(quick=False), tmp_path, sections=[section])
     assert {path.suffix for path in files} == {".svg", ".png", ".json", ".csv", ".md"}
     data = json.loads((tmp_path / f"{chart.stem}.json").read_text())
     assert data["rows"] == list(chart.rows) and data["settings"]["seed"] == 7 and "python" in data["machine"]
@@ -206,7 +209,7 @@ def test_a_chart_is_saved_with_its_numbers_beside_it(tmp_path, accurate):
     svg = (tmp_path / f"{chart.stem}-dark.svg").read_text()
     assert "<desc" in svg and "bounding circles" in svg
     before = contents(tmp_path)
-    study(QUICK, tmp_path, sections=[section])
+    study(QUICK._replace(quick=False), tmp_path, sections=[section])
     assert contents(tmp_path) == before
 
 
@@ -269,3 +272,38 @@ def test_the_command_does_every_section_and_says_where_to_begin(tmp_path, capsys
     monkeypatch.setattr(run, "SECTIONS", (small(2),))
     assert main(["study", "--quick", "--out", str(tmp_path), "--executor", "threads", "--seed", "7"]) == 0
     assert "begin with" in capsys.readouterr().out and (tmp_path / "gaps.csv").exists()
+
+
+COMMITTED = Path(__file__).parent.parent / "figures"
+KEPT = json.loads((COMMITTED / "speed-against-accuracy.json").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=list(THEMES))
+def test_the_chart_in_the_readme_is_what_its_numbers_draw(theme):
+    chart = accuracy.main_chart(KEPT["rows"])
+    assert chart.reading == KEPT["reading"]
+    committed = (COMMITTED / f"{chart.stem}{suffix(theme)}.svg").read_text(encoding="utf-8")
+    drawn = chart.encode("svg", theme).decode()
+    if f"with matplotlib {matplotlib.__version__}<" in committed:
+        assert drawn == committed
+
+    def texts(svg):
+        return [text.text for text in ElementTree.fromstring(svg).iter("{http://www.w3.org/2000/svg}text")]
+
+    assert texts(drawn) == texts(committed)
+
+
+def test_the_chart_in_the_readme_comes_from_a_full_run_and_its_exact_methods_were_never_wrong():
+    assert KEPT["settings"] == Settings()._asdict() and {row["checked"] for row in KEPT["rows"]} == {10_000}
+    assert [row["rate"] for row in KEPT["rows"] if row["family"] == "exact"] == [0.0] * 4
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("name", accuracy.MAIN)
+def test_the_counts_in_the_readme_are_counted_again(name):
+    (cell,) = [cell for cell in accuracy.cells(Settings()) if cell.name == f"accuracy-{name.replace(' ', '-')}"]
+    counted = {m["method"]: m for m in cell.work(*cell.arguments)["methods"] if m["form"] == "batch"}
+    for row in KEPT["rows"]:
+        if row["workload"] == name:
+            found = counted[row["method"]]
+            assert (row["false_hits"], row["false_misses"]) == (found["false_hits"], found["false_misses"]), row

@@ -49,10 +49,11 @@ def _pairs(workload: str, n: int, settings: Settings) -> tuple[list[Method], Sid
 def count_wrong(workload: str, n: int, settings: Settings) -> dict:
     """False hits and false misses of each method on the same n pairs, against rationals."""
     found, a, b = _pairs(workload, n, settings)
-    right = np.array([truth.relation(p, q) > 0 for p, q in zip(shapes(a), shapes(b), strict=True)])
+    known = shapes(a), shapes(b)
+    right = np.array([truth.relation(p, q) > 0 for p, q in zip(*known, strict=True)])
     wrong = []
     for method in found:
-        said = np.asarray(method.hits(method.prepare(a), method.prepare(b))).astype(bool)
+        said = np.asarray(method.hits(method.ready(a, known[0]), method.ready(b, known[1]))).astype(bool)
         counts = {"false_hits": int((said & ~right).sum()), "false_misses": int((~said & right).sum())}
         wrong.append({"form": method.form, "method": method.name, **counts})
     return {"checked": n, "hits": int(right.sum()), "methods": wrong}
@@ -84,15 +85,19 @@ def charts(results: dict[str, Any]) -> list[Chart]:
     """Ordinary pairs beside the hardest, in batch form; then each workload there is, both forms side by side."""
     there = [name for name in STUDIED if f"speed-{name.replace(' ', '-')}" in results]
     rows = [row for name in there for row in _rows(name, results)]
-    main = [row for row in rows if row["workload"] in MAIN and row["form"] == "batch"]
-    title = "Speed against accuracy: 2D collision tests, many pairs at once"
-    found = [_chart("speed-against-accuracy", title, main, "workload")]
+    found = [main_chart([row for row in rows if row["workload"] in MAIN and row["form"] == "batch"])]
     for name in there:
         mine = [row for row in rows if row["workload"] == name]
         found.append(
             _chart(f"speed-against-accuracy-{name.replace(' ', '-')}", f"Speed against accuracy: {name}", mine, "form")
         )
     return found
+
+
+def main_chart(rows: Rows) -> Chart:
+    """The first chart from its rows alone."""
+    title = "Speed against accuracy: 2D collision tests, many pairs at once"
+    return _chart("speed-against-accuracy", title, rows, "workload")
 
 
 def _rows(workload: str, results: dict[str, Any]) -> Rows:

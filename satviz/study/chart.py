@@ -66,10 +66,12 @@ def suffix(theme: Theme) -> str:
     return "" if theme.name == "light" else f"-{theme.name}"
 
 
-def save(chart: Chart, folder: Path, facts: dict[str, Any], *, force: bool = False) -> Iterator[Path]:
-    """Write the chart as SVG and PNG, light and dark, and its numbers as JSON (with `facts`) and CSV."""
+def save(
+    chart: Chart, folder: Path, facts: dict[str, Any], forms: Sequence[str], *, force: bool = False
+) -> Iterator[Path]:
+    """Write the chart in those forms, light and dark, and its numbers as JSON (with `facts`) and CSV."""
     for theme in THEMES.values():
-        for form in ("svg", "png"):
+        for form in forms:
             path = folder / f"{chart.stem}{suffix(theme)}.{form}"
             write(path, chart.encode(form, theme), force=force)
             yield path

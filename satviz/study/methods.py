@@ -40,6 +40,11 @@ class Method(NamedTuple):
     hits: Callable[[Any, Any], Any]
     pairs: str = "all"
     series: str = ""
+    one: Callable[[Shape], Any] | None = None  # prepares a single shape, where `prepare` starts from satviz's own
+
+    def ready(self, side: Side, known: list[Shape]) -> Any:
+        """What `prepare` gives, where satviz's own shapes of that side are known already."""
+        return [self.one(shape) for shape in known] if self.one else self.prepare(side)
 
 
 def methods(*, circles: bool) -> list[Method]:
@@ -105,7 +110,7 @@ def _scalar() -> Iterator[Method]:
         def ready(side: Side) -> list:
             return [prepare(shape) for shape in shapes(side)]
 
-        return Method(name, "scalar", family, ready, _pair_by_pair(ask), pairs, series)
+        return Method(name, "scalar", family, ready, _pair_by_pair(ask), pairs, series, prepare)
 
     def engine(name: str, family: str, chooser: axes.Chooser, pairs: str = "all", series: str = "") -> Method:
         """The engine's own recording loop on a choice of axes, up to the first gap."""

@@ -43,7 +43,7 @@ def study(
     written = []
     made = charts(found, sections)
     for chart in made:
-        written += save(chart, out, facts, force=force)
+        written += save(chart, out, facts, ("svg",) if settings.quick else ("svg", "png"), force=force)
     write(out / "study.md", _words(made, settings).encode(), force=force)
     return [*written, out / "study.md"]
 

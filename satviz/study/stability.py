@@ -44,12 +44,13 @@ def count_wrong(way: int, level: int, n: int, settings: Settings) -> list[dict]:
     """False hits and misses of each method on one level's pairs, against rationals."""
     kind = WAYS[way]
     a, b = kind.make(Settings(*settings).rng("stability", kind.name, level), n, level)
-    right = np.array([truth.relation(p, q) > 0 for p, q in zip(shapes(a), shapes(b), strict=True)])
+    known = shapes(a), shapes(b)
+    right = np.array([truth.relation(p, q) > 0 for p, q in zip(*known, strict=True)])
     rows = []
     for method in methods(circles=False):
         if (method.form, method.name) in SHOWN:
             with np.errstate(all="ignore"):
-                said = np.asarray(method.hits(method.prepare(a), method.prepare(b))).astype(bool)
+                said = np.asarray(method.hits(method.ready(a, known[0]), method.ready(b, known[1]))).astype(bool)
             facts = {"way": kind.name, "level": level, "form": method.form, "method": method.name}
             counts = {"false_hits": int((said & ~right).sum()), "false_misses": int((~said & right).sum())}
             rows.append({**facts, "family": method.family, "checked": len(a), "hits": int(right.sum()), **counts})
