@@ -1,7 +1,14 @@
-"""The browser that all browser tests share."""
+"""What all tests share: the browser, and that long runs wait to be asked for."""
 
 import pytest
 from browser import chromium
+
+
+def pytest_collection_modifyitems(config, items):
+    if "full" not in config.option.markexpr:
+        for item in items:
+            if item.get_closest_marker("full"):
+                item.add_marker(pytest.mark.skip(reason="a long run: ask for it with -m full"))
 
 
 @pytest.fixture(scope="session")

@@ -107,9 +107,7 @@ def test_the_float32_look_errs_less_than_its_room(v, w, far):
 
 @pytest.mark.full
 @pytest.mark.parametrize("engine", ENGINES)
-def test_a_million_random_pairs_agree_with_relate(engine, request):
-    if "full" not in request.config.option.markexpr:
-        pytest.skip("a long run: ask for it with -m full")
+def test_a_million_random_pairs_agree_with_relate(engine):
     rng = RNG(1)
     for v, w in ((3, 3), (4, 4), (8, 8), (1, 3), (1, 1)):
         a, b = (circles(rng, 200_000) if k == 1 else batch.Polygons(ngons(rng, 200_000, k)) for k in (v, w))

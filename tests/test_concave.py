@@ -240,9 +240,7 @@ def test_the_parts_are_convex_and_disjoint_and_fill_the_polygon_exactly(kind):
 
 @pytest.mark.full
 @every_kind
-def test_the_parts_are_right_on_twenty_thousand_polygons(kind, request):
-    if "full" not in request.config.option.markexpr:
-        pytest.skip("takes minutes: asked for with -m full")
+def test_the_parts_are_right_on_twenty_thousand_polygons(kind):
     refute_all(concave_polygons(kind, 1_700, seed=2))
 
 

@@ -123,7 +123,7 @@ WAYS = (
     Way(
         "parallel",
         "angle between facing edges",
-        (0, -4, -8, -12, -16, -20, -24, -28, -32, -36, -40, -44, -48),
+        (0, -4, -8, -12, -16, -20, -24, -28, -32, -36, -40, -44, -48, -50, -52),
         _parallel,
     ),
     Way("vertices", "corners, one within 4 ulps of an edge", (1, 2, 3, 4, 5, 6, 7), _vertices),
