@@ -21,10 +21,10 @@ from .workloads import STUDIED, Side
 FORMS = {"batch": "many pairs at once (NumPy arrays)", "scalar": "one pair at a time (Python)"}
 MAIN = ("mixed polygons", "nearly touching")  # the first chart: ordinary pairs beside the hardest
 LEGEND = (
-    "● false hits   ✕ false misses   ◆ none wrong   "
-    "thin lines: 95 % interval (upright), quartiles of the time (level)   "
-    "broad line: nothing is both faster and more accurate"
+    "● false hits   ✕ false misses   ◆ none wrong   broad line: nothing is both faster and more accurate",
+    "thin lines: 95 % interval of the rate (upright), quartiles of the time (level)",
 )
+WIDE, HEAD, HIGH = 640.0, 62.0, 380.0  # points: the chart, its title, a scatter with its own title and scale
 ROW = 15.0  # points
 
 Rows = list[dict[str, Any]]
@@ -125,22 +125,23 @@ def _rows(workload: str, results: dict[str, Any]) -> Rows:
 
 
 def _chart(stem: str, title: str, rows: Rows, panels: str) -> Chart:
-    """Two scatters side by side, one a value of the column `panels`."""
+    """Two scatters, one under the other, one a value of the column `panels`; as wide as a page's text."""
     parts = _panels(rows, panels)
-    clean = max(sum(not row["rate"] for row in mine) for _, mine in parts)
-    foot = 48.0 + ROW * max(clean, 2)  # points under the scatter: a line for each method that was never wrong
-    size = 1080.0, 400.0 + foot
+    # points under a scatter: a line for each method that was never wrong
+    feet = [10.0 + ROW * max(sum(not row["rate"] for row in mine), 2) for _, mine in parts]
+    size = WIDE, HEAD + sum(HIGH + foot for foot in feet)
 
     def draw(fig: Figure, theme: Theme) -> None:
-        headline(fig, theme, title, LEGEND)
-        for i, (name, mine) in enumerate(parts):
-            x, width = 0.075 + i * 0.485, 0.43
-            top = axes(fig, (x, foot / size[1], width, (size[1] - foot - 80) / size[1]), theme, name)
-            under = axes(fig, (x, 36 / size[1], width, (foot - 40) / size[1]), theme)
+        headline(fig, theme, title, *LEGEND)
+        floor = size[1] - HEAD
+        for (name, mine), foot in zip(parts, feet, strict=True):
+            floor -= HIGH + foot
+            left, width = 72 / WIDE, (WIDE - 88) / WIDE
+            top = axes(fig, (left, (floor + foot + 42) / size[1], width, (HIGH - 72) / size[1]), theme, name)
+            under = axes(fig, (left, (floor + 38) / size[1], width, foot / size[1]), theme)
             _scatter(top, under, mine, theme)
             under.set_xlabel("time a pair (median)")
-            if i == 0:
-                top.set_ylabel("wrong answers")
+            top.set_ylabel("wrong answers")
 
     return Chart(stem, title, size, draw, rows, " ".join(_reading(mine, name) for name, mine in parts))
 

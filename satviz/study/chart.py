@@ -104,13 +104,13 @@ def axes(fig: Figure, box: tuple[float, float, float, float], theme: Theme, titl
     return ax
 
 
-def headline(fig: Figure, theme: Theme, text: str, under: str = "") -> None:
-    """The chart's title at its upper left, and one quiet line under it."""
+def headline(fig: Figure, theme: Theme, text: str, *under: str) -> None:
+    """The chart's title at its upper left, and quiet lines under it."""
     height = fig.get_size_inches()[1] * 72
     at = {"ha": "left", "va": "top", "parse_math": False}
     fig.text(0.012, 1 - 8 / height, text, color=theme.roles["ink"], fontsize=TITLE, fontweight="bold", **at)
-    if under:
-        fig.text(0.012, 1 - 27 / height, under, color=theme.roles["guide"], fontsize=TEXT, **at)
+    for i, line in enumerate(under):
+        fig.text(0.012, 1 - (27 + 15 * i) / height, line, color=theme.roles["guide"], fontsize=TEXT, **at)
 
 
 def colour(theme: Theme, family: str, *, text: bool = False) -> str:

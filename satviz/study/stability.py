@@ -63,7 +63,7 @@ def charts(results: dict[str, Any]) -> list[Chart]:
     rows: Rows = [row for name in names.values() if name in results for row in results[name]]
     ways = [way for way in WAYS if any(row["way"] == way.name for row in rows)]
     title = "Stability: wrong answers as the scenes grow harder"
-    columns, wide, high, top = 2, 540.0, 275.0, 44.0
+    columns, wide, high, top = 1 if len(ways) < 4 else 2, 600.0, 275.0, 44.0  # a few: as wide as a page's text
     lines = -(-(len(ways) + 1) // columns)  # the last place is for the totals
     size = columns * wide, top + lines * high
 
