@@ -2,11 +2,14 @@
 
 import base64
 import io
+import re
 
 import pytest
 
 import satviz as sv
 from satviz.geometry import Relation
+from satviz.pictures.caption import captioned
+from satviz.render.files import encode
 
 pytest.importorskip("anywidget", reason="anywidget is not installed")
 
@@ -114,15 +117,14 @@ def test_files_come_from_the_matplotlib_pen():
         assert content["name"] == f"satviz.{form}" and data.startswith(magic)
 
 
-@pytest.mark.parametrize(
-    "make",
-    [
-        lambda: sv.explore("circles"),
-        lambda: sv.play(TRIANGLES.record()),
-        lambda: sv.play(TRIANGLES.record(), pen="matplotlib"),
-    ],
-    ids=["explore", "play", "plain"],
-)
+WIDGETS = [
+    lambda: sv.explore("circles"),
+    lambda: sv.play(TRIANGLES.record()),
+    lambda: sv.play(TRIANGLES.record(), pen="matplotlib"),
+]
+
+
+@pytest.mark.parametrize("make", WIDGETS, ids=["explore", "play", "plain"])
 def test_where_no_front_end_runs_there_is_the_picture_and_the_sentence(make):
     from PIL import Image
 
@@ -133,6 +135,22 @@ def test_where_no_front_end_runs_there_is_the_picture_and_the_sentence(make):
     assert widget.trace.sentence in data["text/plain"]
     assert Image.open(io.BytesIO(base64.b64decode(data["image/png"]))).size[0] > 500
     assert "application/vnd.jupyter.widget-view+json" in data
+
+
+@pytest.mark.parametrize("make", WIDGETS, ids=["explore", "play", "plain"])
+def test_an_exported_page_shows_the_picture_with_its_sentence(make):
+    """nbconvert takes the picture and leaves the text."""
+    nbformat, nbconvert = pytest.importorskip("nbformat"), pytest.importorskip("nbconvert")
+    widget = make()
+    found = widget._repr_mimebundle_()
+    data = found[0] if isinstance(found, tuple) else found
+    shown = nbformat.v4.new_output("execute_result", data, execution_count=1)
+    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell("w", outputs=[shown], execution_count=1)])
+    page, _ = nbconvert.HTMLExporter().from_notebook_node(notebook)
+    drawn = widget.picture() if isinstance(widget, sv.widgets.Explorer) else sv.picture(widget.trace)
+    assert drawn.sentence == widget.trace.sentence
+    still = base64.b64encode(encode(captioned([drawn])[0], "png")).decode()
+    assert re.findall(r'src="data:image/png;base64,([^"]*)"', page) == [still]
 
 
 def test_the_plain_player_steps_with_its_slider_and_buttons():

@@ -1,6 +1,7 @@
 """What both widgets share: the browser's code, files by the matplotlib pen, the picture where no front end runs."""
 
 from base64 import b64encode
+from contextlib import suppress
 from threading import RLock
 from typing import Any
 
@@ -27,13 +28,15 @@ class Shown(anywidget.AnyWidget):
         self.on_msg(self._heard)
 
     def _heard(self, _widget: Any, content: Any, _buffers: Any) -> None:
-        if not isinstance(content, dict) or not content:
-            return  # the empty message that frees the server's socket
+        if not isinstance(content, dict):
+            return
         with LOCK:
             if content.get("kind") == "save":
                 self._save(content)
             else:
                 self.answer(content)
+        if content.get("final") is False:
+            stay_busy(self.comm)
 
     def answer(self, content: dict) -> None:
         """Answer a message from the browser."""
@@ -69,9 +72,20 @@ class Shown(anywidget.AnyWidget):
         return {**data, **still}, metadata
 
 
+def stay_busy(comm: Any) -> None:
+    """Let the kernel be shown as busy when the message at hand is done, since many more will follow.
+
+    At each busy and each idle JupyterLab fetches the page's icon and lays out its toolbar: at a drag's rate
+    more work than all the rest together.  It leaves out the idle of requests that it does not track, so
+    this message's is told as one of those.  Where the kernel is not ipykernel nothing happens.
+    """
+    with suppress(AttributeError, KeyError, TypeError):
+        comm.kernel.get_parent("shell")["header"]["msg_type"] = "comm_info_request"
+
+
 def still_png(drawn: Picture) -> str:
-    """A picture for a notebook's output, base64."""
-    return b64encode(encode(drawn, "png")).decode()
+    """A picture for a notebook's output, base64; its sentence stands in it: an exported page shows nothing else."""
+    return b64encode(encode(captioned([drawn])[0], "png")).decode()
 
 
 def code(*names: str) -> str:

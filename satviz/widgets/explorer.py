@@ -1,5 +1,6 @@
 """sv.explore: a scene under the hand.  The browser moves what is dragged; Python alone computes SAT."""
 
+from dataclasses import replace
 from math import isfinite
 from typing import Any
 
@@ -34,9 +35,10 @@ class Explorer(Shown):
         self._degree: float | None = None
         self._way_out = False
         self._near: Vec | None = None
-        self._layout = field(shown.record().without_early_exit())
         self._picture: Picture | None = None
-        super().__init__(trace=self._record())
+        trace = _trace(shown)
+        self._layout = field(trace)
+        super().__init__(trace=trace)
         self.first = self._state()
 
     def picture(self) -> Picture:
@@ -59,7 +61,7 @@ class Explorer(Shown):
 
     def _start(self, shown: Scene) -> None:
         self.scene, self._pinned, self._near = shown, None, None
-        self.trace = self._record()
+        self.trace = _trace(shown)
         self._layout = field(self.trace)
 
     def _pose(self, content: dict) -> None:
@@ -69,21 +71,13 @@ class Explorer(Shown):
             raise InvalidScene("the angle must be a number")
         if pinned is not None and not isinstance(pinned, int):
             raise InvalidScene("the axis shown must be a row's number")
-        changed = Scene(self.scene.name, a, b, self.scene.axes, self.scene.every_axis, self.scene.title)
-        before, self.scene = self.scene, changed
-        try:
-            trace = self._record()
-            field(trace)  # refused where it cannot be drawn
-        except ValueError:
-            self.scene = before
-            raise
+        changed = replace(self.scene, a=a, b=b)
+        trace = _trace(changed)
+        field(trace)  # refused where it cannot be drawn
         if pinned != self._pinned or (degree is None) != (self._degree is None):
             self._near = None
         self._pinned, self._degree, self._way_out = pinned, degree, bool(content.get("wayOut"))
-        self.trace = trace
-
-    def _record(self) -> Trace:
-        return self.scene.record().without_early_exit()
+        self.scene, self.trace = changed, trace
 
     def _state(self, *, final: bool = True) -> dict[str, Any]:
         """All that the browser shows; when a drag has ended the view is fitted anew if something lies outside."""
@@ -92,7 +86,6 @@ class Explorer(Shown):
             self._layout = field(self.trace)
             self._draw()
         trace = self.trace
-        table = rows(trace)
         found = {
             "picture": self._picture.data(),
             "a": shape_data(self.scene.a),
@@ -100,7 +93,7 @@ class Explorer(Shown):
             "names": list(trace.names),
             "relation": str(trace.relation),
             "sentence": self._picture.sentence,
-            "rows": table,
+            "rows": rows(trace),
             "lit": self._lit,
             "json": self.scene.to_json(),
         }
@@ -130,6 +123,11 @@ class Explorer(Shown):
                     return Chosen(pair if self.trace.pairs else None, self._pinned - row)
                 row += len(run.tests) + len(run.skipped)
         return telling_test(self.trace)
+
+
+def _trace(shown: Scene) -> Trace:
+    """Every axis, since the table shows them all."""
+    return shown.record().without_early_exit()
 
 
 def _row_of(trace: Trace, chosen: Chosen) -> int:

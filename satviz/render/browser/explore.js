@@ -1,8 +1,13 @@
 // The widget of sv.explore: handles over the picture.  The dragged outline and handle move here, in the same
-// frame; Python answers each pose with the picture that follows from it.  One pose is in flight, the newest wins.
+// frame; Python answers each pose with the picture that follows from it.  The newest pose wins.
+//
+// Jupyter's server leaves Nagle's algorithm on: what it has sent must be acknowledged before it sends more, and a
+// browser with nothing to say acknowledges up to 40 ms late.  So an answer lies in the server until the next message
+// from here: the next pose, which must not wait for that answer, or an empty message.
 
-const FREE_MS = 5; // an empty message this long after the last pose frees the server's socket
-const LATE_MS = 3000; // an answer that has not come by then is not waited for
+const IN_FLIGHT = 3; // poses not answered yet
+const FREE_MS = 8; // the empty message comes this long after a pose, when the answer should lie in the server
+const LATE_MS = 3000; // answers that have not come by then are not waited for
 const STEP = 8; // points that an arrow key moves; with Shift a tenth
 const TURN = 5; // degrees that [ and ] turn; with Shift 1
 
@@ -15,9 +20,8 @@ class Explorer {
     this.valid = this.pose; // the last that Python took
     this.undone = []; // poses to go back to
     this.start = this.pose;
-    this.sent = 0;
-    this.heard = 0;
-    this.waiting = false; // one pose in flight
+    this.sent = 0; // the last pose's number
+    this.heard = 0; // the last answer's
     this.next = null; // the newest that waits
     this.drag = null;
     const svg = element("svg", { class: "sv-picture", role: "img" });
@@ -67,39 +71,47 @@ class Explorer {
 
   // -- to and from Python
 
+  // A pose that is not final is one of many: Python keeps the kernel busy between them.
   send(pose, final) {
     this.pose = pose;
     this.next = { pose, final };
     this.flush();
+    this.follow();
   }
 
   flush() {
-    if (this.waiting || !this.next) return;
+    if (!this.next || this.sent - this.heard >= IN_FLIGHT) return;
     const { pose, final } = this.next;
     this.next = null;
-    this.waiting = true;
     this.sent += 1;
     this.model.send({ kind: "pose", n: this.sent, final, ...pose });
     clearTimeout(this.freeing);
-    this.freeing = setTimeout(() => this.model.send({}), FREE_MS);
+    this.freeing = setTimeout(() => this.model.send({ final }), FREE_MS);
     clearTimeout(this.late);
-    this.late = setTimeout(() => this.answered(), LATE_MS);
+    this.late = setTimeout(() => this.answered(this.sent), LATE_MS);
   }
 
-  answered() {
-    clearTimeout(this.late);
-    this.waiting = false;
+  answered(n) {
+    this.heard = n;
     this.flush();
+  }
+
+  // Is the pose newer than the last answer?
+  get ahead() {
+    return this.drag || this.next || this.heard < this.sent;
   }
 
   message(content, buffers) {
     if (content.kind === "file") return download(content, buffers);
-    if (content.n && content.n !== this.sent) return; // of a pose given up
+    if (content.n) {
+      if (content.n <= this.heard) return; // of a pose given up
+      this.answered(content.n);
+    }
     if (content.kind === "refused") {
       this.why.textContent = `Not possible: ${content.why}`;
       this.why.hidden = false;
       this.refused = true;
-      if (!this.drag) this.show(this.state);
+      if (!this.ahead) this.show(this.state);
     } else if (content.kind === "state") {
       this.why.hidden = true;
       this.refused = false;
@@ -112,33 +124,42 @@ class Explorer {
       this.valid = { ...this.pose, a: content.a, b: content.b };
       this.show(content);
     }
-    if (content.n) this.answered();
   }
 
   // -- what is seen
 
   show(state) {
     this.pen.draw(state.picture);
-    if (!this.drag) this.pose = { ...this.pose, a: state.a, b: state.b };
-    this.follow();
+    if (!this.ahead) this.pose = { ...this.pose, a: state.a, b: state.b };
     this.sentence.textContent = state.sentence;
-    this.table.names(state.names);
-    this.table.show(state.rows, { lit: state.lit });
+    this.showRows(state);
     this.curve.toggleAttribute("hidden", !state.curve);
     if (state.curve) this.curvePen.draw(state.curve);
     this.undoButton.disabled = !this.undone.length;
-    this.placeHandles();
+    this.follow();
   }
 
-  // What is under the hand runs ahead of the picture: its outline goes where the hand is.
+  // Rows like the last ones change in place: made anew they cost another layout of the page, and the focus.
+  showRows({ names, rows, lit }) {
+    const like = JSON.stringify(rows.map(({ pair, reason }) => [pair, reason]));
+    const table = like === this.like ? new Table(names, this.table) : this.table;
+    this.like = like;
+    table.names(names);
+    table.show(rows, { lit });
+    if (table !== this.table) update(this.table.element, table.element);
+  }
+
+  // What is moved runs ahead of the picture: its outline and its handles go there at once.
   follow() {
-    if (!this.drag) return;
-    for (const key of ["a", "b"]) {
+    const corners = ({ a, b }) => `${a.polygon?.length} ${b.polygon?.length}`;
+    if (corners(this.pose) !== corners(this.state)) return; // other shapes: undone beyond a preset, not drawn yet
+    for (const key of this.ahead ? ["a", "b"] : []) {
       const shape = this.pose[key];
       const points = shape.polygon ?? [shape.circle];
       this.pen.patch(`${key.toUpperCase()}.outline`, points, shape.radius);
       points.forEach((p, i) => this.pen.patch(`${key.toUpperCase()}.vertex.${i}`, [p]));
     }
+    this.placeHandles();
   }
 
   // The handles of a pose: what each is, where it sits, what it is called.
@@ -154,15 +175,25 @@ class Explorer {
           const vertex = shape.labels?.[i] || `${key}${i + 1}`;
           found.push({ id: `${name}-vertex-${i}`, key, does: "vertex", i, at, label: `${name}: vertex ${vertex}` });
         });
-        const far = Math.max(...shape.polygon.map(([, y]) => y)) + 26 / this.pen.scale;
-        const top = this.pen.scene([0, 14])[1];
-        found.push({ id: `${name}-rotate`, key, does: "rotate", at: [center[0], Math.min(far, top)], label: `${name}: turn` });
+        found.push({ id: `${name}-rotate`, key, does: "rotate", at: this.turnSpot(shape), label: `${name}: turn` });
       } else {
         found.push({ id: `${name}-radius`, key, does: "radius", at: [center[0] + shape.radius, center[1]], label: `${name}: radius` });
       }
     }
     if (this.state.knob) found.push({ id: "axis", key: null, does: "axis", at: this.state.knob, label: "turn the axis" });
     return found;
+  }
+
+  // Where a shape's turn handle sits: above it, or below where an axis passes above.
+  turnSpot({ polygon }) {
+    const [x] = middle({ polygon });
+    const heights = polygon.map(([, y]) => y);
+    const off = 26 / this.pen.scale;
+    const [[, top], [, bottom]] = [this.pen.scene([0, 14]), this.pen.scene([0, this.pen.height - 14])];
+    const spots = [[x, Math.min(Math.max(...heights) + off, top)], [x, Math.max(Math.min(...heights) - off, bottom)]];
+    const axes = this.state.picture.marks.filter(({ id }) => /^axis\.\d+$/.test(id));
+    const clear = (spot) => axes.every(({ points }) => distance(spot, points) * this.pen.scale > 16);
+    return spots.find(clear) ?? spots[0];
   }
 
   placeHandles() {
@@ -219,21 +250,14 @@ class Explorer {
     const [cx, cy] = spec.key ? middle(shape) : this.pen.scene([this.pen.width / 2, this.pen.height / 2]);
     if (spec.does === "axis") {
       const degree = (Math.atan2(y - cy, x - cx) * 180) / Math.PI;
-      return this.go({ ...this.pose, degree: snap(degree, 0.1) });
+      return this.send({ ...this.pose, degree: snap(degree, 0.1) }, false);
     }
     let made = shape;
     if (spec.does === "move") made = shifted(shape, snap(x - from[0], grid), snap(y - from[1], grid));
     else if (spec.does === "vertex") made = { ...shape, polygon: shape.polygon.map((p, i) => (i === spec.i ? [x, y] : p)) };
     else if (spec.does === "radius") made = { ...shape, radius: snap(Math.hypot(x - cx, y - cy), grid) };
     else made = turned(shape, Math.atan2(y - cy, x - cx) - Math.atan2(from[1] - cy, from[0] - cx));
-    this.go({ ...this.pose, [spec.key]: made });
-  }
-
-  go(pose) {
-    this.pose = pose;
-    this.follow();
-    this.placeHandles();
-    this.send(pose, false);
+    this.send({ ...this.pose, [spec.key]: made }, false);
   }
 
   up() {
@@ -299,6 +323,17 @@ class Explorer {
   }
 }
 
+// Make an element say what another one, built alike, says.
+function update(old, made) {
+  for (const name of new Set([...old.getAttributeNames(), ...made.getAttributeNames()])) {
+    const value = made.getAttribute(name);
+    if (value === null) old.removeAttribute(name);
+    else if (value !== old.getAttribute(name)) old.setAttribute(name, value);
+  }
+  if (!made.childElementCount && old.textContent !== made.textContent) old.textContent = made.textContent;
+  [...old.children].forEach((child, i) => update(child, made.children[i]));
+}
+
 // A number on a grid, without the tail of digits that a float multiplication leaves.
 function snap(value, grid) {
   return Number((Math.round(value / grid) * grid).toPrecision(12));
@@ -325,6 +360,13 @@ function turned(shape, angle) {
   const [cx, cy] = middle(shape);
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   return { ...shape, polygon: shape.polygon.map(([x, y]) => [cx + (x - cx) * c - (y - cy) * s, cy + (x - cx) * s + (y - cy) * c]) };
+}
+
+// From a point to a segment.
+function distance([x, y], [[px, py], [qx, qy]]) {
+  const [dx, dy] = [qx - px, qy - py];
+  const t = Math.max(0, Math.min(1, ((x - px) * dx + (y - py) * dy) / (dx * dx + dy * dy || 1)));
+  return Math.hypot(px + t * dx - x, py + t * dy - y);
 }
 
 // Is the point inside?  (Crossing number; a pointer needs no more.)
