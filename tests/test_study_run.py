@@ -307,3 +307,14 @@ def test_the_counts_in_the_readme_are_counted_again(name):
         if row["workload"] == name:
             found = counted[row["method"]]
             assert (row["false_hits"], row["false_misses"]) == (found["false_hits"], found["false_misses"]), row
+
+
+def test_a_cluster_gives_the_same_numbers(tmp_path):
+    distributed = pytest.importorskip("distributed", reason="a cluster needs pip install 'satviz[cluster]'")
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
+        run.executor(cluster.scheduler_address) as pool,
+    ):
+        study(QUICK, tmp_path / "many", sections=[small(3)], executor=pool)
+    study(QUICK, tmp_path / "alone", sections=[small(3)])
+    assert contents(tmp_path / "many") == contents(tmp_path / "alone")
