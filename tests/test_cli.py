@@ -156,6 +156,8 @@ def test_ctrl_c_leaves_no_half_file(tmp_path):
         [sys.executable, "-m", "satviz", "figures", "--out", str(tmp_path), "--format", "png", "--format", "pdf"],
         stderr=subprocess.PIPE,
         text=True,
+        # a job in the background starts with the signal ignored
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     while not list(tmp_path.glob("*.p*")) and process.poll() is None:
         time.sleep(0.01)

@@ -71,6 +71,17 @@ def test_more_fixed_axes_are_never_less_accurate(accurate):
             assert series == [wrong[form, "AABB"], *(wrong[form, f"{k} axes"] for k in (4, 8, 16, 32))]
 
 
+@pytest.mark.parametrize("name", STUDIED)
+def test_a_method_errs_alike_one_by_one_and_all_at_once(accurate, name):
+    counted = accurate[f"accuracy-{name.replace(' ', '-')}"]["methods"]
+    batch, scalar = (
+        {m["method"]: (m["false_hits"], m["false_misses"]) for m in counted if m["form"] == form}
+        for form in ("batch", "scalar")
+    )
+    both = [method for method in batch if method in scalar]
+    assert len(both) >= 15 and {m: batch[m] for m in both} == {m: scalar[m] for m in both}
+
+
 def test_the_shortcuts_for_circles_err_as_they_should(accurate):
     of = {m["method"]: m for m in accurate["accuracy-circles-at-corners"]["methods"]}
     assert of["SAT, no vertex axis"]["false_hits"] > 0 == of["SAT, no vertex axis"]["false_misses"]
@@ -171,7 +182,7 @@ def test_a_finished_cell_is_not_done_again_unless_it_was_tampered_with_or_asked_
     first = {cell.name: result for cell, result in results(cells, tmp_path / "cells", None)}
     again = {cell.name: result for cell, result in results(cells, tmp_path / "cells", None)}
     assert first == again == {"one": {"value": 1}, "two": {"value": 2}} and log.read_text() == "xx"
-    path = tmp_path / "cells" / "one.json"
+    (path,) = (tmp_path / "cells").glob("one-*.json")
     path.write_text(path.read_text().replace('"value": 1', '"value": 3'))  # the checksum tells
     assert {cell.name: result for cell, result in results(cells, tmp_path / "cells", None)} == first
     assert log.read_text() == "xxx"
@@ -192,8 +203,9 @@ def broken(n):
 
 
 def test_a_failing_cell_says_so(tmp_path):
-    with pytest.raises(ChunkFailed, match="ValueError: no 3"):
+    with pytest.raises(ChunkFailed, match="ValueError: no 3") as failed:
         list(results([Cell("bad", broken, (3,))], tmp_path, None))
+    assert failed.value.__notes__ == ["in the cell bad"]
 
 
 def test_a_chart_is_saved_with_its_numbers_beside_it(tmp_path, accurate):

@@ -17,7 +17,7 @@ from zlib import crc32
 
 import numpy as np
 
-from ..batch.chunks import in_chunks
+from ..batch.chunks import ChunkFailed, in_chunks
 from ..render.files import write
 from .machine import machine
 
@@ -61,7 +61,7 @@ def results(cells: Sequence[Cell], folder: Path, executor: Executor | None) -> I
     """Each cell with its result, those kept in `folder` first; what is finished is kept, whatever comes after.
 
     A file whose key or checksum is not right counts as not there.  ChunkFailed names
-    the range of the cell that failed; an interrupt stops after the running cells.
+    the cell that failed; an interrupt stops after the running cells.
     """
     todo = []
     for cell in cells:
@@ -76,13 +76,17 @@ def results(cells: Sequence[Cell], folder: Path, executor: Executor | None) -> I
         def job(start: int, stop: int, mine: list[Cell] = mine) -> tuple[Callable, tuple]:
             return mine[start].work, mine[start].arguments
 
-        for start, _, result in in_chunks(job, len(mine), pool, None, 1):
-            _keep(mine[start], result, folder)
-            yield mine[start], _plain(result)
+        try:
+            for start, _, result in in_chunks(job, len(mine), pool, None, 1):
+                _keep(mine[start], result, folder)
+                yield mine[start], _plain(result)
+        except ChunkFailed as error:
+            error.add_note(f"in the cell {mine[error.start].name}")
+            raise
 
 
 def _path(cell: Cell, folder: Path) -> Path:
-    return folder / f"{cell.name}.json"
+    return folder / f"{cell.name}-{cell.key[:8]}.json"  # a quick run leaves those of a full one alone
 
 
 def _load(cell: Cell, folder: Path) -> Any:
@@ -96,7 +100,7 @@ def _load(cell: Cell, folder: Path) -> Any:
 
 def _keep(cell: Cell, result: Any, folder: Path) -> None:
     data = {"satviz": "study cell 1", "key": cell.key, "checksum": _checksum(result), "result": result}
-    write(_path(cell, folder), json.dumps(data).encode(), force=True)
+    write(_path(cell, folder), json.dumps(data, allow_nan=False).encode(), force=True)
 
 
 def _plain(result: Any) -> Any:

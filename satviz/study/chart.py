@@ -76,7 +76,7 @@ def save(
             write(path, chart.encode(form, theme), force=force)
             yield path
     data = {"made_by": MADE_BY, "title": chart.title, "reading": chart.reading, **facts, "rows": list(chart.rows)}
-    write(folder / f"{chart.stem}.json", (json.dumps(data, indent=1) + "\n").encode(), force=force)
+    write(folder / f"{chart.stem}.json", (json.dumps(data, indent=1, allow_nan=False) + "\n").encode(), force=force)
     yield folder / f"{chart.stem}.json"
     text = io.StringIO()
     names = list(dict.fromkeys(name for row in chart.rows for name in row))
@@ -205,7 +205,7 @@ def label_points(
 
         best = min(_offsets(w, h), key=cost)
         note.set_position(best)
-        placed.append((x + best[0] - 1, y + best[1], x + best[0] + w + 1, y + best[1] + h))
+        placed.append((x + best[0] - 4, y + best[1], x + best[0] + w + 4, y + best[1] + h))
 
 
 def _offsets(w: float, h: float) -> Iterator[tuple[float, float]]:

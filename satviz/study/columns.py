@@ -104,9 +104,18 @@ def unit(choice: Choice) -> Choice:
     return normalised
 
 
+def middles(c: Columns) -> tuple[Array, Array]:
+    """The means of the corners, repeated ones counted once."""
+    once = np.ones(c.x.shape, bool)
+    once[1:] = (c.x[1:] != c.x[:-1]) | (c.y[1:] != c.y[:-1])
+    count = once.sum(axis=0)
+    return (c.x * once).sum(axis=0) / count, (c.y * once).sum(axis=0) / count
+
+
 def centroids(a: Columns, b: Columns) -> Iterator[Axes]:
     """The one axis through the means of the corners."""
-    nx, ny = b.x.mean(axis=0) - a.x.mean(axis=0), b.y.mean(axis=0) - a.y.mean(axis=0)
+    (ax, ay), (bx, by) = middles(a), middles(b)
+    nx, ny = bx - ax, by - ay
     yield Axes(nx, ny, np.hypot(nx, ny))
 
 
@@ -132,7 +141,7 @@ def ranges_overlap(a: list[tuple[Array, Array]], b: list[tuple[Array, Array]]) -
 def around(side: Side) -> Columns:
     """Circles round the means of the corners that hold them all."""
     c = columns(side)
-    x, y = c.x.mean(axis=0), c.y.mean(axis=0)
+    x, y = middles(c)
     far = np.hypot(c.x - x, c.y - y).max(axis=0)
     return Columns(x[None], y[None], far if c.r is None else far + c.r)
 

@@ -27,7 +27,6 @@ from .workloads import ngons
 
 Rng = np.random.Generator
 Pair = tuple[Shape, Shape]
-CORNERS = (-1, -1), (1, -1), (1, 1), (-1, 1)
 GRID = 2**20
 # what is counted, its heading, role, mark and size, and is the mark hollow
 COLUMNS = (

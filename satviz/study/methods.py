@@ -1,4 +1,7 @@
-"""The methods under study: each a choice of axes run by the engine's loop, or a twin of it.
+"""The methods under study: the engine in each of its forms, and twins of its loop on other choices of axes.
+
+The twins are plain: Python floats or NumPy arrays, no record, no second look, so that what
+is compared is the choice of axes and the arithmetic, not the bookkeeping.
 
 A method prepares each side once (its set-up) and then answers all pairs: scalar ones
 pair by pair, batch ones at once.
@@ -10,8 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .. import axes, batch
-from ..sat import axis_tests
+from .. import batch
 from ..shapes import Circle, Polygon, Shape
 from ..trace import record
 from ..verdict import relate
@@ -94,7 +96,7 @@ def _batch() -> Iterator[Method]:
     yield choice("SAT, raw normals", "float SAT", columns.complete)
     normalised = columns.unit(columns.complete)
     yield choice("SAT, unit normals", "float SAT", normalised)
-    for name, eps in (f"SAT, eps {EPS:g} to hit", EPS), (f"SAT, eps {EPS:g} to miss", -EPS):
+    for name, eps in ("SAT, eps 1e-9 to hit", EPS), ("SAT, eps 1e-9 to miss", -EPS):
         tolerant = partial(columns.hits, axes=normalised, tolerance=eps)
         yield Method(name, "batch", "tolerance", columns.columns, tolerant)
     raw = partial(columns.hits, axes=columns.complete)
@@ -112,13 +114,8 @@ def _scalar() -> Iterator[Method]:
 
         return Method(name, "scalar", family, ready, _pair_by_pair(ask), pairs, series, prepare)
 
-    def engine(name: str, family: str, chooser: axes.Chooser, pairs: str = "all", series: str = "") -> Method:
-        """The engine's own recording loop on a choice of axes, up to the first gap."""
-
-        def ask(a: Shape, b: Shape) -> bool:
-            return not any(test.separates for test in axis_tests(a, b, chooser(a, b).axes))
-
-        return each(name, family, _same, ask, pairs, series)
+    def choice(name: str, of: plain.Choice, pairs: str = "all", series: str = "") -> Method:
+        return each(name, "fewer axes", plain.plain, partial(plain.sat, choice=of), pairs, series)
 
     yield each("satviz.relate", "exact", _same, lambda a, b: relate(a, b) > 0)
     yield each("satviz.record", "exact", _same, lambda a, b: record(a, b).hit)
@@ -127,14 +124,14 @@ def _scalar() -> Iterator[Method]:
         kept = partial(plain.ranges, directions=plain.spread(k))
         name = "AABB, kept" if k == 2 else f"{k} axes, kept"
         yield each(name, "fewer axes", kept, plain.ranges_overlap, series="ranges kept")
-    yield engine("AABB", "fewer axes", axes.world, series="from the corners")
-    for k in FIXED[1:]:
-        yield engine(f"{k} axes", "fewer axes", axes.directions(*plain.spread(k)), series="from the corners")
-    yield engine("centroid axis", "fewer axes", axes.centers)
-    yield engine("SAT, no vertex axis", "fewer axes", axes.edge_normals, "circles")
+    for k in FIXED:
+        ways = plain.spread(k)
+        yield choice("AABB" if k == 2 else f"{k} axes", lambda a, b, ways=ways: ways, series="from the corners")
+    yield choice("centroid axis", plain.centroid_axis)
+    yield choice("SAT, no vertex axis", plain.edge_normals, "circles")
     yield each("SAT, raw normals", "float SAT", plain.plain, plain.sat)
     yield each("SAT, unit normals", "float SAT", plain.plain, partial(plain.sat, unit=True))
-    for name, eps in (f"SAT, eps {EPS:g} to hit", EPS), (f"SAT, eps {EPS:g} to miss", -EPS):
+    for name, eps in ("SAT, eps 1e-9 to hit", EPS), ("SAT, eps 1e-9 to miss", -EPS):
         yield each(name, "tolerance", plain.plain, partial(plain.sat, unit=True, tolerance=eps))
     for n in NGONS:
         sides = partial(plain.as_ngon, n=n)

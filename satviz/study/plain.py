@@ -3,13 +3,14 @@
 A shape here is (points, radius): a polygon's corners with radius 0, or a circle's centre.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from math import cos, hypot, inf, pi, sin, sqrt
 
 from ..shapes import Circle, Shape
 
 Points = Sequence[tuple[float, float]]
 Plain = tuple[Points, float]
+Choice = Callable[[Plain, Plain], Iterable[tuple[float, float]]]
 MOST_TURNS = 64  # of GJK: rounding may make it go round
 
 
@@ -26,22 +27,39 @@ def as_ngon(shape: Shape, n: int) -> Plain:
     return [(x + r * cos(2 * pi * i / n), y + r * sin(2 * pi * i / n)) for i in range(n)], 0.0
 
 
-def normals(a: Plain, b: Plain) -> Iterator[tuple[float, float]]:
-    """Every edge normal, A's first, not normalised; for a circle and a polygon also towards the nearest vertex."""
+def edge_normals(a: Plain, b: Plain) -> Iterator[tuple[float, float]]:
+    """Every edge normal, A's first, not normalised."""
     for points, _ in (a, b):
         if len(points) > 1:
             px, py = points[-1]
             for qx, qy in points:
                 yield qy - py, px - qx
                 px, py = qx, qy
+
+
+def normals(a: Plain, b: Plain) -> Iterator[tuple[float, float]]:
+    """The edge normals, and for a circle and a polygon the direction towards the nearest vertex."""
+    yield from edge_normals(a, b)
     if a[1] or b[1]:
         (((cx, cy),), _), (ring, _) = (a, b) if a[1] else (b, a)
         yield min(((x - cx, y - cy) for x, y in ring), key=lambda v: v[0] * v[0] + v[1] * v[1])
 
 
-def sat(a: Plain, b: Plain, *, unit: bool = False, tolerance: float = 0.0) -> bool:
+def centroid_axis(a: Plain, b: Plain) -> Iterator[tuple[float, float]]:
+    """The one direction through the means of the corners."""
+    (ax, ay), (bx, by) = middle(a), middle(b)
+    yield bx - ax, by - ay
+
+
+def middle(shape: Plain) -> tuple[float, float]:
+    """The mean of the corners."""
+    points, _ = shape
+    return sum(p[0] for p in points) / len(points), sum(p[1] for p in points) / len(points)
+
+
+def sat(a: Plain, b: Plain, choice: Choice = normals, *, unit: bool = False, tolerance: float = 0.0) -> bool:
     """Textbook SAT: a hit unless some axis leaves a gap of more than `tolerance`; `unit` normalises the normals."""
-    for nx, ny in normals(a, b):
+    for nx, ny in choice(a, b):
         length = sqrt(nx * nx + ny * ny)
         if unit and length:
             nx, ny, length = nx / length, ny / length, 1.0
@@ -72,7 +90,7 @@ def ranges_overlap(a: Sequence[tuple[float, float]], b: Sequence[tuple[float, fl
 def around(shape: Shape) -> tuple[float, float, float]:
     """A circle (x, y, radius) round the mean of the corners that holds them all."""
     points, r = plain(shape)
-    x, y = sum(p[0] for p in points) / len(points), sum(p[1] for p in points) / len(points)
+    x, y = middle((points, r))
     return x, y, r + max(hypot(p[0] - x, p[1] - y) for p in points)
 
 
@@ -147,4 +165,4 @@ def _edge(a: tuple[float, float], b: tuple[float, float]) -> tuple[list, tuple[f
 
 def spread(k: int) -> list[tuple[float, float]]:
     """k unit directions evenly over a half turn, x first."""
-    return [(cos(pi * i / k), sin(pi * i / k)) for i in range(k)]
+    return [(0.0, 1.0) if 2 * i == k else (cos(pi * i / k), sin(pi * i / k)) for i in range(k)]

@@ -7,7 +7,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from ..render.files import MADE_BY, write
+from ..render.files import MADE_BY, check, write
 from . import accuracy, continuity, cost, doing_less, failures, moving, stability
 from .cells import Settings, results
 from .chart import Chart, save
@@ -34,6 +34,7 @@ def study(
     not make, unless `force`.
     """
     sections = SECTIONS if sections is None else sections
+    check(out / "study.md", force=force)
     cells = [cell for section in sections for cell in section.cells(settings)]
     found: dict[str, Any] = {}
     for cell, result in results(cells, out / KEPT, executor):

@@ -1,4 +1,4 @@
-"""Seeded pairs of shapes to measure on: random ones with about 40 % hits, and ones that nearly touch.
+"""Seeded pairs of shapes to measure on: random ones of which some 40 to 70 % are hits, and ones that nearly touch.
 
 Coordinates come from sums, products, quotients and square roots alone, which every
 machine rounds alike; sines and cosines it may not, and where shapes nearly touch one
