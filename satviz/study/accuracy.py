@@ -6,15 +6,13 @@ from functools import partial
 from time import perf_counter
 from typing import Any
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..pictures import Theme
-from . import truth
 from .cells import Cell, Settings
 from .chart import TEXT, Chart, axes, colour, headline, label_points, wilson
-from .methods import Method, methods, shapes
+from .methods import Method, judged, methods, shapes
 from .timing import in_turn
 from .workloads import STUDIED, Side
 
@@ -43,21 +41,14 @@ def cells(settings: Settings) -> list[Cell]:
 
 
 def _pairs(workload: str, n: int, settings: Settings) -> tuple[list[Method], Side, Side]:
-    a, b = STUDIED[workload](Settings(*settings).rng("accuracy", workload), n)
+    a, b = STUDIED[workload](settings.rng("accuracy", workload), n)
     return methods(circles=isinstance(a, tuple)), a, b
 
 
 def count_wrong(workload: str, n: int, settings: Settings) -> dict:
     """False hits and false misses of each method on the same n pairs, against rationals."""
-    found, a, b = _pairs(workload, n, settings)
-    known = shapes(a), shapes(b)
-    right = np.array([truth.relation(p, q) > 0 for p, q in zip(*known, strict=True)])
-    wrong = []
-    for method in found:
-        said = np.asarray(method.hits(method.ready(a, known[0]), method.ready(b, known[1]))).astype(bool)
-        counts = {"false_hits": int((said & ~right).sum()), "false_misses": int((~said & right).sum())}
-        wrong.append({"form": method.form, "method": method.name, **counts})
-    return {"checked": n, "hits": int(right.sum()), "methods": wrong}
+    hits, wrong = judged(*_pairs(workload, n, settings))
+    return {"checked": n, "hits": hits, "methods": wrong}
 
 
 def take_times(workload: str, many: int, few: int, rounds: int, settings: Settings) -> list[dict]:
@@ -118,7 +109,7 @@ def _rows(workload: str, results: dict[str, Any]) -> Rows:
         key = count["form"], count["method"]
         t, method, of = times[key], known[key], counted["checked"]
         low, high = wilson(count["false_hits"] + count["false_misses"], of)
-        facts = {"workload": workload, **count, "family": method.family, "series": method.series, "checked": of}
+        facts = {"workload": workload, **count, "series": method.series, "checked": of}
         rate = {"rate": (count["false_hits"] + count["false_misses"]) / of, "rate_low": low, "rate_high": high}
         ns = {f"ns_{k}": round(t[k], 2) for k in ("median", "least", "low", "high")}
         rows.append(facts | rate | ns | {"ns_setup": round(t["setup"], 2)})

@@ -7,7 +7,7 @@ A method prepares each side once (its set-up) and then answers all pairs: scalar
 pair by pair, batch ones at once.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -17,7 +17,7 @@ from .. import batch
 from ..shapes import Circle, Polygon, Shape
 from ..trace import record
 from ..verdict import relate
-from . import columns, plain
+from . import columns, plain, truth
 from .columns import Answers
 from .machine import installed
 from .workloads import Side
@@ -53,6 +53,19 @@ def methods(*, circles: bool) -> list[Method]:
     """Those that answer this kind of pair, with the peers that are installed."""
     kind = "circles" if circles else "polygons"
     return [m for m in (*_batch(), *_scalar(), *_peers()) if m.pairs in ("all", kind)]
+
+
+def judged(found: Iterable[Method], a: Side, b: Side) -> tuple[int, list[dict]]:
+    """How many pairs are hits, and the false hits and false misses of each method, against rationals."""
+    known = shapes(a), shapes(b)
+    right = np.array([truth.relation(p, q) > 0 for p, q in zip(*known, strict=True)])
+    rows = []
+    for method in found:
+        with np.errstate(all="ignore"):
+            said = np.asarray(method.hits(method.ready(a, known[0]), method.ready(b, known[1]))).astype(bool)
+        counts = {"false_hits": int((said & ~right).sum()), "false_misses": int((~said & right).sum())}
+        rows.append({"form": method.form, "method": method.name, "family": method.family, **counts})
+    return int(right.sum()), rows
 
 
 def shapes(side: Side) -> list[Shape]:

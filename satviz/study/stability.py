@@ -2,16 +2,14 @@
 
 from typing import Any
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..pictures import Theme
-from . import truth
 from .cells import Cell, Settings
 from .chart import TEXT, Chart, axes, colour, headline, label_points
 from .hard import WAYS, Way
-from .methods import methods, shapes
+from .methods import judged, methods
 
 # (form, name): a mark of its own, and what it is called here
 SHOWN = {
@@ -43,18 +41,10 @@ def cells(settings: Settings) -> list[Cell]:
 def count_wrong(way: int, level: int, n: int, settings: Settings) -> list[dict]:
     """False hits and misses of each method on one level's pairs, against rationals."""
     kind = WAYS[way]
-    a, b = kind.make(Settings(*settings).rng("stability", kind.name, level), n, level)
-    known = shapes(a), shapes(b)
-    right = np.array([truth.relation(p, q) > 0 for p, q in zip(*known, strict=True)])
-    rows = []
-    for method in methods(circles=False):
-        if (method.form, method.name) in SHOWN:
-            with np.errstate(all="ignore"):
-                said = np.asarray(method.hits(method.ready(a, known[0]), method.ready(b, known[1]))).astype(bool)
-            facts = {"way": kind.name, "level": level, "form": method.form, "method": method.name}
-            counts = {"false_hits": int((said & ~right).sum()), "false_misses": int((~said & right).sum())}
-            rows.append({**facts, "family": method.family, "checked": len(a), "hits": int(right.sum()), **counts})
-    return rows
+    a, b = kind.make(settings.rng("stability", kind.name, level), n, level)
+    shown = [method for method in methods(circles=False) if (method.form, method.name) in SHOWN]
+    hits, rows = judged(shown, a, b)
+    return [{"way": kind.name, "level": level, **row, "checked": len(a), "hits": hits} for row in rows]
 
 
 def charts(results: dict[str, Any]) -> list[Chart]:
