@@ -134,7 +134,7 @@ def test_counts_are_the_same_on_a_rerun_with_the_same_seed(results):
     assert moving.followed(4, 60, SEED) == results["moving-scene"]
 
 
-@pytest.mark.parametrize("slug", ["early-exit-8-gons-apart", "2-threads-batch-NumPy-500-pairs"])
+@pytest.mark.parametrize("slug", ["early-exit-8-gons-apart", "2-threads-NumPy-500-triangles"])
 def test_times_are_taken_with_their_spread_and_the_set_up_apart(slug):
     found = json.loads(json.dumps(cost.take_times(slug, True, SEED, 2), allow_nan=False))
     assert found["pairs"] > 0 and found["setup"] > 0
