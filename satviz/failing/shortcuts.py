@@ -98,10 +98,6 @@ def on_a(a: Outline, b: Outline) -> float:
     return best(a, b, normals(a))
 
 
-def on_edge_normals(a: Outline, b: Outline) -> float:
-    return best(a, b, both_normals(a, b))
-
-
 def on_open_outlines(a: Outline, b: Outline) -> float:
     """Without the edge from the last vertex back to the first."""
     return best(a, b, [*normals(a)[:-1], *normals(b)[:-1]])
@@ -152,11 +148,6 @@ def unit(n: Vec) -> Vec:
     """As NumPy divides: a zero edge gives NaN."""
     length = hypot(*n)
     return Vec(n[0] / length, n[1] / length) if length else Vec(nan, nan)
-
-
-def with_raw_normals(a: Outline, b: Outline) -> float:
-    """The largest gap in units of each normal's own length; on a zero axis everything touches."""
-    return max(raw_gap(a, b, n) for n in both_normals(a, b))
 
 
 def extremes_of_b(a: Outline, b: Outline) -> float:
