@@ -19,7 +19,7 @@ class _Shape:
         "_box",  # (x min, y min, x max, y max): holds the shape, rounded outwards
         "_cache",  # what is worked out at first use: integers, axes, parts
         "_reach",  # the largest coordinate's magnitude
-        "_slabs",  # per edge direction (nx, ny, lo, hi), see Polygon; None for circles and concave polygons
+        "_slabs",  # per edge direction (nx, ny, lo, hi), see _slabs; None for circles and concave polygons
         "_span",  # the largest edge component's magnitude
     )
 
@@ -66,13 +66,14 @@ class Polygon(_Shape):
     `labels`: one text a vertex.  Raises InvalidShape naming the vertex at fault.
     """
 
-    __slots__ = ("corner_ids", "corners", "is_convex", "labels", "notes", "vertices")
+    __slots__ = ("corner_ids", "corners", "is_convex", "is_upright_box", "labels", "notes", "vertices")
 
     vertices: tuple[Vec, ...]
     labels: tuple[str, ...] | None
     corners: tuple[Vec, ...]  # as the engine walks them: counter-clockwise, no repeats, none straight on
     corner_ids: tuple[int, ...]  # which vertex each corner is
     is_convex: bool
+    is_upright_box: bool  # a rectangle with its sides along x and y
     notes: tuple[str, ...]
 
     def __init__(self, vertices: Any, labels: Sequence[str] | None = None) -> None:
@@ -81,6 +82,7 @@ class Polygon(_Shape):
         corners = tuple(Vec(points[i].x + 0.0, points[i].y + 0.0) for i in ring.ids)  # -0.0 becomes 0.0
         xs, ys = [c.x for c in corners], [c.y for c in corners]
         edges = [(q.x - p.x, q.y - p.y) for p, q in zip(corners, (*corners[1:], corners[0]), strict=True)]
+        x0, y0, x1, y1 = box = min(xs), min(ys), max(xs), max(ys)
         self._set(
             vertices=points,
             labels=_checked_labels(labels, len(points)),
@@ -88,7 +90,8 @@ class Polygon(_Shape):
             corner_ids=ring.ids,
             is_convex=ring.convex,
             notes=ring.notes,
-            _box=(min(xs), min(ys), max(xs), max(ys)),
+            is_upright_box=len(corners) == 4 and all(x in (x0, x1) and y in (y0, y1) for x, y in corners),
+            _box=box,
             _reach=max(map(abs, xs + ys)),
             _span=max(abs(d) for edge in edges for d in edge),
             _slabs=_slabs(corners, edges) if ring.convex else None,
@@ -97,12 +100,6 @@ class Polygon(_Shape):
 
     def _facts(self) -> tuple:
         return self.vertices, self.labels
-
-    @property
-    def is_upright_box(self) -> bool:
-        """Is it a rectangle with its sides along x and y?"""
-        x0, y0, x1, y1 = self._box
-        return len(self.corners) == 4 and all(x in (x0, x1) and y in (y0, y1) for x, y in self.corners)
 
     @property
     def __geo_interface__(self) -> dict:

@@ -3,14 +3,14 @@
 from collections.abc import Sequence
 
 from .concave import parts
-from .exact import HUGE, TINY, IntPoint, aligned, root_sign, shifted, sign, to_integers
+from .exact import HUGE, TINY, IntPoint, aligned, orient, root_sign, shifted, sign, to_integers
 from .geometry import Relation, Vec
 from .shapes import Circle, Polygon, Shape, checked
 
 APART, TOUCHING, OVERLAPPING = Relation
 
-# One look of relate is nx*x + ny*y against the edge's own value.  With D the larger span
-# and M the larger reach: the normal carries one rounding, each product one more, the sum
+# One look of relate is nx*x + ny*y against the edge's own value.  With D the span of the edge's
+# shape and M the larger reach: the normal carries one rounding, each product one more, the sum
 # one, at most 2DM each; the edge's value the same; the two bounds one each: under
 # 15 * 2**-53 * D * M, whatever the order and with fused operations.  Asked: 32.
 LOOK = 2.0**-48
@@ -21,8 +21,10 @@ def relate(a: Shape, b: Shape) -> Relation:
     """The exact relation of two shapes as closed sets: APART, TOUCHING (a hit) or OVERLAPPING.
 
     Takes Polygon (convex or concave) and Circle in any mix; TypeError for anything else.
-    Convex polygons: one is cleared by an edge of its own when all of the other lies
-    beyond it, so no projection and no square root are needed.
+    Convex polygons: an edge clears the other shape when every vertex lies strictly beyond
+    it, so no projection and no square root are needed.  One vertex surely inside refutes
+    that; where the least is in doubt, the exact sign is asked of every vertex within the
+    room of zero (of the least alone would be wrong when two lie on the edge's line).
     """
     try:
         ax0, ay0, ax1, ay1 = a._box
@@ -35,35 +37,53 @@ def relate(a: Shape, b: Shape) -> Relation:
     a_slabs, b_slabs = a._slabs, b._slabs
     if not (a_slabs and b_slabs):
         return _circles(a, b) if type(a) is type(b) is Circle else _mixed(a, b)
-    # sums stand in for the larger of two: quicker, and on the safe side
-    room = (a._span + b._span) * (a._reach + b._reach) * LOOK
-    if not LEAST_ROOM < room < MOST_ROOM:
-        return _exact_polygons(a, b)
-    own, points = a_slabs, b.corners
+    if a.is_upright_box and b.is_upright_box:
+        return TOUCHING if ax1 == bx0 or bx1 == ax0 or ay1 == by0 or by1 == ay0 else OVERLAPPING
+    reach = (a._reach + b._reach) * LOOK  # the sum stands in for the larger: quicker, and on the safe side
+    room, own, points = a._span * reach, a_slabs, b.corners
     while True:
+        if not LEAST_ROOM < room < MOST_ROOM:
+            return relate_integers(*aligned(a, b)[:3])
         for nx, ny, lo, hi in own:
             low = lo + room
             high = hi - room
             for x, y in points:
                 if low < nx * x + ny * y < high:
-                    break  # a vertex surely inside: this edge clears nothing
+                    break  # a vertex surely inside: neither edge of the slab clears
             else:
-                # all beyond, all on the far side of a slab, or on both sides; (x, y) is still the last one
-                if nx * x + ny * y >= high:
-                    least = min([nx * x + ny * y for x, y in points])
-                    if least > hi + room:
-                        return APART
-                    if least >= high:
-                        return _exact_polygons(a, b)
-                else:
-                    most = max([nx * x + ny * y for x, y in points])
-                    if most < lo - room:
-                        return APART
-                    if most <= low:
-                        return _exact_polygons(a, b)
+                looks = [nx * x + ny * y for x, y in points]
+                least = min(looks)
+                if least > hi + room:
+                    return APART
+                most = max(looks)
+                if most < lo - room:
+                    return APART
+                if least >= high or most <= low:
+                    return _in_doubt(a, b, reach)
         if own is b_slabs:
             return OVERLAPPING
-        own, points = b_slabs, a.corners
+        room, own, points = b._span * reach, b_slabs, a.corners
+
+
+def _in_doubt(a: Polygon, b: Polygon, reach: float) -> Relation:
+    """The same edge by edge, asking the exact sign of every vertex within the room of zero."""
+    best = -1
+    for own, points in (a, b.corners), (b, a.corners):
+        room = own._span * reach
+        p = own.corners[-1]
+        for q in own.corners:
+            nx, ny = q.y - p.y, p.x - q.x
+            at = nx * p.x + ny * p.y
+            looks = [nx * x + ny * y - at for x, y in points]
+            if min(looks) > room:
+                return APART
+            if min(looks) >= -room:
+                # the turn from q over p: a vertex beyond the edge lies to its left
+                best = max(best, min([orient(q, p, v) for v, look in zip(points, looks) if look <= room]))
+                if best > 0:
+                    return APART
+            p = q
+    return OVERLAPPING if best < 0 else TOUCHING
 
 
 def _mixed(a: Shape, b: Shape) -> Relation:
@@ -96,14 +116,6 @@ def relate_integers(p: Sequence[IntPoint], q: Sequence[IntPoint], radii: int) ->
     if len(p) == 1:
         return _exact_circles(p[0], q[0], radii) if len(q) == 1 else _exact_circle_polygon(p[0], radii, q)
     return _exact_circle_polygon(q[0], radii, p) if len(q) == 1 else _by_sign(max(_edge_side(p, q), _edge_side(q, p)))
-
-
-def _exact_polygons(a: Polygon, b: Polygon) -> Relation:
-    """The integer twin of _polygons; for upright boxes comparing the sides is exact already."""
-    if a.is_upright_box and b.is_upright_box:
-        (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = a._box, b._box
-        return _by_sign(sign(max(ax0 - bx1, bx0 - ax1, ay0 - by1, by0 - ay1)))
-    return relate_integers(*aligned(a, b)[:3])
 
 
 def _edge_side(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> int:

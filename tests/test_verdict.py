@@ -301,9 +301,9 @@ class Undecided(Exception):
 
 @pytest.fixture
 def float_only(monkeypatch) -> Callable[[Shape, Shape], Relation | None]:
-    """relate without its integers: None where it would ask them."""
+    """relate without its exact signs: None where it would ask for one."""
 
-    def no_integers(*_):
+    def no_sign(*_):
         raise Undecided
 
     def decide(a: Shape, b: Shape) -> Relation | None:
@@ -312,7 +312,8 @@ def float_only(monkeypatch) -> Callable[[Shape, Shape], Relation | None]:
         except Undecided:
             return None
 
-    monkeypatch.setattr(verdict, "aligned", no_integers)
+    monkeypatch.setattr(verdict, "aligned", no_sign)
+    monkeypatch.setattr(verdict, "orient", no_sign)
     return decide
 
 
