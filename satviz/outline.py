@@ -30,6 +30,8 @@ def number(value: Any, name: str) -> float:
         if getattr(value, "mask", False):
             raise InvalidShape(f"{name} is masked: fill or drop it first")
         given = value
+        if getattr(value, "shape", ()) != ():
+            raise InvalidShape(f"{name} is {value!r}: a coordinate must be one real number")
         if getattr(getattr(value, "dtype", None), "kind", "") in _WHOLE:
             value = int(value)  # a NumPy integer compares in float64, which hides what it loses
         if isinstance(value, (bool, str, bytes, complex)) or _not_real(value):
@@ -66,15 +68,20 @@ def plain(values: Any, name: str) -> Any:
     if isinstance(values, (str, bytes, dict, set, frozenset)):
         raise InvalidShape(f"{name} is {values!r}: expected numbers in order")
     if hasattr(values, "tolist") and hasattr(values, "dtype"):
-        if values.dtype.kind in _NOT_REAL:
-            raise InvalidShape(f"{name} is an array of {values.dtype}: coordinates must be real numbers")
-        mask = getattr(values, "mask", None)
-        if mask is not None and getattr(mask, "any", bool)():
-            raise InvalidShape(f"{name} has masked entries: fill or drop them first")
+        refuse_array(values, name)
         if values.dtype.itemsize > 8:  # long double: tolist() keeps its own scalars, checked one by one
             return list(values)
         return values.tolist()
     return values
+
+
+def refuse_array(array: Any, name: str) -> None:
+    """InvalidShape for an array of something else than real numbers, or with masked entries."""
+    if array.dtype.kind in _NOT_REAL:
+        raise InvalidShape(f"{name} is an array of {array.dtype}: coordinates must be real numbers")
+    mask = getattr(array, "mask", None)
+    if mask is not None and getattr(mask, "any", bool)():
+        raise InvalidShape(f"{name} has masked entries: fill or drop them first")
 
 
 def vertices(values: Any) -> tuple[Vec, ...]:

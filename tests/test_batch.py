@@ -1,5 +1,6 @@
 """Many pairs at once: the same answers as one by one, whatever the engine, the layout and the executor."""
 
+import tracemalloc
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from decimal import Decimal, localcontext
 from fractions import Fraction
@@ -174,13 +175,16 @@ def test_a_concave_polygon_is_refused_or_split_with_its_owner():
     ("vertices", "words"),
     [
         (np.zeros((2, 3)), "expected \\(N, V, 2\\)"),
-        (np.array([[[0, 0], [1, 0], [np.nan, 1]]]), "vertices\\[0, 2, 0\\] is nan"),
-        (np.array([[[0, 0], [1, 0], [2**53 + 1, 1]]]), "integers that float64 cannot"),
+        (np.array([[[0, 0], [1, 0], [np.nan, 1]]]), "polygon 0: vertex 2.x is nan: coordinates must be finite"),
+        (
+            np.array([[[0, 0], [1, 0], [2**53 + 1, 1]]]),
+            "polygon 0: vertex 2.x is 9007199254740993, which float64",
+        ),
         (np.array([[[0, 0], [1, 1j], [1, 1]]]), "complex128"),
         (np.ma.masked_less(np.array([[[0, 0], [1, 0], [0, 1]]]), 1), "masked"),
         ([[(0, 0), (1, 0), (0, 1)], [(0, 0), (2, 2), (2, 0), (0, 2)]], "polygon 1: edges 0 and 2 cross"),
         ([[(0, 0), (1, 1), (2, 2)]], "polygon 0: all vertices lie on one line"),
-        ([[(0, 0), (1, 1)]], "polygon 0 has the shape"),
+        ([[(0, 0), (1, 1)]], "polygon 0: 2 distinct vertices: a polygon needs at least 3"),
     ],
 )
 def test_bad_polygons_are_refused_by_number(vertices, words):
@@ -190,9 +194,11 @@ def test_bad_polygons_are_refused_by_number(vertices, words):
 
 def test_bad_circles_are_refused_by_number():
     for centers, radii, words in (
-        ([(0, 0), (1, 1)], [1, 0], "circle 1 has radius 0"),
-        ([(0, 0), (1, np.inf)], 1, "centers\\[1, 1\\] is inf"),
-        ([0, 1], 1, "expected \\(N, 2\\)"),
+        ([(0, 0), (1, 1)], [1, 0], "circle 1: radius is 0.0: a circle needs a positive radius"),
+        ([(0, 0), (1, np.inf)], 1, "circle 1: center.y is inf: coordinates must be finite"),
+        ([0, 1], 1, "circle 0: center is 0: expected a pair"),
+        (np.array([0, 1]), 1, "expected \\(N, 2\\)"),
+        ([(0, 0), (1, 1)], [1, 1, 1], "expected \\(2,\\)"),
     ):
         with pytest.raises(sv.InvalidShape, match=words):
             batch.Circles(centers, radii)
@@ -476,6 +482,39 @@ def test_candidate_pairs_are_the_boxes_that_meet_in_every_layout(n):
         assert np.array_equal(batch.candidate_pairs(bounds), brute(bounds)), name
 
 
+TURNED = -6.123233995736766e-17  # what a quarter turn leaves of 0
+
+
+@pytest.mark.parametrize(
+    "places",
+    [
+        lambda rng, n, step: rng.integers(-5, 5, (n, 2)) * step,
+        lambda rng, n, step: np.cumsum(np.full((n, 2), step), axis=0) - step * rng.integers(0, 9),  # tiles by sums
+        lambda rng, n, step: rng.choice([0, TURNED, -TURNED, -1e-17, 1, -1], (n, 2)) * rng.choice([1, step], (n, 1)),
+        lambda rng, n, step: rng.integers(-5, 5, (n, 2)) * step + rng.choice([1e5, 1e9, 1e15]),
+        lambda rng, n, step: rng.normal(0, 1, (n, 2)) * 10.0 ** rng.integers(-200, 200, (n, 1)),
+    ],
+    ids=["a grid", "sums", "quarter turns", "far away", "every size"],
+)
+@pytest.mark.parametrize("step", [1.0, 0.1, 1 / 3, 1e-9, 7e200, 1e-300])
+def test_boxes_that_touch_by_a_rounding_are_candidates(places, step):
+    rng = RNG(8)
+    for _ in range(60):
+        n = int(rng.integers(2, 40))
+        low = places(rng, n, step)
+        bounds = np.hstack([low, low + rng.choice([0, step, 2 * step, 1000 * step, 1e-17, 1], (n, 2))])
+        assert np.array_equal(batch.candidate_pairs(bounds), brute(bounds))
+
+
+def test_a_width_that_rounds_down_to_the_cell_hides_no_touch():
+    assert batch.candidate_pairs([[-1e-17, 0, 1, 1], [1, 0, 2, 1]]).tolist() == [[0, 1]]
+    x, y = (c.ravel() for c in np.meshgrid(np.arange(40), np.arange(40)))
+    corners = np.stack([x, y, x + 1, y + 1], axis=1) - 20
+    for turned in (corners * 1.0, corners * 0.1, corners + TURNED, np.where(corners == 0, TURNED, corners)):
+        bounds = turned.astype(float)
+        assert np.array_equal(batch.candidate_pairs(bounds), brute(bounds))
+
+
 def test_candidate_pairs_of_little_or_bad_input():
     assert batch.candidate_pairs(np.empty((0, 4))).shape == (0, 2)
     assert batch.candidate_pairs([[0, 0, 1, 1]]).shape == (0, 2)
@@ -535,15 +574,73 @@ def run_with(executor, **more):
     )
 
 
+def run_split_with(executor, **more):
+    """Concave shapes: chunks count shapes, whatever their parts."""
+    rng = RNG(5)
+    ell = np.array([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
+    rings = [ell + rng.uniform(0, 30, 2) if i % 3 else ngons(rng, 1, 5, 15)[0] for i in range(90)]
+    shapes = batch.Polygons(rings, concave="split")
+    done = []
+    found = batch.relate(
+        shapes, shapes[::-1], executor=executor, chunk=25, progress=lambda *at: done.append(at), **more
+    )
+    known = [sv.Polygon(ring) for ring in rings]
+    assert found.tolist() == [sv.relate(p, q) for p, q in zip(known, known[::-1])]
+    assert done == [(25, 90), (50, 90), (75, 90), (90, 90)]
+    index = rng.integers(0, 90, (200, 2))
+    found = batch.relate(shapes, shapes, index, chunk=30, **more)
+    assert found.tolist() == [sv.relate(known[i], known[j]) for i, j in index]
+    assert batch.colliding_pairs(shapes, chunk=50, **more).tolist() == [
+        [i, j] for i in range(90) for j in range(i + 1, 90) if sv.relate(known[i], known[j])
+    ]
+
+
 @pytest.mark.parametrize("engine", ENGINES)
 def test_threads_give_the_same_in_order(engine):
     with ThreadPoolExecutor(2) as pool:
         run_with(pool, engine=engine)
+        run_split_with(pool, engine=engine)
+    run_split_with(None, engine=engine)
 
 
 def test_processes_give_the_same_in_order():
     with ProcessPoolExecutor(2) as pool:
         run_with(pool, engine="numpy")
+        run_split_with(pool, engine="numpy")
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("v", [100, 200])
+def test_touching_shapes_of_many_corners_take_little_memory(engine, v):
+    turns = 2 * np.pi * np.arange(v) / v
+    ring = np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    corner = ring[np.arange(2048) % v][:, None]
+    a, b = batch.Polygons(np.broadcast_to(ring, (2048, v, 2))), batch.Polygons(2 * corner - ring)  # a point reflection
+    batch.relate(a[:1], b[:1], engine=engine)  # compiled
+    tracemalloc.start()
+    found = batch.relate(a, b, engine=engine)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert found.tolist() == [1] * 2048
+    assert peak < 100e6
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_upright_boxes_are_never_asked_for_an_exact_sign(engine, monkeypatch):
+    x, y = (c.ravel() * 0.1 for c in np.meshgrid(np.arange(20), np.arange(20)))
+    tiles = np.stack([np.stack(c, axis=1) for c in ((x, y), (x + 0.1, y), (x + 0.1, y + 0.1), (x, y + 0.1))], axis=1)
+    known = [sv.Polygon(tile) for tile in tiles]
+    diamond = [(9, 8), (10, 9), (9, 10), (8, 9)]
+    alone, beside = batch.Polygons(tiles), batch.Polygons([*tiles, diamond])
+    everywhere = beside[::-1][1:][::-1]
+    asked = []
+    for module in (signs, sv.verdict):
+        monkeypatch.setattr(module, "orient", lambda *c: asked.append(c))
+    for shapes in (alone, everywhere):
+        pairs = batch.candidate_pairs(shapes.bounds)
+        found = batch.relate(shapes, shapes, pairs, engine=engine)
+        assert found.tolist() == [sv.relate(known[i], known[j]) for i, j in pairs]
+    assert not asked
 
 
 def test_a_dask_cluster_of_two_workers_gives_the_same_in_order(tmp_path):
@@ -556,6 +653,7 @@ def test_a_dask_cluster_of_two_workers_gives_the_same_in_order(tmp_path):
         distributed.Client(cluster) as client,
     ):
         run_with(client.get_executor(), engine="numpy")
+        run_split_with(client.get_executor(), engine="numpy")
 
 
 class Failing(ThreadPoolExecutor):

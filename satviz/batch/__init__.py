@@ -1,8 +1,9 @@
 """Many pairs at once: exact like satviz.relate, near the machine's speed (loads NumPy)."""
 
-from .arrays import Circles, Polygons, Shapes, concat
+from .arrays import Shapes, concat
 from .broad import candidate_pairs
 from .collide import colliding_pairs, stream_colliding_pairs
+from .making import Circles, Polygons
 from .narrow import hits, relate
 
 __all__ = [

@@ -61,36 +61,65 @@ def _meeting(
 ) -> Generator[Pairs, None, list[tuple[Pairs, Pairs | None]]]:
     """The meeting pairs of two sets or within one; or, if that is dear, the smaller tasks to do instead.
 
-    Boxes are stored by the cell of their lower left corner, row after row.
+    Boxes are stored by the cell of their lower left corner, row after row.  The numbers of
+    cells never decrease along an axis, so a box whose lower left corner lies between two
+    places is stored between their cells, however the division rounds.
     """
-    cell = size[both].max(axis=0)
-    x, y = (_cells(bounds[both, d], cell[d]) for d in (0, 1))
-    width = int(x.max()) + 3
-    key = y * width + x
-    if other is None:
-        order = np.argsort(key)
-        key, stored = key[order], both[order]
-        queries, at = stored, key
-        rows = ((0, 0, 1), (1, -1, 1))  # each pair of cells once
-    else:
-        order = np.argsort(key[len(one) :])
-        at, key = key[: len(one)], key[len(one) :][order]
-        queries, stored = one, other[order]
-        rows = ((-1, -1, 1), (0, -1, 1), (1, -1, 1))
+    queries, stored = one, one if other is None else other
+    cell = np.maximum(size[both].max(axis=0), np.abs(bounds[both]).max() * 2.0**-1000)  # so that no number overflows
+    (low_x, high_x, own_x), (low_y, high_y, own_y) = (
+        _cells(bounds, size, queries, stored, d, cell[d], among=other is None) for d in (0, 1)
+    )
+    width = int(max(high_x.max(), own_x.max())) + 1
+    key = own_y * width + own_x
+    order = np.argsort(key)
+    key, stored = key[order], stored[order]
+    if other is None:  # looked up in the order of the cells: neighbours lie near in memory
+        queries, low_x, high_x, low_y, high_y = (c[order] for c in (queries, low_x, high_x, low_y, high_y))
     ranges = []
-    for row, left, right in rows:
-        base = at + row * width
-        last = np.searchsorted(key, base + right, side="right")
-        # among themselves, in their own row: those further on in this cell, and the next cell
-        own = other is None and row == 0
-        first = np.arange(1, len(queries) + 1) if own else np.searchsorted(key, base + left)
-        ranges.append((first, last))
+    for row in range(int((high_y - low_y).max()) + 1):
+        base = (low_y + row) * width
+        beyond = low_y + row > high_y
+        first, last = np.searchsorted(key, base + low_x), np.searchsorted(key, base + high_x, side="right")
+        if other is None and row == 0:
+            first = np.arange(1, len(queries) + 1)  # in their own row: those further on
+        ranges.append((first, np.where(beyond, first, last)))
     looks = sum(int(np.maximum(last - first, 0).sum()) for first, last in ranges)
     if looks > CHEAP * len(both) and (halves := _halves(size, one, other)):
         return halves
     for first, last in ranges:
         yield from _met(bounds, queries, stored, first, last)
     return []
+
+
+def _cells(
+    bounds: NDArray[np.float64],
+    size: NDArray[np.float64],
+    queries: Pairs,
+    stored: Pairs,
+    d: int,
+    cell: float,
+    *,
+    among: bool,
+) -> tuple[Pairs, Pairs, Pairs]:
+    """Along one axis: the first and last cell in which what meets each query can be stored, and each stored box's own.
+
+    A box that meets a query begins before the query ends, and not more than its own width before the
+    query begins.  Numbers that would not fit become their ranks, which keeps their order.
+    """
+    low, high = bounds[queries, d], bounds[queries, d + 2]
+    with np.errstate(over="ignore"):
+        first = np.nextafter(low - np.nextafter(size[stored, d].max(), np.inf), -np.inf)
+        if among and d == 1:
+            first = low  # each pair once: only rows from a box's own on
+        numbers = [np.floor(c / cell) for c in (first, high, bounds[stored, d])]
+    own = numbers[2]
+    lowest, highest = own.min(), own.max()
+    if np.isfinite(highest - lowest) and highest - lowest < 1 << 30:
+        first, last = (np.clip(c, lowest - 1, highest + 1) for c in numbers[:2])
+        return tuple((c - (lowest - 1)).astype(np.int64) for c in (first, last, own))
+    found, own = np.unique(own, return_inverse=True)
+    return np.searchsorted(found, numbers[0]), np.searchsorted(found, numbers[1], side="right") - 1, own
 
 
 def _halves(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[tuple[Pairs, Pairs | None]]:
@@ -114,20 +143,6 @@ def _halves(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[
     if other is None:
         return [(small, None), (large, None), (small, large)]
     return [(small, other), (large, other)]
-
-
-def _cells(low: NDArray[np.float64], cell: float) -> Pairs:
-    """Cell numbers from 1; where they would not fit, empty stretches are shortened, which keeps neighbours."""
-    with np.errstate(over="ignore"):
-        numbers = np.floor(low / cell)
-    if not np.isfinite(numbers).all():  # cells far too small to count: what lies nearer than one shares it
-        found, where = np.unique(low, return_inverse=True)
-        return np.concatenate([[1], 1 + np.cumsum(np.where(np.diff(found) > cell, 3, 0))])[where]
-    lowest = numbers.min()
-    if numbers.max() - lowest < 1 << 30:
-        return (numbers - lowest).astype(np.int64) + 1
-    found, where = np.unique(numbers, return_inverse=True)
-    return np.concatenate([[1], np.cumsum(np.minimum(np.diff(found), 3)).astype(np.int64) + 1])[where]
 
 
 def _met(bounds: NDArray[np.float64], queries: Pairs, stored: Pairs, first: Pairs, last: Pairs) -> Iterator[Pairs]:

@@ -7,9 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Polygons, Shapes
+from ..geometry import InvalidShape
+from . import door
+from .arrays import Shapes, checked
 from .broad import Pairs, candidate_blocks, in_order
 from .chunks import CHUNK
+from .making import polygons_numbered
 from .narrow import hits
 
 STRIP = 1 << 19  # shapes a strip of a streamed file should hold
@@ -29,7 +32,7 @@ def colliding_pairs(
     `progress` (told of candidates done in each block) and `chunk`: as in `relate`.
     """
     found = []
-    parts = Shapes(shapes.groups, shapes.count, shapes.slot)
+    parts = checked(shapes, "shapes").parts
     for pairs in candidate_blocks(parts.bounds):
         if shapes.owner is not None:
             owners = shapes.owner[pairs]
@@ -56,23 +59,33 @@ def stream_colliding_pairs(
     reads and holds only the shapes that reach into it.  A pair is
     given once, by the strip where the later of the two begins.  Memory: a few
     hundred bytes a shape of one strip, and 16 bytes a shape of the file for the x ranges.
+    InvalidShape as in Polygons, before the first strip for what is no number.
     """
+    if getattr(vertices, "ndim", 0) != 3:
+        raise InvalidShape(f"vertices is {_kind(vertices)}: expected an (N, V, 2) array; colliding_pairs takes others")
+    if strip < 1:
+        raise ValueError(f"strip is {strip}: it must be at least 1")
     n = len(vertices)
-    if not n:
-        return
     low, high = np.empty(n), np.empty(n)
     for start in range(0, n, strip):
-        x = np.asarray(vertices[start : start + strip, :, 0], dtype=np.float64)
+        x = door.rings(vertices[start : start + strip], lambda i, start=start: f"polygon {start + i}")[:, :, 0]
         low[start : start + strip], high[start : start + strip] = x.min(axis=1), x.max(axis=1)
+    if not n:
+        return
     count = -(-n // strip)
     edges = np.concatenate([[-np.inf], np.quantile(low, np.arange(1, count) / count), [np.inf]])
     edges = np.unique(edges)
     for k, (left, right) in enumerate(pairwise(edges)):
         ids = np.flatnonzero((low < right) & (high >= left))
         if ids.size:
-            shapes = Polygons(np.asarray(vertices[ids], dtype=np.float64))
+            shapes = polygons_numbered(np.asanyarray(vertices[ids]), ids, "refuse")
             pairs = ids[colliding_pairs(shapes, engine=engine, executor=executor)]
             begins = low[pairs].max(axis=1)
             yield pairs[(begins >= left) & (begins < right)]
         if progress is not None:
             progress(k + 1, len(edges) - 1)
+
+
+def _kind(values: Any) -> str:
+    shape = getattr(values, "shape", None)
+    return f"a {type(values).__name__}" if shape is None else f"an array of the shape {shape}"

@@ -14,7 +14,7 @@ from numba import njit
 
 from ..exact import HUGE, TINY
 from .arrays import Group
-from .filter_numpy import APART, OVERLAPPING, UNDECIDED, room_64
+from .filter_numpy import APART, OVERLAPPING, TOUCHING, UNDECIDED, room_64
 
 BLOCK = 1 << 17  # pairs a call: long enough that Python's share vanishes
 TILE = 128  # pairs whose columns stay in the first-level cache between edges
@@ -148,6 +148,26 @@ def _edges(x, y, px, py, s, n, best, least, nx, ny):
             v += 1
         for i in range(n):
             best[i] = max(best[i], least[i] - (nx[i] * x0[i] + ny[i] * y0[i]))
+
+
+def boxes(a: Group, b: Group, first: int, out) -> None:
+    """Upright boxes: four comparisons of sides settle them, exactly."""
+    _boxes(a.x, a.y, b.x, b.y, first, out)
+
+
+@njit(**_OPTIONS)
+def _ranges(a, c, p, r):
+    return min(a, c), max(a, c), min(p, r), max(p, r)
+
+
+@njit(**_OPTIONS)
+def _boxes(ax, ay, bx, by, first, out):
+    for k in range(out.size):
+        i = np.uintp(first + k)
+        ax0, ax1, bx0, bx1 = _ranges(ax[0, i], ax[2, i], bx[0, i], bx[2, i])
+        ay0, ay1, by0, by1 = _ranges(ay[0, i], ay[2, i], by[0, i], by[2, i])
+        gap = max(max(ax0 - bx1, bx0 - ax1), max(ay0 - by1, by0 - ay1))
+        out[k] = APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
 
 @njit(**_OPTIONS)

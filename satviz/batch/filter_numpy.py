@@ -30,12 +30,6 @@ def polygons(a: Group, b: Group, first: int, out) -> None:
     _decide(*_look_32(*columns, _width(a) + _width(b)), out)
 
 
-def look_64(a: Group, b: Group, first: int, out) -> None:
-    """The same in float64."""
-    columns = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
-    _decide(_clearance(*columns, 0), room_64(a, b), out)
-
-
 def room_64(a: Group, b: Group) -> float:
     """How far a float64 clearance of these groups can be off; infinite outside the range where that is known."""
     room = (a.span + b.span) * (a.reach + b.reach) * LOOK
@@ -98,6 +92,18 @@ def _decide(gap, room, out) -> None:
     np.multiply((gap < -room).view(np.int8), OVERLAPPING - UNDECIDED, out=out)
     out += (gap > room).view(np.int8)  # by APART - UNDECIDED, which is 1
     out += UNDECIDED
+
+
+def boxes(a: Group, b: Group, first: int, out) -> None:
+    """Upright boxes: four comparisons of sides settle them, exactly."""
+    ax, ay, bx, by = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
+    gap = np.full(out.size, -np.inf)
+    for p, q in ((ax, bx), (ay, by)):
+        p, q = (np.minimum(p[0], p[2]), np.maximum(p[0], p[2])), (np.minimum(q[0], q[2]), np.maximum(q[0], q[2]))
+        np.maximum(gap, p[0] - q[1], out=gap)
+        np.maximum(gap, q[0] - p[1], out=gap)
+    np.subtract((gap < 0).view(np.int8), (gap > 0).view(np.int8), out=out)
+    out += TOUCHING
 
 
 def circles(ax, ay, ar, bx, by, br, first: int, out) -> None:

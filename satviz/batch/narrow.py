@@ -1,5 +1,6 @@
 """relate and hits for many pairs: the filter in blocks, then the exact twin for all that it left undecided."""
 
+import warnings
 from collections.abc import Callable
 from concurrent.futures import Executor, ThreadPoolExecutor
 from functools import cache
@@ -11,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import undecided
-from .arrays import Group, Shapes
+from .arrays import Group, Shapes, checked
 from .chunks import CHUNK, in_chunks
 from .filter_numpy import APART, UNDECIDED, room_64
 
@@ -37,6 +38,7 @@ def relate(
     order, `progress(done, total)` is told of each.  ValueError for lengths that do not
     fit, IndexError for pairs out of range, ChunkFailed names the range that failed.
     """
+    checked(a, "a"), checked(b, "b")
     filter_of(engine)  # an engine that is not there is told of before the work starts
     if pairs is not None:
         ia, ib = _checked_pairs(pairs, len(a), len(b))
@@ -45,9 +47,6 @@ def relate(
     else:
         ia = ib = None
     n = len(ia) if ia is not None else 0 if 0 in (len(a), len(b)) else max(len(a), len(b))
-    if a.owner is not None or b.owner is not None:
-        ia, ib = (np.arange(n) if i is None else i for i in (ia, ib))
-        return _relate_parts(a, b, ia % max(len(a), 1), ib % max(len(b), 1), engine)
     out = np.empty(n, np.int8)
 
     # threads share the shapes; to other processes each chunk takes only what it needs
@@ -74,20 +73,28 @@ def hits(a: Shapes, b: Shapes, pairs: Any = None, **options: Any) -> NDArray[np.
 
 @cache
 def filter_of(engine: str | None) -> ModuleType:
-    """The module with the float filter; numba is imported here and nowhere else."""
-    if engine is None:
-        engine = "numba" if find_spec("numba") else "numpy"
-    if engine == "numpy":
-        from . import filter_numpy
+    """The module with the float filter; numba is imported here and nowhere else.
 
-        return filter_numpy
-    if engine == "numba":
+    By default the best that works: where numba is installed but does not load or cannot keep
+    what it compiles, NumPy answers, and one warning says why.
+    """
+    if engine not in (None, "numpy", "numba"):
+        raise ValueError(f'engine is {engine!r}: choose "numpy" or "numba"')
+    if engine == "numba" or (engine is None and find_spec("numba")):
         try:
             from . import filter_numba
-        except ImportError as error:
-            raise ImportError('engine "numba" needs the extra: pip install "satviz[fast]"') from error
-        return filter_numba
-    raise ValueError(f'engine is {engine!r}: choose "numpy" or "numba"')
+
+            return filter_numba
+        except Exception as error:  # an ImportError of its own, or RuntimeError where no folder can be written
+            if engine is None:
+                warnings.warn(f"numba does not work here, so NumPy does the work: {error}", stacklevel=2)
+            elif find_spec("numba") is None:
+                raise ImportError('engine "numba" needs the extra: pip install "satviz[fast]"') from error
+            else:
+                raise ImportError(f'engine "numba" does not work here: {error}; engine="numpy" does') from error
+    from . import filter_numpy
+
+    return filter_numpy
 
 
 def _checked_pairs(pairs: Any, na: int, nb: int) -> tuple[Indices, Indices]:
@@ -106,25 +113,6 @@ def _picked(shapes: Shapes, indices: Indices) -> tuple[Shapes, Indices]:
     return shapes[used], where
 
 
-def _relate_parts(a: Shapes, b: Shapes, ia: Indices, ib: Indices, engine: str | None) -> Relations:
-    """Pairs of owners: the most of what their parts do."""
-    starts, counts = [], []
-    for shapes, indices in ((a, ia), (b, ib)):
-        owner = np.arange(len(shapes.count)) if shapes.owner is None else shapes.owner
-        first = np.searchsorted(owner, indices)
-        starts.append(first)
-        counts.append(np.searchsorted(owner, indices, side="right") - first)
-    each = counts[0] * counts[1]
-    of = np.repeat(np.arange(len(ia)), each)
-    rank = np.arange(len(of)) - np.repeat(np.cumsum(each) - each, each)
-    pa = starts[0][of] + rank // counts[1][of]
-    pb = starts[1][of] + rank % counts[1][of]
-    found = _relate_some(Shapes(a.groups, a.count, a.slot), pa, Shapes(b.groups, b.count, b.slot), pb, engine)
-    out = np.zeros(len(ia), np.int8)
-    np.maximum.at(out, of, found)
-    return out
-
-
 def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | None) -> Relations:
     """Pairs start to stop of a[i] with b[i], or of one with many."""
     one, other = a.uniform, b.uniform
@@ -138,12 +126,14 @@ def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | Non
         last = min(first + kernels.BLOCK, stop)
         _filter(kernels, one, other, first, out[first - start : last - start])
     rest = np.flatnonzero(out == UNDECIDED)
-    out[rest] = undecided.relations(_columns(one, start + rest), _columns(other, start + rest))
+    out[rest] = undecided.relations(one.columns(start + rest), other.columns(start + rest))
     return out
 
 
 def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | None) -> Relations:
     """The pairs (ia, ib), group by group, block by block; their columns are copied together first."""
+    if a.owner is not None or b.owner is not None:
+        return _relate_parts(a, ia, b, ib, engine)
     kernels = filter_of(engine)
     out = np.empty(len(ia), np.int8)
     key = a.count[ia] << 32 | b.count[ib]
@@ -153,25 +143,42 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
         for start in range(0, len(mine), BLOCK_OF_PICKED):
             part = mine[start : start + BLOCK_OF_PICKED]
             found = np.empty(len(part), np.int8)
-            _filter(kernels, _columns(one, a.slot[ia[part]]), _columns(other, b.slot[ib[part]]), 0, found)
+            _filter(kernels, one.columns(a.slot[ia[part]]), other.columns(b.slot[ib[part]]), 0, found)
             out[part] = found
         rest = mine[out[mine] == UNDECIDED]
-        out[rest] = undecided.relations(_columns(one, a.slot[ia[rest]]), _columns(other, b.slot[ib[rest]]))
+        out[rest] = undecided.relations(one.columns(a.slot[ia[rest]]), other.columns(b.slot[ib[rest]]))
     return out
 
 
 BLOCK_OF_PICKED = 16384  # picked columns are copied first: the copies stay in the cache
 
 
-def _columns(group: Group, where: Indices) -> Group:
-    r = None if group.r is None else group.r[where]
-    return group._replace(x=group.x[:, where], y=group.y[:, where], r=r)
+def _relate_parts(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | None) -> Relations:
+    """Pairs of shapes, some in parts: the most of what their parts do; in blocks, as parts multiply."""
+    out = np.zeros(len(ia), np.int8)
+    first_a, first_b = a.starts[ia], b.starts[ib]
+    many_b = b.starts[ib + 1] - first_b
+    each = (a.starts[ia + 1] - first_a) * many_b
+    end = np.cumsum(each)
+    total = int(end[-1]) if len(end) else 0
+    for start in range(0, total, BLOCK_OF_PARTS):
+        place = np.arange(start, min(start + BLOCK_OF_PARTS, total))
+        of = np.searchsorted(end, place, side="right")
+        rank = place - (end - each)[of]
+        pa, pb = first_a[of] + rank // many_b[of], first_b[of] + rank % many_b[of]
+        np.maximum.at(out, of, _relate_some(a.parts, pa, b.parts, pb, engine))
+    return out
+
+
+BLOCK_OF_PARTS = 1 << 18  # pairs of parts at a time: what bounds the memory
 
 
 def _filter(kernels: ModuleType, a: Group, b: Group, first: int, out: Relations) -> None:
     """Relations of one block of one kind of pair, from column `first` on; UNDECIDED where floats cannot tell."""
     with np.errstate(all="ignore"):
-        if a.r is not None and b.r is not None:
+        if a.upright and b.upright:
+            kernels.boxes(a, b, first, out)
+        elif a.r is not None and b.r is not None:
             kernels.circles(a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r, first, out)
         elif a.r is not None or b.r is not None:
             circle, polygon = (a, b) if a.r is not None else (b, a)

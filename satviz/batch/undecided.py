@@ -3,11 +3,14 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from ..verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from . import circle_polygons, signs
 from .arrays import Group
-from .filter_numpy import APART, OVERLAPPING, TOUCHING, UNDECIDED, look_64
+from .filter_numpy import APART, OVERLAPPING, TOUCHING, boxes
+from .making import upright_boxes
 
-BLOCK = 2048  # pairs at a time: every corner of one against every edge of the other takes room
+LOOKS = 1 << 18  # looks of one edge at a time, over pairs and corners: what bounds the memory
+DOUBTS = 1 << 15  # exact signs asked in one go: each takes some hundred bytes a term
 RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 and -1
 
 
@@ -18,25 +21,51 @@ def relations(a: Group, b: Group) -> NDArray[np.int8]:
     if a.r is not None or b.r is not None:
         circle, polygon = (a, b) if a.r is not None else (b, a)
         return RELATION_OF_SIGN[circle_polygons.gaps(circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y)]
-    return _polygons(a, b)
-
-
-def _polygons(a: Group, b: Group) -> NDArray[np.int8]:
-    """First in float64 (the filter may have looked in float32), then the signs of all turns, exactly."""
     found = np.empty(a.x.shape[1], np.int8)
-    for start in range(0, len(found), BLOCK):
-        part = found[start : start + BLOCK]
-        with np.errstate(all="ignore"):
-            look_64(a, b, start, part)
-        rest = np.flatnonzero(part == UNDECIDED)
-        ax, ay, bx, by = (signs.columns(c, start + rest) for c in (a.x, a.y, b.x, b.y))
-        part[rest] = RELATION_OF_SIGN[np.maximum(_clearance(ax, ay, bx, by), _clearance(bx, by, ax, ay))]
+    upright = np.zeros(len(found), bool)
+    if len(a.x) == len(b.x) == 4:
+        upright = upright_boxes(a.x, a.y) & upright_boxes(b.x, b.y)
+        settled = np.empty(upright.sum(), np.int8)
+        boxes(a.columns(upright), b.columns(upright), 0, settled)
+        found[upright] = settled
+    rest = np.flatnonzero(~upright)
+    size = max(1, LOOKS // max(len(a.x), len(b.x)))
+    with np.errstate(all="ignore"):
+        for start in range(0, len(rest), size):
+            part = rest[start : start + size]
+            found[part] = _polygons(a.columns(part), b.columns(part))
     return found
 
 
-def _clearance(x, y, px, py) -> NDArray[np.int8]:
-    """1 where some edge has all of the other's corners strictly beyond it, 0 where at best one on it, else -1."""
-    shape = (len(x), len(px), x.shape[1])  # edge, corner, pair
-    ends = [np.broadcast_to(c[:, None, :], shape).ravel() for c in (x, y, np.roll(x, -1, 0), np.roll(y, -1, 0))]
-    corners = [np.broadcast_to(c[None, :, :], shape).ravel() for c in (px, py)]
-    return (-signs.orient(*ends, *corners)).reshape(shape).min(axis=1).max(axis=0)
+def _polygons(a: Group, b: Group) -> NDArray[np.int8]:
+    """Edge by edge in float64, the exact sign asked of every corner within the room of zero."""
+    best = np.full(a.x.shape[1], -1, np.int8)
+    reach = (_largest(a.x, a.y) + _largest(b.x, b.y)) * LOOK
+    for own, other in (a, b), (b, a):
+        x, y = np.concatenate([own.x, own.x[:1]]), np.concatenate([own.y, own.y[:1]])
+        nx, ny = np.diff(y, axis=0), -np.diff(x, axis=0)
+        room = _largest(nx, ny) * reach
+        room[~((room > LEAST_ROOM) & (room < MOST_ROOM))] = np.inf
+        for i in range(len(nx)):
+            looks = nx[i] * other.x
+            looks += ny[i] * other.y
+            looks -= nx[i] * x[i] + ny[i] * y[i]
+            least = looks.min(axis=0)
+            best[least > room] = 1
+            doubtful = np.flatnonzero(~(np.abs(least) > room) & (best < 1))
+            if doubtful.size:
+                corner, which = np.nonzero(~(looks[:, doubtful] > room[doubtful]))
+                side = np.ones(len(doubtful), np.int8)
+                for start in range(0, len(which), DOUBTS):
+                    w, c = which[start : start + DOUBTS], corner[start : start + DOUBTS]
+                    k = doubtful[w]
+                    # the turn from the edge's end over its start: what lies beyond is to the left
+                    turns = signs.orient(x[i + 1, k], y[i + 1, k], x[i, k], y[i, k], other.x[c, k], other.y[c, k])
+                    np.minimum.at(side, w, turns)
+                best[doubtful] = np.maximum(best[doubtful], side)
+    return RELATION_OF_SIGN[best]
+
+
+def _largest(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The largest magnitude in each column."""
+    return np.maximum(np.abs(x).max(axis=0), np.abs(y).max(axis=0))

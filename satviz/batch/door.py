@@ -1,0 +1,78 @@
+"""The batch's door: numbers in arrays, judged by the rules and in the words of satviz.Polygon and satviz.Circle."""
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import outline
+from ..geometry import InvalidShape
+from ..shapes import Polygon
+
+
+def rings(vertices: NDArray, name: Callable[[int], str]) -> NDArray[np.float64]:
+    """An (N, V, 2) array in float64; InvalidShape names the first number that is none."""
+    if vertices.ndim != 3 or vertices.shape[2] != 2 or vertices.shape[1] < 3:
+        raise InvalidShape(f"vertices has the shape {vertices.shape}: expected (N, V, 2) with V at least 3")
+    return floats(vertices, "vertices", lambda i, j, k: f"{name(i)}: vertex {j}.{'xy'[k]}")
+
+
+def ring(vertices: Any, name: str) -> NDArray[np.float64]:
+    """One outline as (V, 2) float64, through the door of satviz.Polygon where it is no plain array."""
+    if isinstance(vertices, Polygon):
+        return np.array(vertices.vertices)
+    try:
+        if _is_plain(vertices) and vertices.ndim == 2 and vertices.shape[1] == 2:
+            found = floats(vertices, "vertices", lambda j, k: f"vertex {j}.{'xy'[k]}")
+        else:
+            found = np.array(outline.vertices(vertices)).reshape(-1, 2)
+        return found if len(found) > 2 else np.array(Polygon(found).vertices)  # which says what is missing
+    except InvalidShape as error:
+        raise InvalidShape(f"{name}: {error}") from None
+
+
+def points(values: Any, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
+    """(N, 2) float64 from an array or a sequence of points."""
+    if not _is_plain(values):
+        return np.array([outline.point(p, item(i)) for i, p in enumerate(listed(values, name))]).reshape(-1, 2)
+    if values.ndim != 2 or values.shape[1] != 2:
+        raise InvalidShape(f"{name} has the shape {values.shape}: expected (N, 2)")
+    return floats(values, name, lambda i, k: f"{item(i)}.{'xy'[k]}")
+
+
+def numbers(values: Any, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
+    """(N,) float64 from an array or a sequence of numbers, or () from one."""
+    if _is_plain(values):
+        return floats(values, name, lambda *i: item(i[0]) if i else name)
+    if isinstance(values, Iterable):
+        return np.array([outline.number(v, item(i)) for i, v in enumerate(listed(values, name))], np.float64)
+    return np.array(outline.number(values, name))
+
+
+def _is_plain(values: Any) -> bool:
+    """Is it an array of NumPy's own numbers?  Others are looked at one by one."""
+    return isinstance(values, np.ndarray) and values.dtype != object
+
+
+def listed(values: Any, name: str) -> Any:
+    """What can be gone through in order; InvalidShape for anything else."""
+    values = outline.plain(values, name)
+    if not isinstance(values, Iterable):
+        raise InvalidShape(f"{name} is {values!r}: expected a sequence")
+    return values
+
+
+def floats(array: NDArray, name: str, entry: Callable[..., str]) -> NDArray[np.float64]:
+    """The same values in float64; InvalidShape says of the first that has none what satviz.Polygon would."""
+    outline.refuse_array(array, name)
+    with np.errstate(all="ignore"):
+        found = np.asarray(array, np.float64)
+    doubtful = ~np.isfinite(found)
+    if array.dtype.kind in "iu" and array.dtype.itemsize == 8:
+        doubtful |= np.abs(found) >= 2.0**53
+    elif array.dtype.itemsize > 8:
+        doubtful |= found != array
+    for at in np.argwhere(doubtful).tolist() if doubtful.any() else ():
+        outline.number(array[tuple(at)], entry(*at))  # the scalar door judges each
+    return found

@@ -1,0 +1,273 @@
+"""The batch's door: the rules and the words of the scalar one, and nothing of the caller's is touched."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+import satviz as sv
+from satviz import batch
+from satviz.batch import narrow
+
+TRIANGLE = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
+ELL = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
+CLOCKWISE = np.array([TRIANGLE[::-1]] * 3)
+
+
+def with_last(value, dtype=None):
+    return np.array([*TRIANGLE[:2], (0, value)], dtype=dtype)
+
+
+BAD = {
+    "nan": with_last(np.nan),
+    "infinity": with_last(np.inf),
+    "a lossy integer": with_last(2**53 + 1, np.int64),
+    "a lossy unsigned integer": with_last(2**64 - 1, np.uint64),
+    "a long double": with_last(np.nextafter(np.longdouble(1), np.longdouble(2))),
+    "booleans": np.array(TRIANGLE, bool),
+    "complex": np.array(TRIANGLE, complex),
+    "text": np.array(TRIANGLE).astype(str),
+    "times": np.array(TRIANGLE).astype("m8[s]"),
+    "masked": np.ma.masked_equal(np.array(TRIANGLE), 1),
+    "a boolean in a list": [(0, 0), (1, 0), (0, True)],
+    "a lossy integer in a list": [(0, 0), (1, 0), (0, 2**53 + 1)],
+    "a giant integer in a list": [(0, 0), (1, 0), (0, 10**400)],
+    "text in a list": [(0, 0), (1, 0), (0, "1")],
+    "complex in a list": [(0, 0), (1, 0), (0, 1j)],
+    "None in a list": [(0, 0), (1, 0), (0, None)],
+    "an array in an array": [(0, 0), (1, 0), (0, np.array([1, 2]))],
+    "three coordinates": [(0, 0, 0), (1, 0, 0), (0, 1, 0)],
+    "two vertices": [(0, 0), (1, 0)],
+    "no vertices": [],
+    "a spike": [(0, 0), (2, 0), (1, 0), (1, 1)],
+    "a bowtie": [(0, 0), (2, 2), (2, 0), (0, 2)],
+    "no area": [(0, 0), (1, 1), (2, 2)],
+}
+
+
+def words(make, *arguments, **options):
+    with pytest.raises(sv.InvalidShape) as error:
+        made = make(*arguments, **options)
+        list(made)
+    return str(error.value)
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_what_the_scalar_door_refuses_the_batch_refuses_in_the_same_words(name):
+    bad = BAD[name]
+    assert words(batch.Polygons, [TRIANGLE, bad]) == f"polygon 1: {words(sv.Polygon, bad)}"
+
+
+@pytest.mark.parametrize("name", [name for name, bad in BAD.items() if isinstance(bad, np.ndarray)])
+def test_whole_arrays_and_streams_have_the_same_door(name):
+    bad = BAD[name]
+    good = np.array(TRIANGLE).astype(bad.dtype)
+    block = (np.ma if np.ma.isMaskedArray(bad) else np).stack([good, good, good, bad])
+    said = words(batch.Polygons, block)
+    of_kind = "array of" in said or "masked" in said  # true of the whole array: no polygon is named
+    assert said == words(sv.Polygon, bad) if of_kind else said == f"polygon 3: {words(sv.Polygon, bad)}"
+    assert words(batch.stream_colliding_pairs, block, strip=2) == said
+
+
+def test_a_stream_names_the_polygon_of_the_file():
+    apart = np.array(TRIANGLE) + 10 * np.arange(9)[:, None, None]
+    crossed = np.array([(0, 0), (2, 2), (2, 0), (0, 2)]) + 10 * np.arange(9)[:, None, None]
+    outlines = np.stack([crossed[:, 0], (crossed[:, 0] + crossed[:, 2]) / 2, crossed[:, 2], crossed[:, 3]], axis=1)
+    outlines[7] = crossed[7]
+    assert words(batch.stream_colliding_pairs, outlines, strip=2) == words(batch.Polygons, outlines)
+    assert words(batch.stream_colliding_pairs, outlines, strip=2).startswith("polygon 7: ")
+    assert "colliding_pairs takes others" in words(batch.stream_colliding_pairs, list(apart))
+    with pytest.raises(ValueError, match="strip is 0"):
+        list(batch.stream_colliding_pairs(apart, strip=0))
+
+
+@pytest.mark.parametrize(
+    ("center", "radius"),
+    [
+        ((0, np.nan), 1),
+        ((0, True), 1),
+        ((0, 2**53 + 1), 1),
+        ((0, "1"), 1),
+        ((0, 1, 2), 1),
+        ((0, 0), 0),
+        ((0, 0), -1),
+        ((0, 0), np.inf),
+        ((0, 0), True),
+        ((0, 0), "1"),
+        ((0, 0), 1j),
+        ((0, 0), 2**53 + 1),
+    ],
+)
+def test_circles_have_the_scalar_door(center, radius):
+    said = words(sv.Circle, center, radius)
+    assert words(batch.Circles, [(0, 0), center], [1, radius]) == f"circle 1: {said}"
+
+
+def test_arrays_of_circles_are_judged_like_lists():
+    assert (
+        words(batch.Circles, np.array([(0, 0), (1, np.inf)]), 1)
+        == "circle 1: center.y is inf: coordinates must be finite"
+    )
+    assert words(batch.Circles, np.zeros((2, 2)), np.array([1, np.nan])).startswith("circle 1: radius is nan")
+    assert words(batch.Circles, np.zeros((2, 2)), np.array([1, -1])).startswith("circle 1: radius is -1.0")
+    assert "expected (N, 2)" in words(batch.Circles, np.zeros(4), 1)
+    assert "expected (2,)" in words(batch.Circles, np.zeros((2, 2)), [1, 2, 3])
+
+
+@pytest.mark.parametrize("thing", [3, None, "abc", {"a": 1}, np.float64(1), np.array(1.0), np.array(None)])
+def test_what_is_no_sequence_is_refused_in_words(thing):
+    words(batch.Polygons, thing)
+    words(batch.Polygons, [thing])
+    words(batch.Circles, thing, 1)
+    words(batch.stream_colliding_pairs, thing)
+
+
+def test_lists_where_batches_belong_say_how_to_make_one():
+    made = batch.Polygons([TRIANGLE])
+    for call in (
+        lambda: batch.relate([TRIANGLE], made),
+        lambda: batch.hits(made, sv.Polygon(TRIANGLE)),
+        lambda: batch.colliding_pairs([TRIANGLE]),
+        lambda: batch.concat([made, [TRIANGLE]]),
+    ):
+        with pytest.raises(TypeError, match=r"is a (list|Polygon): make it with batch\.Polygons or batch\.Circles"):
+            call()
+
+
+def test_shapes_of_other_libraries_and_our_own_are_taken():
+    shapely = pytest.importorskip("shapely")
+    made = batch.Polygons(
+        [shapely.Polygon(TRIANGLE), sv.Polygon(TRIANGLE), TRIANGLE, np.array(TRIANGLE), iter(TRIANGLE)]
+    )
+    assert batch.relate(made, made).tolist() == [2] * 5
+    assert len(batch.concat([])) == 0 == len(batch.Polygons([])) == len(batch.Polygons(np.zeros((0, 5, 2))))
+
+
+# -- the caller's own
+
+
+@pytest.mark.parametrize("concave", ["refuse", "split"])
+@pytest.mark.parametrize("order", ["C", "F", "transposed", "one", "reversed"])
+def test_the_callers_array_is_never_written_to(order, concave):
+    given = {
+        "C": np.ascontiguousarray(CLOCKWISE),
+        "F": np.asfortranarray(CLOCKWISE),
+        "transposed": np.ascontiguousarray(CLOCKWISE.transpose(2, 1, 0)).transpose(2, 1, 0),
+        "one": CLOCKWISE[:1].copy(),
+        "reversed": CLOCKWISE.copy()[::-1],
+    }[order]
+    before = given.copy()
+    batch.Polygons(given, concave=concave)
+    assert np.array_equal(given, before)
+    given.flags.writeable = False
+    assert len(batch.Polygons(given, concave=concave)) == len(given)
+
+
+@pytest.mark.parametrize("mode", ["r", "r+", "c"])
+@pytest.mark.parametrize("fortran", [False, True])
+def test_a_mapped_file_is_never_written_to(tmp_path, mode, fortran):
+    np.save(tmp_path / "rings.npy", np.asfortranarray(CLOCKWISE) if fortran else CLOCKWISE)
+    before = (tmp_path / "rings.npy").read_bytes()
+    mapped = np.load(tmp_path / "rings.npy", mmap_mode=mode)
+    batch.Polygons(mapped)
+    list(batch.stream_colliding_pairs(mapped, strip=2))
+    batch.Circles(mapped[:, 0], 1)
+    if mode == "r+":
+        mapped.flush()
+    assert (tmp_path / "rings.npy").read_bytes() == before
+
+
+def test_what_the_caller_changes_later_changes_no_verdict():
+    centers, radii, rings = np.array([(0.0, 0.0), (3.0, 0.0)]), np.array([1.0, 1.0]), np.array([TRIANGLE] * 2)
+    column = np.asfortranarray(centers)
+    made = [batch.Circles(centers, radii), batch.Circles(column, radii), batch.Polygons(rings)]
+    before = [batch.relate(s, s[::-1]).tolist() for s in made]
+    for array in (centers, column, radii, rings):
+        array += 7
+    assert [batch.relate(s, s[::-1]).tolist() for s in made] == before
+
+
+# -- slices
+
+
+def three_in_parts():
+    return batch.Polygons([TRIANGLE, ELL, TRIANGLE], concave="split")
+
+
+@pytest.mark.parametrize(
+    "where",
+    [
+        slice(1, None),
+        slice(None, None, -1),
+        slice(0, 3, 2),
+        slice(5, 9),
+        [0, 1, 2, 1],
+        [],
+        np.array([2, 0]),
+        np.array([True, False, True]),
+        [-1, -3],
+        0,
+        -1,
+        np.int64(1),
+    ],
+    ids=str,
+)
+def test_shapes_are_chosen_as_from_a_list_whether_split_or_not(where):
+    rings = [TRIANGLE, ELL, TRIANGLE]
+    names = np.atleast_1d(np.arange(3)[where])
+    far = [(9, 9), (10, 9), (9, 10)]
+    for concave, one in (("split", rings), ("refuse", [TRIANGLE, far, TRIANGLE])):
+        chosen = batch.Polygons(one, concave=concave)[where]
+        again = batch.Polygons([one[i] for i in names], concave=concave)
+        assert len(chosen) == len(names)
+        assert np.array_equal(chosen.bounds, again.bounds)
+        assert batch.colliding_pairs(chosen).tolist() == batch.colliding_pairs(again).tolist()
+        if len(names):
+            everything = batch.Polygons(one, concave=concave)
+            index = [(i, j) for i in range(len(names)) for j in range(3)]
+            expected = [batch.relate(everything[int(names[i])], everything[j]).item() for i, j in index]
+            assert batch.relate(chosen, everything, index).tolist() == expected
+
+
+@pytest.mark.parametrize("where", [3, -4, [0, 3], np.array([True]), "a", 1.5, [[0, 1]], None])
+def test_shapes_that_are_not_there_are_an_index_error(where):
+    for shapes in (three_in_parts(), batch.Polygons([TRIANGLE] * 3)):
+        with pytest.raises(IndexError):
+            shapes[where]
+
+
+def test_a_split_batch_has_a_box_a_shape():
+    assert three_in_parts().bounds.tolist() == [[0, 0, 1, 1], [0, 0, 4, 4], [0, 0, 1, 1]]
+
+
+# -- the engine
+
+
+@pytest.fixture
+def fresh_choice():
+    narrow.filter_of.cache_clear()
+    yield
+    narrow.filter_of.cache_clear()
+
+
+@pytest.mark.parametrize(
+    "fault", [ImportError("numba needs an older NumPy"), RuntimeError("cannot cache function 'circles'")], ids=str
+)
+def test_numpy_answers_where_numba_does_not_work_and_says_so_once(fresh_choice, monkeypatch, fault):
+    import builtins
+
+    import_ = builtins.__import__
+
+    def broken(name, globals=None, locals=None, fromlist=(), level=0):
+        if "filter_numba" in (fromlist or ()):
+            raise fault
+        return import_(name, globals, locals, fromlist, level)
+
+    monkeypatch.setattr(builtins, "__import__", broken)
+    shapes = batch.Polygons([TRIANGLE])
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        assert batch.relate(shapes, shapes).tolist() == [2] == batch.relate(shapes, shapes).tolist()
+    assert [str(w.message) for w in told] == [f"numba does not work here, so NumPy does the work: {fault}"]
+    with pytest.raises(ImportError, match=r"does not work here: .*engine=.numpy. does"):
+        batch.relate(shapes, shapes, engine="numba")
