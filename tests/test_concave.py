@@ -5,18 +5,19 @@ import math
 import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from fractions import Fraction
 from itertools import combinations
 from random import Random
 
+import oracle
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from oracle import cross, edges, holds, integers, meet, on_segment
 
 from satviz.concave import parts
 from satviz.geometry import InvalidShape, Relation
 from satviz.shapes import Circle, Polygon
-from satviz.study import truth as oracle
+from satviz.study import truth
 from satviz.verdict import relate
 
 APART, TOUCHING, OVERLAPPING = Relation
@@ -120,79 +121,7 @@ def sample(kind: str) -> tuple[Polygon, ...]:
     return tuple(concave_polygons(kind, 25))
 
 
-# -- exact geometry that is not satviz -------------------------------------------------------------
-
-
-def cross(p: Sequence, q: Sequence, r: Sequence) -> Fraction:
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
-
-
-def edges(ring: Sequence) -> list:
-    return list(zip(ring, [*ring[1:], ring[0]], strict=True))
-
-
-def on_segment(v: Sequence, p: Sequence, q: Sequence) -> bool:
-    inside = min(p[0], q[0]) <= v[0] <= max(p[0], q[0]) and min(p[1], q[1]) <= v[1] <= max(p[1], q[1])
-    return inside and cross(p, q, v) == 0
-
-
-def meet(p: Sequence, q: Sequence, r: Sequence, s: Sequence) -> bool:
-    """Do two closed segments share a point?"""
-    a, b, c, d = cross(p, q, r), cross(p, q, s), cross(r, s, p), cross(r, s, q)
-    if (a > 0) != (b > 0) and (c > 0) != (d > 0) and a and b and c and d:
-        return True
-    return on_segment(r, p, q) or on_segment(s, p, q) or on_segment(p, r, s) or on_segment(q, r, s)
-
-
-def holds(ring: Sequence, v: Sequence) -> bool:
-    """Does the closed outline hold a point?  On an edge, or an odd number of crossings to the right."""
-    if any(on_segment(v, p, q) for p, q in edges(ring)):
-        return True
-    rows = [(p, q) if p[1] < q[1] else (q, p) for p, q in edges(ring)]
-    return sum(p[1] <= v[1] < q[1] and cross(p, q, v) > 0 for p, q in rows) % 2 == 1
-
-
-def integers(*rings: Iterable[Sequence]) -> list[list[tuple[int, int]]]:
-    """The rings in one unit in which all their coordinates are whole."""
-    exact = [[(Fraction(x), Fraction(y)) for x, y in ring] for ring in rings]
-    unit = math.lcm(*(c.denominator for ring in exact for p in ring for c in p))
-    return [[(int(x * unit), int(y * unit)) for x, y in ring] for ring in exact]
-
-
-@functools.lru_cache(maxsize=4)
-def ears(polygon: Polygon) -> list[Polygon]:
-    """The polygon cut into triangles, one ear after the other: not the way satviz goes."""
-    vertices = polygon.vertices if oracle.area2(polygon.vertices) > 0 else polygon.vertices[::-1]
-    (at,) = integers(vertices)
-    left, found = list(range(len(at))), []
-
-    def clips(a: int, b: int, c: int) -> bool:
-        sides = [(at[a], at[b]), (at[b], at[c]), (at[c], at[a])]
-        others = (at[v] for v in left if v not in (a, b, c))
-        return cross(at[a], at[b], at[c]) > 0 and not any(all(cross(*s, v) >= 0 for s in sides) for v in others)
-
-    while len(left) > 2:
-        for i, b in enumerate(left):
-            a, c = left[i - 1], left[(i + 1) % len(left)]
-            straight = cross(at[a], at[b], at[c]) == 0
-            if straight or clips(a, b, c):
-                if not straight:
-                    found.append(Polygon([vertices[a], vertices[b], vertices[c]]))
-                left.pop(i)
-                break
-        else:
-            raise AssertionError(f"no ear left: {polygon!r}")
-    return found
-
-
-def true_relation(a: Polygon, b: Polygon) -> Relation:
-    """By crossings of edges and containment of vertices; it is an overlap if two ears share an area."""
-    p, q = integers(a.vertices, b.vertices)
-    crossing = any(meet(*e, *f) for e in edges(p) for f in edges(q))
-    if not (crossing or any(holds(q, v) for v in p) or any(holds(p, v) for v in q)):
-        return APART
-    areas = (oracle.polygons(s, t) is OVERLAPPING for s in ears(a) for t in ears(b) if boxes_meet(s, t))
-    return OVERLAPPING if any(areas) else TOUCHING
+# -- what is true ----------------------------------------------------------------------------------
 
 
 def boxes_meet(a: Polygon, b: Polygon) -> bool:
@@ -202,7 +131,7 @@ def boxes_meet(a: Polygon, b: Polygon) -> bool:
 
 def reflex_count(polygon: Polygon) -> int:
     ring = polygon.corners
-    return sum(oracle.turn(ring[i - 1], ring[i], ring[(i + 1) % len(ring)]) < 0 for i in range(len(ring)))
+    return sum(truth.turn(ring[i - 1], ring[i], ring[(i + 1) % len(ring)]) < 0 for i in range(len(ring)))
 
 
 def refute(polygon: Polygon) -> str:
@@ -210,11 +139,11 @@ def refute(polygon: Polygon) -> str:
     found = parts(polygon)
     own, *rings = integers(polygon.corners, *(part.vertices for part in found))
     wrong = []
-    if not all(part.is_convex and not part.notes and oracle.area2(part.vertices) > 0 for part in found):
+    if not all(part.is_convex and not part.notes and truth.area2(part.vertices) > 0 for part in found):
         wrong.append("a part is not convex, not counter-clockwise, or has a straight-on vertex")
-    if sum(map(oracle.area2, rings)) != oracle.area2(own):
+    if sum(map(truth.area2, rings)) != truth.area2(own):
         wrong.append("the areas do not add up")
-    if any(oracle.polygons(p, q) is OVERLAPPING for p, q in combinations(found, 2) if boxes_meet(p, q)):
+    if any(truth.polygons(p, q) is OVERLAPPING for p, q in combinations(found, 2) if boxes_meet(p, q)):
         wrong.append("two parts overlap")
     if not all(holds(own, v) for ring in rings for v in ring):
         wrong.append("a part has a vertex outside")
@@ -525,10 +454,10 @@ def concave_pairs(count: int) -> Iterator[tuple[Polygon, Polygon]]:
 def test_relate_is_right_on_a_thousand_concave_pairs():
     seen: Counter = Counter()
     for a, b in concave_pairs(1000):
-        truth = true_relation(a, b)
-        seen[truth] += 1
-        assert relate(a, b) is truth, f"{truth}\na = {a!r}\nb = {b!r}"
-        assert relate(b, a) is truth, f"{truth}\na = {b!r}\nb = {a!r}"
+        right = oracle.relation(a, b)
+        seen[right] += 1
+        assert relate(a, b) is right, f"{right}\na = {a!r}\nb = {b!r}"
+        assert relate(b, a) is right, f"{right}\na = {b!r}\nb = {a!r}"
     assert min(seen[relation] for relation in Relation) >= 50, seen
 
 
@@ -538,7 +467,7 @@ def test_the_box_in_the_notch_of_the_L_is_apart():
 
 
 @pytest.mark.parametrize(
-    ("x0", "y0", "x1", "y1", "truth"),
+    ("x0", "y0", "x1", "y1", "right"),
     [
         (0.5, 0.5, 1, 1, OVERLAPPING),  # inside, far from the seam
         (0.5, 1.5, 1, 2.5, OVERLAPPING),  # inside, across the seam
@@ -551,11 +480,11 @@ def test_the_box_in_the_notch_of_the_L_is_apart():
         (4, 2, 5, 3, TOUCHING),  # corner to corner
     ],
 )
-def test_a_box_in_and_about_the_L(x0, y0, x1, y1, truth):
+def test_a_box_in_and_about_the_L(x0, y0, x1, y1, right):
     box = Polygon([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
-    assert relate(Polygon(L), box) is truth
-    assert relate(box, Polygon(L)) is truth
-    assert true_relation(Polygon(L), box) is truth
+    assert relate(Polygon(L), box) is right
+    assert relate(box, Polygon(L)) is right
+    assert oracle.relation(Polygon(L), box) is right
 
 
 def test_a_circle_in_the_notch_of_the_L_is_told_to_the_last_bit():
@@ -576,4 +505,4 @@ def test_outlines_of_a_thousand_vertices_are_filled_exactly(ring):
     start = time.process_time()
     found = parts(polygon)
     print(f"{len(polygon.vertices)} vertices, {len(found)} parts: {time.process_time() - start:.2f} s")
-    assert sum(oracle.area2(part.vertices) for part in found) == oracle.area2(polygon.corners)
+    assert sum(truth.area2(part.vertices) for part in found) == truth.area2(polygon.corners)

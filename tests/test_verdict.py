@@ -1,4 +1,4 @@
-"""relate is never wrong: against an independent oracle, under exact transforms, and at the bounds of its filters."""
+"""relate: the oracle it is held against, exact transforms, and the bounds of its filters."""
 
 import functools
 import math
@@ -10,7 +10,7 @@ import pytest
 import shapely
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from pairs import BASIC, KINDS, NotConvex, convex, dress, hull, nudged, pairs, round_ring
+from strategies import BASIC, KINDS, NotConvex, convex, dress, hull, nudged, pairs, round_ring
 
 from satviz import verdict
 from satviz.geometry import InvalidShape, Relation
@@ -31,50 +31,9 @@ APART, TOUCHING, OVERLAPPING = Relation
 U = 2.0**-53
 
 every_method = pytest.mark.parametrize("method", METHODS, ids=lambda method: method.__name__)
-every_kind = pytest.mark.parametrize("kind", KINDS)
 
 
-# -- never wrong -----------------------------------------------------------------------------------
-
-
-@functools.lru_cache(maxsize=2)
-def scenes(seed: int, count: int) -> dict[str, list[tuple[Shape, Shape, Relation]]]:
-    """Adversarial pairs by kind, with what the oracle says."""
-    found: dict[str, list] = {kind: [] for kind in KINDS}
-    for kind, a, b in pairs(seed, count):
-        found[kind].append((a, b, oracle.relation(a, b)))
-    return found
-
-
-def refute(method: Callable[[Shape, Shape], Relation], known: Sequence[tuple[Shape, Shape, Relation]]) -> None:
-    """Fail with scenes to paste back if the method is wrong about any pair, in either order."""
-    wrong = [(a, b, truth, said) for a, b, truth in known for said in {method(a, b), method(b, a)} if said is not truth]
-    if wrong:
-        shown = "\n".join(f"says {said}, is {truth}:\na = {a!r}\nb = {b!r}" for a, b, truth, said in wrong[:3])
-        pytest.fail(f"{method.__name__} is wrong about {len(wrong)} of {len(known)} pairs\n{shown}", pytrace=False)
-
-
-@every_method
-@every_kind
-def test_relate_is_never_wrong(method, kind):
-    refute(method, scenes(2, 120 * len(KINDS))[kind])
-
-
-@pytest.mark.full
-@every_method
-@every_kind
-def test_relate_is_never_wrong_on_a_hundred_thousand_pairs(method, kind):
-    refute(method, scenes(3, 5_000 * len(KINDS))[kind])
-
-
-def test_the_pairs_are_of_all_relations():
-    relations = {kind: {truth for _, _, truth in known} for kind, known in scenes(2, 120 * len(KINDS)).items()}
-    irrational = {"random polygons", "random circles", "circles near tangent", "circle and polygon near tangent"}
-    for kind, seen in relations.items():
-        if kind == "containment":
-            assert seen == {OVERLAPPING}
-        else:
-            assert seen >= ({APART, OVERLAPPING} if kind in irrational else set(Relation)), kind
+# -- the oracle ------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -131,7 +90,7 @@ def test_shapely_agrees_on_ordinary_pairs():
 
 def test_shapely_agrees_on_the_distance():
     for kind, a, b in pairs(6, 1_000):
-        if kind in ("random polygons", "upright boxes", "exact vertex-edge", "near touching, offset 100"):
+        if kind in ("random polygons", "boxes on a grid", "near touching, offset 100"):
             theirs = shapely.distance(shapely.Polygon(a.vertices), shapely.Polygon(b.vertices))
             assert math.sqrt(oracle.distance2(a, b)) == pytest.approx(theirs, rel=1e-9, abs=1e-12)
 

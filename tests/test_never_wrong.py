@@ -1,0 +1,175 @@
+"""No form of the verdict is ever wrong: against rationals, under changes that change nothing, and about each find."""
+
+import functools
+from collections.abc import Sequence
+from itertools import combinations, pairwise
+from random import Random
+
+import numpy as np
+import pytest
+from forms import ENGINES, FORMS, RARE, Form, batch_of
+from oracle import naive, relation
+from strategies import KINDS, drawn, pairs
+
+from satviz import batch
+from satviz.geometry import Relation
+from satviz.shapes import Circle, Polygon, Shape
+from satviz.study import truth
+
+ORDINARY = 20_000
+ALL = "everything at once"
+
+every_form = pytest.mark.parametrize("form", FORMS)
+every_kind = pytest.mark.parametrize("kind", [*KINDS, ALL])
+
+Known = list[tuple[Shape, Shape, Relation]]
+
+
+def shown(known: Sequence[tuple]) -> str:
+    """Pairs to paste back, with what was said and what is."""
+    return "\n".join(f"says {said}, is {right}:\na = {a!r}\nb = {b!r}" for a, b, right, said in known[:3])
+
+
+def refute(form: Form, known: Known) -> None:
+    """Fail if the form is wrong about any of the pairs it is asked."""
+    asked = known[:: form.one_in]
+    answers = form.ask([(a, b) for a, b, _ in asked])
+    assert len(answers) == len(asked)
+    wrong = [
+        (a, b, right, said)
+        for (a, b, right), said in zip(asked, answers, strict=True)
+        if said is not None and not form.fits(said, right)
+    ]
+    if wrong:
+        pytest.fail(f"wrong about {len(wrong)} of {len(asked)} pairs\n{shown(wrong)}", pytrace=False)
+
+
+# -- against rationals -----------------------------------------------------------------------------
+
+
+@functools.cache
+def known(kind: str) -> Known:
+    """Pairs of a kind with what they are; of all kinds, some of each."""
+    if kind == ALL:
+        return [known(name)[i] for i in range(20) for name in KINDS]
+    rng = Random(f"{kind} 1")
+    drawn_pairs = [drawn(rng, kind) for _ in range(ORDINARY // len(KINDS))]
+    return [(a, b, relation(a, b)) for a, b in drawn_pairs]
+
+
+@every_form
+@every_kind
+def test_no_form_is_wrong(form, kind):
+    refute(FORMS[form], known(kind))
+
+
+@pytest.mark.parametrize("form", RARE)
+def test_no_rare_form_is_wrong(form):
+    refute(RARE[form], known(ALL))
+
+
+def test_the_rationals_agree_with_the_most_simple_minded_way():
+    for kind, a, b in pairs(1, 12 * len(KINDS)):
+        if kind not in ("concave", "in the notch"):
+            assert truth.relation(a, b) is truth.relation(b, a) is naive(a, b), (a, b)
+
+
+def test_the_pairs_are_of_all_relations():
+    irrational = {"random polygons", "random circles", "circles near tangent", "circle and polygon near tangent"}
+    irrational.add("map coordinates")
+    for kind in KINDS:
+        seen = {right for _, _, right in known(kind)}
+        assert seen >= ({Relation.APART, Relation.OVERLAPPING} if kind in irrational else set(Relation)), kind
+
+
+# -- the broad phase, whole layouts ----------------------------------------------------------------
+
+
+def tiled(rng: Random) -> list[Shape]:
+    """A floor of tiles beside 0, each side worked out in one of the ways that programs do."""
+    size, rows, start = rng.choice((0.1, 0.3, 1.0, 7.0)), rng.randint(2, 9), rng.randint(-6, 0)
+    tiny = rng.choice((0.0, 0.0, -1e-17, 1e-17, -5e-324, -1e-300, 2.0**-60))
+    way = rng.randrange(3)
+
+    def side(k: int) -> float:
+        if k + start == 0 and tiny:
+            return tiny
+        if way == 0:
+            return (k + start) * size
+        return start * size + (k * size if way == 1 else sum([size] * k))
+
+    sides = [side(k) for k in range(rows + 1)]
+    rings = [
+        [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+        for x0, x1 in pairwise(sides)
+        for y0, y1 in pairwise(sides)
+        if rng.random() < 0.8
+    ]
+    return [Polygon(ring) for ring in rings[: rng.choice((2, 60))]]
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_colliding_pairs_are_those_of_every_pair_of_tiles(engine):
+    rng = Random(1)
+    for _ in range(150):
+        shapes = tiled(rng)
+        batched = batch_of(shapes)
+        every = np.array(list(combinations(range(len(shapes)), 2))).reshape(-1, 2)
+        hits = every[batch.hits(batched, batched, every, engine=engine)].tolist()
+        assert batch.colliding_pairs(batched, engine=engine).tolist() == hits, shapes
+        strips = batch.stream_colliding_pairs(np.array([s.vertices for s in shapes]), engine=engine, strip=7)
+        assert sorted(np.concatenate(list(strips)).tolist()) == hits, shapes
+
+
+# -- each find -------------------------------------------------------------------------------------
+
+L = Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
+T = Polygon([(10, 10), (12, 10), (10, 12)])
+FINDS: dict[str, tuple[Shape, Shape]] = {
+    "a diamond off the corner of a triangle ten million times as large": (
+        Polygon([(0, -10), (10, 0), (0, 10), (-10, 0)]),
+        Polygon([(-(10**9), -5 * 10**8), (-5 * 10**8, -(10**9)), (-9, -9)]),
+    ),
+    "the same, touching": (
+        Polygon([(0, -10), (10, 0), (0, 10), (-10, 0)]),
+        Polygon([(-(10**9), -5 * 10**8), (-5 * 10**8, -(10**9)), (-5, -5)]),
+    ),
+    "tiles a rounding off 0": (
+        Polygon([(-1e-17, 0), (1, 0), (1, 1), (-1e-17, 1)]),
+        Polygon([(1, 0), (2, 0), (2, 1), (1, 1)]),
+    ),
+    "a circle that reaches beyond float64": (
+        Circle((5.8471884068399994e289, 7.79625120912e289), 9.7453140114e289),
+        Circle((-6.741349255733685e307, -8.98846567431158e307), 1.1235582092889474e308),
+    ),
+    "a concave polygon that is touched": (L, Polygon([(2, 4), (3, 3), (4, 5)])),
+}
+
+
+@every_form
+@pytest.mark.parametrize("find", FINDS)
+def test_no_form_is_wrong_about_a_find(form, find):
+    a, b = FINDS[find]
+    dressed = [(p, q) for p in started(a) for q in started(b)]
+    right = relation(a, b)
+    refute(FORMS[form]._replace(one_in=1), [(p, q, right) for p, q in dressed] + [(q, p, right) for p, q in dressed])
+
+
+def started(shape: Shape) -> list[Shape]:
+    """The same shape from every first vertex, either way round."""
+    if isinstance(shape, Circle):
+        return [shape]
+    ring = shape.vertices
+    return [Polygon((ring[i:] + ring[:i])[::way]) for i in range(len(ring)) for way in (1, -1)]
+
+
+def test_a_slice_of_a_split_batch_is_of_shapes():
+    shapes = batch.Polygons([T, L, T], concave="split")
+    assert batch.relate(shapes[1:], shapes[1:]).tolist() == [2, 2]
+    assert batch.relate(shapes[[1, 2, 0]], shapes[::-1]).tolist() == [0, 0, 2]
+    assert batch.relate(shapes[np.array([False, True, False])], shapes).tolist() == [0, 2, 0]
+    assert len(shapes[-2]) == len(shapes[1]) == 1
+    assert batch.relate(shapes[-2], shapes).tolist() == [0, 2, 0]
+    for outside in (3, -4, [0, 3]):
+        with pytest.raises(IndexError):
+            shapes[outside]
