@@ -1,15 +1,20 @@
 """No form of the verdict is ever wrong: against rationals, under changes that change nothing, and about each find."""
 
 import functools
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from fractions import Fraction
 from itertools import combinations, pairwise
 from random import Random
 
 import numpy as np
 import pytest
-from forms import ENGINES, FORMS, RARE, Form, batch_of
+from forms import ENGINES, FORMS, RARE, Form, batch_of, no_miss
+from hypothesis import given, note, settings
+from hypothesis import strategies as st
 from oracle import naive, relation
-from strategies import KINDS, drawn, pairs
+from strategies import KINDS, drawn, pairs, some_pairs
 
 from satviz import batch
 from satviz.geometry import Relation
@@ -80,6 +85,133 @@ def test_the_pairs_are_of_all_relations():
     for kind in KINDS:
         seen = {right for _, _, right in known(kind)}
         assert seen >= ({Relation.APART, Relation.OVERLAPPING} if kind in irrational else set(Relation)), kind
+
+
+# -- changes that change nothing -------------------------------------------------------------------
+
+
+def mapped(shape: Shape, move: Callable[[float, float], tuple[float, float]], grow: float = 1.0) -> Shape:
+    """The shape with its points moved; ValueError where the radius is rounded."""
+    if isinstance(shape, Circle):
+        return Circle(move(*shape.center), exactly(Fraction(shape.radius) * Fraction(grow)))
+    return Polygon([move(x, y) for x, y in shape.vertices])
+
+
+def exactly(value: Fraction) -> float:
+    rounded = float(value)
+    if Fraction(rounded) != value:
+        raise ValueError("rounded")
+    return rounded
+
+
+def scaled(rng: Random, a: Shape, b: Shape) -> tuple[Shape, Shape]:
+    grow = 2.0 ** rng.choice((rng.randint(-8, 8), rng.randint(-800, 800)))
+    times = Fraction(grow)
+    return tuple(mapped(s, lambda *v: tuple(exactly(Fraction(c) * times) for c in v), grow) for s in (a, b))
+
+
+def translated(rng: Random, a: Shape, b: Shape) -> tuple[Shape, Shape]:
+    """By a coordinate of its own, which is often as fine as the others, or by a whole number."""
+    v = a.center if isinstance(a, Circle) else rng.choice(a.vertices)
+    by = [Fraction(-c) for c in v] if rng.random() < 0.7 else [Fraction(rng.randint(-99, 99)) for _ in "xy"]
+    return tuple(mapped(s, lambda *v: tuple(exactly(Fraction(c) + d) for c, d in zip(v, by))) for s in (a, b))
+
+
+def turned(rng: Random, a: Shape, b: Shape) -> tuple[Shape, Shape]:
+    times = rng.randint(1, 3)
+    for _ in range(times):
+        a, b = (mapped(s, lambda x, y: (-y, x)) for s in (a, b))
+    return a, b
+
+
+def mirrored(rng: Random, a: Shape, b: Shape) -> tuple[Shape, Shape]:
+    move = rng.choice((lambda x, y: (-x, y), lambda x, y: (x, -y), lambda x, y: (y, x)))
+    return mapped(a, move), mapped(b, move)
+
+
+def rings_changed(change: Callable[[Random, list], list]) -> Callable[[Random, Shape, Shape], tuple[Shape, Shape]]:
+    def changed(rng: Random, a: Shape, b: Shape) -> tuple[Shape, Shape]:
+        return tuple(s if isinstance(s, Circle) else Polygon(change(rng, list(s.vertices))) for s in (a, b))
+
+    return changed
+
+
+def started_elsewhere(rng: Random, ring: list) -> list:
+    k = rng.randrange(len(ring))
+    return ring[k:] + ring[:k]
+
+
+def with_a_straight_vertex(rng: Random, ring: list) -> list:
+    """One more vertex in the middle of an edge, or a quarter along it."""
+    i = rng.randrange(len(ring))
+    part = rng.choice((Fraction(1, 2), Fraction(1, 4)))
+    middle = [exactly(Fraction(p) + (Fraction(q) - Fraction(p)) * part) for p, q in zip(ring[i - 1], ring[i])]
+    return [*ring[:i], tuple(middle), *ring[i:]]
+
+
+CHANGES: dict[str, Callable[[Random, Shape, Shape], tuple[Shape, Shape]]] = {
+    "swapped": lambda rng, a, b: (b, a),
+    "from another first vertex": rings_changed(started_elsewhere),
+    "the other way round": rings_changed(lambda rng, ring: ring[::-1]),
+    "with a straight vertex": rings_changed(with_a_straight_vertex),
+    "turned by quarters": turned,
+    "mirrored": mirrored,
+    "times a power of two": scaled,
+    "moved exactly": translated,
+}
+
+
+@functools.cache
+def changed(kind: str, count: int) -> list[tuple[str, Shape, Shape, int]]:
+    """(change, a, b, which of the `count` pairs it comes of); first the pairs themselves."""
+    rng = Random(f"{kind} 2")
+    originals = [drawn(rng, kind if kind != ALL else rng.choice(list(KINDS))) for _ in range(count)]
+    found = [("nothing", a, b, i) for i, (a, b) in enumerate(originals)]
+    for name, change in CHANGES.items():
+        for i, (a, b) in enumerate(originals):
+            for _ in range(2):  # a straight vertex is not on every edge, nor every move exact
+                with suppress(ValueError, OverflowError):
+                    found.append((name, *change(rng, a, b), i))
+                    break
+    return found
+
+
+@every_form
+@every_kind
+def test_what_changes_nothing_changes_no_answer(form, kind):
+    ask, fits, one_in = FORMS[form]
+    if fits is no_miss:
+        pytest.skip("it may keep a pair that is apart, and then not")
+    cases = changed(kind, 8 if one_in < 20 else 2)
+    answers = ask([(a, b) for _, a, b, _ in cases])
+    base = {i: answer for (change, *_, i), answer in zip(cases, answers, strict=True) if change == "nothing"}
+    wrong = [
+        (a, b, f"{base[i]} before it was {change}", answer)
+        for (change, a, b, i), answer in zip(cases, answers, strict=True)
+        if answer is not None and answer != base[i]
+    ]
+    if wrong:
+        pytest.fail(shown(wrong), pytrace=False)
+
+
+def test_every_change_is_made_to_pairs_of_every_kind():
+    """Exact moves and straight vertices are not to be had everywhere; of all pairs many are."""
+    made = Counter(change for kind in KINDS for change, *_ in changed(kind, 8))
+    assert min(made.values()) > 2 * len(KINDS), made
+
+
+# -- drawn by hypothesis ---------------------------------------------------------------------------
+
+QUICK = [name for name, form in FORMS.items() if form.one_in < 20]
+
+
+@given(pair=some_pairs(), data=st.data())
+@settings(max_examples=300, deadline=None, database=None)
+def test_no_form_is_wrong_about_a_drawn_pair(pair, data):
+    """hypothesis looks for the smallest pair it is wrong about, in whichever form."""
+    name = data.draw(st.sampled_from(QUICK))
+    note(f"{name}:\na = {pair[0]!r}\nb = {pair[1]!r}")
+    refute(FORMS[name], [(*pair, relation(*pair))])
 
 
 # -- the broad phase, whole layouts ----------------------------------------------------------------

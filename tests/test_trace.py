@@ -7,7 +7,7 @@ from math import hypot
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import KINDS, pairs
+from strategies import CONVEX, pairs
 
 import satviz as sv
 from satviz import axes, telling
@@ -18,7 +18,7 @@ from satviz.verdict import relate_moved
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
 B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])
 L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
-SOME = list(pairs(5, 400, [kind for kind in KINDS if kind != "many corners"]))
+SOME = list(pairs(5, 400, [kind for kind in CONVEX if kind != "many corners"]))
 
 
 def close(value, expected):
