@@ -515,6 +515,13 @@ def test_a_width_that_rounds_down_to_the_cell_hides_no_touch():
         assert np.array_equal(batch.candidate_pairs(bounds), brute(bounds))
 
 
+def test_circles_that_reach_beyond_float64_collide_with_what_they_reach():
+    coins = batch.Circles([(1.7e308, 1e300), (1.6e308, 0), (0, 0), (-1.7e308, 1)], [1e307, 1e308, 1, 2e306])
+    known = scalar(coins)
+    expected = [[i, j] for i in range(4) for j in range(i + 1, 4) if sv.relate(known[i], known[j])]
+    assert expected and batch.colliding_pairs(coins).tolist() == expected
+
+
 def test_candidate_pairs_of_little_or_bad_input():
     assert batch.candidate_pairs(np.empty((0, 4))).shape == (0, 2)
     assert batch.candidate_pairs([[0, 0, 1, 1]]).shape == (0, 2)

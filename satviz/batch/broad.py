@@ -43,7 +43,8 @@ def candidate_blocks(bounds: NDArray[np.float64]) -> Iterator[Pairs]:
     own.  Boxes alike within a factor of four are not split further: few of them fit a
     cell without nearly meeting.
     """
-    # widths beyond float64 are capped: that changes no order
+    # places and widths beyond float64 are capped: that changes no order
+    bounds = np.clip(bounds, -np.finfo(float).max, np.finfo(float).max)
     with np.errstate(over="ignore"):
         size = np.clip(bounds[:, 2:] - bounds[:, :2], np.finfo(float).tiny, np.finfo(float).max)
     everything = np.arange(len(bounds))
