@@ -1,47 +1,82 @@
 """satviz figures | trace | draw | study | notebook | scenes | bench: what the command line understands."""
 
 import argparse
-import sys
-from collections.abc import Sequence
+import reprlib
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NoReturn
 
 from . import __version__, commands
-from .commands import Refused
+from .commands import Failed, Refused
 from .geometry import InvalidScene
+from .terminal import heeding_interrupts, interrupted, open_streams, out, say
 
 THEMES = ("light", "dark")
 FIGURE_FORMATS = ("svg", "png", "pdf")
 DRAW_FORMATS = (*FIGURE_FORMATS, "gif", "html")
 
 
+def _whole(least: int, most: int) -> Callable[[str], int]:
+    """The number itself, if it is a whole one from `least` to `most`."""
+
+    def number(text: str) -> int:
+        try:
+            value = int(text)
+        except ValueError:
+            value = None
+        if value is None or not least <= value <= most:
+            raise argparse.ArgumentTypeError(f"{reprlib.repr(text)} is not a whole number from {least} to {most}")
+        return value
+
+    return number
+
+
+SEED = _whole(0, 2**63 - 1)
+
+
 class Parser(argparse.ArgumentParser):
     """Says what is wrong in one line, as every command does."""
 
     def error(self, message: str) -> NoReturn:
-        print(f"satviz: {message} (try {self.prog} --help)", file=sys.stderr)
+        say(f"{message} (try {self.prog} --help)")
         raise SystemExit(2)
+
+    def _print_message(self, message: str, file: object = None) -> None:
+        out(message.rstrip("\n"))  # the help and the version, which argparse would lose where they cannot be written
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run a command; 0 done, 2 bad input, 130 interrupted."""
-    for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
-            stream.reconfigure(errors="backslashreplace")  # a label that the terminal cannot show is no reason to fail
-    args = _parser().parse_args(argv)
-    try:
-        return args.run(args)
-    except (Refused, InvalidScene, FileExistsError) as error:
-        message = str(error)
-    except OSError as error:
-        if isinstance(error, BrokenPipeError):
-            sys.stderr.close()  # the reader has gone: nothing left to say
-            return 0
-        message = f"{error.filename or 'file'}: {error.strerror or error}"
-    except KeyboardInterrupt:
-        print("satviz: interrupted; files already named are whole", file=sys.stderr)
-        return 130
-    print(f"satviz: {message}", file=sys.stderr)
+    """Run a command; 0 done, 1 failed, 2 bad input, 130 interrupted."""
+    open_streams()
+    with heeding_interrupts(to_the_end=argv is None):
+        try:
+            args = _parser().parse_args(argv)
+            code = args.run(args)
+        except BaseException as error:
+            # whatever an interrupt was turned into on its way
+            code = 130 if interrupted() or isinstance(error, KeyboardInterrupt) else _failed(error)
+        if code == 130 or interrupted():
+            say("interrupted; files already named are whole")
+            return 130
+    return code
+
+
+def _failed(error: BaseException) -> int:
+    """Say what went wrong and give the exit code; what is a fault of satviz itself is raised again."""
+    if isinstance(error, BrokenPipeError):
+        return 0  # the reader has gone: nothing left to say
+    if isinstance(error, MemoryError):
+        say("not enough memory: ask for less at once")
+        return 1
+    if isinstance(error, Failed):
+        say(str(error))
+        return 1
+    if isinstance(error, (Refused, InvalidScene)):
+        say(str(error))
+    elif isinstance(error, OSError):
+        say(f"{error.filename}: {error.strerror}" if error.filename else str(error))
+    else:
+        raise error
     return 2
 
 
@@ -80,12 +115,16 @@ def _parser() -> argparse.ArgumentParser:
 
     bench = command.add_parser("bench", help="time satviz beside its peers and count the wrong answers of each")
     bench.add_argument(
-        "--pairs", type=_count, default=100_000, metavar="N", help="pairs a workload, boxes a layout (default: 100000)"
+        "--pairs",
+        type=_whole(1, 10**8),
+        default=100_000,
+        metavar="N",
+        help="pairs a workload, boxes a layout (default: 100000)",
     )
     bench.add_argument(
-        "--rounds", type=_count, default=9, metavar="N", help="rounds to take the median of (default: 9)"
+        "--rounds", type=_whole(1, 10**6), default=9, metavar="N", help="rounds to take the median of (default: 9)"
     )
-    bench.add_argument("--seed", type=int, default=1, metavar="N", help="of the random pairs (default: 1)")
+    bench.add_argument("--seed", type=SEED, default=1, metavar="N", help="of the random pairs (default: 1)")
     bench.add_argument("--json", action="store_true", help="print the figures, the machine and the versions as JSON")
     bench.set_defaults(run=commands.bench)
 
@@ -94,7 +133,7 @@ def _parser() -> argparse.ArgumentParser:
     study.add_argument(
         "--out", type=Path, default=Path("satviz-study"), metavar="DIR", help="the folder (default: satviz-study)"
     )
-    study.add_argument("--seed", type=_seed, default=1, metavar="N", help="of all that is random (default: 1)")
+    study.add_argument("--seed", type=SEED, default=1, metavar="N", help="of all that is random (default: 1)")
     study.add_argument(
         "--executor", metavar="WHERE", help="threads, processes, or a dask scheduler's address, for what is not timed"
     )
@@ -105,20 +144,6 @@ def _parser() -> argparse.ArgumentParser:
     scenes.add_argument("--failing", action="store_true", help="those where shortcuts fail, and what is right")
     scenes.set_defaults(run=commands.scenes)
     return parser
-
-
-def _count(text: str) -> int:
-    value = int(text)
-    if value < 1:
-        raise argparse.ArgumentTypeError(f"{text} is not a positive number")
-    return value
-
-
-def _seed(text: str) -> int:
-    value = int(text)
-    if value < 0:
-        raise argparse.ArgumentTypeError(f"{text} is negative")
-    return value
 
 
 def _scene(parser: argparse.ArgumentParser) -> None:

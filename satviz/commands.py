@@ -1,14 +1,22 @@
 """What each command does: a thin call of the public face."""
 
 import argparse
+import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 
+from . import disk
+from .terminal import interrupts_ignored, out, out_json, say, stop_if_interrupted, visible
+
 
 class Refused(Exception):
     """Bad input: one clear line and exit code 2."""
+
+
+class Failed(Exception):
+    """The work itself failed: one clear line and exit code 1."""
 
 
 def _load(args: argparse.Namespace):
@@ -86,48 +94,61 @@ def _page(trace, title: str) -> bytes:
 
 
 def notebook(args: argparse.Namespace) -> int:
-    import shutil
-    import subprocess
     from importlib.util import find_spec
 
     here = Path(__file__).parent
     shipped = sorted((here / "notebooks").glob("*.ipynb")) or sorted((here.parent / "notebooks").glob("*.ipynb"))
-    args.out.mkdir(parents=True, exist_ok=True)
+    disk.folder(args.out)
     for source in shipped:
-        copy = args.out / source.name
-        if copy.exists() and copy.read_bytes() != source.read_bytes() and not args.force:
-            print(f"satviz: {copy} was changed and is left alone (overwrite it with --force)", file=sys.stderr)
+        copy, data = args.out / source.name, source.read_bytes()
+        if os.path.lexists(copy) and not _holds(copy, data) and not args.force:
+            say(f"{copy} was changed and is left alone (overwrite it with --force)")
         else:
-            shutil.copyfile(source, copy)
-    print(f"{len(shipped)} notebooks in {args.out}")
+            disk.write(copy, data, force=True)
+        stop_if_interrupted()
+    out(f"{len(shipped)} notebooks in {visible(str(args.out))}")
     if args.no_open:
         return 0
     if not find_spec("jupyterlab") or not find_spec("anywidget"):
         raise Refused('JupyterLab and anywidget are not installed: python -m pip install "satviz[jupyter]"')
-    return subprocess.run([sys.executable, "-m", "jupyterlab", str(args.out)]).returncode
+    return _jupyterlab(args.out)
+
+
+def _holds(path: Path, data: bytes) -> bool:
+    return path.is_file() and not path.is_symlink() and path.read_bytes() == data
+
+
+def _jupyterlab(folder: Path) -> int:
+    """Run it until it ends; an interrupt is its own matter, as it asks whether to stop."""
+    import subprocess
+
+    with (
+        subprocess.Popen([sys.executable, "-m", "jupyterlab", str(folder.absolute())]) as process,
+        interrupts_ignored(),
+    ):
+        return process.wait()
 
 
 def _write(args: argparse.Namespace, jobs: Sequence[tuple[str, str, Callable]]) -> int:
     """Draw and write each job (stem, form, picture maker); the dark theme's files say so in their names."""
     from .pictures import THEMES as LOOKS
-    from .render.files import animate, check, encode, write
+    from .render.files import animate, encode
 
-    if args.out.exists() and not args.out.is_dir():
-        raise Refused(f"--out {args.out} is a file, not a folder")
     theme = LOOKS[args.theme]
     suffix = "" if theme.name == "light" else f"-{theme.name}"
     # a page has both themes
     paths = [args.out / f"{stem}{suffix if form != 'html' else ''}.{form}" for stem, form, _ in jobs]
+    disk.folder(args.out)
     for path in paths:
-        check(path, force=args.force)
+        disk.check(path, force=args.force)
     for path, (stem, form, make) in zip(_progress(paths), jobs, strict=True):
         made = make()
         if form == "html":
             data = made
         else:
             data = animate(made, theme) if form == "gif" else encode(made, form, theme, stem=stem + suffix)
-        write(path, data, force=args.force)
-    print(f"{len(paths)} {'file' if len(paths) == 1 else 'files'} in {args.out}")
+        disk.write(path, data, force=args.force)
+    out(f"{len(paths)} {'file' if len(paths) == 1 else 'files'} in {visible(str(args.out))}")
     return 0
 
 
@@ -139,11 +160,12 @@ def _progress(paths: Sequence[Path]) -> Iterator[Path]:
         for path in bar:
             bar.set_postfix_str(path.name)
             yield path
+            stop_if_interrupted()
 
 
 def trace(args: argparse.Namespace) -> int:
     trace = _load(args).record()
-    print(trace.to_json(indent=1) if args.json else trace)
+    out_json(trace.to_json(indent=1)) if args.json else out(str(trace))
     return 0
 
 
@@ -155,22 +177,28 @@ def bench(args: argparse.Namespace) -> int:
     from .study.bench import bench, bench_broad, broad_table, table, when_numba_pays
     from .study.machine import machine, missing
 
-    shown = {"unit": "method", "disable": None, "leave": False}
-    rows = list(tqdm(bench(args.pairs, args.rounds, args.seed), **shown))
+    def done(found: Iterator) -> list:
+        rows = []
+        for row in tqdm(found, unit="method", disable=None, leave=False, file=sys.stderr):
+            rows.append(row)
+            stop_if_interrupted()
+        return rows
+
+    rows = done(bench(args.pairs, args.rounds, args.seed))
     sizes = tuple(args.pairs // k for k in (100, 10, 1) if args.pairs // k > 1)
-    broad = list(tqdm(bench_broad(sizes, args.rounds, args.seed), **shown)) if len(sizes) > 1 else []
+    broad = done(bench_broad(sizes, args.rounds, args.seed)) if len(sizes) > 1 else []
     if args.json:
         figures = {"narrow": [row._asdict() for row in rows], "broad": [row._asdict() for row in broad]}
-        print(json.dumps({"machine": machine(), "missing": missing(), "pairs": args.pairs, **figures}, indent=1))
+        out_json(json.dumps({"machine": machine(), "missing": missing(), "pairs": args.pairs, **figures}, indent=1))
         return 0
-    print(table(rows))
+    out(table(rows))
     if broad:
-        print(broad_table(broad), end="\n\n")
+        out(f"{broad_table(broad)}\n")
     if "numba" not in missing():
-        print(when_numba_pays(rows))
+        out(when_numba_pays(rows))
     if missing():
-        print(f"not installed, so left out: {', '.join(missing())}")
-    print(", ".join(f"{name} {what}" for name, what in machine().items()))
+        out(f"not installed, so left out: {', '.join(missing())}")
+    out(", ".join(f"{name} {what}" for name, what in machine().items()))
     return 0
 
 
@@ -178,10 +206,8 @@ def study(args: argparse.Namespace) -> int:
     from tqdm import tqdm
 
     from .study.cells import Settings
-    from .study.run import executor, study
+    from .study.run import CellsFailed, executor, study
 
-    if args.out.exists() and not args.out.is_dir():
-        raise Refused(f"--out {args.out} is a file, not a folder")
     with ExitStack() as stack:
         try:
             pool = stack.enter_context(executor(args.executor))
@@ -193,9 +219,13 @@ def study(args: argparse.Namespace) -> int:
             bar.total = total
             bar.set_postfix_str(name, refresh=False)
             bar.update(done - bar.n)
+            stop_if_interrupted()
 
-        files = study(Settings(args.quick, args.seed), args.out, executor=pool, progress=progress, force=args.force)
-    print(f"{len(files)} files in {args.out}: begin with {files[-1]}")
+        try:
+            files = study(Settings(args.quick, args.seed), args.out, executor=pool, progress=progress, force=args.force)
+        except CellsFailed as error:
+            raise Failed(str(error)) from None
+    out(f"{len(files)} files in {visible(str(args.out))}: begin with {visible(str(files[-1]))}")
     return 0
 
 
@@ -203,11 +233,11 @@ def scenes(args: argparse.Namespace) -> int:
     if args.failing:
         from .failing import ROWS
 
-        print(*ROWS, sep="\n")
+        out("\n".join(map(str, ROWS)))
         return 0
     from .scenes import SCENES
 
     width = max(len(scene.name) for scene in SCENES)
     for scene in SCENES:
-        print(f"{scene.name:{width}}  {scene.title}")
+        out(f"{scene.name:{width}}  {scene.title}")
     return 0

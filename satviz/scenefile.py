@@ -4,6 +4,7 @@ import json
 import re
 from dataclasses import dataclass
 from pathlib import Path
+from stat import S_ISREG
 from typing import Any
 
 from .axes import NAMED
@@ -78,6 +79,8 @@ def load(path: str | Path) -> Scene:
     """The scene of a file; InvalidScene if it cannot be read or is not a scene."""
     path = Path(path)
     try:
+        if not S_ISREG(path.stat().st_mode):  # a pipe would wait for its writer, a device may never end
+            raise InvalidScene(f"cannot read {path}: not a regular file")
         with path.open("rb") as file:
             raw = file.read(MAX_CHARS + 1)
         text = raw.decode("utf-8-sig")

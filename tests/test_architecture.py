@@ -1,6 +1,7 @@
 """The floors: imports only go down, and importing satviz loads the standard library only."""
 
 import ast
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -10,6 +11,8 @@ import satviz
 ROOT = Path(satviz.__file__).parent
 # from the bottom up; a folder is one floor
 FLOORS = [
+    "disk",
+    "terminal",
     "geometry",
     "exact",
     "outline",
@@ -99,6 +102,12 @@ def test_pictures_know_no_pen_and_only_render_and_the_charts_know_artists():
             assert "ft2font" in text or "matplotlib." not in text.replace("matplotlib.get_data_path", ""), path
         elif floor_of(path) not in ("render", "study"):
             assert "import matplotlib" not in text and "from matplotlib" not in text, path
+
+
+def test_one_place_writes_files():
+    ways = re.compile(r"write_text|write_bytes|copyfile|copy2|shutil|np\.save|os\.replace|open\([^)]*[\"'][wxa]")
+    writing = {path.name for path in files() if ways.search(path.read_text(encoding="utf-8"))}
+    assert writing == {"disk.py"}
 
 
 def run(code):

@@ -1,11 +1,14 @@
 """The command line, run as a user runs it."""
 
+import errno
 import json
 import os
 import signal
 import subprocess
 import sys
 import time
+from contextlib import suppress
+from pathlib import Path
 
 import pytest
 
@@ -148,6 +151,166 @@ def test_an_output_folder_that_is_a_file_is_refused(tmp_path, capsys):
     (tmp_path / "f").write_text("")
     assert main(["figures", "--only", "1", "--out", str(tmp_path / "f")]) == 2
     assert capsys.readouterr().err.count("\n") == 1
+
+
+SHIPPED = sorted(p.name for p in (Path(__file__).parent.parent / "notebooks").glob("*.ipynb"))
+
+
+def test_notebooks_are_copied_and_changed_ones_left_alone(tmp_path, capsys):
+    args = ["notebook", "--no-open", str(tmp_path / "new" / "nb")]
+    assert main(args) == 0 and capsys.readouterr() == (f"7 notebooks in {args[2]}\n", "")
+    out = tmp_path / "new" / "nb"
+    assert sorted(p.name for p in out.iterdir()) == SHIPPED
+    whole = (out / SHIPPED[0]).read_bytes()
+    (out / SHIPPED[0]).write_text("my own")
+    assert main(args) == 0 and "was changed and is left alone" in capsys.readouterr().err
+    assert (out / SHIPPED[0]).read_text() == "my own"
+    assert main([*args, "--force"]) == 0 and (out / SHIPPED[0]).read_bytes() == whole
+
+
+def test_a_full_disk_leaves_no_half_notebook(tmp_path, capsys, monkeypatch):
+    def full(*_):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("os.replace", full)
+    assert main(["notebook", "--no-open", str(tmp_path)]) == 2
+    assert capsys.readouterr().err == f"satviz: {tmp_path / SHIPPED[0]}: No space left on device\n"
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_notebooks_are_not_written_through_links(tmp_path, capsys):
+    out, mine = tmp_path / "nb", tmp_path / "mine"
+    out.mkdir()
+    mine.write_text("mine")
+    (out / SHIPPED[0]).symlink_to(mine)
+    (out / SHIPPED[1]).symlink_to(tmp_path / "nowhere")
+    assert main(["notebook", "--no-open", str(out)]) == 0 and capsys.readouterr().err.count("left alone") == 2
+    assert main(["notebook", "--no-open", "--force", str(out)]) == 0
+    assert mine.read_text() == "mine" and not (tmp_path / "nowhere").exists()
+    assert not any(p.is_symlink() for p in out.iterdir())
+
+
+def test_copying_notebooks_loads_no_matplotlib(tmp_path):
+    code = f"import sys; from satviz.cli import main; main(['notebook', '--no-open', {str(tmp_path)!r}])\n"
+    done = subprocess.run([sys.executable, "-c", code + "print('matplotlib' in sys.modules)"], capture_output=True)
+    assert done.stdout.endswith(b"False\n")
+
+
+@pytest.mark.parametrize("closed", ["<&-", ">&-", "2>&-", "<&- >&- 2>&-"])
+@pytest.mark.parametrize(
+    ("args", "code"), [("figures --only 1 --out {}", 0), ("trace aabb", 0), ("trace nosuch", 2), ("trace --nosuch", 2)]
+)
+def test_closed_streams_are_no_reason_to_fail(tmp_path, args, code, closed):
+    line = f"exec {sys.executable} -m satviz {args.format(tmp_path)} {closed}"
+    done = subprocess.run(["sh", "-c", line], capture_output=True, text=True)
+    assert done.returncode == code and "Traceback" not in done.stderr and done.stderr.count("\n") <= 1
+    for path in tmp_path.iterdir():  # no line of ours got into the first file that was opened
+        assert path.read_text().startswith("<?xml") and "satviz:" not in path.read_text()
+
+
+FULL = Path("/dev/full")
+
+
+@pytest.mark.skipif(not FULL.exists(), reason="only Linux has it")
+@pytest.mark.parametrize("args", ["trace aabb", "trace aabb --json", "scenes", "--help", "--version", "draw --help"])
+def test_output_that_cannot_be_written_is_told_in_one_line(args):
+    with FULL.open("w") as full:
+        command = [sys.executable, "-m", "satviz", *args.split()]
+        done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True)
+    assert (done.returncode, done.stderr) == (2, "satviz: standard output: No space left on device\n")
+
+
+@pytest.mark.skipif(not FULL.exists(), reason="only Linux has it")
+def test_messages_that_cannot_be_written_change_nothing(tmp_path):
+    with FULL.open("w") as full:
+        command = [sys.executable, "-m", "satviz", "trace", "nosuch"]
+        assert subprocess.run(command, stdout=subprocess.PIPE, stderr=full).returncode == 2
+
+
+@pytest.mark.parametrize(
+    "args",
+    [
+        ["bench", "--seed", "-1"],
+        ["bench", "--seed", "x"],
+        ["bench", "--pairs", "9" * 20],
+        ["bench", "--pairs", "9" * 5000],
+        ["bench", "--pairs", "0"],
+        ["bench", "--pairs", ""],
+        ["bench", "--rounds", "1e3"],
+        ["study", "--seed", "-1"],
+        ["study", "--seed", "9" * 5000],
+    ],
+    ids=lambda args: " ".join(args)[:30],
+)
+def test_a_number_out_of_range_is_refused_in_one_line(args, capsys):
+    with pytest.raises(SystemExit) as stop:
+        main(args)
+    out, err = capsys.readouterr()
+    assert stop.value.code == 2 and not out and len(err) < 200 and err.count("\n") == 1
+    assert f"argument {args[1]}" in err and "is not a whole number from" in err
+
+
+def test_too_little_memory_is_told_in_one_line(capsys, monkeypatch):
+    def none(*_):
+        raise MemoryError
+
+    monkeypatch.setattr("satviz.study.bench.bench", none)
+    assert main(["bench"]) == 1 and capsys.readouterr().err == "satviz: not enough memory: ask for less at once\n"
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes there")
+def test_what_is_no_regular_file_is_no_scene(tmp_path, capsys):
+    os.mkfifo(tmp_path / "fifo")
+    (tmp_path / "link").symlink_to(tmp_path / "fifo")
+    for path in (tmp_path / "fifo", tmp_path / "link", tmp_path, Path("/dev/zero"), Path("/dev/null")):
+        for command in ("trace", "draw"):
+            assert main([command, str(path)]) == 2
+            assert capsys.readouterr().err == f"satviz: cannot read {path}: not a regular file\n"
+
+
+ESCAPES = "a\x1b[31m\x07\r\x9b\u202e\nb"
+
+
+def test_no_name_steers_the_terminal(tmp_path, capsys):
+    held = tmp_path / f"{ESCAPES}.json"
+    held.write_text("{")
+    out = tmp_path / ESCAPES
+    out.mkdir()
+    (out / "01-aabb-apart.svg").write_text("mine")
+    for args in (
+        ["trace", str(held)],
+        ["trace", f"./{ESCAPES}"],
+        ["trace", ESCAPES],
+        ["trace", "aabb", f"--{ESCAPES}"],
+        ["trace", "aabb", "--axes", ESCAPES],
+        ["figures", "--only", ESCAPES],
+        ["figures", "--only", "1", "--out", str(out)],
+        ["figures", "--only", "1", "--out", str(held)],
+        ["figures", "--only", "2", "--out", str(out)],
+        ["notebook", "--no-open", str(out)],
+        ["study", "--out", str(held)],
+        ["study", "--executor", ESCAPES],
+    ):
+        with suppress(SystemExit):
+            main(args)
+        told = "".join(capsys.readouterr())
+        assert told.count("\n") == 1 and told[:-1].isprintable() and "x1b" in told, args
+
+
+def test_file_names_that_are_no_text_are_told(tmp_path):
+    done = run("trace", os.fsdecode(os.fsencode(tmp_path) + b"/\xff.json"))
+    assert done.returncode == 2 and "\\udcff.json: No such file" in done.stderr and done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("coding", [{"PYTHONIOENCODING": "ascii"}, {"LC_ALL": "C", "PYTHONUTF8": "0"}, {}])
+def test_json_stays_json_whatever_the_stream_can_hold(tmp_path, coding):
+    labels = ["é", "日\x9b\u2028", "😀"]
+    data = {**GOOD, "a": {**GOOD["a"], "labels": labels}}
+    env = {key: value for key, value in os.environ.items() if key[:2] != "LC"} | {"PYTHONCOERCECLOCALE": "0"}
+    command = [sys.executable, "-m", "satviz", "trace", scene_file(tmp_path, data), "--json"]
+    done = subprocess.run(command, capture_output=True, env={**env, "LC_ALL": "C.UTF-8", **coding})
+    text = done.stdout.decode("ascii" if coding else "utf-8")
+    assert json.loads(text)["a"]["labels"] == labels and ("日" in text) is not bool(coding) and "\x9b" not in text
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals work differently there")

@@ -1,5 +1,6 @@
 """The matplotlib pen and the files it makes."""
 
+import errno
 import io
 import re
 import subprocess
@@ -16,15 +17,17 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 import satviz as sv
+from satviz.disk import MADE_BY, check, write
 from satviz.pictures import DARK, LIGHT, Stage, Step, Theme
 from satviz.pictures.figures import FIGURES
-from satviz.render.files import MADE_BY, animate, check, encode, write
+from satviz.render.files import animate, encode
 from satviz.render.pen import Pen
 from satviz.scenes import box
 
 COMMITTED = Path(__file__).parent.parent / "figures"
 TRIANGLES = sv.scene("triangles").record()
 SVG = "{http://www.w3.org/2000/svg}"
+OURS = b"<svg><dc:title>made by satviz"
 
 
 def axes_of(size=(6.9, 5.3)):
@@ -181,6 +184,52 @@ def test_an_interrupted_write_leaves_nothing(tmp_path, monkeypatch):
     with pytest.raises(KeyboardInterrupt):
         write(tmp_path / "a.svg", b"data")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_full_disk_leaves_the_old_file_whole_and_names_the_file(tmp_path, monkeypatch):
+    path = tmp_path / "a.svg"
+    write(path, OURS)
+
+    def full(*_):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("os.replace", full)
+    with pytest.raises(OSError, match="No space left") as failed:
+        write(path, OURS * 2)
+    assert failed.value.filename == str(path) and path.read_bytes() == OURS and list(tmp_path.iterdir()) == [path]
+
+
+@pytest.mark.parametrize("there", ["a stranger's file", "our file", "nothing"])
+def test_nothing_is_written_through_a_link(tmp_path, there):
+    target, path = tmp_path / "elsewhere.svg", tmp_path / "a.svg"
+    if there != "nothing":
+        target.write_bytes(OURS if there == "our file" else b"mine")
+    path.symlink_to(target)
+    before = target.read_bytes() if target.exists() else None
+    with pytest.raises(FileExistsError, match="is a link"):
+        write(path, OURS)
+    write(path, OURS, force=True)
+    assert not path.is_symlink() and path.read_bytes() == OURS
+    assert (target.read_bytes() if target.exists() else None) == before
+
+
+@pytest.mark.parametrize("end", ["svg", "png", "pdf", "gif", "html", "csv", "json", "md", "txt"])
+def test_a_file_that_only_speaks_of_satviz_is_somebody_elses(tmp_path, end):
+    path = tmp_path / f"notes.{end}"
+    path.write_text("my notes on files made by satviz, and more\n")
+    with pytest.raises(FileExistsError, match="--force"):
+        write(path, b"")
+
+
+def test_a_folder_is_no_file_even_with_force(tmp_path):
+    (tmp_path / "a.svg").mkdir()
+    with pytest.raises(FileExistsError, match="is a folder"):
+        write(tmp_path / "a.svg", OURS, force=True)
+    (tmp_path / "file").write_text("")
+    (tmp_path / "link").symlink_to(tmp_path / "nowhere")
+    for name in ("file", "link"):
+        with pytest.raises(NotADirectoryError, match="not a folder"):
+            write(tmp_path / name / "a.svg", OURS)
 
 
 def words_and_numbers(svg):

@@ -2,7 +2,9 @@
 
 import csv
 import json
+import os
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from contextlib import nullcontext
 from pathlib import Path
 from types import SimpleNamespace
 from xml.etree import ElementTree
@@ -12,11 +14,10 @@ import numpy as np
 import pytest
 
 from satviz import Circle, Polygon, relate
-from satviz.batch.chunks import ChunkFailed
 from satviz.cli import main
 from satviz.pictures import THEMES
 from satviz.study import accuracy, plain, run, stability, truth
-from satviz.study.cells import Cell, Settings, results
+from satviz.study.cells import Cell, Failure, Settings, results
 from satviz.study.chart import Chart, axes, suffix, wilson
 from satviz.study.hard import WAYS
 from satviz.study.methods import methods, outlines, shapes
@@ -202,10 +203,44 @@ def broken(n):
     raise ValueError(f"no {n}")
 
 
-def test_a_failing_cell_says_so(tmp_path):
-    with pytest.raises(ChunkFailed, match="ValueError: no 3") as failed:
-        list(results([Cell("bad", broken, (3,))], tmp_path, None))
-    assert failed.value.__notes__ == ["in the cell bad"]
+def die(n):
+    os._exit(n)
+
+
+def nan():
+    return float("nan")
+
+
+@pytest.mark.parametrize("pool", [None, ThreadPoolExecutor, ProcessPoolExecutor])
+def test_a_failing_cell_is_named_and_the_others_are_done(tmp_path, pool):
+    cells = [Cell("bad", broken, (3,)), Cell("endless", nan, ()), Cell("good", count, (str(tmp_path / "log"), 1))]
+    cells.append(Cell("late", broken, (4,), timed=True))
+    with pool(2) if pool else nullcontext() as executor:
+        found = {cell.name: result for cell, result in results(cells, tmp_path / "cells", executor)}
+    assert found.pop("good") == {"value": 1} and all(isinstance(failure, Failure) for failure in found.values())
+    assert found["bad"].why == "ValueError: no 3" and found["late"].why == "ValueError: no 4"
+    assert "not JSON compliant" in found["endless"].why
+    assert [path.name[:5] for path in (tmp_path / "cells").iterdir()] == ["good-"]  # a failure is tried again
+
+
+def test_when_a_worker_dies_the_cells_left_to_it_have_failed_and_what_is_timed_is_done(tmp_path):
+    cells = [Cell(f"dead-{i}", die, (1,)) for i in range(20)]
+    cells.append(Cell("good", count, (str(tmp_path / "log"), 1), timed=True))
+    with ProcessPoolExecutor(2) as executor:
+        found = {cell.name: result for cell, result in results(cells, tmp_path / "cells", executor)}
+    assert found.pop("good") == {"value": 1}
+    assert len(found) == 20 and all("terminated abruptly" in failure.why for failure in found.values())
+
+
+def test_the_command_does_the_other_sections_and_ends_with_1_if_a_cell_failed(tmp_path, capsys, monkeypatch):
+    bad = SimpleNamespace(cells=lambda settings: [Cell("bad\x1b", broken, (3,))], charts=lambda found: found["bad"])
+    monkeypatch.setattr(run, "SECTIONS", (bad, small(2)))
+    assert main(["study", "--quick", "--out", str(tmp_path)]) == 1
+    out, err = capsys.readouterr()
+    assert (
+        err == f"satviz: 1 cell failed, so charts are missing in {tmp_path}: bad\\x1b (ValueError: no 3)\n" and not out
+    )
+    assert (tmp_path / "gaps.csv").exists() and "1 cell failed" in (tmp_path / "study.md").read_text()
 
 
 def test_a_chart_is_saved_with_its_numbers_beside_it(tmp_path, accurate):
@@ -223,6 +258,29 @@ def test_a_chart_is_saved_with_its_numbers_beside_it(tmp_path, accurate):
     before = contents(tmp_path)
     study(QUICK._replace(quick=False), tmp_path, sections=[section])
     assert contents(tmp_path) == before
+
+
+@pytest.mark.parametrize("end", ["svg", "json", "csv", "md"])
+def test_a_study_leaves_the_files_of_others_alone_and_knows_its_own(tmp_path, end):
+    files = study(QUICK, tmp_path, sections=[small(1)])
+    (path,) = [path for path in files if path.suffix == f".{end}" and "dark" not in path.name]
+    study(QUICK, tmp_path, sections=[small(1)])  # its own files it may write again
+    path.write_text("name,phone\nmade by satviz,12\n")
+    with pytest.raises(FileExistsError, match=path.name):
+        study(QUICK, tmp_path, sections=[small(1)])
+    assert path.read_text() == "name,phone\nmade by satviz,12\n"
+    study(QUICK, tmp_path, sections=[small(1)], force=True)
+    assert "phone" not in path.read_text()
+
+
+def test_a_study_leaves_somebody_elses_cell_alone(tmp_path):
+    study(QUICK, tmp_path, sections=[small(1)])
+    (cell,) = (tmp_path / "cells").iterdir()
+    cell.write_text("{}")
+    with pytest.raises(FileExistsError, match=cell.name):
+        study(QUICK, tmp_path, sections=[small(1)])
+    study(QUICK, tmp_path, sections=[small(1)], force=True)
+    assert "made by satviz" in cell.read_text()
 
 
 def test_gjk_agrees_with_the_engine_where_nothing_is_close():

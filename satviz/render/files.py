@@ -1,17 +1,10 @@
-"""Pictures as files: SVG, PNG, PDF and GIF; the same bytes each time, each with its words inside.
-
-A file is written beside its place and renamed, so an interrupted run leaves no half
-file.  Every file carries MADE_BY; one that does not is somebody else's and is not
-overwritten unless asked.
-"""
+"""Pictures as the bytes of files: SVG, PNG, PDF and GIF; the same each time, each with its words inside."""
 
 import io
-import os
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from pathlib import Path
-from threading import RLock, get_ident
+from threading import RLock
 from xml.sax.saxutils import escape
 
 import matplotlib
@@ -19,10 +12,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from .. import telling
+from ..disk import MADE_BY
 from ..pictures import LIGHT, Picture, Theme
 from .pen import Pen
 
-MADE_BY = "made by satviz"
 MAKER = f"{MADE_BY} with matplotlib {matplotlib.__version__}"
 FORMATS = ("svg", "png", "pdf")
 DPI = 144  # of PNG and GIF: twice the canvas's points
@@ -135,37 +128,3 @@ def animate(pictures: Sequence[Picture], theme: Theme = LIGHT) -> bytes:
         out, "GIF", save_all=True, append_images=frames[1:], duration=times, loop=0, comment=comment, optimize=False
     )
     return out.getvalue()
-
-
-def check(path: Path, *, force: bool = False) -> None:
-    """FileExistsError for a file that satviz did not make, unless forced."""
-    if path.exists() and not force and not (path.is_file() and _ours(path)):
-        raise FileExistsError(f"{path} was not made by satviz: choose another folder, or overwrite it with --force")
-
-
-def _ours(path: Path) -> bool:
-    """Does the file's own field for its maker name us?"""
-    with path.open("rb") as file:
-        head = file.read(1 << 16)
-        file.seek(max(0, os.fstat(file.fileno()).st_size - (1 << 16)))
-        tail = file.read(1 << 16)
-    mark = {
-        ".svg": b"<dc:title>" + MADE_BY.encode(),
-        ".png": b"Software\0" + MADE_BY.encode(),
-        ".pdf": b"/Creator (" + MADE_BY.encode(),
-    }.get(path.suffix, MADE_BY.encode())
-    return mark in head or mark in tail
-
-
-def write(path: Path, data: bytes, *, force: bool = False) -> None:
-    """Put the bytes there in one go, or not at all; FileExistsError as `check`."""
-    check(path, force=force)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    beside = path.with_name(f".{path.name}.{os.getpid()}-{get_ident()}.part")
-    try:
-        with beside.open("xb") as file:
-            file.write(data)
-        os.replace(beside, path)
-    except BaseException:
-        beside.unlink(missing_ok=True)
-        raise

@@ -7,10 +7,11 @@ from hashlib import sha256
 from html import escape
 
 from .. import telling
+from ..disk import MADE_BY
 from ..pictures import picture
 from ..pictures.show import both_shows
 from ..trace import Trace
-from .files import MADE_BY, inline_svg
+from .files import inline_svg
 from .script import javascript, stylesheet
 
 START = """

@@ -7,8 +7,9 @@ process, after all others, so that nothing runs beside them.
 """
 
 import json
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Executor
+from concurrent.futures import BrokenExecutor, Executor
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
@@ -18,7 +19,7 @@ from zlib import crc32
 import numpy as np
 
 from ..batch.chunks import ChunkFailed, in_chunks
-from ..render.files import write
+from ..disk import MADE_BY, write
 from .machine import machine
 
 ROOT = Path(__file__).parents[1]
@@ -57,11 +58,19 @@ def _code() -> str:
     return sha256(b"".join(sha256(path.read_bytes()).digest() for path in files)).hexdigest()
 
 
-def results(cells: Sequence[Cell], folder: Path, executor: Executor | None) -> Iterator[tuple[Cell, Any]]:
-    """Each cell with its result, those kept in `folder` first; what is finished is kept, whatever comes after.
+class Failure(NamedTuple):
+    """What a failed cell gives in place of a result: the error in words."""
 
-    A file whose key or checksum is not right counts as not there.  ChunkFailed names
-    the cell that failed; an interrupt stops after the running cells.
+    why: str
+
+
+def results(
+    cells: Sequence[Cell], folder: Path, executor: Executor | None, *, force: bool = False
+) -> Iterator[tuple[Cell, Any]]:
+    """Each cell with its result or Failure, those kept in `folder` first; what is finished is kept at once.
+
+    A file whose key or checksum is not right counts as not there.  A failed cell leaves
+    the others alone; an interrupt stops after the running cells.
     """
     todo = []
     for cell in cells:
@@ -74,15 +83,30 @@ def results(cells: Sequence[Cell], folder: Path, executor: Executor | None) -> I
         mine = [cell for cell in todo if cell.timed is timed]
 
         def job(start: int, stop: int, mine: list[Cell] = mine) -> tuple[Callable, tuple]:
-            return mine[start].work, mine[start].arguments
+            return _attempt, (mine[start].work, mine[start].arguments)
 
+        left = deque(mine)
         try:
-            for start, _, result in in_chunks(job, len(mine), pool, None, 1):
-                _keep(mine[start], result, folder)
-                yield mine[start], _plain(result)
-        except ChunkFailed as error:
-            error.add_note(f"in the cell {mine[error.start].name}")
-            raise
+            for _, _, result in in_chunks(job, len(mine), pool, None, 1):
+                cell = left.popleft()
+                if not isinstance(result, Failure):
+                    _keep(cell, result, folder, force)
+                yield cell, result
+        except (ChunkFailed, BrokenExecutor) as error:  # a worker died, and its pool does no more
+            for cell in left:
+                yield cell, _failure(error.__cause__ or error)
+
+
+def _attempt(work: Callable[..., Any], arguments: tuple) -> Any:
+    """The result as it comes back from disk, so that a resumed study ends as one that was not interrupted."""
+    try:
+        return json.loads(json.dumps(work(*arguments), allow_nan=False))
+    except Exception as error:
+        return _failure(error)
+
+
+def _failure(error: BaseException) -> Failure:
+    return Failure(f"{type(error).__name__}: {error}")
 
 
 def _path(cell: Cell, folder: Path) -> Path:
@@ -94,18 +118,13 @@ def _load(cell: Cell, folder: Path) -> Any:
         data = json.loads(_path(cell, folder).read_text(encoding="utf-8"))
         good = data["key"] == cell.key and data["checksum"] == _checksum(data["result"])
         return data["result"] if good else None
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return None
 
 
-def _keep(cell: Cell, result: Any, folder: Path) -> None:
-    data = {"satviz": "study cell 1", "key": cell.key, "checksum": _checksum(result), "result": result}
-    write(_path(cell, folder), json.dumps(data, allow_nan=False).encode(), force=True)
-
-
-def _plain(result: Any) -> Any:
-    """As it comes back from disk, so that a resumed study ends as one that was not interrupted."""
-    return json.loads(json.dumps(result))
+def _keep(cell: Cell, result: Any, folder: Path, force: bool) -> None:
+    data = {"made_by": MADE_BY, "key": cell.key, "checksum": _checksum(result), "result": result}
+    write(_path(cell, folder), json.dumps(data).encode(), force=force)
 
 
 def _checksum(result: Any) -> str:

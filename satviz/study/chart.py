@@ -11,8 +11,9 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from ..disk import MADE_BY, write
 from ..pictures import LIGHT, THEMES, Theme
-from ..render.files import DPI, MADE_BY, bare, encode_figure, write
+from ..render.files import DPI, bare, encode_figure
 
 TEXT, TITLE = 10.0, 13.0  # points, at final size
 # who a method is, by colour; every mark is named beside it as well
@@ -79,12 +80,12 @@ def save(
     write(folder / f"{chart.stem}.json", (json.dumps(data, indent=1, allow_nan=False) + "\n").encode(), force=force)
     yield folder / f"{chart.stem}.json"
     text = io.StringIO()
-    names = list(dict.fromkeys(name for row in chart.rows for name in row))
-    table = csv.DictWriter(text, names, lineterminator="\n")
+    rows = [{**row, "made_by": MADE_BY} for row in chart.rows]  # a table has no other place for its maker
+    names = dict.fromkeys(name for row in chart.rows for name in row)
+    table = csv.DictWriter(text, [*names, "made_by"], lineterminator="\n")
     table.writeheader()
-    table.writerows(chart.rows)
-    # plain numbers have no place for a maker's name; the JSON beside them, written first, has
-    write(folder / f"{chart.stem}.csv", text.getvalue().encode(), force=True)
+    table.writerows(rows)
+    write(folder / f"{chart.stem}.csv", text.getvalue().encode(), force=force)
     yield folder / f"{chart.stem}.csv"
 
 
