@@ -1,7 +1,8 @@
 """What is checked of an outline at the door, with exact predicates: numbers, repeats, turns, crossings."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from reprlib import Repr
 from typing import Any, NamedTuple
 
 from .exact import orient
@@ -18,10 +19,13 @@ class Corners(NamedTuple):
 
 _NOT_REAL = tuple("bcSUmMV")  # NumPy's kinds: bool, complex, text, times, records
 _WHOLE = ("i", "u")
+_REPR = Repr()
+_REPR.maxlevel, _REPR.maxstring, _REPR.maxother = 3, 60, 100
 
 
-def _not_real(value: Any) -> bool:
-    return getattr(getattr(value, "dtype", None), "kind", "") in _NOT_REAL
+def _kind(value: Any) -> str:
+    """NumPy's letter for the kind of an array's numbers; nothing for what is not NumPy's."""
+    return getattr(getattr(value, "dtype", None), "kind", "")
 
 
 def number(value: Any, name: str) -> float:
@@ -31,15 +35,16 @@ def number(value: Any, name: str) -> float:
             raise InvalidShape(f"{name} is masked: fill or drop it first")
         given = value
         if getattr(value, "shape", ()) != ():
-            raise InvalidShape(f"{name} is {value!r}: a coordinate must be one real number")
-        if getattr(getattr(value, "dtype", None), "kind", "") in _WHOLE:
+            raise InvalidShape(f"{name} is {_shown(value)}: a coordinate must be one real number")
+        if _kind(value) in _WHOLE:
             value = int(value)  # a NumPy integer compares in float64, which hides what it loses
-        if isinstance(value, (bool, str, bytes, complex)) or _not_real(value):
-            raise InvalidShape(f"{name} is {given!r}: a coordinate must be a real number")
+        # an array of one object gives way to float(), whatever it holds
+        if isinstance(value, (bool, str, bytes, complex)) or _kind(value) in (*_NOT_REAL, "O"):
+            raise InvalidShape(f"{name} is {_shown(given)}: a coordinate must be a real number")
         try:
             as_float = float(value)
         except (TypeError, ValueError):
-            raise InvalidShape(f"{name} is {value!r}: a coordinate must be a real number") from None
+            raise InvalidShape(f"{name} is {_shown(value)}: a coordinate must be a real number") from None
         except OverflowError:
             raise InvalidShape(f"{name} is too large for float64: scale the scene down") from None
         if as_float != value and as_float == as_float:
@@ -59,17 +64,17 @@ def point(value: Any, name: str) -> Vec:
     except (TypeError, ValueError) as error:
         if isinstance(error, InvalidShape):
             raise
-        raise InvalidShape(f"{name} is {value!r}: expected a pair (x, y)") from None
+        raise InvalidShape(f"{name} is {_shown(value)}: expected a pair (x, y)") from None
     return Vec(number(x, f"{name}.x"), number(y, f"{name}.y"))
 
 
 def plain(values: Any, name: str) -> Any:
     """An array as nested lists (NumPy is not imported for it); masked entries are refused."""
-    if isinstance(values, (str, bytes, dict, set, frozenset)):
-        raise InvalidShape(f"{name} is {values!r}: expected numbers in order")
+    if isinstance(values, (str, bytes, dict, set, frozenset)) or getattr(values, "ndim", 1) == 0:
+        raise InvalidShape(f"{name} is {_shown(values)}: expected numbers in order")
     if hasattr(values, "tolist") and hasattr(values, "dtype"):
         refuse_array(values, name)
-        if values.dtype.itemsize > 8:  # long double: tolist() keeps its own scalars, checked one by one
+        if getattr(values.dtype, "itemsize", 8) > 8:  # long double: tolist() keeps its own scalars, checked one by one
             return list(values)
         return values.tolist()
     return values
@@ -77,7 +82,7 @@ def plain(values: Any, name: str) -> Any:
 
 def refuse_array(array: Any, name: str) -> None:
     """InvalidShape for an array of something else than real numbers, or with masked entries."""
-    if array.dtype.kind in _NOT_REAL:
+    if _kind(array) in _NOT_REAL:
         raise InvalidShape(f"{name} is an array of {array.dtype}: coordinates must be real numbers")
     mask = getattr(array, "mask", None)
     if mask is not None and getattr(mask, "any", bool)():
@@ -86,30 +91,55 @@ def refuse_array(array: Any, name: str) -> None:
 
 def vertices(values: Any) -> tuple[Vec, ...]:
     """The owner's vertices, in the owner's order, from nested sequences, arrays or `__geo_interface__`."""
-    interface = getattr(values, "__geo_interface__", None)
-    if interface is not None:
-        values = _ring_of(interface)
-    values = plain(values, "vertices")
-    if not isinstance(values, Iterable):
-        raise InvalidShape(f"vertices is {values!r}: expected a sequence of (x, y) pairs")
-    return tuple(point(v, f"vertex {i}") for i, v in enumerate(values))
-
-
-def _ring_of(interface: Any) -> Any:
-    """The outer ring of a GeoJSON-like Polygon."""
-    kind = interface.get("type")
-    if kind == "Feature":
-        return _ring_of(interface.get("geometry") or {})
-    if kind == "LinearRing":
-        return interface["coordinates"]
-    if kind != "Polygon":
-        raise InvalidShape(f"a {kind} is not a polygon: pass one Polygon at a time")
-    rings = interface["coordinates"]
-    if len(rings) > 1:
-        raise InvalidShape("the polygon has holes: pass its outer ring, or split it into parts without holes")
+    try:
+        interface = getattr(values, "__geo_interface__", None)
+    except Exception as error:
+        raise InvalidShape(f"__geo_interface__ fails: {_shown(error)}: pass the vertices themselves") from error
+    if interface is None:
+        return _points(values, "vertices")
+    rings = _rings(interface)
     if not rings:
         raise InvalidShape("the polygon is empty: it needs at least 3 distinct vertices")
-    return rings[0]
+    points = _points(rings[0], "the outer ring")
+    if len(rings) > 1:
+        raise InvalidShape("the polygon has holes: pass its outer ring, or split it into parts without holes")
+    return points
+
+
+def _points(values: Any, name: str) -> tuple[Vec, ...]:
+    return tuple(point(v, f"vertex {i}") for i, v in enumerate(_listed(values, name)))
+
+
+def _listed(values: Any, name: str) -> list:
+    values = plain(values, name)
+    if not isinstance(values, Iterable) or isinstance(values, type):
+        raise InvalidShape(f"{name} is {_shown(values)}: expected a sequence of (x, y) pairs")
+    return list(values)
+
+
+def _rings(interface: Any) -> list:
+    """The rings of a GeoJSON-like Polygon, or of a Feature that has one."""
+    name = "__geo_interface__"
+    if _type(interface) == "Feature":
+        interface, name = interface.get("geometry"), "the Feature's geometry"
+    if not isinstance(interface, Mapping):
+        raise InvalidShape(f"{name} is {_shown(interface)}: expected a dict with type and coordinates")
+    kind, held = _type(interface), interface.get("coordinates")
+    if not kind:
+        raise InvalidShape(f"{name} has no type: expected a dict with type and coordinates")
+    if kind not in ("Polygon", "LinearRing"):
+        raise InvalidShape(f"a {kind} is not a polygon: pass one Polygon at a time")
+    return [held] if kind == "LinearRing" else _listed(held, "coordinates")
+
+
+def _type(interface: Any) -> str:
+    kind = interface.get("type") if isinstance(interface, Mapping) else ""
+    return kind if isinstance(kind, str) else ""
+
+
+def _shown(value: Any) -> str:
+    """A value in a message: short, however large or deep it is."""
+    return _REPR.repr(value)
 
 
 def corners(points: Sequence[Vec]) -> Corners:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from .axes import Axis, exact_normal, needed
 from .exact import IntPoint, aligned, root_difference
 from .geometry import Interval, Vec
-from .shapes import Circle, Shape
+from .shapes import Circle, Shape, checked
 
 # Landing places carry under 13 roundings of the reach each, a gap under 27.  Asked is far
 # more, so that a float gap has not only the right sign but five right digits.
@@ -73,8 +73,10 @@ def project(shape: Shape, axis: Axis) -> Projection:
 def axis_tests(a: Shape, b: Shape, axes: Iterable[Axis] | None = None) -> Iterator[AxisTest]:
     """Test the axes one by one (by default `needed`); stop asking for more and it stops computing.
 
-    That is the early exit: next((t for t in axis_tests(a, b) if t.separates), None)
+    That is the early exit: next((t for t in axis_tests(a, b) if t.separates), None).
+    TypeError for anything but Polygon and Circle.
     """
+    checked(a, "a"), checked(b, "b")
     if axes is None:
         axes = needed(a, b).axes
     reach = max(a._reach, b._reach)

@@ -61,8 +61,9 @@ class _Shape:
 class Polygon(_Shape):
     """A simple polygon, convex or concave, either winding, with the owner's vertex order and labels.
 
-    `vertices`: (n, 2) numbers in scene units, or anything with `__geo_interface__`;
-    repeats, a closing vertex and collinear vertices are allowed and listed in `notes`.
+    `vertices`: (n, 2) numbers in scene units, anything with `__geo_interface__`, or a
+    Polygon, whose labels stay unless others are given; repeats, a closing vertex and
+    collinear vertices are allowed and listed in `notes`.
     `labels`: one text a vertex.  Raises InvalidShape naming the vertex at fault.
     """
 
@@ -77,6 +78,8 @@ class Polygon(_Shape):
     notes: tuple[str, ...]
 
     def __init__(self, vertices: Any, labels: Sequence[str] | None = None) -> None:
+        if isinstance(vertices, Polygon):
+            vertices, labels = vertices.vertices, vertices.labels if labels is None else labels
         points = outline.vertices(vertices)
         ring = outline.corners(points)
         corners = tuple(Vec(points[i].x + 0.0, points[i].y + 0.0) for i in ring.ids)  # -0.0 becomes 0.0

@@ -86,11 +86,14 @@ def heeding_interrupts(*, to_the_end: bool) -> Iterator[None]:
     if current_thread() is not main_thread() or before is not signal.default_int_handler:
         yield
         return
+    told = sys.unraisablehook
+    sys.unraisablehook = lambda lost: None if lost.exc_type is KeyboardInterrupt else told(lost)
     signal.signal(signal.SIGINT, _interrupt)
     try:
         yield
     finally:
         signal.signal(signal.SIGINT, signal.SIG_DFL if to_the_end else before)
+        sys.unraisablehook = told
 
 
 @contextmanager

@@ -8,7 +8,9 @@ import subprocess
 import sys
 import time
 from contextlib import suppress
+from importlib import import_module
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -16,6 +18,7 @@ import satviz as sv
 from satviz.cli import main
 from satviz.pictures.figures import FIGURES
 from satviz.scenes import SCENES
+from satviz.study.cells import Cell
 
 GOOD = {"satviz": "scene 1", "a": {"polygon": [[0, 0], [4, 0], [0, 4]]}, "b": {"circle": [5, 5], "radius": 1}}
 
@@ -313,6 +316,88 @@ def test_json_stays_json_whatever_the_stream_can_hold(tmp_path, coding):
     assert json.loads(text)["a"]["labels"] == labels and ("日" in text) is not bool(coding) and "\x9b" not in text
 
 
+@pytest.fixture
+def listening():
+    """A test run in the background has interrupts ignored."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+class Finalized:
+    def __del__(self):
+        signal.raise_signal(signal.SIGINT)
+
+
+def vanishing(work):
+    """The work with an interrupt in it that comes inside a callback, where its exception is lost."""
+
+    def worked(*args, **more):
+        Finalized()
+        return work(*args, **more)
+
+    return worked
+
+
+@pytest.mark.usefixtures("listening")
+@pytest.mark.parametrize(
+    ("args", "where"),
+    [
+        (["figures", "--only", "1", "--only", "2", "--out"], "satviz.render.files.encode"),
+        (["draw", "aabb", "--format", "gif", "--format", "html", "--out"], "satviz.render.files.animate"),
+        (["study", "--quick", "--out"], "satviz.study.cells._load"),
+        (["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.in_turn"),
+        (["trace", "aabb"], "satviz.scenes.scene"),
+        (["notebook", "--no-open"], "satviz.disk.write"),
+    ],
+    ids=lambda value: value[0] if isinstance(value, list) else "",
+)
+def test_an_interrupt_whose_exception_was_lost_stops_the_command_all_the_same(
+    tmp_path, capsys, monkeypatch, args, where
+):
+    module, _, name = where.rpartition(".")
+    work = getattr(import_module(module), name)
+    monkeypatch.setattr(where, vanishing(work))
+    monkeypatch.setattr("satviz.study.run.SECTIONS", (SimpleNamespace(cells=two_cells, charts=lambda found: []),))
+    before = signal.getsignal(signal.SIGINT)
+    assert main([*args, str(tmp_path)] if args[0] in ("figures", "draw", "study", "notebook") else args) == 130
+    assert capsys.readouterr().err == "satviz: interrupted; files already named are whole\n"
+    assert len([path for path in tmp_path.rglob("*") if path.is_file()]) <= 1  # no second job was begun
+    assert signal.getsignal(signal.SIGINT) is before
+
+
+def two_cells(settings):
+    return [Cell(name, abs, (1,)) for name in ("one", "two")]
+
+
+@pytest.mark.usefixtures("listening")
+def test_an_interrupt_that_was_turned_into_another_error_is_still_an_interrupt(capsys, monkeypatch):
+    def worked(name):
+        Finalized()
+        raise ImportError("initialization failed")
+
+    monkeypatch.setattr("satviz.scenes.scene", worked)
+    assert main(["trace", "aabb"]) == 130 and capsys.readouterr().err.count("\n") == 1
+
+
+@pytest.mark.usefixtures("listening")
+def test_an_earlier_interrupt_does_not_stop_the_next_command(capsys, monkeypatch):
+    with monkeypatch.context() as patched:
+        patched.setattr("satviz.scenes.scene", vanishing(sv.scene))
+        assert main(["trace", "aabb"]) == 130
+    assert main(["trace", "aabb"]) == 0
+
+
+def test_jupyterlab_gets_the_interrupts_for_itself(tmp_path):
+    for name in ("jupyterlab", "anywidget"):
+        (tmp_path / f"{name}.py").write_text(
+            "import os, signal, sys\nos.kill(os.getppid(), signal.SIGINT)\nprint(sys.argv[1:], flush=True)\nsys.exit(5)"
+        )
+    path = os.pathsep.join(filter(None, (str(tmp_path), os.environ.get("PYTHONPATH"))))
+    done = run("notebook", "--", "--version", cwd=tmp_path, env={**os.environ, "PYTHONPATH": path})
+    assert done.returncode == 5 and done.stderr == "" and f"['{tmp_path / '--version'}']" in done.stdout
+
+
 @pytest.mark.skipif(os.name == "nt", reason="signals work differently there")
 def test_ctrl_c_leaves_no_half_file(tmp_path):
     process = subprocess.Popen(
@@ -322,7 +407,7 @@ def test_ctrl_c_leaves_no_half_file(tmp_path):
         # a job in the background starts with the signal ignored
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
-    while not list(tmp_path.glob("*.p*")) and process.poll() is None:
+    while not any(tmp_path.iterdir()) and process.poll() is None:
         time.sleep(0.01)
     process.send_signal(signal.SIGINT)
     err = process.communicate(timeout=60)[1]

@@ -315,3 +315,33 @@ def test_no_label_lies_under_the_knob_of_a_free_axis(degree):
     x, y = (knob.x - drawn.limits[0]) * drawn.scale, (knob.y - drawn.limits[1]) * drawn.scale
     grip = x - KNOB, y - KNOB, x + KNOB, y + KNOB
     assert not [mark.text for mark, box in boxes(drawn) if meet(grip, box)]
+
+
+SQUARE = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+
+
+@pytest.mark.parametrize("thing", [SQUARE, sv.Circle((0, 0), 1), sv.scene("aabb"), None, "aabb", [SQUARE, SQUARE]])
+@pytest.mark.parametrize("show", ["picture", "steps", "draw", "page", "play"])
+def test_only_a_trace_has_steps_and_the_error_says_how_to_make_one(show, thing):
+    with pytest.raises(TypeError, match=rf"is a {type(thing).__name__}: .*record"):
+        getattr(sv, show)(thing)
+    if show == "play":
+        with pytest.raises(TypeError, match=rf"is a {type(thing).__name__}: .*record"):
+            sv.play(thing, pen="matplotlib")
+
+
+@pytest.mark.parametrize("step", ["x", 1.5, None, [1]])
+def test_a_step_is_a_number_or_a_step(step):
+    with pytest.raises(TypeError, match="step is"):
+        sv.picture(sv.scene("aabb").record(), step)
+
+
+def test_a_curve_needs_two_shapes_and_an_angle():
+    for a, b in ((SQUARE, 5), ("x", SQUARE), (sv.scene("aabb"), SQUARE)):
+        with pytest.raises(TypeError, match=r"make it a satviz\.Polygon"):
+            sv.gap_curve(a, b)
+        with pytest.raises(TypeError, match=r"make it a satviz\.Polygon"):
+            next(sv.axis_tests(a, b))
+    for degree in ("x", float("nan"), float("inf"), [1]):
+        with pytest.raises((TypeError, ValueError), match="degree is"):
+            sv.gap_curve(SQUARE, SQUARE, degree)

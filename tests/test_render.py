@@ -1,10 +1,14 @@
 """The matplotlib pen and the files it makes."""
 
+import copy
 import errno
+import gc
 import io
+import pickle
 import re
 import subprocess
 import sys
+import weakref
 import xml.etree.ElementTree as ET
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -294,6 +298,40 @@ def test_drawing_again_on_given_axes_takes_the_place_of_the_first_picture():
         sv.draw(TRIANGLES, 14, ax=ax, theme=theme)
         assert len(ax.collections) == 3
     assert matplotlib.colors.to_hex(fig.get_facecolor()) == "#123456"
+
+
+def test_what_was_drawn_on_can_be_freed():
+    figures = []
+    for _ in range(50):
+        fig = Figure()
+        sv.draw(TRIANGLES, 14, ax=fig.subplots())
+        sv.draw(TRIANGLES, 15, ax=fig.axes[0], theme="dark")
+        figures += [weakref.ref(fig), weakref.ref(fig.axes[0])]
+    del fig
+    gc.collect()
+    assert not [ref for ref in figures if ref() is not None]
+
+
+def test_axes_that_were_cleared_are_drawn_on_afresh():
+    ax, fresh = axes_of(), axes_of()
+    sv.draw(TRIANGLES, 3, ax=ax)
+    ax.clear()
+    for axes in (ax, fresh):
+        sv.draw(TRIANGLES, 14, ax=axes)
+    assert np.array_equal(pixels(ax.figure), pixels(fresh.figure))
+
+
+def test_a_figure_that_was_drawn_on_can_be_copied_and_drawn_on_again():
+    fig = Figure()
+    sv.draw(TRIANGLES, 14, ax=fig.subplots())
+    for again in (pickle.loads(pickle.dumps(fig)), copy.deepcopy(fig)):
+        sv.draw(TRIANGLES, 15, ax=again.axes[0])
+        assert len(again.axes[0].collections) == 3
+
+
+def test_the_ax_must_be_axes():
+    with pytest.raises(TypeError, match="ax is a Figure: pass matplotlib Axes"):
+        sv.draw(TRIANGLES, ax=Figure())
 
 
 @pytest.mark.parametrize("shape", [(2, 2), (2, 3), (4, 1), (1, 6)])

@@ -122,6 +122,32 @@ def test_an_array_of_anything_but_real_numbers_is_refused(dtype):
         Polygon(values)
 
 
+@pytest.mark.parametrize("held", [None, "ab", "1.5", True, {1, 2}, {}, 1j, 5, TRIANGLE, object()], ids=repr)
+def test_an_object_in_an_array_without_dimensions_is_no_coordinate_point_or_outline(held):
+    value = np.empty((), dtype=object)
+    value[()] = held
+    with refused("vertices is array"):
+        Polygon(value)
+    with refused("vertex 1 is array"):
+        Polygon([(0, 0), value, (0, 4)])
+    with refused(r"vertex 1\.y is array"):
+        Polygon([(0, 0), (4, value), (0, 4)])
+    with refused("radius is array"):
+        Circle((0, 0), value)
+    with refused("labels is array"):
+        Polygon(TRIANGLE, labels=value)
+
+
+def test_an_array_whose_type_numpy_does_not_know_is_read_as_lists():
+    class Tensor:
+        dtype = "float64"
+
+        def tolist(self):
+            return TRIANGLE
+
+    assert Polygon(Tensor()) == Polygon(TRIANGLE)
+
+
 def test_an_integer_array_that_float64_cannot_hold_is_refused():
     with refused(r"vertex 1\.y is 9007199254740993"):
         Polygon(np.array(with_number(2**53 + 1)))
@@ -446,6 +472,89 @@ def test_a_ring_and_a_feature_are_accepted():
 def test_a_geometry_that_is_not_one_simple_polygon_is_refused(geometry, match):
     with refused(match):
         Polygon(geometry)
+
+
+class Interface:
+    """A thing of another library that shows itself as it is told to."""
+
+    def __init__(self, shown):
+        self.shown = shown
+
+    @property
+    def __geo_interface__(self):
+        if isinstance(self.shown, Exception):
+            raise self.shown
+        return self.shown
+
+
+def nested(depth):
+    found = {"type": "Polygon", "coordinates": [TRIANGLE]}
+    for _ in range(depth):
+        found = {"type": "Feature", "geometry": found}
+    return found
+
+
+ENDLESS = {"type": "Feature"}
+ENDLESS["geometry"] = ENDLESS
+DEEP = []
+for _ in range(100_000):
+    DEEP = [DEEP]
+MALFORMED = {
+    "a text": ("Polygon", "__geo_interface__ is 'Polygon': expected a dict"),
+    "a list": ([TRIANGLE], "__geo_interface__ is .*: expected a dict"),
+    "a number": (5, "__geo_interface__ is 5: expected a dict"),
+    "an empty dict": ({}, "no type"),
+    "no type": ({"coordinates": [TRIANGLE]}, "no type"),
+    "a type that is no text": ({"type": ["Polygon"], "coordinates": [TRIANGLE]}, "no type"),
+    "a type that is an array": ({"type": np.zeros(3), "coordinates": [TRIANGLE]}, "no type"),
+    "no coordinates": ({"type": "Polygon"}, "coordinates is None: expected"),
+    "no coordinates of a ring": ({"type": "LinearRing"}, "None: expected"),
+    "coordinates that are text": ({"type": "Polygon", "coordinates": "abc"}, "coordinates is 'abc': expected"),
+    "a number as coordinates": ({"type": "Polygon", "coordinates": 5}, "coordinates is 5: expected"),
+    "a dict as coordinates": ({"type": "Polygon", "coordinates": {0: TRIANGLE}}, "coordinates is .*: expected"),
+    "points in place of rings": ({"type": "Polygon", "coordinates": TRIANGLE}, "vertex 0 is 0"),
+    "rings of rings": ({"type": "Polygon", "coordinates": [[TRIANGLE]]}, "vertex 0 is"),
+    "very deep coordinates": ({"type": "Polygon", "coordinates": DEEP}, "vertex 0 is"),
+    "no ring": ({"type": "Polygon", "coordinates": []}, "empty"),
+    "an array of no rings": ({"type": "Polygon", "coordinates": np.zeros((0, 3, 2))}, "empty"),
+    "a ring that is none": ({"type": "Polygon", "coordinates": [None]}, "None: expected"),
+    "holes": ({"type": "Polygon", "coordinates": [TRIANGLE, TRIANGLE]}, "holes"),
+    "a feature of nothing": ({"type": "Feature", "geometry": None}, "the Feature's geometry is None: expected a dict"),
+    "a feature without": ({"type": "Feature"}, "the Feature's geometry is None: expected a dict"),
+    "a feature of a text": ({"type": "Feature", "geometry": "x"}, "the Feature's geometry is 'x': expected a dict"),
+    "a feature of a feature": (nested(2), "a Feature is not a polygon"),
+    "features without end": (ENDLESS, "a Feature is not a polygon"),
+    "an error": (RuntimeError("gone"), r"__geo_interface__ fails: RuntimeError\('gone'\)"),
+}
+
+
+@pytest.mark.parametrize(("shown", "match"), MALFORMED.values(), ids=MALFORMED)
+def test_an_interface_that_is_not_one_polygon_is_refused(shown, match):
+    with refused(match) as error:
+        Polygon(Interface(shown))
+    assert len(str(error.value)) < 400
+
+
+def test_an_interface_may_hold_arrays_and_iterators():
+    for rings in (np.array([TRIANGLE]), [np.array(TRIANGLE)], iter([iter(TRIANGLE)])):
+        assert Polygon(Interface({"type": "Polygon", "coordinates": rings})) == Polygon(TRIANGLE)
+    assert Polygon(Interface(nested(1))) == Polygon(TRIANGLE)
+
+
+def test_the_class_and_other_things_are_no_polygon():
+    for thing in (Polygon, Circle((0, 0), 1), Interface(None), object(), DEEP):
+        with refused("is .*: expected"):
+            Polygon(thing)
+
+
+@pytest.mark.parametrize("labels", [None, ["p", "q", "r"]])
+@pytest.mark.parametrize("closed", [False, True])
+def test_a_polygon_of_a_polygon_is_the_same_polygon(labels, closed):
+    ring = [*TRIANGLE, TRIANGLE[0]] if closed else TRIANGLE
+    shape = Polygon(ring, labels and [*labels, "s"][: len(ring)])
+    again = Polygon(shape)
+    assert again == shape and again.vertices == shape.vertices and again.labels == shape.labels
+    assert Polygon(shape, labels=["x"] * len(ring)) == Polygon(ring, ["x"] * len(ring))
 
 
 # -- values ----------------------------------------------------------------------------------------

@@ -175,3 +175,9 @@ def test_the_gap_curve_tells_the_numbers_of_the_trace():
         assert f"{best:.3f}".rstrip("0").rstrip(".") in curve.sentence
         x0, y0, x1, y1 = curve.limits
         assert all(x0 <= x <= x1 and y0 <= y <= y1 for mark in curve.marks for x, y in mark.points)
+
+
+@pytest.mark.parametrize("what", [5, None, sv.Circle((0, 0), 1), sv.scene("aabb").record()])
+def test_a_hand_needs_a_scene_or_two_shapes(what):
+    with pytest.raises(TypeError, match=f"a is a {type(what).__name__}: .*two shapes"):
+        sv.explore(what)

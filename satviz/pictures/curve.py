@@ -2,7 +2,8 @@
 
 from collections.abc import Sequence
 from itertools import pairwise
-from math import atan2, cos, degrees, pi, radians, sin
+from math import atan2, cos, degrees, isfinite, pi, radians, sin
+from numbers import Real
 
 from .. import telling
 from ..axes import WORLD, Axis
@@ -25,7 +26,10 @@ def gap_curve(a: Shape, b: Shape, degree: float | None = None) -> Picture:
 
     The gap is in scene units, the angle counter-clockwise from x.  `degree` marks one
     more direction.  Concave outlines count as their convex hulls, whose ranges are the same.
+    TypeError for anything but Polygon and Circle, ValueError for an angle that is no finite number.
     """
+    if degree is not None and not (isinstance(degree, Real) and isfinite(degree)):
+        raise ValueError(f"degree is {degree!r}: pass a finite number")
     candidates = [(_degree(t.axis), t.gap, t.axis) for t in axis_tests(a, b)]
     grid = {float(d) for d in range(181)} | {d for d, _, _ in candidates}
     points = [(d, gap_at(a, b, d)) for d in sorted(grid)]

@@ -6,7 +6,7 @@ from .. import telling
 from ..geometry import Relation
 from ..trace import Trace
 from .marks import Mark
-from .stages import Stage, Step, picture, steps
+from .stages import Stage, Step, checked, picture, steps
 
 # the algorithm line by line, and the stages that each line is about
 CODE = (
@@ -25,7 +25,7 @@ MOST_STEPS = 600
 
 def both_shows(trace: Trace) -> list[dict[str, Any]]:
     """The show of a trace and, if the early exit left something out, that of every axis."""
-    whole = trace.without_early_exit()
+    whole = checked(trace).without_early_exit()
     return [show(trace)] if whole.tests == trace.tests and whole.pairs == trace.pairs else [show(trace), show(whole)]
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from enum import StrEnum
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple, SupportsIndex
 
 from .. import telling
 from ..axes import ANY, CENTROIDS, GIVEN, WORLD
@@ -43,8 +43,18 @@ class Step(NamedTuple):
     pair: int | None = None
 
 
+def checked(trace: Any) -> Trace:
+    """The trace itself; TypeError says how to make one of anything else."""
+    if isinstance(trace, Trace):
+        return trace
+    raise TypeError(
+        f"this is a {type(trace).__name__}: pass the trace of two shapes, sv.record(a, b), or scene.record()"
+    )
+
+
 def steps(trace: Trace) -> list[Step]:
-    """Every step of a trace in drawing order, from the bare scene to the verdict."""
+    """Every step of a trace in drawing order, from the bare scene to the verdict; TypeError for what is no trace."""
+    checked(trace)
     found = [Step(Stage.SCENE)]
     if trace.pairs:
         found.append(Step(Stage.PARTS))
@@ -69,6 +79,8 @@ def picture(
     """
     every = steps(trace)
     if not isinstance(step, Step):
+        if not isinstance(step, SupportsIndex):
+            raise TypeError(f"step is {step!r}: pass a number or a Step")
         if not -len(every) <= step < len(every):
             raise IndexError(f"step {step}: this trace has the steps 0 to {len(every) - 1}")
         step = every[step]

@@ -1,23 +1,23 @@
 """sv.draw: one step of a trace on a matplotlib Figure, or on Axes of one's own."""
 
 from typing import TYPE_CHECKING
-from weakref import WeakKeyDictionary
 
-from ..pictures import THEMES, Picture, Step, picture
+from matplotlib.axes import Axes
+
+from ..pictures import THEMES, Picture, Step, Theme, picture
 from ..trace import Trace
 from .files import canvas
 from .pen import Pen
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
-_PENS: "WeakKeyDictionary[Axes, Pen]" = WeakKeyDictionary()  # a second picture takes the place of the first
+_PEN = "_satviz_pen"  # kept on the Axes themselves, so that it goes when they go
 
 
 def draw(
-    what: Trace | Picture, step: int | Step = -1, *, ax: "Axes | None" = None, theme: str = "light"
+    what: Trace | Picture, step: int | Step = -1, *, ax: Axes | None = None, theme: str = "light"
 ) -> "Figure | dict":
     """Draw a step of a trace (or a picture) with matplotlib.
 
@@ -33,12 +33,22 @@ def draw(
         fig, pen = canvas(shown.size, THEMES[theme])
         pen.draw(shown)
         return fig
+    if not isinstance(ax, Axes):
+        raise TypeError(f"ax is a {type(ax).__name__}: pass matplotlib Axes")
     box = ax.get_window_extent()
     points = 72 / ax.figure.dpi
     largest = box.width * points, box.height * points
     shown = what if isinstance(what, Picture) else picture(what, step, largest=largest)
-    if ax not in _PENS or _PENS[ax].theme.name != theme:
-        if ax in _PENS:
-            _PENS[ax].remove()
-        _PENS[ax] = Pen(ax, THEMES[theme])
-    return _PENS[ax].draw(shown)
+    return _pen(ax, THEMES[theme]).draw(shown)
+
+
+def _pen(ax: Axes, theme: Theme) -> Pen:
+    """The Axes' own pen, so that a second picture takes the place of the first; a new one after ax.clear()."""
+    pen = getattr(ax, _PEN, None)
+    there = pen is not None and pen.fills in ax.collections
+    if not there or pen.theme != theme:
+        if there:
+            pen.remove()
+        pen = Pen(ax, theme)
+        setattr(ax, _PEN, pen)
+    return pen

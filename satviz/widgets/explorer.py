@@ -139,8 +139,11 @@ def explore(a: Scene | Shape | str, b: Shape | None = None) -> Explorer:
     """A scene to drag: a built-in scene's name, a Scene, or two shapes.
 
     Drag shapes, vertices and handles, or Tab to one and use the arrow keys.  InvalidScene
-    for an unknown name, ValueError for a scene that cannot be drawn.
+    for an unknown name, ValueError for a scene that cannot be drawn, TypeError for anything else.
     """
     if b is not None:
         return Explorer(Scene("scene", a, b))
-    return Explorer(scene(a) if isinstance(a, str) else a)
+    shown = scene(a) if isinstance(a, str) else a
+    if not isinstance(shown, Scene):
+        raise TypeError(f"a is a {type(a).__name__}: pass a scene, its name, or two shapes")
+    return Explorer(shown)
