@@ -2,6 +2,7 @@
 
 import json
 import pickle
+from concurrent.futures import ThreadPoolExecutor
 from itertools import combinations
 
 import pytest
@@ -140,6 +141,23 @@ def test_times_are_taken_with_their_spread_and_the_set_up_apart(slug):
     assert found["pairs"] > 0 and found["setup"] > 0
     for name in "without", "optimised":
         assert 0 < found[name]["least"] <= found[name]["low"] <= found[name]["median"] <= found[name]["high"]
+
+
+@pytest.mark.parametrize("slug", [slug for slug, case in CASES.items() if not case.counted and "numba" not in slug])
+def test_the_threads_of_a_case_end_with_it(slug, monkeypatch):
+    pools = []
+
+    class Pool(ThreadPoolExecutor):
+        def __init__(self, *args):
+            super().__init__(*args)
+            pools.append(self)
+
+    monkeypatch.setattr(optimisations, "ThreadPoolExecutor", Pool)
+    monkeypatch.setattr(optimisations.Case, "sizes", (20, 20))
+    cost.take_times(slug, True, SEED, 1)
+    assert len(pools) == 1
+    with pytest.raises(RuntimeError, match="after shutdown"):
+        pools[0].submit(print)
 
 
 def test_cells_can_be_sent_away_and_have_names_of_their_own():

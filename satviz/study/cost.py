@@ -4,6 +4,8 @@ A dot product is one corner dropped on one axis, or one axis held against the li
 centres.  Their number is seeded and exact, and what is counted is what is timed.
 """
 
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
 from statistics import median
 from time import perf_counter, thread_time
 from typing import Any
@@ -25,15 +27,19 @@ UNDER = (
 )
 
 
-def _built(slug: str, quick: bool, seed: int) -> tuple[Case, Work]:
+@contextmanager
+def _built(slug: str, quick: bool, seed: int) -> Iterator[tuple[Case, Work]]:
+    """The case and its work, whose threads end with it."""
     case = next(case for case in cases() if _slug(case) == slug)
-    return case, case.build(Settings(seed=seed).rng("cost", slug), case.sizes[not quick])
+    work = case.build(Settings(seed=seed).rng("cost", slug), case.sizes[not quick])
+    with work.pool or nullcontext():
+        yield case, work
 
 
 def count(slug: str, quick: bool, seed: int) -> dict[str, Any]:
     """Dot products a pair, without and with."""
-    _, work = _built(slug, quick, seed)
-    return {"pairs": work.items, "without": work.without() / work.items, "optimised": work.optimised() / work.items}
+    with _built(slug, quick, seed) as (_, work):
+        return {"pairs": work.items, "without": work.without() / work.items, "optimised": work.optimised() / work.items}
 
 
 def take_times(slug: str, quick: bool, seed: int, rounds: int) -> dict[str, Any]:
@@ -41,14 +47,14 @@ def take_times(slug: str, quick: bool, seed: int, rounds: int) -> dict[str, Any]
 
     Of the processor's time, which is what work costs; of the wall clock for threads, which take no less work.
     """
-    case, work = _built(slug, quick, seed)
-    clock, taken = thread_time if case.counted else perf_counter, []
-    for _ in range(SETUPS):
-        start = clock()
-        work.setup()
-        taken.append((clock() - start) / work.items * 1e9)
-    jobs = {"without": work.without, "optimised": work.optimised}
-    found = in_turn(jobs, rounds, dict.fromkeys(jobs, work.items), clock)
+    with _built(slug, quick, seed) as (case, work):
+        clock, taken = thread_time if case.counted else perf_counter, []
+        for _ in range(SETUPS):
+            start = clock()
+            work.setup()
+            taken.append((clock() - start) / work.items * 1e9)
+        jobs = {"without": work.without, "optimised": work.optimised}
+        found = in_turn(jobs, rounds, dict.fromkeys(jobs, work.items), clock)
     return {"pairs": work.items, "setup": median(taken), **{name: spread._asdict() for name, spread in found.items()}}
 
 

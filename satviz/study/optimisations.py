@@ -33,12 +33,14 @@ class Work(NamedTuple):
     """The same pairs (`items` of them) without the optimisation and with it; each gives its dot products, if any.
 
     `setup`: what is worked out once for shapes that have just been made.
+    `pool`: the threads of the optimised job, for whoever had the work built to close.
     """
 
     without: Job
     optimised: Job
     items: int
     setup: Job
+    pool: ThreadPoolExecutor | None = None
 
 
 class Case(NamedTuple):
@@ -192,6 +194,7 @@ def _threads(rng: Rng, n: int) -> Work:
         lambda: list(pool.map(some, (pairs[:half], pairs[half:]))),
         n,
         lambda: [(Polygon(p), Polygon(q)) for p, q in rings],
+        pool,
     )
 
 
@@ -199,12 +202,13 @@ def _batch_threads(engine: str, v: int, rng: Rng, n: int) -> Work:
     """The batch on v-gons, in one thread or halves in two."""
     rings = [ngons(rng, n, v, 0.3 * v - 0.2) for _ in "AB"]
     a, b = (batch.Polygons(ring) for ring in rings)
-    two = {"executor": ThreadPoolExecutor(THREADS), "chunk": -(-n // THREADS)}
+    half, pool = -(-n // THREADS), ThreadPoolExecutor(THREADS)
     return Work(
         lambda: batch.hits(a, b, engine=engine),
-        lambda: batch.hits(a, b, engine=engine, **two),
+        lambda: batch.hits(a, b, engine=engine, executor=pool, chunk=half),
         n,
         lambda: [batch.Polygons(ring) for ring in rings],
+        pool,
     )
 
 
