@@ -2,6 +2,7 @@
 
 import argparse
 import reprlib
+import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NoReturn
@@ -34,6 +35,13 @@ def _whole(least: int, most: int) -> Callable[[str], int]:
 SEED = _whole(0, 2**63 - 1)
 
 
+def _folder(text: str) -> Path:
+    """A folder's path; a variable that is not set would scatter files here."""
+    if not text:
+        raise argparse.ArgumentTypeError("a folder's name is empty: write . for this one")
+    return Path(text)
+
+
 class Parser(argparse.ArgumentParser):
     """Says what is wrong in one line, as every command does."""
 
@@ -62,22 +70,24 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _failed(error: BaseException) -> int:
-    """Say what went wrong and give the exit code; what is a fault of satviz itself is raised again."""
+    """Say what went wrong in one line and give the exit code."""
     if isinstance(error, BrokenPipeError):
         return 0  # the reader has gone: nothing left to say
-    if isinstance(error, MemoryError):
-        say("not enough memory: ask for less at once")
-        return 1
-    if isinstance(error, Failed):
-        say(str(error))
-        return 1
     if isinstance(error, (Refused, InvalidScene)):
         say(str(error))
-    elif isinstance(error, OSError):
+        return 2
+    if isinstance(error, OSError):
         say(f"{error.filename}: {error.strerror}" if error.filename else str(error))
+        return 2
+    if isinstance(error, Failed):
+        say(str(error))
+    elif isinstance(error, MemoryError):
+        say("not enough memory: ask for less at once")
+    elif isinstance(error, Exception) and not sys.flags.dev_mode:
+        say(f"{type(error).__name__}: {error} (a fault of satviz or below it; python -X dev -m satviz ... shows where)")
     else:
         raise error
-    return 2
+    return 1
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -107,7 +117,12 @@ def _parser() -> argparse.ArgumentParser:
 
     notebook = command.add_parser("notebook", help="copy the walkthrough's notebooks and open them in JupyterLab")
     notebook.add_argument(
-        "out", nargs="?", type=Path, default=Path("satviz-notebooks"), metavar="DIR", help="(default: satviz-notebooks)"
+        "out",
+        nargs="?",
+        type=_folder,
+        default=Path("satviz-notebooks"),
+        metavar="DIR",
+        help="(default: satviz-notebooks)",
     )
     notebook.add_argument("--no-open", action="store_true", help="copy them only")
     notebook.add_argument("--force", action="store_true", help="overwrite notebooks that were changed")
@@ -131,7 +146,7 @@ def _parser() -> argparse.ArgumentParser:
     study = command.add_parser("study", help="chart speed against accuracy, and stability where methods fail")
     study.add_argument("--quick", action="store_true", help="fewer and smaller runs, about a minute, and no PNG")
     study.add_argument(
-        "--out", type=Path, default=Path("satviz-study"), metavar="DIR", help="the folder (default: satviz-study)"
+        "--out", type=_folder, default=Path("satviz-study"), metavar="DIR", help="the folder (default: satviz-study)"
     )
     study.add_argument("--seed", type=SEED, default=1, metavar="N", help="of all that is random (default: 1)")
     study.add_argument(
@@ -156,7 +171,7 @@ def _scene(parser: argparse.ArgumentParser) -> None:
 
 def _output(parser: argparse.ArgumentParser, out: str, formats: Sequence[str]) -> None:
     parser.add_argument(
-        "--out", type=Path, default=Path(out), metavar="DIR", help=f"the folder to write to (default: {out})"
+        "--out", type=_folder, default=Path(out), metavar="DIR", help=f"the folder to write to (default: {out})"
     )
     parser.add_argument("--format", action="append", choices=formats, help="may be given several times (default: svg)")
     parser.add_argument("--theme", choices=THEMES, default="light")

@@ -26,7 +26,7 @@ def _load(args: argparse.Namespace):
     from .scenefile import load
     from .scenes import names, scene
 
-    is_file = Path(args.scene).exists() or any(c in args.scene for c in "./\\")
+    is_file = any(c in args.scene for c in "./\\") or os.path.exists(args.scene)
     known = names()
     if args.scene not in known and not is_file:
         raise Refused(f"no scene {args.scene!r}{_did_you_mean(args.scene, known)}, or give a file")

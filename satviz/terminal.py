@@ -9,6 +9,7 @@ from contextlib import contextmanager, suppress
 from threading import current_thread, main_thread
 from types import FrameType
 
+LONGEST = 1200  # letters of a message
 _interrupted = False
 
 
@@ -31,9 +32,12 @@ def visible(text: str) -> str:
 
 
 def say(text: str) -> None:
-    """One line on standard error; where nobody can hear it, nothing is left to do."""
+    """One line on standard error, a very long one cut in its middle; where nobody hears it, nothing is left to do."""
+    line = visible(text)
+    if len(line) > LONGEST:
+        line = f"{line[: LONGEST // 2]} ... {line[-LONGEST // 2 :]}"
     with suppress(OSError, ValueError):
-        print(f"satviz: {visible(text)}", file=sys.stderr, flush=True)
+        print(f"satviz: {line}", file=sys.stderr, flush=True)
 
 
 def out(text: str) -> None:

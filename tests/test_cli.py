@@ -316,6 +316,41 @@ def test_json_stays_json_whatever_the_stream_can_hold(tmp_path, coding):
     assert json.loads(text)["a"]["labels"] == labels and ("日" in text) is not bool(coding) and "\x9b" not in text
 
 
+@pytest.mark.parametrize("args", [["figures"], ["draw", "aabb"], ["study"]])
+def test_an_empty_name_is_no_folder(args, capsys, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit) as stop:
+        main([*args, "--out", ""])
+    assert stop.value.code == 2 and "a folder's name is empty" in capsys.readouterr().err
+    with pytest.raises(SystemExit):
+        main(["notebook", "--no-open", ""])
+    assert main(["trace", ""]) == 2 and "no scene ''" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_message_stays_short_whatever_is_named(capsys):
+    for name in ("x" * 100_000, "./" + "x" * 100_000):
+        assert main(["trace", name]) == 2
+        err = capsys.readouterr().err
+        assert len(err) < 1500 and err.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    "error", [ValueError("two\nlines"), RuntimeError("odd"), AssertionError(), RecursionError("x")]
+)
+def test_a_fault_of_our_own_is_one_line_too_and_development_mode_shows_where(error, capsys, monkeypatch):
+    def worked(name):
+        raise error
+
+    monkeypatch.setattr("satviz.scenes.scene", worked)
+    assert main(["trace", "aabb"]) == 1
+    err = capsys.readouterr().err
+    assert err.count("\n") == 1 and type(error).__name__ in err and "-X dev" in err
+    monkeypatch.setattr("satviz.cli.sys", SimpleNamespace(flags=SimpleNamespace(dev_mode=True)))
+    with pytest.raises(type(error)):
+        main(["trace", "aabb"])
+
+
 @pytest.fixture
 def listening():
     """A test run in the background has interrupts ignored."""
