@@ -14,6 +14,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from oracle import cross, edges, holds, integers, meet, on_segment
 
+from satviz import concave
 from satviz.concave import parts
 from satviz.geometry import InvalidShape, Relation
 from satviz.shapes import Circle, Polygon
@@ -276,7 +277,7 @@ def saw(n: int) -> Ring:
     return [(0, -5), (n - 3, -5)] + [(x, x % 2 * 100 + x * 7 % 5 / 10) for x in reversed(range(n - 2))]
 
 
-@pytest.mark.parametrize(
+WELL_KNOWN = pytest.mark.parametrize(
     ("name", "ring", "count"),
     [
         ("L", L, 2),
@@ -289,8 +290,28 @@ def saw(n: int) -> Ring:
         ("hourglass", [(0, 0), (4, 0), (3, 3), (4, 6), (0, 6), (1, 3)], 2),
     ],
 )
+
+
+@WELL_KNOWN
 def test_well_known_outlines_have_the_fewest_parts(name, ring, count):
     assert len(parts(Polygon(ring))) == count
+
+
+@WELL_KNOWN
+@pytest.mark.parametrize("turned", [(1, 1), (-1, 1), (1, -1), (-1, -1)])
+def test_they_have_from_any_first_vertex_and_turned_any_way(name, ring, count, turned):
+    """The partners of a reflex vertex are judged by both its edges, also across the first vertex."""
+    for start in range(len(ring)):
+        for x, y in (0, 1), (1, 0):
+            around = [(p[x] * turned[0], p[y] * turned[1]) for p in ring[start:] + ring[:start]]
+            assert len(parts(Polygon(around))) == count, around
+
+
+def test_of_two_cuts_that_end_two_reflex_vertices_the_shorter_is_made():
+    # an hourglass with a second, wider waist: each waist is cut across, not from one to the other
+    waists = [(0, 0), (6, 0), (4, 4), (6, 8), (5, 12), (6, 16), (0, 16), (1, 12), (0, 8), (2, 4)]
+    found = {edge for part in parts(Polygon(waists)) for edge in edges(part.vertices)}
+    assert {((4, 4), (2, 4)), ((5, 12), (1, 12))} <= found and len(parts(Polygon(waists))) == 3
 
 
 @pytest.mark.parametrize("kind", ["right angles", "small grid", "quarters", "star of integers"])
@@ -506,3 +527,23 @@ def test_outlines_of_a_thousand_vertices_are_filled_exactly(ring):
     found = parts(polygon)
     print(f"{len(polygon.vertices)} vertices, {len(found)} parts: {time.process_time() - start:.2f} s")
     assert sum(truth.area2(part.vertices) for part in found) == truth.area2(polygon.corners)
+
+
+@pytest.mark.parametrize("outline", [lambda n: star(n // 2), lambda n: comb(n // 4), spiral, saw])
+def test_splitting_grows_by_no_more_than_the_square(outline, monkeypatch):
+    """Counted in turns and sights, each of which looks at one ring at most."""
+    looks = Counter()
+
+    def counted(name: str) -> None:
+        done = getattr(concave, name)
+        monkeypatch.setattr(concave, name, lambda *args: looks.update([name]) or done(*args))
+
+    counted("_turn"), counted("_bend")
+    sees = concave._Pieces._sees
+    monkeypatch.setattr(concave._Pieces, "_sees", lambda *args: looks.update(sees=len(args[1])) or sees(*args))
+    cost = []
+    for n in (200, 400):
+        looks.clear()
+        parts(Polygon(outline(n)))
+        cost.append(looks.total())
+    assert cost[1] < 2**2.2 * cost[0], cost
