@@ -178,18 +178,10 @@ NAMED: dict[str, Chooser] = {
 }
 
 
-def exact_direction(axis: Axis, a: Shape, b: Shape) -> IntPoint:
-    """The direction that an axis's source has in integers; an error if these shapes have no such source."""
-    kind, role, ids = axis.source
-    expected = {EDGE: 2, HULL: 2, VERTEX: 1, WORLD: 1, GIVEN: 1}.get(kind, 0)
-    if kind not in (EDGE, HULL, WORLD, CENTERS, VERTEX, CENTROIDS, ANY, GIVEN) or len(set(ids)) != expected:
-        raise ValueError(kind)
-    if (role in ("A", "B")) != (kind in (EDGE, HULL, VERTEX)) or (role is not None and role not in ("A", "B")):
-        raise ValueError(role)
-    if kind == WORLD:
-        return ((1, 0), (0, 1))[ids[0]]
-    core_a, core_b, _, _ = aligned(a, b)
-    return exact_normal(axis, {"A": a, "B": b}, {"A": core_a, "B": core_b})
+def by_source(a: Shape, b: Shape) -> dict[Source, Axis]:
+    """Every axis that these shapes have of themselves, by where it comes from."""
+    choices = [choose(a, b) for choose in (edge_normals, hull_normals, world, centers, nearest_vertex)]
+    return {axis.source: axis for c in choices for axis in (*c.axes, *(skip.axis for skip in c.skipped))}
 
 
 def exact_normal(axis: Axis, shapes: dict[str, Shape], points: dict[str, Sequence[IntPoint]]) -> IntPoint:

@@ -1,23 +1,23 @@
 """The way out of an overlap: moves of B, built or checked exactly to end it."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from functools import lru_cache
-from itertools import pairwise
-from math import frexp, hypot, inf, isqrt, ldexp, nextafter
+from itertools import combinations
+from math import frexp, inf, isqrt, ldexp, nextafter
 from typing import NamedTuple
 
 from .axes import exact_normal
 from .concave import parts
 from .exact import aligned
-from .geometry import Relation, Vec
-from .sat import AxisTest
-from .shapes import Circle, Polygon, Shape
+from .geometry import InvalidScene, Relation, Vec
+from .sat import LARGEST, AxisTest
+from .shapes import Circle, Shape
 from .verdict import relate_moved
 
 NUDGES = (0.0, *(2.0**-e for e in range(52, 19, -2)))  # how far outwards a rounded move is helped, near size 1
 ROUNDING = 2.0**-40
-MOST_BORDERS = 400  # of the nearest border pieces that are crossed with each other
+MOST_CORNERS = 4000  # of all pairs of parts: about a second at worst, most often far less
 
 
 def ends_overlap(a: Shape, b: Shape, move: Vec) -> bool:
@@ -53,41 +53,56 @@ def _away_from_zero(value: Fraction) -> float:
     return rounded + 0.0
 
 
+def too_many(a: Shape, b: Shape) -> str:
+    """Why `around_parts` will not look for a way out: it would take more than a moment; "" if it will."""
+    sizes = [[1 if isinstance(part, Circle) else len(part.corners) for part in parts(s)] for s in (a, b)]
+    pairs, corners = len(sizes[0]) * len(sizes[1]), sum(sizes[0]) * len(sizes[1]) + sum(sizes[1]) * len(sizes[0])
+    if corners <= MOST_CORNERS:
+        return ""
+    return (
+        f"{pairs:,} pairs of convex parts with {corners:,} corners: the shortest way out is looked for among "
+        f"{MOST_CORNERS:,} at most; simplify the outlines, or part two of the parts (trace.colliding.mtv)"
+    )
+
+
 @lru_cache(maxsize=256)
 def around_parts(a: Shape, b: Shape) -> Vec | None:
-    """The shortest move of B found that ends the overlap of shapes with concave outlines; None if beyond float64.
+    """The shortest move of B that ends the overlap of shapes, one of them concave; None if beyond float64.
 
     B clears A when it clears every part of A with every part of its own.  Each part
     pair forbids the moves inside one convex region (the Minkowski difference of the
-    two, rounded by the radii), so the shortest free move lies on a border: at a foot
-    of the perpendicular, or where two borders cross.  They are tried from the
-    shortest, each checked exactly; only of outlines with very many parts are far
-    crossings left out, and then the move may be longer than needed.  Pushing the
-    deepest part out is not enough: that may run into its neighbour.
+    two, rounded by the radius of a circle), so the shortest free move lies on a border:
+    at a foot of the perpendicular, or where two borders cross.  They are tried from the
+    shortest, each checked exactly.  Pushing the deepest part out is not enough: that
+    may run into its neighbour.  InvalidScene if there are too many pairs of parts.
     """
-    # at everyday size nothing overflows; a power of two changes no digit
-    size = frexp(max(a._reach, b._reach))[1]
-    near_one = [[_scaled(part, -size) for part in parts(shape)] for shape in (a, b)]
-    regions = [_forbidden(p, q) for p in near_one[0] for q in near_one[1]]
-    best = _nearest_free(regions, near_one)
-    try:
-        move = Vec(ldexp(best.x, size), ldexp(best.y, size))
-    except OverflowError:
-        return None
-    return move if ends_overlap(a, b, move) else None
-
-
-def _scaled(shape: Shape, e: int) -> Shape:
-    if isinstance(shape, Circle):
-        return Circle([ldexp(c, e) for c in shape.center], ldexp(shape.radius, e) or 5e-324)
-    return Polygon([[ldexp(c, e) for c in v] for v in shape.corners])
+    if reason := too_many(a, b):
+        raise InvalidScene(reason)
+    # near size 1 nothing overflows; a power of two changes no digit
+    size = frexp(min(max(a._reach, b._reach), LARGEST))[1]
+    radius = ldexp(sum(s.radius for s in (a, b) if isinstance(s, Circle)), -size)
+    free = _Free(size, radius, [_region(p, q, size, radius) for p in parts(a) for q in parts(b)])
+    borders = sorted(
+        (border for region in free.regions for border in _borders(region.ring, radius)),
+        key=lambda border: border.nearest,
+    )
+    free.try_all(c for border in borders for c in _feet(border, radius))
+    # what runs wholly inside one region is no border of the union
+    outer = [border for border in borders if border.nearest < free.length and not free.buries(border)]
+    free.try_all(c for one, other in combinations(outer, 2) for c in _crossings(one, other, radius))
+    return free.move
 
 
 class Region(NamedTuple):
-    """Forbidden moves: a counter-clockwise ring (or fewer than three points) and everything within a radius of it."""
+    """Moves that bring part q into part p: all within the radius of a counter-clockwise ring.
 
-    ring: list[Vec]
-    radius: float
+    Here moves are complex numbers, in units of 2**size.  `sides`: outward (nx, ny) and offset of each side.
+    """
+
+    p: Shape
+    q: Shape
+    ring: list[complex]
+    sides: list[tuple[float, float, float]]
     rounding: float  # how far a rounded border may lie from the true one
 
 
@@ -95,203 +110,175 @@ class Candidate(NamedTuple):
     """A move on the border, its length, and the way outwards there."""
 
     length: float
-    move: Vec
-    out: Vec
+    move: complex
+    out: complex
 
 
 class Border(NamedTuple):
-    """A piece of a region's border: a segment with its outward normal, or a whole circle (ends: its centre)."""
+    """A piece of a region's border from p to q, the region to its left: a segment, or an arc round a corner."""
 
-    nearest: float  # distance from the origin
-    ends: tuple[Vec, Vec]
-    normal: Vec
-    radius: float  # 0 for a segment
+    nearest: float  # not farther than this from the origin
+    p: complex
+    q: complex
+    normal: complex  # of a segment, outwards; 0 for an arc
+    center: complex  # of an arc
+    tip: complex  # where the tangents at both ends of an arc meet; inf if far out
 
-
-def _forbidden(p: Shape, q: Shape) -> Region:
-    """Moves of q into p: the hull of all differences, and the radius around it."""
-    core_p, core_q = ((s.center,) if isinstance(s, Circle) else s.corners for s in (p, q))
-    ring = _hull([Vec(u.x - v.x, u.y - v.y) for u in core_p for v in core_q])
-    radius = sum(s.radius for s in (p, q) if isinstance(s, Circle))
-    reach = max(abs(c) for v in ring for c in v)
-    return Region(ring, radius, ROUNDING * (reach + radius))
-
-
-def _hull(points: list[Vec]) -> list[Vec]:
-    """Andrew's monotone chain; rounded, since whatever comes of it is checked exactly."""
-    points = sorted(set(points))
-    if len(points) < 3:
-        return points
-
-    def chain(ordered: Iterable[Vec]) -> list[Vec]:
-        kept: list[Vec] = []
-        for p in ordered:
-            while len(kept) > 1 and _cross(kept[-2], kept[-1], p) <= 0:
-                kept.pop()
-            kept.append(p)
-        return kept[:-1]
-
-    return chain(points) + chain(reversed(points))
+    def has(self, point: complex) -> bool:
+        """Is a point of the arc's circle on the arc?"""
+        room = -1e-9
+        u, v, w = (end - self.center for end in (self.p, self.q, point))
+        return _cross(u, w) >= room and _cross(w, v) >= room
 
 
-def _cross(o: Vec, p: Vec, q: Vec) -> float:
-    return (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x)
+class _Free:
+    """The shortest free move found so far, among all that the regions do not forbid."""
+
+    def __init__(self, size: int, radius: float, regions: list[Region]) -> None:
+        self.size, self.radius, self.regions = size, radius, regions
+        self.length, self.move = inf, None
+
+    def try_all(self, candidates: Iterable[Candidate]) -> None:
+        """Take the shortest that ends the overlap exactly, helped outwards by a rounding or two."""
+        for length, move, out in sorted((c for c in candidates if c.length < self.length), key=lambda c: c.length):
+            if self._forbidden(lambda region, move=move: self._holds(region, move)):
+                continue
+            for nudge in NUDGES:
+                helped = self._scaled_back(move + out * nudge)
+                if helped and not self._forbidden(
+                    lambda region, by=helped: relate_moved(region.p, region.q, by) is Relation.OVERLAPPING
+                ):
+                    self.length, self.move = length, helped
+                    return
+
+    def buries(self, border: Border) -> bool:
+        """Does the piece lie well inside one region?  (A convex region that holds its ends and tip holds all of it.)"""
+        _, p, q, _, _, tip = border
+        return self._forbidden(lambda r: self._holds(r, p) and self._holds(r, q) and self._holds(r, tip))
+
+    def _forbidden(self, by: Callable[[Region], bool]) -> bool:
+        """Is there a region that forbids?  It moves to the front, as the likeliest to forbid the next move too."""
+        for i, region in enumerate(self.regions):
+            if by(region):
+                self.regions.insert(0, self.regions.pop(i))
+                return True
+        return False
+
+    def _holds(self, region: Region, move: complex) -> bool:
+        """Well inside: deeper than any rounding."""
+        x, y, radius = move.real, move.imag, self.radius
+        beyond = -inf if region.sides else inf
+        for nx, ny, offset in region.sides:
+            outside = nx * x + ny * y - offset
+            if outside > beyond:
+                if outside > radius:
+                    return False
+                beyond = outside
+        if beyond <= 0 or not radius:
+            return beyond < radius - region.rounding
+        return min(abs(_foot(p - move, q - move)) for p, q in _around(region.ring)) < radius - region.rounding
+
+    def _scaled_back(self, move: complex) -> Vec | None:
+        try:
+            return Vec(ldexp(move.real, self.size), ldexp(move.imag, self.size))
+        except OverflowError:
+            return None
 
 
-def _nearest_free(regions: list[Region], near_one: list[list[Shape]]) -> Vec:
-    """Try the border moves from the shortest: first the feet, which bound the rest, then the crossings."""
-    borders = sorted(piece for region in regions for piece in _borders(region))
-    best = Candidate(inf, Vec(inf, inf), Vec(0.0, 0.0))
-    best = _first_free(sorted(c for piece in borders for c in _feet(piece)), regions, near_one, best)
-    # what runs wholly inside one region is no border of the union
-    outer = [piece for piece in borders if piece.nearest < best.length and not _buried(piece, regions)]
-    crossings: list[Candidate] = []
-    outer = outer[:MOST_BORDERS]
-    for i, one in enumerate(outer):
-        for other in outer[:i]:
-            crossings += [c for c in _crossings(one, other) if c.length < best.length]
-    return _first_free(sorted(crossings), regions, near_one, best).move
+def _region(p: Shape, q: Shape, size: int, radius: float) -> Region:
+    core_p, core_q = (
+        [complex(ldexp(x, -size), ldexp(y, -size)) for x, y in ((s.center,) if isinstance(s, Circle) else s.corners)]
+        for s in (p, q)
+    )
+    ring = _sum(core_p, [-v for v in core_q])
+    # what float64 let collapse at this size has no inside
+    normals = [(u, -1j * (v - u) / abs(v - u)) for u, v in _around(ring)] if len(ring) > 2 else []
+    sides = [(n.real, n.imag, n.real * u.real + n.imag * u.imag) for u, n in normals]
+    return Region(p, q, ring, sides, ROUNDING * (max(map(abs, ring)) + radius))
 
 
-def _first_free(
-    candidates: Sequence[Candidate], regions: list[Region], near_one: list[list[Shape]], best: Candidate
-) -> Candidate:
-    """The shortest candidate that ends the overlap exactly, helped outwards by a rounding or two; else `best`."""
-    for length, move, out in candidates:
-        if length >= best.length:
-            break
-        if _somewhere_inside(move, regions):
-            continue
-        for nudge in NUDGES:
-            helped = Vec(move.x + out.x * nudge, move.y + out.y * nudge)
-            if all(relate_moved(p, q, helped) != Relation.OVERLAPPING for p in near_one[0] for q in near_one[1]):
-                return Candidate(length, helped, out)
-    return best
+def _sum(p: list[complex], q: list[complex]) -> list[complex]:
+    """The Minkowski sum of convex rings: their sides in the order of their directions.
+
+    Rounded, since whatever comes of it is checked exactly.
+    """
+    p, q = (ring[i:] + ring[:i] for ring in (p, q) for i in [ring.index(min(ring, key=lambda v: (v.imag, v.real)))])
+    found, i, j = [], 0, 0
+    n, m = (len(ring) if len(ring) > 1 else 0 for ring in (p, q))
+    while i < n or j < m:
+        found.append(p[i % len(p)] + q[j % len(q)])
+        turn = _cross(p[(i + 1) % n] - p[i], q[(j + 1) % m] - q[j]) if i < n and j < m else n - i - (m - j)
+        i, j = i + (turn >= 0), j + (turn <= 0)
+    return list(dict.fromkeys(found))
 
 
-def _borders(region: Region) -> Iterable[Border]:
-    ring, radius, _ = region
-    if radius:
-        yield from (Border(abs(hypot(*v) - radius), (v, v), Vec(0.0, 0.0), radius) for v in ring)
-    for p, q in _sides(ring):
-        length = hypot(q.x - p.x, q.y - p.y)
-        if length:
-            n = Vec((q.y - p.y) / length, (p.x - q.x) / length)
-            ends = tuple(Vec(v.x + n.x * radius, v.y + n.y * radius) for v in (p, q))
-            yield Border(hypot(*_foot(*ends)), ends, n, 0.0)
+def _cross(u: complex, v: complex) -> float:
+    return u.real * v.imag - u.imag * v.real
 
 
-def _foot(p: Vec, q: Vec) -> Vec:
-    dx, dy = q.x - p.x, q.y - p.y
-    square = dx * dx + dy * dy
-    if not square:
-        return p
-    t = min(1.0, max(0.0, -(p.x * dx + p.y * dy) / square))
-    return Vec(p.x + t * dx, p.y + t * dy)
+def _around(ring: list) -> Iterator[tuple]:
+    """Each with the next, round to the first."""
+    return zip(ring, [*ring[1:], *ring[:1]], strict=True)
 
 
-def _candidate(move: Vec, *outs: Vec) -> Candidate:
-    return Candidate(hypot(*move), move, Vec(sum(o.x for o in outs), sum(o.y for o in outs)))
+def _borders(ring: list[complex], radius: float) -> Iterator[Border]:
+    """Each side pushed out by the radius, and round each corner an arc from one to the next."""
+    sides = [(p, q, -1j * (q - p) / abs(q - p)) for p, q in _around(ring) if p != q]
+    for (p, q, normal), (_, _, after) in _around(sides):
+        start, end = p + normal * radius, q + normal * radius
+        yield Border(abs(_foot(start, end)), start, end, normal, 0j, start)
+        if radius:
+            tip = 1 + (normal * after.conjugate()).real
+            tip = q + (normal + after) * radius / tip if tip > 1e-3 else complex(inf, inf)
+            yield Border(abs(abs(q) - radius), end, q + after * radius, 0j, q, tip)
 
 
-def _feet(piece: Border) -> Iterable[Candidate]:
-    (p, q), n, radius = piece.ends, piece.normal, piece.radius
-    if not radius:
-        yield from (_candidate(move, n) for move in {p, q, _foot(p, q)})
-        return
-    distance = hypot(*p)
-    u = Vec(p.x / distance, p.y / distance) if distance else Vec(1.0, 0.0)
-    for way in (-1, 1):
-        yield _candidate(Vec(p.x + way * u.x * radius, p.y + way * u.y * radius), Vec(way * u.x, way * u.y))
+def _foot(p: complex, q: complex) -> complex:
+    """The segment's point nearest to the origin."""
+    way = q - p
+    square = way.real * way.real + way.imag * way.imag
+    t = -(p.real * way.real + p.imag * way.imag) / square if square else 0.0
+    return p + min(1.0, max(0.0, t)) * way
 
 
-def _crossings(one: Border, other: Border) -> Iterable[Candidate]:
-    if one.radius and other.radius:
-        points = _circle_circle(one.ends[0], one.radius, other.ends[0], other.radius)
-    elif one.radius or other.radius:
-        segment, circle = (other, one) if one.radius else (one, other)
-        points = _line_circle(segment.ends, circle.ends[0], circle.radius)
+def _feet(border: Border, radius: float) -> Iterator[Candidate]:
+    center = border.center
+    if border.normal:
+        foot = _foot(border.p, border.q)
+        yield Candidate(abs(foot), foot, border.normal)
+    elif center and border.has(move := center - center / abs(center) * radius):
+        yield Candidate(abs(move), move, -center / abs(center))
+
+
+def _crossings(one: Border, other: Border, radius: float) -> Iterator[Candidate]:
+    if not one.normal:
+        one, other = other, one
+    for move in _line_points(one, other, radius) if one.normal else _circle_points(one.center, other.center, radius):
+        if all(border.normal or border.has(move) for border in (one, other)):
+            out = sum(border.normal or (move - border.center) / radius for border in (one, other))
+            yield Candidate(abs(move), move, out)
+
+
+def _line_points(one: Border, other: Border, radius: float) -> Iterator[complex]:
+    """Where a segment meets another, or the circle of an arc."""
+    length, along = abs(one.q - one.p), 1j * one.normal
+    # seen along the first segment
+    if other.normal:
+        p, q = ((end - one.p) * along.conjugate() for end in (other.p, other.q))
+        if p.imag == q.imag or min(p.imag, q.imag) > 1e-9 or max(p.imag, q.imag) < -1e-9:
+            return
+        places = (p.real + (q.real - p.real) * p.imag / (p.imag - q.imag),)
     else:
-        points = _segment_segment(one.ends, other.ends)
-    for point in points:
-        outs = (_outward(piece, point) for piece in (one, other))
-        yield _candidate(point, *outs)
+        c = (other.center - one.p) * along.conjugate()
+        if abs(c.imag) > radius:
+            return
+        half = (radius * radius - c.imag * c.imag) ** 0.5
+        places = c.real - half, c.real + half
+    yield from (one.p + along * t for t in places if -1e-9 <= t <= length + 1e-9)
 
 
-def _outward(piece: Border, point: Vec) -> Vec:
-    if not piece.radius:
-        return piece.normal
-    c = piece.ends[0]
-    return Vec((point.x - c.x) / piece.radius, (point.y - c.y) / piece.radius)
-
-
-def _segment_segment(s: tuple[Vec, Vec], t: tuple[Vec, Vec]) -> Iterable[Vec]:
-    (p, q), (u, v) = s, t
-    dx, dy, ex, ey = q.x - p.x, q.y - p.y, v.x - u.x, v.y - u.y
-    det = dx * ey - dy * ex
-    if det:
-        f = ((u.x - p.x) * ey - (u.y - p.y) * ex) / det
-        g = ((u.x - p.x) * dy - (u.y - p.y) * dx) / det
-        if -1e-9 <= f <= 1 + 1e-9 and -1e-9 <= g <= 1 + 1e-9:
-            yield Vec(p.x + f * dx, p.y + f * dy)
-
-
-def _line_circle(segment: tuple[Vec, Vec], center: Vec, radius: float) -> Iterable[Vec]:
-    p, q = segment
-    length = hypot(q.x - p.x, q.y - p.y)
-    dx, dy = (q.x - p.x) / length, (q.y - p.y) / length
-    along = (center.x - p.x) * dx + (center.y - p.y) * dy
-    aside = (center.x - p.x) * dy - (center.y - p.y) * dx
-    if abs(aside) <= radius:
-        half = (radius * radius - aside * aside) ** 0.5
-        for t in (along - half, along + half):
-            if 0 <= t <= length:
-                yield Vec(p.x + t * dx, p.y + t * dy)
-
-
-def _circle_circle(c: Vec, r: float, d: Vec, s: float) -> Iterable[Vec]:
-    dx, dy = d.x - c.x, d.y - c.y
-    distance = hypot(dx, dy)
-    if abs(r - s) < distance <= r + s:
-        along = (distance * distance + r * r - s * s) / (2 * distance)
-        half = max(0.0, r * r - along * along) ** 0.5
-        for h in (-half, half):
-            yield Vec(c.x + (along * dx - h * dy) / distance, c.y + (along * dy + h * dx) / distance)
-
-
-def _buried(piece: Border, regions: list[Region]) -> bool:
-    """Does the whole piece lie well inside one region?  (A convex region that holds both ends holds all between.)"""
-    if piece.radius:
-        return False
-    return any(all(_inside(end, region) for end in piece.ends) for region in regions)
-
-
-def _somewhere_inside(move: Vec, regions: list[Region]) -> bool:
-    """Surely forbidden: a cheap look before the exact one; the region that forbids moves to the front."""
-    for i, region in enumerate(regions):
-        if _inside(move, region):
-            regions.insert(0, regions.pop(i))
-            return True
-    return False
-
-
-def _inside(move: Vec, region: Region) -> bool:
-    """Well inside: deeper than any rounding."""
-    ring, radius, rounding = region
-    if len(ring) > 2:
-        depth = inf
-        for p, q in _sides(ring):
-            depth = min(depth, _cross(p, q, move) / hypot(q.x - p.x, q.y - p.y))
-            if depth < -radius:
-                return False
-        if depth >= 0:
-            return depth + radius > rounding
-    if not radius:
-        return False
-    near = (_foot(Vec(p.x - move.x, p.y - move.y), Vec(q.x - move.x, q.y - move.y)) for p, q in _sides(ring))
-    return min(hypot(*foot) for foot in near) < radius - rounding
-
-
-def _sides(ring: list[Vec]) -> Iterable[tuple[Vec, Vec]]:
-    """From each corner to the next, round to the first."""
-    return pairwise((*ring, ring[0]))
+def _circle_points(c: complex, d: complex, radius: float) -> Iterator[complex]:
+    """Where two circles of the one radius meet."""
+    if c != d and abs(d - c) <= 2 * radius:
+        half = 1j * (d - c) / abs(d - c) * (radius * radius - abs(d - c) ** 2 / 4) ** 0.5
+        yield from ((c + d) / 2 - half, (c + d) / 2 + half)

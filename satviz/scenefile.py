@@ -95,9 +95,11 @@ def load(path: str | Path) -> Scene:
 
 
 def shape_data(shape: Shape) -> dict:
-    """A shape as plain JSON values."""
+    """A shape as plain JSON values; InvalidScene if it is too large to be read again."""
     if isinstance(shape, Circle):
         return {"circle": list(shape.center), "radius": shape.radius}
+    if len(shape.vertices) > MAX_VERTICES:
+        raise InvalidScene(f"a polygon of {len(shape.vertices):,} vertices: a file holds {MAX_VERTICES:,} at most")
     data: dict = {"polygon": [list(v) for v in shape.vertices]}
     if shape.labels:
         data["labels"] = list(shape.labels)

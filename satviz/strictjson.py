@@ -7,18 +7,28 @@ from typing import Any
 from .geometry import InvalidScene
 
 MAX_DEPTH = 12
+MAX_MARKS = 1 << 23  # commas, opening brackets and quotes: no value goes without one, so memory is bounded by them
 STRING = re.compile(r'"(?:[^"\\]|\\.)*+(?:"|$)', re.DOTALL)  # an unended one runs to the end, once
+
+
+def refuse_large(text: str, max_chars: int) -> None:
+    """InvalidScene for a text too large to be read, at a glance."""
+    if len(text) > max_chars:
+        raise InvalidScene(f"{len(text)} characters: the limit is {max_chars}")
+    if (marks := sum(map(text.count, ',[{"'))) > MAX_MARKS:
+        raise InvalidScene(f"{marks} commas, brackets and quotes: the limit is {MAX_MARKS}")
 
 
 def parse(text: str, max_chars: int) -> Any:
     """The value of a JSON text; InvalidScene names what is wrong.  Size and depth are checked before parsing."""
-    if len(text) > max_chars:
-        raise InvalidScene(f"{len(text)} characters: the limit is {max_chars}")
+    refuse_large(text, max_chars)
     depth = 0
-    for bracket in re.findall(r"[\[\]{}]", STRING.sub("", text)):
-        depth += 1 if bracket in "[{" else -1
+    for bracket in re.finditer(r"[\[\]{}]", STRING.sub("", text)):
+        depth += 1 if bracket[0] in "[{" else -1
         if depth > MAX_DEPTH:
             raise InvalidScene(f"nested deeper than {MAX_DEPTH} levels")
+        if depth < 0:
+            break  # no JSON, as the parser will say
     try:
         return json.loads(
             text, object_pairs_hook=_no_twice, parse_constant=_no_constant, parse_float=_finite, parse_int=_whole

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from .axes import ANY, CENTERS, CENTROIDS, EDGE, HULL, VERTEX, WORLD, Axis
 from .concave import named_parts
+from .escape import too_many
 from .geometry import Interval, Relation, Vec
 from .shapes import Circle, Shape
 
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
     from .certificate import SeparatingLine
     from .sat import AxisTest
     from .trace import Names, Trace
+
+MOST_PAIRS = 20  # of parts, in a table that can be read
 
 
 def number(value: float) -> str:
@@ -104,10 +107,10 @@ def test(trace: Trace, i: int) -> str:
     return f"{head}: {ranges}, {outcome(t)}: not a separating axis."
 
 
-def verdict(trace: Trace) -> str:
-    """The whole run in one sentence that says no more than was proved."""
+def verdict(trace: Trace, move: Vec | None) -> str:
+    """The whole run in one sentence that says no more than was proved; `move` ends an overlap."""
     if trace.pairs:
-        return _parts_verdict(trace)
+        return _parts_verdict(trace, move)
     a, b = trace.names
     separating = trace.separating
     if separating:
@@ -123,11 +126,12 @@ def verdict(trace: Trace) -> str:
         count += " (not a proof; the exact test decides)"
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: {count}, and they share no interior point. Touching is a hit."
-    return f"{a} and {b} overlap: {count}. {_move(trace)}"
+    return f"{a} and {b} overlap: {count}. {_way_out(trace, move)}"
 
 
-def _move(trace: Trace) -> str:
-    move = trace.mtv
+def _way_out(trace: Trace, move: Vec | None) -> str:
+    if move is None and too_many(trace.a, trace.b):
+        return "They have too many parts to look for the shortest way out."
     if move is None:
         return "No move that float64 can hold parts them."
     return f"Moving {trace.names.b} by {vector(move)} leaves them just touching."
@@ -141,22 +145,26 @@ def _axes(n: int) -> str:
     return "1 axis" if n == 1 else f"{n} axes"
 
 
-def _parts_verdict(trace: Trace) -> str:
+def _parts_verdict(trace: Trace, move: Vec | None) -> str:
     a, b = trace.names
     if not trace.hit:
         return f"{a} and {b} are apart: each of the {len(trace.pairs)} pairs of convex parts has a separating axis."
     p, q = trace.colliding.names
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: their parts {p} and {q} do, and no parts overlap. Touching is a hit."
-    return f"{a} and {b} overlap: their parts {p} and {q} do. {_move(trace)}"
+    return f"{a} and {b} overlap: their parts {p} and {q} do. {_way_out(trace, move)}"
 
 
 def table(trace: Trace) -> str:
     """The trace as plain text: a row a test, then the axes not tested, then the verdict."""
-    if trace.pairs:
-        blocks = [f"{pair.names.a} against {pair.names.b}\n{_rows(pair)}\n{verdict(pair)}" for pair in trace.pairs]
-        return "\n\n".join([*blocks, verdict(trace)])
-    return f"{_rows(trace)}\n{verdict(trace)}"
+    if not trace.pairs:
+        return f"{_rows(trace)}\n{trace.sentence}"
+    hit = trace.colliding
+    shown = [pair for i, pair in enumerate(trace.pairs) if i < MOST_PAIRS or pair is hit]
+    blocks = [f"{pair.names.a} against {pair.names.b}\n{table(pair)}" for pair in shown]
+    if left := len(trace.pairs) - len(shown):
+        blocks.append(f"(and {left:,} more pairs of parts)")
+    return "\n\n".join([*blocks, trace.sentence])
 
 
 def _rows(trace: Trace) -> str:
@@ -169,9 +177,9 @@ def _rows(trace: Trace) -> str:
         rows.append((f"{i} {name}", *cells))
     widths = [max(len(row[i]) for row in rows) for i in range(6)]
     lines = ["  ".join(_pad(cell, w, right=i in (4,)) for i, (cell, w) in enumerate(zip(row, widths))) for row in rows]
-    axes = trace.choice.axes
-    for s in sorted(trace.skipped, key=lambda s: s.axis not in axes):  # those with a number first
-        place = f"{axes.index(s.axis) + 1} " if s.axis in axes else ""
+    places = {axis: f"{i} " for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
+    for s in sorted(trace.skipped, key=lambda s: s.axis not in places):  # those with a number first
+        place = places.get(s.axis, "")
         lines.append(f"- {place}{axis_name(s.axis, shapes, trace.names)}: {s.reason}")
     return "\n".join(line.rstrip() for line in lines)
 

@@ -1,20 +1,23 @@
 """record and the Trace: every tested axis, every landing place, every gap, and what follows from them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import product
 from typing import NamedTuple
 
 from . import telling
 from .axes import Choice, Chooser, Skip, needed
 from .certificate import Certificate, PartLines, separating_line, shared_point
-from .concave import named_parts, parts
+from .concave import named_parts
 from .escape import along_axis, around_parts
-from .geometry import Relation, Vec
+from .geometry import InvalidScene, Relation, Vec
 from .sat import AxisTest, axis_tests
 from .shapes import Circle, Polygon, Shape, checked
 from .verdict import relate
 
 APART, TOUCHING, OVERLAPPING = Relation
+
+MAX_SIZE = 200_000  # what a trace lists (see _size): some 30 MB of JSON, which can be read again
 
 
 class Names(NamedTuple):
@@ -80,7 +83,8 @@ class Trace:
     @property
     def colliding(self) -> "Trace | None":
         """The trace of the part pair that settles a hit of concave outlines, or None."""
-        return next((pair for pair in self.pairs if pair.hit and pair.relation is self.relation), None)
+        found = self.relation
+        return next((pair for pair in self.pairs if pair.relation is found), None) if found else None
 
     @property
     def shallowest(self) -> AxisTest | None:
@@ -94,27 +98,37 @@ class Trace:
         It ends the overlap exactly, being rounded outwards; (0, 0) when the shapes only
         touch, None when they are apart or when no float64 move is long enough.  It is the
         shortest of all (to a rounding) where the choice of axes is complete, else the
-        shortest along the tested axes.
+        shortest along the tested axes.  Worked out when asked for; InvalidScene for
+        concave outlines of too many parts.
         """
         relation = self.relation
         if relation is not OVERLAPPING:
             return None if relation is APART else Vec(0.0, 0.0)
         if not (_convex(self.a) and _convex(self.b)):
             return around_parts(self.a, self.b)
-        return along_axis(self.a, self.b, self.shallowest) if self.tests else around_parts(self.a, self.b)
+        return along_axis(self.a, self.b, self.shallowest or record(self.a, self.b).shallowest)
+
+    @property
+    def known_mtv(self) -> Vec | None:
+        """`mtv` for tables, files and pictures, which do without where it would take too long: then None."""
+        try:
+            return self.mtv
+        except InvalidScene:
+            return None
 
     @property
     def certificate(self) -> Certificate:
         """Evidence anyone can check: a separating line, or a point in both shapes; `check()` uses fractions."""
         if self.separating:
             return separating_line(self.a, self.b, self.separating.axis)
-        if self.relation is not APART:
-            for p in parts(self.a):
-                for q in parts(self.b):
-                    if relate(p, q) is self.relation:
-                        return shared_point(p, q)._replace(a=self.a, b=self.b)
-        lines = tuple(record(p, q).certificate for p in parts(self.a) for q in parts(self.b))
-        return lines[0] if len(lines) == 1 else PartLines(self.a, self.b, lines)
+        if self.pairs:
+            hit = self.colliding
+            if hit:
+                return hit.certificate._replace(a=self.a, b=self.b)
+            return PartLines(self.a, self.b, tuple(pair.certificate for pair in self.pairs))
+        if self.choice.complete:
+            return shared_point(self.a, self.b)
+        return record(self.a, self.b).certificate  # that choice is complete, so it ends in a case above
 
     @property
     def skipped(self) -> tuple[Skip, ...]:
@@ -133,7 +147,7 @@ class Trace:
     @property
     def sentence(self) -> str:
         """The verdict in words."""
-        return telling.verdict(self)
+        return telling.verdict(self, self.known_mtv)
 
     def __str__(self) -> str:
         return telling.table(self)
@@ -167,7 +181,8 @@ def record(a: Shape, b: Shape, *, axes: Chooser | Choice = needed, every_axis: b
     `axes`: a choice of axes (satviz.axes), by default the smallest complete set; with
     it, concave polygons are tested part by part.  The loop stops at the first
     separating axis, and for parts at the first pair that overlaps, unless
-    `every_axis`.  TypeError for anything but Polygon and Circle.
+    `every_axis`.  TypeError for anything but Polygon and Circle; InvalidScene if the
+    trace would list more than MAX_SIZE points and axes.
     """
     checked(a, "a"), checked(b, "b")
     if axes is needed and not (_convex(a) and _convex(b)):
@@ -179,19 +194,43 @@ def _record(a: Shape, b: Shape, choice: Choice, every_axis: bool, names: Names) 
     tests = []
     for test in axis_tests(a, b, choice.axes):
         tests.append(test)
+        if _size(a, b, choice, tests) > MAX_SIZE:
+            what = f"{' and '.join(names)} have {_points(a, b):,} points to drop on {len(choice.axes):,} axes"
+            raise _too_large(what)
         if test.gap > 0 and not every_axis:
             break
     return Trace(a, b, choice, tuple(tests), every_axis, (), names)
 
 
 def _record_parts(a: Shape, b: Shape, every_axis: bool) -> Trace:
-    pairs = []
-    for p, name_a in named_parts(a, "A"):
-        for q, name_b in named_parts(b, "B"):
-            pairs.append(_record(p, q, needed(p, q), every_axis, Names(name_a, name_b)))
-            if pairs[-1].relation is OVERLAPPING and not every_axis:
-                return Trace(a, b, Choice((), complete=True), (), every_axis, tuple(pairs))
+    pairs, size = [], 0
+    parts_a, parts_b = named_parts(a, "A"), named_parts(b, "B")
+    for (p, name_a), (q, name_b) in product(parts_a, parts_b):
+        pair = _record(p, q, needed(p, q), every_axis, Names(name_a, name_b))
+        pairs.append(pair)
+        size += _size(p, q, pair.choice, pair.tests)
+        if size > MAX_SIZE:
+            raise _too_large(f"A and B have {len(parts_a) * len(parts_b):,} pairs of convex parts")
+        if pair.relation is OVERLAPPING and not every_axis:
+            break
     return Trace(a, b, Choice((), complete=True), (), every_axis, tuple(pairs))
+
+
+def _size(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest]) -> int:
+    """What a trace lists: points, those dropped in each test too, and axes."""
+    return _points(a, b) * (1 + len(tests)) + len(choice.axes) + len(choice.skipped)
+
+
+def _points(a: Shape, b: Shape) -> int:
+    return sum(2 if isinstance(shape, Circle) else len(shape.vertices) for shape in (a, b))
+
+
+def _too_large(what: str) -> InvalidScene:
+    """Work and memory stay bounded: the loop ends where its trace outgrows the limit."""
+    return InvalidScene(
+        f"{what}: a trace lists {MAX_SIZE:,} points and axes at most; ask relate for the verdict alone, "
+        "choose fewer axes (world), or simplify the shapes"
+    )
 
 
 def _convex(shape: Shape) -> bool:

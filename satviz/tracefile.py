@@ -1,16 +1,19 @@
 """A trace as JSON and back: the facts, and beside them the verdicts, which the reader checks."""
 
 import json
+from dataclasses import replace
 from math import hypot
 from typing import Any
 
-from . import axes
+from . import axes, telling
 from .axes import Axis, Choice, Skip, Source
-from .exact import to_float
-from .geometry import InvalidScene, Vec
+from .escape import ends_overlap
+from .geometry import InvalidScene, InvalidShape, Vec
+from .outline import number
 from .sat import AxisTest, Projection
 from .scenefile import shape_data, shape_from
-from .strictjson import keys, parse, typed
+from .shapes import Shape
+from .strictjson import keys, parse, refuse_large, typed
 from .trace import PLAIN, Names, Trace, record
 
 MAX_CHARS = 1 << 26
@@ -18,17 +21,52 @@ ROUNDING = 2.0**-28  # how far another machine's square root may move a landing,
 
 
 def dump(trace: Trace, indent: int | None) -> str:
-    return json.dumps({"satviz": "trace 1", **_data(trace)}, indent=indent, ensure_ascii=False, allow_nan=False)
+    data = {"satviz": "trace 1", **_data(trace, trace.known_mtv)}
+    text = json.dumps(data, indent=indent, ensure_ascii=False, allow_nan=False)
+    try:
+        refuse_large(text, MAX_CHARS)
+    except InvalidScene as error:
+        raise InvalidScene(f"the trace is too large for a file that can be read again: {error}") from None
+    return text
 
 
 def load(text: str) -> Trace:
+    """Everything is worked out again from the two shapes alone, in bounded time, and compared."""
     data = dict(keys(parse(text, MAX_CHARS), "the trace", {"satviz"}, set(_KEYS)))
     if data.pop("satviz") != "trace 1":
         raise InvalidScene('"satviz" must be "trace 1"')
-    trace = _trace(data, "trace")
-    _true(trace)
-    _agree(_data(trace), data, "trace")
+    keys(data, "trace", set(_KEYS))
+    a, b = (shape_from(data[name], f"trace.{name}") for name in ("a", "b"))
+    pairs = typed(data["pairs"], "trace.pairs", list)
+    if pairs:
+        again = record(a, b, every_axis=typed(data["every_axis"], "trace.every_axis", bool))
+        if len(pairs) != len(again.pairs):
+            raise InvalidScene("trace.pairs are not those of the shapes' convex parts")
+        found = zip(pairs, again.pairs, strict=True)
+        trace = replace(
+            again, pairs=tuple(_pair(pair, f"trace.pairs[{i}]", ours) for i, (pair, ours) in enumerate(found))
+        )
+    else:
+        trace = _facts(data, "trace", a, b, PLAIN)
+        _same(trace, record(a, b, axes=_choice_like(trace), every_axis=trace.every_axis), "trace")
+    _agree(_data(trace, _way_out(trace, data["mtv"])), data, "trace")
     return trace
+
+
+def _pair(data: Any, where: str, ours: Trace) -> Trace:
+    trace = _facts(data, where, ours.a, ours.b, ours.names)
+    _same(trace, ours, where)
+    return trace
+
+
+def _way_out(trace: Trace, data: Any) -> Vec | None:
+    """The file's move for concave outlines, if it is as good; another machine may round its way to another one."""
+    ours = trace.known_mtv
+    if not trace.pairs or not ours or data is None:
+        return ours
+    theirs = _vec(data, "trace.mtv")
+    as_long = abs(hypot(*theirs) - hypot(*ours)) <= ROUNDING * hypot(*ours)
+    return theirs if as_long and ends_overlap(trace.a, trace.b, theirs) else ours
 
 
 def _axis_data(axis: Axis) -> dict:
@@ -46,8 +84,7 @@ def _test_data(test: AxisTest) -> dict:
     return {"a": _side_data(test.a), "b": _side_data(test.b), "gap": test.gap, "separates": test.separates}
 
 
-def _data(trace: Trace) -> dict:
-    mtv = trace.mtv
+def _data(trace: Trace, mtv: Vec | None) -> dict:
     return {
         "a": shape_data(trace.a),
         "b": shape_data(trace.b),
@@ -57,11 +94,11 @@ def _data(trace: Trace) -> dict:
         "axes": [_axis_data(axis) for axis in trace.choice.axes],
         "skipped": [{"axis": _axis_data(s.axis), "reason": s.reason} for s in trace.choice.skipped],
         "tests": [_test_data(test) for test in trace.tests],
-        "pairs": [_data(pair) for pair in trace.pairs],
+        "pairs": [_data(pair, pair.mtv) for pair in trace.pairs],
         "relation": str(trace.relation),
         "hit": trace.hit,
         "mtv": mtv and list(mtv),
-        "sentence": trace.sentence,
+        "sentence": telling.verdict(trace, mtv),
     }
 
 
@@ -69,43 +106,36 @@ _LISTS = ["axes", "skipped", "tests", "pairs"]
 _KEYS = ["a", "b", "names", "every_axis", "complete", *_LISTS, "relation", "hit", "mtv", "sentence"]
 
 
-def _trace(data: Any, where: str) -> Trace:
+def _facts(data: Any, where: str, a: Shape, b: Shape, names: Names) -> Trace:
+    """The trace of one run, with the file's numbers."""
     keys(data, where, set(_KEYS))
-    a, b = (shape_from(data[name], f"{where}.{name}") for name in ("a", "b"))
-    names = [typed(name, f"{where}.names", str) for name in typed(data["names"], f"{where}.names", list)]
-    if len(names) != 2:
-        raise InvalidScene(f"{where}.names must be two texts")
     lists = {name: list(enumerate(typed(data[name], f"{where}.{name}", list))) for name in _LISTS}
-    found = tuple(_axis(axis, f"{where}.axes[{i}]", (a, b)) for i, axis in lists["axes"])
+    known = axes.by_source(a, b)
+    found = tuple(_axis(axis, f"{where}.axes[{i}]", known) for i, axis in lists["axes"])
     skipped = []
     for i, skip in lists["skipped"]:
         keys(skip, f"{where}.skipped[{i}]", {"axis", "reason"})
         reason = typed(skip["reason"], f"{where}.skipped[{i}].reason", str)
-        skipped.append(Skip(_axis(skip["axis"], f"{where}.skipped[{i}].axis", (a, b)), reason))
+        skipped.append(Skip(_axis(skip["axis"], f"{where}.skipped[{i}].axis", known), reason))
     if len(lists["tests"]) > len(found):
         raise InvalidScene(f"{where}.tests has more tests than there are axes")
     tests = tuple(_test(test, f"{where}.tests[{i}]", found[i]) for i, test in lists["tests"])
     choice = Choice(found, tuple(skipped), typed(data["complete"], f"{where}.complete", bool))
-    pairs = tuple(_trace(pair, f"{where}.pairs[{i}]") for i, pair in lists["pairs"])
-    return Trace(a, b, choice, tests, typed(data["every_axis"], f"{where}.every_axis", bool), pairs, Names(*names))
+    return Trace(a, b, choice, tests, typed(data["every_axis"], f"{where}.every_axis", bool), (), names)
 
 
-def _axis(data: Any, where: str, shapes: tuple) -> Axis:
+def _axis(data: Any, where: str, known: dict[Source, Axis]) -> Axis:
     keys(data, where, {"normal", "length", "source"})
     source = keys(data["source"], f"{where}.source", {"kind", "shape", "vertices"})
     ids = tuple(typed(i, f"{where}.source.vertices", int) for i in typed(source["vertices"], f"{where}.source", list))
     kind, role = typed(source["kind"], f"{where}.source.kind", str), source["shape"]
-    axis = Axis(_vec(data["normal"], f"{where}.normal"), _float(data["length"], where), Source(kind, role, ids))
-    try:
-        x, y = axes.exact_direction(axis, *shapes)
-    except (AttributeError, KeyError, TypeError, ValueError, IndexError):
-        raise InvalidScene(f"{where}.source names vertices or a kind that these shapes do not have") from None
-    k = max(abs(x), abs(y)).bit_length()
-    exact = Vec(to_float(x, k), to_float(y, k))
-    size = max(map(abs, axis.normal))
-    off = abs(exact.x * axis.normal.y - exact.y * axis.normal.x)
-    along = exact.x * axis.normal.x + exact.y * axis.normal.y
-    if not size or off > size * 1e-12 or along <= 0 or abs(axis.length - hypot(*axis.normal)) > axis.length * 1e-12:
+    source = Source(kind, role if role is None else typed(role, f"{where}.source.shape", str), ids)
+    axis = Axis(_vec(data["normal"], f"{where}.normal"), _float(data["length"], f"{where}.length"), source)
+    given = kind == axes.GIVEN and role is None and len(ids) == 1 and any(axis.normal)
+    ours = Axis(axis.normal, hypot(*axis.normal), source) if given else known.get(source)
+    if ours is None:
+        raise InvalidScene(f"{where}.source names vertices or a kind that these shapes do not have")
+    if not _near((*axis.normal, axis.length), (*ours.normal, ours.length), ours.length * 1e-12):
         raise InvalidScene(f"{where} is not the direction (or not the length) that its source has")
     return axis
 
@@ -133,8 +163,11 @@ def _vec(data: Any, where: str) -> Vec:
 
 def _float(value: Any, where: str) -> float:
     """A number; other writers of JSON leave the .0 of a whole one out."""
-    if isinstance(value, int) and not isinstance(value, bool) and abs(value) <= 1 << 53:
-        return float(value)
+    if isinstance(value, int) and not isinstance(value, bool):
+        try:
+            return number(value, where)
+        except InvalidShape as error:
+            raise InvalidScene(str(error)) from None
     return typed(value, where, float)
 
 
@@ -148,23 +181,6 @@ def _agree(ours: Any, theirs: Any, where: str) -> None:
             _agree(mine, yours, f"{where}[{i}]")
     elif ours != theirs or isinstance(ours, bool) is not isinstance(theirs, bool):
         raise InvalidScene(f"{where} is {theirs!r}, but the facts give {ours!r}")
-
-
-def _true(trace: Trace) -> None:
-    """Measure again: numbers may differ by a rounding of another machine, signs and everything else may not."""
-    if trace.names != PLAIN:
-        raise InvalidScene(f"trace.names is {list(trace.names)}: expected {list(PLAIN)}")
-    if not trace.pairs:
-        again = record(trace.a, trace.b, axes=_choice_like(trace), every_axis=trace.every_axis)
-        _same(trace, again, "trace")
-        return
-    again = record(trace.a, trace.b, every_axis=trace.every_axis)
-    if len(again.pairs) != len(trace.pairs) or trace.choice != again.choice or trace.tests:
-        raise InvalidScene("trace.pairs are not those of the shapes' convex parts")
-    for i, (pair, ours) in enumerate(zip(trace.pairs, again.pairs)):
-        if (pair.a, pair.b, pair.names, pair.pairs) != (ours.a, ours.b, ours.names, ()):
-            raise InvalidScene(f"trace.pairs[{i}] is not that of the shapes' convex parts")
-        _same(pair, ours, f"trace.pairs[{i}]")
 
 
 def _choice_like(trace: Trace) -> Choice:
@@ -184,6 +200,7 @@ def _sources(choice: Choice) -> tuple:
 
 
 def _same(trace: Trace, again: Trace, where: str) -> None:
+    """Measured again, numbers may differ by a rounding of another machine; signs and everything else may not."""
     if _sources(trace.choice) != _sources(again.choice) or trace.choice.complete != again.choice.complete:
         raise InvalidScene(f"{where}.axes are not those of these shapes")
     if trace.every_axis != again.every_axis or len(trace.tests) != len(again.tests):

@@ -2,7 +2,7 @@
 
 import json
 from fractions import Fraction
-from math import hypot
+from math import cos, hypot, pi, sin
 
 import pytest
 from hypothesis import given, settings
@@ -10,8 +10,11 @@ from hypothesis import strategies as st
 from strategies import CONVEX, pairs
 
 import satviz as sv
-from satviz import axes, telling
+from satviz import axes, concave, escape, strictjson, telling, tracefile
+from satviz import trace as trace_module
+from satviz.certificate import SharedPoint
 from satviz.escape import ends_overlap
+from satviz.sat import axis_tests
 from satviz.scenes import SCENES, box
 from satviz.verdict import relate_moved
 
@@ -254,8 +257,6 @@ CONCAVE = [
 
 @pytest.mark.parametrize(("a", "b"), CONCAVE)
 def test_a_concave_pairs_mtv_ends_the_overlap_and_no_shorter_move_of_a_fan_does(a, b):
-    from math import cos, pi, sin
-
     trace = sv.record(a, b)
     if trace.relation is not sv.Relation.OVERLAPPING:
         assert trace.mtv is None or trace.mtv == (0, 0)
@@ -318,6 +319,125 @@ LIES = {
 }
 
 
+SQUARE = sv.Polygon([(0, 0), (2, 0), (2.5, 2), (0, 2)])
+COIN = sv.Circle((3, 3), 1)
+
+
+def axis_of(kind, shape, *vertices):
+    return lambda axis: axis["source"].update(kind=kind, shape=shape, vertices=list(vertices))
+
+
+# what is changed in the first axis of a choice of one's own, whose tests are measured on the axis as it then is
+AXIS_LIES = {
+    "a number for a normal": (lambda axis: axis.update(normal=5), "pair of numbers"),
+    "three numbers for a normal": (lambda axis: axis.update(normal=[1.0, 2.0, 3.0]), "pair of numbers"),
+    "no direction": (lambda axis: axis.update(normal=[0.0, 0.0], length=0.0), "not the direction"),
+    "turned round": (lambda axis: axis.update(normal=[-c for c in axis["normal"]]), "not the direction"),
+    "a little off": (lambda axis: axis.update(normal=[c + 1e-9 for c in axis["normal"]]), "not the direction"),
+    "twice as long": (
+        lambda axis: axis.update(normal=[2 * c for c in axis["normal"]], length=4.0),
+        "not the direction",
+    ),
+    "another length": (lambda axis: axis.update(length=axis["length"] * (1 + 1e-9)), "the length"),
+    "no length": (lambda axis: axis.update(length=0.0), "the length"),
+    "a diagonal as an edge": (axis_of("edge normal", "A", 0, 2), "do not have"),
+    "a diagonal as a hull's edge": (axis_of("hull edge normal", "A", 0, 2), "do not have"),
+    "a vertex that is not there": (axis_of("edge normal", "A", 0, 4), "do not have"),
+    "vertices out of order": (axis_of("edge normal", "A", 1, 0), "do not have"),
+    "an edge of a circle": (axis_of("edge normal", "B", 0, 1), "do not have"),
+    "nobody's edge": (axis_of("edge normal", None, 0, 1), "do not have"),
+    "C's edge": (axis_of("edge normal", "C", 0, 1), "do not have"),
+    "a list's edge": (axis_of("edge normal", ["A"], 0, 1), "must be text"),
+    "text for a vertex": (axis_of("edge normal", "A", "0", 1), "must be a number"),
+    "true for a vertex": (axis_of("edge normal", "A", True, 0), "must be a number"),
+    "one vertex of an edge": (axis_of("edge normal", "A", 0), "do not have"),
+    "not the nearest vertex": (axis_of("nearest vertex", "A", 1), "do not have"),
+    "a third world axis": (axis_of("world", None, 2), "do not have"),
+    "a world axis from behind": (axis_of("world", None, -1), "do not have"),
+    "somebody's world axis": (axis_of("world", "A", 1), "do not have"),
+    "both world axes": (axis_of("world", None, 0, 1), "do not have"),
+    "two circles' centers": (axis_of("centers", None), "do not have"),
+    "circles about one center": (axis_of("any direction", None), "do not have"),
+    "not through the centroids": (axis_of("centroids", None), "not the direction"),
+    "somebody's given direction": (axis_of("given direction", "A", 0), "do not have"),
+    "a given direction of no number": (axis_of("given direction", None), "do not have"),
+}
+
+
+@pytest.mark.parametrize("lie", AXIS_LIES)
+def test_an_axis_that_is_not_what_its_source_says_is_refused(lie):
+    own = axes.Choice(axes.edge_normals_of_a(SQUARE, COIN).axes[2:])
+    data = json.loads(sv.record(SQUARE, COIN, axes=own, every_axis=True).to_json())
+    change, words = AXIS_LIES[lie]
+    change(data["axes"][0])
+    with pytest.raises(sv.InvalidScene, match=words):
+        sv.Trace.from_json(json.dumps(data))
+
+
+def test_every_axis_that_shapes_have_may_be_in_a_choice_of_ones_own():
+    around = sv.Polygon([(1, 1), (2, 1.5), (3, 1), (3, 3), (1, 3)])
+    for a, b in [(SQUARE, COIN), (COIN, SQUARE), (COIN, COIN), (COIN, sv.Circle((0, 1), 2)), (SQUARE, around)]:
+        own = axes.Choice((*axes.by_source(a, b).values(), *axes.directions((1, 2), (-3e300, 1e-300))(a, b).axes))
+        trace = sv.record(a, b, axes=own, every_axis=True)
+        assert sv.Trace.from_json(trace.to_json()) == trace
+
+
+SKIP_LIES = {
+    "another reason": lambda skip: skip.update(reason="parallel to axis 1"),
+    "another axis": lambda skip: skip["axis"]["source"].update(vertices=[0, 1]),
+    "no reason": lambda skip: skip.pop("reason"),
+}
+
+
+@pytest.mark.parametrize("lie", SKIP_LIES)
+def test_an_axis_left_out_for_another_reason_is_refused(lie):
+    data = json.loads(sv.record(A, B).to_json())
+    assert data["skipped"][0]["reason"] == "parallel to axis 2"
+    SKIP_LIES[lie](data["skipped"][0])
+    with pytest.raises(sv.InvalidScene):
+        sv.Trace.from_json(json.dumps(data))
+
+
+def test_a_trace_of_parts_with_other_axes_shapes_or_pairs_is_refused():
+    def lie(change):
+        data = json.loads(sv.record(box(1, 1, 3, 3), L).to_json())
+        change(data)
+        with pytest.raises(sv.InvalidScene):
+            sv.Trace.from_json(json.dumps(data))
+
+    lie(lambda d: d["pairs"][0]["axes"].reverse())
+    lie(lambda d: d["pairs"][0].update(complete=False))
+    lie(lambda d: d["pairs"][0].update(every_axis=True))
+    lie(lambda d: d["pairs"][0].update(names=["A", "B2"]))
+    lie(lambda d: d["pairs"][0]["b"].update(d["b"]))
+    lie(lambda d: d["pairs"][0]["tests"].pop())
+    lie(lambda d: d["pairs"].append(d["pairs"][0]))
+    lie(lambda d: d["pairs"].clear())
+    lie(lambda d: d["pairs"][0]["pairs"].append(d["pairs"][0] | {"pairs": []}))
+    lie(lambda d: d.update(axes=d["pairs"][0]["axes"]))
+    lie(lambda d: d.update(every_axis=True))
+    lie(lambda d: d.update(every_axis="no"))
+    lie(lambda d: d.update(a=d["b"]))
+    lie(lambda d: d.update(mtv=None))
+    lie(lambda d: d.update(mtv=[-2.0, -2.5]))  # a longer one
+    lie(lambda d: d.update(mtv=[0.999 * c for c in d["mtv"]]))
+    lie(lambda d: d.update(mtv="up"))
+
+
+def test_a_way_out_as_short_as_ours_is_as_good():
+    """Where two ways are equally short, the rounding of another machine may choose the other."""
+    mast = sv.Polygon([(-4, -2), (4, -2), (4, 0), (1, 0), (1, 9), (-1, 9), (-1, 0), (-4, 0)])
+    trace = sv.record(mast, sv.Circle((0, 5), 0.5))
+    data = json.loads(trace.to_json())
+    x, y = data["mtv"]
+    assert abs(x) == pytest.approx(1.5)
+    told = data["sentence"].replace(telling.vector(sv.Vec(x, y)), telling.vector(sv.Vec(-x, y)))
+    assert sv.Trace.from_json(json.dumps(data | {"mtv": [-x, y], "sentence": told})) == trace
+    for lie in ({"mtv": [-x, y]}, {"sentence": told}, {"mtv": [-x / 2, y], "sentence": told}):
+        with pytest.raises(sv.InvalidScene):
+            sv.Trace.from_json(json.dumps(data | lie))
+
+
 @pytest.mark.parametrize("lie", LIES)
 def test_a_trace_file_that_lies_is_refused(lie):
     with pytest.raises(sv.InvalidScene):
@@ -364,6 +484,45 @@ def test_record_refuses_what_is_no_shape():
 def test_a_trace_rewritten_by_another_json_writer_is_still_true():
     text = sv.record(A, B).to_json().replace(".0,", ",").replace(".0]", "]")
     assert sv.Trace.from_json(text) == sv.record(A, B)
+
+
+def rewritten(data, whole):
+    """The JSON of other writers: whole floats as integers, written by `whole`."""
+    if isinstance(data, dict):
+        return {key: rewritten(value, whole) for key, value in data.items()}
+    if isinstance(data, list):
+        return [rewritten(value, whole) for value in data]
+    return whole(data) if isinstance(data, float) and data.is_integer() else data
+
+
+@pytest.mark.parametrize("size", [1.0, 2.0**53, 1e22, 1e300])
+def test_whole_numbers_of_any_size_may_be_written_as_integers(size):
+    a = sv.Polygon([(-0.0, size), (3 * size, 2 * size), (size, 5 * size)])
+    b = sv.Polygon([(5 * size, 5 * size), (8 * size, 3 * size), (4 * size, size)])
+    for trace in (sv.record(a, b), sv.record(a, sv.Circle((size, size), size), every_axis=True)):
+        text = json.dumps(rewritten(json.loads(trace.to_json()), int))
+        assert "-0.0" not in text and sv.Trace.from_json(text) == trace
+    scene = sv.Scene("large", a, b)
+    assert sv.Scene.from_json(json.dumps(rewritten(json.loads(scene.to_json()), int))) == scene
+
+
+def test_a_minus_zero_may_be_written_as_an_integer():
+    corner = sv.Polygon([(-0.0, -0.0), (3, -0.0), (-0.0, 4)])
+    trace = sv.record(corner, corner)
+    text = trace.to_json()
+    assert "-0.0" in text and sv.Trace.from_json(text.replace("-0.0", "-0")) == trace
+
+
+@pytest.mark.parametrize("lossy", [2**53 + 1, 10**22 + 1, 10**310])
+@pytest.mark.parametrize("path", [("a", "polygon", 0, 0), ("tests", 0, "a", "landings", 0), ("axes", 0, "normal", 1)])
+def test_an_integer_that_float64_cannot_hold_is_refused(lossy, path):
+    def put(data):
+        for key in path[:-1]:
+            data = data[key]
+        data[path[-1]] = lossy
+
+    with pytest.raises(sv.InvalidScene, match="float64"):
+        sv.Trace.from_json(changed(put))
 
 
 def test_a_choice_of_ones_own_survives_json():
@@ -423,3 +582,260 @@ def test_a_move_beyond_float64_is_none_and_said():
     trace = sv.record(huge, sv.Polygon([(-1e308, -1e308), (1e308, -1e308), (0, 1e308)]))
     assert trace.mtv is None and "No move" in trace.sentence and trace.certificate.check()
     assert sv.Trace.from_json(trace.to_json()) == trace
+
+
+# -- no more than a moment, and no more than memory ------------------------------------------------
+
+
+def star(points, x=0.0, y=0.0, inner=0.4):
+    arms = [((1, inner)[i % 2], i * pi / points) for i in range(2 * points)]
+    return sv.Polygon([(x + r * cos(angle), y + r * sin(angle)) for r, angle in arms])
+
+
+def ngon(n, x=0.0):
+    return sv.Polygon([(x + cos(2 * pi * i / n), sin(2 * pi * i / n)) for i in range(n)])
+
+
+def test_the_way_out_of_too_many_parts_is_refused_with_the_numbers_and_what_to_do():
+    trace = sv.record(star(40), star(40, 1.3, 0.1))
+    with pytest.raises(
+        sv.InvalidScene, match=r"1,681 pairs .* 13,120 corners.* 4,000 .*trace\.colliding\.mtv"
+    ) as refused:
+        _ = trace.mtv
+    assert "\n" not in str(refused.value)
+    assert trace.colliding.mtv and trace.certificate.check()
+
+
+def test_a_trace_of_too_many_parts_is_told_drawn_and_saved_without_its_way_out():
+    trace = sv.record(star(24), star(24, 1.3, 0.1))
+    text = trace.to_json()
+    assert json.loads(text)["mtv"] is None and sv.Trace.from_json(text) == trace
+    assert str(trace).endswith("They have too many parts to look for the shortest way out.")
+    assert "mtv" not in {mark.id for mark in sv.picture(trace, -1).marks}
+    lied = json.loads(text) | {"mtv": [9.0, 9.0]}
+    with pytest.raises(sv.InvalidScene, match="mtv"):
+        sv.Trace.from_json(json.dumps(lied))
+
+
+def test_the_limit_on_the_way_out_counts_the_corners_of_all_pairs(monkeypatch):
+    trace = sv.record(L, box(1.5, 1.5, 3.5, 3.5))
+    monkeypatch.setattr(escape, "MOST_CORNERS", 16)  # two boxes of L, each with one box
+    assert trace.mtv
+    coin = sv.record(L, sv.Circle((3.2, 3.2), 1.5))
+    monkeypatch.setattr(escape, "MOST_CORNERS", 10)
+    assert coin.mtv
+    monkeypatch.setattr(escape, "MOST_CORNERS", 15)
+    escape.around_parts.cache_clear()
+    with pytest.raises(sv.InvalidScene, match="2 pairs of convex parts with 16 corners"):
+        _ = trace.mtv
+
+
+def test_the_way_out_is_looked_for_once_and_not_for_a_picture_of_what_is_apart(monkeypatch):
+    escape.around_parts.cache_clear()
+    trace = sv.record(L, sv.Circle((3.2, 3.2), 1.5))
+    assert escape.around_parts.cache_info().misses == 0
+    _ = trace.mtv, str(trace), trace.to_json(), sv.Trace.from_json(trace.to_json()).mtv
+    assert escape.around_parts.cache_info().misses == 1
+
+
+@pytest.mark.parametrize("every_axis", [False, True])
+def test_a_trace_ends_where_it_outgrows_its_limit(every_axis, monkeypatch):
+    shapes = box(0, 0, 4, 4), sv.Polygon([(1, 1), (3, 1), (2, 3)])
+    whole = sv.record(*shapes, every_axis=every_axis)
+    size = 7 * (1 + len(whole.tests)) + len(whole.choice.axes) + len(whole.choice.skipped)
+    monkeypatch.setattr(trace_module, "MAX_SIZE", size)
+    assert sv.record(*shapes, every_axis=every_axis) == whole
+    monkeypatch.setattr(trace_module, "MAX_SIZE", size - 1)
+    with pytest.raises(
+        sv.InvalidScene, match=rf"A and B have 7 points to drop on 4 axes: .* {size - 1} .*relate.*world"
+    ):
+        sv.record(*shapes, every_axis=every_axis)
+    assert len(sv.record(*shapes, axes=axes.world).tests) == 2
+
+
+def test_a_trace_of_parts_ends_where_it_outgrows_its_limit(monkeypatch):
+    whole = sv.record(L, box(2.5, 2.5, 3.5, 3.5))
+    size = sum(8 * (1 + len(p.tests)) + len(p.choice.axes) + len(p.choice.skipped) for p in whole.pairs)
+    monkeypatch.setattr(trace_module, "MAX_SIZE", size)
+    assert sv.record(whole.a, whole.b) == whole
+    monkeypatch.setattr(trace_module, "MAX_SIZE", size - 1)
+    with pytest.raises(sv.InvalidScene, match=r"A and B have 2 pairs of convex parts: .*relate.*simplify"):
+        sv.record(whole.a, whole.b)
+
+
+def test_two_polygons_of_a_thousand_vertices_are_refused_after_a_hundredth_of_the_work(monkeypatch):
+    tested = []
+
+    def counted(*args):
+        return (tested.append(test) or test for test in axis_tests(*args))
+
+    monkeypatch.setattr(trace_module, "axis_tests", counted)
+    a, b = ngon(1000), ngon(1000, 0.1)
+    with pytest.raises(sv.InvalidScene, match="2,000 points to drop on"):
+        sv.record(a, b)
+    assert len(tested) <= 100
+    assert sv.record(a, b, axes=axes.world).relation is sv.relate(a, b)
+    assert sv.record(a, ngon(1000, 3)).separating  # the early exit keeps it small
+
+
+def test_concave_outlines_of_hundreds_of_parts_are_refused_after_a_part_of_the_work(monkeypatch):
+    tested = []
+
+    def counted(*args):
+        return (tested.append(test) or test for test in axis_tests(*args))
+
+    monkeypatch.setattr(trace_module, "axis_tests", counted)
+    with pytest.raises(sv.InvalidScene, match="40,401 pairs of convex parts"):
+        sv.record(star(200), star(200, 1.99, 0.02), every_axis=True)
+    assert len(tested) < 20_000
+
+
+def test_the_parts_of_a_shape_are_worked_out_once_for_all_that_asks_for_them(monkeypatch):
+    made = []
+    monkeypatch.setattr(concave, "_parts", lambda shape, make=concave._parts: made.append(shape) or make(shape))
+    a, b = star(7), star(8, 1.3, 0.1)
+    trace = sv.record(a, b)
+    _ = trace.mtv, str(trace), trace.to_json(), trace.certificate.check(), sv.relate(a, b), sv.steps(trace)
+    assert made == [a, b]
+
+
+def test_the_table_of_many_pairs_of_parts_shows_the_first_and_the_one_that_collides():
+    apart = sv.record(star(12), star(12, 1.99, 0.1))
+    assert len(apart.pairs) == 169 and apart.relation is sv.Relation.APART
+    text = str(apart)
+    assert text.count(" against ") == 20 and "A1 against B1\n" in text and "(and 149 more pairs of parts)" in text
+    late = sv.record(star(12), star(12, -1.3, 0.1))
+    hit = late.colliding.names
+    assert late.pairs.index(late.colliding) >= 20 and f"{hit.a} against {hit.b}\n" in str(late)
+    assert "more pairs" not in str(sv.record(L, box(2.5, 2.5, 3.5, 3.5)))
+
+
+@pytest.mark.parametrize("lie", sv.Relation)
+@pytest.mark.parametrize("choice", ["world", "hull-normals", "needed"])
+def test_a_certificate_comes_to_an_end_whatever_relate_says(lie, choice, monkeypatch):
+    for a, b in [(A, B), (A, A), (L, box(2.5, 2.5, 3.5, 3.5)), (L, box(1, 1, 3, 3)), (L, sv.Circle((3, 3), 1))]:
+        truth = sv.relate(a, b)
+        monkeypatch.setattr(trace_module, "relate", lambda a, b: lie)
+        certificate = sv.record(a, b, axes=axes.NAMED[choice]).certificate
+        assert certificate.check() and isinstance(certificate, SharedPoint) == (truth is not sv.Relation.APART)
+
+
+def test_what_is_written_can_be_read_again_or_is_not_written(monkeypatch):
+    trace = sv.record(A, B)
+    size = len(trace.to_json())
+    monkeypatch.setattr(tracefile, "MAX_CHARS", size)
+    assert sv.Trace.from_json(trace.to_json()) == trace
+    with pytest.raises(sv.InvalidScene, match=rf"cannot|too large .*the limit is {size}"):
+        trace.to_json(indent=1)
+    many = ngon(1001)
+    with pytest.raises(sv.InvalidScene, match="1,001 vertices: a file holds 1,000 at most"):
+        sv.record(many, A, axes=axes.world).to_json()
+    with pytest.raises(sv.InvalidScene, match="1,001 vertices"):
+        sv.Scene("many", many, A).to_json()
+
+
+@pytest.mark.parametrize("unit", ["[],", "{},", "1,", '"",', '"', "["])
+def test_a_text_of_too_many_values_is_refused_before_it_is_read(unit, monkeypatch):
+    monkeypatch.setattr(strictjson.json, "loads", None)
+    monkeypatch.setattr(strictjson, "MAX_MARKS", 1000)
+    with pytest.raises(sv.InvalidScene, match="the limit is 1000"):
+        sv.Trace.from_json(unit * 1001)
+
+
+def test_closing_brackets_without_end_are_not_read_to_the_end():
+    assert strictjson.parse("[[1], [2]]", 99) == [[1], [2]]
+    with pytest.raises(sv.InvalidScene, match="not JSON"):
+        strictjson.parse("]" * 1000 + "[" * 13, 2000)
+
+
+# -- the ways out of concave outlines --------------------------------------------------------------
+
+
+POCKET = sv.Polygon(
+    [(0, 9), (0, -5), (1.9, -5), (2, 0), (2.1, -9), (-9, -9), (-9, 9)]
+)  # a wall to the left, a tip at (2, 0)
+PRONGS = sv.Polygon([(-9, -9), (9, -9), (1, 0), (0, -8), (-1, 0)])
+
+
+@pytest.mark.parametrize(
+    ("a", "circle", "mtv"),
+    [
+        (L, ((4.3, 2.4), 1), (0.3, 0.4)),  # straight away from a corner
+        (L, ((4.3, -0.4), 1), (0.3, -0.4)),
+        (L, ((-0.3, -0.4), 1), (-0.3, -0.4)),
+        (L, ((-0.4, 4.3), 1), (-0.4, 0.3)),
+        (L, ((5, 1), 1.5), (0.5, 0)),  # straight away from an edge
+        (L, ((2.25, 2.25), 1), (0.75, 0.75)),  # where two edges meet
+        (PRONGS, ((0, 0.25), 1.25), (0, 0.5)),  # where the circles about two corners meet
+        (PRONGS, ((0, 0.5), 1.25), (0, 0.25)),
+        (POCKET, ((1, 0.5), 1.25), (0.25, 0.5)),  # where an edge and the circle about a corner meet
+    ],
+)
+def test_the_way_out_of_a_circle_is_away_from_edges_and_corners(a, circle, mtv):
+    trace = sv.record(a, sv.Circle(*circle))
+    assert trace.mtv == pytest.approx(mtv) and ends_overlap(trace.a, trace.b, trace.mtv)
+    back = sv.record(trace.b, trace.a).mtv
+    assert back == pytest.approx([-c for c in mtv])
+
+
+def test_a_circle_about_a_corner_goes_out_by_its_radius():
+    trace = sv.record(L, sv.Circle((4, 2), 0.5))
+    assert hypot(*trace.mtv) == pytest.approx(0.5) and ends_overlap(trace.a, trace.b, trace.mtv)
+
+
+@pytest.mark.parametrize(("a", "b"), [(POCKET, sv.Circle((1, 0.5), 1.25)), (PRONGS, sv.Circle((0, -2), 0.9))])
+def test_no_shorter_move_of_a_circle_ends_the_overlap(a, b):
+    size = hypot(*sv.record(a, b).mtv)
+    for k in range(180):
+        for share in (0.3, 0.7, 0.9, 0.99):
+            move = sv.Vec(cos(k * pi / 90) * size * share, sin(k * pi / 90) * size * share)
+            assert not ends_overlap(a, b, move), move
+
+
+@pytest.mark.parametrize("power", [-600, -40, 0])
+def test_a_large_and_a_small_concave_outline_have_a_way_out(power):
+    small, large = (sv.Polygon([(c * 2.0**e, d * 2.0**e) for c, d in L.vertices]) for e in (power, 1000))
+    for a, b in [(small, large), (large, small), (large, sv.Circle((0, 0), 2.0**power))]:
+        trace = sv.record(a, b)
+        assert ends_overlap(a, b, trace.mtv) and sv.Trace.from_json(trace.to_json()) == trace
+
+
+def test_outlines_at_the_rim_of_float64_have_a_way_out():
+    rim = sv.Polygon([(c * 4e307, d * 4e307) for c, d in L.vertices])
+    circle = sv.Circle((1.7e308, 1.7e308), 1.7e308)
+    for a, b in [(rim, circle), (circle, rim)]:
+        assert ends_overlap(a, b, sv.record(a, b).mtv)
+
+
+def test_the_way_out_needs_no_tested_axis():
+    for a, b in [(A, A), (box(0, 0, 4, 1), box(3, 0.5, 5, 3.5)), (A, sv.Circle((1, 2), 1))]:
+        assert sv.record(a, b, axes=axes.Choice(())).mtv == sv.record(a, b).mtv
+
+
+# -- other axes ------------------------------------------------------------------------------------
+
+
+def test_each_edge_of_an_upright_box_is_parallel_to_its_own_world_axis():
+    left_out = sv.record(box(0, 0, 2, 1), box(1, 0, 3, 2)).skipped
+    told = {(tuple(s.axis.normal), s.reason) for s in left_out}
+    assert {(n[0] == 0, reason) for n, reason in told} == {(True, "parallel to axis 1"), (False, "parallel to axis 2")}
+    assert [s.axis.source.ids for s in left_out] == [(0, 1), (1, 2), (2, 3), (0, 3)] * 2
+
+
+def test_a_hulls_axis_is_an_edges_where_the_hull_has_that_edge():
+    for start in range(6):
+        ring = L.vertices[start:] + L.vertices[:start]
+        found = axes.hull_normals(sv.Polygon(ring), COIN).axes
+        kinds = {frozenset(ring[i] for i in axis.source.ids): axis.source.kind for axis in found}
+        assert len(found) == 5 and kinds.pop(frozenset({(4, 2), (2, 4)})) == "hull edge normal"
+        assert set(kinds.values()) == {"edge normal"}
+
+
+@pytest.mark.parametrize("size", [1.0, 2.0**-600, 2.0**600])
+def test_a_circle_off_a_corner_touches_on_the_axis_of_that_corner_whoever_it_belongs_to(size):
+    corner, circle = box(0, 0, size, size), sv.Circle((4 * size, 5 * size), 5 * size)
+    for a, b in [(corner, circle), (circle, corner)]:
+        trace = sv.record(a, b)
+        last = trace.tests[-1]
+        assert last.gap == 0 and last.source == ("nearest vertex", "A" if a is corner else "B", (2,))
+        assert trace.relation is sv.Relation.TOUCHING and last.axis.direction == pytest.approx((0.6, 0.8))

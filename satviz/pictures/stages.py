@@ -114,7 +114,7 @@ def scene_layout(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -
 def _drawn(trace: Trace) -> list[Shape]:
     """The shapes, and where the verdict moves B to, which must fit too."""
     shapes: list[Shape] = [trace.a, trace.b]
-    move = trace.mtv
+    move = trace.known_mtv
     return shapes if move is None else [*shapes, shifted(trace.b, move)]
 
 
@@ -201,7 +201,7 @@ def draw_verdict(drawing: Drawing, places: Sequence[AxisPlace]) -> None:
 def draw_move(drawing: Drawing) -> None:
     """B where the MTV takes it, and the arrow of the move."""
     trace = drawing.trace
-    move = trace.mtv
+    move = trace.known_mtv
     if trace.relation is not Relation.OVERLAPPING or move is None:
         return
     ghost = shifted(trace.b, move)
