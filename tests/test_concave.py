@@ -307,6 +307,20 @@ def test_they_have_from_any_first_vertex_and_turned_any_way(name, ring, count, t
             assert len(parts(Polygon(around))) == count, around
 
 
+@pytest.mark.parametrize(
+    "ring",
+    [
+        [(-5, 4), (-4, 2), (-5, 0), (-3, -1), (-3, -4), (0, -4), (2, -6)],
+        [(3, 3), (4, 1), (1, 2), (1, 1), (0, 2), (0, 3), (2, 3), (1, 5)],
+        [(2, 1), (6, 4), (1, 7), (0, 5), (-5, 6), (-7, 1), (2, -1), (4, -2)],
+        [(5, 0), (4, 1), (7, 3), (3, 2), (2, 7), (-2, 1), (-4, 1), (-4, -1), (3, -6)],
+    ],
+)
+def test_a_cut_between_two_reflex_vertices_is_judged_by_the_edges_next_to_them(ring):
+    # those one further on would miss the one cut that ends two, and make a part more
+    assert len(parts(Polygon(ring))) == 3 <= fewest_without_new_points(Polygon(ring))
+
+
 def test_of_two_cuts_that_end_two_reflex_vertices_the_shorter_is_made():
     # an hourglass with a second, wider waist: each waist is cut across, not from one to the other
     waists = [(0, 0), (6, 0), (4, 4), (6, 8), (5, 12), (6, 16), (0, 16), (1, 12), (0, 8), (2, 4)]
