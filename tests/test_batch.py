@@ -680,6 +680,14 @@ def test_a_failed_chunk_names_its_range():
     assert (failed.value.start, failed.value.stop) == (200, 300)
 
 
+def test_a_pool_that_takes_no_work_names_the_range():
+    a = batch.Polygons(ngons(RNG(1), 300, 3))
+    pool = ThreadPoolExecutor(1)
+    pool.shutdown()
+    with pytest.raises(ChunkFailed, match="items 0 to 99 failed: RuntimeError"):
+        batch.relate(a, a, executor=pool, chunk=100)
+
+
 def test_an_interrupt_stops_the_work():
     a = batch.Polygons(ngons(RNG(1), 1000, 3))
 

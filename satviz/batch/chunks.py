@@ -39,7 +39,11 @@ def in_chunks(
             return
         for start, stop in ranges:
             function, arguments = job(start, stop)
-            waiting.append((start, stop, executor.submit(function, *arguments)))
+            try:
+                future = executor.submit(function, *arguments)
+            except Exception as error:  # a pool whose workers have died takes nothing any more
+                raise ChunkFailed(start, stop, error) from error
+            waiting.append((start, stop, future))
             if len(waiting) >= WAITING:
                 yield _next(waiting, progress, n)
         while waiting:
