@@ -3,59 +3,88 @@
 The engine needs the standard library only; pictures load matplotlib at first use.
 """
 
-from . import axes
-from .geometry import Interval, InvalidScene, InvalidShape, Relation, Vec
-from .shapes import Circle, Polygon
-from .verdict import relate
+from typing import TYPE_CHECKING
+
+from .engine import axes
+from .engine.geometry import Interval, InvalidScene, InvalidShape, Relation, Vec
+from .engine.shapes import Circle, Polygon
+from .engine.verdict import relate
+
+if TYPE_CHECKING:  # what is loaded at first use, as type checkers see it
+    from . import batch
+    from .engine.concave import parts
+    from .engine.sat import AxisTest, axis_tests
+    from .engine.trace import Trace, record
+    from .pictures import Picture, Stage, Step, picture, steps
+    from .pictures.curve import gap_curve
+    from .render.draw import draw
+    from .render.page import page
+    from .scenes.named import scene
+    from .scenes.scenefile import Scene
+    from .widgets import explore, play
 
 __version__ = "0.1.0"
 
-# what is loaded at first use, so that importing satviz stays quick
-_LATER = {
-    "AxisTest": "sat",
-    "Picture": "pictures",
-    "Scene": "scenefile",
-    "Stage": "pictures",
-    "Step": "pictures",
-    "Trace": "trace",
-    "axis_tests": "sat",
-    "draw": "render.drawn",
-    "explore": "widgets",
-    "gap_curve": "pictures.curve",
-    "page": "render.page",
-    "parts": "concave",
-    "picture": "pictures",
-    "play": "widgets",
-    "record": "trace",
-    "scene": "scenes",
-    "steps": "pictures",
-}
-
 __all__ = [
+    "AxisTest",
     "Circle",
     "Interval",
     "InvalidScene",
     "InvalidShape",
+    "Picture",
     "Polygon",
     "Relation",
+    "Scene",
+    "Stage",
+    "Step",
+    "Trace",
     "Vec",
     "__version__",
     "axes",
+    "axis_tests",
     "batch",
+    "draw",
+    "explore",
+    "gap_curve",
+    "page",
+    "parts",
+    "picture",
+    "play",
+    "record",
     "relate",
-    *_LATER,
+    "scene",
+    "steps",
 ]
 
+# so that importing satviz stays quick
+_LATER = {
+    "AxisTest": "engine.sat",
+    "Picture": "pictures",
+    "Scene": "scenes.scenefile",
+    "Stage": "pictures",
+    "Step": "pictures",
+    "Trace": "engine.trace",
+    "axis_tests": "engine.sat",
+    "draw": "render.draw",
+    "explore": "widgets",
+    "gap_curve": "pictures.curve",
+    "page": "render.page",
+    "parts": "engine.concave",
+    "picture": "pictures",
+    "play": "widgets",
+    "record": "engine.trace",
+    "scene": "scenes.named",
+    "steps": "pictures",
+}
 
-def __getattr__(name: str):
+
+def __getattr__(name: str) -> object:
+    from importlib import import_module
+
     if name == "batch":
-        from importlib import import_module
-
         return import_module("satviz.batch")
     if name not in _LATER:
         raise AttributeError(f"module 'satviz' has no attribute {name!r}")
-    from importlib import import_module
-
     value = getattr(import_module(f"{__name__}.{_LATER[name]}"), name)
     globals()[name] = value
     return value

@@ -9,7 +9,7 @@ from typing import NoReturn
 
 from . import __version__, commands
 from .commands import Failed, Refused
-from .geometry import InvalidScene
+from .engine.geometry import InvalidScene
 from .terminal import heeding_interrupts, interrupted, open_streams, out, say
 
 THEMES = ("light", "dark")
@@ -162,7 +162,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _scene(parser: argparse.ArgumentParser) -> None:
-    from .axes import NAMED
+    from .engine.axes import NAMED
 
     parser.add_argument("scene", metavar="SCENE", help="a built-in scene's name or a scene file")
     parser.add_argument("--axes", choices=NAMED, metavar="NAME", help=f"which axes to test: {', '.join(NAMED)}")

@@ -8,6 +8,7 @@ from contextlib import ExitStack
 from pathlib import Path
 
 from . import disk
+from .extras import needs
 from .terminal import interrupts_ignored, out, out_json, say, stop_if_interrupted, visible
 
 
@@ -23,8 +24,8 @@ def _load(args: argparse.Namespace):
     """The scene by name or file, with the options of the command line."""
     from dataclasses import replace
 
-    from .scenefile import load
-    from .scenes import names, scene
+    from .scenes.named import names, scene
+    from .scenes.scenefile import load
 
     is_file = any(c in args.scene for c in "./\\") or os.path.exists(args.scene)
     known = names()
@@ -110,7 +111,7 @@ def notebook(args: argparse.Namespace) -> int:
     if args.no_open:
         return 0
     if not find_spec("jupyterlab") or not find_spec("anywidget"):
-        raise Refused('JupyterLab and anywidget are not installed: python -m pip install "satviz[jupyter]"')
+        raise Refused(needs("opening the walkthrough", "jupyter"))
     return _jupyterlab(args.out)
 
 
@@ -231,11 +232,11 @@ def study(args: argparse.Namespace) -> int:
 
 def scenes(args: argparse.Namespace) -> int:
     if args.failing:
-        from .failing import ROWS
+        from .scenes.failing import ROWS
 
         out("\n".join(map(str, ROWS)))
         return 0
-    from .scenes import SCENES
+    from .scenes.article import SCENES
 
     width = max(len(scene.name) for scene in SCENES)
     for scene in SCENES:

@@ -13,12 +13,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from satviz import Trace, axes, batch, record, relate
+from satviz import Trace, batch, record, relate
 from satviz.batch.arrays import Shapes
-from satviz.certificate import SharedPoint
-from satviz.geometry import Relation, Vec
-from satviz.shapes import Circle, Polygon, Shape
-from satviz.verdict import relate_moved
+from satviz.engine import axes
+from satviz.engine.certificate import SharedPoint
+from satviz.engine.geometry import Relation, Vec
+from satviz.engine.shapes import Circle, Polygon, Shape
+from satviz.engine.verdict import relate_moved
 
 Pairs = Sequence[tuple[Shape, Shape]]
 ENGINES = "numpy", "numba"

@@ -8,8 +8,8 @@ import math
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from satviz.geometry import Relation
-from satviz.shapes import Circle, Polygon, Shape
+from satviz.engine.geometry import Relation
+from satviz.engine.shapes import Circle, Polygon, Shape
 from satviz.study import truth
 
 APART, TOUCHING, OVERLAPPING = Relation

@@ -13,8 +13,8 @@ from random import Random
 
 from hypothesis import strategies as st
 
-from satviz.geometry import InvalidShape
-from satviz.shapes import Circle, Polygon, Shape
+from satviz.engine.geometry import InvalidShape
+from satviz.engine.shapes import Circle, Polygon, Shape
 
 Point = tuple[float, float]
 Ring = list[Point]

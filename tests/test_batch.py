@@ -641,7 +641,7 @@ def test_upright_boxes_are_never_asked_for_an_exact_sign(engine, monkeypatch):
     alone, beside = batch.Polygons(tiles), batch.Polygons([*tiles, diamond])
     everywhere = beside[::-1][1:][::-1]
     asked = []
-    for module in (signs, sv.verdict):
+    for module in (signs, sv.engine.verdict):
         monkeypatch.setattr(module, "orient", lambda *c: asked.append(c))
     for shapes in (alone, everywhere):
         pairs = batch.candidate_pairs(shapes.bounds)

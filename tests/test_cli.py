@@ -17,7 +17,7 @@ import pytest
 import satviz as sv
 from satviz.cli import main
 from satviz.pictures.figures import FIGURES
-from satviz.scenes import SCENES
+from satviz.scenes.article import SCENES
 from satviz.study.cells import Cell
 
 GOOD = {"satviz": "scene 1", "a": {"polygon": [[0, 0], [4, 0], [0, 4]]}, "b": {"circle": [5, 5], "radius": 1}}
@@ -342,7 +342,7 @@ def test_a_fault_of_our_own_is_one_line_too_and_development_mode_shows_where(err
     def worked(name):
         raise error
 
-    monkeypatch.setattr("satviz.scenes.scene", worked)
+    monkeypatch.setattr("satviz.scenes.named.scene", worked)
     assert main(["trace", "aabb"]) == 1
     err = capsys.readouterr().err
     assert err.count("\n") == 1 and type(error).__name__ in err and "-X dev" in err
@@ -382,7 +382,7 @@ def vanishing(work):
         (["draw", "aabb", "--format", "gif", "--format", "html", "--out"], "satviz.render.files.animate"),
         (["study", "--quick", "--out"], "satviz.study.cells._load"),
         (["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.in_turn"),
-        (["trace", "aabb"], "satviz.scenes.scene"),
+        (["trace", "aabb"], "satviz.scenes.named.scene"),
         (["notebook", "--no-open"], "satviz.disk.write"),
     ],
     ids=lambda value: value[0] if isinstance(value, list) else "",
@@ -411,14 +411,14 @@ def test_an_interrupt_that_was_turned_into_another_error_is_still_an_interrupt(c
         Finalized()
         raise ImportError("initialization failed")
 
-    monkeypatch.setattr("satviz.scenes.scene", worked)
+    monkeypatch.setattr("satviz.scenes.named.scene", worked)
     assert main(["trace", "aabb"]) == 130 and capsys.readouterr().err.count("\n") == 1
 
 
 @pytest.mark.usefixtures("listening")
 def test_an_earlier_interrupt_does_not_stop_the_next_command(capsys, monkeypatch):
     with monkeypatch.context() as patched:
-        patched.setattr("satviz.scenes.scene", vanishing(sv.scene))
+        patched.setattr("satviz.scenes.named.scene", vanishing(sv.scene))
         assert main(["trace", "aabb"]) == 130
     assert main(["trace", "aabb"]) == 0
 

@@ -14,12 +14,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from oracle import cross, edges, holds, integers, meet, on_segment
 
-from satviz import concave
-from satviz.concave import parts
-from satviz.geometry import InvalidShape, Relation
-from satviz.shapes import Circle, Polygon
+from satviz.engine import concave
+from satviz.engine.concave import parts
+from satviz.engine.geometry import InvalidShape, Relation
+from satviz.engine.shapes import Circle, Polygon
+from satviz.engine.verdict import relate
 from satviz.study import truth
-from satviz.verdict import relate
 
 APART, TOUCHING, OVERLAPPING = Relation
 

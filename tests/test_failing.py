@@ -10,9 +10,10 @@ import pytest
 
 import satviz as sv
 from satviz import batch
-from satviz.axes import NAMED as CHOICES
 from satviz.cli import main
-from satviz.failing import (
+from satviz.engine.axes import NAMED as CHOICES
+from satviz.scenes.article import SCENES, box
+from satviz.scenes.failing import (
     FALSE_HIT,
     MISSED_HIT,
     NAMED,
@@ -25,7 +26,7 @@ from satviz.failing import (
     swept,
     threed,
 )
-from satviz.scenes import SCENES, box, names
+from satviz.scenes.named import names
 from satviz.study import truth
 
 # by number: how it fails, what the shortcut says, what is right (None: refused), to the digits that are known

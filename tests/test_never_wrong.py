@@ -17,8 +17,8 @@ from oracle import naive, relation
 from strategies import KINDS, drawn, pairs, some_pairs
 
 from satviz import batch
-from satviz.geometry import Relation
-from satviz.shapes import Circle, Polygon, Shape
+from satviz.engine.geometry import Relation
+from satviz.engine.shapes import Circle, Polygon, Shape
 from satviz.study import truth
 
 ORDINARY = 20_000

@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 import pytest
 
 for needed in ("nbval", "nbformat", "ipykernel", "ipywidgets", "anywidget"):
-    pytest.importorskip(needed, reason=f"the walkthrough needs {needed}: pip install 'satviz[jupyter,test]'")
+    pytest.importorskip(needed, reason=f"the walkthrough needs {needed}: python -m pip install '.[test]'")
 nbformat = pytest.importorskip("nbformat")
 
 FOLDER = Path(__file__).parent.parent / "notebooks"

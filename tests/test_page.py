@@ -6,9 +6,9 @@ import re
 import pytest
 
 import satviz as sv
-from satviz.pictures import show as module
-from satviz.pictures.show import both_shows, show
-from satviz.scenes import SCENES
+from satviz.pictures import playback as module
+from satviz.pictures.playback import playback, playbacks
+from satviz.scenes.article import SCENES
 
 TRIANGLES = sv.scene("triangles").record()
 
@@ -33,7 +33,7 @@ def test_a_page_loads_nothing_from_elsewhere(scene):
 @pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.name)
 def test_a_show_holds_every_step_as_it_is_drawn(scene):
     trace = scene.record()
-    found = show(trace)
+    found = playback(trace)
     assert len(found["steps"]) == len(sv.steps(trace))
     for i, step in enumerate(found["steps"]):
         drawn = sv.picture(trace, i)
@@ -59,30 +59,30 @@ def test_labels_are_text_wherever_they_stand():
 
 
 def test_what_the_early_exit_left_out_is_on_the_page_too():
-    early, whole = both_shows(TRIANGLES)
+    early, whole = playbacks(TRIANGLES)
     assert [row.get("number") for row in early["rows"]] == [1, 2, None, None, None, None]
     assert [row["number"] for row in whole["rows"]] == [1, 2, 3, 4, 5, 6]
-    assert len(both_shows(TRIANGLES.without_early_exit())) == 1
+    assert len(playbacks(TRIANGLES.without_early_exit())) == 1
     hit = sv.record(TRIANGLES.a, TRIANGLES.a)
-    assert len(both_shows(hit)) == 1
+    assert len(playbacks(hit)) == 1
 
 
 def test_the_lit_line_of_the_algorithm_is_what_happens():
-    found = show(TRIANGLES)
+    found = playback(TRIANGLES)
     last_gap = [s for s in found["steps"] if s["stage"] == "gap"][-1]
     assert [found["code"][i].strip() for i in last_gap["code"]] == [
         "if the ranges leave a gap:",
         "stop: the shapes are apart",
     ]
-    hit = show(sv.record(TRIANGLES.a, TRIANGLES.a))
+    hit = playback(sv.record(TRIANGLES.a, TRIANGLES.a))
     assert found["code"][-1] == hit["code"][hit["steps"][-1]["code"][0]] == "no axis left: the shapes collide"
-    unsure = show(sv.record(TRIANGLES.a, TRIANGLES.b, axes=sv.axes.edge_normals_of_a))
+    unsure = playback(sv.record(TRIANGLES.a, TRIANGLES.b, axes=sv.axes.edge_normals_of_a))
     assert "no proof" in unsure["code"][-1]
 
 
 def test_too_many_steps_are_thinned_then_refused(monkeypatch):
     monkeypatch.setattr(module, "MOST_STEPS", 10)
-    assert [s["stage"] for s in show(TRIANGLES)["steps"]] == ["scene", "gap", "gap", "verdict"]
+    assert [s["stage"] for s in playback(TRIANGLES)["steps"]] == ["scene", "gap", "gap", "verdict"]
     monkeypatch.setattr(module, "MOST_STEPS", 3)
     with pytest.raises(ValueError, match="too many"):
-        show(TRIANGLES)
+        playback(TRIANGLES)

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import satviz as sv
-from satviz import axes, telling
+from satviz.engine import axes, telling
 from satviz.pictures import LIGHT, THEMES, Stage, Step
 from satviz.pictures.curve import direction
 from satviz.pictures.figures import FIGURES
@@ -16,7 +16,7 @@ from satviz.pictures.labels import RIM, clipped
 from satviz.pictures.layout import text_box
 from satviz.pictures.live import KNOB, field, turned_axis
 from satviz.pictures.theme import DOT
-from satviz.scenes import SCENES, box
+from satviz.scenes.article import SCENES, box
 
 L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
 TRACES = {scene.name: scene.record() for scene in SCENES} | {

@@ -26,7 +26,7 @@ from satviz.pictures import DARK, LIGHT, Stage, Step, Theme
 from satviz.pictures.figures import FIGURES
 from satviz.render.files import animate, encode
 from satviz.render.pen import Pen
-from satviz.scenes import box
+from satviz.scenes.article import box
 
 COMMITTED = Path(__file__).parent.parent / "figures"
 TRIANGLES = sv.scene("triangles").record()

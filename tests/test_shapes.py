@@ -16,8 +16,8 @@ import shapely.geometry
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from satviz.geometry import InvalidShape
-from satviz.shapes import Circle, Polygon
+from satviz.engine.geometry import InvalidShape
+from satviz.engine.shapes import Circle, Polygon
 from satviz.study import truth as oracle
 
 often = settings(max_examples=200, deadline=None, database=None)

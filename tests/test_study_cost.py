@@ -8,7 +8,7 @@ from itertools import combinations
 import pytest
 from matplotlib.text import Text
 
-from satviz.axes import NAMED, needed
+from satviz.engine.axes import NAMED, needed
 from satviz.pictures import THEMES
 from satviz.study import continuity, cost, doing_less, moving, optimisations
 from satviz.study.cells import Settings

@@ -10,9 +10,9 @@ from matplotlib.text import Text
 from mpl_toolkits.mplot3d.art3d import Text3D
 
 import satviz as sv
-from satviz.failing import FALSE_HIT, MISSED_HIT, NAMED, REFUSED, ROWS
 from satviz.pictures import LIGHT
-from satviz.scenes import box
+from satviz.scenes.article import box
+from satviz.scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, REFUSED, ROWS
 from satviz.study import failures, swept, threed, truth
 from satviz.study.cells import Settings
 from satviz.study.failures import APART, FALSE, FAR, HIT, LONG, METHODS, MISSED, SHORT, WRONG, Slide

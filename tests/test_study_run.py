@@ -380,7 +380,7 @@ def test_the_counts_in_the_readme_are_counted_again(name):
 
 
 def test_a_cluster_gives_the_same_numbers(tmp_path):
-    distributed = pytest.importorskip("distributed", reason="a cluster needs pip install 'satviz[cluster]'")
+    distributed = pytest.importorskip("distributed", reason="a cluster needs python -m pip install '.[cluster]'")
     with (
         distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
         run.executor(cluster.scheduler_address) as pool,

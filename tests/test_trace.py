@@ -10,13 +10,14 @@ from hypothesis import strategies as st
 from strategies import CONVEX, pairs
 
 import satviz as sv
-from satviz import axes, concave, escape, strictjson, telling, tracefile
-from satviz import trace as trace_module
-from satviz.certificate import SharedPoint
-from satviz.escape import ends_overlap
-from satviz.sat import axis_tests
-from satviz.scenes import SCENES, box
-from satviz.verdict import relate_moved
+from satviz.engine import axes, concave, escape, telling
+from satviz.engine import trace as trace_module
+from satviz.engine.certificate import SharedPoint
+from satviz.engine.escape import ends_overlap
+from satviz.engine.sat import axis_tests
+from satviz.engine.verdict import relate_moved
+from satviz.scenes import strictjson, tracefile
+from satviz.scenes.article import SCENES, box
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
 B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])

@@ -12,12 +12,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from strategies import BASIC, KINDS, NotConvex, convex, dress, hull, nudged, pairs, round_ring
 
-from satviz import verdict
-from satviz.geometry import InvalidShape, Relation
-from satviz.shapes import Circle, Polygon, Shape
+from satviz.engine import verdict
+from satviz.engine.geometry import InvalidShape, Relation
+from satviz.engine.shapes import Circle, Polygon, Shape
+from satviz.engine.trace import record
+from satviz.engine.verdict import relate
 from satviz.study import truth as oracle
-from satviz.trace import record
-from satviz.verdict import relate
 
 
 def recorded(a: Shape, b: Shape) -> Relation:

@@ -7,7 +7,7 @@ import re
 import pytest
 
 import satviz as sv
-from satviz.geometry import Relation
+from satviz.engine.geometry import Relation
 from satviz.pictures.caption import captioned
 from satviz.render.files import encode
 

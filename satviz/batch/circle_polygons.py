@@ -11,8 +11,8 @@ is a ratio, and then it is nearly always a float.
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact import HUGE, TINY, to_integers
-from ..verdict import relate_integers
+from ..engine.exact import HUGE, TINY, to_integers
+from ..engine.verdict import relate_integers
 from . import signs
 from .signs import UNKNOWN, Array, Pairs, Signs, two_sum
 

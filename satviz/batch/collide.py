@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..geometry import InvalidShape
+from ..engine.geometry import InvalidShape
 from . import door
 from .arrays import Shapes, checked
 from .broad import Pairs, candidate_blocks, in_order

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import outline
-from ..geometry import InvalidShape
-from ..shapes import Polygon
+from ..engine import outline
+from ..engine.geometry import InvalidShape
+from ..engine.shapes import Polygon
 
 
 def rings(vertices: NDArray, name: Callable[[int], str]) -> NDArray[np.float64]:

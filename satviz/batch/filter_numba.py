@@ -12,7 +12,7 @@ from functools import cache
 import numpy as np
 from numba import njit
 
-from ..exact import HUGE, TINY
+from ..engine.exact import HUGE, TINY
 from .arrays import Group
 from .filter_numpy import APART, OVERLAPPING, TOUCHING, UNDECIDED, room_64
 

@@ -10,8 +10,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact import HUGE, TINY
-from ..verdict import LEAST_ROOM, LOOK, MOST_ROOM
+from ..engine.exact import HUGE, TINY
+from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from .arrays import Group
 
 APART, TOUCHING, OVERLAPPING, UNDECIDED = 0, 1, 2, -1

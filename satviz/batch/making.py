@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..concave import parts
-from ..geometry import InvalidShape
-from ..shapes import Polygon
+from ..engine.concave import parts
+from ..engine.geometry import InvalidShape
+from ..engine.shapes import Polygon
 from . import door, signs
 from .arrays import Group, Shapes
 

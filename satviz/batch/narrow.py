@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..extras import needs
 from . import undecided
 from .arrays import Group, Shapes, checked
 from .chunks import CHUNK, in_chunks
@@ -89,7 +90,7 @@ def filter_of(engine: str | None) -> ModuleType:
             if engine is None:
                 warnings.warn(f"numba does not work here, so NumPy does the work: {error}", stacklevel=2)
             elif find_spec("numba") is None:
-                raise ImportError('engine "numba" needs the extra: pip install "satviz[fast]"') from error
+                raise ImportError(needs('engine "numba"', "fast")) from error
             else:
                 raise ImportError(f'engine "numba" does not work here: {error}; engine="numpy" does') from error
     from . import filter_numpy

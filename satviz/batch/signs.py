@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact import HUGE, TINY, sign, to_integers
+from ..engine.exact import HUGE, TINY, sign, to_integers
 
 Array = NDArray[np.float64]
 Signs = NDArray[np.int8]

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ..verdict import LEAST_ROOM, LOOK, MOST_ROOM
+from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from . import circle_polygons, signs
 from .arrays import Group
 from .filter_numpy import APART, OVERLAPPING, TOUCHING, boxes

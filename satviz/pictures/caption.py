@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from ..geometry import Vec
+from ..engine.geometry import Vec
 from .layout import text_box
 from .marks import Mark, Picture
 

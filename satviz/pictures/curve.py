@@ -5,12 +5,12 @@ from itertools import pairwise
 from math import atan2, cos, degrees, isfinite, pi, radians, sin
 from numbers import Real
 
-from .. import telling
-from ..axes import WORLD, Axis
-from ..geometry import Vec
-from ..sat import axis_tests
-from ..shapes import Circle, Shape
-from ..trace import PLAIN
+from ..engine import telling
+from ..engine.axes import WORLD, Axis
+from ..engine.geometry import Vec
+from ..engine.sat import axis_tests
+from ..engine.shapes import Circle, Shape
+from ..engine.trace import PLAIN
 from .labels import Request, with_labels
 from .layout import Layout
 from .marks import Mark, Picture

@@ -9,9 +9,9 @@ from collections.abc import Callable
 from functools import cache
 from typing import NamedTuple
 
-from ..axes import EDGE
-from ..scenes import scene
-from ..trace import Trace
+from ..engine.axes import EDGE
+from ..engine.trace import Trace
+from ..scenes.named import scene
 from . import views
 from .marks import Picture
 from .stages import Stage, Step, picture

@@ -5,9 +5,9 @@ from itertools import pairwise
 from math import cos, hypot, pi, sin
 from typing import NamedTuple
 
-from .. import telling
-from ..geometry import Vec
-from ..shapes import Circle, Shape, centroid
+from ..engine import telling
+from ..engine.geometry import Vec
+from ..engine.shapes import Circle, Shape, centroid
 from .layout import Layout, moved, text_box
 from .marks import Limits, Mark
 from .theme import DOT

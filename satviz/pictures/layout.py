@@ -4,10 +4,10 @@ from collections.abc import Iterable, Sequence
 from functools import cache, lru_cache
 from typing import NamedTuple
 
-from .. import telling
-from ..geometry import Vec
-from ..sat import AxisTest, Projection
-from ..shapes import Circle, Shape
+from ..engine import telling
+from ..engine.geometry import Vec
+from ..engine.sat import AxisTest, Projection
+from ..engine.shapes import Circle, Shape
 from .marks import Limits
 from .theme import text_size
 

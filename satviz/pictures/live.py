@@ -2,13 +2,13 @@
 
 from typing import NamedTuple
 
-from .. import telling
-from ..geometry import Relation, Vec
-from ..trace import Trace
+from ..engine import telling
+from ..engine.geometry import Relation, Vec
+from ..engine.trace import Trace
 from .curve import direction
-from .drawing import Drawing
 from .layout import AxisPlace, Layout, arrange, box_of, place_within
 from .marks import Picture
+from .sketch import Sketch
 from .stages import draw_move, draw_parts, others
 
 LARGEST = 540.0, 390.0  # points
@@ -60,7 +60,7 @@ def live(trace: Trace, layout: Layout, chosen: Chosen | None, *, way_out: bool =
     """
     run = trace if chosen is None or chosen.pair is None else trace.pairs[chosen.pair]
     place = None if chosen is None else place_within(layout, (trace.a, trace.b), run.tests[chosen.test], near)
-    drawing = Drawing(run, layout)
+    drawing = Sketch(run, layout)
     if trace.pairs and run is trace:
         draw_parts(drawing)
     else:
@@ -80,7 +80,7 @@ def live(trace: Trace, layout: Layout, chosen: Chosen | None, *, way_out: bool =
 
 def turned_axis(trace: Trace, layout: Layout, degree: float, *, near: Vec | None = None) -> tuple[Picture, AxisPlace]:
     """The same for a free axis at an angle in degrees; `trace` has that one direction as its choice."""
-    drawing = Drawing(trace, layout)
+    drawing = Sketch(trace, layout)
     drawing.shapes()
     test = trace.tests[0]
     place = place_within(layout, (trace.a, trace.b), test, near)

@@ -3,7 +3,8 @@
 import json
 from typing import Any, NamedTuple
 
-from ..geometry import Vec
+from ..engine import door
+from ..engine.geometry import Vec
 
 Limits = tuple[float, float, float, float]
 
@@ -67,9 +68,7 @@ class Picture(NamedTuple):
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: the picture, and its sentence."""
-        from ..render.shown import bundle
-
-        return bundle(self)
+        return door.bundle(self)
 
     def data(self) -> dict[str, Any]:
         """The picture as JSON values: all a pen needs."""

@@ -5,16 +5,16 @@ from enum import StrEnum
 from functools import lru_cache
 from typing import Any, NamedTuple, SupportsIndex
 
-from .. import telling
-from ..axes import ANY, CENTROIDS, GIVEN, WORLD
-from ..certificate import SeparatingLine, SharedPoint
-from ..concave import named_parts
-from ..geometry import Relation, Vec
-from ..shapes import Circle, Shape
-from ..trace import Trace
-from .drawing import Drawing
+from ..engine import telling
+from ..engine.axes import ANY, CENTROIDS, GIVEN, WORLD
+from ..engine.certificate import SeparatingLine, SharedPoint
+from ..engine.concave import named_parts
+from ..engine.geometry import Relation, Vec
+from ..engine.shapes import Circle, Shape
+from ..engine.trace import Trace
 from .layout import HEIGHT, WIDTH, AxisPlace, Layout, arrange, moved
 from .marks import Picture
+from .sketch import Sketch
 
 
 class Stage(StrEnum):
@@ -88,7 +88,7 @@ def picture(
         raise IndexError(f"{step}: this trace has no such step")
     layout = scene_layout(trace, largest)
     run = trace if step.pair is None else trace.pairs[step.pair]
-    drawing = Drawing(run, layout)
+    drawing = Sketch(run, layout)
     if step.pair is not None:
         others(drawing, trace, run)
     if step.test is not None:
@@ -130,7 +130,7 @@ def first_role(trace: Trace, test: int) -> str:
     return trace.tests[test].source.shape or "A"
 
 
-def draw_test(drawing: Drawing, stage: Stage, i: int, place: AxisPlace) -> None:
+def draw_test(drawing: Sketch, stage: Stage, i: int, place: AxisPlace) -> None:
     """One test as far as the stage goes."""
     trace = drawing.trace
     test, number = trace.tests[i], i + 1
@@ -155,7 +155,7 @@ def draw_test(drawing: Drawing, stage: Stage, i: int, place: AxisPlace) -> None:
             drawing.left_out()
 
 
-def others(drawing: Drawing, whole: Trace, run: Trace) -> None:
+def others(drawing: Sketch, whole: Trace, run: Trace) -> None:
     """The parts that this pair leaves aside, faintly."""
     for role, name, shape in zip("AB", whole.names, (whole.a, whole.b), strict=True):
         for part, part_name in named_parts(shape, name):
@@ -163,7 +163,7 @@ def others(drawing: Drawing, whole: Trace, run: Trace) -> None:
                 drawing.shape(role, part_name, part, weight="faint", named=False)
 
 
-def draw_parts(drawing: Drawing) -> None:
+def draw_parts(drawing: Sketch) -> None:
     """Both shapes as their convex parts."""
     for role, name, shape in drawing.pair():
         for part, part_name in named_parts(shape, name):
@@ -173,7 +173,7 @@ def draw_parts(drawing: Drawing) -> None:
 FALSE_HIT = "a false hit: the axes tested show no gap"
 
 
-def draw_verdict(drawing: Drawing, places: Sequence[AxisPlace]) -> None:
+def draw_verdict(drawing: Sketch, places: Sequence[AxisPlace]) -> None:
     """What proves the verdict: a separating line, a shared point, the move that parts them."""
     trace = drawing.trace
     drawing.note("verdict", str(trace.relation), "ink", weight="title", first=1)
@@ -198,7 +198,7 @@ def draw_verdict(drawing: Drawing, places: Sequence[AxisPlace]) -> None:
             drawing.label(f"line.{n}.name", text, "gap", drawing.middle(*ends), along=ends, first=4, far=True)
 
 
-def draw_move(drawing: Drawing) -> None:
+def draw_move(drawing: Sketch) -> None:
     """B where the MTV takes it, and the arrow of the move."""
     trace = drawing.trace
     move = trace.known_mtv
@@ -212,7 +212,7 @@ def draw_move(drawing: Drawing) -> None:
     drawing.label("mtv.name", f"MTV {telling.vector(move)}", "overlap", tip, prefer=move, first=3)
 
 
-def separating_line(drawing: Drawing, certificate: SeparatingLine, text: str = "separating line") -> None:
+def separating_line(drawing: Sketch, certificate: SeparatingLine, text: str = "separating line") -> None:
     """The certificate's line across the canvas."""
     ends = drawing.line_across("line", certificate.point, _unit(certificate), "gap")
     low, high = sorted(ends, key=lambda p: p.y)

@@ -3,22 +3,22 @@
 from collections.abc import Sequence
 from math import hypot
 
-from .. import telling
-from ..axes import EDGE, GIVEN, WORLD, Choice
-from ..concave import named_parts
-from ..geometry import Vec
-from ..sat import AxisTest
-from ..shapes import Polygon, Shape
-from ..trace import Trace, record
-from .drawing import Drawing
+from ..engine import telling
+from ..engine.axes import EDGE, GIVEN, WORLD, Choice
+from ..engine.concave import named_parts
+from ..engine.geometry import Vec
+from ..engine.sat import AxisTest
+from ..engine.shapes import Polygon, Shape
+from ..engine.trace import Trace, record
 from .layout import arrange
 from .marks import Picture
+from .sketch import Sketch
 from .stages import FALSE_HIT, draw_parts, scene_layout, separating_line
 
 
 def alone(shape: Shape) -> Picture:
     """One shape by itself."""
-    drawing = Drawing(record(shape, shape, axes=Choice(())), arrange([shape], []))
+    drawing = Sketch(record(shape, shape, axes=Choice(())), arrange([shape], []))
     drawing.shape("A", "A", shape, named=False)
     if isinstance(shape, Polygon) and shape.labels:
         drawing.vertices("A", range(len(shape.vertices)))
@@ -27,7 +27,7 @@ def alone(shape: Shape) -> Picture:
 
 def normals(trace: Trace, *, title: str = "") -> Picture:
     """Both shapes with an outward normal on every edge."""
-    drawing = Drawing(trace, scene_layout(trace))
+    drawing = Sketch(trace, scene_layout(trace))
     drawing.shapes()
     drawing.all_normals()
     count = sum(mark.kind == "arrow" for mark in drawing.marks)
@@ -37,7 +37,7 @@ def normals(trace: Trace, *, title: str = "") -> Picture:
 def world(trace: Trace, *, title: str = "") -> Picture:
     """Both shapes beside the axes they will be projected on, with nothing projected yet."""
     layout = scene_layout(trace)
-    drawing = Drawing(trace, layout)
+    drawing = Sketch(trace, layout)
     drawing.shapes()
     for i, test in enumerate(trace.tests):
         drawing.axis(test, layout.places[i], i + 1)
@@ -50,7 +50,7 @@ def at_once(trace: Trace, *, kinds: Sequence[str] = (EDGE, WORLD, GIVEN), title:
     """Several finished tests in one picture: every axis of the given kinds with both ranges."""
     chosen = [(i, t) for i, t in enumerate(trace.tests) if t.source.kind in kinds]
     layout = arrange([trace.a, trace.b], [t for _, t in chosen], together=True)
-    drawing = Drawing(trace, layout)
+    drawing = Sketch(trace, layout)
     drawing.shapes()
     for (i, test), place in zip(chosen, layout.places, strict=True):
         drawing.project(test, place, i + 1)
@@ -72,7 +72,7 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
     test = trace.separating
     i = trace.tests.index(test)
     layout = scene_layout(trace)
-    drawing = Drawing(trace, layout)
+    drawing = Sketch(trace, layout)
     drawing.shapes()
     drawing.axis(test, layout.places[i], i + 1)
     name = telling.axis_name(test.axis, (trace.a, trace.b), trace.names)
@@ -93,7 +93,7 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
 def radii(trace: Trace, *, title: str = "") -> Picture:
     """Two circles: centres, radii, and the distance between the centres against the sum of the radii."""
     layout = scene_layout(trace)
-    drawing = Drawing(trace, layout)
+    drawing = Sketch(trace, layout)
     test = trace.tests[0]
     p, q = trace.a.center, trace.b.center
     drawing.shapes()
@@ -130,7 +130,7 @@ def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title:
     name = trace.names["AB".index(role)]
     layout = arrange([circle], [test._replace(a=side, b=side)])
     place = layout.places[0]
-    drawing = Drawing(trace, layout)
+    drawing = Sketch(trace, layout)
     drawing.shape(role, name, circle, named=False)
     drawing.axis(test, place, number + 1, told=False)
     drawing.label("axis.caption", "axis, direction n", "ink", place.at(place.hi), prefer=test.axis.direction, first=1)
@@ -170,7 +170,7 @@ def failed_lines(trace: Trace, *, most: int = 3, title: str = "") -> Picture:
         if all(test.axis.direction != other.axis.direction for other in best):
             best.append(test)
     layout = arrange([trace.a, trace.b], [])
-    drawing = Drawing(trace, layout)
+    drawing = Sketch(trace, layout)
     drawing.shapes()
     for i, test in enumerate(best[:most], 1):
         a, b, n = test.a.interval, test.b.interval, test.axis.direction
@@ -193,13 +193,13 @@ def split(trace: Trace, *, title: str = "") -> Picture:
     """Concave outlines as their parts, each part pair with the axis that separates it."""
     tests = [pair.separating for pair in trace.pairs]
     layout = arrange([trace.a, trace.b], [t for t in tests if t], together=True)
-    drawing = Drawing(trace, layout)
+    drawing = Sketch(trace, layout)
     draw_parts(drawing)
     places = iter(layout.places)
     for pair, test in zip(trace.pairs, tests, strict=True):
         if test:
             place = next(places)
-            inner = Drawing(pair, layout)
+            inner = Sketch(pair, layout)
             inner.project(test, place, pair.tests.index(test) + 1)
             tag = f"{pair.names.a}.{pair.names.b}."
             drawing.marks += [mark._replace(id=tag + mark.id) for mark in inner.marks]

@@ -11,8 +11,8 @@ import matplotlib
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from .. import telling
 from ..disk import MADE_BY
+from ..engine import telling
 from ..pictures import LIGHT, Picture, Theme
 from .pen import Pen
 

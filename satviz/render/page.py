@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from hashlib import sha256
 from html import escape
 
-from .. import telling
 from ..disk import MADE_BY
+from ..engine import telling
+from ..engine.trace import Trace
 from ..pictures import picture
-from ..pictures.show import both_shows
-from ..trace import Trace
+from ..pictures.playback import playbacks
 from .files import inline_svg
 from .script import javascript, stylesheet
 
@@ -40,7 +40,7 @@ def page(trace: Trace, *, title: str = "") -> str:
     ValueError for a scene that cannot be drawn, or one with too many steps.
     """
     title = title or "Do A and B collide?"
-    shows = both_shows(trace)
+    shows = playbacks(trace)
     script = javascript("pen", "player") + START
     policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_hash(script)}'; base-uri 'none'"
     data = json.dumps(shows, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")

@@ -10,7 +10,7 @@ from matplotlib.colors import to_rgba
 from matplotlib.path import Path
 from matplotlib.text import Text
 
-from ..geometry import Vec
+from ..engine.geometry import Vec
 from ..pictures import theme as look
 from ..pictures.marks import Mark, Picture
 

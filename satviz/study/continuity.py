@@ -14,13 +14,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from ..axes import Choice, directions
-from ..escape import along_axis
-from ..geometry import InvalidShape, Vec
+from ..engine.axes import Choice, directions
+from ..engine.escape import along_axis
+from ..engine.geometry import InvalidShape, Vec
+from ..engine.sat import AxisTest
+from ..engine.shapes import Polygon, centroid
+from ..engine.trace import Trace, record
 from ..pictures import Theme
-from ..sat import AxisTest
-from ..shapes import Polygon, centroid
-from ..trace import Trace, record
 from .cells import Cell, Settings
 from .chart import TEXT, Chart, axes, headline
 from .workloads import ngons

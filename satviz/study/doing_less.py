@@ -12,14 +12,14 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from ..axes import VERTEX, Axis, Choice, Source, centers, edge_normals
-from ..concave import parts
-from ..geometry import Relation, Vec
+from ..engine.axes import VERTEX, Axis, Choice, Source, centers, edge_normals
+from ..engine.concave import parts
+from ..engine.geometry import Relation, Vec
+from ..engine.shapes import Circle, Polygon, Shape
+from ..engine.trace import Trace, record
+from ..engine.verdict import relate
 from ..pictures import Theme
-from ..scenes import box, turned_box
-from ..shapes import Circle, Polygon, Shape
-from ..trace import Trace, record
-from ..verdict import relate
+from ..scenes.article import box, turned_box
 from . import truth
 from .cells import Cell, Settings
 from .chart import TEXT, Chart, axes, headline

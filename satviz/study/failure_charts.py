@@ -7,11 +7,11 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..axes import Choice, hull_normals
-from ..failing import NAMED, Row
+from ..engine.axes import Choice, hull_normals
+from ..engine.trace import record
 from ..pictures import Picture, Theme, picture
-from ..render.drawn import draw
-from ..trace import record
+from ..render.draw import draw
+from ..scenes.failing import NAMED, Row
 from .chart import TEXT, Chart, headline, label_ends
 from .failure_map import LOOKS, draw_map, limits
 from .failures import APART, HIT, PUSHES, WRONG, Slide

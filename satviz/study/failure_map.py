@@ -7,12 +7,12 @@ from matplotlib.axes import Axes
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
-from ..failing import Row
-from ..geometry import Vec
+from ..engine.geometry import Vec
+from ..engine.shapes import Circle, Shape
 from ..pictures import Mark, Picture, Theme
 from ..pictures.labels import holds, name_spots
 from ..render.pen import Pen
-from ..shapes import Circle, Shape
+from ..scenes.failing import Row
 from .failures import FALSE, FAR, HIT, LONG, MISSED, SHORT, Slide, reference
 
 LETTER = 17.0  # the size of A's name

@@ -11,11 +11,11 @@ from fractions import Fraction
 from math import ceil, frexp
 from typing import Any, NamedTuple
 
-from ..concave import parts
-from ..failing import FALSE_HIT, MISSED_HIT, NAMED, ROWS, Row, pushes
-from ..failing.pushes import mean
-from ..geometry import Relation, Vec
-from ..shapes import Circle, Polygon, Shape
+from ..engine.concave import parts
+from ..engine.geometry import Relation, Vec
+from ..engine.shapes import Circle, Polygon, Shape
+from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, ROWS, Row, pushes
+from ..scenes.failing.pushes import mean
 from . import swept, threed, truth
 from .cells import Cell, Settings
 from .chart import Chart

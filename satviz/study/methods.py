@@ -14,9 +14,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .. import batch
-from ..shapes import Circle, Polygon, Shape
-from ..trace import record
-from ..verdict import relate
+from ..engine.shapes import Circle, Polygon, Shape
+from ..engine.trace import record
+from ..engine.verdict import relate
 from . import columns, plain, truth
 from .columns import Answers
 from .machine import installed

@@ -11,11 +11,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..axes import Axis, Source, needed
+from ..engine.axes import Axis, Source, needed
+from ..engine.shapes import Polygon, Shape, centroid
+from ..engine.trace import record
+from ..engine.verdict import relate
 from ..pictures import Theme
-from ..shapes import Polygon, Shape, centroid
-from ..trace import record
-from ..verdict import relate
 from .cells import Cell, Settings
 from .chart import TEXT, Chart, axes, headline, label_ends
 from .workloads import ngons

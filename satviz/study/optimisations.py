@@ -10,11 +10,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .. import batch
-from ..axes import Axis, Choice, Chooser, edge_normals, needed
-from ..geometry import Relation
-from ..sat import AxisTest, axis_tests
-from ..shapes import Polygon
-from ..verdict import relate
+from ..engine.axes import Axis, Choice, Chooser, edge_normals, needed
+from ..engine.geometry import Relation
+from ..engine.sat import AxisTest, axis_tests
+from ..engine.shapes import Polygon
+from ..engine.verdict import relate
 from .doing_less import KINDS
 from .moving import along, between_centres, last_first
 from .workloads import boxes, ngons

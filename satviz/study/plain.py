@@ -6,7 +6,7 @@ A shape here is (points, radius): a polygon's corners with radius 0, or a circle
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from math import cos, hypot, inf, pi, sin, sqrt
 
-from ..shapes import Circle, Shape
+from ..engine.shapes import Circle, Shape
 
 Points = Sequence[tuple[float, float]]
 Plain = tuple[Points, float]

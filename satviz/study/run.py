@@ -9,6 +9,7 @@ from types import ModuleType
 from typing import Any
 
 from ..disk import MADE_BY, check, folder, write
+from ..extras import needs
 from . import accuracy, continuity, cost, doing_less, failures, moving, stability
 from .cells import Failure, Settings, results
 from .chart import Chart, save
@@ -103,7 +104,7 @@ def executor(kind: str | None) -> Iterator[Executor | None]:
         try:
             from distributed import Client
         except ImportError:
-            raise ValueError(f'a cluster ({kind}) needs the extra: python -m pip install "satviz[cluster]"') from None
+            raise ValueError(needs(f"a cluster ({kind})", "cluster")) from None
         try:
             client = Client(kind, timeout=10)
         except (OSError, ValueError) as error:

@@ -5,10 +5,10 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
-from ..failing import NAMED, swept
-from ..failing.shortcuts import written
 from ..pictures import Theme
 from ..pictures import theme as look
+from ..scenes.failing import NAMED, swept
+from ..scenes.failing.shortcuts import written
 from .cells import Cell, Settings
 from .chart import TEXT, Chart, axes, headline
 

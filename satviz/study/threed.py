@@ -6,10 +6,10 @@ from matplotlib.figure import Figure
 from mpl_toolkits.mplot3d import Axes3D
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
-from .. import telling
-from ..failing import NAMED, threed
+from ..engine import telling
 from ..pictures import Theme
 from ..pictures import theme as look
+from ..scenes.failing import NAMED, threed
 from .cells import Cell, Settings
 from .chart import TEXT, Chart, axes, headline
 

@@ -12,8 +12,8 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import gcd
 
-from ..geometry import Relation
-from ..shapes import Circle, Polygon, Shape
+from ..engine.geometry import Relation
+from ..engine.shapes import Circle, Polygon, Shape
 
 Ints = tuple[int, int]
 Homogeneous = tuple[int, int, int]  # (X, Y, W): the point (X / W, Y / W), W > 0

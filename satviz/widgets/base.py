@@ -8,7 +8,7 @@ from typing import Any
 import anywidget
 import traitlets
 
-from .. import telling
+from ..engine import telling
 from ..pictures import LIGHT, Picture, picture, steps
 from ..pictures.caption import captioned
 from ..render.files import animate, encode

@@ -6,16 +6,17 @@ from typing import Any
 
 import traitlets
 
-from ..axes import directions
-from ..geometry import InvalidScene, Vec
+from ..engine.axes import directions
+from ..engine.geometry import InvalidScene, Vec
+from ..engine.shapes import Shape
+from ..engine.trace import Trace, record
 from ..pictures import Picture
 from ..pictures.curve import direction, gap_curve
 from ..pictures.live import Chosen, field, fits, knob, live, telling_test, turned_axis
-from ..pictures.show import rows
-from ..scenefile import Scene, shape_data, shape_from
-from ..scenes import SCENES, scene
-from ..shapes import Shape
-from ..trace import Trace, record
+from ..pictures.playback import rows
+from ..scenes.article import SCENES
+from ..scenes.named import scene
+from ..scenes.scenefile import Scene, shape_data, shape_from
 from .base import Shown, code
 
 

@@ -6,10 +6,10 @@ from typing import Any
 
 import ipywidgets as ui
 
-from .. import telling
+from ..engine import telling
+from ..engine.trace import Trace
 from ..pictures import LIGHT, picture, steps
 from ..render.files import canvas, styled
-from ..trace import Trace
 from .base import LOCK, still_png
 
 

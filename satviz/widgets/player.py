@@ -4,8 +4,8 @@ from typing import Any
 
 import traitlets
 
-from ..pictures.show import both_shows
-from ..trace import Trace
+from ..engine.trace import Trace
+from ..pictures.playback import playbacks
 from .base import Shown, code
 
 
@@ -17,7 +17,7 @@ class Player(Shown):
     predict = traitlets.Bool(False).tag(sync=True)
 
     def __init__(self, trace: Trace, *, predict: bool = False) -> None:
-        super().__init__(trace=trace, shows=both_shows(trace), predict=predict)
+        super().__init__(trace=trace, shows=playbacks(trace), predict=predict)
 
 
 def play(trace: Trace, *, predict: bool = False, pen: str = "svg") -> Any:

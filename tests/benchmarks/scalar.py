@@ -12,7 +12,7 @@ from time import perf_counter
 import shapely
 
 import satviz as sv
-from satviz.sat import CLOSE
+from satviz.engine.sat import CLOSE
 
 PAIRS, ROUNDS = 1000, 15
 

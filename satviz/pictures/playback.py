@@ -2,9 +2,9 @@
 
 from typing import Any
 
-from .. import telling
-from ..geometry import Relation
-from ..trace import Trace
+from ..engine import telling
+from ..engine.geometry import Relation
+from ..engine.trace import Trace
 from .marks import Mark
 from .stages import Stage, Step, checked, picture, steps
 
@@ -23,13 +23,17 @@ PROVED, NOT_PROVED = "the shapes collide", "no gap found (no proof of a hit)"
 MOST_STEPS = 600
 
 
-def both_shows(trace: Trace) -> list[dict[str, Any]]:
+def playbacks(trace: Trace) -> list[dict[str, Any]]:
     """The show of a trace and, if the early exit left something out, that of every axis."""
     whole = checked(trace).without_early_exit()
-    return [show(trace)] if whole.tests == trace.tests and whole.pairs == trace.pairs else [show(trace), show(whole)]
+    return (
+        [playback(trace)]
+        if whole.tests == trace.tests and whole.pairs == trace.pairs
+        else [playback(trace), playback(whole)]
+    )
 
 
-def show(trace: Trace) -> dict[str, Any]:
+def playback(trace: Trace) -> dict[str, Any]:
     """Marks, steps, table and pseudo-code as JSON values; equal marks are stored once.
 
     steps: the marks by number, the sentence, the row of the table (None: no test), the

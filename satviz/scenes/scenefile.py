@@ -7,11 +7,12 @@ from pathlib import Path
 from stat import S_ISREG
 from typing import Any
 
-from .axes import NAMED
-from .geometry import InvalidScene, InvalidShape
-from .shapes import Circle, Polygon, Shape
+from ..engine import door
+from ..engine.axes import NAMED
+from ..engine.geometry import InvalidScene, InvalidShape
+from ..engine.shapes import Circle, Polygon, Shape
+from ..engine.trace import Trace, record
 from .strictjson import keys, parse, typed
-from .trace import Trace, record
 
 MAX_CHARS = 1 << 20
 MAX_VERTICES = 1000  # a trace has (n + m) axes with n + m landings each
@@ -49,9 +50,7 @@ class Scene:
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: its trace's table and last picture."""
-        from .render.shown import bundle
-
-        return bundle(self)
+        return door.bundle(self)
 
     def to_json(self) -> str:
         """The scene as a scene file."""

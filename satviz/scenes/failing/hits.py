@@ -2,8 +2,8 @@
 
 from math import sqrt
 
-from ..scenes import box
-from ..shapes import Circle, Polygon
+from ...engine.shapes import Circle, Polygon
+from ..article import box
 from . import right, shortcuts, threed
 from .row import FALSE_HIT, MISSED_HIT, Row
 

@@ -3,11 +3,11 @@
 from typing import Any
 from zlib import crc32
 
-from .. import telling
+from ..engine import telling
+from ..engine.shapes import Circle, Polygon
+from ..engine.trace import Trace
 from ..pictures import Picture, picture
 from ..pictures.views import alone
-from ..shapes import Circle, Polygon
-from ..trace import Trace
 from .files import inline_svg
 
 

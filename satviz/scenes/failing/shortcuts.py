@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from math import atan2, degrees, hypot, nan
 
-from ..geometry import Interval, Vec
-from ..shapes import Circle, Polygon, Shape, centroid
+from ...engine.geometry import Interval, Vec
+from ...engine.shapes import Circle, Polygon, Shape, centroid
 from . import swept, threed
 
 Ring = Sequence[Vec]

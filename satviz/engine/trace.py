@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import product
 from typing import NamedTuple
 
-from . import telling
+from . import door, telling
 from .axes import Choice, Chooser, Skip, needed
 from .certificate import Certificate, PartLines, separating_line, shared_point
 from .concave import named_parts
@@ -157,22 +157,16 @@ class Trace:
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: the table and the last picture."""
-        from .render.shown import bundle
-
-        return bundle(self)
+        return door.bundle(self)
 
     def to_json(self, *, indent: int | None = None) -> str:
         """The trace as JSON: the shapes, each axis and landing place, and the verdicts for readers elsewhere."""
-        from .tracefile import dump
-
-        return dump(self, indent)
+        return door.to_json(self, indent)
 
     @staticmethod
     def from_json(text: str) -> "Trace":
         """The trace that `to_json` wrote; InvalidScene if anything in it is missing, unknown or untrue."""
-        from .tracefile import load
-
-        return load(text)
+        return door.from_json(text)
 
 
 def record(a: Shape, b: Shape, *, axes: Chooser | Choice = needed, every_axis: bool = False) -> Trace:

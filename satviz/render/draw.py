@@ -4,8 +4,8 @@ from typing import TYPE_CHECKING
 
 from matplotlib.axes import Axes
 
+from ..engine.trace import Trace
 from ..pictures import THEMES, Picture, Step, Theme, picture
-from ..trace import Trace
 from .files import canvas
 from .pen import Pen
 

@@ -7,12 +7,12 @@ when all strokes are known.
 from collections.abc import Sequence
 from math import hypot
 
-from .. import telling
-from ..axes import CENTERS, EDGE, HULL, VERTEX, WORLD
-from ..geometry import Interval, Vec
-from ..sat import AxisTest, Projection
-from ..shapes import Circle, Polygon, Shape, centroid
-from ..trace import Trace
+from ..engine import telling
+from ..engine.axes import CENTERS, EDGE, HULL, VERTEX, WORLD
+from ..engine.geometry import Interval, Vec
+from ..engine.sat import AxisTest, Projection
+from ..engine.shapes import Circle, Polygon, Shape, centroid
+from ..engine.trace import Trace
 from .labels import Request, holds, name_spots, short_name, with_labels
 from .layout import AxisPlace, Layout, moved
 from .marks import Mark, Picture
@@ -22,7 +22,7 @@ BRACKET = 4.0, 11.0  # a gap's bracket stands this far out from the axis
 LIST_WIDTH = 34  # letters a line in a list of axes
 
 
-class Drawing:
+class Sketch:
     """Collects marks for one picture of a trace."""
 
     def __init__(self, trace: Trace, layout: Layout) -> None:

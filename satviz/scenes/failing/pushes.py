@@ -2,7 +2,7 @@
 
 from math import hypot
 
-from ..geometry import Vec
+from ...engine.geometry import Vec
 from .shortcuts import Outline, Ring, both_normals, gap, raw_gap, ring, span, textbook
 
 

@@ -4,11 +4,11 @@ from fractions import Fraction
 from itertools import combinations
 from math import cos, hypot, radians, sin
 
-from ..axes import HULL, directions, hull_normals
-from ..geometry import InvalidShape, Vec
-from ..sat import AxisTest, axis_tests
-from ..shapes import Polygon, Shape
-from ..trace import record
+from ...engine.axes import HULL, directions, hull_normals
+from ...engine.geometry import InvalidShape, Vec
+from ...engine.sat import AxisTest, axis_tests
+from ...engine.shapes import Polygon, Shape
+from ...engine.trace import record
 from . import swept, threed
 from .shortcuts import MANY, Outline, ring, written
 

@@ -3,10 +3,10 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
-from .. import telling
-from ..geometry import InvalidScene, InvalidShape
+from ...engine import telling
+from ...engine.geometry import InvalidScene, InvalidShape
+from ...engine.shapes import Circle, Polygon
 from ..scenefile import Scene
-from ..shapes import Circle, Polygon
 from .right import Answer, gap
 from .shortcuts import Outline, Shortcut
 

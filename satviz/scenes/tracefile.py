@@ -5,16 +5,16 @@ from dataclasses import replace
 from math import hypot
 from typing import Any
 
-from . import axes, telling
-from .axes import Axis, Choice, Skip, Source
-from .escape import ends_overlap
-from .geometry import InvalidScene, InvalidShape, Vec
-from .outline import number
-from .sat import AxisTest, Projection
+from ..engine import axes, telling
+from ..engine.axes import Axis, Choice, Skip, Source
+from ..engine.escape import ends_overlap
+from ..engine.geometry import InvalidScene, InvalidShape, Vec
+from ..engine.outline import number
+from ..engine.sat import AxisTest, Projection
+from ..engine.shapes import Shape
+from ..engine.trace import PLAIN, Names, Trace, record
 from .scenefile import shape_data, shape_from
-from .shapes import Shape
 from .strictjson import keys, parse, refuse_large, typed
-from .trace import PLAIN, Names, Trace, record
 
 MAX_CHARS = 1 << 26
 ROUNDING = 2.0**-28  # how far another machine's square root may move a landing, relative to the reach

@@ -1,10 +1,9 @@
-"""The named scenes: those of the article, and by name also the failing ones."""
+"""The article's scenes."""
 
 from math import cos, radians, sin
 
-from .geometry import InvalidScene
+from ..engine.shapes import Circle, Polygon
 from .scenefile import Scene
-from .shapes import Circle, Polygon
 
 
 def box(x0: float, y0: float, x1: float, y1: float) -> Polygon:
@@ -50,22 +49,3 @@ SCENES = (
         title="The same, as if the L were convex",
     ),
 )
-NAMED = {scene.name: scene for scene in SCENES}
-
-
-def names() -> list[str]:
-    """Every name that `scene` knows, the article's first."""
-    from .failing import NAMED as failing
-
-    return [*NAMED, *failing]
-
-
-def scene(name: str) -> Scene:
-    """The built-in scene of that name, also a failing one; InvalidScene lists the names or tells why it is no scene."""
-    from .failing import NAMED as failing
-
-    if name in failing:
-        return failing[name].scene
-    if name not in NAMED:
-        raise InvalidScene(f"no scene {name!r}: choose one of {', '.join(names())}, or give a file")
-    return NAMED[name]

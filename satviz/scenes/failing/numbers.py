@@ -2,8 +2,8 @@
 
 from math import cos, radians, sin
 
-from ..scenes import TRIANGLE_A, TRIANGLE_B, box
-from ..shapes import Polygon
+from ...engine.shapes import Polygon
+from ..article import TRIANGLE_A, TRIANGLE_B, box
 from . import pushes, right, shortcuts
 from .row import REFUSED, WRONG_NUMBER, Row
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
-from . import outline
+from . import door, outline
 from .exact import to_int_points, to_integers
 from .geometry import InvalidShape, Vec
 
@@ -48,9 +48,7 @@ class _Shape:
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: the repr and a picture."""
-        from .render.shown import bundle
-
-        return bundle(self)
+        return door.bundle(self)
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:

@@ -4,7 +4,7 @@ import json
 import re
 from typing import Any
 
-from .geometry import InvalidScene
+from ..engine.geometry import InvalidScene
 
 MAX_DEPTH = 12
 MAX_MARKS = 1 << 23  # commas, opening brackets and quotes: no value goes without one, so memory is bounded by them

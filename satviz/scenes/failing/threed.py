@@ -6,7 +6,7 @@ Fifteen axes are enough: three face normals of each, and nine directions across 
 from math import atan2, sqrt
 from typing import NamedTuple
 
-from ..geometry import Interval, Vec
+from ...engine.geometry import Interval, Vec
 
 Vec3 = tuple[float, float, float]
 S = sqrt(0.5)
