@@ -64,23 +64,23 @@ FORMS["relate"] = Form(each(relate))
 FORMS["relate_moved by nothing"] = Form(
     each(lambda a, b: relate_moved(a, b, Vec(0.0, 0.0)) if is_convex(a) and is_convex(b) else None)
 )
-FORMS["record"] = Form(each(lambda a, b: record(a, b).relation), one_in=4)
-FORMS["record: its claim"] = Form(each(lambda a, b: record(a, b).claim), one_in=4)
-FORMS["record: a hit"] = Form(each(lambda a, b: record(a, b).hit), a_hit, one_in=8)
-FORMS["record every axis"] = Form(each(lambda a, b: record(a, b, every_axis=True).relation), one_in=4)
-FORMS["record every axis: its claim"] = Form(each(lambda a, b: record(a, b, every_axis=True).claim), one_in=4)
+FORMS["record"] = Form(each(lambda a, b: record(a, b).relation), one_in=8)
+FORMS["record: its claim"] = Form(each(lambda a, b: record(a, b).claim), one_in=8)
+FORMS["record: a hit"] = Form(each(lambda a, b: record(a, b).hit), a_hit, one_in=16)
+FORMS["record every axis"] = Form(each(lambda a, b: record(a, b, every_axis=True).relation), one_in=8)
+FORMS["record every axis: its claim"] = Form(each(lambda a, b: record(a, b, every_axis=True).claim), one_in=8)
 FORMS["record all edge normals: its claim"] = Form(
     each(lambda a, b: trace.claim if (trace := record(a, b, axes=axes.edge_normals)).choice.complete else None),
-    one_in=8,
+    one_in=16,
 )
-FORMS["record without early exit"] = Form(each(lambda a, b: record(a, b).without_early_exit().relation), one_in=8)
+FORMS["record without early exit"] = Form(each(lambda a, b: record(a, b).without_early_exit().relation), one_in=16)
 FORMS["record through JSON"] = Form(each(lambda a, b: Trace.from_json(record(a, b).to_json()).relation), one_in=40)
 for name in ("world", "edge-normals-of-a", "edge-normals-of-b", "hull-normals", "centers", "nearest-vertex"):
     FORMS[f"record with {name}"] = Form(
-        each(lambda a, b, choice=axes.NAMED[name]: record(a, b, axes=choice).relation), one_in=8
+        each(lambda a, b, choice=axes.NAMED[name]: record(a, b, axes=choice).relation), one_in=16
     )
 FORMS["record with one given direction"] = Form(
-    each(lambda a, b: record(a, b, axes=axes.directions((2, 1))).relation), one_in=8
+    each(lambda a, b: record(a, b, axes=axes.directions((2, 1))).relation), one_in=16
 )
 
 
@@ -251,17 +251,17 @@ def bounded(size: int) -> Callable[[int, Shape, Shape], int | None]:
 
 
 for engine in ENGINES:
-    FORMS[f"batch, {engine}"] = Form(batched(batch.relate, engine=engine))
-    FORMS[f"batch of one kind, {engine}"] = Form(grouped(batched(batch.relate, engine=engine), corners), one_in=2)
+    FORMS[f"batch, {engine}"] = Form(batched(batch.relate, engine=engine), one_in=2)
+    FORMS[f"batch of one kind, {engine}"] = Form(grouped(batched(batch.relate, engine=engine), corners), one_in=4)
     FORMS[f"batch of one pair, {engine}"] = Form(grouped(batched(batch.relate, engine=engine), by(1)), one_in=20)
-    FORMS[f"one against many, {engine}"] = Form(grouped(partial(one_against_many, engine=engine), by(5)), one_in=32)
+    FORMS[f"one against many, {engine}"] = Form(grouped(partial(one_against_many, engine=engine), by(5)), one_in=40)
     FORMS[f"pairs by index, {engine}"] = Form(partial(by_index, engine=engine), one_in=8)
     FORMS[f"hits, {engine}"] = Form(batched(batch.hits, engine=engine), a_hit, one_in=8)
     FORMS[f"colliding_pairs, {engine}"] = Form(grouped(partial(colliding, engine=engine), by(5)), a_hit, one_in=20)
 FORMS["colliding_pairs of two"] = Form(grouped(partial(colliding, engine="numpy"), by(1)), a_hit, one_in=20)
 FORMS["stream_colliding_pairs"] = Form(grouped(streamed, some_polygons), a_hit, one_in=40)
 FORMS["candidate_pairs"] = Form(grouped(candidates, bounded(40)), no_miss)
-FORMS["candidate_pairs of two"] = Form(grouped(candidates, bounded(1)), no_miss)
+FORMS["candidate_pairs of two"] = Form(grouped(candidates, bounded(1)), no_miss, one_in=4)
 FORMS["batch[1:]"] = Form(picked(lambda s: s[1:], lambda shapes: shapes[:1] + shapes), one_in=8)
 FORMS["batch[:-2]"] = Form(picked(lambda s: s[:-2], lambda shapes: shapes + shapes[:1] * 2), one_in=8)
 FORMS["batch[::2]"] = Form(picked(lambda s: s[::2], doubled), one_in=8)

@@ -5,13 +5,14 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from fractions import Fraction
-from itertools import combinations, pairwise
+from itertools import combinations, islice, pairwise
 from random import Random
 
 import numpy as np
 import pytest
+from adversary import wrong_answers
 from forms import ENGINES, FORMS, RARE, Form, batch_of, no_miss
-from hypothesis import given, note, settings
+from hypothesis import HealthCheck, given, note, settings
 from hypothesis import strategies as st
 from oracle import naive, relation
 from strategies import KINDS, drawn, pairs, some_pairs
@@ -21,7 +22,7 @@ from satviz.engine.geometry import Relation
 from satviz.engine.shapes import Circle, Polygon, Shape
 from satviz.study import truth
 
-ORDINARY = 20_000
+ORDINARY, MILLION = 20_000, 1_000_000
 ALL = "everything at once"
 
 every_form = pytest.mark.parametrize("form", FORMS)
@@ -35,7 +36,7 @@ def shown(known: Sequence[tuple]) -> str:
     return "\n".join(f"says {said}, is {right}:\na = {a!r}\nb = {b!r}" for a, b, right, said in known[:3])
 
 
-def refute(form: Form, known: Known) -> None:
+def refute(form: Form, known: Known, name: str = "") -> None:
     """Fail if the form is wrong about any of the pairs it is asked."""
     asked = known[:: form.one_in]
     answers = form.ask([(a, b) for a, b, _ in asked])
@@ -46,7 +47,7 @@ def refute(form: Form, known: Known) -> None:
         if said is not None and not form.fits(said, right)
     ]
     if wrong:
-        pytest.fail(f"wrong about {len(wrong)} of {len(asked)} pairs\n{shown(wrong)}", pytrace=False)
+        pytest.fail(f"{name} wrong about {len(wrong)} of {len(asked)} pairs\n{shown(wrong)}", pytrace=False)
 
 
 # -- against rationals -----------------------------------------------------------------------------
@@ -57,15 +58,28 @@ def known(kind: str) -> Known:
     """Pairs of a kind with what they are; of all kinds, some of each."""
     if kind == ALL:
         return [known(name)[i] for i in range(20) for name in KINDS]
-    rng = Random(f"{kind} 1")
-    drawn_pairs = [drawn(rng, kind) for _ in range(ORDINARY // len(KINDS))]
-    return [(a, b, relation(a, b)) for a, b in drawn_pairs]
+    return judged(kind, 1, ORDINARY // len(KINDS))
+
+
+def judged(kind: str, seed: int, count: int) -> Known:
+    rng = Random(f"{kind} {seed}")
+    return [(a, b, relation(a, b)) for a, b in (drawn(rng, kind) for _ in range(count))]
 
 
 @every_form
 @every_kind
 def test_no_form_is_wrong(form, kind):
     refute(FORMS[form], known(kind))
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("kind", KINDS)
+def test_no_form_is_wrong_about_a_million_pairs(kind):
+    """All of them through the cheap forms, samples through the dear ones."""
+    for seed in range(2, 2 + MILLION // len(KINDS) // 2_000):
+        some = judged(kind, seed, 2_000)
+        for name, form in FORMS.items():
+            refute(form._replace(one_in=1 if form.one_in <= 2 else 4 * form.one_in), some, name)
 
 
 @pytest.mark.parametrize("form", RARE)
@@ -105,7 +119,7 @@ def exactly(value: Fraction) -> float:
 
 
 def scaled(rng: Random, a: Shape, b: Shape) -> tuple[Shape, Shape]:
-    grow = 2.0 ** rng.choice((rng.randint(-8, 8), rng.randint(-800, 800)))
+    grow = 2.0 ** rng.choice((rng.randint(-8, 8), rng.randint(-1060, 1015)))
     times = Fraction(grow)
     return tuple(mapped(s, lambda *v: tuple(exactly(Fraction(c) * times) for c in v), grow) for s in (a, b))
 
@@ -206,12 +220,19 @@ QUICK = [name for name, form in FORMS.items() if form.one_in < 20]
 
 
 @given(pair=some_pairs(), data=st.data())
-@settings(max_examples=300, deadline=None, database=None)
+@settings(max_examples=400, deadline=None, database=None, suppress_health_check=list(HealthCheck))
 def test_no_form_is_wrong_about_a_drawn_pair(pair, data):
     """hypothesis looks for the smallest pair it is wrong about, in whichever form."""
     name = data.draw(st.sampled_from(QUICK))
     note(f"{name}:\na = {pair[0]!r}\nb = {pair[1]!r}")
     refute(FORMS[name], [(*pair, relation(*pair))])
+
+
+@pytest.mark.full
+def test_no_pair_bred_towards_contact_is_found_that_a_form_is_wrong_about():
+    wrong = [(a, b, right, f"{name}: {said}") for name, a, b, right, said in islice(wrong_answers(1, 300), 3)]
+    if wrong:
+        pytest.fail(shown(wrong), pytrace=False)
 
 
 # -- the broad phase, whole layouts ----------------------------------------------------------------
