@@ -772,11 +772,24 @@ PRONGS = sv.Polygon([(-9, -9), (9, -9), (1, 0), (0, -8), (-1, 0)])
         (POCKET, ((1, 0.5), 1.25), (0.25, 0.5)),  # where an edge and the circle about a corner meet
     ],
 )
-def test_the_way_out_of_a_circle_is_away_from_edges_and_corners(a, circle, mtv):
-    trace = sv.record(a, sv.Circle(*circle))
-    assert trace.mtv == pytest.approx(mtv) and ends_overlap(trace.a, trace.b, trace.mtv)
+@pytest.mark.parametrize("mirror", [(1, 1), (-1, 1), (1, -1), (-1, -1)])
+def test_the_way_out_of_a_circle_is_away_from_edges_and_corners(a, circle, mtv, mirror):
+    def seen(p):
+        return p[0] * mirror[0], p[1] * mirror[1]
+
+    trace = sv.record(sv.Polygon(list(map(seen, a.vertices))), sv.Circle(seen(circle[0]), circle[1]))
+    assert trace.mtv == pytest.approx(seen(mtv)) and ends_overlap(trace.a, trace.b, trace.mtv)
     back = sv.record(trace.b, trace.a).mtv
-    assert back == pytest.approx([-c for c in mtv])
+    assert back == pytest.approx([-c for c in seen(mtv)])
+
+
+@pytest.mark.parametrize("k", range(20))
+def test_a_rounded_crossing_is_helped_outwards_by_next_to_nothing(k):
+    x, y, radius = k / 173, 0.1 + k / 91, 1.2 + k / 311
+    up = sv.record(PRONGS, sv.Circle((x, y), radius)).mtv
+    assert up == pytest.approx((-x, (radius**2 - 1) ** 0.5 - y), abs=1e-14)
+    out = sv.record(POCKET, sv.Circle((1 + x, y / 2), radius)).mtv
+    assert out == pytest.approx((radius - 1 - x, (radius**2 - (2 - radius) ** 2) ** 0.5 - y / 2), abs=1e-14)
 
 
 def test_a_circle_about_a_corner_goes_out_by_its_radius():
