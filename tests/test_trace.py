@@ -361,6 +361,12 @@ AXIS_LIES = {
     "circles about one center": (axis_of("any direction", None), "do not have"),
     "not through the centroids": (axis_of("centroids", None), "not the direction"),
     "somebody's given direction": (axis_of("given direction", "A", 0), "do not have"),
+    "nowhere as a given direction": (
+        lambda axis: axis.update(
+            normal=[0.0, 0.0], length=0.0, source={"kind": "given direction", "shape": None, "vertices": [0]}
+        ),
+        "do not have",
+    ),
     "a given direction of no number": (axis_of("given direction", None), "do not have"),
 }
 
@@ -432,11 +438,17 @@ def test_a_way_out_as_short_as_ours_is_as_good():
     data = json.loads(trace.to_json())
     x, y = data["mtv"]
     assert abs(x) == pytest.approx(1.5)
-    told = data["sentence"].replace(telling.vector(sv.Vec(x, y)), telling.vector(sv.Vec(-x, y)))
-    assert sv.Trace.from_json(json.dumps(data | {"mtv": [-x, y], "sentence": told})) == trace
-    for lie in ({"mtv": [-x, y]}, {"sentence": told}, {"mtv": [-x / 2, y], "sentence": told}):
-        with pytest.raises(sv.InvalidScene):
-            sv.Trace.from_json(json.dumps(data | lie))
+
+    def told(*move):
+        sentence = data["sentence"].replace(telling.vector(sv.Vec(x, y)), telling.vector(sv.Vec(*move)))
+        return sv.Trace.from_json(json.dumps(data | {"mtv": list(move), "sentence": sentence}))
+
+    assert told(-x, y) == trace
+    for longer_shorter_or_not_out in (-2 * x, y), (-x * 0.9, y), (0.0, abs(x)):
+        with pytest.raises(sv.InvalidScene, match="mtv"):
+            told(*longer_shorter_or_not_out)
+    with pytest.raises(sv.InvalidScene, match="sentence"):
+        sv.Trace.from_json(json.dumps(data | {"mtv": [-x, y]}))
 
 
 @pytest.mark.parametrize("lie", LIES)
@@ -619,16 +631,14 @@ def test_a_trace_of_too_many_parts_is_told_drawn_and_saved_without_its_way_out()
 
 
 def test_the_limit_on_the_way_out_counts_the_corners_of_all_pairs(monkeypatch):
-    trace = sv.record(L, box(1.5, 1.5, 3.5, 3.5))
-    monkeypatch.setattr(escape, "MOST_CORNERS", 16)  # two boxes of L, each with one box
-    assert trace.mtv
-    coin = sv.record(L, sv.Circle((3.2, 3.2), 1.5))
-    monkeypatch.setattr(escape, "MOST_CORNERS", 10)
-    assert coin.mtv
-    monkeypatch.setattr(escape, "MOST_CORNERS", 15)
-    escape.around_parts.cache_clear()
-    with pytest.raises(sv.InvalidScene, match="2 pairs of convex parts with 16 corners"):
-        _ = trace.mtv
+    for b, corners in (box(1.5, 1.5, 3.5, 3.5), 16), (sv.Circle((3.2, 3.2), 1.5), 10), (star(3, 2, 2), 44):
+        trace = sv.record(L, b)
+        monkeypatch.setattr(escape, "MOST_CORNERS", corners - 1)
+        escape.around_parts.cache_clear()
+        with pytest.raises(sv.InvalidScene, match=rf"{2 * len(sv.parts(b))} pairs of convex parts with {corners} corn"):
+            _ = trace.mtv
+        monkeypatch.setattr(escape, "MOST_CORNERS", corners)
+        assert trace.mtv
 
 
 def test_the_way_out_is_looked_for_once_and_not_for_a_picture_of_what_is_apart(monkeypatch):
@@ -755,6 +765,7 @@ def test_closing_brackets_without_end_are_not_read_to_the_end():
 POCKET = sv.Polygon(
     [(0, 9), (0, -5), (1.9, -5), (2, 0), (2.1, -9), (-9, -9), (-9, 9)]
 )  # a wall to the left, a tip at (2, 0)
+SPIKE = sv.Polygon([(-9, -2), (9, -2), (9, 0), (0.2, 0), (0, 1), (-0.2, 0), (-9, 0)])
 PRONGS = sv.Polygon([(-9, -9), (9, -9), (1, 0), (0, -8), (-1, 0)])
 
 
@@ -769,6 +780,7 @@ PRONGS = sv.Polygon([(-9, -9), (9, -9), (1, 0), (0, -8), (-1, 0)])
         (L, ((2.25, 2.25), 1), (0.75, 0.75)),  # where two edges meet
         (PRONGS, ((0, 0.25), 1.25), (0, 0.5)),  # where the circles about two corners meet
         (PRONGS, ((0, 0.5), 1.25), (0, 0.25)),
+        (SPIKE, ((0, 3.9), 3), (0, 0.1)),  # away from a tip close to an edge
         (POCKET, ((1, 0.5), 1.25), (0.25, 0.5)),  # where an edge and the circle about a corner meet
     ],
 )

@@ -82,10 +82,7 @@ def around_parts(a: Shape, b: Shape) -> Vec | None:
     size = frexp(min(max(a._reach, b._reach), LARGEST))[1]
     radius = ldexp(sum(s.radius for s in (a, b) if isinstance(s, Circle)), -size)
     free = _Free(size, radius, [_region(p, q, size, radius) for p in parts(a) for q in parts(b)])
-    borders = sorted(
-        (border for region in free.regions for border in _borders(region.ring, radius)),
-        key=lambda border: border.nearest,
-    )
+    borders = [border for region in free.regions for border in _borders(region.ring, radius)]
     free.try_all(c for border in borders for c in _feet(border, radius))
     # what runs wholly inside one region is no border of the union
     outer = [border for border in borders if border.nearest < free.length and not free.buries(border)]
