@@ -10,7 +10,7 @@ import shapely
 from adversary import BOUNDS, near_look, search
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from strategies import BASIC, KINDS, NotConvex, convex, dress, hull, nudged, pairs, round_ring
+from strategies import BASIC, KINDS, NotConvex, convex, dress, hull, nudged, pairs, round_ring, scaled, spun
 
 from satviz.engine import verdict
 from satviz.engine.geometry import InvalidShape, Relation
@@ -61,6 +61,22 @@ def test_known_answers_of_the_oracle_and_of_relate(a, b, truth):
     assert oracle.relation(a, b) is oracle.relation(b, a) is truth
     for method in METHODS:
         assert method(a, b) is method(b, a) is truth
+
+
+@every_method
+@pytest.mark.parametrize("power", [-500, 0, 440])
+@pytest.mark.parametrize("way", [(1, 0), (3, 4), (-5, 12), (-1, -1)], ids=str)
+def test_a_circle_off_the_tip_of_a_needle_is_judged_by_its_distance_from_the_tip(method, way, power):
+    """The thinnest are so thin that no edge tells on which side of it the centre lies."""
+    for length, width in ((64, 1), (2**20, 1), (2**48, 1)):
+        needle = spun([(-length, 0), (0, -width), (length, 0), (0, width)], *way)
+        for beyond in (1 / 64, 1, length):
+            for aside in (0, width / 4):
+                ((x, y),) = spun([(length + beyond, aside)], *way)
+                distance = math.hypot(*way) * math.hypot(beyond, aside)
+                for part in (0.5, 1 - 2**-20, 1, 1 + 2**-20):
+                    a, b = scaled(convex(needle), power), scaled(Circle((x, y), distance * part), power)
+                    assert method(a, b) is method(b, a) is oracle.relation(a, b), (a, b)
 
 
 def test_the_oracle_knows_the_distance():

@@ -27,7 +27,7 @@ def sign(value: int) -> int:
 def to_integers(values: Iterable[float]) -> tuple[int, list[int]]:
     """Integers n and one exponent k with value = n / 2**k, exactly and in order."""
     ratios = [value.as_integer_ratio() for value in values]
-    k = max((den.bit_length() for _, den in ratios), default=1) - 1
+    k = max(den.bit_length() for _, den in ratios) - 1
     return k, [num << (k + 1 - den.bit_length()) for num, den in ratios]
 
 
@@ -90,12 +90,11 @@ def to_float(num: int, k: int) -> float:
 
 def root_difference(s: int, r: int, square: int, k: int) -> float:
     """(s / sqrt(square) - r) / 2**k as a float that has the exact sign, good to one unit in the last place."""
-    if root_sign(s, r, square) == 0 if r else s == 0:
+    if root_sign(s, r, square) == 0:
         return 0.0
-    bits = 80 + max(0, (square.bit_length() >> 1) - abs(s).bit_length())
+    bits = 80
     while True:
-        root = isqrt((s * s << 2 * bits) // square)
-        value = (root if s > 0 else -root) - (r << bits)
+        value = sign(s) * isqrt((s * s << 2 * bits) // square) - (r << bits)
         # 70 leading bits leave the one lost by isqrt far below the float's last place
         if value.bit_length() > 70:
             return to_float(value, k + bits)

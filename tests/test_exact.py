@@ -1,0 +1,147 @@
+"""The signs and the numbers that everything else rests on: exact at every size, and quick where floats can tell."""
+
+import math
+import sys
+from fractions import Fraction
+from random import Random
+
+import pytest
+from pairs import nudged
+
+from satviz import exact
+from satviz.study import truth as oracle
+
+LARGEST, LEAST = sys.float_info.max, 5e-324
+SIZES = [2.0**e for e in (-1060, -900, -537, -514, -500, -300, -40, 0, 40, 300, 470, 510, 900, 1020)]
+
+
+@pytest.fixture
+def no_integers(monkeypatch) -> None:
+    """From here on nothing can ask the integers."""
+
+    def refuse(*_):
+        raise AssertionError("floats can tell this")
+
+    monkeypatch.setattr(exact, "to_integers", refuse)
+
+
+def test_the_sign_of_a_number():
+    assert [exact.sign(n) for n in (-(10**30), -2, -1, 0, 1, 2, 10**30)] == [-1, -1, -1, 0, 1, 1, 1]
+
+
+def test_numbers_become_integers_over_the_coarsest_power_of_two():
+    assert exact.to_integers([3.0]) == (0, [3])
+    assert exact.to_integers([0.5, -3.0, 0.0, 0.75]) == (2, [2, -12, 0, 3])
+    assert exact.to_integers([5e-324, 1.0]) == (1074, [1, 1 << 1074])
+    assert exact.to_int_points([(0.5, -3.0), (0.0, 0.75), (1.0, 2.0)]) == (2, [(2, -12), (0, 3), (4, 8)])
+
+
+def test_two_shapes_come_to_one_unit_whichever_is_finer():
+    class Given:
+        def __init__(self, *integers):
+            self.integers = integers
+
+    fine, coarse = Given(3, [(8, 1)], 5), Given(1, [(2, 3), (4, 7)], 2)
+    assert exact.aligned(fine, coarse) == ([(8, 1)], [(8, 12), (16, 28)], 13, 3)
+    assert exact.aligned(coarse, fine) == ([(8, 12), (16, 28)], [(8, 1)], 13, 3)
+    assert exact.aligned(fine, fine) == ([(8, 1)], [(8, 1)], 10, 3)
+
+
+def nearly_straight(rng: Random, size: float) -> list[tuple[float, float]]:
+    """Three points about on one line, with full mantissas or on a small grid."""
+    if rng.random() < 0.3:
+        x, y, dx, dy, t = (rng.randint(-9, 9) for _ in range(5))
+        return [(u * (size / 128), v * (size / 128)) for u, v in ((x, y), (x + dx, y + dy), (x + t * dx, y + t * dy))]
+    px, py, qx, qy = (rng.uniform(-1, 1) * size for _ in range(4))
+    t = rng.uniform(-1, 2)
+    near = [nudged(c, rng.randint(-2, 2)) for c in (px + (qx - px) * t, py + (qy - py) * t)]
+    points = [(px, py), (qx, qy), tuple(near)]
+    rng.shuffle(points)
+    return points
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_a_turn_is_told_exactly_at_every_size(size):
+    rng = Random(3)
+    seen = set()
+    for _ in range(600):
+        p, q, r = nearly_straight(rng, size)
+        turn = oracle.turn(p, q, r)
+        seen.add(exact.sign(turn))
+        assert exact.orient(p, q, r) == exact.sign(turn), (p, q, r)
+    assert seen == {-1, 0, 1}
+
+
+def test_a_turn_is_exact_where_its_products_lose_bits():
+    p, q, r = (
+        ("0x1.94a11cacfb9c4p-513", "-0x1.1379841beacd0p-514"),
+        ("0x1.27776777918f9p-515", "-0x1.8414987598bebp-516"),
+        ("-0x1.3a83484c08f30p-513", "0x1.c2148935c9610p-516"),
+    )
+    p, q, r = (tuple(map(float.fromhex, v)) for v in (p, q, r))
+    assert exact.orient(p, q, r) == exact.sign(oracle.turn(p, q, r)) == 1
+
+
+@pytest.mark.parametrize("size", SIZES[5:11])
+def test_an_ordinary_turn_needs_no_integers(size, no_integers):
+    for p, q, r in (((0, 0), (3, 1), (2, 2)), ((-4, 1), (3, 5), (-1, 9)), ((7, -2), (-3, -2), (5, -1))):
+        points = [(x * size, y * size) for x, y in (p, q, r)]
+        assert exact.orient(*points) == -exact.orient(*points[::-1]) == exact.sign(oracle.turn(*points)) != 0
+
+
+@pytest.mark.parametrize("squares", [1, 2, 3, 4, 25, 10**40 + 1, 4**200])
+def test_a_difference_from_a_root_has_the_exact_sign(squares):
+    for r in (0, 1, 2, 5, 10**20):
+        whole = math.isqrt(r * r * squares)
+        for s in (-whole - 1, -1, 0, 1, whole - 1, whole, whole + 1, 2 * whole + 1):
+            square = s * abs(s) - r * r * squares
+            assert exact.root_sign(s, r, squares) == exact.sign(square), (s, r)
+    assert exact.root_sign(0, 1, 0) == 0
+
+
+def test_an_integer_over_a_power_of_two_is_rounded_once():
+    rng = Random(4)
+    for _ in range(500):
+        num, k = rng.randint(-(2**90), 2**90), rng.randint(-60, 300)
+        value = exact.to_float(num, k)
+        assert type(value) is float
+        assert value == float(Fraction(num) / Fraction(2) ** k), (num, k)
+
+
+def test_a_number_beyond_float64_keeps_its_sign():
+    assert [exact.to_float(n, -1100) for n in (-2, -1, 1, 2)] == [-LARGEST, -LARGEST, LARGEST, LARGEST]
+    assert [exact.to_float(n, 2000) for n in (-2, -1, 1, 2)] == [-LEAST, -LEAST, LEAST, LEAST]
+    assert [exact.to_float(1 << 1100, k) for k in (0, 1, -1)] == [LARGEST] * 3
+    for k in (-3000, 0, 3000):
+        assert repr(exact.to_float(0, k)) == "0.0"
+
+
+def well_rounded(value: float, s: int, r: int, square: int, k: int) -> bool:
+    """Does value lie within a unit in the last place of (s / sqrt(square) - r) / 2**k, by a bracket of 600 bits?"""
+    bits = 600
+    root = math.isqrt((s * s << 2 * bits) // square) * (1 if s > 0 else -1)
+    low, high = (Fraction(root + d - (r << bits), 1 << bits) / Fraction(2) ** k for d in (-1, 1))
+    ulp = Fraction(math.ulp(value))
+    return high - low < ulp / 1000 and low - ulp < Fraction(value) < high + ulp
+
+
+@pytest.mark.parametrize("draw", ["any", "nearly none", "a small dot", "no radius"])
+def test_a_difference_from_a_root_is_right_to_a_unit_in_the_last_place(draw: str):
+    rng = Random(5)
+    for _ in range(300):
+        square = rng.randint(1, 2 ** rng.choice((2, 60, 200)))
+        r = 0 if draw == "no radius" else rng.randint(0, 2**60)
+        s = rng.choice((-1, 1)) * rng.randint(1, 2 ** rng.choice((1, 60, 150)))
+        if draw == "nearly none":  # what is left is a small part of both, or none at all
+            s = math.isqrt(r * r * square) + rng.randint(0, 1)
+        if draw == "a small dot":
+            s, square = rng.randint(-3, 3), rng.randint(2**300, 2**400)
+        k = rng.randint(-200, 200)
+        value = exact.root_difference(s, r, square, k)
+        assert exact.sign(value) == exact.root_sign(s, r, square), (s, r, square)
+        assert value == 0 or well_rounded(value, s, r, square, k), (s, r, square, k)
+
+
+def test_a_touch_is_no_difference_at_all():
+    for s, r, square in ((0, 0, 5), (15, 3, 25), (5 << 300, 1 << 300, 25)):
+        assert repr(exact.root_difference(s, r, square, 7)) == "0.0"
