@@ -10,6 +10,7 @@ Strings, messages (all of a raise), annotations and docstrings are left as they 
 """
 
 import ast
+import gc
 import importlib
 import json
 import os
@@ -34,21 +35,20 @@ ROOT = HERE.parent / "satviz"
 NOTES = HERE / "mutants.md"
 AT_ONCE = 2
 LOADED_ONCE = ["hypothesis.strategies", "matplotlib", "numba", "numpy", "pytest", "shapely.geometry"]
-ALL = ["exact", "verdict", "trace", "shapes", "concave"]
 TESTS = {  # which test files judge a module; within them those that killed before, then the quickest, go first
-    "exact": ALL,
-    "geometry": ["trace", "verdict", "shapes"],
-    "outline": ["shapes", "verdict", "concave"],
-    "shapes": ["shapes", "verdict", "trace"],
-    "concave": ["concave", "trace"],
-    "verdict": ["exact", "verdict", "trace", "concave"],
-    "axes": ["trace", "verdict", "failing"],
-    "sat": ["trace", "verdict"],
+    "exact": ["exact", "trace"],
+    "geometry": ["shapes", "trace"],
+    "outline": ["shapes"],
+    "shapes": ["shapes", "trace"],
+    "concave": ["concave"],
+    "verdict": ["verdict", "trace"],
+    "axes": ["axes", "trace"],
+    "sat": ["trace", "pictures"],
     "escape": ["trace"],
     "certificate": ["trace"],
-    "trace": ["trace", "failing"],
+    "trace": ["trace", "pictures"],
     "tracefile": ["trace"],
-    **{f"batch/{p.stem}": ["batch"] for p in sorted((ROOT / "batch").glob("[!_]*.py"))},
+    **{f"batch/{path.stem}": ["batch"] for path in sorted((ROOT / "batch").glob("[!_]*.py"))},
 }
 
 # -- the mutants -----------------------------------------------------------------------------------
@@ -131,14 +131,8 @@ OPERATORS = [
     ((cst.FunctionDef, cst.ClassDef), bare),
 ]
 ALIAS = m.SimpleStatementLine([m.Assign(value=m.Subscript() | m.BinaryOperation(operator=m.BitOr()))])
-WORDS = (
-    m.Annotation()
-    | m.Decorator()
-    | m.FormattedString()
-    | m.SimpleString()
-    | m.Raise()
-    | m.Arg(keyword=m.Name("strict"))
-)
+WORDS = m.Annotation() | m.Decorator() | m.FormattedString() | m.SimpleString() | m.Raise()
+CHECK = m.Arg(keyword=m.Name("strict"))
 
 
 def mutants(path: Path) -> Iterator[tuple[int, str, str]]:
@@ -167,7 +161,7 @@ def mutants(path: Path) -> Iterator[tuple[int, str, str]]:
 
 def inner(node: cst.CSTNode) -> Iterator[cst.CSTNode]:
     """The node and all below, but for words."""
-    if not m.matches(node, WORDS):
+    if not m.matches(node, WORDS | CHECK):
         yield node
         for child in node.children:
             yield from inner(child)
@@ -204,7 +198,7 @@ class Sown(SourceFileLoader):
 
 
 class Watch:
-    """Puts likely killers first, stops a test that runs away, and tells the parent how long each took and who killed."""
+    """Puts likely killers first, stops a test that runs away, tells the parent who killed and how long tests take."""
 
     def __init__(self, out: Path, kills: Counter, times: dict[str, float]):
         self.out, self.kills, self.times, self.found = out, kills, times, {}
@@ -232,7 +226,7 @@ def judge(path: Path, source: str, tests: list[str], watch: Watch) -> int:
 
     os.nice(5)
     resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
-    signal.setitimer(signal.ITIMER_PROF, 15)
+    signal.setitimer(signal.ITIMER_PROF, 8)
     sys.dont_write_bytecode = True
     sys.meta_path.insert(0, Sown(path, source))
     sys.path.insert(0, str(HERE.parent))
@@ -241,9 +235,10 @@ def judge(path: Path, source: str, tests: list[str], watch: Watch) -> int:
     plain = {"derandomize": True, "database": None, "deadline": None, "phases": ["explicit", "generate"]}
     hypothesis.settings.register_profile("mutants", **plain)
     hypothesis.settings.load_profile("mutants")
-    files = [str(HERE / f"test_{name}.py") for name in tests if (HERE / f"test_{name}.py").exists()]
-    flags = ["-x", "-q", "--tb=no", "--assert=plain", "-p", "no:cacheprovider", "-W", "ignore", "-m"]
-    return pytest.main([*flags, "not full", *files], plugins=[watch])
+    without = [part for name in ("cacheprovider", "unraisableexception") for part in ("-p", f"no:{name}")]
+    flags = ["-x", "-q", "--tb=no", "--assert=plain", "-W", "ignore", "-m", "not full", *without]
+    codes = (pytest.main([*flags, str(HERE / f"test_{name}.py")], plugins=[watch]) for name in tests)
+    return next((int(code) for code in codes if code), 0)
 
 
 def sow(path: Path, tests: list[str], wanted: int, folder: Path) -> Counter:
@@ -299,6 +294,7 @@ def main(*names: str) -> None:
         importlib.import_module(name)
     fates = "killed", "timed out", "equivalent", "survived"
     rows = []
+    gc.freeze()
     with tempfile.TemporaryDirectory() as folder:
         for name in names or TESTS:
             name, _, line = name.partition(":")

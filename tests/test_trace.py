@@ -1,6 +1,7 @@
 """What a trace records, what it says, and what follows from it."""
 
 import json
+import sys
 from fractions import Fraction
 from math import cos, hypot, pi, sin
 
@@ -10,7 +11,7 @@ from hypothesis import strategies as st
 from strategies import CONVEX, pairs
 
 import satviz as sv
-from satviz.engine import axes, concave, escape, telling
+from satviz.engine import axes, concave, escape, sat, telling
 from satviz.engine import trace as trace_module
 from satviz.engine.certificate import SharedPoint
 from satviz.engine.escape import ends_overlap
@@ -865,3 +866,55 @@ def test_a_circle_off_a_corner_touches_on_the_axis_of_that_corner_whoever_it_bel
         last = trace.tests[-1]
         assert last.gap == 0 and last.source == ("nearest vertex", "A" if a is corner else "B", (2,))
         assert trace.relation is sv.Relation.TOUCHING and last.axis.direction == pytest.approx((0.6, 0.8))
+
+
+# -- floats and integers ---------------------------------------------------------------------------
+
+
+def never(*_):
+    raise AssertionError("floats can tell this")
+
+
+@pytest.mark.parametrize("e", [-280, -40, 0, 40, 280])
+def test_the_axes_of_plain_pairs_need_no_integers(e, monkeypatch):
+    monkeypatch.setattr(sat, "_exact_test", never)
+    s = 2.0**e
+    triangles = [sv.Polygon([(x * s, y * s) for x, y in shape.vertices]) for shape in (A, B)]
+    round_ones = sv.Circle((0, 4 * s), s / 2), sv.Circle((6 * s, 3 * s), s)
+    for a in (*triangles, *round_ones):
+        for b in (*triangles, *round_ones):
+            assert sv.record(a, b, every_axis=True).relation is sv.relate(a, b)
+
+
+def test_integers_record_what_floats_record(monkeypatch):
+    kinds = "random", "upright", "containment", "circle"
+    ordinary = [(a, b) for kind, a, b in SOME[:200] if kind.startswith(kinds)]
+    by_floats = [sv.record(a, b, every_axis=True).tests for a, b in ordinary]
+    monkeypatch.setattr(sat, "CLOSE", float("inf"))
+    for (a, b), floats in zip(ordinary, by_floats):
+        size = max(abs(c) for shape in (a, b) for c in shape.bounds)
+        for one, other in zip(floats, sv.record(a, b, every_axis=True).tests, strict=True):
+            assert one.axis == other.axis
+            assert one.gap == pytest.approx(other.gap, rel=1e-5, abs=1e-14 * size)
+            for p, q in ((one.a, other.a), (one.b, other.b)):
+                assert p.landings == pytest.approx(q.landings, rel=1e-12, abs=1e-14 * size)
+                for u, v in zip(p.points, q.points, strict=True):
+                    assert u == pytest.approx(v, rel=1e-12, abs=1e-14 * size)
+
+
+def test_a_touching_circles_extremes_are_its_points_along_the_axis():
+    on_x = sv.record(box(0, 0, 2, 2), sv.Circle((3, 1), 1), axes=axes.world, every_axis=True).tests[1]
+    assert on_x.gap == 0 and on_x.b == (((2, 1), (4, 1)), (2, 4))
+    slanted = sv.record(sv.Circle((0, 0), 2), sv.Circle((3, 4), 3)).tests[0]
+    assert slanted.gap == 0 and slanted.a.landings == (-2, 2) and slanted.b.landings == (2, 8)
+    assert [close(p, q) for p, q in zip(slanted.b.points, [(1.2, 1.6), (4.8, 6.4)])] == [True, True]
+    at_nothing = sv.record(sv.Circle((-1, 0), 1), sv.Circle((1, 0), 1)).tests[0]
+    assert [repr(t) for t in (*at_nothing.a.landings, *at_nothing.b.landings)] == ["-2.0", "0.0", "0.0", "2.0"]
+
+
+def test_extremes_beyond_float64_are_shown_at_its_rim():
+    most = sys.float_info.max
+    test = sv.record(sv.Circle((1.5e308, -1.5e308), 1e308), sv.Circle((-1.5e308, 1.5e308), 1e308)).tests[0]
+    assert {abs(c) for side in (test.a, test.b) for p in side.points for c in p} >= {most}
+    assert all(abs(c) <= most for side in (test.a, test.b) for p in side.points for c in p)
+    assert test.a.points[1] == (most, -most) and test.b.points[0] == (-most, most)

@@ -1,0 +1,212 @@
+"""Which axes a choice takes, where they come from and which it leaves out."""
+
+from fractions import Fraction
+from math import hypot, ldexp
+
+import pytest
+
+import satviz as sv
+from satviz import axes
+from satviz.scenes import box
+
+A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
+B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])
+L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
+COIN = sv.Circle((5, 6), 1)
+PAIRS = {
+    "triangles": (A, B),
+    "concave": (L, B),
+    "boxes": (box(0, 0, 2, 1), box(3, 3, 4, 5)),
+    "polygon and circle": (A, COIN),
+    "circle and concave": (COIN, L),
+    "circle on a vertex": (sv.Circle((3, 2), 1), A),
+    "circles": (COIN, sv.Circle((-1, 4), 2)),
+    "concentric": (COIN, sv.Circle((5, 6), 2)),
+}
+
+
+def sized(shape: sv.Polygon | sv.Circle, e: int) -> sv.Polygon | sv.Circle:
+    """The shape times 2**e."""
+    if isinstance(shape, sv.Circle):
+        return sv.Circle([ldexp(c, e) for c in shape.center], ldexp(shape.radius, e))
+    return sv.Polygon([[ldexp(c, e) for c in v] for v in shape.vertices])
+
+
+# -- sources ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", axes.NAMED)
+@pytest.mark.parametrize("e", [-1040, -400, 0, 400, 1000])
+def test_every_axis_runs_along_its_source_to_the_right_or_up_and_tells_its_length(name, e):
+    for pair in PAIRS.values():
+        a, b = (sized(shape, e) for shape in pair)
+        choice = axes.NAMED[name](a, b)
+        for axis in (*choice.axes, *(skip.axis for skip in choice.skipped)):
+            (nx, ny), (x, y) = axis.normal, axes.exact_direction(axis, a, b)
+            assert abs(Fraction(nx) * y - Fraction(ny) * x) <= abs(Fraction(nx) * y) / 2**50
+            assert (x, y) > (0, 0) and (nx, ny) > (0, 0)
+            assert axis.length == hypot(nx, ny) and hypot(*axis.direction) == pytest.approx(1)
+            assert axis.direction == pytest.approx((nx / axis.length, ny / axis.length))
+
+
+@pytest.mark.parametrize("name", axes.NAMED)
+def test_a_normal_is_as_long_as_its_edge_unless_float64_can_hardly_hold_it(name):
+    for pair in PAIRS.values():
+        plain = axes.NAMED[name](*pair).axes
+        for e, change in ((-250, -250), (250, 250), (-320, None), (310, None), (-1000, None), (1000, None)):
+            for axis, first in zip(axes.NAMED[name](*(sized(shape, e) for shape in pair)).axes, plain, strict=True):
+                if change and axis.source.kind not in (axes.WORLD, axes.ANY):
+                    assert axis.normal == (ldexp(first.normal.x, change), ldexp(first.normal.y, change))
+                else:
+                    assert 0.25 <= axis.length <= 2
+                assert axis.direction == pytest.approx(first.direction, rel=1e-15)
+
+
+SOURCES = [
+    axes.Source("guess"),
+    axes.Source("guess", "A", (0, 1)),
+    axes.Source(axes.EDGE, None, (0, 1)),
+    axes.Source(axes.EDGE, "C", (0, 1)),
+    axes.Source(axes.EDGE, "A", (0,)),
+    axes.Source(axes.EDGE, "A", (0, 1, 2)),
+    axes.Source(axes.EDGE, "A", (1, 1)),
+    axes.Source(axes.EDGE, "A", (0, 3)),
+    axes.Source(axes.HULL, None, (0, 1)),
+    axes.Source(axes.HULL, "A", (0,)),
+    axes.Source(axes.VERTEX, None, (0,)),
+    axes.Source(axes.VERTEX, "A", ()),
+    axes.Source(axes.VERTEX, "A", (0, 1)),
+    axes.Source(axes.WORLD, "A", (0,)),
+    axes.Source(axes.WORLD, "C", (0,)),
+    axes.Source(axes.WORLD),
+    axes.Source(axes.WORLD, None, (0, 1)),
+    axes.Source(axes.WORLD, None, (2,)),
+    axes.Source(axes.CENTERS, "A"),
+    axes.Source(axes.CENTERS, None, (0,)),
+    axes.Source(axes.CENTROIDS, "A"),
+    axes.Source(axes.CENTROIDS, None, (0,)),
+    axes.Source(axes.ANY, "B"),
+    axes.Source(axes.ANY, None, (0,)),
+    axes.Source(axes.GIVEN),
+    axes.Source(axes.GIVEN, "A", (0,)),
+]
+
+
+@pytest.mark.parametrize("source", SOURCES, ids=str)
+def test_a_source_that_the_shapes_do_not_have_is_an_error(source):
+    with pytest.raises((ValueError, IndexError)):
+        axes.exact_direction(axes.Axis(sv.Vec(1.0, 0.0), 1.0, source), A, COIN)
+
+
+def sources(choice: axes.Choice) -> dict:
+    return {axis.source.ids: axis.normal for axis in choice.axes}
+
+
+def test_a_source_names_the_owners_vertices_the_lower_first():
+    clockwise = sv.Polygon([(0, 0), (0, 2), (0, 2), (0, 4), (4, 4), (4, 0)])  # with a repeat and a straight-on vertex
+    expected = {(0, 3): (4, 0), (3, 4): (0, 4), (4, 5): (4, 0), (0, 5): (0, 4)}
+    assert sources(axes.edge_normals_of_a(clockwise, COIN)) == expected
+    assert sources(axes.edge_normals_of_b(COIN, clockwise)) == expected
+    assert sources(axes.hull_normals(clockwise, COIN)) == expected
+
+
+def test_the_hull_tells_edges_of_the_outline_from_those_across_a_notch():
+    for first in range(6):
+        turned = sv.Polygon([*L.vertices[first:], *L.vertices[:first]])
+        found = axes.hull_normals(A, turned).axes
+        across = [axis for axis in found if axis.source.kind == axes.HULL]
+        assert [axis.source.kind for axis in found].count(axes.EDGE) == 4 + 3
+        assert [axis.normal for axis in across] == [(2, 2)]
+        assert {turned.vertices[i] for i in across[0].source.ids} == {(4, 2), (2, 4)}
+
+
+# -- choices ---------------------------------------------------------------------------------------
+
+
+def test_upright_boxes_need_y_and_x_and_say_which_each_side_is_parallel_to():
+    choice = axes.needed(*PAIRS["boxes"])
+    assert choice.axes == axes.WORLD_AXES and choice.complete
+    reasons = {(axis.source.shape, axis.direction, reason) for axis, reason in choice.skipped}
+    up, right = (0, 1), (1, 0)
+    assert reasons == {(who, *to) for who in "AB" for to in ((up, "parallel to axis 1"), (right, "parallel to axis 2"))}
+    assert len(choice.skipped) == 8
+
+
+def test_a_box_beside_another_polygon_gives_its_own_normals():
+    choice = axes.needed(box(0, 0, 2, 1), B)
+    assert [axis.source.shape for axis in choice.axes] == ["B"] * 3 + ["A"] * 2
+    assert [skip.reason for skip in choice.skipped] == ["parallel to axis 4", "parallel to axis 5"]
+
+
+def test_an_axis_to_the_nearest_vertex_is_left_out_where_an_edges_normal_is_parallel():
+    choice = axes.needed(box(0, 0, 2, 2), sv.Circle((2, 5), 1))
+    assert len(choice.axes) == 2 and choice.complete
+    axis, reason = choice.skipped[-1]
+    assert axis.source == (axes.VERTEX, "A", (2,)) and axis.normal == (0, 3)
+    assert reason == "parallel to axis 1" and choice.axes[0].direction == (0, 1)
+
+
+@pytest.mark.parametrize(("x", "y", "nearest"), [(-1, -1, 0), (5, -2, 1), (4, 4, 2), (-1, 9, 3)])
+def test_the_nearest_vertex_is_the_nearest(x, y, nearest):
+    ring, coin = box(0, 0, 4, 3), sv.Circle((x, y), 0.5)
+    for choice, role in ((axes.nearest_vertex(ring, coin), "A"), (axes.nearest_vertex(coin, ring), "B")):
+        (axis,) = choice.axes
+        vx, vy = ring.vertices[nearest]
+        assert axis.source == (axes.VERTEX, role, (nearest,))
+        assert axis.normal in ((x - vx, y - vy), (vx - x, vy - y))
+        assert not choice.complete and not choice.skipped
+
+
+def test_nearest_vertex_has_no_axis_without_a_circle_or_without_a_polygon_or_without_a_direction():
+    assert axes.nearest_vertex(A, B) == axes.nearest_vertex(COIN, COIN) == axes.Choice(())
+    choice = axes.nearest_vertex(A, sv.Circle((3, 2), 1))
+    assert choice.axes == () and choice.skipped[0].reason == "the centre is on that vertex: no direction"
+    assert choice.skipped[0].axis == ((1, 0), 1, (axes.VERTEX, "A", (1,)))
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_which_choices_are_complete(pair):
+    a, b = PAIRS[pair]
+    complete = {name for name, choose in axes.NAMED.items() if choose(a, b).complete}
+    assert (
+        complete
+        == {
+            "triangles": {"needed", "edge-normals", "hull-normals"},
+            "concave": set(),
+            "boxes": {"needed", "edge-normals", "hull-normals", "world"},
+            "polygon and circle": {"needed"},
+            "circle and concave": set(),
+            "circle on a vertex": {"needed"},
+            "circles": {"needed", "centers"},
+            "concentric": {"needed", "centers"},
+        }[pair]
+    )
+
+
+def test_the_axis_through_the_centers_is_any_where_there_is_no_direction():
+    assert axes.centers(COIN, sv.Circle((-1, 4), 2)).axes[0] == ((6, 2), hypot(6, 2), (axes.CENTERS, None, ()))
+    assert axes.centers(COIN, sv.Circle((5, 6), 2)).axes == (((1, 0), 1, (axes.ANY, None, ())),)
+    assert axes.centers(box(0, 0, 2, 2), box(3, 0, 5, 4)).axes[0] == ((3, 1), hypot(3, 1), (axes.CENTROIDS, None, ()))
+    assert axes.centers(box(0, 0, 2, 2), sv.Circle((1, 1), 4)).axes[0].source.kind == axes.ANY
+
+
+def test_normals_of_one_shape_are_that_shapes():
+    assert {axis.source.shape for axis in axes.edge_normals_of_a(A, B).axes} == {"A"}
+    assert {axis.source.shape for axis in axes.edge_normals_of_b(A, B).axes} == {"B"}
+    assert [axis.source.shape for axis in axes.edge_normals(A, B).axes] == ["B"] * 3 + ["A"] * 3
+    assert axes.edge_normals_of_a(COIN, B).axes == ()
+
+
+def test_given_directions_keep_their_way_and_their_number():
+    found = axes.directions((1, 2), (-3, 0.25), (0, -1))(A, B)
+    assert [axis.normal for axis in found.axes] == [(1, 2), (-3, 0.25), (0, -1)]
+    assert [axis.source for axis in found.axes] == [(axes.GIVEN, None, (i,)) for i in range(3)]
+    assert not found.complete
+    with pytest.raises(ValueError, match=r"direction 1 is \(0, 0\)"):
+        axes.directions((1, 0), (0, 0))
+
+
+def test_a_direction_of_any_size_is_taken():
+    for vector in ((5e-324, 0), (0, -1.7e308), (1e300, 1e-300), (-5e-324, 1.7e308)):
+        (axis,) = axes.directions(vector)(A, B).axes
+        assert axis.direction == pytest.approx([c / max(map(abs, vector)) for c in vector])
