@@ -69,9 +69,7 @@ def orient(p: Point, q: Point, r: Point) -> int:
 
 def root_sign(s: int, r: int, square: int) -> int:
     """The exact sign of s - r * sqrt(square), for r >= 0."""
-    if s <= 0:
-        return sign(s) or -int(r > 0 and square > 0)
-    return sign(s * s - r * r * square)
+    return -1 if s < 0 else sign(s * s - r * r * square)
 
 
 def to_float(num: int, k: int) -> float:
@@ -79,13 +77,11 @@ def to_float(num: int, k: int) -> float:
 
     Numbers leave the integers only here, so a printed sign is always the exact one.
     """
-    if num == 0:
-        return 0.0
     try:
-        value = num / (1 << k) if k >= 0 else float(num << -k)
+        value = (num << max(-k, 0)) / (1 << max(k, 0))
     except OverflowError:
-        value = sys.float_info.max if num > 0 else -sys.float_info.max
-    return value or (5e-324 if num > 0 else -5e-324)
+        value = sign(num) * sys.float_info.max
+    return value or sign(num) * 5e-324
 
 
 def root_difference(s: int, r: int, square: int, k: int) -> float:
