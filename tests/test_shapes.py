@@ -17,7 +17,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from satviz.engine.geometry import InvalidShape
-from satviz.engine.shapes import Circle, Polygon
+from satviz.engine.shapes import Circle, Polygon, centroid
 from satviz.study import truth as oracle
 
 often = settings(max_examples=200, deadline=None, database=None)
@@ -776,3 +776,105 @@ def test_large_outlines_are_checked_quickly():
 def test_half_a_surrogate_pair_is_no_text():
     with pytest.raises(InvalidShape, match=r"label 1 .* surrogate"):
         Polygon([(0, 0), (1, 0), (0, 1)], labels=["a", "\ud800", "c"])
+
+
+# -- what is worked out of a shape -----------------------------------------------------------------
+
+HEXAGON = [(0, 0), (4, -1), (7, 2), (7, 5), (3, 6), (0, 3)]  # each edge has one opposite that runs the other way
+OUTLINES = {
+    "box": ([(-5, 1), (3, 1), (3, 4), (-5, 4)], 2),
+    "triangle": ([(-5, 1), (3, 2), (0, 40)], 3),
+    "trapezium": ([(0, 0), (8, 0), (5, 2), (2, 2)], 4),  # parallel sides of different lengths stay two
+    "hexagon": (HEXAGON, 3),
+    "hexagon, clockwise": (HEXAGON[::-1], 3),
+    "pentagon": ([(0, 0), (4, 0), (4, 4), (2, 6), (0, 4)], 4),
+}
+
+
+@pytest.mark.parametrize(("ring", "count"), OUTLINES.values(), ids=OUTLINES)
+def test_a_slab_holds_all_corners_and_ends_on_an_edge(ring, count):
+    for turned in rotations(ring):
+        slabs = Polygon(turned)._slabs
+        assert len(slabs) == count
+        for nx, ny, lo, hi in slabs:
+            looks = sorted(nx * x + ny * y for x, y in ring)
+            assert looks[-2:] == [hi, hi]
+            assert lo == -math.inf or looks[:2] == [lo, lo]
+        assert sum(lo > -math.inf for _, _, lo, _ in slabs) == len(ring) - count
+
+
+@pytest.mark.parametrize("e", [-1000, 0, 1000])
+def test_reach_span_and_bounds_are_those_of_the_corners(e):
+    ring = [(math.ldexp(x, e), math.ldexp(y, e)) for x, y in ((-5, 1), (3, 2), (0, -40), (-4, -9))]
+    shape = Polygon(ring)
+    assert shape.bounds == tuple(math.ldexp(c, e) for c in (-5, -40, 3, 2))
+    assert (shape._reach, shape._span) == (math.ldexp(40, e), math.ldexp(42, e))
+    wide = Polygon([(math.ldexp(x, e), math.ldexp(y, e)) for x, y in ((-50, 1), (3, 2), (0, 4))])
+    assert (wide._reach, wide._span) == (math.ldexp(50, e), math.ldexp(53, e))
+
+
+def test_a_circles_bounds_hold_it_and_hardly_more():
+    rng = Random(10)
+    for _ in range(200):
+        x, y, r = rng.uniform(-9, 9), rng.uniform(-9, 9), rng.uniform(0.01, 9)
+        circle = Circle((x, y), r)
+        for low, c, high in zip(circle.bounds[:2], (x, y), circle.bounds[2:]):
+            lowest, highest = Fraction(c) - Fraction(r), Fraction(c) + Fraction(r)
+            assert lowest - Fraction(1, 2**47) < Fraction(low) < lowest and highest < Fraction(high)
+            assert Fraction(high) < highest + Fraction(1, 2**47)
+        assert max(abs(x), abs(y)) + r == circle._reach and circle._span == r
+        assert circle._slabs is None
+    assert Circle((-3, 2), 1)._reach == Circle((2, -3), 1)._reach == 4
+
+
+@pytest.mark.parametrize(
+    ("ring", "upright"),
+    [
+        ([(0, 0), (2, 0), (2, 1), (0, 1)], True),
+        ([(0, 0), (0, 1), (1, 1), (2, 1), (2, 0)], True),
+        ([(0, 0), (2, 0), (2, 1), (0, 2)], False),
+        ([(0, 0), (2, 0), (3, 1), (0, 1)], False),
+        ([(0, 1), (1, 0), (2, 1), (1, 2)], False),
+        ([(0, 0), (2, 0), (2, 1)], False),
+        ([(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)], False),
+    ],
+)
+def test_an_upright_box_is_known(ring, upright):
+    for turned in rotations(ring):
+        assert Polygon(turned).is_upright_box is upright
+
+
+CENTROIDS = [
+    ([(0, 0), (6, 0), (0, 3)], (2, 1)),
+    ([(0, 0), (4, 0), (4, 2), (0, 2)], (2, 1)),
+    ([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)], (5 / 3, 5 / 3)),
+    ([(0, 0), (8, 0), (8, 8), (4, 2), (0, 8)], (4, 2.8)),
+]
+
+
+@pytest.mark.parametrize(("ring", "middle"), CENTROIDS)
+@pytest.mark.parametrize("e", [-1000, -500, 0, 500, 1000])
+def test_the_centroid_is_the_center_of_area(ring, middle, e):
+    area = oracle.area2(ring)
+    walk = zip(ring, [*ring[1:], ring[0]])
+    crossed = [(Fraction(px * qy - py * qx), px + qx, py + qy) for (px, py), (qx, qy) in walk]
+    exactly = (sum(c * x for c, x, _ in crossed) / area / 3, sum(c * y for c, _, y in crossed) / area / 3)
+    assert tuple(map(float, exactly)) == pytest.approx(middle)
+    for turned in rotations(ring):
+        for dx, dy in ((0, 0), (-7, 11), (2000, 1)):
+            shape = Polygon([(math.ldexp(x + dx, e), math.ldexp(y + dy, e)) for x, y in turned])
+            expected = [math.ldexp(float(c + d), e) for c, d in zip(exactly, (dx, dy))]
+            assert centroid(shape) == pytest.approx(expected, rel=1e-12)
+
+
+def test_the_centroid_of_a_hair_or_of_all_of_float64_is_the_mean_of_the_corners():
+    hair = Polygon([(0, 0), (1, 0), (0.5, 1e-13)])
+    assert centroid(hair) == pytest.approx((0.5, 1e-13 / 3))
+    dart = Polygon([(-1.7e308, -1.7e308), (1.7e308, -1.7e308), (0, 1.7e308)])
+    assert centroid(dart) == pytest.approx((0, -1.7e308 / 3))
+    assert centroid(Circle((3, 4), 5)) == (3, 4)
+
+
+def test_a_shape_is_worked_out_once():
+    for shape in SHAPES.values():
+        assert shape.integers is shape.integers

@@ -1,0 +1,190 @@
+"""Evidence is checked with fractions alone: what it proves is accepted, what it nearly proves is not."""
+
+from fractions import Fraction
+from math import nextafter
+from random import Random
+
+import pytest
+from pairs import pairs
+
+import satviz as sv
+from satviz import certificate
+from satviz.certificate import PartLines, SeparatingLine, SharedPoint
+from satviz.scenes import box
+
+L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
+HAIR = Fraction(1, 10**40)
+
+
+def frac(*values: float) -> tuple[Fraction, ...]:
+    return tuple(map(Fraction, values))
+
+
+# -- separating lines ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "normal", "lo", "hi"),
+    [
+        (box(0, 0, 1, 1), box(3, 5, 4, 6), (1, 0), 1, 3),
+        (box(0, 0, 1, 1), box(3, 5, 4, 6), (0, 2), 2, 10),
+        (sv.Circle((0, 0), 1), sv.Circle((4, 1), 1), (1, 0), 1, 3),
+        (sv.Circle((1, 2), 5), sv.Circle((10, 14), 5), (3, 4), 11 + 25, 86 - 25),
+        (sv.Circle((1, 2), 5), box(9, 12, 20, 20), (3, 4), 11 + 25, 27 + 48),
+        (sv.Polygon([(0, 0), (2, 0), (0, 2)]), sv.Polygon([(3, 3), (1, 3), (3, 1)]), (1, 1), 2, 4),
+    ],
+)
+def test_a_line_separates_only_strictly_between_the_shapes(a, b, normal, lo, hi):
+    for offset in (lo + HAIR, Fraction(lo + hi, 2), hi - HAIR):
+        assert SeparatingLine(a, b, frac(*normal), offset).check()
+        assert SeparatingLine(b, a, frac(*normal), offset).check()
+        assert SeparatingLine(a, b, frac(-normal[0], -normal[1]), -offset).check()
+    for offset in (lo - 100, lo - HAIR, lo, hi, hi + HAIR, hi + 100, -lo, -hi):
+        assert not SeparatingLine(a, b, frac(*normal), Fraction(offset)).check()
+        assert not SeparatingLine(b, a, frac(*normal), Fraction(offset)).check()
+
+
+def test_a_lines_point_is_the_nearest_to_the_origin():
+    a, b = box(0, 0, 1, 1), box(5, 5, 6, 6)
+    assert SeparatingLine(a, b, frac(3, 4), Fraction(25)).point == (3, 4)
+    assert SeparatingLine(a, b, frac(-1, 1), Fraction(3)).point == (-1.5, 1.5)
+
+
+def gap_on(line: SeparatingLine) -> tuple[float, float]:
+    """How far the line is from the first and from the second shape, in scene units."""
+    nx, ny = map(float, line.normal)
+    length = (nx * nx + ny * ny) ** 0.5
+    away = []
+    for shape in (line.a, line.b):
+        points, r = ([shape.center], shape.radius) if isinstance(shape, sv.Circle) else (shape.vertices, 0)
+        away.append(min(abs(nx * x + ny * y - float(line.offset)) for x, y in points) / length - r)
+    return away[0], away[1]
+
+
+@pytest.mark.parametrize("e", [-300, -3, 0, 3, 300])
+def test_a_separating_line_runs_in_the_middle_of_the_gap(e):
+    s = 2.0**e
+    shapes = [
+        sv.Polygon([(0, 0), (3 * s, s), (s, 2 * s)]),
+        sv.Polygon([(9 * s, 8 * s), (7 * s, 9 * s), (5 * s, 5 * s)]),
+        sv.Circle((0, 8 * s), 1.5 * s),
+        sv.Circle((9 * s, s), s),
+    ]
+    for a in shapes:
+        for b in shapes:
+            if a is not b:
+                line = sv.record(a, b).certificate
+                assert line.check() and (line.a, line.b) == (a, b)
+                assert all(n.denominator == 1 for n in line.normal)
+                near, far = gap_on(line)
+                assert near == pytest.approx(far, rel=1e-4)
+
+
+def test_the_normal_of_a_line_is_the_shortest_in_whole_numbers():
+    assert sv.record(box(0, 0, 1, 1), box(6, 0, 7, 1)).certificate.normal == (1, 0)
+    slanted = sv.Polygon([(0, 0), (6, 0), (0, 4)]), sv.Polygon([(6, 4), (6, 5), (5, 5)])
+    assert sv.record(*slanted, axes=sv.axes.edge_normals_of_a).certificate.normal == (2, 3)
+
+
+def test_a_gap_narrower_than_the_first_bracket_still_has_a_line():
+    beside = nextafter(2.0, 3)
+    assert sv.record(sv.Circle((0, 0), 1), sv.Circle((beside, 0), 1)).certificate.check()
+    found = 0
+    for kind, a, b in pairs(7, 800):
+        if "circle" in kind and sv.relate(a, b) is sv.Relation.APART:
+            found += 1
+            assert sv.record(a, b).certificate.check(), (a, b)
+    assert found > 30
+    whole = sv.Circle((0, 0), 10_000), sv.Circle((14_143, 14_143), 10_001)  # 0.2 of a unit, times an irrational length
+    assert sv.record(*whole).certificate.check()
+    assert sv.record(sv.Circle((0, 0), 665_857), sv.Circle((470_832 * 2, 470_832 * 2), 665_856)).certificate.check()
+
+
+# -- shared points ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("shape", "inside", "outside"),
+    [
+        (
+            box(0, 0, 4, 3),
+            [(0, 0), (4, 3), (4, 1), (2, 0), (1, 1)],
+            [(4 + HAIR, 1), (2, -HAIR), (-HAIR, 0), (1, 3 + HAIR)],
+        ),
+        (sv.Circle((1, 2), 5), [(1, 2), (4, 6), (-4, 2), (4, -2)], [(4 + HAIR, 6), (-4 - HAIR, 2), (6, 7)]),
+        (L, [(0, 0), (2, 2), (4, 2), (2, 3), (1, 1), (0, 4)], [(2 + HAIR, 2 + HAIR), (3, 3), (4, 4), (-1, 1)]),
+    ],
+    ids=["box", "circle", "concave"],
+)
+def test_a_point_is_shared_if_it_lies_in_both_shapes_borders_included(shape, inside, outside):
+    everywhere = box(-99, -99, 99, 99)
+    for x, y in inside:
+        assert SharedPoint(shape, everywhere, Fraction(x), Fraction(y)).check()
+        assert SharedPoint(everywhere, shape, Fraction(x), Fraction(y)).check()
+    for x, y in outside:
+        assert not SharedPoint(shape, everywhere, Fraction(x), Fraction(y)).check()
+        assert not SharedPoint(everywhere, shape, Fraction(x), Fraction(y)).check()
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "point"),
+    [
+        (box(0, 0, 4, 4), box(2, 2, 6, 8), (3, 3)),
+        (box(0, 0, 4, 4), box(4, 1, 6, 3), (4, 2)),
+        (box(0, 0, 9, 9), box(1, 2, 3, 8), (2, 5)),
+        (sv.Polygon([(0, 0), (6, 0), (0, 6)]), sv.Polygon([(6, 6), (0, 6), (6, 0)]), (3, 3)),
+        (sv.Polygon([(-2, -1), (2, -1), (0, 3)]), sv.Polygon([(0, -3), (2, 1), (-2, 1)]), (0, 0)),
+        (sv.Circle((0, 0), 3), sv.Circle((5, 0), 2), (3, 0)),
+        (sv.Circle((0, 1), 3), sv.Circle((4, 9), 9), (1, 3)),
+        (sv.Circle((5, 1), 2), box(0, 0, 4, 4), (4, 1)),
+        (sv.Circle((7, 8), 5), box(0, 0, 4, 4), (4, 4)),
+        (sv.Circle((-1, -1), 2), box(0, 0, 4, 4), (0, 0)),
+        (sv.Circle((1, 3), 9), box(0, 0, 4, 4), (1, 3)),
+        (sv.Circle((3, 6), 9), sv.Polygon([(0, 0), (8, 4), (4, 0)]), (4.8, 2.4)),
+    ],
+)
+def test_the_shared_point_lies_well_inside_the_overlap_or_on_the_touch(a, b, point):
+    for first, second in ((a, b), (b, a)):
+        found = sv.record(first, second).certificate
+        assert isinstance(found, SharedPoint) and found.check()
+        assert found.point == pytest.approx(point)
+
+
+def test_needles_that_cross_between_the_floats_share_a_fraction():
+    rng = Random(9)
+    third = 0
+    for _ in range(60):
+        x, y = float(rng.randint(3, 99)), float(rng.randint(3, 99))
+        up, flat = nextafter(y, 200), nextafter(x, 200)
+        a = sv.Polygon([(0, 0), (200, y), (200, up)])
+        b = sv.Polygon([(x, -9), (flat, -9), (x + 9, 200)])
+        found = sv.record(a, b).certificate
+        assert found.check(), (a, b)
+        third += isinstance(found, SharedPoint) and found.y.denominator & (found.y.denominator - 1) > 0
+    assert third > 5
+
+
+def test_a_point_in_both_is_found_at_the_rim_of_float64():
+    wide = box(-1.7e308, -1.7e308, 1.7e308, 1.7e308)
+    for other in (
+        wide,
+        box(1e308, 1e308, 1.6e308, 1.6e308),
+        sv.Polygon([(-1e308, 0), (1e308, -1e308), (1e308, 1e308)]),
+    ):
+        assert sv.record(wide, other).certificate.check()
+
+
+# -- concave outlines ------------------------------------------------------------------------------
+
+
+def test_lines_prove_nothing_unless_there_is_one_for_every_pair_of_parts_that_fill_the_shapes(monkeypatch):
+    lines = sv.record(box(2.5, 2.5, 3.5, 3.5), L).certificate
+    assert isinstance(lines, PartLines) and lines.check() and len(lines.lines) == 2
+    first, second = lines.lines
+    for less in ((first,), (second, first), (first, first), (first, second, second), ()):
+        assert not lines._replace(lines=less).check()
+    assert not lines._replace(lines=(first, second._replace(offset=second.offset + 9))).check()
+    assert not lines._replace(lines=(first._replace(offset=first.offset - 9), second)).check()
+    every = certificate.parts
+    monkeypatch.setattr(certificate, "parts", lambda shape: every(shape)[:1])
+    assert not lines._replace(lines=(first,)).check()  # half of the L
