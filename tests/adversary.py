@@ -19,13 +19,14 @@ from typing import NamedTuple
 import numpy as np
 from forms import FORMS, Form
 from oracle import relation
-from satviz.geometry import InvalidShape, Relation
-from satviz.sat import CLOSE
-from satviz.shapes import Circle, Polygon, Shape
 from strategies import KINDS, NotConvex, drawn, nudged
 
-from satviz import batch, record, verdict
+from satviz import batch, record
 from satviz.batch import filter_numpy, signs
+from satviz.engine import verdict
+from satviz.engine.geometry import InvalidShape, Relation
+from satviz.engine.sat import CLOSE
+from satviz.engine.shapes import Circle, Polygon, Shape
 from satviz.study import truth
 
 U = 2.0**-53

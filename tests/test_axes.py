@@ -6,8 +6,8 @@ from math import hypot, ldexp
 import pytest
 
 import satviz as sv
-from satviz import axes
-from satviz.scenes import box
+from satviz.engine import axes
+from satviz.scenes.article import box
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
 B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])

@@ -5,12 +5,12 @@ from math import nextafter
 from random import Random
 
 import pytest
-from pairs import pairs
+from strategies import pairs
 
 import satviz as sv
-from satviz import certificate
-from satviz.certificate import PartLines, SeparatingLine, SharedPoint
-from satviz.scenes import box
+from satviz.engine import certificate
+from satviz.engine.certificate import PartLines, SeparatingLine, SharedPoint
+from satviz.scenes.article import box
 
 L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
 HAIR = Fraction(1, 10**40)

@@ -6,9 +6,9 @@ from fractions import Fraction
 from random import Random
 
 import pytest
-from pairs import nudged
+from strategies import nudged
 
-from satviz import exact
+from satviz.engine import exact
 from satviz.study import truth as oracle
 
 LARGEST, LEAST = sys.float_info.max, 5e-324
