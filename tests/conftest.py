@@ -1,14 +1,7 @@
-"""What all tests share: the browser, and that long runs wait to be asked for."""
+"""What all tests share: the browser."""
 
 import pytest
 from browser import chromium
-
-
-def pytest_collection_modifyitems(config, items):
-    if "full" not in config.option.markexpr:
-        for item in items:
-            if item.get_closest_marker("full"):
-                item.add_marker(pytest.mark.skip(reason="a long run: ask for it with -m full"))
 
 
 @pytest.fixture(scope="session")

@@ -641,6 +641,7 @@ def test_upright_boxes_are_never_asked_for_an_exact_sign(engine, monkeypatch):
     assert not asked
 
 
+@pytest.mark.slow
 def test_a_dask_cluster_of_two_workers_gives_the_same_in_order(tmp_path):
     distributed = pytest.importorskip("distributed", reason="the extra `cluster` is not installed")
     import dask

@@ -11,6 +11,8 @@ from satviz.pictures import DARK, LIGHT
 from satviz.pictures.caption import captioned
 from satviz.render.files import MADE_BY, animate, encode
 
+pytestmark = pytest.mark.slow
+
 # -- in JupyterLab
 
 

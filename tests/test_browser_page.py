@@ -8,6 +8,8 @@ import satviz as sv
 from satviz.pictures import THEMES
 from satviz.render.files import canvas
 
+pytestmark = pytest.mark.slow
+
 SCENES = ["triangles", "circle-polygon", "concave", "aabb-rotated"]
 
 

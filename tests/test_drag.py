@@ -7,6 +7,8 @@ import pytest
 from benchmarks.drag import dragged, kernel, kernel_bytes, opened
 from browser import jupyterlab
 
+pytestmark = pytest.mark.slow
+
 IDLE = "() => jupyterapp.shell.currentWidget.sessionContext.session.kernel.status === 'idle'"
 
 KEYS = """async () => {

@@ -26,7 +26,8 @@ ORDINARY, MILLION = 20_000, 1_000_000
 ALL = "everything at once"
 
 every_form = pytest.mark.parametrize("form", FORMS)
-every_kind = pytest.mark.parametrize("kind", [*KINDS, ALL])
+# each kind by itself takes minutes: in a hurry, some of all kinds at once
+every_kind = pytest.mark.parametrize("kind", [ALL, *(pytest.param(kind, marks=pytest.mark.slow) for kind in KINDS)])
 
 Known = list[tuple[Shape, Shape, Relation]]
 
@@ -57,7 +58,7 @@ def refute(form: Form, known: Known, name: str = "") -> None:
 def known(kind: str) -> Known:
     """Pairs of a kind with what they are; of all kinds, some of each."""
     if kind == ALL:
-        return [known(name)[i] for i in range(20) for name in KINDS]
+        return [pair for name in KINDS for pair in judged(name, 0, 80)]
     return judged(kind, 1, ORDINARY // len(KINDS))
 
 
@@ -93,6 +94,7 @@ def test_the_rationals_agree_with_the_most_simple_minded_way():
             assert truth.relation(a, b) is truth.relation(b, a) is naive(a, b), (a, b)
 
 
+@pytest.mark.slow
 def test_the_pairs_are_of_all_relations():
     irrational = {"random polygons", "random circles", "circles near tangent", "circle and polygon near tangent"}
     irrational.add("map coordinates")
@@ -196,7 +198,7 @@ def test_what_changes_nothing_changes_no_answer(form, kind):
     ask, fits, one_in = FORMS[form]
     if fits is no_miss:
         pytest.skip("it may keep a pair that is apart, and then not")
-    cases = changed(kind, 6 if one_in < 20 else 2)
+    cases = changed(kind, (6 if one_in < 20 else 2) * (5 if kind == ALL else 1))
     answers = ask([(a, b) for _, a, b, _ in cases])
     base = {i: answer for (change, *_, i), answer in zip(cases, answers, strict=True) if change == "nothing"}
     wrong = [
@@ -208,6 +210,7 @@ def test_what_changes_nothing_changes_no_answer(form, kind):
         pytest.fail(shown(wrong), pytrace=False)
 
 
+@pytest.mark.slow
 def test_every_change_is_made_to_pairs_of_every_kind():
     """Exact moves and straight vertices are not to be had everywhere; of all pairs many are."""
     made = Counter(change for kind in KINDS for change, *_ in changed(kind, 6))

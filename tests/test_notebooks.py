@@ -12,6 +12,8 @@ from xml.etree import ElementTree
 
 import pytest
 
+pytestmark = pytest.mark.slow
+
 for needed in ("nbval", "nbformat", "ipykernel", "ipywidgets", "anywidget"):
     pytest.importorskip(needed, reason=f"the walkthrough needs {needed}: python -m pip install '.[test]'")
 nbformat = pytest.importorskip("nbformat")

@@ -38,7 +38,13 @@ def test_the_scene_file_loads():
     assert scene.name == "kite-and-coin" and json.loads(scene.to_json()) == json.loads(data)
 
 
-@pytest.mark.parametrize("line", [line for block in blocks("sh") for line in block.splitlines() if "pip" not in line])
+COMMANDS = [line for block in blocks("sh") for line in block.splitlines() if "pip" not in line]
+LONG = "satviz study", "satviz bench"
+
+
+@pytest.mark.parametrize(
+    "line", [pytest.param(c, marks=pytest.mark.slow) if c.startswith(LONG) else c for c in COMMANDS], ids=COMMANDS
+)
 def test_every_command_runs(line, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "my-scene.json").write_text(blocks("json")[0], encoding="utf-8")

@@ -9,6 +9,8 @@ from satviz.cli import main
 from satviz.study import machine
 from satviz.study.workloads import LAYOUTS, WORKLOADS
 
+pytestmark = pytest.mark.slow
+
 
 def test_bench_times_every_method_and_satviz_is_never_wrong(capsys):
     assert main(["bench", "--pairs", "300", "--rounds", "1", "--json"]) == 0

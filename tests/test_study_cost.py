@@ -14,6 +14,8 @@ from satviz.study import continuity, cost, doing_less, moving, optimisations
 from satviz.study.cells import Settings
 from satviz.study.chart import TEXT
 
+pytestmark = pytest.mark.slow
+
 SEED = 3
 ROUNDING = 1e-14  # a gap's worst: 27 roundings of 2**-53 at a reach of about 4
 CASES = {cost._slug(case): case for case in optimisations.cases()}

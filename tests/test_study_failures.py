@@ -17,6 +17,8 @@ from satviz.study import failures, swept, threed, truth
 from satviz.study.cells import Settings
 from satviz.study.failures import APART, FALSE, FAR, HIT, LONG, METHODS, MISSED, SHORT, WRONG, Slide
 
+pytestmark = pytest.mark.slow
+
 SMALL = 13
 each = pytest.mark.parametrize("name", METHODS)
 

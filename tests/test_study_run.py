@@ -24,6 +24,8 @@ from satviz.study.methods import methods, outlines, shapes
 from satviz.study.run import charts, study
 from satviz.study.workloads import STUDIED
 
+pytestmark = pytest.mark.slow
+
 QUICK = Settings(quick=True, seed=7)
 EXACT = ("satviz.relate", "satviz.record", "satviz numpy", "satviz numba")
 

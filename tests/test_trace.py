@@ -407,8 +407,8 @@ def test_an_axis_left_out_for_another_reason_is_refused(lie):
 
 
 def test_a_trace_of_parts_with_other_axes_shapes_or_pairs_is_refused():
-    def lie(change):
-        data = json.loads(sv.record(box(1, 1, 3, 3), L).to_json())
+    def lie(change, a=None):
+        data = json.loads(sv.record(a or box(1, 1, 3, 3), L).to_json())
         change(data)
         with pytest.raises(sv.InvalidScene):
             sv.Trace.from_json(json.dumps(data))
@@ -430,6 +430,10 @@ def test_a_trace_of_parts_with_other_axes_shapes_or_pairs_is_refused():
     lie(lambda d: d.update(mtv=[-2.0, -2.5]))  # a longer one
     lie(lambda d: d.update(mtv=[0.999 * c for c in d["mtv"]]))
     lie(lambda d: d.update(mtv="up"))
+    notched = box(2.5, 2.5, 3.5, 3.5)  # apart from both parts
+    lie(lambda d: d["pairs"][1].update(complete=False), notched)
+    lie(lambda d: d["pairs"][1]["skipped"][0].update(reason="tired"), notched)
+    lie(lambda d: d["pairs"].pop(), notched)
 
 
 def test_a_way_out_as_short_as_ours_is_as_good():
@@ -651,16 +655,18 @@ def test_the_way_out_is_looked_for_once_and_not_for_a_picture_of_what_is_apart(m
 
 
 @pytest.mark.parametrize("every_axis", [False, True])
-def test_a_trace_ends_where_it_outgrows_its_limit(every_axis, monkeypatch):
-    shapes = box(0, 0, 4, 4), sv.Polygon([(1, 1), (3, 1), (2, 3)])
+@pytest.mark.parametrize(
+    ("shapes", "points"),
+    [((box(0, 0, 4, 4), sv.Polygon([(1, 1), (3, 1), (2, 3)])), 7), ((sv.Circle((2, 1), 1), box(0, 0, 4, 4)), 6)],
+)
+def test_a_trace_ends_where_it_outgrows_its_limit(shapes, points, every_axis, monkeypatch):
     whole = sv.record(*shapes, every_axis=every_axis)
-    size = 7 * (1 + len(whole.tests)) + len(whole.choice.axes) + len(whole.choice.skipped)
+    size = points * (1 + len(whole.tests)) + len(whole.choice.axes) + len(whole.choice.skipped)
     monkeypatch.setattr(trace_module, "MAX_SIZE", size)
     assert sv.record(*shapes, every_axis=every_axis) == whole
     monkeypatch.setattr(trace_module, "MAX_SIZE", size - 1)
-    with pytest.raises(
-        sv.InvalidScene, match=rf"A and B have 7 points to drop on 4 axes: .* {size - 1} .*relate.*world"
-    ):
+    told = rf"A and B have {points} points to drop on {len(whole.choice.axes)} axes: .* {size - 1} .*relate.*world"
+    with pytest.raises(sv.InvalidScene, match=told):
         sv.record(*shapes, every_axis=every_axis)
     assert len(sv.record(*shapes, axes=axes.world).tests) == 2
 
@@ -767,6 +773,7 @@ POCKET = sv.Polygon(
     [(0, 9), (0, -5), (1.9, -5), (2, 0), (2.1, -9), (-9, -9), (-9, 9)]
 )  # a wall to the left, a tip at (2, 0)
 SPIKE = sv.Polygon([(-9, -2), (9, -2), (9, 0), (0.2, 0), (0, 1), (-0.2, 0), (-9, 0)])
+SPIKES = sv.Polygon([(-9, -2), (9, -2), (9, 0), (1.2, 0), (1, 1), (0.8, 0), (-0.8, 0), (-1, 1), (-1.2, 0), (-9, 0)])
 PRONGS = sv.Polygon([(-9, -9), (9, -9), (1, 0), (0, -8), (-1, 0)])
 
 
@@ -782,6 +789,7 @@ PRONGS = sv.Polygon([(-9, -9), (9, -9), (1, 0), (0, -8), (-1, 0)])
         (PRONGS, ((0, 0.25), 1.25), (0, 0.5)),  # where the circles about two corners meet
         (PRONGS, ((0, 0.5), 1.25), (0, 0.25)),
         (SPIKE, ((0, 3.9), 3), (0, 0.1)),  # away from a tip close to an edge
+        (SPIKES, ((0, 3.75), 3), (0, 8**0.5 - 2.75)),  # where the circles about two tips close to an edge meet
         (POCKET, ((1, 0.5), 1.25), (0.25, 0.5)),  # where an edge and the circle about a corner meet
     ],
 )
