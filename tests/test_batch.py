@@ -63,6 +63,7 @@ def test_batch_gives_the_scalar_answers(engine, kinds):
     assert batch.hits(a, b, engine=engine).tolist() == (found > 0).tolist()
 
 
+@pytest.mark.slow
 def test_what_float32_decides_is_right_pair_by_pair():
     """One pair a batch, so that no other pair widens its room; the hard pairs, near and far from the origin."""
     decided = 0
@@ -384,6 +385,7 @@ def test_circles_are_exact_with_ragged_and_repeated_vertices():
         assert batch.relate(circles, polygons, engine=engine).tolist() == right
 
 
+@pytest.mark.slow
 def test_what_floats_settle_of_the_hard_pairs_is_right():
     """Those of every scale too, up to overflow and down to the smallest floats."""
     known = [(a, b) for _, a, b in pairs(3, 250 * len(CONVEX), list(CONVEX))]
@@ -608,7 +610,7 @@ def test_processes_give_the_same_in_order():
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("v", [100, 200])
+@pytest.mark.parametrize("v", [100, pytest.param(200, marks=pytest.mark.slow)])
 def test_touching_shapes_of_many_corners_take_little_memory(engine, v):
     turns = 2 * np.pi * np.arange(v) / v
     ring = np.stack([np.cos(turns), np.sin(turns)], axis=1)

@@ -203,6 +203,7 @@ def test_copying_notebooks_loads_no_matplotlib(tmp_path):
 @pytest.mark.parametrize(
     ("args", "code"), [("figures --only 1 --out {}", 0), ("trace aabb", 0), ("trace nosuch", 2), ("trace --nosuch", 2)]
 )
+@pytest.mark.slow
 def test_closed_streams_are_no_reason_to_fail(tmp_path, args, code, closed):
     line = f"exec {sys.executable} -m satviz {args.format(tmp_path)} {closed}"
     done = subprocess.run(["sh", "-c", line], capture_output=True, text=True)
@@ -434,6 +435,7 @@ def test_jupyterlab_gets_the_interrupts_for_itself(tmp_path):
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals work differently there")
+@pytest.mark.slow
 def test_ctrl_c_leaves_no_half_file(tmp_path):
     process = subprocess.Popen(
         [sys.executable, "-m", "satviz", "figures", "--out", str(tmp_path), "--format", "png", "--format", "pdf"],

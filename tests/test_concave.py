@@ -486,6 +486,7 @@ def concave_pairs(count: int) -> Iterator[tuple[Polygon, Polygon]]:
         yield a, Polygon([(x + dx, y + dy) for x, y in b.vertices])
 
 
+@pytest.mark.slow
 def test_relate_is_right_on_a_thousand_concave_pairs():
     seen: Counter = Counter()
     for a, b in concave_pairs(1000):

@@ -223,7 +223,7 @@ QUICK = [name for name, form in FORMS.items() if form.one_in < 20]
 
 
 @given(pair=some_pairs(), data=st.data())
-@settings(max_examples=400, deadline=None, database=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=150, deadline=None, database=None, suppress_health_check=list(HealthCheck))
 def test_no_form_is_wrong_about_a_drawn_pair(pair, data):
     """hypothesis looks for the smallest pair it is wrong about, in whichever form."""
     name = data.draw(st.sampled_from(QUICK))

@@ -113,6 +113,7 @@ def test_drawing_needs_no_pyplot_and_changes_no_setting():
 
 
 @pytest.mark.parametrize("form", ["svg", "png", "pdf"])
+@pytest.mark.slow
 def test_files_are_the_same_bytes_in_another_process_with_another_hash_seed(form, tmp_path):
     code = (
         "import sys, satviz as sv; from satviz.render.files import encode\n"
