@@ -137,7 +137,8 @@ def _halves(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[
     spread, d, swap = max(spreads)
     if spread <= ALIKE:
         return []
-    one, other = (other, one) if swap else (one, other)
+    if other is not None and swap:
+        one, other = other, one
     logs = np.log2(size[one, d])
     is_small = logs <= (logs.min() + logs.max()) / 2
     small, large = one[is_small], one[~is_small]

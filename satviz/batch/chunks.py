@@ -8,7 +8,9 @@ from typing import Any
 CHUNK = 1 << 20  # pairs: large enough to hide what a hand-over costs, small enough to hold a few at once
 WAITING = 8  # chunks handed over and not yet fetched: what bounds the memory
 
-Job = Callable[[int, int], tuple[Callable, tuple]]
+Call = tuple[Callable[..., Any], tuple[Any, ...]]  # a function and its arguments
+Job = Callable[[int, int], Call]
+Waiting = deque[tuple[int, int, Future[Any]]]
 
 
 class ChunkFailed(RuntimeError):
@@ -30,7 +32,7 @@ def in_chunks(
     if size < 1:
         raise ValueError(f"chunk is {size}: it must be at least 1")
     ranges = ((start, min(start + size, n)) for start in range(0, n, size))
-    waiting: deque[tuple[int, int, Future]] = deque()
+    waiting: Waiting = deque()
     try:
         if executor is None:
             for start, stop in ranges:
@@ -61,7 +63,7 @@ def _result(start: int, stop: int, job: Job) -> Any:
         raise ChunkFailed(start, stop, error) from error
 
 
-def _next(waiting: deque, progress: Callable[[int, int], None] | None, n: int) -> tuple[int, int, Any]:
+def _next(waiting: Waiting, progress: Callable[[int, int], None] | None, n: int) -> tuple[int, int, Any]:
     start, stop, future = waiting.popleft()
     try:
         result = future.result()

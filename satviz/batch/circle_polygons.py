@@ -30,7 +30,7 @@ def gaps(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
             part = slice(start, start + BLOCK)
             found[part] = _by_floats(*(c[..., part] for c in (cx, cy, cr, px, py)))
     for i in np.flatnonzero(found == UNKNOWN):
-        found[i] = _by_integers(*(c[..., i] for c in (cx, cy, cr, px, py)))
+        found[i] = _by_integers(cx[i], cy[i], cr[i], px[:, i], py[:, i])
     return found
 
 
@@ -39,7 +39,7 @@ def _by_integers(cx: float, cy: float, cr: float, px: Array, py: Array) -> int:
     return 1 - relate_integers([(x, y)], list(zip(flat[: len(px)], flat[len(px) :], strict=True)), r)
 
 
-def _by_floats(cx, cy, cr, px, py) -> Signs:
+def _by_floats(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
     """The same, or UNKNOWN: the least over all corners, and feet within their edges, that may be within reach."""
     n, v = len(cx), len(px)
     px, py = _closed(px), _closed(py)
@@ -57,12 +57,12 @@ def _by_floats(cx, cy, cr, px, py) -> Signs:
         found[upright] = np.minimum(found[upright], _upright_signs(*taken(upright, 2)[1]))
     if slanted.size:
         pair, edges = taken(slanted, 2)
-        value, doubtful = _foot_signs(*edges, room[pair])
+        value, doubtful = _foot_signs(*edges, room=room[pair])
         ask = np.flatnonzero(doubtful & (value < least.min(axis=0)[pair]))
         if ask.size:
             value[ask] = _only_between(value[ask], *(c[ask] for c in edges))
         found[slanted] = np.minimum(found[slanted], value)
-    nearest = least.min(axis=0)
+    nearest: Signs = least.min(axis=0)
     inside = inside[nearest[inside] >= 0]
     if inside.size:
         nearest[inside[_inside(*(c[..., inside] for c in (cx, cy, px, py)))]] = -1
@@ -77,7 +77,9 @@ def _closed(c: Array) -> Array:
     return closed
 
 
-def _within_reach(cx, cy, cr, px, py) -> tuple[Indices, Indices, Indices, Indices, Array]:
+def _within_reach(
+    cx: Array, cy: Array, cr: Array, px: Array, py: Array
+) -> tuple[Indices, Indices, Indices, Indices, Array]:
     """Flat places of the corners, and of the edges (upright, slanted) with feet, that may lie within the radius.
 
     Then the pairs whose centre may be inside, and how far products of differences can be off: what
@@ -109,7 +111,7 @@ def _within_reach(cx, cy, cr, px, py) -> tuple[Indices, Indices, Indices, Indice
     return *places, room
 
 
-def _corner_signs(cx, cy, cr, px, py) -> Signs:
+def _corner_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
     """Corner from centre, against the radius.
 
     At exactly the radius no difference is rounded: let the radius be odd in units of a power of
@@ -121,7 +123,7 @@ def _corner_signs(cx, cy, cr, px, py) -> Signs:
     return _signs([(x, x), (y, y), (-cr, cr)], more + more, (a == 0) & (b == 0))
 
 
-def _upright_signs(cx, cy, cr, px, py, qx, qy) -> Signs:
+def _upright_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array) -> Signs:
     """Foot on an edge along x or y from the centre, against the radius; 1 where it is not between the ends.
 
     A difference rounds to the radius or stays on its side of it: then what was rounded off decides.
@@ -134,7 +136,9 @@ def _upright_signs(cx, cy, cr, px, py, qx, qy) -> Signs:
     return np.where((p < c) == (c < q), np.sign(np.where(gap == 0, rest, gap)), 1).astype(np.int8)
 
 
-def _foot_signs(cx, cy, cr, px, py, qx, qy, room) -> tuple[Signs, NDArray[np.bool_]]:
+def _foot_signs(
+    cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array, *, room: Array
+) -> tuple[Signs, NDArray[np.bool_]]:
     """Centre from the line of an edge, against the radius; and whether the foot may not be between the ends.
 
     The length is a float and what it misses: the difference of squares over twice the float, as
@@ -162,7 +166,7 @@ def _foot_signs(cx, cy, cr, px, py, qx, qy, room) -> tuple[Signs, NDArray[np.boo
     return _signs([(side * y, dx), (-side * x, dy), (-cr, length)], more, plain), doubtful
 
 
-def _only_between(least: Signs, cx, cy, cr, px, py, qx, qy) -> Signs:
+def _only_between(least: Signs, cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array) -> Signs:
     """Those signs whose foot lies strictly between the ends; 1 for the others, as a corner is nearer."""
     (dx, f), (dy, g) = two_sum(qx, -px), two_sum(qy, -py)
     inner = []
@@ -186,8 +190,10 @@ def _signs(pairs: Pairs, more: Array, plain: NDArray[np.bool_]) -> Signs:
     return found
 
 
-def _inside(cx, cy, px, py) -> NDArray[np.bool_]:
+def _inside(cx: Array, cy: Array, px: Array, py: Array) -> NDArray[np.bool_]:
     """Is the centre strictly left of every edge?"""
     ends = [np.ravel(c) for c in (px[:-1], py[:-1], px[1:], py[1:])]
     centers = [np.tile(c, len(px) - 1) for c in (cx, cy)]
-    return (signs.orient(*ends, *centers) > 0).reshape(len(px) - 1, -1).all(axis=0)
+    left = (signs.orient(*ends, *centers) > 0).reshape(len(px) - 1, -1)
+    inside: NDArray[np.bool_] = np.logical_and.reduce(left)
+    return inside

@@ -68,7 +68,7 @@ def stream_colliding_pairs(
     n = len(vertices)
     low, high = np.empty(n), np.empty(n)
     for start in range(0, n, strip):
-        x = door.rings(vertices[start : start + strip], lambda i, start=start: f"polygon {start + i}")[:, :, 0]
+        x = door.rings(vertices[start : start + strip], _numbered_from(start))[:, :, 0]
         low[start : start + strip], high[start : start + strip] = x.min(axis=1), x.max(axis=1)
     if not n:
         return
@@ -84,6 +84,10 @@ def stream_colliding_pairs(
             yield pairs[(begins >= left) & (begins < right)]
         if progress is not None:
             progress(k + 1, len(edges) - 1)
+
+
+def _numbered_from(start: int) -> Callable[[int], str]:
+    return lambda i: f"polygon {start + i}"
 
 
 def _kind(values: Any) -> str:

@@ -11,7 +11,7 @@ from ..engine.geometry import InvalidShape
 from ..engine.shapes import Polygon
 
 
-def rings(vertices: NDArray, name: Callable[[int], str]) -> NDArray[np.float64]:
+def rings(vertices: NDArray[Any], name: Callable[[int], str]) -> NDArray[np.float64]:
     """An (N, V, 2) array in float64; InvalidShape names the first number that is none."""
     if vertices.ndim != 3 or vertices.shape[2] != 2 or vertices.shape[1] < 3:
         raise InvalidShape(f"vertices has the shape {vertices.shape}: expected (N, V, 2) with V at least 3")
@@ -63,7 +63,7 @@ def listed(values: Any, name: str) -> Any:
     return values
 
 
-def floats(array: NDArray, name: str, entry: Callable[..., str]) -> NDArray[np.float64]:
+def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray[np.float64]:
     """The same values in float64; InvalidShape says of the first that has none what satviz.Polygon would."""
     outline.refuse_array(array, name)
     with np.errstate(all="ignore"):

@@ -7,7 +7,9 @@ Loops over corners are unrolled by the compiler where their number is a constant
 (3 and 4 corners), written out for 8, and taken four at a time otherwise.
 """
 
+from collections.abc import Callable
 from functools import cache
+from typing import TypeVar, cast
 
 import numpy as np
 from numba import njit
@@ -15,13 +17,20 @@ from numba import njit
 from ..engine.exact import HUGE, TINY
 from .arrays import Group
 from .filter_numpy import APART, OVERLAPPING, TOUCHING, UNDECIDED, room_64
+from .signs import Array, Signs
 
 BLOCK = 1 << 17  # pairs a call: long enough that Python's share vanishes
 TILE = 128  # pairs whose columns stay in the first-level cache between edges
-_OPTIONS = {"nogil": True, "cache": True, "error_model": "numpy"}
+
+Kernel = TypeVar("Kernel", bound=Callable[..., object])
 
 
-def polygons(a: Group, b: Group, first: int, out) -> None:
+def compiled(kernel: Kernel) -> Kernel:
+    """The kernel compiled at its first call; to type checkers the function that it was."""
+    return cast(Kernel, njit(nogil=True, cache=True, error_model="numpy")(kernel))
+
+
+def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     """APART where an edge has the other shape beyond it by more than rounding can hide."""
     va, vb = len(a.x), len(b.x)
     kernel = _unrolled(va, vb) if va <= 4 and vb <= 4 else _eight if va == vb == 8 else _general
@@ -29,11 +38,11 @@ def polygons(a: Group, b: Group, first: int, out) -> None:
 
 
 @cache
-def _unrolled(va: int, vb: int):
+def _unrolled(va: int, vb: int) -> Callable[..., None]:
     """A kernel for fixed numbers of corners: the compiler unrolls its inner loops and vectorises over pairs."""
 
-    @njit(**_OPTIONS)
-    def kernel(ax, ay, bx, by, first, room, out):
+    @compiled
+    def kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
         for k in range(out.size):
             i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end
             best = -np.inf
@@ -58,8 +67,8 @@ def _unrolled(va: int, vb: int):
     return kernel
 
 
-@njit(**_OPTIONS)
-def _eight(ax, ay, bx, by, first, room, out):
+@compiled
+def _eight(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
     best = np.empty(TILE)
     for start in range(0, out.size, TILE):
         n = min(TILE, out.size - start)
@@ -71,8 +80,8 @@ def _eight(ax, ay, bx, by, first, room, out):
             out[start + i] = APART if best[i] > room else OVERLAPPING if best[i] < -room else UNDECIDED
 
 
-@njit(**_OPTIONS)
-def _edges_of_eight(x, y, px, py, s, n, best):
+@compiled
+def _edges_of_eight(x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array) -> None:
     t = s + n
     p0, p1, p2, p3, p4, p5, p6, p7 = (
         px[0, s:t],
@@ -108,8 +117,8 @@ def _edges_of_eight(x, y, px, py, s, n, best):
             best[i] = max(best[i], min(low, top) - (a * x0[i] + b * y0[i]))
 
 
-@njit(**_OPTIONS)
-def _general(ax, ay, bx, by, first, room, out):
+@compiled
+def _general(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
     best, least, nx, ny = np.empty(TILE), np.empty(TILE), np.empty(TILE), np.empty(TILE)
     for start in range(0, out.size, TILE):
         n = min(TILE, out.size - start)
@@ -121,8 +130,10 @@ def _general(ax, ay, bx, by, first, room, out):
             out[start + i] = APART if best[i] > room else OVERLAPPING if best[i] < -room else UNDECIDED
 
 
-@njit(**_OPTIONS)
-def _edges(x, y, px, py, s, n, best, least, nx, ny):
+@compiled
+def _edges(
+    x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array, least: Array, nx: Array, ny: Array
+) -> None:
     t = s + n
     for e in range(x.shape[0]):
         f = (e + 1) % x.shape[0]
@@ -150,18 +161,18 @@ def _edges(x, y, px, py, s, n, best, least, nx, ny):
             best[i] = max(best[i], least[i] - (nx[i] * x0[i] + ny[i] * y0[i]))
 
 
-def boxes(a: Group, b: Group, first: int, out) -> None:
+def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
     """Upright boxes: four comparisons of sides settle them, exactly."""
     _boxes(a.x, a.y, b.x, b.y, first, out)
 
 
-@njit(**_OPTIONS)
-def _ranges(a, c, p, r):
+@compiled
+def _ranges(a: float, c: float, p: float, r: float) -> tuple[float, float, float, float]:
     return min(a, c), max(a, c), min(p, r), max(p, r)
 
 
-@njit(**_OPTIONS)
-def _boxes(ax, ay, bx, by, first, out):
+@compiled
+def _boxes(ax: Array, ay: Array, bx: Array, by: Array, first: int, out: Signs) -> None:
     for k in range(out.size):
         i = np.uintp(first + k)
         ax0, ax1, bx0, bx1 = _ranges(ax[0, i], ax[2, i], bx[0, i], bx[2, i])
@@ -170,8 +181,8 @@ def _boxes(ax, ay, bx, by, first, out):
         out[k] = APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
 
-@njit(**_OPTIONS)
-def circles(ax, ay, ar, bx, by, br, first, out):
+@compiled
+def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Signs) -> None:
     """Distance against the sum of radii, squared."""
     for k in range(out.size):
         i = np.uintp(first + k)
@@ -183,16 +194,16 @@ def circles(ax, ay, ar, bx, by, br, first, out):
         out[k] = APART if gap > room else OVERLAPPING if gap < -room else UNDECIDED
 
 
-def circle_polygons(cx, cy, cr, px, py, first: int, out) -> None:
+def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
     """The squared distance from each centre to the nearest edge or corner, against the squared radius."""
     (_circle_unrolled(len(px)) if len(px) <= 8 else _circle_general)(cx, cy, cr, px, py, first, out)
 
 
-def _circle_kernel(corners: int | None):
+def _circle_kernel(corners: int | None) -> Callable[..., None]:
     """`corners` fixed for the compiler to unroll, or None for any number."""
 
-    @njit(**_OPTIONS)
-    def kernel(cx, cy, cr, px, py, first, out):
+    @compiled
+    def kernel(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
         count = px.shape[0] if corners is None else corners
         for k in range(out.size):
             i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end

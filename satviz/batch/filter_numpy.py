@@ -13,6 +13,9 @@ from numpy.typing import NDArray
 from ..engine.exact import HUGE, TINY
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from .arrays import Group
+from .signs import Array, Signs
+
+Array32 = NDArray[np.float32]
 
 APART, TOUCHING, OVERLAPPING, UNDECIDED = 0, 1, 2, -1
 BLOCK = 16384  # pairs at a time: their columns and the scratch arrays stay in the second-level cache
@@ -24,10 +27,10 @@ LOOK_32 = np.float32(2.0**-18)
 LEAST_32, MOST_32 = np.float32(2.0**-40), np.float32(2.0**50)  # m where float32 products keep their bits
 
 
-def polygons(a: Group, b: Group, first: int, out) -> None:
+def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     """APART where an edge has the other shape beyond it, in float32, with room for what rounding can hide."""
-    columns = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
-    _decide(*_look_32(*columns, _width(a) + _width(b)), out)
+    ax, ay, bx, by = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
+    _decide(*_look_32(ax, ay, bx, by, _width(a) + _width(b)), out)
 
 
 def room_64(a: Group, b: Group) -> float:
@@ -41,22 +44,22 @@ def _width(group: Group) -> float:
     return len(group.x) // 2 * group.span
 
 
-def _look_32(ax, ay, bx, by, width: float) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+def _look_32(ax: Array, ay: Array, bx: Array, by: Array, width: float) -> tuple[Array32, Array32]:
     """Clearances in float32, and how far each can be off, from the pair's own size: far pairs widen no other's."""
-    local = [_rounded(c, origin) for c, origin in zip((ax, ay, bx, by), (ax[0], ay[0]) * 2, strict=True)]
-    size = np.maximum(np.abs(local[2][0]), np.abs(local[3][0]))
+    x, y, px, py = (_rounded(c, origin) for c, origin in zip((ax, ay, bx, by), (ax[0], ay[0]) * 2, strict=True))
+    size = np.maximum(np.abs(px[0]), np.abs(py[0]))
     size += np.float32(width)
     room = size * size
     room *= LOOK_32
     room[~((size > LEAST_32) & (size < MOST_32))] = np.inf
-    return _clearance(*local, 1), room
+    return _clearance(x, y, px, py, 1), room
 
 
-def _rounded(c, origin) -> NDArray[np.float32]:
+def _rounded(c: Array, origin: Array) -> Array32:
     return np.subtract(c, origin).astype(np.float32)
 
 
-def _clearance(ax, ay, bx, by, known: int) -> NDArray:
+def _clearance(ax: Array32, ay: Array32, bx: Array32, by: Array32, known: int) -> Array32:
     """The largest clearance of an edge: how far beyond it the other shape's nearest corner lies (times its length).
 
     `known`: 1 where A's first corner is the origin, which saves its products.
@@ -68,7 +71,20 @@ def _clearance(ax, ay, bx, by, known: int) -> NDArray:
     return best
 
 
-def _edges(x, y, px, py, own: int, other: int, best, nx, ny, least, look, part) -> None:
+def _edges(
+    x: Array32,
+    y: Array32,
+    px: Array32,
+    py: Array32,
+    own: int,
+    other: int,
+    best: Array32,
+    nx: Array32,
+    ny: Array32,
+    least: Array32,
+    look: Array32,
+    part: Array32,
+) -> None:
     """Raise `best` to the clearance of each edge; the first `own` corners and `other` corners are zeros."""
     for i in range(len(x)):
         j = (i + 1) % len(x)
@@ -88,25 +104,24 @@ def _edges(x, y, px, py, own: int, other: int, best, nx, ny, least, look, part) 
         np.maximum(best, least, out=best)
 
 
-def _decide(gap, room, out) -> None:
+def _decide(gap: Array32 | Array, room: Array32 | Array, out: Signs) -> None:
     np.multiply((gap < -room).view(np.int8), OVERLAPPING - UNDECIDED, out=out)
     out += (gap > room).view(np.int8)  # by APART - UNDECIDED, which is 1
     out += UNDECIDED
 
 
-def boxes(a: Group, b: Group, first: int, out) -> None:
+def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
     """Upright boxes: four comparisons of sides settle them, exactly."""
     ax, ay, bx, by = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
     gap = np.full(out.size, -np.inf)
     for p, q in ((ax, bx), (ay, by)):
-        p, q = (np.minimum(p[0], p[2]), np.maximum(p[0], p[2])), (np.minimum(q[0], q[2]), np.maximum(q[0], q[2]))
-        np.maximum(gap, p[0] - q[1], out=gap)
-        np.maximum(gap, q[0] - p[1], out=gap)
+        np.maximum(gap, np.minimum(p[0], p[2]) - np.maximum(q[0], q[2]), out=gap)
+        np.maximum(gap, np.minimum(q[0], q[2]) - np.maximum(p[0], p[2]), out=gap)
     np.subtract((gap < 0).view(np.int8), (gap > 0).view(np.int8), out=out)
     out += TOUCHING
 
 
-def circles(ax, ay, ar, bx, by, br, first: int, out) -> None:
+def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Signs) -> None:
     """Distance against the sum of radii, squared."""
     ax, ay, ar, bx, by, br = (c[first : first + out.size] for c in (ax, ay, ar, bx, by, br))
     dx, dy, reach = ax - bx, ay - by, ar + br
@@ -119,7 +134,7 @@ def circles(ax, ay, ar, bx, by, br, first: int, out) -> None:
     _decide(distance - reach, room, out)
 
 
-def circle_polygons(cx, cy, cr, px, py, first: int, out) -> None:
+def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
     """The squared distance from each centre to the nearest edge or corner, against the squared radius."""
     cx, cy, cr, px, py = (c[..., first : first + out.size] for c in (cx, cy, cr, px, py))
     x, y = px - cx, py - cy

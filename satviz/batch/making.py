@@ -11,6 +11,10 @@ from ..engine.geometry import InvalidShape
 from ..engine.shapes import Polygon
 from . import door, signs
 from .arrays import Group, Shapes
+from .signs import Array
+
+Indices = NDArray[np.intp]
+Mask = NDArray[np.bool_]
 
 
 def Circles(centers: Any, radii: Any) -> Shapes:
@@ -41,7 +45,7 @@ def Polygons(vertices: Any, *, concave: str = "refuse") -> Shapes:
     return polygons_numbered(vertices, None, concave)
 
 
-def polygons_numbered(vertices: Any, numbers: NDArray[np.intp] | None, concave: str) -> Shapes:
+def polygons_numbered(vertices: Any, numbers: Indices | None, concave: str) -> Shapes:
     """The same for some of more: `numbers` are what errors call them."""
     if concave not in ("refuse", "split"):
         raise ValueError(f'concave is {concave!r}: choose "refuse" or "split"')
@@ -52,7 +56,7 @@ def polygons_numbered(vertices: Any, numbers: NDArray[np.intp] | None, concave: 
     if isinstance(vertices, np.ndarray) and vertices.dtype != object:
         array = door.rings(vertices, name)
         return _assembled([(np.arange(len(array)), array)] if array.size else [], name, concave)
-    arrays: list[NDArray[np.float64]] = []
+    arrays: list[Array] = []
     by_count: dict[int, list[int]] = {}
     for i, ring in enumerate(door.listed(vertices, "vertices")):
         array = door.ring(ring, name(i))
@@ -62,10 +66,10 @@ def polygons_numbered(vertices: Any, numbers: NDArray[np.intp] | None, concave: 
     return _assembled(blocks, name, concave)
 
 
-def _assembled(blocks: Sequence[tuple[NDArray, NDArray]], name: Callable[[int], str], concave: str) -> Shapes:
+def _assembled(blocks: Sequence[tuple[Indices, Array]], name: Callable[[int], str], concave: str) -> Shapes:
     """Sort the rings into groups; those not plainly convex go through the scalar door one by one."""
-    found: dict[int, list[tuple[NDArray, NDArray, NDArray]]] = {}
-    odd: list[tuple[int, NDArray]] = []
+    found: dict[int, list[tuple[Indices, Array, Array]]] = {}
+    odd: list[tuple[int, Array]] = []
     for ids, rings in blocks:
         x, y = (np.array(rings[:, :, i].T, order="C") for i in (0, 1))  # copied: it is turned round in place
         good = _orient(x, y)
@@ -89,39 +93,45 @@ def _assembled(blocks: Sequence[tuple[NDArray, NDArray]], name: Callable[[int], 
             )
         split = split or len(pieces) > 1
         for piece in pieces:
+            assert isinstance(piece, Polygon)  # as are all parts of one
             corners = np.asarray(piece.corners)
             column = np.asarray([i]), corners[:, :1].copy(), corners[:, 1:].copy()
             found.setdefault(len(corners), []).append(column)
-    groups, ids, counts, slots = {}, [], [], []
+    groups: dict[int, Group] = {}
+    owners, counts, slots = [], [], []
     for v, columns in sorted(found.items()):
-        mine = np.concatenate([c[0] for c in columns])
-        order = np.argsort(mine, kind="stable")
-        x, y = (np.concatenate([c[k] for c in columns], axis=1) if len(columns) > 1 else columns[0][k] for k in (1, 2))
+        mine, x, y = columns[0]
         if len(columns) > 1:
+            mine, x, y = (np.concatenate(c, axis=-1) for c in zip(*columns, strict=True))
+            order = np.argsort(mine, kind="stable")
             mine, x, y = mine[order], np.ascontiguousarray(x[:, order]), np.ascontiguousarray(y[:, order])
         reach = float(max(np.abs(x).max(initial=0.0), np.abs(y).max(initial=0.0)))
         groups[v] = Group(x, y, None, _span(x, y), reach, v == 4 and bool(upright_boxes(x, y).all()))
-        ids.append(mine)
+        owners.append(mine)
         counts.append(np.full(len(mine), v))
         slots.append(np.arange(len(mine)))
-    owner, count, slot = (np.concatenate(c) if c else np.empty(0, np.int64) for c in (ids, counts, slots))
-    order = np.argsort(owner, kind="stable") if len(groups) > 1 else slice(None)
-    return Shapes(groups, count[order], slot[order], owner[order] if split else None)
+    owner, count, slot = (np.concatenate(c) if c else np.empty(0, np.int64) for c in (owners, counts, slots))
+    if len(groups) > 1:
+        order = np.argsort(owner, kind="stable")
+        owner, count, slot = owner[order], count[order], slot[order]
+    return Shapes(groups, count, slot, owner if split else None)
 
 
-def upright_boxes(x: NDArray, y: NDArray) -> NDArray[np.bool_]:
+def upright_boxes(x: Array, y: Array) -> Mask:
     """Which columns of four corners are boxes with their sides along x and y."""
-    level = [(c[i] == c[(i + 1) % 4]) & (c[i + 2] == c[(i + 3) % 4]) for c, i in ((x, 0), (y, 1), (y, 0), (x, 1))]
+    level: list[Mask] = [
+        (c[i] == c[(i + 1) % 4]) & (c[i + 2] == c[(i + 3) % 4]) for c, i in ((x, 0), (y, 1), (y, 0), (x, 1))
+    ]
     return (level[0] & level[1]) | (level[2] & level[3])
 
 
-def _span(x: NDArray, y: NDArray) -> float:
+def _span(x: Array, y: Array) -> float:
     with np.errstate(over="ignore"):
         edges = max((float(np.abs(c - np.roll(c, 1, axis=0)).max(initial=0.0)) for c in (x, y)), default=0.0)
     return min(edges, 1e308)
 
 
-def _orient(x: NDArray, y: NDArray) -> NDArray[np.bool_]:
+def _orient(x: Array, y: Array) -> Mask:
     """Turn clockwise columns round in place; True for the columns that are plainly convex (exactly).
 
     Plainly: every corner turns the same way, once round, with no repeat and none straight on.
@@ -132,7 +142,8 @@ def _orient(x: NDArray, y: NDArray) -> NDArray[np.bool_]:
     for i in range(v):
         j, k = (i + 1) % v, (i + 2) % v
         turns[i] = signs.orient(x[i], y[i], x[j], y[j], x[k], y[k])
-    left, right = (turns > 0).all(axis=0), (turns < 0).all(axis=0)
+    left: Mask = np.logical_and.reduce(turns > 0)
+    right: Mask = np.logical_and.reduce(turns < 0)
     if v > 4:  # with 3 or 4 corners the same way there is no going round twice
         rising = (nx > x) | ((nx == x) & (ny > y))
         once = (rising != np.roll(rising, 1, axis=0)).sum(axis=0) == 2

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..extras import needs
 from . import undecided
 from .arrays import Group, Shapes, checked
-from .chunks import CHUNK, in_chunks
+from .chunks import CHUNK, Call, in_chunks
 from .filter_numpy import APART, UNDECIDED, room_64
 
 Relations = NDArray[np.int8]
@@ -41,21 +41,18 @@ def relate(
     """
     checked(a, "a"), checked(b, "b")
     filter_of(engine)  # an engine that is not there is told of before the work starts
-    if pairs is not None:
-        ia, ib = _checked_pairs(pairs, len(a), len(b))
-    elif len(a) != len(b) and 1 not in (len(a), len(b)):
+    chosen = None if pairs is None else _checked_pairs(pairs, len(a), len(b))
+    if chosen is None and len(a) != len(b) and 1 not in (len(a), len(b)):
         raise ValueError(f"{len(a)} shapes against {len(b)}: pass as many of both, or one against many")
-    else:
-        ia = ib = None
-    n = len(ia) if ia is not None else 0 if 0 in (len(a), len(b)) else max(len(a), len(b))
+    n = len(chosen[0]) if chosen is not None else 0 if 0 in (len(a), len(b)) else max(len(a), len(b))
     out = np.empty(n, np.int8)
 
     # threads share the shapes; to other processes each chunk takes only what it needs
     shared = executor is None or isinstance(executor, ThreadPoolExecutor)
 
-    def job(start: int, stop: int) -> tuple:
-        if ia is not None:
-            i, j = ia[start:stop], ib[start:stop]
+    def job(start: int, stop: int) -> Call:
+        if chosen is not None:
+            i, j = (indices[start:stop] for indices in chosen)
             return _relate_some, (a, i, b, j, engine) if shared else (*_picked(a, i), *_picked(b, j), engine)
         if shared:
             return _relate_range, (a, b, start, stop, engine)
@@ -69,7 +66,8 @@ def relate(
 
 def hits(a: Shapes, b: Shapes, pairs: Any = None, **options: Any) -> NDArray[np.bool_]:
     """Which pairs share a point (touching counts); the arguments of `relate`."""
-    return relate(a, b, pairs, **options) != APART
+    hit: NDArray[np.bool_] = relate(a, b, pairs, **options) != APART
+    return hit
 
 
 @cache

@@ -1,26 +1,26 @@
 """The exact twin for the pairs that the filter leaves undecided."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from . import circle_polygons, signs
 from .arrays import Group
 from .filter_numpy import APART, OVERLAPPING, TOUCHING, boxes
 from .making import upright_boxes
+from .signs import Array, Signs
 
 LOOKS = 1 << 18  # looks of one edge at a time, over pairs and corners: what bounds the memory
 DOUBTS = 1 << 15  # exact signs asked in one go: each takes some hundred bytes a term
 RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 and -1
 
 
-def relations(a: Group, b: Group) -> NDArray[np.int8]:
+def relations(a: Group, b: Group) -> Signs:
     """Exact relations of two groups, column by column."""
     if a.r is not None and b.r is not None:
         return RELATION_OF_SIGN[signs.circles(a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r)]
-    if a.r is not None or b.r is not None:
-        circle, polygon = (a, b) if a.r is not None else (b, a)
-        return RELATION_OF_SIGN[circle_polygons.gaps(circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y)]
+    for circle, polygon in (a, b), (b, a):
+        if circle.r is not None:
+            return RELATION_OF_SIGN[circle_polygons.gaps(circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y)]
     found = np.empty(a.x.shape[1], np.int8)
     upright = np.zeros(len(found), bool)
     if len(a.x) == len(b.x) == 4:
@@ -37,7 +37,7 @@ def relations(a: Group, b: Group) -> NDArray[np.int8]:
     return found
 
 
-def _polygons(a: Group, b: Group) -> NDArray[np.int8]:
+def _polygons(a: Group, b: Group) -> Signs:
     """Edge by edge in float64, the exact sign asked of every corner within the room of zero."""
     best = np.full(a.x.shape[1], -1, np.int8)
     reach = (_largest(a.x, a.y) + _largest(b.x, b.y)) * LOOK
@@ -66,6 +66,7 @@ def _polygons(a: Group, b: Group) -> NDArray[np.int8]:
     return RELATION_OF_SIGN[best]
 
 
-def _largest(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+def _largest(x: Array, y: Array) -> Array:
     """The largest magnitude in each column."""
-    return np.maximum(np.abs(x).max(axis=0), np.abs(y).max(axis=0))
+    largest: Array = np.maximum(np.abs(x).max(axis=0), np.abs(y).max(axis=0))
+    return largest
