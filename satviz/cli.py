@@ -59,7 +59,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     with heeding_interrupts(to_the_end=argv is None):
         try:
             args = _parser().parse_args(argv)
-            code = args.run(args)
+            code: int = args.run(args)
         except BaseException as error:
             # whatever an interrupt was turned into on its way
             code = 130 if interrupted() or isinstance(error, KeyboardInterrupt) else _failed(error)

@@ -5,11 +5,22 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
 
 from . import disk
 from .extras import needs
 from .terminal import interrupts_ignored, out, out_json, say, stop_if_interrupted, visible
+
+if TYPE_CHECKING:
+    from .engine.trace import Trace
+    from .pictures import Picture
+    from .scenes.scenefile import Scene
+
+    Job = tuple[str, str, Callable[[], Picture | list[Picture] | bytes]]  # stem, form, what makes it
+
+Row = TypeVar("Row")
 
 
 class Refused(Exception):
@@ -20,7 +31,7 @@ class Failed(Exception):
     """The work itself failed: one clear line and exit code 1."""
 
 
-def _load(args: argparse.Namespace):
+def _load(args: argparse.Namespace) -> "Scene":
     """The scene by name or file, with the options of the command line."""
     from dataclasses import replace
 
@@ -43,9 +54,9 @@ def _did_you_mean(name: str, known: Iterable[str]) -> str:
 
 
 def figures(args: argparse.Namespace) -> int:
-    from .pictures.figures import FIGURES
+    from .pictures.figures import FIGURES, Figure
 
-    wanted = FIGURES
+    wanted: Sequence[Figure] = FIGURES
     if args.only:
         known = {key: f for f in FIGURES for key in (f.name, f.stem, str(f.number), f"{f.number:02}")}
         for name in args.only:
@@ -67,9 +78,10 @@ def draw(args: argparse.Namespace) -> int:
     except ValueError as error:
         raise Refused(str(error)) from None
     count = len(steps(trace))
-    jobs: list = []
+    jobs: list[Job] = []
 
-    def finished(drawn: Picture) -> Picture:
+    def finished(step: int) -> Picture:
+        drawn = picture(trace, step, title=scene.title)
         return captioned([drawn])[0] if args.caption else drawn
 
     for form in args.format or ["svg"]:
@@ -81,11 +93,11 @@ def draw(args: argparse.Namespace) -> int:
             continue
         for i in range(count):
             stem = f"{scene.name}-{i:0{len(str(count - 1))}}"
-            jobs.append((stem, form, lambda i=i: finished(picture(trace, i, title=scene.title))))
+            jobs.append((stem, form, partial(finished, i)))
     return _write(args, jobs)
 
 
-def _page(trace, title: str) -> bytes:
+def _page(trace: "Trace", title: str) -> bytes:
     from .render.page import page
 
     try:
@@ -130,9 +142,10 @@ def _jupyterlab(folder: Path) -> int:
         return process.wait()
 
 
-def _write(args: argparse.Namespace, jobs: Sequence[tuple[str, str, Callable]]) -> int:
+def _write(args: argparse.Namespace, jobs: Sequence["Job"]) -> int:
     """Draw and write each job (stem, form, picture maker); the dark theme's files say so in their names."""
     from .pictures import THEMES as LOOKS
+    from .pictures import Picture
     from .render.files import animate, encode
 
     theme = LOOKS[args.theme]
@@ -144,10 +157,9 @@ def _write(args: argparse.Namespace, jobs: Sequence[tuple[str, str, Callable]]) 
         disk.check(path, force=args.force)
     for path, (stem, form, make) in zip(_progress(paths), jobs, strict=True):
         made = make()
-        if form == "html":
-            data = made
-        else:
-            data = animate(made, theme) if form == "gif" else encode(made, form, theme, stem=stem + suffix)
+        if isinstance(made, Picture):
+            made = encode(made, form, theme, stem=stem + suffix)
+        data = made if isinstance(made, bytes) else animate(made, theme)
         disk.write(path, data, force=args.force)
     out(f"{len(paths)} {'file' if len(paths) == 1 else 'files'} in {visible(str(args.out))}")
     return 0
@@ -178,8 +190,8 @@ def bench(args: argparse.Namespace) -> int:
     from .study.bench import bench, bench_broad, broad_table, table, when_numba_pays
     from .study.machine import machine, missing
 
-    def done(found: Iterator) -> list:
-        rows = []
+    def done(found: Iterator[Row]) -> list[Row]:
+        rows: list[Row] = []
         for row in tqdm(found, unit="method", disable=None, leave=False, file=sys.stderr):
             rows.append(row)
             stop_if_interrupted()

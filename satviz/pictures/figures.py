@@ -7,7 +7,7 @@ one of two ranges and no collision, and figure 15 is SAT too, with one axis.
 
 from collections.abc import Callable
 from functools import cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..engine.axes import EDGE
 from ..engine.trace import Trace
@@ -47,7 +47,7 @@ def at(stage: Stage, test: int) -> Callable[[Trace, str], Picture]:
     return lambda trace, title: picture(trace, Step(stage, test), title=title)
 
 
-def view(draw: Callable[..., Picture], **options) -> Callable[[Trace, str], Picture]:
+def view(draw: Callable[..., Picture], **options: Any) -> Callable[[Trace, str], Picture]:
     """A picture that is no single step."""
     return lambda trace, title: draw(trace, title=title, **options)
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import cos, hypot, pi, sin
-from typing import NamedTuple
+from typing import NamedTuple, TypedDict
 
 from ..engine import telling
 from ..engine.geometry import Vec
@@ -36,6 +36,18 @@ class Request(NamedTuple):
     optional: bool = False  # leave it out rather than run it over something
     far: bool = False  # anywhere on the canvas will do
     steady: bool = False  # stays put from step to step, whatever else the step shows
+
+
+class Wishes(TypedDict, total=False):
+    """What of a Request may be left out."""
+
+    along: tuple[Vec, ...]
+    prefer: Vec
+    weight: str
+    inside: bool
+    optional: bool
+    far: bool
+    steady: bool
 
 
 def with_labels(
@@ -273,8 +285,8 @@ def _put(board: Board, mark: Mark) -> None:
     if mark.kind == "dot":
         board.dot(points[0], DOT / 2)
     elif mark.kind == "disc":
-        ring = [moved(points[0], Vec(cos(k * pi / 16), sin(k * pi / 16)), mark.radius) for k in range(33)]
-        for p, q in pairwise(ring):
+        rim = [moved(points[0], Vec(cos(k * pi / 16), sin(k * pi / 16)), mark.radius) for k in range(33)]
+        for p, q in pairwise(rim):
             board.stroke(p, q, 300)
     else:
         price = 40 if mark.role == "guide" else 300 if mark.weight != "faint" else 60

@@ -1,5 +1,6 @@
 """The picture under the hand: limits that stay while a shape is dragged, and one axis of the pair's."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from ..engine import telling
@@ -42,7 +43,7 @@ def fits(drawn: Picture) -> bool:
 
 def telling_test(trace: Trace) -> Chosen | None:
     """The test that says most: the first that separates, else the one of least overlap; None without tests."""
-    runs = list(enumerate(trace.pairs)) or [(None, trace)]
+    runs: Sequence[tuple[int | None, Trace]] = list(enumerate(trace.pairs)) or [(None, trace)]
     if trace.pairs and trace.colliding:
         runs = [run for run in runs if run[1] is trace.colliding]
     # of pairs that are all apart the closest one
@@ -53,13 +54,15 @@ def telling_test(trace: Trace) -> Chosen | None:
     return Chosen(pair, run.tests.index(best))
 
 
-def live(trace: Trace, layout: Layout, chosen: Chosen | None, *, way_out: bool = False, near: Vec | None = None):
+def live(
+    trace: Trace, layout: Layout, chosen: Chosen | None, *, way_out: bool = False, near: Vec | None = None
+) -> tuple[Picture, AxisPlace | None]:
     """The picture of one finished test on fixed limits, and where its axis was placed.
 
     `way_out` adds the MTV; `near` is the way the axis lay before, so that it stays on its side.
     """
     run = trace if chosen is None or chosen.pair is None else trace.pairs[chosen.pair]
-    place = None if chosen is None else place_within(layout, (trace.a, trace.b), run.tests[chosen.test], near)
+    place = None
     drawing = Sketch(run, layout)
     if trace.pairs and run is trace:
         draw_parts(drawing)
@@ -69,6 +72,7 @@ def live(trace: Trace, layout: Layout, chosen: Chosen | None, *, way_out: bool =
         others(drawing, trace, run)
     if chosen is not None:
         test = run.tests[chosen.test]
+        place = place_within(layout, (trace.a, trace.b), test, near)
         drawing.edge(test)
         drawing.normal(test)
         drawing.project(test, place, chosen.test + 1)

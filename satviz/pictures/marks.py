@@ -28,7 +28,8 @@ class Mark(NamedTuple):
 
     def data(self) -> dict[str, Any]:
         """The mark as JSON values."""
-        data: dict = {"id": self.id, "kind": self.kind, "role": self.role, "points": [list(p) for p in self.points]}
+        points = [list(p) for p in self.points]
+        data: dict[str, Any] = {"id": self.id, "kind": self.kind, "role": self.role, "points": points}
         data |= {"radius": self.radius} if self.kind == "disc" else {}
         data |= {"text": self.text} if self.kind == "label" else {}
         return data | ({"weight": self.weight} if self.weight != "plain" else {})

@@ -97,7 +97,7 @@ def _lines(trace: Trace, step: Step) -> list[int]:
     if step.stage is Stage.VERDICT:
         return [4] if trace.relation is Relation.APART and not trace.false_hit else [5]
     lines = [i for i, (_, stages) in enumerate(CODE) if step.stage in stages]
-    if step.stage is Stage.GAP:
+    if step.stage is Stage.GAP and step.test is not None:
         run = trace if step.pair is None else trace.pairs[step.pair]
         lines += [4] if run.tests[step.test].separates else []
     return lines

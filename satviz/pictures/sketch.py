@@ -4,8 +4,9 @@ Every number comes from the trace.  Labels are only asked for here; they are pla
 when all strokes are known.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import hypot
+from typing import Unpack
 
 from ..engine import telling
 from ..engine.axes import CENTERS, EDGE, HULL, VERTEX, WORLD
@@ -13,7 +14,7 @@ from ..engine.geometry import Interval, Vec
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Polygon, Shape, centroid
 from ..engine.trace import Trace
-from .labels import Request, holds, name_spots, short_name, with_labels
+from .labels import Request, Segment, Wishes, holds, name_spots, short_name, with_labels
 from .layout import AxisPlace, Layout, moved
 from .marks import Mark, Picture
 
@@ -31,10 +32,10 @@ class Sketch:
         self.marks: list[Mark] = []
         self.requests: list[tuple[int, Request]] = []
 
-    def add(self, mark_id: str, kind: str, role: str, *points: Vec, **more) -> None:
-        self.marks.append(Mark(mark_id, kind, role, tuple(points), **more))
+    def add(self, mark_id: str, kind: str, role: str, *points: Vec, radius: float = 0.0, weight: str = "plain") -> None:
+        self.marks.append(Mark(mark_id, kind, role, points, radius=radius, weight=weight))
 
-    def label(self, mark_id: str, text: str, role: str, anchor: Vec, *, first: int = 5, **more) -> None:
+    def label(self, mark_id: str, text: str, role: str, anchor: Vec, *, first: int = 5, **more: Unpack[Wishes]) -> None:
         """Ask for a label; those with a lower `first` choose their place earlier."""
         self.requests.append((first, Request(mark_id, text, role, anchor, **more)))
 
@@ -59,16 +60,22 @@ class Sketch:
             if isinstance(shape, Polygon) and shape.labels and weight != "faint":
                 self.vertices(role, range(len(shape.vertices)))
 
-    def pair(self):
+    def pair(self) -> Iterator[tuple[str, str, Shape]]:
         """(role, name, shape) of both."""
         return zip("AB", self.trace.names, (self.trace.a, self.trace.b), strict=True)
 
-    def of(self, role: str) -> tuple[str, Shape]:
+    def of(self, role: str | None) -> tuple[str, Shape]:
         return (self.trace.names.a, self.trace.a) if role == "A" else (self.trace.names.b, self.trace.b)
+
+    def polygon(self, role: str | None) -> tuple[str, Polygon]:
+        """The same of what has edges and vertices, which an axis's source or a label names."""
+        name, shape = self.of(role)
+        assert isinstance(shape, Polygon)
+        return name, shape
 
     def vertices(self, role: str, ids: Sequence[int], *, as_role: str = "") -> None:
         """Dots with names on some of a polygon's vertices."""
-        name, polygon = self.of(role)
+        name, polygon = self.polygon(role)
         middle = centroid(polygon)
         for i in ids:
             if any(m.id == f"{name}.vertex.{i}" for m in self.marks):
@@ -85,9 +92,9 @@ class Sketch:
 
     def edge(self, test: AxisTest, *, told: bool = False) -> None:
         """The edge (or the line between centres or to the nearest vertex) the axis comes from."""
-        kind, role, ids = test.source
+        (kind, _, ids), role = test.source, test.source.shape or "ink"
         if kind in (EDGE, HULL):
-            name, polygon = self.of(role)
+            name, polygon = self.polygon(role)
             p, q = (polygon.vertices[i] for i in ids)
             self.add("edge", "segment", role, p, q, weight="strong")
             if told:
@@ -105,19 +112,17 @@ class Sketch:
             if told:
                 self.label("edge.name", telling.vector(Vec(q.x - p.x, q.y - p.y)), "ink", self.middle(p, q), first=1)
 
-    def joined(self, test: AxisTest) -> tuple[Vec, Vec]:
+    def joined(self, test: AxisTest) -> Segment:
         """The two points whose difference is the axis: A's, then B's."""
-        ends = []
-        for role, _, shape in self.pair():
-            at_vertex = test.source.kind == VERTEX and test.source.shape == role
-            ends.append(shape.vertices[test.source.ids[0]] if at_vertex else shape.center)
-        return ends[0], ends[1]
+        both = self.trace.a, self.trace.b
+        p, q = (s.center if isinstance(s, Circle) else s.vertices[test.source.ids[0]] for s in both)
+        return p, q
 
-    def normal_arrow(self, test: AxisTest) -> tuple[Vec, Vec] | None:
+    def normal_arrow(self, test: AxisTest) -> Segment | None:
         """Tail and tip of the axis's direction where it comes from; None for an axis from nowhere."""
         kind, role, ids = test.source
         if kind in (EDGE, HULL):
-            _, polygon = self.of(role)
+            _, polygon = self.polygon(role)
             start = self.middle(*(polygon.vertices[i] for i in ids))
         elif kind in (CENTERS, VERTEX):
             start = self.middle(*self.joined(test))
@@ -182,13 +187,8 @@ class Sketch:
                 prefer = Vec(place.out.x * (1 if role == "B" else -1), place.out.y * (1 if role == "B" else -1))
                 prefer = Vec(prefer.x + place.n.x * way * 0.5, prefer.y + place.n.y * way * 0.5)
                 mark = f"axis.{number}.{name}.{'lowest' if way < 0 else 'highest'}"
-                self.label(
-                    mark,
-                    f"{who}: {telling.number(end)}" if who else telling.number(end),
-                    role,
-                    place.at(end),
-                    prefer=prefer,
-                )
+                text = f"{who}: {telling.number(end)}" if who else telling.number(end)
+                self.label(mark, text, role, place.at(end), prefer=prefer)
 
     def landed_names(self, name: str, shape: Shape, side: Projection, end: float) -> str:
         """Who landed at an end of the range, if the owner named the vertices: "v1, v2"."""
@@ -252,7 +252,7 @@ class Sketch:
 
     # -- lines, moves, words
 
-    def line_across(self, mark_id: str, through: Vec, normal: Vec, role: str, *, weight: str = "plain") -> tuple:
+    def line_across(self, mark_id: str, through: Vec, normal: Vec, role: str, *, weight: str = "plain") -> Segment:
         """The part of a line (through a point, across a normal) that lies well inside the canvas."""
         x0, y0, x1, y1 = self.layout.limits
         rim = self.layout.units(14)

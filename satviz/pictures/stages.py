@@ -206,8 +206,9 @@ def draw_move(drawing: Sketch) -> None:
         return
     ghost = shifted(trace.b, move)
     drawing.shape("B", f"{trace.names.b} moved", ghost, weight="faint", named=False)
-    start = trace.certificate.point
-    tip = moved(start, move, 1.0)
+    certificate = trace.certificate
+    assert isinstance(certificate, SharedPoint)  # as of all that overlap
+    start, tip = certificate.point, moved(certificate.point, move, 1.0)
     drawing.add("mtv", "arrow", "overlap", start, tip, weight="strong")
     drawing.label("mtv.name", f"MTV {telling.vector(move)}", "overlap", tip, prefer=move, first=3)
 

@@ -5,10 +5,11 @@ from math import hypot
 
 from ..engine import telling
 from ..engine.axes import EDGE, GIVEN, WORLD, Choice
+from ..engine.certificate import SeparatingLine
 from ..engine.concave import named_parts
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
-from ..engine.shapes import Polygon, Shape
+from ..engine.shapes import Circle, Polygon, Shape
 from ..engine.trace import Trace, record
 from .layout import arrange
 from .marks import Picture
@@ -69,7 +70,8 @@ def at_once(trace: Trace, *, kinds: Sequence[str] = (EDGE, WORLD, GIVEN), title:
 
 def separation(trace: Trace, *, title: str = "") -> Picture:
     """The separating axis and the separating line, each named: the line runs across the axis."""
-    test = trace.separating
+    test, certificate = trace.separating, trace.certificate
+    assert test and isinstance(certificate, SeparatingLine)  # it is for shapes that an axis separates
     i = trace.tests.index(test)
     layout = scene_layout(trace)
     drawing = Sketch(trace, layout)
@@ -83,8 +85,8 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
     for role in "AB":
         drawing.range(test, place, i + 1, role)
     drawing.gap(test, place, i + 1)
-    line = telling.line(trace.certificate)
-    separating_line(drawing, trace.certificate, f"separating line: {line}")
+    line = telling.line(certificate)
+    separating_line(drawing, certificate, f"separating line: {line}")
     return drawing.finish(
         title, f"The separating axis is {name}; the separating line {line} runs across it, through the gap."
     )
@@ -92,14 +94,14 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
 
 def radii(trace: Trace, *, title: str = "") -> Picture:
     """Two circles: centres, radii, and the distance between the centres against the sum of the radii."""
+    a, b, test = trace.a, trace.b, trace.tests[0]
+    assert isinstance(a, Circle) and isinstance(b, Circle)
     layout = scene_layout(trace)
     drawing = Sketch(trace, layout)
-    test = trace.tests[0]
-    p, q = trace.a.center, trace.b.center
+    p, q = a.center, b.center
     drawing.shapes()
     drawing.add("distance", "segment", "ink", p, q)
-    sides = ("A", trace.a, Vec(-1.0, 0.0)), ("B", trace.b, Vec(1.0, 0.0))
-    for role, circle, _ in sides:
+    for role, circle in ("A", a), ("B", b):
         drawing.add(f"{role}.center", "dot", role, circle.center)
         across = Vec(-test.axis.direction.y, test.axis.direction.x)
         rim = Vec(circle.center.x + across.x * circle.radius, circle.center.y + across.y * circle.radius)
@@ -108,7 +110,7 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
         text = f"r{'12'[role == 'B']} = {telling.number(circle.radius)}"
         drawing.label(f"{role}.radius.name", text, role, half, prefer=Vec(-1.0, 0.3), first=1)
     # on this axis the gap is the distance less both radii, so the trace has the distance
-    reach = trace.a.radius + trace.b.radius
+    reach = a.radius + b.radius
     distance = telling.number(test.gap + reach)
     compare = ">" if test.gap > 0 else "<" if test.gap < 0 else "="
     drawing.label("distance.name", f"distance {distance}", "ink", drawing.middle(p, q), prefer=Vec(0.3, -1.0), first=1)
@@ -127,6 +129,7 @@ def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title:
     """The circle of a circle and polygon pair with one axis: its parts, or the two points that land furthest."""
     test = trace.tests[number]
     side, circle = (test.a, trace.a) if role == "A" else (test.b, trace.b)
+    assert isinstance(circle, Circle)
     name = trace.names["AB".index(role)]
     layout = arrange([circle], [test._replace(a=side, b=side)])
     place = layout.places[0]
@@ -208,6 +211,6 @@ def split(trace: Trace, *, title: str = "") -> Picture:
     return drawing.finish(title, f"{'; '.join(parts)}. {' '.join(p.sentence for p in trace.pairs)} {trace.sentence}")
 
 
-def _split_shapes(trace: Trace):
+def _split_shapes(trace: Trace) -> list[tuple[str, list[tuple[Shape, str]]]]:
     found = [(n, named_parts(s, n)) for n, s in zip(trace.names, (trace.a, trace.b), strict=True)]
     return [(n, parts) for n, parts in found if len(parts) > 1]

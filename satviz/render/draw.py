@@ -1,6 +1,6 @@
 """sv.draw: one step of a trace on a matplotlib Figure, or on Axes of one's own."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, overload
 
 from matplotlib.axes import Axes
 
@@ -10,15 +10,24 @@ from .files import canvas
 from .pen import Pen
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.figure import Figure
 
 
 _PEN = "_satviz_pen"  # kept on the Axes themselves, so that it goes when they go
 
 
+@overload
+def draw(what: Trace | Picture, step: int | Step = -1, *, ax: None = None, theme: str = "light") -> "Figure": ...
+
+
+@overload
+def draw(what: Trace | Picture, step: int | Step = -1, *, ax: Axes, theme: str = "light") -> "dict[str, Artist]": ...
+
+
 def draw(
     what: Trace | Picture, step: int | Step = -1, *, ax: Axes | None = None, theme: str = "light"
-) -> "Figure | dict":
+) -> "Figure | dict[str, Artist]":
     """Draw a step of a trace (or a picture) with matplotlib.
 
     Without `ax` the result is a new Figure (no pyplot); with it the marks go on those
@@ -44,10 +53,10 @@ def draw(
 
 def _pen(ax: Axes, theme: Theme) -> Pen:
     """The Axes' own pen, so that a second picture takes the place of the first; a new one after ax.clear()."""
-    pen = getattr(ax, _PEN, None)
+    pen: Pen | None = getattr(ax, _PEN, None)
     there = pen is not None and pen.fills in ax.collections
-    if not there or pen.theme != theme:
-        if there:
+    if pen is None or not there or pen.theme != theme:
+        if pen is not None and there:
             pen.remove()
         pen = Pen(ax, theme)
         setattr(ax, _PEN, pen)

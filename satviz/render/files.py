@@ -5,6 +5,7 @@ import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from threading import RLock
+from typing import TYPE_CHECKING, Any
 from xml.sax.saxutils import escape
 
 import matplotlib
@@ -16,13 +17,16 @@ from ..engine import telling
 from ..pictures import LIGHT, Picture, Theme
 from .pen import Pen
 
+if TYPE_CHECKING:
+    from matplotlib.typing import RcKeyType
+
 MAKER = f"{MADE_BY} with matplotlib {matplotlib.__version__}"
 FORMATS = ("svg", "png", "pdf")
 DPI = 144  # of PNG and GIF: twice the canvas's points
 FRAME, LAST_FRAME = 1200, 4000  # milliseconds a step of a GIF stays
 
 _LOCK = RLock()
-_STYLE = {
+_STYLE: "dict[RcKeyType, Any]" = {
     "svg.fonttype": "none",
     "font.family": ["sans-serif"],
     # the first ships with matplotlib; the others have its widths, for browsers without it
@@ -45,7 +49,7 @@ def canvas(size: tuple[float, float], theme: Theme = LIGHT) -> tuple[Figure, Pen
 
 
 @contextmanager
-def styled(more: dict | None = None) -> Iterator[None]:
+def styled(more: "dict[RcKeyType, Any] | None" = None) -> Iterator[None]:
     """matplotlib's settings are the whole process's: one thread at a time changes and restores them."""
     with _LOCK, matplotlib.rc_context({**_STYLE, **(more or {})}), warnings.catch_warnings():
         # a letter the font lacks is a square in PNG and PDF; an SVG shows it where the reader has a font
@@ -74,8 +78,8 @@ def encode_figure(drawn: Callable[[], Figure], form: str, *, stem: str, title: s
             words = {"Title": title, "Description": sentence, "Software": MAKER}
             fig.savefig(out, format="png", dpi=DPI, metadata=words)
         elif form == "pdf":
-            words = {"Title": title, "Subject": sentence, "Creator": MAKER, "CreationDate": None}
-            fig.savefig(out, format="pdf", metadata=words)
+            about = {"Title": title, "Subject": sentence, "Creator": MAKER, "CreationDate": None}
+            fig.savefig(out, format="pdf", metadata=about)
         elif form == "svg":
             fig.savefig(out, format="svg", metadata={"Title": title, "Creator": MAKER, "Date": None})
             return _described(out.getvalue().decode(), stem, title, sentence).encode()
@@ -115,11 +119,12 @@ def animate(pictures: Sequence[Picture], theme: Theme = LIGHT) -> bytes:
     frames = []
     with styled():
         fig, pen = canvas(pictures[0].size, theme)
+        agg: Any = fig.canvas  # matplotlib gives Agg's own methods no types
         for picture in pictures:
             pen.draw(picture)
-            fig.canvas.draw()
-            size = fig.canvas.get_width_height()
-            frame = Image.frombuffer("RGBA", size, fig.canvas.buffer_rgba(), "raw", "RGBA", 0, 1)
+            agg.draw()
+            size = agg.get_width_height()
+            frame = Image.frombuffer("RGBA", size, agg.buffer_rgba(), "raw", "RGBA", 0, 1)
             frames.append(frame.convert("RGB").quantize(128, dither=Image.Dither.NONE))
     out = io.BytesIO()
     times = [FRAME] * (len(frames) - 1) + [LAST_FRAME]

@@ -1,5 +1,6 @@
 """What a notebook shows of a picture, a trace, a scene or a shape: its text and its picture."""
 
+from collections.abc import Callable
 from typing import Any
 from zlib import crc32
 
@@ -13,6 +14,7 @@ from .files import inline_svg
 
 def bundle(what: Any) -> dict[str, str]:
     """The MIME bundle: plain text, and the picture as SVG where it can be drawn."""
+    make: Callable[[], Picture]
     if isinstance(what, Picture):
         text, make = telling.printable(repr(what)), lambda: what
     elif isinstance(what, (Circle, Polygon)):

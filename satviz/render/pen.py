@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from math import hypot
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from matplotlib.collections import PathCollection
@@ -20,6 +20,11 @@ if TYPE_CHECKING:
 
 # drawing order: fills, then what guides, then the shapes, then what the step is about
 LAYERS = {"guide": 0, "faint": 1, "plain": 2, "strong": 3, "interval": 4, "bracket": 5}
+
+Colour = tuple[float, float, float, float]
+Style = Literal["solid"] | tuple[float, Sequence[float]]
+Filled = tuple[Path, Colour]
+Stroke = tuple[int, Path, Colour, float, Style]  # layer, path, colour, width, line style
 
 
 class Pen:
@@ -49,7 +54,9 @@ class Pen:
         Marks of one kind share a collection, so several ids may give one artist.
         """
         self._view(picture)
-        fills, strokes, solids = [], [], []
+        fills: list[Filled] = []
+        solids: list[Filled] = []
+        strokes: list[Stroke] = []
         artists: dict[str, Artist] = {}
         labels = [mark for mark in picture.marks if mark.kind == "label"]
         for mark in picture.marks:
@@ -69,9 +76,9 @@ class Pen:
         _fill(self.fills, fills)
         _fill(self.solids, solids)
         self.strokes.set_paths([stroke[1] for stroke in strokes])
-        self.strokes.set_edgecolors([stroke[2] for stroke in strokes])
-        self.strokes.set_linewidths([stroke[3] for stroke in strokes])
-        self.strokes.set_linestyles([stroke[4] for stroke in strokes])
+        self.strokes.set_edgecolor([stroke[2] for stroke in strokes])
+        self.strokes.set_linewidth([stroke[3] for stroke in strokes])
+        self.strokes.set_linestyle([stroke[4] for stroke in strokes])
         self._write(labels, artists)
         return artists
 
@@ -86,10 +93,11 @@ class Pen:
         self.ax.set_ylim(y0, y1)
         self.ax.set_aspect("equal", adjustable="box")
 
-    def _stroke(self, mark: Mark, scale: float, colour: str) -> tuple:
-        """(layer, path, colour, width, line style) of one mark's line."""
+    def _stroke(self, mark: Mark, scale: float, colour: str) -> Stroke:
+        """One mark's line."""
         faint = mark.weight == "faint"
-        width, style = look.OUTLINE, "solid"
+        width = look.OUTLINE
+        style: Style = "solid"
         layer = LAYERS.get(mark.kind, LAYERS[mark.weight if mark.weight in LAYERS else "plain"])
         if mark.kind in ("outline", "disc"):
             path = _outline(mark)
@@ -136,9 +144,9 @@ class Pen:
             text.set_visible(False)
 
 
-def _fill(collection: PathCollection, shapes: Sequence[tuple]) -> None:
+def _fill(collection: PathCollection, shapes: Sequence[Filled]) -> None:
     collection.set_paths([path for path, _ in shapes])
-    collection.set_facecolors([colour for _, colour in shapes])
+    collection.set_facecolor([colour for _, colour in shapes])
 
 
 def _line(points: Sequence[Vec], *, pieces: bool) -> Path:

@@ -18,6 +18,7 @@ LIGHT_BODIES = 'body[data-jp-theme-light="true"]', "body.vscode-light"
 @cache
 def javascript(*names: str) -> str:
     """The named files (pen, player ...) as one module, after the theme's numbers."""
+    numbers: dict[str, float | tuple[float, float]]
     numbers = {"outline": look.OUTLINE, "strong": look.STRONG, "bar": look.BAR, "overlapBar": look.OVERLAP_BAR}
     numbers |= {"guide": look.GUIDE, "axis": look.AXIS, "fill": look.FILL, "dot": look.DOT, "head": look.HEAD}
     numbers |= {"dash": look.DASH, "dotted": look.DOTTED, "text": look.TEXT, "titleText": look.TITLE_TEXT}
