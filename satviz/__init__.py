@@ -1,6 +1,6 @@
 """satviz: 2D collision detection by the Separating Axis Theorem, made visible.
 
-The engine needs the standard library only; pictures load matplotlib at first use.
+The engine and the pictures need the standard library only; drawing loads matplotlib at first use.
 """
 
 from typing import TYPE_CHECKING

@@ -1,13 +1,13 @@
 """Where things go: the limits of a scene, each axis clear of the shapes, each label clear of everything."""
 
 from collections.abc import Iterable, Sequence
-from functools import cache, lru_cache
 from typing import NamedTuple
 
 from ..engine import telling
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Shape
+from . import letters
 from .marks import Limits
 from .theme import text_size
 
@@ -212,29 +212,8 @@ def _segments_meet(s: tuple[Vec, Vec], t: tuple[Vec, Vec]) -> bool:
     return side(*s, t[0]) * side(*s, t[1]) < 0 and side(*t, s[0]) * side(*t, s[1]) < 0
 
 
-@cache
-def _font():
-    """matplotlib's own copy of the font, asked for widths only."""
-    import matplotlib
-    from matplotlib.ft2font import FT2Font
-
-    font = FT2Font(matplotlib.get_data_path() + "/fonts/ttf/DejaVuSans.ttf")
-    font.set_size(10, 72)
-    return font
-
-
-@lru_cache(maxsize=4096)
-def _advance(char: str) -> float:
-    """A letter's width as a part of the text size; one the font lacks is taken for a full square."""
-    from matplotlib.ft2font import LoadFlags
-
-    if not _font().get_char_index(ord(char)):
-        return 1.0
-    return _font().load_char(ord(char), LoadFlags.NO_HINTING).linearHoriAdvance / 655360
-
-
 def text_box(text: str, weight: str = "plain") -> tuple[float, float]:
     """Width and height of a label in points."""
     size = text_size(weight)
     lines = text.split("\n")
-    return max(sum(map(_advance, line)) for line in lines) * size, len(lines) * size * 1.2
+    return max(letters.width(line) for line in lines) * size, len(lines) * size * 1.2
