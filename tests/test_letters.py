@@ -31,7 +31,7 @@ def test_the_tables_stay_small():
     assert sum(path.stat().st_size for path in TABLES.iterdir()) < 60_000
 
 
-@pytest.mark.parametrize("weight", ["plain"])
+@pytest.mark.parametrize("weight", ["plain", "title"])
 @pytest.mark.parametrize("words", WORDS)
 def test_a_label_takes_the_room_that_the_pen_fills(words, weight):
     with styled():

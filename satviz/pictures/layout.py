@@ -216,4 +216,4 @@ def text_box(text: str, weight: str = "plain") -> tuple[float, float]:
     """Width and height of a label in points."""
     size = text_size(weight)
     lines = text.split("\n")
-    return max(letters.width(line) for line in lines) * size, len(lines) * size * 1.2
+    return max(letters.width(line, bold=weight == "title") for line in lines) * size, len(lines) * size * 1.2
