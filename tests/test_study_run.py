@@ -20,9 +20,9 @@ from satviz.study import accuracy, plain, run, stability, truth
 from satviz.study.cells import Cell, Failure, Settings, results
 from satviz.study.chart import Chart, axes, suffix, wilson
 from satviz.study.hard import WAYS
-from satviz.study.methods import methods, outlines, shapes
+from satviz.study.methods import judged, methods, mistakes, outlines, shapes, times_wrong
 from satviz.study.run import charts, study
-from satviz.study.workloads import STUDIED
+from satviz.study.workloads import STUDIED, nearly_touching
 
 pytestmark = pytest.mark.slow
 
@@ -48,6 +48,16 @@ def stable():
         for level in way.levels:
             found[f"stability-{way.name.replace(' ', '-')}-{level}"] = stability.count_wrong(i, level, 30, QUICK)
     return found
+
+
+def test_a_touch_taken_for_an_overlap_is_a_mistake_of_who_tells_them_apart():
+    right = np.array([0, 1, 2, 1])
+    assert mistakes(np.array([0, 2, 1, 1]), right) == {"false_hits": 0, "false_misses": 0, "confused": 2}
+    assert mistakes(np.array([1, 2, 1, 0]), right) == {"false_hits": 1, "false_misses": 1, "confused": 2}
+    assert mistakes(right > 0, right) == {"false_hits": 0, "false_misses": 0, "confused": 0}
+    exact = [m for m in methods(circles=False) if m.family == "exact"]
+    rows = judged(exact, *nearly_touching(np.random.default_rng(1), 40))[1]
+    assert len(rows) == len(exact) and not any(map(times_wrong, rows))
 
 
 @pytest.mark.parametrize("name", STUDIED)

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from ..pictures import Theme
 from .cells import Cell, Settings
 from .chart import TEXT, Chart, axes, colour, headline, label_points, wilson
-from .methods import Method, judged, methods, shapes
+from .methods import Method, judged, methods, shapes, times_wrong
 from .timing import in_turn
 from .workloads import STUDIED, Side
 
@@ -108,9 +108,9 @@ def _rows(workload: str, results: dict[str, Any]) -> Rows:
     for count in counted["methods"]:
         key = count["form"], count["method"]
         t, method, of = times[key], known[key], counted["checked"]
-        low, high = wilson(count["false_hits"] + count["false_misses"], of)
+        low, high = wilson(times_wrong(count), of)
         facts = {"workload": workload, **count, "series": method.series, "checked": of}
-        rate = {"rate": (count["false_hits"] + count["false_misses"]) / of, "rate_low": low, "rate_high": high}
+        rate = {"rate": times_wrong(count) / of, "rate_low": low, "rate_high": high}
         ns = {f"ns_{k}": round(t[k], 2) for k in ("median", "least", "low", "high")}
         rows.append(facts | rate | ns | {"ns_setup": round(t["setup"], 2)})
     for form in FORMS:
@@ -246,7 +246,7 @@ def _ticks(top: Axes, under: Axes, of: int) -> None:
 def _reading(rows: Rows, name: str) -> str:
     """What one panel shows, in words."""
     exact = min((row for row in rows if row["family"] == "exact"), key=lambda row: row["ns_median"])
-    wrong = [row for row in rows if row["false_hits"] + row["false_misses"]]
+    wrong = [row for row in rows if times_wrong(row)]
     worst = max(wrong, key=lambda row: row["rate"]) if wrong else None
     front = [row["method"] for row in sorted(rows, key=lambda row: row["ns_median"]) if row["on_front"]]
     of = rows[0]["checked"]
@@ -264,7 +264,8 @@ def _reading(rows: Rows, name: str) -> str:
 
 
 def _kinds(row: dict) -> str:
-    return f"{row['false_hits']:,} false hits, {row['false_misses']:,} false misses"
+    confused = f", {row['confused']:,} touches confused with overlaps" if row.get("confused") else ""
+    return f"{row['false_hits']:,} false hits, {row['false_misses']:,} false misses{confused}"
 
 
 def _time(ns: float) -> str:

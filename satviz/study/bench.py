@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from .. import batch
 from . import truth
 from .machine import installed
-from .methods import methods, shapes
+from .methods import methods, mistakes, shapes
 from .timing import in_turn
 from .workloads import LAYOUTS, WORKLOADS
 
@@ -55,7 +55,7 @@ def bench(pairs: int, rounds: int, seed: int, checked: int = 2000) -> Iterator[R
         for name, make in WORKLOADS.items():
             a, b = make(np.random.default_rng(seed), pairs)
             few = [(s[0][:checked], s[1][:checked]) if isinstance(s, tuple) else s[:checked] for s in (a, b)]
-            right = np.array([truth.relation(p, q) > 0 for p, q in zip(*map(shapes, few))])
+            right = np.array([truth.relation(p, q) for p, q in zip(*map(shapes, few))])
             jobs: dict[str, Callable[[], Any]] = {}
             items: dict[str, int] = {}
             for method in methods(circles=isinstance(a, tuple)):
@@ -68,11 +68,11 @@ def bench(pairs: int, rounds: int, seed: int, checked: int = 2000) -> Iterator[R
                 items[label] = checked if scalar else pairs
                 if label in THREADED:
                     halves = {"engine": THREADED[label], "executor": pool, "chunk": -(-pairs // 2)}
-                    jobs[f"{label}, 2 threads"] = partial(batch.hits, *mine, **halves)
+                    jobs[f"{label}, 2 threads"] = partial(batch.relate, *mine, **halves)
                     items[f"{label}, 2 threads"] = pairs
-            answers = {label: np.asarray(job())[:checked].astype(bool) for label, job in jobs.items()}
+            answers = {label: np.asarray(job())[:checked] for label, job in jobs.items()}
             for label, times in in_turn(jobs, rounds, items).items():
-                wrong = int((answers[label] != right).sum())
+                wrong = sum(mistakes(answers[label], right).values())
                 yield Row(name, label, times.median, times.least, wrong, checked)
 
 

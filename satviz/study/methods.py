@@ -56,16 +56,27 @@ def methods(*, circles: bool) -> list[Method]:
 
 
 def judged(found: Iterable[Method], a: Side, b: Side) -> tuple[int, list[dict]]:
-    """How many pairs are hits, and the false hits and false misses of each method, against rationals."""
+    """How many pairs are hits, and the mistakes of each method, against rationals."""
     known = shapes(a), shapes(b)
-    right = np.array([truth.relation(p, q) > 0 for p, q in zip(*known, strict=True)])
+    right = np.array([truth.relation(p, q) for p, q in zip(*known, strict=True)])
     rows = []
     for method in found:
         with np.errstate(all="ignore"):
-            said = np.asarray(method.hits(method.ready(a, known[0]), method.ready(b, known[1]))).astype(bool)
-        counts = {"false_hits": int((said & ~right).sum()), "false_misses": int((~said & right).sum())}
-        rows.append({"form": method.form, "method": method.name, "family": method.family, **counts})
-    return int(right.sum()), rows
+            said = np.asarray(method.hits(method.ready(a, known[0]), method.ready(b, known[1])))
+        rows.append({"form": method.form, "method": method.name, "family": method.family, **mistakes(said, right)})
+    return int((right > 0).sum()), rows
+
+
+def mistakes(said: np.ndarray, right: np.ndarray) -> dict[str, int]:
+    """False hits and false misses; of a method that tells touching from overlapping also the hits it confused."""
+    hit, is_hit = said > 0, right > 0
+    confused = 0 if said.dtype == bool else int((hit & is_hit & (said != right)).sum())
+    return {"false_hits": int((hit & ~is_hit).sum()), "false_misses": int((~hit & is_hit).sum()), "confused": confused}
+
+
+def times_wrong(row: dict) -> int:
+    """How many answers of a method were wrong, in whichever way."""
+    return row["false_hits"] + row["false_misses"] + row.get("confused", 0)  # older rows tell hits and misses only
 
 
 def shapes(side: Side) -> list[Shape]:
@@ -96,7 +107,7 @@ def _batch() -> Iterator[Method]:
 
     for engine in ("numpy", "numba"):
         if engine == "numpy" or installed("numba"):
-            yield Method(f"satviz {engine}", "batch", "exact", batched, partial(batch.hits, engine=engine))
+            yield Method(f"satviz {engine}", "batch", "exact", batched, partial(batch.relate, engine=engine))
     yield Method("bounding circles", "batch", "fewer axes", columns.around, columns.circles_overlap)
     for k in FIXED:
         kept = partial(columns.ranges, k=k)
@@ -130,8 +141,8 @@ def _scalar() -> Iterator[Method]:
     def choice(name: str, of: plain.Choice, pairs: str = "all", series: str = "") -> Method:
         return each(name, "fewer axes", plain.plain, partial(plain.sat, choice=of), pairs, series)
 
-    yield each("satviz.relate", "exact", _same, lambda a, b: relate(a, b) > 0)
-    yield each("satviz.record", "exact", _same, lambda a, b: record(a, b).hit)
+    yield each("satviz.relate", "exact", _same, relate)
+    yield each("satviz.record", "exact", _same, lambda a, b: record(a, b).relation)
     yield each("bounding circles", "fewer axes", plain.around, plain.circles_overlap)
     for k in FIXED:
         kept = partial(plain.ranges, directions=plain.spread(k))

@@ -9,7 +9,7 @@ from ..pictures import Theme
 from .cells import Cell, Settings
 from .chart import TEXT, Chart, axes, colour, headline, label_points
 from .hard import WAYS, Way
-from .methods import judged, methods
+from .methods import judged, methods, times_wrong
 
 # (form, name): a mark of its own, and what it is called here
 SHOWN = {
@@ -78,7 +78,7 @@ def _panel(ax: Axes, way: Way, rows: Rows, theme: Theme) -> None:
         mine = [row for row in rows if (row["form"], row["method"]) == key]
         if not mine:
             continue
-        rates = [_wrong(row) / row["checked"] for row in mine]
+        rates = [times_wrong(row) / row["checked"] for row in mine]
         if not any(rates):
             never.append(name)
             continue
@@ -129,16 +129,12 @@ def _sums(rows: Rows) -> dict[str, tuple[int, int, str]]:
     for row in rows:
         name = SHOWN[row["form"], row["method"]][1]
         wrong, of, family = found.get(name, (0, 0, row["family"]))
-        found[name] = wrong + _wrong(row), of + row["checked"], family
+        found[name] = wrong + times_wrong(row), of + row["checked"], family
     return found
 
 
 def _power(level: int) -> str:
     return "2" + str(level).translate(RAISED)
-
-
-def _wrong(row: dict) -> int:
-    return row["false_hits"] + row["false_misses"]
 
 
 def _reading(rows: Rows, ways: list[Way]) -> str:
@@ -149,9 +145,9 @@ def _reading(rows: Rows, ways: list[Way]) -> str:
     text = f"On {pairs:,} pairs at {levels} levels of {len(ways)} kinds of hardness, "
     text += f"never wrong: {', '.join(never) or 'none'}. "
     for way in ways:
-        worst = max((row for row in rows if row["way"] == way.name), key=lambda row: _wrong(row) / row["checked"])
-        if _wrong(worst):
+        worst = max((row for row in rows if row["way"] == way.name), key=lambda row: times_wrong(row) / row["checked"])
+        if times_wrong(worst):
             name, level = SHOWN[worst["form"], worst["method"]][1], _power(worst["level"])
-            share = _wrong(worst) / worst["checked"]
+            share = times_wrong(worst) / worst["checked"]
             text += f"By {way.axis}, the worst is {name}: {share:.0%} wrong at {level}. "
     return text.strip()
