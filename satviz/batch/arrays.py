@@ -6,10 +6,12 @@ padded: a repeated vertex would be an edge without a direction.
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, SupportsIndex
 
 import numpy as np
 from numpy.typing import NDArray
+
+Where = SupportsIndex | slice | Sequence[int] | NDArray[np.integer[Any] | np.bool_]  # one, a range, indices, a mask
 
 
 class Group(NamedTuple):
@@ -27,7 +29,7 @@ class Group(NamedTuple):
     reach: float
     upright: bool = False
 
-    def columns(self, where: Any) -> "Group":
+    def columns(self, where: slice | NDArray[np.integer[Any] | np.bool_]) -> "Group":
         """Some of the shapes, by slice or index array."""
         r = None if self.r is None else self.r[where]
         return self._replace(x=self.x[:, where], y=self.y[:, where], r=r)
@@ -79,7 +81,7 @@ class Shapes:
         """The convex parts as shapes of their own."""
         return self if self.owner is None else Shapes(self.groups, self.count, self.slot)
 
-    def __getitem__(self, where: Any) -> "Shapes":
+    def __getitem__(self, where: Where) -> "Shapes":
         """Some of the shapes by slice, index array or mask; one by its index is a batch of one.
 
         Shapes count, not parts.  IndexError for what is out of range.
@@ -133,7 +135,7 @@ def _kind(v: int) -> str:
     return "circle" if v == 1 else f"{v}-gon"
 
 
-def checked(shapes: Any, name: str) -> Shapes:
+def checked(shapes: object, name: str) -> Shapes:
     """The batch itself; TypeError says how to make one of anything else."""
     if isinstance(shapes, Shapes):
         return shapes

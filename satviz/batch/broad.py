@@ -1,10 +1,9 @@
 """The broad phase: which boxes meet, by uniform grids, one for each pair of size classes."""
 
 from collections.abc import Generator, Iterator
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 Pairs = NDArray[np.intp]
 
@@ -13,7 +12,7 @@ CHEAP = 128  # looks a box that are not worth a split: a look is far cheaper tha
 ALIKE = 4.0
 
 
-def candidate_pairs(bounds: Any) -> Pairs:
+def candidate_pairs(bounds: ArrayLike) -> Pairs:
     """(K, 2) indices i < j, in order, of the boxes that meet (closed); bounds: (N, 4) x min, y min, x max, y max.
 
     ValueError for boxes that are not finite or turned inside out.

@@ -6,6 +6,7 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..engine.geometry import InvalidShape
 from . import door
@@ -46,7 +47,7 @@ def colliding_pairs(
 
 
 def stream_colliding_pairs(
-    vertices: Any,
+    vertices: NDArray[Any],
     *,
     engine: str | None = None,
     executor: Executor | None = None,

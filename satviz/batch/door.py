@@ -10,6 +10,11 @@ from ..engine import outline
 from ..engine.geometry import InvalidShape
 from ..engine.shapes import Polygon
 
+# Taken in more forms than a type can say, so type checkers let anything through and the door judges it.
+Rings = Any  # an (N, V, 2) array, or a sequence of what satviz.Polygon takes
+Points = Any  # an (N, 2) array, or a sequence of what satviz.Circle takes as its center
+Numbers = Any  # an (N,) array, a sequence of numbers, or one number
+
 
 def rings(vertices: NDArray[Any], name: Callable[[int], str]) -> NDArray[np.float64]:
     """An (N, V, 2) array in float64; InvalidShape names the first number that is none."""
@@ -32,7 +37,7 @@ def ring(vertices: Any, name: str) -> NDArray[np.float64]:
         raise InvalidShape(f"{name}: {error}") from None
 
 
-def points(values: Any, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
+def points(values: Points, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
     """(N, 2) float64 from an array or a sequence of points."""
     if not _is_plain(values):
         return np.array([outline.point(p, item(i)) for i, p in enumerate(listed(values, name))]).reshape(-1, 2)
@@ -41,7 +46,7 @@ def points(values: Any, name: str, item: Callable[[int], str]) -> NDArray[np.flo
     return floats(values, name, lambda i, k: f"{item(i)}.{'xy'[k]}")
 
 
-def numbers(values: Any, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
+def numbers(values: Numbers, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
     """(N,) float64 from an array or a sequence of numbers, or () from one."""
     if _is_plain(values):
         return floats(values, name, lambda *i: item(i[0]) if i else name)

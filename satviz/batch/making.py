@@ -1,7 +1,6 @@
 """Circles and Polygons: many shapes checked at the door and sorted into groups."""
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +16,7 @@ Indices = NDArray[np.intp]
 Mask = NDArray[np.bool_]
 
 
-def Circles(centers: Any, radii: Any) -> Shapes:
+def Circles(centers: door.Points, radii: door.Numbers) -> Shapes:
     """Circles from (N, 2) centers and (N,) radii, or one radius (scene units); InvalidShape names the first bad one."""
     centers = door.points(centers, "centers", lambda i: f"circle {i}: center")
     n = len(centers)
@@ -34,7 +33,7 @@ def Circles(centers: Any, radii: Any) -> Shapes:
     return Shapes({1: group}, np.ones(n, np.int64), np.arange(n))
 
 
-def Polygons(vertices: Any, *, concave: str = "refuse") -> Shapes:
+def Polygons(vertices: door.Rings, *, concave: str = "refuse") -> Shapes:
     """Convex polygons from an (N, V, 2) array, or a sequence of what satviz.Polygon takes, in scene units.
 
     Either winding, repeats and straight-on vertices are allowed.  `concave="split"`
@@ -45,7 +44,7 @@ def Polygons(vertices: Any, *, concave: str = "refuse") -> Shapes:
     return polygons_numbered(vertices, None, concave)
 
 
-def polygons_numbered(vertices: Any, numbers: Indices | None, concave: str) -> Shapes:
+def polygons_numbered(vertices: door.Rings, numbers: Indices | None, concave: str) -> Shapes:
     """The same for some of more: `numbers` are what errors call them."""
     if concave not in ("refuse", "split"):
         raise ValueError(f'concave is {concave!r}: choose "refuse" or "split"')

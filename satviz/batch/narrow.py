@@ -6,10 +6,10 @@ from concurrent.futures import Executor, ThreadPoolExecutor
 from functools import cache
 from importlib.util import find_spec
 from types import ModuleType
-from typing import Any
+from typing import TypedDict, Unpack
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..extras import needs
 from . import undecided
@@ -21,10 +21,19 @@ Relations = NDArray[np.int8]
 Indices = NDArray[np.intp]
 
 
+class Options(TypedDict, total=False):
+    """How the work is done, as `relate` says."""
+
+    engine: str | None
+    executor: Executor | None
+    progress: Callable[[int, int], None] | None
+    chunk: int
+
+
 def relate(
     a: Shapes,
     b: Shapes,
-    pairs: Any = None,
+    pairs: ArrayLike | None = None,
     *,
     engine: str | None = None,
     executor: Executor | None = None,
@@ -64,7 +73,7 @@ def relate(
     return out
 
 
-def hits(a: Shapes, b: Shapes, pairs: Any = None, **options: Any) -> NDArray[np.bool_]:
+def hits(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, **options: Unpack[Options]) -> NDArray[np.bool_]:
     """Which pairs share a point (touching counts); the arguments of `relate`."""
     hit: NDArray[np.bool_] = relate(a, b, pairs, **options) != APART
     return hit
@@ -96,7 +105,7 @@ def filter_of(engine: str | None) -> ModuleType:
     return filter_numpy
 
 
-def _checked_pairs(pairs: Any, na: int, nb: int) -> tuple[Indices, Indices]:
+def _checked_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
     pairs = np.asarray(pairs)
     if pairs.ndim != 2 or pairs.shape[1] != 2 or (pairs.size and pairs.dtype.kind not in "iu"):
         raise ValueError(f"pairs has the shape {pairs.shape} of {pairs.dtype}: expected (K, 2) integers")
