@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 import satviz
 
 ROOT = Path(satviz.__file__).parent
@@ -106,6 +108,38 @@ def test_the_engine_loads_the_standard_library_only():
     )
     outside = set(run(code)) - set(sys.stdlib_module_names) - {"satviz"}
     assert not [m for m in outside if not m.startswith(("_", "sitecustomize", "usercustomize"))]
+
+
+def test_pictures_and_what_the_widgets_answer_load_the_standard_library_only():
+    """So any front end can ask them, where neither NumPy nor matplotlib nor a kernel is."""
+    code = (
+        "import sys; import satviz as sv\n"
+        "from satviz.widgets.exploring import Exploring; from satviz.widgets.showing import Showing\n"
+        "a, b = sv.Polygon([(0,0),(4,0),(4,2),(2,2),(2,4),(0,4)]), sv.Circle((6,6),1)\n"
+        "trace = sv.record(a, b); assert sv.picture(trace).marks\n"
+        "hand = Exploring(sv.Scene('mine', a, b)); before = hand.state()\n"
+        "pose = {'kind': 'pose', 'n': 1, 'a': before['a'], 'b': {'circle': [3, 3], 'radius': 2}}\n"
+        "for degree in None, 30:\n"
+        "    after = hand.answer(pose | {'degree': degree})\n"
+        "    assert before['relation'] == 'apart' and after['relation'] == 'overlapping', after\n"
+        "    assert after['picture']['marks'] != before['picture']['marks']\n"
+        "assert Showing(trace).picture() == sv.picture(trace)\n"
+        "assert len(Showing(trace).to_save({'form': 'gif'})) == len(sv.steps(trace))\n"
+        "print(*{m.split('.')[0] for m in sys.modules})"
+    )
+    loaded = set(run(code))
+    assert not loaded & {"matplotlib", "numpy", "PIL", "anywidget", "ipywidgets", "traitlets", "tqdm"}
+    outside = loaded - set(sys.stdlib_module_names) - {"satviz"}
+    assert not [m for m in outside if not m.startswith(("_", "sitecustomize", "usercustomize"))]
+
+
+@pytest.mark.parametrize("ask", ["sv.explore", "sv.play", "from satviz.widgets import Explorer"])
+def test_a_widget_that_lacks_its_extra_says_how_to_get_it(ask):
+    code = (
+        "import sys; sys.modules |= {'anywidget': None, 'traitlets': None, 'ipywidgets': None}\n"
+        f"import satviz as sv\ntry:\n    {ask}\nexcept ImportError as error:\n    print(error)"
+    )
+    assert "a widget needs the extra 'jupyter'" in " ".join(run(code))
 
 
 def test_importing_satviz_loads_no_room_it_does_not_need():

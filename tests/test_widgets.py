@@ -8,8 +8,10 @@ import pytest
 
 import satviz as sv
 from satviz.engine.geometry import Relation
+from satviz.pictures import playback
 from satviz.pictures.caption import captioned
 from satviz.render.files import encode
+from satviz.widgets.showing import Showing
 
 pytest.importorskip("anywidget", reason="anywidget is not installed")
 
@@ -64,7 +66,19 @@ def test_an_invalid_pose_says_why_and_changes_nothing(b, why):
     assert widget.scene == before and widget.trace.relation is Relation.APART
 
 
-@pytest.mark.parametrize("content", [{}, None, "pose", {"kind": "no"}, {"kind": "save", "form": "exe"}])
+@pytest.mark.parametrize(
+    "content",
+    [
+        {},
+        None,
+        "pose",
+        {"kind": "no"},
+        {"kind": "save", "form": "exe"},
+        {"kind": "save", "form": ["png"]},
+        {"kind": "save", "form": "png", "step": 1000},
+        {"kind": "save", "form": "png", "step": -1},
+    ],
+)
 def test_messages_that_mean_nothing_are_left_alone(content):
     widget = explorer()
     widget._heard(widget, content, [])
@@ -103,8 +117,9 @@ def test_presets_are_the_built_in_scenes():
     for name in widget.presets:
         widget._heard(widget, {"kind": "preset", "name": name}, [])
         assert widget.sent[-1][0]["kind"] == "state" and widget.scene == sv.scene(name)
-    widget._heard(widget, {"kind": "preset", "name": "nothing"}, [])
-    assert widget.sent[-1][0]["kind"] == "refused"
+    for name in ("nothing", None, ["circles"]):
+        widget._heard(widget, {"kind": "preset", "name": name}, [])
+        assert widget.sent[-1][0]["kind"] == "refused"
 
 
 def test_files_come_from_the_matplotlib_pen():
@@ -115,6 +130,24 @@ def test_files_come_from_the_matplotlib_pen():
         widget._heard(widget, {"kind": "save", "form": form, "step": 3, "which": 1}, [])
         content, (data,) = sent[-1]
         assert content["name"] == f"satviz.{form}" and data.startswith(magic)
+
+
+def test_the_step_that_is_saved_is_the_one_that_is_shown(monkeypatch):
+    """Also where a playback leaves steps out, since there are too many."""
+    monkeypatch.setattr(playback, "MOST_STEPS", 20)
+    trace = TRIANGLES.record().without_early_exit()
+    (shown,) = playback.playbacks(trace)
+    assert len(shown["steps"]) < len(sv.steps(trace))
+    for i, step in enumerate(shown["steps"]):
+        (drawn,) = Showing(trace).to_save({"form": "png", "step": i})
+        assert drawn.sentence == step["sentence"]
+
+
+def test_an_animation_of_too_many_steps_is_refused(monkeypatch):
+    monkeypatch.setattr(playback, "MOST_STEPS", 5)
+    widget = explorer()
+    widget._heard(widget, {"kind": "save", "form": "gif"}, [])
+    assert widget.sent[-1][0]["kind"] == "refused" and "too many to step through" in widget.sent[-1][0]["why"]
 
 
 WIDGETS = [

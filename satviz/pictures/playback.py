@@ -37,14 +37,10 @@ def playback(trace: Trace) -> dict[str, Any]:
     """Marks, steps, table and pseudo-code as JSON values; equal marks are stored once.
 
     steps: the marks by number, the sentence, the row of the table (None: no test), the
-    lines of the code; rows: those of `rows`.  Of very many tests only the last stage of
-    each is kept.  ValueError for a scene that cannot be drawn, or that has too many tests.
+    lines of the code; rows: those of `rows`.  ValueError for a scene that cannot be drawn,
+    or that has too many tests.
     """
-    every = steps(trace)
-    if len(every) > MOST_STEPS:
-        every = [step for step in every if step.test is None or step.stage is Stage.GAP]
-    if len(every) > MOST_STEPS:
-        raise ValueError(f"{len(every)} tests are too many to step through: at most {MOST_STEPS}")
+    every = played(trace)
     marks: dict[Mark, int] = {}
     found = []
     for step in every:
@@ -64,6 +60,16 @@ def playback(trace: Trace) -> dict[str, Any]:
         "rows": rows(trace),
         "code": [line.format(end=PROVED if proves else NOT_PROVED) for line, _ in CODE],
     }
+
+
+def played(trace: Trace) -> list[Step]:
+    """The steps of a playback: of very many tests only the last stage of each; ValueError for too many tests."""
+    every = steps(trace)
+    if len(every) > MOST_STEPS:
+        every = [step for step in every if step.test is None or step.stage is Stage.GAP]
+    if len(every) > MOST_STEPS:
+        raise ValueError(f"{len(every)} tests are too many to step through: at most {MOST_STEPS}")
+    return every
 
 
 def rows(trace: Trace) -> list[dict[str, Any]]:

@@ -9,10 +9,11 @@ import anywidget
 import traitlets
 
 from ..engine import telling
-from ..pictures import LIGHT, Picture, picture, steps
+from ..pictures import LIGHT, Picture
 from ..pictures.caption import captioned
 from ..render.files import animate, encode
 from ..render.script import javascript, stylesheet
+from .showing import Showing
 
 LOCK = RLock()  # a front end's messages can come on any thread
 
@@ -23,8 +24,9 @@ class Shown(anywidget.AnyWidget):
     _css = stylesheet()
     trace = traitlets.Any(help="the Trace that is shown; observe it to follow").tag(sync=False)
 
-    def __init__(self, **more: Any) -> None:
-        super().__init__(**more)
+    def __init__(self, showing: Showing, **more: Any) -> None:
+        self._showing = showing
+        super().__init__(trace=showing.trace, **more)
         self.on_msg(self._heard)
 
     def _heard(self, _widget: Any, content: Any, _buffers: Any) -> None:
@@ -34,39 +36,37 @@ class Shown(anywidget.AnyWidget):
             if content.get("kind") == "save":
                 self._save(content)
             else:
-                self.answer(content)
+                self._answer(content)
         if content.get("final") is False:
             stay_busy(self.comm)
 
-    def answer(self, content: dict) -> None:
-        """Answer a message from the browser."""
-
     def picture(self) -> Picture:
         """What is shown where no front end runs."""
-        return picture(self.trace)
+        return self._showing.picture()
 
-    def pictures(self, which: int) -> list[Picture]:
-        """All steps, for an animation."""
-        trace = self.trace.without_early_exit() if which else self.trace
-        return [picture(trace, i) for i in range(len(steps(trace)))]
-
-    def _save(self, content: dict) -> None:
-        form, step, which = (content.get(key) for key in ("form", "step", "which"))
-        if form == "gif":
-            data = animate(captioned(self.pictures(1 if which else 0)))
-        elif form in ("svg", "png"):
-            drawn = self.picture() if not isinstance(step, int) else self.pictures(1 if which else 0)[step]
-            data = encode(drawn, form, LIGHT)
-        else:
+    def _save(self, content: dict[str, Any]) -> None:
+        form = content.get("form")
+        try:
+            drawn = self._showing.to_save(content)
+        except ValueError as error:
+            self.send({"kind": "refused", "why": str(error)})
             return
-        self.send({"kind": "file", "name": f"satviz.{form}"}, [data])
+        if drawn:
+            data = animate(captioned(drawn)) if form == "gif" else encode(drawn[0], str(form), LIGHT)
+            self.send({"kind": "file", "name": f"satviz.{form}"}, [data])
+
+    def _answer(self, content: dict[str, Any]) -> None:
+        answer = self._showing.answer(content)
+        if answer is not None:
+            self.trace = self._showing.trace
+            self.send(answer)
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {self.trace.sentence}>"
 
-    def _repr_mimebundle_(self, **more: Any) -> tuple[dict, dict] | dict:
+    def _repr_mimebundle_(self, **more: Any) -> tuple[dict[str, Any], dict[str, Any]]:
         """The widget, and for where none runs the picture and the sentence."""
-        found = super()._repr_mimebundle_(**more)
+        found: Any = super()._repr_mimebundle_(**more)
         data, metadata = found if isinstance(found, tuple) else (found or {}, {})
         still = {"text/plain": telling.printable(repr(self)), "image/png": still_png(self.picture())}
         return {**data, **still}, metadata

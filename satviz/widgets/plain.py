@@ -4,7 +4,7 @@ import io
 from html import escape
 from typing import Any
 
-import ipywidgets as ui
+import ipywidgets as ui  # type: ignore[import-untyped]
 
 from ..engine import telling
 from ..engine.trace import Trace
@@ -13,7 +13,7 @@ from ..render.files import canvas, styled
 from .base import LOCK, still_png
 
 
-class PlainPlayer(ui.VBox):
+class PlainPlayer(ui.VBox):  # type: ignore[misc]
     """A slider, a play button and the picture, drawn anew on one Figure for each step."""
 
     def __init__(self, trace: Trace) -> None:
@@ -47,7 +47,7 @@ class PlainPlayer(ui.VBox):
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {self.trace.sentence}>"
 
-    def _repr_mimebundle_(self, **more: Any) -> dict:
+    def _repr_mimebundle_(self, **more: Any) -> dict[str, Any]:
         """The widget, and for where none runs the picture and the sentence (a box loses its children's)."""
         found = super()._repr_mimebundle_(**more) or {}
         return {**found, "text/plain": telling.printable(repr(self)), "image/png": still_png(picture(self.trace))}

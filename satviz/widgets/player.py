@@ -7,17 +7,18 @@ import traitlets
 from ..engine.trace import Trace
 from ..pictures.playback import playbacks
 from .base import Shown, code
+from .showing import Showing
 
 
 class Player(Shown):
     """The steps of a trace with their table, algorithm and sentences; it never plays by itself."""
 
     _esm = code("play")
-    shows = traitlets.List().tag(sync=True)
+    shows: traitlets.List[dict[str, Any]] = traitlets.List().tag(sync=True)
     predict = traitlets.Bool(False).tag(sync=True)
 
     def __init__(self, trace: Trace, *, predict: bool = False) -> None:
-        super().__init__(trace=trace, shows=playbacks(trace), predict=predict)
+        super().__init__(Showing(trace), shows=playbacks(trace), predict=predict)
 
 
 def play(trace: Trace, *, predict: bool = False, pen: str = "svg") -> Any:

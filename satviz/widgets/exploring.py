@@ -1,0 +1,137 @@
+"""A scene under the hand, without the widget: a pose is answered with the picture that follows."""
+
+from dataclasses import replace
+from math import isfinite
+from typing import Any, NamedTuple
+
+from ..engine.axes import directions
+from ..engine.geometry import InvalidScene, Vec
+from ..engine.trace import Trace, record
+from ..pictures import Picture
+from ..pictures.curve import direction, gap_curve
+from ..pictures.live import Chosen, field, fits, knob, live, telling_test, turned_axis
+from ..pictures.playback import rows
+from ..scenes.named import scene
+from ..scenes.scenefile import Scene, shape_data, shape_from
+from ..scenes.strictjson import typed
+from .showing import Showing
+
+
+class Drawn(NamedTuple):
+    """The picture, the row of its axis in the table (None: not in it), and the handle that turns a free axis."""
+
+    picture: Picture
+    lit: int | None = None
+    knob: Vec | None = None
+
+
+class Exploring(Showing):
+    """Two shapes to drag, turn and reshape, with the axis that tells most (or one chosen, or a free one).
+
+    ValueError for a scene that cannot be drawn.
+    """
+
+    def __init__(self, shown: Scene) -> None:
+        self._degree: float | None = None
+        self._way_out = False
+        self._start(shown)
+        self._settle()
+
+    def picture(self) -> Picture:
+        """The picture as it stands."""
+        return self._drawn.picture
+
+    def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
+        """A pose, or a preset by name: the state that follows, or why it cannot be."""
+        n = content.get("n")
+        try:
+            if content.get("kind") == "preset":
+                self._start(scene(typed(content.get("name"), "the preset", str)))
+            elif content.get("kind") == "pose":
+                self._pose(content)
+            else:
+                return None
+        except ValueError as error:
+            return {"kind": "refused", "n": n, "why": str(error)}
+        self._settle(final=bool(content.get("final", True)))
+        return {"kind": "state", "n": n, **self.state()}
+
+    def state(self) -> dict[str, Any]:
+        """All that a front end shows."""
+        trace, drawn = self.trace, self._drawn
+        found: dict[str, Any] = {
+            "picture": drawn.picture.data(),
+            "a": shape_data(self.scene.a),
+            "b": shape_data(self.scene.b),
+            "names": list(trace.names),
+            "relation": str(trace.relation),
+            "sentence": drawn.picture.sentence,
+            "rows": rows(trace),
+            "lit": drawn.lit,
+            "json": self.scene.to_json(),
+        }
+        if drawn.knob is not None:
+            found["curve"] = gap_curve(self.scene.a, self.scene.b, self._degree).data()
+            found["knob"] = list(drawn.knob)
+        return found
+
+    def _start(self, shown: Scene) -> None:
+        trace = _trace(shown)
+        self._layout = field(trace)
+        self.scene, self.trace = shown, trace
+        self._pinned: int | None = None
+        self._near: Vec | None = None  # the way the axis lay before, so that it stays on its side
+
+    def _pose(self, content: dict[str, Any]) -> None:
+        a, b = shape_from(content.get("a"), "A"), shape_from(content.get("b"), "B")
+        degree, pinned = content.get("degree"), content.get("pinned")
+        if degree is not None and not (isinstance(degree, (int, float)) and isfinite(degree)):
+            raise InvalidScene("the angle must be a number")
+        if pinned is not None and not isinstance(pinned, int):
+            raise InvalidScene("the axis shown must be a row's number")
+        changed = replace(self.scene, a=a, b=b)
+        trace = _trace(changed)
+        field(trace)  # refused where it cannot be drawn
+        if pinned != self._pinned or (degree is None) != (self._degree is None):
+            self._near = None
+        self._pinned, self._degree, self._way_out = pinned, degree, bool(content.get("wayOut"))
+        self.scene, self.trace = changed, trace
+
+    def _settle(self, *, final: bool = True) -> None:
+        """Draw; when a drag has ended the view is fitted anew if something lies outside."""
+        self._drawn = self._draw()
+        if final and not fits(self._drawn.picture):
+            self._layout = field(self.trace)
+            self._drawn = self._draw()
+
+    def _draw(self) -> Drawn:
+        trace = self.trace
+        if self._degree is not None:
+            free = record(self.scene.a, self.scene.b, axes=directions(direction(self._degree)))
+            drawn, place = turned_axis(free, self._layout, self._degree, near=self._near)
+            self._near = place.out
+            return Drawn(drawn, knob=knob(self._layout, place, self._degree))
+        chosen = self._choice()
+        drawn, place = live(trace, self._layout, chosen, way_out=self._way_out, near=self._near)
+        self._near = None if place is None else place.out
+        return Drawn(drawn, lit=None if chosen is None else _row_of(trace, chosen))
+
+    def _choice(self) -> Chosen | None:
+        """The axis that was asked for, as long as the trace has it; else the one that tells most."""
+        if self._pinned is not None:
+            row = 0
+            for pair, run in enumerate(self.trace.pairs or (self.trace,)):
+                if row <= self._pinned < row + len(run.tests):
+                    return Chosen(pair if self.trace.pairs else None, self._pinned - row)
+                row += len(run.tests) + len(run.skipped)
+        return telling_test(self.trace)
+
+
+def _trace(shown: Scene) -> Trace:
+    """Every axis, since the table shows them all."""
+    return shown.record().without_early_exit()
+
+
+def _row_of(trace: Trace, chosen: Chosen) -> int:
+    before = trace.pairs[: chosen.pair or 0]
+    return sum(len(run.tests) + len(run.skipped) for run in before) + chosen.test
