@@ -7,7 +7,6 @@ import pytest
 
 import satviz as sv
 from satviz.engine import axes
-from satviz.engine.exact import aligned
 from satviz.scenes.article import box
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
@@ -34,8 +33,7 @@ def sized(shape: sv.Polygon | sv.Circle, e: int) -> sv.Polygon | sv.Circle:
 
 
 def exact(axis, a, b):
-    core_a, core_b, _, _ = aligned(a, b)
-    return axes.exact_normal(axis, {"A": a, "B": b}, {"A": core_a, "B": core_b})
+    return axes.exact_dots(a, b, axis).normal
 
 
 # -- sources ---------------------------------------------------------------------------------------

@@ -5,14 +5,14 @@ smallest set that is complete for the pair.  The others are the article's
 shortcuts and the building blocks of a choice of one's own.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from math import gcd, hypot
 from typing import Any, NamedTuple
 
 from .exact import IntPoint, aligned, orient, to_float, to_int_points, to_integers
 from .geometry import Vec
 from .outline import point
-from .shapes import Circle, Polygon, Shape, centroid
+from .shapes import Shape, centroid
 
 EDGE, HULL, WORLD = "edge normal", "hull edge normal", "world"
 CENTERS, VERTEX, CENTROIDS = "centers", "nearest vertex", "centroids"
@@ -72,55 +72,47 @@ def needed(a: Shape, b: Shape) -> Choice:
     vertex (without it a circle off a corner is a false hit).  Polygons: edge normals
     without parallel repeats, B's first as in the article.
     """
-    if isinstance(a, Circle) and isinstance(b, Circle):
+    if a.radius and b.radius:
         return centers(a, b)
     # which side of a rectangle gives which axis does not matter: y and x serve all eight
-    upright = all(isinstance(s, Polygon) and s.is_upright_box for s in (a, b))
+    upright = a.is_upright_box and b.is_upright_box
     axes: list[Axis] = list(WORLD_AXES) if upright else []
     number = {(0, 1): 1, (1, 0): 2} if upright else {}
     skipped = []
     for shape, role in (b, "B"), (a, "A"):
-        if isinstance(shape, Polygon):
-            for axis, key in _own_normals(shape, role):
-                if key in number:
-                    skipped.append(Skip(axis, f"parallel to axis {number[key]}"))
-                else:
-                    axes.append(axis)
-                    number[key] = len(axes)
-    if isinstance(a, Circle) or isinstance(b, Circle):
+        for axis, key in _own_normals(shape, role):
+            if key in number:
+                skipped.append(Skip(axis, f"parallel to axis {number[key]}"))
+            else:
+                axes.append(axis)
+                number[key] = len(axes)
+    if a.radius or b.radius:
         vertex, why_not = _vertex_axis(a, b, number)
         if why_not:
             skipped.append(Skip(vertex, why_not))
         else:
             axes.append(vertex)
-    return Choice(tuple(axes), tuple(skipped), _convex(a) and _convex(b))
+    return Choice(tuple(axes), tuple(skipped), a.is_convex and b.is_convex)
 
 
 def world(a: Shape, b: Shape) -> Choice:
     """y and x: the AABB method; complete for upright boxes only."""
-    boxes = all(isinstance(s, Polygon) and s.is_upright_box for s in (a, b))
-    return Choice(WORLD_AXES, complete=boxes)
+    return Choice(WORLD_AXES, complete=a.is_upright_box and b.is_upright_box)
 
 
 def edge_normals(a: Shape, b: Shape) -> Choice:
     """Every edge normal of both shapes, B's first, parallel repeats included; not complete for circles."""
-    axes = _normals(b, "B") + _normals(a, "A")
-    return Choice(axes, complete=all(isinstance(s, Polygon) and s.is_convex for s in (a, b)))
+    return Choice(_normals(b, "B") + _normals(a, "A"), complete=_convex_polygons(a, b))
 
 
 def hull_normals(a: Shape, b: Shape) -> Choice:
     """The edge normals of both convex hulls, B's first; no gap on these proves that no line separates the polygons."""
     axes: list[Axis] = []
     for shape, role in (b, "B"), (a, "A"):
-        if isinstance(shape, Polygon):
-            k, points, _ = shape.integers
-            hull = _hull(shape.corners)
-            for i, j in zip(hull, [*hull[1:], hull[0]]):
-                normal = points[j][1] - points[i][1], points[i][0] - points[j][0]
-                kind = EDGE if (j - i) % len(points) == 1 else HULL
-                ids = tuple(sorted((shape.corner_ids[i], shape.corner_ids[j])))
-                axes.append(_axis(normal, k, Source(kind, role, ids)))
-    return Choice(tuple(axes), complete=all(isinstance(s, Polygon) and s.is_convex for s in (a, b)))
+        hull = _hull(shape.core)
+        for i, j in zip(hull, [*hull[1:], *hull[:1]]):
+            axes.append(_axis(*_edge_normal(shape, role, EDGE if (j - i) % len(shape.core) == 1 else HULL, i, j)))
+    return Choice(tuple(axes), complete=_convex_polygons(a, b))
 
 
 def edge_normals_of_a(a: Shape, b: Shape) -> Choice:
@@ -135,20 +127,17 @@ def edge_normals_of_b(a: Shape, b: Shape) -> Choice:
 
 def centers(a: Shape, b: Shape) -> Choice:
     """The one axis through both centres (polygons: centroids); complete for two circles, also concentric."""
-    circles = isinstance(a, Circle) and isinstance(b, Circle)
-    if circles:
-        ((px, py),), ((qx, qy),), _, k = aligned(a, b)
-        axis = _axis((qx - px, qy - py), k, Source(CENTERS))
-    else:
-        k, ((px, py), (qx, qy)) = to_int_points((centroid(a), centroid(b)))
-        axis = _axis((qx - px, qy - py), k, Source(CENTROIDS))
-    # concentric: no direction is special, and on every one the ranges overlap by as much
-    return Choice((axis or Axis(Vec(1.0, 0.0), 1.0, Source(ANY)),), complete=circles)
+    circles = a.radius > 0 and b.radius > 0
+    k, ((px, py), (qx, qy)) = to_int_points((centroid(a), centroid(b)))
+    if (px, py) == (qx, qy):
+        # concentric: no direction is special, and on every one the ranges overlap by as much
+        return Choice((Axis(Vec(1.0, 0.0), 1.0, Source(ANY)),), complete=circles)
+    return Choice((_axis((qx - px, qy - py), k, Source(CENTERS if circles else CENTROIDS)),), complete=circles)
 
 
 def nearest_vertex(a: Shape, b: Shape) -> Choice:
     """The axis from a circle's centre to the polygon's nearest vertex; no axis for other pairs."""
-    if isinstance(a, Circle) == isinstance(b, Circle):
+    if bool(a.radius) == bool(b.radius):
         return Choice(())
     axis, why_not = _vertex_axis(a, b, {})
     return Choice((), (Skip(axis, why_not),)) if why_not else Choice((axis,))
@@ -161,8 +150,8 @@ def directions(*vectors: Any) -> Chooser:
         v = point(vector, f"direction {i}")
         if v == (0, 0):
             raise ValueError(f"direction {i} is (0, 0): an axis needs a direction")
-        k, integers = to_integers(v)
-        axes.append(_axis(integers, k, Source(GIVEN, None, (i,)), as_given=True))
+        k, (x, y) = to_integers(v)
+        axes.append(_axis((x, y), k, Source(GIVEN, None, (i,)), as_given=True))
     return lambda a, b: Choice(tuple(axes))
 
 
@@ -184,25 +173,37 @@ def by_source(a: Shape, b: Shape) -> dict[Source, Axis]:
     return {axis.source: axis for c in choices for axis in (*c.axes, *(skip.axis for skip in c.skipped))}
 
 
-def exact_normal(axis: Axis, shapes: dict[str, Shape], points: dict[str, Sequence[IntPoint]]) -> IntPoint:
-    """The axis's true direction in integers; `points` are both shapes' integer points in one unit."""
+class ExactDots(NamedTuple):
+    """Both cores on an axis, in integers: where a point lies is its dot / |normal|, in units of 2**-k."""
+
+    normal: IntPoint
+    a: list[int]
+    b: list[int]
+    radii: int  # the sum of both radii
+    k: int
+
+
+def exact_dots(a: Shape, b: Shape, axis: Axis) -> ExactDots:
+    """Both cores dropped on the axis as its source tells it, without the rounding of its `normal`."""
+    core_a, core_b, radii, k = aligned(a, b)
     kind, role, ids = axis.source
+    shape, core, other = (a, core_a, core_b) if role == "A" else (b, core_b, core_a)
+    x = y = 0
     if kind in (EDGE, HULL):
-        i, j = (shapes[role].corner_ids.index(v) for v in ids)
-        (px, py), (qx, qy) = points[role][i], points[role][j]
+        (px, py), (qx, qy) = (core[shape.corner_ids.index(v)] for v in ids)
         x, y = qy - py, px - qx
     elif kind == CENTERS:
-        ((px, py),), ((qx, qy),) = points["A"], points["B"]
+        (px, py), (qx, qy) = core_a[0], core_b[0]
         x, y = qx - px, qy - py
     elif kind == VERTEX:
-        ((cx, cy),) = points["B" if role == "A" else "A"]
-        vx, vy = points[role][shapes[role].corner_ids.index(ids[0])]
+        (vx, vy), (cx, cy) = core[shape.corner_ids.index(ids[0])], other[0]
         x, y = cx - vx, cy - vy
-    else:
-        x = y = 0
     if not (x or y):
-        return tuple(to_integers(axis.normal)[1])
-    return (x, y) if (x, y) > (0, 0) else (-x, -y)
+        _, (x, y) = to_integers(axis.normal)
+    elif (x, y) < (0, 0):
+        x, y = -x, -y
+    dots_a, dots_b = ([x * px + y * py for px, py in core] for core in (core_a, core_b))
+    return ExactDots((x, y), dots_a, dots_b, radii, k)
 
 
 def _hull(ring: Sequence[Vec]) -> list[int]:
@@ -220,15 +221,13 @@ def _hull(ring: Sequence[Vec]) -> list[int]:
     return chain(order) + chain(order[::-1])
 
 
-def _convex(shape: Shape) -> bool:
-    return isinstance(shape, Circle) or shape.is_convex
+def _convex_polygons(a: Shape, b: Shape) -> bool:
+    return all(s.is_convex and not s.radius for s in (a, b))
 
 
-def _axis(normal: Sequence[int], k: int, source: Source, *, as_given: bool = False) -> Axis | None:
-    """The axis along an integer vector in units of 2**-k; None for (0, 0)."""
+def _axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = False) -> Axis:
+    """The axis along an integer vector, not (0, 0), in units of 2**-k."""
     x, y = normal
-    if not (x or y):
-        return None
     if not as_given and (x, y) < (0, 0):
         x, y = -x, -y
     size = max(x.bit_length(), y.bit_length())
@@ -238,18 +237,23 @@ def _axis(normal: Sequence[int], k: int, source: Source, *, as_given: bool = Fal
     return Axis(vector, hypot(*vector), source)
 
 
-def _own_normals(polygon: Polygon, role: str) -> tuple[tuple[Axis, IntPoint], ...]:
+def _edge_normal(shape: Shape, role: str, kind: str, i: int, j: int) -> tuple[IntPoint, int, Source]:
+    """The normal of the edge from one corner to another, as `_axis` takes it."""
+    k, points, _ = shape.integers
+    (px, py), (qx, qy) = points[i], points[j]
+    return (qy - py, px - qx), k, Source(kind, role, tuple(sorted((shape.corner_ids[i], shape.corner_ids[j]))))
+
+
+def _own_normals(shape: Shape, role: str) -> tuple[tuple[Axis, IntPoint], ...]:
     """Each edge's normal with a key that is equal exactly for parallel edges; kept on the shape."""
-    if role not in polygon._cache:
-        k, points, _ = polygon.integers
-        found = []
-        for i, (px, py) in enumerate(points):
-            j = (i + 1) % len(points)
-            normal = points[j][1] - py, px - points[j][0]
-            source = Source(EDGE, role, tuple(sorted((polygon.corner_ids[i], polygon.corner_ids[j]))))
-            found.append((_axis(normal, k, source), _direction_key(*normal)))
-        polygon._cache[role] = tuple(found)
-    return polygon._cache[role]
+    return shape._kept(role, lambda: tuple(_keyed_normals(shape, role)))
+
+
+def _keyed_normals(shape: Shape, role: str) -> Iterator[tuple[Axis, IntPoint]]:
+    n = len(shape.corner_ids)
+    for i in range(n):
+        normal, k, source = _edge_normal(shape, role, EDGE, i, (i + 1) % n)
+        yield _axis(normal, k, source), _direction_key(*normal)
 
 
 def _direction_key(x: int, y: int) -> IntPoint:
@@ -259,15 +263,14 @@ def _direction_key(x: int, y: int) -> IntPoint:
 
 
 def _normals(shape: Shape, role: str) -> tuple[Axis, ...]:
-    return tuple(axis for axis, _ in _own_normals(shape, role)) if isinstance(shape, Polygon) else ()
+    return tuple(axis for axis, _ in _own_normals(shape, role))
 
 
 def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis, str | None]:
     """The axis between a circle's centre and the polygon's nearest vertex, and why it is left out if it is."""
-    role = "A" if isinstance(a, Polygon) else "B"
-    polygon = a if role == "A" else b
+    role, polygon = ("B", b) if a.radius else ("A", a)
     core_a, core_b, _, k = aligned(a, b)
-    ring, ((cx, cy),) = (core_a, core_b) if role == "A" else (core_b, core_a)
+    ring, ((cx, cy),) = (core_b, core_a) if a.radius else (core_a, core_b)
     i = min(range(len(ring)), key=lambda i: (cx - ring[i][0]) ** 2 + (cy - ring[i][1]) ** 2)
     source = Source(VERTEX, role, (polygon.corner_ids[i],))
     x, y = cx - ring[i][0], cy - ring[i][1]

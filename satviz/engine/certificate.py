@@ -1,18 +1,21 @@
 """Evidence for a verdict that anyone can check with fractions, without trusting the engine."""
 
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache
 from math import gcd, isfinite, isqrt
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from . import telling
-from .axes import Axis, exact_normal
+from .axes import Axis, exact_dots
 from .concave import parts
-from .exact import aligned, orient
+from .exact import orient
 from .geometry import Vec
-from .shapes import Circle, Shape
+from .shapes import Shape
 
 Rational = tuple[Fraction, Fraction]
+T = TypeVar("T")
+Number = TypeVar("Number", float, Fraction)
 
 
 class SeparatingLine(NamedTuple):
@@ -84,9 +87,7 @@ Certificate = SeparatingLine | SharedPoint | PartLines
 
 def separating_line(a: Shape, b: Shape, axis: Axis) -> SeparatingLine:
     """The line across a separating axis, in the middle of the gap (as near as fractions name it)."""
-    core_a, core_b, _, k = aligned(a, b)
-    nx, ny = exact_normal(axis, {"A": a, "B": b}, {"A": core_a, "B": core_b})
-    dots_a, dots_b = ([nx * x + ny * y for x, y in core] for core in (core_a, core_b))
+    (nx, ny), dots_a, dots_b, _, k = exact_dots(a, b, axis)
     if min(dots_a) > max(dots_b):
         (lo, low), (hi, high) = (max(dots_b), b), (min(dots_a), a)
     else:
@@ -106,9 +107,9 @@ def separating_line(a: Shape, b: Shape, axis: Axis) -> SeparatingLine:
 
 def _root(shape: Shape, k: int, square: int, bits: int) -> Fraction:
     """radius * sqrt(square) in units of 2**-k, rounded to 2**-bits of a unit upwards; 0 for a polygon."""
-    if not isinstance(shape, Circle):
-        return Fraction(0)
     own_k, _, r = shape.integers
+    if not r:
+        return Fraction(0)
     scaled = (r << k - own_k) ** 2 * square << 2 * bits
     return Fraction(isqrt(scaled - 1) + 1, 1 << bits)
 
@@ -116,13 +117,13 @@ def _root(shape: Shape, k: int, square: int, bits: int) -> Fraction:
 @lru_cache(maxsize=256)
 def shared_point(a: Shape, b: Shape) -> SharedPoint:
     """A point of both of two convex shapes that touch or overlap, well inside the overlap where it has an inside."""
-    if isinstance(a, Circle) and isinstance(b, Circle):
-        (ax, ay, ra), (bx, by, rb) = (tuple(map(Fraction, (*c.center, c.radius))) for c in (a, b))
-        t = ra / (ra + rb)  # works whenever the distance is at most ra + rb
+    if a.radius and b.radius:
+        ((ax, ay),), ((bx, by),) = _ring(a), _ring(b)
+        t = Fraction(a.radius) / (Fraction(a.radius) + Fraction(b.radius))  # the distance is at most their sum
         point = ax + t * (bx - ax), ay + t * (by - ay)
-    elif isinstance(a, Circle) or isinstance(b, Circle):
-        circle, polygon = (a, b) if isinstance(a, Circle) else (b, a)
-        point = _nearest_point(_ring(polygon), (Fraction(circle.center.x), Fraction(circle.center.y)))
+    elif a.radius or b.radius:
+        circle, polygon = (a, b) if a.radius else (b, a)
+        point = _nearest_point(_ring(polygon), _ring(circle)[0])
     else:
         point = _in_both(a, b)
     return SharedPoint(a, b, *point)
@@ -130,36 +131,38 @@ def shared_point(a: Shape, b: Shape) -> SharedPoint:
 
 def _in_both(a: Shape, b: Shape) -> Rational:
     """A point of two convex polygons: the rounded middle of the overlap, or a corner, or worked out in fractions."""
-    common = _clipped(list(a.corners), list(b.corners))
-    if common:
-        middle = Vec(sum(x / len(common) for x, _ in common), sum(y / len(common) for _, y in common))
-        for spot in (middle, *a.corners, *b.corners):
+    roughly = _clipped(a.core, b.core)
+    if roughly:
+        middle = sum(x / len(roughly) for x, _ in roughly), sum(y / len(roughly) for _, y in roughly)
+        for spot in (middle, *a.core, *b.core):
             if all(isfinite(c) for c in spot) and all(
-                orient(p, q, spot) >= 0 for s in (a, b) for p, q in _edges(list(s.corners))
+                orient(p, q, spot) >= 0 for s in (a, b) for p, q in _edges(s.core)
             ):
                 return Fraction(spot[0]), Fraction(spot[1])
     common = _clipped(_ring(a), _ring(b))
-    return sum(x for x, _ in common) / len(common), sum(y for _, y in common) / len(common)
+    return sum(x for x, _ in common) / Fraction(len(common)), sum(y for _, y in common) / Fraction(len(common))
 
 
 def _ring(shape: Shape) -> list[Rational]:
-    return [(Fraction(x), Fraction(y)) for x, y in shape.corners]
+    return [(Fraction(x), Fraction(y)) for x, y in shape.core]
 
 
-def _cross(p: Rational, q: Rational, r: Rational) -> Fraction:
+def _cross(p: tuple[Number, Number], q: tuple[Number, Number], r: tuple[Number, Number]) -> Number:
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
 
-def _edges(ring: list[Rational]):
+def _edges(ring: Sequence[T]) -> Iterator[tuple[T, T]]:
     return zip(ring, [*ring[1:], ring[0]], strict=True)
 
 
-def _clipped(subject: list, clip: list) -> list:
+def _clipped(
+    subject: Sequence[tuple[Number, Number]], clip: Sequence[tuple[Number, Number]]
+) -> Sequence[tuple[Number, Number]]:
     """Sutherland and Hodgman's clipping of one convex ring by another: exact in fractions, roughly in floats."""
     for p, q in _edges(clip):
         if not subject:
             break
-        kept = []
+        kept: list[tuple[Number, Number]] = []
         for u, v in _edges(subject):
             side_u, side_v = _cross(p, q, u), _cross(p, q, v)
             if side_u >= 0:
@@ -178,32 +181,28 @@ def _nearest_point(ring: list[Rational], c: Rational) -> Rational:
     feet = []
     for p, q in _edges(ring):
         dx, dy = q[0] - p[0], q[1] - p[1]
-        t = min(1, max(0, ((c[0] - p[0]) * dx + (c[1] - p[1]) * dy) / (dx * dx + dy * dy)))
+        t = min(Fraction(1), max(Fraction(0), ((c[0] - p[0]) * dx + (c[1] - p[1]) * dy) / (dx * dx + dy * dy)))
         feet.append((p[0] + t * dx, p[1] + t * dy))
     return min(feet, key=lambda f: (f[0] - c[0]) ** 2 + (f[1] - c[1]) ** 2)
 
 
 def _holds(shape: Shape, point: Rational) -> bool:
-    if isinstance(shape, Circle):
-        x, y, r = map(Fraction, (*shape.center, shape.radius))
-        return (point[0] - x) ** 2 + (point[1] - y) ** 2 <= r * r
-    return all(_cross(p, q, point) >= 0 for p, q in _edges(_ring(shape)))
+    if not shape.radius:
+        return all(_cross(p, q, point) >= 0 for p, q in _edges(_ring(shape)))
+    ((x, y),) = _ring(shape)
+    return (point[0] - x) ** 2 + (point[1] - y) ** 2 <= Fraction(shape.radius) ** 2
 
 
 def _sides(shape: Shape, normal: Rational, offset: Fraction) -> int:
     """-1 or 1 if the whole shape is strictly below or above the line, else 0."""
     nx, ny = normal
-    if isinstance(shape, Circle):
-        x, y, r = map(Fraction, (*shape.center, shape.radius))
-        d = nx * x + ny * y - offset
-        return 0 if d * d <= r * r * (nx * nx + ny * ny) else 1 if d > 0 else -1
     dots = [nx * x + ny * y - offset for x, y in _ring(shape)]
-    return 1 if min(dots) > 0 else -1 if max(dots) < 0 else 0
+    nearest = min(dots, key=abs)
+    meets = min(dots) < 0 < max(dots) or nearest**2 <= Fraction(shape.radius) ** 2 * (nx * nx + ny * ny)
+    return 0 if meets else 1 if nearest > 0 else -1
 
 
 def _area(shape: Shape) -> Fraction:
-    """Twice the area; a circle is its own only part, so any number serves."""
-    if isinstance(shape, Circle):
-        return Fraction(0)
+    """Twice the core's area; a circle is its own only part, so any number serves."""
     ring = _ring(shape)
     return sum((p[0] * q[1] - p[1] * q[0] for p, q in _edges(ring)), Fraction(0))

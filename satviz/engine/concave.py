@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from .exact import IntPoint
 from .geometry import Vec
-from .shapes import Circle, Polygon, Shape, checked
+from .shapes import Polygon, Shape, checked
 
 NEAREST = 8  # partners tried for each reflex vertex, so that a big outline does not try all pairs
 
@@ -27,14 +27,10 @@ def parts(shape: Shape) -> tuple[Shape, ...]:
     on another (label "" if the polygon has labels), never more parts than twice the
     reflex vertices and one.  Sorted by the lowest vertex number they hold.
     """
-    if isinstance(checked(shape, "shape"), Circle) or shape.is_convex:
-        return (shape,)
-    if "parts" not in shape._cache:
-        shape._cache["parts"] = _parts(shape)
-    return shape._cache["parts"]
+    return (shape,) if checked(shape, "shape").is_convex else shape._kept("parts", lambda: _parts(shape))
 
 
-def _parts(shape: Polygon) -> tuple[Polygon, ...]:
+def _parts(shape: Shape) -> tuple[Polygon, ...]:
     pieces = _Pieces(shape)
     pieces.cut_in_pairs()
     pieces.cut_one_by_one()
@@ -62,8 +58,8 @@ class _Hit(NamedTuple):
 class _Pieces:
     """The pieces of one polygon while it is cut; no cut makes a vertex reflex."""
 
-    def __init__(self, shape: Polygon) -> None:
-        self.points = list(shape.corners)
+    def __init__(self, shape: Shape) -> None:
+        self.points = list(shape.core)
         self.numbers = {p: v for v, p in enumerate(self.points)}
         k, at, _ = shape.integers
         common = gcd(*(c for p in at for c in p))
@@ -200,9 +196,9 @@ class _Pieces:
         (ax, ay), (vx, vy) = at[a], at[v]
         dx, dy = vx - ax, vy - ay
         on_line = dx * vy - dy * vx
-        best, num, den = None, 1, 0  # the hit is at v + num/den * (dx, dy)
         p = ring[-1]
         px, py = at[p]
+        best, num, den = (p, p, 0), 1, 0  # the hit is at v + num/den * (dx, dy)
         before = dx * py - dy * px - on_line
         for q in ring:
             qx, qy = at[q]
@@ -242,7 +238,7 @@ class _Pieces:
     def _number(self, x: Fraction, y: Fraction) -> int | None:
         """The number of a point given in units, a new one if need be; None if float64 cannot hold it."""
         point = Vec(float(x * self.unit), float(y * self.unit))
-        if point != (x * self.unit, y * self.unit):
+        if point.x != x * self.unit or point.y != y * self.unit:
             return None
         if point not in self.numbers:
             self.numbers[point] = len(self.points)

@@ -2,18 +2,19 @@
 
 from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import combinations
 from math import frexp, inf, isqrt, ldexp, nextafter
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
-from .axes import exact_normal
+from .axes import exact_dots
 from .concave import parts
-from .exact import aligned
 from .geometry import InvalidScene, Relation, Vec
 from .sat import LARGEST, AxisTest
-from .shapes import Circle, Shape
+from .shapes import Shape
 from .verdict import relate_moved
+
+T = TypeVar("T")
 
 NUDGES = (0.0, *(2.0**-e for e in range(52, 19, -2)))  # how far outwards a rounded move is helped, near size 1
 ROUNDING = 2.0**-40
@@ -30,9 +31,7 @@ def along_axis(a: Shape, b: Shape, test: AxisTest) -> Vec | None:
 
     Rounded so, the move is never too short.  None if it is beyond float64.
     """
-    core_a, core_b, radii, k = aligned(a, b)
-    nx, ny = exact_normal(test.axis, {"A": a, "B": b}, {"A": core_a, "B": core_b})
-    dots_a, dots_b = ([nx * x + ny * y for x, y in core] for core in (core_a, core_b))
+    (nx, ny), dots_a, dots_b, radii, k = exact_dots(a, b, test.axis)
     up, down = max(dots_a) - min(dots_b), max(dots_b) - min(dots_a)
     square = nx * nx + ny * ny
     bits = 80
@@ -55,7 +54,7 @@ def _away_from_zero(value: Fraction) -> float:
 
 def too_many(a: Shape, b: Shape) -> str:
     """Why `around_parts` will not look for a way out: it would take more than a moment; "" if it will."""
-    sizes = [[1 if isinstance(part, Circle) else len(part.corners) for part in parts(s)] for s in (a, b)]
+    sizes = [[len(part.core) for part in parts(s)] for s in (a, b)]
     pairs, corners = len(sizes[0]) * len(sizes[1]), sum(sizes[0]) * len(sizes[1]) + sum(sizes[1]) * len(sizes[0])
     if corners <= MOST_CORNERS:
         return ""
@@ -80,7 +79,7 @@ def around_parts(a: Shape, b: Shape) -> Vec | None:
         raise InvalidScene(reason)
     # near size 1 nothing overflows; a power of two changes no digit
     size = frexp(min(max(a._reach, b._reach), LARGEST))[1]
-    radius = ldexp(sum(s.radius for s in (a, b) if isinstance(s, Circle)), -size)
+    radius = ldexp(a.radius + b.radius, -size)
     free = _Free(size, radius, [_region(p, q, size, radius) for p in parts(a) for q in parts(b)])
     borders = [border for region in free.regions for border in _borders(region.ring, radius)]
     free.try_all(c for border in borders for c in _feet(border, radius))
@@ -133,18 +132,17 @@ class _Free:
 
     def __init__(self, size: int, radius: float, regions: list[Region]) -> None:
         self.size, self.radius, self.regions = size, radius, regions
-        self.length, self.move = inf, None
+        self.length = inf
+        self.move: Vec | None = None
 
     def try_all(self, candidates: Iterable[Candidate]) -> None:
         """Take the shortest that ends the overlap exactly, helped outwards by a rounding or two."""
         for length, move, out in sorted((c for c in candidates if c.length < self.length), key=lambda c: c.length):
-            if self._forbidden(lambda region, move=move: self._holds(region, move)):
+            if self._forbidden(partial(self._holds, move=move)):
                 continue
             for nudge in NUDGES:
                 helped = self._scaled_back(move + out * nudge)
-                if helped and not self._forbidden(
-                    lambda region, by=helped: relate_moved(region.p, region.q, by) is Relation.OVERLAPPING
-                ):
+                if helped and not self._forbidden(partial(_overlap, move=helped)):
                     self.length, self.move = length, helped
                     return
 
@@ -182,11 +180,13 @@ class _Free:
             return None
 
 
+def _overlap(region: Region, move: Vec) -> bool:
+    """Exactly: do the region's parts still overlap after the move?"""
+    return relate_moved(region.p, region.q, move) is Relation.OVERLAPPING
+
+
 def _region(p: Shape, q: Shape, size: int, radius: float) -> Region:
-    core_p, core_q = (
-        [complex(ldexp(x, -size), ldexp(y, -size)) for x, y in ((s.center,) if isinstance(s, Circle) else s.corners)]
-        for s in (p, q)
-    )
+    core_p, core_q = ([complex(ldexp(x, -size), ldexp(y, -size)) for x, y in s.core] for s in (p, q))
     ring = _sum(core_p, [-v for v in core_q])
     # what float64 let collapse at this size has no inside
     normals = [(u, -1j * (v - u) / abs(v - u)) for u, v in _around(ring)] if len(ring) > 2 else []
@@ -213,7 +213,7 @@ def _cross(u: complex, v: complex) -> float:
     return u.real * v.imag - u.imag * v.real
 
 
-def _around(ring: list) -> Iterator[tuple]:
+def _around(ring: list[T]) -> Iterator[tuple[T, T]]:
     """Each with the next, round to the first."""
     return zip(ring, [*ring[1:], *ring[:1]], strict=True)
 
@@ -225,8 +225,8 @@ def _borders(ring: list[complex], radius: float) -> Iterator[Border]:
         start, end = p + normal * radius, q + normal * radius
         yield Border(abs(_foot(start, end)), start, end, normal, 0j, start)
         if radius:
-            tip = 1 + (normal * after.conjugate()).real
-            tip = q + (normal + after) * radius / tip if tip > 1e-3 else complex(inf, inf)
+            spread = 1 + (normal * after.conjugate()).real
+            tip = q + (normal + after) * radius / spread if spread > 1e-3 else complex(inf, inf)
             yield Border(abs(abs(q) - radius), end, q + after * radius, 0j, q, tip)
 
 
@@ -264,13 +264,13 @@ def _line_points(one: Border, other: Border, radius: float) -> Iterator[complex]
         p, q = ((end - one.p) * along.conjugate() for end in (other.p, other.q))
         if p.imag == q.imag or min(p.imag, q.imag) > 1e-9 or max(p.imag, q.imag) < -1e-9:
             return
-        places = (p.real + (q.real - p.real) * p.imag / (p.imag - q.imag),)
+        places = [p.real + (q.real - p.real) * p.imag / (p.imag - q.imag)]
     else:
         c = (other.center - one.p) * along.conjugate()
         if abs(c.imag) > radius:
             return
         half = (radius * radius - c.imag * c.imag) ** 0.5
-        places = c.real - half, c.real + half
+        places = [c.real - half, c.real + half]
     yield from (one.p + along * t for t in places if -1e-9 <= t <= length + 1e-9)
 
 

@@ -54,7 +54,7 @@ def number(value: Any, name: str) -> float:
         value = as_float
     if not math.isfinite(value):
         raise InvalidShape(f"{name} is {value}: coordinates must be finite")
-    return value
+    return float(value)
 
 
 def point(value: Any, name: str) -> Vec:
@@ -110,14 +110,14 @@ def _points(values: Any, name: str) -> tuple[Vec, ...]:
     return tuple(point(v, f"vertex {i}") for i, v in enumerate(_listed(values, name)))
 
 
-def _listed(values: Any, name: str) -> list:
+def _listed(values: Any, name: str) -> list[Any]:
     values = plain(values, name)
     if not isinstance(values, Iterable) or isinstance(values, type):
         raise InvalidShape(f"{name} is {_shown(values)}: expected a sequence of (x, y) pairs")
     return list(values)
 
 
-def _rings(interface: Any) -> list:
+def _rings(interface: Any) -> list[Any]:
     """The rings of a GeoJSON-like Polygon, or of a Feature that has one."""
     name = "__geo_interface__"
     if _type(interface) == "Feature":

@@ -1,13 +1,13 @@
 """The one loop: project both shapes on each chosen axis and measure the gap between their ranges."""
 
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from .axes import Axis, exact_normal, needed
-from .exact import IntPoint, aligned, root_difference
+from .axes import Axis, Source, exact_dots, needed
+from .exact import root_difference
 from .geometry import Interval, Vec
-from .shapes import Circle, Shape, checked
+from .shapes import Shape, checked
 
 # Landing places carry under 13 roundings of the reach each, a gap under 27.  Asked is far
 # more, so that a float gap has not only the right sign but five right digits.
@@ -46,7 +46,7 @@ class AxisTest(NamedTuple):
     gap: float
 
     @property
-    def source(self):
+    def source(self) -> Source:
         return self.axis.source
 
     @property
@@ -62,12 +62,12 @@ def project(shape: Shape, axis: Axis) -> Projection:
     one spot of its own normal.
     """
     (nx, ny), length, _ = axis
-    if type(shape) is Circle:
-        (x, y), r = shape.center, shape.radius
+    if r := shape.radius:
+        ((x, y),) = shape.core
         at = (x * nx + y * ny) / length
         rx, ry = r * nx / length, r * ny / length
         return Projection((Vec(x - rx, y - ry), Vec(x + rx, y + ry)), (at - r, at + r))
-    return new(Projection, (shape.corners, tuple([(x * nx + y * ny) / length for x, y in shape.corners])))
+    return new(Projection, (shape.core, tuple([(x * nx + y * ny) / length for x, y in shape.core])))
 
 
 def axis_tests(a: Shape, b: Shape, axes: Iterable[Axis] | None = None) -> Iterator[AxisTest]:
@@ -93,25 +93,19 @@ def axis_tests(a: Shape, b: Shape, axes: Iterable[Axis] | None = None) -> Iterat
 
 def _exact_test(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     """The integer twin: the same facts, each rounded once, the gap with its exact sign."""
-    core_a, core_b, radii, k = aligned(a, b)
-    nx, ny = exact_normal(axis, {"A": a, "B": b}, {"A": core_a, "B": core_b})
+    (nx, ny), dots_a, dots_b, radii, k = exact_dots(a, b, axis)
     square = nx * nx + ny * ny
-    dots_a, dots_b = _dots(core_a, nx, ny), _dots(core_b, nx, ny)
     apart = max(min(dots_a) - max(dots_b), min(dots_b) - max(dots_a))
     gap = root_difference(apart, radii, square, k)
     return AxisTest(axis, _landed(a, axis, dots_a, square, k), _landed(b, axis, dots_b, square, k), gap)
 
 
-def _dots(points: Sequence[IntPoint], nx: int, ny: int) -> list[int]:
-    return [nx * x + ny * y for x, y in points]
-
-
 def _landed(shape: Shape, axis: Axis, dots: list[int], square: int, k: int) -> Projection:
-    if type(shape) is not Circle:
-        return Projection(shape.corners, tuple(root_difference(dot, 0, square, k) for dot in dots))
     own_k, _, radius = shape.integers
+    if not radius:
+        return Projection(shape.core, tuple(root_difference(dot, 0, square, k) for dot in dots))
     radius <<= k - own_k
-    (x, y), r, (nx, ny) = shape.center, shape.radius, axis.direction
+    ((x, y),), r, (nx, ny) = shape.core, shape.radius, axis.direction
     lo = root_difference(dots[0], radius, square, k)
     hi = -root_difference(-dots[0], radius, square, k) + 0.0
     ends = (Vec(_capped(x + s * r * nx), _capped(y + s * r * ny)) for s in (-1, 1))

@@ -1,19 +1,24 @@
 """Polygon and Circle: checked once at the door, unchangeable after; the owner's order and labels are kept."""
 
 import math
-from collections.abc import Sequence
-from itertools import pairwise
-from typing import Any
+from collections.abc import Callable, Sequence
+from itertools import chain, pairwise
+from typing import Any, ClassVar, TypeVar
 
 from . import door, outline
-from .exact import to_int_points, to_integers
+from .exact import IntPoint, to_integers
 from .geometry import InvalidShape, Vec
 
 INF = math.inf
+T = TypeVar("T")
+Slab = tuple[float, float, float, float]
 
 
 class _Shape:
-    """What the engine asks of a shape; slots with an underscore are worked out from the public ones."""
+    """What the engine asks of a shape: all points within the radius of its core.
+
+    Slots with an underscore are worked out from the public ones.
+    """
 
     __slots__ = (
         "_box",  # (x min, y min, x max, y max): holds the shape, rounded outwards
@@ -21,7 +26,21 @@ class _Shape:
         "_reach",  # the largest coordinate's magnitude
         "_slabs",  # per edge direction (nx, ny, lo, hi), see _slabs; None for circles and concave polygons
         "_span",  # the largest edge component's magnitude
+        "core",  # a polygon's corners; a circle is its center with a radius
+        "is_convex",
+        "is_upright_box",  # a rectangle with its sides along x and y
+        "radius",  # 0 for a polygon
     )
+
+    _box: tuple[float, float, float, float]
+    _cache: dict[str, Any]
+    _reach: float
+    _slabs: tuple[Slab, ...] | None
+    _span: float
+    core: tuple[Vec, ...]
+    is_convex: bool
+    is_upright_box: bool
+    radius: float
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"a {type(self).__name__} cannot be changed: make a new one")
@@ -33,13 +52,24 @@ class _Shape:
         for name, value in values.items():
             object.__setattr__(self, name, value)
 
+    def _kept(self, name: str, work_out: Callable[[], T]) -> T:
+        """What is worked out of the shape at first use."""
+        if name not in self._cache:
+            self._cache[name] = work_out()
+        value: T = self._cache[name]
+        return value
+
+    def _facts(self) -> tuple[object, ...]:
+        """What `__init__` takes to make an equal shape."""
+        raise NotImplementedError
+
     def __eq__(self, other: object) -> bool:
         return type(other) is type(self) and self._facts() == other._facts()
 
     def __hash__(self) -> int:
         return hash(self._facts())
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
         return type(self), self._facts()
 
     def __repr__(self) -> str:
@@ -55,6 +85,15 @@ class _Shape:
         """(x min, y min, x max, y max) in scene units; a circle's is rounded outwards."""
         return self._box
 
+    @property
+    def integers(self) -> tuple[int, list[IntPoint], int]:
+        """(k, core, radius) as integers in units of 2**-k."""
+        return self._kept("integers", self._to_integers)
+
+    def _to_integers(self) -> tuple[int, list[IntPoint], int]:
+        k, (radius, *flat) = to_integers((self.radius, *chain.from_iterable(self.core)))
+        return k, list(zip(flat[::2], flat[1::2], strict=True)), radius
+
 
 class Polygon(_Shape):
     """A simple polygon, convex or concave, either winding, with the owner's vertex order and labels.
@@ -65,14 +104,12 @@ class Polygon(_Shape):
     `labels`: one text a vertex.  Raises InvalidShape naming the vertex at fault.
     """
 
-    __slots__ = ("corner_ids", "corners", "is_convex", "is_upright_box", "labels", "notes", "vertices")
+    __slots__ = ("corner_ids", "corners", "labels", "notes", "vertices")
 
     vertices: tuple[Vec, ...]
     labels: tuple[str, ...] | None
     corners: tuple[Vec, ...]  # as the engine walks them: counter-clockwise, no repeats, none straight on
     corner_ids: tuple[int, ...]  # which vertex each corner is
-    is_convex: bool
-    is_upright_box: bool  # a rectangle with its sides along x and y
     notes: tuple[str, ...]
 
     def __init__(self, vertices: Any, labels: Sequence[str] | None = None) -> None:
@@ -88,6 +125,8 @@ class Polygon(_Shape):
             vertices=points,
             labels=_checked_labels(labels, len(points)),
             corners=corners,
+            core=corners,
+            radius=0.0,
             corner_ids=ring.ids,
             is_convex=ring.convex,
             notes=ring.notes,
@@ -99,28 +138,23 @@ class Polygon(_Shape):
             _cache={},
         )
 
-    def _facts(self) -> tuple:
+    def _facts(self) -> tuple[object, ...]:
         return self.vertices, self.labels
 
     @property
-    def __geo_interface__(self) -> dict:
+    def __geo_interface__(self) -> dict[str, object]:
         return {"type": "Polygon", "coordinates": (tuple(map(tuple, (*self.vertices, self.vertices[0]))),)}
-
-    @property
-    def integers(self) -> tuple[int, list[tuple[int, int]], int]:
-        """(k, corners, radius) as integers in units of 2**-k; the radius of a polygon is 0."""
-        if "integers" not in self._cache:
-            self._cache["integers"] = (*to_int_points(self.corners), 0)
-        return self._cache["integers"]
 
 
 class Circle(_Shape):
     """A circle with its inside: centre (x, y) and radius > 0 in scene units; InvalidShape otherwise."""
 
-    __slots__ = ("center", "radius")
+    __slots__ = ("center",)
 
     center: Vec
-    radius: float
+    vertices: ClassVar[tuple[Vec, ...]] = ()
+    labels: ClassVar[tuple[str, ...] | None] = None
+    corner_ids: ClassVar[tuple[int, ...]] = ()
 
     def __init__(self, center: Any, radius: Any) -> None:
         c = outline.point(center, "center")
@@ -129,7 +163,10 @@ class Circle(_Shape):
             raise InvalidShape(f"radius is {r}: a circle needs a positive radius")
         self._set(
             center=c,
+            core=(c,),
             radius=r,
+            is_convex=True,
+            is_upright_box=False,
             _box=(
                 math.nextafter(c.x - r, -INF),
                 math.nextafter(c.y - r, -INF),
@@ -142,16 +179,8 @@ class Circle(_Shape):
             _cache={},
         )
 
-    def _facts(self) -> tuple:
+    def _facts(self) -> tuple[object, ...]:
         return self.center, self.radius
-
-    @property
-    def integers(self) -> tuple[int, list[tuple[int, int]], int]:
-        """(k, [centre], radius) as integers in units of 2**-k: a circle is a point with a radius."""
-        if "integers" not in self._cache:
-            k, (x, y, r) = to_integers((*self.center, self.radius))
-            self._cache["integers"] = k, [(x, y)], r
-        return self._cache["integers"]
 
 
 Shape = Polygon | Circle
@@ -166,9 +195,7 @@ def checked(shape: Any, name: str) -> Shape:
 
 def centroid(shape: Shape) -> Vec:
     """The centre of area, rounded."""
-    if isinstance(shape, Circle):
-        return shape.center
-    (ox, oy), ring, size = shape.corners[0], shape.corners, shape._span
+    (ox, oy), ring, size = shape.core[0], shape.core, shape._span
     area = x = y = 0.0
     for (px, py), (qx, qy) in pairwise(((p.x - ox) / size, (p.y - oy) / size) for p in ring):
         cross = px * qy - py * qx
@@ -181,7 +208,7 @@ def centroid(shape: Shape) -> Vec:
     return Vec(sum(p.x / len(ring) for p in ring), sum(p.y / len(ring) for p in ring))
 
 
-def _slabs(corners: tuple[Vec, ...], edges: list[tuple[float, float]]) -> tuple[tuple[float, ...], ...]:
+def _slabs(corners: tuple[Vec, ...], edges: list[tuple[float, float]]) -> tuple[Slab, ...]:
     """Per direction (nx, ny, lo, hi): inside means lo < nx*x + ny*y < hi, up to rounding.
 
     (nx, ny) is the outward normal (dy, -dx) of an edge and hi where the edge lies on

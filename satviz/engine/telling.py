@@ -9,7 +9,7 @@ from .axes import ANY, CENTERS, CENTROIDS, EDGE, HULL, VERTEX, WORLD, Axis
 from .concave import named_parts
 from .escape import too_many
 from .geometry import Interval, Relation, Vec
-from .shapes import Circle, Shape
+from .shapes import Shape
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -68,7 +68,7 @@ def axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
     if kind in _PLAIN:
         return _PLAIN[kind]
     if kind in (EDGE, HULL, VERTEX):
-        at = "AB".index(role)
+        at = int(role == "B")
         ends = [vertex_name(shapes[at], names[at], i) for i in ids]
         if kind != VERTEX:
             return f"normal of {names[at]}'s {'hull ' if kind == HULL else ''}edge {edge_name(ends)}"
@@ -147,9 +147,10 @@ def _axes(n: int) -> str:
 
 def _parts_verdict(trace: Trace, move: Vec | None) -> str:
     a, b = trace.names
-    if not trace.hit:
+    settling = trace.colliding
+    if not settling:
         return f"{a} and {b} are apart: each of the {len(trace.pairs)} pairs of convex parts has a separating axis."
-    p, q = trace.colliding.names
+    p, q = settling.names
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: their parts {p} and {q} do, and no parts overlap. Touching is a hit."
     return f"{a} and {b} overlap: their parts {p} and {q} do. {_way_out(trace, move)}"
@@ -196,7 +197,7 @@ def scene(trace: Trace) -> str:
 def both(trace: Trace) -> str:
     """What the two shapes are."""
     kinds = [shape_in_words(shape, "").split("is ", 1)[1] for shape in (trace.a, trace.b)]
-    if kinds[0] == kinds[1] and not isinstance(trace.a, Circle):
+    if kinds[0] == kinds[1] and not trace.a.radius:
         return f"{trace.names.a} and {trace.names.b} are {plural(kinds[0])}."
     return f"{shape_in_words(trace.a, trace.names.a)}, {shape_in_words(trace.b, trace.names.b)}."
 
@@ -264,7 +265,7 @@ def _origin(trace: Trace, axis: Axis) -> str:
     kind, role, ids = axis.source
     if kind == CENTERS:
         return f"The line through the centers of {trace.names.a} and {trace.names.b}"
-    at = "AB".index(role)
+    at = int(role == "B")
     shape, name = (trace.a, trace.b)[at], trace.names[at]
     ends = [vertex_name(shape, name, i) for i in ids]
     if kind == VERTEX:
@@ -283,9 +284,9 @@ def listed(words: list[str]) -> str:
 
 def shape_in_words(shape: Shape, name: str) -> str:
     """What a shape is: "A is a triangle", "B is a circle of radius 1 around (2, 2)"."""
-    if isinstance(shape, Circle):
-        return f"{name} is a circle of radius {number(shape.radius)} around {vector(shape.center)}"
-    n = len(shape.corners)
+    if shape.radius:
+        return f"{name} is a circle of radius {number(shape.radius)} around {vector(shape.core[0])}"
+    n = len(shape.core)
     kind = {3: "triangle", 4: "quadrilateral"}.get(n, f"polygon with {n} corners")
     if shape.is_upright_box:
         kind = "upright box"

@@ -12,7 +12,7 @@ from .concave import named_parts
 from .escape import along_axis, around_parts
 from .geometry import InvalidScene, Relation, Vec
 from .sat import AxisTest, axis_tests
-from .shapes import Circle, Polygon, Shape, checked
+from .shapes import Shape, checked
 from .verdict import relate
 
 APART, TOUCHING, OVERLAPPING = Relation
@@ -89,7 +89,7 @@ class Trace:
     @property
     def shallowest(self) -> AxisTest | None:
         """The test of least penetration depth when none separates, or None."""
-        return max(self.tests, key=lambda test: test.gap) if self.tests and self.claim is not APART else None
+        return _shallowest(self.tests) if self.tests and self.claim is not APART else None
 
     @property
     def mtv(self) -> Vec | None:
@@ -104,9 +104,9 @@ class Trace:
         relation = self.relation
         if relation is not OVERLAPPING:
             return None if relation is APART else Vec(0.0, 0.0)
-        if not (_convex(self.a) and _convex(self.b)):
+        if not (self.a.is_convex and self.b.is_convex):
             return around_parts(self.a, self.b)
-        return along_axis(self.a, self.b, self.shallowest or record(self.a, self.b).shallowest)
+        return along_axis(self.a, self.b, _shallowest(self.tests or record(self.a, self.b).tests))
 
     @property
     def known_mtv(self) -> Vec | None:
@@ -125,7 +125,8 @@ class Trace:
             hit = self.colliding
             if hit:
                 return hit.certificate._replace(a=self.a, b=self.b)
-            return PartLines(self.a, self.b, tuple(pair.certificate for pair in self.pairs))
+            lines = (separating_line(p.a, p.b, p.separating.axis) for p in self.pairs if p.separating)
+            return PartLines(self.a, self.b, tuple(lines))
         if self.choice.complete:
             return shared_point(self.a, self.b)
         return record(self.a, self.b).certificate  # that choice is complete, so it ends in a case above
@@ -179,7 +180,7 @@ def record(a: Shape, b: Shape, *, axes: Chooser | Choice = needed, every_axis: b
     trace would list more than MAX_SIZE points and axes.
     """
     checked(a, "a"), checked(b, "b")
-    if axes is needed and not (_convex(a) and _convex(b)):
+    if axes is needed and not (a.is_convex and b.is_convex):
         return _record_parts(a, b, every_axis)
     return _record(a, b, axes if isinstance(axes, Choice) else axes(a, b), every_axis, PLAIN)
 
@@ -210,13 +211,17 @@ def _record_parts(a: Shape, b: Shape, every_axis: bool) -> Trace:
     return Trace(a, b, Choice((), complete=True), (), every_axis, tuple(pairs))
 
 
+def _shallowest(tests: Sequence[AxisTest]) -> AxisTest:
+    return max(tests, key=lambda test: test.gap)
+
+
 def _size(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest]) -> int:
     """What a trace lists: points, those dropped in each test too, and axes."""
     return _points(a, b) * (1 + len(tests)) + len(choice.axes) + len(choice.skipped)
 
 
 def _points(a: Shape, b: Shape) -> int:
-    return sum(2 if isinstance(shape, Circle) else len(shape.vertices) for shape in (a, b))
+    return sum(2 if shape.radius else len(shape.vertices) for shape in (a, b))
 
 
 def _too_large(what: str) -> InvalidScene:
@@ -225,7 +230,3 @@ def _too_large(what: str) -> InvalidScene:
         f"{what}: a trace lists {MAX_SIZE:,} points and axes at most; ask relate for the verdict alone, "
         "choose fewer axes (world), or simplify the shapes"
     )
-
-
-def _convex(shape: Shape) -> bool:
-    return isinstance(shape, Circle) or (isinstance(shape, Polygon) and shape.is_convex)

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from .concave import parts
 from .exact import HUGE, TINY, IntPoint, aligned, orient, root_sign, shifted, sign, to_integers
 from .geometry import Relation, Vec
-from .shapes import Circle, Polygon, Shape, checked
+from .shapes import Shape, checked
 
 APART, TOUCHING, OVERLAPPING = Relation
 
@@ -36,11 +36,11 @@ def relate(a: Shape, b: Shape) -> Relation:
         return APART
     a_slabs, b_slabs = a._slabs, b._slabs
     if not (a_slabs and b_slabs):
-        return _circles(a, b) if type(a) is type(b) is Circle else _mixed(a, b)
+        return _circles(a, b) if a.radius and b.radius else _mixed(a, b)
     if a.is_upright_box and b.is_upright_box:
         return TOUCHING if ax1 == bx0 or bx1 == ax0 or ay1 == by0 or by1 == ay0 else OVERLAPPING
     reach = (a._reach + b._reach) * LOOK  # the sum stands in for the larger: quicker, and on the safe side
-    room, own, points = a._span * reach, a_slabs, b.corners
+    room, own, points = a._span * reach, a_slabs, b.core
     while True:
         if not LEAST_ROOM < room < MOST_ROOM:
             return relate_integers(*aligned(a, b)[:3])
@@ -62,16 +62,16 @@ def relate(a: Shape, b: Shape) -> Relation:
                     return _in_doubt(a, b, reach)
         if own is b_slabs:
             return OVERLAPPING
-        room, own, points = b._span * reach, b_slabs, a.corners
+        room, own, points = b._span * reach, b_slabs, a.core
 
 
-def _in_doubt(a: Polygon, b: Polygon, reach: float) -> Relation:
+def _in_doubt(a: Shape, b: Shape, reach: float) -> Relation:
     """The same edge by edge, asking the exact sign of every vertex within the room of zero."""
     best = -1
-    for own, points in (a, b.corners), (b, a.corners):
+    for own, points in (a, b.core), (b, a.core):
         room = own._span * reach
-        p = own.corners[-1]
-        for q in own.corners:
+        p = own.core[-1]
+        for q in own.core:
             nx, ny = q.y - p.y, p.x - q.x
             at = nx * p.x + ny * p.y
             looks = [nx * x + ny * y - at for x, y in points]
@@ -87,9 +87,9 @@ def _in_doubt(a: Polygon, b: Polygon, reach: float) -> Relation:
 
 
 def _mixed(a: Shape, b: Shape) -> Relation:
-    if type(a) is Circle and b._slabs:
+    if a.radius and b._slabs:
         return _circle_polygon(a, b)
-    if type(b) is Circle and a._slabs:
+    if b.radius and a._slabs:
         return _circle_polygon(b, a)
     worst = APART
     for p in parts(a):
@@ -132,10 +132,10 @@ def _edge_side(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> int:
     return best
 
 
-def _circles(a: Circle, b: Circle) -> Relation:
+def _circles(a: Shape, b: Shape) -> Relation:
     """Distance against the sum of radii, squared: each side carries under 5 roundings; asked: 8."""
-    dx = a.center.x - b.center.x
-    dy = a.center.y - b.center.y
+    ((ax, ay),), ((bx, by),) = a.core, b.core
+    dx, dy = ax - bx, ay - by
     reach = a.radius + b.radius
     distance, reach = dx * dx + dy * dy, reach * reach
     room = distance + reach
@@ -156,7 +156,7 @@ def _by_sign(gap: int) -> Relation:
     return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
 
-def _circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
+def _circle_polygon(circle: Shape, polygon: Shape) -> Relation:
     """The distance from the centre to the nearest edge or vertex, against the radius.
 
     The nearest vertex matters: without it a circle off a corner is a false hit.
@@ -165,8 +165,7 @@ def _circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
     distance under 45 of D*D (asked: 128).  A foot of the perpendicular taken for a
     vertex, or the reverse, moves a squared distance by the square of a rounding.
     """
-    cx, cy = circle.center
-    ring = polygon.corners
+    ((cx, cy),), ring = circle.core, polygon.core
     x0, y0, x1, y1 = polygon._box
     far = max(x1 - cx, cx - x0, y1 - cy, cy - y0, circle.radius)
     room = far * far * 2.0**-46
