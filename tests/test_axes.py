@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 from math import hypot, ldexp
+from random import Random
 
 import pytest
 
@@ -16,6 +17,8 @@ COIN = sv.Circle((5, 6), 1)
 PAIRS = {
     "triangles": (A, B),
     "concave": (L, B),
+    "box and triangle": (box(0, 0, 2, 1), B),
+    "triangle and box": (B, box(0, 0, 2, 1)),
     "boxes": (box(0, 0, 2, 1), box(3, 3, 4, 5)),
     "polygon and circle": (A, COIN),
     "circle and concave": (COIN, L),
@@ -53,6 +56,45 @@ def test_every_axis_runs_along_its_source_to_the_right_or_up_and_tells_its_lengt
             assert axis.direction == pytest.approx((nx / axis.length, ny / axis.length))
 
 
+def found_in(source: axes.Source, a: sv.Polygon | sv.Circle, b: sv.Polygon | sv.Circle) -> tuple[Fraction, Fraction]:
+    """The direction of a source in fractions, to the right or up."""
+    own, other = (b, a) if source.shape == "B" else (a, b)
+    if source.kind == axes.CENTERS:
+        ends = a.center, b.center
+    elif source.kind == axes.VERTEX:
+        ends = own.vertices[source.ids[0]], other.center
+    else:
+        (px, py), (qx, qy) = (own.vertices[i] for i in source.ids)
+        ends = (py, qx), (qy, px)
+    x, y = (Fraction(q) - Fraction(p) for p, q in zip(*ends))
+    return (x, y) if (x, y) > (0, 0) else (-x, -y)
+
+
+@pytest.mark.parametrize("name", ["needed", "edge-normals", "hull-normals", "centers", "nearest-vertex"])
+def test_the_integers_of_a_direction_are_exactly_its_sources(name):
+    rng, kinds = Random(6), set()
+    for _ in range(200):
+        sizes = [2.0 ** rng.randint(-40, 40) for _ in "ab"]
+        a, b = (
+            sv.Circle((rng.uniform(-s, s), rng.uniform(-s, s)), s)
+            if rng.random() < 0.5
+            else sv.Polygon([(rng.uniform(-s, s), rng.uniform(-s, s)) for _ in range(3)])
+            for s in sizes
+        )
+        for axis in axes.NAMED[name](a, b).axes:
+            if axis.source.kind in (axes.EDGE, axes.VERTEX, axes.CENTERS):
+                kinds.add(axis.source.kind)
+                (nx, ny), (x, y) = found_in(axis.source, a, b), axes.exact_direction(axis, a, b)
+                assert nx * y == ny * x and (x, y) > (0, 0), (axis, a, b)
+    assert kinds
+
+
+def test_the_worlds_axes_are_y_and_x():
+    assert [axis.normal for axis in axes.WORLD_AXES] == [(0, 1), (1, 0)]
+    assert [axes.exact_direction(axis, A, B) for axis in axes.WORLD_AXES] == [(0, 1), (1, 0)]
+    assert [axis.source.ids for axis in axes.WORLD_AXES] == [(1,), (0,)]
+
+
 @pytest.mark.parametrize("name", axes.NAMED)
 def test_a_normal_is_as_long_as_its_edge_unless_float64_can_hardly_hold_it(name):
     for pair in PAIRS.values():
@@ -85,6 +127,7 @@ SOURCES = [
     axes.Source(axes.WORLD),
     axes.Source(axes.WORLD, None, (0, 1)),
     axes.Source(axes.WORLD, None, (2,)),
+    axes.Source(axes.WORLD, None, (-1,)),
     axes.Source(axes.CENTERS, "A"),
     axes.Source(axes.CENTERS, None, (0,)),
     axes.Source(axes.CENTROIDS, "A"),
@@ -176,6 +219,8 @@ def test_which_choices_are_complete(pair):
         == {
             "triangles": {"needed", "edge-normals", "hull-normals"},
             "concave": set(),
+            "box and triangle": {"needed", "edge-normals", "hull-normals"},
+            "triangle and box": {"needed", "edge-normals", "hull-normals"},
             "boxes": {"needed", "edge-normals", "hull-normals", "world"},
             "polygon and circle": {"needed"},
             "circle and concave": set(),

@@ -3,7 +3,8 @@
 import json
 import sys
 from fractions import Fraction
-from math import cos, hypot, pi, sin
+from math import cos, hypot, ldexp, pi, sin
+from random import Random
 
 import pytest
 from hypothesis import given, settings
@@ -894,20 +895,47 @@ def test_the_axes_of_plain_pairs_need_no_integers(e, monkeypatch):
             assert sv.record(a, b, every_axis=True).relation is sv.relate(a, b)
 
 
-def test_integers_record_what_floats_record(monkeypatch):
-    kinds = "random", "upright", "containment", "circle"
-    ordinary = [(a, b) for kind, a, b in SOME[:200] if kind.startswith(kinds)]
-    by_floats = [sv.record(a, b, every_axis=True).tests for a, b in ordinary]
+def test_integers_record_what_floats_record_and_the_gap_to_five_digits(monkeypatch):
+    by_floats = [sv.record(a, b, every_axis=True).tests for _, a, b in SOME[:250]]
     monkeypatch.setattr(sat, "CLOSE", float("inf"))
-    for (a, b), floats in zip(ordinary, by_floats):
+    for (_, a, b), floats in zip(SOME, by_floats):
         size = max(abs(c) for shape in (a, b) for c in shape.bounds)
         for one, other in zip(floats, sv.record(a, b, every_axis=True).tests, strict=True):
             assert one.axis == other.axis
-            assert one.gap == pytest.approx(other.gap, rel=1e-5, abs=1e-14 * size)
+            assert one.gap == pytest.approx(other.gap, rel=1e-5, abs=0)
             for p, q in ((one.a, other.a), (one.b, other.b)):
                 assert p.landings == pytest.approx(q.landings, rel=1e-12, abs=1e-14 * size)
                 for u, v in zip(p.points, q.points, strict=True):
                     assert u == pytest.approx(v, rel=1e-12, abs=1e-14 * size)
+
+
+@pytest.mark.parametrize("e", [-1074, -1070, -1060, -1030, 1010, 1016])
+def test_a_gap_has_the_exact_sign_at_the_ends_of_float64(e):
+    rng = Random(e)
+    for _ in range(60):
+        a, b = ([(ldexp(rng.randint(-60, 60), e), ldexp(rng.randint(-60, 60), e)) for _ in range(3)] for _ in "ab")
+        try:
+            a, b = sv.Polygon(a), rng.choice((sv.Polygon(b), sv.Circle(b[0], ldexp(rng.randint(1, 60), e))))
+        except sv.InvalidShape:
+            continue
+        for test in sv.record(a, b, every_axis=True).tests:
+            assert (test.gap > 0) - (test.gap < 0) == exact_gap_sign(a, b, test), (a, b, test)
+
+
+def test_axes_are_tested_one_by_one_and_by_default_the_needed_ones():
+    for _, a, b in SOME[:50]:
+        if sv.record(a, b).pairs:
+            continue
+        assert list(sv.axis_tests(a, b)) == list(sv.record(a, b, every_axis=True).tests)
+    asked = []
+
+    def watched():
+        for axis in axes.needed(A, B).axes:
+            asked.append(axis)
+            yield axis
+
+    assert next(t for t in sv.axis_tests(A, B, watched()) if t.separates).source is asked[-1].source
+    assert len(asked) == 2
 
 
 def test_a_touching_circles_extremes_are_its_points_along_the_axis():
