@@ -78,7 +78,7 @@ def ours(node: cst.CSTNode) -> Iterator[cst.CSTNode]:
             value = node.evaluated_value
             far = isinstance(value, float) and not 1e-9 < value < 1e9
             for other in (1.0, 0.0 if value < 1 else 1e999) if far else (value - 1, value + 1):
-                yield cst.parse_expression(f"({other!r})".replace("inf", "1e999"))
+                yield cst.parse_expression(repr(other).replace("inf", "1e999") if other >= 0 else f"({other!r})")
         case cst.Name(value) if value in TWINS:
             yield cst.Name(TWINS[value])
         case cst.Call(cst.Name(called), [arg]) if called in NEEDLESS:

@@ -166,6 +166,18 @@ def test_the_hull_tells_edges_of_the_outline_from_those_across_a_notch():
         assert {turned.vertices[i] for i in across[0].source.ids} == {(4, 2), (2, 4)}
 
 
+def test_teeth_on_one_line_make_one_edge_of_the_hull():
+    comb = sv.Polygon([(0, 0), (8, 0), (8, 4), (6, 1), (4, 4), (2, 1), (0, 4)])
+    found = {axis.source.ids: axis.source.kind for axis in axes.hull_normals(comb, COIN).axes}
+    assert found == {(0, 1): axes.EDGE, (1, 2): axes.EDGE, (2, 6): axes.HULL, (0, 6): axes.EDGE}
+
+
+def test_the_normals_of_a_shape_are_worked_out_once():
+    shape = sv.Polygon(A.vertices)
+    assert axes.edge_normals_of_a(shape, B).axes[0] is axes.edge_normals_of_a(shape, COIN).axes[0]
+    assert axes.edge_normals_of_a(shape, B).axes[0] != axes.edge_normals_of_b(B, shape).axes[0]
+
+
 # -- choices ---------------------------------------------------------------------------------------
 
 

@@ -5,7 +5,6 @@ from math import nextafter
 from random import Random
 
 import pytest
-from strategies import pairs
 
 import satviz as sv
 from satviz.engine import certificate
@@ -48,6 +47,7 @@ def test_a_lines_point_is_the_nearest_to_the_origin():
     a, b = box(0, 0, 1, 1), box(5, 5, 6, 6)
     assert SeparatingLine(a, b, frac(3, 4), Fraction(25)).point == (3, 4)
     assert SeparatingLine(a, b, frac(-1, 1), Fraction(3)).point == (-1.5, 1.5)
+    assert {type(c) for c in SeparatingLine(a, b, frac(-1, 3), Fraction(3)).point} == {float}
 
 
 def gap_on(line: SeparatingLine) -> tuple[float, float]:
@@ -86,18 +86,32 @@ def test_the_normal_of_a_line_is_the_shortest_in_whole_numbers():
     assert sv.record(*slanted, axes=sv.axes.edge_normals_of_a).certificate.normal == (2, 3)
 
 
-def test_a_gap_narrower_than_the_first_bracket_still_has_a_line():
-    beside = nextafter(2.0, 3)
-    assert sv.record(sv.Circle((0, 0), 1), sv.Circle((beside, 0), 1)).certificate.check()
-    found = 0
-    for kind, a, b in pairs(7, 800):
-        if "circle" in kind and sv.relate(a, b) is sv.Relation.APART:
-            found += 1
-            assert sv.record(a, b).certificate.check(), (a, b)
-    assert found > 30
-    whole = sv.Circle((0, 0), 10_000), sv.Circle((14_143, 14_143), 10_001)  # 0.2 of a unit, times an irrational length
-    assert sv.record(*whole).certificate.check()
-    assert sv.record(sv.Circle((0, 0), 665_857), sv.Circle((470_832 * 2, 470_832 * 2), 665_856)).certificate.check()
+def test_a_whole_radius_is_not_rounded():
+    assert sv.record(sv.Circle((0, 0), 1), sv.Circle((4, 0), 1.5)).certificate.offset == Fraction(7, 4)
+    assert sv.record(sv.Circle((0, 0), 5), box(9, -1, 11, 1)).certificate.offset == 7
+
+
+# (s, p, q): s*s - (p*p + q*q) is a single digit, so a circle of radius 1 at s / |(p, q)| from an edge hardly clears it
+HAIRS = (300_000, 239_792, 180_277), (300_002, 299_801, 10_980), (300_009, 299_543, 16_715)
+    (300_000, 239_792, 180_277),
+    (300_002, 299_801, 10_980),
+    (300_002, 299_280, 20_801),
+    (300_009, 299_543, 16_715),
+]
+
+
+@pytest.mark.parametrize(("s", "p", "q"), HAIRS)
+def test_a_gap_narrower_than_the_first_bracket_still_has_a_line(s, p, q):
+    x = s * pow(p, -1, q) % q  # a whole point with p*x + q*y = s
+    y = (s - p * x) // q
+    away = sv.Polygon([(-9 * q, 9 * p), (-9 * p, -9 * q), (9 * q, -9 * p)])  # all below, with the edge p*x + q*y = 0
+    for turn in ((1, 0), (0, 1), (-1, 0), (0, -1)):
+        c, w = turn
+        polygon = sv.Polygon([(c * u - w * v, w * u + c * v) for u, v in away.vertices])
+        circle = sv.Circle((c * x - w * y, w * x + c * y), 1)
+        for a, b in ((polygon, circle), (circle, polygon)):
+            line = sv.record(a, b, axes=sv.axes.edge_normals).certificate
+            assert isinstance(line, SeparatingLine) and line.check()
 
 
 # -- shared points ---------------------------------------------------------------------------------
@@ -147,7 +161,18 @@ def test_the_shared_point_lies_well_inside_the_overlap_or_on_the_touch(a, b, poi
     for first, second in ((a, b), (b, a)):
         found = sv.record(first, second).certificate
         assert isinstance(found, SharedPoint) and found.check()
-        assert found.point == pytest.approx(point)
+        assert found.point == pytest.approx(point) and {type(c) for c in found.point} == {float}
+
+
+def test_where_a_float_will_do_the_shared_point_is_one():
+    a, b = sv.Polygon([(0, 0), (7, 1), (2, 6)]), sv.Polygon([(3, 0), (8, 5), (1, 4)])
+    found = sv.record(a, b).certificate
+    assert (found.x, found.y) == (Fraction(float(found.x)), Fraction(float(found.y)))
+
+
+def test_a_shared_point_is_worked_out_once():
+    a, b = box(0, 0, 4, 4), box(2, 2, 6, 6)
+    assert certificate.shared_point(a, b) is certificate.shared_point(a, b)
 
 
 def test_needles_that_cross_between_the_floats_share_a_fraction():
@@ -180,6 +205,7 @@ def test_a_point_in_both_is_found_at_the_rim_of_float64():
 def test_lines_prove_nothing_unless_there_is_one_for_every_pair_of_parts_that_fill_the_shapes(monkeypatch):
     lines = sv.record(box(2.5, 2.5, 3.5, 3.5), L).certificate
     assert isinstance(lines, PartLines) and lines.check() and len(lines.lines) == 2
+    assert str(lines) == "2 separating lines, one a pair of parts"
     first, second = lines.lines
     for less in ((first,), (second, first), (first, first), (first, second, second), ()):
         assert not lines._replace(lines=less).check()
