@@ -93,11 +93,6 @@ def test_a_whole_radius_is_not_rounded():
 
 # (s, p, q): s*s - (p*p + q*q) is a single digit, so a circle of radius 1 at s / |(p, q)| from an edge hardly clears it
 HAIRS = (300_000, 239_792, 180_277), (300_002, 299_801, 10_980), (300_009, 299_543, 16_715)
-    (300_000, 239_792, 180_277),
-    (300_002, 299_801, 10_980),
-    (300_002, 299_280, 20_801),
-    (300_009, 299_543, 16_715),
-]
 
 
 @pytest.mark.parametrize(("s", "p", "q"), HAIRS)
