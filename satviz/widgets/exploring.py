@@ -112,8 +112,8 @@ class Exploring(Showing):
             self._near = place.out
             return Drawn(drawn, knob=knob(self._layout, place, self._degree))
         chosen = self._choice()
-        drawn, place = live(trace, self._layout, chosen, way_out=self._way_out, near=self._near)
-        self._near = None if place is None else place.out
+        drawn, lies = live(trace, self._layout, chosen, way_out=self._way_out, near=self._near)
+        self._near = None if lies is None else lies.out
         return Drawn(drawn, lit=None if chosen is None else _row_of(trace, chosen))
 
     def _choice(self) -> Chosen | None:

@@ -4,7 +4,7 @@ import io
 from html import escape
 from typing import Any
 
-import ipywidgets as ui  # type: ignore[import-untyped]
+import ipywidgets as ui
 
 from ..engine import telling
 from ..engine.trace import Trace
