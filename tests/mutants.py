@@ -35,19 +35,19 @@ ROOT = HERE.parent / "satviz"
 AT_ONCE = 2
 LOADED_ONCE = ["hypothesis.strategies", "matplotlib", "numba", "numpy", "pytest", "shapely.geometry"]
 TESTS = {  # which test files judge a module: the quick and likely first
-    "geometry": ["geometry"],
-    "exact": ["exact", "trace"],
-    "outline": ["shapes"],
-    "shapes": ["shapes", "trace"],
-    "concave": ["concave"],
-    "verdict": ["verdict"],
-    **{f"batch/{path.stem}": ["batch"] for path in sorted((ROOT / "batch").glob("[!_]*.py"))},
-    "axes": ["axes", "trace"],
-    "sat": ["trace"],
-    "escape": ["trace"],
-    "certificate": ["certificate", "trace"],
-    "trace": ["trace"],
-    "tracefile": ["trace"],
+    "engine/geometry": ["geometry"],
+    "engine/exact": ["exact", "trace"],
+    "engine/outline": ["shapes"],
+    "engine/shapes": ["shapes", "trace"],
+    "engine/concave": ["concave"],
+    "engine/verdict": ["verdict", "never_wrong"],
+    **{f"batch/{path.stem}": ["batch", "batch_door"] for path in sorted((ROOT / "batch").glob("[!_]*.py"))},
+    "engine/axes": ["axes", "trace"],
+    "engine/sat": ["trace"],
+    "engine/escape": ["trace"],
+    "engine/certificate": ["certificate", "trace"],
+    "engine/trace": ["trace"],
+    "scenes/tracefile": ["trace"],
 }
 FATES = "killed", "timed out", "equivalent", "survived"
 

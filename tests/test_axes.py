@@ -84,14 +84,14 @@ def test_the_integers_of_a_direction_are_exactly_its_sources(name):
         for axis in axes.NAMED[name](a, b).axes:
             if axis.source.kind in (axes.EDGE, axes.VERTEX, axes.CENTERS):
                 kinds.add(axis.source.kind)
-                (nx, ny), (x, y) = found_in(axis.source, a, b), axes.exact_direction(axis, a, b)
+                (nx, ny), (x, y) = found_in(axis.source, a, b), axes.exact_dots(a, b, axis).normal
                 assert nx * y == ny * x and (x, y) > (0, 0), (axis, a, b)
     assert kinds
 
 
 def test_the_worlds_axes_are_y_and_x():
     assert [axis.normal for axis in axes.WORLD_AXES] == [(0, 1), (1, 0)]
-    assert [axes.exact_direction(axis, A, B) for axis in axes.WORLD_AXES] == [(0, 1), (1, 0)]
+    assert [axes.exact_dots(A, B, axis).normal for axis in axes.WORLD_AXES] == [(0, 1), (1, 0)]
     assert [axis.source.ids for axis in axes.WORLD_AXES] == [(1,), (0,)]
 
 
