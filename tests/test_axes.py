@@ -184,24 +184,24 @@ def test_the_normals_of_a_shape_are_worked_out_once():
 def test_upright_boxes_need_y_and_x_and_say_which_each_side_is_parallel_to():
     choice = axes.needed(*PAIRS["boxes"])
     assert choice.axes == axes.WORLD_AXES and choice.complete
-    reasons = {(axis.source.shape, axis.direction, reason) for axis, reason in choice.skipped}
+    reasons = {(axis.source.shape, axis.direction, why, number) for axis, why, number in choice.skipped}
     up, right = (0, 1), (1, 0)
-    assert reasons == {(who, *to) for who in "AB" for to in ((up, "parallel to axis 1"), (right, "parallel to axis 2"))}
+    assert reasons == {(who, way, axes.PARALLEL, i) for who in "AB" for way, i in ((up, 1), (right, 2))}
     assert len(choice.skipped) == 8
 
 
 def test_a_box_beside_another_polygon_gives_its_own_normals():
     choice = axes.needed(box(0, 0, 2, 1), B)
     assert [axis.source.shape for axis in choice.axes] == ["B"] * 3 + ["A"] * 2
-    assert [skip.reason for skip in choice.skipped] == ["parallel to axis 4", "parallel to axis 5"]
+    assert [skip[1:] for skip in choice.skipped] == [(axes.PARALLEL, 4), (axes.PARALLEL, 5)]
 
 
 def test_an_axis_to_the_nearest_vertex_is_left_out_where_an_edges_normal_is_parallel():
     choice = axes.needed(box(0, 0, 2, 2), sv.Circle((2, 5), 1))
     assert len(choice.axes) == 2 and choice.complete
-    axis, reason = choice.skipped[-1]
+    axis, why, number = choice.skipped[-1]
     assert axis.source == (axes.VERTEX, "A", (2,)) and axis.normal == (0, 3)
-    assert reason == "parallel to axis 1" and choice.axes[0].direction == (0, 1)
+    assert (why, number) == (axes.PARALLEL, 1) and choice.axes[0].direction == (0, 1)
 
 
 @pytest.mark.parametrize(("x", "y", "nearest"), [(-1, -1, 0), (5, -2, 1), (4, 4, 2), (-1, 9, 3)])
@@ -218,7 +218,7 @@ def test_the_nearest_vertex_is_the_nearest(x, y, nearest):
 def test_nearest_vertex_has_no_axis_without_a_circle_or_without_a_polygon_or_without_a_direction():
     assert axes.nearest_vertex(A, B) == axes.nearest_vertex(COIN, COIN) == axes.Choice(())
     choice = axes.nearest_vertex(A, sv.Circle((3, 2), 1))
-    assert choice.axes == () and choice.skipped[0].reason == "the centre is on that vertex: no direction"
+    assert choice.axes == () and choice.skipped[0][1:] == (axes.NO_DIRECTION, None)
     assert choice.skipped[0].axis == ((1, 0), 1, (axes.VERTEX, "A", (1,)))
 
 

@@ -17,6 +17,7 @@ from .shapes import Shape, centroid
 EDGE, HULL, WORLD = "edge normal", "hull edge normal", "world"
 CENTERS, VERTEX, CENTROIDS = "centers", "nearest vertex", "centroids"
 ANY, GIVEN = "any direction", "given direction"
+PARALLEL, NO_DIRECTION, EARLY_EXIT = "parallel", "no direction", "early exit"
 
 
 class Source(NamedTuple):
@@ -44,10 +45,14 @@ class Axis(NamedTuple):
 
 
 class Skip(NamedTuple):
-    """An axis that was not tested, and why."""
+    """An axis that was not tested, and why: one of the three reasons above.
+
+    `number`: of the axis, from 1, that it is parallel to or that separates; None where no other axis is the reason.
+    """
 
     axis: Axis
-    reason: str
+    why: str
+    number: int | None = None
 
 
 class Choice(NamedTuple):
@@ -82,14 +87,14 @@ def needed(a: Shape, b: Shape) -> Choice:
     for shape, role in (b, "B"), (a, "A"):
         for axis, key in _own_normals(shape, role):
             if key in number:
-                skipped.append(Skip(axis, f"parallel to axis {number[key]}"))
+                skipped.append(Skip(axis, PARALLEL, number[key]))
             else:
                 axes.append(axis)
                 number[key] = len(axes)
     if a.radius or b.radius:
-        vertex, why_not = _vertex_axis(a, b, number)
-        if why_not:
-            skipped.append(Skip(vertex, why_not))
+        vertex, skip = _vertex_axis(a, b, number)
+        if skip:
+            skipped.append(skip)
         else:
             axes.append(vertex)
     return Choice(tuple(axes), tuple(skipped), a.is_convex and b.is_convex)
@@ -139,8 +144,8 @@ def nearest_vertex(a: Shape, b: Shape) -> Choice:
     """The axis from a circle's centre to the polygon's nearest vertex; no axis for other pairs."""
     if bool(a.radius) == bool(b.radius):
         return Choice(())
-    axis, why_not = _vertex_axis(a, b, {})
-    return Choice((), (Skip(axis, why_not),)) if why_not else Choice((axis,))
+    axis, skip = _vertex_axis(a, b, {})
+    return Choice((), (skip,)) if skip else Choice((axis,))
 
 
 def directions(*vectors: Any) -> Chooser:
@@ -266,7 +271,7 @@ def _normals(shape: Shape, role: str) -> tuple[Axis, ...]:
     return tuple(axis for axis, _ in _own_normals(shape, role))
 
 
-def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis, str | None]:
+def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis, Skip | None]:
     """The axis between a circle's centre and the polygon's nearest vertex, and why it is left out if it is."""
     role, polygon = ("B", b) if a.radius else ("A", a)
     core_a, core_b, _, k = aligned(a, b)
@@ -275,7 +280,7 @@ def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis,
     source = Source(VERTEX, role, (polygon.corner_ids[i],))
     x, y = cx - ring[i][0], cy - ring[i][1]
     if not (x or y):
-        return Axis(Vec(1.0, 0.0), 1.0, source), "the centre is on that vertex: no direction"
-    key = _direction_key(x, y)
-    parallel = f"parallel to axis {number[key]}" if key in number else None
-    return _axis((x, y), k, source), parallel
+        nowhere = Axis(Vec(1.0, 0.0), 1.0, source)
+        return nowhere, Skip(nowhere, NO_DIRECTION)
+    axis, key = _axis((x, y), k, source), _direction_key(x, y)
+    return axis, Skip(axis, PARALLEL, number[key]) if key in number else None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from .axes import ANY, CENTERS, CENTROIDS, EDGE, HULL, VERTEX, WORLD, Axis
+from .axes import ANY, CENTERS, CENTROIDS, EARLY_EXIT, EDGE, HULL, NO_DIRECTION, PARALLEL, VERTEX, WORLD, Axis
 from .concave import named_parts
 from .escape import too_many
 from .geometry import Interval, Relation, Vec
@@ -86,6 +86,18 @@ def edge_name(ends: list[str]) -> str:
     return "".join(ends) if all(re.fullmatch(r"[^\W\d]\d{1,2}", end) for end in ends) else " to ".join(ends)
 
 
+_WHY = {
+    PARALLEL: "parallel to axis {}",
+    NO_DIRECTION: "the centre is on that vertex: no direction",
+    EARLY_EXIT: "early exit: axis {} separates",
+}
+
+
+def reason(why: str, number: int | None) -> str:
+    """Why an axis was not tested; the arguments are a Skip's."""
+    return _WHY[why].format(number)
+
+
 def outcome(t: AxisTest) -> str:
     """What one test says of the two ranges, and of nothing else."""
     if t.gap >= 0:
@@ -118,7 +130,8 @@ def verdict(trace: Trace, move: Vec | None) -> str:
         name = axis_name(separating.axis, (trace.a, trace.b), trace.names)
         return f"{a} and {b} are apart: axis {i + 1} ({name}) leaves a gap of {number(separating.gap)}."
     if trace.false_hit:
-        return f"No gap on the {_axes(len(trace.tests))} tested, yet {a} and {b} are apart: a false hit."
+        tested = "1 axis" if len(trace.tests) == 1 else f"{len(trace.tests)} axes"
+        return f"No gap on the {tested} tested, yet {a} and {b} are apart: a false hit."
     if not trace.tests:
         return f"This choice of axes has none for the pair: nothing is tested. {a} and {b} are {trace.relation}."
     count = f"no gap on {_any_of(len(trace.tests))}"
@@ -139,10 +152,6 @@ def _way_out(trace: Trace, move: Vec | None) -> str:
 
 def _any_of(n: int) -> str:
     return "the one axis" if n == 1 else "either axis" if n == 2 else f"any of the {n} axes"
-
-
-def _axes(n: int) -> str:
-    return "1 axis" if n == 1 else f"{n} axes"
 
 
 def _parts_verdict(trace: Trace, move: Vec | None) -> str:
@@ -177,16 +186,13 @@ def _rows(trace: Trace) -> str:
         cells = vector(t.axis.direction), interval(t.a.interval), interval(t.b.interval), signed(t.gap), what
         rows.append((f"{i} {name}", *cells))
     widths = [max(len(row[i]) for row in rows) for i in range(6)]
-    lines = ["  ".join(_pad(cell, w, right=i in (4,)) for i, (cell, w) in enumerate(zip(row, widths))) for row in rows]
+    sides = "<<<<><"  # the gaps are set to the right
+    lines = ["  ".join(f"{cell:{side}{w}}" for cell, side, w in zip(row, sides, widths)) for row in rows]
     places = {axis: f"{i} " for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
     for s in sorted(trace.skipped, key=lambda s: s.axis not in places):  # those with a number first
         place = places.get(s.axis, "")
-        lines.append(f"- {place}{axis_name(s.axis, shapes, trace.names)}: {s.reason}")
+        lines.append(f"- {place}{axis_name(s.axis, shapes, trace.names)}: {reason(s.why, s.number)}")
     return "\n".join(line.rstrip() for line in lines)
-
-
-def _pad(text: str, width: int, *, right: bool) -> str:
-    return text.rjust(width) if right else text.ljust(width)
 
 
 def scene(trace: Trace) -> str:

@@ -6,7 +6,7 @@ from itertools import product
 from typing import NamedTuple
 
 from . import door, telling
-from .axes import Choice, Chooser, Skip, needed
+from .axes import EARLY_EXIT, Choice, Chooser, Skip, needed
 from .certificate import Certificate, PartLines, separating_line, shared_point
 from .concave import named_parts
 from .escape import along_axis, around_parts
@@ -133,9 +133,9 @@ class Trace:
 
     @property
     def skipped(self) -> tuple[Skip, ...]:
-        """(axis, reason) of each axis not tested: left out by the choice, or by the early exit."""
+        """Each axis not tested: left out by the choice, or by the early exit."""
         left = self.choice.axes[len(self.tests) :]
-        return self.choice.skipped + tuple(Skip(axis, f"early exit: axis {len(self.tests)} separates") for axis in left)
+        return self.choice.skipped + tuple(Skip(axis, EARLY_EXIT, len(self.tests)) for axis in left)
 
     def without_early_exit(self) -> "Trace":
         """The same run over every axis of the choice (and every pair of parts)."""

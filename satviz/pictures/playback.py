@@ -84,7 +84,7 @@ def rows(trace: Trace) -> list[dict[str, Any]]:
             row |= {"a": telling.interval(t.a.interval), "b": telling.interval(t.b.interval)}
             found.append(row)
         found += [
-            {"pair": of, "axis": telling.axis_name(s.axis, shapes, pair.names), "reason": s.reason}
+            {"pair": of, "axis": telling.axis_name(s.axis, shapes, pair.names), "reason": telling.reason(*s[1:])}
             for s in pair.skipped
         ]
     return found

@@ -9,7 +9,7 @@ from math import hypot
 from typing import Unpack
 
 from ..engine import telling
-from ..engine.axes import CENTERS, EDGE, HULL, VERTEX, WORLD
+from ..engine.axes import CENTERS, EARLY_EXIT, EDGE, HULL, VERTEX, WORLD
 from ..engine.geometry import Interval, Vec
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Polygon, Shape, centroid
@@ -274,7 +274,7 @@ class Sketch:
 
     def left_out(self) -> None:
         """The axes the early exit made unnecessary, listed in grey."""
-        left = [s.axis for s in self.trace.skipped if s.reason.startswith("early exit")]
+        left = [s.axis for s in self.trace.skipped if s.why == EARLY_EXIT]
         if not left:
             return
         for role, _, shape in self.pair():

@@ -54,7 +54,7 @@ class Scene:
 
     def to_json(self) -> str:
         """The scene as a scene file."""
-        data = {"satviz": "scene 1", "name": self.name, "title": self.title}
+        data: dict[str, object] = {"satviz": "scene 1", "name": self.name, "title": self.title}
         data |= {"a": shape_data(self.a), "b": shape_data(self.b), "axes": self.axes, "every_axis": self.every_axis}
         return json.dumps(data, ensure_ascii=False)
 
@@ -93,13 +93,13 @@ def load(path: str | Path) -> Scene:
         raise InvalidScene(f"{path}: {error}") from None
 
 
-def shape_data(shape: Shape) -> dict:
+def shape_data(shape: Shape) -> dict[str, object]:
     """A shape as plain JSON values; InvalidScene if it is too large to be read again."""
-    if isinstance(shape, Circle):
-        return {"circle": list(shape.center), "radius": shape.radius}
+    if shape.radius:
+        return {"circle": list(shape.core[0]), "radius": shape.radius}
     if len(shape.vertices) > MAX_VERTICES:
         raise InvalidScene(f"a polygon of {len(shape.vertices):,} vertices: a file holds {MAX_VERTICES:,} at most")
-    data: dict = {"polygon": [list(v) for v in shape.vertices]}
+    data: dict[str, object] = {"polygon": [list(v) for v in shape.vertices]}
     if shape.labels:
         data["labels"] = list(shape.labels)
     return data
@@ -122,7 +122,7 @@ def shape_from(data: Any, where: str) -> Shape:
         raise InvalidScene(f"{where}: {error}") from None
 
 
-def _numbers(value: Any, where: str) -> list:
+def _numbers(value: Any, where: str) -> list[Any]:
     if not isinstance(value, list) or len(value) != 2:
         raise InvalidScene(f"{where} must be a pair of numbers")
     return value

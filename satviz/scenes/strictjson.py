@@ -2,6 +2,8 @@
 
 import json
 import re
+from collections import Counter
+from collections.abc import Set
 from typing import Any
 
 from ..engine.geometry import InvalidScene
@@ -37,7 +39,7 @@ def parse(text: str, max_chars: int) -> Any:
         raise InvalidScene(f"not JSON: {error}") from None
 
 
-def keys(data: Any, where: str, required: set[str], optional: set[str] = frozenset()) -> dict:
+def keys(data: Any, where: str, required: Set[str], optional: Set[str] = frozenset()) -> dict[str, Any]:
     """The object itself, if it has all the required keys and none beyond the optional ones."""
     if not isinstance(data, dict):
         raise InvalidScene(f"{where} must be an object, not {kind(data)}")
@@ -64,11 +66,10 @@ def kind(value: Any) -> str:
 _NAMES = {str: "text", list: "a list", dict: "an object", bool: "true or false", int: "a number", float: "a number"}
 
 
-def _no_twice(pairs: list[tuple[str, Any]]) -> dict:
+def _no_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     found = dict(pairs)
     if len(found) < len(pairs):
-        seen: set[str] = set()
-        twice = next(key for key, _ in pairs if key in seen or seen.add(key))
+        twice = next(key for key, times in Counter(key for key, _ in pairs).items() if times > 1)
         raise InvalidScene(f"the key {_quoted([twice])} stands twice in one object")
     return found
 

@@ -69,22 +69,22 @@ def _way_out(trace: Trace, data: Any) -> Vec | None:
     return theirs if as_long and ends_overlap(trace.a, trace.b, theirs) else ours
 
 
-def _axis_data(axis: Axis) -> dict:
+def _axis_data(axis: Axis) -> dict[str, object]:
     kind, shape, ids = axis.source
     source = {"kind": kind, "shape": shape, "vertices": list(ids)}
     return {"normal": list(axis.normal), "length": axis.length, "source": source}
 
 
-def _side_data(side: Projection) -> dict:
+def _side_data(side: Projection) -> dict[str, object]:
     points = [list(p) for p in side.points]
     return {"points": points, "landings": list(side.landings), "interval": list(side.interval)}
 
 
-def _test_data(test: AxisTest) -> dict:
+def _test_data(test: AxisTest) -> dict[str, object]:
     return {"a": _side_data(test.a), "b": _side_data(test.b), "gap": test.gap, "separates": test.separates}
 
 
-def _data(trace: Trace, mtv: Vec | None) -> dict:
+def _data(trace: Trace, mtv: Vec | None) -> dict[str, object]:
     return {
         "a": shape_data(trace.a),
         "b": shape_data(trace.b),
@@ -92,7 +92,9 @@ def _data(trace: Trace, mtv: Vec | None) -> dict:
         "every_axis": trace.every_axis,
         "complete": trace.choice.complete,
         "axes": [_axis_data(axis) for axis in trace.choice.axes],
-        "skipped": [{"axis": _axis_data(s.axis), "reason": s.reason} for s in trace.choice.skipped],
+        "skipped": [
+            {"axis": _axis_data(s.axis), "reason": telling.reason(s.why, s.number)} for s in trace.choice.skipped
+        ],
         "tests": [_test_data(test) for test in trace.tests],
         "pairs": [_data(pair, pair.mtv) for pair in trace.pairs],
         "relation": str(trace.relation),
@@ -112,11 +114,15 @@ def _facts(data: Any, where: str, a: Shape, b: Shape, names: Names) -> Trace:
     lists = {name: list(enumerate(typed(data[name], f"{where}.{name}", list))) for name in _LISTS}
     known = axes.by_source(a, b)
     found = tuple(_axis(axis, f"{where}.axes[{i}]", known) for i, axis in lists["axes"])
+    parallel = [(axes.PARALLEL, i) for i in range(1, len(found) + 1)]
+    reasons = {telling.reason(*facts): facts for facts in [(axes.NO_DIRECTION, None), *parallel]}
     skipped = []
     for i, skip in lists["skipped"]:
         keys(skip, f"{where}.skipped[{i}]", {"axis", "reason"})
         reason = typed(skip["reason"], f"{where}.skipped[{i}].reason", str)
-        skipped.append(Skip(_axis(skip["axis"], f"{where}.skipped[{i}].axis", known), reason))
+        if reason not in reasons:
+            raise InvalidScene(f"{where}.skipped[{i}].reason is {reason!r}: no reason to leave out one of these axes")
+        skipped.append(Skip(_axis(skip["axis"], f"{where}.skipped[{i}].axis", known), *reasons[reason]))
     if len(lists["tests"]) > len(found):
         raise InvalidScene(f"{where}.tests has more tests than there are axes")
     tests = tuple(_test(test, f"{where}.tests[{i}]", found[i]) for i, test in lists["tests"])
@@ -126,9 +132,9 @@ def _facts(data: Any, where: str, a: Shape, b: Shape, names: Names) -> Trace:
 
 def _axis(data: Any, where: str, known: dict[Source, Axis]) -> Axis:
     keys(data, where, {"normal", "length", "source"})
-    source = keys(data["source"], f"{where}.source", {"kind", "shape", "vertices"})
-    ids = tuple(typed(i, f"{where}.source.vertices", int) for i in typed(source["vertices"], f"{where}.source", list))
-    kind, role = typed(source["kind"], f"{where}.source.kind", str), source["shape"]
+    told = keys(data["source"], f"{where}.source", {"kind", "shape", "vertices"})
+    ids = tuple(typed(i, f"{where}.source.vertices", int) for i in typed(told["vertices"], f"{where}.source", list))
+    kind, role = typed(told["kind"], f"{where}.source.kind", str), told["shape"]
     source = Source(kind, role if role is None else typed(role, f"{where}.source.shape", str), ids)
     axis = Axis(_vec(data["normal"], f"{where}.normal"), _float(data["length"], f"{where}.length"), source)
     given = kind == axes.GIVEN and role is None and len(ids) == 1 and any(axis.normal)
@@ -168,7 +174,7 @@ def _float(value: Any, where: str) -> float:
             return number(value, where)
         except InvalidShape as error:
             raise InvalidScene(str(error)) from None
-    return typed(value, where, float)
+    return float(typed(value, where, float))
 
 
 def _agree(ours: Any, theirs: Any, where: str) -> None:
@@ -194,9 +200,9 @@ def _choice_like(trace: Trace) -> Choice:
     return trace.choice
 
 
-def _sources(choice: Choice) -> tuple:
-    given = [axis.normal if axis.source.kind == axes.GIVEN else axis.source for axis in choice.axes]
-    return given, [(skip.axis.source, skip.reason) for skip in choice.skipped]
+def _sources(choice: Choice) -> tuple[list[object], list[object]]:
+    given: list[object] = [axis.normal if axis.source.kind == axes.GIVEN else axis.source for axis in choice.axes]
+    return given, [(skip.axis.source, skip.why, skip.number) for skip in choice.skipped]
 
 
 def _same(trace: Trace, again: Trace, where: str) -> None:

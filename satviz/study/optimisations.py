@@ -71,11 +71,10 @@ def search(a: Polygon, b: Polygon, axes: Sequence[Axis], *, to_the_end: bool = F
 
 def own_normals(choice: Choice) -> tuple[Axis, ...]:
     """The axes of a choice and those spared because the other shape has parallel ones: each shape's own, once."""
-    spared: dict[str, Axis] = {}
-    for axis, reason in choice.skipped:
-        parallel = choice.axes[int(reason.rsplit(" ", 1)[1]) - 1]
-        if axis.source.shape != parallel.source.shape:
-            spared.setdefault(reason, axis)
+    spared: dict[int, Axis] = {}
+    for axis, _, number in choice.skipped:
+        if number and axis.source.shape != choice.axes[number - 1].source.shape:
+            spared.setdefault(number, axis)
     return choice.axes + tuple(spared.values())
 
 

@@ -30,7 +30,6 @@ NUMBERS = (
         [(0, 0), (1, 0), (0.5, 0)],
         [(2, 0), (3, 0), (2.5, 0)],
         shortcuts.textbook,
-        right.refusal,
     ),
     Row(
         8,
@@ -52,7 +51,6 @@ NUMBERS = (
         STAR,
         box(0.5, 0, 1.5, 1),
         shortcuts.least_turn,
-        right.refusal,
     ),
     Row(
         14,

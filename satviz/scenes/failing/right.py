@@ -1,18 +1,17 @@
 """The right answers: what the engine says of a row's scene."""
 
-from fractions import Fraction
 from itertools import combinations
-from math import cos, hypot, radians, sin
+from math import cos, hypot, nan, radians, sin
 
 from ...engine.axes import HULL, directions, hull_normals
-from ...engine.geometry import InvalidShape, Vec
+from ...engine.geometry import Vec
 from ...engine.sat import AxisTest, axis_tests
 from ...engine.shapes import Polygon, Shape
 from ...engine.trace import record
 from . import swept, threed
-from .shortcuts import MANY, Outline, ring, written
+from .shortcuts import MANY, written
 
-Answer = float | tuple[Fraction, Fraction] | tuple[float, float] | str
+Answer = float | tuple[swept.Number, swept.Number] | str
 
 
 def gap(a: Shape, b: Shape) -> float:
@@ -27,18 +26,23 @@ def hull_gap(a: Shape, b: Shape) -> float:
     return max(test.gap for test in tests if test.source.kind == HULL)
 
 
+def way_out(a: Shape, b: Shape) -> Vec:
+    """The shortest move of B that ends the overlap; (0, 0) where there is none to end."""
+    return record(a, b).mtv or Vec(0.0, 0.0)
+
+
 def depth(a: Shape, b: Shape) -> float:
     """The length of the shortest way out."""
-    return hypot(*record(a, b).mtv)
+    return hypot(*way_out(a, b))
 
 
-def overlap_after_mtv(a: Shape, b: Polygon) -> float:
-    """How deep B still is once it has made the shortest move out."""
-    move = record(a, b).mtv
+def overlap_after_mtv(a: Shape, b: Shape) -> float:
+    """How deep B, a polygon, still is once it has made the shortest move out."""
+    move = way_out(a, b)
     return max(0.0, -gap(a, Polygon([(x + move.x, y + move.y) for x, y in b.vertices])))
 
 
-def distance(a: Polygon, b: Polygon) -> float:
+def distance(a: Shape, b: Shape) -> float:
     """The largest gap once the directions from vertex to vertex are tested too."""
     between = [Vec(q.x - p.x, q.y - p.y) for p in a.vertices for q in b.vertices if p != q]
     tests = record(a, b, axes=directions(*between), every_axis=True).tests
@@ -74,15 +78,6 @@ def extremes_of_b(a: Shape, b: Shape) -> float:
     return test.b.landings.count(test.b.interval.hi)
 
 
-def refusal(a: Outline, b: Outline) -> str:
-    """What the engine says at the door."""
-    try:
-        Polygon(ring(a))
-    except InvalidShape as error:
-        return str(error)
-    raise AssertionError("the outline was not refused")
-
-
 def looks(a: Shape, b: Shape) -> float:
     """How many vertices SAT puts in a dot product until it is sure."""
     return sum(len(test.a.points) + len(test.b.points) for test in record(a, b).tests)
@@ -98,6 +93,6 @@ def gap_3d(a: Shape, b: Shape) -> float:
     return max(found.gap for found in (*threed.faces(*threed.PAIR), *threed.crosses(*threed.PAIR)))
 
 
-def contact(a: Shape, b: Shape) -> tuple[Fraction, Fraction]:
-    """When A, flying over B, meets it, in parts of the way; exact for the decimals of the scene."""
-    return swept.contact(swept.windows(written(a), written(b), swept.FLIGHT))
+def contact(a: Shape, b: Shape) -> Answer:
+    """When A, flying over B, meets it, in parts of the way (NaN if never); exact for the decimals of the scene."""
+    return swept.contact(swept.windows(written(a), written(b), swept.FLIGHT)) or (nan, nan)

@@ -5,10 +5,10 @@ from typing import NamedTuple
 
 from ...engine import telling
 from ...engine.geometry import InvalidScene, InvalidShape
-from ...engine.shapes import Circle, Polygon
+from ...engine.shapes import Shape
 from ..scenefile import Scene
 from .right import Answer, gap
-from .shortcuts import Outline, Shortcut
+from .shortcuts import Outline, Shortcut, as_shape
 
 FALSE_HIT, MISSED_HIT, WRONG_NUMBER, REFUSED = "false hit", "missed hit", "wrong number", "refused input"
 
@@ -29,14 +29,14 @@ class Row(NamedTuple):
     a: Outline
     b: Outline
     shortcut: Shortcut
-    right: Callable[[Outline, Outline], Answer] = gap
+    right: Callable[[Shape, Shape], Answer] = gap
     axes: str = ""
 
     @property
     def scene(self) -> Scene:
         """The scene as any other; InvalidScene says why where an outline is refused."""
         try:
-            a, b = (s if isinstance(s, Polygon | Circle) else Polygon(s) for s in (self.a, self.b))
+            a, b = as_shape(self.a), as_shape(self.b)
         except InvalidShape as error:
             raise InvalidScene(f"{self.name} is no scene: {error}") from None
         return Scene(self.name, a, b, every_axis=True, title=self.claim)
@@ -49,7 +49,10 @@ class Row(NamedTuple):
     @property
     def truth(self) -> Answer:
         """What satviz says: a number, two numbers, or the refusal."""
-        return self.right(self.a, self.b)
+        try:
+            return self.right(as_shape(self.a), as_shape(self.b))
+        except InvalidShape as error:
+            return str(error)
 
     def told(self, answer: Answer) -> str:
         """An answer in words: "gap +0.424"."""

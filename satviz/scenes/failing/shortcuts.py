@@ -13,7 +13,7 @@ from ...engine.geometry import Interval, Vec
 from ...engine.shapes import Circle, Polygon, Shape, centroid
 from . import swept, threed
 
-Ring = Sequence[Vec]
+Ring = Sequence[tuple[float, float]]
 Outline = Shape | Ring
 Shortcut = Callable[[Outline, Outline], float]
 X, Y = Vec(1.0, 0.0), Vec(0.0, 1.0)
@@ -24,9 +24,14 @@ FAR = 5.0  # from here on the programmer of row 25 calls two centres far apart
 # -- what every shortcut is made of
 
 
+def as_shape(outline: Outline) -> Shape:
+    """The outline as the engine takes it; InvalidShape where it refuses."""
+    return outline if isinstance(outline, Polygon | Circle) else Polygon(outline)
+
+
 def ring(shape: Outline) -> Ring:
     """The vertices in the owner's order; none of a circle."""
-    return () if isinstance(shape, Circle) else shape.vertices if isinstance(shape, Polygon) else shape
+    return shape.vertices if isinstance(shape, Polygon | Circle) else shape
 
 
 def edges(points: Ring) -> Iterator[Vec]:
@@ -159,9 +164,9 @@ def extremes_of_b(a: Outline, b: Outline) -> float:
 # -- circles
 
 
-def radii_below_distance(a: Circle, b: Circle) -> float:
+def radii_below_distance(a: Outline, b: Outline) -> float:
     """The test as it is often quoted, turned round: sum of radii less than distance, and they collide."""
-    return a.radius + b.radius - hypot(b.center.x - a.center.x, b.center.y - a.center.y)
+    return as_shape(a).radius + as_shape(b).radius - centre_distance(a, b)
 
 
 # -- numbers on paper
@@ -169,13 +174,16 @@ def radii_below_distance(a: Circle, b: Circle) -> float:
 
 def on_paper(a: Outline, b: Outline) -> float:
     """The gap of two upright boxes had they the decimals that people write: 0.1 + 0.2 is 0.3."""
+    gaps = []
+    for i in 0, 1:
+        p, q = ([v[i] for v in written(s)] for s in (a, b))
+        gaps.append(max(min(p) - max(q), min(q) - max(p)))
+    return float(max(gaps))
 
-    return float(max(raw_gap(written(a), written(b), n) for n in (Vec(1, 0), Vec(0, 1))))
 
-
-def written(shape: Outline) -> Ring:
+def written(shape: Outline) -> list[tuple[Fraction, Fraction]]:
     """The vertices as Fractions of the decimals that a person would write."""
-    return [Vec(*(Fraction(f"{c:.12g}") for c in v)) for v in ring(shape)]
+    return [(Fraction(f"{x:.12g}"), Fraction(f"{y:.12g}")) for x, y in ring(shape)]
 
 
 # -- other worlds
@@ -217,7 +225,7 @@ def least_turn(a: Outline, b: Outline) -> float:
 
 
 def centre_distance(a: Outline, b: Outline) -> float:
-    (ax, ay), (bx, by) = centroid(a), centroid(b)
+    (ax, ay), (bx, by) = centroid(as_shape(a)), centroid(as_shape(b))
     return hypot(bx - ax, by - ay)
 
 
