@@ -640,6 +640,7 @@ def test_upright_boxes_are_never_asked_for_an_exact_sign(engine, monkeypatch):
         pairs = batch.candidate_pairs(shapes.bounds)
         found = batch.relate(shapes, shapes, pairs, engine=engine)
         assert found.tolist() == [sv.relate(known[i], known[j]) for i, j in pairs]
+        assert batch.colliding_pairs(shapes, engine=engine).tolist() == pairs.tolist()
     assert not asked
 
 

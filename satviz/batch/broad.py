@@ -79,11 +79,13 @@ def _meeting(
     ranges = []
     for row in range(int((high_y - low_y).max()) + 1):
         base = (low_y + row) * width
-        beyond = low_y + row > high_y
-        first, last = np.searchsorted(key, base + low_x), np.searchsorted(key, base + high_x, side="right")
+        last = np.searchsorted(key, base + high_x, side="right")
         if other is None and row == 0:
             first = np.arange(1, len(queries) + 1)  # in their own row: those further on
-        ranges.append((first, np.where(beyond, first, last)))
+        else:
+            first = np.searchsorted(key, base + low_x)
+            last[low_y + row > high_y] = 0
+        ranges.append((first, last))
     looks = sum(int(np.maximum(last - first, 0).sum()) for first, last in ranges)
     if looks > CHEAP * len(both) and (halves := _halves(size, one, other)):
         return halves

@@ -30,16 +30,19 @@ def colliding_pairs(
     """(K, 2) indices i < j, in order, of the shapes that share a point (touching counts).
 
     Parts of one concave polygon count as their owner.  `engine`, `executor`,
-    `progress` (told of candidates done in each block) and `chunk`: as in `relate`.
+    `progress` (told of candidates done in each block) and `chunk`: as in `relate`;
+    upright boxes alone need none of them.
     """
     found = []
     parts = checked(shapes, "shapes").parts
+    upright = all(group.upright for group in parts.groups.values())  # boxes that meet are shapes that meet
     for pairs in candidate_blocks(parts.bounds):
         if shapes.owner is not None:
             owners = shapes.owner[pairs]
             pairs = pairs[owners[:, 0] != owners[:, 1]]
-        hit = hits(parts, parts, pairs, engine=engine, executor=executor, progress=progress, chunk=chunk)
-        found.append(pairs[hit])
+        if not upright:
+            pairs = pairs[hits(parts, parts, pairs, engine=engine, executor=executor, progress=progress, chunk=chunk)]
+        found.append(pairs)
     pairs = in_order(found)
     if shapes.owner is not None:
         pairs = np.unique(np.sort(shapes.owner[pairs], axis=1), axis=0)
