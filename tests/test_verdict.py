@@ -33,6 +33,31 @@ U = 2.0**-53
 every_method = pytest.mark.parametrize("method", METHODS, ids=lambda method: method.__name__)
 
 
+# -- where products lose bits or overflow ----------------------------------------------------------
+
+
+@pytest.mark.parametrize("power", [-545, -537, -530, -515, -490, 470, 485, 500, 505, 508, 509, 510, 511, 512])
+def test_relate_is_never_wrong_where_products_lose_bits_or_overflow(power):
+    rng = Random(power)
+    known = []
+    while len(known) < 80:
+        try:
+            known.append(tuple(scaled(shape, power) for shape in rng.choice(BASIC)(rng)))
+        except (InvalidShape, NotConvex, OverflowError):
+            continue
+    assert [(a, b) for a, b in known if relate(a, b) is not oracle.relation(a, b)] == []
+
+
+@pytest.mark.parametrize("aside", [2.0**-4, 2.0**-20])
+def test_a_circle_beside_a_long_edge_is_right_at_the_very_size_where_products_overflow(aside):
+    for step in range(96):
+        size = 2.0**510 * (1 + step / 32)
+        half = Polygon([(-size, -size), (size, size), (-size, size)])
+        for part, truth in ((0.99, APART), (1.0, APART), (1.5, OVERLAPPING)):  # of d, where sqrt(2) * d touches
+            circle = Circle((size * aside, -size * aside), size * aside * part)
+            assert relate(half, circle) is relate(circle, half) is oracle.relation(half, circle) is truth
+
+
 # -- the oracle ------------------------------------------------------------------------------------
 
 
