@@ -7,6 +7,8 @@ from importlib.metadata import PackageNotFoundError, version
 from importlib.util import find_spec
 from pathlib import Path
 
+from .. import __version__
+
 PEERS = ("numba", "shapely", "pymunk")
 
 
@@ -35,7 +37,8 @@ def machine() -> dict[str, str]:
     """The machine's kind and the versions, by name."""
     found = {"python": platform.python_version(), "machine": platform.machine(), "system": platform.system()}
     found |= {"processor": _processor(), "cores": str(os.cpu_count())}
-    for name in ("satviz", "numpy", *PEERS):
+    found["satviz"] = __version__
+    for name in ("numpy", *PEERS):
         try:
             found[name] = version(name)
         except PackageNotFoundError:
