@@ -36,7 +36,7 @@ AT_ONCE = 2
 LOADED_ONCE = ["hypothesis.strategies", "matplotlib", "numba", "numpy", "pytest", "shapely.geometry"]
 TESTS = {  # which test files judge a module: the quick and likely first
     "engine/geometry": ["geometry"],
-    "engine/exact": ["exact", "trace"],
+    "engine/exact": ["exact", "trace", "verdict"],
     "engine/outline": ["shapes"],
     "engine/shapes": ["shapes", "trace"],
     "engine/concave": ["concave"],

@@ -43,6 +43,14 @@ def test_a_line_separates_only_strictly_between_the_shapes(a, b, normal, lo, hi)
         assert not SeparatingLine(b, a, frac(*normal), Fraction(offset)).check()
 
 
+@pytest.mark.parametrize("a", [box(0, 0, 1, 1), sv.Circle((0.5, 0), 0.5)], ids=["box", "circle"])
+@pytest.mark.parametrize("b", [box(3, 5, 4, 6), sv.Circle((3.5, 5), 0.5)], ids=["box", "circle"])
+def test_a_line_through_a_shape_separates_nothing_wherever_it_cuts(a, b):
+    for offset in (0.25, 0.5, 0.75, 3.25, 3.5, 3.75):
+        assert not SeparatingLine(a, b, frac(1, 0), Fraction(offset)).check()
+        assert not SeparatingLine(b, a, frac(1, 0), Fraction(offset)).check()
+
+
 def test_a_lines_point_is_the_nearest_to_the_origin():
     a, b = box(0, 0, 1, 1), box(5, 5, 6, 6)
     assert SeparatingLine(a, b, frac(3, 4), Fraction(25)).point == (3, 4)
@@ -99,7 +107,7 @@ HAIRS = (300_000, 239_792, 180_277), (300_002, 299_801, 10_980), (300_009, 299_5
 def test_a_gap_narrower_than_the_first_bracket_still_has_a_line(s, p, q):
     x = s * pow(p, -1, q) % q  # a whole point with p*x + q*y = s
     y = (s - p * x) // q
-    away = sv.Polygon([(-9 * q, 9 * p), (-9 * p, -9 * q), (9 * q, -9 * p)])  # all below, with the edge p*x + q*y = 0
+    away = sv.Polygon([(0, 0), (-q, p), (-p, -q)])  # all below its edge p*x + q*y = 0
     for turn in ((1, 0), (0, 1), (-1, 0), (0, -1)):
         c, w = turn
         polygon = sv.Polygon([(c * u - w * v, w * u + c * v) for u, v in away.vertices])
@@ -149,6 +157,7 @@ def test_a_point_is_shared_if_it_lies_in_both_shapes_borders_included(shape, ins
         (sv.Circle((7, 8), 5), box(0, 0, 4, 4), (4, 4)),
         (sv.Circle((-1, -1), 2), box(0, 0, 4, 4), (0, 0)),
         (sv.Circle((1, 3), 9), box(0, 0, 4, 4), (1, 3)),
+        (sv.Circle((0.25, 0.125), 1), box(0, 0, 0.5, 0.5), (0.25, 0.125)),
         (sv.Circle((3, 6), 9), sv.Polygon([(0, 0), (8, 4), (4, 0)]), (4.8, 2.4)),
     ],
 )
@@ -209,3 +218,19 @@ def test_lines_prove_nothing_unless_there_is_one_for_every_pair_of_parts_that_fi
     every = certificate.parts
     monkeypatch.setattr(certificate, "parts", lambda shape: every(shape)[:1])
     assert not lines._replace(lines=(first,)).check()  # half of the L
+
+
+@pytest.mark.parametrize(
+    "ring",
+    [
+        [(1, 1), (5, 1), (5, 3), (3, 3), (3, 6), (1, 6)],
+        [(-7, -9), (1, -3), (9, -8), (4, 0), (11, 7), (0, 5), (-9, 8), (-4, 1)],
+        [(2, 3), (9, 4), (8, 11), (6, 5)],
+    ],
+)
+def test_lines_past_all_parts_of_a_concave_outline_are_a_proof(ring):
+    shape = sv.Polygon(ring)
+    for other in (sv.Circle((30, 40), 7), sv.Polygon([(20, 1), (30, 5), (22, 9), (24, 5)]), box(-30, 0, -20, 9)):
+        for a, b in ((shape, other), (other, shape)):
+            lines = sv.record(a, b).certificate
+            assert isinstance(lines, PartLines) and lines.check()

@@ -286,6 +286,7 @@ def test_edges_are_named_by_the_owners_numbers_when_vertices_repeat():
         (["A", "B"], "2 labels for 3 vertices"),
         (["A", "B", "C", "D"], "4 labels for 3 vertices"),
         ("ABC", "labels is the text 'ABC'"),
+        (5, "labels is 5: pass a list"),
         (["A", 2, "C"], "label 1 is 2"),
         (["A", None, "C"], "label 1 is None"),
         (["A", "B", b"C"], "label 2 is b'C'"),
@@ -450,6 +451,10 @@ def test_a_shapely_polygon_is_accepted_and_comes_back():
     assert Polygon(Polygon(DENTED)).corners == Polygon(DENTED).corners
 
 
+def test_an_outline_goes_out_closed():
+    assert Polygon(DENTED).__geo_interface__ == {"type": "Polygon", "coordinates": ((*DENTED, DENTED[0]),)}
+
+
 def test_a_ring_and_a_feature_are_accepted():
     assert Polygon(shapely.LinearRing(TRIANGLE)).corners == Polygon(TRIANGLE).corners
     assert Polygon(Feature()).corners == Polygon(TRIANGLE).corners
@@ -603,6 +608,11 @@ def test_pickling_gives_the_shape_back(shape, protocol):
     assert again == shape
     assert repr(again) == repr(shape)
     assert again.bounds == shape.bounds
+
+
+def test_a_notebook_shows_the_repr_and_a_picture():
+    bundle = Polygon(TRIANGLE)._repr_mimebundle_()
+    assert bundle["text/plain"] == repr(Polygon(TRIANGLE)) and len(bundle) > 1
 
 
 @every_shape
@@ -773,9 +783,11 @@ def test_large_outlines_are_checked_quickly():
         assert len(shape.corners) == len(values)
 
 
-def test_half_a_surrogate_pair_is_no_text():
+@pytest.mark.parametrize("half", ["\ud800", "\udbff", "\udc00", "\udfff"], ids=ascii)
+def test_half_a_surrogate_pair_is_no_text(half):
     with pytest.raises(InvalidShape, match=r"label 1 .* surrogate"):
-        Polygon([(0, 0), (1, 0), (0, 1)], labels=["a", "\ud800", "c"])
+        Polygon([(0, 0), (1, 0), (0, 1)], labels=["a", f"b{half}", "c"])
+    assert Polygon(TRIANGLE, ["\ud7ff", "\ue000", "\U0010ffff"]).labels[0] == "\ud7ff"
 
 
 # -- what is worked out of a shape -----------------------------------------------------------------
@@ -803,12 +815,20 @@ def test_a_slab_holds_all_corners_and_ends_on_an_edge(ring, count):
         assert sum(lo > -math.inf for _, _, lo, _ in slabs) == len(ring) - count
 
 
+def test_what_is_not_convex_has_no_slabs():
+    assert Polygon(DENTED)._slabs is None
+    assert Circle((0, 0), 1)._slabs is None
+
+
 @pytest.mark.parametrize("e", [-1000, 0, 1000])
 def test_reach_span_and_bounds_are_those_of_the_corners(e):
     ring = [(math.ldexp(x, e), math.ldexp(y, e)) for x, y in ((-5, 1), (3, 2), (0, -40), (-4, -9))]
     shape = Polygon(ring)
     assert shape.bounds == tuple(math.ldexp(c, e) for c in (-5, -40, 3, 2))
     assert (shape._reach, shape._span) == (math.ldexp(40, e), math.ldexp(42, e))
+    for turn in ((-1, 1), (1, -1), (-1, -1)):
+        turned = Polygon([(x * turn[0], y * turn[1]) for x, y in ring])
+        assert (turned._reach, turned._span) == (shape._reach, shape._span)
     wide = Polygon([(math.ldexp(x, e), math.ldexp(y, e)) for x, y in ((-50, 1), (3, 2), (0, 4))])
     assert (wide._reach, wide._span) == (math.ldexp(50, e), math.ldexp(53, e))
 
@@ -849,6 +869,7 @@ CENTROIDS = [
     ([(0, 0), (4, 0), (4, 2), (0, 2)], (2, 1)),
     ([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)], (5 / 3, 5 / 3)),
     ([(0, 0), (8, 0), (8, 8), (4, 2), (0, 8)], (4, 2.8)),
+    ([(0, 0), (8, 0), (7, 1), (5, 1)], (4.8, 0.4)),
 ]
 
 
@@ -872,7 +893,25 @@ def test_the_centroid_of_a_hair_or_of_all_of_float64_is_the_mean_of_the_corners(
     assert centroid(hair) == pytest.approx((0.5, 1e-13 / 3))
     dart = Polygon([(-1.7e308, -1.7e308), (1.7e308, -1.7e308), (0, 1.7e308)])
     assert centroid(dart) == pytest.approx((0, -1.7e308 / 3))
+    wide = Polygon([(-1.7e308, 0), (0, -1), (1.7e308, 0), (1.7e308, 1), (0, 2), (-1.7e308, 1)])
+    assert centroid(wide) == pytest.approx((0, 0.5))
+    low = Polygon([(0, 0), (1e10, 0), (5e9, 1e-315)])
+    assert centroid(low) == pytest.approx((5e9, 1e-315 / 3))
     assert centroid(Circle((3, 4), 5)) == (3, 4)
+
+
+def test_the_centroid_of_a_hair_is_not_far_from_it():
+    rng = Random(11)
+    for _ in range(300):
+        x, y, dx, dy = (rng.uniform(-9, 9) for _ in range(4))
+        ring = [(x + dx * t, y + dy * t) for t in (0, 0.3, 1, 0.6)]
+        ring = [tuple(math.nextafter(c, rng.choice((-99, 99))) for c in v) for v in ring]
+        try:
+            shape = Polygon(ring)
+        except InvalidShape:
+            continue
+        (x0, y0, x1, y1), (cx, cy) = shape.bounds, centroid(shape)
+        assert x0 - 1e-3 < cx < x1 + 1e-3 and y0 - 1e-3 < cy < y1 + 1e-3, shape
 
 
 def test_a_shape_is_worked_out_once():
