@@ -67,15 +67,13 @@ def _meeting(
     """
     queries, stored = one, one if other is None else other
     cell = np.maximum(size[both].max(axis=0), np.abs(bounds[both]).max() * 2.0**-1000)  # so that no number overflows
-    (low_x, high_x, own_x), (low_y, high_y, own_y) = (
-        _cells(bounds, size, queries, stored, d, cell[d], among=other is None) for d in (0, 1)
-    )
+    (low_x, high_x, own_x), (low_y, high_y, own_y) = (_cells(bounds, size, queries, stored, d, cell[d]) for d in (0, 1))
     width = int(max(high_x.max(), own_x.max())) + 1
     key = own_y * width + own_x
     order = np.argsort(key)
     key, stored = key[order], stored[order]
-    if other is None:  # looked up in the order of the cells: neighbours lie near in memory
-        queries, low_x, high_x, low_y, high_y = (c[order] for c in (queries, low_x, high_x, low_y, high_y))
+    if other is None:  # each pair once: rows from a box's own on; in the order of the cells, neighbours lie near
+        queries, low_x, high_x, low_y, high_y = (c[order] for c in (queries, low_x, high_x, own_y, high_y))
     ranges = []
     for row in range(int((high_y - low_y).max()) + 1):
         base = (low_y + row) * width
@@ -101,8 +99,6 @@ def _cells(
     stored: Pairs,
     d: int,
     cell: float,
-    *,
-    among: bool,
 ) -> tuple[Pairs, Pairs, Pairs]:
     """Along one axis: the first and last cell in which what meets each query can be stored, and each stored box's own.
 
@@ -112,8 +108,6 @@ def _cells(
     low, high = bounds[queries, d], bounds[queries, d + 2]
     with np.errstate(over="ignore"):
         first = np.nextafter(low - np.nextafter(size[stored, d].max(), np.inf), -np.inf)
-        if among and d == 1:
-            first = low  # each pair once: only rows from a box's own on
         numbers = [np.floor(c / cell) for c in (first, high, bounds[stored, d])]
     own = numbers[2]
     lowest, highest = own.min(), own.max()

@@ -40,7 +40,9 @@ def ring(vertices: Any, name: str) -> NDArray[np.float64]:
 def points(values: Points, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
     """(N, 2) float64 from an array or a sequence of points."""
     if not _is_plain(values):
-        return np.array([outline.point(p, item(i)) for i, p in enumerate(listed(values, name))]).reshape(-1, 2)
+        return np.array(
+            [outline.point(p, item(i)) for i, p in enumerate(outline.listed(values, name, "a sequence"))]
+        ).reshape(-1, 2)
     if values.ndim != 2 or values.shape[1] != 2:
         raise InvalidShape(f"{name} has the shape {values.shape}: expected (N, 2)")
     return floats(values, name, lambda i, k: f"{item(i)}.{'xy'[k]}")
@@ -51,21 +53,15 @@ def numbers(values: Numbers, name: str, item: Callable[[int], str]) -> NDArray[n
     if _is_plain(values):
         return floats(values, name, lambda *i: item(i[0]) if i else name)
     if isinstance(values, Iterable):
-        return np.array([outline.number(v, item(i)) for i, v in enumerate(listed(values, name))], np.float64)
+        return np.array(
+            [outline.number(v, item(i)) for i, v in enumerate(outline.listed(values, name, "a sequence"))], np.float64
+        )
     return np.array(outline.number(values, name))
 
 
 def _is_plain(values: Any) -> bool:
     """Is it an array of NumPy's own numbers?  Others are looked at one by one."""
     return isinstance(values, np.ndarray) and values.dtype != object
-
-
-def listed(values: Any, name: str) -> Any:
-    """What can be gone through in order; InvalidShape for anything else."""
-    values = outline.plain(values, name)
-    if not isinstance(values, Iterable):
-        raise InvalidShape(f"{name} is {values!r}: expected a sequence")
-    return values
 
 
 def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray[np.float64]:

@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from ..engine import outline
 from ..engine.concave import parts
 from ..engine.geometry import InvalidShape
 from ..engine.shapes import Polygon
@@ -57,7 +58,7 @@ def polygons_numbered(vertices: door.Rings, numbers: Indices | None, concave: st
         return _assembled([(np.arange(len(array)), array)] if array.size else [], name, concave)
     arrays: list[Array] = []
     by_count: dict[int, list[int]] = {}
-    for i, ring in enumerate(door.listed(vertices, "vertices")):
+    for i, ring in enumerate(outline.listed(vertices, "vertices", "a sequence")):
         array = door.ring(ring, name(i))
         by_count.setdefault(len(array), []).append(i)
         arrays.append(array)

@@ -107,13 +107,14 @@ def vertices(values: Any) -> tuple[Vec, ...]:
 
 
 def _points(values: Any, name: str) -> tuple[Vec, ...]:
-    return tuple(point(v, f"vertex {i}") for i, v in enumerate(_listed(values, name)))
+    return tuple(point(v, f"vertex {i}") for i, v in enumerate(listed(values, name, "a sequence of (x, y) pairs")))
 
 
-def _listed(values: Any, name: str) -> list[Any]:
+def listed(values: Any, name: str, expected: str) -> list[Any]:
+    """What can be gone through in order; InvalidShape says what was expected."""
     values = plain(values, name)
     if not isinstance(values, Iterable) or isinstance(values, type):
-        raise InvalidShape(f"{name} is {_shown(values)}: expected a sequence of (x, y) pairs")
+        raise InvalidShape(f"{name} is {_shown(values)}: expected {expected}")
     return list(values)
 
 
@@ -129,7 +130,7 @@ def _rings(interface: Any) -> list[Any]:
         raise InvalidShape(f"{name} has no type: expected a dict with type and coordinates")
     if kind not in ("Polygon", "LinearRing"):
         raise InvalidShape(f"a {kind} is not a polygon: pass one Polygon at a time")
-    return [held] if kind == "LinearRing" else _listed(held, "coordinates")
+    return [held] if kind == "LinearRing" else listed(held, "coordinates", "a sequence of (x, y) pairs")
 
 
 def _type(interface: Any) -> str:

@@ -104,11 +104,10 @@ class Polygon(_Shape):
     `labels`: one text a vertex.  Raises InvalidShape naming the vertex at fault.
     """
 
-    __slots__ = ("corner_ids", "corners", "labels", "notes", "vertices")
+    __slots__ = ("corner_ids", "labels", "notes", "vertices")
 
     vertices: tuple[Vec, ...]
     labels: tuple[str, ...] | None
-    corners: tuple[Vec, ...]  # as the engine walks them: counter-clockwise, no repeats, none straight on
     corner_ids: tuple[int, ...]  # which vertex each corner is
     notes: tuple[str, ...]
 
@@ -124,7 +123,6 @@ class Polygon(_Shape):
         self._set(
             vertices=points,
             labels=_checked_labels(labels, len(points)),
-            corners=corners,
             core=corners,
             radius=0.0,
             corner_ids=ring.ids,
@@ -142,6 +140,11 @@ class Polygon(_Shape):
         return self.vertices, self.labels
 
     @property
+    def corners(self) -> tuple[Vec, ...]:
+        """The vertices as the engine walks them: counter-clockwise, no repeats, none straight on."""
+        return self.core
+
+    @property
     def __geo_interface__(self) -> dict[str, object]:
         return {"type": "Polygon", "coordinates": (tuple(map(tuple, (*self.vertices, self.vertices[0]))),)}
 
@@ -149,9 +152,8 @@ class Polygon(_Shape):
 class Circle(_Shape):
     """A circle with its inside: centre (x, y) and radius > 0 in scene units; InvalidShape otherwise."""
 
-    __slots__ = ("center",)
+    __slots__ = ()
 
-    center: Vec
     vertices: ClassVar[tuple[Vec, ...]] = ()
     labels: ClassVar[tuple[str, ...] | None] = None
     corner_ids: ClassVar[tuple[int, ...]] = ()
@@ -162,7 +164,6 @@ class Circle(_Shape):
         if r <= 0:
             raise InvalidShape(f"radius is {r}: a circle needs a positive radius")
         self._set(
-            center=c,
             core=(c,),
             radius=r,
             is_convex=True,
@@ -178,6 +179,11 @@ class Circle(_Shape):
             _slabs=None,
             _cache={},
         )
+
+    @property
+    def center(self) -> Vec:
+        """Where it is: its core."""
+        return self.core[0]
 
     def _facts(self) -> tuple[object, ...]:
         return self.center, self.radius

@@ -63,37 +63,37 @@ def live(
     """
     run = trace if chosen is None or chosen.pair is None else trace.pairs[chosen.pair]
     place = None
-    drawing = Sketch(run, layout)
+    sketch = Sketch(run, layout)
     if trace.pairs and run is trace:
-        draw_parts(drawing)
+        draw_parts(sketch)
     else:
-        drawing.shapes()
+        sketch.shapes()
     if run is not trace:
-        others(drawing, trace, run)
+        others(sketch, trace, run)
     if chosen is not None:
         test = run.tests[chosen.test]
         place = place_within(layout, (trace.a, trace.b), test, near)
-        drawing.edge(test)
-        drawing.normal(test)
-        drawing.project(test, place, chosen.test + 1)
-    drawing.note("verdict", str(trace.relation), _role(trace.relation), weight="title", first=1)
+        sketch.edge(test)
+        sketch.normal(test)
+        sketch.project(test, place, chosen.test + 1)
+    sketch.note("verdict", str(trace.relation), _role(trace.relation), weight="title", first=1)
     if way_out and run is trace:
-        draw_move(drawing)
-    return drawing.finish("", trace.sentence, steady=False), place
+        draw_move(sketch)
+    return sketch.finish("", trace.sentence, steady=False), place
 
 
 def turned_axis(trace: Trace, layout: Layout, degree: float, *, near: Vec | None = None) -> tuple[Picture, AxisPlace]:
     """The same for a free axis at an angle in degrees; `trace` has that one direction as its choice."""
-    drawing = Sketch(trace, layout)
-    drawing.shapes()
+    sketch = Sketch(trace, layout)
+    sketch.shapes()
     test = trace.tests[0]
     place = place_within(layout, (trace.a, trace.b), test, near)
-    drawing.project(test, place, 1)
-    drawing.add("knob", "disc", "ink", knob(layout, place, degree), radius=layout.units(KNOB))  # no label lies on it
+    sketch.project(test, place, 1)
+    sketch.add("knob", "disc", "ink", knob(layout, place, degree), radius=layout.units(KNOB))  # no label lies on it
     says = "this axis separates them" if test.separates else "this axis shows no gap"
-    drawing.note("verdict", says, "gap" if test.separates else "overlap", weight="title", first=1)
+    sketch.note("verdict", says, "gap" if test.separates else "overlap", weight="title", first=1)
     sentence = f"The axis at {telling.number(round(degree, 1))} degrees: {telling.outcome(test)}; {says}."
-    return drawing.finish("", sentence, steady=False), place
+    return sketch.finish("", sentence, steady=False), place
 
 
 def knob(layout: Layout, place: AxisPlace, degree: float) -> Vec:

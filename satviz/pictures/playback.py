@@ -26,11 +26,8 @@ MOST_STEPS = 600
 def playbacks(trace: Trace) -> list[dict[str, Any]]:
     """The show of a trace and, if the early exit left something out, that of every axis."""
     whole = checked(trace).without_early_exit()
-    return (
-        [playback(trace)]
-        if whole.tests == trace.tests and whole.pairs == trace.pairs
-        else [playback(trace), playback(whole)]
-    )
+    runs = [trace] if whole.tests == trace.tests and whole.pairs == trace.pairs else [trace, whole]
+    return [playback(run) for run in runs]
 
 
 def playback(trace: Trace) -> dict[str, Any]:

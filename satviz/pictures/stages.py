@@ -88,20 +88,20 @@ def picture(
         raise IndexError(f"{step}: this trace has no such step")
     layout = scene_layout(trace, largest)
     run = trace if step.pair is None else trace.pairs[step.pair]
-    drawing = Sketch(run, layout)
+    sketch = Sketch(run, layout)
     if step.pair is not None:
-        others(drawing, trace, run)
+        others(sketch, trace, run)
     if step.test is not None:
         before = sum(len(pair.tests) for pair in trace.pairs[: step.pair or 0])
-        draw_test(drawing, step.stage, step.test, layout.places[before + step.test])
+        draw_test(sketch, step.stage, step.test, layout.places[before + step.test])
     elif step.stage is Stage.PARTS:
-        draw_parts(drawing)
+        draw_parts(sketch)
     else:
         # seams and part names belong to what proves concave outlines apart
-        draw_parts(drawing) if step.stage is Stage.VERDICT and trace.pairs else drawing.shapes()
+        draw_parts(sketch) if step.stage is Stage.VERDICT and trace.pairs else sketch.shapes()
         if step.stage is Stage.VERDICT:
-            draw_verdict(drawing, layout.places)
-    return drawing.finish(title, sentence(run, step), steady=step.stage is not Stage.VERDICT)
+            draw_verdict(sketch, layout.places)
+    return sketch.finish(title, sentence(run, step), steady=step.stage is not Stage.VERDICT)
 
 
 @lru_cache(maxsize=64)
@@ -130,94 +130,94 @@ def first_role(trace: Trace, test: int) -> str:
     return trace.tests[test].source.shape or "A"
 
 
-def draw_test(drawing: Sketch, stage: Stage, i: int, place: AxisPlace) -> None:
+def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace) -> None:
     """One test as far as the stage goes."""
-    trace = drawing.trace
+    trace = sketch.trace
     test, number = trace.tests[i], i + 1
     done = OF_A_TEST.index(stage)
-    drawing.shapes()
-    drawing.edge(test, told=stage in (Stage.EDGE, Stage.NORMAL))
+    sketch.shapes()
+    sketch.edge(test, told=stage in (Stage.EDGE, Stage.NORMAL))
     if Stage.NORMAL in OF_A_TEST[: done + 1]:
-        drawing.normal(test, told=stage in (Stage.NORMAL, Stage.AXIS))
+        sketch.normal(test, told=stage in (Stage.NORMAL, Stage.AXIS))
     if Stage.AXIS in OF_A_TEST[: done + 1]:
-        drawing.axis(test, place, number)
+        sketch.axis(test, place, number)
     one = first_role(trace, i)
     other = "B" if one == "A" else "A"
     if stage is Stage.DROPS:
-        drawing.drops(test, place, number, one, ends_only=False, told=True)
+        sketch.drops(test, place, number, one, ends_only=False, told=True)
     if stage in (Stage.RANGE, Stage.BOTH, Stage.GAP):
         for role in one if stage is Stage.RANGE else (one, other):
-            drawing.drops(test, place, number, role, ends_only=True, told=False)
-            drawing.range(test, place, number, role)
+            sketch.drops(test, place, number, role, ends_only=True, told=False)
+            sketch.range(test, place, number, role)
     if stage is Stage.GAP:
-        drawing.gap(test, place, number)
+        sketch.gap(test, place, number)
         if test.separates:
-            drawing.left_out()
+            sketch.left_out()
 
 
-def others(drawing: Sketch, whole: Trace, run: Trace) -> None:
+def others(sketch: Sketch, whole: Trace, run: Trace) -> None:
     """The parts that this pair leaves aside, faintly."""
     for role, name, shape in zip("AB", whole.names, (whole.a, whole.b), strict=True):
         for part, part_name in named_parts(shape, name):
             if part_name not in run.names:
-                drawing.shape(role, part_name, part, weight="faint", named=False)
+                sketch.shape(role, part_name, part, weight="faint", named=False)
 
 
-def draw_parts(drawing: Sketch) -> None:
+def draw_parts(sketch: Sketch) -> None:
     """Both shapes as their convex parts."""
-    for role, name, shape in drawing.pair():
+    for role, name, shape in sketch.pair():
         for part, part_name in named_parts(shape, name):
-            drawing.shape(role, part_name, part)
+            sketch.shape(role, part_name, part)
 
 
 FALSE_HIT = "a false hit: the axes tested show no gap"
 
 
-def draw_verdict(drawing: Sketch, places: Sequence[AxisPlace]) -> None:
+def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace]) -> None:
     """What proves the verdict: a separating line, a shared point, the move that parts them."""
-    trace = drawing.trace
-    drawing.note("verdict", str(trace.relation), "ink", weight="title", first=1)
+    trace = sketch.trace
+    sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
     if trace.false_hit:
-        drawing.note("false-hit", FALSE_HIT, "overlap", first=2)
+        sketch.note("false-hit", FALSE_HIT, "overlap", first=2)
     certificate = trace.certificate
     if isinstance(certificate, SeparatingLine):
-        separating_line(drawing, certificate)
+        separating_line(sketch, certificate)
         if trace.separating:
             i = trace.tests.index(trace.separating)
-            drawing.project(trace.separating, places[i], i + 1, drops=False)
+            sketch.project(trace.separating, places[i], i + 1, drops=False)
     elif isinstance(certificate, SharedPoint):
         spot = certificate.point
-        drawing.add("shared", "dot", "ink", spot)
-        drawing.label("shared.name", f"a point in both: {telling.vector(spot)}", "ink", spot, first=4)
-        draw_move(drawing)
+        sketch.add("shared", "dot", "ink", spot)
+        sketch.label("shared.name", f"a point in both: {telling.vector(spot)}", "ink", spot, first=4)
+        draw_move(sketch)
     else:
-        (_, a, whole_a), (_, b, whole_b) = drawing.pair()
+        (_, a, whole_a), (_, b, whole_b) = sketch.pair()
         names = [f"{p} | {q}" for _, p in named_parts(whole_a, a) for _, q in named_parts(whole_b, b)]
         for n, (text, line) in enumerate(zip(names, certificate.lines, strict=True), 1):
-            ends = drawing.line_across(f"line.{n}", line.point, _unit(line), "gap")
-            drawing.label(f"line.{n}.name", text, "gap", drawing.middle(*ends), along=ends, first=4, far=True)
+            ends = sketch.line_across(f"line.{n}", line.point, _unit(line), "gap")
+            sketch.label(f"line.{n}.name", text, "gap", sketch.middle(*ends), along=ends, first=4, far=True)
 
 
-def draw_move(drawing: Sketch) -> None:
+def draw_move(sketch: Sketch) -> None:
     """B where the MTV takes it, and the arrow of the move."""
-    trace = drawing.trace
+    trace = sketch.trace
     move = trace.known_mtv
     if trace.relation is not Relation.OVERLAPPING or move is None:
         return
     ghost = shifted(trace.b, move)
-    drawing.shape("B", f"{trace.names.b} moved", ghost, weight="faint", named=False)
+    sketch.shape("B", f"{trace.names.b} moved", ghost, weight="faint", named=False)
     certificate = trace.certificate
     assert isinstance(certificate, SharedPoint)  # as of all that overlap
     start, tip = certificate.point, moved(certificate.point, move, 1.0)
-    drawing.add("mtv", "arrow", "overlap", start, tip, weight="strong")
-    drawing.label("mtv.name", f"MTV {telling.vector(move)}", "overlap", tip, prefer=move, first=3)
+    sketch.add("mtv", "arrow", "overlap", start, tip, weight="strong")
+    sketch.label("mtv.name", f"MTV {telling.vector(move)}", "overlap", tip, prefer=move, first=3)
 
 
-def separating_line(drawing: Sketch, certificate: SeparatingLine, text: str = "separating line") -> None:
+def separating_line(sketch: Sketch, certificate: SeparatingLine, text: str = "separating line") -> None:
     """The certificate's line across the canvas."""
-    ends = drawing.line_across("line", certificate.point, _unit(certificate), "gap")
+    ends = sketch.line_across("line", certificate.point, _unit(certificate), "gap")
     low, high = sorted(ends, key=lambda p: p.y)
-    drawing.label("line.name", text, "gap", high, prefer=Vec(low.x - high.x, low.y - high.y), first=2, far=True)
+    sketch.label("line.name", text, "gap", high, prefer=Vec(low.x - high.x, low.y - high.y), first=2, far=True)
 
 
 def _unit(certificate: SeparatingLine) -> Vec:

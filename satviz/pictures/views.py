@@ -19,53 +19,53 @@ from .stages import FALSE_HIT, draw_parts, scene_layout, separating_line
 
 def alone(shape: Shape) -> Picture:
     """One shape by itself."""
-    drawing = Sketch(record(shape, shape, axes=Choice(())), arrange([shape], []))
-    drawing.shape("A", "A", shape, named=False)
+    sketch = Sketch(record(shape, shape, axes=Choice(())), arrange([shape], []))
+    sketch.shape("A", "A", shape, named=False)
     if isinstance(shape, Polygon) and shape.labels:
-        drawing.vertices("A", range(len(shape.vertices)))
-    return drawing.finish("", f"{telling.shape_in_words(shape, 'This')}.")
+        sketch.vertices("A", range(len(shape.vertices)))
+    return sketch.finish("", f"{telling.shape_in_words(shape, 'This')}.")
 
 
 def normals(trace: Trace, *, title: str = "") -> Picture:
     """Both shapes with an outward normal on every edge."""
-    drawing = Sketch(trace, scene_layout(trace))
-    drawing.shapes()
-    drawing.all_normals()
-    count = sum(mark.kind == "arrow" for mark in drawing.marks)
-    return drawing.finish(title, f"{telling.both(trace)} Each of the {count} edges has a normal.")
+    sketch = Sketch(trace, scene_layout(trace))
+    sketch.shapes()
+    sketch.all_normals()
+    count = sum(mark.kind == "arrow" for mark in sketch.marks)
+    return sketch.finish(title, f"{telling.both(trace)} Each of the {count} edges has a normal.")
 
 
 def world(trace: Trace, *, title: str = "") -> Picture:
     """Both shapes beside the axes they will be projected on, with nothing projected yet."""
     layout = scene_layout(trace)
-    drawing = Sketch(trace, layout)
-    drawing.shapes()
+    sketch = Sketch(trace, layout)
+    sketch.shapes()
     for i, test in enumerate(trace.tests):
-        drawing.axis(test, layout.places[i], i + 1)
+        sketch.axis(test, layout.places[i], i + 1)
     # projecting starts with y, as in the article, but one says x and y
     names = sorted(telling.axis_name(t.axis, (trace.a, trace.b), trace.names) for t in trace.tests)
-    return drawing.finish(title, f"{telling.both(trace)} They will be projected on {telling.listed(names)}.")
+    return sketch.finish(title, f"{telling.both(trace)} They will be projected on {telling.listed(names)}.")
 
 
 def at_once(trace: Trace, *, kinds: Sequence[str] = (EDGE, WORLD, GIVEN), title: str = "") -> Picture:
     """Several finished tests in one picture: every axis of the given kinds with both ranges."""
     chosen = [(i, t) for i, t in enumerate(trace.tests) if t.source.kind in kinds]
     layout = arrange([trace.a, trace.b], [t for _, t in chosen], together=True)
-    drawing = Sketch(trace, layout)
-    drawing.shapes()
+    sketch = Sketch(trace, layout)
+    sketch.shapes()
     for (i, test), place in zip(chosen, layout.places, strict=True):
-        drawing.project(test, place, i + 1)
+        sketch.project(test, place, i + 1)
     if trace.false_hit:
-        drawing.note("false-hit", FALSE_HIT, "overlap")
+        sketch.note("false-hit", FALSE_HIT, "overlap")
     rest = [
         telling.short_axis_name(t.axis, (trace.a, trace.b), trace.names)
         for t in trace.tests
         if t.source.kind not in kinds
     ]
     if rest:
-        drawing.note("rest", f"not shown: {', '.join(rest)}", "guide")
+        sketch.note("rest", f"not shown: {', '.join(rest)}", "guide")
     tests = " ".join(telling.test(trace, i) for i, _ in chosen)
-    return drawing.finish(title, f"{tests} {trace.sentence}")
+    return sketch.finish(title, f"{tests} {trace.sentence}")
 
 
 def separation(trace: Trace, *, title: str = "") -> Picture:
@@ -74,20 +74,20 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
     assert test and isinstance(certificate, SeparatingLine)  # it is for shapes that an axis separates
     i = trace.tests.index(test)
     layout = scene_layout(trace)
-    drawing = Sketch(trace, layout)
-    drawing.shapes()
-    drawing.axis(test, layout.places[i], i + 1)
+    sketch = Sketch(trace, layout)
+    sketch.shapes()
+    sketch.axis(test, layout.places[i], i + 1)
     name = telling.axis_name(test.axis, (trace.a, trace.b), trace.names)
     place = layout.places[i]
     text = f"separating axis: {name.removeprefix('the ').removesuffix(' axis')}"
     along = tuple(place.at(place.lo + (place.hi - place.lo) * part) for part in (0.5, 0.2, 0.8))
-    drawing.label("axis.caption", text, "ink", along[0], along=along[1:], prefer=place.out, first=1)
+    sketch.label("axis.caption", text, "ink", along[0], along=along[1:], prefer=place.out, first=1)
     for role in "AB":
-        drawing.range(test, place, i + 1, role)
-    drawing.gap(test, place, i + 1)
+        sketch.range(test, place, i + 1, role)
+    sketch.gap(test, place, i + 1)
     line = telling.line(certificate)
-    separating_line(drawing, certificate, f"separating line: {line}")
-    return drawing.finish(
+    separating_line(sketch, certificate, f"separating line: {line}")
+    return sketch.finish(
         title, f"The separating axis is {name}; the separating line {line} runs across it, through the gap."
     )
 
@@ -97,30 +97,30 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
     a, b, test = trace.a, trace.b, trace.tests[0]
     assert isinstance(a, Circle) and isinstance(b, Circle)
     layout = scene_layout(trace)
-    drawing = Sketch(trace, layout)
+    sketch = Sketch(trace, layout)
     p, q = a.center, b.center
-    drawing.shapes()
-    drawing.add("distance", "segment", "ink", p, q)
+    sketch.shapes()
+    sketch.add("distance", "segment", "ink", p, q)
     for role, circle in ("A", a), ("B", b):
-        drawing.add(f"{role}.center", "dot", role, circle.center)
+        sketch.add(f"{role}.center", "dot", role, circle.center)
         across = Vec(-test.axis.direction.y, test.axis.direction.x)
         rim = Vec(circle.center.x + across.x * circle.radius, circle.center.y + across.y * circle.radius)
-        drawing.add(f"{role}.radius", "segment", role, circle.center, rim)
-        half = drawing.middle(circle.center, rim)
+        sketch.add(f"{role}.radius", "segment", role, circle.center, rim)
+        half = sketch.middle(circle.center, rim)
         text = f"r{'12'[role == 'B']} = {telling.number(circle.radius)}"
-        drawing.label(f"{role}.radius.name", text, role, half, prefer=Vec(-1.0, 0.3), first=1)
+        sketch.label(f"{role}.radius.name", text, role, half, prefer=Vec(-1.0, 0.3), first=1)
     # on this axis the gap is the distance less both radii, so the trace has the distance
     reach = a.radius + b.radius
     distance = telling.number(test.gap + reach)
     compare = ">" if test.gap > 0 else "<" if test.gap < 0 else "="
-    drawing.label("distance.name", f"distance {distance}", "ink", drawing.middle(p, q), prefer=Vec(0.3, -1.0), first=1)
+    sketch.label("distance.name", f"distance {distance}", "ink", sketch.middle(p, q), prefer=Vec(0.3, -1.0), first=1)
     for role in "AB":
-        drawing.range(test, layout.places[0], 1, role)
-    drawing.axis(test, layout.places[0], 1)
-    drawing.gap(test, layout.places[0], 1)
+        sketch.range(test, layout.places[0], 1, role)
+    sketch.axis(test, layout.places[0], 1)
+    sketch.gap(test, layout.places[0], 1)
     words = f"distance {distance} {compare} r1 + r2 = {telling.number(reach)}"
-    drawing.note("verdict", words, "ink", first=2)
-    return drawing.finish(
+    sketch.note("verdict", words, "ink", first=2)
+    return sketch.finish(
         title, f"The centers lie {words.replace('distance ', '', 1)} apart. {trace.sentence}", steady=False
     )
 
@@ -133,32 +133,32 @@ def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title:
     name = trace.names["AB".index(role)]
     layout = arrange([circle], [test._replace(a=side, b=side)])
     place = layout.places[0]
-    drawing = Sketch(trace, layout)
-    drawing.shape(role, name, circle, named=False)
-    drawing.axis(test, place, number + 1, told=False)
-    drawing.label("axis.caption", "axis, direction n", "ink", place.at(place.hi), prefer=test.axis.direction, first=1)
-    drawing.add("center", "dot", role, circle.center)
+    sketch = Sketch(trace, layout)
+    sketch.shape(role, name, circle, named=False)
+    sketch.axis(test, place, number + 1, told=False)
+    sketch.label("axis.caption", "axis, direction n", "ink", place.at(place.hi), prefer=test.axis.direction, first=1)
+    sketch.add("center", "dot", role, circle.center)
     p2, p1 = side.points
     n = test.axis.direction
     if not extremes:
         rim = Vec(circle.center.x - n.y * circle.radius, circle.center.y + n.x * circle.radius)
-        drawing.add("radius", "segment", role, circle.center, rim)
+        sketch.add("radius", "segment", role, circle.center, rim)
         text = f"radius r = {telling.number(circle.radius)}"
-        drawing.label("radius.name", text, role, drawing.middle(circle.center, rim), prefer=n, first=1)
-        drawing.label("center.name", "center C", role, circle.center, prefer=Vec(0.0, -1.0), first=2)
+        sketch.label("radius.name", text, role, sketch.middle(circle.center, rim), prefer=n, first=1)
+        sketch.label("center.name", "center C", role, circle.center, prefer=Vec(0.0, -1.0), first=2)
         words = f"A circle has no edges: its center C {telling.vector(circle.center)} and radius"
-        return drawing.finish(title, f"{words} {telling.number(circle.radius)} are all that a projection needs.")
-    drawing.add("diameter", "segment", role, p2, p1)
-    drawing.label("center.name", "C", role, circle.center, prefer=Vec(-n.y, n.x), first=2)
+        return sketch.finish(title, f"{words} {telling.number(circle.radius)} are all that a projection needs.")
+    sketch.add("diameter", "segment", role, p2, p1)
+    sketch.label("center.name", "C", role, circle.center, prefer=Vec(-n.y, n.x), first=2)
     for label, point, landing, sign in ("P1", p1, side.landings[1], "+"), ("P2", p2, side.landings[0], "-"):
         spot = place.at(landing)
-        drawing.add(f"{label}.drop", "segment", "guide", point, spot)
-        drawing.add(label, "dot", role, point)
-        drawing.add(f"{label}.landing", "dot", role, spot)
+        sketch.add(f"{label}.drop", "segment", "guide", point, spot)
+        sketch.add(label, "dot", role, point)
+        sketch.add(f"{label}.landing", "dot", role, spot)
         away = Vec(point.x - circle.center.x, point.y - circle.center.y)
-        drawing.label(f"{label}.name", f"{label} = C {sign} r n", role, point, prefer=away, first=1)
-        drawing.label(f"{label}.value", telling.number(landing), role, spot, prefer=place.out, first=1)
-    return drawing.finish(
+        sketch.label(f"{label}.name", f"{label} = C {sign} r n", role, point, prefer=away, first=1)
+        sketch.label(f"{label}.value", telling.number(landing), role, spot, prefer=place.out, first=1)
+    return sketch.finish(
         title,
         f"The extremes along an axis of direction n = {telling.vector(n)} are P1 = C + r n {telling.vector(p1)} "
         f"and P2 = C - r n {telling.vector(p2)}; they land at {telling.number(side.landings[1])} "
@@ -173,19 +173,19 @@ def failed_lines(trace: Trace, *, most: int = 3, title: str = "") -> Picture:
         if all(test.axis.direction != other.axis.direction for other in best):
             best.append(test)
     layout = arrange([trace.a, trace.b], [])
-    drawing = Sketch(trace, layout)
-    drawing.shapes()
+    sketch = Sketch(trace, layout)
+    sketch.shapes()
     for i, test in enumerate(best[:most], 1):
         a, b, n = test.a.interval, test.b.interval, test.axis.direction
         middle = (max(a.lo, b.lo) + min(a.hi, b.hi)) / 2
-        ends = drawing.line_across(f"line.{i}", Vec(n.x * middle, n.y * middle), n, "overlap")
+        ends = sketch.line_across(f"line.{i}", Vec(n.x * middle, n.y * middle), n, "overlap")
         x0, y0, x1, y1 = layout.limits
         end = max(ends, key=lambda p: hypot(p.x - x0, p.y - y0) + (p.y - y0) * 0.1)
         inwards = Vec((x0 + x1) / 2 - end.x, (y0 + y1) / 2 - end.y)
         text = f"fails: gap {telling.signed(test.gap)}"
-        drawing.label(f"line.{i}.name", text, "overlap", end, prefer=inwards, first=1)
+        sketch.label(f"line.{i}.name", text, "overlap", end, prefer=inwards, first=1)
     worst = telling.number(best[0].gap)
-    return drawing.finish(
+    return sketch.finish(
         title,
         f"No line separates {trace.names.a} and {trace.names.b}: the best gap is {worst}. {trace.sentence}",
         steady=False,
@@ -196,8 +196,8 @@ def split(trace: Trace, *, title: str = "") -> Picture:
     """Concave outlines as their parts, each part pair with the axis that separates it."""
     tests = [pair.separating for pair in trace.pairs]
     layout = arrange([trace.a, trace.b], [t for t in tests if t], together=True)
-    drawing = Sketch(trace, layout)
-    draw_parts(drawing)
+    sketch = Sketch(trace, layout)
+    draw_parts(sketch)
     places = iter(layout.places)
     for pair, test in zip(trace.pairs, tests, strict=True):
         if test:
@@ -205,10 +205,10 @@ def split(trace: Trace, *, title: str = "") -> Picture:
             inner = Sketch(pair, layout)
             inner.project(test, place, pair.tests.index(test) + 1)
             tag = f"{pair.names.a}.{pair.names.b}."
-            drawing.marks += [mark._replace(id=tag + mark.id) for mark in inner.marks]
-            drawing.requests += [(first, request._replace(id=tag + request.id)) for first, request in inner.requests]
+            sketch.marks += [mark._replace(id=tag + mark.id) for mark in inner.marks]
+            sketch.requests += [(first, request._replace(id=tag + request.id)) for first, request in inner.requests]
     parts = [f"{n} is {telling.listed([p for _, p in found])}" for n, found in _split_shapes(trace)]
-    return drawing.finish(title, f"{'; '.join(parts)}. {' '.join(p.sentence for p in trace.pairs)} {trace.sentence}")
+    return sketch.finish(title, f"{'; '.join(parts)}. {' '.join(p.sentence for p in trace.pairs)} {trace.sentence}")
 
 
 def _split_shapes(trace: Trace) -> list[tuple[str, list[tuple[Shape, str]]]]:
