@@ -519,7 +519,7 @@ def test_candidate_pairs_of_little_or_bad_input():
     assert batch.candidate_pairs(np.empty((0, 4))).shape == (0, 2)
     assert batch.candidate_pairs([[0, 0, 1, 1]]).shape == (0, 2)
     for bad, words in (
-        ([[0, 0, 1]], "expected \\(N, 4\\)"),
+        (np.zeros((2, 3)), "expected \\(N, 4\\)"),
         ([[0, 0, -1, 1]], "bounds\\[0\\]"),
         ([[0, 0, 1, np.nan]], "0"),
     ):

@@ -69,6 +69,66 @@ def test_whole_arrays_and_streams_have_the_same_door(name):
     assert words(batch.stream_colliding_pairs, block, strip=2) == said
 
 
+NUMBERS = [True, "1", 1j, None, np.nan, np.inf, 2**53 + 1, 10**400, np.array([1, 2]), [1], sv, np.datetime64("2020")]
+
+
+@pytest.mark.parametrize("odd", NUMBERS, ids=repr)
+def test_an_array_of_any_objects_is_judged_number_by_number(odd):
+    block = np.array([TRIANGLE] * 3, object)
+    block[2, 1, 0] = odd
+    said = f"polygon 2: {words(sv.Polygon, block[2])}"
+    assert words(batch.Polygons, block) == words(batch.stream_colliding_pairs, block, strip=2) == said
+    center = np.array([(0, 0)] * 3, object)
+    center[2, 1] = odd
+    assert words(batch.Circles, center, 1) == f"circle 2: {words(sv.Circle, center[2], 1)}"
+    box = np.array([(0, 0, 1, 1)] * 3, object)
+    box[2, 3] = odd
+    said = words(batch.candidate_pairs, box)
+    assert said.startswith("bounds[2][3] is "), said
+    assert said == words(batch.candidate_pairs, box.tolist())
+
+
+def test_an_array_of_objects_that_are_numbers_is_an_array():
+    block = np.array([TRIANGLE] * 3, object)
+    ((found),) = batch.stream_colliding_pairs(block)
+    assert found.tolist() == batch.colliding_pairs(batch.Polygons(block)).tolist() == [[0, 1], [0, 2], [1, 2]]
+
+
+@pytest.mark.parametrize("name", ["booleans", "complex", "text", "times", "masked"])
+def test_boxes_are_numbers_like_all_others(name):
+    array = BAD[name]
+    of_four = np.ma.concatenate if np.ma.isMaskedArray(array) else np.concatenate
+    said = words(batch.candidate_pairs, of_four([array, array], axis=1))
+    assert said.replace("bounds", "vertices") == words(sv.Polygon, array)
+
+
+def test_boxes_may_be_lists_and_what_is_no_box_is_named():
+    boxes = [(0, 0, 1, 1), [1, 1, 2, 2], np.array((5, 5, 6, 6))]
+    assert batch.candidate_pairs(boxes).tolist() == [[0, 1]]
+    assert batch.candidate_pairs([]).shape == (0, 2)
+    lossy = np.array([(0, 0, 1, 2**53 + 1)])
+    assert words(batch.candidate_pairs, lossy).startswith("bounds[0][3] is 9007199254740993")
+    assert words(batch.candidate_pairs, [boxes[0], (1, 2, 3)]).startswith("bounds[1] has 3 numbers")
+    assert words(batch.candidate_pairs, [boxes[0], 7]).startswith("bounds[1] is 7")
+    assert words(batch.candidate_pairs, [(0, 0, -1, 1)]).startswith("bounds[0] is [0.0, 0.0, -1.0, 1.0]")
+
+
+@pytest.mark.parametrize("places", [(-1, 1), (-1, 0, 1), (-1, -1, -1, 1, 1)])
+@pytest.mark.parametrize("far", [1e308, 1.7e308])
+@pytest.mark.parametrize("size", [1e294, 1e300, 5e306])
+def test_coordinates_near_the_end_of_float64_warn_of_nothing(places, far, size):
+    at = far * np.array([(x, y) for x in places for y in places])
+    shapes = batch.Polygons(at[:, None] + size * np.array(TRIANGLE))
+    coins = batch.Circles(at, size)
+    pairs = [[i, j] for i in range(len(at)) for j in range(i + 1, len(at)) if (at[i] == at[j]).all()]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert batch.colliding_pairs(shapes).tolist() == batch.colliding_pairs(coins).tolist() == pairs
+        for strip in (1, 3):
+            found = batch.stream_colliding_pairs(at[:, None] + size * np.array(TRIANGLE), strip=strip)
+            assert sorted(pair for some in found for pair in some.tolist()) == pairs
+
+
 def test_a_stream_names_the_polygon_of_the_file():
     apart = np.array(TRIANGLE) + 10 * np.arange(9)[:, None, None]
     crossed = np.array([(0, 0), (2, 2), (2, 0), (0, 2)]) + 10 * np.arange(9)[:, None, None]
@@ -110,6 +170,8 @@ def test_arrays_of_circles_are_judged_like_lists():
     )
     assert words(batch.Circles, np.zeros((2, 2)), np.array([1, np.nan])).startswith("circle 1: radius is nan")
     assert words(batch.Circles, np.zeros((2, 2)), np.array([1, -1])).startswith("circle 1: radius is -1.0")
+    for radius in (np.nan, np.array(np.nan), 2**53 + 1, 0, -1):  # one for all: no circle is named but for its size
+        assert words(batch.Circles, [(0, 0)], radius).removeprefix("circle 0: ") == words(sv.Circle, (0, 0), radius)
     assert "expected (N, 2)" in words(batch.Circles, np.zeros(4), 1)
     assert "expected (2,)" in words(batch.Circles, np.zeros((2, 2)), [1, 2, 3])
 

@@ -3,7 +3,9 @@
 from collections.abc import Generator, Iterator
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
+
+from . import door
 
 Pairs = NDArray[np.intp]
 
@@ -12,17 +14,12 @@ CHEAP = 128  # looks a box that are not worth a split: a look is far cheaper tha
 ALIKE = 4.0
 
 
-def candidate_pairs(bounds: ArrayLike) -> Pairs:
+def candidate_pairs(bounds: door.Points) -> Pairs:
     """(K, 2) indices i < j, in order, of the boxes that meet (closed); bounds: (N, 4) x min, y min, x max, y max.
 
-    ValueError for boxes that are not finite or turned inside out.
+    InvalidShape for boxes that are not finite or turned inside out.
     """
-    bounds = np.ascontiguousarray(bounds, dtype=np.float64)
-    if bounds.ndim != 2 or bounds.shape[1] != 4:
-        raise ValueError(f"bounds has the shape {bounds.shape}: expected (N, 4)")
-    if (bad := np.flatnonzero(~((bounds[:, :2] <= bounds[:, 2:]).all(axis=1) & np.isfinite(bounds).all(axis=1)))).size:
-        raise ValueError(f"bounds[{bad[0]}] is {bounds[bad[0]].tolist()}: expected finite x min, y min <= x max, y max")
-    return in_order(list(candidate_blocks(bounds)))
+    return in_order(list(candidate_blocks(door.boxes(bounds))))
 
 
 def in_order(blocks: list[Pairs]) -> Pairs:
@@ -109,9 +106,10 @@ def _cells(
     with np.errstate(over="ignore"):
         first = np.nextafter(low - np.nextafter(size[stored, d].max(), np.inf), -np.inf)
         numbers = [np.floor(c / cell) for c in (first, high, bounds[stored, d])]
-    own = numbers[2]
-    lowest, highest = own.min(), own.max()
-    if np.isfinite(highest - lowest) and highest - lowest < 1 << 30:
+        own = numbers[2]
+        lowest, highest = own.min(), own.max()
+        many = highest - lowest
+    if many < 1 << 30:
         first, last = (np.clip(c, lowest - 1, highest + 1) for c in numbers[:2])
         return tuple((c - (lowest - 1)).astype(np.int64) for c in (first, last, own))
     found, own = np.unique(own, return_inverse=True)

@@ -77,7 +77,7 @@ def stream_colliding_pairs(
     if not n:
         return
     count = -(-n // strip)
-    edges = np.concatenate([[-np.inf], np.quantile(low, np.arange(1, count) / count), [np.inf]])
+    edges = np.concatenate([[-np.inf], np.quantile(low, np.arange(1, count) / count, method="lower"), [np.inf]])
     edges = np.unique(edges)
     for k, (left, right) in enumerate(pairwise(edges)):
         ids = np.flatnonzero((low < right) & (high >= left))

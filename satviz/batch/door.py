@@ -41,22 +41,43 @@ def points(values: Points, name: str, item: Callable[[int], str]) -> NDArray[np.
     """(N, 2) float64 from an array or a sequence of points."""
     if not _is_plain(values):
         return np.array(
-            [outline.point(p, item(i)) for i, p in enumerate(outline.listed(values, name, "a sequence"))]
+            [outline.point(p, item(i)) for i, p in enumerate(_listed(values, name))]
         ).reshape(-1, 2)
     if values.ndim != 2 or values.shape[1] != 2:
         raise InvalidShape(f"{name} has the shape {values.shape}: expected (N, 2)")
     return floats(values, name, lambda i, k: f"{item(i)}.{'xy'[k]}")
 
 
-def numbers(values: Numbers, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
-    """(N,) float64 from an array or a sequence of numbers, or () from one."""
+def boxes(values: Points) -> NDArray[np.float64]:
+    """(N, 4) float64 from an array or a sequence of boxes; InvalidShape names the first that is none."""
+    name = "bounds"
+    if not _is_plain(values):
+        rows = [outline.listed(box, f"{name}[{i}]", "4 numbers") for i, box in enumerate(_listed(values, name))]
+        for i, row in enumerate(rows):
+            if len(row) != 4:
+                raise InvalidShape(f"{name}[{i}] has {len(row)} numbers: expected x min, y min, x max, y max")
+        values = np.array(rows, object).reshape(-1, 4)
+    if values.ndim != 2 or values.shape[1] != 4:
+        raise InvalidShape(f"{name} has the shape {values.shape}: expected (N, 4)")
+    found = floats(values, name, lambda i, k: f"{name}[{i}][{k}]")
+    if (bad := np.flatnonzero(~(found[:, :2] <= found[:, 2:]).all(axis=1))).size:
+        raise InvalidShape(f"{name}[{bad[0]}] is {found[bad[0]].tolist()}: expected x min, y min <= x max, y max")
+    return found
+
+
+def _listed(values: Any, name: str) -> list[Any]:
+    return outline.listed(values, name, "a sequence")
+
+
+def numbers(values: Numbers, name: str, one: str, item: Callable[[int], str]) -> NDArray[np.float64]:
+    """(N,) float64 from an array or a sequence of numbers, or () from `one`."""
     if _is_plain(values):
-        return floats(values, name, lambda *i: item(i[0]) if i else name)
+        return floats(values, name, lambda *i: item(i[0]) if i else one)
     if isinstance(values, Iterable):
         return np.array(
-            [outline.number(v, item(i)) for i, v in enumerate(outline.listed(values, name, "a sequence"))], np.float64
+            [outline.number(v, item(i)) for i, v in enumerate(_listed(values, name))], np.float64
         )
-    return np.array(outline.number(values, name))
+    return np.array(outline.number(values, one))
 
 
 def _is_plain(values: Any) -> bool:
@@ -67,6 +88,9 @@ def _is_plain(values: Any) -> bool:
 def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray[np.float64]:
     """The same values in float64; InvalidShape says of the first that has none what satviz.Polygon would."""
     outline.refuse_array(array, name)
+    if array.dtype == object:
+        each = [outline.number(value, entry(*at)) for at, value in np.ndenumerate(array)]
+        return np.array(each, np.float64).reshape(array.shape)
     with np.errstate(all="ignore"):
         found = np.asarray(array, np.float64)
     doubtful = ~np.isfinite(found)

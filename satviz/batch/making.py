@@ -21,7 +21,7 @@ def Circles(centers: door.Points, radii: door.Numbers) -> Shapes:
     """Circles from (N, 2) centers and (N,) radii, or one radius (scene units); InvalidShape names the first bad one."""
     centers = door.points(centers, "centers", lambda i: f"circle {i}: center")
     n = len(centers)
-    r = door.numbers(radii, "radii", lambda i: f"circle {i}: radius")
+    r = door.numbers(radii, "radii", "radius", lambda i: f"circle {i}: radius")
     if r.shape not in ((), (1,), (n,)):
         raise InvalidShape(f"radii has the shape {r.shape}: expected ({n},), or one radius for all")
     r = np.array(np.broadcast_to(r, (n,)))
