@@ -1,4 +1,4 @@
-"""satviz figures | trace | draw | study | notebook | scenes | bench: what the command line understands."""
+"""satviz figures | trace | draw | notebook | reference | study | scenes | bench: what the command line understands."""
 
 import argparse
 import reprlib
@@ -46,6 +46,7 @@ class Parser(argparse.ArgumentParser):
     """Says what is wrong in one line, as every command does."""
 
     def error(self, message: str) -> NoReturn:
+        """Usage faults in one line, and where to read on; exit 2."""
         say(f"{message} (try {self.prog} --help)")
         raise SystemExit(2)
 
@@ -154,6 +155,13 @@ def _parser() -> argparse.ArgumentParser:
     )
     study.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
     study.set_defaults(run=commands.study)
+
+    reference = command.add_parser("reference", help="write what every public name takes and gives, with examples")
+    reference.add_argument(
+        "--out", type=_folder, default=Path("satviz-reference"), metavar="DIR", help="(default: satviz-reference)"
+    )
+    reference.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
+    reference.set_defaults(run=commands.reference)
 
     scenes = command.add_parser("scenes", help="list the built-in scenes")
     scenes.add_argument("--failing", action="store_true", help="those where shortcuts fail, and what is right")

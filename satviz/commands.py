@@ -54,6 +54,7 @@ def _did_you_mean(name: str, known: Iterable[str]) -> str:
 
 
 def figures(args: argparse.Namespace) -> int:
+    """Write the figures asked for, light and dark."""
     from .pictures.figures import FIGURES, Figure
 
     wanted: Sequence[Figure] = FIGURES
@@ -68,6 +69,7 @@ def figures(args: argparse.Namespace) -> int:
 
 
 def draw(args: argparse.Namespace) -> int:
+    """Draw every step of a scene, in each format asked for."""
     from .pictures import Picture, picture, steps
     from .pictures.caption import captioned
 
@@ -107,6 +109,7 @@ def _page(trace: "Trace", title: str) -> bytes:
 
 
 def notebook(args: argparse.Namespace) -> int:
+    """Copy the walkthrough beside the reader, and open it."""
     from importlib.util import find_spec
 
     here = Path(__file__).parent
@@ -177,12 +180,14 @@ def _progress(paths: Sequence[Path]) -> Iterator[Path]:
 
 
 def trace(args: argparse.Namespace) -> int:
+    """Print the record of a scene, as a table or as JSON."""
     trace = _load(args).record()
     out_json(trace.to_json(indent=1)) if args.json else out(str(trace))
     return 0
 
 
 def bench(args: argparse.Namespace) -> int:
+    """Time satviz beside its peers, and print the table."""
     import json
 
     from tqdm import tqdm
@@ -216,6 +221,7 @@ def bench(args: argparse.Namespace) -> int:
 
 
 def study(args: argparse.Namespace) -> int:
+    """Run the sections asked for, and write their tables and charts."""
     from tqdm import tqdm
 
     from .study.cells import Settings
@@ -242,7 +248,25 @@ def study(args: argparse.Namespace) -> int:
     return 0
 
 
+def reference(args: argparse.Namespace) -> int:
+    """Write the pages of the reference."""
+    from .site.reference import reference
+
+    try:
+        files = [(args.out / path, data) for path, data in reference()]
+    except ImportError as error:
+        raise Failed(str(error)) from None
+    disk.folder(args.out)
+    for path, _ in files:
+        disk.check(path, force=args.force)
+    for path, data in files:
+        disk.write(path, data, force=args.force)
+    out(f"open {visible(str(args.out / 'index.html'))}")
+    return 0
+
+
 def scenes(args: argparse.Namespace) -> int:
+    """List the built-in scenes, or those where shortcuts fail."""
     if args.failing:
         from .scenes.failing import ROWS
 

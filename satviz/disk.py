@@ -21,6 +21,7 @@ _MARKS = {
     ".html": f'content="{MADE_BY}"',
     ".json": f'"made_by": "{MADE_BY}"',
     ".csv": f",{MADE_BY}\n",
+    ".js": f"// {MADE_BY}\n",
     ".md": f"\n\n{MADE_BY}: ",
 }
 

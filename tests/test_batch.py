@@ -264,7 +264,7 @@ def resting_on_boxes(rng, n):
 
 
 def tiny_on_edges(rng, n):
-    """Radii near or far below the last places of coordinates; centres on edges, on corners and a float or two off."""
+    """Radii near or far below the last places of coordinates; centers on edges, on corners and a float or two off."""
     _, _, rings = resting_exactly(rng, n) if rng.random() < 0.5 else resting(rng, n, 5)
     w = rng.choice([0, 0.25, 0.5, 1], (n, 1))
     centers = jolt(rng, rings[:, 0] + w * (rings[:, 1] - rings[:, 0]), 2)

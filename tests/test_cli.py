@@ -462,8 +462,7 @@ def test_a_closed_pipe_is_no_error():
         stderr=subprocess.PIPE,
     )
     process.stdout.close()
-    err = process.stderr.read()
-    process.wait()
+    _, err = process.communicate()
     assert b"Traceback" not in err and b"Exception" not in err
 
 

@@ -257,9 +257,9 @@ def test_the_box_lies_in_neither_half_and_the_halves_push_against_each_other():
     assert pushes.push_of_halves(row.a, row.b) == (0, 0)
 
 
-def test_centres_that_far_apart_belong_to_a_hit():
-    row = NAMED["far-centres"]
-    assert shortcuts.centre_distance(row.a, row.b) == pytest.approx(9.5)
+def test_centers_that_far_apart_belong_to_a_hit():
+    row = NAMED["far-centers"]
+    assert shortcuts.center_distance(row.a, row.b) == pytest.approx(9.5)
     assert exact(row.a, row.b) is sv.Relation.OVERLAPPING
 
 
@@ -296,9 +296,9 @@ def test_the_scene_of_the_boxes_is_their_view_from_above():
             assert shortcuts.span(shape, n) == pytest.approx(threed.span(solid, (n.x, n.y, 0.0)))
 
 
-def test_a_push_away_from_the_centre_is_as_long_as_the_right_one_and_leaves_them_colliding():
-    row = NAMED["push-from-centre"]
-    push = pushes.push_from_centre(row.a, row.b)
+def test_a_push_away_from_the_center_is_as_long_as_the_right_one_and_leaves_them_colliding():
+    row = NAMED["push-from-center"]
+    push = pushes.push_from_center(row.a, row.b)
     assert sqrt(push.x**2 + push.y**2) == about(1.426) == right.depth(row.a, row.b)
     pushed = sv.Polygon([(x + push.x, y + push.y) for x, y in row.b.vertices])
     assert exact(row.a, pushed) is sv.Relation.OVERLAPPING

@@ -92,7 +92,7 @@ def test_shortcuts_are_torn_where_the_engine_is_not(results):
         found = [r for r in rows(results, "continuity") if (r["quantity"], r["scene"]) == (quantity, scene)]
         return sum(row["torn"] for row in found)
 
-    assert torn("MTV", continuity.LEVEL) == 0 < torn("MTV, sign from centres", continuity.LEVEL)
+    assert torn("MTV", continuity.LEVEL) == 0 < torn("MTV, sign from centers", continuity.LEVEL)
     assert torn("MTV", "needles") == 0 < torn("MTV, raw normals", "needles")
     about = "first axis about to separate"
     assert torn("best gap", about) == 0 < torn("gap at early exit", about)
@@ -130,7 +130,7 @@ def test_dot_products_are_saved_where_an_optimisation_helps_and_nowhere_else(res
 
 
 def test_counts_are_the_same_on_a_rerun_with_the_same_seed(results):
-    slug = "order-along-the-centres-triangles-apart"
+    slug = "order-along-the-centers-triangles-apart"
     assert cost.count(slug, True, SEED) == results[f"cost-count-{slug}"] != cost.count(slug, True, SEED + 1)
     assert doing_less.counted("triangles", 30, SEED) == results["doing-no-more-triangles"]
     assert continuity.jumps("needles", True, "1e-9", 120, SEED) == results["continuity-hits-needles-1e-9"]

@@ -1,6 +1,6 @@
 """Circles with polygons that the filter leaves undecided: exact signs, and only of what matters in each pair.
 
-The centre is inside, or the nearest point is a corner or the foot on an edge.  Floats
+The center is inside, or the nearest point is a corner or the foot on an edge.  Floats
 tell which of these can lie within the radius (mostly one), and only they are settled:
 in two floats, else exactly where no difference of coordinates was rounded, else (hardly
 ever) with integers.  No sign is of a degree above two: the turn about an edge is
@@ -23,7 +23,7 @@ FEW = 32  # pairs that integers settle sooner
 
 
 def gaps(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
-    """The exact signs of distance minus radius, column by column; -1 also with the centre inside."""
+    """The exact signs of distance minus radius, column by column; -1 also with the center inside."""
     found = np.full(len(cx), UNKNOWN, np.int8)
     with np.errstate(all="ignore"):
         for start in range(0, len(cx) if len(cx) > FEW else 0, BLOCK):
@@ -82,7 +82,7 @@ def _within_reach(
 ) -> tuple[Indices, Indices, Indices, Indices, Array]:
     """Flat places of the corners, and of the edges (upright, slanted) with feet, that may lie within the radius.
 
-    Then the pairs whose centre may be inside, and how far products of differences can be off: what
+    Then the pairs whose center may be inside, and how far products of differences can be off: what
     filter_numpy.circle_polygons grants or up to twice that; infinite (and no places) out of range.
     """
     x, y = px[:-1] - cx, py[:-1] - cy
@@ -112,7 +112,7 @@ def _within_reach(
 
 
 def _corner_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
-    """Corner from centre, against the radius.
+    """Corner from center, against the radius.
 
     At exactly the radius no difference is rounded: let the radius be odd in units of a power of
     two, and both differences whole in units of that over 2**m, one of them odd.  One odd square,
@@ -124,7 +124,7 @@ def _corner_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Sign
 
 
 def _upright_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array) -> Signs:
-    """Foot on an edge along x or y from the centre, against the radius; 1 where it is not between the ends.
+    """Foot on an edge along x or y from the center, against the radius; 1 where it is not between the ends.
 
     A difference rounds to the radius or stays on its side of it: then what was rounded off decides.
     """
@@ -139,7 +139,7 @@ def _upright_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Ar
 def _foot_signs(
     cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array, *, room: Array
 ) -> tuple[Signs, NDArray[np.bool_]]:
-    """Centre from the line of an edge, against the radius; and whether the foot may not be between the ends.
+    """Center from the line of an edge, against the radius; and whether the foot may not be between the ends.
 
     The length is a float and what it misses: the difference of squares over twice the float, as
     its own square is too small.  In units of signs.nearly: what it misses is off by 41uu of the
@@ -191,7 +191,7 @@ def _signs(pairs: Pairs, more: Array, plain: NDArray[np.bool_]) -> Signs:
 
 
 def _inside(cx: Array, cy: Array, px: Array, py: Array) -> NDArray[np.bool_]:
-    """Is the centre strictly left of every edge?"""
+    """Is the center strictly left of every edge?"""
     ends = [np.ravel(c) for c in (px[:-1], py[:-1], px[1:], py[1:])]
     centers = [np.tile(c, len(px) - 1) for c in (cx, cy)]
     left = (signs.orient(*ends, *centers) > 0).reshape(len(px) - 1, -1)

@@ -40,9 +40,7 @@ def ring(vertices: Any, name: str) -> NDArray[np.float64]:
 def points(values: Points, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
     """(N, 2) float64 from an array or a sequence of points."""
     if not _is_plain(values):
-        return np.array(
-            [outline.point(p, item(i)) for i, p in enumerate(_listed(values, name))]
-        ).reshape(-1, 2)
+        return np.array([outline.point(p, item(i)) for i, p in enumerate(_listed(values, name))]).reshape(-1, 2)
     if values.ndim != 2 or values.shape[1] != 2:
         raise InvalidShape(f"{name} has the shape {values.shape}: expected (N, 2)")
     return floats(values, name, lambda i, k: f"{item(i)}.{'xy'[k]}")
@@ -74,9 +72,7 @@ def numbers(values: Numbers, name: str, one: str, item: Callable[[int], str]) ->
     if _is_plain(values):
         return floats(values, name, lambda *i: item(i[0]) if i else one)
     if isinstance(values, Iterable):
-        return np.array(
-            [outline.number(v, item(i)) for i, v in enumerate(_listed(values, name))], np.float64
-        )
+        return np.array([outline.number(v, item(i)) for i, v in enumerate(_listed(values, name))], np.float64)
     return np.array(outline.number(values, one))
 
 

@@ -195,7 +195,7 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-    """The squared distance from each centre to the nearest edge or corner, against the squared radius."""
+    """The squared distance from each center to the nearest edge or corner, against the squared radius."""
     (_circle_unrolled(len(px)) if len(px) <= 8 else _circle_general)(cx, cy, cr, px, py, first, out)
 
 

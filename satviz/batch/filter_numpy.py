@@ -135,7 +135,7 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-    """The squared distance from each centre to the nearest edge or corner, against the squared radius."""
+    """The squared distance from each center to the nearest edge or corner, against the squared radius."""
     cx, cy, cr, px, py = (c[..., first : first + out.size] for c in (cx, cy, cr, px, py))
     x, y = px - cx, py - cy
     far = np.maximum(np.maximum(np.abs(x).max(axis=0), np.abs(y).max(axis=0)), cr)

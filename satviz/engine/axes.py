@@ -14,6 +14,22 @@ from .geometry import Vec
 from .outline import point
 from .shapes import Shape, centroid
 
+__all__ = [
+    "Axis",
+    "Choice",
+    "Skip",
+    "Source",
+    "centers",
+    "directions",
+    "edge_normals",
+    "edge_normals_of_a",
+    "edge_normals_of_b",
+    "hull_normals",
+    "nearest_vertex",
+    "needed",
+    "world",
+]
+
 EDGE, HULL, WORLD = "edge normal", "hull edge normal", "world"
 CENTERS, VERTEX, CENTROIDS = "centers", "nearest vertex", "centroids"
 ANY, GIVEN = "any direction", "given direction"
@@ -41,6 +57,7 @@ class Axis(NamedTuple):
 
     @property
     def direction(self) -> Vec:
+        """The normal as a unit vector, rounded."""
         return Vec(self.normal.x / self.length, self.normal.y / self.length)
 
 

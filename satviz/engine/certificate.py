@@ -56,6 +56,7 @@ class SharedPoint(NamedTuple):
 
     @property
     def point(self) -> Vec:
+        """The nearest floats to it."""
         return Vec(float(self.x), float(self.y))
 
     def __str__(self) -> str:

@@ -29,6 +29,7 @@ class Projection(NamedTuple):
 
     @property
     def interval(self) -> Interval:
+        """From the least landing to the most."""
         return Interval(min(self.landings), max(self.landings))
 
 
@@ -47,6 +48,7 @@ class AxisTest(NamedTuple):
 
     @property
     def source(self) -> Source:
+        """Where its axis comes from."""
         return self.axis.source
 
     @property

@@ -35,10 +35,12 @@ def signed(value: float) -> str:
 
 
 def interval(value: Interval) -> str:
+    """[from, to] as printed."""
     return f"[{number(value.lo)}, {number(value.hi)}]"
 
 
 def vector(value: Vec) -> str:
+    """(x, y) as printed."""
     return f"({number(value.x)}, {number(value.y)})"
 
 

@@ -12,7 +12,7 @@ def box(x0: float, y0: float, x1: float, y1: float) -> Polygon:
 
 
 def turned_box(center: tuple[float, float], width: float, height: float, degrees: float) -> Polygon:
-    """A box turned counter-clockwise about its centre."""
+    """A box turned counter-clockwise about its center."""
     c, s = cos(radians(degrees)), sin(radians(degrees))
     corners = ((-width / 2, -height / 2), (width / 2, -height / 2), (width / 2, height / 2), (-width / 2, height / 2))
     return Polygon([(center[0] + x * c - y * s, center[1] + x * s + y * c) for x, y in corners])

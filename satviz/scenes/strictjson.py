@@ -60,6 +60,7 @@ def typed(value: Any, where: str, wanted: type) -> Any:
 
 
 def kind(value: Any) -> str:
+    """What JSON calls it."""
     return "null" if value is None else _NAMES.get(type(value), type(value).__name__)
 
 

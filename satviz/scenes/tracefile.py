@@ -21,6 +21,7 @@ ROUNDING = 2.0**-28  # how far another machine's square root may move a landing,
 
 
 def dump(trace: Trace, indent: int | None) -> str:
+    """A trace as the text of a trace file."""
     data = {"satviz": "trace 1", **_data(trace, trace.known_mtv)}
     text = json.dumps(data, indent=indent, ensure_ascii=False, allow_nan=False)
     try:

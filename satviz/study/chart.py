@@ -232,6 +232,6 @@ def wilson(wrong: int, of: int) -> tuple[float, float]:
         return 0.0, 1.0
     z = 1.959964
     p, zz = wrong / of, z * z / of
-    centre, half = p + zz / 2, z * (p * (1 - p) / of + zz / (4 * of)) ** 0.5
-    low, high = (centre - half) / (1 + zz), (centre + half) / (1 + zz)
+    center, half = p + zz / 2, z * (p * (1 - p) / of + zz / (4 * of)) ** 0.5
+    low, high = (center - half) / (1 + zz), (center + half) / (1 + zz)
     return low if wrong else 0.0, high if wrong < of else 1.0

@@ -84,7 +84,7 @@ def edge_normals(a: Columns, b: Columns) -> Iterator[Axes]:
 
 
 def complete(a: Columns, b: Columns) -> Iterator[Axes]:
-    """The edge normals, and for a circle and a polygon the axis from the centre to the nearest vertex."""
+    """The edge normals, and for a circle and a polygon the axis from the center to the nearest vertex."""
     yield from edge_normals(a, b)
     if a.r is not None or b.r is not None:
         circle, ring = (a, b) if a.r is not None else (b, a)
@@ -147,7 +147,7 @@ def around(side: Side) -> Columns:
 
 
 def circles_overlap(a: Columns, b: Columns) -> Answers:
-    """Are the centres within the sum of the radii?"""
+    """Are the centers within the sum of the radii?"""
     return (a.x[0] - b.x[0]) ** 2 + (a.y[0] - b.y[0]) ** 2 <= (a.r + b.r) ** 2
 
 

@@ -48,7 +48,7 @@ def _two_ways_out(rng: Rng, size: float) -> Rings:
     return SQUARE, np.add(SQUARE, (d, d + rng.uniform(-size, size)))
 
 
-def _level_centres(rng: Rng, size: float) -> Rings:
+def _level_centers(rng: Rng, size: float) -> Rings:
     """Triangles with their centroids level along the axis of the way out, so that they do not tell its direction."""
     a, b = ngons(rng, 1, 3, 0.3)[0], ngons(rng, 1, 3, 0.3)[0]
     n = record(Polygon(a), Polygon(b), every_axis=True).tests
@@ -69,12 +69,12 @@ def _needles(rng: Rng, size: float) -> Rings:
     return ngons(rng, 1, 3, 0.2)[0], np.array([tip, tip + along, tip + along + aside * width])
 
 
-TIED, LEVEL = "two ways out, equally short", "centres level"
+TIED, LEVEL = "two ways out, equally short", "centers level"
 # (scene, are they hits) -> what makes a pair, given the size of the step
 SCENES: dict[tuple[str, bool], Callable[[Rng, float], Rings]] = {
     ("random polygons", True): _random,
     (TIED, True): _two_ways_out,
-    (LEVEL, True): _level_centres,
+    (LEVEL, True): _level_centers,
     ("needles", True): _needles,
     ("random polygons", False): _random,
     ("first axis about to separate", False): _about_to_separate,
@@ -112,7 +112,7 @@ def _raw_mtv(trace: Trace) -> tuple[float, ...]:
     return (trace.hit and along_axis(trace.a, trace.b, test)) or (0.0, 0.0)
 
 
-def _centres_mtv(trace: Trace) -> tuple[float, ...]:
+def _centers_mtv(trace: Trace) -> tuple[float, ...]:
     """The right axis and depth, pointing from A's centroid to B's."""
     test, (ax, ay), (bx, by) = _shallowest(trace), centroid(trace.a), centroid(trace.b)
     nx, ny = test.axis.direction
@@ -132,7 +132,7 @@ REPORTS: dict[bool, dict[str, tuple[Quantity, str]]] = {
         "depth": (_gap, "gap"),
         "shared range": (_shared_range, "A"),
         "MTV": (_mtv, "gap"),
-        "MTV, sign from centres": (_centres_mtv, "B"),
+        "MTV, sign from centers": (_centers_mtv, "B"),
         "MTV, raw normals": (_raw_mtv, "B"),
     },
     False: {
@@ -224,7 +224,7 @@ def _told(rows: Sequence[dict[str, Any]]) -> str:
     far = max(r["beyond"] for r in some("depth", "distance"))
     sound = worst("depth", "distance", move="1e-9")
     tied, by_engine = torn("MTV", scene=TIED), torn("MTV", scene=LEVEL)
-    by_centres = torn("MTV, sign from centres", scene=LEVEL)
+    by_centers = torn("MTV, sign from centers", scene=LEVEL)
     best, early = worst("best gap", scene="needles"), worst("gap at early exit")
     raw, unit = (worst(name, scene="needles") for name in ("MTV, raw normals", "MTV"))
     return (
@@ -233,7 +233,7 @@ def _told(rows: Sequence[dict[str, Any]]) -> str:
         f"The best gap on edge normals is only a bound of the distance: beside needles it moves up to {best} as far as "
         f"the vertex, and the gap at the early exit up to {early}, where another axis ends the search. "
         f"Where two ways out are equally short the engine's MTV changes the way in {tied} steps, as any MTV must; "
-        f"its sign taken from the centres tears it in {by_centres} where they are level, against {by_engine}. "
+        f"its sign taken from the centers tears it in {by_centers} where they are level, against {by_engine}. "
         f"Raw normals choose an MTV that moves up to {raw} as far as the needle's vertex, against {unit}."
     )
 

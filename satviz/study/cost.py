@@ -1,7 +1,7 @@
 """The cost of each optimisation: dot products and time with it and without, where it helps and where it does not.
 
 A dot product is one corner dropped on one axis, or one axis held against the line of
-centres.  Their number is seeded and exact, and what is counted is what is timed.
+centers.  Their number is seeded and exact, and what is counted is what is timed.
 """
 
 from collections.abc import Iterator

@@ -1,7 +1,7 @@
 """Doing no more than needed: the axes that the engine chooses for each kind of pair, against all there are.
 
 All axes of a pair: every edge normal of both shapes, repeats included, and with one
-circle the axis from its centre to every vertex; of two circles the line of centres;
+circle the axis from its center to every vertex; of two circles the line of centers;
 of concave polygons those of every pair of convex parts.
 """
 

@@ -32,7 +32,7 @@ PUSHES: dict[str, Callable[[Shape, Shape], Vec]] = {
     "repeated-vertex": pushes.push_raw,
     "raw-depth": pushes.push_raw,
     "sum-of-parts": pushes.push_of_halves,
-    "push-from-centre": pushes.push_from_centre,
+    "push-from-center": pushes.push_from_center,
     "range-inside": pushes.push_flat_overlap,
 }
 DISTANCES = ("gap-as-distance",)

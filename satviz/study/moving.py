@@ -36,7 +36,7 @@ def along(axes: InOrder, dx: float, dy: float) -> InOrder:
     return tuple(sorted(axes, key=lambda axis: -abs(dx * axis.normal.x + dy * axis.normal.y) / axis.length))
 
 
-def between_centres(a: Shape, b: Shape) -> tuple[float, float]:
+def between_centers(a: Shape, b: Shape) -> tuple[float, float]:
     """From A's centroid to B's."""
     (ax, ay), (bx, by) = centroid(a), centroid(b)
     return bx - ax, by - ay
@@ -51,7 +51,7 @@ ORDERS: dict[str, Order] = {
     GIVEN: lambda a, b, axes, last, rng: axes,
     "reversed": lambda a, b, axes, last, rng: axes[::-1],
     "shuffled": lambda a, b, axes, last, rng: _shuffled(axes, rng),
-    "along the centres": lambda a, b, axes, last, rng: along(axes, *between_centres(a, b)),
+    "along the centers": lambda a, b, axes, last, rng: along(axes, *between_centers(a, b)),
     WARM: lambda a, b, axes, last, rng: last_first(axes, last),
 }
 
@@ -117,13 +117,13 @@ def charts(results: dict[str, Any]) -> list[Chart]:
 
 def _told(rows: Sequence[dict[str, Any]]) -> str:
     by = {row["order"]: row for row in rows}
-    given, warm, centres = by[GIVEN], by[WARM], by["along the centres"]
+    given, warm, centers = by[GIVEN], by[WARM], by["along the centers"]
     others = {name: row["other_end"] / row["apart"] for name, row in by.items() if name != GIVEN}
     least, most = min(others, key=others.__getitem__), max(others, key=others.__getitem__)
-    apart, every = ([f"{row[key]:.2f}" for row in (given, centres, warm)] for key in ("mean_apart", "mean"))
+    apart, every = ([f"{row[key]:.2f}" for row in (given, centers, warm)] for key in ("mean_apart", "mean"))
     return (
         f"While the shapes are apart, {apart[0]} axes are tested in the order given, {apart[1]} with those along the "
-        f"line of centres first, and {apart[2]} starting from the axis that separated in the frame before. "
+        f"line of centers first, and {apart[2]} starting from the axis that separated in the frame before. "
         f"Over all frames, where hits need every axis, it is {every[0]}, {every[1]} and {every[2]}. "
         f"The axis that ends the search is another one than in the given order in {others[least]:.0%} ({least}) to "
         f"{others[most]:.0%} ({most}) of the frames apart. "

@@ -16,7 +16,7 @@ from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Polygon
 from ..engine.verdict import relate
 from .doing_less import KINDS
-from .moving import along, between_centres, last_first
+from .moving import along, between_centers, last_first
 from .workloads import boxes, ngons
 
 Rng = np.random.Generator
@@ -138,10 +138,10 @@ def _early_exit(relation: Relation, rng: Rng, n: int) -> Work:
 
 
 def _order(make: Make, relation: Relation, rng: Rng, n: int) -> Work:
-    """Sorted along the line of centres, which is at hand; the sort's own dot products count."""
+    """Sorted along the line of centers, which is at hand; the sort's own dot products count."""
     pairs = _pairs(rng, n, make, relation)
     known = _chosen(pairs)
-    ways = [between_centres(a, b) for a, b in pairs]
+    ways = [between_centers(a, b) for a, b in pairs]
 
     def ordered() -> int:
         scenes = zip(known, ways, strict=True)
@@ -228,9 +228,9 @@ def cases() -> list[Case]:
         Case("same shape and orientation", "8-gons in two orientations", False, partial(_same_orientation, OTHER)),
         Case("early exit", "8-gons apart", True, partial(_early_exit, APART)),
         Case("early exit", "8-gons that overlap", False, partial(_early_exit, OVERLAPPING)),
-        Case("order along the centres", "32-gons just apart", True, partial(_order, _just_apart, APART), few),
-        Case("order along the centres", "triangles apart", False, partial(_order, partial(_random, 3, 1.5), APART)),
-        Case("order along the centres", "8-gons that overlap", False, partial(_order, octagons, OVERLAPPING)),
+        Case("order along the centers", "32-gons just apart", True, partial(_order, _just_apart, APART), few),
+        Case("order along the centers", "triangles apart", False, partial(_order, partial(_random, 3, 1.5), APART)),
+        Case("order along the centers", "8-gons that overlap", False, partial(_order, octagons, OVERLAPPING)),
         Case("last axis first", "8-gon passing another", True, partial(_last_axis, 2.0)),
         Case("last axis first", "8-gon passing through", False, partial(_last_axis, 0.2)),
         Case("broad phase", "boxes spread out", True, partial(_broad, 1.5), (60, 250)),

@@ -1,6 +1,6 @@
 """One pair at a time, as it is usually written: plain floats, no bound, no second look.
 
-A shape here is (points, radius): a polygon's corners with radius 0, or a circle's centre.
+A shape here is (points, radius): a polygon's corners with radius 0, or a circle's center.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -95,7 +95,7 @@ def around(shape: Shape) -> tuple[float, float, float]:
 
 
 def circles_overlap(a: tuple[float, float, float], b: tuple[float, float, float]) -> bool:
-    """Are the centres within the sum of the radii?"""
+    """Are the centers within the sum of the radii?"""
     dx, dy, reach = a[0] - b[0], a[1] - b[1], a[2] + b[2]
     return dx * dx + dy * dy <= reach * reach
 

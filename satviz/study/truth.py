@@ -3,8 +3,8 @@
 Coordinates become integers over one power of two, and all that follows is exact:
 - polygons: one is cut down by the other's edges; what is left has an area
   (overlapping), is a point or a stretch (touching), or is nothing (apart);
-- a circle and a polygon: the squared distance from the centre to each edge as a
-  Fraction, and whether the centre lies inside by counting crossings of a ray;
+- a circle and a polygon: the squared distance from the center to each edge as a
+  Fraction, and whether the center lies inside by counting crossings of a ray;
 - two circles: squares of the distance and of the sum of radii.
 """
 
@@ -40,7 +40,7 @@ def polygons(a: Polygon, b: Polygon) -> Relation:
 
 
 def circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
-    """By the squared distance from the centre to the nearest point of the polygon."""
+    """By the squared distance from the center to the nearest point of the polygon."""
     _, (cx, cy, r, *flat) = _integers((*circle.center, circle.radius, *(c for v in polygon.vertices for c in v)))
     ring = _distinct(zip(flat[::2], flat[1::2], strict=True))
     if _inside((cx, cy), ring):
@@ -50,7 +50,7 @@ def circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
 
 
 def circles(a: Circle, b: Circle) -> Relation:
-    """By squares of the distance of the centres and of the sum of the radii."""
+    """By squares of the distance of the centers and of the sum of the radii."""
     _, (ax, ay, ar, bx, by, br) = _integers((*a.center, a.radius, *b.center, b.radius))
     return _by_gap((ax - bx) ** 2 + (ay - by) ** 2, (ar + br) ** 2)
 

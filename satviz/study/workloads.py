@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Rings = NDArray[np.float64]  # (N, V, 2), counter-clockwise
-Coins = tuple[NDArray[np.float64], NDArray[np.float64]]  # (N, 2) centres, (N,) radii
+Coins = tuple[NDArray[np.float64], NDArray[np.float64]]  # (N, 2) centers, (N,) radii
 Side = Rings | Coins
 Make = Callable[[np.random.Generator, int], tuple[Side, Side]]
 
@@ -29,7 +29,7 @@ def directions(rng: np.random.Generator, *shape: int) -> NDArray[np.float64]:
 
 
 def ngons(rng: np.random.Generator, n: int, v: int, spread: float) -> Rings:
-    """Corners at random turns on a unit circle around a random centre."""
+    """Corners at random turns on a unit circle around a random center."""
     corners = directions(rng, n, v)
     order = np.argsort(np.arctan2(corners[..., 1], corners[..., 0]), axis=1)
     return _around(rng, n, spread) + np.take_along_axis(corners, order[..., None], axis=1)

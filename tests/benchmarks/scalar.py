@@ -53,7 +53,7 @@ def ours(shape):
 
 
 def theirs(shape):
-    """Shapely has no circle: its closest question is the distance to the centre."""
+    """Shapely has no circle: its closest question is the distance to the center."""
     return shapely.Point(shape[0]) if isinstance(shape, tuple) else shapely.Polygon(shape)
 
 

@@ -187,8 +187,8 @@ HITS = (
     ),
     Row(
         25,
-        "far-centres",
-        "the centres are far apart, so the shapes are",
+        "far-centers",
+        "the centers are far apart, so the shapes are",
         MISSED_HIT,
         "gap",
         box(-10, -0.5, 10, 0.5),

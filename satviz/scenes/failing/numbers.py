@@ -119,13 +119,13 @@ NUMBERS = (
     ),
     Row(
         29,
-        "push-from-centre",
-        "the way out is away from the other's centre",
+        "push-from-center",
+        "the way out is away from the other's center",
         WRONG_NUMBER,
         "gap",
         Polygon([(0, 0), (8, 0), (0, 1)]),
         box(0.5, -0.5, 1.5, 1.5),
-        pushes.after_push_from_centre,
+        pushes.after_push_from_center,
         right.overlap_after_mtv,
     ),
     Row(

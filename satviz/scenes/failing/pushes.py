@@ -19,8 +19,8 @@ def away(a: Outline, b: Outline, n: Vec, length: float) -> Vec:
     return Vec(n[0] * scale, n[1] * scale)
 
 
-def push_from_centre(a: Outline, b: Outline) -> Vec:
-    """The right axis and depth, in the direction from A's centre to B's."""
+def push_from_center(a: Outline, b: Outline) -> Vec:
+    """The right axis and depth, in the direction from A's center to B's."""
     push, p, q = way_out(a, b), mean(a), mean(b)
     wrong_way = push.x * (q.x - p.x) + push.y * (q.y - p.y) < 0
     return Vec(-push.x, -push.y) if wrong_way else push
@@ -37,8 +37,9 @@ def gap_after(a: Outline, b: Outline, push: Vec) -> float:
     return textbook(a, [Vec(x + push.x, y + push.y) for x, y in ring(b)])
 
 
-def after_push_from_centre(a: Outline, b: Outline) -> float:
-    return gap_after(a, b, push_from_centre(a, b))
+def after_push_from_center(a: Outline, b: Outline) -> float:
+    """The gap that the push away from A's center leaves."""
+    return gap_after(a, b, push_from_center(a, b))
 
 
 def halves(a: Outline) -> tuple[Ring, Ring]:
@@ -54,6 +55,7 @@ def push_of_halves(a: Outline, b: Outline) -> Vec:
 
 
 def length_of_halves(a: Outline, b: Outline) -> float:
+    """How far the push by half sums goes."""
     return hypot(*push_of_halves(a, b))
 
 
@@ -63,6 +65,7 @@ def raw_depth(a: Outline, b: Outline) -> float:
 
 
 def push_raw(a: Outline, b: Outline) -> Vec:
+    """By the normal of the least overlap as it is, not made a unit."""
     n = max(both_normals(a, b), key=lambda n: raw_gap(a, b, n))
     return away(a, b, n, -gap(a, b, n)) if any(n) else Vec(0.0, 0.0)
 
@@ -73,6 +76,8 @@ def with_flat_overlap(a: Outline, b: Outline) -> float:
 
 
 def push_flat_overlap(a: Outline, b: Outline) -> Vec:
+    """By min of maxima minus max of minima, which is no depth where one range holds the other."""
+
     def overlap(n: Vec) -> float:
         p, q = span(a, n), span(b, n)
         return (min(p.hi, q.hi) - max(p.lo, q.lo)) / hypot(*n)

@@ -68,6 +68,7 @@ def fan(a: Shape, b: Shape) -> tuple[float, float]:
 
 
 def fan_width(a: Shape, b: Shape) -> float:
+    """How wide the fan of separating directions is, in degrees."""
     lo, hi = fan(a, b)
     return hi - lo
 

@@ -18,7 +18,7 @@ Outline = Shape | Ring
 Shortcut = Callable[[Outline, Outline], float]
 X, Y = Vec(1.0, 0.0), Vec(0.0, 1.0)
 MANY = 1000
-FAR = 5.0  # from here on the programmer of row 25 calls two centres far apart
+FAR = 5.0  # from here on the programmer of row 25 calls two centers far apart
 
 
 # -- what every shortcut is made of
@@ -88,18 +88,22 @@ def textbook(a: Outline, b: Outline) -> float:
 
 
 def on_world_axes(a: Outline, b: Outline) -> float:
+    """The largest gap on x and y alone."""
     return best(a, b, (X, Y))
 
 
 def on_y(a: Outline, b: Outline) -> float:
+    """The gap on y alone."""
     return gap(a, b, Y)
 
 
 def on_x(a: Outline, b: Outline) -> float:
+    """The gap on x alone."""
     return gap(a, b, X)
 
 
 def on_a(a: Outline, b: Outline) -> float:
+    """The largest gap on A's normals alone."""
     return best(a, b, normals(a))
 
 
@@ -109,6 +113,7 @@ def on_open_outlines(a: Outline, b: Outline) -> float:
 
 
 def on_half_the_normals(a: Outline, b: Outline) -> float:
+    """The largest gap on the first half of each shape's normals."""
     return best(a, b, [n for s in (a, b) for n in normals(s)[: len(ring(s)) // 2]])
 
 
@@ -166,7 +171,7 @@ def extremes_of_b(a: Outline, b: Outline) -> float:
 
 def radii_below_distance(a: Outline, b: Outline) -> float:
     """The test as it is often quoted, turned round: sum of radii less than distance, and they collide."""
-    return as_shape(a).radius + as_shape(b).radius - centre_distance(a, b)
+    return as_shape(a).radius + as_shape(b).radius - center_distance(a, b)
 
 
 # -- numbers on paper
@@ -224,14 +229,15 @@ def least_turn(a: Outline, b: Outline) -> float:
 # -- distance
 
 
-def centre_distance(a: Outline, b: Outline) -> float:
+def center_distance(a: Outline, b: Outline) -> float:
+    """How far the centers lie apart."""
     (ax, ay), (bx, by) = centroid(as_shape(a)), centroid(as_shape(b))
     return hypot(bx - ax, by - ay)
 
 
 def far_or_tested(a: Outline, b: Outline) -> float:
-    """Pairs with centres FAR apart are left out, the others tested."""
-    distance = centre_distance(a, b)
+    """Pairs with centers FAR apart are left out, the others tested."""
+    distance = center_distance(a, b)
     return distance if distance > FAR else textbook(a, b)
 
 

@@ -13,7 +13,7 @@ S = sqrt(0.5)
 
 
 class Box(NamedTuple):
-    """A box: its centre, three unit vectors along its edges, half its length along each."""
+    """A box: its center, three unit vectors along its edges, half its length along each."""
 
     center: Vec3
     axes: tuple[Vec3, Vec3, Vec3]
@@ -36,10 +36,12 @@ PAIR = (
 
 
 def dot(u: Vec3, v: Vec3) -> float:
+    """The scalar product."""
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 
 
 def cross(u: Vec3, v: Vec3) -> Vec3:
+    """The vector product."""
     return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
 
 
@@ -61,7 +63,7 @@ def gap(a: Box, b: Box, name: str, n: Vec3) -> Gap:
 
 
 def span(box: Box, n: Vec3) -> Interval:
-    """A box's range on an axis: its centre's place, and as far to each side as its edges reach."""
+    """A box's range on an axis: its center's place, and as far to each side as its edges reach."""
     at, reach = dot(box.center, n), sum(h * abs(dot(u, n)) for u, h in zip(box.axes, box.half, strict=True))
     return Interval(at - reach, at + reach)
 

@@ -1,0 +1,1 @@
+"""Pages of static files that need no network."""

@@ -1,0 +1,29 @@
+"""Code that the reference runs and shows, by the public name it belongs to; the last line's value is shown below it."""
+
+TWO = """a = sv.Polygon([(0, 1), (3, 2), (1, 5)])
+b = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])"""
+
+EXAMPLES = {
+    "satviz.Polygon": 'sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])',
+    "satviz.Circle": "sv.Circle((2, 2), 1)",
+    "satviz.relate": f"{TWO}\nsv.relate(a, b)",
+    "satviz.record": f"{TWO}\nsv.record(a, b)",
+    "satviz.Trace": f"{TWO}\ntrace = sv.record(a, b)\nprint(trace.sentence)\ntrace.certificate",
+    "satviz.axis_tests": f"{TWO}\n[test.gap for test in sv.axis_tests(a, b, sv.axes.world(a, b).axes)]",
+    "satviz.parts": "ell = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])\nsv.parts(ell)",
+    "satviz.scene": 'sv.scene("circle-polygon")',
+    "satviz.steps": 'sv.steps(sv.scene("triangles").record())[:4]',
+    "satviz.picture": 'sv.picture(sv.scene("triangles").record(), 5)',
+    "satviz.draw": 'figure = sv.draw(sv.scene("triangles").record(), step=-1)\n'
+    'sv.picture(sv.scene("triangles").record(), -1)  # the same picture, as this page shows it',
+    "satviz.gap_curve": f"{TWO}\nsv.gap_curve(a, b)",
+    "satviz.engine.axes.needed": f"{TWO}\nsv.record(a, b, axes=sv.axes.needed)",
+    "satviz.engine.axes.world": f"{TWO}\nsv.record(a, b, axes=sv.axes.world)",
+    "satviz.engine.axes.directions": f"{TWO}\nsv.record(a, b, axes=sv.axes.directions((4, -1)))",
+    "satviz.batch.Polygons": "sv.batch.Polygons([[(0, 0), (2, 0), (0, 2)], [(1, 1), (3, 1), (3, 3), (1, 3)]])",
+    "satviz.batch.Circles": "sv.batch.Circles([(0, 0), (3, 0), (6, 0)], 1.5)",
+    "satviz.batch.relate": "coins = sv.batch.Circles([(0, 0), (3, 0), (7, 0)], 1.5)\n"
+    "sv.batch.relate(coins[0], coins)",
+    "satviz.batch.colliding_pairs": "coins = sv.batch.Circles([(0, 0), (3, 0), (7, 0)], 1.5)\n"
+    "sv.batch.colliding_pairs(coins)",
+}

@@ -1,0 +1,61 @@
+"""The reference has every public name, and its examples were run."""
+
+import re
+import warnings
+
+import pytest
+
+import satviz as sv
+from satviz.cli import main
+
+pytest.importorskip("pdoc", reason="the reference needs pdoc: python -m pip install '.[docs]'")
+
+from satviz.site.examples import EXAMPLES
+from satviz.site.reference import reference, run
+
+
+@pytest.fixture(scope="module")
+def pages():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        return {name: data.decode() for name, data in reference()}
+
+
+def test_every_public_name_is_told(pages):
+    for page, names in (
+        ("satviz.html", set(sv.__all__) - {"__version__", "axes", "batch"}),
+        ("satviz/batch.html", sv.batch.__all__),
+        ("satviz/engine/axes.html", sv.axes.__all__),
+    ):
+        ids = set(re.findall(r'<section id="([^"]+)"', pages[page]))
+        assert set(names) <= ids, page
+    links = {name: set(re.findall(r'<li><a href="([^"#]+)"', page)) for name, page in pages.items()}
+    assert links["satviz.html"] >= {"satviz/batch.html", "satviz/engine/axes.html"}
+
+
+def test_no_example_is_lost(pages):
+    shown = sum(page.count('<div class="example">') for name, page in pages.items() if name.endswith(".html"))
+    assert shown == len(EXAMPLES)
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_an_example_gives_something(name):
+    text, _ = run(EXAMPLES[name])
+    assert text.strip() and " at 0x" not in text
+
+
+def test_the_pages_need_no_network(pages):
+    for page in pages.values():
+        assert not re.findall(r'(?:src|href)="(?:https?:)?//(?!pdoc\.dev")', page)
+        assert not re.findall(r"url\(['\"]?(?:https?:)?//|@import", page)
+
+
+def test_the_command_writes_it_over_its_own_and_over_nothing_else(tmp_path, capsys):
+    out = tmp_path / "pages"
+    for _ in range(2):
+        assert main(["reference", "--out", str(out)]) == 0
+    assert "index.html" in capsys.readouterr().out
+    (out / "satviz.html").write_text("mine")
+    assert main(["reference", "--out", str(out)]) == 2
+    assert (out / "satviz.html").read_text() == "mine"
+    assert "was not made by satviz" in capsys.readouterr().err
