@@ -181,8 +181,13 @@ def _progress(paths: Sequence[Path]) -> Iterator[Path]:
 
 def trace(args: argparse.Namespace) -> int:
     """Print the record of a scene, as a table or as JSON."""
+    from shutil import get_terminal_size
+
+    from .engine import telling
+
     trace = _load(args).record()
-    out_json(trace.to_json(indent=1)) if args.json else out(str(trace))
+    width = get_terminal_size().columns if sys.stdout.isatty() else None
+    out_json(trace.to_json(indent=1)) if args.json else out(telling.table(trace, width))
     return 0
 
 

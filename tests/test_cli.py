@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections import Counter
 from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
@@ -16,6 +17,7 @@ import pytest
 
 import satviz as sv
 from satviz.cli import main
+from satviz.engine import telling
 from satviz.pictures.figures import FIGURES
 from satviz.scenes.article import SCENES
 from satviz.study.cells import Cell
@@ -464,6 +466,26 @@ def test_a_closed_pipe_is_no_error():
     process.stdout.close()
     _, err = process.communicate()
     assert b"Traceback" not in err and b"Exception" not in err
+
+
+@pytest.mark.parametrize("name", [scene.name for scene in SCENES])
+def test_a_narrow_terminal_gets_a_narrow_table_that_says_the_same(name):
+    trace = sv.scene(name).record()
+    wide = telling.table(trace)
+    assert wide == str(trace) == telling.table(trace, 10_000)
+    heads = {"axis", "direction", "gap", *(name for t in (trace, *trace.pairs) for name in t.names)}
+    for width in 40, 61, 80:
+        lines = telling.table(trace, width).splitlines()
+        assert max(map(len, lines)) <= width
+        said, given = (Counter(w for w in text.split() if w not in heads) for text in (" ".join(lines), wide))
+        assert said == given
+
+
+def test_the_terminals_width_is_asked_for(monkeypatch, capsys):
+    monkeypatch.setenv("COLUMNS", "40")
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
+    assert main(["trace", "triangles"]) == 0
+    assert max(map(len, capsys.readouterr().out.splitlines())) <= 40
 
 
 def test_a_scene_file_survives_its_own_format():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from .axes import ANY, CENTERS, CENTROIDS, EARLY_EXIT, EDGE, HULL, NO_DIRECTION, PARALLEL, VERTEX, WORLD, Axis
@@ -167,19 +168,24 @@ def _parts_verdict(trace: Trace, move: Vec | None) -> str:
     return f"{a} and {b} overlap: their parts {p} and {q} do. {_way_out(trace, move)}"
 
 
-def table(trace: Trace) -> str:
-    """The trace as plain text: a row a test, then the axes not tested, then the verdict."""
+def table(trace: Trace, width: int | None = None) -> str:
+    """The trace as plain text: a row a test, then the axes not tested, then the verdict.
+
+    `width`: letters a line may have; where the columns need more, a test takes several lines.
+    """
     if not trace.pairs:
-        return f"{_rows(trace)}\n{trace.sentence}"
-    hit = trace.colliding
-    shown = [pair for i, pair in enumerate(trace.pairs) if i < MOST_PAIRS or pair is hit]
-    blocks = [f"{pair.names.a} against {pair.names.b}\n{table(pair)}" for pair in shown]
-    if left := len(trace.pairs) - len(shown):
-        blocks.append(f"(and {left:,} more pairs of parts)")
-    return "\n\n".join([*blocks, trace.sentence])
+        blocks = [f"{_rows(trace, width)}\n{_wrapped([trace.sentence], width, '')}"]
+    else:
+        hit = trace.colliding
+        shown = [pair for i, pair in enumerate(trace.pairs) if i < MOST_PAIRS or pair is hit]
+        blocks = [f"{pair.names.a} against {pair.names.b}\n{table(pair, width)}" for pair in shown]
+        if left := len(trace.pairs) - len(shown):
+            blocks.append(f"(and {left:,} more pairs of parts)")
+        blocks.append(_wrapped([trace.sentence], width, ""))
+    return "\n\n".join(blocks)
 
 
-def _rows(trace: Trace) -> str:
+def _rows(trace: Trace, width: int | None) -> str:
     shapes = trace.a, trace.b
     rows = [("axis", "direction", trace.names.a, trace.names.b, "gap", "")]
     for i, t in enumerate(trace.tests, 1):
@@ -189,12 +195,33 @@ def _rows(trace: Trace) -> str:
         rows.append((f"{i} {name}", *cells))
     widths = [max(len(row[i]) for row in rows) for i in range(6)]
     sides = "<<<<><"  # the gaps are set to the right
-    lines = ["  ".join(f"{cell:{side}{w}}" for cell, side, w in zip(row, sides, widths)) for row in rows]
+    lines = ["  ".join(f"{cell:{side}{w}}" for cell, side, w in zip(row, sides, widths)).rstrip() for row in rows]
+    if width is not None and max(map(len, lines)) > width:
+        heads = "", *rows[0][1:-1]
+        blocks = [[*(f"{head} {cell}".lstrip() for head, cell in zip(heads, row)), row[-1]] for row in rows[1:]]
+        lines = [_wrapped(block, width, "  ") for block in blocks]
     places = {axis: f"{i} " for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
     for s in sorted(trace.skipped, key=lambda s: s.axis not in places):  # those with a number first
         place = places.get(s.axis, "")
-        lines.append(f"- {place}{axis_name(s.axis, shapes, trace.names)}: {reason(s.why, s.number)}")
-    return "\n".join(line.rstrip() for line in lines)
+        words = f"- {place}{axis_name(s.axis, shapes, trace.names)}: {reason(s.why, s.number)}"
+        lines.append(_wrapped([words], width, "  "))
+    return "\n".join(lines)
+
+
+def _wrapped(pieces: Sequence[str], width: int | None, indent: str) -> str:
+    """The pieces in a line, or in several of at most `width` letters: broken between pieces, within one at a space."""
+    line, lines = "", []
+    for piece in pieces:
+        joined = f"{line}  {piece}" if line.strip() else f"{line}{piece}"
+        if width is not None and len(joined) > width and line.strip():
+            lines.append(line)
+            joined = f"{indent}{piece}"
+        while width is not None and len(joined) > width and " " in joined[len(indent) : width + 1].rstrip():
+            at = joined.rindex(" ", len(indent), width + 1)
+            lines.append(joined[:at])
+            joined = f"{indent}{joined[at + 1 :]}"
+        line = joined
+    return "\n".join([*lines, line])
 
 
 def scene(trace: Trace) -> str:
