@@ -307,9 +307,9 @@ def test_a_split_batch_has_a_box_a_shape():
 
 @pytest.fixture
 def fresh_choice():
-    narrow.filter_of.cache_clear()
+    narrow.engine_of.cache_clear()
     yield
-    narrow.filter_of.cache_clear()
+    narrow.engine_of.cache_clear()
 
 
 @pytest.mark.parametrize(

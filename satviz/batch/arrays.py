@@ -35,6 +35,20 @@ class Group(NamedTuple):
         return self._replace(x=self.x[:, where], y=self.y[:, where], r=r)
 
 
+class Flat(NamedTuple):
+    """The same shapes one after another: shape i has the corners start[i] to start[i + 1].
+
+    x, y: (M,) scene units; bounds: (N, 4), circles' rounded outwards; upright: (N,) is it a box with its sides along
+    x and y?
+    """
+
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
+    start: NDArray[np.intp]
+    bounds: NDArray[np.float64]
+    upright: NDArray[np.bool_]
+
+
 class Shapes:
     """Many convex polygons and circles; make one with Polygons, Circles and concat.
 
@@ -108,6 +122,21 @@ class Shapes:
             new_slot[mine] = np.arange(groups[v].x.shape[1])
         return Shapes(groups, count, new_slot, owner)
 
+    @cached_property
+    def flat(self) -> Flat:
+        """The parts one after another."""
+        start = np.concatenate([[0], np.cumsum(self.count)])
+        x, y = np.empty((2, start[-1]))
+        upright = np.zeros(len(self.count), bool)
+        for v, group in self.groups.items():
+            mine = np.flatnonzero(self.count == v)
+            slots = self.slot[mine]
+            place = start[mine][:, None] + np.arange(v)
+            x[place], y[place] = group.x[:, slots].T, group.y[:, slots].T
+            if v == 4:
+                upright[mine] = upright_boxes(group.x[:, slots], group.y[:, slots])
+        return Flat(x, y, start, self.parts.bounds, upright)
+
     @property
     def bounds(self) -> NDArray[np.float64]:
         """(N, 4) boxes (x min, y min, x max, y max) in scene units, circles' rounded outwards."""
@@ -125,6 +154,14 @@ class Shapes:
             return found
         first = self.starts[:-1]
         return np.hstack([np.minimum.reduceat(found[:, :2], first), np.maximum.reduceat(found[:, 2:], first)])
+
+
+def upright_boxes(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Which columns of four corners are boxes with their sides along x and y."""
+    level: list[NDArray[np.bool_]] = [
+        (c[i] == c[(i + 1) % 4]) & (c[i + 2] == c[(i + 3) % 4]) for c, i in ((x, 0), (y, 1), (y, 0), (x, 1))
+    ]
+    return (level[0] & level[1]) | (level[2] & level[3])
 
 
 def _in_order(slot: NDArray[np.int64]) -> bool:

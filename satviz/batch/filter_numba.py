@@ -9,30 +9,25 @@ Loops over corners are unrolled by the compiler where their number is a constant
 
 from collections.abc import Callable
 from functools import cache
-from typing import TypeVar, cast
 
 import numpy as np
-from numba import njit
 
 from ..engine.exact import HUGE, TINY
 from .arrays import Group
+from .compiling import compiled
 from .filter_numpy import APART, OVERLAPPING, TOUCHING, UNDECIDED, room_64
+from .settle_numba import FEW
 from .signs import Array, Signs
 
 BLOCK = 1 << 17  # pairs a call: long enough that Python's share vanishes
 TILE = 128  # pairs whose columns stay in the first-level cache between edges
 
-Kernel = TypeVar("Kernel", bound=Callable[..., object])
-
-
-def compiled(kernel: Kernel) -> Kernel:
-    """The kernel compiled at its first call; to type checkers the function that it was."""
-    return cast(Kernel, njit(nogil=True, cache=True, error_model="numpy")(kernel))
-
-
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     """APART where an edge has the other shape beyond it by more than rounding can hide."""
     va, vb = len(a.x), len(b.x)
+    if max(va, vb) > FEW:  # the exact way is as quick
+        out.fill(UNDECIDED)
+        return
     kernel = _unrolled(va, vb) if va <= 4 and vb <= 4 else _eight if va == vb == 8 else _general
     kernel(a.x, a.y, b.x, b.y, first, room_64(a, b), out)
 
@@ -74,14 +69,15 @@ def _eight(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, 
         n = min(TILE, out.size - start)
         for i in range(n):
             best[i] = -np.inf
-        _edges_of_eight(ax, ay, bx, by, first + start, n, best)
-        _edges_of_eight(bx, by, ax, ay, first + start, n, best)
+        edges_of_eight(ax, ay, bx, by, first + start, n, best)
+        edges_of_eight(bx, by, ax, ay, first + start, n, best)
         for i in range(n):
             out[start + i] = APART if best[i] > room else OVERLAPPING if best[i] < -room else UNDECIDED
 
 
 @compiled
-def _edges_of_eight(x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array) -> None:
+def edges_of_eight(x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array) -> None:
+    """Raise `best` to the clearances of n columns from s on; after the last row comes the first, or a ninth."""
     t = s + n
     p0, p1, p2, p3, p4, p5, p6, p7 = (
         px[0, s:t],
@@ -104,7 +100,7 @@ def _edges_of_eight(x: Array, y: Array, px: Array, py: Array, s: int, n: int, be
         py[7, s:t],
     )
     for e in range(8):
-        f = (e + 1) % 8
+        f = (e + 1) % x.shape[0]
         x0, y0, x1, y1 = x[e, s:t], y[e, s:t], x[f, s:t], y[f, s:t]
         for i in range(n):
             a, b = y1[i] - y0[i], x0[i] - x1[i]

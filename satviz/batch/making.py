@@ -10,7 +10,7 @@ from ..engine.concave import parts
 from ..engine.geometry import InvalidShape
 from ..engine.shapes import Polygon
 from . import door, signs
-from .arrays import Group, Shapes
+from .arrays import Group, Shapes, upright_boxes
 from .signs import Array
 
 Indices = NDArray[np.intp]
@@ -115,14 +115,6 @@ def _assembled(blocks: Sequence[tuple[Indices, Array]], name: Callable[[int], st
         order = np.argsort(owner, kind="stable")
         owner, count, slot = owner[order], count[order], slot[order]
     return Shapes(groups, count, slot, owner if split else None)
-
-
-def upright_boxes(x: Array, y: Array) -> Mask:
-    """Which columns of four corners are boxes with their sides along x and y."""
-    level: list[Mask] = [
-        (c[i] == c[(i + 1) % 4]) & (c[i + 2] == c[(i + 3) % 4]) for c, i in ((x, 0), (y, 1), (y, 0), (x, 1))
-    ]
-    return (level[0] & level[1]) | (level[2] & level[3])
 
 
 def _span(x: Array, y: Array) -> float:

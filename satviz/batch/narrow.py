@@ -5,8 +5,7 @@ from collections.abc import Callable
 from concurrent.futures import Executor, ThreadPoolExecutor
 from functools import cache
 from importlib.util import find_spec
-from types import ModuleType
-from typing import TypedDict, Unpack
+from typing import Any, NamedTuple, TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,6 +18,22 @@ from .filter_numpy import APART, UNDECIDED, room_64
 
 Relations = NDArray[np.int8]
 Indices = NDArray[np.intp]
+
+
+class Engine(NamedTuple):
+    """What does the work on float64: kernels that fill `out` with relations, and leave UNDECIDED what they cannot tell.
+
+    The first four take columns of two groups, from one column on; `settle` goes on with what of them is undecided,
+    and `picked` takes pairs of polygons from anywhere in two batches, where the engine can.
+    """
+
+    block: int  # columns at a time
+    polygons: Callable[..., None]
+    boxes: Callable[..., None]
+    circles: Callable[..., None]
+    circle_polygons: Callable[..., None]
+    settle: Callable[..., None] | None = None
+    picked: Callable[..., None] | None = None
 
 
 class Options(TypedDict, total=False):
@@ -49,7 +64,7 @@ def relate(
     fit, IndexError for pairs out of range, ChunkFailed names the range that failed.
     """
     checked(a, "a"), checked(b, "b")
-    filter_of(engine)  # an engine that is not there is told of before the work starts
+    engine_of(engine)  # an engine that is not there is told of before the work starts
     chosen = None if pairs is None else _checked_pairs(pairs, len(a), len(b))
     if chosen is None and len(a) != len(b) and 1 not in (len(a), len(b)):
         raise ValueError(f"{len(a)} shapes against {len(b)}: pass as many of both, or one against many")
@@ -80,21 +95,21 @@ def hits(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, **options: Unpack
 
 
 @cache
-def filter_of(engine: str | None) -> ModuleType:
-    """The module with the float filter; numba is imported here and nowhere else.
+def engine_of(name: str | None) -> Engine:
+    """The engine of that name; numba is imported here and nowhere else.
 
     By default the best that works: where numba is installed but does not load or cannot keep
     what it compiles, NumPy answers, and one warning says why.
     """
-    if engine not in (None, "numpy", "numba"):
-        raise ValueError(f'engine is {engine!r}: choose "numpy" or "numba"')
-    if engine == "numba" or (engine is None and find_spec("numba")):
+    if name not in (None, "numpy", "numba"):
+        raise ValueError(f'engine is {name!r}: choose "numpy" or "numba"')
+    if name == "numba" or (name is None and find_spec("numba")):
         try:
-            from . import filter_numba
+            from . import filter_numba, picked_numba
 
-            return filter_numba
+            return _engine(filter_numba)._replace(settle=picked_numba.columns, picked=picked_numba.polygons)
         except Exception as error:  # an ImportError of its own, or RuntimeError where no folder can be written
-            if engine is None:
+            if name is None:
                 warnings.warn(f"numba does not work here, so NumPy does the work: {error}", stacklevel=2)
             elif find_spec("numba") is None:
                 raise ImportError(needs('engine "numba"', "fast")) from error
@@ -102,7 +117,11 @@ def filter_of(engine: str | None) -> ModuleType:
                 raise ImportError(f'engine "numba" does not work here: {error}; engine="numpy" does') from error
     from . import filter_numpy
 
-    return filter_numpy
+    return _engine(filter_numpy)
+
+
+def _engine(module: Any) -> Engine:
+    return Engine(module.BLOCK, module.polygons, module.boxes, module.circles, module.circle_polygons)
 
 
 def _checked_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
@@ -128,10 +147,10 @@ def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | Non
         indices = np.arange(start, stop)
         zeros = np.zeros(stop - start, np.intp)
         return _relate_some(a, indices if len(a) > 1 else zeros, b, indices if len(b) > 1 else zeros, engine)
-    kernels = filter_of(engine)
+    kernels = engine_of(engine)
     out = np.empty(stop - start, np.int8)
-    for first in range(start, stop, kernels.BLOCK):
-        last = min(first + kernels.BLOCK, stop)
+    for first in range(start, stop, kernels.block):
+        last = min(first + kernels.block, stop)
         _filter(kernels, one, other, first, out[first - start : last - start])
     rest = np.flatnonzero(out == UNDECIDED)
     out[rest] = undecided.relations(one.columns(start + rest), other.columns(start + rest))
@@ -142,11 +161,18 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
     """The pairs (ia, ib), group by group, block by block; their columns are copied together first."""
     if a.owner is not None or b.owner is not None:
         return _relate_parts(a, ia, b, ib, engine)
-    kernels = filter_of(engine)
-    out = np.empty(len(ia), np.int8)
-    key = a.count[ia] << 32 | b.count[ib]
+    kernels = engine_of(engine)
+    out = np.full(len(ia), UNDECIDED, np.int8)
+    if kernels.picked is not None:
+        polygons = np.flatnonzero((a.count[ia] > 1) & (b.count[ib] > 1))
+        whole = len(polygons) == len(ia)
+        found = out if whole else out[polygons]
+        kernels.picked(a.flat, ia if whole else ia[polygons], b.flat, ib if whole else ib[polygons], found)
+        out[polygons] = found
+    todo = np.flatnonzero(out == UNDECIDED)
+    key = a.count[ia[todo]] << 32 | b.count[ib[todo]]
     for kind in np.unique(key).tolist():
-        mine = np.flatnonzero(key == kind)
+        mine = todo[key == kind]
         one, other = a.groups[kind >> 32], b.groups[kind & 0xFFFFFFFF]
         for start in range(0, len(mine), BLOCK_OF_PICKED):
             part = mine[start : start + BLOCK_OF_PICKED]
@@ -181,7 +207,7 @@ def _relate_parts(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | 
 BLOCK_OF_PARTS = 1 << 18  # pairs of parts at a time: what bounds the memory
 
 
-def _filter(kernels: ModuleType, a: Group, b: Group, first: int, out: Relations) -> None:
+def _filter(kernels: Engine, a: Group, b: Group, first: int, out: Relations) -> None:
     """Relations of one block of one kind of pair, from column `first` on; UNDECIDED where floats cannot tell."""
     with np.errstate(all="ignore"):
         if a.upright and b.upright:
@@ -195,3 +221,5 @@ def _filter(kernels: ModuleType, a: Group, b: Group, first: int, out: Relations)
             kernels.polygons(a, b, first, out)
         else:
             out.fill(UNDECIDED)
+        if kernels.settle is not None and a.r is None and b.r is None:
+            kernels.settle(a, b, first, out)

@@ -4,9 +4,8 @@ import numpy as np
 
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from . import circle_polygons, signs
-from .arrays import Group
+from .arrays import Group, upright_boxes
 from .filter_numpy import APART, OVERLAPPING, TOUCHING, boxes
-from .making import upright_boxes
 from .signs import Array, Signs
 
 LOOKS = 1 << 18  # looks of one edge at a time, over pairs and corners: what bounds the memory

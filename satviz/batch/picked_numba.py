@@ -1,0 +1,145 @@
+"""Pairs of convex polygons picked from anywhere, whatever their numbers of corners, compiled with numba."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
+from .arrays import Flat, Group
+from .compiling import compiled
+from .filter_numba import edges_of_eight
+from .filter_numpy import APART, OVERLAPPING, TOUCHING, UNDECIDED
+from .settle_numba import TERMS, settled
+from .signs import Array, Signs
+
+Indices = NDArray[np.intp]
+Mask = NDArray[np.bool_]
+
+LANES = 128  # pairs whose corners stay in the first-level cache
+ROW = LANES + 8  # a power of two would put all corners of a pair into the same few places of the cache
+
+
+def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
+    """The exact relations of the pairs (ia, ib); UNDECIDED where floats go out of range."""
+    _polygons(a.x, a.y, a.start, a.bounds, a.upright, b.x, b.y, b.start, b.bounds, b.upright, ia, ib, out)
+
+
+def columns(a: Group, b: Group, first: int, out: Signs) -> None:
+    """The exact relations of the columns from `first` on that are UNDECIDED in `out`; UNDECIDED still out of range."""
+    _columns(a.x, a.y, b.x, b.y, first, a.reach + b.reach, out)
+
+
+@compiled
+def _columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, reach: float, out: Signs) -> None:
+    va, vb = ax.shape[0], bx.shape[0]
+    x, y, p, q, terms = np.empty(va), np.empty(va), np.empty(vb), np.empty(vb), np.empty(TERMS)
+    for k in range(out.size):
+        if out[k] == UNDECIDED:
+            for v in range(va):
+                x[v], y[v] = ax[v, first + k], ay[v, first + k]
+            for v in range(vb):
+                p[v], q[v] = bx[v, first + k], by[v, first + k]
+            out[k] = settled(x, y, 0, va, p, q, 0, vb, reach, terms)
+
+
+@compiled
+def _polygons(
+    ax: Array, ay: Array, sa: Indices, box_a: Array, upright_a: Mask,
+    bx: Array, by: Array, sb: Indices, box_b: Array, upright_b: Mask,
+    ia: Indices, ib: Indices, out: Signs,
+) -> None:  # fmt: skip
+    terms, rooms = np.empty(TERMS), np.empty(LANES)
+    x, y, p, q = np.empty((9, ROW)), np.empty((9, ROW)), np.empty((9, ROW)), np.empty((9, ROW))
+    best, fours, eights = np.empty(LANES), np.empty(LANES, np.intp), np.empty(LANES, np.intp)
+    n4 = n8 = 0
+    for k in range(out.size):
+        i, j = np.uintp(ia[k]), np.uintp(ib[k])
+        gap = max(
+            max(box_a[i, 0] - box_b[j, 2], box_b[j, 0] - box_a[i, 2]),
+            max(box_a[i, 1] - box_b[j, 3], box_b[j, 1] - box_a[i, 3]),
+        )
+        if gap > 0:
+            out[k] = APART
+            continue
+        if upright_a[i] and upright_b[j]:
+            out[k] = OVERLAPPING if gap < 0 else TOUCHING
+            continue
+        out[k] = UNDECIDED
+        most = max(sa[i + 1] - sa[i], sb[j + 1] - sb[j])
+        if most <= 4:
+            fours[n4] = k
+            n4 += 1
+            if n4 == LANES:
+                _look(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, fours[:n4], 4, x, y, p, q, rooms, best, out)
+                n4 = 0
+        elif most <= 8:
+            eights[n8] = k
+            n8 += 1
+            if n8 == LANES:
+                _look(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, eights[:n8], 8, x, y, p, q, rooms, best, out)
+                n8 = 0
+    _look(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, fours[:n4], 4, x, y, p, q, rooms, best, out)
+    _look(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, eights[:n8], 8, x, y, p, q, rooms, best, out)
+    for k in range(out.size):
+        if out[k] == UNDECIDED:
+            i, j = ia[k], ib[k]
+            reach = _reach(box_a, i) + _reach(box_b, j)
+            out[k] = settled(ax, ay, sa[i], sa[i + 1], bx, by, sb[j], sb[j + 1], reach, terms)
+
+
+@compiled
+def _reach(box: Array, i: int) -> float:
+    """The largest coordinate's magnitude."""
+    return max(max(-box[i, 0], box[i, 2]), max(-box[i, 1], box[i, 3]))
+
+
+@compiled
+def _width(box: Array, i: int) -> float:
+    """No edge has a larger part along x or y."""
+    return max(box[i, 2] - box[i, 0], box[i, 3] - box[i, 1])
+
+
+@compiled
+def _look(
+    ax: Array, ay: Array, sa: Indices, box_a: Array, bx: Array, by: Array, sb: Indices, box_b: Array,
+    ia: Indices, ib: Indices, which: Indices, width: int,
+    x: Array, y: Array, p: Array, q: Array, rooms: Array, best: Array, out: Signs,
+) -> None:  # fmt: skip
+    """The float filter on lanes of pairs; an outline of fewer corners goes round again, so all have `width` edges."""
+    n = which.size
+    for k in range(n):
+        i, j = np.uintp(ia[which[k]]), np.uintp(ib[which[k]])
+        _lay(ax, ay, sa[i], sa[i + 1], width, x, y, k)
+        _lay(bx, by, sb[j], sb[j + 1], width, p, q, k)
+        room = (_width(box_a, i) + _width(box_b, j)) * (_reach(box_a, i) + _reach(box_b, j)) * LOOK
+        rooms[k] = room if room > LEAST_ROOM and room < MOST_ROOM else np.inf
+        best[k] = -np.inf
+    if width == 4:
+        _edges_of_four(x, y, p, q, n, best)
+        _edges_of_four(p, q, x, y, n, best)
+    else:
+        edges_of_eight(x, y, p, q, 0, n, best)
+        edges_of_eight(p, q, x, y, 0, n, best)
+    for k in range(n):
+        out[which[k]] = APART if best[k] > rooms[k] else OVERLAPPING if best[k] < -rooms[k] else UNDECIDED
+
+
+@compiled
+def _lay(x: Array, y: Array, start: int, stop: int, width: int, to_x: Array, to_y: Array, k: int) -> None:
+    i = start
+    for v in range(width + 1):
+        to_x[v, k], to_y[v, k] = x[np.uintp(i)], y[np.uintp(i)]
+        i = i + 1 if i + 1 < stop else start
+
+
+@compiled
+def _edges_of_four(x: Array, y: Array, p: Array, q: Array, n: int, best: Array) -> None:
+    p0, p1, p2, p3 = p[0, :n], p[1, :n], p[2, :n], p[3, :n]
+    q0, q1, q2, q3 = q[0, :n], q[1, :n], q[2, :n], q[3, :n]
+    for e in range(4):
+        x0, y0, x1, y1 = x[e, :n], y[e, :n], x[e + 1, :n], y[e + 1, :n]
+        for i in range(n):
+            a, b = y1[i] - y0[i], x0[i] - x1[i]
+            low = min(
+                min(a * p0[i] + b * q0[i], a * p1[i] + b * q1[i]), min(a * p2[i] + b * q2[i], a * p3[i] + b * q3[i])
+            )
+            best[i] = max(best[i], low - (a * x0[i] + b * y0[i]))
