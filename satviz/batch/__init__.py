@@ -3,7 +3,7 @@
 from .arrays import Shapes, concat
 from .broad import candidate_pairs
 from .collide import colliding_pairs, stream_colliding_pairs
-from .making import Circles, Polygons
+from .making import Circles, Polygons, from_shapely
 from .narrow import hits, relate
 
 __all__ = [
@@ -13,6 +13,7 @@ __all__ = [
     "candidate_pairs",
     "colliding_pairs",
     "concat",
+    "from_shapely",
     "hits",
     "relate",
     "stream_colliding_pairs",

@@ -1,7 +1,6 @@
-"""Many shapes as structure-of-arrays: all first vertices' x together, and so on.
+"""Many shapes as arrays: their corners one after another, or by number all first corners together, and so on.
 
-Shapes are kept by their number of vertices (a circle has one), so no outline is
-padded: a repeated vertex would be an edge without a direction.
+No outline is padded: a repeated vertex would be an edge without a direction.
 """
 
 from collections.abc import Sequence
@@ -11,11 +10,13 @@ from typing import Any, NamedTuple, SupportsIndex
 import numpy as np
 from numpy.typing import NDArray
 
+from .rings import Rings
+
 Where = SupportsIndex | slice | Sequence[int] | NDArray[np.integer[Any] | np.bool_]  # one, a range, indices, a mask
 
 
 class Group(NamedTuple):
-    """The shapes with one number of vertices.
+    """The shapes with one number of corners.
 
     x, y: (V, n) counter-clockwise corners in scene units, no repeats, none straight on
     (V = 1: centers, r: (n,) radii).  span, reach: the largest edge component and
@@ -36,10 +37,10 @@ class Group(NamedTuple):
 
 
 class Flat(NamedTuple):
-    """The same shapes one after another: shape i has the corners start[i] to start[i + 1].
+    """All shapes one after another: shape i has the corners start[i] to start[i + 1].
 
-    x, y: (M,) scene units; bounds: (N, 4), circles' rounded outwards; upright: (N,) is it a box with its sides along
-    x and y?
+    x, y: (M,) scene units; bounds: (N, 4), circles' rounded outwards; upright: (N,) is it a box with its sides
+    along x and y?
     """
 
     x: NDArray[np.float64]
@@ -50,39 +51,78 @@ class Flat(NamedTuple):
 
 
 class Shapes:
-    """Many convex polygons and circles; make one with Polygons, Circles and concat.
+    """Many convex polygons and circles; make one with Polygons, Circles, from_shapely and concat.
 
-    `count`: (N,) vertices of each shape; `slot`: (N,) its column in its group;
-    `owner`: (N,) which input each is a part of, where concave polygons were split.
+    `count`: (N,) corners of each part (a circle has one); `owner`: (N,) which shape each is a
+    part of, where concave polygons were split.  Made of `rings` or of `groups`; the other is
+    worked out when it is first needed, and kept.
     """
 
     def __init__(
         self,
-        groups: dict[int, Group],
         count: NDArray[np.int64],
-        slot: NDArray[np.int64],
         owner: NDArray[np.int64] | None = None,
+        *,
+        rings: Rings | None = None,
+        groups: dict[int, Group] | None = None,
     ) -> None:
-        self.groups = groups
         self.count = count
-        self.slot = slot
         self.owner = owner
+        if rings is not None:
+            self.rings = rings
+        if groups is not None:
+            self.groups = groups
 
     def __len__(self) -> int:
         """How many shapes; parts of one concave polygon count once."""
         return len(self.count) if self.owner is None else int(self.owner[-1]) + 1 if len(self.owner) else 0
 
     def __repr__(self) -> str:
-        kinds = ", ".join(f"{group.x.shape[1]} x {_kind(v)}" for v, group in sorted(self.groups.items()))
-        return f"Shapes({kinds})"
+        kinds = zip(*np.unique(self.count, return_counts=True), strict=True)
+        return f"Shapes({', '.join(f'{n} x {_kind(v)}' for v, n in kinds)})"
+
+    @cached_property
+    def rings(self) -> Rings:
+        """The corners of the parts one after another."""
+        start = np.concatenate([[0], np.cumsum(self.count)])
+        x, y = np.empty((2, start[-1]))
+        for v, group in self.groups.items():
+            place = start[:-1][self.count == v][:, None] + np.arange(v)
+            x[place], y[place] = group.x.T, group.y.T
+        return Rings(x, y, start)
+
+    @cached_property
+    def groups(self) -> dict[int, Group]:
+        """The parts by their number of corners, in order."""
+        found = {}
+        for v in np.unique(self.count).tolist():
+            places = self.rings.start[:-1][self.count == v] + np.arange(v)[:, None]
+            found[v] = group_of(self.rings.x[places], self.rings.y[places])
+        return found
+
+    @cached_property
+    def slot(self) -> NDArray[np.intp]:
+        """(N,) each part's column in its group."""
+        order = np.argsort(self.count, kind="stable")
+        slot = np.empty_like(order)
+        sizes = np.unique(self.count, return_counts=True)[1]
+        slot[order] = np.arange(len(order)) - np.repeat(np.cumsum(sizes) - sizes, sizes)
+        return slot
 
     @cached_property
     def uniform(self) -> Group | None:
-        """The only group, if its columns are in order."""
-        if len(self.groups) != 1 or self.owner is not None:
-            return None
-        (group,) = self.groups.values()
-        return group if group.x.shape[1] == len(self.slot) and _in_order(self.slot) else None
+        """The only group."""
+        alike = self.owner is None and len(self.count) and (self.count == self.count[0]).all()
+        return self.groups[int(self.count[0])] if alike else None
+
+    @cached_property
+    def flat(self) -> Flat:
+        """All parts one after another, with what is known of each."""
+        upright = np.zeros(len(self.count), bool)
+        if (fours := np.flatnonzero(self.count == 4)).size:
+            places = self.rings.start[fours] + np.arange(4)[:, None]
+            upright[fours] = upright_boxes(self.rings.x[places], self.rings.y[places])
+        return Flat(*self.rings, self.parts.bounds, upright)
 
     @cached_property
     def starts(self) -> NDArray[np.intp]:
@@ -93,18 +133,20 @@ class Shapes:
     @property
     def parts(self) -> "Shapes":
         """The convex parts as shapes of their own."""
-        return self if self.owner is None else Shapes(self.groups, self.count, self.slot)
+        if self.owner is None:
+            return self
+        parts = Shapes(self.count)
+        parts.__dict__ |= {key: value for key, value in self.__dict__.items() if key in ("rings", "groups", "slot")}
+        return parts
 
     def __getitem__(self, where: Where) -> "Shapes":
         """Some of the shapes by slice, index array or mask; one by its index is a batch of one.
 
         Shapes count, not parts.  IndexError for what is out of range.
         """
-        if self.uniform is not None and isinstance(where, slice) and (where.step or 1) == 1:
-            start, stop, _ = where.indices(len(self))
-            stop = max(start, stop)
-            group = self.uniform.columns(slice(start, stop))
-            return Shapes({len(group.x): group}, self.count[start:stop], np.arange(stop - start))
+        if isinstance(where, slice) and (where.step or 1) == 1 and self.uniform is not None and "groups" in vars(self):
+            group = self.uniform.columns(where)
+            return Shapes(self.count[where], groups={len(group.x): group})
         chosen = np.atleast_1d(np.arange(len(self))[where])
         if chosen.ndim != 1:
             raise IndexError(f"the indices have the shape {chosen.shape}: expected one row of them")
@@ -114,46 +156,39 @@ class Shapes:
             many = self.starts[chosen + 1] - first
             owner = np.repeat(np.arange(len(chosen)), many)
             chosen = np.arange(len(owner)) + np.repeat(first - (np.cumsum(many) - many), many)
-        count, slot = self.count[chosen], self.slot[chosen]
-        groups, new_slot = {}, np.empty(len(slot), np.int64)
-        for v in np.unique(count).tolist():
-            mine = count == v
-            groups[v] = self.groups[v].columns(slot[mine])
-            new_slot[mine] = np.arange(groups[v].x.shape[1])
-        return Shapes(groups, count, new_slot, owner)
-
-    @cached_property
-    def flat(self) -> Flat:
-        """The parts one after another."""
-        start = np.concatenate([[0], np.cumsum(self.count)])
-        x, y = np.empty((2, start[-1]))
-        upright = np.zeros(len(self.count), bool)
-        for v, group in self.groups.items():
-            mine = np.flatnonzero(self.count == v)
-            slots = self.slot[mine]
-            place = start[mine][:, None] + np.arange(v)
-            x[place], y[place] = group.x[:, slots].T, group.y[:, slots].T
-            if v == 4:
-                upright[mine] = upright_boxes(group.x[:, slots], group.y[:, slots])
-        return Flat(x, y, start, self.parts.bounds, upright)
+        count = self.count[chosen]
+        if "rings" in vars(self) and not (count == 1).any():
+            return Shapes(count, owner, rings=self.rings.picked(chosen))
+        slot = self.slot[chosen]
+        groups = {v: self.groups[v].columns(slot[count == v]) for v in np.unique(count).tolist()}
+        return Shapes(count, owner, groups=groups)
 
     @property
     def bounds(self) -> NDArray[np.float64]:
         """(N, 4) boxes (x min, y min, x max, y max) in scene units, circles' rounded outwards."""
         found = np.empty((len(self.count), 4))
-        for v, group in self.groups.items():
-            x, y = group.x, group.y
-            box = np.stack([x.min(axis=0), y.min(axis=0), x.max(axis=0), y.max(axis=0)], axis=1)
-            if group.r is not None:
-                with np.errstate(over="ignore"):
-                    box += np.stack([-group.r, -group.r, group.r, group.r], axis=1)
-                    box = np.nextafter(box, [-np.inf, -np.inf, np.inf, np.inf])
-            mine = self.count == v
-            found[mine] = box[self.slot[mine]]
+        if "rings" in vars(self) and not (self.count == 1).any():
+            if len(found):
+                x, y, first = self.rings.x, self.rings.y, self.rings.start[:-1]
+                for i, (extreme, c) in enumerate(
+                    ((np.minimum, x), (np.minimum, y), (np.maximum, x), (np.maximum, y))
+                ):
+                    found[:, i] = extreme.reduceat(c, first)
+        else:
+            for v, group in self.groups.items():
+                found[self.count == v] = _boxes(group)
         if self.owner is None or not len(self.owner):
             return found
         first = self.starts[:-1]
         return np.hstack([np.minimum.reduceat(found[:, :2], first), np.maximum.reduceat(found[:, 2:], first)])
+
+
+def group_of(x: NDArray[np.float64], y: NDArray[np.float64]) -> Group:
+    """Polygons of one number of corners, column by column."""
+    reach = float(max(np.abs(x).max(initial=0.0), np.abs(y).max(initial=0.0)))
+    with np.errstate(over="ignore"):
+        span = max((float(np.abs(c - np.roll(c, 1, axis=0)).max(initial=0.0)) for c in (x, y)), default=0.0)
+    return Group(x, y, None, min(span, 1e308), reach, len(x) == 4 and bool(upright_boxes(x, y).all()))
 
 
 def upright_boxes(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -164,8 +199,14 @@ def upright_boxes(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.
     return (level[0] & level[1]) | (level[2] & level[3])
 
 
-def _in_order(slot: NDArray[np.int64]) -> bool:
-    return not len(slot) or bool(slot[0] == 0 and slot[-1] == len(slot) - 1)
+def _boxes(group: Group) -> NDArray[np.float64]:
+    x, y = group.x, group.y
+    box = np.stack([x.min(axis=0), y.min(axis=0), x.max(axis=0), y.max(axis=0)], axis=1)
+    if group.r is not None:
+        with np.errstate(over="ignore"):
+            box += np.stack([-group.r, -group.r, group.r, group.r], axis=1)
+            box = np.nextafter(box, [-np.inf, -np.inf, np.inf, np.inf])
+    return box
 
 
 def _kind(v: int) -> str:
@@ -182,8 +223,6 @@ def checked(shapes: object, name: str) -> Shapes:
 def concat(many: Sequence[Shapes]) -> Shapes:
     """One batch of several, in order: how circles and polygons are mixed."""
     many = [checked(shapes, f"batch {i}") for i, shapes in enumerate(many)]
-    if not many:
-        return Shapes({}, np.empty(0, np.int64), np.empty(0, np.int64))
     groups: dict[int, Group] = {}
     for v in sorted({v for shapes in many for v in shapes.groups}):
         mine = [shapes.groups[v] for shapes in many if v in shapes.groups]
@@ -191,16 +230,10 @@ def concat(many: Sequence[Shapes]) -> Shapes:
         r = None if v > 1 else np.concatenate([g.r for g in mine])
         span, reach = max(g.span for g in mine), max(g.reach for g in mine)
         groups[v] = Group(x, y, r, span, reach, all(g.upright for g in mine))
-    before = dict.fromkeys(groups, 0)
-    slots, owners, first = [], [], 0
+    owners, first = [np.empty(0, np.int64)], 0
     for shapes in many:
-        offset = np.zeros(max(groups, default=0) + 1, np.int64)
-        for v, group in shapes.groups.items():
-            offset[v] = before[v]
-            before[v] += group.x.shape[1]
-        slots.append(shapes.slot + offset[shapes.count])
         owners.append((np.arange(len(shapes.count)) if shapes.owner is None else shapes.owner) + first)
         first += len(shapes)
     split = any(shapes.owner is not None for shapes in many)
-    count, slot, owner = (np.concatenate(c) for c in ([s.count for s in many], slots, owners))
-    return Shapes(groups, count, slot, owner if split else None)
+    count = np.concatenate([np.empty(0, np.int64), *(s.count for s in many)])
+    return Shapes(count, np.concatenate(owners) if split else None, groups=groups)

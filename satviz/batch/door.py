@@ -23,6 +23,70 @@ def rings(vertices: NDArray[Any], name: Callable[[int], str]) -> NDArray[np.floa
     return floats(vertices, "vertices", lambda i, j, k: f"{name(i)}: vertex {j}.{'xy'[k]}")
 
 
+def ragged(vertices: Points, offsets: Any) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
+    """x, y and where each outline starts; InvalidShape names the first number that is none and the first bad offset."""
+    start = np.asarray(offsets)
+    if start.ndim != 1 or not start.size or start.dtype.kind not in "iu":
+        raise InvalidShape(f"offsets is {start.dtype} of the shape {start.shape}: expected N + 1 integers")
+    start = start.astype(np.intp)
+
+    def entry(i: int) -> str:
+        polygon = int(np.searchsorted(start, i, side="right")) - 1
+        return f"polygon {polygon}: vertex {i - start[polygon]}"
+
+    expected = "expected to rise from 0 to the number of vertices"
+    if start[0]:
+        raise InvalidShape(f"offsets begins with {start[0]}: {expected}")
+    if (fall := np.flatnonzero(np.diff(start) < 0)).size:
+        raise InvalidShape(f"offsets falls from {start[fall[0]]} to {start[fall[0] + 1]}: {expected}")
+    found = points(vertices, "vertices", entry)
+    if start[-1] != len(found):
+        raise InvalidShape(f"offsets ends with {start[-1]}: {expected}, {len(found)}")
+    return found[:, 0], found[:, 1], start
+
+
+def listed_rings(
+    vertices: Any, name: Callable[[int], str]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
+    """The same from a sequence of outlines."""
+    given = _listed(vertices, "vertices")
+    arrays: list[NDArray[np.float64]] = []
+
+    def joined() -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+        start = np.cumsum([0, *map(len, arrays)])
+        flat = np.concatenate(arrays) if arrays else np.empty((0, 2))
+        if (bad := np.flatnonzero(~np.isfinite(flat).all(axis=1))).size:
+            i = int(np.searchsorted(start, bad[0], side="right")) - 1
+            ring(given[i], name(i))  # says which number it is
+        return flat, start
+
+    for i, one in enumerate(given):
+        array = _quickly(one)
+        if array is None:
+            try:
+                array = ring(one, name(i))
+            except InvalidShape:
+                joined()  # one before it may be at fault as well
+                raise
+        arrays.append(array)
+    flat, start = joined()
+    return flat[:, 0], flat[:, 1], start
+
+
+def _quickly(one: Any) -> NDArray[np.float64] | None:
+    """An outline of plain floats as an array, not yet known to be finite; None where the door must look closer."""
+    if type(one) is np.ndarray:
+        return one if one.dtype == np.float64 and one.ndim == 2 and one.shape[1] == 2 and len(one) > 2 else None
+    if type(one) is not list and type(one) is not tuple or len(one) < 3:
+        return None
+    flat = []
+    for p in one:
+        if type(p) is not tuple and type(p) is not list or len(p) != 2:
+            return None
+        flat += p
+    return np.array(flat).reshape(-1, 2) if set(map(type, flat)) == {float} else None
+
+
 def ring(vertices: Any, name: str) -> NDArray[np.float64]:
     """One outline as (V, 2) float64, through the door of satviz.Polygon where it is no plain array."""
     if isinstance(vertices, Polygon):

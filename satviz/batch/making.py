@@ -1,20 +1,23 @@
-"""Circles and Polygons: many shapes checked at the door and sorted into groups."""
+"""Circles and Polygons: many shapes checked at the door."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..engine import outline
 from ..engine.concave import parts
 from ..engine.geometry import InvalidShape
 from ..engine.shapes import Polygon
-from . import door, signs
-from .arrays import Group, Shapes, upright_boxes
-from .signs import Array
+from . import door
+from .arrays import Group, Shapes, group_of
+from .outlines import convex
+from .rings import Rings, joined
 
 Indices = NDArray[np.intp]
-Mask = NDArray[np.bool_]
+
+FEW = 8  # corners
 
 
 def Circles(centers: door.Points, radii: door.Numbers) -> Shapes:
@@ -31,117 +34,93 @@ def Circles(centers: door.Points, radii: door.Numbers) -> Shapes:
     with np.errstate(over="ignore"):
         reach = float((np.abs(centers).max(axis=1, initial=0.0) + r).max(initial=0.0))
     group = Group(x, y, r, float(r.max(initial=0.0)), reach)
-    return Shapes({1: group}, np.ones(n, np.int64), np.arange(n))
+    return Shapes(np.ones(n, np.int64), groups={1: group})
 
 
-def Polygons(vertices: door.Rings, *, concave: str = "refuse") -> Shapes:
-    """Convex polygons from an (N, V, 2) array, or a sequence of what satviz.Polygon takes, in scene units.
+def Polygons(vertices: door.Rings, *, offsets: ArrayLike | None = None, concave: str = "refuse") -> Shapes:
+    """Convex polygons in scene units, of any numbers of vertices, from one of
+
+    - an (N, V, 2) array (fewer than V vertices: repeat one),
+    - (M, 2) vertices one after another with `offsets`, the (N + 1,) places where each polygon starts and the last ends,
+    - a sequence of what satviz.Polygon takes.
 
     Either winding, repeats and straight-on vertices are allowed.  `concave="split"`
     splits concave ones into parts and keeps their owner.  InvalidShape names the
     first polygon at fault and says what is wrong, as satviz.Polygon does.  What is
     given is copied, never written to.
     """
+    if offsets is not None:
+        x, y, start = door.ragged(vertices, offsets)
+        return _assembled(Rings(x, y, start), "polygon {}".format, concave)
     return polygons_numbered(vertices, None, concave)
+
+
+def from_shapely(geometries: Any, *, concave: str = "refuse") -> Shapes:
+    """The same from an array or sequence of shapely polygons; InvalidShape for holes and other geometries."""
+    import shapely
+
+    array = np.asarray(geometries, object).ravel()
+    if (odd := np.flatnonzero(shapely.get_type_id(array) != shapely.GeometryType.POLYGON)).size:
+        raise InvalidShape(f"polygon {odd[0]} is {_kind(array[odd[0]])}: pass one Polygon at a time")
+    if (odd := np.flatnonzero(shapely.get_num_interior_rings(array))).size:
+        polygon_or_error = f"polygon {odd[0]}: the polygon has holes"
+        raise InvalidShape(f"{polygon_or_error}: pass its outer ring, or split it into parts without holes")
+    outer = shapely.get_exterior_ring(array)
+    start = np.concatenate([[0], np.cumsum(shapely.get_num_coordinates(outer))])
+    return Polygons(shapely.get_coordinates(outer), offsets=start, concave=concave)
+
+
+def _kind(value: Any) -> str:
+    return f"a {getattr(value, 'geom_type', type(value).__name__)}"
 
 
 def polygons_numbered(vertices: door.Rings, numbers: Indices | None, concave: str) -> Shapes:
     """The same for some of more: `numbers` are what errors call them."""
-    if concave not in ("refuse", "split"):
-        raise ValueError(f'concave is {concave!r}: choose "refuse" or "split"')
 
     def name(i: int) -> str:
         return f"polygon {i if numbers is None else numbers[i]}"
 
     if isinstance(vertices, np.ndarray) and vertices.dtype != object:
         array = door.rings(vertices, name)
-        return _assembled([(np.arange(len(array)), array)] if array.size else [], name, concave)
-    arrays: list[Array] = []
-    by_count: dict[int, list[int]] = {}
-    for i, ring in enumerate(outline.listed(vertices, "vertices", "a sequence")):
-        array = door.ring(ring, name(i))
-        by_count.setdefault(len(array), []).append(i)
-        arrays.append(array)
-    blocks = [(np.asarray(ids), np.stack([arrays[i] for i in ids])) for ids in by_count.values()]
-    return _assembled(blocks, name, concave)
+        start = np.arange(len(array) + 1) * array.shape[1]
+        rings = Rings(array[:, :, 0].ravel(), array[:, :, 1].ravel(), start)
+    else:
+        rings = Rings(*door.listed_rings(vertices, name))
+    return _assembled(rings, name, concave)
 
 
-def _assembled(blocks: Sequence[tuple[Indices, Array]], name: Callable[[int], str], concave: str) -> Shapes:
-    """Sort the rings into groups; those not plainly convex go through the scalar door one by one."""
-    found: dict[int, list[tuple[Indices, Array, Array]]] = {}
-    odd: list[tuple[int, Array]] = []
-    for ids, rings in blocks:
-        x, y = (np.array(rings[:, :, i].T, order="C") for i in (0, 1))  # copied: it is turned round in place
-        good = _orient(x, y)
-        if good.all():
-            found.setdefault(len(x), []).append((ids, x, y))
-            continue
-        if good.any():
-            found.setdefault(len(x), []).append((ids[good], x[:, good], y[:, good]))
-        odd += [(int(i), ring) for i, ring in zip(ids[~good], rings[~good], strict=True)]
+def _assembled(given: Rings, name: Callable[[int], str], concave: str) -> Shapes:
+    """The corners of all; those not plainly convex go through the scalar door one by one."""
+    if concave not in ("refuse", "split"):
+        raise ValueError(f'concave is {concave!r}: choose "refuse" or "split"')
+    given = Rings(given.x + 0.0, given.y + 0.0, given.start)  # a copy of our own, where -0.0 is 0.0
+    rings, plain = convex(given)
+    count = np.diff(rings.start)
+    if plain.all():
+        if len(count) and count[0] <= FEW and (count == count[0]).all():  # pairs of such come side by side mostly
+            return Shapes(count, groups={int(count[0]): group_of(*(c.reshape(len(count), -1).T.copy() for c in rings[:2]))})
+        return Shapes(count, rings=rings)
+    pieces: list[NDArray[np.float64]] = []
+    owners = [np.flatnonzero(plain)]
     split = False
-    for i, ring in sorted(odd, key=lambda item: item[0]):
+    for i in np.flatnonzero(~plain).tolist():
+        part = slice(given.start[i], given.start[i + 1])
         try:
-            polygon = Polygon(ring)
+            polygon = Polygon(np.stack([given.x[part], given.y[part]], axis=1))
         except InvalidShape as error:
             raise InvalidShape(f"{name(i)}: {error}") from None
-        pieces = parts(polygon)
-        if len(pieces) > 1 and concave == "refuse":
+        found = parts(polygon)
+        if len(found) > 1 and concave == "refuse":
             raise InvalidShape(
                 f"{name(i)} is not convex: split it with satviz.parts first, "
                 'or pass concave="split", which keeps the owner of each part'
             )
-        split = split or len(pieces) > 1
-        for piece in pieces:
-            assert isinstance(piece, Polygon)  # as are all parts of one
-            corners = np.asarray(piece.corners)
-            column = np.asarray([i]), corners[:, :1].copy(), corners[:, 1:].copy()
-            found.setdefault(len(corners), []).append(column)
-    groups: dict[int, Group] = {}
-    owners, counts, slots = [], [], []
-    for v, columns in sorted(found.items()):
-        mine, x, y = columns[0]
-        if len(columns) > 1:
-            mine, x, y = (np.concatenate(c, axis=-1) for c in zip(*columns, strict=True))
-            order = np.argsort(mine, kind="stable")
-            mine, x, y = mine[order], np.ascontiguousarray(x[:, order]), np.ascontiguousarray(y[:, order])
-        reach = float(max(np.abs(x).max(initial=0.0), np.abs(y).max(initial=0.0)))
-        groups[v] = Group(x, y, None, _span(x, y), reach, v == 4 and bool(upright_boxes(x, y).all()))
-        owners.append(mine)
-        counts.append(np.full(len(mine), v))
-        slots.append(np.arange(len(mine)))
-    owner, count, slot = (np.concatenate(c) if c else np.empty(0, np.int64) for c in (owners, counts, slots))
-    if len(groups) > 1:
-        order = np.argsort(owner, kind="stable")
-        owner, count, slot = owner[order], count[order], slot[order]
-    return Shapes(groups, count, slot, owner if split else None)
-
-
-def _span(x: Array, y: Array) -> float:
-    with np.errstate(over="ignore"):
-        edges = max((float(np.abs(c - np.roll(c, 1, axis=0)).max(initial=0.0)) for c in (x, y)), default=0.0)
-    return min(edges, 1e308)
-
-
-def _orient(x: Array, y: Array) -> Mask:
-    """Turn clockwise columns round in place; True for the columns that are plainly convex (exactly).
-
-    Plainly: every corner turns the same way, once round, with no repeat and none straight on.
-    """
-    v, n = x.shape
-    nx, ny = np.roll(x, -1, axis=0), np.roll(y, -1, axis=0)
-    turns = np.empty((v, n), np.int8)
-    for i in range(v):
-        j, k = (i + 1) % v, (i + 2) % v
-        turns[i] = signs.orient(x[i], y[i], x[j], y[j], x[k], y[k])
-    left: Mask = np.logical_and.reduce(turns > 0)
-    right: Mask = np.logical_and.reduce(turns < 0)
-    if v > 4:  # with 3 or 4 corners the same way there is no going round twice
-        rising = (nx > x) | ((nx == x) & (ny > y))
-        once = (rising != np.roll(rising, 1, axis=0)).sum(axis=0) == 2
-        left &= once
-        right &= once
-    if right.any():
-        for c in (x, y):
-            c[:, right] = c[::-1, right]
-    return left | right
+        split = split or len(found) > 1
+        pieces += [np.asarray(piece.core) for piece in found]
+        owners.append(np.full(len(found), i))
+    flat = np.concatenate(pieces)
+    start = np.cumsum([0, *map(len, pieces)])
+    owner = np.concatenate(owners)
+    order = np.argsort(owner, kind="stable")
+    rings = joined([rings, Rings(flat[:, 0], flat[:, 1], start)]).picked(order)
+    return Shapes(np.diff(rings.start), owner[order] if split else None, rings=rings)

@@ -1,0 +1,106 @@
+"""Many outlines checked at once, by the rules of satviz.Polygon: repeats, winding, and which are convex, exactly.
+
+Outlines lie one after another: (M,) x and y, and the (N + 1,) places where each starts and the last one ends.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import signs
+from .rings import Rings, joined
+from .signs import Array
+
+Places = NDArray[np.intp]
+Mask = NDArray[np.bool_]
+
+BLOCK = 1 << 15  # corners at a time: they and the scratch arrays stay in the second-level cache
+
+
+def convex(rings: Rings) -> tuple[Rings, Mask]:
+    """The corners of those that are plainly convex, counter-clockwise, and which they are.
+
+    The others are concave, or no simple outlines: the scalar door tells.  The arrays given may be written to.
+    """
+    found, masks = [], []
+    full = np.searchsorted(rings.start, np.arange(BLOCK, rings.start[-1], BLOCK), side="right") - 1
+    cuts = np.unique(np.concatenate([[0], full, [len(rings.start) - 1]]))
+    for i, j in zip(cuts[:-1], cuts[1:], strict=True):
+        start = rings.start[i : j + 1]
+        part = slice(start[0], start[-1])
+        some, mask = _convex(Rings(rings.x[part], rings.y[part], start - start[0]))
+        found.append(some)
+        masks.append(mask)
+    mask = np.concatenate(masks) if masks else np.zeros(0, bool)
+    if mask.all() and sum(len(some.x) for some in found) == len(rings.x):  # none left out; turned round in place
+        return rings, mask
+    return joined(found), mask
+
+
+def _convex(rings: Rings) -> tuple[Rings, Mask]:
+    many = np.diff(rings.start) > 2
+    ring = rings.some(many)
+    fresh = (ring.x != _before(ring.x, ring.start)) | (ring.y != _before(ring.y, ring.start))
+    if not fresh.all():
+        ring = ring.without(fresh)
+        enough = np.diff(ring.start) > 2
+        many[many] = enough
+        ring = ring.some(enough)
+    x, y, start = ring
+    if len(start) == 1:
+        return ring, many
+    px, py, nx, ny = (way(c, start) for way in (_before, _after) for c in (x, y))
+    turns = signs.orient(px, py, x, y, nx, ny)
+    first = start[:-1]
+    least, most = np.minimum.reduceat(turns, first), np.maximum.reduceat(turns, first)
+    straight = np.flatnonzero(turns == 0)
+    if straight.size:  # straight on is no corner; straight back is a spike
+        on = _rises(*(c[straight] for c in (px, py, x, y))) == _rises(*(c[straight] for c in (x, y, nx, ny)))
+        least = np.minimum.reduceat(np.where(turns == 0, np.int8(1), turns), first)
+        most = np.maximum.reduceat(np.where(turns == 0, np.int8(-1), turns), first)
+        spiked = np.searchsorted(start, straight[~on], side="right") - 1
+        least[spiked], most[spiked] = -1, 1
+    plain = (least > 0) | (most < 0)
+    if np.diff(start).max() > 4:  # with 3 or 4 corners the same way there is no going round twice
+        rises = _rises(x, y, nx, ny)
+        plain &= np.add.reduceat(rises != _before(rises, start), first) == 2
+    back = most < 0
+    many[many] = plain
+    if straight.size:
+        ring, back = ring.without(turns != 0), back[plain]
+        ring = Rings(*ring).some(plain)
+    else:
+        ring, back = ring.some(plain), back[plain]
+    return _turned(ring, back), many
+
+
+def _before(c: NDArray, start: Places) -> NDArray:
+    """What stands before each corner of its outline."""
+    found = np.empty_like(c)
+    found[1:] = c[:-1]
+    found[start[:-1]] = c[start[1:] - 1]
+    return found
+
+
+def _after(c: NDArray, start: Places) -> NDArray:
+    found = np.empty_like(c)
+    found[:-1] = c[1:]
+    found[start[1:] - 1] = c[start[:-1]]
+    return found
+
+
+def _rises(px: Array, py: Array, qx: Array, qy: Array) -> Mask:
+    """Is q to the right of p, or straight above?"""
+    rises: Mask = (qx > px) | ((qx == px) & (qy > py))
+    return rises
+
+
+def _turned(ring: Rings, back: Mask) -> Rings:
+    """Those of the mask the other way round."""
+    if not back.any():
+        return ring
+    x, y, start = ring
+    count = np.diff(start)
+    places = np.flatnonzero(np.repeat(back, count))
+    source = np.repeat((start[:-1] + start[1:] - 1)[back], count[back]) - places
+    x[places], y[places] = x[source], y[source]
+    return ring

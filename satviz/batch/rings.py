@@ -1,0 +1,42 @@
+"""Outlines one after another: how shapes of many numbers of corners lie in memory."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Places = NDArray[np.intp]
+Mask = NDArray[np.bool_]
+
+
+class Rings(NamedTuple):
+    """x, y: (M,) corners in scene units; start: (N + 1,) where each outline starts, and the last one ends."""
+
+    x: Array
+    y: Array
+    start: Places
+
+    def some(self, mask: Mask) -> "Rings":
+        """The outlines of a mask."""
+        return self if mask.all() else self.without(np.repeat(mask, np.diff(self.start)), mask)
+
+    def without(self, kept: Mask, mask: Mask | None = None) -> "Rings":
+        """Only the corners kept, of those outlines (of all)."""
+        ends = np.concatenate([[0], np.cumsum(kept)])[self.start]
+        start = ends if mask is None else np.concatenate([[0], np.cumsum(np.diff(ends)[mask])])
+        return Rings(self.x[kept], self.y[kept], start)
+
+    def picked(self, where: Places) -> "Rings":
+        """The outlines of these numbers, in this order."""
+        many = np.diff(self.start)[where]
+        start = np.concatenate([[0], np.cumsum(many)])
+        corners = np.arange(start[-1]) + np.repeat(self.start[where] - start[:-1], many)
+        return Rings(self.x[corners], self.y[corners], start)
+
+
+def joined(many: list[Rings]) -> Rings:
+    """All of them, in order."""
+    counts = [np.diff(rings.start) for rings in many]
+    x, y = (np.concatenate([rings[i] for rings in many]) if many else np.empty(0) for i in (0, 1))
+    return Rings(x, y, np.cumsum(np.concatenate([[0], *counts])))
