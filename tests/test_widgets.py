@@ -100,8 +100,8 @@ def test_a_free_axis_shows_its_gap_and_the_curve():
     widget = explorer()
     said = pose(widget, degree=166.0)
     assert "this axis separates them" in said["sentence"]
-    names = {mark["id"] for mark in said["curve"]["marks"]}
-    assert {"here", "candidate.0", "curve.gap", "curve.overlap"} <= names
+    parts = {mark["part"] for mark in said["curve"]["marks"]}
+    assert {"here", "candidate", "gap-curve", "overlap-curve"} <= parts
     assert "no gap" in pose(widget, degree=90.0)["sentence"]
 
 

@@ -25,14 +25,11 @@ class Request(NamedTuple):
     `along`: other anchors that serve nearly as well, such as the rest of a bar.
     """
 
-    id: str
-    text: str
-    role: str
+    label: Mark  # without its place
     anchor: Vec
     along: tuple[Vec, ...] = ()
     prefer: Vec = Vec(0.0, 1.0)
-    weight: str = "plain"
-    inside: bool = False  # centred on an anchor if that is clear
+    inside: bool = False  # centered on an anchor if that is clear
     optional: bool = False  # leave it out rather than run it over something
     far: bool = False  # anywhere on the canvas will do
     steady: bool = False  # stays put from step to step, whatever else the step shows
@@ -43,7 +40,6 @@ class Wishes(TypedDict, total=False):
 
     along: tuple[Vec, ...]
     prefer: Vec
-    weight: str
     inside: bool
     optional: bool
     far: bool
@@ -59,11 +55,11 @@ def with_labels(
     outlines, and `keep_off`: where normals will stand), so that nothing jumps.
     """
     board = Board(layout)
-    names = [r for r in requests if r.steady and r.weight == "title"]
-    vertices = [r for r in requests if r.steady and r.weight != "title"]
+    names = [r for r in requests if r.steady and r.label.weight == "title"]
+    vertices = [r for r in requests if r.steady and r.label.weight != "title"]
     rest = [r for r in requests if not r.steady]
     outlines = [mark for mark in marks if mark.kind in ("outline", "disc")]
-    corners = [mark for mark in marks if ".vertex." in mark.id]
+    corners = [mark for mark in marks if mark.part == "vertex"]
     others = [mark for mark in marks if mark not in outlines and mark not in corners]
     for mark in outlines if steady else (*outlines, *corners, *others):
         _put(board, mark)
@@ -73,11 +69,10 @@ def with_labels(
     for mark in corners if steady else ():
         _put(board, mark)
     labels += board.labels(vertices)
+    boxes = [(m.points[0], text_box(m.text, m.weight)) for m in labels if m.kind == "label"]
     for mark in others if steady else ():
         _put(board, mark)
     labels += board.labels(rest)
-    fixed = {r.id for r in requests if r.steady}
-    boxes = [(m.points[0], text_box(m.text, m.weight)) for m in labels if m.id in fixed]
     return [_broken(m, boxes, layout) if m.role == "guide" and m.kind == "segment" else m for m in marks] + labels
 
 
@@ -98,7 +93,7 @@ def short_name(shape: Shape, name: str, i: int) -> str:
 
 
 def name_spots(shape: Shape) -> list[Vec]:
-    """Where a shape's name may stand, best first: the middle, or half way out; below a circle's centre."""
+    """Where a shape's name may stand, best first: the middle, or half way out; below a circle's center."""
     if isinstance(shape, Circle):
         turns = [k * pi / 4 - pi / 2 for k in range(8)]
         return [moved(shape.center, Vec(cos(t), sin(t)), shape.radius * f) for f in (0.5, 0.8) for t in turns]
@@ -154,13 +149,14 @@ class Board:
                 continue
             if not (r.far or r.inside or r.along) and (end := self._leader(r, at)):
                 self.stroke(r.anchor, end, 300)
-                found.append(Mark(f"{r.id}.leader", "segment", "guide", (r.anchor, end)))
-            found.append(Mark(r.id, "label", r.role, (at,), text=r.text, weight=r.weight))
+                leader = r.label._replace(part=f"{r.label.part}-leader", kind="segment", points=(r.anchor, end))
+                found.append(leader._replace(role="guide", text="", weight="plain"))
+            found.append(r.label._replace(points=(at,)))
         return found
 
     def _leader(self, request: Request, at: Vec) -> Vec | None:
         """Where a line from the anchor meets the label's box; None if they are near enough without."""
-        w, h = (self.layout.units(c / 2 + 1) for c in text_box(request.text, request.weight))
+        w, h = (self.layout.units(c / 2 + 1) for c in text_box(request.label.text, request.label.weight))
         a = request.anchor
         inside = clipped(a.x, a.y, at.x, at.y, at.x - w, at.y - h, at.x + w, at.y + h)
         if inside is None or inside[0] * hypot(at.x - a.x, at.y - a.y) < self.layout.units(LEADER):
@@ -171,8 +167,8 @@ class Board:
         return None if any(clipped(*line, *box) and not _is_dot(box) for box in self.boxes[:-1]) else end
 
     def place(self, request: Request) -> Vec | None:
-        """The label's centre in scene units, or None for an optional one that finds no clear spot."""
-        w, h = text_box(request.text, request.weight)
+        """The label's center in scene units, or None for an optional one that finds no clear spot."""
+        w, h = text_box(request.label.text, request.label.weight)
         anchor = self._points(request.anchor)
         best, found = float("inf"), anchor
         for spot, penalty in self._spots(request, w / 2, h / 2):
@@ -198,7 +194,7 @@ class Board:
         return Vec(x0 + cx / self.layout.scale, y0 + cy / self.layout.scale)
 
     def _spots(self, request: Request, w: float, h: float) -> Iterator[tuple[tuple[float, float], float]]:
-        """Candidate centres in points with what each costs by itself, cheapest first."""
+        """Candidate centers in points with what each costs by itself, cheapest first."""
         x, y = self._points(request.anchor)
         if request.inside:
             yield (x, y), 0.0
@@ -293,5 +289,5 @@ def _put(board: Board, mark: Mark) -> None:
         ring = (*points, points[0]) if mark.kind == "outline" else points
         for p, q in pairwise(ring):
             board.stroke(p, q, price)
-        if mark.id == "line":  # what stands beyond the separating line seems to belong there
+        if mark.part == "line":  # what stands beyond the separating line seems to belong there
             board.walls.append((*board._points(points[0]), *board._points(points[1])))

@@ -1,7 +1,7 @@
 """A picture: what to draw for a step, as a short list of marks in scene coordinates."""
 
 import json
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypedDict
 
 from ..engine import door
 from ..engine.geometry import Vec
@@ -12,27 +12,53 @@ Limits = tuple[float, float, float, float]
 class Mark(NamedTuple):
     """One thing in a picture.
 
-    `kind` and `points` (scene units): outline (its vertices), disc (its centre; `radius`),
-    segment (two ends a piece), arrow (tail, head), interval (a bar's ends), bracket (a polyline), dot and
-    label (one point; a label is centred on it, lines parted by newlines).  `role`: a colour
-    of the theme.  `weight` is "plain", "strong" (what the step is about), "faint" or "title".
+    `part`: what it is ("outline", "vertex", "drop"); `owner`: whose ("A", "B1"); `axis`: the axis it lies on;
+    `number`: which of several.  `kind` and `points` (scene units): outline (its vertices), disc (its center;
+    `radius`), segment (two ends a piece), arrow (tail, head), interval (a bar's ends), bracket (a polyline), dot
+    and label (one point; a label is centered on it, lines parted by newlines).  `role`: a colour of the theme.
+    `weight` is "plain", "strong" (what the step is about), "faint" or "title".  `start`: where the points come
+    from, for a pen that moves them: a point each, or one for all.
     """
 
-    id: str
+    part: str
     kind: str
     role: str
-    points: tuple[Vec, ...]
+    points: tuple[Vec, ...] = ()
+    owner: str = ""
+    axis: str = ""
+    number: int | None = None
     radius: float = 0.0
     text: str = ""
     weight: str = "plain"
+    start: tuple[Vec, ...] = ()
+
+    @property
+    def id(self) -> str:
+        """One name in a picture, for pens to keep what they drew by; what the mark is its fields say."""
+        known = self.owner, self.part, self.axis, self.number
+        return ".".join(str(fact) for fact in known if fact not in ("", None))
 
     def data(self) -> dict[str, Any]:
         """The mark as JSON values."""
-        points = [list(p) for p in self.points]
-        data: dict[str, Any] = {"id": self.id, "kind": self.kind, "role": self.role, "points": points}
+        data: dict[str, Any] = {"id": self.id, "part": self.part, "kind": self.kind, "role": self.role}
+        data |= {"owner": self.owner} if self.owner else {}
+        data |= {"number": self.number} if self.number is not None else {}
+        data |= {"points": [list(p) for p in self.points]}
+        data |= {"start": [list(p) for p in self.start]} if self.start else {}
         data |= {"radius": self.radius} if self.kind == "disc" else {}
         data |= {"text": self.text} if self.kind == "label" else {}
         return data | ({"weight": self.weight} if self.weight != "plain" else {})
+
+
+class Details(TypedDict, total=False):
+    """What of a Mark may be left out."""
+
+    owner: str
+    axis: str
+    number: int | None
+    radius: float
+    weight: str
+    start: tuple[Vec, ...]
 
 
 class Picture(NamedTuple):

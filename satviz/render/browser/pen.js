@@ -49,7 +49,7 @@ export class Pen {
       this.drawn.set(mark.id, entry);
       before.delete(mark.id);
       if (mark.kind === "label") this.write(entry);
-      const from = animate && !still ? this.origin(mark, old, before) : null;
+      const from = animate && !still ? origin(mark, old?.mark) : null;
       this.place(entry, mark);
       if (from) moves.push({ entry, from });
     }
@@ -75,10 +75,12 @@ export class Pen {
     return [x / this.scale + this.x0, (this.height - y) / this.scale + this.y0];
   }
 
-  // Move one mark by hand (a shape under the pointer), until the next picture says where it is.
-  patch(id, points, radius) {
-    const entry = this.drawn.get(id);
-    if (entry) this.place(entry, { ...entry.mark, points, radius: radius ?? entry.mark.radius });
+  // Move marks by hand (a shape under the pointer), until the next picture says where they are.
+  patch(where) {
+    for (const entry of this.drawn.values()) {
+      const there = where(entry.mark);
+      if (there) this.place(entry, { ...entry.mark, ...there });
+    }
   }
 
   parts(mark) {
@@ -151,28 +153,6 @@ export class Pen {
     }
   }
 
-  // Where a mark moves from when it explains something; null: it is simply there.
-  origin(mark, old, before) {
-    if (mark.kind === "label") return old ? null : "fade";
-    if (old) {
-      const same = old.mark.points.length === mark.points.length;
-      return same && String(old.mark.points) !== String(mark.points) ? old.mark.points : null;
-    }
-    const [first] = mark.points;
-    if (mark.id.includes(".drop.")) return mark.points.map(() => first);
-    if (mark.id.includes(".landing.")) {
-      const from = this.drawn.get(mark.id.replace(".landing.", ".from."));
-      return from ? from.mark.points : "fade";
-    }
-    if (mark.kind === "interval" || mark.kind === "bracket") return mark.points.map(() => first);
-    if (/^axis\.\d+$/.test(mark.id)) {
-      const normal = this.drawn.get("normal") ?? before.get("normal"); // the normal pulled away from its edge
-      return normal ? normal.mark.points : "fade";
-    }
-    if (mark.id === "normal" || mark.id === "mtv") return mark.points.map(() => first);
-    return "fade";
-  }
-
   move(moves) {
     const start = performance.now();
     const tick = (now) => {
@@ -214,6 +194,13 @@ function strokeOf({ kind, role, weight }) {
   if (role === "guide") return { layer: "0", width: LOOK.guide, dash: LOOK.dotted, faint };
   if (weight === "strong") return { layer, width: LOOK.strong, faint };
   return { layer, width: kind === "segment" ? LOOK.guide * 1.5 : LOOK.outline, faint };
+}
+
+// The points a mark moves from, "fade" for what only appears, null for what is simply there.
+function origin({ kind, points, start }, old) {
+  if (kind === "label") return old ? null : "fade";
+  if (!old) return start ? points.map((_, i) => start[i] ?? start[0]) : "fade";
+  return old.points.length === points.length && String(old.points) !== String(points) ? old.points : null;
 }
 
 const round = (value) => Math.round(value * 1000) / 1000;
