@@ -195,6 +195,7 @@ def test_a_step_the_trace_does_not_have_is_an_index_error():
 def test_a_picture_goes_to_json_whole():
     picture = PICTURES["14-sat-ranges-gap"]
     data = json.loads(picture.to_json())
+    assert data == picture.data()
     assert [m["id"] for m in data["marks"]] == [m.id for m in picture.marks]
     assert data["sentence"] == picture.sentence and data["limits"] == list(picture.limits)
 

@@ -1,10 +1,12 @@
 """A picture: what to draw for a step, as a short list of marks in scene coordinates."""
 
 import json
+from collections.abc import Iterable
 from typing import Any, NamedTuple, TypedDict
 
 from ..engine import door
 from ..engine.geometry import Vec
+from .theme import Look, look
 
 Limits = tuple[float, float, float, float]
 
@@ -38,16 +40,10 @@ class Mark(NamedTuple):
         known = self.owner, self.part, self.axis, self.number
         return ".".join(str(fact) for fact in known if fact not in ("", None))
 
-    def data(self) -> dict[str, Any]:
-        """The mark as JSON values."""
-        data: dict[str, Any] = {"id": self.id, "part": self.part, "kind": self.kind, "role": self.role}
-        data |= {"owner": self.owner} if self.owner else {}
-        data |= {"number": self.number} if self.number is not None else {}
-        data |= {"points": [list(p) for p in self.points]}
-        data |= {"start": [list(p) for p in self.start]} if self.start else {}
-        data |= {"radius": self.radius} if self.kind == "disc" else {}
-        data |= {"text": self.text} if self.kind == "label" else {}
-        return data | ({"weight": self.weight} if self.weight != "plain" else {})
+    @property
+    def look(self) -> Look:
+        """How it is drawn."""
+        return look(self.kind, self.role, self.weight)
 
 
 class Details(TypedDict, total=False):
@@ -100,8 +96,27 @@ class Picture(NamedTuple):
     def data(self) -> dict[str, Any]:
         """The picture as JSON values: all a pen needs."""
         data = {"satviz": "picture 1", "title": self.title, "sentence": self.sentence}
-        return data | {"limits": list(self.limits), "size": list(self.size), "marks": [m.data() for m in self.marks]}
+        return data | {"limits": list(self.limits), "size": list(self.size), **marks_data(self.marks)}
 
     def to_json(self, *, indent: int | None = None) -> str:
         """The same as text."""
         return json.dumps(self.data(), indent=indent, ensure_ascii=False, allow_nan=False)
+
+
+def marks_data(marks: Iterable[Mark]) -> dict[str, Any]:
+    """Marks as JSON values, and their looks, which are few, in a table; what is as in a plain one is left out."""
+    looks: dict[Look, int] = {}
+    found = []
+    for mark in marks:
+        own = {name: value for name, value in _told(mark).items() if name not in ("kind", "role", "weight")}
+        found.append({"id": mark.id, "look": looks.setdefault(mark.look, len(looks)), **own})
+    return {"looks": [_told(look) for look in looks], "marks": found}
+
+
+def _told(one: Mark | Look) -> dict[str, Any]:
+    plain = one._field_defaults
+    return {name: _listed(value) for name, value in one._asdict().items() if value != plain.get(name)}
+
+
+def _listed(value: Any) -> Any:
+    return [_listed(v) for v in value] if isinstance(value, tuple) else value
