@@ -110,6 +110,29 @@ def test_both_pens_draw_the_same_marks(browser, errors, pages, name, theme):
     page.close()
 
 
+FIRST_FRAME = f"() => {{ document.querySelector('[aria-label=\"step forward\"]').click(); return ({READ})(); }}"
+
+
+def test_what_a_step_explains_moves_from_where_it_comes(browser, errors, pages):
+    trace = sv.scene("triangles").record()
+    page = opened(browser, errors, pages / "triangles.html")
+    before, moved = set(), set()
+    for i in range(1, len(sv.steps(trace))):
+        drawn = sv.picture(trace, i)
+        x0, _, _, y1 = drawn.limits
+        found = {part["id"]: part for part in reversed(page.evaluate(FIRST_FRAME))}  # of an arrow the shaft
+        for mark in drawn.marks:
+            if mark.start and mark.id not in before:
+                _, corners = svg_shape(found[mark.id])
+                spot = corners.mean(axis=0) if mark.kind == "dot" else corners[0]
+                at = np.array([mark.start[0].x - x0, y1 - mark.start[0].y]) * drawn.scale
+                assert spot == pytest.approx(at, abs=0.01), mark.id
+                moved.add(mark.part)
+        before = {mark.id for mark in drawn.marks}
+    assert moved == {"normal", "axis", "drop", "landing", "range", "gap"}
+    page.close()
+
+
 def test_the_page_steps_by_keys_buttons_and_slider(browser, errors, pages):
     trace = sv.scene("triangles").record()
     page = opened(browser, errors, pages / "triangles.html")

@@ -1,6 +1,7 @@
 """Pictures: marks and numbers, never pixels."""
 
 import json
+from hashlib import md5
 from itertools import combinations, pairwise
 
 import pytest
@@ -9,12 +10,12 @@ from hypothesis import strategies as st
 
 import satviz as sv
 from satviz.engine import axes, telling
-from satviz.pictures import LIGHT, THEMES, Stage, Step
+from satviz.pictures import LIGHT, THEMES, Mark, Stage, Step
 from satviz.pictures.curve import direction
 from satviz.pictures.figures import FIGURES
 from satviz.pictures.labels import RIM, clipped
 from satviz.pictures.layout import text_box
-from satviz.pictures.live import KNOB, field, turned_axis
+from satviz.pictures.live import KNOB, field, live, telling_test, turned_axis
 from satviz.pictures.theme import DOT
 from satviz.scenes.article import SCENES, box
 
@@ -34,6 +35,7 @@ def every_picture():
     for name, trace in TRACES.items():
         for i in range(len(sv.steps(trace))):
             yield f"{name} {i}", sv.picture(trace, i)
+        yield f"{name} live", live(trace, field(trace), telling_test(trace), way_out=True)[0]
     for figure in FIGURES:
         yield figure.stem, figure.picture()
 
@@ -175,6 +177,24 @@ def test_the_moved_normal_keeps_its_direction():
     arrows = [picture.mark("normal").points, picture.mark("axis.2").points]
     (ax, ay), (bx, by) = ((q.x - p.x, q.y - p.y) for p, q in arrows)
     assert ax * by - ay * bx == pytest.approx(0, abs=1e-9) and ax * bx + ay * by > 0
+
+
+def test_a_mark_that_moves_starts_where_it_comes_from():
+    """Also in the verdict of a run over every axis, after the steps of another axis."""
+    trace = TRACES["triangles"].without_early_exit()
+    i = trace.tests.index(trace.separating)
+    gap = sv.picture(trace, Step(Stage.GAP, i))
+    axes = [picture.mark(f"axis.{i + 1}").start for picture in (gap, sv.picture(trace))]
+    assert axes == [gap.mark("normal").points] * 2
+    drops, landings = ([m for m in gap.marks if m.part == part] for part in ("drop", "landing"))
+    assert len(drops) == 4 and [(m.points[0], m.points[-1]) for m in drops] == [(*m.start, *m.points) for m in landings]
+
+
+def test_nothing_is_read_from_an_id(monkeypatch):
+    named = Mark.id.fget
+    monkeypatch.setattr(Mark, "id", property(lambda mark: md5(named(mark).encode()).hexdigest()))
+    for figure in FIGURES:
+        assert figure.picture() == PICTURES[figure.stem]
 
 
 def test_steps_run_from_the_scene_over_every_stage_to_the_verdict():

@@ -3,13 +3,13 @@
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import cos, hypot, pi, sin
-from typing import NamedTuple, TypedDict
+from typing import NamedTuple
 
 from ..engine import telling
 from ..engine.geometry import Vec
 from ..engine.shapes import Circle, Shape, centroid
 from .layout import Layout, moved, text_box
-from .marks import Limits, Mark
+from .marks import Limits, Mark, Which
 from .theme import DOT
 
 Segment = tuple[Vec, Vec]
@@ -25,8 +25,14 @@ class Request(NamedTuple):
     `along`: other anchors that serve nearly as well, such as the rest of a bar.
     """
 
-    label: Mark  # without its place
+    part: str
+    text: str
+    role: str
     anchor: Vec
+    owner: str = ""
+    axis: str = ""
+    number: int | None = None
+    weight: str = "plain"
     along: tuple[Vec, ...] = ()
     prefer: Vec = Vec(0.0, 1.0)
     inside: bool = False  # centered on an anchor if that is clear
@@ -35,7 +41,7 @@ class Request(NamedTuple):
     steady: bool = False  # stays put from step to step, whatever else the step shows
 
 
-class Wishes(TypedDict, total=False):
+class Wishes(Which, total=False):
     """What of a Request may be left out."""
 
     along: tuple[Vec, ...]
@@ -55,8 +61,8 @@ def with_labels(
     outlines, and `keep_off`: where normals will stand), so that nothing jumps.
     """
     board = Board(layout)
-    names = [r for r in requests if r.steady and r.label.weight == "title"]
-    vertices = [r for r in requests if r.steady and r.label.weight != "title"]
+    names = [r for r in requests if r.steady and r.weight == "title"]
+    vertices = [r for r in requests if r.steady and r.weight != "title"]
     rest = [r for r in requests if not r.steady]
     outlines = [mark for mark in marks if mark.kind in ("outline", "disc")]
     corners = [mark for mark in marks if mark.part == "vertex"]
@@ -147,16 +153,16 @@ class Board:
             at = self.place(r)
             if at is None:
                 continue
+            which = r.owner, r.axis, r.number
             if not (r.far or r.inside or r.along) and (end := self._leader(r, at)):
                 self.stroke(r.anchor, end, 300)
-                leader = r.label._replace(part=f"{r.label.part}-leader", kind="segment", points=(r.anchor, end))
-                found.append(leader._replace(role="guide", text="", weight="plain"))
-            found.append(r.label._replace(points=(at,)))
+                found.append(Mark(f"{r.part}-leader", "segment", "guide", (r.anchor, end), *which))
+            found.append(Mark(r.part, "label", r.role, (at,), *which, text=r.text, weight=r.weight))
         return found
 
     def _leader(self, request: Request, at: Vec) -> Vec | None:
         """Where a line from the anchor meets the label's box; None if they are near enough without."""
-        w, h = (self.layout.units(c / 2 + 1) for c in text_box(request.label.text, request.label.weight))
+        w, h = (self.layout.units(c / 2 + 1) for c in text_box(request.text, request.weight))
         a = request.anchor
         inside = clipped(a.x, a.y, at.x, at.y, at.x - w, at.y - h, at.x + w, at.y + h)
         if inside is None or inside[0] * hypot(at.x - a.x, at.y - a.y) < self.layout.units(LEADER):
@@ -168,7 +174,7 @@ class Board:
 
     def place(self, request: Request) -> Vec | None:
         """The label's center in scene units, or None for an optional one that finds no clear spot."""
-        w, h = text_box(request.label.text, request.label.weight)
+        w, h = text_box(request.text, request.weight)
         anchor = self._points(request.anchor)
         best, found = float("inf"), anchor
         for spot, penalty in self._spots(request, w / 2, h / 2):

@@ -46,14 +46,19 @@ class Mark(NamedTuple):
         return look(self.kind, self.role, self.weight)
 
 
-class Details(TypedDict, total=False):
-    """What of a Mark may be left out."""
+class Which(TypedDict, total=False):
+    """What of a mark, or of a label that wants a place, may be left out."""
 
     owner: str
     axis: str
     number: int | None
-    radius: float
     weight: str
+
+
+class Details(Which, total=False):
+    """What of a mark alone may be left out."""
+
+    radius: float
     start: tuple[Vec, ...]
 
 

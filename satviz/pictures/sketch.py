@@ -36,23 +36,9 @@ class Sketch:
     def add(self, part: str, kind: str, role: str, *points: Vec, **more: Unpack[Details]) -> None:
         self.marks.append(Mark(part, kind, role, points, **more))
 
-    def label(
-        self,
-        part: str,
-        text: str,
-        role: str,
-        anchor: Vec,
-        *,
-        owner: str = "",
-        axis: str = "",
-        number: int | None = None,
-        weight: str = "plain",
-        first: int = 5,
-        **more: Unpack[Wishes],
-    ) -> None:
+    def label(self, part: str, text: str, role: str, anchor: Vec, *, first: int = 5, **more: Unpack[Wishes]) -> None:
         """Ask for a label; those with a lower `first` choose their place earlier."""
-        label = Mark(part, "label", role, owner=owner, axis=axis, number=number, text=text, weight=weight)
-        self.requests.append((first, Request(label, anchor, **more)))
+        self.requests.append((first, Request(part, text, role, anchor, **more)))
 
     # -- shapes
 
@@ -65,8 +51,8 @@ class Sketch:
         if named:
             other = self.trace.b if role == "A" else self.trace.a
             spot, *along = sorted(name_spots(shape), key=lambda p: holds(other, p))
-            wish: Wishes = {"along": tuple(along), "inside": True, "steady": True}
-            self.label("name", name, role, spot, owner=name, weight="title", **wish)
+            wish: Wishes = {"owner": name, "along": tuple(along), "inside": True, "weight": "title", "steady": True}
+            self.label("name", name, role, spot, **wish)
 
     def shapes(self, *, weight: str = "plain") -> None:
         for role, name, shape in self.pair():
@@ -96,9 +82,9 @@ class Sketch:
                 continue
             v = polygon.vertices[i]
             self.add("vertex", "dot", role, v, owner=name, number=i)
-            wish: Wishes = {"prefer": Vec(v.x - middle.x, v.y - middle.y), "optional": True, "steady": True}
-            text = short_name(polygon, name, i)
-            self.label("vertex-name", text, as_role or role, v, owner=name, number=i, first=4, **wish)
+            away = Vec(v.x - middle.x, v.y - middle.y)
+            wish: Wishes = {"owner": name, "number": i, "prefer": away, "optional": True, "steady": True}
+            self.label("vertex-name", short_name(polygon, name, i), as_role or role, v, first=4, **wish)
 
     # -- where the axis comes from
 
@@ -243,8 +229,8 @@ class Sketch:
         text = f"{name} {telling.interval(side.interval)}"
         p, q = ends
         spot, *along = (Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for f in (0.5, 0.3, 0.7, 0.1, 0.9))
-        wish: Wishes = {"along": tuple(along), "prefer": out}
-        self.label("range-name", text, role, spot, owner=name, axis=self.on(test), first=1, **wish)
+        wish: Wishes = {"owner": name, "axis": self.on(test), "along": tuple(along), "prefer": out}
+        self.label("range-name", text, role, spot, first=1, **wish)
 
     def gap(self, test: AxisTest, place: AxisPlace) -> None:
         """The gap as an open bracket, the overlap as a filled bar, with the trace's number."""

@@ -91,18 +91,8 @@ class Pen:
 
     def _write(self, labels: Sequence[Mark], artists: "dict[str, Artist]") -> None:
         while len(self.texts) < len(labels):
-            text = self.ax.text(
-                0,
-                0,
-                "",
-                ha="center",
-                va="center",
-                fontfamily="sans-serif",
-                parse_math=False,
-                zorder=4,
-                linespacing=1.2,
-                clip_on=False,
-            )
+            text = self.ax.text(0, 0, "", fontfamily="sans-serif", parse_math=False, zorder=4, clip_on=False)
+            text.set(ha="center", va="center", linespacing=1.2)
             self.texts.append(text)
         for text, mark in zip(self.texts, labels):
             text.set_position(mark.points[0])
