@@ -17,6 +17,7 @@ from satviz.pictures.labels import RIM, clipped
 from satviz.pictures.layout import text_box
 from satviz.pictures.live import KNOB, field, live, telling_test, turned_axis
 from satviz.pictures.theme import DOT
+from satviz.pictures.views import split
 from satviz.scenes.article import SCENES, box
 
 L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
@@ -27,6 +28,7 @@ TRACES = {scene.name: scene.record() for scene in SCENES} | {
     "touch": sv.record(box(0, 0, 2, 2), box(2, 1, 4, 3)),
     "corner": sv.record(box(0, 0, 2, 2), sv.Circle((3.5, 3.5), 1.8)),
     "concave hit": sv.record(L, sv.Circle((3.2, 3.2), 1.5)),
+    "concave apart": sv.record(L, sv.Circle((9, 9), 1)),
     "two concave": sv.record(L, sv.Polygon([(3, 3), (7, 3), (7, 7), (5, 7), (5, 5), (3, 5)])),
 }
 
@@ -35,6 +37,8 @@ def every_picture():
     for name, trace in TRACES.items():
         for i in range(len(sv.steps(trace))):
             yield f"{name} {i}", sv.picture(trace, i)
+        if trace.pairs:
+            yield f"{name} split", split(trace)
         yield f"{name} live", live(trace, field(trace), telling_test(trace), way_out=True)[0]
     for figure in FIGURES:
         yield figure.stem, figure.picture()
