@@ -40,6 +40,7 @@ def every_picture():
         if trace.pairs:
             yield f"{name} split", split(trace)
         yield f"{name} live", live(trace, field(trace), telling_test(trace), way_out=True)[0]
+        yield f"{name} curve", sv.gap_curve(trace.a, trace.b, 30)
     for figure in FIGURES:
         yield figure.stem, figure.picture()
 

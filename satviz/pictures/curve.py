@@ -63,10 +63,10 @@ def gap_curve(a: Shape, b: Shape, degree: float | None = None) -> Picture:
             name = _short(axis, a, b)
             requests.append(Request("candidate-name", name, role, at(d, gap), number=i, optional=True))
     spots = [(d, Vec(at(d, 0).x, 12.0)) for d in (0, 45, 90, 135, 180)]
-    ticks = [Mark("tick", "label", "guide", (spot,), number=d, text=f"{d}°") for d, spot in spots]
+    marks += _inside([Mark("tick", "label", "guide", (spot,), number=d, text=f"{d}°") for d, spot in spots])
     layout = Layout((0.0, 0.0, *SIZE), SIZE, ())
     marks = with_labels(marks, requests, layout, steady=False, keep_off=())
-    return Picture((*marks, *_inside(ticks)), layout.limits, SIZE, "", _sentence(a, b, best, candidates))
+    return Picture(tuple(marks), layout.limits, SIZE, "", _sentence(a, b, best, candidates))
 
 
 def gap_at(a: Shape, b: Shape, degree: float) -> float:

@@ -137,9 +137,9 @@ class Board:
     def stroke(self, p: Vec, q: Vec, cost: float) -> None:
         self.strokes.append((*self._points(p), *self._points(q), cost))
 
-    def dot(self, p: Vec, radius: float) -> None:
+    def box(self, p: Vec, w: float, h: float) -> None:
         x, y = self._points(p)
-        self.boxes.append((x - radius, y - radius, x + radius, y + radius))
+        self.boxes.append((x - w, y - h, x + w, y + h))
 
     def _points(self, p: Vec) -> tuple[float, float]:
         x0, y0, _, _ = self.layout.limits
@@ -285,7 +285,10 @@ def _put(board: Board, mark: Mark) -> None:
     """Tell the board what a mark covers."""
     points = mark.points
     if mark.kind == "dot":
-        board.dot(points[0], DOT / 2)
+        board.box(points[0], DOT / 2, DOT / 2)
+    elif mark.kind == "label":
+        width, height = text_box(mark.text, mark.weight)
+        board.box(points[0], width / 2, height / 2)
     elif mark.kind == "disc":
         rim = [moved(points[0], Vec(cos(k * pi / 16), sin(k * pi / 16)), mark.radius) for k in range(33)]
         for p, q in pairwise(rim):
