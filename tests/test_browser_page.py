@@ -47,8 +47,11 @@ def colour(css):
     return to_hex([int(c) / 255 for c in css.removeprefix("rgb(").removesuffix(")").split(",")])
 
 
-def svg_shape(part):
-    """How a line or a filled shape looks, and its corners in points; of a circle the leftmost and the rightmost."""
+def svg_look(part):
+    """How a line, a filled shape or a text looks, and its corners in points; of a circle its leftmost and rightmost."""
+    if part["text"] is not None:
+        look = colour(part["fill"]), part["text"], part["fontSize"], part["bold"]
+        return look, np.array([part["at"].split()], dtype=float)
     if part["stroke"] == "none":
         look = colour(part["fill"]), part["fillOpacity"], 0, ()
     else:
@@ -58,9 +61,11 @@ def svg_shape(part):
     return look, np.array(ends[:2] if "A" in part["d"] else ends, dtype=float)
 
 
-def matplotlib_shapes(pen, drawn):
+def matplotlib_looks(pen, drawn):
     """The same of all that the matplotlib pen drew, what lies on top last."""
-    x0, _, _, y1 = drawn.limits
+
+    def on_canvas(points):
+        return (np.asarray(points) - [drawn.limits[0], drawn.limits[3]]) * [drawn.scale, -drawn.scale]
 
     def shape(path, rgba, width=0, dash=()):
         points = path.vertices
@@ -69,13 +74,16 @@ def matplotlib_shapes(pen, drawn):
             points = [(left, (low + high) / 2), (right, (low + high) / 2)]
         elif path.codes is not None and path.codes[-1] == Path.CLOSEPOLY:
             points = points[:-1]
-        return (to_hex(rgba), f"{rgba[3]:g}", width, dash), (np.asarray(points) - [x0, y1]) * drawn.scale * [1, -1]
+        return (to_hex(rgba), f"{rgba[3]:g}", width, dash), on_canvas(points)
 
     yield from map(shape, pen.fills.get_paths(), pen.fills.get_facecolors())
     lines = pen.strokes
     dashes = [tuple(dash or ()) for _, dash in lines.get_linestyles()]
     yield from map(shape, lines.get_paths(), lines.get_edgecolors(), lines.get_linewidths(), dashes)
     yield from map(shape, pen.solids.get_paths(), pen.solids.get_facecolors())
+    for text in pen.texts:
+        look = to_hex(text.get_color()), text.get_text(), text.get_fontsize(), text.get_fontweight() == "bold"
+        yield look, on_canvas([text.get_position()])
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
@@ -91,20 +99,8 @@ def test_both_pens_draw_the_same_marks(browser, errors, pages, name, theme):
         page.get_by_role("slider", name="step").fill(str(i))
         parts = page.evaluate(READ)
         assert {part["id"] for part in parts} == {m.id for m in drawn.marks} == set(artists)
-        x0, _, _, y1 = drawn.limits
-        for part in parts:
-            if part["text"] is None:
-                continue
-            text = artists[part["id"]]
-            x, y = text.get_position()
-            assert part["text"] == text.get_text()
-            at = [(x - x0) * drawn.scale, (y1 - y) * drawn.scale]
-            assert [float(c) for c in part["at"].split()] == pytest.approx(at, abs=0.01)
-            assert colour(part["fill"]) == to_hex(text.get_color())
-            assert (part["fontSize"], part["bold"]) == (text.get_fontsize(), text.get_fontweight() == "bold")
-        shapes = [part for part in parts if part["text"] is None]
-        for part, (look, corners) in zip(shapes, matplotlib_shapes(pen, drawn), strict=True):
-            mine, my_corners = svg_shape(part)
+        for part, (look, corners) in zip(parts, matplotlib_looks(pen, drawn), strict=True):
+            mine, my_corners = svg_look(part)
             assert mine == look, part["id"]
             assert my_corners == pytest.approx(corners, abs=0.01), part["id"]
     page.close()
@@ -123,7 +119,7 @@ def test_what_a_step_explains_moves_from_where_it_comes(browser, errors, pages):
         found = {part["id"]: part for part in reversed(page.evaluate(FIRST_FRAME))}  # of an arrow the shaft
         for mark in drawn.marks:
             if mark.start and mark.id not in before:
-                _, corners = svg_shape(found[mark.id])
+                _, corners = svg_look(found[mark.id])
                 spot = corners.mean(axis=0) if mark.kind == "dot" else corners[0]
                 at = np.array([mark.start[0].x - x0, y1 - mark.start[0].y]) * drawn.scale
                 assert spot == pytest.approx(at, abs=0.01), mark.id

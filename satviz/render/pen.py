@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from math import hypot
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.collections import PathCollection
@@ -12,15 +12,13 @@ from matplotlib.text import Text
 
 from ..engine.geometry import Vec
 from ..pictures import LIGHT, Mark, Picture, Theme
+from ..pictures.theme import Look
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-Colour = tuple[float, float, float, float]
-Style = Literal["solid"] | tuple[float, Sequence[float]]
-Filled = tuple[Path, Colour]
-Stroke = tuple[int, Path, Colour, float, Style]  # layer, path, colour, width, line style
+Painted = tuple[Path, tuple[float, float, float, float]]  # and its colour
 
 
 class Pen:
@@ -50,9 +48,9 @@ class Pen:
         Marks of one kind share a collection, so several ids may give one artist.
         """
         self._view(picture)
-        fills: list[Filled] = []
-        solids: list[Filled] = []
-        strokes: list[Stroke] = []
+        fills: list[Painted] = []
+        solids: list[Painted] = []
+        strokes: list[tuple[Look, Painted]] = []
         artists: dict[str, Artist] = {}
         labels = [mark for mark in picture.marks if mark.kind == "label"]
         for mark in picture.marks:
@@ -63,18 +61,17 @@ class Pen:
             if look.fill:
                 fills.append((_line(mark, picture.scale), to_rgba(colour, look.fill)))
             if look.width:
-                style: Style = (0, look.dash) if look.dash else "solid"
-                rgba = to_rgba(colour, look.opacity)
-                strokes.append((look.layer, _line(mark, picture.scale), rgba, look.width, style))
+                strokes.append((look, (_line(mark, picture.scale), to_rgba(colour, look.opacity))))
             if mark.kind in ("dot", "arrow"):
                 solids.append((_solid(mark, picture.scale), to_rgba(colour)))
-        strokes.sort(key=lambda stroke: stroke[0])
-        _fill(self.fills, fills)
-        _fill(self.solids, solids)
-        self.strokes.set_paths([stroke[1] for stroke in strokes])
-        self.strokes.set_edgecolor([stroke[2] for stroke in strokes])
-        self.strokes.set_linewidth([stroke[3] for stroke in strokes])
-        self.strokes.set_linestyle([stroke[4] for stroke in strokes])
+        strokes.sort(key=lambda stroke: stroke[0].layer)
+        for collection, painted in (self.fills, fills), (self.solids, solids):
+            collection.set_paths([path for path, _ in painted])
+            collection.set_facecolor([rgba for _, rgba in painted])
+        self.strokes.set_paths([path for _, (path, _) in strokes])
+        self.strokes.set_edgecolor([rgba for _, (_, rgba) in strokes])
+        self.strokes.set_linewidth([look.width for look, _ in strokes])
+        self.strokes.set_linestyle([(0, look.dash) if look.dash else "solid" for look, _ in strokes])
         self._write(labels, artists)
         return artists
 
@@ -104,11 +101,6 @@ class Pen:
             artists[mark.id] = text
         for text in self.texts[len(labels) :]:
             text.set_visible(False)
-
-
-def _fill(collection: PathCollection, shapes: Sequence[Filled]) -> None:
-    collection.set_paths([path for path, _ in shapes])
-    collection.set_facecolor([colour for _, colour in shapes])
 
 
 def _line(mark: Mark, scale: float) -> Path:

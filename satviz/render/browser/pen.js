@@ -60,11 +60,7 @@ export class Pen {
   }
 
   view({ limits: [x0, y0, x1], size: [width, height] }) {
-    this.x0 = x0;
-    this.y0 = y0;
-    this.scale = width / (x1 - x0);
-    this.width = width;
-    this.height = height;
+    Object.assign(this, { x0, y0, width, height, scale: width / (x1 - x0) });
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
   }
 
@@ -91,16 +87,12 @@ export class Pen {
       this.layers[where].append(parts.at(-1));
     };
     const colour = `var(--sv-${role})`;
-    if (kind === "label") {
-      const letters = { "font-size": size, "font-weight": bold ? "bold" : null, "text-anchor": "middle" };
-      make("label", "text", { fill: `var(--sv-text-${role})`, ...letters });
-    }
+    const letters = { "font-size": size, "font-weight": bold ? "bold" : null, "text-anchor": "middle" };
+    if (kind === "label") make("label", "text", { fill: `var(--sv-text-${role})`, ...letters });
     if (fill) make("fill", "path", { fill: colour, "fill-opacity": fill });
-    if (width) {
-      const dashes = { "stroke-dasharray": dash ? dash.map((d) => d * width).join(" ") : null };
-      const line = { "stroke-width": width, "stroke-opacity": opacity ?? null, "stroke-linejoin": "round", ...dashes };
-      make(layer ?? 0, "path", { fill: "none", stroke: colour, ...line });
-    }
+    const dashes = dash ? dash.map((d) => d * width).join(" ") : null;
+    const line = { "stroke-width": width, "stroke-dasharray": dashes, "stroke-opacity": opacity ?? null, "stroke-linejoin": "round" };
+    if (width) make(layer ?? 0, "path", { fill: "none", stroke: colour, ...line });
     if (kind === "dot" || kind === "arrow") make("solid", "path", { fill: colour });
     return parts;
   }
@@ -135,9 +127,7 @@ export class Pen {
       parts[0].setAttribute("d", shaft);
       parts[1].setAttribute("d", head);
     } else if (look.kind === "segment") {
-      let path = "";
-      for (let i = 0; i + 1 < points.length; i += 2) path += line(points.slice(i, i + 2));
-      d(path);
+      d(line(points, 2));
     } else {
       d(line(points));
     }
@@ -179,8 +169,8 @@ function origin({ mark: { points, start }, look }, old) {
 
 const round = (value) => Math.round(value * 1000) / 1000;
 
-function line(points) {
-  return points.map(([x, y], i) => `${i ? "L" : "M"}${round(x)} ${round(y)}`).join("");
+function line(points, piece = points.length) {
+  return points.map(([x, y], i) => `${i % piece ? "L" : "M"}${round(x)} ${round(y)}`).join("");
 }
 
 function circle([x, y], r) {
