@@ -135,11 +135,17 @@ class Board:
         self.boxes: list[Box] = []
 
     def stroke(self, p: Vec, q: Vec, cost: float) -> None:
+        """Something drawn from p to q, and what it costs to lie over it."""
         self.strokes.append((*self._points(p), *self._points(q), cost))
 
     def box(self, p: Vec, w: float, h: float) -> None:
+        """Something w and h points to either side of p, not to be lain over."""
         x, y = self._points(p)
         self.boxes.append((x - w, y - h, x + w, y + h))
+
+    def wall(self, p: Vec, q: Vec) -> None:
+        """A line that no name strays across."""
+        self.walls.append((*self._points(p), *self._points(q)))
 
     def _points(self, p: Vec) -> tuple[float, float]:
         x0, y0, _, _ = self.layout.limits
@@ -299,4 +305,4 @@ def _put(board: Board, mark: Mark) -> None:
         for p, q in pairwise(ring):
             board.stroke(p, q, price)
         if mark.part == "line":  # what stands beyond the separating line seems to belong there
-            board.walls.append((*board._points(points[0]), *board._points(points[1])))
+            board.wall(points[0], points[1])

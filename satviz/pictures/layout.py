@@ -51,9 +51,11 @@ class Layout(NamedTuple):
 
     @property
     def scale(self) -> float:
+        """Points a scene unit."""
         return self.size[0] / (self.limits[2] - self.limits[0])
 
     def units(self, points: float) -> float:
+        """A length on the canvas in scene units."""
         return points / self.scale
 
 

@@ -34,6 +34,7 @@ class Sketch:
         self.requests: list[tuple[int, Request]] = []
 
     def add(self, part: str, kind: str, role: str, *points: Vec, **more: Unpack[Details]) -> None:
+        """One more mark."""
         self.marks.append(Mark(part, kind, role, points, **more))
 
     def label(self, part: str, text: str, role: str, anchor: Vec, *, first: int = 5, **more: Unpack[Wishes]) -> None:
@@ -55,6 +56,7 @@ class Sketch:
             self.label("name", name, role, spot, **wish)
 
     def shapes(self, *, weight: str = "plain") -> None:
+        """Both shapes, with the labels that their owner gave."""
         for role, name, shape in self.pair():
             self.shape(role, name, shape, weight=weight)
             if isinstance(shape, Polygon) and shape.labels and weight != "faint":
@@ -65,6 +67,7 @@ class Sketch:
         return zip("AB", self.trace.names, (self.trace.a, self.trace.b), strict=True)
 
     def of(self, role: str | None) -> tuple[str, Shape]:
+        """The name and the shape of a role."""
         return (self.trace.names.a, self.trace.a) if role == "A" else (self.trace.names.b, self.trace.b)
 
     def polygon(self, role: str | None) -> tuple[str, Polygon]:
@@ -149,6 +152,7 @@ class Sketch:
                     self.add("normal", "arrow", role, self.middle(p, q), tip, owner=name, number=i)
 
     def middle(self, p: Vec, q: Vec) -> Vec:
+        """Half way from p to q."""
         return Vec((p.x + q.x) / 2, (p.y + q.y) / 2)
 
     def outward(self, polygon: Polygon, p: Vec, q: Vec) -> Vec:
