@@ -238,7 +238,7 @@ def recorded_gap(*numbers: float) -> float:
         a, b = (Polygon(ring) for ring in _triangles(numbers))
     except InvalidShape:
         return 0.0
-    close = max(a._reach, b._reach) * CLOSE
+    close = max(a.reach, b.reach) * CLOSE
     worst = 0.0
     with localcontext(prec=60):
         for test in record(a, b, every_axis=True).tests:

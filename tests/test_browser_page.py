@@ -1,8 +1,11 @@
 """In a real browser: the two pens side by side, the page from disk."""
 
+import re
+
 import numpy as np
 import pytest
 from matplotlib.colors import to_hex
+from matplotlib.path import Path
 
 import satviz as sv
 from satviz.pictures import THEMES
@@ -30,18 +33,12 @@ def pages(tmp_path_factory):
     return folder
 
 
-def numbers(path):
-    """The coordinates of a path's M and L commands, in points."""
-    flat = path.replace("Z", "").replace("L", " ").replace("M", " ").split()
-    return np.array(flat, dtype=float).reshape(-1, 2)
-
-
 READ = """() => [...document.querySelectorAll('[data-id]')].map(e => {
-  const look = getComputedStyle(e), {x, y, width, height} = e.getBBox();
+  const look = getComputedStyle(e);
   const {fill, fillOpacity, stroke, strokeOpacity, strokeWidth, strokeDasharray, fontSize, fontWeight} = look;
   return {id: e.dataset.id, d: e.getAttribute('d'), at: e.dataset.at, text: e.dataset.text,
-    box: [x, y, x + width, y + height], fill, fillOpacity, stroke, strokeOpacity,
-    strokeWidth: parseFloat(strokeWidth), strokeDasharray, fontSize: parseFloat(fontSize), bold: fontWeight === '700'};
+    fill, fillOpacity, stroke, strokeOpacity, strokeWidth: parseFloat(strokeWidth),
+    strokeDasharray, fontSize: parseFloat(fontSize), bold: fontWeight === '700'};
 })"""
 
 
@@ -50,51 +47,49 @@ def colour(css):
     return to_hex([int(c) / 255 for c in css.removeprefix("rgb(").removesuffix(")").split(",")])
 
 
-def svg_looks(parts):
-    """(how it looks, the box around it in points) of each line and each filled shape in the browser."""
-    for part in parts:
-        if part["stroke"] != "none":
-            dash = part["strokeDasharray"]
-            dash = () if dash == "none" else tuple(float(d.removesuffix("px")) for d in dash.split(","))
-            yield (colour(part["stroke"]), part["strokeOpacity"], part["strokeWidth"], dash), part["box"]
-        elif part["d"]:
-            yield (colour(part["fill"]), part["fillOpacity"], 0, ()), part["box"]
+def svg_look(part):
+    """How a line, a filled shape or a text looks, and its corners in points; of a circle its leftmost and rightmost."""
+    if part["text"] is not None:
+        look = colour(part["fill"]), part["text"], part["fontSize"], part["bold"]
+        return look, np.array([part["at"].split()], dtype=float)
+    if part["stroke"] == "none":
+        look = colour(part["fill"]), part["fillOpacity"], 0, ()
+    else:
+        dash = tuple(float(d) for d in re.findall(r"[\d.]+", part["strokeDasharray"]))
+        look = colour(part["stroke"]), part["strokeOpacity"], part["strokeWidth"], dash
+    ends = [piece.split()[-2:] for piece in re.split("[MLA]", part["d"].rstrip("Z"))[1:]]
+    return look, np.array(ends[:2] if "A" in part["d"] else ends, dtype=float)
 
 
 def matplotlib_looks(pen, drawn):
-    """The same of the matplotlib pen's collections."""
-    x0, _, _, y1 = drawn.limits
+    """The same of all that the matplotlib pen drew, what lies on top last."""
 
-    def box(path):
-        (left, low), (right, high) = path.get_extents().get_points()
-        return [
-            (left - x0) * drawn.scale,
-            (y1 - high) * drawn.scale,
-            (right - x0) * drawn.scale,
-            (y1 - low) * drawn.scale,
-        ]
+    def on_canvas(points):
+        return (np.asarray(points) - [drawn.limits[0], drawn.limits[3]]) * [drawn.scale, -drawn.scale]
 
-    for filled in pen.fills, pen.solids:
-        for path, rgba in zip(filled.get_paths(), filled.get_facecolors()):
-            yield (to_hex(rgba), f"{rgba[3]:g}", 0, ()), box(path)
+    def shape(path, rgba, width=0, dash=()):
+        points = path.vertices
+        if path.codes is not None and Path.CURVE4 in path.codes:
+            (left, low), (right, high) = path.get_extents().get_points()
+            points = [(left, (low + high) / 2), (right, (low + high) / 2)]
+        elif path.codes is not None and path.codes[-1] == Path.CLOSEPOLY:
+            points = points[:-1]
+        return (to_hex(rgba), f"{rgba[3]:g}", width, dash), on_canvas(points)
+
+    yield from map(shape, pen.fills.get_paths(), pen.fills.get_facecolors())
     lines = pen.strokes
-    styles = lines.get_edgecolors(), lines.get_linewidths(), lines.get_linestyles()
-    for path, rgba, width, (_, dash) in zip(lines.get_paths(), *styles):
-        yield (to_hex(rgba), f"{rgba[3]:g}", width, tuple(dash or ())), box(path)
-
-
-def alike(looks):
-    """The boxes of those that look the same."""
-    found = {}
-    for look, box in looks:
-        found.setdefault(look, []).append(box)
-    return found
+    dashes = [tuple(dash or ()) for _, dash in lines.get_linestyles()]
+    yield from map(shape, lines.get_paths(), lines.get_edgecolors(), lines.get_linewidths(), dashes)
+    yield from map(shape, pen.solids.get_paths(), pen.solids.get_facecolors())
+    for text in pen.texts:
+        look = to_hex(text.get_color()), text.get_text(), text.get_fontsize(), text.get_fontweight() == "bold"
+        yield look, on_canvas([text.get_position()])
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
 @pytest.mark.parametrize("name", SCENES)
 def test_both_pens_draw_the_same_marks(browser, errors, pages, name, theme):
-    """Ids, places in scene coordinates, texts, colours and widths, step by step."""
+    """Ids, places, texts, colours, widths, dashes and what lies on what, mark by mark and step by step."""
     trace = sv.scene(name).record()
     page = opened(browser, errors, pages / f"{name}.html", color_scheme=theme, reduced_motion="reduce")
     for i in range(len(sv.steps(trace))):
@@ -103,37 +98,34 @@ def test_both_pens_draw_the_same_marks(browser, errors, pages, name, theme):
         artists = pen.draw(drawn)
         page.get_by_role("slider", name="step").fill(str(i))
         parts = page.evaluate(READ)
-        by_id = {part["id"]: part for part in parts}
-        assert set(by_id) == {m.id for m in drawn.marks} == set(artists)
-        x0, y0, _, _ = drawn.limits
+        assert {part["id"] for part in parts} == {m.id for m in drawn.marks} == set(artists)
+        for part, (look, corners) in zip(parts, matplotlib_looks(pen, drawn), strict=True):
+            mine, my_corners = svg_look(part)
+            assert mine == look, part["id"]
+            assert my_corners == pytest.approx(corners, abs=0.01), part["id"]
+    page.close()
 
-        def scene(points, x0=x0, y0=y0, drawn=drawn):
-            return np.asarray(points) / drawn.scale * [1, -1] + [x0, y0 + drawn.size[1] / drawn.scale]
 
-        paths = [p.vertices for c in (pen.fills, pen.strokes, pen.solids) for p in c.get_paths()]
-        close = 0.01 / drawn.scale
+FIRST_FRAME = f"() => {{ document.querySelector('[aria-label=\"step forward\"]').click(); return ({READ})(); }}"
+
+
+def test_what_a_step_explains_moves_from_where_it_comes(browser, errors, pages):
+    trace = sv.scene("triangles").record()
+    page = opened(browser, errors, pages / "triangles.html")
+    before, moved = set(), set()
+    for i in range(1, len(sv.steps(trace))):
+        drawn = sv.picture(trace, i)
+        x0, _, _, y1 = drawn.limits
+        found = {part["id"]: part for part in reversed(page.evaluate(FIRST_FRAME))}  # of an arrow the shaft
         for mark in drawn.marks:
-            part = by_id[mark.id]
-            if mark.kind == "label":
-                text = artists[mark.id]
-                assert part["text"] == text.get_text() == mark.text
-                assert np.allclose(scene([float(c) for c in part["at"].split()]), text.get_position(), atol=close)
-                assert colour(part["fill"]) == to_hex(text.get_color())
-                assert (part["fontSize"], part["bold"]) == (text.get_fontsize(), text.get_fontweight() == "bold")
-                continue
-            if mark.kind == "disc" or (mark.kind == "dot" and mark.role != "B"):
-                edge = np.array(part["d"].replace("M", "").split("A")[0].split(), float)  # its leftmost point
-                mine = [scene(edge)]
-            else:
-                mine = scene(numbers(part["d"]))
-            for p in mine:  # each of its corners is a corner of a matplotlib path
-                assert any((np.abs(v - p).max(axis=1) < close).any() for v in paths), (mark.id, p)
-        mine, theirs = alike(svg_looks(parts)), alike(matplotlib_looks(pen, drawn))
-        assert {look: len(boxes) for look, boxes in mine.items()} == {k: len(v) for k, v in theirs.items()}
-        for look, boxes in mine.items():
-            for box in boxes:
-                # (a browser boxes an arc only roughly)
-                assert any(np.allclose(box, other, atol=0.1) for other in theirs[look]), (look, box)
+            if mark.start and mark.id not in before:
+                _, corners = svg_look(found[mark.id])
+                spot = corners.mean(axis=0) if mark.kind == "dot" else corners[0]
+                at = np.array([mark.start[0].x - x0, y1 - mark.start[0].y]) * drawn.scale
+                assert spot == pytest.approx(at, abs=0.01), mark.id
+                moved.add(mark.part)
+        before = {mark.id for mark in drawn.marks}
+    assert moved == {"normal", "axis", "drop", "landing", "range", "gap"}
     page.close()
 
 

@@ -37,6 +37,7 @@ def test_a_label_takes_the_room_that_the_pen_fills(words, weight):
     with styled():
         figure = Figure(figsize=(6, 1), dpi=720)  # fine enough that no letter snaps to the dots
         FigureCanvasAgg(figure)
-        text = figure.text(0, 0, words, size=theme.text_size(weight), weight="bold" if weight == "title" else "normal")
+        look = theme.look("label", "ink", weight)
+        text = figure.text(0, 0, words, size=look.size, weight="bold" if look.bold else "normal")
         drawn = text.get_window_extent().width / 10
     assert text_box(words, weight)[0] == pytest.approx(drawn, rel=0.03, abs=1.0)

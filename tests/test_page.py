@@ -17,6 +17,10 @@ def data_of(page):
     return json.loads(re.search(r'id="satviz-show">(.*?)</script>', page, re.DOTALL)[1])
 
 
+def with_looks(data, marks):
+    return [mark | {"look": data["looks"][mark["look"]]} for mark in marks]
+
+
 def test_a_page_of_two_triangles_is_small_and_the_same_each_time():
     page = sv.page(TRIANGLES)
     assert page == sv.page(sv.Trace.from_json(TRIANGLES.to_json()))
@@ -37,7 +41,8 @@ def test_a_show_holds_every_step_as_it_is_drawn(scene):
     assert len(found["steps"]) == len(sv.steps(trace))
     for i, step in enumerate(found["steps"]):
         drawn = sv.picture(trace, i)
-        assert [found["marks"][m] for m in step["marks"]] == drawn.data()["marks"]
+        marks = [found["marks"][m] for m in step["marks"]]
+        assert with_looks(found, marks) == with_looks(drawn.data(), drawn.data()["marks"])
         assert (step["sentence"], found["limits"]) == (drawn.sentence, list(drawn.limits))
 
 

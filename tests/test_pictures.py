@@ -1,6 +1,7 @@
 """Pictures: marks and numbers, never pixels."""
 
 import json
+from hashlib import md5
 from itertools import combinations, pairwise
 
 import pytest
@@ -9,13 +10,14 @@ from hypothesis import strategies as st
 
 import satviz as sv
 from satviz.engine import axes, telling
-from satviz.pictures import LIGHT, THEMES, Stage, Step
+from satviz.pictures import LIGHT, THEMES, Mark, Stage, Step
 from satviz.pictures.curve import direction
 from satviz.pictures.figures import FIGURES
 from satviz.pictures.labels import RIM, clipped
 from satviz.pictures.layout import text_box
-from satviz.pictures.live import KNOB, field, turned_axis
+from satviz.pictures.live import KNOB, field, live, telling_test, turned_axis
 from satviz.pictures.theme import DOT
+from satviz.pictures.views import split
 from satviz.scenes.article import SCENES, box
 
 L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
@@ -26,6 +28,7 @@ TRACES = {scene.name: scene.record() for scene in SCENES} | {
     "touch": sv.record(box(0, 0, 2, 2), box(2, 1, 4, 3)),
     "corner": sv.record(box(0, 0, 2, 2), sv.Circle((3.5, 3.5), 1.8)),
     "concave hit": sv.record(L, sv.Circle((3.2, 3.2), 1.5)),
+    "concave apart": sv.record(L, sv.Circle((9, 9), 1)),
     "two concave": sv.record(L, sv.Polygon([(3, 3), (7, 3), (7, 7), (5, 7), (5, 5), (3, 5)])),
 }
 
@@ -34,6 +37,10 @@ def every_picture():
     for name, trace in TRACES.items():
         for i in range(len(sv.steps(trace))):
             yield f"{name} {i}", sv.picture(trace, i)
+        if trace.pairs:
+            yield f"{name} split", split(trace)
+        yield f"{name} live", live(trace, field(trace), telling_test(trace), way_out=True)[0]
+        yield f"{name} curve", sv.gap_curve(trace.a, trace.b, 30)
     for figure in FIGURES:
         yield figure.stem, figure.picture()
 
@@ -119,20 +126,20 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
     for run, pair in [(t, i) for i, t in enumerate(trace.pairs)] or [(trace, None)]:
         for i, test in enumerate(run.tests):
             picture = sv.picture(trace, Step(Stage.GAP, i, pair))
-            axis, n = f"axis.{i + 1}", test.axis.direction
+            n = test.axis.direction
             for side, who in ((test.a, run.names.a), (test.b, run.names.b)):
-                mark = picture.mark(f"{axis}.{who}.range")
+                mark = picture.mark(f"{who}.range.{i + 1}")
                 along = [p.x * n.x + p.y * n.y for p in mark.points]
                 assert along == pytest.approx(list(side.interval), abs=1e-9)
-                assert picture.mark(f"{axis}.{who}.interval").text == f"{who} {telling.interval(side.interval)}"
-            gap = picture.mark(f"{axis}.gap")
+                assert picture.mark(f"{who}.range-name.{i + 1}").text == f"{who} {telling.interval(side.interval)}"
+            gap = picture.mark(f"gap.{i + 1}")
             along = [p.x * n.x + p.y * n.y for p in gap.points]
             a, b = test.a.interval, test.b.interval
             shared = min(a.hi, b.hi) - max(a.lo, b.lo)
             assert max(along) - min(along) == pytest.approx(abs(shared), abs=1e-9)
             assert test.gap <= 0 or -shared == pytest.approx(test.gap)
             assert gap.role == ("overlap" if test.gap < 0 else "gap")
-            assert picture.mark(f"{axis}.gap.name").text == telling.outcome(test)
+            assert picture.mark(f"gap-name.{i + 1}").text == telling.outcome(test)
             assert picture.sentence == telling.test(run, i)
 
 
@@ -144,10 +151,9 @@ def test_the_axis_is_clear_of_both_shapes(name):
             continue
         picture = sv.picture(trace, i)
         for mark in picture.marks:
-            if mark.kind in ("interval", "bracket") or mark.id == f"axis.{step.test + 1}":
+            if mark.kind in ("interval", "bracket") or mark.part == "axis":
                 for shape in (trace.a, trace.b):
-                    rest = [m for m in picture.marks if m.kind in ("outline", "disc") and m.id[0] in "AB"]
-                    assert rest and apart(mark.points, shape), (mark.id, shape)
+                    assert apart(mark.points, shape), (mark.id, shape)
 
 
 def apart(points, shape):
@@ -163,7 +169,7 @@ def test_drop_lines_run_across_the_axis_from_the_points_to_where_they_land():
     trace = TRACES["triangles"]
     picture = sv.picture(trace, Step(Stage.DROPS, 0))
     n = trace.tests[0].axis.direction
-    drops = [m for m in picture.marks if ".drop." in m.id]
+    drops = [m for m in picture.marks if m.part == "drop"]
     assert len(drops) == 3
     for mark in drops:
         p, q = mark.points[0], mark.points[-1]
@@ -176,6 +182,24 @@ def test_the_moved_normal_keeps_its_direction():
     arrows = [picture.mark("normal").points, picture.mark("axis.2").points]
     (ax, ay), (bx, by) = ((q.x - p.x, q.y - p.y) for p, q in arrows)
     assert ax * by - ay * bx == pytest.approx(0, abs=1e-9) and ax * bx + ay * by > 0
+
+
+def test_a_mark_that_moves_starts_where_it_comes_from():
+    """Also in the verdict of a run over every axis, after the steps of another axis."""
+    trace = TRACES["triangles"].without_early_exit()
+    i = trace.tests.index(trace.separating)
+    gap = sv.picture(trace, Step(Stage.GAP, i))
+    axes = [picture.mark(f"axis.{i + 1}").start for picture in (gap, sv.picture(trace))]
+    assert axes == [gap.mark("normal").points] * 2
+    drops, landings = ([m for m in gap.marks if m.part == part] for part in ("drop", "landing"))
+    assert len(drops) == 4 and [(m.points[0], m.points[-1]) for m in drops] == [(*m.start, *m.points) for m in landings]
+
+
+def test_nothing_is_read_from_an_id(monkeypatch):
+    named = Mark.id.fget
+    monkeypatch.setattr(Mark, "id", property(lambda mark: md5(named(mark).encode()).hexdigest()))
+    for figure in FIGURES:
+        assert figure.picture() == PICTURES[figure.stem]
 
 
 def test_steps_run_from_the_scene_over_every_stage_to_the_verdict():
@@ -196,6 +220,7 @@ def test_a_step_the_trace_does_not_have_is_an_index_error():
 def test_a_picture_goes_to_json_whole():
     picture = PICTURES["14-sat-ranges-gap"]
     data = json.loads(picture.to_json())
+    assert data == picture.data()
     assert [m["id"] for m in data["marks"]] == [m.id for m in picture.marks]
     assert data["sentence"] == picture.sentence and data["limits"] == list(picture.limits)
 
@@ -268,7 +293,7 @@ def test_where_one_range_holds_the_other_overlap_and_way_out_are_told_apart():
     trace = sv.record(box(0, 0, 10, 1), box(4, 0, 5, 1))
     assert "overlap 1, way out 5" in telling.test(trace, 1)
     picture = sv.picture(trace, Step(Stage.GAP, 1))
-    (p, q) = picture.mark("axis.2.gap").points
+    (p, q) = picture.mark("gap.2").points
     assert q.x - p.x == pytest.approx(1)
 
 
@@ -301,7 +326,7 @@ def test_every_choice_of_axes_can_be_drawn():
 def test_a_corners_name_stands_on_its_side_of_the_separating_line():
     square = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)], labels=["p", "q", "r", "s"])
     trace = sv.record(square, sv.Circle((1.8, 1.8), 1))
-    spot = sv.picture(trace).mark("A.vertex.2.name").points[0]
+    spot = sv.picture(trace).mark("A.vertex-name.2").points[0]
     (nx, ny), offset = trace.certificate.normal, trace.certificate.offset
     assert (nx * spot.x + ny * spot.y > offset) == (nx * 1 + ny * 1 > offset)
 

@@ -88,10 +88,10 @@ def test_needed_is_the_smallest_complete_set(a, b, count):
     assert len(choice.axes) == count and choice.complete
 
 
-def test_a_vertex_axis_is_skipped_when_the_centre_is_on_the_vertex():
+def test_a_vertex_axis_is_skipped_when_the_center_is_on_the_vertex():
     trace = sv.record(box(0, 0, 2, 2), sv.Circle((2, 2), 1))
     assert trace.skipped[-1][1:] == (axes.NO_DIRECTION, None)
-    assert ": the centre is on that vertex: no direction\n" in str(trace)
+    assert ": the center is on that vertex: no direction\n" in str(trace)
     assert trace.relation is sv.Relation.OVERLAPPING and trace.certificate.check()
 
 
@@ -242,7 +242,7 @@ def test_the_mtv_is_right_where_shortcuts_go_wrong(a, b, mtv):
     assert sv.record(a, b).mtv == pytest.approx(mtv)
 
 
-def test_the_mtv_does_not_follow_the_centres():
+def test_the_mtv_does_not_follow_the_centers():
     sliver, small = sv.Polygon([(0, 0), (8, 0), (0, 1)]), box(0.5, -0.5, 1.5, 1.5)
     mtv = sv.record(sliver, small).mtv
     assert ends_overlap(sliver, small, mtv)

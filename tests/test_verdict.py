@@ -79,7 +79,7 @@ def test_a_circle_beside_a_long_edge_is_right_at_the_very_size_where_products_ov
         (Circle((0, 0), 1.4), Polygon([(1, 1), (9, 1), (1, 9)]), APART),  # off a corner: no edge clears it
         (Circle((3, 3), 1), Polygon([(0, 0), (99, 0), (0, 99)]), OVERLAPPING),
         (Circle((3, 3), 999), Polygon([(0, 0), (9, 0), (0, 9)]), OVERLAPPING),
-        (Circle((0, 4.5), 1), Polygon([(0, 0), (9, 0), (0, 9)]), OVERLAPPING),  # the centre on an edge
+        (Circle((0, 4.5), 1), Polygon([(0, 0), (9, 0), (0, 9)]), OVERLAPPING),  # the center on an edge
     ],
 )
 def test_known_answers_of_the_oracle_and_of_relate(a, b, truth):
@@ -92,7 +92,7 @@ def test_known_answers_of_the_oracle_and_of_relate(a, b, truth):
 @pytest.mark.parametrize("power", [-500, 0, 440])
 @pytest.mark.parametrize("way", [(1, 0), (3, 4), (-5, 12), (-1, -1)], ids=str)
 def test_a_circle_off_the_tip_of_a_needle_is_judged_by_its_distance_from_the_tip(method, way, power):
-    """The thinnest are so thin that no edge tells on which side of it the centre lies."""
+    """The thinnest are so thin that no edge tells on which side of it the center lies."""
     for length, width in ((64, 1), (2**20, 1), (2**48, 1)):
         needle = spun([(-length, 0), (0, -width), (length, 0), (0, width)], *way)
         for beyond in (1 / 64, 1, length):
@@ -199,7 +199,7 @@ def test_repeats_midpoints_and_a_closing_vertex_change_nothing(method, a, b, see
 @every_method
 @often
 @given(a=polygons, b=shapes, pick=st.tuples(*[st.integers(0, 99)] * 3))
-def test_a_vertex_or_centre_inside_is_an_overlap(method, a, b, pick):
+def test_a_vertex_or_center_inside_is_an_overlap(method, a, b, pick):
     i, j, k = (p % len(a.vertices) for p in pick)
     assume(len({i, j, k}) == 3)
     (px, py), (qx, qy), (rx, ry) = (a.vertices[c] for c in (i, j, k))

@@ -100,8 +100,8 @@ def test_a_free_axis_shows_its_gap_and_the_curve():
     widget = explorer()
     said = pose(widget, degree=166.0)
     assert "this axis separates them" in said["sentence"]
-    names = {mark["id"] for mark in said["curve"]["marks"]}
-    assert {"here", "candidate.0", "curve.gap", "curve.overlap"} <= names
+    parts = {mark["part"] for mark in said["curve"]["marks"]}
+    assert {"here", "candidate", "gap-curve", "overlap-curve"} <= parts
     assert "no gap" in pose(widget, degree=90.0)["sentence"]
 
 
@@ -206,8 +206,6 @@ def test_the_gap_curve_tells_the_numbers_of_the_trace():
         curve = sv.gap_curve(found.a, found.b, 20)
         best = max(t.gap for t in sv.record(found.a, found.b, every_axis=True).tests)
         assert f"{best:.3f}".rstrip("0").rstrip(".") in curve.sentence
-        x0, y0, x1, y1 = curve.limits
-        assert all(x0 <= x <= x1 and y0 <= y <= y1 for mark in curve.marks for x, y in mark.points)
 
 
 @pytest.mark.parametrize("what", [5, None, sv.Circle((0, 0), 1), sv.scene("aabb").record()])

@@ -89,7 +89,7 @@ WORLD_AXES = (Axis(Vec(0.0, 1.0), 1.0, Source(WORLD, None, (1,))), Axis(Vec(1.0,
 def needed(a: Shape, b: Shape) -> Choice:
     """The smallest complete set for this pair; for a concave polygon, of the pair's outlines.
 
-    Two circles: the axis through their centres.  Upright boxes: y and x.  Circle and
+    Two circles: the axis through their centers.  Upright boxes: y and x.  Circle and
     polygon: the polygon's edge normals without parallel repeats, and the nearest
     vertex (without it a circle off a corner is a false hit).  Polygons: edge normals
     without parallel repeats, B's first as in the article.
@@ -148,7 +148,7 @@ def edge_normals_of_b(a: Shape, b: Shape) -> Choice:
 
 
 def centers(a: Shape, b: Shape) -> Choice:
-    """The one axis through both centres (polygons: centroids); complete for two circles, also concentric."""
+    """The one axis through both centers (polygons: centroids); complete for two circles, also concentric."""
     circles = a.radius > 0 and b.radius > 0
     k, ((px, py), (qx, qy)) = to_int_points((centroid(a), centroid(b)))
     if (px, py) == (qx, qy):
@@ -158,7 +158,7 @@ def centers(a: Shape, b: Shape) -> Choice:
 
 
 def nearest_vertex(a: Shape, b: Shape) -> Choice:
-    """The axis from a circle's centre to the polygon's nearest vertex; no axis for other pairs."""
+    """The axis from a circle's center to the polygon's nearest vertex; no axis for other pairs."""
     if bool(a.radius) == bool(b.radius):
         return Choice(())
     axis, skip = _vertex_axis(a, b, {})
@@ -268,7 +268,7 @@ def _edge_normal(shape: Shape, role: str, kind: str, i: int, j: int) -> tuple[In
 
 def _own_normals(shape: Shape, role: str) -> tuple[tuple[Axis, IntPoint], ...]:
     """Each edge's normal with a key that is equal exactly for parallel edges; kept on the shape."""
-    return shape._kept(role, lambda: tuple(_keyed_normals(shape, role)))
+    return shape.kept(role, lambda: tuple(_keyed_normals(shape, role)))
 
 
 def _keyed_normals(shape: Shape, role: str) -> Iterator[tuple[Axis, IntPoint]]:
@@ -289,7 +289,7 @@ def _normals(shape: Shape, role: str) -> tuple[Axis, ...]:
 
 
 def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis, Skip | None]:
-    """The axis between a circle's centre and the polygon's nearest vertex, and why it is left out if it is."""
+    """The axis between a circle's center and the polygon's nearest vertex, and why it is left out if it is."""
     role, polygon = ("B", b) if a.radius else ("A", a)
     core_a, core_b, _, k = aligned(a, b)
     ring, ((cx, cy),) = (core_b, core_a) if a.radius else (core_a, core_b)

@@ -27,7 +27,7 @@ def parts(shape: Shape) -> tuple[Shape, ...]:
     on another (label "" if the polygon has labels), never more parts than twice the
     reflex vertices and one.  Sorted by the lowest vertex number they hold.
     """
-    return (shape,) if checked(shape, "shape").is_convex else shape._kept("parts", lambda: _parts(shape))
+    return (shape,) if checked(shape, "shape").is_convex else shape.kept("parts", lambda: _parts(shape))
 
 
 def _parts(shape: Shape) -> tuple[Polygon, ...]:

@@ -78,7 +78,7 @@ def around_parts(a: Shape, b: Shape) -> Vec | None:
     if reason := too_many(a, b):
         raise InvalidScene(reason)
     # near size 1 nothing overflows; a power of two changes no digit
-    size = frexp(min(max(a._reach, b._reach), LARGEST))[1]
+    size = frexp(min(max(a.reach, b.reach), LARGEST))[1]
     radius = ldexp(a.radius + b.radius, -size)
     free = _Free(size, radius, [_region(p, q, size, radius) for p in parts(a) for q in parts(b)])
     borders = [border for region in free.regions for border in _borders(region.ring, radius)]

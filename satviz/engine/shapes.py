@@ -15,32 +15,21 @@ Slab = tuple[float, float, float, float]
 
 
 class _Shape:
-    """What the engine asks of a shape: all points within the radius of its core.
+    """What the engine asks of a shape: all points within the radius of its core."""
 
-    Slots with an underscore are worked out from the public ones.
-    """
+    __slots__ = ("_cache", "bounds", "core", "is_convex", "is_upright_box", "radius", "reach", "slabs", "span")
 
-    __slots__ = (
-        "_box",  # (x min, y min, x max, y max): holds the shape, rounded outwards
-        "_cache",  # what is worked out at first use: integers, axes, parts
-        "_reach",  # the largest coordinate's magnitude
-        "_slabs",  # per edge direction (nx, ny, lo, hi), see _slabs; None for circles and concave polygons
-        "_span",  # the largest edge component's magnitude
-        "core",  # a polygon's corners; a circle is its center with a radius
-        "is_convex",
-        "is_upright_box",  # a rectangle with its sides along x and y
-        "radius",  # 0 for a polygon
-    )
-
-    _box: tuple[float, float, float, float]
-    _cache: dict[str, Any]
-    _reach: float
-    _slabs: tuple[Slab, ...] | None
-    _span: float
-    core: tuple[Vec, ...]
+    core: tuple[Vec, ...]  # a polygon's corners; a circle is its center with a radius
+    radius: float  # 0 for a polygon
     is_convex: bool
-    is_upright_box: bool
-    radius: float
+    is_upright_box: bool  # a rectangle with its sides along x and y
+    bounds: tuple[
+        float, float, float, float
+    ]  # x min, y min, x max, y max; a circle's are rounded outwards
+    reach: float  # the largest coordinate's magnitude
+    span: float  # the largest edge component's magnitude
+    slabs: tuple[Slab, ...] | None  # per edge direction (nx, ny, lo, hi), see _slabs; None for circles and concave ones
+    _cache: dict[str, Any]  # what is worked out at first use: integers, axes, parts
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"a {type(self).__name__} cannot be changed: make a new one")
@@ -52,7 +41,7 @@ class _Shape:
         for name, value in values.items():
             object.__setattr__(self, name, value)
 
-    def _kept(self, name: str, work_out: Callable[[], T]) -> T:
+    def kept(self, name: str, work_out: Callable[[], T]) -> T:
         """What is worked out of the shape at first use."""
         if name not in self._cache:
             self._cache[name] = work_out()
@@ -81,14 +70,9 @@ class _Shape:
         return door.bundle(self)
 
     @property
-    def bounds(self) -> tuple[float, float, float, float]:
-        """(x min, y min, x max, y max) in scene units; a circle's is rounded outwards."""
-        return self._box
-
-    @property
     def integers(self) -> tuple[int, list[IntPoint], int]:
         """(k, core, radius) as integers in units of 2**-k."""
-        return self._kept("integers", self._to_integers)
+        return self.kept("integers", self._to_integers)
 
     def _to_integers(self) -> tuple[int, list[IntPoint], int]:
         k, (radius, *flat) = to_integers((self.radius, *chain.from_iterable(self.core)))
@@ -129,10 +113,10 @@ class Polygon(_Shape):
             is_convex=ring.convex,
             notes=ring.notes,
             is_upright_box=len(corners) == 4 and all(x in (x0, x1) and y in (y0, y1) for x, y in corners),
-            _box=box,
-            _reach=max(map(abs, xs + ys)),
-            _span=max(abs(d) for edge in edges for d in edge),
-            _slabs=_slabs(corners, edges) if ring.convex else None,
+            bounds=box,
+            reach=max(map(abs, xs + ys)),
+            span=max(abs(d) for edge in edges for d in edge),
+            slabs=_slabs(corners, edges) if ring.convex else None,
             _cache={},
         )
 
@@ -150,7 +134,7 @@ class Polygon(_Shape):
 
 
 class Circle(_Shape):
-    """A circle with its inside: centre (x, y) and radius > 0 in scene units; InvalidShape otherwise."""
+    """A circle with its inside: center (x, y) and radius > 0 in scene units; InvalidShape otherwise."""
 
     __slots__ = ()
 
@@ -168,15 +152,15 @@ class Circle(_Shape):
             radius=r,
             is_convex=True,
             is_upright_box=False,
-            _box=(
+            bounds=(
                 math.nextafter(c.x - r, -INF),
                 math.nextafter(c.y - r, -INF),
                 math.nextafter(c.x + r, INF),
                 math.nextafter(c.y + r, INF),
             ),
-            _reach=max(abs(c.x), abs(c.y)) + r,
-            _span=r,
-            _slabs=None,
+            reach=max(abs(c.x), abs(c.y)) + r,
+            span=r,
+            slabs=None,
             _cache={},
         )
 
@@ -200,8 +184,8 @@ def checked(shape: Any, name: str) -> Shape:
 
 
 def centroid(shape: Shape) -> Vec:
-    """The centre of area, rounded."""
-    (ox, oy), ring, size = shape.core[0], shape.core, shape._span
+    """The center of area, rounded."""
+    (ox, oy), ring, size = shape.core[0], shape.core, shape.span
     area = x = y = 0.0
     for (px, py), (qx, qy) in pairwise(((p.x - ox) / size, (p.y - oy) / size) for p in ring):
         cross = px * qy - py * qx

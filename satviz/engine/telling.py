@@ -91,7 +91,7 @@ def edge_name(ends: list[str]) -> str:
 
 _WHY = {
     PARALLEL: "parallel to axis {}",
-    NO_DIRECTION: "the centre is on that vertex: no direction",
+    NO_DIRECTION: "the center is on that vertex: no direction",
     EARLY_EXIT: "early exit: axis {} separates",
 }
 

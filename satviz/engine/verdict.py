@@ -27,20 +27,20 @@ def relate(a: Shape, b: Shape) -> Relation:
     room of zero (of the least alone would be wrong when two lie on the edge's line).
     """
     try:
-        ax0, ay0, ax1, ay1 = a._box
-        bx0, by0, bx1, by1 = b._box
+        ax0, ay0, ax1, ay1 = a.bounds
+        bx0, by0, bx1, by1 = b.bounds
     except AttributeError:
         checked(a, "a"), checked(b, "b")
         raise
     if ax1 < bx0 or bx1 < ax0 or ay1 < by0 or by1 < ay0:
         return APART
-    a_slabs, b_slabs = a._slabs, b._slabs
+    a_slabs, b_slabs = a.slabs, b.slabs
     if not (a_slabs and b_slabs):
         return _circles(a, b) if a.radius and b.radius else _mixed(a, b)
     if a.is_upright_box and b.is_upright_box:
         return TOUCHING if ax1 == bx0 or bx1 == ax0 or ay1 == by0 or by1 == ay0 else OVERLAPPING
-    reach = (a._reach + b._reach) * LOOK  # the sum stands in for the larger: quicker, and on the safe side
-    room, own, points = a._span * reach, a_slabs, b.core
+    reach = (a.reach + b.reach) * LOOK  # the sum stands in for the larger: quicker, and on the safe side
+    room, own, points = a.span * reach, a_slabs, b.core
     while True:
         if not LEAST_ROOM < room < MOST_ROOM:
             return relate_integers(*aligned(a, b)[:3])
@@ -62,14 +62,14 @@ def relate(a: Shape, b: Shape) -> Relation:
                     return _in_doubt(a, b, reach)
         if own is b_slabs:
             return OVERLAPPING
-        room, own, points = b._span * reach, b_slabs, a.core
+        room, own, points = b.span * reach, b_slabs, a.core
 
 
 def _in_doubt(a: Shape, b: Shape, reach: float) -> Relation:
     """The same edge by edge, asking the exact sign of every vertex within the room of zero."""
     best = -1
     for own, points in (a, b.core), (b, a.core):
-        room = own._span * reach
+        room = own.span * reach
         p = own.core[-1]
         for q in own.core:
             nx, ny = q.y - p.y, p.x - q.x
@@ -87,9 +87,9 @@ def _in_doubt(a: Shape, b: Shape, reach: float) -> Relation:
 
 
 def _mixed(a: Shape, b: Shape) -> Relation:
-    if a.radius and b._slabs:
+    if a.radius and b.slabs:
         return _circle_polygon(a, b)
-    if b.radius and a._slabs:
+    if b.radius and a.slabs:
         return _circle_polygon(b, a)
     worst = APART
     for p in parts(a):
@@ -157,16 +157,16 @@ def _by_sign(gap: int) -> Relation:
 
 
 def _circle_polygon(circle: Shape, polygon: Shape) -> Relation:
-    """The distance from the centre to the nearest edge or vertex, against the radius.
+    """The distance from the center to the nearest edge or vertex, against the radius.
 
     The nearest vertex matters: without it a circle off a corner is a false hit.
-    With D the largest difference of coordinates from the centre, the turn about an
+    With D the largest difference of coordinates from the center, the turn about an
     edge of length L carries under 12 roundings of D*L (asked: 32) and a squared
     distance under 45 of D*D (asked: 128).  A foot of the perpendicular taken for a
     vertex, or the reverse, moves a squared distance by the square of a rounding.
     """
     ((cx, cy),), ring = circle.core, polygon.core
-    x0, y0, x1, y1 = polygon._box
+    x0, y0, x1, y1 = polygon.bounds
     far = max(x1 - cx, cx - x0, y1 - cy, cy - y0, circle.radius)
     room = far * far * 2.0**-46
     if not TINY < room < HUGE * 2.0**-46:
@@ -178,7 +178,7 @@ def _circle_polygon(circle: Shape, polygon: Shape) -> Relation:
     for wx, wy in ring:
         qx, qy = wx - cx, wy - cy
         dx, dy = wx - vx, wy - vy
-        turn = px * dy - py * dx  # positive with the centre inside this edge
+        turn = px * dy - py * dx  # positive with the center inside this edge
         tolerance = (abs(dx) + abs(dy)) * side_room
         if turn <= tolerance:
             inside = False

@@ -41,30 +41,32 @@ def gap_curve(a: Shape, b: Shape, degree: float | None = None) -> Picture:
         return Vec(LEFT + (RIGHT - LEFT) * d / 180, BOTTOM + (TOP - BOTTOM) * ((gap - low) / span))
 
     marks = [Mark("zero", "segment", "guide", (at(0, 0), at(180, 0)))]
-    requests = [Request("zero.name", "gap 0", "guide", at(180, 0), prefer=Vec(-1.0, 0.3), optional=True)]
+    requests = [Request("zero-name", "gap 0", "guide", at(180, 0), prefer=Vec(-1.0, 0.3), optional=True)]
     for role, side in ("overlap", -1), ("gap", 1):
         pieces = _pieces(points, side)
         if pieces:
-            marks.append(Mark(f"curve.{role}", "segment", role, tuple(at(*p) for p in pieces), weight="plain"))
+            marks.append(Mark(f"{role}-curve", "segment", role, tuple(at(*p) for p in pieces), weight="plain"))
     best = max(points, key=lambda p: p[1])
     requests.append(Request("best", f"largest {telling.signed(best[1])}", _role(best[1]), at(*best)))
     if degree is not None:
         d, gap = degree % 180, gap_at(a, b, degree)
         marks += [
-            Mark("here.line", "segment", "ink", (at(d, low), at(d, high))),
+            Mark("here-line", "segment", "ink", (at(d, low), at(d, high))),
             Mark("here", "disc", "ink", (at(d, gap),), radius=HERE),  # a ring: a candidate's dot shows inside it
         ]
         text = f"{telling.number(round(d, 1))}°: {telling.signed(gap)}"
-        requests.insert(0, Request("here.name", text, "ink", at(d, gap)))
+        requests.insert(0, Request("here-name", text, "ink", at(d, gap)))
     for i, (d, gap, axis) in enumerate(candidates):
         role = axis.source.shape or "ink"
-        marks.append(Mark(f"candidate.{i}", "dot", role, (at(d, gap),)))
+        marks.append(Mark("candidate", "dot", role, (at(d, gap),), number=i))
         if len(candidates) <= MOST_NAMES:
-            requests.append(Request(f"candidate.{i}.name", _short(axis, a, b), role, at(d, gap), optional=True))
-    ticks = [Mark(f"at.{d}", "label", "guide", (Vec(at(d, 0).x, 12.0),), text=f"{d}°") for d in (0, 45, 90, 135, 180)]
+            name = _short(axis, a, b)
+            requests.append(Request("candidate-name", name, role, at(d, gap), number=i, optional=True))
+    spots = [(d, Vec(at(d, 0).x, 12.0)) for d in (0, 45, 90, 135, 180)]
+    marks += _inside([Mark("tick", "label", "guide", (spot,), number=d, text=f"{d}°") for d, spot in spots])
     layout = Layout((0.0, 0.0, *SIZE), SIZE, ())
     marks = with_labels(marks, requests, layout, steady=False, keep_off=())
-    return Picture((*marks, *_inside(ticks)), layout.limits, SIZE, "", _sentence(a, b, best, candidates))
+    return Picture(tuple(marks), layout.limits, SIZE, "", _sentence(a, b, best, candidates))
 
 
 def gap_at(a: Shape, b: Shape, degree: float) -> float:

@@ -3,13 +3,13 @@
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import cos, hypot, pi, sin
-from typing import NamedTuple, TypedDict
+from typing import NamedTuple
 
 from ..engine import telling
 from ..engine.geometry import Vec
 from ..engine.shapes import Circle, Shape, centroid
 from .layout import Layout, moved, text_box
-from .marks import Limits, Mark
+from .marks import Limits, Mark, Which
 from .theme import DOT
 
 Segment = tuple[Vec, Vec]
@@ -25,25 +25,27 @@ class Request(NamedTuple):
     `along`: other anchors that serve nearly as well, such as the rest of a bar.
     """
 
-    id: str
+    part: str
     text: str
     role: str
     anchor: Vec
+    owner: str = ""
+    axis: str = ""
+    number: int | None = None
+    weight: str = "plain"
     along: tuple[Vec, ...] = ()
     prefer: Vec = Vec(0.0, 1.0)
-    weight: str = "plain"
-    inside: bool = False  # centred on an anchor if that is clear
+    inside: bool = False  # centered on an anchor if that is clear
     optional: bool = False  # leave it out rather than run it over something
     far: bool = False  # anywhere on the canvas will do
     steady: bool = False  # stays put from step to step, whatever else the step shows
 
 
-class Wishes(TypedDict, total=False):
+class Wishes(Which, total=False):
     """What of a Request may be left out."""
 
     along: tuple[Vec, ...]
     prefer: Vec
-    weight: str
     inside: bool
     optional: bool
     far: bool
@@ -63,7 +65,7 @@ def with_labels(
     vertices = [r for r in requests if r.steady and r.weight != "title"]
     rest = [r for r in requests if not r.steady]
     outlines = [mark for mark in marks if mark.kind in ("outline", "disc")]
-    corners = [mark for mark in marks if ".vertex." in mark.id]
+    corners = [mark for mark in marks if mark.part == "vertex"]
     others = [mark for mark in marks if mark not in outlines and mark not in corners]
     for mark in outlines if steady else (*outlines, *corners, *others):
         _put(board, mark)
@@ -73,11 +75,10 @@ def with_labels(
     for mark in corners if steady else ():
         _put(board, mark)
     labels += board.labels(vertices)
+    boxes = [(m.points[0], text_box(m.text, m.weight)) for m in labels if m.kind == "label"]
     for mark in others if steady else ():
         _put(board, mark)
     labels += board.labels(rest)
-    fixed = {r.id for r in requests if r.steady}
-    boxes = [(m.points[0], text_box(m.text, m.weight)) for m in labels if m.id in fixed]
     return [_broken(m, boxes, layout) if m.role == "guide" and m.kind == "segment" else m for m in marks] + labels
 
 
@@ -98,7 +99,7 @@ def short_name(shape: Shape, name: str, i: int) -> str:
 
 
 def name_spots(shape: Shape) -> list[Vec]:
-    """Where a shape's name may stand, best first: the middle, or half way out; below a circle's centre."""
+    """Where a shape's name may stand, best first: the middle, or half way out; below a circle's center."""
     if isinstance(shape, Circle):
         turns = [k * pi / 4 - pi / 2 for k in range(8)]
         return [moved(shape.center, Vec(cos(t), sin(t)), shape.radius * f) for f in (0.5, 0.8) for t in turns]
@@ -134,11 +135,17 @@ class Board:
         self.boxes: list[Box] = []
 
     def stroke(self, p: Vec, q: Vec, cost: float) -> None:
+        """Something drawn from p to q, and what it costs to lie over it."""
         self.strokes.append((*self._points(p), *self._points(q), cost))
 
-    def dot(self, p: Vec, radius: float) -> None:
+    def box(self, p: Vec, w: float, h: float) -> None:
+        """Something w and h points to either side of p, not to be lain over."""
         x, y = self._points(p)
-        self.boxes.append((x - radius, y - radius, x + radius, y + radius))
+        self.boxes.append((x - w, y - h, x + w, y + h))
+
+    def wall(self, p: Vec, q: Vec) -> None:
+        """A line that no name strays across."""
+        self.walls.append((*self._points(p), *self._points(q)))
 
     def _points(self, p: Vec) -> tuple[float, float]:
         x0, y0, _, _ = self.layout.limits
@@ -152,10 +159,11 @@ class Board:
             at = self.place(r)
             if at is None:
                 continue
+            which = r.owner, r.axis, r.number
             if not (r.far or r.inside or r.along) and (end := self._leader(r, at)):
                 self.stroke(r.anchor, end, 300)
-                found.append(Mark(f"{r.id}.leader", "segment", "guide", (r.anchor, end)))
-            found.append(Mark(r.id, "label", r.role, (at,), text=r.text, weight=r.weight))
+                found.append(Mark(f"{r.part}-leader", "segment", "guide", (r.anchor, end), *which))
+            found.append(Mark(r.part, "label", r.role, (at,), *which, text=r.text, weight=r.weight))
         return found
 
     def _leader(self, request: Request, at: Vec) -> Vec | None:
@@ -171,7 +179,7 @@ class Board:
         return None if any(clipped(*line, *box) and not _is_dot(box) for box in self.boxes[:-1]) else end
 
     def place(self, request: Request) -> Vec | None:
-        """The label's centre in scene units, or None for an optional one that finds no clear spot."""
+        """The label's center in scene units, or None for an optional one that finds no clear spot."""
         w, h = text_box(request.text, request.weight)
         anchor = self._points(request.anchor)
         best, found = float("inf"), anchor
@@ -198,7 +206,7 @@ class Board:
         return Vec(x0 + cx / self.layout.scale, y0 + cy / self.layout.scale)
 
     def _spots(self, request: Request, w: float, h: float) -> Iterator[tuple[tuple[float, float], float]]:
-        """Candidate centres in points with what each costs by itself, cheapest first."""
+        """Candidate centers in points with what each costs by itself, cheapest first."""
         x, y = self._points(request.anchor)
         if request.inside:
             yield (x, y), 0.0
@@ -283,7 +291,10 @@ def _put(board: Board, mark: Mark) -> None:
     """Tell the board what a mark covers."""
     points = mark.points
     if mark.kind == "dot":
-        board.dot(points[0], DOT / 2)
+        board.box(points[0], DOT / 2, DOT / 2)
+    elif mark.kind == "label":
+        width, height = text_box(mark.text, mark.weight)
+        board.box(points[0], width / 2, height / 2)
     elif mark.kind == "disc":
         rim = [moved(points[0], Vec(cos(k * pi / 16), sin(k * pi / 16)), mark.radius) for k in range(33)]
         for p, q in pairwise(rim):
@@ -293,5 +304,5 @@ def _put(board: Board, mark: Mark) -> None:
         ring = (*points, points[0]) if mark.kind == "outline" else points
         for p, q in pairwise(ring):
             board.stroke(p, q, price)
-        if mark.id == "line":  # what stands beyond the separating line seems to belong there
-            board.walls.append((*board._points(points[0]), *board._points(points[1])))
+        if mark.part == "line":  # what stands beyond the separating line seems to belong there
+            board.wall(points[0], points[1])

@@ -9,7 +9,7 @@ from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Shape
 from . import letters
 from .marks import Limits
-from .theme import text_size
+from .theme import look
 
 # all in points
 WIDTH, HEIGHT = 500.0, 400.0  # the largest canvas
@@ -51,9 +51,11 @@ class Layout(NamedTuple):
 
     @property
     def scale(self) -> float:
+        """Points a scene unit."""
         return self.size[0] / (self.limits[2] - self.limits[0])
 
     def units(self, points: float) -> float:
+        """A length on the canvas in scene units."""
         return points / self.scale
 
 
@@ -214,6 +216,7 @@ def _segments_meet(s: tuple[Vec, Vec], t: tuple[Vec, Vec]) -> bool:
 
 def text_box(text: str, weight: str = "plain") -> tuple[float, float]:
     """Width and height of a label in points."""
-    size = text_size(weight)
+    letter = look("label", "", weight)
     lines = text.split("\n")
-    return max(letters.width(line, bold=weight == "title") for line in lines) * size, len(lines) * size * 1.2
+    widest = max(letters.width(line, bold=letter.bold) for line in lines)
+    return widest * letter.size, len(lines) * letter.size * 1.2

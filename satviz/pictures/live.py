@@ -37,7 +37,7 @@ def field(trace: Trace) -> Layout:
 def fits(drawn: Picture) -> bool:
     """Does every mark lie inside the limits?"""
     x0, y0, x1, y1 = drawn.limits
-    reach = [(p, m.radius) for m in drawn.marks if m.id != "line" for p in m.points]
+    reach = [(p, m.radius) for m in drawn.marks for p in m.points]
     return all(x0 <= p.x - r and p.x + r <= x1 and y0 <= p.y - r and p.y + r <= y1 for p, r in reach)
 
 
@@ -75,7 +75,7 @@ def live(
         place = place_within(layout, (trace.a, trace.b), test, near)
         sketch.edge(test)
         sketch.normal(test)
-        sketch.project(test, place, chosen.test + 1)
+        sketch.project(test, place)
     sketch.note("verdict", str(trace.relation), _role(trace.relation), weight="title", first=1)
     if way_out and run is trace:
         draw_move(sketch)
@@ -88,7 +88,7 @@ def turned_axis(trace: Trace, layout: Layout, degree: float, *, near: Vec | None
     sketch.shapes()
     test = trace.tests[0]
     place = place_within(layout, (trace.a, trace.b), test, near)
-    sketch.project(test, place, 1)
+    sketch.project(test, place)
     sketch.add("knob", "disc", "ink", knob(layout, place, degree), radius=layout.units(KNOB))  # no label lies on it
     says = "this axis separates them" if test.separates else "this axis shows no gap"
     sketch.note("verdict", says, "gap" if test.separates else "overlap", weight="title", first=1)

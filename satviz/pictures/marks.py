@@ -1,10 +1,12 @@
 """A picture: what to draw for a step, as a short list of marks in scene coordinates."""
 
 import json
-from typing import Any, NamedTuple
+from collections.abc import Iterable
+from typing import Any, NamedTuple, TypedDict
 
 from ..engine import door
 from ..engine.geometry import Vec
+from .theme import Look, look
 
 Limits = tuple[float, float, float, float]
 
@@ -12,27 +14,52 @@ Limits = tuple[float, float, float, float]
 class Mark(NamedTuple):
     """One thing in a picture.
 
-    `kind` and `points` (scene units): outline (its vertices), disc (its centre; `radius`),
-    segment (two ends a piece), arrow (tail, head), interval (a bar's ends), bracket (a polyline), dot and
-    label (one point; a label is centred on it, lines parted by newlines).  `role`: a colour
-    of the theme.  `weight` is "plain", "strong" (what the step is about), "faint" or "title".
+    `part`: what it is ("outline", "vertex", "drop"); `owner`: whose ("A", "B1"); `axis`: the axis it lies on;
+    `number`: which of several.  `kind` and `points` (scene units): outline (its vertices), disc (its center;
+    `radius`), segment (two ends a piece), arrow (tail, head), interval (a bar's ends), bracket (a polyline), dot
+    and label (one point; a label is centered on it, lines parted by newlines).  `role`: a colour of the theme.
+    `weight` is "plain", "strong" (what the step is about), "faint" or "title".  `start`: where the points come
+    from, for a pen that moves them: a point each, or one for all.
     """
 
-    id: str
+    part: str
     kind: str
     role: str
-    points: tuple[Vec, ...]
+    points: tuple[Vec, ...] = ()
+    owner: str = ""
+    axis: str = ""
+    number: int | None = None
     radius: float = 0.0
     text: str = ""
     weight: str = "plain"
+    start: tuple[Vec, ...] = ()
 
-    def data(self) -> dict[str, Any]:
-        """The mark as JSON values."""
-        points = [list(p) for p in self.points]
-        data: dict[str, Any] = {"id": self.id, "kind": self.kind, "role": self.role, "points": points}
-        data |= {"radius": self.radius} if self.kind == "disc" else {}
-        data |= {"text": self.text} if self.kind == "label" else {}
-        return data | ({"weight": self.weight} if self.weight != "plain" else {})
+    @property
+    def id(self) -> str:
+        """One name in a picture, for pens to keep what they drew by; what the mark is its fields say."""
+        known = self.owner, self.part, self.axis, self.number
+        return ".".join(str(fact) for fact in known if fact not in ("", None))
+
+    @property
+    def look(self) -> Look:
+        """How it is drawn."""
+        return look(self.kind, self.role, self.weight)
+
+
+class Which(TypedDict, total=False):
+    """What of a mark, or of a label that wants a place, may be left out."""
+
+    owner: str
+    axis: str
+    number: int | None
+    weight: str
+
+
+class Details(Which, total=False):
+    """What of a mark alone may be left out."""
+
+    radius: float
+    start: tuple[Vec, ...]
 
 
 class Picture(NamedTuple):
@@ -74,8 +101,27 @@ class Picture(NamedTuple):
     def data(self) -> dict[str, Any]:
         """The picture as JSON values: all a pen needs."""
         data = {"satviz": "picture 1", "title": self.title, "sentence": self.sentence}
-        return data | {"limits": list(self.limits), "size": list(self.size), "marks": [m.data() for m in self.marks]}
+        return data | {"limits": list(self.limits), "size": list(self.size), **marks_data(self.marks)}
 
     def to_json(self, *, indent: int | None = None) -> str:
         """The same as text."""
         return json.dumps(self.data(), indent=indent, ensure_ascii=False, allow_nan=False)
+
+
+def marks_data(marks: Iterable[Mark]) -> dict[str, Any]:
+    """Marks as JSON values, and their looks, which are few, in a table; what is as in a plain one is left out."""
+    looks: dict[Look, int] = {}
+    found = []
+    for mark in marks:
+        own = {name: value for name, value in _told(mark).items() if name not in ("kind", "role", "weight")}
+        found.append({"id": mark.id, "look": looks.setdefault(mark.look, len(looks)), **own})
+    return {"looks": [_told(look) for look in looks], "marks": found}
+
+
+def _told(one: Mark | Look) -> dict[str, Any]:
+    plain = one._field_defaults
+    return {name: _listed(value) for name, value in one._asdict().items() if value != plain.get(name)}
+
+
+def _listed(value: Any) -> Any:
+    return [_listed(v) for v in value] if isinstance(value, tuple) else value

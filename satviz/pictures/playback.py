@@ -5,7 +5,7 @@ from typing import Any
 from ..engine import telling
 from ..engine.geometry import Relation
 from ..engine.trace import Trace
-from .marks import Mark
+from .marks import Mark, marks_data
 from .stages import Stage, Step, checked, picture, steps
 
 # the algorithm line by line, and the stages that each line is about
@@ -51,7 +51,7 @@ def playback(trace: Trace) -> dict[str, Any]:
         "relation": str(trace.relation),
         "limits": list(drawn.limits),
         "size": list(drawn.size),
-        "marks": [mark.data() for mark in marks],
+        **marks_data(marks),
         "steps": [step | {"stage": s.stage.value} for step, s in zip(found, every, strict=True)],
         "names": list(trace.names),
         "rows": rows(trace),

@@ -16,7 +16,7 @@ from ..engine.shapes import Circle, Polygon, Shape, centroid
 from ..engine.trace import Trace
 from .labels import Request, Segment, Wishes, holds, name_spots, short_name, with_labels
 from .layout import AxisPlace, Layout, moved
-from .marks import Mark, Picture
+from .marks import Details, Mark, Picture
 
 NORMAL = 34.0  # the length of a normal's arrow, in points
 BRACKET = 4.0, 11.0  # a gap's bracket stands this far out from the axis
@@ -24,37 +24,39 @@ LIST_WIDTH = 34  # letters a line in a list of axes
 
 
 class Sketch:
-    """Collects marks for one picture of a trace."""
+    """Collects marks for one picture of a trace; `prefix` tells its axes from another trace's beside them."""
 
-    def __init__(self, trace: Trace, layout: Layout) -> None:
+    def __init__(self, trace: Trace, layout: Layout, prefix: str = "") -> None:
         self.trace = trace
         self.layout = layout
+        self.prefix = prefix
         self.marks: list[Mark] = []
         self.requests: list[tuple[int, Request]] = []
 
-    def add(self, mark_id: str, kind: str, role: str, *points: Vec, radius: float = 0.0, weight: str = "plain") -> None:
-        self.marks.append(Mark(mark_id, kind, role, points, radius=radius, weight=weight))
+    def add(self, part: str, kind: str, role: str, *points: Vec, **more: Unpack[Details]) -> None:
+        """One more mark."""
+        self.marks.append(Mark(part, kind, role, points, **more))
 
-    def label(self, mark_id: str, text: str, role: str, anchor: Vec, *, first: int = 5, **more: Unpack[Wishes]) -> None:
+    def label(self, part: str, text: str, role: str, anchor: Vec, *, first: int = 5, **more: Unpack[Wishes]) -> None:
         """Ask for a label; those with a lower `first` choose their place earlier."""
-        self.requests.append((first, Request(mark_id, text, role, anchor, **more)))
+        self.requests.append((first, Request(part, text, role, anchor, **more)))
 
     # -- shapes
 
     def shape(self, role: str, name: str, shape: Shape, *, weight: str = "plain", named: bool = True) -> None:
         """The outline and its name; vertices the owner labelled get a dot and their label."""
         if isinstance(shape, Circle):
-            self.add(f"{name}.outline", "disc", role, shape.center, radius=shape.radius, weight=weight)
+            self.add("outline", "disc", role, shape.center, owner=name, radius=shape.radius, weight=weight)
         else:
-            self.add(f"{name}.outline", "outline", role, *shape.vertices, weight=weight)
+            self.add("outline", "outline", role, *shape.vertices, owner=name, weight=weight)
         if named:
             other = self.trace.b if role == "A" else self.trace.a
-            spots = sorted(name_spots(shape), key=lambda p: holds(other, p))
-            self.label(
-                f"{name}.name", name, role, spots[0], along=tuple(spots[1:]), inside=True, weight="title", steady=True
-            )
+            spot, *along = sorted(name_spots(shape), key=lambda p: holds(other, p))
+            wish: Wishes = {"owner": name, "along": tuple(along), "inside": True, "weight": "title", "steady": True}
+            self.label("name", name, role, spot, **wish)
 
     def shapes(self, *, weight: str = "plain") -> None:
+        """Both shapes, with the labels that their owner gave."""
         for role, name, shape in self.pair():
             self.shape(role, name, shape, weight=weight)
             if isinstance(shape, Polygon) and shape.labels and weight != "faint":
@@ -65,6 +67,7 @@ class Sketch:
         return zip("AB", self.trace.names, (self.trace.a, self.trace.b), strict=True)
 
     def of(self, role: str | None) -> tuple[str, Shape]:
+        """The name and the shape of a role."""
         return (self.trace.names.a, self.trace.a) if role == "A" else (self.trace.names.b, self.trace.b)
 
     def polygon(self, role: str | None) -> tuple[str, Polygon]:
@@ -78,20 +81,18 @@ class Sketch:
         name, polygon = self.polygon(role)
         middle = centroid(polygon)
         for i in ids:
-            if any(m.id == f"{name}.vertex.{i}" for m in self.marks):
+            if any((m.part, m.owner, m.number) == ("vertex", name, i) for m in self.marks):
                 continue
             v = polygon.vertices[i]
-            self.add(f"{name}.vertex.{i}", "dot", role, v)
+            self.add("vertex", "dot", role, v, owner=name, number=i)
             away = Vec(v.x - middle.x, v.y - middle.y)
-            text = short_name(polygon, name, i)
-            self.label(
-                f"{name}.vertex.{i}.name", text, as_role or role, v, prefer=away, first=4, optional=True, steady=True
-            )
+            wish: Wishes = {"owner": name, "number": i, "prefer": away, "optional": True, "steady": True}
+            self.label("vertex-name", short_name(polygon, name, i), as_role or role, v, first=4, **wish)
 
     # -- where the axis comes from
 
     def edge(self, test: AxisTest, *, told: bool = False) -> None:
-        """The edge (or the line between centres or to the nearest vertex) the axis comes from."""
+        """The edge (or the line between centers or to the nearest vertex) the axis comes from."""
         (kind, _, ids), role = test.source, test.source.shape or "ink"
         if kind in (EDGE, HULL):
             name, polygon = self.polygon(role)
@@ -103,14 +104,14 @@ class Sketch:
                 middle = self.middle(p, q)
                 out = self.outward(polygon, p, q)
                 text = f"edge = {ends[0]} - {ends[1]} = {telling.vector(Vec(p.x - q.x, p.y - q.y))}"
-                self.label("edge.name", text, role, middle, prefer=out, first=1)
+                self.label("edge-name", text, role, middle, prefer=out, first=1)
         elif kind in (CENTERS, VERTEX):
             p, q = self.joined(test)
             self.add("edge", "segment", "ink", p, q)
             for i, end in enumerate((p, q)):
-                self.add(f"edge.end.{i}", "dot", "AB"[i], end)
+                self.add("edge-end", "dot", "AB"[i], end, number=i)
             if told:
-                self.label("edge.name", telling.vector(Vec(q.x - p.x, q.y - p.y)), "ink", self.middle(p, q), first=1)
+                self.label("edge-name", telling.vector(Vec(q.x - p.x, q.y - p.y)), "ink", self.middle(p, q), first=1)
 
     def joined(self, test: AxisTest) -> Segment:
         """The two points whose difference is the axis: A's, then B's."""
@@ -136,10 +137,10 @@ class Sketch:
         if arrow is None:
             return
         role = test.source.shape or "ink"
-        self.add("normal", "arrow", role, *arrow, weight="strong")
+        self.add("normal", "arrow", role, *arrow, weight="strong", start=arrow[:1])
         if told:
             text = f"normal {telling.vector(test.axis.normal)}" if test.source.kind in (EDGE, HULL) else "direction"
-            self.label("normal.name", text, role, arrow[1], prefer=test.axis.direction, first=1)
+            self.label("normal-name", text, role, arrow[1], prefer=test.axis.direction, first=1)
 
     def all_normals(self) -> None:
         """A small outward arrow on every edge."""
@@ -148,9 +149,10 @@ class Sketch:
                 ring = shape.corners
                 for i, (p, q) in enumerate(zip(ring, [*ring[1:], ring[0]], strict=True)):
                     tip = moved(self.middle(p, q), self.outward(shape, p, q), self.layout.units(NORMAL * 0.8))
-                    self.add(f"{name}.normal.{i}", "arrow", role, self.middle(p, q), tip)
+                    self.add("normal", "arrow", role, self.middle(p, q), tip, owner=name, number=i)
 
     def middle(self, p: Vec, q: Vec) -> Vec:
+        """Half way from p to q."""
         return Vec((p.x + q.x) / 2, (p.y + q.y) / 2)
 
     def outward(self, polygon: Polygon, p: Vec, q: Vec) -> Vec:
@@ -163,32 +165,42 @@ class Sketch:
 
     # -- the axis and what lands on it
 
-    def axis(self, test: AxisTest, place: AxisPlace, number: int, *, told: bool = True) -> None:
-        """The axis as a long arrow clear of the shapes."""
-        self.add(f"axis.{number}", "arrow", "ink", place.at(place.lo), place.at(place.hi))
+    def number(self, test: AxisTest) -> int:
+        """The how-manyth test of the trace it is."""
+        return next(i for i, other in enumerate(self.trace.tests, 1) if other is test)
+
+    def on(self, test: AxisTest) -> str:
+        """What the test's axis is called in the picture."""
+        return f"{self.prefix}{self.number(test)}"
+
+    def axis(self, test: AxisTest, place: AxisPlace, *, told: bool = True) -> None:
+        """The axis as a long arrow clear of the shapes: its normal, pulled away from the edge."""
+        start = self.normal_arrow(test) or ()
+        self.add("axis", "arrow", "ink", place.at(place.lo), place.at(place.hi), axis=self.on(test), start=start)
         if told:
             kind, _, ids = test.source
-            text = "xy"[ids[0]] if kind == WORLD else f"axis {number}"
-            self.label(f"axis.{number}.name", text, "ink", place.at(place.hi), prefer=place.n, first=3)
+            text = "xy"[ids[0]] if kind == WORLD else f"axis {self.number(test)}"
+            self.label("axis-name", text, "ink", place.at(place.hi), axis=self.on(test), prefer=place.n, first=3)
 
-    def drops(self, test: AxisTest, place: AxisPlace, number: int, role: str, *, ends_only: bool, told: bool) -> None:
+    def drops(self, test: AxisTest, place: AxisPlace, role: str, *, ends_only: bool, told: bool) -> None:
         """Dotted lines from the points to where they land."""
         side = test.a if role == "A" else test.b
         name, shape = self.of(role)
+        axis = self.on(test)
         shown = self.nearest_ends(side, place) if ends_only else range(len(side.points))
         for i in shown:
-            spot = place.at(side.landings[i])
-            self.add(f"axis.{number}.{name}.drop.{i}", "segment", "guide", side.points[i], spot)
-            self.add(f"axis.{number}.{name}.from.{i}", "dot", role, side.points[i])
-            self.add(f"axis.{number}.{name}.landing.{i}", "dot", role, spot)
+            point, spot = side.points[i], place.at(side.landings[i])
+            self.add("drop", "segment", "guide", point, spot, owner=name, axis=axis, number=i, start=(point,))
+            self.add("dropped", "dot", role, point, owner=name, axis=axis, number=i)
+            self.add("landing", "dot", role, spot, owner=name, axis=axis, number=i, start=(point,))
         if told:
             for end, way in zip(side.interval, (-1, 1), strict=True):
                 who = self.landed_names(name, shape, side, end)
                 prefer = Vec(place.out.x * (1 if role == "B" else -1), place.out.y * (1 if role == "B" else -1))
                 prefer = Vec(prefer.x + place.n.x * way * 0.5, prefer.y + place.n.y * way * 0.5)
-                mark = f"axis.{number}.{name}.{'lowest' if way < 0 else 'highest'}"
+                part = "lowest" if way < 0 else "highest"
                 text = f"{who}: {telling.number(end)}" if who else telling.number(end)
-                self.label(mark, text, role, place.at(end), prefer=prefer)
+                self.label(part, text, role, place.at(end), owner=name, axis=axis, prefer=prefer)
 
     def landed_names(self, name: str, shape: Shape, side: Projection, end: float) -> str:
         """Who landed at an end of the range, if the owner named the vertices: "v1, v2"."""
@@ -211,48 +223,48 @@ class Sketch:
             found.append(max(ties, key=height))
         return sorted(set(found))
 
-    def range(self, test: AxisTest, place: AxisPlace, number: int, role: str) -> None:
+    def range(self, test: AxisTest, place: AxisPlace, role: str) -> None:
         """One shape's range as a bar beside the axis, with its interval."""
         side = test.a if role == "A" else test.b
         name, _ = self.of(role)
-        ends = [place.at(t, role) for t in side.interval]
-        self.add(f"axis.{number}.{name}.range", "interval", role, *ends)
+        ends = tuple(place.at(t, role) for t in side.interval)
+        self.add("range", "interval", role, *ends, owner=name, axis=self.on(test), start=ends[:1])
         out = place.out if role == "B" else Vec(-place.out.x, -place.out.y)
         text = f"{name} {telling.interval(side.interval)}"
-        along = [
-            Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for p, q in [ends] for f in (0.5, 0.3, 0.7, 0.1, 0.9)
-        ]
-        mark = f"axis.{number}.{name}.interval"
-        self.label(mark, text, role, along[0], along=tuple(along[1:]), prefer=out, first=1)
+        p, q = ends
+        spot, *along = (Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for f in (0.5, 0.3, 0.7, 0.1, 0.9))
+        wish: Wishes = {"owner": name, "axis": self.on(test), "along": tuple(along), "prefer": out}
+        self.label("range-name", text, role, spot, first=1, **wish)
 
-    def gap(self, test: AxisTest, place: AxisPlace, number: int) -> None:
+    def gap(self, test: AxisTest, place: AxisPlace) -> None:
         """The gap as an open bracket, the overlap as a filled bar, with the trace's number."""
         a, b = test.a.interval, test.b.interval
         if test.gap >= 0:
             span = Interval(*((a.hi, b.lo) if a.hi <= b.lo else (b.hi, a.lo)))
             near, far = (self.layout.units(c) for c in BRACKET)
-            ends = [place.at(t) for t in span]
-            points = [moved(ends[i], place.out, c) for i, c in ((0, near), (0, far), (1, far), (1, near))]
+            ends = tuple(place.at(t) for t in span)
+            points = tuple(moved(ends[i], place.out, c) for i, c in ((0, near), (0, far), (1, far), (1, near)))
             role, kind = "gap", "bracket"
         else:
-            ends = points = [place.at(t) for t in Interval(max(a.lo, b.lo), min(a.hi, b.hi))]
+            ends = points = tuple(place.at(t) for t in Interval(max(a.lo, b.lo), min(a.hi, b.hi)))
             role, kind = "overlap", "interval"
-        self.add(f"axis.{number}.gap", kind, role, *points)
+        self.add("gap", kind, role, *points, axis=self.on(test), start=points[:1])
         anchor = self.middle(*points[1:3]) if kind == "bracket" else self.middle(*ends)
-        self.label(f"axis.{number}.gap.name", telling.outcome(test), role, anchor, prefer=place.out, first=2)
+        text = telling.outcome(test)
+        self.label("gap-name", text, role, anchor, axis=self.on(test), prefer=place.out, first=2)
 
-    def project(self, test: AxisTest, place: AxisPlace, number: int, *, drops: bool = True) -> None:
+    def project(self, test: AxisTest, place: AxisPlace, *, drops: bool = True) -> None:
         """A finished test: the axis, the extreme points' drops, both ranges, the gap or overlap."""
-        self.axis(test, place, number)
+        self.axis(test, place)
         for role in "AB":
             if drops:
-                self.drops(test, place, number, role, ends_only=True, told=False)
-            self.range(test, place, number, role)
-        self.gap(test, place, number)
+                self.drops(test, place, role, ends_only=True, told=False)
+            self.range(test, place, role)
+        self.gap(test, place)
 
     # -- lines, moves, words
 
-    def line_across(self, mark_id: str, through: Vec, normal: Vec, role: str, *, weight: str = "plain") -> Segment:
+    def line_across(self, part: str, through: Vec, normal: Vec, role: str, number: int | None = None) -> Segment:
         """The part of a line (through a point, across a normal) that lies well inside the canvas."""
         x0, y0, x1, y1 = self.layout.limits
         rim = self.layout.units(14)
@@ -263,14 +275,14 @@ class Sketch:
                 near, far = sorted(((lo - p) / u, (hi - p) / u))
                 start, end = max(start, near), min(end, far)
         ends = moved(through, d, start), moved(through, d, end)
-        self.add(mark_id, "segment", role, *ends, weight=weight)
+        self.add(part, "segment", role, *ends, number=number)
         return ends
 
-    def note(self, mark_id: str, text: str, role: str, *, weight: str = "plain", first: int = 8) -> None:
+    def note(self, part: str, text: str, role: str, *, weight: str = "plain", first: int = 8) -> None:
         """Words that belong to no mark: near the top, wherever there is room."""
         x0, _, x1, y1 = self.layout.limits
         anchor = Vec((x0 + x1) / 2, y1 - self.layout.units(20))
-        self.label(mark_id, text, role, anchor, weight=weight, first=first, inside=True, far=True, optional=True)
+        self.label(part, text, role, anchor, weight=weight, first=first, inside=True, far=True, optional=True)
 
     def left_out(self) -> None:
         """The axes the early exit made unnecessary, listed in grey."""

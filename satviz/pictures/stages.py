@@ -133,24 +133,24 @@ def first_role(trace: Trace, test: int) -> str:
 def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace) -> None:
     """One test as far as the stage goes."""
     trace = sketch.trace
-    test, number = trace.tests[i], i + 1
+    test = trace.tests[i]
     done = OF_A_TEST.index(stage)
     sketch.shapes()
     sketch.edge(test, told=stage in (Stage.EDGE, Stage.NORMAL))
     if Stage.NORMAL in OF_A_TEST[: done + 1]:
         sketch.normal(test, told=stage in (Stage.NORMAL, Stage.AXIS))
     if Stage.AXIS in OF_A_TEST[: done + 1]:
-        sketch.axis(test, place, number)
+        sketch.axis(test, place)
     one = first_role(trace, i)
     other = "B" if one == "A" else "A"
     if stage is Stage.DROPS:
-        sketch.drops(test, place, number, one, ends_only=False, told=True)
+        sketch.drops(test, place, one, ends_only=False, told=True)
     if stage in (Stage.RANGE, Stage.BOTH, Stage.GAP):
         for role in one if stage is Stage.RANGE else (one, other):
-            sketch.drops(test, place, number, role, ends_only=True, told=False)
-            sketch.range(test, place, number, role)
+            sketch.drops(test, place, role, ends_only=True, told=False)
+            sketch.range(test, place, role)
     if stage is Stage.GAP:
-        sketch.gap(test, place, number)
+        sketch.gap(test, place)
         if test.separates:
             sketch.left_out()
 
@@ -184,18 +184,18 @@ def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace]) -> None:
         separating_line(sketch, certificate)
         if trace.separating:
             i = trace.tests.index(trace.separating)
-            sketch.project(trace.separating, places[i], i + 1, drops=False)
+            sketch.project(trace.separating, places[i], drops=False)
     elif isinstance(certificate, SharedPoint):
         spot = certificate.point
         sketch.add("shared", "dot", "ink", spot)
-        sketch.label("shared.name", f"a point in both: {telling.vector(spot)}", "ink", spot, first=4)
+        sketch.label("shared-name", f"a point in both: {telling.vector(spot)}", "ink", spot, first=4)
         draw_move(sketch)
     else:
         (_, a, whole_a), (_, b, whole_b) = sketch.pair()
         names = [f"{p} | {q}" for _, p in named_parts(whole_a, a) for _, q in named_parts(whole_b, b)]
         for n, (text, line) in enumerate(zip(names, certificate.lines, strict=True), 1):
-            ends = sketch.line_across(f"line.{n}", line.point, _unit(line), "gap")
-            sketch.label(f"line.{n}.name", text, "gap", sketch.middle(*ends), along=ends, first=4, far=True)
+            ends = sketch.line_across("part-line", line.point, _unit(line), "gap", n)
+            sketch.label("part-line-name", text, "gap", sketch.middle(*ends), number=n, along=ends, first=4, far=True)
 
 
 def draw_move(sketch: Sketch) -> None:
@@ -209,15 +209,15 @@ def draw_move(sketch: Sketch) -> None:
     certificate = trace.certificate
     assert isinstance(certificate, SharedPoint)  # as of all that overlap
     start, tip = certificate.point, moved(certificate.point, move, 1.0)
-    sketch.add("mtv", "arrow", "overlap", start, tip, weight="strong")
-    sketch.label("mtv.name", f"MTV {telling.vector(move)}", "overlap", tip, prefer=move, first=3)
+    sketch.add("mtv", "arrow", "overlap", start, tip, weight="strong", start=(start,))
+    sketch.label("mtv-name", f"MTV {telling.vector(move)}", "overlap", tip, prefer=move, first=3)
 
 
 def separating_line(sketch: Sketch, certificate: SeparatingLine, text: str = "separating line") -> None:
     """The certificate's line across the canvas."""
     ends = sketch.line_across("line", certificate.point, _unit(certificate), "gap")
     low, high = sorted(ends, key=lambda p: p.y)
-    sketch.label("line.name", text, "gap", high, prefer=Vec(low.x - high.x, low.y - high.y), first=2, far=True)
+    sketch.label("line-name", text, "gap", high, prefer=Vec(low.x - high.x, low.y - high.y), first=2, far=True)
 
 
 def _unit(certificate: SeparatingLine) -> Vec:

@@ -1,5 +1,6 @@
 """The look, shared by every pen: colours by role, line weights and text sizes in points."""
 
+from functools import cache
 from typing import NamedTuple
 
 
@@ -26,16 +27,54 @@ DARK = Theme(
 )
 THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
 
-OUTLINE, STRONG, BAR, OVERLAP_BAR, GUIDE, AXIS = 2.0, 4.0, 4.0, 5.0, 1.0, 1.2
-FILL = 0.15  # opacity
+OUTLINE, STRONG, BAR, OVERLAP_BAR, GUIDE, SEGMENT, AXIS = 2.0, 4.0, 4.0, 5.0, 1.0, 1.5, 1.2
+FILL, FAINT = 0.15, 0.55  # opacities
 DOT = 6.5  # a dot's width
 HEAD = 8.0, 6.0  # an arrow head's length and width
 DASH = 4.0, 2.0  # B's edges, in line widths
 DOTTED = 1.0, 2.2
 TEXT = 11.0
 TITLE_TEXT = 15.0  # the names of the shapes
+# lines lie on top of each other in this order: what guides, the shapes, then what the step is about
+LAYERS = {"guide": 0, "faint": 1, "plain": 2, "strong": 3, "interval": 4, "bracket": 5}
 
 
-def text_size(weight: str) -> float:
-    """A label's size in points."""
-    return TITLE_TEXT if weight == "title" else TEXT
+class Look(NamedTuple):
+    """How every pen draws a mark: finished numbers, lengths in points."""
+
+    kind: str
+    role: str
+    layer: int = 0  # of its line
+    width: float = 0.0  # 0: it has no line
+    dash: tuple[float, ...] = ()  # in widths
+    opacity: float = 1.0
+    fill: float = 0.0  # the opacity of its inside
+    size: float = 0.0  # a dot's width or the letters' size
+    square: bool = False  # a dot else is round
+    bold: bool = False
+    head: tuple[float, float] = (0.0, 0.0)  # an arrow head's length and width
+
+
+@cache
+def look(kind: str, role: str, weight: str) -> Look:
+    """The look of a mark of that kind, role and weight."""
+    faint, strong = weight == "faint", weight == "strong"
+    if kind == "label":
+        bold = weight == "title"
+        return Look(kind, role, size=TITLE_TEXT if bold else TEXT, bold=bold)
+    if kind == "dot":
+        square = role == "B"
+        return Look(kind, role, size=DOT * 0.9 if square else DOT, square=square)
+    line = Look(kind, role, LAYERS.get(kind, LAYERS[weight]), OUTLINE, opacity=FAINT if faint else 1.0)
+    if kind in ("outline", "disc"):
+        fill = FILL / 3 if faint else FILL
+        return line._replace(width=GUIDE if faint else OUTLINE, dash=DASH if role == "B" else (), fill=fill)
+    if kind == "interval":
+        return line._replace(width=OVERLAP_BAR if role == "overlap" else BAR)
+    if kind == "arrow":
+        return line._replace(width=OUTLINE if strong or role in "AB" else AXIS, head=HEAD)
+    if role == "guide":
+        return line._replace(layer=LAYERS["guide"], width=GUIDE, dash=DOTTED)
+    if kind == "segment" or strong:
+        return line._replace(width=STRONG if strong else SEGMENT)
+    return line

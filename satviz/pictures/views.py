@@ -40,8 +40,8 @@ def world(trace: Trace, *, title: str = "") -> Picture:
     layout = scene_layout(trace)
     sketch = Sketch(trace, layout)
     sketch.shapes()
-    for i, test in enumerate(trace.tests):
-        sketch.axis(test, layout.places[i], i + 1)
+    for test, place in zip(trace.tests, layout.places, strict=True):
+        sketch.axis(test, place)
     # projecting starts with y, as in the article, but one says x and y
     names = sorted(telling.axis_name(t.axis, (trace.a, trace.b), trace.names) for t in trace.tests)
     return sketch.finish(title, f"{telling.both(trace)} They will be projected on {telling.listed(names)}.")
@@ -53,8 +53,8 @@ def at_once(trace: Trace, *, kinds: Sequence[str] = (EDGE, WORLD, GIVEN), title:
     layout = arrange([trace.a, trace.b], [t for _, t in chosen], together=True)
     sketch = Sketch(trace, layout)
     sketch.shapes()
-    for (i, test), place in zip(chosen, layout.places, strict=True):
-        sketch.project(test, place, i + 1)
+    for (_, test), place in zip(chosen, layout.places, strict=True):
+        sketch.project(test, place)
     if trace.false_hit:
         sketch.note("false-hit", FALSE_HIT, "overlap")
     rest = [
@@ -72,19 +72,18 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
     """The separating axis and the separating line, each named: the line runs across the axis."""
     test, certificate = trace.separating, trace.certificate
     assert test and isinstance(certificate, SeparatingLine)  # it is for shapes that an axis separates
-    i = trace.tests.index(test)
     layout = scene_layout(trace)
     sketch = Sketch(trace, layout)
     sketch.shapes()
-    sketch.axis(test, layout.places[i], i + 1)
+    place = layout.places[trace.tests.index(test)]
+    sketch.axis(test, place)
     name = telling.axis_name(test.axis, (trace.a, trace.b), trace.names)
-    place = layout.places[i]
     text = f"separating axis: {name.removeprefix('the ').removesuffix(' axis')}"
     along = tuple(place.at(place.lo + (place.hi - place.lo) * part) for part in (0.5, 0.2, 0.8))
-    sketch.label("axis.caption", text, "ink", along[0], along=along[1:], prefer=place.out, first=1)
+    sketch.label("axis-caption", text, "ink", along[0], along=along[1:], prefer=place.out, first=1)
     for role in "AB":
-        sketch.range(test, place, i + 1, role)
-    sketch.gap(test, place, i + 1)
+        sketch.range(test, place, role)
+    sketch.gap(test, place)
     line = telling.line(certificate)
     separating_line(sketch, certificate, f"separating line: {line}")
     return sketch.finish(
@@ -93,7 +92,7 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
 
 
 def radii(trace: Trace, *, title: str = "") -> Picture:
-    """Two circles: centres, radii, and the distance between the centres against the sum of the radii."""
+    """Two circles: centers, radii, and the distance between the centers against the sum of the radii."""
     a, b, test = trace.a, trace.b, trace.tests[0]
     assert isinstance(a, Circle) and isinstance(b, Circle)
     layout = scene_layout(trace)
@@ -102,22 +101,22 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
     sketch.shapes()
     sketch.add("distance", "segment", "ink", p, q)
     for role, circle in ("A", a), ("B", b):
-        sketch.add(f"{role}.center", "dot", role, circle.center)
+        sketch.add("center", "dot", role, circle.center, owner=role)
         across = Vec(-test.axis.direction.y, test.axis.direction.x)
         rim = Vec(circle.center.x + across.x * circle.radius, circle.center.y + across.y * circle.radius)
-        sketch.add(f"{role}.radius", "segment", role, circle.center, rim)
+        sketch.add("radius", "segment", role, circle.center, rim, owner=role)
         half = sketch.middle(circle.center, rim)
         text = f"r{'12'[role == 'B']} = {telling.number(circle.radius)}"
-        sketch.label(f"{role}.radius.name", text, role, half, prefer=Vec(-1.0, 0.3), first=1)
+        sketch.label("radius-name", text, role, half, owner=role, prefer=Vec(-1.0, 0.3), first=1)
     # on this axis the gap is the distance less both radii, so the trace has the distance
     reach = a.radius + b.radius
     distance = telling.number(test.gap + reach)
     compare = ">" if test.gap > 0 else "<" if test.gap < 0 else "="
-    sketch.label("distance.name", f"distance {distance}", "ink", sketch.middle(p, q), prefer=Vec(0.3, -1.0), first=1)
+    sketch.label("distance-name", f"distance {distance}", "ink", sketch.middle(p, q), prefer=Vec(0.3, -1.0), first=1)
     for role in "AB":
-        sketch.range(test, layout.places[0], 1, role)
-    sketch.axis(test, layout.places[0], 1)
-    sketch.gap(test, layout.places[0], 1)
+        sketch.range(test, layout.places[0], role)
+    sketch.axis(test, layout.places[0])
+    sketch.gap(test, layout.places[0])
     words = f"distance {distance} {compare} r1 + r2 = {telling.number(reach)}"
     sketch.note("verdict", words, "ink", first=2)
     return sketch.finish(
@@ -135,8 +134,8 @@ def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title:
     place = layout.places[0]
     sketch = Sketch(trace, layout)
     sketch.shape(role, name, circle, named=False)
-    sketch.axis(test, place, number + 1, told=False)
-    sketch.label("axis.caption", "axis, direction n", "ink", place.at(place.hi), prefer=test.axis.direction, first=1)
+    sketch.axis(test, place, told=False)
+    sketch.label("axis-caption", "axis, direction n", "ink", place.at(place.hi), prefer=test.axis.direction, first=1)
     sketch.add("center", "dot", role, circle.center)
     p2, p1 = side.points
     n = test.axis.direction
@@ -144,20 +143,20 @@ def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title:
         rim = Vec(circle.center.x - n.y * circle.radius, circle.center.y + n.x * circle.radius)
         sketch.add("radius", "segment", role, circle.center, rim)
         text = f"radius r = {telling.number(circle.radius)}"
-        sketch.label("radius.name", text, role, sketch.middle(circle.center, rim), prefer=n, first=1)
-        sketch.label("center.name", "center C", role, circle.center, prefer=Vec(0.0, -1.0), first=2)
+        sketch.label("radius-name", text, role, sketch.middle(circle.center, rim), prefer=n, first=1)
+        sketch.label("center-name", "center C", role, circle.center, prefer=Vec(0.0, -1.0), first=2)
         words = f"A circle has no edges: its center C {telling.vector(circle.center)} and radius"
         return sketch.finish(title, f"{words} {telling.number(circle.radius)} are all that a projection needs.")
     sketch.add("diameter", "segment", role, p2, p1)
-    sketch.label("center.name", "C", role, circle.center, prefer=Vec(-n.y, n.x), first=2)
-    for label, point, landing, sign in ("P1", p1, side.landings[1], "+"), ("P2", p2, side.landings[0], "-"):
+    sketch.label("center-name", "C", role, circle.center, prefer=Vec(-n.y, n.x), first=2)
+    for i, point, landing, sign in (1, p1, side.landings[1], "+"), (2, p2, side.landings[0], "-"):
         spot = place.at(landing)
-        sketch.add(f"{label}.drop", "segment", "guide", point, spot)
-        sketch.add(label, "dot", role, point)
-        sketch.add(f"{label}.landing", "dot", role, spot)
+        sketch.add("drop", "segment", "guide", point, spot, number=i)
+        sketch.add("dropped", "dot", role, point, number=i)
+        sketch.add("landing", "dot", role, spot, number=i)
         away = Vec(point.x - circle.center.x, point.y - circle.center.y)
-        sketch.label(f"{label}.name", f"{label} = C {sign} r n", role, point, prefer=away, first=1)
-        sketch.label(f"{label}.value", telling.number(landing), role, spot, prefer=place.out, first=1)
+        sketch.label("dropped-name", f"P{i} = C {sign} r n", role, point, number=i, prefer=away, first=1)
+        sketch.label("landing-name", telling.number(landing), role, spot, number=i, prefer=place.out, first=1)
     return sketch.finish(
         title,
         f"The extremes along an axis of direction n = {telling.vector(n)} are P1 = C + r n {telling.vector(p1)} "
@@ -178,12 +177,12 @@ def failed_lines(trace: Trace, *, most: int = 3, title: str = "") -> Picture:
     for i, test in enumerate(best[:most], 1):
         a, b, n = test.a.interval, test.b.interval, test.axis.direction
         middle = (max(a.lo, b.lo) + min(a.hi, b.hi)) / 2
-        ends = sketch.line_across(f"line.{i}", Vec(n.x * middle, n.y * middle), n, "overlap")
+        ends = sketch.line_across("failed-line", Vec(n.x * middle, n.y * middle), n, "overlap", i)
         x0, y0, x1, y1 = layout.limits
         end = max(ends, key=lambda p: hypot(p.x - x0, p.y - y0) + (p.y - y0) * 0.1)
         inwards = Vec((x0 + x1) / 2 - end.x, (y0 + y1) / 2 - end.y)
         text = f"fails: gap {telling.signed(test.gap)}"
-        sketch.label(f"line.{i}.name", text, "overlap", end, prefer=inwards, first=1)
+        sketch.label("failed-line-name", text, "overlap", end, number=i, prefer=inwards, first=1)
     worst = telling.number(best[0].gap)
     return sketch.finish(
         title,
@@ -201,12 +200,10 @@ def split(trace: Trace, *, title: str = "") -> Picture:
     places = iter(layout.places)
     for pair, test in zip(trace.pairs, tests, strict=True):
         if test:
-            place = next(places)
-            inner = Sketch(pair, layout)
-            inner.project(test, place, pair.tests.index(test) + 1)
-            tag = f"{pair.names.a}.{pair.names.b}."
-            sketch.marks += [mark._replace(id=tag + mark.id) for mark in inner.marks]
-            sketch.requests += [(first, request._replace(id=tag + request.id)) for first, request in inner.requests]
+            inner = Sketch(pair, layout, f"{pair.names.a}.{pair.names.b}.")
+            inner.project(test, next(places))
+            sketch.marks += inner.marks
+            sketch.requests += inner.requests
     parts = [f"{n} is {telling.listed([p for _, p in found])}" for n, found in _split_shapes(trace)]
     return sketch.finish(title, f"{'; '.join(parts)}. {' '.join(p.sentence for p in trace.pairs)} {trace.sentence}")
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from math import hypot
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.collections import PathCollection
@@ -11,20 +11,14 @@ from matplotlib.path import Path
 from matplotlib.text import Text
 
 from ..engine.geometry import Vec
-from ..pictures import theme as look
-from ..pictures.marks import Mark, Picture
+from ..pictures import LIGHT, Mark, Picture, Theme
+from ..pictures.theme import Look
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-# drawing order: fills, then what guides, then the shapes, then what the step is about
-LAYERS = {"guide": 0, "faint": 1, "plain": 2, "strong": 3, "interval": 4, "bracket": 5}
-
-Colour = tuple[float, float, float, float]
-Style = Literal["solid"] | tuple[float, Sequence[float]]
-Filled = tuple[Path, Colour]
-Stroke = tuple[int, Path, Colour, float, Style]  # layer, path, colour, width, line style
+Painted = tuple[Path, tuple[float, float, float, float]]  # and its colour
 
 
 class Pen:
@@ -34,7 +28,7 @@ class Pen:
     redraw quick.
     """
 
-    def __init__(self, ax: "Axes", theme: look.Theme = look.LIGHT) -> None:
+    def __init__(self, ax: "Axes", theme: Theme = LIGHT) -> None:
         self.ax = ax
         self.theme = theme
         ax.set_facecolor(theme.paper)
@@ -54,31 +48,30 @@ class Pen:
         Marks of one kind share a collection, so several ids may give one artist.
         """
         self._view(picture)
-        fills: list[Filled] = []
-        solids: list[Filled] = []
-        strokes: list[Stroke] = []
+        fills: list[Painted] = []
+        solids: list[Painted] = []
+        strokes: list[tuple[Look, Painted]] = []
         artists: dict[str, Artist] = {}
         labels = [mark for mark in picture.marks if mark.kind == "label"]
         for mark in picture.marks:
             if mark.kind == "label":
                 continue
-            colour = self.theme.roles[mark.role]
+            colour, look = self.theme.roles[mark.role], mark.look
             artists[mark.id] = self.solids if mark.kind == "dot" else self.strokes
-            if mark.kind in ("outline", "disc"):
-                fills.append((_outline(mark), to_rgba(colour, look.FILL / (3 if mark.weight == "faint" else 1))))
-            if mark.kind == "dot":
-                solids.append((_dot(mark, picture.scale), to_rgba(colour)))
-            else:
-                strokes.append(self._stroke(mark, picture.scale, colour))
-            if mark.kind == "arrow":
-                solids.append((_head(mark, picture.scale), to_rgba(colour)))
-        strokes.sort(key=lambda stroke: stroke[0])
-        _fill(self.fills, fills)
-        _fill(self.solids, solids)
-        self.strokes.set_paths([stroke[1] for stroke in strokes])
-        self.strokes.set_edgecolor([stroke[2] for stroke in strokes])
-        self.strokes.set_linewidth([stroke[3] for stroke in strokes])
-        self.strokes.set_linestyle([stroke[4] for stroke in strokes])
+            if look.fill:
+                fills.append((_line(mark, picture.scale), to_rgba(colour, look.fill)))
+            if look.width:
+                strokes.append((look, (_line(mark, picture.scale), to_rgba(colour, look.opacity))))
+            if mark.kind in ("dot", "arrow"):
+                solids.append((_solid(mark, picture.scale), to_rgba(colour)))
+        strokes.sort(key=lambda stroke: stroke[0].layer)
+        for collection, painted in (self.fills, fills), (self.solids, solids):
+            collection.set_paths([path for path, _ in painted])
+            collection.set_facecolor([rgba for _, rgba in painted])
+        self.strokes.set_paths([path for _, (path, _) in strokes])
+        self.strokes.set_edgecolor([rgba for _, (_, rgba) in strokes])
+        self.strokes.set_linewidth([look.width for look, _ in strokes])
+        self.strokes.set_linestyle([(0, look.dash) if look.dash else "solid" for look, _ in strokes])
         self._write(labels, artists)
         return artists
 
@@ -93,97 +86,52 @@ class Pen:
         self.ax.set_ylim(y0, y1)
         self.ax.set_aspect("equal", adjustable="box")
 
-    def _stroke(self, mark: Mark, scale: float, colour: str) -> Stroke:
-        """One mark's line."""
-        faint = mark.weight == "faint"
-        width = look.OUTLINE
-        style: Style = "solid"
-        layer = LAYERS.get(mark.kind, LAYERS[mark.weight if mark.weight in LAYERS else "plain"])
-        if mark.kind in ("outline", "disc"):
-            path = _outline(mark)
-            width = look.GUIDE if faint else look.OUTLINE
-            style = (0, look.DASH) if mark.role == "B" else "solid"
-        else:
-            path = _line(_shaft(mark, scale) if mark.kind == "arrow" else mark.points, pieces=mark.kind == "segment")
-            if mark.kind == "interval":
-                width = look.OVERLAP_BAR if mark.role == "overlap" else look.BAR
-            elif mark.kind == "arrow":
-                width = look.OUTLINE if mark.weight == "strong" or mark.role in "AB" else look.AXIS
-            elif mark.role == "guide":
-                width, style, layer = look.GUIDE, (0, look.DOTTED), LAYERS["guide"]
-            elif mark.weight == "strong":
-                width = look.STRONG
-            elif mark.kind == "segment":
-                width = look.GUIDE * 1.5
-        return layer, path, to_rgba(colour, 0.55 if faint else 1), width, style
-
     def _write(self, labels: Sequence[Mark], artists: "dict[str, Artist]") -> None:
         while len(self.texts) < len(labels):
-            text = self.ax.text(
-                0,
-                0,
-                "",
-                ha="center",
-                va="center",
-                fontfamily="sans-serif",
-                parse_math=False,
-                zorder=4,
-                linespacing=1.2,
-                clip_on=False,
-            )
+            text = self.ax.text(0, 0, "", fontfamily="sans-serif", parse_math=False, zorder=4, clip_on=False)
+            text.set(ha="center", va="center", linespacing=1.2)
             self.texts.append(text)
         for text, mark in zip(self.texts, labels):
             text.set_position(mark.points[0])
             text.set_text(mark.text)
             text.set_color(self.theme.text.get(mark.role, self.theme.roles[mark.role]))
-            text.set_fontsize(look.text_size(mark.weight))
-            text.set_fontweight("bold" if mark.weight == "title" else "normal")
+            text.set_fontsize(mark.look.size)
+            text.set_fontweight("bold" if mark.look.bold else "normal")
             text.set_visible(True)
             artists[mark.id] = text
         for text in self.texts[len(labels) :]:
             text.set_visible(False)
 
 
-def _fill(collection: PathCollection, shapes: Sequence[Filled]) -> None:
-    collection.set_paths([path for path, _ in shapes])
-    collection.set_facecolor([colour for _, colour in shapes])
-
-
-def _line(points: Sequence[Vec], *, pieces: bool) -> Path:
-    codes = [Path.MOVETO, Path.LINETO] * (len(points) // 2) if pieces else None
+def _line(mark: Mark, scale: float) -> Path:
+    """A mark's line, which is the rim of what is filled."""
+    points = mark.points
+    if mark.kind == "disc":
+        return Path.circle(points[0], mark.radius)
+    if mark.kind == "outline":
+        return Path(np.asarray([*points, points[0]], dtype=float), closed=True)
+    if mark.kind == "arrow":
+        u, tip, length, _ = _arrow(mark, scale)
+        points = points[0], Vec(tip.x - u.x * length * 0.8, tip.y - u.y * length * 0.8)
+    codes = [Path.MOVETO, Path.LINETO] * (len(points) // 2) if mark.kind == "segment" else None
     return Path(np.asarray(points, dtype=float), codes)
 
 
-def _outline(mark: Mark) -> Path:
-    if mark.kind == "disc":
-        return Path.circle(mark.points[0], mark.radius)
-    return Path(np.asarray([*mark.points, mark.points[0]], dtype=float), closed=True)
-
-
-def _dot(mark: Mark, scale: float) -> Path:
-    """Round for A, square for B."""
-    r = look.DOT / 2 / scale
-    (x, y) = mark.points[0]
-    if mark.role == "B":
-        r *= 0.9
+def _solid(mark: Mark, scale: float) -> Path:
+    """A dot, or an arrow's head."""
+    if mark.kind == "arrow":
+        u, tip, length, half = _arrow(mark, scale)
+        bx, by = tip.x - u.x * length, tip.y - u.y * length
+        return Path([tip, (bx - u.y * half, by + u.x * half), (bx + u.y * half, by - u.x * half), tip], closed=True)
+    (x, y), r = mark.points[0], mark.look.size / 2 / scale
+    if mark.look.square:
         return Path([(x - r, y - r), (x + r, y - r), (x + r, y + r), (x - r, y + r), (x - r, y - r)], closed=True)
     return Path.circle((x, y), r)
 
 
 def _arrow(mark: Mark, scale: float) -> tuple[Vec, Vec, float, float]:
-    (tail, tip), (length, width) = mark.points, look.HEAD
+    """An arrow's direction and tip, its head's length and half its width in scene units."""
+    (tail, tip), (length, width) = mark.points, mark.look.head
     size = hypot(tip.x - tail.x, tip.y - tail.y) or 1.0
     u = Vec((tip.x - tail.x) / size, (tip.y - tail.y) / size)
     return u, tip, min(length / scale, size), width / 2 / scale
-
-
-def _shaft(mark: Mark, scale: float) -> Sequence[Vec]:
-    u, tip, length, _ = _arrow(mark, scale)
-    return mark.points[0], Vec(tip.x - u.x * length * 0.8, tip.y - u.y * length * 0.8)
-
-
-def _head(mark: Mark, scale: float) -> Path:
-    u, tip, length, half = _arrow(mark, scale)
-    bx, by = tip.x - u.x * length, tip.y - u.y * length
-    left, right = (bx - u.y * half, by + u.x * half), (bx + u.y * half, by - u.x * half)
-    return Path([tip, left, right, tip], closed=True)

@@ -1,12 +1,10 @@
-"""The browser's side, put together from its files: one module of JavaScript, one style sheet, the theme in both."""
+"""The browser's side, put together from its files: one module of JavaScript, one style sheet with the themes."""
 
-import json
 import re
 from functools import cache
 from importlib.resources import files
 
 from ..pictures import DARK, LIGHT, Theme
-from ..pictures import theme as look
 
 _EXPORT = re.compile(r"^export (?=class|function)", re.MULTILINE)  # one module needs none between its files
 
@@ -17,13 +15,8 @@ LIGHT_BODIES = 'body[data-jp-theme-light="true"]', "body.vscode-light"
 
 @cache
 def javascript(*names: str) -> str:
-    """The named files (pen, player ...) as one module, after the theme's numbers."""
-    numbers: dict[str, float | tuple[float, float]]
-    numbers = {"outline": look.OUTLINE, "strong": look.STRONG, "bar": look.BAR, "overlapBar": look.OVERLAP_BAR}
-    numbers |= {"guide": look.GUIDE, "axis": look.AXIS, "fill": look.FILL, "dot": look.DOT, "head": look.HEAD}
-    numbers |= {"dash": look.DASH, "dotted": look.DOTTED, "text": look.TEXT, "titleText": look.TITLE_TEXT}
-    parts = [f"const LOOK = {json.dumps(numbers)};", *(_EXPORT.sub("", _file(f"{name}.js")) for name in names)]
-    return "\n".join(parts)
+    """The named files (pen, player ...) as one module."""
+    return "\n".join(_EXPORT.sub("", _file(f"{name}.js")) for name in names)
 
 
 @cache

@@ -212,7 +212,7 @@ def _same(trace: Trace, again: Trace, where: str) -> None:
         raise InvalidScene(f"{where}.axes are not those of these shapes")
     if trace.every_axis != again.every_axis or len(trace.tests) != len(again.tests):
         raise InvalidScene(f"{where}.tests has {len(trace.tests)} tests where the run has {len(again.tests)}")
-    room = max(trace.a._reach, trace.b._reach) * ROUNDING
+    room = max(trace.a.reach, trace.b.reach) * ROUNDING
     for i, (test, ours) in enumerate(zip(trace.tests, again.tests)):
         same_sign = (test.gap > 0) == (ours.gap > 0) and (test.gap < 0) == (ours.gap < 0)
         if not same_sign or not _near((test.gap,), (ours.gap,), room):

@@ -22,8 +22,7 @@ EXAMPLES = {
     "satviz.engine.axes.directions": f"{TWO}\nsv.record(a, b, axes=sv.axes.directions((4, -1)))",
     "satviz.batch.Polygons": "sv.batch.Polygons([[(0, 0), (2, 0), (0, 2)], [(1, 1), (3, 1), (3, 3), (1, 3)]])",
     "satviz.batch.Circles": "sv.batch.Circles([(0, 0), (3, 0), (6, 0)], 1.5)",
-    "satviz.batch.relate": "coins = sv.batch.Circles([(0, 0), (3, 0), (7, 0)], 1.5)\n"
-    "sv.batch.relate(coins[0], coins)",
+    "satviz.batch.relate": "coins = sv.batch.Circles([(0, 0), (3, 0), (7, 0)], 1.5)\nsv.batch.relate(coins[0], coins)",
     "satviz.batch.colliding_pairs": "coins = sv.batch.Circles([(0, 0), (3, 0), (7, 0)], 1.5)\n"
     "sv.batch.colliding_pairs(coins)",
 }

@@ -42,9 +42,9 @@ def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme, *, named: bool = Tr
     width = ax.get_position().width * ax.figure.get_size_inches()[0] * 72
     scale = width / (x1 - x0)
     at = reference(row.b)
-    marks = [_outline("A", row.a), _outline("B", row.b, weight="faint"), Mark("at", "dot", "B", (at,))]
+    marks = [_outline("A", row.a), _outline("B", row.b, weight="faint"), Mark("reference", "dot", "B", (at,))]
     if named:
-        marks.append(Mark("A.name", "label", "A", (_name_spot(row, scale),), text="A", weight="title"))
+        marks.append(Mark("name", "label", "A", (_name_spot(row, scale),), owner="A", text="A", weight="title"))
     Pen(ax, theme).draw(Picture(tuple(marks), view, (width, (y1 - y0) * scale), "", ""))
     if not slide.path:
         frame = _boxes(_box(slide, 0, len(slide.codes[0]), 0, len(slide.codes)))
@@ -76,8 +76,8 @@ def _within(shape: Shape, p: Vec, reach: float) -> bool:
 
 def _outline(name: str, shape: Shape, *, weight: str = "plain") -> Mark:
     if isinstance(shape, Circle):
-        return Mark(name, "disc", name, (shape.center,), radius=shape.radius, weight=weight)
-    return Mark(name, "outline", name, shape.vertices, weight=weight)
+        return Mark("outline", "disc", name, (shape.center,), owner=name, radius=shape.radius, weight=weight)
+    return Mark("outline", "outline", name, shape.vertices, owner=name, weight=weight)
 
 
 def _cells(slide: Slide, code: str) -> Path | None:

@@ -153,12 +153,12 @@ class Explorer {
   follow() {
     const corners = ({ a, b }) => `${a.polygon?.length} ${b.polygon?.length}`;
     if (corners(this.pose) !== corners(this.state)) return; // other shapes: undone beyond a preset, not drawn yet
-    for (const key of this.ahead ? ["a", "b"] : []) {
-      const shape = this.pose[key];
-      const points = shape.polygon ?? [shape.circle];
-      this.pen.patch(`${key.toUpperCase()}.outline`, points, shape.radius);
-      points.forEach((p, i) => this.pen.patch(`${key.toUpperCase()}.vertex.${i}`, [p]));
-    }
+    const shapes = this.ahead ? { A: this.pose.a, B: this.pose.b } : {};
+    this.pen.patch(({ part, owner, number }) => {
+      const { polygon, circle, radius } = shapes[owner] ?? {};
+      if (part === "outline" && (polygon || circle)) return { points: polygon ?? [circle], radius };
+      return part === "vertex" && polygon ? { points: [polygon[number]] } : null;
+    });
     this.placeHandles();
   }
 
@@ -191,7 +191,7 @@ class Explorer {
     const off = 26 / this.pen.scale;
     const [[, top], [, bottom]] = [this.pen.scene([0, 14]), this.pen.scene([0, this.pen.height - 14])];
     const spots = [[x, Math.min(Math.max(...heights) + off, top)], [x, Math.max(Math.min(...heights) - off, bottom)]];
-    const axes = this.state.picture.marks.filter(({ id }) => /^axis\.\d+$/.test(id));
+    const axes = this.state.picture.marks.filter(({ part }) => part === "axis");
     const clear = (spot) => axes.every(({ points }) => distance(spot, points) * this.pen.scale > 16);
     return spots.find(clear) ?? spots[0];
   }

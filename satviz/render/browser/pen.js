@@ -1,5 +1,5 @@
 // The SVG pen: draws a picture's marks, keeps their elements, and moves them from step to step.
-// LOOK (weights, sizes, dashes in points) comes from pictures/theme.py; colours are CSS variables.
+// How a mark looks (layer, widths, dashes, sizes in points) comes with it; colours are CSS variables.
 
 const SVG = "http://www.w3.org/2000/svg";
 const MOVE_MS = 450;
@@ -19,7 +19,7 @@ export class Pen {
   // `svg`: the element to draw in.  Layers: fills, then strokes from guides to brackets, solids, labels.
   constructor(svg) {
     this.svg = svg;
-    this.drawn = new Map(); // id -> {mark, parts}
+    this.drawn = new Map(); // id -> {mark, look, parts}
     this.frame = 0;
     this.layers = Object.fromEntries(
       ["fill", "0", "1", "2", "3", "4", "5", "solid", "label"].map((name) => {
@@ -30,7 +30,7 @@ export class Pen {
     );
   }
 
-  // Show a picture {marks, limits, size, sentence}; `animate` moves what comes new or changes.
+  // Show a picture {marks, looks, limits, size, sentence}; `animate` moves what comes new or changes.
   draw(picture, { animate = false } = {}) {
     cancelAnimationFrame(this.frame);
     const before = this.drawn;
@@ -40,16 +40,17 @@ export class Pen {
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     for (const mark of picture.marks) {
       const old = before.get(mark.id);
-      const keep = old && old.mark.kind === mark.kind && old.mark.role === mark.role && old.mark.weight === mark.weight;
-      const entry = { mark, parts: keep ? old.parts : this.parts(mark) };
+      const look = picture.looks[mark.look];
+      const keep = old && JSON.stringify(old.look) === JSON.stringify(look);
+      const entry = { mark, look, parts: keep ? old.parts : this.parts(mark, look) };
       entry.parts.forEach((part) => part.removeAttribute("opacity")); // of a fade cut short
       if (!keep && old) old.parts.forEach((part) => part.remove());
       // in the order of the picture: later marks lie on top
       entry.parts.forEach((part) => part.parentNode.append(part));
       this.drawn.set(mark.id, entry);
       before.delete(mark.id);
-      if (mark.kind === "label") this.write(entry);
-      const from = animate && !still ? this.origin(mark, old, before) : null;
+      if (look.kind === "label") this.write(entry);
+      const from = animate && !still ? origin(entry, old) : null;
       this.place(entry, mark);
       if (from) moves.push({ entry, from });
     }
@@ -59,11 +60,7 @@ export class Pen {
   }
 
   view({ limits: [x0, y0, x1], size: [width, height] }) {
-    this.x0 = x0;
-    this.y0 = y0;
-    this.scale = width / (x1 - x0);
-    this.width = width;
-    this.height = height;
+    Object.assign(this, { x0, y0, width, height, scale: width / (x1 - x0) });
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
   }
 
@@ -75,41 +72,29 @@ export class Pen {
     return [x / this.scale + this.x0, (this.height - y) / this.scale + this.y0];
   }
 
-  // Move one mark by hand (a shape under the pointer), until the next picture says where it is.
-  patch(id, points, radius) {
-    const entry = this.drawn.get(id);
-    if (entry) this.place(entry, { ...entry.mark, points, radius: radius ?? entry.mark.radius });
+  // Move marks by hand (a shape under the pointer), until the next picture says where they are.
+  patch(where) {
+    for (const entry of this.drawn.values()) {
+      const there = where(entry.mark);
+      if (there) this.place(entry, { ...entry.mark, ...there });
+    }
   }
 
-  parts(mark) {
-    const make = (layer, tag, more = {}) => {
-      const classes = `sv-${mark.kind} sv-${mark.role} ${mark.weight ? `sv-${mark.weight}` : ""}`.trim();
-      const made = element(tag, { class: classes, "data-id": mark.id, ...more });
-      this.layers[layer].append(made);
-      return made;
+  parts({ id }, { kind, role, layer, width, dash, opacity, fill, size, bold }) {
+    const parts = [];
+    const make = (where, tag, more) => {
+      parts.push(element(tag, { "data-id": id, ...more }));
+      this.layers[where].append(parts.at(-1));
     };
-    const stroke = (tag) => {
-      const { layer, width, dash, faint } = strokeOf(mark);
-      return make(layer, tag, {
-        fill: "none",
-        stroke: `var(--sv-${mark.role})`,
-        "stroke-width": width,
-        "stroke-dasharray": dash ? dash.map((d) => d * width).join(" ") : null,
-        "stroke-opacity": faint ? 0.55 : null,
-        "stroke-linejoin": "round",
-      });
-    };
-    const colour = `var(--sv-${mark.role})`;
-    if (mark.kind === "label") {
-      const bold = mark.weight === "title";
-      const more = { fill: `var(--sv-text-${mark.role})`, "font-size": bold ? LOOK.titleText : LOOK.text };
-      return [make("label", "text", { "text-anchor": "middle", "font-weight": bold ? "bold" : null, ...more })];
-    }
-    if (mark.kind === "dot") return [make("solid", "path", { fill: colour })];
-    if (mark.kind === "arrow") return [stroke("path"), make("solid", "path", { fill: colour })];
-    if (mark.kind !== "outline" && mark.kind !== "disc") return [stroke("path")];
-    const opacity = LOOK.fill / (mark.weight === "faint" ? 3 : 1);
-    return [make("fill", "path", { fill: colour, "fill-opacity": opacity }), stroke("path")];
+    const colour = `var(--sv-${role})`;
+    const letters = { "font-size": size, "font-weight": bold ? "bold" : null, "text-anchor": "middle" };
+    if (kind === "label") make("label", "text", { fill: `var(--sv-text-${role})`, ...letters });
+    if (fill) make("fill", "path", { fill: colour, "fill-opacity": fill });
+    const dashes = dash ? dash.map((d) => d * width).join(" ") : null;
+    const line = { "stroke-width": width, "stroke-dasharray": dashes, "stroke-opacity": opacity ?? null, "stroke-linejoin": "round" };
+    if (width) make(layer ?? 0, "path", { fill: "none", stroke: colour, ...line });
+    if (kind === "dot" || kind === "arrow") make("solid", "path", { fill: colour });
+    return parts;
   }
 
   write({ mark, parts: [text] }) {
@@ -118,59 +103,34 @@ export class Pen {
     text.replaceChildren(...mark.text.split("\n").map((line) => Object.assign(element("tspan"), { textContent: line })));
   }
 
-  place({ parts }, mark) {
+  place({ look, parts }, mark) {
     const points = mark.points.map((p) => this.at(p));
     const d = (path) => parts.forEach((part) => part.setAttribute("d", path));
-    if (mark.kind === "label") {
+    if (look.kind === "label") {
       const [[x, y]] = points;
       const [text] = parts;
-      const size = mark.weight === "title" ? LOOK.titleText : LOOK.text;
       const lines = [...text.children];
       lines.forEach((line, i) => {
         line.setAttribute("x", round(x));
         // a letter's middle lies about a third of its size above the baseline
-        line.setAttribute("y", round(y + (i - (lines.length - 1) / 2) * size * 1.2 + size * 0.35));
+        line.setAttribute("y", round(y + (i - (lines.length - 1) / 2) * look.size * 1.2 + look.size * 0.35));
       });
       text.dataset.at = points[0].map(round).join(" ");
-    } else if (mark.kind === "dot") {
-      d(mark.role === "B" ? square(points[0], LOOK.dot * 0.45) : circle(points[0], LOOK.dot / 2));
-    } else if (mark.kind === "disc") {
+    } else if (look.kind === "dot") {
+      d((look.square ? square : circle)(points[0], look.size / 2));
+    } else if (look.kind === "disc") {
       d(circle(points[0], mark.radius * this.scale));
-    } else if (mark.kind === "outline") {
+    } else if (look.kind === "outline") {
       d(`${line(points)}Z`);
-    } else if (mark.kind === "arrow") {
-      const [shaft, head] = arrow(points);
+    } else if (look.kind === "arrow") {
+      const [shaft, head] = arrow(points, look.head);
       parts[0].setAttribute("d", shaft);
       parts[1].setAttribute("d", head);
-    } else if (mark.kind === "segment") {
-      let path = "";
-      for (let i = 0; i + 1 < points.length; i += 2) path += line(points.slice(i, i + 2));
-      d(path);
+    } else if (look.kind === "segment") {
+      d(line(points, 2));
     } else {
       d(line(points));
     }
-  }
-
-  // Where a mark moves from when it explains something; null: it is simply there.
-  origin(mark, old, before) {
-    if (mark.kind === "label") return old ? null : "fade";
-    if (old) {
-      const same = old.mark.points.length === mark.points.length;
-      return same && String(old.mark.points) !== String(mark.points) ? old.mark.points : null;
-    }
-    const [first] = mark.points;
-    if (mark.id.includes(".drop.")) return mark.points.map(() => first);
-    if (mark.id.includes(".landing.")) {
-      const from = this.drawn.get(mark.id.replace(".landing.", ".from."));
-      return from ? from.mark.points : "fade";
-    }
-    if (mark.kind === "interval" || mark.kind === "bracket") return mark.points.map(() => first);
-    if (/^axis\.\d+$/.test(mark.id)) {
-      const normal = this.drawn.get("normal") ?? before.get("normal"); // the normal pulled away from its edge
-      return normal ? normal.mark.points : "fade";
-    }
-    if (mark.id === "normal" || mark.id === "mtv") return mark.points.map(() => first);
-    return "fade";
   }
 
   move(moves) {
@@ -199,27 +159,18 @@ export class Pen {
   }
 }
 
-// Which layer, how wide and how dashed a mark's line is: the rules of the matplotlib pen.
-function strokeOf({ kind, role, weight }) {
-  const faint = weight === "faint";
-  if (kind === "outline" || kind === "disc") {
-    const width = faint ? LOOK.guide : LOOK.outline;
-    return { layer: faint ? "1" : "2", width, dash: role === "B" ? LOOK.dash : null, faint };
-  }
-  const layer = { interval: "4", bracket: "5" }[kind] ?? { faint: "1", strong: "3" }[weight] ?? "2";
-  if (kind === "interval") return { layer, width: role === "overlap" ? LOOK.overlapBar : LOOK.bar, faint };
-  if (kind === "arrow") {
-    return { layer, width: weight === "strong" || role === "A" || role === "B" ? LOOK.outline : LOOK.axis, faint };
-  }
-  if (role === "guide") return { layer: "0", width: LOOK.guide, dash: LOOK.dotted, faint };
-  if (weight === "strong") return { layer, width: LOOK.strong, faint };
-  return { layer, width: kind === "segment" ? LOOK.guide * 1.5 : LOOK.outline, faint };
+// The points a mark moves from, "fade" for what only appears, null for what is simply there.
+function origin({ mark: { points, start }, look }, old) {
+  if (look.kind === "label") return old ? null : "fade";
+  if (!old) return start ? points.map((_, i) => start[i] ?? start[0]) : "fade";
+  const from = old.mark.points;
+  return from.length === points.length && String(from) !== String(points) ? from : null;
 }
 
 const round = (value) => Math.round(value * 1000) / 1000;
 
-function line(points) {
-  return points.map(([x, y], i) => `${i ? "L" : "M"}${round(x)} ${round(y)}`).join("");
+function line(points, piece = points.length) {
+  return points.map(([x, y], i) => `${i % piece ? "L" : "M"}${round(x)} ${round(y)}`).join("");
 }
 
 function circle([x, y], r) {
@@ -228,13 +179,13 @@ function circle([x, y], r) {
 }
 
 function square([x, y], r) {
-  return `${line([[x - r, y - r], [x + r, y - r], [x + r, y + r], [x - r, y + r]])}Z`;
+  return `${line([[x - r, y + r], [x + r, y + r], [x + r, y - r], [x - r, y - r]])}Z`;
 }
 
-function arrow([[x0, y0], [x1, y1]]) {
+function arrow([[x0, y0], [x1, y1]], [most, width]) {
   const size = Math.hypot(x1 - x0, y1 - y0) || 1;
   const [ux, uy] = [(x1 - x0) / size, (y1 - y0) / size];
-  const [length, half] = [Math.min(LOOK.head[0], size), LOOK.head[1] / 2];
+  const [length, half] = [Math.min(most, size), width / 2];
   const [bx, by] = [x1 - ux * length, y1 - uy * length];
   const head = [[x1, y1], [bx + uy * half, by - ux * half], [bx - uy * half, by + ux * half]];
   return [line([[x0, y0], [x1 - ux * length * 0.8, y1 - uy * length * 0.8]]), `${line(head)}Z`];
