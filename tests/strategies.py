@@ -777,6 +777,28 @@ def mixed_magnitudes(rng: Random) -> Pair:
     return convex(a), convex(b)
 
 
+def one_out_of_range(rng: Random) -> Pair:
+    """An ordinary polygon and, on a corner or an edge of it, one whose products overflow or vanish."""
+    ring = few_corners(rng)
+    i = rng.randrange(len(ring))
+    p, q = ring[i], ring[(i + 1) % len(ring)]
+    at = p if rng.random() < 0.6 else (p[0] + q[0], p[1] + q[1])
+    even = 1 if at is p else 2
+    power = rng.choice((0, 0, -8, 8, 30))
+    a = [(math.ldexp(even * x - at[0], power), math.ldexp(even * y - at[1], power)) for x, y in ring]
+    size = rng.choice((rng.randint(400, 1000), rng.randint(-1050, -400)))
+
+    def wild() -> float:
+        return rng.choice((-1, 1, 1)) * math.ldexp(rng.uniform(1, 2), size + rng.choice((0, 0, 0, -1, -20, 20)))
+
+    touched = (rng.choice((0.0, 0.0, 5e-324, -5e-324, 1e-300)), 0.0)
+    b = [touched[:: rng.choice((-1, 1))], *((wild(), wild()) for _ in range(rng.choice((2, 2, 3))))]
+    turns = rng.randrange(4)
+    for _ in range(turns):
+        b = [(-y, x) for x, y in b]
+    return convex(a), convex(b)
+
+
 def dress(rng: Random, ring: Sequence[Point]) -> Ring:
     """The same outline with midpoints (exact on even grids), repeats, a closing vertex, the other way round."""
     full: Ring = []
@@ -811,5 +833,6 @@ CONVEX: dict[str, Callable[[Random], Pair]] = {
     "smallest scale": smallest_scale,
     "largest scale": largest_scale,
     "wild triangles": mixed_magnitudes,
+    "one out of range": one_out_of_range,
 }
 KINDS = CONVEX | {"concave": partial(about_a_point, "concave"), "in the notch": concave_notch}

@@ -23,9 +23,7 @@ class _Shape:
     radius: float  # 0 for a polygon
     is_convex: bool
     is_upright_box: bool  # a rectangle with its sides along x and y
-    bounds: tuple[
-        float, float, float, float
-    ]  # x min, y min, x max, y max; a circle's are rounded outwards
+    bounds: tuple[float, float, float, float]  # x min, y min, x max, y max; a circle's are rounded outwards
     reach: float  # the largest coordinate's magnitude
     span: float  # the largest edge component's magnitude
     slabs: tuple[Slab, ...] | None  # per edge direction (nx, ny, lo, hi), see _slabs; None for circles and concave ones

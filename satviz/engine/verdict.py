@@ -70,6 +70,8 @@ def _in_doubt(a: Shape, b: Shape, reach: float) -> Relation:
     best = -1
     for own, points in (a, b.core), (b, a.core):
         room = own.span * reach
+        if not LEAST_ROOM < room < MOST_ROOM:
+            return relate_integers(*aligned(a, b)[:3])
         p = own.core[-1]
         for q in own.core:
             nx, ny = q.y - p.y, p.x - q.x
