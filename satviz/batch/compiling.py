@@ -1,13 +1,21 @@
-"""How kernels are compiled with numba: the GIL released, kept on disk, the same rounding as Python."""
+"""How kernels are compiled with numba: the GIL released, kept on disk, rounding as Python does."""
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import TypeVar, cast
 
 from numba import njit
 
 Kernel = TypeVar("Kernel", bound=Callable[..., object])
 
+HERE = Path(__file__).parent
+SOURCES = [*sorted(HERE.glob("*.py")), *(HERE.parent / "engine" / f"{name}.py" for name in ("exact", "verdict"))]
+STAMP = tuple((path.stat().st_mtime_ns, path.stat().st_size) for path in SOURCES)
+
 
 def compiled(kernel: Kernel) -> Kernel:
     """The kernel compiled at its first call; to type checkers the function that it was."""
-    return cast(Kernel, njit(nogil=True, cache=True, error_model="numpy")(kernel))
+    made = njit(nogil=True, cache=True, error_model="numpy")(kernel)
+    # numba would keep what it compiled until the kernel's own file changes; it holds calls and constants of others too
+    made._cache._cache_file._source_stamp = STAMP  # noqa: SLF001
+    return cast(Kernel, made)

@@ -15,6 +15,7 @@ from . import undecided
 from .arrays import Group, Shapes, checked
 from .chunks import CHUNK, Call, in_chunks
 from .filter_numpy import APART, UNDECIDED, room_64
+from .making import FEW
 
 Relations = NDArray[np.int8]
 Indices = NDArray[np.intp]
@@ -142,12 +143,13 @@ def _picked(shapes: Shapes, indices: Indices) -> tuple[Shapes, Indices]:
 
 def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | None) -> Relations:
     """Pairs start to stop of a[i] with b[i], or of one with many."""
-    one, other = a.uniform, b.uniform
-    if not (one and other and len(a) == len(b)):
+    kernels = engine_of(engine)
+    side_by_side = len(a) == len(b) and (kernels.picked is None or a.count.max(initial=0) <= FEW)
+    one, other = (a.uniform, b.uniform) if side_by_side else (None, None)
+    if one is None or other is None:
         indices = np.arange(start, stop)
         zeros = np.zeros(stop - start, np.intp)
         return _relate_some(a, indices if len(a) > 1 else zeros, b, indices if len(b) > 1 else zeros, engine)
-    kernels = engine_of(engine)
     out = np.empty(stop - start, np.int8)
     for first in range(start, stop, kernels.block):
         last = min(first + kernels.block, stop)

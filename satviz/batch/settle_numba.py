@@ -29,69 +29,85 @@ def settled(
 
     `reach`: both largest coordinates together; `terms`: scratch.
     """
+    i, j = i0, j0
     if max(i1 - i0, j1 - j0) > FEW:
-        found = _soon(x, y, i0, i1, p, q, j0, j1, reach)
+        found, i, j = _soon(x, y, i0, i1, p, q, j0, j1, reach)
         if found != UNDECIDED:
             return found
-    side = _side(x, y, i0, i1, p, q, j0, j1, reach, terms)
-    if side > 0:
-        return APART
-    other = UNKNOWN if side == UNKNOWN else _side(p, q, j0, j1, x, y, i0, i1, reach, terms)
-    if other == UNKNOWN:
-        return UNDECIDED
-    side = max(side, other)
-    return APART if side > 0 else OVERLAPPING if side < 0 else TOUCHING
+    # the edges at the corners where the search ended tell most touching shapes; then around both
+    k, m = j, i
+    for first, last in ((0, 2), (2, max(i1 - i0, j1 - j0))):
+        for n in range(first, min(last, i1 - i0)):
+            end = i + n if i + n < i1 else i + n - (i1 - i0)
+            side, k = _side(x, y, i0, i1, end, p, q, j0, j1, k, reach, terms)
+            if side != OVERLAPPING:
+                return side
+        for n in range(first, min(last, j1 - j0)):
+            end = j + n if j + n < j1 else j + n - (j1 - j0)
+            side, m = _side(p, q, j0, j1, end, x, y, i0, i1, m, reach, terms)
+            if side != OVERLAPPING:
+                return side
+    return OVERLAPPING
 
 
 @compiled
 def _side(
-    x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, reach: float, terms: Array
-) -> int:
-    """1 if some edge of the first has the second strictly beyond it, 0 if at best on it, else -1; UNKNOWN out of range.
+    x: Array, y: Array, i0: int, i1: int, end: int, p: Array, q: Array, j0: int, j1: int, k: int, reach: float,
+    terms: Array,
+) -> tuple[int, int]:  # fmt: skip
+    """What the edge that ends in a corner tells, and the corner of the other shape that is lowest along its normal.
 
-    The lowest corner along the normals, which turn left, is walked to from one to the next; the corners
-    within the room of zero stand in a row about it.
+    APART where all corners lie beyond it.  Where some lie on its line and none before, the shapes can only
+    meet there: TOUCHING, or APART, as their ranges on the line tell.  OVERLAPPING for now where one lies before.
     """
-    best, k, walk, many = -1, j0, j1 - j0 > FEW, j1 - j0
-    ex, ey = x[i1 - 1], y[i1 - 1]
+    start = end - 1 if end > i0 else i1 - 1
+    ex, ey, fx, fy = x[start], y[start], x[end], y[end]
+    nx, ny = fy - ey, ex - fx
+    at, walk = nx * ex + ny * ey, j1 - j0 > FEW
+    room = (abs(nx) + abs(ny)) * reach * WALKED
+    if not (room > LEAST_ROOM and room < MOST_ROOM):
+        return UNDECIDED, k
     if walk:
-        k = _lowest(p, q, j0, j1, y[i0] - ey, ex - x[i0])
-    for i in range(i0, i1):
-        nx, ny = y[i] - ey, ex - x[i]
-        at = nx * ex + ny * ey
-        room = (abs(nx) + abs(ny)) * reach * WALKED
-        if not (room > LEAST_ROOM and room < MOST_ROOM):
-            return UNKNOWN
-        if walk:
-            k = _on(p, q, j0, j1, k, nx, ny)
-            least = nx * p[k] + ny * q[k] - at
-        else:
-            least = np.inf
-            for j in range(j0, j1):
-                least = min(least, nx * p[j] + ny * q[j])
-            least -= at
-        if least > room:
-            return 1
-        if least >= -room:
-            side = 1
-            j = k
-            for _ in range(many):
-                if nx * p[j] + ny * q[j] - at <= 3 * room:
-                    side = min(side, turn(x[i], y[i], ex, ey, p[j], q[j], terms))
-                elif walk:
-                    break
-                j = j + 1 if j + 1 < j1 else j0
-            j = k
-            for _ in range(many if walk else 0):
+        k = _down(p, q, j0, j1, k, nx, ny)
+        least = nx * p[k] + ny * q[k] - at
+    else:
+        least = np.inf
+        for j in range(j0, j1):
+            least = min(least, nx * p[j] + ny * q[j])
+        least -= at
+    if least > room:
+        return APART, k
+    if least < -room:
+        return OVERLAPPING, k
+    # the exact sign of every corner within the room of zero: where floats walk, these stand in a row about the lowest
+    lo_x = lo_y = np.inf
+    hi_x = hi_y = -np.inf
+    for way in range(2 if walk else 1):
+        j = k
+        for _ in range(j0, j1):
+            if way == 1:
                 j = j - 1 if j > j0 else j1 - 1
-                if nx * p[j] + ny * q[j] - at > 3 * room:
-                    break
-                side = min(side, turn(x[i], y[i], ex, ey, p[j], q[j], terms))
-            if side == UNKNOWN or side > 0:
-                return side
-            best = max(best, side)
-        ex, ey = x[i], y[i]
-    return best
+            if nx * p[j] + ny * q[j] - at <= 3 * room:
+                sign = turn(fx, fy, ex, ey, p[j], q[j], terms)
+                if sign == UNKNOWN:
+                    return UNDECIDED, k
+                if sign < 0:
+                    return OVERLAPPING, k
+                if sign == 0:
+                    if p[j] < lo_x or (p[j] == lo_x and q[j] < lo_y):
+                        lo_x, lo_y = p[j], q[j]
+                    if p[j] > hi_x or (p[j] == hi_x and q[j] > hi_y):
+                        hi_x, hi_y = p[j], q[j]
+            elif walk:
+                break
+            if way == 0:
+                j = j + 1 if j + 1 < j1 else j0
+    if lo_x == np.inf:
+        return APART, k
+    if fx < ex or (fx == ex and fy < ey):
+        ex, ey, fx, fy = fx, fy, ex, ey
+    apart = fx < lo_x or (fx == lo_x and fy < lo_y) or hi_x < ex or (hi_x == ex and hi_y < ey)
+    return APART if apart else TOUCHING, k
 
 
 @compiled
@@ -106,13 +122,8 @@ def _on(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> i
 
 
 @compiled
-def _lowest(x: Array, y: Array, i0: int, i1: int, dx: float, dy: float) -> int:
-    """A corner as low along (dx, dy) as any, up to what walking may miss: the best of some, then on or back from it."""
-    k, least = i0, np.inf
-    for i in range(i0, i1, int(np.sqrt(i1 - i0))):
-        look = dx * x[i] + dy * y[i]
-        if look < least:
-            k, least = i, look
+def _down(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> int:
+    """From corner k on or back, down along (dx, dy) to the lowest: as low as any, up to what walking may miss."""
     end = _on(x, y, i0, i1, k, dx, dy)
     if end == k:
         for _ in range(i0, i1):
@@ -125,12 +136,25 @@ def _lowest(x: Array, y: Array, i0: int, i1: int, dx: float, dy: float) -> int:
 
 
 @compiled
-def _soon(x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, reach: float) -> int:
+def _lowest(x: Array, y: Array, i0: int, i1: int, dx: float, dy: float) -> int:
+    """The same from the best of some corners: no way is longer than they lie apart."""
+    k, least = i0, np.inf
+    for i in range(i0, i1, int(np.sqrt(i1 - i0))):
+        look = dx * x[i] + dy * y[i]
+        if look < least:
+            k, least = i, look
+    return _down(x, y, i0, i1, k, dx, dy)
+
+
+@compiled
+def _soon(
+    x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, reach: float
+) -> tuple[int, int, int]:
     """APART or OVERLAPPING where an axis or a shared point is found in a few steps, else UNDECIDED.
 
     The differences of B's corners and A's span a polygon about the origin if the shapes overlap: its lowest
     corner along an axis above zero proves a gap, a triangle of its corners about the origin a shared
-    point (Gilbert, Johnson and Keerthi 1988).
+    point (Gilbert, Johnson and Keerthi 1988).  With it the corners of both at which the search ended.
     """
     i, j = (i0 + i1) // 2, (j0 + j1) // 2
     dx, dy = (p[j0] - x[i0]) + (p[j] - x[i]), (q[j0] - y[i0]) + (q[j] - y[i])
@@ -141,9 +165,9 @@ def _soon(x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1:
         room = (abs(dx) + abs(dy)) * reach * WALKED
         at = dx * wx + dy * wy
         if not (room > LEAST_ROOM and room < MOST_ROOM) or abs(at) <= room:
-            return UNDECIDED
+            return UNDECIDED, i, j
         if at > room:
-            return APART
+            return APART, i, j
         if step == 0:
             ux, uy, dx, dy = wx, wy, wx, wy
             continue
@@ -152,21 +176,21 @@ def _soon(x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1:
         else:
             one, other = _cross(vx, vy, wx, wy), _cross(wx, wy, ux, uy)
             if one > 0 and other > 0:
-                return OVERLAPPING
+                return OVERLAPPING, i, j
             if one < 0:
                 ux, uy = wx, wy
             elif other < 0:
                 vx, vy = wx, wy
             else:
-                return UNDECIDED
+                return UNDECIDED, i, j
         side = _cross(ux, uy, vx, vy)
         if side < 0:
             ux, uy, vx, vy = vx, vy, ux, uy
         elif not side > 0:
-            return UNDECIDED
+            return UNDECIDED, i, j
         # the origin lies left of the way from u to v: what is looked for next lies beyond, down to the left
         dx, dy = vy - uy, ux - vx
-    return UNDECIDED
+    return UNDECIDED, i, j
 
 
 @compiled
@@ -184,15 +208,44 @@ def turn(px: float, py: float, qx: float, qy: float, rx: float, ry: float, terms
     size = abs(left) + abs(right)
     if abs(left - right) > ROUND * size and size > TINY and size < HUGE:
         return 1 if left > right else -1
+    if (rx == px and ry == py) or (rx == qx and ry == qy):
+        return 0
+    if _is_exact(qx, px) and _is_exact(qy, py) and _is_exact(rx, px) and _is_exact(ry, py):
+        # differences that lost nothing, as between points near each other: two products are left
+        a, b, c, d = qx - px, ry - py, qy - py, rx - px
+        if size < HUGE and _holds(a, b) and _holds(c, d):
+            terms[0], terms[2] = _product(a, b)
+            terms[1], terms[3] = _product(-c, d)
+            return _sign_of_sum(terms, 4)
     size = 0.0
     for i, (a, b) in enumerate(((px, qy), (-py, qx), (qx, ry), (-qy, rx), (rx, py), (-ry, px))):
-        product = a * b
-        if abs(product) < TINY and a != 0 and b != 0:
+        if not _holds(a, b):
             return UNKNOWN
-        (a1, a0), (b1, b0) = _split(a), _split(b)
-        terms[i], terms[6 + i] = ((a1 * b1 - product) + a0 * b1 + a1 * b0) + a0 * b0, product
-        size += abs(product)
-    return _sign_of_sum(terms) if size < HUGE else UNKNOWN
+        terms[i], terms[6 + i] = _product(a, b)
+        size += abs(a * b)
+    return _sign_of_sum(terms, TERMS) if size < HUGE else UNKNOWN
+
+
+@compiled
+def _is_exact(a: float, b: float) -> bool:
+    """Is the difference not rounded?"""
+    d = a - b
+    part = a - d
+    return (a - (d + part)) + (part - b) == 0
+
+
+@compiled
+def _holds(a: float, b: float) -> bool:
+    """Is the product either 0 or large enough to keep all its bits in two floats?"""
+    return abs(a * b) >= TINY or a == 0 or b == 0
+
+
+@compiled
+def _product(a: float, b: float) -> tuple[float, float]:
+    """(error, rounded product)."""
+    product = a * b
+    (a1, a0), (b1, b0) = _split(a), _split(b)
+    return ((a1 * b1 - product) + a0 * b1 + a1 * b0) + a0 * b0, product
 
 
 @compiled
@@ -204,9 +257,9 @@ def _split(a: float) -> tuple[float, float]:
 
 
 @compiled
-def _sign_of_sum(terms: Array) -> int:
-    """The exact sign of the sum; UNKNOWN where it takes too many passes.  The terms are used up."""
-    last = TERMS - 1
+def _sign_of_sum(terms: Array, count: int) -> int:
+    """The exact sign of the sum of the first terms; UNKNOWN where it takes too many passes.  The terms are used up."""
+    last = count - 1
     for _ in range(MOST_PASSES):
         rest = 0.0
         for i in range(last):
@@ -216,7 +269,7 @@ def _sign_of_sum(terms: Array) -> int:
             return 1 if terms[last] > 0 else -1
         if rest == 0:
             return 0
-        for i in range(1, TERMS):  # two_sum: the rounded sum into the one, what was rounded off into the other
+        for i in range(1, count):  # two_sum: the rounded sum into the one, what was rounded off into the other
             total = terms[i] + terms[i - 1]
             part = total - terms[i]
             terms[i - 1] = (terms[i] - (total - part)) + (terms[i - 1] - part)
