@@ -10,13 +10,30 @@ import shapely
 from adversary import BOUNDS, near_look, search
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from strategies import BASIC, KINDS, NotConvex, convex, dress, hull, nudged, pairs, round_ring, scaled, spun
+from oracle import relation
+from strategies import (
+    BASIC,
+    CONVEX,
+    KINDS,
+    NotConvex,
+    convex,
+    dress,
+    hull,
+    nudged,
+    pairs,
+    random_circles,
+    random_polygons,
+    round_ring,
+    scaled,
+    spun,
+)
 
 from satviz.engine import verdict
-from satviz.engine.geometry import InvalidShape, Relation
+from satviz.engine.exact import aligned
+from satviz.engine.geometry import InvalidShape, Relation, Vec
 from satviz.engine.shapes import Circle, Polygon, Shape
 from satviz.engine.trace import record
-from satviz.engine.verdict import relate
+from satviz.engine.verdict import relate, relate_integers, relate_moved
 from satviz.study import truth as oracle
 
 
@@ -31,6 +48,60 @@ APART, TOUCHING, OVERLAPPING = Relation
 U = 2.0**-53
 
 every_method = pytest.mark.parametrize("method", METHODS, ids=lambda method: method.__name__)
+
+
+# -- hostile pairs ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_relate_and_its_integers_are_right_about_pairs_of_every_kind_whichever_comes_first(kind):
+    for _, a, b in pairs(13, 40, [kind]):
+        for first, second in ((a, b), (b, a)):
+            assert relate(first, second) is relation(a, b), (first, second)
+            if kind in CONVEX:
+                assert relate_integers(*aligned(first, second)[:3]) is relation(a, b), (first, second)
+
+
+@pytest.mark.parametrize("place", [(50, 0), (0, 50), (-50, 0), (0, -50), (50, -50), (2**20, 2**20 + 1)], ids=str)
+def test_relate_is_right_wherever_a_pair_lies(place):
+    rng = Random(16)
+    for _ in range(60):
+        p, q, x, y = (rng.randint(-4, 4) for _ in range(4))
+        tilted = Polygon(spun([(0, 0), (3, 0), (3, 1), (0, 1)], p, q or 5))
+        other = Polygon([(x, y), (x + 3, y + rng.randint(-2, 1)), (x, y + 2)])
+        a, b = (mapped(shape, lambda u, v: (u + place[0], v + place[1])) for shape in (tilted, other))
+        assert relate(a, b) is relate(b, a) is relation(tilted, other), (a, b)
+
+
+def test_what_fails_inside_a_shape_is_told_as_it_is():
+    with pytest.raises(AttributeError, match="_box"):
+        relate(Circle((0, 0), 1), object.__new__(Polygon))
+
+
+@pytest.mark.parametrize(
+    "grains", [(0, 0, 0), (5, 0, 0), (0, 5, 0), (0, 0, 5), (20, 3, 9), (3, 9, 20), (9, 20, 3)], ids=str
+)
+def test_a_moved_shape_is_judged_where_it_comes_to_lie(grains):
+    """Whichever of a, b and the move has the finest coordinates."""
+    rng = Random(14)
+
+    def whole(grain: int) -> float:
+        return rng.randint(-12, 12) + rng.choice((0, rng.randint(-1, 1) * 2.0**-grain))
+
+    for _ in range(60):
+        (ax, ay), (bx, by), move = (Vec(whole(grain), whole(grain)) for grain in grains)
+        a = rng.choice((Circle((ax, ay), 5), Polygon([(ax, ay), (ax + 8, ay), (ax, ay + 8)])))
+        b = rng.choice((Circle((bx, by), 5), Polygon([(bx, by), (bx + 3, by), (bx, by + 4)])))
+        assert relate_moved(a, b, move) is relation(a, mapped(b, lambda x, y, by=move: (x + by.x, y + by.y)))
+
+
+@pytest.mark.parametrize("hair", [2.0**-60, 2.0**-700, 5e-324])
+def test_a_move_too_small_for_the_coordinates_still_counts(hair):
+    for touching in (Circle((9, 4), 1), Polygon([(8, 0), (9, 0), (8, 9)])):
+        for way, truth in ((1, APART), (0, TOUCHING), (-1, OVERLAPPING)):
+            box = Polygon([(0, 0), (8, 0), (8, 8), (0, 8)])
+            assert relate_moved(box, touching, Vec(way * hair, 0.0)) is truth
+            assert relate_moved(touching, box, Vec(-way * hair, 0.0)) is truth
 
 
 # -- where products lose bits or overflow ----------------------------------------------------------
@@ -315,6 +386,47 @@ def test_a_polygon_filter_without_room_is_wrong(float_only, monkeypatch):
     wrong = sum(float_only(a, b) not in (None, oracle.relation(a, b)) for a, b in at_the_bound(11, 3_000, 0))
     print(f"wrong without room: {wrong} of 3000")
     assert wrong > 10
+
+
+def tilted_boxes(rng: Random) -> tuple[Shape, Shape]:
+    """Their opposite edges run exactly opposite, so that one look serves both; never near a touch."""
+    third = 21845 / 2**16
+    rings = []
+    for _ in "ab":
+        w, h = rng.randint(1, 9), rng.randint(1, 3)
+        rings.append(spun([(0, 0), (w, 0), (w, h), (0, h)], 5, rng.randint(1, 4)))
+    dx, dy = rng.randint(-40, 40) + third, rng.randint(-40, 40) + third
+    return convex(rings[0]), convex([(x + dx, y + dy) for x, y in rings[1]])
+
+
+@pytest.mark.parametrize("power", [-400, -40, 0, 40, 400])
+def test_floats_tell_all_pairs_that_are_nowhere_near_a_touch_at_the_first_look(float_only, power, monkeypatch):
+    monkeypatch.setattr(verdict, "_in_doubt", None)
+    rng = Random(15)
+    for _ in range(150):
+        a, b = (scaled(shape, power) for shape in rng.choice((random_polygons, random_circles, tilted_boxes))(rng))
+        assert float_only(a, b) is oracle.relation(a, b), (a, b)
+
+
+@pytest.mark.parametrize("power", [-1000, -400, 0, 400, 1000])
+def test_two_upright_boxes_are_told_by_their_bounds_alone(float_only, power):
+    unit = 2.0**power
+    for x in range(-3, 4):
+        for y in range(-3, 4):
+            a = Polygon([(0, 0), (2 * unit, 0), (2 * unit, unit), (0, unit)])
+            b = Polygon(
+                [
+                    (x * unit, y * unit + 2 * unit),
+                    (x * unit, y * unit),
+                    (x * unit + unit, y * unit),
+                    (x * unit + unit, y * unit + 2 * unit),
+                ]
+            )
+            truth = min(
+                (APART, TOUCHING, OVERLAPPING)[(gap < 0) + (gap <= 0)]
+                for gap in (abs(2 * x - 1) - 3, abs(2 * y + 1) - 3)
+            )
+            assert float_only(a, b) is truth
 
 
 @pytest.mark.parametrize("name", BOUNDS)
