@@ -267,6 +267,16 @@ def test_the_crossing_edges_are_named_with_the_place():
         Polygon(CROSSED["bowtie"])
 
 
+@pytest.mark.parametrize("center", [(0, 0), (3, -2), (-40, 7)], ids=str)
+@pytest.mark.parametrize(("d", "e"), [((1, 0), (0, 1)), ((3, 1), (-1, 2)), ((1, 4), (-2, -3))])
+def test_a_crossing_anywhere_on_two_edges_is_told_with_its_place(center, d, e):
+    (x, y), (dx, dy), (ex, ey) = center, d, e
+    ring = [(x - dx, y - dy), (x + 3 * dx, y + 3 * dy), (x + 7 * ex, y + 7 * ey), (x - ex, y - ey)]
+    for turned in rotations(ring):
+        with refused(rf"edges [01] and [23] cross near \({x}, {y}\)"):
+            Polygon(turned)
+
+
 def test_the_spike_is_named_by_its_vertex():
     with refused("at vertex 3 "):
         Polygon(CROSSED["spike"])

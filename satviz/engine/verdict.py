@@ -112,9 +112,9 @@ def relate_moved(a: Shape, b: Shape, move: Vec) -> Relation:
 
 
 def relate_integers(p: Sequence[IntPoint], q: Sequence[IntPoint], radii: int) -> Relation:
-    """The integer twins: a circle is a point with a radius."""
+    """The integer twins: a circle is a point with a radius, and beside another circle a ring of one corner."""
     if len(p) == 1:
-        return _exact_circles(p[0], q[0], radii) if len(q) == 1 else _exact_circle_polygon(p[0], radii, q)
+        return _exact_circle_polygon(p[0], radii, q)
     return _exact_circle_polygon(q[0], radii, p) if len(q) == 1 else _by_sign(max(_edge_side(p, q), _edge_side(q, p)))
 
 
@@ -146,10 +146,6 @@ def _circles(a: Shape, b: Shape) -> Relation:
         if gap < room * -(2.0**-50):
             return OVERLAPPING
     return relate_integers(*aligned(a, b)[:3])
-
-
-def _exact_circles(p: IntPoint, q: IntPoint, radii: int) -> Relation:
-    return _by_sign(sign((p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2 - radii * radii))
 
 
 def _by_sign(gap: int) -> Relation:
@@ -204,7 +200,7 @@ def _circle_polygon(circle: Shape, polygon: Shape) -> Relation:
 
 
 def _exact_circle_polygon(center: IntPoint, r: int, ring: Sequence[IntPoint]) -> Relation:
-    """The integer twin of _circle_polygon."""
+    """The integer twin of _circle_polygon, and of _circles (r the sum of both radii)."""
     cx, cy = center
     inside, best = True, 1
     px, py = ring[-1][0] - cx, ring[-1][1] - cy
