@@ -2,7 +2,9 @@
 
 import json
 import sys
+from contextlib import suppress
 from fractions import Fraction
+from itertools import islice
 from math import cos, hypot, ldexp, pi, sin
 from random import Random
 
@@ -464,6 +466,61 @@ def test_a_way_out_as_short_as_ours_is_as_good():
 def test_a_trace_file_that_lies_is_refused(lie):
     with pytest.raises(sv.InvalidScene):
         sv.Trace.from_json(changed(LIES[lie]))
+
+
+def altered(data):
+    """Ways to change one thing in a trace file, each made in place and taken back.
+
+    Left as they are: the two shapes, and what may be another without a lie (the number of a given direction, and
+    whether every axis was asked for where all were tested).
+    """
+    inside = list(data.items()) if isinstance(data, dict) else list(enumerate(data))
+    for key, value in inside:
+        given = key == "vertices" and data["kind"] == axes.GIVEN
+        if isinstance(value, dict | list) and key not in ("a", "b") and not given:
+            yield from altered(value)
+        match value:
+            case bool():
+                others = [int(value), None] if key == "every_axis" else [not value, int(value), None]
+            case int() | float():
+                others = [value * 1.001 + 0.002, -3.14 - value, value + 1, str(value), None, [value]]
+            case str():
+                others = [f"{value}?", "", 1, None, [value]]
+            case list():
+                others = [value[:-1] if value else [1], [*value, *value[-1:], None], {}, None, "", 0]
+            case dict():
+                others = [
+                    value | {"more": 1},
+                    *({k: v for k, v in value.items() if k != less} for less in value),
+                    [],
+                    None,
+                ]
+            case None:
+                others = [0, "", [], {}]
+        for other in others:
+            data[key] = other
+            yield
+        data[key] = value
+
+
+ONE_OF_EACH = {
+    "apart": sv.record(box(0, 0, 1, 1), sv.Polygon([(2, 0), (3, 0), (3, 1)])),
+    "an axis left out": sv.record(sv.Polygon([(0, 0), (2, 0), (0, 2)]), sv.Circle((2, 0), 1), every_axis=True),
+    "touching circles": sv.record(sv.Circle((0, 0), 2), sv.Circle((3, 4), 3)),
+    "a choice of one's own": sv.record(A, COIN, axes=axes.directions((1, 2), (-3, 0.25))),
+    "parts": sv.record(sv.Polygon([(0, 0), (4, 0), (1, 1), (0, 4)]), sv.Circle((-1, 0), 1.5)),
+}
+
+
+@pytest.mark.parametrize("share", range(16))
+@pytest.mark.parametrize("name", ONE_OF_EACH)
+def test_a_trace_file_with_any_one_thing_changed_is_refused(name, share):
+    data = json.loads(ONE_OF_EACH[name].to_json())
+    taken = []
+    for _ in islice(altered(data), share, None, 16):
+        with suppress(sv.InvalidScene):
+            taken.append((sv.Trace.from_json(json.dumps(data)), json.dumps(data)))
+    assert taken == []
 
 
 def test_a_trace_is_a_value():

@@ -180,8 +180,8 @@ def _float(value: Any, where: str) -> float:
 def _agree(ours: Any, theirs: Any, where: str) -> None:
     """Every derived value in the file must be what the facts in it give."""
     if isinstance(ours, dict) and isinstance(theirs, dict):
-        for key in ours:
-            _agree(ours[key], theirs.get(key), f"{where}.{key}")
+        for key in {**ours, **theirs}:
+            _agree(ours.get(key), theirs.get(key), f"{where}.{key}")
     elif isinstance(ours, list) and isinstance(theirs, list) and len(ours) == len(theirs):
         for i, (mine, yours) in enumerate(zip(ours, theirs)):
             _agree(mine, yours, f"{where}[{i}]")
