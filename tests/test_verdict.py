@@ -1,6 +1,7 @@
 """relate: the oracle it is held against, exact transforms, and the bounds of its filters."""
 
 import math
+from collections import Counter
 from collections.abc import Callable
 from fractions import Fraction
 from random import Random
@@ -73,6 +74,51 @@ def test_relate_is_right_wherever_a_pair_lies(place):
         assert relate(a, b) is relate(b, a) is relation(tilted, other), (a, b)
 
 
+@pytest.mark.parametrize("e", [-500, -520, -532, -535, -536, -537, -538, -539, -545, -1000])
+def test_a_circle_over_an_edge_so_short_that_its_square_loses_bits_is_judged_by_its_distance(e):
+    for turn in ((1, 0), (0, 1), (-1, 0), (3, 4)):
+        for half in (1.25, 1.375):
+            center, *ring = spun(
+                [(math.ldexp(0.25, e), 1), (math.ldexp(half, e), 0), (math.ldexp(-half, e), 0), (-1, -1), (1, -1)],
+                *turn,
+            )
+            for part in (0.9, 1 - 2**-10, 1, 1 + 2**-10, 1.1):
+                a, b = Polygon(ring), Circle(center, math.hypot(*turn) * part)
+                assert relate(a, b) is relate(b, a) is oracle.relation(a, b)
+
+
+@pytest.mark.parametrize(
+    ("ring", "center"),
+    [
+        (
+            [(0, 0), (0.49999999999999994, 0.4999999999999999), (0.9999999999999999, 1), (-1, 1)],
+            (0.5000610351562447, 0.5000610351562553),
+        ),
+        (
+            [(1, 1), (0.8676583247269447, 0.49999999999999994), (0.73531664945389, -2.642869071527393e-17), (1.1, 0.7)],
+            (0.869235614715032, 0.5059591583106026),
+        ),
+    ],
+)
+def test_a_center_inside_is_not_outside_of_an_edge_that_the_next_hardly_bends_from(ring, center):
+    """Floats put it inside the edge below, and on the line of the one beside, which is far."""
+    assert relate(Polygon(ring), Circle(center, 1e-40)) is OVERLAPPING
+
+
+def test_a_dot_of_a_circle_a_rounding_off_an_edge_is_on_its_own_side():
+    rng, seen = Random(17), Counter()
+    for _ in range(500):
+        px, py, qx, qy, x, y = (c * rng.choice((1, 3)) for c in near_look(rng))
+        try:
+            triangle = Polygon([(px, py), (qx, qy), (px + py - qy, py + qx - px)])
+        except InvalidShape:
+            continue
+        dot = Circle((nudged(x, rng.randint(-3, 3)), y), 2.0 ** rng.choice((-30, -60, -200)))
+        seen[truth := oracle.relation(triangle, dot)] += 1
+        assert relate(triangle, dot) is relate(dot, triangle) is truth, (triangle, dot)
+    assert seen[APART] > 50 < seen[OVERLAPPING]
+
+
 def test_what_fails_inside_a_shape_is_told_as_it_is():
     with pytest.raises(AttributeError, match="_box"):
         relate(Circle((0, 0), 1), object.__new__(Polygon))
@@ -127,6 +173,17 @@ def test_a_circle_beside_a_long_edge_is_right_at_the_very_size_where_products_ov
         for part, truth in ((0.99, APART), (1.0, APART), (1.5, OVERLAPPING)):  # of d, where sqrt(2) * d touches
             circle = Circle((size * aside, -size * aside), size * aside * part)
             assert relate(half, circle) is relate(circle, half) is oracle.relation(half, circle) is truth
+
+
+@pytest.mark.parametrize("way", [(1, 0), (0, 1), (-1, 0), (0, -1)], ids=str)
+@pytest.mark.parametrize("place", [0, 2.0**520])
+def test_a_circle_at_the_tip_of_a_needle_whose_squared_length_overflows_is_judged_by_the_tip(way, place):
+    far = 2.0**520
+    needle = [(-place, 0.0), (far - place, -1.0), (far - place, 0.0)]
+    for radius, truth in ((1, APART), (1.4, APART), (1.6, OVERLAPPING)):
+        ((x, y),) = spun([(-place, -1.5)], *way)
+        a, b = Polygon(spun(needle, *way)), Circle((x, y), radius)
+        assert relate(a, b) is relate(b, a) is oracle.relation(a, b) is truth
 
 
 # -- the oracle ------------------------------------------------------------------------------------

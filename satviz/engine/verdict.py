@@ -1,6 +1,7 @@
 """relate: the exact relation of two shapes, with nothing recorded."""
 
 from collections.abc import Sequence
+from math import inf
 
 from .concave import parts
 from .exact import HUGE, TINY, IntPoint, aligned, orient, root_sign, shifted, sign, to_integers
@@ -160,15 +161,17 @@ def _circle_polygon(circle: Shape, polygon: Shape) -> Relation:
     edge of length L carries under 12 roundings of D*L (asked: 32) and a squared
     distance under 45 of D*D (asked: 128).  A foot of the perpendicular taken for a
     vertex, or the reverse, moves a squared distance by the square of a rounding.
+    Where the room is below HUGE, the products are at most 2**49 times larger; a
+    radius beyond 2D, whatever its rounding, reaches past every vertex.
     """
     ((cx, cy),), ring = circle.core, polygon.core
     x0, y0, x1, y1 = polygon._box
-    far = max(x1 - cx, cx - x0, y1 - cy, cy - y0, circle.radius)
+    far = max(x1 - cx, cx - x0, y1 - cy, cy - y0)
     room = far * far * 2.0**-46
-    if not TINY < room < HUGE * 2.0**-46:
+    if not TINY < room < HUGE:
         return relate_integers(*aligned(circle, polygon)[:3])
     side_room = far * 2.0**-48
-    inside, outside, nearest = True, False, HUGE
+    inside, outside, nearest = True, False, inf
     vx, vy = ring[-1]
     px, py = vx - cx, vy - cy
     for wx, wy in ring:
