@@ -244,6 +244,43 @@ def test_the_mtv_is_right_where_shortcuts_go_wrong(a, b, mtv):
     assert sv.record(a, b).mtv == pytest.approx(mtv)
 
 
+def test_only_an_overlap_has_a_way_out_that_leads_anywhere():
+    assert sv.record(A, B).mtv is None
+    assert sv.record(box(2.5, 2.5, 3.5, 3.5), L).mtv is None
+    assert sv.record(box(0, 0, 1, 1), box(1, 0, 2, 1)).mtv == (0, 0)
+    assert sv.record(box(2, 2, 3, 3), L).mtv == (0, 0)
+
+
+def test_the_shallowest_test_is_told_where_none_separates():
+    trace = sv.record(box(0, 0, 4, 4), box(3, 1, 9, 3))
+    assert trace.shallowest is trace.tests[1] and trace.shallowest.gap == -1
+    assert sv.record(box(0, 0, 4, 4), box(4, 1, 9, 3)).shallowest.gap == 0
+    assert sv.record(A, B).shallowest is None
+    assert sv.record(box(1, 1, 3, 3), L).shallowest is None  # its pairs have one each
+
+
+def test_without_an_early_exit_every_axis_of_every_pair_is_tested():
+    for a, b, tests in (A, B, [5]), (box(2.5, 2.5, 3.5, 3.5), L, [2, 2]), (box(1, 1, 3, 3), L, [2, 2]):
+        short = sv.record(a, b)
+        whole = short.without_early_exit()
+        assert [len(trace.tests) for trace in whole.pairs or [whole]] == tests
+        assert whole == sv.record(a, b, every_axis=True) != short
+        assert whole.without_early_exit() is whole
+
+
+def test_what_parts_claim_is_what_they_prove_and_their_evidence_is_about_the_whole_shapes():
+    for other, relation in (
+        (box(2.5, 2.5, 3.5, 3.5), "apart"),
+        (box(2, 2, 3, 3), "touching"),
+        (box(1, 1, 3, 3), "overlapping"),
+    ):
+        trace = sv.record(other, L)
+        assert str(trace.relation) == str(trace.claim) == relation and not trace.false_hit
+        assert trace.certificate.check() and (trace.certificate.a, trace.certificate.b) == (other, L)
+        assert (trace.colliding is None) == (relation == "apart")
+    assert sv.record(A, A).colliding is None
+
+
 def test_the_mtv_does_not_follow_the_centres():
     sliver, small = sv.Polygon([(0, 0), (8, 0), (0, 1)]), box(0.5, -0.5, 1.5, 1.5)
     mtv = sv.record(sliver, small).mtv
