@@ -345,6 +345,9 @@ LIES = {
     "unknown key": lambda d: d.update(extra=1),
     "missing key": lambda d: d.pop("mtv"),
     "text for number": lambda d: d["tests"][0].update(gap="1"),
+    "nothing dropped": lambda d: d["tests"][0]["a"].update(points=[], landings=[]),
+    "less landed than dropped": lambda d: d["tests"][0]["a"]["landings"].pop(),
+    "less dropped than landed": lambda d: d["tests"][0]["a"]["points"].pop(),
     "too many tests": lambda d: d["tests"].extend(d["tests"] * 6),
     "complete": lambda d: (d.update(complete=True), d["tests"].pop(), d["axes"].pop()),
     "all lengths": lambda d: [axis.update(length=axis["length"] / 10) for axis in d["axes"]],
@@ -533,7 +536,7 @@ def altered(data):
                     None,
                 ]
             case None:
-                others = [0, "", [], {}]
+                others = [0, "", [], {}, [1.0, 2.0]]
         for other in others:
             data[key] = other
             yield
@@ -544,20 +547,73 @@ ONE_OF_EACH = {
     "apart": sv.record(box(0, 0, 1, 1), sv.Polygon([(2, 0), (3, 0), (3, 1)])),
     "an axis left out": sv.record(sv.Polygon([(0, 0), (2, 0), (0, 2)]), sv.Circle((2, 0), 1), every_axis=True),
     "touching circles": sv.record(sv.Circle((0, 0), 2), sv.Circle((3, 4), 3)),
-    "a choice of one's own": sv.record(A, COIN, axes=axes.directions((1, 2), (-3, 0.25))),
+    "a choice of one's own": sv.record(A, COIN, axes=axes.directions((1, 2), (-3, 0.25), (0, -1))),
     "parts": sv.record(sv.Polygon([(0, 0), (4, 0), (1, 1), (0, 4)]), sv.Circle((-1, 0), 1.5)),
+    "parts, every axis": sv.record(sv.Circle((0, 0), 1), sv.Polygon([(0, 0), (4, 0), (1, 1), (0, 4)]), every_axis=True),
+    "parts apart": sv.record(sv.Circle((3, 3), 0.5), L),
 }
 
 
 @pytest.mark.parametrize("share", range(16))
 @pytest.mark.parametrize("name", ONE_OF_EACH)
 def test_a_trace_file_with_any_one_thing_changed_is_refused(name, share):
-    data = json.loads(ONE_OF_EACH[name].to_json())
+    file = [json.loads(ONE_OF_EACH[name].to_json())]
     taken = []
-    for _ in islice(altered(data), share, None, 16):
+    for _ in islice(altered(file), share, None, 16):
         with suppress(sv.InvalidScene):
-            taken.append((sv.Trace.from_json(json.dumps(data)), json.dumps(data)))
+            taken.append((sv.Trace.from_json(json.dumps(file[0])), json.dumps(file[0])))
     assert taken == []
+
+
+@pytest.mark.parametrize("name", ONE_OF_EACH)
+def test_one_of_each_survives_json_and_the_rounding_of_another_machine(name):
+    trace = ONE_OF_EACH[name]
+    assert sv.Trace.from_json(trace.to_json()) == trace.from_json(trace.to_json()) == trace
+    data = json.loads(trace.to_json())
+    for run in data["pairs"] or [data]:
+        for axis in run["axes"]:
+            axis["length"] *= 1 + 2**-50
+        for test in run["tests"]:
+            for side in test["a"], test["b"]:
+                side["landings"] = [c * (1 + 2**-50) for c in side["landings"]]
+                side["interval"] = [min(side["landings"]), max(side["landings"])]
+    again = sv.Trace.from_json(json.dumps(data))
+    assert again.sentence == trace.sentence and again.relation is trace.relation
+    assert json.loads(again.to_json()) == data
+
+
+def test_labels_stand_in_a_file_as_they_are():
+    trace = sv.record(A, sv.Polygon(B.vertices, ["é", "😀", "v"]))
+    assert "é" in trace.to_json() and "😀" in trace.to_json() and sv.Trace.from_json(trace.to_json()) == trace
+
+
+def test_no_other_way_out_of_convex_shapes_is_as_good_as_the_exact_one():
+    data = json.loads(sv.record(box(0, 0, 4, 4), box(1, 1, 3, 3)).to_json())
+    x, y = data["mtv"]
+    assert x == 0 and data["sentence"].count(f"{y:.0f}") == 1
+    other = data["sentence"].replace(f"{y:.0f}", f"{-y:.0f}")
+    with pytest.raises(sv.InvalidScene, match="mtv"):
+        sv.Trace.from_json(json.dumps(data | {"mtv": [0.0, -y], "sentence": other}))
+
+
+def test_a_trace_is_its_tests_one_after_the_other_and_shows_itself_in_a_notebook(monkeypatch):
+    trace = sv.record(A, B)
+    assert tuple(trace) == trace.tests
+    monkeypatch.setattr(trace_module.door, "bundle", lambda shown: {"shown": shown})
+    assert trace._repr_mimebundle_() == {"shown": trace}
+
+
+@pytest.mark.parametrize("gap", [5e-324, 0.5])
+def test_the_loop_ends_at_any_gap(gap):
+    assert len(sv.record(box(0, 0, 1, 4), box(1, 4 + gap, 2, 9) if gap > 0.1 else box(1, -9, 2, -gap)).tests) == 1
+    assert len(sv.record(box(0, 0, 1, 4), box(1, 4 + gap, 2, 9), every_axis=True).tests) == 2
+
+
+def test_the_pairs_of_parts_end_at_the_first_that_overlaps():
+    assert [pair.hit for pair in sv.record(box(1, 1, 3, 3), L).pairs] == [True]
+    assert [pair.hit for pair in sv.record(box(2, 2, 3, 3), L).pairs] == [True, True]  # a touch does not end it
+    assert len(sv.record(box(1, 1, 3, 3), L, every_axis=True).pairs) == 2
+    assert sv.record(box(1, 1, 3, 3), L).choice == axes.Choice((), complete=True)
 
 
 def test_a_trace_is_a_value():
