@@ -269,15 +269,12 @@ def test_without_an_early_exit_every_axis_of_every_pair_is_tested():
 
 
 def test_what_parts_claim_is_what_they_prove_and_their_evidence_is_about_the_whole_shapes():
-    for other, relation in (
-        (box(2.5, 2.5, 3.5, 3.5), "apart"),
-        (box(2, 2, 3, 3), "touching"),
-        (box(1, 1, 3, 3), "overlapping"),
-    ):
-        trace = sv.record(other, L)
-        assert str(trace.relation) == str(trace.claim) == relation and not trace.false_hit
-        assert trace.certificate.check() and (trace.certificate.a, trace.certificate.b) == (other, L)
-        assert (trace.colliding is None) == (relation == "apart")
+    for x, relation in ((2.5, sv.Relation.APART), (2, sv.Relation.TOUCHING), (1, sv.Relation.OVERLAPPING)):
+        for a, b in (box(x, x, 3, 3), L), (L, box(x, x, 3, 3)):
+            trace = sv.record(a, b)
+            assert trace.relation is trace.claim is relation and not trace.false_hit
+            assert trace.certificate.check() and (trace.certificate.a, trace.certificate.b) == (a, b)
+            assert (trace.colliding is None) == (relation is sv.Relation.APART)
     assert sv.record(A, A).colliding is None
 
 
