@@ -3,6 +3,7 @@
 import math
 from collections import Counter
 from collections.abc import Callable
+from contextlib import suppress
 from fractions import Fraction
 from random import Random
 
@@ -163,6 +164,43 @@ def test_relate_is_never_wrong_where_products_lose_bits_or_overflow(power):
         except (InvalidShape, NotConvex, OverflowError):
             continue
     assert [(a, b) for a, b in known if relate(a, b) is not oracle.relation(a, b)] == []
+
+
+@pytest.mark.parametrize("size", [1e100, 1e160, 1e200, 1e280, 1e300])
+def test_a_small_triangle_beside_a_huge_one_is_apart_though_only_an_edge_of_the_huge_one_tells(size):
+    small = Polygon([(-1, 0.5), (-3, 0.5), (-3, -5)])
+    for first in range(3):
+        huge = [(0, 0), (size, size), (-size, size)]
+        huge = Polygon(huge[first:] + huge[:first])
+        assert relate(small, huge) is relate(huge, small) is oracle.relation(small, huge) is APART
+
+
+@pytest.mark.parametrize(
+    ("larger", "power"),
+    [
+        (700, -100),
+        (700, 100),
+        (550, 0),
+        (550, 200),
+        (450, 200),
+        (350, 300),
+        (250, 300),
+        (150, -600),
+        (60, -550),
+        (250, -700),
+    ],
+)
+def test_relate_is_right_about_shapes_of_very_different_size_where_the_products_of_one_alone_overflow(larger, power):
+    rng = Random(18)
+
+    def corner(power: int) -> tuple[float, float]:
+        return math.ldexp(rng.randint(-4, 4), power), math.ldexp(rng.randint(-4, 4), power)
+
+    for _ in range(150):
+        with suppress(InvalidShape):
+            a = Polygon([corner(power) for _ in range(3)])
+            b = Polygon([corner(power), corner(power + larger), corner(power + larger)])
+            assert relate(a, b) is relate(b, a) is oracle.relation(a, b), (a, b)
 
 
 @pytest.mark.parametrize("aside", [2.0**-4, 2.0**-20])

@@ -71,6 +71,8 @@ def _in_doubt(a: Shape, b: Shape, reach: float) -> Relation:
     best = -1
     for own, points in (a, b.core), (b, a.core):
         room = own._span * reach
+        if not LEAST_ROOM < room < MOST_ROOM:  # relate has looked from one of the two so far
+            return relate_integers(*aligned(a, b)[:3])
         p = own.core[-1]
         for q in own.core:
             nx, ny = q.y - p.y, p.x - q.x
