@@ -125,7 +125,7 @@ def test_a_dot_of_a_circle_a_rounding_off_an_edge_is_on_its_own_side():
 def test_shapes_of_other_libraries_are_refused_wherever_they_are(far):
     other, ours = SimpleNamespace(bounds=(far, far, far + 1, far + 1)), Polygon([(0, 0), (2, 0), (0, 2)])
     for a, b in ((other, ours), (ours, other), (other, Circle((0, 0), 1))):
-        with pytest.raises(TypeError, match="make it a satviz.Polygon"):
+        with pytest.raises(TypeError, match=r"make it a satviz\.Polygon"):
             relate(a, b)
 
 
