@@ -3,7 +3,9 @@
 import copy
 import math
 import pickle
+import re
 import time
+from array import array
 from collections.abc import Sequence
 from decimal import Decimal
 from fractions import Fraction
@@ -142,10 +144,18 @@ def test_an_array_whose_type_numpy_does_not_know_is_read_as_lists():
     class Tensor:
         dtype = "float64"
 
+        mask = "a word of its own"
+
         def tolist(self):
             return TRIANGLE
 
     assert Polygon(Tensor()) == Polygon(TRIANGLE)
+
+
+def test_an_array_of_one_number_is_no_number():
+    for one in (np.array([1.0]), np.array([[1.0]]), np.array([1])):
+        with refused(r"vertex 1\.y is .*one real number"):
+            Polygon([(0, 0), (4, one), (0, 4)])
 
 
 def test_an_integer_array_that_float64_cannot_hold_is_refused():
@@ -258,13 +268,24 @@ def test_a_crossing_is_seen_at_every_scale(ring, power):
         pytest.skip("holds subnormals already")
     ring = [(math.ldexp(x * 10, power), math.ldexp(y * 10, power)) for x, y in ring]
     assert not oracle.is_simple(ring)
-    with refused(r"edges \d+ and \d+ cross|at vertex \d+ \(a spike\)"):
+    with refused(r"edges \d+ and \d+ cross|at vertex \d+ \(a spike\)") as told:
         Polygon(ring)
+    assert_told_place_is_in(ring, str(told.value))
 
 
 def test_the_crossing_edges_are_named_with_the_place():
     with refused(r"edges 0 and 2 cross near \(2, 2\)"):
         Polygon(CROSSED["bowtie"])
+
+
+@pytest.mark.parametrize("center", [(0, 0), (3, -2), (-40, 7)], ids=str)
+@pytest.mark.parametrize(("d", "e"), [((1, 0), (0, 1)), ((3, 1), (-1, 2)), ((1, 4), (-2, -3))])
+def test_a_crossing_anywhere_on_two_edges_is_told_with_its_place(center, d, e):
+    (x, y), (dx, dy), (ex, ey) = center, d, e
+    ring = [(x - dx, y - dy), (x + 3 * dx, y + 3 * dy), (x + 7 * ex, y + 7 * ey), (x - ex, y - ey)]
+    for turned in rotations(ring):
+        with refused(rf"edges [01] and [23] cross near \({x}, {y}\)"):
+            Polygon(turned)
 
 
 def test_the_spike_is_named_by_its_vertex():
@@ -333,7 +354,7 @@ def test_a_clockwise_outline_keeps_its_order_and_its_first_edge():
 
 def test_collinear_vertices_are_kept_noted_and_no_corners():
     shape = Polygon([(0, 0), (2, 0), (4, 0), (4, 4), (0, 4), (0, 1)])
-    assert len(shape.vertices) == 6
+    assert len(shape.vertices) == 6 and shape.is_convex
     assert shape.corner_ids == (0, 2, 3, 4)
     assert [note.split(" lies")[0] for note in shape.notes] == ["vertex 1", "vertex 5"]
 
@@ -394,6 +415,7 @@ def test_a_concave_outline_is_accepted_from_every_vertex_and_either_way():
         np.asfortranarray(TRIANGLE),
         np.array([*TRIANGLE, *TRIANGLE])[:3],
         [np.array(v) for v in TRIANGLE],
+        [array("d", v) for v in TRIANGLE],
         [(np.float32(x), np.int8(y)) for x, y in TRIANGLE],
     ],
     ids=lambda values: f"{type(values).__name__} {getattr(values, 'dtype', '')}".strip(),
@@ -524,6 +546,7 @@ MALFORMED = {
     "an array of no rings": ({"type": "Polygon", "coordinates": np.zeros((0, 3, 2))}, "empty"),
     "a ring that is none": ({"type": "Polygon", "coordinates": [None]}, "None: expected"),
     "holes": ({"type": "Polygon", "coordinates": [TRIANGLE, TRIANGLE]}, "holes"),
+    "holes that are none": ({"type": "Polygon", "coordinates": [TRIANGLE, [None]]}, "holes"),
     "a feature of nothing": ({"type": "Feature", "geometry": None}, "the Feature's geometry is None: expected a dict"),
     "a feature without": ({"type": "Feature"}, "the Feature's geometry is None: expected a dict"),
     "a feature of a text": ({"type": "Feature", "geometry": "x"}, "the Feature's geometry is 'x': expected a dict"),
@@ -708,13 +731,21 @@ def test_star_shaped_outlines_are_accepted_with_the_right_winding(ring, start, c
     assert shape.is_convex == all(turn > 0 for turn in turns)
 
 
+def assert_told_place_is_in(ring: Sequence[tuple[float, float]], message: str) -> None:
+    """A crossing is told with its place, if only roughly: to six digits within the outline's bounds."""
+    if told := re.search(r"near \((.*), (.*)\)", message):
+        for place, along in zip(map(float, told.groups()), zip(*ring)):
+            assert min(along) - 1e-5 * abs(min(along)) <= place <= max(along) + 1e-5 * abs(max(along)), (message, ring)
+
+
 def agrees_with_the_oracle(ring: Sequence[tuple[float, float]]) -> bool:
     """Is a ring accepted exactly when it is simple?  Returns whether it is."""
     simple = oracle.is_simple(ring)
     try:
         shape = Polygon(ring)
-    except InvalidShape:
+    except InvalidShape as error:
         assert not simple, f"refused, but simple: {ring!r}"
+        assert_told_place_is_in(ring, str(error))
     else:
         assert simple, f"accepted, but not simple: {ring!r}"
         assert oracle.area2(shape.corners) == abs(oracle.area2(ring)) > 0
@@ -753,6 +784,35 @@ def test_a_vertex_within_a_bit_of_another_edge_is_judged_exactly():
         ring[i] = (x, y)
         simple[agrees_with_the_oracle(ring)] += 1
     assert min(simple) > 100, simple
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_small_outlines_full_of_contacts_are_accepted_exactly_when_simple(seed):
+    rng, simple = Random(seed), [0, 0]
+    for _ in range(100):
+        ring = [(rng.randint(0, 3), rng.randint(0, 3)) for _ in range(rng.choice((4, 5, 6, 8)))]
+        simple[agrees_with_the_oracle(ring)] += 1
+    assert min(simple) > 5, simple
+
+
+@pytest.mark.parametrize("apart", [1, 2, 9])
+def test_teeth_of_a_comb_on_one_line_do_not_cross(apart):
+    comb = [(0, 0), (3, 0), (3, 1), (2, 1), (2, 1 + apart), (3, 1 + apart), (3, 2 + apart), (0, 2 + apart)]
+    for ring in rotations(comb):
+        for x, y in ((0, 1), (1, 0)):
+            assert len(Polygon([(v[x], v[y]) for v in ring]).corners) == 8
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_edges_that_cross_at_next_to_no_angle_are_told_with_a_place_on_them(seed):
+    rng = Random(seed)
+    for _ in range(60):
+        (x, y), t = (rng.uniform(-9, 9), rng.uniform(-9, 9)), rng.uniform(0, 0.9)
+        near = [
+            (math.nextafter(x * t, rng.choice((-99, 99))), math.nextafter(y * t, rng.choice((-99, 99))))
+            for t in (t, t + 0.1)
+        ]
+        agrees_with_the_oracle([(0, 0), (x, y), *near, (y, -x)])
 
 
 def test_random_closed_walks_are_accepted_exactly_when_simple():

@@ -2,7 +2,9 @@
 
 import json
 import sys
+from contextlib import suppress
 from fractions import Fraction
+from itertools import islice
 from math import cos, hypot, ldexp, pi, sin
 from random import Random
 
@@ -242,6 +244,40 @@ def test_the_mtv_is_right_where_shortcuts_go_wrong(a, b, mtv):
     assert sv.record(a, b).mtv == pytest.approx(mtv)
 
 
+def test_only_an_overlap_has_a_way_out_that_leads_anywhere():
+    assert sv.record(A, B).mtv is None
+    assert sv.record(box(2.5, 2.5, 3.5, 3.5), L).mtv is None
+    assert sv.record(box(0, 0, 1, 1), box(1, 0, 2, 1)).mtv == (0, 0)
+    assert sv.record(box(2, 2, 3, 3), L).mtv == (0, 0)
+
+
+def test_the_shallowest_test_is_told_where_none_separates():
+    trace = sv.record(box(0, 0, 4, 4), box(3, 1, 9, 3))
+    assert trace.shallowest is trace.tests[1] and trace.shallowest.gap == -1
+    assert sv.record(box(0, 0, 4, 4), box(4, 1, 9, 3)).shallowest.gap == 0
+    assert sv.record(A, B).shallowest is None
+    assert sv.record(box(1, 1, 3, 3), L).shallowest is None  # its pairs have one each
+
+
+def test_without_an_early_exit_every_axis_of_every_pair_is_tested():
+    for a, b, tests in (A, B, [5]), (box(2.5, 2.5, 3.5, 3.5), L, [2, 2]), (box(1, 1, 3, 3), L, [2, 2]):
+        short = sv.record(a, b)
+        whole = short.without_early_exit()
+        assert [len(trace.tests) for trace in whole.pairs or [whole]] == tests
+        assert whole == sv.record(a, b, every_axis=True) != short
+        assert whole.without_early_exit() is whole
+
+
+def test_what_parts_claim_is_what_they_prove_and_their_evidence_is_about_the_whole_shapes():
+    for x, relation in ((2.5, sv.Relation.APART), (2, sv.Relation.TOUCHING), (1, sv.Relation.OVERLAPPING)):
+        for a, b in (box(x, x, 3, 3), L), (L, box(x, x, 3, 3)):
+            trace = sv.record(a, b)
+            assert trace.relation is trace.claim is relation and not trace.false_hit
+            assert trace.certificate.check() and (trace.certificate.a, trace.certificate.b) == (a, b)
+            assert (trace.colliding is None) == (relation is sv.Relation.APART)
+    assert sv.record(A, A).colliding is None
+
+
 def test_the_mtv_does_not_follow_the_centers():
     sliver, small = sv.Polygon([(0, 0), (8, 0), (0, 1)]), box(0.5, -0.5, 1.5, 1.5)
     mtv = sv.record(sliver, small).mtv
@@ -306,6 +342,9 @@ LIES = {
     "unknown key": lambda d: d.update(extra=1),
     "missing key": lambda d: d.pop("mtv"),
     "text for number": lambda d: d["tests"][0].update(gap="1"),
+    "nothing dropped": lambda d: d["tests"][0]["a"].update(points=[], landings=[]),
+    "less landed than dropped": lambda d: d["tests"][0]["a"]["landings"].pop(),
+    "less dropped than landed": lambda d: d["tests"][0]["a"]["points"].pop(),
     "too many tests": lambda d: d["tests"].extend(d["tests"] * 6),
     "complete": lambda d: (d.update(complete=True), d["tests"].pop(), d["axes"].pop()),
     "all lengths": lambda d: [axis.update(length=axis["length"] / 10) for axis in d["axes"]],
@@ -464,6 +503,114 @@ def test_a_way_out_as_short_as_ours_is_as_good():
 def test_a_trace_file_that_lies_is_refused(lie):
     with pytest.raises(sv.InvalidScene):
         sv.Trace.from_json(changed(LIES[lie]))
+
+
+def altered(data):
+    """Ways to change one thing in a trace file, each made in place and taken back.
+
+    Left as they are: the two shapes, and what may be another without a lie (the number of a given direction, and
+    whether every axis was asked for where all were tested).
+    """
+    inside = list(data.items()) if isinstance(data, dict) else list(enumerate(data))
+    for key, value in inside:
+        given = key == "vertices" and data["kind"] == axes.GIVEN
+        if isinstance(value, dict | list) and key not in ("a", "b") and not given:
+            yield from altered(value)
+        match value:
+            case bool():
+                others = [int(value), None] if key == "every_axis" else [not value, int(value), None]
+            case int() | float():
+                others = [value * 1.001 + 0.002, -3.14 - value, value + 1, str(value), None, [value]]
+            case str():
+                others = [f"{value}?", "", 1, None, [value]]
+            case list():
+                others = [value[:-1] if value else [1], [*value, *value[-1:], None], {}, None, "", 0]
+            case dict():
+                others = [
+                    value | {"more": 1},
+                    *({k: v for k, v in value.items() if k != less} for less in value),
+                    [],
+                    None,
+                ]
+            case None:
+                others = [0, "", [], {}, [1.0, 2.0]]
+        for other in others:
+            data[key] = other
+            yield
+        data[key] = value
+
+
+ONE_OF_EACH = {
+    "apart": sv.record(box(0, 0, 1, 1), sv.Polygon([(2, 0), (3, 0), (3, 1)])),
+    "an axis left out": sv.record(sv.Polygon([(0, 0), (2, 0), (0, 2)]), sv.Circle((2, 0), 1), every_axis=True),
+    "touching circles": sv.record(sv.Circle((0, 0), 2), sv.Circle((3, 4), 3)),
+    "a choice of one's own": sv.record(A, COIN, axes=axes.directions((1, 2), (-3, 0.25), (0, -1))),
+    "parts": sv.record(sv.Polygon([(0, 0), (4, 0), (1, 1), (0, 4)]), sv.Circle((-1, 0), 1.5)),
+    "parts, every axis": sv.record(sv.Circle((0, 0), 1), sv.Polygon([(0, 0), (4, 0), (1, 1), (0, 4)]), every_axis=True),
+    "parts apart": sv.record(sv.Circle((3, 3), 0.5), L),
+}
+
+
+@pytest.mark.parametrize("share", range(16))
+@pytest.mark.parametrize("name", ONE_OF_EACH)
+def test_a_trace_file_with_any_one_thing_changed_is_refused(name, share):
+    file = [json.loads(ONE_OF_EACH[name].to_json())]
+    taken = []
+    for _ in islice(altered(file), share, None, 16):
+        with suppress(sv.InvalidScene):
+            taken.append((sv.Trace.from_json(json.dumps(file[0])), json.dumps(file[0])))
+    assert taken == []
+
+
+@pytest.mark.parametrize("name", ONE_OF_EACH)
+def test_one_of_each_survives_json_and_the_rounding_of_another_machine(name):
+    trace = ONE_OF_EACH[name]
+    assert sv.Trace.from_json(trace.to_json()) == trace.from_json(trace.to_json()) == trace
+    data = json.loads(trace.to_json())
+    for run in data["pairs"] or [data]:
+        for axis in run["axes"]:
+            axis["length"] *= 1 + 2**-50
+        for test in run["tests"]:
+            for side in test["a"], test["b"]:
+                side["landings"] = [c * (1 + 2**-50) for c in side["landings"]]
+                side["interval"] = [min(side["landings"]), max(side["landings"])]
+    again = sv.Trace.from_json(json.dumps(data))
+    assert again.sentence == trace.sentence and again.relation is trace.relation
+    assert json.loads(again.to_json()) == data
+
+
+def test_labels_stand_in_a_file_as_they_are():
+    trace = sv.record(A, sv.Polygon(B.vertices, ["é", "😀", "v"]))
+    assert "é" in trace.to_json() and "😀" in trace.to_json() and sv.Trace.from_json(trace.to_json()) == trace
+
+
+def test_no_other_way_out_of_convex_shapes_is_as_good_as_the_exact_one():
+    data = json.loads(sv.record(box(0, 0, 4, 4), box(1, 1, 3, 3)).to_json())
+    x, y = data["mtv"]
+    assert x == 0 and data["sentence"].count(f"{y:.0f}") == 1
+    other = data["sentence"].replace(f"{y:.0f}", f"{-y:.0f}")
+    with pytest.raises(sv.InvalidScene, match="mtv"):
+        sv.Trace.from_json(json.dumps(data | {"mtv": [0.0, -y], "sentence": other}))
+
+
+def test_a_trace_is_its_tests_one_after_the_other_and_shows_itself_in_a_notebook(monkeypatch):
+    trace = sv.record(A, B)
+    assert tuple(trace) == trace.tests
+    monkeypatch.setattr(trace_module.door, "bundle", lambda shown: {"shown": shown})
+    assert trace._repr_mimebundle_() == {"shown": trace}
+
+
+@pytest.mark.parametrize("gap", [5e-324, 0.5])
+def test_the_loop_ends_at_any_gap(gap):
+    assert len(sv.record(box(0, 0, 1, 4), box(1, 4 + gap, 2, 9) if gap > 0.1 else box(1, -9, 2, -gap)).tests) == 1
+    assert len(sv.record(box(0, 0, 1, 4), box(1, 4 + gap, 2, 9), every_axis=True).tests) == 2
+
+
+def test_the_pairs_of_parts_end_at_the_first_that_overlaps():
+    assert [pair.hit for pair in sv.record(box(1, 1, 3, 3), L).pairs] == [True]
+    assert [pair.hit for pair in sv.record(box(2, 2, 3, 3), L).pairs] == [True, True]  # a touch does not end it
+    assert len(sv.record(box(1, 1, 3, 3), L, every_axis=True).pairs) == 2
+    assert sv.record(box(1, 1, 3, 3), L).choice == axes.Choice((), complete=True)
 
 
 def test_a_trace_is_a_value():

@@ -1,22 +1,42 @@
 """relate: the oracle it is held against, exact transforms, and the bounds of its filters."""
 
 import math
+from collections import Counter
 from collections.abc import Callable
+from contextlib import suppress
 from fractions import Fraction
 from random import Random
+from types import SimpleNamespace
 
 import pytest
 import shapely
 from adversary import BOUNDS, near_look, search
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from strategies import BASIC, KINDS, NotConvex, convex, dress, hull, nudged, pairs, round_ring, scaled, spun
+from oracle import relation
+from strategies import (
+    BASIC,
+    CONVEX,
+    KINDS,
+    NotConvex,
+    convex,
+    dress,
+    hull,
+    nudged,
+    pairs,
+    random_circles,
+    random_polygons,
+    round_ring,
+    scaled,
+    spun,
+)
 
 from satviz.engine import verdict
-from satviz.engine.geometry import InvalidShape, Relation
+from satviz.engine.exact import aligned
+from satviz.engine.geometry import InvalidShape, Relation, Vec
 from satviz.engine.shapes import Circle, Polygon, Shape
 from satviz.engine.trace import record
-from satviz.engine.verdict import relate
+from satviz.engine.verdict import relate, relate_integers, relate_moved
 from satviz.study import truth as oracle
 
 
@@ -31,6 +51,113 @@ APART, TOUCHING, OVERLAPPING = Relation
 U = 2.0**-53
 
 every_method = pytest.mark.parametrize("method", METHODS, ids=lambda method: method.__name__)
+
+
+# -- hostile pairs ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_relate_and_its_integers_are_right_about_pairs_of_every_kind_whichever_comes_first(kind):
+    for _, a, b in pairs(13, 40, [kind]):
+        for first, second in ((a, b), (b, a)):
+            assert relate(first, second) is relation(a, b), (first, second)
+            if kind in CONVEX:
+                assert relate_integers(*aligned(first, second)[:3]) is relation(a, b), (first, second)
+
+
+@pytest.mark.parametrize("place", [(50, 0), (0, 50), (-50, 0), (0, -50), (50, -50), (2**20, 2**20 + 1)], ids=str)
+def test_relate_is_right_wherever_a_pair_lies(place):
+    rng = Random(16)
+    for _ in range(60):
+        p, q, x, y = (rng.randint(-4, 4) for _ in range(4))
+        tilted = Polygon(spun([(0, 0), (3, 0), (3, 1), (0, 1)], p, q or 5))
+        other = Polygon([(x, y), (x + 3, y + rng.randint(-2, 1)), (x, y + 2)])
+        a, b = (mapped(shape, lambda u, v: (u + place[0], v + place[1])) for shape in (tilted, other))
+        assert relate(a, b) is relate(b, a) is relation(tilted, other), (a, b)
+
+
+@pytest.mark.parametrize("e", [-500, -520, -532, -535, -536, -537, -538, -539, -545, -1000])
+def test_a_circle_over_an_edge_so_short_that_its_square_loses_bits_is_judged_by_its_distance(e):
+    for turn in ((1, 0), (0, 1), (-1, 0), (3, 4)):
+        for half in (1.25, 1.375):
+            center, *ring = spun(
+                [(math.ldexp(0.25, e), 1), (math.ldexp(half, e), 0), (math.ldexp(-half, e), 0), (-1, -1), (1, -1)],
+                *turn,
+            )
+            for part in (0.9, 1 - 2**-10, 1, 1 + 2**-10, 1.1):
+                a, b = Polygon(ring), Circle(center, math.hypot(*turn) * part)
+                assert relate(a, b) is relate(b, a) is oracle.relation(a, b)
+
+
+@pytest.mark.parametrize(
+    ("ring", "center"),
+    [
+        (
+            [(0, 0), (0.49999999999999994, 0.4999999999999999), (0.9999999999999999, 1), (-1, 1)],
+            (0.5000610351562447, 0.5000610351562553),
+        ),
+        (
+            [(1, 1), (0.8676583247269447, 0.49999999999999994), (0.73531664945389, -2.642869071527393e-17), (1.1, 0.7)],
+            (0.869235614715032, 0.5059591583106026),
+        ),
+    ],
+)
+def test_a_center_inside_is_not_outside_of_an_edge_that_the_next_hardly_bends_from(ring, center):
+    """Floats put it inside the edge below, and on the line of the one beside, which is far."""
+    assert relate(Polygon(ring), Circle(center, 1e-40)) is OVERLAPPING
+
+
+def test_a_dot_of_a_circle_a_rounding_off_an_edge_is_on_its_own_side():
+    rng, seen = Random(17), Counter()
+    for _ in range(500):
+        px, py, qx, qy, x, y = near_look(rng)
+        try:
+            triangle = Polygon([(px, py), (qx, qy), (px + py - qy, py + qx - px)])
+        except InvalidShape:
+            continue
+        dot = Circle((nudged(x, rng.randint(-3, 3)), y), 2.0 ** rng.choice((-30, -60, -200)))
+        seen[truth := oracle.relation(triangle, dot)] += 1
+        assert relate(triangle, dot) is relate(dot, triangle) is truth, (triangle, dot)
+    assert seen[APART] > 50 < seen[OVERLAPPING]
+
+
+@pytest.mark.parametrize("far", [0, 9])
+def test_shapes_of_other_libraries_are_refused_wherever_they_are(far):
+    other, ours = SimpleNamespace(bounds=(far, far, far + 1, far + 1)), Polygon([(0, 0), (2, 0), (0, 2)])
+    for a, b in ((other, ours), (ours, other), (other, Circle((0, 0), 1))):
+        with pytest.raises(TypeError, match=r"make it a satviz\.Polygon"):
+            relate(a, b)
+
+
+def test_what_fails_inside_a_shape_is_told_as_it_is():
+    with pytest.raises(AttributeError, match="slabs"):
+        relate(Circle((0, 0), 1), object.__new__(Polygon))
+
+
+@pytest.mark.parametrize(
+    "grains", [(0, 0, 0), (5, 0, 0), (0, 5, 0), (0, 0, 5), (20, 3, 9), (3, 9, 20), (9, 20, 3)], ids=str
+)
+def test_a_moved_shape_is_judged_where_it_comes_to_lie(grains):
+    """Whichever of a, b and the move has the finest coordinates."""
+    rng = Random(14)
+
+    def whole(grain: int) -> float:
+        return rng.randint(-12, 12) + rng.choice((0, rng.randint(-1, 1) * 2.0**-grain))
+
+    for _ in range(60):
+        (ax, ay), (bx, by), move = (Vec(whole(grain), whole(grain)) for grain in grains)
+        a = rng.choice((Circle((ax, ay), 5), Polygon([(ax, ay), (ax + 8, ay), (ax, ay + 8)])))
+        b = rng.choice((Circle((bx, by), 5), Polygon([(bx, by), (bx + 3, by), (bx, by + 4)])))
+        assert relate_moved(a, b, move) is relation(a, mapped(b, lambda x, y, by=move: (x + by.x, y + by.y)))
+
+
+@pytest.mark.parametrize("hair", [2.0**-60, 2.0**-700, 5e-324])
+def test_a_move_too_small_for_the_coordinates_still_counts(hair):
+    for touching in (Circle((9, 4), 1), Polygon([(8, 0), (9, 0), (8, 9)])):
+        for way, truth in ((1, APART), (0, TOUCHING), (-1, OVERLAPPING)):
+            box = Polygon([(0, 0), (8, 0), (8, 8), (0, 8)])
+            assert relate_moved(box, touching, Vec(way * hair, 0.0)) is truth
+            assert relate_moved(touching, box, Vec(-way * hair, 0.0)) is truth
 
 
 # -- where products lose bits or overflow ----------------------------------------------------------
@@ -48,6 +175,43 @@ def test_relate_is_never_wrong_where_products_lose_bits_or_overflow(power):
     assert [(a, b) for a, b in known if relate(a, b) is not oracle.relation(a, b)] == []
 
 
+@pytest.mark.parametrize("size", [1e100, 1e160, 1e200, 1e280, 1e300])
+def test_a_small_triangle_beside_a_huge_one_is_apart_though_only_an_edge_of_the_huge_one_tells(size):
+    small = Polygon([(-1, 0.5), (-3, 0.5), (-3, -5)])
+    for first in range(3):
+        huge = [(0, 0), (size, size), (-size, size)]
+        huge = Polygon(huge[first:] + huge[:first])
+        assert relate(small, huge) is relate(huge, small) is oracle.relation(small, huge) is APART
+
+
+@pytest.mark.parametrize(
+    ("larger", "power"),
+    [
+        (700, -100),
+        (700, 100),
+        (550, 0),
+        (550, 200),
+        (450, 200),
+        (350, 300),
+        (250, 300),
+        (150, -600),
+        (60, -550),
+        (250, -700),
+    ],
+)
+def test_relate_is_right_about_shapes_of_very_different_size_where_the_products_of_one_alone_overflow(larger, power):
+    rng = Random(18)
+
+    def corner(power: int) -> tuple[float, float]:
+        return math.ldexp(rng.randint(-4, 4), power), math.ldexp(rng.randint(-4, 4), power)
+
+    for _ in range(150):
+        with suppress(InvalidShape):
+            a = Polygon([corner(power) for _ in range(3)])
+            b = Polygon([corner(power), corner(power + larger), corner(power + larger)])
+            assert relate(a, b) is relate(b, a) is oracle.relation(a, b), (a, b)
+
+
 @pytest.mark.parametrize("aside", [2.0**-4, 2.0**-20])
 def test_a_circle_beside_a_long_edge_is_right_at_the_very_size_where_products_overflow(aside):
     for step in range(96):
@@ -56,6 +220,17 @@ def test_a_circle_beside_a_long_edge_is_right_at_the_very_size_where_products_ov
         for part, truth in ((0.99, APART), (1.0, APART), (1.5, OVERLAPPING)):  # of d, where sqrt(2) * d touches
             circle = Circle((size * aside, -size * aside), size * aside * part)
             assert relate(half, circle) is relate(circle, half) is oracle.relation(half, circle) is truth
+
+
+@pytest.mark.parametrize("way", [(1, 0), (0, 1), (-1, 0), (0, -1)], ids=str)
+@pytest.mark.parametrize("place", [0, 2.0**520])
+def test_a_circle_at_the_tip_of_a_needle_whose_squared_length_overflows_is_judged_by_the_tip(way, place):
+    far = 2.0**520
+    needle = [(-place, 0.0), (far - place, -1.0), (far - place, 0.0)]
+    for radius, truth in ((1, APART), (1.4, APART), (1.6, OVERLAPPING)):
+        ((x, y),) = spun([(-place, -1.5)], *way)
+        a, b = Polygon(spun(needle, *way)), Circle((x, y), radius)
+        assert relate(a, b) is relate(b, a) is oracle.relation(a, b) is truth
 
 
 # -- the oracle ------------------------------------------------------------------------------------
@@ -315,6 +490,47 @@ def test_a_polygon_filter_without_room_is_wrong(float_only, monkeypatch):
     wrong = sum(float_only(a, b) not in (None, oracle.relation(a, b)) for a, b in at_the_bound(11, 3_000, 0))
     print(f"wrong without room: {wrong} of 3000")
     assert wrong > 10
+
+
+def tilted_boxes(rng: Random) -> tuple[Shape, Shape]:
+    """Their opposite edges run exactly opposite, so that one look serves both; never near a touch."""
+    third = 21845 / 2**16
+    rings = []
+    for _ in "ab":
+        w, h = rng.randint(1, 9), rng.randint(1, 3)
+        rings.append(spun([(0, 0), (w, 0), (w, h), (0, h)], 5, rng.randint(1, 4)))
+    dx, dy = rng.randint(-40, 40) + third, rng.randint(-40, 40) + third
+    return convex(rings[0]), convex([(x + dx, y + dy) for x, y in rings[1]])
+
+
+@pytest.mark.parametrize("power", [-400, -40, 0, 40, 400])
+def test_floats_tell_all_pairs_that_are_nowhere_near_a_touch_at_the_first_look(float_only, power, monkeypatch):
+    monkeypatch.setattr(verdict, "_in_doubt", None)
+    rng = Random(15)
+    for _ in range(150):
+        a, b = (scaled(shape, power) for shape in rng.choice((random_polygons, random_circles, tilted_boxes))(rng))
+        assert float_only(a, b) is oracle.relation(a, b), (a, b)
+
+
+@pytest.mark.parametrize("power", [-1000, -400, 0, 400, 1000])
+def test_two_upright_boxes_are_told_by_their_bounds_alone(float_only, power):
+    unit = 2.0**power
+    for x in range(-3, 4):
+        for y in range(-3, 4):
+            a = Polygon([(0, 0), (2 * unit, 0), (2 * unit, unit), (0, unit)])
+            b = Polygon(
+                [
+                    (x * unit, y * unit + 2 * unit),
+                    (x * unit, y * unit),
+                    (x * unit + unit, y * unit),
+                    (x * unit + unit, y * unit + 2 * unit),
+                ]
+            )
+            truth = min(
+                (APART, TOUCHING, OVERLAPPING)[(gap < 0) + (gap <= 0)]
+                for gap in (abs(2 * x - 1) - 3, abs(2 * y + 1) - 3)
+            )
+            assert float_only(a, b) is truth
 
 
 @pytest.mark.parametrize("name", BOUNDS)

@@ -74,8 +74,6 @@ def plain(values: Any, name: str) -> Any:
         raise InvalidShape(f"{name} is {_shown(values)}: expected numbers in order")
     if hasattr(values, "tolist") and hasattr(values, "dtype"):
         refuse_array(values, name)
-        if getattr(values.dtype, "itemsize", 8) > 8:  # long double: tolist() keeps its own scalars, checked one by one
-            return list(values)
         return values.tolist()
     return values
 
@@ -161,8 +159,6 @@ def corners(points: Sequence[Vec]) -> Corners:
         turns.append(turn)
     notes += [f"vertex {i} lies straight on between its neighbours" for i, turn in zip(ring, turns) if turn == 0]
     kept = [i for i, turn in zip(ring, turns) if turn]
-    if not kept:
-        raise InvalidShape("all vertices lie on one line: a polygon needs a positive area; move one off it")
     bends = {turn for turn in turns if turn}
     convex = len(bends) == 1 and _runs_round_once([points[i] for i in kept])
     if not convex:

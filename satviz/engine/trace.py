@@ -43,8 +43,8 @@ class Trace:
     b: Shape
     choice: Choice
     tests: tuple[AxisTest, ...]
-    every_axis: bool = False
-    pairs: tuple["Trace", ...] = ()
+    every_axis: bool
+    pairs: tuple["Trace", ...]
     names: Names = PLAIN
 
     @property

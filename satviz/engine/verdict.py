@@ -1,6 +1,7 @@
 """relate: the exact relation of two shapes, with nothing recorded."""
 
 from collections.abc import Sequence
+from math import inf
 
 from .concave import parts
 from .exact import HUGE, TINY, IntPoint, aligned, orient, root_sign, shifted, sign, to_integers
@@ -27,14 +28,14 @@ def relate(a: Shape, b: Shape) -> Relation:
     room of zero (of the least alone would be wrong when two lie on the edge's line).
     """
     try:
-        ax0, ay0, ax1, ay1 = a.bounds
-        bx0, by0, bx1, by1 = b.bounds
+        a_slabs, b_slabs = a.slabs, b.slabs  # which shapes of other libraries do not have
     except AttributeError:
         checked(a, "a"), checked(b, "b")
         raise
+    ax0, ay0, ax1, ay1 = a.bounds
+    bx0, by0, bx1, by1 = b.bounds
     if ax1 < bx0 or bx1 < ax0 or ay1 < by0 or by1 < ay0:
         return APART
-    a_slabs, b_slabs = a.slabs, b.slabs
     if not (a_slabs and b_slabs):
         return _circles(a, b) if a.radius and b.radius else _mixed(a, b)
     if a.is_upright_box and b.is_upright_box:
@@ -70,7 +71,7 @@ def _in_doubt(a: Shape, b: Shape, reach: float) -> Relation:
     best = -1
     for own, points in (a, b.core), (b, a.core):
         room = own.span * reach
-        if not LEAST_ROOM < room < MOST_ROOM:
+        if not LEAST_ROOM < room < MOST_ROOM:  # relate has looked from one of the two so far
             return relate_integers(*aligned(a, b)[:3])
         p = own.core[-1]
         for q in own.core:
@@ -114,9 +115,9 @@ def relate_moved(a: Shape, b: Shape, move: Vec) -> Relation:
 
 
 def relate_integers(p: Sequence[IntPoint], q: Sequence[IntPoint], radii: int) -> Relation:
-    """The integer twins: a circle is a point with a radius."""
+    """The integer twins: a circle is a point with a radius, and beside another circle a ring of one corner."""
     if len(p) == 1:
-        return _exact_circles(p[0], q[0], radii) if len(q) == 1 else _exact_circle_polygon(p[0], radii, q)
+        return _exact_circle_polygon(p[0], radii, q)
     return _exact_circle_polygon(q[0], radii, p) if len(q) == 1 else _by_sign(max(_edge_side(p, q), _edge_side(q, p)))
 
 
@@ -150,10 +151,6 @@ def _circles(a: Shape, b: Shape) -> Relation:
     return relate_integers(*aligned(a, b)[:3])
 
 
-def _exact_circles(p: IntPoint, q: IntPoint, radii: int) -> Relation:
-    return _by_sign(sign((p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2 - radii * radii))
-
-
 def _by_sign(gap: int) -> Relation:
     return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
@@ -166,15 +163,17 @@ def _circle_polygon(circle: Shape, polygon: Shape) -> Relation:
     edge of length L carries under 12 roundings of D*L (asked: 32) and a squared
     distance under 45 of D*D (asked: 128).  A foot of the perpendicular taken for a
     vertex, or the reverse, moves a squared distance by the square of a rounding.
+    Where the room is below HUGE, the products are at most 2**49 times larger; a
+    radius beyond 2D, whatever its rounding, reaches past every vertex.
     """
     ((cx, cy),), ring = circle.core, polygon.core
     x0, y0, x1, y1 = polygon.bounds
-    far = max(x1 - cx, cx - x0, y1 - cy, cy - y0, circle.radius)
+    far = max(x1 - cx, cx - x0, y1 - cy, cy - y0)
     room = far * far * 2.0**-46
-    if not TINY < room < HUGE * 2.0**-46:
+    if not TINY < room < HUGE:
         return relate_integers(*aligned(circle, polygon)[:3])
     side_room = far * 2.0**-48
-    inside, outside, nearest = True, False, HUGE
+    inside, outside, nearest = True, False, inf
     vx, vy = ring[-1]
     px, py = vx - cx, vy - cy
     for wx, wy in ring:
@@ -206,7 +205,7 @@ def _circle_polygon(circle: Shape, polygon: Shape) -> Relation:
 
 
 def _exact_circle_polygon(center: IntPoint, r: int, ring: Sequence[IntPoint]) -> Relation:
-    """The integer twin of _circle_polygon."""
+    """The integer twin of _circle_polygon, and of _circles (r the sum of both radii)."""
     cx, cy = center
     inside, best = True, 1
     px, py = ring[-1][0] - cx, ring[-1][1] - cy
