@@ -12,6 +12,7 @@ from math import isfinite
 from typing import Any, NamedTuple
 
 import numpy as np
+import shapely
 
 from satviz import Trace, batch, record, relate
 from satviz.batch.arrays import Shapes
@@ -165,6 +166,32 @@ def by_index(pairs: Pairs, engine: str) -> Sequence:
     return batch.relate(a, b, np.stack([i, i[::-1]], axis=1), engine=engine)
 
 
+def one_after_another(rings: list) -> Shapes:
+    return batch.Polygons(np.concatenate(rings), offsets=np.cumsum([0, *map(len, rings)]), concave="split")
+
+
+def padded(rings: list) -> Shapes:
+    most = max(map(len, rings))
+    return batch.Polygons(np.array([[*ring, *[ring[-1]] * (most - len(ring))] for ring in rings]), concave="split")
+
+
+def of_shapely(rings: list) -> Shapes:
+    return batch.from_shapely([shapely.Polygon(ring) for ring in rings], concave="split")
+
+
+def laid_out(make: Callable[[list], Shapes], engine: str) -> Callable[[Pairs], list]:
+    """Raw vertices in one of the ways that data comes, side by side and picked from both."""
+
+    def answers(pairs: Pairs) -> list:
+        a, b = (make([pair[k].vertices for pair in pairs]) for k in (0, 1))
+        i = np.arange(len(pairs))
+        side_by_side = batch.relate(a, b, engine=engine).tolist()
+        by_index = batch.relate(a, b, np.stack([i, i], axis=1), engine=engine).tolist()
+        return [p if p == q else f"{p} or, by index, {q}" for p, q in zip(side_by_side, by_index, strict=True)]
+
+    return grouped(answers, lambda i, a, b: 0 if isinstance(a, Polygon) and isinstance(b, Polygon) else None)
+
+
 def picked(pick: Callable[[Shapes], Shapes], around: Callable[[list], list]) -> Callable[[Pairs], Sequence]:
     """`around` adds shapes to either side, `pick` takes them away again."""
 
@@ -256,6 +283,8 @@ for engine in ENGINES:
     FORMS[f"batch of one pair, {engine}"] = Form(grouped(batched(batch.relate, engine=engine), by(1)), one_in=40)
     FORMS[f"one against many, {engine}"] = Form(grouped(partial(one_against_many, engine=engine), by(5)), one_in=60)
     FORMS[f"pairs by index, {engine}"] = Form(partial(by_index, engine=engine), one_in=20)
+    for make in (one_after_another, padded, of_shapely):
+        FORMS[f"batch {make.__name__}, {engine}"] = Form(laid_out(make, engine), one_in=8)
     FORMS[f"hits, {engine}"] = Form(batched(batch.hits, engine=engine), a_hit, one_in=20)
     FORMS[f"colliding_pairs, {engine}"] = Form(grouped(partial(colliding, engine=engine), by(5)), a_hit, one_in=40)
 FORMS["colliding_pairs of two"] = Form(grouped(partial(colliding, engine="numpy"), by(1)), a_hit, one_in=40)

@@ -69,6 +69,88 @@ def test_whole_arrays_and_streams_have_the_same_door(name):
     assert words(batch.stream_colliding_pairs, block, strip=2) == said
 
 
+PENTAGRAM = [(0, 3), (2, -3), (-3, 1), (3, 1), (-2, -3)]
+SHAPED = {name: bad for name, bad in BAD.items() if name in ("nan", "infinity", "a spike", "a bowtie", "no area")}
+SHAPED |= {"a pentagram": PENTAGRAM, "two vertices": [(0, 0), (1, 0)], "none": np.empty((0, 2))}
+
+
+@pytest.mark.parametrize("before", [0, 1, 3])
+@pytest.mark.parametrize("name", SHAPED)
+def test_outlines_one_after_another_have_the_same_door(name, before):
+    bad = np.asarray(SHAPED[name], float)
+    good = np.array(TRIANGLE)
+    rings = [good] * before + [bad, good, bad]
+    start = np.cumsum([0, *map(len, rings)])
+    said = f"polygon {before}: {words(sv.Polygon, bad)}"
+    assert words(batch.Polygons, np.concatenate(rings), offsets=start) == said
+    assert words(batch.Polygons, np.concatenate(rings), offsets=start, concave="split") == said
+    assert words(batch.Polygons, rings) == words(batch.Polygons, [r.tolist() for r in rings]) == said
+
+
+@pytest.mark.parametrize("name", [name for name, bad in BAD.items() if isinstance(bad, np.ndarray)])
+def test_vertices_one_after_another_are_numbers_like_all_others(name):
+    bad = BAD[name]
+    stack = np.ma.concatenate if np.ma.isMaskedArray(bad) else np.concatenate
+    block = stack([np.array(TRIANGLE).astype(bad.dtype)] * 2 + [bad])
+    said = words(sv.Polygon, bad)
+    of_kind = "array of" in said or "masked" in said
+    assert words(batch.Polygons, block, offsets=[0, 3, 6, 9]) == (said if of_kind else f"polygon 2: {said}")
+
+
+@pytest.mark.parametrize(
+    ("offsets", "said"),
+    [
+        ([0, 3, 5], "ends with 5"),
+        ([0, 3, 7], "ends with 7"),
+        ([1, 3, 6], "begins with 1"),
+        ([-3, 3, 6], "begins with -3"),
+        ([0, 4, 3, 6], "falls from 4 to 3"),
+        ([0.0, 3.0, 6.0], "float64"),
+        ([[0, 3, 6]], "(1, 3)"),
+        ([], "(0,)"),
+        ([True, False], "bool"),
+    ],
+)
+def test_offsets_that_do_not_fit_are_refused(offsets, said):
+    assert said in words(batch.Polygons, np.array(TRIANGLE * 2), offsets=offsets)
+
+
+def test_an_outline_lies_as_it_was_given_in_whatever_layout():
+    rings = [TRIANGLE, [(5, 5), (6, 5), (6, 6), (5, 6)], [(0, 9), (1, 9), (2, 9), (2, 9), (1, 11)], TRIANGLE[::-1]]
+    corners = [[0, 0, 1, 1], [5, 5, 6, 6], [0, 9, 2, 11], [0, 0, 1, 1]]
+    given = np.concatenate([np.array(ring, float) for ring in rings])
+    made = batch.Polygons(given, offsets=np.cumsum([0, *map(len, rings)]))
+    assert made.bounds.tolist() == corners and repr(made) == "Shapes(3 x 3-gon, 1 x 4-gon)"
+    padded = np.array([[*ring, *[ring[0]] * (5 - len(ring))] for ring in rings], float)
+    assert batch.Polygons(padded).bounds.tolist() == batch.Polygons(rings).bounds.tolist() == corners
+    none = batch.Polygons(np.empty((0, 2)), offsets=[0])
+    assert len(none) == 0 and batch.colliding_pairs(none).shape == (0, 2)
+
+
+def test_shapelys_polygons_come_as_they_are():
+    shapely = pytest.importorskip("shapely")
+    ell = shapely.Polygon(ELL)
+    made = batch.from_shapely(np.array([shapely.box(0, 0, 1, 1), shapely.Polygon(TRIANGLE)]))
+    assert made.bounds.tolist() == [[0, 0, 1, 1], [0, 0, 1, 1]]
+    assert len(batch.from_shapely([ell, ell], concave="split")) == 2
+    assert words(batch.from_shapely, [shapely.box(0, 0, 1, 1), ell]).startswith("polygon 1 is not convex")
+    hole = shapely.box(0, 0, 9, 9) - shapely.box(1, 1, 2, 2)
+    for odd in (
+        hole,
+        shapely.Point(0, 0),
+        shapely.MultiPolygon([ell]),
+        shapely.Polygon(),
+        shapely.Polygon([(0, 0, 1), (1, 0, 1), (0, 1, 1)]),
+        None,
+        "POLYGON",
+    ):
+        said = words(batch.from_shapely, [shapely.box(0, 0, 1, 1), odd])
+        assert said == f"polygon 1: {words(sv.Polygon, odd)}"
+    ring = shapely.LinearRing(TRIANGLE)
+    assert batch.from_shapely([ring, ell.convex_hull]).bounds.tolist() == [[0, 0, 1, 1], [0, 0, 4, 4]]
+    assert len(batch.from_shapely([])) == 0
+
+
 NUMBERS = [True, "1", 1j, None, np.nan, np.inf, 2**53 + 1, 10**400, np.array([1, 2]), [1], sv, np.datetime64("2020")]
 
 

@@ -170,9 +170,7 @@ class Shapes:
         if "rings" in vars(self) and not (self.count == 1).any():
             if len(found):
                 x, y, first = self.rings.x, self.rings.y, self.rings.start[:-1]
-                for i, (extreme, c) in enumerate(
-                    ((np.minimum, x), (np.minimum, y), (np.maximum, x), (np.maximum, y))
-                ):
+                for i, (extreme, c) in enumerate(((np.minimum, x), (np.minimum, y), (np.maximum, x), (np.maximum, y))):
                     found[:, i] = extreme.reduceat(c, first)
         else:
             for v, group in self.groups.items():

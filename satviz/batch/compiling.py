@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TypeVar, cast
+from typing import Any, TypeVar, cast
 
 from numba import njit
 
@@ -15,7 +15,7 @@ STAMP = tuple((path.stat().st_mtime_ns, path.stat().st_size) for path in SOURCES
 
 def compiled(kernel: Kernel) -> Kernel:
     """The kernel compiled at its first call; to type checkers the function that it was."""
-    made = njit(nogil=True, cache=True, error_model="numpy")(kernel)
+    made: Any = njit(nogil=True, cache=True, error_model="numpy")(kernel)
     # numba would keep what it compiled until the kernel's own file changes; it holds calls and constants of others too
     made._cache._cache_file._source_stamp = STAMP  # noqa: SLF001
     return cast(Kernel, made)

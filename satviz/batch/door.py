@@ -77,11 +77,11 @@ def _quickly(one: Any) -> NDArray[np.float64] | None:
     """An outline of plain floats as an array, not yet known to be finite; None where the door must look closer."""
     if type(one) is np.ndarray:
         return one if one.dtype == np.float64 and one.ndim == 2 and one.shape[1] == 2 and len(one) > 2 else None
-    if type(one) is not list and type(one) is not tuple or len(one) < 3:
+    if (type(one) is not list and type(one) is not tuple) or len(one) < 3:
         return None
-    flat = []
+    flat: list[Any] = []
     for p in one:
-        if type(p) is not tuple and type(p) is not list or len(p) != 2:
+        if (type(p) is not tuple and type(p) is not list) or len(p) != 2:
             return None
         flat += p
     return np.array(flat).reshape(-1, 2) if set(map(type, flat)) == {float} else None

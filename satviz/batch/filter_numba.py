@@ -22,6 +22,7 @@ from .signs import Array, Signs
 BLOCK = 1 << 17  # pairs a call: long enough that Python's share vanishes
 TILE = 128  # pairs whose columns stay in the first-level cache between edges
 
+
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     """APART where an edge has the other shape beyond it by more than rounding can hide."""
     va, vb = len(a.x), len(b.x)

@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..engine import outline
 from ..engine.concave import parts
 from ..engine.geometry import InvalidShape
 from ..engine.shapes import Polygon
@@ -56,22 +55,17 @@ def Polygons(vertices: door.Rings, *, offsets: ArrayLike | None = None, concave:
 
 
 def from_shapely(geometries: Any, *, concave: str = "refuse") -> Shapes:
-    """The same from an array or sequence of shapely polygons; InvalidShape for holes and other geometries."""
+    """The same from an array or sequence of shapely's polygons."""
     import shapely
 
     array = np.asarray(geometries, object).ravel()
-    if (odd := np.flatnonzero(shapely.get_type_id(array) != shapely.GeometryType.POLYGON)).size:
-        raise InvalidShape(f"polygon {odd[0]} is {_kind(array[odd[0]])}: pass one Polygon at a time")
-    if (odd := np.flatnonzero(shapely.get_num_interior_rings(array))).size:
-        polygon_or_error = f"polygon {odd[0]}: the polygon has holes"
-        raise InvalidShape(f"{polygon_or_error}: pass its outer ring, or split it into parts without holes")
+    if (shapely.get_type_id(array) != shapely.GeometryType.POLYGON).any() or shapely.get_num_interior_rings(
+        array
+    ).any():
+        return Polygons(list(array), concave=concave)  # whose door says what each is
     outer = shapely.get_exterior_ring(array)
     start = np.concatenate([[0], np.cumsum(shapely.get_num_coordinates(outer))])
     return Polygons(shapely.get_coordinates(outer), offsets=start, concave=concave)
-
-
-def _kind(value: Any) -> str:
-    return f"a {getattr(value, 'geom_type', type(value).__name__)}"
 
 
 def polygons_numbered(vertices: door.Rings, numbers: Indices | None, concave: str) -> Shapes:
@@ -98,7 +92,9 @@ def _assembled(given: Rings, name: Callable[[int], str], concave: str) -> Shapes
     count = np.diff(rings.start)
     if plain.all():
         if len(count) and count[0] <= FEW and (count == count[0]).all():  # pairs of such come side by side mostly
-            return Shapes(count, groups={int(count[0]): group_of(*(c.reshape(len(count), -1).T.copy() for c in rings[:2]))})
+            return Shapes(
+                count, groups={int(count[0]): group_of(*(c.reshape(len(count), -1).T.copy() for c in rings[:2]))}
+            )
         return Shapes(count, rings=rings)
     pieces: list[NDArray[np.float64]] = []
     owners = [np.flatnonzero(plain)]

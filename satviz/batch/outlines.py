@@ -3,15 +3,17 @@
 Outlines lie one after another: (M,) x and y, and the (N + 1,) places where each starts and the last one ends.
 """
 
+from itertools import pairwise
+from typing import TypeVar
+
 import numpy as np
 from numpy.typing import NDArray
 
 from . import signs
-from .rings import Rings, joined
+from .rings import Mask, Places, Rings, joined
 from .signs import Array
 
-Places = NDArray[np.intp]
-Mask = NDArray[np.bool_]
+Value = TypeVar("Value", np.float64, np.bool_)
 
 BLOCK = 1 << 15  # corners at a time: they and the scratch arrays stay in the second-level cache
 
@@ -24,7 +26,7 @@ def convex(rings: Rings) -> tuple[Rings, Mask]:
     found, masks = [], []
     full = np.searchsorted(rings.start, np.arange(BLOCK, rings.start[-1], BLOCK), side="right") - 1
     cuts = np.unique(np.concatenate([[0], full, [len(rings.start) - 1]]))
-    for i, j in zip(cuts[:-1], cuts[1:], strict=True):
+    for i, j in pairwise(cuts):
         start = rings.start[i : j + 1]
         part = slice(start[0], start[-1])
         some, mask = _convex(Rings(rings.x[part], rings.y[part], start - start[0]))
@@ -66,14 +68,11 @@ def _convex(rings: Rings) -> tuple[Rings, Mask]:
     back = most < 0
     many[many] = plain
     if straight.size:
-        ring, back = ring.without(turns != 0), back[plain]
-        ring = Rings(*ring).some(plain)
-    else:
-        ring, back = ring.some(plain), back[plain]
-    return _turned(ring, back), many
+        ring = ring.without(turns != 0)
+    return _turned(ring.some(plain), back[plain]), many
 
 
-def _before(c: NDArray, start: Places) -> NDArray:
+def _before(c: NDArray[Value], start: Places) -> NDArray[Value]:
     """What stands before each corner of its outline."""
     found = np.empty_like(c)
     found[1:] = c[:-1]
@@ -81,7 +80,7 @@ def _before(c: NDArray, start: Places) -> NDArray:
     return found
 
 
-def _after(c: NDArray, start: Places) -> NDArray:
+def _after(c: NDArray[Value], start: Places) -> NDArray[Value]:
     found = np.empty_like(c)
     found[:-1] = c[1:]
     found[start[1:] - 1] = c[start[:-1]]

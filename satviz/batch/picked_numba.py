@@ -52,7 +52,7 @@ def _polygons(
     best, fours, eights = np.empty(LANES), np.empty(LANES, np.intp), np.empty(LANES, np.intp)
     n4 = n8 = 0
     for k in range(out.size):
-        i, j = np.uintp(ia[k]), np.uintp(ib[k])
+        i, j = ia[k], ib[k]
         gap = max(
             max(box_a[i, 0] - box_b[j, 2], box_b[j, 0] - box_a[i, 2]),
             max(box_a[i, 1] - box_b[j, 3], box_b[j, 1] - box_a[i, 3]),
@@ -89,13 +89,15 @@ def _polygons(
 @compiled
 def _reach(box: Array, i: int) -> float:
     """The largest coordinate's magnitude."""
-    return max(max(-box[i, 0], box[i, 2]), max(-box[i, 1], box[i, 3]))
+    reach: float = max(max(-box[i, 0], box[i, 2]), max(-box[i, 1], box[i, 3]))
+    return reach
 
 
 @compiled
 def _width(box: Array, i: int) -> float:
     """No edge has a larger part along x or y."""
-    return max(box[i, 2] - box[i, 0], box[i, 3] - box[i, 1])
+    width: float = max(box[i, 2] - box[i, 0], box[i, 3] - box[i, 1])
+    return width
 
 
 @compiled
@@ -107,7 +109,7 @@ def _look(
     """The float filter on lanes of pairs; an outline of fewer corners goes round again, so all have `width` edges."""
     n = which.size
     for k in range(n):
-        i, j = np.uintp(ia[which[k]]), np.uintp(ib[which[k]])
+        i, j = ia[which[k]], ib[which[k]]
         _lay(ax, ay, sa[i], sa[i + 1], width, x, y, k)
         _lay(bx, by, sb[j], sb[j + 1], width, p, q, k)
         room = (_width(box_a, i) + _width(box_b, j)) * (_reach(box_a, i) + _reach(box_b, j)) * LOOK
