@@ -59,9 +59,9 @@ def from_shapely(geometries: Any, *, concave: str = "refuse") -> Shapes:
     import shapely
 
     array = np.asarray(geometries, object).ravel()
-    if (shapely.get_type_id(array) != shapely.GeometryType.POLYGON).any() or shapely.get_num_interior_rings(
-        array
-    ).any():
+    odd = shapely.get_type_id(array) != shapely.GeometryType.POLYGON
+    odd |= shapely.is_empty(array) | shapely.has_z(array) | (shapely.get_num_interior_rings(array) > 0)
+    if odd.any():
         return Polygons(list(array), concave=concave)  # whose door says what each is
     outer = shapely.get_exterior_ring(array)
     start = np.concatenate([[0], np.cumsum(shapely.get_num_coordinates(outer))])
