@@ -33,6 +33,7 @@ from mutmut.mutation.mutators import mutation_operators
 HERE = Path(__file__).parent
 ROOT = HERE.parent / "satviz"
 AT_ONCE = 2
+QUICK = 0.5  # seconds: slower tests do not judge, since each survivor goes through all that do
 LOADED_ONCE = ["hypothesis.strategies", "matplotlib", "numba", "numpy", "pytest", "shapely.geometry"]
 TESTS = {  # which test files judge a module: the quick and likely first
     "engine/geometry": ["geometry"],
@@ -40,7 +41,7 @@ TESTS = {  # which test files judge a module: the quick and likely first
     "engine/outline": ["shapes"],
     "engine/shapes": ["shapes", "trace"],
     "engine/concave": ["concave"],
-    "engine/verdict": ["verdict", "batch"],
+    "engine/verdict": ["verdict"],
     **{f"batch/{path.stem}": ["batch", "batch_door"] for path in sorted((ROOT / "batch").glob("[!_]*.py"))},
     "engine/axes": ["axes", "trace"],
     "engine/sat": ["trace"],
@@ -160,12 +161,13 @@ class Sown(SourceFileLoader):
 
 
 class Watch:
-    """Puts likely killers and quick tests first, stops one that runs away, and writes down who killed."""
+    """Keeps to the quick tests, puts likely killers first, stops one that runs away, and writes down who killed."""
 
     def __init__(self, out: Path, kills: Counter, times: dict[str, float]):
         self.out, self.kills, self.times, self.last, self.found = out, kills, times, "", {}
 
     def pytest_collection_modifyitems(self, items: list) -> None:
+        items[:] = [item for item in items if self.times.get(item.nodeid, 0) < QUICK]
         items.sort(key=lambda item: (-self.kills[item.nodeid], self.times.get(item.nodeid, 0)))
 
     def pytest_runtest_setup(self, item) -> None:

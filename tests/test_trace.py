@@ -492,7 +492,7 @@ def test_a_way_out_as_short_as_ours_is_as_good():
         return sv.Trace.from_json(json.dumps(data | {"mtv": list(move), "sentence": sentence}))
 
     assert told(-x, y) == trace
-    for longer_shorter_or_not_out in (-2 * x, y), (-x * 0.9, y), (0.0, abs(x)):
+    for longer_shorter_or_not_out in (-2 * x, y), (-1.1 * x, y), (-x * 0.9, y), (0.0, abs(x)):
         with pytest.raises(sv.InvalidScene, match="mtv"):
             told(*longer_shorter_or_not_out)
     with pytest.raises(sv.InvalidScene, match="sentence"):

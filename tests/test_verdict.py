@@ -129,6 +129,20 @@ def test_shapes_of_other_libraries_are_refused_wherever_they_are(far):
             relate(a, b)
 
 
+def test_integers_see_that_an_edge_is_nearer_than_its_end_even_if_by_one():
+    """Both ends on the circle or beyond it, and the foot one unit from an end."""
+    circle, triangle = Circle((0, 0), 5), Polygon([(3, 4), (4, 3), (9, 9)])
+    assert relate_integers(*aligned(circle, triangle)[:3]) is relation(circle, triangle) is OVERLAPPING
+
+
+def test_integers_see_that_a_center_is_inside_even_if_by_one():
+    hardly, ring = (
+        Circle((0, 0), 1),
+        Polygon([(-9, -2), (1, 0), (5, 1), (-2, 9)]),
+    )  # left of the second edge's line by 1
+    assert relate_integers(*aligned(hardly, ring)[:3]) is relation(hardly, ring) is OVERLAPPING
+
+
 def test_what_fails_inside_a_shape_is_told_as_it_is():
     with pytest.raises(AttributeError, match="slabs"):
         relate(Circle((0, 0), 1), object.__new__(Polygon))
@@ -510,6 +524,8 @@ def test_floats_tell_all_pairs_that_are_nowhere_near_a_touch_at_the_first_look(f
     for _ in range(150):
         a, b = (scaled(shape, power) for shape in rng.choice((random_polygons, random_circles, tilted_boxes))(rng))
         assert float_only(a, b) is oracle.relation(a, b), (a, b)
+    inner = Polygon([(-4, -3), (4, -2), (0, 5)]), Circle((0, 0), 0.01)
+    assert float_only(*(scaled(shape, power) for shape in inner)) is OVERLAPPING
 
 
 @pytest.mark.parametrize("power", [-1000, -400, 0, 400, 1000])

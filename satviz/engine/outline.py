@@ -72,7 +72,7 @@ def plain(values: Any, name: str) -> Any:
     """An array as nested lists (NumPy is not imported for it); masked entries are refused."""
     if isinstance(values, (str, bytes, dict, set, frozenset)) or getattr(values, "ndim", 1) == 0:
         raise InvalidShape(f"{name} is {_shown(values)}: expected numbers in order")
-    if hasattr(values, "tolist") and hasattr(values, "dtype"):
+    if hasattr(values, "tolist"):
         refuse_array(values, name)
         return values.tolist()
     return values
@@ -228,10 +228,8 @@ def refuse_crossings(ring: Sequence[Vec], ids: Sequence[int]) -> None:
 
 
 def _meet(p: Vec, q: Vec, r: Vec, s: Vec) -> bool:
-    """Do two closed segments share a point?"""
+    """Do two closed segments that share an x share a point?"""
     if max(p.y, q.y) < min(r.y, s.y) or max(r.y, s.y) < min(p.y, q.y):
-        return False
-    if max(p.x, q.x) < min(r.x, s.x) or max(r.x, s.x) < min(p.x, q.x):
         return False
     return orient(p, q, r) * orient(p, q, s) <= 0 and orient(r, s, p) * orient(r, s, q) <= 0
 

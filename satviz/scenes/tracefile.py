@@ -197,9 +197,8 @@ def _choice_like(trace: Trace) -> Choice:
     return trace.choice
 
 
-def _sources(choice: Choice) -> tuple[list[object], list[object]]:
-    given: list[object] = [axis.normal if axis.source.kind == axes.GIVEN else axis.source for axis in choice.axes]
-    return given, [(skip.axis.source, skip.why, skip.number) for skip in choice.skipped]
+def _sources(choice: Choice) -> tuple[list[Source], list[object]]:
+    return [axis.source for axis in choice.axes], [(skip.axis.source, skip.why, skip.number) for skip in choice.skipped]
 
 
 def _same(trace: Trace, again: Trace, where: str) -> None:
