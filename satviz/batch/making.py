@@ -59,10 +59,12 @@ def from_shapely(geometries: Any, *, concave: str = "refuse") -> Shapes:
     import shapely
 
     array = np.asarray(geometries, object).ravel()
+    if not shapely.is_geometry(array).all():
+        return Polygons(list(array), concave=concave)  # whose door says what each is
     odd = shapely.get_type_id(array) != shapely.GeometryType.POLYGON
     odd |= shapely.is_empty(array) | shapely.has_z(array) | (shapely.get_num_interior_rings(array) > 0)
     if odd.any():
-        return Polygons(list(array), concave=concave)  # whose door says what each is
+        return Polygons(list(array), concave=concave)
     outer = shapely.get_exterior_ring(array)
     start = np.concatenate([[0], np.cumsum(shapely.get_num_coordinates(outer))])
     return Polygons(shapely.get_coordinates(outer), offsets=start, concave=concave)
