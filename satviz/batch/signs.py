@@ -39,8 +39,19 @@ def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
 
 
 def _turns(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
-    pairs = [(px, qy), (-py, qx), (qx, ry), (-qy, rx), (rx, py), (-ry, px)]
-    return sign_of_products(pairs)
+    """Two products of differences where these lost nothing, as of points near each other; else six of coordinates."""
+    with np.errstate(all="ignore"):
+        (a, ea), (b, eb), (c, ec), (d, ed) = (two_sum(u, -v) for u, v in ((qx, px), (ry, py), (qy, py), (rx, px)))
+    plain = (ea == 0) & (eb == 0) & (ec == 0) & (ed == 0)
+    found = np.empty(len(px), np.int8)
+    for mask, pairs in (
+        (plain, [(a, b), (-c, d)]),
+        (~plain, [(px, qy), (-py, qx), (qx, ry), (-qy, rx), (rx, py), (-ry, px)]),
+    ):
+        which = np.flatnonzero(mask)
+        if which.size:
+            found[which] = sign_of_products([(u[which], v[which]) for u, v in pairs])
+    return found
 
 
 def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array) -> Signs:

@@ -1,12 +1,16 @@
 """The exact twin for the pairs that the filter leaves undecided."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from . import circle_polygons, signs
 from .arrays import Group, upright_boxes
 from .filter_numpy import APART, OVERLAPPING, TOUCHING, boxes
 from .signs import Array, Signs
+
+Indices = NDArray[np.intp]
+Mask = NDArray[np.bool_]
 
 LOOKS = 1 << 18  # looks of one edge at a time, over pairs and corners: what bounds the memory
 DOUBTS = 1 << 15  # exact signs asked in one go: each takes some hundred bytes a term
@@ -37,32 +41,74 @@ def relations(a: Group, b: Group) -> Signs:
 
 
 def _polygons(a: Group, b: Group) -> Signs:
-    """Edge by edge in float64, the exact sign asked of every corner within the room of zero."""
-    best = np.full(a.x.shape[1], -1, np.int8)
+    """Edge by edge until one tells, first those that face the other shape."""
+    found = np.full(a.x.shape[1], OVERLAPPING, np.int8)
+    left = np.arange(len(found))
     reach = (_largest(a.x, a.y) + _largest(b.x, b.y)) * LOOK
-    for own, other in (a, b), (b, a):
-        x, y = np.concatenate([own.x, own.x[:1]]), np.concatenate([own.y, own.y[:1]])
-        nx, ny = np.diff(y, axis=0), -np.diff(x, axis=0)
-        room = _largest(nx, ny) * reach
-        room[~((room > LEAST_ROOM) & (room < MOST_ROOM))] = np.inf
-        for i in range(len(nx)):
-            looks = nx[i] * other.x
-            looks += ny[i] * other.y
-            looks -= nx[i] * x[i] + ny[i] * y[i]
-            least = looks.min(axis=0)
-            best[least > room] = 1
-            doubtful = np.flatnonzero(~(np.abs(least) > room) & (best < 1))
-            if doubtful.size:
-                corner, which = np.nonzero(~(looks[:, doubtful] > room[doubtful]))
-                side = np.ones(len(doubtful), np.int8)
-                for start in range(0, len(which), DOUBTS):
-                    w, c = which[start : start + DOUBTS], corner[start : start + DOUBTS]
-                    k = doubtful[w]
-                    # the turn from the edge's end over its start: what lies beyond is to the left
-                    turns = signs.orient(x[i + 1, k], y[i + 1, k], x[i, k], y[i, k], other.x[c, k], other.y[c, k])
-                    np.minimum.at(side, w, turns)
-                best[doubtful] = np.maximum(best[doubtful], side)
-    return RELATION_OF_SIGN[best]
+    facing = _facing(a, b), _facing(b, a)
+    for step in range(max(len(a.x), len(b.x))):
+        # 0, 1, -1, 2, -2, ... from the edge that faces the other shape
+        away = (step + 1) // 2 * (1 if step % 2 else -1)
+        for own, other, first in ((a, b, facing[0]), (b, a, facing[1])):
+            if step < len(own.x) and left.size:
+                tells = _edge(own, other, (first[left] + away) % len(own.x), left, reach[left])
+                found[left] = tells
+                left = left[tells == OVERLAPPING]
+    return found
+
+
+def _facing(own: Group, other: Group) -> Indices:
+    """The edge, by where it starts, whose normal points most towards the other shape; any would do."""
+    x, y = own.x, own.y
+    nx, ny = np.roll(y, -1, axis=0) - y, x - np.roll(x, -1, axis=0)
+    dx, dy = other.x.mean(axis=0) - x.mean(axis=0), other.y.mean(axis=0) - y.mean(axis=0)
+    towards = nx * dx + ny * dy
+    towards /= np.hypot(nx, ny)
+    nearest: Indices = towards.argmax(axis=0)
+    return nearest
+
+
+def _edge(own: Group, other: Group, start: Indices, left: Indices, reach: Array) -> Signs:
+    """What one edge of each pair left tells, from the float looks and the exact sign of every corner within the room.
+
+    APART where all corners lie beyond it.  Where some lie on its line and none before, the shapes can only
+    meet there: TOUCHING, or APART, as their ranges on the line tell.  OVERLAPPING for now where one lies before.
+    """
+    end = (start + 1) % len(own.x)
+    ex, ey, fx, fy = own.x[start, left], own.y[start, left], own.x[end, left], own.y[end, left]
+    nx, ny = fy - ey, ex - fx
+    room = np.maximum(np.abs(nx), np.abs(ny)) * reach
+    room[~((room > LEAST_ROOM) & (room < MOST_ROOM))] = np.inf
+    looks = nx * other.x[:, left]
+    looks += ny * other.y[:, left]
+    looks -= nx * ex + ny * ey
+    least = looks.min(axis=0)
+    tells = np.where(least > room, np.int8(APART), np.int8(OVERLAPPING))
+    doubtful = np.flatnonzero(~(np.abs(least) > room))
+    if doubtful.size:
+        ends = ex[doubtful], ey[doubtful], fx[doubtful], fy[doubtful]
+        close = ~(looks[:, doubtful] > room[doubtful])
+        tells[doubtful] = _line(*ends, other.x[:, left[doubtful]], other.y[:, left[doubtful]], close)
+    return tells
+
+
+def _line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, close: Mask) -> Signs:
+    """The same where the exact signs of the close corners are needed; the others lie beyond."""
+    side = np.ones(px.shape, np.int8)
+    corner, which = np.nonzero(close)
+    for start in range(0, len(which), DOUBTS):
+        w, c = which[start : start + DOUBTS], corner[start : start + DOUBTS]
+        # the turn from the edge's end over its start: what lies beyond is to the left
+        side[c, w] = signs.orient(fx[w], fy[w], ex[w], ey[w], px[c, w], py[c, w])
+    least: Signs = side.min(axis=0)
+    # along the line by x, or by y where it stands upright: no two corners are alike in both
+    upright = ex == fx
+    e, f = np.where(upright, ey, ex), np.where(upright, fy, fx)
+    on = np.where(upright, py, px)
+    low = np.where(side == 0, on, np.inf).min(axis=0)
+    high = np.where(side == 0, on, -np.inf).max(axis=0)
+    meet = (low <= np.maximum(e, f)) & (high >= np.minimum(e, f))
+    return np.where(least < 0, OVERLAPPING, np.where((least == 0) & meet, TOUCHING, APART)).astype(np.int8)
 
 
 def _largest(x: Array, y: Array) -> Array:
