@@ -1,9 +1,15 @@
 """Many pairs at once: the same answers as one by one, whatever the engine, the layout and the executor."""
 
+import os
+import shutil
+import subprocess
+import sys
 import tracemalloc
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from decimal import Decimal, localcontext
 from fractions import Fraction
+from functools import partial
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,6 +21,7 @@ import satviz as sv
 from satviz import batch
 from satviz.batch import circle_polygons, filter_numpy, signs
 from satviz.batch.chunks import ChunkFailed
+from satviz.batch.codes import UNDECIDED
 from satviz.study import truth as oracle
 
 ENGINES = ["numpy", "numba"]
@@ -63,6 +70,38 @@ def test_batch_gives_the_scalar_answers(engine, kinds):
     assert batch.hits(a, b, engine=engine).tolist() == (found > 0).tolist()
 
 
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize(("v", "w"), [(9, 9), (17, 3), (40, 16), (100, 100), (4, 200)])
+def test_many_corners_apart_touching_and_overlapping_are_told_apart(engine, v, w):
+    """Each shape beside its mirror image (which shares a corner or an edge), and that moved by a float or by much."""
+    a, b = (np.round(ngons(RNG(v * w), 60, k) * 2.0**40) for k in (v, w))
+    wall = a[:, :, 0].max(axis=1)
+    low = b[:, :, 0].min(axis=1)
+    corner = a[np.arange(60), a[:, :, 0].argmax(axis=1), 1] - b[np.arange(60), b[:, :, 0].argmin(axis=1), 1]
+    touching = b + np.stack([wall - low, corner], axis=1)[:, None]
+    for move, right in ((0, 1), (1, 0), (2.0**39, 0), (-1, 2), (-(2.0**39), 2)):
+        p, q = batch.Polygons(a), batch.Polygons(touching + np.array([move, 0.0]))
+        for one, other in (p, q), (q, p), (p[::-1][::-1], q):
+            assert (batch.relate(one, other, engine=engine) == right).all(), move
+    assert one_by_one(p, q) == [2] * 60
+
+
+@pytest.mark.slow
+def test_kernels_on_disk_are_compiled_anew_when_a_file_that_they_call_changes(tmp_path):
+    pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
+    shutil.copytree(Path(sv.__file__).parent, tmp_path / "satviz", ignore=shutil.ignore_patterns("__pycache__"))
+    code = (
+        "from satviz import batch; s = batch.Polygons([[(0, 0), (1, 0), (0, 1)], [(0, 0), (0, -1), (1, -1), (2, 0)]]);"
+        "print(batch.relate(s, s, [[0, 1]], engine='numba')[0])"
+    )
+    env = {k: v for k, v in os.environ.items() if k != "NUMBA_CACHE_DIR"} | {"PYTHONPATH": str(tmp_path)}
+    ask = partial(subprocess.run, [sys.executable, "-c", code], env=env, cwd=tmp_path, capture_output=True, check=True)
+    assert ask().stdout.split() == [b"1"]
+    codes = tmp_path / "satviz" / "batch" / "codes.py"
+    codes.write_text(codes.read_text().replace("= 0, 1, 2", "= 0, 7, 2"))
+    assert ask().stdout.split() == [b"7"]
+
+
 @pytest.mark.slow
 def test_what_float32_decides_is_right_pair_by_pair():
     """One pair a batch, so that no other pair widens its room; the hard pairs, near and far from the origin."""
@@ -75,8 +114,8 @@ def test_what_float32_decides_is_right_pair_by_pair():
             out = np.empty(1, np.int8)
             with np.errstate(all="ignore"):
                 filter_numpy.polygons(one, other, 0, out)
-            assert out[0] in (found, filter_numpy.UNDECIDED), (p, q)
-            decided += out[0] != filter_numpy.UNDECIDED
+            assert out[0] in (found, UNDECIDED), (p, q)
+            decided += out[0] != UNDECIDED
     assert decided > 50
 
 

@@ -14,8 +14,9 @@ import numpy as np
 
 from ..engine.exact import HUGE, TINY
 from .arrays import Group
+from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .compiling import compiled
-from .filter_numpy import APART, OVERLAPPING, TOUCHING, UNDECIDED, room_64
+from .filter_numpy import room_64
 from .settle_numba import FEW
 from .signs import Array, Signs
 

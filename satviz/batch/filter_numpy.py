@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 
 from ..engine.exact import HUGE, TINY
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
+from . import steps_numpy
 from .arrays import Group
+from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .signs import Array, Signs
 
 Array32 = NDArray[np.float32]
 
-APART, TOUCHING, OVERLAPPING, UNDECIDED = 0, 1, 2, -1
 BLOCK = 16384  # pairs at a time: their columns and the scratch arrays stay in the second-level cache
 
 # The float32 look.  Coordinates from the first corner of A, at most m, are each off by
@@ -27,8 +28,14 @@ LOOK_32 = np.float32(2.0**-18)
 LEAST_32, MOST_32 = np.float32(2.0**-40), np.float32(2.0**50)  # m where float32 products keep their bits
 
 
+MANY = 16  # corners: beyond, float32 leaves nearly all pairs undecided, and to look at all takes too long
+
+
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     """APART where an edge has the other shape beyond it, in float32, with room for what rounding can hide."""
+    if max(len(a.x), len(b.x)) > MANY:
+        steps_numpy.polygons(a, b, first, out)
+        return
     ax, ay, bx, by = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
     _decide(*_look_32(ax, ay, bx, by, _width(a) + _width(b)), out)
 

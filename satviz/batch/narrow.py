@@ -14,7 +14,8 @@ from ..extras import needs
 from . import undecided
 from .arrays import Group, Shapes, checked
 from .chunks import CHUNK, Call, in_chunks
-from .filter_numpy import APART, UNDECIDED, room_64
+from .codes import APART, UNDECIDED
+from .filter_numpy import room_64
 from .making import FEW
 
 Relations = NDArray[np.int8]

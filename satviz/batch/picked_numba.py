@@ -5,9 +5,9 @@ from numpy.typing import NDArray
 
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from .arrays import Flat, Group
+from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .compiling import compiled
 from .filter_numba import edges_of_eight
-from .filter_numpy import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .settle_numba import TERMS, settled
 from .signs import Array, Signs
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from ..engine.exact import HUGE, TINY
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
+from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .compiling import compiled
-from .filter_numpy import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .signs import MOST_PASSES, ROUND, SPLIT, UNKNOWN, Array
 
 FEW = 8  # corners: all are looked at sooner than one goes round

@@ -6,7 +6,8 @@ from numpy.typing import NDArray
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from . import circle_polygons, signs
 from .arrays import Group, upright_boxes
-from .filter_numpy import APART, OVERLAPPING, TOUCHING, boxes
+from .codes import APART, OVERLAPPING, TOUCHING
+from .filter_numpy import boxes
 from .signs import Array, Signs
 
 Indices = NDArray[np.intp]
