@@ -120,7 +120,7 @@ def test_an_outline_lies_as_it_was_given_in_whatever_layout():
     corners = [[0, 0, 1, 1], [5, 5, 6, 6], [0, 9, 2, 11], [0, 0, 1, 1]]
     given = np.concatenate([np.array(ring, float) for ring in rings])
     made = batch.Polygons(given, offsets=np.cumsum([0, *map(len, rings)]))
-    assert made.bounds.tolist() == corners and repr(made) == "Shapes(3 x 3-gon, 1 x 4-gon)"
+    assert made.bounds.tolist() == corners and repr(made) == "Polygons(3 x 3-gon, 1 x 4-gon)"
     padded = np.array([[*ring, *[ring[0]] * (5 - len(ring))] for ring in rings], float)
     assert batch.Polygons(padded).bounds.tolist() == batch.Polygons(rings).bounds.tolist() == corners
     none = batch.Polygons(np.empty((0, 2)), offsets=[0])

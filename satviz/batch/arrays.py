@@ -79,7 +79,7 @@ class Shapes:
 
     def __repr__(self) -> str:
         kinds = zip(*np.unique(self.count, return_counts=True), strict=True)
-        return f"Shapes({', '.join(f'{n} x {_kind(v)}' for v, n in kinds)})"
+        return f"{type(self).__name__}({', '.join(f'{n} x {_kind(v)}' for v, n in kinds)})"
 
     @cached_property
     def rings(self) -> Rings:

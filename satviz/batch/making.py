@@ -19,43 +19,47 @@ Indices = NDArray[np.intp]
 FEW = 8  # corners
 
 
-def Circles(centers: door.Points, radii: door.Numbers) -> Shapes:
+class Circles(Shapes):
     """Circles from (N, 2) centers and (N,) radii, or one radius (scene units); InvalidShape names the first bad one."""
-    centers = door.points(centers, "centers", lambda i: f"circle {i}: center")
-    n = len(centers)
-    r = door.numbers(radii, "radii", "radius", lambda i: f"circle {i}: radius")
-    if r.shape not in ((), (1,), (n,)):
-        raise InvalidShape(f"radii has the shape {r.shape}: expected ({n},), or one radius for all")
-    r = np.array(np.broadcast_to(r, (n,)))
-    if (bad := np.flatnonzero(~(r > 0))).size:
-        raise InvalidShape(f"circle {bad[0]}: radius is {r[bad[0]]}: a circle needs a positive radius")
-    x, y = (np.array(centers[:, i][None]) for i in (0, 1))
-    with np.errstate(over="ignore"):
-        reach = float((np.abs(centers).max(axis=1, initial=0.0) + r).max(initial=0.0))
-    group = Group(x, y, r, float(r.max(initial=0.0)), reach)
-    return Shapes(np.ones(n, np.int64), groups={1: group})
+
+    def __init__(self, centers: door.Points, radii: door.Numbers) -> None:
+        centers = door.points(centers, "centers", lambda i: f"circle {i}: center")
+        n = len(centers)
+        r = door.numbers(radii, "radii", "radius", lambda i: f"circle {i}: radius")
+        if r.shape not in ((), (1,), (n,)):
+            raise InvalidShape(f"radii has the shape {r.shape}: expected ({n},), or one radius for all")
+        r = np.array(np.broadcast_to(r, (n,)))
+        if (bad := np.flatnonzero(~(r > 0))).size:
+            raise InvalidShape(f"circle {bad[0]}: radius is {r[bad[0]]}: a circle needs a positive radius")
+        x, y = (np.array(centers[:, i][None]) for i in (0, 1))
+        with np.errstate(over="ignore"):
+            reach = float((np.abs(centers).max(axis=1, initial=0.0) + r).max(initial=0.0))
+        super().__init__(np.ones(n, np.int64), groups={1: Group(x, y, r, float(r.max(initial=0.0)), reach)})
 
 
-def Polygons(vertices: door.Rings, *, offsets: ArrayLike | None = None, concave: str = "refuse") -> Shapes:
-    """Convex polygons in scene units, of any numbers of vertices, from one of
+class Polygons(Shapes):
+    """Convex polygons in scene units, of any numbers of vertices.
 
-    - an (N, V, 2) array (fewer than V vertices: repeat one),
-    - (M, 2) vertices one after another with `offsets`, the (N + 1,) places where each polygon starts and the last ends,
-    - a sequence of what satviz.Polygon takes.
+    `vertices`: an (N, V, 2) array (an outline with fewer than V vertices repeats one); or (M, 2) vertices
+    one after another, with the (N + 1,) `offsets` at which each polygon starts and the last one ends;
+    or a sequence of what satviz.Polygon takes.
 
     Either winding, repeats and straight-on vertices are allowed.  `concave="split"`
     splits concave ones into parts and keeps their owner.  InvalidShape names the
     first polygon at fault and says what is wrong, as satviz.Polygon does.  What is
     given is copied, never written to.
     """
-    if offsets is not None:
-        x, y, start = door.ragged(vertices, offsets)
-        return _assembled(Rings(x, y, start), "polygon {}".format, concave)
-    return polygons_numbered(vertices, None, concave)
+
+    def __init__(self, vertices: door.Rings, *, offsets: ArrayLike | None = None, concave: str = "refuse") -> None:
+        if offsets is None:
+            made = polygons_numbered(vertices, None, concave)
+        else:
+            made = _assembled(Rings(*door.ragged(vertices, offsets)), "polygon {}".format, concave)
+        vars(self).update(vars(made))
 
 
-def from_shapely(geometries: Any, *, concave: str = "refuse") -> Shapes:
-    """The same from an array or sequence of shapely's polygons."""
+def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
+    """Polygons from an array or sequence of shapely's polygons."""
     import shapely
 
     array = np.asarray(geometries, object).ravel()
