@@ -125,6 +125,13 @@ class Shapes:
         return Flat(*self.rings, self.parts.bounds, upright)
 
     @cached_property
+    def are_upright_boxes(self) -> bool:
+        """Are all of them boxes with their sides along x and y?"""
+        if "groups" in vars(self):
+            return all(group.upright for group in self.groups.values())
+        return bool((self.count == 4).all() and self.flat.upright.all())
+
+    @cached_property
     def starts(self) -> NDArray[np.intp]:
         """(N + 1,) at which part each shape begins, and the last one ends."""
         places = np.arange(len(self) + 1)

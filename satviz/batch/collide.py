@@ -35,12 +35,11 @@ def colliding_pairs(
     """
     found = []
     parts = checked(shapes, "shapes").parts
-    upright = all(group.upright for group in parts.groups.values())  # boxes that meet are shapes that meet
     for pairs in candidate_blocks(parts.bounds):
         if shapes.owner is not None:
             owners = shapes.owner[pairs]
             pairs = pairs[owners[:, 0] != owners[:, 1]]
-        if not upright:
+        if not parts.are_upright_boxes:  # of which those that meet by their boxes meet
             pairs = pairs[hits(parts, parts, pairs, engine=engine, executor=executor, progress=progress, chunk=chunk)]
         found.append(pairs)
     pairs = in_order(found)
