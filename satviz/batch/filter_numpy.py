@@ -13,12 +13,14 @@ from numpy.typing import NDArray
 from ..engine.exact import HUGE, TINY
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from . import steps_numpy
-from .arrays import Group
+from .arrays import Flat, Group
 from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .signs import Array, Signs
 
 Array32 = NDArray[np.float32]
+Indices = NDArray[np.intp]
 
+AT_ONCE = 1 << 17  # corners
 BLOCK = 16384  # pairs at a time: their columns and the scratch arrays stay in the second-level cache
 
 # The float32 look.  Coordinates from the first corner of A, at most m, are each off by
@@ -40,6 +42,45 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     _decide(*_look_32(ax, ay, bx, by, _width(a) + _width(b)), out)
 
 
+def picked(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
+    """The relations of the pairs (ia, ib) of polygons: by their boxes, else as `polygons` does, by a few widths."""
+    boxes_a, boxes_b = a.bounds[ia], b.bounds[ib]
+    with np.errstate(over="ignore"):
+        gap = np.maximum(boxes_a[:, :2] - boxes_b[:, 2:], boxes_b[:, :2] - boxes_a[:, 2:]).max(axis=1, initial=-np.inf)
+        wide = [(box[:, 2:] - box[:, :2]).max(axis=1) for box in (boxes_a, boxes_b)]
+    out.fill(UNDECIDED)
+    out[gap > 0] = APART
+    upright = np.flatnonzero(a.upright[ia] & b.upright[ib] & (gap <= 0))
+    out[upright] = np.where(gap[upright] < 0, OVERLAPPING, TOUCHING)
+    left = np.flatnonzero(out == UNDECIDED)
+    if not left.size:
+        return
+    most = np.maximum(*(s.start[i[left] + 1] - s.start[i[left]] for s, i in ((a, ia), (b, ib))))
+    widths = np.maximum(2 ** np.ceil(np.log2(most)).astype(np.intp), 4)
+    for width in np.unique(widths).tolist():
+        mine = left[widths == width]
+        size = max(64, AT_ONCE // width)
+        for start in range(0, len(mine), size):
+            part = mine[start : start + size]
+            x, y = _laid(a, ia[part], width)
+            p, q = _laid(b, ib[part], width)
+            found = np.empty(len(part), np.int8)
+            with np.errstate(all="ignore"):
+                if width > MANY:
+                    reach = float(np.abs(boxes_a[part]).max() + np.abs(boxes_b[part]).max()) * LOOK
+                    steps_numpy.few_steps(x, y, p, q, reach, found)
+                else:
+                    _decide(*_look_32(x, y, p, q, wide[0][part] + wide[1][part], 1), found)
+            out[part] = found
+
+
+def _laid(shapes: Flat, which: Indices, width: int) -> tuple[Array, Array]:
+    """One corner more than `width` of each, which goes round again where it has fewer: so all have that many edges."""
+    start = shapes.start[which]
+    places = start + np.arange(width + 1)[:, None] % (shapes.start[which + 1] - start)
+    return shapes.x[places], shapes.y[places]
+
+
 def room_64(a: Group, b: Group) -> float:
     """How far a float64 clearance of these groups can be off; infinite outside the range where that is known."""
     room = (a.span + b.span) * (a.reach + b.reach) * LOOK
@@ -51,30 +92,36 @@ def _width(group: Group) -> float:
     return len(group.x) // 2 * group.span
 
 
-def _look_32(ax: Array, ay: Array, bx: Array, by: Array, width: float) -> tuple[Array32, Array32]:
-    """Clearances in float32, and how far each can be off, from the pair's own size: far pairs widen no other's."""
+def _look_32(
+    ax: Array, ay: Array, bx: Array, by: Array, width: float | Array, again: int = 0
+) -> tuple[Array32, Array32]:
+    """Clearances in float32, and how far each can be off, from the pair's own size: far pairs widen no other's.
+
+    `again`: how many corners come again at the end, so that no edge leads from the last to the first.
+    """
     x, y, px, py = (_rounded(c, origin) for c, origin in zip((ax, ay, bx, by), (ax[0], ay[0]) * 2, strict=True))
     size = np.maximum(np.abs(px[0]), np.abs(py[0]))
-    size += np.float32(width)
+    size += np.asarray(width, np.float32)
     room = size * size
     room *= LOOK_32
     room[~((size > LEAST_32) & (size < MOST_32))] = np.inf
-    return _clearance(x, y, px, py, 1), room
+    return _clearance(x, y, px, py, 1, again), room
 
 
 def _rounded(c: Array, origin: Array) -> Array32:
     return np.subtract(c, origin).astype(np.float32)
 
 
-def _clearance(ax: Array32, ay: Array32, bx: Array32, by: Array32, known: int) -> Array32:
+def _clearance(ax: Array32, ay: Array32, bx: Array32, by: Array32, known: int, again: int = 0) -> Array32:
     """The largest clearance of an edge: how far beyond it the other shape's nearest corner lies (times its length).
 
     `known`: 1 where A's first corner is the origin, which saves its products.
     """
     best = np.full(ax.shape[1], -np.inf, ax.dtype)
     scratch = np.empty((5, ax.shape[1]), ax.dtype)
-    _edges(ax, ay, bx, by, known, 0, best, *scratch)
-    _edges(bx, by, ax, ay, 0, known, best, *scratch)
+    own, other = len(ax) - again, len(bx) - again
+    _edges(ax, ay, bx[:other], by[:other], own, known, 0, best, *scratch)
+    _edges(bx, by, ax[:own], ay[:own], other, 0, known, best, *scratch)
     return best
 
 
@@ -83,6 +130,7 @@ def _edges(
     y: Array32,
     px: Array32,
     py: Array32,
+    edges: int,
     own: int,
     other: int,
     best: Array32,
@@ -93,7 +141,7 @@ def _edges(
     part: Array32,
 ) -> None:
     """Raise `best` to the clearance of each edge; the first `own` corners and `other` corners are zeros."""
-    for i in range(len(x)):
+    for i in range(edges):
         j = (i + 1) % len(x)
         np.subtract(y[j], y[i], out=nx)
         np.subtract(x[i], x[j], out=ny)

@@ -1,11 +1,12 @@
 """relate and hits for many pairs: the filter in blocks, then the exact twin for all that it left undecided."""
 
+import sys
 import warnings
 from collections.abc import Callable
 from concurrent.futures import Executor, ThreadPoolExecutor
 from functools import cache
 from importlib.util import find_spec
-from typing import Any, NamedTuple, TypedDict, Unpack
+from typing import NamedTuple, TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,8 +26,8 @@ Indices = NDArray[np.intp]
 class Engine(NamedTuple):
     """What does the work on float64: kernels that fill `out` with relations, and leave UNDECIDED what they cannot tell.
 
-    The first four take columns of two groups, from one column on; `settle` goes on with what of them is undecided,
-    and `picked` takes pairs of polygons from anywhere in two batches, where the engine can.
+    The first four take columns of two groups, from one column on, and `settle` goes on with what of them is
+    undecided; `picked` takes pairs of polygons from anywhere in two batches.
     """
 
     block: int  # columns at a time
@@ -34,8 +35,9 @@ class Engine(NamedTuple):
     boxes: Callable[..., None]
     circles: Callable[..., None]
     circle_polygons: Callable[..., None]
+    picked: Callable[..., None]
     settle: Callable[..., None] | None = None
-    picked: Callable[..., None] | None = None
+    most: int = sys.maxsize  # corners of polygons that are looked at side by side, in columns
 
 
 class Options(TypedDict, total=False):
@@ -109,7 +111,8 @@ def engine_of(name: str | None) -> Engine:
         try:
             from . import filter_numba, picked_numba
 
-            return _engine(filter_numba)._replace(settle=picked_numba.columns, picked=picked_numba.polygons)
+            work = filter_numba.polygons, filter_numba.boxes, filter_numba.circles, filter_numba.circle_polygons
+            return Engine(filter_numba.BLOCK, *work, picked_numba.polygons, picked_numba.columns, FEW)
         except Exception as error:  # an ImportError of its own, or RuntimeError where no folder can be written
             if name is None:
                 warnings.warn(f"numba does not work here, so NumPy does the work: {error}", stacklevel=2)
@@ -119,11 +122,8 @@ def engine_of(name: str | None) -> Engine:
                 raise ImportError(f'engine "numba" does not work here: {error}; engine="numpy" does') from error
     from . import filter_numpy
 
-    return _engine(filter_numpy)
-
-
-def _engine(module: Any) -> Engine:
-    return Engine(module.BLOCK, module.polygons, module.boxes, module.circles, module.circle_polygons)
+    work = filter_numpy.polygons, filter_numpy.boxes, filter_numpy.circles, filter_numpy.circle_polygons
+    return Engine(filter_numpy.BLOCK, *work, filter_numpy.picked)
 
 
 def _checked_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
@@ -145,7 +145,7 @@ def _picked(shapes: Shapes, indices: Indices) -> tuple[Shapes, Indices]:
 def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | None) -> Relations:
     """Pairs start to stop of a[i] with b[i], or of one with many."""
     kernels = engine_of(engine)
-    side_by_side = len(a) == len(b) and (kernels.picked is None or a.count.max(initial=0) <= FEW)
+    side_by_side = len(a) == len(b) and a.count.max(initial=0) <= kernels.most
     one, other = (a.uniform, b.uniform) if side_by_side else (None, None)
     if one is None or other is None:
         indices = np.arange(start, stop)
@@ -166,18 +166,17 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
         return _relate_parts(a, ia, b, ib, engine)
     kernels = engine_of(engine)
     out = np.full(len(ia), UNDECIDED, np.int8)
-    if kernels.picked is not None:
-        polygons = np.flatnonzero((a.count[ia] > 1) & (b.count[ib] > 1))
-        whole = len(polygons) == len(ia)
-        found = out if whole else out[polygons]
-        kernels.picked(a.flat, ia if whole else ia[polygons], b.flat, ib if whole else ib[polygons], found)
+    polygons = np.flatnonzero((a.count[ia] > 1) & (b.count[ib] > 1))
+    if polygons.size:
+        found = np.empty(len(polygons), np.int8)
+        kernels.picked(a.flat, ia[polygons], b.flat, ib[polygons], found)
         out[polygons] = found
     todo = np.flatnonzero(out == UNDECIDED)
     key = a.count[ia[todo]] << 32 | b.count[ib[todo]]
     for kind in np.unique(key).tolist():
         mine = todo[key == kind]
         one, other = a.groups[kind >> 32], b.groups[kind & 0xFFFFFFFF]
-        for start in range(0, len(mine), BLOCK_OF_PICKED):
+        for start in range(0, len(mine) if 1 in (kind >> 32, kind & 0xFFFFFFFF) else 0, BLOCK_OF_PICKED):
             part = mine[start : start + BLOCK_OF_PICKED]
             found = np.empty(len(part), np.int8)
             _filter(kernels, one.columns(a.slot[ia[part]]), other.columns(b.slot[ib[part]]), 0, found)

@@ -26,10 +26,11 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     for start in range(0, out.size, size):
         part = slice(first + start, first + min(start + size, out.size))
         reach = (a.reach + b.reach) * LOOK
-        _few_steps(a.x[:, part], a.y[:, part], b.x[:, part], b.y[:, part], reach, out[start : start + size])
+        few_steps(a.x[:, part], a.y[:, part], b.x[:, part], b.y[:, part], reach, out[start : start + size])
 
 
-def _few_steps(x: Array, y: Array, p: Array, q: Array, reach: float, out: Signs) -> None:
+def few_steps(x: Array, y: Array, p: Array, q: Array, reach: float, out: Signs) -> None:
+    """The same of whole columns; `reach`: both largest coordinates together, times what a look is granted."""
     out.fill(UNDECIDED)
     left = np.arange(out.size)
     d = _middle(p, q) - _middle(x, y)
