@@ -54,7 +54,7 @@ def _did_you_mean(name: str, known: Iterable[str]) -> str:
 
 
 def figures(args: argparse.Namespace) -> int:
-    """Write the figures asked for, light and dark."""
+    """Write the figures asked for, in one theme."""
     from .pictures.figures import FIGURES, Figure
 
     wanted: Sequence[Figure] = FIGURES

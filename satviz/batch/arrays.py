@@ -140,18 +140,19 @@ class Shapes:
     @property
     def parts(self) -> "Shapes":
         """The convex parts as shapes of their own."""
-        if self.owner is None:
-            return self
-        parts = Shapes(self.count)
-        parts.__dict__ |= {key: value for key, value in self.__dict__.items() if key in ("rings", "groups", "slot")}
-        return parts
+        return self if self.owner is None else self._parts
+
+    @cached_property
+    def _parts(self) -> "Shapes":
+        made = vars(self)
+        return Shapes(self.count, rings=made.get("rings"), groups=made.get("groups"))
 
     def __getitem__(self, where: Where) -> "Shapes":
         """Some of the shapes by slice, index array or mask; one by its index is a batch of one.
 
         Shapes count, not parts.  IndexError for what is out of range.
         """
-        if isinstance(where, slice) and (where.step or 1) == 1 and self.uniform is not None and "groups" in vars(self):
+        if isinstance(where, slice) and (where.step or 1) == 1 and "groups" in vars(self) and self.uniform is not None:
             group = self.uniform.columns(where)
             return Shapes(self.count[where], groups={len(group.x): group})
         chosen = np.atleast_1d(np.arange(len(self))[where])

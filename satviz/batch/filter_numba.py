@@ -17,7 +17,7 @@ from .arrays import Group
 from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .compiling import compiled
 from .filter_numpy import room_64
-from .settle_numba import FEW
+from .rings import FEW
 from .signs import Array, Signs
 
 BLOCK = 1 << 17  # pairs a call: long enough that Python's share vanishes

@@ -12,11 +12,9 @@ from ..engine.shapes import Polygon
 from . import door
 from .arrays import Group, Shapes, group_of
 from .outlines import convex
-from .rings import Rings, joined
+from .rings import FEW, Rings, joined
 
 Indices = NDArray[np.intp]
-
-FEW = 8  # corners
 
 
 class Circles(Shapes):

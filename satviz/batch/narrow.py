@@ -6,7 +6,7 @@ from collections.abc import Callable
 from concurrent.futures import Executor, ThreadPoolExecutor
 from functools import cache
 from importlib.util import find_spec
-from typing import NamedTuple, TypedDict, Unpack
+from typing import Any, NamedTuple, TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,9 +17,10 @@ from .arrays import Group, Shapes, checked
 from .chunks import CHUNK, Call, in_chunks
 from .codes import APART, UNDECIDED
 from .filter_numpy import room_64
-from .making import FEW
+from .rings import FEW
 
 Relations = NDArray[np.int8]
+Kernel = Callable[..., None]
 Indices = NDArray[np.intp]
 
 
@@ -31,12 +32,12 @@ class Engine(NamedTuple):
     """
 
     block: int  # columns at a time
-    polygons: Callable[..., None]
-    boxes: Callable[..., None]
-    circles: Callable[..., None]
-    circle_polygons: Callable[..., None]
-    picked: Callable[..., None]
-    settle: Callable[..., None] | None = None
+    polygons: Kernel
+    boxes: Kernel
+    circles: Kernel
+    circle_polygons: Kernel
+    picked: Kernel
+    settle: Kernel | None = None
     most: int = sys.maxsize  # corners of polygons that are looked at side by side, in columns
 
 
@@ -111,8 +112,7 @@ def engine_of(name: str | None) -> Engine:
         try:
             from . import filter_numba, picked_numba
 
-            work = filter_numba.polygons, filter_numba.boxes, filter_numba.circles, filter_numba.circle_polygons
-            return Engine(filter_numba.BLOCK, *work, picked_numba.polygons, picked_numba.columns, FEW)
+            return Engine(*_columns_of(filter_numba), picked_numba.polygons, picked_numba.columns, FEW)
         except Exception as error:  # an ImportError of its own, or RuntimeError where no folder can be written
             if name is None:
                 warnings.warn(f"numba does not work here, so NumPy does the work: {error}", stacklevel=2)
@@ -122,8 +122,11 @@ def engine_of(name: str | None) -> Engine:
                 raise ImportError(f'engine "numba" does not work here: {error}; engine="numpy" does') from error
     from . import filter_numpy
 
-    work = filter_numpy.polygons, filter_numpy.boxes, filter_numpy.circles, filter_numpy.circle_polygons
-    return Engine(filter_numpy.BLOCK, *work, filter_numpy.picked)
+    return Engine(*_columns_of(filter_numpy), filter_numpy.picked)
+
+
+def _columns_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
+    return module.BLOCK, module.polygons, module.boxes, module.circles, module.circle_polygons
 
 
 def _checked_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
@@ -176,11 +179,12 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
     for kind in np.unique(key).tolist():
         mine = todo[key == kind]
         one, other = a.groups[kind >> 32], b.groups[kind & 0xFFFFFFFF]
-        for start in range(0, len(mine) if 1 in (kind >> 32, kind & 0xFFFFFFFF) else 0, BLOCK_OF_PICKED):
-            part = mine[start : start + BLOCK_OF_PICKED]
-            found = np.empty(len(part), np.int8)
-            _filter(kernels, one.columns(a.slot[ia[part]]), other.columns(b.slot[ib[part]]), 0, found)
-            out[part] = found
+        if one.r is not None or other.r is not None:  # polygons were looked at
+            for start in range(0, len(mine), BLOCK_OF_PICKED):
+                part = mine[start : start + BLOCK_OF_PICKED]
+                found = np.empty(len(part), np.int8)
+                _filter(kernels, one.columns(a.slot[ia[part]]), other.columns(b.slot[ib[part]]), 0, found)
+                out[part] = found
         rest = mine[out[mine] == UNDECIDED]
         out[rest] = undecided.relations(one.columns(a.slot[ia[rest]]), other.columns(b.slot[ib[rest]]))
     return out
@@ -219,9 +223,10 @@ def _filter(kernels: Engine, a: Group, b: Group, first: int, out: Relations) -> 
         elif a.r is not None or b.r is not None:
             circle, polygon = (a, b) if a.r is not None else (b, a)
             kernels.circle_polygons(circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y, first, out)
-        elif room_64(a, b) < np.inf:
-            kernels.polygons(a, b, first, out)
         else:
-            out.fill(UNDECIDED)
-        if kernels.settle is not None and a.r is None and b.r is None:
-            kernels.settle(a, b, first, out)
+            if room_64(a, b) < np.inf:
+                kernels.polygons(a, b, first, out)
+            else:
+                out.fill(UNDECIDED)
+            if kernels.settle is not None:
+                kernels.settle(a, b, first, out)

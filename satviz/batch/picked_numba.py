@@ -8,6 +8,7 @@ from .arrays import Flat, Group
 from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .compiling import compiled
 from .filter_numba import edges_of_eight
+from .rings import FEW
 from .settle_numba import TERMS, settled
 from .signs import Array, Signs
 
@@ -47,10 +48,9 @@ def _polygons(
     bx: Array, by: Array, sb: Indices, box_b: Array, upright_b: Mask,
     ia: Indices, ib: Indices, out: Signs,
 ) -> None:  # fmt: skip
-    terms, rooms = np.empty(TERMS), np.empty(LANES)
+    terms, rooms, best = np.empty(TERMS), np.empty(LANES), np.empty(LANES)
     x, y, p, q = np.empty((9, ROW)), np.empty((9, ROW)), np.empty((9, ROW)), np.empty((9, ROW))
-    best, fours, eights = np.empty(LANES), np.empty(LANES, np.intp), np.empty(LANES, np.intp)
-    n4 = n8 = 0
+    waiting, many = np.empty((2, LANES), np.intp), np.zeros(2, np.intp)  # pairs of up to four corners, of up to eight
     for k in range(out.size):
         i, j = ia[k], ib[k]
         gap = max(
@@ -65,20 +65,17 @@ def _polygons(
             continue
         out[k] = UNDECIDED
         most = max(sa[i + 1] - sa[i], sb[j + 1] - sb[j])
-        if most <= 4:
-            fours[n4] = k
-            n4 += 1
-            if n4 == LANES:
-                _look(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, fours[:n4], 4, x, y, p, q, rooms, best, out)
-                n4 = 0
-        elif most <= 8:
-            eights[n8] = k
-            n8 += 1
-            if n8 == LANES:
-                _look(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, eights[:n8], 8, x, y, p, q, rooms, best, out)
-                n8 = 0
-    _look(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, fours[:n4], 4, x, y, p, q, rooms, best, out)
-    _look(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, eights[:n8], 8, x, y, p, q, rooms, best, out)
+        if most <= FEW:
+            w = 0 if most <= 4 else 1
+            waiting[w, many[w]] = k
+            many[w] += 1
+            if many[w] == LANES:
+                full, width = waiting[w], 4 * (w + 1)
+                _look(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, full, width, x, y, p, q, rooms, best, out)
+                many[w] = 0
+    for w in range(2):
+        left, width = waiting[w, : many[w]], 4 * (w + 1)
+        _look(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, left, width, x, y, p, q, rooms, best, out)
     for k in range(out.size):
         if out[k] == UNDECIDED:
             i, j = ia[k], ib[k]

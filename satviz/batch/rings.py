@@ -9,6 +9,8 @@ Array = NDArray[np.float64]
 Places = NDArray[np.intp]
 Mask = NDArray[np.bool_]
 
+FEW = 8  # corners: up to so many pairs are looked at in columns or lanes, corner by corner
+
 
 class Rings(NamedTuple):
     """x, y: (M,) corners in scene units; start: (N + 1,) where each outline starts, and the last one ends."""

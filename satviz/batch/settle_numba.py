@@ -10,9 +10,9 @@ from ..engine.exact import HUGE, TINY
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .compiling import compiled
+from .rings import FEW
 from .signs import MOST_PASSES, ROUND, SPLIT, UNKNOWN, Array
 
-FEW = 8  # corners: all are looked at sooner than one goes round
 MOST_STEPS = 20
 TERMS = 12  # floats that a turn is the sum of
 
