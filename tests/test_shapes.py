@@ -868,11 +868,12 @@ def test_a_slab_holds_all_corners_and_ends_on_an_edge(ring, count):
     for turned in rotations(ring):
         slabs = Polygon(turned).slabs
         assert len(slabs) == count
-        for nx, ny, lo, hi in slabs:
+        for nx, ny, lo, hi, edges in slabs:
             looks = sorted(nx * x + ny * y for x, y in ring)
             assert looks[-2:] == [hi, hi]
             assert lo == -math.inf or looks[:2] == [lo, lo]
-        assert sum(lo > -math.inf for _, _, lo, _ in slabs) == len(ring) - count
+            assert [{nx * x + ny * y for x, y in edge} for edge in edges] == [{hi}, {lo}][: 1 + (lo > -math.inf)]
+        assert sum(lo > -math.inf for _, _, lo, _, _ in slabs) == len(ring) - count
 
 
 def test_what_is_not_convex_has_no_slabs():

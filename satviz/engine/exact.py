@@ -14,6 +14,7 @@ from typing import Any
 
 UNIT = 2.0**-53  # unit roundoff of float64
 TINY, HUGE = 1e-280, 1e290  # products inside this range neither lose bits nor overflow
+SCALE = 2.0**72  # makes integers of ordinary coordinates: 0, and from 2**-20 up to 2**951
 
 Point = tuple[float, float]
 IntPoint = tuple[int, int]
@@ -63,7 +64,9 @@ def orient(p: Point, q: Point, r: Point) -> int:
         det = left - right
         if abs(det) > 8 * UNIT * room:
             return 1 if det > 0 else -1
-    _, (px, py, qx, qy, rx, ry) = to_integers((*p, *q, *r))
+    scaled = [c * SCALE for c in (*p, *q, *r)]
+    whole = map(int, scaled) if all(map(float.is_integer, scaled)) else to_integers((*p, *q, *r))[1]
+    px, py, qx, qy, rx, ry = whole
     return sign((qx - px) * (ry - py) - (qy - py) * (rx - px))
 
 

@@ -11,7 +11,7 @@ from .geometry import InvalidShape, Vec
 
 INF = math.inf
 T = TypeVar("T")
-Slab = tuple[float, float, float, float]
+Slab = tuple[float, float, float, float, tuple[tuple[Vec, Vec], ...]]
 
 
 class _Shape:
@@ -26,7 +26,7 @@ class _Shape:
     bounds: tuple[float, float, float, float]  # x min, y min, x max, y max; a circle's are rounded outwards
     reach: float  # the largest coordinate's magnitude
     span: float  # the largest edge component's magnitude
-    slabs: tuple[Slab, ...] | None  # per edge direction (nx, ny, lo, hi), see _slabs; None for circles and concave ones
+    slabs: tuple[Slab, ...] | None  # per edge direction, see _slabs; None for circles and concave ones
     _cache: dict[str, Any]  # what is worked out at first use: integers, axes, parts
 
     def __setattr__(self, name: str, value: Any) -> None:
@@ -197,13 +197,14 @@ def centroid(shape: Shape) -> Vec:
 
 
 def _slabs(corners: tuple[Vec, ...], edges: list[tuple[float, float]]) -> tuple[Slab, ...]:
-    """Per direction (nx, ny, lo, hi): inside means lo < nx*x + ny*y < hi, up to rounding.
+    """Per direction (nx, ny, lo, hi, edges): inside means lo < nx*x + ny*y < hi, up to rounding.
 
-    (nx, ny) is the outward normal (dy, -dx) of an edge and hi where the edge lies on
+    (nx, ny) is the outward normal (dy, -dx) of the first edge and hi where it lies on
     it.  Where another edge runs exactly opposite (a box's far side), lo is its place
     and one look serves both; otherwise lo is -inf.
     """
     slabs = []
+    ends = list(zip(corners, (*corners[1:], corners[0]), strict=True))
     index = {edge: i for i, edge in enumerate(edges)}
     for i, (dx, dy) in enumerate(edges):
         # float components exactly opposite: the filter's bound covers the rounding of both
@@ -211,7 +212,7 @@ def _slabs(corners: tuple[Vec, ...], edges: list[tuple[float, float]]) -> tuple[
         if index.get((dx, dy)) == i and 0 <= j < i:
             continue
         lo = dy * corners[j].x - dx * corners[j].y if j >= 0 else -INF
-        slabs.append((dy, -dx, lo, dy * corners[i].x - dx * corners[i].y))
+        slabs.append((dy, -dx, lo, dy * corners[i].x - dx * corners[i].y, tuple(ends[k] for k in (i, j) if k >= 0)))
     return tuple(slabs)
 
 

@@ -15,6 +15,7 @@ APART, TOUCHING, OVERLAPPING = Relation
 # one, at most 2DM each; the edge's value the same; the two bounds one each: under
 # 15 * 2**-53 * D * M, whatever the order and with fused operations.  Asked: 32.
 LOOK = 2.0**-48
+MANY = 16  # corners, from which on it pays to look for the likeliest one first
 LEAST_ROOM, MOST_ROOM = TINY, HUGE * LOOK
 
 
@@ -45,48 +46,60 @@ def relate(a: Shape, b: Shape) -> Relation:
     while True:
         if not LEAST_ROOM < room < MOST_ROOM:
             return relate_integers(*aligned(a, b)[:3])
-        for nx, ny, lo, hi in own:
+        if len(points) >= MANY:
+            points = _deepest_first(points, a, b) if own is a_slabs else _deepest_first(points, b, a)
+            x, y = points[0]
+            if all(lo + room < nx * x + ny * y < hi - room for nx, ny, lo, hi, _ in own):
+                return OVERLAPPING
+        for nx, ny, lo, hi, edges in own:
             low = lo + room
             high = hi - room
             for x, y in points:
                 if low < nx * x + ny * y < high:
                     break  # a vertex surely inside: neither edge of the slab clears
             else:
-                looks = [nx * x + ny * y for x, y in points]
-                least = min(looks)
-                if least > hi + room:
-                    return APART
-                most = max(looks)
-                if most < lo - room:
-                    return APART
-                if least >= high or most <= low:
-                    return _in_doubt(a, b, reach)
+                told = _told(edges, points, room)
+                if told is not OVERLAPPING:
+                    return told
         if own is b_slabs:
             return OVERLAPPING
         room, own, points = b.span * reach, b_slabs, a.core
 
 
-def _in_doubt(a: Shape, b: Shape, reach: float) -> Relation:
-    """The same edge by edge, asking the exact sign of every vertex within the room of zero."""
-    best = -1
-    for own, points in (a, b.core), (b, a.core):
-        room = own.span * reach
-        if not LEAST_ROOM < room < MOST_ROOM:  # relate has looked from one of the two so far
-            return relate_integers(*aligned(a, b)[:3])
-        p = own.core[-1]
-        for q in own.core:
-            nx, ny = q.y - p.y, p.x - q.x
-            at = nx * p.x + ny * p.y
-            looks = [nx * x + ny * y - at for x, y in points]
-            if min(looks) > room:
-                return APART
-            if min(looks) >= -room:
-                # the turn from q over p: a vertex beyond the edge lies to its left
-                best = max(best, min([orient(q, p, v) for v, look in zip(points, looks) if look <= room]))
-                if best > 0:
-                    return APART
-            p = q
-    return OVERLAPPING if best < 0 else TOUCHING
+def _deepest_first(points: tuple[Vec, ...], own: Shape, other: Shape) -> tuple[Vec, ...]:
+    """The other shape's corners, from the one that lies furthest towards the own shape: the likeliest to be inside."""
+    (x0, y0, x1, y1), (p0, q0, p1, q1) = own.bounds, other.bounds
+    dx, dy = x0 - p0 + (x1 - p1), y0 - q0 + (y1 - q1)
+    looks = [dx * x + dy * y for x, y in points]
+    first = looks.index(max(looks))
+    return points[first:] + points[:first]
+
+
+def _told(edges: Sequence[tuple[Vec, Vec]], points: Sequence[Vec], room: float) -> Relation:
+    """What edges tell of the other shape's vertices, asking the exact sign of every one within the room of zero.
+
+    APART where all lie beyond one of the edges.  Where some lie on its line and none before it, the
+    shapes can only meet there: TOUCHING, or APART, as their ranges on the line tell.  Else OVERLAPPING for now.
+    """
+    for p, q in edges:
+        nx, ny = q.y - p.y, p.x - q.x
+        at = nx * p.x + ny * p.y
+        low, high = at - room, at + room
+        on = []
+        for v in points:
+            look = nx * v.x + ny * v.y
+            if look < low:
+                break
+            if look <= high:
+                turn = orient(q, p, v)  # a vertex beyond the edge lies to the left of its way back
+                if turn < 0:
+                    break
+                if turn == 0:
+                    on.append(v)
+        else:
+            # points of one line stand on it in the order of their x, then y
+            return TOUCHING if on and max(on) >= min(p, q) and max(p, q) >= min(on) else APART
+    return OVERLAPPING
 
 
 def _mixed(a: Shape, b: Shape) -> Relation:
