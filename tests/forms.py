@@ -250,9 +250,9 @@ def colliding(pairs: Pairs, engine: str) -> list[bool]:
     return _found(batch.colliding_pairs(batch_of([s for pair in pairs for s in pair]), engine=engine), len(pairs))
 
 
-def candidates(pairs: Pairs) -> list[bool]:
+def candidates(pairs: Pairs, engine: str) -> list[bool]:
     bounds = [s.bounds for pair in pairs for s in pair]
-    return _found(batch.candidate_pairs(bounds), len(pairs))
+    return _found(batch.candidate_pairs(bounds, engine=engine), len(pairs))
 
 
 def streamed(pairs: Pairs) -> list[bool]:
@@ -287,10 +287,11 @@ for engine in ENGINES:
         FORMS[f"batch {make.__name__}, {engine}"] = Form(laid_out(make, engine), one_in=8)
     FORMS[f"hits, {engine}"] = Form(batched(batch.hits, engine=engine), a_hit, one_in=20)
     FORMS[f"colliding_pairs, {engine}"] = Form(grouped(partial(colliding, engine=engine), by(5)), a_hit, one_in=40)
+    some = partial(candidates, engine=engine)
+    FORMS[f"candidate_pairs, {engine}"] = Form(grouped(some, bounded(40)), no_miss, one_in=2)
+    FORMS[f"candidate_pairs of two, {engine}"] = Form(grouped(some, bounded(1)), no_miss, one_in=8)
 FORMS["colliding_pairs of two"] = Form(grouped(partial(colliding, engine="numpy"), by(1)), a_hit, one_in=40)
 FORMS["stream_colliding_pairs"] = Form(grouped(streamed, some_polygons), a_hit, one_in=60)
-FORMS["candidate_pairs"] = Form(grouped(candidates, bounded(40)), no_miss)
-FORMS["candidate_pairs of two"] = Form(grouped(candidates, bounded(1)), no_miss, one_in=4)
 FORMS["batch[1:]"] = Form(picked(lambda s: s[1:], lambda shapes: shapes[:1] + shapes), one_in=20)
 FORMS["batch[:-2]"] = Form(picked(lambda s: s[:-2], lambda shapes: shapes + shapes[:1] * 2), one_in=20)
 FORMS["batch[::2]"] = Form(picked(lambda s: s[::2], doubled), one_in=20)

@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 from ..engine.geometry import InvalidShape
 from . import door
 from .arrays import Shapes, checked
-from .broad import Pairs, candidate_blocks, in_order
+from .broad import candidate_blocks, in_order
 from .chunks import CHUNK
+from .grid_numpy import Pairs
 from .making import polygons_numbered
-from .narrow import hits
+from .narrow import engine_of, hits
 
 STRIP = 1 << 19  # shapes a strip of a streamed file should hold
 
@@ -31,11 +32,11 @@ def colliding_pairs(
 
     Parts of one concave polygon count as their owner.  `engine`, `executor`,
     `progress` (told of candidates done in each block) and `chunk`: as in `relate`;
-    upright boxes alone need none of them.
+    upright boxes alone need the engine's grid only.
     """
     found = []
     parts = checked(shapes, "shapes").parts
-    for pairs in candidate_blocks(parts.bounds):
+    for pairs in candidate_blocks(parts.bounds, engine_of(engine).grid):
         if shapes.owner is not None:
             owners = shapes.owner[pairs]
             pairs = pairs[owners[:, 0] != owners[:, 1]]

@@ -122,7 +122,8 @@ def boxes(values: Points) -> NDArray[np.float64]:
     if values.ndim != 2 or values.shape[1] != 4:
         raise InvalidShape(f"{name} has the shape {values.shape}: expected (N, 4)")
     found = floats(values, name, lambda i, k: f"{name}[{i}][{k}]")
-    if (bad := np.flatnonzero(~(found[:, :2] <= found[:, 2:]).all(axis=1))).size:
+    good = (found[:, 0] <= found[:, 2]) & (found[:, 1] <= found[:, 3])
+    if (bad := np.flatnonzero(~good)).size:
         raise InvalidShape(f"{name}[{bad[0]}] is {found[bad[0]].tolist()}: expected x min, y min <= x max, y max")
     return found
 

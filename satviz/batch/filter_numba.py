@@ -30,8 +30,12 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     if max(va, vb) > FEW:  # the exact way is as quick
         out.fill(UNDECIDED)
         return
-    kernel = _unrolled(va, vb) if va <= 4 and vb <= 4 else _eight if va == vb == 8 else _general
-    kernel(a.x, a.y, b.x, b.y, first, room_64(a, b), out)
+    looks(va, vb)(a.x, a.y, b.x, b.y, first, room_64(a, b), out)
+
+
+def looks(va: int, vb: int) -> Callable[..., None]:
+    """The kernel for so many corners: (ax, ay, bx, by, first column, room, out)."""
+    return _unrolled(va, vb) if va <= 4 and vb <= 4 else _eight if va == vb == 8 else _general
 
 
 @cache

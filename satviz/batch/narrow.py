@@ -17,6 +17,7 @@ from .arrays import Group, Shapes, checked
 from .chunks import CHUNK, Call, in_chunks
 from .codes import APART, UNDECIDED
 from .filter_numpy import room_64
+from .grid_numpy import Grid
 from .rings import FEW
 
 Relations = NDArray[np.int8]
@@ -28,7 +29,7 @@ class Engine(NamedTuple):
     """What does the work on float64: kernels that fill `out` with relations, and leave UNDECIDED what they cannot tell.
 
     The first four take columns of two groups, from one column on, and `settle` goes on with what of them is
-    undecided; `picked` takes pairs of polygons from anywhere in two batches.
+    undecided; `picked` takes pairs of polygons from anywhere in two batches, `grid` finds the boxes that meet.
     """
 
     block: int  # columns at a time
@@ -37,6 +38,7 @@ class Engine(NamedTuple):
     circles: Kernel
     circle_polygons: Kernel
     picked: Kernel
+    grid: Grid
     settle: Kernel | None = None
     most: int = sys.maxsize  # corners of polygons that are looked at side by side, in columns
 
@@ -110,9 +112,10 @@ def engine_of(name: str | None) -> Engine:
         raise ValueError(f'engine is {name!r}: choose "numpy" or "numba"')
     if name == "numba" or (name is None and find_spec("numba")):
         try:
-            from . import filter_numba, picked_numba
+            from . import filter_numba, grid_numba, picked_numba
 
-            return Engine(*_columns_of(filter_numba), picked_numba.polygons, picked_numba.columns, FEW)
+            own = picked_numba.polygons, grid_numba.met, picked_numba.columns, FEW
+            return Engine(*_columns_of(filter_numba), *own)
         except Exception as error:  # an ImportError of its own, or RuntimeError where no folder can be written
             if name is None:
                 warnings.warn(f"numba does not work here, so NumPy does the work: {error}", stacklevel=2)
@@ -120,9 +123,9 @@ def engine_of(name: str | None) -> Engine:
                 raise ImportError(needs('engine "numba"', "fast")) from error
             else:
                 raise ImportError(f'engine "numba" does not work here: {error}; engine="numpy" does') from error
-    from . import filter_numpy
+    from . import filter_numpy, grid_numpy
 
-    return Engine(*_columns_of(filter_numpy), filter_numpy.picked)
+    return Engine(*_columns_of(filter_numpy), filter_numpy.picked, grid_numpy.met)
 
 
 def _columns_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
