@@ -135,13 +135,16 @@ def _parser() -> argparse.ArgumentParser:
         type=_whole(1, 10**8),
         default=100_000,
         metavar="N",
-        help="pairs a workload, boxes a layout (default: 100000)",
+        help="pairs a workload; scenes grow with them (default: 100000)",
     )
     bench.add_argument(
         "--rounds", type=_whole(1, 10**6), default=9, metavar="N", help="rounds to take the median of (default: 9)"
     )
     bench.add_argument("--seed", type=SEED, default=1, metavar="N", help="of the random pairs (default: 1)")
+    bench.add_argument("--quick", action="store_true", help="less of everything: half a minute, rough figures")
     bench.add_argument("--json", action="store_true", help="print the figures, the machine and the versions as JSON")
+    bench.add_argument("--chart", type=_folder, metavar="DIR", help="draw the figures as well, into this folder")
+    bench.add_argument("--force", action="store_true", help="overwrite what satviz did not make")
     bench.set_defaults(run=commands.bench)
 
     study = command.add_parser("study", help="chart speed against accuracy, and stability where methods fail")

@@ -192,36 +192,38 @@ def trace(args: argparse.Namespace) -> int:
 
 
 def bench(args: argparse.Namespace) -> int:
-    """Time satviz beside its peers, and print the table."""
+    """Time satviz beside its peers; print the table, and draw the chart if asked."""
     import json
 
     from tqdm import tqdm
 
-    from .study.bench import bench, bench_broad, broad_table, table, when_numba_pays
+    from .study.bench import bench, busy, planned, table, when_numba_pays
     from .study.machine import machine, missing
 
-    def done(found: Iterator[Row]) -> list[Row]:
-        rows: list[Row] = []
-        for row in tqdm(found, unit="method", disable=None, leave=False, file=sys.stderr):
-            rows.append(row)
-            stop_if_interrupted()
-        return rows
-
-    rows = done(bench(args.pairs, args.rounds, args.seed))
-    sizes = tuple(args.pairs // k for k in (100, 10, 1) if args.pairs // k > 1)
-    broad = done(bench_broad(sizes, args.rounds, args.seed)) if len(sizes) > 1 else []
+    pairs, rounds = (2000, 3) if args.quick else (args.pairs, args.rounds)
+    rows = []
+    for row in tqdm(bench(planned(pairs, rounds, args.seed)), unit="row", disable=None, leave=False, file=sys.stderr):
+        rows.append(row)
+        stop_if_interrupted()
+    warning = "quick figures are rough: a table for keeps takes minutes" if args.quick else busy(rows)
     if args.json:
-        figures = {"narrow": [row._asdict() for row in rows], "broad": [row._asdict() for row in broad]}
-        out_json(json.dumps({"machine": machine(), "missing": missing(), "pairs": args.pairs, **figures}, indent=1))
-        return 0
-    out(table(rows))
-    if broad:
-        out(f"{broad_table(broad)}\n")
-    if "numba" not in missing():
-        out(when_numba_pays(rows))
-    if missing():
-        out(f"not installed, so left out: {', '.join(missing())}")
-    out(", ".join(f"{name} {what}" for name, what in machine().items()))
+        facts = {"machine": machine(), "missing": missing(), "pairs": pairs, "rounds": rounds, "warning": warning}
+        out_json(json.dumps({**facts, "rows": [row._asdict() for row in rows]}, indent=1))
+    else:
+        out(table(rows))
+        if "numba" not in missing():
+            out(when_numba_pays(rows))
+        if missing():
+            out(f"not installed, so left out: {', '.join(missing())}")
+        out(", ".join(f"{name} {what}" for name, what in machine().items()))
+    if warning:
+        say(warning)
+    if args.chart:
+        from .study.bench_chart import chart
+        from .study.chart import save
+
+        for path in save(chart(rows, warning), args.chart, {"machine": machine()}, ("svg", "png"), force=args.force):
+            say(f"wrote {path}")
     return 0
 
 

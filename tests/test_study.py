@@ -5,25 +5,39 @@ import json
 import numpy as np
 import pytest
 
+from satviz import Polygon, batch
 from satviz.cli import main
-from satviz.study import machine
-from satviz.study.workloads import LAYOUTS, WORKLOADS
+from satviz.study import compiled, machine, truth
+from satviz.study.bench import Row, busy, slope
+from satviz.study.workloads import CORNERS, LAYOUTS, WORKLOADS
 
 pytestmark = pytest.mark.slow
 
 
-def test_bench_times_every_method_and_satviz_is_never_wrong(capsys):
-    assert main(["bench", "--pairs", "300", "--rounds", "1", "--json"]) == 0
+def test_bench_times_every_method_and_satviz_is_never_wrong(capsys, tmp_path):
+    chart = tmp_path / "charts"
+    assert main(["bench", "--pairs", "300", "--rounds", "2", "--json", "--chart", str(chart)]) == 0
     found = json.loads(capsys.readouterr().out)
-    assert {row["workload"] for row in found["narrow"]} == set(WORKLOADS)
-    assert {row["layout"] for row in found["broad"]} == set(LAYOUTS)
-    for row in found["narrow"]:
-        assert row["ns"] > 0 and row["checked"] == 300
+    rows = found["rows"]
+    works = {section: {row["work"] for row in rows if row["section"] == section} for section in SECTIONS}
+    assert all(works.values()) and set(rows[0]) == set(Row._fields)
+    assert (
+        works["pairs"] == set(WORKLOADS) and works["corners"] == set(CORNERS) and works["broad phase"] == set(LAYOUTS)
+    )
+    for row in rows:
+        assert 0 < row["least"] <= row["low"] <= row["time"] <= row["high"], row
         if row["method"].startswith("satviz"):
             assert row["wrong"] == 0, row
-    textbook = [r for r in found["narrow"] if r["method"] == "plain NumPy" and r["workload"] == "nearly touching"]
-    assert textbook[0]["wrong"] > 0  # the pairs are hard enough to tell methods apart
+            assert row["checked"] > 0 or row["section"] in ("growth", "starts", "memory") or "making" in row["work"], (
+                row
+            )
+    inexact = {row["method"] for row in rows if row["work"] == "nearly touching" and row["wrong"]}
+    assert inexact >= {"plain NumPy", "textbook SAT in numba", "GJK in numba"}  # hard enough to tell methods apart
     assert set(found["machine"]) >= {"python", "numpy", "satviz"}
+    assert {path.name for path in chart.iterdir()} >= {"bench.svg", "bench-dark.png", "bench.json", "bench.csv"}
+
+
+SECTIONS = "pairs", "corners", "scenes", "broad phase", "growth", "starts", "memory"
 
 
 def test_bench_prints_a_table_and_names_what_is_missing(capsys, monkeypatch):
@@ -32,6 +46,36 @@ def test_bench_prints_a_table_and_names_what_is_missing(capsys, monkeypatch):
     assert main(["bench", "--pairs", "200", "--rounds", "1"]) == 0
     out = capsys.readouterr().out
     assert "not installed, so left out: shapely, pymunk" in out and "satviz numpy" in out and "broad phase, ms" in out
+    assert "growth" in out and "bytes a shape" in out
+
+
+def test_a_bench_on_a_busy_machine_says_so():
+    calm = [Row("pairs", "triangles", 0, f"method {i}", "ns", 10.0, 9.0, 9.5, 10.5) for i in range(8)]
+    torn = [row._replace(low=6.0, high=14.0) for row in calm]
+    assert busy(calm + torn[:1]) == "" and "the machine was busy" in busy(calm[:4] + torn[:4])
+
+
+def test_growth_is_the_exponent_of_the_last_sizes():
+    assert slope({10: 1.0, 100: 900.0, 1000: 90_000.0, 10_000: 9e6}) == pytest.approx(2)
+
+
+@pytest.mark.parametrize("work", CORNERS)
+@pytest.mark.parametrize("v", [3, 4, 7, 24])
+def test_pairs_made_to_lie_so_do(work, v):
+    make, relation = CORNERS[work]
+    for a, b in zip(*make(np.random.default_rng(4), 20, v)):
+        assert truth.relation(Polygon(a), Polygon(b)) == relation
+
+
+@pytest.mark.parametrize("work", ["triangles", "boxes", "8-gons"])
+def test_peers_in_numba_are_right_where_nothing_is_near(work):
+    a, b = WORKLOADS[work](np.random.default_rng(2), 500)
+    columns = [np.ascontiguousarray(rings[:, :, d].T) for rings in (a, b) for d in (0, 1)]
+    right = batch.hits(batch.Polygons(a), batch.Polygons(b), engine="numpy")
+    for kernel in (compiled.textbook, compiled.gjk):
+        out = np.empty(len(a), np.int8)
+        kernel(*columns, out)
+        assert np.array_equal(out > 0, right)
 
 
 def test_bench_refuses_nonsense(capsys):

@@ -27,15 +27,14 @@ def met(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float)
     size = 1 << int(2 * len(stored) - 1).bit_length()
     table = _stored(bounds, stored, cell[0], cell[1], size)
     queries, boxes = (table[1], table[3]) if other is None else (one, bounds[one])
-    if _looks(boxes, other is None, table) > most:
-        return None
-    return _blocks(queries, boxes, other is None, table)
+    looks = _looks(boxes, other is None, table)
+    return None if looks > most else _blocks(queries, boxes, other is None, table, min(BLOCK, int(looks)))
 
 
-def _blocks(queries: Pairs, boxes: Array, among: bool, table: Table) -> Iterator[Pairs]:
+def _blocks(queries: Pairs, boxes: Array, among: bool, table: Table, block: int) -> Iterator[Pairs]:
     first = 0
     while first < len(queries):
-        out = np.empty((BLOCK + len(table[1]), 2), np.intp)  # no query finds more than all
+        out = np.empty((block + len(table[1]), 2), np.intp)  # no query finds more than all
         first, found = _met(queries, boxes, first, among, table, out)
         yield out[:found]
 

@@ -78,6 +78,42 @@ def at_corners(rng: np.random.Generator, n: int) -> tuple[Coins, Rings]:
     return (corner + way * (r * rng.uniform(0.7, 1.3, n))[:, None], r), rings
 
 
+def regular(rng: np.random.Generator, n: int, v: int) -> Rings:
+    """Regular polygons about the origin, turned at random: in the last places as this machine's sines are."""
+    turn = rng.uniform(0, 2 * np.pi, (n, 1)) + np.linspace(0, 2 * np.pi, v, endpoint=False)
+    return np.stack([np.cos(turn), np.sin(turn)], axis=2)
+
+
+def apart(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rings]:
+    """Two regular polygons with some room between them."""
+    return regular(rng, n, v), regular(rng, n, v) + 2.3 * directions(rng, n, 1)
+
+
+def overlapping(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rings]:
+    """Two regular polygons, about as deep in each other as they reach."""
+    return regular(rng, n, v), regular(rng, n, v) + 0.9 * directions(rng, n, 1)
+
+
+def touching(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rings]:
+    """A regular polygon and its mirror image beyond its rightmost corner, the only point that they share."""
+    a = regular(rng, n, v)
+    b = a[:, ::-1].copy()
+    b[:, :, 0] = 2 * a[:, :, 0].max(axis=1)[:, None] - b[:, :, 0]
+    return a, b
+
+
+def tiles(n: int) -> Rings:
+    """A map of n by n upright boxes, each of which touches its eight neighbours."""
+    at = np.stack(np.meshgrid(np.arange(n), np.arange(n)), axis=-1).reshape(-1, 1, 2) * 0.25
+    return at + np.array([[0, 0], [0.25, 0], [0.25, 0.25], [0, 0.25]])
+
+
+def scattered(rng: np.random.Generator, n: int) -> Rings:
+    """Mixed polygons spread evenly, about 1.5 collisions each; padded to 8 corners."""
+    rings = mixed(rng, n, 0.0)
+    return rings + rng.uniform(0, np.sqrt(n) * 1.5, (n, 1, 2))
+
+
 def needles(rng: np.random.Generator, n: int, spread: float) -> Rings:
     """Triangles of length 2 and a width of 2**-3 to 2**-20, turned at random."""
     width = np.ldexp(rng.uniform(1, 2, n), -rng.integers(4, 21, n))
@@ -119,8 +155,12 @@ WORKLOADS: dict[str, Make] = {
     "boxes": lambda rng, n: (boxes(rng, n, 1.7), boxes(rng, n, 1.7)),
     "8-gons": lambda rng, n: (ngons(rng, n, 8, 1.9), ngons(rng, n, 8, 1.9)),
     "circle and triangle": lambda rng, n: (coins(rng, n, 1.3), ngons(rng, n, 3, 1.3)),
+    "mixed, 3 to 8 corners": lambda rng, n: (mixed(rng, n, 1.0), mixed(rng, n, 1.0)),
     "nearly touching": nearly_touching,
 }
+
+# pairs of V-gons by how they lie, and the relation of all of them
+CORNERS = {"apart": (apart, 0), "overlapping": (overlapping, 2), "touching": (touching, 1)}
 
 # what the study charts speed against accuracy on
 STUDIED: dict[str, Make] = {
