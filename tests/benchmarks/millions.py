@@ -1,0 +1,62 @@
+"""All collisions among millions of mixed polygons in a mapped file: seconds, and memory beyond the mapping.
+
+Run: python tests/benchmarks/millions.py [MILLIONS]   (ten by default: a file of 1.3 GB in the temporary folder)
+"""
+
+import resource
+import sys
+import tempfile
+import threading
+from pathlib import Path
+from time import perf_counter
+
+import numpy as np
+
+from satviz import batch
+from satviz.study.workloads import mixed
+
+PART = 250_000  # polygons made at once
+
+
+def written(path: Path, n: int) -> None:
+    """Polygons of 3 to 8 corners (the last repeated), spread evenly: about 1.5 collisions each."""
+    rng = np.random.default_rng(1)
+    file = np.lib.format.open_memmap(path, "w+", np.float64, (n, 8, 2))
+    for start in range(0, n, PART):
+        rings = mixed(rng, min(PART, n - start), 0.0)
+        file[start : start + PART] = rings + rng.uniform(0, np.sqrt(n) * 1.5, (len(rings), 1, 2))
+    file.flush()
+
+
+def own_memory() -> int:
+    """Bytes of this process that are not pages of files."""
+    fields = dict(line.split(":") for line in Path("/proc/self/status").read_text().splitlines())
+    return int(fields["RssAnon"].split()[0]) * 1024
+
+
+def main(millions: float) -> None:
+    n = round(millions * 1e6)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "polygons.npy")
+        written(path, n)
+        batch.colliding_pairs(batch.Polygons(np.load(path, mmap_mode="r")[:1000]))  # kernels loaded
+        before, most, done = own_memory(), [0], threading.Event()
+
+        def watch() -> None:
+            while not done.wait(0.02):
+                most[0] = max(most[0], own_memory())
+
+        threading.Thread(target=watch, daemon=True).start()
+        start, found = perf_counter(), 0
+        for pairs in batch.stream_colliding_pairs(np.load(path, mmap_mode="r")):
+            found += len(pairs)
+        seconds = perf_counter() - start
+        done.set()
+        size = path.stat().st_size
+    print(f"{n:,} polygons, {size / 1e9:.2f} GB: {found:,} collisions in {seconds:.0f} s")
+    print(f"memory beyond the mapping: {(most[0] - before) / 1e9:.2f} GB at the peak (before: {before / 1e9:.2f} GB)")
+    print(f"with the mapped pages: {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6:.2f} GB")
+
+
+if __name__ == "__main__":
+    main(float(sys.argv[1]) if len(sys.argv) > 1 else 10)
