@@ -13,6 +13,11 @@ SOURCES = [*sorted(HERE.glob("*.py")), *(HERE.parent / "engine" / f"{name}.py" f
 STAMP = tuple((path.stat().st_mtime_ns, path.stat().st_size) for path in SOURCES)
 
 
+def inlined(kernel: Kernel) -> Kernel:
+    """A piece of kernels, written into them: a call would count the references to each array that it is given."""
+    return cast(Kernel, njit(inline="always", error_model="numpy")(kernel))
+
+
 def compiled(kernel: Kernel) -> Kernel:
     """The kernel compiled at its first call; to type checkers the function that it was."""
     made: Any = njit(nogil=True, cache=True, error_model="numpy")(kernel)

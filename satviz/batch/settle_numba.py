@@ -9,9 +9,9 @@ import numpy as np
 from ..engine.exact import HUGE, TINY
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
-from .compiling import compiled
+from .compiling import compiled, inlined
 from .rings import FEW
-from .signs import MOST_PASSES, ROUND, SPLIT, UNKNOWN, Array
+from .signs import FINEST, MOST_PASSES, ROUND, SPLIT, UNKNOWN, Array
 
 MOST_STEPS = 20
 TERMS = 12  # floats that a turn is the sum of
@@ -21,7 +21,7 @@ TERMS = 12  # floats that a turn is the sum of
 WALKED = 8 * LOOK
 
 
-@compiled
+@inlined
 def settled(
     x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, reach: float, terms: Array
 ) -> int:
@@ -29,11 +29,12 @@ def settled(
 
     `reach`: both largest coordinates together; `terms`: scratch.
     """
-    i, j = i0, j0
-    if max(i1 - i0, j1 - j0) > FEW:
-        found, i, j = _soon(x, y, i0, i1, p, q, j0, j1, reach)
-        if found != UNDECIDED:
-            return found
+    if max(i1 - i0, j1 - j0) <= FEW:
+        side = _few(x, y, i0, i1, p, q, j0, j1, reach, terms)
+        return _few(p, q, j0, j1, x, y, i0, i1, reach, terms) if side == OVERLAPPING else side
+    found, i, j = _soon(x, y, i0, i1, p, q, j0, j1, reach)
+    if found != UNDECIDED:
+        return found
     # the edges at the corners where the search ended tell most touching shapes; then around both
     k, m = j, i
     for first, last in ((0, 2), (2, max(i1 - i0, j1 - j0))):
@@ -47,6 +48,38 @@ def settled(
             side, m = _side(p, q, j0, j1, end, x, y, i0, i1, m, reach, terms)
             if side != OVERLAPPING:
                 return side
+    return OVERLAPPING
+
+
+@inlined
+def _few(x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, reach: float, terms: Array) -> int:
+    """What the edges of a shape of few corners tell, as `_side` does, looking at every corner of the other."""
+    ex, ey = x[i1 - 1], y[i1 - 1]
+    for i in range(i0, i1):
+        fx, fy = x[i], y[i]
+        nx, ny = fy - ey, ex - fx
+        at, room = nx * ex + ny * ey, (abs(nx) + abs(ny)) * reach * LOOK
+        least = np.inf
+        for j in range(j0, j1):
+            least = min(least, nx * p[j] + ny * q[j])
+        if not (room > LEAST_ROOM and room < MOST_ROOM):
+            return UNDECIDED
+        if least - at > room:
+            return APART
+        if least - at >= -room:
+            low, high, lowest = np.inf, -np.inf, 1
+            for j in range(j0, j1):
+                if nx * p[j] + ny * q[j] - at <= room:
+                    sign = turn(fx, fy, ex, ey, p[j], q[j], terms)
+                    lowest = min(lowest, sign)
+                    if sign == 0:
+                        on = q[j] if ex == fx else p[j]
+                        low, high = min(low, on), max(high, on)
+            if lowest == UNKNOWN:
+                return UNDECIDED
+            if lowest >= 0:
+                return TOUCHING if lowest == 0 and _meet(ex, ey, fx, fy, low, high) else APART
+        ex, ey = fx, fy
     return OVERLAPPING
 
 
@@ -80,8 +113,7 @@ def _side(
     if least < -room:
         return OVERLAPPING, k
     # the exact sign of every corner within the room of zero: where floats walk, these stand in a row about the lowest
-    lo_x = lo_y = np.inf
-    hi_x = hi_y = -np.inf
+    low, high = np.inf, -np.inf
     for way in range(2 if walk else 1):
         j = k
         for _ in range(j0, j1):
@@ -94,23 +126,23 @@ def _side(
                 if sign < 0:
                     return OVERLAPPING, k
                 if sign == 0:
-                    if p[j] < lo_x or (p[j] == lo_x and q[j] < lo_y):
-                        lo_x, lo_y = p[j], q[j]
-                    if p[j] > hi_x or (p[j] == hi_x and q[j] > hi_y):
-                        hi_x, hi_y = p[j], q[j]
+                    on = q[j] if ex == fx else p[j]
+                    low, high = min(low, on), max(high, on)
             elif walk:
                 break
             if way == 0:
                 j = j + 1 if j + 1 < j1 else j0
-    if lo_x == np.inf:
-        return APART, k
-    if fx < ex or (fx == ex and fy < ey):
-        ex, ey, fx, fy = fx, fy, ex, ey
-    apart = fx < lo_x or (fx == lo_x and fy < lo_y) or hi_x < ex or (hi_x == ex and hi_y < ey)
-    return APART if apart else TOUCHING, k
+    return TOUCHING if low <= high and _meet(ex, ey, fx, fy, low, high) else APART, k
 
 
 @compiled
+def _meet(ex: float, ey: float, fx: float, fy: float, low: float, high: float) -> bool:
+    """Does an edge reach a range of its line?  Places on it are told by x, or by y where it stands upright."""
+    e, f = (ey, fy) if ex == fx else (ex, fx)
+    return low <= max(e, f) and high >= min(e, f)
+
+
+@inlined
 def _on(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> int:
     """From corner k on, as long as the outline falls along (dx, dy)."""
     for _ in range(i0, i1):
@@ -121,7 +153,7 @@ def _on(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> i
     return k
 
 
-@compiled
+@inlined
 def _down(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> int:
     """From corner k on or back, down along (dx, dy) to the lowest: as low as any, up to what walking may miss."""
     end = _on(x, y, i0, i1, k, dx, dy)
@@ -135,7 +167,7 @@ def _down(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) ->
     return end
 
 
-@compiled
+@inlined
 def _lowest(x: Array, y: Array, i0: int, i1: int, dx: float, dy: float) -> int:
     """The same from the best of some corners: no way is longer than they lie apart."""
     k, least = i0, np.inf
@@ -210,13 +242,18 @@ def turn(px: float, py: float, qx: float, qy: float, rx: float, ry: float, terms
         return 1 if left > right else -1
     if (rx == px and ry == py) or (rx == qx and ry == qy):
         return 0
-    if _is_exact(qx, px) and _is_exact(qy, py) and _is_exact(rx, px) and _is_exact(ry, py):
-        # differences that lost nothing, as between points near each other: two products are left
-        a, b, c, d = qx - px, ry - py, qy - py, rx - px
-        if size < HUGE and _holds(a, b) and _holds(c, d):
-            terms[0], terms[2] = _product(a, b)
-            terms[1], terms[3] = _product(-c, d)
-            return _sign_of_sum(terms, 4)
+    a, b, c, d = qx - px, ry - py, qy - py, rx - px
+    ea, eb, ec, ed = _lost(qx, px, a), _lost(ry, py, b), _lost(qy, py, c), _lost(rx, px, d)
+    if size > TINY and size < HUGE:
+        # with what the differences and the products lost: signs.orient says how far this can be off
+        (e, left), (f, right) = _product(a, b), _product(c, d)
+        turn = (left - right) + ((e - f) + ((a * eb + ea * b) - (c * ed + ec * d)))
+        if abs(turn) > FINEST * size:
+            return 1 if turn > 0 else -1
+    if ea == 0 and eb == 0 and ec == 0 and ed == 0 and size < HUGE and _holds(a, b) and _holds(c, d):
+        terms[0], terms[2] = _product(a, b)
+        terms[1], terms[3] = _product(-c, d)
+        return _sign_of_sum(terms, 4)
     size = 0.0
     for i, (a, b) in enumerate(((px, qy), (-py, qx), (qx, ry), (-qy, rx), (rx, py), (-ry, px))):
         if not _holds(a, b):
@@ -227,11 +264,10 @@ def turn(px: float, py: float, qx: float, qy: float, rx: float, ry: float, terms
 
 
 @compiled
-def _is_exact(a: float, b: float) -> bool:
-    """Is the difference not rounded?"""
-    d = a - b
-    part = a - d
-    return (a - (d + part)) + (part - b) == 0
+def _lost(a: float, b: float, difference: float) -> float:
+    """What a rounded difference lost: with it, it is exact."""
+    part = a - difference
+    return (a - (difference + part)) + (part - b)
 
 
 @compiled

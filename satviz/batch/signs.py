@@ -19,6 +19,7 @@ Pairs = Sequence[tuple[Array, Array]]  # the factors of products
 UNKNOWN = -2  # below every sign: the least of several signs is known when all are
 ROUND = 2.0**-50  # eight roundings
 FINE = 2.0**-98  # 256 roundings of roundings
+FINEST = 2.0**-101  # 32 of them
 SPLIT = 2.0**27 + 1
 MOST_PASSES = 12
 
@@ -39,16 +40,26 @@ def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
 
 
 def _turns(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
-    """Two products of differences where these lost nothing, as of points near each other; else six of coordinates."""
+    """With what the differences and their products lost; exactly where that does not tell.
+
+    A difference is a + ea with ea at most u a (u = 2**-53), and the same for b, c and d; with S = |ab| + |cd| the turn
+    is ab - cd, whose rounded products differ by so little here that their difference is exact, and the errors of both
+    (u S in all), and a eb + ea b - c ed - ec d (2u S).  Left out are ea eb and ec ed, at most uu S; adding up what is
+    of the size u S rounds by 10 uu S at most, and the last sum by a share of itself.  Granted are 32 uu S.
+    """
     with np.errstate(all="ignore"):
         (a, ea), (b, eb), (c, ec), (d, ed) = (two_sum(u, -v) for u, v in ((qx, px), (ry, py), (qy, py), (rx, px)))
+        terms, size = _products([(a, b), (-c, d)])
+        turn = terms[0] + terms[1]
+        turn += (a * eb + ea * b) - (c * ed + ec * d)
+        turn += terms[2] + terms[3]
+        found = sign_beyond(turn, np.where((size > TINY) & (size < HUGE), FINEST * size, np.inf))
     plain = (ea == 0) & (eb == 0) & (ec == 0) & (ed == 0)
-    found = np.empty(len(px), np.int8)
     for mask, pairs in (
         (plain, [(a, b), (-c, d)]),
         (~plain, [(px, qy), (-py, qx), (qx, ry), (-qy, rx), (rx, py), (-ry, px)]),
     ):
-        which = np.flatnonzero(mask)
+        which = np.flatnonzero(mask & (found == 0))
         if which.size:
             found[which] = sign_of_products([(u[which], v[which]) for u, v in pairs])
     return found
