@@ -7,7 +7,7 @@ from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from . import circle_polygons, signs
 from .arrays import Group, upright_boxes
 from .codes import APART, OVERLAPPING, TOUCHING
-from .filter_numpy import boxes
+from .filter_numpy import MANY, boxes
 from .signs import Array, Signs
 
 Indices = NDArray[np.intp]
@@ -42,31 +42,53 @@ def relations(a: Group, b: Group) -> Signs:
 
 
 def _polygons(a: Group, b: Group) -> Signs:
-    """Edge by edge until one tells, first those that face the other shape."""
+    """Few corners: every edge of all pairs, with exact signs for those in doubt.  Many: the likely edges first."""
     found = np.full(a.x.shape[1], OVERLAPPING, np.int8)
-    left = np.arange(len(found))
     reach = (_largest(a.x, a.y) + _largest(b.x, b.y)) * LOOK
-    facing = _facing(a, b), _facing(b, a)
+    few = max(len(a.x), len(b.x)) <= MANY
+    left = np.arange(len(found))
+    nearest = [] if few else [_nearest(a, b), _nearest(b, a)]
     for step in range(max(len(a.x), len(b.x))):
-        # 0, 1, -1, 2, -2, ... from the edge that faces the other shape
-        away = (step + 1) // 2 * (1 if step % 2 else -1)
-        for own, other, first in ((a, b, facing[0]), (b, a, facing[1])):
-            if step < len(own.x) and left.size:
-                tells = _edge(own, other, (first[left] + away) % len(own.x), left, reach[left])
+        # around from the edges at the corner that lies furthest towards the other shape: -1, 0, -2, 1, -3, ...
+        away = step // 2 if step % 2 else -1 - step // 2
+        for k, (own, other) in enumerate(((a, b), (b, a))):
+            if step >= len(own.x):
+                continue
+            if few:
+                which, tells = _same_edge(own, other, step, reach)
+                found[which] = np.minimum(found[which], tells)
+            elif left.size:
+                tells = _edge(own, other, (nearest[k][left] + away) % len(own.x), left, reach[left])
                 found[left] = tells
                 left = left[tells == OVERLAPPING]
     return found
 
 
-def _facing(own: Group, other: Group) -> Indices:
-    """The edge, by where it starts, whose normal points most towards the other shape; any would do."""
-    x, y = own.x, own.y
-    nx, ny = np.roll(y, -1, axis=0) - y, x - np.roll(x, -1, axis=0)
-    dx, dy = other.x.mean(axis=0) - x.mean(axis=0), other.y.mean(axis=0) - y.mean(axis=0)
-    towards = nx * dx + ny * dy
-    towards /= np.hypot(nx, ny)
-    nearest: Indices = towards.argmax(axis=0)
-    return nearest
+def _nearest(own: Group, other: Group) -> Indices:
+    """The corner that lies furthest towards the other shape, by floats; any would do."""
+    dx, dy = (s[0] + s[len(s) // 2] - o[0] - o[len(o) // 2] for s, o in ((other.x, own.x), (other.y, own.y)))
+    look = dx * own.x
+    look += dy * own.y
+    found: Indices = look.argmax(axis=0)
+    return found
+
+
+def _same_edge(own: Group, other: Group, e: int, reach: Array) -> tuple[Indices, Signs]:
+    """The pairs of which an edge does not plainly cut the other shape, and what it tells of them."""
+    f = (e + 1) % len(own.x)
+    ex, ey, fx, fy = own.x[e], own.y[e], own.x[f], own.y[f]
+    nx, ny = fy - ey, ex - fx
+    least, look, part = np.full(len(nx), np.inf), np.empty_like(nx), np.empty_like(nx)
+    for x, y in zip(other.x, other.y, strict=True):
+        np.multiply(nx, x, out=look)
+        np.multiply(ny, y, out=part)
+        look += part
+        np.minimum(least, look, out=least)
+    least -= nx * ex + ny * ey
+    room = np.maximum(np.abs(nx), np.abs(ny)) * reach
+    room[~((room > LEAST_ROOM) & (room < MOST_ROOM))] = np.inf
+    which = np.flatnonzero(~(least < -room))
+    return which, _edge(own, other, np.full(len(which), e), which, reach[which])
 
 
 def _edge(own: Group, other: Group, start: Indices, left: Indices, reach: Array) -> Signs:
