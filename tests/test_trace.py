@@ -548,6 +548,7 @@ ONE_OF_EACH = {
     "parts": sv.record(sv.Polygon([(0, 0), (4, 0), (1, 1), (0, 4)]), sv.Circle((-1, 0), 1.5)),
     "parts, every axis": sv.record(sv.Circle((0, 0), 1), sv.Polygon([(0, 0), (4, 0), (1, 1), (0, 4)]), every_axis=True),
     "parts apart": sv.record(sv.Circle((3, 3), 0.5), L),
+    "large and small": sv.record(sv.Polygon([(0, 1e7), (-1e7, 0), (1e6, -1e7)]), sv.Polygon([(0, 0), (1, 0), (0, 1)])),
 }
 
 
@@ -577,6 +578,19 @@ def test_one_of_each_survives_json_and_the_rounding_of_another_machine(name):
     again = sv.Trace.from_json(json.dumps(data))
     assert again.sentence == trace.sentence and again.relation is trace.relation
     assert json.loads(again.to_json()) == data
+
+
+@pytest.mark.parametrize("told", [-(2.0**-40), 0.0, 2.0**-40])
+@pytest.mark.parametrize("true", [-(2.0**-40), 0.0, 2.0**-40])
+def test_no_rounding_of_another_machine_changes_the_sign_of_a_gap(told, true):
+    """Not even on an axis that does not matter, here x beside a clear gap along y."""
+    told, true = (sv.record(box(0, 0, 1, 1), box(1 + gap, 3, 2 + gap, 4), every_axis=True) for gap in (told, true))
+    data = json.loads(told.to_json()) | {"b": json.loads(true.to_json())["b"]}
+    if told == true:
+        assert sv.Trace.from_json(json.dumps(data)) == true
+    else:
+        with pytest.raises(sv.InvalidScene, match="gap"):
+            sv.Trace.from_json(json.dumps(data))
 
 
 def test_labels_stand_in_a_file_as_they_are():
