@@ -9,9 +9,10 @@ from math import cos, hypot, ldexp, pi, sin
 from random import Random
 
 import pytest
+import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import CONVEX, pairs
+from strategies import CONVEX, NotConvex, few_corners, notched, pairs
 
 import satviz as sv
 from satviz.engine import axes, concave, escape, sat, telling
@@ -990,6 +991,33 @@ def test_no_shorter_move_of_a_circle_ends_the_overlap(a, b):
         for share in (0.3, 0.7, 0.9, 0.99):
             move = sv.Vec(cos(k * pi / 90) * size * share, sin(k * pi / 90) * size * share)
             assert not ends_overlap(a, b, move), move
+
+
+def forbidden(a, b):
+    """The moves of b that let the shapes overlap, as shapely makes them: round ones all but a millionth."""
+    (p, q), radius = ([part.core for part in concave.parts(shape)] for shape in (a, b)), a.radius + b.radius
+    sums = [shapely.MultiPoint([(ux - vx, uy - vy) for ux, uy in u for vx, vy in v]) for u in p for v in q]
+    return shapely.union_all([points.convex_hull.buffer(radius, quad_segs=512) for points in sums])
+
+
+@pytest.mark.parametrize("kind", ["circle", "convex", "concave"])
+@pytest.mark.parametrize("seed", range(8))
+def test_the_way_out_of_a_concave_outline_is_to_the_nearest_move_that_is_not_forbidden(kind, seed):
+    rng, found = Random(f"{kind} {seed}"), 0
+    while found < 15:
+        with suppress(sv.InvalidShape, NotConvex):
+            a, other = sv.Polygon(notched(rng)), sv.Polygon((notched if kind == "concave" else few_corners)(rng))
+            x, y = (rng.uniform(*a.bounds[i::2]) for i in (0, 1))
+            size = a.reach * rng.choice((0.05, 0.3, 1))
+            ring = [(u / other.reach * size + x, v / other.reach * size + y) for u, v in other.vertices]
+            b = sv.Circle((x, y), size) if kind == "circle" else sv.Polygon(ring)
+            a, b = rng.sample((a, b), 2)
+            if sv.relate(a, b) is sv.Relation.OVERLAPPING:
+                found += 1
+                mtv = sv.record(a, b).mtv
+                nearest = forbidden(a, b).boundary.distance(shapely.Point(0, 0))
+                room = 1e-9 * nearest + 1e-5 * (a.radius + b.radius)
+                assert ends_overlap(a, b, mtv) and hypot(*mtv) <= nearest + room
 
 
 @pytest.mark.parametrize("power", [-600, -40, 0])
