@@ -894,6 +894,11 @@ def test_reach_span_and_bounds_are_those_of_the_corners(e):
     assert (wide.reach, wide.span) == (math.ldexp(50, e), math.ldexp(53, e))
 
 
+def test_a_circle_says_that_it_has_no_vertices_no_labels_and_no_corners():
+    circle = Circle((1, 2), 3)
+    assert (circle.vertices, circle.labels, circle.corner_ids) == ((), None, ())
+
+
 def test_a_circles_bounds_hold_it_and_hardly_more():
     rng = Random(10)
     for _ in range(200):
