@@ -1,5 +1,6 @@
 """The way out of an overlap: it ends it, and no shorter move does."""
 
+from collections import Counter
 from contextlib import suppress
 from math import cos, hypot, pi, sin
 from random import Random
@@ -275,3 +276,16 @@ def test_outlines_at_the_rim_of_float64_have_a_way_out():
 def test_the_way_out_needs_no_tested_axis():
     for a, b in [(A, A), (box(0, 0, 4, 1), box(3, 0.5, 5, 3.5)), (A, sv.Circle((1, 2), 1))]:
         assert sv.record(a, b, axes=axes.Choice(())).mtv == sv.record(a, b).mtv
+
+
+@pytest.mark.parametrize(
+    "b", [star(8, 1.3, 0.1), sv.Circle((0.1, 0.2), 0.3), box(-0.2, -0.3, 0.3, 0.2), sv.Circle((0.1, 0.2), 2)], ids=repr
+)
+def test_hardly_a_move_that_floats_can_refuse_is_checked_exactly_and_buried_borders_are_not_crossed(b, monkeypatch):
+    asked = Counter()
+    for name in ("relate_moved", "_crossings"):
+        done = getattr(escape, name)
+        monkeypatch.setattr(escape, name, lambda *args, name=name, done=done: asked.update([name]) or done(*args))
+    a = star(9)
+    assert escape.around_parts.__wrapped__(a, b)
+    assert asked["relate_moved"] < 3 * len(sv.parts(a)) * len(sv.parts(b)) and asked["_crossings"] < 600
