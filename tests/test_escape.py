@@ -131,8 +131,9 @@ def test_a_concave_mtv_scales_with_the_scene(e):
     assert mtv == pytest.approx((0.75 * s, 0.75 * s), rel=1e-3)
 
 
-def test_a_move_beyond_float64_is_none_and_said():
-    huge = box(-1.7e308, -1.7e308, 1.7e308, 1.7e308)
+@pytest.mark.parametrize("notch", [[], [(0, 0.9)]], ids=["convex", "concave"])
+def test_a_move_beyond_float64_is_none_and_said(notch):
+    huge = sv.Polygon([(1.7e308 * x, 1.7e308 * y) for x, y in [(-1, -1), (1, -1), (1, 1), *notch, (-1, 1)]])
     trace = sv.record(huge, sv.Polygon([(-1e308, -1e308), (1e308, -1e308), (0, 1e308)]))
     assert trace.mtv is None and "No move" in trace.sentence and trace.certificate.check()
     assert sv.Trace.from_json(trace.to_json()) == trace
