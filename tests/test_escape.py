@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 import shapely
-from strategies import CONVEX, NotConvex, few_corners, notched, pairs, star
+from strategies import CONVEX, NotConvex, few_corners, notched, pairs, scaled, star
 
 import satviz as sv
 from satviz.engine import axes, concave, escape
@@ -290,3 +290,12 @@ def test_hardly_a_move_that_floats_can_refuse_is_checked_exactly_and_buried_bord
     a = star(9)
     assert escape.around_parts.__wrapped__(a, b)
     assert asked["relate_moved"] < 3 * len(sv.parts(a)) * len(sv.parts(b)) and asked["_crossings"] < 600
+
+
+@pytest.mark.parametrize("b", [box(-0.5, 0.25, 0.5, 2), sv.Polygon([(0, 0.5), (1, 1), (0, 2)]), sv.Circle((0, 1), 0.5)])
+def test_a_tooth_so_small_that_its_parts_vanish_at_the_size_of_its_outline_has_a_way_out(b):
+    huge, tiny = 2.0**500, 2.0**-600
+    ring = [(-huge, -huge), (huge, -huge), (huge, 0), (tiny, 0), (0, tiny), (-tiny, 0), (-huge, 0)]
+    a, b = sv.Polygon(ring), scaled(b, -600)
+    for first, second in (a, b), (b, a):
+        assert ends_overlap(first, second, sv.record(first, second).mtv)
