@@ -201,7 +201,7 @@ def _sum(p: list[complex], q: list[complex]) -> list[complex]:
     """
     p, q = (ring[i:] + ring[:i] for ring in (p, q) for i in [ring.index(min(ring, key=lambda v: (v.imag, v.real)))])
     found, i, j = [], 0, 0
-    n, m = (len(ring) if len(ring) > 1 else 0 for ring in (p, q))
+    n, m = len(p), len(q)
     while i < n or j < m:
         found.append(p[i % len(p)] + q[j % len(q)])
         turn = _cross(p[(i + 1) % n] - p[i], q[(j + 1) % m] - q[j]) if i < n and j < m else n - i - (m - j)
