@@ -45,7 +45,7 @@ TESTS = {  # which test files judge a module: the quick and likely first
     **{f"batch/{path.stem}": ["batch", "batch_door"] for path in sorted((ROOT / "batch").glob("[!_]*.py"))},
     "engine/axes": ["axes", "trace"],
     "engine/sat": ["trace"],
-    "engine/escape": ["trace"],
+    "engine/escape": ["escape"],
     "engine/certificate": ["certificate", "trace"],
     "engine/trace": ["trace"],
     "scenes/tracefile": ["trace"],

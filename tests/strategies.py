@@ -494,6 +494,12 @@ def concave_notch(rng: Random) -> Pair:
     return _dressed(rng, a, 0.0), _dressed(rng, b, 0.0)
 
 
+def star(points: int, x: float = 0.0, y: float = 0.0, inner: float = 0.4) -> Polygon:
+    """With points of length 1: one part in the middle and one a point."""
+    arms = [((1, inner)[i % 2], i * math.pi / points) for i in range(2 * points)]
+    return Polygon([(x + r * math.cos(angle), y + r * math.sin(angle)) for r, angle in arms])
+
+
 def grid_ring(rng: Random, size: int = 40, step: float = 1.0) -> Ring:
     """A convex ring of 3 to 10 corners on the integers, times a power of two."""
     n = rng.randint(3, 10)

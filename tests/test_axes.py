@@ -181,6 +181,11 @@ def test_the_normals_of_a_shape_are_worked_out_once():
 # -- choices ---------------------------------------------------------------------------------------
 
 
+def test_a_star_import_brings_every_choice_and_what_one_is_made_of():
+    choices = {choose.__name__ for choose in axes.NAMED.values()}
+    assert set(axes.__all__) == choices | {"Axis", "Choice", "Skip", "Source", "directions"}
+
+
 def test_upright_boxes_need_y_and_x_and_say_which_each_side_is_parallel_to():
     choice = axes.needed(*PAIRS["boxes"])
     assert choice.axes == axes.WORLD_AXES and choice.complete

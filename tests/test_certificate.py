@@ -203,6 +203,14 @@ def test_a_point_in_both_is_found_at_the_rim_of_float64():
         assert sv.record(wide, other).certificate.check()
 
 
+@pytest.mark.parametrize("way", [1, -1])
+def test_a_point_in_both_is_found_where_only_one_coordinate_is_at_the_rim(way):
+    m = 1.7e308
+    rings = [(0.8 * m, 2), (0.6 * m, 0), (-m, -1)], [(m, 1), (0.6 * m, 0), (0.8 * m, 3)]
+    a, b = (sv.Polygon([v[::way] for v in ring]) for ring in rings)
+    assert isinstance(found := sv.record(a, b).certificate, SharedPoint) and found.check()
+
+
 # -- concave outlines ------------------------------------------------------------------------------
 
 

@@ -4,6 +4,7 @@ import copy
 import math
 import pickle
 import re
+import sys
 import time
 from array import array
 from collections.abc import Sequence
@@ -894,6 +895,11 @@ def test_reach_span_and_bounds_are_those_of_the_corners(e):
     assert (wide.reach, wide.span) == (math.ldexp(50, e), math.ldexp(53, e))
 
 
+def test_a_circle_says_that_it_has_no_vertices_no_labels_and_no_corners():
+    circle = Circle((1, 2), 3)
+    assert (circle.vertices, circle.labels, circle.corner_ids) == ((), None, ())
+
+
 def test_a_circles_bounds_hold_it_and_hardly_more():
     rng = Random(10)
     for _ in range(200):
@@ -956,6 +962,10 @@ def test_the_centroid_of_a_hair_or_of_all_of_float64_is_the_mean_of_the_corners(
     assert centroid(dart) == pytest.approx((0, -1.7e308 / 3))
     wide = Polygon([(-1.7e308, 0), (0, -1), (1.7e308, 0), (1.7e308, 1), (0, 2), (-1.7e308, 1)])
     assert centroid(wide) == pytest.approx((0, 0.5))
+    sliver = Polygon(
+        [(-sys.float_info.max, -4.9e26), (-4.480771442018821e298, -1e91), (0, -3.8409936947924827e307), (0, 0)]
+    )
+    assert all(map(math.isfinite, centroid(sliver)))
     low = Polygon([(0, 0), (1e10, 0), (5e9, 1e-315)])
     assert centroid(low) == pytest.approx((5e9, 1e-315 / 3))
     assert centroid(Circle((3, 4), 5)) == (3, 4)

@@ -1,6 +1,7 @@
 """relate: the oracle it is held against, exact transforms, and the bounds of its filters."""
 
 import math
+import sys
 from collections import Counter
 from collections.abc import Callable
 from contextlib import suppress
@@ -74,6 +75,55 @@ def test_relate_is_right_wherever_a_pair_lies(place):
         other = Polygon([(x, y), (x + 3, y + rng.randint(-2, 1)), (x, y + 2)])
         a, b = (mapped(shape, lambda u, v: (u + place[0], v + place[1])) for shape in (tilted, other))
         assert relate(a, b) is relate(b, a) is relation(tilted, other), (a, b)
+
+
+def bowl(half: int) -> list[tuple[int, int]]:
+    """2 * half + 1 corners, the lowest at the origin."""
+    return [(x, x * x) for x in range(-half, half + 1)]
+
+
+@pytest.mark.parametrize("half", [7, 8, 20])
+@pytest.mark.parametrize("way", [(1, 0), (0, 1), (-1, 0), (0, -1), (3, 4), (-12, 5)], ids=str)
+@pytest.mark.parametrize("place", [(0, 0), (900, 0), (0, 900), (-900, 900)], ids=str)
+def test_of_many_corners_one_that_only_touches_is_not_taken_for_one_inside(half, way, place):
+    rng = Random(str((half, way, place)))
+    box, diamond = [(-500, -200), (500, -200), (500, 0), (-500, 0)], [(0, 0), (-300, -300), (0, -600), (300, -300)]
+    for below in (box, diamond, [(x, -y) for x, y in bowl(half)]):
+        for gap, truth in ((2.0**-40, APART), (0, TOUCHING), (-(2.0**-40), OVERLAPPING)) * 2:
+            above = [(x, y + gap) for x, y in bowl(half)]
+            firsts = [rng.randrange(len(ring)) for ring in (above, below)]
+            rings = (ring[first:] + ring[:first] for ring, first in zip((above, below), firsts, strict=True))
+            a, b = (Polygon([(x + place[0], y + place[1]) for x, y in spun(ring, *way)]) for ring in rings)
+            assert relate(a, b) is relate(b, a) is truth
+
+
+def steps_of_relate(a: Shape, b: Shape) -> int:
+    """How many lines of verdict run until a and b are told, those of its loops each time."""
+    steps = 0
+
+    def count(frame, *_):
+        nonlocal steps
+        steps += frame.f_code.co_filename == verdict.__file__
+        return count
+
+    before = sys.gettrace()
+    sys.settrace(count)
+    try:
+        relate(a, b)
+    finally:
+        sys.settrace(before)
+    return steps
+
+
+@pytest.mark.parametrize("apart", [0.5, 1.2, 1.9])
+@pytest.mark.parametrize("corners", [32, 128])
+def test_two_round_shapes_that_overlap_are_told_in_a_few_steps_a_corner(corners, apart):
+    turns = [math.tau * i / corners for i in range(corners)]
+    for way in range(12):
+        x, y = way - 6 + apart * math.cos(way), 3 + apart * math.sin(way)
+        a, b = (Polygon([(u + math.cos(t), v + math.sin(t)) for t in turns]) for u, v in ((way - 6, 3), (x, y)))
+        assert relate(a, b) is OVERLAPPING
+        assert steps_of_relate(a, b) < 6 * corners > steps_of_relate(b, a)
 
 
 @pytest.mark.parametrize("e", [-500, -520, -532, -535, -536, -537, -538, -539, -545, -1000])
@@ -450,13 +500,15 @@ def float_only(monkeypatch) -> Callable[[Shape, Shape], Relation | None]:
 
 
 def long_edges(rng: Random) -> tuple[Shape, Shape]:
-    """Two triangles about as large as the box that holds them, a corner of one on an edge of the other."""
+    """A triangle, and another or a shape of 17 corners that has one on its edge; about as large as the box of both."""
     px, py, qx, qy, x, y = near_look(rng)
     nx, ny = qy - py, px - qx
-    aside = [rng.uniform(0.1, 0.5) for _ in range(3)]
-    behind = px + nx * aside[0], py + ny * aside[0]
-    beyond = [(x - nx * t + s * (qx - px), y - ny * t + s * (qy - py)) for t, s in zip(aside[1:], (-0.3, 0.3))]
-    return convex([(px, py), (qx, qy), behind]), convex([(x, y), *beyond])
+    behind = px + nx * rng.uniform(0.1, 0.5), py + ny * rng.uniform(0.1, 0.5)
+    steep = rng.uniform(0.5, 1)
+    beyond = [(s / 16, abs(s) / 16 * (steep + abs(s) / 16)) for s in rng.choice((range(-8, 9), (-8, 0, 8)))]
+    return convex([(px, py), (qx, qy), behind]), convex(
+        [(x - nx * t + s * (qx - px), y - ny * t + s * (qy - py)) for s, t in beyond]
+    )
 
 
 def at_the_bound(seed: int, count: int, circles: int) -> list[tuple[Shape, Shape]]:

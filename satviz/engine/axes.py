@@ -132,7 +132,7 @@ def hull_normals(a: Shape, b: Shape) -> Choice:
     axes: list[Axis] = []
     for shape, role in (b, "B"), (a, "A"):
         hull = _hull(shape.core)
-        for i, j in zip(hull, [*hull[1:], *hull[:1]]):
+        for i, j in zip(hull, [*hull[1:], *hull[:1]], strict=True):
             axes.append(_axis(*_edge_normal(shape, role, EDGE if (j - i) % len(shape.core) == 1 else HULL, i, j)))
     return Choice(tuple(axes), complete=_convex_polygons(a, b))
 

@@ -133,13 +133,10 @@ def shared_point(a: Shape, b: Shape) -> SharedPoint:
 def _in_both(a: Shape, b: Shape) -> Rational:
     """A point of two convex polygons: the rounded middle of the overlap, or a corner, or worked out in fractions."""
     roughly = _clipped(a.core, b.core)
-    if roughly:
-        middle = sum(x / len(roughly) for x, _ in roughly), sum(y / len(roughly) for _, y in roughly)
-        for spot in (middle, *a.core, *b.core):
-            if all(isfinite(c) for c in spot) and all(
-                orient(p, q, spot) >= 0 for s in (a, b) for p, q in _edges(s.core)
-            ):
-                return Fraction(spot[0]), Fraction(spot[1])
+    middle = sum(x / len(roughly) for x, _ in roughly), sum(y / len(roughly) for _, y in roughly)
+    for spot in (middle, *a.core, *b.core):
+        if all(isfinite(c) for c in spot) and all(orient(p, q, spot) >= 0 for s in (a, b) for p, q in _edges(s.core)):
+            return Fraction(spot[0]), Fraction(spot[1])
     common = _clipped(_ring(a), _ring(b))
     return sum(x for x, _ in common) / Fraction(len(common)), sum(y for _, y in common) / Fraction(len(common))
 

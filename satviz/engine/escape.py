@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from functools import lru_cache, partial
 from itertools import combinations
-from math import frexp, inf, isqrt, ldexp, nextafter
+from math import frexp, inf, isfinite, isqrt, ldexp, nextafter
 from typing import NamedTuple, TypeVar
 
 from .axes import exact_dots
@@ -39,7 +39,7 @@ def along_axis(a: Shape, b: Shape, test: AxisTest) -> Vec | None:
     depth = Fraction((min(up, down) << bits) + rim, square << (bits + k))
     way = 1 if up <= down else -1
     components = [_away_from_zero(way * n * depth) for n in (nx, ny)]
-    return Vec(*components) if abs(components[0]) < inf and abs(components[1]) < inf else None
+    return Vec(*components) if all(map(isfinite, components)) else None
 
 
 def _away_from_zero(value: Fraction) -> float:
@@ -49,7 +49,7 @@ def _away_from_zero(value: Fraction) -> float:
         return inf
     if abs(Fraction(rounded)) < abs(value):
         rounded = nextafter(rounded, inf if value > 0 else -inf)
-    return rounded + 0.0
+    return rounded
 
 
 def too_many(a: Shape, b: Shape) -> str:
@@ -201,7 +201,7 @@ def _sum(p: list[complex], q: list[complex]) -> list[complex]:
     """
     p, q = (ring[i:] + ring[:i] for ring in (p, q) for i in [ring.index(min(ring, key=lambda v: (v.imag, v.real)))])
     found, i, j = [], 0, 0
-    n, m = (len(ring) if len(ring) > 1 else 0 for ring in (p, q))
+    n, m = len(p), len(q)
     while i < n or j < m:
         found.append(p[i % len(p)] + q[j % len(q)])
         turn = _cross(p[(i + 1) % n] - p[i], q[(j + 1) % m] - q[j]) if i < n and j < m else n - i - (m - j)

@@ -1,0 +1,301 @@
+"""The way out of an overlap: it ends it, and no shorter move does."""
+
+from collections import Counter
+from contextlib import suppress
+from math import cos, hypot, pi, sin
+from random import Random
+
+import pytest
+import shapely
+from strategies import CONVEX, NotConvex, few_corners, notched, pairs, scaled, star
+
+import satviz as sv
+from satviz.engine import axes, concave, escape
+from satviz.engine.escape import ends_overlap
+from satviz.scenes.article import box
+
+A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
+B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])
+L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
+
+
+def test_the_mtv_really_ends_the_overlap_and_hardly_less_does_not():
+    overlapping = 0
+    for _, a, b in pairs(5, 400, [kind for kind in CONVEX if kind != "many corners"]):
+        trace = sv.record(a, b)
+        mtv = trace.mtv
+        if trace.relation is sv.Relation.APART:
+            assert mtv is None
+        elif trace.relation is sv.Relation.TOUCHING:
+            assert mtv == (0, 0)
+        elif 1e-100 < hypot(*mtv) < 1e100:
+            overlapping += 1
+            assert ends_overlap(a, b, mtv), (a, b)
+            less = sv.Vec(mtv.x * (1 - 1e-5), mtv.y * (1 - 1e-5))
+            assert not ends_overlap(a, b, less), (a, b)
+    assert overlapping > 50
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "mtv"),
+    [
+        (box(0, 0, 4, 1), box(3, 0.5, 5, 3.5), (0, 0.5)),  # raw normals would choose x
+        (box(0, 0, 10, 10), box(4, 4, 5, 5), (0, -5)),  # one holds the other: not the shared length
+        (sv.Circle((0, 0), 2), sv.Circle((0, 0), 1), (3, 0)),
+        (sv.Circle((0, 0), 3), sv.Circle((4, 0), 2), (1, 0)),
+    ],
+)
+def test_the_mtv_is_right_where_shortcuts_go_wrong_and_exact_where_float64_holds_it(a, b, mtv):
+    assert sv.record(a, b).mtv == mtv
+
+
+def test_only_an_overlap_has_a_way_out_that_leads_anywhere():
+    assert sv.record(A, B).mtv is None
+    assert sv.record(box(2.5, 2.5, 3.5, 3.5), L).mtv is None
+    assert sv.record(box(0, 0, 1, 1), box(1, 0, 2, 1)).mtv == (0, 0)
+    assert sv.record(box(2, 2, 3, 3), L).mtv == (0, 0)
+
+
+def test_the_mtv_does_not_follow_the_centers():
+    sliver, small = sv.Polygon([(0, 0), (8, 0), (0, 1)]), box(0.5, -0.5, 1.5, 1.5)
+    mtv = sv.record(sliver, small).mtv
+    assert ends_overlap(sliver, small, mtv)
+    assert hypot(*mtv) == pytest.approx(min(-t.gap for t in sv.record(sliver, small).tests))
+
+
+CONCAVE = [
+    (L, box(1.5, 1.5, 3.5, 3.5)),
+    (L, sv.Circle((3.2, 3.2), 1.5)),
+    (L, L),
+    (sv.Polygon([(0, 0), (6, 0), (6, 4), (4, 4), (4, 1), (2, 1), (2, 4), (0, 4)]), box(2.2, 1.5, 3.8, 3.5)),
+    (sv.Polygon([(0, 0), (6, 0), (6, 4), (4, 4), (4, 1), (2, 1), (2, 4), (0, 4)]), box(1.8, 1.5, 4.2, 3.5)),
+    (box(0, 0, 9, 9), sv.Polygon([(3, 3), (6, 3), (4, 4), (3, 6)])),
+]
+
+
+@pytest.mark.parametrize(("a", "b"), CONCAVE)
+def test_a_concave_pairs_mtv_ends_the_overlap_and_no_shorter_move_of_a_fan_does(a, b):
+    trace = sv.record(a, b)
+    if trace.relation is not sv.Relation.OVERLAPPING:
+        assert trace.mtv is None or trace.mtv == (0, 0)
+        return
+    assert ends_overlap(a, b, trace.mtv)
+    size = hypot(*trace.mtv)
+    for k in range(90):
+        for part in (0.25, 0.5, 0.75, 0.9, 0.999):
+            move = sv.Vec(cos(k * pi / 45) * size * part, sin(k * pi / 45) * size * part)
+            assert not ends_overlap(a, b, move), move
+
+
+HARD = [
+    # a pocket whose free wedge lies sideways; a tiny circle; rounding against a large outline
+    (sv.Polygon([(5, -1), (0, 1), (0, -1), (-2, 4), (-5, -3)]), sv.Circle((-0.9, 0.2), 0.3), 0.6986),
+    (sv.Polygon([(0, 1), (1, 3), (-5, 4), (4, -4)]), sv.Circle((-1.9, 2.2), 1e-7), 0.71419),
+    (
+        sv.Polygon([(-3, 1), (-4, 2), (-2, 4), (2, 3), (1, 1), (-3, -4)]),
+        sv.Circle((-1e-10, 4e-10), 2e-10),
+        0.156174,
+    ),
+    # just deep enough for the float filter, whose gap has five right digits only
+    (
+        sv.Polygon(
+            [
+                (0.33134916401791936, -0.943508204259309),
+                (0.9372193363989527, 0.3492565531593265),
+                (-0.33134916401791936, 0.943508204259309),
+            ]
+        ),
+        sv.Polygon(
+            [
+                (0.33134916512778495, -0.943508203869537),
+                (-0.3313491629080538, 0.943508204649081),
+                (-1.0097428727454139, -0.1427476526537444),
+            ]
+        ),
+        1.1763e-9,
+    ),
+]
+
+
+@pytest.mark.parametrize(("a", "b", "length"), HARD)
+def test_the_mtv_of_hard_scenes_is_there_ends_the_overlap_and_is_short(a, b, length):
+    trace = sv.record(a, b)
+    assert ends_overlap(a, b, trace.mtv) and hypot(*trace.mtv) == pytest.approx(length, rel=1e-4)
+    assert str(trace)
+
+
+@pytest.mark.parametrize("e", [-1060, -540, 0, 512, 1015])
+def test_a_concave_mtv_scales_with_the_scene(e):
+    s = 2.0**e
+    mtv = sv.record(sv.Polygon([(x * s, y * s) for x, y in L.vertices]), sv.Circle((2.25 * s, 2.25 * s), s)).mtv
+    assert mtv == pytest.approx((0.75 * s, 0.75 * s), rel=1e-3)
+
+
+@pytest.mark.parametrize("notch", [[], [(0, 0.9)]], ids=["convex", "concave"])
+def test_a_move_beyond_float64_is_none_and_said(notch):
+    huge = sv.Polygon([(1.7e308 * x, 1.7e308 * y) for x, y in [(-1, -1), (1, -1), (1, 1), *notch, (-1, 1)]])
+    trace = sv.record(huge, sv.Polygon([(-1e308, -1e308), (1e308, -1e308), (0, 1e308)]))
+    assert trace.mtv is None and "No move" in trace.sentence and trace.certificate.check()
+    assert sv.Trace.from_json(trace.to_json()) == trace
+
+
+def test_the_way_out_of_too_many_parts_is_refused_with_the_numbers_and_what_to_do():
+    trace = sv.record(star(40), star(40, 1.3, 0.1))
+    with pytest.raises(
+        sv.InvalidScene, match=r"1,681 pairs .* 13,120 corners.* 4,000 .*trace\.colliding\.mtv"
+    ) as refused:
+        _ = trace.mtv
+    assert "\n" not in str(refused.value)
+    assert trace.colliding.mtv and trace.certificate.check()
+
+
+def test_the_limit_on_the_way_out_counts_the_corners_of_all_pairs(monkeypatch):
+    for b, corners in (box(1.5, 1.5, 3.5, 3.5), 16), (sv.Circle((3.2, 3.2), 1.5), 10), (star(3, 2, 2), 44):
+        trace = sv.record(L, b)
+        monkeypatch.setattr(escape, "MOST_CORNERS", corners - 1)
+        escape.around_parts.cache_clear()
+        with pytest.raises(sv.InvalidScene, match=rf"{2 * len(sv.parts(b))} pairs of convex parts with {corners} corn"):
+            _ = trace.mtv
+        monkeypatch.setattr(escape, "MOST_CORNERS", corners)
+        assert trace.mtv
+
+
+def test_the_way_out_is_looked_for_once_and_not_for_a_picture_of_what_is_apart(monkeypatch):
+    escape.around_parts.cache_clear()
+    trace = sv.record(L, sv.Circle((3.2, 3.2), 1.5))
+    assert escape.around_parts.cache_info().misses == 0
+    _ = trace.mtv, str(trace), trace.to_json(), sv.Trace.from_json(trace.to_json()).mtv
+    assert escape.around_parts.cache_info().misses == 1
+
+
+POCKET = sv.Polygon(
+    [(0, 9), (0, -5), (1.9, -5), (2, 0), (2.1, -9), (-9, -9), (-9, 9)]
+)  # a wall to the left, a tip at (2, 0)
+
+
+SPIKE = sv.Polygon([(-9, -2), (9, -2), (9, 0), (0.2, 0), (0, 1), (-0.2, 0), (-9, 0)])
+
+
+SPIKES = sv.Polygon([(-9, -2), (9, -2), (9, 0), (1.2, 0), (1, 1), (0.8, 0), (-0.8, 0), (-1, 1), (-1.2, 0), (-9, 0)])
+
+
+PRONGS = sv.Polygon([(-9, -9), (9, -9), (1, 0), (0, -8), (-1, 0)])
+
+
+@pytest.mark.parametrize(
+    ("a", "circle", "mtv"),
+    [
+        (L, ((4.3, 2.4), 1), (0.3, 0.4)),  # straight away from a corner
+        (L, ((4.3, -0.4), 1), (0.3, -0.4)),
+        (L, ((-0.3, -0.4), 1), (-0.3, -0.4)),
+        (L, ((-0.4, 4.3), 1), (-0.4, 0.3)),
+        (L, ((5, 1), 1.5), (0.5, 0)),  # straight away from an edge
+        (L, ((2.25, 2.25), 1), (0.75, 0.75)),  # where two edges meet
+        (PRONGS, ((0, 0.25), 1.25), (0, 0.5)),  # where the circles about two corners meet
+        (PRONGS, ((0, 0.5), 1.25), (0, 0.25)),
+        (SPIKE, ((0, 3.9), 3), (0, 0.1)),  # away from a tip close to an edge
+        (SPIKES, ((0, 3.75), 3), (0, 8**0.5 - 2.75)),  # where the circles about two tips close to an edge meet
+        (POCKET, ((1, 0.5), 1.25), (0.25, 0.5)),  # where an edge and the circle about a corner meet
+    ],
+)
+@pytest.mark.parametrize("mirror", [(1, 1), (-1, 1), (1, -1), (-1, -1)])
+def test_the_way_out_of_a_circle_is_away_from_edges_and_corners(a, circle, mtv, mirror):
+    def seen(p):
+        return p[0] * mirror[0], p[1] * mirror[1]
+
+    trace = sv.record(sv.Polygon(list(map(seen, a.vertices))), sv.Circle(seen(circle[0]), circle[1]))
+    assert trace.mtv == pytest.approx(seen(mtv)) and ends_overlap(trace.a, trace.b, trace.mtv)
+    back = sv.record(trace.b, trace.a).mtv
+    assert back == pytest.approx([-c for c in seen(mtv)])
+
+
+@pytest.mark.parametrize("k", range(20))
+def test_a_rounded_crossing_is_helped_outwards_by_next_to_nothing(k):
+    x, y, radius = k / 173, 0.1 + k / 91, 1.2 + k / 311
+    up = sv.record(PRONGS, sv.Circle((x, y), radius)).mtv
+    assert up == pytest.approx((-x, (radius**2 - 1) ** 0.5 - y), abs=1e-14)
+    out = sv.record(POCKET, sv.Circle((1 + x, y / 2), radius)).mtv
+    assert out == pytest.approx((radius - 1 - x, (radius**2 - (2 - radius) ** 2) ** 0.5 - y / 2), abs=1e-14)
+
+
+def test_a_circle_about_a_corner_goes_out_by_its_radius():
+    trace = sv.record(L, sv.Circle((4, 2), 0.5))
+    assert hypot(*trace.mtv) == pytest.approx(0.5) and ends_overlap(trace.a, trace.b, trace.mtv)
+
+
+@pytest.mark.parametrize(("a", "b"), [(POCKET, sv.Circle((1, 0.5), 1.25)), (PRONGS, sv.Circle((0, -2), 0.9))])
+def test_no_shorter_move_of_a_circle_ends_the_overlap(a, b):
+    size = hypot(*sv.record(a, b).mtv)
+    for k in range(180):
+        for share in (0.3, 0.7, 0.9, 0.99):
+            move = sv.Vec(cos(k * pi / 90) * size * share, sin(k * pi / 90) * size * share)
+            assert not ends_overlap(a, b, move), move
+
+
+def forbidden(a, b):
+    """The moves of b that let the shapes overlap, as shapely makes them: round ones all but a millionth."""
+    (p, q), radius = ([part.core for part in concave.parts(shape)] for shape in (a, b)), a.radius + b.radius
+    sums = [shapely.MultiPoint([(ux - vx, uy - vy) for ux, uy in u for vx, vy in v]) for u in p for v in q]
+    return shapely.union_all([points.convex_hull.buffer(radius, quad_segs=512) for points in sums])
+
+
+@pytest.mark.parametrize("kind", ["circle", "convex", "concave"])
+@pytest.mark.parametrize("seed", range(8))
+def test_the_way_out_of_a_concave_outline_is_to_the_nearest_move_that_is_not_forbidden(kind, seed):
+    rng, found = Random(f"{kind} {seed}"), 0
+    while found < 15:
+        with suppress(sv.InvalidShape, NotConvex):
+            a, other = sv.Polygon(notched(rng)), sv.Polygon((notched if kind == "concave" else few_corners)(rng))
+            x, y = (rng.uniform(*a.bounds[i::2]) for i in (0, 1))
+            size = a.reach * rng.choice((0.05, 0.3, 1))
+            ring = [(u / other.reach * size + x, v / other.reach * size + y) for u, v in other.vertices]
+            b = sv.Circle((x, y), size) if kind == "circle" else sv.Polygon(ring)
+            a, b = rng.sample((a, b), 2)
+            if sv.relate(a, b) is sv.Relation.OVERLAPPING:
+                found += 1
+                mtv = sv.record(a, b).mtv
+                nearest = forbidden(a, b).boundary.distance(shapely.Point(0, 0))
+                room = 1e-9 * nearest + 1e-5 * (a.radius + b.radius)
+                assert ends_overlap(a, b, mtv) and hypot(*mtv) <= nearest + room
+
+
+@pytest.mark.parametrize("power", [-600, -40, 0])
+def test_a_large_and_a_small_concave_outline_have_a_way_out(power):
+    small, large = (sv.Polygon([(c * 2.0**e, d * 2.0**e) for c, d in L.vertices]) for e in (power, 1000))
+    for a, b in [(small, large), (large, small), (large, sv.Circle((0, 0), 2.0**power))]:
+        trace = sv.record(a, b)
+        assert ends_overlap(a, b, trace.mtv) and sv.Trace.from_json(trace.to_json()) == trace
+
+
+def test_outlines_at_the_rim_of_float64_have_a_way_out():
+    rim = sv.Polygon([(c * 4e307, d * 4e307) for c, d in L.vertices])
+    circle = sv.Circle((1.7e308, 1.7e308), 1.7e308)
+    for a, b in [(rim, circle), (circle, rim)]:
+        assert ends_overlap(a, b, sv.record(a, b).mtv)
+
+
+def test_the_way_out_needs_no_tested_axis():
+    for a, b in [(A, A), (box(0, 0, 4, 1), box(3, 0.5, 5, 3.5)), (A, sv.Circle((1, 2), 1))]:
+        assert sv.record(a, b, axes=axes.Choice(())).mtv == sv.record(a, b).mtv
+
+
+@pytest.mark.parametrize(
+    "b", [star(8, 1.3, 0.1), sv.Circle((0.1, 0.2), 0.3), box(-0.2, -0.3, 0.3, 0.2), sv.Circle((0.1, 0.2), 2)], ids=repr
+)
+def test_hardly_a_move_that_floats_can_refuse_is_checked_exactly_and_buried_borders_are_not_crossed(b, monkeypatch):
+    asked = Counter()
+    for name in ("relate_moved", "_crossings"):
+        done = getattr(escape, name)
+        monkeypatch.setattr(escape, name, lambda *args, name=name, done=done: asked.update([name]) or done(*args))
+    a = star(9)
+    assert escape.around_parts.__wrapped__(a, b)
+    assert asked["relate_moved"] < 3 * len(sv.parts(a)) * len(sv.parts(b)) and asked["_crossings"] < 600
+
+
+@pytest.mark.parametrize("b", [box(-0.5, 0.25, 0.5, 2), sv.Polygon([(0, 0.5), (1, 1), (0, 2)]), sv.Circle((0, 1), 0.5)])
+def test_a_tooth_so_small_that_its_parts_vanish_at_the_size_of_its_outline_has_a_way_out(b):
+    huge, tiny = 2.0**500, 2.0**-600
+    ring = [(-huge, -huge), (huge, -huge), (huge, 0), (tiny, 0), (0, tiny), (-tiny, 0), (-huge, 0)]
+    a, b = sv.Polygon(ring), scaled(b, -600)
+    for first, second in (a, b), (b, a):
+        assert ends_overlap(first, second, sv.record(first, second).mtv)
