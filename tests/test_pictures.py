@@ -127,11 +127,12 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
         for i, test in enumerate(run.tests):
             picture = sv.picture(trace, Step(Stage.GAP, i, pair))
             n = test.axis.direction
-            for side, who in ((test.a, run.names.a), (test.b, run.names.b)):
+            told = telling.digits(run, test)
+            for side, who, text in zip((test.a, test.b), run.names, told.ranges(test), strict=True):
                 mark = picture.mark(f"{who}.range.{i + 1}")
                 along = [p.x * n.x + p.y * n.y for p in mark.points]
                 assert along == pytest.approx(list(side.interval), abs=1e-9)
-                assert picture.mark(f"{who}.range-name.{i + 1}").text == f"{who} {telling.interval(side.interval)}"
+                assert picture.mark(f"{who}.range-name.{i + 1}").text == f"{who} {text}"
             gap = picture.mark(f"gap.{i + 1}")
             along = [p.x * n.x + p.y * n.y for p in gap.points]
             a, b = test.a.interval, test.b.interval
@@ -139,7 +140,7 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
             assert max(along) - min(along) == pytest.approx(abs(shared), abs=1e-9)
             assert test.gap <= 0 or -shared == pytest.approx(test.gap)
             assert gap.role == ("overlap" if test.gap < 0 else "gap")
-            assert picture.mark(f"gap-name.{i + 1}").text == telling.outcome(test)
+            assert picture.mark(f"gap-name.{i + 1}").text == telling.outcome(test, told)
             assert picture.sentence == telling.test(run, i)
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from ..engine import telling
+from ..engine import digits
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Shape
@@ -85,7 +85,7 @@ def arrange(
             f"a scene {size:.3g} across at ({x0:.3g}, {y0:.3g}) cannot be drawn in float64: "
             "move or scale it first (its trace is exact all the same)"
         )
-    words = [text_box(f"B {telling.interval(r.interval)}")[0] for test in tests for r in (test.a, test.b)]
+    words = [text_box(f"B {text}")[0] for test in tests for text in digits.of_tests(shapes, [test]).ranges(test)]
     label = min(max(words, default=0.0), 110.0)
     while True:
         layout = _arranged(shapes, tests, together, largest, label)

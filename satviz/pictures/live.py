@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ..engine import telling
+from ..engine import digits, telling
 from ..engine.geometry import Relation, Vec
 from ..engine.trace import Trace
 from .curve import direction
@@ -92,7 +92,8 @@ def turned_axis(trace: Trace, layout: Layout, degree: float, *, near: Vec | None
     sketch.add("knob", "disc", "ink", knob(layout, place, degree), radius=layout.units(KNOB))  # no label lies on it
     says = "this axis separates them" if test.separates else "this axis shows no gap"
     sketch.note("verdict", says, "gap" if test.separates else "overlap", weight="title", first=1)
-    sentence = f"The axis at {telling.number(round(degree, 1))} degrees: {telling.outcome(test)}; {says}."
+    found = telling.outcome(test, telling.digits(trace, test))
+    sentence = f"The axis at {digits.number(round(degree, 1))} degrees: {found}; {says}."
     return sketch.finish("", sentence, steady=False), place
 
 

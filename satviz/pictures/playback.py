@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from ..engine import telling
+from ..engine import digits, telling
 from ..engine.geometry import Relation
 from ..engine.trace import Trace
 from .marks import Mark, marks_data
@@ -77,8 +77,9 @@ def rows(trace: Trace) -> list[dict[str, Any]]:
         of = f"{pair.names.a} and {pair.names.b}" if trace.pairs else ""
         for i, t in enumerate(pair.tests, 1):
             row = {"pair": of, "number": i, "axis": telling.axis_name(t.axis, shapes, pair.names), "gap": t.gap}
-            row |= {"direction": telling.vector(t.axis.direction), "outcome": telling.outcome(t)}
-            row |= {"a": telling.interval(t.a.interval), "b": telling.interval(t.b.interval)}
+            told = telling.digits(pair, t)
+            row |= {"direction": digits.vector(t.axis.direction), "outcome": telling.outcome(t, told)}
+            row |= dict(zip("ab", told.ranges(t), strict=True))
             found.append(row)
         found += [
             {"pair": of, "axis": telling.axis_name(s.axis, shapes, pair.names), "reason": telling.reason(*s[1:])}

@@ -103,7 +103,7 @@ class Sketch:
                 ends = [short_name(polygon, name, i) for i in ids]
                 middle = self.middle(p, q)
                 out = self.outward(polygon, p, q)
-                text = f"edge = {ends[0]} - {ends[1]} = {telling.vector(Vec(p.x - q.x, p.y - q.y))}"
+                text = f"edge = {telling.edge_vector(self.trace, ends, p, q)}"
                 self.label("edge-name", text, role, middle, prefer=out, first=1)
         elif kind in (CENTERS, VERTEX):
             p, q = self.joined(test)
@@ -111,7 +111,8 @@ class Sketch:
             for i, end in enumerate((p, q)):
                 self.add("edge-end", "dot", "AB"[i], end, number=i)
             if told:
-                self.label("edge-name", telling.vector(Vec(q.x - p.x, q.y - p.y)), "ink", self.middle(p, q), first=1)
+                text = telling.digits(self.trace).vector(Vec(q.x - p.x, q.y - p.y))
+                self.label("edge-name", text, "ink", self.middle(p, q), first=1)
 
     def joined(self, test: AxisTest) -> Segment:
         """The two points whose difference is the axis: A's, then B's."""
@@ -139,7 +140,8 @@ class Sketch:
         role = test.source.shape or "ink"
         self.add("normal", "arrow", role, *arrow, weight="strong", start=arrow[:1])
         if told:
-            text = f"normal {telling.vector(test.axis.normal)}" if test.source.kind in (EDGE, HULL) else "direction"
+            normal = telling.digits(self.trace).vector(test.axis.normal)
+            text = f"normal {normal}" if test.source.kind in (EDGE, HULL) else "direction"
             self.label("normal-name", text, role, arrow[1], prefer=test.axis.direction, first=1)
 
     def all_normals(self) -> None:
@@ -182,7 +184,7 @@ class Sketch:
             text = "xy"[ids[0]] if kind == WORLD else f"axis {self.number(test)}"
             self.label("axis-name", text, "ink", place.at(place.hi), axis=self.on(test), prefer=place.n, first=3)
 
-    def drops(self, test: AxisTest, place: AxisPlace, role: str, *, ends_only: bool, told: bool) -> None:
+    def drops(self, test: AxisTest, place: AxisPlace, role: str, *, ends_only: bool, named: bool) -> None:
         """Dotted lines from the points to where they land."""
         side = test.a if role == "A" else test.b
         name, shape = self.of(role)
@@ -193,22 +195,23 @@ class Sketch:
             self.add("drop", "segment", "guide", point, spot, owner=name, axis=axis, number=i, start=(point,))
             self.add("dropped", "dot", role, point, owner=name, axis=axis, number=i)
             self.add("landing", "dot", role, spot, owner=name, axis=axis, number=i, start=(point,))
-        if told:
+        if named:
+            told = telling.digits(self.trace, test)
             for end, way in zip(side.interval, (-1, 1), strict=True):
-                who = self.landed_names(name, shape, side, end)
+                text = told.landing(end)
+                ids = [i for i, t in enumerate(side.landings) if told.landing(t) == text]
+                who = self.vertex_names(name, shape, ids)
                 prefer = Vec(place.out.x * (1 if role == "B" else -1), place.out.y * (1 if role == "B" else -1))
                 prefer = Vec(prefer.x + place.n.x * way * 0.5, prefer.y + place.n.y * way * 0.5)
                 part = "lowest" if way < 0 else "highest"
-                text = f"{who}: {telling.number(end)}" if who else telling.number(end)
+                text = f"{who}: {text}" if who else text
                 self.label(part, text, role, place.at(end), owner=name, axis=axis, prefer=prefer)
 
-    def landed_names(self, name: str, shape: Shape, side: Projection, end: float) -> str:
-        """Who landed at an end of the range, if the owner named the vertices: "v1, v2"."""
+    def vertex_names(self, name: str, shape: Shape, ids: Sequence[int]) -> str:
+        """Some of a shape's corners, if the owner named its vertices: "v1, v2"."""
         if isinstance(shape, Circle) or not shape.labels:
             return ""
-        shown = telling.number(end)
-        ids = [shape.corner_ids[i] for i, t in enumerate(side.landings) if telling.number(t) == shown]
-        return ", ".join(short_name(shape, name, i) for i in sorted(ids))
+        return ", ".join(short_name(shape, name, i) for i in sorted(shape.corner_ids[i] for i in ids))
 
     def nearest_ends(self, side: Projection, place: AxisPlace) -> list[int]:
         """A lowest and a highest point; of several that land together the one nearest to the axis."""
@@ -230,7 +233,7 @@ class Sketch:
         ends = tuple(place.at(t, role) for t in side.interval)
         self.add("range", "interval", role, *ends, owner=name, axis=self.on(test), start=ends[:1])
         out = place.out if role == "B" else Vec(-place.out.x, -place.out.y)
-        text = f"{name} {telling.interval(side.interval)}"
+        text = f"{name} {telling.digits(self.trace, test).ranges(test)['AB'.index(role)]}"
         p, q = ends
         spot, *along = (Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for f in (0.5, 0.3, 0.7, 0.1, 0.9))
         wish: Wishes = {"owner": name, "axis": self.on(test), "along": tuple(along), "prefer": out}
@@ -250,7 +253,7 @@ class Sketch:
             role, kind = "overlap", "interval"
         self.add("gap", kind, role, *points, axis=self.on(test), start=points[:1])
         anchor = self.middle(*points[1:3]) if kind == "bracket" else self.middle(*ends)
-        text = telling.outcome(test)
+        text = telling.outcome(test, telling.digits(self.trace, test))
         self.label("gap-name", text, role, anchor, axis=self.on(test), prefer=place.out, first=2)
 
     def project(self, test: AxisTest, place: AxisPlace, *, drops: bool = True) -> None:
@@ -258,7 +261,7 @@ class Sketch:
         self.axis(test, place)
         for role in "AB":
             if drops:
-                self.drops(test, place, role, ends_only=True, told=False)
+                self.drops(test, place, role, ends_only=True, named=False)
             self.range(test, place, role)
         self.gap(test, place)
 

@@ -144,10 +144,10 @@ def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace) -> None:
     one = first_role(trace, i)
     other = "B" if one == "A" else "A"
     if stage is Stage.DROPS:
-        sketch.drops(test, place, one, ends_only=False, told=True)
+        sketch.drops(test, place, one, ends_only=False, named=True)
     if stage in (Stage.RANGE, Stage.BOTH, Stage.GAP):
         for role in one if stage is Stage.RANGE else (one, other):
-            sketch.drops(test, place, role, ends_only=True, told=False)
+            sketch.drops(test, place, role, ends_only=True, named=False)
             sketch.range(test, place, role)
     if stage is Stage.GAP:
         sketch.gap(test, place)
@@ -188,7 +188,7 @@ def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace]) -> None:
     elif isinstance(certificate, SharedPoint):
         spot = certificate.point
         sketch.add("shared", "dot", "ink", spot)
-        sketch.label("shared-name", f"a point in both: {telling.vector(spot)}", "ink", spot, first=4)
+        sketch.label("shared-name", f"a point in both: {telling.digits(trace).vector(spot)}", "ink", spot, first=4)
         draw_move(sketch)
     else:
         (_, a, whole_a), (_, b, whole_b) = sketch.pair()
@@ -210,7 +210,7 @@ def draw_move(sketch: Sketch) -> None:
     assert isinstance(certificate, SharedPoint)  # as of all that overlap
     start, tip = certificate.point, moved(certificate.point, move, 1.0)
     sketch.add("mtv", "arrow", "overlap", start, tip, weight="strong", start=(start,))
-    sketch.label("mtv-name", f"MTV {telling.vector(move)}", "overlap", tip, prefer=move, first=3)
+    sketch.label("mtv-name", f"MTV {telling.digits(trace).vector(move)}", "overlap", tip, prefer=move, first=3)
 
 
 def separating_line(sketch: Sketch, certificate: SeparatingLine, text: str = "separating line") -> None:

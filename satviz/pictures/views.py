@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from math import hypot
 
-from ..engine import telling
+from ..engine import digits, telling
 from ..engine.axes import EDGE, GIVEN, WORLD, Choice
 from ..engine.certificate import SeparatingLine
 from ..engine.concave import named_parts
@@ -106,18 +106,18 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
         rim = Vec(circle.center.x + across.x * circle.radius, circle.center.y + across.y * circle.radius)
         sketch.add("radius", "segment", role, circle.center, rim, owner=role)
         half = sketch.middle(circle.center, rim)
-        text = f"r{'12'[role == 'B']} = {telling.number(circle.radius)}"
+        text = f"r{'12'[role == 'B']} = {digits.number(circle.radius)}"
         sketch.label("radius-name", text, role, half, owner=role, prefer=Vec(-1.0, 0.3), first=1)
     # on this axis the gap is the distance less both radii, so the trace has the distance
     reach = a.radius + b.radius
-    distance = telling.number(test.gap + reach)
+    distance = digits.number(test.gap + reach)
     compare = ">" if test.gap > 0 else "<" if test.gap < 0 else "="
     sketch.label("distance-name", f"distance {distance}", "ink", sketch.middle(p, q), prefer=Vec(0.3, -1.0), first=1)
     for role in "AB":
         sketch.range(test, layout.places[0], role)
     sketch.axis(test, layout.places[0])
     sketch.gap(test, layout.places[0])
-    words = f"distance {distance} {compare} r1 + r2 = {telling.number(reach)}"
+    words = f"distance {distance} {compare} r1 + r2 = {digits.number(reach)}"
     sketch.note("verdict", words, "ink", first=2)
     return sketch.finish(
         title, f"The centers lie {words.replace('distance ', '', 1)} apart. {trace.sentence}", steady=False
@@ -142,11 +142,11 @@ def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title:
     if not extremes:
         rim = Vec(circle.center.x - n.y * circle.radius, circle.center.y + n.x * circle.radius)
         sketch.add("radius", "segment", role, circle.center, rim)
-        text = f"radius r = {telling.number(circle.radius)}"
+        text = f"radius r = {digits.number(circle.radius)}"
         sketch.label("radius-name", text, role, sketch.middle(circle.center, rim), prefer=n, first=1)
         sketch.label("center-name", "center C", role, circle.center, prefer=Vec(0.0, -1.0), first=2)
-        words = f"A circle has no edges: its center C {telling.vector(circle.center)} and radius"
-        return sketch.finish(title, f"{words} {telling.number(circle.radius)} are all that a projection needs.")
+        words = f"A circle has no edges: its center C {digits.vector(circle.center)} and radius"
+        return sketch.finish(title, f"{words} {digits.number(circle.radius)} are all that a projection needs.")
     sketch.add("diameter", "segment", role, p2, p1)
     sketch.label("center-name", "C", role, circle.center, prefer=Vec(-n.y, n.x), first=2)
     for i, point, landing, sign in (1, p1, side.landings[1], "+"), (2, p2, side.landings[0], "-"):
@@ -156,12 +156,12 @@ def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title:
         sketch.add("landing", "dot", role, spot, number=i)
         away = Vec(point.x - circle.center.x, point.y - circle.center.y)
         sketch.label("dropped-name", f"P{i} = C {sign} r n", role, point, number=i, prefer=away, first=1)
-        sketch.label("landing-name", telling.number(landing), role, spot, number=i, prefer=place.out, first=1)
+        sketch.label("landing-name", digits.number(landing), role, spot, number=i, prefer=place.out, first=1)
     return sketch.finish(
         title,
-        f"The extremes along an axis of direction n = {telling.vector(n)} are P1 = C + r n {telling.vector(p1)} "
-        f"and P2 = C - r n {telling.vector(p2)}; they land at {telling.number(side.landings[1])} "
-        f"and {telling.number(side.landings[0])}.",
+        f"The extremes along an axis of direction n = {digits.vector(n)} are P1 = C + r n {digits.vector(p1)} "
+        f"and P2 = C - r n {digits.vector(p2)}; they land at {digits.number(side.landings[1])} "
+        f"and {digits.number(side.landings[0])}.",
     )
 
 
@@ -181,9 +181,9 @@ def failed_lines(trace: Trace, *, most: int = 3, title: str = "") -> Picture:
         x0, y0, x1, y1 = layout.limits
         end = max(ends, key=lambda p: hypot(p.x - x0, p.y - y0) + (p.y - y0) * 0.1)
         inwards = Vec((x0 + x1) / 2 - end.x, (y0 + y1) / 2 - end.y)
-        text = f"fails: gap {telling.signed(test.gap)}"
+        text = f"fails: gap {telling.digits(trace, test).signed(test.gap)}"
         sketch.label("failed-line-name", text, "overlap", end, number=i, prefer=inwards, first=1)
-    worst = telling.number(best[0].gap)
+    worst = telling.digits(trace, best[0]).signed(best[0].gap)
     return sketch.finish(
         title,
         f"No line separates {trace.names.a} and {trace.names.b}: the best gap is {worst}. {trace.sentence}",
