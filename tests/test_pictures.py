@@ -111,13 +111,53 @@ def test_marks_have_unique_ids_and_known_roles_and_lie_on_the_canvas(name):
 
 
 @pytest.mark.parametrize("name", TRACES)
-def test_nothing_jumps_between_the_steps_of_a_scene(name):
+def test_nothing_jumps_while_a_test_is_drawn(name):
     trace = TRACES[name]
-    pictures = [sv.picture(trace, i) for i in range(len(sv.steps(trace)))]
-    assert len({(p.limits, p.size) for p in pictures}) == 1
-    for role in "AB":
-        spots = {p.mark(f"{role}.name").points for p in pictures[:-1] if f"{role}.name" in [m.id for m in p.marks]}
-        assert len(spots) <= 1
+    pictures = [(step, sv.picture(trace, step)) for step in sv.steps(trace)]
+    assert len({p.size for _, p in pictures}) == 1
+    assert max(p.scale for _, p in pictures) == pytest.approx(min(p.scale for _, p in pictures), rel=1e-12)
+    spots = {}
+    for step, picture in pictures:
+        if step.stage in (Stage.AXIS, Stage.DROPS, Stage.RANGE, Stage.BOTH, Stage.GAP):
+            assert spots.setdefault((step.pair, step.test), picture.limits) == picture.limits
+            for mark in picture.labels:
+                if mark.part not in ("normal-name", "lowest", "highest"):  # those of one stage alone
+                    at = spots.setdefault((step.pair, step.test, mark.id), mark.points)
+                    assert at == mark.points, mark.id
+        for mark in picture.labels if step.stage is not Stage.VERDICT else ():
+            if mark.part == "name":
+                assert spots.setdefault((step.pair, mark.id, mark.text), mark.points) == mark.points
+
+
+@pytest.mark.parametrize("name", [figure.stem for figure in FIGURES])
+def test_no_half_of_a_figure_is_empty(name):
+    picture = PICTURES[name]
+    x0, y0, x1, y1 = picture.limits
+    for i, (lo, hi) in enumerate(((x0, x1), (y0, y1))):
+        spots = [p[i] + r for m in picture.marks for p in m.points for r in (m.radius, -m.radius)]
+        assert min(spots) < lo + 0.3 * (hi - lo) and max(spots) > hi - 0.3 * (hi - lo)
+
+
+@pytest.mark.parametrize("number", [2, 3, 5, 12, 14, 20])
+def test_a_ranges_label_stands_on_its_bars_own_side(number):
+    picture = FIGURES[number - 1].picture()
+    for label in picture.labels:
+        if label.part == "range-name":
+            (axis,) = (m.points for m in picture.marks if (m.part, m.axis) == ("axis", label.axis))
+            bar = picture.mark(f"{label.owner}.range.{label.axis}").points[0]
+            assert beyond(*axis, bar) * beyond(*axis, label.points[0]) > 0, label.text
+
+
+def beyond(p, q, r):
+    """On which side of the line from p to q does r lie?"""
+    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)
+
+
+def test_an_axis_shows_where_0_lies_on_it():
+    n = TRACES["triangles"].tests[0].axis.direction
+    picture = sv.picture(TRACES["triangles"], Step(Stage.AXIS, 0))
+    assert [r.x * n.x + r.y * n.y for r in picture.mark("zero.1").points] == pytest.approx([0, 0], abs=1e-9)
+    assert picture.mark("zero-name.1").text == "0"
 
 
 @pytest.mark.parametrize("name", TRACES)
@@ -140,7 +180,7 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
             assert max(along) - min(along) == pytest.approx(abs(shared), abs=1e-9)
             assert test.gap <= 0 or -shared == pytest.approx(test.gap)
             assert gap.role == ("overlap" if test.gap < 0 else "gap")
-            assert picture.mark(f"gap-name.{i + 1}").text == telling.outcome(test, told)
+            assert picture.mark(f"gap-name.{i + 1}").text == telling.shared(test, told)
             assert picture.sentence == telling.test(run, i)
 
 
@@ -178,11 +218,12 @@ def test_drop_lines_run_across_the_axis_from_the_points_to_where_they_land():
     assert {"v3: 3.051", "v1, v2: 6.934"} <= set(picture.texts)
 
 
-def test_the_moved_normal_keeps_its_direction():
+def test_the_moved_normal_keeps_its_line_and_is_drawn_outward():
     picture = sv.picture(TRACES["triangles"], Step(Stage.AXIS, 1))
     arrows = [picture.mark("normal").points, picture.mark("axis.2").points]
     (ax, ay), (bx, by) = ((q.x - p.x, q.y - p.y) for p, q in arrows)
-    assert ax * by - ay * bx == pytest.approx(0, abs=1e-9) and ax * bx + ay * by > 0
+    assert ax * by - ay * bx == pytest.approx(0, abs=1e-9)
+    assert "normal (−4, 1)\n(either direction will do)" in picture.texts
 
 
 def test_a_mark_that_moves_starts_where_it_comes_from():
@@ -191,7 +232,7 @@ def test_a_mark_that_moves_starts_where_it_comes_from():
     i = trace.tests.index(trace.separating)
     gap = sv.picture(trace, Step(Stage.GAP, i))
     axes = [picture.mark(f"axis.{i + 1}").start for picture in (gap, sv.picture(trace))]
-    assert axes == [gap.mark("normal").points] * 2
+    assert axes == [gap.mark("normal").points[::-1]] * 2  # drawn outward, against the axis
     drops, landings = ([m for m in gap.marks if m.part == part] for part in ("drop", "landing"))
     assert len(drops) == 4 and [(m.points[0], m.points[-1]) for m in drops] == [(*m.start, *m.points) for m in landings]
 

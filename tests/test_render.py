@@ -159,6 +159,15 @@ def test_a_gif_is_the_whole_run_and_the_same_each_time():
     assert pictures[-1].sentence.encode() in data
 
 
+def test_a_frame_lasts_as_long_as_its_words_take_to_read():
+    pictures = [sv.picture(TRIANGLES, i) for i in (0, 7, 15)]
+    image = Image.open(io.BytesIO(animate(pictures)))
+    for i, picture in enumerate(pictures):
+        image.seek(i)
+        # twenty letters a second is quick
+        assert image.info["duration"] >= 1000 * len(picture.sentence) / 20
+
+
 def test_a_file_somebody_else_made_is_left_alone(tmp_path):
     path = tmp_path / "a.svg"
     path.write_text("<svg/>")
@@ -340,7 +349,7 @@ def test_small_axes_get_a_sound_picture(shape):
     ax = np.ravel(Figure().subplots(*shape))[0]
     sv.draw(TRIANGLES, 14, ax=ax)
     (x0, x1), (y0, y1) = ax.get_xlim(), ax.get_ylim()
-    assert -15 < x0 < 0 and 8 < x1 < 30 and -20 < y0 < 1 and 5 < y1 < 25
+    assert -30 < x0 < 0 and 8 < x1 < 30 and -20 < y0 < 1 and 5 < y1 < 25
 
 
 def test_threads_draw_the_same_bytes_and_leave_the_settings_alone():

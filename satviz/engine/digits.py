@@ -67,6 +67,10 @@ class Digits(NamedTuple):
         one, other = map(self._from_origin, told)
         return (one, other) if left is a else (other, one)
 
+    def interval(self, lo: float, hi: float) -> str:
+        """[from, to] as printed."""
+        return self._from_origin(f"[{self._rest(lo)}, {self._rest(hi)}]")
+
     def _for(self, gap: float) -> "Digits":
         decimals = _needed(abs(gap) / 10.0**self.power, 3)
         return self._replace(decimals=decimals) if self.decimals < decimals <= MOST_ALONE else self

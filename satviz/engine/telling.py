@@ -96,6 +96,31 @@ def outcome(t: AxisTest, told: Digits) -> str:
     return f"overlap {way_out}"
 
 
+def shared(t: AxisTest, told: Digits) -> str:
+    """The same in a picture, the shared part named as an interval."""
+    a, b = t.a.interval, t.b.interval
+    lo, hi = max(a.lo, b.lo), min(a.hi, b.hi)
+    if t.gap >= 0 or told.fine or lo >= hi:
+        return outcome(t, told)
+    way_out = f"; way out {told.gap(t.gap)}" if -t.gap > 1.001 * (hi - lo) else ""
+    return f"overlap {told.interval(lo, hi)}\n{told.gap(hi - lo)} long{way_out}"
+
+
+def conclusion(trace: Trace, i: int) -> str:
+    """What follows from test `i` for the shapes, in a line."""
+    t, last = trace.tests[i], i == len(trace.tests) - 1
+    who = "the shapes" if trace.names == ("A", "B") else " and ".join(trace.names)
+    if t.separates:
+        return f"A gap: {who} are apart."
+    found = "The ranges only touch" if t.gap == 0 else "The ranges overlap"
+    if not last:
+        return f"{found} on this axis: no verdict yet, on to the next."
+    if trace.separating or not trace.choice.complete:
+        return f"{found} on this axis: it does not separate."
+    collide = "touch" if trace.relation is Relation.TOUCHING else "collide"
+    return f"{found} on this axis too: no gap on any, so {who} {collide}."
+
+
 def both_ranges(trace: Trace, t: AxisTest, told: Digits) -> str:
     """ "A [2, 4], B [3, 6]"."""
     return ", ".join(f"{name} {text}" for name, text in zip(trace.names, told.ranges(t)))

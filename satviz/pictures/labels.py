@@ -39,6 +39,12 @@ class Request(NamedTuple):
     optional: bool = False  # leave it out rather than run it over something
     far: bool = False  # anywhere on the canvas will do
     steady: bool = False  # stays put from step to step, whatever else the step shows
+    wall: Segment | None = None  # its side of this line is where it belongs
+
+    @property
+    def which(self) -> tuple[str, str, str, int | None]:
+        """What its label will be of."""
+        return self.part, self.owner, self.axis, self.number
 
 
 class Wishes(Which, total=False):
@@ -50,43 +56,53 @@ class Wishes(Which, total=False):
     optional: bool
     far: bool
     steady: bool
+    wall: Segment | None
 
 
 def with_labels(
-    marks: Sequence[Mark], requests: Sequence[Request], layout: Layout, *, steady: bool, keep_off: Sequence[Segment]
+    marks: Sequence[Mark],
+    requests: Sequence[Request],
+    layout: Layout,
+    *,
+    steady: bool = False,
+    keep_off: Sequence[Segment] = (),
+    kept: Sequence[Mark] = (),
 ) -> list[Mark]:
     """The marks and a label for each request that finds a place, the most important first.
 
     `steady`: the names of shapes and vertices see only what every step has (the
     outlines, and `keep_off`: where normals will stand), so that nothing jumps.
+    `kept`: labels of other steps; one that is asked for again stays where it is.
     """
-    board = Board(layout)
-    names = [r for r in requests if r.steady and r.weight == "title"]
-    vertices = [r for r in requests if r.steady and r.weight != "title"]
-    rest = [r for r in requests if not r.steady]
+    board = Board(layout, kept)
+    stay = [r for r in requests if board.kept_at(r)]
+    names = [r for r in requests if r.steady and r.weight == "title" and r not in stay]
+    vertices = [r for r in requests if r.steady and r.weight != "title" and r not in stay]
+    rest = [r for r in requests if not r.steady and r not in stay]
     outlines = [mark for mark in marks if mark.kind in ("outline", "disc")]
     corners = [mark for mark in marks if mark.part == "vertex"]
     others = [mark for mark in marks if mark not in outlines and mark not in corners]
+    labels = board.labels(stay)
     for mark in outlines if steady else (*outlines, *corners, *others):
         _put(board, mark)
     for p, q in keep_off if steady else ():
         board.stroke(p, q, 100)
-    labels = board.labels(names)
+    labels += board.labels(names)
     for mark in corners if steady else ():
         _put(board, mark)
     labels += board.labels(vertices)
-    boxes = [(m.points[0], text_box(m.text, m.weight)) for m in labels if m.kind == "label"]
     for mark in others if steady else ():
         _put(board, mark)
     labels += board.labels(rest)
+    boxes = [(m.points[0], text_box(m.text, m.weight)) for m in labels if m.kind == "label"]
     return [_broken(m, boxes, layout) if m.role == "guide" and m.kind == "segment" else m for m in marks] + labels
 
 
 def _broken(mark: Mark, boxes: Sequence[tuple[Vec, tuple[float, float]]], layout: Layout) -> Mark:
-    """A guide line left out where it would run through a shape's name."""
+    """A guide line left out where it would run through words."""
     pieces = [mark.points]
     for center, (width, height) in boxes:
-        w, h = layout.units(width / 2 + 2), layout.units(height / 2)
+        w, h = layout.units(width / 2), layout.units(height / 2)
         box = center.x - w, center.y - h, center.x + w, center.y + h
         pieces = [rest for p, q in pieces for rest in _around(p, q, box)]
     return mark._replace(points=tuple(end for piece in pieces for end in piece))
@@ -128,8 +144,9 @@ DIRECTIONS = tuple(Vec(cos(k * pi / 8), sin(k * pi / 8)) for k in range(16))
 class Board:
     """Places labels one by one, each at the nearest spot clear of strokes, dots, labels and the rim."""
 
-    def __init__(self, layout: Layout) -> None:
+    def __init__(self, layout: Layout, kept: Sequence[Mark] = ()) -> None:
         self.layout = layout
+        self.kept = [mark for mark in kept if mark.kind == "label"]
         self.strokes: list[tuple[float, float, float, float, float]] = []  # x, y, x, y, cost of crossing it
         self.walls: list[tuple[float, float, float, float]] = []  # x, y, x, y that no name strays across
         self.boxes: list[Box] = []
@@ -142,6 +159,19 @@ class Board:
         """Something w and h points to either side of p, not to be lain over."""
         x, y = self._points(p)
         self.boxes.append((x - w, y - h, x + w, y + h))
+
+    def kept_at(self, request: Request) -> Vec | None:
+        """Where the same label stands in another step, if that is on this canvas."""
+        for label in self.kept:
+            if (label.part, label.owner, label.axis, label.number, label.text) == (*request.which, request.text):
+                (x, y), (w, h) = self._points(label.points[0]), text_box(label.text, label.weight)
+                if self._inside(x - w / 2 + 0.01, y - h / 2 + 0.01, x + w / 2 - 0.01, y + h / 2 - 0.01):
+                    return label.points[0]
+        return None
+
+    def _inside(self, x0: float, y0: float, x1: float, y1: float) -> bool:
+        width, height = self.layout.size
+        return x0 >= RIM and y0 >= RIM and x1 <= width - RIM and y1 <= height - RIM
 
     def wall(self, p: Vec, q: Vec) -> None:
         """A line that no name strays across."""
@@ -156,7 +186,7 @@ class Board:
         """The label of each request that finds a place, in order; one far from its anchor gets a line to it."""
         found = []
         for r in requests:
-            at = self.place(r)
+            at = self._stay(r) or self.place(r)
             if at is None:
                 continue
             which = r.owner, r.axis, r.number
@@ -178,16 +208,26 @@ class Board:
         # the last box is the label's own; a line through another label would tie the wrong one
         return None if any(clipped(*line, *box) and not _is_dot(box) for box in self.boxes[:-1]) else end
 
+    def _stay(self, request: Request) -> Vec | None:
+        at = self.kept_at(request)
+        if at is not None:
+            w, h = text_box(request.text, request.weight)
+            self.box(at, w / 2 + 2, h / 2 + 1)
+        return at
+
     def place(self, request: Request) -> Vec | None:
         """The label's center in scene units, or None for an optional one that finds no clear spot."""
         w, h = text_box(request.text, request.weight)
         anchor = self._points(request.anchor)
+        wall = request.wall and (*self._points(request.wall[0]), *self._points(request.wall[1]))
         best, found = float("inf"), anchor
         for spot, penalty in self._spots(request, w / 2, h / 2):
             if penalty >= best:
                 break
             if request.steady and any(_cross(*anchor, *spot, *wall) for wall in self.walls):
                 penalty += 200
+            if wall and _cross(*anchor, *spot, *wall):
+                penalty += 150
             cost = penalty + self._cost(spot, w / 2 + 2, h / 2 + 1, best - penalty)
             if cost < best:
                 best, found = cost, spot
@@ -236,8 +276,7 @@ class Board:
         """What a label there would cover; it stops counting at `enough`."""
         cx, cy = spot
         x0, y0, x1, y1 = cx - w, cy - h, cx + w, cy + h
-        width, height = self.layout.size
-        cost = 0.0 if x0 >= RIM and y0 >= RIM and x1 <= width - RIM and y1 <= height - RIM else 1e5
+        cost = 0.0 if self._inside(x0, y0, x1, y1) else 1e5
         for bx0, by0, bx1, by1 in self.boxes:
             if x0 < bx1 and bx0 < x1 and y0 < by1 and by0 < y1:
                 cost += 1e4

@@ -7,7 +7,7 @@ from ..engine import digits, telling
 from ..engine.geometry import Relation, Vec
 from ..engine.trace import Trace
 from .curve import direction
-from .layout import AxisPlace, Layout, arrange, box_of, place_within
+from .layout import AxisPlace, Group, Layout, arrange, box_of, place_within
 from .marks import Picture
 from .sketch import Sketch
 from .stages import draw_move, draw_parts, others
@@ -26,7 +26,7 @@ class Chosen(NamedTuple):
 
 def field(trace: Trace) -> Layout:
     """Limits with room to move in; ValueError for what cannot be drawn."""
-    arrange([trace.a, trace.b], ())
+    arrange([Group([trace.a, trace.b])])
     x0, y0, x1, y1 = box_of([trace.a, trace.b])
     scale = min(size * part / (hi - lo) for size, part, lo, hi in zip(LARGEST, PART, (x0, y0), (x1, y1), strict=True))
     w, h = LARGEST[0] / scale / 2, LARGEST[1] / scale / 2

@@ -33,7 +33,7 @@ def playbacks(trace: Trace) -> list[dict[str, Any]]:
 def playback(trace: Trace) -> dict[str, Any]:
     """Marks, steps, table and pseudo-code as JSON values; equal marks are stored once.
 
-    steps: the marks by number, the sentence, the row of the table (None: no test), the
+    steps: the marks by number, the limits, the sentence, the row of the table (None: no test), the
     lines of the code; rows: those of `rows`.  ValueError for a scene that cannot be drawn,
     or that has too many tests.
     """
@@ -43,13 +43,20 @@ def playback(trace: Trace) -> dict[str, Any]:
     for step in every:
         drawn = picture(trace, step)
         ids = [marks.setdefault(mark, len(marks)) for mark in drawn.marks]
-        found.append({"marks": ids, "sentence": drawn.sentence, "row": _row(trace, step), "code": _lines(trace, step)})
+        found.append(
+            {
+                "marks": ids,
+                "limits": list(drawn.limits),
+                "sentence": drawn.sentence,
+                "row": _row(trace, step),
+                "code": _lines(trace, step),
+            }
+        )
     proves = trace.choice.complete or any(pair.choice.complete for pair in trace.pairs)
     return {
         "satviz": "show 1",
         "sentence": trace.sentence,
         "relation": str(trace.relation),
-        "limits": list(drawn.limits),
         "size": list(drawn.size),
         **marks_data(marks),
         "steps": [step | {"stage": s.stage.value} for step, s in zip(found, every, strict=True)],

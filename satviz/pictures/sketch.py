@@ -15,10 +15,12 @@ from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Polygon, Shape, centroid
 from ..engine.trace import Trace
 from .labels import Request, Segment, Wishes, holds, name_spots, short_name, with_labels
-from .layout import AxisPlace, Layout, moved
+from .layout import AxisPlace, Layout, moved, range_label
 from .marks import Details, Mark, Picture
 
 NORMAL = 34.0  # the length of a normal's arrow, in points
+RIGHT_ANGLE = 7.0  # the side of the mark at its foot
+ZERO_TICK = 4.5  # half of the tick at coordinate 0
 BRACKET = 4.0, 11.0  # a gap's bracket stands this far out from the axis
 LIST_WIDTH = 34  # letters a line in a list of axes
 
@@ -97,14 +99,14 @@ class Sketch:
         if kind in (EDGE, HULL):
             name, polygon = self.polygon(role)
             p, q = (polygon.vertices[i] for i in ids)
-            self.add("edge", "segment", role, p, q, weight="strong")
+            self.add("edge", "arrow", role, q, p, weight="strong")  # the edge as the difference of its ends
             if told:
                 self.vertices(role, ids)
                 ends = [short_name(polygon, name, i) for i in ids]
-                middle = self.middle(p, q)
                 out = self.outward(polygon, p, q)
-                text = f"edge = {telling.edge_vector(self.trace, ends, p, q)}"
-                self.label("edge-name", text, role, middle, prefer=out, first=1)
+                text = f"edge = {telling.edge_vector(self.trace, ends, p, q)}".replace(" = (", "\n= (")
+                clear = self.middle(self.middle(p, q), q)  # of the normal, which stands in the middle
+                self.label("edge-name", text, role, clear, prefer=out, first=1)
         elif kind in (CENTERS, VERTEX):
             p, q = self.joined(test)
             self.add("edge", "segment", "ink", p, q)
@@ -130,19 +132,44 @@ class Sketch:
             start = self.middle(*self.joined(test))
         else:
             return None
-        return start, moved(start, test.axis.direction, self.layout.units(NORMAL))
+        return start, moved(start, self.way_of(test), self.layout.units(NORMAL))
+
+    def way_of(self, test: AxisTest) -> Vec:
+        """The axis's direction as it is drawn where it comes from: out of the shape, either direction will do."""
+        n, (kind, role, ids) = test.axis.direction, test.source
+        if kind in (EDGE, HULL):
+            _, polygon = self.polygon(role)
+            p, q = (polygon.vertices[i] for i in ids)
+            out = self.outward(polygon, p, q)
+            if out.x * n.x + out.y * n.y < 0:
+                return Vec(-n.x, -n.y)
+        return n
 
     def normal(self, test: AxisTest, *, told: bool = False) -> None:
         """The axis's direction as an arrow where it comes from."""
         arrow = self.normal_arrow(test)
         if arrow is None:
             return
-        role = test.source.shape or "ink"
-        self.add("normal", "arrow", role, *arrow, weight="strong", start=arrow[:1])
+        role, way = test.source.shape or "ink", self.way_of(test)
+        if test.source.kind in (EDGE, HULL):
+            self.right_angle(arrow[0], way)
+        self.add("normal", "arrow", role, *arrow, start=arrow[:1])
         if told:
-            normal = telling.digits(self.trace).vector(test.axis.normal)
-            text = f"normal {normal}" if test.source.kind in (EDGE, HULL) else "direction"
-            self.label("normal-name", text, role, arrow[1], prefer=test.axis.direction, first=1)
+            text = "direction"
+            if test.source.kind in (EDGE, HULL):
+                sign = 1 if way == test.axis.direction else -1
+                n = Vec(test.axis.normal.x * sign + 0.0, test.axis.normal.y * sign + 0.0)
+                text = f"normal {telling.digits(self.trace).vector(n)}"
+                text += "\n(either direction will do)" if sign < 0 else ""
+            self.label("normal-name", text, role, arrow[1], prefer=way, first=1)
+
+    def right_angle(self, foot: Vec, way: Vec) -> None:
+        """The mark in the corner between an edge and its normal."""
+        size = self.layout.units(RIGHT_ANGLE)
+        along = Vec(-way.y, way.x)
+        up, side = moved(foot, way, size), moved(foot, along, size)
+        corner = moved(up, along, size)
+        self.add("right-angle", "segment", "ink", up, corner, corner, side)
 
     def all_normals(self) -> None:
         """A small outward arrow on every edge."""
@@ -178,11 +205,19 @@ class Sketch:
     def axis(self, test: AxisTest, place: AxisPlace, *, told: bool = True) -> None:
         """The axis as a long arrow clear of the shapes: its normal, pulled away from the edge."""
         start = self.normal_arrow(test) or ()
+        if start and self.way_of(test) != test.axis.direction:
+            start = start[::-1]  # so that it grows out of the normal without turning over
         self.add("axis", "arrow", "ink", place.at(place.lo), place.at(place.hi), axis=self.on(test), start=start)
         if told:
             kind, _, ids = test.source
             text = "xy"[ids[0]] if kind == WORLD else f"axis {self.number(test)}"
             self.label("axis-name", text, "ink", place.at(place.hi), axis=self.on(test), prefer=place.n, first=3)
+        if place.lo < 0 < place.hi:
+            half = self.layout.units(ZERO_TICK)
+            ends = (moved(place.at(0.0), place.out, side * half) for side in (-1, 1))
+            self.add("zero", "segment", "ink", *ends, axis=self.on(test))
+            wish: Wishes = {"axis": self.on(test), "prefer": place.out, "optional": True}
+            self.label("zero-name", "0", "ink", place.at(0.0), first=7, **wish)
 
     def drops(self, test: AxisTest, place: AxisPlace, role: str, *, ends_only: bool, named: bool) -> None:
         """Dotted lines from the points to where they land."""
@@ -226,20 +261,24 @@ class Sketch:
             found.append(max(ties, key=height))
         return sorted(set(found))
 
-    def range(self, test: AxisTest, place: AxisPlace, role: str) -> None:
+    def range(self, test: AxisTest, place: AxisPlace, role: str, *, named: bool = True, numbers: bool = True) -> None:
         """One shape's range as a bar beside the axis, with its interval."""
         side = test.a if role == "A" else test.b
         name, _ = self.of(role)
         ends = tuple(place.at(t, role) for t in side.interval)
         self.add("range", "interval", role, *ends, owner=name, axis=self.on(test), start=ends[:1])
         out = place.out if role == "B" else Vec(-place.out.x, -place.out.y)
-        text = f"{name} {telling.digits(self.trace, test).ranges(test)['AB'.index(role)]}"
+        if not named:
+            return
+        text = range_label(name, telling.digits(self.trace, test).ranges(test)["AB".index(role)])
         p, q = ends
         spot, *along = (Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for f in (0.5, 0.3, 0.7, 0.1, 0.9))
-        wish: Wishes = {"owner": name, "axis": self.on(test), "along": tuple(along), "prefer": out}
+        text = text if numbers else name
+        wall = place.at(place.lo), place.at(place.hi)  # on its own side of the axis
+        wish: Wishes = {"owner": name, "axis": self.on(test), "along": tuple(along), "prefer": out, "wall": wall}
         self.label("range-name", text, role, spot, first=1, **wish)
 
-    def gap(self, test: AxisTest, place: AxisPlace) -> None:
+    def gap(self, test: AxisTest, place: AxisPlace, *, named: bool = True, interval: bool = True) -> None:
         """The gap as an open bracket, the overlap as a filled bar, with the trace's number."""
         a, b = test.a.interval, test.b.interval
         if test.gap >= 0:
@@ -252,18 +291,20 @@ class Sketch:
             ends = points = tuple(place.at(t) for t in Interval(max(a.lo, b.lo), min(a.hi, b.hi)))
             role, kind = "overlap", "interval"
         self.add("gap", kind, role, *points, axis=self.on(test), start=points[:1])
+        if not named:
+            return
         anchor = self.middle(*points[1:3]) if kind == "bracket" else self.middle(*ends)
-        text = telling.outcome(test, telling.digits(self.trace, test))
+        text = (telling.shared if interval else telling.outcome)(test, telling.digits(self.trace, test))
         self.label("gap-name", text, role, anchor, axis=self.on(test), prefer=place.out, first=2)
 
-    def project(self, test: AxisTest, place: AxisPlace, *, drops: bool = True) -> None:
+    def project(self, test: AxisTest, place: AxisPlace, *, drops: bool = True, numbers: bool = True) -> None:
         """A finished test: the axis, the extreme points' drops, both ranges, the gap or overlap."""
         self.axis(test, place)
         for role in "AB":
             if drops:
                 self.drops(test, place, role, ends_only=True, named=False)
-            self.range(test, place, role)
-        self.gap(test, place)
+            self.range(test, place, role, numbers=numbers)
+        self.gap(test, place, interval=numbers)
 
     # -- lines, moves, words
 
@@ -295,6 +336,13 @@ class Sketch:
         for role, _, shape in self.pair():
             if isinstance(shape, Polygon) and not shape.labels and len(shape.corners) <= 6:
                 self.vertices(role, shape.corner_ids, as_role="guide")
+        for n, axis in enumerate(left, 1):
+            kind, owner, ids = axis.source
+            if kind in (EDGE, HULL):
+                _, polygon = self.polygon(owner)
+                p, q = (polygon.vertices[j] for j in ids)
+                tip = moved(self.middle(p, q), self.outward(polygon, p, q), self.layout.units(NORMAL * 0.6))
+                self.add("untested", "arrow", "guide", self.middle(p, q), tip, number=n)
         names = [telling.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names) for axis in left]
         if len(names) > 8:
             names = [*names[:7], f"{len(names) - 7} more"]
@@ -307,9 +355,9 @@ class Sketch:
                 lines.append(piece)
         self.note("left-out", "\n".join(lines), "guide")
 
-    def finish(self, title: str, sentence: str, *, steady: bool = True) -> Picture:
-        """Place the labels and close the picture; `steady` names stay put from step to step."""
+    def finish(self, title: str, sentence: str, *, steady: bool = True, kept: Sequence[Mark] = ()) -> Picture:
+        """Place the labels and close the picture; `steady` names stay put from step to step, and so do those `kept`."""
         requests = [request for _, request in sorted(self.requests, key=lambda r: r[0])]
         keep_off = [arrow for arrow in map(self.normal_arrow, self.trace.tests) if arrow]
-        marks = with_labels(self.marks, requests, self.layout, steady=steady, keep_off=keep_off)
+        marks = with_labels(self.marks, requests, self.layout, steady=steady, keep_off=keep_off, kept=kept)
         return Picture(tuple(marks), self.layout.limits, self.layout.size, title, sentence)

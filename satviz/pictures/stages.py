@@ -12,8 +12,8 @@ from ..engine.concave import named_parts
 from ..engine.geometry import Relation, Vec
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
-from .layout import HEIGHT, WIDTH, AxisPlace, Layout, arrange, moved
-from .marks import Picture
+from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, moved, padded
+from .marks import Mark, Picture
 from .sketch import Sketch
 
 
@@ -71,11 +71,17 @@ def _stages(trace: Trace, test: int) -> Sequence[Stage]:
 
 
 def picture(
-    trace: Trace, step: int | Step = -1, *, title: str = "", largest: tuple[float, float] = (WIDTH, HEIGHT)
+    trace: Trace,
+    step: int | Step = -1,
+    *,
+    title: str = "",
+    largest: tuple[float, float] = (WIDTH, HEIGHT),
+    by_itself: bool = False,
 ) -> Picture:
     """The picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
 
-    `largest`: the canvas in points at most.  IndexError for a step the trace does not have.
+    `largest`: the canvas in points at most.  All steps have one scale and one canvas; `by_itself` cuts it to
+    what this step shows.  IndexError for a step the trace does not have.
     """
     every = steps(trace)
     if not isinstance(step, Step):
@@ -86,14 +92,22 @@ def picture(
         step = every[step]
     elif step not in every:
         raise IndexError(f"{step}: this trace has no such step")
-    layout = scene_layout(trace, largest)
+    layout = frames(trace, largest)[_frame(trace, step)]
+    shown = _drawn(trace, step, layout, _kept(trace, step, largest), title)
+    if by_itself:
+        return shown
+    whole = padded(layout, canvas_size(trace, largest))
+    return shown._replace(limits=whole.limits, size=whole.size)
+
+
+def _drawn(trace: Trace, step: Step, layout: Layout, kept: Sequence[Mark], title: str) -> Picture:
+    """A step on its own canvas."""
     run = trace if step.pair is None else trace.pairs[step.pair]
     sketch = Sketch(run, layout)
     if step.pair is not None:
         others(sketch, trace, run)
     if step.test is not None:
-        before = sum(len(pair.tests) for pair in trace.pairs[: step.pair or 0])
-        draw_test(sketch, step.stage, step.test, layout.places[before + step.test])
+        draw_test(sketch, step.stage, step.test, layout.places[0] if layout.places else None)
     elif step.stage is Stage.PARTS:
         draw_parts(sketch)
     else:
@@ -101,17 +115,50 @@ def picture(
         draw_parts(sketch) if step.stage is Stage.VERDICT and trace.pairs else sketch.shapes()
         if step.stage is Stage.VERDICT:
             draw_verdict(sketch, layout.places)
-    return sketch.finish(title, sentence(run, step), steady=step.stage is not Stage.VERDICT)
+    return sketch.finish(title, sentence(run, step), steady=step.stage is not Stage.VERDICT, kept=kept)
+
+
+BEFORE_THE_AXIS = Stage.SCENE, Stage.PARTS, Stage.EDGE, Stage.NORMAL
 
 
 @lru_cache(maxsize=64)
-def scene_layout(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> Layout:
-    """One layout for all steps, so that nothing jumps between them."""
+def frames(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> list[Layout]:
+    """A frame for the shapes, one for each test with its axis, one for the verdict; all at one scale."""
+    shapes = trace.a, trace.b
     tests = [t for pair in trace.pairs for t in pair.tests] or trace.tests
-    return arrange(_drawn(trace), tests, largest=largest)
+    end = [trace.separating] if trace.separating else []
+    groups = [Group(shapes), *(Group(shapes, [t]) for t in tests), Group(_moved_too(trace), end)]
+    return arrange(groups, largest=largest)
 
 
-def _drawn(trace: Trace) -> list[Shape]:
+def _frame(trace: Trace, step: Step) -> int:
+    """Which of the frames a step has."""
+    if step.stage in BEFORE_THE_AXIS:
+        return 0
+    if step.test is None:
+        return -1
+    return 1 + sum(len(pair.tests) for pair in trace.pairs[: step.pair or 0]) + step.test
+
+
+def canvas_size(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> tuple[float, float]:
+    """The canvas of all steps, in points."""
+    sizes = [layout.size for layout in frames(trace, largest)]
+    return max(w for w, _ in sizes), max(h for _, h in sizes)
+
+
+@lru_cache(maxsize=64)
+def _kept(trace: Trace, step: Step, largest: tuple[float, float]) -> tuple[Mark, ...]:
+    """The labels of the step that a step leads up to: it has most to show, so that nothing jumps on the way to it."""
+    fuller = {Stage.EDGE: Stage.NORMAL} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
+    if step.stage is Stage.VERDICT or step.stage is Stage.SCENE:
+        return ()
+    next_one = fuller.get(step.stage)
+    there = step._replace(stage=next_one) if next_one else Step(Stage.SCENE, None, step.pair)
+    layout = frames(trace, largest)[_frame(trace, there)]
+    return _drawn(trace, there, layout, _kept(trace, there, largest), "").labels
+
+
+def _moved_too(trace: Trace) -> list[Shape]:
     """The shapes, and where the verdict moves B to, which must fit too."""
     shapes: list[Shape] = [trace.a, trace.b]
     move = trace.known_mtv
@@ -130,7 +177,7 @@ def first_role(trace: Trace, test: int) -> str:
     return trace.tests[test].source.shape or "A"
 
 
-def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace) -> None:
+def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace | None) -> None:
     """One test as far as the stage goes."""
     trace = sketch.trace
     test = trace.tests[i]
@@ -139,8 +186,9 @@ def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace) -> None:
     sketch.edge(test, told=stage in (Stage.EDGE, Stage.NORMAL))
     if Stage.NORMAL in OF_A_TEST[: done + 1]:
         sketch.normal(test, told=stage in (Stage.NORMAL, Stage.AXIS))
-    if Stage.AXIS in OF_A_TEST[: done + 1]:
-        sketch.axis(test, place)
+    if place is None:
+        return
+    sketch.axis(test, place)
     one = first_role(trace, i)
     other = "B" if one == "A" else "A"
     if stage is Stage.DROPS:
@@ -153,6 +201,7 @@ def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace) -> None:
         sketch.gap(test, place)
         if test.separates:
             sketch.left_out()
+        sketch.note("conclusion", telling.conclusion(trace, i), "ink", first=3)
 
 
 def others(sketch: Sketch, whole: Trace, run: Trace) -> None:
@@ -183,8 +232,7 @@ def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace]) -> None:
     if isinstance(certificate, SeparatingLine):
         separating_line(sketch, certificate)
         if trace.separating:
-            i = trace.tests.index(trace.separating)
-            sketch.project(trace.separating, places[i], drops=False)
+            sketch.project(trace.separating, places[0], drops=False)
     elif isinstance(certificate, SharedPoint):
         spot = certificate.point
         sketch.add("shared", "dot", "ink", spot)
@@ -209,7 +257,7 @@ def draw_move(sketch: Sketch) -> None:
     certificate = trace.certificate
     assert isinstance(certificate, SharedPoint)  # as of all that overlap
     start, tip = certificate.point, moved(certificate.point, move, 1.0)
-    sketch.add("mtv", "arrow", "overlap", start, tip, weight="strong", start=(start,))
+    sketch.add("mtv", "arrow", "overlap", start, tip, start=(start,))
     sketch.label("mtv-name", f"MTV {telling.digits(trace).vector(move)}", "overlap", tip, prefer=move, first=3)
 
 

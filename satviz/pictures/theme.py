@@ -31,6 +31,7 @@ OUTLINE, STRONG, BAR, OVERLAP_BAR, GUIDE, SEGMENT, AXIS = 2.0, 4.0, 4.0, 5.0, 1.
 FILL, FAINT = 0.15, 0.55  # opacities
 DOT = 6.5  # a dot's width
 HEAD = 8.0, 6.0  # an arrow head's length and width
+STRONG_HEAD = 15.0, 11.0
 DASH = 4.0, 2.0  # B's edges, in line widths
 DOTTED = 1.0, 2.2
 TEXT = 11.0
@@ -72,7 +73,9 @@ def look(kind: str, role: str, weight: str) -> Look:
     if kind == "interval":
         return line._replace(width=OVERLAP_BAR if role == "overlap" else BAR)
     if kind == "arrow":
-        return line._replace(width=OUTLINE if strong or role in "AB" else AXIS, head=HEAD)
+        if strong:
+            return line._replace(width=STRONG, head=STRONG_HEAD)
+        return line._replace(width=AXIS if role in ("ink", "guide") else OUTLINE, head=HEAD)
     if role == "guide":
         return line._replace(layer=LAYERS["guide"], width=GUIDE, dash=DOTTED)
     if kind == "segment" or strong:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 MAKER = f"{MADE_BY} with matplotlib {matplotlib.__version__}"
 FORMATS = ("svg", "png", "pdf")
 DPI = 144  # of PNG and GIF: twice the canvas's points
-FRAME, LAST_FRAME = 1200, 4000  # milliseconds a step of a GIF stays
+FRAME, LETTER, LAST = 1000, 50, 2000  # milliseconds a step of a GIF stays: at least, more a letter, more at the end
 
 _LOCK = RLock()
 _STYLE: "dict[RcKeyType, Any]" = {
@@ -113,7 +113,7 @@ def _described(svg: str, stem: str, title: str, sentence: str) -> str:
 
 
 def animate(pictures: Sequence[Picture], theme: Theme = LIGHT) -> bytes:
-    """All pictures as one GIF that plays once a round, the last one longest."""
+    """All pictures as one GIF, each as long as its words take to read."""
     from PIL import Image
 
     frames = []
@@ -127,7 +127,8 @@ def animate(pictures: Sequence[Picture], theme: Theme = LIGHT) -> bytes:
             frame = Image.frombuffer("RGBA", size, agg.buffer_rgba(), "raw", "RGBA", 0, 1)
             frames.append(frame.convert("RGB").quantize(128, dither=Image.Dither.NONE))
     out = io.BytesIO()
-    times = [FRAME] * (len(frames) - 1) + [LAST_FRAME]
+    times = [FRAME + LETTER * len(picture.sentence) for picture in pictures]
+    times[-1] += LAST
     comment = f"{MADE_BY}. {pictures[-1].sentence}".encode()
     frames[0].save(
         out, "GIF", save_all=True, append_images=frames[1:], duration=times, loop=0, comment=comment, optimize=False
