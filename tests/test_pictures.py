@@ -1,6 +1,7 @@
 """Pictures: marks and numbers, never pixels."""
 
 import json
+import math
 from hashlib import md5
 from itertools import combinations, pairwise
 
@@ -16,7 +17,7 @@ from satviz.pictures.figures import FIGURES
 from satviz.pictures.labels import RIM, clipped
 from satviz.pictures.layout import text_box
 from satviz.pictures.live import KNOB, field, live, telling_test, turned_axis
-from satviz.pictures.theme import DOT
+from satviz.pictures.theme import CHART_ROLES, DOT, PICTURE_ROLES
 from satviz.pictures.views import split
 from satviz.scenes.article import SCENES, box
 
@@ -274,9 +275,16 @@ def test_labels_are_text_and_never_markup():
 
 
 def luminance(colour):
+    return luminance_of(*linear(colour))
+
+
+def luminance_of(r, g, b):
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b
+
+
+def linear(colour):
     parts = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
-    linear = [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+    return [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
 
 
 @pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
@@ -288,6 +296,52 @@ def test_colours_have_enough_contrast(theme):
     for role in theme.roles:
         assert ratio(theme.roles[role]) >= 3, role
         assert ratio(theme.text.get(role, theme.roles[role])) >= 4.5, role
+
+
+# what red-blind, green-blind and blue-blind eyes make of red, green and blue (Machado and others, 2009)
+EYES = {
+    "normal": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+    "red-blind": ((0.152, 1.053, -0.205), (0.115, 0.786, 0.099), (-0.004, -0.048, 1.052)),
+    "green-blind": ((0.367, 0.861, -0.228), (0.280, 0.673, 0.047), (-0.012, 0.043, 0.969)),
+    "blue-blind": ((1.256, -0.077, -0.179), (-0.078, 0.931, 0.148), (0.005, 0.691, 0.304)),
+}
+
+
+def lab(colour, eye):
+    """CIELAB coordinates of a colour as an eye sees it."""
+    r, g, b = (min(1, max(0, sum(m * c for m, c in zip(row, linear(colour))))) for row in EYES[eye])
+    sums = (
+        (0.412 * r + 0.358 * g + 0.180 * b) / 0.950,
+        luminance_of(r, g, b),
+        (0.019 * r + 0.119 * g + 0.950 * b) / 1.089,
+    )
+    x, y, z = (t ** (1 / 3) if t > 0.008856 else 7.787 * t + 16 / 116 for t in sums)
+    return 116 * y - 16, 500 * (x - y), 200 * (y - z)
+
+
+@pytest.mark.parametrize("eye", EYES)
+@pytest.mark.parametrize("roles", [PICTURE_ROLES, CHART_ROLES], ids=["pictures", "charts"])
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
+def test_every_meaning_has_a_colour_of_its_own_for_every_eye(theme, roles, eye):
+    for one, other in combinations(roles, 2):
+        assert math.dist(lab(theme.roles[one], eye), lab(theme.roles[other], eye)) > 9, (one, other)
+
+
+def test_gap_way_out_and_wrong_are_not_told_by_one_colour():
+    picture = sv.picture(TRACES["overlap"])
+    assert picture.mark("mtv").role == "move"
+    wrong = sv.picture(TRACES["aabb-rotated"]).mark("verdict")
+    assert (wrong.role, wrong.text) == ("wrong", "AABB says: hit. Truth: apart.")
+
+
+def test_the_parts_that_a_verdict_names_are_drawn():
+    for name in ("concave hit", "concave apart", "two concave"):
+        picture = sv.picture(TRACES[name])
+        drawn = {mark.owner for mark in picture.marks if mark.kind in ("outline", "disc")}
+        lines = [mark.text for mark in picture.labels if mark.part == "part-line-name"]
+        assert {part for text in lines for part in text.split(" | ")} <= drawn
+        hit = TRACES[name].colliding
+        assert lines if hit is None else set(hit.names) <= drawn
 
 
 @pytest.mark.parametrize("scale", [1e-200, 1e-6, 1.0, 1e6, 1e200])

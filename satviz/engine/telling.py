@@ -100,7 +100,7 @@ def shared(t: AxisTest, told: Digits) -> str:
     """The same in a picture, the shared part named as an interval."""
     a, b = t.a.interval, t.b.interval
     lo, hi = max(a.lo, b.lo), min(a.hi, b.hi)
-    if t.gap >= 0 or told.fine or lo >= hi:
+    if t.gap >= 0 or told.fine or told.origin or lo >= hi:
         return outcome(t, told)
     way_out = f"; way out {told.gap(t.gap)}" if -t.gap > 1.001 * (hi - lo) else ""
     return f"overlap {told.interval(lo, hi)}\n{told.gap(hi - lo)} long{way_out}"
@@ -119,6 +119,12 @@ def conclusion(trace: Trace, i: int) -> str:
         return f"{found} on this axis: it does not separate."
     collide = "touch" if trace.relation is Relation.TOUCHING else "collide"
     return f"{found} on this axis too: no gap on any, so {who} {collide}."
+
+
+def claimed(trace: Trace) -> str:
+    """What the axes tested say beside the truth, where they are wrong."""
+    who = "AABB says" if {t.source.kind for t in trace.tests} == {WORLD} else "These axes say"
+    return f"{who}: {'hit' if trace.claim else 'apart'}. Truth: {'hit' if trace.hit else 'apart'}."
 
 
 def both_ranges(trace: Trace, t: AxisTest, told: Digits) -> str:

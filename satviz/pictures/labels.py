@@ -8,7 +8,7 @@ from typing import NamedTuple
 from ..engine import telling
 from ..engine.geometry import Vec
 from ..engine.shapes import Circle, Shape, centroid
-from .layout import Layout, moved, text_box
+from .layout import Layout, clipped, moved, text_box
 from .marks import Limits, Mark, Which
 from .theme import DOT
 
@@ -16,6 +16,9 @@ Segment = tuple[Vec, Vec]
 
 LONGEST_NAME = 16  # letters
 RIM = 4.0  # points that a label keeps from the canvas's rim
+NEAR = 2  # how many of the distances are close by
+GRID = 12  # steps across the canvas where a label may stand anywhere
+COVERS = 1e4  # the cost of lying over a label or a dot
 LEADER = 22.0  # points beyond which a label is tied to its anchor by a line
 
 
@@ -37,6 +40,7 @@ class Request(NamedTuple):
     prefer: Vec = Vec(0.0, 1.0)
     inside: bool = False  # centered on an anchor if that is clear
     optional: bool = False  # leave it out rather than run it over something
+    near: bool = False  # close by or not at all
     far: bool = False  # anywhere on the canvas will do
     steady: bool = False  # stays put from step to step, whatever else the step shows
     wall: Segment | None = None  # its side of this line is where it belongs
@@ -54,6 +58,7 @@ class Wishes(Which, total=False):
     prefer: Vec
     inside: bool
     optional: bool
+    near: bool
     far: bool
     steady: bool
     wall: Segment | None
@@ -76,10 +81,10 @@ def with_labels(
     """
     board = Board(layout, kept)
     stay = [r for r in requests if board.kept_at(r)]
-    names = [r for r in requests if r.steady and r.weight == "title" and r not in stay]
-    vertices = [r for r in requests if r.steady and r.weight != "title" and r not in stay]
+    names = [r for r in requests if r.steady and r.part == "name" and r not in stay]
+    vertices = [r for r in requests if r.steady and r.part != "name" and r not in stay]
     rest = [r for r in requests if not r.steady and r not in stay]
-    outlines = [mark for mark in marks if mark.kind in ("outline", "disc")]
+    outlines = [mark for mark in marks if mark.kind in ("outline", "disc") or mark.part == "inset-name"]
     corners = [mark for mark in marks if mark.part == "vertex"]
     others = [mark for mark in marks if mark not in outlines and mark not in corners]
     labels = board.labels(stay)
@@ -233,6 +238,11 @@ class Board:
                 best, found = cost, spot
             if best == 0:
                 break
+        if best >= COVERS and not request.far and not request.optional:  # no room near: anywhere, with a line to it
+            for spot, penalty in self._anywhere(w / 2, h / 2, anchor):
+                cost = penalty + self._cost(spot, w / 2 + 2, h / 2 + 1, best - penalty)
+                if cost < best:
+                    best, found = cost, spot
         if request.optional and best >= 300:
             return None
         # what is too long for any spot stays on the canvas all the same
@@ -257,20 +267,25 @@ class Board:
         spots = []
         for rank, anchor in enumerate((request.anchor, *request.along)):
             px, py = self._points(anchor)
-            for distance in DISTANCES:
+            for distance in DISTANCES[: NEAR if request.near else None]:
                 for u in (toward, *DIRECTIONS):
                     turn = 1 - (u.x * toward.x + u.y * toward.y)
                     penalty = distance + turn * (1 if request.far else 9) + rank
                     spots.append((penalty, (px + u.x * (w + distance), py + u.y * (h + distance))))
         if request.far:
-            width, height = self.layout.size
-            for i in range(13):
-                for j in range(13):
-                    spot = RIM + w + (width - 2 * (RIM + w)) * i / 12, RIM + h + (height - 2 * (RIM + h)) * j / 12
-                    spots.append((60 + hypot(spot[0] - x, spot[1] - y) / 10, spot))
+            spots += [(penalty, spot) for spot, penalty in self._anywhere(w, h, (x, y))]
         spots.sort(key=lambda s: s[0])
         for penalty, spot in spots:
             yield spot, penalty
+
+    def _anywhere(self, w: float, h: float, near: tuple[float, float]) -> Iterator[tuple[tuple[float, float], float]]:
+        """Candidate centers all over the canvas with what each costs by itself."""
+        width, height = self.layout.size
+        for i in range(GRID + 1):
+            for j in range(GRID + 1):
+                x = RIM + w + (width - 2 * (RIM + w)) * i / GRID
+                y = RIM + h + (height - 2 * (RIM + h)) * j / GRID
+                yield (x, y), 60 + hypot(x - near[0], y - near[1]) / 10
 
     def _cost(self, spot: tuple[float, float], w: float, h: float, enough: float) -> float:
         """What a label there would cover; it stops counting at `enough`."""
@@ -279,7 +294,7 @@ class Board:
         cost = 0.0 if self._inside(x0, y0, x1, y1) else 1e5
         for bx0, by0, bx1, by1 in self.boxes:
             if x0 < bx1 and bx0 < x1 and y0 < by1 and by0 < y1:
-                cost += 1e4
+                cost += COVERS
         for sx, sy, tx, ty, price in self.strokes:
             if cost >= enough:
                 break
@@ -300,23 +315,6 @@ def _is_dot(box: Box) -> bool:
     return box[2] - box[0] <= DOT
 
 
-def clipped(
-    sx: float, sy: float, tx: float, ty: float, x0: float, y0: float, x1: float, y1: float
-) -> tuple[float, float] | None:
-    """The part (from, to) of a segment inside an upright box, 0 to 1, or None.  (Liang and Barsky's clipping.)"""
-    if max(sx, tx) < x0 or min(sx, tx) > x1 or max(sy, ty) < y0 or min(sy, ty) > y1:
-        return None
-    start, end = 0.0, 1.0
-    for d, near, far in ((tx - sx, x0 - sx, x1 - sx), (ty - sy, y0 - sy, y1 - sy)):
-        if d == 0:
-            continue
-        first, last = (near / d, far / d) if d > 0 else (far / d, near / d)
-        start, end = max(start, first), min(end, last)
-        if start > end:
-            return None
-    return start, end
-
-
 def _around(p: Vec, q: Vec, box: Limits) -> list[tuple[Vec, Vec]]:
     """What is left of a segment outside a box."""
     inside = clipped(*p, *q, *box)
@@ -329,7 +327,11 @@ def _around(p: Vec, q: Vec, box: Limits) -> list[tuple[Vec, Vec]]:
 def _put(board: Board, mark: Mark) -> None:
     """Tell the board what a mark covers."""
     points = mark.points
-    if mark.kind == "dot":
+    if mark.part == "inset":
+        (x0, y0), (x1, y1) = points[0], points[2]
+        middle = Vec((x0 + x1) / 2, (y0 + y1) / 2)
+        board.box(middle, (x1 - x0) / 2 * board.layout.scale, (y1 - y0) / 2 * board.layout.scale)
+    elif mark.kind == "dot":
         board.box(points[0], DOT / 2, DOT / 2)
     elif mark.kind == "label":
         width, height = text_box(mark.text, mark.weight)

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..engine import digits
 from ..engine.geometry import Vec
@@ -11,6 +11,9 @@ from ..engine.shapes import Circle, Shape
 from . import letters
 from .marks import Limits
 from .theme import look
+
+if TYPE_CHECKING:
+    from .insets import Inset
 
 FURTHEST = 2.0**41  # sizes from the origin at which float64 still holds a shape's outline
 LONGEST = 30  # letters of a range in one line
@@ -49,16 +52,26 @@ class AxisPlace(NamedTuple):
 
 
 class Layout(NamedTuple):
-    """The limits in scene units, the canvas in points, and one place for each test."""
+    """The limits in scene units, the canvas in points, one place for each test, and what is shown larger."""
 
     limits: Limits
     size: tuple[float, float]
-    places: tuple[AxisPlace, ...]
+    places: tuple[AxisPlace, ...] = ()
+    tests: tuple[AxisTest, ...] = ()
+    insets: "tuple[Inset, ...]" = ()
 
     @property
     def scale(self) -> float:
         """Points a scene unit."""
         return self.size[0] / (self.limits[2] - self.limits[0])
+
+    @property
+    def field(self) -> Limits:
+        """The limits without what stands beside the scene."""
+        if not self.insets:
+            return self.limits
+        x0, y0, _, y1 = self.limits
+        return x0, y0, min(inset.box[0] for inset in self.insets) - self.units(14), y1
 
     def units(self, points: float) -> float:
         """A length on the canvas in scene units."""
@@ -142,16 +155,17 @@ def _arranged(
         if abs(scale - before) < 1e-3 * scale:
             break
     found = []
-    for (x0, y0, x1, y1), there in zip(boxes, places, strict=True):
+    for group, (x0, y0, x1, y1), there in zip(groups, boxes, places, strict=True):
         width = round(min(largest[0], max(least[0], (x1 - x0) * scale + 2 * PAD)))
         head = HEAD if there else 0.0
         height = round(min(largest[1], max(least[1], (y1 - y0) * scale + 2 * PAD + head)))
-        limits = _around(((x0 + x1) / 2, (y0 + y1 + head / scale) / 2), (width, height), scale)
-        found.append(Layout(limits, (width, height), tuple(there)))
+        limits = around(((x0 + x1) / 2, (y0 + y1 + head / scale) / 2), (width, height), scale)
+        found.append(Layout(limits, (width, height), tuple(there), tuple(group.tests)))
     return found
 
 
-def _around(center: tuple[float, float], size: tuple[float, float], scale: float) -> Limits:
+def around(center: tuple[float, float], size: tuple[float, float], scale: float) -> Limits:
+    """The limits of a canvas of that size (points) around a spot of the scene."""
     (x, y), (w, h) = center, (side / scale / 2 for side in size)
     return x - w, y - h, x + w, y + h
 
@@ -159,7 +173,7 @@ def _around(center: tuple[float, float], size: tuple[float, float], scale: float
 def padded(layout: Layout, size: tuple[float, float]) -> Layout:
     """The same in the middle of a canvas of that size."""
     x0, y0, x1, y1 = layout.limits
-    return layout._replace(limits=_around(((x0 + x1) / 2, (y0 + y1) / 2), size, layout.scale), size=size)
+    return layout._replace(limits=around(((x0 + x1) / 2, (y0 + y1) / 2), size, layout.scale), size=size)
 
 
 def _room(group: Group, places: Sequence[AxisPlace], words: Sequence[float], scale: float) -> Limits:
@@ -271,3 +285,20 @@ def text_box(text: str, weight: str = "plain") -> tuple[float, float]:
     lines = text.split("\n")
     widest = max(letters.width(line, bold=letter.bold) for line in lines)
     return widest * letter.size, len(lines) * letter.size * 1.2
+
+
+def clipped(
+    sx: float, sy: float, tx: float, ty: float, x0: float, y0: float, x1: float, y1: float
+) -> tuple[float, float] | None:
+    """The part (from, to) of a segment inside an upright box, 0 to 1, or None.  (Liang and Barsky's clipping.)"""
+    if max(sx, tx) < x0 or min(sx, tx) > x1 or max(sy, ty) < y0 or min(sy, ty) > y1:
+        return None
+    start, end = 0.0, 1.0
+    for d, near, far in ((tx - sx, x0 - sx, x1 - sx), (ty - sy, y0 - sy, y1 - sy)):
+        if d == 0:
+            continue
+        first, last = (near / d, far / d) if d > 0 else (far / d, near / d)
+        start, end = max(start, first), min(end, last)
+        if start > end:
+            return None
+    return start, end

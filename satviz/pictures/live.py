@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from ..engine import digits, telling
-from ..engine.geometry import Relation, Vec
+from ..engine.geometry import Vec
 from ..engine.trace import Trace
 from .curve import direction
 from .layout import AxisPlace, Group, Layout, arrange, box_of, place_within
@@ -76,7 +76,7 @@ def live(
         sketch.edge(test)
         sketch.normal(test)
         sketch.project(test, place)
-    sketch.note("verdict", str(trace.relation), _role(trace.relation), weight="title", first=1)
+    sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
     if way_out and run is trace:
         draw_move(sketch)
     return sketch.finish("", trace.sentence, steady=False), place
@@ -91,7 +91,7 @@ def turned_axis(trace: Trace, layout: Layout, degree: float, *, near: Vec | None
     sketch.project(test, place)
     sketch.add("knob", "disc", "ink", knob(layout, place, degree), radius=layout.units(KNOB))  # no label lies on it
     says = "this axis separates them" if test.separates else "this axis shows no gap"
-    sketch.note("verdict", says, "gap" if test.separates else "overlap", weight="title", first=1)
+    sketch.note("verdict", says, "ink", weight="title", first=1)
     found = telling.outcome(test, telling.digits(trace, test))
     sentence = f"The axis at {digits.number(round(degree, 1))} degrees: {found}; {says}."
     return sketch.finish("", sentence, steady=False), place
@@ -105,7 +105,3 @@ def knob(layout: Layout, place: AxisPlace, degree: float) -> Vec:
     along = place.n.x * n.x + place.n.y * n.y
     tip = place.at(place.hi if along > 0 else place.lo)
     return Vec(min(max(tip.x, x0 + rim), x1 - rim), min(max(tip.y, y0 + rim), y1 - rim))
-
-
-def _role(relation: Relation) -> str:
-    return "gap" if relation is Relation.APART else "ink" if relation is Relation.TOUCHING else "overlap"

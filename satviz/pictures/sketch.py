@@ -14,8 +14,9 @@ from ..engine.geometry import Interval, Vec
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Polygon, Shape, centroid
 from ..engine.trace import Trace
+from .insets import Inset, in_words, small
 from .labels import Request, Segment, Wishes, holds, name_spots, short_name, with_labels
-from .layout import AxisPlace, Layout, moved, range_label
+from .layout import TRACK, AxisPlace, Layout, moved, range_label
 from .marks import Details, Mark, Picture
 
 NORMAL = 34.0  # the length of a normal's arrow, in points
@@ -45,24 +46,75 @@ class Sketch:
 
     # -- shapes
 
-    def shape(self, role: str, name: str, shape: Shape, *, weight: str = "plain", named: bool = True) -> None:
-        """The outline and its name; vertices the owner labelled get a dot and their label."""
+    def shape(
+        self, role: str, name: str, shape: Shape, *, weight: str = "plain", named: bool = True, quiet: bool = False
+    ) -> None:
+        """The outline and its name (in small, if `quiet`); vertices the owner labelled get a dot and their label."""
         if isinstance(shape, Circle):
             self.add("outline", "disc", role, shape.center, owner=name, radius=shape.radius, weight=weight)
         else:
             self.add("outline", "outline", role, *shape.vertices, owner=name, weight=weight)
+        if self.tiny(shape) and weight != "faint":  # seen at any scale
+            x0, y0, x1, y1 = shape.bounds
+            self.add("speck", "dot", role, Vec((x0 + x1) / 2, (y0 + y1) / 2), owner=name)
         if named:
             other = self.trace.b if role == "A" else self.trace.a
             spot, *along = sorted(name_spots(shape), key=lambda p: holds(other, p))
-            wish: Wishes = {"owner": name, "along": tuple(along), "inside": True, "weight": "title", "steady": True}
+            wish: Wishes = {"owner": name, "along": tuple(along), "inside": True, "steady": True}
+            wish |= {"weight": "plain" if quiet else "title", "optional": quiet, "near": quiet}
             self.label("name", name, role, spot, **wish)
 
+    def tiny(self, shape: Shape) -> bool:
+        """Is it too small to be seen?"""
+        return small(shape, self.layout.scale)
+
     def shapes(self, *, weight: str = "plain") -> None:
-        """Both shapes, with the labels that their owner gave."""
+        """Both shapes, with the labels that their owner gave, and larger what is too small to be seen."""
+        self.insets()
         for role, name, shape in self.pair():
             self.shape(role, name, shape, weight=weight)
             if isinstance(shape, Polygon) and shape.labels and weight != "faint":
                 self.vertices(role, range(len(shape.vertices)))
+
+    def insets(self, test: AxisTest | None = None) -> None:
+        """What is too small for the pen, larger: the shapes, or the gap of a test."""
+        for number, inset in enumerate(self.layout.insets, 1):
+            if inset.test != test:
+                continue
+            x0, y0, x1, y1 = inset.box
+            corners = Vec(x0, y0), Vec(x1, y0), Vec(x1, y1), Vec(x0, y1)
+            self.add("inset", "outline", "guide", *corners, weight="faint", number=number)
+            what = f"{inset.of}, " if inset.of else "gap, "
+            below = Vec(inset.center.x, y0 - self.layout.units(9))
+            text = f"{what}{in_words(inset.times)}"
+            self.marks.append(Mark("inset-name", "label", "ink", (below,), number=number, text=text))
+            if inset.test is None:
+                for role, name, shape in self.pair():
+                    ends = [end for edge in inset.edges(shape) for end in edge]
+                    if ends:
+                        self.add("inset-edge", "segment", role, *ends, owner=name, number=number)
+            else:
+                self.larger_gap(inset, number)
+
+    def larger_gap(self, inset: Inset, number: int) -> None:
+        """The ends of both ranges that face each other, along a level line."""
+        assert inset.test
+        a, b = inset.test.a.interval, inset.test.b.interval
+        x0, _, x1, _ = inset.box
+        units, (cx, cy) = self.layout.units, inset.center
+        half = inset.test.gap * inset.times / 2
+        left, right = ("A", "B") if b.lo - a.hi >= a.lo - b.hi else ("B", "A")
+        self.add("inset-axis", "segment", "ink", Vec(x0, cy), Vec(x1, cy), number=number)
+        for role, ends in (left, (x0, cx - half)), (right, (cx + half, x1)):
+            level = cy + units(TRACK if role == "A" else -TRACK)
+            name, _ = self.of(role)
+            self.add("inset-range", "interval", role, *(Vec(x, level) for x in ends), owner=name, number=number)
+        if half > 0:
+            near, far = (cy - units(c) for c in BRACKET)
+            points = [Vec(cx - half, near), Vec(cx - half, far), Vec(cx + half, far), Vec(cx + half, near)]
+            self.add("inset-gap", "bracket", "gap", *points, number=number)
+        else:
+            self.add("inset-gap", "interval", "overlap", Vec(cx + half, cy), Vec(cx - half, cy), number=number)
 
     def pair(self) -> Iterator[tuple[str, str, Shape]]:
         """(role, name, shape) of both."""
@@ -293,6 +345,7 @@ class Sketch:
         self.add("gap", kind, role, *points, axis=self.on(test), start=points[:1])
         if not named:
             return
+        self.insets(test)
         anchor = self.middle(*points[1:3]) if kind == "bracket" else self.middle(*ends)
         text = (telling.shared if interval else telling.outcome)(test, telling.digits(self.trace, test))
         self.label("gap-name", text, role, anchor, axis=self.on(test), prefer=place.out, first=2)
@@ -310,7 +363,7 @@ class Sketch:
 
     def line_across(self, part: str, through: Vec, normal: Vec, role: str, number: int | None = None) -> Segment:
         """The part of a line (through a point, across a normal) that lies well inside the canvas."""
-        x0, y0, x1, y1 = self.layout.limits
+        x0, y0, x1, y1 = self.layout.field
         rim = self.layout.units(14)
         d = Vec(-normal.y, normal.x)
         start, end = -float("inf"), float("inf")
@@ -324,7 +377,7 @@ class Sketch:
 
     def note(self, part: str, text: str, role: str, *, weight: str = "plain", first: int = 8) -> None:
         """Words that belong to no mark: near the top, wherever there is room."""
-        x0, _, x1, y1 = self.layout.limits
+        x0, _, x1, y1 = self.layout.field
         anchor = Vec((x0 + x1) / 2, y1 - self.layout.units(20))
         self.label(part, text, role, anchor, weight=weight, first=first, inside=True, far=True, optional=True)
 
@@ -334,11 +387,11 @@ class Sketch:
         if not left:
             return
         for role, _, shape in self.pair():
-            if isinstance(shape, Polygon) and not shape.labels and len(shape.corners) <= 6:
+            if isinstance(shape, Polygon) and not shape.labels and len(shape.corners) <= 6 and not self.tiny(shape):
                 self.vertices(role, shape.corner_ids, as_role="guide")
         for n, axis in enumerate(left, 1):
             kind, owner, ids = axis.source
-            if kind in (EDGE, HULL):
+            if kind in (EDGE, HULL) and not self.tiny(self.of(owner)[1]):
                 _, polygon = self.polygon(owner)
                 p, q = (polygon.vertices[j] for j in ids)
                 tip = moved(self.middle(p, q), self.outward(polygon, p, q), self.layout.units(NORMAL * 0.6))

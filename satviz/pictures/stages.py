@@ -1,17 +1,18 @@
 """The drawing stages: a trace as a row of steps, and the picture of any of them."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from enum import StrEnum
 from functools import lru_cache
 from typing import Any, NamedTuple, SupportsIndex
 
 from ..engine import telling
 from ..engine.axes import ANY, CENTROIDS, GIVEN, WORLD
-from ..engine.certificate import SeparatingLine, SharedPoint
+from ..engine.certificate import PartLines, SeparatingLine, SharedPoint
 from ..engine.concave import named_parts
 from ..engine.geometry import Relation, Vec
 from ..engine.shapes import Circle, Shape
-from ..engine.trace import Trace
+from ..engine.trace import Trace, record
+from .insets import with_insets
 from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, moved, padded
 from .marks import Mark, Picture
 from .sketch import Sketch
@@ -32,6 +33,8 @@ class Stage(StrEnum):
     VERDICT = "verdict"
 
 
+MOST_LINES = 4  # between parts, in one picture
+FEW_PARTS = 3  # more have their names in small
 OF_A_TEST = (Stage.EDGE, Stage.NORMAL, Stage.AXIS, Stage.DROPS, Stage.RANGE, Stage.BOTH, Stage.GAP)
 
 
@@ -92,12 +95,8 @@ def picture(
         step = every[step]
     elif step not in every:
         raise IndexError(f"{step}: this trace has no such step")
-    layout = frames(trace, largest)[_frame(trace, step)]
-    shown = _drawn(trace, step, layout, _kept(trace, step, largest), title)
-    if by_itself:
-        return shown
-    whole = padded(layout, canvas_size(trace, largest))
-    return shown._replace(limits=whole.limits, size=whole.size)
+    layout = frames(trace, largest, by_itself)[_frame(trace, step)]
+    return _drawn(trace, step, layout, _kept(trace, step, largest, by_itself), title)
 
 
 def _drawn(trace: Trace, step: Step, layout: Layout, kept: Sequence[Mark], title: str) -> Picture:
@@ -111,10 +110,7 @@ def _drawn(trace: Trace, step: Step, layout: Layout, kept: Sequence[Mark], title
     elif step.stage is Stage.PARTS:
         draw_parts(sketch)
     else:
-        # seams and part names belong to what proves concave outlines apart
-        draw_parts(sketch) if step.stage is Stage.VERDICT and trace.pairs else sketch.shapes()
-        if step.stage is Stage.VERDICT:
-            draw_verdict(sketch, layout.places)
+        draw_verdict(sketch, layout.places) if step.stage is Stage.VERDICT else sketch.shapes()
     return sketch.finish(title, sentence(run, step), steady=step.stage is not Stage.VERDICT, kept=kept)
 
 
@@ -122,13 +118,21 @@ BEFORE_THE_AXIS = Stage.SCENE, Stage.PARTS, Stage.EDGE, Stage.NORMAL
 
 
 @lru_cache(maxsize=64)
-def frames(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> list[Layout]:
-    """A frame for the shapes, one for each test with its axis, one for the verdict; all at one scale."""
+def frames(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT), by_themselves: bool = False) -> list[Layout]:
+    """A frame for the shapes, one for each test with its axis, one for the verdict; all at one scale.
+
+    And all on one canvas, unless each is to be shown by itself.
+    """
     shapes = trace.a, trace.b
     tests = [t for pair in trace.pairs for t in pair.tests] or trace.tests
     end = [trace.separating] if trace.separating else []
     groups = [Group(shapes), *(Group(shapes, [t]) for t in tests), Group(_moved_too(trace), end)]
-    return arrange(groups, largest=largest)
+    named = list(zip(trace.names, shapes, strict=True))
+    found = [with_insets(layout, named) for layout in arrange(groups, largest=largest)]
+    if by_themselves:
+        return found
+    size = max(layout.size[0] for layout in found), max(layout.size[1] for layout in found)
+    return [padded(layout, size) for layout in found]
 
 
 def _frame(trace: Trace, step: Step) -> int:
@@ -140,22 +144,16 @@ def _frame(trace: Trace, step: Step) -> int:
     return 1 + sum(len(pair.tests) for pair in trace.pairs[: step.pair or 0]) + step.test
 
 
-def canvas_size(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> tuple[float, float]:
-    """The canvas of all steps, in points."""
-    sizes = [layout.size for layout in frames(trace, largest)]
-    return max(w for w, _ in sizes), max(h for _, h in sizes)
-
-
 @lru_cache(maxsize=64)
-def _kept(trace: Trace, step: Step, largest: tuple[float, float]) -> tuple[Mark, ...]:
+def _kept(trace: Trace, step: Step, largest: tuple[float, float], by_itself: bool) -> tuple[Mark, ...]:
     """The labels of the step that a step leads up to: it has most to show, so that nothing jumps on the way to it."""
     fuller = {Stage.EDGE: Stage.NORMAL} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
     if step.stage is Stage.VERDICT or step.stage is Stage.SCENE:
         return ()
     next_one = fuller.get(step.stage)
     there = step._replace(stage=next_one) if next_one else Step(Stage.SCENE, None, step.pair)
-    layout = frames(trace, largest)[_frame(trace, there)]
-    return _drawn(trace, there, layout, _kept(trace, there, largest), "").labels
+    layout = frames(trace, largest, by_itself)[_frame(trace, there)]
+    return _drawn(trace, there, layout, _kept(trace, there, largest, by_itself), "").labels
 
 
 def _moved_too(trace: Trace) -> list[Shape]:
@@ -212,38 +210,57 @@ def others(sketch: Sketch, whole: Trace, run: Trace) -> None:
                 sketch.shape(role, part_name, part, weight="faint", named=False)
 
 
-def draw_parts(sketch: Sketch) -> None:
-    """Both shapes as their convex parts."""
+def draw_parts(sketch: Sketch, named: Collection[str] | None = None) -> None:
+    """Both shapes as their convex parts; `named`: those that get their names, by default all."""
     for role, name, shape in sketch.pair():
-        for part, part_name in named_parts(shape, name):
-            sketch.shape(role, part_name, part)
-
-
-FALSE_HIT = "a false hit: the axes tested show no gap"
+        parts = named_parts(shape, name)
+        for part, part_name in parts:
+            told = named is None or part_name in named
+            sketch.shape(role, part_name, part, named=told, quiet=len(parts) > FEW_PARTS)
 
 
 def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace]) -> None:
     """What proves the verdict: a separating line, a shared point, the move that parts them."""
     trace = sketch.trace
-    sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
-    if trace.false_hit:
-        sketch.note("false-hit", FALSE_HIT, "overlap", first=2)
     certificate = trace.certificate
+    if isinstance(certificate, PartLines):
+        part_lines(sketch)
+    else:
+        sketch.shapes()
+    if trace.false_hit:
+        sketch.note("verdict", telling.claimed(trace), "wrong", weight="title", first=1)
+    else:
+        sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
     if isinstance(certificate, SeparatingLine):
         separating_line(sketch, certificate)
         if trace.separating:
             sketch.project(trace.separating, places[0], drops=False)
     elif isinstance(certificate, SharedPoint):
+        if trace.colliding:
+            for role, name, shape in Sketch(trace.colliding, sketch.layout).pair():
+                if name not in trace.names:
+                    sketch.shape(role, name, shape, quiet=True)
         spot = certificate.point
         sketch.add("shared", "dot", "ink", spot)
         sketch.label("shared-name", f"a point in both: {telling.digits(trace).vector(spot)}", "ink", spot, first=4)
         draw_move(sketch)
-    else:
-        (_, a, whole_a), (_, b, whole_b) = sketch.pair()
-        names = [f"{p} | {q}" for _, p in named_parts(whole_a, a) for _, q in named_parts(whole_b, b)]
-        for n, (text, line) in enumerate(zip(names, certificate.lines, strict=True), 1):
-            ends = sketch.line_across("part-line", line.point, _unit(line), "gap", n)
-            sketch.label("part-line-name", text, "gap", sketch.middle(*ends), number=n, along=ends, first=4, far=True)
+
+
+def part_lines(sketch: Sketch) -> None:
+    """The parts, and a separating line between those that lie nearest, each with the names of its pair."""
+    whole = record(sketch.trace.a, sketch.trace.b)
+    apart = [(pair.separating.gap, n, pair) for n, pair in enumerate(whole.pairs, 1) if pair.separating]
+    nearest = sorted(apart)[:MOST_LINES]
+    draw_parts(sketch, {name for *_, pair in nearest for name in pair.names})
+    sketch.insets()
+    for _, n, pair in nearest:
+        line = pair.certificate
+        assert isinstance(line, SeparatingLine)  # an axis separates the pair
+        ends = sketch.line_across("part-line", line.point, _unit(line), "gap", n)
+        text = " | ".join(pair.names)
+        sketch.label("part-line-name", text, "gap", sketch.middle(*ends), number=n, along=ends, first=4, far=True)
+    if more := len(apart) - len(nearest):
+        sketch.note("more-lines", f"and {more} more lines, one for each pair of parts", "guide")
 
 
 def draw_move(sketch: Sketch) -> None:
@@ -257,8 +274,8 @@ def draw_move(sketch: Sketch) -> None:
     certificate = trace.certificate
     assert isinstance(certificate, SharedPoint)  # as of all that overlap
     start, tip = certificate.point, moved(certificate.point, move, 1.0)
-    sketch.add("mtv", "arrow", "overlap", start, tip, start=(start,))
-    sketch.label("mtv-name", f"MTV {telling.digits(trace).vector(move)}", "overlap", tip, prefer=move, first=3)
+    sketch.add("mtv", "arrow", "move", start, tip, start=(start,))
+    sketch.label("mtv-name", f"MTV {telling.digits(trace).vector(move)}", "move", tip, prefer=move, first=3)
 
 
 def separating_line(sketch: Sketch, certificate: SeparatingLine, text: str = "separating line") -> None:

@@ -16,7 +16,7 @@ from .layout import Group, arrange, moved
 from .marks import Picture
 from .panels import grid
 from .sketch import Sketch
-from .stages import FALSE_HIT, draw_parts, frames, separating_line
+from .stages import draw_parts, frames, separating_line
 
 PANEL = 262.0, 250.0  # points of a small picture
 
@@ -32,7 +32,7 @@ def alone(shape: Shape) -> Picture:
 
 def normals(trace: Trace, *, title: str = "") -> Picture:
     """Both shapes with an outward normal on every edge."""
-    sketch = Sketch(trace, frames(trace)[0])
+    sketch = Sketch(trace, frames(trace, by_themselves=True)[0])
     sketch.shapes()
     sketch.all_normals()
     count = sum(mark.kind == "arrow" for mark in sketch.marks)
@@ -60,7 +60,7 @@ def at_once(trace: Trace, *, kinds: Sequence[str] = (EDGE, WORLD, GIVEN), title:
     for (_, test), place in zip(chosen, layout.places, strict=True):
         sketch.project(test, place)
     if trace.false_hit:
-        sketch.note("false-hit", FALSE_HIT, "overlap")
+        sketch.note("verdict", telling.claimed(trace), "wrong", first=1)
     rest = [
         telling.short_axis_name(t.axis, (trace.a, trace.b), trace.names)
         for t in trace.tests
@@ -76,7 +76,7 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
     """The separating axis and the separating line, each named: the line runs across the axis."""
     test, certificate = trace.separating, trace.certificate
     assert test and isinstance(certificate, SeparatingLine)  # it is for shapes that an axis separates
-    layout = frames(trace)[-1]
+    layout = frames(trace, by_themselves=True)[-1]
     sketch = Sketch(trace, layout)
     sketch.shapes()
     (place,) = layout.places
@@ -99,7 +99,7 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
     """Two circles: radius, gap (or overlap) and radius along the line of centers, and the same on the axis."""
     a, b, test = trace.a, trace.b, trace.tests[0]
     assert isinstance(a, Circle) and isinstance(b, Circle)
-    layout = frames(trace)[1]
+    layout = frames(trace, by_themselves=True)[1]
     sketch = Sketch(trace, layout)
     told = telling.digits(trace, test)
     (place,) = layout.places
@@ -150,7 +150,7 @@ def each_axis(trace: Trace, *, title: str = "") -> Picture:
         says = "separates" if test.separates else "no gap"
         name = telling.short_axis_name(test.axis, shapes, trace.names)
         kind = "nearest vertex" if test.source.kind == VERTEX else f"normal of {name}"
-        sketch.note("verdict", f"axis {i + 1}, {kind}: {says}", "gap" if test.separates else "ink", first=1)
+        sketch.note("verdict", f"axis {i + 1}, {kind}: {says}", "ink", first=1)
         panels.append(sketch.finish("", ""))
     tests = " ".join(telling.test(trace, i) for i in range(len(trace.tests)))
     return grid(panels, 2, title=title, sentence=f"{tests} {trace.sentence}")
