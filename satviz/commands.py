@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 Row = TypeVar("Row")
 
 
+MOST_STEPS = 120  # that `draw` makes a file each of without being asked
+
+
 class Refused(Exception):
     """Bad input: one clear line and exit code 2."""
 
@@ -69,9 +72,10 @@ def figures(args: argparse.Namespace) -> int:
 
 
 def draw(args: argparse.Namespace) -> int:
-    """Draw every step of a scene, in each format asked for."""
+    """Draw every step of a scene, or of a long run its contact sheet, in each format asked for."""
     from .pictures import Picture, picture, steps
     from .pictures.caption import captioned
+    from .pictures.sheet import sheet
 
     scene = _load(args)
     trace = scene.record()
@@ -93,10 +97,16 @@ def draw(args: argparse.Namespace) -> int:
         if form == "html":
             jobs.append((scene.name, form, lambda: _page(trace, scene.title)))
             continue
+        if args.sheet or (count > MOST_STEPS and not args.steps):
+            jobs.append((f"{scene.name}-sheet", form, lambda: sheet(trace, title=scene.title)))
+            continue
         for i in range(count):
             stem = f"{scene.name}-{i:0{len(str(count - 1))}}"
             jobs.append((stem, form, partial(finished, i)))
-    return _write(args, jobs)
+    done = _write(args, jobs)
+    if count > MOST_STEPS and not (args.steps or args.sheet) and any("-sheet" in stem for stem, *_ in jobs):
+        out(f"one sheet instead of a picture of each of the {count} steps (--steps makes those)")
+    return done
 
 
 def _page(trace: "Trace", title: str) -> bytes:
