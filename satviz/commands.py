@@ -3,6 +3,7 @@
 import argparse
 import os
 import sys
+import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack
 from functools import partial
@@ -168,12 +169,15 @@ def _write(args: argparse.Namespace, jobs: Sequence["Job"]) -> int:
     disk.folder(args.out)
     for path in paths:
         disk.check(path, force=args.force)
-    for path, (stem, form, make) in zip(_progress(paths), jobs, strict=True):
-        made = make()
-        if isinstance(made, Picture):
-            made = encode(made, form, theme, stem=stem + suffix)
-        data = made if isinstance(made, bytes) else animate(made, theme)
-        disk.write(path, data, force=args.force)
+    with warnings.catch_warnings(record=True) as said:
+        for path, (stem, form, make) in zip(_progress(paths), jobs, strict=True):
+            made = make()
+            if isinstance(made, Picture):
+                made = encode(made, form, theme, stem=stem + suffix)
+            data = made if isinstance(made, bytes) else animate(made, theme)
+            disk.write(path, data, force=args.force)
+    for line in dict.fromkeys(str(warning.message) for warning in said):
+        say(line)
     out(f"{len(paths)} {'file' if len(paths) == 1 else 'files'} in {visible(str(args.out))}")
     return 0
 

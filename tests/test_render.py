@@ -8,6 +8,7 @@ import pickle
 import re
 import subprocess
 import sys
+import warnings
 import weakref
 import xml.etree.ElementTree as ET
 from concurrent.futures import ThreadPoolExecutor
@@ -18,12 +19,15 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.font_manager import FontManager, findfont
+from matplotlib.ft2font import FT2Font
 from PIL import Image
 
 import satviz as sv
 from satviz.disk import MADE_BY, check, write
-from satviz.pictures import DARK, LIGHT, Stage, Step, Theme
+from satviz.pictures import DARK, LIGHT, Stage, Step, Theme, letters
 from satviz.pictures.figures import FIGURES
+from satviz.render import fonts
 from satviz.render.files import animate, encode
 from satviz.render.pen import Pen
 from satviz.scenes.article import box
@@ -148,6 +152,32 @@ def test_an_svg_keeps_text_as_text_and_labels_as_text_only():
     texts = {t.text for t in root.iter(f"{SVG}text")}
     assert {"$x^2$", "<script>&", "\ufffd日本", "A", "B"} <= texts
     assert not list(root.iter(f"{SVG}script"))
+
+
+def labelled(label):
+    return sv.picture(sv.record(sv.Polygon([(0, 0), (2, 0), (0, 2)], labels=[label, "q", "r"]), box(3, 3, 4, 4)), 0)
+
+
+@pytest.mark.parametrize("form", ["png", "pdf"])
+def test_a_letter_that_no_font_here_has_is_warned_of_by_name(form, monkeypatch):
+    monkeypatch.setattr(fonts, "fontManager", FontManager.__new__(FontManager))
+    monkeypatch.setattr(fonts.fontManager, "ttflist", [], raising=False)
+    fonts._with.cache_clear()
+    with pytest.warns(UserWarning, match=f"no font here has 日, 本.*{form.upper()}"):
+        encode(labelled("日本"), form)
+    fonts._with.cache_clear()
+
+
+def test_a_letter_that_dejavu_lacks_comes_from_a_font_that_has_it():
+    """Of those that matplotlib brings along, so that it is so everywhere."""
+    there = FT2Font(findfont("STIXGeneral")).get_charmap()
+    rare = next(chr(c) for c in sorted(there) if letters.lacking(chr(c)) and fonts._with(chr(c)))
+    family = fonts._with(rare)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert family.replace(" ", "").encode() in encode(labelled(rare), "pdf").replace(b"-", b"")
+        encode(labelled(rare), "png")
+    assert family.encode() not in encode(labelled(rare), "svg")  # the reader's own font shows it
 
 
 def test_a_gif_is_the_whole_run_and_the_same_each_time():

@@ -118,7 +118,7 @@ def test_many_more_pictures_hold_at_any_scale(seed):
 def test_what_is_too_small_is_a_speck_and_larger_beside_the_picture():
     tiny = sv.Polygon([(1, 0), (1.0001, 0), (1, 0.0001)])
     picture = sv.picture(sv.record(sv.Polygon([(-1, -1), (0.9, 0), (-1, 1)]), tiny))
-    assert picture.mark("B.speck").kind == "dot" and "B, 5,000 times" in picture.texts
+    assert picture.mark("B.speck").kind == "dot" and "B, ×5,000" in picture.texts
     shown = [p for m in picture.marks if m.part == "inset-edge" and m.owner == "B" for p in m.points]
     assert SMALLEST < max(math.dist(p, q) for p in shown for q in shown) * picture.scale < 100
 

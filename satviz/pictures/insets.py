@@ -113,5 +113,5 @@ def _round(times: float) -> float:
 
 
 def in_words(times: float) -> str:
-    """ "10,000 times"."""
-    return f"{times:,.0f} times" if times < 1e7 else f"{times:.0e} times".replace("e+0", "e").replace("e+", "e")
+    """ "×10,000"."""
+    return f"×{times:,.0f}" if times < 1e7 else f"×{times:.0e}".replace("e+0", "e").replace("e+", "e")
