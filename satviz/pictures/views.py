@@ -11,7 +11,7 @@ from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape
 from ..engine.trace import Trace, record
-from .labels import Wishes
+from .labels import Wishes, short_name
 from .layout import Group, arrange, moved
 from .marks import Picture
 from .panels import grid
@@ -144,12 +144,14 @@ def each_axis(trace: Trace, *, title: str = "") -> Picture:
         sketch.shapes()
         sketch.edge(test)
         sketch.normal(test)
-        if test.source.kind == VERTEX:
-            sketch.vertices(test.source.shape or "A", test.source.ids)
         sketch.project(test, layout.places[0], numbers=False)
         says = "separates" if test.separates else "no gap"
         name = telling.short_axis_name(test.axis, shapes, trace.names)
-        kind = "nearest vertex" if test.source.kind == VERTEX else f"normal of {name}"
+        kind = f"normal of {name}"
+        if test.source.kind == VERTEX:
+            sketch.vertices(test.source.shape or "A", test.source.ids)
+            of, polygon = sketch.polygon(test.source.shape)
+            kind = f"nearest vertex {short_name(polygon, of, test.source.ids[0])}"
         sketch.note("verdict", f"axis {i + 1}, {kind}: {says}", "ink", first=1)
         panels.append(sketch.finish("", ""))
     tests = " ".join(telling.test(trace, i) for i in range(len(trace.tests)))
