@@ -17,6 +17,7 @@ if TYPE_CHECKING:  # what is loaded at first use, as type checkers see it
     from .engine.trace import Trace, record
     from .pictures import Picture, Stage, Step, picture, steps
     from .pictures.curve import gap_curve
+    from .pictures.sheet import sheet
     from .render.draw import draw
     from .render.page import page
     from .scenes.named import scene
@@ -53,6 +54,7 @@ __all__ = [
     "record",
     "relate",
     "scene",
+    "sheet",
     "steps",
 ]
 
@@ -74,6 +76,7 @@ _LATER = {
     "play": "widgets",
     "record": "engine.trace",
     "scene": "scenes.named",
+    "sheet": "pictures.sheet",
     "steps": "pictures",
 }
 

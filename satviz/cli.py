@@ -114,6 +114,13 @@ def _parser() -> argparse.ArgumentParser:
     draw.add_argument(
         "--caption", action="store_true", help="put each sentence under its picture (a GIF always has it)"
     )
+    which = draw.add_mutually_exclusive_group()
+    which.add_argument("--sheet", action="store_true", help="one picture of the whole run, a row for each axis")
+    which.add_argument(
+        "--steps",
+        action="store_true",
+        help=f"every step, also of a run of more than {commands.MOST_STEPS} (which else gets a sheet)",
+    )
     draw.set_defaults(run=commands.draw)
 
     notebook = command.add_parser("notebook", help="copy the walkthrough's notebooks and open them in JupyterLab")

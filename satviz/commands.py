@@ -3,6 +3,7 @@
 import argparse
 import os
 import sys
+import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import ExitStack
 from functools import partial
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
     Job = tuple[str, str, Callable[[], Picture | list[Picture] | bytes]]  # stem, form, what makes it
 
 Row = TypeVar("Row")
+
+
+MOST_STEPS = 120  # that `draw` makes a file each of without being asked
 
 
 class Refused(Exception):
@@ -69,9 +73,10 @@ def figures(args: argparse.Namespace) -> int:
 
 
 def draw(args: argparse.Namespace) -> int:
-    """Draw every step of a scene, in each format asked for."""
+    """Draw every step of a scene, or of a long run its contact sheet, in each format asked for."""
     from .pictures import Picture, picture, steps
     from .pictures.caption import captioned
+    from .pictures.sheet import sheet
 
     scene = _load(args)
     trace = scene.record()
@@ -93,10 +98,16 @@ def draw(args: argparse.Namespace) -> int:
         if form == "html":
             jobs.append((scene.name, form, lambda: _page(trace, scene.title)))
             continue
+        if args.sheet or (count > MOST_STEPS and not args.steps):
+            jobs.append((f"{scene.name}-sheet", form, lambda: sheet(trace, title=scene.title)))
+            continue
         for i in range(count):
             stem = f"{scene.name}-{i:0{len(str(count - 1))}}"
             jobs.append((stem, form, partial(finished, i)))
-    return _write(args, jobs)
+    done = _write(args, jobs)
+    if count > MOST_STEPS and not (args.steps or args.sheet) and any("-sheet" in stem for stem, *_ in jobs):
+        out(f"one sheet instead of a picture of each of the {count} steps (--steps makes those)")
+    return done
 
 
 def _page(trace: "Trace", title: str) -> bytes:
@@ -158,12 +169,15 @@ def _write(args: argparse.Namespace, jobs: Sequence["Job"]) -> int:
     disk.folder(args.out)
     for path in paths:
         disk.check(path, force=args.force)
-    for path, (stem, form, make) in zip(_progress(paths), jobs, strict=True):
-        made = make()
-        if isinstance(made, Picture):
-            made = encode(made, form, theme, stem=stem + suffix)
-        data = made if isinstance(made, bytes) else animate(made, theme)
-        disk.write(path, data, force=args.force)
+    with warnings.catch_warnings(record=True) as said:
+        for path, (stem, form, make) in zip(_progress(paths), jobs, strict=True):
+            made = make()
+            if isinstance(made, Picture):
+                made = encode(made, form, theme, stem=stem + suffix)
+            data = made if isinstance(made, bytes) else animate(made, theme)
+            disk.write(path, data, force=args.force)
+    for line in dict.fromkeys(str(warning.message) for warning in said):
+        say(line)
     out(f"{len(paths)} {'file' if len(paths) == 1 else 'files'} in {visible(str(args.out))}")
     return 0
 

@@ -11,6 +11,7 @@ import pytest
 import satviz as sv
 from satviz import batch
 from satviz.cli import main
+from satviz.engine import digits
 from satviz.engine.axes import NAMED as CHOICES
 from satviz.scenes.article import SCENES, box
 from satviz.scenes.failing import (
@@ -148,7 +149,7 @@ def test_scenes_failing_lists_claim_and_both_numbers_of_every_row(capsys):
     assert len(lines) == 2 * 32
     for row, line, under in zip(ROWS, lines[::2], lines[1::2], strict=True):
         assert line.split(maxsplit=2) == [str(row.number), row.name, row.claim]
-        assert under.strip() == f"{row.how}: {row.told(row.wrong)}; right: {row.told(row.truth)}"
+        assert under.strip() == digits.plain(f"{row.how}: {row.told(row.wrong)}; right: {row.told(row.truth)}")
 
 
 def test_a_failing_scene_is_traced_by_name_and_a_name_nearly_right_is_guessed(capsys):

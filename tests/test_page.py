@@ -43,7 +43,7 @@ def test_a_show_holds_every_step_as_it_is_drawn(scene):
         drawn = sv.picture(trace, i)
         marks = [found["marks"][m] for m in step["marks"]]
         assert with_looks(found, marks) == with_looks(drawn.data(), drawn.data()["marks"])
-        assert (step["sentence"], found["limits"]) == (drawn.sentence, list(drawn.limits))
+        assert (step["sentence"], step["limits"]) == (drawn.sentence, list(drawn.limits))
 
 
 def test_without_a_script_the_page_has_two_pictures_the_table_and_every_sentence():

@@ -1,6 +1,7 @@
 """Pictures: marks and numbers, never pixels."""
 
 import json
+import math
 from hashlib import md5
 from itertools import combinations, pairwise
 
@@ -16,7 +17,7 @@ from satviz.pictures.figures import FIGURES
 from satviz.pictures.labels import RIM, clipped
 from satviz.pictures.layout import text_box
 from satviz.pictures.live import KNOB, field, live, telling_test, turned_axis
-from satviz.pictures.theme import DOT
+from satviz.pictures.theme import CHART_ROLES, DOT, PICTURE_ROLES
 from satviz.pictures.views import split
 from satviz.scenes.article import SCENES, box
 
@@ -111,13 +112,53 @@ def test_marks_have_unique_ids_and_known_roles_and_lie_on_the_canvas(name):
 
 
 @pytest.mark.parametrize("name", TRACES)
-def test_nothing_jumps_between_the_steps_of_a_scene(name):
+def test_nothing_jumps_while_a_test_is_drawn(name):
     trace = TRACES[name]
-    pictures = [sv.picture(trace, i) for i in range(len(sv.steps(trace)))]
-    assert len({(p.limits, p.size) for p in pictures}) == 1
-    for role in "AB":
-        spots = {p.mark(f"{role}.name").points for p in pictures[:-1] if f"{role}.name" in [m.id for m in p.marks]}
-        assert len(spots) <= 1
+    pictures = [(step, sv.picture(trace, step)) for step in sv.steps(trace)]
+    assert len({p.size for _, p in pictures}) == 1
+    assert max(p.scale for _, p in pictures) == pytest.approx(min(p.scale for _, p in pictures), rel=1e-12)
+    spots = {}
+    for step, picture in pictures:
+        if step.stage in (Stage.AXIS, Stage.DROPS, Stage.RANGE, Stage.BOTH, Stage.GAP):
+            assert spots.setdefault((step.pair, step.test), picture.limits) == picture.limits
+            for mark in picture.labels:
+                if mark.part not in ("normal-name", "lowest", "highest"):  # those of one stage alone
+                    at = spots.setdefault((step.pair, step.test, mark.id), mark.points)
+                    assert at == mark.points, mark.id
+        for mark in picture.labels if step.stage is not Stage.VERDICT else ():
+            if mark.part == "name":
+                assert spots.setdefault((step.pair, mark.id, mark.text), mark.points) == mark.points
+
+
+@pytest.mark.parametrize("name", [figure.stem for figure in FIGURES])
+def test_no_half_of_a_figure_is_empty(name):
+    picture = PICTURES[name]
+    x0, y0, x1, y1 = picture.limits
+    for i, (lo, hi) in enumerate(((x0, x1), (y0, y1))):
+        spots = [p[i] + r for m in picture.marks for p in m.points for r in (m.radius, -m.radius)]
+        assert min(spots) < lo + 0.3 * (hi - lo) and max(spots) > hi - 0.3 * (hi - lo)
+
+
+@pytest.mark.parametrize("number", [2, 3, 5, 12, 14, 20])
+def test_a_ranges_label_stands_on_its_bars_own_side(number):
+    picture = FIGURES[number - 1].picture()
+    for label in picture.labels:
+        if label.part == "range-name":
+            (axis,) = (m.points for m in picture.marks if (m.part, m.axis) == ("axis", label.axis))
+            bar = picture.mark(f"{label.owner}.range.{label.axis}").points[0]
+            assert beyond(*axis, bar) * beyond(*axis, label.points[0]) > 0, label.text
+
+
+def beyond(p, q, r):
+    """On which side of the line from p to q does r lie?"""
+    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)
+
+
+def test_an_axis_shows_where_0_lies_on_it():
+    n = TRACES["triangles"].tests[0].axis.direction
+    picture = sv.picture(TRACES["triangles"], Step(Stage.AXIS, 0))
+    assert [r.x * n.x + r.y * n.y for r in picture.mark("zero.1").points] == pytest.approx([0, 0], abs=1e-9)
+    assert picture.mark("zero-name.1").text == "0"
 
 
 @pytest.mark.parametrize("name", TRACES)
@@ -127,11 +168,12 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
         for i, test in enumerate(run.tests):
             picture = sv.picture(trace, Step(Stage.GAP, i, pair))
             n = test.axis.direction
-            for side, who in ((test.a, run.names.a), (test.b, run.names.b)):
+            told = telling.digits(run, test)
+            for side, who, text in zip((test.a, test.b), run.names, told.ranges(test), strict=True):
                 mark = picture.mark(f"{who}.range.{i + 1}")
                 along = [p.x * n.x + p.y * n.y for p in mark.points]
                 assert along == pytest.approx(list(side.interval), abs=1e-9)
-                assert picture.mark(f"{who}.range-name.{i + 1}").text == f"{who} {telling.interval(side.interval)}"
+                assert picture.mark(f"{who}.range-name.{i + 1}").text == f"{who} {text}"
             gap = picture.mark(f"gap.{i + 1}")
             along = [p.x * n.x + p.y * n.y for p in gap.points]
             a, b = test.a.interval, test.b.interval
@@ -139,7 +181,7 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
             assert max(along) - min(along) == pytest.approx(abs(shared), abs=1e-9)
             assert test.gap <= 0 or -shared == pytest.approx(test.gap)
             assert gap.role == ("overlap" if test.gap < 0 else "gap")
-            assert picture.mark(f"gap-name.{i + 1}").text == telling.outcome(test)
+            assert picture.mark(f"gap-name.{i + 1}").text == telling.shared(test, told)
             assert picture.sentence == telling.test(run, i)
 
 
@@ -177,11 +219,12 @@ def test_drop_lines_run_across_the_axis_from_the_points_to_where_they_land():
     assert {"v3: 3.051", "v1, v2: 6.934"} <= set(picture.texts)
 
 
-def test_the_moved_normal_keeps_its_direction():
+def test_the_moved_normal_keeps_its_line_and_is_drawn_outward():
     picture = sv.picture(TRACES["triangles"], Step(Stage.AXIS, 1))
     arrows = [picture.mark("normal").points, picture.mark("axis.2").points]
     (ax, ay), (bx, by) = ((q.x - p.x, q.y - p.y) for p, q in arrows)
-    assert ax * by - ay * bx == pytest.approx(0, abs=1e-9) and ax * bx + ay * by > 0
+    assert ax * by - ay * bx == pytest.approx(0, abs=1e-9)
+    assert "normal (−4, 1)\n(either direction will do)" in picture.texts
 
 
 def test_a_mark_that_moves_starts_where_it_comes_from():
@@ -190,7 +233,7 @@ def test_a_mark_that_moves_starts_where_it_comes_from():
     i = trace.tests.index(trace.separating)
     gap = sv.picture(trace, Step(Stage.GAP, i))
     axes = [picture.mark(f"axis.{i + 1}").start for picture in (gap, sv.picture(trace))]
-    assert axes == [gap.mark("normal").points] * 2
+    assert axes == [gap.mark("normal").points[::-1]] * 2  # drawn outward, against the axis
     drops, landings = ([m for m in gap.marks if m.part == part] for part in ("drop", "landing"))
     assert len(drops) == 4 and [(m.points[0], m.points[-1]) for m in drops] == [(*m.start, *m.points) for m in landings]
 
@@ -232,9 +275,16 @@ def test_labels_are_text_and_never_markup():
 
 
 def luminance(colour):
+    return luminance_of(*linear(colour))
+
+
+def luminance_of(r, g, b):
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b
+
+
+def linear(colour):
     parts = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
-    linear = [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+    return [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
 
 
 @pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
@@ -246,6 +296,52 @@ def test_colours_have_enough_contrast(theme):
     for role in theme.roles:
         assert ratio(theme.roles[role]) >= 3, role
         assert ratio(theme.text.get(role, theme.roles[role])) >= 4.5, role
+
+
+# what red-blind, green-blind and blue-blind eyes make of red, green and blue (Machado and others, 2009)
+EYES = {
+    "normal": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+    "red-blind": ((0.152, 1.053, -0.205), (0.115, 0.786, 0.099), (-0.004, -0.048, 1.052)),
+    "green-blind": ((0.367, 0.861, -0.228), (0.280, 0.673, 0.047), (-0.012, 0.043, 0.969)),
+    "blue-blind": ((1.256, -0.077, -0.179), (-0.078, 0.931, 0.148), (0.005, 0.691, 0.304)),
+}
+
+
+def lab(colour, eye):
+    """CIELAB coordinates of a colour as an eye sees it."""
+    r, g, b = (min(1, max(0, sum(m * c for m, c in zip(row, linear(colour))))) for row in EYES[eye])
+    sums = (
+        (0.412 * r + 0.358 * g + 0.180 * b) / 0.950,
+        luminance_of(r, g, b),
+        (0.019 * r + 0.119 * g + 0.950 * b) / 1.089,
+    )
+    x, y, z = (t ** (1 / 3) if t > 0.008856 else 7.787 * t + 16 / 116 for t in sums)
+    return 116 * y - 16, 500 * (x - y), 200 * (y - z)
+
+
+@pytest.mark.parametrize("eye", EYES)
+@pytest.mark.parametrize("roles", [PICTURE_ROLES, CHART_ROLES], ids=["pictures", "charts"])
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
+def test_every_meaning_has_a_colour_of_its_own_for_every_eye(theme, roles, eye):
+    for one, other in combinations(roles, 2):
+        assert math.dist(lab(theme.roles[one], eye), lab(theme.roles[other], eye)) > 9, (one, other)
+
+
+def test_gap_way_out_and_wrong_are_not_told_by_one_colour():
+    picture = sv.picture(TRACES["overlap"])
+    assert picture.mark("mtv").role == "move"
+    wrong = sv.picture(TRACES["aabb-rotated"]).mark("verdict")
+    assert (wrong.role, wrong.text) == ("wrong", "AABB says: hit. Truth: apart.")
+
+
+def test_the_parts_that_a_verdict_names_are_drawn():
+    for name in ("concave hit", "concave apart", "two concave"):
+        picture = sv.picture(TRACES[name])
+        drawn = {mark.owner for mark in picture.marks if mark.kind in ("outline", "disc")}
+        lines = [mark.text for mark in picture.labels if mark.part == "part-line-name"]
+        assert {part for text in lines for part in text.split(" | ")} <= drawn
+        hit = TRACES[name].colliding
+        assert lines if hit is None else set(hit.names) <= drawn
 
 
 @pytest.mark.parametrize("scale", [1e-200, 1e-6, 1.0, 1e6, 1e200])

@@ -11,6 +11,7 @@ import pytest
 
 import satviz as sv
 from satviz.cli import main
+from satviz.pictures.theme import TEXT as TEXT_SIZE
 
 ROOT = Path(__file__).parent.parent
 TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -18,6 +19,12 @@ TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
 
 def blocks(language):
     return re.findall(rf"^```{language}\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)
+
+
+def test_the_first_picture_keeps_its_text_at_10_points():
+    name, width = re.search(r'<img src="(\S+)" width="(\d+)"', TEXT).groups()
+    points = float(re.search(r'width="([\d.]+)pt"', (ROOT / name).read_text(encoding="utf-8"))[1])
+    assert TEXT_SIZE * (int(width) * 72 / 96) / points >= 10
 
 
 def test_the_code_prints_what_stands_below_it(tmp_path, monkeypatch):

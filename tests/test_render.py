@@ -8,6 +8,7 @@ import pickle
 import re
 import subprocess
 import sys
+import warnings
 import weakref
 import xml.etree.ElementTree as ET
 from concurrent.futures import ThreadPoolExecutor
@@ -18,12 +19,15 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.font_manager import FontManager, findfont
+from matplotlib.ft2font import FT2Font
 from PIL import Image
 
 import satviz as sv
 from satviz.disk import MADE_BY, check, write
-from satviz.pictures import DARK, LIGHT, Stage, Step, Theme
+from satviz.pictures import DARK, LIGHT, Stage, Step, Theme, letters
 from satviz.pictures.figures import FIGURES
+from satviz.render import fonts
 from satviz.render.files import animate, encode
 from satviz.render.pen import Pen
 from satviz.scenes.article import box
@@ -150,6 +154,32 @@ def test_an_svg_keeps_text_as_text_and_labels_as_text_only():
     assert not list(root.iter(f"{SVG}script"))
 
 
+def labelled(label):
+    return sv.picture(sv.record(sv.Polygon([(0, 0), (2, 0), (0, 2)], labels=[label, "q", "r"]), box(3, 3, 4, 4)), 0)
+
+
+@pytest.mark.parametrize("form", ["png", "pdf"])
+def test_a_letter_that_no_font_here_has_is_warned_of_by_name(form, monkeypatch):
+    monkeypatch.setattr(fonts, "fontManager", FontManager.__new__(FontManager))
+    monkeypatch.setattr(fonts.fontManager, "ttflist", [], raising=False)
+    fonts._with.cache_clear()
+    with pytest.warns(UserWarning, match=f"no font here has 日, 本.*{form.upper()}"):
+        encode(labelled("日本"), form)
+    fonts._with.cache_clear()
+
+
+def test_a_letter_that_dejavu_lacks_comes_from_a_font_that_has_it():
+    """Of those that matplotlib brings along, so that it is so everywhere."""
+    there = FT2Font(findfont("STIXGeneral")).get_charmap()
+    rare = next(chr(c) for c in sorted(there) if letters.lacking(chr(c)) and fonts._with(chr(c)))
+    family = fonts._with(rare)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert family.replace(" ", "").encode() in encode(labelled(rare), "pdf").replace(b"-", b"")
+        encode(labelled(rare), "png")
+    assert family.encode() not in encode(labelled(rare), "svg")  # the reader's own font shows it
+
+
 def test_a_gif_is_the_whole_run_and_the_same_each_time():
     pictures = [sv.picture(TRIANGLES, i) for i in (0, 3, 7, 15)]
     data = animate(pictures)
@@ -157,6 +187,15 @@ def test_a_gif_is_the_whole_run_and_the_same_each_time():
     image = Image.open(io.BytesIO(data))
     assert image.n_frames == 4 and image.info["loop"] == 0
     assert pictures[-1].sentence.encode() in data
+
+
+def test_a_frame_lasts_as_long_as_its_words_take_to_read():
+    pictures = [sv.picture(TRIANGLES, i) for i in (0, 7, 15)]
+    image = Image.open(io.BytesIO(animate(pictures)))
+    for i, picture in enumerate(pictures):
+        image.seek(i)
+        # twenty letters a second is quick
+        assert image.info["duration"] >= 1000 * len(picture.sentence) / 20
 
 
 def test_a_file_somebody_else_made_is_left_alone(tmp_path):
@@ -340,7 +379,7 @@ def test_small_axes_get_a_sound_picture(shape):
     ax = np.ravel(Figure().subplots(*shape))[0]
     sv.draw(TRIANGLES, 14, ax=ax)
     (x0, x1), (y0, y1) = ax.get_xlim(), ax.get_ylim()
-    assert -15 < x0 < 0 and 8 < x1 < 30 and -20 < y0 < 1 and 5 < y1 < 25
+    assert -30 < x0 < 0 and 8 < x1 < 30 and -20 < y0 < 1 and 5 < y1 < 25
 
 
 def test_threads_draw_the_same_bytes_and_leave_the_settings_alone():

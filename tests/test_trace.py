@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from strategies import CONVEX, pairs, star
 
 import satviz as sv
-from satviz.engine import axes, concave, sat, telling
+from satviz.engine import axes, concave, digits, sat, telling
 from satviz.engine import trace as trace_module
 from satviz.engine.certificate import SharedPoint
 from satviz.engine.sat import axis_tests
@@ -51,7 +51,7 @@ def test_ties_on_an_edges_own_normal_land_on_one_spot():
 def test_the_sentence_of_a_step_is_made_from_the_trace():
     trace = sv.record(A, B, axes=axes.edge_normals)
     assert telling.test(trace, 1) == (
-        "Axis 2 of 6, normal of B's edge v1v3: A [-0.243, 2.425], B [3.638, 7.034], gap +1.213: "
+        "Axis 2 of 6, normal of B's edge v1v3: A [−0.243, 2.425], B [3.638, 7.034], gap +1.213: "
         "separating, so the shapes are apart."
     )
 
@@ -210,7 +210,7 @@ def test_a_certificate_in_words_names_its_line_as_the_pictures_do():
     steep = sv.Circle((0, 0), 0.1), sv.Circle((0.3, 0.1), 0.1)
     assert words(*steep).startswith("separating line x + 0.333y = ")
     near, far = [(0, 0), (1.5e308, 0), (0, 1.5e308)], [(1.7e308, 1.7e308), (1e308, 1.7e308), (1.7e308, 1e308)]
-    assert words(sv.Polygon(near), sv.Polygon(far)) == "separating line 0.25x + 0.25y = 5.250e+307"
+    assert words(sv.Polygon(near), sv.Polygon(far)) == "separating line 0.25x + 0.25y = 5.250e307"
     assert words(A, A) == "the point (1.333, 2.667) lies in both"
 
 
@@ -424,7 +424,7 @@ def test_a_way_out_as_short_as_ours_is_as_good():
     assert abs(x) == pytest.approx(1.5)
 
     def told(*move):
-        sentence = data["sentence"].replace(telling.vector(sv.Vec(x, y)), telling.vector(sv.Vec(*move)))
+        sentence = data["sentence"].replace(*(digits.plain(digits.vector(sv.Vec(*v))) for v in ((x, y), move)))
         return sv.Trace.from_json(json.dumps(data | {"mtv": list(move), "sentence": sentence}))
 
     assert told(-x, y) == trace

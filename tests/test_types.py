@@ -45,6 +45,7 @@ figure: Figure = sv.draw(trace, step=-1)
 artists: dict[str, Artist] = sv.draw(trace, 0, ax=figure.add_subplot(), theme="dark")
 step: sv.Step = sv.steps(trace)[0]
 picture: sv.Picture = sv.picture(trace, step)
+whole: sv.Picture = sv.sheet(trace)
 words: str = picture.sentence + sv.page(trace) + sv.gap_curve(a, b).to_json()
 title: str = sv.explore("triangles").scene.title + sv.explore(a, b).scene.title
 sv.play(trace, predict=True)

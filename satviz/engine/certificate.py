@@ -6,7 +6,7 @@ from functools import lru_cache
 from math import gcd, isfinite, isqrt
 from typing import NamedTuple, TypeVar
 
-from . import telling
+from . import digits, telling
 from .axes import Axis, exact_dots
 from .concave import parts
 from .exact import orient
@@ -39,7 +39,7 @@ class SeparatingLine(NamedTuple):
         return Vec(float(nx * t), float(ny * t))
 
     def __str__(self) -> str:
-        return f"separating line {telling.line(self)}"
+        return digits.plain(f"separating line {telling.line(self)}")
 
 
 class SharedPoint(NamedTuple):
@@ -60,7 +60,7 @@ class SharedPoint(NamedTuple):
         return Vec(float(self.x), float(self.y))
 
     def __str__(self) -> str:
-        return f"the point {telling.vector(self.point)} lies in both"
+        return digits.plain(f"the point {digits.of_shapes(self.a, self.b).vector(self.point)} lies in both")
 
 
 class PartLines(NamedTuple):

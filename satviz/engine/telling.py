@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 from .axes import ANY, CENTERS, CENTROIDS, EARLY_EXIT, EDGE, HULL, NO_DIRECTION, PARALLEL, VERTEX, WORLD, Axis
 from .concave import named_parts
+from .digits import MINUS, Digits, number, of_shapes, of_tests, plain, vector
 from .escape import too_many
-from .geometry import Interval, Relation, Vec
+from .geometry import Relation, Vec
 from .shapes import Shape
 
 if TYPE_CHECKING:
@@ -20,29 +21,6 @@ if TYPE_CHECKING:
     from .trace import Names, Trace
 
 MOST_PAIRS = 20  # of parts, in a table that can be read
-
-
-def number(value: float) -> str:
-    """Up to three decimals, all three where digits were cut; never 0 for what is not 0."""
-    if 0.001 <= abs(value) < 1e6 or value == 0:
-        text = f"{value + 0.0:.3f}"
-        return text.rstrip("0").rstrip(".") if float(text) == value else text
-    return f"{value:.3e}"
-
-
-def signed(value: float) -> str:
-    """A gap: with its sign, 0 only for exactly 0."""
-    return f"+{number(value)}" if value > 0 else number(value)
-
-
-def interval(value: Interval) -> str:
-    """[from, to] as printed."""
-    return f"[{number(value.lo)}, {number(value.hi)}]"
-
-
-def vector(value: Vec) -> str:
-    """(x, y) as printed."""
-    return f"({number(value.x)}, {number(value.y)})"
 
 
 def printable(text: str) -> str:
@@ -101,25 +79,69 @@ def reason(why: str, number: int | None) -> str:
     return _WHY[why].format(number)
 
 
-def outcome(t: AxisTest) -> str:
+def digits(trace: Trace, *tests: AxisTest) -> Digits:
+    """The one format of a picture or a sentence of these tests; of none: for lengths and points."""
+    return of_tests((trace.a, trace.b), tests)
+
+
+def outcome(t: AxisTest, told: Digits) -> str:
     """What one test says of the two ranges, and of nothing else."""
     if t.gap >= 0:
-        return f"gap {signed(t.gap)}" if t.gap else "touching, gap 0"
+        return f"gap {told.signed(t.gap)}" if t.gap else "touching, gap 0"
     a, b = t.a.interval, t.b.interval
-    shared, way_out = min(a.hi, b.hi) - max(a.lo, b.lo), number(-t.gap)
+    shared, way_out = min(a.hi, b.hi) - max(a.lo, b.lo), told.gap(t.gap)
     # where one range holds the other, getting out takes more than what they share
-    return f"overlap {number(shared)}, way out {way_out}" if -t.gap > 1.001 * shared else f"overlap {way_out}"
+    if -t.gap > 1.001 * shared and not told.fine:
+        return f"overlap {told.number(shared)}, way out {way_out}"
+    return f"overlap {way_out}"
+
+
+def shared(t: AxisTest, told: Digits) -> str:
+    """The same in a picture, the shared part named as an interval."""
+    a, b = t.a.interval, t.b.interval
+    lo, hi = max(a.lo, b.lo), min(a.hi, b.hi)
+    if t.gap >= 0 or told.fine or told.origin or lo >= hi:
+        return outcome(t, told)
+    way_out = f"; way out {told.gap(t.gap)}" if -t.gap > 1.001 * (hi - lo) else ""
+    return f"overlap {told.interval(lo, hi)}\n{told.gap(hi - lo)} long{way_out}"
+
+
+def conclusion(trace: Trace, i: int) -> str:
+    """What follows from test `i` for the shapes, in a line."""
+    t, last = trace.tests[i], i == len(trace.tests) - 1
+    who = "the shapes" if trace.names == ("A", "B") else " and ".join(trace.names)
+    if t.separates:
+        return f"A gap: {who} are apart."
+    found = "The ranges only touch" if t.gap == 0 else "The ranges overlap"
+    if not last:
+        return f"{found} on this axis: no verdict yet, on to the next."
+    if trace.separating or not trace.choice.complete:
+        return f"{found} on this axis: it does not separate."
+    collide = "touch" if trace.relation is Relation.TOUCHING else "collide"
+    return f"{found} on this axis too: no gap on any, so {who} {collide}."
+
+
+def claimed(trace: Trace) -> str:
+    """What the axes tested say beside the truth, where they are wrong."""
+    who = "AABB says" if {t.source.kind for t in trace.tests} == {WORLD} else "These axes say"
+    return f"{who}: {'hit' if trace.claim else 'apart'}. Truth: {'hit' if trace.hit else 'apart'}."
+
+
+def both_ranges(trace: Trace, t: AxisTest, told: Digits) -> str:
+    """ "A [2, 4], B [3, 6]"."""
+    return ", ".join(f"{name} {text}" for name, text in zip(trace.names, told.ranges(t)))
 
 
 def test(trace: Trace, i: int) -> str:
     """One test: which axis, both ranges, the gap, and what follows."""
     t = trace.tests[i]
     head = f"Axis {i + 1} of {len(trace.choice.axes)}, {axis_name(t.axis, (trace.a, trace.b), trace.names)}"
-    ranges = f"{trace.names.a} {interval(t.a.interval)}, {trace.names.b} {interval(t.b.interval)}"
+    told = digits(trace, t)
+    found = f"{both_ranges(trace, t, told)}, {outcome(t, told)}"
     if t.separates:
         who = "the shapes" if trace.names == ("A", "B") else " and ".join(trace.names)
-        return f"{head}: {ranges}, {outcome(t)}: separating, so {who} are apart."
-    return f"{head}: {ranges}, {outcome(t)}: not a separating axis."
+        return f"{head}: {found}: separating, so {who} are apart."
+    return f"{head}: {found}: not a separating axis."
 
 
 def verdict(trace: Trace, move: Vec | None) -> str:
@@ -131,7 +153,8 @@ def verdict(trace: Trace, move: Vec | None) -> str:
     if separating:
         i = trace.tests.index(separating)
         name = axis_name(separating.axis, (trace.a, trace.b), trace.names)
-        return f"{a} and {b} are apart: axis {i + 1} ({name}) leaves a gap of {number(separating.gap)}."
+        gap = digits(trace, separating).gap(separating.gap)
+        return f"{a} and {b} are apart: axis {i + 1} ({name}) leaves a gap of {gap}."
     if trace.false_hit:
         tested = "1 axis" if len(trace.tests) == 1 else f"{len(trace.tests)} axes"
         return f"No gap on the {tested} tested, yet {a} and {b} are apart: a false hit."
@@ -150,7 +173,7 @@ def _way_out(trace: Trace, move: Vec | None) -> str:
         return "They have too many parts to look for the shortest way out."
     if move is None:
         return "No move that float64 can hold parts them."
-    return f"Moving {trace.names.b} by {vector(move)} leaves them just touching."
+    return f"Moving {trace.names.b} by {digits(trace).vector(move)} leaves them just touching."
 
 
 def _any_of(n: int) -> str:
@@ -182,7 +205,7 @@ def table(trace: Trace, width: int | None = None) -> str:
         if left := len(trace.pairs) - len(shown):
             blocks.append(f"(and {left:,} more pairs of parts)")
         blocks.append(_wrapped([trace.sentence], width, ""))
-    return "\n\n".join(blocks)
+    return plain("\n\n".join(blocks))  # a terminal may know no more than ASCII
 
 
 def _rows(trace: Trace, width: int | None) -> str:
@@ -191,7 +214,8 @@ def _rows(trace: Trace, width: int | None) -> str:
     for i, t in enumerate(trace.tests, 1):
         name = axis_name(t.axis, shapes, trace.names)
         what = "separates" if t.separates else "touches" if t.gap == 0 else "overlaps"
-        cells = vector(t.axis.direction), interval(t.a.interval), interval(t.b.interval), signed(t.gap), what
+        told = digits(trace, t)
+        cells = vector(t.axis.direction), *told.ranges(t), told.signed(t.gap), what
         rows.append((f"{i} {name}", *cells))
     widths = [max(len(row[i]) for row in rows) for i in range(6)]
     sides = "<<<<><"  # the gaps are set to the right
@@ -234,7 +258,8 @@ def both(trace: Trace) -> str:
     kinds = [shape_in_words(shape, "").split("is ", 1)[1] for shape in (trace.a, trace.b)]
     if kinds[0] == kinds[1] and not trace.a.radius:
         return f"{trace.names.a} and {trace.names.b} are {plural(kinds[0])}."
-    return f"{shape_in_words(trace.a, trace.names.a)}, {shape_in_words(trace.b, trace.names.b)}."
+    told = digits(trace)
+    return f"{shape_in_words(trace.a, trace.names.a, told)}, {shape_in_words(trace.b, trace.names.b, told)}."
 
 
 def plural(kind: str) -> str:
@@ -248,17 +273,17 @@ def line(certificate: SeparatingLine) -> str:
     """A separating line by its equation: "x = 5 (parallel to y)", "4x - y = 12.5"."""
     nx, ny, offset = (*certificate.normal, certificate.offset)
     if ny == 0 or nx == 0:
-        at = number(float(offset / (nx or ny)))
+        at = of_shapes(certificate.a, certificate.b).number(float(offset / (nx or ny)))
         return f"{'y' if nx == 0 else 'x'} = {at} (parallel to {'x' if nx == 0 else 'y'})"
     size = max(abs(nx), abs(ny))
     unit = size if size > 1000 else 1
     if abs(offset) > unit * 10**308:  # as the sum of two coordinates, out of a float's range
         unit *= 4
-    return f"{_term(nx / unit)}x {'-' if ny < 0 else '+'} {_term(abs(ny / unit))}y = {number(float(offset / unit))}"
+    return f"{_term(nx / unit)}x {MINUS if ny < 0 else '+'} {_term(abs(ny / unit))}y = {number(float(offset / unit))}"
 
 
 def _term(factor: Fraction) -> str:
-    return "" if factor == 1 else "-" if factor == -1 else number(float(factor))
+    return "" if factor == 1 else MINUS if factor == -1 else number(float(factor))
 
 
 def parts(trace: Trace) -> str:
@@ -273,25 +298,24 @@ def stage(trace: Trace, i: int, name: str, first: str) -> str:
     t = trace.tests[i]
     shapes = trace.a, trace.b
     at = "AB".index(first)
-    side, owner = (t.a, t.b)[at], trace.names[at]
+    side, owner, told = (t.a, t.b)[at], trace.names[at], digits(trace, t)
     axis = f"axis {i + 1}"
     if name == "edge":
         return f"{_origin(trace, t.axis)}."
     if name == "normal":
         edge = t.source.kind in (EDGE, HULL)
-        what = f"its normal {vector(t.axis.normal)} (of two, the one to the right)" if edge else "it"
+        what = f"its normal {digits(trace).vector(t.axis.normal)} (of two, the one to the right)" if edge else "it"
         return f"{_origin(trace, t.axis)}; {what} gives axis {i + 1} of {len(trace.choice.axes)} its direction."
     if name == "axis":
         what = axis_name(t.axis, shapes, trace.names)
         return f"Axis {i + 1}, {what}, moved clear of the shapes: direction {vector(t.axis.direction)}."
     if name == "drops":
-        lo, hi = (number(end) for end in side.interval)
+        lo, hi = (told.landing(end) for end in side.interval)
         return f"{owner}'s points dropped onto {axis}: the lowest lands at {lo}, the highest at {hi}."
     if name == "range":
-        return f"{owner}'s range on {axis} is {interval(side.interval)}."
+        return f"{owner}'s range on {axis} is {told.ranges(t)[at]}."
     if name == "both ranges":
-        ranges = f"{trace.names.a} {interval(t.a.interval)}, {trace.names.b} {interval(t.b.interval)}"
-        return f"Both ranges on {axis}: {ranges}."
+        return f"Both ranges on {axis}: {both_ranges(trace, t, told)}."
     return test(trace, i)
 
 
@@ -307,7 +331,12 @@ def _origin(trace: Trace, axis: Axis) -> str:
         return f"The line from {name}'s nearest vertex {ends[0]} to the center of {trace.names[1 - at]}"
     p, q = (shape.vertices[i] for i in ids)
     what = "Hull edge" if kind == HULL else "Edge"
-    return f"{what} {edge_name(ends)} of {name}: {ends[0]} - {ends[1]} = {vector(Vec(p.x - q.x, p.y - q.y))}"
+    return f"{what} {edge_name(ends)} of {name}: {edge_vector(trace, ends, p, q)}"
+
+
+def edge_vector(trace: Trace, ends: Sequence[str], p: Vec, q: Vec) -> str:
+    """An edge as the difference of its ends: "v1 - v2 = (-3, 2)"."""
+    return f"{ends[0]} {MINUS} {ends[1]} = {digits(trace).vector(Vec(p.x - q.x, p.y - q.y))}"
 
 
 def listed(words: list[str]) -> str:
@@ -317,10 +346,11 @@ def listed(words: list[str]) -> str:
     return ", ".join(words[:-1]) + " and " + words[-1]
 
 
-def shape_in_words(shape: Shape, name: str) -> str:
+def shape_in_words(shape: Shape, name: str, told: Digits | None = None) -> str:
     """What a shape is: "A is a triangle", "B is a circle of radius 1 around (2, 2)"."""
     if shape.radius:
-        return f"{name} is a circle of radius {number(shape.radius)} around {vector(shape.core[0])}"
+        told = told or of_shapes(shape)
+        return f"{name} is a circle of radius {told.number(shape.radius)} around {told.vector(shape.core[0])}"
     n = len(shape.core)
     kind = {3: "triangle", 4: "quadrilateral"}.get(n, f"polygon with {n} corners")
     if shape.is_upright_box:

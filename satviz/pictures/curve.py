@@ -5,7 +5,7 @@ from itertools import pairwise
 from math import atan2, cos, degrees, isfinite, pi, radians, sin
 from numbers import Real
 
-from ..engine import telling
+from ..engine import digits, telling
 from ..engine.axes import WORLD, Axis
 from ..engine.geometry import Vec
 from ..engine.sat import axis_tests
@@ -47,14 +47,14 @@ def gap_curve(a: Shape, b: Shape, degree: float | None = None) -> Picture:
         if pieces:
             marks.append(Mark(f"{role}-curve", "segment", role, tuple(at(*p) for p in pieces), weight="plain"))
     best = max(points, key=lambda p: p[1])
-    requests.append(Request("best", f"largest {telling.signed(best[1])}", _role(best[1]), at(*best)))
+    requests.append(Request("best", f"largest {digits.of_shapes(a, b).signed(best[1])}", _role(best[1]), at(*best)))
     if degree is not None:
         d, gap = degree % 180, gap_at(a, b, degree)
         marks += [
             Mark("here-line", "segment", "ink", (at(d, low), at(d, high))),
             Mark("here", "disc", "ink", (at(d, gap),), radius=HERE),  # a ring: a candidate's dot shows inside it
         ]
-        text = f"{telling.number(round(d, 1))}°: {telling.signed(gap)}"
+        text = f"{digits.number(round(d, 1))}°: {digits.of_shapes(a, b).signed(gap)}"
         requests.insert(0, Request("here-name", text, "ink", at(d, gap)))
     for i, (d, gap, axis) in enumerate(candidates):
         role = axis.source.shape or "ink"
@@ -127,14 +127,14 @@ def _inside(ticks: Sequence[Mark]) -> list[Mark]:
 
 
 def _sentence(a: Shape, b: Shape, best: tuple[float, float], candidates: Sequence[tuple[float, float, Axis]]) -> str:
-    at, gap = best
+    (at, gap), told = best, digits.of_shapes(a, b)
     top = max(candidates, key=lambda c: c[1])
     name = telling.axis_name(top[2], (a, b), PLAIN)
     if gap >= 0:
-        first = f"The gap of A and B on every axis from 0 to 180 degrees: the largest is {telling.signed(gap)}"
+        first = f"The gap of A and B on every axis from 0 to 180 degrees: the largest is {told.signed(gap)}"
     else:
-        first = f"A and B overlap on every axis from 0 to 180 degrees, least by {telling.number(-gap)}"
+        first = f"A and B overlap on every axis from 0 to 180 degrees, least by {told.gap(gap)}"
     return (
-        f"{first}, at {telling.number(round(at, 1))} degrees. "
-        f"Of the {len(candidates)} axes that SAT tests, the best is {name}: {telling.signed(top[1])}."
+        f"{first}, at {digits.number(round(at, 1))} degrees. "
+        f"Of the {len(candidates)} axes that SAT tests, the best is {name}: {told.signed(top[1])}."
     )

@@ -9,7 +9,6 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any, NamedTuple
 
-from ..engine.axes import EDGE
 from ..engine.trace import Trace
 from ..scenes.named import scene
 from . import views
@@ -44,7 +43,7 @@ def recorded(name: str) -> Trace:
 
 def at(stage: Stage, test: int) -> Callable[[Trace, str], Picture]:
     """One stage of one test."""
-    return lambda trace, title: picture(trace, Step(stage, test), title=title)
+    return lambda trace, title: picture(trace, Step(stage, test), title=title, by_itself=True)
 
 
 def view(draw: Callable[..., Picture], **options: Any) -> Callable[[Trace, str], Picture]:
@@ -68,7 +67,7 @@ _ALL = (
     ("sat-next-normal", "The next normal and its axis", "triangles", at(Stage.AXIS, 1)),
     ("sat-ranges-gap", "A gap: this axis separates", "triangles", at(Stage.GAP, 1)),
     ("circle-circle", "Two circles: one axis, through the centers", "circles", view(views.radii)),
-    ("circle-polygon", "A triangle's normals as axes", "circle-polygon", view(views.at_once, kinds=(EDGE,))),
+    ("circle-polygon", "A triangle's normals as axes", "circle-polygon", view(views.each_axis)),
     (
         "circle-parts",
         "A circle: its center and radius",
@@ -81,7 +80,7 @@ _ALL = (
         "circle-polygon",
         view(views.circle_alone, number=1, role="B", extremes=True),
     ),
-    ("concave-fails", "No line separates them, yet they are apart", "concave-outline", view(views.failed_lines)),
+    ("concave-fails", "No axis tested separates them, yet they are apart", "concave-outline", view(views.failed_axes)),
     ("concave-parts", "Split into convex parts, each is apart from A", "concave", view(views.split)),
 )
 FIGURES = tuple(Figure(i, *row) for i, row in enumerate(_ALL, 1))

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from ..engine import telling
 from ..engine.geometry import Vec
 from ..engine.shapes import Circle, Shape, centroid
-from .layout import Layout, moved, text_box
+from .layout import Layout, clipped, moved, text_box
 from .marks import Limits, Mark, Which
 from .theme import DOT
 
@@ -16,6 +16,9 @@ Segment = tuple[Vec, Vec]
 
 LONGEST_NAME = 16  # letters
 RIM = 4.0  # points that a label keeps from the canvas's rim
+NEAR = 2  # how many of the distances are close by
+GRID = 12  # steps across the canvas where a label may stand anywhere
+COVERS = 1e4  # the cost of lying over a label or a dot
 LEADER = 22.0  # points beyond which a label is tied to its anchor by a line
 
 
@@ -37,8 +40,15 @@ class Request(NamedTuple):
     prefer: Vec = Vec(0.0, 1.0)
     inside: bool = False  # centered on an anchor if that is clear
     optional: bool = False  # leave it out rather than run it over something
+    near: bool = False  # close by or not at all
     far: bool = False  # anywhere on the canvas will do
     steady: bool = False  # stays put from step to step, whatever else the step shows
+    wall: Segment | None = None  # its side of this line is where it belongs
+
+    @property
+    def which(self) -> tuple[str, str, str, int | None]:
+        """What its label will be of."""
+        return self.part, self.owner, self.axis, self.number
 
 
 class Wishes(Which, total=False):
@@ -48,45 +58,56 @@ class Wishes(Which, total=False):
     prefer: Vec
     inside: bool
     optional: bool
+    near: bool
     far: bool
     steady: bool
+    wall: Segment | None
 
 
 def with_labels(
-    marks: Sequence[Mark], requests: Sequence[Request], layout: Layout, *, steady: bool, keep_off: Sequence[Segment]
+    marks: Sequence[Mark],
+    requests: Sequence[Request],
+    layout: Layout,
+    *,
+    steady: bool = False,
+    keep_off: Sequence[Segment] = (),
+    kept: Sequence[Mark] = (),
 ) -> list[Mark]:
     """The marks and a label for each request that finds a place, the most important first.
 
     `steady`: the names of shapes and vertices see only what every step has (the
     outlines, and `keep_off`: where normals will stand), so that nothing jumps.
+    `kept`: labels of other steps; one that is asked for again stays where it is.
     """
-    board = Board(layout)
-    names = [r for r in requests if r.steady and r.weight == "title"]
-    vertices = [r for r in requests if r.steady and r.weight != "title"]
-    rest = [r for r in requests if not r.steady]
-    outlines = [mark for mark in marks if mark.kind in ("outline", "disc")]
+    board = Board(layout, kept)
+    stay = [r for r in requests if board.kept_at(r)]
+    names = [r for r in requests if r.steady and r.part == "name" and r not in stay]
+    vertices = [r for r in requests if r.steady and r.part != "name" and r not in stay]
+    rest = [r for r in requests if not r.steady and r not in stay]
+    outlines = [mark for mark in marks if mark.kind in ("outline", "disc") or mark.part == "inset-name"]
     corners = [mark for mark in marks if mark.part == "vertex"]
     others = [mark for mark in marks if mark not in outlines and mark not in corners]
+    labels = board.labels(stay)
     for mark in outlines if steady else (*outlines, *corners, *others):
         _put(board, mark)
     for p, q in keep_off if steady else ():
         board.stroke(p, q, 100)
-    labels = board.labels(names)
+    labels += board.labels(names)
     for mark in corners if steady else ():
         _put(board, mark)
     labels += board.labels(vertices)
-    boxes = [(m.points[0], text_box(m.text, m.weight)) for m in labels if m.kind == "label"]
     for mark in others if steady else ():
         _put(board, mark)
     labels += board.labels(rest)
+    boxes = [(m.points[0], text_box(m.text, m.weight)) for m in labels if m.kind == "label"]
     return [_broken(m, boxes, layout) if m.role == "guide" and m.kind == "segment" else m for m in marks] + labels
 
 
 def _broken(mark: Mark, boxes: Sequence[tuple[Vec, tuple[float, float]]], layout: Layout) -> Mark:
-    """A guide line left out where it would run through a shape's name."""
+    """A guide line left out where it would run through words."""
     pieces = [mark.points]
     for center, (width, height) in boxes:
-        w, h = layout.units(width / 2 + 2), layout.units(height / 2)
+        w, h = layout.units(width / 2), layout.units(height / 2)
         box = center.x - w, center.y - h, center.x + w, center.y + h
         pieces = [rest for p, q in pieces for rest in _around(p, q, box)]
     return mark._replace(points=tuple(end for piece in pieces for end in piece))
@@ -128,8 +149,9 @@ DIRECTIONS = tuple(Vec(cos(k * pi / 8), sin(k * pi / 8)) for k in range(16))
 class Board:
     """Places labels one by one, each at the nearest spot clear of strokes, dots, labels and the rim."""
 
-    def __init__(self, layout: Layout) -> None:
+    def __init__(self, layout: Layout, kept: Sequence[Mark] = ()) -> None:
         self.layout = layout
+        self.kept = [mark for mark in kept if mark.kind == "label"]
         self.strokes: list[tuple[float, float, float, float, float]] = []  # x, y, x, y, cost of crossing it
         self.walls: list[tuple[float, float, float, float]] = []  # x, y, x, y that no name strays across
         self.boxes: list[Box] = []
@@ -142,6 +164,19 @@ class Board:
         """Something w and h points to either side of p, not to be lain over."""
         x, y = self._points(p)
         self.boxes.append((x - w, y - h, x + w, y + h))
+
+    def kept_at(self, request: Request) -> Vec | None:
+        """Where the same label stands in another step, if that is on this canvas."""
+        for label in self.kept:
+            if (label.part, label.owner, label.axis, label.number, label.text) == (*request.which, request.text):
+                (x, y), (w, h) = self._points(label.points[0]), text_box(label.text, label.weight)
+                if self._inside(x - w / 2 + 0.01, y - h / 2 + 0.01, x + w / 2 - 0.01, y + h / 2 - 0.01):
+                    return label.points[0]
+        return None
+
+    def _inside(self, x0: float, y0: float, x1: float, y1: float) -> bool:
+        width, height = self.layout.size
+        return x0 >= RIM and y0 >= RIM and x1 <= width - RIM and y1 <= height - RIM
 
     def wall(self, p: Vec, q: Vec) -> None:
         """A line that no name strays across."""
@@ -156,7 +191,7 @@ class Board:
         """The label of each request that finds a place, in order; one far from its anchor gets a line to it."""
         found = []
         for r in requests:
-            at = self.place(r)
+            at = self._stay(r) or self.place(r)
             if at is None:
                 continue
             which = r.owner, r.axis, r.number
@@ -178,21 +213,36 @@ class Board:
         # the last box is the label's own; a line through another label would tie the wrong one
         return None if any(clipped(*line, *box) and not _is_dot(box) for box in self.boxes[:-1]) else end
 
+    def _stay(self, request: Request) -> Vec | None:
+        at = self.kept_at(request)
+        if at is not None:
+            w, h = text_box(request.text, request.weight)
+            self.box(at, w / 2 + 2, h / 2 + 1)
+        return at
+
     def place(self, request: Request) -> Vec | None:
         """The label's center in scene units, or None for an optional one that finds no clear spot."""
         w, h = text_box(request.text, request.weight)
         anchor = self._points(request.anchor)
+        wall = request.wall and (*self._points(request.wall[0]), *self._points(request.wall[1]))
         best, found = float("inf"), anchor
         for spot, penalty in self._spots(request, w / 2, h / 2):
             if penalty >= best:
                 break
             if request.steady and any(_cross(*anchor, *spot, *wall) for wall in self.walls):
                 penalty += 200
+            if wall and _cross(*anchor, *spot, *wall):
+                penalty += 150
             cost = penalty + self._cost(spot, w / 2 + 2, h / 2 + 1, best - penalty)
             if cost < best:
                 best, found = cost, spot
             if best == 0:
                 break
+        if best >= COVERS and not request.far and not request.optional:  # no room near: anywhere, with a line to it
+            for spot, penalty in self._anywhere(w / 2, h / 2, anchor):
+                cost = penalty + self._cost(spot, w / 2 + 2, h / 2 + 1, best - penalty)
+                if cost < best:
+                    best, found = cost, spot
         if request.optional and best >= 300:
             return None
         # what is too long for any spot stays on the canvas all the same
@@ -217,30 +267,34 @@ class Board:
         spots = []
         for rank, anchor in enumerate((request.anchor, *request.along)):
             px, py = self._points(anchor)
-            for distance in DISTANCES:
+            for distance in DISTANCES[: NEAR if request.near else None]:
                 for u in (toward, *DIRECTIONS):
                     turn = 1 - (u.x * toward.x + u.y * toward.y)
                     penalty = distance + turn * (1 if request.far else 9) + rank
                     spots.append((penalty, (px + u.x * (w + distance), py + u.y * (h + distance))))
         if request.far:
-            width, height = self.layout.size
-            for i in range(13):
-                for j in range(13):
-                    spot = RIM + w + (width - 2 * (RIM + w)) * i / 12, RIM + h + (height - 2 * (RIM + h)) * j / 12
-                    spots.append((60 + hypot(spot[0] - x, spot[1] - y) / 10, spot))
+            spots += [(penalty, spot) for spot, penalty in self._anywhere(w, h, (x, y))]
         spots.sort(key=lambda s: s[0])
         for penalty, spot in spots:
             yield spot, penalty
+
+    def _anywhere(self, w: float, h: float, near: tuple[float, float]) -> Iterator[tuple[tuple[float, float], float]]:
+        """Candidate centers all over the canvas with what each costs by itself."""
+        width, height = self.layout.size
+        for i in range(GRID + 1):
+            for j in range(GRID + 1):
+                x = RIM + w + (width - 2 * (RIM + w)) * i / GRID
+                y = RIM + h + (height - 2 * (RIM + h)) * j / GRID
+                yield (x, y), 60 + hypot(x - near[0], y - near[1]) / 10
 
     def _cost(self, spot: tuple[float, float], w: float, h: float, enough: float) -> float:
         """What a label there would cover; it stops counting at `enough`."""
         cx, cy = spot
         x0, y0, x1, y1 = cx - w, cy - h, cx + w, cy + h
-        width, height = self.layout.size
-        cost = 0.0 if x0 >= RIM and y0 >= RIM and x1 <= width - RIM and y1 <= height - RIM else 1e5
+        cost = 0.0 if self._inside(x0, y0, x1, y1) else 1e5
         for bx0, by0, bx1, by1 in self.boxes:
             if x0 < bx1 and bx0 < x1 and y0 < by1 and by0 < y1:
-                cost += 1e4
+                cost += COVERS
         for sx, sy, tx, ty, price in self.strokes:
             if cost >= enough:
                 break
@@ -261,23 +315,6 @@ def _is_dot(box: Box) -> bool:
     return box[2] - box[0] <= DOT
 
 
-def clipped(
-    sx: float, sy: float, tx: float, ty: float, x0: float, y0: float, x1: float, y1: float
-) -> tuple[float, float] | None:
-    """The part (from, to) of a segment inside an upright box, 0 to 1, or None.  (Liang and Barsky's clipping.)"""
-    if max(sx, tx) < x0 or min(sx, tx) > x1 or max(sy, ty) < y0 or min(sy, ty) > y1:
-        return None
-    start, end = 0.0, 1.0
-    for d, near, far in ((tx - sx, x0 - sx, x1 - sx), (ty - sy, y0 - sy, y1 - sy)):
-        if d == 0:
-            continue
-        first, last = (near / d, far / d) if d > 0 else (far / d, near / d)
-        start, end = max(start, first), min(end, last)
-        if start > end:
-            return None
-    return start, end
-
-
 def _around(p: Vec, q: Vec, box: Limits) -> list[tuple[Vec, Vec]]:
     """What is left of a segment outside a box."""
     inside = clipped(*p, *q, *box)
@@ -290,7 +327,11 @@ def _around(p: Vec, q: Vec, box: Limits) -> list[tuple[Vec, Vec]]:
 def _put(board: Board, mark: Mark) -> None:
     """Tell the board what a mark covers."""
     points = mark.points
-    if mark.kind == "dot":
+    if mark.part == "inset":
+        (x0, y0), (x1, y1) = points[0], points[2]
+        middle = Vec((x0 + x1) / 2, (y0 + y1) / 2)
+        board.box(middle, (x1 - x0) / 2 * board.layout.scale, (y1 - y0) / 2 * board.layout.scale)
+    elif mark.kind == "dot":
         board.box(points[0], DOT / 2, DOT / 2)
     elif mark.kind == "label":
         width, height = text_box(mark.text, mark.weight)

@@ -1,9 +1,10 @@
 """Where things go: the limits of a scene, each axis clear of the shapes, each label clear of everything."""
 
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+from functools import lru_cache
+from typing import TYPE_CHECKING, NamedTuple
 
-from ..engine import telling
+from ..engine import digits
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Shape
@@ -11,13 +12,21 @@ from . import letters
 from .marks import Limits
 from .theme import look
 
+if TYPE_CHECKING:
+    from .insets import Inset
+
+FURTHEST = 2.0**41  # sizes from the origin at which float64 still holds a shape's outline
+LONGEST = 30  # letters of a range in one line
 # all in points
 WIDTH, HEIGHT = 500.0, 400.0  # the largest canvas
-LEAST_WIDTH, LEAST_HEIGHT = 300.0, 190.0
+LEAST_WIDTH, LEAST_HEIGHT = 420.0, 190.0
 PAD = 36.0  # all round
+HEAD = 16.0  # and above it all, for a line of words
+BRIEF = 24.0  # the width of a label that is a name alone
 LABEL_HEIGHT = 18.0  # room for a range's label on the far side of its axis
 CLEAR = 34.0  # from the shapes to an axis
 BEYOND = 20.0  # an axis runs on past the ranges
+ZERO = 45.0  # and to coordinate 0, where that is no further from them
 TRACK = 5.5  # A's bar on one side of the axis, B's on the other
 
 
@@ -43,16 +52,26 @@ class AxisPlace(NamedTuple):
 
 
 class Layout(NamedTuple):
-    """The limits in scene units, the canvas in points, and one place for each test."""
+    """The limits in scene units, the canvas in points, one place for each test, and what is shown larger."""
 
     limits: Limits
     size: tuple[float, float]
-    places: tuple[AxisPlace, ...]
+    places: tuple[AxisPlace, ...] = ()
+    tests: tuple[AxisTest, ...] = ()
+    insets: "tuple[Inset, ...]" = ()
 
     @property
     def scale(self) -> float:
         """Points a scene unit."""
         return self.size[0] / (self.limits[2] - self.limits[0])
+
+    @property
+    def field(self) -> Limits:
+        """The limits without what stands beside the scene."""
+        if not self.insets:
+            return self.limits
+        x0, y0, _, y1 = self.limits
+        return x0, y0, min(inset.box[0] for inset in self.insets) - self.units(14), y1
 
     def units(self, points: float) -> float:
         """A length on the canvas in scene units."""
@@ -65,87 +84,132 @@ def box_of(shapes: Iterable[Shape]) -> Limits:
     return (min(b[0] for b in boxes), min(b[1] for b in boxes), max(b[2] for b in boxes), max(b[3] for b in boxes))
 
 
-def arrange(
-    shapes: Sequence[Shape],
-    tests: Sequence[AxisTest],
-    *,
-    together: bool = False,
-    largest: tuple[float, float] = (WIDTH, HEIGHT),
-) -> Layout:
-    """Fix the limits for the whole scene and put each axis clear of all shapes.
+class Group(NamedTuple):
+    """What one picture must have room for: shapes, and the axes that are shown at once.
 
-    `together`: the axes are shown at once, so they also keep off each other.  The
-    room around the shapes is measured in points, which need the scale, which needs
+    `brief`: the ranges are shown without their numbers.
+    """
+
+    shapes: Sequence[Shape]
+    tests: Sequence[AxisTest] = ()
+    brief: bool = False
+
+
+def arrange(
+    groups: Sequence[Group],
+    *,
+    largest: tuple[float, float] = (WIDTH, HEIGHT),
+    least: tuple[float, float] = (LEAST_WIDTH, LEAST_HEIGHT),
+) -> list[Layout]:
+    """A layout for each group, all at one scale: limits around the shapes, each axis clear of them and of the others.
+
+    The room around the shapes is measured in points, which need the scale, which needs
     the room: a few rounds settle it.
     """
-    x0, y0, x1, y1 = box_of(shapes)
+    x0, y0, x1, y1 = box_of([shape for group in groups for shape in group.shapes])
     size = max(x1 - x0, y1 - y0)
-    if not 1e-290 < size < 1e290 or max(map(abs, (x0, y0, x1, y1))) > 1e10 * size:
+    if not 1e-290 < size < 1e290 or max(map(abs, (x0, y0, x1, y1))) > FURTHEST * size:
         raise ValueError(
             f"a scene {size:.3g} across at ({x0:.3g}, {y0:.3g}) cannot be drawn in float64: "
             "move or scale it first (its trace is exact all the same)"
         )
-    words = [text_box(f"B {telling.interval(r.interval)}")[0] for test in tests for r in (test.a, test.b)]
-    label = min(max(words, default=0.0), 110.0)
+    words = [[_label_room(group, test) for test in group.tests] for group in groups]
     while True:
-        layout = _arranged(shapes, tests, together, largest, label)
-        if layout is not None:
-            return layout
+        layouts = _arranged(groups, words, largest, least, size)
+        if layouts is not None:
+            return layouts
         # the room for labels is measured in points: too small a canvas is laid out larger and shown smaller
         largest = largest[0] * 1.25, largest[1] * 1.25
 
 
+def range_label(name: str, text: str) -> str:
+    """A range as it stands at its bar; a long one in two lines."""
+    label = f"{name} {text}"
+    return label.replace(" + [", " +\n[") if len(label) > LONGEST else label
+
+
+def _label_room(group: Group, test: AxisTest) -> float:
+    """How wide a label of the test's ranges is, in points."""
+    if group.brief:
+        return BRIEF
+    told = digits.of_tests(group.shapes, [test])
+    return min(max(text_box(range_label("B2", text))[0] for text in told.ranges(test)), WIDTH / 3)
+
+
 def _arranged(
-    shapes: Sequence[Shape], tests: Sequence[AxisTest], together: bool, largest: tuple[float, float], label: float
-) -> Layout | None:
-    """The layout on a canvas of that size at most; None if the shapes would be lost on it."""
-    x0, y0, x1, y1 = box_of(shapes)
-    size = max(x1 - x0, y1 - y0)
+    groups: Sequence[Group],
+    words: Sequence[Sequence[float]],
+    largest: tuple[float, float],
+    least: tuple[float, float],
+    size: float,
+) -> list[Layout] | None:
+    """The layouts on canvases of that size at most; None if the shapes would be lost on them."""
     scale = start = min(largest) / size / 2
     for _ in range(8):
-        places = _places(shapes, tests, scale, together)
-        ends = [place.at(t, role) for place in places for t in (place.lo, place.hi) for role in "AB"]
-        for place in places:
-            for part in (0.15, 0.85):
-                spot = place.at(place.lo + part * (place.hi - place.lo), "B")
-                ends.append(Vec(spot.x + place.out.x * label / scale, spot.y + place.out.y * LABEL_HEIGHT / scale))
-        xs, ys = [x0, x1, *(p.x for p in ends)], [y0, y1, *(p.y for p in ends)]
-        box = min(xs), min(ys), max(xs), max(ys)
-        room = [(most - 2 * PAD) / (box[i + 2] - box[i]) for i, most in enumerate(largest)]
-        scale = min(room)
+        places = [_places(group, wide, scale) for group, wide in zip(groups, words, strict=True)]
+        boxes = [_room(*each, scale) for each in zip(groups, places, words, strict=True)]
+        room = largest[0] - 2 * PAD, largest[1] - 2 * PAD - HEAD
+        before, scale = scale, min(most / (box[i + 2] - box[i]) for box in boxes for i, most in enumerate(room))
         if not scale > start / 2.5:
             return None
-    width = min(largest[0], max(LEAST_WIDTH, (box[2] - box[0]) * scale + 2 * PAD))
-    height = min(largest[1], max(LEAST_HEIGHT, (box[3] - box[1]) * scale + 2 * PAD))
-    width, height = round(width), round(height)
-    cx, cy = (box[0] + box[2]) / 2, (box[1] + box[3]) / 2
-    half_w, half_h = width / scale / 2, height / scale / 2
-    return Layout((cx - half_w, cy - half_h, cx + half_w, cy + half_h), (width, height), tuple(places))
+        if abs(scale - before) < 1e-3 * scale:
+            break
+    found = []
+    for group, (x0, y0, x1, y1), there in zip(groups, boxes, places, strict=True):
+        width = round(min(largest[0], max(least[0], (x1 - x0) * scale + 2 * PAD)))
+        head = HEAD if there else 0.0
+        height = round(min(largest[1], max(least[1], (y1 - y0) * scale + 2 * PAD + head)))
+        limits = around(((x0 + x1) / 2, (y0 + y1 + head / scale) / 2), (width, height), scale)
+        found.append(Layout(limits, (width, height), tuple(there), tuple(group.tests)))
+    return found
 
 
-def _places(shapes: Sequence[Shape], tests: Sequence[AxisTest], scale: float, together: bool) -> list[AxisPlace]:
+def around(center: tuple[float, float], size: tuple[float, float], scale: float) -> Limits:
+    """The limits of a canvas of that size (points) around a spot of the scene."""
+    (x, y), (w, h) = center, (side / scale / 2 for side in size)
+    return x - w, y - h, x + w, y + h
+
+
+def padded(layout: Layout, size: tuple[float, float]) -> Layout:
+    """The same in the middle of a canvas of that size."""
+    x0, y0, x1, y1 = layout.limits
+    return layout._replace(limits=around(((x0 + x1) / 2, (y0 + y1) / 2), size, layout.scale), size=size)
+
+
+def _room(group: Group, places: Sequence[AxisPlace], words: Sequence[float], scale: float) -> Limits:
+    """The box of the shapes, the axes, and the labels on their far sides."""
+    x0, y0, x1, y1 = box_of(group.shapes)
+    ends = [place.at(t, role) for place in places for t in (place.lo, place.hi) for role in "AB"]
+    for place, wide in zip(places, words, strict=True):
+        for part in (0.15, 0.85):
+            spot = place.at(place.lo + part * (place.hi - place.lo), "B")
+            ends.append(Vec(spot.x + place.out.x * wide / scale, spot.y + place.out.y * LABEL_HEIGHT / scale))
+    xs, ys = [x0, x1, *(p.x for p in ends)], [y0, y1, *(p.y for p in ends)]
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def _places(group: Group, words: Sequence[float], scale: float) -> list[AxisPlace]:
     places: list[AxisPlace] = []
-    for test in tests:
-        sides = [_place(shapes, test, scale, side) for side in (-1, 1)]
-        others = places if together else []
-        places.append(min(sides, key=lambda p: (_crossings(p, others), _awkward(shapes, test, p))))
+    for test, wide in zip(group.tests, words, strict=True):
+        sides = [_place(group.shapes, test, scale, side, wide) for side in (-1, 1)]
+        places.append(min(sides, key=lambda p: (_crossings(p, places), _awkward(group.shapes, test, p))))
     return places
 
 
-def _place(shapes: Sequence[Shape], test: AxisTest, scale: float, side: int) -> AxisPlace:
+def _place(shapes: Sequence[Shape], test: AxisTest, scale: float, side: int, wide: float = 0.0) -> AxisPlace:
+    """The axis on one side of the shapes, with room for A's label (so many points wide) between."""
     n = test.axis.direction
     out = Vec(-n.y * side, n.x * side)
     far = max(_reach(shape, out) for shape in shapes)
     ranges = test.a.interval, test.b.interval
-    away = far + CLEAR / scale
-    return AxisPlace(
-        n,
-        out,
-        Vec(out.x * away, out.y * away),
-        min(r.lo for r in ranges) - BEYOND / scale,
-        max(r.hi for r in ranges) + BEYOND / scale,
-        TRACK / scale,
-    )
+    lo, hi = min(r.lo for r in ranges), max(r.hi for r in ranges)
+    if 0 < lo < ZERO / scale:  # 0 is shown where it is near
+        lo = 0.0
+    if -ZERO / scale < hi < 0:
+        hi = 0.0
+    label = abs(out.x) * wide + abs(out.y) * LABEL_HEIGHT + TRACK + 7.0
+    away = far + max(CLEAR, label if wide else 0.0) / scale
+    return AxisPlace(n, out, Vec(out.x * away, out.y * away), lo - BEYOND / scale, hi + BEYOND / scale, TRACK / scale)
 
 
 def place_within(layout: Layout, shapes: Sequence[Shape], test: AxisTest, near: Vec | None = None) -> AxisPlace:
@@ -214,9 +278,27 @@ def _segments_meet(s: tuple[Vec, Vec], t: tuple[Vec, Vec]) -> bool:
     return side(*s, t[0]) * side(*s, t[1]) < 0 and side(*t, s[0]) * side(*t, s[1]) < 0
 
 
+@lru_cache(maxsize=4096)
 def text_box(text: str, weight: str = "plain") -> tuple[float, float]:
     """Width and height of a label in points."""
     letter = look("label", "", weight)
     lines = text.split("\n")
     widest = max(letters.width(line, bold=letter.bold) for line in lines)
     return widest * letter.size, len(lines) * letter.size * 1.2
+
+
+def clipped(
+    sx: float, sy: float, tx: float, ty: float, x0: float, y0: float, x1: float, y1: float
+) -> tuple[float, float] | None:
+    """The part (from, to) of a segment inside an upright box, 0 to 1, or None.  (Liang and Barsky's clipping.)"""
+    if max(sx, tx) < x0 or min(sx, tx) > x1 or max(sy, ty) < y0 or min(sy, ty) > y1:
+        return None
+    start, end = 0.0, 1.0
+    for d, near, far in ((tx - sx, x0 - sx, x1 - sx), (ty - sy, y0 - sy, y1 - sy)):
+        if d == 0:
+            continue
+        first, last = (near / d, far / d) if d > 0 else (far / d, near / d)
+        start, end = max(start, first), min(end, last)
+        if start > end:
+            return None
+    return start, end

@@ -12,6 +12,12 @@ def width(line: str, *, bold: bool = False) -> float:
     return sum(known.get(ord(letter), EM) for letter in line) / EM
 
 
+def lacking(text: str) -> str:
+    """The letters of a text that the font does not have."""
+    known = _widths("DejaVuSans")
+    return "".join(letter for letter in text if ord(letter) not in known and letter.isprintable())
+
+
 @cache
 def _widths(face: str) -> dict[int, int]:
     """Code point -> width; tests/refresh_widths.py writes the tables and tells how."""

@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ..engine import telling
-from ..engine.geometry import Relation, Vec
+from ..engine import digits, telling
+from ..engine.geometry import Vec
 from ..engine.trace import Trace
 from .curve import direction
-from .layout import AxisPlace, Layout, arrange, box_of, place_within
+from .layout import AxisPlace, Group, Layout, arrange, box_of, place_within
 from .marks import Picture
 from .sketch import Sketch
 from .stages import draw_move, draw_parts, others
@@ -26,7 +26,7 @@ class Chosen(NamedTuple):
 
 def field(trace: Trace) -> Layout:
     """Limits with room to move in; ValueError for what cannot be drawn."""
-    arrange([trace.a, trace.b], ())
+    arrange([Group([trace.a, trace.b])])
     x0, y0, x1, y1 = box_of([trace.a, trace.b])
     scale = min(size * part / (hi - lo) for size, part, lo, hi in zip(LARGEST, PART, (x0, y0), (x1, y1), strict=True))
     w, h = LARGEST[0] / scale / 2, LARGEST[1] / scale / 2
@@ -76,7 +76,7 @@ def live(
         sketch.edge(test)
         sketch.normal(test)
         sketch.project(test, place)
-    sketch.note("verdict", str(trace.relation), _role(trace.relation), weight="title", first=1)
+    sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
     if way_out and run is trace:
         draw_move(sketch)
     return sketch.finish("", trace.sentence, steady=False), place
@@ -91,8 +91,9 @@ def turned_axis(trace: Trace, layout: Layout, degree: float, *, near: Vec | None
     sketch.project(test, place)
     sketch.add("knob", "disc", "ink", knob(layout, place, degree), radius=layout.units(KNOB))  # no label lies on it
     says = "this axis separates them" if test.separates else "this axis shows no gap"
-    sketch.note("verdict", says, "gap" if test.separates else "overlap", weight="title", first=1)
-    sentence = f"The axis at {telling.number(round(degree, 1))} degrees: {telling.outcome(test)}; {says}."
+    sketch.note("verdict", says, "ink", weight="title", first=1)
+    found = telling.outcome(test, telling.digits(trace, test))
+    sentence = f"The axis at {digits.number(round(degree, 1))} degrees: {found}; {says}."
     return sketch.finish("", sentence, steady=False), place
 
 
@@ -104,7 +105,3 @@ def knob(layout: Layout, place: AxisPlace, degree: float) -> Vec:
     along = place.n.x * n.x + place.n.y * n.y
     tip = place.at(place.hi if along > 0 else place.lo)
     return Vec(min(max(tip.x, x0 + rim), x1 - rim), min(max(tip.y, y0 + rim), y1 - rim))
-
-
-def _role(relation: Relation) -> str:
-    return "gap" if relation is Relation.APART else "ink" if relation is Relation.TOUCHING else "overlap"

@@ -20,6 +20,7 @@ class Mark(NamedTuple):
     and label (one point; a label is centered on it, lines parted by newlines).  `role`: a colour of the theme.
     `weight` is "plain", "strong" (what the step is about), "faint" or "title".  `start`: where the points come
     from, for a pen that moves them: a point each, or one for all.
+    `panel`: which of several pictures in one it belongs to.
     """
 
     part: str
@@ -33,11 +34,12 @@ class Mark(NamedTuple):
     text: str = ""
     weight: str = "plain"
     start: tuple[Vec, ...] = ()
+    panel: str = ""
 
     @property
     def id(self) -> str:
         """One name in a picture, for pens to keep what they drew by; what the mark is its fields say."""
-        known = self.owner, self.part, self.axis, self.number
+        known = self.panel, self.owner, self.part, self.axis, self.number
         return ".".join(str(fact) for fact in known if fact not in ("", None))
 
     @property
@@ -87,9 +89,14 @@ class Picture(NamedTuple):
         raise KeyError(mark_id)
 
     @property
+    def labels(self) -> "tuple[Mark, ...]":
+        """The labels, in drawing order."""
+        return tuple(mark for mark in self.marks if mark.kind == "label")
+
+    @property
     def texts(self) -> tuple[str, ...]:
         """What the labels say, in drawing order."""
-        return tuple(mark.text for mark in self.marks if mark.kind == "label")
+        return tuple(mark.text for mark in self.labels)
 
     def __repr__(self) -> str:
         return f"<Picture: {self.sentence}>"

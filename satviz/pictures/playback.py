@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from ..engine import telling
+from ..engine import digits, telling
 from ..engine.geometry import Relation
 from ..engine.trace import Trace
 from .marks import Mark, marks_data
@@ -33,7 +33,7 @@ def playbacks(trace: Trace) -> list[dict[str, Any]]:
 def playback(trace: Trace) -> dict[str, Any]:
     """Marks, steps, table and pseudo-code as JSON values; equal marks are stored once.
 
-    steps: the marks by number, the sentence, the row of the table (None: no test), the
+    steps: the marks by number, the limits, the sentence, the row of the table (None: no test), the
     lines of the code; rows: those of `rows`.  ValueError for a scene that cannot be drawn,
     or that has too many tests.
     """
@@ -43,13 +43,20 @@ def playback(trace: Trace) -> dict[str, Any]:
     for step in every:
         drawn = picture(trace, step)
         ids = [marks.setdefault(mark, len(marks)) for mark in drawn.marks]
-        found.append({"marks": ids, "sentence": drawn.sentence, "row": _row(trace, step), "code": _lines(trace, step)})
+        found.append(
+            {
+                "marks": ids,
+                "limits": list(drawn.limits),
+                "sentence": drawn.sentence,
+                "row": _row(trace, step),
+                "code": _lines(trace, step),
+            }
+        )
     proves = trace.choice.complete or any(pair.choice.complete for pair in trace.pairs)
     return {
         "satviz": "show 1",
         "sentence": trace.sentence,
         "relation": str(trace.relation),
-        "limits": list(drawn.limits),
         "size": list(drawn.size),
         **marks_data(marks),
         "steps": [step | {"stage": s.stage.value} for step, s in zip(found, every, strict=True)],
@@ -77,8 +84,9 @@ def rows(trace: Trace) -> list[dict[str, Any]]:
         of = f"{pair.names.a} and {pair.names.b}" if trace.pairs else ""
         for i, t in enumerate(pair.tests, 1):
             row = {"pair": of, "number": i, "axis": telling.axis_name(t.axis, shapes, pair.names), "gap": t.gap}
-            row |= {"direction": telling.vector(t.axis.direction), "outcome": telling.outcome(t)}
-            row |= {"a": telling.interval(t.a.interval), "b": telling.interval(t.b.interval)}
+            told = telling.digits(pair, t)
+            row |= {"direction": digits.vector(t.axis.direction), "outcome": telling.outcome(t, told)}
+            row |= dict(zip("ab", told.ranges(t), strict=True))
             found.append(row)
         found += [
             {"pair": of, "axis": telling.axis_name(s.axis, shapes, pair.names), "reason": telling.reason(*s[1:])}

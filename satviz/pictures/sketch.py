@@ -14,11 +14,14 @@ from ..engine.geometry import Interval, Vec
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Polygon, Shape, centroid
 from ..engine.trace import Trace
+from .insets import Inset, in_words, small
 from .labels import Request, Segment, Wishes, holds, name_spots, short_name, with_labels
-from .layout import AxisPlace, Layout, moved
+from .layout import TRACK, AxisPlace, Layout, moved, range_label
 from .marks import Details, Mark, Picture
 
 NORMAL = 34.0  # the length of a normal's arrow, in points
+RIGHT_ANGLE = 7.0  # the side of the mark at its foot
+ZERO_TICK = 4.5  # half of the tick at coordinate 0
 BRACKET = 4.0, 11.0  # a gap's bracket stands this far out from the axis
 LIST_WIDTH = 34  # letters a line in a list of axes
 
@@ -43,24 +46,75 @@ class Sketch:
 
     # -- shapes
 
-    def shape(self, role: str, name: str, shape: Shape, *, weight: str = "plain", named: bool = True) -> None:
-        """The outline and its name; vertices the owner labelled get a dot and their label."""
+    def shape(
+        self, role: str, name: str, shape: Shape, *, weight: str = "plain", named: bool = True, quiet: bool = False
+    ) -> None:
+        """The outline and its name (in small, if `quiet`); vertices the owner labelled get a dot and their label."""
         if isinstance(shape, Circle):
             self.add("outline", "disc", role, shape.center, owner=name, radius=shape.radius, weight=weight)
         else:
             self.add("outline", "outline", role, *shape.vertices, owner=name, weight=weight)
+        if self.tiny(shape) and weight != "faint":  # seen at any scale
+            x0, y0, x1, y1 = shape.bounds
+            self.add("speck", "dot", role, Vec((x0 + x1) / 2, (y0 + y1) / 2), owner=name)
         if named:
             other = self.trace.b if role == "A" else self.trace.a
             spot, *along = sorted(name_spots(shape), key=lambda p: holds(other, p))
-            wish: Wishes = {"owner": name, "along": tuple(along), "inside": True, "weight": "title", "steady": True}
+            wish: Wishes = {"owner": name, "along": tuple(along), "inside": True, "steady": True}
+            wish |= {"weight": "plain" if quiet else "title", "optional": quiet, "near": quiet}
             self.label("name", name, role, spot, **wish)
 
+    def tiny(self, shape: Shape) -> bool:
+        """Is it too small to be seen?"""
+        return small(shape, self.layout.scale)
+
     def shapes(self, *, weight: str = "plain") -> None:
-        """Both shapes, with the labels that their owner gave."""
+        """Both shapes, with the labels that their owner gave, and larger what is too small to be seen."""
+        self.insets()
         for role, name, shape in self.pair():
             self.shape(role, name, shape, weight=weight)
             if isinstance(shape, Polygon) and shape.labels and weight != "faint":
                 self.vertices(role, range(len(shape.vertices)))
+
+    def insets(self, test: AxisTest | None = None) -> None:
+        """What is too small for the pen, larger: the shapes, or the gap of a test."""
+        for number, inset in enumerate(self.layout.insets, 1):
+            if inset.test != test:
+                continue
+            x0, y0, x1, y1 = inset.box
+            corners = Vec(x0, y0), Vec(x1, y0), Vec(x1, y1), Vec(x0, y1)
+            self.add("inset", "outline", "guide", *corners, weight="faint", number=number)
+            what = f"{inset.of}, " if inset.of else "gap, "
+            below = Vec(inset.center.x, y0 - self.layout.units(9))
+            text = f"{what}{in_words(inset.times)}"
+            self.marks.append(Mark("inset-name", "label", "ink", (below,), number=number, text=text))
+            if inset.test is None:
+                for role, name, shape in self.pair():
+                    ends = [end for edge in inset.edges(shape) for end in edge]
+                    if ends:
+                        self.add("inset-edge", "segment", role, *ends, owner=name, number=number)
+            else:
+                self.larger_gap(inset, number)
+
+    def larger_gap(self, inset: Inset, number: int) -> None:
+        """The ends of both ranges that face each other, along a level line."""
+        assert inset.test
+        a, b = inset.test.a.interval, inset.test.b.interval
+        x0, _, x1, _ = inset.box
+        units, (cx, cy) = self.layout.units, inset.center
+        half = inset.test.gap * inset.times / 2
+        left, right = ("A", "B") if b.lo - a.hi >= a.lo - b.hi else ("B", "A")
+        self.add("inset-axis", "segment", "ink", Vec(x0, cy), Vec(x1, cy), number=number)
+        for role, ends in (left, (x0, cx - half)), (right, (cx + half, x1)):
+            level = cy + units(TRACK if role == "A" else -TRACK)
+            name, _ = self.of(role)
+            self.add("inset-range", "interval", role, *(Vec(x, level) for x in ends), owner=name, number=number)
+        if half > 0:
+            near, far = (cy - units(c) for c in BRACKET)
+            points = [Vec(cx - half, near), Vec(cx - half, far), Vec(cx + half, far), Vec(cx + half, near)]
+            self.add("inset-gap", "bracket", "gap", *points, number=number)
+        else:
+            self.add("inset-gap", "interval", "overlap", Vec(cx + half, cy), Vec(cx - half, cy), number=number)
 
     def pair(self) -> Iterator[tuple[str, str, Shape]]:
         """(role, name, shape) of both."""
@@ -97,21 +151,22 @@ class Sketch:
         if kind in (EDGE, HULL):
             name, polygon = self.polygon(role)
             p, q = (polygon.vertices[i] for i in ids)
-            self.add("edge", "segment", role, p, q, weight="strong")
+            self.add("edge", "arrow", role, q, p, weight="strong")  # the edge as the difference of its ends
             if told:
                 self.vertices(role, ids)
                 ends = [short_name(polygon, name, i) for i in ids]
-                middle = self.middle(p, q)
                 out = self.outward(polygon, p, q)
-                text = f"edge = {ends[0]} - {ends[1]} = {telling.vector(Vec(p.x - q.x, p.y - q.y))}"
-                self.label("edge-name", text, role, middle, prefer=out, first=1)
+                text = f"edge = {telling.edge_vector(self.trace, ends, p, q)}".replace(" = (", "\n= (")
+                clear = self.middle(self.middle(p, q), q)  # of the normal, which stands in the middle
+                self.label("edge-name", text, role, clear, prefer=out, first=1)
         elif kind in (CENTERS, VERTEX):
             p, q = self.joined(test)
             self.add("edge", "segment", "ink", p, q)
             for i, end in enumerate((p, q)):
                 self.add("edge-end", "dot", "AB"[i], end, number=i)
             if told:
-                self.label("edge-name", telling.vector(Vec(q.x - p.x, q.y - p.y)), "ink", self.middle(p, q), first=1)
+                text = telling.digits(self.trace).vector(Vec(q.x - p.x, q.y - p.y))
+                self.label("edge-name", text, "ink", self.middle(p, q), first=1)
 
     def joined(self, test: AxisTest) -> Segment:
         """The two points whose difference is the axis: A's, then B's."""
@@ -129,18 +184,44 @@ class Sketch:
             start = self.middle(*self.joined(test))
         else:
             return None
-        return start, moved(start, test.axis.direction, self.layout.units(NORMAL))
+        return start, moved(start, self.way_of(test), self.layout.units(NORMAL))
+
+    def way_of(self, test: AxisTest) -> Vec:
+        """The axis's direction as it is drawn where it comes from: out of the shape, either direction will do."""
+        n, (kind, role, ids) = test.axis.direction, test.source
+        if kind in (EDGE, HULL):
+            _, polygon = self.polygon(role)
+            p, q = (polygon.vertices[i] for i in ids)
+            out = self.outward(polygon, p, q)
+            if out.x * n.x + out.y * n.y < 0:
+                return Vec(-n.x, -n.y)
+        return n
 
     def normal(self, test: AxisTest, *, told: bool = False) -> None:
         """The axis's direction as an arrow where it comes from."""
         arrow = self.normal_arrow(test)
         if arrow is None:
             return
-        role = test.source.shape or "ink"
-        self.add("normal", "arrow", role, *arrow, weight="strong", start=arrow[:1])
+        role, way = test.source.shape or "ink", self.way_of(test)
+        if test.source.kind in (EDGE, HULL):
+            self.right_angle(arrow[0], way)
+        self.add("normal", "arrow", role, *arrow, start=arrow[:1])
         if told:
-            text = f"normal {telling.vector(test.axis.normal)}" if test.source.kind in (EDGE, HULL) else "direction"
-            self.label("normal-name", text, role, arrow[1], prefer=test.axis.direction, first=1)
+            text = "direction"
+            if test.source.kind in (EDGE, HULL):
+                sign = 1 if way == test.axis.direction else -1
+                n = Vec(test.axis.normal.x * sign + 0.0, test.axis.normal.y * sign + 0.0)
+                text = f"normal {telling.digits(self.trace).vector(n)}"
+                text += "\n(either direction will do)" if sign < 0 else ""
+            self.label("normal-name", text, role, arrow[1], prefer=way, first=1)
+
+    def right_angle(self, foot: Vec, way: Vec) -> None:
+        """The mark in the corner between an edge and its normal."""
+        size = self.layout.units(RIGHT_ANGLE)
+        along = Vec(-way.y, way.x)
+        up, side = moved(foot, way, size), moved(foot, along, size)
+        corner = moved(up, along, size)
+        self.add("right-angle", "segment", "ink", up, corner, corner, side)
 
     def all_normals(self) -> None:
         """A small outward arrow on every edge."""
@@ -176,13 +257,21 @@ class Sketch:
     def axis(self, test: AxisTest, place: AxisPlace, *, told: bool = True) -> None:
         """The axis as a long arrow clear of the shapes: its normal, pulled away from the edge."""
         start = self.normal_arrow(test) or ()
+        if start and self.way_of(test) != test.axis.direction:
+            start = start[::-1]  # so that it grows out of the normal without turning over
         self.add("axis", "arrow", "ink", place.at(place.lo), place.at(place.hi), axis=self.on(test), start=start)
         if told:
             kind, _, ids = test.source
             text = "xy"[ids[0]] if kind == WORLD else f"axis {self.number(test)}"
             self.label("axis-name", text, "ink", place.at(place.hi), axis=self.on(test), prefer=place.n, first=3)
+        if place.lo < 0 < place.hi:
+            half = self.layout.units(ZERO_TICK)
+            ends = (moved(place.at(0.0), place.out, side * half) for side in (-1, 1))
+            self.add("zero", "segment", "ink", *ends, axis=self.on(test))
+            wish: Wishes = {"axis": self.on(test), "prefer": place.out, "optional": True}
+            self.label("zero-name", "0", "ink", place.at(0.0), first=7, **wish)
 
-    def drops(self, test: AxisTest, place: AxisPlace, role: str, *, ends_only: bool, told: bool) -> None:
+    def drops(self, test: AxisTest, place: AxisPlace, role: str, *, ends_only: bool, named: bool) -> None:
         """Dotted lines from the points to where they land."""
         side = test.a if role == "A" else test.b
         name, shape = self.of(role)
@@ -193,22 +282,23 @@ class Sketch:
             self.add("drop", "segment", "guide", point, spot, owner=name, axis=axis, number=i, start=(point,))
             self.add("dropped", "dot", role, point, owner=name, axis=axis, number=i)
             self.add("landing", "dot", role, spot, owner=name, axis=axis, number=i, start=(point,))
-        if told:
+        if named:
+            told = telling.digits(self.trace, test)
             for end, way in zip(side.interval, (-1, 1), strict=True):
-                who = self.landed_names(name, shape, side, end)
+                text = told.landing(end)
+                ids = [i for i, t in enumerate(side.landings) if told.landing(t) == text]
+                who = self.vertex_names(name, shape, ids)
                 prefer = Vec(place.out.x * (1 if role == "B" else -1), place.out.y * (1 if role == "B" else -1))
                 prefer = Vec(prefer.x + place.n.x * way * 0.5, prefer.y + place.n.y * way * 0.5)
                 part = "lowest" if way < 0 else "highest"
-                text = f"{who}: {telling.number(end)}" if who else telling.number(end)
+                text = f"{who}: {text}" if who else text
                 self.label(part, text, role, place.at(end), owner=name, axis=axis, prefer=prefer)
 
-    def landed_names(self, name: str, shape: Shape, side: Projection, end: float) -> str:
-        """Who landed at an end of the range, if the owner named the vertices: "v1, v2"."""
+    def vertex_names(self, name: str, shape: Shape, ids: Sequence[int]) -> str:
+        """Some of a shape's corners, if the owner named its vertices: "v1, v2"."""
         if isinstance(shape, Circle) or not shape.labels:
             return ""
-        shown = telling.number(end)
-        ids = [shape.corner_ids[i] for i, t in enumerate(side.landings) if telling.number(t) == shown]
-        return ", ".join(short_name(shape, name, i) for i in sorted(ids))
+        return ", ".join(short_name(shape, name, i) for i in sorted(shape.corner_ids[i] for i in ids))
 
     def nearest_ends(self, side: Projection, place: AxisPlace) -> list[int]:
         """A lowest and a highest point; of several that land together the one nearest to the axis."""
@@ -223,20 +313,24 @@ class Sketch:
             found.append(max(ties, key=height))
         return sorted(set(found))
 
-    def range(self, test: AxisTest, place: AxisPlace, role: str) -> None:
+    def range(self, test: AxisTest, place: AxisPlace, role: str, *, named: bool = True, numbers: bool = True) -> None:
         """One shape's range as a bar beside the axis, with its interval."""
         side = test.a if role == "A" else test.b
         name, _ = self.of(role)
         ends = tuple(place.at(t, role) for t in side.interval)
         self.add("range", "interval", role, *ends, owner=name, axis=self.on(test), start=ends[:1])
         out = place.out if role == "B" else Vec(-place.out.x, -place.out.y)
-        text = f"{name} {telling.interval(side.interval)}"
+        if not named:
+            return
+        text = range_label(name, telling.digits(self.trace, test).ranges(test)["AB".index(role)])
         p, q = ends
         spot, *along = (Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for f in (0.5, 0.3, 0.7, 0.1, 0.9))
-        wish: Wishes = {"owner": name, "axis": self.on(test), "along": tuple(along), "prefer": out}
+        text = text if numbers else name
+        wall = place.at(place.lo), place.at(place.hi)  # on its own side of the axis
+        wish: Wishes = {"owner": name, "axis": self.on(test), "along": tuple(along), "prefer": out, "wall": wall}
         self.label("range-name", text, role, spot, first=1, **wish)
 
-    def gap(self, test: AxisTest, place: AxisPlace) -> None:
+    def gap(self, test: AxisTest, place: AxisPlace, *, named: bool = True, interval: bool = True) -> None:
         """The gap as an open bracket, the overlap as a filled bar, with the trace's number."""
         a, b = test.a.interval, test.b.interval
         if test.gap >= 0:
@@ -249,24 +343,27 @@ class Sketch:
             ends = points = tuple(place.at(t) for t in Interval(max(a.lo, b.lo), min(a.hi, b.hi)))
             role, kind = "overlap", "interval"
         self.add("gap", kind, role, *points, axis=self.on(test), start=points[:1])
+        if not named:
+            return
+        self.insets(test)
         anchor = self.middle(*points[1:3]) if kind == "bracket" else self.middle(*ends)
-        text = telling.outcome(test)
+        text = (telling.shared if interval else telling.outcome)(test, telling.digits(self.trace, test))
         self.label("gap-name", text, role, anchor, axis=self.on(test), prefer=place.out, first=2)
 
-    def project(self, test: AxisTest, place: AxisPlace, *, drops: bool = True) -> None:
+    def project(self, test: AxisTest, place: AxisPlace, *, drops: bool = True, numbers: bool = True) -> None:
         """A finished test: the axis, the extreme points' drops, both ranges, the gap or overlap."""
         self.axis(test, place)
         for role in "AB":
             if drops:
-                self.drops(test, place, role, ends_only=True, told=False)
-            self.range(test, place, role)
-        self.gap(test, place)
+                self.drops(test, place, role, ends_only=True, named=False)
+            self.range(test, place, role, numbers=numbers)
+        self.gap(test, place, interval=numbers)
 
     # -- lines, moves, words
 
     def line_across(self, part: str, through: Vec, normal: Vec, role: str, number: int | None = None) -> Segment:
         """The part of a line (through a point, across a normal) that lies well inside the canvas."""
-        x0, y0, x1, y1 = self.layout.limits
+        x0, y0, x1, y1 = self.layout.field
         rim = self.layout.units(14)
         d = Vec(-normal.y, normal.x)
         start, end = -float("inf"), float("inf")
@@ -280,7 +377,7 @@ class Sketch:
 
     def note(self, part: str, text: str, role: str, *, weight: str = "plain", first: int = 8) -> None:
         """Words that belong to no mark: near the top, wherever there is room."""
-        x0, _, x1, y1 = self.layout.limits
+        x0, _, x1, y1 = self.layout.field
         anchor = Vec((x0 + x1) / 2, y1 - self.layout.units(20))
         self.label(part, text, role, anchor, weight=weight, first=first, inside=True, far=True, optional=True)
 
@@ -290,8 +387,15 @@ class Sketch:
         if not left:
             return
         for role, _, shape in self.pair():
-            if isinstance(shape, Polygon) and not shape.labels and len(shape.corners) <= 6:
+            if isinstance(shape, Polygon) and not shape.labels and len(shape.corners) <= 6 and not self.tiny(shape):
                 self.vertices(role, shape.corner_ids, as_role="guide")
+        for n, axis in enumerate(left, 1):
+            kind, owner, ids = axis.source
+            if kind in (EDGE, HULL) and not self.tiny(self.of(owner)[1]):
+                _, polygon = self.polygon(owner)
+                p, q = (polygon.vertices[j] for j in ids)
+                tip = moved(self.middle(p, q), self.outward(polygon, p, q), self.layout.units(NORMAL * 0.6))
+                self.add("untested", "arrow", "guide", self.middle(p, q), tip, number=n)
         names = [telling.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names) for axis in left]
         if len(names) > 8:
             names = [*names[:7], f"{len(names) - 7} more"]
@@ -304,9 +408,9 @@ class Sketch:
                 lines.append(piece)
         self.note("left-out", "\n".join(lines), "guide")
 
-    def finish(self, title: str, sentence: str, *, steady: bool = True) -> Picture:
-        """Place the labels and close the picture; `steady` names stay put from step to step."""
+    def finish(self, title: str, sentence: str, *, steady: bool = True, kept: Sequence[Mark] = ()) -> Picture:
+        """Place the labels and close the picture; `steady` names stay put from step to step, and so do those `kept`."""
         requests = [request for _, request in sorted(self.requests, key=lambda r: r[0])]
         keep_off = [arrow for arrow in map(self.normal_arrow, self.trace.tests) if arrow]
-        marks = with_labels(self.marks, requests, self.layout, steady=steady, keep_off=keep_off)
+        marks = with_labels(self.marks, requests, self.layout, steady=steady, keep_off=keep_off, kept=kept)
         return Picture(tuple(marks), self.layout.limits, self.layout.size, title, sentence)

@@ -1,19 +1,20 @@
 """The drawing stages: a trace as a row of steps, and the picture of any of them."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from enum import StrEnum
 from functools import lru_cache
 from typing import Any, NamedTuple, SupportsIndex
 
 from ..engine import telling
 from ..engine.axes import ANY, CENTROIDS, GIVEN, WORLD
-from ..engine.certificate import SeparatingLine, SharedPoint
+from ..engine.certificate import PartLines, SeparatingLine, SharedPoint
 from ..engine.concave import named_parts
 from ..engine.geometry import Relation, Vec
 from ..engine.shapes import Circle, Shape
-from ..engine.trace import Trace
-from .layout import HEIGHT, WIDTH, AxisPlace, Layout, arrange, moved
-from .marks import Picture
+from ..engine.trace import Trace, record
+from .insets import with_insets
+from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, moved, padded
+from .marks import Mark, Picture
 from .sketch import Sketch
 
 
@@ -32,6 +33,8 @@ class Stage(StrEnum):
     VERDICT = "verdict"
 
 
+MOST_LINES = 4  # between parts, in one picture
+FEW_PARTS = 3  # more have their names in small
 OF_A_TEST = (Stage.EDGE, Stage.NORMAL, Stage.AXIS, Stage.DROPS, Stage.RANGE, Stage.BOTH, Stage.GAP)
 
 
@@ -71,11 +74,17 @@ def _stages(trace: Trace, test: int) -> Sequence[Stage]:
 
 
 def picture(
-    trace: Trace, step: int | Step = -1, *, title: str = "", largest: tuple[float, float] = (WIDTH, HEIGHT)
+    trace: Trace,
+    step: int | Step = -1,
+    *,
+    title: str = "",
+    largest: tuple[float, float] = (WIDTH, HEIGHT),
+    by_itself: bool = False,
 ) -> Picture:
     """The picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
 
-    `largest`: the canvas in points at most.  IndexError for a step the trace does not have.
+    `largest`: the canvas in points at most.  All steps have one scale and one canvas; `by_itself` cuts it to
+    what this step shows.  IndexError for a step the trace does not have.
     """
     every = steps(trace)
     if not isinstance(step, Step):
@@ -86,32 +95,68 @@ def picture(
         step = every[step]
     elif step not in every:
         raise IndexError(f"{step}: this trace has no such step")
-    layout = scene_layout(trace, largest)
+    layout = frames(trace, largest, by_itself)[_frame(trace, step)]
+    return _drawn(trace, step, layout, _kept(trace, step, largest, by_itself), title)
+
+
+def _drawn(trace: Trace, step: Step, layout: Layout, kept: Sequence[Mark], title: str) -> Picture:
+    """A step on its own canvas."""
     run = trace if step.pair is None else trace.pairs[step.pair]
     sketch = Sketch(run, layout)
     if step.pair is not None:
         others(sketch, trace, run)
     if step.test is not None:
-        before = sum(len(pair.tests) for pair in trace.pairs[: step.pair or 0])
-        draw_test(sketch, step.stage, step.test, layout.places[before + step.test])
+        draw_test(sketch, step.stage, step.test, layout.places[0] if layout.places else None)
     elif step.stage is Stage.PARTS:
         draw_parts(sketch)
     else:
-        # seams and part names belong to what proves concave outlines apart
-        draw_parts(sketch) if step.stage is Stage.VERDICT and trace.pairs else sketch.shapes()
-        if step.stage is Stage.VERDICT:
-            draw_verdict(sketch, layout.places)
-    return sketch.finish(title, sentence(run, step), steady=step.stage is not Stage.VERDICT)
+        draw_verdict(sketch, layout.places) if step.stage is Stage.VERDICT else sketch.shapes()
+    return sketch.finish(title, sentence(run, step), steady=step.stage is not Stage.VERDICT, kept=kept)
+
+
+BEFORE_THE_AXIS = Stage.SCENE, Stage.PARTS, Stage.EDGE, Stage.NORMAL
 
 
 @lru_cache(maxsize=64)
-def scene_layout(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> Layout:
-    """One layout for all steps, so that nothing jumps between them."""
+def frames(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT), by_themselves: bool = False) -> list[Layout]:
+    """A frame for the shapes, one for each test with its axis, one for the verdict; all at one scale.
+
+    And all on one canvas, unless each is to be shown by itself.
+    """
+    shapes = trace.a, trace.b
     tests = [t for pair in trace.pairs for t in pair.tests] or trace.tests
-    return arrange(_drawn(trace), tests, largest=largest)
+    end = [trace.separating] if trace.separating else []
+    groups = [Group(shapes), *(Group(shapes, [t]) for t in tests), Group(_moved_too(trace), end)]
+    named = list(zip(trace.names, shapes, strict=True))
+    found = [with_insets(layout, named) for layout in arrange(groups, largest=largest)]
+    if by_themselves:
+        return found
+    size = max(layout.size[0] for layout in found), max(layout.size[1] for layout in found)
+    return [padded(layout, size) for layout in found]
 
 
-def _drawn(trace: Trace) -> list[Shape]:
+def _frame(trace: Trace, step: Step) -> int:
+    """Which of the frames a step has."""
+    if step.stage in BEFORE_THE_AXIS:
+        return 0
+    if step.test is None:
+        return -1
+    return 1 + sum(len(pair.tests) for pair in trace.pairs[: step.pair or 0]) + step.test
+
+
+@lru_cache(maxsize=64)
+def _kept(trace: Trace, step: Step, largest: tuple[float, float], by_itself: bool) -> tuple[Mark, ...]:
+    """The labels of the step that a step leads up to: it has most to show, so that nothing jumps on the way to it."""
+    fuller = {Stage.EDGE: Stage.NORMAL} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
+    if step.stage is Stage.VERDICT or step.stage is Stage.SCENE:
+        return ()
+    next_one = fuller.get(step.stage)
+    there = step._replace(stage=next_one) if next_one else Step(Stage.SCENE, None, step.pair)
+    layout = frames(trace, largest, by_itself)[_frame(trace, there)]
+    return _drawn(trace, there, layout, _kept(trace, there, largest, by_itself), "").labels
+
+
+def _moved_too(trace: Trace) -> list[Shape]:
     """The shapes, and where the verdict moves B to, which must fit too."""
     shapes: list[Shape] = [trace.a, trace.b]
     move = trace.known_mtv
@@ -130,7 +175,7 @@ def first_role(trace: Trace, test: int) -> str:
     return trace.tests[test].source.shape or "A"
 
 
-def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace) -> None:
+def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace | None) -> None:
     """One test as far as the stage goes."""
     trace = sketch.trace
     test = trace.tests[i]
@@ -139,20 +184,22 @@ def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace) -> None:
     sketch.edge(test, told=stage in (Stage.EDGE, Stage.NORMAL))
     if Stage.NORMAL in OF_A_TEST[: done + 1]:
         sketch.normal(test, told=stage in (Stage.NORMAL, Stage.AXIS))
-    if Stage.AXIS in OF_A_TEST[: done + 1]:
-        sketch.axis(test, place)
+    if place is None:
+        return
+    sketch.axis(test, place)
     one = first_role(trace, i)
     other = "B" if one == "A" else "A"
     if stage is Stage.DROPS:
-        sketch.drops(test, place, one, ends_only=False, told=True)
+        sketch.drops(test, place, one, ends_only=False, named=True)
     if stage in (Stage.RANGE, Stage.BOTH, Stage.GAP):
         for role in one if stage is Stage.RANGE else (one, other):
-            sketch.drops(test, place, role, ends_only=True, told=False)
+            sketch.drops(test, place, role, ends_only=True, named=False)
             sketch.range(test, place, role)
     if stage is Stage.GAP:
         sketch.gap(test, place)
         if test.separates:
             sketch.left_out()
+        sketch.note("conclusion", telling.conclusion(trace, i), "ink", first=3)
 
 
 def others(sketch: Sketch, whole: Trace, run: Trace) -> None:
@@ -163,39 +210,57 @@ def others(sketch: Sketch, whole: Trace, run: Trace) -> None:
                 sketch.shape(role, part_name, part, weight="faint", named=False)
 
 
-def draw_parts(sketch: Sketch) -> None:
-    """Both shapes as their convex parts."""
+def draw_parts(sketch: Sketch, named: Collection[str] | None = None) -> None:
+    """Both shapes as their convex parts; `named`: those that get their names, by default all."""
     for role, name, shape in sketch.pair():
-        for part, part_name in named_parts(shape, name):
-            sketch.shape(role, part_name, part)
-
-
-FALSE_HIT = "a false hit: the axes tested show no gap"
+        parts = named_parts(shape, name)
+        for part, part_name in parts:
+            told = named is None or part_name in named
+            sketch.shape(role, part_name, part, named=told, quiet=len(parts) > FEW_PARTS)
 
 
 def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace]) -> None:
     """What proves the verdict: a separating line, a shared point, the move that parts them."""
     trace = sketch.trace
-    sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
-    if trace.false_hit:
-        sketch.note("false-hit", FALSE_HIT, "overlap", first=2)
     certificate = trace.certificate
+    if isinstance(certificate, PartLines):
+        part_lines(sketch)
+    else:
+        sketch.shapes()
+    if trace.false_hit:
+        sketch.note("verdict", telling.claimed(trace), "wrong", weight="title", first=1)
+    else:
+        sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
     if isinstance(certificate, SeparatingLine):
         separating_line(sketch, certificate)
         if trace.separating:
-            i = trace.tests.index(trace.separating)
-            sketch.project(trace.separating, places[i], drops=False)
+            sketch.project(trace.separating, places[0], drops=False)
     elif isinstance(certificate, SharedPoint):
+        if trace.colliding:
+            for role, name, shape in Sketch(trace.colliding, sketch.layout).pair():
+                if name not in trace.names:
+                    sketch.shape(role, name, shape, quiet=True)
         spot = certificate.point
         sketch.add("shared", "dot", "ink", spot)
-        sketch.label("shared-name", f"a point in both: {telling.vector(spot)}", "ink", spot, first=4)
+        sketch.label("shared-name", f"a point in both: {telling.digits(trace).vector(spot)}", "ink", spot, first=4)
         draw_move(sketch)
-    else:
-        (_, a, whole_a), (_, b, whole_b) = sketch.pair()
-        names = [f"{p} | {q}" for _, p in named_parts(whole_a, a) for _, q in named_parts(whole_b, b)]
-        for n, (text, line) in enumerate(zip(names, certificate.lines, strict=True), 1):
-            ends = sketch.line_across("part-line", line.point, _unit(line), "gap", n)
-            sketch.label("part-line-name", text, "gap", sketch.middle(*ends), number=n, along=ends, first=4, far=True)
+
+
+def part_lines(sketch: Sketch) -> None:
+    """The parts, and a separating line between those that lie nearest, each with the names of its pair."""
+    whole = record(sketch.trace.a, sketch.trace.b)
+    apart = [(pair.separating.gap, n, pair) for n, pair in enumerate(whole.pairs, 1) if pair.separating]
+    nearest = sorted(apart)[:MOST_LINES]
+    draw_parts(sketch, {name for *_, pair in nearest for name in pair.names})
+    sketch.insets()
+    for _, n, pair in nearest:
+        line = pair.certificate
+        assert isinstance(line, SeparatingLine)  # an axis separates the pair
+        ends = sketch.line_across("part-line", line.point, _unit(line), "gap", n)
+        text = " | ".join(pair.names)
+        sketch.label("part-line-name", text, "gap", sketch.middle(*ends), number=n, along=ends, first=4, far=True)
+    if more := len(apart) - len(nearest):
+        sketch.note("more-lines", f"and {more} more lines, one for each pair of parts", "guide")
 
 
 def draw_move(sketch: Sketch) -> None:
@@ -209,8 +274,8 @@ def draw_move(sketch: Sketch) -> None:
     certificate = trace.certificate
     assert isinstance(certificate, SharedPoint)  # as of all that overlap
     start, tip = certificate.point, moved(certificate.point, move, 1.0)
-    sketch.add("mtv", "arrow", "overlap", start, tip, weight="strong", start=(start,))
-    sketch.label("mtv-name", f"MTV {telling.vector(move)}", "overlap", tip, prefer=move, first=3)
+    sketch.add("mtv", "arrow", "move", start, tip, start=(start,))
+    sketch.label("mtv-name", f"MTV {telling.digits(trace).vector(move)}", "move", tip, prefer=move, first=3)
 
 
 def separating_line(sketch: Sketch, certificate: SeparatingLine, text: str = "separating line") -> None:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 
 class Theme(NamedTuple):
-    """Colours of one theme; `text` overrides a role's colour where letters need more contrast."""
+    """Colours of one theme, one meaning each; `text` overrides a role's colour where letters need more contrast."""
 
     name: str
     paper: str
@@ -13,24 +13,34 @@ class Theme(NamedTuple):
     text: dict[str, str]
 
 
+# in a picture: two shapes, what their ranges do, the way out, what is wrong; in charts: who a method is, how it errs
 LIGHT = Theme(
     "light",
     "#FFFFFF",
-    {"A": "#0072B2", "B": "#D55E00", "gap": "#009E73", "overlap": "#CC79A7", "ink": "#1A1A1A", "guide": "#595959"},
+    {"A": "#0072B2", "B": "#D55E00", "gap": "#009E73", "overlap": "#CC79A7", "ink": "#1A1A1A", "guide": "#595959"}
+    | {"move": "#4B2E9E", "wrong": "#8A0F2E"}
+    | {"exact": "#332288", "float": "#0E7C7B", "tolerance": "#AA4499", "shortcut": "#7A7A00"}
+    | {"false": "#9E1B32", "missed": "#5B3FB5"},
     {"B": "#B34F00", "gap": "#00734F", "overlap": "#A34A7C"},
 )
 DARK = Theme(
     "dark",
     "#1E1E1E",
-    {"A": "#56B4E9", "B": "#FF9E4A", "gap": "#2BD4A4", "overlap": "#F0A6CA", "ink": "#E5E7EB", "guide": "#A3A3A3"},
+    {"A": "#56B4E9", "B": "#FF9E4A", "gap": "#2BD4A4", "overlap": "#F0A6CA", "ink": "#E5E7EB", "guide": "#A3A3A3"}
+    | {"move": "#F4E04D", "wrong": "#FF5F6D"}
+    | {"exact": "#7F8CFF", "float": "#4DD0E1", "tolerance": "#C6A700", "shortcut": "#F0F4A0"}
+    | {"false": "#FF6F61", "missed": "#D59CFF"},
     {},
 )
+PICTURE_ROLES = "A", "B", "gap", "overlap", "ink", "guide", "move", "wrong"
+CHART_ROLES = "exact", "float", "tolerance", "shortcut", "false", "missed", "ink", "guide"
 THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
 
 OUTLINE, STRONG, BAR, OVERLAP_BAR, GUIDE, SEGMENT, AXIS = 2.0, 4.0, 4.0, 5.0, 1.0, 1.5, 1.2
 FILL, FAINT = 0.15, 0.55  # opacities
 DOT = 6.5  # a dot's width
 HEAD = 8.0, 6.0  # an arrow head's length and width
+STRONG_HEAD = 15.0, 11.0
 DASH = 4.0, 2.0  # B's edges, in line widths
 DOTTED = 1.0, 2.2
 TEXT = 11.0
@@ -72,7 +82,9 @@ def look(kind: str, role: str, weight: str) -> Look:
     if kind == "interval":
         return line._replace(width=OVERLAP_BAR if role == "overlap" else BAR)
     if kind == "arrow":
-        return line._replace(width=OUTLINE if strong or role in "AB" else AXIS, head=HEAD)
+        if strong:
+            return line._replace(width=STRONG, head=STRONG_HEAD)
+        return line._replace(width=AXIS if role in ("ink", "guide") else OUTLINE, head=HEAD)
     if role == "guide":
         return line._replace(layer=LAYERS["guide"], width=GUIDE, dash=DOTTED)
     if kind == "segment" or strong:

@@ -3,23 +3,27 @@
 from collections.abc import Sequence
 from math import hypot
 
-from ..engine import telling
-from ..engine.axes import EDGE, GIVEN, WORLD, Choice
+from ..engine import digits, telling
+from ..engine.axes import EDGE, GIVEN, HULL, VERTEX, WORLD, Choice
 from ..engine.certificate import SeparatingLine
 from ..engine.concave import named_parts
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape
 from ..engine.trace import Trace, record
-from .layout import arrange
+from .labels import Wishes, short_name
+from .layout import Group, arrange, moved
 from .marks import Picture
+from .panels import grid
 from .sketch import Sketch
-from .stages import FALSE_HIT, draw_parts, scene_layout, separating_line
+from .stages import draw_parts, frames, separating_line
+
+PANEL = 262.0, 250.0  # points of a small picture
 
 
 def alone(shape: Shape) -> Picture:
     """One shape by itself."""
-    sketch = Sketch(record(shape, shape, axes=Choice(())), arrange([shape], []))
+    sketch = Sketch(record(shape, shape, axes=Choice(())), arrange([Group([shape])])[0])
     sketch.shape("A", "A", shape, named=False)
     if isinstance(shape, Polygon) and shape.labels:
         sketch.vertices("A", range(len(shape.vertices)))
@@ -28,7 +32,7 @@ def alone(shape: Shape) -> Picture:
 
 def normals(trace: Trace, *, title: str = "") -> Picture:
     """Both shapes with an outward normal on every edge."""
-    sketch = Sketch(trace, scene_layout(trace))
+    sketch = Sketch(trace, frames(trace, by_themselves=True)[0])
     sketch.shapes()
     sketch.all_normals()
     count = sum(mark.kind == "arrow" for mark in sketch.marks)
@@ -37,7 +41,7 @@ def normals(trace: Trace, *, title: str = "") -> Picture:
 
 def world(trace: Trace, *, title: str = "") -> Picture:
     """Both shapes beside the axes they will be projected on, with nothing projected yet."""
-    layout = scene_layout(trace)
+    (layout,) = arrange([Group([trace.a, trace.b], trace.tests)])
     sketch = Sketch(trace, layout)
     sketch.shapes()
     for test, place in zip(trace.tests, layout.places, strict=True):
@@ -50,13 +54,13 @@ def world(trace: Trace, *, title: str = "") -> Picture:
 def at_once(trace: Trace, *, kinds: Sequence[str] = (EDGE, WORLD, GIVEN), title: str = "") -> Picture:
     """Several finished tests in one picture: every axis of the given kinds with both ranges."""
     chosen = [(i, t) for i, t in enumerate(trace.tests) if t.source.kind in kinds]
-    layout = arrange([trace.a, trace.b], [t for _, t in chosen], together=True)
+    (layout,) = arrange([Group([trace.a, trace.b], [t for _, t in chosen])])
     sketch = Sketch(trace, layout)
     sketch.shapes()
     for (_, test), place in zip(chosen, layout.places, strict=True):
         sketch.project(test, place)
     if trace.false_hit:
-        sketch.note("false-hit", FALSE_HIT, "overlap")
+        sketch.note("verdict", telling.claimed(trace), "wrong", first=1)
     rest = [
         telling.short_axis_name(t.axis, (trace.a, trace.b), trace.names)
         for t in trace.tests
@@ -72,10 +76,10 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
     """The separating axis and the separating line, each named: the line runs across the axis."""
     test, certificate = trace.separating, trace.certificate
     assert test and isinstance(certificate, SeparatingLine)  # it is for shapes that an axis separates
-    layout = scene_layout(trace)
+    layout = frames(trace, by_themselves=True)[-1]
     sketch = Sketch(trace, layout)
     sketch.shapes()
-    place = layout.places[trace.tests.index(test)]
+    (place,) = layout.places
     sketch.axis(test, place)
     name = telling.axis_name(test.axis, (trace.a, trace.b), trace.names)
     text = f"separating axis: {name.removeprefix('the ').removesuffix(' axis')}"
@@ -92,36 +96,66 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
 
 
 def radii(trace: Trace, *, title: str = "") -> Picture:
-    """Two circles: centers, radii, and the distance between the centers against the sum of the radii."""
+    """Two circles: radius, gap (or overlap) and radius along the line of centers, and the same on the axis."""
     a, b, test = trace.a, trace.b, trace.tests[0]
     assert isinstance(a, Circle) and isinstance(b, Circle)
-    layout = scene_layout(trace)
+    layout = frames(trace, by_themselves=True)[1]
     sketch = Sketch(trace, layout)
+    told = telling.digits(trace, test)
+    (place,) = layout.places
     p, q = a.center, b.center
+    way = Vec(q.x - p.x, q.y - p.y)
+    size = hypot(*way) or 1.0
+    n = Vec(way.x / size, way.y / size)
+    rims = moved(p, n, a.radius), moved(q, n, -b.radius)
     sketch.shapes()
-    sketch.add("distance", "segment", "ink", p, q)
-    for role, circle in ("A", a), ("B", b):
+    above = Vec(-n.y, n.x) if n.x > 0 else Vec(n.y, -n.x)
+    for role, circle, rim in ("A", a, rims[0]), ("B", b, rims[1]):
+        sketch.add("radius", "segment", role, circle.center, rim, owner=role, weight="strong")
         sketch.add("center", "dot", role, circle.center, owner=role)
-        across = Vec(-test.axis.direction.y, test.axis.direction.x)
-        rim = Vec(circle.center.x + across.x * circle.radius, circle.center.y + across.y * circle.radius)
-        sketch.add("radius", "segment", role, circle.center, rim, owner=role)
-        half = sketch.middle(circle.center, rim)
-        text = f"r{'12'[role == 'B']} = {telling.number(circle.radius)}"
-        sketch.label("radius-name", text, role, half, owner=role, prefer=Vec(-1.0, 0.3), first=1)
+        text = f"r{'12'[role == 'B']} = {told.number(circle.radius)}"
+        sketch.label("radius-name", text, role, sketch.middle(circle.center, rim), owner=role, prefer=above, first=1)
+    role = "gap" if test.gap >= 0 else "overlap"
+    sketch.add("between", "segment", role, *rims, weight="strong")
+    text = telling.outcome(test, told)
+    sketch.label("between-name", text, role, sketch.middle(*rims), prefer=above, first=1)
+    sketch.project(test, place)
     # on this axis the gap is the distance less both radii, so the trace has the distance
     reach = a.radius + b.radius
-    distance = telling.number(test.gap + reach)
+    distance = told.number(test.gap + reach)
     compare = ">" if test.gap > 0 else "<" if test.gap < 0 else "="
-    sketch.label("distance-name", f"distance {distance}", "ink", sketch.middle(p, q), prefer=Vec(0.3, -1.0), first=1)
-    for role in "AB":
-        sketch.range(test, layout.places[0], role)
-    sketch.axis(test, layout.places[0])
-    sketch.gap(test, layout.places[0])
-    words = f"distance {distance} {compare} r1 + r2 = {telling.number(reach)}"
+    follows = "apart" if test.gap > 0 else "a hit"
+    words = f"distance of the centers {distance} {compare} r1 + r2 = {told.number(reach)}: {follows}"
     sketch.note("verdict", words, "ink", first=2)
     return sketch.finish(
-        title, f"The centers lie {words.replace('distance ', '', 1)} apart. {trace.sentence}", steady=False
+        title,
+        f"The centers lie {distance} apart, the radii make r1 + r2 = {told.number(reach)}. {trace.sentence}",
+        steady=False,
     )
+
+
+def each_axis(trace: Trace, *, title: str = "") -> Picture:
+    """Every test in a small picture of its own: the axis, both ranges, what it says."""
+    shapes = trace.a, trace.b
+    layouts = arrange([Group(shapes, [t], brief=True) for t in trace.tests], largest=PANEL, least=PANEL)
+    panels = []
+    for i, (test, layout) in enumerate(zip(trace.tests, layouts, strict=True)):
+        sketch = Sketch(trace, layout)
+        sketch.shapes()
+        sketch.edge(test)
+        sketch.normal(test)
+        sketch.project(test, layout.places[0], numbers=False)
+        says = "separates" if test.separates else "no gap"
+        name = telling.short_axis_name(test.axis, shapes, trace.names)
+        kind = f"normal of {name}"
+        if test.source.kind == VERTEX:
+            sketch.vertices(test.source.shape or "A", test.source.ids)
+            of, polygon = sketch.polygon(test.source.shape)
+            kind = f"nearest vertex {short_name(polygon, of, test.source.ids[0])}"
+        sketch.note("verdict", f"axis {i + 1}, {kind}: {says}", "ink", first=1)
+        panels.append(sketch.finish("", ""))
+    tests = " ".join(telling.test(trace, i) for i in range(len(trace.tests)))
+    return grid(panels, 2, title=title, sentence=f"{tests} {trace.sentence}")
 
 
 def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title: str = "") -> Picture:
@@ -130,71 +164,97 @@ def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title:
     side, circle = (test.a, trace.a) if role == "A" else (test.b, trace.b)
     assert isinstance(circle, Circle)
     name = trace.names["AB".index(role)]
-    layout = arrange([circle], [test._replace(a=side, b=side)])
+    (layout,) = arrange([Group([circle], [test._replace(a=side, b=side)])])
     place = layout.places[0]
     sketch = Sketch(trace, layout)
     sketch.shape(role, name, circle, named=False)
     sketch.axis(test, place, told=False)
     sketch.label("axis-caption", "axis, direction n", "ink", place.at(place.hi), prefer=test.axis.direction, first=1)
     sketch.add("center", "dot", role, circle.center)
+    told = telling.digits(trace, test)
     p2, p1 = side.points
     n = test.axis.direction
     if not extremes:
         rim = Vec(circle.center.x - n.y * circle.radius, circle.center.y + n.x * circle.radius)
         sketch.add("radius", "segment", role, circle.center, rim)
-        text = f"radius r = {telling.number(circle.radius)}"
+        text = f"radius r = {told.number(circle.radius)}"
         sketch.label("radius-name", text, role, sketch.middle(circle.center, rim), prefer=n, first=1)
         sketch.label("center-name", "center C", role, circle.center, prefer=Vec(0.0, -1.0), first=2)
-        words = f"A circle has no edges: its center C {telling.vector(circle.center)} and radius"
-        return sketch.finish(title, f"{words} {telling.number(circle.radius)} are all that a projection needs.")
+        words = f"A circle has no edges: its center C {told.vector(circle.center)} and radius"
+        return sketch.finish(title, f"{words} {told.number(circle.radius)} are all that a projection needs.")
     sketch.add("diameter", "segment", role, p2, p1)
     sketch.label("center-name", "C", role, circle.center, prefer=Vec(-n.y, n.x), first=2)
-    for i, point, landing, sign in (1, p1, side.landings[1], "+"), (2, p2, side.landings[0], "-"):
+    for i, point, landing, sign in (1, p1, side.landings[1], "+"), (2, p2, side.landings[0], "−"):
         spot = place.at(landing)
         sketch.add("drop", "segment", "guide", point, spot, number=i)
         sketch.add("dropped", "dot", role, point, number=i)
         sketch.add("landing", "dot", role, spot, number=i)
         away = Vec(point.x - circle.center.x, point.y - circle.center.y)
         sketch.label("dropped-name", f"P{i} = C {sign} r n", role, point, number=i, prefer=away, first=1)
-        sketch.label("landing-name", telling.number(landing), role, spot, number=i, prefer=place.out, first=1)
+        sketch.label("landing-name", told.landing(landing), role, spot, number=i, prefer=place.out, first=1)
     return sketch.finish(
         title,
-        f"The extremes along an axis of direction n = {telling.vector(n)} are P1 = C + r n {telling.vector(p1)} "
-        f"and P2 = C - r n {telling.vector(p2)}; they land at {telling.number(side.landings[1])} "
-        f"and {telling.number(side.landings[0])}.",
+        f"The extremes along an axis of direction n = {digits.vector(n)} are P1 = C + r n {told.vector(p1)} "
+        f"and P2 = C − r n {told.vector(p2)}; they land at {told.landing(side.landings[1])} "
+        f"and {told.landing(side.landings[0])}.",
     )
 
 
-def failed_lines(trace: Trace, *, most: int = 3, title: str = "") -> Picture:
-    """The lines that come nearest to separating, one a direction, each with the overlap it leaves."""
+def failed_axes(trace: Trace, *, most: int = 3, title: str = "") -> Picture:
+    """The axes that come nearest to separating, one a direction, beside how far apart the shapes really are."""
     best: list[AxisTest] = []
     for test in sorted(trace.tests, key=lambda t: -t.gap):
         if all(test.axis.direction != other.axis.direction for other in best):
             best.append(test)
-    layout = arrange([trace.a, trace.b], [])
+    shown = best[:most]
+    (layout,) = arrange([Group([trace.a, trace.b], shown, brief=True)])
     sketch = Sketch(trace, layout)
     sketch.shapes()
-    for i, test in enumerate(best[:most], 1):
-        a, b, n = test.a.interval, test.b.interval, test.axis.direction
-        middle = (max(a.lo, b.lo) + min(a.hi, b.hi)) / 2
-        ends = sketch.line_across("failed-line", Vec(n.x * middle, n.y * middle), n, "overlap", i)
-        x0, y0, x1, y1 = layout.limits
-        end = max(ends, key=lambda p: hypot(p.x - x0, p.y - y0) + (p.y - y0) * 0.1)
-        inwards = Vec((x0 + x1) / 2 - end.x, (y0 + y1) / 2 - end.y)
-        text = f"fails: gap {telling.signed(test.gap)}"
-        sketch.label("failed-line-name", text, "overlap", end, number=i, prefer=inwards, first=1)
-    worst = telling.number(best[0].gap)
+    told = telling.digits(trace, *shown)
+    for test, place in zip(shown, layout.places, strict=True):
+        sketch.axis(test, place, told=False)
+        kind = "normal of the hull alone" if test.source.kind == HULL and not _is_edge(trace, test) else "edge normal"
+        text = f"axis, {kind}\ngap {told.signed(test.gap)}"
+        wish: Wishes = {"axis": sketch.on(test), "along": (place.at(place.lo),), "prefer": place.n}
+        sketch.label("axis-caption", text, "ink", place.at(place.hi), first=1, **wish)
+        for role in "AB":
+            sketch.range(test, place, role, numbers=False)
+        sketch.gap(test, place, named=False)
+    for n, pair in enumerate(record(trace.a, trace.b).pairs, 1):
+        if pair.separating:
+            _distance(sketch, pair, pair.separating, n)
+    worst = told.signed(best[0].gap)
+    sketch.note("verdict", "No axis tested shows a gap, yet they are apart.", "ink", first=1)
     return sketch.finish(
         title,
-        f"No line separates {trace.names.a} and {trace.names.b}: the best gap is {worst}. {trace.sentence}",
+        f"No axis here separates {trace.names.a} and {trace.names.b}: the best gap is {worst}. {trace.sentence}",
         steady=False,
     )
+
+
+def _is_edge(trace: Trace, test: AxisTest) -> bool:
+    """Does the hull's edge run along one of the outline?"""
+    shape = trace.a if test.source.shape == "A" else trace.b
+    i, j = test.source.ids
+    return (j - i) % len(shape.core) in (1, len(shape.core) - 1)
+
+
+def _distance(sketch: Sketch, pair: Trace, test: AxisTest, number: int) -> None:
+    """How far apart two parts are, measured across the gap from the side of A's that faces it."""
+    sign = 1 if test.b.interval.lo >= test.a.interval.hi else -1
+    end = test.a.interval.hi if sign > 0 else test.a.interval.lo
+    facing = [p for p, t in zip(test.a.points, test.a.landings, strict=True) if t == end]
+    start = Vec(sum(p.x for p in facing) / len(facing), sum(p.y for p in facing) / len(facing))
+    stop = moved(start, test.axis.direction, sign * test.gap)
+    sketch.add("distance", "segment", "gap", start, stop, weight="strong", number=number)
+    text = telling.digits(pair, test).gap(test.gap)
+    sketch.label("distance-name", text, "gap", sketch.middle(start, stop), number=number, first=0)
 
 
 def split(trace: Trace, *, title: str = "") -> Picture:
     """Concave outlines as their parts, each part pair with the axis that separates it."""
     tests = [pair.separating for pair in trace.pairs]
-    layout = arrange([trace.a, trace.b], [t for t in tests if t], together=True)
+    (layout,) = arrange([Group([trace.a, trace.b], [t for t in tests if t])])
     sketch = Sketch(trace, layout)
     draw_parts(sketch)
     places = iter(layout.places)

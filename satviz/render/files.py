@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 from ..disk import MADE_BY
 from ..engine import telling
 from ..pictures import LIGHT, Picture, Theme
+from .fonts import families
 from .pen import Pen
 
 if TYPE_CHECKING:
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 MAKER = f"{MADE_BY} with matplotlib {matplotlib.__version__}"
 FORMATS = ("svg", "png", "pdf")
 DPI = 144  # of PNG and GIF: twice the canvas's points
-FRAME, LAST_FRAME = 1200, 4000  # milliseconds a step of a GIF stays
+FRAME, LETTER, LAST = 1000, 50, 2000  # milliseconds a step of a GIF stays: at least, more a letter, more at the end
 
 _LOCK = RLock()
 _STYLE: "dict[RcKeyType, Any]" = {
@@ -52,7 +53,7 @@ def canvas(size: tuple[float, float], theme: Theme = LIGHT) -> tuple[Figure, Pen
 def styled(more: "dict[RcKeyType, Any] | None" = None) -> Iterator[None]:
     """matplotlib's settings are the whole process's: one thread at a time changes and restores them."""
     with _LOCK, matplotlib.rc_context({**_STYLE, **(more or {})}), warnings.catch_warnings():
-        # a letter the font lacks is a square in PNG and PDF; an SVG shows it where the reader has a font
+        # said once, by name, before drawing
         warnings.filterwarnings("ignore", "Glyph .* missing")
         yield
 
@@ -60,9 +61,12 @@ def styled(more: "dict[RcKeyType, Any] | None" = None) -> Iterator[None]:
 def encode(picture: Picture, form: str, theme: Theme = LIGHT, *, stem: str = "picture") -> bytes:
     """The file of a picture: form "svg", "png" or "pdf"; `stem` seeds the ids in an SVG."""
 
+    fonts = [] if form == "svg" else families(picture.texts, form)
+
     def drawn() -> Figure:
         fig, pen = canvas(picture.size, theme)
         pen.draw(picture)
+        pen.write_in(fonts)
         return fig
 
     return encode_figure(drawn, form, stem=stem, title=picture.title or picture.sentence, sentence=picture.sentence)
@@ -113,21 +117,24 @@ def _described(svg: str, stem: str, title: str, sentence: str) -> str:
 
 
 def animate(pictures: Sequence[Picture], theme: Theme = LIGHT) -> bytes:
-    """All pictures as one GIF that plays once a round, the last one longest."""
+    """All pictures as one GIF, each as long as its words take to read."""
     from PIL import Image
 
     frames = []
+    fonts = families([text for picture in pictures for text in picture.texts], "gif")
     with styled():
         fig, pen = canvas(pictures[0].size, theme)
         agg: Any = fig.canvas  # matplotlib gives Agg's own methods no types
         for picture in pictures:
             pen.draw(picture)
+            pen.write_in(fonts)
             agg.draw()
             size = agg.get_width_height()
             frame = Image.frombuffer("RGBA", size, agg.buffer_rgba(), "raw", "RGBA", 0, 1)
             frames.append(frame.convert("RGB").quantize(128, dither=Image.Dither.NONE))
     out = io.BytesIO()
-    times = [FRAME] * (len(frames) - 1) + [LAST_FRAME]
+    times = [FRAME + LETTER * len(picture.sentence) for picture in pictures]
+    times[-1] += LAST
     comment = f"{MADE_BY}. {pictures[-1].sentence}".encode()
     frames[0].save(
         out, "GIF", save_all=True, append_images=frames[1:], duration=times, loop=0, comment=comment, optimize=False

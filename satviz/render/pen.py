@@ -75,6 +75,11 @@ class Pen:
         self._write(labels, artists)
         return artists
 
+    def write_in(self, families: Sequence[str]) -> None:
+        """Write all labels in these fonts, the first that has a letter; none: as it is."""
+        for text in self.texts if len(families) > 1 else ():
+            text.set_fontfamily(list(families))
+
     def remove(self) -> None:
         """Take everything drawn off the Axes."""
         for artist in (self.fills, self.strokes, self.solids, *self.texts):

@@ -5,7 +5,7 @@ from dataclasses import replace
 from math import hypot
 from typing import Any
 
-from ..engine import axes, telling
+from ..engine import axes, digits, telling
 from ..engine.axes import Axis, Choice, Skip, Source
 from ..engine.escape import ends_overlap
 from ..engine.geometry import InvalidScene, InvalidShape, Vec
@@ -101,7 +101,7 @@ def _data(trace: Trace, mtv: Vec | None) -> dict[str, object]:
         "relation": str(trace.relation),
         "hit": trace.hit,
         "mtv": mtv and list(mtv),
-        "sentence": telling.verdict(trace, mtv),
+        "sentence": digits.plain(telling.verdict(trace, mtv)),
     }
 
 

@@ -18,10 +18,10 @@ from ..render.files import DPI, bare, encode_figure
 TEXT, TITLE = 10.0, 13.0  # points, at final size
 # who a method is, by colour; every mark is named beside it as well
 FAMILIES = {
-    "exact": "gap",
-    "float SAT": "A",
-    "tolerance": "overlap",
-    "fewer axes": "B",
+    "exact": "exact",
+    "float SAT": "float",
+    "tolerance": "tolerance",
+    "fewer axes": "shortcut",
     "GJK": "ink",
     "library": "guide",
 }

@@ -129,16 +129,16 @@ def _shared_range(trace: Trace) -> tuple[float, ...]:
 # by verdict: what is reported, how, and its colour's role
 REPORTS: dict[bool, dict[str, tuple[Quantity, str]]] = {
     True: {
-        "depth": (_gap, "gap"),
-        "shared range": (_shared_range, "A"),
-        "MTV": (_mtv, "gap"),
-        "MTV, sign from centers": (_centers_mtv, "B"),
-        "MTV, raw normals": (_raw_mtv, "B"),
+        "depth": (_gap, "exact"),
+        "shared range": (_shared_range, "float"),
+        "MTV": (_mtv, "exact"),
+        "MTV, sign from centers": (_centers_mtv, "shortcut"),
+        "MTV, raw normals": (_raw_mtv, "shortcut"),
     },
     False: {
-        "distance": (_distance, "gap"),
-        "best gap": (_gap, "gap"),
-        "gap at early exit": (_early_gap, "B"),
+        "distance": (_distance, "exact"),
+        "best gap": (_gap, "exact"),
+        "gap at early exit": (_early_gap, "shortcut"),
     },
 }
 

@@ -165,7 +165,9 @@ def _draw(fig: Figure, theme: Theme, title: str, rows: Rows) -> None:
 
 def _mark(ax: Axes, theme: Theme, y: int, ratio: float, low: float, high: float) -> None:
     """A dot where less is left, a square where more is, a ring where that is not sure; its number at the side."""
-    role, mark, filled = ("gap", "o", True) if high < 1 else ("B", "s", True) if low > 1 else ("guide", "o", False)
+    role, mark, filled = "guide", "o", False
+    if high < 1 or low > 1:
+        role, mark, filled = ("exact", "o", True) if high < 1 else ("shortcut", "s", True)
     shade = theme.roles[role]
     ax.plot([low, high], [y, y], color=shade, lw=1.2)
     ax.plot([ratio], [y], mark, mec=shade, mfc=shade if filled else theme.paper, ms=7, mew=1.4)

@@ -31,8 +31,8 @@ GRID = 2**20
 # what is counted, its heading, role, mark and size, and is the mark hollow
 COLUMNS = (
     ("all", "all axes", "guide", "o", 9.0, True),
-    ("chosen", "chosen by\nthe engine", "A", "o", 6.5, False),
-    ("tested", "until the\nearly exit", "gap", "D", 5.0, False),
+    ("chosen", "chosen by\nthe engine", "float", "o", 6.5, False),
+    ("tested", "until the\nearly exit", "exact", "D", 5.0, False),
 )
 
 

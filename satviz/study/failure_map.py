@@ -19,11 +19,11 @@ LETTER = 17.0  # the size of A's name
 # what is wrong has a colour of its own and a hatch; what is right stays quiet
 LOOKS = {
     HIT: ("guide", 0.16, ""),
-    FALSE: ("overlap", 0.45, "////"),
-    SHORT: ("overlap", 0.45, "////"),
-    MISSED: ("gap", 0.45, "\\\\\\\\"),
-    LONG: ("gap", 0.45, "xxx"),
-    FAR: ("gap", 0.45, "xxx"),
+    FALSE: ("false", 0.45, "////"),
+    SHORT: ("false", 0.45, "////"),
+    MISSED: ("missed", 0.45, "\\\\\\\\"),
+    LONG: ("missed", 0.45, "xxx"),
+    FAR: ("missed", 0.45, "xxx"),
 }
 
 

@@ -141,7 +141,7 @@ def _draw(
     for y, row in enumerate(rows):
         role = ROLES.get(row["order"], "guide")
         ax.plot([0, row["mean_apart"]], [y, y], color=theme.roles[role], lw=1.6)
-        ax.plot([row["mean_apart"]], [y], "D" if role == "gap" else "o", color=theme.roles[role], ms=7)
+        ax.plot([row["mean_apart"]], [y], "D" if role == "exact" else "o", color=theme.roles[role], ms=7)
         at = {"textcoords": "offset points", "va": "center_baseline", "fontsize": TEXT, "annotation_clip": False}
         ink = theme.text.get(role, theme.roles[role])
         ax.annotate(f"{row['mean_apart']:.2f}", (row["mean_apart"], y), (9, 0), color=ink, **at)
@@ -151,7 +151,7 @@ def _draw(
     ax.tick_params(axis="y", length=0)
 
 
-ROLES = {GIVEN: "B", WARM: "gap"}
+ROLES = {GIVEN: "shortcut", WARM: "exact"}
 
 
 def _frames(ax: Axes, theme: Theme, first: Sequence[dict[str, Any]]) -> None:

@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 from mpl_toolkits.mplot3d import Axes3D
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
-from ..engine import telling
+from ..engine import digits
 from ..pictures import Theme
 from ..pictures import theme as look
 from ..scenes.failing import NAMED, threed
@@ -55,7 +55,7 @@ def charts(results: dict[str, Any]) -> list[Chart]:
 
 
 def _gap(row: dict[str, Any]) -> str:
-    return f"{'gap' if row['gap'] > 0 else 'overlap'} {telling.number(abs(row['gap']))}"
+    return f"{'gap' if row['gap'] > 0 else 'overlap'} {digits.number(abs(row['gap']))}"
 
 
 def _solids(fig: Figure, theme: Theme, face: dict[str, Any], best: dict[str, Any]) -> None:
@@ -112,7 +112,7 @@ def _bars(fig: Figure, theme: Theme, rows: list[dict[str, Any]], best: dict[str,
         ends = {-1: "right", 1: "left"}
         ink, shade = theme.roles["ink"], theme.text.get(role, theme.roles[role])
         ax.annotate(row["axis"], (0, y), (-5 * side, 0), ha=ends[-side], color=ink, **letters)
-        ax.annotate(telling.signed(row["gap"]), (row["gap"], y), (5 * side, 0), ha=ends[side], color=shade, **letters)
+        ax.annotate(digits.signed(row["gap"]), (row["gap"], y), (5 * side, 0), ha=ends[side], color=shade, **letters)
     least, most = (f(row["gap"] for row in rows) for f in (min, max))
     ax.set(xlim=(least * 1.3, most * 1.7), ylim=(-len(rows) - 1, 0.6))
     for y, text in (0.5, "face normals"), (-7.1, "edge × edge"):

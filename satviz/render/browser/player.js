@@ -136,8 +136,9 @@ export class Player {
   }
 
   picture(i) {
-    const { limits, size, looks, marks, steps } = this.show;
-    return { limits, size, looks, sentence: steps[i].sentence, marks: steps[i].marks.map((m) => marks[m]) };
+    const { size, looks, marks, steps } = this.show;
+    const { limits, sentence } = steps[i];
+    return { limits, size, looks, sentence, marks: steps[i].marks.map((m) => marks[m]) };
   }
 
   // Go to a step; in predict mode no further than the first question that is open.

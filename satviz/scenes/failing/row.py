@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
-from ...engine import telling
+from ...engine import digits
 from ...engine.geometry import InvalidScene, InvalidShape
 from ...engine.shapes import Shape
 from ..scenefile import Scene
@@ -60,8 +60,8 @@ class Row(NamedTuple):
             return f"refused ({answer})"
         if isinstance(answer, tuple):
             return "contact from {:g} to {:g} of the way".format(*map(float, answer))
-        return f"{self.what} {telling.signed(answer) if self.what == 'gap' else telling.number(answer)}"
+        return f"{self.what} {digits.signed(answer) if self.what == 'gap' else digits.number(answer)}"
 
     def __str__(self) -> str:
-        numbers = f"{self.told(self.wrong)}; right: {self.told(self.truth)}"
+        numbers = digits.plain(f"{self.told(self.wrong)}; right: {self.told(self.truth)}")
         return f"{self.number:2} {self.name:21} {self.claim}\n   {self.how}: {numbers}"

@@ -1,0 +1,160 @@
+"""Numbers as text: digits chosen from the gap, one unit a scene, a real minus sign."""
+
+from collections.abc import Sequence
+from fractions import Fraction
+from math import floor, isclose, log10, ulp
+from typing import NamedTuple
+
+from .geometry import Vec
+from .sat import AxisTest
+from .shapes import Shape
+
+MINUS = "\u2212"
+PLAIN = 1e-2, 1e6  # scenes of these sizes are told as they are, others in units of a power of a thousand
+FAR = 1e6  # landings beyond so many units are told from an origin near them
+MOST = 9  # decimals; a finer gap is told beside the end it is measured from
+MOST_ALONE = 6  # decimals that a narrow range, or a gap by itself, may ask for
+LARGEST = 1e15  # whole numbers beyond lose digits in float64
+
+
+class Digits(NamedTuple):
+    """How the numbers of a scene are told: so many decimals, in units of 10**power, landings from `origin` on.
+
+    `origin` counts in those units.  `fine`: so small a gap that ranges of these decimals cannot show it.
+    """
+
+    decimals: int = 3
+    power: int = 0
+    origin: int = 0
+    fine: bool = False
+
+    @property
+    def unit(self) -> str:
+        """What stands behind a number: "e9", "" where it is told as it is."""
+        return f"e{self.power}".replace("-", MINUS) if self.power else ""
+
+    def number(self, value: float) -> str:
+        """With all decimals where digits were cut, else as few as it has; never 0 for what is not 0."""
+        text = self.bare(value)
+        return _scientific(value) if "e" in text else f"{text}{self.unit}" if value else text
+
+    def gap(self, value: float) -> str:
+        """Its size, to three digits at least."""
+        return self._for(value).number(abs(value))
+
+    def signed(self, value: float) -> str:
+        """A gap: with its sign, 0 only for exactly 0."""
+        return f"{'+' if value > 0 else MINUS if value else ''}{self.gap(value)}"
+
+    def vector(self, value: Vec) -> str:
+        """(x, y) as printed."""
+        return f"({self.number(value.x)}, {self.number(value.y)})"
+
+    def landing(self, value: float) -> str:
+        """A coordinate on an axis; far out as a whole number plus the rest."""
+        return self._from_origin(self._rest(value)) if self.origin else self.number(value)
+
+    def ranges(self, test: AxisTest) -> tuple[str, str]:
+        """Both ranges of a test as printed, the ends that face each other as far apart as the gap says."""
+        a, b = test.a.interval, test.b.interval
+        left, right = (a, b) if b.lo - a.hi >= a.lo - b.hi else (b, a)
+        end, start = self._rest(left.hi), self._rest(right.lo)
+        if not test.gap:
+            start = end
+        elif self.fine:
+            start = f"{end} {'+' if test.gap > 0 else MINUS} {self._for(test.gap).bare(abs(test.gap))}"
+        told = f"[{self._rest(left.lo)}, {end}]", f"[{start}, {self._rest(right.hi)}]"
+        one, other = map(self._from_origin, told)
+        return (one, other) if left is a else (other, one)
+
+    def interval(self, lo: float, hi: float) -> str:
+        """[from, to] as printed."""
+        return self._from_origin(f"[{self._rest(lo)}, {self._rest(hi)}]")
+
+    def _for(self, gap: float) -> "Digits":
+        decimals = _needed(abs(gap) / 10.0**self.power, 3)
+        return self._replace(decimals=decimals) if self.decimals < decimals <= MOST_ALONE else self
+
+    def _from_origin(self, text: str) -> str:
+        if not self.origin:
+            return f"{text}{self.unit}"
+        whole = f"{self.origin} + {text}".replace("-", MINUS)
+        return f"({whole}){self.unit}" if self.power else whole
+
+    def _rest(self, value: float) -> str:
+        """What is left of a landing from the origin on, in units: exactly, so it has all the landing's digits."""
+        if self.origin:
+            value = float(Fraction(value) - self.origin * Fraction(10) ** self.power)
+        return self.bare(value)
+
+    def bare(self, value: float) -> str:
+        """A number in units, by a power of ten of its own where the decimals cannot show it."""
+        scaled = value / 10.0**self.power
+        text = f"{scaled + 0.0:.{self.decimals}f}"
+        if abs(scaled) >= LARGEST or (scaled and float(text) == 0):
+            return _scientific(scaled)
+        # a change of unit may cost the last bit
+        if isclose(float(text), scaled, rel_tol=1e-15 if self.power else 0.0) and "." in text:
+            text = text.rstrip("0").rstrip(".")
+        return text.replace("-", MINUS)
+
+
+def _scientific(value: float) -> str:
+    mantissa, _, power = f"{value:.3e}".partition("e")
+    return f"{mantissa}e{int(power)}".replace("-", MINUS)
+
+
+def number(value: float) -> str:
+    """A number by itself: up to three decimals."""
+    return Digits().number(value)
+
+
+def signed(value: float) -> str:
+    """The same with its sign, 0 only for exactly 0."""
+    return Digits().signed(value)
+
+
+def vector(value: Vec) -> str:
+    """(x, y) as printed, each by itself."""
+    return Digits().vector(value)
+
+
+def plain(text: str) -> str:
+    """The text with the ASCII minus that files and terminals are read with."""
+    return text.replace(MINUS, "-")
+
+
+def of_shapes(*shapes: Shape) -> Digits:
+    """The unit of a scene: 1 for ordinary sizes, else the power of a thousand that fits them."""
+    boxes = [shape.bounds for shape in shapes]
+    size = max(max(box[i + 2] for box in boxes) - min(box[i] for box in boxes) for i in (0, 1))
+    if PLAIN[0] <= size < PLAIN[1]:
+        return Digits()
+    # an infinite size is one beyond float64
+    return Digits(power=max(-300, min(300, 3 * floor(log10(min(size, 1e300)) / 3))))
+
+
+def of_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digits:
+    """One format for some tests of a scene: three digits of the least gap, and no range without a width."""
+    digits = of_shapes(*shapes)
+    unit = 10.0**digits.power
+    ranges = [side.interval for t in tests for side in (t.a, t.b)]
+    if not ranges:
+        return digits
+    lo, hi = min(r.lo for r in ranges) / unit, max(r.hi for r in ranges) / unit
+    most = max(-lo, hi)
+    held = min(MOST, floor(-log10(8 * ulp(most))))  # what float64 resolves out there
+    gap = max(_needed(abs(t.gap) / unit, 3) for t in tests)
+    width = min(max(_needed((r.hi - r.lo) / unit, 2) for r in ranges), held, MOST_ALONE)
+    least = max(0, min(held, 3), width)
+    fine = gap > held
+    origin = 0
+    if most >= FAR and hi - lo < most / 100:
+        step = 10 ** max(0, floor(log10(max(hi - lo, 1.0))) + 1)
+        origin = floor(lo / step) * step
+    return Digits(least if fine else max(least, gap), digits.power, origin, fine)
+
+
+def _needed(size: float, digits: int) -> int:
+    """Decimals that show so many digits of a size; 0 for none."""
+    return digits - 1 - floor(log10(size)) if size > 0 else 0

@@ -1,0 +1,36 @@
+"""Several pictures as one: each in its own cell, in points from the lower left corner."""
+
+from collections.abc import Sequence
+
+from ..engine.geometry import Vec
+from .marks import Mark, Picture
+
+
+def grid(pictures: Sequence[Picture], columns: int, *, title: str = "", sentence: str = "") -> Picture:
+    """The pictures row by row, each in the middle of its cell; a scene unit of the whole is a point."""
+    rows = [pictures[i : i + columns] for i in range(0, len(pictures), columns)]
+    widths = [max(row[i].size[0] for row in rows if i < len(row)) for i in range(min(columns, len(pictures)))]
+    heights = [max(picture.size[1] for picture in row) for row in rows]
+    marks: list[Mark] = []
+    top = sum(heights)
+    for r, row in enumerate(rows):
+        top -= heights[r]
+        for c, picture in enumerate(row):
+            left = sum(widths[:c]) + (widths[c] - picture.size[0]) / 2
+            marks += moved_to(picture, Vec(left, top + (heights[r] - picture.size[1]) / 2), f"{r * columns + c + 1}")
+    size = sum(widths), sum(heights)
+    return Picture(tuple(marks), (0.0, 0.0, *size), size, title, sentence)
+
+
+def moved_to(picture: Picture, corner: Vec, panel: str) -> list[Mark]:
+    """A picture's marks in points, its lower left corner there; `panel` tells them from another picture's."""
+    x0, y0, _, _ = picture.limits
+    scale = picture.scale
+
+    def there(points: Sequence[Vec]) -> tuple[Vec, ...]:
+        return tuple(Vec(corner.x + (p.x - x0) * scale, corner.y + (p.y - y0) * scale) for p in points)
+
+    return [
+        mark._replace(panel=panel, points=there(mark.points), start=there(mark.start), radius=mark.radius * scale)
+        for mark in picture.marks
+    ]

@@ -1,0 +1,131 @@
+"""Pictures hold at any scale: nothing overlaps, is clipped or invisible, and the printed numbers agree."""
+
+import math
+from itertools import combinations
+from random import Random
+
+import pytest
+from test_digits import printed_gap, sign, value
+from test_pictures import boxes, meet
+
+import satviz as sv
+from satviz.engine import telling
+from satviz.pictures.insets import SMALLEST
+
+SEEN = 5.0  # points
+
+
+def ring(rng, corners, center, size, squeeze=1.0):
+    """A convex outline of that many corners."""
+    turn, (x, y) = rng.random(), center
+    angles = sorted(rng.uniform(0, 2 * math.pi) for _ in range(corners))
+    points = [(size * math.cos(t), size * squeeze * math.sin(t)) for t in angles]
+    c, s = math.cos(turn), math.sin(turn)
+    return sv.Polygon([(x + c * p - s * q, y + s * p + c * q) for p, q in points])
+
+
+def comb(teeth, center, size):
+    """A concave outline of some teeth, so of about as many convex parts."""
+    x, y = center
+    w = size / (2 * teeth)
+    points = [(0.0, 0.0), (size, 0.0)]
+    for i in reversed(range(teeth)):
+        points += [(w * (2 * i + 2), size), (w * (2 * i + 1), size), (w * (2 * i + 1), size / 3), (w * 2 * i, size / 3)]
+    return sv.Polygon([(x + p, y + q) for p, q in points[:-1]] + [(x, y + size / 3)])
+
+
+def scene(rng):
+    """Two shapes: sizes 1e-9 to 1e9, offsets to 2**40 sizes, 3 to 60 corners, circles, needles, up to 12 parts."""
+    size = 10.0 ** rng.uniform(-9, 9)
+    far = rng.choice((0.0, 1.0, 2.0 ** rng.uniform(0, 40)))
+    center = size * far * rng.uniform(-1, 1), size * far * rng.uniform(-1, 1)
+    ratio = rng.choice((1.0, 1.0, 10.0 ** rng.uniform(-4, 0)))
+    apart = size * rng.choice((0.0, 0.5, 1.5, 2.5, 30.0))
+    where = center[0] + apart * math.cos(rng.random()), center[1] + apart * math.sin(rng.random())
+
+    def shape(spot, big):
+        kind = rng.random()
+        if kind < 0.2:
+            return sv.Circle(spot, big)
+        if kind < 0.35:
+            return comb(rng.randint(2, 12), spot, big)
+        return ring(rng, rng.choice((3, 4, 5, 12, 60)), spot, big, rng.choice((1.0, 1.0, 0.02)))
+
+    return shape(center, size), shape(where, size * ratio)
+
+
+def scenes(seed, count):
+    rng, found = Random(seed), 0
+    while found < count:
+        try:
+            a, b = scene(rng)
+            trace = sv.record(a, b)
+        except (sv.InvalidShape, sv.InvalidScene):  # corners that became one, or too many tests
+            continue
+        found += 1
+        yield trace
+
+
+def some_steps(trace, rng):
+    every = sv.steps(trace)
+    return {0, len(every) - 1, len(every) - 2, *(rng.randrange(len(every)) for _ in range(3))}
+
+
+def hold(trace, rng):
+    """All that must hold of a scene's pictures."""
+    for i in some_steps(trace, rng):
+        picture = sv.picture(trace, i)
+        placed = list(boxes(picture))
+        overlap = [(m.text, n.text) for (m, p), (n, q) in combinations(placed, 2) if meet(p, q)]
+        assert not overlap, (i, overlap)
+        width, height = picture.size
+        for mark, (left, low, right, high) in placed:
+            assert left >= 0 and low >= 0 and right <= width and high <= height, (i, mark.text)
+        for name in trace.names:
+            reach = [seen(mark, picture.scale) for mark in picture.marks if mark.owner.startswith(name)]
+            assert max(reach) >= SEEN, (i, name)
+    for run in trace.pairs or (trace,):
+        for t in run.tests:
+            told = telling.digits(run, t)
+            gap = value(told.signed(t.gap).lstrip("+"))
+            assert sign(printed_gap(told.ranges(t))) == sign(t.gap) == sign(gap), (told.ranges(t), t.gap)
+
+
+def seen(mark, scale):
+    """How large a mark of a shape is, in points."""
+    if mark.kind == "dot":
+        return mark.look.size
+    if mark.kind not in ("outline", "disc"):
+        return 0.0
+    return max(math.dist(p, q) for p in mark.points for q in mark.points) * scale + 2 * mark.radius * scale
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_pictures_hold_at_any_scale(seed):
+    rng = Random(seed)
+    for trace in scenes(seed, 6):
+        hold(trace, rng)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(100, 140))
+def test_many_more_pictures_hold_at_any_scale(seed):
+    rng = Random(seed)
+    for trace in scenes(seed, 25):
+        hold(trace, rng)
+
+
+def test_what_is_too_small_is_a_speck_and_larger_beside_the_picture():
+    tiny = sv.Polygon([(1, 0), (1.0001, 0), (1, 0.0001)])
+    picture = sv.picture(sv.record(sv.Polygon([(-1, -1), (0.9, 0), (-1, 1)]), tiny))
+    assert picture.mark("B.speck").kind == "dot" and "B, ×5,000" in picture.texts
+    shown = [p for m in picture.marks if m.part == "inset-edge" and m.owner == "B" for p in m.points]
+    assert SMALLEST < max(math.dist(p, q) for p in shown for q in shown) * picture.scale < 100
+
+
+def test_a_gap_finer_than_the_pen_is_shown_larger():
+    box = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    trace = sv.record(sv.Polygon(box), sv.Polygon([(x + 1 + 1e-12, y / 2) for x, y in box]))
+    picture = sv.picture(trace)
+    p, *_, q = picture.mark("inset-gap.1").points
+    assert 20 < math.dist(p, q) * picture.scale < 96 and any(text.startswith("gap, ") for text in picture.texts)

@@ -1,0 +1,76 @@
+"""The contact sheet: the whole run in one picture."""
+
+from itertools import combinations
+from math import cos, pi, sin
+
+import pytest
+from test_pictures import TRACES, boxes, meet
+
+import satviz as sv
+from satviz.cli import main
+from satviz.pictures.sheet import MOST_ROWS
+
+
+def gon(n, x, r=2.0):
+    return sv.Polygon([(x + r * cos(0.1 + 2 * pi * k / n), r * sin(0.1 + 2 * pi * k / n)) for k in range(n)])
+
+
+LONG = {"hit": sv.record(gon(40, 0), gon(37, 3.9)), "apart": sv.record(gon(40, 0), gon(37, 4.1))}
+FAR = sv.record(*(sv.Polygon([(7e8 + x, 6e8 + y) for x, y in s.vertices]) for s in (gon(3, 0), gon(4, 5))))
+SHEETS = {name: sv.sheet(trace) for name, trace in (TRACES | LONG | {"far": FAR}).items()}
+
+
+@pytest.mark.parametrize("name", SHEETS)
+def test_no_label_of_a_sheet_runs_over_another_or_off_it(name):
+    picture = SHEETS[name]
+    placed = list(boxes(picture))
+    assert not [(m.text, n.text) for (m, p), (n, q) in combinations(placed, 2) if meet(p, q)]
+    assert all(p[0] >= 0 and p[1] >= 0 and p[2] <= picture.size[0] and p[3] <= picture.size[1] for _, p in placed)
+    assert len({mark.id for mark in picture.marks}) == len(picture.marks)
+
+
+@pytest.mark.parametrize("name", ["triangles", "aabb", "circle-polygon", "overlap"])
+def test_bars_lie_on_one_scale_with_one_zero(name):
+    trace, picture = TRACES[name].without_early_exit(), SHEETS[name]
+    zero = next(m.points[0].x for m in picture.marks if m.part == "zero")
+    scales = []
+    for i, test in enumerate(trace.tests, 1):
+        for who, side in (("A", test.a), ("B", test.b)):
+            (p, q), (lo, hi) = picture.mark(f"{who}.range.{i}").points, side.interval
+            scales.append((q.x - p.x) / (hi - lo))
+            assert p.x == pytest.approx(zero + lo * scales[0])
+    assert scales == pytest.approx([scales[0]] * len(scales))
+
+
+def test_the_row_that_ended_the_run_is_marked_and_those_left_out_are_faint():
+    picture = SHEETS["triangles"]
+    assert [m.number for m in picture.marks if m.part == "stop"] == [2]
+    faint = {m.number for m in picture.marks if m.part == "range" and m.weight == "faint"}
+    assert faint == {3, 4, 5, 6} and picture.texts.count("not tested") == 4
+
+
+@pytest.mark.parametrize("name", LONG)
+def test_a_long_run_shows_what_tells_most_and_counts_the_rest(name):
+    trace, picture = LONG[name], SHEETS[name]
+    rows = [m for m in picture.marks if m.part == "name"]
+    rest = len(trace.without_early_exit().tests) - MOST_ROWS
+    assert len(rows) == MOST_ROWS and any(text.startswith(f"and {rest} more, best gap ") for text in picture.texts)
+    assert bool([m for m in picture.marks if m.part == "stop"]) == (name == "apart")
+
+
+def test_far_from_the_origin_the_bars_are_as_wide_as_anywhere():
+    widths = [m.points[1].x - m.points[0].x for m in SHEETS["far"].marks if m.part == "range"]
+    assert min(widths) > 20 and "0" not in SHEETS["far"].texts
+
+
+def test_draw_makes_a_sheet_of_a_long_run_and_the_steps_when_asked(tmp_path, capsys):
+    scene = sv.Scene("many-corners", gon(40, 0), gon(37, 3.9))
+    path = tmp_path / "many.json"
+    path.write_text(scene.to_json())
+    assert main(["draw", str(path), "--out", str(tmp_path / "out")]) == 0
+    assert [p.name for p in (tmp_path / "out").iterdir()] == ["many-corners-sheet.svg"]
+    assert "--steps makes those" in capsys.readouterr().out
+    assert main(["draw", "triangles", "--sheet", "--out", str(tmp_path / "short")]) == 0
+    assert [p.name for p in (tmp_path / "short").iterdir()] == ["triangles-sheet.svg"]
+    assert main(["draw", "aabb", "--steps", "--out", str(tmp_path / "steps")]) == 0
+    assert len(list((tmp_path / "steps").iterdir())) == len(sv.steps(sv.scene("aabb").record()))
