@@ -14,6 +14,7 @@ if TYPE_CHECKING:  # what is loaded at first use, as type checkers see it
     from . import batch
     from .engine.concave import parts
     from .engine.sat import AxisTest, axis_tests
+    from .engine.shortcut import Shortcut
     from .engine.trace import Trace, record
     from .pictures import Picture, Stage, Step, picture, steps
     from .pictures.curve import gap_curve
@@ -35,6 +36,7 @@ __all__ = [
     "Polygon",
     "Relation",
     "Scene",
+    "Shortcut",
     "Stage",
     "Step",
     "Trace",
@@ -61,6 +63,7 @@ _LATER = {
     "AxisTest": "engine.sat",
     "Picture": "pictures",
     "Scene": "scenes.scenefile",
+    "Shortcut": "engine.shortcut",
     "Stage": "pictures",
     "Step": "pictures",
     "Trace": "engine.trace",

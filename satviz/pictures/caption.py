@@ -11,9 +11,9 @@ MARGIN = 12.0  # points at the sides and below
 
 def captioned(pictures: Sequence[Picture]) -> list[Picture]:
     """The same pictures, all with room for the longest of their sentences under them."""
-    wrapped = [_wrapped(picture.sentence, picture.size[0] - 2 * MARGIN) for picture in pictures]
-    room = max((text_box(text)[1] for text in wrapped), default=0.0) + MARGIN
-    return [_with(picture, text, room) for picture, text in zip(pictures, wrapped, strict=True)]
+    told = [wrapped(picture.sentence, picture.size[0] - 2 * MARGIN) for picture in pictures]
+    room = max((text_box(text)[1] for text in told), default=0.0) + MARGIN
+    return [_with(picture, text, room) for picture, text in zip(pictures, told, strict=True)]
 
 
 def _with(picture: Picture, text: str, room: float) -> Picture:
@@ -25,12 +25,12 @@ def _with(picture: Picture, text: str, room: float) -> Picture:
     return picture._replace(marks=(*picture.marks, label), limits=limits, size=size)
 
 
-def _wrapped(text: str, width: float) -> str:
+def wrapped(text: str, width: float, weight: str = "plain") -> str:
     """Lines as full as the width allows."""
     lines = [""]
     for word in text.split(" "):
         longer = f"{lines[-1]} {word}".strip()
-        if lines[-1] and text_box(longer)[0] > width:
+        if lines[-1] and text_box(longer, weight)[0] > width:
             lines.append(word)
         else:
             lines[-1] = longer

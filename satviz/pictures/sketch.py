@@ -9,7 +9,7 @@ from math import hypot
 from typing import Unpack
 
 from ..engine import telling
-from ..engine.axes import CENTERS, EARLY_EXIT, EDGE, HULL, VERTEX, WORLD
+from ..engine.axes import CENTERS, EARLY_EXIT, FROM_EDGES, SLIP, VERTEX, WORLD
 from ..engine.geometry import Interval, Vec
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Polygon, Shape, centroid
@@ -94,7 +94,7 @@ class Sketch:
     def edge(self, test: AxisTest, *, told: bool = False) -> None:
         """The edge (or the line between centers or to the nearest vertex) the axis comes from."""
         (kind, _, ids), role = test.source, test.source.shape or "ink"
-        if kind in (EDGE, HULL):
+        if kind in FROM_EDGES:
             name, polygon = self.polygon(role)
             p, q = (polygon.vertices[i] for i in ids)
             self.add("edge", "segment", role, p, q, weight="strong")
@@ -122,7 +122,7 @@ class Sketch:
     def normal_arrow(self, test: AxisTest) -> Segment | None:
         """Tail and tip of the axis's direction where it comes from; None for an axis from nowhere."""
         kind, role, ids = test.source
-        if kind in (EDGE, HULL):
+        if kind in FROM_EDGES:
             _, polygon = self.polygon(role)
             start = self.middle(*(polygon.vertices[i] for i in ids))
         elif kind in (CENTERS, VERTEX):
@@ -139,8 +139,17 @@ class Sketch:
         role = test.source.shape or "ink"
         self.add("normal", "arrow", role, *arrow, weight="strong", start=arrow[:1])
         if told:
-            text = f"normal {telling.vector(test.axis.normal)}" if test.source.kind in (EDGE, HULL) else "direction"
+            what = "(dx, -dy) =" if test.source.kind == SLIP else "normal"
+            text = f"{what} {telling.vector(test.axis.normal)}" if test.source.kind in FROM_EDGES else "direction"
             self.label("normal-name", text, role, arrow[1], prefer=test.axis.direction, first=1)
+
+    def no_axis(self, test: AxisTest) -> None:
+        """The edge between two vertices in one place, which gives no axis."""
+        role = test.source.shape or "A"
+        self.vertices(role, test.source.ids[:1])
+        ends = " and ".join(short_name(self.of(role)[1], self.of(role)[0], i) for i in test.source.ids)
+        text = f"{ends} lie in one place: no normal but (0, 0),\non which every point lands at 0"
+        self.note("no-axis", text, "ink", first=1)
 
     def all_normals(self) -> None:
         """A small outward arrow on every edge."""

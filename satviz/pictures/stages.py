@@ -77,15 +77,7 @@ def picture(
 
     `largest`: the canvas in points at most.  IndexError for a step the trace does not have.
     """
-    every = steps(trace)
-    if not isinstance(step, Step):
-        if not isinstance(step, SupportsIndex):
-            raise TypeError(f"step is {step!r}: pass a number or a Step")
-        if not -len(every) <= step < len(every):
-            raise IndexError(f"step {step}: this trace has the steps 0 to {len(every) - 1}")
-        step = every[step]
-    elif step not in every:
-        raise IndexError(f"{step}: this trace has no such step")
+    step = chosen(trace, step)
     layout = scene_layout(trace, largest)
     run = trace if step.pair is None else trace.pairs[step.pair]
     sketch = Sketch(run, layout)
@@ -102,6 +94,20 @@ def picture(
         if step.stage is Stage.VERDICT:
             draw_verdict(sketch, layout.places)
     return sketch.finish(title, sentence(run, step), steady=step.stage is not Stage.VERDICT)
+
+
+def chosen(trace: Trace, step: int | Step) -> Step:
+    """A step by its number in `steps(trace)`, or itself; IndexError for one the trace does not have."""
+    every = steps(trace)
+    if not isinstance(step, Step):
+        if not isinstance(step, SupportsIndex):
+            raise TypeError(f"step is {step!r}: pass a number or a Step")
+        if not -len(every) <= step < len(every):
+            raise IndexError(f"step {step}: this trace has the steps 0 to {len(every) - 1}")
+        step = every[step]
+    elif step not in every:
+        raise IndexError(f"{step}: this trace has no such step")
+    return step
 
 
 @lru_cache(maxsize=64)
@@ -136,6 +142,8 @@ def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace) -> None:
     test = trace.tests[i]
     done = OF_A_TEST.index(stage)
     sketch.shapes()
+    if not any(test.axis.normal):
+        return sketch.no_axis(test)
     sketch.edge(test, told=stage in (Stage.EDGE, Stage.NORMAL))
     if Stage.NORMAL in OF_A_TEST[: done + 1]:
         sketch.normal(test, told=stage in (Stage.NORMAL, Stage.AXIS))
@@ -173,10 +181,11 @@ def draw_parts(sketch: Sketch) -> None:
 FALSE_HIT = "a false hit: the axes tested show no gap"
 
 
-def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace]) -> None:
+def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace], *, told: bool = True) -> None:
     """What proves the verdict: a separating line, a shared point, the move that parts them."""
     trace = sketch.trace
-    sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
+    if told:
+        sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
     if trace.false_hit:
         sketch.note("false-hit", FALSE_HIT, "overlap", first=2)
     certificate = trace.certificate
@@ -204,11 +213,16 @@ def draw_move(sketch: Sketch) -> None:
     move = trace.known_mtv
     if trace.relation is not Relation.OVERLAPPING or move is None:
         return
-    ghost = shifted(trace.b, move)
-    sketch.shape("B", f"{trace.names.b} moved", ghost, weight="faint", named=False)
     certificate = trace.certificate
     assert isinstance(certificate, SharedPoint)  # as of all that overlap
-    start, tip = certificate.point, moved(certificate.point, move, 1.0)
+    draw_mtv(sketch, certificate.point, move)
+
+
+def draw_mtv(sketch: Sketch, start: Vec, move: Vec) -> None:
+    """The move from a point in both, and B there."""
+    ghost = shifted(sketch.trace.b, move)
+    sketch.shape("B", f"{sketch.trace.names.b} moved", ghost, weight="faint", named=False)
+    tip = moved(start, move, 1.0)
     sketch.add("mtv", "arrow", "overlap", start, tip, weight="strong", start=(start,))
     sketch.label("mtv-name", f"MTV {telling.vector(move)}", "overlap", tip, prefer=move, first=3)
 

@@ -10,6 +10,8 @@ EXAMPLES = {
     "satviz.record": f"{TWO}\nsv.record(a, b)",
     "satviz.Trace": f"{TWO}\ntrace = sv.record(a, b)\nprint(trace.sentence)\ntrace.certificate",
     "satviz.axis_tests": f"{TWO}\n[test.gap for test in sv.axis_tests(a, b, sv.axes.world(a, b).axes)]",
+    "satviz.Shortcut": f"{TWO}\nonly_y = sv.Shortcut('only y', 'y is enough', sv.axes.directions((0, 1)))\n"
+    "sv.picture(sv.record(a, b, axes=only_y))",
     "satviz.parts": "ell = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])\nsv.parts(ell)",
     "satviz.scene": 'sv.scene("circle-polygon")',
     "satviz.steps": 'sv.steps(sv.scene("triangles").record())[:4]',

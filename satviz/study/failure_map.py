@@ -13,7 +13,8 @@ from ..pictures import Mark, Picture, Theme
 from ..pictures.labels import holds, name_spots
 from ..render.pen import Pen
 from ..scenes.failing import Row
-from .failures import FALSE, FAR, HIT, LONG, MISSED, SHORT, Slide, reference
+from ..scenes.shortcuts import middle
+from .failures import FALSE, FAR, HIT, LONG, MISSED, SHORT, Slide
 
 LETTER = 17.0  # the size of A's name
 # what is wrong has a colour of its own and a hatch; what is right stays quiet
@@ -41,7 +42,7 @@ def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme, *, named: bool = Tr
     x0, y0, x1, y1 = view = limits(slide, row)
     width = ax.get_position().width * ax.figure.get_size_inches()[0] * 72
     scale = width / (x1 - x0)
-    at = reference(row.b)
+    at = middle(row.b)
     marks = [_outline("A", row.a), _outline("B", row.b, weight="faint"), Mark("reference", "dot", "B", (at,))]
     if named:
         marks.append(Mark("name", "label", "A", (_name_spot(row, scale),), owner="A", text="A", weight="title"))
@@ -62,7 +63,7 @@ def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme, *, named: bool = Tr
 def _name_spot(row: Row, scale: float) -> Vec:
     """Where A's name stands: inside it and off B's middle, or above where A is too flat for a letter."""
     x0, _, _, y1 = row.a.bounds
-    at, room = reference(row.b), LETTER / scale
+    at, room = middle(row.b), LETTER / scale
     spots = [p for p in name_spots(row.a) if hypot(p.x - at.x, p.y - at.y) > 1.3 * room]
     roomy = [p for p in spots if _within(row.a, p, room / 2)]
     return (roomy or [Vec(x0 + room, y1 + room / 2)])[0]

@@ -13,9 +13,11 @@ from typing import Any, NamedTuple
 
 from ..engine.concave import parts
 from ..engine.geometry import Relation, Vec
-from ..engine.shapes import Circle, Polygon, Shape
-from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, ROWS, Row, pushes
-from ..scenes.failing.pushes import mean
+from ..engine.shapes import Polygon, Shape
+from ..engine.trace import Trace, record
+from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, ROWS, Row
+from ..scenes.failing.reading import moved
+from ..scenes.shortcuts import middle
 from . import swept, threed, truth
 from .cells import Cell, Settings
 from .chart import Chart
@@ -28,19 +30,14 @@ WRONG = {
     LONG: ("push too long", "pushes too long"),
     FAR: ("wrong distance", "wrong distances"),
 }
-PUSHES: dict[str, Callable[[Shape, Shape], Vec]] = {
-    "repeated-vertex": pushes.push_raw,
-    "raw-depth": pushes.push_raw,
-    "sum-of-parts": pushes.push_of_halves,
-    "push-from-center": pushes.push_from_center,
-    "range-inside": pushes.push_flat_overlap,
-}
+PUSHES = "repeated-vertex", "raw-depth", "sum-of-parts", "push-from-center", "range-inside", "tile-seam"
 DISTANCES = ("gap-as-distance",)
 # no methods of their own for two shapes in the plane: row 3's again, boxes in space, frames in time
 OTHERS = "line-for-axis", "faces-in-3d", "tunnelling"
 VERDICTS = (*(r.name for r in ROWS if r.how in (FALSE_HIT, MISSED_HIT) and r.name not in OTHERS), "touch-on-paper")
 METHODS = tuple(row.name for row in ROWS if row.name in {*VERDICTS, *PUSHES, *DISTANCES})
-ALONG_CONTACT = "unit-normals"  # wrong at exact contact only: B goes round A and touches it all the way
+# wrong at exact contact only: B goes round A and touches it all the way
+ALONG_CONTACT = "unit-normals", "touch-as-apart"
 ON_PAPER = "touch-on-paper"
 A_LITTLE = 1 + 2.0**-20  # a push this much longer leaves a rounding's worth of overlap
 
@@ -101,8 +98,8 @@ def slide(name: str, n: int) -> dict[str, Any]:
     """The Slide of a method over n x n positions, as JSON values."""
     row = NAMED[name]
     judge = _judge(row)
-    at = reference(row.b)
-    if name == ALONG_CONTACT:
+    at = middle(row.b)
+    if name in ALONG_CONTACT:
         moves = list(contacts(row.a, row.b, n))
         codes = ["".join(judge(row.a, moved(row.b, move)) for move in moves)]
         return Slide(name, *at, 0.0, 0.0, codes, [[at.x + m.x, at.y + m.y] for m in moves])._asdict()
@@ -112,52 +109,36 @@ def slide(name: str, n: int) -> dict[str, Any]:
     return Slide(name, at.x + i0 * dx, at.y + j0 * dy, dx, dy, codes, [])._asdict()
 
 
-def reference(shape: Shape) -> Vec:
-    """The point by which B is moved about: its middle."""
-    return shape.center if isinstance(shape, Circle) else mean(shape)
-
-
-def moved(shape: Shape, move: Vec) -> Shape:
-    """The shape elsewhere, its coordinates rounded: what both the shortcut and the oracle are asked about."""
-    if isinstance(shape, Circle):
-        return Circle((shape.center.x + move.x, shape.center.y + move.y), shape.radius)
-    return Polygon([(x + move.x, y + move.y) for x, y in shape.vertices], shape.labels)
-
-
 def relation(a: Shape, b: Shape) -> Relation:
     """The exact relation; of concave outlines the closest one of their parts."""
     return max(truth.relation(p, q) for p in parts(a) for q in parts(b))
 
 
 def _judge(row: Row) -> Callable[[Shape, Shape], str]:
-    """A function that gives the letter of a pair of shapes."""
-    if row.name in PUSHES:
-        push = PUSHES[row.name]
-        return lambda a, b: _of_push(a, b, push)
-    if row.name in DISTANCES:
-        return lambda a, b: _of_distance(a, b, row.shortcut)
-
-    def of_verdict(a: Shape, b: Shape) -> str:
-        says, is_hit = row.shortcut(a, b) <= 0, bool(relation(a, b))
-        return (HIT if is_hit else FALSE) if says else (MISSED if is_hit else APART)
-
-    return of_verdict
+    """The letter of a pair of shapes: what the shortcut's own run says, held against rationals."""
+    of = _of_push if row.name in PUSHES else _of_distance if row.name in DISTANCES else _of_verdict
+    return lambda a, b: of(record(a, b, axes=row.shortcut), row)
 
 
-def _of_push(a: Shape, b: Shape, push: Callable[[Shape, Shape], Vec]) -> str:
-    if relation(a, b) is not Relation.OVERLAPPING:
+def _of_verdict(run: Trace, row: Row) -> str:
+    says, is_hit = run.claim, bool(relation(run.a, run.b))
+    return (HIT if is_hit else FALSE) if says else (MISSED if is_hit else APART)
+
+
+def _of_push(run: Trace, row: Row) -> str:
+    if relation(run.a, run.b) is not Relation.OVERLAPPING:
         return APART
-    x, y = push(a, b)
-    if relation(a, moved(b, Vec(x * A_LITTLE, y * A_LITTLE))) is Relation.OVERLAPPING:
+    x, y = run.push or Vec(0.0, 0.0)
+    if relation(run.a, moved(run.b, Vec(x * A_LITTLE, y * A_LITTLE))) is Relation.OVERLAPPING:
         return SHORT
-    return LONG if x * x + y * y > depth2(a, b) * A_LITTLE else HIT
+    return LONG if x * x + y * y > depth2(run.a, run.b) * A_LITTLE else HIT
 
 
-def _of_distance(a: Polygon, b: Polygon, says: Callable[[Shape, Shape], float]) -> str:
-    right = truth.distance2(a, b)
+def _of_distance(run: Trace, row: Row) -> str:
+    right = truth.distance2(run.a, run.b)
     if not right:
         return HIT
-    gap = says(a, b)
+    gap = row.read(run)
     return APART if gap > 0 and right / A_LITTLE < gap * gap < right * A_LITTLE else FAR
 
 

@@ -1,0 +1,351 @@
+"""Belief beside truth: what a shortcut saw, and what is, side by side in one picture on one scale."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import lru_cache
+from typing import NamedTuple
+
+from ..engine import telling
+from ..engine.axes import Choice, hull_normals
+from ..engine.certificate import SeparatingLine, SharedPoint
+from ..engine.geometry import Vec
+from ..engine.sat import AxisTest, axis_tests
+from ..engine.shapes import Shape, centroid
+from ..engine.trace import Trace, record
+from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, Row
+from ..scenes.failing.reading import OF_PUSHES
+from . import belief_rows, stages
+from .belief_rows import Panel
+from .caption import wrapped
+from .labels import Request, with_labels
+from .layout import HEIGHT, WIDTH, Layout, arrange, moved, text_box
+from .marks import Mark, Picture
+from .sketch import Sketch
+from .stages import Stage, Step, draw_mtv, draw_parts, draw_test, draw_verdict, others, separating_line, shifted
+
+SAW, IS = "what the shortcut saw", "what is"
+PANEL = 340.0, 300.0  # the largest, in points
+BETWEEN, HEAD, RIM = 20.0, 24.0, 10.0  # points between the panels, for each one's heading, round the words above
+
+
+def picture(
+    trace: Trace, step: int | Step = -1, *, title: str = "", largest: tuple[float, float] = (WIDTH, HEIGHT)
+) -> Picture:
+    """The picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
+
+    A shortcut's trace gives two panels: the step as the shortcut takes it, and what is.
+    `largest`: the canvas in points at most.  IndexError for a step the trace does not have.
+    """
+    if not isinstance(trace, Trace) or not trace.shortcut:
+        return stages.picture(trace, step, title=title, largest=largest)
+    step = stages.chosen(trace, step)
+    panel = PANEL if largest == (WIDTH, HEIGHT) else ((largest[0] - BETWEEN) / 2, largest[1] - 4 * HEAD)
+    saw, last = _saw(trace, step, panel), _believed(trace, panel)
+    sizes = last.size, _layout(trace, panel).size, _steps_layout(trace, panel).size
+    return _beside(trace, saw, _what_is(trace, panel), sizes, title)
+
+
+def row_of(trace: Trace) -> Row | None:
+    """The row of satviz's own shortcuts; None for one's own."""
+    row = NAMED.get(trace.shortcut.name) if trace.shortcut else None
+    return row if row and row.shortcut == trace.shortcut else None
+
+
+def _own(panels: dict[str, Panel], trace: Trace) -> Panel | None:
+    return panels.get(trace.shortcut.name) if trace.shortcut and row_of(trace) else None
+
+
+# -- what is said
+
+
+class Said(NamedTuple):
+    """Both answers in words, and whether the shortcut's is wrong."""
+
+    wrong: str
+    right: str
+    is_wrong: bool
+
+
+@lru_cache(maxsize=64)
+def said(trace: Trace) -> Said:
+    """What a shortcut's run says of its shapes, and what satviz says."""
+    assert trace.shortcut
+    row = row_of(trace)
+    if row is None:
+        return Said(str(trace.claim), str(trace.relation), bool(trace.claim) is not trace.hit)
+    number, truth = row.read(trace), row.right(trace.a, trace.b)
+    if row.how in (FALSE_HIT, MISSED_HIT) and not isinstance(truth, tuple):
+        words = f"{trace.claim}, {row.told(number)}", f"{trace.relation}, {row.told(truth)}"
+        return Said(*words, bool(trace.claim) is not trace.hit)
+    return Said(row.told(number), row.told(truth), number != truth)
+
+
+def verdicts(trace: Trace) -> tuple[str, str]:
+    """The claim and the relation in a word each."""
+    row = row_of(trace)
+    own = belief_rows.VERDICTS.get(row.name) if row else None
+    return own or (str(trace.claim), str(trace.relation))
+
+
+def _best(trace: Trace) -> float:
+    return max((test.gap for test in trace.tests), default=0.0)
+
+
+def heading(trace: Trace) -> tuple[str, str]:
+    """The claim, and what is wrong with it."""
+    assert trace.shortcut
+    found = said(trace)
+    claim = f"Claim: {trace.shortcut.claim}."
+    if found.is_wrong:
+        return claim, f"Wrong: {found.wrong}. Right: {found.right}."
+    return claim, f"Here it happens to be right: {found.right}."
+
+
+# -- the two panels
+
+
+@lru_cache(maxsize=64)
+def _layout(trace: Trace, largest: tuple[float, float]) -> Layout:
+    """Both panels' at last: a place for each test that the shortcut goes by, then one for the true one."""
+    truth = true_test(trace)
+    return arrange(_drawn(trace), [*believed_tests(trace), *([truth] if truth else [])], largest=largest)
+
+
+@lru_cache(maxsize=64)
+def _steps_layout(trace: Trace, largest: tuple[float, float]) -> Layout:
+    """That of all steps before, so that nothing jumps between them."""
+    return arrange(_drawn(trace), [t for run in trace.pairs or (trace,) for t in run.tests], largest=largest)
+
+
+def _drawn(trace: Trace) -> list[Shape]:
+    """The shapes, and where B is moved to, which must fit too."""
+    moves = [move for move in (trace.push, trace.truth.known_mtv) if move is not None]
+    return [trace.a, trace.b, *(shifted(trace.b, move) for move in moves)]
+
+
+def _saw(trace: Trace, step: Step, largest: tuple[float, float]) -> Picture:
+    """A step of the shortcut's run; at last its number, struck out where it is wrong."""
+    layout = _steps_layout(trace, largest)
+    run = trace if step.pair is None else trace.pairs[step.pair]
+    sketch = Sketch(run, layout)
+    if step.pair is not None:
+        others(sketch, trace, run)
+    if step.test is not None:
+        before = sum(len(pair.tests) for pair in trace.pairs[: step.pair or 0])
+        draw_test(sketch, step.stage, step.test, layout.places[before + step.test])
+    elif step.stage is Stage.VERDICT:
+        return _believed(trace, largest)
+    else:
+        sketch.shapes()
+    return sketch.finish("", stages.sentence(run, step))
+
+
+@lru_cache(maxsize=64)
+def _believed(trace: Trace, largest: tuple[float, float]) -> Picture:
+    """The tests that the shortcut goes by, what it says, and where it would push B."""
+    own = _own(belief_rows.SAW, trace)
+    sketch = own(trace, largest) if own else _tests_believed(trace, largest)
+    if word := verdicts(trace)[0]:
+        sketch.note("claim", word, "ink", weight="title", first=1)
+    row = row_of(trace)
+    if row and row.what != "gap":
+        sketch.note("number", said(trace).wrong, "ink", first=2)
+    return _struck(sketch.finish("", trace.sentence, steady=False), trace)
+
+
+def _tests_believed(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    layout = _layout(trace, largest)
+    sketch = Sketch(trace, layout)
+    sketch.shapes()
+    told = believed_tests(trace)
+    for test, place in zip(told, layout.places, strict=False):
+        if any(test.axis.normal):
+            if len(told) == 1:
+                sketch.edge(test)
+                sketch.normal(test)
+            sketch.project(test, place, drops=len(told) == 1)
+        else:
+            sketch.no_axis(test)
+    if len(told) < len(trace.tests) and not trace.ended_by:
+        sketch.note("tested", f"the least overlap of {len(trace.tests)} axes", "guide", first=7)
+    draw_push(sketch)
+    return sketch
+
+
+def believed_tests(trace: Trace) -> list[AxisTest]:
+    """The tests that the answer comes from: the one that ended the run; else all if they are two, or the least."""
+    if trace.ended_by:
+        return [trace.ended_by]
+    return list(trace.tests) if len(trace.tests) == 2 else [trace.shallowest] if trace.shallowest else []
+
+
+def draw_push(sketch: Sketch) -> None:
+    """B where the shortcut would push it, if that is what it is about."""
+    trace = sketch.trace
+    row = row_of(trace)
+    if row is None or row.read not in OF_PUSHES or not trace.push:
+        return
+    middle = centroid(trace.b)
+    tip = moved(middle, trace.push, 1.0)
+    if any(trace.push):
+        sketch.shape("B", f"{trace.names.b} pushed", shifted(trace.b, trace.push), weight="faint", named=False)
+        sketch.add("push", "arrow", "overlap", middle, tip, weight="strong", start=(middle,))
+    text = f"push {telling.vector(trace.push)}"
+    sketch.label("push-name", text, "overlap", tip, prefer=trace.push if any(trace.push) else Vec(0.0, 1.0), first=3)
+
+
+GAPS = "gap", "depth"  # numbers that are read off the ranges
+
+
+def _struck(drawn: Picture, trace: Trace) -> Picture:
+    """The picture with a line through every answer that is wrong."""
+    found = said(trace)
+    if not found.is_wrong:
+        return drawn
+    claim, verdict = verdicts(trace)
+    row, read = row_of(trace), {str(trace.tests.index(t) + 1) for t in believed_tests(trace) if t.gap == _best(trace)}
+    wrong = {"push-name", "number"} | ({"claim"} if claim != verdict else set())
+    wrong |= {"gap-name"} if claim != verdict or (row and row.what in GAPS) else set()
+    labels = (mark for mark in drawn.marks if mark.kind == "label" and mark.part in wrong)
+    struck = [_strike(mark, drawn.scale) for mark in labels if mark.part != "gap-name" or mark.axis in read]
+    return drawn._replace(marks=(*drawn.marks, *struck))
+
+
+def _strike(label: Mark, scale: float) -> Mark:
+    """A line through a label."""
+    half = text_box(label.text, label.weight)[0] / 2 / scale
+    (x, y) = label.points[0]
+    ends = Vec(x - half, y), Vec(x + half, y)
+    return Mark(f"{label.part}-strike", "segment", "ink", ends, label.owner, label.axis, label.number)
+
+
+def true_test(trace: Trace) -> AxisTest | None:
+    """What to show of the truth: the axis that separates best, or the shortcut's own axis with its true ranges."""
+    run = true_run(trace)
+    if run.pairs:
+        return None
+    best = max(run.tests, key=lambda test: test.gap)
+    ended = trace.ended_by
+    if best.gap > 0 or ended is None or not any(ended.axis.normal):
+        return best
+    return next(axis_tests(trace.a, trace.b, [ended.axis]))
+
+
+@lru_cache(maxsize=64)
+def true_run(trace: Trace) -> Trace:
+    """The exact run; of concave outlines that over their hulls where a line separates them."""
+    truth = trace.truth
+    if not truth.pairs:
+        return truth
+    hull = record(trace.a, trace.b, axes=hull_normals, every_axis=True)
+    return hull if hull.separating else truth
+
+
+@lru_cache(maxsize=64)
+def _what_is(trace: Trace, largest: tuple[float, float]) -> Picture:
+    """What proves the truth: the separating axis and line, or the contact, the true ranges and the way out."""
+    own = _own(belief_rows.IS, trace)
+    sketch = own(trace, largest) if own else _proof(trace, largest)
+    if word := verdicts(trace)[1]:
+        sketch.note("verdict", word, "ink", weight="title", first=1)
+    row = row_of(trace)
+    if row and row.what != "gap":
+        sketch.note("number", said(trace).right, "ink", first=2)
+    return sketch.finish("", trace.truth.sentence, steady=False)
+
+
+def _proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    layout = _layout(trace, largest)
+    run, test = true_run(trace), true_test(trace)
+    if test is None:
+        sketch = Sketch(run, layout)
+        draw_parts(sketch)
+        draw_verdict(sketch, layout.places, told=False)
+        return sketch
+    run = replace(run, choice=Choice((test.axis,), complete=run.choice.complete), tests=(test,))
+    place = layout.places[-1]
+    sketch = Sketch(run, layout)
+    sketch.shapes()
+    certificate = trace.truth.certificate if trace.hit else run.certificate
+    if isinstance(certificate, SeparatingLine):
+        separating_line(sketch, certificate)
+    elif isinstance(certificate, SharedPoint):
+        sketch.add("shared", "dot", "ink", certificate.point)
+        sketch.label("shared-name", "in both", "ink", certificate.point, first=4)
+        move = trace.truth.known_mtv
+        if move and any(move):
+            draw_mtv(sketch, certificate.point, move)
+    sketch.project(test, place, drops=False)
+    return sketch
+
+
+# -- refused at the door
+
+
+def refused(row: Row, *, title: str = "") -> Picture:
+    """The outlines of a row that the engine refuses, and the reason."""
+    rings = [[Vec(*map(float, point)) for point in ring] for ring in (row.a, row.b) if not isinstance(ring, Shape)]
+    xs, ys = [p.x for ring in rings for p in ring], [p.y for ring in rings for p in ring]
+    k = 260.0 / max(max(xs) - min(xs), max(ys) - min(ys))
+    width, low = 2 * PANEL[0] + BETWEEN, (max(ys) - min(ys)) * k + 80.0
+    off = Vec((width - (max(xs) - min(xs)) * k) / 2 - min(xs) * k, 40.0 - min(ys) * k)
+    marks, requests = [], []
+    for name, ring in zip("AB", rings, strict=True):
+        spots = [Vec(off.x + p.x * k, off.y + p.y * k) for p in ring]
+        marks.append(Mark("outline", "outline", name, tuple(spots), owner=name))
+        middle = Vec(sum(p.x for p in spots) / len(spots), sum(p.y for p in spots) / len(spots))
+        requests.append(Request("name", name, name, middle, owner=name, weight="title", inside=True))
+        for i, spot in enumerate(spots):
+            marks.append(Mark("vertex", "dot", name, (spot,), owner=name, number=i))
+            away = Vec(spot.x - middle.x, spot.y - middle.y + 1e-3)
+            label = f"{name.lower()}{i + 1}"
+            requests.append(Request("vertex-name", label, name, spot, owner=name, number=i, prefer=away))
+    layout = Layout((0.0, 0.0, width, low), (width, low), ())
+    drawn = with_labels(marks, requests, layout, steady=False, keep_off=())
+    return _under(f"Claim: {row.claim}.", f"Refused: {row.truth}.", width, low, drawn, title or row.claim)
+
+
+# -- put together
+
+
+def _beside(trace: Trace, saw: Picture, truth: Picture, sizes: Sequence[tuple[float, float]], title: str) -> Picture:
+    """Both panels under the claim, in points, with room for each of these sizes: all steps are as large."""
+    half, low = (max(size[k] for size in (*sizes, saw.size, truth.size)) for k in (0, 1))
+    width = 2 * half + BETWEEN
+    marks = []
+    for prefix, name, panel, x in ("saw", SAW, saw, 0.0), ("is", IS, truth, half + BETWEEN):
+        spot = Vec(x + half / 2, low + HEAD / 2)
+        marks.append(Mark(f"{prefix}-heading", "label", "guide", (spot,), text=name))
+        marks += _placed(panel, prefix, Vec(x + (half - panel.size[0]) / 2, low - panel.size[1]))
+    between = Vec(width / 2, 8.0), Vec(width / 2, low + HEAD - 4.0)
+    marks.append(Mark("between", "segment", "guide", between))
+    return _under(*heading(trace), width, low + HEAD, marks, title)._replace(sentence=saw.sentence)
+
+
+def _under(claim: str, wrong: str, width: float, low: float, below: Sequence[Mark], title: str) -> Picture:
+    """Marks, in points, under the claim and what is wrong with it."""
+    texts = [(wrapped(claim, width - 2 * RIM, "title"), "title"), (wrapped(wrong, width - 2 * RIM), "plain")]
+    height = round(low + sum(text_box(*text)[1] + 4.0 for text in texts) + RIM)
+    marks, top = [], height - RIM
+    for part, (text, weight) in zip(("heading", "wrong"), texts, strict=True):
+        tall = text_box(text, weight)[1]
+        marks.append(Mark(part, "label", "ink", (Vec(width / 2, top - tall / 2),), text=text, weight=weight))
+        top -= tall + 4.0
+    limits = 0.0, 0.0, float(width), float(height)
+    return Picture((*marks, *below), limits, (float(width), float(height)), title, f"{claim} {wrong}")
+
+
+def _placed(panel: Picture, prefix: str, corner: Vec) -> list[Mark]:
+    """A panel's marks in points, from that corner on."""
+    x0, y0, _, _ = panel.limits
+    k = panel.scale
+
+    def at(points: tuple[Vec, ...]) -> tuple[Vec, ...]:
+        return tuple(Vec(corner.x + (p.x - x0) * k, corner.y + (p.y - y0) * k) for p in points)
+
+    return [
+        mark._replace(
+            part=f"{prefix}-{mark.part}", points=at(mark.points), start=at(mark.start), radius=mark.radius * k
+        )
+        for mark in panel.marks
+    ]
