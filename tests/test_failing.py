@@ -27,6 +27,7 @@ from satviz.scenes.failing import (
     swept,
     threed,
     unchecked,
+    where,
 )
 from satviz.scenes.named import names
 from satviz.scenes.shortcuts import NAMED as SHORTCUTS
@@ -453,3 +454,48 @@ def test_swept_contact_is_where_rationals_say_touching_apart_before_and_after():
         if leave - enter > 1e-6:
             assert at(enter + 1e-9) and at(leave - 1e-9)
     assert 40 < met < 200
+
+
+# -- where a shortcut is wrong as B moves
+
+
+def holds(ring, p):
+    """Is the point in a convex counter-clockwise ring?"""
+    edges = zip(ring, (*ring[1:], ring[0]), strict=True)
+    return all((q.x - r.x) * (p.y - r.y) - (q.y - r.y) * (p.x - r.x) >= 0 for r, q in edges)
+
+
+def window(a, b):
+    (x0, y0, x1, y1), (p0, q0, p1, q1) = a.bounds, b.bounds
+    return x0 - p1 - 1, y0 - q1 - 1, x1 - p0 + 1, y1 - q0 + 1
+
+
+@each_scene
+def test_the_map_says_wherever_b_is_put_what_the_run_says_there(row):
+    x0, y0, x1, y1 = view = window(row.a, row.b)
+    found = where.lies(row.a, row.b, row.shortcut, view)
+    if found is None:
+        assert row.name in ("unit-normals", "one-maximum", "sum-of-parts", "tile-seam")
+        return
+    rng = Random(row.number)
+    for _ in range(150):
+        move = sv.Vec(rng.uniform(x0, x1), rng.uniform(y0, y1))
+        run = sv.record(row.a, reading.moved(row.b, move), axes=row.shortcut)
+        if isinstance(row.b, sv.Circle) and abs(right.gap(run.a, run.b)) < 0.01:
+            continue  # a round rim is drawn with many corners
+        said = [any(holds(ring, move) for ring in rings) for rings in found[:3]]
+        assert said == [run.false_hit, run.missed_hit, run.hit], move
+
+
+def test_the_maps_boundaries_are_those_of_the_difference_of_both():
+    found = where.lies(*NAMED["aabb-turned"].shapes, SHORTCUTS["aabb-turned"], (-9, -9, 9, 9))
+    (hits,) = found.hits
+    assert {(round(x, 12), round(y, 12)) for x, y in hits} == {(-3.5, -1.5), (-1.5, -3.5), (0.5, -1.5), (-1.5, 0.5)}
+    spots = {(round(x, 12), round(y, 12)) for ring in found.false_hits for x, y in ring}
+    assert {(0.5, 0.5), (-3.5, 0.5), (0.5, -3.5), (-3.5, -3.5)} <= spots  # the corners of the boxes' difference
+
+
+def test_a_shortcut_that_calls_touching_apart_is_wrong_along_the_rim_alone():
+    row = NAMED["touch-as-apart"]
+    found = where.lies(row.a, row.b, row.shortcut, window(row.a, row.b))
+    assert found.touching and not found.false_hits and not found.missed_hits and len(found.hits) == 1

@@ -10,9 +10,12 @@ from matplotlib.text import Text
 from mpl_toolkits.mplot3d.art3d import Text3D
 
 import satviz as sv
+from satviz.engine.axes import needed
 from satviz.pictures import LIGHT
 from satviz.scenes.article import box
 from satviz.scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, REFUSED, ROWS
+from satviz.scenes.failing.reading import moved
+from satviz.scenes.shortcuts import middle
 from satviz.study import failures, swept, threed, truth
 from satviz.study.cells import Settings
 from satviz.study.failures import APART, FALSE, FAR, HIT, LONG, METHODS, MISSED, SHORT, WRONG, Slide
@@ -51,7 +54,7 @@ def test_a_map_is_the_same_each_time_and_goes_through_json(name):
 def test_the_scene_itself_is_on_the_map_and_wrong_there(name):
     if name == "touch-on-paper":  # wrong by a number, not by a verdict
         return
-    code, off = code_at(small(name), failures.reference(NAMED[name].b))
+    code, off = code_at(small(name), middle(NAMED[name].b))
     assert off < (0.2 if small(name).path else 1e-9) and code in WRONG
 
 
@@ -66,26 +69,27 @@ def test_the_shortcut_is_wrong_somewhere_in_the_way_its_row_says(name):
         assert found & ({SHORT, LONG} if name in failures.PUSHES else {FAR})
 
 
-@pytest.mark.parametrize("name", [row.name for row in ROWS if row.axes and row.name in METHODS])
+LEAVING_OUT = [row.name for row in ROWS if row.shortcut.choose is not needed and row.shortcut.measure is None]
+
+
+@pytest.mark.parametrize("name", [name for name in LEAVING_OUT if name in failures.VERDICTS])
 def test_leaving_axes_out_never_misses_a_hit(name):
     assert MISSED not in small(name).counts
 
 
 @pytest.mark.parametrize("name", [name for name in METHODS if name not in failures.DISTANCES])
 def test_the_engine_is_right_everywhere_on_the_map(name, monkeypatch):
-    verdict = NAMED[name]._replace(shortcut=lambda a, b: -1 if sv.relate(a, b) else 1)
-    monkeypatch.setitem(failures.NAMED, name, verdict)
-    if name in failures.PUSHES:
-        monkeypatch.setitem(failures.PUSHES, name, lambda a, b: sv.record(a, b).mtv)
+    engine = NAMED[name]._replace(shortcut=sv.Shortcut("none", "as it should be", split=sv.parts))
+    monkeypatch.setitem(failures.NAMED, name, engine)
     assert Slide(**failures.slide(name, SMALL)).wrong == 0
 
 
 def test_a_verdict_is_judged_by_rationals_and_not_by_any_method():
     row = NAMED["box-in-u"]
-    inside = failures.moved(row.b, sv.Vec(0.0, -0.5))
+    inside = moved(row.b, sv.Vec(0.0, -0.5))
     assert failures.relation(row.a, inside) is sv.Relation.APART
-    assert failures.relation(row.a, failures.moved(row.b, sv.Vec(0.0, -1.0))) is sv.Relation.TOUCHING
-    assert failures.relation(row.a, failures.moved(row.b, sv.Vec(0.5, -1.5))) is sv.Relation.OVERLAPPING
+    assert failures.relation(row.a, moved(row.b, sv.Vec(0.0, -1.0))) is sv.Relation.TOUCHING
+    assert failures.relation(row.a, moved(row.b, sv.Vec(0.5, -1.5))) is sv.Relation.OVERLAPPING
 
 
 def test_the_exact_depth_is_the_mtvs_length():
@@ -102,10 +106,10 @@ def test_the_exact_depth_is_the_mtvs_length():
 
 
 def test_along_the_contact_the_shapes_touch_everywhere():
-    row = NAMED[failures.ALONG_CONTACT]
+    row = NAMED[failures.ALONG_CONTACT[0]]
     moves = list(failures.contacts(row.a, row.b, 5))
     assert len(moves) == 6 * 8
-    assert {truth.relation(row.a, failures.moved(row.b, move)) for move in moves} == {sv.Relation.TOUCHING}
+    assert {truth.relation(row.a, moved(row.b, move)) for move in moves} == {sv.Relation.TOUCHING}
 
 
 def test_quick_maps_are_smaller_and_every_cell_is_done_by_name():

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
+from itertools import pairwise
 from typing import NamedTuple
 
 from ..engine import telling
@@ -14,11 +15,13 @@ from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, Row
 from ..scenes.failing.reading import OF_PUSHES
-from . import belief_rows, stages
+from ..scenes.failing.where import lies
+from ..scenes.shortcuts import middle
+from . import belief_rows, live, stages
 from .belief_rows import Panel
 from .caption import wrapped
 from .labels import Request, with_labels
-from .layout import HEIGHT, WIDTH, Layout, arrange, moved, text_box
+from .layout import HEIGHT, WIDTH, AxisPlace, Layout, arrange, moved, place_within, text_box
 from .marks import Mark, Picture
 from .sketch import Sketch
 from .stages import Stage, Step, draw_mtv, draw_parts, draw_test, draw_verdict, others, separating_line, shifted
@@ -87,10 +90,6 @@ def verdicts(trace: Trace) -> tuple[str, str]:
     return own or (str(trace.claim), str(trace.relation))
 
 
-def _best(trace: Trace) -> float:
-    return max((test.gap for test in trace.tests), default=0.0)
-
-
 def heading(trace: Trace) -> tuple[str, str]:
     """The claim, and what is wrong with it."""
     assert trace.shortcut
@@ -150,7 +149,7 @@ def _believed(trace: Trace, largest: tuple[float, float]) -> Picture:
     row = row_of(trace)
     if row and row.what != "gap":
         sketch.note("number", said(trace).wrong, "ink", first=2)
-    return _struck(sketch.finish("", trace.sentence, steady=False), trace)
+    return struck(sketch.finish("", trace.sentence, steady=False), trace)
 
 
 def _tests_believed(trace: Trace, largest: tuple[float, float]) -> Sketch:
@@ -185,11 +184,11 @@ def draw_push(sketch: Sketch) -> None:
     row = row_of(trace)
     if row is None or row.read not in OF_PUSHES or not trace.push:
         return
-    middle = centroid(trace.b)
-    tip = moved(middle, trace.push, 1.0)
+    start = centroid(trace.b)
+    tip = moved(start, trace.push, 1.0)
     if any(trace.push):
         sketch.shape("B", f"{trace.names.b} pushed", shifted(trace.b, trace.push), weight="faint", named=False)
-        sketch.add("push", "arrow", "overlap", middle, tip, weight="strong", start=(middle,))
+        sketch.add("push", "arrow", "overlap", start, tip, weight="strong", start=(start,))
     text = f"push {telling.vector(trace.push)}"
     sketch.label("push-name", text, "overlap", tip, prefer=trace.push if any(trace.push) else Vec(0.0, 1.0), first=3)
 
@@ -197,13 +196,15 @@ def draw_push(sketch: Sketch) -> None:
 GAPS = "gap", "depth"  # numbers that are read off the ranges
 
 
-def _struck(drawn: Picture, trace: Trace) -> Picture:
+def struck(drawn: Picture, trace: Trace) -> Picture:
     """The picture with a line through every answer that is wrong."""
     found = said(trace)
     if not found.is_wrong:
         return drawn
     claim, verdict = verdicts(trace)
-    row, read = row_of(trace), {str(trace.tests.index(t) + 1) for t in believed_tests(trace) if t.gap == _best(trace)}
+    told, row = believed_tests(trace), row_of(trace)
+    best = max((test.gap for test in told), default=0.0)
+    read = {str(trace.tests.index(test) + 1) for test in told if test.gap == best}
     wrong = {"push-name", "number"} | ({"claim"} if claim != verdict else set())
     wrong |= {"gap-name"} if claim != verdict or (row and row.what in GAPS) else set()
     labels = (mark for mark in drawn.marks if mark.kind == "label" and mark.part in wrong)
@@ -279,6 +280,60 @@ def _proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
     return sketch
 
 
+# -- under the hand
+
+
+def hand(
+    trace: Trace, layout: Layout, chosen: live.Chosen | None, *, way_out: bool = False, near: Vec | None = None
+) -> tuple[Picture, AxisPlace | None]:
+    """A shortcut's run under the hand: what it saw by the chosen test, its answer, and a map of where it lies."""
+    sketch, place = Sketch(trace, layout), None
+    where = map_of_lies(trace, layout)
+    test = trace.tests[chosen.test] if chosen and trace.tests else None
+    if trace.pairs:
+        belief_rows.draw_pieces(sketch)
+    else:
+        sketch.shapes()
+    if test is not None and not any(test.axis.normal):
+        sketch.no_axis(test)
+    elif test is not None:
+        place = place_within(layout, (trace.a, trace.b), test, near)
+        sketch.edge(test)
+        sketch.normal(test)
+        sketch.project(test, place)
+    if word := verdicts(trace)[0]:
+        sketch.note("claim", word, "ink", weight="title", first=1)
+    row = row_of(trace)
+    if row and row.what != "gap":
+        sketch.note("number", said(trace).wrong, "ink", first=2)
+    if way_out:
+        draw_push(sketch)
+    if where:
+        text = f"dot {'on' if where[0].kind == 'segment' else 'in'} the yellow:\nthe shortcut is wrong"
+        sketch.note("lies-name", text, "wrong", first=6)
+    drawn = struck(sketch.finish("", trace.sentence, steady=False), trace)
+    return drawn._replace(marks=(*where, *drawn.marks)), place
+
+
+def map_of_lies(trace: Trace, layout: Layout) -> list[Mark]:
+    """Where B's middle would have to be for the shortcut to say the wrong thing, and a dot where it is."""
+    assert trace.shortcut
+    at = middle(trace.b)
+    x0, y0, x1, y1 = layout.limits
+    found = lies(trace.a, trace.b, trace.shortcut, (x0 - at.x, y0 - at.y, x1 - at.x, y1 - at.y))
+    if found is None:
+        return []
+    marks = []
+    for i, ring in enumerate((*found.false_hits, *found.missed_hits)):
+        spots = tuple(Vec(p.x + at.x, p.y + at.y) for p in ring)
+        marks.append(Mark("lies", "outline", "wrong", spots, number=i))
+    for i, ring in enumerate(found.hits if found.touching else ()):
+        spots = tuple(Vec(p.x + at.x, p.y + at.y) for p in (*ring, ring[0]))
+        ends = tuple(end for pair in pairwise(spots) for end in pair)
+        marks.append(Mark("lies-along", "segment", "wrong", ends, number=i))
+    return [*marks, Mark("reference", "dot", "ink", (at,))] if marks else []
+
+
 # -- refused at the door
 
 
@@ -293,11 +348,11 @@ def refused(row: Row, *, title: str = "") -> Picture:
     for name, ring in zip("AB", rings, strict=True):
         spots = [Vec(off.x + p.x * k, off.y + p.y * k) for p in ring]
         marks.append(Mark("outline", "outline", name, tuple(spots), owner=name))
-        middle = Vec(sum(p.x for p in spots) / len(spots), sum(p.y for p in spots) / len(spots))
-        requests.append(Request("name", name, name, middle, owner=name, weight="title", inside=True))
+        inner = Vec(sum(p.x for p in spots) / len(spots), sum(p.y for p in spots) / len(spots))
+        requests.append(Request("name", name, name, inner, owner=name, weight="title", inside=True))
         for i, spot in enumerate(spots):
             marks.append(Mark("vertex", "dot", name, (spot,), owner=name, number=i))
-            away = Vec(spot.x - middle.x, spot.y - middle.y + 1e-3)
+            away = Vec(spot.x - inner.x, spot.y - inner.y + 1e-3)
             label = f"{name.lower()}{i + 1}"
             requests.append(Request("vertex-name", label, name, spot, owner=name, number=i, prefer=away))
     layout = Layout((0.0, 0.0, width, low), (width, low), ())

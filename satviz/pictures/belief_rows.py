@@ -24,21 +24,25 @@ ARROW = 46.0  # points
 def pieces(trace: Trace, largest: tuple[float, float]) -> Sketch:
     """A in the pieces that are taken one by one, and where each would push B."""
     sketch = Sketch(trace, _room(trace, largest))
+    draw_pieces(sketch)
+    return sketch
+
+
+def draw_pieces(sketch: Sketch) -> None:
+    """The same on a sketch that is there."""
+    trace = sketch.trace
     for pair in trace.pairs:
         sketch.shape("A", pair.names.a, pair.a)
     sketch.shape("B", trace.names.b, trace.b)
     for i, pair in enumerate(trace.pairs):
         if pair.mtv:
-            start = moved(
-                centroid(trace.b), Vec(0.0, 1.0), sketch.layout.units(10.0 * (i - (len(trace.pairs) - 1) / 2))
-            )
+            start = centroid(trace.b)
             tip = moved(start, pair.mtv, 1.0)
             sketch.add("mtv", "arrow", "overlap", start, tip, weight="strong", number=i, start=(start,))
             text = f"{pair.names.a}: push {telling.vector(pair.mtv)}"
             sketch.label("mtv-name", text, "overlap", tip, number=i, prefer=pair.mtv, first=3, far=True)
     if trace.push:
         sketch.note("push-name", f"in all: push {telling.vector(trace.push)}", "overlap", first=2)
-    return sketch
 
 
 def fan(trace: Trace, largest: tuple[float, float]) -> Sketch:

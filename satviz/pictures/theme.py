@@ -16,13 +16,29 @@ class Theme(NamedTuple):
 LIGHT = Theme(
     "light",
     "#FFFFFF",
-    {"A": "#0072B2", "B": "#D55E00", "gap": "#009E73", "overlap": "#CC79A7", "ink": "#1A1A1A", "guide": "#595959"},
-    {"B": "#B34F00", "gap": "#00734F", "overlap": "#A34A7C"},
+    {
+        "A": "#0072B2",
+        "B": "#D55E00",
+        "gap": "#009E73",
+        "overlap": "#CC79A7",
+        "ink": "#1A1A1A",
+        "guide": "#595959",
+        "wrong": "#B58900",
+    },
+    {"B": "#B34F00", "gap": "#00734F", "overlap": "#A34A7C", "wrong": "#7A5C00"},
 )
 DARK = Theme(
     "dark",
     "#1E1E1E",
-    {"A": "#56B4E9", "B": "#FF9E4A", "gap": "#2BD4A4", "overlap": "#F0A6CA", "ink": "#E5E7EB", "guide": "#A3A3A3"},
+    {
+        "A": "#56B4E9",
+        "B": "#FF9E4A",
+        "gap": "#2BD4A4",
+        "overlap": "#F0A6CA",
+        "ink": "#E5E7EB",
+        "guide": "#A3A3A3",
+        "wrong": "#F0E442",
+    },
     {},
 )
 THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
@@ -66,6 +82,8 @@ def look(kind: str, role: str, weight: str) -> Look:
         square = role == "B"
         return Look(kind, role, size=DOT * 0.9 if square else DOT, square=square)
     line = Look(kind, role, LAYERS.get(kind, LAYERS[weight]), OUTLINE, opacity=FAINT if faint else 1.0)
+    if kind == "outline" and role == "wrong":
+        return Look(kind, role, fill=FILL * 2)  # an area, and no line: what lies side by side shows no seam
     if kind in ("outline", "disc"):
         fill = FILL / 3 if faint else FILL
         return line._replace(width=GUIDE if faint else OUTLINE, dash=DASH if role == "B" else (), fill=fill)
