@@ -43,9 +43,7 @@ def picture(
         return stages.picture(trace, step, title=title, largest=largest)
     step = stages.chosen(trace, step)
     panel = PANEL if largest == (WIDTH, HEIGHT) else ((largest[0] - BETWEEN) / 2, largest[1] - 4 * HEAD)
-    saw, last = _saw(trace, step, panel), _believed(trace, panel)
-    sizes = last.size, _layout(trace, panel).size, _steps_layout(trace, panel).size
-    return _beside(trace, saw, _what_is(trace, panel), sizes, title)
+    return _beside(trace, _saw(trace, step, panel), _what_is(trace, panel), _room(trace, panel), title)
 
 
 def row_of(trace: Trace) -> Row | None:
@@ -104,36 +102,64 @@ def heading(trace: Trace) -> tuple[str, str]:
 
 
 @lru_cache(maxsize=64)
-def _layout(trace: Trace, largest: tuple[float, float]) -> Layout:
-    """Both panels' at last: a place for each test that the shortcut goes by, then one for the true one."""
+def _layouts(trace: Trace, largest: tuple[float, float]) -> tuple[Layout, Layout]:
+    """Both panels' at last, on one scale: with a place for each test that the shortcut goes by; for the true one."""
     truth = true_test(trace)
-    return arrange(_drawn(trace), [*believed_tests(trace), *([truth] if truth else [])], largest=largest)
+    tests = believed_tests(trace), [truth] if truth else []
+    drawn = _drawn(trace, trace.push), _drawn(trace, trace.truth.known_mtv)
+    found = [arrange(shapes, of, largest=largest) for shapes, of in zip(drawn, tests, strict=True)]
+    small, large = sorted((0, 1), key=lambda k: found[k].scale)
+    found[large] = _on_scale(found[small].scale, drawn[large], tests[large], largest) or found[large]
+    return found[0], found[1]
+
+
+def _on_scale(
+    scale: float, shapes: Sequence[Shape], tests: Sequence[AxisTest], largest: tuple[float, float]
+) -> Layout | None:
+    """The largest layout that is on no larger scale: looked for by halving, as the room for labels is in points."""
+    least, most, found = 0.3, 1.0, None
+    for _ in range(8):
+        part = (least + most) / 2
+        layout = arrange(shapes, tests, largest=(largest[0] * part, largest[1] * part))
+        if layout.scale > scale:
+            most = part
+        else:
+            least, found = part, layout
+    return found
+
+
+@lru_cache(maxsize=256)
+def _test_layout(trace: Trace, test: AxisTest, largest: tuple[float, float]) -> Layout:
+    """That of the steps of one test, between which nothing jumps."""
+    return arrange([trace.a, trace.b], [test], largest=largest)
 
 
 @lru_cache(maxsize=64)
-def _steps_layout(trace: Trace, largest: tuple[float, float]) -> Layout:
-    """That of all steps before, so that nothing jumps between them."""
-    return arrange(_drawn(trace), [t for run in trace.pairs or (trace,) for t in run.tests], largest=largest)
+def _room(trace: Trace, largest: tuple[float, float]) -> tuple[float, float]:
+    """What the largest panel of all steps takes."""
+    tests = [test for run in trace.pairs or (trace,) for test in run.tests]
+    sizes = [_believed(trace, largest).size, _what_is(trace, largest).size]
+    sizes += [_test_layout(trace, test, largest).size for test in tests]
+    return max(w for w, _ in sizes), max(h for _, h in sizes)
 
 
-def _drawn(trace: Trace) -> list[Shape]:
+def _drawn(trace: Trace, move: Vec | None) -> list[Shape]:
     """The shapes, and where B is moved to, which must fit too."""
-    moves = [move for move in (trace.push, trace.truth.known_mtv) if move is not None]
-    return [trace.a, trace.b, *(shifted(trace.b, move) for move in moves)]
+    return [trace.a, trace.b, *([shifted(trace.b, move)] if move else [])]
 
 
 def _saw(trace: Trace, step: Step, largest: tuple[float, float]) -> Picture:
     """A step of the shortcut's run; at last its number, struck out where it is wrong."""
-    layout = _steps_layout(trace, largest)
+    if step.stage is Stage.VERDICT:
+        return _believed(trace, largest)
     run = trace if step.pair is None else trace.pairs[step.pair]
+    test = None if step.test is None else run.tests[step.test]
+    layout = _test_layout(trace, test, largest) if test else _layouts(trace, largest)[0]
     sketch = Sketch(run, layout)
     if step.pair is not None:
         others(sketch, trace, run)
     if step.test is not None:
-        before = sum(len(pair.tests) for pair in trace.pairs[: step.pair or 0])
-        draw_test(sketch, step.stage, step.test, layout.places[before + step.test])
-    elif step.stage is Stage.VERDICT:
-        return _believed(trace, largest)
+        draw_test(sketch, step.stage, step.test, layout.places[0])
     else:
         sketch.shapes()
     return sketch.finish("", stages.sentence(run, step))
@@ -153,7 +179,7 @@ def _believed(trace: Trace, largest: tuple[float, float]) -> Picture:
 
 
 def _tests_believed(trace: Trace, largest: tuple[float, float]) -> Sketch:
-    layout = _layout(trace, largest)
+    layout, _ = _layouts(trace, largest)
     sketch = Sketch(trace, layout)
     sketch.shapes()
     told = believed_tests(trace)
@@ -256,7 +282,7 @@ def _what_is(trace: Trace, largest: tuple[float, float]) -> Picture:
 
 
 def _proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
-    layout = _layout(trace, largest)
+    _, layout = _layouts(trace, largest)
     run, test = true_run(trace), true_test(trace)
     if test is None:
         sketch = Sketch(run, layout)
@@ -363,9 +389,9 @@ def refused(row: Row, *, title: str = "") -> Picture:
 # -- put together
 
 
-def _beside(trace: Trace, saw: Picture, truth: Picture, sizes: Sequence[tuple[float, float]], title: str) -> Picture:
-    """Both panels under the claim, in points, with room for each of these sizes: all steps are as large."""
-    half, low = (max(size[k] for size in (*sizes, saw.size, truth.size)) for k in (0, 1))
+def _beside(trace: Trace, saw: Picture, truth: Picture, room: tuple[float, float], title: str) -> Picture:
+    """Both panels under the claim, in points, each with that room: all steps are as large."""
+    half, low = room
     width = 2 * half + BETWEEN
     marks = []
     for prefix, name, panel, x in ("saw", SAW, saw, 0.0), ("is", IS, truth, half + BETWEEN):
