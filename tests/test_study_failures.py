@@ -18,6 +18,7 @@ from satviz.scenes.failing.reading import moved
 from satviz.scenes.shortcuts import middle
 from satviz.study import failures, swept, threed, truth
 from satviz.study.cells import Settings
+from satviz.study.failure_map import LOOKS
 from satviz.study.failures import APART, FALSE, FAR, HIT, LONG, METHODS, MISSED, SHORT, WRONG, Slide
 
 pytestmark = pytest.mark.slow
@@ -110,6 +111,49 @@ def test_along_the_contact_the_shapes_touch_everywhere():
     moves = list(failures.contacts(row.a, row.b, 5))
     assert len(moves) == 6 * 8
     assert {truth.relation(row.a, moved(row.b, move)) for move in moves} == {sv.Relation.TOUCHING}
+
+
+def letter_at(slide, x, y):
+    """The letter of the area that holds a point; apart and right where none does."""
+    for letter, ring in slide.areas:
+        turns = [(q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0]) for p, q in zip(ring, [*ring[1:], ring[0]])]
+        if min(turns) >= 0 or max(turns) <= 0:
+            return letter
+    return APART
+
+
+@each
+def test_the_areas_say_of_each_position_what_was_judged_there(name):
+    found = small(name)
+    if found.path or name == failures.ON_PAPER:
+        assert not found.areas
+        return
+    off = [(x, y) for x, y, code in found.positions() if letter_at(found, x + 1e-9, y + 1e-9) != code]
+    # a position can lie on a boundary, where two areas meet
+    nearby = [
+        {letter_at(found, x + s * 0.1 * found.dx, y + t * 0.1 * found.dy) for s in (-1, 1) for t in (-1, 1)}
+        for x, y in off
+    ]
+    assert sum(len(letters) == 1 for letters in nearby) <= 0.03 * SMALL**2, off  # what is narrower than a step
+
+
+def test_a_traced_area_has_the_boundaries_it_was_asked_about():
+    rings = failures.traced(lambda x, y: FALSE if abs(x) + abs(y) < 1 else APART, (-2.0, -2.0, 2.0, 2.0), 16)
+    area = sum(abs(sum(p[0] * q[1] - p[1] * q[0] for p, q in zip(ring, [*ring[1:], ring[0]]))) / 2 for _, ring in rings)
+    assert area == pytest.approx(2, abs=0.03) and {letter for letter, _ in rings} == {FALSE}
+    assert max(abs(x) + abs(y) for _, ring in rings for x, y in ring) < 1.02
+
+
+def test_a_maps_boundaries_are_those_of_the_difference_and_not_of_its_grid():
+    rings = [ring for letter, ring in small("aabb-turned").areas if letter == FALSE]
+    spots = {(round(x, 9), round(y, 9)) for ring in rings for x, y in ring}
+    assert {(2, 2), (2, -2), (-2, 2), (-2, -2), (2, 0), (0, 2)} <= spots
+
+
+def test_what_is_wrong_has_one_colour_and_each_way_a_hatch_of_its_own():
+    looks = {code: LOOKS[code] for code in WRONG}
+    assert {role for role, _, _ in looks.values()} == {"wrong"} != {LOOKS[HIT][0]}
+    assert len({hatch for _, _, hatch in looks.values()}) == len(WRONG)
 
 
 def test_quick_maps_are_smaller_and_every_cell_is_done_by_name():

@@ -180,7 +180,7 @@ def _answers(fig: Figure, row: Row, theme: Theme) -> None:
     """The shortcut's claim and the right answer, over the scene."""
     w, h = (inches * 72 for inches in fig.get_size_inches())
     at = {"ha": "left", "va": "top", "fontsize": TEXT + 1, "parse_math": False}
-    lines = ("overlap", f"shortcut: {row.told(row.wrong)}  ({row.how})"), ("gap", f"right: {row.told(row.truth)}")
+    lines = ("wrong", f"shortcut: {row.told(row.wrong)}  ({row.how})"), ("ink", f"right: {row.told(row.truth)}")
     for k, (role, text) in enumerate(lines):
         shade = theme.text.get(role, theme.roles[role])
         fig.text(SCENE[0] / w, (h - ABOVE - 18 * k) / h, text, color=shade, **at)

@@ -17,14 +17,14 @@ from ..scenes.shortcuts import middle
 from .failures import FALSE, FAR, HIT, LONG, MISSED, SHORT, Slide
 
 LETTER = 17.0  # the size of A's name
-# what is wrong has a colour of its own and a hatch; what is right stays quiet
+# what is wrong has one colour, and a hatch for each way; what is right stays quiet
 LOOKS = {
     HIT: ("guide", 0.16, ""),
-    FALSE: ("overlap", 0.45, "////"),
-    SHORT: ("overlap", 0.45, "////"),
-    MISSED: ("gap", 0.45, "\\\\\\\\"),
-    LONG: ("gap", 0.45, "xxx"),
-    FAR: ("gap", 0.45, "xxx"),
+    FALSE: ("wrong", 0.5, "////"),
+    MISSED: ("wrong", 0.5, "\\\\\\\\"),
+    SHORT: ("wrong", 0.5, "----"),
+    LONG: ("wrong", 0.5, "xxx"),
+    FAR: ("wrong", 0.5, "..."),
 }
 
 
@@ -51,7 +51,7 @@ def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme, *, named: bool = Tr
         frame = _boxes(_box(slide, 0, len(slide.codes[0]), 0, len(slide.codes)))
         ax.add_patch(PathPatch(frame, facecolor="none", edgecolor=theme.roles["guide"], linewidth=0.7, zorder=0.7))
     for code, (role, alpha, hatch) in LOOKS.items():
-        path = _along(slide, code, (2.0 if code == HIT else 4.0) / scale) if slide.path else _cells(slide, code)
+        path = _along(slide, code, (2.0 if code == HIT else 4.0) / scale) if slide.path else _area(slide, code)
         if path is not None:
             colour = theme.roles[role]
             look = {"facecolor": colour, "alpha": alpha, "linewidth": 0, "antialiased": False, "zorder": 0.5}
@@ -79,6 +79,18 @@ def _outline(name: str, shape: Shape, *, weight: str = "plain") -> Mark:
     if isinstance(shape, Circle):
         return Mark("outline", "disc", name, (shape.center,), owner=name, radius=shape.radius, weight=weight)
     return Mark("outline", "outline", name, shape.vertices, owner=name, weight=weight)
+
+
+def _area(slide: Slide, code: str) -> Path | None:
+    """One outline for all areas of that letter."""
+    if not slide.areas:
+        return _cells(slide, code)
+    points, codes = [], []
+    for letter, ring in slide.areas:
+        if letter == code:
+            points += [*ring, ring[0]]
+            codes += [Path.MOVETO, *[Path.LINETO] * (len(ring) - 1), Path.CLOSEPOLY]
+    return Path(points, codes) if points else None
 
 
 def _cells(slide: Slide, code: str) -> Path | None:

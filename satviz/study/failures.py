@@ -8,6 +8,7 @@ the exact depth; a distance can be another than the exact one.
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
+from itertools import pairwise
 from math import ceil, frexp
 from typing import Any, NamedTuple
 
@@ -15,7 +16,7 @@ from ..engine.concave import parts
 from ..engine.geometry import Relation, Vec
 from ..engine.shapes import Polygon, Shape
 from ..engine.trace import Trace, record
-from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, ROWS, Row
+from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, ROWS, Row, where
 from ..scenes.failing.reading import moved
 from ..scenes.shortcuts import middle
 from . import swept, threed, truth
@@ -39,13 +40,16 @@ METHODS = tuple(row.name for row in ROWS if row.name in {*VERDICTS, *PUSHES, *DI
 # wrong at exact contact only: B goes round A and touches it all the way
 ALONG_CONTACT = "unit-normals", "touch-as-apart"
 ON_PAPER = "touch-on-paper"
+LINES = 13  # across a map, to begin with
+FINE = 1 / 512  # of a map's width: no eye sees a boundary that much off
 A_LITTLE = 1 + 2.0**-20  # a push this much longer leaves a rounding's worth of overlap
 
 
 class Slide(NamedTuple):
     """Where B was put: its reference point at (x + i dx, y + j dy), line by line from below, or along a contact.
 
-    `codes`: one letter a position; `path`: the positions along a contact, then `codes` is one line.
+    `codes`: one letter a position; `path`: the positions along a contact, then `codes` is one line;
+    `areas`: (letter, convex outline) of all that has boundaries, which are exact.
     """
 
     name: str
@@ -55,6 +59,7 @@ class Slide(NamedTuple):
     dy: float
     codes: list[str]
     path: list[list[float]]
+    areas: list[list[Any]]
 
     @property
     def counts(self) -> Counter[str]:
@@ -102,11 +107,91 @@ def slide(name: str, n: int) -> dict[str, Any]:
     if name in ALONG_CONTACT:
         moves = list(contacts(row.a, row.b, n))
         codes = ["".join(judge(row.a, moved(row.b, move)) for move in moves)]
-        return Slide(name, *at, 0.0, 0.0, codes, [[at.x + m.x, at.y + m.y] for m in moves])._asdict()
+        return Slide(name, *at, 0.0, 0.0, codes, [[at.x + m.x, at.y + m.y] for m in moves], [])._asdict()
     lines = _lattice(row, n)
     (i0, dx), (j0, dy) = lines
     codes = ["".join(judge(row.a, moved(row.b, Vec((i0 + i) * dx, (j0 + j) * dy))) for i in range(n)) for j in range(n)]
-    return Slide(name, at.x + i0 * dx, at.y + j0 * dy, dx, dy, codes, [])._asdict()
+    areas = [] if name == ON_PAPER else _areas(row, judge, at, [(i0 * dx, dx), (j0 * dy, dy)], n)
+    return Slide(name, at.x + i0 * dx, at.y + j0 * dy, dx, dy, codes, [], areas)._asdict()
+
+
+def _areas(
+    row: Row, judge: Callable[[Shape, Shape], str], at: Vec, starts: Sequence[tuple[float, float]], n: int
+) -> list[list[Any]]:
+    """Every area with its letter: of a verdict by the difference of the shapes, else line by line."""
+    (x0, dx), (y0, dy) = starts
+    window = x0 - dx / 2, y0 - dy / 2, x0 + (n - 0.5) * dx, y0 + (n - 0.5) * dy
+    found = where.lies(row.a, row.b, row.shortcut, window) if row.name in VERDICTS else None
+    if found:
+        rings = [(letter, ring) for letter, group in zip((FALSE, MISSED), found[:2]) for ring in group]
+        rings += [(HIT, piece) for hit in found.hits for piece in where.without(hit, found.missed_hits)]
+    else:
+        rings = traced(lambda x, y: judge(row.a, moved(row.b, Vec(x, y))), window, n)
+    return [[letter, [[at.x + x, at.y + y] for x, y in ring]] for letter, ring in rings]
+
+
+def traced(
+    letter: Callable[[float, float], str], window: tuple[float, float, float, float], n: int
+) -> list[tuple[str, list[tuple[float, float]]]]:
+    """The areas of each letter but that of what is right and apart, as trapezoids between lines across the window.
+
+    A line is looked at in n places, and where the letters change is halved down to.  Where two lines have the same
+    letters in the same order these places are joined, if the boundaries run straight; else a line is put between.
+    """
+    x0, y0, x1, y1 = window
+    steps, levels = ([lo + (hi - lo) * i / k for i in range(k + 1)] for lo, hi, k in ((x0, x1, n), (y0, y1, LINES)))
+    bend, least = (y1 - y0) / LINES / 8, (y1 - y0) * FINE
+
+    def line(y: float, near: Sequence[tuple[str, float]] = ()) -> list[tuple[str, float]]:
+        """The letters from left to right, each with where it ends; looked at also in the middles of the lines near."""
+        ends = [x0, *(x for _, x in near)]
+        places = sorted({*steps, *((p + q) / 2 for p, q in pairwise(ends) if p < q)})
+        letters = [letter(x, y) for x in places]
+        found = []
+        for (x, here), (z, there) in pairwise(zip(places, letters, strict=True)):
+            while here != there:  # there may be narrow ones between the two
+                lo, hi, beyond = x, z, there
+                while hi - lo > (x1 - x0) * FINE:
+                    middle = (lo + hi) / 2
+                    code = letter(middle, y)
+                    lo, hi, beyond = (middle, hi, beyond) if code == here else (lo, middle, code)
+                found.append((here, hi))
+                here, x = beyond, hi
+        return [*found, (letters[-1], x1)]
+
+    def straight(below: list[tuple[str, float]], y: float, above: list[tuple[str, float]]) -> bool:
+        """Do all boundaries run straight on, as half way up, at y, is seen a little to either side of each?"""
+        off = 2 * (x1 - x0) * FINE
+        places = [x0, *((p + q) / 2 for (_, p), (_, q) in zip(below, above, strict=True))]
+        for (here, _), (there, _), (p, x, q) in zip(
+            below, below[1:], zip(places, places[1:], places[2:]), strict=False
+        ):
+            wide = min(x - p, q - x) > 2 * off
+            if wide and (letter(x - off, y) != here or letter(x + off, y) != there):
+                return False
+        return True
+
+    found = []
+
+    def between(low: float, below: list[tuple[str, float]], high: float, above: list[tuple[str, float]]) -> None:
+        middle = (low + high) / 2
+        same = [code for code, _ in below] == [code for code, _ in above]
+        if (high - low > bend and not straight(below, middle, above)) if same else high - low > least:
+            on = line(middle, [*below, (APART, x0), *above])
+            between(low, below, middle, on)
+            between(middle, on, high, above)
+            return
+        start = end = x0
+        for k, (code, x) in enumerate(below):
+            z = above[k][1] if len(above) == len(below) else x
+            if code != APART:
+                found.append((code, [(start, low), (x, low), (z, high), (end, high)]))
+            start, end = x, z
+
+    lines = [line(y) for y in levels]
+    for (low, below), (high, above) in pairwise(zip(levels, lines, strict=True)):
+        between(low, below, high, above)
+    return found
 
 
 def relation(a: Shape, b: Shape) -> Relation:
