@@ -18,6 +18,7 @@ if TYPE_CHECKING:  # what is loaded at first use, as type checkers see it
     from .engine.trace import Trace, record
     from .pictures import Picture, Stage, Step, picture, steps
     from .pictures.curve import gap_curve
+    from .pictures.minkowski import difference
     from .render.draw import draw
     from .render.page import page
     from .scenes.named import scene
@@ -45,6 +46,7 @@ __all__ = [
     "axes",
     "axis_tests",
     "batch",
+    "difference",
     "draw",
     "explore",
     "gap_curve",
@@ -68,6 +70,7 @@ _LATER = {
     "Step": "pictures",
     "Trace": "engine.trace",
     "axis_tests": "engine.sat",
+    "difference": "pictures.minkowski",
     "draw": "render.draw",
     "explore": "widgets",
     "gap_curve": "pictures.curve",

@@ -255,6 +255,20 @@ def test_a_failing_scene_has_a_switch_between_the_shortcut_and_the_truth(hand):
     assert not switch.is_visible()
 
 
+def test_the_difference_is_shown_beside_and_follows_the_hand(hand):
+    widget = hand.widgets.first
+    shown = widget.locator(".sv-difference")
+    assert not shown.is_visible()
+    widget.get_by_label("B − A").check()
+    shown.locator("[data-id='verdict']").filter(has_text="apart").wait_for()
+    hand.drag("B-move", -130, 0)
+    shown.locator("[data-id='verdict']").filter(has_text="overlapping").wait_for()
+    hand.press("undo")
+    widget.get_by_label("B − A").uncheck()
+    hand.until(AT_START)
+    assert not shown.is_visible()
+
+
 def test_presets_change_the_scene(hand):
     widget = hand.widgets.first
     widget.get_by_label("presets").select_option("circles")

@@ -18,6 +18,7 @@ EXAMPLES = {
     "satviz.picture": 'sv.picture(sv.scene("triangles").record(), 5)',
     "satviz.draw": 'figure = sv.draw(sv.scene("triangles").record(), step=-1)\n'
     'sv.picture(sv.scene("triangles").record(), -1)  # the same picture, as this page shows it',
+    "satviz.difference": f"{TWO}\nsv.difference(sv.record(a, b))",
     "satviz.gap_curve": f"{TWO}\nsv.gap_curve(a, b)",
     "satviz.engine.axes.needed": f"{TWO}\nsv.record(a, b, axes=sv.axes.needed)",
     "satviz.engine.axes.world": f"{TWO}\nsv.record(a, b, axes=sv.axes.world)",

@@ -11,6 +11,7 @@ from ..pictures import Picture
 from ..pictures.belief import hand, heading
 from ..pictures.curve import direction, gap_curve
 from ..pictures.live import Chosen, field, fits, knob, live, telling_test, turned_axis
+from ..pictures.minkowski import difference
 from ..pictures.playback import rows
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
@@ -37,7 +38,7 @@ class Exploring(Showing):
 
     def __init__(self, shown: Scene) -> None:
         self._degree: float | None = None
-        self._way_out = False
+        self._way_out = self._against = False
         self._start(shown)
         self._settle()
 
@@ -75,6 +76,8 @@ class Exploring(Showing):
             "json": self.scene.to_json(),
             "view": self._view,
         }
+        if self._against:
+            found["difference"] = difference(trace).data()
         if self._run.shortcut:
             found["heading"] = list(heading(self._run))
         if drawn.knob is not None:
@@ -107,6 +110,7 @@ class Exploring(Showing):
         if view != self._view:
             pinned = None  # the other run's rows are others
         self._pinned, self._degree, self._way_out = pinned, degree, bool(content.get("wayOut"))
+        self._against = bool(content.get("against"))
         self._look(changed, trace, view)
 
     def _look(self, scene: Scene, run: Trace, view: str | None) -> None:

@@ -31,11 +31,13 @@ class Explorer {
     this.svg = svg;
     this.curve = element("svg", { class: "sv-picture sv-curve", role: "img", hidden: true });
     this.curvePen = new Pen(this.curve);
+    this.difference = element("svg", { class: "sv-picture sv-difference", role: "img", hidden: true });
+    this.differencePen = new Pen(this.difference);
     this.sentence = element("p", { class: "sv-sentence", "aria-live": "polite" });
     this.heading = element("p", { class: "sv-heading", hidden: true });
     this.why = element("p", { class: "sv-why", role: "alert", hidden: true });
     this.table = new Table(this.state.names, { pick: (row) => this.pick(row) });
-    const side = element("div", { class: "sv-side" }, this.table.element, this.curve);
+    const side = element("div", { class: "sv-side" }, this.table.element, this.curve, this.difference);
     const stage = element("div", { class: "sv-stage" }, this.heading, svg, this.why, this.sentence, this.controls());
     root.classList.add("satviz");
     root.setAttribute("data-lm-suppress-shortcuts", "true");
@@ -66,12 +68,13 @@ class Explorer {
       this.presets, this.view, this.undoButton, button("reset", () => this.commit(this.start)),
       check("free axis", (on) => this.change({ degree: on ? 30 : null, pinned: null })),
       check("way out", (on) => this.change({ wayOut: on })),
+      check("B − A", (on) => this.change({ against: on })),
       button("copy scene as JSON", () => this.copy(), { shows: "copy JSON" }),
       ...["svg", "png", "gif"].map((form) => button(`save ${form.toUpperCase()}`, () => this.model.send({ kind: "save", form }))));
   }
 
   poseOf({ a, b, view }) {
-    return { a, b, view, degree: this.pose?.degree ?? null, pinned: this.pose?.pinned ?? null, wayOut: this.pose?.wayOut ?? false };
+    return { a, b, view, degree: this.pose?.degree ?? null, pinned: this.pose?.pinned ?? null, wayOut: this.pose?.wayOut ?? false, against: this.pose?.against ?? false };
   }
 
   // -- to and from Python
@@ -144,6 +147,8 @@ class Explorer {
     this.showRows(state);
     this.curve.toggleAttribute("hidden", !state.curve);
     if (state.curve) this.curvePen.draw(state.curve);
+    this.difference.toggleAttribute("hidden", !state.difference);
+    if (state.difference) this.differencePen.draw(state.difference);
     this.undoButton.disabled = !this.undone.length;
     this.follow();
   }
