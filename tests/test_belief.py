@@ -120,6 +120,15 @@ def test_a_missed_hit_shows_its_own_axis_with_the_true_ranges():
     assert "A [-2.828, 3.394]" in texts(drawn, "is").values()
 
 
+def test_an_edge_without_a_length_is_told_and_gives_no_axis():
+    trace = NAMED["repeated-vertex"].scene.record()
+    (i,) = (i for i, test in enumerate(trace.tests) if not any(test.axis.normal))
+    for step in -1, sv.Step(sv.Stage.GAP, i), sv.Step(sv.Stage.EDGE, i):
+        drawn = sv.picture(trace, step)
+        assert "a2 and a3 lie in one place" in drawn.mark("saw-no-axis").text
+        assert not [m for m in drawn.marks if m.part == "saw-axis"]
+
+
 def test_a_shortcut_that_is_right_for_once_is_not_struck_out():
     trace = sv.record(box(0, 0, 1, 1), box(3, 0, 4, 1), axes=SHORTCUTS["one-shapes-normals"])
     drawn = sv.picture(trace)

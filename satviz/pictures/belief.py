@@ -105,7 +105,7 @@ def heading(trace: Trace) -> tuple[str, str]:
 def _layouts(trace: Trace, largest: tuple[float, float]) -> tuple[Layout, Layout]:
     """Both panels' at last, on one scale: with a place for each test that the shortcut goes by; for the true one."""
     truth = true_test(trace)
-    tests = believed_tests(trace), [truth] if truth else []
+    tests = [_with_room(trace, test) for test in believed_tests(trace)], [truth] if truth else []
     drawn = _drawn(trace, trace.push), _drawn(trace, trace.truth.known_mtv)
     found = [arrange(shapes, of, largest=largest) for shapes, of in zip(drawn, tests, strict=True)]
     small, large = sorted((0, 1), key=lambda k: found[k].scale)
@@ -131,7 +131,12 @@ def _on_scale(
 @lru_cache(maxsize=256)
 def _test_layout(trace: Trace, test: AxisTest, largest: tuple[float, float]) -> Layout:
     """That of the steps of one test, between which nothing jumps."""
-    return arrange([trace.a, trace.b], [test], largest=largest)
+    return arrange([trace.a, trace.b], [_with_room(trace, test)], largest=largest)
+
+
+def _with_room(trace: Trace, test: AxisTest) -> AxisTest:
+    """The test, or for one without a direction another, in whose place words will stand."""
+    return test if any(test.axis.normal) else next(t for t in trace.tests if any(t.axis.normal))
 
 
 @lru_cache(maxsize=64)

@@ -149,7 +149,8 @@ class Sketch:
         self.vertices(role, test.source.ids[:1])
         ends = " and ".join(short_name(self.of(role)[1], self.of(role)[0], i) for i in test.source.ids)
         text = f"{ends} lie in one place: no normal but (0, 0),\non which every point lands at 0"
-        self.note("no-axis", text, "ink", first=1)
+        low = Vec((self.layout.limits[0] + self.layout.limits[2]) / 2, self.layout.limits[1])
+        self.label("no-axis", text, "ink", low, first=1, far=True)
 
     def all_normals(self) -> None:
         """A small outward arrow on every edge."""
