@@ -14,9 +14,11 @@ if TYPE_CHECKING:  # what is loaded at first use, as type checkers see it
     from . import batch
     from .engine.concave import parts
     from .engine.sat import AxisTest, axis_tests
+    from .engine.shortcut import Shortcut
     from .engine.trace import Trace, record
     from .pictures import Picture, Stage, Step, picture, steps
     from .pictures.curve import gap_curve
+    from .pictures.minkowski import difference
     from .pictures.sheet import sheet
     from .render.draw import draw
     from .render.page import page
@@ -36,6 +38,7 @@ __all__ = [
     "Polygon",
     "Relation",
     "Scene",
+    "Shortcut",
     "Stage",
     "Step",
     "Trace",
@@ -44,6 +47,7 @@ __all__ = [
     "axes",
     "axis_tests",
     "batch",
+    "difference",
     "draw",
     "explore",
     "gap_curve",
@@ -63,10 +67,12 @@ _LATER = {
     "AxisTest": "engine.sat",
     "Picture": "pictures",
     "Scene": "scenes.scenefile",
+    "Shortcut": "engine.shortcut",
     "Stage": "pictures",
     "Step": "pictures",
     "Trace": "engine.trace",
     "axis_tests": "engine.sat",
+    "difference": "pictures.minkowski",
     "draw": "render.draw",
     "explore": "widgets",
     "gap_curve": "pictures.curve",

@@ -181,9 +181,11 @@ def _parser() -> argparse.ArgumentParser:
 
 def _scene(parser: argparse.ArgumentParser) -> None:
     from .engine.axes import NAMED
+    from .scenes.shortcuts import NAMED as SHORTCUTS
 
     parser.add_argument("scene", metavar="SCENE", help="a built-in scene's name or a scene file")
-    parser.add_argument("--axes", choices=NAMED, metavar="NAME", help=f"which axes to test: {', '.join(NAMED)}")
+    named = f"which axes to test: {', '.join(NAMED)}, or a shortcut by name (satviz scenes --failing)"
+    parser.add_argument("--axes", choices=(*NAMED, *SHORTCUTS), metavar="NAME", help=named)
     parser.add_argument("--every-axis", action="store_true", help="go on past the first separating axis")
 
 

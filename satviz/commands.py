@@ -75,9 +75,16 @@ def figures(args: argparse.Namespace) -> int:
 def draw(args: argparse.Namespace) -> int:
     """Draw every step of a scene, or of a long run its contact sheet, in each format asked for."""
     from .pictures import Picture, picture, steps
+    from .pictures.belief import refused
     from .pictures.caption import captioned
     from .pictures.sheet import sheet
+    from .scenes.failing import NAMED, REFUSED
 
+    row = NAMED.get(args.scene)
+    if row and row.how == REFUSED and "html" not in (args.format or []):
+        drawn = refused(row)
+        makes: dict[bool, Callable[[], Picture | list[Picture]]] = {True: lambda: [drawn], False: lambda: drawn}
+        return _write(args, [(row.name, form, makes[form == "gif"]) for form in args.format or ["svg"]])
     scene = _load(args)
     trace = scene.record()
     try:

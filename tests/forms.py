@@ -21,6 +21,7 @@ from satviz.engine.certificate import SharedPoint
 from satviz.engine.geometry import Relation, Vec
 from satviz.engine.shapes import Circle, Polygon, Shape
 from satviz.engine.verdict import relate_moved
+from satviz.scenes.shortcuts import NAMED as SHORTCUTS
 
 Pairs = Sequence[tuple[Shape, Shape]]
 ENGINES = "numpy", "numba"
@@ -80,6 +81,13 @@ for name in ("world", "edge-normals-of-a", "edge-normals-of-b", "hull-normals", 
     FORMS[f"record with {name}"] = Form(
         each(lambda a, b, choice=axes.NAMED[name]: record(a, b, axes=choice).relation), one_in=16
     )
+for name in ("lengths", "raw-depth", "touch-as-apart", "tile-seam"):
+    FORMS[f"record by the shortcut {name}"] = Form(
+        each(lambda a, b, shortcut=SHORTCUTS[name]: record(a, b, axes=shortcut).relation), one_in=16
+    )
+FORMS["record with slipped normals: a gap is a proof"] = Form(
+    each(lambda a, b: record(a, b, axes=SHORTCUTS["slipped-normal"]).claim), no_miss, one_in=16
+)
 FORMS["record with one given direction"] = Form(
     each(lambda a, b: record(a, b, axes=axes.directions((2, 1))).relation), one_in=16
 )

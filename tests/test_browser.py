@@ -233,6 +233,42 @@ def test_the_free_axis_turns_and_the_curve_follows(hand):
     hand.said("A and B are apart")
 
 
+def test_a_failing_scene_has_a_switch_between_the_shortcut_and_the_truth(hand):
+    widget = hand.widgets.first
+    switch = widget.get_by_role("group", name="what is shown")
+    assert not switch.is_visible()
+    widget.get_by_label("presets").select_option("aabb-turned")
+    hand.said("a false hit")
+    assert switch.is_visible() and "Claim: the bounding boxes" in widget.locator(".sv-heading").inner_text()
+    assert widget.locator("[data-id='lies.0']").count() == 1
+    hand.press("truth")
+    hand.said("A and B are apart: axis")
+    assert hand.kernel("w.trace.shortcut") == "None"
+    assert widget.locator("[data-id='lies.0']").count() == 0
+    hand.press("shortcut")
+    hand.said("a false hit")
+    hand.drag("B-move", -100, 100)
+    hand.said("and so it is")
+    assert "Here it happens to be right" in widget.locator(".sv-heading").inner_text()
+    widget.get_by_label("presets").select_option("triangles")
+    hand.until(AT_START)
+    assert not switch.is_visible()
+
+
+def test_the_difference_is_shown_beside_and_follows_the_hand(hand):
+    widget = hand.widgets.first
+    shown = widget.locator(".sv-difference")
+    assert not shown.is_visible()
+    widget.get_by_label("B − A").check()
+    shown.locator("[data-id='verdict']").filter(has_text="apart").wait_for()
+    hand.drag("B-move", -130, 0)
+    shown.locator("[data-id='verdict']").filter(has_text="overlapping").wait_for()
+    hand.press("undo")
+    widget.get_by_label("B − A").uncheck()
+    hand.until(AT_START)
+    assert not shown.is_visible()
+
+
 def test_presets_change_the_scene(hand):
     widget = hand.widgets.first
     widget.get_by_label("presets").select_option("circles")

@@ -13,7 +13,7 @@ from satviz.render.files import canvas
 
 pytestmark = pytest.mark.slow
 
-SCENES = ["triangles", "circle-polygon", "concave", "aabb-rotated"]
+SCENES = ["triangles", "circle-polygon", "concave", "aabb-rotated", "far-centers", "raw-depth", "tile-seam"]
 
 
 def opened(browser, errors, path, **more):

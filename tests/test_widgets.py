@@ -122,6 +122,46 @@ def test_presets_are_the_built_in_scenes():
         assert widget.sent[-1][0]["kind"] == "refused"
 
 
+def test_a_failing_scene_has_two_views_and_a_map_of_where_the_shortcut_is_wrong():
+    widget = sv.explore("aabb-turned")
+    widget.sent = []
+    widget.send = lambda content, buffers=None: widget.sent.append((content, buffers))
+    first = widget.first
+    assert first["view"] == "shortcut" and first["heading"][0].startswith("Claim: ")
+    assert "a false hit" in first["sentence"] and widget.trace.shortcut and widget.trace.false_hit
+    parts = {mark["id"] for mark in first["picture"]["marks"]}
+    assert {"lies.0", "reference", "claim-strike"} <= parts
+    truth = pose(widget, view="truth")
+    assert truth["view"] == "truth" and truth["sentence"].startswith("A and B are apart")
+    assert widget.trace.shortcut is None and "lies.0" not in {m["id"] for m in truth["picture"]["marks"]}
+    back = pose(widget, view="shortcut", b=moved_b(widget, -1, -1))
+    assert back["relation"] == "overlapping" and back["heading"][1].startswith("Here it happens to be right")
+    assert "claim-strike" not in {m["id"] for m in back["picture"]["marks"]}
+    refused = widget.sent[-1][0]["n"]
+    widget._heard(widget, {"kind": "pose", "n": refused + 1, "a": back["a"], "b": back["b"], "view": "both"}, [])
+    assert widget.sent[-1][0]["why"] == 'the view must be "shortcut" or "truth"'
+
+
+def test_a_scene_without_a_shortcut_has_no_views():
+    widget = explorer()
+    assert widget.first["view"] is None and "heading" not in widget.first
+    assert pose(widget, view="truth")["view"] is None
+
+
+def test_every_failing_scene_can_be_explored_dragged_and_seen_in_truth():
+    for name in explorer().failing:
+        widget = sv.explore(name)
+        widget.sent = []
+        widget.send = lambda content, buffers=None, sent=widget.sent: sent.append((content, buffers))
+        for more in (
+            {"wayOut": True},
+            {"view": "truth", "wayOut": True},
+            {"view": "shortcut", "pinned": 0},
+            {"degree": 20},
+        ):
+            assert pose(widget, **more)["picture"]["marks"], (name, more)
+
+
 def test_files_come_from_the_matplotlib_pen():
     widget = sv.play(TRIANGLES.record())
     sent = []

@@ -31,6 +31,8 @@ __all__ = [
 ]
 
 EDGE, HULL, WORLD = "edge normal", "hull edge normal", "world"
+SLIP = "edge with one sign turned"  # (dx, -dy) for (dy, -dx): no normal, though it is often taken for one
+FROM_EDGES = EDGE, HULL, SLIP
 CENTERS, VERTEX, CENTROIDS = "centers", "nearest vertex", "centroids"
 ANY, GIVEN = "any direction", "given direction"
 PARALLEL, NO_DIRECTION, EARLY_EXIT = "parallel", "no direction", "early exit"
@@ -214,6 +216,9 @@ def exact_dots(a: Shape, b: Shape, axis: Axis) -> ExactDots:
     if kind in (EDGE, HULL):
         (px, py), (qx, qy) = (core[shape.corner_ids.index(v)] for v in ids)
         x, y = qy - py, px - qx
+    elif kind == SLIP:
+        (px, py), (qx, qy) = (core[shape.corner_ids.index(v)] for v in ids)
+        x, y = qx - px, py - qy
     elif kind == CENTERS:
         (px, py), (qx, qy) = core_a[0], core_b[0]
         x, y = qx - px, qy - py

@@ -6,7 +6,20 @@ import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from .axes import ANY, CENTERS, CENTROIDS, EARLY_EXIT, EDGE, HULL, NO_DIRECTION, PARALLEL, VERTEX, WORLD, Axis
+from .axes import (
+    ANY,
+    CENTERS,
+    CENTROIDS,
+    EARLY_EXIT,
+    FROM_EDGES,
+    HULL,
+    NO_DIRECTION,
+    PARALLEL,
+    SLIP,
+    VERTEX,
+    WORLD,
+    Axis,
+)
 from .concave import named_parts
 from .digits import MINUS, Digits, number, of_shapes, of_tests, plain, vector
 from .escape import too_many
@@ -48,11 +61,12 @@ def axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
         return f"the {'xy'[ids[0]]} axis"
     if kind in _PLAIN:
         return _PLAIN[kind]
-    if kind in (EDGE, HULL, VERTEX):
+    if kind in (*FROM_EDGES, VERTEX):
         at = int(role == "B")
         ends = [vertex_name(shapes[at], names[at], i) for i in ids]
         if kind != VERTEX:
-            return f"normal of {names[at]}'s {'hull ' if kind == HULL else ''}edge {edge_name(ends)}"
+            what = "(dx, -dy)" if kind == SLIP else "normal"
+            return f"{what} of {names[at]}'s {'hull ' if kind == HULL else ''}edge {edge_name(ends)}"
         return f"from {names[at]}'s nearest vertex {ends[0]} to the center of {names[1 - at]}"
     return f"direction {vector(axis.normal)}"
 
@@ -90,6 +104,8 @@ def outcome(t: AxisTest, told: Digits) -> str:
         return f"gap {told.signed(t.gap)}" if t.gap else "touching, gap 0"
     a, b = t.a.interval, t.b.interval
     shared, way_out = min(a.hi, b.hi) - max(a.lo, b.lo), told.gap(t.gap)
+    if shared < 0:  # ranges apart, and yet a negative gap: a shortcut reads them the wrong way round
+        return f"gap {told.signed(t.gap)}"
     # where one range holds the other, getting out takes more than what they share
     if -t.gap > 1.001 * shared and not told.fine:
         return f"overlap {told.number(shared)}, way out {way_out}"
@@ -138,14 +154,19 @@ def test(trace: Trace, i: int) -> str:
     head = f"Axis {i + 1} of {len(trace.choice.axes)}, {axis_name(t.axis, (trace.a, trace.b), trace.names)}"
     told = digits(trace, t)
     found = f"{both_ranges(trace, t, told)}, {outcome(t, told)}"
+    who = "the shapes" if trace.names == ("A", "B") else " and ".join(trace.names)
+    if trace.shortcut:
+        ends = trace.shortcut.separates(t)
+        return f"{head}: {found}: {f'taken for a gap, so {who} for apart' if ends else 'no gap'}."
     if t.separates:
-        who = "the shapes" if trace.names == ("A", "B") else " and ".join(trace.names)
         return f"{head}: {found}: separating, so {who} are apart."
     return f"{head}: {found}: not a separating axis."
 
 
 def verdict(trace: Trace, move: Vec | None) -> str:
     """The whole run in one sentence that says no more than was proved; `move` ends an overlap."""
+    if trace.shortcut:
+        return _shortcut_verdict(trace)
     if trace.pairs:
         return _parts_verdict(trace, move)
     a, b = trace.names
@@ -166,6 +187,26 @@ def verdict(trace: Trace, move: Vec | None) -> str:
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: {count}, and they share no interior point. Touching is a hit."
     return f"{a} and {b} overlap: {count}. {_way_out(trace, move)}"
+
+
+_ARE = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
+
+
+def _shortcut_verdict(trace: Trace) -> str:
+    """What the shortcut says, by which axis, and what is."""
+    assert trace.shortcut
+    a, b = trace.names
+    says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {_ARE[trace.claim]}"
+    if trace.ended_by:
+        i = trace.tests.index(trace.ended_by)
+        name = axis_name(trace.ended_by.axis, (trace.a, trace.b), trace.names)
+        says += f": {outcome(trace.ended_by, digits(trace, trace.ended_by))} on axis {i + 1} ({name})"
+    elif trace.tests:
+        says += f": no gap on {_any_of(len(trace.tests))}"
+    is_so = _ARE[trace.relation]
+    if trace.missed_hit or trace.false_hit:
+        return f"{says}. In truth they {is_so}: a {'missed' if trace.missed_hit else 'false'} hit."
+    return f"{says}, and so it is." if trace.claim is trace.relation else f"{says}. In truth they {is_so}."
 
 
 def _way_out(trace: Trace, move: Vec | None) -> str:
@@ -213,7 +254,8 @@ def _rows(trace: Trace, width: int | None) -> str:
     rows = [("axis", "direction", trace.names.a, trace.names.b, "gap", "")]
     for i, t in enumerate(trace.tests, 1):
         name = axis_name(t.axis, shapes, trace.names)
-        what = "separates" if t.separates else "touches" if t.gap == 0 else "overlaps"
+        ends = trace.shortcut.separates(t) if trace.shortcut else t.separates
+        what = "separates" if ends else "touches" if t.gap == 0 else "overlaps"
         told = digits(trace, t)
         cells = vector(t.axis.direction), *told.ranges(t), told.signed(t.gap), what
         rows.append((f"{i} {name}", *cells))
@@ -303,8 +345,9 @@ def stage(trace: Trace, i: int, name: str, first: str) -> str:
     if name == "edge":
         return f"{_origin(trace, t.axis)}."
     if name == "normal":
-        edge = t.source.kind in (EDGE, HULL)
-        what = f"its normal {digits(trace).vector(t.axis.normal)} (of two, the one to the right)" if edge else "it"
+        edge = t.source.kind in FROM_EDGES
+        name = "(dx, -dy)" if t.source.kind == SLIP else "normal"
+        what = f"its {name} {digits(trace).vector(t.axis.normal)} (of two, the one to the right)" if edge else "it"
         return f"{_origin(trace, t.axis)}; {what} gives axis {i + 1} of {len(trace.choice.axes)} its direction."
     if name == "axis":
         what = axis_name(t.axis, shapes, trace.names)

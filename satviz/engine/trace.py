@@ -13,6 +13,7 @@ from .escape import along_axis, around_parts
 from .geometry import InvalidScene, Relation, Vec
 from .sat import AxisTest, axis_tests
 from .shapes import Shape, checked
+from .shortcut import Shortcut, out_by
 from .verdict import relate
 
 APART, TOUCHING, OVERLAPPING = Relation
@@ -36,7 +37,8 @@ class Trace:
 
     `choice`: the axes in order and those left out; `tests`: the axes tested, in that
     order; `pairs`: for concave outlines, a trace for each pair of convex parts
-    looked at (then `tests` is empty).  Traces compare, hash and never change.
+    looked at (then `tests` is empty); `shortcut`: what this run does otherwise than the
+    loop should, if anything.  Traces compare, hash and never change.
     """
 
     a: Shape
@@ -46,10 +48,13 @@ class Trace:
     every_axis: bool
     pairs: tuple["Trace", ...]
     names: Names = PLAIN
+    shortcut: Shortcut | None = None
 
     @property
     def relation(self) -> Relation:
         """The exact relation, also where the chosen axes alone could not tell (see `claim`)."""
+        if self.shortcut:
+            return relate(self.a, self.b)
         if self.pairs:
             return max(pair.relation for pair in self.pairs)
         claim = self.claim
@@ -62,13 +67,15 @@ class Trace:
 
     @property
     def claim(self) -> Relation:
-        """What the tested axes say by themselves: a gap proves APART, no gap proves nothing unless complete."""
+        """What the tested axes say by themselves: a gap proves APART, no gap proves nothing unless complete.
+
+        Of a shortcut's run it is what the shortcut says, right or wrong.
+        """
         if self.pairs:
             return self.relation
-        gaps = [test.gap for test in self.tests]
-        if any(gap > 0 for gap in gaps):
+        if self.ended_by:
             return APART
-        return TOUCHING if 0 in gaps else OVERLAPPING
+        return TOUCHING if any(test.gap == 0 for test in self.tests) else OVERLAPPING
 
     @property
     def false_hit(self) -> bool:
@@ -76,9 +83,25 @@ class Trace:
         return self.claim is not APART and self.relation is APART
 
     @property
+    def missed_hit(self) -> bool:
+        """A shortcut's run says apart, yet the shapes share a point."""
+        return self.shortcut is not None and self.claim is APART and self.hit
+
+    @property
+    def ended_by(self) -> AxisTest | None:
+        """The first test that the run takes for separating, right or wrong, or None."""
+        separates = self.shortcut.separates if self.shortcut else _separates
+        return next((test for test in self.tests if separates(test)), None)
+
+    @property
+    def proves(self) -> bool:
+        """Is a gap in `tests` a proof?  Not where a shortcut measures otherwise."""
+        return self.shortcut is None or self.shortcut.measure is None
+
+    @property
     def separating(self) -> AxisTest | None:
-        """The first test whose axis separates the shapes, or None."""
-        return next((test for test in self.tests if test.separates), None)
+        """The first test whose axis separates the shapes, or None; where a shortcut measures otherwise none does."""
+        return next((test for test in self.tests if test.separates), None) if self.proves else None
 
     @property
     def colliding(self) -> "Trace | None":
@@ -88,8 +111,8 @@ class Trace:
 
     @property
     def shallowest(self) -> AxisTest | None:
-        """The test of least penetration depth when none separates, or None."""
-        return _shallowest(self.tests) if self.tests and self.claim is not APART else None
+        """The test of least penetration depth, as measured, when none separates, or None."""
+        return _shallowest(self.tests) if self.tests and not self.ended_by else None
 
     @property
     def mtv(self) -> Vec | None:
@@ -98,9 +121,12 @@ class Trace:
         It ends the overlap exactly, being rounded outwards; (0, 0) when the shapes only
         touch, None when they are apart or when no float64 move is long enough.  It is the
         shortest of all (to a rounding) where the choice of axes is complete, else the
-        shortest along the tested axes.  Worked out when asked for; InvalidScene for
-        concave outlines of too many parts.
+        shortest along the tested axes.  None also where a shortcut measures otherwise or
+        misses the hit.  Worked out when asked for; InvalidScene for concave outlines of
+        too many parts.
         """
+        if self.missed_hit or not self.proves:
+            return None
         relation = self.relation
         if relation is not OVERLAPPING:
             return None if relation is APART else Vec(0.0, 0.0)
@@ -117,8 +143,33 @@ class Trace:
             return None
 
     @property
+    def push(self) -> Vec | None:
+        """The move of B by which this run would end the overlap: the MTV, or what its shortcut takes for it."""
+        if self.shortcut is None:
+            return self.mtv
+        if self.claim is APART:
+            return None
+        if self.shortcut.push:
+            return self.shortcut.push(self.a, self.b, self.tests)
+        if self.pairs:
+            moves = [pair.mtv or Vec(0.0, 0.0) for pair in self.pairs]
+            return Vec(sum(move.x for move in moves), sum(move.y for move in moves))
+        test = self.shallowest
+        return out_by(test, -test.gap) if test else None
+
+    @property
+    def truth(self) -> "Trace":
+        """The same pair as the loop should run it: this trace itself unless it is a shortcut's."""
+        return record(self.a, self.b, every_axis=True) if self.shortcut else self
+
+    @property
     def certificate(self) -> Certificate:
-        """Evidence anyone can check: a separating line, or a point in both shapes; `check()` uses fractions."""
+        """Evidence anyone can check: a separating line, or a point in both shapes; `check()` uses fractions.
+
+        InvalidScene where a shortcut measures otherwise or misses a hit: that run proves nothing.
+        """
+        if self.missed_hit or not self.proves:
+            raise InvalidScene("this run took a shortcut, so it proves nothing: ask trace.truth for a certificate")
         if self.separating:
             return separating_line(self.a, self.b, self.separating.axis)
         if self.pairs:
@@ -141,6 +192,8 @@ class Trace:
         """The same run over every axis of the choice (and every pair of parts)."""
         if self.every_axis:
             return self
+        if self.shortcut:
+            return _record_shortcut(self.a, self.b, self.shortcut, True)
         if self.pairs:
             return _record_parts(self.a, self.b, True)
         return _record(self.a, self.b, self.choice, True, self.names)
@@ -170,11 +223,12 @@ class Trace:
         return door.from_json(text)
 
 
-def record(a: Shape, b: Shape, *, axes: Chooser | Choice = needed, every_axis: bool = False) -> Trace:
+def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, every_axis: bool = False) -> Trace:
     """Run the loop and keep everything: a Trace whose relation is exact.
 
     `axes`: a choice of axes (satviz.axes), by default the smallest complete set; with
-    it, concave polygons are tested part by part.  The loop stops at the first
+    it, concave polygons are tested part by part.  Or a shortcut, whose `claim` the
+    trace then holds beside the exact relation.  The loop stops at the first
     separating axis, and for parts at the first pair that overlaps, unless
     `every_axis`.  TypeError for anything but Polygon and Circle; InvalidScene if the
     trace would list more than MAX_SIZE points and axes.
@@ -182,19 +236,32 @@ def record(a: Shape, b: Shape, *, axes: Chooser | Choice = needed, every_axis: b
     checked(a, "a"), checked(b, "b")
     if axes is needed and not (a.is_convex and b.is_convex):
         return _record_parts(a, b, every_axis)
+    if isinstance(axes, Shortcut):
+        return _record_shortcut(a, b, axes, every_axis)
     return _record(a, b, axes if isinstance(axes, Choice) else axes(a, b), every_axis, PLAIN)
 
 
-def _record(a: Shape, b: Shape, choice: Choice, every_axis: bool, names: Names) -> Trace:
-    tests = []
-    for test in axis_tests(a, b, choice.axes):
+def _record_shortcut(a: Shape, b: Shape, shortcut: Shortcut, every_axis: bool) -> Trace:
+    if shortcut.split is None:
+        return _record(a, b, shortcut.choose(a, b), every_axis, PLAIN, shortcut)
+    pieces = enumerate(shortcut.split(a), 1)
+    pairs = [_record(p, b, needed(p, b), every_axis, Names(f"A{i}", "B")) for i, p in pieces]
+    return Trace(a, b, Choice(()), (), every_axis, tuple(pairs), PLAIN, shortcut)
+
+
+def _record(
+    a: Shape, b: Shape, choice: Choice, every_axis: bool, names: Names, shortcut: Shortcut | None = None
+) -> Trace:
+    tests: list[AxisTest] = []
+    measured = shortcut.tests(a, b, choice.axes) if shortcut else axis_tests(a, b, choice.axes)
+    for test in measured:
         tests.append(test)
         if _size(a, b, choice, tests) > MAX_SIZE:
             what = f"{' and '.join(names)} have {_points(a, b):,} points to drop on {len(choice.axes):,} axes"
             raise _too_large(what)
-        if test.gap > 0 and not every_axis:
+        if not every_axis and (test.gap > 0 or (shortcut and shortcut.separates(test))):
             break
-    return Trace(a, b, choice, tuple(tests), every_axis, (), names)
+    return Trace(a, b, choice, tuple(tests), every_axis, (), names, shortcut)
 
 
 def _record_parts(a: Shape, b: Shape, every_axis: bool) -> Trace:
@@ -209,6 +276,10 @@ def _record_parts(a: Shape, b: Shape, every_axis: bool) -> Trace:
         if pair.relation is OVERLAPPING and not every_axis:
             break
     return Trace(a, b, Choice((), complete=True), (), every_axis, tuple(pairs))
+
+
+def _separates(test: AxisTest) -> bool:
+    return test.gap > 0
 
 
 def _shallowest(tests: Sequence[AxisTest]) -> AxisTest:

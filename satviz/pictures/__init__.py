@@ -1,7 +1,8 @@
 """Pictures: one step of a trace as marks, with no pen in sight."""
 
+from .belief import picture
 from .marks import Mark, Picture
-from .stages import Stage, Step, picture, steps
+from .stages import Stage, Step, steps
 from .theme import DARK, LIGHT, THEMES, Theme
 
 __all__ = ["DARK", "LIGHT", "THEMES", "Mark", "Picture", "Stage", "Step", "Theme", "picture", "steps"]

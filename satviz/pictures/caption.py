@@ -25,12 +25,12 @@ def _with(picture: Picture, text: str, room: float) -> Picture:
     return picture._replace(marks=(*picture.marks, label), limits=limits, size=size)
 
 
-def wrapped(text: str, width: float) -> str:
+def wrapped(text: str, width: float, weight: str = "plain") -> str:
     """Lines as full as the width allows."""
     lines = [""]
     for word in text.split(" "):
         longer = f"{lines[-1]} {word}".strip()
-        if lines[-1] and text_box(longer)[0] > width:
+        if lines[-1] and text_box(longer, weight)[0] > width:
             lines.append(word)
         else:
             lines[-1] = longer

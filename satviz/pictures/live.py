@@ -50,7 +50,7 @@ def telling_test(trace: Trace) -> Chosen | None:
     pair, run = min(runs, key=lambda r: max((t.gap for t in r[1].tests), default=0.0))
     if not run.tests:
         return None
-    best = run.separating or max(run.tests, key=lambda t: t.gap)
+    best = run.ended_by or max(run.tests, key=lambda t: t.gap)
     return Chosen(pair, run.tests.index(best))
 
 

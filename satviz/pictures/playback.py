@@ -5,8 +5,9 @@ from typing import Any
 from ..engine import digits, telling
 from ..engine.geometry import Relation
 from ..engine.trace import Trace
+from .belief import picture
 from .marks import Mark, marks_data
-from .stages import Stage, Step, checked, picture, steps
+from .stages import Stage, Step, checked, steps
 
 # the algorithm line by line, and the stages that each line is about
 CODE = (
@@ -106,7 +107,7 @@ def _row(trace: Trace, step: Step) -> int | None:
 def _lines(trace: Trace, step: Step) -> list[int]:
     """The numbers of the code's lines that a step is about."""
     if step.stage is Stage.VERDICT:
-        return [4] if trace.relation is Relation.APART and not trace.false_hit else [5]
+        return [4] if trace.claim is Relation.APART else [5]
     lines = [i for i, (_, stages) in enumerate(CODE) if step.stage in stages]
     if step.stage is Stage.GAP and step.test is not None:
         run = trace if step.pair is None else trace.pairs[step.pair]

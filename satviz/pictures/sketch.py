@@ -9,7 +9,7 @@ from math import hypot
 from typing import Unpack
 
 from ..engine import telling
-from ..engine.axes import CENTERS, EARLY_EXIT, EDGE, HULL, VERTEX, WORLD
+from ..engine.axes import CENTERS, EARLY_EXIT, EDGE, FROM_EDGES, HULL, SLIP, VERTEX, WORLD
 from ..engine.geometry import Interval, Vec
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Polygon, Shape, centroid
@@ -148,7 +148,7 @@ class Sketch:
     def edge(self, test: AxisTest, *, told: bool = False) -> None:
         """The edge (or the line between centers or to the nearest vertex) the axis comes from."""
         (kind, _, ids), role = test.source, test.source.shape or "ink"
-        if kind in (EDGE, HULL):
+        if kind in FROM_EDGES:
             name, polygon = self.polygon(role)
             p, q = (polygon.vertices[i] for i in ids)
             self.add("edge", "arrow", role, q, p, weight="strong")  # the edge as the difference of its ends
@@ -177,7 +177,7 @@ class Sketch:
     def normal_arrow(self, test: AxisTest) -> Segment | None:
         """Tail and tip of the axis's direction where it comes from; None for an axis from nowhere."""
         kind, role, ids = test.source
-        if kind in (EDGE, HULL):
+        if kind in FROM_EDGES:
             _, polygon = self.polygon(role)
             start = self.middle(*(polygon.vertices[i] for i in ids))
         elif kind in (CENTERS, VERTEX):
@@ -207,11 +207,12 @@ class Sketch:
             self.right_angle(arrow[0], way)
         self.add("normal", "arrow", role, *arrow, start=arrow[:1])
         if told:
-            text = "direction"
-            if test.source.kind in (EDGE, HULL):
+            text, edge = "direction", test.source.kind in FROM_EDGES
+            if edge:
                 sign = 1 if way == test.axis.direction else -1
                 n = Vec(test.axis.normal.x * sign + 0.0, test.axis.normal.y * sign + 0.0)
-                text = f"normal {telling.digits(self.trace).vector(n)}"
+                what = "(dx, -dy) =" if test.source.kind == SLIP else "normal"
+                text = f"{what} {telling.digits(self.trace).vector(n)}"
                 text += "\n(either direction will do)" if sign < 0 else ""
             self.label("normal-name", text, role, arrow[1], prefer=way, first=1)
 
@@ -222,6 +223,15 @@ class Sketch:
         up, side = moved(foot, way, size), moved(foot, along, size)
         corner = moved(up, along, size)
         self.add("right-angle", "segment", "ink", up, corner, corner, side)
+
+    def no_axis(self, test: AxisTest) -> None:
+        """The edge between two vertices in one place, which gives no axis."""
+        role = test.source.shape or "A"
+        self.vertices(role, test.source.ids[:1])
+        ends = " and ".join(short_name(self.of(role)[1], self.of(role)[0], i) for i in test.source.ids)
+        text = f"{ends} lie in one place: no normal but (0, 0),\non which every point lands at 0"
+        low = Vec((self.layout.limits[0] + self.layout.limits[2]) / 2, self.layout.limits[1])
+        self.label("no-axis", text, "ink", low, first=1, far=True)
 
     def all_normals(self) -> None:
         """A small outward arrow on every edge."""

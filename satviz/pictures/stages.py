@@ -86,15 +86,7 @@ def picture(
     `largest`: the canvas in points at most.  All steps have one scale and one canvas; `by_itself` cuts it to
     what this step shows.  IndexError for a step the trace does not have.
     """
-    every = steps(trace)
-    if not isinstance(step, Step):
-        if not isinstance(step, SupportsIndex):
-            raise TypeError(f"step is {step!r}: pass a number or a Step")
-        if not -len(every) <= step < len(every):
-            raise IndexError(f"step {step}: this trace has the steps 0 to {len(every) - 1}")
-        step = every[step]
-    elif step not in every:
-        raise IndexError(f"{step}: this trace has no such step")
+    step = chosen(trace, step)
     layout = frames(trace, largest, by_itself)[_frame(trace, step)]
     return _drawn(trace, step, layout, _kept(trace, step, largest, by_itself), title)
 
@@ -115,6 +107,20 @@ def _drawn(trace: Trace, step: Step, layout: Layout, kept: Sequence[Mark], title
 
 
 BEFORE_THE_AXIS = Stage.SCENE, Stage.PARTS, Stage.EDGE, Stage.NORMAL
+
+
+def chosen(trace: Trace, step: int | Step) -> Step:
+    """A step by its number in `steps(trace)`, or itself; IndexError for one the trace does not have."""
+    every = steps(trace)
+    if not isinstance(step, Step):
+        if not isinstance(step, SupportsIndex):
+            raise TypeError(f"step is {step!r}: pass a number or a Step")
+        if not -len(every) <= step < len(every):
+            raise IndexError(f"step {step}: this trace has the steps 0 to {len(every) - 1}")
+        step = every[step]
+    elif step not in every:
+        raise IndexError(f"{step}: this trace has no such step")
+    return step
 
 
 @lru_cache(maxsize=64)
@@ -181,6 +187,8 @@ def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace | None) -> 
     test = trace.tests[i]
     done = OF_A_TEST.index(stage)
     sketch.shapes()
+    if not any(test.axis.normal):
+        return sketch.no_axis(test)
     sketch.edge(test, told=stage in (Stage.EDGE, Stage.NORMAL))
     if Stage.NORMAL in OF_A_TEST[: done + 1]:
         sketch.normal(test, told=stage in (Stage.NORMAL, Stage.AXIS))
@@ -219,7 +227,7 @@ def draw_parts(sketch: Sketch, named: Collection[str] | None = None) -> None:
             sketch.shape(role, part_name, part, named=told, quiet=len(parts) > FEW_PARTS)
 
 
-def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace]) -> None:
+def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace], *, told: bool = True) -> None:
     """What proves the verdict: a separating line, a shared point, the move that parts them."""
     trace = sketch.trace
     certificate = trace.certificate
@@ -269,13 +277,19 @@ def draw_move(sketch: Sketch) -> None:
     move = trace.known_mtv
     if trace.relation is not Relation.OVERLAPPING or move is None:
         return
-    ghost = shifted(trace.b, move)
-    sketch.shape("B", f"{trace.names.b} moved", ghost, weight="faint", named=False)
     certificate = trace.certificate
     assert isinstance(certificate, SharedPoint)  # as of all that overlap
-    start, tip = certificate.point, moved(certificate.point, move, 1.0)
+    start = certificate.point
+    draw_mtv(sketch, start, move)
+
+
+def draw_mtv(sketch: Sketch, start: Vec, move: Vec) -> None:
+    """The move from a point in both, and B there."""
+    ghost = shifted(sketch.trace.b, move)
+    sketch.shape("B", f"{sketch.trace.names.b} moved", ghost, weight="faint", named=False)
+    tip = moved(start, move, 1.0)
     sketch.add("mtv", "arrow", "move", start, tip, start=(start,))
-    sketch.label("mtv-name", f"MTV {telling.digits(trace).vector(move)}", "move", tip, prefer=move, first=3)
+    sketch.label("mtv-name", f"MTV {telling.digits(sketch.trace).vector(move)}", "move", tip, prefer=move, first=3)
 
 
 def separating_line(sketch: Sketch, certificate: SeparatingLine, text: str = "separating line") -> None:

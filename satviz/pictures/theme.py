@@ -76,6 +76,8 @@ def look(kind: str, role: str, weight: str) -> Look:
         square = role == "B"
         return Look(kind, role, size=DOT * 0.9 if square else DOT, square=square)
     line = Look(kind, role, LAYERS.get(kind, LAYERS[weight]), OUTLINE, opacity=FAINT if faint else 1.0)
+    if kind == "outline" and role == "wrong":
+        return Look(kind, role, fill=FILL * 2)  # an area, and no line: what lies side by side shows no seam
     if kind in ("outline", "disc"):
         fill = FILL / 3 if faint else FILL
         return line._replace(width=GUIDE if faint else OUTLINE, dash=DASH if role == "B" else (), fill=fill)

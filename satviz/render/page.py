@@ -10,6 +10,7 @@ from ..disk import MADE_BY
 from ..engine import telling
 from ..engine.trace import Trace
 from ..pictures import picture
+from ..pictures.belief import heading
 from ..pictures.playback import playbacks
 from .files import inline_svg
 from .script import javascript, stylesheet
@@ -39,8 +40,8 @@ def page(trace: Trace, *, title: str = "") -> str:
     Without JavaScript, and on paper, it shows the first and the last picture instead.
     ValueError for a scene that cannot be drawn, or one with too many steps.
     """
-    title = title or "Do A and B collide?"
     shows = playbacks(trace)
+    title = " ".join(heading(trace)) if trace.shortcut else title or "Do A and B collide?"
     script = javascript("pen", "player") + START
     policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_hash(script)}'; base-uri 'none'"
     data = json.dumps(shows, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")

@@ -8,23 +8,27 @@ from stat import S_ISREG
 from typing import Any
 
 from ..engine import door
-from ..engine.axes import NAMED
+from ..engine.axes import NAMED, Chooser
 from ..engine.geometry import InvalidScene, InvalidShape
 from ..engine.shapes import Circle, Polygon, Shape
+from ..engine.shortcut import Shortcut
 from ..engine.trace import Trace, record
+from .shortcuts import NAMED as SHORTCUTS
 from .strictjson import keys, parse, typed
 
 MAX_CHARS = 1 << 20
 MAX_VERTICES = 1000  # a trace has (n + m) axes with n + m landings each
 NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 MAX_NAME = 60
+CHOICES: dict[str, Chooser | Shortcut] = {**NAMED, **SHORTCUTS}
 
 
 @dataclass(frozen=True, slots=True)
 class Scene:
     """Two shapes, the choice of axes to test them on, a name for files and a title for people.
 
-    `axes` is a name from satviz.axes.NAMED; `every_axis` goes on past the early exit.
+    `axes` is a name from satviz.axes.NAMED, or a shortcut's (`satviz scenes --failing` lists them);
+    `every_axis` goes on past the early exit.
     """
 
     name: str
@@ -41,12 +45,12 @@ class Scene:
             )
         if not self.title.isprintable():
             raise InvalidScene(f"the title {self.title!r} must be one line of printable text")
-        if self.axes not in NAMED:
-            raise InvalidScene(f"unknown axes {self.axes!r}: choose one of {', '.join(NAMED)}")
+        if self.axes not in CHOICES:
+            raise InvalidScene(f"unknown axes {self.axes!r}: choose one of {', '.join(NAMED)}, or a shortcut by name")
 
     def record(self) -> Trace:
         """The scene's trace."""
-        return record(self.a, self.b, axes=NAMED[self.axes], every_axis=self.every_axis)
+        return record(self.a, self.b, axes=CHOICES[self.axes], every_axis=self.every_axis)
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: its trace's table and last picture."""

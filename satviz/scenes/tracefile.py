@@ -12,8 +12,10 @@ from ..engine.geometry import InvalidScene, InvalidShape, Vec
 from ..engine.outline import number
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Shape
+from ..engine.shortcut import Shortcut
 from ..engine.trace import PLAIN, Names, Trace, record
 from .scenefile import shape_data, shape_from
+from .shortcuts import NAMED as SHORTCUTS
 from .strictjson import keys, parse, refuse_large, typed
 
 MAX_CHARS = 1 << 26
@@ -21,7 +23,9 @@ ROUNDING = 2.0**-28  # how far another machine's square root may move a landing,
 
 
 def dump(trace: Trace, indent: int | None) -> str:
-    """A trace as the text of a trace file."""
+    """A trace as the text of a trace file; InvalidScene for a shortcut of one's own, which nobody could run again."""
+    if trace.shortcut and SHORTCUTS.get(trace.shortcut.name) != trace.shortcut:
+        raise InvalidScene(f"the shortcut {trace.shortcut.name!r} is none of satviz's: its trace cannot be written")
     data = {"satviz": "trace 1", **_data(trace, trace.known_mtv)}
     text = json.dumps(data, indent=indent, ensure_ascii=False, allow_nan=False)
     try:
@@ -38,9 +42,11 @@ def load(text: str) -> Trace:
         raise InvalidScene('"satviz" must be "trace 1"')
     keys(data, "trace", _KEYS)
     a, b = (shape_from(data[name], f"trace.{name}") for name in ("a", "b"))
+    shortcut = _shortcut(data["shortcut"])
     pairs = typed(data["pairs"], "trace.pairs", list)
     if pairs:
-        again = record(a, b, every_axis=typed(data["every_axis"], "trace.every_axis", bool))
+        every_axis = typed(data["every_axis"], "trace.every_axis", bool)
+        again = record(a, b, axes=shortcut or axes.needed, every_axis=every_axis)
         if len(pairs) != len(again.pairs):
             raise InvalidScene("trace.pairs are not those of the shapes' convex parts")
         found = zip(pairs, again.pairs, strict=True)
@@ -48,10 +54,18 @@ def load(text: str) -> Trace:
             again, pairs=tuple(_pair(pair, f"trace.pairs[{i}]", ours) for i, (pair, ours) in enumerate(found))
         )
     else:
-        trace = _facts(data, "trace", a, b, PLAIN)
-        _same(trace, record(a, b, axes=_choice_like(trace), every_axis=trace.every_axis), "trace")
+        trace = _facts(data, "trace", a, b, PLAIN, shortcut)
+        _same(trace, record(a, b, axes=shortcut or _choice_like(trace), every_axis=trace.every_axis), "trace")
     _agree(_data(trace, _way_out(trace, data["mtv"])), data, "trace")
     return trace
+
+
+def _shortcut(name: Any) -> Shortcut | None:
+    if not name and name is not None:
+        raise InvalidScene("trace.shortcut must be a name or null")
+    if name is not None and typed(name, "trace.shortcut", str) not in SHORTCUTS:
+        raise InvalidScene(f"trace.shortcut is {name!r}: no shortcut of that name")
+    return SHORTCUTS[name] if name else None
 
 
 def _pair(data: Any, where: str, ours: Trace) -> Trace:
@@ -90,6 +104,7 @@ def _data(trace: Trace, mtv: Vec | None) -> dict[str, object]:
         "a": shape_data(trace.a),
         "b": shape_data(trace.b),
         "names": list(trace.names),
+        "shortcut": trace.shortcut and trace.shortcut.name,
         "every_axis": trace.every_axis,
         "complete": trace.choice.complete,
         "axes": [_axis_data(axis) for axis in trace.choice.axes],
@@ -98,6 +113,7 @@ def _data(trace: Trace, mtv: Vec | None) -> dict[str, object]:
         ],
         "tests": [_test_data(test) for test in trace.tests],
         "pairs": [_data(pair, pair.mtv) for pair in trace.pairs],
+        "claim": str(trace.claim),
         "relation": str(trace.relation),
         "hit": trace.hit,
         "mtv": mtv and list(mtv),
@@ -106,14 +122,17 @@ def _data(trace: Trace, mtv: Vec | None) -> dict[str, object]:
 
 
 _LISTS = ["axes", "skipped", "tests", "pairs"]
-_KEYS = {"a", "b", "names", "every_axis", "complete", *_LISTS, "relation", "hit", "mtv", "sentence"}
+_KEYS = {"a", "b", "names", "shortcut", "every_axis", "complete", *_LISTS}
+_KEYS |= {"claim", "relation", "hit", "mtv", "sentence"}
 
 
-def _facts(data: Any, where: str, a: Shape, b: Shape, names: Names) -> Trace:
+def _facts(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut: Shortcut | None = None) -> Trace:
     """The trace of one run, with the file's numbers."""
     keys(data, where, _KEYS)
     lists = {name: list(enumerate(typed(data[name], f"{where}.{name}", list))) for name in _LISTS}
     known = axes.by_source(a, b)
+    if shortcut:
+        known |= {axis.source: axis for axis in shortcut.choose(a, b).axes}
     found = tuple(_axis(axis, f"{where}.axes[{i}]", known) for i, axis in lists["axes"])
     parallel = [(axes.PARALLEL, i) for i in range(1, len(found) + 1)]
     reasons = {telling.reason(*facts): facts for facts in [(axes.NO_DIRECTION, None), *parallel]}
@@ -128,7 +147,8 @@ def _facts(data: Any, where: str, a: Shape, b: Shape, names: Names) -> Trace:
         raise InvalidScene(f"{where}.tests has more tests than there are axes")
     tests = tuple(_test(test, f"{where}.tests[{i}]", found[i]) for i, test in lists["tests"])
     choice = Choice(found, tuple(skipped), typed(data["complete"], f"{where}.complete", bool))
-    return Trace(a, b, choice, tests, typed(data["every_axis"], f"{where}.every_axis", bool), (), names)
+    every_axis = typed(data["every_axis"], f"{where}.every_axis", bool)
+    return Trace(a, b, choice, tests, every_axis, (), names, shortcut)
 
 
 def _axis(data: Any, where: str, known: dict[Source, Axis]) -> Axis:

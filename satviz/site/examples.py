@@ -10,6 +10,8 @@ EXAMPLES = {
     "satviz.record": f"{TWO}\nsv.record(a, b)",
     "satviz.Trace": f"{TWO}\ntrace = sv.record(a, b)\nprint(trace.sentence)\ntrace.certificate",
     "satviz.axis_tests": f"{TWO}\n[test.gap for test in sv.axis_tests(a, b, sv.axes.world(a, b).axes)]",
+    "satviz.Shortcut": f"{TWO}\nonly_y = sv.Shortcut('only y', 'y is enough', sv.axes.directions((0, 1)))\n"
+    "sv.picture(sv.record(a, b, axes=only_y))",
     "satviz.parts": "ell = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])\nsv.parts(ell)",
     "satviz.scene": 'sv.scene("circle-polygon")',
     "satviz.steps": 'sv.steps(sv.scene("triangles").record())[:4]',
@@ -17,6 +19,7 @@ EXAMPLES = {
     "satviz.draw": 'figure = sv.draw(sv.scene("triangles").record(), step=-1)\n'
     'sv.picture(sv.scene("triangles").record(), -1)  # the same picture, as this page shows it',
     "satviz.sheet": 'sv.sheet(sv.scene("triangles").record())',
+    "satviz.difference": f"{TWO}\nsv.difference(sv.record(a, b))",
     "satviz.gap_curve": f"{TWO}\nsv.gap_curve(a, b)",
     "satviz.engine.axes.needed": f"{TWO}\nsv.record(a, b, axes=sv.axes.needed)",
     "satviz.engine.axes.world": f"{TWO}\nsv.record(a, b, axes=sv.axes.world)",

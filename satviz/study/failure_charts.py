@@ -48,7 +48,7 @@ def map_chart(slide: Slide) -> Chart:
 
 def _right_answer(row: Row) -> Picture:
     """The axis with the largest gap, or the way out; on a run of that axis alone, for which there is more room."""
-    trace = row.scene.record()
+    trace = row.scene.record().truth
     hull = record(row.a, row.b, axes=hull_normals, every_axis=True)
     runs = (trace,) if trace.tests else (hull,) if hull.separating else trace.pairs
     best = [max(run.tests, key=lambda test: test.gap) for run in runs]
@@ -94,7 +94,7 @@ def reading(slide: Slide) -> str:
     return (
         f"Belief {row.number}, “{row.claim}”: with B on {slide.counts.total()} {where} the shortcut is wrong "
         f"{slide.wrong} times ({_share(slide)}): {slide.told}. In the scene beside the map it gives "
-        f"{row.told(row.wrong)}; right is {row.told(row.truth)}. {row.scene.record().sentence}"
+        f"{row.told(row.wrong)}; right is {row.told(row.truth)}. {row.scene.record().truth.sentence}"
     )
 
 

@@ -13,17 +13,18 @@ from ..pictures import Mark, Picture, Theme
 from ..pictures.labels import holds, name_spots
 from ..render.pen import Pen
 from ..scenes.failing import Row
-from .failures import FALSE, FAR, HIT, LONG, MISSED, SHORT, Slide, reference
+from ..scenes.shortcuts import middle
+from .failures import FALSE, FAR, HIT, LONG, MISSED, SHORT, Slide
 
 LETTER = 17.0  # the size of A's name
-# what is wrong has a colour of its own and a hatch; what is right stays quiet
+# what is wrong has one colour, and a hatch for each way; what is right stays quiet
 LOOKS = {
     HIT: ("guide", 0.16, ""),
     FALSE: ("false", 0.45, "////"),
-    SHORT: ("false", 0.45, "////"),
     MISSED: ("missed", 0.45, "\\\\\\\\"),
+    SHORT: ("false", 0.45, "----"),
     LONG: ("missed", 0.45, "xxx"),
-    FAR: ("missed", 0.45, "xxx"),
+    FAR: ("missed", 0.45, "..."),
 }
 
 
@@ -41,7 +42,7 @@ def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme, *, named: bool = Tr
     x0, y0, x1, y1 = view = limits(slide, row)
     width = ax.get_position().width * ax.figure.get_size_inches()[0] * 72
     scale = width / (x1 - x0)
-    at = reference(row.b)
+    at = middle(row.b)
     marks = [_outline("A", row.a), _outline("B", row.b, weight="faint"), Mark("reference", "dot", "B", (at,))]
     if named:
         marks.append(Mark("name", "label", "A", (_name_spot(row, scale),), owner="A", text="A", weight="title"))
@@ -50,7 +51,7 @@ def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme, *, named: bool = Tr
         frame = _boxes(_box(slide, 0, len(slide.codes[0]), 0, len(slide.codes)))
         ax.add_patch(PathPatch(frame, facecolor="none", edgecolor=theme.roles["guide"], linewidth=0.7, zorder=0.7))
     for code, (role, alpha, hatch) in LOOKS.items():
-        path = _along(slide, code, (2.0 if code == HIT else 4.0) / scale) if slide.path else _cells(slide, code)
+        path = _along(slide, code, (2.0 if code == HIT else 4.0) / scale) if slide.path else _area(slide, code)
         if path is not None:
             colour = theme.roles[role]
             look = {"facecolor": colour, "alpha": alpha, "linewidth": 0, "antialiased": False, "zorder": 0.5}
@@ -62,7 +63,7 @@ def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme, *, named: bool = Tr
 def _name_spot(row: Row, scale: float) -> Vec:
     """Where A's name stands: inside it and off B's middle, or above where A is too flat for a letter."""
     x0, _, _, y1 = row.a.bounds
-    at, room = reference(row.b), LETTER / scale
+    at, room = middle(row.b), LETTER / scale
     spots = [p for p in name_spots(row.a) if hypot(p.x - at.x, p.y - at.y) > 1.3 * room]
     roomy = [p for p in spots if _within(row.a, p, room / 2)]
     return (roomy or [Vec(x0 + room, y1 + room / 2)])[0]
@@ -78,6 +79,18 @@ def _outline(name: str, shape: Shape, *, weight: str = "plain") -> Mark:
     if isinstance(shape, Circle):
         return Mark("outline", "disc", name, (shape.center,), owner=name, radius=shape.radius, weight=weight)
     return Mark("outline", "outline", name, shape.vertices, owner=name, weight=weight)
+
+
+def _area(slide: Slide, code: str) -> Path | None:
+    """One outline for all areas of that letter."""
+    if not slide.areas:
+        return _cells(slide, code)
+    points, codes = [], []
+    for letter, ring in slide.areas:
+        if letter == code:
+            points += [*ring, ring[0]]
+            codes += [Path.MOVETO, *[Path.LINETO] * (len(ring) - 1), Path.CLOSEPOLY]
+    return Path(points, codes) if points else None
 
 
 def _cells(slide: Slide, code: str) -> Path | None:

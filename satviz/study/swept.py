@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from ..pictures import Theme
 from ..pictures import theme as look
 from ..scenes.failing import NAMED, swept
-from ..scenes.failing.shortcuts import written
+from ..scenes.shortcuts import written
 from .cells import Cell, Settings
 from .chart import TEXT, Chart, axes, headline
 

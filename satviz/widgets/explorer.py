@@ -4,6 +4,7 @@ import traitlets
 
 from ..engine.shapes import Shape, checked
 from ..scenes.article import SCENES
+from ..scenes.failing import REFUSED, ROWS
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene
 from .base import Shown, code
@@ -13,12 +14,14 @@ from .exploring import Exploring
 class Explorer(Shown):
     """Two shapes to drag, turn and reshape, with the axis that tells most (or one chosen, or a free one).
 
+    A failing scene shows the shortcut's run, its answer and a map of where it is wrong, or the truth.
     `scene` and `trace` follow the hand; what the browser sends is checked like a scene file.
     """
 
     _esm = code("explore")
     first = traitlets.Dict().tag(sync=True)
     presets = traitlets.List([s.name for s in SCENES]).tag(sync=True)
+    failing = traitlets.List([row.name for row in ROWS if row.how != REFUSED]).tag(sync=True)
 
     def __init__(self, shown: Scene) -> None:
         self._exploring = Exploring(shown)

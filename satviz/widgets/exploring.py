@@ -8,13 +8,17 @@ from ..engine.axes import directions
 from ..engine.geometry import InvalidScene, Vec
 from ..engine.trace import Trace, record
 from ..pictures import Picture
+from ..pictures.belief import hand, heading
 from ..pictures.curve import direction, gap_curve
 from ..pictures.live import Chosen, field, fits, knob, live, telling_test, turned_axis
+from ..pictures.minkowski import difference
 from ..pictures.playback import rows
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
 from ..scenes.strictjson import typed
 from .showing import Showing
+
+SHORTCUT, TRUTH = "shortcut", "truth"
 
 
 class Drawn(NamedTuple):
@@ -28,12 +32,13 @@ class Drawn(NamedTuple):
 class Exploring(Showing):
     """Two shapes to drag, turn and reshape, with the axis that tells most (or one chosen, or a free one).
 
+    A scene whose axes are a shortcut's has two views: the shortcut's run, and the truth.
     ValueError for a scene that cannot be drawn.
     """
 
     def __init__(self, shown: Scene) -> None:
         self._degree: float | None = None
-        self._way_out = False
+        self._way_out = self._against = False
         self._start(shown)
         self._settle()
 
@@ -69,7 +74,12 @@ class Exploring(Showing):
             "rows": rows(trace),
             "lit": drawn.lit,
             "json": self.scene.to_json(),
+            "view": self._view,
         }
+        if self._against:
+            found["difference"] = difference(trace).data()
+        if self._run.shortcut:
+            found["heading"] = list(heading(self._run))
         if drawn.knob is not None:
             found["curve"] = gap_curve(self.scene.a, self.scene.b, self._degree).data()
             found["knob"] = list(drawn.knob)
@@ -78,7 +88,7 @@ class Exploring(Showing):
     def _start(self, shown: Scene) -> None:
         trace = _trace(shown)
         self._layout = field(trace)
-        self.scene, self.trace = shown, trace
+        self._look(shown, trace, SHORTCUT if trace.shortcut else None)
         self._pinned: int | None = None
         self._near: Vec | None = None  # the way the axis lay before, so that it stays on its side
 
@@ -89,13 +99,24 @@ class Exploring(Showing):
             raise InvalidScene("the angle must be a number")
         if pinned is not None and not isinstance(pinned, int):
             raise InvalidScene("the axis shown must be a row's number")
+        view = (content.get("view") or self._view) if self._view else None
+        if view not in (None, SHORTCUT, TRUTH):
+            raise InvalidScene(f'the view must be "{SHORTCUT}" or "{TRUTH}"')
         changed = replace(self.scene, a=a, b=b)
         trace = _trace(changed)
         field(trace)  # refused where it cannot be drawn
-        if pinned != self._pinned or (degree is None) != (self._degree is None):
+        if pinned != self._pinned or (degree is None) != (self._degree is None) or view != self._view:
             self._near = None
+        if view != self._view:
+            pinned = None  # the other run's rows are others
         self._pinned, self._degree, self._way_out = pinned, degree, bool(content.get("wayOut"))
-        self.scene, self.trace = changed, trace
+        self._against = bool(content.get("against"))
+        self._look(changed, trace, view)
+
+    def _look(self, scene: Scene, run: Trace, view: str | None) -> None:
+        """The run of the scene, and the trace that the view shows."""
+        self.scene, self._run, self._view = scene, run, view
+        self.trace = run.truth if view == TRUTH else run
 
     def _settle(self, *, final: bool = True) -> None:
         """Draw; when a drag has ended the view is fitted anew if something lies outside."""
@@ -112,7 +133,8 @@ class Exploring(Showing):
             self._near = place.out
             return Drawn(drawn, knob=knob(self._layout, place, self._degree))
         chosen = self._choice()
-        drawn, lies = live(trace, self._layout, chosen, way_out=self._way_out, near=self._near)
+        show = hand if trace.shortcut else live
+        drawn, lies = show(trace, self._layout, chosen, way_out=self._way_out, near=self._near)
         self._near = None if lies is None else lies.out
         return Drawn(drawn, lit=None if chosen is None else _row_of(trace, chosen))
 

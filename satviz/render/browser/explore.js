@@ -31,11 +31,14 @@ class Explorer {
     this.svg = svg;
     this.curve = element("svg", { class: "sv-picture sv-curve", role: "img", hidden: true });
     this.curvePen = new Pen(this.curve);
+    this.difference = element("svg", { class: "sv-picture sv-difference", role: "img", hidden: true });
+    this.differencePen = new Pen(this.difference);
     this.sentence = element("p", { class: "sv-sentence", "aria-live": "polite" });
+    this.heading = element("p", { class: "sv-heading", hidden: true });
     this.why = element("p", { class: "sv-why", role: "alert", hidden: true });
     this.table = new Table(this.state.names, { pick: (row) => this.pick(row) });
-    const side = element("div", { class: "sv-side" }, this.table.element, this.curve);
-    const stage = element("div", { class: "sv-stage" }, svg, this.why, this.sentence, this.controls());
+    const side = element("div", { class: "sv-side" }, this.table.element, this.curve, this.difference);
+    const stage = element("div", { class: "sv-stage" }, this.heading, svg, this.why, this.sentence, this.controls());
     root.classList.add("satviz");
     root.setAttribute("data-lm-suppress-shortcuts", "true");
     root.append(element("div", { class: "sv-columns" }, stage, side));
@@ -54,19 +57,24 @@ class Explorer {
       const box = element("input", { type: "checkbox", onchange: () => does(box.checked) });
       return element("label", {}, box, ` ${label}`);
     };
-    const options = ["presets", ...this.model.get("presets")].map((name, i) => element("option", { value: i ? name : "" }, name));
-    this.presets = element("select", { "aria-label": "presets", onchange: () => this.preset() }, ...options);
+    const named = (names) => names.map((name) => element("option", { value: name }, name));
+    const groups = { "the article's": this.model.get("presets"), "where a shortcut fails": this.model.get("failing") };
+    const options = Object.entries(groups).map(([label, names]) => element("optgroup", { label }, ...named(names)));
+    this.presets = element("select", { "aria-label": "presets", onchange: () => this.preset() }, element("option", { value: "" }, "presets"), ...options);
+    this.views = ["shortcut", "truth"].map((view) => button(view, () => this.change({ view, pinned: null }), { pressed: "false" }));
+    this.view = element("span", { class: "sv-view", role: "group", "aria-label": "what is shown", hidden: true }, ...this.views);
     this.undoButton = button("undo", () => this.undo());
     return element("div", { class: "sv-controls", role: "group", "aria-label": "explorer" },
-      this.presets, this.undoButton, button("reset", () => this.commit(this.start)),
+      this.presets, this.view, this.undoButton, button("reset", () => this.commit(this.start)),
       check("free axis", (on) => this.change({ degree: on ? 30 : null, pinned: null })),
       check("way out", (on) => this.change({ wayOut: on })),
+      check("B − A", (on) => this.change({ against: on })),
       button("copy scene as JSON", () => this.copy(), { shows: "copy JSON" }),
       ...["svg", "png", "gif"].map((form) => button(`save ${form.toUpperCase()}`, () => this.model.send({ kind: "save", form }))));
   }
 
-  poseOf({ a, b }) {
-    return { a, b, degree: this.pose?.degree ?? null, pinned: this.pose?.pinned ?? null, wayOut: this.pose?.wayOut ?? false };
+  poseOf({ a, b, view }) {
+    return { a, b, view, degree: this.pose?.degree ?? null, pinned: this.pose?.pinned ?? null, wayOut: this.pose?.wayOut ?? false, against: this.pose?.against ?? false };
   }
 
   // -- to and from Python
@@ -131,10 +139,16 @@ class Explorer {
   show(state) {
     this.pen.draw(state.picture);
     if (!this.ahead) this.pose = { ...this.pose, a: state.a, b: state.b };
+    this.view.toggleAttribute("hidden", !state.view);
+    this.views.forEach((each) => each.setAttribute("aria-pressed", String(each.textContent === state.view)));
+    this.heading.textContent = (state.heading ?? []).join(" ");
+    this.heading.toggleAttribute("hidden", !state.heading);
     this.sentence.textContent = state.sentence;
     this.showRows(state);
     this.curve.toggleAttribute("hidden", !state.curve);
     if (state.curve) this.curvePen.draw(state.curve);
+    this.difference.toggleAttribute("hidden", !state.difference);
+    if (state.difference) this.differencePen.draw(state.difference);
     this.undoButton.disabled = !this.undone.length;
     this.follow();
   }

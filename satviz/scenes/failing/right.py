@@ -3,13 +3,14 @@
 from itertools import combinations
 from math import cos, hypot, nan, radians, sin
 
-from ...engine.axes import HULL, directions, hull_normals
+from ...engine.axes import EDGE, HULL, Source, directions, edge_normals, hull_normals
 from ...engine.geometry import Vec
-from ...engine.sat import AxisTest, axis_tests
-from ...engine.shapes import Polygon, Shape
+from ...engine.sat import axis_tests
+from ...engine.shapes import Shape
 from ...engine.trace import record
+from ..shortcuts import written
 from . import swept, threed
-from .shortcuts import MANY, written
+from .reading import MANY, moved
 
 Answer = float | tuple[swept.Number, swept.Number] | str
 
@@ -23,7 +24,7 @@ def gap(a: Shape, b: Shape) -> float:
 def hull_gap(a: Shape, b: Shape) -> float:
     """The largest gap on a hull's edges that are no edges of the outlines: also for concave ones a proof."""
     tests = record(a, b, axes=hull_normals, every_axis=True).tests
-    return max(test.gap for test in tests if test.source.kind == HULL)
+    return max((test.gap for test in tests if test.source.kind == HULL), default=gap(a, b))
 
 
 def way_out(a: Shape, b: Shape) -> Vec:
@@ -38,15 +39,19 @@ def depth(a: Shape, b: Shape) -> float:
 
 def overlap_after_mtv(a: Shape, b: Shape) -> float:
     """How deep B, a polygon, still is once it has made the shortest move out."""
-    move = way_out(a, b)
-    return max(0.0, -gap(a, Polygon([(x + move.x, y + move.y) for x, y in b.vertices])))
+    return max(0.0, -gap(a, moved(b, way_out(a, b))))
+
+
+def way_aside(a: Shape, b: Shape) -> float:
+    """How far the shortest way out goes along x."""
+    return way_out(a, b).x
 
 
 def distance(a: Shape, b: Shape) -> float:
     """The largest gap once the directions from vertex to vertex are tested too."""
     between = [Vec(q.x - p.x, q.y - p.y) for p in a.vertices for q in b.vertices if p != q]
     tests = record(a, b, axes=directions(*between), every_axis=True).tests
-    return max(gap(a, b), *(test.gap for test in tests))
+    return max([gap(a, b), *(test.gap for test in tests)])
 
 
 def fan(a: Shape, b: Shape) -> tuple[float, float]:
@@ -74,9 +79,10 @@ def fan_width(a: Shape, b: Shape) -> float:
 
 
 def extremes_of_b(a: Shape, b: Shape) -> float:
-    """How many of B's corners land on the end of its range, on the normal of its first edge."""
-    test: AxisTest = next(t for t in record(a, b, every_axis=True).tests if t.source.ids == (0, 1))
-    return test.b.landings.count(test.b.interval.hi)
+    """How many of B's corners land on the end of its range, on the normal of its first edge; NaN if it has none."""
+    first = (t for t in edge_normals(a, b).axes if t.source == Source(EDGE, "B", (0, 1)))
+    found = [test.b for test in axis_tests(a, b, first)]
+    return found[0].landings.count(found[0].interval.hi) if found else nan
 
 
 def looks(a: Shape, b: Shape) -> float:
@@ -95,5 +101,7 @@ def gap_3d(a: Shape, b: Shape) -> float:
 
 
 def contact(a: Shape, b: Shape) -> Answer:
-    """When A, flying over B, meets it, in parts of the way (NaN if never); exact for the decimals of the scene."""
+    """When polygon A, flying over B, meets it, in parts of the way (NaN if never); exact for the scene's decimals."""
+    if a.radius or b.radius:
+        return nan, nan
     return swept.contact(swept.windows(written(a), written(b), swept.FLIGHT)) or (nan, nan)

@@ -1,56 +1,82 @@
-"""A row: a scene, what is believed about it, what that gives, and what satviz says."""
+"""A row: a scene, the shortcut that fails on it, the number that the shortcut gives, and what satviz says."""
 
 from collections.abc import Callable
+from math import isnan, nan
 from typing import NamedTuple
 
 from ...engine import digits
 from ...engine.geometry import InvalidScene, InvalidShape
-from ...engine.shapes import Shape
+from ...engine.shapes import Polygon, Shape
+from ...engine.shortcut import Shortcut
+from ...engine.trace import Trace, record
 from ..scenefile import Scene
-from .right import Answer, gap
-from .shortcuts import Outline, Shortcut, as_shape
+from . import right
+from .right import Answer
+from .unchecked import Outline, Ring
 
 FALSE_HIT, MISSED_HIT, WRONG_NUMBER, REFUSED = "false hit", "missed hit", "wrong number", "refused input"
+
+
+def best_gap(trace: Trace) -> float:
+    """The largest gap that the run measured; NaN if it has no axis."""
+    return max((test.gap for test in trace.tests), default=nan)
 
 
 class Row(NamedTuple):
     """One way to be wrong.
 
-    `claim`: what is believed; `how` it fails (one of the four above); `what` both numbers
-    are ("gap", "depth", ...); `a`, `b`: the shapes, or plain vertices of one the engine
-    refuses; `axes`: the choice in satviz.axes.NAMED that is this shortcut, if one is.
+    `how` it fails (one of the four above); `what` both numbers are ("gap", "depth", ...);
+    `a`, `b`: the shapes, or plain vertices of one the engine refuses; `read`: the
+    number in the shortcut's own run; `unchecked`: the same where the shapes are refused.
     """
 
     number: int
-    name: str
-    claim: str
+    shortcut: Shortcut
     how: str
     what: str
     a: Outline
     b: Outline
-    shortcut: Shortcut
-    right: Callable[[Shape, Shape], Answer] = gap
-    axes: str = ""
+    read: Callable[[Trace], float] = best_gap
+    right: Callable[[Shape, Shape], Answer] = right.gap
+    unchecked: Callable[[Ring, Ring], float] | None = None
+
+    @property
+    def name(self) -> str:
+        """The scene's name, which is the shortcut's."""
+        return self.shortcut.name
+
+    @property
+    def claim(self) -> str:
+        """What is believed."""
+        return self.shortcut.claim
+
+    @property
+    def shapes(self) -> tuple[Shape, Shape]:
+        """Both as the engine takes them; InvalidShape where it refuses."""
+        a, b = (s if isinstance(s, Shape) else Polygon(s) for s in (self.a, self.b))
+        return a, b
 
     @property
     def scene(self) -> Scene:
-        """The scene as any other; InvalidScene says why where an outline is refused."""
+        """The scene run by its shortcut; InvalidScene says why where an outline is refused."""
         try:
-            a, b = as_shape(self.a), as_shape(self.b)
+            a, b = self.shapes
         except InvalidShape as error:
             raise InvalidScene(f"{self.name} is no scene: {error}") from None
-        return Scene(self.name, a, b, every_axis=True, title=self.claim)
+        return Scene(self.name, a, b, self.name, title=self.claim)
 
     @property
     def wrong(self) -> float:
         """The number the shortcut gives."""
-        return self.shortcut(self.a, self.b)
+        if self.unchecked and not isinstance(self.a, Shape) and not isinstance(self.b, Shape):
+            return self.unchecked(self.a, self.b)
+        return self.read(record(*self.shapes, axes=self.shortcut))
 
     @property
     def truth(self) -> Answer:
         """What satviz says: a number, two numbers, or the refusal."""
         try:
-            return self.right(as_shape(self.a), as_shape(self.b))
+            return self.right(*self.shapes)
         except InvalidShape as error:
             return str(error)
 
@@ -59,9 +85,23 @@ class Row(NamedTuple):
         if isinstance(answer, str):
             return f"refused ({answer})"
         if isinstance(answer, tuple):
+            if isnan(answer[0]):
+                return "no contact"
             return "contact from {:g} to {:g} of the way".format(*map(float, answer))
+        if isnan(answer):
+            return f"{self.what} none"
         return f"{self.what} {digits.signed(answer) if self.what == 'gap' else digits.number(answer)}"
 
+    @property
+    def answers(self) -> tuple[str, str]:
+        """The wrong answer and the right one in words, with the verdict where that is what is wrong."""
+        wrong, good = self.told(self.wrong), self.told(self.truth)
+        if self.how in (FALSE_HIT, MISSED_HIT) and not isinstance(self.truth, tuple):
+            trace = self.scene.record()
+            return f"{trace.claim}, {wrong}", f"{trace.relation}, {good}"
+        return wrong, good
+
     def __str__(self) -> str:
-        numbers = digits.plain(f"{self.told(self.wrong)}; right: {self.told(self.truth)}")
+        wrong, good = self.answers
+        numbers = digits.plain(f"{wrong}; right: {good}")
         return f"{self.number:2} {self.name:21} {self.claim}\n   {self.how}: {numbers}"

@@ -1,0 +1,437 @@
+"""Belief beside truth: what a shortcut saw, and what is, side by side in one picture on one scale."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import lru_cache
+from itertools import pairwise
+from typing import NamedTuple
+
+from ..engine import telling
+from ..engine.axes import Choice, hull_normals
+from ..engine.certificate import SeparatingLine, SharedPoint
+from ..engine.geometry import Vec
+from ..engine.sat import AxisTest, axis_tests
+from ..engine.shapes import Shape, centroid
+from ..engine.trace import Trace, record
+from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, Row
+from ..scenes.failing.reading import OF_PUSHES
+from ..scenes.failing.where import lies
+from ..scenes.shortcuts import middle
+from . import belief_rows, live, stages
+from .belief_rows import Panel
+from .caption import wrapped
+from .labels import Request, with_labels
+from .layout import Group, HEIGHT, WIDTH, AxisPlace, Layout, arrange, moved, place_within, text_box
+from .marks import Mark, Picture
+from .sketch import Sketch
+from .stages import Stage, Step, draw_mtv, draw_parts, draw_test, draw_verdict, others, separating_line, shifted
+
+SAW, IS = "what the shortcut saw", "what is"
+PANEL = 340.0, 300.0  # the largest, in points
+BETWEEN, HEAD, RIM = 20.0, 24.0, 10.0  # points between the panels, for each one's heading, round the words above
+
+
+def picture(
+    trace: Trace, step: int | Step = -1, *, title: str = "", largest: tuple[float, float] = (WIDTH, HEIGHT)
+) -> Picture:
+    """The picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
+
+    A shortcut's trace gives two panels: the step as the shortcut takes it, and what is.
+    `largest`: the canvas in points at most.  IndexError for a step the trace does not have.
+    """
+    if not isinstance(trace, Trace) or not trace.shortcut:
+        return stages.picture(trace, step, title=title, largest=largest)
+    step = stages.chosen(trace, step)
+    panel = PANEL if largest == (WIDTH, HEIGHT) else ((largest[0] - BETWEEN) / 2, largest[1] - 4 * HEAD)
+    return _beside(trace, _saw(trace, step, panel), _what_is(trace, panel), _room(trace, panel), title)
+
+
+def row_of(trace: Trace) -> Row | None:
+    """The row of satviz's own shortcuts; None for one's own."""
+    row = NAMED.get(trace.shortcut.name) if trace.shortcut else None
+    return row if row and row.shortcut == trace.shortcut else None
+
+
+def _own(panels: dict[str, Panel], trace: Trace) -> Panel | None:
+    return panels.get(trace.shortcut.name) if trace.shortcut and row_of(trace) else None
+
+
+# -- what is said
+
+
+class Said(NamedTuple):
+    """Both answers in words, and whether the shortcut's is wrong."""
+
+    wrong: str
+    right: str
+    is_wrong: bool
+
+
+@lru_cache(maxsize=64)
+def said(trace: Trace) -> Said:
+    """What a shortcut's run says of its shapes, and what satviz says."""
+    assert trace.shortcut
+    row = row_of(trace)
+    if row is None:
+        return Said(str(trace.claim), str(trace.relation), bool(trace.claim) is not trace.hit)
+    number, truth = row.read(trace), row.right(trace.a, trace.b)
+    if row.how in (FALSE_HIT, MISSED_HIT) and not isinstance(truth, tuple):
+        words = f"{trace.claim}, {row.told(number)}", f"{trace.relation}, {row.told(truth)}"
+        return Said(*words, bool(trace.claim) is not trace.hit)
+    return Said(row.told(number), row.told(truth), number != truth)
+
+
+def verdicts(trace: Trace) -> tuple[str, str]:
+    """The claim and the relation in a word each."""
+    row = row_of(trace)
+    own = belief_rows.VERDICTS.get(row.name) if row else None
+    return own or (str(trace.claim), str(trace.relation))
+
+
+def heading(trace: Trace) -> tuple[str, str]:
+    """The claim, and what is wrong with it."""
+    assert trace.shortcut
+    found = said(trace)
+    claim = f"Claim: {trace.shortcut.claim}."
+    if found.is_wrong:
+        return claim, f"Wrong: {found.wrong}. Right: {found.right}."
+    return claim, f"Here it happens to be right: {found.right}."
+
+
+# -- the two panels
+
+
+@lru_cache(maxsize=64)
+def _layouts(trace: Trace, largest: tuple[float, float]) -> tuple[Layout, Layout]:
+    """Both panels' at last, on one scale: with a place for each test that the shortcut goes by; for the true one."""
+    truth = true_test(trace)
+    tests = [_with_room(trace, test) for test in believed_tests(trace)], [truth] if truth else []
+    drawn = _drawn(trace, trace.push), _drawn(trace, trace.truth.known_mtv)
+    found = [arrange([Group(shapes, of)], largest=largest)[0] for shapes, of in zip(drawn, tests, strict=True)]
+    small, large = sorted((0, 1), key=lambda k: found[k].scale)
+    found[large] = _on_scale(found[small].scale, drawn[large], tests[large], largest) or found[large]
+    return found[0], found[1]
+
+
+def _on_scale(
+    scale: float, shapes: Sequence[Shape], tests: Sequence[AxisTest], largest: tuple[float, float]
+) -> Layout | None:
+    """The largest layout that is on no larger scale: looked for by halving, as the room for labels is in points."""
+    least, most, found = 0.3, 1.0, None
+    for _ in range(8):
+        part = (least + most) / 2
+        layout = arrange([Group(shapes, tests)], largest=(largest[0] * part, largest[1] * part))[0]
+        if layout.scale > scale:
+            most = part
+        else:
+            least, found = part, layout
+    return found
+
+
+@lru_cache(maxsize=256)
+def _test_layout(trace: Trace, test: AxisTest, largest: tuple[float, float]) -> Layout:
+    """That of the steps of one test, between which nothing jumps."""
+    return arrange([Group([trace.a, trace.b], [_with_room(trace, test)])], largest=largest)[0]
+
+
+def _with_room(trace: Trace, test: AxisTest) -> AxisTest:
+    """The test, or for one without a direction another, in whose place words will stand."""
+    return test if any(test.axis.normal) else next(t for t in trace.tests if any(t.axis.normal))
+
+
+@lru_cache(maxsize=64)
+def _room(trace: Trace, largest: tuple[float, float]) -> tuple[float, float]:
+    """What the largest panel of all steps takes."""
+    tests = [test for run in trace.pairs or (trace,) for test in run.tests]
+    sizes = [_believed(trace, largest).size, _what_is(trace, largest).size]
+    sizes += [_test_layout(trace, test, largest).size for test in tests]
+    return max(w for w, _ in sizes), max(h for _, h in sizes)
+
+
+def _drawn(trace: Trace, move: Vec | None) -> list[Shape]:
+    """The shapes, and where B is moved to, which must fit too."""
+    return [trace.a, trace.b, *([shifted(trace.b, move)] if move else [])]
+
+
+def _saw(trace: Trace, step: Step, largest: tuple[float, float]) -> Picture:
+    """A step of the shortcut's run; at last its number, struck out where it is wrong."""
+    if step.stage is Stage.VERDICT:
+        return _believed(trace, largest)
+    run = trace if step.pair is None else trace.pairs[step.pair]
+    test = None if step.test is None else run.tests[step.test]
+    layout = _test_layout(trace, test, largest) if test else _layouts(trace, largest)[0]
+    sketch = Sketch(run, layout)
+    if step.pair is not None:
+        others(sketch, trace, run)
+    if step.test is not None:
+        draw_test(sketch, step.stage, step.test, layout.places[0])
+    else:
+        sketch.shapes()
+    return sketch.finish("", stages.sentence(run, step))
+
+
+@lru_cache(maxsize=64)
+def _believed(trace: Trace, largest: tuple[float, float]) -> Picture:
+    """The tests that the shortcut goes by, what it says, and where it would push B."""
+    own = _own(belief_rows.SAW, trace)
+    sketch = own(trace, largest) if own else _tests_believed(trace, largest)
+    if word := verdicts(trace)[0]:
+        sketch.note("claim", word, "ink", weight="title", first=1)
+    row = row_of(trace)
+    if row and row.what != "gap":
+        sketch.note("number", said(trace).wrong, "ink", first=2)
+    return struck(sketch.finish("", trace.sentence, steady=False), trace)
+
+
+def _tests_believed(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    layout, _ = _layouts(trace, largest)
+    sketch = Sketch(trace, layout)
+    sketch.shapes()
+    told = believed_tests(trace)
+    for test, place in zip(told, layout.places, strict=False):
+        if any(test.axis.normal):
+            if len(told) == 1:
+                sketch.edge(test)
+                sketch.normal(test)
+            sketch.project(test, place, drops=len(told) == 1)
+        else:
+            sketch.no_axis(test)
+    if len(told) < len(trace.tests) and not trace.ended_by:
+        sketch.note("tested", f"the least overlap of {len(trace.tests)} axes", "guide", first=7)
+    draw_push(sketch)
+    return sketch
+
+
+def believed_tests(trace: Trace) -> list[AxisTest]:
+    """The tests that the answer comes from: the one that ended the run; else all if they are two, or the least."""
+    if trace.ended_by:
+        return [trace.ended_by]
+    return list(trace.tests) if len(trace.tests) == 2 else [trace.shallowest] if trace.shallowest else []
+
+
+def draw_push(sketch: Sketch) -> None:
+    """B where the shortcut would push it, if that is what it is about."""
+    trace = sketch.trace
+    row = row_of(trace)
+    if row is None or row.read not in OF_PUSHES or not trace.push:
+        return
+    start = centroid(trace.b)
+    tip = moved(start, trace.push, 1.0)
+    if any(trace.push):
+        sketch.shape("B", f"{trace.names.b} pushed", shifted(trace.b, trace.push), weight="faint", named=False)
+        sketch.add("push", "arrow", "move", start, tip, start=(start,))
+    text = f"push {telling.digits(trace).vector(trace.push)}"
+    sketch.label("push-name", text, "move", tip, prefer=trace.push if any(trace.push) else Vec(0.0, 1.0), first=3)
+
+
+GAPS = "gap", "depth"  # numbers that are read off the ranges
+
+
+def struck(drawn: Picture, trace: Trace) -> Picture:
+    """The picture with a line through every answer that is wrong."""
+    found = said(trace)
+    if not found.is_wrong:
+        return drawn
+    claim, verdict = verdicts(trace)
+    told, row = believed_tests(trace), row_of(trace)
+    best = max((test.gap for test in told), default=0.0)
+    read = {str(trace.tests.index(test) + 1) for test in told if test.gap == best}
+    wrong = {"push-name", "number"} | ({"claim"} if claim != verdict else set())
+    wrong |= {"gap-name"} if claim != verdict or (row and row.what in GAPS) else set()
+    labels = (mark for mark in drawn.marks if mark.kind == "label" and mark.part in wrong)
+    struck = [_strike(mark, drawn.scale) for mark in labels if mark.part != "gap-name" or mark.axis in read]
+    return drawn._replace(marks=(*drawn.marks, *struck))
+
+
+def _strike(label: Mark, scale: float) -> Mark:
+    """A line through a label."""
+    half = text_box(label.text, label.weight)[0] / 2 / scale
+    (x, y) = label.points[0]
+    ends = Vec(x - half, y), Vec(x + half, y)
+    return Mark(f"{label.part}-strike", "segment", "ink", ends, label.owner, label.axis, label.number)
+
+
+def true_test(trace: Trace) -> AxisTest | None:
+    """What to show of the truth: the axis that separates best, or the shortcut's own axis with its true ranges."""
+    run = true_run(trace)
+    if run.pairs:
+        return None
+    best = max(run.tests, key=lambda test: test.gap)
+    ended = trace.ended_by
+    if best.gap > 0 or ended is None or not any(ended.axis.normal):
+        return best
+    return next(axis_tests(trace.a, trace.b, [ended.axis]))
+
+
+@lru_cache(maxsize=64)
+def true_run(trace: Trace) -> Trace:
+    """The exact run; of concave outlines that over their hulls where a line separates them."""
+    truth = trace.truth
+    if not truth.pairs:
+        return truth
+    hull = record(trace.a, trace.b, axes=hull_normals, every_axis=True)
+    return hull if hull.separating else truth
+
+
+@lru_cache(maxsize=64)
+def _what_is(trace: Trace, largest: tuple[float, float]) -> Picture:
+    """What proves the truth: the separating axis and line, or the contact, the true ranges and the way out."""
+    own = _own(belief_rows.IS, trace)
+    sketch = own(trace, largest) if own else _proof(trace, largest)
+    if word := verdicts(trace)[1]:
+        sketch.note("verdict", word, "ink", weight="title", first=1)
+    row = row_of(trace)
+    if row and row.what != "gap":
+        sketch.note("number", said(trace).right, "ink", first=2)
+    return sketch.finish("", trace.truth.sentence, steady=False)
+
+
+def _proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    _, layout = _layouts(trace, largest)
+    run, test = true_run(trace), true_test(trace)
+    if test is None:
+        sketch = Sketch(run, layout)
+        draw_parts(sketch)
+        draw_verdict(sketch, layout.places, told=False)
+        return sketch
+    run = replace(run, choice=Choice((test.axis,), complete=run.choice.complete), tests=(test,))
+    place = layout.places[-1]
+    sketch = Sketch(run, layout)
+    sketch.shapes()
+    certificate = trace.truth.certificate if trace.hit else run.certificate
+    if isinstance(certificate, SeparatingLine):
+        separating_line(sketch, certificate)
+    elif isinstance(certificate, SharedPoint):
+        sketch.add("shared", "dot", "ink", certificate.point)
+        sketch.label("shared-name", "in both", "ink", certificate.point, first=4)
+        move = trace.truth.known_mtv
+        if move and any(move):
+            draw_mtv(sketch, certificate.point, move)
+    sketch.project(test, place, drops=False)
+    return sketch
+
+
+# -- under the hand
+
+
+def hand(
+    trace: Trace, layout: Layout, chosen: live.Chosen | None, *, way_out: bool = False, near: Vec | None = None
+) -> tuple[Picture, AxisPlace | None]:
+    """A shortcut's run under the hand: what it saw by the chosen test, its answer, and a map of where it lies."""
+    sketch, place = Sketch(trace, layout), None
+    where = map_of_lies(trace, layout)
+    test = trace.tests[chosen.test] if chosen and trace.tests else None
+    if trace.pairs:
+        belief_rows.draw_pieces(sketch)
+    else:
+        sketch.shapes()
+    if test is not None and not any(test.axis.normal):
+        sketch.no_axis(test)
+    elif test is not None:
+        place = place_within(layout, (trace.a, trace.b), test, near)
+        sketch.edge(test)
+        sketch.normal(test)
+        sketch.project(test, place)
+    if word := verdicts(trace)[0]:
+        sketch.note("claim", word, "ink", weight="title", first=1)
+    row = row_of(trace)
+    if row and row.what != "gap":
+        sketch.note("number", said(trace).wrong, "ink", first=2)
+    if way_out:
+        draw_push(sketch)
+    if where:
+        text = f"dot {'on' if where[0].kind == 'segment' else 'in'} the red:\nthe shortcut is wrong"
+        sketch.note("lies-name", text, "wrong", first=6)
+    drawn = struck(sketch.finish("", trace.sentence, steady=False), trace)
+    return drawn._replace(marks=(*where, *drawn.marks)), place
+
+
+def map_of_lies(trace: Trace, layout: Layout) -> list[Mark]:
+    """Where B's middle would have to be for the shortcut to say the wrong thing, and a dot where it is."""
+    assert trace.shortcut
+    at = middle(trace.b)
+    x0, y0, x1, y1 = layout.limits
+    found = lies(trace.a, trace.b, trace.shortcut, (x0 - at.x, y0 - at.y, x1 - at.x, y1 - at.y))
+    if found is None:
+        return []
+    marks = []
+    for i, ring in enumerate((*found.false_hits, *found.missed_hits)):
+        spots = tuple(Vec(p.x + at.x, p.y + at.y) for p in ring)
+        marks.append(Mark("lies", "outline", "wrong", spots, number=i))
+    for i, ring in enumerate(found.hits if found.touching else ()):
+        spots = tuple(Vec(p.x + at.x, p.y + at.y) for p in (*ring, ring[0]))
+        ends = tuple(end for pair in pairwise(spots) for end in pair)
+        marks.append(Mark("lies-along", "segment", "wrong", ends, number=i))
+    return [*marks, Mark("reference", "dot", "ink", (at,))] if marks else []
+
+
+# -- refused at the door
+
+
+def refused(row: Row, *, title: str = "") -> Picture:
+    """The outlines of a row that the engine refuses, and the reason."""
+    rings = [[Vec(*map(float, point)) for point in ring] for ring in (row.a, row.b) if not isinstance(ring, Shape)]
+    xs, ys = [p.x for ring in rings for p in ring], [p.y for ring in rings for p in ring]
+    k = 260.0 / max(max(xs) - min(xs), max(ys) - min(ys))
+    width, low = 2 * PANEL[0] + BETWEEN, (max(ys) - min(ys)) * k + 80.0
+    off = Vec((width - (max(xs) - min(xs)) * k) / 2 - min(xs) * k, 40.0 - min(ys) * k)
+    marks, requests = [], []
+    for name, ring in zip("AB", rings, strict=True):
+        spots = [Vec(off.x + p.x * k, off.y + p.y * k) for p in ring]
+        marks.append(Mark("outline", "outline", name, tuple(spots), owner=name))
+        inner = Vec(sum(p.x for p in spots) / len(spots), sum(p.y for p in spots) / len(spots))
+        requests.append(Request("name", name, name, inner, owner=name, weight="title", inside=True))
+        for i, spot in enumerate(spots):
+            marks.append(Mark("vertex", "dot", name, (spot,), owner=name, number=i))
+            away = Vec(spot.x - inner.x, spot.y - inner.y + 1e-3)
+            label = f"{name.lower()}{i + 1}"
+            requests.append(Request("vertex-name", label, name, spot, owner=name, number=i, prefer=away))
+    layout = Layout((0.0, 0.0, width, low), (width, low), ())
+    drawn = with_labels(marks, requests, layout, steady=False, keep_off=())
+    return _under(f"Claim: {row.claim}.", f"Refused: {row.truth}.", width, low, drawn, title or row.claim)
+
+
+# -- put together
+
+
+def _beside(trace: Trace, saw: Picture, truth: Picture, room: tuple[float, float], title: str) -> Picture:
+    """Both panels under the claim, in points, each with that room: all steps are as large."""
+    half, low = room
+    width = 2 * half + BETWEEN
+    marks = []
+    for prefix, name, panel, x in ("saw", SAW, saw, 0.0), ("is", IS, truth, half + BETWEEN):
+        spot = Vec(x + half / 2, low + HEAD / 2)
+        marks.append(Mark(f"{prefix}-heading", "label", "guide", (spot,), text=name))
+        marks += _placed(panel, prefix, Vec(x + (half - panel.size[0]) / 2, low - panel.size[1]))
+    between = Vec(width / 2, 8.0), Vec(width / 2, low + HEAD - 4.0)
+    marks.append(Mark("between", "segment", "guide", between))
+    return _under(*heading(trace), width, low + HEAD, marks, title)._replace(sentence=saw.sentence)
+
+
+def _under(claim: str, wrong: str, width: float, low: float, below: Sequence[Mark], title: str) -> Picture:
+    """Marks, in points, under the claim and what is wrong with it."""
+    texts = [(wrapped(claim, width - 2 * RIM, "title"), "title"), (wrapped(wrong, width - 2 * RIM), "plain")]
+    height = round(low + sum(text_box(*text)[1] + 4.0 for text in texts) + RIM)
+    marks, top = [], height - RIM
+    for part, (text, weight) in zip(("heading", "wrong"), texts, strict=True):
+        tall = text_box(text, weight)[1]
+        marks.append(Mark(part, "label", "ink", (Vec(width / 2, top - tall / 2),), text=text, weight=weight))
+        top -= tall + 4.0
+    limits = 0.0, 0.0, float(width), float(height)
+    return Picture((*marks, *below), limits, (float(width), float(height)), title, f"{claim} {wrong}")
+
+
+def _placed(panel: Picture, prefix: str, corner: Vec) -> list[Mark]:
+    """A panel's marks in points, from that corner on."""
+    x0, y0, _, _ = panel.limits
+    k = panel.scale
+
+    def at(points: tuple[Vec, ...]) -> tuple[Vec, ...]:
+        return tuple(Vec(corner.x + (p.x - x0) * k, corner.y + (p.y - y0) * k) for p in points)
+
+    return [
+        mark._replace(
+            part=f"{prefix}-{mark.part}", points=at(mark.points), start=at(mark.start), radius=mark.radius * k
+        )
+        for mark in panel.marks
+    ]

@@ -1,0 +1,266 @@
+"""What single beliefs show instead of a test: pieces, a fan of directions, digits, many pairs, frames, a distance."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import combinations
+from math import cos, hypot, pi, sin
+
+from ..engine import digits, telling
+from ..engine.geometry import Vec
+from ..engine.sat import AxisTest, axis_tests
+from ..engine.shapes import Polygon, Shape, centroid
+from ..engine.trace import Trace
+from ..scenes.failing import right, swept
+from ..scenes.failing.reading import moved as put
+from .curve import direction
+from .layout import Group, Layout, arrange, moved
+from .sketch import Sketch
+
+Panel = Callable[[Trace, tuple[float, float]], Sketch]
+FEW = 12  # dots that stand for many shapes
+ARROW = 46.0  # points
+
+
+def pieces(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    """A in the pieces that are taken one by one, and where each would push B."""
+    sketch = Sketch(trace, _room(trace, largest))
+    draw_pieces(sketch)
+    return sketch
+
+
+def draw_pieces(sketch: Sketch) -> None:
+    """The same on a sketch that is there."""
+    trace = sketch.trace
+    for pair in trace.pairs:
+        sketch.shape("A", pair.names.a, pair.a)
+    sketch.shape("B", trace.names.b, trace.b)
+    for i, pair in enumerate(trace.pairs):
+        if pair.mtv:
+            start = centroid(trace.b)
+            tip = moved(start, pair.mtv, 1.0)
+            sketch.add("mtv", "arrow", "move", start, tip, number=i, start=(start,))
+            text = f"{pair.names.a}: push {telling.digits(trace).vector(pair.mtv)}"
+            sketch.label("mtv-name", text, "move", tip, number=i, prefer=pair.mtv, first=3, far=True)
+    if trace.push:
+        sketch.note("push-name", f"in all: push {telling.digits(trace).vector(trace.push)}", "move", first=2)
+
+
+def fan(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    """The first and the last direction that separates, and a few between, from the middle of the gap."""
+    if trace.truth.pairs:
+        return plain(trace, largest)
+    test = max(trace.truth.tests, key=lambda test: test.gap)
+    sketch = Sketch(trace, arrange([Group([trace.a, trace.b], [test])], largest=largest)[0])
+    sketch.shapes()
+    if test.gap <= 0:
+        return sketch
+    ends = right.fan(trace.a, trace.b)
+    n = test.axis.direction
+    nearest = (max(test.a.interval.lo, test.b.interval.lo) + min(test.a.interval.hi, test.b.interval.hi)) / 2
+    p, q = centroid(trace.a), centroid(trace.b)
+    across = ((p.x + q.x) * -n.y + (p.y + q.y) * n.x) / 2
+    start = Vec(n.x * nearest - n.y * across, n.y * nearest + n.x * across)
+    for i in range(5):
+        turn = ends[0] + (ends[1] - ends[0]) * i / 4
+        c = direction(turn)
+        u = Vec(n.x * c.x - n.y * c.y, n.x * c.y + n.y * c.x)
+        tip = moved(start, u, sketch.layout.units(ARROW * 1.6))
+        sketch.add("fan", "arrow", "gap", start, tip, number=i, weight="strong" if i in (0, 4) else "plain")
+        if i in (0, 4):
+            sketch.label("fan-name", f"{digits.number(round(turn, 2))}°", "gap", tip, number=i, prefer=u, first=1)
+    return sketch
+
+
+def digits(exact: bool) -> Panel:
+    """Where B's vertices land on the normal of its first edge, to the last digit."""
+
+    def panel(trace: Trace, largest: tuple[float, float]) -> Sketch:
+        test = first_of_b(trace)
+        sketch = Sketch(trace, arrange([Group([trace.a, trace.b], [test] if test else [])], largest=largest)[0])
+        sketch.shapes()
+        if test is None:
+            return sketch
+        if exact:
+            test = next(axis_tests(trace.a, trace.b, [test.axis]))
+        place = sketch.layout.places[0]
+        sketch.trace = _only(trace, test)
+        sketch.edge(test)
+        sketch.axis(test, place)
+        sketch.drops(test, place, "B", ends_only=False, named=False)
+        top = [i for i, t in enumerate(test.b.landings) if abs(t - test.b.interval.hi) < 1e-9 * abs(t)]
+        name, polygon = sketch.polygon("B")
+        lines = {i: f"{telling.vertex_name(polygon, name, polygon.corner_ids[i])} {test.b.landings[i]!r}" for i in top}
+        text = "\n".join(lines[i] for i in sorted(top))
+        sketch.label("landing-name", text, "B", place.at(test.b.interval.hi), prefer=place.out, first=1)
+        return sketch
+
+    return panel
+
+
+def first_of_b(trace: Trace) -> AxisTest | None:
+    """The test on the normal of B's first edge."""
+    return next((test for test in trace.tests if test.source[1:] == ("B", (0, 1))), None)
+
+
+def crowd(every_pair: bool) -> Panel:
+    """A few dots for the many shapes, each looked at once, or joined to every other."""
+
+    def panel(trace: Trace, largest: tuple[float, float]) -> Sketch:
+        x0, y0, x1, y1 = 0.0, 0.0, 300.0, 220.0
+        sketch = Sketch(trace, Layout((x0, y0, x1, y1), (x1, y1), ()))
+        turns = [2 * pi * (i + 0.5) / FEW for i in range(FEW)]
+        dots = [Vec(150.0 + 80.0 * cos(t), 95.0 + 80.0 * sin(t)) for t in turns]
+        if every_pair:
+            joined = tuple(end for i, p in enumerate(dots) for q in dots[:i] for end in (p, q))
+            sketch.add("pairs", "segment", "guide", *joined)
+        for i, spot in enumerate(dots):
+            sketch.add("shape", "dot", "A", spot, number=i)
+        tests = FEW * (FEW - 1) // 2 if every_pair else FEW
+        what = f"{FEW} shapes, {tests} {'pairs' if every_pair else 'tests'}"
+        sketch.label("few", what, "guide", Vec(150.0, 95.0), prefer=Vec(0.0, -1.0), first=1, far=True)
+        return sketch
+
+    return panel
+
+
+def support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    """The difference of both shapes, and a triangle of support points round the origin, as GJK finds one at best."""
+    corners = [Vec(q.x - p.x, q.y - p.y) for p in trace.a.vertices for q in trace.b.vertices]
+    if len(corners) < 3:
+        return plain(trace, largest)
+    supports = [_furthest(corners, direction(45.0 * k + 10.0)) for k in range(8)]
+    found = next(filter(_holds_origin, combinations(dict.fromkeys(supports), 3)), tuple(supports[::3]))
+    xs, ys = [v.x for v in corners], [v.y for v in corners]
+    low = min(ys) - 0.25 * (max(ys) - min(ys))  # room for words
+    box = Polygon([(min(xs), low), (max(xs), low), (max(xs), max(ys)), (min(xs), max(ys))])
+    sketch = Sketch(trace, arrange([Group([box], [])], largest=(largest[0] * 0.8, largest[1] * 0.8))[0])
+    for i, v in enumerate(dict.fromkeys(corners)):
+        sketch.add("corner", "dot", "guide", v, number=i)
+    sketch.add("triangle", "segment", "ink", found[0], found[1], found[1], found[2], found[2], found[0])
+    for i, v in enumerate(found):
+        sketch.add("support", "dot", "ink", v, number=i)
+    sketch.add("origin", "dot", "wrong", Vec(0.0, 0.0))
+    sketch.label("origin-name", "origin", "wrong", Vec(0.0, 0.0), first=1)
+    count = len(trace.a.vertices) + len(trace.b.vertices)
+    text = f"a corner of B - A takes {count} looks,\nand a triangle round the origin three corners"
+    below = Vec((min(xs) + max(xs)) / 2, low)
+    sketch.label("looked-at", text, "guide", below, first=1, inside=True)
+    return sketch
+
+
+def _furthest(points: Sequence[Vec], n: Vec) -> Vec:
+    return max(points, key=lambda p: p.x * n.x + p.y * n.y)
+
+
+def _holds_origin(ring: Sequence[Vec]) -> bool:
+    turns = [p.x * q.y - p.y * q.x for p, q in zip(ring, (*ring[1:], ring[0]), strict=True)]
+    return min(turns) > 0 or max(turns) < 0
+
+
+def looks(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    """All axes of the run, as SAT looks at them."""
+    truth = trace.truth
+    sketch = Sketch(truth, arrange([Group([trace.a, trace.b], truth.tests)], largest=largest)[0])
+    sketch.shapes()
+    for test, place in zip(truth.tests, sketch.layout.places, strict=True):
+        sketch.project(test, place)
+    return sketch
+
+
+def frame(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    """A in this frame and in the next, and the gap that is left in both."""
+    test = trace.ended_by or trace.tests[0]
+    after = _after(trace.a)
+    layout = arrange([Group([trace.a, after, trace.b], [test])], largest=largest)[0]
+    sketch = Sketch(_only(trace, test), layout)
+    sketch.shapes()
+    sketch.shape("A", "A next", after, weight="faint", named=False)
+    sketch.label("next-name", "next frame", "A", centroid(after), prefer=Vec(0.0, 1.0), first=2)
+    sketch.project(test, layout.places[0], drops=False)
+    return sketch
+
+
+def flight(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    """A on its way, where it first and last meets B."""
+    test = trace.ended_by or trace.tests[0]
+    sketch = Sketch(trace, arrange([Group([trace.a, _after(trace.a), trace.b], [test])], largest=largest)[0])
+    sketch.shapes()
+    start = centroid(trace.a)
+    way = Vec(*map(float, swept.FLIGHT))
+    sketch.add("flight", "arrow", "A", start, moved(start, way, 1.0))
+    times = right.contact(trace.a, trace.b)
+    for i, t in enumerate(map(float, times) if isinstance(times, tuple) else ()):
+        if t != t:
+            continue
+        there = put(trace.a, Vec(way.x * t, way.y * t))
+        sketch.shape("A", f"A at {i}", there, weight="faint", named=False)
+        wish = Vec(-1.0 + 2 * i, -1.0)
+        sketch.label("time", f"{'last' if i else 'first'} contact: {t:g}", "A", centroid(there), number=i, prefer=wish)
+    return sketch
+
+
+def distance(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    """The nearest points, where they are vertices, and the segment between them."""
+    truth = trace.truth
+    p, q = min(
+        ((p, q) for p in trace.a.vertices for q in trace.b.vertices),
+        key=lambda pair: hypot(pair[1].x - pair[0].x, pair[1].y - pair[0].y),
+        default=(centroid(trace.a), centroid(trace.b)),
+    )
+    sketch = Sketch(trace, arrange([Group([trace.a, trace.b], [_least(trace)])], largest=largest)[0])
+    sketch.shapes()
+    if not truth.hit:
+        sketch.add("distance", "segment", "gap", p, q, weight="strong")
+        text = f"distance {digits.number(right.distance(trace.a, trace.b))}"
+        sketch.label("distance-name", text, "gap", sketch.middle(p, q), prefer=Vec(q.y - p.y, p.x - q.x), first=1)
+    return sketch
+
+
+def plain(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    """Both shapes alone."""
+    sketch = Sketch(trace, arrange([Group([trace.a, trace.b], [])], largest=largest)[0])
+    sketch.shapes()
+    return sketch
+
+
+def _room(trace: Trace, largest: tuple[float, float]) -> Layout:
+    moves = [move for move in (trace.push, trace.truth.known_mtv) if move]
+    return arrange([Group([trace.a, trace.b, *(put(trace.b, move) for move in moves)], [])], largest=largest)[0]
+
+
+def _least(trace: Trace) -> AxisTest:
+    return max(trace.tests, key=lambda test: test.gap)
+
+
+def _only(trace: Trace, test: AxisTest) -> Trace:
+    """The trace with that test alone."""
+    return replace(trace, tests=(test,))
+
+
+def _after(shape: Shape) -> Shape:
+    return put(shape, Vec(*map(float, swept.FLIGHT)))
+
+
+VERDICTS = {
+    "tunnelling": ("apart", "they meet on the way"),
+    "many-pairs": ("", ""),
+    "gjk-looks-less": ("", ""),
+}
+"""What is said in a word where the relation of two shapes is not what it is about."""
+
+SAW: dict[str, Panel] = {
+    "one-maximum": digits(exact=False),
+    "sum-of-parts": pieces,
+    "tile-seam": pieces,
+    "many-pairs": crowd(every_pair=False),
+    "gjk-looks-less": support_points,
+    "tunnelling": frame,
+}
+IS: dict[str, Panel] = {
+    "only-one-axis": fan,
+    "one-maximum": digits(exact=True),
+    "many-pairs": crowd(every_pair=True),
+    "gjk-looks-less": looks,
+    "tunnelling": flight,
+    "gap-as-distance": distance,
+}

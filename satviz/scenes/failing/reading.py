@@ -1,0 +1,67 @@
+"""The numbers that believers read off their own run."""
+
+from math import atan2, degrees, hypot, nan
+
+from ...engine.axes import EDGE, Source, needed
+from ...engine.geometry import Vec
+from ...engine.shapes import Circle, Polygon, Shape
+from ...engine.trace import Trace, record
+from . import swept
+
+MANY = 1000
+
+
+def length_of_push(trace: Trace) -> float:
+    """How far the run would push B; NaN where it sees nothing to push."""
+    return hypot(*(trace.push or (nan, nan)))
+
+
+def push_to_the_side(trace: Trace) -> float:
+    """How far the run would push B along x; NaN where it sees nothing to push."""
+    return trace.push.x if trace.push else nan
+
+
+def gap_after_push(trace: Trace) -> float:
+    """The gap that is left once B was pushed."""
+    pushed = moved(trace.b, trace.push or Vec(0.0, 0.0))
+    return max((test.gap for test in record(trace.a, pushed, every_axis=True).tests), default=nan)
+
+
+def moved(shape: Shape, move: Vec) -> Shape:
+    """The shape elsewhere, its coordinates rounded."""
+    if isinstance(shape, Circle):
+        return Circle((shape.center.x + move.x, shape.center.y + move.y), shape.radius)
+    return Polygon([(x + move.x, y + move.y) for x, y in shape.vertices], shape.labels)
+
+
+def spread_of_found(trace: Trace) -> float:
+    """How many degrees apart the separating axes lie that the early exit finds: it finds one, or none."""
+    found = [degrees(atan2(*reversed(test.axis.normal))) for test in trace.tests if test.separates][:1]
+    return max(found) - min(found) if found else nan
+
+
+def extremes_of_b(trace: Trace) -> float:
+    """How many vertices of B are furthest along the normal of its first edge; NaN if it has none."""
+    found = [test.b.landings for test in trace.tests if test.source == Source(EDGE, "B", (0, 1))]
+    return found[0].count(max(found[0])) if found else nan
+
+
+def one_test_each(trace: Trace) -> float:
+    """Tests for MANY shapes, if each were tested once."""
+    return MANY
+
+
+def least_looks_of_gjk(trace: Trace) -> float:
+    """The fewest vertices GJK can look at for a hit: a triangle round the origin takes three support points."""
+    return 3 * (len(trace.a.vertices) + len(trace.b.vertices))
+
+
+def gap_at_both_frames(trace: Trace) -> float:
+    """A flies past B within one frame; tested are its start and its end."""
+    dx, dy = map(float, swept.FLIGHT)
+    after = record(moved(trace.a, Vec(dx, dy)), trace.b, axes=trace.shortcut or needed)
+    return min(max(test.gap for test in run.tests) for run in (trace, after))
+
+
+OF_PUSHES = length_of_push, push_to_the_side, gap_after_push
+"""The readings that are about where B would be pushed."""

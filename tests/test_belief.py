@@ -1,0 +1,195 @@
+"""Belief beside truth: each failing scene's picture shows the wrong number, struck out, and the right one."""
+
+import pytest
+
+import satviz as sv
+from satviz.cli import main
+from satviz.pictures import belief
+from satviz.pictures.layout import text_box
+from satviz.pictures.marks import Picture
+from satviz.scenes.article import box
+from satviz.scenes.failing import NAMED, REFUSED, ROWS
+from satviz.scenes.shortcuts import NAMED as SHORTCUTS
+
+SHOWN = [row for row in ROWS if row.how != REFUSED]
+each_row = pytest.mark.parametrize("row", SHOWN, ids=lambda row: row.name)
+
+
+def texts(drawn: Picture, prefix: str) -> dict[str, str]:
+    return {mark.id: mark.text for mark in drawn.marks if mark.kind == "label" and mark.part.startswith(prefix)}
+
+
+def struck(drawn: Picture) -> list[str]:
+    """What is struck out: the labels through whose middle a line goes."""
+    lines = [mark for mark in drawn.marks if mark.part.endswith("-strike")]
+    found = []
+    for line in lines:
+        (x0, y), (x1, _) = line.points
+        (label,) = (
+            m
+            for m in drawn.marks
+            if m.kind == "label" and abs(m.points[0].y - y) < 1e-6 and abs(m.points[0].x - (x0 + x1) / 2) < 1e-6
+        )
+        found.append(label.text)
+    return found
+
+
+def boxes(drawn: Picture) -> list[tuple[str, tuple[float, float, float, float]]]:
+    found = []
+    for mark in drawn.marks:
+        if mark.kind == "label":
+            w, h = text_box(mark.text, mark.weight)
+            (x, y) = mark.points[0]
+            found.append((mark.text, (x - w / 2, y - h / 2, x + w / 2, y + h / 2)))
+    return found
+
+
+@each_row
+def test_the_heading_says_the_claim_the_wrong_answer_and_the_right_one(row):
+    trace = row.scene.record()
+    drawn = sv.picture(trace)
+    words = " ".join(" ".join(drawn.mark(name).text.split()) for name in ("heading", "wrong"))
+    wrong, good = row.answers
+    assert words == f"Claim: {row.claim}. Wrong: {wrong}. Right: {good}."
+    assert drawn.sentence == trace.sentence and row.claim in drawn.sentence
+
+
+@each_row
+def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on_the_right(row):
+    drawn = sv.picture(row.scene.record())
+    saw, truth = (" | ".join(texts(drawn, prefix).values()) for prefix in ("saw", "is"))
+    assert struck(drawn), "nothing is struck out"
+    left, right = {
+        "tunnelling": ("gap +1.850", "they meet on the way"),
+        "touch-on-paper": ("touching, gap 0", "overlap 5.551e-17"),
+        "touch-as-apart": ("touching, gap 0", "touching, gap 0"),
+        "mixed-signs": ("gap +1", "overlap 1, way out 2"),  # its own axis, with the true ranges
+        "unit-normals": ("gap +4.441e-16", "touching, gap 0"),
+        "box-in-u": ("overlap 2", "A1 | B"),
+    }.get(row.name, ("", ""))
+    if not left:
+        told = [row.told(answer) for answer in (row.wrong, row.truth)]
+        left, right = (t.replace("gap -", "overlap ") if row.what == "gap" else t for t in told)
+        if row.name == "circles-turned-round":
+            left = "gap -1"
+    assert left in saw and right in truth
+    assert any(left in text for text in struck(drawn)) or row.name == "tunnelling"
+
+
+@each_row
+def test_either_side_shows_both_shapes(row):
+    if row.name in ("many-pairs", "gjk-looks-less"):  # a crowd, and the difference of both
+        return
+    drawn = sv.picture(row.scene.record())
+    for side in "saw", "is":
+        owners = {mark.owner[0] for mark in drawn.marks if mark.part == f"{side}-outline"}
+        assert owners == {"A", "B"}, side
+
+
+@each_row
+def test_nothing_is_struck_out_on_the_side_of_the_truth(row):
+    drawn = sv.picture(row.scene.record())
+    assert not [m for m in drawn.marks if m.part.startswith("is-") and m.part.endswith("-strike")]
+
+
+@each_row
+@pytest.mark.parametrize("step", [0, 3, -1])
+def test_no_label_lies_on_another_or_off_the_canvas(row, step):
+    trace = row.scene.record()
+    drawn = sv.picture(trace, min(step, len(sv.steps(trace)) - 1))
+    found = boxes(drawn)
+    width, height = drawn.size
+    for i, (text, (x0, y0, x1, y1)) in enumerate(found):
+        assert x0 >= -0.5 and x1 <= width + 0.5 and y0 >= -0.5 and y1 <= height + 0.5, f"{text!r} is cut off"
+        for other, (p0, q0, p1, q1) in found[:i]:
+            assert x1 <= p0 + 1 or p1 <= x0 + 1 or y1 <= q0 + 1 or q1 <= y0 + 1, f"{text!r} lies on {other!r}"
+
+
+@each_row
+def test_all_steps_are_as_large_with_names_of_their_own(row):
+    trace = row.scene.record()
+    every = [sv.picture(trace, i) for i in range(len(sv.steps(trace)))]
+    assert len({(drawn.size, drawn.limits) for drawn in every}) == 1
+    for drawn in every:
+        assert len({mark.id for mark in drawn.marks}) == len(drawn.marks)
+
+
+def test_a_missed_hit_shows_its_own_axis_with_the_true_ranges():
+    drawn = sv.picture(NAMED["extremes-once"].scene.record())
+    assert "A [-2.828, 2.828]" in texts(drawn, "saw").values()
+    assert "A [-2.828, 3.394]" in texts(drawn, "is").values()
+
+
+def test_an_edge_without_a_length_is_told_and_gives_no_axis():
+    trace = NAMED["repeated-vertex"].scene.record()
+    (i,) = (i for i, test in enumerate(trace.tests) if not any(test.axis.normal))
+    for step in -1, sv.Step(sv.Stage.GAP, i), sv.Step(sv.Stage.EDGE, i):
+        drawn = sv.picture(trace, step)
+        assert "a2 and a3 lie in one place" in drawn.mark("saw-no-axis").text
+        assert not [m for m in drawn.marks if m.part == "saw-axis"]
+
+
+def test_a_shortcut_that_is_right_for_once_is_not_struck_out():
+    trace = sv.record(box(0, 0, 1, 1), box(3, 0, 4, 1), axes=SHORTCUTS["one-shapes-normals"])
+    drawn = sv.picture(trace)
+    assert drawn.mark("wrong").text == "Here it happens to be right: apart, gap +2." and not struck(drawn)
+
+
+def test_a_shortcut_of_ones_own_is_drawn_beside_the_truth():
+    mine = sv.Shortcut("mine", "y is enough", sv.axes.directions((0, 1)))
+    drawn = sv.picture(sv.record(box(0, 0, 2, 2), box(3, 0.5, 5, 2.5), axes=mine))
+    assert drawn.mark("heading").text == "Claim: y is enough."
+    assert drawn.mark("wrong").text == "Wrong: overlapping. Right: apart."
+    assert "overlapping" in struck(drawn)
+
+
+@pytest.mark.parametrize("name", SHORTCUTS)
+def test_every_shortcut_is_drawn_for_pairs_of_every_kind(name):
+    shapes = [
+        box(0, 0, 2, 2),
+        sv.Polygon([(0, 1), (3, 2), (1, 5)]),
+        sv.Circle((1.5, 2), 1),
+        sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]),
+    ]
+    pairs = [(a, b) for a in shapes for b in (shapes[0], shapes[2], sv.Circle((5, 4), 1), box(5, 1, 6, 2))]
+    for a, b in pairs[:: 1 if name in ("dart", "tile-seam", "one-maximum") else 3]:
+        trace = sv.record(a, b, axes=SHORTCUTS[name])
+        assert sv.picture(trace).marks and sv.picture(trace, 0).marks
+
+
+@pytest.mark.parametrize("row", [row for row in ROWS if row.how == REFUSED], ids=lambda row: row.name)
+def test_what_is_refused_shows_its_outline_and_the_reason(row, tmp_path, capsys):
+    drawn = belief.refused(row)
+    assert [mark.owner for mark in drawn.marks if mark.part == "outline"] == ["A", "B"]
+    assert " ".join(drawn.mark("wrong").text.split()) == f"Refused: {row.truth}."
+    for form in "svg", "png", "gif":
+        assert main(["draw", row.name, "--out", str(tmp_path), "--format", form]) == 0
+        assert (tmp_path / f"{row.name}.{form}").stat().st_size
+    capsys.readouterr()
+    assert main(["draw", row.name, "--out", str(tmp_path), "--format", "html"]) == 2
+    assert row.truth in capsys.readouterr().err
+
+
+def test_a_failing_scene_is_drawn_and_made_a_page_under_its_claim(tmp_path):
+    assert main(["draw", "lengths", "--out", str(tmp_path), "--format", "svg", "--format", "html"]) == 0
+    last = sorted(tmp_path.glob("lengths-*.svg"))[-1].read_text(encoding="utf-8")
+    page = (tmp_path / "lengths.html").read_text(encoding="utf-8")
+    claim = "Claim: a landing place is a length, so it has no sign."
+    assert claim in last and f"<h1>{claim} Wrong: overlapping, gap -1. Right: apart, gap +4.</h1>" in page
+
+
+def test_both_pens_and_the_player_take_both_panels():
+    trace = NAMED["raw-depth"].scene.record()
+    fig = sv.draw(trace)
+    ax = fig.add_axes((0, 0, 1, 1))
+    artists = sv.draw(trace, ax=ax)
+    assert "saw-number" in artists and "is-number" in artists
+    from satviz.pictures.playback import playbacks
+
+    (show,) = playbacks(trace)
+    assert len(show["steps"]) == len(sv.steps(trace)) and show["size"] == list(sv.picture(trace).size)
+
+
+def test_a_shortcuts_axes_can_be_asked_of_any_scene_by_name(capsys):
+    assert main(["trace", "triangles", "--axes", "one-overlap"]) == 0
+    assert "By the shortcut “the ranges overlap on one axis, so the shapes collide”" in capsys.readouterr().out

@@ -1,0 +1,72 @@
+"""B - A against the origin: one picture that says what the pair of pictures says."""
+
+import pytest
+
+import satviz as sv
+from satviz.scenes.article import SCENES, box
+from satviz.scenes.failing import REFUSED, ROWS
+
+TRIANGLE = sv.Polygon([(3, 1), (6, 0), (5, 3)])
+
+
+def corner_angles(ring, p):
+    """Is the point inside (1), on the rim (0) or outside (-1) a convex counter-clockwise ring?"""
+    sides = [(q.x - r.x) * (p.y - r.y) - (q.y - r.y) * (p.x - r.x) for r, q in zip(ring, (*ring[1:], ring[0]))]
+    return (min(sides) > 1e-12) - (min(sides) < -1e-12)
+
+
+@pytest.mark.parametrize(
+    "b, where",
+    [(TRIANGLE, 1), (sv.Polygon([(4, 0), (6, 0), (6, 2)]), 0), (sv.Polygon([(5, 0), (7, 0), (7, 2)]), -1)],
+    ids=["overlapping", "touching", "apart"],
+)
+def test_the_origin_lies_in_b_minus_a_as_the_shapes_lie_to_each_other(b, where):
+    trace = sv.record(box(0, 0, 4, 2), b)
+    drawn = sv.difference(trace)
+    assert corner_angles(drawn.mark("difference.0").points, sv.Vec(0, 0)) == where
+    assert drawn.mark("verdict").text == str(trace.relation)
+    assert ["outside", "on the rim of", "inside"][where + 1] in drawn.sentence
+
+
+def test_the_way_out_is_the_way_from_the_rim_to_the_origin():
+    trace = sv.record(box(0, 0, 4, 2), TRIANGLE)
+    tail, tip = sv.difference(trace).mark("mtv").points
+    assert tip == (0, 0) and (-tail.x, -tail.y) == trace.mtv
+    assert corner_angles(sv.difference(trace).mark("difference.0").points, tail) == 0
+
+
+def test_the_gap_is_how_far_the_origin_is_from_the_side_along_the_separating_axis():
+    trace = sv.record(box(0, 0, 1, 1), sv.Circle((1.8, 1.8), 1), every_axis=True)
+    drawn = sv.difference(trace)
+    origin, foot = drawn.mark("gap").points
+    assert origin == (0, 0) and (foot.x**2 + foot.y**2) ** 0.5 == pytest.approx(max(t.gap for t in trace.tests))
+    assert (
+        corner_angles(drawn.mark("difference.0").points, sv.Vec(foot.x * 1.02, foot.y * 1.02)) == 1
+    )  # a rounded corner
+    assert "nearest vertex a3" in drawn.sentence
+
+
+def test_every_scene_has_the_picture_also_circles_and_concave_ones():
+    scenes = [*SCENES, *(row.scene for row in ROWS if row.how != REFUSED)]
+    for scene in scenes:
+        trace = scene.record()
+        drawn = sv.difference(trace)
+        parts = len(sv.parts(trace.a)) * len(sv.parts(trace.b))
+        assert len([m for m in drawn.marks if m.part == "difference"]) == parts
+        assert str(trace.relation) in (mark.text for mark in drawn.marks) and drawn.sentence.endswith(".")
+    sv.draw(drawn)
+
+
+def test_only_a_trace_has_a_difference():
+    with pytest.raises(TypeError, match="pass the trace"):
+        sv.difference(box(0, 0, 1, 1))
+
+
+def test_the_explorer_shows_it_beside_the_pair_when_asked():
+    from satviz.widgets.exploring import Exploring
+
+    hand = Exploring(sv.scene("triangles"))
+    state = hand.state()
+    assert "difference" not in state
+    pose = {"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "against": True}
+    assert hand.answer(pose)["difference"]["sentence"].startswith("The origin lies outside B - A")
