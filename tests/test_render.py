@@ -12,6 +12,7 @@ import warnings
 import weakref
 import xml.etree.ElementTree as ET
 from concurrent.futures import ThreadPoolExecutor
+from itertools import combinations
 from pathlib import Path
 
 import matplotlib
@@ -380,6 +381,17 @@ def test_small_axes_get_a_sound_picture(shape):
     sv.draw(TRIANGLES, 14, ax=ax)
     (x0, x1), (y0, y1) = ax.get_xlim(), ax.get_ylim()
     assert -30 < x0 < 0 and 8 < x1 < 30 and -20 < y0 < 1 and 5 < y1 < 25
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (2, 2), (2, 3)])
+def test_no_label_runs_over_another_on_small_axes(shape):
+    fig = Figure()
+    FigureCanvasAgg(fig)
+    ax = np.ravel(fig.subplots(*shape))[0]
+    sv.draw(TRIANGLES, 14, ax=ax)
+    fig.canvas.draw()
+    boxes = [text.get_window_extent() for text in ax.texts if text.get_visible()]
+    assert not [(p, q) for p, q in combinations(boxes, 2) if p.shrunk(0.98, 0.9).overlaps(q.shrunk(0.98, 0.9))]
 
 
 def test_threads_draw_the_same_bytes_and_leave_the_settings_alone():

@@ -51,7 +51,15 @@ def scene(rng):
             return comb(rng.randint(2, 12), spot, big)
         return ring(rng, rng.choice((3, 4, 5, 12, 60)), spot, big, rng.choice((1.0, 1.0, 0.02)))
 
-    return shape(center, size), shape(where, size * ratio)
+    return named(shape(center, size), rng), named(shape(where, size * ratio), rng)
+
+
+def named(shape, rng):
+    """Some outlines have vertices with names, short and long, and letters that DejaVu lacks."""
+    if isinstance(shape, sv.Circle) or len(shape.vertices) > 8 or rng.random() < 0.6:
+        return shape
+    names = "the north-eastern corner", "a", "日本語ラベル", "left"
+    return sv.Polygon(shape.vertices, labels=[f"{rng.choice(names)}{i}" for i in range(len(shape.vertices))])
 
 
 def scenes(seed, count):

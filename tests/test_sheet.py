@@ -17,7 +17,9 @@ def gon(n, x, r=2.0):
 
 LONG = {"hit": sv.record(gon(40, 0), gon(37, 3.9)), "apart": sv.record(gon(40, 0), gon(37, 4.1))}
 FAR = sv.record(*(sv.Polygon([(7e8 + x, 6e8 + y) for x, y in s.vertices]) for s in (gon(3, 0), gon(4, 5))))
-SHEETS = {name: sv.sheet(trace) for name, trace in (TRACES | LONG | {"far": FAR}).items()}
+LONG_NAMES = ["the north-eastern corner of it all", "left", "日本語ラベル"]
+NAMED = sv.record(sv.Polygon(gon(3, 0).vertices, LONG_NAMES), sv.Polygon(gon(3, 2).vertices, LONG_NAMES))
+SHEETS = {name: sv.sheet(trace) for name, trace in (TRACES | LONG | {"far": FAR, "named": NAMED}).items()}
 
 
 @pytest.mark.parametrize("name", SHEETS)

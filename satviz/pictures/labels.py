@@ -80,13 +80,16 @@ def with_labels(
     `kept`: labels of other steps; one that is asked for again stays where it is.
     """
     board = Board(layout, kept)
+    beside = [mark for mark in marks if mark.part in ("inset", "inset-name")]
+    for mark in beside:
+        _put(board, mark)
     stay = [r for r in requests if board.kept_at(r)]
     names = [r for r in requests if r.steady and r.part == "name" and r not in stay]
     vertices = [r for r in requests if r.steady and r.part != "name" and r not in stay]
     rest = [r for r in requests if not r.steady and r not in stay]
-    outlines = [mark for mark in marks if mark.kind in ("outline", "disc") or mark.part == "inset-name"]
+    outlines = [mark for mark in marks if mark.kind in ("outline", "disc") and mark not in beside]
     corners = [mark for mark in marks if mark.part == "vertex"]
-    others = [mark for mark in marks if mark not in outlines and mark not in corners]
+    others = [mark for mark in marks if mark not in outlines and mark not in corners and mark not in beside]
     labels = board.labels(stay)
     for mark in outlines if steady else (*outlines, *corners, *others):
         _put(board, mark)
@@ -166,11 +169,13 @@ class Board:
         self.boxes.append((x - w, y - h, x + w, y + h))
 
     def kept_at(self, request: Request) -> Vec | None:
-        """Where the same label stands in another step, if that is on this canvas."""
+        """Where the same label stands in another step, if that is on this canvas and free."""
         for label in self.kept:
             if (label.part, label.owner, label.axis, label.number, label.text) == (*request.which, request.text):
                 (x, y), (w, h) = self._points(label.points[0]), text_box(label.text, label.weight)
-                if self._inside(x - w / 2 + 0.01, y - h / 2 + 0.01, x + w / 2 - 0.01, y + h / 2 - 0.01):
+                x0, y0, x1, y1 = x - w / 2 + 0.01, y - h / 2 + 0.01, x + w / 2 - 0.01, y + h / 2 - 0.01
+                lies_on = any(x0 < box[2] and box[0] < x1 and y0 < box[3] and box[1] < y1 for box in self.boxes)
+                if self._inside(x0, y0, x1, y1) and not lies_on:
                     return label.points[0]
         return None
 

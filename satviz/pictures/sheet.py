@@ -125,8 +125,7 @@ def _row(row: Row, number: int, top: float, scale: float, zero: float | None) ->
         bar("gap", "overlap", max(a.lo, b.lo), min(a.hi, b.hi), y)
     name = telling.axis_name(test.axis, (run.a, run.b), run.names)
     pair = "" if run.names == ("A", "B") else f"{run.names.a} | {run.names.b}: "
-    room = WIDTH - MARGIN - BARS[0]
-    marks.append(_text("name", _cut(f"{pair}{row.number} {name}", room), ink, BARS[0], top - 10, number))
+    marks.append(_text("name", _cut(f"{pair}{row.number} {name}", BARS[1] - BARS[0]), ink, BARS[0], top - 10, number))
     found = telling.outcome(test, telling.digits(run, test)).replace(", way out", "\nway out").split("\n")
     colour = ink if not made or not test.gap else "gap" if test.gap > 0 else "overlap"
     lines = [(found[0], colour), *((line, ink) for line in found[1:])]

@@ -20,6 +20,7 @@ from .layout import TRACK, AxisPlace, Layout, moved, range_label
 from .marks import Details, Mark, Picture
 
 NORMAL = 34.0  # the length of a normal's arrow, in points
+CROWDED = 6.0  # times the size at which a shape can just be seen
 RIGHT_ANGLE = 7.0  # the side of the mark at its foot
 ZERO_TICK = 4.5  # half of the tick at coordinate 0
 BRACKET = 4.0, 11.0  # a gap's bracket stands this far out from the axis
@@ -67,6 +68,10 @@ class Sketch:
     def tiny(self, shape: Shape) -> bool:
         """Is it too small to be seen?"""
         return small(shape, self.layout.scale)
+
+    def crowded(self, shape: Shape) -> bool:
+        """Is there no room for marks at its corners and edges?"""
+        return small(shape, self.layout.scale / CROWDED)
 
     def shapes(self, *, weight: str = "plain") -> None:
         """Both shapes, with the labels that their owner gave, and larger what is too small to be seen."""
@@ -397,11 +402,11 @@ class Sketch:
         if not left:
             return
         for role, _, shape in self.pair():
-            if isinstance(shape, Polygon) and not shape.labels and len(shape.corners) <= 6 and not self.tiny(shape):
+            if isinstance(shape, Polygon) and not shape.labels and len(shape.corners) <= 6 and not self.crowded(shape):
                 self.vertices(role, shape.corner_ids, as_role="guide")
         for n, axis in enumerate(left, 1):
             kind, owner, ids = axis.source
-            if kind in (EDGE, HULL) and not self.tiny(self.of(owner)[1]):
+            if kind in (EDGE, HULL) and not self.crowded(self.of(owner)[1]):
                 _, polygon = self.polygon(owner)
                 p, q = (polygon.vertices[j] for j in ids)
                 tip = moved(self.middle(p, q), self.outward(polygon, p, q), self.layout.units(NORMAL * 0.6))

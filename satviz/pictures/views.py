@@ -1,10 +1,9 @@
 """Pictures that are no single step: all normals, several axes at once, lines that fail, a circle by itself."""
 
-from collections.abc import Sequence
 from math import hypot
 
 from ..engine import digits, telling
-from ..engine.axes import EDGE, GIVEN, HULL, VERTEX, WORLD, Choice
+from ..engine.axes import HULL, VERTEX, Choice
 from ..engine.certificate import SeparatingLine
 from ..engine.concave import named_parts
 from ..engine.geometry import Vec
@@ -51,24 +50,16 @@ def world(trace: Trace, *, title: str = "") -> Picture:
     return sketch.finish(title, f"{telling.both(trace)} They will be projected on {telling.listed(names)}.")
 
 
-def at_once(trace: Trace, *, kinds: Sequence[str] = (EDGE, WORLD, GIVEN), title: str = "") -> Picture:
-    """Several finished tests in one picture: every axis of the given kinds with both ranges."""
-    chosen = [(i, t) for i, t in enumerate(trace.tests) if t.source.kind in kinds]
-    (layout,) = arrange([Group([trace.a, trace.b], [t for _, t in chosen])])
+def at_once(trace: Trace, *, title: str = "") -> Picture:
+    """All tests finished in one picture: every axis with both ranges, and what the run says."""
+    (layout,) = arrange([Group([trace.a, trace.b], trace.tests)])
     sketch = Sketch(trace, layout)
     sketch.shapes()
-    for (_, test), place in zip(chosen, layout.places, strict=True):
+    for test, place in zip(trace.tests, layout.places, strict=True):
         sketch.project(test, place)
     if trace.false_hit:
         sketch.note("verdict", telling.claimed(trace), "wrong", first=1)
-    rest = [
-        telling.short_axis_name(t.axis, (trace.a, trace.b), trace.names)
-        for t in trace.tests
-        if t.source.kind not in kinds
-    ]
-    if rest:
-        sketch.note("rest", f"not shown: {', '.join(rest)}", "guide")
-    tests = " ".join(telling.test(trace, i) for i, _ in chosen)
+    tests = " ".join(telling.test(trace, i) for i in range(len(trace.tests)))
     return sketch.finish(title, f"{tests} {trace.sentence}")
 
 

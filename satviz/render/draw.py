@@ -48,7 +48,9 @@ def draw(
     points = 72 / ax.figure.dpi
     largest = box.width * points, box.height * points
     shown = what if isinstance(what, Picture) else picture(what, step, largest=largest)
-    return _pen(ax, THEMES[theme]).draw(shown)
+    # a picture that needs more room than the Axes have is shown smaller, its letters too
+    zoom = min(1.0, *(room / size for room, size in zip(largest, shown.size, strict=True)))
+    return _pen(ax, THEMES[theme]).draw(shown, zoom=zoom)
 
 
 def _pen(ax: Axes, theme: Theme) -> Pen:

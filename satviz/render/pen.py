@@ -42,10 +42,11 @@ class Pen:
             ax.add_collection(collection, autolim=False)
         self.texts: list[Text] = []
 
-    def draw(self, picture: Picture) -> "dict[str, Artist]":
+    def draw(self, picture: Picture, *, zoom: float = 1.0) -> "dict[str, Artist]":
         """Put the picture on the Axes in place of the one before; returns the artist of each mark by its id.
 
-        Marks of one kind share a collection, so several ids may give one artist.
+        Marks of one kind share a collection, so several ids may give one artist.  `zoom`: how large the
+        Axes show the picture, for what is measured in points.
         """
         self._view(picture)
         fills: list[Painted] = []
@@ -70,9 +71,9 @@ class Pen:
             collection.set_facecolor([rgba for _, rgba in painted])
         self.strokes.set_paths([path for _, (path, _) in strokes])
         self.strokes.set_edgecolor([rgba for _, (_, rgba) in strokes])
-        self.strokes.set_linewidth([look.width for look, _ in strokes])
+        self.strokes.set_linewidth([look.width * zoom for look, _ in strokes])
         self.strokes.set_linestyle([(0, look.dash) if look.dash else "solid" for look, _ in strokes])
-        self._write(labels, artists)
+        self._write(labels, artists, zoom)
         return artists
 
     def write_in(self, families: Sequence[str]) -> None:
@@ -91,7 +92,7 @@ class Pen:
         self.ax.set_ylim(y0, y1)
         self.ax.set_aspect("equal", adjustable="box")
 
-    def _write(self, labels: Sequence[Mark], artists: "dict[str, Artist]") -> None:
+    def _write(self, labels: Sequence[Mark], artists: "dict[str, Artist]", zoom: float) -> None:
         while len(self.texts) < len(labels):
             text = self.ax.text(0, 0, "", fontfamily="sans-serif", parse_math=False, zorder=4, clip_on=False)
             text.set(ha="center", va="center", linespacing=1.2)
@@ -100,7 +101,7 @@ class Pen:
             text.set_position(mark.points[0])
             text.set_text(mark.text)
             text.set_color(self.theme.text.get(mark.role, self.theme.roles[mark.role]))
-            text.set_fontsize(mark.look.size)
+            text.set_fontsize(mark.look.size * zoom)
             text.set_fontweight("bold" if mark.look.bold else "normal")
             text.set_visible(True)
             artists[mark.id] = text
