@@ -4,6 +4,7 @@ import pytest
 
 import satviz as sv
 from satviz.cli import main
+from satviz.engine.digits import plain
 from satviz.pictures import belief
 from satviz.pictures.layout import text_box
 from satviz.pictures.marks import Picture
@@ -16,7 +17,7 @@ each_row = pytest.mark.parametrize("row", SHOWN, ids=lambda row: row.name)
 
 
 def texts(drawn: Picture, prefix: str) -> dict[str, str]:
-    return {mark.id: mark.text for mark in drawn.marks if mark.kind == "label" and mark.part.startswith(prefix)}
+    return {mark.id: plain(mark.text) for mark in drawn.marks if mark.kind == "label" and mark.part.startswith(prefix)}
 
 
 def struck(drawn: Picture) -> list[str]:
@@ -30,7 +31,7 @@ def struck(drawn: Picture) -> list[str]:
             for m in drawn.marks
             if m.kind == "label" and abs(m.points[0].y - y) < 1e-6 and abs(m.points[0].x - (x0 + x1) / 2) < 1e-6
         )
-        found.append(label.text)
+        found.append(plain(label.text))
     return found
 
 
@@ -69,7 +70,7 @@ def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on
     }.get(row.name, ("", ""))
     if not left:
         told = [row.told(answer) for answer in (row.wrong, row.truth)]
-        left, right = (t.replace("gap -", "overlap ") if row.what == "gap" else t for t in told)
+        left, right = (plain(t).replace("gap -", "overlap ") if row.what == "gap" else plain(t) for t in told)
         if row.name == "circles-turned-round":
             left = "gap -1"
     assert left in saw and right in truth
@@ -175,7 +176,7 @@ def test_a_failing_scene_is_drawn_and_made_a_page_under_its_claim(tmp_path):
     last = sorted(tmp_path.glob("lengths-*.svg"))[-1].read_text(encoding="utf-8")
     page = (tmp_path / "lengths.html").read_text(encoding="utf-8")
     claim = "Claim: a landing place is a length, so it has no sign."
-    assert claim in last and f"<h1>{claim} Wrong: overlapping, gap -1. Right: apart, gap +4.</h1>" in page
+    assert claim in last and f"<h1>{claim} Wrong: overlapping, gap -1. Right: apart, gap +4.</h1>" in plain(page)
 
 
 def test_both_pens_and_the_player_take_both_panels():

@@ -21,10 +21,10 @@ from . import belief_rows, live, stages
 from .belief_rows import Panel
 from .caption import wrapped
 from .labels import Request, with_labels
-from .layout import Group, HEIGHT, WIDTH, AxisPlace, Layout, arrange, moved, place_within, text_box
+from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, moved, place_within, text_box
 from .marks import Mark, Picture
 from .sketch import Sketch
-from .stages import Stage, Step, draw_mtv, draw_parts, draw_test, draw_verdict, others, separating_line, shifted
+from .stages import Stage, Step, draw_mtv, draw_test, draw_verdict, others, separating_line, shifted
 
 SAW, IS = "what the shortcut saw", "what is"
 PANEL = 340.0, 300.0  # the largest, in points
@@ -193,7 +193,7 @@ def _tests_believed(trace: Trace, largest: tuple[float, float]) -> Sketch:
             if len(told) == 1:
                 sketch.edge(test)
                 sketch.normal(test)
-            sketch.project(test, place, drops=len(told) == 1)
+            sketch.project(test, place, drops=len(told) == 1, interval=False)
         else:
             sketch.no_axis(test)
     if len(told) < len(trace.tests) and not trace.ended_by:
@@ -291,7 +291,6 @@ def _proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
     run, test = true_run(trace), true_test(trace)
     if test is None:
         sketch = Sketch(run, layout)
-        draw_parts(sketch)
         draw_verdict(sketch, layout.places, told=False)
         return sketch
     run = replace(run, choice=Choice((test.axis,), complete=run.choice.complete), tests=(test,))
@@ -307,7 +306,7 @@ def _proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
         move = trace.truth.known_mtv
         if move and any(move):
             draw_mtv(sketch, certificate.point, move)
-    sketch.project(test, place, drops=False)
+    sketch.project(test, place, drops=False, interval=False)
     return sketch
 
 
@@ -331,7 +330,7 @@ def hand(
         place = place_within(layout, (trace.a, trace.b), test, near)
         sketch.edge(test)
         sketch.normal(test)
-        sketch.project(test, place)
+        sketch.project(test, place, interval=False)
     if word := verdicts(trace)[0]:
         sketch.note("claim", word, "ink", weight="title", first=1)
     row = row_of(trace)

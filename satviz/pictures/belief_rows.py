@@ -5,7 +5,8 @@ from dataclasses import replace
 from itertools import combinations
 from math import cos, hypot, pi, sin
 
-from ..engine import digits, telling
+from ..engine import telling
+from ..engine.digits import number
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Polygon, Shape, centroid
@@ -67,7 +68,7 @@ def fan(trace: Trace, largest: tuple[float, float]) -> Sketch:
         tip = moved(start, u, sketch.layout.units(ARROW * 1.6))
         sketch.add("fan", "arrow", "gap", start, tip, number=i, weight="strong" if i in (0, 4) else "plain")
         if i in (0, 4):
-            sketch.label("fan-name", f"{digits.number(round(turn, 2))}°", "gap", tip, number=i, prefer=u, first=1)
+            sketch.label("fan-name", f"{number(round(turn, 2))}°", "gap", tip, number=i, prefer=u, first=1)
     return sketch
 
 
@@ -163,7 +164,7 @@ def looks(trace: Trace, largest: tuple[float, float]) -> Sketch:
     sketch = Sketch(truth, arrange([Group([trace.a, trace.b], truth.tests)], largest=largest)[0])
     sketch.shapes()
     for test, place in zip(truth.tests, sketch.layout.places, strict=True):
-        sketch.project(test, place)
+        sketch.project(test, place, interval=False)
     return sketch
 
 
@@ -176,7 +177,7 @@ def frame(trace: Trace, largest: tuple[float, float]) -> Sketch:
     sketch.shapes()
     sketch.shape("A", "A next", after, weight="faint", named=False)
     sketch.label("next-name", "next frame", "A", centroid(after), prefer=Vec(0.0, 1.0), first=2)
-    sketch.project(test, layout.places[0], drops=False)
+    sketch.project(test, layout.places[0], drops=False, interval=False)
     return sketch
 
 
@@ -211,7 +212,7 @@ def distance(trace: Trace, largest: tuple[float, float]) -> Sketch:
     sketch.shapes()
     if not truth.hit:
         sketch.add("distance", "segment", "gap", p, q, weight="strong")
-        text = f"distance {digits.number(right.distance(trace.a, trace.b))}"
+        text = f"distance {number(right.distance(trace.a, trace.b))}"
         sketch.label("distance-name", text, "gap", sketch.middle(p, q), prefer=Vec(q.y - p.y, p.x - q.x), first=1)
     return sketch
 

@@ -108,7 +108,7 @@ def with_labels(
 
 def _broken(mark: Mark, boxes: Sequence[tuple[Vec, tuple[float, float]]], layout: Layout) -> Mark:
     """A guide line left out where it would run through words."""
-    pieces = [mark.points]
+    pieces = list(zip(mark.points[::2], mark.points[1::2], strict=True))
     for center, (width, height) in boxes:
         w, h = layout.units(width / 2), layout.units(height / 2)
         box = center.x - w, center.y - h, center.x + w, center.y + h

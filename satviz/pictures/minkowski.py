@@ -63,7 +63,7 @@ def _proof(sketch: Sketch, run: Trace, found: Sequence[Sequence[Vec]]) -> str:
     best = max(run.tests, key=lambda test: test.gap, default=None)
     if best is None or best.gap < 0:
         return ""
-    n = best.axis.direction
+    n, told = best.axis.direction, telling.digits(run, best)
     far = min((p for ring in found for p in ring), key=lambda p: abs(p.x * n.x + p.y * n.y))
     side = 1.0 if far.x * n.x + far.y * n.y > 0 else -1.0
     foot = moved(origin, n, side * best.gap)
@@ -73,9 +73,16 @@ def _proof(sketch: Sketch, run: Trace, found: Sequence[Sequence[Vec]]) -> str:
     if best.gap:
         sketch.add("gap", "segment", "gap", origin, foot, weight="strong")
         sketch.label("axis-name", "separating axis", "guide", low, along=(high,), prefer=across, first=3, far=True)
-    sketch.label("gap-name", telling.outcome(best, telling.digits(run, best)), "gap", sketch.middle(origin, foot), prefer=across, first=2)
+    sketch.label(
+        "gap-name",
+        telling.outcome(best, told),
+        "gap",
+        sketch.middle(origin, foot),
+        prefer=across,
+        first=2,
+    )
     name = telling.axis_name(best.axis, (run.a, run.b), run.names)
-    return f": the axis ({name}) leaves a gap of {telling.digits(run, best).gap(best.gap)}" if best.gap else f" on the axis ({name})"
+    return f": the axis ({name}) leaves a gap of {told.gap(best.gap)}" if best.gap else f" on the axis ({name})"
 
 
 def _middle(ring: Sequence[Vec]) -> Vec:

@@ -194,7 +194,7 @@ class Sketch:
     def way_of(self, test: AxisTest) -> Vec:
         """The axis's direction as it is drawn where it comes from: out of the shape, either direction will do."""
         n, (kind, role, ids) = test.axis.direction, test.source
-        if kind in (EDGE, HULL):
+        if kind in (EDGE, HULL) and any(n):
             _, polygon = self.polygon(role)
             p, q = (polygon.vertices[i] for i in ids)
             out = self.outward(polygon, p, q)
@@ -365,14 +365,16 @@ class Sketch:
         text = (telling.shared if interval else telling.outcome)(test, telling.digits(self.trace, test))
         self.label("gap-name", text, role, anchor, axis=self.on(test), prefer=place.out, first=2)
 
-    def project(self, test: AxisTest, place: AxisPlace, *, drops: bool = True, numbers: bool = True) -> None:
+    def project(
+        self, test: AxisTest, place: AxisPlace, *, drops: bool = True, numbers: bool = True, interval: bool = True
+    ) -> None:
         """A finished test: the axis, the extreme points' drops, both ranges, the gap or overlap."""
         self.axis(test, place)
         for role in "AB":
             if drops:
                 self.drops(test, place, role, ends_only=True, named=False)
             self.range(test, place, role, numbers=numbers)
-        self.gap(test, place, interval=numbers)
+        self.gap(test, place, interval=numbers and interval)
 
     # -- lines, moves, words
 

@@ -204,7 +204,9 @@ def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace | None) -> 
             sketch.drops(test, place, role, ends_only=True, named=False)
             sketch.range(test, place, role)
     if stage is Stage.GAP:
-        sketch.gap(test, place)
+        sketch.gap(test, place, interval=not trace.shortcut)
+        if trace.shortcut:
+            return
         if test.separates:
             sketch.left_out()
         sketch.note("conclusion", telling.conclusion(trace, i), "ink", first=3)
@@ -235,9 +237,9 @@ def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace], *, told: bool = Tr
         part_lines(sketch)
     else:
         sketch.shapes()
-    if trace.false_hit:
+    if told and trace.false_hit:
         sketch.note("verdict", telling.claimed(trace), "wrong", weight="title", first=1)
-    else:
+    elif told:
         sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
     if isinstance(certificate, SeparatingLine):
         separating_line(sketch, certificate)
