@@ -176,7 +176,13 @@ POCKET = sv.Polygon(
 SPIKE = sv.Polygon([(-9, -2), (9, -2), (9, 0), (0.2, 0), (0, 1), (-0.2, 0), (-9, 0)])
 
 
-SPIKES = sv.Polygon([(-9, -2), (9, -2), (9, 0), (1.2, 0), (1, 1), (0.8, 0), (-0.8, 0), (-1, 1), (-1.2, 0), (-9, 0)])
+def spikes(half):
+    """Two tips at (1, 1) and (-1, 1), of half this width, on a box."""
+    right, left = ([(t + half, 0), (t, 1), (t - half, 0)] for t in (1, -1))
+    return sv.Polygon([(-9, -2), (9, -2), (9, 0), *right, *left, (-9, 0)])
+
+
+SPIKES, NEEDLES = spikes(0.2), spikes(0.02)
 
 
 PRONGS = sv.Polygon([(-9, -9), (9, -9), (1, 0), (0, -8), (-1, 0)])
@@ -195,6 +201,7 @@ PRONGS = sv.Polygon([(-9, -9), (9, -9), (1, 0), (0, -8), (-1, 0)])
         (PRONGS, ((0, 0.5), 1.25), (0, 0.25)),
         (SPIKE, ((0, 3.9), 3), (0, 0.1)),  # away from a tip close to an edge
         (SPIKES, ((0, 3.75), 3), (0, 8**0.5 - 2.75)),  # where the circles about two tips close to an edge meet
+        (NEEDLES, ((0, 3.75), 3), (0, 8**0.5 - 2.75)),  # tips so thin that an arc runs nearly half round
         (POCKET, ((1, 0.5), 1.25), (0.25, 0.5)),  # where an edge and the circle about a corner meet
     ],
 )
