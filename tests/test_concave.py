@@ -205,6 +205,12 @@ def test_the_parts_scale_with_the_polygon(kind):
             assert parts(Polygon(scaled(polygon.vertices, power))) == tuple(there), repr(polygon)
 
 
+def test_an_outline_that_is_larger_by_any_factor_is_split_on_no_longer_integers():
+    for factor in (2.0**900, 5):
+        larger = Polygon([(x * factor, y * factor) for x, y in L])
+        assert concave._Pieces(larger).at == concave._Pieces(Polygon([(x / 2, y / 2) for x, y in L])).at
+
+
 @pytest.mark.parametrize("unit", [5e-324, 2.0**1020])
 def test_the_ends_of_the_float_range_are_cut_exactly_too(unit):
     for ring in (L, [(0, 0), (5, 1), (3, 3), (7, 6), (1, 7), (2, 4)]):

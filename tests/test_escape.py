@@ -324,5 +324,6 @@ def test_only_a_circle_bends_borders_and_the_hull_of_each_holds_it(seed):
     for radius in (0.01, 1.0, 3.0):
         bare = corners.convex_hull.buffer(radius, quad_segs=512).boundary
         for border in escape._borders(ring, radius):
-            bare -= shapely.MultiPoint([(v.real, v.imag) for v in border.hull]).convex_hull.buffer(1e-4)  # shapely rounds a little
+            hull = shapely.MultiPoint([(v.real, v.imag) for v in border.hull]).convex_hull
+            bare -= hull.buffer(1e-4)  # shapely leaves out arcs hardly bent
         assert bare.is_empty
