@@ -327,3 +327,10 @@ def test_only_a_circle_bends_borders_and_the_hull_of_each_holds_it(seed):
             hull = shapely.MultiPoint([(v.real, v.imag) for v in border.hull]).convex_hull
             bare -= hull.buffer(1e-4)  # shapely leaves out arcs hardly bent
         assert bare.is_empty
+
+
+@pytest.mark.parametrize("radius", [0.0, 0.5, 1.0, 3.0])
+def test_no_piece_of_border_is_nearer_than_it_says(radius):
+    for turn in (1, 1j, -1, -1j):
+        for border in escape._borders([turn * v for v in (2 + 1j, 3 + 1j, 2.5 + 3j)], radius):
+            assert border.nearest <= min(abs(border.p), abs(border.q)) + 1e-9

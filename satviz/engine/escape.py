@@ -243,9 +243,8 @@ def _feet(border: Border, radius: float) -> Iterator[Candidate]:
         yield Candidate(abs(foot), foot, border.normal)
     elif border.center:
         out = -border.center / abs(border.center)
-        move = border.center + out * radius
-        if border.has(move):
-            yield Candidate(abs(move), move, out)
+        move = border.center + out * radius  # what is not on the arc is inside the region
+        yield Candidate(abs(move), move, out)
 
 
 def _crossings(one: Border, other: Border, radius: float) -> Iterator[Candidate]:
@@ -274,6 +273,7 @@ def _line_points(one: Border, other: Border, radius: float) -> Iterator[complex]
 
 def _circle_points(c: complex, d: complex, radius: float) -> Iterator[complex]:
     """Where two circles of the one radius meet."""
-    if c != d and abs(d - c) <= 2 * radius:
-        half = 1j * (d - c) / abs(d - c) * (radius * radius - abs(d - c) ** 2 / 4) ** 0.5
-        yield from ((c + d) / 2 - half, (c + d) / 2 + half)
+    half = (d - c) / 2
+    if 0 < abs(half) <= radius:
+        aside = 1j * half / abs(half) * (radius * radius - abs(half) ** 2) ** 0.5
+        yield from (c + half - aside, c + half + aside)
