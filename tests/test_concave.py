@@ -327,6 +327,26 @@ def test_a_cut_between_two_reflex_vertices_is_judged_by_the_edges_next_to_them(r
     assert len(parts(Polygon(ring))) == 3 <= fewest_without_new_points(Polygon(ring))
 
 
+@pytest.mark.parametrize(
+    ("ring", "count"),
+    [
+        # a cut that misses the line of an edge by next to nothing ends one only
+        ([(2, 0), (2, 3), (0, 4), (0, 2), (-2, 5), (-3, 4), (-8, 0), (-1, -3), (6, -3)], 4),
+        ([(5, 1), (2, 1), (1, 6), (-4, 7), (-4, -5), (3, -3), (4, -3), (3, -2)], 4),
+        ([(1, 5), (-1, 6), (-1, 1), (-3, 0), (-7, -2), (2, -1), (6, -1), (2, 0), (6, 0)], 3),
+        ([(1, 3), (0, 1), (1, 0), (3, 1), (4, 1), (5, 3), (2, 4), (3, 4), (1, 5)], 3),
+        # one along the line of an edge ends both
+        ([(0, 5), (2, 4), (3, 4), (3, 2), (4, 0)], 2),
+        # the shortest of all comes first, whichever vertex it starts at
+        ([(2, 0), (2, 1), (3, 3), (-3, 4), (-2, 1), (-2, -1), (1, -6), (1, -7), (4, -4)], 3),
+        # one that leaves by the edge that closes the ring is none
+        ([(35, 16), (29, 25), (40, 38), (8, 24), (6, 26), (10, 15), (7, 3), (30, 5), (19, 20)], 5),
+    ],
+)
+def test_no_cut_is_missed_that_ends_two_reflex_vertices_and_none_taken_that_does_not(ring, count):
+    assert len(parts(Polygon(ring))) == count
+
+
 def test_of_two_cuts_that_end_two_reflex_vertices_the_shorter_is_made():
     # an hourglass with a second, wider waist: each waist is cut across, not from one to the other
     waists = [(0, 0), (6, 0), (4, 4), (6, 8), (5, 12), (6, 16), (0, 16), (1, 12), (0, 8), (2, 4)]
