@@ -171,11 +171,15 @@ class Watch:
         items.sort(key=lambda item: (-self.kills[item.nodeid], self.times.get(item.nodeid, 0)))
 
     def pytest_runtest_setup(self, item) -> None:
-        self.out.write_text(json.dumps({"at": item.nodeid, "times": self.found}))
+        self.note(item.nodeid)
         signal.setitimer(signal.ITIMER_PROF, 5 + 10 * self.times.get(item.nodeid, 9))  # seconds of this process's work
 
     def pytest_runtest_logreport(self, report) -> None:
         self.found[report.nodeid] = self.found.get(report.nodeid, 0) + report.duration
+        self.note(report.nodeid)  # here too, or the last test would have no time
+
+    def note(self, test: str) -> None:
+        self.out.write_text(json.dumps({"at": test, "times": self.found}))
 
 
 def judge(path: Path, source: str, tests: list[str], watch: Watch) -> int:

@@ -205,6 +205,12 @@ def test_the_parts_scale_with_the_polygon(kind):
             assert parts(Polygon(scaled(polygon.vertices, power))) == tuple(there), repr(polygon)
 
 
+def test_an_outline_that_is_larger_by_any_factor_is_split_on_no_longer_integers():
+    for factor in (2.0**900, 5):
+        larger = Polygon([(x * factor, y * factor) for x, y in L])
+        assert concave._Pieces(larger).at == concave._Pieces(Polygon([(x / 2, y / 2) for x, y in L])).at
+
+
 @pytest.mark.parametrize("unit", [5e-324, 2.0**1020])
 def test_the_ends_of_the_float_range_are_cut_exactly_too(unit):
     for ring in (L, [(0, 0), (5, 1), (3, 3), (7, 6), (1, 7), (2, 4)]):
@@ -319,6 +325,26 @@ def test_they_have_from_any_first_vertex_and_turned_any_way(name, ring, count, t
 def test_a_cut_between_two_reflex_vertices_is_judged_by_the_edges_next_to_them(ring):
     # those one further on would miss the one cut that ends two, and make a part more
     assert len(parts(Polygon(ring))) == 3 <= fewest_without_new_points(Polygon(ring))
+
+
+@pytest.mark.parametrize(
+    ("ring", "count"),
+    [
+        # a cut that misses the line of an edge by next to nothing ends one only
+        ([(2, 0), (2, 3), (0, 4), (0, 2), (-2, 5), (-3, 4), (-8, 0), (-1, -3), (6, -3)], 4),
+        ([(5, 1), (2, 1), (1, 6), (-4, 7), (-4, -5), (3, -3), (4, -3), (3, -2)], 4),
+        ([(1, 5), (-1, 6), (-1, 1), (-3, 0), (-7, -2), (2, -1), (6, -1), (2, 0), (6, 0)], 3),
+        ([(1, 3), (0, 1), (1, 0), (3, 1), (4, 1), (5, 3), (2, 4), (3, 4), (1, 5)], 3),
+        # one along the line of an edge ends both
+        ([(0, 5), (2, 4), (3, 4), (3, 2), (4, 0)], 2),
+        # the shortest of all comes first, whichever vertex it starts at
+        ([(2, 0), (2, 1), (3, 3), (-3, 4), (-2, 1), (-2, -1), (1, -6), (1, -7), (4, -4)], 3),
+        # one that leaves by the edge that closes the ring is none
+        ([(35, 16), (29, 25), (40, 38), (8, 24), (6, 26), (10, 15), (7, 3), (30, 5), (19, 20)], 5),
+    ],
+)
+def test_no_cut_is_missed_that_ends_two_reflex_vertices_and_none_taken_that_does_not(ring, count):
+    assert len(parts(Polygon(ring))) == count
 
 
 def test_of_two_cuts_that_end_two_reflex_vertices_the_shorter_is_made():

@@ -176,7 +176,13 @@ POCKET = sv.Polygon(
 SPIKE = sv.Polygon([(-9, -2), (9, -2), (9, 0), (0.2, 0), (0, 1), (-0.2, 0), (-9, 0)])
 
 
-SPIKES = sv.Polygon([(-9, -2), (9, -2), (9, 0), (1.2, 0), (1, 1), (0.8, 0), (-0.8, 0), (-1, 1), (-1.2, 0), (-9, 0)])
+def spikes(half):
+    """Two tips at (1, 1) and (-1, 1), of half this width, on a box."""
+    right, left = ([(t + half, 0), (t, 1), (t - half, 0)] for t in (1, -1))
+    return sv.Polygon([(-9, -2), (9, -2), (9, 0), *right, *left, (-9, 0)])
+
+
+SPIKES, NEEDLES = spikes(0.2), spikes(0.02)
 
 
 PRONGS = sv.Polygon([(-9, -9), (9, -9), (1, 0), (0, -8), (-1, 0)])
@@ -195,6 +201,7 @@ PRONGS = sv.Polygon([(-9, -9), (9, -9), (1, 0), (0, -8), (-1, 0)])
         (PRONGS, ((0, 0.5), 1.25), (0, 0.25)),
         (SPIKE, ((0, 3.9), 3), (0, 0.1)),  # away from a tip close to an edge
         (SPIKES, ((0, 3.75), 3), (0, 8**0.5 - 2.75)),  # where the circles about two tips close to an edge meet
+        (NEEDLES, ((0, 3.75), 3), (0, 8**0.5 - 2.75)),  # tips so thin that an arc runs nearly half round
         (POCKET, ((1, 0.5), 1.25), (0.25, 0.5)),  # where an edge and the circle about a corner meet
     ],
 )
@@ -292,10 +299,38 @@ def test_hardly_a_move_that_floats_can_refuse_is_checked_exactly_and_buried_bord
     assert asked["relate_moved"] < 3 * len(sv.parts(a)) * len(sv.parts(b)) and asked["_crossings"] < 600
 
 
-@pytest.mark.parametrize("b", [box(-0.5, 0.25, 0.5, 2), sv.Polygon([(0, 0.5), (1, 1), (0, 2)]), sv.Circle((0, 1), 0.5)])
+SMALL = [box(-0.5, 0.25, 0.5, 2), sv.Polygon([(0, 0.5), (1, 1), (0, 2)]), sv.Circle((0, 1), 0.5)]
+
+
+@pytest.mark.parametrize("b", [*(scaled(b, -600) for b in SMALL), scaled(sv.Circle((0, 1), 1.5), 499)], ids=range(4))
 def test_a_tooth_so_small_that_its_parts_vanish_at_the_size_of_its_outline_has_a_way_out(b):
     huge, tiny = 2.0**500, 2.0**-600
-    ring = [(-huge, -huge), (huge, -huge), (huge, 0), (tiny, 0), (0, tiny), (-tiny, 0), (-huge, 0)]
-    a, b = sv.Polygon(ring), scaled(b, -600)
+    a = sv.Polygon([(-huge, -huge), (huge, -huge), (huge, 0), (tiny, 0), (0, tiny), (-tiny, 0), (-huge, 0)])
     for first, second in (a, b), (b, a):
         assert ends_overlap(first, second, sv.record(first, second).mtv)
+
+
+def test_sides_of_one_direction_are_one_side_of_the_sum():
+    square = [0j, 1 + 0j, 1 + 1j, 1j]
+    assert escape._sum(square, [2 * v for v in square[2:] + square[:2]]) == [3 * v for v in square]
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_only_a_circle_bends_borders_and_the_hull_of_each_holds_it(seed):
+    rng = Random(seed)
+    corners = shapely.MultiPoint([(rng.gauss(0, 1), rng.gauss(0, 0.01)) for _ in range(rng.randint(3, 6))])
+    ring = [complex(x, y) for x, y in reversed(corners.convex_hull.exterior.coords[1:])]
+    assert all(border.normal for border in escape._borders(ring, 0.0))
+    for radius in (0.01, 1.0, 3.0):
+        bare = corners.convex_hull.buffer(radius, quad_segs=512).boundary
+        for border in escape._borders(ring, radius):
+            hull = shapely.MultiPoint([(v.real, v.imag) for v in border.hull]).convex_hull
+            bare -= hull.buffer(1e-4)  # shapely leaves out arcs hardly bent
+        assert bare.is_empty
+
+
+@pytest.mark.parametrize("radius", [0.0, 0.5, 1.0, 3.0])
+def test_no_piece_of_border_is_nearer_than_it_says(radius):
+    for turn in (1, 1j, -1, -1j):
+        for border in escape._borders([turn * v for v in (2 + 1j, 3 + 1j, 2.5 + 3j)], radius):
+            assert border.nearest <= min(abs(border.p), abs(border.q)) + 1e-9

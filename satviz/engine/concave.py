@@ -14,7 +14,7 @@ from .exact import IntPoint
 from .geometry import Vec
 from .shapes import Polygon, Shape, checked
 
-NEAREST = 8  # partners tried for each reflex vertex, so that a big outline does not try all pairs
+NEAREST = 8  # partners tried for each reflex vertex among those after it: a big outline does not try all pairs
 
 Ring = list[int]  # the vertex numbers of a piece: counter-clockwise, none straight on
 Edge = tuple[int, int]
@@ -63,7 +63,7 @@ class _Pieces:
         self.numbers = {p: v for v, p in enumerate(self.points)}
         k, at, _ = shape.integers
         common = gcd(*(c for p in at for c in p))
-        self.unit = Fraction(common, 1 << k)  # of the integers in self.at
+        self.unit = Fraction(common, 1 << k)  # of the integers in self.at, made as short as they can be
         self.at = [(x // common, y // common) for x, y in at]
         self.convex: list[Ring] = []
         ring = list(range(len(at)))
@@ -72,23 +72,20 @@ class _Pieces:
 
     def cut_in_pairs(self) -> None:
         """Cuts that end two reflex vertices at once: first those along an edge's line, then the shortest."""
-        at, pairs = self.at, set()
+        at, pairs = self.at, []
         bends = [(v, at[v - 1], at[v], at[(v + 1) % len(at)]) for v in self.home]
-        for u, before_u, pu, after_u in bends:
-            ax, ay, bx, by = pu[0] - before_u[0], pu[1] - before_u[1], after_u[0] - pu[0], after_u[1] - pu[1]
+        for i, (u, before_u, pu, after_u) in enumerate(bends, 1):
             found = []
-            for v, before_v, pv, after_v in bends:
-                x, y = pv[0] - pu[0], pv[1] - pu[1]
+            for v, before_v, pv, after_v in bends[i:]:
                 # a cut ends a reflex vertex if it goes to the left of both its edges or along one's line
-                first, second = ax * y - ay * x, bx * y - by * x
-                if first < 0 or second < 0 or u == v:
+                first, second = _turn(before_u, pu, pv), _turn(pu, after_u, pv)
+                if first < 0 or second < 0:
                     continue
                 third, fourth = _turn(before_v, pv, pu), _turn(pv, after_v, pu)
-                if third < 0 or fourth < 0:
-                    continue
-                new_normal = 0 not in (first, second, third, fourth)
-                found.append((new_normal, x * x + y * y, min(u, v), max(u, v)))
-            pairs.update(nsmallest(NEAREST, found))
+                if third >= 0 and fourth >= 0:
+                    new_normal = 0 not in (first, second, third, fourth)
+                    found.append((new_normal, _square(pu, pv), u, v))
+            pairs += nsmallest(NEAREST, found)
         for _, _, u, v in sorted(pairs):
             ring = self.home.get(u)
             if ring is not None and ring is self.home.get(v) and self._sees(ring, u, v):
@@ -185,7 +182,8 @@ class _Pieces:
             if side == 0:
                 if 0 < dx * x + dy * y < square:
                     return False
-            elif (before < 0 < side or side < 0 < before) and (_turn(p, q, pu) < 0) != (_turn(p, q, pv) < 0):
+            # where the cut leaves the inside, the ring runs from right to left
+            elif before < 0 < side and _turn(p, q, pu) > 0 > _turn(p, q, pv):
                 return False
             p, before = q, side
         return True

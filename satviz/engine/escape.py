@@ -18,7 +18,7 @@ T = TypeVar("T")
 
 NUDGES = (0.0, *(2.0**-e for e in range(52, 19, -2)))  # how far outwards a rounded move is helped, near size 1
 ROUNDING = 2.0**-40
-MOST_CORNERS = 4000  # of all pairs of parts: about a second at worst, most often far less
+MOST_CORNERS = 4000  # of all pairs of parts: seconds at worst, most often far less
 
 
 def ends_overlap(a: Shape, b: Shape, move: Vec) -> bool:
@@ -117,14 +117,14 @@ class Border(NamedTuple):
     p: complex
     q: complex
     normal: complex  # of a segment, outwards; 0 for an arc
-    center: complex  # of an arc
-    tip: complex  # where the tangents at both ends of an arc meet; inf if far out
+    center: complex  # of an arc; of a segment, a point behind p
+    hull: tuple[complex, ...]  # corners of what holds the piece
 
     def has(self, point: complex) -> bool:
-        """Is a point of the arc's circle on the arc?"""
+        """Is a point of the segment's line or the arc's circle on the piece?"""
         room = -1e-9
-        u, v, w = (end - self.center for end in (self.p, self.q, point))
-        return _cross(u, w) >= room and _cross(w, v) >= room
+        seen = point - self.center
+        return _cross(self.p - self.center, seen) >= room and _cross(seen, self.q - self.center) >= room
 
 
 class _Free:
@@ -147,9 +147,8 @@ class _Free:
                     return
 
     def buries(self, border: Border) -> bool:
-        """Does the piece lie well inside one region?  (A convex region that holds its ends and tip holds all of it.)"""
-        _, p, q, _, _, tip = border
-        return self._forbidden(lambda r: self._holds(r, p) and self._holds(r, q) and self._holds(r, tip))
+        """Does the piece lie well inside one region?  (A convex region that holds its hull's corners holds it.)"""
+        return self._forbidden(lambda region: all(self._holds(region, corner) for corner in border.hull))
 
     def _forbidden(self, by: Callable[[Region], bool]) -> bool:
         """Is there a region that forbids?  It moves to the front, as the likeliest to forbid the next move too."""
@@ -204,7 +203,7 @@ def _sum(p: list[complex], q: list[complex]) -> list[complex]:
     n, m = len(p), len(q)
     while i < n or j < m:
         found.append(p[i % len(p)] + q[j % len(q)])
-        turn = _cross(p[(i + 1) % n] - p[i], q[(j + 1) % m] - q[j]) if i < n and j < m else n - i - (m - j)
+        turn = _cross(p[(i + 1) % n] - p[i], q[(j + 1) % m] - q[j]) if i < n and j < m else n - i or j - m
         i, j = i + (turn >= 0), j + (turn <= 0)
     return list(dict.fromkeys(found))
 
@@ -223,11 +222,11 @@ def _borders(ring: list[complex], radius: float) -> Iterator[Border]:
     sides = [(p, q, -1j * (q - p) / abs(q - p)) for p, q in _around(ring) if p != q]
     for (p, q, normal), (_, _, after) in _around(sides):
         start, end = p + normal * radius, q + normal * radius
-        yield Border(abs(_foot(start, end)), start, end, normal, 0j, start)
+        yield Border(abs(_foot(start, end)), start, end, normal, start - normal, (start, end))
         if radius:
-            spread = 1 + (normal * after.conjugate()).real
-            tip = q + (normal + after) * radius / spread if spread > 1e-3 else complex(inf, inf)
-            yield Border(abs(abs(q) - radius), end, q + after * radius, 0j, q, tip)
+            # no arc is longer than half round, so as far as the radius along the tangents at its ends is far enough
+            last, ahead, back = q + after * radius, 1j * normal * radius, -1j * after * radius
+            yield Border(abs(q) - radius, end, last, 0j, q, (end, end + ahead, last + back, last))
 
 
 def _foot(p: complex, q: complex) -> complex:
@@ -239,43 +238,42 @@ def _foot(p: complex, q: complex) -> complex:
 
 
 def _feet(border: Border, radius: float) -> Iterator[Candidate]:
-    center = border.center
     if border.normal:
         foot = _foot(border.p, border.q)
         yield Candidate(abs(foot), foot, border.normal)
-    elif center and border.has(move := center - center / abs(center) * radius):
-        yield Candidate(abs(move), move, -center / abs(center))
+    elif border.center:
+        out = -border.center / abs(border.center)
+        move = border.center + out * radius  # what is not on the arc is inside the region
+        yield Candidate(abs(move), move, out)
 
 
 def _crossings(one: Border, other: Border, radius: float) -> Iterator[Candidate]:
     if not one.normal:
         one, other = other, one
     for move in _line_points(one, other, radius) if one.normal else _circle_points(one.center, other.center, radius):
-        if all(border.normal or border.has(move) for border in (one, other)):
+        if one.has(move) and other.has(move):
             out = sum(border.normal or (move - border.center) / radius for border in (one, other))
             yield Candidate(abs(move), move, out)
 
 
 def _line_points(one: Border, other: Border, radius: float) -> Iterator[complex]:
-    """Where a segment meets another, or the circle of an arc."""
-    length, along = abs(one.q - one.p), 1j * one.normal
+    """Where a segment's line meets that of another, or the circle of an arc."""
+    along = 1j * one.normal
     # seen along the first segment
     if other.normal:
         p, q = ((end - one.p) * along.conjugate() for end in (other.p, other.q))
-        if p.imag == q.imag or min(p.imag, q.imag) > 1e-9 or max(p.imag, q.imag) < -1e-9:
-            return
-        places = [p.real + (q.real - p.real) * p.imag / (p.imag - q.imag)]
+        if p.imag != q.imag:
+            yield one.p + along * (p.real + (q.real - p.real) * p.imag / (p.imag - q.imag))
     else:
         c = (other.center - one.p) * along.conjugate()
-        if abs(c.imag) > radius:
-            return
-        half = (radius * radius - c.imag * c.imag) ** 0.5
-        places = [c.real - half, c.real + half]
-    yield from (one.p + along * t for t in places if -1e-9 <= t <= length + 1e-9)
+        if abs(c.imag) <= radius:
+            half = (radius * radius - c.imag * c.imag) ** 0.5
+            yield from (one.p + along * t for t in (c.real - half, c.real + half))
 
 
 def _circle_points(c: complex, d: complex, radius: float) -> Iterator[complex]:
     """Where two circles of the one radius meet."""
-    if c != d and abs(d - c) <= 2 * radius:
-        half = 1j * (d - c) / abs(d - c) * (radius * radius - abs(d - c) ** 2 / 4) ** 0.5
-        yield from ((c + d) / 2 - half, (c + d) / 2 + half)
+    half = (d - c) / 2
+    if 0 < abs(half) <= radius:
+        aside = 1j * half / abs(half) * (radius * radius - abs(half) ** 2) ** 0.5
+        yield from (c + half - aside, c + half + aside)
