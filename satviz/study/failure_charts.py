@@ -26,10 +26,10 @@ def map_chart(slide: Slide) -> Chart:
     """One shortcut: its map on the left, on the right the scene with its claim and the right answer."""
     row = NAMED[slide.name]
     scene = _right_answer(row)
-    smaller = min(1.0, SCENE[1] / scene.size[0], SCENE[2] / scene.size[1])
-    scene_size = scene.size[0] * smaller, scene.size[1] * smaller
+    scene_size = scene.size  # where it needs more room than there is, the chart is larger, so that letters stay
     map_size = _size(slide, row, MAP[1:])
-    size = WIDTH, ABOVE + max(map_size[1], WORDS + scene_size[1]) + BELOW
+    wider = max(0.0, scene_size[0] - SCENE[1])
+    size = WIDTH + wider, ABOVE + max(map_size[1], WORDS + scene_size[1]) + BELOW
 
     def draw_it(fig: Figure, theme: Theme) -> None:
         headline(fig, theme, f"{row.number}  “{row.claim}”", _under(slide))
@@ -38,7 +38,7 @@ def map_chart(slide: Slide) -> Chart:
         draw_map(ax, slide, row, theme)
         label_ends(ax, _ends(slide, theme), gap=15.0, room=14.0 + MAP[0] + MAP[1] - left - map_size[0])
         _answers(fig, row, theme)
-        left, bottom = SCENE[0] + (SCENE[1] - scene_size[0]) / 2, size[1] - ABOVE - WORDS - scene_size[1]
+        left, bottom = SCENE[0] + max(0.0, SCENE[1] - scene_size[0]) / 2, size[1] - ABOVE - WORDS - scene_size[1]
         draw(scene, ax=fig.add_axes(_part(fig, (left, bottom, *scene_size))), theme=theme.name)
 
     return Chart(

@@ -20,11 +20,11 @@ LETTER = 17.0  # the size of A's name
 # what is wrong has one colour, and a hatch for each way; what is right stays quiet
 LOOKS = {
     HIT: ("guide", 0.16, ""),
-    FALSE: ("false", 0.45, "////"),
-    MISSED: ("missed", 0.45, "\\\\\\\\"),
-    SHORT: ("false", 0.45, "----"),
-    LONG: ("missed", 0.45, "xxx"),
-    FAR: ("missed", 0.45, "..."),
+    FALSE: ("wrong", 0.5, "////"),
+    MISSED: ("wrong", 0.5, "\\\\\\\\"),
+    SHORT: ("wrong", 0.5, "----"),
+    LONG: ("wrong", 0.5, "xxx"),
+    FAR: ("wrong", 0.5, "..."),
 }
 
 
@@ -40,13 +40,13 @@ def limits(slide: Slide, row: Row) -> tuple[float, float, float, float]:
 def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme, *, named: bool = True) -> None:
     """The coloured positions, A, and B where the scene has it with its reference point."""
     x0, y0, x1, y1 = view = limits(slide, row)
-    width = ax.get_position().width * ax.figure.get_size_inches()[0] * 72
-    scale = width / (x1 - x0)
+    box, (wide, high) = ax.get_position(), ax.figure.get_size_inches() * 72
+    scale = min(box.width * wide / (x1 - x0), box.height * high / (y1 - y0))
     at = middle(row.b)
     marks = [_outline("A", row.a), _outline("B", row.b, weight="faint"), Mark("reference", "dot", "B", (at,))]
     if named:
         marks.append(Mark("name", "label", "A", (_name_spot(row, scale),), owner="A", text="A", weight="title"))
-    Pen(ax, theme).draw(Picture(tuple(marks), view, (width, (y1 - y0) * scale), "", ""))
+    Pen(ax, theme).draw(Picture(tuple(marks), view, ((x1 - x0) * scale, (y1 - y0) * scale), "", ""))
     if not slide.path:
         frame = _boxes(_box(slide, 0, len(slide.codes[0]), 0, len(slide.codes)))
         ax.add_patch(PathPatch(frame, facecolor="none", edgecolor=theme.roles["guide"], linewidth=0.7, zorder=0.7))
