@@ -238,6 +238,7 @@ def test_a_notch_one_ulp_wide_or_deep_is_left_out(ring):
         [(5, 7), (4, 4), (4, 7), (3, 5), (2, 6), (7, 0)],
         [(3, 3), (4, 1), (1, 4), (0, 6), (0, 3), (0, 0), (6, 1), (5, 1)],
         [(6, 0), (4, 0), (5, 8), (-1, 5), (-7, 5), (-4, 2), (4, -7), (4, -4)],
+        [(3, 1), (5, 2), (4, 4), (2, 5), (1, 5), (4, 3), (0, 2), (2, 0)],
     ],
 )
 def test_a_cut_ends_on_the_nearest_of_the_vertices_in_its_way(ring):
@@ -339,8 +340,10 @@ def test_a_cut_between_two_reflex_vertices_is_judged_by_the_edges_next_to_them(r
         ([(0, 5), (2, 4), (3, 4), (3, 2), (4, 0)], 2),
         # the shortest of all comes first, whichever vertex it starts at
         ([(2, 0), (2, 1), (3, 3), (-3, 4), (-2, 1), (-2, -1), (1, -6), (1, -7), (4, -4)], 3),
-        # one that leaves by the edge that closes the ring is none
+        # one that leaves by the edge that closes the ring, or past a vertex next to it, is none
         ([(35, 16), (29, 25), (40, 38), (8, 24), (6, 26), (10, 15), (7, 3), (30, 5), (19, 20)], 5),
+        ([(4, 3), (5, 5), (3, 4), (1, 5), (1, 3), (0, 0), (2, 4), (2, 0), (5, 0), (3, 1)], 5),
+        ([(5, 5), (-2, 2), (-4, 2), (-2, 1), (-5, 2), (-3, 1), (-1, -1), (-1, -5), (0, -4), (0, -6), (7, 0)], 6),
     ],
 )
 def test_no_cut_is_missed_that_ends_two_reflex_vertices_and_none_taken_that_does_not(ring, count):
@@ -449,6 +452,12 @@ def test_a_circle_and_a_convex_polygon_are_their_own_only_part():
     for shape in (Circle((1, 2), 3), NOTCH, Polygon([(0, 0), (2, 0), (2, 1), (2, 2), (0, 2)])):
         assert parts(shape) == (shape,)
         assert parts(shape)[0] is shape
+
+
+def test_the_parts_of_a_concave_shape_are_numbered_and_a_convex_one_keeps_its_name():
+    bottom, top = parts(Polygon(L))
+    assert concave.named_parts(Polygon(L), "A") == [(bottom, "A1"), (top, "A2")]
+    assert concave.named_parts(NOTCH, "B") == [(NOTCH, "B")]
 
 
 @pytest.mark.parametrize("thing", [None, [(0, 0), (1, 0), (0, 1)], "L", 3])
