@@ -835,6 +835,16 @@ def test_the_axes_of_plain_pairs_need_no_integers(e, monkeypatch):
             assert sv.record(a, b, every_axis=True).relation is sv.relate(a, b)
 
 
+@pytest.mark.parametrize("every_axis", [False, True])
+@pytest.mark.parametrize("move", [0.0, 1.0, -0.4])
+def test_shapes_wider_than_float64_can_say_are_told_and_kept(every_axis, move):
+    a = sv.Polygon([(-1.7e308, -1.6e308), (1.7e308, -1e300), (0, 1.7e308)])
+    b = sv.Polygon([(-1.7e308 + move * 2e307, 1.7e308), (-1.6e308, 1.5e308), (1.7e308, 1.79e308)])
+    trace = sv.record(a, b, every_axis=every_axis)
+    assert str(trace) and trace.sentence and all(telling.test(trace, i) for i in range(len(trace.tests)))
+    assert sv.Trace.from_json(trace.to_json()) == trace
+
+
 @pytest.mark.parametrize("share", range(8))
 def test_integers_record_what_floats_record_and_the_gap_to_five_digits(share, monkeypatch):
     some = SOME[share::8]

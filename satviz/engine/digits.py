@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import floor, isclose, log10, ulp
+from math import floor, inf, isclose, log10, ulp
 from typing import NamedTuple
 
 from .geometry import Vec
@@ -145,7 +145,7 @@ def of_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digits:
     most = max(-lo, hi)
     held = min(MOST, floor(-log10(8 * ulp(most))))  # what float64 resolves out there
     gap = max(_needed(abs(t.gap) / unit, 3) for t in tests)
-    width = min(max(_needed((r.hi - r.lo) / unit, 2) for r in ranges), held, MOST_ALONE)
+    width = min(max(_needed(r.hi / unit - r.lo / unit, 2) for r in ranges), held, MOST_ALONE)
     least = max(0, min(held, 3), width)
     fine = gap > held
     origin = 0
@@ -156,5 +156,5 @@ def of_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digits:
 
 
 def _needed(size: float, digits: int) -> int:
-    """Decimals that show so many digits of a size; 0 for none."""
-    return digits - 1 - floor(log10(size)) if size > 0 else 0
+    """Decimals that show so many digits of a size; 0 for none, and for one beyond float64."""
+    return digits - 1 - floor(log10(size)) if 0 < size < inf else 0
