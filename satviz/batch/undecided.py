@@ -7,13 +7,14 @@ from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from . import circle_polygons, signs
 from .arrays import Group, upright_boxes
 from .codes import APART, OVERLAPPING, TOUCHING
-from .filter_numpy import MANY, boxes
+from .filter_numpy import boxes
 from .signs import Array, Signs
 
 Indices = NDArray[np.intp]
 Mask = NDArray[np.bool_]
 
 LOOKS = 1 << 18  # looks of one edge at a time, over pairs and corners: what bounds the memory
+AT_ONCE = 4  # corners, up to which every edge of all pairs is looked at: beyond, most are not needed
 DOUBTS = 1 << 15  # exact signs asked in one go: each takes some hundred bytes a term
 RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 and -1
 
@@ -45,7 +46,7 @@ def _polygons(a: Group, b: Group) -> Signs:
     """Few corners: every edge of all pairs, with exact signs for those in doubt.  Many: the likely edges first."""
     found = np.full(a.x.shape[1], OVERLAPPING, np.int8)
     reach = (_largest(a.x, a.y) + _largest(b.x, b.y)) * LOOK
-    few = max(len(a.x), len(b.x)) <= MANY
+    few = max(len(a.x), len(b.x)) <= AT_ONCE
     left = np.arange(len(found))
     nearest = [] if few else [_nearest(a, b), _nearest(b, a)]
     for step in range(max(len(a.x), len(b.x))):
