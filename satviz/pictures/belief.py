@@ -23,6 +23,7 @@ from .caption import wrapped
 from .labels import Request, with_labels
 from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, moved, place_within, text_box
 from .marks import Mark, Picture
+from .panels import moved_to
 from .sketch import Sketch
 from .stages import Stage, Step, draw_mtv, draw_test, draw_verdict, others, separating_line, shifted
 
@@ -401,7 +402,8 @@ def _beside(trace: Trace, saw: Picture, truth: Picture, room: tuple[float, float
     for prefix, name, panel, x in ("saw", SAW, saw, 0.0), ("is", IS, truth, half + BETWEEN):
         spot = Vec(x + half / 2, low + HEAD / 2)
         marks.append(Mark(f"{prefix}-heading", "label", "guide", (spot,), text=name))
-        marks += _placed(panel, prefix, Vec(x + (half - panel.size[0]) / 2, low - panel.size[1]))
+        corner = Vec(x + (half - panel.size[0]) / 2, low - panel.size[1])
+        marks += [mark._replace(part=f"{prefix}-{mark.part}") for mark in moved_to(panel, corner, "")]
     between = Vec(width / 2, 8.0), Vec(width / 2, low + HEAD - 4.0)
     marks.append(Mark("between", "segment", "guide", between))
     return _under(*heading(trace), width, low + HEAD, marks, title)._replace(sentence=saw.sentence)
@@ -418,19 +420,3 @@ def _under(claim: str, wrong: str, width: float, low: float, below: Sequence[Mar
         top -= tall + 4.0
     limits = 0.0, 0.0, float(width), float(height)
     return Picture((*marks, *below), limits, (float(width), float(height)), title, f"{claim} {wrong}")
-
-
-def _placed(panel: Picture, prefix: str, corner: Vec) -> list[Mark]:
-    """A panel's marks in points, from that corner on."""
-    x0, y0, _, _ = panel.limits
-    k = panel.scale
-
-    def at(points: tuple[Vec, ...]) -> tuple[Vec, ...]:
-        return tuple(Vec(corner.x + (p.x - x0) * k, corner.y + (p.y - y0) * k) for p in points)
-
-    return [
-        mark._replace(
-            part=f"{prefix}-{mark.part}", points=at(mark.points), start=at(mark.start), radius=mark.radius * k
-        )
-        for mark in panel.marks
-    ]
