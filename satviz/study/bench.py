@@ -225,7 +225,7 @@ def _collisions(work: str, made: Jobs, plan: Plan) -> Iterator[Row]:
     for label, make in made.items():
         if label == "shapely":
             jobs[label] = lambda make=make: _meeting(make())
-        elif "padded" in label or len(made) == 1:
+        elif "padded" in label:
             for engine in filter(_has, ENGINES.values()):
                 jobs[f"satviz {engine}"] = lambda make=make, engine=engine: batch.colliding_pairs(make(), engine=engine)
     answers = {label: job() for label, job in jobs.items()}
@@ -245,10 +245,11 @@ def _geometries(coords: NDArray[np.float64], offsets: NDArray[np.int64]) -> Any:
     )
 
 
-def _meeting(geometries: Any) -> NDArray[np.intp]:
+def _meeting(geometries: Any, predicate: str | None = "intersects") -> NDArray[np.intp]:
+    """The pairs by STRtree, built and asked; without a predicate those whose boxes meet."""
     import shapely
 
-    i, j = shapely.STRtree(geometries).query(geometries, predicate="intersects")
+    i, j = shapely.STRtree(geometries).query(geometries, predicate=predicate)
     once = i < j
     return np.stack([i[once], j[once]], axis=1)
 
@@ -266,18 +267,10 @@ def _boxes(plan: Plan) -> Iterator[Row]:
             if installed("shapely"):
                 import shapely
 
-                jobs["shapely"] = partial(_candidates, shapely.box(*bounds.T))
+                jobs["shapely"] = partial(_meeting, shapely.box(*bounds.T), None)
             found = {label: len(job()) for label, job in jobs.items()}
             for row in _timed("broad phase", work, n, jobs, 1, "ms", plan.rounds):
                 yield row._replace(wrong=abs(found[row.method] - found["satviz numpy"]), checked=found["satviz numpy"])
-
-
-def _candidates(boxes: Any) -> NDArray[np.intp]:
-    import shapely
-
-    i, j = shapely.STRtree(boxes).query(boxes)
-    once = i < j
-    return np.stack([i[once], j[once]], axis=1)
 
 
 # -- growth, starts, memory --------------------------------------------------------------------------
