@@ -65,7 +65,7 @@ class Hand:
         return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
     def said(self, words, widget=0):
-        self.widgets.nth(widget).locator(".sv-sentence").filter(has_text=words).wait_for(timeout=10_000)
+        self.widgets.nth(widget).locator(".sv-sentence").filter(has_text=words).wait_for(timeout=20_000)
 
     def drag(self, name, dx, dy, widget=0, steps=12):
         x, y = self.spot(name, widget)
@@ -89,11 +89,11 @@ class Hand:
 
     def until(self, expression):
         """Wait until an expression is true in the kernel: by then the browser has its answers too."""
-        for _ in range(100):
+        for _ in range(200):
             if self.kernel(expression) == "True":
                 return
             self.page.wait_for_timeout(50)
-        pytest.fail(f"never true in the kernel: {expression}")
+        pytest.fail(f"never true in the kernel: {expression}; w.scene is {self.kernel('w.scene')}")
 
 
 @pytest.fixture(scope="module")
@@ -276,6 +276,34 @@ def test_presets_change_the_scene(hand):
     assert hand.kernel("w.scene.name") == "circles"
     widget.get_by_label("presets").select_option("triangles")
     hand.handle("A-vertex-0").wait_for()
+
+
+SLOW = """
+import time
+answer = w._exploring.answer
+w._exploring.answer = lambda content: time.sleep({seconds} * (content.get("kind") in ("pose", "preset"))) or answer(content)
+"""
+
+
+@pytest.mark.parametrize("seconds", [0.3, 1.2])  # three answers come within what is waited for, or beyond
+def test_a_slow_python_loses_neither_a_preset_nor_the_end_of_a_drag(hand, seconds):
+    reset(hand)
+    widget = hand.widgets.first
+    hand.page.evaluate(ASK, SLOW.format(seconds=seconds))
+    hand.drag("B-move", -130, 0)
+    widget.get_by_label("presets").select_option("circles")
+    hand.drag("B-move", -30, 0)  # of shapes that are leaving
+    hand.until("w.scene == sv.scene('circles')")
+    hand.handle("A-radius").wait_for()
+    widget.get_by_label("presets").select_option("triangles")
+    hand.handle("A-vertex-0").wait_for()
+    hand.drag("B-move", -130, 0)
+    hand.said("A and B overlap")
+    hand.page.wait_for_timeout(1000 * 4 * seconds)  # what is on its way has come
+    assert dist(json.loads(hand.kernel("list(w.scene.b.vertices[0])")), (5, 5)) > 1
+    assert hand.kernel("w._exploring.picture().sentence") == widget.locator(".sv-sentence").inner_text()
+    hand.page.evaluate(ASK, "del w._exploring.answer")
+    reset(hand)
 
 
 def test_files_come_from_the_matplotlib_pen(hand):

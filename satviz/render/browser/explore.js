@@ -22,6 +22,7 @@ class Explorer {
     this.start = this.pose;
     this.sent = 0; // the last pose's number
     this.heard = 0; // the last answer's
+    this.given = 0; // the last that is not waited for
     this.next = null; // the newest that waits
     this.drag = null;
     const svg = element("svg", { class: "sv-picture", role: "img" });
@@ -81,6 +82,7 @@ class Explorer {
 
   // A pose that is not final is one of many: Python keeps the kernel busy between them.
   send(pose, final) {
+    if (this.choosing) return; // the shapes of the pose are leaving
     this.pose = pose;
     this.next = { pose, final };
     this.flush();
@@ -88,7 +90,7 @@ class Explorer {
   }
 
   flush() {
-    if (!this.next || this.sent - this.heard >= IN_FLIGHT) return;
+    if (!this.next || this.sent - Math.max(this.heard, this.given) >= IN_FLIGHT) return;
     const { pose, final } = this.next;
     this.next = null;
     this.sent += 1;
@@ -96,12 +98,10 @@ class Explorer {
     clearTimeout(this.freeing);
     this.freeing = setTimeout(() => this.model.send({ final }), FREE_MS);
     clearTimeout(this.late);
-    this.late = setTimeout(() => this.answered(this.sent), LATE_MS);
-  }
-
-  answered(n) {
-    this.heard = n;
-    this.flush();
+    this.late = setTimeout(() => {
+      this.given = this.sent;
+      this.flush();
+    }, LATE_MS);
   }
 
   // Is the pose newer than the last answer?
@@ -112,9 +112,9 @@ class Explorer {
   message(content, buffers) {
     if (content.kind === "file") return download(content, buffers);
     if (content.n) {
-      if (content.n <= this.heard) return; // of a pose given up
-      this.answered(content.n);
-    }
+      this.heard = content.n;
+      this.flush();
+    } else this.choosing = false;
     if (content.kind === "refused") {
       this.why.textContent = `Not possible: ${content.why}`;
       this.why.hidden = false;
@@ -241,7 +241,7 @@ class Explorer {
   }
 
   down(event) {
-    if (event.button > 0 || this.drag) return;
+    if (event.button > 0 || this.drag || this.choosing) return;
     const spot = this.pointed(event);
     let handle = event.target.closest(".sv-handle");
     // a shape is moved by any point of it; where both lie B, which is drawn last, is meant
@@ -322,7 +322,11 @@ class Explorer {
     this.change({ pinned: this.pose.pinned === row ? null : row });
   }
   preset() {
-    if (this.presets.value) this.model.send({ kind: "preset", name: this.presets.value });
+    if (!this.presets.value) return;
+    this.next = null; // a pose that still waits is of the scene that leaves
+    this.drag = null;
+    this.choosing = true;
+    this.model.send({ kind: "preset", name: this.presets.value });
   }
   copy() {
     navigator.clipboard?.writeText(this.state.json);
