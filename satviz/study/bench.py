@@ -21,7 +21,7 @@ from .. import batch
 from . import truth
 from .machine import installed
 from .methods import batched, methods, mistakes, outlines, shapes
-from .timing import in_turn
+from ..advice.timing import in_turn
 from .workloads import CORNERS, LAYOUTS, WORKLOADS, scattered, tiles
 
 # (form, name) of the methods that take part, and what the table calls them

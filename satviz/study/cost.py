@@ -17,7 +17,7 @@ from ..pictures import Theme
 from .cells import Cell, Settings
 from .chart import TEXT, Chart, axes, headline
 from .optimisations import SETUPS, Case, Work, cases
-from .timing import in_turn
+from ..advice.timing import in_turn
 
 Rows = list[dict[str, Any]]
 ROW, HEAD, FOOT = 24.0, 84.0, 30.0  # points

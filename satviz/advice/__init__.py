@@ -1,0 +1,1 @@
+"""The least model that is right for a scene, and what it costs."""
