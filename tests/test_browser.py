@@ -281,7 +281,10 @@ def test_presets_change_the_scene(hand):
 SLOW = """
 import time
 answer = w._exploring.answer
-w._exploring.answer = lambda content: time.sleep({seconds} * (content.get("kind") in ("pose", "preset"))) or answer(content)
+def slow(content):
+    time.sleep({seconds} * (content.get("kind") in ("pose", "preset")))
+    return answer(content)
+w._exploring.answer = slow
 """
 
 

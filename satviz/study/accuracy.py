@@ -9,11 +9,11 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ..advice.timing import in_turn
 from ..pictures import Theme
 from .cells import Cell, Settings
 from .chart import TEXT, Chart, axes, colour, headline, label_points, wilson
 from .methods import Method, judged, methods, shapes, times_wrong
-from ..advice.timing import in_turn
 from .workloads import STUDIED, Side
 
 FORMS = {"batch": "many pairs at once", "scalar": "one pair at a time"}

@@ -18,10 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import batch
+from ..advice.timing import in_turn
 from . import truth
 from .machine import installed
 from .methods import batched, methods, mistakes, outlines, shapes
-from ..advice.timing import in_turn
 from .workloads import CORNERS, LAYOUTS, WORKLOADS, scattered, tiles
 
 # (form, name) of the methods that take part, and what the table calls them

@@ -13,11 +13,11 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ..advice.timing import in_turn
 from ..pictures import Theme
 from .cells import Cell, Settings
 from .chart import TEXT, Chart, axes, headline
 from .optimisations import SETUPS, Case, Work, cases
-from ..advice.timing import in_turn
 
 Rows = list[dict[str, Any]]
 ROW, HEAD, FOOT = 24.0, 84.0, 30.0  # points
