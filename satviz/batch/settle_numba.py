@@ -235,14 +235,15 @@ def _inside(x: Array, y: Array, i0: int, i1: int, px: float, py: float, reach: f
     """Is a point surely inside?  Never sure out of range."""
     outside = 0
     for i in range(i0, i1 - 1):
-        nx, ny = y[i + 1] - y[i], x[i] - x[i + 1]
-        room = (abs(nx) + abs(ny)) * reach * LOOK
-        outside += not (nx * (px - x[i]) + ny * (py - y[i]) < -room and room > LEAST_ROOM and room < MOST_ROOM)
-    i = i1 - 1
-    nx, ny = y[i0] - y[i], x[i] - x[i0]
+        outside += not _before(x[i], y[i], x[i + 1], y[i + 1], px, py, reach)
+    return outside == 0 and _before(x[i1 - 1], y[i1 - 1], x[i0], y[i0], px, py, reach)
+
+
+@inlined
+def _before(ex: float, ey: float, fx: float, fy: float, px: float, py: float, reach: float) -> bool:
+    nx, ny = fy - ey, ex - fx
     room = (abs(nx) + abs(ny)) * reach * LOOK
-    outside += not (nx * (px - x[i]) + ny * (py - y[i]) < -room and room > LEAST_ROOM and room < MOST_ROOM)
-    return outside == 0
+    return nx * px + ny * py - (nx * ex + ny * ey) < -room and room > LEAST_ROOM and room < MOST_ROOM
 
 
 @compiled
