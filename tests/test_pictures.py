@@ -371,7 +371,7 @@ def shapes(draw):
 
 
 @given(shapes(), shapes())
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=25, deadline=None)
 def test_any_scene_is_drawn_at_every_step_with_its_labels_apart(a, b):
     trace = sv.record(a, b)
     for i in range(len(sv.steps(trace))):

@@ -343,7 +343,7 @@ def test_drawing_again_on_given_axes_takes_the_place_of_the_first_picture():
 
 def test_what_was_drawn_on_can_be_freed():
     figures = []
-    for _ in range(50):
+    for _ in range(10):
         fig = Figure()
         sv.draw(TRIANGLES, 14, ax=fig.subplots())
         sv.draw(TRIANGLES, 15, ax=fig.axes[0], theme="dark")

@@ -584,7 +584,7 @@ def test_touching_counts_as_a_hit():
 
 
 @given(st.integers(-6, 6), st.integers(-6, 6), st.integers(1, 5))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 def test_given_directions_are_taken_as_given(x, y, length):
     if (x, y) == (0, 0):
         with pytest.raises(ValueError, match="direction 0"):
