@@ -85,6 +85,19 @@ def test_the_lit_line_of_the_algorithm_is_what_happens():
     assert "no proof" in unsure["code"][-1]
 
 
+@pytest.mark.parametrize("every_axis", [False, True])
+@pytest.mark.parametrize("move", [0, -1])
+def test_the_algorithm_for_concave_shapes_goes_through_the_pairs_of_their_parts(move, every_axis):
+    notch = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
+    block = sv.Polygon([(2.5 + move, 2.5), (3.5 + move, 2.5), (3.5 + move, 3.5), (2.5 + move, 3.5)])
+    found = playback(sv.record(block, notch, every_axis=every_axis))
+    assert found["code"][0] == "for each pair of convex parts:" and found["code"][1] == "    for each axis to test:"
+    *_, last_gap, verdict = ([found["code"][i].strip() for i in step["code"]] for step in found["steps"])
+    assert ("these two are apart: on to the next pair" in last_gap) is (move == 0)
+    expected = "no pair left: the shapes are apart" if move == 0 else "no axis left: stop, the shapes collide"
+    assert verdict == [expected]
+
+
 def test_too_many_steps_are_thinned_then_refused(monkeypatch):
     monkeypatch.setattr(module, "MOST_STEPS", 10)
     assert [s["stage"] for s in playback(TRIANGLES)["steps"]] == ["scene", "gap", "gap", "verdict"]

@@ -18,6 +18,14 @@ CODE = (
     ("        stop: the shapes are apart", ()),
     ("no axis left: {end}", ()),
 )
+# and with concave outlines: one gap settles a pair of their parts, one hit the shapes
+CODE_OF_PAIRS = (
+    ("for each pair of convex parts:", (Stage.PARTS,)),
+    *((f"    {line}", stages) for line, stages in CODE[:4]),
+    ("            these two are apart: on to the next pair", ()),
+    ("    no axis left: stop, {end}", ()),
+    ("no pair left: the shapes are apart", ()),
+)
 PROVED, NOT_PROVED = "the shapes collide", "no gap found (no proof of a hit)"
 
 
@@ -63,7 +71,7 @@ def playback(trace: Trace) -> dict[str, Any]:
         "steps": [step | {"stage": s.stage.value} for step, s in zip(found, every, strict=True)],
         "names": list(trace.names),
         "rows": rows(trace),
-        "code": [line.format(end=PROVED if proves else NOT_PROVED) for line, _ in CODE],
+        "code": [line.format(end=PROVED if proves else NOT_PROVED) for line, _ in _code(trace)],
     }
 
 
@@ -104,12 +112,17 @@ def _row(trace: Trace, step: Step) -> int | None:
     return sum(len(pair.tests) + len(pair.skipped) for pair in before) + step.test
 
 
+def _code(trace: Trace) -> tuple[tuple[str, tuple[Stage, ...]], ...]:
+    return CODE_OF_PAIRS if trace.pairs else CODE
+
+
 def _lines(trace: Trace, step: Step) -> list[int]:
     """The numbers of the code's lines that a step is about."""
+    gap, apart, hit = (5, 7, 6) if trace.pairs else (4, 4, 5)
     if step.stage is Stage.VERDICT:
-        return [4] if trace.claim is Relation.APART else [5]
-    lines = [i for i, (_, stages) in enumerate(CODE) if step.stage in stages]
+        return [apart] if trace.claim is Relation.APART else [hit]
+    lines = [i for i, (_, stages) in enumerate(_code(trace)) if step.stage in stages]
     if step.stage is Stage.GAP and step.test is not None:
         run = trace if step.pair is None else trace.pairs[step.pair]
-        lines += [4] if run.tests[step.test].separates else []
+        lines += [gap] if run.tests[step.test].separates else []
     return lines
