@@ -345,10 +345,11 @@ def stage(trace: Trace, i: int, name: str, first: str) -> str:
     if name == "edge":
         return f"{_origin(trace, t.axis)}."
     if name == "normal":
-        edge = t.source.kind in FROM_EDGES
-        name = "(dx, -dy)" if t.source.kind == SLIP else "normal"
-        what = f"its {name} {digits(trace).vector(t.axis.normal)} (of two, the one to the right)" if edge else "it"
-        return f"{_origin(trace, t.axis)}; {what} gives axis {i + 1} of {len(trace.choice.axes)} its direction."
+        of = f"{axis} of {len(trace.choice.axes)}"
+        if t.source.kind not in FROM_EDGES:
+            return f"{_origin(trace, t.axis)} gives {of} its direction."
+        turned = "One sign changed makes it" if t.source.kind == SLIP else "A quarter turn makes it the normal"
+        return f"{_origin(trace, t.axis)}. {turned} {digits(trace).vector(t.axis.normal)}, the direction of {of}."
     if name == "axis":
         what = axis_name(t.axis, shapes, trace.names)
         return f"Axis {i + 1}, {what}, moved clear of the shapes: direction {vector(t.axis.direction)}."
