@@ -267,10 +267,12 @@ def _rows(trace: Trace, width: int | None) -> str:
         blocks = [[*(f"{head} {cell}".lstrip() for head, cell in zip(heads, row)), row[-1]] for row in rows[1:]]
         lines = [_wrapped(block, width, "  ") for block in blocks]
     places = {axis: f"{i} " for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
+    untested: dict[tuple[str, str], list[str]] = {}  # what is parallel to one axis stands in one line
     for s in sorted(trace.skipped, key=lambda s: s.axis not in places):  # those with a number first
-        place = places.get(s.axis, "")
-        words = f"- {place}{axis_name(s.axis, shapes, trace.names)}: {reason(s.why, s.number)}"
-        lines.append(_wrapped([words], width, "  "))
+        line = places.get(s.axis, ""), reason(s.why, s.number)
+        untested.setdefault(line, []).append(axis_name(s.axis, shapes, trace.names))
+    for (place, why), (name, *more) in untested.items():
+        lines.append(_wrapped([f"- {place}{name}{f' and {len(more)} more' if more else ''}: {why}"], width, "  "))
     return "\n".join(lines)
 
 
