@@ -266,14 +266,19 @@ def _rows(trace: Trace, width: int | None) -> str:
         heads = "", *rows[0][1:-1]
         blocks = [[*(f"{head} {cell}".lstrip() for head, cell in zip(heads, row)), row[-1]] for row in rows[1:]]
         lines = [_wrapped(block, width, "  ") for block in blocks]
-    places = {axis: f"{i} " for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
-    untested: dict[tuple[str, str], list[str]] = {}  # what is parallel to one axis stands in one line
-    for s in sorted(trace.skipped, key=lambda s: s.axis not in places):  # those with a number first
-        line = places.get(s.axis, ""), reason(s.why, s.number)
-        untested.setdefault(line, []).append(axis_name(s.axis, shapes, trace.names))
-    for (place, why), (name, *more) in untested.items():
-        lines.append(_wrapped([f"- {place}{name}{f' and {len(more)} more' if more else ''}: {why}"], width, "  "))
+    for place, name, why in untested(trace):
+        lines.append(_wrapped([f"- {place}{' ' if place else ''}{name}: {why}"], width, "  "))
     return "\n".join(lines)
+
+
+def untested(trace: Trace) -> list[tuple[str, str, str]]:
+    """The rows of the axes not tested: the number, the name, and why; what is parallel to one axis is one row."""
+    places = {axis: f"{i}" for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
+    found: dict[tuple[str, str], list[str]] = {}
+    for s in sorted(trace.skipped, key=lambda s: s.axis not in places):  # those with a number first
+        row = places.get(s.axis, ""), reason(s.why, s.number)
+        found.setdefault(row, []).append(axis_name(s.axis, (trace.a, trace.b), trace.names))
+    return [(p, f"{name} and {len(more)} more" if more else name, why) for (p, why), (name, *more) in found.items()]
 
 
 def _wrapped(pieces: Sequence[str], width: int | None, indent: str) -> str:

@@ -1,5 +1,6 @@
 """All steps of a trace as plain data: what a player needs to show them, without a kernel."""
 
+from itertools import accumulate
 from typing import Any
 
 from ..engine import digits, telling
@@ -48,7 +49,7 @@ def playback(trace: Trace) -> dict[str, Any]:
     """
     every = played(trace)
     marks: dict[Mark, int] = {}
-    found = []
+    found, begins = [], first_rows(trace)
     for step in every:
         drawn = picture(trace, step)
         ids = [marks.setdefault(mark, len(marks)) for mark in drawn.marks]
@@ -57,7 +58,7 @@ def playback(trace: Trace) -> dict[str, Any]:
                 "marks": ids,
                 "limits": list(drawn.limits),
                 "sentence": drawn.sentence,
-                "row": _row(trace, step),
+                "row": None if step.test is None else begins[step.pair or 0] + step.test,
                 "code": _lines(trace, step),
             }
         )
@@ -97,19 +98,13 @@ def rows(trace: Trace) -> list[dict[str, Any]]:
             row |= {"direction": digits.vector(t.axis.direction), "outcome": telling.outcome(t, told)}
             row |= dict(zip("ab", told.ranges(t), strict=True))
             found.append(row)
-        found += [
-            {"pair": of, "axis": telling.axis_name(s.axis, shapes, pair.names), "reason": telling.reason(*s[1:])}
-            for s in pair.skipped
-        ]
+        found += [{"pair": of, "axis": name, "reason": why} for _, name, why in telling.untested(pair)]
     return found
 
 
-def _row(trace: Trace, step: Step) -> int | None:
-    """Which row a step is about."""
-    if step.test is None:
-        return None
-    before = trace.pairs[: step.pair or 0]
-    return sum(len(pair.tests) + len(pair.skipped) for pair in before) + step.test
+def first_rows(trace: Trace) -> list[int]:
+    """The number of the first row of each pair of parts; of a plain pair, 0."""
+    return [*accumulate((len(run.tests) + len(telling.untested(run)) for run in trace.pairs), initial=0)]
 
 
 def _code(trace: Trace) -> tuple[tuple[str, tuple[Stage, ...]], ...]:
