@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from hashlib import md5
 from itertools import combinations, pairwise
 
@@ -466,3 +467,25 @@ def test_a_curve_needs_two_shapes_and_an_angle():
     for degree in ("x", float("nan"), float("inf"), [1]):
         with pytest.raises((TypeError, ValueError), match="degree is"):
             sv.gap_curve(SQUARE, SQUARE, degree)
+
+
+def test_a_picture_by_itself_has_no_room_for_what_other_steps_show():
+    trace = sv.scene("triangles").record()
+    first, whole = sv.picture(trace, 0, by_itself=True), sv.picture(trace, 0)
+    assert first.size[1] < 0.6 * whole.size[1] and first.scale == pytest.approx(whole.scale)
+
+
+def test_two_panels_have_one_canvas_however_they_are_asked_for():
+    trace = sv.scene("far-centers").record()
+    assert sv.picture(trace, 0, by_itself=True) == sv.picture(trace, 0)
+
+
+def test_a_normal_is_said_to_be_its_edge_turned_by_a_quarter_and_is():
+    trace = sv.scene("triangles").record().without_early_exit()
+    for i in range(len(trace.tests)):
+        said = sv.picture(trace, sv.Step(sv.Stage.NORMAL, i)).sentence.replace("\N{MINUS SIGN}", "-")
+        (x, y), normal = ((float(x), float(y)) for x, y in re.findall(r"\(([-.\d]+), ([-.\d]+)\)", said))
+        assert (
+            f"A quarter turn makes it the normal ({normal[0]:g}, {normal[1]:g}), the direction of axis {i + 1}" in said
+        )
+        assert normal in ((y, -x), (-y, x))

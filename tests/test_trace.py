@@ -73,6 +73,15 @@ def test_skipped_axes_say_why():
     assert len(trace.tests) + len(trace.skipped) == 6
 
 
+def test_the_table_has_one_line_for_all_that_are_parallel_to_one_axis():
+    square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    text = str(sv.record(sv.Polygon(square), sv.Polygon([(x + 0.5, y + 0.5) for x, y in square])))
+    lines = [line for line in text.splitlines() if line.startswith("-")]
+    first, second = lines
+    assert first == "- normal of B's edge b1b2 and 3 more: parallel to axis 1"
+    assert second == "- normal of B's edge b2b3 and 3 more: parallel to axis 2"
+
+
 @pytest.mark.parametrize(
     ("a", "b", "count"),
     [

@@ -33,15 +33,21 @@ BETWEEN, HEAD, RIM = 20.0, 24.0, 10.0  # points between the panels, for each one
 
 
 def picture(
-    trace: Trace, step: int | Step = -1, *, title: str = "", largest: tuple[float, float] = (WIDTH, HEIGHT)
+    trace: Trace,
+    step: int | Step = -1,
+    *,
+    title: str = "",
+    largest: tuple[float, float] = (WIDTH, HEIGHT),
+    by_itself: bool = False,
 ) -> Picture:
     """The picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
 
     A shortcut's trace gives two panels: the step as the shortcut takes it, and what is.
-    `largest`: the canvas in points at most.  IndexError for a step the trace does not have.
+    `largest`: the canvas in points at most.  All steps have one scale and one canvas; `by_itself` cuts it to what
+    this step shows (never of two panels).  IndexError for a step the trace does not have.
     """
     if not isinstance(trace, Trace) or not trace.shortcut:
-        return stages.picture(trace, step, title=title, largest=largest)
+        return stages.picture(trace, step, title=title, largest=largest, by_itself=by_itself)
     step = stages.chosen(trace, step)
     panel = PANEL if largest == (WIDTH, HEIGHT) else ((largest[0] - BETWEEN) / 2, largest[1] - 4 * HEAD)
     return _beside(trace, _saw(trace, step, panel), _what_is(trace, panel), _room(trace, panel), title)

@@ -12,7 +12,7 @@ from ..pictures.belief import hand, heading
 from ..pictures.curve import direction, gap_curve
 from ..pictures.live import Chosen, field, fits, knob, live, telling_test, turned_axis
 from ..pictures.minkowski import difference
-from ..pictures.playback import rows
+from ..pictures.playback import first_rows, rows
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
 from ..scenes.strictjson import typed
@@ -136,24 +136,18 @@ class Exploring(Showing):
         show = hand if trace.shortcut else live
         drawn, lies = show(trace, self._layout, chosen, way_out=self._way_out, near=self._near)
         self._near = None if lies is None else lies.out
-        return Drawn(drawn, lit=None if chosen is None else _row_of(trace, chosen))
+        return Drawn(drawn, lit=None if chosen is None else first_rows(trace)[chosen.pair or 0] + chosen.test)
 
     def _choice(self) -> Chosen | None:
         """The axis that was asked for, as long as the trace has it; else the one that tells most."""
         if self._pinned is not None:
-            row = 0
-            for pair, run in enumerate(self.trace.pairs or (self.trace,)):
-                if row <= self._pinned < row + len(run.tests):
-                    return Chosen(pair if self.trace.pairs else None, self._pinned - row)
-                row += len(run.tests) + len(run.skipped)
+            runs = self.trace.pairs or (self.trace,)
+            for pair, (run, begin) in enumerate(zip(runs, first_rows(self.trace), strict=False)):
+                if begin <= self._pinned < begin + len(run.tests):
+                    return Chosen(pair if self.trace.pairs else None, self._pinned - begin)
         return telling_test(self.trace)
 
 
 def _trace(shown: Scene) -> Trace:
     """Every axis, since the table shows them all."""
     return shown.record().without_early_exit()
-
-
-def _row_of(trace: Trace, chosen: Chosen) -> int:
-    before = trace.pairs[: chosen.pair or 0]
-    return sum(len(run.tests) + len(run.skipped) for run in before) + chosen.test
