@@ -13,6 +13,7 @@ from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
+from ..scenes.asked import Asked, trace_of
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, Row
 from ..scenes.failing.reading import OF_PUSHES
 from ..scenes.failing.where import lies
@@ -33,14 +34,16 @@ BETWEEN, HEAD, RIM = 20.0, 24.0, 10.0  # points between the panels, for each one
 
 
 def picture(
-    trace: Trace, step: int | Step = -1, *, title: str = "", largest: tuple[float, float] = (WIDTH, HEIGHT)
+    what: Asked, step: int | Step = -1, *, title: str = "", largest: tuple[float, float] = (WIDTH, HEIGHT)
 ) -> Picture:
     """The picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
 
-    A shortcut's trace gives two panels: the step as the shortcut takes it, and what is.
+    Of a trace, or of a scene (or its name).  A shortcut's trace gives two panels: the step as the shortcut
+    takes it, and what is.
     `largest`: the canvas in points at most.  IndexError for a step the trace does not have.
     """
-    if not isinstance(trace, Trace) or not trace.shortcut:
+    trace = trace_of(what)
+    if not trace.shortcut:
         return stages.picture(trace, step, title=title, largest=largest)
     step = stages.chosen(trace, step)
     panel = PANEL if largest == (WIDTH, HEIGHT) else ((largest[0] - BETWEEN) / 2, largest[1] - 4 * HEAD)
@@ -325,6 +328,7 @@ def hand(
         belief_rows.draw_pieces(sketch)
     else:
         sketch.shapes()
+        sketch.corners({test.source.shape for test in trace.tests})
     if test is not None and not any(test.axis.normal):
         sketch.no_axis(test)
     elif test is not None:
