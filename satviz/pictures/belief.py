@@ -323,6 +323,7 @@ def hand(
     """A shortcut's run under the hand: what it saw by the chosen test, its answer, and a map of where it lies."""
     sketch, place = Sketch(trace, layout), None
     where = map_of_lies(trace, layout)
+    sketch.marks += [mark for mark in where if mark.part == "reference"]  # words keep off it
     test = trace.tests[chosen.test] if chosen and trace.tests else None
     if trace.pairs:
         belief_rows.draw_pieces(sketch)
@@ -347,7 +348,7 @@ def hand(
         text = f"dot {'on' if where[0].kind == 'segment' else 'in'} the red:\nthe shortcut is wrong"
         sketch.note("lies-name", text, "wrong", first=6)
     drawn = struck(sketch.finish("", trace.sentence, steady=False), trace)
-    return drawn._replace(marks=(*where, *drawn.marks)), place
+    return drawn._replace(marks=(*(mark for mark in where if mark.part != "reference"), *drawn.marks)), place
 
 
 def map_of_lies(trace: Trace, layout: Layout) -> list[Mark]:

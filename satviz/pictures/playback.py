@@ -77,6 +77,7 @@ def playback(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> di
         "steps": [step | {"stage": s.stage.value} for step, s in zip(found, every, strict=True)],
         "names": list(trace.names),
         "rows": rows(trace),
+        "asks": not trace.shortcut,  # beside what a shortcut saw stands what is
         "code": [line.format(end=PROVED if proves else NOT_PROVED) for line, _ in CODE],
     }
 

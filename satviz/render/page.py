@@ -23,12 +23,13 @@ document.documentElement.classList.add("with-player");
 """
 STYLE = """
 body.satviz { margin: 0; border-radius: 0; }
-main { max-width: 1200px; margin: 0 auto; padding: 8px 16px; min-height: 100vh; }
+main { max-width: 1200px; margin: 0 auto; padding: 8px 0; min-height: 100vh; }
 h1 { font-size: 20px; margin: 8px; }
 .sv-static svg { display: block; width: 100%; max-width: 620px; height: auto; background: #fff; }
 .sv-static pre { overflow-x: auto; font-size: 12px; }
 .sv-static figure { margin: 12px 0; break-inside: avoid; }
 .sv-static h2 { font-size: 16px; }
+.sv-static { padding: 0 8px; }
 footer { font-size: 12px; color: var(--sv-guide); margin: 12px 8px; }
 .with-player .sv-static { display: none; }
 @media print { #satviz-player { display: none; } .with-player .sv-static { display: block; } main { padding: 0; } }
@@ -43,10 +44,12 @@ def page(what: Asked | Shape, b: Shape | None = None, *, title: str = "", predic
     ValueError for a scene that cannot be drawn, or one with too many steps.
     """
     trace = trace_of(what, b)
+    if predict and trace.shortcut:
+        trace = trace.truth
     shows = playbacks(trace)
     asked = "Do A and B collide?"
     about = telling.printable(asked if predict else trace.sentence)
-    title = " ".join(heading(trace)[: 1 if predict else None]) if trace.shortcut else title or asked
+    title = " ".join(heading(trace)) if trace.shortcut else title or asked
     script = javascript("pen", "player") + START
     policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_hash(script)}'; base-uri 'none'"
     show = {"predict": predict, "shows": shows, "narrow": narrow(trace)}

@@ -37,9 +37,12 @@ def play(what: Asked | Shape, b: Shape | None = None, *, predict: bool = False, 
 
     Of a scene (or its name), two shapes, or a trace.  `pen`: "svg" (drawn in the browser) or
     "matplotlib" (plain ipywidgets controls, for places where anywidget does not load).
+    What a shortcut saw tells what is, so `predict` asks about the true run.
     ValueError for a scene that cannot be drawn.
     """
     trace = trace_of(what, b)
+    if predict and trace.shortcut:
+        trace = trace.truth
     if pen == "svg":
         return Player(trace, predict=predict)
     if pen != "matplotlib":
