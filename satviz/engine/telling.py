@@ -189,21 +189,21 @@ def verdict(trace: Trace, move: Vec | None) -> str:
     return f"{a} and {b} overlap: {count}. {_way_out(trace, move)}"
 
 
-_ARE = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
+ARE = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
 
 
 def _shortcut_verdict(trace: Trace) -> str:
     """What the shortcut says, by which axis, and what is."""
     assert trace.shortcut
     a, b = trace.names
-    says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {_ARE[trace.claim]}"
+    says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {ARE[trace.claim]}"
     if trace.ended_by:
         i = trace.tests.index(trace.ended_by)
         name = axis_name(trace.ended_by.axis, (trace.a, trace.b), trace.names)
         says += f": {outcome(trace.ended_by, digits(trace, trace.ended_by))} on axis {i + 1} ({name})"
     elif trace.tests:
         says += f": no gap on {_any_of(len(trace.tests))}"
-    is_so = _ARE[trace.relation]
+    is_so = ARE[trace.relation]
     if trace.missed_hit or trace.false_hit:
         return f"{says}. In truth they {is_so}: a {'missed' if trace.missed_hit else 'false'} hit."
     return f"{says}, and so it is." if trace.claim is trace.relation else f"{says}. In truth they {is_so}."

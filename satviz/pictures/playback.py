@@ -7,8 +7,10 @@ from ..engine import digits, telling
 from ..engine.geometry import Relation
 from ..engine.trace import Trace
 from .belief import picture
+from .caption import reading
+from .layout import HEIGHT, WIDTH
 from .marks import Mark, marks_data
-from .stages import Stage, Step, checked, steps
+from .stages import Stage, Step, steps
 
 # the algorithm line by line, and the stages that each line is about
 CODE = (
@@ -31,33 +33,45 @@ PROVED, NOT_PROVED = "the shapes collide", "no gap found (no proof of a hit)"
 
 
 MOST_STEPS = 600
+NARROW, MOST_WIDTH, FEW_STEPS = (340.0, 340.0), 430.0, 150  # points, points, steps
 
 
 def playbacks(trace: Trace) -> list[dict[str, Any]]:
     """The show of a trace and, if the early exit left something out, that of every axis."""
-    whole = checked(trace).without_early_exit()
-    runs = [trace] if whole.tests == trace.tests and whole.pairs == trace.pairs else [trace, whole]
-    return [playback(run) for run in runs]
+    return [playback(run) for run in _runs(trace)]
 
 
-def playback(trace: Trace) -> dict[str, Any]:
+def _runs(trace: Trace) -> list[Trace]:
+    whole = trace.without_early_exit()
+    return [trace] if whole.tests == trace.tests and whole.pairs == trace.pairs else [trace, whole]
+
+
+def narrow(trace: Trace) -> list[dict[str, Any]]:
+    """The same for a telephone's screen; none where it would be hardly narrower, or of very many steps."""
+    if picture(trace, largest=NARROW).size[0] > MOST_WIDTH or len(steps(trace.without_early_exit())) > FEW_STEPS:
+        return []
+    return [playback(run, NARROW) for run in _runs(trace)]
+
+
+def playback(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> dict[str, Any]:
     """Marks, steps, table and pseudo-code as JSON values; equal marks are stored once.
 
-    steps: the marks by number, the limits, the sentence, the row of the table (None: no test), the
-    lines of the code; rows: those of `rows`.  ValueError for a scene that cannot be drawn,
-    or that has too many tests.
+    steps: the marks by number, the limits, the sentence and how long it takes to read, the row of the
+    table (None: no test), the lines of the code; rows: those of `rows`.  ValueError for a scene that
+    cannot be drawn, or that has too many tests.
     """
     every = played(trace)
     marks: dict[Mark, int] = {}
     found, begins = [], first_rows(trace)
     for step in every:
-        drawn = picture(trace, step)
+        drawn = picture(trace, step, largest=largest)
         ids = [marks.setdefault(mark, len(marks)) for mark in drawn.marks]
         found.append(
             {
                 "marks": ids,
                 "limits": list(drawn.limits),
                 "sentence": drawn.sentence,
+                "ms": reading(drawn.sentence),
                 "row": None if step.test is None else begins[step.pair or 0] + step.test,
                 "code": _lines(trace, step),
             }
@@ -72,6 +86,7 @@ def playback(trace: Trace) -> dict[str, Any]:
         "steps": [step | {"stage": s.stage.value} for step, s in zip(found, every, strict=True)],
         "names": list(trace.names),
         "rows": rows(trace),
+        "asks": not trace.shortcut,  # beside what a shortcut saw stands what is
         "code": [line.format(end=PROVED if proves else NOT_PROVED) for line, _ in _code(trace)],
     }
 
