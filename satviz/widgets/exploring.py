@@ -13,6 +13,7 @@ from ..pictures.curve import direction, gap_curve
 from ..pictures.live import Chosen, field, fits, knob, live, telling_test, turned_axis
 from ..pictures.minkowski import difference
 from ..pictures.playback import rows
+from ..scenes.link import Shown, fragment
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
 from ..scenes.strictjson import typed
@@ -75,6 +76,7 @@ class Exploring(Showing):
             "lit": drawn.lit,
             "json": self.scene.to_json(),
             "view": self._view,
+            "link": fragment(self.scene, self._shown()),
         }
         if self._against:
             found["difference"] = difference(trace).data()
@@ -84,6 +86,11 @@ class Exploring(Showing):
             found["curve"] = gap_curve(self.scene.a, self.scene.b, self._degree).data()
             found["knob"] = list(drawn.knob)
         return found
+
+    def _shown(self) -> Shown:
+        return Shown(
+            self._degree, self._pinned, self._view if self._view == TRUTH else None, self._way_out, self._against
+        )
 
     def _start(self, shown: Scene) -> None:
         trace = _trace(shown)

@@ -1,0 +1,98 @@
+"""A scene as a link: what stands behind the # of a site's explorer, read as strictly as a scene file.
+
+A built-in scene is its name; any other is its scene file in base64url.  What is shown of it follows,
+`&key=value` each: far-centers&view=truth, eyJzYXR2aXoi...&free=30, triangles&step=5&predict=1.
+"""
+
+import json
+import re
+from base64 import b64decode, urlsafe_b64encode
+from binascii import Error
+from math import isfinite
+from typing import Any, NamedTuple
+
+from ..engine.geometry import InvalidScene
+from .named import names, scene
+from .scenefile import MAX_CHARS, NAME, Scene
+
+PAGE = "scene.html"  # the site's explorer
+VIEWS = "shortcut", "truth"
+WHOLE = re.compile(r"[0-9]{1,6}")
+DEGREE = re.compile(r"-?[0-9]{1,6}(\.[0-9]{1,12})?")
+
+
+class Shown(NamedTuple):
+    """What of a scene is shown: a free axis in degrees, a row of the table, a view; a step opens the player."""
+
+    free: float | None = None
+    row: int | None = None
+    view: str | None = None
+    way_out: bool = False
+    against: bool = False
+    step: int | None = None
+    predict: bool = False
+
+
+AS_IT_COMES = Shown()
+
+
+def link(shown: Scene | str, *, site: str = "", **more: Any) -> str:
+    """The link that opens a scene (or the built-in one of that name) on a site, by default relative to its folder.
+
+    `more` says what is shown: free=30.0, row=2, view="truth", way_out=True, against=True, or for the
+    player step=5, predict=True.  InvalidScene for a name or a value that cannot be opened again.
+    """
+    found = scene(shown) if isinstance(shown, str) else shown
+    if not isinstance(found, Scene):
+        raise TypeError(f"shown is a {type(shown).__name__}: pass a scene or its name")
+    end = "" if not site or site.endswith("/") else "/"
+    made = fragment(found, Shown(**more))
+    opened(made)
+    return f"{site}{end}{PAGE}#{made}"
+
+
+def fragment(found: Scene, shown: Shown = AS_IT_COMES) -> str:
+    """What stands behind the #."""
+    text = found.to_json()
+    built_in = found.name in names() and scene(found.name).to_json() == text
+    short = json.dumps(json.loads(text), separators=(",", ":"), ensure_ascii=False)
+    words = [found.name if built_in else urlsafe_b64encode(short.encode()).decode().rstrip("=")]
+    for key, value in shown._asdict().items():
+        if value is not None and value is not False:
+            words.append(f"{key.replace('_', '-')}={int(value) if value is True else value}")
+    return "&".join(words)
+
+
+def opened(text: str) -> tuple[Scene, Shown]:
+    """The scene of a link and what is shown of it; InvalidScene says what is wrong."""
+    if len(text) > 2 * MAX_CHARS:
+        raise InvalidScene(f"the link has {len(text):,} letters: the limit is {2 * MAX_CHARS:,}")
+    first, *rest = text.split("&")
+    values: dict[str, Any] = {}
+    for word in rest:
+        key, _, value = word.partition("=")
+        if key.replace("-", "_") not in Shown._fields or key.replace("-", "_") in values:
+            raise InvalidScene(f"the link says {key[:40]!r}, which is unknown or said twice")
+        values[key.replace("-", "_")] = _value(key, value)
+    return scene(first) if NAME.fullmatch(first) else _decoded(first), Shown(**values)
+
+
+def _decoded(text: str) -> Scene:
+    try:
+        raw = b64decode(text.encode() + b"=" * (-len(text) % 4), altchars=b"-_", validate=True)
+        return Scene.from_json(raw.decode())
+    except (Error, UnicodeError, InvalidScene) as error:
+        why = error if isinstance(error, InvalidScene) else "it is cut off or not one of satviz"
+        raise InvalidScene(f"the link holds no scene: {why}") from None
+
+
+def _value(key: str, text: str) -> Any:
+    if key == "free" and DEGREE.fullmatch(text) and isfinite(float(text)):
+        return float(text)
+    if key in ("row", "step") and WHOLE.fullmatch(text):
+        return int(text)
+    if key == "view" and text in VIEWS:
+        return text
+    if key in ("way-out", "against", "predict") and text == "1":
+        return True
+    raise InvalidScene(f"the link says {key}={text[:40]!r}, which means nothing")

@@ -1,0 +1,262 @@
+"""The site without its Python: whole as HTML and SVG, nothing from elsewhere, links that open what they say."""
+
+import gzip
+import io
+import json
+import re
+from base64 import urlsafe_b64encode
+from urllib.parse import urldefrag
+from zipfile import ZipFile
+
+import pytest
+
+import satviz as sv
+from satviz.cli import main
+from satviz.engine.geometry import InvalidScene
+from satviz.scenes import link as links
+from satviz.scenes.article import SCENES
+from satviz.scenes.failing import REFUSED, ROWS
+from satviz.site import live, runtime
+
+pytest.importorskip("markdown_it", reason="a site needs markdown-it-py: python -m pip install '.[site]'")
+
+from satviz.site.build import site
+from satviz.site.themed import themed
+
+
+@pytest.fixture(scope="module")
+def files():
+    found, lacks = site(live=False)
+    assert not lacks
+    return dict(found)
+
+
+@pytest.fixture(scope="module")
+def pages(files):
+    return {path: data.decode() for path, data in files.items() if path.endswith(".html")}
+
+
+def test_every_link_of_the_site_leads_to_one_of_its_files(files, pages):
+    for path, page in pages.items():
+        for to in re.findall(r'(?:href|src)="([^"]+)"', page):
+            name = urldefrag(to).url.partition("?")[0]
+            assert not name or name in files, f"{path} -> {to}"
+            if to.startswith("scene.html#"):
+                assert links.opened(to.partition("#")[2]), to
+            elif "#" in to:
+                assert f'id="{to.partition("#")[2]}"' in pages[to.partition("#")[0] or path], to
+
+
+def test_nothing_comes_from_elsewhere(files):
+    for path, data in files.items():
+        found = data.decode().replace("http://www.w3.org/", "").replace("http://purl.org/", "")
+        found = re.sub(r"https?://(creativecommons|matplotlib)\.org", "", found)  # in a picture's note of its maker
+        assert "http://" not in found and "https://" not in found and "@import" not in found, path
+
+
+def test_scripts_and_styles_are_files_only(pages):
+    """So that the policy needs no exception: an inline style or script would be blocked, and drawn wrong."""
+    for path, page in pages.items():
+        assert "unsafe-inline" not in page and "default-src 'none'" in page
+        assert not re.search(r"<style|\sstyle=|\son[a-z]+=|javascript:", page), path
+        assert all('type="application/json"' in tag or 'src="' in tag for tag in re.findall(r"<script[^>]*>", page)), (
+            path
+        )
+
+
+def test_what_has_the_same_id_is_the_same(pages):
+    """Two pictures may clip to the same frame; nothing else is named twice."""
+    for path, page in pages.items():
+        ids = re.findall(r'\sid="([^"]+)"', page)
+        for i in {i for i in ids if ids.count(i) > 1}:
+            whole = set(re.findall(rf'<(?:clipPath|path) id="{re.escape(i)}".*?(?:</clipPath>|/>)', page, re.DOTALL))
+            assert len({re.sub(r"\s+", " ", one) for one in whole}) == 1, (path, i)
+
+
+def test_a_chapter_is_whole_without_javascript(pages):
+    page = pages["2-sat.html"]
+    assert "<h1>2 The Separating Axis Theorem</h1>" in page
+    assert page.count('<svg class="picture"') > 8 and page.count("<summary>Solution</summary>") == 3
+    assert 'rel="prev" href="1-aabb.html"' in page and 'rel="next" href="3-circles.html"' in page
+    assert '<details class="cell">' in page and "depth 0.728" in page
+
+
+def test_what_a_notebook_plays_and_explores_is_played_and_explored_by_its_page(pages):
+    for path, players, scenes in [("1-aabb", 1, 0), ("2-sat", 1, 1), ("3-circles", 0, 1), ("4-concave", 1, 1)]:
+        page = pages[f"{path}.html"]
+        assert (page.count('<div class="player">'), page.count('<div class="live"')) == (players, scenes), path
+    shown = re.search(r'data-hash="([^"]+)"', pages["3-circles.html"])[1]
+    assert links.opened(shown)[0].b == sv.Circle((1.8, 1.8), 1)
+
+
+def test_a_question_comes_before_its_answer(pages):
+    later = re.findall(r'<details class="later">.*?</details>', pages["2-sat.html"], re.DOTALL)
+    assert any("right angle" in answer for answer in later)
+
+
+def test_the_gallery_has_every_scene(files, pages):
+    for name in [scene.name for scene in SCENES] + [row.name for row in ROWS]:
+        assert f"pictures/{name}.svg" in files and f'src="pictures/{name}.svg"' in pages["gallery.html"]
+    openable = set(re.findall(r'href="scene.html#([^"]+)"', pages["gallery.html"]))
+    assert openable == {s.name for s in SCENES} | {row.name for row in ROWS if row.how != REFUSED}
+
+
+def test_pictures_follow_the_theme(pages, files):
+    assert not re.search(r'(?:fill|stroke)="#', pages["2-sat.html"])
+    assert "prefers-color-scheme: dark" in files["pictures/triangles.svg"].decode()
+    assert 'fill="var(--sv-A)"' in themed('<svg ><g style="fill: #0072b2"/></svg>')
+
+
+def test_the_command_writes_a_site_over_its_own_and_over_nothing_else(tmp_path, capsys):
+    out = tmp_path / "site"
+    for _ in range(2):
+        assert main(["site", str(out), "--still"]) == 0
+    assert "site" in capsys.readouterr().out
+    (out / "site.css").write_text("mine")
+    assert main(["site", str(out), "--still"]) == 2
+    assert (out / "site.css").read_text() == "mine" and "was not made by satviz" in capsys.readouterr().err
+
+
+def test_without_npm_the_site_is_whole_and_one_line_says_so(monkeypatch, tmp_path):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(runtime, "which", lambda name: None)
+    found, lacks = site()
+    assert lacks == ["npm is not installed: the site is whole, but its scenes stay still"]
+    assert {"index.html", "scene.html"} <= {path for path, _ in found}
+
+
+@pytest.mark.parametrize("version, why", [(None, "holds no Pyodide"), ("0.1", "goes with")])
+def test_another_pyodide_is_refused(tmp_path, version, why):
+    if version:
+        (tmp_path / "package.json").write_text(json.dumps({"version": version}))
+        for name in runtime.CORE:
+            (tmp_path / name).write_text("")
+    with pytest.raises(runtime.Missing, match=why):
+        runtime.runtime(tmp_path)
+
+
+def test_a_package_with_another_hash_is_refused(monkeypatch, tmp_path):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(runtime, "_fetched", lambda: b"another")
+    with pytest.raises(runtime.Missing, match="hash"):
+        runtime.runtime(None)
+    assert not list(tmp_path.rglob("*.tgz"))
+
+
+def test_what_is_packed_is_plain_gzip_the_same_each_time():
+    data = bytes(range(256)) * 300
+    assert gzip.decompress(runtime.packed(data)) == data and runtime.packed(data) == runtime.packed(data)
+
+
+def test_the_pages_python_needs_the_standard_library_only(tmp_path):
+    """Unpacked by itself it opens a scene and answers a pose, with nothing else to import."""
+    import subprocess
+    import sys
+
+    ZipFile(io.BytesIO(runtime.zipped())).extractall(tmp_path)
+    code = (
+        "import json, sys; from satviz.site import live\n"
+        "state = json.loads(live.answer('p', json.dumps({'kind': 'open', 'hash': 'triangles'})))['first']\n"
+        "pose = {'kind': 'pose', 'n': 1, 'a': state['a'], 'b': state['b'], 'degree': 30}\n"
+        "assert json.loads(live.answer('p', json.dumps(pose)))['kind'] == 'state'\n"
+        "assert not {'numpy', 'matplotlib', 'anywidget', 'PIL'} & set(sys.modules)\n"
+        "print(live.__file__)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, env={}, capture_output=True, text=True, check=True
+    )
+    assert str(tmp_path) in done.stdout
+
+
+# -- links
+
+
+def opened(text):
+    return json.loads(live.answer("place", json.dumps({"kind": "open", "hash": text})))
+
+
+@pytest.mark.parametrize("name", [scene.name for scene in SCENES] + [r.name for r in ROWS if r.how != REFUSED])
+def test_a_built_in_scene_is_its_name(name):
+    assert sv.link(name) == f"scene.html#{name}"
+    assert links.opened(name)[0] == sv.scene(name)
+
+
+def test_any_other_scene_comes_whole_and_is_the_same_again():
+    mine = sv.Scene(
+        "kite", sv.Polygon([(0, 0), (0.1, -1), (6, 0)], ["w", "é", "n"]), sv.Circle((5.5, 3), 1), title="Ä & <b>"
+    )
+    made = sv.link(mine, site="https://example.org/satviz", free=30.5, way_out=True)
+    assert made.startswith("https://example.org/satviz/scene.html#") and re.fullmatch(
+        r"[\w\-&=.]+", made.partition("#")[2]
+    )
+    assert links.opened(made.partition("#")[2]) == (mine, links.Shown(free=30.5, way_out=True))
+
+
+def test_a_link_opens_the_same_state():
+    state = opened("triangles&free=30&way-out=1&against=1")
+    assert "at 30 degrees" in state["first"]["sentence"] and "difference" in state["first"]
+    assert state["pose"]["degree"] == 30 and state["pose"]["wayOut"] and state["pose"]["against"]
+    assert opened("far-centers&view=truth")["first"]["view"] == "truth"
+    assert opened("triangles&row=4")["first"]["lit"] == 4
+    player = opened("triangles&step=5&predict=1")
+    assert player["step"] == 5 and player["predict"] and len(player["shows"][0]["steps"]) == 16
+
+
+def test_the_state_says_the_link_that_opens_it_again():
+    first = opened("triangles")["first"]
+    pose = {"kind": "pose", "n": 1, "a": first["a"], "b": {"circle": [4, 4], "radius": 1}, "degree": 12.5}
+    said = json.loads(live.answer("place", json.dumps(pose)))
+    again = opened(said["link"])["first"]
+    assert again["picture"]["marks"] and again["sentence"] == said["sentence"] and again["link"] == said["link"]
+
+
+def test_steps_of_a_player_end_at_the_last():
+    assert opened("triangles&step=999999")["step"] == 15
+
+
+BAD = [
+    "",
+    "nothing-of-that-name",
+    "eyJzYXR2",
+    "§",
+    "%%%",
+    "triangles&free=nan",
+    "triangles&free=1e999",
+    "triangles&free=30&free=30",
+    "triangles&step=-1",
+    "triangles&step=1.5",
+    "triangles&view=other",
+    "triangles&__class__=1",
+    "triangles&way-out=yes",
+    "no-area",
+    urlsafe_b64encode(b'{"satviz": "scene 1", "a": {"circle": [0, 0], "radius": 0}, "b": 1}').decode(),
+    urlsafe_b64encode(b"[" * 2000).decode(),
+    urlsafe_b64encode(b"\xff\xfe").decode(),
+]
+
+
+@pytest.mark.parametrize("text", BAD)
+def test_a_link_from_a_stranger_is_refused_by_name(text):
+    with pytest.raises(InvalidScene):
+        links.opened(text)
+    assert opened(text)["kind"] == "refused"
+
+
+def test_a_link_beyond_all_bounds_is_not_even_decoded():
+    with pytest.raises(InvalidScene, match="limit"):
+        links.opened("e" * (links.MAX_CHARS * 2 + 1))
+
+
+def test_what_cannot_be_opened_again_is_not_linked():
+    with pytest.raises(InvalidScene):
+        sv.link("triangles", view="other")
+    with pytest.raises(TypeError, match="a scene or its name"):
+        sv.link(sv.Circle((0, 0), 1))
+
+
+def test_draw_prints_the_link(capsys, tmp_path):
+    assert main(["draw", "far-centers", "--format", "link", "--site", "https://example.org/s/"]) == 0
+    assert capsys.readouterr().out == "https://example.org/s/scene.html#far-centers\n"
+    assert main(["draw", "triangles", "--axes", "world", "--format", "link", "--out", str(tmp_path / "no")]) == 0
+    shown, _ = links.opened(capsys.readouterr().out.strip().partition("#")[2])
+    assert shown.axes == "world" and not (tmp_path / "no").exists()
