@@ -63,6 +63,7 @@ class Place {
     this.python.send(this.name, { kind: "open", hash: behind });
   }
   follow({ progress, ready, failed }) {
+    if (ready) this.element.dataset.from = ready; // where Python started from
     if (ready) this.say("");
     else if (failed) this.say("This picture stays still: Python could not start in this browser.");
     else if (progress < 1) this.say(`Python is on its way: ${Math.round(progress * 100)} %. Then you can drag.`);
