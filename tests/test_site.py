@@ -94,6 +94,11 @@ def test_a_question_comes_before_its_answer(pages):
     assert any("right angle" in answer for answer in later)
 
 
+def test_a_page_does_not_speak_of_running_cells(pages):
+    for path, page in pages.items():
+        assert "Shift+Enter" not in page and "run the next cell" not in page and "saved copy" not in page, path
+
+
 def test_the_gallery_has_every_scene(files, pages):
     for name in [scene.name for scene in SCENES] + [row.name for row in ROWS]:
         assert f"pictures/{name}.svg" in files and f'src="pictures/{name}.svg"' in pages["gallery.html"]

@@ -9,6 +9,8 @@ from contextlib import redirect_stdout
 from html import escape
 from typing import Any, NamedTuple
 
+import satviz
+
 from ..engine.trace import Trace
 from ..extras import needs
 from ..scenes.named import scene
@@ -19,6 +21,11 @@ from .themed import themed
 from .walkthrough import shipped
 
 WAY = re.compile(r"(Back|Next): \[")  # a notebook's own links to its neighbours: a page has its own
+# what a notebook says of itself, and what a page says for it
+OF_NOTEBOOKS = [
+    (re.compile(r"[^.\n]*Shift\+Enter[^.\n]*\. ?|\([^()]*saved copy[^()]*\)"), ""),
+    (re.compile(r"(?<=efore you )run the next cell"), "look"),
+]
 
 
 class Chapter(NamedTuple):
@@ -47,14 +54,17 @@ def body(chapter: Chapter) -> str:
     for i, cell in enumerate(chapter.cells):
         source = "".join(cell["source"])
         if cell["cell_type"] == "markdown":
+            for pattern, instead in OF_NOTEBOOKS:
+                source = pattern.sub(instead, source)
             paragraphs = [p for p in source.split("\n\n") if not WAY.match(p)]
             made.append(markdown.render(re.sub(r"\]\(([\w-]+)\.ipynb\)", r"](\1.html)", "\n\n".join(paragraphs))))
             asked = bool(paragraphs) and "**" in paragraphs[-1] and "?" in paragraphs[-1]
         else:
             shown = names.widget(i)
-            out = shown or "".join(map(_output, cell["outputs"]))
-            made.append(_code(source, folded=shown is None))
-            made.append(_later(out) if asked and out else out)
+            if shown is None or len(ast.parse(source).body) > 1:  # else the code says what the reader sees
+                made.append(_code(source))
+            out = "".join(map(_output, cell["outputs"]))
+            made.append(shown or (_later(out) if asked and out else out))
             asked = False
     return "\n".join(made)
 
@@ -75,10 +85,7 @@ def _highlighted(code: str, _language: str, _attributes: str) -> str:
     return f'<pre class="code">{highlight(code, PythonLexer(), HtmlFormatter(nowrap=True))}</pre>'
 
 
-def _code(source: str, *, folded: bool) -> str:
-    """The cell's code; beside what can be dragged it says nothing that the reader needs."""
-    if not folded:
-        return ""
+def _code(source: str) -> str:
     lines = source.count("\n") + 1
     says = "the code" if lines == 1 else f"the code, {lines} lines"
     return f'<details class="cell"><summary>{says}</summary>{_highlighted(source, "", "")}</details>'
@@ -98,36 +105,33 @@ def _output(output: dict[str, Any]) -> str:
 
 
 class _Names:
-    """What a notebook's widgets show: its cells are run up to each of them, and no further."""
+    """What a notebook's widgets show; cells are run only where what they show is worked out in the notebook."""
 
     def __init__(self, cells: list[dict[str, Any]]) -> None:
-        self.cells = cells
+        self.sources = ["".join(cell["source"]) if cell["cell_type"] == "code" else "" for cell in cells]
         self.done = 0
-        self.names: dict[str, Any] = {}
+        self.names: dict[str, Any] = {"sv": satviz}
 
     def widget(self, i: int) -> str | None:
         """HTML of the explorer or the player that cell i shows; None if it shows none."""
-        call = _widget_call("".join(self.cells[i]["source"]))
-        if call is None:
+        *before, last = ast.parse(self.sources[i]).body or [None]
+        call = last.value if isinstance(last, ast.Expr) else None
+        if not isinstance(call, ast.Call) or ast.unparse(call.func) not in ("sv.play", "sv.explore"):
             return None
-        for cell in self.cells[self.done : i]:
-            if cell["cell_type"] == "code":
-                with redirect_stdout(io.StringIO()):
-                    exec("".join(cell["source"]), self.names)
-        self.done = i + 1
+        if any(isinstance(node, ast.Name) and node.id != "sv" for each in call.args for node in ast.walk(each)):
+            self._run([*self.sources[self.done : i], *map(ast.unparse, before)])
+            self.done = i + 1
         what, *more = [eval(ast.unparse(argument), self.names) for argument in call.args]
-        if ast.unparse(call.func) == "sv.play":
-            trace = what if isinstance(what, Trace) else what.record()
-            return parts.player(trace, predict=any(word.arg == "predict" for word in call.keywords))
         shown = Scene("scene", what, *more) if more else scene(what) if isinstance(what, str) else what
-        return parts.explorer(Exploring(shown))
+        if ast.unparse(call.func) == "sv.explore":
+            return parts.explorer(Exploring(shown))
+        trace = shown if isinstance(shown, Trace) else shown.record()
+        return parts.player(trace, predict=any(word.arg == "predict" for word in call.keywords))
 
-
-def _widget_call(source: str) -> ast.Call | None:
-    last = ast.parse(source).body[-1]
-    if isinstance(last, ast.Expr) and isinstance(last.value, ast.Call):
-        return last.value if ast.unparse(last.value.func) in ("sv.play", "sv.explore") else None
-    return None
+    def _run(self, sources: list[str]) -> None:
+        for source in sources:
+            with redirect_stdout(io.StringIO()):
+                exec(source, self.names)
 
 
 def lead(chapter: Chapter) -> str:
