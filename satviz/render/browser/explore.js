@@ -71,6 +71,7 @@ class Explorer {
       check("way out", (on) => this.change({ wayOut: on })),
       check("B − A", (on) => this.change({ against: on })),
       button("copy scene as JSON", () => this.copy(), { shows: "copy JSON" }),
+      button("copy link to the scene", () => copyLink(this.model.get("site"), this.state.link), { shows: "copy link" }),
       ...["svg", "png", "gif"].map((form) => button(`save ${form.toUpperCase()}`, () => this.model.send({ kind: "save", form }))));
   }
 

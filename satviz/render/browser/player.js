@@ -21,6 +21,11 @@ export function button(label, does, { shows, pressed } = {}) {
   return element("button", what, shows ?? label);
 }
 
+// What a site's explorer opens: `site` is its address, empty where none is known.
+export function copyLink(site, link) {
+  navigator.clipboard?.writeText(`${site ?? ""}scene.html#${link}`);
+}
+
 // The table of axes.  A row is lit, greyed or still empty; `pick` makes the rows buttons.
 export class Table {
   constructor(names, { pick } = {}) {
@@ -64,7 +69,7 @@ export class Table {
 
 // shows: one, or that of the early exit and that of every axis.  save(form, step, which) asks a kernel for a file.
 export class Player {
-  constructor(root, shows, { predict = false, save = null } = {}) {
+  constructor(root, shows, { predict = false, save = null, link = "", site = "" } = {}) {
     this.root = root;
     this.shows = shows;
     this.which = 0;
@@ -78,7 +83,9 @@ export class Player {
     this.question = element("div", { class: "sv-question", role: "group", hidden: true });
     this.table = new Table(this.show.names);
     this.code = element("ol", { class: "sv-code", "aria-label": "the algorithm" });
+    this.link = () => `${link}&step=${this.at}${this.predict.checked ? "&predict=1" : ""}`;
     this.controls = this.makeControls(predict, save);
+    if (link) this.controls.append(button("copy link to the step", () => copyLink(site, this.link()), { shows: "copy link" }));
     const side = element("div", { class: "sv-side" }, this.code, this.table.element);
     const stage = element("div", { class: "sv-stage" }, svg, this.question, this.sentence, this.controls);
     root.classList.add("satviz");
