@@ -180,6 +180,20 @@ def test_a_link_to_a_step_opens_the_player(visit):
     assert page.locator(".sv-count").inner_text() == "15 / 16"
 
 
+def test_the_link_that_is_copied_opens_the_same(visit):
+    page = visit("scene.html#far-centers&view=truth")
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page.get_by_role("button", name="copy link").click()
+    assert page.evaluate("navigator.clipboard.readText()") == page.url
+    page = visit("2-sat.html")
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    player = page.locator(".player")
+    player.get_by_role("button", name="copy link").click()
+    page.goto(page.evaluate("navigator.clipboard.readText()"))
+    page.locator(".live.ready").wait_for(timeout=LIVE)
+    assert page.get_by_label("predict").is_checked() and page.locator(".sv-count").inner_text().startswith("1 /")
+
+
 def test_a_link_of_a_stranger_runs_nothing_and_says_why(visit):
     page = visit("scene.html#<img src=x onerror=alert(1)>&free=1", live=False)
     page.get_by_text("This link cannot be opened").wait_for(timeout=LIVE)

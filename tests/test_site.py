@@ -215,6 +215,14 @@ def test_the_state_says_the_link_that_opens_it_again():
     assert again["picture"]["marks"] and again["sentence"] == said["sentence"] and again["link"] == said["link"]
 
 
+def test_a_traces_link_is_its_scenes():
+    for scene in links.ALL:
+        assert links.opened(links.of_trace(scene.record()))[0].record() == scene.record(), scene.name
+    a, b = sv.Circle((0, 0), 1), sv.Circle((3, 0), 1)
+    assert links.opened(links.of_trace(sv.record(a, b)))[0].record() == sv.record(a, b)
+    assert links.of_trace(sv.record(a, b, axes=sv.axes.directions((1, 2)))) == ""
+
+
 def test_steps_of_a_player_end_at_the_last():
     assert opened("triangles&step=999999")["step"] == 15
 

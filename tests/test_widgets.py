@@ -252,3 +252,10 @@ def test_the_gap_curve_tells_the_numbers_of_the_trace():
 def test_a_hand_needs_a_scene_or_two_shapes(what):
     with pytest.raises(TypeError, match=f"a is a {type(what).__name__}: .*two shapes"):
         sv.explore(what)
+
+
+def test_both_widgets_know_the_link_of_what_they_show(monkeypatch):
+    assert explorer().first["link"] == "triangles"
+    assert sv.play(TRIANGLES.record()).link == "triangles"
+    widget = explorer()
+    assert "free=30" in pose(widget, degree=30.0)["link"] and widget.site == ""

@@ -8,13 +8,19 @@ import json
 import re
 from base64 import b64decode, urlsafe_b64encode
 from binascii import Error
+from contextlib import suppress
 from math import isfinite
 from typing import Any, NamedTuple
 
 from ..engine.geometry import InvalidScene
-from .named import names, scene
-from .scenefile import MAX_CHARS, NAME, Scene
+from ..engine.shortcut import Shortcut
+from ..engine.trace import Trace
+from .article import SCENES
+from .failing import REFUSED, ROWS
+from .named import scene
+from .scenefile import CHOICES, MAX_CHARS, NAME, Scene
 
+ALL = (*SCENES, *(row.scene for row in ROWS if row.how != REFUSED))
 PAGE = "scene.html"  # the site's explorer
 VIEWS = "shortcut", "truth"
 WHOLE = re.compile(r"[0-9]{1,6}")
@@ -53,14 +59,32 @@ def link(shown: Scene | str, *, site: str = "", **more: Any) -> str:
 
 def fragment(found: Scene, shown: Shown = AS_IT_COMES) -> str:
     """What stands behind the #."""
-    text = found.to_json()
-    built_in = found.name in names() and scene(found.name).to_json() == text
-    short = json.dumps(json.loads(text), separators=(",", ":"), ensure_ascii=False)
-    words = [found.name if built_in else urlsafe_b64encode(short.encode()).decode().rstrip("=")]
+    text = json.dumps(json.loads(found.to_json()), separators=(",", ":"), ensure_ascii=False)
+    words = [found.name if found in ALL else urlsafe_b64encode(text.encode()).decode().rstrip("=")]
     for key, value in shown._asdict().items():
         if value is not None and value is not False:
             words.append(f"{key.replace('_', '-')}={int(value) if value is True else value}")
     return "&".join(words)
+
+
+def of_trace(trace: Trace) -> str:
+    """What stands behind the # for a trace's scene; empty where its axes have no name, or a shape is too large."""
+    axes = next((name for name in CHOICES if _is_of(trace, name)), None)
+    if axes is None:
+        return ""
+    made = Scene("scene", trace.a, trace.b, axes, trace.every_axis)
+    known = (s for s in ALL if (s.a, s.b, s.axes, s.every_axis) == (made.a, made.b, made.axes, made.every_axis))
+    with suppress(InvalidScene):
+        return fragment(next(known, made))
+    return ""
+
+
+def _is_of(trace: Trace, name: str) -> bool:
+    """Is it a run of the choice of axes of that name?"""
+    choice = CHOICES[name]
+    if trace.shortcut or isinstance(choice, Shortcut):
+        return choice is trace.shortcut
+    return name == "needed" if trace.pairs else choice(trace.a, trace.b) == trace.choice
 
 
 def opened(text: str) -> tuple[Scene, Shown]:

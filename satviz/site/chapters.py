@@ -114,7 +114,7 @@ class _Names:
 
     def widget(self, i: int) -> str | None:
         """HTML of the explorer or the player that cell i shows; None if it shows none."""
-        *before, last = ast.parse(self.sources[i]).body or [None]
+        *before, last = ast.parse(self.sources[i]).body or [ast.Pass()]
         call = last.value if isinstance(last, ast.Expr) else None
         if not isinstance(call, ast.Call) or ast.unparse(call.func) not in ("sv.play", "sv.explore"):
             return None

@@ -7,7 +7,7 @@ from ..engine.geometry import InvalidScene
 from ..pictures.playback import playbacks
 from ..scenes.article import SCENES
 from ..scenes.failing import REFUSED, ROWS
-from ..scenes.link import opened
+from ..scenes.link import fragment, opened
 from ..scenes.scenefile import shape_data
 from ..scenes.strictjson import typed
 from ..widgets.exploring import Exploring
@@ -33,7 +33,14 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
         if shown.step is not None or shown.predict:
             last = len((shows := playbacks(scene.record()))[0]["steps"]) - 1
             step = min(shown.step or 0, last)
-            return {"kind": "opened", "title": scene.title, "shows": shows, "step": step, "predict": shown.predict}
+            return {
+                "kind": "opened",
+                "title": scene.title,
+                "shows": shows,
+                "step": step,
+                "predict": shown.predict,
+                "link": fragment(scene),
+            }
         hand = Exploring(scene)
         pose: dict[str, Any] = {
             "degree": shown.free,

@@ -7,7 +7,7 @@ from ..engine.trace import Trace
 from ..pictures import Picture, picture
 from ..pictures.playback import playbacks
 from ..render.notebook import bundle
-from ..scenes.link import PAGE, fragment
+from ..scenes.link import PAGE, fragment, of_trace
 from ..widgets.exploring import Exploring
 from .themed import themed
 
@@ -32,9 +32,9 @@ def player(trace: Trace, *, predict: bool = False) -> str:
     """A player, which needs no Python; without JavaScript the last picture and every step's sentence."""
     shows = playbacks(trace)
     sentences = "".join(f"<li>{escape(step['sentence'])}</li>" for step in shows[0]["steps"])
-    data = json.dumps({"shows": shows, "predict": predict}, separators=(",", ":"), ensure_ascii=False).replace(
-        "<", "\\u003c"
-    )
+    data = json.dumps(
+        {"shows": shows, "predict": predict, "link": of_trace(trace)}, separators=(",", ":"), ensure_ascii=False
+    ).replace("<", "\\u003c")
     return (
         f'<div class="player"><div class="still"><figure>{drawn(picture(trace))}</figure>'
         f"<details><summary>step by step, in words</summary><ol>{sentences}</ol></details></div>"

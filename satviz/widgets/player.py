@@ -6,6 +6,7 @@ import traitlets
 
 from ..engine.trace import Trace
 from ..pictures.playback import playbacks
+from ..scenes.link import of_trace
 from .base import Shown, code
 from .showing import Showing
 
@@ -16,9 +17,10 @@ class Player(Shown):
     _esm = code("play")
     shows: traitlets.List[dict[str, Any]] = traitlets.List().tag(sync=True)
     predict = traitlets.Bool(False).tag(sync=True)
+    link = traitlets.Unicode("").tag(sync=True)
 
     def __init__(self, trace: Trace, *, predict: bool = False) -> None:
-        super().__init__(Showing(trace), shows=playbacks(trace), predict=predict)
+        super().__init__(Showing(trace), shows=playbacks(trace), predict=predict, link=of_trace(trace))
 
 
 def play(trace: Trace, *, predict: bool = False, pen: str = "svg") -> Any:

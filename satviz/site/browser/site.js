@@ -1,5 +1,7 @@
 // The pages: players start at once, explorers when Python is there.  The widgets' own code runs over a small model.
 
+const HERE = new URL(".", location).href;
+
 // Python in a worker, one for the page.
 class Python {
   constructor(script) {
@@ -35,13 +37,16 @@ class Model {
     this.listeners.delete(listener);
   }
   send(content) {
-    if (content.kind === "save") this.save(content);
+    if (content.kind === "save") this.tell({ kind: "refused", why: "files are made where satviz is installed (satviz draw)" });
     else if (content.kind) this.python.send(this.place, content);
+  }
+  tell(content) {
+    for (const listener of this.listeners) listener(content, []);
   }
   heard(content) {
     if (content.kind === "opened" || (content.kind === "refused" && content.n === undefined)) this.opened(content);
-    if (content.link) this.linked(content.link);
-    for (const listener of this.listeners) listener(content, []);
+    if (content.kind === "state") this.linked(content.link);
+    this.tell(content);
   }
 }
 
@@ -86,10 +91,10 @@ class Place {
     const made = element("div");
     this.shown?.remove();
     if (content.shows) {
-      this.shown = new Player(made, content.shows, { predict: content.predict });
+      this.shown = new Player(made, content.shows, { ...content, site: HERE });
       this.shown.go(content.step, { animate: false });
     } else {
-      this.model.values = content;
+      this.model.values = { ...content, site: HERE };
       this.model.listeners.clear();
       this.shown = new Explorer(this.model, made);
       show(this.shown, content.pose);
@@ -116,9 +121,9 @@ function decoded(text) {
 }
 
 for (const place of document.querySelectorAll(".player")) {
-  const { shows, predict } = JSON.parse(place.querySelector("script").textContent);
+  const { shows, ...more } = JSON.parse(place.querySelector("script").textContent);
   const made = element("div");
-  new Player(made, shows, { predict });
+  new Player(made, shows, { ...more, site: HERE });
   place.replaceChildren(made);
 }
 const scenes = [...document.querySelectorAll(".live")];
