@@ -251,3 +251,20 @@ def test_what_was_read_once_is_there_without_a_server(built, visit):
         page.wait_for_timeout(500)
     page.reload()
     page.locator(".live.ready").wait_for(timeout=LIVE)
+
+
+def test_a_challenge_is_met_by_hand_and_judged_by_the_engine(visit):
+    page = visit("scene.html#aabb&goal=touch")
+    goal = page.locator(".goal")
+    assert "apart: gap +2" in goal.inner_text()
+    page.locator('[data-handle="B-move"]').focus()
+    for _ in range(60):
+        page.keyboard.press("ArrowLeft")
+        page.wait_for_timeout(20)
+        if "met" in goal.get_attribute("class"):
+            break
+    assert "They touch, exactly." in goal.inner_text()
+    page.wait_for_function("() => location.hash.endsWith('&goal=touch')")
+    page.goto(page.url.partition("#")[0] + "#far-centers")
+    page.locator(".sv-heading").wait_for()
+    assert not goal.is_visible()

@@ -5,6 +5,7 @@ import io
 import json
 import re
 from base64 import urlsafe_b64encode
+from html import unescape
 from urllib.parse import urldefrag
 from zipfile import ZipFile
 
@@ -16,7 +17,7 @@ from satviz.engine.geometry import InvalidScene
 from satviz.scenes import link as links
 from satviz.scenes.article import SCENES
 from satviz.scenes.failing import REFUSED, ROWS
-from satviz.site import live, runtime
+from satviz.site import goals, live, runtime
 
 pytest.importorskip("markdown_it", reason="a site needs markdown-it-py: python -m pip install '.[site]'")
 
@@ -38,7 +39,7 @@ def pages(files):
 
 def test_every_link_of_the_site_leads_to_one_of_its_files(files, pages):
     for path, page in pages.items():
-        for to in re.findall(r'(?:href|src)="([^"]+)"', page):
+        for to in map(unescape, re.findall(r'(?:href|src)="([^"]+)"', page)):
             name = urldefrag(to).url.partition("?")[0]
             assert not name or name in files, f"{path} -> {to}"
             if to.startswith("scene.html#"):
@@ -273,3 +274,54 @@ def test_draw_prints_the_link(capsys, tmp_path):
     assert main(["draw", "triangles", "--axes", "world", "--format", "link", "--out", str(tmp_path / "no")]) == 0
     shown, _ = links.opened(capsys.readouterr().out.strip().partition("#")[2])
     assert shown.axes == "world" and not (tmp_path / "no").exists()
+
+
+# -- challenges
+
+
+def stands(goal, a, b, axes="needed"):
+    return goals.judged(goal, sv.Scene("mine", a, b, axes))
+
+
+def test_exactly_one_axis_is_one():
+    box, turned = sv.Polygon([(0, 0), (2, 0), (2, 2), (0, 2)]), sv.Polygon([(2.2, 1), (3.2, 0), (4.2, 1), (3.2, 2)])
+    assert stands("one-axis", box, turned).says == "Exactly one axis separates them."
+    assert not stands("one-axis", box, sv.Polygon([(9, 9), (11, 9), (10, 12)])).met
+    assert "collide" in stands("one-axis", box, sv.Circle((1, 1), 1)).says
+    assert "dent" in stands("one-axis", sv.Polygon([(0, 0), (4, 0), (1, 1), (0, 4)]), sv.Circle((9, 9), 1)).says
+
+
+def test_touching_is_exact():
+    box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+    assert stands("touch", box, sv.Circle((2, 0.5), 1)).met
+    hair = stands("touch", box, sv.Circle((2.0000000000000004, 0.5), 1))
+    assert not hair.met and "e" in hair.says  # a gap too small for three decimals is not told as 0
+    assert stands("touch", box, sv.Circle((1.9999999999999998, 0.5), 1)).says == "They overlap."
+
+
+def test_every_shortcut_that_can_be_broken_begins_unbroken_and_its_own_scene_breaks_it():
+    asked = [start for goal, start in goals.challenges() if goal == "break"]
+    assert len(asked) > 25
+    for start in asked:
+        assert not goals.judged("break", start).met and goals.judged("break", sv.scene(start.axes)).met, start.name
+
+
+def test_no_challenge_is_won_when_it_begins_and_each_has_its_link():
+    for goal, start in goals.challenges():
+        assert not goals.judged(goal, start).met
+        first = opened(sv.link(start, goal=goal).partition("#")[2])
+        assert first["goal"]["asks"] == goals.ASKS[goal] and first["link"].endswith(f"&goal={goal}")
+
+
+def test_a_drag_is_judged_and_a_preset_ends_the_challenge():
+    first = opened("aabb&goal=touch")["first"]
+    b = {"polygon": [[x - 2, y] for x, y in first["b"]["polygon"]]}
+    said = json.loads(live.answer("place", json.dumps({"kind": "pose", "n": 1, "a": first["a"], "b": b})))
+    assert said["goal"]["met"] and said["goal"]["says"] == "They touch, exactly."
+    said = json.loads(live.answer("place", json.dumps({"kind": "preset", "name": "circles"})))
+    assert "goal" not in said
+
+
+def test_a_goal_that_the_scene_cannot_have_is_refused():
+    assert "no shortcut" in opened("triangles&goal=break")["why"]
+    assert "means nothing" in opened("triangles&goal=win")["why"]

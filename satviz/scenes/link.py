@@ -23,12 +23,13 @@ from .scenefile import CHOICES, MAX_CHARS, NAME, Scene
 ALL = (*SCENES, *(row.scene for row in ROWS if row.how != REFUSED))
 PAGE = "scene.html"  # the site's explorer
 VIEWS = "shortcut", "truth"
+GOALS = ONE_AXIS, TOUCH, BREAK = "one-axis", "touch", "break"  # what a challenge asks
 WHOLE = re.compile(r"[0-9]{1,6}")
 DEGREE = re.compile(r"-?[0-9]{1,6}(\.[0-9]{1,12})?")
 
 
 class Shown(NamedTuple):
-    """What of a scene is shown: a free axis in degrees, a row of the table, a view; a step opens the player."""
+    """What of a scene is shown: a free axis in degrees, a row, a view; a step of the player; a challenge's goal."""
 
     free: float | None = None
     row: int | None = None
@@ -37,6 +38,7 @@ class Shown(NamedTuple):
     against: bool = False
     step: int | None = None
     predict: bool = False
+    goal: str | None = None
 
 
 AS_IT_COMES = Shown()
@@ -115,7 +117,7 @@ def _value(key: str, text: str) -> Any:
         return float(text)
     if key in ("row", "step") and WHOLE.fullmatch(text):
         return int(text)
-    if key == "view" and text in VIEWS:
+    if text in {"view": VIEWS, "goal": GOALS}.get(key, ()):
         return text
     if key in ("way-out", "against", "predict") and text == "1":
         return True

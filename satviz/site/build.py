@@ -50,6 +50,7 @@ def _files(script: bytes, style: bytes, python: dict[str, bytes], version: str) 
     for chapter, body in bodies:
         yield chapter.path, pages.chapter(frame, chapter, body)
     yield "gallery.html", pages.gallery(frame)
+    yield "challenges.html", pages.tasks(frame)
     yield "scene.html", pages.explorer(frame)
     yield "index.html", pages.front(frame)
 

@@ -13,11 +13,13 @@ from ..render.files import encode
 from ..scenes.article import SCENES
 from ..scenes.failing import NAMED as FAILING
 from ..scenes.failing import REFUSED, ROWS
-from ..scenes.link import PAGE
+from ..scenes.link import BREAK, PAGE, link
 from ..scenes.named import scene
+from ..scenes.scenefile import Scene
 from ..widgets.exploring import Exploring
 from . import parts
 from .chapters import Chapter, lead
+from .goals import ASKS, challenges
 from .themed import themed_file
 
 # scripts are the site's own files, wasm is Python's; a scene comes in as data only
@@ -40,7 +42,7 @@ def page(frame: Frame, path: str, title: str, body: str, *, says: str, kind: str
     """One page of the site; `says` describes it to those who search."""
     python = f' data-python="python/worker.js?{frame.version}"' if frame.python else ""
     links = [("index.html", "satviz"), ("index.html#chapters", "Chapters"), ("gallery.html", "Gallery")]
-    links.append((PAGE, "Explorer"))
+    links += [("challenges.html", "Challenges"), (PAGE, "Explorer")]
     here = ' aria-current="page"'
     nav = "".join(f'<a href="{to}"{here if to == path and to != "index.html" else ""}>{name}</a>' for to, name in links)
     lines = [
@@ -96,7 +98,8 @@ directions are enough: those at right angles to an edge.</p>
 <section id="chapters"><h2>Seven chapters</h2><ol class="chapters">{listed}</ol></section>
 <section><h2>Where shortcuts fail</h2>
 <p>Everybody who writes a collision test leaves something out. Here is what happens then; the
-<a href="gallery.html#failing">gallery</a> has {len(ROWS)} such scenes.</p>
+<a href="gallery.html#failing">gallery</a> has {len(ROWS)} such scenes,
+and the <a href="challenges.html">challenges</a> let you find them yourself.</p>
 <div class="cards wide">{cards}</div></section>
 """
     says = "Drag two triangles and see why they collide or not: the Separating Axis Theorem, made visible."
@@ -131,6 +134,31 @@ The address of this page is a link to the scene as it stands.</p>
     return page(
         frame, PAGE, "Explorer: drag two shapes", body, says="Drag two shapes and see every axis.", kind="explorer"
     )
+
+
+def tasks(frame: Frame) -> bytes:
+    """The challenges, each a link into the explorer."""
+    asked = [
+        (goal, f'<li><a href="{escape(link(begin, goal=goal))}">{escape(_asked(goal, begin))}</a></li>')
+        for goal, begin in challenges()
+    ]
+    body = f"""
+<h1>Challenges</h1>
+<p class="lead">Drag until it is done. The engine judges exactly, and the address keeps your challenge: send it to
+somebody.</p>
+<ul class="challenges">{"".join(item for goal, item in asked if goal != BREAK)}</ul>
+<h2>Break a shortcut</h2>
+<p>Each of these is believed by many, and here it begins by being right. Find a place where it is wrong.</p>
+<ul class="challenges">{"".join(item for goal, item in asked if goal == BREAK)}</ul>
+"""
+    return page(
+        frame, "challenges.html", "Challenges", body, says="Break a shortcut, or make two shapes touch exactly."
+    )
+
+
+def _asked(goal: str, begin: Scene) -> str:
+    row = FAILING.get(begin.axes)
+    return f"“{row.claim}”" if row else f"{ASKS[goal].rstrip('.')} ({begin.title.lower()})"
 
 
 def chapter(frame: Frame, shown: Chapter, body: str) -> bytes:

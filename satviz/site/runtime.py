@@ -23,7 +23,14 @@ CORE = "pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"
 # what the pages ask for: the engine, the pictures and what answers; neither NumPy nor matplotlib is in the page
 PARTS = (
     *("__init__.py", "extras.py", "engine", "scenes", "pictures"),
-    *("widgets/__init__.py", "widgets/showing.py", "widgets/exploring.py", "site/__init__.py", "site/live.py"),
+    *(
+        "widgets/__init__.py",
+        "widgets/showing.py",
+        "widgets/exploring.py",
+        "site/__init__.py",
+        "site/goals.py",
+        "site/live.py",
+    ),
 )
 # run where the memory is kept: whatever a page may import is imported, and each kind of answer was given once
 WARM = """

@@ -45,7 +45,7 @@ class Model {
   }
   heard(content) {
     if (content.kind === "opened" || (content.kind === "refused" && content.n === undefined)) this.opened(content);
-    if (content.kind === "state") this.linked(content.link);
+    if (content.kind === "state") this.follows(content);
     this.tell(content);
   }
 }
@@ -58,7 +58,7 @@ class Place {
     this.way = this.status.nextElementSibling.firstElementChild;
     this.model = new Model(python, this.name);
     this.model.opened = (content) => this.opened(content);
-    this.model.linked = (link) => this.follows(link);
+    this.model.follows = (state) => this.follows(state);
     python.told.push((start) => this.follow(start));
     this.open();
     if (linked) addEventListener("hashchange", () => this.open());
@@ -75,12 +75,30 @@ class Place {
     else this.say("Python is starting. Then you can drag.");
   }
   // The way to the explorer, or on its own page the address, is a link to the scene as it stands.
-  follows(link) {
+  follows({ link, goal }) {
+    this.challenge(goal);
     const to = new URL(this.way.href);
     to.hash = link;
     this.way.href = to.href;
     clearTimeout(this.later);
     if (this.linked) this.later = setTimeout(() => history.replaceState(null, "", to.hash), 300);
+  }
+  // What is asked, how the scene stands to it, and a hint for who wants one.
+  challenge(goal) {
+    if (!this.goal) {
+      this.goal = element("div", { class: "goal" });
+      this.goal.says = element("span", { role: "status" });
+      this.goal.hint = element("p");
+      this.goal.asks = element("b");
+      this.goal.append(this.goal.asks, this.goal.says, element("details", {}, element("summary", {}, "a hint"), this.goal.hint));
+      this.element.before(this.goal);
+    }
+    this.goal.hidden = !goal;
+    if (!goal) return;
+    this.goal.classList.toggle("met", goal.met);
+    for (const [part, text] of [[this.goal.asks, goal.asks], [this.goal.says, goal.says], [this.goal.hint, goal.hint]]) {
+      if (part.textContent !== text) part.textContent = text;
+    }
   }
   say(text) {
     if (this.status.textContent !== text) this.status.textContent = text;
@@ -88,6 +106,7 @@ class Place {
   opened(content) {
     if (content.kind === "refused") return this.say(`This link cannot be opened: ${content.why}`);
     this.say("");
+    this.challenge(content.goal);
     const made = element("div");
     this.shown?.remove();
     if (content.shows) {
