@@ -308,13 +308,15 @@ def reference(args: argparse.Namespace) -> int:
 
 def site(args: argparse.Namespace) -> int:
     """Write the site, and serve it if asked."""
-    from .site.build import site
+    from .site.build import Missing, site
 
     try:
         files, lacks = site(pyodide=args.pyodide, live=not args.still)
         made = {args.out / path: data for path, data in files}
     except ImportError as error:
         raise Failed(str(error)) from None
+    except Missing as error:
+        raise Refused(str(error)) from None
     disk.folder(args.out)
     for path in made:
         disk.check(path, force=args.force)

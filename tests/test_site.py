@@ -3,7 +3,13 @@
 import gzip
 import io
 import json
+import os
 import re
+import signal
+import subprocess
+import sys
+import urllib.error
+import urllib.request
 from base64 import urlsafe_b64encode
 from html import unescape
 from urllib.parse import urldefrag
@@ -113,7 +119,8 @@ def test_pictures_follow_the_theme(pages, files):
     assert 'fill="var(--sv-A)"' in themed('<svg ><g style="fill: #0072b2"/></svg>')
 
 
-def test_the_command_writes_a_site_over_its_own_and_over_nothing_else(tmp_path, capsys):
+def test_the_command_writes_a_site_over_its_own_and_over_nothing_else(tmp_path, capsys, files, monkeypatch):
+    monkeypatch.setattr("satviz.site.build.site", lambda **_: (iter(files.items()), []))
     out = tmp_path / "site"
     for _ in range(2):
         assert main(["site", str(out), "--still"]) == 0
@@ -123,12 +130,12 @@ def test_the_command_writes_a_site_over_its_own_and_over_nothing_else(tmp_path, 
     assert (out / "site.css").read_text() == "mine" and "was not made by satviz" in capsys.readouterr().err
 
 
-def test_without_npm_the_site_is_whole_and_one_line_says_so(monkeypatch, tmp_path):
+def test_without_npm_the_site_is_made_and_one_line_says_so(monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(runtime, "which", lambda name: None)
     found, lacks = site()
     assert lacks == ["npm is not installed: the site is whole, but its scenes stay still"]
-    assert {"index.html", "scene.html"} <= {path for path, _ in found}
+    assert next(found)[0] == "site.js"
 
 
 @pytest.mark.parametrize("version, why", [(None, "holds no Pyodide"), ("0.1", "goes with")])
@@ -139,6 +146,28 @@ def test_another_pyodide_is_refused(tmp_path, version, why):
             (tmp_path / name).write_text("")
     with pytest.raises(runtime.Missing, match=why):
         runtime.runtime(tmp_path)
+
+
+def test_a_folder_without_pyodide_is_bad_input(tmp_path, capsys):
+    assert main(["site", str(tmp_path / "out"), "--pyodide", str(tmp_path)]) == 2
+    assert "holds no Pyodide" in capsys.readouterr().err and not (tmp_path / "out").exists()
+
+
+@pytest.mark.slow
+def test_open_serves_the_site_until_it_is_interrupted(tmp_path):
+    command = [sys.executable, "-m", "satviz", "site", str(tmp_path / "site"), "--still", "--open"]
+    env = {**os.environ, "BROWSER": "true"}  # a program that does nothing with the address
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=env) as process:
+        try:
+            address = next(word for line in process.stdout for word in line.split() if word.startswith("http"))
+            with urllib.request.urlopen(f"{address}python/no") as _:
+                pass
+        except urllib.error.HTTPError as error:
+            assert error.code == 404 and "default-src 'none'" in error.headers["Content-Security-Policy"]
+        with urllib.request.urlopen(address) as found:
+            assert b"Do they collide?" in found.read()
+        process.send_signal(signal.SIGINT)
+        assert process.wait(20) == 130 and "Traceback" not in process.stderr.read()
 
 
 def test_a_package_with_another_hash_is_refused(monkeypatch, tmp_path):
@@ -156,9 +185,6 @@ def test_what_is_packed_is_plain_gzip_the_same_each_time():
 
 def test_the_pages_python_needs_the_standard_library_only(tmp_path):
     """Unpacked by itself it opens a scene and answers a pose, with nothing else to import."""
-    import subprocess
-    import sys
-
     ZipFile(io.BytesIO(runtime.zipped())).extractall(tmp_path)
     code = (
         "import json, sys; from satviz.site import live\n"

@@ -8,7 +8,8 @@ from pathlib import Path
 from ..disk import MADE_BY
 from ..render.script import javascript, stylesheet
 from . import chapters, pages
-from .runtime import Missing, runtime
+from .runtime import Missing as Missing
+from .runtime import runtime
 
 ICON = (
     '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 32 32">'
@@ -20,7 +21,8 @@ ICON = (
 def site(*, pyodide: Path | None = None, live: bool = True) -> tuple[Iterator[tuple[str, bytes]], list[str]]:
     """(path, content) of each file, and a line on each thing that is missing.
 
-    `pyodide`: a folder with its core, instead of the npm package; `live`: with Python in the page.
+    `pyodide`: a folder with its core, instead of the npm package (Missing where it has none); `live`: with
+    Python in the page.
     ImportError says what to install where the reader of Markdown is missing.
     """
     python: dict[str, bytes] = {}
@@ -30,6 +32,8 @@ def site(*, pyodide: Path | None = None, live: bool = True) -> tuple[Iterator[tu
             python, why = runtime(pyodide)
             lacks = [why] if why else []
         except Missing as error:
+            if pyodide:
+                raise
             lacks = [f"{error}: the site is whole, but its scenes stay still"]
     script, style = _script(), _style()
     python |= {"worker.js": _own("worker.js")} if python else {}
