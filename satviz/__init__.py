@@ -22,6 +22,7 @@ if TYPE_CHECKING:  # what is loaded at first use, as type checkers see it
     from .pictures.sheet import sheet
     from .render.draw import draw
     from .render.page import page
+    from .scenes.link import link
     from .scenes.named import scene
     from .scenes.scenefile import Scene
     from .widgets import explore, play
@@ -51,6 +52,7 @@ __all__ = [
     "draw",
     "explore",
     "gap_curve",
+    "link",
     "page",
     "parts",
     "picture",
@@ -76,6 +78,7 @@ _LATER = {
     "draw": "render.draw",
     "explore": "widgets",
     "gap_curve": "pictures.curve",
+    "link": "scenes.link",
     "page": "render.page",
     "parts": "engine.concave",
     "picture": "pictures",

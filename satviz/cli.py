@@ -1,4 +1,4 @@
-"""satviz figures | trace | draw | notebook | reference | study | scenes | bench: what the command line understands."""
+"""satviz figures | trace | draw | notebook | site | reference | study | scenes | bench: what a command line may say."""
 
 import argparse
 import reprlib
@@ -14,7 +14,7 @@ from .terminal import heeding_interrupts, interrupted, open_streams, out, say
 
 THEMES = ("light", "dark")
 FIGURE_FORMATS = ("svg", "png", "pdf")
-DRAW_FORMATS = (*FIGURE_FORMATS, "gif", "html")
+DRAW_FORMATS = (*FIGURE_FORMATS, "gif", "html", "link")
 
 
 def _whole(least: int, most: int) -> Callable[[str], int]:
@@ -114,6 +114,7 @@ def _parser() -> argparse.ArgumentParser:
     draw.add_argument(
         "--caption", action="store_true", help="put each sentence under its picture (a GIF always has it)"
     )
+    draw.add_argument("--site", default="", metavar="URL", help="where the site is that --format link leads to")
     which = draw.add_mutually_exclusive_group()
     which.add_argument("--sheet", action="store_true", help="one picture of the whole run, a row for each axis")
     which.add_argument(
@@ -172,6 +173,16 @@ def _parser() -> argparse.ArgumentParser:
     )
     reference.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
     reference.set_defaults(run=commands.reference)
+
+    site = command.add_parser("site", help="write the site: drag scenes and read the chapters in any browser")
+    site.add_argument(
+        "out", nargs="?", type=_folder, default=Path("satviz-site"), metavar="DIR", help="(default: satviz-site)"
+    )
+    site.add_argument("--open", action="store_true", help="serve it on this machine and open it, until Ctrl-C")
+    site.add_argument("--pyodide", type=_folder, metavar="DIR", help="Pyodide's core, if npm is not to fetch it")
+    site.add_argument("--still", action="store_true", help="without Python in the page: pictures do not move")
+    site.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
+    site.set_defaults(run=commands.site)
 
     scenes = command.add_parser("scenes", help="list the built-in scenes")
     scenes.add_argument("--failing", action="store_true", help="those where shortcuts fail, and what is right")

@@ -80,6 +80,8 @@ def draw(args: argparse.Namespace) -> int:
     from .pictures.sheet import sheet
     from .scenes.failing import NAMED, REFUSED
 
+    if "link" in (args.format or []):
+        return _link(args)
     row = NAMED.get(args.scene)
     if row and row.how == REFUSED and "html" not in (args.format or []):
         drawn = refused(row)
@@ -117,6 +119,16 @@ def draw(args: argparse.Namespace) -> int:
     return done
 
 
+def _link(args: argparse.Namespace) -> int:
+    """Print the link that opens the scene on a site; it is no file, so it goes with no other format."""
+    from .scenes.link import link
+
+    if len(set(args.format)) > 1:
+        raise Refused("--format link prints a line: ask for files in another run")
+    out(link(_load(args), site=args.site))
+    return 0
+
+
 def _page(trace: "Trace", title: str) -> bytes:
     from .render.page import page
 
@@ -130,17 +142,18 @@ def notebook(args: argparse.Namespace) -> int:
     """Copy the walkthrough beside the reader, not yet run, and open it."""
     from importlib.util import find_spec
 
-    here = Path(__file__).parent
-    shipped = sorted((here / "notebooks").glob("*.ipynb")) or sorted((here.parent / "notebooks").glob("*.ipynb"))
+    from .site.walkthrough import shipped
+
+    sources = shipped()
     disk.folder(args.out)
-    for source in shipped:
+    for source in sources:
         copy, data = args.out / source.name, _not_yet_run(source.read_bytes())
         if os.path.lexists(copy) and not _holds(copy, data) and not args.force:
             say(f"{copy} was changed and is left alone (overwrite it with --force)")
         else:
             disk.write(copy, data, force=True)
         stop_if_interrupted()
-    out(f"{len(shipped)} notebooks in {visible(str(args.out))}")
+    out(f"{len(sources)} notebooks in {visible(str(args.out))}")
     if args.no_open:
         return 0
     if not find_spec("jupyterlab") or not find_spec("anywidget"):
@@ -304,6 +317,44 @@ def reference(args: argparse.Namespace) -> int:
     for path, data in files:
         disk.write(path, data, force=args.force)
     out(f"open {visible(str(args.out / 'index.html'))}")
+    return 0
+
+
+def site(args: argparse.Namespace) -> int:
+    """Write the site, and serve it if asked."""
+    from .site.build import Missing, site
+
+    try:
+        files, lacks = site(pyodide=args.pyodide, live=not args.still)
+        made = {args.out / path: data for path, data in files}
+    except ImportError as error:
+        raise Failed(str(error)) from None
+    except Missing as error:
+        raise Refused(str(error)) from None
+    disk.folder(args.out)
+    for path in made:
+        disk.check(path, force=args.force)
+    for path, data in made.items():
+        disk.write(path, data, force=args.force)
+        stop_if_interrupted()
+    for line in lacks:
+        say(line)
+    sent = sum(map(len, made.values())) / 1e6
+    out(f"{len(made)} files ({sent:.1f} MB) in {visible(str(args.out))}")
+    return _serve(args.out) if args.open else 0
+
+
+def _serve(folder: Path) -> int:
+    """Serve the folder until Ctrl-C."""
+    import webbrowser
+
+    from .site.serving import server
+
+    with server(folder) as serving:
+        address = f"http://127.0.0.1:{serving.server_address[1]}/"
+        out(f"serving {address} until Ctrl-C")
+        webbrowser.open(address)
+        serving.serve_forever()
     return 0
 
 

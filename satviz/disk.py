@@ -22,6 +22,8 @@ _MARKS = {
     ".json": f'"made_by": "{MADE_BY}"',
     ".csv": f",{MADE_BY}\n",
     ".js": f"// {MADE_BY}\n",
+    ".css": f"/* {MADE_BY} */\n",
+    ".bin": f"{MADE_BY}\0",
     ".md": f"\n\n{MADE_BY}: ",
 }
 

@@ -46,7 +46,7 @@ def test_the_scene_file_loads():
 
 
 COMMANDS = [line for block in blocks("sh") for line in block.splitlines() if "pip" not in line]
-LONG = "satviz study", "satviz bench"
+LONG = "satviz study", "satviz bench", "satviz site"
 
 
 @pytest.mark.parametrize(

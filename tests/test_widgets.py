@@ -333,3 +333,10 @@ def test_a_player_that_asks_shows_nothing_where_no_front_end_runs():
     data, _ = widget._repr_mimebundle_()
     assert "apart" not in data["text/plain"] + data["text/html"]
     assert f'alt="{sv.picture("triangles", 0).sentence}"' in data["text/html"]
+
+
+def test_both_widgets_know_the_link_of_what_they_show(monkeypatch):
+    assert explorer().first["link"] == "triangles"
+    assert sv.play(TRIANGLES.record()).link == "triangles"
+    widget = explorer()
+    assert "free=30" in pose(widget, degree=30.0)["link"] and widget.site == ""

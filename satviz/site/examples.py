@@ -14,6 +14,7 @@ EXAMPLES = {
     "sv.picture(sv.record(a, b, axes=only_y))",
     "satviz.parts": "ell = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])\nsv.parts(ell)",
     "satviz.scene": 'sv.scene("circle-polygon")',
+    "satviz.link": 'sv.link("triangles", free=30.0, site="https://example.org/satviz")',
     "satviz.steps": 'sv.steps(sv.scene("triangles").record())[:4]',
     "satviz.picture": 'sv.picture(sv.scene("triangles").record(), 5)',
     "satviz.draw": 'figure = sv.draw(sv.scene("triangles").record(), step=-1)\n'

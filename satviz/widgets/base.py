@@ -1,5 +1,6 @@
 """What both widgets share: the browser's code, files by the matplotlib pen, the picture where no front end runs."""
 
+import os
 from base64 import b64encode
 from contextlib import suppress
 from html import escape
@@ -23,6 +24,7 @@ class Shown(anywidget.AnyWidget):
     """A widget whose trace is shown; its messages are answered one at a time."""
 
     _css = stylesheet()
+    site = traitlets.Unicode(os.environ.get("SATVIZ_SITE", ""), help="where links to a scene lead").tag(sync=True)
     trace = traitlets.Any(help="the Trace that is shown; observe it to follow").tag(sync=False)
 
     def __init__(self, showing: Showing, **more: Any) -> None:

@@ -13,6 +13,7 @@ from ..pictures.curve import WIDTH, direction, gap_curve
 from ..pictures.live import Chosen, canvas, field, fits, knob, live, telling_test, turned_axis
 from ..pictures.minkowski import difference
 from ..pictures.playback import first_rows, rows
+from ..scenes.link import Shown, fragment
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
 from ..scenes.strictjson import typed
@@ -77,6 +78,7 @@ class Exploring(Showing):
             "json": self.scene.to_json(),
             "view": self._view,
             "scene": self._begun,
+            "link": fragment(self.scene, self._shown()),
         }
         if self._against:
             found["difference"] = difference(trace, largest=(min(340.0, self._largest[0]), 300.0)).data()
@@ -87,6 +89,11 @@ class Exploring(Showing):
             found["curve"] = gap_curve(self.scene.a, self.scene.b, self._degree, width=width).data()
             found["knob"] = list(drawn.knob)
         return found
+
+    def _shown(self) -> Shown:
+        return Shown(
+            self._degree, self._pinned, self._view if self._view == TRUTH else None, self._way_out, self._against
+        )
 
     def _start(self, shown: Scene) -> None:
         trace = _trace(shown)

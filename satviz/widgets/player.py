@@ -9,6 +9,7 @@ from ..engine.trace import Trace
 from ..pictures import Picture, picture
 from ..pictures.playback import narrow, playbacks
 from ..scenes.asked import Asked, trace_of
+from ..scenes.link import of_trace
 from .base import Shown, code
 from .showing import Showing
 
@@ -20,9 +21,12 @@ class Player(Shown):
     shows: traitlets.List[dict[str, Any]] = traitlets.List().tag(sync=True)
     narrow: traitlets.List[dict[str, Any]] = traitlets.List().tag(sync=True)
     predict = traitlets.Bool(False).tag(sync=True)
+    link = traitlets.Unicode("").tag(sync=True)
 
     def __init__(self, trace: Trace, *, predict: bool = False) -> None:
-        super().__init__(Showing(trace), shows=playbacks(trace), narrow=narrow(trace), predict=predict)
+        super().__init__(
+            Showing(trace), shows=playbacks(trace), narrow=narrow(trace), predict=predict, link=of_trace(trace)
+        )
 
     def picture(self) -> Picture:
         """What is shown where no front end runs: to one who is asked not the answer."""

@@ -92,7 +92,8 @@ class Explorer {
     this.boxes = { free, wayOut, against };
     const save = saveMenu((form) => this.model.send({ kind: "save", form }), button("copy JSON", () => this.copy()));
     return element("div", { class: "sv-controls", role: "group", "aria-label": "explorer" },
-      this.presets, this.view, this.undoButton, this.redoButton, button("reset", () => this.reset()), freeLabel, wayOutLabel, againstLabel, save);
+      this.presets, this.view, this.undoButton, this.redoButton, button("reset", () => this.reset()), freeLabel, wayOutLabel, againstLabel, save,
+      button("copy link to the scene", () => copyLink(this.model.get("site"), this.state.link), { shows: "copy link" }));
   }
 
   poseOf({ a, b, view, scene }) {

@@ -21,6 +21,11 @@ export function button(label, does, { shows, pressed = null, keys = null } = {})
   return element("button", what, shows ?? label);
 }
 
+// What a site's explorer opens: `site` is its address, empty where none is known.
+export function copyLink(site, link) {
+  navigator.clipboard?.writeText(`${site ?? ""}scene.html#${link}`);
+}
+
 // One menu of the files that can be saved, and more buttons.
 export function saveMenu(save, ...more) {
   const forms = ["svg", "png", "gif"].map((form) => button(`save ${form.toUpperCase()}`, () => save(form), { shows: form.toUpperCase() }));
@@ -85,7 +90,7 @@ const WIDE = 620; // points; what is wider has no table beside it
 // shows: one, or that of the early exit and that of every axis; narrow: the same for where these do not fit.
 // save(form, step, which) asks a kernel for a file.
 export class Player {
-  constructor(root, shows, { predict = false, save = null, narrow = [] } = {}) {
+  constructor(root, shows, { predict = false, save = null, narrow = [], link = "", site = "" } = {}) {
     this.root = root;
     this.shows = shows;
     this.which = 0;
@@ -100,7 +105,9 @@ export class Player {
     this.question = element("div", { class: "sv-question", role: "group", hidden: true });
     this.table = new Table(this.show.names);
     this.code = element("ol", { class: "sv-code", "aria-label": "the algorithm" });
+    this.link = () => `${link}&step=${this.at}${this.predict.checked ? "&predict=1" : ""}`;
     this.controls = this.makeControls(predict, save);
+    if (link) this.controls.append(button("copy link to the step", () => copyLink(site, this.link()), { shows: "copy link" }));
     const side = element("div", { class: "sv-side" }, this.code, element("div", { class: "sv-fold" }, this.table.element));
     const board = element("div", { class: "sv-board sv-scrolls" }, svg);
     const stage = element("div", { class: "sv-stage" }, board, this.question, this.sentence, this.controls);

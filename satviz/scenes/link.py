@@ -1,0 +1,124 @@
+"""A scene as a link: what stands behind the # of a site's explorer, read as strictly as a scene file.
+
+A built-in scene is its name; any other is its scene file in base64url.  What is shown of it follows,
+`&key=value` each: far-centers&view=truth, eyJzYXR2aXoi...&free=30, triangles&step=5&predict=1.
+"""
+
+import json
+import re
+from base64 import b64decode, urlsafe_b64encode
+from binascii import Error
+from contextlib import suppress
+from math import isfinite
+from typing import Any, NamedTuple
+
+from ..engine.geometry import InvalidScene
+from ..engine.shortcut import Shortcut
+from ..engine.trace import Trace
+from .article import SCENES
+from .failing import REFUSED, ROWS
+from .named import scene
+from .scenefile import CHOICES, MAX_CHARS, NAME, Scene
+
+ALL = (*SCENES, *(row.scene for row in ROWS if row.how != REFUSED))
+PAGE = "scene.html"  # the site's explorer
+VIEWS = "shortcut", "truth"
+GOALS = ONE_AXIS, TOUCH, BREAK = "one-axis", "touch", "break"  # what a challenge asks
+WHOLE = re.compile(r"[0-9]{1,6}")
+DEGREE = re.compile(r"-?[0-9]{1,6}(\.[0-9]{1,12})?")
+
+
+class Shown(NamedTuple):
+    """What of a scene is shown: a free axis in degrees, a row, a view; a step of the player; a challenge's goal."""
+
+    free: float | None = None
+    row: int | None = None
+    view: str | None = None
+    way_out: bool = False
+    against: bool = False
+    step: int | None = None
+    predict: bool = False
+    goal: str | None = None
+
+
+AS_IT_COMES = Shown()
+
+
+def link(shown: Scene | str, *, site: str = "", **more: Any) -> str:
+    """The link that opens a scene (or the built-in one of that name) on a site, by default relative to its folder.
+
+    `more` says what is shown: free=30.0, row=2, view="truth", way_out=True, against=True, or for the
+    player step=5, predict=True.  InvalidScene for a name or a value that cannot be opened again.
+    """
+    found = scene(shown) if isinstance(shown, str) else shown
+    if not isinstance(found, Scene):
+        raise TypeError(f"shown is a {type(shown).__name__}: pass a scene or its name")
+    end = "" if not site or site.endswith("/") else "/"
+    made = fragment(found, Shown(**more))
+    opened(made)
+    return f"{site}{end}{PAGE}#{made}"
+
+
+def fragment(found: Scene, shown: Shown = AS_IT_COMES) -> str:
+    """What stands behind the #."""
+    text = json.dumps(json.loads(found.to_json()), separators=(",", ":"), ensure_ascii=False)
+    words = [found.name if found in ALL else urlsafe_b64encode(text.encode()).decode().rstrip("=")]
+    for key, value in shown._asdict().items():
+        if value is not None and value is not False:
+            words.append(f"{key.replace('_', '-')}={int(value) if value is True else value}")
+    return "&".join(words)
+
+
+def of_trace(trace: Trace) -> str:
+    """What stands behind the # for a trace's scene; empty where its axes have no name, or a shape is too large."""
+    axes = next((name for name in CHOICES if _is_of(trace, name)), None)
+    if axes is None:
+        return ""
+    made = Scene("scene", trace.a, trace.b, axes, trace.every_axis)
+    known = (s for s in ALL if (s.a, s.b, s.axes, s.every_axis) == (made.a, made.b, made.axes, made.every_axis))
+    with suppress(InvalidScene):
+        return fragment(next(known, made))
+    return ""
+
+
+def _is_of(trace: Trace, name: str) -> bool:
+    """Is it a run of the choice of axes of that name?"""
+    choice = CHOICES[name]
+    if trace.shortcut or isinstance(choice, Shortcut):
+        return choice is trace.shortcut
+    return name == "needed" if trace.pairs else choice(trace.a, trace.b) == trace.choice
+
+
+def opened(text: str) -> tuple[Scene, Shown]:
+    """The scene of a link and what is shown of it; InvalidScene says what is wrong."""
+    if len(text) > 2 * MAX_CHARS:
+        raise InvalidScene(f"the link has {len(text):,} letters: the limit is {2 * MAX_CHARS:,}")
+    first, *rest = text.split("&")
+    values: dict[str, Any] = {}
+    for word in rest:
+        key, _, value = word.partition("=")
+        if key.replace("-", "_") not in Shown._fields or key.replace("-", "_") in values:
+            raise InvalidScene(f"the link says {key[:40]!r}, which is unknown or said twice")
+        values[key.replace("-", "_")] = _value(key, value)
+    return scene(first) if NAME.fullmatch(first) else _decoded(first), Shown(**values)
+
+
+def _decoded(text: str) -> Scene:
+    try:
+        raw = b64decode(text.encode() + b"=" * (-len(text) % 4), altchars=b"-_", validate=True)
+        return Scene.from_json(raw.decode())
+    except (Error, UnicodeError, InvalidScene) as error:
+        why = error if isinstance(error, InvalidScene) else "it is cut off or not one of satviz"
+        raise InvalidScene(f"the link holds no scene: {why}") from None
+
+
+def _value(key: str, text: str) -> Any:
+    if key == "free" and DEGREE.fullmatch(text) and isfinite(float(text)):
+        return float(text)
+    if key in ("row", "step") and WHOLE.fullmatch(text):
+        return int(text)
+    if text in {"view": VIEWS, "goal": GOALS}.get(key, ()):
+        return text
+    if key in ("way-out", "against", "predict") and text == "1":
+        return True
+    raise InvalidScene(f"the link says {key}={text[:40]!r}, which means nothing")

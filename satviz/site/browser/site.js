@@ -1,0 +1,155 @@
+// The pages: players start at once, explorers when Python is there.  The widgets' own code runs over a small model.
+
+const HERE = new URL(".", location).href;
+
+// Python in a worker, one for the page.
+class Python {
+  constructor(script) {
+    this.models = new Map();
+    this.told = []; // who follows the start
+    this.started = performance.now();
+    this.worker = new Worker(script, { type: "module" });
+    this.worker.onmessage = ({ data }) => this.heard(data);
+    this.worker.onerror = () => this.heard({ failed: "its script does not load" });
+  }
+  heard({ place, text, ...start }) {
+    if (place) this.models.get(place)?.heard(JSON.parse(text));
+    else for (const follow of this.told) follow(start);
+  }
+  send(place, content) {
+    this.worker.postMessage({ place, content });
+  }
+}
+
+// What a widget asks of its model.
+class Model {
+  constructor(python, place, values = {}) {
+    Object.assign(this, { python, place, values, listeners: new Set() });
+    python.models.set(place, this);
+  }
+  get(name) {
+    return this.values[name];
+  }
+  on(_event, listener) {
+    this.listeners.add(listener);
+  }
+  off(_event, listener) {
+    this.listeners.delete(listener);
+  }
+  send(content) {
+    if (content.kind === "save") this.tell({ kind: "refused", why: "files are made where satviz is installed (satviz draw)" });
+    else if (content.kind) this.python.send(this.place, content);
+  }
+  tell(content) {
+    for (const listener of this.listeners) listener(content, []);
+  }
+  heard(content) {
+    if (content.kind === "opened" || (content.kind === "refused" && content.n === undefined)) this.opened(content);
+    if (content.kind === "state") this.follows(content);
+    this.tell(content);
+  }
+}
+
+// A place for a scene: its still picture, until Python has opened what stands behind the #.
+class Place {
+  constructor(element, python, number, linked) {
+    Object.assign(this, { element, python, linked, name: `place-${number}` });
+    this.status = element.nextElementSibling;
+    this.way = this.status.nextElementSibling.firstElementChild;
+    this.model = new Model(python, this.name);
+    this.model.opened = (content) => this.opened(content);
+    this.model.follows = (state) => this.follows(state);
+    python.told.push((start) => this.follow(start));
+    this.open();
+    if (linked) addEventListener("hashchange", () => this.open());
+  }
+  open() {
+    const behind = this.linked && location.hash.length > 1 ? decoded(location.hash.slice(1)) : this.element.dataset.hash;
+    this.python.send(this.name, { kind: "open", hash: behind });
+  }
+  follow({ progress, ready, failed }) {
+    if (ready) this.element.dataset.from = ready; // where Python started from
+    if (ready) this.say("");
+    else if (failed) this.say("This picture stays still: Python could not start in this browser.");
+    else if (progress < 1) this.say(`Python is on its way: ${Math.round(progress * 100)} %. Then you can drag.`);
+    else this.say("Python is starting. Then you can drag.");
+  }
+  // The way to the explorer, or on its own page the address, is a link to the scene as it stands.
+  follows({ link, goal }) {
+    this.challenge(goal);
+    const to = new URL(this.way.href);
+    to.hash = link;
+    this.way.href = to.href;
+    clearTimeout(this.later);
+    if (this.linked) this.later = setTimeout(() => history.replaceState(null, "", to.hash), 300);
+  }
+  // What is asked, how the scene stands to it, and a hint for who wants one.
+  challenge(goal) {
+    if (!this.goal) {
+      this.goal = element("div", { class: "goal" });
+      this.goal.says = element("span", { role: "status" });
+      this.goal.hint = element("p");
+      this.goal.asks = element("b");
+      this.goal.append(this.goal.asks, this.goal.says, element("details", {}, element("summary", {}, "a hint"), this.goal.hint));
+      this.element.before(this.goal);
+    }
+    this.goal.hidden = !goal;
+    if (!goal) return;
+    this.goal.classList.toggle("met", goal.met);
+    for (const [part, text] of [[this.goal.asks, goal.asks], [this.goal.says, goal.says], [this.goal.hint, goal.hint]]) {
+      if (part.textContent !== text) part.textContent = text;
+    }
+  }
+  say(text) {
+    if (this.status.textContent !== text) this.status.textContent = text;
+  }
+  opened(content) {
+    if (content.kind === "refused") return this.say(`This link cannot be opened: ${content.why}`);
+    this.say("");
+    this.challenge(content.goal);
+    const made = element("div");
+    this.shown?.remove();
+    if (content.shows) {
+      this.shown = new Player(made, content.shows, { ...content, site: HERE });
+      this.shown.go(content.step, { animate: false });
+    } else {
+      this.model.values = { ...content, site: HERE };
+      this.model.listeners.clear();
+      this.shown = new Explorer(this.model, made);
+      show(this.shown, content.pose);
+    }
+    this.element.replaceChildren(made);
+    this.element.classList.add("ready");
+    performance.measure("satviz-first-drag", { start: 0, end: performance.now() });
+  }
+}
+
+// An explorer in the state that a link asks for.
+function show(explorer, { degree, wayOut, against, pinned }) {
+  explorer.pose = { ...explorer.pose, degree, wayOut, against, pinned };
+  const boxes = explorer.root.querySelectorAll("input[type=checkbox]");
+  [degree !== null, wayOut, against].forEach((on, i) => (boxes[i].checked = on));
+}
+
+function decoded(text) {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
+for (const place of document.querySelectorAll(".player")) {
+  const { shows, ...more } = JSON.parse(place.querySelector("script").textContent);
+  const made = element("div");
+  new Player(made, shows, { ...more, site: HERE });
+  place.replaceChildren(made);
+}
+const scenes = [...document.querySelectorAll(".live")];
+if (document.body.dataset.python && scenes.length) {
+  const python = new Python(document.body.dataset.python);
+  scenes.forEach((place, i) => new Place(place, python, i, document.body.classList.contains("explorer")));
+} else {
+  for (const place of scenes) place.nextElementSibling.textContent = "This copy of the site has no Python in it, so the picture stays still.";
+}
+if (isSecureContext && "serviceWorker" in navigator) navigator.serviceWorker.register("sw.js").catch(() => {});

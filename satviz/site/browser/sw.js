@@ -1,0 +1,28 @@
+// Keeps the site's files: those with a version as they are, pages anew where there is a network.
+const KEPT = "satviz VERSION";
+
+self.addEventListener("install", () => self.skipWaiting());
+self.addEventListener("activate", (event) => event.waitUntil(clean()));
+self.addEventListener("fetch", (event) => {
+  const { url, method } = event.request;
+  if (method === "GET" && url.startsWith(self.registration.scope)) event.respondWith(answer(event.request, url.includes("?")));
+});
+
+async function clean() {
+  for (const name of await caches.keys()) if (name.startsWith("satviz ") && name !== KEPT) await caches.delete(name);
+  await self.clients.claim();
+}
+
+async function answer(request, versioned) {
+  const cache = await caches.open(KEPT);
+  const kept = await cache.match(request);
+  if (kept && versioned) return kept;
+  try {
+    const found = await fetch(request);
+    if (found.ok) await cache.put(request, found.clone());
+    return found;
+  } catch (error) {
+    if (kept) return kept;
+    throw error;
+  }
+}

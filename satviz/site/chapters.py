@@ -1,0 +1,153 @@
+"""The walkthrough's notebooks as pages: prose, folded code, the stored outputs, and what can be dragged or stepped."""
+
+import ast
+import io
+import json
+import re
+from collections.abc import Iterator
+from contextlib import redirect_stdout
+from html import escape
+from typing import Any, NamedTuple
+
+import satviz
+
+from ..engine.trace import Trace
+from ..extras import needs
+from ..scenes.named import scene
+from ..scenes.scenefile import Scene
+from ..widgets.exploring import Exploring
+from . import parts
+from .themed import themed
+from .walkthrough import shipped
+
+WAY = re.compile(r"(Back|Next): \[")  # a notebook's own links to its neighbours: a page has its own
+# what a notebook says of itself, and what a page says for it
+OF_NOTEBOOKS = [
+    (re.compile(r"[^.\n]*Shift\+Enter[^.\n]*\. ?|\([^()]*(saved copy|run the cell)[^()]*\)"), ""),
+    (re.compile(r"(?<=efore you )run (the next cell|the cell after it|a cell|it)\b"), "look"),
+    (re.compile(r"\bThe next cell (shows|draws)\b"), "Below you see"),
+    (re.compile(r"\bIn the next cell\b"), "Below"),
+    (re.compile(r"\bin the next cell\b"), "below"),
+    (re.compile(r"\bThe (next )?cell\b(?= [a-z]+s\b)"), "The code below"),
+    (re.compile(r"\bthe (next cell|cell after it)\b"), "the code below"),
+]
+
+
+class Chapter(NamedTuple):
+    """A chapter: its page, the title with its number, and the notebook's cells."""
+
+    path: str
+    title: str
+    notebook: str
+    cells: list[dict[str, Any]]
+
+
+def chapters() -> list[Chapter]:
+    """All chapters in their order."""
+    found = []
+    for path in shipped():
+        cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+        title = "".join(cells[0]["source"]).partition("\n")[0].removeprefix("# ")
+        found.append(Chapter(f"{path.stem}.html", title, path.name, cells))
+    return found
+
+
+def body(chapter: Chapter) -> str:
+    """The chapter's HTML, whole without JavaScript; ImportError says what to install where nothing reads Markdown."""
+    markdown = _markdown()
+    made, asked, names = [], False, _Names(chapter.cells)
+    for i, cell in enumerate(chapter.cells):
+        source = "".join(cell["source"])
+        if cell["cell_type"] == "markdown":
+            for pattern, instead in OF_NOTEBOOKS:
+                source = pattern.sub(instead, source)
+            paragraphs = [p for p in source.split("\n\n") if not WAY.match(p)]
+            made.append(markdown.render(re.sub(r"\]\(([\w-]+)\.ipynb\)", r"](\1.html)", "\n\n".join(paragraphs))))
+            asked = bool(paragraphs) and "**" in paragraphs[-1] and "?" in paragraphs[-1]
+        else:
+            shown = names.widget(i)
+            if shown is None or len(ast.parse(source).body) > 1:  # else the code says what the reader sees
+                made.append(_code(source))
+            out = "".join(map(_output, cell["outputs"]))
+            made.append(shown or (_later(out) if asked and out else out))
+            asked = False
+    return "\n".join(made)
+
+
+def _markdown() -> Any:
+    try:
+        from markdown_it import MarkdownIt
+    except ImportError:
+        raise ImportError(needs("a site's chapters", "site")) from None
+    return MarkdownIt("commonmark", {"html": True, "highlight": _highlighted}).enable("table")
+
+
+def _highlighted(code: str, _language: str, _attributes: str) -> str:
+    from pygments import highlight
+    from pygments.formatters import HtmlFormatter
+    from pygments.lexers import PythonLexer
+
+    return f'<pre class="code">{highlight(code, PythonLexer(), HtmlFormatter(nowrap=True))}</pre>'
+
+
+def _code(source: str) -> str:
+    lines = source.count("\n") + 1
+    says = "the code" if lines == 1 else f"the code, {lines} lines"
+    return f'<details class="cell"><summary>{says}</summary>{_highlighted(source, "", "")}</details>'
+
+
+def _later(out: str) -> str:
+    return f'<details class="later"><summary>I have guessed: show it</summary>{out}</details>'
+
+
+def _output(output: dict[str, Any]) -> str:
+    if output["output_type"] == "stream":
+        return f'<pre class="out">{escape("".join(output["text"]))}</pre>'
+    data = {kind: "".join(value) for kind, value in output.get("data", {}).items()}
+    if "image/svg+xml" in data:
+        return f"<figure>{themed(data['image/svg+xml'])}</figure>"
+    return f'<pre class="out">{escape(data.get("text/plain", ""))}</pre>'
+
+
+class _Names:
+    """What a notebook's widgets show; cells are run only where what they show is worked out in the notebook."""
+
+    def __init__(self, cells: list[dict[str, Any]]) -> None:
+        self.sources = ["".join(cell["source"]) if cell["cell_type"] == "code" else "" for cell in cells]
+        self.done = 0
+        self.names: dict[str, Any] = {"sv": satviz}
+
+    def widget(self, i: int) -> str | None:
+        """HTML of the explorer or the player that cell i shows; None if it shows none."""
+        *before, last = ast.parse(self.sources[i]).body or [ast.Pass()]
+        call = last.value if isinstance(last, ast.Expr) else None
+        if not isinstance(call, ast.Call) or ast.unparse(call.func) not in ("sv.play", "sv.explore"):
+            return None
+        if any(isinstance(node, ast.Name) and node.id != "sv" for each in call.args for node in ast.walk(each)):
+            self._run([*self.sources[self.done : i], *map(ast.unparse, before)])
+            self.done = i + 1
+        what, *more = [eval(ast.unparse(argument), self.names) for argument in call.args]
+        shown = Scene("scene", what, *more) if more else scene(what) if isinstance(what, str) else what
+        if ast.unparse(call.func) == "sv.explore":
+            return parts.explorer(Exploring(shown))
+        trace = shown if isinstance(shown, Trace) else shown.record()
+        return parts.player(trace, predict=any(word.arg == "predict" for word in call.keywords))
+
+    def _run(self, sources: list[str]) -> None:
+        for source in sources:
+            with redirect_stdout(io.StringIO()):
+                exec(source, self.names)
+
+
+def lead(chapter: Chapter) -> str:
+    """The first sentence of the chapter's prose, for a list of chapters."""
+    for paragraph in "".join(chapter.cells[0]["source"]).split("\n\n")[1:]:
+        if not WAY.match(paragraph) and not paragraph.startswith("#"):
+            return re.sub(r"[*`]|\]\([^)]*\)|\[", "", paragraph.partition("\n")[0])
+    return ""
+
+
+def all_pages() -> Iterator[tuple[Chapter, str]]:
+    """Each chapter with its HTML."""
+    for chapter in chapters():
+        yield chapter, body(chapter)

@@ -1,0 +1,103 @@
+"""Challenges: what a scene under the hand is to become, judged by the engine.  (Standard library only.)"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import NamedTuple
+
+from ..engine import telling
+from ..engine.axes import needed
+from ..engine.geometry import InvalidScene, Relation, Vec
+from ..engine.trace import record
+from ..pictures.belief import said
+from ..pictures.layout import box_of
+from ..pictures.live import field
+from ..scenes.failing import REFUSED, ROWS, Row
+from ..scenes.failing.reading import moved
+from ..scenes.link import BREAK, ONE_AXIS, TOUCH
+from ..scenes.named import scene
+from ..scenes.scenefile import Scene
+
+ASKS = {
+    ONE_AXIS: "Make exactly one axis separate the shapes.",
+    TOUCH: "Make the shapes touch: not a hair apart, and no overlap.",
+    BREAK: "Break this shortcut: find a place where it is wrong.",
+}
+HINTS = {
+    ONE_AXIS: "One axis is enough to keep them apart. Push the shapes together until all gaps but one have closed.",
+    TOUCH: "Bring an edge flush with an edge, or a corner onto one. The arrow keys move a shape by the same step each "
+    "time, with Shift by a tenth of it.",
+    BREAK: "Ask where the shortcut and the shapes disagree. If the picture shows a red region, the shortcut is wrong "
+    "while the black dot lies in it.",
+}
+STEPS, WAYS = (1, 2, 3, 4, 6, 8), ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1))
+
+
+class Judged(NamedTuple):
+    """Is it reached, what is asked, how the scene stands to it, and a hint."""
+
+    met: bool
+    asks: str
+    says: str
+    hint: str
+
+
+def judged(goal: str, shown: Scene) -> Judged:
+    """How a scene stands to a goal; InvalidScene for a goal that the scene cannot have."""
+    met, says = {ONE_AXIS: _one_axis, TOUCH: _touch, BREAK: _break}[goal](shown)
+    return Judged(met, ASKS[goal], says, HINTS[goal])
+
+
+def challenges() -> Iterator[tuple[str, Scene]]:
+    """(goal, the scene to begin with) of those that the site sets."""
+    yield TOUCH, scene("aabb")
+    yield ONE_AXIS, replace(scene("triangles"), axes="needed")
+    yield TOUCH, scene("circle-polygon")
+    for row in ROWS:
+        start = None if row.how == REFUSED else harmless(row)
+        if start:
+            yield BREAK, start
+
+
+def harmless(row: Row) -> Scene | None:
+    """The row's scene with B moved to where the shortcut happens to be right; None where no such place is near."""
+    a, b = row.shapes
+    x0, y0, x1, y1 = box_of([a, b])
+    step = float(f"{max(x1 - x0, y1 - y0) / 4:.1g}")
+    for size in STEPS:
+        for x, y in WAYS:
+            start = replace(row.scene, b=moved(b, Vec(size * step * x, size * step * y)))
+            if not said(start.record()).is_wrong:
+                field(start.record())
+                return start
+    return None
+
+
+def _one_axis(shown: Scene) -> tuple[bool, str]:
+    trace = record(shown.a, shown.b, axes=needed, every_axis=True)
+    if trace.pairs:
+        return False, "A shape has a dent: here only convex shapes count."
+    count = sum(test.separates for test in trace.tests)
+    if count == 1:
+        return True, "Exactly one axis separates them."
+    return False, "No axis separates them: they collide." if not count else f"{count} axes separate them."
+
+
+def _touch(shown: Scene) -> tuple[bool, str]:
+    trace = record(shown.a, shown.b, every_axis=True)
+    if trace.relation is Relation.TOUCHING:
+        return True, "They touch, exactly."
+    if trace.relation is Relation.OVERLAPPING:
+        return False, "They overlap."
+    tests = [(run, test) for run in trace.pairs or (trace,) for test in run.tests]
+    run, best = max(tests, key=lambda pair: pair[1].gap)
+    return False, f"They are apart: {telling.outcome(best, telling.digits(run, best))}."
+
+
+def _break(shown: Scene) -> tuple[bool, str]:
+    trace = shown.record()
+    if trace.shortcut is None:
+        raise InvalidScene(f"the axes {shown.axes!r} are no shortcut, so there is nothing to break")
+    found = said(trace)
+    if found.is_wrong:
+        return True, f"Broken. It says {found.wrong}; right is {found.right}."
+    return False, f"Here it happens to be right: {found.right}."

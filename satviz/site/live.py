@@ -1,0 +1,81 @@
+"""What answers the pages: Python beside the page, one hand for each scene on it.  (Standard library only.)"""
+
+import json
+from typing import Any
+
+from ..engine.geometry import InvalidScene
+from ..pictures.playback import playbacks
+from ..scenes.article import SCENES
+from ..scenes.failing import REFUSED, ROWS
+from ..scenes.link import fragment, opened
+from ..scenes.scenefile import shape_data
+from ..scenes.strictjson import typed
+from ..widgets.exploring import Exploring
+from .goals import judged
+
+_hands: dict[str, Exploring] = {}
+_goals: dict[str, str] = {}  # of the places that have one
+PRESETS = {"presets": [s.name for s in SCENES], "failing": [row.name for row in ROWS if row.how != REFUSED]}
+
+
+def answer(place: str, text: str) -> str:
+    """The answer to a message from a place on the page, both JSON; empty for one that means nothing."""
+    content = json.loads(text)
+    if content.get("kind") == "open":
+        said: dict[str, Any] | None = _open(place, content)
+    else:
+        said = _hands[place].answer(content) if place in _hands else None
+        if content.get("kind") == "preset":
+            _goals.pop(place, None)
+        if said and said["kind"] == "state":
+            said |= _challenge(place, said["link"])
+    return "" if said is None else json.dumps(said, ensure_ascii=False, separators=(",", ":"))
+
+
+def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
+    """What a link shows: the state of an explorer, the show of a player, or why it cannot be opened."""
+    try:
+        scene, shown = opened(typed(content.get("hash"), "the link", str))
+        if shown.step is not None or shown.predict:
+            last = len((shows := playbacks(scene.record()))[0]["steps"]) - 1
+            step = min(shown.step or 0, last)
+            return {
+                "kind": "opened",
+                "title": scene.title,
+                "shows": shows,
+                "step": step,
+                "predict": shown.predict,
+                "link": fragment(scene),
+            }
+        hand = Exploring(scene)
+        pose: dict[str, Any] = {
+            "degree": shown.free,
+            "wayOut": shown.way_out,
+            "against": shown.against,
+            "pinned": shown.row,
+        }
+        pose |= {"view": shown.view} if shown.view else {}
+        if any(value not in (None, False) for value in pose.values()):
+            said = hand.answer({"kind": "pose", "a": shape_data(scene.a), "b": shape_data(scene.b), **pose})
+            if said and said["kind"] == "refused":
+                raise InvalidScene(said["why"])
+        if shown.goal:
+            judged(shown.goal, scene)
+    except ValueError as error:
+        return {"kind": "refused", "why": str(error)}
+    _hands[place] = hand
+    _goals.pop(place, None)
+    if shown.goal:
+        _goals[place] = shown.goal
+    first = hand.state()
+    return {"kind": "opened", "title": scene.title, "first": first, "pose": pose, **PRESETS} | _challenge(
+        place, first["link"]
+    )
+
+
+def _challenge(place: str, link: str) -> dict[str, Any]:
+    """How the scene stands to the place's goal, and a link that sets it."""
+    if place not in _goals:
+        return {}
+    goal = _goals[place]
+    return {"goal": judged(goal, _hands[place].scene)._asdict(), "link": f"{link}&goal={goal}"}

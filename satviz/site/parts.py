@@ -1,0 +1,42 @@
+"""Parts that several pages show: a scene that can be dragged once Python is there, a player; each whole before."""
+
+import json
+from html import escape
+
+from ..engine.trace import Trace
+from ..pictures import Picture, picture
+from ..pictures.playback import playbacks
+from ..render.notebook import bundle
+from ..scenes.link import PAGE, fragment, of_trace
+from ..widgets.exploring import Exploring
+from .themed import themed
+
+
+def drawn(picture: Picture) -> str:
+    """The picture as an SVG element of the page."""
+    return themed(bundle(picture)["image/svg+xml"])
+
+
+def explorer(hand: Exploring) -> str:
+    """A scene as it stands, its sentence and its table; a live one takes its place when Python is there."""
+    behind, drawing = escape(fragment(hand.scene)), hand.picture()
+    return (
+        f'<div class="live" data-hash="{behind}"><div class="satviz still"><div class="sv-columns">'
+        f'<div class="sv-stage">{drawn(drawing)}<p class="sv-sentence">{escape(drawing.sentence)}</p></div>'
+        f'<div class="sv-side"><pre class="out">{escape(str(hand.trace))}</pre></div></div></div></div>'
+        f'<p class="status" role="status"></p><p class="open"><a href="{PAGE}#{behind}">Open in the explorer</a></p>'
+    )
+
+
+def player(trace: Trace, *, predict: bool = False) -> str:
+    """A player, which needs no Python; without JavaScript the last picture and every step's sentence."""
+    shows = playbacks(trace)
+    sentences = "".join(f"<li>{escape(step['sentence'])}</li>" for step in shows[0]["steps"])
+    data = json.dumps(
+        {"shows": shows, "predict": predict, "link": of_trace(trace)}, separators=(",", ":"), ensure_ascii=False
+    ).replace("<", "\\u003c")
+    return (
+        f'<div class="player"><div class="still"><figure>{drawn(picture(trace))}</figure>'
+        f"<details><summary>step by step, in words</summary><ol>{sentences}</ol></details></div>"
+        f'<script type="application/json">{data}</script></div>'
+    )

@@ -1,0 +1,364 @@
+"""The site without its Python: whole as HTML and SVG, nothing from elsewhere, links that open what they say."""
+
+import gzip
+import io
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import urllib.error
+import urllib.request
+from base64 import urlsafe_b64encode
+from html import unescape
+from urllib.parse import urldefrag
+from zipfile import ZipFile
+
+import pytest
+
+import satviz as sv
+from satviz.cli import main
+from satviz.engine.geometry import InvalidScene
+from satviz.scenes import link as links
+from satviz.scenes.article import SCENES
+from satviz.scenes.failing import REFUSED, ROWS
+from satviz.site import chapters, goals, live, runtime
+
+pytest.importorskip("markdown_it", reason="a site needs markdown-it-py: python -m pip install '.[site]'")
+
+from satviz.site.build import site
+from satviz.site.themed import themed
+
+
+@pytest.fixture(scope="module")
+def files():
+    found, lacks = site(live=False)
+    assert not lacks
+    return dict(found)
+
+
+@pytest.fixture(scope="module")
+def pages(files):
+    return {path: data.decode() for path, data in files.items() if path.endswith(".html")}
+
+
+def test_every_link_of_the_site_leads_to_one_of_its_files(files, pages):
+    for path, page in pages.items():
+        for to in map(unescape, re.findall(r'(?:href|src)="([^"]+)"', page)):
+            name = urldefrag(to).url.partition("?")[0]
+            assert not name or name in files, f"{path} -> {to}"
+            if to.startswith("scene.html#"):
+                assert links.opened(to.partition("#")[2]), to
+            elif "#" in to:
+                assert f'id="{to.partition("#")[2]}"' in pages[to.partition("#")[0] or path], to
+
+
+def test_nothing_comes_from_elsewhere(files):
+    for path, data in files.items():
+        found = data.decode().replace("http://www.w3.org/", "").replace("http://purl.org/", "")
+        found = re.sub(r"https?://(creativecommons|matplotlib)\.org", "", found)  # in a picture's note of its maker
+        assert "http://" not in found and "https://" not in found and "@import" not in found, path
+
+
+def test_scripts_and_styles_are_files_only(pages):
+    """So that the policy needs no exception: an inline style or script would be blocked, and drawn wrong."""
+    for path, page in pages.items():
+        assert "unsafe-inline" not in page and "default-src 'none'" in page
+        assert not re.search(r"<style|\sstyle=|\son[a-z]+=|javascript:", page), path
+        assert all('type="application/json"' in tag or 'src="' in tag for tag in re.findall(r"<script[^>]*>", page)), (
+            path
+        )
+
+
+def test_what_has_the_same_id_is_the_same(pages):
+    """Two pictures may clip to the same frame; nothing else is named twice."""
+    for path, page in pages.items():
+        ids = re.findall(r'\sid="([^"]+)"', page)
+        for i in {i for i in ids if ids.count(i) > 1}:
+            whole = set(re.findall(rf'<(?:clipPath|path) id="{re.escape(i)}".*?(?:</clipPath>|/>)', page, re.DOTALL))
+            assert len({re.sub(r"\s+", " ", one) for one in whole}) == 1, (path, i)
+
+
+def test_a_chapter_is_whole_without_javascript(pages):
+    page = pages["2-sat.html"]
+    assert "<h1>2 The Separating Axis Theorem</h1>" in page
+    assert page.count('<svg class="picture"') > 8 and page.count("<summary>Solution</summary>") == 3
+    assert 'rel="prev" href="1-aabb.html"' in page and 'rel="next" href="3-circles.html"' in page
+    assert '<details class="cell">' in page and "depth 0.728" in page
+
+
+def shown_by(chapter, function):
+    """How many cells end with a call of that function."""
+    ends = ["".join(cell["source"]).rsplit("\n", 1)[-1] for cell in chapter.cells if cell["cell_type"] == "code"]
+    return sum(end.startswith(function) for end in ends)
+
+
+def test_what_a_notebook_plays_and_explores_is_played_and_explored_by_its_page(pages):
+    known = chapters.chapters()
+    for chapter in known:
+        page = pages[chapter.path]
+        found = page.count('<div class="player">'), page.count('<div class="live"')
+        assert found == (shown_by(chapter, "sv.play("), shown_by(chapter, "sv.explore(")), chapter.path
+    assert sum(shown_by(chapter, "sv.explore(") for chapter in known) >= 6
+    shown = re.search(r'data-hash="([^"]+)"', pages["3-circles.html"])[1]
+    assert links.opened(shown)[0].b == sv.Circle((7, 4), 1.5)
+
+
+def test_a_question_comes_before_its_answer(pages):
+    later = re.findall(r'<details class="later">.*?</details>', pages["2-sat.html"], re.DOTALL)
+    assert len(later) >= 2 and any("the other:    (-2, -3)" in answer for answer in later)
+
+
+def test_a_page_does_not_speak_of_running_cells(pages):
+    for path, page in pages.items():
+        assert not re.search(
+            r"Shift\+Enter|next cell|saved copy|[Rr]un the cell|you run|JupyterLab</|In JupyterLab", page
+        ), path
+
+
+def test_the_gallery_has_every_scene(files, pages):
+    for name in [scene.name for scene in SCENES] + [row.name for row in ROWS]:
+        assert f"pictures/{name}.svg" in files and f'src="pictures/{name}.svg"' in pages["gallery.html"]
+    openable = set(re.findall(r'href="scene.html#([^"]+)"', pages["gallery.html"]))
+    assert openable == {s.name for s in SCENES} | {row.name for row in ROWS if row.how != REFUSED}
+
+
+def test_pictures_follow_the_theme(pages, files):
+    assert not re.search(r'(?:fill|stroke)="#', pages["2-sat.html"])
+    assert "prefers-color-scheme: dark" in files["pictures/triangles.svg"].decode()
+    assert 'fill="var(--sv-A)"' in themed('<svg ><g style="fill: #0072b2"/></svg>')
+
+
+def test_the_command_writes_a_site_over_its_own_and_over_nothing_else(tmp_path, capsys, files, monkeypatch):
+    monkeypatch.setattr("satviz.site.build.site", lambda **_: (iter(files.items()), []))
+    out = tmp_path / "site"
+    for _ in range(2):
+        assert main(["site", str(out), "--still"]) == 0
+    assert "site" in capsys.readouterr().out
+    (out / "site.css").write_text("mine")
+    assert main(["site", str(out), "--still"]) == 2
+    assert (out / "site.css").read_text() == "mine" and "was not made by satviz" in capsys.readouterr().err
+
+
+def test_without_npm_the_site_is_made_and_one_line_says_so(monkeypatch, tmp_path):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(runtime, "which", lambda name: None)
+    found, lacks = site()
+    assert lacks == ["npm is not installed: the site is whole, but its scenes stay still"]
+    assert next(found)[0] == "site.js"
+
+
+@pytest.mark.parametrize("version, why", [(None, "holds no Pyodide"), ("0.1", "goes with")])
+def test_another_pyodide_is_refused(tmp_path, version, why):
+    if version:
+        (tmp_path / "package.json").write_text(json.dumps({"version": version}))
+        for name in runtime.CORE:
+            (tmp_path / name).write_text("")
+    with pytest.raises(runtime.Missing, match=why):
+        runtime.runtime(tmp_path)
+
+
+def test_a_folder_without_pyodide_is_bad_input(tmp_path, capsys):
+    assert main(["site", str(tmp_path / "out"), "--pyodide", str(tmp_path)]) == 2
+    assert "holds no Pyodide" in capsys.readouterr().err and not (tmp_path / "out").exists()
+
+
+@pytest.mark.slow
+def test_open_serves_the_site_until_it_is_interrupted(tmp_path):
+    command = [sys.executable, "-m", "satviz", "site", str(tmp_path / "site"), "--still", "--open"]
+    env = {**os.environ, "BROWSER": "true"}  # a program that does nothing with the address
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=env) as process:
+        try:
+            address = next(word for line in process.stdout for word in line.split() if word.startswith("http"))
+            with urllib.request.urlopen(f"{address}python/no") as _:
+                pass
+        except urllib.error.HTTPError as error:
+            assert error.code == 404 and "default-src 'none'" in error.headers["Content-Security-Policy"]
+        with urllib.request.urlopen(address) as found:
+            assert b"Do they collide?" in found.read()
+        process.send_signal(signal.SIGINT)
+        assert process.wait(20) == 130 and "Traceback" not in process.stderr.read()
+
+
+def test_a_package_with_another_hash_is_refused(monkeypatch, tmp_path):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(runtime, "_fetched", lambda: b"another")
+    with pytest.raises(runtime.Missing, match="hash"):
+        runtime.runtime(None)
+    assert not list(tmp_path.rglob("*.tgz"))
+
+
+def test_what_is_packed_is_plain_gzip_the_same_each_time():
+    data = bytes(range(256)) * 300
+    assert gzip.decompress(runtime.packed(data)) == data and runtime.packed(data) == runtime.packed(data)
+
+
+def test_the_pages_python_needs_the_standard_library_only(tmp_path):
+    """Unpacked by itself it opens a scene and answers a pose, with nothing else to import."""
+    ZipFile(io.BytesIO(runtime.zipped())).extractall(tmp_path)
+    code = (
+        "import json, sys; from satviz.site import live\n"
+        "state = json.loads(live.answer('p', json.dumps({'kind': 'open', 'hash': 'triangles'})))['first']\n"
+        "pose = {'kind': 'pose', 'n': 1, 'a': state['a'], 'b': state['b'], 'degree': 30}\n"
+        "assert json.loads(live.answer('p', json.dumps(pose)))['kind'] == 'state'\n"
+        "assert not {'numpy', 'matplotlib', 'anywidget', 'PIL'} & set(sys.modules)\n"
+        "print(live.__file__)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, env={}, capture_output=True, text=True, check=True
+    )
+    assert str(tmp_path) in done.stdout
+
+
+# -- links
+
+
+def opened(text):
+    return json.loads(live.answer("place", json.dumps({"kind": "open", "hash": text})))
+
+
+@pytest.mark.parametrize("name", [scene.name for scene in SCENES] + [r.name for r in ROWS if r.how != REFUSED])
+def test_a_built_in_scene_is_its_name(name):
+    assert sv.link(name) == f"scene.html#{name}"
+    assert links.opened(name)[0] == sv.scene(name)
+
+
+def test_any_other_scene_comes_whole_and_is_the_same_again():
+    mine = sv.Scene(
+        "kite", sv.Polygon([(0, 0), (0.1, -1), (6, 0)], ["w", "é", "n"]), sv.Circle((5.5, 3), 1), title="Ä & <b>"
+    )
+    made = sv.link(mine, site="https://example.org/satviz", free=30.5, way_out=True)
+    assert made.startswith("https://example.org/satviz/scene.html#") and re.fullmatch(
+        r"[\w\-&=.]+", made.partition("#")[2]
+    )
+    assert links.opened(made.partition("#")[2]) == (mine, links.Shown(free=30.5, way_out=True))
+
+
+def test_a_link_opens_the_same_state():
+    state = opened("triangles&free=30&way-out=1&against=1")
+    assert "at 30 degrees" in state["first"]["sentence"] and "difference" in state["first"]
+    assert state["pose"]["degree"] == 30 and state["pose"]["wayOut"] and state["pose"]["against"]
+    assert opened("far-centers&view=truth")["first"]["view"] == "truth"
+    assert opened("triangles&row=4")["first"]["lit"] == 4
+    player = opened("triangles&step=5&predict=1")
+    assert player["step"] == 5 and player["predict"] and len(player["shows"][0]["steps"]) == 16
+
+
+def test_the_state_says_the_link_that_opens_it_again():
+    first = opened("triangles")["first"]
+    pose = {"kind": "pose", "n": 1, "a": first["a"], "b": {"circle": [4, 4], "radius": 1}, "degree": 12.5}
+    said = json.loads(live.answer("place", json.dumps(pose)))
+    again = opened(said["link"])["first"]
+    assert again["picture"]["marks"] and again["sentence"] == said["sentence"] and again["link"] == said["link"]
+
+
+def test_a_traces_link_is_its_scenes():
+    for scene in links.ALL:
+        assert links.opened(links.of_trace(scene.record()))[0].record() == scene.record(), scene.name
+    a, b = sv.Circle((0, 0), 1), sv.Circle((3, 0), 1)
+    assert links.opened(links.of_trace(sv.record(a, b)))[0].record() == sv.record(a, b)
+    assert links.of_trace(sv.record(a, b, axes=sv.axes.directions((1, 2)))) == ""
+
+
+def test_steps_of_a_player_end_at_the_last():
+    assert opened("triangles&step=999999")["step"] == 15
+
+
+BAD = [
+    "",
+    "nothing-of-that-name",
+    "eyJzYXR2",
+    "§",
+    "%%%",
+    "triangles&free=nan",
+    "triangles&free=1e999",
+    "triangles&free=30&free=30",
+    "triangles&step=-1",
+    "triangles&step=1.5",
+    "triangles&view=other",
+    "triangles&__class__=1",
+    "triangles&way-out=yes",
+    "no-area",
+    urlsafe_b64encode(b'{"satviz": "scene 1", "a": {"circle": [0, 0], "radius": 0}, "b": 1}').decode(),
+    urlsafe_b64encode(b"[" * 2000).decode(),
+    urlsafe_b64encode(b"\xff\xfe").decode(),
+]
+
+
+@pytest.mark.parametrize("text", BAD)
+def test_a_link_from_a_stranger_is_refused_by_name(text):
+    with pytest.raises(InvalidScene):
+        links.opened(text)
+    assert opened(text)["kind"] == "refused"
+
+
+def test_a_link_beyond_all_bounds_is_not_even_decoded():
+    with pytest.raises(InvalidScene, match="limit"):
+        links.opened("e" * (links.MAX_CHARS * 2 + 1))
+
+
+def test_what_cannot_be_opened_again_is_not_linked():
+    with pytest.raises(InvalidScene):
+        sv.link("triangles", view="other")
+    with pytest.raises(TypeError, match="a scene or its name"):
+        sv.link(sv.Circle((0, 0), 1))
+
+
+def test_draw_prints_the_link(capsys, tmp_path):
+    assert main(["draw", "far-centers", "--format", "link", "--site", "https://example.org/s/"]) == 0
+    assert capsys.readouterr().out == "https://example.org/s/scene.html#far-centers\n"
+    assert main(["draw", "triangles", "--axes", "world", "--format", "link", "--out", str(tmp_path / "no")]) == 0
+    shown, _ = links.opened(capsys.readouterr().out.strip().partition("#")[2])
+    assert shown.axes == "world" and not (tmp_path / "no").exists()
+
+
+# -- challenges
+
+
+def stands(goal, a, b, axes="needed"):
+    return goals.judged(goal, sv.Scene("mine", a, b, axes))
+
+
+def test_exactly_one_axis_is_one():
+    box, turned = sv.Polygon([(0, 0), (2, 0), (2, 2), (0, 2)]), sv.Polygon([(2.2, 1), (3.2, 0), (4.2, 1), (3.2, 2)])
+    assert stands("one-axis", box, turned).says == "Exactly one axis separates them."
+    assert not stands("one-axis", box, sv.Polygon([(9, 9), (11, 9), (10, 12)])).met
+    assert "collide" in stands("one-axis", box, sv.Circle((1, 1), 1)).says
+    assert "dent" in stands("one-axis", sv.Polygon([(0, 0), (4, 0), (1, 1), (0, 4)]), sv.Circle((9, 9), 1)).says
+
+
+def test_touching_is_exact():
+    box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+    assert stands("touch", box, sv.Circle((2, 0.5), 1)).met
+    hair = stands("touch", box, sv.Circle((2.0000000000000004, 0.5), 1))
+    assert not hair.met and "e" in hair.says  # a gap too small for three decimals is not told as 0
+    assert stands("touch", box, sv.Circle((1.9999999999999998, 0.5), 1)).says == "They overlap."
+
+
+def test_every_shortcut_that_can_be_broken_begins_unbroken_and_its_own_scene_breaks_it():
+    asked = [start for goal, start in goals.challenges() if goal == "break"]
+    assert len(asked) > 25
+    for start in asked:
+        assert not goals.judged("break", start).met and goals.judged("break", sv.scene(start.axes)).met, start.name
+
+
+def test_no_challenge_is_won_when_it_begins_and_each_has_its_link():
+    for goal, start in goals.challenges():
+        assert not goals.judged(goal, start).met
+        first = opened(sv.link(start, goal=goal).partition("#")[2])
+        assert first["goal"]["asks"] == goals.ASKS[goal] and first["link"].endswith(f"&goal={goal}")
+
+
+def test_a_drag_is_judged_and_a_preset_ends_the_challenge():
+    first = opened("aabb&goal=touch")["first"]
+    b = {"polygon": [[x - 2, y] for x, y in first["b"]["polygon"]]}
+    said = json.loads(live.answer("place", json.dumps({"kind": "pose", "n": 1, "a": first["a"], "b": b})))
+    assert said["goal"]["met"] and said["goal"]["says"] == "They touch, exactly."
+    said = json.loads(live.answer("place", json.dumps({"kind": "preset", "name": "circles"})))
+    assert "goal" not in said
+
+
+def test_a_goal_that_the_scene_cannot_have_is_refused():
+    assert "no shortcut" in opened("triangles&goal=break")["why"]
+    assert "means nothing" in opened("triangles&goal=win")["why"]
