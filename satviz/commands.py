@@ -139,7 +139,7 @@ def _page(trace: "Trace", title: str) -> bytes:
 
 
 def notebook(args: argparse.Namespace) -> int:
-    """Copy the walkthrough beside the reader, and open it."""
+    """Copy the walkthrough beside the reader, not yet run, and open it."""
     from importlib.util import find_spec
 
     from .site.walkthrough import shipped
@@ -147,7 +147,7 @@ def notebook(args: argparse.Namespace) -> int:
     sources = shipped()
     disk.folder(args.out)
     for source in sources:
-        copy, data = args.out / source.name, source.read_bytes()
+        copy, data = args.out / source.name, _not_yet_run(source.read_bytes())
         if os.path.lexists(copy) and not _holds(copy, data) and not args.force:
             say(f"{copy} was changed and is left alone (overwrite it with --force)")
         else:
@@ -159,6 +159,20 @@ def notebook(args: argparse.Namespace) -> int:
     if not find_spec("jupyterlab") or not find_spec("anywidget"):
         raise Refused(needs("opening the walkthrough", "jupyter"))
     return _jupyterlab(args.out)
+
+
+def _not_yet_run(data: bytes) -> bytes:
+    """A notebook without its outputs.
+
+    JupyterLab trusts none that it did not make: a picture would be its text, and each answer stands below its question.
+    """
+    import json
+
+    notebook = json.loads(data)
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "code":
+            cell["outputs"], cell["execution_count"] = [], None
+    return (json.dumps(notebook, indent=1, ensure_ascii=False) + "\n").encode()
 
 
 def _holds(path: Path, data: bytes) -> bool:

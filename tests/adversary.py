@@ -206,7 +206,7 @@ def float32_look(*numbers: float) -> float:
     p, q = _triangles(numbers)
     a, b = _group(p), _group(q)
     width = filter_numpy._width(a) + filter_numpy._width(b)
-    found, room = filter_numpy._look_32(a.x, a.y, b.x, b.y, width)
+    found, room = filter_numpy.look_32(a.x, a.y, b.x, b.y, width)
     return over(abs(Fraction(float(found[0])) - _exact_clearance(p, q)), float(room[0]))
 
 

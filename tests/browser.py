@@ -8,9 +8,12 @@ import signal
 import socket
 import subprocess
 import sys
+import tarfile
+import tempfile
 import time
 import urllib.request
 from contextlib import contextmanager
+from pathlib import Path
 
 import pytest
 
@@ -38,6 +41,55 @@ def chromium():
         browser = play.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
         yield browser
         browser.close()
+
+
+# The explorer over a model of a few lines instead of Jupyter's: `satviz.widgets.exploring` answers it.
+STAND_IN = """
+const data = await window.first();
+const heard = new Set();
+const on = (_, hears) => heard.add(hears);
+const off = (_, hears) => heard.delete(hears);
+const tell = (answer) => answer && heard.forEach((hears) => hears(answer, []));
+const send = (content) => void window.answer(content).then(tell);
+render({ model: { get: (name) => data[name], on, off, send }, el: document.querySelector("main") });
+"""
+
+
+@contextmanager
+def explored(browser, exploring, errors, **more):
+    """A page with the explorer alone; `more` is the browser's context."""
+    from satviz.render.script import javascript, stylesheet
+
+    context = browser.new_context(**more)
+    page = context.new_page()
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    first = {"first": exploring.state(), "presets": ["triangles", "circles"], "failing": ["aabb-turned"]}
+    page.expose_function("first", lambda: first)
+    page.expose_function("answer", exploring.answer)
+    script = javascript("pen", "player", "download", "explore").replace("export default", "const made =")
+    page.set_content(
+        '<!doctype html><html lang="en"><head><title>An explorer</title>'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<style>{stylesheet()}</style></head><body><h1>An explorer</h1><main></main>"
+        f'<script type="module">{script}{STAND_IN}</script></body></html>'
+    )
+    page.locator("[data-handle]").first.wait_for(state="attached")
+    yield page
+    context.close()
+
+
+def axe():
+    """The source of axe-core, which looks for what shuts people out; packed by npm."""
+    npm = shutil.which("npm")
+    if npm is None:
+        missing("npm, which has axe-core, is not installed")
+    with tempfile.TemporaryDirectory() as folder:
+        run = subprocess.run([npm, "pack", "axe-core@4"], cwd=folder, capture_output=True, text=True, timeout=120)
+        packed = list(Path(folder).glob("axe-core-*.tgz"))
+        if not packed:
+            missing(f"npm gives no axe-core: {run.stderr[-200:]}")
+        with tarfile.open(packed[0]) as found:
+            return found.extractfile("package/axe.min.js").read().decode()
 
 
 class Lab:

@@ -37,8 +37,9 @@ def refresh(path: Path) -> None:
     for cell in notebook.cells:
         tags = cell.metadata.get("tags")
         cell.metadata = nbformat.from_dict({"tags": tags} if tags else {})
-        for output in cell.get("outputs", ()):
-            output.get("data", {}).pop(DROPPED, None)
+        for output in [*cell.get("outputs", ())]:
+            if output.get("data", {}).pop(DROPPED, None) and set(output.data) == {"text/plain"}:
+                cell.outputs.remove(output)  # a widget that has no picture
     nbformat.validate(notebook)
     nbformat.write(notebook, path)
 

@@ -129,7 +129,7 @@ def test_the_float32_look_errs_less_than_its_room(v, w, far):
     b[::2] = a[::2, :1] + (b[::2] - b[::2, :1])  # half share a corner
     columns = [np.ascontiguousarray(shape[:, :, k].T) for shape in (a, b) for k in (0, 1)]
     width = 4.0
-    found, room = filter_numpy._look_32(*columns, width)
+    found, room = filter_numpy.look_32(*columns, width)
     size = np.sqrt(room / filter_numpy.LOOK_32)
     assert (size >= np.abs(b - a[:, :1]).max(axis=(1, 2)) * (1 - 1e-6)).all()
     near = [c - origin for c, origin in zip(columns, (columns[0][0], columns[1][0]) * 2)]

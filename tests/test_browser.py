@@ -79,6 +79,7 @@ class Hand:
 
     def file(self, name, widget=0):
         """The name and the bytes of the file that a button hands over."""
+        self.widgets.nth(widget).locator(".sv-menu summary").click()
         with self.page.expect_download() as found:
             self.press(name, widget)
         return found.value.suggested_filename, found.value.path().read_bytes()
@@ -126,7 +127,7 @@ SEEN = """() => {
   const svg = document.querySelector('.satviz .sv-picture');
   const outline = () => svg.querySelector("[data-layer='2'] [data-id='B.outline']").getAttribute('d');
   window.seen = [outline()];
-  svg.addEventListener('pointermove', () => window.seen.push(outline()), {once: true});
+  svg.closest('.satviz').addEventListener('pointermove', () => window.seen.push(outline()), {once: true});
 }"""
 
 
@@ -319,7 +320,7 @@ def test_files_come_from_the_matplotlib_pen(hand):
         assert hand.file(f"save {form.upper()}", 2) == (f"satviz.{form}", encode(drawn, form, LIGHT))
     every = captioned([sv.picture(trace, i) for i in range(len(sv.steps(trace)))])
     assert hand.file("save GIF", 2) == ("satviz.gif", animate(every))
-    hand.press("start again", 2)
+    hand.press("reset", 2)
 
 
 def test_the_explorer_saves_what_it_shows(hand):
@@ -332,7 +333,8 @@ def test_the_explorer_saves_what_it_shows(hand):
         name, data = hand.file(f"save {form.upper()}")
         assert name == f"satviz.{form}" and data.startswith(magic)
     hand.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
-    hand.press("copy scene as JSON")
+    hand.widgets.first.locator(".sv-menu summary").click()
+    hand.press("copy JSON")
     copied = hand.page.evaluate("() => navigator.clipboard.readText()")
     assert copied == hand.kernel("w.scene.to_json()")
     reset(hand)

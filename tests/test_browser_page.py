@@ -4,12 +4,15 @@ import re
 
 import numpy as np
 import pytest
+from browser import axe, explored
 from matplotlib.colors import to_hex
 from matplotlib.path import Path
 
 import satviz as sv
 from satviz.pictures import THEMES
+from satviz.pictures.caption import reading
 from satviz.render.files import canvas
+from satviz.widgets.exploring import Exploring
 
 pytestmark = pytest.mark.slow
 
@@ -146,7 +149,7 @@ def test_the_page_steps_by_keys_buttons_and_slider(browser, errors, pages):
     assert "v1v3" in lit and "gap +1.213" in lit
     assert page.locator(".sv-code .sv-lit").last.inner_text().strip() == "stop: the shapes are apart"
     assert page.locator("tr.sv-skipped").count() == 4
-    page.get_by_role("button", name="test the axes left out").click()
+    page.get_by_role("button", name="test the rest").click()
     page.get_by_role("button", name="last step").click()
     assert page.locator("tr.sv-skipped").count() == 0 and page.locator("tbody tr").count() == 6
     page.close()
@@ -185,3 +188,321 @@ def test_without_javascript_the_page_shows_pictures_table_and_sentences(browser,
     assert page.locator(".sv-static svg").count() == 2 and page.locator(".sv-static svg").first.is_visible()
     assert page.locator(".sv-static li").count() == 16
     context.close()
+
+
+def test_a_page_may_ask_and_tells_nothing_before(browser, errors, tmp_path):
+    """Neither numbers nor which axes are tested at all, nor how many steps there are."""
+    file = tmp_path / "asks.html"
+    file.write_text(sv.page("triangles", predict=True), encoding="utf-8")
+    page = opened(browser, errors, file, reduced_motion="reduce")
+    question = page.locator(".sv-question")
+    for row in range(2):
+        page.get_by_role("button", name="last step").click()
+        question.wait_for()
+        seen = page.locator("main").inner_text()
+        assert "apart" not in seen.replace("stop: the shapes are apart", "") and "1.213" not in seen
+        assert "–" not in seen and "16" not in page.locator(".sv-count").inner_text()
+        cells = page.locator("tbody tr").nth(row + 1).locator("td").all_inner_texts()
+        assert [cell for cell in cells if cell and not cell.startswith("normal of")] == []
+        assert not page.get_by_role("slider", name="step").is_visible()
+        assert not page.get_by_role("button", name="test the rest").is_visible()
+        question.get_by_role("button", name="no" if row == 0 else "yes").click()
+    page.get_by_role("button", name="last step").click()
+    assert page.locator(".sv-count").inner_text() == "16 / 16"
+    assert page.get_by_role("button", name="test the rest").is_visible()
+    page.close()
+
+
+def test_what_a_shortcut_saw_is_not_asked_about(browser, errors, pages, tmp_path):
+    file = tmp_path / "asks.html"
+    file.write_text(sv.page("far-centers", predict=True), encoding="utf-8")
+    page = opened(browser, errors, file)
+    assert page.locator("h1").inner_text() == "Do A and B collide?"
+    page.close()
+    page = opened(browser, errors, pages / "far-centers.html")
+    assert not page.get_by_label("predict").is_visible()
+    page.close()
+
+
+def test_each_step_stays_as_long_as_its_words_take_to_read(browser, errors, pages):
+    trace = sv.scene("triangles").record()
+    page = browser.new_page(reduced_motion="reduce")
+    page.add_init_script(
+        "window.waits = []; const later = window.setTimeout;"
+        "window.setTimeout = (does, ms) => { if (ms >= 1000) waits.push(ms); return later(does, Math.min(ms, 30)); };"
+    )
+    page.goto((pages / "triangles.html").as_uri())
+    page.get_by_role("button", name="play").click()
+    page.get_by_text("16 / 16").wait_for()
+    waits = page.evaluate("() => window.waits")
+    assert waits[:15] == [reading(sv.picture(trace, i).sentence) for i in range(1, 16)]
+    page.close()
+
+
+# -- the explorer, without Jupyter
+
+PHONE = {"viewport": {"width": 390, "height": 844}, "is_mobile": True, "has_touch": True}
+ZOOMED = {"viewport": {"width": 640, "height": 400}}  # 1280 by 800 at 200 %
+WIDE = {"viewport": {"width": 1280, "height": 800}}
+
+
+def answered(page, words):
+    page.locator(".sv-sentence").filter(has_text=words).wait_for()
+
+
+@pytest.fixture(scope="module")
+def axe_core():
+    return axe()
+
+
+def found_by(axe_core, page):
+    """What axe-core finds serious."""
+    page.evaluate(f"{axe_core};0")
+    found = page.evaluate("async () => (await axe.run(document)).violations")
+    return [(v["id"], v["nodes"][0]["html"]) for v in found if v["impact"] in ("serious", "critical")]
+
+
+@pytest.mark.parametrize("screen", [WIDE, PHONE], ids=["wide", "phone"])
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_nothing_shuts_anyone_out(browser, errors, pages, axe_core, theme, screen):
+    for name in "triangles", "aabb-turned":
+        with explored(browser, Exploring(sv.scene(name)), errors, color_scheme=theme, **screen) as page:
+            if theme == "dark":
+                page.evaluate("() => { document.body.style.background = '#111'; }")
+                page.locator("[data-theme='dark']").wait_for()
+            page.get_by_label("free axis").check()
+            page.get_by_label("B − A").check()
+            page.locator(".sv-difference").wait_for()
+            page.locator(".sv-menu summary").click()
+            assert [f for f in found_by(axe_core, page) if "<h1" not in f[1]] == []
+    for name in "triangles", "tile-seam":
+        context = browser.new_context(color_scheme=theme, **screen)
+        page = context.new_page()
+        page.goto((pages / f"{name}.html").as_uri())
+        for step in "0", "2":
+            page.get_by_role("slider", name="step").fill(step)
+            assert found_by(axe_core, page) == []
+        context.close()
+
+
+SMALL = """() => {
+  const every = [...document.querySelectorAll('.satviz *')];
+  const shown = every.filter(e => e.checkVisibility() && e.getClientRects().length);
+  const texts = shown.filter(e => [...e.childNodes].some(n => n.nodeType === 3 && n.data.trim()));
+  const size = e => {
+    const svg = e.closest('svg');
+    const [, , wide] = svg?.getAttribute('viewBox')?.split(' ') ?? [];
+    return parseFloat(getComputedStyle(e).fontSize) * (wide ? svg.getBoundingClientRect().width / wide : 1);
+  };
+  const targets = shown.filter(e => e.matches('.sv-handle, button, summary, select'));
+  const least = e => { const {width, height} = e.getBoundingClientRect(); return Math.min(width, height); };
+  const beyond = e => e.getBoundingClientRect().right > innerWidth + 0.5;
+  const out = shown.filter(e => !e.closest('.sv-scrolls, .sv-said') && beyond(e));
+  return [Math.min(...texts.map(size)), Math.min(...targets.map(least)), out.map(e => e.outerHTML.slice(0, 80)),
+    document.documentElement.scrollWidth - innerWidth];
+}"""
+
+
+@pytest.mark.parametrize("screen", [PHONE, ZOOMED, WIDE], ids=["phone", "zoomed", "wide"])
+@pytest.mark.parametrize("name", ["triangles", "circle-polygon", "concave", "unit-normals"])
+def test_as_shown_letters_can_be_read_targets_be_hit_and_nothing_is_cut(browser, errors, pages, tmp_path, name, screen):
+    with explored(browser, Exploring(sv.scene(name)), errors, **screen) as page:
+        page.get_by_label("free axis").check()
+        page.locator(".sv-curve").wait_for()
+        page.wait_for_timeout(200)  # the picture for this width
+        letters, targets, cut, beyond = page.evaluate(SMALL)
+        assert letters >= 10.99 and targets >= 24 and cut == [] and beyond <= 0
+    context = browser.new_context(**screen)
+    page = context.new_page()
+    (tmp_path / "page.html").write_text(sv.page(name), encoding="utf-8")
+    page.goto((tmp_path / "page.html").as_uri())
+    page.get_by_role("button", name="last step").click()
+    letters, targets, cut, beyond = page.evaluate(SMALL)
+    assert letters >= 10.99 and targets >= 24 and cut == [] and beyond <= 0
+    context.close()
+
+
+def test_the_curve_is_right_under_the_picture_where_it_is_not_beside_it(browser, errors):
+    for screen, under in (PHONE, True), (WIDE, False):
+        with explored(browser, Exploring(sv.scene("triangles")), errors, **screen) as page:
+            page.get_by_label("free axis").check()
+            page.locator(".sv-curve").wait_for()
+            picture, curve = (page.locator(c).bounding_box() for c in (".sv-board", ".sv-curve"))
+            assert (0 <= curve["y"] - picture["y"] - picture["height"] < 30) is under
+            assert (curve["x"] >= picture["x"] + picture["width"]) is not under
+
+
+def test_a_finger_beside_the_shapes_scrolls_the_page_and_one_on_a_shape_drags_it(browser, errors):
+    with explored(browser, Exploring(sv.scene("triangles")), errors, **PHONE) as page:
+        page.evaluate("() => { document.body.style.height = '3000px'; }")
+        session = page.context.new_cdp_session(page)
+
+        def touch(kind, *points):
+            session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+        def swipe(x, y):
+            touch("touchStart", {"x": x, "y": y})
+            for i in range(1, 11):
+                touch("touchMove", {"x": x, "y": y - 8 * i})
+            touch("touchEnd")
+            page.wait_for_timeout(300)
+            return page.evaluate("() => scrollY")
+
+        box = page.locator("[data-handle='B-move']").bounding_box()
+        corner = page.locator("[data-handle='A-vertex-0']").bounding_box()
+        assert swipe(box["x"] + 4, box["y"] + 4) == 0
+        assert page.locator("[data-handle='B-move']").bounding_box()["y"] < box["y"] - 60
+        assert swipe(corner["x"] + 20, corner["y"] + 20) == 0
+        board = page.locator(".sv-board").bounding_box()
+        assert swipe(board["x"] + board["width"] - 8, board["y"] + board["height"] - 12) > 30
+
+
+def test_a_shape_is_one_stop_of_tab_and_its_corners_are_reached_from_it(browser, errors):
+    hand = Exploring(sv.scene("triangles"))
+    with explored(browser, hand, errors) as page:
+        here = "() => document.activeElement.dataset.handle ?? document.activeElement.tagName"
+        stops = []
+        for _ in range(3):
+            page.keyboard.press("Tab")
+            stops.append(page.evaluate(here))
+        assert stops == ["A-move", "B-move", "SELECT"]
+        page.keyboard.press("Shift+Tab")
+        went = []
+        for key in ("PageDown", "PageDown", "n", "PageDown", "PageDown", "p", "Escape"):
+            page.keyboard.press(key)
+            went.append(page.evaluate(here))
+        assert went == ["B-vertex-0", "B-vertex-1", "B-vertex-2", "B-rotate", "B-move", "B-rotate", "B-move"]
+        page.keyboard.press("PageDown")
+        page.keyboard.press("Shift+Tab")
+        page.keyboard.press("Tab")
+        assert page.evaluate(here) == "B-vertex-0"  # the way back leads to where one was
+        page.keyboard.press("ArrowDown")
+        page.locator("[data-handle='B-vertex-0'][aria-valuetext='at (5, 4.9)']").wait_for()
+        assert hand.scene.b.vertices[0] == (5, 4.9) and hand.scene.b.vertices[1] == (8, 3)
+
+
+def test_a_voice_is_told_what_each_handle_is_and_where(browser, errors):
+    with explored(browser, Exploring(sv.scene("circle-polygon")), errors) as page:
+        page.get_by_label("free axis").check()
+        page.locator("[data-handle='axis']").wait_for()
+        tree = page.locator(".sv-board").aria_snapshot()
+        sliders = "() => [...document.querySelectorAll('[role=slider]')]"
+        told = page.evaluate(f"{sliders}.map(e => [e.ariaLabel, e.ariaValueText])")
+        assert page.locator("[role=img] [role=slider]").count() == 0
+        for name, text in told:
+            assert f'slider "{name}"' in tree and text, name
+        assert dict(told)["A: corner a2"] == "at (4, 1)" and dict(told)["turn the axis"] == "30 degrees"
+        hints = page.evaluate(
+            f"{sliders}.map(e => document.getElementById(e.getAttribute('aria-describedby')).textContent)"
+        )
+        assert all("Arrow keys move" in hint for hint in hints)
+
+
+def test_the_sentence_is_said_when_the_hand_lets_go_and_once(browser, errors):
+    with explored(browser, Exploring(sv.scene("triangles")), errors) as page:
+        assert page.locator(".sv-sentence").get_attribute("aria-live") is None
+        page.evaluate(
+            "() => { window.said = []; const status = document.querySelector('[role=status]');"
+            "new MutationObserver(() => said.push(status.textContent)).observe(status, {childList: true}); }"
+        )
+        box = page.locator("[data-handle='B-move']").bounding_box()
+        page.mouse.move(box["x"] + 14, box["y"] + 14)
+        page.mouse.down()
+        for i in range(12):
+            page.mouse.move(box["x"] + 14 - 12 * i, box["y"] + 14)
+            page.wait_for_timeout(60)
+        answered(page, "overlap")
+        assert page.evaluate("() => window.said") == []
+        page.mouse.up()
+        page.wait_for_function("() => window.said.length")
+        page.wait_for_timeout(600)
+        assert page.evaluate("() => window.said") == [page.locator(".sv-sentence").inner_text()]
+
+
+def test_the_hint_goes_with_the_first_use(browser, errors):
+    with explored(browser, Exploring(sv.scene("triangles")), errors) as page:
+        hint = page.locator(".sv-hint")
+        assert "Drag a shape, a corner or the turn handle" in hint.inner_text() and "Tab" in hint.inner_text()
+        page.keyboard.press("Tab")
+        page.keyboard.press("ArrowLeft")
+        hint.wait_for(state="hidden")
+
+
+def test_undo_and_redo_cover_the_axis_and_scenes_too(browser, errors):
+    hand = Exploring(sv.scene("triangles"))
+    with explored(browser, hand, errors) as page:
+        page.get_by_label("free axis").check()
+        page.locator("[data-handle='axis']").focus()
+        page.keyboard.press("[")
+        answered(page, "at 35 degrees")
+        page.keyboard.press("Control+z")
+        answered(page, "at 30 degrees")
+        page.keyboard.press("Control+Shift+Z")
+        answered(page, "at 35 degrees")
+        page.get_by_label("presets").select_option("aabb-turned")
+        page.locator(".sv-heading").wait_for()
+        page.get_by_role("button", name="undo").click()
+        page.locator(".sv-heading").wait_for(state="hidden")
+        answered(page, "at 35 degrees")
+        assert hand.scene == sv.scene("triangles") and page.get_by_label("presets").input_value() == "triangles"
+        for _ in range(2):
+            page.get_by_role("button", name="undo").click()
+        answered(page, "axis 2")
+        assert not page.get_by_label("free axis").is_checked()
+        for _ in range(3):
+            page.get_by_role("button", name="redo").click()
+        page.locator(".sv-heading").wait_for()
+        assert hand.scene == sv.scene("aabb-turned") and page.get_by_role("button", name="redo").is_disabled()
+
+
+def test_a_free_axis_has_one_knob_and_it_stays_on_the_arrow_while_it_is_dragged(browser, errors):
+    with explored(browser, Exploring(sv.scene("triangles")), errors) as page:
+        page.get_by_label("free axis").check()
+        handle = page.locator("[data-handle='axis']")
+        handle.wait_for()
+        assert handle.locator(".sv-grip").evaluate("e => getComputedStyle(e).borderTopColor") == "rgba(0, 0, 0, 0)"
+        box = handle.bounding_box()
+        page.mouse.move(box["x"] + 14, box["y"] + 14)
+        page.mouse.down()
+        for i in range(1, 6):
+            page.mouse.move(box["x"] + 14, box["y"] + 14 - 20 * i)
+            page.wait_for_timeout(60)
+            knob = page.locator("[data-id='knob'][fill^='var']").bounding_box()
+            mine = handle.bounding_box()
+            assert abs(knob["x"] + knob["width"] / 2 - mine["x"] - mine["width"] / 2) < 1.5
+            assert abs(knob["y"] + knob["height"] / 2 - mine["y"] - mine["height"] / 2) < 1.5
+        page.mouse.up()
+
+
+THEMES_OF_PAGES = [
+    ("JupyterLab", "document.body.dataset.jpThemeLight = '{light}'"),
+    ("VS Code", "document.body.className = {light} ? 'vscode-light' : 'vscode-dark'"),
+    ("a colour", "document.body.style.background = {light} ? 'rgb(250 250 250)' : 'oklch(0.2 0.02 250)'"),
+    ("a class", "document.documentElement.className = {light} ? 'light' : 'dark'"),
+]
+
+
+@pytest.mark.parametrize("system", ["light", "dark"])
+@pytest.mark.parametrize("says", [s for _, s in THEMES_OF_PAGES], ids=[name for name, _ in THEMES_OF_PAGES])
+def test_a_widget_is_light_or_dark_as_the_page_is_and_not_as_the_system(browser, errors, says, system):
+    with explored(browser, Exploring(sv.scene("circles")), errors, color_scheme=system) as page:
+        page.add_style_tag(content="html.light { background: #fff } html.dark { background: #181c1a }")
+        assert page.locator(".satviz").get_attribute("data-theme") == "light"  # a bare page is white
+        for theme in "dark", "light", "dark":
+            page.evaluate(says.replace("{light}", str(theme == "light").lower()))
+            page.locator(f".satviz[data-theme='{theme}']").wait_for()
+            paper = page.locator(".satviz").evaluate("e => getComputedStyle(e).backgroundColor")
+            assert colour(paper) == THEMES[theme].paper.lower()
+
+
+def test_the_save_menu_opens_and_closes_from_the_keyboard(browser, errors):
+    with explored(browser, Exploring(sv.scene("triangles")), errors) as page:
+        menu = page.locator(".sv-menu")
+        assert not page.get_by_role("button", name="save SVG").is_visible()
+        menu.locator("summary").focus()
+        page.keyboard.press("Enter")
+        page.get_by_role("button", name="save SVG").wait_for()
+        page.keyboard.press("Tab")
+        page.keyboard.press("Escape")
+        assert not page.get_by_role("button", name="save SVG").is_visible()
+        assert page.evaluate("() => document.activeElement.tagName") == "SUMMARY"

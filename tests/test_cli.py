@@ -173,6 +173,18 @@ def test_notebooks_are_copied_and_changed_ones_left_alone(tmp_path, capsys):
     assert main([*args, "--force"]) == 0 and (out / SHIPPED[0]).read_bytes() == whole
 
 
+@pytest.mark.parametrize("name", SHIPPED)
+def test_a_copied_notebook_has_every_cell_and_no_answer(name, tmp_path):
+    assert main(["notebook", "--no-open", str(tmp_path)]) == 0
+    ours = json.loads((Path(__file__).parent.parent / "notebooks" / name).read_text(encoding="utf-8"))
+    copy = json.loads((tmp_path / name).read_text(encoding="utf-8"))
+    assert any(cell.get("outputs") for cell in ours["cells"])
+    for cell in ours["cells"]:
+        if cell["cell_type"] == "code":
+            cell["outputs"], cell["execution_count"] = [], None
+    assert copy == ours
+
+
 def test_a_full_disk_leaves_no_half_notebook(tmp_path, capsys, monkeypatch):
     def full(*_):
         raise OSError(errno.ENOSPC, "No space left on device")

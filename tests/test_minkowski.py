@@ -57,8 +57,8 @@ def test_every_scene_has_the_picture_also_circles_and_concave_ones():
     sv.draw(drawn)
 
 
-def test_only_a_trace_has_a_difference():
-    with pytest.raises(TypeError, match="pass the trace"):
+def test_one_shape_has_no_difference():
+    with pytest.raises(TypeError, match="two shapes"):
         sv.difference(box(0, 0, 1, 1))
 
 

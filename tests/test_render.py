@@ -327,9 +327,28 @@ def test_things_show_themselves_in_a_notebook(what):
     assert "<b>" not in shown["image/svg+xml"]
 
 
+@pytest.mark.parametrize("name", ["triangles", "concave", "unit-normals"])
+def test_a_run_shows_its_table_in_a_notebook(name):
+    trace = sv.scene(name).record()
+    table = ET.fromstring(trace._repr_mimebundle_()["text/html"].partition("</svg>")[2].strip().partition("\n<p>")[0])
+    rows = [["".join(cell.itertext()) for cell in row] for row in table.iter("tr")]
+    assert rows[0] == ["", "axis", "direction", *trace.names, "gap"]
+    tests = [test for run in trace.pairs or [trace] for test in run.tests]
+    assert len([row for row in rows[1:] if row[0].isdigit()]) == len(tests)
+    words = trace._repr_mimebundle_()["text/plain"].replace("-", "\u2212")
+    for row in rows[1:]:
+        assert row[1 if len(row) > 1 else 0].replace("-", "\u2212") in words
+
+
+def test_words_in_a_table_stay_words():
+    a = sv.Polygon([(0, 0), (1, 0), (0, 1)], ["<b>x</b>", "y", "z"])
+    assert "<b>" not in sv.record(a, sv.Circle((3, 3), 1))._repr_mimebundle_()["text/html"]
+
+
 def test_what_cannot_be_drawn_still_shows_its_text():
     far = sv.record(box(1e15, 0, 1e15 + 1, 1), box(1e15 + 2, 0, 1e15 + 3, 1))
-    assert set(far._repr_mimebundle_()) == {"text/plain"}
+    shown = far._repr_mimebundle_()
+    assert set(shown) == {"text/plain", "text/html"} and "cannot be drawn" in shown["text/html"]
 
 
 def test_drawing_again_on_given_axes_takes_the_place_of_the_first_picture():
@@ -343,7 +362,7 @@ def test_drawing_again_on_given_axes_takes_the_place_of_the_first_picture():
 
 def test_what_was_drawn_on_can_be_freed():
     figures = []
-    for _ in range(50):
+    for _ in range(10):
         fig = Figure()
         sv.draw(TRIANGLES, 14, ax=fig.subplots())
         sv.draw(TRIANGLES, 15, ax=fig.axes[0], theme="dark")

@@ -23,7 +23,7 @@ from satviz.engine.geometry import InvalidShape
 from satviz.engine.shapes import Circle, Polygon, centroid
 from satviz.study import truth as oracle
 
-often = settings(max_examples=200, deadline=None, database=None)
+often = settings(max_examples=80, deadline=None, database=None)
 
 TRIANGLE = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)]
 DENTED = [(0, 0), (4, 0), (4, 4), (2, 1), (0, 4)]  # concave

@@ -73,6 +73,15 @@ def test_skipped_axes_say_why():
     assert len(trace.tests) + len(trace.skipped) == 6
 
 
+def test_the_table_has_one_line_for_all_that_are_parallel_to_one_axis():
+    square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    text = str(sv.record(sv.Polygon(square), sv.Polygon([(x + 0.5, y + 0.5) for x, y in square])))
+    lines = [line for line in text.splitlines() if line.startswith("-")]
+    first, second = lines
+    assert first == "- normal of B's edge b1b2 and 3 more: parallel to axis 1"
+    assert second == "- normal of B's edge b2b3 and 3 more: parallel to axis 2"
+
+
 @pytest.mark.parametrize(
     ("a", "b", "count"),
     [
@@ -584,7 +593,7 @@ def test_touching_counts_as_a_hit():
 
 
 @given(st.integers(-6, 6), st.integers(-6, 6), st.integers(1, 5))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 def test_given_directions_are_taken_as_given(x, y, length):
     if (x, y) == (0, 0):
         with pytest.raises(ValueError, match="direction 0"):

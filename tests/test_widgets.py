@@ -224,6 +224,7 @@ def test_an_exported_page_shows_the_picture_with_its_sentence(make):
     assert drawn.sentence == widget.trace.sentence
     still = base64.b64encode(encode(captioned([drawn])[0], "png")).decode()
     assert re.findall(r'src="data:image/png;base64,([^"]*)"', page) == [still]
+    assert re.findall(r'alt="([^"]*)"', page) == [drawn.sentence]
 
 
 def test_the_plain_player_steps_with_its_slider_and_buttons():
@@ -248,13 +249,93 @@ def test_the_gap_curve_tells_the_numbers_of_the_trace():
         assert f"{best:.3f}".rstrip("0").rstrip(".") in curve.sentence
 
 
-@pytest.mark.parametrize("what", [5, None, sv.Circle((0, 0), 1), sv.scene("aabb").record()])
-def test_a_hand_needs_a_scene_or_two_shapes(what):
-    with pytest.raises(TypeError, match=f"a is a {type(what).__name__}: .*two shapes"):
-        sv.explore(what)
+SHOW = [sv.play, sv.page, sv.difference, sv.sheet, sv.gap_curve, sv.explore]
 
 
-def test_both_widgets_know_the_link_of_what_they_show(monkeypatch):
+def told(shown):
+    """What is shown, in words."""
+    return shown if isinstance(shown, str) else shown.sentence if isinstance(shown, sv.Picture) else repr(shown)
+
+
+@pytest.mark.parametrize("show", SHOW, ids=lambda show: show.__name__)
+def test_whatever_shows_a_pair_takes_a_name_a_scene_two_shapes_or_their_trace(show):
+    scene = sv.scene("circles")
+    asked = [("circles",), (scene,), (scene.a, scene.b), (sv.record(scene.a, scene.b),)]
+    if show is sv.explore:
+        with pytest.raises(TypeError, match="a Trace, one run of two shapes: pass the shapes"):
+            show(*asked.pop())
+    assert len({told(show(*what)) for what in asked}) == 1
+
+
+@pytest.mark.parametrize("show", [sv.picture, sv.draw, sv.steps], ids=lambda show: show.__name__)
+def test_a_step_may_be_asked_of_a_scene_or_its_name(show):
+    scene = sv.scene("aabb")
+    drawn = [show(what) for what in ("aabb", scene, scene.record())]
+    assert show is sv.draw or drawn[0] == drawn[1] == drawn[2]
+
+
+@pytest.mark.parametrize("what", [5, None, sv.Circle((0, 0), 1), ["aabb"]])
+@pytest.mark.parametrize("show", SHOW, ids=lambda show: show.__name__)
+def test_what_is_no_pair_is_refused_and_told_how(show, what):
+    with pytest.raises(TypeError, match=f"this is a {type(what).__name__}: pass a scene's name, a Scene, .*two shapes"):
+        show(what)
+    with pytest.raises(TypeError, match=r"make it a satviz\.Polygon"):
+        show(what, 5)
+    with pytest.raises(sv.InvalidScene, match="no scene 'trianglse': choose one of aabb"):
+        show("trianglse")
+
+
+def test_the_explorer_alone_opens_the_triangles():
+    assert sv.explore().scene == TRIANGLES
+
+
+def test_undo_may_go_back_to_another_scene_with_its_own_axes():
+    widget = explorer()
+    begun = widget.first["scene"]
+    widget._heard(widget, {"kind": "preset", "name": "aabb-turned"}, [])
+    assert widget.trace.shortcut
+    back = pose(widget, scene=begun)
+    assert widget.scene == TRIANGLES and back["view"] is None
+    assert pose(widget, scene='{"satviz": 1}')["kind"] == "refused" and widget.scene == TRIANGLES
+    assert pose(widget, scene=7)["why"] == "the scene must be text, not a number"
+
+
+@pytest.mark.parametrize("name", ["triangles", "circle-polygon", "concave", "far-centers"])
+def test_a_narrow_place_gets_a_narrow_picture_and_not_smaller_letters(name):
+    widget = explorer(name)
+    for width in (None, 700, 358, 100):
+        wanted = {None: 540, 700: 540, 358: 358, 100: 300}[width]
+        said = pose(widget, width=width, degree=20, against=True)
+        assert [said[key]["size"][0] <= wanted for key in ("picture", "curve", "difference")] == [True] * 3
+        assert said["picture"]["size"][0] == wanted
+        assert min(look["size"] for look in said["picture"]["looks"] if look["kind"] == "label") >= 11
+    assert pose(widget, width="wide")["why"] == "the width must be a number"
+
+
+def test_corners_are_named_where_the_table_names_them():
+    def names(scene, **more):
+        marks = pose(explorer(scene), **more)["picture"]["marks"]
+        return {mark["text"] for mark in marks if mark["part"] == "vertex-name"}
+
+    assert names("triangles") == {"a1", "a2", "a3", "v1", "v2", "v3"} == names("triangles", degree=30)
+    assert names("aabb") == set()
+
+
+def test_a_free_axis_does_not_hide_the_verdict():
+    said = pose(explorer(), degree=90)
+    (note,) = (mark["text"] for mark in said["picture"]["marks"] if mark["id"] == "verdict")
+    assert note == "apart: this axis shows no gap"
+    assert said["sentence"].startswith("A and B are apart. The axis at 90 degrees: ")
+
+
+def test_a_player_that_asks_shows_nothing_where_no_front_end_runs():
+    widget = sv.play("triangles", predict=True)
+    data, _ = widget._repr_mimebundle_()
+    assert "apart" not in data["text/plain"] + data["text/html"]
+    assert f'alt="{sv.picture("triangles", 0).sentence}"' in data["text/html"]
+
+
+def test_both_widgets_know_the_link_of_what_they_show():
     assert explorer().first["link"] == "triangles"
     assert sv.play(TRIANGLES.record()).link == "triangles"
     widget = explorer()

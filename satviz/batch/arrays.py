@@ -31,9 +31,12 @@ class Group(NamedTuple):
     upright: bool = False
 
     def columns(self, where: slice | NDArray[np.integer[Any] | np.bool_]) -> "Group":
-        """Some of the shapes, by slice or index array."""
+        """Some of the shapes, by slice, index array or mask; row by row in memory, which x[:, indices] would not be."""
         r = None if self.r is None else self.r[where]
-        return self._replace(x=self.x[:, where], y=self.y[:, where], r=r)
+        if isinstance(where, slice):
+            return self._replace(x=self.x[:, where], y=self.y[:, where], r=r)
+        places = np.flatnonzero(where) if where.dtype == bool else where
+        return self._replace(x=self.x.take(places, axis=1), y=self.y.take(places, axis=1), r=r)
 
 
 class Flat(NamedTuple):

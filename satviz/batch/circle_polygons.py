@@ -71,7 +71,7 @@ def _by_floats(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
 
 
 def _closed(c: Array) -> Array:
-    """The first corner again at the end; row by row in memory, which picked columns are not."""
+    """The first corner again at the end."""
     closed = np.empty((len(c) + 1, c.shape[1]))
     closed[:-1], closed[-1] = c, c[0]
     return closed

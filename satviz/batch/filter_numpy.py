@@ -13,14 +13,12 @@ from numpy.typing import NDArray
 from ..engine.exact import HUGE, TINY
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from . import steps_numpy
-from .arrays import Flat, Group
+from .arrays import Group
 from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .signs import Array, Signs
 
 Array32 = NDArray[np.float32]
-Indices = NDArray[np.intp]
 
-AT_ONCE = 1 << 17  # corners
 BLOCK = 16384  # pairs at a time: their columns and the scratch arrays stay in the second-level cache
 
 # The float32 look.  Coordinates from the first corner of A, at most m, are each off by
@@ -39,46 +37,7 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
         steps_numpy.polygons(a, b, first, out)
         return
     ax, ay, bx, by = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
-    _decide(*_look_32(ax, ay, bx, by, _width(a) + _width(b)), out)
-
-
-def picked(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
-    """The relations of the pairs (ia, ib) of polygons: by their boxes, else as `polygons` does, by a few widths."""
-    boxes_a, boxes_b = a.bounds[ia], b.bounds[ib]
-    with np.errstate(over="ignore"):
-        gap = np.maximum(boxes_a[:, :2] - boxes_b[:, 2:], boxes_b[:, :2] - boxes_a[:, 2:]).max(axis=1, initial=-np.inf)
-        wide = [(box[:, 2:] - box[:, :2]).max(axis=1) for box in (boxes_a, boxes_b)]
-    out.fill(UNDECIDED)
-    out[gap > 0] = APART
-    upright = np.flatnonzero(a.upright[ia] & b.upright[ib] & (gap <= 0))
-    out[upright] = np.where(gap[upright] < 0, OVERLAPPING, TOUCHING)
-    left = np.flatnonzero(out == UNDECIDED)
-    if not left.size:
-        return
-    most = np.maximum(*(s.start[i[left] + 1] - s.start[i[left]] for s, i in ((a, ia), (b, ib))))
-    widths = np.maximum(2 ** np.ceil(np.log2(most)).astype(np.intp), 4)
-    for width in np.unique(widths).tolist():
-        mine = left[widths == width]
-        size = max(64, AT_ONCE // width)
-        for start in range(0, len(mine), size):
-            part = mine[start : start + size]
-            x, y = _laid(a, ia[part], width)
-            p, q = _laid(b, ib[part], width)
-            found = np.empty(len(part), np.int8)
-            with np.errstate(all="ignore"):
-                if width > MANY:
-                    reach = float(np.abs(boxes_a[part]).max() + np.abs(boxes_b[part]).max()) * LOOK
-                    steps_numpy.few_steps(x, y, p, q, reach, found)
-                else:
-                    _decide(*_look_32(x, y, p, q, wide[0][part] + wide[1][part], 1), found)
-            out[part] = found
-
-
-def _laid(shapes: Flat, which: Indices, width: int) -> tuple[Array, Array]:
-    """One corner more than `width` of each, which goes round again where it has fewer: so all have that many edges."""
-    start = shapes.start[which]
-    places = start + np.arange(width + 1)[:, None] % (shapes.start[which + 1] - start)
-    return shapes.x[places], shapes.y[places]
+    decide(*look_32(ax, ay, bx, by, _width(a) + _width(b)), out)
 
 
 def room_64(a: Group, b: Group) -> float:
@@ -92,7 +51,7 @@ def _width(group: Group) -> float:
     return len(group.x) // 2 * group.span
 
 
-def _look_32(
+def look_32(
     ax: Array, ay: Array, bx: Array, by: Array, width: float | Array, again: int = 0
 ) -> tuple[Array32, Array32]:
     """Clearances in float32, and how far each can be off, from the pair's own size: far pairs widen no other's.
@@ -159,7 +118,8 @@ def _edges(
         np.maximum(best, least, out=best)
 
 
-def _decide(gap: Array32 | Array, room: Array32 | Array, out: Signs) -> None:
+def decide(gap: Array32 | Array, room: Array32 | Array, out: Signs) -> None:
+    """Fill `out` with what clearances tell, each of which can be off by its room."""
     np.multiply((gap < -room).view(np.int8), OVERLAPPING - UNDECIDED, out=out)
     out += (gap > room).view(np.int8)  # by APART - UNDECIDED, which is 1
     out += UNDECIDED
@@ -186,7 +146,7 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
     sure = (room > TINY) & (room < HUGE)
     room *= 2.0**-50
     room[~sure] = np.inf
-    _decide(distance - reach, room, out)
+    decide(distance - reach, room, out)
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:

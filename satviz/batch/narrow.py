@@ -123,9 +123,9 @@ def engine_of(name: str | None) -> Engine:
                 raise ImportError(needs('engine "numba"', "fast")) from error
             else:
                 raise ImportError(f'engine "numba" does not work here: {error}; engine="numpy" does') from error
-    from . import filter_numpy, grid_numpy
+    from . import filter_numpy, grid_numpy, picked_numpy
 
-    return Engine(*_columns_of(filter_numpy), filter_numpy.picked, grid_numpy.met)
+    return Engine(*_columns_of(filter_numpy), picked_numpy.polygons, grid_numpy.met)
 
 
 def _columns_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
@@ -162,7 +162,7 @@ def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | Non
         last = min(first + kernels.block, stop)
         _filter(kernels, one, other, first, out[first - start : last - start])
     rest = np.flatnonzero(out == UNDECIDED)
-    out[rest] = undecided.relations(one.columns(start + rest), other.columns(start + rest))
+    out[rest] = undecided.relations(one, start + rest, other, start + rest)
     return out
 
 
@@ -189,7 +189,7 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
                 _filter(kernels, one.columns(a.slot[ia[part]]), other.columns(b.slot[ib[part]]), 0, found)
                 out[part] = found
         rest = mine[out[mine] == UNDECIDED]
-        out[rest] = undecided.relations(one.columns(a.slot[ia[rest]]), other.columns(b.slot[ib[rest]]))
+        out[rest] = undecided.relations(one, a.slot[ia[rest]], other, b.slot[ib[rest]])
     return out
 
 

@@ -14,6 +14,8 @@ from .rings import FEW
 from .signs import FINEST, MOST_PASSES, ROUND, SPLIT, UNKNOWN, Array
 
 MOST_STEPS = 20
+DEEP, DEEP_CORNERS = 32, 64  # a corner is looked for inside where the reach beyond each other, times this, is as far as
+# the first two corners' sums lie apart, and only of so many corners: touching shapes would pay for it in vain
 TERMS = 12  # floats that a turn is the sum of
 
 # A corner found by walking lies, along the normal, at most the outline's length times 2**-50 above the lowest: where
@@ -201,6 +203,9 @@ def _soon(
         if at > room:
             return APART, i, j
         if step == 0:
+            deep = -DEEP * at > dx * dx + dy * dy and max(i1 - i0, j1 - j0) <= DEEP_CORNERS
+            if deep and (_inside(x, y, i0, i1, p[j], q[j], reach) or _inside(p, q, j0, j1, x[i], y[i], reach)):
+                return OVERLAPPING, i, j
             ux, uy, dx, dy = wx, wy, wx, wy
             continue
         if step == 1:
@@ -223,6 +228,22 @@ def _soon(
         # the origin lies left of the way from u to v: what is looked for next lies beyond, down to the left
         dx, dy = vy - uy, ux - vx
     return UNDECIDED, i, j
+
+
+@inlined
+def _inside(x: Array, y: Array, i0: int, i1: int, px: float, py: float, reach: float) -> bool:
+    """Is a point surely inside?  Never sure out of range."""
+    outside = 0
+    for i in range(i0, i1 - 1):
+        outside += not _before(x[i], y[i], x[i + 1], y[i + 1], px, py, reach)
+    return outside == 0 and _before(x[i1 - 1], y[i1 - 1], x[i0], y[i0], px, py, reach)
+
+
+@inlined
+def _before(ex: float, ey: float, fx: float, fy: float, px: float, py: float, reach: float) -> bool:
+    nx, ny = fy - ey, ex - fx
+    room = (abs(nx) + abs(ny)) * reach * LOOK
+    return nx * px + ny * py - (nx * ex + ny * ey) < -room and room > LEAST_ROOM and room < MOST_ROOM
 
 
 @compiled

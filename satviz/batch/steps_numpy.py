@@ -7,7 +7,7 @@ from ..engine.exact import TINY
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from .arrays import Group
 from .codes import APART, OVERLAPPING, UNDECIDED
-from .signs import ROUND, Array, Signs
+from .signs import ROUND, Array, Signs, columns
 
 Indices = NDArray[np.intp]
 
@@ -60,8 +60,8 @@ def few_steps(x: Array, y: Array, p: Array, q: Array, reach: float, out: Signs) 
         which = np.flatnonzero(go)
         if not which.size:
             return
-        left, d, u, v = left[which], d[:, which], u[:, which], v[:, which]
-        x, y, p, q = (c[:, which] for c in (x, y, p, q))
+        left = left[which]
+        d, u, v, x, y, p, q = (columns(c, which) for c in (d, u, v, x, y, p, q))
 
 
 def _middle(x: Array, y: Array) -> Array:

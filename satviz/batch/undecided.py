@@ -1,5 +1,7 @@
 """The exact twin for the pairs that the filter leaves undecided."""
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -8,64 +10,92 @@ from . import circle_polygons, signs
 from .arrays import Group, upright_boxes
 from .codes import APART, OVERLAPPING, TOUCHING
 from .filter_numpy import boxes
-from .signs import Array, Signs
+from .signs import Array, Signs, columns
 
 Indices = NDArray[np.intp]
 Mask = NDArray[np.bool_]
 
-LOOKS = 1 << 18  # looks of one edge at a time, over pairs and corners: what bounds the memory
+LOOKS = 1 << 16  # corners of a shape at a time, over all pairs: what bounds the memory, and stays in the cache
 AT_ONCE = 4  # corners, up to which every edge of all pairs is looked at: beyond, most are not needed
 DOUBTS = 1 << 15  # exact signs asked in one go: each takes some hundred bytes a term
 RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 and -1
 
 
-def relations(a: Group, b: Group) -> Signs:
-    """Exact relations of two groups, column by column."""
-    if a.r is not None and b.r is not None:
-        return RELATION_OF_SIGN[signs.circles(a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r)]
-    for circle, polygon in (a, b), (b, a):
-        if circle.r is not None:
-            return RELATION_OF_SIGN[circle_polygons.gaps(circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y)]
-    found = np.empty(a.x.shape[1], np.int8)
-    upright = np.zeros(len(found), bool)
-    if len(a.x) == len(b.x) == 4:
-        upright = upright_boxes(a.x, a.y) & upright_boxes(b.x, b.y)
-        settled = np.empty(upright.sum(), np.int8)
-        boxes(a.columns(upright), b.columns(upright), 0, settled)
-        found[upright] = settled
-    rest = np.flatnonzero(~upright)
+def relations(a: Group, ia: Indices, b: Group, ib: Indices) -> Signs:
+    """Exact relations of columns ia of one group with columns ib of another."""
+    if a.r is not None or b.r is not None:
+        return _circles(a.columns(ia), b.columns(ib))
+    found = np.empty(len(ia), np.int8)
     size = max(1, LOOKS // max(len(a.x), len(b.x)))
     with np.errstate(all="ignore"):
-        for start in range(0, len(rest), size):
-            part = rest[start : start + size]
-            found[part] = _polygons(a.columns(part), b.columns(part))
+        for start in range(0, len(found), size):
+            part = slice(start, start + size)
+            found[part] = _polygons(a.columns(ia[part]), b.columns(ib[part]))
     return found
 
 
+def _circles(a: Group, b: Group) -> Signs:
+    if a.r is not None and b.r is not None:
+        return RELATION_OF_SIGN[signs.circles(a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r)]
+    (circle, polygon), radii = ((a, b), a.r) if a.r is not None else ((b, a), b.r)
+    assert radii is not None
+    return RELATION_OF_SIGN[circle_polygons.gaps(circle.x[0], circle.y[0], radii, polygon.x, polygon.y)]
+
+
 def _polygons(a: Group, b: Group) -> Signs:
+    """Upright boxes by their sides, the others by their edges."""
+    upright = np.zeros(a.x.shape[1], bool)
+    if len(a.x) == len(b.x) == 4:
+        upright = upright_boxes(a.x, a.y) & upright_boxes(b.x, b.y)
+    if not upright.any():
+        return edges(Edges(a.x, a.y, len(a.x)), Edges(b.x, b.y, len(b.x)))
+    found = np.empty(len(upright), np.int8)
+    for which, settle in ((upright, _boxes), (~upright, _polygons)):
+        found[which] = settle(a.columns(which), b.columns(which))
+    return found
+
+
+def _boxes(a: Group, b: Group) -> Signs:
+    found = np.empty(a.x.shape[1], np.int8)
+    boxes(a, b, 0, found)
+    return found
+
+
+class Edges(NamedTuple):
+    """Outlines in columns, and how many edges are asked; rows beyond that number are corners come again.
+
+    An edge leads from a row to the next, the last of as many as rows to the first.
+    """
+
+    x: Array
+    y: Array
+    asked: int
+
+
+def edges(a: Edges, b: Edges) -> Signs:
     """Few corners: every edge of all pairs, with exact signs for those in doubt.  Many: the likely edges first."""
     found = np.full(a.x.shape[1], OVERLAPPING, np.int8)
     reach = (_largest(a.x, a.y) + _largest(b.x, b.y)) * LOOK
-    few = max(len(a.x), len(b.x)) <= AT_ONCE
+    most = max(a.asked, b.asked)
     left = np.arange(len(found))
-    nearest = [] if few else [_nearest(a, b), _nearest(b, a)]
-    for step in range(max(len(a.x), len(b.x))):
+    nearest = [] if most <= AT_ONCE else [_nearest(a, b), _nearest(b, a)]
+    for step in range(most):
         # around from the edges at the corner that lies furthest towards the other shape: -1, 0, -2, 1, -3, ...
         away = step // 2 if step % 2 else -1 - step // 2
         for k, (own, other) in enumerate(((a, b), (b, a))):
-            if step >= len(own.x):
+            if step >= own.asked:
                 continue
-            if few:
+            if not nearest:
                 which, tells = _same_edge(own, other, step, reach)
                 found[which] = np.minimum(found[which], tells)
             elif left.size:
-                tells = _edge(own, other, (nearest[k][left] + away) % len(own.x), left, reach[left])
+                tells = _edge(own, other, (nearest[k][left] + away) % own.asked, left, reach[left])
                 found[left] = tells
                 left = left[tells == OVERLAPPING]
     return found
 
 
-def _nearest(own: Group, other: Group) -> Indices:
+def _nearest(own: Edges, other: Edges) -> Indices:
     """The corner that lies furthest towards the other shape, by floats; any would do."""
     dx, dy = (s[0] + s[len(s) // 2] - o[0] - o[len(o) // 2] for s, o in ((other.x, own.x), (other.y, own.y)))
     look = dx * own.x
@@ -74,7 +104,7 @@ def _nearest(own: Group, other: Group) -> Indices:
     return found
 
 
-def _same_edge(own: Group, other: Group, e: int, reach: Array) -> tuple[Indices, Signs]:
+def _same_edge(own: Edges, other: Edges, e: int, reach: Array) -> tuple[Indices, Signs]:
     """The pairs of which an edge does not plainly cut the other shape, and what it tells of them."""
     f = (e + 1) % len(own.x)
     ex, ey, fx, fy = own.x[e], own.y[e], own.x[f], own.y[f]
@@ -92,7 +122,7 @@ def _same_edge(own: Group, other: Group, e: int, reach: Array) -> tuple[Indices,
     return which, _edge(own, other, np.full(len(which), e), which, reach[which])
 
 
-def _edge(own: Group, other: Group, start: Indices, left: Indices, reach: Array) -> Signs:
+def _edge(own: Edges, other: Edges, start: Indices, left: Indices, reach: Array) -> Signs:
     """What one edge of each pair left tells, from the float looks and the exact sign of every corner within the room.
 
     APART where all corners lie beyond it.  Where some lie on its line and none before, the shapes can only
@@ -103,16 +133,17 @@ def _edge(own: Group, other: Group, start: Indices, left: Indices, reach: Array)
     nx, ny = fy - ey, ex - fx
     room = np.maximum(np.abs(nx), np.abs(ny)) * reach
     room[~((room > LEAST_ROOM) & (room < MOST_ROOM))] = np.inf
-    looks = nx * other.x[:, left]
-    looks += ny * other.y[:, left]
+    px, py = columns(other.x, left), columns(other.y, left)
+    looks = nx * px
+    looks += ny * py
     looks -= nx * ex + ny * ey
     least = looks.min(axis=0)
     tells = np.where(least > room, np.int8(APART), np.int8(OVERLAPPING))
     doubtful = np.flatnonzero(~(np.abs(least) > room))
     if doubtful.size:
         ends = ex[doubtful], ey[doubtful], fx[doubtful], fy[doubtful]
-        close = ~(looks[:, doubtful] > room[doubtful])
-        tells[doubtful] = _line(*ends, other.x[:, left[doubtful]], other.y[:, left[doubtful]], close)
+        looks, px, py = (columns(c, doubtful) for c in (looks, px, py))
+        tells[doubtful] = _line(*ends, px, py, ~(looks > room[doubtful]))
     return tells
 
 
@@ -137,5 +168,6 @@ def _line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, clos
 
 def _largest(x: Array, y: Array) -> Array:
     """The largest magnitude in each column."""
-    largest: Array = np.maximum(np.abs(x).max(axis=0), np.abs(y).max(axis=0))
+    most, least = np.maximum(x.max(axis=0), y.max(axis=0)), np.minimum(x.min(axis=0), y.min(axis=0))
+    largest: Array = np.maximum(most, -least)
     return largest

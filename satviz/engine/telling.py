@@ -189,21 +189,21 @@ def verdict(trace: Trace, move: Vec | None) -> str:
     return f"{a} and {b} overlap: {count}. {_way_out(trace, move)}"
 
 
-_ARE = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
+ARE = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
 
 
 def _shortcut_verdict(trace: Trace) -> str:
     """What the shortcut says, by which axis, and what is."""
     assert trace.shortcut
     a, b = trace.names
-    says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {_ARE[trace.claim]}"
+    says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {ARE[trace.claim]}"
     if trace.ended_by:
         i = trace.tests.index(trace.ended_by)
         name = axis_name(trace.ended_by.axis, (trace.a, trace.b), trace.names)
         says += f": {outcome(trace.ended_by, digits(trace, trace.ended_by))} on axis {i + 1} ({name})"
     elif trace.tests:
         says += f": no gap on {_any_of(len(trace.tests))}"
-    is_so = _ARE[trace.relation]
+    is_so = ARE[trace.relation]
     if trace.missed_hit or trace.false_hit:
         return f"{says}. In truth they {is_so}: a {'missed' if trace.missed_hit else 'false'} hit."
     return f"{says}, and so it is." if trace.claim is trace.relation else f"{says}. In truth they {is_so}."
@@ -266,12 +266,19 @@ def _rows(trace: Trace, width: int | None) -> str:
         heads = "", *rows[0][1:-1]
         blocks = [[*(f"{head} {cell}".lstrip() for head, cell in zip(heads, row)), row[-1]] for row in rows[1:]]
         lines = [_wrapped(block, width, "  ") for block in blocks]
-    places = {axis: f"{i} " for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
-    for s in sorted(trace.skipped, key=lambda s: s.axis not in places):  # those with a number first
-        place = places.get(s.axis, "")
-        words = f"- {place}{axis_name(s.axis, shapes, trace.names)}: {reason(s.why, s.number)}"
-        lines.append(_wrapped([words], width, "  "))
+    for place, name, why in untested(trace):
+        lines.append(_wrapped([f"- {place}{' ' if place else ''}{name}: {why}"], width, "  "))
     return "\n".join(lines)
+
+
+def untested(trace: Trace) -> list[tuple[str, str, str]]:
+    """The rows of the axes not tested: the number, the name, and why; what is parallel to one axis is one row."""
+    places = {axis: f"{i}" for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
+    found: dict[tuple[str, str], list[str]] = {}
+    for s in sorted(trace.skipped, key=lambda s: s.axis not in places):  # those with a number first
+        row = places.get(s.axis, ""), reason(s.why, s.number)
+        found.setdefault(row, []).append(axis_name(s.axis, (trace.a, trace.b), trace.names))
+    return [(p, f"{name} and {len(more)} more" if more else name, why) for (p, why), (name, *more) in found.items()]
 
 
 def _wrapped(pieces: Sequence[str], width: int | None, indent: str) -> str:
@@ -345,10 +352,11 @@ def stage(trace: Trace, i: int, name: str, first: str) -> str:
     if name == "edge":
         return f"{_origin(trace, t.axis)}."
     if name == "normal":
-        edge = t.source.kind in FROM_EDGES
-        name = "(dx, -dy)" if t.source.kind == SLIP else "normal"
-        what = f"its {name} {digits(trace).vector(t.axis.normal)} (of two, the one to the right)" if edge else "it"
-        return f"{_origin(trace, t.axis)}; {what} gives axis {i + 1} of {len(trace.choice.axes)} its direction."
+        of = f"{axis} of {len(trace.choice.axes)}"
+        if t.source.kind not in FROM_EDGES:
+            return f"{_origin(trace, t.axis)} gives {of} its direction."
+        turned = "One sign changed makes it" if t.source.kind == SLIP else "A quarter turn makes it the normal"
+        return f"{_origin(trace, t.axis)}. {turned} {digits(trace).vector(t.axis.normal)}, the direction of {of}."
     if name == "axis":
         what = axis_name(t.axis, shapes, trace.names)
         return f"Axis {i + 1}, {what}, moved clear of the shapes: direction {vector(t.axis.direction)}."

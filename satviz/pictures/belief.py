@@ -13,6 +13,7 @@ from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
+from ..scenes.asked import Asked, trace_of
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, Row
 from ..scenes.failing.reading import OF_PUSHES
 from ..scenes.failing.where import lies
@@ -33,15 +34,23 @@ BETWEEN, HEAD, RIM = 20.0, 24.0, 10.0  # points between the panels, for each one
 
 
 def picture(
-    trace: Trace, step: int | Step = -1, *, title: str = "", largest: tuple[float, float] = (WIDTH, HEIGHT)
+    what: Asked,
+    step: int | Step = -1,
+    *,
+    title: str = "",
+    largest: tuple[float, float] = (WIDTH, HEIGHT),
+    by_itself: bool = False,
 ) -> Picture:
     """The picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
 
-    A shortcut's trace gives two panels: the step as the shortcut takes it, and what is.
-    `largest`: the canvas in points at most.  IndexError for a step the trace does not have.
+    Of a trace, or of a scene (or its name).  A shortcut's trace gives two panels: the step as the shortcut
+    takes it, and what is.
+    `largest`: the canvas in points at most.  All steps have one scale and one canvas; `by_itself` cuts it to what
+    this step shows (never of two panels).  IndexError for a step the trace does not have.
     """
-    if not isinstance(trace, Trace) or not trace.shortcut:
-        return stages.picture(trace, step, title=title, largest=largest)
+    trace = trace_of(what)
+    if not trace.shortcut:
+        return stages.picture(trace, step, title=title, largest=largest, by_itself=by_itself)
     step = stages.chosen(trace, step)
     panel = PANEL if largest == (WIDTH, HEIGHT) else ((largest[0] - BETWEEN) / 2, largest[1] - 4 * HEAD)
     return _beside(trace, _saw(trace, step, panel), _what_is(trace, panel), _room(trace, panel), title)
@@ -320,11 +329,13 @@ def hand(
     """A shortcut's run under the hand: what it saw by the chosen test, its answer, and a map of where it lies."""
     sketch, place = Sketch(trace, layout), None
     where = map_of_lies(trace, layout)
+    sketch.marks += [mark for mark in where if mark.part == "reference"]  # words keep off it
     test = trace.tests[chosen.test] if chosen and trace.tests else None
     if trace.pairs:
         belief_rows.draw_pieces(sketch)
     else:
         sketch.shapes()
+        sketch.corners({test.source.shape for test in trace.tests})
     if test is not None and not any(test.axis.normal):
         sketch.no_axis(test)
     elif test is not None:
@@ -343,7 +354,7 @@ def hand(
         text = f"dot {'on' if where[0].kind == 'segment' else 'in'} the red:\nthe shortcut is wrong"
         sketch.note("lies-name", text, "wrong", first=6)
     drawn = struck(sketch.finish("", trace.sentence, steady=False), trace)
-    return drawn._replace(marks=(*where, *drawn.marks)), place
+    return drawn._replace(marks=(*(mark for mark in where if mark.part != "reference"), *drawn.marks)), place
 
 
 def map_of_lies(trace: Trace, layout: Layout) -> list[Mark]:

@@ -7,6 +7,7 @@ from .layout import text_box
 from .marks import Mark, Picture
 
 MARGIN = 12.0  # points at the sides and below
+SHOWN, LETTER = 1000, 50  # milliseconds that a picture stays to be read: at least, and more a letter
 
 
 def captioned(pictures: Sequence[Picture]) -> list[Picture]:
@@ -14,6 +15,11 @@ def captioned(pictures: Sequence[Picture]) -> list[Picture]:
     texts = [wrapped(picture.sentence, picture.size[0] - 2 * MARGIN) for picture in pictures]
     room = max((text_box(text)[1] for text in texts), default=0.0) + MARGIN
     return [_with(picture, text, room) for picture, text in zip(pictures, texts, strict=True)]
+
+
+def reading(sentence: str) -> int:
+    """The milliseconds that a picture takes to be read with its sentence."""
+    return SHOWN + LETTER * len(sentence)
 
 
 def _with(picture: Picture, text: str, room: float) -> Picture:

@@ -11,25 +11,30 @@ from ..engine.geometry import Vec
 from ..engine.sat import axis_tests
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import PLAIN
+from ..scenes.asked import Asked, pair_of
 from .labels import Request, with_labels
 from .layout import Layout
 from .marks import Mark, Picture
 
-SIZE = 500.0, 204.0  # points; the picture's own units
-LEFT, RIGHT, BOTTOM, TOP = 16.0, 484.0, 30.0, 172.0
+WIDTH, HEIGHT = 500.0, 204.0  # points; the picture's own units
+RIM, BOTTOM, TOP = 16.0, 30.0, 172.0
 HERE = 6.0
 MOST_NAMES = 12
 
 
-def gap_curve(a: Shape, b: Shape, degree: float | None = None) -> Picture:
+def gap_curve(
+    what: Asked | Shape, b: Shape | None = None, degree: float | None = None, *, width: float = WIDTH
+) -> Picture:
     """The signed gap on every axis from 0 to 180 degrees, with the axes that SAT would test marked on it.
 
-    The gap is in scene units, the angle counter-clockwise from x.  `degree` marks one
-    more direction.  Concave outlines count as their convex hulls, whose ranges are the same.
-    TypeError for anything but Polygon and Circle, ValueError for an angle that is no finite number.
+    Of a scene (or its name), two shapes, or a trace.  The gap is in scene units, the angle
+    counter-clockwise from x.  `degree` marks one more direction, `width` is the picture's in
+    points.  Concave outlines count as their convex hulls, whose ranges are the same.
+    TypeError for anything else, ValueError for an angle that is no finite number.
     """
     if degree is not None and not (isinstance(degree, Real) and isfinite(degree)):
         raise ValueError(f"degree is {degree!r}: pass a finite number")
+    a, b = pair_of(what, b)
     candidates = [(_degree(t.axis), t.gap, t.axis) for t in axis_tests(a, b)]
     grid = {float(d) for d in range(181)} | {d for d, _, _ in candidates}
     points = [(d, gap_at(a, b, d)) for d in sorted(grid)]
@@ -38,7 +43,7 @@ def gap_curve(a: Shape, b: Shape, degree: float | None = None) -> Picture:
     span = (high - low) or 1.0
 
     def at(d: float, gap: float) -> Vec:
-        return Vec(LEFT + (RIGHT - LEFT) * d / 180, BOTTOM + (TOP - BOTTOM) * ((gap - low) / span))
+        return Vec(RIM + (width - 2 * RIM) * d / 180, BOTTOM + (TOP - BOTTOM) * ((gap - low) / span))
 
     marks = [Mark("zero", "segment", "guide", (at(0, 0), at(180, 0)))]
     requests = [Request("zero-name", "gap 0", "guide", at(180, 0), prefer=Vec(-1.0, 0.3), optional=True)]
@@ -63,10 +68,14 @@ def gap_curve(a: Shape, b: Shape, degree: float | None = None) -> Picture:
             name = _short(axis, a, b)
             requests.append(Request("candidate-name", name, role, at(d, gap), number=i, optional=True))
     spots = [(d, Vec(at(d, 0).x, 12.0)) for d in (0, 45, 90, 135, 180)]
-    marks += _inside([Mark("tick", "label", "guide", (spot,), number=d, text=f"{d}°") for d, spot in spots])
-    layout = Layout((0.0, 0.0, *SIZE), SIZE, ())
+    marks += [
+        # the outermost clear of the rim
+        Mark("tick", "label", "guide", (Vec(min(max(x, 20.0), width - 22.0), y),), number=d, text=f"{d}°")
+        for d, (x, y) in spots
+    ]
+    layout = Layout((0.0, 0.0, width, HEIGHT), (width, HEIGHT), ())
     marks = with_labels(marks, requests, layout, steady=False, keep_off=())
-    return Picture(tuple(marks), layout.limits, SIZE, "", _sentence(a, b, best, candidates))
+    return Picture(tuple(marks), layout.limits, layout.size, "", _sentence(a, b, best, candidates))
 
 
 def gap_at(a: Shape, b: Shape, degree: float) -> float:
@@ -119,11 +128,6 @@ def _short(axis: Axis, a: Shape, b: Shape) -> str:
         shape = a if role == "A" else b
         return telling.edge_name([telling.vertex_name(shape, role, i) for i in ids])
     return "xy"[ids[0]] if kind == WORLD else "centers"
-
-
-def _inside(ticks: Sequence[Mark]) -> list[Mark]:
-    """The outermost labels moved in, clear of the rim."""
-    return [t._replace(points=(Vec(min(max(t.points[0].x, 20.0), SIZE[0] - 22.0), t.points[0].y),)) for t in ticks]
 
 
 def _sentence(a: Shape, b: Shape, best: tuple[float, float], candidates: Sequence[tuple[float, float, Axis]]) -> str:

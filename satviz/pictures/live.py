@@ -13,6 +13,7 @@ from .sketch import Sketch
 from .stages import draw_move, draw_parts, others
 
 LARGEST = 540.0, 390.0  # points
+NARROWEST = 300.0
 PART = 0.6, 0.48  # of the width and height that the shapes take at first: the rest is room to move and for axes
 KNOB = 7.0  # points
 
@@ -24,14 +25,20 @@ class Chosen(NamedTuple):
     test: int
 
 
-def field(trace: Trace) -> Layout:
+def canvas(width: float | None) -> tuple[float, float]:
+    """The canvas, in points, for a place that many points wide, so that letters are not shown smaller than they are."""
+    wide = LARGEST[0] if width is None else min(max(width, NARROWEST), LARGEST[0])
+    return wide, min(LARGEST[1], wide * 0.95)
+
+
+def field(trace: Trace, largest: tuple[float, float] = LARGEST) -> Layout:
     """Limits with room to move in; ValueError for what cannot be drawn."""
     arrange([Group([trace.a, trace.b])])
     x0, y0, x1, y1 = box_of([trace.a, trace.b])
-    scale = min(size * part / (hi - lo) for size, part, lo, hi in zip(LARGEST, PART, (x0, y0), (x1, y1), strict=True))
-    w, h = LARGEST[0] / scale / 2, LARGEST[1] / scale / 2
+    scale = min(size * part / (hi - lo) for size, part, lo, hi in zip(largest, PART, (x0, y0), (x1, y1), strict=True))
+    w, h = largest[0] / scale / 2, largest[1] / scale / 2
     cx, cy = (x0 + x1) / 2, (y0 + y1) / 2
-    return Layout((cx - w, cy - h, cx + w, cy + h), LARGEST, ())
+    return Layout((cx - w, cy - h, cx + w, cy + h), largest, ())
 
 
 def fits(drawn: Picture) -> bool:
@@ -68,6 +75,7 @@ def live(
         draw_parts(sketch)
     else:
         sketch.shapes()
+        sketch.corners({test.source.shape for test in trace.tests})
     if run is not trace:
         others(sketch, trace, run)
     if chosen is not None:
@@ -86,14 +94,16 @@ def turned_axis(trace: Trace, layout: Layout, degree: float, *, near: Vec | None
     """The same for a free axis at an angle in degrees; `trace` has that one direction as its choice."""
     sketch = Sketch(trace, layout)
     sketch.shapes()
+    sketch.corners()
     test = trace.tests[0]
     place = place_within(layout, (trace.a, trace.b), test, near)
     sketch.project(test, place)
     sketch.add("knob", "disc", "ink", knob(layout, place, degree), radius=layout.units(KNOB))  # no label lies on it
     says = "this axis separates them" if test.separates else "this axis shows no gap"
-    sketch.note("verdict", says, "ink", weight="title", first=1)
+    sketch.note("verdict", f"{trace.relation}: {says}", "ink", weight="title", first=1)
+    verdict = f"{' and '.join(trace.names)} {telling.ARE[trace.relation]}."
     found = telling.outcome(test, telling.digits(trace, test))
-    sentence = f"The axis at {digits.number(round(degree, 1))} degrees: {found}; {says}."
+    sentence = f"{verdict} The axis at {digits.number(round(degree, 1))} degrees: {found}; {says}."
     return sketch.finish("", sentence, steady=False), place
 
 

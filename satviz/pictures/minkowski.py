@@ -8,22 +8,25 @@ from collections.abc import Sequence
 
 from ..engine import telling
 from ..engine.geometry import Relation, Vec
-from ..engine.shapes import Polygon
+from ..engine.shapes import Polygon, Shape
 from ..engine.trace import Trace, record
+from ..scenes.asked import Asked, trace_of
 from ..scenes.failing.where import difference as rings
 from .layout import Group, arrange, moved
 from .marks import Picture
 from .sketch import Sketch
-from .stages import checked
 
 
-def difference(trace: Trace, *, title: str = "", largest: tuple[float, float] = (340.0, 300.0)) -> Picture:
+def difference(
+    what: Asked | Shape, b: Shape | None = None, *, title: str = "", largest: tuple[float, float] = (340.0, 300.0)
+) -> Picture:
     """B - A and the origin, in scene units: the origin inside is an overlap, on the rim a touch, outside a miss.
 
-    It shows the separating axis as a normal of the polygon and the gap on it, or the way out as the shortest way
-    from the origin to the rim.  Of concave outlines B - A is drawn part by part.  ValueError for what cannot be drawn.
+    Of a scene (or its name), two shapes, or a trace.  It shows the separating axis as a normal of the polygon and
+    the gap on it, or the way out as the shortest way from the origin to the rim.  Of concave outlines B - A is
+    drawn part by part.  ValueError for what cannot be drawn.
     """
-    run = checked(trace).truth
+    run = trace_of(what, b).truth
     # A - B is where B's moves lead into A; seen from the origin, B - A is that turned half round
     found = [tuple(Vec(-p.x, -p.y) for p in ring) for ring in rings(run.a, run.b)]
     xs, ys = [0.0, *(p.x for ring in found for p in ring)], [0.0, *(p.y for ring in found for p in ring)]
@@ -41,11 +44,8 @@ def difference(trace: Trace, *, title: str = "", largest: tuple[float, float] = 
         run.relation
     ]
     sketch.note("verdict", str(run.relation), "ink", weight="title", first=1)
-    sentence = f"The origin lies {where} B - A, so A and B {_ARE[run.relation]}{words}."
+    sentence = f"The origin lies {where} B - A, so A and B {telling.ARE[run.relation]}{words}."
     return sketch.finish(title, sentence, steady=False)
-
-
-_ARE = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
 
 
 def _proof(sketch: Sketch, run: Trace, found: Sequence[Sequence[Vec]]) -> str:

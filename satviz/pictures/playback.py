@@ -1,13 +1,16 @@
 """All steps of a trace as plain data: what a player needs to show them, without a kernel."""
 
+from itertools import accumulate
 from typing import Any
 
 from ..engine import digits, telling
 from ..engine.geometry import Relation
 from ..engine.trace import Trace
 from .belief import picture
+from .caption import reading
+from .layout import HEIGHT, WIDTH
 from .marks import Mark, marks_data
-from .stages import Stage, Step, checked, steps
+from .stages import Stage, Step, steps
 
 # the algorithm line by line, and the stages that each line is about
 CODE = (
@@ -18,38 +21,58 @@ CODE = (
     ("        stop: the shapes are apart", ()),
     ("no axis left: {end}", ()),
 )
+# and with concave outlines: one gap settles a pair of their parts, one hit the shapes
+CODE_OF_PAIRS = (
+    ("for each pair of convex parts:", (Stage.PARTS,)),
+    *((f"    {line}", stages) for line, stages in CODE[:4]),
+    ("            these two are apart: on to the next pair", ()),
+    ("    no axis left: stop, {end}", ()),
+    ("no pair left: the shapes are apart", ()),
+)
 PROVED, NOT_PROVED = "the shapes collide", "no gap found (no proof of a hit)"
 
 
 MOST_STEPS = 600
+NARROW, MOST_WIDTH, FEW_STEPS = (340.0, 340.0), 430.0, 150  # points, points, steps
 
 
 def playbacks(trace: Trace) -> list[dict[str, Any]]:
     """The show of a trace and, if the early exit left something out, that of every axis."""
-    whole = checked(trace).without_early_exit()
-    runs = [trace] if whole.tests == trace.tests and whole.pairs == trace.pairs else [trace, whole]
-    return [playback(run) for run in runs]
+    return [playback(run) for run in _runs(trace)]
 
 
-def playback(trace: Trace) -> dict[str, Any]:
+def _runs(trace: Trace) -> list[Trace]:
+    whole = trace.without_early_exit()
+    return [trace] if whole.tests == trace.tests and whole.pairs == trace.pairs else [trace, whole]
+
+
+def narrow(trace: Trace) -> list[dict[str, Any]]:
+    """The same for a telephone's screen; none where it would be hardly narrower, or of very many steps."""
+    if picture(trace, largest=NARROW).size[0] > MOST_WIDTH or len(steps(trace.without_early_exit())) > FEW_STEPS:
+        return []
+    return [playback(run, NARROW) for run in _runs(trace)]
+
+
+def playback(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> dict[str, Any]:
     """Marks, steps, table and pseudo-code as JSON values; equal marks are stored once.
 
-    steps: the marks by number, the limits, the sentence, the row of the table (None: no test), the
-    lines of the code; rows: those of `rows`.  ValueError for a scene that cannot be drawn,
-    or that has too many tests.
+    steps: the marks by number, the limits, the sentence and how long it takes to read, the row of the
+    table (None: no test), the lines of the code; rows: those of `rows`.  ValueError for a scene that
+    cannot be drawn, or that has too many tests.
     """
     every = played(trace)
     marks: dict[Mark, int] = {}
-    found = []
+    found, begins = [], first_rows(trace)
     for step in every:
-        drawn = picture(trace, step)
+        drawn = picture(trace, step, largest=largest)
         ids = [marks.setdefault(mark, len(marks)) for mark in drawn.marks]
         found.append(
             {
                 "marks": ids,
                 "limits": list(drawn.limits),
                 "sentence": drawn.sentence,
-                "row": _row(trace, step),
+                "ms": reading(drawn.sentence),
+                "row": None if step.test is None else begins[step.pair or 0] + step.test,
                 "code": _lines(trace, step),
             }
         )
@@ -63,7 +86,8 @@ def playback(trace: Trace) -> dict[str, Any]:
         "steps": [step | {"stage": s.stage.value} for step, s in zip(found, every, strict=True)],
         "names": list(trace.names),
         "rows": rows(trace),
-        "code": [line.format(end=PROVED if proves else NOT_PROVED) for line, _ in CODE],
+        "asks": not trace.shortcut,  # beside what a shortcut saw stands what is
+        "code": [line.format(end=PROVED if proves else NOT_PROVED) for line, _ in _code(trace)],
     }
 
 
@@ -89,27 +113,26 @@ def rows(trace: Trace) -> list[dict[str, Any]]:
             row |= {"direction": digits.vector(t.axis.direction), "outcome": telling.outcome(t, told)}
             row |= dict(zip("ab", told.ranges(t), strict=True))
             found.append(row)
-        found += [
-            {"pair": of, "axis": telling.axis_name(s.axis, shapes, pair.names), "reason": telling.reason(*s[1:])}
-            for s in pair.skipped
-        ]
+        found += [{"pair": of, "axis": name, "reason": why} for _, name, why in telling.untested(pair)]
     return found
 
 
-def _row(trace: Trace, step: Step) -> int | None:
-    """Which row a step is about."""
-    if step.test is None:
-        return None
-    before = trace.pairs[: step.pair or 0]
-    return sum(len(pair.tests) + len(pair.skipped) for pair in before) + step.test
+def first_rows(trace: Trace) -> list[int]:
+    """The number of the first row of each pair of parts; of a plain pair, 0."""
+    return [*accumulate((len(run.tests) + len(telling.untested(run)) for run in trace.pairs), initial=0)]
+
+
+def _code(trace: Trace) -> tuple[tuple[str, tuple[Stage, ...]], ...]:
+    return CODE_OF_PAIRS if trace.pairs else CODE
 
 
 def _lines(trace: Trace, step: Step) -> list[int]:
     """The numbers of the code's lines that a step is about."""
+    gap, apart, hit = (5, 7, 6) if trace.pairs else (4, 4, 5)
     if step.stage is Stage.VERDICT:
-        return [4] if trace.claim is Relation.APART else [5]
-    lines = [i for i, (_, stages) in enumerate(CODE) if step.stage in stages]
+        return [apart] if trace.claim is Relation.APART else [hit]
+    lines = [i for i, (_, stages) in enumerate(_code(trace)) if step.stage in stages]
     if step.stage is Stage.GAP and step.test is not None:
         run = trace if step.pair is None else trace.pairs[step.pair]
-        lines += [4] if run.tests[step.test].separates else []
+        lines += [gap] if run.tests[step.test].separates else []
     return lines

@@ -7,12 +7,12 @@ from typing import NamedTuple
 from ..engine import telling
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
-from ..engine.shapes import Circle
+from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
+from ..scenes.asked import Asked, trace_of
 from .caption import wrapped
 from .layout import box_of, text_box
 from .marks import Mark, Picture
-from .stages import checked
 
 MOST_ROWS = 12
 # all in points
@@ -32,13 +32,15 @@ class Row(NamedTuple):
     made: bool
 
 
-def sheet(trace: Trace, *, title: str = "") -> Picture:
+def sheet(what: Asked | Shape, b: Shape | None = None, *, title: str = "") -> Picture:
     """A whole run in one picture: each axis with both ranges, the gap and what it says.
 
-    The row that ended the run is marked, those that the early exit left out are shown faintly.  Of more
-    than 12 axes those that tell most: what separates, then the largest gaps.
+    Of a scene (or its name), two shapes, or a trace.  The row that ended the run is marked, those that
+    the early exit left out are shown faintly.  Of more than 12 axes those that tell most: what separates,
+    then the largest gaps.
     """
-    every = list(_rows(checked(trace)))
+    trace = trace_of(what, b)
+    every = list(_rows(trace))
     told_first = sorted(every, key=lambda row: (-(row.made and row.test.separates), -row.made, -row.test.gap))
     shown = [row for row in every if row in told_first[:MOST_ROWS]]
     rest = told_first[MOST_ROWS:]

@@ -4,7 +4,7 @@ Every number comes from the trace.  Labels are only asked for here; they are pla
 when all strokes are known.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from math import hypot
 from typing import Unpack
 
@@ -147,6 +147,14 @@ class Sketch:
             away = Vec(v.x - middle.x, v.y - middle.y)
             wish: Wishes = {"owner": name, "number": i, "prefer": away, "optional": True, "steady": True}
             self.label("vertex-name", short_name(polygon, name, i), as_role or role, v, first=4, **wish)
+
+    def corners(self, of: Collection[str | None] = "AB", *, as_role: str = "") -> None:
+        """Names for corners that have none of their owner's, as words about edges use them; where they are few."""
+        for role, _, shape in self.pair():
+            if role not in of:
+                continue
+            if isinstance(shape, Polygon) and not shape.labels and len(shape.corners) <= 6 and not self.crowded(shape):
+                self.vertices(role, shape.corner_ids, as_role=as_role)
 
     # -- where the axis comes from
 
@@ -403,9 +411,7 @@ class Sketch:
         left = [s.axis for s in self.trace.skipped if s.why == EARLY_EXIT]
         if not left:
             return
-        for role, _, shape in self.pair():
-            if isinstance(shape, Polygon) and not shape.labels and len(shape.corners) <= 6 and not self.crowded(shape):
-                self.vertices(role, shape.corner_ids, as_role="guide")
+        self.corners(as_role="guide")
         for n, axis in enumerate(left, 1):
             kind, owner, ids = axis.source
             if kind in (EDGE, HULL) and not self.crowded(self.of(owner)[1]):

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Sequence
 from enum import StrEnum
 from functools import lru_cache
-from typing import Any, NamedTuple, SupportsIndex
+from typing import NamedTuple, SupportsIndex
 
 from ..engine import telling
 from ..engine.axes import ANY, CENTROIDS, GIVEN, WORLD
@@ -12,6 +12,7 @@ from ..engine.concave import named_parts
 from ..engine.geometry import Relation, Vec
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace, record
+from ..scenes.asked import Asked, trace_of
 from .insets import with_insets
 from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, moved, padded
 from .marks import Mark, Picture
@@ -46,18 +47,9 @@ class Step(NamedTuple):
     pair: int | None = None
 
 
-def checked(trace: Any) -> Trace:
-    """The trace itself; TypeError says how to make one of anything else."""
-    if isinstance(trace, Trace):
-        return trace
-    raise TypeError(
-        f"this is a {type(trace).__name__}: pass the trace of two shapes, sv.record(a, b), or scene.record()"
-    )
-
-
-def steps(trace: Trace) -> list[Step]:
-    """Every step of a trace in drawing order, from the bare scene to the verdict; TypeError for what is no trace."""
-    checked(trace)
+def steps(what: Asked) -> list[Step]:
+    """Every step of a trace in drawing order, from the bare scene to the verdict; of a scene, of its trace."""
+    trace = trace_of(what)
     found = [Step(Stage.SCENE)]
     if trace.pairs:
         found.append(Step(Stage.PARTS))

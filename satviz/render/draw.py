@@ -4,8 +4,8 @@ from typing import TYPE_CHECKING, overload
 
 from matplotlib.axes import Axes
 
-from ..engine.trace import Trace
 from ..pictures import THEMES, Picture, Step, Theme, picture
+from ..scenes.asked import Asked
 from .files import canvas
 from .pen import Pen
 
@@ -18,17 +18,17 @@ _PEN = "_satviz_pen"  # kept on the Axes themselves, so that it goes when they g
 
 
 @overload
-def draw(what: Trace | Picture, step: int | Step = -1, *, ax: None = None, theme: str = "light") -> "Figure": ...
+def draw(what: Asked | Picture, step: int | Step = -1, *, ax: None = None, theme: str = "light") -> "Figure": ...
 
 
 @overload
-def draw(what: Trace | Picture, step: int | Step = -1, *, ax: Axes, theme: str = "light") -> "dict[str, Artist]": ...
+def draw(what: Asked | Picture, step: int | Step = -1, *, ax: Axes, theme: str = "light") -> "dict[str, Artist]": ...
 
 
 def draw(
-    what: Trace | Picture, step: int | Step = -1, *, ax: Axes | None = None, theme: str = "light"
+    what: Asked | Picture, step: int | Step = -1, *, ax: Axes | None = None, theme: str = "light"
 ) -> "Figure | dict[str, Artist]":
-    """Draw a step of a trace (or a picture) with matplotlib.
+    """Draw a step of a trace (or of a scene, by name too), or a picture, with matplotlib.
 
     Without `ax` the result is a new Figure (no pyplot); with it the marks go on those
     Axes in place of an earlier picture, labels placed for their size, and the result is

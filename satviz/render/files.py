@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 from ..disk import MADE_BY
 from ..engine import telling
 from ..pictures import LIGHT, Picture, Theme
+from ..pictures.caption import reading
 from .fonts import families
 from .pen import Pen
 
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 MAKER = f"{MADE_BY} with matplotlib {matplotlib.__version__}"
 FORMATS = ("svg", "png", "pdf")
 DPI = 144  # of PNG and GIF: twice the canvas's points
-FRAME, LETTER, LAST = 1000, 50, 2000  # milliseconds a step of a GIF stays: at least, more a letter, more at the end
+LAST = 2000  # milliseconds more that the end of a GIF stays
 
 _LOCK = RLock()
 _STYLE: "dict[RcKeyType, Any]" = {
@@ -133,7 +134,7 @@ def animate(pictures: Sequence[Picture], theme: Theme = LIGHT) -> bytes:
             frame = Image.frombuffer("RGBA", size, agg.buffer_rgba(), "raw", "RGBA", 0, 1)
             frames.append(frame.convert("RGB").quantize(128, dither=Image.Dither.NONE))
     out = io.BytesIO()
-    times = [FRAME + LETTER * len(picture.sentence) for picture in pictures]
+    times = [reading(picture.sentence) for picture in pictures]
     times[-1] += LAST
     comment = f"{MADE_BY}. {pictures[-1].sentence}".encode()
     frames[0].save(

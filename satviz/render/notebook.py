@@ -1,6 +1,7 @@
-"""What a notebook shows of a picture, a trace, a scene or a shape: its text and its picture."""
+"""What a notebook shows of a picture, a trace, a scene or a shape: its text and its picture, of a run the table too."""
 
 from collections.abc import Callable
+from html import escape
 from typing import Any
 from zlib import crc32
 
@@ -8,13 +9,15 @@ from ..engine import telling
 from ..engine.shapes import Circle, Polygon
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
+from ..pictures.playback import rows
 from ..pictures.views import alone
 from .files import inline_svg
 
 
 def bundle(what: Any) -> dict[str, str]:
-    """The MIME bundle: plain text, and the picture as SVG where it can be drawn."""
+    """The MIME bundle: plain text, and the picture as SVG where it can be drawn; of a run HTML with its table."""
     make: Callable[[], Picture]
+    trace = None
     if isinstance(what, Picture):
         text, make = telling.printable(repr(what)), lambda: what
     elif isinstance(what, (Circle, Polygon)):
@@ -25,8 +28,29 @@ def bundle(what: Any) -> dict[str, str]:
     try:
         drawn = make()
     except ValueError as error:  # too far out to draw: the text is right all the same
-        return {"text/plain": f"{text}\n({error})"}
-    return {"text/plain": text, "image/svg+xml": inline_svg(drawn, stem=_stem(drawn))}
+        found = {"text/plain": f"{text}\n({error})"}
+        return found if trace is None else found | {"text/html": f"{table(trace)}<p>({escape(str(error))})</p>"}
+    found = {"text/plain": text, "image/svg+xml": inline_svg(drawn, stem=_stem(drawn))}
+    return found if trace is None else found | {"text/html": f"{found['image/svg+xml']}\n{table(trace)}"}
+
+
+def table(trace: Trace) -> str:
+    """The table of a run with its sentence, as HTML."""
+    head = "".join(f'<th scope="col">{escape(name)}</th>' for name in ("", "axis", "direction", *trace.names, "gap"))
+    lines, pair = [], ""
+    for row in rows(trace):
+        if row["pair"] != pair:
+            pair = row["pair"]
+            lines.append(f'<th scope="rowgroup" colspan="6">{escape(pair)}</th>')
+        axis = f"<td>{escape(row['axis'])}</td>"
+        if "reason" in row:
+            lines.append(f'<td></td>{axis}<td colspan="4"><em>{escape(row["reason"])}</em></td>')
+        else:
+            told = (row[key] for key in ("direction", "a", "b", "outcome"))
+            lines.append(f"<td>{row['number']}</td>{axis}" + "".join(f"<td>{escape(cell)}</td>" for cell in told))
+    body = "\n".join(f"<tr>{line}</tr>" for line in lines)
+    said = escape(telling.printable(trace.sentence))
+    return f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody>\n</table>\n<p>{said}</p>"
 
 
 def _stem(drawn: Picture) -> str:

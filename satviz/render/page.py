@@ -8,43 +8,52 @@ from html import escape
 
 from ..disk import MADE_BY
 from ..engine import telling
-from ..engine.trace import Trace
+from ..engine.shapes import Shape
 from ..pictures import picture
 from ..pictures.belief import heading
-from ..pictures.playback import playbacks
+from ..pictures.playback import narrow, playbacks
+from ..scenes.asked import Asked, trace_of
 from .files import inline_svg
 from .script import javascript, stylesheet
 
 START = """
 const data = JSON.parse(document.getElementById("satviz-show").textContent);
-new Player(document.getElementById("satviz-player"), data);
+new Player(document.getElementById("satviz-player"), data.shows, data);
 document.documentElement.classList.add("with-player");
 """
 STYLE = """
 body.satviz { margin: 0; border-radius: 0; }
-main { max-width: 1200px; margin: 0 auto; padding: 8px 16px; min-height: 100vh; }
+main { max-width: 1200px; margin: 0 auto; padding: 8px 0; min-height: 100vh; }
 h1 { font-size: 20px; margin: 8px; }
 .sv-static svg { display: block; width: 100%; max-width: 620px; height: auto; background: #fff; }
 .sv-static pre { overflow-x: auto; font-size: 12px; }
 .sv-static figure { margin: 12px 0; break-inside: avoid; }
 .sv-static h2 { font-size: 16px; }
+.sv-static { padding: 0 8px; }
 footer { font-size: 12px; color: var(--sv-guide); margin: 12px 8px; }
 .with-player .sv-static { display: none; }
 @media print { #satviz-player { display: none; } .with-player .sv-static { display: block; } main { padding: 0; } }
 """
 
 
-def page(trace: Trace, *, title: str = "") -> str:
+def page(what: Asked | Shape, b: Shape | None = None, *, title: str = "", predict: bool = False) -> str:
     """One self-contained HTML file: every step with its player, the table and every sentence.
 
+    Of a scene (or its name), two shapes, or a trace.  With `predict` it asks before it shows.
     Without JavaScript, and on paper, it shows the first and the last picture instead.
     ValueError for a scene that cannot be drawn, or one with too many steps.
     """
+    trace = trace_of(what, b)
+    if predict and trace.shortcut:
+        trace = trace.truth
     shows = playbacks(trace)
-    title = " ".join(heading(trace)) if trace.shortcut else title or "Do A and B collide?"
+    asked = "Do A and B collide?"
+    about = telling.printable(asked if predict else trace.sentence)
+    title = " ".join(heading(trace)) if trace.shortcut else title or asked
     script = javascript("pen", "player") + START
     policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_hash(script)}'; base-uri 'none'"
-    data = json.dumps(shows, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
+    show = {"predict": predict, "shows": shows, "narrow": narrow(trace)}
+    data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
     first, last = (picture(trace, i) for i in (0, -1))
     sentences = [s["sentence"] for s in shows[0]["steps"]]
     parts = [
@@ -55,7 +64,7 @@ def page(trace: Trace, *, title: str = "") -> str:
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
         f'<meta name="generator" content="{MADE_BY}">',
-        f'<meta name="description" content="{escape(telling.printable(trace.sentence))}">',
+        f'<meta name="description" content="{escape(about)}">',
         f"<title>{escape(telling.printable(title))}</title>",
         f"<style>\n{stylesheet()}{STYLE}</style>",
         "</head>",

@@ -8,10 +8,6 @@ from ..pictures import DARK, LIGHT, Theme
 
 _EXPORT = re.compile(r"^export (?=class|function)", re.MULTILINE)  # one module needs none between its files
 
-# where a page says that it is dark: by itself, in JupyterLab and Notebook, in VS Code
-DARK_BODIES = 'body[data-jp-theme-light="false"]', "body.vscode-dark", "body.vscode-high-contrast"
-LIGHT_BODIES = 'body[data-jp-theme-light="true"]', "body.vscode-light"
-
 
 @cache
 def javascript(*names: str) -> str:
@@ -24,9 +20,10 @@ def stylesheet() -> str:
     """The style sheet, with the colours of both themes as variables."""
     light, dark = (_variables(theme) for theme in (LIGHT, DARK))
     rules = [f".satviz {{ {light} }}", f"@media (prefers-color-scheme: dark) {{ .satviz {{ {dark} }} }}"]
-    for bodies, variables in (LIGHT_BODIES, light), (DARK_BODIES, dark):
-        rules.append(f"{', '.join(f'{body} .satviz' for body in bodies)} {{ {variables} }}")
-    rules.append(f"@media print {{ .satviz {{ {light} }} }}")
+    # as the page around it is, which may be another than the system's
+    for theme, own in ("light", light), ("dark", dark):
+        rules.append(f'.satviz[data-theme="{theme}"] {{ {own} }}')
+    rules.append(f"@media print {{ .satviz, .satviz[data-theme] {{ {light} }} }}")
     return "\n".join([*rules, _file("satviz.css")])
 
 

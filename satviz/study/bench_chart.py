@@ -80,7 +80,7 @@ def _factor(times: float) -> str:
 
 
 def _draw_ratios(fig: Figure, theme: Theme, ratios: Sequence[Ratio]) -> None:
-    ax = axes(fig, (0.255, 0.1, 0.27, 0.75), theme)
+    ax = axes(fig, (0.275, 0.1, 0.26, 0.75), theme)
     works = list(dict.fromkeys(r.work for r in ratios))
     places = {work: -k for k, work in enumerate(works)}
     ax.axvline(1, color=theme.roles["guide"], lw=1)
@@ -95,7 +95,7 @@ def _draw_ratios(fig: Figure, theme: Theme, ratios: Sequence[Ratio]) -> None:
     ticks = [t for t in (0.5, 1, 2, 5, 10, 20, 50, 100, 200) if ax.get_xlim()[0] <= t <= ax.get_xlim()[1]]
     ax.set_xticks(ticks, [f"{t:g}" for t in ticks])
     ax.set_xlabel("times as fast as shapely")
-    ax.text(1, 0.75, "shapely ", color=theme.roles["guide"], fontsize=TEXT, ha="right", va="center")
+    ax.text(1, 0.95, "shapely", color=theme.roles["guide"], fontsize=TEXT, ha="center", va="bottom")
     for k, method in enumerate(_methods(ratios)):
         shade = theme.roles[shades[method]]
         ax.plot(0.04 + 0.5 * k, 1.05, MARKS[method], color=shade, ms=7, transform=ax.transAxes, clip_on=False)

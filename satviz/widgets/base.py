@@ -3,6 +3,7 @@
 import os
 from base64 import b64encode
 from contextlib import suppress
+from html import escape
 from threading import RLock
 from typing import Any
 
@@ -70,8 +71,7 @@ class Shown(anywidget.AnyWidget):
         """The widget, and for where none runs the picture and the sentence."""
         found: Any = super()._repr_mimebundle_(**more)
         data, metadata = found if isinstance(found, tuple) else (found or {}, {})
-        still = {"text/plain": telling.printable(repr(self)), "image/png": still_png(self.picture())}
-        return {**data, **still}, metadata
+        return {**data, **still(self)}, metadata
 
 
 def stay_busy(comm: Any) -> None:
@@ -85,9 +85,15 @@ def stay_busy(comm: Any) -> None:
         comm.kernel.get_parent("shell")["header"]["msg_type"] = "comm_info_request"
 
 
-def still_png(drawn: Picture) -> str:
-    """A picture for a notebook's output, base64; its sentence stands in it: an exported page shows nothing else."""
-    return b64encode(encode(captioned([drawn])[0], "png")).decode()
+def still(widget: Any) -> dict[str, str]:
+    """What stands for a widget where no front end runs: its sentence, and the picture with the sentence in it.
+
+    As HTML too, which pages prefer: a bare PNG gets no alt text there.
+    """
+    drawn, said = widget.picture(), telling.printable(repr(widget))
+    png = b64encode(encode(captioned([drawn])[0], "png")).decode()
+    img = f'<img alt="{escape(telling.printable(drawn.sentence))}" src="data:image/png;base64,{png}">'
+    return {"text/plain": said, "text/html": img, "image/png": png}
 
 
 def code(*names: str) -> str:

@@ -2,10 +2,10 @@
 
 import traitlets
 
-from ..engine.shapes import Shape, checked
+from ..engine.shapes import Shape
 from ..scenes.article import SCENES
+from ..scenes.asked import scene_of
 from ..scenes.failing import REFUSED, ROWS
-from ..scenes.named import scene
 from ..scenes.scenefile import Scene
 from .base import Shown, code
 from .exploring import Exploring
@@ -33,15 +33,10 @@ class Explorer(Shown):
         return self._exploring.scene
 
 
-def explore(a: Scene | Shape | str, b: Shape | None = None) -> Explorer:
+def explore(what: Scene | Shape | str = "triangles", b: Shape | None = None) -> Explorer:
     """A scene to drag: a built-in scene's name, a Scene, or two shapes.
 
     Drag shapes, vertices and handles, or Tab to one and use the arrow keys.  InvalidScene
     for an unknown name, ValueError for a scene that cannot be drawn, TypeError for anything else.
     """
-    if b is not None:
-        return Explorer(Scene("scene", checked(a, "a"), checked(b, "b")))
-    shown = scene(a) if isinstance(a, str) else a
-    if not isinstance(shown, Scene):
-        raise TypeError(f"a is a {type(a).__name__}: pass a scene, its name, or two shapes")
-    return Explorer(shown)
+    return Explorer(scene_of(what, b))

@@ -9,10 +9,10 @@ from ..engine.geometry import InvalidScene, Vec
 from ..engine.trace import Trace, record
 from ..pictures import Picture
 from ..pictures.belief import hand, heading
-from ..pictures.curve import direction, gap_curve
-from ..pictures.live import Chosen, field, fits, knob, live, telling_test, turned_axis
+from ..pictures.curve import WIDTH, direction, gap_curve
+from ..pictures.live import Chosen, canvas, field, fits, knob, live, telling_test, turned_axis
 from ..pictures.minkowski import difference
-from ..pictures.playback import rows
+from ..pictures.playback import first_rows, rows
 from ..scenes.link import Shown, fragment
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
@@ -39,6 +39,7 @@ class Exploring(Showing):
 
     def __init__(self, shown: Scene) -> None:
         self._degree: float | None = None
+        self._largest = canvas(None)
         self._way_out = self._against = False
         self._start(shown)
         self._settle()
@@ -77,13 +78,15 @@ class Exploring(Showing):
             "json": self.scene.to_json(),
             "view": self._view,
             "link": fragment(self.scene, self._shown()),
+            "scene": self._begun,
         }
         if self._against:
-            found["difference"] = difference(trace).data()
+            found["difference"] = difference(trace, largest=(min(340.0, self._largest[0]), 300.0)).data()
         if self._run.shortcut:
             found["heading"] = list(heading(self._run))
         if drawn.knob is not None:
-            found["curve"] = gap_curve(self.scene.a, self.scene.b, self._degree).data()
+            width = min(WIDTH, self._largest[0])
+            found["curve"] = gap_curve(self.scene.a, self.scene.b, self._degree, width=width).data()
             found["knob"] = list(drawn.knob)
         return found
 
@@ -94,24 +97,30 @@ class Exploring(Showing):
 
     def _start(self, shown: Scene) -> None:
         trace = _trace(shown)
-        self._layout = field(trace)
+        self._layout = field(trace, self._largest)
+        self._begun = shown.to_json()  # a pose says which scene it is of: undo goes back over presets too
         self._look(shown, trace, SHORTCUT if trace.shortcut else None)
         self._pinned: int | None = None
         self._near: Vec | None = None  # the way the axis lay before, so that it stays on its side
 
     def _pose(self, content: dict[str, Any]) -> None:
         a, b = shape_from(content.get("a"), "A"), shape_from(content.get("b"), "B")
-        degree, pinned = content.get("degree"), content.get("pinned")
-        if degree is not None and not (isinstance(degree, (int, float)) and isfinite(degree)):
-            raise InvalidScene("the angle must be a number")
+        degree, pinned = _number(content.get("degree"), "the angle"), content.get("pinned")
+        largest = canvas(_number(content.get("width"), "the width"))
         if pinned is not None and not isinstance(pinned, int):
             raise InvalidScene("the axis shown must be a row's number")
-        view = (content.get("view") or self._view) if self._view else None
+        text = content.get("scene")
+        begun = self.scene if text in (None, self._begun) else Scene.from_json(typed(text, "the scene", str))
+        changed = replace(begun, a=a, b=b)
+        trace = _trace(changed)
+        view = (content.get("view") or self._view or SHORTCUT) if trace.shortcut else None
         if view not in (None, SHORTCUT, TRUTH):
             raise InvalidScene(f'the view must be "{SHORTCUT}" or "{TRUTH}"')
-        changed = replace(self.scene, a=a, b=b)
-        trace = _trace(changed)
-        field(trace)  # refused where it cannot be drawn
+        layout = field(trace, largest)  # refused where it cannot be drawn
+        if begun is not self.scene:
+            self._begun = begun.to_json()
+        if begun is not self.scene or largest != self._largest:
+            self._layout, self._largest = layout, largest
         if pinned != self._pinned or (degree is None) != (self._degree is None) or view != self._view:
             self._near = None
         if view != self._view:
@@ -129,7 +138,7 @@ class Exploring(Showing):
         """Draw; when a drag has ended the view is fitted anew if something lies outside."""
         self._drawn = self._draw()
         if final and not fits(self._drawn.picture):
-            self._layout = field(self.trace)
+            self._layout = field(self.trace, self._largest)
             self._drawn = self._draw()
 
     def _draw(self) -> Drawn:
@@ -143,24 +152,24 @@ class Exploring(Showing):
         show = hand if trace.shortcut else live
         drawn, lies = show(trace, self._layout, chosen, way_out=self._way_out, near=self._near)
         self._near = None if lies is None else lies.out
-        return Drawn(drawn, lit=None if chosen is None else _row_of(trace, chosen))
+        return Drawn(drawn, lit=None if chosen is None else first_rows(trace)[chosen.pair or 0] + chosen.test)
 
     def _choice(self) -> Chosen | None:
         """The axis that was asked for, as long as the trace has it; else the one that tells most."""
         if self._pinned is not None:
-            row = 0
-            for pair, run in enumerate(self.trace.pairs or (self.trace,)):
-                if row <= self._pinned < row + len(run.tests):
-                    return Chosen(pair if self.trace.pairs else None, self._pinned - row)
-                row += len(run.tests) + len(run.skipped)
+            runs = self.trace.pairs or (self.trace,)
+            for pair, (run, begin) in enumerate(zip(runs, first_rows(self.trace), strict=False)):
+                if begin <= self._pinned < begin + len(run.tests):
+                    return Chosen(pair if self.trace.pairs else None, self._pinned - begin)
         return telling_test(self.trace)
+
+
+def _number(value: Any, what: str) -> float | None:
+    if value is not None and not (isinstance(value, (int, float)) and isfinite(value)):
+        raise InvalidScene(f"{what} must be a number")
+    return value
 
 
 def _trace(shown: Scene) -> Trace:
     """Every axis, since the table shows them all."""
     return shown.record().without_early_exit()
-
-
-def _row_of(trace: Trace, chosen: Chosen) -> int:
-    before = trace.pairs[: chosen.pair or 0]
-    return sum(len(run.tests) + len(run.skipped) for run in before) + chosen.test

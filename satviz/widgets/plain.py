@@ -6,11 +6,11 @@ from typing import Any
 
 import ipywidgets as ui
 
-from ..engine import telling
 from ..engine.trace import Trace
-from ..pictures import LIGHT, picture, steps
+from ..pictures import LIGHT, Picture, picture, steps
+from ..pictures.caption import reading
 from ..render.files import canvas, styled
-from .base import LOCK, still_png
+from .base import LOCK, still
 
 
 class PlainPlayer(ui.VBox):  # type: ignore[misc]
@@ -23,7 +23,7 @@ class PlainPlayer(ui.VBox):  # type: ignore[misc]
         self.image = ui.Image(format="png", layout={"max_width": "100%", "object_fit": "contain"})
         self.sentence = ui.HTML()
         self.slider = ui.IntSlider(0, 0, last, description="step")
-        self.player = ui.Play(value=0, min=0, max=last, interval=1800)
+        self.player = ui.Play(value=0, min=0, max=last, interval=reading(picture(trace, 0).sentence))
         ui.jslink((self.player, "value"), (self.slider, "value"))
         back, forward = (ui.Button(description=name, layout={"width": "80px"}) for name in ("back", "forward"))
         back.on_click(lambda _: self._by(-1))
@@ -42,12 +42,17 @@ class PlainPlayer(ui.VBox):  # type: ignore[misc]
             out = io.BytesIO()
             self.figure.savefig(out, format="png", dpi=96)
         self.image.value = out.getvalue()
+        self.player.interval = reading(drawn.sentence)
         self.sentence.value = f"<p>{escape(drawn.sentence)}</p>"
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {self.trace.sentence}>"
 
+    def picture(self) -> Picture:
+        """What is shown where no front end runs (a box loses its children's)."""
+        return picture(self.trace)
+
     def _repr_mimebundle_(self, **more: Any) -> dict[str, Any]:
-        """The widget, and for where none runs the picture and the sentence (a box loses its children's)."""
+        """The widget, and for where none runs the picture and the sentence."""
         found = super()._repr_mimebundle_(**more) or {}
-        return {**found, "text/plain": telling.printable(repr(self)), "image/png": still_png(picture(self.trace))}
+        return {**found, **still(self)}

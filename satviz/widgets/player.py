@@ -4,8 +4,11 @@ from typing import Any
 
 import traitlets
 
+from ..engine.shapes import Shape
 from ..engine.trace import Trace
-from ..pictures.playback import playbacks
+from ..pictures import Picture, picture
+from ..pictures.playback import narrow, playbacks
+from ..scenes.asked import Asked, trace_of
 from ..scenes.link import of_trace
 from .base import Shown, code
 from .showing import Showing
@@ -16,19 +19,34 @@ class Player(Shown):
 
     _esm = code("play")
     shows: traitlets.List[dict[str, Any]] = traitlets.List().tag(sync=True)
+    narrow: traitlets.List[dict[str, Any]] = traitlets.List().tag(sync=True)
     predict = traitlets.Bool(False).tag(sync=True)
     link = traitlets.Unicode("").tag(sync=True)
 
     def __init__(self, trace: Trace, *, predict: bool = False) -> None:
-        super().__init__(Showing(trace), shows=playbacks(trace), predict=predict, link=of_trace(trace))
+        super().__init__(
+            Showing(trace), shows=playbacks(trace), narrow=narrow(trace), predict=predict, link=of_trace(trace)
+        )
+
+    def picture(self) -> Picture:
+        """What is shown where no front end runs: to one who is asked not the answer."""
+        return picture(self.trace, 0) if self.predict else super().picture()
+
+    def __repr__(self) -> str:
+        return "<Player: do A and B collide?>" if self.predict else super().__repr__()
 
 
-def play(trace: Trace, *, predict: bool = False, pen: str = "svg") -> Any:
+def play(what: Asked | Shape, b: Shape | None = None, *, predict: bool = False, pen: str = "svg") -> Any:
     """A player for a notebook: step, play, scrub, and with `predict` a question before each answer.
 
-    `pen`: "svg" (drawn in the browser) or "matplotlib" (plain ipywidgets controls, for
-    places where anywidget does not load).  ValueError for a scene that cannot be drawn.
+    Of a scene (or its name), two shapes, or a trace.  `pen`: "svg" (drawn in the browser) or
+    "matplotlib" (plain ipywidgets controls, for places where anywidget does not load).
+    What a shortcut saw tells what is, so `predict` asks about the true run.
+    ValueError for a scene that cannot be drawn.
     """
+    trace = trace_of(what, b)
+    if predict and trace.shortcut:
+        trace = trace.truth
     if pen == "svg":
         return Player(trace, predict=predict)
     if pen != "matplotlib":

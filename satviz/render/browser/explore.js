@@ -11,6 +11,11 @@ const LATE_MS = 3000; // answers that have not come by then are not waited for
 const STEP = 8; // points that an arrow key moves; with Shift a tenth
 const TURN = 5; // degrees that [ and ] turn; with Shift 1
 
+const TELL_MS = 400; // what is told waits for the hand to rest
+const LEAST_WIDTH = 540; // points; a picture in a narrower place is laid out for it
+const HINT = "Drag a shape, a corner or the turn handle. Keys: Tab to a shape; arrows move it, [ and ] turn it, Page Down goes to its corners.";
+const KEYS = "Arrow keys move, with Shift less; [ and ] turn; Page Down and Page Up go to the other handles of the shape.";
+
 class Explorer {
   constructor(model, root) {
     this.model = model;
@@ -19,64 +24,79 @@ class Explorer {
     this.pose = this.poseOf(this.state);
     this.valid = this.pose; // the last that Python took
     this.undone = []; // poses to go back to
+    this.redone = []; // and forward
     this.start = this.pose;
     this.sent = 0; // the last pose's number
     this.heard = 0; // the last answer's
     this.given = 0; // the last that is not waited for
     this.next = null; // the newest that waits
     this.drag = null;
+    this.width = null; // of the place in points; null: as wide as a picture ever is
+    this.shown = 1; // pixels a point
+    this.active = { a: "A-move", b: "B-move" }; // each shape is one stop of the Tab key: this handle of it
+    this.sides = {}; // where each turn handle sits
     const svg = element("svg", { class: "sv-picture", role: "img" });
     this.pen = new Pen(svg);
-    this.handles = element("g", { class: "sv-handles" });
-    svg.append(this.handles);
     this.svg = svg;
+    this.handles = element("div", { class: "sv-handles" });
+    this.board = element("div", { class: "sv-board" }, svg, this.handles);
     this.curve = element("svg", { class: "sv-picture sv-curve", role: "img", hidden: true });
     this.curvePen = new Pen(this.curve);
     this.difference = element("svg", { class: "sv-picture sv-difference", role: "img", hidden: true });
     this.differencePen = new Pen(this.difference);
-    this.sentence = element("p", { class: "sv-sentence", "aria-live": "polite" });
+    this.sentence = element("p", { class: "sv-sentence" });
+    this.said = element("div", { class: "sv-said", role: "status" });
     this.heading = element("p", { class: "sv-heading", hidden: true });
     this.why = element("p", { class: "sv-why", role: "alert", hidden: true });
+    this.hint = element("p", { class: "sv-hint" }, HINT);
+    this.keys = element("p", { id: `sv-keys-${Math.random().toString(36).slice(2)}`, hidden: true }, KEYS);
     this.table = new Table(this.state.names, { pick: (row) => this.pick(row) });
-    const side = element("div", { class: "sv-side" }, this.table.element, this.curve, this.difference);
-    const stage = element("div", { class: "sv-stage" }, this.heading, svg, this.why, this.sentence, this.controls());
+    const side = element("div", { class: "sv-side" }, this.curve, this.difference, element("div", { class: "sv-fold" }, this.table.element));
+    this.stage = element("div", { class: "sv-stage" }, this.heading, this.board, this.hint, this.why, this.sentence, this.said, this.keys, this.controls());
     root.classList.add("satviz");
     root.setAttribute("data-lm-suppress-shortcuts", "true");
-    root.append(element("div", { class: "sv-columns" }, stage, side));
-    svg.addEventListener("pointerdown", (event) => this.down(event));
-    svg.addEventListener("pointermove", (event) => this.moved(event));
-    svg.addEventListener("pointerup", () => this.up());
-    svg.addEventListener("pointercancel", () => this.up());
-    svg.addEventListener("keydown", (event) => this.key(event));
+    this.columns = element("div", { class: "sv-columns" }, this.stage, side);
+    root.append(this.columns);
+    this.board.addEventListener("pointerdown", (event) => this.down(event));
+    this.board.addEventListener("pointermove", (event) => this.moved(event));
+    this.board.addEventListener("pointerup", () => this.up());
+    this.board.addEventListener("pointercancel", () => this.up());
+    // a finger beside the shapes scrolls the page
+    this.board.addEventListener("touchstart", (event) => this.under(event.target, event.touches[0]) && event.preventDefault(), { passive: false });
+    this.onkey = (event) => this.key(event);
+    root.addEventListener("keydown", this.onkey);
     this.onmessage = (content, buffers) => this.message(content, buffers);
     model.on("msg:custom", this.onmessage);
+    this.unthemed = themed(root);
     this.show(this.state);
+    this.sizes = new ResizeObserver(() => this.resized());
+    this.sizes.observe(root);
   }
 
   controls() {
     const check = (label, does) => {
       const box = element("input", { type: "checkbox", onchange: () => does(box.checked) });
-      return element("label", {}, box, ` ${label}`);
+      return [box, element("label", {}, box, ` ${label}`)];
     };
     const named = (names) => names.map((name) => element("option", { value: name }, name));
     const groups = { "the article's": this.model.get("presets"), "where a shortcut fails": this.model.get("failing") };
     const options = Object.entries(groups).map(([label, names]) => element("optgroup", { label }, ...named(names)));
     this.presets = element("select", { "aria-label": "presets", onchange: () => this.preset() }, element("option", { value: "" }, "presets"), ...options);
-    this.views = ["shortcut", "truth"].map((view) => button(view, () => this.change({ view, pinned: null }), { pressed: "false" }));
+    this.views = ["shortcut", "truth"].map((view) => button(view, () => this.commit({ ...this.pose, view, pinned: null }), { pressed: "false" }));
     this.view = element("span", { class: "sv-view", role: "group", "aria-label": "what is shown", hidden: true }, ...this.views);
-    this.undoButton = button("undo", () => this.undo());
+    this.undoButton = button("undo", () => this.undo(), { keys: "Control+Z" });
+    this.redoButton = button("redo", () => this.redo(), { keys: "Control+Shift+Z" });
+    const [free, freeLabel] = check("free axis", (on) => this.change({ degree: on ? 30 : null, pinned: null }));
+    const [wayOut, wayOutLabel] = check("way out", (on) => this.change({ wayOut: on }));
+    const [against, againstLabel] = check("B − A", (on) => this.change({ against: on }));
+    this.boxes = { free, wayOut, against };
+    const save = saveMenu((form) => this.model.send({ kind: "save", form }), button("copy JSON", () => this.copy()), button("copy link", () => copyLink(this.model.get("site"), this.state.link)));
     return element("div", { class: "sv-controls", role: "group", "aria-label": "explorer" },
-      this.presets, this.view, this.undoButton, button("reset", () => this.commit(this.start)),
-      check("free axis", (on) => this.change({ degree: on ? 30 : null, pinned: null })),
-      check("way out", (on) => this.change({ wayOut: on })),
-      check("B − A", (on) => this.change({ against: on })),
-      button("copy scene as JSON", () => this.copy(), { shows: "copy JSON" }),
-      button("copy link to the scene", () => copyLink(this.model.get("site"), this.state.link), { shows: "copy link" }),
-      ...["svg", "png", "gif"].map((form) => button(`save ${form.toUpperCase()}`, () => this.model.send({ kind: "save", form }))));
+      this.presets, this.view, this.undoButton, this.redoButton, button("reset", () => this.reset()), freeLabel, wayOutLabel, againstLabel, save);
   }
 
-  poseOf({ a, b, view }) {
-    return { a, b, view, degree: this.pose?.degree ?? null, pinned: this.pose?.pinned ?? null, wayOut: this.pose?.wayOut ?? false, against: this.pose?.against ?? false };
+  poseOf({ a, b, view, scene }) {
+    return { a, b, view, scene, pinned: null, degree: this.pose?.degree ?? null, wayOut: this.pose?.wayOut ?? false, against: this.pose?.against ?? false };
   }
 
   // -- to and from Python
@@ -95,7 +115,7 @@ class Explorer {
     const { pose, final } = this.next;
     this.next = null;
     this.sent += 1;
-    this.model.send({ kind: "pose", n: this.sent, final, ...pose });
+    this.model.send({ kind: "pose", n: this.sent, final, ...pose, width: this.width });
     clearTimeout(this.freeing);
     this.freeing = setTimeout(() => this.model.send({ final }), FREE_MS);
     clearTimeout(this.late);
@@ -117,7 +137,8 @@ class Explorer {
       this.flush();
     } else this.choosing = false;
     if (content.kind === "refused") {
-      this.why.textContent = `Not possible: ${content.why}`;
+      const why = `Not possible: ${content.why}`;
+      if (this.why.hidden || this.why.textContent !== why) this.why.textContent = why; // told once
       this.why.hidden = false;
       this.refused = true;
       if (!this.ahead) this.show(this.state);
@@ -127,6 +148,7 @@ class Explorer {
       this.state = content;
       if (!content.n) {
         this.undone.push(this.valid);
+        this.redone = [];
         this.start = this.poseOf(content);
         this.pose = this.start;
       }
@@ -139,19 +161,54 @@ class Explorer {
 
   show(state) {
     this.pen.draw(state.picture);
+    this.board.style.setProperty("--sv-width", this.pen.width);
+    this.board.style.setProperty("--sv-height", this.pen.height);
     if (!this.ahead) this.pose = { ...this.pose, a: state.a, b: state.b };
     this.view.toggleAttribute("hidden", !state.view);
     this.views.forEach((each) => each.setAttribute("aria-pressed", String(each.textContent === state.view)));
     this.heading.textContent = (state.heading ?? []).join(" ");
     this.heading.toggleAttribute("hidden", !state.heading);
+    if (this.sentence.textContent) this.tell(state.sentence);
     this.sentence.textContent = state.sentence;
+    if (state.scene !== this.scene) {
+      this.scene = state.scene;
+      const { name } = JSON.parse(state.scene);
+      this.presets.value = [...this.presets.options].some(({ value }) => value === name) ? name : "";
+    }
     this.showRows(state);
     this.curve.toggleAttribute("hidden", !state.curve);
     if (state.curve) this.curvePen.draw(state.curve);
     this.difference.toggleAttribute("hidden", !state.difference);
     if (state.difference) this.differencePen.draw(state.difference);
-    this.undoButton.disabled = !this.undone.length;
+    this.settle();
     this.follow();
+  }
+
+  // The buttons and boxes as the pose has it.
+  settle() {
+    this.undoButton.disabled = !this.undone.length;
+    this.redoButton.disabled = !this.redone.length;
+    this.boxes.free.checked = this.pose.degree !== null;
+    this.boxes.wayOut.checked = this.pose.wayOut;
+    this.boxes.against.checked = this.pose.against;
+  }
+
+  // Said aloud when the hand rests, not at every picture.
+  tell(sentence) {
+    clearTimeout(this.telling);
+    if (!this.drag) this.telling = setTimeout(() => { this.said.textContent = sentence; }, TELL_MS);
+  }
+
+  // A narrow place gets a picture laid out for it, instead of smaller letters.
+  resized() {
+    const wide = this.stage.clientWidth || this.columns.clientWidth;
+    if (!wide) return;
+    this.shown = this.board.clientWidth / this.pen.width;
+    const width = wide < LEAST_WIDTH ? Math.floor(wide / 20) * 20 : null;
+    if (width !== this.width) {
+      this.width = width;
+      this.send(this.pose, true);
+    } else this.placeHandles();
   }
 
   // Rows like the last ones change in place: made anew they cost another layout of the page, and the focus.
@@ -177,86 +234,138 @@ class Explorer {
     this.placeHandles();
   }
 
-  // The handles of a pose: what each is, where it sits, what it is called.
+  // The handles of a pose: what each is, where it sits, what it is called and what it says.
   wanted() {
     const found = [];
     for (const key of ["a", "b"]) {
       const shape = this.pose[key];
       const name = key.toUpperCase();
       const center = middle(shape);
-      found.push({ id: `${name}-move`, key, does: "move", at: center, label: `${name}: move` });
+      found.push({ id: `${name}-move`, key, does: "move", at: center, label: name, value: center[0], says: `middle at ${place(center)}` });
       if (shape.polygon) {
         shape.polygon.forEach((at, i) => {
           const vertex = shape.labels?.[i] || `${key}${i + 1}`;
-          found.push({ id: `${name}-vertex-${i}`, key, does: "vertex", i, at, label: `${name}: vertex ${vertex}` });
+          found.push({ id: `${name}-vertex-${i}`, key, does: "vertex", i, at, label: `${name}: corner ${vertex}`, value: at[0], says: `at ${place(at)}` });
         });
-        found.push({ id: `${name}-rotate`, key, does: "rotate", at: this.turnSpot(shape), label: `${name}: turn` });
+        const [[x, y]] = shape.polygon;
+        const degree = (Math.atan2(y - center[1], x - center[0]) * 180) / Math.PI;
+        found.push({ id: `${name}-rotate`, key, does: "rotate", at: this.turnSpot(shape, key), label: `${name}: turn`, value: degree, says: `first corner at ${told(degree)} degrees` });
       } else {
-        found.push({ id: `${name}-radius`, key, does: "radius", at: [center[0] + shape.radius, center[1]], label: `${name}: radius` });
+        const at = [center[0] + shape.radius, center[1]];
+        found.push({ id: `${name}-radius`, key, does: "radius", at, label: `${name}: radius`, value: shape.radius, says: told(shape.radius) });
       }
     }
-    if (this.state.knob) found.push({ id: "axis", key: null, does: "axis", at: this.state.knob, label: "turn the axis" });
+    const { knob } = this.state;
+    if (knob && this.pose.degree !== null) found.push({ id: "axis", key: null, does: "axis", at: knob, label: "turn the axis", value: this.pose.degree, says: `${told(this.pose.degree)} degrees` });
     return found;
   }
 
-  // Where a shape's turn handle sits: above it, or below where an axis passes above.
-  turnSpot({ polygon }) {
-    const [x] = middle({ polygon });
-    const heights = polygon.map(([, y]) => y);
-    const off = 26 / this.pen.scale;
-    const [[, top], [, bottom]] = [this.pen.scene([0, 14]), this.pen.scene([0, this.pen.height - 14])];
-    const spots = [[x, Math.min(Math.max(...heights) + off, top)], [x, Math.max(Math.min(...heights) - off, bottom)]];
-    const axes = this.state.picture.marks.filter(({ part }) => part === "axis");
-    const clear = (spot) => axes.every(({ points }) => distance(spot, points) * this.pen.scale > 16);
-    return spots.find(clear) ?? spots[0];
+  // Where a shape's turn handle sits: above it, or where neither an axis nor words lie; there it stays while it can.
+  turnSpot({ polygon }, key) {
+    const [x, y] = middle({ polygon });
+    const [xs, ys] = [0, 1].map((k) => polygon.map((p) => p[k]));
+    const off = 32 / (this.pen.scale * this.shown);
+    const spots = [[x, Math.max(...ys) + off], [x, Math.min(...ys) - off], [Math.max(...xs) + off, y], [Math.min(...xs) - off, y]];
+    const { axes, words } = this.obstacles;
+    const clear = (spot, room) => {
+      const [px, py] = this.pen.at(spot);
+      const inside = px > 14 && py > 14 && px < this.pen.width - 14 && py < this.pen.height - 14;
+      return inside && axes.every((line) => distance(spot, line) * this.pen.scale > 16)
+        && (!room || words.every(([wx, wy, half]) => Math.abs(wx - px) > half + room || Math.abs(wy - py) > 6 + room));
+    };
+    const side = [this.sides[key], 0, 1, 2, 3].find((s) => s !== undefined && clear(spots[s], 10)) ?? [0, 1, 2, 3].find((s) => clear(spots[s], 0)) ?? 0;
+    this.sides[key] = side;
+    return spots[side];
+  }
+
+  // The axes and the words in the picture: middle and half the width, about.
+  get obstacles() {
+    if (this.seen !== this.state) {
+      this.seen = this.state;
+      const { marks, looks } = this.state.picture;
+      const axes = marks.filter(({ part }) => part === "axis").map(({ points }) => points);
+      const labels = marks.filter(({ look, part }) => looks[look].kind === "label" && part !== "name");
+      const longest = (text) => Math.max(...text.split("\n").map((line) => line.length));
+      this.found = { axes, words: labels.map(({ points, text, look }) => [...this.pen.at(points[0]), longest(text) * looks[look].size * 0.3]) };
+    }
+    return this.found;
   }
 
   placeHandles() {
     const wanted = this.wanted();
     const old = new Map([...this.handles.children].map((handle) => [handle.dataset.handle, handle]));
+    for (const key of ["a", "b"]) {
+      if (!wanted.some(({ id }) => id === this.active[key])) this.active[key] = `${key.toUpperCase()}-move`;
+    }
     for (const spec of wanted) {
       let handle = old.get(spec.id);
       old.delete(spec.id);
       if (!handle) {
-        const more = { "data-handle": spec.id, tabindex: 0, role: "button", "aria-roledescription": "handle" };
-        handle = element("g", { class: `sv-handle sv-does-${spec.does} sv-role-${spec.key ?? "axis"}`, ...more });
-        handle.append(element("circle", { class: "sv-target", r: 14 }), element("circle", { class: "sv-grip", r: spec.does === "move" ? 0 : 5 }));
-        handle.setAttribute("aria-label", `${spec.label}; arrow keys move, [ and ] turn`);
+        handle = element("div", { class: `sv-handle sv-does-${spec.does} sv-role-${spec.key ?? "axis"}`, "data-handle": spec.id, role: "slider", "aria-describedby": this.keys.id });
+        handle.append(spec.does === "rotate" ? icon("turn") : element("span", { class: "sv-grip" }));
+        handle.addEventListener("focus", () => this.focused(handle.spec));
         this.handles.append(handle);
       }
       handle.spec = spec;
-      const mine = this.drag && this.drag.spec.id === spec.id && spec.does !== "vertex" && this.drag.spot;
+      const mine = this.drag && this.drag.spec.id === spec.id && (spec.does === "rotate" || spec.does === "radius") && this.drag.spot;
       const [x, y] = this.pen.at(mine || spec.at);
-      handle.setAttribute("transform", `translate(${x} ${y})`);
+      handle.style.left = `${(100 * x) / this.pen.width}%`;
+      handle.style.top = `${(100 * y) / this.pen.height}%`;
+      if (!this.drag) this.describe(handle, spec);
     }
     for (const handle of old.values()) handle.remove();
+    wanted.forEach(({ id }, i) => { // in their order, also after other shapes
+      const there = this.handles.children[i];
+      if (there.dataset.handle !== id) this.handles.insertBefore(this.handles.querySelector(`[data-handle="${id}"]`), there);
+    });
+  }
+
+  describe(handle, { id, key, label, value, says }) {
+    const [least, most] = key ? [-1e9, 1e9] : [-180, 180];
+    const now = Math.min(most, Math.max(least, Number(value.toPrecision(6))));
+    const words = { "aria-label": label, "aria-valuemin": least, "aria-valuemax": most, "aria-valuenow": now, "aria-valuetext": says };
+    for (const [name, text] of Object.entries(words)) if (handle.getAttribute(name) !== String(text)) handle.setAttribute(name, text);
+    handle.tabIndex = !key || this.active[key] === id ? 0 : -1;
+  }
+
+  focused({ id, key }) {
+    if (!key || this.active[key] === id) return;
+    this.active[key] = id;
+    this.placeHandles();
   }
 
   // -- the hand
 
-  pointed(event) {
+  pointed({ clientX, clientY }) {
     const box = this.svg.getBoundingClientRect();
-    const [, , width] = this.svg.getAttribute("viewBox").split(" ").map(Number);
-    const k = width / box.width;
-    return this.pen.scene([(event.clientX - box.left) * k, (event.clientY - box.top) * k]);
+    const k = this.pen.width / box.width;
+    return this.pen.scene([(clientX - box.left) * k, (clientY - box.top) * k]);
+  }
+
+  // The handle that a pointer means.  A shape is moved by any point of it; where both lie B, which is drawn last.
+  under(target, pointer) {
+    const handle = target.closest(".sv-handle");
+    if (handle) return handle;
+    const spot = this.pointed(pointer);
+    const key = ["b", "a"].find((k) => holds(this.pose[k], spot));
+    return key ? this.handles.querySelector(`[data-handle="${key.toUpperCase()}-move"]`) : null;
   }
 
   down(event) {
     if (event.button > 0 || this.drag || this.choosing) return;
-    const spot = this.pointed(event);
-    let handle = event.target.closest(".sv-handle");
-    // a shape is moved by any point of it; where both lie B, which is drawn last, is meant
-    const key = !handle && ["b", "a"].find((k) => holds(this.pose[k], spot));
-    if (key) handle = this.handles.querySelector(`[data-handle="${key.toUpperCase()}-move"]`);
+    const handle = this.under(event.target, event);
     if (!handle) return;
     event.preventDefault();
+    clearTimeout(this.telling);
+    this.hint.hidden = true;
     handle.focus({ preventScroll: true });
-    this.svg.setPointerCapture(event.pointerId);
-    this.drag = { spec: handle.spec, from: spot, pose: this.pose };
+    this.board.setPointerCapture(event.pointerId);
+    this.board.classList.add("sv-dragging");
+    this.drag = { spec: handle.spec, from: this.pointed(event), pose: this.pose };
   }
 
   moved(event) {
-    if (!this.drag) return;
+    if (!this.drag) return this.board.classList.toggle("sv-over", Boolean(this.under(event.target, event)));
     const { spec, from, pose } = this.drag;
     const grid = 10 ** Math.floor(Math.log10(1 / this.pen.scale));
     const [x, y] = this.pointed(event).map((v) => snap(v, grid));
@@ -279,20 +388,36 @@ class Explorer {
     if (!this.drag) return;
     const before = this.drag.pose;
     this.drag = null;
+    this.board.classList.remove("sv-dragging");
     const to = this.refused ? this.valid : this.pose;
-    if (JSON.stringify(to) !== JSON.stringify(before)) this.undone.push(before);
+    if (JSON.stringify(to) !== JSON.stringify(before)) this.remember(before);
     this.send(to, true);
   }
 
   key(event) {
+    const taken = () => {
+      event.preventDefault();
+      event.stopPropagation();
+      this.hint.hidden = true;
+    };
+    if ((event.ctrlKey || event.metaKey) && !event.altKey && "zy".includes(event.key.toLowerCase())) {
+      taken();
+      return event.shiftKey || event.key.toLowerCase() === "y" ? this.redo() : this.undo();
+    }
     const handle = event.target.closest(".sv-handle");
     if (!handle || event.ctrlKey || event.metaKey || event.altKey) return;
     const { spec } = handle;
+    const next = { PageDown: 1, n: 1, PageUp: -1, p: -1, Escape: 0 }[event.key];
+    if (next !== undefined && spec.key) {
+      taken();
+      const own = [...this.handles.children].filter((each) => each.spec.key === spec.key);
+      const to = next ? own.indexOf(handle) + next + own.length : 0;
+      return own[to % own.length].focus();
+    }
     const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
     const side = { "[": 1, "{": 1, "]": -1, "}": -1 }[event.key];
     if (!way && !side) return;
-    event.preventDefault();
-    event.stopPropagation();
+    taken();
     const size = nice(STEP / this.pen.scale) * (event.shiftKey ? 0.1 : 1);
     const angle = (side ?? (spec.does === "rotate" || spec.does === "axis" ? -way[0] || way[1] : 0)) * (event.shiftKey ? 1 : TURN);
     if (spec.does === "axis") return this.commit({ ...this.pose, degree: snap(this.pose.degree + angle, 0.1) });
@@ -308,34 +433,57 @@ class Explorer {
 
   // -- changes that can be undone
 
+  remember(pose) {
+    this.undone.push(pose);
+    this.redone = [];
+    this.hint.hidden = true;
+  }
   commit(pose) {
-    this.undone.push(this.pose);
+    this.remember(this.pose);
     this.send(pose, true);
+    this.settle();
   }
   change(more) {
-    this.send({ ...this.pose, ...more }, true);
+    this.commit({ ...this.pose, ...more });
+  }
+  reset() {
+    const { a, b, scene, view } = this.start;
+    this.change({ a, b, scene, view, pinned: null });
   }
   undo() {
-    const pose = this.undone.pop();
-    if (pose) this.send({ ...this.pose, a: pose.a, b: pose.b }, true);
+    this.go(this.undone, this.redone);
+  }
+  redo() {
+    this.go(this.redone, this.undone);
+  }
+  go(from, to) {
+    if (!from.length || this.drag || this.choosing) return;
+    to.push(this.pose);
+    this.send(from.pop(), true);
+    this.settle();
   }
   pick(row) {
     this.change({ pinned: this.pose.pinned === row ? null : row });
   }
   preset() {
     if (!this.presets.value) return;
+    this.hint.hidden = true;
     this.next = null; // a pose that still waits is of the scene that leaves
     this.drag = null;
     this.choosing = true;
     this.model.send({ kind: "preset", name: this.presets.value });
   }
   copy() {
-    navigator.clipboard?.writeText(this.state.json);
+    navigator.clipboard?.writeText(this.state.json).then(() => this.tell("The scene is copied."));
   }
 
   remove() {
     clearTimeout(this.freeing);
     clearTimeout(this.late);
+    clearTimeout(this.telling);
+    this.sizes.disconnect();
+    this.unthemed();
+    this.root.removeEventListener("keydown", this.onkey);
     this.model.off("msg:custom", this.onmessage);
     this.pen.remove();
     this.root.replaceChildren();
@@ -362,6 +510,15 @@ function snap(value, grid) {
 function nice(value) {
   const power = 10 ** Math.floor(Math.log10(value));
   return power * (value / power >= 5 ? 5 : value / power >= 2 ? 2 : 1);
+}
+
+// A number as a voice says it.
+function told(value) {
+  return String(Number(value.toPrecision(4))).replace("-", "\u2212");
+}
+
+function place([x, y]) {
+  return `(${told(x)}, ${told(y)})`;
 }
 
 function middle({ polygon, circle }) {

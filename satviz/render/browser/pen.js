@@ -159,6 +159,52 @@ export class Pen {
   }
 }
 
+// Light or dark as what lies around an element is, whatever the system likes; until the function it gives is called.
+export function themed(root) {
+  const match = () => {
+    const theme = dark(root) ? "dark" : "light";
+    if (root.dataset.theme !== theme) root.dataset.theme = theme;
+  };
+  const late = () => {
+    match();
+    clearTimeout(again);
+    again = setTimeout(match, 500); // colours may fade over
+  };
+  let again = 0;
+  const system = matchMedia("(prefers-color-scheme: dark)");
+  const changes = new MutationObserver(late);
+  for (const page of [document.documentElement, document.body]) changes.observe(page, { attributes: true });
+  system.addEventListener("change", late);
+  late();
+  return () => {
+    clearTimeout(again);
+    changes.disconnect();
+    system.removeEventListener("change", late);
+  };
+}
+
+// Is the page dark?  As JupyterLab and VS Code say it, else by the colour that shows behind the element.
+function dark(root) {
+  const { body } = document;
+  if (body.dataset.jpThemeLight) return body.dataset.jpThemeLight === "false";
+  if (body.matches(".vscode-light, .vscode-high-contrast-light")) return false;
+  if (body.matches(".vscode-dark, .vscode-high-contrast")) return true;
+  for (let around = root.parentNode; around; around = around.parentNode ?? around.host) {
+    const [r, g, b, opacity] = around instanceof Element ? rgba(getComputedStyle(around).backgroundColor) : [0, 0, 0, 0];
+    if (opacity > 127) return 0.3 * r + 0.6 * g + 0.1 * b < 128;
+  }
+  const scheme = getComputedStyle(document.documentElement).colorScheme;
+  return scheme.includes("dark") && (!scheme.includes("light") || matchMedia("(prefers-color-scheme: dark)").matches);
+}
+
+// Any colour of CSS in numbers to 255.
+function rgba(colour) {
+  const pen = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d", { willReadFrequently: true });
+  pen.fillStyle = colour;
+  pen.fillRect(0, 0, 1, 1);
+  return pen.getImageData(0, 0, 1, 1).data;
+}
+
 // The points a mark moves from, "fade" for what only appears, null for what is simply there.
 function origin({ mark: { points, start }, look }, old) {
   if (look.kind === "label") return old ? null : "fade";

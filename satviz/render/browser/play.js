@@ -2,7 +2,7 @@
 
 function render({ model, el }) {
   const asks = (form, step, which) => model.send({ kind: "save", form, step, which });
-  const player = new Player(el.appendChild(element("div")), model.get("shows"), { predict: model.get("predict"), save: asks, link: model.get("link"), site: model.get("site") });
+  const player = new Player(el.appendChild(element("div")), model.get("shows"), { predict: model.get("predict"), narrow: model.get("narrow") ?? [], save: asks, link: model.get("link"), site: model.get("site") });
   const heard = (content, buffers) => content.kind === "file" && download(content, buffers);
   model.on("msg:custom", heard);
   return () => {

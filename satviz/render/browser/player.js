@@ -1,7 +1,6 @@
 // The step player: the picture of each step, the table of axes, the algorithm, the sentence.
 // Everything shown was computed in Python; this walks through it.
 
-const PLAY_MS = 1800;
 const ASKED = new Set(["range", "both ranges", "gap"]); // stages that give the answer away
 const ICONS = {
   first: "M3 3h2v10H3zM13 3v10L6 8z",
@@ -10,14 +9,15 @@ const ICONS = {
   pause: "M4 3h3v10H4zM9 3h3v10H9z",
   forward: "M5 3v10l7-5z",
   last: "M3 3v10l7-5zM11 3h2v10h-2z",
+  turn: "M12.7 9.7A5 5 0 1 1 11.7 4.6M12.2 1.4V5.2H8.4",
 };
 
 export function icon(name) {
   return element("svg", { viewBox: "0 0 16 16", class: "sv-icon", "aria-hidden": "true" }, element("path", { d: ICONS[name] }));
 }
 
-export function button(label, does, { shows, pressed } = {}) {
-  const what = { type: "button", "aria-label": label, title: label, onclick: does, "aria-pressed": pressed };
+export function button(label, does, { shows, pressed = null, keys = null } = {}) {
+  const what = { type: "button", "aria-label": label, title: label, onclick: does, "aria-pressed": pressed, "aria-keyshortcuts": keys };
   return element("button", what, shows ?? label);
 }
 
@@ -26,7 +26,23 @@ export function copyLink(site, link) {
   navigator.clipboard?.writeText(`${site ?? ""}scene.html#${link}`);
 }
 
-// The table of axes.  A row is lit, greyed or still empty; `pick` makes the rows buttons.
+// One menu of the files that can be saved, and more buttons.
+export function saveMenu(save, ...more) {
+  const forms = ["svg", "png", "gif"].map((form) => button(`save ${form.toUpperCase()}`, () => save(form), { shows: form.toUpperCase() }));
+  const head = element("summary", {}, "save");
+  const menu = element("details", { class: "sv-menu" }, head, element("div", { onclick: () => menu.removeAttribute("open") }, ...forms, ...more));
+  menu.addEventListener("focusout", ({ relatedTarget }) => relatedTarget && !menu.contains(relatedTarget) && menu.removeAttribute("open"));
+  menu.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || !menu.open) return;
+    event.stopPropagation();
+    menu.removeAttribute("open");
+    head.focus();
+  });
+  return menu;
+}
+
+// The table of axes.  A row is lit, greyed or still empty (with `asks` it hides whether it is tested at all);
+// `pick` makes the rows buttons.
 export class Table {
   constructor(names, { pick } = {}) {
     this.pick = pick;
@@ -36,9 +52,11 @@ export class Table {
     this.names(names);
   }
   names(names) {
-    this.head.replaceChildren(...["", "axis", ...names, "gap"].map((name) => element("th", { scope: "col" }, name)));
+    const heads = ["axis", ...names, "gap"].map((name) => element("th", { scope: "col" }, name));
+    this.head.replaceChildren(element("td"), ...heads);
+    this.called = names;
   }
-  show(rows, { lit = null, done = () => true } = {}) {
+  show(rows, { lit = null, done = () => true, asks = false } = {}) {
     let pair = "";
     const made = [];
     rows.forEach((row, i) => {
@@ -53,13 +71,13 @@ export class Table {
       const role = skipped || !known ? "" : row.gap >= 0 ? "sv-gap" : "sv-overlap";
       const shown = (text) => (known && !skipped ? text : "");
       const cells = skipped && known ? [element("td", { colspan: 3, class: "sv-reason" }, result)] : [
-        element("td", { class: "sv-A" }, shown(row.a)),
-        element("td", { class: "sv-B" }, shown(row.b)),
+        element("td", { class: "sv-A", "data-of": this.called[0] }, shown(row.a)),
+        element("td", { class: "sv-B", "data-of": this.called[1] }, shown(row.b)),
         element("td", { class: role }, result),
       ];
       const classes = `${lit === i ? "sv-lit" : ""} ${skipped && known ? "sv-skipped" : ""}`.trim();
       const name = this.pick && !skipped ? button(`show ${row.axis}`, () => this.pick(i), { shows: row.axis }) : row.axis;
-      const first = element("td", {}, String(row.number ?? "–"));
+      const first = element("td", {}, known || !asks ? String(row.number ?? "–") : "");
       const line = element("tr", { class: classes, "aria-current": lit === i ? "step" : null }, first, element("td", {}, name), ...cells);
       made.push(line);
     });
@@ -67,9 +85,12 @@ export class Table {
   }
 }
 
-// shows: one, or that of the early exit and that of every axis.  save(form, step, which) asks a kernel for a file.
+const WIDE = 620; // points; what is wider has no table beside it
+
+// shows: one, or that of the early exit and that of every axis; narrow: the same for where these do not fit.
+// save(form, step, which) asks a kernel for a file.
 export class Player {
-  constructor(root, shows, { predict = false, save = null, link = "", site = "" } = {}) {
+  constructor(root, shows, { predict = false, save = null, narrow = [], link = "", site = "" } = {}) {
     this.root = root;
     this.shows = shows;
     this.which = 0;
@@ -78,21 +99,30 @@ export class Player {
     this.answered = new Map(); // row -> was the guess right?
     this.asking = null;
     const svg = element("svg", { class: "sv-picture", role: "img", tabindex: 0, "data-lm-suppress-shortcuts": "true" });
+    this.svg = svg;
     this.pen = new Pen(svg);
     this.sentence = element("p", { class: "sv-sentence", "aria-live": "polite" });
     this.question = element("div", { class: "sv-question", role: "group", hidden: true });
     this.table = new Table(this.show.names);
     this.code = element("ol", { class: "sv-code", "aria-label": "the algorithm" });
-    this.link = () => `${link}&step=${this.at}${this.predict.checked ? "&predict=1" : ""}`;
-    this.controls = this.makeControls(predict, save);
-    if (link) this.controls.append(button("copy link to the step", () => copyLink(site, this.link()), { shows: "copy link" }));
-    const side = element("div", { class: "sv-side" }, this.code, this.table.element);
-    const stage = element("div", { class: "sv-stage" }, svg, this.question, this.sentence, this.controls);
+    const copy = button("copy link", () => copyLink(site, `${link}&step=${this.at}${this.predict.checked ? "&predict=1" : ""}`));
+    this.controls = this.makeControls(predict, save, link ? [copy] : []);
+    const side = element("div", { class: "sv-side" }, this.code, element("div", { class: "sv-fold" }, this.table.element));
+    const board = element("div", { class: "sv-board sv-scrolls" }, svg);
+    const stage = element("div", { class: "sv-stage" }, board, this.question, this.sentence, this.controls);
     root.classList.add("satviz");
     root.append(element("div", { class: "sv-columns" }, stage, side));
     this.onkey = (event) => this.key(event);
     root.addEventListener("keydown", this.onkey);
+    this.unthemed = themed(root);
     this.load();
+    this.sizes = new ResizeObserver(() => {
+      const fitting = narrow.length && board.clientWidth < shows[0].size[0] ? narrow : shows;
+      if (fitting === this.shows) return;
+      this.shows = fitting;
+      this.load();
+    });
+    this.sizes.observe(root);
   }
 
   get show() {
@@ -102,7 +132,7 @@ export class Player {
     return this.show.steps.length - 1;
   }
 
-  makeControls(predict, save) {
+  makeControls(predict, save, copies) {
     const go = (where) => () => this.go(where());
     this.playButton = button("play", () => this.toggle(), { shows: icon("play") });
     this.scrub = element("input", { type: "range", min: 0, step: 1, "aria-label": "step", oninput: () => this.go(Number(this.scrub.value)) });
@@ -111,8 +141,7 @@ export class Player {
     this.speed = element("select", { "aria-label": "speed" }, ...options);
     this.predict = element("input", { type: "checkbox", checked: predict, onchange: () => this.go(this.at) });
     this.score = element("output", { class: "sv-score" });
-    this.rest = button("test the axes left out", () => this.other(), { shows: "test the rest", pressed: "false" });
-    this.rest.hidden = this.shows.length < 2;
+    this.rest = button("test the rest", () => this.other(), { pressed: "false" });
     const row = element("div", { class: "sv-controls", role: "group", "aria-label": "player", "data-lm-suppress-shortcuts": "true" },
       button("first step", go(() => 0), { shows: icon("first") }),
       button("step back", go(() => this.at - 1), { shows: icon("back") }),
@@ -121,8 +150,8 @@ export class Player {
       button("last step", go(() => this.last), { shows: icon("last") }),
       this.scrub, this.count, this.speed,
       element("label", {}, this.predict, " predict"), this.score,
-      button("start again", () => this.reset(), { shows: "reset" }), this.rest);
-    if (save) row.append(...["svg", "png", "gif"].map((form) => button(`save ${form.toUpperCase()}`, () => save(form, this.at, this.which))));
+      button("reset", () => this.reset()), this.rest);
+    row.append(...(save ? [saveMenu((form) => save(form, this.at, this.which), ...copies)] : copies));
     return row;
   }
 
@@ -137,6 +166,10 @@ export class Player {
       if ("reason" in row && i) this.doneAt[i] = this.doneAt[i - 1];
     });
     this.scrub.max = this.last;
+    const [width] = this.show.size;
+    this.svg.style.minWidth = `${width}px`; // no letter is shown smaller than it is
+    this.root.classList.toggle("sv-wide", width > WIDE);
+    this.predict.parentNode.hidden = !this.show.asks;
     this.table.names(this.show.names);
     this.code.replaceChildren(...this.show.code.map((text) => element("li", {}, text)));
     this.go(Math.min(this.at, this.last), { animate: false });
@@ -152,22 +185,23 @@ export class Player {
   go(step, { animate = true } = {}) {
     let to = Math.max(0, Math.min(this.last, step));
     this.asking = null;
-    if (this.predict.checked) {
-      const open = this.show.steps.findIndex((s, i) => i <= to && s.row !== null && ASKED.has(s.stage) && !this.answered.has(s.row));
-      if (open > 0) {
-        to = open - 1;
-        this.asking = this.show.steps[open].row;
-      }
+    const open = this.predict.checked ? this.show.steps.findIndex((s) => s.row !== null && ASKED.has(s.stage) && !this.answered.has(s.row)) : -1;
+    if (open > 0 && open <= to) {
+      to = open - 1;
+      this.asking = this.show.steps[open].row;
     }
+    const hides = open > 0; // how many steps there are tells how it ends
     const forward = to === this.at + 1;
     this.at = to;
     this.pen.draw(this.picture(to), { animate: animate && forward });
     const { sentence, row, code } = this.show.steps[to];
     this.sentence.textContent = sentence;
     this.scrub.value = to;
-    this.count.textContent = `${to + 1} / ${this.last + 1}`;
-    const hides = (i) => this.predict.checked && !("reason" in this.show.rows[i]) && !this.answered.has(i);
-    this.table.show(this.show.rows, { lit: row, done: (i) => this.doneAt[i] <= to && !hides(i) });
+    this.count.textContent = hides ? `${to + 1}` : `${to + 1} / ${this.last + 1}`;
+    this.scrub.hidden = hides;
+    this.rest.hidden = hides || this.shows.length < 2;
+    const known = (i) => this.doneAt[i] <= to && (!this.predict.checked || "reason" in this.show.rows[i] || this.answered.has(i));
+    this.table.show(this.show.rows, { lit: row, done: known, asks: hides });
     [...this.code.children].forEach((line, i) => line.classList.toggle("sv-lit", code.includes(i)));
     this.ask();
     if (to === this.last || this.asking !== null) this.pause();
@@ -200,7 +234,8 @@ export class Player {
     this.playButton.replaceChildren(icon("pause"));
     this.playButton.setAttribute("aria-label", "pause");
     const next = () => {
-      this.timer = setTimeout(next, PLAY_MS / Number(this.speed.value));
+      const { ms } = this.show.steps[Math.min(this.at + 1, this.last)]; // as long as its words take to read
+      this.timer = setTimeout(next, ms / Number(this.speed.value));
       this.go(this.at + 1);
     };
     this.timer = setTimeout(next, 300);
@@ -240,6 +275,8 @@ export class Player {
 
   remove() {
     this.pause();
+    this.sizes.disconnect();
+    this.unthemed();
     this.pen.remove();
     this.root.removeEventListener("keydown", this.onkey);
     this.root.replaceChildren();

@@ -1,0 +1,44 @@
+"""What may be asked to be shown: a built-in scene by name, a Scene, two shapes, or a trace."""
+
+from typing import Any
+
+from ..engine.shapes import Shape, checked
+from ..engine.trace import Trace, record
+from .named import scene
+from .scenefile import Scene
+
+Asked = Scene | Trace | str  # what has a run by itself
+
+
+def scene_of(what: Scene | Shape | str, b: Shape | None = None) -> Scene:
+    """The scene that is meant; InvalidScene for an unknown name, TypeError for anything else."""
+    if b is not None:
+        return Scene("scene", checked(what, "a"), checked(b, "b"))
+    found: Any = scene(what) if isinstance(what, str) else what
+    if isinstance(found, Scene):
+        return found
+    if isinstance(found, Trace):
+        raise TypeError("this is a Trace, one run of two shapes: pass the shapes, trace.a and trace.b")
+    raise TypeError(f"this is a {type(found).__name__}: pass a scene's name, a Scene, or two shapes")
+
+
+def pair_of(what: Asked | Shape, b: Shape | None = None) -> tuple[Shape, Shape]:
+    """The two shapes that are meant, which need no run."""
+    if isinstance(what, Trace):
+        return what.a, what.b
+    found = scene_of(what, b)
+    return found.a, found.b
+
+
+def trace_of(what: Asked | Shape, b: Shape | None = None) -> Trace:
+    """The run that is meant; InvalidScene for an unknown name, TypeError for anything else."""
+    if b is not None:
+        return record(checked(what, "a"), checked(b, "b"))
+    found: Any = scene(what) if isinstance(what, str) else what
+    if isinstance(found, Scene):
+        return found.record()
+    if isinstance(found, Trace):
+        return found
+    raise TypeError(
+        f"this is a {type(found).__name__}: pass a scene's name, a Scene, two shapes, or their trace, sv.record(a, b)"
+    )
