@@ -21,7 +21,9 @@ from .walkthrough import shipped
 WAY = re.compile(r"(Back|Next): \[")  # a notebook's own links to its neighbours: a page has its own
 # what a notebook says of itself, and what a page says for it
 OF_NOTEBOOKS = [
-    (re.compile(r"[^.\n]*Shift\+Enter[^.\n]*\. ?|\([^()]*saved copy[^()]*\)"), ""),
+    (re.compile(r"[^.\n]*Shift\+Enter[^.\n]*\. Then drag"), "Drag"),
+    (re.compile(r"[^.\n]*Shift\+Enter[^.\n]*\."), ""),
+    (re.compile(r"\([^()]*saved copy[^()]*\)"), ""),
     (re.compile(r"(?<=efore you )run the next cell"), "look"),
 ]
 
