@@ -183,6 +183,7 @@ def test_a_link_to_a_step_opens_the_player(visit):
 def test_the_link_that_is_copied_opens_the_same(visit):
     page = visit("scene.html#far-centers&view=truth")
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page.locator(".sv-menu summary").click()
     page.get_by_role("button", name="copy link").click()
     assert page.evaluate("navigator.clipboard.readText()") == page.url
     page = visit("2-sat.html")

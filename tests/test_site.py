@@ -108,6 +108,7 @@ def test_what_a_notebook_plays_and_explores_is_played_and_explored_by_its_page(p
 def test_a_question_comes_before_its_answer(pages):
     later = re.findall(r'<details class="later">.*?</details>', pages["2-sat.html"], re.DOTALL)
     assert len(later) >= 2 and any("the other:    (-2, -3)" in answer for answer in later)
+    assert later and not any('class="live"' in answer for answer in later)  # what is dragged is no answer
 
 
 def test_a_page_does_not_speak_of_running_cells(pages):

@@ -335,7 +335,7 @@ def test_a_player_that_asks_shows_nothing_where_no_front_end_runs():
     assert f'alt="{sv.picture("triangles", 0).sentence}"' in data["text/html"]
 
 
-def test_both_widgets_know_the_link_of_what_they_show(monkeypatch):
+def test_both_widgets_know_the_link_of_what_they_show():
     assert explorer().first["link"] == "triangles"
     assert sv.play(TRIANGLES.record()).link == "triangles"
     widget = explorer()

@@ -11,10 +11,8 @@ from typing import Any, NamedTuple
 
 import satviz
 
-from ..engine.trace import Trace
 from ..extras import needs
-from ..scenes.named import scene
-from ..scenes.scenefile import Scene
+from ..scenes.asked import scene_of, trace_of
 from ..widgets.exploring import Exploring
 from . import parts
 from .themed import themed
@@ -23,6 +21,7 @@ from .walkthrough import shipped
 WAY = re.compile(r"(Back|Next): \[")  # a notebook's own links to its neighbours: a page has its own
 # what a notebook says of itself, and what a page says for it
 OF_NOTEBOOKS = [
+    (re.compile(r"[^.\n]*Shift\+Enter[^.\n]*\. Then drag"), "Drag"),
     (re.compile(r"[^.\n]*Shift\+Enter[^.\n]*\. ?|\([^()]*(saved copy|run the cell)[^()]*\)"), ""),
     (re.compile(r"(?<=efore you )run (the next cell|the cell after it|a cell|it)\b"), "look"),
     (re.compile(r"\bThe next cell (shows|draws)\b"), "Below you see"),
@@ -127,11 +126,9 @@ class _Names:
             self._run([*self.sources[self.done : i], *map(ast.unparse, before)])
             self.done = i + 1
         what, *more = [eval(ast.unparse(argument), self.names) for argument in call.args]
-        shown = Scene("scene", what, *more) if more else scene(what) if isinstance(what, str) else what
         if ast.unparse(call.func) == "sv.explore":
-            return parts.explorer(Exploring(shown))
-        trace = shown if isinstance(shown, Trace) else shown.record()
-        return parts.player(trace, predict=any(word.arg == "predict" for word in call.keywords))
+            return parts.explorer(Exploring(scene_of(what, *more)))
+        return parts.player(trace_of(what, *more), predict=any(word.arg == "predict" for word in call.keywords))
 
     def _run(self, sources: list[str]) -> None:
         for source in sources:

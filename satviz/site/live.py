@@ -4,11 +4,11 @@ import json
 from typing import Any
 
 from ..engine.geometry import InvalidScene
-from ..pictures.playback import playbacks
+from ..pictures.playback import narrow, playbacks
 from ..scenes.article import SCENES
 from ..scenes.failing import REFUSED, ROWS
-from ..scenes.link import fragment, opened
-from ..scenes.scenefile import shape_data
+from ..scenes.link import Shown, fragment, opened
+from ..scenes.scenefile import Scene, shape_data
 from ..scenes.strictjson import typed
 from ..widgets.exploring import Exploring
 from .goals import judged
@@ -37,16 +37,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
     try:
         scene, shown = opened(typed(content.get("hash"), "the link", str))
         if shown.step is not None or shown.predict:
-            last = len((shows := playbacks(scene.record()))[0]["steps"]) - 1
-            step = min(shown.step or 0, last)
-            return {
-                "kind": "opened",
-                "title": scene.title,
-                "shows": shows,
-                "step": step,
-                "predict": shown.predict,
-                "link": fragment(scene),
-            }
+            return _show(scene, shown)
         hand = Exploring(scene)
         pose: dict[str, Any] = {
             "degree": shown.free,
@@ -71,6 +62,16 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
     return {"kind": "opened", "title": scene.title, "first": first, "pose": pose, **PRESETS} | _challenge(
         place, first["link"]
     )
+
+
+def _show(scene: Scene, shown: Shown) -> dict[str, Any]:
+    """A player at a step; what a shortcut saw tells what is, so to predict is asked of the true run."""
+    trace = scene.record()
+    trace = trace.truth if shown.predict and trace.shortcut else trace
+    shows = playbacks(trace)
+    found: dict[str, Any] = {"kind": "opened", "title": scene.title, "shows": shows, "narrow": narrow(trace)}
+    found |= {"step": min(shown.step or 0, len(shows[0]["steps"]) - 1), "predict": shown.predict}
+    return found | {"link": fragment(scene)}
 
 
 def _challenge(place: str, link: str) -> dict[str, Any]:

@@ -84,7 +84,6 @@ def front(frame: Frame) -> bytes:
 <h1>Do they collide?</h1>
 <p class="lead"><b>Drag a triangle.</b> As long as some direction leaves a gap between their two shadows, they are
 apart. If no direction does, they collide.</p>
-<p class="how">Corners reshape, the small dotted rings turn. By keyboard: Tab, then the arrow keys and [ ].</p>
 </div>
 <section class="stage" aria-label="two triangles to drag">{parts.explorer(Exploring(scene("triangles")))}</section>
 </div>

@@ -5,7 +5,7 @@ from html import escape
 
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
-from ..pictures.playback import playbacks
+from ..pictures.playback import narrow, playbacks
 from ..render.notebook import bundle
 from ..scenes.link import PAGE, fragment, of_trace
 from ..widgets.exploring import Exploring
@@ -29,14 +29,14 @@ def explorer(hand: Exploring) -> str:
 
 
 def player(trace: Trace, *, predict: bool = False) -> str:
-    """A player, which needs no Python; without JavaScript the last picture and every step's sentence."""
+    """A player, which needs no Python; without JavaScript a picture (who is asked sees the question) and all words."""
+    trace = trace.truth if predict and trace.shortcut else trace
     shows = playbacks(trace)
     sentences = "".join(f"<li>{escape(step['sentence'])}</li>" for step in shows[0]["steps"])
-    data = json.dumps(
-        {"shows": shows, "predict": predict, "link": of_trace(trace)}, separators=(",", ":"), ensure_ascii=False
-    ).replace("<", "\\u003c")
+    show = {"shows": shows, "narrow": narrow(trace), "predict": predict, "link": of_trace(trace)}
+    data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
     return (
-        f'<div class="player"><div class="still"><figure>{drawn(picture(trace))}</figure>'
+        f'<div class="player"><div class="still"><figure>{drawn(picture(trace, 0 if predict else -1))}</figure>'
         f"<details><summary>step by step, in words</summary><ol>{sentences}</ol></details></div>"
         f'<script type="application/json">{data}</script></div>'
     )

@@ -77,8 +77,8 @@ class Exploring(Showing):
             "lit": drawn.lit,
             "json": self.scene.to_json(),
             "view": self._view,
-            "scene": self._begun,
             "link": fragment(self.scene, self._shown()),
+            "scene": self._begun,
         }
         if self._against:
             found["difference"] = difference(trace, largest=(min(340.0, self._largest[0]), 300.0)).data()

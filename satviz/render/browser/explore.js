@@ -90,10 +90,9 @@ class Explorer {
     const [wayOut, wayOutLabel] = check("way out", (on) => this.change({ wayOut: on }));
     const [against, againstLabel] = check("B − A", (on) => this.change({ against: on }));
     this.boxes = { free, wayOut, against };
-    const save = saveMenu((form) => this.model.send({ kind: "save", form }), button("copy JSON", () => this.copy()));
+    const save = saveMenu((form) => this.model.send({ kind: "save", form }), button("copy JSON", () => this.copy()), button("copy link", () => copyLink(this.model.get("site"), this.state.link)));
     return element("div", { class: "sv-controls", role: "group", "aria-label": "explorer" },
-      this.presets, this.view, this.undoButton, this.redoButton, button("reset", () => this.reset()), freeLabel, wayOutLabel, againstLabel, save,
-      button("copy link to the scene", () => copyLink(this.model.get("site"), this.state.link), { shows: "copy link" }));
+      this.presets, this.view, this.undoButton, this.redoButton, button("reset", () => this.reset()), freeLabel, wayOutLabel, againstLabel, save);
   }
 
   poseOf({ a, b, view, scene }) {

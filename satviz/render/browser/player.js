@@ -105,9 +105,8 @@ export class Player {
     this.question = element("div", { class: "sv-question", role: "group", hidden: true });
     this.table = new Table(this.show.names);
     this.code = element("ol", { class: "sv-code", "aria-label": "the algorithm" });
-    this.link = () => `${link}&step=${this.at}${this.predict.checked ? "&predict=1" : ""}`;
-    this.controls = this.makeControls(predict, save);
-    if (link) this.controls.append(button("copy link to the step", () => copyLink(site, this.link()), { shows: "copy link" }));
+    const copy = button("copy link", () => copyLink(site, `${link}&step=${this.at}${this.predict.checked ? "&predict=1" : ""}`));
+    this.controls = this.makeControls(predict, save, link ? [copy] : []);
     const side = element("div", { class: "sv-side" }, this.code, element("div", { class: "sv-fold" }, this.table.element));
     const board = element("div", { class: "sv-board sv-scrolls" }, svg);
     const stage = element("div", { class: "sv-stage" }, board, this.question, this.sentence, this.controls);
@@ -133,7 +132,7 @@ export class Player {
     return this.show.steps.length - 1;
   }
 
-  makeControls(predict, save) {
+  makeControls(predict, save, copies) {
     const go = (where) => () => this.go(where());
     this.playButton = button("play", () => this.toggle(), { shows: icon("play") });
     this.scrub = element("input", { type: "range", min: 0, step: 1, "aria-label": "step", oninput: () => this.go(Number(this.scrub.value)) });
@@ -152,7 +151,7 @@ export class Player {
       this.scrub, this.count, this.speed,
       element("label", {}, this.predict, " predict"), this.score,
       button("reset", () => this.reset()), this.rest);
-    if (save) row.append(saveMenu((form) => save(form, this.at, this.which)));
+    row.append(...(save ? [saveMenu((form) => save(form, this.at, this.which), ...copies)] : copies));
     return row;
   }
 
