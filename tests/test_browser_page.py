@@ -309,6 +309,7 @@ def test_as_shown_letters_can_be_read_targets_be_hit_and_nothing_is_cut(browser,
     with explored(browser, Exploring(sv.scene(name)), errors, **screen) as page:
         page.get_by_label("free axis").check()
         page.locator(".sv-curve").wait_for()
+        page.locator(".sv-menu summary").click()
         page.wait_for_timeout(200)  # the picture for this width
         letters, targets, cut, beyond = page.evaluate(SMALL)
         assert letters >= 10.99 and targets >= 24 and cut == [] and beyond <= 0
@@ -506,3 +507,24 @@ def test_the_save_menu_opens_and_closes_from_the_keyboard(browser, errors):
         page.keyboard.press("Escape")
         assert not page.get_by_role("button", name="save SVG").is_visible()
         assert page.evaluate("() => document.activeElement.tagName") == "SUMMARY"
+        page.evaluate("() => { document.querySelector('.sv-menu').style.marginLeft = 'auto'; }")  # at the right edge
+        page.keyboard.press("Enter")
+        page.get_by_role("button", name="copy JSON").wait_for()
+        page.wait_for_timeout(100)
+        assert page.evaluate(SMALL)[2:] == [[], 0]
+
+
+COVERED = """() => {
+  const boxes = selector => [...document.querySelectorAll(selector)].map(e => e.getBoundingClientRect());
+  const words = boxes('.sv-board text');
+  const lies = (p, q) => p.left < q.right && q.left < p.right && p.top < q.bottom && q.top < p.bottom;
+  return boxes('.sv-does-rotate .sv-icon').map(turn => words.filter(word => lies(turn, word)).length);
+}"""
+
+
+@pytest.mark.parametrize("name", ["triangles", "concave", "aabb-rotated", "slipped-normal", "dart", "tile-seam"])
+def test_a_turn_handle_hides_no_words(browser, errors, name):
+    for screen in PHONE, WIDE:
+        with explored(browser, Exploring(sv.scene(name)), errors, **screen) as page:
+            page.wait_for_timeout(300)
+            assert not any(page.evaluate(COVERED))

@@ -265,28 +265,31 @@ class Explorer {
     const [x, y] = middle({ polygon });
     const [xs, ys] = [0, 1].map((k) => polygon.map((p) => p[k]));
     const off = 32 / (this.pen.scale * this.shown);
-    const spots = [[x, Math.max(...ys) + off], [x, Math.min(...ys) - off], [Math.max(...xs) + off, y], [Math.min(...xs) - off, y]];
+    const [left, right, low, high] = [Math.min(...xs) - off, Math.max(...xs) + off, Math.min(...ys) - off, Math.max(...ys) + off];
+    const spots = [[x, high], [x, low], [right, y], [left, y], [right, high], [left, high], [right, low], [left, low]];
+    const other = this.pose[key === "a" ? "b" : "a"];
     const { axes, words } = this.obstacles;
     const clear = (spot, room) => {
       const [px, py] = this.pen.at(spot);
       const inside = px > 14 && py > 14 && px < this.pen.width - 14 && py < this.pen.height - 14;
       return inside && axes.every((line) => distance(spot, line) * this.pen.scale > 16)
-        && (!room || words.every(([wx, wy, half]) => Math.abs(wx - px) > half + room || Math.abs(wy - py) > 6 + room));
+        && (!room || (!holds(other, spot) && words.every(([wx, wy, wide, high]) => Math.abs(wx - px) > wide + room || Math.abs(wy - py) > high + room)));
     };
-    const side = [this.sides[key], 0, 1, 2, 3].find((s) => s !== undefined && clear(spots[s], 10)) ?? [0, 1, 2, 3].find((s) => clear(spots[s], 0)) ?? 0;
+    const sides = [...spots.keys()];
+    const side = [this.sides[key] ?? 0, ...sides].find((s) => clear(spots[s], 13)) ?? sides.find((s) => clear(spots[s], 0)) ?? 0;
     this.sides[key] = side;
     return spots[side];
   }
 
-  // The axes and the words in the picture: middle and half the width, about.
+  // The axes and the words in the picture: middle, half the width and the height, about.
   get obstacles() {
     if (this.seen !== this.state) {
       this.seen = this.state;
       const { marks, looks } = this.state.picture;
       const axes = marks.filter(({ part }) => part === "axis").map(({ points }) => points);
-      const labels = marks.filter(({ look, part }) => looks[look].kind === "label" && part !== "name");
-      const longest = (text) => Math.max(...text.split("\n").map((line) => line.length));
-      this.found = { axes, words: labels.map(({ points, text, look }) => [...this.pen.at(points[0]), longest(text) * looks[look].size * 0.3]) };
+      const labels = marks.filter(({ look }) => looks[look].kind === "label");
+      const half = (lines, size) => [Math.max(...lines.map(({ length }) => length)) * size * 0.32, lines.length * size * 0.6];
+      this.found = { axes, words: labels.map(({ points, text, look }) => [...this.pen.at(points[0]), ...half(text.split("\n"), looks[look].size)]) };
     }
     return this.found;
   }

@@ -30,7 +30,13 @@ export function copyLink(site, link) {
 export function saveMenu(save, ...more) {
   const forms = ["svg", "png", "gif"].map((form) => button(`save ${form.toUpperCase()}`, () => save(form), { shows: form.toUpperCase() }));
   const head = element("summary", {}, "save");
-  const menu = element("details", { class: "sv-menu" }, head, element("div", { onclick: () => menu.removeAttribute("open") }, ...forms, ...more));
+  const list = element("div", { onclick: () => menu.removeAttribute("open") }, ...forms, ...more);
+  const menu = element("details", { class: "sv-menu" }, head, list);
+  menu.addEventListener("toggle", () => { // it stays inside the page
+    list.style.translate = "";
+    const beyond = list.getBoundingClientRect().right - document.documentElement.clientWidth + 8;
+    if (menu.open && beyond > 0) list.style.translate = `${-beyond}px`;
+  });
   menu.addEventListener("focusout", ({ relatedTarget }) => relatedTarget && !menu.contains(relatedTarget) && menu.removeAttribute("open"));
   menu.addEventListener("keydown", (event) => {
     if (event.key !== "Escape" || !menu.open) return;
