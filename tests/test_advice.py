@@ -1,6 +1,7 @@
 """The least model that is right: what it claims is proven, and never wrong."""
 
 import math
+from collections import Counter
 
 import numpy as np
 import pytest
@@ -8,7 +9,10 @@ from forms import batch_of
 from strategies import CONVEX, KINDS, NotConvex, pairs, scaled
 
 import satviz as sv
+from satviz import batch
 from satviz.advice.gamma import gamma, gammas, signed
+from satviz.advice.models import answers, kept, paired, sure
+from satviz.advice.proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
 from satviz.engine.geometry import Relation
 
 ORDINARY = [kind for kind in CONVEX if kind not in ("largest scale", "smallest scale", "any scale")]
@@ -77,3 +81,27 @@ def test_pairs_that_are_none_are_refused(wrong):
     coins = sv.batch.Circles([(0, 0), (1, 1)], 1)
     with pytest.raises((ValueError, IndexError), match="pairs"):
         gammas(coins, coins, wrong)
+
+
+# -- models
+
+
+WAYS = sv.Vec(0.5, 0.5), sv.Vec(0.75, -0.25), sv.Vec(0.0, 0.5), sv.Vec(0.1, 0.7)
+MODELS = [*(Model(kind, 1) for kind in (CIRCLES, BOXES, "float32", "float64", EXACT)), Model(DIRECTIONS, 4, WAYS)]
+
+
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_what_is_sure_for_many_is_sure_by_fractions_and_is_what_the_model_answers(engine):
+    known = Counter()
+    some = list(pairs(21, 30 * len(KINDS)))
+    for model in MODELS:
+        a, b = batch_of([a for _, a, _ in some]), batch_of([b for _, _, b in some])
+        i = np.arange(len(some))
+        told = sure(model, many := paired(a, i, b, i), batch.relate(a, b)).tolist()
+        with np.errstate(all="ignore"):
+            said = answers(model, many, kept(model, a), kept(model, b), engine=engine).tolist()
+        for (kind, p, q), one, answer in zip(some, told, said, strict=True):
+            if one != -1 and not (model.kind == DIRECTIONS and (p.radius or q.radius)):
+                known[model.name] += 1
+                assert model.sure(p, q) == one == answer, (model.name, kind, p, q)
+    assert min(known.values()) > 100 and len(known) == len(MODELS)

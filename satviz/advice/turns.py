@@ -1,5 +1,8 @@
 """gamma for many pairs with NumPy: by floats where they can tell, else as the scalar engine does."""
 
+from collections.abc import Iterator
+from typing import Protocol
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -17,6 +20,22 @@ Indices = NDArray[np.intp]
 NEAR = 2.0**11
 AT_ONCE = 1 << 18  # corners times pairs
 SHORT = 2.0**-900  # of the reach: where products of differences lose bits
+
+
+class Columned(Protocol):
+    """Convex parts in columns by their number of corners: batch shapes, or a copy of them in another format."""
+
+    @property
+    def count(self) -> NDArray[np.int64]:
+        """(N,) corners."""
+
+    @property
+    def slot(self) -> Indices:
+        """(N,) each part's column."""
+
+    @property
+    def groups(self) -> dict[int, Group]:
+        """The columns by the number of corners."""
 
 
 def listed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Indices]:
@@ -71,18 +90,25 @@ def signed_gammas(a: Shapes, b: Shapes, pairs: ArrayLike | None = None) -> Array
     return found
 
 
-def columns(a: Shapes, pa: Indices, b: Shapes, pb: Indices) -> "list[tuple[Indices, Group, Group]]":
-    """Pairs of parts by their numbers of corners, some at a time: which they are, and both sides' columns."""
-    found = []
+def columns(
+    a: Columned, pa: Indices, b: Columned, pb: Indices, most: int = 1 << 62
+) -> Iterator[tuple[Indices, Group, Group]]:
+    """Pairs of parts by their numbers of corners, some at a time (at most `most`): which, and both sides' columns."""
     key = a.count[pa] << 32 | b.count[pb]
     for kind in np.unique(key).tolist():
         one_side, other = kind >> 32, kind & 0xFFFFFFFF
-        mine, size = np.flatnonzero(key == kind), max(16, AT_ONCE // (one_side + other))
+        p, q = a.groups[one_side], b.groups[other]
+        mine, size = np.flatnonzero(key == kind), min(most, max(16, AT_ONCE // (one_side + other)))
         for start in range(0, len(mine), size):
             some = mine[start : start + size]
-            p, q = a.groups[one_side].columns(a.slot[pa[some]]), b.groups[other].columns(b.slot[pb[some]])
-            found.append((some, p, q))
-    return found
+            yield some, p.columns(_in_a_row(a.slot[pa[some]])), q.columns(_in_a_row(b.slot[pb[some]]))
+
+
+def _in_a_row(slots: Indices) -> Indices | slice:
+    """A slice where the columns stand side by side, which then need no copying."""
+    first, last = int(slots[0]), int(slots[-1])
+    side_by_side = last - first == len(slots) - 1 and (np.diff(slots) == 1).all()
+    return slice(first, last + 1) if side_by_side else slots
 
 
 def reach(group: Group) -> Array:
