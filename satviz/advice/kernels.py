@@ -77,7 +77,7 @@ def sat(
 @compiled
 def _clears(x: Array, y: Array, first: int, last: int, p: Array, q: Array, begin: int, end: int) -> float:
     """How far beyond an edge all corners lie: of the first edge that clears, else the most of all."""
-    best = x[first] * 0 - np.inf
+    best: float = x[first] * 0 - np.inf
     ux, uy = x[last - 1], y[last - 1]
     for e in range(first, last):
         vx, vy = x[e], y[e]

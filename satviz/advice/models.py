@@ -3,6 +3,7 @@
 What is sure here is sure in `proofs.py` too, whose bounds are asked with room for the rounding of asking.
 """
 
+from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
 from typing import Any, NamedTuple
@@ -16,13 +17,24 @@ from ..batch.codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from ..batch.filter_numpy import clearance
 from ..engine.exact import HUGE, TINY, UNIT
 from ..engine.geometry import Vec
-from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, FILLED, FLOAT64, FORMATS, Format, Model
+from . import proofs
+from .proofs import (
+    BOXES,
+    CIRCLES,
+    DIRECTIONS,
+    EXACT,
+    FILLED,
+    FLOAT64,
+    FORMATS,
+    MOST_DIRECTIONS,
+    PARALLEL,
+    Format,
+    Model,
+)
 from .turns import Array, Indices, columns, part_pairs, reach
 
 Relations = NDArray[np.int8]
 BLOCK = 16384  # pairs at a time, whose columns stay in the cache
-MOST_DIRECTIONS = 8
-PARALLEL = 2.0**-20  # radians: what is taken for one direction, to be proven or refused afterwards
 DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64}
 
 
@@ -55,7 +67,8 @@ def paired(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Pairs:
 # -- what is kept
 
 
-class Flat(NamedTuple):
+@dataclass(frozen=True)
+class Flat:
     """All convex parts in one float format: corners one after another with radii, and in columns."""
 
     x: NDArray[Any]
@@ -133,7 +146,7 @@ def ranges(shapes: Shapes, directions: tuple[Vec, ...]) -> Array:
 
 
 def shared_directions(*many: Shapes) -> tuple[Vec, ...]:
-    """The few directions of all edges, the larger part of each from a half to one; none where there are too many."""
+    """The same as `proofs.shared_directions` for many."""
     edges = []
     for shapes in many:
         if (shapes.count == 1).any():
@@ -152,7 +165,6 @@ def shared_directions(*many: Shapes) -> tuple[Vec, ...]:
     while left.size:
         if len(found) == MOST_DIRECTIONS:
             return ()
-        # of nearly parallel edges the first whose parts are the roundest numbers would do as well
         nx, ny = left[:, 0]
         found.append(Vec(float(nx), float(ny)))
         left = left[:, np.abs(nx * left[1] - ny * left[0]) > PARALLEL]
@@ -196,14 +208,19 @@ def answers(model: Model, pairs: Pairs, a: Any, b: Any, *, engine: str | None = 
 
 
 def _told(gap: NDArray[Any]) -> Relations:
-    found: Relations = TOUCHING - (gap > 0).view(np.int8) + (gap < 0).view(np.int8)
-    return found
+    return _counted(gap > 0, gap < 0)
 
 
 def _by_boxes(a: Array, b: Array) -> Relations:
     apart = (a[:, :2] > b[:, 2:]).any(axis=1) | (b[:, :2] > a[:, 2:]).any(axis=1)
     over = (a[:, :2] < b[:, 2:]).all(axis=1) & (b[:, :2] < a[:, 2:]).all(axis=1)
-    return TOUCHING - apart.view(np.int8) + over.view(np.int8)
+    return _counted(apart, over)
+
+
+def _counted(apart: Any, over: Any) -> Relations:
+    found: Relations = over.view(np.int8) - apart.view(np.int8)
+    found += TOUCHING
+    return found
 
 
 def _by_circles(a: Array, b: Array) -> Relations:
@@ -214,13 +231,13 @@ def _by_circles(a: Array, b: Array) -> Relations:
 def _by_ranges(a: Array, b: Array) -> Relations:
     lower, upper = a[:, :, 0] > b[:, :, 1], b[:, :, 0] > a[:, :, 1]
     over = ((a[:, :, 0] < b[:, :, 1]) & (b[:, :, 0] < a[:, :, 1])).all(axis=1)
-    return TOUCHING - (lower | upper).any(axis=1).view(np.int8) + over.view(np.int8)
+    return _counted((lower | upper).any(axis=1), over)
 
 
 def _sat(pairs: Pairs, a: Flat, b: Flat, kernels: Any) -> Relations:
     found = np.empty(len(pairs.pa), np.int8)
     if kernels is not None:
-        kernels.sat(*a[:4], pairs.pa, *b[:4], pairs.pb, found)
+        kernels.sat(a.x, a.y, a.r, a.start, pairs.pa, b.x, b.y, b.r, b.start, pairs.pb, found)
     else:
         for mine, p, q in columns(a, pairs.pa, b, pairs.pb, BLOCK):
             with np.errstate(all="ignore"):
@@ -235,7 +252,9 @@ def _gaps(p: Group, q: Group) -> NDArray[Any]:
         return gap
     if p.r is not None or q.r is not None:
         return _from_center(p, q) if p.r is not None else _from_center(q, p)
-    return clearance(p.x, p.y, q.x, q.y, 0)
+    look: Any = clearance  # whose types say float32, where it is used
+    found: NDArray[Any] = look(p.x, p.y, q.x, q.y, 0)
+    return found
 
 
 def _from_center(circle: Group, ring: Group) -> NDArray[Any]:
@@ -281,7 +300,7 @@ def sure(model: Model, pairs: Pairs, exact: Relations) -> Relations:
         for mine, p, q in columns(a.parts, pairs.pa, b.parts, pairs.pb):
             pa, pb = pairs.pa[mine], pairs.pb[mine]
             if p.r is not None and q.r is not None:
-                found[mine] = _sure_circles(*(np.stack([g.x[0], g.y[0], g.r], axis=1) for g in (p, q)), form)
+                found[mine] = _sure_circles(_rows(p), _rows(q), form)
             elif p.r is not None or q.r is not None:
                 found[mine] = _sure_center(p, q, form) if p.r is not None else _sure_center(q, p, form)
             else:
@@ -310,8 +329,7 @@ class Grid(NamedTuple):
         """Of convex parts."""
         unit, most = np.empty((2, len(shapes.count)))
         for v, g in shapes.groups.items():
-            rows = np.concatenate([g.x, g.y] if g.r is None else [g.x, g.y, g.r[None]]).T
-            unit[shapes.count == v], most[shapes.count == v] = cls.of(rows)
+            unit[shapes.count == v], most[shapes.count == v] = cls.of(_rows(g))
         return cls(unit, most)
 
 
@@ -342,13 +360,21 @@ def _sure_circles(a: Array, b: Array, form: Format) -> Relations:
     dx, dy, total = a[:, 0] - b[:, 0], a[:, 1] - b[:, 1], a[:, 2] + b[:, 2]
     distance, square = dx * dx + dy * dy, total * total
     size = np.maximum(np.maximum(np.abs(dx), np.abs(dy)), total)
+    most = np.maximum(np.abs(a).max(axis=1), np.abs(b).max(axis=1))
     known = (a[:, 2] > 0) & (b[:, 2] > 0)
-    room = 2.0**-form.bits * 8.001 * (distance + square) + 2.0**-49 * (distance + square)
-    room[~(known & (size > form.least) & (size < form.most) & _held(form, a) & _held(form, b))] = np.inf
+    moved = np.where(_held(form, a) & _held(form, b), 0.0, most * 2.0**-form.bits)
+    room = (12.001 * 2.0**-form.bits + 2.0**-49) * (distance + square)
+    room += 5.001 * moved * (np.abs(dx) + np.abs(dy)) + 9.001 * moved * moved
+    room[~(known & (size > form.least * 1.001) & (most < form.most))] = np.inf
     found = _beyond(distance - square, room)
     i = np.arange(len(a))
     plain = known & whole(Grid.of(a), i, Grid.of(b), i, form)
     return np.where(plain, _told(distance - square), found)
+
+
+def _rows(g: Group) -> Array:
+    """(n, k) all numbers of each shape."""
+    return np.concatenate([g.x, g.y] if g.r is None else [g.x, g.y, g.r[None]]).T
 
 
 def _held(form: Format, rows: Array) -> NDArray[np.bool_]:
@@ -370,17 +396,10 @@ def _sure_ranges(model: Model, pairs: Pairs) -> Relations:
     room = most * (2.0**-53 * 32)
     room[~((most > FLOAT64.least) & (most < FLOAT64.most))] = np.inf
     found = _beyond(gap.max(axis=1), room)
-    if all(whole_direction(n) for n in model.directions):
+    if all(proofs.whole(n, FLOAT64, 24) for n in model.directions):
         plain = whole(grids[0], ia, grids[1], ib, FLOAT64, 27)
         found = np.where(plain, _told(gap.max(axis=1)), found)
     return found
-
-
-def whole_direction(n: Vec) -> bool:
-    """Are its parts multiples of one unit, at most 2**24 of it?"""
-    from .proofs import whole as all_whole
-
-    return all_whole(n, FLOAT64, 24)
 
 
 def _of_shapes(shapes: Shapes) -> Grid:
@@ -398,7 +417,7 @@ def _sure_polygons(p: Group, q: Group, form: Format) -> Relations:
     )
     moved = np.zeros_like(most)
     if form is not FLOAT64:
-        held = np.logical_and(*(_held(form, np.concatenate([g.x, g.y]).T) for g in (p, q)))
+        held = np.logical_and(*(_held(form, _rows(g)) for g in (p, q)))
         moved = np.where(held, 0.0, most * 2.0**-form.bits)
     good = (most > form.least) & (most < form.most)
     apart, over = np.zeros(len(most), bool), good.copy()
@@ -419,27 +438,31 @@ def _sure_polygons(p: Group, q: Group, form: Format) -> Relations:
 
 
 def _sure_center(circle: Group, ring: Group, form: Format) -> Relations:
+    """By the same bounds; asking rounds by as much as float64 does, with what is asked of it."""
     assert circle.r is not None
     x, y = ring.x - circle.x, ring.y - circle.y
     far = np.maximum(np.abs(x).max(axis=0), np.abs(y).max(axis=0))
-    good = (far < form.most) & (circle.r < form.most) & _held(form, np.concatenate([ring.x, ring.y]).T)
-    good &= _held(form, np.stack([circle.x[0], circle.y[0], circle.r], axis=1))
-    unit = 2.0**-form.bits + 2.0**-53
+    rows = _rows(ring), _rows(circle)
+    most = np.maximum(far, np.maximum(*(np.abs(numbers).max(axis=1) for numbers in rows)))
+    moved = np.where(_held(form, rows[0]) & _held(form, rows[1]), 0.0, most * 2.0**-form.bits)
+    good = most < form.most
+    unit = (2.0**-form.bits + UNIT) * 1.001
     inside, outside = good.copy(), np.zeros(len(far), bool)
     nearest = np.full(len(far), np.inf)
     for e in range(len(x)):
         dx, dy = ring.x[e] - ring.x[e - 1], ring.y[e] - ring.y[e - 1]
-        good &= np.maximum(np.abs(dx), np.abs(dy)) > form.least * 1.001
+        good &= np.maximum(np.abs(dx), np.abs(dy)) > (form.least + 2 * moved) * 1.001
         turn = x[e - 1] * dy - y[e - 1] * dx
-        size = (np.abs(dx) + np.abs(dy)) * far * unit * 33
+        long = np.abs(dx) + np.abs(dy)
+        size = proofs.TURNS * unit * (far + 2 * moved) * (long + 4 * moved)
+        size += 1.001 * moved * (2 * long + 4 * far + 8 * moved)
         inside &= turn > size
         outside |= turn < -size
         along, square = -(x[e - 1] * dx + y[e - 1] * dy), dx * dx + dy * dy
         ends = np.where(along <= 0, x[e - 1] ** 2 + y[e - 1] ** 2, x[e] ** 2 + y[e] ** 2)
         np.minimum(nearest, np.where((along > 0) & (along < square), turn / square * turn, ends), out=nearest)
     square = circle.r * circle.r
-    room = unit * (130 * far * far + 9 * square)
-    over = inside | (nearest < square - room)
-    return np.where(
-        good & over, OVERLAPPING, np.where(good & outside & (nearest > square + room), APART, UNDECIDED)
-    ).astype(np.int8)
+    room = unit * (proofs.SQUARES * (far + 2 * moved) ** 2 + 8 * square) + 9.001 * moved * (far + moved)
+    over = good & (inside | (nearest < square - room))
+    apart = good & outside & (nearest > square + room)
+    return np.where(over, OVERLAPPING, np.where(apart, APART, UNDECIDED)).astype(np.int8)

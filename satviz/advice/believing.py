@@ -1,0 +1,36 @@
+"""The smaller models as shortcuts of the one loop, so that a pair on which one fails can be recorded and drawn."""
+
+from ..engine.axes import CENTERS as BETWEEN
+from ..engine.axes import Axis, Choice, Source, directions, needed, world
+from ..engine.geometry import Vec
+from ..engine.sat import AxisTest, axis_tests
+from ..engine.shapes import Circle, Shape
+from ..engine.shortcut import Shortcut
+from .proofs import BOXES, CIRCLES, DIRECTIONS, Model, around
+
+
+def shortcut(model: Model, a: Shape, b: Shape) -> Shortcut:
+    """What believers in the model do with this pair; where only rounding fails, the loop itself."""
+    if model.kind == BOXES:
+        return Shortcut("bounding boxes", "the bounding boxes lie as the shapes do", world)
+    if model.kind == DIRECTIONS:
+        return Shortcut(
+            "shared directions", "the directions that most edges share are enough", directions(*model.directions)
+        )
+    if model.kind == CIRCLES:
+        return Shortcut("bounding circles", "the circles around the shapes lie as the shapes do", _between, _by_circles)
+    return Shortcut("plain floats", "plain floats are exact enough", needed)
+
+
+def _between(a: Shape, b: Shape) -> Choice:
+    (ax, ay, _), (bx, by, _) = around(a), around(b)
+    nx, ny = bx - ax, by - ay
+    length = (nx * nx + ny * ny) ** 0.5
+    if not length:
+        nx, ny, length = 1.0, 0.0, 1.0
+    return Choice((Axis(Vec(nx, ny), length, Source(BETWEEN)),))
+
+
+def _by_circles(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    discs = [Circle((x, y), r) for x, y, r in map(around, (a, b))]
+    return next(axis_tests(*discs, [axis]))

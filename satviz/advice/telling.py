@@ -1,0 +1,115 @@
+"""An advice in words: each line a fact with a number."""
+
+from math import inf, log2
+from typing import TYPE_CHECKING
+
+from .gamma import IN_FLOAT32
+from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT
+
+if TYPE_CHECKING:
+    from .advising import Advice, Facts, Judged
+    from .proofs import Model
+
+NAMES = {
+    BOXES: "bounding boxes (AABB)",
+    CIRCLES: "circles around the shapes",
+    DIRECTIONS: "ranges on shared directions",
+}
+
+
+def told(advice: "Advice") -> str:
+    """The whole advice, a line each: what is advised, why, how far, what there is, what less and more would give."""
+    facts, best = advice.facts, advice.best
+    lines = [
+        f"{title(best)}: right for {_all(facts)}",
+        f"why      {advice.reason}",
+        f"holds    {advice.scope.text}",
+        f"shapes   {shapes(facts)}",
+        f"pairs    {_pairs(facts)}",
+    ]
+    if facts.pairs:
+        lines.append(f"nearest  {nearest(facts)}")
+    place = advice.judged.index(best)
+    lines += [f"less     {_fails(j, facts)}" for j in advice.judged[:place]]
+    lines += [f"more     {_adds(j, facts)}" for j in advice.judged[place + 1 :]]
+    if advice.scope.kind != "anywhere":
+        lines.append(f"anywhere {named(advice.anywhere)} is right, wherever they lie")
+    hits = advice.for_hits
+    if hits is not best:
+        lines.append(f"hits     if touching need not be told from overlapping, {title(hits)} will do")
+    return "\n".join(lines)
+
+
+def title(judged: "Judged") -> str:
+    """A model's name and how many axes it has."""
+    return named(judged.model)
+
+
+def named(model: "Model") -> str:
+    """The same of a model."""
+    return model.name if model.kind == DIRECTIONS else f"{model.name} ({axes(model.axes)})"
+
+
+def axes(many: int) -> str:
+    """How many axes."""
+    return f"{many:,} {'axis' if many == 1 else 'axes'}"
+
+
+def power(value: float) -> str:
+    """A number as a power of two."""
+    return "0" if not value else f"2^{log2(value):.1f}" if value < inf else "no end"
+
+
+def shapes(facts: "Facts") -> str:
+    """What there is."""
+    kinds = ", ".join(
+        f"{n:,} {kind[:-1] if n == 1 and not kind.endswith('xes') else _one(kind) if n == 1 else kind}"
+        for kind, n in facts.kinds.items()
+    )
+    low, high = facts.corners
+    corners = f", {low} corners" if low == high else f", {low} to {high} corners"
+    sizes = f", the largest {facts.sizes:,.3g} times the smallest" if facts.sizes > 1.005 else ""
+    return f"{kinds or 'none'}{corners if high else ''}{sizes}"
+
+
+def _one(kind: str) -> str:
+    return kind.removesuffix("es")
+
+
+def _all(facts: "Facts") -> str:
+    return "this pair" if facts.pairs == 1 else f"all {facts.pairs:,} pairs"
+
+
+def _pairs(facts: "Facts") -> str:
+    apart, touching, overlapping = facts.relations
+    text = f"{facts.pairs:,}: {apart:,} apart, {touching:,} touching, {overlapping:,} overlapping"
+    return text + (f"; {facts.settled:,} more are apart by their boxes" if facts.settled else "")
+
+
+def nearest(facts: "Facts") -> str:
+    """The pair that is hardest to tell, in roundings."""
+    where = "" if facts.pairs == 1 else f"pair {facts.at} "
+    if not facts.gamma:
+        return f"{where}touches: gamma is 0"
+    return (
+        f"{where}is decided by {power(facts.gamma)} roundings of float64 (its gamma), "
+        f"{power(facts.gamma * IN_FLOAT32)} of float32"
+    )
+
+
+def _fails(judged: "Judged", facts: "Facts") -> str:
+    if facts.pairs == 1:
+        return f"{title(judged)}: {'wrong' if judged.wrong else 'in doubt, as rounding decides'}"
+    said = []
+    if judged.wrong:
+        said.append(f"wrong on {judged.wrong:,}")
+    if judged.unsure:
+        said.append(f"in doubt on {judged.unsure:,}, where rounding decides")
+    return f"{title(judged)}: {' and '.join(said)}; the first is pair {judged.first}"
+
+
+def _adds(judged: "Judged", facts: "Facts") -> str:
+    if not judged.proven:
+        return _fails(judged, facts)
+    adds = "right for all coordinates" if judged.model.kind == EXACT else "right as well, and adds nothing here"
+    return f"{title(judged)}: {adds}"
