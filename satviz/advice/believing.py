@@ -32,5 +32,5 @@ def _between(a: Shape, b: Shape) -> Choice:
 
 
 def _by_circles(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    discs = [Circle((x, y), r) for x, y, r in map(around, (a, b))]
-    return next(axis_tests(*discs, [axis]))
+    (ax, ay, ar), (bx, by, br) = around(a), around(b)
+    return next(axis_tests(Circle((ax, ay), ar), Circle((bx, by), br), [axis]))

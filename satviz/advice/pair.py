@@ -5,24 +5,23 @@ from ..engine.axes import CENTERS, WORLD, hull_normals, needed
 from ..engine.concave import parts
 from ..engine.geometry import Relation
 from ..engine.sat import axis_tests
-from ..engine.shapes import Shape
-from ..engine.trace import Trace
+from ..engine.shapes import Shape, checked
+from ..engine.trace import PLAIN, Names, Trace
 from ..engine.verdict import relate
 
 WORDS = "no", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten", "Eleven", "Twelve"
 
 
-def enough(a: Trace | Shape, b: Shape | None = None) -> tuple[int, str]:
+def enough(a: Trace | Shape, b: Shape | None = None, names: Names = PLAIN) -> tuple[int, str]:
     """How many axes settle this pair as it lies, and a sentence on which, and on what would do wherever they lie.
 
     A gap on one axis proves that two shapes are apart, so one that leaves a gap is enough; and where there is none, no
     axis by itself says anything: all of a complete set must be tried.  Concave: each pair of convex parts needs its
-    own.  Takes a trace, or two shapes; the names are the trace's.
+    own.  Takes a trace, or two shapes with what they are called.
     """
-    names = "A", "B"
     if isinstance(a, Trace):
-        a, b, names = a.a, a.b, (a.names[0], a.names[1])
-    assert b is not None
+        return enough(a.a, a.b, a.names)
+    b = checked(b, "b")
     choice = needed(a, b)
     axes = choice.axes if choice.complete else (*choice.axes, *hull_normals(a, b).axes)
     test = max(axis_tests(a, b, axes), key=lambda test: test.gap)

@@ -1,9 +1,11 @@
 """What each model costs on this machine for the pairs in hand."""
 
 from collections.abc import Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .. import batch
 from . import models, timing
@@ -33,37 +35,41 @@ def prices(
         pairs = models.paired(pairs.a, pairs.ia[:MOST], pairs.b, pairs.ib[:MOST])
     if not len(pairs.ia):
         return {}
-    used = [np.unique(i, return_inverse=True) for i in (pairs.ia, pairs.ib)]
-    if pairs.a is pairs.b:
-        every, where = np.unique(np.concatenate([pairs.ia, pairs.ib]), return_inverse=True)
-        used = [(every, where[: len(pairs.ia)]), (every, where[len(pairs.ia) :])]
-    a = pairs.a[used[0][0]]
-    b = a if pairs.a is pairs.b else pairs.b[used[1][0]]
-    pairs = models.paired(a, used[0][1], b, used[1][1])
-    right = batch.relate(a, b, np.stack([pairs.ia, pairs.ib], axis=1), engine=engine)
-    jobs, items, wrong = {}, {}, {}
-    with np.errstate(all="ignore"):
-        for model in asked:
-            ready = _ready(model, a, b)
-            wrong[model.name] = int((models.answers(model, pairs, *ready, engine=engine) != right).sum())
-
-            def warm(model: Model = model, ready: tuple = ready) -> None:  # type: ignore[type-arg]
-                models.answers(model, pairs, *ready, engine=engine)
-
-            def cold(model: Model = model) -> None:
-                models.answers(
-                    model, pairs, *_ready(model, _fresh(a), _fresh(b) if b is not a else None), engine=engine
-                )
-
-            jobs[f"{model.name} warm"], jobs[f"{model.name} cold"] = warm, cold
-        items = dict.fromkeys(jobs, len(pairs.ia))
-        found = timing.in_turn(jobs, rounds, items)
+    pairs = _of_those_used(pairs)
+    right = batch.relate(pairs.a, pairs.b, np.stack([pairs.ia, pairs.ib], axis=1), engine=engine)
+    jobs, wrong = {}, {}
+    for model in asked:
+        ready = _ready(model, pairs.a, pairs.b)
+        wrong[model.name] = int((_asked(model, pairs, ready, engine) != right).sum())
+        jobs[f"{model.name} warm"] = partial(_asked, model, pairs, ready, engine)
+        jobs[f"{model.name} cold"] = partial(_from_scratch, model, pairs, engine)
+    found = timing.in_turn(jobs, rounds, dict.fromkeys(jobs, len(pairs.ia)))
     return {m.name: Price(found[f"{m.name} cold"].median, found[f"{m.name} warm"].median, wrong[m.name]) for m in asked}
 
 
-def _ready(model: Model, a: batch.Shapes, b: batch.Shapes | None) -> tuple[object, object]:
+def _of_those_used(pairs: Pairs) -> Pairs:
+    """The same pairs of only the shapes that are in them."""
+    if pairs.a is pairs.b:
+        every, where = np.unique(np.concatenate([pairs.ia, pairs.ib]), return_inverse=True)
+        used = pairs.a[every]
+        return models.paired(used, where[: len(pairs.ia)], used, where[len(pairs.ia) :])
+    (one, ia), (other, ib) = (np.unique(i, return_inverse=True) for i in (pairs.ia, pairs.ib))
+    return models.paired(pairs.a[one], ia, pairs.b[other], ib)
+
+
+def _asked(model: Model, pairs: Pairs, ready: tuple[object, object], engine: str | None) -> NDArray[np.int8]:
+    with np.errstate(all="ignore"):
+        return models.answers(model, pairs, *ready, engine=engine)
+
+
+def _from_scratch(model: Model, pairs: Pairs, engine: str | None) -> NDArray[np.int8]:
+    a = _fresh(pairs.a)
+    return _asked(model, pairs, _ready(model, a, a if pairs.b is pairs.a else _fresh(pairs.b)), engine)
+
+
+def _ready(model: Model, a: batch.Shapes, b: batch.Shapes) -> tuple[object, object]:
     mine = models.kept(model, a)
-    return mine, mine if b is None or b is a else models.kept(model, b)
+    return mine, mine if b is a else models.kept(model, b)
 
 
 def _fresh(shapes: batch.Shapes) -> batch.Shapes:

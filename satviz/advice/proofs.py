@@ -32,7 +32,7 @@ from typing import NamedTuple, TypeVar
 from ..engine.concave import parts
 from ..engine.exact import HUGE, TINY, IntPoint, aligned, sign, to_int_points, to_integers
 from ..engine.geometry import Relation, Vec
-from ..engine.shapes import Polygon, Shape
+from ..engine.shapes import Shape
 from ..engine.verdict import relate, relate_integers
 
 T = TypeVar("T")
@@ -66,7 +66,7 @@ class Compound:
 
     radius = 0.0
 
-    def __init__(self, pieces: Sequence[Polygon]) -> None:
+    def __init__(self, pieces: Sequence[Shape]) -> None:
         self.pieces = pieces
         self.core = tuple(chain.from_iterable(p.core for p in pieces))
         boxes = [p.bounds for p in pieces]
