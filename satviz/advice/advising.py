@@ -172,7 +172,9 @@ class Advice:
     def _prices(self) -> "dict[str, Price]":
         from .prices import prices
 
-        return prices([j.model for j in self.judged], self.case.batches())
+        # for one pair numba would take longer to load than all else
+        engine = "numpy" if self.facts.pairs == 1 else None
+        return prices([j.model for j in self.judged], self.case.batches(), engine=engine)
 
     def prices(self) -> "dict[str, Price]":
         """By model's name what it costs here: nanoseconds a pair, cold (with its set-up) and warm; measured once."""

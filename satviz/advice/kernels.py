@@ -9,6 +9,7 @@ from ..batch.compiling import compiled
 Array = NDArray[np.floating]
 Indices = NDArray[np.intp]
 Relations = NDArray[np.int8]
+FAR = np.float32(np.inf)  # which leaves float32 what it is
 
 
 @compiled
@@ -77,7 +78,7 @@ def sat(
 @compiled
 def _clears(x: Array, y: Array, first: int, last: int, p: Array, q: Array, begin: int, end: int) -> float:
     """How far beyond an edge all corners lie: of the first edge that clears, else the most of all."""
-    best: float = x[first] * 0 - np.inf
+    best: float = x[first] * 0 - FAR
     ux, uy = x[last - 1], y[last - 1]
     for e in range(first, last):
         vx, vy = x[e], y[e]
@@ -99,7 +100,7 @@ def _clears(x: Array, y: Array, first: int, last: int, p: Array, q: Array, begin
 def _from_center(cx: float, cy: float, r: float, p: Array, q: Array, begin: int, end: int) -> float:
     """The squared distance from a center to the nearest side, less the radius squared; -1 with the center inside."""
     inside = True
-    nearest = cx * 0 + np.inf
+    nearest = cx * 0 + FAR
     wx, wy = p[end - 1], q[end - 1]
     for e in range(begin, end):
         vx, vy = p[e], q[e]

@@ -40,6 +40,25 @@ def told(advice: "Advice") -> str:
     return "\n".join(lines)
 
 
+def price(advice: "Advice") -> str:
+    """What the model advised costs here, beside the exact filter; empty where there are no pairs."""
+    found = advice.prices()
+    if not found:
+        return ""
+    mine, exact = found[advice.model.name], found[EXACT]
+    text = f"price    {duration(mine.warm)} a pair, {duration(mine.cold)} with its set-up"
+    return text if mine is exact else f"{text}; {EXACT} {duration(exact.warm)} and {duration(exact.cold)}"
+
+
+def duration(nanoseconds: float) -> str:
+    """A time with its unit, two digits."""
+    for size, unit in ((1e9, "s"), (1e6, "ms"), (1e3, "µs")):
+        if nanoseconds >= size * 0.9995:
+            shown = nanoseconds / size
+            return f"{shown:.2g} {unit}" if shown < 99.5 else f"{shown:.0f} {unit}"
+    return f"{nanoseconds:.2g} ns" if nanoseconds < 99.5 else f"{nanoseconds:.0f} ns"
+
+
 def title(judged: "Judged") -> str:
     """A model's name and how many axes it has."""
     return named(judged.model)
@@ -99,7 +118,7 @@ def nearest(facts: "Facts") -> str:
 
 def _fails(judged: "Judged", facts: "Facts") -> str:
     if facts.pairs == 1:
-        return f"{title(judged)}: {'wrong' if judged.wrong else 'in doubt, as rounding decides'}"
+        return f"{title(judged)}: {'wrong here' if judged.wrong else 'in doubt, as rounding decides'}"
     said = []
     if judged.wrong:
         said.append(f"wrong on {judged.wrong:,}")
