@@ -5,6 +5,9 @@ from numpy.typing import NDArray
 
 from ..batch.codes import APART, OVERLAPPING, TOUCHING
 from ..batch.compiling import compiled
+from ..batch.filter_numba import edges_of_eight
+from ..batch.picked_numba import LANES, ROW, edges_of_four, lay
+from ..batch.rings import FEW
 
 Array = NDArray[np.floating]
 Indices = NDArray[np.intp]
@@ -52,27 +55,75 @@ def ranges(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None
 
 @compiled
 def sat(
-    x: Array, y: Array, r: Array, start: Indices, ia: Indices,
-    p: Array, q: Array, s: Array, begin: Indices, ib: Indices, out: Relations,
+    x: Array, y: Array, r: Array, start: Indices, box_a: Array, ia: Indices,
+    p: Array, q: Array, s: Array, begin: Indices, box_b: Array, ib: Indices, out: Relations,
 ) -> None:  # fmt: skip
-    """By every edge of both, and for circles by squared distances; r: (N,) radii, 0 of polygons."""
+    """By their boxes, then every edge of both, and for circles squared distances; r: (N,) radii, 0 of polygons.
+
+    Polygons of few corners wait until there are as many as are looked at side by side, as in the filter.
+    """
+    best = np.empty(LANES, x.dtype)
+    at, of = (np.empty((4, 9, ROW), x.dtype), np.empty((2, LANES), np.intp))
+    many = np.zeros(2, np.intp)
     for k in range(out.size):
         i, j = ia[k], ib[k]
-        if r[i] > 0 and s[j] > 0:
+        if (
+            box_a[i, 2] < box_b[j, 0]
+            or box_b[j, 2] < box_a[i, 0]
+            or box_a[i, 3] < box_b[j, 1]
+            or box_b[j, 3] < box_a[i, 1]
+        ):
+            out[k] = APART
+        elif r[i] > 0 and s[j] > 0:
             u, v = start[i], begin[j]
             dx, dy, reach = x[u] - p[v], y[u] - q[v], r[i] + s[j]
-            gap = dx * dx + dy * dy - reach * reach
+            out[k] = _told(dx * dx + dy * dy - reach * reach)
         elif r[i] > 0:
             u = start[i]
-            gap = _from_center(x[u], y[u], r[i], p, q, begin[j], begin[j + 1])
+            out[k] = _told(_from_center(x[u], y[u], r[i], p, q, begin[j], begin[j + 1]))
         elif s[j] > 0:
             v = begin[j]
-            gap = _from_center(p[v], q[v], s[j], x, y, start[i], start[i + 1])
+            out[k] = _told(_from_center(p[v], q[v], s[j], x, y, start[i], start[i + 1]))
+        elif max(start[i + 1] - start[i], begin[j + 1] - begin[j]) <= FEW:
+            w = 0 if max(start[i + 1] - start[i], begin[j + 1] - begin[j]) <= 4 else 1
+            of[w, many[w]] = k
+            many[w] += 1
+            if many[w] == LANES:
+                _look(x, y, start, ia, p, q, begin, ib, of[w], 4 * (w + 1), at, best, out)
+                many[w] = 0
         else:
             gap = _clears(x, y, start[i], start[i + 1], p, q, begin[j], begin[j + 1])
             if gap <= 0:
                 gap = max(gap, _clears(p, q, begin[j], begin[j + 1], x, y, start[i], start[i + 1]))
-        out[k] = APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
+            out[k] = _told(gap)
+    for w in range(2):
+        _look(x, y, start, ia, p, q, begin, ib, of[w, : many[w]], 4 * (w + 1), at, best, out)
+
+
+@compiled
+def _told(gap: float) -> int:
+    return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
+
+
+@compiled
+def _look(
+    x: Array, y: Array, start: Indices, ia: Indices, p: Array, q: Array, begin: Indices, ib: Indices,
+    of: Indices, width: int, at: Array, best: Array, out: Relations,
+) -> None:  # fmt: skip
+    n = of.size
+    for k in range(n):
+        i, j = ia[of[k]], ib[of[k]]
+        lay(x, y, start[i], start[i + 1], width, at[0], at[1], k)
+        lay(p, q, begin[j], begin[j + 1], width, at[2], at[3], k)
+        best[k] = -np.inf
+    if width == 4:
+        edges_of_four(at[0], at[1], at[2], at[3], n, best)
+        edges_of_four(at[2], at[3], at[0], at[1], n, best)
+    else:
+        edges_of_eight(at[0], at[1], at[2], at[3], 0, n, best)
+        edges_of_eight(at[2], at[3], at[0], at[1], 0, n, best)
+    for k in range(n):
+        out[of[k]] = _told(best[k])
 
 
 @compiled

@@ -31,7 +31,7 @@ from .proofs import (
     Format,
     Model,
 )
-from .turns import Array, Indices, columns, part_pairs, reach
+from .turns import Array, Indices, columns, in_a_row, part_pairs, reach
 
 Relations = NDArray[np.int8]
 BLOCK = 16384  # pairs at a time, whose columns stay in the cache
@@ -75,6 +75,7 @@ class Flat:
     y: NDArray[Any]
     r: NDArray[Any]
     start: Indices
+    bounds: NDArray[Any]
     count: NDArray[np.int64]
     slot: Indices
     groups: dict[int, Group]
@@ -98,7 +99,8 @@ def kept(model: Model, shapes: Shapes) -> Any:
             for v, g in shapes.groups.items()
         }
         x, y, r = (c.astype(dtype) for c in (*shapes.rings[:2], radii(shapes)))
-        return Flat(x, y, r, shapes.rings.start, shapes.count, shapes.slot, groups)
+        bounds = shapes.parts.bounds.astype(dtype)  # rounding keeps their order, so a gap that is left was there
+        return Flat(x, y, r, shapes.rings.start, bounds, shapes.count, shapes.slot, groups)
 
 
 def radii(shapes: Shapes) -> Array:
@@ -203,7 +205,7 @@ def answers(model: Model, pairs: Pairs, a: Any, b: Any, *, engine: str | None = 
     for start in range(0, len(ia), BLOCK):
         part = slice(start, start + BLOCK)
         with np.errstate(all="ignore"):
-            out[part] = look(a[ia[part]], b[ib[part]])
+            out[part] = look(a[in_a_row(ia[part])], b[in_a_row(ib[part])])
     return out
 
 
@@ -212,8 +214,8 @@ def _told(gap: NDArray[Any]) -> Relations:
 
 
 def _by_boxes(a: Array, b: Array) -> Relations:
-    apart = (a[:, :2] > b[:, 2:]).any(axis=1) | (b[:, :2] > a[:, 2:]).any(axis=1)
-    over = (a[:, :2] < b[:, 2:]).all(axis=1) & (b[:, :2] < a[:, 2:]).all(axis=1)
+    apart = (a[:, 0] > b[:, 2]) | (b[:, 0] > a[:, 2]) | (a[:, 1] > b[:, 3]) | (b[:, 1] > a[:, 3])
+    over = (a[:, 0] < b[:, 2]) & (b[:, 0] < a[:, 2]) & (a[:, 1] < b[:, 3]) & (b[:, 1] < a[:, 3])
     return _counted(apart, over)
 
 
@@ -229,15 +231,17 @@ def _by_circles(a: Array, b: Array) -> Relations:
 
 
 def _by_ranges(a: Array, b: Array) -> Relations:
-    lower, upper = a[:, :, 0] > b[:, :, 1], b[:, :, 0] > a[:, :, 1]
-    over = ((a[:, :, 0] < b[:, :, 1]) & (b[:, :, 0] < a[:, :, 1])).all(axis=1)
-    return _counted((lower | upper).any(axis=1), over)
+    apart, over = np.zeros(len(a), bool), np.ones(len(a), bool)
+    for k in range(a.shape[1]):
+        apart |= (a[:, k, 0] > b[:, k, 1]) | (b[:, k, 0] > a[:, k, 1])
+        over &= (a[:, k, 0] < b[:, k, 1]) & (b[:, k, 0] < a[:, k, 1])
+    return _counted(apart, over)
 
 
 def _sat(pairs: Pairs, a: Flat, b: Flat, kernels: Any) -> Relations:
     found = np.empty(len(pairs.pa), np.int8)
     if kernels is not None:
-        kernels.sat(a.x, a.y, a.r, a.start, pairs.pa, b.x, b.y, b.r, b.start, pairs.pb, found)
+        kernels.sat(a.x, a.y, a.r, a.start, a.bounds, pairs.pa, b.x, b.y, b.r, b.start, b.bounds, pairs.pb, found)
     else:
         for mine, p, q in columns(a, pairs.pa, b, pairs.pb, BLOCK):
             with np.errstate(all="ignore"):

@@ -26,14 +26,14 @@ class Price(NamedTuple):
 
 
 def prices(
-    asked: Sequence[Model], pairs: Pairs, *, rounds: int = ROUNDS, engine: str | None = None
+    asked: Sequence[Model], pairs: Pairs, *, rounds: int = ROUNDS, engine: str | None = None, most: int = MOST
 ) -> dict[str, Price]:
     """Medians of some rounds in turn, by the models' names; no prices where there are no pairs.
 
     Cold starts from checked shapes and makes what the model keeps of those in the pairs.
     """
-    if len(pairs.ia) > MOST:
-        pairs = models.paired(pairs.a, pairs.ia[:MOST], pairs.b, pairs.ib[:MOST])
+    if len(pairs.ia) > most:
+        pairs = models.paired(pairs.a, pairs.ia[:most], pairs.b, pairs.ib[:most])
     if not len(pairs.ia):
         return {}
     pairs = _of_those_used(pairs)

@@ -101,10 +101,10 @@ def columns(
         mine, size = np.flatnonzero(key == kind), min(most, max(16, AT_ONCE // (one_side + other)))
         for start in range(0, len(mine), size):
             some = mine[start : start + size]
-            yield some, p.columns(_in_a_row(a.slot[pa[some]])), q.columns(_in_a_row(b.slot[pb[some]]))
+            yield some, p.columns(in_a_row(a.slot[pa[some]])), q.columns(in_a_row(b.slot[pb[some]]))
 
 
-def _in_a_row(slots: Indices) -> Indices | slice:
+def in_a_row(slots: Indices) -> Indices | slice:
     """A slice where the columns stand side by side, which then need no copying."""
     first, last = int(slots[0]), int(slots[-1])
     side_by_side = last - first == len(slots) - 1 and (np.diff(slots) == 1).all()
