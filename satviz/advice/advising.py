@@ -214,7 +214,8 @@ class Advice:
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: the advice in words, and its chart."""
-        return {"text/plain": str(self), "image/svg+xml": self.chart().svg()}
+        found = {"text/plain": str(self)}
+        return found | {"image/svg+xml": self.chart().svg()} if self.facts.pairs else found
 
 
 def _model(model: Model) -> dict[str, Any]:

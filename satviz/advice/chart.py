@@ -1,7 +1,7 @@
 """The picture of an advice: what each model costs on these pairs against how many it gets wrong."""
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -83,7 +83,7 @@ def chart(advice: "Advice") -> Chart:
 
 def _draw(fig: Figure, chart: Chart, theme: Theme) -> None:
     ink, guide = theme.roles["ink"], theme.roles["guide"]
-    at = {"ha": "left", "va": "top", "parse_math": False}
+    at: dict[str, Any] = {"ha": "left", "va": "top", "parse_math": False}
     fig.text(0.015, 1 - 9 / SIZE[1], chart.title, color=ink, fontsize=TITLE, fontweight="bold", **at)
     fig.text(0.015, 1 - 30 / SIZE[1], chart.under, color=guide, fontsize=SMALL, **at)
     ax = fig.add_axes(BOX)
@@ -127,7 +127,7 @@ def _front(ax: Axes, chart: Chart, theme: Theme) -> None:
     ax.step(xs, ys, where="post", color=theme.roles["guide"], lw=1, ls=(0, (1, 2.2)), zorder=1)
 
 
-def _minor(low: float, high: float) -> "object":
+def _minor(low: float, high: float) -> Callable[[float, object], str]:
     """Labels between the powers of ten where the axis has but one of these."""
     few = high / low < 200
 
@@ -191,9 +191,10 @@ def _cost(
     x: float, y: float, wide: float, high: float, taken: Sequence[Bbox], frame: Bbox, away: tuple[float, float]
 ) -> float:
     mine = Bbox.from_bounds(x, y, wide, high)
-    out = max(0, frame.x0 - mine.x0) + max(0, mine.x1 - frame.x1 - 20) + max(0, frame.y0 - mine.y0)
+    out: float = max(0, frame.x0 - mine.x0) + max(0, mine.x1 - frame.x1 - 20) + max(0, frame.y0 - mine.y0)
     out += max(0, mine.y1 - frame.y1)
-    over = sum(
+    over: float = sum(
         max(0, min(mine.x1, b.x1) - max(mine.x0, b.x0)) * max(0, min(mine.y1, b.y1) - max(mine.y0, b.y0)) for b in taken
     )
-    return over * 10 + out * 100 + abs(away[1] + high / 2) + abs(away[0] + wide / 2) / 4
+    cost: float = over * 10 + out * 100 + abs(away[1] + high / 2) + abs(away[0] + wide / 2) / 4
+    return cost

@@ -1,5 +1,7 @@
 """The models compiled with numba: plain loops over pairs, in the format of the arrays given."""
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,7 +11,7 @@ from ..batch.filter_numba import edges_of_eight
 from ..batch.picked_numba import LANES, ROW, edges_of_four, lay
 from ..batch.rings import FEW
 
-Array = NDArray[np.floating]
+Array = NDArray[Any]
 Indices = NDArray[np.intp]
 Relations = NDArray[np.int8]
 FAR = np.float32(np.inf)  # which leaves float32 what it is
@@ -67,12 +69,8 @@ def sat(
     many = np.zeros(2, np.intp)
     for k in range(out.size):
         i, j = ia[k], ib[k]
-        if (
-            box_a[i, 2] < box_b[j, 0]
-            or box_b[j, 2] < box_a[i, 0]
-            or box_a[i, 3] < box_b[j, 1]
-            or box_b[j, 3] < box_a[i, 1]
-        ):
+        aside = max(box_a[i, 0], box_b[j, 0]) > min(box_a[i, 2], box_b[j, 2])
+        if aside or max(box_a[i, 1], box_b[j, 1]) > min(box_a[i, 3], box_b[j, 3]):
             out[k] = APART
         elif r[i] > 0 and s[j] > 0:
             u, v = start[i], begin[j]
@@ -148,7 +146,7 @@ def _clears(x: Array, y: Array, first: int, last: int, p: Array, q: Array, begin
 
 
 @compiled
-def _from_center(cx: float, cy: float, r: float, p: Array, q: Array, begin: int, end: int) -> float:
+def _from_center(cx: float, cy: float, r: float, p: Array, q: Array, begin: int, end: int) -> Any:
     """The squared distance from a center to the nearest side, less the radius squared; -1 with the center inside."""
     inside = True
     nearest = cx * 0 + FAR
