@@ -1,9 +1,11 @@
 """The least model that is right: what it claims is proven, and never wrong."""
 
+import json
 import math
 import subprocess
 import sys
 from collections import Counter
+from dataclasses import replace
 from itertools import combinations
 from random import Random
 
@@ -11,7 +13,8 @@ import numpy as np
 import oracle
 import pytest
 from forms import batch_of
-from strategies import CONVEX, KINDS, NotConvex, drawn, pairs, scaled
+from hypothesis import HealthCheck, given, settings
+from strategies import CONVEX, KINDS, NotConvex, drawn, pairs, scaled, some_pairs
 
 import satviz as sv
 from satviz import batch
@@ -20,7 +23,9 @@ from satviz.advice.many import of_shapes
 from satviz.advice.models import answers, kept, paired, sure
 from satviz.advice.pair import enough
 from satviz.advice.proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
+from satviz.cli import main
 from satviz.engine.geometry import Relation
+from satviz.pictures import THEMES
 
 ORDINARY = [kind for kind in CONVEX if kind not in ("largest scale", "smallest scale", "any scale")]
 
@@ -275,3 +280,230 @@ def test_two_shapes_are_advised_on_and_counted_without_numpy():
         "assert not {'numpy', 'matplotlib'} & set(sys.modules)"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+@given(some_pairs())
+@settings(max_examples=40, deadline=None, suppress_health_check=list(HealthCheck))
+def test_no_advice_on_two_shapes_is_wrong(pair):
+    assert sv.advise(*pair).model.sure(*pair) is oracle.relation(*pair)
+
+
+# -- what an advice says
+
+
+def boxes_at(corners, w=1.0, h=1.0):
+    return batch.Polygons(np.array(corners)[:, None] + np.array([[0, 0], [w, 0], [w, h], [0, h]]))
+
+
+def test_upright_boxes_need_two_axes_wherever_they_lie():
+    advice = sv.advise(boxes_at([(0, 0), (0.9, 0.1), (1, 1), (2.5, 0.1)]))
+    assert (advice.model.kind, advice.model.axes, advice.scope.kind) == (BOXES, 2, "anywhere")
+    assert advice.facts.relations == (0, 1, 2) and advice.facts.settled == 3 and advice.facts.gamma == 0
+    assert advice.check() and advice.anywhere == advice.model
+    assert "3 more are apart by their boxes" in str(advice)
+
+
+def test_the_first_pair_on_which_the_smaller_model_fails_is_named_and_can_be_drawn():
+    kite = np.array([(0, -1), (1, 0), (0, 1), (-1, 0)])
+    a = batch.Polygons(kite + np.array([(0, 0), (0, 0), (9, 9)])[:, None])
+    b = batch.Polygons(kite + np.array([(5, 5), (1.4, 1.4), (0, 0)])[:, None])
+    advice = sv.advise(a, b)
+    smaller = next(j for j in advice.judged if j.model.kind == BOXES)
+    assert (smaller.wrong, smaller.first) == (1, (1, 1))
+    assert advice.model == Model(DIRECTIONS, 2, advice.model.directions) and advice.check()
+    trace = advice.failure()
+    assert trace.claim is not trace.relation and trace.relation is Relation.APART
+    assert sv.picture(trace).marks
+    assert "wrong on 1; the first is pair (1, 1)" in str(advice)
+
+
+def test_a_failure_of_the_circles_around_shapes_can_be_drawn():
+    advice = sv.advise("triangles")
+    assert advice.smaller.model.kind == CIRCLES
+    trace = advice.failure()
+    assert trace.claim is Relation.OVERLAPPING and trace.relation is Relation.APART
+    assert sv.picture(trace).marks
+
+
+CORNER_ON_EDGE = [(0, 0), (6, 2), (2, 6)], [(4, 4), (9, 3), (8, 9)]
+
+
+def test_what_touches_on_a_grid_is_right_in_float32_as_nothing_is_rounded():
+    advice = sv.advise(batch.Polygons(np.array(CORNER_ON_EDGE, float)))
+    assert advice.model.kind == "float32" and advice.scope.kind == "on a grid" and advice.check()
+    assert advice.facts.gamma == 0 and advice.scope.bound == 2.0**10
+
+
+def test_an_advice_on_a_grid_holds_all_over_the_grid():
+    rng = np.random.default_rng(5)
+    rings = np.array(CORNER_ON_EDGE, float)
+    model = sv.advise(batch.Polygons(rings)).model
+    for shift in rng.integers(-1000, 1000, (30, 2)):
+        moved = batch.Polygons(rings + shift)
+        many = paired(moved, np.array([0]), moved, np.array([1]))
+        assert answers(model, many, kept(model, moved), kept(model, moved), engine="numpy").tolist() == [1]
+
+
+def test_an_advice_on_a_scene_moved_as_a_whole_holds_up_to_its_bound():
+    rng = np.random.default_rng(6)
+    rings = rng.integers(1, 2**20, (40, 3, 2)) * 2.0**-20 + 2.0**13 + rng.integers(0, 3, (40, 1, 2)) / 2
+    shapes = batch.Polygons(rings)
+    advice = sv.advise(shapes)
+    assert (advice.model.kind, advice.scope.kind) == ("float64", "moved as a whole")
+    right = batch.relate(shapes, shapes, (pairs := batch.candidate_pairs(shapes.bounds)))
+    shift = min(advice.scope.bound, 2.0**31) - 2.0**14  # so that float64 holds the moved coordinates
+    moved = batch.Polygons(rings + shift)
+    assert (batch.relate(moved, moved, pairs) == right).all() and np.abs(rings + shift).max() <= advice.scope.bound
+    many = paired(moved, pairs[:, 0], moved, pairs[:, 1])
+    assert (sure(advice.model, many, right) == right).all()
+
+
+def test_an_advice_that_is_not_true_does_not_pass_its_check():
+    advice = sv.advise("triangles")
+    lie = next(j for j in advice.judged if j.model.kind == CIRCLES)._replace(wrong=0, first=None)
+    assert not replace(advice, judged=(lie, *advice.judged[1:])).check()
+    blamed = advice.judged[-1]._replace(wrong=1, first=(0, 0))
+    assert not replace(advice, judged=(*advice.judged[:-1], blamed)).check()
+    assert not replace(advice, scope=advice.scope._replace(kind="moved as a whole", bound=1e300)).check()
+
+
+def test_where_boxes_never_meet_there_is_nothing_left_to_ask():
+    advice = sv.advise(boxes_at([(0, 0), (5, 5), (9, 0)]))
+    assert advice.model.kind == BOXES and advice.facts.pairs == 0 and advice.check() and advice.prices() == {}
+    assert "all 3 pairs" in str(advice) and advice._repr_mimebundle_().keys() == {"text/plain"}
+    with pytest.raises(ValueError, match="nothing to time"):
+        advice.chart()
+
+
+def test_hits_alone_may_need_less():
+    box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+    advice = sv.advise(box, sv.Polygon([(1, 0.5), (2, 0), (2, 1)]))  # touching; their circles overlap
+    assert advice.for_hits.model.kind == CIRCLES and advice.model.kind != CIRCLES
+    assert "need not be told from overlapping, bounding circles (1 axis) will do" in str(advice)
+
+
+def test_an_advice_is_json_and_the_same_each_time():
+    for name in ("triangles", "circles", "concave", "aabb"):
+        text = sv.advise(name).to_json()
+        data = json.loads(text)
+        assert data["model"]["name"] == sv.advise(name).model.name and sv.advise(name).to_json() == text
+        assert [c["proven"] for c in data["candidates"]].count(True) >= 1
+
+
+def test_concave_shapes_are_advised_on_whole():
+    some = list(pairs(51, 24, ["concave", "in the notch"]))
+    advice = sv.advise(batch_of([a for _, a, _ in some]), batch_of([b for _, _, b in some]))
+    assert advice.facts.kinds["concave polygons"] >= 20 and advice.check()
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        (3,),
+        (sv.Circle((0, 0), 1),),
+        ("triangles", sv.Circle((0, 0), 1)),
+        (sv.Circle((0, 0), 1), sv.Circle((0, 0), 1), [[0, 1]]),
+    ],
+)
+def test_what_is_no_scene_is_refused(wrong):
+    with pytest.raises((TypeError, ValueError), match=r"satviz|batch|scene"):
+        sv.advise(*wrong)
+
+
+# -- prices and the chart
+
+
+def test_prices_are_those_of_all_candidates_and_count_their_wrong_answers():
+    advice = sv.advise("triangles")
+    found = advice.prices()
+    assert found.keys() == {j.model.name for j in advice.judged}
+    assert all(price.cold > 0 and price.warm > 0 for price in found.values())
+    assert (found[CIRCLES].wrong, found[advice.model.name].wrong) == (1, 0)
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=lambda theme: theme.name)
+@pytest.mark.parametrize("seed", range(6))
+def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
+    from satviz.advice.chart import Chart
+    from satviz.advice.prices import Price
+
+    rng = Random(seed)
+    names = CIRCLES, BOXES, "ranges on 8 directions", "SAT, float32", "SAT, float64", EXACT
+    rows = []
+    for i, name in enumerate(names):
+        warm = 10 ** rng.uniform(0.5, 3) if seed else 50.0
+        rows.append((name, "float", Price(warm * rng.uniform(1, 5), warm, 0 if i > 2 else rng.choice((1, 40, 12_345)))))
+    fig = Chart("title", "under", tuple(rows), "SAT, float32", 20_000, "words").figure(theme)
+    renderer = fig.canvas.get_renderer()
+    texts = [t for ax in fig.axes for t in ax.texts]
+    boxes = [t.get_window_extent(renderer) for t in texts]
+    assert len(boxes) == 6
+    for one, other in combinations(boxes, 2):
+        assert not (min(one.x1, other.x1) > max(one.x0, other.x0) and min(one.y1, other.y1) > max(one.y0, other.y0))
+    for box in boxes:
+        assert box.x0 >= 0 and box.y0 >= 0 and box.x1 <= fig.bbox.x1 and box.y1 <= fig.bbox.y1
+
+
+def test_the_chart_is_a_file_that_says_what_it_shows():
+    chart = sv.advise("triangles").chart()
+    assert b"made by satviz" in chart.encode("svg", "dark") and chart.encode("png").startswith(b"\x89PNG")
+    assert "AABB is right for this pair" in repr(chart) and chart.svg().startswith("<svg")
+
+
+# -- on the command line
+
+
+def shapes_file(tmp_path, **arrays):
+    path = tmp_path / "shapes.npz"
+    np.savez(path, **arrays)
+    return str(path)
+
+
+def test_the_command_advises_on_scenes(capsys):
+    assert main(["advise", "triangles"]) == 0
+    said = capsys.readouterr().out
+    assert said.startswith(f"{sv.advise('triangles')}\n") and "\nprice    " in said
+    assert main(["advise", "far-centers", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out) == json.loads(sv.advise("far-centers").to_json())
+
+
+def test_the_command_advises_on_a_file_of_many_shapes_and_draws_what_they_cost(tmp_path, capsys):
+    rings = np.array([(0, 0), (1, 0), (1, 1), (0, 1), (0, 0), (1, 0.0), (0, 1)])
+    path = shapes_file(tmp_path, coords=rings, offsets=[0, 4, 7], centers=[(2, 0.5), (0, 0)], radii=[1, 0.5])
+    assert main(["advise", path, "--chart", str(tmp_path / "new"), "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["facts"]["kinds"] == {"upright boxes": 1, "circles": 2, "convex polygons": 1}
+    assert data["prices"].keys() == {c["name"] for c in data["candidates"]}
+    assert {p.name for p in (tmp_path / "new").iterdir()} == {
+        f"advice{dark}.{form}" for dark in ("", "-dark") for form in ("svg", "png")
+    }
+    path = shapes_file(tmp_path, centers=[(2, 0.5), (0, 0), (9, 9)], radii=[1, 0.5, 1], pairs=[[0, 2]])
+    assert main(["advise", path]) == 0
+    assert "1: 1 apart" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arrays", "says"),
+    [
+        ({"centers": [(0, 0)]}, "lacks 'radii'"),
+        ({"centres": [(0, 0)]}, "unknown array 'centres'"),
+        ({}, "has no shapes"),
+        ({"centers": [(0, 0)], "radii": [-1.0]}, "circle 0: radius is -1.0"),
+        ({"coords": [(0, 0), (1, 1), (2, 2)], "offsets": [0, 3]}, "polygon 0"),
+        ({"centers": [(0, 0)], "radii": [1.0], "pairs": [[0, 1]]}, "pairs name shapes outside"),
+        ({"centers": [(0, 0)], "radii": [1.0], "pairs": [0.5]}, "expected (K, 2) integers"),
+        ({"coords": np.array([{}]), "offsets": [0]}, "no .npz of plain arrays"),
+    ],
+)
+def test_a_file_that_holds_no_shapes_gives_one_clear_line(arrays, says, tmp_path, capsys):
+    assert main(["advise", shapes_file(tmp_path, **arrays)]) == 2
+    told = capsys.readouterr().err
+    assert says in told and told.count("\n") == 1
+
+
+def test_what_is_no_file_of_shapes_gives_one_clear_line(tmp_path, capsys):
+    bad = tmp_path / "bad.npz"
+    bad.write_text("no arrays")
+    for name in (str(bad), str(tmp_path / "none.npz"), "nonsense", "pentagram"):
+        assert main(["advise", name]) == 2
+        assert capsys.readouterr().err.count("\n") == 1

@@ -309,7 +309,9 @@ def settled(
     kind, only_boxes = best.model.kind, set(facts.kinds) == {"upright boxes"}
     polygons = "circles" not in facts.kinds
     scope = Scope(HERE, "these pairs as they lie: it is proven on each of them, and says nothing of others")
-    if kind == BOXES and only_boxes:
+    if not facts.pairs:
+        reason = "no two boxes meet, so there is nothing left to ask"
+    elif kind == BOXES and only_boxes:
         reason = "upright boxes are their bounding boxes, and comparisons round nothing"
         scope = Scope(ANYWHERE, "anywhere: upright boxes need y and x only, whatever their coordinates")
     elif kind == BOXES:

@@ -1,8 +1,6 @@
 """The smaller models as shortcuts of the one loop, so that a pair on which one fails can be recorded and drawn."""
 
-from ..engine.axes import CENTERS as BETWEEN
-from ..engine.axes import Axis, Choice, Source, directions, needed, world
-from ..engine.geometry import Vec
+from ..engine.axes import Axis, Choice, directions, needed, world
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Circle, Shape
 from ..engine.shortcut import Shortcut
@@ -24,11 +22,7 @@ def shortcut(model: Model, a: Shape, b: Shape) -> Shortcut:
 
 def _between(a: Shape, b: Shape) -> Choice:
     (ax, ay, _), (bx, by, _) = around(a), around(b)
-    nx, ny = bx - ax, by - ay
-    length = (nx * nx + ny * ny) ** 0.5
-    if not length:
-        nx, ny, length = 1.0, 0.0, 1.0
-    return Choice((Axis(Vec(nx, ny), length, Source(BETWEEN)),))
+    return directions((bx - ax, by - ay) if (ax, ay) != (bx, by) else (1, 0))(a, b)
 
 
 def _by_circles(a: Shape, b: Shape, axis: Axis) -> AxisTest:

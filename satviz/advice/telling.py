@@ -96,6 +96,8 @@ def _one(kind: str) -> str:
 
 
 def _all(facts: "Facts") -> str:
+    if not facts.pairs:
+        return f"all {facts.settled:,} pairs"
     return "this pair" if facts.pairs == 1 else f"all {facts.pairs:,} pairs"
 
 
