@@ -308,7 +308,8 @@ def settled(
     best = next(j for j in judged if j.proven)
     kind, only_boxes = best.model.kind, set(facts.kinds) == {"upright boxes"}
     polygons = "circles" not in facts.kinds
-    scope = Scope(HERE, "these pairs as they lie: it is proven on each of them, and says nothing of others")
+    here = "this pair as it lies" if facts.pairs == 1 else "these pairs as they lie: it is proven on each of them"
+    scope = Scope(HERE, here)
     if not facts.pairs:
         reason = "no two boxes meet, so there is nothing left to ask"
     elif kind == BOXES and only_boxes:

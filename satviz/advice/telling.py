@@ -4,16 +4,17 @@ from math import inf, log2
 from typing import TYPE_CHECKING
 
 from .gamma import IN_FLOAT32
-from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT
+from .proofs import DIRECTIONS, EXACT, FLOAT64
 
 if TYPE_CHECKING:
     from .advising import Advice, Facts, Judged
     from .proofs import Model
 
-NAMES = {
-    BOXES: "bounding boxes (AABB)",
-    CIRCLES: "circles around the shapes",
-    DIRECTIONS: "ranges on shared directions",
+ONE = {
+    "upright boxes": "upright box",
+    "circles": "circle",
+    "convex polygons": "convex polygon",
+    "concave polygons": "concave polygon",
 }
 
 
@@ -81,18 +82,11 @@ def power(value: float) -> str:
 
 def shapes(facts: "Facts") -> str:
     """What there is."""
-    kinds = ", ".join(
-        f"{n:,} {kind[:-1] if n == 1 and not kind.endswith('xes') else _one(kind) if n == 1 else kind}"
-        for kind, n in facts.kinds.items()
-    )
+    kinds = ", ".join(f"{n:,} {ONE[kind] if n == 1 else kind}" for kind, n in facts.kinds.items())
     low, high = facts.corners
     corners = f", {low} corners" if low == high else f", {low} to {high} corners"
     sizes = f", the largest {facts.sizes:,.3g} times the smallest" if facts.sizes > 1.005 else ""
     return f"{kinds or 'none'}{corners if high else ''}{sizes}"
-
-
-def _one(kind: str) -> str:
-    return kind.removesuffix("es")
 
 
 def _all(facts: "Facts") -> str:
@@ -132,5 +126,9 @@ def _fails(judged: "Judged", facts: "Facts") -> str:
 def _adds(judged: "Judged", facts: "Facts") -> str:
     if not judged.proven:
         return _fails(judged, facts)
-    adds = "right for all coordinates" if judged.model.kind == EXACT else "right as well, and adds nothing here"
+    adds = "right as well, and adds nothing here"
+    if judged.model.kind == EXACT:
+        adds = "right for all coordinates"
+    elif judged.model.kind == FLOAT64.name:
+        adds = "right as well, 2^29 times as fine as float32, which nothing here needs"
     return f"{title(judged)}: {adds}"

@@ -54,7 +54,7 @@ def far(rng, n):
 
 
 def strewn(rng, n):
-    return (batch.concat([batch.Polygons(workloads.scattered(rng, n // 6)), discs(rng, n // 60)]),)
+    return (batch.concat([batch.Polygons(workloads.scattered(rng, n // 12)), discs(rng, n // 120)]),)
 
 
 def stars(rng, n):
