@@ -351,11 +351,21 @@ def test_an_advice_on_a_scene_moved_as_a_whole_holds_up_to_its_bound():
     advice = sv.advise(shapes)
     assert (advice.model.kind, advice.scope.kind) == ("float64", "moved as a whole")
     right = batch.relate(shapes, shapes, (pairs := batch.candidate_pairs(shapes.bounds)))
+    assert advice.check()
     shift = min(advice.scope.bound, 2.0**31) - 2.0**14  # so that float64 holds the moved coordinates
     moved = batch.Polygons(rings + shift)
     assert (batch.relate(moved, moved, pairs) == right).all() and np.abs(rings + shift).max() <= advice.scope.bound
     many = paired(moved, pairs[:, 0], moved, pairs[:, 1])
     assert (sure(advice.model, many, right) == right).all()
+
+
+def test_an_advice_far_from_the_origin_passes_its_check():
+    rng = np.random.default_rng(7)
+    turns = np.linspace(0, 2 * np.pi, 5, endpoint=False)
+    ring = np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    for far in (2.0**5, 2.0**12, 5e6, 2.0**30):
+        a, b = (batch.Polygons(ring + far + rng.uniform(-2, 2, (60, 1, 2))) for _ in "ab")
+        assert sv.advise(a, b).check()
 
 
 def test_an_advice_that_is_not_true_does_not_pass_its_check():

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
+from math import floor, inf, log2
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..engine.geometry import Relation
@@ -268,8 +269,8 @@ def _of_two(a: Shape, b: Shape) -> Advice:
         return of_shapes(a, b)
 
     def reach() -> float:
-        bound = min(reach_allowed(p, q) for p in parts(a) for q in parts(b))
-        return bound if bound > max(a.reach, b.reach) else 0.0
+        allowed = min(reach_allowed(p, q) for p in parts(a) for q in parts(b))
+        return bound_of(float(min(allowed, Fraction(FLOAT64.most))), max(a.reach, b.reach))
 
     def grid(form: proofs.Format) -> int | None:
         return proofs.unit(chain.from_iterable(_numbers(p, q) for p in parts(a) for q in parts(b)), form)
@@ -328,27 +329,29 @@ def settled(
         form = FORMATS[kind]
         reason = f"all numbers are whole multiples of 2^{unit}, so few of it that {form.name} rounds nothing"
         what, bound = "circles" if "circles" in facts.kinds else "polygons", 2.0 ** (unit + form.whole)
-        scope = Scope(GRID, f"any {what} whose numbers are multiples of 2^{unit}, up to {bound:.3g}", bound)
+        scope = Scope(GRID, f"any {what} whose numbers are multiples of 2^{unit}, up to 2^{unit + form.whole}", bound)
     else:
         reason = f"every pair is decided by more than the roundings of {kind} can hide"
         if kind == FLOAT64.name and polygons and (bound := reach()) > 0:
-            text = f"the scene moved as a whole, exactly, while no coordinate exceeds {bound:.3g}"
+            text = f"the scene moved as a whole, exactly, while no coordinate exceeds 2^{log2(bound):.0f}"
             scope = Scope(MOVED, text, bound)
     return Advice(facts, tuple(judged), scope, reason, case)
 
 
-def reach_allowed(a: Shape, b: Shape) -> float:
+def reach_allowed(a: Shape, b: Shape) -> Fraction:
     """How far from the origin a pair of convex polygons may be moved as a whole, for SAT on float64 to stay proven.
 
     A move changes no turn and no span, so what decides stays gamma * u * span * reach: reach may grow until gamma is
-    the roundings asked.  A power of two below.
+    the roundings asked (and one, as gamma itself is rounded).
     """
     reach = max(abs(c) for s in (a, b) for c in s.bounds)
-    bound = Fraction(gamma(a, b)) * Fraction(reach) / (proofs.LOOKS + 1)
-    if not bound:
-        return 0.0
-    power = bound.numerator.bit_length() - bound.denominator.bit_length() - 1
-    return min(2.0 ** max(min(power, 1000), -1000), FLOAT64.most)
+    return Fraction(gamma(a, b)) * Fraction(reach) / (proofs.LOOKS + 1)
+
+
+def bound_of(allowed: float, reach: float) -> float:
+    """A power of two below what is allowed; 0 if that is no further than the shapes reach."""
+    bound = min(2.0 ** floor(log2(allowed)), FLOAT64.most) if 0 < allowed < inf else 0.0
+    return bound if bound > reach else 0.0
 
 
 def believed(model: Model, a: Shape, b: Shape) -> Shortcut:

@@ -102,7 +102,7 @@ def _draw(fig: Figure, chart: Chart, theme: Theme) -> None:
     ax.yaxis.set_minor_formatter(NullFormatter())
     ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: duration(value)))
     ax.xaxis.set_minor_formatter(FuncFormatter(_minor(min(times) / 1.6, max(times) * 1.6)))
-    ax.tick_params(axis="x", which="minor", labelsize=TEXT)
+    ax.tick_params(axis="x", which="minor", labelsize=TEXT, length=3)
     ax.set_xlabel("time a pair", color=ink, fontsize=TEXT)
     fig.text(0.015, BOX[1] + BOX[3] + 0.025, "wrong answers", color=ink, fontsize=TEXT, ha="left", va="bottom")
     _front(ax, chart, theme)
@@ -144,9 +144,9 @@ def _label(fig: Figure, ax: Axes, chart: Chart, theme: Theme) -> None:
     dot = 6 * DPI / 72
     taken = []
     for _, _, price in chart.rows:
-        for x in (price.cold, price.warm):
-            px, py = ax.transData.transform((x, price.wrong))
-            taken.append(Bbox.from_extents(px - dot, py - dot, px + dot, py + dot))
+        ends = [ax.transData.transform((x, price.wrong)) for x in sorted((price.cold, price.warm))]
+        taken += [Bbox.from_extents(px - dot, py - dot, px + dot, py + dot) for px, py in ends]
+        taken.append(Bbox.from_extents(ends[0][0], ends[0][1] - 3, ends[1][0], ends[1][1] + 3))
     for name, role, price in sorted(chart.rows, key=lambda row: row[2].warm):
         words = f"{name}, advised" if name == chart.advised else name
         shade = theme.text.get(role, theme.roles[role])

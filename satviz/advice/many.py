@@ -9,9 +9,9 @@ from .. import batch
 from ..batch.arrays import Shapes, checked
 from ..engine.shapes import Circle, Shape
 from . import models, proofs
-from .advising import Advice, Case, Facts, Judged, Pair, settled
+from .advising import Advice, Case, Facts, Judged, Pair, bound_of, settled
 from .models import Pairs, paired
-from .proofs import FLOAT64, Body, Compound, Format, Model
+from .proofs import Body, Compound, Format, Model
 from .turns import listed, one, reach, signed_gammas
 
 
@@ -59,9 +59,7 @@ def of_many(a: Any, b: Any, pairs: ArrayLike | None) -> Advice:
         most = np.maximum(_reach(a)[case.pa], _reach(b)[case.pb])
         gamma = np.abs(signed_gammas(a.parts, b.parts, np.stack([case.pa, case.pb], axis=1)))
         # gamma is good to one part in fifty
-        allowed = float((gamma * 0.9 * most).min()) / (proofs.LOOKS + 1)
-        allowed = min(2.0 ** np.floor(np.log2(allowed)), FLOAT64.most) if 0 < allowed < np.inf else 0.0
-        return float(allowed) if allowed > most.max() else 0.0
+        return bound_of(float((gamma * 0.9 * most).min()) / (proofs.LOOKS + 1), float(most.max()))
 
     def grid(form: Format) -> int | None:
         found = [models.Grid.of_parts(s.parts) for s in (a, b)]

@@ -107,7 +107,7 @@ def nearest(facts: "Facts") -> str:
     if not facts.gamma:
         return f"{where}touches: gamma is 0"
     return (
-        f"{where}is decided by {power(facts.gamma)} roundings of float64 (its gamma), "
+        f"{where}{'' if facts.pairs == 1 else 'is '}decided by {power(facts.gamma)} roundings of float64 (its gamma), "
         f"{power(facts.gamma * IN_FLOAT32)} of float32"
     )
 
