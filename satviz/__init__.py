@@ -12,6 +12,7 @@ from .engine.verdict import relate
 
 if TYPE_CHECKING:  # what is loaded at first use, as type checkers see it
     from . import batch
+    from .advice.advising import Advice, advise
     from .engine.concave import parts
     from .engine.sat import AxisTest, axis_tests
     from .engine.shortcut import Shortcut
@@ -30,6 +31,7 @@ if TYPE_CHECKING:  # what is loaded at first use, as type checkers see it
 __version__ = "0.1.0"
 
 __all__ = [
+    "Advice",
     "AxisTest",
     "Circle",
     "Interval",
@@ -45,6 +47,7 @@ __all__ = [
     "Trace",
     "Vec",
     "__version__",
+    "advise",
     "axes",
     "axis_tests",
     "batch",
@@ -66,6 +69,7 @@ __all__ = [
 
 # so that importing satviz stays quick
 _LATER = {
+    "Advice": "advice.advising",
     "AxisTest": "engine.sat",
     "Picture": "pictures",
     "Scene": "scenes.scenefile",
@@ -73,6 +77,7 @@ _LATER = {
     "Stage": "pictures",
     "Step": "pictures",
     "Trace": "engine.trace",
+    "advise": "advice.advising",
     "axis_tests": "engine.sat",
     "difference": "pictures.minkowski",
     "draw": "render.draw",

@@ -1,4 +1,4 @@
-"""satviz figures | trace | draw | notebook | site | reference | study | scenes | bench: what a command line may say."""
+"""satviz figures | trace | draw | advise | notebook | site | reference | study | scenes | bench: what is understood."""
 
 import argparse
 import reprlib
@@ -123,6 +123,21 @@ def _parser() -> argparse.ArgumentParser:
         help=f"every step, also of a run of more than {commands.MOST_STEPS} (which else gets a sheet)",
     )
     draw.set_defaults(run=commands.draw)
+
+    advise = command.add_parser(
+        "advise",
+        help="the least model that is right for a scene, with its proof and its price",
+        epilog="A file of many shapes is an .npz with coords (M, 2) and offsets (N + 1), polygons one after another, "
+        "or centers (K, 2) and radii (K), circles numbered after the polygons, or both; and if only some pairs are "
+        "meant, pairs (P, 2). Else all pairs are whose boxes meet.",
+    )
+    advise.add_argument("scene", metavar="SCENE", help="a built-in scene's name, a scene file, or an .npz of shapes")
+    advise.add_argument("--json", action="store_true", help="print it as JSON (with --chart, with the prices)")
+    advise.add_argument(
+        "--chart", type=_folder, metavar="DIR", help="draw time against wrong answers, into this folder"
+    )
+    advise.add_argument("--force", action="store_true", help="overwrite what satviz did not make")
+    advise.set_defaults(run=commands.advise, axes=None, every_axis=False)
 
     notebook = command.add_parser("notebook", help="copy the walkthrough's notebooks and open them in JupyterLab")
     notebook.add_argument(

@@ -239,6 +239,44 @@ def trace(args: argparse.Namespace) -> int:
     return 0
 
 
+def advise(args: argparse.Namespace) -> int:
+    """Say which model is the least that is right for a scene or for many shapes, and draw what each costs."""
+    import json
+
+    from .advice.advising import advise
+    from .advice.telling import price
+
+    if Path(args.scene).suffix == ".npz":
+        from .advice.shapesfile import load
+
+        shapes, pairs = load(Path(args.scene))
+        try:
+            advice = advise(shapes, pairs=pairs)
+        except (ValueError, IndexError) as error:
+            raise Refused(f"{args.scene}: {error}") from None
+    else:
+        scene = _load(args)
+        advice = advise(scene.a, scene.b)
+    if args.json:
+        prices = {name: found._asdict() for name, found in advice.prices().items()} if args.chart else None
+        data = json.loads(advice.to_json())
+        out_json(json.dumps(data | {"prices": prices} if prices else data, indent=1, allow_nan=False))
+    else:
+        out("\n".join(filter(None, (str(advice), price(advice)))))
+    if args.chart:
+        try:
+            drawn = advice.chart()
+        except ValueError as error:
+            raise Refused(str(error)) from None
+        disk.folder(args.chart)
+        for theme in ("light", "dark"):
+            for form in ("svg", "png"):
+                path = args.chart / f"advice{'' if theme == 'light' else '-dark'}.{form}"
+                disk.write(path, drawn.encode(form, theme), force=args.force)
+                say(f"wrote {path}")
+    return 0
+
+
 def bench(args: argparse.Namespace) -> int:
     """Time satviz beside its peers; print the table, and draw the chart if asked."""
     import json

@@ -213,7 +213,7 @@ def float32_look(*numbers: float) -> float:
 def float64_look(*numbers: float) -> float:
     p, q = _triangles(numbers)
     a, b = _group(p), _group(q)
-    found = filter_numpy._clearance(a.x, a.y, b.x, b.y, 0)
+    found = filter_numpy.clearance(a.x, a.y, b.x, b.y, 0)
     return over(abs(Fraction(float(found[0])) - _exact_clearance(p, q)), filter_numpy.room_64(a, b))
 
 

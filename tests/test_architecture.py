@@ -85,7 +85,7 @@ def test_pictures_know_no_pen_and_only_render_and_the_charts_know_artists():
         text = path.read_text(encoding="utf-8")
         if floor_of(path) == "pictures":
             assert "matplotlib" not in text, path
-        elif floor_of(path) not in ("render", "study"):
+        elif floor_of(path) not in ("render", "study", "advice"):
             assert "import matplotlib" not in text and "from matplotlib" not in text, path
 
 

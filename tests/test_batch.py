@@ -133,7 +133,7 @@ def test_the_float32_look_errs_less_than_its_room(v, w, far):
     size = np.sqrt(room / filter_numpy.LOOK_32)
     assert (size >= np.abs(b - a[:, :1]).max(axis=(1, 2)) * (1 - 1e-6)).all()
     near = [c - origin for c, origin in zip(columns, (columns[0][0], columns[1][0]) * 2)]
-    error = np.abs(found - filter_numpy._clearance(*near, 0)) / (2.0**-24 * size.astype(float) ** 2)
+    error = np.abs(found - filter_numpy.clearance(*near, 0)) / (2.0**-24 * size.astype(float) ** 2)
     print(f"{v} against {w} corners, up to {far:g} apart: worst {error.max():.1f} of 64")
     assert 0 < error.max() < 64
 

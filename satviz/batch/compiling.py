@@ -10,7 +10,13 @@ Kernel = TypeVar("Kernel", bound=Callable[..., object])
 
 HERE = Path(__file__).parent
 SOURCES = [*sorted(HERE.glob("*.py")), *(HERE.parent / "engine" / f"{name}.py" for name in ("exact", "verdict"))]
-STAMP = tuple((path.stat().st_mtime_ns, path.stat().st_size) for path in SOURCES)
+
+
+def _stamp(path: Path) -> tuple[int, int]:
+    return path.stat().st_mtime_ns, path.stat().st_size
+
+
+STAMP = tuple(map(_stamp, SOURCES))
 
 
 def inlined(kernel: Kernel) -> Kernel:
@@ -22,5 +28,5 @@ def compiled(kernel: Kernel) -> Kernel:
     """The kernel compiled at its first call; to type checkers the function that it was."""
     made: Any = njit(nogil=True, cache=True, error_model="numpy")(kernel)
     # numba would keep what it compiled until the kernel's own file changes; it holds calls and constants of others too
-    made._cache._cache_file._source_stamp = STAMP  # noqa: SLF001
+    made._cache._cache_file._source_stamp = (*STAMP, _stamp(Path(kernel.__code__.co_filename)))  # noqa: SLF001
     return cast(Kernel, made)

@@ -64,14 +64,14 @@ def look_32(
     room = size * size
     room *= LOOK_32
     room[~((size > LEAST_32) & (size < MOST_32))] = np.inf
-    return _clearance(x, y, px, py, 1, again), room
+    return clearance(x, y, px, py, 1, again), room
 
 
 def _rounded(c: Array, origin: Array) -> Array32:
     return np.subtract(c, origin).astype(np.float32)
 
 
-def _clearance(ax: Array32, ay: Array32, bx: Array32, by: Array32, known: int, again: int = 0) -> Array32:
+def clearance(ax: Array32, ay: Array32, bx: Array32, by: Array32, known: int, again: int = 0) -> Array32:
     """The largest clearance of an edge: how far beyond it the other shape's nearest corner lies (times its length).
 
     `known`: 1 where A's first corner is the origin, which saves its products.

@@ -107,14 +107,14 @@ def _look(
     n = which.size
     for k in range(n):
         i, j = ia[which[k]], ib[which[k]]
-        _lay(ax, ay, sa[i], sa[i + 1], width, x, y, k)
-        _lay(bx, by, sb[j], sb[j + 1], width, p, q, k)
+        lay(ax, ay, sa[i], sa[i + 1], width, x, y, k)
+        lay(bx, by, sb[j], sb[j + 1], width, p, q, k)
         room = (_width(box_a, i) + _width(box_b, j)) * (_reach(box_a, i) + _reach(box_b, j)) * LOOK
         rooms[k] = room if room > LEAST_ROOM and room < MOST_ROOM else np.inf
         best[k] = -np.inf
     if width == 4:
-        _edges_of_four(x, y, p, q, n, best)
-        _edges_of_four(p, q, x, y, n, best)
+        edges_of_four(x, y, p, q, n, best)
+        edges_of_four(p, q, x, y, n, best)
     else:
         edges_of_eight(x, y, p, q, 0, n, best)
         edges_of_eight(p, q, x, y, 0, n, best)
@@ -123,7 +123,8 @@ def _look(
 
 
 @compiled
-def _lay(x: Array, y: Array, start: int, stop: int, width: int, to_x: Array, to_y: Array, k: int) -> None:
+def lay(x: Array, y: Array, start: int, stop: int, width: int, to_x: Array, to_y: Array, k: int) -> None:
+    """An outline into lane k, going round again until it has `width` edges."""
     i = start
     for v in range(width + 1):
         to_x[v, k], to_y[v, k] = x[np.uintp(i)], y[np.uintp(i)]
@@ -131,7 +132,8 @@ def _lay(x: Array, y: Array, start: int, stop: int, width: int, to_x: Array, to_
 
 
 @compiled
-def _edges_of_four(x: Array, y: Array, p: Array, q: Array, n: int, best: Array) -> None:
+def edges_of_four(x: Array, y: Array, p: Array, q: Array, n: int, best: Array) -> None:
+    """Raise `best` of n lanes to how far beyond one of four edges all four corners lie."""
     p0, p1, p2, p3 = p[0, :n], p[1, :n], p[2, :n], p[3, :n]
     q0, q1, q2, q3 = q[0, :n], q[1, :n], q[2, :n], q[3, :n]
     for e in range(4):

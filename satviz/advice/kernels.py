@@ -1,0 +1,169 @@
+"""The models compiled with numba: plain loops over pairs, in the format of the arrays given."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..batch.codes import APART, OVERLAPPING, TOUCHING
+from ..batch.compiling import compiled
+from ..batch.filter_numba import edges_of_eight
+from ..batch.picked_numba import LANES, ROW, edges_of_four, lay
+from ..batch.rings import FEW
+
+Array = NDArray[Any]
+Indices = NDArray[np.intp]
+Relations = NDArray[np.int8]
+FAR = np.float32(np.inf)  # which leaves float32 what it is
+
+
+@compiled
+def boxes(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
+    """By (N, 4) bounds."""
+    for k in range(out.size):
+        i, j = ia[k], ib[k]
+        if a[i, 2] < b[j, 0] or b[j, 2] < a[i, 0] or a[i, 3] < b[j, 1] or b[j, 3] < a[i, 1]:
+            out[k] = APART
+        elif a[i, 2] > b[j, 0] and b[j, 2] > a[i, 0] and a[i, 3] > b[j, 1] and b[j, 3] > a[i, 1]:
+            out[k] = OVERLAPPING
+        else:
+            out[k] = TOUCHING
+
+
+@compiled
+def circles(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
+    """By (N, 3) x, y and radius."""
+    for k in range(out.size):
+        i, j = ia[k], ib[k]
+        dx, dy, reach = a[i, 0] - b[j, 0], a[i, 1] - b[j, 1], a[i, 2] + b[j, 2]
+        gap = dx * dx + dy * dy - reach * reach
+        out[k] = APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
+
+
+@compiled
+def ranges(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
+    """By (N, k, 2) ranges on k directions."""
+    for k in range(out.size):
+        i, j = ia[k], ib[k]
+        told = OVERLAPPING
+        for d in range(a.shape[1]):
+            if a[i, d, 0] > b[j, d, 1] or b[j, d, 0] > a[i, d, 1]:
+                told = APART
+                break
+            if a[i, d, 0] == b[j, d, 1] or b[j, d, 0] == a[i, d, 1]:
+                told = TOUCHING
+        out[k] = told
+
+
+@compiled
+def sat(
+    x: Array, y: Array, r: Array, start: Indices, box_a: Array, ia: Indices,
+    p: Array, q: Array, s: Array, begin: Indices, box_b: Array, ib: Indices, out: Relations,
+) -> None:  # fmt: skip
+    """By their boxes, then every edge of both, and for circles squared distances; r: (N,) radii, 0 of polygons.
+
+    Polygons of few corners wait until there are as many as are looked at side by side, as in the filter.
+    """
+    best = np.empty(LANES, x.dtype)
+    at, of = (np.empty((4, 9, ROW), x.dtype), np.empty((2, LANES), np.intp))
+    many = np.zeros(2, np.intp)
+    for k in range(out.size):
+        i, j = ia[k], ib[k]
+        aside = max(box_a[i, 0], box_b[j, 0]) > min(box_a[i, 2], box_b[j, 2])
+        if aside or max(box_a[i, 1], box_b[j, 1]) > min(box_a[i, 3], box_b[j, 3]):
+            out[k] = APART
+        elif r[i] > 0 and s[j] > 0:
+            u, v = start[i], begin[j]
+            dx, dy, reach = x[u] - p[v], y[u] - q[v], r[i] + s[j]
+            out[k] = _told(dx * dx + dy * dy - reach * reach)
+        elif r[i] > 0:
+            u = start[i]
+            out[k] = _told(_from_center(x[u], y[u], r[i], p, q, begin[j], begin[j + 1]))
+        elif s[j] > 0:
+            v = begin[j]
+            out[k] = _told(_from_center(p[v], q[v], s[j], x, y, start[i], start[i + 1]))
+        elif max(start[i + 1] - start[i], begin[j + 1] - begin[j]) <= FEW:
+            w = 0 if max(start[i + 1] - start[i], begin[j + 1] - begin[j]) <= 4 else 1
+            of[w, many[w]] = k
+            many[w] += 1
+            if many[w] == LANES:
+                _look(x, y, start, ia, p, q, begin, ib, of[w], 4 * (w + 1), at, best, out)
+                many[w] = 0
+        else:
+            gap = _clears(x, y, start[i], start[i + 1], p, q, begin[j], begin[j + 1])
+            if gap <= 0:
+                gap = max(gap, _clears(p, q, begin[j], begin[j + 1], x, y, start[i], start[i + 1]))
+            out[k] = _told(gap)
+    for w in range(2):
+        _look(x, y, start, ia, p, q, begin, ib, of[w, : many[w]], 4 * (w + 1), at, best, out)
+
+
+@compiled
+def _told(gap: float) -> int:
+    return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
+
+
+@compiled
+def _look(
+    x: Array, y: Array, start: Indices, ia: Indices, p: Array, q: Array, begin: Indices, ib: Indices,
+    of: Indices, width: int, at: Array, best: Array, out: Relations,
+) -> None:  # fmt: skip
+    n = of.size
+    for k in range(n):
+        i, j = ia[of[k]], ib[of[k]]
+        lay(x, y, start[i], start[i + 1], width, at[0], at[1], k)
+        lay(p, q, begin[j], begin[j + 1], width, at[2], at[3], k)
+        best[k] = -np.inf
+    if width == 4:
+        edges_of_four(at[0], at[1], at[2], at[3], n, best)
+        edges_of_four(at[2], at[3], at[0], at[1], n, best)
+    else:
+        edges_of_eight(at[0], at[1], at[2], at[3], 0, n, best)
+        edges_of_eight(at[2], at[3], at[0], at[1], 0, n, best)
+    for k in range(n):
+        out[of[k]] = _told(best[k])
+
+
+@compiled
+def _clears(x: Array, y: Array, first: int, last: int, p: Array, q: Array, begin: int, end: int) -> float:
+    """How far beyond an edge all corners lie: of the first edge that clears, else the most of all."""
+    best: float = x[first] * 0 - FAR
+    ux, uy = x[last - 1], y[last - 1]
+    for e in range(first, last):
+        vx, vy = x[e], y[e]
+        nx, ny = vy - uy, ux - vx
+        at = nx * ux + ny * uy
+        least = nx * p[begin] + ny * q[begin] - at
+        for c in range(begin + 1, end):
+            if least < best:
+                break  # this edge will not raise it
+            least = min(least, nx * p[c] + ny * q[c] - at)
+        best = max(best, least)
+        if best > 0:
+            break
+        ux, uy = vx, vy
+    return best
+
+
+@compiled
+def _from_center(cx: float, cy: float, r: float, p: Array, q: Array, begin: int, end: int) -> Any:
+    """The squared distance from a center to the nearest side, less the radius squared; -1 with the center inside."""
+    inside = True
+    nearest = cx * 0 + FAR
+    wx, wy = p[end - 1], q[end - 1]
+    for e in range(begin, end):
+        vx, vy = p[e], q[e]
+        dx, dy, ax, ay = vx - wx, vy - wy, wx - cx, wy - cy
+        turn = ax * dy - ay * dx
+        inside = inside and turn > 0
+        along, square = -(ax * dx + ay * dy), dx * dx + dy * dy
+        if along <= 0:
+            away = ax * ax + ay * ay
+        elif along >= square:
+            bx, by = vx - cx, vy - cy
+            away = bx * bx + by * by
+        else:
+            away = turn / square * turn
+        nearest = min(nearest, away)
+        wx, wy = vx, vy
+    return -1.0 if inside else nearest - r * r

@@ -1,0 +1,366 @@
+"""Models by what they must look at, and which relation each surely gives for a pair, whatever the order of its sums.
+
+All is exact: integers, and bounds of rounding that are derived here. Where rounding can decide, a model is not sure,
+even if it happens to be right. With u the rounding (2**-53, 2**-24 in float32), D an edge's span and M the reach:
+
+SAT on plain floats asks each edge how far all the other's corners lie beyond it: nx*x + ny*y less the edge's own.
+The normal carries one rounding (u D) and each product one more: 2u DM each, 4u DM both; their sum rounds by 2u DM,
+which makes 6u DM for the corner, as much for the edge's own, and their difference rounds by 4u DM: under 17u DM in
+all, with fused operations and in any order (the derivation of satviz.engine.verdict).  Asked: 32.
+float32 first rounds each coordinate, by d = u M at most (0 if it holds them all).  That moves each part of the normal
+and of a difference E of corners by 2d, so the turn by 4d(D + E) + 8dd.
+
+Circles: each side of the squares' comparison carries under 5 roundings, and two more where the radii are rounded
+first; asked: 12.  Rounded coordinates move a difference by 2d, so the squared distance by 4d(|dx| + |dy|) + 8dd.
+A circle and a polygon: a turn from the center carries under 12 roundings of its size, asked: 32; a squared distance
+under 45 of the largest difference F squared, asked: 128 (the derivation of verdict._circle_polygon; the nearest of all
+edges, so none is left out).  Rounded coordinates move a turn about an edge of parts dx, dy by
+2d(|dx| + |dy|) + 4dF + 8dd, and the distance, which changes by no more than the points do, by 3d: its square by
+9dF + 9dd.
+
+Whole multiples of one unit, few enough that no sum needs more bits than a float has, are not rounded at all: there
+plain floats tell touching too.
+"""
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from itertools import chain
+from math import frexp, inf, isfinite, ldexp, nextafter, sqrt
+from struct import pack, unpack
+from typing import NamedTuple, TypeVar
+
+from ..engine.concave import parts
+from ..engine.exact import HUGE, TINY, IntPoint, aligned, sign, to_int_points, to_integers
+from ..engine.geometry import Relation, Vec
+from ..engine.shapes import Shape
+from ..engine.verdict import relate, relate_integers
+
+T = TypeVar("T")
+APART, TOUCHING, OVERLAPPING = Relation
+LOOKS, TURNS, SQUARES, LANDINGS = 32, 32, 128, 16  # roundings asked of each
+FILLED = 1 + 2.0**-40  # what makes a bounding circle's rounded radius hold every corner
+
+
+class Format(NamedTuple):
+    """A float format: its rounding is 2**-bits, its reach and spans are trusted between `least` and `most`.
+
+    Within them no product over- or underflows by what counts; whole numbers up to 2**whole stay exact in
+    all sums of four products of differences.
+    """
+
+    name: str
+    bits: int
+    whole: int
+    least: float
+    most: float
+
+
+FLOAT32 = Format("float32", 24, 10, 2.0**-50, 2.0**40)
+FLOAT64 = Format("float64", 53, 25, 2.0**-400, 2.0**400)
+FORMATS = {f.name: f for f in (FLOAT32, FLOAT64)}
+CIRCLES, BOXES, DIRECTIONS, EXACT = "bounding circles", "AABB", "shared directions", "filtered exact"
+
+
+class Compound:
+    """Convex pieces that are one shape, where only the pieces are known: as much of a shape as the models ask for."""
+
+    radius = 0.0
+
+    def __init__(self, pieces: Sequence[Shape]) -> None:
+        self.pieces = pieces
+        self.core = tuple(chain.from_iterable(p.core for p in pieces))
+        boxes = [p.bounds for p in pieces]
+        self.bounds = (*(min(b[i] for b in boxes) for i in (0, 1)), *(max(b[i] for b in boxes) for i in (2, 3)))
+        self.reach = max(p.reach for p in pieces)
+        self.is_upright_box = False
+
+    @property
+    def integers(self) -> tuple[int, list[IntPoint], int]:
+        """(k, core, 0) as integers in units of 2**-k."""
+        return (*to_int_points(self.core), 0)
+
+
+Body = Shape | Compound
+
+
+def pieces(body: Body) -> Sequence[Shape]:
+    """The convex parts."""
+    return body.pieces if isinstance(body, Compound) else parts(body)
+
+
+def exactly(a: Body, b: Body) -> Relation:
+    """The relation by integers alone, without a filter."""
+    return max(relate_integers(*aligned(p, q)[:3]) for p in pieces(a) for q in pieces(b))
+
+
+class Model(NamedTuple):
+    """A way to tell pairs, and how many axes it looks at for the largest of them.
+
+    `kind`: one of those above, or a format's name; `directions`: the fixed ones of DIRECTIONS, as any (x, y).
+    """
+
+    kind: str
+    axes: int
+    directions: tuple[Vec, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """What it is called in words."""
+        if self.kind == DIRECTIONS:
+            return f"ranges on {self.axes} directions"
+        return f"SAT, {self.kind}" if self.kind in FORMATS else self.kind
+
+    def sure(self, a: Body, b: Body) -> Relation | None:
+        """The relation it gives in every order of its operations; None where rounding can decide."""
+        if self.kind == EXACT:
+            return max(relate(p, q) for p in pieces(a) for q in pieces(b))
+        if self.kind == BOXES:
+            return boxes(a, b)
+        if self.kind == CIRCLES:
+            return circles(around(a), around(b), FLOAT64)
+        if self.kind == DIRECTIONS:
+            return along(a, b, self.directions)
+        return sat(a, b, FORMATS[self.kind])
+
+
+MOST_DIRECTIONS = 8
+PARALLEL = 2.0**-20  # radians: what is taken for one direction, to be proven or refused afterwards
+
+
+def shared_directions(a: Shape, b: Shape) -> tuple[Vec, ...]:
+    """The few directions of all normals, the larger part of each from a half to one; none where there are too many."""
+    found: list[Vec] = []
+    for shape in (a, b):
+        for (px, py), (qx, qy) in _edges(shape.core) if not shape.radius else ():
+            nx, ny = qy - py, px - qx
+            size = max(abs(nx), abs(ny))
+            if not 0 < size < inf:
+                return ()
+            power = -frexp(size)[1]
+            nx, ny = ldexp(nx, power), ldexp(ny, power)
+            if all(abs(n.x * ny - n.y * nx) > PARALLEL for n in found):
+                found.append(Vec(nx, ny))
+    return tuple(found) if len(found) <= MOST_DIRECTIONS and not (a.radius or b.radius) else ()
+
+
+def candidates(axes: int, directions: tuple[Vec, ...], only_circles: bool) -> list[Model]:
+    """The models worth a look, from the fewest axes to the most, and the plainest numbers first."""
+    found = [] if only_circles else [Model(CIRCLES, 1)]
+    found.append(Model(BOXES, 2))
+    upright = all(0.0 in n for n in directions)
+    if not upright and 2 <= len(directions) < axes:
+        found.append(Model(DIRECTIONS, len(directions), directions))
+    found += [Model(kind, axes) for kind in (*FORMATS, EXACT)]
+    return sorted(found, key=lambda model: model.axes)
+
+
+def axes_asked(a: Body, b: Body) -> int:
+    """How many axes SAT looks at: every edge of both, a circle's to the nearest corner, for every pair of parts."""
+    return sum(_axes(p, q) for p in pieces(a) for q in pieces(b))
+
+
+def _axes(a: Shape, b: Shape) -> int:
+    edges = sum(0 if s.radius else len(s.core) for s in (a, b))
+    return edges + bool(a.radius or b.radius)
+
+
+def boxes(a: Body, b: Body) -> Relation | None:
+    """By the bounding boxes: comparisons alone, which round nothing; a circle's box is a float or so off."""
+    gap = _box_gap(a.bounds, b.bounds)
+    if gap > 0:
+        return APART
+    if not (a.radius or b.radius):
+        return TOUCHING if gap == 0 else OVERLAPPING
+    return OVERLAPPING if _box_gap(*(_inner(s) for s in (a, b))) < 0 else None
+
+
+def _box_gap(a: tuple[float, ...], b: tuple[float, ...]) -> int:
+    """1 if the boxes are apart, 0 if they touch, -1 if they overlap: no difference, which could vanish."""
+    (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = a, b
+    if ax1 < bx0 or bx1 < ax0 or ay1 < by0 or by1 < ay0:
+        return 1
+    return 0 if ax1 == bx0 or bx1 == ax0 or ay1 == by0 or by1 == ay0 else -1
+
+
+def _inner(shape: Body) -> tuple[float, ...]:
+    """A box within a circle's, whose own is rounded outwards by less than two floats."""
+    if not shape.radius:
+        return shape.bounds
+    x0, y0, x1, y1 = (nextafter(c, way) for c, way in zip(shape.bounds, (inf, inf, -inf, -inf), strict=True))
+    return nextafter(x0, inf), nextafter(y0, inf), nextafter(x1, -inf), nextafter(y1, -inf)
+
+
+Disc = tuple[float, float, float]
+
+
+def around(shape: Body) -> Disc:
+    """x, y and radius of a circle around the shape; the radius is infinite or 0 where floats cannot tell it."""
+    if shape.radius:
+        return (*shape.core[0], shape.radius)
+    x0, y0, x1, y1 = shape.bounds
+    x, y = x0 / 2 + x1 / 2, y0 / 2 + y1 / 2
+    square = max((px - x) * (px - x) + (py - y) * (py - y) for px, py in shape.core)
+    # under TINY bits are lost, and beyond HUGE they overflow
+    return x, y, sqrt(square) * FILLED if TINY < square < HUGE else 0.0
+
+
+def circles(a: Disc, b: Disc, form: Format) -> Relation | None:
+    """By the squares of the distance and of the sum of radii."""
+    if not (a[2] and b[2] and all(map(isfinite, (*a, *b)))):
+        return None
+    _, (ax, ay, ar, bx, by, br) = to_integers((*a, *b))
+    moved = _moved((ax, ay, bx, by), (*a, *b), form)
+    distance, reach = (ax - bx) ** 2 + (ay - by) ** 2, (ar + br) ** 2
+    gap = sign(distance - reach)
+    if whole((*a, *b), form):
+        return _told(gap)
+    size = max(abs(a[0] - b[0]), abs(a[1] - b[1]), a[2] + b[2])
+    room = Fraction(12 * (distance + reach), 1 << form.bits) + 5 * moved * (abs(ax - bx) + abs(ay - by)) + 9 * moved**2
+    sure = form.least < size and max(map(abs, (*a, *b))) < form.most and abs(distance - reach) > room
+    return _told(gap) if sure else None
+
+
+def _told(gap: int) -> Relation:
+    return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
+
+
+def along(a: Body, b: Body, directions: Sequence[Vec]) -> Relation | None:
+    """By ranges of x*nx + y*ny on given directions, each a sum of two products.
+
+    A landing is off by 4 roundings of m M (m the larger part of the direction), a gap of two by 8; asked: 16.
+    """
+    if a.radius or b.radius:
+        return None
+    p, q, *_ = aligned(a, b)
+    corners = [c for v in (*a.core, *b.core) for c in v]
+    reach = max(a.reach, b.reach)
+    if not FLOAT64.least < reach < FLOAT64.most:
+        return None
+    gaps = []
+    surely_over = True
+    for nx, ny in directions:
+        _, (mx, my) = to_integers((nx, ny))
+        on_p, on_q = ([mx * x + my * y for x, y in ring] for ring in (p, q))
+        gap = max(min(on_p) - max(on_q), min(on_q) - max(on_p))
+        room = LANDINGS * max(abs(mx), abs(my)) * max(abs(c) for ring in (p, q) for v in ring for c in v)
+        plain = whole((nx, ny), FLOAT64, 24) and whole(corners, FLOAT64, 27)
+        if gap > 0 and (plain or gap << 53 > room):
+            return APART
+        if not plain:
+            surely_over = surely_over and -gap << 53 > room
+        gaps.append(gap)
+    if not surely_over:
+        return None
+    return _told(max(map(sign, gaps)))
+
+
+def sat(a: Body, b: Body, form: Format) -> Relation | None:
+    """By every axis of every pair of convex parts, in a float format without a filter."""
+    found = [_sat(p, q, form) for p in pieces(a) for q in pieces(b)]
+    if OVERLAPPING in found:
+        return OVERLAPPING
+    return None if None in found else max(r for r in found if r is not None)
+
+
+def _sat(a: Shape, b: Shape, form: Format) -> Relation | None:
+    if a.radius and b.radius:
+        return circles((*a.core[0], a.radius), (*b.core[0], b.radius), form)
+    if a.radius or b.radius:
+        return _circle_polygon(a, b, form) if a.radius else _circle_polygon(b, a, form)
+    numbers = [c for v in (*a.core, *b.core) for c in v]
+    if whole(numbers, form):
+        return relate(a, b)  # what SAT gives where nothing is rounded
+    p, q, *_ = aligned(a, b)
+    flat = [c for ring in (p, q) for v in ring for c in v]
+    reach = max(map(abs, flat))
+    if not form.least < max(a.reach, b.reach) < form.most:
+        return None
+    apart = [max(r[d] for r in (*p, *q)) - min(r[d] for r in (*p, *q)) for d in (0, 1)]
+    moved = _moved(flat, numbers, form)
+    surely_over = True
+    for ring, other, own in (p, q, a), (q, p, b):
+        for ((px, py), (qx, qy)), ((fx, fy), (gx, gy)) in zip(_edges(ring), _edges(own.core), strict=True):
+            nx, ny = qy - py, px - qx
+            clears = min(nx * x + ny * y for x, y in other) - nx * px - ny * py
+            span = max(abs(nx), abs(ny))
+            room = LOOKS * (span + 2 * moved) * (reach + moved) / (1 << form.bits)
+            room += 4 * moved * (span + max(apart)) + 8 * moved * moved
+            sure = abs(clears) > room and max(abs(fx - gx), abs(fy - gy)) > form.least
+            if sure and clears > 0:
+                return APART
+            surely_over = surely_over and sure
+    return OVERLAPPING if surely_over else None
+
+
+def _circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Relation | None:
+    numbers = (*circle.core[0], circle.radius, *chain.from_iterable(polygon.core))
+    (center,), ring, r, _ = aligned(circle, polygon)
+    cx, cy = circle.core[0]
+    far = max(max(abs(x - cx), abs(y - cy)) for x, y in polygon.core)
+    least = min(max(abs(x - u), abs(y - v)) for (x, y), (u, v) in _edges(polygon.core))
+    moved = _moved((*center, *chain.from_iterable(ring)), numbers, form)
+    most = max(far, *map(abs, numbers))
+    if not (form.least + 2 * most * bool(moved) * 2.0**-form.bits < least and most < form.most):
+        return None
+    at = [(x - center[0], y - center[1]) for x, y in ring]
+    widest = max(abs(c) for v in at for c in v)
+    inside, outside, nearest = True, False, None
+    for (px, py), (qx, qy) in _edges(at):
+        dx, dy = qx - px, qy - py
+        turn, along, square = px * dy - py * dx, -(px * dx + py * dy), dx * dx + dy * dy
+        long = abs(dx) + abs(dy)
+        size = TURNS * (widest + 2 * moved) * (long + 4 * moved) / (1 << form.bits)
+        size += 2 * moved * long + 4 * moved * widest + 8 * moved**2
+        inside = inside and turn > size
+        outside = outside or -turn > size
+        if along <= 0 or along >= square:
+            x, y = (px, py) if along <= 0 else (qx, qy)
+            away = Fraction(x * x + y * y)
+        else:
+            away = Fraction(turn * turn, square)
+        nearest = away if nearest is None else min(nearest, away)
+    assert nearest is not None
+    room = (SQUARES * (widest + 2 * moved) ** 2 + 8 * r * r) / (1 << form.bits) + 9 * moved * (widest + moved)
+    if inside or nearest < r * r - room:
+        return OVERLAPPING
+    return APART if outside and nearest > r * r + room else None
+
+
+def _moved(coordinates: Iterable[int], numbers: Iterable[float], form: Format) -> Fraction:
+    """By how much the format moves a coordinate at most, in the integers' unit; 0 where it holds all numbers."""
+    return Fraction(0) if held(numbers, form) else Fraction(max(map(abs, coordinates)), 1 << form.bits)
+
+
+def _edges(ring: Sequence[T]) -> Iterable[tuple[T, T]]:
+    return zip(ring, [*ring[1:], ring[0]], strict=True)
+
+
+def held(numbers: Iterable[float], form: Format) -> bool:
+    """Does the format hold them all as they are?"""
+    if form is FLOAT64:
+        return True
+    try:
+        return all(float(unpack("f", pack("f", c))[0]) == c for c in numbers)
+    except OverflowError:
+        return False
+
+
+def whole(numbers: Iterable[float], form: Format, bits: int = 0) -> bool:
+    """Are they whole multiples of one power of two, up to 2**form.whole (or `bits`) of it, and far from its rims?"""
+    return unit(numbers, form, bits) is not None
+
+
+def unit(numbers: Iterable[float], form: Format, bits: int = 0) -> int | None:
+    """The exponent of that power of two; None if there is none."""
+    k, found = to_integers(numbers)
+    common = 0
+    for n in found:
+        common |= n
+    if not common:
+        return 0
+    low = (common & -common).bit_length() - 1
+    most = max(map(abs, found)) >> low
+    size = low - k
+    if most > 1 << (bits or form.whole):
+        return None
+    return size if form.least < 2.0 ** max(size, -1000) and most * 2.0 ** min(size, 900) < form.most else None

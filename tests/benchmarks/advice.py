@@ -1,0 +1,115 @@
+"""The regret of an advice: the time of the model advised over that of the fastest right one, scene by scene.
+
+    python tests/benchmarks/advice.py [--engine numpy|numba]
+
+Only scenes of which the exact filter needs more than 5 ms count towards the median.
+"""
+
+import argparse
+import statistics
+
+import numpy as np
+
+import satviz as sv
+from satviz import batch
+from satviz.advice.prices import prices
+from satviz.advice.proofs import EXACT
+from satviz.study import workloads
+
+PAIRS = 200_000
+LEAST = 5e6  # nanoseconds
+
+
+def upright(rng, n):
+    at, size = rng.uniform(0, 3, (n, 1, 2)), rng.uniform(0.5, 2, (n, 1, 2))
+    return batch.Polygons(at + size * np.array([[0, 0], [1, 0], [1, 1], [0, 1]]))
+
+
+def turned_alike(rng, n):
+    at, size = rng.integers(0, 40, (n, 1, 2)), rng.integers(5, 20, (n, 1, 2))
+    u = (at + size * np.array([[0, 0], [1, 0], [1, 1], [0, 1]])).astype(float)
+    return batch.Polygons(np.stack([3 * u[..., 0] - 4 * u[..., 1], 4 * u[..., 0] + 3 * u[..., 1]], axis=2))
+
+
+def on_a_grid(rng, n):
+    tall = np.array([[0, 0], [2, 0], [3, 1], [3, 3], [1, 4], [0, 3]])
+    return batch.Polygons((tall * rng.integers(1, 3, (n, 1, 1)) + rng.integers(0, 6, (n, 1, 2))).astype(float))
+
+
+def discs(rng, n):
+    return batch.Circles(*workloads.coins(rng, n, 1.0))
+
+
+def rings(make):
+    return lambda rng, n: tuple(batch.Polygons(side) for side in make(rng, n))
+
+
+def two(make):
+    return lambda rng, n: (make(rng, n), make(rng, n))
+
+
+def far(rng, n):
+    a, b = (workloads.ngons(rng, n, 4, 0.9) + 2.0**20 for _ in "ab")
+    return batch.Polygons(a), batch.Polygons(b)
+
+
+def strewn(rng, n):
+    return (batch.concat([batch.Polygons(workloads.scattered(rng, n // 12)), discs(rng, n // 120)]),)
+
+
+def stars(rng, n):
+    def some():
+        way = np.linspace(0, 2 * np.pi, 8, endpoint=False)
+        ring = np.stack([np.cos(way), np.sin(way)], axis=1) * np.where(np.arange(8) % 2, 0.5, 1.0)[:, None]
+        return batch.Polygons(ring + rng.uniform(-1, 1, (n, 1, 2)), concave="split")
+
+    return some(), some()
+
+
+SCENES = {
+    "upright boxes": two(upright),
+    "tiles": lambda rng, n: (batch.Polygons(workloads.tiles(120)),),
+    "boxes turned alike": two(turned_alike),
+    "hexagons on a grid": two(on_a_grid),
+    "circles": two(discs),
+    "circles and triangles": lambda rng, n: (discs(rng, n), batch.Polygons(workloads.ngons(rng, n, 3, 1.3))),
+    "triangles": rings(workloads.WORKLOADS["triangles"]),
+    "turned boxes": rings(workloads.WORKLOADS["boxes"]),
+    "8-gons": rings(workloads.WORKLOADS["8-gons"]),
+    "16-gons": two(lambda rng, n: batch.Polygons(workloads.ngons(rng, n // 4, 16, 1.5))),
+    "mixed, 3 to 8 corners": lambda rng, n: tuple(
+        batch.Polygons([r[: len(np.unique(r, axis=0))] for r in workloads.mixed(rng, n // 3, 1.0)]) for _ in "ab"
+    ),
+    "nearly touching": rings(workloads.WORKLOADS["nearly touching"]),
+    "needles": lambda rng, n: tuple(batch.Polygons(workloads.needles(rng, n, 0.55)) for _ in "ab"),
+    "far from the origin": far,
+    "far from each other": lambda rng, n: tuple(batch.Polygons(workloads.ngons(rng, n, 5, 900.0)) for _ in "ab"),
+    "strewn, with circles": strewn,
+    "stars": lambda rng, n: stars(rng, n // 8),
+}
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--engine", choices=("numpy", "numba"))
+    engine = parser.parse_args().engine
+    regrets = []
+    print(f"{'scene':24} {'pairs':>7}  {'advised':22} {'ns':>7}  {'fastest right':22} {'ns':>7}  regret")
+    for name, make in SCENES.items():
+        advice = sv.advise(*make(np.random.default_rng(1), PAIRS))
+        right = [j.model for j in advice.judged if j.proven]
+        found = prices(right, advice.case.batches(), engine=engine, most=PAIRS)
+        best = min(found, key=lambda key: found[key].warm)
+        mine, pairs = found[advice.model.name].warm, min(advice.facts.pairs, PAIRS)
+        regret = mine / found[best].warm
+        counts = found[EXACT].warm * pairs > LEAST
+        regrets += [regret] * counts
+        print(
+            f"{name:24} {advice.facts.pairs:7}  {advice.model.name:22} {mine:7.1f}  {best:22} {found[best].warm:7.1f}"
+            f"  {regret:.2f}{'' if counts else ' (too little work)'}"
+        )
+    print(f"median regret of {len(regrets)} scenes: {statistics.median(regrets):.2f}, the most {max(regrets):.2f}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,519 @@
+"""The least model that is right: what it claims is proven, and never wrong."""
+
+import json
+import math
+import subprocess
+import sys
+from collections import Counter
+from dataclasses import replace
+from itertools import combinations
+from random import Random
+
+import numpy as np
+import oracle
+import pytest
+from forms import batch_of
+from hypothesis import HealthCheck, given, settings
+from strategies import CONVEX, KINDS, NotConvex, drawn, pairs, scaled, some_pairs
+
+import satviz as sv
+from satviz import batch
+from satviz.advice.gamma import gamma, gammas, signed
+from satviz.advice.many import of_shapes
+from satviz.advice.models import answers, kept, paired, sure
+from satviz.advice.pair import enough
+from satviz.advice.proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
+from satviz.cli import main
+from satviz.engine.geometry import Relation
+from satviz.pictures import THEMES
+
+ORDINARY = [kind for kind in CONVEX if kind not in ("largest scale", "smallest scale", "any scale")]
+
+
+def sign_of(relation):
+    return {Relation.APART: 1, Relation.TOUCHING: 0, Relation.OVERLAPPING: -1}[relation]
+
+
+def test_gamma_of_two_squares_is_the_gap_in_roundings_of_span_times_reach():
+    a = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+    b = sv.Polygon([(3, 0), (4, 0), (4, 1), (3, 1)])
+    assert gamma(a, b) == 2 / (2**-53 * 1 * 4)  # the turn 2 of a unit edge, the reach 4
+    assert gamma(a, sv.Circle((3, 0.5), 1)) == 1 / (2**-53 * 4)
+    assert gamma(sv.Circle((0, 0), 1), sv.Circle((3, 0), 1)) == 1 / (2**-53 * 4)
+    assert signed(a, sv.Circle((0.5, 0.5), 1)) == -1.5 / (
+        2**-53 * 1.5
+    )  # half a unit to the nearest side, and the radius
+
+
+def test_gamma_has_the_sign_of_the_relation_and_only_touching_has_none():
+    for kind, a, b in pairs(11, 120):
+        assert np.sign(signed(a, b)) == sign_of(sv.relate(a, b)), kind
+
+
+def test_gamma_does_not_depend_on_the_order():
+    for kind, a, b in pairs(12, 60):
+        assert gamma(a, b) == gamma(b, a), kind
+
+
+def moved_in_scale(a, b, power):
+    """The pair times a power of two; None where float64 cannot hold that."""
+    try:
+        found = scaled(a, power), scaled(b, power)
+        return found if (scaled(found[0], -power), scaled(found[1], -power)) == (a, b) else None
+    except (OverflowError, NotConvex, sv.InvalidShape):
+        return None
+
+
+def test_gamma_is_unchanged_by_powers_of_two():
+    compared = 0
+    for kind, a, b in pairs(13, 120):
+        for power in (-300, -1, 7, 300):
+            if found := moved_in_scale(a, b, power):
+                compared += 1
+                assert gamma(*found) == gamma(a, b), kind
+    assert compared > 300
+
+
+def test_many_gammas_are_those_one_by_one():
+    found = list(pairs(14, 90))
+    many = gammas(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found]))
+    for (kind, a, b), some in zip(found, many.tolist(), strict=True):
+        assert math.isclose(some, gamma(a, b), rel_tol=0.02), kind
+
+
+def test_gammas_by_index_are_those_side_by_side():
+    found = list(pairs(15, 40, ORDINARY))
+    a, b = batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found])
+    i = np.arange(40)[::-1]
+    assert (gammas(a, b, np.stack([i, i], axis=1)) == gammas(a, b)[::-1]).all()
+
+
+@pytest.mark.parametrize("wrong", [[[0, 1, 2]], [[0, 9]], [[0.5, 0]]])
+def test_pairs_that_are_none_are_refused(wrong):
+    coins = sv.batch.Circles([(0, 0), (1, 1)], 1)
+    with pytest.raises((ValueError, IndexError), match="pairs"):
+        gammas(coins, coins, wrong)
+
+
+# -- models
+
+
+WAYS = sv.Vec(0.5, 0.5), sv.Vec(0.75, -0.25), sv.Vec(0.0, 0.5), sv.Vec(0.1, 0.7)
+MODELS = [*(Model(kind, 1) for kind in (CIRCLES, BOXES, "float32", "float64", EXACT)), Model(DIRECTIONS, 4, WAYS)]
+
+
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_what_is_sure_for_many_is_sure_by_fractions_and_is_what_the_model_answers(engine):
+    known = Counter()
+    some = list(pairs(21, 8 * len(KINDS)))
+    for model in MODELS:
+        a, b = batch_of([a for _, a, _ in some]), batch_of([b for _, _, b in some])
+        i = np.arange(len(some))
+        told = sure(model, many := paired(a, i, b, i), batch.relate(a, b)).tolist()
+        with np.errstate(all="ignore"):
+            said = answers(model, many, kept(model, a), kept(model, b), engine=engine).tolist()
+        for (kind, p, q), one, answer in zip(some, told, said, strict=True):
+            if one != -1 and not (model.kind == DIRECTIONS and (p.radius or q.radius)):
+                known[model.name] += 1
+                assert model.sure(p, q) == one == answer, (model.name, kind, p, q)
+    assert min(known.values()) > 25 and len(known) == len(MODELS)
+
+
+# -- never a wrong advice
+
+
+def tiles(rng):
+    """Boxes on a grid that share edges and corners, or cut each other, whole or not."""
+    unit, far = rng.choice((1.0, 0.1, 2.0**-20, 1e6)), rng.choice((0, 0, 2**12, 2**40))
+    at = [(far + rng.randint(0, 4), far + rng.randint(0, 4)) for _ in range(4)]
+    size = [(rng.randint(1, 2), rng.randint(1, 2)) for _ in range(4)]
+    made = [
+        sv.Polygon([((x + u * w) * unit, (y + v * h) * unit) for u, v in ((0, 0), (1, 0), (1, 1), (0, 1))])
+        for (x, y), (w, h) in zip(at, size, strict=True)
+    ]
+    return list(combinations(made, 2))
+
+
+def turned_alike(rng):
+    """Boxes with common directions, whole or rounded, side by side or not."""
+    (p, q), unit = rng.choice(((3, 4), (1, 1), (5, 12), (0.6, 0.8), (0.31, 0.77))), rng.choice((1.0, 2.0**-30, 0.1))
+    made = []
+    for _ in range(3):
+        x, y, w, h = rng.randint(0, 5), rng.randint(0, 5), rng.randint(1, 3), rng.randint(1, 3)
+        corners = ((x, y), (x + w, y), (x + w, y + h), (x, y + h))
+        made.append(sv.Polygon([((u * p - v * q) * unit, (u * q + v * p) * unit) for u, v in corners]))
+    return list(combinations(made, 2))
+
+
+def coins(rng):
+    """Circles, many of them tangent; and polygons among them."""
+    unit, far = rng.choice((1.0, 0.1, 2.0**-9)), rng.choice((0, 2**10, 2**30))
+    made = [
+        sv.Circle(((far + rng.randint(0, 8)) * unit, (far + rng.randint(0, 8)) * unit), rng.randint(1, 3) * unit)
+        for _ in range(3)
+    ]
+    if rng.random() < 0.4:
+        made.append(sv.Polygon([((far + x) * unit, (far + y) * unit) for x, y in ((0, 0), (6, 1), (3, 7))]))
+    return list(combinations(made, 2))
+
+
+def ordinary(rng):
+    """Shapes strewn about, of sizes up to 2**60 apart, in pairs of all kinds."""
+    kinds = rng.sample(("random polygons", "random circles", "concave", "few corners", "near touching, offset 1"), 3)
+    found = [drawn(rng, kind) for kind in kinds]
+    power = rng.choice((0, 0, 3, 20, 60))
+    return [(scaled(a, power), b) if rng.random() < 0.5 else (a, b) for a, b in found]
+
+
+def hard(rng):
+    """Pairs of one of the kinds that the engine is held against."""
+    return [drawn(rng, rng.choice(list(KINDS))) for _ in range(rng.choice((1, 1, 2)))]
+
+
+def scenes(seed, count):
+    """Lists of pairs; what satviz refuses to build is drawn again."""
+    rng, made = Random(seed), 0
+    while made < count:
+        try:
+            found = (hard, tiles, turned_alike, coins, ordinary)[made % 5](rng)
+        except (NotConvex, OverflowError, sv.InvalidShape):
+            continue
+        made += 1
+        yield found if made % 3 else found[:1]
+
+
+def wrong_advices(seed, count, engines=("numpy",)):
+    """The scenes whose advised model is not sure of the truth or does not answer it, and what was advised how often."""
+    wrong, advised = [], Counter()
+    for scene in scenes(seed, count):
+        truth = [oracle.relation(a, b) for a, b in scene]
+        if len(scene) == 1:
+            advice = sv.advise(*scene[0])
+            many = of_shapes(*scene[0], copies=1)
+        else:
+            advice = sv.advise(batch_of([a for a, _ in scene]), batch_of([b for _, b in scene]))
+            many = advice.case.batches()
+        model = advice.model
+        advised[model.kind] += 1
+        surely = [model.sure(a, b) for a, b in scene]
+        with np.errstate(all="ignore"):
+            ready = kept(model, many.a), kept(model, many.b)
+            said = [answers(model, many, *ready, engine=engine).tolist() for engine in engines]
+        if any(found != truth for found in (surely, *said)):
+            wrong.append((advice, scene))
+    return wrong, advised
+
+
+def test_no_advice_is_wrong_in_300_scenes():
+    wrong, advised = wrong_advices(31, 300)
+    assert not wrong
+    assert set(advised) == {CIRCLES, BOXES, DIRECTIONS, "float32", "float64", EXACT}
+
+
+@pytest.mark.slow
+def test_no_advice_is_wrong_in_2000_scenes():
+    assert not wrong_advices(32, 2000, ("numpy", "numba"))[0]
+
+
+@pytest.mark.full
+def test_no_advice_is_wrong_in_10000_scenes():
+    assert not wrong_advices(33, 10_000, ("numpy", "numba"))[0]
+
+
+def test_every_advice_holds_when_it_is_proven_again():
+    for scene in scenes(34, 60):
+        assert sv.advise(*scene[0]).check()
+        assert sv.advise(batch_of([a for a, _ in scene]), batch_of([b for _, b in scene])).check()
+
+
+# -- the pair in hand
+
+
+def test_one_axis_is_enough_where_a_gap_is_found_and_all_are_needed_for_a_hit():
+    a, b = sv.scene("triangles").a, sv.scene("triangles").b
+    many, said = enough(a, b)
+    assert many == 1 and "gap of 1.213" in said and "five are enough" in said
+    assert enough(a, a)[0] == 3
+    assert enough(sv.record(a, b)) == (many, said)
+
+
+def test_two_axes_are_enough_for_upright_boxes_wherever_they_lie():
+    box = sv.Polygon([(0, 0), (2, 0), (2, 1), (0, 1)])
+    assert enough(box, box) == (2, "Two axes are enough, wherever two upright boxes lie: y and x.")
+
+
+def test_one_axis_is_enough_for_circles():
+    coin = sv.Circle((0, 0), 1)
+    assert enough(coin, coin)[0] == enough(coin, sv.Circle((5, 0), 1))[0] == 1
+
+
+def test_a_hulls_normal_may_be_enough_where_no_edges_is():
+    dart = sv.Polygon([(-3, -3), (4, 0), (1, 1), (0, 4)])
+    square = sv.Polygon([(2.2, 2.2), (3.2, 2.2), (3.2, 3.2), (2.2, 3.2)])
+    assert enough(dart, square)[0] == 1
+    notch = sv.Polygon([(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)])
+    assert enough(notch, sv.Circle((2, 2), 0.5)) == (
+        3,
+        "No one normal of an edge is enough here: each of the 3 pairs of convex parts needs its own.",
+    )
+
+
+def test_enough_axes_are_counted_for_pairs_of_every_kind():
+    for kind, a, b in pairs(41, 3 * len(KINDS)):
+        many, said = enough(a, b)
+        assert many >= 1 and said.endswith("."), kind
+        assert (
+            sv.relate(a, b) is Relation.APART
+            or many == 1
+            or "here: the ranges" in said
+            or "wherever" in said
+            or ("two convex parts" in said)
+        ), kind
+
+
+def test_two_shapes_are_advised_on_and_counted_without_numpy():
+    code = (
+        "import sys, satviz as sv\n"
+        "from satviz.advice.pair import enough\n"
+        "scene = sv.scene('triangles')\n"
+        "enough(scene.a, scene.b), str(sv.advise(scene)), sv.advise(scene).to_json(), sv.advise(scene).check()\n"
+        "assert not {'numpy', 'matplotlib'} & set(sys.modules)"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+@given(some_pairs())
+@settings(max_examples=40, deadline=None, suppress_health_check=list(HealthCheck))
+def test_no_advice_on_two_shapes_is_wrong(pair):
+    assert sv.advise(*pair).model.sure(*pair) is oracle.relation(*pair)
+
+
+# -- what an advice says
+
+
+def boxes_at(corners, w=1.0, h=1.0):
+    return batch.Polygons(np.array(corners)[:, None] + np.array([[0, 0], [w, 0], [w, h], [0, h]]))
+
+
+def test_upright_boxes_need_two_axes_wherever_they_lie():
+    advice = sv.advise(boxes_at([(0, 0), (0.9, 0.1), (1, 1), (2.5, 0.1)]))
+    assert (advice.model.kind, advice.model.axes, advice.scope.kind) == (BOXES, 2, "anywhere")
+    assert advice.facts.relations == (0, 1, 2) and advice.facts.settled == 3 and advice.facts.gamma == 0
+    assert advice.check() and advice.anywhere == advice.model
+    assert "3 more are apart by their boxes" in str(advice)
+
+
+def test_the_first_pair_on_which_the_smaller_model_fails_is_named_and_can_be_drawn():
+    kite = np.array([(0, -1), (1, 0), (0, 1), (-1, 0)])
+    a = batch.Polygons(kite + np.array([(0, 0), (0, 0), (9, 9)])[:, None])
+    b = batch.Polygons(kite + np.array([(5, 5), (1.4, 1.4), (0, 0)])[:, None])
+    advice = sv.advise(a, b)
+    smaller = next(j for j in advice.judged if j.model.kind == BOXES)
+    assert (smaller.wrong, smaller.first) == (1, (1, 1))
+    assert advice.model == Model(DIRECTIONS, 2, advice.model.directions) and advice.check()
+    trace = advice.failure()
+    assert trace.claim is not trace.relation and trace.relation is Relation.APART
+    assert sv.picture(trace).marks
+    assert "wrong on 1; the first is pair (1, 1)" in str(advice)
+
+
+def test_a_failure_of_the_circles_around_shapes_can_be_drawn():
+    advice = sv.advise("triangles")
+    assert advice.smaller.model.kind == CIRCLES
+    trace = advice.failure()
+    assert trace.claim is Relation.OVERLAPPING and trace.relation is Relation.APART
+    assert sv.picture(trace).marks
+
+
+CORNER_ON_EDGE = [(0, 0), (6, 2), (2, 6)], [(4, 4), (9, 3), (8, 9)]
+
+
+def test_what_touches_on_a_grid_is_right_in_float32_as_nothing_is_rounded():
+    advice = sv.advise(batch.Polygons(np.array(CORNER_ON_EDGE, float)))
+    assert advice.model.kind == "float32" and advice.scope.kind == "on a grid" and advice.check()
+    assert advice.facts.gamma == 0 and advice.scope.bound == 2.0**10
+
+
+def test_an_advice_on_a_grid_holds_all_over_the_grid():
+    rng = np.random.default_rng(5)
+    rings = np.array(CORNER_ON_EDGE, float)
+    model = sv.advise(batch.Polygons(rings)).model
+    for shift in rng.integers(-1000, 1000, (30, 2)):
+        moved = batch.Polygons(rings + shift)
+        many = paired(moved, np.array([0]), moved, np.array([1]))
+        assert answers(model, many, kept(model, moved), kept(model, moved), engine="numpy").tolist() == [1]
+
+
+def test_an_advice_on_a_scene_moved_as_a_whole_holds_up_to_its_bound():
+    rng = np.random.default_rng(6)
+    rings = rng.integers(1, 2**20, (40, 3, 2)) * 2.0**-20 + 2.0**13 + rng.integers(0, 3, (40, 1, 2)) / 2
+    shapes = batch.Polygons(rings)
+    advice = sv.advise(shapes)
+    assert (advice.model.kind, advice.scope.kind) == ("float64", "moved as a whole")
+    right = batch.relate(shapes, shapes, (pairs := batch.candidate_pairs(shapes.bounds)))
+    assert advice.check()
+    shift = min(advice.scope.bound, 2.0**31) - 2.0**14  # so that float64 holds the moved coordinates
+    moved = batch.Polygons(rings + shift)
+    assert (batch.relate(moved, moved, pairs) == right).all() and np.abs(rings + shift).max() <= advice.scope.bound
+    many = paired(moved, pairs[:, 0], moved, pairs[:, 1])
+    assert (sure(advice.model, many, right) == right).all()
+
+
+def test_an_advice_far_from_the_origin_passes_its_check():
+    rng = np.random.default_rng(7)
+    turns = np.linspace(0, 2 * np.pi, 5, endpoint=False)
+    ring = np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    for far in (2.0**5, 2.0**12, 5e6, 2.0**30):
+        a, b = (batch.Polygons(ring + far + rng.uniform(-2, 2, (60, 1, 2))) for _ in "ab")
+        assert sv.advise(a, b).check()
+
+
+def test_an_advice_that_is_not_true_does_not_pass_its_check():
+    advice = sv.advise("triangles")
+    lie = next(j for j in advice.judged if j.model.kind == CIRCLES)._replace(wrong=0, first=None)
+    assert not replace(advice, judged=(lie, *advice.judged[1:])).check()
+    blamed = advice.judged[-1]._replace(wrong=1, first=(0, 0))
+    assert not replace(advice, judged=(*advice.judged[:-1], blamed)).check()
+    assert not replace(advice, scope=advice.scope._replace(kind="moved as a whole", bound=1e300)).check()
+
+
+def test_where_boxes_never_meet_there_is_nothing_left_to_ask():
+    advice = sv.advise(boxes_at([(0, 0), (5, 5), (9, 0)]))
+    assert advice.model.kind == BOXES and advice.facts.pairs == 0 and advice.check() and advice.prices() == {}
+    assert "all 3 pairs" in str(advice) and advice._repr_mimebundle_().keys() == {"text/plain"}
+    with pytest.raises(ValueError, match="nothing to time"):
+        advice.chart()
+
+
+def test_hits_alone_may_need_less():
+    box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+    advice = sv.advise(box, sv.Polygon([(1, 0.5), (2, 0), (2, 1)]))  # touching; their circles overlap
+    assert advice.for_hits.model.kind == CIRCLES and advice.model.kind != CIRCLES
+    assert "need not be told from overlapping, bounding circles (1 axis) will do" in str(advice)
+
+
+def test_an_advice_is_json_and_the_same_each_time():
+    for name in ("triangles", "circles", "concave", "aabb"):
+        text = sv.advise(name).to_json()
+        data = json.loads(text)
+        assert data["model"]["name"] == sv.advise(name).model.name and sv.advise(name).to_json() == text
+        assert [c["proven"] for c in data["candidates"]].count(True) >= 1
+
+
+def test_concave_shapes_are_advised_on_whole():
+    some = list(pairs(51, 24, ["concave", "in the notch"]))
+    advice = sv.advise(batch_of([a for _, a, _ in some]), batch_of([b for _, _, b in some]))
+    assert advice.facts.kinds["concave polygons"] >= 20 and advice.check()
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        (3,),
+        (sv.Circle((0, 0), 1),),
+        ("triangles", sv.Circle((0, 0), 1)),
+        (sv.Circle((0, 0), 1), sv.Circle((0, 0), 1), [[0, 1]]),
+    ],
+)
+def test_what_is_no_scene_is_refused(wrong):
+    with pytest.raises((TypeError, ValueError), match=r"satviz|batch|scene"):
+        sv.advise(*wrong)
+
+
+# -- prices and the chart
+
+
+def test_prices_are_those_of_all_candidates_and_count_their_wrong_answers():
+    advice = sv.advise("triangles")
+    found = advice.prices()
+    assert found.keys() == {j.model.name for j in advice.judged}
+    assert all(price.cold > 0 and price.warm > 0 for price in found.values())
+    assert (found[CIRCLES].wrong, found[advice.model.name].wrong) == (1, 0)
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=lambda theme: theme.name)
+@pytest.mark.parametrize("seed", range(6))
+def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
+    from satviz.advice.chart import Chart
+    from satviz.advice.prices import Price
+
+    rng = Random(seed)
+    names = CIRCLES, BOXES, "ranges on 8 directions", "SAT, float32", "SAT, float64", EXACT
+    rows = []
+    for i, name in enumerate(names):
+        warm = 10 ** rng.uniform(0.5, 3) if seed else 50.0
+        rows.append((name, "float", Price(warm * rng.uniform(1, 5), warm, 0 if i > 2 else rng.choice((1, 40, 12_345)))))
+    fig = Chart("title", "under", tuple(rows), "SAT, float32", 20_000, "words").figure(theme)
+    renderer = fig.canvas.get_renderer()
+    texts = [t for ax in fig.axes for t in ax.texts]
+    boxes = [t.get_window_extent(renderer) for t in texts]
+    assert len(boxes) == 6
+    for one, other in combinations(boxes, 2):
+        assert not (min(one.x1, other.x1) > max(one.x0, other.x0) and min(one.y1, other.y1) > max(one.y0, other.y0))
+    for box in boxes:
+        assert box.x0 >= 0 and box.y0 >= 0 and box.x1 <= fig.bbox.x1 and box.y1 <= fig.bbox.y1
+
+
+def test_the_chart_is_a_file_that_says_what_it_shows():
+    chart = sv.advise("triangles").chart()
+    assert b"made by satviz" in chart.encode("svg", "dark") and chart.encode("png").startswith(b"\x89PNG")
+    assert "AABB is right for this pair" in repr(chart) and chart.svg().startswith("<svg")
+
+
+# -- on the command line
+
+
+def shapes_file(tmp_path, **arrays):
+    path = tmp_path / "shapes.npz"
+    np.savez(path, **arrays)
+    return str(path)
+
+
+def test_the_command_advises_on_scenes(capsys):
+    assert main(["advise", "triangles"]) == 0
+    said = capsys.readouterr().out
+    assert said.startswith(f"{sv.advise('triangles')}\n") and "\nprice    " in said
+    assert main(["advise", "far-centers", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out) == json.loads(sv.advise("far-centers").to_json())
+
+
+def test_the_command_advises_on_a_file_of_many_shapes_and_draws_what_they_cost(tmp_path, capsys):
+    rings = np.array([(0, 0), (1, 0), (1, 1), (0, 1), (0, 0), (1, 0.0), (0, 1)])
+    path = shapes_file(tmp_path, coords=rings, offsets=[0, 4, 7], centers=[(2, 0.5), (0, 0)], radii=[1, 0.5])
+    assert main(["advise", path, "--chart", str(tmp_path / "new"), "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["facts"]["kinds"] == {"upright boxes": 1, "circles": 2, "convex polygons": 1}
+    assert data["prices"].keys() == {c["name"] for c in data["candidates"]}
+    assert {p.name for p in (tmp_path / "new").iterdir()} == {
+        f"advice{dark}.{form}" for dark in ("", "-dark") for form in ("svg", "png")
+    }
+    path = shapes_file(tmp_path, centers=[(2, 0.5), (0, 0), (9, 9)], radii=[1, 0.5, 1], pairs=[[0, 2]])
+    assert main(["advise", path]) == 0
+    assert "1: 1 apart" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arrays", "says"),
+    [
+        ({"centers": [(0, 0)]}, "lacks 'radii'"),
+        ({"centres": [(0, 0)]}, "unknown array 'centres'"),
+        ({}, "has no shapes"),
+        ({"centers": [(0, 0)], "radii": [-1.0]}, "circle 0: radius is -1.0"),
+        ({"coords": [(0, 0), (1, 1), (2, 2)], "offsets": [0, 3]}, "polygon 0"),
+        ({"centers": [(0, 0)], "radii": [1.0], "pairs": [[0, 1]]}, "pairs name shapes outside"),
+        ({"centers": [(0, 0)], "radii": [1.0], "pairs": [0.5]}, "expected (K, 2) integers"),
+        ({"coords": np.array([{}]), "offsets": [0]}, "no .npz of plain arrays"),
+    ],
+)
+def test_a_file_that_holds_no_shapes_gives_one_clear_line(arrays, says, tmp_path, capsys):
+    assert main(["advise", shapes_file(tmp_path, **arrays)]) == 2
+    told = capsys.readouterr().err
+    assert says in told and told.count("\n") == 1
+
+
+def test_what_is_no_file_of_shapes_gives_one_clear_line(tmp_path, capsys):
+    bad = tmp_path / "bad.npz"
+    bad.write_text("no arrays")
+    for name in (str(bad), str(tmp_path / "none.npz"), "nonsense", "pentagram"):
+        assert main(["advise", name]) == 2
+        assert capsys.readouterr().err.count("\n") == 1
