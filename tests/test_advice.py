@@ -21,7 +21,7 @@ from satviz import batch
 from satviz.advice.gamma import gamma, gammas, signed
 from satviz.advice.many import of_shapes
 from satviz.advice.models import answers, kept, paired, sure
-from satviz.advice.pair import enough
+from satviz.engine.enough import enough
 from satviz.advice.proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
 from satviz.cli import main
 from satviz.engine.geometry import Relation
@@ -274,7 +274,7 @@ def test_enough_axes_are_counted_for_pairs_of_every_kind():
 def test_two_shapes_are_advised_on_and_counted_without_numpy():
     code = (
         "import sys, satviz as sv\n"
-        "from satviz.advice.pair import enough\n"
+        "from satviz.engine.enough import enough\n"
         "scene = sv.scene('triangles')\n"
         "enough(scene.a, scene.b), str(sv.advise(scene)), sv.advise(scene).to_json(), sv.advise(scene).check()\n"
         "assert not {'numpy', 'matplotlib'} & set(sys.modules)"

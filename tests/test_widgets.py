@@ -321,6 +321,12 @@ def test_corners_are_named_where_the_table_names_them():
     assert names("aabb") == set()
 
 
+def test_the_explorer_says_how_many_axes_are_enough():
+    widget = explorer()
+    assert widget.first["enough"].startswith("One axis is enough here: the normal of B's edge v1v3 leaves a gap")
+    assert "Five axes are needed here" in pose(widget, b=moved_b(widget, -3, 0))["enough"]
+
+
 def test_a_free_axis_does_not_hide_the_verdict():
     said = pose(explorer(), degree=90)
     (note,) = (mark["text"] for mark in said["picture"]["marks"] if mark["id"] == "verdict")

@@ -5,6 +5,7 @@ from math import isfinite
 from typing import Any, NamedTuple
 
 from ..engine.axes import directions
+from ..engine.enough import enough
 from ..engine.geometry import InvalidScene, Vec
 from ..engine.trace import Trace, record
 from ..pictures import Picture
@@ -73,6 +74,7 @@ class Exploring(Showing):
             "names": list(trace.names),
             "relation": str(trace.relation),
             "sentence": drawn.picture.sentence,
+            "enough": enough(trace)[1],
             "rows": rows(trace),
             "lit": drawn.lit,
             "json": self.scene.to_json(),

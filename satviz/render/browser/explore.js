@@ -45,6 +45,7 @@ class Explorer {
     this.difference = element("svg", { class: "sv-picture sv-difference", role: "img", hidden: true });
     this.differencePen = new Pen(this.difference);
     this.sentence = element("p", { class: "sv-sentence" });
+    this.enough = element("p", { class: "sv-enough" });
     this.said = element("div", { class: "sv-said", role: "status" });
     this.heading = element("p", { class: "sv-heading", hidden: true });
     this.why = element("p", { class: "sv-why", role: "alert", hidden: true });
@@ -52,7 +53,7 @@ class Explorer {
     this.keys = element("p", { id: `sv-keys-${Math.random().toString(36).slice(2)}`, hidden: true }, KEYS);
     this.table = new Table(this.state.names, { pick: (row) => this.pick(row) });
     const side = element("div", { class: "sv-side" }, this.curve, this.difference, element("div", { class: "sv-fold" }, this.table.element));
-    this.stage = element("div", { class: "sv-stage" }, this.heading, this.board, this.hint, this.why, this.sentence, this.said, this.keys, this.controls());
+    this.stage = element("div", { class: "sv-stage" }, this.heading, this.board, this.hint, this.why, this.sentence, this.enough, this.said, this.keys, this.controls());
     root.classList.add("satviz");
     root.setAttribute("data-lm-suppress-shortcuts", "true");
     this.columns = element("div", { class: "sv-columns" }, this.stage, side);
@@ -170,6 +171,7 @@ class Explorer {
     this.heading.toggleAttribute("hidden", !state.heading);
     if (this.sentence.textContent) this.tell(state.sentence);
     this.sentence.textContent = state.sentence;
+    this.enough.textContent = state.enough;
     if (state.scene !== this.scene) {
       this.scene = state.scene;
       const { name } = JSON.parse(state.scene);

@@ -1,13 +1,13 @@
 """How many axes are enough for the pair in hand: quick enough to be asked while it is dragged (no NumPy)."""
 
-from ..engine import digits, telling
-from ..engine.axes import CENTERS, WORLD, hull_normals, needed
-from ..engine.concave import parts
-from ..engine.geometry import Relation
-from ..engine.sat import axis_tests
-from ..engine.shapes import Shape, checked
-from ..engine.trace import PLAIN, Names, Trace
-from ..engine.verdict import relate
+from . import digits, telling
+from .axes import CENTERS, WORLD, hull_normals, needed
+from .concave import parts
+from .geometry import Relation
+from .sat import axis_tests
+from .shapes import Shape, checked
+from .trace import PLAIN, Names, Trace
+from .verdict import relate
 
 WORDS = "no", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten", "Eleven", "Twelve"
 
