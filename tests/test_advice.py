@@ -21,9 +21,9 @@ from satviz import batch
 from satviz.advice.gamma import gamma, gammas, signed
 from satviz.advice.many import of_shapes
 from satviz.advice.models import answers, kept, paired, sure
-from satviz.engine.enough import enough
 from satviz.advice.proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
 from satviz.cli import main
+from satviz.engine.enough import enough
 from satviz.engine.geometry import Relation
 from satviz.pictures import THEMES
 
