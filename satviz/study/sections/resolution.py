@@ -33,7 +33,7 @@ NEVER, PROVED, LOOSE = "none wrong seen", "exact by construction", "wrong at any
 
 def cells(settings: Settings) -> list[Cell]:
     """For each kind of hardness, and for exact touching and ordinary pairs, what is counted; and the times."""
-    each, many = (12, 400) if settings.quick else (150, 10_000)
+    each, many = (12, 400) if settings.quick else (120, 10_000)
     found = [Cell(f"hard-{_slug(kind.name)}", count_hard, (i, each, settings)) for i, kind in enumerate(EVERY)]
     found += [Cell(f"count-{work}", count, (work, many, settings)) for work in ("touching", "ordinary")]
     sizes = (
@@ -41,7 +41,7 @@ def cells(settings: Settings) -> list[Cell]:
         if settings.quick
         else {COMPILED: 100_000, NUMPY: 20_000, PYTHON: 1000}
     )
-    rounds = 5 if settings.quick else 31
+    rounds = 5 if settings.quick else 21
     return [*found, Cell("resolution-times", take_times, (sizes, rounds, settings), timed=True)]
 
 

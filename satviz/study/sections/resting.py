@@ -3,7 +3,6 @@
 No bodies and no solver: the poses are given, rounded to floats.  A solver would be fed the normal and the depth.
 """
 
-from math import cos, sin
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,8 @@ from ..lab.chart import Chart, axes, headline, table
 from ..pairs.workloads import Array, Rings
 
 Row = dict[str, Any]
-COS, SIN = cos(0.3), sin(0.3)  # the floor's slope: coordinates are rounded on it, as in any turned scene
+# the floor's slope, about 0.3 radians: coordinates are rounded on it, as in any turned scene
+COS, SIN = 0.955336489125606, 0.2955202066613396
 OFF = 3.7, 1.9  # the origin of a scene is nowhere special
 DEPTH = 0.001  # of a box that has sunk in a little
 STAYS = 0.01  # another axis must be shallower by this, of scene units, before a kept one is left
