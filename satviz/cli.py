@@ -170,8 +170,8 @@ def _parser() -> argparse.ArgumentParser:
     bench.add_argument("--force", action="store_true", help="overwrite what satviz did not make")
     bench.set_defaults(run=commands.bench)
 
-    study = command.add_parser("study", help="chart speed against accuracy, and stability where methods fail")
-    study.add_argument("--quick", action="store_true", help="fewer and smaller runs, about a minute, and no PNG")
+    study = command.add_parser("study", help="chart speed against accuracy, and what exactness costs")
+    study.add_argument("--quick", action="store_true", help="fewer and smaller runs, half a minute, and no PNG")
     study.add_argument(
         "--out", type=_folder, default=Path("satviz-study"), metavar="DIR", help="the folder (default: satviz-study)"
     )

@@ -284,7 +284,7 @@ def bench(args: argparse.Namespace) -> int:
     from tqdm import tqdm
 
     from .study.bench import bench, busy, planned, table, when_numba_pays
-    from .study.machine import machine, missing
+    from .study.lab.machine import machine, missing
 
     pairs, rounds = (2000, 3) if args.quick else (args.pairs, args.rounds)
     rows = []
@@ -306,7 +306,7 @@ def bench(args: argparse.Namespace) -> int:
         say(warning)
     if args.chart:
         from .study.bench_chart import chart
-        from .study.chart import save
+        from .study.lab.chart import save
 
         for path in save(chart(rows, warning), args.chart, {"machine": machine()}, ("svg", "png"), force=args.force):
             say(f"wrote {path}")
@@ -317,7 +317,7 @@ def study(args: argparse.Namespace) -> int:
     """Run the sections asked for, and write their tables and charts."""
     from tqdm import tqdm
 
-    from .study.cells import Settings
+    from .study.lab.cells import Settings
     from .study.run import CellsFailed, executor, study
 
     with ExitStack() as stack:

@@ -20,7 +20,7 @@ from satviz.cli import main
 from satviz.engine import telling
 from satviz.pictures.figures import FIGURES
 from satviz.scenes.article import SCENES
-from satviz.study.cells import Cell
+from satviz.study.lab.cells import Cell
 
 GOOD = {"satviz": "scene 1", "a": {"polygon": [[0, 0], [4, 0], [0, 4]]}, "b": {"circle": [5, 5], "radius": 1}}
 
@@ -395,7 +395,7 @@ def vanishing(work):
     [
         (["figures", "--only", "1", "--only", "2", "--out"], "satviz.render.files.encode"),
         (["draw", "aabb", "--format", "gif", "--format", "html", "--out"], "satviz.render.files.animate"),
-        (["study", "--quick", "--out"], "satviz.study.cells._load"),
+        (["study", "--quick", "--out"], "satviz.study.lab.cells._load"),
         (["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.in_turn"),
         (["trace", "aabb"], "satviz.scenes.named.scene"),
         (["notebook", "--no-open"], "satviz.disk.write"),

@@ -7,9 +7,11 @@ import pytest
 
 from satviz import Polygon, batch
 from satviz.cli import main
-from satviz.study import compiled, machine, truth
+from satviz.study import truth
 from satviz.study.bench import Row, busy, slope
-from satviz.study.workloads import CORNERS, LAYOUTS, WORKLOADS
+from satviz.study.lab import machine
+from satviz.study.methods import kernels
+from satviz.study.pairs.workloads import CORNERS, LAYOUTS, WORKLOADS
 
 pytestmark = pytest.mark.slow
 
@@ -72,9 +74,9 @@ def test_peers_in_numba_are_right_where_nothing_is_near(work):
     a, b = WORKLOADS[work](np.random.default_rng(2), 500)
     columns = [np.ascontiguousarray(rings[:, :, d].T) for rings in (a, b) for d in (0, 1)]
     right = batch.hits(batch.Polygons(a), batch.Polygons(b), engine="numpy")
-    for kernel in (compiled.textbook, compiled.gjk):
+    for kernel, more in ((kernels.textbook, (True, 0.0)), (kernels.gjk, ())):
         out = np.empty(len(a), np.int8)
-        kernel(*columns, out)
+        kernel(*columns, *more, out)
         assert np.array_equal(out > 0, right)
 
 

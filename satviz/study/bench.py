@@ -20,21 +20,21 @@ from numpy.typing import NDArray
 from .. import batch
 from ..advice.timing import in_turn
 from . import truth
-from .machine import installed
-from .methods import batched, methods, mistakes, outlines, shapes
-from .workloads import CORNERS, LAYOUTS, WORKLOADS, scattered, tiles
+from .lab.machine import installed
+from .methods import COMPILED, NUMPY, PYTHON, batched, methods, mistakes, shapes
+from .pairs.workloads import CORNERS, LAYOUTS, WORKLOADS, outlines, scattered, tiles
 
-# (form, name) of the methods that take part, and what the table calls them
+# (language, name) of the methods that take part, and what the table calls them
 BENCHED = {
-    ("batch", "satviz numpy"): "satviz numpy",
-    ("batch", "satviz numba"): "satviz numba",
-    ("batch", "SAT, unit normals"): "plain NumPy",
-    ("batch", "shapely"): "shapely",
-    ("batch", "shapely, prepared"): "shapely, prepared",
-    ("scalar", "satviz.relate"): "satviz.relate",
-    ("scalar", "GJK"): "GJK in Python",
-    ("scalar", "shapely"): "shapely, one by one",
-    ("scalar", "pymunk"): "pymunk, one by one",
+    (NUMPY, "satviz"): "satviz numpy",
+    (COMPILED, "satviz"): "satviz numba",
+    (NUMPY, "SAT, unit normals"): "plain NumPy",
+    (COMPILED, "shapely"): "shapely",
+    (COMPILED, "shapely, prepared"): "shapely, prepared",
+    (PYTHON, "satviz"): "satviz.relate",
+    (PYTHON, "GJK"): "GJK in Python",
+    (PYTHON, "shapely"): "shapely, one by one",
+    (PYTHON, "pymunk"): "pymunk, one by one",
 }
 ENGINES = {"satviz numpy": "numpy", "satviz numba": "numba"}
 SIZES = (3, 4, 8, 16, 32, 64, 128, 256)  # corners
@@ -96,7 +96,8 @@ def _timed(
     each = dict.fromkeys(jobs, items) if isinstance(items, int) else items
     scale = {"ns": 1.0, "us": 1e3, "ms": 1e6}[unit]
     for method, times in in_turn(jobs, rounds, each).items():
-        yield Row(section, work, size, method, unit, *(t / scale for t in times))
+        median, least, low, high = (t / scale for t in times)
+        yield Row(section, work, size, method, unit, median, least, low, high)
 
 
 def _judged(row: Row, said: Any, right: NDArray[np.int8]) -> Row:
@@ -120,18 +121,20 @@ def _uniform(plan: Plan) -> Iterator[Row]:
             jobs: dict[str, Callable[[], Any]] = {}
             items: dict[str, int] = {}
             for method in methods(circles=isinstance(a, tuple)):
-                label = BENCHED.get((method.form, method.name))
+                label = BENCHED.get((method.language, method.name))
                 if label is None:
                     continue
-                scalar = method.form == "scalar"
+                scalar = method.language == PYTHON
                 mine = [method.prepare(side) for side in (few if scalar else (a, b))]
                 jobs[label] = partial(method.hits, *mine)
                 items[label] = len(right) if scalar else plan.pairs
                 if label in ENGINES:
-                    halves = {"engine": ENGINES[label], "executor": pool, "chunk": -(-plan.pairs // 2)}
+                    halves: dict[str, Any] = {"engine": ENGINES[label], "executor": pool, "chunk": -(-plan.pairs // 2)}
                     jobs[f"{label}, 2 threads"] = partial(batch.relate, *mine, **halves)
                     items[f"{label}, 2 threads"] = plan.pairs
-            peers = _compiled(a, b) if installed("numba") and not isinstance(a, tuple) and "mixed" not in work else {}
+            peers: dict[str, Callable[[], Any]] = {}
+            if installed("numba") and not isinstance(a, tuple) and not isinstance(b, tuple) and "mixed" not in work:
+                peers = _compiled(a, b)
             jobs |= peers
             items |= dict.fromkeys(peers, plan.pairs)
             answers = {label: job() for label, job in jobs.items()}
@@ -145,20 +148,20 @@ READING = "reading the arrays once"
 def _compiled(a: NDArray[np.float64], b: NDArray[np.float64]) -> dict[str, Callable[[], Any]]:
     """Textbook SAT and GJK in numba, satviz's kernel without its room for rounding, and reading alone."""
     from ..batch.filter_numba import looks
-    from . import compiled
+    from .methods import kernels
 
     columns = [np.ascontiguousarray(rings[:, :, d].T) for rings in (a, b) for d in (0, 1)]
     numbers = np.concatenate([c.ravel() for c in columns]).view(np.int64)
     out = np.empty(len(a), np.int8)
 
-    def run(kernel: Callable[..., None], *more: Any) -> NDArray[np.int8]:
+    def run(kernel: Callable[..., None], *more: Any) -> NDArray[np.bool_]:
         kernel(*columns, *more, out)
         return out > 0
 
     return {
-        READING: partial(compiled.reading, numbers),
-        "textbook SAT in numba": partial(run, compiled.textbook),
-        "GJK in numba": partial(run, compiled.gjk),
+        READING: partial(kernels.reading, numbers),
+        "textbook SAT in numba": partial(run, kernels.textbook, True, 0.0),
+        "GJK in numba": partial(run, kernels.gjk),
         "numba, no room for rounding": partial(run, looks(a.shape[1], b.shape[1]), 0, 0.0),
     }
 
@@ -220,14 +223,18 @@ def _again(made: Any) -> Any:
     return made
 
 
+def _made(ask: Callable[[Any], Any], make: Callable[[], Any]) -> Any:
+    return ask(make())
+
+
 def _collisions(work: str, made: Jobs, plan: Plan) -> Iterator[Row]:
     jobs: dict[str, Callable[[], Any]] = {}
     for label, make in made.items():
         if label == "shapely":
-            jobs[label] = lambda make=make: _meeting(make())
+            jobs[label] = partial(_made, _meeting, make)
         elif "padded" in label:
             for engine in filter(_has, ENGINES.values()):
-                jobs[f"satviz {engine}"] = lambda make=make, engine=engine: batch.colliding_pairs(make(), engine=engine)
+                jobs[f"satviz {engine}"] = partial(_made, partial(batch.colliding_pairs, engine=engine), make)
     answers = {label: job() for label, job in jobs.items()}
     right = answers.get("shapely")
     for row in _timed("scenes", work, 0, jobs, 1, "ms", plan.rounds):

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from ..pictures import Theme
 from .bench import ENGINES, Row, slope
-from .chart import TEXT, Chart, axes, headline, label_ends
+from .lab.chart import TEXT, Chart, axes, headline, label_ends
 
 SIZE = 900.0, 560.0  # points
 MARKS = {"satviz numba": "o", "satviz numpy": "s"}

@@ -10,12 +10,12 @@ from typing import Any
 
 from ..disk import MADE_BY, check, folder, write
 from ..extras import needs
-from . import accuracy, continuity, cost, doing_less, failures, moving, stability
-from .cells import Failure, Settings, results
-from .chart import Chart, save
-from .machine import machine
+from .lab.cells import Failure, Settings, results
+from .lab.chart import Chart, save
+from .lab.machine import machine
+from .sections import changes, corners, maps, order, price, resolution, resting, reuse
 
-SECTIONS: tuple[ModuleType, ...] = (accuracy, stability, continuity, moving, failures, cost, doing_less)
+SECTIONS: tuple[ModuleType, ...] = (resolution, price, reuse, corners, changes, resting, order, maps)
 KEPT = "cells"  # the folder of finished cells, inside the study's own
 MOST_NAMED = 5  # of the failed cells
 
@@ -50,9 +50,9 @@ def study(
         (failed if isinstance(result, Failure) else found)[cell.name] = result
         progress(len(found) + len(failed), len(cells), cell.name)
     facts = {"settings": settings._asdict(), "machine": machine()}
-    written = []
+    written: list[Path] = []
     whole = [section for section in sections if not any(cell.name in failed for cell in section.cells(settings))]
-    made = charts(found, whole)
+    made = charts(found, whole, settings)
     for chart in made:
         written += save(chart, out, facts, ("svg",) if settings.quick else ("svg", "png"), force=force)
     write(out / "study.md", _words(made, failed, settings).encode(), force=force)
@@ -71,9 +71,9 @@ def _named(failed: dict[str, Failure]) -> str:
     return ", ".join(names) + (f" and {len(failed) - MOST_NAMED} more" if len(failed) > MOST_NAMED else "")
 
 
-def charts(found: dict[str, Any], sections: Sequence[ModuleType]) -> list[Chart]:
+def charts(found: dict[str, Any], sections: Sequence[ModuleType], settings: Settings) -> list[Chart]:
     """Every chart of the sections from the cells' results by name."""
-    return [chart for section in sections for chart in section.charts(found)]
+    return [chart for section in sections for chart in section.charts(found, settings)]
 
 
 def _words(made: Sequence[Chart], failed: dict[str, Failure], settings: Settings) -> str:
@@ -83,7 +83,8 @@ def _words(made: Sequence[Chart], failed: dict[str, Failure], settings: Settings
     lines += [f"Measured with {versions}.", ""]
     lines += [f"{_count(failed)}, so charts are missing: {_named(failed)}.", ""] if failed else []
     for chart in made:
-        lines += [f"## {chart.title}", "", f"![{chart.title}]({chart.stem}.svg)", "", chart.reading, ""]
+        stamp = f" ({chart.rough})" if chart.rough else ""
+        lines += [f"## {chart.title}", "", f"![{chart.title}]({chart.stem}.svg)", "", f"{chart.reading}{stamp}", ""]
         lines += [f"Numbers: [{chart.stem}.csv]({chart.stem}.csv), [{chart.stem}.json]({chart.stem}.json)", ""]
     return "\n".join(lines)
 
@@ -106,7 +107,7 @@ def executor(kind: str | None) -> Iterator[Executor | None]:
         except ImportError:
             raise ValueError(needs(f"a cluster ({kind})", "cluster")) from None
         try:
-            client = Client(kind, timeout=10)
+            client: Any = Client(kind, timeout=10)  # type: ignore[no-untyped-call]
         except (OSError, ValueError) as error:
             raise ValueError(f"no dask scheduler at {kind!r} ({error}); or choose threads or processes") from None
         with client, client.get_executor() as pool:

@@ -11,23 +11,24 @@ Coordinates become integers over one power of two, and all that follows is exact
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import gcd
+from typing import TypeVar
 
 from ..engine.geometry import Relation
 from ..engine.shapes import Circle, Polygon, Shape
 
+Number = float | Fraction
 Ints = tuple[int, int]
+Point = TypeVar("Point")
+Rational = tuple[Fraction, Fraction]
+Either = Ints | Rational
 Homogeneous = tuple[int, int, int]  # (X, Y, W): the point (X / W, Y / W), W > 0
 
 
 def relation(a: Shape, b: Shape) -> Relation:
     """The exact relation of two convex shapes as closed sets."""
-    if isinstance(a, Circle) and isinstance(b, Circle):
-        return circles(a, b)
     if isinstance(a, Circle):
-        return circle_polygon(a, b)
-    if isinstance(b, Circle):
-        return circle_polygon(b, a)
-    return polygons(a, b)
+        return circles(a, b) if isinstance(b, Circle) else circle_polygon(a, b)
+    return circle_polygon(b, a) if isinstance(b, Circle) else polygons(a, b)
 
 
 def polygons(a: Polygon, b: Polygon) -> Relation:
@@ -64,21 +65,27 @@ def distance2(a: Polygon, b: Polygon) -> Fraction:
     return min(_segment_distance2(v, *edge) for v, edge in both) / Fraction(4) ** k
 
 
-def turn(p: Iterable[float], q: Iterable[float], r: Iterable[float]) -> Fraction:
+def turn(p: Iterable[Number], q: Iterable[Number], r: Iterable[Number]) -> Fraction:
     """Twice the signed area of a triangle, exactly."""
-    (px, py), (qx, qy), (rx, ry) = (map(Fraction, v) for v in (p, q, r))
+    (px, py), (qx, qy), (rx, ry) = (exact(v) for v in (p, q, r))
     return (qx - px) * (ry - py) - (qy - py) * (rx - px)
 
 
-def area2(vertices: Iterable[Iterable[float]]) -> Fraction:
+def exact(v: Iterable[Number]) -> Rational:
+    """A point in rationals."""
+    x, y = (Fraction(c) for c in v)
+    return x, y
+
+
+def area2(vertices: Iterable[Iterable[Number]]) -> Fraction:
     """Twice the signed area of an outline, exactly: positive when it runs counter-clockwise."""
-    ring = [tuple(map(Fraction, v)) for v in vertices]
+    ring = [exact(v) for v in vertices]
     return sum((px * qy - py * qx for (px, py), (qx, qy) in _edges(ring)), Fraction(0))
 
 
-def is_simple(vertices: Iterable[Iterable[float]]) -> bool:
+def is_simple(vertices: Iterable[Iterable[Number]]) -> bool:
     """Is an outline a simple polygon once repeated neighbours are merged?  Every pair of edges is compared."""
-    ring = _distinct(tuple(map(Fraction, v)) for v in vertices)
+    ring = _distinct(exact(v) for v in vertices)
     edges = list(_edges(ring))
     n = len(edges)
     if n < 3:
@@ -121,8 +128,8 @@ def _counter_clockwise(points: Sequence[Ints]) -> list[Ints]:
     return ring if twice > 0 else ring[::-1]
 
 
-def _distinct(points: Iterable) -> list:
-    ring: list = []
+def _distinct(points: Iterable[Point]) -> list[Point]:
+    ring: list[Point] = []
     for p in points:
         if not ring or ring[-1] != p:
             ring.append(p)
@@ -131,7 +138,7 @@ def _distinct(points: Iterable) -> list:
     return ring
 
 
-def _edges(ring: Sequence) -> Iterable:
+def _edges(ring: Sequence[Point]) -> Iterable[tuple[Point, Point]]:
     return zip(ring, [*ring[1:], ring[0]], strict=True)
 
 
@@ -197,14 +204,14 @@ def _segment_distance2(c: Ints, p: Ints, q: Ints) -> Fraction | int:
     return (cx - px) ** 2 + (cy - py) ** 2 - Fraction(along * along, length2)
 
 
-def _on_segment(v: Ints, p: Ints, q: Ints) -> bool:
+def _on_segment(v: Either, p: Either, q: Either) -> bool:
     (vx, vy), (px, py), (qx, qy) = v, p, q
     if (qx - px) * (vy - py) != (qy - py) * (vx - px):
         return False
     return min(px, qx) <= vx <= max(px, qx) and min(py, qy) <= vy <= max(py, qy)
 
 
-def _segments_meet(p: Ints, q: Ints, r: Ints, s: Ints) -> bool:
+def _segments_meet(p: Either, q: Either, r: Either, s: Either) -> bool:
     """Do two closed segments share a point?  Cramer's rule; parallel ones by their ends."""
     (px, py), (qx, qy), (rx, ry), (sx, sy) = p, q, r, s
     det = (qx - px) * (sy - ry) - (qy - py) * (sx - rx)

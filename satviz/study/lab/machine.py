@@ -7,7 +7,7 @@ from importlib.metadata import PackageNotFoundError, version
 from importlib.util import find_spec
 from pathlib import Path
 
-from .. import __version__
+from ... import __version__
 
 PEERS = ("numba", "shapely", "pymunk")
 

@@ -6,10 +6,11 @@ A shape here is (points, radius): a polygon's corners with radius 0, or a circle
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from math import cos, hypot, inf, pi, sin, sqrt
 
-from ..engine.shapes import Circle, Shape
+from ...engine.shapes import Circle, Shape
 
 Points = Sequence[tuple[float, float]]
 Plain = tuple[Points, float]
+Corners = list[tuple[float, float]]
 Choice = Callable[[Plain, Plain], Iterable[tuple[float, float]]]
 MOST_TURNS = 64  # of GJK: rounding may make it go round
 
@@ -17,14 +18,6 @@ MOST_TURNS = 64  # of GJK: rounding may make it go round
 def plain(shape: Shape) -> Plain:
     """The numbers of a shape alone."""
     return ((shape.center,), shape.radius) if isinstance(shape, Circle) else (shape.corners, 0.0)
-
-
-def as_ngon(shape: Shape, n: int) -> Plain:
-    """A circle as the regular n-gon inscribed in it; a polygon as it is."""
-    if not isinstance(shape, Circle):
-        return plain(shape)
-    (x, y), r = shape.center, shape.radius
-    return [(x + r * cos(2 * pi * i / n), y + r * sin(2 * pi * i / n)) for i in range(n)], 0.0
 
 
 def edge_normals(a: Plain, b: Plain) -> Iterator[tuple[float, float]]:
@@ -45,18 +38,6 @@ def normals(a: Plain, b: Plain) -> Iterator[tuple[float, float]]:
         yield min(((x - cx, y - cy) for x, y in ring), key=lambda v: v[0] * v[0] + v[1] * v[1])
 
 
-def centroid_axis(a: Plain, b: Plain) -> Iterator[tuple[float, float]]:
-    """The one direction through the means of the corners."""
-    (ax, ay), (bx, by) = middle(a), middle(b)
-    yield bx - ax, by - ay
-
-
-def middle(shape: Plain) -> tuple[float, float]:
-    """The mean of the corners."""
-    points, _ = shape
-    return sum(p[0] for p in points) / len(points), sum(p[1] for p in points) / len(points)
-
-
 def sat(a: Plain, b: Plain, choice: Choice = normals, *, unit: bool = False, tolerance: float = 0.0) -> bool:
     """Textbook SAT: a hit unless some axis leaves a gap of more than `tolerance`; `unit` normalises the normals."""
     for nx, ny in choice(a, b):
@@ -75,29 +56,6 @@ def span(shape: Plain, nx: float, ny: float, length: float) -> tuple[float, floa
     points, r = shape
     landings = [x * nx + y * ny for x, y in points]
     return min(landings) - r * length, max(landings) + r * length
-
-
-def ranges(shape: Shape, directions: Points) -> list[tuple[float, float]]:
-    """The ranges on fixed unit directions, to be kept with the shape."""
-    return [span(plain(shape), x, y, 1.0) for x, y in directions]
-
-
-def ranges_overlap(a: Sequence[tuple[float, float]], b: Sequence[tuple[float, float]]) -> bool:
-    """Do kept ranges overlap or touch on every direction?"""
-    return all(p[0] <= q[1] and q[0] <= p[1] for p, q in zip(a, b))
-
-
-def around(shape: Shape) -> tuple[float, float, float]:
-    """A circle (x, y, radius) round the mean of the corners that holds them all."""
-    points, r = plain(shape)
-    x, y = middle((points, r))
-    return x, y, r + max(hypot(p[0] - x, p[1] - y) for p in points)
-
-
-def circles_overlap(a: tuple[float, float, float], b: tuple[float, float, float]) -> bool:
-    """Are the centers within the sum of the radii?"""
-    dx, dy, reach = a[0] - b[0], a[1] - b[1], a[2] + b[2]
-    return dx * dx + dy * dy <= reach * reach
 
 
 def gjk(a: Plain, b: Plain) -> bool:
@@ -137,7 +95,7 @@ def _support(shape: Plain, dx: float, dy: float) -> tuple[float, float]:
     return found[0] + r * dx / length, found[1] + r * dy / length
 
 
-def _towards_origin(corners: list, ax: float, ay: float) -> tuple[list, tuple[float, float]]:
+def _towards_origin(corners: Corners, ax: float, ay: float) -> tuple[Corners, tuple[float, float]]:
     """The part of the simplex nearest the origin once (ax, ay) is added, and the way from there to the origin.
 
     All three corners left means the origin is inside.
@@ -155,7 +113,7 @@ def _towards_origin(corners: list, ax: float, ay: float) -> tuple[list, tuple[fl
     return [c, b, a], (0.0, 0.0)
 
 
-def _edge(a: tuple[float, float], b: tuple[float, float]) -> tuple[list, tuple[float, float]]:
+def _edge(a: tuple[float, float], b: tuple[float, float]) -> tuple[Corners, tuple[float, float]]:
     ex, ey = b[0] - a[0], b[1] - a[1]
     if ex * -a[0] + ey * -a[1] <= 0:
         return [a], (-a[0], -a[1])

@@ -5,15 +5,17 @@ import io
 import json
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from matplotlib.axes import Axes
+from matplotlib.axis import XAxis, YAxis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 
-from ..disk import MADE_BY, write
-from ..pictures import LIGHT, THEMES, Theme
-from ..render.files import DPI, bare, encode_figure
+from ...disk import MADE_BY, write
+from ...pictures import LIGHT, THEMES, Theme
+from ...render.files import DPI, bare, encode_figure
 
 TEXT, TITLE = 10.0, 13.0  # points, at final size
 # who a method is, by colour; every mark is named beside it as well
@@ -21,10 +23,12 @@ FAMILIES = {
     "exact": "exact",
     "float SAT": "float",
     "tolerance": "tolerance",
-    "fewer axes": "shortcut",
+    "bounds": "shortcut",
     "GJK": "ink",
     "library": "guide",
 }
+
+Cell = Callable[[int, int], tuple[str, str, float]]
 
 
 class Chart(NamedTuple):
@@ -32,6 +36,7 @@ class Chart(NamedTuple):
 
     `rows`: the numbers drawn, flat and of plain values, written beside it as JSON and
     CSV; `reading`: what it shows in words, made from the rows, and its alt text.
+    `rough`: why its times are not for keeps, stamped on it.
     """
 
     stem: str
@@ -40,6 +45,7 @@ class Chart(NamedTuple):
     draw: Callable[[Figure, Theme], None]
     rows: Sequence[dict[str, Any]]
     reading: str
+    rough: str = ""
 
     def figure(self, theme: Theme) -> Figure:
         """The chart on a Figure of its own."""
@@ -47,6 +53,15 @@ class Chart(NamedTuple):
         FigureCanvasAgg(fig)
         fig.set_facecolor(theme.paper)
         self.draw(fig, theme)
+        if self.rough:
+            at: dict[str, Any] = {"ha": "right", "va": "bottom", "fontsize": TEXT, "parse_math": False}
+            fig.text(
+                1 - 6 / self.size[0],
+                3 / self.size[1],
+                self.rough,
+                color=theme.text.get("wrong", theme.roles["wrong"]),
+                **at,
+            )
         return fig
 
     def __repr__(self) -> str:
@@ -76,7 +91,14 @@ def save(
             path = folder / f"{chart.stem}{suffix(theme)}.{form}"
             write(path, chart.encode(form, theme), force=force)
             yield path
-    data = {"made_by": MADE_BY, "title": chart.title, "reading": chart.reading, **facts, "rows": list(chart.rows)}
+    data = {
+        "made_by": MADE_BY,
+        "title": chart.title,
+        "reading": chart.reading,
+        "rough": chart.rough,
+        **facts,
+        "rows": list(chart.rows),
+    }
     write(folder / f"{chart.stem}.json", (json.dumps(data, indent=1, allow_nan=False) + "\n").encode(), force=force)
     yield folder / f"{chart.stem}.json"
     text = io.StringIO()
@@ -108,10 +130,46 @@ def axes(fig: Figure, box: tuple[float, float, float, float], theme: Theme, titl
 def headline(fig: Figure, theme: Theme, text: str, *under: str) -> None:
     """The chart's title at its upper left, and quiet lines under it."""
     height = fig.get_size_inches()[1] * 72
-    at = {"ha": "left", "va": "top", "parse_math": False}
+    at: dict[str, Any] = {"ha": "left", "va": "top", "parse_math": False}
     fig.text(0.012, 1 - 8 / height, text, color=theme.roles["ink"], fontsize=TITLE, fontweight="bold", **at)
     for i, line in enumerate(under):
         fig.text(0.012, 1 - (27 + 15 * i) / height, line, color=theme.roles["guide"], fontsize=TEXT, **at)
+
+
+def time_ticks(axis: XAxis | YAxis, limits: Sequence[float], *, words: bool = True) -> None:
+    """Powers of ten of nanoseconds within the limits, told in their units."""
+    decades = [10.0**e for e in range(-1, 9) if limits[0] <= 10.0**e <= limits[1]]
+    axis.set_ticks(decades, labels=[told(d).replace(".0", "") if words else "" for d in decades])
+    axis.minorticks_off()
+
+
+def told(ns: float) -> str:
+    """A time to two digits or three."""
+    size, unit = next(((s, u) for s, u in ((1e6, "ms"), (1e3, "µs")) if ns >= s), (1.0, "ns"))
+    return f"{ns / size:.{0 if ns >= 10 * size else 1}f} {unit}"
+
+
+def table(
+    ax: Axes,
+    theme: Theme,
+    columns: Sequence[str],
+    rows: Sequence[str],
+    cell: Callable[[int, int], tuple[str, str, float]],
+) -> None:
+    """Words in places with a colour and how much of it: `cell(row, column)`, where 0 says that nothing is there."""
+    ax.set(xlim=(-0.5, len(columns) - 0.5), ylim=(len(rows) - 0.5, -0.5))
+    ax.spines[["left", "bottom"]].set_visible(False)
+    ax.tick_params(length=0)
+    ax.xaxis.tick_top()
+    ax.set_xticks(range(len(columns)), columns)
+    ax.set_yticks(range(len(rows)), rows)
+    for y in range(len(rows)):
+        for x in range(len(columns)):
+            words, shade, much = cell(y, x)
+            if much:
+                ax.add_patch(Rectangle((x - 0.48, y - 0.45), 0.96, 0.9, color=shade, alpha=0.1 + 0.5 * much, lw=0))
+            ink = theme.roles["ink" if much else "guide"]
+            ax.text(x, y, words, ha="center", va="center_baseline", fontsize=TEXT, color=ink)
 
 
 def colour(theme: Theme, family: str, *, text: bool = False) -> str:
@@ -162,7 +220,7 @@ def label_ends(
 
 
 def label_points(
-    ax: Axes, points: Sequence[tuple[float, float, str, str]], theme: Theme, taken: Sequence[tuple] = ()
+    ax: Axes, points: Sequence[tuple[float, float, str, str]], theme: Theme, taken: Sequence[tuple[float, float]] = ()
 ) -> None:
     """Write each (x, y, text, colour) beside its point, where it covers no other label, point or the axes' rim.
 
@@ -173,7 +231,7 @@ def label_points(
     rim = box.x0 * scale, box.y0 * scale, box.x1 * scale, box.y1 * scale
     spots = [tuple(ax.transData.transform((p[0], p[1])) * scale) for p in (*points, *taken)]
     placed: list[tuple[float, float, float, float]] = [(x - 4, y - 4, x + 4, y + 4) for x, y in spots]
-    renderer = ax.figure.canvas.get_renderer()
+    renderer = cast(Any, ax.figure.canvas).get_renderer()
     for (x, y), (px, py, text, shade) in sorted(zip(spots, points), key=lambda item: (-item[0][1], item[0][0])):
         note = ax.annotate(
             text,
@@ -202,7 +260,7 @@ def label_points(
                 + max(0, mine[3] - rim[3])
             )
             away = abs(offset[0] + w / 2) / 2 + abs(offset[1] + h / 2)
-            return over * 10 + out * 50 + away
+            return float(over * 10 + out * 50 + away)
 
         best = min(_offsets(w, h), key=cost)
         note.set_position(best)
@@ -215,15 +273,14 @@ def _offsets(w: float, h: float) -> Iterator[tuple[float, float]]:
         for side in (1, -1):
             up = side * (4 + step * h * 0.75)
             y = up if side > 0 else up - h
-            yield from ((x, y) for x in (5, -w / 2, -w - 5, 24, -w - 24))
+            yield from ((x, y) for x in (5, -w / 2, -w - 5, 24, -w - 24, 60, -w - 60))
     yield from ((5, -h / 2), (-w - 5, -h / 2))
 
 
-def _common(one: tuple, other: tuple) -> float:
+def _common(one: Sequence[float], other: Sequence[float]) -> float:
     """How much area two boxes (x0, y0, x1, y1) share, in square points."""
-    return max(0.0, min(one[2], other[2]) - max(one[0], other[0])) * max(
-        0.0, min(one[3], other[3]) - max(one[1], other[1])
-    )
+    wide, high = (min(one[k + 2], other[k + 2]) - max(one[k], other[k]) for k in (0, 1))
+    return max(0.0, wide) * max(0.0, high)
 
 
 def wilson(wrong: int, of: int) -> tuple[float, float]:

@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..pairs.workloads import Side
 from .plain import spread
-from .workloads import Side
 
 Array = NDArray[np.floating]
 Answers = NDArray[np.bool_]
@@ -37,17 +37,8 @@ def columns(side: Side, dtype: type = np.float64) -> Columns:
     """The shapes of a workload's side."""
     at, r = side if isinstance(side, tuple) else (side, None)
     at = at[:, None] if at.ndim == 2 else at
-    x, y = (np.ascontiguousarray(at[:, :, i].T, dtype=dtype) for i in (0, 1))
+    x, y = (np.ascontiguousarray(at[:, :, i].T, dtype=dtype) for i in (0, 1))  # type: ignore[var-annotated]
     return Columns(x, y, None if r is None else r.astype(dtype))
-
-
-def as_ngons(side: Side, n: int) -> Columns:
-    """Circles as the regular n-gons inscribed in them; polygons as they are."""
-    c = columns(side)
-    if c.r is None:
-        return c
-    turn = 2 * np.pi * np.arange(n)[:, None] / n
-    return Columns(c.x + c.r * np.cos(turn), c.y + c.r * np.sin(turn), None)
 
 
 def hits(a: Columns, b: Columns, axes: Choice, tolerance: float = 0.0) -> Answers:
@@ -104,51 +95,9 @@ def unit(choice: Choice) -> Choice:
     return normalised
 
 
-def middles(c: Columns) -> tuple[Array, Array]:
-    """The means of the corners, repeated ones counted once."""
-    once = np.ones(c.x.shape, bool)
-    once[1:] = (c.x[1:] != c.x[:-1]) | (c.y[1:] != c.y[:-1])
-    count = once.sum(axis=0)
-    return (c.x * once).sum(axis=0) / count, (c.y * once).sum(axis=0) / count
-
-
-def centroids(a: Columns, b: Columns) -> Iterator[Axes]:
-    """The one axis through the means of the corners."""
-    (ax, ay), (bx, by) = middles(a), middles(b)
-    nx, ny = bx - ax, by - ay
-    yield Axes(nx, ny, np.hypot(nx, ny))
-
-
 def fixed(k: int) -> Choice:
     """k directions evenly over a half turn."""
     return lambda a, b: (Axes(x, y, 1.0) for x, y in spread(k))
-
-
-def ranges(side: Side, k: int) -> list[tuple[Array, Array]]:
-    """The ranges on k fixed directions, to be kept with the shapes."""
-    c = columns(side)
-    return [span(c, axis) for axis in fixed(k)(c, c)]
-
-
-def ranges_overlap(a: list[tuple[Array, Array]], b: list[tuple[Array, Array]]) -> Answers:
-    """Do kept ranges overlap or touch on every direction?"""
-    found = np.ones(len(a[0][0]), bool)
-    for (lo_a, hi_a), (lo_b, hi_b) in zip(a, b):
-        found &= (lo_a <= hi_b) & (lo_b <= hi_a)
-    return found
-
-
-def around(side: Side) -> Columns:
-    """Circles round the means of the corners that hold them all."""
-    c = columns(side)
-    x, y = middles(c)
-    far = np.hypot(c.x - x, c.y - y).max(axis=0)
-    return Columns(x[None], y[None], far if c.r is None else far + c.r)
-
-
-def circles_overlap(a: Columns, b: Columns) -> Answers:
-    """Are the centers within the sum of the radii?"""
-    return (a.x[0] - b.x[0]) ** 2 + (a.y[0] - b.y[0]) ** 2 <= (a.r + b.r) ** 2
 
 
 def _part(c: Columns, start: int) -> Columns:

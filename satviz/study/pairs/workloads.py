@@ -11,20 +11,21 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-Rings = NDArray[np.float64]  # (N, V, 2), counter-clockwise
-Coins = tuple[NDArray[np.float64], NDArray[np.float64]]  # (N, 2) centers, (N,) radii
+Array = NDArray[np.float64]
+Rings = Array  # (N, V, 2), counter-clockwise
+Coins = tuple[Array, Array]  # (N, 2) centers, (N,) radii
 Side = Rings | Coins
 Make = Callable[[np.random.Generator, int], tuple[Side, Side]]
 
 
-def directions(rng: np.random.Generator, *shape: int) -> NDArray[np.float64]:
+def directions(rng: np.random.Generator, *shape: int) -> Array:
     """Unit vectors, evenly over the full turn: points drawn in a square until they fall in its circle."""
     found = rng.uniform(-1, 1, (*shape, 2))
     while True:
         squares = (found * found).sum(axis=-1, keepdims=True)
         bad = ((squares > 1) | (squares < 1e-4))[..., 0]
         if not bad.any():
-            return found / np.sqrt(squares)
+            return np.asarray(found / np.sqrt(squares))
         found[bad] = rng.uniform(-1, 1, (bad.sum(), 2))
 
 
@@ -41,16 +42,17 @@ def boxes(rng: np.random.Generator, n: int, spread: float) -> Rings:
     return _around(rng, n, spread) + turned(half, directions(rng, n))
 
 
-def turned(rings: Rings, ways: NDArray) -> Rings:
+def turned(rings: Rings, ways: Array) -> Rings:
     """Each shape turned so that the x axis points along its unit vector."""
     c, s = ways[:, :1], ways[:, 1:]
     return np.stack([rings[..., 0] * c - rings[..., 1] * s, rings[..., 0] * s + rings[..., 1] * c], axis=2)
 
 
-def outward(p: NDArray, q: NDArray) -> NDArray:
+def outward(p: Array, q: Array) -> Array:
     """The unit normals of edges from p to q (N, 2), outwards for counter-clockwise shapes."""
     edge = q - p
-    return np.stack([edge[:, 1], -edge[:, 0]], axis=1) / np.sqrt((edge * edge).sum(axis=1, keepdims=True))
+    normal: Array = np.stack([edge[:, 1], -edge[:, 0]], axis=1)
+    return np.asarray(normal / np.sqrt((edge * edge).sum(axis=1, keepdims=True)))
 
 
 def coins(rng: np.random.Generator, n: int, spread: float) -> Coins:
@@ -66,16 +68,6 @@ def mixed(rng: np.random.Generator, n: int, spread: float) -> Rings:
         rings[mine, :v] = ngons(rng, len(mine), v, 0.0) * rng.uniform(0.4, 1.6, (len(mine), 1, 1))
         rings[mine, v:] = rings[mine, v - 1 : v]
     return rings + _around(rng, n, spread)
-
-
-def at_corners(rng: np.random.Generator, n: int) -> tuple[Coins, Rings]:
-    """Circles off a triangle's corner, in the cone where that corner is nearest, from 0.7 to 1.3 radii away."""
-    rings, r = ngons(rng, n, 3, 0.9), rng.uniform(0.3, 1, n)
-    before, corner, after = rings[:, 2], rings[:, 0], rings[:, 1]
-    share = rng.uniform(0, 1, (n, 1))
-    way = share * outward(before, corner) + (1 - share) * outward(corner, after)
-    way /= np.sqrt((way * way).sum(axis=1, keepdims=True))
-    return (corner + way * (r * rng.uniform(0.7, 1.3, n))[:, None], r), rings
 
 
 def regular(rng: np.random.Generator, n: int, v: int) -> Rings:
@@ -105,21 +97,13 @@ def touching(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rings]:
 def tiles(n: int) -> Rings:
     """A map of n by n upright boxes, each of which touches its eight neighbours."""
     at = np.stack(np.meshgrid(np.arange(n), np.arange(n)), axis=-1).reshape(-1, 1, 2) * 0.25
-    return at + np.array([[0, 0], [0.25, 0], [0.25, 0.25], [0, 0.25]])
+    return np.asarray(at + np.array([[0, 0], [0.25, 0], [0.25, 0.25], [0, 0.25]]))
 
 
 def scattered(rng: np.random.Generator, n: int) -> Rings:
     """Mixed polygons spread evenly, about 1.5 collisions each; padded to 8 corners."""
     rings = mixed(rng, n, 0.0)
     return rings + rng.uniform(0, np.sqrt(n) * 1.5, (n, 1, 2))
-
-
-def needles(rng: np.random.Generator, n: int, spread: float) -> Rings:
-    """Triangles of length 2 and a width of 2**-3 to 2**-20, turned at random."""
-    width = np.ldexp(rng.uniform(1, 2, n), -rng.integers(4, 21, n))
-    zero, one = np.zeros(n), np.ones(n)
-    x, y = np.stack([-one, one, one], axis=1), np.stack([zero, -width, width], axis=1)
-    return _around(rng, n, spread) + turned(np.stack([x, y], axis=2), directions(rng, n))
 
 
 def nearly_touching(rng: np.random.Generator, n: int) -> tuple[Rings, Rings]:
@@ -141,12 +125,24 @@ def nearly_touching(rng: np.random.Generator, n: int) -> tuple[Rings, Rings]:
     return a, b
 
 
-def _turn(ring: NDArray) -> float:
+def _turn(ring: Array) -> float:
     (px, py), (qx, qy), (rx, ry) = ring
-    return (qx - px) * (ry - py) - (qy - py) * (rx - px)
+    return float((qx - px) * (ry - py) - (qy - py) * (rx - px))
 
 
-def _around(rng: np.random.Generator, n: int, spread: float) -> NDArray:
+def padded(rings: Rings) -> bool:
+    """Is some ring's last corner repeated?"""
+    return bool((rings[:, -1] == rings[:, -2]).all(axis=1).any())
+
+
+def outlines(rings: Rings) -> list[Rings]:
+    """Each ring without the last corner's repeats."""
+    same = (rings[:, 1:] == rings[:, :-1]).all(axis=2)
+    repeats = np.logical_and.accumulate(same[:, ::-1], axis=1).sum(axis=1)
+    return [ring[: len(ring) - k] for ring, k in zip(rings, repeats.tolist())]
+
+
+def _around(rng: np.random.Generator, n: int, spread: float) -> Array:
     return rng.uniform(-spread, spread, (n, 1, 2))
 
 
@@ -162,48 +158,39 @@ WORKLOADS: dict[str, Make] = {
 # pairs of V-gons by how they lie, and the relation of all of them
 CORNERS = {"apart": (apart, 0), "overlapping": (overlapping, 2), "touching": (touching, 1)}
 
-# what the study charts speed against accuracy on
-STUDIED: dict[str, Make] = {
-    "mixed polygons": lambda rng, n: (mixed(rng, n, 1.0), mixed(rng, n, 1.0)),
-    "circles at corners": at_corners,
-    "boxes": WORKLOADS["boxes"],
-    "needles": lambda rng, n: (needles(rng, n, 0.55), needles(rng, n, 0.55)),
-    "nearly touching": nearly_touching,
-}
 
-
-def _boxed(at: NDArray, size: NDArray) -> NDArray:
+def _boxed(at: Array, size: Array) -> Array:
     return np.concatenate([at, at + size], axis=1)
 
 
-def _spread_out(rng: np.random.Generator, n: int) -> tuple[NDArray, NDArray]:
+def _spread_out(rng: np.random.Generator, n: int) -> tuple[Array, Array]:
     return rng.uniform(0, np.sqrt(n) * 1.5, (n, 2)), rng.uniform(0.3, 1, (n, 2))
 
 
-def _even(rng: np.random.Generator, n: int) -> NDArray:
+def _even(rng: np.random.Generator, n: int) -> Array:
     return _boxed(*_spread_out(rng, n))
 
 
-def _thousandfold(rng: np.random.Generator, n: int) -> NDArray:
+def _thousandfold(rng: np.random.Generator, n: int) -> Array:
     at, size = _spread_out(rng, n)
     return _boxed(at * 6, size * 10 ** rng.uniform(-1.5, 1.5, (n, 1)))
 
 
-def _one_cell(rng: np.random.Generator, n: int) -> NDArray:
+def _one_cell(rng: np.random.Generator, n: int) -> Array:
     at, size = _spread_out(rng, n)
     at, size = at * 1e-6, size * 1e-6
     at[0], size[0] = 0, 1  # one box as large as everything, beside tiny ones
     return _boxed(at, size)
 
 
-def _far_out(rng: np.random.Generator, n: int) -> NDArray:
+def _far_out(rng: np.random.Generator, n: int) -> Array:
     at, size = _spread_out(rng, n)
     at[0], size[0] = 1e300, 1e285
     return _boxed(at, size)
 
 
 # (N, 4) boxes whose pairs grow like N
-LAYOUTS: dict[str, Callable[[np.random.Generator, int], NDArray]] = {
+LAYOUTS: dict[str, Callable[[np.random.Generator, int], Array]] = {
     "even": _even,
     "sizes thousandfold": _thousandfold,
     "all in one cell": _one_cell,

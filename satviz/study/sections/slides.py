@@ -8,20 +8,17 @@ the exact depth; a distance can be another than the exact one.
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
-from itertools import pairwise
 from math import ceil, frexp
 from typing import Any, NamedTuple
 
-from ..engine.concave import parts
-from ..engine.geometry import Relation, Vec
-from ..engine.shapes import Polygon, Shape
-from ..engine.trace import Trace, record
-from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, ROWS, Row, where
-from ..scenes.failing.reading import moved
-from ..scenes.shortcuts import middle
-from . import swept, threed, truth
-from .cells import Cell, Settings
-from .chart import Chart
+from ...engine.concave import parts
+from ...engine.geometry import Relation, Vec
+from ...engine.shapes import Circle, Polygon, Shape
+from ...engine.trace import Trace, record
+from ...scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, ROWS, Row
+from ...scenes.failing.reading import moved
+from ...scenes.shortcuts import middle
+from .. import truth
 
 APART, HIT, FALSE, MISSED, SHORT, LONG, FAR = ".oHMSLD"
 WRONG = {
@@ -40,16 +37,13 @@ METHODS = tuple(row.name for row in ROWS if row.name in {*VERDICTS, *PUSHES, *DI
 # wrong at exact contact only: B goes round A and touches it all the way
 ALONG_CONTACT = "unit-normals", "touch-as-apart"
 ON_PAPER = "touch-on-paper"
-LINES = 13  # across a map, to begin with
-FINE = 1 / 512  # of a map's width: no eye sees a boundary that much off
 A_LITTLE = 1 + 2.0**-20  # a push this much longer leaves a rounding's worth of overlap
 
 
 class Slide(NamedTuple):
     """Where B was put: its reference point at (x + i dx, y + j dy), line by line from below, or along a contact.
 
-    `codes`: one letter a position; `path`: the positions along a contact, then `codes` is one line;
-    `areas`: (letter, convex outline) of all that has boundaries, which are exact.
+    `codes`: one letter a position; `path`: the positions along a contact, then `codes` is one line.
     """
 
     name: str
@@ -59,7 +53,6 @@ class Slide(NamedTuple):
     dy: float
     codes: list[str]
     path: list[list[float]]
-    areas: list[list[Any]]
 
     @property
     def counts(self) -> Counter[str]:
@@ -84,114 +77,19 @@ class Slide(NamedTuple):
             yield from ((self.x + i * self.dx, self.y + j * self.dy, code) for i, code in enumerate(line))
 
 
-def cells(settings: Settings) -> list[Cell]:
-    """A cell for each method, and those of the boxes in space and of the moving pair."""
-    n = 25 if settings.quick else 61
-    maps = [Cell(f"failures-{name}", slide, (name, n if name != ON_PAPER else 25)) for name in METHODS]
-    return [*maps, *threed.cells(settings), *swept.cells(settings)]
-
-
-def charts(results: dict[str, Any]) -> list[Chart]:
-    """All maps side by side, each with its scene, and the charts of boxes in space and of the moving pair."""
-    from .failure_charts import map_chart, overview
-
-    slides = [Slide(**results[f"failures-{name}"]) for name in METHODS]
-    return [overview(slides), *map(map_chart, slides), *threed.charts(results), *swept.charts(results)]
-
-
 def slide(name: str, n: int) -> dict[str, Any]:
     """The Slide of a method over n x n positions, as JSON values."""
     row = NAMED[name]
-    judge = _judge(row)
-    at = middle(row.b)
+    judge, (a, b) = _judge(row), both(row)
+    at = middle(b)
     if name in ALONG_CONTACT:
-        moves = list(contacts(row.a, row.b, n))
-        codes = ["".join(judge(row.a, moved(row.b, move)) for move in moves)]
-        return Slide(name, *at, 0.0, 0.0, codes, [[at.x + m.x, at.y + m.y] for m in moves], [])._asdict()
+        moves = list(contacts(*_convex(a, b), n))
+        codes = ["".join(judge(a, moved(b, move)) for move in moves)]
+        return Slide(name, *at, 0.0, 0.0, codes, [[at.x + m.x, at.y + m.y] for m in moves])._asdict()
     lines = _lattice(row, n)
     (i0, dx), (j0, dy) = lines
-    codes = ["".join(judge(row.a, moved(row.b, Vec((i0 + i) * dx, (j0 + j) * dy))) for i in range(n)) for j in range(n)]
-    areas = [] if name == ON_PAPER else _areas(row, judge, at, [(i0 * dx, dx), (j0 * dy, dy)], n)
-    return Slide(name, at.x + i0 * dx, at.y + j0 * dy, dx, dy, codes, [], areas)._asdict()
-
-
-def _areas(
-    row: Row, judge: Callable[[Shape, Shape], str], at: Vec, starts: Sequence[tuple[float, float]], n: int
-) -> list[list[Any]]:
-    """Every area with its letter: of a verdict by the difference of the shapes, else line by line."""
-    (x0, dx), (y0, dy) = starts
-    window = x0 - dx / 2, y0 - dy / 2, x0 + (n - 0.5) * dx, y0 + (n - 0.5) * dy
-    found = where.lies(row.a, row.b, row.shortcut, window) if row.name in VERDICTS else None
-    if found:
-        rings = [(letter, ring) for letter, group in zip((FALSE, MISSED), found[:2]) for ring in group]
-        rings += [(HIT, piece) for hit in found.hits for piece in where.without(hit, found.missed_hits)]
-    else:
-        rings = traced(lambda x, y: judge(row.a, moved(row.b, Vec(x, y))), window, n)
-    return [[letter, [[at.x + x, at.y + y] for x, y in ring]] for letter, ring in rings]
-
-
-def traced(
-    letter: Callable[[float, float], str], window: tuple[float, float, float, float], n: int
-) -> list[tuple[str, list[tuple[float, float]]]]:
-    """The areas of each letter but that of what is right and apart, as trapezoids between lines across the window.
-
-    A line is looked at in n places, and where the letters change is halved down to.  Where two lines have the same
-    letters in the same order these places are joined, if the boundaries run straight; else a line is put between.
-    """
-    x0, y0, x1, y1 = window
-    steps, levels = ([lo + (hi - lo) * i / k for i in range(k + 1)] for lo, hi, k in ((x0, x1, n), (y0, y1, LINES)))
-    bend, least = (y1 - y0) / LINES / 8, (y1 - y0) * FINE
-
-    def line(y: float, near: Sequence[tuple[str, float]] = ()) -> list[tuple[str, float]]:
-        """The letters from left to right, each with where it ends; looked at also in the middles of the lines near."""
-        ends = [x0, *(x for _, x in near)]
-        places = sorted({*steps, *((p + q) / 2 for p, q in pairwise(ends) if p < q)})
-        letters = [letter(x, y) for x in places]
-        found = []
-        for (x, here), (z, there) in pairwise(zip(places, letters, strict=True)):
-            while here != there:  # there may be narrow ones between the two
-                lo, hi, beyond = x, z, there
-                while hi - lo > (x1 - x0) * FINE:
-                    middle = (lo + hi) / 2
-                    code = letter(middle, y)
-                    lo, hi, beyond = (middle, hi, beyond) if code == here else (lo, middle, code)
-                found.append((here, hi))
-                here, x = beyond, hi
-        return [*found, (letters[-1], x1)]
-
-    def straight(below: list[tuple[str, float]], y: float, above: list[tuple[str, float]]) -> bool:
-        """Do all boundaries run straight on, as half way up, at y, is seen a little to either side of each?"""
-        off = 2 * (x1 - x0) * FINE
-        places = [x0, *((p + q) / 2 for (_, p), (_, q) in zip(below, above, strict=True))]
-        for (here, _), (there, _), (p, x, q) in zip(
-            below, below[1:], zip(places, places[1:], places[2:]), strict=False
-        ):
-            wide = min(x - p, q - x) > 2 * off
-            if wide and (letter(x - off, y) != here or letter(x + off, y) != there):
-                return False
-        return True
-
-    found = []
-
-    def between(low: float, below: list[tuple[str, float]], high: float, above: list[tuple[str, float]]) -> None:
-        middle = (low + high) / 2
-        same = [code for code, _ in below] == [code for code, _ in above]
-        if (high - low > bend and not straight(below, middle, above)) if same else high - low > least:
-            on = line(middle, [*below, (APART, x0), *above])
-            between(low, below, middle, on)
-            between(middle, on, high, above)
-            return
-        start = end = x0
-        for k, (code, x) in enumerate(below):
-            z = above[k][1] if len(above) == len(below) else x
-            if code != APART:
-                found.append((code, [(start, low), (x, low), (z, high), (end, high)]))
-            start, end = x, z
-
-    lines = [line(y) for y in levels]
-    for (low, below), (high, above) in pairwise(zip(levels, lines, strict=True)):
-        between(low, below, high, above)
-    return found
+    codes = ["".join(judge(a, moved(b, Vec((i0 + i) * dx, (j0 + j) * dy))) for i in range(n)) for j in range(n)]
+    return Slide(name, at.x + i0 * dx, at.y + j0 * dy, dx, dy, codes, [])._asdict()
 
 
 def relation(a: Shape, b: Shape) -> Relation:
@@ -216,15 +114,26 @@ def _of_push(run: Trace, row: Row) -> str:
     x, y = run.push or Vec(0.0, 0.0)
     if relation(run.a, moved(run.b, Vec(x * A_LITTLE, y * A_LITTLE))) is Relation.OVERLAPPING:
         return SHORT
-    return LONG if x * x + y * y > depth2(run.a, run.b) * A_LITTLE else HIT
+    return LONG if x * x + y * y > depth2(*_convex(run.a, run.b)) * A_LITTLE else HIT
 
 
 def _of_distance(run: Trace, row: Row) -> str:
-    right = truth.distance2(run.a, run.b)
+    right = truth.distance2(*_convex(run.a, run.b))
     if not right:
         return HIT
     gap = row.read(run)
     return APART if gap > 0 and right / A_LITTLE < gap * gap < right * A_LITTLE else FAR
+
+
+def both(row: Row) -> tuple[Shape, Shape]:
+    """The shapes of a row that satviz does not refuse."""
+    assert isinstance(row.a, Polygon | Circle) and isinstance(row.b, Polygon | Circle)
+    return row.a, row.b
+
+
+def _convex(a: Shape, b: Shape) -> tuple[Polygon, Polygon]:
+    assert isinstance(a, Polygon) and isinstance(b, Polygon)
+    return a, b
 
 
 def depth2(a: Polygon, b: Polygon) -> Fraction:
@@ -242,7 +151,7 @@ def difference(a: Polygon, b: Polygon) -> list[tuple[Fraction, Fraction]]:
     every = {(Fraction(p.x) - Fraction(q.x), Fraction(p.y) - Fraction(q.y)) for p in a.vertices for q in b.vertices}
 
     def chain(points: Sequence[tuple[Fraction, Fraction]]) -> list[tuple[Fraction, Fraction]]:
-        kept: list = []
+        kept: list[tuple[Fraction, Fraction]] = []
         for p in points:
             while len(kept) > 1 and truth.turn(kept[-2], kept[-1], p) <= 0:
                 kept.pop()
@@ -268,7 +177,7 @@ def _lattice(row: Row, n: int) -> tuple[tuple[int, float], tuple[int, float]]:
     """First number and step in x and in y: round A with room for B, the scene's own position among them."""
     if row.name == ON_PAPER:
         return (-6 - n // 2, 0.05), (-(n // 2), 0.05)  # steps as a person would write them, round A's own place
-    (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = row.a.bounds, row.b.bounds
+    (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = (shape.bounds for shape in both(row))
     off = [(bx0 + bx1 - ax0 - ax1) / 2, (by0 + by1 - ay0 - ay1) / 2]
     half = [
         max((a1 - a0 + b1 - b0) / 2 * 1.2, abs(d) * 1.15)

@@ -18,11 +18,11 @@ from zlib import crc32
 
 import numpy as np
 
-from ..batch.chunks import ChunkFailed, in_chunks
-from ..disk import MADE_BY, write
+from ...batch.chunks import ChunkFailed, in_chunks
+from ...disk import MADE_BY, write
 from .machine import machine
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 
 
 class Settings(NamedTuple):
@@ -41,7 +41,7 @@ class Cell(NamedTuple):
 
     name: str
     work: Callable[..., Any]
-    arguments: tuple
+    arguments: tuple[Any, ...]
     timed: bool = False
 
     @property
@@ -82,7 +82,7 @@ def results(
     for timed, pool in (False, executor), (True, None):
         mine = [cell for cell in todo if cell.timed is timed]
 
-        def job(start: int, stop: int, mine: list[Cell] = mine) -> tuple[Callable, tuple]:
+        def job(start: int, stop: int, mine: list[Cell] = mine) -> tuple[Callable[..., Any], tuple[Any, ...]]:
             return _attempt, (mine[start].work, mine[start].arguments)
 
         left = deque(mine)
@@ -97,7 +97,7 @@ def results(
                 yield cell, _failure(error.__cause__ or error)
 
 
-def _attempt(work: Callable[..., Any], arguments: tuple) -> Any:
+def _attempt(work: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
     """The result as it comes back from disk, so that a resumed study ends as one that was not interrupted."""
     try:
         return json.loads(json.dumps(work(*arguments), allow_nan=False))

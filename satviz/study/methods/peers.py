@@ -1,0 +1,76 @@
+"""Other libraries as methods: shapely, which is GEOS, and pymunk, which is Chipmunk; both compiled C."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..pairs.workloads import Side, outlines, padded
+
+
+def pair_by_pair(ask: Callable[[Any, Any], Any]) -> Callable[[list[Any], list[Any]], list[Any]]:
+    """A question about one pair as one about many."""
+    return lambda a, b: [ask(p, q) for p, q in zip(a, b, strict=True)]
+
+
+def geometries(side: Side) -> Any:
+    """shapely's arrays by its own array constructor; circles as (points, radii), for shapely has no true circle."""
+    import shapely
+
+    if isinstance(side, tuple):
+        return shapely.points(side[0]), side[1]
+    if not padded(side):
+        return shapely.polygons(side)
+    rings = outlines(side)
+    owner = np.repeat(np.arange(len(rings)), [len(ring) for ring in rings])
+    return shapely.polygons(shapely.linearrings(np.concatenate(rings), indices=owner))
+
+
+def prepared(side: Side) -> Any:
+    """The same with their edges in a tree."""
+    import shapely
+
+    found = geometries(side)
+    shapely.prepare(found)
+    return found
+
+
+def meet(a: Any, b: Any) -> NDArray[np.bool_]:
+    """Do they share a point?"""
+    import shapely
+
+    return np.asarray(shapely.dwithin(a[0], b, a[1]) if isinstance(a, tuple) else shapely.intersects(a, b))
+
+
+def listed(side: Side) -> list[Any]:
+    """One geometry at a time."""
+    found = geometries(side)
+    return list(zip(found[0], found[1].tolist())) if isinstance(found, tuple) else list(found)
+
+
+def meets(a: Any, b: Any) -> bool:
+    """`meet` of one pair."""
+    return bool(a[0].dwithin(b, a[1]) if isinstance(a, tuple) else a.intersects(b))
+
+
+def bodies(side: Side) -> list[Any]:
+    """pymunk's shapes on one static body."""
+    import pymunk
+
+    body = pymunk.Body(body_type=pymunk.Body.STATIC)
+    if isinstance(side, tuple):
+        found: list[Any] = [pymunk.Circle(body, r, tuple(c)) for c, r in zip(side[0].tolist(), side[1].tolist())]
+    else:
+        found = [pymunk.Poly(body, [tuple(v) for v in ring.tolist()]) for ring in outlines(side)]
+    for shape in found:
+        shape.cache_bb()
+    return found
+
+
+def collide(a: Any, b: Any) -> bool:
+    """Does pymunk find points of contact?"""
+    try:
+        return bool(a.shapes_collide(b).points)
+    except AssertionError:  # what pymunk 7 raises for two shapes without a contact
+        return False

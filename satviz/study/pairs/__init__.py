@@ -1,0 +1,1 @@
+"""Seeded pairs of shapes: ordinary ones to time, and ones as hard as asked."""

@@ -1,0 +1,166 @@
+"""A failure map: A drawn, and the positions of B coloured and hatched where the shortcut is wrong."""
+
+from collections.abc import Sequence
+from typing import Any, cast
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+
+from ...engine.shapes import Circle, Shape
+from ...pictures import Mark, Picture, Theme
+from ...render.pen import Pen
+from ...scenes.failing import NAMED, Row
+from ...scenes.shortcuts import middle
+from ..lab.cells import Cell, Settings
+from ..lab.chart import TEXT, Chart, headline
+from .slides import APART, FALSE, FAR, HIT, LONG, METHODS, MISSED, ON_PAPER, SHORT, WRONG, Slide, both, slide
+
+# what is wrong has one colour, and a hatch for each way; what is right stays quiet
+LOOKS = {
+    HIT: ("guide", 0.16, ""),
+    FALSE: ("wrong", 0.5, "////"),
+    MISSED: ("wrong", 0.5, "\\\\\\\\"),
+    SHORT: ("wrong", 0.5, "----"),
+    LONG: ("wrong", 0.5, "xxx"),
+    FAR: ("wrong", 0.5, "..."),
+}
+
+
+COLUMNS, PANEL, TOP = 6, (150.0, 180.0), 60.0  # points
+
+
+def cells(settings: Settings) -> list[Cell]:
+    """A cell for each shortcut."""
+    n = 17 if settings.quick else 61
+    return [Cell(f"map-{name}", slide, (name, n if name != ON_PAPER else 25)) for name in METHODS]
+
+
+def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
+    """All maps in one chart; `satviz draw NAME` and `sv.explore(NAME)` show each large."""
+    return [overview([Slide(**found[f"map-{name}"]) for name in METHODS])]
+
+
+def overview(slides: Sequence[Slide]) -> Chart:
+    """All maps in small."""
+    lines = -(-len(slides) // COLUMNS)
+    size = COLUMNS * PANEL[0] + 24, lines * PANEL[1] + TOP + 8
+    mostly = sum(s.counts[FALSE] > s.counts[MISSED] for s in slides)
+    verdicts = [s for s in slides if s.counts[FALSE] or s.counts[MISSED]]
+    title = f"{mostly} of {len(verdicts)} shortcuts to a verdict err more often to a hit than to a miss"
+
+    def draw_it(fig: Figure, theme: Theme) -> None:
+        under = "B's middle put everywhere round A. Grey: a hit, and right. Plain: apart, and right. Hatched: wrong."
+        headline(fig, theme, title, under)
+        for k, mine in enumerate(slides):
+            middle, top = 12 + (k % COLUMNS + 0.5) * PANEL[0], size[1] - TOP - k // COLUMNS * PANEL[1]
+            row = NAMED[mine.name]
+            x0, y0, x1, y1 = limits(mine, row)
+            scale = min((PANEL[0] - 24) / (x1 - x0), (PANEL[1] - 66) / (y1 - y0))
+            w, h = (x1 - x0) * scale, (y1 - y0) * scale
+            box = middle - w / 2, top - 20 - (PANEL[1] - 66 + h) / 2, w, h
+            ax = fig.add_axes((box[0] / size[0], box[1] / size[1], w / size[0], h / size[1]))
+            ax.set(xlim=(x0, x1), ylim=(y0, y1))
+            draw_map(ax, mine, row, theme)
+            at: dict[str, Any] = {
+                "ha": "center",
+                "va": "top",
+                "fontsize": TEXT,
+                "parse_math": False,
+                "color": theme.roles["ink"],
+            }
+            fig.text(middle / size[0], top / size[1], f"{row.number} {row.name}", fontweight="bold", **at)
+            below = (top - PANEL[1] + 42) / size[1]
+            fig.text(middle / size[0], below, mine.told.replace(", ", ",\n"), linespacing=1.2, **at)
+
+    text = f"{len(slides)} shortcuts, B on up to {max(s.counts.total() for s in slides):,} positions round A each. "
+    text += " ".join(f"{s.name}: wrong at {s.wrong / s.counts.total():.1%} ({s.told})." for s in slides)
+    return Chart("failing-maps", title, size, draw_it, [_summary(s) for s in slides], text)
+
+
+def _summary(slide: Slide) -> dict[str, Any]:
+    found = slide.counts
+    names = {code: one for code, (one, _) in WRONG.items()}
+    start = {"number": NAMED[slide.name].number, "name": slide.name, "positions": found.total()}
+    return start | {"apart": found[APART], "hit": found[HIT]} | {names[code]: found[code] for code in names}
+
+
+def limits(slide: Slide, row: Row) -> tuple[float, float, float, float]:
+    """What a map shows: the positions, A, and B where the scene has it."""
+    spots = [(x, y) for x, y, _ in slide.positions()]
+    (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = (shape.bounds for shape in both(row))
+    xs, ys = [ax0, ax1, bx0, bx1, *(x for x, _ in spots)], [ay0, ay1, by0, by1, *(y for _, y in spots)]
+    rim_x, rim_y = max(slide.dx, (max(xs) - min(xs)) * 0.03), max(slide.dy, (max(ys) - min(ys)) * 0.03)
+    return min(xs) - rim_x, min(ys) - rim_y, max(xs) + rim_x, max(ys) + rim_y
+
+
+def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme) -> None:
+    """The coloured positions, A, and B where the scene has it with its reference point."""
+    x0, y0, x1, y1 = view = limits(slide, row)
+    box, (wide, high) = ax.get_position(), cast(Figure, ax.figure).get_size_inches() * 72
+    scale = min(box.width * wide / (x1 - x0), box.height * high / (y1 - y0))
+    a, b = both(row)
+    at = middle(b)
+    marks = [
+        _outline("A", a),
+        _outline("B", b, weight="faint"),
+        Mark("reference", "dot", "B", (at,)),
+    ]
+    Pen(ax, theme).draw(Picture(tuple(marks), view, ((x1 - x0) * scale, (y1 - y0) * scale), "", ""))
+    frame = None if slide.path else _boxes(_box(slide, 0, len(slide.codes[0]), 0, len(slide.codes)))
+    if frame:
+        ax.add_patch(PathPatch(frame, facecolor="none", edgecolor=theme.roles["guide"], linewidth=0.7, zorder=0.7))
+    for code, (role, alpha, hatch) in LOOKS.items():
+        path = _along(slide, code, (2.0 if code == HIT else 4.0) / scale) if slide.path else _cells(slide, code)
+        if path is not None:
+            colour = theme.roles[role]
+            look = {"facecolor": colour, "alpha": alpha, "linewidth": 0, "antialiased": False, "zorder": 0.5}
+            ax.add_patch(PathPatch(path, **look))
+            if hatch:
+                ax.add_patch(PathPatch(path, facecolor="none", edgecolor=colour, hatch=hatch, linewidth=0, zorder=0.6))
+
+
+def _outline(name: str, shape: Shape, *, weight: str = "plain") -> Mark:
+    if isinstance(shape, Circle):
+        return Mark("outline", "disc", name, (shape.center,), owner=name, radius=shape.radius, weight=weight)
+    return Mark("outline", "outline", name, shape.vertices, owner=name, weight=weight)
+
+
+def _cells(slide: Slide, code: str) -> Path | None:
+    """One outline for all positions with that letter: a rectangle a run, so that nothing shows between cells."""
+    points: list[tuple[float, float]] = []
+    for j, line in enumerate(slide.codes):
+        start = None
+        for i, letter in enumerate([*line, ""]):
+            if letter == code and start is None:
+                start = i
+            elif letter != code and start is not None:
+                points += _box(slide, start, i, j, j + 1)
+                start = None
+    return _boxes(points)
+
+
+def _box(slide: Slide, i0: int, i1: int, j0: int, j1: int) -> list[tuple[float, float]]:
+    """The corners of a run of cells."""
+    (x0, x1), (y0, y1) = (
+        (slide.x + (i - 0.5) * slide.dx for i in (i0, i1)),
+        (slide.y + (j - 0.5) * slide.dy for j in (j0, j1)),
+    )
+    return [(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)]
+
+
+def _along(slide: Slide, code: str, half: float) -> Path | None:
+    """A small square on each spot along a contact."""
+    points: list[tuple[float, float]] = []
+    for x, y, letter in slide.positions():
+        if letter == code:
+            points += [(x + sx * half, y + sy * half) for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))]
+    return _boxes(points)
+
+
+def _boxes(points: Sequence[tuple[float, float]]) -> Path | None:
+    if not points:
+        return None
+    codes = [Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY]
+    return Path(points, codes * (len(points) // 5))

@@ -1,0 +1,297 @@
+"""Each section of the study: its finding is what its rows say, its counts are seeded, nothing is drawn over."""
+
+import json
+import pickle
+from itertools import combinations
+
+import numpy as np
+import pytest
+from matplotlib.text import Text
+
+from satviz import Circle, Polygon, batch, relate
+from satviz.advice.gamma import gamma, gammas
+from satviz.engine.axes import needed
+from satviz.pictures import THEMES
+from satviz.study import run, truth
+from satviz.study.lab.cells import Settings
+from satviz.study.lab.chart import TEXT
+from satviz.study.lab.times import rough
+from satviz.study.methods import COMPILED, PYTHON, asked, kernels, methods, mistakes, plain, shapes, truths, wrong
+from satviz.study.pairs.hard import EXTREME, KINDS, hard, octave, on_a_grid, touching
+from satviz.study.pairs.workloads import WORKLOADS, apart, outlines, overlapping
+from satviz.study.sections import changes, corners, maps, order, price, resolution, resting, reuse
+
+pytestmark = pytest.mark.slow
+
+QUICK = Settings(quick=True, seed=7)
+EVERY = (*KINDS, EXTREME)
+each_kind = pytest.mark.parametrize("kind", range(len(EVERY)), ids=[kind.name for kind in EVERY])
+SIZES = {"compiled": 300, "NumPy": 100, "Python": 20}
+
+
+@pytest.fixture(scope="module")
+def found():
+    """Every cell of every section but the maps, on few pairs."""
+    made = {f"hard-{kind.name.replace(' ', '-')}": resolution.count_hard(i, 5, QUICK) for i, kind in enumerate(EVERY)}
+    made |= {f"count-{work}": resolution.count(work, 120, QUICK) for work in ("touching", "ordinary")}
+    made["resolution-times"] = resolution.take_times(SIZES, 2, QUICK)
+    made["price-times"] = price.take_times(300, 2, QUICK)
+    made["reuse-times"] = reuse.take_times(200, 2, QUICK)
+    made["corners-times"] = corners.take_times(300, 2, QUICK)
+    made["changes"] = changes.changed(150, QUICK)
+    made["resting"] = resting.followed(300, QUICK)
+    made["order"] = order.followed(3, 30, QUICK)
+    made |= {cell.name: maps.slide(cell.arguments[0], 9) for cell in maps.cells(QUICK)}
+    return json.loads(json.dumps(made, allow_nan=False))
+
+
+@pytest.fixture(scope="module")
+def charts(found):
+    return {chart.stem: chart for chart in run.charts(found, run.SECTIONS, QUICK)}
+
+
+def hard_rows(found):
+    return [row for name, rows in found.items() if name.startswith("hard-") for row in rows]
+
+
+# -- gamma, and the pairs made by it
+
+
+def test_gamma_has_no_unit():
+    rng = np.random.default_rng(4)
+    for kind in KINDS:
+        a, b, found = hard(kind, rng, 1)
+        small, large = (gammas(batch.Polygons(a * 2.0**k), batch.Polygons(b * 2.0**k)) for k in (-90, 70))
+        assert np.array_equal(small, found) and np.array_equal(large, found)
+
+
+@each_kind
+def test_hard_pairs_are_valid_and_as_hard_as_asked(kind):
+    a, b, found = hard(EVERY[kind], np.random.default_rng(3), 9)
+    assert len(a) > 100 and set(octave(found)) >= set(range(2, 34))
+    relations = truths(a, b)
+    assert 0.3 < (relations > 0).mean() < 0.7
+    for p, q, g in list(zip(shapes(a), shapes(b), found, strict=True))[::20]:
+        assert p.is_convex and q.is_convex and truth.relation(p, q) == relate(p, q)
+        assert gamma(p, q) == pytest.approx(g, rel=0.03)
+
+
+def test_touching_pairs_touch_and_take_more_than_whole_numbers():
+    a, b = touching(np.random.default_rng(3), 60)
+    assert set(truths(a, b)) == {1}
+    assert any(wrong(said, truths(a, b)).any() for m, said in asked(methods(), a, b) if m.name == "SAT, raw normals")
+
+
+# -- who is wrong, and up to where
+
+
+def test_the_exact_methods_are_never_wrong_where_floats_reach(found):
+    for row in hard_rows(found):
+        if row["family"] == "exact" and (row["kind"] != EXTREME.name or row["method"].startswith("satviz")):
+            assert row["wrong"] == 0, row
+    assert not any(
+        row["wrong"] for row in found["count-touching"] if "satviz" in row["method"] and "no" not in row["method"]
+    )
+
+
+def test_float_sat_is_wrong_only_below_gamma_4_whatever_made_it_hard(found):
+    for row in hard_rows(found):
+        if row["family"] in ("float SAT", "GJK") and "float32" not in row["method"] and row["kind"] != EXTREME.name:
+            assert row["gamma"] < 4, row
+
+
+def test_float32_is_two_to_the_29_coarser_and_a_tolerance_as_coarse_as_its_size(found):
+    worst = {}
+    for row in hard_rows(found):
+        if row["kind"] != EXTREME.name and row["language"] == COMPILED:
+            worst[row["method"]] = max(worst.get(row["method"], 0.0), row["gamma"])
+    assert 2**27 < worst["SAT, float32"] < 2**31
+    assert 2**20 < worst["SAT, 1e-9 counts as a hit"] < 2**24
+    assert worst["AABB"] > resolution.ANY < worst["16 axes"]
+
+
+def test_a_bound_errs_only_to_a_hit(found):
+    for row in found["count-ordinary"]:
+        if row["method"] in ("AABB", "16 axes", "bounding circles", "oriented boxes"):
+            assert row["false_hits"] > 0 == row["false_misses"], row
+
+
+def test_a_touch_taken_for_an_overlap_is_a_mistake_of_who_tells_them_apart():
+    right = np.array([0, 1, 2, 1])
+    assert mistakes(np.array([0, 2, 1, 1]), right) == {"false_hits": 0, "false_misses": 0, "confused": 2}
+    assert mistakes(np.array([1, 2, 1, 0]), right) == {"false_hits": 1, "false_misses": 1, "confused": 2}
+    assert mistakes(right > 0, right) == {"false_hits": 0, "false_misses": 0, "confused": 0}
+
+
+@pytest.mark.parametrize("work", ["triangles", "boxes", "8-gons"])
+def test_every_complete_method_is_right_where_nothing_is_near(work):
+    a, b = WORKLOADS[work](np.random.default_rng(2), 200)
+    right = truths(a, b)
+    for method, said in asked(methods(), a, b):
+        if method.family not in ("bounds",):
+            assert np.array_equal(said > 0, right > 0), method
+
+
+def test_gjk_counts_touching_and_concentric_shapes_as_hits():
+    square = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+    beside, corner = Polygon([(1, 0), (2, 0), (2, 1), (1, 1)]), Polygon([(1, 1), (2, 1), (2, 2), (1, 2)])
+    for other in (square, beside, corner, Circle((0.5, 0.5), 0.1), Circle((2, 0.5), 1)):
+        assert plain.gjk(plain.plain(square), plain.plain(other))
+    assert not plain.gjk(plain.plain(square), plain.plain(Circle((2.5, 0.5), 1)))
+
+
+@pytest.mark.parametrize("v", [3, 4, 7, 24, 100])
+def test_every_way_through_many_corners_gives_one_answer(v):
+    rng = np.random.default_rng(v)
+    for make, hit in (apart, False), (overlapping, True):
+        for name, job in corners.ways(*make(rng, 40, v)).items():
+            assert set(job()) == {hit}, name
+
+
+def test_turns_differ_only_in_what_they_grant_for_rounding():
+    a, b, _ = hard(KINDS[3], np.random.default_rng(5), 6)
+    columns = [np.ascontiguousarray(rings[:, :, d].T) for rings in (a, b) for d in (0, 1)]
+    found = {}
+    for granted in (kernels.FLOAT, kernels.ADAPTIVE, kernels.EXACT):
+        out = np.empty(len(a), np.int8)
+        kernels.turns(*columns, granted, out)
+        found[granted] = out > 0
+    right = truths(a, b) > 0
+    assert np.array_equal(found[kernels.ADAPTIVE], right) and np.array_equal(found[kernels.EXACT], right)
+
+
+# -- the other sections
+
+
+def test_changes_change_no_pair_and_no_exact_method(found):
+    a, b = on_a_grid(np.random.default_rng(1), 30, changes.HARDEST)
+    for change in changes.CHANGES.values():
+        assert np.array_equal(truths(*change(a, b)), truths(a, b))
+    moved = {(row["method"], row["change"]): row["changed"] for row in found["changes"]}
+    assert all(not count for (method, _), count in moved.items() if method in ("satviz", "turns, adaptive"))
+    assert moved["SAT, raw normals", "moved"] > 0
+
+
+def test_a_resting_box_is_told_as_it_lies(found):
+    of = {(row["scene"], row["method"], row["kept"]): row for row in found["resting"]}
+    for (scene, method, _), row in of.items():
+        assert row["wrong"] == 0 or method != "satviz"
+        assert scene == resting.ON or row["apart"] == 0
+    assert of[resting.ON, "satviz", False]["apart"] == of[resting.ON, "satviz", False]["apart_in_truth"] > 0
+    assert of[resting.AT, "satviz", False]["flips"] > 0 == of[resting.AT, "satviz", True]["flips"]
+
+
+def test_the_order_of_axes_never_changes_a_verdict(found):
+    assert all(row["right"] == row["frames"] for row in found["order"])
+    tested = {row["order"]: row["tested"] for row in found["order"]}
+    assert tested[order.WARM] < tested[order.SHUFFLED]
+
+
+def test_the_last_axis_comes_first_and_none_is_lost():
+    a, b = next(order.passing(QUICK.rng("order"), 2))
+    axes = needed(a, b).axes
+    for axis in axes:
+        ordered = order.last_first(axes, axis.source)
+        assert ordered[0] == axis and sorted(ordered) == sorted(axes)
+    assert order.last_first(axes, None) == axes
+
+
+def test_counts_are_the_same_on_a_rerun_with_the_same_seed(found):
+    def again(value):
+        return json.loads(json.dumps(value))
+
+    other = QUICK._replace(seed=8)
+    assert again(resolution.count_hard(0, 5, QUICK)) == found["hard-ordinary-shapes"]
+    assert again(resolution.count_hard(0, 5, other)) != found["hard-ordinary-shapes"]
+    assert again(resolution.count("touching", 120, QUICK)) == found["count-touching"]
+    assert again(changes.changed(150, QUICK)) == found["changes"]
+    assert again(resting.followed(300, QUICK)) == found["resting"]
+    assert again(order.followed(3, 30, QUICK)) == found["order"]
+
+
+def test_set_up_and_the_first_question_are_counted(found):
+    for row in found["reuse-times"]:
+        assert row["ns_setup"] > 0 and row["ns_first"] > 0 and row["ns_again"] > 0
+    of = {(row["method"], row["reuse"]): row["ns"] for row in found["reuse-times"]}
+    assert all(of[name, 100] < of[name, 1] for name, _ in of)
+
+
+# -- charts
+
+
+def test_charts_are_few_and_their_numbers_are_in_their_rows(charts):
+    assert len(charts) <= 12 and next(iter(charts)) == "speed-against-accuracy"
+    for chart in charts.values():
+        assert chart.rows and "{" not in chart.reading and chart.reading.endswith(".")
+
+
+def test_readings_tell_the_numbers_of_the_rows(charts):
+    main = charts["speed-against-accuracy"]
+    of = {row["method"]: row for row in main.rows}
+    assert f"SAT, float32: wrong up to gamma {of['SAT, float32']['gamma']:.2g}" in main.reading
+    assert f"{of['satviz']['pairs']:,} pairs" in main.reading
+    cost = {(row["method"], row["share"]): row["ns"] for row in charts["price-of-exactness"].rows}
+    every = resolution.told(cost["satviz", 1.0] - cost["satviz, no filter", 1.0])
+    assert every in charts["price-of-exactness"].title
+
+
+def test_exact_by_construction_and_none_wrong_seen_are_lanes_of_their_own(charts):
+    lane = {row["method"]: row["lane"] for row in charts["speed-against-accuracy"].rows}
+    assert lane["satviz"] == lane["turns, adaptive"] == resolution.PROVED
+    assert lane["AABB"] == lane["bounding circles"] == resolution.LOOSE
+    assert lane["SAT, raw normals"] == "" and lane.get("shapely", resolution.NEVER) == resolution.NEVER
+
+
+def test_a_quick_or_torn_run_is_stamped():
+    calm, torn = {"ns": 10.0, "ns_low": 9.5, "ns_high": 10.5}, {"ns": 10.0, "ns_low": 6.0, "ns_high": 14.0}
+    assert rough([calm] * 4, QUICK) == "rough: a quick run"
+    assert rough([calm] * 3 + [torn], Settings()) == "" and "busy" in rough([calm, torn], Settings())
+
+
+def drawn_texts(fig):
+    """Every label of a figure; ticks beyond the view are not drawn."""
+    yield from fig.texts
+    for ax in fig.axes:
+        yield from (child for child in ax.get_children() if isinstance(child, Text))
+        for axis in (ax.xaxis, ax.yaxis) if ax.axison else ():
+            low, high = sorted(axis.get_view_interval())
+            ticks = zip(axis.get_ticklocs(), axis.get_ticklabels(), strict=True)
+            yield from (axis.label, *(label for at, label in ticks if low <= at <= high))
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
+def test_no_label_of_a_chart_covers_another_or_leaves_it(charts, theme):
+    for chart in charts.values():
+        fig = chart.figure(theme)
+        fig.draw_without_rendering()
+        renderer = fig.canvas.get_renderer()
+        texts = [text for text in drawn_texts(fig) if text.get_text().strip()]
+        assert all(text.get_fontsize() >= TEXT for text in texts)
+        boxes = [Text.get_window_extent(text, renderer) for text in texts]  # without the lines that tie them
+        for text, box in zip(texts, boxes, strict=True):
+            inside = fig.bbox.x0 <= box.x0 and box.x1 <= fig.bbox.x1 and fig.bbox.y0 <= box.y0 and box.y1 <= fig.bbox.y1
+            assert inside, (chart.stem, text.get_text())
+        for (one, p), (other, q) in combinations(zip(texts, boxes, strict=True), 2):
+            over = min(min(p.x1, q.x1) - max(p.x0, q.x0), min(p.y1, q.y1) - max(p.y0, q.y0))
+            assert over <= 1, (chart.stem, one.get_text(), other.get_text())
+
+
+def test_cells_can_be_sent_away_and_have_names_of_their_own():
+    for settings in Settings(), QUICK:
+        cells = [cell for section in run.SECTIONS for cell in section.cells(settings)]
+        assert pickle.loads(pickle.dumps(cells)) == cells
+        assert len({cell.name for cell in cells}) == len(cells)
+        assert {cell.name.endswith("-times") for cell in cells if cell.timed} == {True}
+
+
+def test_padding_is_taken_off_again():
+    rings, _ = WORKLOADS["mixed, 3 to 8 corners"](np.random.default_rng(2), 50)
+    counts = [len(ring) for ring in outlines(rings)]
+    assert set(counts) <= set(range(3, 9)) and len(set(counts)) > 3
+
+
+def test_every_method_says_what_it_is():
+    for circles in (False, True):
+        found = methods(circles=circles)
+        assert len({(m.language, m.name) for m in found}) == len(found) > 5
+    assert {m.language for m in methods()} >= {COMPILED, PYTHON}
