@@ -278,6 +278,7 @@ class Sketch:
         if told:
             kind, _, ids = test.source
             text = "xy"[ids[0]] if kind == WORLD else f"axis {self.number(test)}"
+            text += "\n(not to scale)" if place.slid else ""
             self.label("axis-name", text, "ink", place.at(place.hi), axis=self.on(test), prefer=place.n, first=3)
         if place.lo < 0 < place.hi:
             half = self.layout.units(ZERO_TICK)
@@ -294,26 +295,30 @@ class Sketch:
         shown = self.nearest_ends(side, place) if ends_only else range(len(side.points))
         for i in shown:
             point, spot = side.points[i], place.at(side.landings[i])
-            self.add("drop", "segment", "guide", point, spot, owner=name, axis=axis, number=i, start=(point,))
-            self.add("dropped", "dot", role, point, owner=name, axis=axis, number=i)
-            self.add("landing", "dot", role, spot, owner=name, axis=axis, number=i, start=(point,))
+            x0, y0, x1, y1 = self.layout.limits
+            from_here = x0 <= point.x <= x1 and y0 <= point.y <= y1  # a shortcut may take points of its own
+            if from_here:
+                self.add("drop", "segment", "guide", point, spot, owner=name, axis=axis, number=i, start=(point,))
+                self.add("dropped", "dot", role, point, owner=name, axis=axis, number=i)
+            start = (point,) if from_here else ()
+            self.add("landing", "dot", role, spot, owner=name, axis=axis, number=i, start=start)
         if named:
             told = telling.digits(self.trace, test)
             for end, way in zip(side.interval, (-1, 1), strict=True):
                 text = told.landing(end)
-                ids = [i for i, t in enumerate(side.landings) if told.landing(t) == text]
-                who = self.vertex_names(name, shape, ids)
+                landed = [p for p, t in zip(side.points, side.landings, strict=True) if told.landing(t) == text]
+                who = self.vertex_names(name, shape, landed)
                 prefer = Vec(place.out.x * (1 if role == "B" else -1), place.out.y * (1 if role == "B" else -1))
                 prefer = Vec(prefer.x + place.n.x * way * 0.5, prefer.y + place.n.y * way * 0.5)
                 part = "lowest" if way < 0 else "highest"
                 text = f"{who}: {text}" if who else text
                 self.label(part, text, role, place.at(end), owner=name, axis=axis, prefer=prefer)
 
-    def vertex_names(self, name: str, shape: Shape, ids: Sequence[int]) -> str:
+    def vertex_names(self, name: str, shape: Shape, points: Sequence[Vec]) -> str:
         """Some of a shape's corners, if the owner named its vertices: "v1, v2"."""
         if isinstance(shape, Circle) or not shape.labels:
             return ""
-        return ", ".join(short_name(shape, name, i) for i in sorted(shape.corner_ids[i] for i in ids))
+        return ", ".join(short_name(shape, name, i) for i in sorted(shape.corner_ids) if shape.vertices[i] in points)
 
     def nearest_ends(self, side: Projection, place: AxisPlace) -> list[int]:
         """A lowest and a highest point; of several that land together the one nearest to the axis."""
@@ -321,7 +326,7 @@ class Sketch:
         def height(i: int) -> float:
             return side.points[i].x * place.out.x + side.points[i].y * place.out.y
 
-        close = self.layout.units(0.5)
+        close = self.layout.units(0.5) / place.unit
         found = []
         for end in side.interval:
             ties = [i for i, t in enumerate(side.landings) if abs(t - end) <= close]
