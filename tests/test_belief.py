@@ -11,6 +11,7 @@ from satviz.pictures.marks import Picture
 from satviz.scenes.article import box
 from satviz.scenes.failing import NAMED, REFUSED, ROWS
 from satviz.scenes.shortcuts import NAMED as SHORTCUTS
+from satviz.scenes.shortcuts import halves
 
 SHOWN = [row for row in ROWS if row.how != REFUSED]
 each_row = pytest.mark.parametrize("row", SHOWN, ids=lambda row: row.name)
@@ -194,3 +195,63 @@ def test_both_pens_and_the_player_take_both_panels():
 def test_a_shortcuts_axes_can_be_asked_of_any_scene_by_name(capsys):
     assert main(["trace", "triangles", "--axes", "one-overlap"]) == 0
     assert "By the shortcut “the ranges overlap on one axis, so the shapes collide”" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("size", [1e-9, 1e-3, 1.0, 1e3, 1e9])
+@pytest.mark.parametrize("far", [0.0, 2.0**40])
+@pytest.mark.parametrize("name", ["far-centers", "mixed-signs", "lengths", "raw-depth"])
+def test_ranges_that_a_shortcut_finds_far_from_the_shapes_leave_them_visible(name, size, far):
+    row, at = NAMED[name], size * far
+    a, b = (sv.Polygon([(at + x * size, at + y * size) for x, y in s.vertices]) for s in (row.a, row.b))
+    trace = sv.record(a, b, axes=row.shortcut)
+    for step in range(len(sv.steps(trace))):
+        drawn = sv.picture(trace, step)
+        for owner in "AB":
+            (outline,) = (m for m in drawn.marks if (m.part, m.owner, m.weight) == ("saw-outline", owner, "plain"))
+            assert max(abs(p.x - q.x) + abs(p.y - q.y) for p in outline.points for q in outline.points) > 5, step
+        assert all(0 <= p.x <= drawn.size[0] and 0 <= p.y <= drawn.size[1] for m in drawn.marks for p in m.points)
+
+
+@pytest.mark.parametrize("name", ["extremes-once", "touch-on-paper"])
+def test_a_landing_is_told_of_the_vertex_that_lands_there_where_a_shortcut_leaves_points_out(name):
+    points = [(-3, -1), (1, -3), (3, 1), (2.5, 2), (2.2, 2.6), (1, 3), (-3, 1)]  # the fourth lies within an edge
+    a = sv.Polygon(points, [f"v{i}" for i in range(7)])
+    trace = sv.record(a, box(4, 4, 5, 5), axes=SHORTCUTS[name], every_axis=True)
+    for i, step in enumerate(sv.steps(trace)):
+        if step.stage is not sv.Stage.DROPS:
+            continue
+        test = trace.tests[step.test]
+        lands = dict(zip(test.a.points, test.a.landings, strict=True))
+        for mark in sv.picture(trace, i).marks:
+            if mark.part in ("saw-lowest", "saw-highest") and mark.owner == "A":
+                who, _ = mark.text.split(": ")
+                end = test.a.interval[mark.part == "saw-highest"]
+                assert all(abs(lands[a.vertices[int(v[1:])]] - end) < 1e-3 for v in who.split(", ")), mark.text
+
+
+def pushed(move):
+    return sv.Shortcut("mine", "that way is out", push=lambda a, b, tests: sv.Vec(*move))
+
+
+@pytest.mark.parametrize("move, right", [((1.5, 0), True), ((0.5, 0), False), ((-7.5, 0), False), ((1e9, 0), False)])
+def test_the_push_of_a_shortcut_of_ones_own_is_held_against_the_way_out(move, right):
+    trace = sv.record(box(0, 0, 4, 4), box(2.5, 1, 6, 3), axes=pushed(move))
+    drawn = sv.picture(trace)
+    assert drawn.mark("saw-push-name").text.startswith("push (")
+    assert drawn.mark("wrong").text.startswith("Here it happens to be right" if right else "Wrong: push (")
+    assert bool(struck(drawn)) is not right
+    outline = drawn.mark("A.saw-outline").points
+    assert max(p.x for p in outline) - min(p.x for p in outline) > 20
+
+
+def test_the_pieces_of_a_shortcut_of_ones_own_are_drawn_with_their_pushes():
+    mine = sv.Shortcut("mine", "each half pushes", split=halves)
+    drawn = sv.picture(sv.record(box(0, 0, 4, 4), box(1.5, 1.5, 2.5, 2.5), axes=mine))
+    assert {"A1", "A2"} <= {m.owner for m in drawn.marks if m.part == "saw-outline"}
+    assert drawn.mark("wrong").text.startswith("Wrong: push (0, 0). Right: overlapping, way out (")
+
+
+def test_there_is_room_for_a_push_only_where_one_is_drawn():
+    drawn = sv.picture(NAMED["one-overlap"].scene.record())
+    outline = drawn.mark("A.saw-outline").points
+    assert max(p.x for p in outline) - min(p.x for p in outline) > 60

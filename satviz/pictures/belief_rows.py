@@ -225,7 +225,7 @@ def plain(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 
 def _room(trace: Trace, largest: tuple[float, float]) -> Layout:
-    moves = [move for move in (trace.push, trace.truth.known_mtv) if move]
+    moves = [pair.mtv for pair in trace.pairs if pair.mtv]
     return arrange([Group([trace.a, trace.b, *(put(trace.b, move) for move in moves)], [])], largest=largest)[0]
 
 
@@ -251,8 +251,6 @@ VERDICTS = {
 
 SAW: dict[str, Panel] = {
     "one-maximum": digits(exact=False),
-    "sum-of-parts": pieces,
-    "tile-seam": pieces,
     "many-pairs": crowd(every_pair=False),
     "gjk-looks-less": support_points,
     "tunnelling": frame,
