@@ -1,15 +1,17 @@
 """Belief beside truth: each failing scene's picture shows the wrong number, struck out, and the right one."""
 
+import math
+
 import pytest
 
 import satviz as sv
 from satviz.cli import main
 from satviz.engine.digits import plain
-from satviz.pictures import belief
+from satviz.pictures import belief, belief_rows
 from satviz.pictures.layout import text_box
 from satviz.pictures.marks import Picture
 from satviz.scenes.article import box
-from satviz.scenes.failing import NAMED, REFUSED, ROWS
+from satviz.scenes.failing import NAMED, REFUSED, ROWS, right
 from satviz.scenes.shortcuts import NAMED as SHORTCUTS
 from satviz.scenes.shortcuts import halves
 
@@ -64,7 +66,7 @@ def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on
     left, right = {
         "tunnelling": ("gap +1.850", "they meet on the way"),
         "touch-on-paper": ("touching, gap 0", "overlap 5.551e-17"),
-        "touch-as-apart": ("touching, gap 0", "touching, gap 0"),
+        "touch-as-apart": ("apart", "touching, gap 0"),
         "mixed-signs": ("gap +1", "overlap 1, way out 2"),  # its own axis, with the true ranges
         "unit-normals": ("gap +4.441e-16", "touching, gap 0"),
         "box-in-u": ("overlap 2", "A1 | B"),
@@ -255,3 +257,26 @@ def test_there_is_room_for_a_push_only_where_one_is_drawn():
     drawn = sv.picture(NAMED["one-overlap"].scene.record())
     outline = drawn.mark("A.saw-outline").points
     assert max(p.x for p in outline) - min(p.x for p in outline) > 60
+
+
+def test_a_gap_that_is_right_is_not_struck_out_with_the_wrong_answer():
+    drawn = sv.picture(NAMED["touch-as-apart"].scene.record())
+    assert struck(drawn) == ["apart"]
+
+
+def test_the_line_of_a_distance_is_as_long_as_the_distance():
+    shapes = box(0, 0, 2, 2), sv.Circle((1, 1), 1), sv.Polygon([(0, 0), (4, 0), (4, 4), (3, 4), (3, 1), (0, 1)])
+    others = box(5, 1, 7, 9), sv.Circle((2.5, 6), 1.5), sv.Polygon([(-3, -3), (8, -2), (1, -9)])
+    for a in shapes:
+        for b in others:
+            trace = sv.record(a, b, axes=SHORTCUTS["gap-as-distance"])
+            sketch = belief_rows.distance(trace, (340.0, 300.0))
+            (p, q) = next(m.points for m in sketch.marks if m.part == "distance")
+            assert math.dist(p, q) == pytest.approx(right.distance(a, b))
+
+
+def test_a_fan_of_directions_stays_on_its_panel():
+    for b in box(2.01, 0, 4, 1), box(2.01, -1, 2.2, 3), box(-0.1, 1.01, 30, 4), sv.Polygon([(1, 1.1), (3, 2), (2, 9)]):
+        sketch = belief_rows.fan(sv.record(box(0, 0, 2, 1), b, axes=SHORTCUTS["only-one-axis"]), (340.0, 300.0))
+        x0, y0, x1, y1 = sketch.layout.limits
+        assert all(x0 <= p.x <= x1 and y0 <= p.y <= y1 for m in sketch.marks if m.part == "fan" for p in m.points)

@@ -265,7 +265,8 @@ def struck(drawn: Picture, trace: Trace) -> Picture:
     best = max((test.gap for test in told), default=0.0)
     read = {str(trace.tests.index(test) + 1) for test in told if test.gap == best}
     wrong = {"push-name", "number"} | ({"claim"} if claim != verdict else set())
-    wrong |= {"gap-name"} if claim != verdict or (row and row.what in GAPS) else set()
+    if not (trace.missed_hit and trace.proves):  # there the gap is right, and only what follows from it is wrong
+        wrong |= {"gap-name"} if claim != verdict or (row and row.what in GAPS) else set()
     labels = (mark for mark in drawn.marks if mark.kind == "label" and mark.part in wrong)
     struck = [_strike(mark, drawn.scale) for mark in labels if mark.part != "gap-name" or mark.axis in read]
     return drawn._replace(marks=(*drawn.marks, *struck))

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, pairwise
 from math import cos, hypot, pi, sin
 
 from ..engine import telling
@@ -19,7 +19,7 @@ from .sketch import Sketch
 
 Panel = Callable[[Trace, tuple[float, float]], Sketch]
 FEW = 12  # dots that stand for many shapes
-ARROW = 46.0  # points
+ARROW = 74.0  # points
 
 
 def pieces(trace: Trace, largest: tuple[float, float]) -> Sketch:
@@ -61,11 +61,12 @@ def fan(trace: Trace, largest: tuple[float, float]) -> Sketch:
     p, q = centroid(trace.a), centroid(trace.b)
     across = ((p.x + q.x) * -n.y + (p.y + q.y) * n.x) / 2
     start = Vec(n.x * nearest - n.y * across, n.y * nearest + n.x * across)
-    for i in range(5):
-        turn = ends[0] + (ends[1] - ends[0]) * i / 4
-        c = direction(turn)
-        u = Vec(n.x * c.x - n.y * c.y, n.x * c.y + n.y * c.x)
-        tip = moved(start, u, sketch.layout.units(ARROW * 1.6))
+    turns = [ends[0] + (ends[1] - ends[0]) * i / 4 for i in range(5)]
+    ways = [Vec(n.x * c.x - n.y * c.y, n.x * c.y + n.y * c.x) for c in map(direction, turns)]
+    x0, y0, x1, y1 = sketch.layout.limits
+    room = min(x1 - start.x, start.x - x0, y1 - start.y, start.y - y0)
+    for i, (turn, u) in enumerate(zip(turns, ways, strict=True)):
+        tip = moved(start, u, min(sketch.layout.units(ARROW), room))
         sketch.add("fan", "arrow", "gap", start, tip, number=i, weight="strong" if i in (0, 4) else "plain")
         if i in (0, 4):
             sketch.label("fan-name", f"{number(round(turn, 2))}°", "gap", tip, number=i, prefer=u, first=1)
@@ -201,13 +202,9 @@ def flight(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 
 def distance(trace: Trace, largest: tuple[float, float]) -> Sketch:
-    """The nearest points, where they are vertices, and the segment between them."""
+    """The nearest points, and the segment between them."""
     truth = trace.truth
-    p, q = min(
-        ((p, q) for p in trace.a.vertices for q in trace.b.vertices),
-        key=lambda pair: hypot(pair[1].x - pair[0].x, pair[1].y - pair[0].y),
-        default=(centroid(trace.a), centroid(trace.b)),
-    )
+    p, q = _nearest(trace.a, trace.b)
     sketch = Sketch(trace, arrange([Group([trace.a, trace.b], [_least(trace)])], largest=largest)[0])
     sketch.shapes()
     if not truth.hit:
@@ -215,6 +212,29 @@ def distance(trace: Trace, largest: tuple[float, float]) -> Sketch:
         text = f"distance {number(right.distance(trace.a, trace.b))}"
         sketch.label("distance-name", text, "gap", sketch.middle(p, q), prefer=Vec(q.y - p.y, p.x - q.x), first=1)
     return sketch
+
+
+def _nearest(a: Shape, b: Shape) -> tuple[Vec, Vec]:
+    """A point of each, as near to each other as they come if the shapes are apart; rounded."""
+    pairs = [(p, _foot(p, edge)) for p in _ring(a) for edge in pairwise(_ring(b))]
+    pairs += [(_foot(q, edge), q) for q in _ring(b) for edge in pairwise(_ring(a))]
+    p, q = min(pairs, key=lambda pair: hypot(pair[1].x - pair[0].x, pair[1].y - pair[0].y))
+    length = hypot(q.x - p.x, q.y - p.y) or 1.0
+    way = Vec((q.x - p.x) / length, (q.y - p.y) / length)
+    return moved(p, way, a.radius), moved(q, way, -b.radius)
+
+
+def _ring(shape: Shape) -> Sequence[Vec]:
+    """The corners, the first one again at last; a circle's center twice."""
+    return (*shape.core, shape.core[0])
+
+
+def _foot(p: Vec, edge: tuple[Vec, Vec]) -> Vec:
+    """The point of an edge that lies nearest."""
+    q, r = edge
+    x, y = r.x - q.x, r.y - q.y
+    t = ((p.x - q.x) * x + (p.y - q.y) * y) / ((x * x + y * y) or 1.0)
+    return moved(q, Vec(x, y), min(1.0, max(0.0, t)))
 
 
 def plain(trace: Trace, largest: tuple[float, float]) -> Sketch:

@@ -155,7 +155,7 @@ def _arranged(
     scale = start = min(largest) / size / 2
     for _ in range(8):
         places = [_places(group, wide, scale) for group, wide in zip(groups, words, strict=True)]
-        boxes = [_room(*each, scale) for each in zip(groups, places, words, strict=True)]
+        boxes = [_room(*each, scale, PAD - pad) for each in zip(groups, places, words, strict=True)]
         room = largest[0] - 2 * pad, largest[1] - 2 * PAD - HEAD
         before, scale = scale, min(most / (box[i + 2] - box[i]) for box in boxes for i, most in enumerate(room))
         if not scale > start / 2.5:
@@ -184,9 +184,11 @@ def padded(layout: Layout, size: tuple[float, float]) -> Layout:
     return layout._replace(limits=around(((x0 + x1) / 2, (y0 + y1) / 2), size, layout.scale), size=size)
 
 
-def _room(group: Group, places: Sequence[AxisPlace], words: Sequence[float], scale: float) -> Limits:
-    """The box of the shapes, the axes, and the labels on their far sides."""
+def _room(group: Group, places: Sequence[AxisPlace], words: Sequence[float], scale: float, beside: float) -> Limits:
+    """The box of the shapes, the axes, and the labels on their far sides; a normal needs points beside its shape."""
     x0, y0, x1, y1 = box_of(group.shapes)
+    if any(test.source.shape for test in group.tests):
+        x0, x1 = x0 - beside / scale, x1 + beside / scale
     ends = [place.at(t, role) for place in places for t in (place.lo, place.hi) for role in "AB"]
     for place, wide in zip(places, words, strict=True):
         for part in (0.15, 0.85):

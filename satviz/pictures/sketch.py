@@ -16,7 +16,7 @@ from ..engine.shapes import Circle, Polygon, Shape, centroid
 from ..engine.trace import Trace
 from .insets import Inset, in_words, small
 from .labels import Request, Segment, Wishes, holds, name_spots, short_name, with_labels
-from .layout import TRACK, AxisPlace, Layout, moved, range_label
+from .layout import LONGEST, TRACK, AxisPlace, Layout, moved, range_label
 from .marks import Details, Mark, Picture
 
 NORMAL = 34.0  # the length of a normal's arrow, in points
@@ -311,14 +311,16 @@ class Sketch:
                 prefer = Vec(place.out.x * (1 if role == "B" else -1), place.out.y * (1 if role == "B" else -1))
                 prefer = Vec(prefer.x + place.n.x * way * 0.5, prefer.y + place.n.y * way * 0.5)
                 part = "lowest" if way < 0 else "highest"
-                text = f"{who}: {text}" if who else text
+                between = " " if len(who + text) < LONGEST else "\n"
+                text = f"{who}:{between}{text}" if who else text
                 self.label(part, text, role, place.at(end), owner=name, axis=axis, prefer=prefer)
 
     def vertex_names(self, name: str, shape: Shape, points: Sequence[Vec]) -> str:
         """Some of a shape's corners, if the owner named its vertices: "v1, v2"."""
         if isinstance(shape, Circle) or not shape.labels:
             return ""
-        return ", ".join(short_name(shape, name, i) for i in sorted(shape.corner_ids) if shape.vertices[i] in points)
+        names = [short_name(shape, name, i) for i in sorted(shape.corner_ids) if shape.vertices[i] in points]
+        return ", ".join(names if len(names) < 4 else [*names[:2], f"{len(names) - 2} more"])
 
     def nearest_ends(self, side: Projection, place: AxisPlace) -> list[int]:
         """A lowest and a highest point; of several that land together the one nearest to the axis."""
