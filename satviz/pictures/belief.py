@@ -22,7 +22,7 @@ from . import belief_rows, live, stages
 from .belief_rows import Panel
 from .caption import wrapped
 from .labels import Request, with_labels
-from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, box_of, moved, place_within, text_box
+from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, box_of, moved, padded, place_within, text_box
 from .marks import Mark, Picture
 from .panels import moved_to
 from .sketch import Sketch
@@ -89,6 +89,8 @@ def said(trace: Trace) -> Said:
 
 def _leads_out(trace: Trace, push: Vec, way: Vec) -> bool:
     """Does a push end the overlap, and is none shorter, but for rounding?"""
+    if not _near(trace, push):
+        return False
     a, pushed = trace.a, shifted(trace.b, push)
     left = record(a, pushed).known_mtv or Vec(0.0, 0.0)
     x0, y0, x1, y1 = box_of([a, trace.b])
@@ -125,7 +127,8 @@ def _layouts(trace: Trace, largest: tuple[float, float]) -> tuple[Layout, Layout
     found = [arrange([Group(shapes, of)], largest=largest)[0] for shapes, of in zip(drawn, tests, strict=True)]
     small, large = sorted((0, 1), key=lambda k: found[k].scale)
     found[large] = _on_scale(found[small].scale, drawn[large], tests[large], largest) or found[large]
-    return found[0], found[1]
+    size = max(layout.size[0] for layout in found), max(layout.size[1] for layout in found)
+    return padded(found[0], size), padded(found[1], size)
 
 
 def _on_scale(
@@ -249,7 +252,8 @@ def draw_push(sketch: Sketch) -> None:
         tip = moved(start, trace.push, 1.0)
         sketch.shape("B", f"{trace.names.b} pushed", shifted(trace.b, trace.push), weight="faint", named=False)
         sketch.add("push", "arrow", "move", start, tip, start=(start,))
-    sketch.label("push-name", text, "move", tip, prefer=trace.push if any(trace.push) else Vec(0.0, 1.0), first=3)
+    prefer = trace.push if any(trace.push) else Vec(0.0, 1.0)
+    sketch.label("push-name", text, "move", tip, prefer=prefer, far=not _near(trace, trace.push), first=3)
 
 
 GAPS = "gap", "depth"  # numbers that are read off the ranges

@@ -132,7 +132,7 @@ def support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
         return plain(trace, largest)
     supports = [_furthest(corners, direction(45.0 * k + 10.0)) for k in range(8)]
     found = next(filter(_holds_origin, combinations(dict.fromkeys(supports), 3)), tuple(supports[::3]))
-    xs, ys = [v.x for v in corners], [v.y for v in corners]
+    xs, ys = [0.0, *(v.x for v in corners)], [0.0, *(v.y for v in corners)]
     low = min(ys) - 0.25 * (max(ys) - min(ys))  # room for words
     box = Polygon([(min(xs), low), (max(xs), low), (max(xs), max(ys)), (min(xs), max(ys))])
     sketch = Sketch(trace, arrange([Group([box], [])], largest=(largest[0] * 0.8, largest[1] * 0.8))[0])
