@@ -71,7 +71,7 @@ def test_the_explorer_shows_it_beside_the_pair_when_asked():
     state = hand.state()
     assert "difference" not in state
     pose = {"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "against": True}
-    assert hand.answer(pose)["difference"]["sentence"].startswith("The origin lies outside B - A")
+    assert hand.answer(pose)["difference"]["sentence"].startswith("The origin lies outside B \u2212 A")
 
 
 @pytest.mark.parametrize("seed", range(12))

@@ -6,7 +6,7 @@ from itertools import combinations, pairwise
 from math import cos, hypot, pi, sin
 
 from ..engine import telling
-from ..engine.digits import number
+from ..engine.digits import MINUS, number
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Polygon, Shape, centroid
@@ -144,7 +144,7 @@ def support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
     sketch.add("origin", "dot", "wrong", Vec(0.0, 0.0))
     sketch.label("origin-name", "origin", "wrong", Vec(0.0, 0.0), first=1)
     count = len(trace.a.vertices) + len(trace.b.vertices)
-    text = f"a corner of B - A takes {count} looks,\nand a triangle round the origin three corners"
+    text = f"a corner of B {MINUS} A takes {count} looks,\nand a triangle round the origin three corners"
     below = Vec((min(xs) + max(xs)) / 2, low)
     sketch.label("looked-at", text, "guide", below, first=1, inside=True)
     return sketch

@@ -7,6 +7,7 @@ A gap on an axis is how far the origin lies outside on it; the way out is the wa
 from collections.abc import Sequence
 
 from ..engine import telling
+from ..engine.digits import MINUS
 from ..engine.geometry import Relation, Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Polygon
@@ -39,7 +40,9 @@ def difference(trace: Trace, *, title: str = "", largest: tuple[float, float] = 
         if max(abs(p.x - q.x) + abs(p.y - q.y) for p in ring for q in ring[:1]) * sketch.layout.scale < SMALLEST:
             sketch.add("difference-speck", "dot", "guide", _middle(ring), number=i)
     inner = [_middle(ring) for ring in found]
-    sketch.label("difference-name", "B - A", "guide", inner[0], along=tuple(inner[1:]), inside=True, weight="title")
+    sketch.label(
+        "difference-name", f"B {MINUS} A", "guide", inner[0], along=tuple(inner[1:]), inside=True, weight="title"
+    )
     origin = Vec(0.0, 0.0)
     sketch.add("origin", "dot", "ink", origin)
     sketch.label("origin-name", "origin", "ink", origin, prefer=_away(inner[0]), first=1)
@@ -48,7 +51,7 @@ def difference(trace: Trace, *, title: str = "", largest: tuple[float, float] = 
         run.relation
     ]
     sketch.note("verdict", str(run.relation), "ink", weight="title", first=1)
-    sentence = f"The origin lies {where} B - A, so A and B {_ARE[run.relation]}{words}."
+    sentence = f"The origin lies {where} B {MINUS} A, so A and B {_ARE[run.relation]}{words}."
     return sketch.finish(title, sentence, steady=False)
 
 
