@@ -84,19 +84,20 @@ class Sketch:
     def insets(self, test: AxisTest | None = None) -> None:
         """What is too small for the pen, larger: the shapes, or the gap of a test."""
         for number, inset in enumerate(self.layout.insets, 1):
-            if inset.test != test:
-                continue
+            outlines = [(role, name, [*inset.edges(shape)]) for role, name, shape in self.pair()]
+            if inset.test != test or not (inset.test or any(edges for *_, edges in outlines)):
+                continue  # of another test, or of a part that this step leaves aside
             x0, y0, x1, y1 = inset.box
             corners = Vec(x0, y0), Vec(x1, y0), Vec(x1, y1), Vec(x0, y1)
             self.add("inset", "outline", "guide", *corners, weight="faint", number=number)
-            what = f"{inset.of}, " if inset.of else "gap, "
+            what = inset.of or ("gap" if inset.test and inset.test.gap > 0 else "overlap")
             below = Vec(inset.center.x, y0 - self.layout.units(9))
-            text = f"{what}{in_words(inset.times)}"
+            text = f"{what}, {in_words(inset.times)}"
             self.marks.append(Mark("inset-name", "label", "ink", (below,), number=number, text=text))
             if inset.test is None:
-                for role, name, shape in self.pair():
-                    ends = [end for edge in inset.edges(shape) for end in edge]
-                    if ends:
+                for role, name, edges in outlines:
+                    if edges:
+                        ends = [end for edge in edges for end in edge]
                         self.add("inset-edge", "segment", role, *ends, owner=name, number=number)
             else:
                 self.larger_gap(inset, number)
