@@ -280,3 +280,21 @@ def test_a_fan_of_directions_stays_on_its_panel():
         sketch = belief_rows.fan(sv.record(box(0, 0, 2, 1), b, axes=SHORTCUTS["only-one-axis"]), (340.0, 300.0))
         x0, y0, x1, y1 = sketch.layout.limits
         assert all(x0 <= p.x <= x1 and y0 <= p.y <= y1 for m in sketch.marks if m.part == "fan" for p in m.points)
+
+
+@each_row
+def test_a_step_shows_no_more_than_it_says_and_its_labels_stay_as_it_moves_on(row):
+    trace = row.scene.record()
+    spots, before = {}, None
+    for i, step in enumerate(sv.steps(trace)):
+        if step.test is None:
+            continue
+        drawn = sv.picture(trace, i)
+        if step.stage in (sv.Stage.EDGE, sv.Stage.NORMAL):
+            assert not [m for m in drawn.marks if m.part == "saw-axis"], step
+        spots = spots if before == step[1:] else {}
+        before = step[1:]
+        for mark in drawn.labels:
+            if mark.part.startswith("saw-"):
+                x, y = spots.setdefault((mark.id, mark.text), mark.points[0])
+                assert mark.points[0] == pytest.approx((x, y), abs=0.5), (step, mark.text)

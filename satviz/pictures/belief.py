@@ -26,10 +26,22 @@ from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, box_of, mo
 from .marks import Mark, Picture
 from .panels import moved_to
 from .sketch import Sketch
-from .stages import Stage, Step, draw_mtv, draw_test, draw_verdict, others, separating_line, shifted
+from .stages import (
+    BEFORE_THE_AXIS,
+    OF_A_TEST,
+    Stage,
+    Step,
+    draw_mtv,
+    draw_test,
+    draw_verdict,
+    others,
+    separating_line,
+    shifted,
+)
 
 SAW, IS = "what the shortcut saw", "what is"
 PANEL = 340.0, 300.0  # the largest, in points
+FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
 BETWEEN, HEAD, RIM = 20.0, 24.0, 10.0  # points between the panels, for each one's heading, round the words above
 
 
@@ -183,6 +195,7 @@ def _near(trace: Trace, move: Vec) -> bool:
     return max(map(abs, move)) < 3 * max(x1 - x0, y1 - y0)
 
 
+@lru_cache(maxsize=64)
 def _saw(trace: Trace, step: Step, largest: tuple[float, float]) -> Picture:
     """A step of the shortcut's run; at last its number, struck out where it is wrong."""
     if step.stage is Stage.VERDICT:
@@ -194,10 +207,12 @@ def _saw(trace: Trace, step: Step, largest: tuple[float, float]) -> Picture:
     if step.pair is not None:
         others(sketch, trace, run)
     if step.test is not None:
-        draw_test(sketch, step.stage, step.test, layout.places[0])
+        draw_test(sketch, step.stage, step.test, None if step.stage in BEFORE_THE_AXIS else layout.places[0])
     else:
         sketch.shapes()
-    return sketch.finish("", stages.sentence(run, step))
+    fuller = FULLER.get(step.stage)  # whose labels leave room for what comes next, so that nothing jumps
+    kept = _saw(trace, step._replace(stage=fuller), largest).labels if fuller else ()
+    return sketch.finish("", stages.sentence(run, step), kept=kept)
 
 
 @lru_cache(maxsize=64)
