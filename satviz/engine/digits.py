@@ -63,8 +63,8 @@ class Digits(NamedTuple):
         if not test.gap:
             start = end
         elif self.fine:
-            told, size = self._for(test.gap), abs(test.gap)
-            text = told.bare(size) if told.shows(size) else _scientific(size / 10.0**self.power)
+            fine, size = self._for(test.gap), abs(test.gap)
+            text = fine.bare(size) if fine.shows(size) else _scientific(size / 10.0**self.power)
             start = f"{end} {'+' if test.gap > 0 else MINUS} {text}"
         told = f"[{self._rest(left.lo)}, {end}]", f"[{start}, {self._rest(right.hi)}]"
         one, other = map(self._from_origin, told)

@@ -384,7 +384,7 @@ def hand(
     row = row_of(trace)
     if row and row.what != "gap":
         sketch.note("number", said(trace).wrong, "ink", first=2)
-    if way_out:
+    if way_out and not trace.pairs:  # pieces show their pushes themselves
         draw_push(sketch)
     if where:
         text = f"dot {'on' if where[0].kind == 'segment' else 'in'} the red:\nthe shortcut is wrong"

@@ -31,7 +31,8 @@ def difference(trace: Trace, *, title: str = "", largest: tuple[float, float] = 
     found = [tuple(Vec(-p.x, -p.y) for p in ring) for ring in rings(run.a, run.b)]
     best = max(run.tests, key=lambda test: test.gap, default=None)
     foot = _foot(best, found) if best and best.gap > 0 else Vec(0.0, 0.0)
-    spots = [Vec(0.0, 0.0), foot, *(p for ring in found for p in ring)]
+    move = run.known_mtv or Vec(0.0, 0.0)
+    spots = [Vec(0.0, 0.0), foot, Vec(-move.x, -move.y), *(p for ring in found for p in ring)]
     xs, ys = [p.x for p in spots], [p.y for p in spots]
     box = Polygon([(min(xs), min(ys)), (max(xs), min(ys)), (max(xs), max(ys)), (min(xs), max(ys))])
     sketch = Sketch(record(run.a, run.b), arrange([Group([box], [])], largest=largest)[0])
