@@ -83,7 +83,9 @@ def draw(args: argparse.Namespace) -> int:
     if "link" in (args.format or []):
         return _link(args)
     row = NAMED.get(args.scene)
-    if row and row.how == REFUSED and "html" not in (args.format or []):
+    if row and row.how == REFUSED:
+        if "html" in (args.format or []):
+            raise Refused(f"{row.name} is no scene to step through: {row.truth}; --format svg draws it with the reason")
         drawn = refused(row)
         makes: dict[bool, Callable[[], Picture | list[Picture]]] = {True: lambda: [drawn], False: lambda: drawn}
         return _write(args, [(row.name, form, makes[form == "gif"]) for form in args.format or ["svg"]])

@@ -1,16 +1,19 @@
 """Belief beside truth: each failing scene's picture shows the wrong number, struck out, and the right one."""
 
+import math
+
 import pytest
 
 import satviz as sv
 from satviz.cli import main
 from satviz.engine.digits import plain
-from satviz.pictures import belief
+from satviz.pictures import belief, belief_rows
 from satviz.pictures.layout import text_box
 from satviz.pictures.marks import Picture
 from satviz.scenes.article import box
-from satviz.scenes.failing import NAMED, REFUSED, ROWS
+from satviz.scenes.failing import NAMED, REFUSED, ROWS, right
 from satviz.scenes.shortcuts import NAMED as SHORTCUTS
+from satviz.scenes.shortcuts import halves
 
 SHOWN = [row for row in ROWS if row.how != REFUSED]
 each_row = pytest.mark.parametrize("row", SHOWN, ids=lambda row: row.name)
@@ -63,7 +66,7 @@ def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on
     left, right = {
         "tunnelling": ("gap +1.850", "they meet on the way"),
         "touch-on-paper": ("touching, gap 0", "overlap 5.551e-17"),
-        "touch-as-apart": ("touching, gap 0", "touching, gap 0"),
+        "touch-as-apart": ("apart", "touching, gap 0"),
         "mixed-signs": ("gap +1", "overlap 1, way out 2"),  # its own axis, with the true ranges
         "unit-normals": ("gap +4.441e-16", "touching, gap 0"),
         "box-in-u": ("overlap 2", "A1 | B"),
@@ -194,3 +197,104 @@ def test_both_pens_and_the_player_take_both_panels():
 def test_a_shortcuts_axes_can_be_asked_of_any_scene_by_name(capsys):
     assert main(["trace", "triangles", "--axes", "one-overlap"]) == 0
     assert "By the shortcut “the ranges overlap on one axis, so the shapes collide”" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("size", [1e-9, 1e-3, 1.0, 1e3, 1e9])
+@pytest.mark.parametrize("far", [0.0, 2.0**40])
+@pytest.mark.parametrize("name", ["far-centers", "mixed-signs", "lengths", "raw-depth"])
+def test_ranges_that_a_shortcut_finds_far_from_the_shapes_leave_them_visible(name, size, far):
+    row, at = NAMED[name], size * far
+    a, b = (sv.Polygon([(at + x * size, at + y * size) for x, y in s.vertices]) for s in (row.a, row.b))
+    trace = sv.record(a, b, axes=row.shortcut)
+    for step in range(len(sv.steps(trace))):
+        drawn = sv.picture(trace, step)
+        for owner in "AB":
+            (outline,) = (m for m in drawn.marks if (m.part, m.owner, m.weight) == ("saw-outline", owner, "plain"))
+            assert max(abs(p.x - q.x) + abs(p.y - q.y) for p in outline.points for q in outline.points) > 5, step
+        assert all(0 <= p.x <= drawn.size[0] and 0 <= p.y <= drawn.size[1] for m in drawn.marks for p in m.points)
+
+
+@pytest.mark.parametrize("name", ["extremes-once", "touch-on-paper"])
+def test_a_landing_is_told_of_the_vertex_that_lands_there_where_a_shortcut_leaves_points_out(name):
+    points = [(-3, -1), (1, -3), (3, 1), (2.5, 2), (2.2, 2.6), (1, 3), (-3, 1)]  # the fourth lies within an edge
+    a = sv.Polygon(points, [f"v{i}" for i in range(7)])
+    trace = sv.record(a, box(4, 4, 5, 5), axes=SHORTCUTS[name], every_axis=True)
+    for i, step in enumerate(sv.steps(trace)):
+        if step.stage is not sv.Stage.DROPS:
+            continue
+        test = trace.tests[step.test]
+        lands = dict(zip(test.a.points, test.a.landings, strict=True))
+        for mark in sv.picture(trace, i).marks:
+            if mark.part in ("saw-lowest", "saw-highest") and mark.owner == "A":
+                who, _ = mark.text.split(": ")
+                end = test.a.interval[mark.part == "saw-highest"]
+                assert all(abs(lands[a.vertices[int(v[1:])]] - end) < 1e-3 for v in who.split(", ")), mark.text
+
+
+def pushed(move):
+    return sv.Shortcut("mine", "that way is out", push=lambda a, b, tests: sv.Vec(*move))
+
+
+@pytest.mark.parametrize("move, right", [((1.5, 0), True), ((0.5, 0), False), ((-7.5, 0), False), ((1e9, 0), False)])
+def test_the_push_of_a_shortcut_of_ones_own_is_held_against_the_way_out(move, right):
+    trace = sv.record(box(0, 0, 4, 4), box(2.5, 1, 6, 3), axes=pushed(move))
+    drawn = sv.picture(trace)
+    assert drawn.mark("saw-push-name").text.startswith("push (")
+    assert drawn.mark("wrong").text.startswith("Here it happens to be right" if right else "Wrong: push (")
+    assert bool(struck(drawn)) is not right
+    outline = drawn.mark("A.saw-outline").points
+    assert max(p.x for p in outline) - min(p.x for p in outline) > 20
+
+
+def test_the_pieces_of_a_shortcut_of_ones_own_are_drawn_with_their_pushes():
+    mine = sv.Shortcut("mine", "each half pushes", split=halves)
+    drawn = sv.picture(sv.record(box(0, 0, 4, 4), box(1.5, 1.5, 2.5, 2.5), axes=mine))
+    assert {"A1", "A2"} <= {m.owner for m in drawn.marks if m.part == "saw-outline"}
+    assert drawn.mark("wrong").text.startswith("Wrong: push (0, 0). Right: overlapping, way out (")
+
+
+def test_there_is_room_for_a_push_only_where_one_is_drawn():
+    drawn = sv.picture(NAMED["one-overlap"].scene.record())
+    outline = drawn.mark("A.saw-outline").points
+    assert max(p.x for p in outline) - min(p.x for p in outline) > 60
+
+
+def test_a_gap_that_is_right_is_not_struck_out_with_the_wrong_answer():
+    drawn = sv.picture(NAMED["touch-as-apart"].scene.record())
+    assert struck(drawn) == ["apart"]
+
+
+def test_the_line_of_a_distance_is_as_long_as_the_distance():
+    shapes = box(0, 0, 2, 2), sv.Circle((1, 1), 1), sv.Polygon([(0, 0), (4, 0), (4, 4), (3, 4), (3, 1), (0, 1)])
+    others = box(5, 1, 7, 9), sv.Circle((2.5, 6), 1.5), sv.Polygon([(-3, -3), (8, -2), (1, -9)])
+    for a in shapes:
+        for b in others:
+            trace = sv.record(a, b, axes=SHORTCUTS["gap-as-distance"])
+            sketch = belief_rows.distance(trace, (340.0, 300.0))
+            (p, q) = next(m.points for m in sketch.marks if m.part == "distance")
+            assert math.dist(p, q) == pytest.approx(right.distance(a, b))
+
+
+def test_a_fan_of_directions_stays_on_its_panel():
+    for b in box(2.01, 0, 4, 1), box(2.01, -1, 2.2, 3), box(-0.1, 1.01, 30, 4), sv.Polygon([(1, 1.1), (3, 2), (2, 9)]):
+        sketch = belief_rows.fan(sv.record(box(0, 0, 2, 1), b, axes=SHORTCUTS["only-one-axis"]), (340.0, 300.0))
+        x0, y0, x1, y1 = sketch.layout.limits
+        assert all(x0 <= p.x <= x1 and y0 <= p.y <= y1 for m in sketch.marks if m.part == "fan" for p in m.points)
+
+
+@each_row
+def test_a_step_shows_no_more_than_it_says_and_its_labels_stay_as_it_moves_on(row):
+    trace = row.scene.record()
+    spots, before = {}, None
+    for i, step in enumerate(sv.steps(trace)):
+        if step.test is None:
+            continue
+        drawn = sv.picture(trace, i)
+        if step.stage in (sv.Stage.EDGE, sv.Stage.NORMAL):
+            assert not [m for m in drawn.marks if m.part == "saw-axis"], step
+        spots = spots if before == step[1:] else {}
+        before = step[1:]
+        for mark in drawn.labels:
+            if mark.part.startswith("saw-"):
+                x, y = spots.setdefault((mark.id, mark.text), mark.points[0])
+                assert mark.points[0] == pytest.approx((x, y), abs=0.5), (step, mark.text)

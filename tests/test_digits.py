@@ -96,3 +96,19 @@ def test_a_minus_sign_is_one_in_words_and_ascii_in_files_and_tables():
 )
 def test_a_number_keeps_its_zeros_only_where_digits_were_cut(number, text):
     assert digits.number(number) == text
+
+
+@pytest.mark.parametrize("size", [1e-9, 3e-4, 1.0, 1e5, 1e9])
+def test_an_overlap_has_three_digits_however_narrow_the_range_that_lies_inside(size):
+    for k in range(1, 13):
+        w = 3.217 * size * 10.0**-k
+        x, y = size / 3, size / 7
+        inner = sv.Polygon([(x, y), (x + w, y), (x + w, y + w / 2), (x, y + w)])
+        trace = sv.record(sv.Polygon([(0, 0), (size, 0), (size, size), (0, size)]), inner)
+        for t in trace.tests:
+            shared = min(t.a.interval.hi, t.b.interval.hi) - max(t.a.interval.lo, t.b.interval.lo)
+            told = telling.digits(trace, t)
+            said = [value(word.rstrip(",")) for word in telling.outcome(t, told).split() if word[0].isdigit()]
+            for number, text in zip((shared, -t.gap), (said[0], said[-1]), strict=True):
+                if number == shared or len(said) > 1:
+                    assert abs(text - Fraction(number)) <= Fraction(number) / 199, (telling.outcome(t, told), number)

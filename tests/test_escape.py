@@ -334,3 +334,12 @@ def test_no_piece_of_border_is_nearer_than_it_says(radius):
     for turn in (1, 1j, -1, -1j):
         for border in escape._borders([turn * v for v in (2 + 1j, 3 + 1j, 2.5 + 3j)], radius):
             assert border.nearest <= min(abs(border.p), abs(border.q)) + 1e-9
+
+
+@pytest.mark.parametrize("far", [2.0**20, 2.0**26, 2.0**33])
+def test_the_way_out_of_concave_outlines_is_as_short_far_from_the_origin(far):
+    line = [(i / 8, 3 * (i % 2) / 8) for i in range(6)]
+    ring = line + [(x, y + 1 / 16) for x, y in reversed(line)]
+    near, there = (sv.Polygon([(x + at, y - at) for x, y in ring]) for at in (0.0, far))
+    for b, c in (near, there), (sv.Circle((0.25, 0), 0.125), sv.Circle((far + 0.25, -far), 0.125)):
+        assert hypot(*sv.record(there, c).mtv) == pytest.approx(hypot(*sv.record(near, b).mtv), rel=1e-6)

@@ -224,9 +224,12 @@ def test_each_scene_is_recorded_told_and_drawn_by_its_name(row):
 def test_what_is_no_scene_is_refused_with_the_reason(row, capsys, tmp_path):
     with pytest.raises(sv.InvalidScene, match=r"is no scene: .*(line|cross)"):
         sv.scene(row.name)
-    for command in ["trace", row.name], ["draw", row.name, "--format", "html", "--out", str(tmp_path / "out")]:
-        assert main(command) == 2
-        assert capsys.readouterr().err == f"satviz: {row.name} is no scene: {row.truth}\n"
+    assert main(["trace", row.name]) == 2
+    assert capsys.readouterr().err == f"satviz: {row.name} is no scene: {row.truth}\n"
+    assert main(["draw", row.name, "--format", "html", "--out", str(tmp_path / "out")]) == 2
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1 and str(row.truth) in said and "--format svg" in said
+    assert main(["draw", row.name, "--format", "svg", "--out", str(tmp_path / "out")]) == 0
 
 
 def test_scenes_failing_lists_claim_and_both_numbers_of_every_row(capsys):
@@ -500,3 +503,15 @@ def test_a_shortcut_that_calls_touching_apart_is_wrong_along_the_rim_alone():
     row = NAMED["touch-as-apart"]
     found = where.lies(row.a, row.b, row.shortcut, window(row.a, row.b))
     assert found.touching and not found.false_hits and not found.missed_hits and len(found.hits) == 1
+
+
+def test_the_distance_is_that_of_the_nearest_points_for_shapes_of_any_kind():
+    u = sv.Polygon([(0, 0), (6, 0), (6, 4), (5, 4), (5, 1), (1, 1), (1, 4), (0, 4)])
+    ring = [(30 + cos(radians(6 * k)), 2 * sin(radians(6 * k))) for k in range(60)]
+    many = sv.Polygon(ring)
+    for a in u, many, box(-3, 0, -2, 1):
+        for b in box(2.5, 2, 3.5, 3), sv.Polygon([(x + 7, y + 8) for x, y in ring]), box(9, 9, 10, 10), many:
+            distance2 = min(truth.distance2(p, q) for p in sv.parts(a) for q in sv.parts(b))
+            assert right.distance(a, b) == pytest.approx(sqrt(distance2), rel=1e-9)
+            assert sv.picture(sv.record(a, b, axes=SHORTCUTS["gap-as-distance"])).marks
+    assert right.distance(u, sv.Circle((3, 3), 0.5)) == 1.5

@@ -1,5 +1,7 @@
 """B - A against the origin: one picture that says what the pair of pictures says."""
 
+from random import Random
+
 import pytest
 
 import satviz as sv
@@ -69,4 +71,18 @@ def test_the_explorer_shows_it_beside_the_pair_when_asked():
     state = hand.state()
     assert "difference" not in state
     pose = {"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "against": True}
-    assert hand.answer(pose)["difference"]["sentence"].startswith("The origin lies outside B - A")
+    assert hand.answer(pose)["difference"]["sentence"].startswith("The origin lies outside B \u2212 A")
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_gap_lies_on_the_canvas_and_the_difference_is_seen_however_far_and_small(seed):
+    rng = Random(seed)
+    far = 10.0 ** rng.uniform(0, 9)
+    x, y = far * rng.uniform(-1, 1), far * rng.uniform(-1, 1)
+    b = sv.Polygon([(x, y), (x + 1, y + rng.uniform(-2, 2)), (x + rng.random(), y + 3)])
+    drawn = sv.difference(sv.record(box(0, 0, 2, 1), b))
+    x0, y0, x1, y1 = drawn.limits
+    seen = [m for m in drawn.marks if m.part.startswith("difference") and m.kind != "label"]
+    assert all(x0 <= p.x <= x1 and y0 <= p.y <= y1 for m in drawn.marks for p in m.points)
+    size = max(abs(p.x - q.x) + abs(p.y - q.y) for p in seen[0].points for q in seen[0].points) * drawn.scale
+    assert size >= 8 or seen[1].kind == "dot"

@@ -137,3 +137,16 @@ def test_a_gap_finer_than_the_pen_is_shown_larger():
     picture = sv.picture(trace)
     p, *_, q = picture.mark("inset-gap.1").points
     assert 20 < math.dist(p, q) * picture.scale < 96 and any(text.startswith("gap, ") for text in picture.texts)
+
+
+@pytest.mark.parametrize("teeth", [2, 3, 5])
+def test_no_box_beside_the_picture_is_empty(teeth):
+    line = [(float(i), 0.6 * (i % 2)) for i in range(teeth + 1)]
+    zigzag = sv.Polygon(line + [(x, y + 0.002) for x, y in reversed(line)])
+    trace = sv.record(zigzag, sv.Polygon([(1, 3), (1.5, 2), (3, 4)]), every_axis=True)
+    for i in range(len(sv.steps(trace))):
+        marks = sv.picture(trace, i).marks
+        filled = {m.number for m in marks if m.part in ("inset-edge", "inset-range")}
+        assert {m.number for m in marks if m.part == "inset"} == filled
+        colour = {m.number: m.role for m in marks if m.part == "inset-gap"}
+        assert all(m.text.startswith(colour[m.number]) for m in marks if m.part == "inset-name" and m.number in colour)

@@ -76,3 +76,19 @@ def test_draw_makes_a_sheet_of_a_long_run_and_the_steps_when_asked(tmp_path, cap
     assert [p.name for p in (tmp_path / "short").iterdir()] == ["triangles-sheet.svg"]
     assert main(["draw", "aabb", "--steps", "--out", str(tmp_path / "steps")]) == 0
     assert len(list((tmp_path / "steps").iterdir())) == len(sv.steps(sv.scene("aabb").record()))
+
+
+@pytest.mark.parametrize("size", [1e-9, 1.0, 1e9])
+@pytest.mark.parametrize("k", range(1, 12, 2))
+def test_a_narrow_range_is_seen_and_long_numbers_stay_on_the_sheet(size, k):
+    w = size * 10.0**-k
+    b = sv.Polygon([(x * w + size / 3, y * w - size / 7) for x, y in ((0, 0), (1, 0.3), (0.2, 1))])
+    a = sv.Polygon([(-0.7 * size, -0.3 * size), (size, 0.1 * size), (0.2 * size, 0.8 * size)])
+    picture = sv.sheet(sv.record(a, b))
+    assert all(p[0] >= 0 and p[2] <= picture.size[0] for _, p in boxes(picture))
+    for row in {m.number for m in picture.marks if m.part == "range"}:
+        for part in "range", "small":
+            (mark,) = (m for m in picture.marks if (m.part, m.number, m.role) == (part, row, "B"))
+            size_there = max(abs(p.x - q.x) + abs(p.y - q.y) for p in mark.points for q in mark.points)
+            specks = [m for m in picture.marks if (m.part, m.number, m.role) == (f"{part}-speck", row, "B")]
+            assert size_there >= 3 or specks

@@ -915,3 +915,23 @@ def test_extremes_beyond_float64_are_shown_at_its_rim():
     assert {abs(c) for side in (test.a, test.b) for p in side.points for c in p} >= {most}
     assert all(abs(c) <= most for side in (test.a, test.b) for p in side.points for c in p)
     assert test.a.points[1] == (most, -most) and test.b.points[0] == (-most, most)
+
+
+@pytest.mark.parametrize("keep", ["all", "first", "none of it", "more"])
+def test_the_claim_of_a_shortcut_that_splits_is_that_of_its_pieces_and_its_certificate_holds(keep):
+    u = sv.Polygon([(0, 0), (6, 0), (6, 4), (5, 4), (5, 1), (1, 1), (1, 4), (0, 4)])
+    far = sv.Polygon([(90, 0), (91, 0), (91, 1)])
+    pieces = {"all": sv.parts(u), "first": sv.parts(u)[:1], "none of it": [far], "more": [sv.Polygon(u.vertices[:4])]}
+    mine = sv.Shortcut("mine", "these are all", split=lambda shape: pieces[keep])
+    l_shape = sv.Polygon([(2, 2), (4, 2), (4, 6), (9, 6), (9, 7), (2, 7)])
+    for b in l_shape, sv.Polygon([(5.5, 3), (8, 3), (8, 4)]), sv.Polygon([(2, 2), (3, 2), (3, 3)]), far:
+        trace = sv.record(u, b, axes=mine)
+        assert trace.relation is sv.relate(u, b)
+        assert trace.claim is max(sv.relate(piece, b) for piece in pieces[keep])
+        assert str(trace) and sv.picture(trace).marks
+        if trace.missed_hit:
+            assert trace.mtv is None and trace.separating is None
+            with pytest.raises(sv.InvalidScene):
+                trace.certificate  # noqa: B018
+        else:
+            assert trace.certificate.check()

@@ -40,7 +40,8 @@ class Digits(NamedTuple):
 
     def gap(self, value: float) -> str:
         """Its size, to three digits at least."""
-        return self._for(value).number(abs(value))
+        told = self._for(value)
+        return told.number(abs(value)) if told.shows(value) else _scientific(abs(value))
 
     def signed(self, value: float) -> str:
         """A gap: with its sign, 0 only for exactly 0."""
@@ -62,7 +63,9 @@ class Digits(NamedTuple):
         if not test.gap:
             start = end
         elif self.fine:
-            start = f"{end} {'+' if test.gap > 0 else MINUS} {self._for(test.gap).bare(abs(test.gap))}"
+            fine, size = self._for(test.gap), abs(test.gap)
+            text = fine.bare(size) if fine.shows(size) else _scientific(size / 10.0**self.power)
+            start = f"{end} {'+' if test.gap > 0 else MINUS} {text}"
         told = f"[{self._rest(left.lo)}, {end}]", f"[{start}, {self._rest(right.hi)}]"
         one, other = map(self._from_origin, told)
         return (one, other) if left is a else (other, one)
@@ -74,6 +77,10 @@ class Digits(NamedTuple):
     def _for(self, gap: float) -> "Digits":
         decimals = _needed(abs(gap) / 10.0**self.power, 3)
         return self._replace(decimals=decimals) if self.decimals < decimals <= MOST_ALONE else self
+
+    def shows(self, gap: float) -> bool:
+        """Are the decimals enough for three digits of a gap?"""
+        return _needed(abs(gap) / 10.0**self.power, 3) <= self.decimals
 
     def _from_origin(self, text: str) -> str:
         if not self.origin:

@@ -77,8 +77,10 @@ def around_parts(a: Shape, b: Shape) -> Vec | None:
     """
     if reason := too_many(a, b):
         raise InvalidScene(reason)
-    # near size 1 nothing overflows; a power of two changes no digit
-    size = frexp(min(max(a.reach, b.reach), LARGEST))[1]
+    # near size 1 nothing overflows; a power of two changes no digit, and moves are as long as the shapes are wide,
+    # however far out they lie
+    x0, y0, x1, y1 = (pick(ends) for pick, ends in zip((min, min, max, max), zip(a.bounds, b.bounds, strict=True)))
+    size = frexp(min(max(x1 - x0, y1 - y0), LARGEST))[1]
     radius = ldexp(a.radius + b.radius, -size)
     free = _Free(size, radius, [_region(p, q, size, radius) for p in parts(a) for q in parts(b)])
     borders = [border for region in free.regions for border in _borders(region.ring, radius)]

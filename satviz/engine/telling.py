@@ -108,7 +108,7 @@ def outcome(t: AxisTest, told: Digits) -> str:
         return f"gap {told.signed(t.gap)}"
     # where one range holds the other, getting out takes more than what they share
     if -t.gap > 1.001 * shared and not told.fine:
-        return f"overlap {told.number(shared)}, way out {way_out}"
+        return f"overlap {told.gap(shared)}, way out {way_out}"
     return f"overlap {way_out}"
 
 

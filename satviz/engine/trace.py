@@ -72,7 +72,7 @@ class Trace:
         Of a shortcut's run it is what the shortcut says, right or wrong.
         """
         if self.pairs:
-            return self.relation
+            return max(pair.relation for pair in self.pairs)
         if self.ended_by:
             return APART
         return TOUCHING if any(test.gap == 0 for test in self.tests) else OVERLAPPING
@@ -172,7 +172,7 @@ class Trace:
             raise InvalidScene("this run took a shortcut, so it proves nothing: ask trace.truth for a certificate")
         if self.separating:
             return separating_line(self.a, self.b, self.separating.axis)
-        if self.pairs:
+        if self.pairs and not self.shortcut:  # whose pieces may leave out some of a shape
             hit = self.colliding
             if hit:
                 return hit.certificate._replace(a=self.a, b=self.b)

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
+from math import hypot
 from typing import NamedTuple
 
 from ..engine import telling
@@ -22,14 +23,26 @@ from . import belief_rows, live, stages
 from .belief_rows import Panel
 from .caption import wrapped
 from .labels import Request, with_labels
-from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, moved, place_within, text_box
+from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, box_of, moved, padded, place_within, text_box
 from .marks import Mark, Picture
 from .panels import moved_to
 from .sketch import Sketch
-from .stages import Stage, Step, draw_mtv, draw_test, draw_verdict, others, separating_line, shifted
+from .stages import (
+    BEFORE_THE_AXIS,
+    OF_A_TEST,
+    Stage,
+    Step,
+    draw_mtv,
+    draw_test,
+    draw_verdict,
+    others,
+    separating_line,
+    shifted,
+)
 
 SAW, IS = "what the shortcut saw", "what is"
 PANEL = 340.0, 300.0  # the largest, in points
+FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
 BETWEEN, HEAD, RIM = 20.0, 24.0, 10.0  # points between the panels, for each one's heading, round the words above
 
 
@@ -82,6 +95,10 @@ def said(trace: Trace) -> Said:
     """What a shortcut's run says of its shapes, and what satviz says."""
     assert trace.shortcut
     row = row_of(trace)
+    if row is None and trace.push and trace.hit and _about_push(trace):
+        told, way = telling.digits(trace), trace.truth.known_mtv or Vec(0.0, 0.0)
+        words = f"push {told.vector(trace.push)}", f"{trace.relation}, way out {told.vector(way)}"
+        return Said(*words, not _leads_out(trace, trace.push, way))
     if row is None:
         return Said(str(trace.claim), str(trace.relation), bool(trace.claim) is not trace.hit)
     number, truth = row.read(trace), row.right(trace.a, trace.b)
@@ -89,6 +106,17 @@ def said(trace: Trace) -> Said:
         words = f"{trace.claim}, {row.told(number)}", f"{trace.relation}, {row.told(truth)}"
         return Said(*words, bool(trace.claim) is not trace.hit)
     return Said(row.told(number), row.told(truth), number != truth)
+
+
+def _leads_out(trace: Trace, push: Vec, way: Vec) -> bool:
+    """Does a push end the overlap, and is none shorter, but for rounding?"""
+    if not _near(trace, push):
+        return False
+    a, pushed = trace.a, shifted(trace.b, push)
+    left = record(a, pushed).known_mtv or Vec(0.0, 0.0)
+    x0, y0, x1, y1 = box_of([a, trace.b])
+    size = max(x1 - x0, y1 - y0, *map(abs, (x0, y0, x1, y1)))
+    return hypot(*left) <= 1e-12 * size and hypot(*push) <= hypot(*way) + 1e-12 * size
 
 
 def verdicts(trace: Trace) -> tuple[str, str]:
@@ -116,11 +144,12 @@ def _layouts(trace: Trace, largest: tuple[float, float]) -> tuple[Layout, Layout
     """Both panels' at last, on one scale: with a place for each test that the shortcut goes by; for the true one."""
     truth = true_test(trace)
     tests = [_with_room(trace, test) for test in believed_tests(trace)], [truth] if truth else []
-    drawn = _drawn(trace, trace.push), _drawn(trace, trace.truth.known_mtv)
+    drawn = _drawn(trace, trace.push if _about_push(trace) else None), _drawn(trace, trace.truth.known_mtv)
     found = [arrange([Group(shapes, of)], largest=largest)[0] for shapes, of in zip(drawn, tests, strict=True)]
     small, large = sorted((0, 1), key=lambda k: found[k].scale)
     found[large] = _on_scale(found[small].scale, drawn[large], tests[large], largest) or found[large]
-    return found[0], found[1]
+    size = max(layout.size[0] for layout in found), max(layout.size[1] for layout in found)
+    return padded(found[0], size), padded(found[1], size)
 
 
 def _on_scale(
@@ -158,11 +187,24 @@ def _room(trace: Trace, largest: tuple[float, float]) -> tuple[float, float]:
     return max(w for w, _ in sizes), max(h for _, h in sizes)
 
 
+def _about_push(trace: Trace) -> bool:
+    """Is the shortcut about where B would be pushed?"""
+    row, shortcut = row_of(trace), trace.shortcut
+    return row.read in OF_PUSHES if row else bool(shortcut and (shortcut.push or shortcut.split))
+
+
 def _drawn(trace: Trace, move: Vec | None) -> list[Shape]:
     """The shapes, and where B is moved to, which must fit too."""
-    return [trace.a, trace.b, *([shifted(trace.b, move)] if move else [])]
+    return [trace.a, trace.b, *([shifted(trace.b, move)] if move and _near(trace, move) else [])]
 
 
+def _near(trace: Trace, move: Vec) -> bool:
+    """Is B, moved so, still near enough for both shapes to be seen in one picture?"""
+    x0, y0, x1, y1 = box_of([trace.a, trace.b])
+    return max(map(abs, move)) < 3 * max(x1 - x0, y1 - y0)
+
+
+@lru_cache(maxsize=64)
 def _saw(trace: Trace, step: Step, largest: tuple[float, float]) -> Picture:
     """A step of the shortcut's run; at last its number, struck out where it is wrong."""
     if step.stage is Stage.VERDICT:
@@ -174,16 +216,18 @@ def _saw(trace: Trace, step: Step, largest: tuple[float, float]) -> Picture:
     if step.pair is not None:
         others(sketch, trace, run)
     if step.test is not None:
-        draw_test(sketch, step.stage, step.test, layout.places[0])
+        draw_test(sketch, step.stage, step.test, None if step.stage in BEFORE_THE_AXIS else layout.places[0])
     else:
         sketch.shapes()
-    return sketch.finish("", stages.sentence(run, step))
+    fuller = FULLER.get(step.stage)  # whose labels leave room for what comes next, so that nothing jumps
+    kept = _saw(trace, step._replace(stage=fuller), largest).labels if fuller else ()
+    return sketch.finish("", stages.sentence(run, step), kept=kept)
 
 
 @lru_cache(maxsize=64)
 def _believed(trace: Trace, largest: tuple[float, float]) -> Picture:
     """The tests that the shortcut goes by, what it says, and where it would push B."""
-    own = _own(belief_rows.SAW, trace)
+    own = belief_rows.pieces if trace.pairs else _own(belief_rows.SAW, trace)
     sketch = own(trace, largest) if own else _tests_believed(trace, largest)
     if word := verdicts(trace)[0]:
         sketch.note("claim", word, "ink", weight="title", first=1)
@@ -222,16 +266,18 @@ def believed_tests(trace: Trace) -> list[AxisTest]:
 def draw_push(sketch: Sketch) -> None:
     """B where the shortcut would push it, if that is what it is about."""
     trace = sketch.trace
-    row = row_of(trace)
-    if row is None or row.read not in OF_PUSHES or not trace.push:
+    if not _about_push(trace) or not trace.push:
         return
-    start = centroid(trace.b)
-    tip = moved(start, trace.push, 1.0)
-    if any(trace.push):
+    start = tip = centroid(trace.b)
+    text = f"push {telling.digits(trace).vector(trace.push)}"
+    if not _near(trace, trace.push):
+        text += ",\nout of the picture"
+    elif any(trace.push):
+        tip = moved(start, trace.push, 1.0)
         sketch.shape("B", f"{trace.names.b} pushed", shifted(trace.b, trace.push), weight="faint", named=False)
         sketch.add("push", "arrow", "move", start, tip, start=(start,))
-    text = f"push {telling.digits(trace).vector(trace.push)}"
-    sketch.label("push-name", text, "move", tip, prefer=trace.push if any(trace.push) else Vec(0.0, 1.0), first=3)
+    prefer = trace.push if any(trace.push) else Vec(0.0, 1.0)
+    sketch.label("push-name", text, "move", tip, prefer=prefer, far=not _near(trace, trace.push), first=3)
 
 
 GAPS = "gap", "depth"  # numbers that are read off the ranges
@@ -247,7 +293,8 @@ def struck(drawn: Picture, trace: Trace) -> Picture:
     best = max((test.gap for test in told), default=0.0)
     read = {str(trace.tests.index(test) + 1) for test in told if test.gap == best}
     wrong = {"push-name", "number"} | ({"claim"} if claim != verdict else set())
-    wrong |= {"gap-name"} if claim != verdict or (row and row.what in GAPS) else set()
+    if not (trace.missed_hit and trace.proves):  # there the gap is right, and only what follows from it is wrong
+        wrong |= {"gap-name"} if claim != verdict or (row and row.what in GAPS) else set()
     labels = (mark for mark in drawn.marks if mark.kind == "label" and mark.part in wrong)
     struck = [_strike(mark, drawn.scale) for mark in labels if mark.part != "gap-name" or mark.axis in read]
     return drawn._replace(marks=(*drawn.marks, *struck))
@@ -348,7 +395,7 @@ def hand(
     row = row_of(trace)
     if row and row.what != "gap":
         sketch.note("number", said(trace).wrong, "ink", first=2)
-    if way_out:
+    if way_out and not trace.pairs:  # pieces show their pushes themselves
         draw_push(sketch)
     if where:
         text = f"dot {'on' if where[0].kind == 'segment' else 'in'} the red:\nthe shortcut is wrong"

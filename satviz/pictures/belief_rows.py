@@ -2,11 +2,11 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, pairwise
 from math import cos, hypot, pi, sin
 
 from ..engine import telling
-from ..engine.digits import number
+from ..engine.digits import MINUS, number
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Polygon, Shape, centroid
@@ -19,7 +19,7 @@ from .sketch import Sketch
 
 Panel = Callable[[Trace, tuple[float, float]], Sketch]
 FEW = 12  # dots that stand for many shapes
-ARROW = 46.0  # points
+ARROW = 74.0  # points
 
 
 def pieces(trace: Trace, largest: tuple[float, float]) -> Sketch:
@@ -61,11 +61,12 @@ def fan(trace: Trace, largest: tuple[float, float]) -> Sketch:
     p, q = centroid(trace.a), centroid(trace.b)
     across = ((p.x + q.x) * -n.y + (p.y + q.y) * n.x) / 2
     start = Vec(n.x * nearest - n.y * across, n.y * nearest + n.x * across)
-    for i in range(5):
-        turn = ends[0] + (ends[1] - ends[0]) * i / 4
-        c = direction(turn)
-        u = Vec(n.x * c.x - n.y * c.y, n.x * c.y + n.y * c.x)
-        tip = moved(start, u, sketch.layout.units(ARROW * 1.6))
+    turns = [ends[0] + (ends[1] - ends[0]) * i / 4 for i in range(5)]
+    ways = [Vec(n.x * c.x - n.y * c.y, n.x * c.y + n.y * c.x) for c in map(direction, turns)]
+    x0, y0, x1, y1 = sketch.layout.limits
+    room = min(x1 - start.x, start.x - x0, y1 - start.y, start.y - y0)
+    for i, (turn, u) in enumerate(zip(turns, ways, strict=True)):
+        tip = moved(start, u, min(sketch.layout.units(ARROW), room))
         sketch.add("fan", "arrow", "gap", start, tip, number=i, weight="strong" if i in (0, 4) else "plain")
         if i in (0, 4):
             sketch.label("fan-name", f"{number(round(turn, 2))}°", "gap", tip, number=i, prefer=u, first=1)
@@ -131,7 +132,7 @@ def support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
         return plain(trace, largest)
     supports = [_furthest(corners, direction(45.0 * k + 10.0)) for k in range(8)]
     found = next(filter(_holds_origin, combinations(dict.fromkeys(supports), 3)), tuple(supports[::3]))
-    xs, ys = [v.x for v in corners], [v.y for v in corners]
+    xs, ys = [0.0, *(v.x for v in corners)], [0.0, *(v.y for v in corners)]
     low = min(ys) - 0.25 * (max(ys) - min(ys))  # room for words
     box = Polygon([(min(xs), low), (max(xs), low), (max(xs), max(ys)), (min(xs), max(ys))])
     sketch = Sketch(trace, arrange([Group([box], [])], largest=(largest[0] * 0.8, largest[1] * 0.8))[0])
@@ -143,7 +144,7 @@ def support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
     sketch.add("origin", "dot", "wrong", Vec(0.0, 0.0))
     sketch.label("origin-name", "origin", "wrong", Vec(0.0, 0.0), first=1)
     count = len(trace.a.vertices) + len(trace.b.vertices)
-    text = f"a corner of B - A takes {count} looks,\nand a triangle round the origin three corners"
+    text = f"a corner of B {MINUS} A takes {count} looks,\nand a triangle round the origin three corners"
     below = Vec((min(xs) + max(xs)) / 2, low)
     sketch.label("looked-at", text, "guide", below, first=1, inside=True)
     return sketch
@@ -201,13 +202,9 @@ def flight(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 
 def distance(trace: Trace, largest: tuple[float, float]) -> Sketch:
-    """The nearest points, where they are vertices, and the segment between them."""
+    """The nearest points, and the segment between them."""
     truth = trace.truth
-    p, q = min(
-        ((p, q) for p in trace.a.vertices for q in trace.b.vertices),
-        key=lambda pair: hypot(pair[1].x - pair[0].x, pair[1].y - pair[0].y),
-        default=(centroid(trace.a), centroid(trace.b)),
-    )
+    p, q = _nearest(trace.a, trace.b)
     sketch = Sketch(trace, arrange([Group([trace.a, trace.b], [_least(trace)])], largest=largest)[0])
     sketch.shapes()
     if not truth.hit:
@@ -215,6 +212,29 @@ def distance(trace: Trace, largest: tuple[float, float]) -> Sketch:
         text = f"distance {number(right.distance(trace.a, trace.b))}"
         sketch.label("distance-name", text, "gap", sketch.middle(p, q), prefer=Vec(q.y - p.y, p.x - q.x), first=1)
     return sketch
+
+
+def _nearest(a: Shape, b: Shape) -> tuple[Vec, Vec]:
+    """A point of each, as near to each other as they come if the shapes are apart; rounded."""
+    pairs = [(p, _foot(p, edge)) for p in _ring(a) for edge in pairwise(_ring(b))]
+    pairs += [(_foot(q, edge), q) for q in _ring(b) for edge in pairwise(_ring(a))]
+    p, q = min(pairs, key=lambda pair: hypot(pair[1].x - pair[0].x, pair[1].y - pair[0].y))
+    length = hypot(q.x - p.x, q.y - p.y) or 1.0
+    way = Vec((q.x - p.x) / length, (q.y - p.y) / length)
+    return moved(p, way, a.radius), moved(q, way, -b.radius)
+
+
+def _ring(shape: Shape) -> Sequence[Vec]:
+    """The corners, the first one again at last; a circle's center twice."""
+    return (*shape.core, shape.core[0])
+
+
+def _foot(p: Vec, edge: tuple[Vec, Vec]) -> Vec:
+    """The point of an edge that lies nearest."""
+    q, r = edge
+    x, y = r.x - q.x, r.y - q.y
+    t = ((p.x - q.x) * x + (p.y - q.y) * y) / ((x * x + y * y) or 1.0)
+    return moved(q, Vec(x, y), min(1.0, max(0.0, t)))
 
 
 def plain(trace: Trace, largest: tuple[float, float]) -> Sketch:
@@ -225,7 +245,7 @@ def plain(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 
 def _room(trace: Trace, largest: tuple[float, float]) -> Layout:
-    moves = [move for move in (trace.push, trace.truth.known_mtv) if move]
+    moves = [pair.mtv for pair in trace.pairs if pair.mtv]
     return arrange([Group([trace.a, trace.b, *(put(trace.b, move) for move in moves)], [])], largest=largest)[0]
 
 
@@ -251,8 +271,6 @@ VERDICTS = {
 
 SAW: dict[str, Panel] = {
     "one-maximum": digits(exact=False),
-    "sum-of-parts": pieces,
-    "tile-seam": pieces,
     "many-pairs": crowd(every_pair=False),
     "gjk-looks-less": support_points,
     "tunnelling": frame,

@@ -102,8 +102,27 @@ def with_labels(
     for mark in others if steady else ():
         _put(board, mark)
     labels += board.labels(rest)
+    labels = _uncovered(labels, requests, layout)
     boxes = [(m.points[0], text_box(m.text, m.weight)) for m in labels if m.kind == "label"]
     return [_broken(m, boxes, layout) if m.role == "guide" and m.kind == "segment" else m for m in marks] + labels
+
+
+def _uncovered(labels: Sequence[Mark], requests: Sequence[Request], layout: Layout) -> list[Mark]:
+    """The labels without those that may be left out and on which others had to be placed for want of room."""
+    optional = {r.which for r in requests if r.optional}
+    boxes: dict[tuple[str, str, str, int | None], Limits] = {}
+    for mark in labels:
+        if mark.kind == "label":
+            (x, y), size = mark.points[0], text_box(mark.text, mark.weight)
+            w, h = (layout.units(side / 2) for side in size)
+            boxes[mark.part, mark.owner, mark.axis, mark.number] = x - w, y - h, x + w, y + h
+    must = [box for which, box in boxes.items() if which not in optional]
+    gone = {w for w, p in boxes.items() if w in optional and any(_meet(p, q) for q in must)}
+    return [m for m in labels if (m.part.removesuffix("-leader"), m.owner, m.axis, m.number) not in gone]
+
+
+def _meet(p: Limits, q: Limits) -> bool:
+    return p[0] < q[2] and q[0] < p[2] and p[1] < q[3] and q[1] < p[3]
 
 
 def _broken(mark: Mark, boxes: Sequence[tuple[Vec, tuple[float, float]]], layout: Layout) -> Mark:

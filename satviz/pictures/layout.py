@@ -21,6 +21,7 @@ LONGEST = 30  # letters of a range in one line
 WIDTH, HEIGHT = 500.0, 400.0  # the largest canvas
 LEAST_WIDTH, LEAST_HEIGHT = 420.0, 190.0
 PAD = 36.0  # all round
+NARROW_PAD = 12.0  # to the left and right on canvases less wide than the least of whole pictures: panels of one
 HEAD = 16.0  # and above it all, for a line of words
 BRIEF = 24.0  # the width of a label that is a name alone
 LABEL_HEIGHT = 18.0  # room for a range's label on the far side of its axis
@@ -36,7 +37,10 @@ def moved(p: Vec, d: Vec, t: float) -> Vec:
 
 
 class AxisPlace(NamedTuple):
-    """Where an axis is drawn: its direction, the way out from the shapes, the spot of coordinate 0, its ends."""
+    """Where an axis is drawn: its direction, the way out from the shapes, the spot of coordinate 0, its ends.
+
+    `unit`: scene units a unit of the axis; not 1, or 0 not where it belongs, where `slid`.
+    """
 
     n: Vec
     out: Vec
@@ -44,11 +48,13 @@ class AxisPlace(NamedTuple):
     lo: float
     hi: float
     track: float  # scene units between the axis and a bar
+    unit: float = 1.0
+    slid: bool = False
 
     def at(self, t: float, role: str = "") -> Vec:
         """Coordinate t on the axis, or on A's track (towards the shapes) or B's (away from them)."""
         side = {"A": -self.track, "B": self.track}.get(role, 0.0)
-        return moved(moved(self.zero, self.n, t), self.out, side)
+        return moved(moved(self.zero, self.n, t * self.unit), self.out, side)
 
 
 class Layout(NamedTuple):
@@ -114,8 +120,9 @@ def arrange(
             "move or scale it first (its trace is exact all the same)"
         )
     words = [[_label_room(group, test) for test in group.tests] for group in groups]
+    pad = PAD if largest[0] >= LEAST_WIDTH else NARROW_PAD
     while True:
-        layouts = _arranged(groups, words, largest, least, size)
+        layouts = _arranged(groups, words, largest, least, size, pad)
         if layouts is not None:
             return layouts
         # the room for labels is measured in points: too small a canvas is laid out larger and shown smaller
@@ -142,13 +149,14 @@ def _arranged(
     largest: tuple[float, float],
     least: tuple[float, float],
     size: float,
+    pad: float,
 ) -> list[Layout] | None:
     """The layouts on canvases of that size at most; None if the shapes would be lost on them."""
     scale = start = min(largest) / size / 2
     for _ in range(8):
         places = [_places(group, wide, scale) for group, wide in zip(groups, words, strict=True)]
-        boxes = [_room(*each, scale) for each in zip(groups, places, words, strict=True)]
-        room = largest[0] - 2 * PAD, largest[1] - 2 * PAD - HEAD
+        boxes = [_room(*each, scale, PAD - pad) for each in zip(groups, places, words, strict=True)]
+        room = largest[0] - 2 * pad, largest[1] - 2 * PAD - HEAD
         before, scale = scale, min(most / (box[i + 2] - box[i]) for box in boxes for i, most in enumerate(room))
         if not scale > start / 2.5:
             return None
@@ -156,7 +164,7 @@ def _arranged(
             break
     found = []
     for group, (x0, y0, x1, y1), there in zip(groups, boxes, places, strict=True):
-        width = round(min(largest[0], max(least[0], (x1 - x0) * scale + 2 * PAD)))
+        width = round(min(largest[0], max(least[0], (x1 - x0) * scale + 2 * pad)))
         head = HEAD if there else 0.0
         height = round(min(largest[1], max(least[1], (y1 - y0) * scale + 2 * PAD + head)))
         limits = around(((x0 + x1) / 2, (y0 + y1 + head / scale) / 2), (width, height), scale)
@@ -176,9 +184,11 @@ def padded(layout: Layout, size: tuple[float, float]) -> Layout:
     return layout._replace(limits=around(((x0 + x1) / 2, (y0 + y1) / 2), size, layout.scale), size=size)
 
 
-def _room(group: Group, places: Sequence[AxisPlace], words: Sequence[float], scale: float) -> Limits:
-    """The box of the shapes, the axes, and the labels on their far sides."""
+def _room(group: Group, places: Sequence[AxisPlace], words: Sequence[float], scale: float, beside: float) -> Limits:
+    """The box of the shapes, the axes, and the labels on their far sides; a normal needs points beside its shape."""
     x0, y0, x1, y1 = box_of(group.shapes)
+    if any(test.source.shape for test in group.tests):
+        x0, x1 = x0 - beside / scale, x1 + beside / scale
     ends = [place.at(t, role) for place in places for t in (place.lo, place.hi) for role in "AB"]
     for place, wide in zip(places, words, strict=True):
         for part in (0.15, 0.85):
@@ -203,13 +213,30 @@ def _place(shapes: Sequence[Shape], test: AxisTest, scale: float, side: int, wid
     far = max(_reach(shape, out) for shape in shapes)
     ranges = test.a.interval, test.b.interval
     lo, hi = min(r.lo for r in ranges), max(r.hi for r in ranges)
-    if 0 < lo < ZERO / scale:  # 0 is shown where it is near
+    unit, slid = _unit_and_slide(shapes, n, lo, hi)
+    points = scale * unit
+    if 0 < lo < ZERO / points:  # 0 is shown where it is near
         lo = 0.0
-    if -ZERO / scale < hi < 0:
+    if -ZERO / points < hi < 0:
         hi = 0.0
     label = abs(out.x) * wide + abs(out.y) * LABEL_HEIGHT + TRACK + 7.0
     away = far + max(CLEAR, label if wide else 0.0) / scale
-    return AxisPlace(n, out, Vec(out.x * away, out.y * away), lo - BEYOND / scale, hi + BEYOND / scale, TRACK / scale)
+    zero = moved(Vec(out.x * away, out.y * away), n, slid)
+    return AxisPlace(n, out, zero, lo - BEYOND / points, hi + BEYOND / points, TRACK / scale, unit, bool(slid))
+
+
+def _unit_and_slide(shapes: Sequence[Shape], n: Vec, lo: float, hi: float) -> tuple[float, float]:
+    """Scene units a unit of the axis, and how far its 0 is slid: 1 and 0 where the ranges lie about the shapes.
+
+    What a shortcut measures may lie far from them, or take much more room; on their scale they would be lost.
+    """
+    x0, y0, x1, y1 = box_of(shapes)
+    size = max(x1 - x0, y1 - y0)
+    far, near = (max(_reach(shape, d) for shape in shapes) for d in (n, Vec(-n.x, -n.y)))
+    if max(-near - lo, hi - far) <= size:
+        return 1.0, 0.0
+    unit = min(1.0, 2 * size / (hi - lo))
+    return unit, (far - near) / 2 - (lo + (hi - lo) / 2) * unit
 
 
 def place_within(layout: Layout, shapes: Sequence[Shape], test: AxisTest, near: Vec | None = None) -> AxisPlace:

@@ -7,11 +7,14 @@ A gap on an axis is how far the origin lies outside on it; the way out is the wa
 from collections.abc import Sequence
 
 from ..engine import telling
+from ..engine.digits import MINUS
 from ..engine.geometry import Relation, Vec
+from ..engine.sat import AxisTest
 from ..engine.shapes import Polygon, Shape
 from ..engine.trace import Trace, record
 from ..scenes.asked import Asked, trace_of
 from ..scenes.failing.where import difference as rings
+from .insets import SMALLEST
 from .layout import Group, arrange, moved
 from .marks import Picture
 from .sketch import Sketch
@@ -29,26 +32,41 @@ def difference(
     run = trace_of(what, b).truth
     # A - B is where B's moves lead into A; seen from the origin, B - A is that turned half round
     found = [tuple(Vec(-p.x, -p.y) for p in ring) for ring in rings(run.a, run.b)]
-    xs, ys = [0.0, *(p.x for ring in found for p in ring)], [0.0, *(p.y for ring in found for p in ring)]
+    best = max(run.tests, key=lambda test: test.gap, default=None)
+    foot = _foot(best, found) if best and best.gap > 0 else Vec(0.0, 0.0)
+    move = run.known_mtv or Vec(0.0, 0.0)
+    spots = [Vec(0.0, 0.0), foot, Vec(-move.x, -move.y), *(p for ring in found for p in ring)]
+    xs, ys = [p.x for p in spots], [p.y for p in spots]
     box = Polygon([(min(xs), min(ys)), (max(xs), min(ys)), (max(xs), max(ys)), (min(xs), max(ys))])
     sketch = Sketch(record(run.a, run.b), arrange([Group([box], [])], largest=largest)[0])
     for i, ring in enumerate(found):
         sketch.add("difference", "outline", "guide", *ring, number=i)
+        if max(abs(p.x - q.x) + abs(p.y - q.y) for p in ring for q in ring[:1]) * sketch.layout.scale < SMALLEST:
+            sketch.add("difference-speck", "dot", "guide", _middle(ring), number=i)
     inner = [_middle(ring) for ring in found]
-    sketch.label("difference-name", "B - A", "guide", inner[0], along=tuple(inner[1:]), inside=True, weight="title")
+    sketch.label(
+        "difference-name", f"B {MINUS} A", "guide", inner[0], along=tuple(inner[1:]), inside=True, weight="title"
+    )
     origin = Vec(0.0, 0.0)
     sketch.add("origin", "dot", "ink", origin)
     sketch.label("origin-name", "origin", "ink", origin, prefer=_away(inner[0]), first=1)
-    words = _proof(sketch, run, found)
+    words = _proof(sketch, run, best, foot)
     where = {Relation.APART: "outside", Relation.TOUCHING: "on the rim of", Relation.OVERLAPPING: "inside"}[
         run.relation
     ]
     sketch.note("verdict", str(run.relation), "ink", weight="title", first=1)
-    sentence = f"The origin lies {where} B - A, so A and B {telling.ARE[run.relation]}{words}."
+    sentence = f"The origin lies {where} B {MINUS} A, so A and B {telling.ARE[run.relation]}{words}."
     return sketch.finish(title, sentence, steady=False)
 
 
-def _proof(sketch: Sketch, run: Trace, found: Sequence[Sequence[Vec]]) -> str:
+def _foot(best: AxisTest, found: Sequence[Sequence[Vec]]) -> Vec:
+    """How far the origin lies outside on an axis, on that axis."""
+    n = best.axis.direction
+    far = min((p for ring in found for p in ring), key=lambda p: abs(p.x * n.x + p.y * n.y))
+    return moved(Vec(0.0, 0.0), n, best.gap if far.x * n.x + far.y * n.y > 0 else -best.gap)
+
+
+def _proof(sketch: Sketch, run: Trace, best: AxisTest | None, foot: Vec) -> str:
     """The gap from the origin to the polygon along the best axis, or the way out to its rim."""
     origin = Vec(0.0, 0.0)
     if run.relation is Relation.OVERLAPPING:
@@ -60,13 +78,9 @@ def _proof(sketch: Sketch, run: Trace, found: Sequence[Sequence[Vec]]) -> str:
         text = f"MTV {told.vector(move)}"
         sketch.label("mtv-name", text, "move", sketch.middle(rim, origin), prefer=Vec(move.y, -move.x), first=2)
         return f": the rim is nearest at {told.vector(rim)}, and moving B by {told.vector(move)} brings it there"
-    best = max(run.tests, key=lambda test: test.gap, default=None)
     if best is None or best.gap < 0:
         return ""
     n, told = best.axis.direction, telling.digits(run, best)
-    far = min((p for ring in found for p in ring), key=lambda p: abs(p.x * n.x + p.y * n.y))
-    side = 1.0 if far.x * n.x + far.y * n.y > 0 else -1.0
-    foot = moved(origin, n, side * best.gap)
     sketch.line_across("side", foot, n, "gap")
     across = Vec(-n.y, n.x)
     low, high = sketch.line_across("axis", origin, across, "guide")

@@ -18,7 +18,8 @@ MOST_ROWS = 12
 # all in points
 WIDTH, ROW, HEAD, MARGIN = 500.0, 58.0, 30.0, 12.0
 SMALL = 74.0, 48.0  # a row's small picture
-BARS = 100.0, 376.0  # from where to where the ranges reach
+BARS = 100.0, 376.0  # from where to where the ranges reach, less far where the words beside them are long
+SPECK = 3.0  # a shorter range is a dot
 TRACK = 5.0
 FAR_ZERO = 4.0  # where 0 lies further off than so many times what the ranges take, each row has its own scale
 
@@ -47,12 +48,14 @@ def sheet(what: Asked | Shape, b: Shape | None = None, *, title: str = "") -> Pi
     lines = wrapped(trace.sentence, WIDTH - 2 * MARGIN).split("\n")
     height = HEAD + ROW * len(shown) + (22 if rest else 0) + 16 * len(lines) + 2 * MARGIN
     top = height - HEAD
-    marks = [_text("legend", text, role, left, top + 9, n) for n, (role, text, left) in enumerate(_legend(trace))]
-    scale, zero = _scale([_ends(row.test) for row in shown])
+    widest = max((text_box(line)[0] for row in shown for line, _ in _said(row)), default=0.0)
+    end = min(BARS[1], WIDTH - MARGIN - widest - 8)
+    marks = [_text("legend", text, role, left, top + 9, n) for n, (role, text, left) in enumerate(_legend(trace, end))]
+    scale, zero = _scale([_ends(row.test) for row in shown], end)
     if zero is not None:
         marks.append(Mark("zero-name", "label", "guide", (Vec(zero, top + 9),), text="0"))
     for i, row in enumerate(shown):
-        marks += _row(row, i + 1, top - ROW * i, scale, zero)
+        marks += _row(row, i + 1, top - ROW * i, scale, zero, end)
     y = top - ROW * len(shown)
     if rest:
         best = max(rest, key=lambda row: row.test.gap)
@@ -75,10 +78,10 @@ def _rows(trace: Trace) -> list[Row]:
     return found
 
 
-def _legend(trace: Trace) -> list[tuple[str, str, float]]:
+def _legend(trace: Trace, end: float) -> list[tuple[str, str, float]]:
     """Whose bar is where: role, words, where they begin."""
     above, below = f"{trace.names.a} above,", f"{trace.names.b} below"
-    return [("A", above, BARS[1] + 8), ("B", below, BARS[1] + 12 + text_box(above)[0])]
+    return [("A", above, end + 8), ("B", below, end + 12 + text_box(above)[0])]
 
 
 def _ends(test: AxisTest) -> tuple[float, float]:
@@ -86,38 +89,53 @@ def _ends(test: AxisTest) -> tuple[float, float]:
     return min(a.lo, b.lo), max(a.hi, b.hi)
 
 
-def _scale(ends: Sequence[tuple[float, float]]) -> tuple[float, float | None]:
+def _scale(ends: Sequence[tuple[float, float]], end: float) -> tuple[float, float | None]:
     """Points a unit, the same in all rows, and where 0 lies; None where it lies too far off."""
     widest = max((hi - lo for lo, hi in ends), default=1.0) or 1.0
     lo, hi = min((lo for lo, _ in ends), default=0.0), max((hi for _, hi in ends), default=0.0)
     lo, hi = min(lo, 0.0), max(hi, 0.0)
-    room = BARS[1] - BARS[0]
+    room = end - BARS[0]
     if hi - lo > FAR_ZERO * widest:
         return room / widest, None
     scale = room / ((hi - lo) or 1.0)
     return scale, BARS[0] - lo * scale
 
 
-def _row(row: Row, number: int, top: float, scale: float, zero: float | None) -> list[Mark]:
+def _said(row: Row) -> list[tuple[str, str]]:
+    """What a row's test says, line by line, each with its role."""
+    run, _, test, made = row
+    found = telling.outcome(test, telling.digits(run, test)).replace(", way out", "\nway out").split("\n")
+    colour = "guide" if not made else "ink" if not test.gap else "gap" if test.gap > 0 else "overlap"
+    lines = [(found[0], colour), *((line, "ink" if made else "guide") for line in found[1:])]
+    if not made:
+        lines.append(("not tested", "guide"))
+    elif test.separates:
+        lines.append(("separates: stop", "ink"))
+    return lines
+
+
+def _row(row: Row, number: int, top: float, scale: float, zero: float | None, end: float) -> list[Mark]:
     run, _, test, made = row
     weight, ink = ("plain", "ink") if made else ("faint", "guide")
     y = top - ROW / 2 - 6
     a, b = test.a.interval, test.b.interval
     lo, hi = _ends(test)
-    middle = (BARS[0] + BARS[1]) / 2
+    middle = (BARS[0] + end) / 2
 
     def at(t: float) -> float:
         return zero + t * scale if zero is not None else middle + (t - (lo + hi) / 2) * scale
 
     marks = _small(row, number, top, weight)
-    marks.append(Mark("line", "segment", "guide", (Vec(BARS[0], y), Vec(BARS[1], y)), number=number))
+    marks.append(Mark("line", "segment", "guide", (Vec(BARS[0], y), Vec(end, y)), number=number))
     if zero is not None:
         tick = Vec(zero, y + 2 * TRACK), Vec(zero, y - 2 * TRACK)
         marks.append(Mark("zero", "segment", "ink", tick, number=number, weight=weight))
 
-    def bar(part: str, role: str, start: float, end: float, level: float, owner: str = "") -> None:
-        points = Vec(at(start), level), Vec(at(end), level)
+    def bar(part: str, role: str, start: float, stop: float, level: float, owner: str = "") -> None:
+        points = Vec(at(start), level), Vec(at(stop), level)
         marks.append(Mark(part, "interval", role, points, owner=owner, number=number, weight=weight))
+        if owner and points[1].x - points[0].x < SPECK:
+            marks.append(Mark("range-speck", "dot", role, points[:1], owner=owner, number=number, weight=weight))
 
     bar("range", "A", *a, y + TRACK, run.names.a)
     bar("range", "B", *b, y - TRACK, run.names.b)
@@ -127,17 +145,11 @@ def _row(row: Row, number: int, top: float, scale: float, zero: float | None) ->
         bar("gap", "overlap", max(a.lo, b.lo), min(a.hi, b.hi), y)
     name = telling.axis_name(test.axis, (run.a, run.b), run.names)
     pair = "" if run.names == ("A", "B") else f"{run.names.a} | {run.names.b}: "
-    marks.append(_text("name", _cut(f"{pair}{row.number} {name}", BARS[1] - BARS[0]), ink, BARS[0], top - 10, number))
-    found = telling.outcome(test, telling.digits(run, test)).replace(", way out", "\nway out").split("\n")
-    colour = ink if not made or not test.gap else "gap" if test.gap > 0 else "overlap"
-    lines = [(found[0], colour), *((line, ink) for line in found[1:])]
-    if not made:
-        lines.append(("not tested", ink))
-    elif test.separates:
-        lines.append(("separates: stop", ink))
+    marks.append(_text("name", _cut(f"{pair}{row.number} {name}", end - BARS[0]), ink, BARS[0], top - 10, number))
+    lines = _said(row)
     for n, (line, role) in enumerate(lines):
         up = y + 7 * (len(lines) - 1) - 14 * n
-        marks.append(_text(f"outcome-{n + 1}", line, role, BARS[1] + 8, up, number))
+        marks.append(_text(f"outcome-{n + 1}", line, role, end + 8, up, number))
     if made and test.separates:
         box = Vec(4, top - ROW + 1), Vec(WIDTH - 4, top - ROW + 1), Vec(WIDTH - 4, top - 1), Vec(4, top - 1)
         marks.append(Mark("stop", "outline", "gap", box, number=number, weight="faint"))
@@ -163,6 +175,8 @@ def _small(row: Row, number: int, top: float, weight: str) -> list[Mark]:
             ring = list(shape.vertices)
         points = tuple(at(p) for p in ring)
         marks.append(Mark("small", "outline", role, points, owner=name, number=number, weight="faint"))
+        if max(abs(p.x - points[0].x) + abs(p.y - points[0].y) for p in points) < SPECK:
+            marks.append(Mark("small-speck", "dot", role, points[:1], owner=name, number=number, weight=weight))
     n = test.axis.direction
     half = min(SMALL[0] / 2 / max(abs(n.x), 1e-9), SMALL[1] / 2 / max(abs(n.y), 1e-9), hypot(*SMALL))
     ends = tuple(Vec(corner.x + n.x * half * way, corner.y + n.y * half * way) for way in (-1, 1))

@@ -16,7 +16,7 @@ from ..engine.shapes import Circle, Polygon, Shape, centroid
 from ..engine.trace import Trace
 from .insets import Inset, in_words, small
 from .labels import Request, Segment, Wishes, holds, name_spots, short_name, with_labels
-from .layout import TRACK, AxisPlace, Layout, moved, range_label
+from .layout import LONGEST, TRACK, AxisPlace, Layout, moved, range_label
 from .marks import Details, Mark, Picture
 
 NORMAL = 34.0  # the length of a normal's arrow, in points
@@ -84,19 +84,20 @@ class Sketch:
     def insets(self, test: AxisTest | None = None) -> None:
         """What is too small for the pen, larger: the shapes, or the gap of a test."""
         for number, inset in enumerate(self.layout.insets, 1):
-            if inset.test != test:
-                continue
+            outlines = [(role, name, [*inset.edges(shape)]) for role, name, shape in self.pair()]
+            if inset.test != test or not (inset.test or any(edges for *_, edges in outlines)):
+                continue  # of another test, or of a part that this step leaves aside
             x0, y0, x1, y1 = inset.box
             corners = Vec(x0, y0), Vec(x1, y0), Vec(x1, y1), Vec(x0, y1)
             self.add("inset", "outline", "guide", *corners, weight="faint", number=number)
-            what = f"{inset.of}, " if inset.of else "gap, "
+            what = inset.of or ("gap" if inset.test and inset.test.gap > 0 else "overlap")
             below = Vec(inset.center.x, y0 - self.layout.units(9))
-            text = f"{what}{in_words(inset.times)}"
+            text = f"{what}, {in_words(inset.times)}"
             self.marks.append(Mark("inset-name", "label", "ink", (below,), number=number, text=text))
             if inset.test is None:
-                for role, name, shape in self.pair():
-                    ends = [end for edge in inset.edges(shape) for end in edge]
-                    if ends:
+                for role, name, edges in outlines:
+                    if edges:
+                        ends = [end for edge in edges for end in edge]
                         self.add("inset-edge", "segment", role, *ends, owner=name, number=number)
             else:
                 self.larger_gap(inset, number)
@@ -286,6 +287,7 @@ class Sketch:
         if told:
             kind, _, ids = test.source
             text = "xy"[ids[0]] if kind == WORLD else f"axis {self.number(test)}"
+            text += "\n(not to scale)" if place.slid else ""
             self.label("axis-name", text, "ink", place.at(place.hi), axis=self.on(test), prefer=place.n, first=3)
         if place.lo < 0 < place.hi:
             half = self.layout.units(ZERO_TICK)
@@ -302,26 +304,32 @@ class Sketch:
         shown = self.nearest_ends(side, place) if ends_only else range(len(side.points))
         for i in shown:
             point, spot = side.points[i], place.at(side.landings[i])
-            self.add("drop", "segment", "guide", point, spot, owner=name, axis=axis, number=i, start=(point,))
-            self.add("dropped", "dot", role, point, owner=name, axis=axis, number=i)
-            self.add("landing", "dot", role, spot, owner=name, axis=axis, number=i, start=(point,))
+            x0, y0, x1, y1 = self.layout.limits
+            from_here = x0 <= point.x <= x1 and y0 <= point.y <= y1  # a shortcut may take points of its own
+            if from_here:
+                self.add("drop", "segment", "guide", point, spot, owner=name, axis=axis, number=i, start=(point,))
+                self.add("dropped", "dot", role, point, owner=name, axis=axis, number=i)
+            start = (point,) if from_here else ()
+            self.add("landing", "dot", role, spot, owner=name, axis=axis, number=i, start=start)
         if named:
             told = telling.digits(self.trace, test)
             for end, way in zip(side.interval, (-1, 1), strict=True):
                 text = told.landing(end)
-                ids = [i for i, t in enumerate(side.landings) if told.landing(t) == text]
-                who = self.vertex_names(name, shape, ids)
+                landed = [p for p, t in zip(side.points, side.landings, strict=True) if told.landing(t) == text]
+                who = self.vertex_names(name, shape, landed)
                 prefer = Vec(place.out.x * (1 if role == "B" else -1), place.out.y * (1 if role == "B" else -1))
                 prefer = Vec(prefer.x + place.n.x * way * 0.5, prefer.y + place.n.y * way * 0.5)
                 part = "lowest" if way < 0 else "highest"
-                text = f"{who}: {text}" if who else text
+                between = " " if len(who + text) < LONGEST else "\n"
+                text = f"{who}:{between}{text}" if who else text
                 self.label(part, text, role, place.at(end), owner=name, axis=axis, prefer=prefer)
 
-    def vertex_names(self, name: str, shape: Shape, ids: Sequence[int]) -> str:
+    def vertex_names(self, name: str, shape: Shape, points: Sequence[Vec]) -> str:
         """Some of a shape's corners, if the owner named its vertices: "v1, v2"."""
         if isinstance(shape, Circle) or not shape.labels:
             return ""
-        return ", ".join(short_name(shape, name, i) for i in sorted(shape.corner_ids[i] for i in ids))
+        names = [short_name(shape, name, i) for i in sorted(shape.corner_ids) if shape.vertices[i] in points]
+        return ", ".join(names if len(names) < 4 else [*names[:2], f"{len(names) - 2} more"])
 
     def nearest_ends(self, side: Projection, place: AxisPlace) -> list[int]:
         """A lowest and a highest point; of several that land together the one nearest to the axis."""
@@ -329,7 +337,7 @@ class Sketch:
         def height(i: int) -> float:
             return side.points[i].x * place.out.x + side.points[i].y * place.out.y
 
-        close = self.layout.units(0.5)
+        close = self.layout.units(0.5) / place.unit
         found = []
         for end in side.interval:
             ties = [i for i, t in enumerate(side.landings) if abs(t - end) <= close]

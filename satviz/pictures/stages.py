@@ -244,7 +244,8 @@ def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace], *, told: bool = Tr
                     sketch.shape(role, name, shape, quiet=True)
         spot = certificate.point
         sketch.add("shared", "dot", "ink", spot)
-        sketch.label("shared-name", f"a point in both: {telling.digits(trace).vector(spot)}", "ink", spot, first=4)
+        text = f"a point in both: {telling.digits(trace).vector(spot)}" if told else "in both"
+        sketch.label("shared-name", text, "ink", spot, first=4)
         draw_move(sketch)
 
 

@@ -3,7 +3,8 @@
 from itertools import combinations
 from math import cos, hypot, nan, radians, sin
 
-from ...engine.axes import EDGE, HULL, Source, directions, edge_normals, hull_normals
+from ...engine.axes import EDGE, HULL, Source, directions, edge_normals, hull_normals, needed
+from ...engine.concave import parts
 from ...engine.geometry import Vec
 from ...engine.sat import axis_tests
 from ...engine.shapes import Shape
@@ -48,10 +49,18 @@ def way_aside(a: Shape, b: Shape) -> float:
 
 
 def distance(a: Shape, b: Shape) -> float:
-    """The largest gap once the directions from vertex to vertex are tested too."""
-    between = [Vec(q.x - p.x, q.y - p.y) for p in a.vertices for q in b.vertices if p != q]
-    tests = record(a, b, axes=directions(*between), every_axis=True).tests
-    return max([gap(a, b), *(test.gap for test in tests)])
+    """How far the nearest points lie from each other; 0 where the shapes meet.
+
+    Of convex shapes that is the largest gap, once the direction between the nearest vertices is tested too.
+    """
+    return max(0.0, min(_largest_gap(p, q) for p in parts(a) for q in parts(b)))
+
+
+def _largest_gap(a: Shape, b: Shape) -> float:
+    between = [Vec(q.x - p.x, q.y - p.y) for p in a.vertices for q in b.vertices]
+    nearest = min(between, key=lambda way: hypot(*way), default=Vec(0.0, 0.0))
+    axes = (*needed(a, b).axes, *(directions(nearest)(a, b).axes if any(nearest) else ()))
+    return max(test.gap for test in axis_tests(a, b, axes))
 
 
 def fan(a: Shape, b: Shape) -> tuple[float, float]:
