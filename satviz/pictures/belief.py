@@ -20,10 +20,10 @@ from ..scenes.failing.reading import OF_PUSHES
 from ..scenes.failing.where import lies
 from ..scenes.shortcuts import middle
 from . import belief_rows, live, stages
-from .belief_rows import Panel
+from .belief_rows import Panel, arrange
 from .caption import wrapped
 from .labels import Request, with_labels
-from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, box_of, moved, padded, place_within, text_box
+from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, box_of, moved, padded, place_within, text_box
 from .marks import Mark, Picture
 from .panels import moved_to
 from .sketch import Sketch

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import combinations, pairwise
 from math import cos, hypot, pi, sin
 
@@ -14,9 +15,11 @@ from ..engine.trace import Trace
 from ..scenes.failing import right, swept
 from ..scenes.failing.reading import moved as put
 from .curve import direction
-from .layout import Group, Layout, arrange, moved
+from .layout import NARROW_PAD, Group, Layout, moved
+from .layout import arrange as arranged
 from .sketch import Sketch
 
+arrange = partial(arranged, pad=NARROW_PAD)
 Panel = Callable[[Trace, tuple[float, float]], Sketch]
 FEW = 12  # dots that stand for many shapes
 ARROW = 74.0  # points

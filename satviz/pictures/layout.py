@@ -21,7 +21,7 @@ LONGEST = 30  # letters of a range in one line
 WIDTH, HEIGHT = 500.0, 400.0  # the largest canvas
 LEAST_WIDTH, LEAST_HEIGHT = 420.0, 190.0
 PAD = 36.0  # all round
-NARROW_PAD = 12.0  # to the left and right on canvases less wide than the least of whole pictures: panels of one
+NARROW_PAD = 12.0  # to the left and right in a panel beside another
 HEAD = 16.0  # and above it all, for a line of words
 BRIEF = 24.0  # the width of a label that is a name alone
 LABEL_HEIGHT = 18.0  # room for a range's label on the far side of its axis
@@ -106,8 +106,11 @@ def arrange(
     *,
     largest: tuple[float, float] = (WIDTH, HEIGHT),
     least: tuple[float, float] = (LEAST_WIDTH, LEAST_HEIGHT),
+    pad: float = PAD,
 ) -> list[Layout]:
     """A layout for each group, all at one scale: limits around the shapes, each axis clear of them and of the others.
+
+    `pad`: points that are kept free to the left and right.
 
     The room around the shapes is measured in points, which need the scale, which needs
     the room: a few rounds settle it.
@@ -120,7 +123,6 @@ def arrange(
             "move or scale it first (its trace is exact all the same)"
         )
     words = [[_label_room(group, test) for test in group.tests] for group in groups]
-    pad = PAD if largest[0] >= LEAST_WIDTH else NARROW_PAD
     while True:
         layouts = _arranged(groups, words, largest, least, size, pad)
         if layouts is not None:
