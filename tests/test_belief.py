@@ -10,6 +10,7 @@ from satviz.engine.digits import plain
 from satviz.pictures import belief, belief_rows
 from satviz.pictures.layout import text_box
 from satviz.pictures.marks import Picture
+from satviz.pictures.stages import shifted
 from satviz.scenes.article import box
 from satviz.scenes.failing import NAMED, REFUSED, ROWS, right
 from satviz.scenes.shortcuts import NAMED as SHORTCUTS
@@ -137,6 +138,29 @@ def test_a_shortcut_that_is_right_for_once_is_not_struck_out():
     trace = sv.record(box(0, 0, 1, 1), box(3, 0, 4, 1), axes=SHORTCUTS["one-shapes-normals"])
     drawn = sv.picture(trace)
     assert drawn.mark("wrong").text == "Here it happens to be right: apart, gap +2." and not struck(drawn)
+
+
+@pytest.mark.parametrize(
+    "name, move, right",
+    [
+        ("tunnelling", (0, 3.1), True),
+        ("tunnelling", (0.9, 0.3), False),
+        ("touch-on-paper", (0.9, 0.3), True),
+        ("push-from-center", (0.9, 0.3), True),
+        ("push-from-center", (0, 9), True),
+        ("sum-of-parts", (30, 7), True),
+        ("sum-of-parts", (0.9, 0.3), False),
+        ("tile-seam", (0, 9), True),
+    ],
+)
+def test_a_shortcut_is_called_wrong_only_where_it_is(name, move, right):
+    """Not for a rounding, nor for a push where there is nothing to push."""
+    row = NAMED[name]
+    a, b = row.shapes
+    trace = sv.record(a, shifted(b, sv.Vec(*move)), axes=row.shortcut)
+    words = sv.picture(trace).mark("wrong").text
+    assert words.startswith("Here it happens to be right: " if right else "Wrong: "), words
+    assert sv.picture(row.scene.record()).mark("wrong").text.startswith("Wrong: ")
 
 
 def test_a_shortcut_of_ones_own_is_drawn_beside_the_truth():

@@ -14,7 +14,8 @@ import pytest
 
 from satviz.cli import main
 from satviz.pictures import THEMES
-from satviz.study import run
+from satviz.study import bench_chart, run
+from satviz.study.bench import Row
 from satviz.study.lab.cells import Cell, Failure, Settings, results
 from satviz.study.lab.chart import Chart, axes, suffix, wilson
 from satviz.study.methods import COMPILED
@@ -201,14 +202,26 @@ def test_the_command_does_every_section_and_says_where_to_begin(tmp_path, capsys
 
 
 COMMITTED = Path(__file__).parent.parent / "figures"
-KEPT = json.loads((COMMITTED / "speed-against-accuracy.json").read_text(encoding="utf-8"))
+README = (COMMITTED.parent / "README.md").read_text(encoding="utf-8")
 
 
+def kept(stem):
+    return json.loads((COMMITTED / f"{stem}.json").read_text(encoding="utf-8"))
+
+
+KEPT, BENCH = kept("speed-against-accuracy"), kept("bench")
+IN_README = {
+    "speed-against-accuracy": resolution.main_chart(KEPT["rows"], Settings(**KEPT["settings"])),
+    "bench": bench_chart.chart([Row(**row) for row in BENCH["rows"]], BENCH["rough"]),
+}
+
+
+@pytest.mark.parametrize("stem", IN_README)
 @pytest.mark.parametrize("theme", THEMES.values(), ids=list(THEMES))
-def test_the_chart_in_the_readme_is_what_its_numbers_draw(theme):
-    chart = resolution.main_chart(KEPT["rows"], Settings(**KEPT["settings"]))
-    assert (chart.reading, chart.title, chart.rough) == (KEPT["reading"], KEPT["title"], KEPT["rough"])
-    committed = (COMMITTED / f"{chart.stem}{suffix(theme)}.svg").read_text(encoding="utf-8")
+def test_a_chart_in_the_readme_is_what_its_numbers_draw(stem, theme):
+    chart, numbers = IN_README[stem], kept(stem)
+    assert (chart.reading, chart.title, chart.rough) == (numbers["reading"], numbers["title"], numbers["rough"])
+    committed = (COMMITTED / f"{stem}{suffix(theme)}.svg").read_text(encoding="utf-8")
     drawn = chart.encode("svg", theme).decode()
     if f"with matplotlib {matplotlib.__version__}<" in committed:
         assert drawn == committed
@@ -217,6 +230,11 @@ def test_the_chart_in_the_readme_is_what_its_numbers_draw(theme):
         return [text.text for text in ElementTree.fromstring(svg).iter("{http://www.w3.org/2000/svg}text")]
 
     assert texts(drawn) == texts(committed)
+
+
+def test_the_bench_in_the_readme_is_told_as_it_was_measured_on_a_quiet_machine_and_none_was_wrong():
+    assert f'src="figures/bench.svg" width="800" alt="{BENCH["reading"]}"' in README and not BENCH["rough"]
+    assert all(row["wrong"] == 0 for row in BENCH["rows"] if row["method"].startswith("satviz"))
 
 
 def test_the_chart_in_the_readme_comes_from_a_full_run_and_its_exact_methods_were_never_wrong():

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
-from math import hypot
+from math import hypot, isclose, isnan
 from typing import NamedTuple
 
 from ..engine import telling
@@ -17,6 +17,7 @@ from ..engine.trace import Trace, record
 from ..scenes.asked import Asked, trace_of
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, Row
 from ..scenes.failing.reading import OF_PUSHES
+from ..scenes.failing.right import Answer
 from ..scenes.failing.where import lies
 from ..scenes.shortcuts import middle
 from . import belief_rows, live, stages
@@ -42,6 +43,7 @@ from .stages import (
 
 SAW, IS = "what the shortcut saw", "what is"
 PANEL = 340.0, 300.0  # the largest, in points
+ROUNDING = 1e-12  # of the size of it all: what numbers differ by that are the same
 FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
 BETWEEN, HEAD, RIM = 20.0, 24.0, 10.0  # points between the panels, for each one's heading, round the words above
 
@@ -101,11 +103,30 @@ def said(trace: Trace) -> Said:
         return Said(*words, not _leads_out(trace, trace.push, way))
     if row is None:
         return Said(str(trace.claim), str(trace.relation), bool(trace.claim) is not trace.hit)
+    if not trace.hit and _about_push(trace):
+        return Said(str(trace.claim), str(trace.relation), False)  # there is nothing to push
     number, truth = row.read(trace), row.right(trace.a, trace.b)
     if row.how in (FALSE_HIT, MISSED_HIT) and not isinstance(truth, tuple):
         words = f"{trace.claim}, {row.told(number)}", f"{trace.relation}, {row.told(truth)}"
         return Said(*words, bool(trace.claim) is not trace.hit)
-    return Said(row.told(number), row.told(truth), number != truth)
+    return Said(row.told(number), row.told(truth), _contradicts(row, trace, number, truth))
+
+
+def _contradicts(row: Row, trace: Trace, number: float, truth: Answer) -> bool:
+    """Is a row's number wrong?  A push that rounding alone keeps from the right one is right, a gap has a sign."""
+    if isinstance(truth, str):
+        return True
+    if isinstance(truth, tuple):
+        return number > 0 and not isnan(truth[0])  # clear in both frames, and yet there is a contact
+    if row.what == "gap" and (number > 0) - (number < 0) != (truth > 0) - (truth < 0):
+        return True
+    return not isclose(number, truth, rel_tol=ROUNDING, abs_tol=ROUNDING * _size(trace))
+
+
+def _size(trace: Trace) -> float:
+    """The largest length or coordinate there is, to hold roundings against."""
+    x0, y0, x1, y1 = box_of([trace.a, trace.b])
+    return max(x1 - x0, y1 - y0, *map(abs, (x0, y0, x1, y1)))
 
 
 def _leads_out(trace: Trace, push: Vec, way: Vec) -> bool:
@@ -114,9 +135,8 @@ def _leads_out(trace: Trace, push: Vec, way: Vec) -> bool:
         return False
     a, pushed = trace.a, shifted(trace.b, push)
     left = record(a, pushed).known_mtv or Vec(0.0, 0.0)
-    x0, y0, x1, y1 = box_of([a, trace.b])
-    size = max(x1 - x0, y1 - y0, *map(abs, (x0, y0, x1, y1)))
-    return hypot(*left) <= 1e-12 * size and hypot(*push) <= hypot(*way) + 1e-12 * size
+    room = ROUNDING * _size(trace)
+    return hypot(*left) <= room and hypot(*push) <= hypot(*way) + room
 
 
 def verdicts(trace: Trace) -> tuple[str, str]:

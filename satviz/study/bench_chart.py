@@ -26,8 +26,8 @@ class Ratio:
     high: float
 
 
-def chart(rows: Sequence[Row], warning: str) -> Chart:
-    """The chart of these rows; `warning` stands under its title if the figures are rough."""
+def chart(rows: Sequence[Row], rough: str) -> Chart:
+    """The chart of these rows; `rough` says why their times are not for keeps, if they are not."""
     ratios, corners = _ratios(rows), [row for row in rows if row.section == "corners"]
     best = {
         method: max((r for r in ratios if r.method == method), key=lambda r: r.times) for method in _methods(ratios)
@@ -46,13 +46,12 @@ def chart(rows: Sequence[Row], warning: str) -> Chart:
 
     def draw(fig: Figure, theme: Theme) -> None:
         title = "How many times as fast as shapely, and every answer exact"
-        headline(fig, theme, title if not wrong else "How many times as fast as shapely", *filter(None, [warning]))
+        headline(fig, theme, title if not wrong else "How many times as fast as shapely")
         _draw_ratios(fig, theme, ratios)
         _draw_corners(fig, theme, corners)
 
-    return Chart(
-        "bench", "Speed of satviz's batch beside shapely's", SIZE, draw, [row._asdict() for row in rows], reading
-    )
+    title = "Speed of satviz's batch beside shapely's"
+    return Chart("bench", title, SIZE, draw, [row._asdict() for row in rows], reading, rough)
 
 
 def _ratios(rows: Sequence[Row]) -> list[Ratio]:

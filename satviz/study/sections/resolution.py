@@ -192,7 +192,7 @@ def _scatter(stem: str, title: str, rows: Sequence[Row], settings: Settings) -> 
 
     def draw(fig: Figure, theme: Theme) -> None:
         under = (
-            "further left: faster    further down: finer    bars: quartiles of the time",
+            "further left: faster; further down: finer; bars: quartiles of the time",
             f"{n['pairs']:,} pairs made hard in {len(KINDS)} ways, at least {n['least_an_octave']:,} an octave of gap, "
             f"and {n['touching']:,} that touch",
         )
