@@ -260,12 +260,12 @@ def test_the_difference_is_shown_beside_and_follows_the_hand(hand):
     widget = hand.widgets.first
     shown = widget.locator(".sv-difference")
     assert not shown.is_visible()
-    widget.get_by_label("B − A").check()
+    widget.get_by_role("checkbox", name="B − A").check()
     shown.locator("[data-id='verdict']").filter(has_text="apart").wait_for()
     hand.drag("B-move", -130, 0)
     shown.locator("[data-id='verdict']").filter(has_text="overlapping").wait_for()
     hand.press("undo")
-    widget.get_by_label("B − A").uncheck()
+    widget.get_by_role("checkbox", name="B − A").uncheck()
     hand.until(AT_START)
     assert not shown.is_visible()
 

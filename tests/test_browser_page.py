@@ -271,7 +271,7 @@ def test_nothing_shuts_anyone_out(browser, errors, pages, axe_core, theme, scree
                 page.evaluate("() => { document.body.style.background = '#111'; }")
                 page.locator("[data-theme='dark']").wait_for()
             page.get_by_label("free axis").check()
-            page.get_by_label("B − A").check()
+            page.get_by_role("checkbox", name="B − A").check()
             page.locator(".sv-difference").wait_for()
             page.locator(".sv-menu summary").click()
             assert [f for f in found_by(axe_core, page) if "<h1" not in f[1]] == []

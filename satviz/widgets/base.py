@@ -14,6 +14,7 @@ from ..engine import telling
 from ..pictures import LIGHT, Picture
 from ..pictures.caption import captioned
 from ..render.files import animate, encode
+from ..render.notebook import bundle
 from ..render.script import javascript, stylesheet
 from .showing import Showing
 
@@ -88,12 +89,13 @@ def stay_busy(comm: Any) -> None:
 def still(widget: Any) -> dict[str, str]:
     """What stands for a widget where no front end runs: its sentence, and the picture with the sentence in it.
 
-    As HTML too, which pages prefer: a bare PNG gets no alt text there.
+    As HTML too, which exported pages prefer: a bare picture gets no alt text there.
     """
     drawn, said = widget.picture(), telling.printable(repr(widget))
-    png = b64encode(encode(captioned([drawn])[0], "png")).decode()
-    img = f'<img alt="{escape(telling.printable(drawn.sentence))}" src="data:image/png;base64,{png}">'
-    return {"text/plain": said, "text/html": img, "image/png": png}
+    svg = bundle(captioned([drawn])[0])["image/svg+xml"]
+    source = f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
+    img = f'<img alt="{escape(telling.printable(drawn.sentence))}" src="{source}">'
+    return {"text/plain": said, "text/html": img, "image/svg+xml": svg}
 
 
 def code(*names: str) -> str:
