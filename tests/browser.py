@@ -92,6 +92,13 @@ def axe():
             return found.extractfile("package/axe.min.js").read().decode()
 
 
+def shut_out(axe_core, page):
+    """What axe-core finds serious."""
+    page.evaluate(f"{axe_core};0")
+    found = page.evaluate("async () => (await axe.run(document)).violations")
+    return [(v["id"], v["nodes"][0]["html"]) for v in found if v["impact"] in ("serious", "critical")]
+
+
 class Lab:
     """A JupyterLab on a random port, with a folder of notebooks."""
 

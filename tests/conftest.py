@@ -1,13 +1,18 @@
 """What all tests share: the browser."""
 
 import pytest
-from browser import chromium
+from browser import axe, chromium
 
 
 @pytest.fixture(scope="session")
 def browser():
     with chromium() as found:
         yield found
+
+
+@pytest.fixture(scope="session")
+def axe_core():
+    return axe()
 
 
 @pytest.fixture

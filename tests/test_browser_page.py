@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 import pytest
-from browser import axe, explored
+from browser import explored, shut_out
 from matplotlib.colors import to_hex
 from matplotlib.path import Path
 
@@ -250,18 +250,6 @@ def answered(page, words):
     page.locator(".sv-sentence").filter(has_text=words).wait_for()
 
 
-@pytest.fixture(scope="module")
-def axe_core():
-    return axe()
-
-
-def found_by(axe_core, page):
-    """What axe-core finds serious."""
-    page.evaluate(f"{axe_core};0")
-    found = page.evaluate("async () => (await axe.run(document)).violations")
-    return [(v["id"], v["nodes"][0]["html"]) for v in found if v["impact"] in ("serious", "critical")]
-
-
 @pytest.mark.parametrize("screen", [WIDE, PHONE], ids=["wide", "phone"])
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_nothing_shuts_anyone_out(browser, errors, pages, axe_core, theme, screen):
@@ -274,14 +262,14 @@ def test_nothing_shuts_anyone_out(browser, errors, pages, axe_core, theme, scree
             page.get_by_role("checkbox", name="B − A").check()
             page.locator(".sv-difference").wait_for()
             page.locator(".sv-menu summary").click()
-            assert [f for f in found_by(axe_core, page) if "<h1" not in f[1]] == []
+            assert [f for f in shut_out(axe_core, page) if "<h1" not in f[1]] == []
     for name in "triangles", "tile-seam":
         context = browser.new_context(color_scheme=theme, **screen)
         page = context.new_page()
         page.goto((pages / f"{name}.html").as_uri())
         for step in "0", "2":
             page.get_by_role("slider", name="step").fill(step)
-            assert found_by(axe_core, page) == []
+            assert shut_out(axe_core, page) == []
         context.close()
 
 

@@ -5,7 +5,7 @@ import threading
 from contextlib import contextmanager
 
 import pytest
-from browser import missing
+from browser import missing, shut_out
 
 import satviz as sv
 from satviz.disk import write
@@ -125,6 +125,15 @@ def test_no_page_is_wider_than_its_window(visit, built, width, more):
     for path in ["", *sorted(path.name for path in built.glob("*.html"))]:
         page.goto(page.url.rpartition("/")[0] + "/" + path)
         assert page.evaluate("document.documentElement.scrollWidth") <= width, path
+
+
+@pytest.mark.parametrize("path", ["", "gallery.html", "challenges.html", "2-sat.html", "scene.html#far-centers"])
+@pytest.mark.parametrize(
+    "more", [{"color_scheme": "dark"}, {"viewport": {"width": 390, "height": 844}}], ids=["dark", "phone"]
+)
+def test_no_page_shuts_anyone_out(visit, axe_core, path, more):
+    page = visit(path, live=path not in ("gallery.html", "challenges.html"), **more)
+    assert shut_out(axe_core, page) == []
 
 
 def test_python_starts_from_the_memory_that_was_kept(visit):

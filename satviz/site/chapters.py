@@ -86,7 +86,7 @@ def _highlighted(code: str, _language: str, _attributes: str) -> str:
     from pygments.formatters import HtmlFormatter
     from pygments.lexers import PythonLexer
 
-    return f'<pre class="code">{highlight(code, PythonLexer(), HtmlFormatter(nowrap=True))}</pre>'
+    return f'<pre class="code" tabindex="0">{highlight(code, PythonLexer(), HtmlFormatter(nowrap=True))}</pre>'
 
 
 def _code(source: str) -> str:
@@ -101,11 +101,11 @@ def _later(out: str) -> str:
 
 def _output(output: dict[str, Any]) -> str:
     if output["output_type"] == "stream":
-        return f'<pre class="out">{escape("".join(output["text"]))}</pre>'
+        return f'<pre class="out" tabindex="0">{escape("".join(output["text"]))}</pre>'
     data = {kind: "".join(value) for kind, value in output.get("data", {}).items()}
     if "image/svg+xml" in data:
         return f"<figure>{themed(data['image/svg+xml'])}</figure>"
-    return f'<pre class="out">{escape(data.get("text/plain", ""))}</pre>'
+    return f'<pre class="out" tabindex="0">{escape(data.get("text/plain", ""))}</pre>'
 
 
 class _Names:
