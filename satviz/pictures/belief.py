@@ -249,12 +249,17 @@ def _believed(trace: Trace, largest: tuple[float, float]) -> Picture:
     """The tests that the shortcut goes by, what it says, and where it would push B."""
     own = belief_rows.pieces if trace.pairs else _own(belief_rows.SAW, trace)
     sketch = own(trace, largest) if own else _tests_believed(trace, largest)
-    if word := verdicts(trace)[0]:
-        sketch.note("claim", word, "ink", weight="title", first=1)
+    _answer(sketch, trace, "claim", verdicts(trace)[0], said(trace).wrong)
+    return struck(sketch.finish("", trace.sentence, steady=False), trace)
+
+
+def _answer(sketch: Sketch, trace: Trace, part: str, word: str, number: str) -> None:
+    """A panel's verdict, and its number where that is more than the gap, which stands at its bar."""
+    if word:
+        sketch.note(part, word, "ink", weight="title", first=1)
     row = row_of(trace)
     if row and row.what != "gap":
-        sketch.note("number", said(trace).wrong, "ink", first=2)
-    return struck(sketch.finish("", trace.sentence, steady=False), trace)
+        sketch.note("number", number, "ink", first=2)
 
 
 def _tests_believed(trace: Trace, largest: tuple[float, float]) -> Sketch:
@@ -355,11 +360,7 @@ def _what_is(trace: Trace, largest: tuple[float, float]) -> Picture:
     """What proves the truth: the separating axis and line, or the contact, the true ranges and the way out."""
     own = _own(belief_rows.IS, trace)
     sketch = own(trace, largest) if own else _proof(trace, largest)
-    if word := verdicts(trace)[1]:
-        sketch.note("verdict", word, "ink", weight="title", first=1)
-    row = row_of(trace)
-    if row and row.what != "gap":
-        sketch.note("number", said(trace).right, "ink", first=2)
+    _answer(sketch, trace, "verdict", verdicts(trace)[1], said(trace).right)
     return sketch.finish("", trace.truth.sentence, steady=False)
 
 
@@ -410,11 +411,7 @@ def hand(
         sketch.edge(test)
         sketch.normal(test)
         sketch.project(test, place, interval=False)
-    if word := verdicts(trace)[0]:
-        sketch.note("claim", word, "ink", weight="title", first=1)
-    row = row_of(trace)
-    if row and row.what != "gap":
-        sketch.note("number", said(trace).wrong, "ink", first=2)
+    _answer(sketch, trace, "claim", verdicts(trace)[0], said(trace).wrong)
     if way_out and not trace.pairs:  # pieces show their pushes themselves
         draw_push(sketch)
     if where:
