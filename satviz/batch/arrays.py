@@ -135,6 +135,11 @@ class Shapes:
         return bool((self.count == 4).all() and self.flat.upright.all())
 
     @cached_property
+    def most(self) -> int:
+        """The largest number of corners; 0 of no shapes."""
+        return int(self.count.max(initial=0))
+
+    @cached_property
     def starts(self) -> NDArray[np.intp]:
         """(N + 1,) at which part each shape begins, and the last one ends."""
         places = np.arange(len(self) + 1)

@@ -76,7 +76,6 @@ def relate(
     if chosen is None and len(a) != len(b) and 1 not in (len(a), len(b)):
         raise ValueError(f"{len(a)} shapes against {len(b)}: pass as many of both, or one against many")
     n = len(chosen[0]) if chosen is not None else 0 if 0 in (len(a), len(b)) else max(len(a), len(b))
-    out = np.empty(n, np.int8)
 
     # threads share the shapes; to other processes each chunk takes only what it needs
     shared = executor is None or isinstance(executor, ThreadPoolExecutor)
@@ -90,9 +89,8 @@ def relate(
         mine, theirs = (s if len(s) == 1 else s[start:stop] for s in (a, b))
         return _relate_range, (mine, theirs, 0, stop - start, engine)
 
-    for start, stop, found in in_chunks(job, n, executor, progress, chunk):
-        out[start:stop] = found
-    return out
+    parts = [found for _, _, found in in_chunks(job, n, executor, progress, chunk)]
+    return parts[0] if len(parts) == 1 else np.concatenate([np.empty(0, np.int8), *parts])
 
 
 def hits(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, **options: Unpack[Options]) -> NDArray[np.bool_]:
@@ -151,7 +149,7 @@ def _picked(shapes: Shapes, indices: Indices) -> tuple[Shapes, Indices]:
 def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | None) -> Relations:
     """Pairs start to stop of a[i] with b[i], or of one with many."""
     kernels = engine_of(engine)
-    side_by_side = len(a) == len(b) and a.count.max(initial=0) <= kernels.most
+    side_by_side = len(a) == len(b) and a.most <= kernels.most
     one, other = (a.uniform, b.uniform) if side_by_side else (None, None)
     if one is None or other is None:
         indices = np.arange(start, stop)
@@ -231,5 +229,5 @@ def _filter(kernels: Engine, a: Group, b: Group, first: int, out: Relations) -> 
                 kernels.polygons(a, b, first, out)
             else:
                 out.fill(UNDECIDED)
-            if kernels.settle is not None:
+            if kernels.settle is not None and out.min(initial=APART) == UNDECIDED:  # rarely, and to look costs little
                 kernels.settle(a, b, first, out)
