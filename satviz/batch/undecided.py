@@ -13,7 +13,6 @@ from .filter_numpy import boxes
 from .signs import Array, Signs, columns
 
 Indices = NDArray[np.intp]
-Mask = NDArray[np.bool_]
 
 LOOKS = 1 << 16  # corners of a shape at a time, over all pairs: what bounds the memory, and stays in the cache
 AT_ONCE = 4  # corners, up to which every edge of all pairs is looked at: beyond, most are not needed
@@ -139,29 +138,32 @@ def _edge(own: Edges, other: Edges, start: Indices, left: Indices, reach: Array)
     looks -= nx * ex + ny * ey
     least = looks.min(axis=0)
     tells = np.where(least > room, np.int8(APART), np.int8(OVERLAPPING))
-    doubtful = np.flatnonzero(~(np.abs(least) > room))
-    if doubtful.size:
-        ends = ex[doubtful], ey[doubtful], fx[doubtful], fy[doubtful]
-        looks, px, py = (columns(c, doubtful) for c in (looks, px, py))
-        tells[doubtful] = _line(*ends, px, py, ~(looks > room[doubtful]))
+    doubtful = ~(np.abs(least) > room)
+    if doubtful.any():
+        corner, which = np.nonzero(~(looks > room) & doubtful)
+        found = _line(ex, ey, fx, fy, px[corner, which], py[corner, which], which)
+        np.copyto(tells, found, where=doubtful)
     return tells
 
 
-def _line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, close: Mask) -> Signs:
-    """The same where the exact signs of the close corners are needed; the others lie beyond."""
-    side = np.ones(px.shape, np.int8)
-    corner, which = np.nonzero(close)
+def _line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, which: Indices) -> Signs:
+    """The same from the exact signs of the corners p that are close, each to edge `which`; the others lie beyond."""
+    side = np.empty(len(which), np.int8)
     for start in range(0, len(which), DOUBTS):
-        w, c = which[start : start + DOUBTS], corner[start : start + DOUBTS]
+        part = slice(start, start + DOUBTS)
+        w = which[part]
         # the turn from the edge's end over its start: what lies beyond is to the left
-        side[c, w] = signs.orient(fx[w], fy[w], ex[w], ey[w], px[c, w], py[c, w])
-    least: Signs = side.min(axis=0)
+        side[part] = signs.orient(fx[w], fy[w], ex[w], ey[w], px[part], py[part])
+    least = np.ones(len(ex), np.int8)
+    np.minimum.at(least, which, side)
     # along the line by x, or by y where it stands upright: no two corners are alike in both
     upright = ex == fx
     e, f = np.where(upright, ey, ex), np.where(upright, fy, fx)
-    on = np.where(upright, py, px)
-    low = np.where(side == 0, on, np.inf).min(axis=0)
-    high = np.where(side == 0, on, -np.inf).max(axis=0)
+    on = side == 0
+    which, along = which[on], np.where(upright[which], py, px)[on]
+    low, high = np.full(len(e), np.inf), np.full(len(e), -np.inf)
+    np.minimum.at(low, which, along)
+    np.maximum.at(high, which, along)
     meet = (low <= np.maximum(e, f)) & (high >= np.minimum(e, f))
     return np.where(least < 0, OVERLAPPING, np.where((least == 0) & meet, TOUCHING, APART)).astype(np.int8)
 
