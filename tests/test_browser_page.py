@@ -485,6 +485,17 @@ def test_a_widget_is_light_or_dark_as_the_page_is_and_not_as_the_system(browser,
             assert colour(paper) == THEMES[theme].paper.lower()
 
 
+@pytest.mark.parametrize("size", [1e-14, 1.0, 1e12])
+def test_a_handles_value_is_a_plain_number_at_any_scale(browser, errors, size):
+    corners = [(2 * size, 0.0), (-1 * size, 1.7320508075688776 * size), (-1 * size, -1.7320508075688774 * size)]
+    shapes = sv.Polygon(corners), sv.Circle((3e-9 * size, 4 * size), size)
+    with explored(browser, Exploring(sv.Scene("any", *shapes)), errors) as page:
+        for handle in page.locator("[data-handle]").all():
+            now = handle.get_attribute("aria-valuenow")
+            assert re.fullmatch(r"-?[0-9]+(\.[0-9]+)?", now), (handle.get_attribute("data-handle"), now)
+        assert page.locator('[data-handle="A-rotate"]').get_attribute("aria-valuetext") == "first corner at 0 degrees"
+
+
 def test_a_page_to_share_saves_the_step_that_it_shows(browser, errors, pages):
     page = opened(browser, errors, pages / "triangles.html")
     page.get_by_role("slider", name="step").fill("7")

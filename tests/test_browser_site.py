@@ -134,7 +134,9 @@ def test_no_page_is_wider_than_its_window(visit, built, width, more):
         assert page.evaluate("document.documentElement.scrollWidth") <= width, path
 
 
-@pytest.mark.parametrize("path", ["", "gallery.html", "challenges.html", "2-sat.html", "scene.html#far-centers"])
+@pytest.mark.parametrize(
+    "path", ["", "gallery.html", "challenges.html", "2-sat.html", "6-where-it-fails.html", "scene.html#far-centers"]
+)
 @pytest.mark.parametrize(
     "more", [{"color_scheme": "dark"}, {"viewport": {"width": 390, "height": 844}}], ids=["dark", "phone"]
 )

@@ -270,7 +270,7 @@ class Explorer {
           found.push({ id: `${name}-vertex-${i}`, key, does: "vertex", i, at, label: `${name}: corner ${vertex}`, value: at[0], says: `at ${place(at)}` });
         });
         const [[x, y]] = shape.polygon;
-        const degree = (Math.atan2(y - center[1], x - center[0]) * 180) / Math.PI;
+        const degree = snap((Math.atan2(y - center[1], x - center[0]) * 180) / Math.PI, 1e-3) + 0;
         found.push({ id: `${name}-rotate`, key, does: "rotate", at: this.turnSpot(shape, key), label: `${name}: turn`, value: degree, says: `first corner at ${told(degree)} degrees` });
       } else {
         const at = [center[0] + shape.radius, center[1]];
@@ -347,7 +347,7 @@ class Explorer {
 
   describe(handle, { id, key, label, value, says }) {
     const [least, most] = key ? [-1e9, 1e9] : [-180, 180];
-    const now = Math.min(most, Math.max(least, Number(value.toPrecision(6))));
+    const now = Math.min(most, Math.max(least, value)).toLocaleString("en", { useGrouping: false, maximumSignificantDigits: 6 }); // no exponent
     const words = { "aria-label": label, "aria-valuemin": least, "aria-valuemax": most, "aria-valuenow": now, "aria-valuetext": says };
     for (const [name, text] of Object.entries(words)) if (handle.getAttribute(name) !== String(text)) handle.setAttribute(name, text);
     handle.tabIndex = !key || this.active[key] === id ? 0 : -1;
