@@ -59,11 +59,17 @@ render({ model: { get: (name) => data[name], on, off, send }, el: document.query
 def explored(browser, exploring, errors, **more):
     """A page with the explorer alone; `more` is the browser's context."""
     from satviz.render.script import javascript, stylesheet
+    from satviz.widgets.goals import CALLED
 
     context = browser.new_context(**more)
     page = context.new_page()
     page.on("pageerror", lambda error: errors.append(str(error)))
-    first = {"first": exploring.state(), "presets": ["triangles", "circles"], "failing": ["aabb-turned"]}
+    first = {
+        "first": exploring.state(),
+        "presets": ["triangles", "circles"],
+        "failing": ["aabb-turned"],
+        "challenges": CALLED,
+    }
     page.expose_function("first", lambda: first)
     page.expose_function("answer", exploring.answer)
     script = javascript("pen", "player", "download", "explore").replace("export default", "const made =")

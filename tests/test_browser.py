@@ -279,6 +279,21 @@ def test_presets_change_the_scene(hand):
     hand.handle("A-vertex-0").wait_for()
 
 
+def test_a_challenge_is_set_judged_and_given_up(hand):
+    reset(hand)
+    widget = hand.widgets.first
+    goal = widget.locator(".sv-goal")
+    assert not goal.is_visible()
+    widget.get_by_label("challenges").select_option("one-axis")
+    goal.get_by_text("2 axes separate them").wait_for()
+    hand.drag("B-move", -30, 0)
+    goal.get_by_text("Exactly one axis separates them").wait_for()
+    widget.get_by_label("challenges").select_option("")
+    goal.wait_for(state="hidden")
+    widget.get_by_label("presets").select_option("triangles")
+    hand.until(AT_START)
+
+
 SLOW = """
 import time
 answer = w._exploring.answer

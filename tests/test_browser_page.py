@@ -1,6 +1,7 @@
 """In a real browser: the two pens side by side, the page from disk."""
 
 import re
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -482,6 +483,37 @@ def test_a_widget_is_light_or_dark_as_the_page_is_and_not_as_the_system(browser,
             page.locator(f".satviz[data-theme='{theme}']").wait_for()
             paper = page.locator(".satviz").evaluate("e => getComputedStyle(e).backgroundColor")
             assert colour(paper) == THEMES[theme].paper.lower()
+
+
+@pytest.mark.parametrize("size", [1e-14, 1.0, 1e12])
+def test_a_handles_value_is_a_plain_number_at_any_scale(browser, errors, size):
+    corners = [(2 * size, 0.0), (-1 * size, 1.7320508075688776 * size), (-1 * size, -1.7320508075688774 * size)]
+    shapes = sv.Polygon(corners), sv.Circle((3e-9 * size, 4 * size), size)
+    with explored(browser, Exploring(sv.Scene("any", *shapes)), errors) as page:
+        for handle in page.locator("[data-handle]").all():
+            now = handle.get_attribute("aria-valuenow")
+            assert re.fullmatch(r"-?[0-9]+(\.[0-9]+)?", now), (handle.get_attribute("data-handle"), now)
+        assert page.locator('[data-handle="A-rotate"]').get_attribute("aria-valuetext") == "first corner at 0 degrees"
+
+
+def test_a_page_to_share_saves_the_step_that_it_shows(browser, errors, pages):
+    page = opened(browser, errors, pages / "triangles.html")
+    page.get_by_role("slider", name="step").fill("7")
+    for form, begins in ("svg", b"<svg"), ("png", b"\x89PNG"):
+        page.locator(".sv-menu summary").click()
+        with page.expect_download() as found:
+            page.get_by_role("button", name=f"save {form.upper()}").click()
+        data = found.value.path().read_bytes()
+        assert data.startswith(begins)
+        if form == "svg":
+            title = ElementTree.fromstring(data).find("{*}title").text
+            assert (
+                title
+                == page.locator(".sv-sentence").inner_text()
+                == sv.picture(sv.scene("triangles").record(), 7).sentence
+            )
+    assert "GIF" not in page.locator(".sv-menu").inner_text()
+    page.close()
 
 
 def test_the_save_menu_opens_and_closes_from_the_keyboard(browser, errors):

@@ -1,14 +1,18 @@
 """The site in a real browser, from a server of its own: drag without waiting for anything from elsewhere."""
 
+import io
 import shutil
 import threading
 from contextlib import contextmanager
+from xml.etree import ElementTree
 
 import pytest
 from browser import missing, shut_out
+from PIL import Image
 
 import satviz as sv
 from satviz.disk import write
+from satviz.pictures import DARK, LIGHT
 from satviz.scenes.link import Shown, fragment
 from satviz.site.build import site
 from satviz.site.serving import server
@@ -57,7 +61,10 @@ def visit(browser, errors, url):
         page = context.new_page()
         page.on("pageerror", lambda error: errors.append(str(error)))
         page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
-        page.on("request", lambda request: None if request.url.startswith(at) else errors.append(request.url))
+        page.on(
+            "request",
+            lambda request: None if request.url.startswith((at, f"blob:{at}")) else errors.append(request.url),
+        )
         page.goto(at + path)
         if live:
             page.locator(".live.ready").first.wait_for(timeout=LIVE)
@@ -127,7 +134,9 @@ def test_no_page_is_wider_than_its_window(visit, built, width, more):
         assert page.evaluate("document.documentElement.scrollWidth") <= width, path
 
 
-@pytest.mark.parametrize("path", ["", "gallery.html", "challenges.html", "2-sat.html", "scene.html#far-centers"])
+@pytest.mark.parametrize(
+    "path", ["", "gallery.html", "challenges.html", "2-sat.html", "6-where-it-fails.html", "scene.html#far-centers"]
+)
 @pytest.mark.parametrize(
     "more", [{"color_scheme": "dark"}, {"viewport": {"width": 390, "height": 844}}], ids=["dark", "phone"]
 )
@@ -198,10 +207,133 @@ def test_the_link_that_is_copied_opens_the_same(visit):
     page = visit("2-sat.html")
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     player = page.locator(".player")
+    player.locator(".sv-menu summary").click()
     player.get_by_role("button", name="copy link").click()
     page.goto(page.evaluate("navigator.clipboard.readText()"))
     page.locator(".live.ready").wait_for(timeout=LIVE)
     assert page.get_by_label("predict").is_checked() and page.locator(".sv-count").inner_text().startswith("1")
+
+
+def test_the_way_to_the_text_is_no_link_to_a_scene(visit):
+    page = visit("scene.html#circles")
+    page.locator(".skip").focus()
+    page.keyboard.press("Enter")
+    page.wait_for_function("() => location.hash === '#main'")
+    page.locator('[data-handle="B-move"]').press("ArrowLeft")
+    says(page, "1.700")
+    assert page.locator(".status").inner_text() == ""
+    page = visit("scene.html#main")
+    assert said(page) == sv.scene("triangles").record().sentence
+
+
+def test_a_drag_just_before_another_scene_is_opened_does_not_change_its_address(visit):
+    page = visit("scene.html#circles")
+    page.locator('[data-handle="B-move"]').press("ArrowLeft")
+    says(page, "1.700")  # the address follows a little later
+    page.evaluate("() => { location.hash = 'far-centers'; }")
+    page.locator(".sv-heading", has_text="centers").wait_for()
+    page.wait_for_timeout(600)
+    assert page.url.endswith("#far-centers")
+
+
+def test_what_was_wrong_with_a_link_is_forgotten_when_the_scene_changes(visit):
+    page = visit("scene.html#circles")
+    page.evaluate("() => { location.hash = 'no-such-scene'; }")
+    page.get_by_text("This link cannot be opened").wait_for()
+    page.locator('[data-handle="B-move"]').press("ArrowLeft")
+    says(page, "1.700")
+    assert page.locator(".status").inner_text() == ""
+
+
+AFTER_EACH_PAINT = """() => {
+  window.themes = new Set();
+  const look = () => requestAnimationFrame(() => {
+    const all = () => [...document.querySelectorAll("[data-theme]")];
+    setTimeout(() => all().forEach((each) => window.themes.add(each.dataset.theme)));
+    look();
+  });
+  addEventListener("DOMContentLoaded", look);
+}"""
+
+
+@pytest.mark.parametrize("path", ["scene.html#triangles", "scene.html#triangles&step=3", "2-sat.html"])
+def test_no_scene_flashes_light_in_a_dark_page(visit, path):
+    page = visit("challenges.html", live=False, color_scheme="dark")
+    page.add_init_script(f"({AFTER_EACH_PAINT})()")
+    page.goto(page.url.replace("challenges.html", path))
+    page.locator(".live.ready").first.wait_for(timeout=LIVE)
+    page.wait_for_timeout(700)
+    assert page.evaluate("[...window.themes]") == ["dark"]
+
+
+def test_opened_as_files_the_pages_are_whole_their_players_play_and_a_line_says_how_to_drag(visit, built):
+    page = visit("2-sat.html", at=f"{built.as_uri()}/", live=False)
+    player = page.locator(".player")
+    player.get_by_role("button", name="step forward").click()
+    assert player.locator(".sv-count").inner_text().startswith("2")
+    assert "python -m http.server" in page.locator(".status").first.inner_text()
+    assert page.locator(".live .picture").first.is_visible()
+
+
+def test_a_printed_page_hides_nothing(visit):
+    page = visit("2-sat.html", live=False, java_script_enabled=False)
+    page.emulate_media(media="print")
+    solution = page.locator("details", has_text="Solution").last.locator("p").first
+    assert solution.evaluate(
+        "p => p.checkVisibility({contentVisibilityAuto: true}) && p.getBoundingClientRect().height > 0"
+    )
+    for out in page.locator("pre").all():
+        assert out.evaluate("pre => pre.scrollWidth <= pre.clientWidth + 1")
+    page.goto(page.url.replace("2-sat", "gallery"))
+    assert page.locator("img").count() > 40 and not page.locator("img[loading]").count()
+
+
+def test_no_label_of_a_link_makes_the_page_wider(visit):
+    long = sv.Scene("long", sv.Polygon([(0, 0), (4, 0), (0, 4)], ["x" * 3000, "y" * 200, "z"]), sv.Circle((5, 5), 1))
+    for width in 390, 1280:
+        for more in "", "&step=3":
+            page = visit(f"scene.html#{fragment(long)}{more}", viewport={"width": width, "height": 800})
+            assert page.evaluate("document.documentElement.scrollWidth") <= width, (width, more)
+
+
+def saved(page, form, inside=".live"):
+    """The file that the save menu hands over."""
+    page.locator(f"{inside} .sv-menu summary").click()
+    with page.expect_download() as found:
+        page.locator(inside).get_by_role("button", name=f"save {form.upper()}").click()
+    assert found.value.suggested_filename == f"satviz.{form}"
+    return found.value.path().read_bytes()
+
+
+@pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
+def test_the_picture_is_saved_as_it_is_shown(visit, theme):
+    page = visit("scene.html#triangles", color_scheme=theme.name)
+    page.locator('[data-handle="B-move"]').press("ArrowLeft")
+    says(page, "1.11")
+    svg = saved(page, "svg").decode()
+    root = ElementTree.fromstring(svg)
+    assert root.find("{*}title").text == said(page) and "var(" not in svg and "style=" not in svg
+    assert root.find("{*}rect").get("fill") == theme.paper
+    blue = f"rgb({', '.join(str(c) for c in bytes.fromhex(theme.roles['A'][1:]))})"
+    assert blue in {path.get("stroke") for path in root.findall(".//{*}path")}
+    assert {text.get("font-family") for text in root.findall(".//{*}text")} == {
+        page.locator(".live .sv-picture text").first.evaluate("text => getComputedStyle(text).fontFamily")
+    }
+    with Image.open(io.BytesIO(saved(page, "png"))) as drawn:
+        size = [float(root.get(name)) for name in ("width", "height")]
+        assert drawn.size == tuple(int(2 * side) for side in size)
+        shown = {colour[:3] for _, colour in drawn.getcolors(1 << 20)}
+        assert {
+            tuple(bytes.fromhex(colour[1:])) for colour in (theme.paper, theme.roles["A"], theme.roles["B"])
+        } <= shown
+
+
+def test_what_the_page_cannot_make_is_not_offered(visit):
+    page = visit("2-sat.html")
+    for inside in ".live", ".player":
+        menu = page.locator(f"{inside} .sv-menu").first
+        assert menu.locator("button").all_text_contents()[:2] == ["SVG", "PNG"] and "GIF" not in menu.inner_text()
+    assert saved(page, "png", ".player").startswith(b"\x89PNG")
 
 
 def test_a_link_of_a_stranger_runs_nothing_and_says_why(visit):
@@ -268,13 +400,13 @@ def test_what_was_read_once_is_there_without_a_server(built, visit):
 
 def test_a_challenge_is_met_by_hand_and_judged_by_the_engine(visit):
     page = visit("scene.html#aabb&goal=touch")
-    goal = page.locator(".goal")
+    goal = page.locator(".sv-goal")
     assert "apart: gap +2" in goal.inner_text()
     page.locator('[data-handle="B-move"]').focus()
     for _ in range(60):
         before = goal.inner_text()
         page.keyboard.press("ArrowLeft")
-        page.wait_for_function("before => document.querySelector('.goal').innerText !== before", arg=before)
+        page.wait_for_function("before => document.querySelector('.sv-goal').innerText !== before", arg=before)
         if "met" in goal.get_attribute("class"):
             break
     assert "They touch, exactly." in goal.inner_text()
@@ -282,3 +414,21 @@ def test_a_challenge_is_met_by_hand_and_judged_by_the_engine(visit):
     page.goto(page.url.partition("#")[0] + "#far-centers")
     page.locator(".sv-heading").wait_for()
     assert not goal.is_visible()
+
+
+def test_a_challenge_is_chosen_undone_and_kept_in_the_address(visit):
+    page = visit("scene.html#triangles")
+    goal, choice = page.locator(".sv-goal"), page.get_by_label("challenges")
+    assert choice.locator("option", has_text="break").is_disabled() and not goal.is_visible()
+    choice.select_option("touch")
+    goal.get_by_text("Make the shapes touch").wait_for()
+    page.get_by_label("presets").select_option("far-centers")
+    goal.wait_for(state="hidden")
+    choice.select_option("break")
+    goal.get_by_text("happens to be right").wait_for()
+    page.wait_for_function("() => location.hash.endsWith('goal=break')")
+    for _ in range(2):
+        page.get_by_role("button", name="undo").click()
+    goal.get_by_text("Make the shapes touch").wait_for()
+    choice.select_option("")
+    goal.wait_for(state="hidden")

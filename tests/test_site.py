@@ -1,5 +1,6 @@
 """The site without its Python: whole as HTML and SVG, nothing from elsewhere, links that open what they say."""
 
+import ast
 import gzip
 import io
 import json
@@ -23,7 +24,8 @@ from satviz.engine.geometry import InvalidScene
 from satviz.scenes import link as links
 from satviz.scenes.article import SCENES
 from satviz.scenes.failing import REFUSED, ROWS
-from satviz.site import chapters, goals, live, runtime
+from satviz.site import chapters, live, runtime
+from satviz.widgets import goals
 
 pytest.importorskip("markdown_it", reason="a site needs markdown-it-py: python -m pip install '.[site]'")
 
@@ -103,6 +105,16 @@ def test_what_a_notebook_plays_and_explores_is_played_and_explored_by_its_page(p
     assert sum(shown_by(chapter, "sv.explore(") for chapter in known) >= 6
     shown = re.search(r'data-hash="([^"]+)"', pages["3-circles.html"])[1]
     assert links.opened(shown)[0].b == sv.Circle((7, 4), 1.5)
+
+
+def test_where_only_the_notebook_has_something_to_move_the_page_says_so(pages):
+    """A widget of the notebook's own leaves no output; its page must not tell the reader to move what is not there."""
+    for chapter in chapters.chapters():
+        code = [cell for cell in chapter.cells if cell["cell_type"] == "code" and not cell["outputs"]]
+        ends = [ast.parse("".join(cell["source"])).body[-1] for cell in code]
+        shown = sum(isinstance(end, ast.Expr) for end in ends)
+        assert pages[chapter.path].count('class="instead"') == shown, chapter.path
+    assert pages["5-doing-less.html"].count('class="instead"') == 2
 
 
 def test_a_question_comes_before_its_answer(pages):
@@ -329,6 +341,15 @@ def test_exactly_one_axis_is_one():
     assert "dent" in stands("one-axis", sv.Polygon([(0, 0), (4, 0), (1, 1), (0, 4)]), sv.Circle((9, 9), 1)).says
 
 
+def test_axes_that_a_hand_has_left_parallel_but_for_rounding_are_one():
+    """A's edge a1a3 lies along B's v1v3; moved by a decimal they are no longer parallel for the computer."""
+    start = sv.scene("triangles")
+    for hundredths in range(40, 120):
+        corners = [(float(f"{x - hundredths / 100:.12g}"), y) for x, y in start.b.vertices]
+        found = stands("one-axis", start.a, sv.Polygon(corners))
+        assert found.met and found.says == "Exactly one axis separates them.", (hundredths, found.says)
+
+
 def test_touching_is_exact():
     box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     assert stands("touch", box, sv.Circle((2, 0.5), 1)).met
@@ -347,7 +368,7 @@ def test_every_shortcut_that_can_be_broken_begins_unbroken_and_its_own_scene_bre
 def test_no_challenge_is_won_when_it_begins_and_each_has_its_link():
     for goal, start in goals.challenges():
         assert not goals.judged(goal, start).met
-        first = opened(sv.link(start, goal=goal).partition("#")[2])
+        first = opened(sv.link(start, goal=goal).partition("#")[2])["first"]
         assert first["goal"]["asks"] == goals.ASKS[goal] and first["link"].endswith(f"&goal={goal}")
 
 

@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 import pytest
 
 import satviz as sv
-from satviz.engine.geometry import Relation
+from satviz.engine.geometry import InvalidScene, Relation
 from satviz.pictures import playback
 from satviz.pictures.caption import captioned
 from satviz.render.notebook import bundle
@@ -94,6 +94,53 @@ def test_the_view_stays_while_dragging_and_is_fitted_when_the_drag_ends():
     x0, y0, x1, y1 = fitted["limits"]
     assert fitted["limits"] != limits
     assert all(x0 < x < x1 and y0 < y < y1 for m in fitted["marks"] if m["id"] == "B.outline" for x, y in m["points"])
+
+
+def heard(widget, **content):
+    widget._heard(widget, content, [])
+    return widget.sent[-1][0]
+
+
+def test_a_challenge_is_set_in_the_widget_judged_at_every_pose_and_given_up():
+    widget = explorer("aabb")
+    begun = heard(widget, kind="challenge", goal="touch")
+    assert begun["goal"]["goal"] == "touch" and not begun["goal"]["met"]
+    assert begun["link"].endswith("&goal=touch") and widget.scene == sv.scene("aabb")
+    met = pose(widget, b=moved_b(widget, -2, 0))
+    assert met["goal"]["met"] and met["goal"]["says"] == "They touch, exactly."
+    assert "goal" not in pose(widget, goal=None)
+    assert pose(widget, goal="touch")["goal"]["goal"] == "touch"  # undone
+    assert "goal" not in heard(widget, kind="preset", name="circles")
+
+
+@pytest.mark.parametrize("name", ["triangles", "aabb", "far-centers", "box-in-u"])
+@pytest.mark.parametrize("goal", ["touch", "one-axis"])
+def test_no_challenge_of_the_widget_is_won_when_it_begins(name, goal):
+    assert not heard(explorer(name), kind="challenge", goal=goal)["goal"]["met"]
+
+
+def test_a_shortcut_that_is_wrong_here_is_first_brought_where_it_is_right():
+    widget = explorer("far-centers")
+    assert not heard(widget, kind="challenge", goal="break")["goal"]["met"]
+    assert widget.scene.axes == "far-centers" and widget.scene != sv.scene("far-centers")
+
+
+@pytest.mark.parametrize(
+    "goal, why", [("break", "no shortcut"), ("win", "choose one of"), (3, "challenge"), ([], "ch")]
+)
+def test_a_challenge_that_cannot_be_set_is_refused_and_changes_nothing(goal, why):
+    for kind in "challenge", "pose":
+        widget = explorer("circles")
+        before = widget._exploring.state()
+        said = heard(widget, kind=kind, a=before["a"], b=before["b"], goal=goal)
+        assert said["kind"] == "refused" and why in said["why"]
+        assert widget._exploring.state() == before
+
+
+def test_explore_sets_a_challenge():
+    assert sv.explore("aabb", goal="touch").first["goal"]["asks"].startswith("Make the shapes touch")
+    with pytest.raises(InvalidScene, match="no shortcut"):
+        sv.explore("aabb", goal="break")
 
 
 def test_a_free_axis_shows_its_gap_and_the_curve():

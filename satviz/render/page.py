@@ -50,8 +50,9 @@ def page(what: Asked | Shape, b: Shape | None = None, *, title: str = "", predic
     asked = "Do A and B collide?"
     about = telling.printable(asked if predict else trace.sentence)
     title = " ".join(heading(trace)) if trace.shortcut else title or asked
-    script = javascript("pen", "player") + START
-    policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_hash(script)}'; base-uri 'none'"
+    script = javascript("pen", "download", "player") + START
+    policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_hash(script)}'; "
+    policy += "img-src blob:; base-uri 'none'"  # a picture on its way to a PNG
     show = {"predict": predict, "shows": shows, "narrow": narrow(trace)}
     data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
     first, last = (picture(trace, i) for i in (0, -1))

@@ -6,7 +6,9 @@ from importlib.resources import files
 
 from ..pictures import DARK, LIGHT, Theme
 
-_EXPORT = re.compile(r"^export (?=class|function)", re.MULTILINE)  # one module needs none between its files
+_EXPORT = re.compile(
+    r"^export (?=class|function|async function)", re.MULTILINE
+)  # one module needs none between its files
 
 
 @cache

@@ -32,6 +32,12 @@ OF_NOTEBOOKS = [
 ]
 
 
+INSTEAD = (
+    '<p class="instead">Here the notebook has a slider, which needs a Python of your own: <code>satviz notebook</code> '
+    "gives you a copy to move it in.</p>"
+)
+
+
 class Chapter(NamedTuple):
     """A chapter: its page, the title with its number, and the notebook's cells."""
 
@@ -68,6 +74,8 @@ def body(chapter: Chapter) -> str:
             if shown is None or len(ast.parse(source).body) > 1:  # else the code says what the reader sees
                 made.append(_code(source))
             out = "".join(map(_output, cell["outputs"]))
+            if not out and isinstance(ast.parse(source).body[-1], ast.Expr):
+                out = INSTEAD  # a widget of the notebook's own, which has no picture
             made.append(shown or (_later(out) if asked and out else out))
             asked = False
     return "\n".join(made)

@@ -11,11 +11,14 @@ from ..scenes.link import Shown, fragment, opened
 from ..scenes.scenefile import Scene, shape_data
 from ..scenes.strictjson import typed
 from ..widgets.exploring import Exploring
-from .goals import judged
+from ..widgets.goals import CALLED
 
 _hands: dict[str, Exploring] = {}
-_goals: dict[str, str] = {}  # of the places that have one
-PRESETS = {"presets": [s.name for s in SCENES], "failing": [row.name for row in ROWS if row.how != REFUSED]}
+CHOICES = {
+    "presets": [s.name for s in SCENES],
+    "failing": [row.name for row in ROWS if row.how != REFUSED],
+    "challenges": CALLED,
+}
 
 
 def answer(place: str, text: str) -> str:
@@ -25,10 +28,6 @@ def answer(place: str, text: str) -> str:
         said: dict[str, Any] | None = _open(place, content)
     else:
         said = _hands[place].answer(content) if place in _hands else None
-        if content.get("kind") == "preset":
-            _goals.pop(place, None)
-        if said and said["kind"] == "state":
-            said |= _challenge(place, said["link"])
     return "" if said is None else json.dumps(said, ensure_ascii=False, separators=(",", ":"))
 
 
@@ -38,7 +37,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
         scene, shown = opened(typed(content.get("hash"), "the link", str))
         if shown.step is not None or shown.predict:
             return _show(scene, shown)
-        hand = Exploring(scene)
+        hand = Exploring(scene, shown.goal)
         pose: dict[str, Any] = {
             "degree": shown.free,
             "wayOut": shown.way_out,
@@ -50,18 +49,10 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
             said = hand.answer({"kind": "pose", "a": shape_data(scene.a), "b": shape_data(scene.b), **pose})
             if said and said["kind"] == "refused":
                 raise InvalidScene(said["why"])
-        if shown.goal:
-            judged(shown.goal, scene)
     except ValueError as error:
         return {"kind": "refused", "why": str(error)}
     _hands[place] = hand
-    _goals.pop(place, None)
-    if shown.goal:
-        _goals[place] = shown.goal
-    first = hand.state()
-    return {"kind": "opened", "title": scene.title, "first": first, "pose": pose, **PRESETS} | _challenge(
-        place, first["link"]
-    )
+    return {"kind": "opened", "title": scene.title, "first": hand.state(), "pose": pose, **CHOICES}
 
 
 def _show(scene: Scene, shown: Shown) -> dict[str, Any]:
@@ -72,11 +63,3 @@ def _show(scene: Scene, shown: Shown) -> dict[str, Any]:
     found: dict[str, Any] = {"kind": "opened", "title": scene.title, "shows": shows, "narrow": narrow(trace)}
     found |= {"step": min(shown.step or 0, len(shows[0]["steps"]) - 1), "predict": shown.predict}
     return found | {"link": fragment(scene)}
-
-
-def _challenge(place: str, link: str) -> dict[str, Any]:
-    """How the scene stands to the place's goal, and a link that sets it."""
-    if place not in _goals:
-        return {}
-    goal = _goals[place]
-    return {"goal": judged(goal, _hands[place].scene)._asdict(), "link": f"{link}&goal={goal}"}

@@ -17,15 +17,15 @@ from ..scenes.link import BREAK, PAGE, link
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene
 from ..widgets.exploring import Exploring
+from ..widgets.goals import ASKS, challenges
 from . import parts
 from .chapters import Chapter, lead
-from .goals import ASKS, challenges
 from .themed import themed_file
 
-# scripts are the site's own files, wasm is Python's; a scene comes in as data only
+# scripts are the site's own files, wasm is Python's; a scene comes in as data only; a blob is a picture saved as PNG
 POLICY = (
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; "
-    "style-src 'self'; img-src 'self'; base-uri 'none'; form-action 'none'"
+    "style-src 'self'; img-src 'self' blob:; base-uri 'none'; form-action 'none'"
 )
 FAILING_ON_FRONT = "aabb-turned", "no-nearest-vertex", "far-centers", "box-in-u"
 
@@ -57,7 +57,7 @@ def page(frame: Frame, path: str, title: str, body: str, *, says: str, kind: str
         f"<title>{escape(title)}</title>",
         f'<link rel="stylesheet" href="site.css?{frame.version}">',
         '<link rel="icon" href="icon.svg" type="image/svg+xml">',
-        f'<script type="module" src="site.js?{frame.version}"></script>',
+        f'<script defer src="site.js?{frame.version}"></script>',
         "</head>",
         f'<body class="satviz site {kind}"{python}>',
         '<a class="skip" href="#main">to the text</a>',
@@ -194,7 +194,7 @@ def _card(name: str) -> str:
         drawn = refused(row) if row.how == REFUSED else picture(row.scene.record())
         title, said = f"“{row.claim}”", row.how
     size = 'width="{:g}" height="{:g}"'.format(*drawn.size)
-    image = f'<img src="pictures/{name}.svg" {size} loading="lazy" alt="{escape(drawn.sentence)}">'
+    image = f'<img src="pictures/{name}.svg" {size} alt="{escape(drawn.sentence)}">'
     shown = f"{image}<b>{escape(title)}</b>"
     if row is None or row.how != REFUSED:
         shown = f'<a href="{PAGE}#{name}">{shown}</a>'

@@ -27,8 +27,8 @@ PARTS = (
         "widgets/__init__.py",
         "widgets/showing.py",
         "widgets/exploring.py",
+        "widgets/goals.py",
         "site/__init__.py",
-        "site/goals.py",
         "site/live.py",
     ),
 )

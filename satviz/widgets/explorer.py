@@ -9,6 +9,7 @@ from ..scenes.failing import REFUSED, ROWS
 from ..scenes.scenefile import Scene
 from .base import Shown, code
 from .exploring import Exploring
+from .goals import CALLED
 
 
 class Explorer(Shown):
@@ -22,9 +23,10 @@ class Explorer(Shown):
     first = traitlets.Dict().tag(sync=True)
     presets = traitlets.List([s.name for s in SCENES]).tag(sync=True)
     failing = traitlets.List([row.name for row in ROWS if row.how != REFUSED]).tag(sync=True)
+    challenges = traitlets.Dict(CALLED).tag(sync=True)
 
-    def __init__(self, shown: Scene) -> None:
-        self._exploring = Exploring(shown)
+    def __init__(self, shown: Scene, goal: str | None = None) -> None:
+        self._exploring = Exploring(shown, goal)
         super().__init__(self._exploring, first=self._exploring.state())
 
     @property
@@ -33,10 +35,11 @@ class Explorer(Shown):
         return self._exploring.scene
 
 
-def explore(what: Scene | Shape | str = "triangles", b: Shape | None = None) -> Explorer:
+def explore(what: Scene | Shape | str = "triangles", b: Shape | None = None, *, goal: str | None = None) -> Explorer:
     """A scene to drag: a built-in scene's name, a Scene, or two shapes.
 
-    Drag shapes, vertices and handles, or Tab to one and use the arrow keys.  InvalidScene
-    for an unknown name, ValueError for a scene that cannot be drawn, TypeError for anything else.
+    Drag shapes, vertices and handles, or Tab to one and use the arrow keys.  `goal` sets a challenge:
+    "touch", "one-axis" or, for a scene of a shortcut, "break".  InvalidScene for an unknown name or goal,
+    ValueError for a scene that cannot be drawn, TypeError for anything else.
     """
-    return Explorer(scene_of(what, b))
+    return Explorer(scene_of(what, b), goal)

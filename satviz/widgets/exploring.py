@@ -18,6 +18,7 @@ from ..scenes.link import Shown, fragment
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
 from ..scenes.strictjson import typed
+from .goals import Judged, begun, judged
 from .showing import Showing
 
 SHORTCUT, TRUTH = "shortcut", "truth"
@@ -35,14 +36,15 @@ class Exploring(Showing):
     """Two shapes to drag, turn and reshape, with the axis that tells most (or one chosen, or a free one).
 
     A scene whose axes are a shortcut's has two views: the shortcut's run, and the truth.
-    ValueError for a scene that cannot be drawn.
+    A goal is a challenge: what the scene is to become.
+    ValueError for a scene that cannot be drawn, or cannot have the goal.
     """
 
-    def __init__(self, shown: Scene) -> None:
+    def __init__(self, shown: Scene, goal: str | None = None) -> None:
         self._degree: float | None = None
         self._largest = canvas(None)
         self._way_out = self._against = False
-        self._start(shown)
+        self._start(shown, goal)
         self._settle()
 
     def picture(self) -> Picture:
@@ -50,11 +52,14 @@ class Exploring(Showing):
         return self._drawn.picture
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
-        """A pose, or a preset by name: the state that follows, or why it cannot be."""
+        """A pose, a preset by name, or a challenge: the state that follows, or why it cannot be."""
         n = content.get("n")
         try:
             if content.get("kind") == "preset":
                 self._start(scene(typed(content.get("name"), "the preset", str)))
+            elif content.get("kind") == "challenge":
+                goal = typed(content.get("goal"), "the challenge", str)
+                self._start(begun(goal, self.scene), goal)
             elif content.get("kind") == "pose":
                 self._pose(content)
             else:
@@ -82,6 +87,8 @@ class Exploring(Showing):
             "link": fragment(self.scene, self._shown()),
             "scene": self._begun,
         }
+        if self._judged:
+            found["goal"] = self._judged._asdict()
         if self._against:
             found["difference"] = difference(trace, largest=(min(340.0, self._largest[0]), 300.0)).data()
         if self._run.shortcut:
@@ -93,15 +100,15 @@ class Exploring(Showing):
         return found
 
     def _shown(self) -> Shown:
-        return Shown(
-            self._degree, self._pinned, self._view if self._view == TRUTH else None, self._way_out, self._against
-        )
+        view = self._view if self._view == TRUTH else None
+        goal = self._judged.goal if self._judged else None
+        return Shown(self._degree, self._pinned, view, self._way_out, self._against, goal=goal)
 
-    def _start(self, shown: Scene) -> None:
-        trace = _trace(shown)
+    def _start(self, shown: Scene, goal: str | None = None) -> None:
+        trace, met = _trace(shown), judged(goal, shown) if goal else None
         self._layout = field(trace, self._largest)
         self._begun = shown.to_json()  # a pose says which scene it is of: undo goes back over presets too
-        self._look(shown, trace, SHORTCUT if trace.shortcut else None)
+        self._look(shown, trace, SHORTCUT if trace.shortcut else None, met)
         self._pinned: int | None = None
         self._near: Vec | None = None  # the way the axis lay before, so that it stays on its side
 
@@ -119,6 +126,9 @@ class Exploring(Showing):
         if view not in (None, SHORTCUT, TRUTH):
             raise InvalidScene(f'the view must be "{SHORTCUT}" or "{TRUTH}"')
         layout = field(trace, largest)  # refused where it cannot be drawn
+        before = self._judged.goal if self._judged else None
+        goal = content.get("goal", before)
+        met = None if goal is None else judged(typed(goal, "the challenge", str), changed)
         if begun is not self.scene:
             self._begun = begun.to_json()
         if begun is not self.scene or largest != self._largest:
@@ -129,11 +139,11 @@ class Exploring(Showing):
             pinned = None  # the other run's rows are others
         self._pinned, self._degree, self._way_out = pinned, degree, bool(content.get("wayOut"))
         self._against = bool(content.get("against"))
-        self._look(changed, trace, view)
+        self._look(changed, trace, view, met)
 
-    def _look(self, scene: Scene, run: Trace, view: str | None) -> None:
-        """The run of the scene, and the trace that the view shows."""
-        self.scene, self._run, self._view = scene, run, view
+    def _look(self, scene: Scene, run: Trace, view: str | None, met: Judged | None) -> None:
+        """The run of the scene, the trace that the view shows, and how the scene stands to a challenge."""
+        self.scene, self._run, self._view, self._judged = scene, run, view, met
         self.trace = run.truth if view == TRUTH else run
 
     def _settle(self, *, final: bool = True) -> None:

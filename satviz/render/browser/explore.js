@@ -48,12 +48,13 @@ class Explorer {
     this.enough = element("p", { class: "sv-enough" });
     this.said = element("div", { class: "sv-said", role: "status" });
     this.heading = element("p", { class: "sv-heading", hidden: true });
+    this.goal = element("div", { class: "sv-goal", hidden: true });
     this.why = element("p", { class: "sv-why", role: "alert", hidden: true });
     this.hint = element("p", { class: "sv-hint" }, HINT);
     this.keys = element("p", { id: `sv-keys-${Math.random().toString(36).slice(2)}`, hidden: true }, KEYS);
     this.table = new Table(this.state.names, { pick: (row) => this.pick(row) });
     const side = element("div", { class: "sv-side" }, this.curve, this.difference, element("div", { class: "sv-fold" }, this.table.element));
-    this.stage = element("div", { class: "sv-stage" }, this.heading, this.board, this.hint, this.why, this.sentence, this.enough, this.said, this.keys, this.controls());
+    this.stage = element("div", { class: "sv-stage" }, this.goal, this.heading, this.board, this.hint, this.why, this.sentence, this.enough, this.said, this.keys, this.controls());
     root.classList.add("satviz");
     root.setAttribute("data-lm-suppress-shortcuts", "true");
     this.columns = element("div", { class: "sv-columns" }, this.stage, side);
@@ -83,6 +84,8 @@ class Explorer {
     const groups = { "the article's": this.model.get("presets"), "where a shortcut fails": this.model.get("failing") };
     const options = Object.entries(groups).map(([label, names]) => element("optgroup", { label }, ...named(names)));
     this.presets = element("select", { "aria-label": "presets", onchange: () => this.preset() }, element("option", { value: "" }, "presets"), ...options);
+    const goals = Object.entries(this.model.get("challenges")).map(([value, name]) => element("option", { value }, name));
+    this.goals = element("select", { "aria-label": "challenges", onchange: () => this.challenge() }, element("option", { value: "" }, "challenges"), ...goals);
     this.views = ["shortcut", "truth"].map((view) => button(view, () => this.commit({ ...this.pose, view, pinned: null }), { pressed: "false" }));
     this.view = element("span", { class: "sv-view", role: "group", "aria-label": "what is shown", hidden: true }, ...this.views);
     this.undoButton = button("undo", () => this.undo(), { keys: "Control+Z" });
@@ -91,13 +94,14 @@ class Explorer {
     const [wayOut, wayOutLabel] = check("way out", (on) => this.change({ wayOut: on }));
     const [against, againstLabel] = check("B − A", (on) => this.change({ against: on }));
     this.boxes = { free, wayOut, against };
-    const save = saveMenu((form) => this.model.send({ kind: "save", form }), button("copy JSON", () => this.copy()), button("copy link", () => copyLink(this.model.get("site"), this.state.link)));
+    const ask = this.model.get("alone") ? null : (form) => this.model.send({ kind: "save", form });
+    const save = saveMenu(this.svg, ask, button("copy JSON", () => this.copy()), button("copy link", () => copyLink(this.model.get("site"), this.state.link)));
     return element("div", { class: "sv-controls", role: "group", "aria-label": "explorer" },
-      this.presets, this.view, this.undoButton, this.redoButton, button("reset", () => this.reset()), freeLabel, wayOutLabel, againstLabel, save);
+      this.presets, this.goals, this.view, this.undoButton, this.redoButton, button("reset", () => this.reset()), freeLabel, wayOutLabel, againstLabel, save);
   }
 
-  poseOf({ a, b, view, scene }) {
-    return { a, b, view, scene, pinned: null, degree: this.pose?.degree ?? null, wayOut: this.pose?.wayOut ?? false, against: this.pose?.against ?? false };
+  poseOf({ a, b, view, scene, goal }) {
+    return { a, b, view, scene, goal: goal?.goal ?? null, pinned: null, degree: this.pose?.degree ?? null, wayOut: this.pose?.wayOut ?? false, against: this.pose?.against ?? false };
   }
 
   // -- to and from Python
@@ -177,6 +181,7 @@ class Explorer {
       const { name } = JSON.parse(state.scene);
       this.presets.value = [...this.presets.options].some(({ value }) => value === name) ? name : "";
     }
+    this.showGoal(state);
     this.showRows(state);
     this.curve.toggleAttribute("hidden", !state.curve);
     if (state.curve) this.curvePen.draw(state.curve);
@@ -184,6 +189,21 @@ class Explorer {
     if (state.difference) this.differencePen.draw(state.difference);
     this.settle();
     this.follow();
+  }
+
+  // What is asked, how the scene stands to it, and a hint for who wants one.
+  showGoal({ goal, view }) {
+    this.goals.value = goal?.goal ?? "";
+    [...this.goals.options].at(-1).disabled = !view; // without a shortcut there is none to break
+    this.goal.toggleAttribute("hidden", !goal);
+    if (!goal) return;
+    if (!this.goal.childElementCount) {
+      const [asks, says, hint] = [element("b"), element("span", { role: "status" }), element("p")];
+      this.goal.append(asks, says, element("details", {}, element("summary", {}, "a hint"), hint));
+      this.goal.parts = { asks, says, hint };
+    }
+    this.goal.classList.toggle("sv-met", goal.met);
+    for (const [name, part] of Object.entries(this.goal.parts)) if (part.textContent !== goal[name]) part.textContent = goal[name];
   }
 
   // The buttons and boxes as the pose has it.
@@ -250,7 +270,7 @@ class Explorer {
           found.push({ id: `${name}-vertex-${i}`, key, does: "vertex", i, at, label: `${name}: corner ${vertex}`, value: at[0], says: `at ${place(at)}` });
         });
         const [[x, y]] = shape.polygon;
-        const degree = (Math.atan2(y - center[1], x - center[0]) * 180) / Math.PI;
+        const degree = snap((Math.atan2(y - center[1], x - center[0]) * 180) / Math.PI, 1e-3) + 0;
         found.push({ id: `${name}-rotate`, key, does: "rotate", at: this.turnSpot(shape, key), label: `${name}: turn`, value: degree, says: `first corner at ${told(degree)} degrees` });
       } else {
         const at = [center[0] + shape.radius, center[1]];
@@ -327,7 +347,7 @@ class Explorer {
 
   describe(handle, { id, key, label, value, says }) {
     const [least, most] = key ? [-1e9, 1e9] : [-180, 180];
-    const now = Math.min(most, Math.max(least, Number(value.toPrecision(6))));
+    const now = Math.min(most, Math.max(least, value)).toLocaleString("en", { useGrouping: false, maximumSignificantDigits: 6 }); // no exponent
     const words = { "aria-label": label, "aria-valuemin": least, "aria-valuemax": most, "aria-valuenow": now, "aria-valuetext": says };
     for (const [name, text] of Object.entries(words)) if (handle.getAttribute(name) !== String(text)) handle.setAttribute(name, text);
     handle.tabIndex = !key || this.active[key] === id ? 0 : -1;
@@ -452,8 +472,8 @@ class Explorer {
     this.commit({ ...this.pose, ...more });
   }
   reset() {
-    const { a, b, scene, view } = this.start;
-    this.change({ a, b, scene, view, pinned: null });
+    const { a, b, scene, view, goal } = this.start;
+    this.change({ a, b, scene, view, goal, pinned: null });
   }
   undo() {
     this.go(this.undone, this.redone);
@@ -471,12 +491,18 @@ class Explorer {
     this.change({ pinned: this.pose.pinned === row ? null : row });
   }
   preset() {
-    if (!this.presets.value) return;
+    if (this.presets.value) this.choose({ kind: "preset", name: this.presets.value });
+  }
+  challenge() {
+    if (this.goals.value) this.choose({ kind: "challenge", goal: this.goals.value });
+    else this.change({ goal: null });
+  }
+  choose(asked) {
     this.hint.hidden = true;
     this.next = null; // a pose that still waits is of the scene that leaves
     this.drag = null;
     this.choosing = true;
-    this.model.send({ kind: "preset", name: this.presets.value });
+    this.model.send(asked);
   }
   copy() {
     navigator.clipboard?.writeText(this.state.json).then(() => this.tell("The scene is copied."));

@@ -171,13 +171,19 @@ export function themed(root) {
     again = setTimeout(match, 500); // colours may fade over
   };
   let again = 0;
+  const placed = new ResizeObserver(() => { // what lies nowhere yet is looked at when it does, before it is painted
+    placed.disconnect();
+    match();
+  });
   const system = matchMedia("(prefers-color-scheme: dark)");
   const changes = new MutationObserver(late);
   for (const page of [document.documentElement, document.body]) changes.observe(page, { attributes: true });
   system.addEventListener("change", late);
-  late();
+  if (root.isConnected) late();
+  else placed.observe(root);
   return () => {
     clearTimeout(again);
+    placed.disconnect();
     changes.disconnect();
     system.removeEventListener("change", late);
   };

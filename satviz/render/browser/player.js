@@ -26,9 +26,11 @@ export function copyLink(site, link) {
   navigator.clipboard?.writeText(`${site ?? ""}scene.html#${link}`);
 }
 
-// One menu of the files that can be saved, and more buttons.
-export function saveMenu(save, ...more) {
-  const forms = ["svg", "png", "gif"].map((form) => button(`save ${form.toUpperCase()}`, () => save(form), { shows: form.toUpperCase() }));
+// One menu of the files that can be saved, and more buttons.  `ask` makes a kernel draw them; where there is none the
+// page's own picture is the file.
+export function saveMenu(svg, ask, ...more) {
+  const save = ask ?? ((form) => saveDrawn(svg, form));
+  const forms = (ask ? ["svg", "png", "gif"] : ["svg", "png"]).map((form) => button(`save ${form.toUpperCase()}`, () => save(form), { shows: form.toUpperCase() }));
   const head = element("summary", {}, "save");
   const list = element("div", { onclick: () => menu.removeAttribute("open") }, ...forms, ...more);
   const menu = element("details", { class: "sv-menu" }, head, list);
@@ -94,7 +96,7 @@ export class Table {
 const WIDE = 620; // points; what is wider has no table beside it
 
 // shows: one, or that of the early exit and that of every axis; narrow: the same for where these do not fit.
-// save(form, step, which) asks a kernel for a file.
+// save(form, step, which) asks a kernel for a file; without one the picture is saved as it is drawn.
 export class Player {
   constructor(root, shows, { predict = false, save = null, narrow = [], link = "", site = "" } = {}) {
     this.root = root;
@@ -157,7 +159,7 @@ export class Player {
       this.scrub, this.count, this.speed,
       element("label", {}, this.predict, " predict"), this.score,
       button("reset", () => this.reset()), this.rest);
-    row.append(...(save ? [saveMenu((form) => save(form, this.at, this.which), ...copies)] : copies));
+    row.append(saveMenu(this.svg, save && ((form) => save(form, this.at, this.which)), ...copies));
     return row;
   }
 

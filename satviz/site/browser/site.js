@@ -37,8 +37,7 @@ class Model {
     this.listeners.delete(listener);
   }
   send(content) {
-    if (content.kind === "save") this.tell({ kind: "refused", why: "files are made where satviz is installed (satviz draw)" });
-    else if (content.kind) this.python.send(this.place, content);
+    if (content.kind) this.python.send(this.place, content);
   }
   tell(content) {
     for (const listener of this.listeners) listener(content, []);
@@ -64,56 +63,43 @@ class Place {
     if (linked) addEventListener("hashchange", () => this.open());
   }
   open() {
-    const behind = this.linked && location.hash.length > 1 ? decoded(location.hash.slice(1)) : this.element.dataset.hash;
-    this.python.send(this.name, { kind: "open", hash: behind });
+    clearTimeout(this.later); // the address is another scene's now
+    const behind = this.linked ? decoded(location.hash.slice(1)) : "";
+    if (this.shown && document.getElementById(behind)) return; // a way within the page
+    this.opening = true;
+    this.python.send(this.name, { kind: "open", hash: behind && !document.getElementById(behind) ? behind : this.element.dataset.hash });
   }
   follow({ progress, ready, failed }) {
     if (ready) this.element.dataset.from = ready; // where Python started from
     if (ready) this.say("");
     else if (failed) this.say("This picture stays still: Python could not start in this browser.");
-    else if (progress < 1) this.say(`Python is on its way: ${Math.round(progress * 100)} %. Then you can drag.`);
+    else if (progress < 1) this.say(`Python is on its way: ${Math.floor(progress * 10) * 10} %. Then you can drag.`);
     else this.say("Python is starting. Then you can drag.");
   }
   // The way to the explorer, or on its own page the address, is a link to the scene as it stands.
-  follows({ link, goal }) {
-    this.challenge(goal);
+  follows({ link }) {
+    if (this.opening) return;
+    this.say("");
     const to = new URL(this.way.href);
     to.hash = link;
     this.way.href = to.href;
     clearTimeout(this.later);
     if (this.linked) this.later = setTimeout(() => history.replaceState(null, "", to.hash), 300);
   }
-  // What is asked, how the scene stands to it, and a hint for who wants one.
-  challenge(goal) {
-    if (!this.goal) {
-      this.goal = element("div", { class: "goal" });
-      this.goal.says = element("span", { role: "status" });
-      this.goal.hint = element("p");
-      this.goal.asks = element("b");
-      this.goal.append(this.goal.asks, this.goal.says, element("details", {}, element("summary", {}, "a hint"), this.goal.hint));
-      this.element.before(this.goal);
-    }
-    this.goal.hidden = !goal;
-    if (!goal) return;
-    this.goal.classList.toggle("met", goal.met);
-    for (const [part, text] of [[this.goal.asks, goal.asks], [this.goal.says, goal.says], [this.goal.hint, goal.hint]]) {
-      if (part.textContent !== text) part.textContent = text;
-    }
-  }
   say(text) {
     if (this.status.textContent !== text) this.status.textContent = text;
   }
   opened(content) {
+    this.opening = false;
     if (content.kind === "refused") return this.say(`This link cannot be opened: ${content.why}`);
     this.say("");
-    this.challenge(content.goal);
     const made = element("div");
     this.shown?.remove();
     if (content.shows) {
       this.shown = new Player(made, content.shows, { ...content, site: HERE });
       this.shown.go(content.step, { animate: false });
     } else {
-      this.model.values = { ...content, site: HERE };
+      this.model.values = { ...content, alone: true, site: HERE };
       this.model.listeners.clear();
       this.shown = new Explorer(this.model, made);
       show(this.shown, content.pose);
@@ -146,10 +132,11 @@ for (const place of document.querySelectorAll(".player")) {
   place.replaceChildren(made);
 }
 const scenes = [...document.querySelectorAll(".live")];
-if (document.body.dataset.python && scenes.length) {
+const still = (why) => scenes.forEach((place) => (place.nextElementSibling.textContent = `${why}, so the picture stays still.`));
+if (!document.body.dataset.python) still("This copy of the site has no Python in it");
+else if (location.protocol === "file:") still("A browser starts Python only from a web server (in this folder: python -m http.server)");
+else if (scenes.length) {
   const python = new Python(document.body.dataset.python);
   scenes.forEach((place, i) => new Place(place, python, i, document.body.classList.contains("explorer")));
-} else {
-  for (const place of scenes) place.nextElementSibling.textContent = "This copy of the site has no Python in it, so the picture stays still.";
 }
 if (isSecureContext && "serviceWorker" in navigator) navigator.serviceWorker.register("sw.js").catch(() => {});

@@ -11,12 +11,13 @@ from ..engine.trace import record
 from ..pictures.belief import said
 from ..pictures.layout import box_of
 from ..pictures.live import field
-from ..scenes.failing import REFUSED, ROWS, Row
+from ..scenes.failing import NAMED, REFUSED, ROWS, Row
 from ..scenes.failing.reading import moved
 from ..scenes.link import BREAK, ONE_AXIS, TOUCH
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene
 
+CALLED = {TOUCH: "make them touch", ONE_AXIS: "exactly one axis", BREAK: "break the shortcut"}
 ASKS = {
     ONE_AXIS: "Make exactly one axis separate the shapes.",
     TOUCH: "Make the shapes touch: not a hair apart, and no overlap.",
@@ -33,8 +34,9 @@ STEPS, WAYS = (1, 2, 3, 4, 6, 8), ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1
 
 
 class Judged(NamedTuple):
-    """Is it reached, what is asked, how the scene stands to it, and a hint."""
+    """The goal, is it reached, what is asked, how the scene stands to it, and a hint."""
 
+    goal: str
     met: bool
     asks: str
     says: str
@@ -42,9 +44,21 @@ class Judged(NamedTuple):
 
 
 def judged(goal: str, shown: Scene) -> Judged:
-    """How a scene stands to a goal; InvalidScene for a goal that the scene cannot have."""
+    """How a scene stands to a goal; InvalidScene for one that is none, or that the scene cannot have."""
+    if goal not in ASKS:
+        raise InvalidScene(f"no challenge {goal!r}: choose one of {', '.join(ASKS)}")
     met, says = {ONE_AXIS: _one_axis, TOUCH: _touch, BREAK: _break}[goal](shown)
-    return Judged(met, ASKS[goal], says, HINTS[goal])
+    return Judged(goal, met, ASKS[goal], says, HINTS[goal])
+
+
+def begun(goal: str, shown: Scene) -> Scene:
+    """Where a challenge begins that is set while a scene is shown: there, unless it is reached there already."""
+    if not judged(goal, shown).met:
+        return shown
+    start = harmless(NAMED[shown.axes]) if goal == BREAK else next(s for g, s in challenges() if g == goal)
+    if start is None:
+        raise InvalidScene("no place is near where this shortcut is right, so there is nothing to break")
+    return start
 
 
 def challenges() -> Iterator[tuple[str, Scene]]:
@@ -76,10 +90,16 @@ def _one_axis(shown: Scene) -> tuple[bool, str]:
     trace = record(shown.a, shown.b, axes=needed, every_axis=True)
     if trace.pairs:
         return False, "A shape has a dent: here only convex shapes count."
-    count = sum(test.separates for test in trace.tests)
+    count = len({_line(test.axis.direction) for test in trace.tests if test.separates})
     if count == 1:
         return True, "Exactly one axis separates them."
     return False, "No axis separates them: they collide." if not count else f"{count} axes separate them."
+
+
+def _line(direction: Vec) -> tuple[float, float]:
+    """The axis without its sense, as finely as an eye tells axes: edges moved by a hand are parallel up to rounding."""
+    x, y = round(direction.x, 9) + 0.0, round(direction.y, 9) + 0.0
+    return max((x, y), (0.0 - x, 0.0 - y))
 
 
 def _touch(shown: Scene) -> tuple[bool, str]:
