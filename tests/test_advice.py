@@ -21,8 +21,9 @@ from satviz import batch
 from satviz.advice.gamma import gamma, gammas, signed
 from satviz.advice.many import of_shapes
 from satviz.advice.models import answers, kept, paired, sure
-from satviz.advice.proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
+from satviz.advice.proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Compound, Model
 from satviz.cli import main
+from satviz.engine.concave import parts
 from satviz.engine.enough import enough
 from satviz.engine.geometry import Relation
 from satviz.pictures import THEMES
@@ -517,3 +518,86 @@ def test_what_is_no_file_of_shapes_gives_one_clear_line(tmp_path, capsys):
     for name in (str(bad), str(tmp_path / "none.npz"), "nonsense", "pentagram"):
         assert main(["advise", name]) == 2
         assert capsys.readouterr().err.count("\n") == 1
+
+
+# -- whatever the order, whatever the size
+
+
+def by_the_squared_turn(circle, polygon, dtype):
+    """A circle and a polygon as many write it: the turn squared over the edge squared."""
+    x, y, r = (dtype(c) for c in (*circle.center, circle.radius))
+    ring = [(dtype(p) - x, dtype(q) - y) for p, q in polygon.core]
+    inside, nearest = True, dtype(math.inf)
+    for (px, py), (qx, qy) in zip(ring, [*ring[1:], ring[0]]):
+        dx, dy = qx - px, qy - py
+        turn, along, square = px * dy - py * dx, -(px * dx + py * dy), dx * dx + dy * dy
+        inside = inside and turn > 0
+        x, y = (px, py) if along <= 0 else (qx, qy)
+        nearest = min(nearest, turn * turn / square if 0 < along < square else x * x + y * y)
+    gap = nearest - r * r
+    return Relation.OVERLAPPING if inside or gap < 0 else Relation.TOUCHING if gap == 0 else Relation.APART
+
+
+@pytest.mark.parametrize(("kind", "dtype", "far"), [("float32", np.float32, 60), ("float64", np.float64, 500)])
+def test_plain_floats_are_sure_only_where_no_order_of_products_vanishes_or_overflows(kind, dtype, far):
+    rng = Random(61)
+    sure_of = 0
+    for _ in range(600):
+        unit = 2.0 ** rng.randint(-far, far)
+        ring = [(rng.uniform(-9, 9) * unit, rng.uniform(-9, 9) * unit) for _ in range(3)]
+        circle = sv.Circle((rng.uniform(-9, 9) * unit, rng.uniform(-9, 9) * unit), rng.uniform(0.1, 4) * unit)
+        polygon = sv.Polygon(ring)
+        said = Model(kind, 4).sure(circle, polygon)
+        if said is not None:
+            sure_of += 1
+            with np.errstate(all="ignore"):
+                assert by_the_squared_turn(circle, polygon, dtype) is said, (circle, polygon)
+    assert sure_of > 200
+
+
+def hardly_apart(seed, count):
+    """Triangles at a corner of which another begins, some roundings away, at sizes that differ by axis."""
+    rng = np.random.default_rng(seed)
+    for _ in range(count):
+        ring, other = rng.uniform(1, 2, (2, 3, 2))
+        other += ring[0] - other[0] + rng.integers(-90, 90, 2) * 2.0**-52
+        by = 2.0 ** rng.integers(-20, 20, 2)
+        try:
+            yield sv.Polygon(ring * by), sv.Polygon(other * by)
+        except sv.InvalidShape:
+            continue
+
+
+def test_an_advice_on_a_pair_is_the_same_for_many_as_for_two():
+    kinds = pairs(62, 4 * len(KINDS))
+    for a, b in [*hardly_apart(62, 150), *((a, b) for _, a, b in kinds)]:
+        two, many = sv.advise(a, b), sv.advise(batch_of([a]), batch_of([b]))
+        assert two.facts.gamma == pytest.approx(many.facts.gamma, rel=0.02)
+        assert two.judged == many.judged
+        assert two.facts._replace(gamma=0) == many.facts._replace(gamma=0)
+        assert two.check() and many.check()
+
+
+def test_every_failure_can_be_drawn_and_tells_the_truth():
+    seen = Counter()
+    for kind, a, b in pairs(63, 3 * len(KINDS)):
+        for advice in (sv.advise(a, b), sv.advise(batch_of([a]), batch_of([b]))):
+            trace, smaller = advice.failure(), advice.smaller
+            assert (trace is None) == (smaller is None), kind
+            if smaller is not None:
+                assert trace.relation is oracle.relation(a, b), kind
+                seen[smaller.model.kind, bool(smaller.wrong)] += 1
+                if smaller.wrong:
+                    assert trace.claim is not trace.relation, kind
+    assert seen[CIRCLES, False] and seen[CIRCLES, True] and seen[BOXES, True], seen
+
+
+def test_the_convex_parts_of_a_polygon_are_its_outline_again():
+    seen = 0
+    for kind, a, _ in pairs(64, 40, ["concave", "in the notch"]):
+        if len(pieces := parts(a)) > 1:
+            again = Compound(pieces).outline().core
+            start = again.index(a.core[0])
+            assert (*again[start:], *again[:start]) == a.core, kind
+            seen += 1
+    assert seen > 20

@@ -31,7 +31,7 @@ ANYWHERE, GRID, MOVED, HERE = "anywhere", "on a grid", "moved as a whole", "thes
 
 
 class Judged(NamedTuple):
-    """A model on the pairs: how many it gets wrong, and of how many rounding decides what it says.
+    """A model on the pairs: how many it gets wrong, and of how many, at most, rounding decides what it says.
 
     `first`: the first pair that is wrong, or else in doubt; `hits`: does it tell hits from misses, at least?
     """
@@ -49,7 +49,8 @@ class Judged(NamedTuple):
 
 
 class Facts(NamedTuple):
-    """What there is: shapes by kind, their fewest and most corners, the largest over the smallest, pairs by relation.
+    """What there is: shapes by kind, their parts' fewest and most corners, the largest over the smallest, pairs
+    by relation.
 
     `settled`: pairs whose boxes are apart, which no model was asked about; `gamma`: the least, and of which pair.
     """
@@ -164,9 +165,9 @@ class Advice:
         smaller = self.smaller
         if smaller is None or smaller.first is None:
             return None
-        a, b = self.case.body(self._place(smaller.first))
-        if not (isinstance(a, Shape) and isinstance(b, Shape)):
-            return None
+        a, b = (
+            s.outline() if isinstance(s, proofs.Compound) else s for s in self.case.body(self._place(smaller.first))
+        )
         return record(a, b, axes=believed(smaller.model, a, b))
 
     @cached_property
@@ -251,13 +252,13 @@ def _of_two(a: Shape, b: Shape) -> Advice:
     from ..engine.concave import parts
 
     relation = proofs.exactly(a, b)
-    directions = proofs.shared_directions(a, b)
+    directions = proofs.shared_directions((a, b))
     models = proofs.candidates(proofs.axes_asked(a, b), directions, bool(a.radius and b.radius))
     judged = [judge_one(model, a, b, relation) for model in models]
     kinds: dict[str, int] = {}
     for shape in (a, b):
         kinds[kind_of(shape)] = kinds.get(kind_of(shape), 0) + 1
-    corners = [len(s.core) for s in (a, b) if not s.radius] or [0]
+    corners = [len(p.core) for s in (a, b) if not s.radius for p in parts(s)] or [0]
     sizes = [max(s.bounds[2] - s.bounds[0], s.bounds[3] - s.bounds[1]) for s in (a, b)]
     counts = tuple(int(relation is r) for r in Relation)
     ratio = max(sizes) / min(sizes) if min(sizes) else float("inf")

@@ -1,5 +1,6 @@
 """sv.advise for many pairs: the same facts and proofs, worked out with arrays."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -31,7 +32,6 @@ def of_many(a: Any, b: Any, pairs: ArrayLike | None) -> Advice:
     kinds = _kinds(a, np.unique([ia, ib])) if a is b else _kinds(a, np.unique(ia), b, np.unique(ib))
     used = set(kinds)
     asked = models_for(case, used) if len(ia) else [Model(proofs.BOXES, 2), Model(proofs.EXACT, 0)]
-    judged = [_judged(model, case, exact) for model in asked]
     signed = signed_gammas(a, b, np.stack([ia, ib], axis=1))
     worst = int(np.abs(signed).argmin()) if len(signed) else 0
     least = float(abs(signed[worst])) if len(signed) else float("inf")
@@ -52,6 +52,8 @@ def of_many(a: Any, b: Any, pairs: ArrayLike | None) -> Advice:
 
     def index(k: int) -> Pair:
         return int(ia[k]), int(ib[k])
+
+    judged = [_judged(model, case, exact, body) for model in asked]
 
     def bound() -> float:
         if not len(ia):
@@ -91,8 +93,13 @@ def models_for(case: Pairs, kinds: set[str]) -> list[Model]:
     return proofs.candidates(int(asked.max(initial=1)), directions, kinds == {"circles"})
 
 
-def _judged(model: Model, case: Pairs, exact: NDArray[np.int8]) -> Judged:
+def _judged(model: Model, case: Pairs, exact: NDArray[np.int8], body: Callable[[int], tuple[Body, Body]]) -> Judged:
     told = models.sure(model, case, exact)
+    for k in np.flatnonzero(told < 0).tolist():  # arrays need more room than fractions: up to the first real doubt
+        said = model.sure(*body(k))
+        if said is None:
+            break
+        told[k] = said
     unsure = told < 0
     wrong = ~unsure & (told != exact)
     bad = np.flatnonzero(wrong)

@@ -162,12 +162,13 @@ def shared_directions(*many: Shapes) -> tuple[Vec, ...]:
     size = np.abs(left).max(axis=0)
     if not size.size or not (np.isfinite(size).all() and (size > 0).all()):
         return ()
-    left = np.ldexp(left, -np.frexp(size)[1])
+    left = np.ldexp(left * np.copysign(1.0, np.where(left[0], left[0], left[1])), -np.frexp(size)[1]) + 0.0
     found: list[Vec] = []
     while left.size:
         if len(found) == MOST_DIRECTIONS:
             return ()
-        nx, ny = left[:, 0]
+        nx = left[0].min()
+        ny = left[1, left[0] == nx].min()
         found.append(Vec(float(nx), float(ny)))
         left = left[:, np.abs(nx * left[1] - ny * left[0]) > PARALLEL]
     return tuple(found)

@@ -85,6 +85,7 @@ def shapes(facts: "Facts") -> str:
     kinds = ", ".join(f"{n:,} {ONE[kind] if n == 1 else kind}" for kind, n in facts.kinds.items())
     low, high = facts.corners
     corners = f", {low} corners" if low == high else f", {low} to {high} corners"
+    corners += " in a convex part" if "concave polygons" in facts.kinds else ""
     sizes = f", the largest {facts.sizes:,.3g} times the smallest" if facts.sizes > 1.005 else ""
     return f"{kinds or 'none'}{corners if high else ''}{sizes}"
 
