@@ -2,8 +2,10 @@
 
 import json
 import math
+import os
 import subprocess
 import sys
+import zipfile
 from collections import Counter
 from dataclasses import replace
 from itertools import combinations
@@ -601,3 +603,39 @@ def test_the_convex_parts_of_a_polygon_are_its_outline_again():
             assert (*again[start:], *again[:start]) == a.core, kind
             seen += 1
     assert seen > 20
+
+
+def test_no_bytes_of_a_file_are_a_fault_of_satviz(tmp_path, capsys):
+    whole, rng = tmp_path / "whole.npz", Random(65)
+    np.savez_compressed(whole, centers=[(2, 0.5), (0, 0)], radii=[1, 0.5], pairs=[[0, 1]])
+    bad, seen = tmp_path / "bad.npz", Counter()
+    files = []
+    for _ in range(150):
+        raw = bytearray(whole.read_bytes())
+        for _ in range(rng.randint(1, 3)):
+            raw[rng.randrange(len(raw))] = rng.randrange(256)
+        files.append(bytes(raw))
+    for header in (
+        '{"descr": ((((',
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (1000000000000, 2), }",
+        "3",
+        "",
+    ):
+        with zipfile.ZipFile(bad, "w") as made:
+            made.writestr("centers.npy", b"\x93NUMPY\x01\x00" + len(header).to_bytes(2, "little") + header.encode())
+        files.append(bad.read_bytes())
+    for raw in files:
+        bad.write_bytes(raw)
+        code = main(["advise", str(bad)])
+        seen[code] += 1
+        assert code == 0 or (code == 2 and capsys.readouterr().err.count("\n") == 1), raw
+        capsys.readouterr()
+    assert seen[2] > 50 and set(seen) <= {0, 2}
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes there")
+def test_a_pipe_is_no_file_of_shapes_and_is_not_waited_for(tmp_path, capsys):
+    pipe = tmp_path / "pipe.npz"
+    os.mkfifo(pipe)
+    assert main(["advise", str(pipe)]) == 2
+    assert "not a regular file" in capsys.readouterr().err
