@@ -20,7 +20,7 @@ def listed(block):
     return [line.split()[0] for line in text.splitlines()][::-1]
 
 
-FLOORS, ENGINE = listed("floors"), listed("engine")  # a folder is one floor
+FLOORS = listed("floors")  # a folder is one floor
 # the one door that opens upward, at call time only: showing oneself in a notebook, and a trace as a file
 DOORS = {("engine", "render"), ("engine", "scenes")}
 
@@ -71,12 +71,14 @@ def test_imports_only_go_down():
     assert doors == DOORS  # no door that nobody uses
 
 
-def test_the_engines_rooms_stand_on_each_other():
-    rooms = {path.stem: path for path in (ROOT / "engine").glob("*.py") if path.stem != "__init__"}
-    assert set(rooms) == set(ENGINE)
+@pytest.mark.parametrize("floor", ["engine", "advice"])
+def test_the_rooms_of_a_floor_stand_on_each_other(floor):
+    order = listed(floor)
+    rooms = {path.stem: path for path in (ROOT / floor).glob("*.py") if path.stem != "__init__"}
+    assert set(rooms) == set(order)
     for room, path in rooms.items():
-        below = ENGINE[: ENGINE.index(room)]
-        asked = [name for name, _ in imports(path, within="engine")]
+        below = order[: order.index(room)]
+        asked = [name for name, _ in imports(path, within=floor)]
         assert set(asked) <= set(below), room
 
 

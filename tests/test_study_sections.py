@@ -9,7 +9,8 @@ import pytest
 from matplotlib.text import Text
 
 from satviz import Circle, Polygon, batch, relate
-from satviz.advice.gamma import gamma, gammas
+from satviz.advice.gamma import gamma
+from satviz.advice.gammas import gammas
 from satviz.engine.axes import needed
 from satviz.pictures import THEMES
 from satviz.study import run, truth

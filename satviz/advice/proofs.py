@@ -179,6 +179,9 @@ def candidates(axes: int, directions: tuple[Vec, ...], only_circles: bool) -> li
     return sorted(found, key=lambda model: model.axes)
 
 
+NO_PAIRS = [Model(BOXES, 2), Model(EXACT, 0)]  # where there is none, anything will do
+
+
 def axes_asked(a: Body, b: Body) -> int:
     """How many axes SAT looks at: every edge of both, a circle's to the nearest corner, for every pair of parts."""
     return sum(_axes(p, q) for p in pieces(a) for q in pieces(b))
