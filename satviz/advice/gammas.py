@@ -7,7 +7,7 @@ from .. import batch
 from ..batch.arrays import Group, Shapes
 from ..engine.exact import UNIT
 from .gamma import signed
-from .pairs import Array, columns, listed, one, part_pairs, reach
+from .pairs import Array, columns, indexed, one, part_pairs, reach
 
 # By floats a turn is off by under 17 u * span * reach (three roundings of each product, one of their difference), a
 # distance by under 40 u * reach; below this gamma is asked exactly, and above it is good to one part in fifty.
@@ -25,7 +25,7 @@ def gammas(a: Shapes, b: Shapes, pairs: ArrayLike | None = None) -> Array:
 
 def signed_gammas(a: Shapes, b: Shapes, pairs: ArrayLike | None = None) -> Array:
     """(K,) gammas, negative where the pair overlaps."""
-    ia, ib = listed(a, b, pairs)
+    ia, ib = indexed(a, b, pairs)
     pa, pb, of = part_pairs(a, ia, b, ib)
     a, b = a.parts, b.parts
     roughly = np.empty(len(pa))

@@ -15,7 +15,7 @@ from . import proofs
 from .facts import CONCAVE, CONVEX, ROUND, UPRIGHT, Case, Facts, Judged, Pair
 from .gammas import signed_gammas
 from .models import shared_directions
-from .pairs import Indices, Pairs, listed, one, paired, reach
+from .pairs import Indices, Pairs, indexed, one, paired, reach
 from .proofs import Body, Compound, Format, Model
 from .scope import bound_of
 from .sure import Grid, sure
@@ -31,7 +31,7 @@ def of_many(a: Any, b: Any, pairs: ArrayLike | None) -> tuple[Facts, tuple[Judge
             pairs = batch.candidate_pairs(a.bounds)
             settled_by_boxes = len(a) * (len(a) - 1) // 2 - len(pairs)
     b = checked(b, "b")
-    ia, ib = listed(a, b, pairs)
+    ia, ib = indexed(a, b, pairs)
     both = paired(a, ia, b, ib)
     exact = batch.relate(a, b, np.stack([ia, ib], axis=1))
     used = [(a, np.unique([ia, ib]))] if a is b else [(a, np.unique(ia)), (b, np.unique(ib))]

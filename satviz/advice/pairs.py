@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..batch.arrays import Group, Shapes
 from ..batch.codes import UNDECIDED
+from ..batch.narrow import checked_pairs
 from ..engine.shapes import Circle, Polygon, Shape
 
 Array = NDArray[np.float64]
@@ -58,16 +59,10 @@ class Columned(Protocol):
         """The columns by the number of corners."""
 
 
-def listed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Indices]:
-    """The pairs as indices into both; ValueError and IndexError as `batch.relate` has them."""
+def indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Indices]:
+    """The pairs as indices into both, side by side or as given; ValueError and IndexError as `batch.relate`."""
     if pairs is not None:
-        found = np.asarray(pairs)
-        if found.ndim != 2 or found.shape[1] != 2 or (found.size and found.dtype.kind not in "iu"):
-            raise ValueError(f"pairs has the shape {found.shape} of {found.dtype}: expected (K, 2) integers")
-        found = found.astype(np.intp)
-        if found.size and (found.min() < 0 or found[:, 0].max() >= len(a) or found[:, 1].max() >= len(b)):
-            raise IndexError(f"pairs name shapes outside 0 to {len(a) - 1} and 0 to {len(b) - 1}")
-        return found[:, 0], found[:, 1]
+        return checked_pairs(pairs, len(a), len(b))
     if len(a) != len(b):
         raise ValueError(f"{len(a)} and {len(b)} shapes: give as many of each, or pairs=")
     every = np.arange(len(a))

@@ -14,7 +14,7 @@ import satviz as sv
 from satviz import batch
 from satviz.advice.prices import prices
 from satviz.advice.proofs import EXACT
-from satviz.study import workloads
+from satviz.study.pairs import workloads
 
 PAIRS = 200_000
 LEAST = 5e6  # nanoseconds
