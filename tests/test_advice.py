@@ -14,6 +14,7 @@ from random import Random
 import numpy as np
 import oracle
 import pytest
+from benchmarks.advice import SCENES
 from forms import batch_of
 from hypothesis import HealthCheck, given, settings
 from strategies import CONVEX, KINDS, NotConvex, drawn, pairs, scaled, some_pairs
@@ -702,3 +703,9 @@ def test_a_pipe_is_no_file_of_shapes_and_is_not_waited_for(tmp_path, capsys):
     os.mkfifo(pipe)
     assert main(["advise", str(pipe)]) == 2
     assert "not a regular file" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_every_scene_of_the_regrets_benchmark_is_advised_on(name):
+    advice = sv.advise(*SCENES[name](np.random.default_rng(1), 240))
+    assert advice.facts.pairs and advice.best.proven
