@@ -264,7 +264,7 @@ def advise(args: argparse.Namespace) -> int:
         data = json.loads(advice.to_json())
         out_json(json.dumps(data | {"prices": prices} if prices else data, indent=1, allow_nan=False))
     else:
-        out("\n".join(filter(None, (str(advice), price(advice)))))
+        out("\n".join(filter(None, (str(advice), price(advice.model, advice.prices())))))
     if args.chart:
         try:
             drawn = advice.chart()

@@ -4,6 +4,7 @@ import ast
 import re
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -20,7 +21,7 @@ def listed(block):
     return [line.split()[0] for line in text.splitlines()][::-1]
 
 
-FLOORS, ENGINE = listed("floors"), listed("engine")  # a folder is one floor
+FLOORS = listed("floors")  # a folder is one floor
 # the one door that opens upward, at call time only: showing oneself in a notebook, and a trace as a file
 DOORS = {("engine", "render"), ("engine", "scenes")}
 
@@ -71,12 +72,14 @@ def test_imports_only_go_down():
     assert doors == DOORS  # no door that nobody uses
 
 
-def test_the_engines_rooms_stand_on_each_other():
-    rooms = {path.stem: path for path in (ROOT / "engine").glob("*.py") if path.stem != "__init__"}
-    assert set(rooms) == set(ENGINE)
+@pytest.mark.parametrize("floor", ["engine", "advice"])
+def test_the_rooms_of_a_floor_stand_on_each_other(floor):
+    order = listed(floor)
+    rooms = {path.stem: path for path in (ROOT / floor).glob("*.py") if path.stem != "__init__"}
+    assert set(rooms) == set(order)
     for room, path in rooms.items():
-        below = ENGINE[: ENGINE.index(room)]
-        asked = [name for name, _ in imports(path, within="engine")]
+        below = order[: order.index(room)]
+        asked = [name for name, _ in imports(path, within=floor)]
         assert set(asked) <= set(below), room
 
 
@@ -87,6 +90,16 @@ def test_pictures_know_no_pen_and_only_render_and_the_charts_know_artists():
             assert "matplotlib" not in text, path
         elif floor_of(path) not in ("render", "study", "advice"):
             assert "import matplotlib" not in text and "from matplotlib" not in text, path
+
+
+@pytest.mark.parametrize("name", ["advice", "drag", "millions", "pictures", "scalar"])
+def test_what_a_benchmark_asks_of_satviz_is_there(name):
+    text = (Path(__file__).parent / "benchmarks" / f"{name}.py").read_text(encoding="utf-8")
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("satviz"):
+            for alias in node.names:
+                if not hasattr(import_module(node.module), alias.name):
+                    import_module(f"{node.module}.{alias.name}")
 
 
 def test_one_place_writes_files():

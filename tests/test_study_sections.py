@@ -9,7 +9,8 @@ import pytest
 from matplotlib.text import Text
 
 from satviz import Circle, Polygon, batch, relate
-from satviz.advice.gamma import gamma, gammas
+from satviz.advice.gamma import gamma
+from satviz.advice.gammas import gammas
 from satviz.engine.axes import needed
 from satviz.pictures import THEMES
 from satviz.study import run, truth
@@ -19,7 +20,7 @@ from satviz.study.lab.times import rough
 from satviz.study.methods import COMPILED, PYTHON, asked, kernels, methods, mistakes, plain, shapes, truths, wrong
 from satviz.study.pairs.hard import EXTREME, KINDS, hard, octave, on_a_grid, touching
 from satviz.study.pairs.workloads import WORKLOADS, apart, outlines, overlapping
-from satviz.study.sections import changes, corners, maps, order, price, resolution, resting, reuse
+from satviz.study.sections import changes, corners, errors, maps, order, price, resolution, resting, reuse
 
 pytestmark = pytest.mark.slow
 
@@ -32,9 +33,9 @@ SIZES = {"compiled": 300, "NumPy": 100, "Python": 20}
 @pytest.fixture(scope="module")
 def found():
     """Every cell of every section but the maps, on few pairs."""
-    made = {f"hard-{kind.name.replace(' ', '-')}": resolution.count_hard(i, 5, QUICK) for i, kind in enumerate(EVERY)}
-    made |= {f"count-{work}": resolution.count(work, 120, QUICK) for work in ("touching", "ordinary")}
-    made["resolution-times"] = resolution.take_times(SIZES, 2, QUICK)
+    made = {f"hard-{kind.name.replace(' ', '-')}": errors.count_hard(i, 5, QUICK) for i, kind in enumerate(EVERY)}
+    made |= {f"count-{work}": errors.count(work, 120, QUICK) for work in ("touching", "ordinary")}
+    made["resolution-times"] = errors.take_times(SIZES, 2, QUICK)
     made["price-times"] = price.take_times(300, 2, QUICK)
     made["reuse-times"] = reuse.take_times(200, 2, QUICK)
     made["corners-times"] = corners.take_times(300, 2, QUICK)
@@ -107,7 +108,7 @@ def test_float32_is_two_to_the_29_coarser_and_a_tolerance_as_coarse_as_its_size(
             worst[row["method"]] = max(worst.get(row["method"], 0.0), row["gamma"])
     assert 2**27 < worst["SAT, float32"] < 2**31
     assert 2**20 < worst["SAT, 1e-9 counts as a hit"] < 2**24
-    assert worst["AABB"] > resolution.ANY < worst["16 axes"]
+    assert worst["AABB"] > errors.ANY < worst["16 axes"]
 
 
 def test_a_bound_errs_only_to_a_hit(found):
@@ -201,9 +202,9 @@ def test_counts_are_the_same_on_a_rerun_with_the_same_seed(found):
         return json.loads(json.dumps(value))
 
     other = QUICK._replace(seed=8)
-    assert again(resolution.count_hard(0, 5, QUICK)) == found["hard-ordinary-shapes"]
-    assert again(resolution.count_hard(0, 5, other)) != found["hard-ordinary-shapes"]
-    assert again(resolution.count("touching", 120, QUICK)) == found["count-touching"]
+    assert again(errors.count_hard(0, 5, QUICK)) == found["hard-ordinary-shapes"]
+    assert again(errors.count_hard(0, 5, other)) != found["hard-ordinary-shapes"]
+    assert again(errors.count("touching", 120, QUICK)) == found["count-touching"]
     assert again(changes.changed(150, QUICK)) == found["changes"]
     assert again(resting.followed(300, QUICK)) == found["resting"]
     assert again(order.followed(3, 30, QUICK)) == found["order"]
@@ -237,9 +238,9 @@ def test_readings_tell_the_numbers_of_the_rows(charts):
 
 def test_exact_by_construction_and_none_wrong_seen_are_lanes_of_their_own(charts):
     lane = {row["method"]: row["lane"] for row in charts["speed-against-accuracy"].rows}
-    assert lane["satviz"] == lane["turns, adaptive"] == resolution.PROVED
-    assert lane["AABB"] == lane["bounding circles"] == resolution.LOOSE
-    assert lane["SAT, raw normals"] == "" and lane.get("shapely", resolution.NEVER) == resolution.NEVER
+    assert lane["satviz"] == lane["turns, adaptive"] == errors.PROVED
+    assert lane["AABB"] == lane["bounding circles"] == errors.LOOSE
+    assert lane["SAT, raw normals"] == "" and lane.get("shapely", errors.NEVER) == errors.NEVER
 
 
 def test_a_quick_or_torn_run_is_stamped():

@@ -1,23 +1,24 @@
 """sv.advise: the least model that is right for a scene, with its proof and what each other one lacks or adds."""
 
 import json
-from collections.abc import Callable, Sequence
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
-from itertools import chain
-from math import floor, inf, log2
-from typing import TYPE_CHECKING, Any, NamedTuple
+from math import inf, isclose
+from sys import float_info
+from typing import TYPE_CHECKING, Any
 
 from ..engine.geometry import Relation
 from ..engine.shapes import Shape, checked
-from ..engine.shortcut import Shortcut
 from ..engine.trace import Trace, record
 from ..scenes.named import scene as named
 from ..scenes.scenefile import Scene
-from . import proofs
-from .gamma import gamma
-from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, FLOAT64, FORMATS, Body, Model
+from . import proofs, telling
+from .facts import Case, Facts, Judged, Pair, anywhere, best, for_hits, kind_of
+from .gamma import signed
+from .proofs import Compound, Model, pieces
+from .scope import HERE, Scope, reach_of, scope_of, unit_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -25,60 +26,6 @@ if TYPE_CHECKING:
     from ..batch import Shapes
     from .chart import Chart
     from .prices import Price
-
-Pair = tuple[int, int]
-ANYWHERE, GRID, MOVED, HERE = "anywhere", "on a grid", "moved as a whole", "these coordinates"
-
-
-class Judged(NamedTuple):
-    """A model on the pairs: how many it gets wrong, and of how many rounding decides what it says.
-
-    `first`: the first pair that is wrong, or else in doubt; `hits`: does it tell hits from misses, at least?
-    """
-
-    model: Model
-    wrong: int
-    unsure: int
-    first: Pair | None
-    hits: bool
-
-    @property
-    def proven(self) -> bool:
-        """Is it right on every pair, whatever the order of its operations?"""
-        return not (self.wrong or self.unsure)
-
-
-class Facts(NamedTuple):
-    """What there is: shapes by kind, their fewest and most corners, the largest over the smallest, pairs by relation.
-
-    `settled`: pairs whose boxes are apart, which no model was asked about; `gamma`: the least, and of which pair.
-    """
-
-    kinds: dict[str, int]
-    corners: Pair
-    sizes: float
-    pairs: int
-    relations: tuple[int, int, int]
-    settled: int
-    gamma: float
-    at: Pair
-
-
-class Scope(NamedTuple):
-    """Where the advice holds: its kind, one of those above, what that means, and its bound in scene units if any."""
-
-    kind: str
-    text: str
-    bound: float = 0.0
-
-
-@dataclass(frozen=True)
-class Case:
-    """The pairs in hand: the two bodies of pair k, its indices, and the batches (made when they are first needed)."""
-
-    body: Callable[[int], tuple[Body, Body]]
-    index: Callable[[int], Pair]
-    batches: Callable[[], Any]
 
 
 @dataclass(frozen=True)
@@ -93,13 +40,12 @@ class Advice:
     facts: Facts
     judged: tuple[Judged, ...]
     scope: Scope
-    reason: str
     case: Case
 
     @property
     def best(self) -> Judged:
         """The candidate advised: the first that is proven."""
-        return next(j for j in self.judged if j.proven)
+        return best(self.judged)
 
     @property
     def model(self) -> Model:
@@ -115,59 +61,79 @@ class Advice:
     @property
     def anywhere(self) -> Model:
         """The least that is right wherever these shapes lie: y and x for upright boxes, else what is exact."""
-        wide = BOXES if set(self.facts.kinds) == {"upright boxes"} else EXACT
-        return next(j.model for j in self.judged if j.model.kind == wide)
+        return anywhere(self.facts, self.judged)
 
     @property
     def for_hits(self) -> Judged:
         """The first candidate that is proven to tell hits from misses, which may confuse touching and overlapping."""
-        return next(j for j in self.judged if j.hits)
+        return for_hits(self.judged)
+
+    @property
+    def reason(self) -> str:
+        """Why it is right, in words."""
+        return telling.reason(self.model, self.facts, self.scope)
 
     def check(self) -> bool:
-        """Prove it again with integers, pair by pair (some 0.3 ms each); False if anything claimed does not hold.
+        """Prove it again with integers, pair by pair (0.2 to 2.5 ms each); False if anything claimed does not hold.
 
-        The relation of every pair, without a filter; that the model surely gives it; that each smaller one fails or is
-        in doubt on the pair named; and the scope.
+        The candidates are all there and none twice; each is right, wrong or in doubt on the pairs as is said; what
+        there is; and the scope.  Only `facts.settled` is taken as it is.
         """
-        return all(map(self._holds, range(self.facts.pairs))) and all(map(self._fails, self.judged)) and self._scope()
+        models = _candidates(self.case)
+        if [j.model for j in self.judged] != models:
+            return False
+        facts, judged = _counted(self.case, models)
+        return (
+            self._has(facts)
+            and all(self._bears(claim, found) for claim, found in zip(self.judged, judged, strict=True))
+            and self._scope()
+        )
 
-    def _holds(self, k: int) -> bool:
-        a, b = self.case.body(k)
-        return self.model.sure(a, b) is proofs.exactly(a, b)
+    def _has(self, found: Facts) -> bool:
+        mine, place = self.facts, self._place(self.facts.at)
+        if mine != found._replace(settled=mine.settled, gamma=mine.gamma, at=mine.at):
+            return False
+        if place is None:
+            return not mine.pairs
+        # arrays have gamma good to one part in fifty
+        return all(isclose(mine.gamma, known, rel_tol=0.025) for known in (found.gamma, _gamma(self.case, place)))
 
-    def _fails(self, judged: Judged) -> bool:
-        if judged.proven or judged.first is None:
-            return judged.proven
-        a, b = self.case.body(self._place(judged.first))
-        said = judged.model.sure(a, b)
-        return said is not proofs.exactly(a, b) and (said is not None or not judged.wrong)
+    def _bears(self, claim: Judged, found: Judged) -> bool:
+        """Arrays may doubt what integers prove, if another pair is in doubt anyway."""
+        if (claim.proven, claim.hits) != (found.proven, found.hits):
+            return False
+        if not claim.wrong <= found.wrong <= found.wrong + found.unsure <= claim.wrong + claim.unsure:
+            return False
+        place = None if claim.first is None else self._place(claim.first)
+        if place is None or claim.proven:
+            return claim.first is None and claim.proven
+        a, b = self.case.body(place)
+        said = claim.model.sure(a, b)
+        return said is not None and said is not proofs.exactly(a, b) if claim.wrong else said is None
 
-    def _place(self, pair: Pair) -> int:
-        return next(k for k in range(self.facts.pairs) if self.case.index(k) == pair)
+    def _place(self, pair: Pair) -> int | None:
+        return next((k for k in range(self.case.pairs) if self.case.indices(k) == pair), None)
 
     def _scope(self) -> bool:
-        bodies = map(self.case.body, range(self.facts.pairs))
-        if self.scope.kind == ANYWHERE and self.model.kind == BOXES:
-            return all(s.is_upright_box for pair in bodies for s in pair)
-        if self.scope.kind == GRID:
-            form = FORMATS[self.model.kind]
-            return proofs.whole(chain.from_iterable(_numbers(p, q) for a, b in bodies for p, q in _parts(a, b)), form)
-        if self.scope.kind == MOVED:
-            return all(reach_allowed(p, q) >= self.scope.bound for a, b in bodies for p, q in _parts(a, b))
-        return True
+        pairs = [self.case.body(k) for k in range(self.case.pairs)]
+        again = self.case._replace(reach=lambda: reach_of(pairs), unit=lambda form: unit_of(pairs, form))
+        found = scope_of(self.model, self.facts, again)
+        return self.scope == Scope(HERE) or (
+            self.scope._replace(bound=0) == found._replace(bound=0) and (0 <= self.scope.bound <= found.bound)
+        )
 
     def failure(self) -> Trace | None:
         """The trace of the first pair on which the next smaller model fails, by that model; None if there is none.
 
         Drawn (`sv.draw`), what the model saw stands beside what is.  Where it is rounding that fails, all exact.
         """
+        from .believing import shortcut
+
         smaller = self.smaller
-        if smaller is None or smaller.first is None:
+        if smaller is None or smaller.first is None or (place := self._place(smaller.first)) is None:
             return None
-        a, b = self.case.body(self._place(smaller.first))
-        if not (isinstance(a, Shape) and isinstance(b, Shape)):
-            return None
-        return record(a, b, axes=believed(smaller.model, a, b))
+        a, b = (s.outline() if isinstance(s, Compound) else s for s in self.case.body(place))
+        return record(a, b, axes=shortcut(smaller.model, a, b))
 
     @cached_property
     def _prices(self) -> "dict[str, Price]":
@@ -185,7 +151,7 @@ class Advice:
         """Time against wrong answers of every candidate on these pairs, the advised one marked."""
         from .chart import chart
 
-        return chart(self)
+        return chart(self.model, self.facts.pairs, self.judged, self.prices())
 
     def to_json(self, indent: int | None = None) -> str:
         """All of it but prices as JSON; the same each time."""
@@ -194,7 +160,11 @@ class Advice:
             "satviz": "advice 1",
             "model": _model(self.model),
             "reason": self.reason,
-            "scope": self.scope._asdict(),
+            "scope": {
+                "kind": self.scope.kind,
+                "text": telling.holds(self.scope, self.facts),
+                "bound": self.scope.bound,
+            },
             "anywhere": self.anywhere.name,
             "for_hits": self.for_hits.model.name,
             "facts": {**f._asdict(), "gamma": f.gamma if f.pairs else None},
@@ -206,9 +176,7 @@ class Advice:
         return json.dumps(data, indent=indent, allow_nan=False)
 
     def __str__(self) -> str:
-        from .telling import told
-
-        return told(self)
+        return telling.told(self.facts, self.judged, self.scope)
 
     def __repr__(self) -> str:
         return f"Advice({self.model.name}, {self.scope.kind})"
@@ -237,133 +205,85 @@ def advise(
     if isinstance(a, Scene):
         if b is not None or pairs is not None:
             raise TypeError("a scene has both its shapes: give nothing else")
-        return _of_two(a.a, a.b)
+        return advise(a.a, a.b)
     if isinstance(a, Shape) and (b is None or isinstance(b, Shape)):
         if pairs is not None:
             raise TypeError("pairs are of batch shapes: make them with batch.Polygons or batch.Circles")
-        return _of_two(a, checked(b, "b"))
-    from .many import of_many
+        case = _two(a, checked(b, "b"))
+        facts, judged = _counted(case, _candidates(case))
+    else:
+        from .many import of_many
 
-    return of_many(a, b, pairs)
+        facts, judged, case = of_many(a, b, pairs)
+    return Advice(facts, judged, scope_of(best(judged).model, facts, case), case)
 
 
-def _of_two(a: Shape, b: Shape) -> Advice:
-    from ..engine.concave import parts
-
-    relation = proofs.exactly(a, b)
-    directions = proofs.shared_directions(a, b)
-    models = proofs.candidates(proofs.axes_asked(a, b), directions, bool(a.radius and b.radius))
-    judged = [judge_one(model, a, b, relation) for model in models]
-    kinds: dict[str, int] = {}
-    for shape in (a, b):
-        kinds[kind_of(shape)] = kinds.get(kind_of(shape), 0) + 1
-    corners = [len(s.core) for s in (a, b) if not s.radius] or [0]
-    sizes = [max(s.bounds[2] - s.bounds[0], s.bounds[3] - s.bounds[1]) for s in (a, b)]
-    counts = tuple(int(relation is r) for r in Relation)
-    ratio = max(sizes) / min(sizes) if min(sizes) else float("inf")
-    facts = Facts(kinds, (min(corners), max(corners)), ratio, 1, counts, 0, gamma(a, b), (0, 0))  # type: ignore[arg-type]
-
+def _two(a: Shape, b: Shape) -> Case:
     def batches() -> Any:
         from .many import of_shapes
 
         return of_shapes(a, b)
 
-    def reach() -> float:
-        allowed = min(reach_allowed(p, q) for p in parts(a) for q in parts(b))
-        return bound_of(float(min(allowed, Fraction(FLOAT64.most))), max(a.reach, b.reach))
-
-    def grid(form: proofs.Format) -> int | None:
-        return proofs.unit(chain.from_iterable(_numbers(p, q) for p in parts(a) for q in parts(b)), form)
-
-    return settled(facts, judged, Case(lambda k: (a, b), lambda k: (0, 0), batches), reach, grid)
-
-
-def judge_one(model: Model, a: Body, b: Body, relation: Relation) -> Judged:
-    """A model on one pair."""
-    said = model.sure(a, b)
-    wrong, unsure = said not in (None, relation), said is None
-    return Judged(
-        model,
-        int(wrong),
-        int(unsure),
-        (0, 0) if wrong or unsure else None,
-        said is not None and bool(said) is bool(relation),
+    both = [(a, b)]
+    return Case(
+        1,
+        both.__getitem__,
+        lambda k: (0, 0),
+        lambda: (a, b),
+        batches,
+        lambda: reach_of(both),
+        lambda form: unit_of(both, form),
     )
 
 
-def kind_of(shape: Shape) -> str:
-    """What kind of shape it is, in words."""
-    if shape.radius:
-        return "circles"
-    return "upright boxes" if shape.is_upright_box else "convex polygons" if shape.is_convex else "concave polygons"
+def _candidates(case: Case) -> list[Model]:
+    """The models worth a look, worked out from the bodies alone."""
+    if not case.pairs:
+        return proofs.NO_PAIRS
+    shapes = case.shapes()
+    axes = max(proofs.axes_asked(*case.body(k)) for k in range(case.pairs))
+    return proofs.candidates(axes, proofs.shared_directions(shapes), all(s.radius for s in shapes))
 
 
-def settled(
-    facts: Facts,
-    judged: Sequence[Judged],
-    case: Case,
-    reach: Callable[[], float],
-    grid: Callable[[proofs.Format], int | None],
-) -> Advice:
-    """The advice, with why it holds and how far: `reach` and `grid` tell that of plain floats."""
-    best = next(j for j in judged if j.proven)
-    kind, only_boxes = best.model.kind, set(facts.kinds) == {"upright boxes"}
-    polygons = "circles" not in facts.kinds
-    here = "this pair as it lies" if facts.pairs == 1 else "these pairs as they lie: it is proven on each of them"
-    scope = Scope(HERE, here)
-    if not facts.pairs:
-        reason = "no two boxes meet, so there is nothing left to ask"
-    elif kind == BOXES and only_boxes:
-        reason = "upright boxes are their bounding boxes, and comparisons round nothing"
-        scope = Scope(ANYWHERE, "anywhere: upright boxes need y and x only, whatever their coordinates")
-    elif kind == BOXES:
-        reason = "the bounding boxes lie to each other as the shapes do, and comparisons round nothing"
-    elif kind == CIRCLES:
-        reason = "the circles around the shapes lie to each other as the shapes do, by more than rounding can hide"
-    elif kind == DIRECTIONS:
-        reason = "on these directions the ranges lie to each other as the shapes do, by more than rounding can hide"
-    elif kind == EXACT:
-        reason = "where the floats of a pair cannot tell, it asks integers"
-        scope = Scope(ANYWHERE, "anywhere: it is exact for all coordinates")
-    elif len({k == "circles" for k in facts.kinds}) == 1 and (unit := grid(FORMATS[kind])) is not None:
-        form = FORMATS[kind]
-        reason = f"all numbers are whole multiples of 2^{unit}, so few of it that {form.name} rounds nothing"
-        what, bound = "circles" if "circles" in facts.kinds else "polygons", 2.0 ** (unit + form.whole)
-        scope = Scope(GRID, f"any {what} whose numbers are multiples of 2^{unit}, up to 2^{unit + form.whole}", bound)
-    else:
-        reason = f"every pair is decided by more than the roundings of {kind} can hide"
-        if kind == FLOAT64.name and polygons and (bound := reach()) > 0:
-            text = f"the scene moved as a whole, exactly, while no coordinate exceeds 2^{log2(bound):.0f}"
-            scope = Scope(MOVED, text, bound)
-    return Advice(facts, tuple(judged), scope, reason, case)
+def _counted(case: Case, models: Sequence[Model]) -> tuple[Facts, tuple[Judged, ...]]:
+    """What there is and what each model is sure of, by integers, pair by pair."""
+    relations, least, at = Counter[Relation](), inf, (0, 0)
+    wrong, unsure = Counter[Model](), Counter[Model]()
+    first: dict[Model, Pair] = {}
+    doubtful: dict[Model, Pair] = {}
+    missing = set()
+    for k in range(case.pairs):
+        a, b = case.body(k)
+        relation, pair = proofs.exactly(a, b), case.indices(k)
+        relations[relation] += 1
+        if (found := _gamma(case, k)) < least:
+            least, at = found, pair
+        for model in models:
+            said = model.sure(a, b)
+            if said is None:
+                unsure[model] += 1
+                doubtful.setdefault(model, pair)
+            elif said is not relation:
+                wrong[model] += 1
+                first.setdefault(model, pair)
+            if said is None or bool(said) is not bool(relation):
+                missing.add(model)
+    shapes = case.shapes()
+    corners = [len(p.core) for s in shapes if not s.radius for p in pieces(s)] or [0]
+    widths = [min(max(s.bounds[2] - s.bounds[0], s.bounds[3] - s.bounds[1]), float_info.max) for s in shapes] or [1.0]
+    facts = Facts(
+        dict(Counter(map(kind_of, shapes))),
+        (min(corners), max(corners)),
+        min(max(widths) / min(widths), float_info.max),
+        case.pairs,
+        (relations[Relation.APART], relations[Relation.TOUCHING], relations[Relation.OVERLAPPING]),
+        0,
+        least,
+        at,
+    )
+    return facts, tuple(Judged(m, wrong[m], unsure[m], first.get(m, doubtful.get(m)), m not in missing) for m in models)
 
 
-def reach_allowed(a: Shape, b: Shape) -> Fraction:
-    """How far from the origin a pair of convex polygons may be moved as a whole, for SAT on float64 to stay proven.
-
-    A move changes no turn and no span, so what decides stays gamma * u * span * reach: reach may grow until gamma is
-    the roundings asked (and one, as gamma itself is rounded).
-    """
-    reach = max(abs(c) for s in (a, b) for c in s.bounds)
-    return Fraction(gamma(a, b)) * Fraction(reach) / (proofs.LOOKS + 1)
-
-
-def bound_of(allowed: float, reach: float) -> float:
-    """A power of two below what is allowed; 0 if that is no further than the shapes reach."""
-    bound = min(2.0 ** floor(log2(allowed)), FLOAT64.most) if 0 < allowed < inf else 0.0
-    return bound if bound > reach else 0.0
-
-
-def believed(model: Model, a: Shape, b: Shape) -> Shortcut:
-    """A model as the loop with other axes, to record and draw a pair on which it fails."""
-    from .believing import shortcut
-
-    return shortcut(model, a, b)
-
-
-def _parts(a: Body, b: Body) -> list[tuple[Shape, Shape]]:
-    return [(p, q) for p in proofs.pieces(a) for q in proofs.pieces(b)]
-
-
-def _numbers(a: Shape, b: Shape) -> list[float]:
-    return [*chain.from_iterable((*a.core, *b.core)), *(s.radius for s in (a, b) if s.radius)]
+def _gamma(case: Case, k: int) -> float:
+    a, b = case.body(k)
+    return abs(min(signed(p, q) for p in pieces(a) for q in pieces(b)))

@@ -4,20 +4,20 @@ from ..engine.axes import Axis, Choice, directions, needed, world
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Circle, Shape
 from ..engine.shortcut import Shortcut
-from .proofs import BOXES, CIRCLES, DIRECTIONS, Model, around
+from .proofs import BOXES, DIRECTIONS, Model, around
 
 
 def shortcut(model: Model, a: Shape, b: Shape) -> Shortcut:
     """What believers in the model do with this pair; where only rounding fails, the loop itself."""
+    if model.sure(a, b) is None:
+        return Shortcut("plain floats", "plain floats are exact enough", needed)
     if model.kind == BOXES:
         return Shortcut("bounding boxes", "the bounding boxes lie as the shapes do", world)
     if model.kind == DIRECTIONS:
         return Shortcut(
             "shared directions", "the directions that most edges share are enough", directions(*model.directions)
         )
-    if model.kind == CIRCLES:
-        return Shortcut("bounding circles", "the circles around the shapes lie as the shapes do", _between, _by_circles)
-    return Shortcut("plain floats", "plain floats are exact enough", needed)
+    return Shortcut("bounding circles", "the circles around the shapes lie as the shapes do", _between, _by_circles)
 
 
 def _between(a: Shape, b: Shape) -> Choice:

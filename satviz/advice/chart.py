@@ -1,7 +1,7 @@
 """The picture of an advice: what each model costs on these pairs against how many it gets wrong."""
 
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
 
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -11,12 +11,10 @@ from matplotlib.transforms import Bbox
 
 from ..pictures import LIGHT, THEMES, Theme
 from ..render.files import DPI, bare, encode_figure
-from .prices import Price
-from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT
+from .facts import Judged
+from .prices import MOST, Price
+from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
 from .telling import duration
-
-if TYPE_CHECKING:
-    from .advising import Advice
 
 SIZE = 620.0, 400.0  # points
 BOX = 0.11, 0.14, 0.85, 0.67  # left, bottom, width, height, in parts of the figure
@@ -61,24 +59,20 @@ class Chart(NamedTuple):
         return {"text/plain": self.sentence, "image/svg+xml": self.svg()}
 
 
-def chart(advice: "Advice") -> Chart:
-    """The chart of an advice, measured now if it was not before."""
-    found = advice.prices()
+def chart(model: Model, pairs: int, judged: Sequence[Judged], found: Mapping[str, Price]) -> Chart:
+    """The chart of an advice: the model advised among those judged, by their prices."""
     if not found:
         raise ValueError("there are no pairs, so there is nothing to time: give shapes of which some boxes meet")
-    rows = tuple((j.model.name, ROLES.get(j.model.kind, "float"), found[j.model.name]) for j in advice.judged)
-    mine, exact = found[advice.model.name], found[EXACT]
-    pairs = advice.facts.pairs
+    rows = tuple((j.model.name, ROLES.get(j.model.kind, "float"), found[j.model.name]) for j in judged)
+    mine, exact = found[model.name], found[EXACT]
     what = "this pair" if pairs == 1 else f"{pairs:,} pairs"
     sentence = (
-        f"{advice.model.name} is right for {what}: {duration(mine.warm)} a pair, {duration(mine.cold)} with set-up. "
+        f"{model.name} is right for {what}: {duration(mine.warm)} a pair, {duration(mine.cold)} with set-up. "
         f"The exact filter takes {duration(exact.warm)}."
     )
-    timed = (
-        "4,096 copies of it" if pairs == 1 else "all of them" if pairs <= 1 << 16 else f"the first {1 << 16:,} of them"
-    )
+    timed = "4,096 copies of it" if pairs == 1 else "all of them" if pairs <= MOST else f"the first {MOST:,} of them"
     under = f"filled: warm, hollow: with set-up; {what}, times of {timed} at once"
-    return Chart(f"Right and enough here: {advice.model.name}", under, rows, advice.model.name, pairs, sentence)
+    return Chart(f"Right and enough here: {model.name}", under, rows, model.name, pairs, sentence)
 
 
 def _draw(fig: Figure, chart: Chart, theme: Theme) -> None:

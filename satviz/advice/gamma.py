@@ -16,20 +16,12 @@ A sum of products of rounded differences is off by some u * span * reach, so gam
 floats can be trusted where it is above their number of roundings, `proofs.py` says how many.
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from ..engine.concave import parts
 from ..engine.exact import UNIT, IntPoint, aligned, root_difference
 from ..engine.shapes import Shape, checked
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
-
-    from ..batch import Shapes
 
 IN_FLOAT32 = 2.0**-29
 
@@ -46,18 +38,6 @@ def signed(a: Shape, b: Shape) -> float:
     """The same, negative where they overlap."""
     checked(a, "a"), checked(b, "b")
     return min(_convex(p, q) for p in parts(a) for q in parts(b))
-
-
-def gammas(a: "Shapes", b: "Shapes", pairs: "ArrayLike | None" = None) -> "NDArray[np.float64]":
-    """(K,) gamma of many pairs, good to one part in fifty; those below 2**11 as `gamma` gives them.
-
-    a, b: batch shapes side by side, or the (K, 2) indices `pairs` into them, as in `batch.relate`.
-    """
-    import numpy as np
-
-    from .turns import signed_gammas
-
-    return np.abs(signed_gammas(a, b, pairs))
 
 
 def _convex(a: Shape, b: Shape) -> float:
@@ -81,7 +61,7 @@ def _most(shape: Shape, k: int) -> int:
     return max(abs(c) for v in ring for c in v) << k - own
 
 
-def _clears(ring: "Sequence[IntPoint]", points: "Sequence[IntPoint]") -> Fraction:
+def _clears(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Fraction:
     """The most that an edge of the ring clears the points by, over its span."""
     best = None
     px, py = ring[-1]
@@ -94,7 +74,7 @@ def _clears(ring: "Sequence[IntPoint]", points: "Sequence[IntPoint]") -> Fractio
     return best
 
 
-def _from_center(center: IntPoint, r: int, ring: "Sequence[IntPoint]", shift: int) -> float:
+def _from_center(center: IntPoint, r: int, ring: Sequence[IntPoint], shift: int) -> float:
     """The gap from a center with a radius to a ring (of one corner: another circle), in units of 2**shift."""
     cx, cy = center
     inner, outer = [], []

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from .. import batch
 from . import models, timing
-from .models import Pairs
+from .pairs import Pairs, paired
 from .proofs import Model
 
 ROUNDS = 5
@@ -33,7 +33,7 @@ def prices(
     Cold starts from checked shapes and makes what the model keeps of those in the pairs.
     """
     if len(pairs.ia) > most:
-        pairs = models.paired(pairs.a, pairs.ia[:most], pairs.b, pairs.ib[:most])
+        pairs = paired(pairs.a, pairs.ia[:most], pairs.b, pairs.ib[:most])
     if not len(pairs.ia):
         return {}
     pairs = _of_those_used(pairs)
@@ -55,9 +55,9 @@ def _of_those_used(pairs: Pairs) -> Pairs:
     if pairs.a is pairs.b:
         every, where = np.unique(np.concatenate([pairs.ia, pairs.ib]), return_inverse=True)
         used = pairs.a[every]
-        return models.paired(used, where[: len(pairs.ia)], used, where[len(pairs.ia) :])
+        return paired(used, where[: len(pairs.ia)], used, where[len(pairs.ia) :])
     (one, ia), (other, ib) = (np.unique(i, return_inverse=True) for i in (pairs.ia, pairs.ib))
-    return models.paired(pairs.a[one], ia, pairs.b[other], ib)
+    return paired(pairs.a[one], ia, pairs.b[other], ib)
 
 
 def _asked(model: Model, pairs: Pairs, ready: tuple[object, object], engine: str | None) -> NDArray[np.int8]:

@@ -24,15 +24,15 @@ plain floats tell touching too.
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import chain
-from math import frexp, inf, isfinite, ldexp, nextafter, sqrt
+from itertools import chain, pairwise
+from math import copysign, frexp, inf, isfinite, ldexp, nextafter, sqrt
 from struct import pack, unpack
 from typing import NamedTuple, TypeVar
 
 from ..engine.concave import parts
 from ..engine.exact import HUGE, TINY, IntPoint, aligned, sign, to_int_points, to_integers
 from ..engine.geometry import Relation, Vec
-from ..engine.shapes import Shape
+from ..engine.shapes import Polygon, Shape
 from ..engine.verdict import relate, relate_integers
 
 T = TypeVar("T")
@@ -44,8 +44,9 @@ FILLED = 1 + 2.0**-40  # what makes a bounding circle's rounded radius hold ever
 class Format(NamedTuple):
     """A float format: its rounding is 2**-bits, its reach and spans are trusted between `least` and `most`.
 
-    Within them no product over- or underflows by what counts; whole numbers up to 2**whole stay exact in
-    all sums of four products of differences.
+    Within them no product of up to four differences over- or underflows by what counts, in whatever order it is taken
+    (the squared turn over a squared length is one); whole numbers up to 2**whole stay exact in all sums of four
+    products of two.
     """
 
     name: str
@@ -55,8 +56,8 @@ class Format(NamedTuple):
     most: float
 
 
-FLOAT32 = Format("float32", 24, 10, 2.0**-50, 2.0**40)
-FLOAT64 = Format("float64", 53, 25, 2.0**-400, 2.0**400)
+FLOAT32 = Format("float32", 24, 10, 2.0**-30, 2.0**30)
+FLOAT64 = Format("float64", 53, 25, 2.0**-250, 2.0**250)
 FORMATS = {f.name: f for f in (FLOAT32, FLOAT64)}
 CIRCLES, BOXES, DIRECTIONS, EXACT = "bounding circles", "AABB", "shared directions", "filtered exact"
 
@@ -72,7 +73,24 @@ class Compound:
         boxes = [p.bounds for p in pieces]
         self.bounds = (*(min(b[i] for b in boxes) for i in (0, 1)), *(max(b[i] for b in boxes) for i in (2, 3)))
         self.reach = max(p.reach for p in pieces)
-        self.is_upright_box = False
+        self.is_upright_box = self.is_convex = False
+
+    def outline(self) -> Shape:
+        """The one polygon again: the pieces' edges, cut where a corner lies on them, without those that two share."""
+        places = list(dict.fromkeys(self.core))
+        _, at = to_int_points(places)
+        edges: set[tuple[int, int]] = set()
+        for p, q in (edge for piece in self.pieces for edge in _edges([places.index(v) for v in piece.core])):
+            (px, py), (qx, qy) = at[p], at[q]
+            dx, dy = qx - px, qy - py
+            along = {i: dx * (x - px) + dy * (y - py) for i, (x, y) in enumerate(at) if dx * (y - py) == dy * (x - px)}
+            stops = sorted((i for i in along if along[p] <= along[i] <= along[q]), key=along.__getitem__)
+            edges.update(pairwise(stops))
+        after = dict(edge for edge in edges if edge[::-1] not in edges)
+        ring = [min(after)]
+        while after[ring[-1]] != ring[0]:
+            ring.append(after[ring[-1]])
+        return Polygon([places[i] for i in ring])
 
     @property
     def integers(self) -> tuple[int, list[IntPoint], int]:
@@ -127,20 +145,27 @@ MOST_DIRECTIONS = 8
 PARALLEL = 2.0**-20  # radians: what is taken for one direction, to be proven or refused afterwards
 
 
-def shared_directions(a: Shape, b: Shape) -> tuple[Vec, ...]:
-    """The few directions of all normals, the larger part of each from a half to one; none where there are too many."""
-    found: list[Vec] = []
-    for shape in (a, b):
-        for (px, py), (qx, qy) in _edges(shape.core) if not shape.radius else ():
+def shared_directions(bodies: Iterable[Body]) -> tuple[Vec, ...]:
+    """The few directions of all normals, the larger part of each from a half to one; none where there are too many.
+
+    Each time the least that is left, so that they do not depend on the order of shapes and corners.
+    """
+    left = set()
+    for ring in (piece.core for body in bodies for piece in pieces(body)):
+        for (px, py), (qx, qy) in _edges(ring):
             nx, ny = qy - py, px - qx
             size = max(abs(nx), abs(ny))
-            if not 0 < size < inf:
+            if not 0 < size < inf:  # one corner only, of a circle, has no edge either
                 return ()
-            power = -frexp(size)[1]
-            nx, ny = ldexp(nx, power), ldexp(ny, power)
-            if all(abs(n.x * ny - n.y * nx) > PARALLEL for n in found):
-                found.append(Vec(nx, ny))
-    return tuple(found) if len(found) <= MOST_DIRECTIONS and not (a.radius or b.radius) else ()
+            scale = copysign(1.0, nx or ny)
+            left.add(Vec(*(ldexp(scale * c, -frexp(size)[1]) + 0.0 for c in (nx, ny))))
+    found: list[Vec] = []
+    while left:
+        if len(found) == MOST_DIRECTIONS:
+            return ()
+        found.append(n := min(left))
+        left = {m for m in left if abs(n.x * m.y - n.y * m.x) > PARALLEL}
+    return tuple(found)
 
 
 def candidates(axes: int, directions: tuple[Vec, ...], only_circles: bool) -> list[Model]:
@@ -152,6 +177,9 @@ def candidates(axes: int, directions: tuple[Vec, ...], only_circles: bool) -> li
         found.append(Model(DIRECTIONS, len(directions), directions))
     found += [Model(kind, axes) for kind in (*FORMATS, EXACT)]
     return sorted(found, key=lambda model: model.axes)
+
+
+NO_PAIRS = [Model(BOXES, 2), Model(EXACT, 0)]  # where there is none, anything will do
 
 
 def axes_asked(a: Body, b: Body) -> int:

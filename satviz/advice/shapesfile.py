@@ -2,6 +2,7 @@
 
 import zipfile
 from pathlib import Path
+from stat import S_ISREG
 from typing import Any
 
 import numpy as np
@@ -21,18 +22,21 @@ def load(path: Path) -> tuple[batch.Shapes, NDArray[Any] | None]:
     `radii` (K,): circles, numbered after the polygons; `pairs` (P, 2): the numbers of the two shapes of each.
     """
     try:
+        if not S_ISREG(path.stat().st_mode):  # as scenefile.load
+            raise InvalidScene(f"cannot read {path}: not a regular file")
         with zipfile.ZipFile(path) as held:
             size = sum(member.file_size for member in held.infolist())
         if size > MOST_BYTES:
             raise InvalidScene(f"{path} holds {size:,} bytes: the limit is {MOST_BYTES:,}")
         with np.load(path, allow_pickle=False) as found:
             arrays = {name: found[name] for name in found.files}
+    except InvalidScene:
+        raise
     except OSError as error:
         raise InvalidScene(f"cannot read {path}: {error.strerror or error}") from None
-    except (zipfile.BadZipFile, ValueError, EOFError, NotImplementedError) as error:
-        if isinstance(error, InvalidScene):
-            raise
-        raise InvalidScene(f"{path} is no .npz of plain arrays: {error}") from None
+    except Exception as error:  # bytes that are no arrays raise what zlib, a tokenizer or an allocation has to say
+        said = str(error).splitlines()[:1] or [type(error).__name__]
+        raise InvalidScene(f"{path} is no .npz of plain arrays: {said[0]}") from None
     return _shapes(path, arrays), arrays.get("pairs")
 
 

@@ -3,50 +3,79 @@
 from math import inf, log2
 from typing import TYPE_CHECKING
 
+from .facts import CONCAVE, CONVEX, ROUND, UPRIGHT, Facts, Judged, anywhere, best, for_hits
 from .gamma import IN_FLOAT32
-from .proofs import DIRECTIONS, EXACT, FLOAT64
+from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, FLOAT64, FORMATS, Model
+from .scope import ANYWHERE, GRID, MOVED, Scope
 
 if TYPE_CHECKING:
-    from .advising import Advice, Facts, Judged
-    from .proofs import Model
+    from collections.abc import Mapping, Sequence
 
-ONE = {
-    "upright boxes": "upright box",
-    "circles": "circle",
-    "convex polygons": "convex polygon",
-    "concave polygons": "concave polygon",
-}
+    from .prices import Price
+
+ONE = {UPRIGHT: "upright box", ROUND: "circle", CONVEX: "convex polygon", CONCAVE: "concave polygon"}
 
 
-def told(advice: "Advice") -> str:
+def told(facts: Facts, judged: "Sequence[Judged]", scope: Scope) -> str:
     """The whole advice, a line each: what is advised, why, how far, what there is, what less and more would give."""
-    facts, best = advice.facts, advice.best
+    least, hits = best(judged), for_hits(judged)
     lines = [
-        f"{title(best)}: right for {_all(facts)}",
-        f"why      {advice.reason}",
-        f"holds    {advice.scope.text}",
+        f"{named(least.model)}: right for {_all(facts)}",
+        f"why      {reason(least.model, facts, scope)}",
+        f"holds    {holds(scope, facts)}",
         f"shapes   {shapes(facts)}",
         f"pairs    {_pairs(facts)}",
     ]
     if facts.pairs:
         lines.append(f"nearest  {nearest(facts)}")
-    place = advice.judged.index(best)
-    lines += [f"less     {_fails(j, facts)}" for j in advice.judged[:place]]
-    lines += [f"more     {_adds(j, facts)}" for j in advice.judged[place + 1 :]]
-    if advice.scope.kind != "anywhere":
-        lines.append(f"anywhere {named(advice.anywhere)} is right, wherever they lie")
-    hits = advice.for_hits
-    if hits is not best:
-        lines.append(f"hits     if touching need not be told from overlapping, {title(hits)} will do")
+    place = judged.index(least)
+    lines += [f"less     {_fails(j, facts)}" for j in judged[:place]]
+    lines += [f"more     {_adds(j, facts)}" for j in judged[place + 1 :]]
+    if scope.kind != ANYWHERE:
+        lines.append(f"anywhere {named(anywhere(facts, judged))} is right, wherever they lie")
+    if hits is not least:
+        lines.append(f"hits     if touching need not be told from overlapping, {named(hits.model)} will do")
     return "\n".join(lines)
 
 
-def price(advice: "Advice") -> str:
+def reason(model: Model, facts: Facts, scope: Scope) -> str:
+    """Why the model is right."""
+    if not facts.pairs:
+        return "no two boxes meet, so there is nothing left to ask"
+    if model.kind == BOXES and scope.kind == ANYWHERE:
+        return "upright boxes are their bounding boxes, and comparisons round nothing"
+    if scope.kind == GRID:
+        return f"all numbers are whole multiples of 2^{scope.unit}, so few of it that {model.kind} rounds nothing"
+    return {
+        BOXES: "the bounding boxes lie to each other as the shapes do, and comparisons round nothing",
+        CIRCLES: "the circles around the shapes lie to each other as the shapes do, by more than rounding can hide",
+        DIRECTIONS: "on these directions the ranges lie to each other as the shapes do, by more than rounding can hide",
+        EXACT: "where the floats of a pair cannot tell, it asks integers",
+        **{kind: f"every pair is decided by more than the roundings of {kind} can hide" for kind in FORMATS},
+    }[model.kind]
+
+
+def holds(scope: Scope, facts: Facts) -> str:
+    """Where it holds."""
+    if scope.kind == ANYWHERE:
+        if set(facts.kinds) == {UPRIGHT}:
+            return "anywhere: upright boxes need y and x only, whatever their coordinates"
+        return "anywhere: it is exact for all coordinates"
+    if scope.kind == GRID:
+        what = "circles" if ROUND in facts.kinds else "polygons"
+        return f"any {what} whose numbers are multiples of 2^{scope.unit}, up to {power(scope.bound, 0)}"
+    if scope.kind == MOVED:
+        return f"the scene moved as a whole, exactly, while no coordinate exceeds {power(scope.bound, 0)}"
+    if not facts.pairs:
+        return "these shapes as they lie"
+    return "this pair as it lies" if facts.pairs == 1 else "these pairs as they lie: it is proven on each of them"
+
+
+def price(model: Model, found: "Mapping[str, Price]") -> str:
     """What the model advised costs here, beside the exact filter; empty where there are no pairs."""
-    found = advice.prices()
     if not found:
         return ""
-    mine, exact = found[advice.model.name], found[EXACT]
+    mine, exact = found[model.name], found[EXACT]
     text = f"price    {duration(mine.warm)} a pair, {duration(mine.cold)} with its set-up"
     return text if mine is exact else f"{text}; {EXACT} {duration(exact.warm)} and {duration(exact.cold)}"
 
@@ -60,13 +89,8 @@ def duration(nanoseconds: float) -> str:
     return f"{nanoseconds:.2g} ns" if nanoseconds < 99.5 else f"{nanoseconds:.0f} ns"
 
 
-def title(judged: "Judged") -> str:
+def named(model: Model) -> str:
     """A model's name and how many axes it has."""
-    return named(judged.model)
-
-
-def named(model: "Model") -> str:
-    """The same of a model."""
     return model.name if model.kind == DIRECTIONS else f"{model.name} ({axes(model.axes)})"
 
 
@@ -75,33 +99,34 @@ def axes(many: int) -> str:
     return f"{many:,} {'axis' if many == 1 else 'axes'}"
 
 
-def power(value: float) -> str:
+def power(value: float, digits: int = 1) -> str:
     """A number as a power of two."""
-    return "0" if not value else f"2^{log2(value):.1f}" if value < inf else "no end"
+    return "0" if not value else f"2^{log2(value):.{digits}f}" if value < inf else "no end"
 
 
-def shapes(facts: "Facts") -> str:
+def shapes(facts: Facts) -> str:
     """What there is."""
     kinds = ", ".join(f"{n:,} {ONE[kind] if n == 1 else kind}" for kind, n in facts.kinds.items())
     low, high = facts.corners
     corners = f", {low} corners" if low == high else f", {low} to {high} corners"
+    corners += " in a convex part" if "concave polygons" in facts.kinds else ""
     sizes = f", the largest {facts.sizes:,.3g} times the smallest" if facts.sizes > 1.005 else ""
     return f"{kinds or 'none'}{corners if high else ''}{sizes}"
 
 
-def _all(facts: "Facts") -> str:
+def _all(facts: Facts) -> str:
     if not facts.pairs:
-        return f"all {facts.settled:,} pairs"
+        return f"all {facts.settled:,} pairs" if facts.settled else "no pairs"
     return "this pair" if facts.pairs == 1 else f"all {facts.pairs:,} pairs"
 
 
-def _pairs(facts: "Facts") -> str:
+def _pairs(facts: Facts) -> str:
     apart, touching, overlapping = facts.relations
     text = f"{facts.pairs:,}: {apart:,} apart, {touching:,} touching, {overlapping:,} overlapping"
     return text + (f"; {facts.settled:,} more are apart by their boxes" if facts.settled else "")
 
 
-def nearest(facts: "Facts") -> str:
+def nearest(facts: Facts) -> str:
     """The pair that is hardest to tell, in roundings."""
     where = "" if facts.pairs == 1 else f"pair {facts.at} "
     if not facts.gamma:
@@ -112,18 +137,18 @@ def nearest(facts: "Facts") -> str:
     )
 
 
-def _fails(judged: "Judged", facts: "Facts") -> str:
+def _fails(judged: Judged, facts: Facts) -> str:
     if facts.pairs == 1:
-        return f"{title(judged)}: {'wrong here' if judged.wrong else 'in doubt, as rounding decides'}"
+        return f"{named(judged.model)}: {'wrong here' if judged.wrong else 'in doubt, as rounding decides'}"
     said = []
     if judged.wrong:
         said.append(f"wrong on {judged.wrong:,}")
     if judged.unsure:
         said.append(f"in doubt on {judged.unsure:,}, where rounding decides")
-    return f"{title(judged)}: {' and '.join(said)}; the first is pair {judged.first}"
+    return f"{named(judged.model)}: {' and '.join(said)}; the first is pair {judged.first}"
 
 
-def _adds(judged: "Judged", facts: "Facts") -> str:
+def _adds(judged: Judged, facts: Facts) -> str:
     if not judged.proven:
         return _fails(judged, facts)
     adds = "right as well, and adds nothing here"
@@ -131,4 +156,4 @@ def _adds(judged: "Judged", facts: "Facts") -> str:
         adds = "right for all coordinates"
     elif judged.model.kind == FLOAT64.name:
         adds = "right as well, 2^29 times as fine as float32, which nothing here needs"
-    return f"{title(judged)}: {adds}"
+    return f"{named(judged.model)}: {adds}"

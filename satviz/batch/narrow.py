@@ -72,7 +72,7 @@ def relate(
     """
     checked(a, "a"), checked(b, "b")
     engine_of(engine)  # an engine that is not there is told of before the work starts
-    chosen = None if pairs is None else _checked_pairs(pairs, len(a), len(b))
+    chosen = None if pairs is None else checked_pairs(pairs, len(a), len(b))
     if chosen is None and len(a) != len(b) and 1 not in (len(a), len(b)):
         raise ValueError(f"{len(a)} shapes against {len(b)}: pass as many of both, or one against many")
     n = len(chosen[0]) if chosen is not None else 0 if 0 in (len(a), len(b)) else max(len(a), len(b))
@@ -130,7 +130,8 @@ def _columns_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
     return module.BLOCK, module.polygons, module.boxes, module.circles, module.circle_polygons
 
 
-def _checked_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
+def checked_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
+    """The two columns of (K, 2) indices into na and nb shapes; ValueError and IndexError say what is wrong."""
     pairs = np.asarray(pairs)
     if pairs.ndim != 2 or pairs.shape[1] != 2 or (pairs.size and pairs.dtype.kind not in "iu"):
         raise ValueError(f"pairs has the shape {pairs.shape} of {pairs.dtype}: expected (K, 2) integers")

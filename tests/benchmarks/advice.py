@@ -1,6 +1,6 @@
 """The regret of an advice: the time of the model advised over that of the fastest right one, scene by scene.
 
-    python tests/benchmarks/advice.py [--engine numpy|numba]
+    python tests/benchmarks/advice.py [--engine numpy|numba] [--only SCENE ...]
 
 Only scenes of which the exact filter needs more than 5 ms count towards the median.
 """
@@ -14,7 +14,7 @@ import satviz as sv
 from satviz import batch
 from satviz.advice.prices import prices
 from satviz.advice.proofs import EXACT
-from satviz.study import workloads
+from satviz.study.pairs import workloads
 
 PAIRS = 200_000
 LEAST = 5e6  # nanoseconds
@@ -53,6 +53,14 @@ def far(rng, n):
     return batch.Polygons(a), batch.Polygons(b)
 
 
+def needles(rng, n):
+    """Triangles of length 2 and a width of 2**-3 to 2**-20, turned at random."""
+    wide, way = np.ldexp(rng.uniform(1, 2, n), -rng.integers(4, 21, n)), rng.uniform(0, 2 * np.pi, n)
+    ring = np.stack([np.broadcast_to([-1.0, 1, 1], (n, 3)), wide[:, None] * [0, -1, 1]], axis=2)
+    turn = np.stack([np.cos(way), -np.sin(way), np.sin(way), np.cos(way)], axis=1).reshape(n, 2, 2)
+    return batch.Polygons(ring @ turn.transpose(0, 2, 1) + rng.uniform(-0.55, 0.55, (n, 1, 2)))
+
+
 def strewn(rng, n):
     return (batch.concat([batch.Polygons(workloads.scattered(rng, n // 12)), discs(rng, n // 120)]),)
 
@@ -81,7 +89,7 @@ SCENES = {
         batch.Polygons([r[: len(np.unique(r, axis=0))] for r in workloads.mixed(rng, n // 3, 1.0)]) for _ in "ab"
     ),
     "nearly touching": rings(workloads.WORKLOADS["nearly touching"]),
-    "needles": lambda rng, n: tuple(batch.Polygons(workloads.needles(rng, n, 0.55)) for _ in "ab"),
+    "needles": two(needles),
     "far from the origin": far,
     "far from each other": lambda rng, n: tuple(batch.Polygons(workloads.ngons(rng, n, 5, 900.0)) for _ in "ab"),
     "strewn, with circles": strewn,
@@ -92,11 +100,13 @@ SCENES = {
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--engine", choices=("numpy", "numba"))
-    engine = parser.parse_args().engine
+    parser.add_argument("--only", nargs="+", choices=SCENES, default=SCENES)
+    asked = parser.parse_args()
+    engine = asked.engine
     regrets = []
     print(f"{'scene':24} {'pairs':>7}  {'advised':22} {'ns':>7}  {'fastest right':22} {'ns':>7}  regret")
-    for name, make in SCENES.items():
-        advice = sv.advise(*make(np.random.default_rng(1), PAIRS))
+    for name in asked.only:
+        advice = sv.advise(*SCENES[name](np.random.default_rng(1), PAIRS))
         right = [j.model for j in advice.judged if j.proven]
         found = prices(right, advice.case.batches(), engine=engine, most=PAIRS)
         best = min(found, key=lambda key: found[key].warm)

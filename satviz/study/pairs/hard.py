@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ... import batch
-from ...advice.gamma import gammas
+from ...advice.gammas import gammas
 from ...engine.geometry import InvalidShape
 from ...engine.shapes import Polygon
 from .. import truth

@@ -1,80 +1,31 @@
 """gamma for many pairs with NumPy: by floats where they can tell, else as the scalar engine does."""
 
-from collections.abc import Iterator
-from typing import Protocol
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import batch
 from ..batch.arrays import Group, Shapes
 from ..engine.exact import UNIT
-from ..engine.shapes import Circle, Polygon, Shape
 from .gamma import signed
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.intp]
+from .pairs import Array, columns, indexed, one, part_pairs, reach
 
 # By floats a turn is off by under 17 u * span * reach (three roundings of each product, one of their difference), a
 # distance by under 40 u * reach; below this gamma is asked exactly, and above it is good to one part in fifty.
 NEAR = 2.0**11
-AT_ONCE = 1 << 18  # corners times pairs
 SHORT = 2.0**-900  # of the reach: where products of differences lose bits
 
 
-class Columned(Protocol):
-    """Convex parts in columns by their number of corners: batch shapes, or a copy of them in another format."""
+def gammas(a: Shapes, b: Shapes, pairs: ArrayLike | None = None) -> Array:
+    """(K,) gamma of many pairs, good to one part in fifty; those below 2**11 as `gamma` gives them.
 
-    @property
-    def count(self) -> NDArray[np.int64]:
-        """(N,) corners."""
-
-    @property
-    def slot(self) -> Indices:
-        """(N,) each part's column."""
-
-    @property
-    def groups(self) -> dict[int, Group]:
-        """The columns by the number of corners."""
-
-
-def listed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Indices]:
-    """The pairs as indices into both; ValueError and IndexError as `batch.relate` has them."""
-    if pairs is not None:
-        found = np.asarray(pairs)
-        if found.ndim != 2 or found.shape[1] != 2 or (found.size and found.dtype.kind not in "iu"):
-            raise ValueError(f"pairs has the shape {found.shape} of {found.dtype}: expected (K, 2) integers")
-        found = found.astype(np.intp)
-        if found.size and (found.min() < 0 or found[:, 0].max() >= len(a) or found[:, 1].max() >= len(b)):
-            raise IndexError(f"pairs name shapes outside 0 to {len(a) - 1} and 0 to {len(b) - 1}")
-        return found[:, 0], found[:, 1]
-    if len(a) != len(b):
-        raise ValueError(f"{len(a)} and {len(b)} shapes: give as many of each, or pairs=")
-    every = np.arange(len(a))
-    return every, every
-
-
-def part_pairs(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> tuple[Indices, Indices, Indices]:
-    """All pairs of convex parts of these pairs: the parts of either side, and which pair they are of."""
-    first_a, first_b = a.starts[ia], b.starts[ib]
-    many_b = b.starts[ib + 1] - first_b
-    each = (a.starts[ia + 1] - first_a) * many_b
-    of = np.repeat(np.arange(len(ia)), each)
-    rank = np.arange(len(of)) - np.repeat(np.cumsum(each) - each, each)
-    return first_a[of] + rank // many_b[of], first_b[of] + rank % many_b[of], of
-
-
-def one(shapes: Shapes, part: int) -> Shape:
-    """A convex part as a shape of the engine."""
-    group, i = shapes.groups[int(shapes.count[part])], shapes.slot[part]
-    if group.r is not None:
-        return Circle((group.x[0, i], group.y[0, i]), group.r[i])
-    return Polygon(np.stack([group.x[:, i], group.y[:, i]], axis=1))
+    a, b: batch shapes side by side, or the (K, 2) indices `pairs` into them, as in `batch.relate`.
+    """
+    return np.abs(signed_gammas(a, b, pairs))
 
 
 def signed_gammas(a: Shapes, b: Shapes, pairs: ArrayLike | None = None) -> Array:
     """(K,) gammas, negative where the pair overlaps."""
-    ia, ib = listed(a, b, pairs)
+    ia, ib = indexed(a, b, pairs)
     pa, pb, of = part_pairs(a, ia, b, ib)
     a, b = a.parts, b.parts
     roughly = np.empty(len(pa))
@@ -88,33 +39,6 @@ def signed_gammas(a: Shapes, b: Shapes, pairs: ArrayLike | None = None) -> Array
     found = np.full(len(ia), np.inf)
     np.minimum.at(found, of, roughly)
     return found
-
-
-def columns(
-    a: Columned, pa: Indices, b: Columned, pb: Indices, most: int = 1 << 62
-) -> Iterator[tuple[Indices, Group, Group]]:
-    """Pairs of parts by their numbers of corners, some at a time (at most `most`): which, and both sides' columns."""
-    key = a.count[pa] << 32 | b.count[pb]
-    for kind in np.unique(key).tolist():
-        one_side, other = kind >> 32, kind & 0xFFFFFFFF
-        p, q = a.groups[one_side], b.groups[other]
-        mine, size = np.flatnonzero(key == kind), min(most, max(16, AT_ONCE // (one_side + other)))
-        for start in range(0, len(mine), size):
-            some = mine[start : start + size]
-            yield some, p.columns(in_a_row(a.slot[pa[some]])), q.columns(in_a_row(b.slot[pb[some]]))
-
-
-def in_a_row(slots: Indices) -> Indices | slice:
-    """A slice where the columns stand side by side, which then need no copying."""
-    first, last = int(slots[0]), int(slots[-1])
-    side_by_side = last - first == len(slots) - 1 and (np.diff(slots) == 1).all()
-    return slice(first, last + 1) if side_by_side else slots
-
-
-def reach(group: Group) -> Array:
-    """(n,) the largest magnitude of a coordinate of each shape."""
-    most: Array = np.maximum(np.abs(group.x).max(axis=0), np.abs(group.y).max(axis=0))
-    return most if group.r is None else most + group.r
 
 
 def _columns(a: Group, b: Group) -> Array:
