@@ -16,9 +16,9 @@ from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
 from ..scenes.asked import Asked, trace_of
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, Row
-from ..scenes.failing.reading import OF_PUSHES
+from ..scenes.failing.reading import OF_PUSHES, least_looks_of_gjk
 from ..scenes.failing.right import Answer
-from ..scenes.failing.where import lies
+from ..scenes.failing.where import Lies, lies
 from ..scenes.shortcuts import middle
 from . import belief_rows, live, stages
 from .belief_rows import Panel, arrange
@@ -118,6 +118,10 @@ def _contradicts(row: Row, trace: Trace, number: float, truth: Answer) -> bool:
         return True
     if isinstance(truth, tuple):
         return number > 0 and not isnan(truth[0])  # clear in both frames, and yet there is a contact
+    if isnan(number) or isnan(truth):
+        return isnan(number) != isnan(truth)  # none is found, and there is none
+    if row.read is least_looks_of_gjk:
+        return truth <= number  # its claim is that it has less
     if row.what == "gap" and (number > 0) - (number < 0) != (truth > 0) - (truth < 0):
         return True
     return not isclose(number, truth, rel_tol=ROUNDING, abs_tol=ROUNDING * _size(trace))
@@ -423,14 +427,11 @@ def hand(
 
 def map_of_lies(trace: Trace, layout: Layout) -> list[Mark]:
     """Where B's middle would have to be for the shortcut to say the wrong thing, and a dot where it is."""
-    assert trace.shortcut
-    at = middle(trace.b)
-    x0, y0, x1, y1 = layout.limits
-    found = lies(trace.a, trace.b, trace.shortcut, (x0 - at.x, y0 - at.y, x1 - at.x, y1 - at.y))
-    if found is None:
+    at, found = middle(trace.b), _lies(trace, layout)
+    if isinstance(found, str):
         return []
     marks = []
-    for i, ring in enumerate((*found.false_hits, *found.missed_hits)):
+    for i, ring in enumerate((*found.false_hits, *found.missed_hits, *found.numbers)):
         spots = tuple(Vec(p.x + at.x, p.y + at.y) for p in ring)
         marks.append(Mark("lies", "outline", "wrong", spots, number=i))
     for i, ring in enumerate(found.hits if found.touching else ()):
@@ -438,6 +439,27 @@ def map_of_lies(trace: Trace, layout: Layout) -> list[Mark]:
         ends = tuple(end for pair in pairwise(spots) for end in pair)
         marks.append(Mark("lies-along", "segment", "wrong", ends, number=i))
     return [*marks, Mark("reference", "dot", "ink", (at,))] if marks else []
+
+
+def about_map(trace: Trace, layout: Layout) -> str:
+    """What the map of lies shows, or why there is none."""
+    found = _lies(trace, layout)
+    if isinstance(found, str):
+        return f"No map of where it is wrong: {found}."
+    if not map_of_lies(trace, layout):
+        return "No red on the map: wherever B lies in this picture, the shortcut is right."
+    where = "on the red line" if found.touching else "in the red"
+    return f"The map: while the black dot, the middle of B, lies {where}, the shortcut is wrong."
+
+
+def _lies(trace: Trace, layout: Layout) -> Lies | str:
+    """Those of a shortcut's run on the canvas."""
+    assert trace.shortcut
+    at, (x0, y0, x1, y1) = middle(trace.b), layout.limits
+    return _lies_of(trace.a, trace.b, trace.shortcut, (x0 - at.x, y0 - at.y, x1 - at.x, y1 - at.y))
+
+
+_lies_of = lru_cache(maxsize=2)(lies)  # asked of one pose twice: for the map and for the words about it
 
 
 # -- refused at the door

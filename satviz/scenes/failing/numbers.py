@@ -127,7 +127,8 @@ NUMBERS = (
         "distance",
         box(0, 0, 1, 1),
         box(4, 5, 5, 6),
-        right=right.distance,
+        reading.gap_as_distance,
+        right.distance,
     ),
     Row(
         35,
