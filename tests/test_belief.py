@@ -1,6 +1,7 @@
 """Belief beside truth: each failing scene's picture shows the wrong number, struck out, and the right one."""
 
 import math
+from importlib.util import find_spec
 
 import pytest
 
@@ -17,6 +18,7 @@ from satviz.scenes.shortcuts import NAMED as SHORTCUTS
 from satviz.scenes.shortcuts import halves
 
 SHOWN = [row for row in ROWS if row.how != REFUSED]
+each_refused = pytest.mark.parametrize("row", [row for row in ROWS if row.how == REFUSED], ids=lambda row: row.name)
 each_row = pytest.mark.parametrize("row", SHOWN, ids=lambda row: row.name)
 
 
@@ -40,13 +42,25 @@ def struck(drawn: Picture) -> list[str]:
 
 
 def boxes(drawn: Picture) -> list[tuple[str, tuple[float, float, float, float]]]:
+    """Each label's text and box in points."""
     found = []
-    for mark in drawn.marks:
-        if mark.kind == "label":
-            w, h = text_box(mark.text, mark.weight)
-            (x, y) = mark.points[0]
-            found.append((mark.text, (x - w / 2, y - h / 2, x + w / 2, y + h / 2)))
+    x0, y0 = drawn.limits[:2]
+    for mark in drawn.labels:
+        w, h = text_box(mark.text, mark.weight)
+        x, y = ((c - o) * drawn.scale for c, o in zip(mark.points[0], (x0, y0)))
+        found.append((mark.text, (x - w / 2, y - h / 2, x + w / 2, y + h / 2)))
     return found
+
+
+def no_overlap(drawn: Picture) -> bool:
+    """No label lies on another or off the canvas; an AssertionError says which does."""
+    found = boxes(drawn)
+    width, height = drawn.size
+    for i, (text, (x0, y0, x1, y1)) in enumerate(found):
+        assert x0 >= -0.5 and x1 <= width + 0.5 and y0 >= -0.5 and y1 <= height + 0.5, f"{text!r} is cut off"
+        for other, (p0, q0, p1, q1) in found[:i]:
+            assert x1 <= p0 + 1 or p1 <= x0 + 1 or y1 <= q0 + 1 or q1 <= y0 + 1, f"{text!r} lies on {other!r}"
+    return True
 
 
 @each_row
@@ -102,12 +116,7 @@ def test_nothing_is_struck_out_on_the_side_of_the_truth(row):
 def test_no_label_lies_on_another_or_off_the_canvas(row, step):
     trace = row.scene.record()
     drawn = sv.picture(trace, min(step, len(sv.steps(trace)) - 1))
-    found = boxes(drawn)
-    width, height = drawn.size
-    for i, (text, (x0, y0, x1, y1)) in enumerate(found):
-        assert x0 >= -0.5 and x1 <= width + 0.5 and y0 >= -0.5 and y1 <= height + 0.5, f"{text!r} is cut off"
-        for other, (p0, q0, p1, q1) in found[:i]:
-            assert x1 <= p0 + 1 or p1 <= x0 + 1 or y1 <= q0 + 1 or q1 <= y0 + 1, f"{text!r} lies on {other!r}"
+    assert no_overlap(drawn)
 
 
 @each_row
@@ -185,17 +194,32 @@ def test_every_shortcut_is_drawn_for_pairs_of_every_kind(name):
         assert sv.picture(trace).marks and sv.picture(trace, 0).marks
 
 
-@pytest.mark.parametrize("row", [row for row in ROWS if row.how == REFUSED], ids=lambda row: row.name)
-def test_what_is_refused_shows_its_outline_and_the_reason(row, tmp_path, capsys):
+@each_refused
+def test_what_is_refused_shows_its_outline_and_the_reason(row, tmp_path):
     drawn = belief.refused(row)
     assert [mark.owner for mark in drawn.marks if mark.part == "outline"] == ["A", "B"]
     assert " ".join(drawn.mark("wrong").text.split()) == f"Refused: {row.truth}."
-    for form in "svg", "png", "gif":
+    for form in "svg", "png", "gif", "html":
         assert main(["draw", row.name, "--out", str(tmp_path), "--format", form]) == 0
         assert (tmp_path / f"{row.name}.{form}").stat().st_size
-    capsys.readouterr()
-    assert main(["draw", row.name, "--out", str(tmp_path), "--format", "html"]) == 2
-    assert row.truth in capsys.readouterr().err
+    assert (tmp_path / f"{row.name}.html").read_text(encoding="utf-8") == sv.page(row.name)
+
+
+@each_refused
+def test_whatever_shows_a_scene_shows_why_an_outline_is_refused(row):
+    reason = f"Refused: {row.truth}."
+    page = sv.page(row.name)
+    assert page.count(reason) >= 3 and "<script" not in page  # its title, its heading, the pictures' words
+    assert page.count("<svg") == 2 and f"<h1>Claim: {row.claim}. {reason}</h1>" in page
+    shown = [sv.picture(row.name), sv.picture(row.name, 0, largest=(340, 340))]
+    if find_spec("anywidget"):
+        shown += [sv.play(row.name), sv.play(row.name, predict=True), sv.explore(row.name)]
+    for drawn in shown:
+        assert drawn.sentence.endswith(reason) and no_overlap(drawn)
+        assert " ".join(drawn.mark("wrong").text.split()) == reason
+    assert sv.draw(row.name).axes
+    with pytest.raises(sv.InvalidScene, match="is no scene"):
+        sv.scene(row.name)
 
 
 def test_a_failing_scene_is_drawn_and_made_a_page_under_its_claim(tmp_path):

@@ -14,7 +14,7 @@ from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
-from ..scenes.asked import Asked, trace_of
+from ..scenes.asked import Asked, refused_row, trace_of
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, Row
 from ..scenes.failing.reading import OF_PUSHES, least_looks_of_gjk
 from ..scenes.failing.right import Answer
@@ -46,6 +46,7 @@ PANEL = 340.0, 300.0  # the largest, in points
 ROUNDING = 1e-12  # of the size of it all: what numbers differ by that are the same
 FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
 BETWEEN, HEAD, RIM = 20.0, 24.0, 10.0  # points between the panels, for each one's heading, round the words above
+BOTH = 2 * PANEL[0] + BETWEEN
 
 
 def picture(
@@ -59,10 +60,12 @@ def picture(
     """The picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
 
     Of a trace, or of a scene (or its name).  A shortcut's trace gives two panels: the step as the shortcut
-    takes it, and what is.
+    takes it, and what is.  A failing scene whose outlines are refused has one picture, with the reason.
     `largest`: the canvas in points at most.  All steps have one scale and one canvas; `by_itself` cuts it to what
     this step shows (never of two panels).  IndexError for a step the trace does not have.
     """
+    if row := refused_row(what):
+        return refused(row, title=title, width=min(BOTH, largest[0]) if largest != (WIDTH, HEIGHT) else BOTH)
     trace = trace_of(what)
     if not trace.shortcut:
         return stages.picture(trace, step, title=title, largest=largest, by_itself=by_itself)
@@ -465,12 +468,12 @@ _lies_of = lru_cache(maxsize=2)(lies)  # asked of one pose twice: for the map an
 # -- refused at the door
 
 
-def refused(row: Row, *, title: str = "") -> Picture:
-    """The outlines of a row that the engine refuses, and the reason."""
+def refused(row: Row, *, title: str = "", width: float = BOTH) -> Picture:
+    """The outlines of a row that the engine refuses, and the reason; `width` in points."""
     rings = [[Vec(*map(float, point)) for point in ring] for ring in (row.a, row.b) if not isinstance(ring, Shape)]
     xs, ys = [p.x for ring in rings for p in ring], [p.y for ring in rings for p in ring]
-    k = 260.0 / max(max(xs) - min(xs), max(ys) - min(ys))
-    width, low = 2 * PANEL[0] + BETWEEN, (max(ys) - min(ys)) * k + 80.0
+    k = min(260.0, width - 80.0) / max(max(xs) - min(xs), max(ys) - min(ys))
+    low = (max(ys) - min(ys)) * k + 80.0
     off = Vec((width - (max(xs) - min(xs)) * k) / 2 - min(xs) * k, 40.0 - min(ys) * k)
     marks, requests = [], []
     for name, ring in zip("AB", rings, strict=True):

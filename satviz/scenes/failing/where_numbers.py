@@ -21,13 +21,13 @@ from .plane import SAME, Ring, Window, area, clipped, corners, difference, hull,
 from .reading import LEAST_OF_GJK
 
 Found = list[Ring] | str
-MOST_CORNERS = 32  # of both shapes: more cells than theirs take too long for a hand that drags
+MOST_CORNERS, MOST_OF_PIECES = 32, 12  # of both shapes: more cells than theirs take too long for a hand that drags
 
 COUNT = "the count does not depend on where B is"
 ROUNDING = "only rounding makes it wrong, at single places that no area can show"
 CIRCLE = "of a circle the way out turns as B moves, so where the number is wrong has no straight edges"
 DENT = "a shape has a dent, and where its way out changes is no straight line"
-MANY = f"both shapes have more than {MOST_CORNERS} corners, too many to work it out while you drag"
+MANY = "both shapes together have more than {} corners, too many to work it out while you drag"
 
 
 class Linear(NamedTuple):
@@ -61,7 +61,7 @@ def _plain(a: Shape, b: Shape) -> str:
         return CIRCLE
     if not (a.is_convex and b.is_convex):
         return DENT
-    return MANY if len(a.vertices) + len(b.vertices) > MOST_CORNERS else ""
+    return MANY.format(MOST_CORNERS) if len(a.vertices) + len(b.vertices) > MOST_CORNERS else ""
 
 
 def _overlaps(a: Shape, b: Shape, axis: Axis) -> Iterator[tuple[Linear, Vec]]:
@@ -147,6 +147,8 @@ def _pieces(name: str, differ: Callable[[Vec, Vec], float]) -> "Map":
         assert split
         if why := _plain(a, b):
             return why
+        if len(a.vertices) + len(b.vertices) > MOST_OF_PIECES:
+            return MANY.format(MOST_OF_PIECES)
         (ring,) = difference(a, b)
         runs = [[*_cells(a, b, window)]]
         for piece in split(a):
@@ -169,6 +171,9 @@ def _overlaid(runs: Sequence[Sequence[Cell]]) -> list[tuple[Ring, list[Cell]]]:
 
 
 def _shared(ring: Ring, other: Ring) -> Ring:
+    for k in 0, 1:  # most lie apart, which their boxes say at once
+        if max(p[k] for p in ring) <= min(p[k] for p in other) or max(p[k] for p in other) <= min(p[k] for p in ring):
+            return ()
     for p, q in zip(other, (*other[1:], other[0]), strict=True):
         n = Vec(q.y - p.y, p.x - q.x)
         ring = clipped(ring, n, p.x * n.x + p.y * n.y) if ring else ()
