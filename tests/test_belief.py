@@ -31,12 +31,9 @@ def struck(drawn: Picture) -> list[str]:
     lines = [mark for mark in drawn.marks if mark.part.endswith("-strike")]
     found = []
     for line in lines:
-        (x0, y), (x1, _) = line.points
-        (label,) = (
-            m
-            for m in drawn.marks
-            if m.kind == "label" and abs(m.points[0].y - y) < 1e-6 and abs(m.points[0].x - (x0 + x1) / 2) < 1e-6
-        )
+        (label,) = (m for m in drawn.labels if m._replace(part=f"{m.part}-strike").id == line.id)
+        ys = [p.y for p in line.points]
+        assert len(set(ys)) == len(label.text.split("\n")) and max(ys) + min(ys) == pytest.approx(2 * label.points[0].y)
         found.append(plain(label.text))
     return found
 

@@ -47,6 +47,7 @@ ROUNDING = 1e-12  # of the size of it all: what numbers differ by that are the s
 FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
 BETWEEN, HEAD, RIM = 20.0, 24.0, 10.0  # points between the panels, for each one's heading, round the words above
 BOTH = 2 * PANEL[0] + BETWEEN
+TALL = 1.5  # times its width from which a canvas has the panels one above the other
 
 
 def picture(
@@ -61,8 +62,9 @@ def picture(
 
     Of a trace, or of a scene (or its name).  A shortcut's trace gives two panels: the step as the shortcut
     takes it, and what is.  A failing scene whose outlines are refused has one picture, with the reason.
-    `largest`: the canvas in points at most.  All steps have one scale and one canvas; `by_itself` cuts it to what
-    this step shows (never of two panels).  IndexError for a step the trace does not have.
+    `largest`: the canvas in points at most; on one much taller than wide the panels stand one above the other.
+    All steps have one scale and one canvas; `by_itself` cuts it to what this step shows (never of two panels).
+    IndexError for a step the trace does not have.
     """
     if row := refused_row(what):
         return refused(row, title=title, width=min(BOTH, largest[0]) if largest != (WIDTH, HEIGHT) else BOTH)
@@ -70,8 +72,14 @@ def picture(
     if not trace.shortcut:
         return stages.picture(trace, step, title=title, largest=largest, by_itself=by_itself)
     step = stages.chosen(trace, step)
-    panel = PANEL if largest == (WIDTH, HEIGHT) else ((largest[0] - BETWEEN) / 2, largest[1] - 4 * HEAD)
-    return _beside(trace, _saw(trace, step, panel), _what_is(trace, panel), _room(trace, panel), title)
+    stacked = largest[1] > TALL * largest[0]
+    if largest == (WIDTH, HEIGHT):
+        panel = PANEL
+    elif stacked:
+        panel = largest[0], (largest[1] - 5 * HEAD) / 2
+    else:
+        panel = (largest[0] - BETWEEN) / 2, largest[1] - 4 * HEAD
+    return _put(trace, _saw(trace, step, panel), _what_is(trace, panel), _room(trace, panel), title, stacked=stacked)
 
 
 def row_of(trace: Trace) -> Row | None:
@@ -333,11 +341,14 @@ def struck(drawn: Picture, trace: Trace) -> Picture:
 
 
 def _strike(label: Mark, scale: float) -> Mark:
-    """A line through a label."""
-    half = text_box(label.text, label.weight)[0] / 2 / scale
-    (x, y) = label.points[0]
-    ends = Vec(x - half, y), Vec(x + half, y)
-    return Mark(f"{label.part}-strike", "segment", "ink", ends, label.owner, label.axis, label.number)
+    """A line through each line of a label."""
+    (x, y), lines = label.points[0], label.text.split("\n")
+    high = text_box(label.text, label.weight)[1] / len(lines) / scale
+    ends: list[Vec] = []
+    for i, line in enumerate(lines):
+        half, level = text_box(line, label.weight)[0] / 2 / scale, y + ((len(lines) - 1) / 2 - i) * high
+        ends += [Vec(x - half, level), Vec(x + half, level)]
+    return Mark(f"{label.part}-strike", "segment", "ink", tuple(ends), label.owner, label.axis, label.number)
 
 
 def true_test(trace: Trace) -> AxisTest | None:
@@ -494,19 +505,29 @@ def refused(row: Row, *, title: str = "", width: float = BOTH) -> Picture:
 # -- put together
 
 
-def _beside(trace: Trace, saw: Picture, truth: Picture, room: tuple[float, float], title: str) -> Picture:
-    """Both panels under the claim, in points, each with that room: all steps are as large."""
-    half, low = room
-    width = 2 * half + BETWEEN
+def _put(
+    trace: Trace, saw: Picture, truth: Picture, room: tuple[float, float], title: str, *, stacked: bool
+) -> Picture:
+    """Both panels under the claim, in points, each with that room: all steps are as large.
+
+    `stacked`: the shortcut's above the true one.
+    """
+    wide, high = room
+    cell = high + HEAD
+    width, height = (wide, 2 * cell + BETWEEN) if stacked else (2 * wide + BETWEEN, cell)
+    there = Vec(0.0, 0.0) if stacked else Vec(wide + BETWEEN, 0.0)
     marks = []
-    for prefix, name, panel, x in ("saw", SAW, saw, 0.0), ("is", IS, truth, half + BETWEEN):
-        spot = Vec(x + half / 2, low + HEAD / 2)
+    for prefix, name, panel, at in ("saw", SAW, saw, Vec(0.0, height - cell)), ("is", IS, truth, there):
+        spot = Vec(at.x + wide / 2, at.y + high + HEAD / 2)
         marks.append(Mark(f"{prefix}-heading", "label", "guide", (spot,), text=name))
-        corner = Vec(x + (half - panel.size[0]) / 2, low - panel.size[1])
+        corner = Vec(at.x + (wide - panel.size[0]) / 2, at.y + high - panel.size[1])
         marks += [mark._replace(part=f"{prefix}-{mark.part}") for mark in moved_to(panel, corner, "")]
-    between = Vec(width / 2, 8.0), Vec(width / 2, low + HEAD - 4.0)
-    marks.append(Mark("between", "segment", "guide", between))
-    return _under(*heading(trace), width, low + HEAD, marks, title)._replace(sentence=saw.sentence)
+    across = cell + BETWEEN / 2
+    line = (
+        (Vec(8.0, across), Vec(width - 8.0, across)) if stacked else (Vec(width / 2, 8.0), Vec(width / 2, cell - 4.0))
+    )
+    marks.append(Mark("between", "segment", "guide", line))
+    return _under(*heading(trace), width, height, marks, title)._replace(sentence=saw.sentence)
 
 
 def _under(claim: str, wrong: str, width: float, low: float, below: Sequence[Mark], title: str) -> Picture:

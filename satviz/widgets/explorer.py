@@ -1,11 +1,10 @@
 """sv.explore: a scene under the hand.  The browser moves what is dragged; Python alone computes SAT."""
 
-from typing import Literal, overload
+from typing import Any
 
 import traitlets
 
 from ..engine.shapes import Shape
-from ..pictures import Picture
 from ..pictures.belief import refused
 from ..scenes.article import SCENES
 from ..scenes.asked import refused_row, scene_of
@@ -37,15 +36,7 @@ class Explorer(Shown):
         return self._exploring.scene
 
 
-@overload
-def explore(what: Literal["no-area", "pentagram"], b: None = None) -> Picture: ...
-
-
-@overload
-def explore(what: Scene | Shape | str = "triangles", b: Shape | None = None) -> Explorer: ...
-
-
-def explore(what: Scene | Shape | str = "triangles", b: Shape | None = None) -> Explorer | Picture:
+def explore(what: Scene | Shape | str = "triangles", b: Shape | None = None) -> Any:
     """A scene to drag: a built-in scene's name, a Scene, or two shapes.
 
     Drag shapes, vertices and handles, or Tab to one and use the arrow keys.  A failing scene whose outlines are
