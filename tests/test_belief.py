@@ -9,8 +9,10 @@ import satviz as sv
 from satviz.cli import main
 from satviz.engine.digits import plain
 from satviz.pictures import belief, belief_rows
-from satviz.pictures.layout import text_box
+from satviz.pictures.labels import Board, Request
+from satviz.pictures.layout import Layout, text_box
 from satviz.pictures.marks import Picture
+from satviz.pictures.playback import NARROW_PANELS, narrow
 from satviz.pictures.stages import shifted
 from satviz.scenes.article import box
 from satviz.scenes.failing import NAMED, REFUSED, ROWS, right
@@ -343,3 +345,49 @@ def test_a_step_shows_no_more_than_it_says_and_its_labels_stay_as_it_moves_on(ro
             if mark.part.startswith("saw-"):
                 x, y = spots.setdefault((mark.id, mark.text), mark.points[0])
                 assert mark.points[0] == pytest.approx((x, y), abs=0.5), (step, mark.text)
+
+
+def pushes_on(size, count, text="push (-1234567890123, 9876543210987)"):
+    """A picture of labels alone, all of which must be said, asked for round the middle of a canvas of that size."""
+    layout = Layout((0.0, 0.0, *size), size)
+    spots = [sv.Vec(size[0] * (0.4 + 0.02 * i), size[1] / 2) for i in range(count)]
+    requests = [Request("push", text, "move", spot, number=i) for i, spot in enumerate(spots)]
+    return Picture(tuple(Board(layout).labels(requests)), layout.limits, size, "", "")
+
+
+@pytest.mark.parametrize("size, count", [((200.0, 80.0), 1), ((120.0, 160.0), 2), ((150.0, 200.0), 3)])
+def test_a_label_too_long_for_its_place_is_broken_into_lines_and_not_cut_or_laid_on_another(size, count):
+    drawn = pushes_on(size, count)
+    assert no_overlap(drawn)
+    assert {" ".join(mark.text.split()) for mark in drawn.labels} == {"push (-1234567890123, 9876543210987)"}
+    assert len(drawn.labels) == count and any("\n" in mark.text for mark in drawn.labels)
+
+
+def round_polygon(corners, x, y, size):
+    turns = [2 * math.pi * (k + 0.3) / corners for k in range(corners)]
+    return sv.Polygon([(x + size * math.cos(t), y + 0.6 * size * math.sin(t)) for t in turns])
+
+
+OWN_PANELS = {*belief_rows.SAW, *belief_rows.IS, "sum-of-parts", "tile-seam"}
+
+
+@pytest.mark.parametrize("name", sorted(OWN_PANELS))
+@pytest.mark.parametrize("corners", [(3, 60), (7, 12), (30, 4), (60, 45)], ids=str)
+def test_panels_of_their_own_hold_their_words_for_shapes_of_any_number_of_corners(name, corners):
+    a, b = round_polygon(corners[0], 0, 0, 2), round_polygon(corners[1], 1.3, 1, 1.5)
+    for move in (0, 0), (5, 1):
+        trace = sv.record(a, shifted(b, sv.Vec(*move)), axes=SHORTCUTS[name])
+        for drawn in sv.picture(trace), sv.picture(trace, largest=NARROW_PANELS[0]):
+            assert no_overlap(drawn) and drawn.size[0] < 1000
+
+
+@each_row
+def test_on_a_telephone_the_panels_stand_one_above_the_other_with_letters_as_large(row):
+    trace = row.scene.record()
+    shows = narrow(trace)
+    assert shows and shows[0]["size"][0] <= 350
+    for step in 0, len(sv.steps(trace)) // 2, -1:
+        drawn = sv.picture(trace, step, largest=(350, 700))
+        saw, truth = (drawn.mark(f"{side}-heading").points[0] for side in ("saw", "is"))
+        assert saw.x == truth.x and saw.y > truth.y + 100 and no_overlap(drawn)
+        assert not [m for m in drawn.marks if m.part.startswith("saw-") for p in m.points if p.y < truth.y]

@@ -251,8 +251,10 @@ class Board:
         """The label and where it stands; in more lines where it has no room as it is, not at all if it is optional."""
         found, cost = self._best(request)
         width = text_box(request.text, request.weight)[0]
-        slim = request._replace(text=wrapped(request.text, width / 2, request.weight))
-        if cost >= COVERS and not request.optional and slim.text != request.text:
+        for lines in (2, 3) if not request.optional else ():
+            if cost < COVERS:
+                break
+            slim = request._replace(text=wrapped(request.text, width / lines, request.weight))
             there, less = self._best(slim)
             if less < cost:
                 request, found, cost = slim, there, less
