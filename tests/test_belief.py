@@ -18,6 +18,7 @@ from satviz.scenes.article import box
 from satviz.scenes.failing import NAMED, REFUSED, ROWS, right
 from satviz.scenes.shortcuts import NAMED as SHORTCUTS
 from satviz.scenes.shortcuts import halves
+from satviz.widgets.exploring import Exploring
 
 SHOWN = [row for row in ROWS if row.how != REFUSED]
 each_refused = pytest.mark.parametrize("row", [row for row in ROWS if row.how == REFUSED], ids=lambda row: row.name)
@@ -309,6 +310,7 @@ def test_there_is_room_for_a_push_only_where_one_is_drawn():
 def test_a_gap_that_is_right_is_not_struck_out_with_the_wrong_answer():
     drawn = sv.picture(NAMED["touch-as-apart"].scene.record())
     assert struck(drawn) == ["apart"]
+    assert struck(Exploring(NAMED["tunnelling"].scene).picture()) == ["apart"]
 
 
 def test_the_line_of_a_distance_is_as_long_as_the_distance():

@@ -333,7 +333,8 @@ def struck(drawn: Picture, trace: Trace) -> Picture:
     best = max((test.gap for test in told), default=0.0)
     read = {str(trace.tests.index(test) + 1) for test in told if test.gap == best}
     wrong = {"push-name", "number"} | ({"claim"} if claim != verdict else set())
-    if not (trace.missed_hit and trace.proves):  # there the gap is right, and only what follows from it is wrong
+    missed = trace.missed_hit or (row is not None and row.how == MISSED_HIT)
+    if not (missed and trace.proves):  # there the gap is right, and only what follows from it is wrong
         wrong |= {"gap-name"} if claim != verdict or (row and row.what in GAPS) else set()
     labels = (mark for mark in drawn.marks if mark.kind == "label" and mark.part in wrong)
     struck = [_strike(mark, drawn.scale) for mark in labels if mark.part != "gap-name" or mark.axis in read]
@@ -532,7 +533,11 @@ def _put(
 
 def _under(claim: str, wrong: str, width: float, low: float, below: Sequence[Mark], title: str) -> Picture:
     """Marks, in points, under the claim and what is wrong with it."""
-    texts = [(wrapped(claim, width - 2 * RIM, "title"), "title"), (wrapped(wrong, width - 2 * RIM), "plain")]
+    room = width - 2 * RIM
+    if text_box(wrong)[0] > room:
+        wrong = wrong.replace(" Right: ", "\nRight: ")
+    lines = "\n".join(wrapped(line, room) for line in wrong.split("\n"))
+    texts = [(wrapped(claim, room, "title"), "title"), (lines, "plain")]
     height = round(low + sum(text_box(*text)[1] + 4.0 for text in texts) + RIM)
     marks, top = [], height - RIM
     for part, (text, weight) in zip(("heading", "wrong"), texts, strict=True):
@@ -540,4 +545,4 @@ def _under(claim: str, wrong: str, width: float, low: float, below: Sequence[Mar
         marks.append(Mark(part, "label", "ink", (Vec(width / 2, top - tall / 2),), text=text, weight=weight))
         top -= tall + 4.0
     limits = 0.0, 0.0, float(width), float(height)
-    return Picture((*marks, *below), limits, (float(width), float(height)), title, f"{claim} {wrong}")
+    return Picture((*marks, *below), limits, (float(width), float(height)), title, " ".join(f"{claim} {wrong}".split()))

@@ -16,7 +16,7 @@ from ..scenes.failing import right, swept
 from ..scenes.failing.plane import hull
 from ..scenes.failing.reading import moved as put
 from .curve import direction
-from .layout import NARROW_PAD, Group, Layout, moved
+from .layout import NARROW_PAD, Group, Layout, box_of, moved
 from .layout import arrange as arranged
 from .sketch import Sketch
 
@@ -150,6 +150,8 @@ def support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
     sketch = Sketch(trace, arrange([Group([box], [])], largest=(largest[0] * 0.8, largest[1] * 0.8))[0])
     rim = hull(corners)
     sketch.add("difference", "outline", "guide", *rim)
+    middle = Vec(sum(v.x for v in rim) / len(rim), sum(v.y for v in rim) / len(rim))
+    sketch.label("difference-name", f"B {MINUS} A", "guide", middle, prefer=Vec(1.0, -1.0), inside=True, weight="title")
     for i, v in enumerate(rim):
         sketch.add("corner", "dot", "guide", v, number=i)
     if len(found) == 3:
@@ -264,8 +266,10 @@ def plain(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 
 def _room(trace: Trace, largest: tuple[float, float]) -> Layout:
-    moves = [pair.mtv for pair in trace.pairs if pair.mtv]
-    return arrange([Group([trace.a, trace.b, *(put(trace.b, move) for move in moves)], [])], largest=largest)[0]
+    shapes = [trace.a, trace.b, *(put(trace.b, pair.mtv) for pair in trace.pairs if pair.mtv)]
+    x0, y0, x1, y1 = box_of(shapes)
+    words = Polygon([(x0, y1), (x1, y1), (x1, y1 + (y1 - y0) / 5), (x0, y1 + (y1 - y0) / 5)])  # what is said above
+    return arrange([Group([*shapes, words], [])], largest=largest)[0]
 
 
 def _least(trace: Trace) -> AxisTest:

@@ -27,10 +27,10 @@ def gap_as_distance(trace: Trace) -> float:
     return max(0.0, *(test.gap for test in trace.tests))
 
 
-def gap_after_push(trace: Trace) -> float:
-    """The gap that is left once B was pushed."""
+def overlap_after_push(trace: Trace) -> float:
+    """How deep B still is once it was pushed."""
     pushed = moved(trace.b, trace.push or Vec(0.0, 0.0))
-    return max((test.gap for test in record(trace.a, pushed, every_axis=True).tests), default=nan)
+    return max(0.0, -max((test.gap for test in record(trace.a, pushed, every_axis=True).tests), default=nan))
 
 
 def moved(shape: Shape, move: Vec) -> Shape:
@@ -69,5 +69,5 @@ def gap_at_both_frames(trace: Trace) -> float:
     return min(max(test.gap for test in run.tests) for run in (trace, after))
 
 
-OF_PUSHES = length_of_push, push_to_the_side, gap_after_push
+OF_PUSHES = length_of_push, push_to_the_side, overlap_after_push
 """The readings that are about where B would be pushed."""
