@@ -78,17 +78,15 @@ def draw(args: argparse.Namespace) -> int:
     from .pictures.belief import refused
     from .pictures.caption import captioned
     from .pictures.sheet import sheet
-    from .scenes.failing import NAMED, REFUSED
+    from .scenes.asked import refused_row
 
     if "link" in (args.format or []):
         return _link(args)
-    row = NAMED.get(args.scene)
-    if row and row.how == REFUSED:
-        if "html" in (args.format or []):
-            raise Refused(f"{row.name} is no scene to step through: {row.truth}; --format svg draws it with the reason")
-        drawn = refused(row)
-        makes: dict[bool, Callable[[], Picture | list[Picture]]] = {True: lambda: [drawn], False: lambda: drawn}
-        return _write(args, [(row.name, form, makes[form == "gif"]) for form in args.format or ["svg"]])
+    if row := refused_row(args.scene):
+        drawn, name = refused(row), row.name
+        makes: dict[str, Callable[[], Picture | list[Picture] | bytes]]
+        makes = {"gif": lambda: [drawn], "html": lambda: _page(name, "")}
+        return _write(args, [(name, form, makes.get(form, lambda: drawn)) for form in args.format or ["svg"]])
     scene = _load(args)
     trace = scene.record()
     try:
@@ -131,11 +129,11 @@ def _link(args: argparse.Namespace) -> int:
     return 0
 
 
-def _page(trace: "Trace", title: str) -> bytes:
+def _page(what: "Trace | str", title: str) -> bytes:
     from .render.page import page
 
     try:
-        return page(trace, title=title).encode()
+        return page(what, title=title).encode()
     except ValueError as error:
         raise Refused(str(error)) from None
 

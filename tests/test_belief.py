@@ -1,6 +1,7 @@
 """Belief beside truth: each failing scene's picture shows the wrong number, struck out, and the right one."""
 
 import math
+from importlib.util import find_spec
 
 import pytest
 
@@ -8,15 +9,19 @@ import satviz as sv
 from satviz.cli import main
 from satviz.engine.digits import plain
 from satviz.pictures import belief, belief_rows
-from satviz.pictures.layout import text_box
+from satviz.pictures.labels import Board, Request
+from satviz.pictures.layout import Layout, text_box
 from satviz.pictures.marks import Picture
+from satviz.pictures.playback import NARROW_PANELS, narrow
 from satviz.pictures.stages import shifted
 from satviz.scenes.article import box
 from satviz.scenes.failing import NAMED, REFUSED, ROWS, right
 from satviz.scenes.shortcuts import NAMED as SHORTCUTS
 from satviz.scenes.shortcuts import halves
+from satviz.widgets.exploring import Exploring
 
 SHOWN = [row for row in ROWS if row.how != REFUSED]
+each_refused = pytest.mark.parametrize("row", [row for row in ROWS if row.how == REFUSED], ids=lambda row: row.name)
 each_row = pytest.mark.parametrize("row", SHOWN, ids=lambda row: row.name)
 
 
@@ -29,24 +34,33 @@ def struck(drawn: Picture) -> list[str]:
     lines = [mark for mark in drawn.marks if mark.part.endswith("-strike")]
     found = []
     for line in lines:
-        (x0, y), (x1, _) = line.points
-        (label,) = (
-            m
-            for m in drawn.marks
-            if m.kind == "label" and abs(m.points[0].y - y) < 1e-6 and abs(m.points[0].x - (x0 + x1) / 2) < 1e-6
-        )
+        (label,) = (m for m in drawn.labels if m._replace(part=f"{m.part}-strike").id == line.id)
+        ys = [p.y for p in line.points]
+        assert len(set(ys)) == len(label.text.split("\n")) and max(ys) + min(ys) == pytest.approx(2 * label.points[0].y)
         found.append(plain(label.text))
     return found
 
 
 def boxes(drawn: Picture) -> list[tuple[str, tuple[float, float, float, float]]]:
+    """Each label's text and box in points."""
     found = []
-    for mark in drawn.marks:
-        if mark.kind == "label":
-            w, h = text_box(mark.text, mark.weight)
-            (x, y) = mark.points[0]
-            found.append((mark.text, (x - w / 2, y - h / 2, x + w / 2, y + h / 2)))
+    x0, y0 = drawn.limits[:2]
+    for mark in drawn.labels:
+        w, h = text_box(mark.text, mark.weight)
+        x, y = ((c - o) * drawn.scale for c, o in zip(mark.points[0], (x0, y0)))
+        found.append((mark.text, (x - w / 2, y - h / 2, x + w / 2, y + h / 2)))
     return found
+
+
+def no_overlap(drawn: Picture) -> bool:
+    """No label lies on another or off the canvas; an AssertionError says which does."""
+    found = boxes(drawn)
+    width, height = drawn.size
+    for i, (text, (x0, y0, x1, y1)) in enumerate(found):
+        assert x0 >= -0.5 and x1 <= width + 0.5 and y0 >= -0.5 and y1 <= height + 0.5, f"{text!r} is cut off"
+        for other, (p0, q0, p1, q1) in found[:i]:
+            assert x1 <= p0 + 1 or p1 <= x0 + 1 or y1 <= q0 + 1 or q1 <= y0 + 1, f"{text!r} lies on {other!r}"
+    return True
 
 
 @each_row
@@ -102,12 +116,7 @@ def test_nothing_is_struck_out_on_the_side_of_the_truth(row):
 def test_no_label_lies_on_another_or_off_the_canvas(row, step):
     trace = row.scene.record()
     drawn = sv.picture(trace, min(step, len(sv.steps(trace)) - 1))
-    found = boxes(drawn)
-    width, height = drawn.size
-    for i, (text, (x0, y0, x1, y1)) in enumerate(found):
-        assert x0 >= -0.5 and x1 <= width + 0.5 and y0 >= -0.5 and y1 <= height + 0.5, f"{text!r} is cut off"
-        for other, (p0, q0, p1, q1) in found[:i]:
-            assert x1 <= p0 + 1 or p1 <= x0 + 1 or y1 <= q0 + 1 or q1 <= y0 + 1, f"{text!r} lies on {other!r}"
+    assert no_overlap(drawn)
 
 
 @each_row
@@ -185,17 +194,32 @@ def test_every_shortcut_is_drawn_for_pairs_of_every_kind(name):
         assert sv.picture(trace).marks and sv.picture(trace, 0).marks
 
 
-@pytest.mark.parametrize("row", [row for row in ROWS if row.how == REFUSED], ids=lambda row: row.name)
-def test_what_is_refused_shows_its_outline_and_the_reason(row, tmp_path, capsys):
+@each_refused
+def test_what_is_refused_shows_its_outline_and_the_reason(row, tmp_path):
     drawn = belief.refused(row)
     assert [mark.owner for mark in drawn.marks if mark.part == "outline"] == ["A", "B"]
     assert " ".join(drawn.mark("wrong").text.split()) == f"Refused: {row.truth}."
-    for form in "svg", "png", "gif":
+    for form in "svg", "png", "gif", "html":
         assert main(["draw", row.name, "--out", str(tmp_path), "--format", form]) == 0
         assert (tmp_path / f"{row.name}.{form}").stat().st_size
-    capsys.readouterr()
-    assert main(["draw", row.name, "--out", str(tmp_path), "--format", "html"]) == 2
-    assert row.truth in capsys.readouterr().err
+    assert (tmp_path / f"{row.name}.html").read_text(encoding="utf-8") == sv.page(row.name)
+
+
+@each_refused
+def test_whatever_shows_a_scene_shows_why_an_outline_is_refused(row):
+    reason = f"Refused: {row.truth}."
+    page = sv.page(row.name)
+    assert page.count(reason) >= 3 and "<script" not in page  # its title, its heading, the pictures' words
+    assert page.count("<svg") == 2 and f"<h1>Claim: {row.claim}. {reason}</h1>" in page
+    shown = [sv.picture(row.name), sv.picture(row.name, 0, largest=(340, 340))]
+    if find_spec("anywidget"):
+        shown += [sv.play(row.name), sv.play(row.name, predict=True), sv.explore(row.name)]
+    for drawn in shown:
+        assert drawn.sentence.endswith(reason) and no_overlap(drawn)
+        assert " ".join(drawn.mark("wrong").text.split()) == reason
+    assert sv.draw(row.name).axes
+    with pytest.raises(sv.InvalidScene, match="is no scene"):
+        sv.scene(row.name)
 
 
 def test_a_failing_scene_is_drawn_and_made_a_page_under_its_claim(tmp_path):
@@ -286,6 +310,7 @@ def test_there_is_room_for_a_push_only_where_one_is_drawn():
 def test_a_gap_that_is_right_is_not_struck_out_with_the_wrong_answer():
     drawn = sv.picture(NAMED["touch-as-apart"].scene.record())
     assert struck(drawn) == ["apart"]
+    assert struck(Exploring(NAMED["tunnelling"].scene).picture()) == ["apart"]
 
 
 def test_the_line_of_a_distance_is_as_long_as_the_distance():
@@ -322,3 +347,49 @@ def test_a_step_shows_no_more_than_it_says_and_its_labels_stay_as_it_moves_on(ro
             if mark.part.startswith("saw-"):
                 x, y = spots.setdefault((mark.id, mark.text), mark.points[0])
                 assert mark.points[0] == pytest.approx((x, y), abs=0.5), (step, mark.text)
+
+
+def pushes_on(size, count, text="push (-1234567890123, 9876543210987)"):
+    """A picture of labels alone, all of which must be said, asked for round the middle of a canvas of that size."""
+    layout = Layout((0.0, 0.0, *size), size)
+    spots = [sv.Vec(size[0] * (0.4 + 0.02 * i), size[1] / 2) for i in range(count)]
+    requests = [Request("push", text, "move", spot, number=i) for i, spot in enumerate(spots)]
+    return Picture(tuple(Board(layout).labels(requests)), layout.limits, size, "", "")
+
+
+@pytest.mark.parametrize("size, count", [((200.0, 80.0), 1), ((120.0, 160.0), 2), ((150.0, 200.0), 3)])
+def test_a_label_too_long_for_its_place_is_broken_into_lines_and_not_cut_or_laid_on_another(size, count):
+    drawn = pushes_on(size, count)
+    assert no_overlap(drawn)
+    assert {" ".join(mark.text.split()) for mark in drawn.labels} == {"push (-1234567890123, 9876543210987)"}
+    assert len(drawn.labels) == count and any("\n" in mark.text for mark in drawn.labels)
+
+
+def round_polygon(corners, x, y, size):
+    turns = [2 * math.pi * (k + 0.3) / corners for k in range(corners)]
+    return sv.Polygon([(x + size * math.cos(t), y + 0.6 * size * math.sin(t)) for t in turns])
+
+
+OWN_PANELS = {*belief_rows.SAW, *belief_rows.IS, "sum-of-parts", "tile-seam"}
+
+
+@pytest.mark.parametrize("name", sorted(OWN_PANELS))
+@pytest.mark.parametrize("corners", [(3, 60), (7, 12), (30, 4), (60, 45)], ids=str)
+def test_panels_of_their_own_hold_their_words_for_shapes_of_any_number_of_corners(name, corners):
+    a, b = round_polygon(corners[0], 0, 0, 2), round_polygon(corners[1], 1.3, 1, 1.5)
+    for move in (0, 0), (5, 1):
+        trace = sv.record(a, shifted(b, sv.Vec(*move)), axes=SHORTCUTS[name])
+        for drawn in sv.picture(trace), sv.picture(trace, largest=NARROW_PANELS[0]):
+            assert no_overlap(drawn) and drawn.size[0] < 1000
+
+
+@each_row
+def test_on_a_telephone_the_panels_stand_one_above_the_other_with_letters_as_large(row):
+    trace = row.scene.record()
+    shows = narrow(trace)
+    assert shows and shows[0]["size"][0] <= 350
+    for step in 0, len(sv.steps(trace)) // 2, -1:
+        drawn = sv.picture(trace, step, largest=(350, 700))
+        saw, truth = (drawn.mark(f"{side}-heading").points[0] for side in ("saw", "is"))
+        assert saw.x == truth.x and saw.y > truth.y + 100 and no_overlap(drawn)
+        assert not [m for m in drawn.marks if m.part.startswith("saw-") for p in m.points if p.y < truth.y]

@@ -312,6 +312,33 @@ def test_as_shown_letters_can_be_read_targets_be_hit_and_nothing_is_cut(browser,
     context.close()
 
 
+@pytest.mark.parametrize("name", ["sum-of-parts", "dart", "slipped-normal", "pentagram"])
+def test_two_panels_need_no_scrolling_aside_on_a_telephone(browser, tmp_path, name):
+    context = browser.new_context(**PHONE)
+    page = context.new_page()
+    (tmp_path / "page.html").write_text(sv.page(name), encoding="utf-8")
+    page.goto((tmp_path / "page.html").as_uri())
+    every = "[document.documentElement, ...document.querySelectorAll('.sv-scrolls')]"
+    beyond = f"() => {every}.map(e => e.scrollWidth - e.clientWidth)"
+    assert max(page.evaluate(beyond)) <= 0
+    if name != "pentagram":  # which has no steps
+        page.get_by_role("button", name="last step").click()
+        assert max(page.evaluate(beyond)) <= 0
+        saw, truth = (page.get_by_text(words).first.bounding_box() for words in ("what the shortcut saw", "what is"))
+        assert truth["y"] > saw["y"] + 150
+    context.close()
+
+
+def test_a_line_under_the_picture_says_what_the_map_shows_or_why_there_is_none(browser, errors):
+    for name, words in ("sum-of-parts", "The map: while"), ("many-pairs", "No map of where it is wrong"):
+        with explored(browser, Exploring(sv.scene(name)), errors, **PHONE) as page:
+            line = page.locator(".sv-map")
+            assert line.inner_text().startswith(words)
+            page.get_by_role("button", name="truth").click()
+            answered(page, "A and B")
+            line.wait_for(state="hidden")
+
+
 def test_the_curve_is_right_under_the_picture_where_it_is_not_beside_it(browser, errors):
     for screen, under in (PHONE, True), (WIDE, False):
         with explored(browser, Exploring(sv.scene("triangles")), errors, **screen) as page:

@@ -133,6 +133,9 @@ def test_a_page_does_not_speak_of_running_cells(pages):
 def test_the_gallery_has_every_scene(files, pages):
     for name in [scene.name for scene in SCENES] + [row.name for row in ROWS]:
         assert f"pictures/{name}.svg" in files and f'src="pictures/{name}.svg"' in pages["gallery.html"]
+    for row in ROWS:  # on a telephone one panel above the other
+        assert f"pictures/{row.name}-narrow.svg" in files
+        assert f'srcset="pictures/{row.name}-narrow.svg"' in pages["gallery.html"]
     openable = set(re.findall(r'href="scene.html#([^"]+)"', pages["gallery.html"]))
     assert openable == {s.name for s in SCENES} | {row.name for row in ROWS if row.how != REFUSED}
 

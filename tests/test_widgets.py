@@ -11,6 +11,9 @@ from satviz.engine.geometry import InvalidScene, Relation
 from satviz.pictures import playback
 from satviz.pictures.caption import captioned
 from satviz.render.notebook import bundle
+from satviz.scenes.article import box
+from satviz.scenes.failing import REFUSED, ROWS
+from satviz.widgets.exploring import Exploring
 from satviz.widgets.showing import Showing
 
 pytest.importorskip("anywidget", reason="anywidget is not installed")
@@ -392,3 +395,27 @@ def test_both_widgets_know_the_link_of_what_they_show():
     assert sv.play(TRIANGLES.record()).link == "triangles"
     widget = explorer()
     assert "free=30" in pose(widget, degree=30.0)["link"] and widget.site == ""
+
+
+@pytest.mark.parametrize("name", [row.name for row in ROWS if row.how != REFUSED])
+def test_every_failing_scene_has_a_map_under_the_hand_or_says_why_not(name):
+    first = sv.explore(name).first
+    red = [mark for mark in first["picture"]["marks"] if mark["id"].startswith("lies")]
+    assert first["map"].startswith("The map: " if red else "No map of where it is wrong: ")
+    assert len(first["map"]) > 60
+
+
+def test_where_a_shortcut_is_right_all_over_the_picture_that_is_said():
+    hand = Exploring(sv.Scene("boxes", box(0, 0, 2, 2), box(1, 1, 4, 3), "aabb-turned"))
+    assert hand.state()["map"] == "No red on the map: wherever B lies in this picture, the shortcut is right."
+    shapes = {key: hand.state()[key] for key in ("a", "b")}
+    free = hand.answer({"kind": "pose", **shapes, "degree": 30})
+    assert "map" not in free  # the picture of a free axis has none
+
+
+def test_a_dent_made_under_the_hand_takes_the_map_away_and_says_so():
+    hand = Exploring(sv.scene("raw-depth"))
+    first = hand.state()
+    a = {"polygon": [*first["a"]["polygon"], [0.5, 0.5]]}
+    state = hand.answer({"kind": "pose", "a": a, "b": first["b"]})
+    assert state["map"].startswith("No map of where it is wrong: a shape has a dent")

@@ -14,11 +14,11 @@ from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
-from ..scenes.asked import Asked, trace_of
+from ..scenes.asked import Asked, refused_row, trace_of
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, Row
-from ..scenes.failing.reading import OF_PUSHES
+from ..scenes.failing.reading import OF_PUSHES, least_looks_of_gjk
 from ..scenes.failing.right import Answer
-from ..scenes.failing.where import lies
+from ..scenes.failing.where import Lies, lies
 from ..scenes.shortcuts import middle
 from . import belief_rows, live, stages
 from .belief_rows import Panel, arrange
@@ -46,6 +46,8 @@ PANEL = 340.0, 300.0  # the largest, in points
 ROUNDING = 1e-12  # of the size of it all: what numbers differ by that are the same
 FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
 BETWEEN, HEAD, RIM = 20.0, 24.0, 10.0  # points between the panels, for each one's heading, round the words above
+BOTH = 2 * PANEL[0] + BETWEEN
+TALL = 1.5  # times its width from which a canvas has the panels one above the other
 
 
 def picture(
@@ -59,16 +61,25 @@ def picture(
     """The picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
 
     Of a trace, or of a scene (or its name).  A shortcut's trace gives two panels: the step as the shortcut
-    takes it, and what is.
-    `largest`: the canvas in points at most.  All steps have one scale and one canvas; `by_itself` cuts it to what
-    this step shows (never of two panels).  IndexError for a step the trace does not have.
+    takes it, and what is.  A failing scene whose outlines are refused has one picture, with the reason.
+    `largest`: the canvas in points at most; on one much taller than wide the panels stand one above the other.
+    All steps have one scale and one canvas; `by_itself` cuts it to what this step shows (never of two panels).
+    IndexError for a step the trace does not have.
     """
+    if row := refused_row(what):
+        return refused(row, title=title, width=min(BOTH, largest[0]) if largest != (WIDTH, HEIGHT) else BOTH)
     trace = trace_of(what)
     if not trace.shortcut:
         return stages.picture(trace, step, title=title, largest=largest, by_itself=by_itself)
     step = stages.chosen(trace, step)
-    panel = PANEL if largest == (WIDTH, HEIGHT) else ((largest[0] - BETWEEN) / 2, largest[1] - 4 * HEAD)
-    return _beside(trace, _saw(trace, step, panel), _what_is(trace, panel), _room(trace, panel), title)
+    stacked = largest[1] > TALL * largest[0]
+    if largest == (WIDTH, HEIGHT):
+        panel = PANEL
+    elif stacked:
+        panel = largest[0], (largest[1] - 5 * HEAD) / 2
+    else:
+        panel = (largest[0] - BETWEEN) / 2, largest[1] - 4 * HEAD
+    return _put(trace, _saw(trace, step, panel), _what_is(trace, panel), _room(trace, panel), title, stacked=stacked)
 
 
 def row_of(trace: Trace) -> Row | None:
@@ -118,6 +129,10 @@ def _contradicts(row: Row, trace: Trace, number: float, truth: Answer) -> bool:
         return True
     if isinstance(truth, tuple):
         return number > 0 and not isnan(truth[0])  # clear in both frames, and yet there is a contact
+    if isnan(number) or isnan(truth):
+        return isnan(number) != isnan(truth)  # none is found, and there is none
+    if row.read is least_looks_of_gjk:
+        return truth <= number  # its claim is that it has less
     if row.what == "gap" and (number > 0) - (number < 0) != (truth > 0) - (truth < 0):
         return True
     return not isclose(number, truth, rel_tol=ROUNDING, abs_tol=ROUNDING * _size(trace))
@@ -318,7 +333,8 @@ def struck(drawn: Picture, trace: Trace) -> Picture:
     best = max((test.gap for test in told), default=0.0)
     read = {str(trace.tests.index(test) + 1) for test in told if test.gap == best}
     wrong = {"push-name", "number"} | ({"claim"} if claim != verdict else set())
-    if not (trace.missed_hit and trace.proves):  # there the gap is right, and only what follows from it is wrong
+    missed = trace.missed_hit or (row is not None and row.how == MISSED_HIT)
+    if not (missed and trace.proves):  # there the gap is right, and only what follows from it is wrong
         wrong |= {"gap-name"} if claim != verdict or (row and row.what in GAPS) else set()
     labels = (mark for mark in drawn.marks if mark.kind == "label" and mark.part in wrong)
     struck = [_strike(mark, drawn.scale) for mark in labels if mark.part != "gap-name" or mark.axis in read]
@@ -326,11 +342,14 @@ def struck(drawn: Picture, trace: Trace) -> Picture:
 
 
 def _strike(label: Mark, scale: float) -> Mark:
-    """A line through a label."""
-    half = text_box(label.text, label.weight)[0] / 2 / scale
-    (x, y) = label.points[0]
-    ends = Vec(x - half, y), Vec(x + half, y)
-    return Mark(f"{label.part}-strike", "segment", "ink", ends, label.owner, label.axis, label.number)
+    """A line through each line of a label."""
+    (x, y), lines = label.points[0], label.text.split("\n")
+    high = text_box(label.text, label.weight)[1] / len(lines) / scale
+    ends: list[Vec] = []
+    for i, line in enumerate(lines):
+        half, level = text_box(line, label.weight)[0] / 2 / scale, y + ((len(lines) - 1) / 2 - i) * high
+        ends += [Vec(x - half, level), Vec(x + half, level)]
+    return Mark(f"{label.part}-strike", "segment", "ink", tuple(ends), label.owner, label.axis, label.number)
 
 
 def true_test(trace: Trace) -> AxisTest | None:
@@ -423,14 +442,11 @@ def hand(
 
 def map_of_lies(trace: Trace, layout: Layout) -> list[Mark]:
     """Where B's middle would have to be for the shortcut to say the wrong thing, and a dot where it is."""
-    assert trace.shortcut
-    at = middle(trace.b)
-    x0, y0, x1, y1 = layout.limits
-    found = lies(trace.a, trace.b, trace.shortcut, (x0 - at.x, y0 - at.y, x1 - at.x, y1 - at.y))
-    if found is None:
+    at, found = middle(trace.b), _lies(trace, layout)
+    if isinstance(found, str):
         return []
     marks = []
-    for i, ring in enumerate((*found.false_hits, *found.missed_hits)):
+    for i, ring in enumerate((*found.false_hits, *found.missed_hits, *found.numbers)):
         spots = tuple(Vec(p.x + at.x, p.y + at.y) for p in ring)
         marks.append(Mark("lies", "outline", "wrong", spots, number=i))
     for i, ring in enumerate(found.hits if found.touching else ()):
@@ -440,15 +456,36 @@ def map_of_lies(trace: Trace, layout: Layout) -> list[Mark]:
     return [*marks, Mark("reference", "dot", "ink", (at,))] if marks else []
 
 
+def about_map(trace: Trace, layout: Layout) -> str:
+    """What the map of lies shows, or why there is none."""
+    found = _lies(trace, layout)
+    if isinstance(found, str):
+        return f"No map of where it is wrong: {found}."
+    if not map_of_lies(trace, layout):
+        return "No red on the map: wherever B lies in this picture, the shortcut is right."
+    where = "on the red line" if found.touching else "in the red"
+    return f"The map: while the black dot, the middle of B, lies {where}, the shortcut is wrong."
+
+
+def _lies(trace: Trace, layout: Layout) -> Lies | str:
+    """Those of a shortcut's run on the canvas."""
+    assert trace.shortcut
+    at, (x0, y0, x1, y1) = middle(trace.b), layout.limits
+    return _lies_of(trace.a, trace.b, trace.shortcut, (x0 - at.x, y0 - at.y, x1 - at.x, y1 - at.y))
+
+
+_lies_of = lru_cache(maxsize=2)(lies)  # asked of one pose twice: for the map and for the words about it
+
+
 # -- refused at the door
 
 
-def refused(row: Row, *, title: str = "") -> Picture:
-    """The outlines of a row that the engine refuses, and the reason."""
+def refused(row: Row, *, title: str = "", width: float = BOTH) -> Picture:
+    """The outlines of a row that the engine refuses, and the reason; `width` in points."""
     rings = [[Vec(*map(float, point)) for point in ring] for ring in (row.a, row.b) if not isinstance(ring, Shape)]
     xs, ys = [p.x for ring in rings for p in ring], [p.y for ring in rings for p in ring]
-    k = 260.0 / max(max(xs) - min(xs), max(ys) - min(ys))
-    width, low = 2 * PANEL[0] + BETWEEN, (max(ys) - min(ys)) * k + 80.0
+    k = min(260.0, width - 80.0) / max(max(xs) - min(xs), max(ys) - min(ys))
+    low = (max(ys) - min(ys)) * k + 80.0
     off = Vec((width - (max(xs) - min(xs)) * k) / 2 - min(xs) * k, 40.0 - min(ys) * k)
     marks, requests = [], []
     for name, ring in zip("AB", rings, strict=True):
@@ -469,24 +506,38 @@ def refused(row: Row, *, title: str = "") -> Picture:
 # -- put together
 
 
-def _beside(trace: Trace, saw: Picture, truth: Picture, room: tuple[float, float], title: str) -> Picture:
-    """Both panels under the claim, in points, each with that room: all steps are as large."""
-    half, low = room
-    width = 2 * half + BETWEEN
+def _put(
+    trace: Trace, saw: Picture, truth: Picture, room: tuple[float, float], title: str, *, stacked: bool
+) -> Picture:
+    """Both panels under the claim, in points, each with that room: all steps are as large.
+
+    `stacked`: the shortcut's above the true one.
+    """
+    wide, high = room
+    cell = high + HEAD
+    width, height = (wide, 2 * cell + BETWEEN) if stacked else (2 * wide + BETWEEN, cell)
+    there = Vec(0.0, 0.0) if stacked else Vec(wide + BETWEEN, 0.0)
     marks = []
-    for prefix, name, panel, x in ("saw", SAW, saw, 0.0), ("is", IS, truth, half + BETWEEN):
-        spot = Vec(x + half / 2, low + HEAD / 2)
+    for prefix, name, panel, at in ("saw", SAW, saw, Vec(0.0, height - cell)), ("is", IS, truth, there):
+        spot = Vec(at.x + wide / 2, at.y + high + HEAD / 2)
         marks.append(Mark(f"{prefix}-heading", "label", "guide", (spot,), text=name))
-        corner = Vec(x + (half - panel.size[0]) / 2, low - panel.size[1])
+        corner = Vec(at.x + (wide - panel.size[0]) / 2, at.y + high - panel.size[1])
         marks += [mark._replace(part=f"{prefix}-{mark.part}") for mark in moved_to(panel, corner, "")]
-    between = Vec(width / 2, 8.0), Vec(width / 2, low + HEAD - 4.0)
-    marks.append(Mark("between", "segment", "guide", between))
-    return _under(*heading(trace), width, low + HEAD, marks, title)._replace(sentence=saw.sentence)
+    across = cell + BETWEEN / 2
+    line = (
+        (Vec(8.0, across), Vec(width - 8.0, across)) if stacked else (Vec(width / 2, 8.0), Vec(width / 2, cell - 4.0))
+    )
+    marks.append(Mark("between", "segment", "guide", line))
+    return _under(*heading(trace), width, height, marks, title)._replace(sentence=saw.sentence)
 
 
 def _under(claim: str, wrong: str, width: float, low: float, below: Sequence[Mark], title: str) -> Picture:
     """Marks, in points, under the claim and what is wrong with it."""
-    texts = [(wrapped(claim, width - 2 * RIM, "title"), "title"), (wrapped(wrong, width - 2 * RIM), "plain")]
+    room = width - 2 * RIM
+    if text_box(wrong)[0] > room:
+        wrong = wrong.replace(" Right: ", "\nRight: ")
+    lines = "\n".join(wrapped(line, room) for line in wrong.split("\n"))
+    texts = [(wrapped(claim, room, "title"), "title"), (lines, "plain")]
     height = round(low + sum(text_box(*text)[1] + 4.0 for text in texts) + RIM)
     marks, top = [], height - RIM
     for part, (text, weight) in zip(("heading", "wrong"), texts, strict=True):
@@ -494,4 +545,4 @@ def _under(claim: str, wrong: str, width: float, low: float, below: Sequence[Mar
         marks.append(Mark(part, "label", "ink", (Vec(width / 2, top - tall / 2),), text=text, weight=weight))
         top -= tall + 4.0
     limits = 0.0, 0.0, float(width), float(height)
-    return Picture((*marks, *below), limits, (float(width), float(height)), title, f"{claim} {wrong}")
+    return Picture((*marks, *below), limits, (float(width), float(height)), title, " ".join(f"{claim} {wrong}".split()))

@@ -11,17 +11,19 @@ from ..engine.digits import MINUS, number
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Polygon, Shape, centroid
-from ..engine.trace import Trace
+from ..engine.trace import Trace, record
 from ..scenes.failing import right, swept
+from ..scenes.failing.plane import hull
 from ..scenes.failing.reading import moved as put
 from .curve import direction
-from .layout import NARROW_PAD, Group, Layout, moved
+from .layout import NARROW_PAD, Group, Layout, box_of, moved
 from .layout import arrange as arranged
 from .sketch import Sketch
 
 arrange = partial(arranged, pad=NARROW_PAD)
 Panel = Callable[[Trace, tuple[float, float]], Sketch]
 FEW = 12  # dots that stand for many shapes
+MOST_AXES = 3  # that have room side by side
 ARROW = 74.0  # points
 
 
@@ -133,21 +135,34 @@ def support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
     corners = [Vec(q.x - p.x, q.y - p.y) for p in trace.a.vertices for q in trace.b.vertices]
     if len(corners) < 3:
         return plain(trace, largest)
+    best = max(record(trace.a, trace.b, every_axis=True).tests, key=lambda test: test.gap, default=None)
+    if best is None:
+        return plain(trace, largest)  # with a dent B - A has none of its own
     supports = [_furthest(corners, direction(45.0 * k + 10.0)) for k in range(8)]
     found = next(filter(_holds_origin, combinations(dict.fromkeys(supports), 3)), tuple(supports[::3]))
+    if not trace.hit:  # one that lies nearest on the axis of a gap
+        n = best.axis.direction
+        way = 1.0 if best.b.interval.lo > best.a.interval.hi else -1.0
+        found = (_furthest(corners, Vec(-n.x * way, -n.y * way)),)
     xs, ys = [0.0, *(v.x for v in corners)], [0.0, *(v.y for v in corners)]
     low = min(ys) - 0.25 * (max(ys) - min(ys))  # room for words
     box = Polygon([(min(xs), low), (max(xs), low), (max(xs), max(ys)), (min(xs), max(ys))])
     sketch = Sketch(trace, arrange([Group([box], [])], largest=(largest[0] * 0.8, largest[1] * 0.8))[0])
-    for i, v in enumerate(dict.fromkeys(corners)):
+    rim = hull(corners)
+    sketch.add("difference", "outline", "guide", *rim)
+    middle = Vec(sum(v.x for v in rim) / len(rim), sum(v.y for v in rim) / len(rim))
+    sketch.label("difference-name", f"B {MINUS} A", "guide", middle, prefer=Vec(1.0, -1.0), inside=True, weight="title")
+    for i, v in enumerate(rim):
         sketch.add("corner", "dot", "guide", v, number=i)
-    sketch.add("triangle", "segment", "ink", found[0], found[1], found[1], found[2], found[2], found[0])
+    if len(found) == 3:
+        sketch.add("triangle", "segment", "ink", found[0], found[1], found[1], found[2], found[2], found[0])
     for i, v in enumerate(found):
         sketch.add("support", "dot", "ink", v, number=i)
     sketch.add("origin", "dot", "wrong", Vec(0.0, 0.0))
     sketch.label("origin-name", "origin", "wrong", Vec(0.0, 0.0), first=1)
     count = len(trace.a.vertices) + len(trace.b.vertices)
-    text = f"a corner of B {MINUS} A takes {count} looks,\nand a triangle round the origin three corners"
+    rest = "and a triangle round the origin three corners" if trace.hit else "and for a miss one corner may be enough"
+    text = f"a corner of B {MINUS} A takes {count} looks,\n{rest}"
     below = Vec((min(xs) + max(xs)) / 2, low)
     sketch.label("looked-at", text, "guide", below, first=1, inside=True)
     return sketch
@@ -163,12 +178,15 @@ def _holds_origin(ring: Sequence[Vec]) -> bool:
 
 
 def looks(trace: Trace, largest: tuple[float, float]) -> Sketch:
-    """All axes of the run, as SAT looks at them."""
-    truth = trace.truth
-    sketch = Sketch(truth, arrange([Group([trace.a, trace.b], truth.tests)], largest=largest)[0])
+    """The axes that SAT looks at until it is sure; of many the one that tells most, and how many there are."""
+    run = record(trace.a, trace.b)
+    tests = run.tests if len(run.tests) <= MOST_AXES else (_least(run),)
+    sketch = Sketch(run, arrange([Group([trace.a, trace.b], tests)], largest=largest)[0])
     sketch.shapes()
-    for test, place in zip(truth.tests, sketch.layout.places, strict=True):
+    for test, place in zip(tests, sketch.layout.places, strict=True):
         sketch.project(test, place, interval=False)
+    if len(run.tests) > len(tests):
+        sketch.note("tested", f"one of {len(run.tests)} axes that SAT looks at", "guide", first=7)
     return sketch
 
 
@@ -248,8 +266,10 @@ def plain(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 
 def _room(trace: Trace, largest: tuple[float, float]) -> Layout:
-    moves = [pair.mtv for pair in trace.pairs if pair.mtv]
-    return arrange([Group([trace.a, trace.b, *(put(trace.b, move) for move in moves)], [])], largest=largest)[0]
+    shapes = [trace.a, trace.b, *(put(trace.b, pair.mtv) for pair in trace.pairs if pair.mtv)]
+    x0, y0, x1, y1 = box_of(shapes)
+    words = Polygon([(x0, y1), (x1, y1), (x1, y1 + (y1 - y0) / 5), (x0, y1 + (y1 - y0) / 5)])  # what is said above
+    return arrange([Group([*shapes, words], [])], largest=largest)[0]
 
 
 def _least(trace: Trace) -> AxisTest:

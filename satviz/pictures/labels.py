@@ -8,6 +8,7 @@ from typing import NamedTuple
 from ..engine import telling
 from ..engine.geometry import Vec
 from ..engine.shapes import Circle, Shape, centroid
+from .caption import wrapped
 from .layout import Layout, clipped, moved, text_box
 from .marks import Limits, Mark, Which
 from .theme import DOT
@@ -215,7 +216,9 @@ class Board:
         """The label of each request that finds a place, in order; one far from its anchor gets a line to it."""
         found = []
         for r in requests:
-            at = self._stay(r) or self.place(r)
+            at = self._stay(r)
+            if at is None:
+                r, at = self._place(r)
             if at is None:
                 continue
             which = r.owner, r.axis, r.number
@@ -244,8 +247,21 @@ class Board:
             self.box(at, w / 2 + 2, h / 2 + 1)
         return at
 
-    def place(self, request: Request) -> Vec | None:
-        """The label's center in scene units, or None for an optional one that finds no clear spot."""
+    def _place(self, request: Request) -> tuple[Request, Vec | None]:
+        """The label and where it stands; in more lines where it has no room as it is, not at all if it is optional."""
+        found, cost = self._best(request)
+        width = text_box(request.text, request.weight)[0]
+        for lines in (2, 3) if not request.optional else ():
+            if cost < COVERS:
+                break
+            slim = request._replace(text=wrapped(request.text, width / lines, request.weight))
+            there, less = self._best(slim)
+            if less < cost:
+                request, found, cost = slim, there, less
+        return request, self._take(request, found, cost)
+
+    def _best(self, request: Request) -> tuple[tuple[float, float], float]:
+        """The spot in points that costs a label least, and what it costs."""
         w, h = text_box(request.text, request.weight)
         anchor = self._points(request.anchor)
         wall = request.wall and (*self._points(request.wall[0]), *self._points(request.wall[1]))
@@ -267,8 +283,13 @@ class Board:
                 cost = penalty + self._cost(spot, w / 2 + 2, h / 2 + 1, best - penalty)
                 if cost < best:
                     best, found = cost, spot
-        if request.optional and best >= 300:
+        return found, best
+
+    def _take(self, request: Request, found: tuple[float, float], cost: float) -> Vec | None:
+        """The label's center in scene units, its room taken; None for an optional one that found no clear spot."""
+        if request.optional and cost >= 300:
             return None
+        w, h = text_box(request.text, request.weight)
         # what is too long for any spot stays on the canvas all the same
         width, height = self.layout.size
         cx, cy = (

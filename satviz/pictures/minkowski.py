@@ -13,7 +13,7 @@ from ..engine.sat import AxisTest
 from ..engine.shapes import Polygon, Shape
 from ..engine.trace import Trace, record
 from ..scenes.asked import Asked, trace_of
-from ..scenes.failing.where import difference as rings
+from ..scenes.failing.plane import difference as rings
 from .insets import SMALLEST
 from .layout import Group, arrange, moved
 from .marks import Picture

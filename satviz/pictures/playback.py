@@ -33,7 +33,9 @@ PROVED, NOT_PROVED = "the shapes collide", "no gap found (no proof of a hit)"
 
 
 MOST_STEPS = 600
-NARROW, MOST_WIDTH, FEW_STEPS = (340.0, 340.0), 430.0, 150  # points, points, steps
+NARROW = 340.0, 340.0  # points
+NARROW_PANELS = (340.0, 680.0), (350.0, 700.0)  # one above the other; the second where the first has no room for words
+MOST_WIDTH, FEW_STEPS = 430.0, 150  # points, steps
 
 
 def playbacks(trace: Trace) -> list[dict[str, Any]]:
@@ -48,9 +50,11 @@ def _runs(trace: Trace) -> list[Trace]:
 
 def narrow(trace: Trace) -> list[dict[str, Any]]:
     """The same for a telephone's screen; none where it would be hardly narrower, or of very many steps."""
-    if picture(trace, largest=NARROW).size[0] > MOST_WIDTH or len(steps(trace.without_early_exit())) > FEW_STEPS:
+    sizes = NARROW_PANELS if trace.shortcut else (NARROW,)
+    largest = next((size for size in sizes if picture(trace, largest=size).size[0] <= size[0]), sizes[-1])
+    if picture(trace, largest=largest).size[0] > MOST_WIDTH or len(steps(trace.without_early_exit())) > FEW_STEPS:
         return []
-    return [playback(run, NARROW) for run in _runs(trace)]
+    return [playback(run, largest) for run in _runs(trace)]
 
 
 def playback(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> dict[str, Any]:

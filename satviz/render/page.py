@@ -9,10 +9,11 @@ from html import escape
 from ..disk import MADE_BY
 from ..engine import telling
 from ..engine.shapes import Shape
-from ..pictures import picture
-from ..pictures.belief import heading
-from ..pictures.playback import narrow, playbacks
-from ..scenes.asked import Asked, trace_of
+from ..pictures import DARK, LIGHT, picture
+from ..pictures.belief import heading, refused
+from ..pictures.playback import NARROW, narrow, playbacks
+from ..scenes.asked import Asked, refused_row, trace_of
+from ..scenes.failing import Row
 from .files import inline_svg
 from .script import javascript, stylesheet
 
@@ -26,6 +27,9 @@ body.satviz { margin: 0; border-radius: 0; }
 main { max-width: 1200px; margin: 0 auto; padding: 8px 0; min-height: 100vh; }
 h1 { font-size: 20px; margin: 8px; }
 .sv-static svg { display: block; width: 100%; max-width: 620px; height: auto; background: #fff; }
+.sv-light svg, .sv-dark svg { max-width: 420px; background: none; }
+.sv-dark { display: none; }
+@media screen and (prefers-color-scheme: dark) { .sv-light { display: none; } .sv-dark { display: block; } }
 .sv-static pre { overflow-x: auto; font-size: 12px; }
 .sv-static figure { margin: 12px 0; break-inside: avoid; }
 .sv-static h2 { font-size: 16px; }
@@ -41,8 +45,11 @@ def page(what: Asked | Shape, b: Shape | None = None, *, title: str = "", predic
 
     Of a scene (or its name), two shapes, or a trace.  With `predict` it asks before it shows.
     Without JavaScript, and on paper, it shows the first and the last picture instead.
+    A failing scene whose outlines are refused has no steps: its picture and the reason.
     ValueError for a scene that cannot be drawn, or one with too many steps.
     """
+    if b is None and (row := refused_row(what)):
+        return _refused(row)
     trace = trace_of(what, b)
     if predict and trace.shortcut:
         trace = trace.truth
@@ -57,7 +64,23 @@ def page(what: Asked | Shape, b: Shape | None = None, *, title: str = "", predic
     data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
     first, last = (picture(trace, i) for i in (0, -1))
     sentences = [s["sentence"] for s in shows[0]["steps"]]
-    parts = [
+    body = [
+        '<div id="satviz-player"></div>',
+        '<section class="sv-static">',
+        *(f"<figure>{inline_svg(drawn, stem=stem)}</figure>" for drawn, stem in ((first, "first"), (last, "last"))),
+        f"<pre>{escape(str(trace))}</pre>",
+        "<h2>Step by step</h2>",
+        *_listed(sentences),
+        "</section>",
+        f"<footer>{MADE_BY}</footer>",
+        f'<script type="application/json" id="satviz-show">{data}</script>',
+        f'<script type="module">{script}</script>',
+    ]
+    return _page(title, about, policy, body)
+
+
+def _page(title: str, about: str, policy: str, body: Sequence[str]) -> str:
+    lines = [
         "<!doctype html>",
         '<html lang="en">',
         "<head>",
@@ -71,20 +94,20 @@ def page(what: Asked | Shape, b: Shape | None = None, *, title: str = "", predic
         "</head>",
         '<body class="satviz"><main>',
         f"<h1>{escape(telling.printable(title))}</h1>",
-        '<div id="satviz-player"></div>',
-        '<section class="sv-static">',
-        *(f"<figure>{inline_svg(drawn, stem=stem)}</figure>" for drawn, stem in ((first, "first"), (last, "last"))),
-        f"<pre>{escape(str(trace))}</pre>",
-        "<h2>Step by step</h2>",
-        *_listed(sentences),
-        "</section>",
-        f"<footer>{MADE_BY}</footer>",
-        f'<script type="application/json" id="satviz-show">{data}</script>',
-        f'<script type="module">{script}</script>',
+        *body,
         "</main></body>",
         "</html>",
     ]
-    return "\n".join(parts) + "\n"
+    return "\n".join(lines) + "\n"
+
+
+def _refused(row: Row) -> str:
+    """A page without a script: the picture as wide as a telephone, in the colours of the reader's screen."""
+    drawn = refused(row, width=NARROW[0])
+    figures = (f'<figure class="sv-{t.name}">{inline_svg(drawn, t, stem=t.name)}</figure>' for t in (LIGHT, DARK))
+    body = ['<section class="sv-static">', *figures, "</section>", f"<footer>{MADE_BY}</footer>"]
+    policy = "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'"
+    return _page(drawn.sentence, drawn.sentence, policy, body)
 
 
 def _listed(sentences: Sequence[str]) -> list[str]:

@@ -4,6 +4,7 @@ from typing import Any
 
 from ..engine.shapes import Shape, checked
 from ..engine.trace import Trace, record
+from .failing import NAMED, REFUSED, Row
 from .named import scene
 from .scenefile import Scene
 
@@ -42,3 +43,9 @@ def trace_of(what: Asked | Shape, b: Shape | None = None) -> Trace:
     raise TypeError(
         f"this is a {type(found).__name__}: pass a scene's name, a Scene, two shapes, or their trace, sv.record(a, b)"
     )
+
+
+def refused_row(what: object) -> Row | None:
+    """The failing scene of that name whose outlines are refused, so that it has no run; None for all else."""
+    row = NAMED.get(what) if isinstance(what, str) else None
+    return row if row and row.how == REFUSED else None

@@ -8,7 +8,7 @@ from .. import __version__
 from ..disk import MADE_BY
 from ..engine import telling
 from ..pictures import picture
-from ..pictures.belief import refused
+from ..pictures.playback import NARROW_PANELS
 from ..render.files import encode
 from ..scenes.article import SCENES
 from ..scenes.failing import NAMED as FAILING
@@ -180,8 +180,8 @@ def chapter(frame: Frame, shown: Chapter, body: str) -> bytes:
 
 def pictures() -> "list[tuple[str, bytes]]":
     """(path, file) of each scene's picture in the gallery."""
-    found = [(s.name, picture(s.record())) for s in SCENES]
-    found += [(row.name, refused(row) if row.how == REFUSED else picture(row.scene.record())) for row in ROWS]
+    found = [(name, picture(name)) for name in (*(s.name for s in SCENES), *FAILING)]
+    found += [(f"{name}-narrow", picture(name, largest=NARROW_PANELS[0])) for name in FAILING]
     return [(f"pictures/{name}.svg", themed_file(encode(drawn, "svg", stem=name))) for name, drawn in found]
 
 
@@ -191,10 +191,14 @@ def _card(name: str) -> str:
         found = scene(name)
         drawn, title, said = picture(found.record()), found.title, found.record().sentence
     else:
-        drawn = refused(row) if row.how == REFUSED else picture(row.scene.record())
+        drawn = picture(name)
         title, said = f"“{row.claim}”", row.how
     size = 'width="{:g}" height="{:g}"'.format(*drawn.size)
     image = f'<img src="pictures/{name}.svg" {size} alt="{escape(drawn.sentence)}">'
+    if row:  # on a telephone one panel above the other
+        slim = 'width="{:g}" height="{:g}"'.format(*picture(name, largest=NARROW_PANELS[0]).size)
+        source = f'<source media="(max-width: 600px)" srcset="pictures/{name}-narrow.svg" {slim}>'
+        image = f"<picture>{source}{image}</picture>"
     shown = f"{image}<b>{escape(title)}</b>"
     if row is None or row.how != REFUSED:
         shown = f'<a href="{PAGE}#{name}">{shown}</a>'

@@ -1,10 +1,13 @@
 """sv.explore: a scene under the hand.  The browser moves what is dragged; Python alone computes SAT."""
 
+from typing import Any
+
 import traitlets
 
 from ..engine.shapes import Shape
+from ..pictures.belief import refused
 from ..scenes.article import SCENES
-from ..scenes.asked import scene_of
+from ..scenes.asked import refused_row, scene_of
 from ..scenes.failing import REFUSED, ROWS
 from ..scenes.scenefile import Scene
 from .base import Shown, code
@@ -35,11 +38,14 @@ class Explorer(Shown):
         return self._exploring.scene
 
 
-def explore(what: Scene | Shape | str = "triangles", b: Shape | None = None, *, goal: str | None = None) -> Explorer:
+def explore(what: Scene | Shape | str = "triangles", b: Shape | None = None, *, goal: str | None = None) -> Any:
     """A scene to drag: a built-in scene's name, a Scene, or two shapes.
 
     Drag shapes, vertices and handles, or Tab to one and use the arrow keys.  `goal` sets a challenge:
-    "touch", "one-axis" or, for a scene of a shortcut, "break".  InvalidScene for an unknown name or goal,
+    "touch", "one-axis" or, for a scene of a shortcut, "break".  A failing scene whose outlines are
+    refused has nothing to drag: its Picture, with the reason.  InvalidScene for an unknown name or goal,
     ValueError for a scene that cannot be drawn, TypeError for anything else.
     """
+    if b is None and (row := refused_row(what)):
+        return refused(row)
     return Explorer(scene_of(what, b), goal)

@@ -9,7 +9,7 @@ from ..engine.enough import enough
 from ..engine.geometry import InvalidScene, Vec
 from ..engine.trace import Trace, record
 from ..pictures import Picture
-from ..pictures.belief import hand, heading
+from ..pictures.belief import about_map, hand, heading
 from ..pictures.curve import WIDTH, direction, gap_curve
 from ..pictures.live import Chosen, canvas, field, fits, knob, live, telling_test, turned_axis
 from ..pictures.minkowski import difference
@@ -93,6 +93,8 @@ class Exploring(Showing):
             found["difference"] = difference(trace, largest=(min(340.0, self._largest[0]), 300.0)).data()
         if self._run.shortcut:
             found["heading"] = list(heading(self._run))
+        if trace.shortcut and drawn.knob is None:
+            found["map"] = about_map(trace, self._layout)
         if drawn.knob is not None:
             width = min(WIDTH, self._largest[0])
             found["curve"] = gap_curve(self.scene.a, self.scene.b, self._degree, width=width).data()

@@ -7,8 +7,9 @@ import traitlets
 from ..engine.shapes import Shape
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
+from ..pictures.belief import refused
 from ..pictures.playback import narrow, playbacks
-from ..scenes.asked import Asked, trace_of
+from ..scenes.asked import Asked, refused_row, trace_of
 from ..scenes.link import of_trace
 from .base import Shown, code
 from .showing import Showing
@@ -42,8 +43,11 @@ def play(what: Asked | Shape, b: Shape | None = None, *, predict: bool = False, 
     Of a scene (or its name), two shapes, or a trace.  `pen`: "svg" (drawn in the browser) or
     "matplotlib" (plain ipywidgets controls, for places where anywidget does not load).
     What a shortcut saw tells what is, so `predict` asks about the true run.
+    A failing scene whose outlines are refused has nothing to step through: its Picture, with the reason.
     ValueError for a scene that cannot be drawn.
     """
+    if b is None and (row := refused_row(what)):
+        return refused(row)
     trace = trace_of(what, b)
     if predict and trace.shortcut:
         trace = trace.truth

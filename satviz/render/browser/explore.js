@@ -49,12 +49,13 @@ class Explorer {
     this.said = element("div", { class: "sv-said", role: "status" });
     this.heading = element("p", { class: "sv-heading", hidden: true });
     this.goal = element("div", { class: "sv-goal", hidden: true });
+    this.map = element("p", { class: "sv-map", hidden: true });
     this.why = element("p", { class: "sv-why", role: "alert", hidden: true });
     this.hint = element("p", { class: "sv-hint" }, HINT);
     this.keys = element("p", { id: `sv-keys-${Math.random().toString(36).slice(2)}`, hidden: true }, KEYS);
     this.table = new Table(this.state.names, { pick: (row) => this.pick(row) });
     const side = element("div", { class: "sv-side" }, this.curve, this.difference, element("div", { class: "sv-fold" }, this.table.element));
-    this.stage = element("div", { class: "sv-stage" }, this.goal, this.heading, this.board, this.hint, this.why, this.sentence, this.enough, this.said, this.keys, this.controls());
+    this.stage = element("div", { class: "sv-stage" }, this.goal, this.heading, this.board, this.map, this.hint, this.why, this.sentence, this.enough, this.said, this.keys, this.controls());
     root.classList.add("satviz");
     root.setAttribute("data-lm-suppress-shortcuts", "true");
     this.columns = element("div", { class: "sv-columns" }, this.stage, side);
@@ -173,6 +174,8 @@ class Explorer {
     this.views.forEach((each) => each.setAttribute("aria-pressed", String(each.textContent === state.view)));
     this.heading.textContent = (state.heading ?? []).join(" ");
     this.heading.toggleAttribute("hidden", !state.heading);
+    this.map.textContent = state.map ?? "";
+    this.map.toggleAttribute("hidden", !state.map);
     if (this.sentence.textContent) this.tell(state.sentence);
     this.sentence.textContent = state.sentence;
     this.enough.textContent = state.enough;

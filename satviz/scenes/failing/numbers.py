@@ -104,10 +104,10 @@ NUMBERS = (
         29,
         NAMED["push-from-center"],
         WRONG_NUMBER,
-        "gap left:",
+        "overlap left:",
         Polygon([(0, 0), (8, 0), (0, 1)]),
         box(0.5, -0.5, 1.5, 1.5),
-        reading.gap_after_push,
+        reading.overlap_after_push,
         right.overlap_after_mtv,
     ),
     Row(
@@ -127,7 +127,8 @@ NUMBERS = (
         "distance",
         box(0, 0, 1, 1),
         box(4, 5, 5, 6),
-        right=right.distance,
+        reading.gap_as_distance,
+        right.distance,
     ),
     Row(
         35,

@@ -9,6 +9,7 @@ from ...engine.trace import Trace, record
 from . import swept
 
 MANY = 1000
+LEAST_OF_GJK = 3  # support points: a triangle round the origin
 
 
 def length_of_push(trace: Trace) -> float:
@@ -21,10 +22,15 @@ def push_to_the_side(trace: Trace) -> float:
     return trace.push.x if trace.push else nan
 
 
-def gap_after_push(trace: Trace) -> float:
-    """The gap that is left once B was pushed."""
+def gap_as_distance(trace: Trace) -> float:
+    """The largest gap that the run measured; 0 where it found none."""
+    return max(0.0, *(test.gap for test in trace.tests))
+
+
+def overlap_after_push(trace: Trace) -> float:
+    """How deep B still is once it was pushed."""
     pushed = moved(trace.b, trace.push or Vec(0.0, 0.0))
-    return max((test.gap for test in record(trace.a, pushed, every_axis=True).tests), default=nan)
+    return max(0.0, -max((test.gap for test in record(trace.a, pushed, every_axis=True).tests), default=nan))
 
 
 def moved(shape: Shape, move: Vec) -> Shape:
@@ -52,8 +58,8 @@ def one_test_each(trace: Trace) -> float:
 
 
 def least_looks_of_gjk(trace: Trace) -> float:
-    """The fewest vertices GJK can look at for a hit: a triangle round the origin takes three support points."""
-    return 3 * (len(trace.a.vertices) + len(trace.b.vertices))
+    """The fewest vertices GJK can look at: all of them for each support point, of which a miss takes one at least."""
+    return (LEAST_OF_GJK if trace.hit else 1) * (len(trace.a.core) + len(trace.b.core))
 
 
 def gap_at_both_frames(trace: Trace) -> float:
@@ -63,5 +69,5 @@ def gap_at_both_frames(trace: Trace) -> float:
     return min(max(test.gap for test in run.tests) for run in (trace, after))
 
 
-OF_PUSHES = length_of_push, push_to_the_side, gap_after_push
+OF_PUSHES = length_of_push, push_to_the_side, overlap_after_push
 """The readings that are about where B would be pushed."""

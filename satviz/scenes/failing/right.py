@@ -82,9 +82,9 @@ def fan(a: Shape, b: Shape) -> tuple[float, float]:
 
 
 def fan_width(a: Shape, b: Shape) -> float:
-    """How wide the fan of separating directions is, in degrees."""
+    """How wide the fan of separating directions is, in degrees; NaN where none separates."""
     lo, hi = fan(a, b)
-    return hi - lo
+    return hi - lo or nan
 
 
 def extremes_of_b(a: Shape, b: Shape) -> float:
@@ -96,7 +96,9 @@ def extremes_of_b(a: Shape, b: Shape) -> float:
 
 def looks(a: Shape, b: Shape) -> float:
     """How many vertices SAT puts in a dot product until it is sure."""
-    return sum(len(test.a.points) + len(test.b.points) for test in record(a, b).tests)
+    trace = record(a, b)
+    tests = (test for run in trace.pairs or (trace,) for test in run.tests)
+    return sum(len(test.a.points) + len(test.b.points) for test in tests)
 
 
 def pairs_of_many(a: Shape, b: Shape) -> float:
@@ -113,4 +115,6 @@ def contact(a: Shape, b: Shape) -> Answer:
     """When polygon A, flying over B, meets it, in parts of the way (NaN if never); exact for the scene's decimals."""
     if a.radius or b.radius:
         return nan, nan
-    return swept.contact(swept.windows(written(a), written(b), swept.FLIGHT)) or (nan, nan)
+    runs = (swept.windows(written(p), written(q), swept.FLIGHT) for p in parts(a) for q in parts(b))
+    times = [time for run in runs if (time := swept.contact(run))]
+    return (min(first for first, _ in times), max(last for _, last in times)) if times else (nan, nan)
