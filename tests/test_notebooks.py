@@ -6,17 +6,18 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from xml.etree import ElementTree
 
 import pytest
 
-pytestmark = pytest.mark.slow
-
-for needed in ("nbval", "nbformat", "ipykernel", "ipywidgets", "anywidget"):
-    pytest.importorskip(needed, reason=f"the walkthrough needs {needed}: python -m pip install '.[test]'")
-nbformat = pytest.importorskip("nbformat")
+NEEDED = "nbval", "nbformat", "ipykernel", "ipywidgets", "anywidget"  # found here, imported where they are used
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(not all(map(find_spec, NEEDED)), reason=f"the walkthrough needs {', '.join(NEEDED)}"),
+]
 
 FOLDER = Path(__file__).parent.parent / "notebooks"
 CHAPTERS = sorted(path.name for path in FOLDER.glob("*.ipynb"))
@@ -27,6 +28,8 @@ SANITIZE = "[picture]\nregex: (?s)<svg.*</svg>\nreplace: SVG\n"
 
 
 def read(chapter):
+    import nbformat
+
     return nbformat.read(FOLDER / chapter, as_version=4)
 
 
@@ -40,6 +43,8 @@ def prose(notebook):
 
 def cells_that_differ(notebook, folder):
     """Run a copy of the notebook; what nbval says of the code cells that failed or showed something else, by id."""
+    import nbformat
+
     nbformat.write(notebook, folder / "copy.ipynb")
     (folder / "sanitize.cfg").write_text(SANITIZE)
     (folder / "pytest.ini").write_text("[pytest]\n")
@@ -101,6 +106,8 @@ def test_a_changed_number_is_noticed_in_every_cell_that_shows_one(chapter):
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
 def test_a_chapter_is_committed_executed_small_and_bare(chapter):
+    import nbformat
+
     notebook, text = read(chapter), (FOLDER / chapter).read_text(encoding="utf-8")
     nbformat.validate(notebook)
     cells = code_cells(notebook)
