@@ -1,7 +1,15 @@
-"""What all tests share: the browser."""
+"""What all tests share: the browser, and how many run at a time."""
+
+import os
 
 import pytest
 from browser import axe, chromium
+
+
+def pytest_xdist_auto_num_workers(config):
+    """For the whole suite one a core; the tests of a file or of a word are done before two workers have started."""
+    some = config.option.keyword or any(".py" in arg for arg in config.args)
+    return 0 if some else min(os.cpu_count() or 1, 4)
 
 
 @pytest.fixture(scope="session")

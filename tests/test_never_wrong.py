@@ -26,8 +26,7 @@ ORDINARY, MILLION = 20_000, 1_000_000
 ALL = "everything at once"
 
 every_form = pytest.mark.parametrize("form", FORMS)
-# each kind by itself takes minutes: in a hurry, some of all kinds at once
-every_kind = pytest.mark.parametrize("kind", [ALL, *(pytest.param(kind, marks=pytest.mark.slow) for kind in KINDS)])
+every_kind = pytest.mark.parametrize("kind", KINDS)
 
 Known = list[tuple[Shape, Shape, Relation]]
 
@@ -68,13 +67,19 @@ def judged(kind: str, seed: int, count: int) -> Known:
 
 
 @every_form
+def test_no_form_is_wrong(form):
+    refute(FORMS[form], known(ALL))
+
+
+@pytest.mark.slow
 @every_kind
-def test_no_form_is_wrong(form, kind):
-    refute(FORMS[form], known(kind))
+def test_no_form_is_wrong_about_many_pairs_of_a_kind(kind):
+    for name, form in FORMS.items():
+        refute(form, known(kind), name)
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("kind", KINDS)
+@every_kind
 def test_no_form_is_wrong_about_a_million_pairs(kind):
     """All of them through the cheap forms, samples through the dear ones."""
     for seed in range(2, 2 + MILLION // len(KINDS) // 2_000):
@@ -192,12 +197,10 @@ def changed(kind: str, count: int) -> list[tuple[str, Shape, Shape, int]]:
     return found
 
 
-@every_form
-@every_kind
-def test_what_changes_nothing_changes_no_answer(form, kind):
-    ask, fits, one_in = FORMS[form]
+def refute_by_changes(form: Form, kind: str, name: str = "") -> None:
+    ask, fits, one_in = form
     if fits is no_miss:
-        pytest.skip("it may keep a pair that is apart, and then not")
+        return  # it may keep a pair that is apart, and then not
     cases = changed(kind, (6 if one_in < 20 else 2) * (5 if kind == ALL else 1))
     answers = ask([(a, b) for _, a, b, _ in cases])
     base = {i: answer for (change, *_, i), answer in zip(cases, answers, strict=True) if change == "nothing"}
@@ -207,7 +210,19 @@ def test_what_changes_nothing_changes_no_answer(form, kind):
         if answer is not None and answer != base[i]
     ]
     if wrong:
-        pytest.fail(shown(wrong), pytrace=False)
+        pytest.fail(f"{name}\n{shown(wrong)}", pytrace=False)
+
+
+@every_form
+def test_what_changes_nothing_changes_no_answer(form):
+    refute_by_changes(FORMS[form], ALL)
+
+
+@pytest.mark.slow
+@every_kind
+def test_what_changes_nothing_changes_no_answer_about_a_kind(kind):
+    for name, form in FORMS.items():
+        refute_by_changes(form, kind, name)
 
 
 @pytest.mark.slow
@@ -318,13 +333,19 @@ FINDS: dict[str, tuple[Shape, Shape]] = {
 }
 
 
+@functools.cache
+def dressed(find: str) -> Known:
+    """The pair from every first vertex, either way round, and either first."""
+    a, b = FINDS[find]
+    right = relation(a, b)
+    found = [(p, q) for p in started(a) for q in started(b)]
+    return [(p, q, right) for p, q in found] + [(q, p, right) for p, q in found]
+
+
 @every_form
 @pytest.mark.parametrize("find", FINDS)
 def test_no_form_is_wrong_about_a_find(form, find):
-    a, b = FINDS[find]
-    dressed = [(p, q) for p in started(a) for q in started(b)]
-    right = relation(a, b)
-    refute(FORMS[form]._replace(one_in=1), [(p, q, right) for p, q in dressed] + [(q, p, right) for p, q in dressed])
+    refute(FORMS[form]._replace(one_in=1), dressed(find))
 
 
 def started(shape: Shape) -> list[Shape]:

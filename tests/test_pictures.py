@@ -3,6 +3,7 @@
 import json
 import math
 import re
+from functools import cache, partial
 from hashlib import md5
 from itertools import combinations, pairwise
 
@@ -36,18 +37,24 @@ TRACES = {scene.name: scene.record() for scene in SCENES} | {
 
 
 def every_picture():
+    """How to make each; made at collection, they would cost every run of one test two seconds."""
     for name, trace in TRACES.items():
         for i in range(len(sv.steps(trace))):
-            yield f"{name} {i}", sv.picture(trace, i)
+            yield f"{name} {i}", partial(sv.picture, trace, i)
         if trace.pairs:
-            yield f"{name} split", split(trace)
-        yield f"{name} live", live(trace, field(trace), telling_test(trace), way_out=True)[0]
-        yield f"{name} curve", sv.gap_curve(trace.a, trace.b, 30)
+            yield f"{name} split", partial(split, trace)
+        yield f"{name} live", lambda trace=trace: live(trace, field(trace), telling_test(trace), way_out=True)[0]
+        yield f"{name} curve", partial(sv.gap_curve, trace.a, trace.b, 30)
     for figure in FIGURES:
-        yield figure.stem, figure.picture()
+        yield figure.stem, figure.picture
 
 
 PICTURES = dict(every_picture())
+
+
+@cache
+def pictured(name):
+    return PICTURES[name]()
 
 
 def boxes(picture):
@@ -77,7 +84,7 @@ def strokes(picture):
 
 @pytest.mark.parametrize("name", PICTURES)
 def test_no_label_runs_over_another_or_off_the_canvas(name):
-    picture = PICTURES[name]
+    picture = pictured(name)
     placed = list(boxes(picture))
     for (one, p), (other, q) in combinations(placed, 2):
         assert not meet(p, q), (one.text, other.text)
@@ -88,7 +95,7 @@ def test_no_label_runs_over_another_or_off_the_canvas(name):
 
 @pytest.mark.parametrize("name", [figure.stem for figure in FIGURES])
 def test_no_label_of_a_figure_covers_an_edge_or_a_dot(name):
-    picture = PICTURES[name]
+    picture = pictured(name)
     for label, rect in boxes(picture):
         for mark, p, q in strokes(picture):
             assert clipped(*p, *q, *rect) is None, (label.text, mark.id)
@@ -101,7 +108,7 @@ def test_no_label_of_a_figure_covers_an_edge_or_a_dot(name):
 
 @pytest.mark.parametrize("name", PICTURES)
 def test_marks_have_unique_ids_and_known_roles_and_lie_on_the_canvas(name):
-    picture = PICTURES[name]
+    picture = pictured(name)
     ids = [mark.id for mark in picture.marks]
     assert len(ids) == len(set(ids))
     x0, y0, x1, y1 = picture.limits
@@ -133,7 +140,7 @@ def test_nothing_jumps_while_a_test_is_drawn(name):
 
 @pytest.mark.parametrize("name", [figure.stem for figure in FIGURES])
 def test_no_half_of_a_figure_is_empty(name):
-    picture = PICTURES[name]
+    picture = pictured(name)
     x0, y0, x1, y1 = picture.limits
     for i, (lo, hi) in enumerate(((x0, x1), (y0, y1))):
         spots = [p[i] + r for m in picture.marks for p in m.points for r in (m.radius, -m.radius)]
@@ -240,10 +247,9 @@ def test_a_mark_that_moves_starts_where_it_comes_from():
 
 
 def test_nothing_is_read_from_an_id(monkeypatch):
-    named = Mark.id.fget
+    named, plain = Mark.id.fget, [pictured(figure.stem) for figure in FIGURES]
     monkeypatch.setattr(Mark, "id", property(lambda mark: md5(named(mark).encode()).hexdigest()))
-    for figure in FIGURES:
-        assert figure.picture() == PICTURES[figure.stem]
+    assert [figure.picture() for figure in FIGURES] == plain
 
 
 def test_steps_run_from_the_scene_over_every_stage_to_the_verdict():
@@ -262,7 +268,7 @@ def test_a_step_the_trace_does_not_have_is_an_index_error():
 
 
 def test_a_picture_goes_to_json_whole():
-    picture = PICTURES["14-sat-ranges-gap"]
+    picture = pictured("14-sat-ranges-gap")
     data = json.loads(picture.to_json())
     assert data == picture.data()
     assert [m["id"] for m in data["marks"]] == [m.id for m in picture.marks]

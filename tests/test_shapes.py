@@ -27,6 +27,7 @@ often = settings(max_examples=80, deadline=None, database=None)
 
 TRIANGLE = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)]
 DENTED = [(0, 0), (4, 0), (4, 4), (2, 1), (0, 4)]  # concave
+AN_OBJECT = pytest.param(object(), id="an object")  # its repr is its address
 
 
 def refused(match: str):
@@ -125,7 +126,7 @@ def test_an_array_of_anything_but_real_numbers_is_refused(dtype):
         Polygon(values)
 
 
-@pytest.mark.parametrize("held", [None, "ab", "1.5", True, {1, 2}, {}, 1j, 5, TRIANGLE, object()], ids=repr)
+@pytest.mark.parametrize("held", [None, "ab", "1.5", True, {1, 2}, {}, 1j, 5, TRIANGLE, AN_OBJECT], ids=repr)
 def test_an_object_in_an_array_without_dimensions_is_no_coordinate_point_or_outline(held):
     value = np.empty((), dtype=object)
     value[()] = held
@@ -192,7 +193,9 @@ def test_vertices_that_are_no_sequence_are_refused(values):
         Polygon(values)
 
 
-@pytest.mark.parametrize("value", [1, (), (1,), (1, 2, 3), "ab", b"ab", None, {1: 2, 3: 4}, {1, 2}, object()], ids=repr)
+@pytest.mark.parametrize(
+    "value", [1, (), (1,), (1, 2, 3), "ab", b"ab", None, {1: 2, 3: 4}, {1, 2}, AN_OBJECT], ids=repr
+)
 def test_a_vertex_that_is_no_pair_is_refused_naming_it(value):
     with refused("vertex 2 is"):
         Polygon([(0, 0), (1, 0), value])
