@@ -2,15 +2,18 @@
 
 import ast
 import re
-from collections import defaultdict
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from xml.etree import ElementTree
 
 import pytest
 
-NEEDED = "nbclient", "nbformat", "ipykernel", "ipywidgets", "anywidget"  # found here, imported where they are used
+NEEDED = "nbval", "nbformat", "ipykernel", "ipywidgets", "anywidget"  # found here, imported where they are used
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.skipif(not all(map(find_spec, NEEDED)), reason=f"the walkthrough needs {', '.join(NEEDED)}"),
@@ -21,8 +24,7 @@ CHAPTERS = sorted(path.name for path in FOLDER.glob("*.ipynb"))
 MOST_BYTES = 400_000
 
 # a picture's bytes depend on matplotlib's version, its sentence does not
-PICTURE = re.compile(r"<svg.*</svg>", re.DOTALL)
-VARIES = "nbval-ignore-output"  # the tag of a cell that shows times, as nbval calls it
+SANITIZE = "[picture]\nregex: (?s)<svg.*</svg>\nreplace: SVG\n"
 
 
 def read(chapter):
@@ -39,47 +41,32 @@ def prose(notebook):
     return "\n\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
 
 
-def varies(cell):
-    return VARIES in cell.metadata.get("tags", ())
+def cells_that_differ(notebook, folder):
+    """Run a copy of the notebook; what nbval says of the code cells that failed or showed something else, by id."""
+    import nbformat
 
-
-def shown(cell):
-    """All that a cell shows: what it printed, however it was cut into pieces, and the rest in order."""
-    printed, rest = defaultdict(str), []
-    for output in cell.outputs:
-        if output.output_type == "stream":
-            printed[output.name] += output.text
-        elif output.output_type == "error":
-            rest.append("\n".join(output.traceback))
-        else:
-            rest.append({kind: PICTURE.sub("SVG", text) for kind, text in output.data.items()})
-    return dict(printed), rest
-
-
-@cache
-def run_again(chapter):
-    """The chapter's code cells, run from top to bottom by a kernel of their own."""
-    from refresh_notebooks import executed
-
-    with TemporaryDirectory() as folder:
-        return code_cells(executed(FOLDER / chapter, Path(folder)))
-
-
-def cells_that_differ(notebook, again):
-    """What the code cells showed that failed or showed something else this time, by id."""
-    differ = {}
-    for cell, now in zip(code_cells(notebook), again, strict=True):
-        failed = any(output.output_type == "error" for output in now.outputs)
-        if failed or (not varies(cell) and shown(cell) != shown(now)):
-            differ[cell.id] = f"{shown(cell)}\n{shown(now)}"
-    return differ
+    nbformat.write(notebook, folder / "copy.ipynb")
+    (folder / "sanitize.cfg").write_text(SANITIZE)
+    (folder / "pytest.ini").write_text("[pytest]\n")
+    options = ["--nbval", "--nbval-current-env", "--nbval-sanitize-with=sanitize.cfg", "--nbval-cell-timeout=60"]
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, "--junitxml=report.xml"]
+    run = subprocess.run([*command, "copy.ipynb"], cwd=folder, capture_output=True, text=True, timeout=120)
+    cells = code_cells(notebook)
+    report = ElementTree.parse(folder / "report.xml")
+    cases = {case.get("name"): case for case in report.iter("testcase")}
+    assert sorted(cases) == sorted(f"Cell {i}" for i in range(len(cells))), run.stdout[-3000:]
+    said = {
+        cell.id: "\n".join(found.text for found in cases[f"Cell {i}"] if found.tag in ("failure", "error"))
+        for i, cell in enumerate(cells)
+    }
+    return {cell_id: text for cell_id, text in said.items() if text}
 
 
 def with_numbers_changed(notebook):
     """The ids of the cells in which the first digit shown was made another one."""
     changed = set()
     for cell in code_cells(notebook):
-        if varies(cell):
+        if "nbval-ignore-output" in cell.metadata.get("tags", ()):
             continue
         for output in cell.outputs:
             where, key = (output, "text") if output.output_type == "stream" else (output.data, "text/plain")
@@ -95,17 +82,26 @@ def test_there_are_chapters():
     assert [name[0] for name in CHAPTERS] == [str(i + 1) for i in range(len(CHAPTERS))] and len(CHAPTERS) >= 6
 
 
+@cache
+def both_runs(chapter):
+    """(cells that differ, cells that differ once numbers were changed, cells changed); run side by side."""
+    as_it_is, altered = read(chapter), read(chapter)
+    changed = with_numbers_changed(altered)
+    with TemporaryDirectory() as one, TemporaryDirectory() as other, ThreadPoolExecutor(2) as pool:
+        plain, different = pool.map(cells_that_differ, (as_it_is, altered), (Path(one), Path(other)))
+    return plain, different, changed
+
+
 @pytest.mark.parametrize("chapter", CHAPTERS)
 def test_a_chapter_shows_again_what_it_shows(chapter):
-    differ = cells_that_differ(read(chapter), run_again(chapter))
+    differ, _, _ = both_runs(chapter)
     assert differ == {}, "\n".join(differ.values())
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
 def test_a_changed_number_is_noticed_in_every_cell_that_shows_one(chapter):
-    altered = read(chapter)
-    changed = with_numbers_changed(altered)
-    assert len(changed) >= 5 and set(cells_that_differ(altered, run_again(chapter))) == changed
+    _, differ, changed = both_runs(chapter)
+    assert len(changed) >= 5 and set(differ) == changed
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
@@ -150,7 +146,7 @@ def test_every_exercise_has_a_solution_that_comes_out_as_it_says(chapter):
     assert len(exercises) in (2, 3)
     names = {}
     for cell in code_cells(notebook):
-        if not varies(cell):
+        if "nbval-ignore-output" not in cell.metadata.get("tags", ()):
             exec(compile(cell.source, cell.id, "exec"), names)
     for exercise in exercises:
         assert exercise.count("<details><summary>Solution</summary>") == exercise.count("</details>") == 1
