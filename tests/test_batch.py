@@ -103,6 +103,32 @@ def test_kernels_on_disk_are_compiled_anew_when_a_file_that_they_call_changes(tm
     assert ask().stdout.split() == [b"7"]
 
 
+def test_processes_that_compile_a_kernel_at_once_never_run_each_others_code(tmp_path, monkeypatch):
+    """Arrays whose numbers lie side by side, and those that skip some, take code of their own."""
+    numba = pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+    from satviz.batch.compiling import compiled
+
+    def second(numbers):
+        return numbers[1]
+
+    whole, skipping = np.arange(4.0), np.arange(4.0)[::2]
+    one, other = compiled(second), compiled(second)  # as two processes would have it
+    mine, theirs = (kernel._cache._cache_file for kernel in (one, other))
+    save = mine._save_data
+
+    def interrupted(name, data):  # between its index and its code; the other one had read the index before
+        assert other(skipping) == 2
+        save(name, data)
+
+    monkeypatch.setattr(theirs, "_load_index", dict)
+    monkeypatch.setattr(mine, "_save_data", interrupted)
+    assert one(whole) == 1
+    for _ in range(2):
+        later = compiled(second)
+        assert (later(whole), later(skipping)) == (1, 2)
+
+
 @pytest.mark.slow
 def test_what_float32_decides_is_right_pair_by_pair():
     """One pair a batch, so that no other pair widens its room; the hard pairs, near and far from the origin."""

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
+from uuid import uuid4
 
 from numba import njit
 
@@ -27,6 +28,10 @@ def inlined(kernel: Kernel) -> Kernel:
 def compiled(kernel: Kernel) -> Kernel:
     """The kernel compiled at its first call; to type checkers the function that it was."""
     made: Any = njit(nogil=True, cache=True, error_model="numpy")(kernel)
+    kept = made._cache._cache_file  # noqa: SLF001
     # numba would keep what it compiled until the kernel's own file changes; it holds calls and constants of others too
-    made._cache._cache_file._source_stamp = (*STAMP, _stamp(Path(kernel.__code__.co_filename)))  # noqa: SLF001
+    kept._source_stamp = (*STAMP, _stamp(Path(kernel.__code__.co_filename)))  # noqa: SLF001
+    # it counts its files and writes the index first, which then could name what was left by older code, or what another
+    # process that compiles at the same moment puts there for arrays of another kind
+    kept._data_name_pattern = kept._data_name_pattern.replace(".nbc", f"-{uuid4().hex}.nbc")  # noqa: SLF001
     return cast(Kernel, made)

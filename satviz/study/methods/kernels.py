@@ -4,14 +4,10 @@ Polygons of one number of corners, counter-clockwise: (V, N) x and y of each sid
 Every kernel ends in `out`: 1 for a hit, 0 for apart.
 """
 
-from pathlib import Path
-from typing import Any, cast
-
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-from ...batch.compiling import STAMP, Kernel
+from ...batch.compiling import compiled
 from ...batch.settle_numba import TERMS, _product, _sign_of_sum, turn
 from ...batch.signs import UNKNOWN
 
@@ -24,14 +20,7 @@ ADAPTIVE = (3 + 16 * 2.0**-53) * 2.0**-53  # Shewchuk (1997)
 EXACT = np.inf  # never enough
 
 
-def _compiled(kernel: Kernel) -> Kernel:
-    made: Any = njit(nogil=True, cache=True, error_model="numpy")(kernel)
-    own = Path(__file__).stat()
-    made._cache._cache_file._source_stamp = (own.st_mtime_ns, own.st_size, *STAMP)  # noqa: SLF001
-    return cast(Kernel, made)
-
-
-@_compiled
+@compiled
 def reading(columns: NDArray[np.int64]) -> int:
     """Every number once, as integers, which the compiler may take in any order: what no method can undercut."""
     total = 0
@@ -43,7 +32,7 @@ def reading(columns: NDArray[np.int64]) -> int:
 # -- bounds, kept with the shapes --------------------------------------------------------------------
 
 
-@_compiled
+@compiled
 def around(x: Array, y: Array) -> Array:
     """(x, y, radius) rows of circles about the means of the corners that hold them all."""
     kept = np.empty((3, x.shape[1]))
@@ -58,7 +47,7 @@ def around(x: Array, y: Array) -> Array:
     return kept
 
 
-@_compiled
+@compiled
 def circles(a: Array, b: Array, out: Out) -> None:
     """Are the centers within the sum of the radii?"""
     for i in range(out.size):
@@ -66,7 +55,7 @@ def circles(a: Array, b: Array, out: Out) -> None:
         out[i] = dx * dx + dy * dy <= reach * reach
 
 
-@_compiled
+@compiled
 def ranges(x: Array, y: Array, ways: Array) -> Array:
     """Rows of least and most along each of k directions (k, 2)."""
     kept = np.empty((2 * len(ways), x.shape[1]))
@@ -80,7 +69,7 @@ def ranges(x: Array, y: Array, ways: Array) -> Array:
     return kept
 
 
-@_compiled
+@compiled
 def ranges_overlap(a: Array, b: Array, out: Out) -> None:
     """Do kept ranges overlap or touch on every direction?"""
     for i in range(out.size):
@@ -91,14 +80,14 @@ def ranges_overlap(a: Array, b: Array, out: Out) -> None:
                 break
 
 
-@_compiled
+@compiled
 def boxes_overlap(a: Array, b: Array, out: Out) -> None:
     """The same on two directions, without a branch that the processor would have to guess."""
     for i in range(out.size):
         out[i] = (a[1, i] >= b[0, i]) & (b[1, i] >= a[0, i]) & (a[3, i] >= b[2, i]) & (b[3, i] >= a[2, i])
 
 
-@_compiled
+@compiled
 def oriented(x: Array, y: Array) -> Array:
     """(center x, y, axis x, y, half length, half width) rows of boxes along the longest edge."""
     kept = np.empty((6, x.shape[1]))
@@ -120,7 +109,7 @@ def oriented(x: Array, y: Array) -> Array:
     return kept
 
 
-@_compiled
+@compiled
 def oriented_overlap(a: Array, b: Array, out: Out) -> None:
     """Oriented boxes by their four axes (Gottschalk, Lin and Manocha 1996)."""
     for i in range(out.size):
@@ -139,14 +128,14 @@ def oriented_overlap(a: Array, b: Array, out: Out) -> None:
 # -- complete methods --------------------------------------------------------------------------------
 
 
-@_compiled
+@compiled
 def textbook(ax: Array, ay: Array, bx: Array, by: Array, unit: bool, tolerance: float, out: Out) -> None:
     """SAT as articles write it: both ranges on each normal, out at the first gap beyond the tolerance."""
     for i in range(out.size):
         out[i] = not (_separated(ax, ay, bx, by, i, unit, tolerance) or _separated(bx, by, ax, ay, i, unit, tolerance))
 
 
-@_compiled
+@compiled
 def _separated(x: Array, y: Array, p: Array, q: Array, i: int, unit: bool, tolerance: float) -> bool:
     for e in range(x.shape[0]):
         f = e + 1 if e + 1 < x.shape[0] else 0
@@ -166,7 +155,7 @@ def _separated(x: Array, y: Array, p: Array, q: Array, i: int, unit: bool, toler
     return False
 
 
-@_compiled
+@compiled
 def turns(ax: Array, ay: Array, bx: Array, by: Array, granted: float, out: Out) -> None:
     """SAT by orientation predicates: apart where all corners lie to the right of some edge of the other."""
     terms = np.empty(TERMS)
@@ -174,7 +163,7 @@ def turns(ax: Array, ay: Array, bx: Array, by: Array, granted: float, out: Out) 
         out[i] = not (_cleared(ax, ay, bx, by, i, granted, terms) or _cleared(bx, by, ax, ay, i, granted, terms))
 
 
-@_compiled
+@compiled
 def _cleared(x: Array, y: Array, p: Array, q: Array, i: int, granted: float, terms: Array) -> bool:
     for e in range(x.shape[0]):
         f = e + 1 if e + 1 < x.shape[0] else 0
@@ -198,7 +187,7 @@ def _cleared(x: Array, y: Array, p: Array, q: Array, i: int, granted: float, ter
     return False
 
 
-@_compiled
+@compiled
 def _exact_turn(px: float, py: float, qx: float, qy: float, rx: float, ry: float, terms: Array) -> int:
     """The sign of the sum of six products, each held as two floats; no look at the float first."""
     for k, (a, b) in enumerate(((px, qy), (-py, qx), (qx, ry), (-qy, rx), (rx, py), (-ry, px))):
@@ -206,7 +195,7 @@ def _exact_turn(px: float, py: float, qx: float, qy: float, rx: float, ry: float
     return _sign_of_sum(terms, TERMS)
 
 
-@_compiled
+@compiled
 def gjk(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
     """Gilbert, Johnson and Keerthi (1988) on floats: does the difference hold the origin?"""
     for i in range(out.size):
@@ -240,7 +229,7 @@ def gjk(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
                 dx, dy = -dx, -dy
 
 
-@_compiled
+@compiled
 def _furthest(ax: Array, ay: Array, bx: Array, by: Array, i: int, dx: float, dy: float) -> tuple[float, float]:
     """The corner of B - A furthest along (dx, dy)."""
     best, k = -np.inf, 0
@@ -259,14 +248,14 @@ def _furthest(ax: Array, ay: Array, bx: Array, by: Array, i: int, dx: float, dy:
 # -- for many corners --------------------------------------------------------------------------------
 
 
-@_compiled
+@compiled
 def searched(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
     """SAT where each normal's lowest corner is found by halving: V log V steps."""
     for i in range(out.size):
         out[i] = not (_beyond(ax, ay, bx, by, i) or _beyond(bx, by, ax, ay, i))
 
 
-@_compiled
+@compiled
 def _beyond(x: Array, y: Array, p: Array, q: Array, i: int) -> bool:
     for e in range(x.shape[0]):
         f = e + 1 if e + 1 < x.shape[0] else 0
@@ -277,14 +266,14 @@ def _beyond(x: Array, y: Array, p: Array, q: Array, i: int) -> bool:
     return False
 
 
-@_compiled
+@compiled
 def _step(p: Array, q: Array, i: int, v: int, nx: float, ny: float) -> float:
     """How far the edge after corner v rises along the normal."""
     w = v + 1 if v + 1 < p.shape[0] else 0
     return float(nx * (p[w, i] - p[v, i]) + ny * (q[w, i] - q[v, i]))
 
 
-@_compiled
+@compiled
 def _lowest(p: Array, q: Array, i: int, nx: float, ny: float) -> int:
     """The lowest corner along a normal: along a convex outline heights fall, then rise, once (O'Rourke 1998)."""
     low, high = 0, p.shape[0]
@@ -304,7 +293,7 @@ def _lowest(p: Array, q: Array, i: int, nx: float, ny: float) -> int:
     return low if _step(p, q, i, low, nx, ny) >= 0 else (low + 1) % p.shape[0]
 
 
-@_compiled
+@compiled
 def calipers(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
     """Once around both outlines at the same angle: the edges of A - B in order, and is the origin inside all?"""
     va, vb = ax.shape[0], bx.shape[0]
