@@ -88,7 +88,8 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
         def cell(y: int, x: int) -> tuple[str, str, float]:
             row = of[names[y], list(CHANGES)[x]]
             share = row["changed"] / n
-            return f"{share:.1%}" if share else "none", colour(theme, row["family"]), share
+            text = f"{share:.1%}" if share >= 0.0005 else "under 0.1%"
+            return text if share else "none", colour(theme, row["family"]), share
 
         table(ax, theme, list(CHANGES), names, cell)
 
