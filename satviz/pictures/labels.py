@@ -1,5 +1,6 @@
 """Where labels go: each at the nearest spot clear of strokes, dots, other labels and the rim."""
 
+from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import cos, hypot, pi, sin
@@ -309,19 +310,25 @@ class Board:
                 yield self._points(anchor), rank / 8
         size = hypot(*request.prefer) or 1.0
         toward = Vec(request.prefer.x / size, request.prefer.y / size)
-        spots = []
-        for rank, anchor in enumerate((request.anchor, *request.along)):
-            px, py = self._points(anchor)
-            for distance in DISTANCES[: NEAR if request.near else None]:
-                for u in (toward, *DIRECTIONS):
-                    turn = 1 - (u.x * toward.x + u.y * toward.y)
-                    penalty = distance + turn * (1 if request.far else 9) + rank
-                    spots.append((penalty, (px + u.x * (w + distance), py + u.y * (h + distance))))
+        ways = [(u, (1 - (u.x * toward.x + u.y * toward.y)) * (1 if request.far else 9)) for u in (toward, *DIRECTIONS)]
+        anchors = [(rank, *self._points(anchor)) for rank, anchor in enumerate((request.anchor, *request.along))]
+        distances = DISTANCES[: NEAR if request.near else None]
+        # (cost, place in the whole list, spot); no spot costs less than its distance, so most are never worked out
+        spots: list[tuple[float, tuple[int, int, int], tuple[float, float]]] = []
         if request.far:
-            spots += [(penalty, spot) for spot, penalty in self._anywhere(w, h, (x, y))]
-        spots.sort(key=lambda s: s[0])
-        for penalty, spot in spots:
-            yield spot, penalty
+            all_over = enumerate(self._anywhere(w, h, (x, y)))
+            spots += [(penalty, (len(anchors), 0, k), spot) for k, (spot, penalty) in all_over]
+        for step, distance in enumerate(distances):
+            for rank, px, py in anchors:
+                for k, (u, turn) in enumerate(ways):
+                    spot = px + u.x * (w + distance), py + u.y * (h + distance)
+                    spots.append((distance + turn + rank, (rank, step, k), spot))
+            spots.sort()
+            more = distances[step + 1] - 1e-6 if step + 1 < len(distances) else float("inf")
+            sure = bisect_left(spots, more, key=lambda s: s[0])
+            for penalty, _, spot in spots[:sure]:
+                yield spot, penalty
+            del spots[:sure]
 
     def _anywhere(self, w: float, h: float, near: tuple[float, float]) -> Iterator[tuple[tuple[float, float], float]]:
         """Candidate centers all over the canvas with what each costs by itself."""
@@ -340,6 +347,8 @@ class Board:
         for bx0, by0, bx1, by1 in self.boxes:
             if x0 < bx1 and bx0 < x1 and y0 < by1 and by0 < y1:
                 cost += COVERS
+                if cost >= enough:
+                    return cost
         for sx, sy, tx, ty, price in self.strokes:
             if cost >= enough:
                 break
