@@ -15,7 +15,7 @@ from satviz.engine import digits
 from satviz.engine.axes import NAMED as CHOICES
 from satviz.engine.sat import project
 from satviz.engine.shapes import centroid
-from satviz.pictures import belief
+from satviz.pictures import claims
 from satviz.scenes.article import SCENES, box
 from satviz.scenes.failing import (
     FALSE_HIT,
@@ -486,7 +486,7 @@ NO_MAP = {
 
 def said_there(row, a, b, move):
     """Is the row's answer called wrong, once B is moved?"""
-    return belief.said(sv.record(a, reading.moved(b, move), axes=row.shortcut)).is_wrong
+    return claims.said(sv.record(a, reading.moved(b, move), axes=row.shortcut)).is_wrong
 
 
 @each_scene

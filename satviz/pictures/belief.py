@@ -3,9 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
-from itertools import pairwise
-from math import hypot, isclose, isnan
-from typing import NamedTuple
 
 from ..engine import telling
 from ..engine.axes import Choice, hull_normals
@@ -15,16 +12,13 @@ from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
 from ..scenes.asked import Asked, refused_row, trace_of
-from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, Row
-from ..scenes.failing.reading import OF_PUSHES, least_looks_of_gjk
-from ..scenes.failing.right import Answer
-from ..scenes.failing.where import Lies, lies
-from ..scenes.shortcuts import middle
-from . import belief_rows, live, stages
+from ..scenes.failing import MISSED_HIT, Row
+from . import belief_rows, stages
 from .belief_rows import Panel, arrange
 from .caption import wrapped
+from .claims import about_push, heading, is_near, row_of, said, verdicts
 from .labels import Request, with_labels
-from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, box_of, moved, padded, place_within, text_box
+from .layout import HEIGHT, WIDTH, Group, Layout, moved, padded, text_box
 from .marks import Mark, Picture
 from .panels import moved_to
 from .sketch import Sketch
@@ -43,7 +37,6 @@ from .stages import (
 
 SAW, IS = "what the shortcut saw", "what is"
 PANEL = 340.0, 300.0  # the largest, in points
-ROUNDING = 1e-12  # of the size of it all: what numbers differ by that are the same
 FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
 BETWEEN, HEAD, RIM = 20.0, 24.0, 10.0  # points between the panels, for each one's heading, round the words above
 BOTH = 2 * PANEL[0] + BETWEEN
@@ -82,93 +75,8 @@ def picture(
     return _put(trace, _saw(trace, step, panel), _what_is(trace, panel), _room(trace, panel), title, stacked=stacked)
 
 
-def row_of(trace: Trace) -> Row | None:
-    """The row of satviz's own shortcuts; None for one's own."""
-    row = NAMED.get(trace.shortcut.name) if trace.shortcut else None
-    return row if row and row.shortcut == trace.shortcut else None
-
-
 def _own(panels: dict[str, Panel], trace: Trace) -> Panel | None:
     return panels.get(trace.shortcut.name) if trace.shortcut and row_of(trace) else None
-
-
-# -- what is said
-
-
-class Said(NamedTuple):
-    """Both answers in words, and whether the shortcut's is wrong."""
-
-    wrong: str
-    right: str
-    is_wrong: bool
-
-
-@lru_cache(maxsize=64)
-def said(trace: Trace) -> Said:
-    """What a shortcut's run says of its shapes, and what satviz says."""
-    assert trace.shortcut
-    row = row_of(trace)
-    if row is None and trace.push and trace.hit and _about_push(trace):
-        told, way = telling.digits(trace), trace.truth.known_mtv or Vec(0.0, 0.0)
-        words = f"push {told.vector(trace.push)}", f"{trace.relation}, way out {told.vector(way)}"
-        return Said(*words, not _leads_out(trace, trace.push, way))
-    if row is None:
-        return Said(str(trace.claim), str(trace.relation), bool(trace.claim) is not trace.hit)
-    if not trace.hit and _about_push(trace):
-        return Said(str(trace.claim), str(trace.relation), False)  # there is nothing to push
-    number, truth = row.read(trace), row.right(trace.a, trace.b)
-    if row.how in (FALSE_HIT, MISSED_HIT) and not isinstance(truth, tuple):
-        words = f"{trace.claim}, {row.told(number)}", f"{trace.relation}, {row.told(truth)}"
-        return Said(*words, bool(trace.claim) is not trace.hit)
-    return Said(row.told(number), row.told(truth), _contradicts(row, trace, number, truth))
-
-
-def _contradicts(row: Row, trace: Trace, number: float, truth: Answer) -> bool:
-    """Is a row's number wrong?  A push that rounding alone keeps from the right one is right, a gap has a sign."""
-    if isinstance(truth, str):
-        return True
-    if isinstance(truth, tuple):
-        return number > 0 and not isnan(truth[0])  # clear in both frames, and yet there is a contact
-    if isnan(number) or isnan(truth):
-        return isnan(number) != isnan(truth)  # none is found, and there is none
-    if row.read is least_looks_of_gjk:
-        return truth <= number  # its claim is that it has less
-    if row.what == "gap" and (number > 0) - (number < 0) != (truth > 0) - (truth < 0):
-        return True
-    return not isclose(number, truth, rel_tol=ROUNDING, abs_tol=ROUNDING * _size(trace))
-
-
-def _size(trace: Trace) -> float:
-    """The largest length or coordinate there is, to hold roundings against."""
-    x0, y0, x1, y1 = box_of([trace.a, trace.b])
-    return max(x1 - x0, y1 - y0, *map(abs, (x0, y0, x1, y1)))
-
-
-def _leads_out(trace: Trace, push: Vec, way: Vec) -> bool:
-    """Does a push end the overlap, and is none shorter, but for rounding?"""
-    if not _near(trace, push):
-        return False
-    a, pushed = trace.a, shifted(trace.b, push)
-    left = record(a, pushed).known_mtv or Vec(0.0, 0.0)
-    room = ROUNDING * _size(trace)
-    return hypot(*left) <= room and hypot(*push) <= hypot(*way) + room
-
-
-def verdicts(trace: Trace) -> tuple[str, str]:
-    """The claim and the relation in a word each."""
-    row = row_of(trace)
-    own = belief_rows.VERDICTS.get(row.name) if row else None
-    return own or (str(trace.claim), str(trace.relation))
-
-
-def heading(trace: Trace) -> tuple[str, str]:
-    """The claim, and what is wrong with it."""
-    assert trace.shortcut
-    found = said(trace)
-    claim = f"Claim: {trace.shortcut.claim}."
-    if found.is_wrong:
-        return claim, f"Wrong: {found.wrong}. Right: {found.right}."
-    return claim, f"Here it happens to be right: {found.right}."
 
 
 # -- the two panels
@@ -179,7 +87,7 @@ def _layouts(trace: Trace, largest: tuple[float, float]) -> tuple[Layout, Layout
     """Both panels' at last, on one scale: with a place for each test that the shortcut goes by; for the true one."""
     truth = true_test(trace)
     tests = [_with_room(trace, test) for test in believed_tests(trace)], [truth] if truth else []
-    drawn = _drawn(trace, trace.push if _about_push(trace) else None), _drawn(trace, trace.truth.known_mtv)
+    drawn = _drawn(trace, trace.push if about_push(trace) else None), _drawn(trace, trace.truth.known_mtv)
     found = [arrange([Group(shapes, of)], largest=largest)[0] for shapes, of in zip(drawn, tests, strict=True)]
     small, large = sorted((0, 1), key=lambda k: found[k].scale)
     found[large] = _on_scale(found[small].scale, drawn[large], tests[large], largest) or found[large]
@@ -222,21 +130,9 @@ def _room(trace: Trace, largest: tuple[float, float]) -> tuple[float, float]:
     return max(w for w, _ in sizes), max(h for _, h in sizes)
 
 
-def _about_push(trace: Trace) -> bool:
-    """Is the shortcut about where B would be pushed?"""
-    row, shortcut = row_of(trace), trace.shortcut
-    return row.read in OF_PUSHES if row else bool(shortcut and (shortcut.push or shortcut.split))
-
-
 def _drawn(trace: Trace, move: Vec | None) -> list[Shape]:
     """The shapes, and where B is moved to, which must fit too."""
-    return [trace.a, trace.b, *([shifted(trace.b, move)] if move and _near(trace, move) else [])]
-
-
-def _near(trace: Trace, move: Vec) -> bool:
-    """Is B, moved so, still near enough for both shapes to be seen in one picture?"""
-    x0, y0, x1, y1 = box_of([trace.a, trace.b])
-    return max(map(abs, move)) < 3 * max(x1 - x0, y1 - y0)
+    return [trace.a, trace.b, *([shifted(trace.b, move)] if move and is_near(trace, move) else [])]
 
 
 @lru_cache(maxsize=64)
@@ -264,11 +160,11 @@ def _believed(trace: Trace, largest: tuple[float, float]) -> Picture:
     """The tests that the shortcut goes by, what it says, and where it would push B."""
     own = belief_rows.pieces if trace.pairs else _own(belief_rows.SAW, trace)
     sketch = own(trace, largest) if own else _tests_believed(trace, largest)
-    _answer(sketch, trace, "claim", verdicts(trace)[0], said(trace).wrong)
+    answer(sketch, trace, "claim", verdicts(trace)[0], said(trace).wrong)
     return struck(sketch.finish("", trace.sentence, steady=False), trace)
 
 
-def _answer(sketch: Sketch, trace: Trace, part: str, word: str, number: str) -> None:
+def answer(sketch: Sketch, trace: Trace, part: str, word: str, number: str) -> None:
     """A panel's verdict, and its number where that is more than the gap, which stands at its bar."""
     if word:
         sketch.note(part, word, "ink", weight="title", first=1)
@@ -306,18 +202,18 @@ def believed_tests(trace: Trace) -> list[AxisTest]:
 def draw_push(sketch: Sketch) -> None:
     """B where the shortcut would push it, if that is what it is about."""
     trace = sketch.trace
-    if not _about_push(trace) or not trace.push:
+    if not about_push(trace) or not trace.push:
         return
     start = tip = centroid(trace.b)
     text = f"push {telling.digits(trace).vector(trace.push)}"
-    if not _near(trace, trace.push):
+    if not is_near(trace, trace.push):
         text += ",\nout of the picture"
     elif any(trace.push):
         tip = moved(start, trace.push, 1.0)
         sketch.shape("B", f"{trace.names.b} pushed", shifted(trace.b, trace.push), weight="faint", named=False)
         sketch.add("push", "arrow", "move", start, tip, start=(start,))
     prefer = trace.push if any(trace.push) else Vec(0.0, 1.0)
-    sketch.label("push-name", text, "move", tip, prefer=prefer, far=not _near(trace, trace.push), first=3)
+    sketch.label("push-name", text, "move", tip, prefer=prefer, far=not is_near(trace, trace.push), first=3)
 
 
 GAPS = "gap", "depth"  # numbers that are read off the ranges
@@ -379,7 +275,7 @@ def _what_is(trace: Trace, largest: tuple[float, float]) -> Picture:
     """What proves the truth: the separating axis and line, or the contact, the true ranges and the way out."""
     own = _own(belief_rows.IS, trace)
     sketch = own(trace, largest) if own else _proof(trace, largest)
-    _answer(sketch, trace, "verdict", verdicts(trace)[1], said(trace).right)
+    answer(sketch, trace, "verdict", verdicts(trace)[1], said(trace).right)
     return sketch.finish("", trace.truth.sentence, steady=False)
 
 
@@ -405,76 +301,6 @@ def _proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
             draw_mtv(sketch, certificate.point, move)
     sketch.project(test, place, drops=False, interval=False)
     return sketch
-
-
-# -- under the hand
-
-
-def hand(
-    trace: Trace, layout: Layout, chosen: live.Chosen | None, *, way_out: bool = False, near: Vec | None = None
-) -> tuple[Picture, AxisPlace | None]:
-    """A shortcut's run under the hand: what it saw by the chosen test, its answer, and a map of where it lies."""
-    sketch, place = Sketch(trace, layout), None
-    where = map_of_lies(trace, layout)
-    sketch.marks += [mark for mark in where if mark.part == "reference"]  # words keep off it
-    test = trace.tests[chosen.test] if chosen and trace.tests else None
-    if trace.pairs:
-        belief_rows.draw_pieces(sketch)
-    else:
-        sketch.shapes()
-        sketch.corners({test.source.shape for test in trace.tests})
-    if test is not None and not any(test.axis.normal):
-        sketch.no_axis(test)
-    elif test is not None:
-        place = place_within(layout, (trace.a, trace.b), test, near)
-        sketch.edge(test)
-        sketch.normal(test)
-        sketch.project(test, place, interval=False)
-    _answer(sketch, trace, "claim", verdicts(trace)[0], said(trace).wrong)
-    if way_out and not trace.pairs:  # pieces show their pushes themselves
-        draw_push(sketch)
-    if where:
-        text = f"dot {'on' if where[0].kind == 'segment' else 'in'} the red:\nthe shortcut is wrong"
-        sketch.note("lies-name", text, "wrong", first=6)
-    drawn = struck(sketch.finish("", trace.sentence, steady=False), trace)
-    return drawn._replace(marks=(*(mark for mark in where if mark.part != "reference"), *drawn.marks)), place
-
-
-def map_of_lies(trace: Trace, layout: Layout) -> list[Mark]:
-    """Where B's middle would have to be for the shortcut to say the wrong thing, and a dot where it is."""
-    at, found = middle(trace.b), _lies(trace, layout)
-    if isinstance(found, str):
-        return []
-    marks = []
-    for i, ring in enumerate((*found.false_hits, *found.missed_hits, *found.numbers)):
-        spots = tuple(Vec(p.x + at.x, p.y + at.y) for p in ring)
-        marks.append(Mark("lies", "outline", "wrong", spots, number=i))
-    for i, ring in enumerate(found.hits if found.touching else ()):
-        spots = tuple(Vec(p.x + at.x, p.y + at.y) for p in (*ring, ring[0]))
-        ends = tuple(end for pair in pairwise(spots) for end in pair)
-        marks.append(Mark("lies-along", "segment", "wrong", ends, number=i))
-    return [*marks, Mark("reference", "dot", "ink", (at,))] if marks else []
-
-
-def about_map(trace: Trace, layout: Layout) -> str:
-    """What the map of lies shows, or why there is none."""
-    found = _lies(trace, layout)
-    if isinstance(found, str):
-        return f"No map of where it is wrong: {found}."
-    if not map_of_lies(trace, layout):
-        return "No red on the map: wherever B lies in this picture, the shortcut is right."
-    where = "on the red line" if found.touching else "in the red"
-    return f"The map: while the black dot, the middle of B, lies {where}, the shortcut is wrong."
-
-
-def _lies(trace: Trace, layout: Layout) -> Lies | str:
-    """Those of a shortcut's run on the canvas."""
-    assert trace.shortcut
-    at, (x0, y0, x1, y1) = middle(trace.b), layout.limits
-    return _lies_of(trace.a, trace.b, trace.shortcut, (x0 - at.x, y0 - at.y, x1 - at.x, y1 - at.y))
-
-
-_lies_of = lru_cache(maxsize=2)(lies)  # asked of one pose twice: for the map and for the words about it
 
 
 # -- refused at the door

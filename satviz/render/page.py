@@ -10,7 +10,8 @@ from ..disk import MADE_BY
 from ..engine import telling
 from ..engine.shapes import Shape
 from ..pictures import DARK, LIGHT, picture
-from ..pictures.belief import heading, refused
+from ..pictures.belief import refused
+from ..pictures.claims import heading
 from ..pictures.playback import NARROW, narrow, playbacks
 from ..scenes.asked import Asked, refused_row, trace_of
 from ..scenes.failing import Row

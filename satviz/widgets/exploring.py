@@ -9,7 +9,8 @@ from ..engine.enough import enough
 from ..engine.geometry import InvalidScene, Vec
 from ..engine.trace import Trace, record
 from ..pictures import Picture
-from ..pictures.belief import about_map, hand, heading
+from ..pictures.belief_hand import about_map, hand
+from ..pictures.claims import heading
 from ..pictures.curve import WIDTH, direction, gap_curve
 from ..pictures.live import Chosen, canvas, field, fits, knob, live, telling_test, turned_axis
 from ..pictures.minkowski import difference

@@ -8,7 +8,7 @@ from ..engine import telling
 from ..engine.axes import needed
 from ..engine.geometry import InvalidScene, Relation, Vec
 from ..engine.trace import record
-from ..pictures.belief import said
+from ..pictures.claims import said
 from ..pictures.layout import box_of
 from ..pictures.live import field
 from ..scenes.failing import NAMED, REFUSED, ROWS, Row
