@@ -69,7 +69,7 @@ def about_map(trace: Trace, layout: Layout) -> str:
     if not map_of_lies(trace, layout):
         return "No red on the map: wherever B lies in this picture, the shortcut is right."
     where = "on the red line" if found.touching else "in the red"
-    return f"The map: while the black dot, the middle of B, lies {where}, the shortcut is wrong."
+    return f"The map: while the dot, the middle of B, lies {where}, the shortcut is wrong."
 
 
 def _lies(trace: Trace, layout: Layout) -> Lies | str:

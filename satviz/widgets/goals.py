@@ -28,7 +28,7 @@ HINTS = {
     TOUCH: "Bring an edge flush with an edge, or a corner onto one. The arrow keys move a shape by the same step each "
     "time, with Shift by a tenth of it.",
     BREAK: "Ask where the shortcut and the shapes disagree. If the picture shows a red region, the shortcut is wrong "
-    "while the black dot lies in it.",
+    "while the dot lies in it.",
 }
 STEPS, WAYS = (1, 2, 3, 4, 6, 8), ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1))
 
