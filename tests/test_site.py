@@ -12,6 +12,7 @@ import sys
 import urllib.error
 import urllib.request
 from base64 import urlsafe_b64encode
+from functools import partial
 from html import unescape
 from urllib.parse import urldefrag
 from zipfile import ZipFile
@@ -184,7 +185,9 @@ def test_a_folder_without_pyodide_is_bad_input(tmp_path, capsys):
 def test_open_serves_the_site_until_it_is_interrupted(tmp_path):
     command = [sys.executable, "-m", "satviz", "site", str(tmp_path / "site"), "--still", "--open"]
     env = {**os.environ, "BROWSER": "true"}  # a program that does nothing with the address
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=env) as process:
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)  # also where a job in the background hears no Ctrl-C
+    with subprocess.Popen(command, env=env, preexec_fn=heard, **pipes) as process:
         try:
             address = next(word for line in process.stdout for word in line.split() if word.startswith("http"))
             with urllib.request.urlopen(f"{address}python/no") as _:
