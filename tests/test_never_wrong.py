@@ -27,6 +27,7 @@ ALL = "everything at once"
 
 every_form = pytest.mark.parametrize("form", FORMS)
 every_kind = pytest.mark.parametrize("kind", KINDS)
+COMPARED = [name for name, form in FORMS.items() if form.fits is not no_miss]  # others may keep a pair, and then not
 
 Known = list[tuple[Shape, Shape, Relation]]
 
@@ -198,9 +199,7 @@ def changed(kind: str, count: int) -> list[tuple[str, Shape, Shape, int]]:
 
 
 def refute_by_changes(form: Form, kind: str, name: str = "") -> None:
-    ask, fits, one_in = form
-    if fits is no_miss:
-        return  # it may keep a pair that is apart, and then not
+    ask, _, one_in = form
     cases = changed(kind, (6 if one_in < 20 else 2) * (5 if kind == ALL else 1))
     answers = ask([(a, b) for _, a, b, _ in cases])
     base = {i: answer for (change, *_, i), answer in zip(cases, answers, strict=True) if change == "nothing"}
@@ -213,7 +212,7 @@ def refute_by_changes(form: Form, kind: str, name: str = "") -> None:
         pytest.fail(f"{name}\n{shown(wrong)}", pytrace=False)
 
 
-@every_form
+@pytest.mark.parametrize("form", COMPARED)
 def test_what_changes_nothing_changes_no_answer(form):
     refute_by_changes(FORMS[form], ALL)
 
@@ -221,8 +220,8 @@ def test_what_changes_nothing_changes_no_answer(form):
 @pytest.mark.slow
 @every_kind
 def test_what_changes_nothing_changes_no_answer_about_a_kind(kind):
-    for name, form in FORMS.items():
-        refute_by_changes(form, kind, name)
+    for name in COMPARED:
+        refute_by_changes(FORMS[name], kind, name)
 
 
 @pytest.mark.slow

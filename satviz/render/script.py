@@ -6,9 +6,8 @@ from importlib.resources import files
 
 from ..pictures import DARK, LIGHT, Theme
 
-_EXPORT = re.compile(
-    r"^export (?=class|function|async function)", re.MULTILINE
-)  # one module needs none between its files
+# one module needs none between its files
+_EXPORT = re.compile(r"^export (?=class|function|async function)", re.MULTILINE)
 
 
 @cache

@@ -197,7 +197,7 @@ class Explorer {
   // What is asked, how the scene stands to it, and a hint for who wants one.
   showGoal({ goal, view }) {
     this.goals.value = goal?.goal ?? "";
-    [...this.goals.options].at(-1).disabled = !view; // without a shortcut there is none to break
+    this.goals.querySelector('[value="break"]').disabled = !view; // without a shortcut there is none to break
     this.goal.toggleAttribute("hidden", !goal);
     if (!goal) return;
     if (!this.goal.childElementCount) {
