@@ -8,7 +8,7 @@ from ..engine import telling
 from ..engine.geometry import Vec
 from ..engine.trace import Trace, record
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, Row
-from ..scenes.failing.reading import OF_PUSHES, least_looks_of_gjk
+from ..scenes.failing.reading import OF_PUSHES
 from ..scenes.failing.right import Answer
 from . import belief_rows
 from .layout import box_of
@@ -65,8 +65,8 @@ def _contradicts(row: Row, trace: Trace, number: float, truth: Answer) -> bool:
         return number > 0 and not isnan(truth[0])  # clear in both frames, and yet there is a contact
     if isnan(number) or isnan(truth):
         return isnan(number) != isnan(truth)  # none is found, and there is none
-    if row.read is least_looks_of_gjk:
-        return truth <= number  # its claim is that it has less
+    if row.less:
+        return truth <= number
     if row.what == "gap" and (number > 0) - (number < 0) != (truth > 0) - (truth < 0):
         return True
     return not isclose(number, truth, rel_tol=ROUNDING, abs_tol=ROUNDING * _size(trace))

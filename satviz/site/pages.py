@@ -1,13 +1,14 @@
 """The site's pages: the frame of each, the front page, the gallery, the explorer."""
 
 from collections.abc import Sequence
+from functools import cache
 from html import escape
 from typing import NamedTuple
 
 from .. import __version__
 from ..disk import MADE_BY
 from ..engine import telling
-from ..pictures import picture
+from ..pictures import Picture, picture
 from ..pictures.playback import NARROW_PANELS
 from ..render.files import encode
 from ..scenes.article import SCENES
@@ -180,23 +181,27 @@ def chapter(frame: Frame, shown: Chapter, body: str) -> bytes:
 
 def pictures() -> "list[tuple[str, bytes]]":
     """(path, file) of each scene's picture in the gallery."""
-    found = [(name, picture(name)) for name in (*(s.name for s in SCENES), *FAILING)]
-    found += [(f"{name}-narrow", picture(name, largest=NARROW_PANELS[0])) for name in FAILING]
+    found = [(name, _drawn(name)) for name in (*(s.name for s in SCENES), *FAILING)]
+    found += [(f"{name}-narrow", _drawn(name, slim=True)) for name in FAILING]
     return [(f"pictures/{name}.svg", themed_file(encode(drawn, "svg", stem=name))) for name, drawn in found]
 
 
+@cache
+def _drawn(name: str, *, slim: bool = False) -> Picture:
+    """A scene's picture, `slim` as a telephone shows it: both a file and what its card is made of."""
+    return picture(name, largest=NARROW_PANELS[0]) if slim else picture(name)
+
+
 def _card(name: str) -> str:
-    row = FAILING.get(name)
+    row, drawn = FAILING.get(name), _drawn(name)
     if row is None:
-        found = scene(name)
-        drawn, title, said = picture(found.record()), found.title, found.record().sentence
+        title, said = scene(name).title, drawn.sentence
     else:
-        drawn = picture(name)
         title, said = f"“{row.claim}”", row.how
     size = 'width="{:g}" height="{:g}"'.format(*drawn.size)
     image = f'<img src="pictures/{name}.svg" {size} alt="{escape(drawn.sentence)}">'
     if row:  # on a telephone one panel above the other
-        slim = 'width="{:g}" height="{:g}"'.format(*picture(name, largest=NARROW_PANELS[0]).size)
+        slim = 'width="{:g}" height="{:g}"'.format(*_drawn(name, slim=True).size)
         source = f'<source media="(max-width: 600px)" srcset="pictures/{name}-narrow.svg" {slim}>'
         image = f"<picture>{source}{image}</picture>"
     shown = f"{image}<b>{escape(title)}</b>"

@@ -99,6 +99,7 @@ NUMBERS = (
         box(1, 1, 4, 3),
         reading.least_looks_of_gjk,
         right.looks,
+        less=True,
     ),
     Row(
         29,

@@ -27,7 +27,8 @@ class Row(NamedTuple):
 
     `how` it fails (one of the four above); `what` both numbers are ("gap", "depth", ...);
     `a`, `b`: the shapes, or plain vertices of one the engine refuses; `read`: the
-    number in the shortcut's own run; `unchecked`: the same where the shapes are refused.
+    number in the shortcut's own run; `unchecked`: the same where the shapes are refused;
+    `less`: is the claim that its number is the smaller one, and not that it is the right one?
     """
 
     number: int
@@ -39,6 +40,7 @@ class Row(NamedTuple):
     read: Callable[[Trace], float] = best_gap
     right: Callable[[Shape, Shape], Answer] = right.gap
     unchecked: Callable[[Ring, Ring], float] | None = None
+    less: bool = False
 
     @property
     def name(self) -> str:
