@@ -73,7 +73,7 @@ KNOWN = {
     32: (MISSED_HIT, 1.85, (0.4625, 0.5375)),
     33: (FALSE_HIT, -1, 0.949),
     34: (MISSED_HIT, 0, 0),
-    35: (WRONG_NUMBER, -0.4, 0),
+    35: (WRONG_NUMBER, 0.4, 0),
 }
 each_row = pytest.mark.parametrize("row", ROWS, ids=lambda row: row.name)
 SCENE_ROWS = [row for row in ROWS if row.how != REFUSED]

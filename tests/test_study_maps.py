@@ -2,7 +2,7 @@
 
 import json
 from functools import cache
-from math import isclose
+from math import dist, isclose
 from random import Random
 
 import pytest
@@ -111,9 +111,43 @@ def test_along_the_contact_the_shapes_touch_everywhere():
 
 
 def test_what_is_wrong_has_one_colour_and_each_way_a_hatch_of_its_own():
-    looks = {code: LOOKS[code] for code in WRONG}
-    assert {role for role, _, _ in looks.values()} == {"wrong"} != {LOOKS[HIT][0]}
-    assert len({hatch for _, _, hatch in looks.values()}) == len(WRONG)
+    looks = [LOOKS[name] for name in ("false_hits", "missed_hits", "numbers")]
+    assert {role for role, _, _ in looks} == {"wrong"} != {LOOKS["hits"][0]}
+    assert len({hatch for _, _, hatch in looks} | {""}) == 4
+
+
+AREA_OF = {FALSE: "false_hits", MISSED: "missed_hits", SHORT: "numbers", LONG: "numbers", FAR: "numbers"}
+BY_AREA = [name for name in METHODS if name not in (*slides.ALONG_CONTACT, slides.ON_PAPER)]
+
+
+@pytest.mark.parametrize("name", BY_AREA)
+def test_every_position_lies_in_the_area_that_its_run_belongs_to(name):
+    """Two roads to one map: the areas come from edges of A - B, the letters from a run of the shortcut each."""
+    slide, row = small(name), NAMED[name]
+    view = maps.limits(slide, row)
+    (x0, y0, x1, y1), at = view, middle(row.b)
+    found, near = maps.where(row, view), 1e-6 * max(x1 - x0, y1 - y0)
+
+    def depth(ring, d):
+        """How far inside a convex counter-clockwise ring; negative outside."""
+        sides = zip(ring, (*ring[1:], ring[0]), strict=True)
+        return min(((q.x - p.x) * (d.y - p.y) - (q.y - p.y) * (d.x - p.x)) / dist(p, q) for p, q in sides if p != q)
+
+    for x, y, code in slide.positions():
+        d = sv.Vec(x - at.x, y - at.y)
+        for name in set(AREA_OF.values()):
+            most = max((depth(ring, d) for ring in getattr(found, name)), default=-1.0)
+            if AREA_OF.get(code) == name:
+                assert most > -near, f"{code} at {d} lies outside of {name}"
+            else:
+                assert most < near, f"{code} at {d} lies inside of {name}"
+
+
+def test_wrong_at_single_places_is_drawn_as_spots_and_along_the_contact_as_a_line():
+    for name in METHODS:
+        found = maps.where(NAMED[name], maps.limits(small(name), NAMED[name]))
+        assert isinstance(found, str) == (name in ("unit-normals", "touch-on-paper"))
+        assert isinstance(found, str) or found.touching == (name == "touch-as-apart")
 
 
 def test_quick_maps_are_smaller_and_every_cell_is_done_by_name():

@@ -135,10 +135,10 @@ NUMBERS = (
         35,
         NAMED["tile-seam"],
         WRONG_NUMBER,
-        "push to the side",
+        "push off by",
         box(0, 0, 8, 2),
         box(2.9, 1.5, 4.4, 3),
-        reading.push_to_the_side,
-        right.way_aside,
+        reading.off_the_way_out,
+        right.on_the_way_out,
     ),
 )

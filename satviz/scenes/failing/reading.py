@@ -1,6 +1,6 @@
 """The numbers that believers read off their own run."""
 
-from math import atan2, degrees, hypot, nan
+from math import atan2, degrees, dist, hypot, nan
 
 from ...engine.axes import EDGE, Source, needed
 from ...engine.geometry import Vec
@@ -17,9 +17,9 @@ def length_of_push(trace: Trace) -> float:
     return hypot(*(trace.push or (nan, nan)))
 
 
-def push_to_the_side(trace: Trace) -> float:
-    """How far the run would push B along x; NaN where it sees nothing to push."""
-    return trace.push.x if trace.push else nan
+def off_the_way_out(trace: Trace) -> float:
+    """How far from where the shortest way out ends the run would push B; NaN where it sees nothing to push."""
+    return dist(trace.push, record(trace.a, trace.b).mtv or (0.0, 0.0)) if trace.push else nan
 
 
 def gap_as_distance(trace: Trace) -> float:
@@ -69,5 +69,5 @@ def gap_at_both_frames(trace: Trace) -> float:
     return min(max(test.gap for test in run.tests) for run in (trace, after))
 
 
-OF_PUSHES = length_of_push, push_to_the_side, overlap_after_push
+OF_PUSHES = length_of_push, off_the_way_out, overlap_after_push
 """The readings that are about where B would be pushed."""

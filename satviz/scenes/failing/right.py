@@ -43,9 +43,9 @@ def overlap_after_mtv(a: Shape, b: Shape) -> float:
     return max(0.0, -gap(a, moved(b, way_out(a, b))))
 
 
-def way_aside(a: Shape, b: Shape) -> float:
-    """How far the shortest way out goes along x."""
-    return way_out(a, b).x
+def on_the_way_out(a: Shape, b: Shape) -> float:
+    """How far the shortest way out is off itself."""
+    return 0.0
 
 
 def distance(a: Shape, b: Shape) -> float:

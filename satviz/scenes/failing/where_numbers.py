@@ -196,8 +196,8 @@ def _longer(push: Vec, true: Vec) -> float:
     return push.x * push.x + push.y * push.y - true.x * true.x - true.y * true.y
 
 
-def _aside(push: Vec, true: Vec) -> float:
-    return (push.x - true.x) * (abs(push.x) + abs(true.x))
+def _elsewhere(push: Vec, true: Vec) -> float:
+    return (push.x - true.x) ** 2 + (push.y - true.y) ** 2
 
 
 # -- other numbers
@@ -267,5 +267,5 @@ MAPS: dict[str, Map] = {
     "range-inside": _depth(_flat, "range-inside"),
     "gap-as-distance": _not_beside,
     "tunnelling": _on_the_way,
-    "tile-seam": _pieces("tile-seam", _aside),
+    "tile-seam": _pieces("tile-seam", _elsewhere),
 }

@@ -1,33 +1,35 @@
-"""A failure map: A drawn, and the positions of B coloured and hatched where the shortcut is wrong."""
+"""Failure maps: A drawn, and where B's middle must be for the shortcut to be wrong, coloured and hatched.
+
+The areas are exact, as under the hand in the explorer; the counts are of positions on a grid.
+"""
 
 from collections.abc import Sequence
 from typing import Any, cast
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import PathPatch
+from matplotlib.patches import PathPatch, Rectangle
 from matplotlib.path import Path
 
+from ...engine.geometry import Vec
 from ...engine.shapes import Circle, Shape
 from ...pictures import Mark, Picture, Theme
 from ...render.pen import Pen
 from ...scenes.failing import NAMED, Row
+from ...scenes.failing.plane import Ring, Window, corners, difference
+from ...scenes.failing.where import Lies, lies
 from ...scenes.shortcuts import middle
 from ..lab.cells import Cell, Settings
 from ..lab.chart import TEXT, Chart, headline
-from .slides import APART, FALSE, FAR, HIT, LONG, METHODS, MISSED, ON_PAPER, SHORT, WRONG, Slide, both, slide
+from .slides import APART, FALSE, HIT, METHODS, MISSED, ON_PAPER, WRONG, Slide, both, slide
 
 # what is wrong has one colour, and a hatch for each way; what is right stays quiet
 LOOKS = {
-    HIT: ("guide", 0.16, ""),
-    FALSE: ("wrong", 0.5, "////"),
-    MISSED: ("wrong", 0.5, "\\\\\\\\"),
-    SHORT: ("wrong", 0.5, "----"),
-    LONG: ("wrong", 0.5, "xxx"),
-    FAR: ("wrong", 0.5, "..."),
+    "hits": ("guide", 0.16, ""),
+    "false_hits": ("wrong", 0.5, "////"),
+    "missed_hits": ("wrong", 0.5, "\\\\\\\\"),
+    "numbers": ("wrong", 0.5, "..."),
 }
-
-
 COLUMNS, PANEL, TOP = 6, (150.0, 180.0), 60.0  # points
 
 
@@ -51,7 +53,8 @@ def overview(slides: Sequence[Slide]) -> Chart:
     title = f"{mostly} of {len(verdicts)} shortcuts to a verdict err more often to a hit than to a miss"
 
     def draw_it(fig: Figure, theme: Theme) -> None:
-        under = "B's middle put everywhere round A. Grey: a hit, and right. Plain: apart, and right. Hatched: wrong."
+        under = "B's middle put everywhere round A. Grey: a hit, and right. Plain: apart, and right. "
+        under += "Red: wrong, striped by the verdict, dotted by the number. The counts are of a grid."
         headline(fig, theme, title, under)
         for k, mine in enumerate(slides):
             middle, top = 12 + (k % COLUMNS + 0.5) * PANEL[0], size[1] - TOP - k // COLUMNS * PANEL[1]
@@ -96,7 +99,7 @@ def limits(slide: Slide, row: Row) -> tuple[float, float, float, float]:
 
 
 def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme) -> None:
-    """The coloured positions, A, and B where the scene has it with its reference point."""
+    """The areas, A, and B where the scene has it with its middle."""
     x0, y0, x1, y1 = view = limits(slide, row)
     box, (wide, high) = ax.get_position(), cast(Figure, ax.figure).get_size_inches() * 72
     scale = min(box.width * wide / (x1 - x0), box.height * high / (y1 - y0))
@@ -108,59 +111,42 @@ def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme) -> None:
         Mark("reference", "dot", "B", (at,)),
     ]
     Pen(ax, theme).draw(Picture(tuple(marks), view, ((x1 - x0) * scale, (y1 - y0) * scale), "", ""))
-    frame = None if slide.path else _boxes(_box(slide, 0, len(slide.codes[0]), 0, len(slide.codes)))
-    if frame:
-        ax.add_patch(PathPatch(frame, facecolor="none", edgecolor=theme.roles["guide"], linewidth=0.7, zorder=0.7))
-    for code, (role, alpha, hatch) in LOOKS.items():
-        path = _along(slide, code, (2.0 if code == HIT else 4.0) / scale) if slide.path else _cells(slide, code)
-        if path is not None:
-            colour = theme.roles[role]
-            look = {"facecolor": colour, "alpha": alpha, "linewidth": 0, "antialiased": False, "zorder": 0.5}
-            ax.add_patch(PathPatch(path, **look))
-            if hatch:
-                ax.add_patch(PathPatch(path, facecolor="none", edgecolor=colour, hatch=hatch, linewidth=0, zorder=0.6))
+    told = where(row, view)
+    found = Lies((), (), tuple(difference(a, b))) if isinstance(told, str) else told
+
+    # over the shapes' fills, so that red stays red, and under their lines
+    def area(rings: Sequence[Ring], **look: Any) -> None:
+        if rings:
+            ax.add_patch(PathPatch(_path(rings, at), **{"facecolor": "none", "linewidth": 0, "zorder": 1.3} | look))
+
+    for name, (role, alpha, hatch) in LOOKS.items():
+        area(getattr(found, name), facecolor=theme.roles[role], alpha=alpha, zorder=1.2)
+        area(getattr(found, name), edgecolor=theme.roles[role], hatch=hatch)
+    if found.touching:
+        area(found.hits, edgecolor=theme.roles["wrong"], linewidth=2.5)
+    if isinstance(told, str):  # wrong at single places only
+        half = 2.0 / scale
+        wrong = [(x - at.x, y - at.y) for x, y, code in slide.positions() if code in WRONG]
+        area([corners((x - half, y - half, x + half, y + half)) for x, y in wrong], facecolor=theme.roles["wrong"])
+    look: dict[str, Any] = {"fill": False, "edgecolor": theme.roles["guide"], "linewidth": 0.7, "clip_on": False}
+    ax.add_patch(Rectangle((0, 0), 1, 1, transform=ax.transAxes, **look))
+
+
+def where(row: Row, view: Window) -> Lies | str:
+    """The moves of B for which the shortcut is wrong, while B's middle lies in view; or why they are no area."""
+    (a, b), (x0, y0, x1, y1) = both(row), view
+    at = middle(b)
+    return lies(a, b, row.shortcut, (x0 - at.x, y0 - at.y, x1 - at.x, y1 - at.y))
+
+
+def _path(rings: Sequence[Ring], at: Vec) -> Path:
+    """One outline for all, so that nothing shows where two share a side."""
+    points = [(x + at.x, y + at.y) for ring in rings for x, y in (*ring, ring[0])]
+    codes = [code for ring in rings for code in (Path.MOVETO, *[Path.LINETO] * (len(ring) - 1), Path.CLOSEPOLY)]
+    return Path(points, codes)
 
 
 def _outline(name: str, shape: Shape, *, weight: str = "plain") -> Mark:
     if isinstance(shape, Circle):
         return Mark("outline", "disc", name, (shape.center,), owner=name, radius=shape.radius, weight=weight)
     return Mark("outline", "outline", name, shape.vertices, owner=name, weight=weight)
-
-
-def _cells(slide: Slide, code: str) -> Path | None:
-    """One outline for all positions with that letter: a rectangle a run, so that nothing shows between cells."""
-    points: list[tuple[float, float]] = []
-    for j, line in enumerate(slide.codes):
-        start = None
-        for i, letter in enumerate([*line, ""]):
-            if letter == code and start is None:
-                start = i
-            elif letter != code and start is not None:
-                points += _box(slide, start, i, j, j + 1)
-                start = None
-    return _boxes(points)
-
-
-def _box(slide: Slide, i0: int, i1: int, j0: int, j1: int) -> list[tuple[float, float]]:
-    """The corners of a run of cells."""
-    (x0, x1), (y0, y1) = (
-        (slide.x + (i - 0.5) * slide.dx for i in (i0, i1)),
-        (slide.y + (j - 0.5) * slide.dy for j in (j0, j1)),
-    )
-    return [(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)]
-
-
-def _along(slide: Slide, code: str, half: float) -> Path | None:
-    """A small square on each spot along a contact."""
-    points: list[tuple[float, float]] = []
-    for x, y, letter in slide.positions():
-        if letter == code:
-            points += [(x + sx * half, y + sy * half) for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))]
-    return _boxes(points)
-
-
-def _boxes(points: Sequence[tuple[float, float]]) -> Path | None:
-    if not points:
-        return None
-    codes = [Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY]
-    return Path(points, codes * (len(points) // 5))
