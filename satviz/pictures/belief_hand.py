@@ -40,7 +40,7 @@ def hand(
         draw_push(sketch)
     if where:
         text = f"dot {'on' if where[0].kind == 'segment' else 'in'} the red:\nthe shortcut is wrong"
-        sketch.note("lies-name", text, "wrong", first=6)
+        sketch.note("lies-name", text, "ink", first=6)  # red words would be lost on the red
     drawn = struck(sketch.finish("", trace.sentence, steady=False), trace)
     return drawn._replace(marks=(*(mark for mark in where if mark.part != "reference"), *drawn.marks)), place
 
