@@ -4,6 +4,8 @@ import math
 from importlib.util import find_spec
 
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 
 import satviz as sv
 from satviz.cli import main
@@ -393,3 +395,25 @@ def test_on_a_telephone_the_panels_stand_one_above_the_other_with_letters_as_lar
         saw, truth = (drawn.mark(f"{side}-heading").points[0] for side in ("saw", "is"))
         assert saw.x == truth.x and saw.y > truth.y + 100 and no_overlap(drawn)
         assert not [m for m in drawn.marks if m.part.startswith("saw-") for p in m.points if p.y < truth.y]
+
+
+@pytest.mark.parametrize("size", [(2.3, 2.3), (4.3, 4.3), (3.1, 4.6), (9.0, 1.5)])
+@pytest.mark.parametrize("name", [row.name for row in ROWS])
+def test_both_panels_hold_on_axes_of_any_size(name, size):
+    """On Axes of one's own, however small: each word inside, none over another (a small picture loops no more)."""
+    fig = Figure(figsize=size)
+    FigureCanvasAgg(fig)
+    ax = fig.add_axes((0, 0, 1, 1))
+    sv.draw(name, ax=ax)
+    frame, boxes = ax.get_window_extent(), [text.get_window_extent() for text in ax.texts if text.get_text()]
+    for i, one in enumerate(boxes):
+        assert frame.x0 - 1 < one.x0 and one.x1 < frame.x1 + 1 and frame.y0 - 1 < one.y0 and one.y1 < frame.y1 + 1
+        for other in boxes[:i]:
+            wide = min(one.x1, other.x1) - max(one.x0, other.x0)
+            assert wide < 3 or min(one.y1, other.y1) - max(one.y0, other.y0) < 4
+
+
+def test_axes_squeezed_to_nothing_are_drawn_on_all_the_same():
+    ax = Figure(figsize=(3, 3)).add_axes((0.5, 0.5, 0.0, 0.0))
+    for what in "lengths", "triangles":
+        assert sv.draw(what, ax=ax)

@@ -38,8 +38,9 @@ from .stages import (
 SAW, IS = "what the shortcut saw", "what is"
 PANEL = 340.0, 300.0  # the largest, in points
 FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
-BETWEEN, HEAD, RIM = 20.0, 24.0, 10.0  # points between the panels, for each one's heading, round the words above
+BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0  # points between the panels, for each one's heading, round the words above
 BOTH = 2 * PANEL[0] + BETWEEN
+SMALLEST = 170.0  # points: a smaller panel has no room for its words
 TALL = 1.5  # times its width from which a canvas has the panels one above the other
 
 
@@ -65,14 +66,23 @@ def picture(
     if not trace.shortcut:
         return stages.picture(trace, step, title=title, largest=largest, by_itself=by_itself)
     step = stages.chosen(trace, step)
-    stacked = largest[1] > TALL * largest[0]
-    if largest == (WIDTH, HEIGHT):
-        panel = PANEL
-    elif stacked:
-        panel = largest[0], (largest[1] - 5 * HEAD) / 2
-    else:
-        panel = (largest[0] - BETWEEN) / 2, largest[1] - 4 * HEAD
+    panel, stacked = _panel(largest)
     return _put(trace, _saw(trace, step, panel), _what_is(trace, panel), _room(trace, panel), title, stacked=stacked)
+
+
+def _panel(largest: tuple[float, float]) -> tuple[tuple[float, float], bool]:
+    """The largest panel on a canvas, and whether the other one stands below it.
+
+    On a canvas that has no room for both it is larger, and the whole is shown smaller.
+    """
+    if largest == (WIDTH, HEIGHT):
+        return PANEL, False
+    width, height = largest
+    if stacked := height > TALL * width:
+        height = (height - 5 * HEAD) / 2
+    else:
+        width, height = (width - BETWEEN) / 2, height - 4 * HEAD
+    return (max(width, SMALLEST), max(height, SMALLEST)), stacked
 
 
 def _own(panels: dict[str, Panel], trace: Trace) -> Panel | None:
@@ -127,7 +137,8 @@ def _room(trace: Trace, largest: tuple[float, float]) -> tuple[float, float]:
     tests = [test for run in trace.pairs or (trace,) for test in run.tests]
     sizes = [_believed(trace, largest).size, _what_is(trace, largest).size]
     sizes += [_test_layout(trace, test, largest).size for test in tests]
-    return max(w for w, _ in sizes), max(h for _, h in sizes)
+    heads = [text_box(name)[0] + RIM for name in (SAW, IS)]
+    return max(*heads, *(w for w, _ in sizes)), max(h for _, h in sizes)
 
 
 def _drawn(trace: Trace, move: Vec | None) -> list[Shape]:

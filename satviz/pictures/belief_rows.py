@@ -15,8 +15,9 @@ from ..engine.trace import Trace, record
 from ..scenes.failing import right, swept
 from ..scenes.failing.plane import hull
 from ..scenes.failing.reading import moved as put
+from .caption import wrapped
 from .curve import direction
-from .layout import NARROW_PAD, Group, Layout, box_of, moved
+from .layout import NARROW_PAD, Group, Layout, box_of, moved, text_box
 from .layout import arrange as arranged
 from .sketch import Sketch
 
@@ -145,9 +146,17 @@ def support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
         way = 1.0 if best.b.interval.lo > best.a.interval.hi else -1.0
         found = (_furthest(corners, Vec(-n.x * way, -n.y * way)),)
     xs, ys = [0.0, *(v.x for v in corners)], [0.0, *(v.y for v in corners)]
-    low = min(ys) - 0.25 * (max(ys) - min(ys))  # room for words
-    box = Polygon([(min(xs), low), (max(xs), low), (max(xs), max(ys)), (min(xs), max(ys))])
-    sketch = Sketch(trace, arrange([Group([box], [])], largest=(largest[0] * 0.8, largest[1] * 0.8))[0])
+    count = len(trace.a.vertices) + len(trace.b.vertices)
+    rest = "and a triangle round the origin three corners" if trace.hit else "and for a miss one corner may be enough"
+    wide, high = largest[0] * 0.8, largest[1] * 0.8
+    lines = f"a corner of B {MINUS} A takes {count} looks,", rest
+    text = "\n".join(wrapped(line, wide - 2 * NARROW_PAD) for line in lines)
+    band = text_box(text)[1] + NARROW_PAD  # below the picture, for words
+    box = Polygon([(min(xs), min(ys)), (max(xs), min(ys)), (max(xs), max(ys)), (min(xs), max(ys))])
+    layout = arrange([Group([box], [])], largest=(wide, high - band))[0]
+    (x0, y0, x1, y1), (wide, high) = layout.limits, layout.size
+    low = y0 - layout.units(band)
+    sketch = Sketch(trace, layout._replace(limits=(x0, low, x1, y1), size=(wide, high + band)))
     rim = hull(corners)
     sketch.add("difference", "outline", "guide", *rim)
     middle = Vec(sum(v.x for v in rim) / len(rim), sum(v.y for v in rim) / len(rim))
@@ -160,11 +169,7 @@ def support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
         sketch.add("support", "dot", "ink", v, number=i)
     sketch.add("origin", "dot", "wrong", Vec(0.0, 0.0))
     sketch.label("origin-name", "origin", "wrong", Vec(0.0, 0.0), first=1)
-    count = len(trace.a.vertices) + len(trace.b.vertices)
-    rest = "and a triangle round the origin three corners" if trace.hit else "and for a miss one corner may be enough"
-    text = f"a corner of B {MINUS} A takes {count} looks,\n{rest}"
-    below = Vec((min(xs) + max(xs)) / 2, low)
-    sketch.label("looked-at", text, "guide", below, first=1, inside=True)
+    sketch.label("looked-at", text, "guide", Vec((x0 + x1) / 2, low + layout.units(band / 2)), first=1, inside=True)
     return sketch
 
 

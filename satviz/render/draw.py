@@ -46,7 +46,7 @@ def draw(
         raise TypeError(f"ax is a {type(ax).__name__}: pass matplotlib Axes")
     box = ax.get_window_extent()
     points = 72 / ax.figure.dpi
-    largest = box.width * points, box.height * points
+    largest = max(box.width * points, 1.0), max(box.height * points, 1.0)  # Axes may be squeezed to nothing
     shown = what if isinstance(what, Picture) else picture(what, step, largest=largest)
     # a picture that needs more room than the Axes have is shown smaller, its letters too
     zoom = min(1.0, *(room / size for room, size in zip(largest, shown.size, strict=True)))
