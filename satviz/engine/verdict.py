@@ -6,7 +6,7 @@ from math import inf
 from .concave import parts
 from .exact import HUGE, TINY, IntPoint, aligned, orient, root_sign, shifted, sign, to_integers
 from .geometry import Relation, Vec
-from .shapes import Shape, checked
+from .shapes import Shape, Slab, checked
 
 APART, TOUCHING, OVERLAPPING = Relation
 
@@ -15,7 +15,6 @@ APART, TOUCHING, OVERLAPPING = Relation
 # one, at most 2DM each; the edge's value the same; the two bounds one each: under
 # 15 * 2**-53 * D * M, whatever the order and with fused operations.  Asked: 32.
 LOOK = 2.0**-48
-MANY = 16  # corners, from which on it pays to look for the likeliest one first
 LEAST_ROOM, MOST_ROOM = TINY, HUGE * LOOK
 
 
@@ -25,7 +24,7 @@ def relate(a: Shape, b: Shape) -> Relation:
     Takes Polygon (convex or concave) and Circle in any mix; TypeError for anything else.
     Convex polygons: an edge clears the other shape when every vertex lies strictly beyond
     it, so no projection and no square root are needed.  One vertex surely inside refutes
-    that; where the least is in doubt, the exact sign is asked of every vertex within the
+    that, and a point surely inside both shapes refutes it for all edges; where the least is in doubt, the exact sign is asked of every vertex within the
     room of zero (of the least alone would be wrong when two lie on the edge's line).
     """
     try:
@@ -42,16 +41,20 @@ def relate(a: Shape, b: Shape) -> Relation:
     if a.is_upright_box and b.is_upright_box:
         return TOUCHING if ax1 == bx0 or bx1 == ax0 or ay1 == by0 or by1 == ay0 else OVERLAPPING
     reach = (a.reach + b.reach) * LOOK  # the sum stands in for the larger: quicker, and on the safe side
-    room, own, points = a.span * reach, a_slabs, b.core
-    while True:
-        if not LEAST_ROOM < room < MOST_ROOM:
-            return relate_integers(*aligned(a, b)[:3])
-        if len(points) >= MANY:
-            points = _deepest_first(points, a, b) if own is a_slabs else _deepest_first(points, b, a)
-            x, y = points[0]
-            if all(lo + room < nx * x + ny * y < hi - room for nx, ny, lo, hi, _ in own):
-                return OVERLAPPING
-        for nx, ny, lo, hi, edges in own:
+    room_a, room_b = a.span * reach, b.span * reach
+    if not (LEAST_ROOM < room_a < MOST_ROOM and LEAST_ROOM < room_b < MOST_ROOM):
+        return relate_integers(*aligned(a, b)[:3])
+    # the middle of what both boxes share: surely inside both shapes, or beyond an edge that then is the likeliest
+    x = ((ax0 if ax0 > bx0 else bx0) + (ax1 if ax1 < bx1 else bx1)) / 2
+    y = ((ay0 if ay0 > by0 else by0) + (ay1 if ay1 < by1 else by1)) / 2
+    if k := _beyond(a_slabs, room_a, x, y):
+        a_slabs = a_slabs[k - 1 :] + a_slabs[: k - 1]
+    elif k := _beyond(b_slabs, room_b, x, y):
+        b_slabs = b_slabs[k - 1 :] + b_slabs[: k - 1]
+    else:
+        return OVERLAPPING
+    for slabs, room, points in (a_slabs, room_a, b.core), (b_slabs, room_b, a.core):
+        for nx, ny, lo, hi, edges in slabs:
             low = lo + room
             high = hi - room
             for x, y in points:
@@ -61,18 +64,15 @@ def relate(a: Shape, b: Shape) -> Relation:
                 told = _told(edges, points, room)
                 if told is not OVERLAPPING:
                     return told
-        if own is b_slabs:
-            return OVERLAPPING
-        room, own, points = b.span * reach, b_slabs, a.core
+    return OVERLAPPING
 
 
-def _deepest_first(points: tuple[Vec, ...], own: Shape, other: Shape) -> tuple[Vec, ...]:
-    """The other shape's corners, from the one that lies furthest towards the own shape: the likeliest to be inside."""
-    (x0, y0, x1, y1), (p0, q0, p1, q1) = own.bounds, other.bounds
-    dx, dy = x0 - p0 + (x1 - p1), y0 - q0 + (y1 - q1)
-    looks = [dx * x + dy * y for x, y in points]
-    first = looks.index(max(looks))
-    return points[first:] + points[:first]
+def _beyond(slabs: Sequence[Slab], room: float, x: float, y: float) -> int:
+    """The number, from 1, of the first slab that does not surely hold a point; 0 if all do."""
+    for k, (nx, ny, lo, hi, _) in enumerate(slabs, 1):
+        if not lo + room < nx * x + ny * y < hi - room:
+            return k
+    return 0
 
 
 def _told(edges: Sequence[tuple[Vec, Vec]], points: Sequence[Vec], room: float) -> Relation:
