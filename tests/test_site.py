@@ -262,6 +262,9 @@ def test_a_link_opens_the_same_state():
     assert opened("triangles&row=4")["first"]["lit"] == 4
     player = opened("triangles&step=5&predict=1")
     assert player["step"] == 5 and player["predict"] and len(player["shows"][0]["steps"]) == 16
+    rest = opened("triangles&step=43&rest=1")
+    assert rest["rest"] and rest["step"] == 43 == len(rest["shows"][1]["steps"]) - 1
+    assert not opened("circles&rest=1")["rest"]  # one axis, tested: nothing rests
 
 
 def test_the_state_says_the_link_that_opens_it_again():
