@@ -605,6 +605,20 @@ def test_a_page_to_share_saves_the_step_that_it_shows(browser, errors, pages):
     page.close()
 
 
+def test_what_is_saved_while_it_moves_is_what_it_comes_to(browser, errors, pages):
+    page = opened(browser, errors, pages / "triangles.html")
+    save = "document.querySelector('[aria-label=\"save SVG\"]').click();"
+    for i in range(1, 16):
+        files = []
+        for first in f"document.querySelector('[aria-label=\"step forward\"]').click(); {save}", save:
+            with page.expect_download() as found:
+                page.evaluate(f"() => {{ {first} }}")
+            files.append(found.value.path().read_bytes())
+            page.wait_for_timeout(500)
+        assert files[0] == files[1], i
+    page.close()
+
+
 def test_the_save_menu_opens_and_closes_from_the_keyboard(browser, errors):
     with explored(browser, Exploring(sv.scene("triangles")), errors) as page:
         menu = page.locator(".sv-menu")

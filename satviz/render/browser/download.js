@@ -9,8 +9,10 @@ export function download({ name }, [data]) {
 const FINE = 2; // pixels a point
 const STYLED = ["fill", "stroke", "font-family", "font-size", "font-weight"]; // what style sheets and variables decide
 
-// The picture as it is shown, saved without a kernel.
-export async function saveDrawn(svg, form) {
+// The picture as it is shown, saved without a kernel; of one that moves what it comes to.
+export async function saveDrawn(pen, form) {
+  pen.arrive();
+  const { svg } = pen;
   const text = standing(svg);
   download({ name: `satviz.${form}` }, [form === "svg" ? text : await painted(text, svg.viewBox.baseVal)]);
 }
@@ -23,7 +25,7 @@ function standing(svg) {
   parts(svg).forEach((part, i) => {
     const style = getComputedStyle(part);
     for (const name of STYLED) made[i].setAttribute(name, style.getPropertyValue(name));
-    for (const name of ["data-text", "data-at", "opacity"]) made[i].removeAttribute(name);
+    for (const name of ["data-text", "data-at"]) made[i].removeAttribute(name);
   });
   for (const name of copy.getAttributeNames()) if (!["viewBox", "role", "aria-label"].includes(name)) copy.removeAttribute(name);
   const { width, height } = svg.viewBox.baseVal;
