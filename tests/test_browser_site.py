@@ -358,6 +358,27 @@ def test_the_picture_is_saved_as_it_is_shown(visit, theme):
         } <= shown
 
 
+@pytest.mark.parametrize("screen", [{}, {"viewport": {"width": 390, "height": 844}}], ids=["wide", "phone"])
+def test_what_is_shown_beside_the_picture_is_saved_with_it(visit, screen):
+    page = visit("scene.html#triangles&free=40&against=1", **screen)
+    pictures = page.locator(".live svg.sv-picture")
+    assert pictures.count() == 3 and all(each.is_visible() for each in pictures.all())
+    root = ElementTree.fromstring(saved(page, "svg"))
+    texts = "each => [...each.querySelectorAll('text')].map(text => text.textContent)"
+    inner = root.findall("{*}svg")
+    assert [["".join(text.itertext()) for text in svg.findall(".//{*}text")] for svg in inner] == [
+        each.evaluate(texts) for each in pictures.all()
+    ]
+    boxes = [[float(svg.get(name)) for name in ("x", "y", "width", "height")] for svg in inner]
+    width, height = (float(root.get(name)) for name in ("width", "height"))
+    assert all(x >= 0 and x + wide <= width for x, _, wide, _ in boxes)
+    assert all(y == sum(box[3] for box in boxes[:i]) for i, (_, y, *_) in enumerate(boxes))
+    with Image.open(io.BytesIO(saved(page, "png"))) as drawn:
+        assert drawn.size == (int(2 * width), int(2 * height))
+        for _, y, _, high in boxes:  # something is drawn in each
+            assert len(drawn.crop((0, int(2 * y), drawn.width, int(2 * (y + high)))).getcolors(1 << 20)) > 50
+
+
 def test_what_the_page_cannot_make_is_not_offered(visit):
     page = visit("2-sat.html")
     for inside in ".live", ".player":

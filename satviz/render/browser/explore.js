@@ -96,7 +96,7 @@ class Explorer {
     const [against, againstLabel] = check("B − A", (on) => this.change({ against: on }));
     this.boxes = { free, wayOut, against };
     const ask = this.model.get("alone") ? null : (form) => this.model.send({ kind: "save", form });
-    const save = saveMenu(this.pen, ask, { "copy JSON": () => this.state.json, "copy link": () => linked(this.model.get("site"), this.state.link) });
+    const save = saveMenu([this.pen, this.curvePen, this.differencePen], ask, { "copy JSON": () => this.state.json, "copy link": () => linked(this.model.get("site"), this.state.link) });
     return element("div", { class: "sv-controls", role: "group", "aria-label": "explorer" },
       this.presets, this.goals, this.view, this.undoButton, this.redoButton, button("reset", () => this.reset()), freeLabel, wayOutLabel, againstLabel, ...save);
   }

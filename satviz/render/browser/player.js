@@ -45,9 +45,9 @@ async function copied(text) {
 }
 
 // One menu of the files that can be saved, and of texts to copy: functions by name.  `ask` makes a kernel draw the
-// files; where there is none the page's own picture is the file.  Beside it `.sv-done` says what became of it.
-export function saveMenu(pen, ask, texts) {
-  const save = ask ?? ((form) => saveDrawn(pen, form));
+// files; where there is none the page's own pictures are the file.  Beside it `.sv-done` says what became of it.
+export function saveMenu(pens, ask, texts) {
+  const save = ask ?? ((form) => saveDrawn(pens, form));
   const said = element("span", { class: "sv-done", role: "status" });
   const copy = async (text) => { said.textContent = (await copied(text())) ? "Copied." : "This browser does not let a page copy."; };
   const copies = Object.entries(texts).map(([name, text]) => button(name, () => copy(text)));
@@ -182,7 +182,7 @@ export class Player {
       this.scrub, this.count, this.speed,
       element("label", {}, this.predict, " predict"), this.score,
       button("reset", () => this.reset()), this.rest);
-    row.append(...saveMenu(this.pen, save && ((form) => save(form, this.at, this.which)), texts));
+    row.append(...saveMenu([this.pen], save && ((form) => save(form, this.at, this.which)), texts));
     return row;
   }
 
