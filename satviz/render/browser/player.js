@@ -182,7 +182,9 @@ export class Player {
       this.scrub, this.count, this.speed,
       element("label", {}, this.predict, " predict"), this.score,
       button("reset", () => this.reset()), this.rest);
-    row.append(...saveMenu([this.pen], save && ((form) => save(form, this.at, this.which)), texts));
+    const [menu, done] = saveMenu([this.pen], save && ((form) => save(form, this.at, this.which)), texts);
+    this.done = done; // says what became of a file
+    row.append(menu, done);
     return row;
   }
 
