@@ -280,6 +280,18 @@ def test_the_state_says_the_link_that_opens_it_again():
     assert again["picture"]["marks"] and again["sentence"] == said["sentence"] and again["link"] == said["link"]
 
 
+@pytest.mark.parametrize("shows", ["row=0", "row=5", "free=0", "free=-0.1", "free=0.00001", "free=359", "against=1"])
+def test_what_a_link_says_alone_is_shown_and_said_again(shows):
+    first = opened(f"triangles&{shows}")["first"]
+    assert first["link"] == f"triangles&{shows}" and opened(first["link"])["first"] == first
+
+
+@pytest.mark.parametrize("degree", [1e-7, 1 / 3, 1e-13, -12.345678901234567])
+def test_an_axis_at_any_angle_can_be_linked(degree):
+    _, shown = links.opened(sv.link("triangles", free=degree).partition("#")[2])
+    assert shown.free == pytest.approx(degree, abs=1e-12)
+
+
 def test_a_traces_link_is_its_scenes():
     for scene in links.ALL:
         assert links.opened(links.of_trace(scene.record()))[0].record() == scene.record(), scene.name

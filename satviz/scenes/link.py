@@ -67,6 +67,8 @@ def fragment(found: Scene, shown: Shown = AS_IT_COMES) -> str:
     words = [found.name if found in ALL else urlsafe_b64encode(text.encode()).decode().rstrip("=")]
     for key, value in shown._asdict().items():
         if value is not None and value is not False:
+            if isinstance(value, float):
+                value = f"{value:.12f}".rstrip("0").rstrip(".")  # an exponent, or more digits, would not be opened
             words.append(f"{key.replace('_', '-')}={int(value) if value is True else value}")
     return "&".join(words)
 

@@ -7,7 +7,7 @@ from ..engine.geometry import InvalidScene
 from ..pictures.playback import narrow, playbacks
 from ..scenes.article import SCENES
 from ..scenes.failing import REFUSED, ROWS
-from ..scenes.link import Shown, fragment, opened
+from ..scenes.link import AS_IT_COMES, Shown, fragment, opened
 from ..scenes.scenefile import Scene, shape_data
 from ..scenes.strictjson import typed
 from ..widgets.exploring import Exploring
@@ -45,7 +45,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
             "pinned": shown.row,
         }
         pose |= {"view": shown.view} if shown.view else {}
-        if any(value not in (None, False) for value in pose.values()):
+        if shown._replace(goal=None) != AS_IT_COMES:
             said = hand.answer({"kind": "pose", "a": shape_data(scene.a), "b": shape_data(scene.b), **pose})
             if said and said["kind"] == "refused":
                 raise InvalidScene(said["why"])
