@@ -436,6 +436,68 @@ def test_the_sentence_is_said_when_the_hand_lets_go_and_once(browser, errors):
         assert page.evaluate("() => window.said") == [page.locator(".sv-sentence").inner_text()]
 
 
+HEARD = """() => {
+  window.heard = [];
+  for (const live of document.querySelectorAll("[role=status], [role=alert], [aria-live]")) {
+    const all = {childList: true, characterData: true, subtree: true};
+    new MutationObserver(() => heard.push(live.textContent)).observe(live, all);
+  }
+}"""
+
+
+def test_how_a_challenge_stands_is_said_when_the_hand_rests_and_once(browser, errors):
+    with explored(browser, Exploring(sv.scene("aabb"), "touch"), errors) as page:
+        page.evaluate(HEARD)
+
+        def heard():
+            page.wait_for_function("() => heard.length")
+            page.wait_for_timeout(600)
+            (words,) = page.evaluate("() => heard.splice(0)")
+            return words
+
+        page.locator("[data-handle='B-move']").focus()
+        for _ in range(20):
+            page.keyboard.press("ArrowLeft")
+        page.locator(".sv-goal.sv-met").wait_for()
+        assert heard().startswith("Done. They touch, exactly. A and B touch")
+        box = page.locator("[data-handle='B-move']").bounding_box()
+        page.mouse.move(box["x"] + 14, box["y"] + 14)
+        page.mouse.down()
+        for i in range(12):
+            page.mouse.move(box["x"] + 14 + 4 * i, box["y"] + 14)
+            page.wait_for_timeout(30)
+        answered(page, "apart")
+        assert page.evaluate("() => heard") == []
+        page.mouse.up()
+        assert heard().startswith("They are apart")
+        for goal, asks in ("one-axis", "Make exactly one axis"), ("touch", "Make the shapes touch"):
+            page.get_by_label("challenges").select_option(goal)
+            assert heard().startswith(asks)
+
+
+@pytest.mark.parametrize("clipboard", ["undefined", "{ writeText: () => Promise.reject(new Error('forbidden')) }"])
+def test_what_is_copied_is_copied_without_a_clipboard_too_and_either_way_a_line_says_so(browser, errors, clipboard):
+    """A page from http, such as a JupyterLab of another machine, has no clipboard; a browser may forbid one."""
+    hand = Exploring(sv.scene("circles"))
+    with explored(browser, hand, errors) as page:
+        page.evaluate(f"() => Object.defineProperty(navigator, 'clipboard', {{ value: {clipboard} }})")
+        page.evaluate(
+            "() => { window.copies = []; addEventListener('copy', () => copies.push(String(getSelection()))); }"
+        )
+
+        def copy(name):
+            page.locator(".sv-menu summary").click()
+            page.wait_for_function("() => document.querySelector('.sv-done').textContent === ''")
+            page.get_by_role("button", name=name).click()
+            page.locator(".sv-done", has_text=".").wait_for()
+            return page.locator(".sv-done").inner_text()
+
+        assert [copy("copy JSON"), copy("copy link")] == ["Copied.", "Copied."]
+        assert page.evaluate("() => copies") == [hand.state()["json"], "scene.html#circles"]
+        page.evaluate("() => { document.execCommand = () => false; }")
+        assert "does not let" in copy("copy link")
+
+
 def test_the_hint_goes_with_the_first_use(browser, errors):
     with explored(browser, Exploring(sv.scene("triangles")), errors) as page:
         hint = page.locator(".sv-hint")
@@ -540,6 +602,20 @@ def test_a_page_to_share_saves_the_step_that_it_shows(browser, errors, pages):
                 == sv.picture(sv.scene("triangles").record(), 7).sentence
             )
     assert "GIF" not in page.locator(".sv-menu").inner_text()
+    page.close()
+
+
+def test_what_is_saved_while_it_moves_is_what_it_comes_to(browser, errors, pages):
+    page = opened(browser, errors, pages / "triangles.html")
+    save = "document.querySelector('[aria-label=\"save SVG\"]').click();"
+    for i in range(1, 16):
+        files = []
+        for first in f"document.querySelector('[aria-label=\"step forward\"]').click(); {save}", save:
+            with page.expect_download() as found:
+                page.evaluate(f"() => {{ {first} }}")
+            files.append(found.value.path().read_bytes())
+            page.wait_for_timeout(500)
+        assert files[0] == files[1], i
     page.close()
 
 

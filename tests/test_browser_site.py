@@ -217,6 +217,33 @@ def test_the_link_that_is_copied_opens_the_same(visit):
     assert page.get_by_label("predict").is_checked() and page.locator(".sv-count").inner_text().startswith("1")
 
 
+def test_the_link_to_a_step_of_the_rest_opens_that_step(visit):
+    page = visit("scene.html#triangles&step=2")
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page.get_by_role("button", name="test the rest").click()
+    page.get_by_role("slider", name="step").fill("30")
+    before = said(page), page.locator(".sv-count").inner_text()
+    page.locator(".sv-menu summary").click()
+    page.get_by_role("button", name="copy link").click()
+    page.get_by_text("Copied.").wait_for()
+    page = visit(page.evaluate("navigator.clipboard.readText()").rpartition("/")[2])
+    assert (said(page), page.locator(".sv-count").inner_text()) == before
+    assert page.get_by_role("button", name="test the rest").get_attribute("aria-pressed") == "true"
+
+
+def test_what_a_link_shows_stays_where_the_first_drag_is_refused(visit):
+    page = visit("scene.html#circles&free=40&way-out=1&against=1")
+    radius, center = (page.locator(f'[data-handle="B-{part}"]').bounding_box() for part in ("radius", "move"))
+    page.mouse.move(radius["x"] + radius["width"] / 2, radius["y"] + radius["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(center["x"] + center["width"] / 2, center["y"] + center["height"] / 2)  # in one go
+    page.locator(".sv-why", has_text="Not possible").wait_for()
+    page.mouse.up()
+    page.locator(".sv-why").wait_for(state="hidden")
+    for box in "free axis", "way out", "B − A":
+        assert page.get_by_role("checkbox", name=box).is_checked(), box
+
+
 def test_the_way_to_the_text_is_no_link_to_a_scene(visit):
     page = visit("scene.html#circles")
     page.locator(".skip").focus()
@@ -329,6 +356,27 @@ def test_the_picture_is_saved_as_it_is_shown(visit, theme):
         assert {
             tuple(bytes.fromhex(colour[1:])) for colour in (theme.paper, theme.roles["A"], theme.roles["B"])
         } <= shown
+
+
+@pytest.mark.parametrize("screen", [{}, {"viewport": {"width": 390, "height": 844}}], ids=["wide", "phone"])
+def test_what_is_shown_beside_the_picture_is_saved_with_it(visit, screen):
+    page = visit("scene.html#triangles&free=40&against=1", **screen)
+    pictures = page.locator(".live svg.sv-picture")
+    assert pictures.count() == 3 and all(each.is_visible() for each in pictures.all())
+    root = ElementTree.fromstring(saved(page, "svg"))
+    texts = "each => [...each.querySelectorAll('text')].map(text => text.textContent)"
+    inner = root.findall("{*}svg")
+    assert [["".join(text.itertext()) for text in svg.findall(".//{*}text")] for svg in inner] == [
+        each.evaluate(texts) for each in pictures.all()
+    ]
+    boxes = [[float(svg.get(name)) for name in ("x", "y", "width", "height")] for svg in inner]
+    width, height = (float(root.get(name)) for name in ("width", "height"))
+    assert all(x >= 0 and x + wide <= width for x, _, wide, _ in boxes)
+    assert all(y == sum(box[3] for box in boxes[:i]) for i, (_, y, *_) in enumerate(boxes))
+    with Image.open(io.BytesIO(saved(page, "png"))) as drawn:
+        assert drawn.size == (int(2 * width), int(2 * height))
+        for _, y, _, high in boxes:  # something is drawn in each
+            assert len(drawn.crop((0, int(2 * y), drawn.width, int(2 * (y + high)))).getcolors(1 << 20)) > 50
 
 
 def test_what_the_page_cannot_make_is_not_offered(visit):

@@ -281,6 +281,14 @@ def test_labels_are_text_and_never_markup():
     assert {"$x^2$", "<b>&amp;", "a_b 日本"} <= set(texts)
 
 
+@pytest.mark.parametrize(
+    "label", ["می\u200cخواهم", "👨\u200d👩\u200d👧", "א\u200f!"], ids=["Persian", "family", "Hebrew"]
+)
+def test_a_label_keeps_the_signs_that_join_and_turn_its_letters(label):
+    trace = sv.record(sv.Polygon([(0, 0), (2, 0), (0, 2)], labels=[label, "\u202e", "\x1b"]), box(3, 3, 4, 4))
+    assert {label, "\ufffd"} <= set(sv.picture(trace, 0).texts)
+
+
 def luminance(colour):
     return luminance_of(*linear(colour))
 

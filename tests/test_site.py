@@ -12,8 +12,11 @@ import sys
 import urllib.error
 import urllib.request
 from base64 import urlsafe_b64encode
+from contextlib import suppress
+from dataclasses import replace
 from functools import partial
 from html import unescape
+from itertools import product
 from urllib.parse import urldefrag
 from zipfile import ZipFile
 
@@ -21,12 +24,14 @@ import pytest
 
 import satviz as sv
 from satviz.cli import main
-from satviz.engine.geometry import InvalidScene
+from satviz.engine.geometry import InvalidScene, InvalidShape
 from satviz.scenes import link as links
 from satviz.scenes.article import SCENES
 from satviz.scenes.failing import REFUSED, ROWS
+from satviz.scenes.failing.reading import moved
 from satviz.site import chapters, live, runtime
 from satviz.widgets import goals
+from satviz.widgets.exploring import Exploring
 
 pytest.importorskip("markdown_it", reason="a site needs markdown-it-py: python -m pip install '.[site]'")
 
@@ -262,6 +267,9 @@ def test_a_link_opens_the_same_state():
     assert opened("triangles&row=4")["first"]["lit"] == 4
     player = opened("triangles&step=5&predict=1")
     assert player["step"] == 5 and player["predict"] and len(player["shows"][0]["steps"]) == 16
+    rest = opened("triangles&step=43&rest=1")
+    assert rest["rest"] and rest["step"] == 43 == len(rest["shows"][1]["steps"]) - 1
+    assert not opened("circles&rest=1")["rest"]  # one axis, tested: nothing rests
 
 
 def test_the_state_says_the_link_that_opens_it_again():
@@ -270,6 +278,18 @@ def test_the_state_says_the_link_that_opens_it_again():
     said = json.loads(live.answer("place", json.dumps(pose)))
     again = opened(said["link"])["first"]
     assert again["picture"]["marks"] and again["sentence"] == said["sentence"] and again["link"] == said["link"]
+
+
+@pytest.mark.parametrize("shows", ["row=0", "row=5", "free=0", "free=-0.1", "free=0.00001", "free=359", "against=1"])
+def test_what_a_link_says_alone_is_shown_and_said_again(shows):
+    first = opened(f"triangles&{shows}")["first"]
+    assert first["link"] == f"triangles&{shows}" and opened(first["link"])["first"] == first
+
+
+@pytest.mark.parametrize("degree", [1e-7, 1 / 3, 1e-13, -12.345678901234567])
+def test_an_axis_at_any_angle_can_be_linked(degree):
+    _, shown = links.opened(sv.link("triangles", free=degree).partition("#")[2])
+    assert shown.free == pytest.approx(degree, abs=1e-12)
 
 
 def test_a_traces_link_is_its_scenes():
@@ -376,6 +396,46 @@ def test_no_challenge_is_won_when_it_begins_and_each_has_its_link():
         assert not goals.judged(goal, start).met
         first = opened(sv.link(start, goal=goal).partition("#")[2])["first"]
         assert first["goal"]["asks"] == goals.ASKS[goal] and first["link"].endswith(f"&goal={goal}")
+
+
+def by_the_hint(goal, start):
+    """Where a hand may bring a scene: B moved by arrow keys, a circle level with a point, two corners to one place."""
+    a, b = start.a, start.b
+    at_most = 8 / Exploring(start).picture().scale  # as the browser's: 1, 2 or 5 times a power of ten
+    step = max(
+        float(f"{digit}e{power}")
+        for digit in (1, 2, 5)
+        for power in range(-9, 9)
+        if float(f"{digit}e{power}") <= at_most
+    )
+    for r in range(46):
+        for x, y in product(range(-r, r + 1), repeat=2):
+            if max(abs(x), abs(y)) == r:
+                yield replace(start, b=moved(b, sv.Vec(x * step, y * step)))
+    if goal != goals.TOUCH:
+        return
+    round_, other = (b, a) if isinstance(b, sv.Circle) else (a, b)
+    if isinstance(round_, sv.Circle):
+        (spots, out) = ([other.center], other.radius) if isinstance(other, sv.Circle) else (other.vertices, 0)
+        for (x, y), side in product(spots, (1, -1)):
+            level = sv.Circle((x + side * (round_.radius + out), y), round_.radius)
+            yield replace(start, a=level, b=other) if round_ is a else replace(start, a=other, b=level)
+        return
+    for (i, p), (j, q) in product(enumerate(a.vertices), enumerate(b.vertices)):
+        place = round((p.x + q.x) / 2, 2), round((p.y + q.y) / 2, 2)
+        ends = [[*s.vertices[:k], place, *s.vertices[k + 1 :]] for s, k in ((a, i), (b, j))]
+        with suppress(InvalidShape):
+            yield replace(start, a=sv.Polygon(ends[0]), b=sv.Polygon(ends[1]))
+
+
+@pytest.mark.parametrize("name", [scene.name for scene in links.ALL])
+def test_every_challenge_that_is_offered_can_be_met_as_its_hint_says(name):
+    for goal in goals.CALLED:
+        try:
+            start = goals.begun(goal, sv.scene(name))
+        except InvalidScene:
+            continue
+        assert any(goals.judged(goal, there).met for there in by_the_hint(goal, start)), goal
 
 
 def test_a_drag_is_judged_and_a_preset_ends_the_challenge():

@@ -2,6 +2,7 @@
 
 import base64
 import re
+from math import dist
 from xml.etree import ElementTree
 
 import pytest
@@ -10,9 +11,13 @@ import satviz as sv
 from satviz.engine.geometry import InvalidScene, Relation
 from satviz.pictures import playback
 from satviz.pictures.caption import captioned
+from satviz.pictures.labels import Board, _put
+from satviz.pictures.layout import Layout, text_box
 from satviz.render.notebook import bundle
 from satviz.scenes.article import box
 from satviz.scenes.failing import REFUSED, ROWS
+from satviz.scenes.failing.reading import moved
+from satviz.scenes.scenefile import shape_data
 from satviz.widgets.exploring import Exploring
 from satviz.widgets.showing import Showing
 
@@ -419,3 +424,37 @@ def test_a_dent_made_under_the_hand_takes_the_map_away_and_says_so():
     a = {"polygon": [*first["a"]["polygon"], [0.5, 0.5]]}
     state = hand.answer({"kind": "pose", "a": a, "b": first["b"]})
     assert state["map"].startswith("No map of where it is wrong: a shape has a dent")
+
+
+def dragged(hand, name):
+    """The picture and how its labels stand, while B is moved across the canvas by two points at a time."""
+    start, first = sv.scene(name), hand.picture()
+    for i in range(-60, 61):
+        b = shape_data(moved(start.b, sv.Vec(2 * i / first.scale, i / first.scale)))
+        said = hand.answer({"kind": "pose", "n": 1, "a": shape_data(start.a), "b": b, "final": False})
+        if said["kind"] == "state":
+            yield hand.picture(), dict(hand._stood)
+
+
+def which_of(mark):
+    return mark.part, mark.owner, mark.axis, mark.number
+
+
+@pytest.mark.parametrize("name", ["triangles", "concave-outline", "circle-polygon", "aabb", "dart"])
+def test_no_name_jumps_under_the_hand_without_a_reason(name):
+    hand, before = Exploring(sv.scene(name)), {}
+    for drawn, stood in dragged(hand, name):
+        (x0, y0, *_), labels = drawn.limits, {which_of(m): m for m in drawn.marks if m.kind == "label"}
+        for which in labels.keys() & before.keys():
+            was, now = before[which], stood[which]
+            if which[0] not in ("name", "vertex-name") or dist(was[:2], now[:2]) < 12:
+                continue
+            board = Board(Layout(drawn.limits, drawn.size, ()))
+            for mark in drawn.marks:
+                if mark.part != f"{which[0]}-leader" and which_of(mark) != which:
+                    _put(board, mark)
+            at, (w, h) = labels[which].points[0], text_box(labels[which].text, labels[which].weight)
+            spot = [(p - low) * drawn.scale + old - new for p, low, old, new in zip(at, (x0, y0), was, now)]
+            covers = board._cost(spot, w / 2 + 2, h / 2 + 1, 1e9)
+            assert covers + was.price - now.price > 40, which
+        before = stood

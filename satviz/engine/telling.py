@@ -36,9 +36,12 @@ if TYPE_CHECKING:
 MOST_PAIRS = 20  # of parts, in a table that can be read
 
 
+_JOINS = "\u200c\u200d\u200e\u200f"  # Persian, emoji and Hebrew are written with them
+
+
 def printable(text: str) -> str:
     """The text with a sign in place of each control character, which would break an SVG."""
-    return "".join(c if c.isprintable() else "\ufffd" for c in text)
+    return "".join(c if c.isprintable() or c in _JOINS else "\ufffd" for c in text)
 
 
 def vertex_name(shape: Shape, name: str, i: int) -> str:

@@ -10,13 +10,20 @@ from ..scenes.shortcuts import middle
 from . import belief_rows, live
 from .belief import answer, draw_push, struck
 from .claims import said, verdicts
+from .labels import Standing
 from .layout import AxisPlace, Layout, place_within
 from .marks import Mark, Picture
 from .sketch import Sketch
 
 
 def hand(
-    trace: Trace, layout: Layout, chosen: live.Chosen | None, *, way_out: bool = False, near: Vec | None = None
+    trace: Trace,
+    layout: Layout,
+    chosen: live.Chosen | None,
+    *,
+    way_out: bool = False,
+    near: Vec | None = None,
+    stood: Standing | None = None,
 ) -> tuple[Picture, AxisPlace | None]:
     """A shortcut's run under the hand: what it saw by the chosen test, its answer, and a map of where it lies."""
     sketch, place = Sketch(trace, layout), None
@@ -41,7 +48,7 @@ def hand(
     if where:
         text = f"dot {'on' if where[0].kind == 'segment' else 'in'} the red:\nthe shortcut is wrong"
         sketch.note("lies-name", text, "ink", first=6)  # red words would be lost on the red
-    drawn = struck(sketch.finish("", trace.sentence, steady=False), trace)
+    drawn = struck(sketch.finish("", trace.sentence, steady=False, stood=stood), trace)
     return drawn._replace(marks=(*(mark for mark in where if mark.part != "reference"), *drawn.marks)), place
 
 

@@ -2,7 +2,7 @@
 
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from itertools import chain, pairwise
 from math import cos, hypot, pi, sin
 from typing import NamedTuple
 
@@ -21,6 +21,7 @@ RIM = 4.0  # points that a label keeps from the canvas's rim
 NEAR = 2  # how many of the distances are close by
 GRID = 12  # steps across the canvas where a label may stand anywhere
 COVERS = 1e4  # the cost of lying over a label or a dot
+LOYAL = 50.0  # what another spot must be better by before a label leaves where it stood: a guide line is no reason
 LEADER = 22.0  # points beyond which a label is tied to its anchor by a line
 
 
@@ -53,6 +54,17 @@ class Request(NamedTuple):
         return self.part, self.owner, self.axis, self.number
 
 
+class Stood(NamedTuple):
+    """Where a label stood: points from its anchor, and what that spot cost by itself."""
+
+    right: float
+    up: float
+    price: float
+
+
+Standing = dict[tuple[str, str, str, int | None], Stood]
+
+
 class Wishes(Which, total=False):
     """What of a Request may be left out."""
 
@@ -74,14 +86,17 @@ def with_labels(
     steady: bool = False,
     keep_off: Sequence[Segment] = (),
     kept: Sequence[Mark] = (),
+    stood: Standing | None = None,
 ) -> list[Mark]:
     """The marks and a label for each request that finds a place, the most important first.
 
     `steady`: the names of shapes and vertices see only what every step has (the
     outlines, and `keep_off`: where normals will stand), so that nothing jumps.
     `kept`: labels of other steps; one that is asked for again stays where it is.
+    `stood`: how the labels stood by their anchors in the picture before, under the hand: where that is
+    still clear they stand so again.  It is brought up to date.
     """
-    board = Board(layout, kept)
+    board = Board(layout, kept, stood)
     beside = [mark for mark in marks if mark.part in ("inset", "inset-name")]
     for mark in beside:
         _put(board, mark)
@@ -173,8 +188,9 @@ DIRECTIONS = tuple(Vec(cos(k * pi / 8), sin(k * pi / 8)) for k in range(16))
 class Board:
     """Places labels one by one, each at the nearest spot clear of strokes, dots, labels and the rim."""
 
-    def __init__(self, layout: Layout, kept: Sequence[Mark] = ()) -> None:
+    def __init__(self, layout: Layout, kept: Sequence[Mark] = (), stood: Standing | None = None) -> None:
         self.layout = layout
+        self.stood: Standing = {} if stood is None else stood
         self.kept = [mark for mark in kept if mark.kind == "label"]
         self.strokes: list[tuple[float, float, float, float, float]] = []  # x, y, x, y, cost of crossing it
         self.walls: list[tuple[float, float, float, float]] = []  # x, y, x, y that no name strays across
@@ -250,41 +266,49 @@ class Board:
 
     def _place(self, request: Request) -> tuple[Request, Vec | None]:
         """The label and where it stands; in more lines where it has no room as it is, not at all if it is optional."""
-        found, cost = self._best(request)
+        found, cost, price = self._best(request)
         width = text_box(request.text, request.weight)[0]
         for lines in (2, 3) if not request.optional else ():
             if cost < COVERS:
                 break
             slim = request._replace(text=wrapped(request.text, width / lines, request.weight))
-            there, less = self._best(slim)
+            there, less, slim_price = self._best(slim)
             if less < cost:
-                request, found, cost = slim, there, less
+                request, found, cost, price = slim, there, less, slim_price
+        x, y = self._points(request.anchor)
+        self.stood[request.which] = Stood(found[0] - x, found[1] - y, price)
         return request, self._take(request, found, cost)
 
-    def _best(self, request: Request) -> tuple[tuple[float, float], float]:
-        """The spot in points that costs a label least, and what it costs."""
+    def _best(self, request: Request) -> tuple[tuple[float, float], float, float]:
+        """The spot in points that costs a label least, what it costs, and what of that by itself."""
         w, h = text_box(request.text, request.weight)
         anchor = self._points(request.anchor)
         wall = request.wall and (*self._points(request.wall[0]), *self._points(request.wall[1]))
-        best, found = float("inf"), anchor
-        for spot, penalty in self._spots(request, w / 2, h / 2):
+        best, found, price, loyal = float("inf"), anchor, 0.0, 0.0
+        spots = ((spot, penalty, 0.0) for spot, penalty in self._spots(request, w / 2, h / 2))
+        if before := self.stood.get(request.which):
+            again = anchor[0] + before.right, anchor[1] + before.up
+            spots = chain([(again, before.price - LOYAL, LOYAL)], spots)
+        for spot, penalty, stays in spots:
             if penalty >= best:
                 break
+            by_itself = penalty + stays
             if request.steady and any(_cross(*anchor, *spot, *wall) for wall in self.walls):
                 penalty += 200
             if wall and _cross(*anchor, *spot, *wall):
                 penalty += 150
             cost = penalty + self._cost(spot, w / 2 + 2, h / 2 + 1, best - penalty)
             if cost < best:
-                best, found = cost, spot
-            if best == 0:
+                best, found, price, loyal = cost, spot, by_itself, stays
+            if best <= 0:
                 break
+        best += loyal  # what it really costs
         if best >= COVERS and not request.far and not request.optional:  # no room near: anywhere, with a line to it
             for spot, penalty in self._anywhere(w / 2, h / 2, anchor):
                 cost = penalty + self._cost(spot, w / 2 + 2, h / 2 + 1, best - penalty)
                 if cost < best:
-                    best, found = cost, spot
-        return found, best
+                    best, found, price = cost, spot, penalty
+        return found, best, price
 
     def _take(self, request: Request, found: tuple[float, float], cost: float) -> Vec | None:
         """The label's center in scene units, its room taken; None for an optional one that found no clear spot."""

@@ -7,6 +7,7 @@ from ..engine import digits, telling
 from ..engine.geometry import Vec
 from ..engine.trace import Trace
 from .curve import direction
+from .labels import Standing
 from .layout import AxisPlace, Group, Layout, arrange, box_of, place_within
 from .marks import Picture
 from .sketch import Sketch
@@ -62,11 +63,18 @@ def telling_test(trace: Trace) -> Chosen | None:
 
 
 def live(
-    trace: Trace, layout: Layout, chosen: Chosen | None, *, way_out: bool = False, near: Vec | None = None
+    trace: Trace,
+    layout: Layout,
+    chosen: Chosen | None,
+    *,
+    way_out: bool = False,
+    near: Vec | None = None,
+    stood: Standing | None = None,
 ) -> tuple[Picture, AxisPlace | None]:
     """The picture of one finished test on fixed limits, and where its axis was placed.
 
-    `way_out` adds the MTV; `near` is the way the axis lay before, so that it stays on its side.
+    `way_out` adds the MTV; `near` is the way the axis lay before, so that it stays on its side, and `stood`
+    how the labels stood, so that they do not jump.
     """
     run = trace if chosen is None or chosen.pair is None else trace.pairs[chosen.pair]
     place = None
@@ -87,10 +95,12 @@ def live(
     sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
     if way_out and run is trace:
         draw_move(sketch)
-    return sketch.finish("", trace.sentence, steady=False), place
+    return sketch.finish("", trace.sentence, steady=False, stood=stood), place
 
 
-def turned_axis(trace: Trace, layout: Layout, degree: float, *, near: Vec | None = None) -> tuple[Picture, AxisPlace]:
+def turned_axis(
+    trace: Trace, layout: Layout, degree: float, *, near: Vec | None = None, stood: Standing | None = None
+) -> tuple[Picture, AxisPlace]:
     """The same for a free axis at an angle in degrees; `trace` has that one direction as its choice."""
     sketch = Sketch(trace, layout)
     sketch.shapes()
@@ -104,7 +114,7 @@ def turned_axis(trace: Trace, layout: Layout, degree: float, *, near: Vec | None
     verdict = f"{' and '.join(trace.names)} {telling.ARE[trace.relation]}."
     found = telling.outcome(test, telling.digits(trace, test))
     sentence = f"{verdict} The axis at {digits.number(round(degree, 1))} degrees: {found}; {says}."
-    return sketch.finish("", sentence, steady=False), place
+    return sketch.finish("", sentence, steady=False, stood=stood), place
 
 
 def knob(layout: Layout, place: AxisPlace, degree: float) -> Vec:

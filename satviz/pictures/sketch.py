@@ -15,7 +15,7 @@ from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Polygon, Shape, centroid
 from ..engine.trace import Trace
 from .insets import Inset, in_words, small
-from .labels import Request, Segment, Wishes, holds, name_spots, short_name, with_labels
+from .labels import Request, Segment, Standing, Wishes, holds, name_spots, short_name, with_labels
 from .layout import LONGEST, TRACK, AxisPlace, Layout, moved, range_label
 from .marks import Details, Mark, Picture
 
@@ -439,9 +439,17 @@ class Sketch:
                 lines.append(piece)
         self.note("left-out", "\n".join(lines), "guide")
 
-    def finish(self, title: str, sentence: str, *, steady: bool = True, kept: Sequence[Mark] = ()) -> Picture:
-        """Place the labels and close the picture; `steady` names stay put from step to step, and so do those `kept`."""
+    def finish(
+        self,
+        title: str,
+        sentence: str,
+        *,
+        steady: bool = True,
+        kept: Sequence[Mark] = (),
+        stood: Standing | None = None,
+    ) -> Picture:
+        """Place the labels and close the picture; what may change where they stand: see `with_labels`."""
         requests = [request for _, request in sorted(self.requests, key=lambda r: r[0])]
         keep_off = [arrow for arrow in map(self.normal_arrow, self.trace.tests) if arrow]
-        marks = with_labels(self.marks, requests, self.layout, steady=steady, keep_off=keep_off, kept=kept)
+        marks = with_labels(self.marks, requests, self.layout, steady=steady, keep_off=keep_off, kept=kept, stood=stood)
         return Picture(tuple(marks), self.layout.limits, self.layout.size, title, sentence)

@@ -8,12 +8,13 @@ from ..pictures import DARK, LIGHT, Theme
 
 # one module needs none between its files
 _EXPORT = re.compile(r"^export (?=class|function|async function)", re.MULTILINE)
+_REMARK = re.compile(r"^ *//.*\n", re.MULTILINE)  # for who reads the source; each page to share would carry them
 
 
 @cache
 def javascript(*names: str) -> str:
     """The named files (pen, player ...) as one module."""
-    return "\n".join(_EXPORT.sub("", _file(f"{name}.js")) for name in names)
+    return "\n".join(_EXPORT.sub("", _REMARK.sub("", _file(f"{name}.js"))) for name in names)
 
 
 @cache

@@ -29,7 +29,8 @@ DEGREE = re.compile(r"-?[0-9]{1,6}(\.[0-9]{1,12})?")
 
 
 class Shown(NamedTuple):
-    """What of a scene is shown: a free axis in degrees, a row, a view; a step of the player; a challenge's goal."""
+    """What of a scene is shown: a free axis in degrees, a row, a view; a step of the player (`rest`: among those of
+    every axis, also where the run stops before); a challenge's goal."""
 
     free: float | None = None
     row: int | None = None
@@ -38,6 +39,7 @@ class Shown(NamedTuple):
     against: bool = False
     step: int | None = None
     predict: bool = False
+    rest: bool = False
     goal: str | None = None
 
 
@@ -48,7 +50,7 @@ def link(shown: Scene | str, *, site: str = "", **more: Any) -> str:
     """The link that opens a scene (or the built-in one of that name) on a site, by default relative to its folder.
 
     `more` says what is shown: free=30.0, row=2, view="truth", way_out=True, against=True, or for the
-    player step=5, predict=True.  InvalidScene for a name or a value that cannot be opened again.
+    player step=5, predict=True, rest=True.  InvalidScene for a name or a value that cannot be opened again.
     """
     found = scene(shown) if isinstance(shown, str) else shown
     if not isinstance(found, Scene):
@@ -65,6 +67,8 @@ def fragment(found: Scene, shown: Shown = AS_IT_COMES) -> str:
     words = [found.name if found in ALL else urlsafe_b64encode(text.encode()).decode().rstrip("=")]
     for key, value in shown._asdict().items():
         if value is not None and value is not False:
+            if isinstance(value, float):
+                value = f"{value:.12f}".rstrip("0").rstrip(".")  # an exponent, or more digits, would not be opened
             words.append(f"{key.replace('_', '-')}={int(value) if value is True else value}")
     return "&".join(words)
 
@@ -119,6 +123,6 @@ def _value(key: str, text: str) -> Any:
         return int(text)
     if text in {"view": VIEWS, "goal": GOALS}.get(key, ()):
         return text
-    if key in ("way-out", "against", "predict") and text == "1":
+    if key in ("way-out", "against", "predict", "rest") and text == "1":
         return True
     raise InvalidScene(f"the link says {key}={text[:40]!r}, which means nothing")

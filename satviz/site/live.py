@@ -7,7 +7,7 @@ from ..engine.geometry import InvalidScene
 from ..pictures.playback import narrow, playbacks
 from ..scenes.article import SCENES
 from ..scenes.failing import REFUSED, ROWS
-from ..scenes.link import Shown, fragment, opened
+from ..scenes.link import AS_IT_COMES, Shown, fragment, opened
 from ..scenes.scenefile import Scene, shape_data
 from ..scenes.strictjson import typed
 from ..widgets.exploring import Exploring
@@ -35,7 +35,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
     """What a link shows: the state of an explorer, the show of a player, or why it cannot be opened."""
     try:
         scene, shown = opened(typed(content.get("hash"), "the link", str))
-        if shown.step is not None or shown.predict:
+        if shown.step is not None or shown.predict or shown.rest:
             return _show(scene, shown)
         hand = Exploring(scene, shown.goal)
         pose: dict[str, Any] = {
@@ -45,7 +45,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
             "pinned": shown.row,
         }
         pose |= {"view": shown.view} if shown.view else {}
-        if any(value not in (None, False) for value in pose.values()):
+        if shown._replace(goal=None) != AS_IT_COMES:
             said = hand.answer({"kind": "pose", "a": shape_data(scene.a), "b": shape_data(scene.b), **pose})
             if said and said["kind"] == "refused":
                 raise InvalidScene(said["why"])
@@ -61,5 +61,6 @@ def _show(scene: Scene, shown: Shown) -> dict[str, Any]:
     trace = trace.truth if shown.predict and trace.shortcut else trace
     shows = playbacks(trace)
     found: dict[str, Any] = {"kind": "opened", "title": scene.title, "shows": shows, "narrow": narrow(trace)}
-    found |= {"step": min(shown.step or 0, len(shows[0]["steps"]) - 1), "predict": shown.predict}
+    rest = shown.rest and len(shows) > 1
+    found |= {"step": min(shown.step or 0, len(shows[rest]["steps"]) - 1), "predict": shown.predict, "rest": rest}
     return found | {"link": fragment(scene)}

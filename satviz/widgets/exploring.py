@@ -12,6 +12,7 @@ from ..pictures import Picture
 from ..pictures.belief_hand import about_map, hand
 from ..pictures.claims import heading
 from ..pictures.curve import WIDTH, direction, gap_curve
+from ..pictures.labels import Standing
 from ..pictures.live import Chosen, canvas, field, fits, knob, live, telling_test, turned_axis
 from ..pictures.minkowski import difference
 from ..pictures.playback import first_rows, rows
@@ -114,6 +115,7 @@ class Exploring(Showing):
         self._look(shown, trace, SHORTCUT if trace.shortcut else None, met)
         self._pinned: int | None = None
         self._near: Vec | None = None  # the way the axis lay before, so that it stays on its side
+        self._stood: Standing = {}  # how the labels stood, so that they do not jump
 
     def _pose(self, content: dict[str, Any]) -> None:
         a, b = shape_from(content.get("a"), "A"), shape_from(content.get("b"), "B")
@@ -135,7 +137,7 @@ class Exploring(Showing):
         if begun is not self.scene:
             self._begun = begun.to_json()
         if begun is not self.scene or largest != self._largest:
-            self._layout, self._largest = layout, largest
+            self._layout, self._largest, self._stood = layout, largest, {}
         if pinned != self._pinned or (degree is None) != (self._degree is None) or view != self._view:
             self._near = None
         if view != self._view:
@@ -153,19 +155,19 @@ class Exploring(Showing):
         """Draw; when a drag has ended the view is fitted anew if something lies outside."""
         self._drawn = self._draw()
         if final and not fits(self._drawn.picture):
-            self._layout = field(self.trace, self._largest)
+            self._layout, self._stood = field(self.trace, self._largest), {}
             self._drawn = self._draw()
 
     def _draw(self) -> Drawn:
         trace = self.trace
         if self._degree is not None:
             free = record(self.scene.a, self.scene.b, axes=directions(direction(self._degree)))
-            drawn, place = turned_axis(free, self._layout, self._degree, near=self._near)
+            drawn, place = turned_axis(free, self._layout, self._degree, near=self._near, stood=self._stood)
             self._near = place.out
             return Drawn(drawn, knob=knob(self._layout, place, self._degree))
         chosen = self._choice()
         show = hand if trace.shortcut else live
-        drawn, lies = show(trace, self._layout, chosen, way_out=self._way_out, near=self._near)
+        drawn, lies = show(trace, self._layout, chosen, way_out=self._way_out, near=self._near, stood=self._stood)
         self._near = None if lies is None else lies.out
         return Drawn(drawn, lit=None if chosen is None else first_rows(trace)[chosen.pair or 0] + chosen.test)
 

@@ -26,7 +26,8 @@ ASKS = {
 HINTS = {
     ONE_AXIS: "One axis is enough to keep them apart. Push the shapes together until all gaps but one have closed.",
     TOUCH: "Bring an edge flush with an edge, or a corner onto one. The arrow keys move a shape by the same step each "
-    "time, with Shift by a tenth of it.",
+    "time, with Shift by a tenth of it. A round shape touches exactly where its center is level with a corner or "
+    "another center. Where all edges are slanted, drag a corner of each to the same place.",
     BREAK: "Ask where the shortcut and the shapes disagree. If the picture shows a red region, the shortcut is wrong "
     "while the dot lies in it.",
 }
@@ -52,8 +53,8 @@ def judged(goal: str, shown: Scene) -> Judged:
 
 
 def begun(goal: str, shown: Scene) -> Scene:
-    """Where a challenge begins that is set while a scene is shown: there, unless it is reached there already."""
-    if not judged(goal, shown).met:
+    """Where a challenge begins that is set while a scene is shown: there, unless it is or cannot be reached there."""
+    if not judged(goal, shown).met and not (goal == ONE_AXIS and _dented(shown)):
         return shown
     start = harmless(NAMED[shown.axes]) if goal == BREAK else next(s for g, s in challenges() if g == goal)
     if start is None:
@@ -87,13 +88,17 @@ def harmless(row: Row) -> Scene | None:
 
 
 def _one_axis(shown: Scene) -> tuple[bool, str]:
+    if _dented(shown):
+        return False, "A shape has a dent, and only convex ones count: drag the corner out, or choose another scene."
     trace = record(shown.a, shown.b, axes=needed, every_axis=True)
-    if trace.pairs:
-        return False, "A shape has a dent: here only convex shapes count."
     count = len({_line(test.axis.direction) for test in trace.tests if test.separates})
     if count == 1:
         return True, "Exactly one axis separates them."
     return False, "No axis separates them: they collide." if not count else f"{count} axes separate them."
+
+
+def _dented(shown: Scene) -> bool:
+    return not (shown.a.is_convex and shown.b.is_convex)
 
 
 def _line(direction: Vec) -> tuple[float, float]:

@@ -9,30 +9,44 @@ export function download({ name }, [data]) {
 const FINE = 2; // pixels a point
 const STYLED = ["fill", "stroke", "font-family", "font-size", "font-weight"]; // what style sheets and variables decide
 
-// The picture as it is shown, saved without a kernel.
-export async function saveDrawn(svg, form) {
-  const text = standing(svg);
-  download({ name: `satviz.${form}` }, [form === "svg" ? text : await painted(text, svg.viewBox.baseVal)]);
+// The pictures as they are shown, one under another, saved without a kernel; of one that moves what it comes to.
+export async function saveDrawn(pens, form) {
+  const shown = pens.filter(({ svg }) => !svg.hasAttribute("hidden"));
+  for (const pen of shown) pen.arrive();
+  const drawn = standing(shown.map(({ svg }) => svg));
+  const text = new XMLSerializer().serializeToString(drawn);
+  download({ name: `satviz.${form}` }, [form === "svg" ? text : await painted(text, drawn.viewBox.baseVal)]);
 }
 
-// The picture as a file that stands by itself: its styles written into it, its sentence as its title.
-function standing(svg) {
+// Pictures as a file that stands by itself: their styles written into it, their sentences as its title.
+function standing(svgs) {
+  const sizes = svgs.map((svg) => svg.viewBox.baseVal);
+  const [width, height] = [Math.max(...sizes.map((size) => size.width)), sizes.reduce((sum, size) => sum + size.height, 0)];
+  const says = svgs.map((svg) => svg.getAttribute("aria-label")).join(" ");
+  const title = document.createElementNS(SVG, "title");
+  title.textContent = says;
+  const paper = getComputedStyle(svgs[0]).getPropertyValue("--sv-paper").trim();
+  const whole = element("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img", "aria-label": says }, title, element("rect", { width, height, fill: paper }));
+  let y = 0;
+  svgs.forEach((svg, i) => {
+    const { width: wide, height: high } = sizes[i];
+    whole.append(element("svg", { x: (width - wide) / 2, y, width: wide, height: high, viewBox: `0 0 ${wide} ${high}` }, ...styled(svg).children));
+    y += high;
+  });
+  return whole;
+}
+
+// A copy of a picture without need of style sheets.
+function styled(svg) {
   const copy = svg.cloneNode(true);
   const parts = (of) => [...of.querySelectorAll("path, text")];
   const made = parts(copy);
   parts(svg).forEach((part, i) => {
     const style = getComputedStyle(part);
     for (const name of STYLED) made[i].setAttribute(name, style.getPropertyValue(name));
-    for (const name of ["data-text", "data-at", "opacity"]) made[i].removeAttribute(name);
+    for (const name of ["data-text", "data-at"]) made[i].removeAttribute(name);
   });
-  for (const name of copy.getAttributeNames()) if (!["viewBox", "role", "aria-label"].includes(name)) copy.removeAttribute(name);
-  const { width, height } = svg.viewBox.baseVal;
-  for (const [name, value] of Object.entries({ xmlns: SVG, width, height })) copy.setAttribute(name, value);
-  const title = document.createElementNS(SVG, "title");
-  title.textContent = svg.getAttribute("aria-label");
-  const paper = getComputedStyle(svg).getPropertyValue("--sv-paper").trim();
-  copy.prepend(title, element("rect", { width, height, fill: paper }));
-  return new XMLSerializer().serializeToString(copy);
+  return copy;
 }
 
 // The same as a PNG.

@@ -21,7 +21,7 @@ class Explorer {
     this.model = model;
     this.root = root;
     this.state = model.get("first");
-    this.pose = this.poseOf(this.state);
+    this.pose = { ...this.poseOf(this.state), ...model.get("pose") }; // of a link: what it shows of the scene
     this.valid = this.pose; // the last that Python took
     this.undone = []; // poses to go back to
     this.redone = []; // and forward
@@ -96,9 +96,9 @@ class Explorer {
     const [against, againstLabel] = check("B − A", (on) => this.change({ against: on }));
     this.boxes = { free, wayOut, against };
     const ask = this.model.get("alone") ? null : (form) => this.model.send({ kind: "save", form });
-    const save = saveMenu(this.svg, ask, button("copy JSON", () => this.copy()), button("copy link", () => copyLink(this.model.get("site"), this.state.link)));
+    const save = saveMenu([this.pen, this.curvePen, this.differencePen], ask, { "copy JSON": () => this.state.json, "copy link": () => linked(this.model.get("site"), this.state.link) });
     return element("div", { class: "sv-controls", role: "group", "aria-label": "explorer" },
-      this.presets, this.goals, this.view, this.undoButton, this.redoButton, button("reset", () => this.reset()), freeLabel, wayOutLabel, againstLabel, save);
+      this.presets, this.goals, this.view, this.undoButton, this.redoButton, button("reset", () => this.reset()), freeLabel, wayOutLabel, againstLabel, ...save);
   }
 
   poseOf({ a, b, view, scene, goal }) {
@@ -176,7 +176,7 @@ class Explorer {
     this.heading.toggleAttribute("hidden", !state.heading);
     this.map.textContent = state.map ?? "";
     this.map.toggleAttribute("hidden", !state.map);
-    if (this.sentence.textContent) this.tell(state.sentence);
+    if (this.sentence.textContent) this.tell([...this.goalTold(state), state.sentence].join(" "));
     this.sentence.textContent = state.sentence;
     this.enough.textContent = state.enough;
     if (state.scene !== this.scene) {
@@ -201,12 +201,19 @@ class Explorer {
     this.goal.toggleAttribute("hidden", !goal);
     if (!goal) return;
     if (!this.goal.childElementCount) {
-      const [asks, says, hint] = [element("b"), element("span", { role: "status" }), element("p")];
+      const [asks, says, hint] = [element("b"), element("span"), element("p")];
       this.goal.append(asks, says, element("details", {}, element("summary", {}, "a hint"), hint));
       this.goal.parts = { asks, says, hint };
     }
     this.goal.classList.toggle("sv-met", goal.met);
     for (const [name, part] of Object.entries(this.goal.parts)) if (part.textContent !== goal[name]) part.textContent = goal[name];
+  }
+
+  // What is said aloud of a challenge: what it asks when it is set, then how the scene stands to it.
+  goalTold({ goal }) {
+    if (!goal) return [];
+    const asks = !this.goal.hidden && goal.asks === this.goal.parts.asks.textContent ? [] : [goal.asks];
+    return [...asks, ...(goal.met ? ["Done."] : []), goal.says];
   }
 
   // The buttons and boxes as the pose has it.
@@ -506,9 +513,6 @@ class Explorer {
     this.drag = null;
     this.choosing = true;
     this.model.send(asked);
-  }
-  copy() {
-    navigator.clipboard?.writeText(this.state.json).then(() => this.tell("The scene is copied."));
   }
 
   remove() {

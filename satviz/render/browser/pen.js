@@ -154,6 +154,15 @@ export class Pen {
     tick(start);
   }
 
+  // All that moves is where it goes.
+  arrive() {
+    cancelAnimationFrame(this.frame);
+    for (const entry of this.drawn.values()) {
+      entry.parts.forEach((part) => part.removeAttribute("opacity"));
+      this.place(entry, entry.mark);
+    }
+  }
+
   remove() {
     cancelAnimationFrame(this.frame);
   }

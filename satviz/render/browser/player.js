@@ -22,19 +22,41 @@ export function button(label, does, { shows, pressed = null, keys = null } = {})
 }
 
 // What a site's explorer opens: `site` is its address, empty where none is known.
-export function copyLink(site, link) {
-  navigator.clipboard?.writeText(`${site ?? ""}scene.html#${link}`);
+export function linked(site, link) {
+  return `${site ?? ""}scene.html#${link}`;
 }
 
-// One menu of the files that can be saved, and more buttons.  `ask` makes a kernel draw them; where there is none the
-// page's own picture is the file.
-export function saveMenu(svg, ask, ...more) {
-  const save = ask ?? ((form) => saveDrawn(svg, form));
+// Was the text copied?  Only a page from https or this machine has the clipboard, and a browser may forbid it there.
+async function copied(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    const field = element("textarea", { readonly: true });
+    field.value = text;
+    const focused = document.activeElement;
+    document.body.append(field);
+    field.select();
+    const done = document.execCommand("copy");
+    field.remove();
+    focused?.focus();
+    return done;
+  }
+}
+
+// One menu of the files that can be saved, and of texts to copy: functions by name.  `ask` makes a kernel draw the
+// files; where there is none the page's own pictures are the file.  Beside it `.sv-done` says what became of it.
+export function saveMenu(pens, ask, texts) {
+  const save = ask ?? ((form) => saveDrawn(pens, form));
+  const said = element("span", { class: "sv-done", role: "status" });
+  const copy = async (text) => { said.textContent = (await copied(text())) ? "Copied." : "This browser does not let a page copy."; };
+  const copies = Object.entries(texts).map(([name, text]) => button(name, () => copy(text)));
   const forms = (ask ? ["svg", "png", "gif"] : ["svg", "png"]).map((form) => button(`save ${form.toUpperCase()}`, () => save(form), { shows: form.toUpperCase() }));
   const head = element("summary", {}, "save");
-  const list = element("div", { onclick: () => menu.removeAttribute("open") }, ...forms, ...more);
+  const list = element("div", { onclick: () => menu.removeAttribute("open") }, ...forms, ...copies);
   const menu = element("details", { class: "sv-menu" }, head, list);
   menu.addEventListener("toggle", () => { // it stays inside the page
+    if (menu.open) said.textContent = "";
     list.style.translate = "";
     const beyond = list.getBoundingClientRect().right - document.documentElement.clientWidth + 8;
     if (menu.open && beyond > 0) list.style.translate = `${-beyond}px`;
@@ -46,7 +68,7 @@ export function saveMenu(svg, ask, ...more) {
     menu.removeAttribute("open");
     head.focus();
   });
-  return menu;
+  return [menu, said];
 }
 
 // The table of axes.  A row is lit, greyed or still empty (with `asks` it hides whether it is tested at all);
@@ -113,8 +135,9 @@ export class Player {
     this.question = element("div", { class: "sv-question", role: "group", hidden: true });
     this.table = new Table(this.show.names);
     this.code = element("ol", { class: "sv-code", "aria-label": "the algorithm" });
-    const copy = button("copy link", () => copyLink(site, `${link}&step=${this.at}${this.predict.checked ? "&predict=1" : ""}`));
-    this.controls = this.makeControls(predict, save, link ? [copy] : []);
+    const asked = (name, on) => (on ? `&${name}=1` : "");
+    const copy = () => linked(site, `${link}&step=${this.at}${asked("predict", this.predict.checked)}${asked("rest", this.which)}`);
+    this.controls = this.makeControls(predict, save, link ? { "copy link": copy } : {});
     const side = element("div", { class: "sv-side" }, this.code, element("div", { class: "sv-fold" }, this.table.element));
     const board = element("div", { class: "sv-board sv-scrolls" }, svg);
     const stage = element("div", { class: "sv-stage" }, board, this.question, this.sentence, this.controls);
@@ -140,7 +163,7 @@ export class Player {
     return this.show.steps.length - 1;
   }
 
-  makeControls(predict, save, copies) {
+  makeControls(predict, save, texts) {
     const go = (where) => () => this.go(where());
     this.playButton = button("play", () => this.toggle(), { shows: icon("play") });
     this.scrub = element("input", { type: "range", min: 0, step: 1, "aria-label": "step", oninput: () => this.go(Number(this.scrub.value)) });
@@ -159,7 +182,9 @@ export class Player {
       this.scrub, this.count, this.speed,
       element("label", {}, this.predict, " predict"), this.score,
       button("reset", () => this.reset()), this.rest);
-    row.append(saveMenu(this.svg, save && ((form) => save(form, this.at, this.which)), ...copies));
+    const [menu, done] = saveMenu([this.pen], save && ((form) => save(form, this.at, this.which)), texts);
+    this.done = done; // says what became of a file
+    row.append(menu, done);
     return row;
   }
 

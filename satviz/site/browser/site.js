@@ -97,24 +97,17 @@ class Place {
     this.shown?.remove();
     if (content.shows) {
       this.shown = new Player(made, content.shows, { ...content, site: HERE });
+      if (content.rest) this.shown.other();
       this.shown.go(content.step, { animate: false });
     } else {
       this.model.values = { ...content, alone: true, site: HERE };
       this.model.listeners.clear();
       this.shown = new Explorer(this.model, made);
-      show(this.shown, content.pose);
     }
     this.element.replaceChildren(made);
     this.element.classList.add("ready");
     performance.measure("satviz-first-drag", { start: 0, end: performance.now() });
   }
-}
-
-// An explorer in the state that a link asks for.
-function show(explorer, { degree, wayOut, against, pinned }) {
-  explorer.pose = { ...explorer.pose, degree, wayOut, against, pinned };
-  const boxes = explorer.root.querySelectorAll("input[type=checkbox]");
-  [degree !== null, wayOut, against].forEach((on, i) => (boxes[i].checked = on));
 }
 
 function decoded(text) {
