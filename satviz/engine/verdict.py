@@ -24,8 +24,9 @@ def relate(a: Shape, b: Shape) -> Relation:
     Takes Polygon (convex or concave) and Circle in any mix; TypeError for anything else.
     Convex polygons: an edge clears the other shape when every vertex lies strictly beyond
     it, so no projection and no square root are needed.  One vertex surely inside refutes
-    that, and a point surely inside both shapes refutes it for all edges; where the least is in doubt, the exact sign is asked of every vertex within the
-    room of zero (of the least alone would be wrong when two lie on the edge's line).
+    that, and a point surely inside both shapes refutes it for all edges; where the least is
+    in doubt, the exact sign is asked of every vertex within the room of zero (of the least
+    alone would be wrong when two lie on the edge's line).
     """
     try:
         a_slabs, b_slabs = a.slabs, b.slabs  # which shapes of other libraries do not have

@@ -285,6 +285,7 @@ class Board:
         anchor = self._points(request.anchor)
         wall = request.wall and (*self._points(request.wall[0]), *self._points(request.wall[1]))
         best, found, price, loyal = float("inf"), anchor, 0.0, 0.0
+        spots: Iterator[tuple[tuple[float, float], float, float]]
         spots = ((spot, penalty, 0.0) for spot, penalty in self._spots(request, w / 2, h / 2))
         if before := self.stood.get(request.which):
             again = anchor[0] + before.right, anchor[1] + before.up
