@@ -15,6 +15,7 @@ APART, TOUCHING, OVERLAPPING = Relation
 # one, at most 2DM each; the edge's value the same; the two bounds one each: under
 # 15 * 2**-53 * D * M, whatever the order and with fused operations.  Asked: 32.
 LOOK = 2.0**-48
+FEW = 6  # slabs of both, as triangles have: so few are looked at as soon as a point between them
 LEAST_ROOM, MOST_ROOM = TINY, HUGE * LOOK
 
 
@@ -45,15 +46,16 @@ def relate(a: Shape, b: Shape) -> Relation:
     room_a, room_b = a.span * reach, b.span * reach
     if not (LEAST_ROOM < room_a < MOST_ROOM and LEAST_ROOM < room_b < MOST_ROOM):
         return relate_integers(*aligned(a, b)[:3])
-    # the middle of what both boxes share: surely inside both shapes, or beyond an edge that then is the likeliest
-    x = ((ax0 if ax0 > bx0 else bx0) + (ax1 if ax1 < bx1 else bx1)) / 2
-    y = ((ay0 if ay0 > by0 else by0) + (ay1 if ay1 < by1 else by1)) / 2
-    if k := _beyond(a_slabs, room_a, x, y):
-        a_slabs = a_slabs[k - 1 :] + a_slabs[: k - 1]
-    elif k := _beyond(b_slabs, room_b, x, y):
-        b_slabs = b_slabs[k - 1 :] + b_slabs[: k - 1]
-    else:
-        return OVERLAPPING
+    if len(a_slabs) + len(b_slabs) > FEW:
+        # the middle of what both boxes share: surely inside both shapes, or beyond an edge that then is the likeliest
+        x = ((ax0 if ax0 > bx0 else bx0) + (ax1 if ax1 < bx1 else bx1)) / 2
+        y = ((ay0 if ay0 > by0 else by0) + (ay1 if ay1 < by1 else by1)) / 2
+        if k := _beyond(a_slabs, room_a, x, y):
+            a_slabs = a_slabs[k - 1 :] + a_slabs[: k - 1]
+        elif k := _beyond(b_slabs, room_b, x, y):
+            b_slabs = b_slabs[k - 1 :] + b_slabs[: k - 1]
+        else:
+            return OVERLAPPING
     for slabs, room, points in (a_slabs, room_a, b.core), (b_slabs, room_b, a.core):
         for nx, ny, lo, hi, edges in slabs:
             low = lo + room
