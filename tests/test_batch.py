@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import tracemalloc
+import warnings
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from decimal import Decimal, localcontext
 from fractions import Fraction
@@ -20,7 +21,7 @@ from strategies import CONVEX, pairs
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import broad, circle_polygons, filter_numpy, signs
+from satviz.batch import broad, circle_polygons, filter_numpy, signs, undecided
 from satviz.batch.chunks import ChunkFailed
 from satviz.batch.codes import UNDECIDED
 from satviz.study import truth as oracle
@@ -281,6 +282,116 @@ def test_turns_are_exact(points, e):
             assert value == (det > 0) - (det < 0)
 
 
+def in_a_row(rng, n, far):
+    """Three points nearly on a line, each."""
+    p, q = rng.uniform(-1, 1, (2, n, 2)) * [[[1]], [[far]]]
+    return *p.T, *q.T, *(p + rng.uniform(-1, 2, (n, 1)) * (q - p)).T
+
+
+@pytest.mark.parametrize("scale", [1e-130, 1.0, 1e140])
+def test_plain_turns_are_told_by_floats_alone(scale, monkeypatch):
+    asked = []
+    real = signs._turns
+    monkeypatch.setattr(signs, "_turns", lambda *c: asked.extend(c[0]) or real(*c))
+    signs.orient(*RNG(1).uniform(-scale, scale, (6, 1000)))
+    assert not asked
+
+
+@pytest.mark.parametrize("scale", [1e-130, 1.0, 1e140])
+def test_turns_of_points_nearly_in_a_row_are_told_without_long_sums(scale, monkeypatch):
+    asked = []
+    real = signs.sign_of_products
+    monkeypatch.setattr(signs, "sign_of_products", lambda pairs: asked.extend(pairs[0][0]) or real(pairs))
+    signs.orient(*(c * scale for c in in_a_row(RNG(2), 1000, 1000)))
+    assert len(asked) <= 5
+
+
+def test_turns_with_what_was_lost_are_off_by_less_than_granted(monkeypatch):
+    """Granted are 32 roundings of roundings, 12 can be shown; the worst found is told."""
+    seen = []
+    real = signs.sign_beyond
+    monkeypatch.setattr(signs, "sign_beyond", lambda *c: seen.append(c) or real(*c))
+    worst = 0
+    for far in (3, 1e3, 1e9):
+        points = in_a_row(RNG(3), 500, far)
+        seen.clear()
+        signs._turns(*points)
+        turns, rooms = seen[0]
+        for turn, room, *at in zip(*(map(Fraction, c.tolist()) for c in (turns, rooms, *points))):
+            px, py, qx, qy, rx, ry = at
+            right = (qx - px) * (ry - py) - (qy - py) * (rx - px)
+            worst = max(worst, (abs(turn - right) - abs(right) / 2**53) / room * 32)
+    print(f"worst {float(worst):.1f} of 32")
+    assert 0 < worst < 12
+
+
+def test_two_floats_are_the_product_exactly():
+    rng = RNG(4)
+    a, b = rng.uniform(-1, 1, (2, 5000)) * 2.0 ** rng.integers(-200, 200, (2, 5000))
+    a[:100] = b[:100]
+    b[200:300] = np.nextafter(2.0 ** rng.integers(-9, 9, 100), 0)
+    a[250:350] = np.nextafter(2.0 ** rng.integers(-9, 9, 100), 9e9)
+    error, product = np.empty((2, 5000))
+    signs._two_product(a, b, error, product)
+    assert np.array_equal(product, a * b)
+    for x, y, *terms in zip(*(c.tolist() for c in (a, b, error, product))):
+        assert Fraction(x) * Fraction(y) == sum(map(Fraction, terms))
+
+
+def test_turns_beyond_float64_are_exact_and_warn_of_nothing():
+    columns = RNG(5).choice([-1.7e308, 1.7e308, 1e-320, 0, 1], (6, 300))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = signs.orient(*columns)
+    for value, *at in zip(found, *columns):
+        px, py, qx, qy, rx, ry = map(Fraction, at)
+        det = (qx - px) * (ry - py) - (qy - py) * (rx - px)
+        assert value == (det > 0) - (det < 0)
+
+
+@pytest.mark.parametrize("swap", [[0, 1, 2, 3, 4, 5], [1, 0, 3, 2, 5, 4], [0, 1, 4, 5, 2, 3], [1, 0, 5, 4, 3, 2]])
+def test_a_turn_of_which_one_difference_alone_is_rounded_is_exact(swap):
+    """A straight way and one a float off: a product of two odd numbers is the difference of two floats of one end."""
+    rng = RNG(6)
+    for f, g in rng.integers(2**33, 2**36, (60, 2)).tolist():
+        far = float(f * g)
+        near = float(int(far) - f * g)
+        if float(g + near) - near == g:
+            for off in (0, 1, -1):
+                columns = np.array([near, 0, far, f, g + near + off, 1], float)[swap]
+                px, py, qx, qy, rx, ry = map(Fraction, columns)
+                det = (qx - px) * (ry - py) - (qy - py) * (rx - px)
+                assert signs.orient(*columns[:, None]).tolist() == [(det > 0) - (det < 0)]
+                assert (det == 0) == (off == 0)
+
+
+def test_signs_of_products_are_exact_at_every_scale():
+    some = [0, 1, -1, 3e-200, -1e-170, 5e-324, -5e-324, 1e-154, 2e150, -1e200, 1.7e308, 1 + 2.0**-52]
+    factors = RNG(7).choice(some, (2, 2, 600))
+    a, b = factors[0]
+    for sums in (factors, [(a, b), (-a, b)], [(a, b), (a, -b), (b, b)], [(a, b), (b, -np.nextafter(a, 9))]):
+        right = [sum(Fraction(p[i]) * Fraction(q[i]) for p, q in sums) for i in range(600)]
+        assert signs.sign_of_products(sums).tolist() == [(s > 0) - (s < 0) for s in right]
+
+
+def test_a_sum_is_told_from_what_its_other_terms_can_add_up_to_at_most():
+    """Though that sum is itself rounded: 1 and five times what is rounded off it."""
+    column = np.array([-1, *[-(2.0**-53)] * 5, 1 + 2.0**-52])[:, None]
+    for way in (1, -1):
+        assert signs.sign_of_sum(way * column) == -way
+
+
+def test_sums_of_ordinary_products_need_no_integers(monkeypatch):
+    asked = []
+    monkeypatch.setattr(signs, "to_integers", lambda values: asked.append(values))
+    a, b, c = RNG(8).uniform(-1, 1, (3, 500)) * 10.0 ** RNG(9).integers(-60, 60, (3, 500))
+    zero = np.zeros(500)
+    for more in ([], [(zero, c)], [(c, zero)]):
+        assert not signs.sign_of_products([(a, b), (-b, a), *more]).any()
+        assert np.array_equal(signs.sign_of_products([(a, b), (-b, a), (c, a), *more]), np.sign(c) * np.sign(a))
+    assert not asked
+
+
 # -- circles and polygons that floats leave undecided
 
 TRIPLES = np.array([(3, 4, 5), (5, 12, 13), (8, 15, 17), (20, 21, 29), (-9, 40, 41)], float)
@@ -500,6 +611,83 @@ def test_turns_in_two_floats_are_off_by_less_than_granted(kind, monkeypatch):
             worst = max(worst, float(error / Decimal(off[i])) * 256)
     print(f"{kind}: worst {worst:.1f} of 256")
     assert 0 < worst < 88
+
+
+# -- polygons that floats leave undecided
+
+
+def test_upright_boxes_among_other_shapes_of_four_corners_are_settled_by_their_sides(monkeypatch):
+    """Side by side, where all of one batch are looked at together; exact signs are asked of the others only."""
+    box = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
+    diamond = np.array([(0, -0.5), (0.5, 0), (0, 0.5), (-0.5, 0)])
+    at = 0.1 * np.arange(50)[:, None, None]
+    tiles, beside = at + 0.1 * box, at + np.array([0.1, 0]) + 0.1 * box
+    rings = [*tiles, *(at + np.add(box, [1, 0.3])), *(at + box), box + 7, diamond - 7]
+    others = [
+        *beside,
+        *(at + np.add(diamond, [2.5, 0.8])),
+        *(at + np.add(diamond, [-0.5, 0.5])),
+        diamond + 6.6,
+        diamond - 7,
+    ]
+    known = [sv.relate(sv.Polygon(p), sv.Polygon(q)) for p, q in zip(rings, others)]
+    asked = []
+    real = signs.orient
+    monkeypatch.setattr(signs, "orient", lambda *c: asked.extend(c[0]) or real(*c))
+    a, b = batch.Polygons(rings), batch.Polygons(others)
+    assert batch.relate(a, b, engine="numpy").tolist() == batch.relate(b, a, engine="numpy").tolist() == known
+    asked.clear()
+    only = [*range(50), 151]
+    assert batch.relate(a[only], b[only], engine="numpy").tolist() == [known[i] for i in only]
+    assert not asked
+
+
+def leaning(rng, n, v, w):
+    """Polygons and others turned about a point of an edge, or a corner, of theirs: they touch but for rounding."""
+    rings = ngons(rng, 4 * n, v)
+    rings = rings[(rings * turned(np.roll(rings, -1, axis=1))).sum(axis=(1, 2)) > 0.2][:n]
+    spot = rings[:, 0] + rng.choice([0, 0.25, rng.random()], (len(rings), 1)) * (rings[:, 1] - rings[:, 0])
+    return rings, spot[:, None] - rng.uniform(0.5, 2, (len(rings), 1, 1)) * (rings[:, :w] - spot[:, None])
+
+
+@pytest.mark.parametrize("scale", [2.0**-30, 1.0, 2.0**30])
+@pytest.mark.parametrize("far", [(0, 0), (1000, -1000), (-1000, -1000)])
+@pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (8, 5), (20, 20)])
+def test_polygons_that_lean_on_each_other_are_exact(v, w, far, scale):
+    rng = RNG(v)
+    p, q = (jolt(rng, (rings + far) * scale, most) for rings, most in zip(leaning(rng, 40, v, w), (0, 1)))
+    good = [i for i in range(len(p)) if all(batch_takes(rings[i], k) for rings, k in ((p, v), (q, w)))]
+    p, q = batch.Polygons(p[good]), batch.Polygons(q[good])
+    right = [oracle.relation(one, other) for one, other in zip(scalar(p), scalar(q))]
+    index = np.arange(len(p))
+    found = {engine: batch.relate(p, q, engine=engine).tolist() for engine in ENGINES}
+    found |= {
+        f"{engine} by index": batch.relate(p, q, np.c_[index, index], engine=engine).tolist() for engine in ENGINES
+    }
+    found["all undecided"] = undecided.relations(p.uniform, index, q.uniform, index).tolist()
+    found["all undecided, swapped"] = undecided.relations(q.uniform, index, p.uniform, index).tolist()
+    assert found == dict.fromkeys(found, right)
+
+
+def batch_takes(ring, v):
+    """Is it convex with all its corners, whatever was rounded?"""
+    try:
+        polygon = sv.Polygon(ring)
+    except sv.InvalidShape:
+        return False
+    return polygon.is_convex and len(polygon.corners) == v
+
+
+@pytest.mark.parametrize(("v", "w"), [(5, 5), (8, 5), (9, 20)])
+def test_every_edge_is_asked_whichever_corner_the_search_begins_at(v, w, monkeypatch):
+    rng = RNG(v * w)
+    monkeypatch.setattr(undecided, "_nearest", lambda own, other: rng.integers(0, own.asked, own.x.shape[1]))
+    p, q = (batch.Polygons(ngons(rng, 300, k)) for k in (v, w))
+    index = np.arange(300)
+    right = one_by_one(p, q)
+    assert 0 < right.count(0) < 300
+    assert undecided.relations(p.uniform, index, q.uniform, index).tolist() == right
+    assert undecided.relations(q.uniform, index, p.uniform, index).tolist() == right
 
 
 # -- broad phase
