@@ -3,9 +3,10 @@
     python -m pip install 'mutmut>=3.8' && python tests/mutants.py exact axes:240 batch/signs
 
 prints every mutant that survived, and a table; without names it goes through the whole
-core; batch/door%3 sows every third only.  tests/mutants.md holds the last table and, for each survivor that changes nothing,
-the reason: those are known and only counted.  Half the kinds of mutants are mutmut's.  Its
-runner starts Python anew for each; here a parent loads the large libraries once and forks.
+core, and batch/door%3 sows every third only.  tests/mutants.md holds the last table and, for
+each survivor that changes nothing, the reason: those are known and only counted.  Half the
+kinds of mutants are mutmut's.  Its runner starts Python anew for each; here a parent loads
+the large libraries once and forks.
 Left as they are: strings, messages (all of a raise), annotations, docstrings, zip's strict.
 """
 
