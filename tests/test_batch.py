@@ -650,8 +650,8 @@ def leaning(rng, n, v, w):
     return rings, spot[:, None] - rng.uniform(0.5, 2, (len(rings), 1, 1)) * (rings[:, :w] - spot[:, None])
 
 
-@pytest.mark.parametrize("scale", [2.0**-30, 1.0, 2.0**30])
-@pytest.mark.parametrize("far", [(0, 0), (1000, -1000), (-1000, -1000)])
+@pytest.mark.parametrize("scale", [2.0**-525, 2.0**-70, 2.0**-30, 1.0, 2.0**200, 2.0**511])
+@pytest.mark.parametrize("far", [(0, 0), (1000, -1000)])
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (8, 5), (20, 20)])
 def test_polygons_that_lean_on_each_other_are_exact(v, w, far, scale):
     rng = RNG(v)
@@ -705,6 +705,71 @@ def test_of_many_corners_only_the_edges_near_the_other_shape_are_asked(v, monkey
             asked.clear()
             assert (undecided.relations(one, index, other, index) == 1).all()
             assert len(asked) <= 7 * 200
+
+
+@pytest.mark.parametrize("turn", [[[1, 0], [0, 1]], [[0, 1], [-1, 0]], [[-1, 0], [0, -1]], [[3, 4], [-4, 3]]], ids=str)
+def test_edges_on_one_line_meet_where_their_ranges_on_it_do(turn, monkeypatch):
+    rng = RNG(10)
+    monkeypatch.setattr(undecided, "_nearest", lambda own, other: rng.integers(0, own.asked, own.x.shape[1]))
+    house = np.array([(0, 0), (4, 0), (6, 2), (6, 4), (4, 6), (0, 6), (-2, 4), (-2, 2)])
+    moves = np.repeat([-20, -1, 0, 1, 4, 8, 9, 20], 10)
+    below = np.stack([[t, 0] - house for t in moves]) @ turn
+    a, b = batch.Polygons(np.array([house] * len(moves)) @ turn), batch.Polygons(below)
+    right = [int(0 <= t <= 8) for t in moves]
+    index = np.arange(len(moves))
+    for one, other in ((a, b), (b, a)):
+        assert undecided.relations(one.uniform, index, other.uniform, index).tolist() == right
+        assert batch.relate(one, other).tolist() == right
+
+
+@pytest.mark.parametrize("scale", [1e-120, 1.0, 1e130])
+@pytest.mark.parametrize("v", [3, 4, 5, 20])
+def test_plain_pairs_are_asked_for_no_exact_sign_whatever_the_scale(v, scale, monkeypatch):
+    rng = RNG(v)
+    asked, in_doubt, edge = [], [], undecided._edge
+    monkeypatch.setattr(undecided, "_edge", lambda *c: asked.extend(c[3]) or edge(*c))
+    monkeypatch.setattr(undecided, "_line", lambda *c: in_doubt.append(c))
+    rings = ngons(rng, 200, v)
+    rings = rings[(rings * turned(np.roll(rings, -1, axis=1))).sum(axis=(1, 2)) > 0.5]
+    a, b = (batch.Polygons((rings + far) * scale).uniform for far in (0, [1e-3, 2e-3]))
+    index = np.arange(len(rings))
+    assert (undecided.relations(a, index, b, index) == 2).all()
+    assert not asked or v > undecided.AT_ONCE
+    a, b = (batch.Polygons(ngons(rng, 200, v) * scale).uniform for _ in "ab")
+    undecided.relations(a, np.arange(200), b, np.arange(200))
+    assert not in_doubt
+
+
+def test_the_largest_magnitude_of_a_column_is_of_either_sign_and_axis():
+    x, y = RNG(11).uniform(-1, 1, (2, 3, 100))
+    assert np.array_equal(undecided._largest(x, y), np.abs(np.concatenate([x, y])).max(axis=0))
+
+
+@pytest.mark.parametrize("scale", [2.0**-30, 1.0, 2.0**30])
+@pytest.mark.parametrize(("v", "w"), [(3, 3), (8, 5), (4, 40), (40, 4), (40, 40)])
+def test_plain_pairs_are_told_by_the_filter(v, w, scale):
+    rng = RNG(v * w)
+    a, b = (batch.Polygons(ngons(rng, 100, k) * scale) for k in (v, w))
+    out = np.empty(100, np.int8)
+    with np.errstate(all="ignore"):
+        filter_numpy.polygons(a.uniform, b.uniform, 0, out)
+    assert (out == UNDECIDED).sum() <= 5
+    assert all(found in (UNDECIDED, right) for found, right in zip(out, one_by_one(a, b)))
+
+
+@pytest.mark.parametrize("scale", [2.0**-30, 1.0, 2.0**30])
+@pytest.mark.parametrize(("v", "w"), [(3, 3), (8, 5), (16, 3)])
+def test_the_float32_look_is_granted_room_for_every_corner(v, w, scale, monkeypatch):
+    seen = []
+    real = filter_numpy.decide
+    monkeypatch.setattr(filter_numpy, "decide", lambda gap, room, out: seen.append(room) or real(gap, room, out))
+    rng = RNG(v)
+    a, b = (batch.Polygons(ngons(rng, 500, k, 0.1) * [scale, 8 * scale]).uniform for k in (v, w))
+    filter_numpy.polygons(a, b, 0, np.empty(500, np.int8))
+    size = np.sqrt(seen[0].astype(float) / filter_numpy.LOOK_32)
+    for x, y in ((a.x, a.y), (b.x, b.y)):
+        far = np.maximum(np.abs(x - a.x[0]), np.abs(y - a.y[0])).max(axis=0)
+        assert (size * (1 + 1e-6) >= far).all()
 
 
 # -- broad phase
