@@ -655,7 +655,7 @@ def leaning(rng, n, v, w):
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (8, 5), (20, 20)])
 def test_polygons_that_lean_on_each_other_are_exact(v, w, far, scale):
     rng = RNG(v)
-    p, q = (jolt(rng, (rings + far) * scale, most) for rings, most in zip(leaning(rng, 40, v, w), (0, 1)))
+    p, q = (jolt(rng, (rings + far) * scale, most) for rings, most in zip(leaning(rng, 160 // v, v, w), (0, 1)))
     good = [i for i in range(len(p)) if all(batch_takes(rings[i], k) for rings, k in ((p, v), (q, w)))]
     p, q = batch.Polygons(p[good]), batch.Polygons(q[good])
     right = [oracle.relation(one, other) for one, other in zip(scalar(p), scalar(q))]
@@ -770,6 +770,60 @@ def test_the_float32_look_is_granted_room_for_every_corner(v, w, scale, monkeypa
     for x, y in ((a.x, a.y), (b.x, b.y)):
         far = np.maximum(np.abs(x - a.x[0]), np.abs(y - a.y[0])).max(axis=0)
         assert (size * (1 + 1e-6) >= far).all()
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_upright_boxes_are_told_by_their_sides_from_any_first_corner_of_each(engine):
+    rng = RNG(12)
+    low, size = rng.integers(0, 8, (2, 2000, 2)), rng.integers(1, 6, (2, 2000, 2))
+    high = low + size
+    made = []
+    for (x, y), (right, top) in zip(low.transpose(0, 2, 1), high.transpose(0, 2, 1)):
+        around = (np.arange(4) + rng.integers(0, 4, (2000, 1))) % 4
+        corners = np.stack([np.stack(c, axis=1) for c in ((x, y), (right, y), (right, top), (x, top))], axis=1)
+        made.append(batch.Polygons(corners[np.arange(2000)[:, None], around]))
+    gap = np.maximum(low[0] - high[1], low[1] - high[0]).max(axis=1)
+    found = batch.relate(*made, engine=engine)
+    assert found.tolist() == (1 - np.sign(gap)).tolist()
+    assert set(found.tolist()) == {0, 1, 2}
+    index = np.arange(2000)
+    assert np.array_equal(batch.relate(*made, np.c_[index, index], engine=engine), found)
+
+
+@pytest.mark.parametrize("scale", [2.0**-520, 2.0**-30, 1.0, 2.0**200, 2.0**510])
+def test_circles_that_rest_on_each_other_are_exact(scale):
+    rng = RNG(13)
+    n = 100
+    x, y, z = TRIPLES[rng.integers(0, len(TRIPLES), n)].T
+    centers, own = rng.integers(-40, 40, (n, 2)), rng.integers(1, 40, n) / 8
+    theirs = rng.integers(6, 9, n) * z - own  # a whole number of hypotenuses together
+    others = centers + np.c_[x, y] * ((own + theirs) / z)[:, None]
+    radii = np.stack([own, theirs])
+    radii[:, : n // 3] *= 1 / 3
+    others[: n // 3] = centers[: n // 3] + (others - centers)[: n // 3] / 3
+    others[n // 3 : -n // 3] = jolt(rng, others[n // 3 : -n // 3], 1)
+    a, b = batch.Circles(centers * scale, radii[0] * scale), batch.Circles(others * scale, radii[1] * scale)
+    right = [oracle.relation(p, q) for p, q in zip(scalar(a), scalar(b))]
+    assert set(right) == {0, 1, 2}
+    for one, other in ((a, b), (b, a)):
+        for engine in ENGINES:
+            assert batch.relate(one, other, engine=engine).tolist() == right
+        p, q = one.uniform, other.uniform
+        assert (1 - signs.circles(p.x[0], p.y[0], p.r, q.x[0], q.y[0], q.r)).tolist() == right
+
+
+@pytest.mark.parametrize("scale", [1e-120, 1.0, 1e120])
+def test_plain_circles_are_told_by_the_filter(scale):
+    rng = RNG(14)
+    a, b = (batch.Circles(rng.uniform(-2, 2, (200, 2)) * scale, rng.uniform(0.1, 1, 200) * scale) for _ in "ab")
+    c = batch.Polygons(ngons(rng, 200, 5) * scale)
+    for other, kernel in ((b, "circles"), (c, "circle_polygons")):
+        out = np.empty(200, np.int8)
+        p, q = a.uniform, other.uniform
+        columns = (q.x[0], q.y[0], q.r) if other is b else (q.x, q.y)
+        with np.errstate(all="ignore"):
+            getattr(filter_numpy, kernel)(p.x[0], p.y[0], p.r, *columns, 0, out)
+        assert out.tolist() == one_by_one(a, other)
 
 
 # -- broad phase
