@@ -826,6 +826,41 @@ def test_plain_circles_are_told_by_the_filter(scale):
         assert out.tolist() == one_by_one(a, other)
 
 
+@pytest.mark.parametrize("e", [-535, -520, -450, 480, 500, 511, 514])
+def test_circles_on_polygons_are_exact_at_the_ends_of_float64(e):
+    rng = RNG(15)
+    made = [make(rng, 30) for make in (resting_exactly, a_float_off(resting_exactly), a_float_off(resting_on_boxes))]
+    for centers, radii, rings in made:
+        circles, polygons = batches_from((centers * 2.0**e, radii * 2.0**e, rings * 2.0**e))
+        right = [sv.relate(p, q) for p, q in zip(scalar(circles), scalar(polygons))]
+        c, p = circles.uniform, polygons.uniform
+        assert (1 - circle_polygons.gaps(c.x[0], c.y[0], c.r, p.x, p.y)).tolist() == right
+        for engine in ENGINES:
+            assert batch.relate(circles, polygons, engine=engine).tolist() == right
+
+
+@pytest.mark.parametrize(("v", "w"), [(3, 5), (20, 20), (4, 4)])
+def test_a_kernel_told_to_begin_further_on_answers_for_those_columns(v, w):
+    rng = RNG(16)
+    a, b = (batch.Polygons(ngons(rng, 100, k)).uniform for k in (v, w))
+    p, q = (circles(rng, 100).uniform for _ in "ab")
+    low = rng.uniform(0, 5, (2, 100, 1, 2))
+    one, other = (batch.Polygons(at + [(0, 0), (1, 0), (1, 1), (0, 1)]).uniform for at in low)
+    round_ = p.x[0], p.y[0], p.r
+    for kernel, given in (
+        (filter_numpy.polygons, (a, b)),
+        (filter_numpy.boxes, (one, other)),
+        (filter_numpy.circles, (*round_, q.x[0], q.y[0], q.r)),
+        (filter_numpy.circle_polygons, (*round_, b.x, b.y)),
+    ):
+        whole, part = np.empty(100, np.int8), np.empty(50, np.int8)
+        with np.errstate(all="ignore"):
+            kernel(*given, 0, whole)
+            kernel(*given, 30, part)
+        assert part.tolist() == whole[30:80].tolist()
+        assert len(set(part.tolist())) > 1
+
+
 # -- broad phase
 
 
