@@ -541,6 +541,7 @@ def test_circles_that_rest_on_polygons_are_exact(kind):
         ((1e-150, -1), 1, [(0, 0), (1, 1e-200), (0.5, 1)], 0),
         ((0.5, -1), 1, [(0, 0), (1, 1e-200), (0.5, 1)], 0),
         ((0.5, -1), 1, [(0, 0), (1, -5e-324), (0.5, 1)], 2),
+        ((1.5e-162, -1), 0.98, [(0, 0), (3e-162, 0), (0, 1)], 0),
     ],
 )
 def test_circles_are_exact_where_all_hangs_on_what_was_rounded_off_or_lost(center, radius, ring, right):
@@ -845,9 +846,9 @@ def test_a_kernel_told_to_begin_further_on_answers_for_those_columns(v, w):
     a, b = (batch.Polygons(ngons(rng, 100, k)).uniform for k in (v, w))
     p, q = (circles(rng, 100).uniform for _ in "ab")
     low = rng.uniform(0, 5, (2, 100, 1, 2))
-    one, other = (batch.Polygons(at + [(0, 0), (1, 0), (1, 1), (0, 1)]).uniform for at in low)
+    one, other = (batch.Polygons(at + np.array([(0, 0), (1, 0), (1, 1), (0, 1)])).uniform for at in low)
     round_ = p.x[0], p.y[0], p.r
-    for kernel, given in (
+    for kernel, shapes in (
         (filter_numpy.polygons, (a, b)),
         (filter_numpy.boxes, (one, other)),
         (filter_numpy.circles, (*round_, q.x[0], q.y[0], q.r)),
@@ -855,8 +856,8 @@ def test_a_kernel_told_to_begin_further_on_answers_for_those_columns(v, w):
     ):
         whole, part = np.empty(100, np.int8), np.empty(50, np.int8)
         with np.errstate(all="ignore"):
-            kernel(*given, 0, whole)
-            kernel(*given, 30, part)
+            kernel(*shapes, 0, whole)
+            kernel(*shapes, 30, part)
         assert part.tolist() == whole[30:80].tolist()
         assert len(set(part.tolist())) > 1
 
