@@ -862,6 +862,20 @@ def test_a_kernel_told_to_begin_further_on_answers_for_those_columns(v, w):
         assert len(set(part.tolist())) > 1
 
 
+@pytest.mark.parametrize("large", [0, 1])
+def test_the_few_steps_of_many_corners_are_granted_room_for_the_largest_coordinates(large, monkeypatch):
+    rng = RNG(17)
+    seen = []
+    real = filter_numpy.steps_numpy.few_steps
+    monkeypatch.setattr(filter_numpy.steps_numpy, "few_steps", lambda *c: seen.append(c[4]) or real(*c))
+    rings = [ngons(rng, 30, 20, 0.1) * (1000 if k == large else 1) for k in (0, 1)]
+    a, b = map(batch.Polygons, rings)
+    index = np.arange(30)
+    batch.relate(a, b, engine="numpy")
+    batch.relate(a, b, np.c_[index, index], engine="numpy")
+    assert seen == [sum(np.abs(r).max() for r in rings) * filter_numpy.LOOK] * 2
+
+
 # -- broad phase
 
 
