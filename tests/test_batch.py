@@ -70,6 +70,8 @@ def test_batch_gives_the_scalar_answers(engine, kinds):
     assert found.dtype == np.int8 and found.tolist() == one_by_one(a, b)
     assert 0 < (found > 0).sum() < 300
     assert batch.hits(a, b, engine=engine).tolist() == (found > 0).tolist()
+    index = np.arange(300)
+    assert batch.relate(a, b, np.c_[index, index], engine=engine).tolist() == found.tolist()
 
 
 @pytest.mark.parametrize("engine", ENGINES)
@@ -327,8 +329,8 @@ def test_turns_with_what_was_lost_are_off_by_less_than_granted(monkeypatch):
 
 def test_two_floats_are_the_product_exactly():
     rng = RNG(4)
-    a, b = rng.uniform(-1, 1, (2, 5000)) * 2.0 ** rng.integers(-200, 200, (2, 5000))
-    a[:100] = b[:100]
+    a, b = rng.integers(2**52, 2**53, (2, 5000)) * 2.0 ** rng.integers(-200, 200, (2, 5000))
+    a[:100] = -b[:100]
     b[200:300] = np.nextafter(2.0 ** rng.integers(-9, 9, 100), 0)
     a[250:350] = np.nextafter(2.0 ** rng.integers(-9, 9, 100), 9e9)
     error, product = np.empty((2, 5000))
@@ -874,6 +876,22 @@ def test_the_few_steps_of_many_corners_are_granted_room_for_the_largest_coordina
     batch.relate(a, b, engine="numpy")
     batch.relate(a, b, np.c_[index, index], engine="numpy")
     assert seen == [sum(np.abs(r).max() for r in rings) * filter_numpy.LOOK] * 2
+
+
+@pytest.mark.parametrize(
+    "other", [[(0, 0), (3, 0), (0, 3)], [(0, 0), (4, 0), (6, 2), (6, 4), (4, 6), (0, 6), (-2, 4), (-2, 2)]]
+)
+def test_what_a_few_steps_tell_is_right_wherever_the_other_shape_lies(other):
+    """At all whole places: touching at corners, along edges and by parts of these among them."""
+    one = np.array([(0, 0), (2, -1), (4, 0), (5, 3), (4, 5), (0, 5), (-1, 2)])
+    places = np.stack(np.meshgrid(np.arange(-9, 10), np.arange(-9, 10)), axis=-1).reshape(-1, 1, 2)
+    a, b = batch.Polygons(one + 0 * places), batch.Polygons(np.array(other) + places)
+    right = one_by_one(a, b)
+    for p, q in ((a.uniform, b.uniform), (b.uniform, a.uniform)):
+        out = np.empty(len(right), np.int8)
+        filter_numpy.steps_numpy.few_steps(p.x, p.y, q.x, q.y, 30 * filter_numpy.LOOK, out)
+        assert all(found in (UNDECIDED, told) for found, told in zip(out.tolist(), right))
+        assert (out == UNDECIDED).sum() <= right.count(1) + 20
 
 
 # -- broad phase
