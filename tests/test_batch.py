@@ -694,18 +694,20 @@ def test_every_edge_is_asked_whichever_corner_the_search_begins_at(v, w, monkeyp
 
 
 @pytest.mark.parametrize("v", [40, 100])
-def test_of_many_corners_only_the_edges_near_the_other_shape_are_asked(v, monkeypatch):
+def test_of_many_corners_only_those_near_the_other_shape_are_asked(v, monkeypatch):
     """Shapes and those turned about a corner of theirs, wherever they lie."""
     rng = RNG(v)
     asked = []
     real = undecided._edge
     monkeypatch.setattr(undecided, "_edge", lambda *c: asked.extend(c[3]) or real(*c))
+    exactly, orient = [], signs.orient
+    monkeypatch.setattr(signs, "orient", lambda *c: exactly.extend(c[0]) or orient(*c))
     for far in ((0, 0), (30, -20), (-1000, 1000)):
         a = np.round(ngons(rng, 200, v) * 2.0**30) * 2.0**-30 + far
         spot = a[np.arange(200), rng.integers(0, v, 200)][:, None]
         p, q, index = batch.Polygons(a).uniform, batch.Polygons(2 * spot - a).uniform, np.arange(200)
         for one, other in ((p, q), (q, p)):
-            asked.clear()
+            asked.clear(), exactly.clear()
             assert (undecided.relations(one, index, other, index) == 1).all()
             assert len(asked) <= 7 * 200
 
