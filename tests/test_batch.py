@@ -21,7 +21,7 @@ from strategies import CONVEX, pairs
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import broad, circle_polygons, filter_numpy, signs, undecided
+from satviz.batch import broad, circle_polygons, filter_numpy, picked_numpy, signs, undecided
 from satviz.batch.chunks import ChunkFailed
 from satviz.batch.codes import UNDECIDED
 from satviz.study import truth as oracle
@@ -765,16 +765,22 @@ def test_plain_pairs_are_told_by_the_filter(v, w, scale):
 @pytest.mark.parametrize("scale", [2.0**-30, 1.0, 2.0**30])
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (8, 5), (16, 3)])
 def test_the_float32_look_is_granted_room_for_every_corner(v, w, scale, monkeypatch):
-    seen = []
-    real = filter_numpy.decide
-    monkeypatch.setattr(filter_numpy, "decide", lambda gap, room, out: seen.append(room) or real(gap, room, out))
+    """Side by side and by index, for wide shapes and for high ones, above and below the origin."""
     rng = RNG(v)
-    a, b = (batch.Polygons(ngons(rng, 500, k, 0.1) * [scale, 8 * scale]).uniform for k in (v, w))
-    filter_numpy.polygons(a, b, 0, np.empty(500, np.int8))
-    size = np.sqrt(seen[0].astype(float) / filter_numpy.LOOK_32)
-    for x, y in ((a.x, a.y), (b.x, b.y)):
-        far = np.maximum(np.abs(x - a.x[0]), np.abs(y - a.y[0])).max(axis=0)
-        assert (size * (1 + 1e-6) >= far).all()
+    seen = []
+    real = filter_numpy.look_32
+    for module in (filter_numpy, picked_numpy):
+        monkeypatch.setattr(module, "look_32", lambda *c: seen.append((*c[:4], real(*c)[1])) or real(*c))
+    for wide, high, up in ((1, 8, 9), (8, 1, 9), (1, 8, -9), (8, 1, -9)):
+        a, b = (batch.Polygons((ngons(rng, 500, k, 0.1) + [0, up]) * [wide * scale, high * scale]) for k in (v, w))
+        index = np.arange(500)
+        batch.relate(a, b, engine="numpy")
+        batch.relate(a, b, np.c_[index, index], engine="numpy")
+    assert len(seen) >= 4
+    for ax, ay, bx, by, room in seen:
+        size = np.sqrt(room.astype(float) / filter_numpy.LOOK_32)
+        for x, y in ((ax, ay), (bx, by)):
+            assert (size * (1 + 1e-6) >= np.maximum(np.abs(x - ax[0]), np.abs(y - ay[0])).max(axis=0)).all()
 
 
 @pytest.mark.parametrize("engine", ENGINES)
