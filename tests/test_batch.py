@@ -772,7 +772,9 @@ def test_the_float32_look_is_granted_room_for_every_corner(v, w, scale, monkeypa
     for module in (filter_numpy, picked_numpy):
         monkeypatch.setattr(module, "look_32", lambda *c: seen.append((*c[:4], real(*c)[1])) or real(*c))
     for wide, high, up in ((1, 8, 9), (8, 1, 9), (1, 8, -9), (8, 1, -9)):
-        a, b = (batch.Polygons((ngons(rng, 500, k, 0.1) + [0, up]) * [wide * scale, high * scale]) for k in (v, w))
+        a, b = (
+            batch.Polygons((ngons(rng, 500, k, 0.1) + np.array([0, up])) * [wide * scale, high * scale]) for k in (v, w)
+        )
         index = np.arange(500)
         batch.relate(a, b, engine="numpy")
         batch.relate(a, b, np.c_[index, index], engine="numpy")
@@ -900,6 +902,17 @@ def test_what_a_few_steps_tell_is_right_wherever_the_other_shape_lies(other):
         filter_numpy.steps_numpy.few_steps(p.x, p.y, q.x, q.y, 30 * filter_numpy.LOOK, out)
         assert all(found in (UNDECIDED, told) for found, told in zip(out.tolist(), right))
         assert (out == UNDECIDED).sum() <= right.count(1) + 20
+
+
+@pytest.mark.parametrize("v", [3, 5, 9])
+def test_what_a_few_steps_tell_of_polygons_that_lean_on_each_other_is_right(v):
+    rng = RNG(v)
+    rings, others = leaning(rng, 400, v, v)
+    good = [i for i in range(len(rings)) if batch_takes(rings[i], v) and batch_takes(others[i], v)]
+    a, b = batch.Polygons(rings[good]), batch.Polygons(others[good])
+    p, q, out = a.uniform, b.uniform, np.empty(len(good), np.int8)
+    filter_numpy.steps_numpy.few_steps(p.x, p.y, q.x, q.y, (p.reach + q.reach) * filter_numpy.LOOK, out)
+    assert all(found in (UNDECIDED, right) for found, right in zip(out.tolist(), one_by_one(a, b)))
 
 
 # -- broad phase
