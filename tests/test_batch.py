@@ -915,6 +915,26 @@ def test_what_a_few_steps_tell_of_polygons_that_lean_on_each_other_is_right(v):
     assert all(found in (UNDECIDED, right) for found, right in zip(out.tolist(), one_by_one(a, b)))
 
 
+def test_whether_the_foot_lies_between_the_ends_is_told_rightly_next_to_an_end():
+    """Centers straight off an end of their edge but for rounding; differences lose bits too."""
+    rng = RNG(18)
+    n, known = 1000, 0
+    p, q = rng.uniform(-1, 1, (2, n, 2)) * 10.0 ** rng.integers(-2, 3, (2, n, 1))
+    c = p + turned(q - p) * rng.uniform(-3, 3, (n, 1))
+    for ends in ((p, q), (q, p)):
+        columns = *c.T, np.ones(n), *ends[0].T, *ends[1].T
+        with np.errstate(all="ignore"):
+            found = circle_polygons._only_between(np.full(n, -1, np.int8), *columns)
+        for told, cx, cy, _, px, py, qx, qy in zip(
+            found.tolist(), *(map(Fraction, column.tolist()) for column in columns)
+        ):
+            along = (cx - px) * (qx - px) + (cy - py) * (qy - py)
+            between = 0 < along < (qx - px) ** 2 + (qy - py) ** 2
+            assert told in (signs.UNKNOWN, -1 if between else 1)
+            known += told != signs.UNKNOWN
+    assert known > 1.9 * n
+
+
 # -- broad phase
 
 
