@@ -21,7 +21,7 @@ from strategies import CONVEX, pairs
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import broad, circle_polygons, filter_numpy, picked_numpy, signs, undecided
+from satviz.batch import arrays, broad, circle_polygons, filter_numpy, picked_numpy, signs, undecided
 from satviz.batch.chunks import ChunkFailed
 from satviz.batch.codes import UNDECIDED
 from satviz.study import truth as oracle
@@ -933,6 +933,20 @@ def test_whether_the_foot_lies_between_the_ends_is_told_rightly_next_to_an_end()
             assert told in (signs.UNKNOWN, -1 if between else 1)
             known += told != signs.UNKNOWN
     assert known > 1.9 * n
+
+
+def test_what_has_only_some_sides_of_an_upright_box_is_none():
+    box = [(0, 0), (2, 0), (2, 1), (0, 1)]
+    rings = [
+        [(x + k * (i == moved), y + j * (i == moved)) for i, (x, y) in enumerate(box)]
+        for moved in range(4)
+        for k, j in ((0, 0), (0.5, 0), (0, 0.5))
+    ]
+    rings += [[(x + k * y, y + j * x) for x, y in box] for k, j in ((0.5, 0), (0, 0.5))]
+    for ring in rings:
+        for first in range(4):
+            x, y = np.array(ring[first:] + ring[:first], float).T[:, :, None]
+            assert arrays.upright_boxes(x, y).tolist() == [ring == box]
 
 
 # -- broad phase
