@@ -935,6 +935,14 @@ def test_whether_the_foot_lies_between_the_ends_is_told_rightly_next_to_an_end()
     assert known > 1.9 * n
 
 
+@pytest.mark.parametrize("n", [1, 2, 30])
+def test_the_span_of_a_group_is_its_largest_edge_component(n):
+    rings = ngons(RNG(n), 1, 5) + 0.01 * np.arange(n)[:, None, None]
+    edges = np.abs(rings - np.roll(rings, 1, axis=1))
+    group = batch.Polygons(rings).uniform
+    assert group.span == edges.max() and group.reach == np.abs(rings).max()
+
+
 def test_what_has_only_some_sides_of_an_upright_box_is_none():
     box = [(0, 0), (2, 0), (2, 1), (0, 1)]
     rings = [
