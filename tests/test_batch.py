@@ -935,6 +935,16 @@ def test_whether_the_foot_lies_between_the_ends_is_told_rightly_next_to_an_end()
     assert known > 1.9 * n
 
 
+@pytest.mark.parametrize("e", [-76, -75, -74, -73])
+def test_nothing_wrong_is_told_where_float32_loses_the_bits_of_products(e):
+    rng = RNG(1)
+    a, b = (batch.Polygons(ngons(rng, 300, 3) * 2.0**e) for _ in "ab")
+    out = np.empty(300, np.int8)
+    with np.errstate(all="ignore"):
+        filter_numpy.polygons(a.uniform, b.uniform, 0, out)
+    assert all(found in (UNDECIDED, right) for found, right in zip(out.tolist(), one_by_one(a, b)))
+
+
 @pytest.mark.parametrize("n", [1, 2, 30])
 def test_the_span_of_a_group_is_its_largest_edge_component(n):
     rings = ngons(RNG(n), 1, 5) + 0.01 * np.arange(n)[:, None, None]
