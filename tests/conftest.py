@@ -6,6 +6,7 @@ import pytest
 from browser import axe, chromium
 
 
+@pytest.hookimpl(optionalhook=True)  # tests/mutants.py does without
 def pytest_xdist_auto_num_workers(config):
     """For the whole suite one a core; the tests of a file or of a word are done before two workers have started."""
     some = config.option.keyword or any(".py" in arg for arg in config.args)

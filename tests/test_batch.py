@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import tracemalloc
+import warnings
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from decimal import Decimal, localcontext
 from fractions import Fraction
@@ -20,7 +21,7 @@ from strategies import CONVEX, pairs
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import broad, circle_polygons, filter_numpy, signs
+from satviz.batch import arrays, broad, circle_polygons, filter_numpy, picked_numpy, signs, undecided
 from satviz.batch.chunks import ChunkFailed
 from satviz.batch.codes import UNDECIDED
 from satviz.study import truth as oracle
@@ -69,6 +70,8 @@ def test_batch_gives_the_scalar_answers(engine, kinds):
     assert found.dtype == np.int8 and found.tolist() == one_by_one(a, b)
     assert 0 < (found > 0).sum() < 300
     assert batch.hits(a, b, engine=engine).tolist() == (found > 0).tolist()
+    index = np.arange(300)
+    assert batch.relate(a, b, np.c_[index, index], engine=engine).tolist() == found.tolist()
 
 
 @pytest.mark.parametrize("engine", ENGINES)
@@ -281,6 +284,116 @@ def test_turns_are_exact(points, e):
             assert value == (det > 0) - (det < 0)
 
 
+def in_a_row(rng, n, far):
+    """Three points nearly on a line, each."""
+    p, q = rng.uniform(-1, 1, (2, n, 2)) * [[[1]], [[far]]]
+    return *p.T, *q.T, *(p + rng.uniform(-1, 2, (n, 1)) * (q - p)).T
+
+
+@pytest.mark.parametrize("scale", [1e-130, 1.0, 1e140])
+def test_plain_turns_are_told_by_floats_alone(scale, monkeypatch):
+    asked = []
+    real = signs._turns
+    monkeypatch.setattr(signs, "_turns", lambda *c: asked.extend(c[0]) or real(*c))
+    signs.orient(*RNG(1).uniform(-scale, scale, (6, 1000)))
+    assert not asked
+
+
+@pytest.mark.parametrize("scale", [1e-130, 1.0, 1e140])
+def test_turns_of_points_nearly_in_a_row_are_told_without_long_sums(scale, monkeypatch):
+    asked = []
+    real = signs.sign_of_products
+    monkeypatch.setattr(signs, "sign_of_products", lambda pairs: asked.extend(pairs[0][0]) or real(pairs))
+    signs.orient(*(c * scale for c in in_a_row(RNG(2), 1000, 1000)))
+    assert len(asked) <= 5
+
+
+def test_turns_with_what_was_lost_are_off_by_less_than_granted(monkeypatch):
+    """Granted are 32 roundings of roundings, 12 can be shown; the worst found is told."""
+    seen = []
+    real = signs.sign_beyond
+    monkeypatch.setattr(signs, "sign_beyond", lambda *c: seen.append(c) or real(*c))
+    worst = 0
+    for far in (3, 1e3, 1e9):
+        points = in_a_row(RNG(3), 500, far)
+        seen.clear()
+        signs._turns(*points)
+        turns, rooms = seen[0]
+        for turn, room, *at in zip(*(map(Fraction, c.tolist()) for c in (turns, rooms, *points))):
+            px, py, qx, qy, rx, ry = at
+            right = (qx - px) * (ry - py) - (qy - py) * (rx - px)
+            worst = max(worst, (abs(turn - right) - abs(right) / 2**53) / room * 32)
+    print(f"worst {float(worst):.1f} of 32")
+    assert 0 < worst < 12
+
+
+def test_two_floats_are_the_product_exactly():
+    rng = RNG(4)
+    a, b = rng.integers(2**52, 2**53, (2, 5000)) * 2.0 ** rng.integers(-200, 200, (2, 5000))
+    a[:100] = -b[:100]
+    b[200:300] = np.nextafter(2.0 ** rng.integers(-9, 9, 100), 0)
+    a[250:350] = np.nextafter(2.0 ** rng.integers(-9, 9, 100), 9e9)
+    error, product = np.empty((2, 5000))
+    signs._two_product(a, b, error, product)
+    assert np.array_equal(product, a * b)
+    for x, y, *terms in zip(*(c.tolist() for c in (a, b, error, product))):
+        assert Fraction(x) * Fraction(y) == sum(map(Fraction, terms))
+
+
+def test_turns_beyond_float64_are_exact_and_warn_of_nothing():
+    columns = RNG(5).choice([-1.7e308, 1.7e308, 1e-320, 0, 1], (6, 300))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = signs.orient(*columns)
+    for value, *at in zip(found, *columns):
+        px, py, qx, qy, rx, ry = map(Fraction, at)
+        det = (qx - px) * (ry - py) - (qy - py) * (rx - px)
+        assert value == (det > 0) - (det < 0)
+
+
+@pytest.mark.parametrize("swap", [[0, 1, 2, 3, 4, 5], [1, 0, 3, 2, 5, 4], [0, 1, 4, 5, 2, 3], [1, 0, 5, 4, 3, 2]])
+def test_a_turn_of_which_one_difference_alone_is_rounded_is_exact(swap):
+    """A straight way and one a float off: a product of two odd numbers is the difference of two floats of one end."""
+    rng = RNG(6)
+    for f, g in rng.integers(2**33, 2**36, (60, 2)).tolist():
+        far = float(f * g)
+        near = float(int(far) - f * g)
+        if float(g + near) - near == g:
+            for off in (0, 1, -1):
+                columns = np.array([near, 0, far, f, g + near + off, 1], float)[swap]
+                px, py, qx, qy, rx, ry = map(Fraction, columns)
+                det = (qx - px) * (ry - py) - (qy - py) * (rx - px)
+                assert signs.orient(*columns[:, None]).tolist() == [(det > 0) - (det < 0)]
+                assert (det == 0) == (off == 0)
+
+
+def test_signs_of_products_are_exact_at_every_scale():
+    some = [0, 1, -1, 3e-200, -1e-170, 5e-324, -5e-324, 1e-154, 2e150, -1e200, 1.7e308, 1 + 2.0**-52]
+    factors = RNG(7).choice(some, (2, 2, 600))
+    a, b = factors[0]
+    for sums in (factors, [(a, b), (-a, b)], [(a, b), (a, -b), (b, b)], [(a, b), (b, -np.nextafter(a, 9))]):
+        right = [sum(Fraction(p[i]) * Fraction(q[i]) for p, q in sums) for i in range(600)]
+        assert signs.sign_of_products(sums).tolist() == [(s > 0) - (s < 0) for s in right]
+
+
+def test_a_sum_is_told_from_what_its_other_terms_can_add_up_to_at_most():
+    """Though that sum is itself rounded: 1 and five times what is rounded off it."""
+    column = np.array([-1, *[-(2.0**-53)] * 5, 1 + 2.0**-52])[:, None]
+    for way in (1, -1):
+        assert signs.sign_of_sum(way * column) == -way
+
+
+def test_sums_of_ordinary_products_need_no_integers(monkeypatch):
+    asked = []
+    monkeypatch.setattr(signs, "to_integers", lambda values: asked.append(values))
+    a, b, c = RNG(8).uniform(-1, 1, (3, 500)) * 10.0 ** RNG(9).integers(-60, 60, (3, 500))
+    zero = np.zeros(500)
+    for more in ([], [(zero, c)], [(c, zero)]):
+        assert not signs.sign_of_products([(a, b), (-b, a), *more]).any()
+        assert np.array_equal(signs.sign_of_products([(a, b), (-b, a), (c, a), *more]), np.sign(c) * np.sign(a))
+    assert not asked
+
+
 # -- circles and polygons that floats leave undecided
 
 TRIPLES = np.array([(3, 4, 5), (5, 12, 13), (8, 15, 17), (20, 21, 29), (-9, 40, 41)], float)
@@ -430,6 +543,7 @@ def test_circles_that_rest_on_polygons_are_exact(kind):
         ((1e-150, -1), 1, [(0, 0), (1, 1e-200), (0.5, 1)], 0),
         ((0.5, -1), 1, [(0, 0), (1, 1e-200), (0.5, 1)], 0),
         ((0.5, -1), 1, [(0, 0), (1, -5e-324), (0.5, 1)], 2),
+        ((1.5e-162, -1), 0.98, [(0, 0), (3e-162, 0), (0, 1)], 0),
     ],
 )
 def test_circles_are_exact_where_all_hangs_on_what_was_rounded_off_or_lost(center, radius, ring, right):
@@ -500,6 +614,357 @@ def test_turns_in_two_floats_are_off_by_less_than_granted(kind, monkeypatch):
             worst = max(worst, float(error / Decimal(off[i])) * 256)
     print(f"{kind}: worst {worst:.1f} of 256")
     assert 0 < worst < 88
+
+
+# -- polygons that floats leave undecided
+
+
+def test_upright_boxes_among_other_shapes_of_four_corners_are_settled_by_their_sides(monkeypatch):
+    """Side by side, where all of one batch are looked at together; exact signs are asked of the others only."""
+    box = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
+    diamond = np.array([(0, -0.5), (0.5, 0), (0, 0.5), (-0.5, 0)])
+    at = 0.1 * np.arange(50)[:, None, None]
+    tiles, beside = at + 0.1 * box, at + np.array([0.1, 0]) + 0.1 * box
+    rings = [*tiles, *(at + np.add(box, [1, 0.3])), *(at + box), box + 7, diamond - 7]
+    others = [
+        *beside,
+        *(at + np.add(diamond, [2.5, 0.8])),
+        *(at + np.add(diamond, [-0.5, 0.5])),
+        diamond + 6.6,
+        diamond - 7,
+    ]
+    known = [sv.relate(sv.Polygon(p), sv.Polygon(q)) for p, q in zip(rings, others)]
+    asked = []
+    real = signs.orient
+    monkeypatch.setattr(signs, "orient", lambda *c: asked.extend(c[0]) or real(*c))
+    a, b = batch.Polygons(rings), batch.Polygons(others)
+    assert batch.relate(a, b, engine="numpy").tolist() == batch.relate(b, a, engine="numpy").tolist() == known
+    asked.clear()
+    only = [*range(50), 151]
+    assert batch.relate(a[only], b[only], engine="numpy").tolist() == [known[i] for i in only]
+    assert not asked
+
+
+def leaning(rng, n, v, w):
+    """Polygons and others turned about a point of an edge, or a corner, of theirs: they touch but for rounding."""
+    rings = ngons(rng, 4 * n, v)
+    rings = rings[(rings * turned(np.roll(rings, -1, axis=1))).sum(axis=(1, 2)) > 0.2][:n]
+    spot = rings[:, 0] + rng.choice([0, 0.25, rng.random()], (len(rings), 1)) * (rings[:, 1] - rings[:, 0])
+    return rings, spot[:, None] - rng.uniform(0.5, 2, (len(rings), 1, 1)) * (rings[:, :w] - spot[:, None])
+
+
+@pytest.mark.parametrize("scale", [2.0**-525, 2.0**-70, 2.0**-30, 1.0, 2.0**200, 2.0**511])
+@pytest.mark.parametrize("far", [(0, 0), (1000, -1000)])
+@pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (8, 5), (20, 20)])
+def test_polygons_that_lean_on_each_other_are_exact(v, w, far, scale):
+    rng = RNG(v)
+    p, q = (jolt(rng, (rings + far) * scale, most) for rings, most in zip(leaning(rng, 160 // v, v, w), (0, 1)))
+    good = [i for i in range(len(p)) if all(batch_takes(rings[i], k) for rings, k in ((p, v), (q, w)))]
+    p, q = batch.Polygons(p[good]), batch.Polygons(q[good])
+    right = [oracle.relation(one, other) for one, other in zip(scalar(p), scalar(q))]
+    index = np.arange(len(p))
+    found = {engine: batch.relate(p, q, engine=engine).tolist() for engine in ENGINES}
+    found |= {
+        f"{engine} by index": batch.relate(p, q, np.c_[index, index], engine=engine).tolist() for engine in ENGINES
+    }
+    found["all undecided"] = undecided.relations(p.uniform, index, q.uniform, index).tolist()
+    found["all undecided, swapped"] = undecided.relations(q.uniform, index, p.uniform, index).tolist()
+    assert found == dict.fromkeys(found, right)
+
+
+def batch_takes(ring, v):
+    """Is it convex with all its corners, whatever was rounded?"""
+    try:
+        polygon = sv.Polygon(ring)
+    except sv.InvalidShape:
+        return False
+    return polygon.is_convex and len(polygon.corners) == v
+
+
+@pytest.mark.parametrize(("v", "w"), [(5, 5), (8, 5), (9, 20)])
+def test_every_edge_is_asked_whichever_corner_the_search_begins_at(v, w, monkeypatch):
+    rng = RNG(v * w)
+    monkeypatch.setattr(undecided, "_nearest", lambda own, other: rng.integers(0, own.asked, own.x.shape[1]))
+    p, q = (batch.Polygons(ngons(rng, 300, k)) for k in (v, w))
+    index = np.arange(300)
+    right = one_by_one(p, q)
+    assert 0 < right.count(0) < 300
+    assert undecided.relations(p.uniform, index, q.uniform, index).tolist() == right
+    assert undecided.relations(q.uniform, index, p.uniform, index).tolist() == right
+
+
+@pytest.mark.parametrize("v", [40, 100])
+def test_of_many_corners_only_those_near_the_other_shape_are_asked(v, monkeypatch):
+    """Shapes and those turned about a corner of theirs, wherever they lie."""
+    rng = RNG(v)
+    asked = []
+    real = undecided._edge
+    monkeypatch.setattr(undecided, "_edge", lambda *c: asked.extend(c[3]) or real(*c))
+    exactly, orient = [], signs.orient
+    monkeypatch.setattr(signs, "orient", lambda *c: exactly.extend(c[0]) or orient(*c))
+    for far in ((0, 0), (30, -20), (-1000, 1000)):
+        a = np.round(ngons(rng, 200, v) * 2.0**30) * 2.0**-30 + far
+        spot = a[np.arange(200), rng.integers(0, v, 200)][:, None]
+        p, q, index = batch.Polygons(a).uniform, batch.Polygons(2 * spot - a).uniform, np.arange(200)
+        for one, other in ((p, q), (q, p)):
+            asked.clear(), exactly.clear()
+            assert (undecided.relations(one, index, other, index) == 1).all()
+            assert len(asked) <= 7 * 200
+
+
+@pytest.mark.parametrize("turn", [[[1, 0], [0, 1]], [[0, 1], [-1, 0]], [[-1, 0], [0, -1]], [[3, 4], [-4, 3]]], ids=str)
+def test_edges_on_one_line_meet_where_their_ranges_on_it_do(turn, monkeypatch):
+    rng = RNG(10)
+    monkeypatch.setattr(undecided, "_nearest", lambda own, other: rng.integers(0, own.asked, own.x.shape[1]))
+    house = np.array([(0, 0), (4, 0), (6, 2), (6, 4), (4, 6), (0, 6), (-2, 4), (-2, 2)])
+    moves = np.repeat([-20, -1, 0, 1, 4, 8, 9, 20], 10)
+    below = np.stack([[t, 0] - house for t in moves]) @ turn
+    a, b = batch.Polygons(np.array([house] * len(moves)) @ turn), batch.Polygons(below)
+    right = [int(0 <= t <= 8) for t in moves]
+    index = np.arange(len(moves))
+    for one, other in ((a, b), (b, a)):
+        assert undecided.relations(one.uniform, index, other.uniform, index).tolist() == right
+        assert batch.relate(one, other).tolist() == right
+
+
+@pytest.mark.parametrize("scale", [1e-120, 1.0, 1e130])
+@pytest.mark.parametrize("v", [3, 4, 5, 20])
+def test_plain_pairs_are_asked_for_no_exact_sign_whatever_the_scale(v, scale, monkeypatch):
+    rng = RNG(v)
+    asked, in_doubt, edge = [], [], undecided._edge
+    monkeypatch.setattr(undecided, "_edge", lambda *c: asked.extend(c[3]) or edge(*c))
+    monkeypatch.setattr(undecided, "_line", lambda *c: in_doubt.append(c))
+    rings = ngons(rng, 200, v)
+    rings = rings[(rings * turned(np.roll(rings, -1, axis=1))).sum(axis=(1, 2)) > 0.5]
+    a, b = (batch.Polygons((rings + far) * scale).uniform for far in (0, [1e-3, 2e-3]))
+    index = np.arange(len(rings))
+    assert (undecided.relations(a, index, b, index) == 2).all()
+    assert not asked or v > undecided.AT_ONCE
+    a, b = (batch.Polygons(ngons(rng, 200, v) * scale).uniform for _ in "ab")
+    undecided.relations(a, np.arange(200), b, np.arange(200))
+    assert not in_doubt
+
+
+def test_the_largest_magnitude_of_a_column_is_of_either_sign_and_axis():
+    x, y = RNG(11).uniform(-1, 1, (2, 3, 100))
+    assert np.array_equal(undecided._largest(x, y), np.abs(np.concatenate([x, y])).max(axis=0))
+
+
+@pytest.mark.parametrize("scale", [2.0**-30, 1.0, 2.0**30])
+@pytest.mark.parametrize(("v", "w"), [(3, 3), (8, 5), (4, 40), (40, 4), (40, 40)])
+def test_plain_pairs_are_told_by_the_filter(v, w, scale):
+    rng = RNG(v * w)
+    a, b = (batch.Polygons(ngons(rng, 100, k) * scale) for k in (v, w))
+    out = np.empty(100, np.int8)
+    with np.errstate(all="ignore"):
+        filter_numpy.polygons(a.uniform, b.uniform, 0, out)
+    assert (out == UNDECIDED).sum() <= 5
+    assert all(found in (UNDECIDED, right) for found, right in zip(out, one_by_one(a, b)))
+
+
+@pytest.mark.parametrize("scale", [2.0**-30, 1.0, 2.0**30])
+@pytest.mark.parametrize(("v", "w"), [(3, 3), (8, 5), (16, 3)])
+def test_the_float32_look_is_granted_room_for_every_corner(v, w, scale, monkeypatch):
+    """Side by side and by index, for wide shapes and for high ones, above and below the origin."""
+    rng = RNG(v)
+    seen = []
+    real = filter_numpy.look_32
+    for module in (filter_numpy, picked_numpy):
+        monkeypatch.setattr(module, "look_32", lambda *c: seen.append((*c[:4], real(*c)[1])) or real(*c))
+    for wide, high, up in ((1, 8, 9), (8, 1, 9), (1, 8, -9), (8, 1, -9)):
+        a, b = (
+            batch.Polygons((ngons(rng, 500, k, 0.1) + np.array([0, up])) * [wide * scale, high * scale]) for k in (v, w)
+        )
+        index = np.arange(500)
+        batch.relate(a, b, engine="numpy")
+        batch.relate(a, b, np.c_[index, index], engine="numpy")
+    assert len(seen) >= 4
+    for ax, ay, bx, by, room in seen:
+        size = np.sqrt(room.astype(float) / filter_numpy.LOOK_32)
+        for x, y in ((ax, ay), (bx, by)):
+            assert (size * (1 + 1e-6) >= np.maximum(np.abs(x - ax[0]), np.abs(y - ay[0])).max(axis=0)).all()
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_upright_boxes_are_told_by_their_sides_from_any_first_corner_of_each(engine):
+    rng = RNG(12)
+    low, size = rng.integers(0, 8, (2, 2000, 2)), rng.integers(1, 6, (2, 2000, 2))
+    high = low + size
+    made = []
+    for (x, y), (right, top) in zip(low.transpose(0, 2, 1), high.transpose(0, 2, 1)):
+        around = (np.arange(4) + rng.integers(0, 4, (2000, 1))) % 4
+        corners = np.stack([np.stack(c, axis=1) for c in ((x, y), (right, y), (right, top), (x, top))], axis=1)
+        made.append(batch.Polygons(corners[np.arange(2000)[:, None], around]))
+    gap = np.maximum(low[0] - high[1], low[1] - high[0]).max(axis=1)
+    found = batch.relate(*made, engine=engine)
+    assert found.tolist() == (1 - np.sign(gap)).tolist()
+    assert set(found.tolist()) == {0, 1, 2}
+    index = np.arange(2000)
+    assert np.array_equal(batch.relate(*made, np.c_[index, index], engine=engine), found)
+
+
+@pytest.mark.parametrize("scale", [2.0**-520, 2.0**-30, 1.0, 2.0**200, 2.0**510])
+def test_circles_that_rest_on_each_other_are_exact(scale):
+    rng = RNG(13)
+    n = 100
+    x, y, z = TRIPLES[rng.integers(0, len(TRIPLES), n)].T
+    centers, own = rng.integers(-40, 40, (n, 2)), rng.integers(1, 40, n) / 8
+    theirs = rng.integers(6, 9, n) * z - own  # a whole number of hypotenuses together
+    others = centers + np.c_[x, y] * ((own + theirs) / z)[:, None]
+    radii = np.stack([own, theirs])
+    radii[:, : n // 3] *= 1 / 3
+    others[: n // 3] = centers[: n // 3] + (others - centers)[: n // 3] / 3
+    others[n // 3 : -n // 3] = jolt(rng, others[n // 3 : -n // 3], 1)
+    a, b = batch.Circles(centers * scale, radii[0] * scale), batch.Circles(others * scale, radii[1] * scale)
+    right = [oracle.relation(p, q) for p, q in zip(scalar(a), scalar(b))]
+    assert set(right) == {0, 1, 2}
+    for one, other in ((a, b), (b, a)):
+        for engine in ENGINES:
+            assert batch.relate(one, other, engine=engine).tolist() == right
+        p, q = one.uniform, other.uniform
+        assert (1 - signs.circles(p.x[0], p.y[0], p.r, q.x[0], q.y[0], q.r)).tolist() == right
+
+
+@pytest.mark.parametrize("scale", [1e-120, 1.0, 1e120])
+def test_plain_circles_are_told_by_the_filter(scale):
+    rng = RNG(14)
+    a, b = (batch.Circles(rng.uniform(-2, 2, (200, 2)) * scale, rng.uniform(0.1, 1, 200) * scale) for _ in "ab")
+    c = batch.Polygons(ngons(rng, 200, 5) * scale)
+    for other, kernel in ((b, "circles"), (c, "circle_polygons")):
+        out = np.empty(200, np.int8)
+        p, q = a.uniform, other.uniform
+        columns = (q.x[0], q.y[0], q.r) if other is b else (q.x, q.y)
+        with np.errstate(all="ignore"):
+            getattr(filter_numpy, kernel)(p.x[0], p.y[0], p.r, *columns, 0, out)
+        assert out.tolist() == one_by_one(a, other)
+
+
+@pytest.mark.parametrize("e", [-535, -520, -450, 480, 500, 511, 514])
+def test_circles_on_polygons_are_exact_at_the_ends_of_float64(e):
+    rng = RNG(15)
+    made = [make(rng, 30) for make in (resting_exactly, a_float_off(resting_exactly), a_float_off(resting_on_boxes))]
+    for centers, radii, rings in made:
+        circles, polygons = batches_from((centers * 2.0**e, radii * 2.0**e, rings * 2.0**e))
+        right = [sv.relate(p, q) for p, q in zip(scalar(circles), scalar(polygons))]
+        c, p = circles.uniform, polygons.uniform
+        assert (1 - circle_polygons.gaps(c.x[0], c.y[0], c.r, p.x, p.y)).tolist() == right
+        for engine in ENGINES:
+            assert batch.relate(circles, polygons, engine=engine).tolist() == right
+
+
+@pytest.mark.parametrize(("v", "w"), [(3, 5), (20, 20), (4, 4)])
+def test_a_kernel_told_to_begin_further_on_answers_for_those_columns(v, w):
+    rng = RNG(16)
+    a, b = (batch.Polygons(ngons(rng, 100, k)).uniform for k in (v, w))
+    p, q = (circles(rng, 100).uniform for _ in "ab")
+    low = rng.uniform(0, 5, (2, 100, 1, 2))
+    one, other = (batch.Polygons(at + np.array([(0, 0), (1, 0), (1, 1), (0, 1)])).uniform for at in low)
+    round_ = p.x[0], p.y[0], p.r
+    for kernel, shapes in (
+        (filter_numpy.polygons, (a, b)),
+        (filter_numpy.boxes, (one, other)),
+        (filter_numpy.circles, (*round_, q.x[0], q.y[0], q.r)),
+        (filter_numpy.circle_polygons, (*round_, b.x, b.y)),
+    ):
+        whole, part = np.empty(100, np.int8), np.empty(50, np.int8)
+        with np.errstate(all="ignore"):
+            kernel(*shapes, 0, whole)
+            kernel(*shapes, 30, part)
+        assert part.tolist() == whole[30:80].tolist()
+        assert len(set(part.tolist())) > 1
+
+
+@pytest.mark.parametrize("large", [0, 1])
+def test_the_few_steps_of_many_corners_are_granted_room_for_the_largest_coordinates(large, monkeypatch):
+    rng = RNG(17)
+    seen = []
+    real = filter_numpy.steps_numpy.few_steps
+    monkeypatch.setattr(filter_numpy.steps_numpy, "few_steps", lambda *c: seen.append(c[4]) or real(*c))
+    rings = [ngons(rng, 30, 20, 0.1) * (1000 if k == large else 1) for k in (0, 1)]
+    a, b = map(batch.Polygons, rings)
+    index = np.arange(30)
+    batch.relate(a, b, engine="numpy")
+    batch.relate(a, b, np.c_[index, index], engine="numpy")
+    assert seen == [sum(np.abs(r).max() for r in rings) * filter_numpy.LOOK] * 2
+
+
+@pytest.mark.parametrize(
+    "other", [[(0, 0), (3, 0), (0, 3)], [(0, 0), (4, 0), (6, 2), (6, 4), (4, 6), (0, 6), (-2, 4), (-2, 2)]]
+)
+def test_what_a_few_steps_tell_is_right_wherever_the_other_shape_lies(other):
+    """At all whole places: touching at corners, along edges and by parts of these among them."""
+    one = np.array([(0, 0), (2, -1), (4, 0), (5, 3), (4, 5), (0, 5), (-1, 2)])
+    places = np.stack(np.meshgrid(np.arange(-9, 10), np.arange(-9, 10)), axis=-1).reshape(-1, 1, 2)
+    a, b = batch.Polygons(one + 0 * places), batch.Polygons(np.array(other) + places)
+    right = one_by_one(a, b)
+    for p, q in ((a.uniform, b.uniform), (b.uniform, a.uniform)):
+        out = np.empty(len(right), np.int8)
+        filter_numpy.steps_numpy.few_steps(p.x, p.y, q.x, q.y, 30 * filter_numpy.LOOK, out)
+        assert all(found in (UNDECIDED, told) for found, told in zip(out.tolist(), right))
+        assert (out == UNDECIDED).sum() <= right.count(1) + 20
+
+
+@pytest.mark.parametrize("v", [3, 5, 9])
+def test_what_a_few_steps_tell_of_polygons_that_lean_on_each_other_is_right(v):
+    rng = RNG(v)
+    rings, others = leaning(rng, 400, v, v)
+    good = [i for i in range(len(rings)) if batch_takes(rings[i], v) and batch_takes(others[i], v)]
+    a, b = batch.Polygons(rings[good]), batch.Polygons(others[good])
+    p, q, out = a.uniform, b.uniform, np.empty(len(good), np.int8)
+    filter_numpy.steps_numpy.few_steps(p.x, p.y, q.x, q.y, (p.reach + q.reach) * filter_numpy.LOOK, out)
+    assert all(found in (UNDECIDED, right) for found, right in zip(out.tolist(), one_by_one(a, b)))
+
+
+def test_whether_the_foot_lies_between_the_ends_is_told_rightly_next_to_an_end():
+    """Centers straight off an end of their edge but for rounding; differences lose bits too."""
+    rng = RNG(18)
+    n, known = 1000, 0
+    p, q = rng.uniform(-1, 1, (2, n, 2)) * 10.0 ** rng.integers(-2, 3, (2, n, 1))
+    c = p + turned(q - p) * rng.uniform(-3, 3, (n, 1))
+    for ends in ((p, q), (q, p)):
+        columns = *c.T, np.ones(n), *ends[0].T, *ends[1].T
+        with np.errstate(all="ignore"):
+            found = circle_polygons._only_between(np.full(n, -1, np.int8), *columns)
+        for told, cx, cy, _, px, py, qx, qy in zip(
+            found.tolist(), *(map(Fraction, column.tolist()) for column in columns)
+        ):
+            along = (cx - px) * (qx - px) + (cy - py) * (qy - py)
+            between = 0 < along < (qx - px) ** 2 + (qy - py) ** 2
+            assert told in (signs.UNKNOWN, -1 if between else 1)
+            known += told != signs.UNKNOWN
+    assert known > 1.9 * n
+
+
+@pytest.mark.parametrize("e", [-76, -75, -74, -73])
+def test_nothing_wrong_is_told_where_float32_loses_the_bits_of_products(e):
+    rng = RNG(1)
+    a, b = (batch.Polygons(ngons(rng, 300, 3) * 2.0**e) for _ in "ab")
+    out = np.empty(300, np.int8)
+    with np.errstate(all="ignore"):
+        filter_numpy.polygons(a.uniform, b.uniform, 0, out)
+    assert all(found in (UNDECIDED, right) for found, right in zip(out.tolist(), one_by_one(a, b)))
+
+
+@pytest.mark.parametrize("n", [1, 2, 30])
+def test_the_span_of_a_group_is_its_largest_edge_component(n):
+    rings = ngons(RNG(n), 1, 5) + 0.01 * np.arange(n)[:, None, None]
+    edges = np.abs(rings - np.roll(rings, 1, axis=1))
+    group = batch.Polygons(rings).uniform
+    assert group.span == edges.max() and group.reach == np.abs(rings).max()
+
+
+def test_what_has_only_some_sides_of_an_upright_box_is_none():
+    box = [(0, 0), (2, 0), (2, 1), (0, 1)]
+    rings = [
+        [(x + k * (i == moved), y + j * (i == moved)) for i, (x, y) in enumerate(box)]
+        for moved in range(4)
+        for k, j in ((0, 0), (0.5, 0), (0, 0.5))
+    ]
+    rings += [[(x + k * y, y + j * x) for x, y in box] for k, j in ((0.5, 0), (0, 0.5))]
+    for ring in rings:
+        for first in range(4):
+            x, y = np.array(ring[first:] + ring[:first], float).T[:, :, None]
+            assert arrays.upright_boxes(x, y).tolist() == [ring == box]
 
 
 # -- broad phase

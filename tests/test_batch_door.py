@@ -380,6 +380,24 @@ def test_shapes_that_are_not_there_are_an_index_error(where):
             shapes[where]
 
 
+def test_shapes_in_parts_keep_their_owners_when_batches_are_joined():
+    joined = batch.concat([three_in_parts(), batch.Circles([(0, 0)], 1), three_in_parts(), three_in_parts()[1]])
+    assert joined.owner.tolist() == [0, 1, 1, 2, 3, 4, 5, 5, 6, 7, 7]
+    assert joined.bounds[[1, 3, 5, 7]].round().tolist() == [[0, 0, 4, 4], [-1, -1, 1, 1], [0, 0, 4, 4], [0, 0, 4, 4]]
+
+
+def test_what_was_worked_out_before_changes_no_box_and_no_choice():
+    def mixed():
+        return batch.concat([batch.Polygons([TRIANGLE]), batch.Circles([(5, 5), (0, 2)], 1)])
+
+    fresh, used = mixed(), mixed()
+    assert used.rings and used.groups and used.flat
+    assert np.array_equal(fresh.bounds, used.bounds)
+    for where in (slice(1, None), [2, 0], slice(None, None, -1)):
+        assert repr(fresh[where]) == repr(used[where])
+        assert np.array_equal(fresh[where].bounds, used[where].bounds)
+
+
 def test_a_split_batch_has_a_box_a_shape():
     assert three_in_parts().bounds.tolist() == [[0, 0, 1, 1], [0, 0, 4, 4], [0, 0, 1, 1]]
 

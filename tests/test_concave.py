@@ -245,6 +245,16 @@ def test_a_cut_ends_on_the_nearest_of_the_vertices_in_its_way(ring):
     refute_all([Polygon(ring)])
 
 
+ARM = [(-3, 1), (0, 0), (-3, -1), (-3, -20), (40, -20), (40, 5), (4, 0), (3, 0.25), (2, 0), (30, 9.5), (40, 9)]
+ARM += [(40, 20), (-3, 20)]
+
+
+@pytest.mark.parametrize("ring", [ARM, [(x, -y) for x, y in ARM[::-1]]], ids=["left", "right"])
+def test_of_two_vertices_on_one_ray_a_cut_ends_on_the_nearer_from_any_first_vertex(ring):
+    """A ray from the reflex vertex turns up to both at once; the lines of its edges end between floats."""
+    refute_all(Polygon(ring[i:] + ring[:i]) for i in range(len(ring)))
+
+
 # -- few parts -------------------------------------------------------------------------------------
 
 

@@ -163,8 +163,7 @@ def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first
         dx, dy = px[j] - px[i], py[j] - py[i]
         turn = x[i] * dy - y[i] * dx
         tolerance = (np.abs(dx) + np.abs(dy)) * (far * 2.0**-48)
-        facing = turn <= tolerance
-        inside &= ~facing
+        inside &= turn > tolerance
         outside |= turn < -tolerance
         along, square = -(x[i] * dx + y[i] * dy), dx * dx + dy * dy
         safe &= square > TINY
@@ -173,7 +172,7 @@ def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first
             x[i] * x[i] + y[i] * y[i],
             np.where(along >= square, x[j] * x[j] + y[j] * y[j], turn / square * turn),
         )
-        np.minimum(nearest, distance, out=nearest, where=facing)
+        np.minimum(nearest, distance, out=nearest)  # of edges that face away too: none lies nearer than the nearest
     reach = cr * cr
     out.fill(UNDECIDED)
     out[safe & (inside | (nearest < reach - room))] = OVERLAPPING

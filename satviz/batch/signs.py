@@ -53,7 +53,7 @@ def _turns(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
         turn = terms[0] + terms[1]
         turn += (a * eb + ea * b) - (c * ed + ec * d)
         turn += terms[2] + terms[3]
-        found = sign_beyond(turn, np.where((size > TINY) & (size < HUGE), FINEST * size, np.inf))
+        found = sign_beyond(turn, FINEST * size)
     plain = (ea == 0) & (eb == 0) & (ec == 0) & (ed == 0)
     for mask, pairs in (
         (plain, [(a, b), (-c, d)]),
@@ -82,7 +82,7 @@ def sign_of_products(pairs: Pairs) -> Signs:
         calm = np.flatnonzero(size < np.inf)
         found[calm] = sign_of_sum(columns(terms, calm))
     for i in np.flatnonzero(found == UNKNOWN):
-        _, n = to_integers([float(f[i]) for pair in pairs for f in pair])
+        _, n = to_integers(f[i] for pair in pairs for f in pair)
         found[i] = sign(sum(p * q for p, q in zip(n[::2], n[1::2], strict=True)))
     return found
 
