@@ -31,6 +31,7 @@ def refresh(path: Path) -> None:
         resources={"metadata": {"path": str(path.parent)}},
         store_widget_state=False,
         record_timing=False,
+        coalesce_streams=True,  # how a text is cut into pieces depends on how busy the machine is
     )
     client.execute()
     notebook.metadata = nbformat.from_dict({"kernelspec": KERNEL})
