@@ -51,6 +51,13 @@ def pages(files):
     return {path: data.decode() for path, data in files.items() if path.endswith(".html")}
 
 
+def test_what_may_scroll_can_be_scrolled_with_the_keyboard(pages):
+    """Also a picture's numbers that stand there only until Python has come."""
+    for path, page in [*pages.items(), ("page", sv.page("triangles")), ("failing", sv.page("raw-depth"))]:
+        for tag in re.findall(r"<pre\b[^>]*>", page):
+            assert path.startswith("api/") or 'tabindex="0"' in tag, f"{path}: {tag}"
+
+
 def test_every_link_of_the_site_leads_to_one_of_its_files(files, pages):
     for path, page in pages.items():
         for to in map(unescape, re.findall(r'(?:href|src)="([^"]+)"', page)):

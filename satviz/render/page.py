@@ -69,7 +69,7 @@ def page(what: Asked | Shape, b: Shape | None = None, *, title: str = "", predic
         '<div id="satviz-player"></div>',
         '<section class="sv-static">',
         *(f"<figure>{inline_svg(drawn, stem=stem)}</figure>" for drawn, stem in ((first, "first"), (last, "last"))),
-        f"<pre>{escape(str(trace))}</pre>",
+        f'<pre tabindex="0">{escape(str(trace))}</pre>',
         "<h2>Step by step</h2>",
         *_listed(sentences),
         "</section>",

@@ -86,7 +86,13 @@ def _markdown() -> Any:
         from markdown_it import MarkdownIt
     except ImportError:
         raise ImportError(needs("a site's chapters", "site")) from None
-    return MarkdownIt("commonmark", {"html": True, "highlight": _highlighted}).enable("table")
+    markdown = MarkdownIt("commonmark", {"html": True, "highlight": _highlighted}).enable("table")
+    markdown.add_render_rule("code_block", _indented)
+    return markdown
+
+
+def _indented(_renderer: Any, tokens: Any, i: int, _options: Any, _env: Any) -> str:
+    return f'<pre tabindex="0"><code>{escape(tokens[i].content)}</code></pre>\n'
 
 
 def _highlighted(code: str, _language: str, _attributes: str) -> str:

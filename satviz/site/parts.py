@@ -23,7 +23,7 @@ def explorer(hand: Exploring) -> str:
     return (
         f'<div class="live" data-hash="{behind}"><div class="satviz still"><div class="sv-columns">'
         f'<div class="sv-stage">{drawn(drawing)}<p class="sv-sentence">{escape(drawing.sentence)}</p></div>'
-        f'<div class="sv-side"><pre class="out">{escape(str(hand.trace))}</pre></div></div></div></div>'
+        f'<div class="sv-side"><pre class="out" tabindex="0">{escape(str(hand.trace))}</pre></div></div></div></div>'
         f'<p class="status" role="status"></p><p class="open"><a href="{PAGE}#{behind}">Open in the explorer</a></p>'
     )
 

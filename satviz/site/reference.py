@@ -46,7 +46,7 @@ def example(name: str) -> str:
         return ""
     text, picture = run(code)
     drawn = f"<figure>{picture}</figure>" if picture else ""
-    return f'<div class="example"><pre>{escape(code)}</pre><pre class="given">{escape(text)}</pre>{drawn}</div>'
+    return f'<div class="example"><pre tabindex="0">{escape(code)}</pre><pre class="given" tabindex="0">{escape(text)}</pre>{drawn}</div>'
 
 
 def run(code: str) -> tuple[str, str]:
