@@ -46,7 +46,8 @@ def example(name: str) -> str:
         return ""
     text, picture = run(code)
     drawn = f"<figure>{picture}</figure>" if picture else ""
-    return f'<div class="example"><pre tabindex="0">{escape(code)}</pre><pre class="given" tabindex="0">{escape(text)}</pre>{drawn}</div>'
+    given = f'<pre class="given" tabindex="0">{escape(text)}</pre>'
+    return f'<div class="example"><pre tabindex="0">{escape(code)}</pre>{given}{drawn}</div>'
 
 
 def run(code: str) -> tuple[str, str]:
