@@ -1,5 +1,6 @@
 """The batch's door: the rules and the words of the scalar one, and nothing of the caller's is touched."""
 
+import sys
 import warnings
 
 import numpy as np
@@ -7,7 +8,7 @@ import pytest
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import narrow
+from satviz.batch import filter_numpy, narrow
 
 TRIANGLE = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
 ELL = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
@@ -433,3 +434,25 @@ def test_numpy_answers_where_numba_does_not_work_and_says_so_once(fresh_choice, 
     assert [str(w.message) for w in told] == [f"numba does not work here, so NumPy does the work: {fault}"]
     with pytest.raises(ImportError, match=r"does not work here: .*engine=.numpy. does"):
         batch.relate(shapes, shapes, engine="numba")
+
+
+def test_where_numba_is_not_installed_asking_for_it_says_what_to_install(fresh_choice, monkeypatch):
+    monkeypatch.setattr(narrow, "find_spec", lambda name: None)
+    monkeypatch.setitem(sys.modules, "numba", None)
+    for name in ("compiling", "filter_numba", "grid_numba", "picked_numba", "settle_numba"):
+        monkeypatch.delitem(sys.modules, f"satviz.batch.{name}", raising=False)
+        monkeypatch.delattr(batch, name, raising=False)
+    with pytest.raises(ImportError, match=r"engine .numba. needs .*pip install"):
+        narrow.engine_of("numba")
+    assert narrow.engine_of(None).circles is filter_numpy.circles
+
+
+@pytest.mark.parametrize("name", ["numpy", "numba"])
+def test_an_engine_does_all_its_work_in_its_own_modules(name):
+    if name == "numba":
+        pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
+    engine = narrow.engine_of(name)
+    kernels = [part for part in engine if callable(part)]
+    assert len(kernels) == (7 if name == "numba" else 6)
+    assert all(kernel.__module__.endswith(f"_{name}") for kernel in kernels)
+    assert engine is narrow.engine_of(name)

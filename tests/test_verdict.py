@@ -126,6 +126,28 @@ def test_two_round_shapes_that_overlap_are_told_in_a_few_steps_a_corner(corners,
         assert steps_of_relate(a, b) < 6 * corners > steps_of_relate(b, a)
 
 
+@pytest.mark.parametrize(("size", "steps"), [(1, 9), (8, 17)])
+def test_two_round_shapes_that_are_barely_apart_are_told_in_a_few_steps_a_corner(size, steps):
+    turns = [math.tau * i / 128 for i in range(128)]
+    for way in range(12):
+        x, y = ((1.05 + size) * u for u in (math.cos(way), math.sin(way)))
+        a = Polygon([(math.cos(t), math.sin(t)) for t in turns])
+        b = Polygon([(x + size * math.cos(t), y + size * math.sin(t)) for t in turns])
+        assert relate(a, b) is APART
+        assert steps_of_relate(a, b) < steps * 128 > steps_of_relate(b, a)
+
+
+def test_a_point_on_the_edges_that_two_shapes_share_is_inside_neither_wherever_their_rings_begin():
+    ring = [(3, 1), (1, 3), (-1, 3), (-3, 1), (-3, -1), (-1, -3), (1, -3), (3, -1)]
+    rings = [ring[i:] + ring[:i] for i in range(8)]
+    for i, (x, y) in enumerate(ring):
+        u, v = ring[i - 1]
+        for to in ((x + u, y + v), (2 * x, 2 * y)):  # edge on edge, corner on corner
+            for part, truth in ((1 + 2.0**-40, APART), (1, TOUCHING), (1 - 2.0**-40, OVERLAPPING)):
+                moved = [Polygon([(px + part * to[0], py + part * to[1]) for px, py in r]) for r in rings]
+                assert {relate(a, b) for a in map(Polygon, rings) for b in moved} == {truth}
+
+
 @pytest.mark.parametrize("e", [-500, -520, -532, -535, -536, -537, -538, -539, -545, -1000])
 def test_a_circle_over_an_edge_so_short_that_its_square_loses_bits_is_judged_by_its_distance(e):
     for turn in ((1, 0), (0, 1), (-1, 0), (3, 4)):

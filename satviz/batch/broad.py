@@ -51,7 +51,7 @@ def candidate_blocks(bounds: NDArray[np.float64], grid: Grid) -> Iterator[Pairs]
     while todo:
         one, other = todo.pop()
         both = one if other is None else np.concatenate([one, other])
-        if not len(one) or len(both) < 2 or (other is not None and not len(other)):
+        if len(both) < 2:
             continue
         cell = [max(size[d, both].max(), _even(bounds[:, d], both), least) for d in (0, 1)]
         blocks = grid(bounds, one, other, cell, CHEAP * len(both))

@@ -202,9 +202,8 @@ def _relate_parts(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | 
     many_b = b.starts[ib + 1] - first_b
     each = (a.starts[ia + 1] - first_a) * many_b
     end = np.cumsum(each)
-    total = int(end[-1]) if len(end) else 0
-    for start in range(0, total, BLOCK_OF_PARTS):
-        place = np.arange(start, min(start + BLOCK_OF_PARTS, total))
+    for start in range(0, end[-1], BLOCK_OF_PARTS):
+        place = np.arange(start, min(start + BLOCK_OF_PARTS, end[-1]))
         of = np.searchsorted(end, place, side="right")
         rank = place - (end - each)[of]
         pa, pb = first_a[of] + rank // many_b[of], first_b[of] + rank % many_b[of]

@@ -53,7 +53,8 @@ def relate(a: Shape, b: Shape) -> Relation:
         if k := _beyond(a_slabs, room_a, x, y):
             a_slabs = a_slabs[k - 1 :] + a_slabs[: k - 1]
         elif k := _beyond(b_slabs, room_b, x, y):
-            b_slabs = b_slabs[k - 1 :] + b_slabs[: k - 1]
+            # the slabs of b before it hold the point, which is in a: none of them clears a
+            a, a_slabs, room_a, b, b_slabs, room_b = b, b_slabs[k - 1 :], room_b, a, a_slabs, room_a
         else:
             return OVERLAPPING
     for slabs, room, points in (a_slabs, room_a, b.core), (b_slabs, room_b, a.core):
