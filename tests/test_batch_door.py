@@ -456,3 +456,14 @@ def test_an_engine_does_all_its_work_in_its_own_modules(name):
     assert len(kernels) == (7 if name == "numba" else 6)
     assert all(kernel.__module__.endswith(f"_{name}") for kernel in kernels)
     assert engine is narrow.engine_of(name)
+
+
+@pytest.mark.parametrize("none", [[], (), np.empty((0, 2)), np.empty((0, 2), int)], ids=repr)
+@pytest.mark.parametrize("engine", [None, "numpy"])
+def test_no_pairs_are_none_however_they_are_written(none, engine):
+    plain = batch.Polygons([[(0, 0), (1, 0), (0, 1)]])
+    split = batch.Polygons([[(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)]], concave="split")
+    for shapes in plain, split, plain[:0], split[:0]:
+        assert batch.relate(shapes, shapes, none, engine=engine).shape == (0,)
+        assert batch.hits(shapes, shapes, none, engine=engine).shape == (0,)
+    assert batch.relate(split[:0], split[:0], engine=engine).shape == (0,)

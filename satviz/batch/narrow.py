@@ -133,6 +133,8 @@ def _columns_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
 def checked_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
     """The two columns of (K, 2) indices into na and nb shapes; ValueError and IndexError say what is wrong."""
     pairs = np.asarray(pairs)
+    if pairs.shape == (0,):  # an empty list
+        pairs = pairs.reshape(0, 2)
     if pairs.ndim != 2 or pairs.shape[1] != 2 or (pairs.size and pairs.dtype.kind not in "iu"):
         raise ValueError(f"pairs has the shape {pairs.shape} of {pairs.dtype}: expected (K, 2) integers")
     pairs = pairs.astype(np.intp, copy=False)
