@@ -587,3 +587,16 @@ def test_a_turn_handle_hides_no_words(browser, errors, name):
         with explored(browser, Exploring(sv.scene(name)), errors, **screen) as page:
             page.wait_for_timeout(300)
             assert not any(page.evaluate(COVERED))
+
+
+@pytest.mark.parametrize(
+    "b", [[(0.5, 0), (3.5, 0), (2, 4)], [(1, 1), (3, 1), (3, 4), (1, 4)], [(0, 0), (4, 0), (4, 4), (0, 4)]]
+)
+def test_no_turn_handle_hides_the_other(browser, errors, b):
+    """Of two shapes as high as each other, one over the other."""
+    scene = sv.Scene("over", sv.Polygon([(0, 0), (4, 0), (4, 4), (0, 4)]), sv.Polygon(b))
+    for screen in PHONE, WIDE:
+        with explored(browser, Exploring(scene), errors, **screen) as page:
+            page.wait_for_timeout(300)
+            first, second = (page.locator(f'[data-handle="{shape}-rotate"]').bounding_box() for shape in "AB")
+            assert max(abs(first[side] - second[side]) for side in "xy") >= 24  # as large as the icon
