@@ -574,6 +574,18 @@ def test_a_widget_is_light_or_dark_as_the_page_is_and_not_as_the_system(browser,
             assert colour(paper) == THEMES[theme].paper.lower()
 
 
+@pytest.mark.parametrize("noise", [[0, 0, 0, 255], [255, 255, 255, 255]], ids=["black", "white"])
+def test_the_theme_is_right_where_a_browser_answers_with_noise_for_a_canvas(browser, errors, noise):
+    """As Firefox does with privacy.resistFingerprinting."""
+    with explored(browser, Exploring(sv.scene("circles")), errors) as page:
+        page.evaluate(f"() => {{ CanvasRenderingContext2D.prototype.getImageData = () => ({{data: {noise}}}); }}")
+        for theme, paper in ("dark", "oklch(0.2 0.02 250)"), ("light", "rgb(250 250 250 / 0.9)"), ("dark", "#111"):
+            page.evaluate(f"() => {{ document.body.style.background = '{paper}'; }}")
+            page.locator(f".satviz[data-theme='{theme}']").wait_for()
+            page.wait_for_timeout(600)  # it is looked at again
+            assert page.locator(".satviz").get_attribute("data-theme") == theme
+
+
 @pytest.mark.parametrize("size", [1e-14, 1.0, 1e12])
 def test_a_handles_value_is_a_plain_number_at_any_scale(browser, errors, size):
     corners = [(2 * size, 0.0), (-1 * size, 1.7320508075688776 * size), (-1 * size, -1.7320508075688774 * size)]
@@ -651,3 +663,16 @@ def test_a_turn_handle_hides_no_words(browser, errors, name):
         with explored(browser, Exploring(sv.scene(name)), errors, **screen) as page:
             page.wait_for_timeout(300)
             assert not any(page.evaluate(COVERED))
+
+
+@pytest.mark.parametrize(
+    "b", [[(0.5, 0), (3.5, 0), (2, 4)], [(1, 1), (3, 1), (3, 4), (1, 4)], [(0, 0), (4, 0), (4, 4), (0, 4)]]
+)
+def test_no_turn_handle_hides_the_other(browser, errors, b):
+    """Of two shapes as high as each other, one over the other."""
+    scene = sv.Scene("over", sv.Polygon([(0, 0), (4, 0), (4, 4), (0, 4)]), sv.Polygon(b))
+    for screen in PHONE, WIDE:
+        with explored(browser, Exploring(scene), errors, **screen) as page:
+            page.wait_for_timeout(300)
+            first, second = (page.locator(f'[data-handle="{shape}-rotate"]').bounding_box() for shape in "AB")
+            assert max(abs(first[side] - second[side]) for side in "xy") >= 24  # as large as the icon

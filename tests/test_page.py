@@ -2,6 +2,7 @@
 
 import json
 import re
+from pathlib import Path
 
 import pytest
 
@@ -32,6 +33,13 @@ def test_a_page_loads_nothing_from_elsewhere(scene):
     page = sv.page(scene.record(), title=scene.title)
     assert re.findall(r"https?://[^\s\"'<]+", page.replace("http://www.w3.org/", "")) == []
     assert "default-src 'none'" in page and 'src="' not in page and "@import" not in page
+
+
+def test_the_style_sheets_say_no_underline_in_a_way_that_webkit_does_not_know():
+    """It drops `text-decoration` with more than a line; `text-decoration-style` it knows."""
+    for sheet in Path(sv.__file__).parent.rglob("*.css"):
+        for said in re.findall(r"text-decoration:\s*([^;}]*)", sheet.read_text(encoding="utf-8")):
+            assert said.strip() in ("none", "underline"), sheet.name
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.name)

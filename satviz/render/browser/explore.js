@@ -281,7 +281,7 @@ class Explorer {
         });
         const [[x, y]] = shape.polygon;
         const degree = snap((Math.atan2(y - center[1], x - center[0]) * 180) / Math.PI, 1e-3) + 0;
-        found.push({ id: `${name}-rotate`, key, does: "rotate", at: this.turnSpot(shape, key), label: `${name}: turn`, value: degree, says: `first corner at ${told(degree)} degrees` });
+        found.push({ id: `${name}-rotate`, key, does: "rotate", at: this.turnSpot(shape, key, found.find(({ does }) => does === "rotate")?.at), label: `${name}: turn`, value: degree, says: `first corner at ${told(degree)} degrees` });
       } else {
         const at = [center[0] + shape.radius, center[1]];
         found.push({ id: `${name}-radius`, key, does: "radius", at, label: `${name}: radius`, value: shape.radius, says: told(shape.radius) });
@@ -292,8 +292,9 @@ class Explorer {
     return found;
   }
 
-  // Where a shape's turn handle sits: above it, or where neither an axis nor words lie; there it stays while it can.
-  turnSpot({ polygon }, key) {
+  // Where a shape's turn handle sits: above it, or where neither an axis, words nor the other's (`taken`) lie; there it
+  // stays while it can.
+  turnSpot({ polygon }, key, taken) {
     const [x, y] = middle({ polygon });
     const [xs, ys] = [0, 1].map((k) => polygon.map((p) => p[k]));
     const off = 32 / (this.pen.scale * this.shown);
@@ -304,7 +305,8 @@ class Explorer {
     const clear = (spot, room) => {
       const [px, py] = this.pen.at(spot);
       const inside = px > 14 && py > 14 && px < this.pen.width - 14 && py < this.pen.height - 14;
-      return inside && axes.every((line) => distance(spot, line) * this.pen.scale > 16)
+      const free = !taken || Math.hypot(spot[0] - taken[0], spot[1] - taken[1]) > off;
+      return inside && free && axes.every((line) => distance(spot, line) * this.pen.scale > 16)
         && (!room || (!holds(other, spot) && words.every(([wx, wy, wide, high]) => Math.abs(wx - px) > wide + room || Math.abs(wy - py) > high + room)));
     };
     const sides = [...spots.keys()];

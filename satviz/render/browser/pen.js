@@ -205,19 +205,21 @@ function dark(root) {
   if (body.matches(".vscode-light, .vscode-high-contrast-light")) return false;
   if (body.matches(".vscode-dark, .vscode-high-contrast")) return true;
   for (let around = root.parentNode; around; around = around.parentNode ?? around.host) {
-    const [r, g, b, opacity] = around instanceof Element ? rgba(getComputedStyle(around).backgroundColor) : [0, 0, 0, 0];
-    if (opacity > 127) return 0.3 * r + 0.6 * g + 0.1 * b < 128;
+    const [r, g, b, opacity = 1] = around instanceof Element ? rgba(getComputedStyle(around).backgroundColor) : [0, 0, 0, 0];
+    if (opacity > 0.5) return 0.3 * r + 0.6 * g + 0.1 * b < 0.5;
   }
   const scheme = getComputedStyle(document.documentElement).colorScheme;
   return scheme.includes("dark") && (!scheme.includes("light") || matchMedia("(prefers-color-scheme: dark)").matches);
 }
 
-// Any colour of CSS in numbers to 255.
+// Any colour of CSS in numbers to 1.  Not from a canvas: who guards against being recognized gets noise back from it.
 function rgba(colour) {
-  const pen = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d", { willReadFrequently: true });
-  pen.fillStyle = colour;
-  pen.fillRect(0, 0, 1, 1);
-  return pen.getImageData(0, 0, 1, 1).data;
+  if (!colour) return [0, 0, 0, 0]; // of what is on no page
+  const probe = document.body.appendChild(element("i", { hidden: true }));
+  probe.style.color = `color-mix(in srgb, ${colour}, ${colour})`;
+  const found = getComputedStyle(probe).color.match(/-?[\d.]+(e-\d+)?/g).map(Number);
+  probe.remove();
+  return found;
 }
 
 // The points a mark moves from, "fade" for what only appears, null for what is simply there.
