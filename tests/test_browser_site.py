@@ -137,6 +137,16 @@ def test_no_page_is_wider_than_its_window(visit, built, width, more):
         assert page.evaluate("document.documentElement.scrollWidth") <= width, path
 
 
+def test_a_site_comes_to_life_where_a_browser_has_no_room_to_keep_its_files(visit, url):
+    page = visit("")
+    page.evaluate("navigator.serviceWorker.ready.then((it) => it.active.state)")
+    page.evaluate("caches.keys().then((names) => Promise.all(names.map((name) => caches.delete(name))))")
+    page.context.new_cdp_session(page).send("Storage.overrideQuotaForOrigin", {"origin": url, "quotaSize": 1000})
+    page.goto(url + "2-sat.html")
+    assert page.evaluate("navigator.serviceWorker.controller !== null")
+    page.locator(".live.ready").first.wait_for(timeout=LIVE)
+
+
 @pytest.mark.parametrize(
     "path", ["", "gallery.html", "challenges.html", "2-sat.html", "6-where-it-fails.html", "scene.html#far-centers"]
 )
