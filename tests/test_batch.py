@@ -23,7 +23,18 @@ from strategies import CONVEX, pairs
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import arrays, broad, circle_polygons, collide, filter_numpy, narrow, picked_numpy, signs, undecided
+from satviz.batch import (
+    arrays,
+    broad,
+    chunks,
+    circle_polygons,
+    collide,
+    filter_numpy,
+    narrow,
+    picked_numpy,
+    signs,
+    undecided,
+)
 from satviz.batch.chunks import ChunkFailed
 from satviz.batch.codes import UNDECIDED
 from satviz.study import truth as oracle
@@ -1331,6 +1342,21 @@ def test_parts_are_looked_at_in_blocks_of_any_size(block, monkeypatch):
     found = batch.relate(shapes, shapes[::-1], engine="numpy")
     assert found.tolist() == [sv.relate(p, q) for p, q in zip(known, known[::-1])]
     assert max(looked[1:]) <= block and sum(looked[1:]) == 20 * 4
+
+
+@pytest.mark.parametrize("chunk", [0, -1])
+@pytest.mark.parametrize("executor", [None, Elsewhere()])
+def test_chunks_of_nothing_are_refused(chunk, executor):
+    a = batch.Circles([(0, 0), (1, 0)], 1)
+    with pytest.raises(ValueError, match=f"chunk is {chunk}: it must be at least 1"):
+        batch.relate(a, a, engine="numpy", executor=executor, chunk=chunk)
+
+
+def test_only_a_few_chunks_are_under_way_at_once():
+    a, pool, under_way = batch.Circles(np.zeros((50, 2)), 1), Elsewhere(), []
+    progress = lambda done, total: under_way.append(len(pool.sent) - done + 1)  # noqa: E731
+    batch.relate(a, a, engine="numpy", executor=pool, chunk=1, progress=progress)
+    assert len(under_way) == 50 and max(under_way) == chunks.WAITING
 
 
 def test_to_elsewhere_each_chunk_takes_only_the_shapes_it_needs():
