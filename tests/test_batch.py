@@ -1501,6 +1501,19 @@ def test_a_failed_chunk_names_its_range():
     assert (failed.value.start, failed.value.stop) == (200, 300)
 
 
+def test_a_chunk_that_fails_without_any_pool_names_its_range_too(monkeypatch):
+    real = narrow._relate_range
+
+    def failing(a, b, start, stop, engine):
+        return real(a, b, start, stop, engine) if start != 200 else 1 / 0
+
+    monkeypatch.setattr(narrow, "_relate_range", failing)
+    a, told = batch.Circles(np.zeros((1000, 2)), 1), []
+    with pytest.raises(ChunkFailed, match="items 200 to 299 failed: ZeroDivisionError") as failed:
+        batch.relate(a, a, engine="numpy", chunk=100, progress=lambda *at: told.append(at))
+    assert (failed.value.start, failed.value.stop) == (200, 300) and told == [(100, 1000), (200, 1000)]
+
+
 def test_a_pool_that_takes_no_work_names_the_range():
     a = batch.Polygons(ngons(RNG(1), 300, 3))
     pool = ThreadPoolExecutor(1)
@@ -1517,6 +1530,30 @@ def test_an_interrupt_stops_the_work():
 
     with ThreadPoolExecutor(1) as pool, pytest.raises(KeyboardInterrupt):
         batch.relate(a, a, executor=pool, chunk=10, progress=stop)
+
+
+class Waiting(Executor):
+    """Ends the first piece of work, with an error if there is one, and begins no other."""
+
+    def __init__(self, error):
+        self.error, self.futures = error, []
+
+    def submit(self, function, *args):
+        self.futures.append(future := Future())
+        if len(self.futures) == 1:
+            future.set_exception(self.error) if self.error else future.set_result(function(*args))
+        return future
+
+
+@pytest.mark.parametrize(("error", "told"), [(None, KeyboardInterrupt), (ValueError("no"), ChunkFailed)])
+def test_an_interrupt_and_a_failed_chunk_cancel_those_that_wait(error, told):
+    def stop(done, total):
+        raise KeyboardInterrupt
+
+    a, pool = batch.Circles(np.zeros((100, 2)), 1), Waiting(error)
+    with pytest.raises(told):
+        batch.relate(a, a, engine="numpy", executor=pool, chunk=10, progress=stop)
+    assert len(pool.futures) == chunks.WAITING and all(future.cancelled() for future in pool.futures[1:])
 
 
 # -- streams
