@@ -30,6 +30,7 @@ from satviz.batch import (
     circle_polygons,
     collide,
     filter_numpy,
+    grid_numpy,
     narrow,
     picked_numpy,
     signs,
@@ -1114,6 +1115,14 @@ def test_candidate_pairs_are_the_boxes_that_meet_in_every_layout(n):
         bounds = np.c_[at, at + size]
         for engine in ENGINES:
             assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), brute(bounds)), (name, engine)
+
+
+@pytest.mark.parametrize("block", [1, 2, 7, 100])
+def test_the_grid_finds_the_same_pairs_in_blocks_of_any_size(block, monkeypatch):
+    monkeypatch.setattr(grid_numpy, "BLOCK", block)
+    for name, at, size in layouts(40, RNG(block)):
+        bounds = np.c_[at, at + size]
+        assert np.array_equal(batch.candidate_pairs(bounds, engine="numpy"), brute(bounds)), name
 
 
 TURNED = -6.123233995736766e-17  # what a quarter turn leaves of 0
