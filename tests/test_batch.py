@@ -23,7 +23,19 @@ from strategies import CONVEX, pairs
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import arrays, broad, circle_polygons, collide, filter_numpy, narrow, picked_numpy, signs, undecided
+from satviz.batch import (
+    arrays,
+    broad,
+    chunks,
+    circle_polygons,
+    collide,
+    filter_numpy,
+    grid_numpy,
+    narrow,
+    picked_numpy,
+    signs,
+    undecided,
+)
 from satviz.batch.chunks import ChunkFailed
 from satviz.batch.codes import UNDECIDED
 from satviz.study import truth as oracle
@@ -1105,6 +1117,14 @@ def test_candidate_pairs_are_the_boxes_that_meet_in_every_layout(n):
             assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), brute(bounds)), (name, engine)
 
 
+@pytest.mark.parametrize("block", [1, 2, 7, 100])
+def test_the_grid_finds_the_same_pairs_in_blocks_of_any_size(block, monkeypatch):
+    monkeypatch.setattr(grid_numpy, "BLOCK", block)
+    for name, at, size in layouts(40, RNG(block)):
+        bounds = np.c_[at, at + size]
+        assert np.array_equal(batch.candidate_pairs(bounds, engine="numpy"), brute(bounds)), name
+
+
 TURNED = -6.123233995736766e-17  # what a quarter turn leaves of 0
 
 
@@ -1333,6 +1353,21 @@ def test_parts_are_looked_at_in_blocks_of_any_size(block, monkeypatch):
     assert max(looked[1:]) <= block and sum(looked[1:]) == 20 * 4
 
 
+@pytest.mark.parametrize("chunk", [0, -1])
+@pytest.mark.parametrize("executor", [None, Elsewhere()])
+def test_chunks_of_nothing_are_refused(chunk, executor):
+    a = batch.Circles([(0, 0), (1, 0)], 1)
+    with pytest.raises(ValueError, match=f"chunk is {chunk}: it must be at least 1"):
+        batch.relate(a, a, engine="numpy", executor=executor, chunk=chunk)
+
+
+def test_only_a_few_chunks_are_under_way_at_once():
+    a, pool, under_way = batch.Circles(np.zeros((50, 2)), 1), Elsewhere(), []
+    progress = lambda done, total: under_way.append(len(pool.sent) - done + 1)  # noqa: E731
+    batch.relate(a, a, engine="numpy", executor=pool, chunk=1, progress=progress)
+    assert len(under_way) == 50 and max(under_way) == chunks.WAITING
+
+
 def test_to_elsewhere_each_chunk_takes_only_the_shapes_it_needs():
     rng = RNG(3)
     many, one = batch.Polygons(ngons(rng, 2000, 3)), batch.Polygons(ngons(rng, 1, 3))
@@ -1475,6 +1510,19 @@ def test_a_failed_chunk_names_its_range():
     assert (failed.value.start, failed.value.stop) == (200, 300)
 
 
+def test_a_chunk_that_fails_without_any_pool_names_its_range_too(monkeypatch):
+    real = narrow._relate_range
+
+    def failing(a, b, start, stop, engine):
+        return real(a, b, start, stop, engine) if start != 200 else 1 / 0
+
+    monkeypatch.setattr(narrow, "_relate_range", failing)
+    a, told = batch.Circles(np.zeros((1000, 2)), 1), []
+    with pytest.raises(ChunkFailed, match="items 200 to 299 failed: ZeroDivisionError") as failed:
+        batch.relate(a, a, engine="numpy", chunk=100, progress=lambda *at: told.append(at))
+    assert (failed.value.start, failed.value.stop) == (200, 300) and told == [(100, 1000), (200, 1000)]
+
+
 def test_a_pool_that_takes_no_work_names_the_range():
     a = batch.Polygons(ngons(RNG(1), 300, 3))
     pool = ThreadPoolExecutor(1)
@@ -1491,6 +1539,30 @@ def test_an_interrupt_stops_the_work():
 
     with ThreadPoolExecutor(1) as pool, pytest.raises(KeyboardInterrupt):
         batch.relate(a, a, executor=pool, chunk=10, progress=stop)
+
+
+class Waiting(Executor):
+    """Ends the first piece of work, with an error if there is one, and begins no other."""
+
+    def __init__(self, error):
+        self.error, self.futures = error, []
+
+    def submit(self, function, *args):
+        self.futures.append(future := Future())
+        if len(self.futures) == 1:
+            future.set_exception(self.error) if self.error else future.set_result(function(*args))
+        return future
+
+
+@pytest.mark.parametrize(("error", "told"), [(None, KeyboardInterrupt), (ValueError("no"), ChunkFailed)])
+def test_an_interrupt_and_a_failed_chunk_cancel_those_that_wait(error, told):
+    def stop(done, total):
+        raise KeyboardInterrupt
+
+    a, pool = batch.Circles(np.zeros((100, 2)), 1), Waiting(error)
+    with pytest.raises(told):
+        batch.relate(a, a, engine="numpy", executor=pool, chunk=10, progress=stop)
+    assert len(pool.futures) == chunks.WAITING and all(future.cancelled() for future in pool.futures[1:])
 
 
 # -- streams
