@@ -397,7 +397,10 @@ def test_on_a_telephone_the_panels_stand_one_above_the_other_with_letters_as_lar
         assert not [m for m in drawn.marks if m.part.startswith("saw-") for p in m.points if p.y < truth.y]
 
 
-@pytest.mark.parametrize("size", [(2.3, 2.3), (4.3, 4.3), (3.1, 4.6), (9.0, 1.5)])
+LARGER = [pytest.param(size, marks=pytest.mark.slow) for size in ((4.3, 4.3), (9.0, 1.5))]
+
+
+@pytest.mark.parametrize("size", [(2.3, 2.3), (3.1, 4.6), *LARGER])
 @pytest.mark.parametrize("name", [row.name for row in ROWS])
 def test_both_panels_hold_on_axes_of_any_size(name, size):
     """On Axes of one's own, however small: each word inside, none over another (a small picture loops no more)."""
