@@ -48,7 +48,9 @@ picture: sv.Picture = sv.picture(trace, step)
 whole: sv.Picture = sv.sheet(trace)
 words: str = picture.sentence + sv.page(trace) + sv.gap_curve(a, b).to_json()
 title: str = sv.explore("triangles").scene.title + sv.explore(a, b).scene.title
-sv.play(trace, predict=True)
+under_the_hand: sv.Scene = sv.explore(scene, goal="touch").scene
+stepped: sv.Trace = sv.play(trace, predict=True).trace
+plain: sv.Trace = sv.play(a, b, pen="matplotlib").trace
 
 triangles = batch.Polygons(np.ones((5, 3, 2)) + [[0, 0], [1, 0], [0, 1]])
 coins: batch.Shapes = batch.Circles([(0, 1), (2, 3)], radii=1.5)

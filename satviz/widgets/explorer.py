@@ -1,6 +1,6 @@
 """sv.explore: a scene under the hand.  The browser moves what is dragged; Python alone computes SAT."""
 
-from typing import Any
+from typing import Any, overload
 
 import traitlets
 
@@ -36,6 +36,14 @@ class Explorer(Shown):
     def scene(self) -> Scene:
         """The scene as it stands."""
         return self._exploring.scene
+
+
+@overload
+def explore(what: Scene | Shape, b: Shape | None = None, *, goal: str | None = None) -> Explorer: ...
+
+
+@overload
+def explore(what: str = "triangles", *, goal: str | None = None) -> Any: ...  # a Picture where a scene is refused
 
 
 def explore(what: Scene | Shape | str = "triangles", b: Shape | None = None, *, goal: str | None = None) -> Any:

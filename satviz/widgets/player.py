@@ -1,6 +1,6 @@
 """sv.play: the steps of a trace, one by one."""
 
-from typing import Any
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import traitlets
 
@@ -11,8 +11,12 @@ from ..pictures.belief import refused
 from ..pictures.playback import narrow, playbacks
 from ..scenes.asked import Asked, refused_row, trace_of
 from ..scenes.link import of_trace
+from ..scenes.scenefile import Scene
 from .base import Shown, code
 from .showing import Showing
+
+if TYPE_CHECKING:
+    from .plain import PlainPlayer
 
 
 class Player(Shown):
@@ -35,6 +39,24 @@ class Player(Shown):
 
     def __repr__(self) -> str:
         return "<Player: do A and B collide?>" if self.predict else super().__repr__()
+
+
+@overload
+def play(
+    what: Trace | Scene | Shape, b: Shape | None = None, *, predict: bool = False, pen: Literal["svg"] = "svg"
+) -> Player: ...
+
+
+@overload
+def play(
+    what: Trace | Scene | Shape, b: Shape | None = None, *, predict: bool = False, pen: Literal["matplotlib"]
+) -> "PlainPlayer": ...
+
+
+@overload
+def play(
+    what: Asked | Shape, b: Shape | None = None, *, predict: bool = False, pen: str = "svg"
+) -> Any: ...  # by name it may be a Picture: that of a scene that is refused
 
 
 def play(what: Asked | Shape, b: Shape | None = None, *, predict: bool = False, pen: str = "svg") -> Any:
