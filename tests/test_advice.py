@@ -520,6 +520,7 @@ def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
         assert box.x0 >= 0 and box.y0 >= 0 and box.x1 <= fig.bbox.x1 and box.y1 <= fig.bbox.y1
 
 
+@pytest.mark.slow
 def test_the_chart_is_a_file_that_says_what_it_shows():
     chart = sv.advise("triangles").chart()
     assert b"made by satviz" in chart.encode("svg", "dark") and chart.encode("png").startswith(b"\x89PNG")
@@ -543,6 +544,7 @@ def test_the_command_advises_on_scenes(capsys):
     assert json.loads(capsys.readouterr().out) == json.loads(sv.advise("far-centers").to_json())
 
 
+@pytest.mark.slow
 def test_the_command_advises_on_a_file_of_many_shapes_and_draws_what_they_cost(tmp_path, capsys):
     rings = np.array([(0, 0), (1, 0), (1, 1), (0, 1), (0, 0), (1, 0.0), (0, 1)])
     path = shapes_file(tmp_path, coords=rings, offsets=[0, 4, 7], centers=[(2, 0.5), (0, 0)], radii=[1, 0.5])

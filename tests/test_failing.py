@@ -525,6 +525,7 @@ def round_polygon(rng, n, at, size):
     return sv.Polygon([(x + size * cos(radians(t)), y + size * k * sin(radians(t))) for t in turns])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in MAPS if name not in NO_MAP])
 def test_the_map_of_a_number_holds_for_other_shapes_too(name):
     row, rng, wrong = NAMED[name], Random(3), 0

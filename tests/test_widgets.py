@@ -217,6 +217,7 @@ def test_every_failing_scene_can_be_explored_dragged_and_seen_in_truth():
             assert pose(widget, **more)["picture"]["marks"], (name, more)
 
 
+@pytest.mark.slow
 def test_files_come_from_the_matplotlib_pen():
     widget = sv.play(TRIANGLES.record())
     sent = []
@@ -264,6 +265,7 @@ def test_where_no_front_end_runs_there_is_the_picture_and_the_sentence(make):
     assert "application/vnd.jupyter.widget-view+json" in data
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("make", WIDGETS, ids=["explore", "play", "plain"])
 def test_an_exported_page_shows_the_picture_with_its_sentence(make):
     """nbconvert takes the picture and leaves the text."""
