@@ -12,6 +12,7 @@ from satviz.engine.axes import needed
 from satviz.scenes.article import box
 from satviz.scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, REFUSED, ROWS
 from satviz.scenes.failing.reading import moved
+from satviz.scenes.failing.where import lies_in_view
 from satviz.scenes.shortcuts import middle
 from satviz.study import truth
 from satviz.study.lab.cells import Settings
@@ -126,7 +127,7 @@ def test_every_position_lies_in_the_area_that_its_run_belongs_to(name):
     slide, row = small(name), NAMED[name]
     view = maps.limits(slide, row)
     (x0, y0, x1, y1), at = view, middle(row.b)
-    found, near = maps.where(row, view), 1e-6 * max(x1 - x0, y1 - y0)
+    found, near = lies_in_view(*slides.both(row), row.shortcut, view), 1e-6 * max(x1 - x0, y1 - y0)
 
     def depth(ring, d):
         """How far inside a convex counter-clockwise ring; negative outside."""
@@ -145,7 +146,8 @@ def test_every_position_lies_in_the_area_that_its_run_belongs_to(name):
 
 def test_wrong_at_single_places_is_drawn_as_spots_and_along_the_contact_as_a_line():
     for name in METHODS:
-        found = maps.where(NAMED[name], maps.limits(small(name), NAMED[name]))
+        row = NAMED[name]
+        found = lies_in_view(*slides.both(row), row.shortcut, maps.limits(small(name), row))
         assert isinstance(found, str) == (name in ("unit-normals", "touch-on-paper"))
         assert isinstance(found, str) or found.touching == (name == "touch-as-apart")
 

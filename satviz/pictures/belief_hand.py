@@ -5,7 +5,7 @@ from itertools import pairwise
 
 from ..engine.geometry import Vec
 from ..engine.trace import Trace
-from ..scenes.failing.where import Lies, lies
+from ..scenes.failing.where import Lies, lies_in_view
 from ..scenes.shortcuts import middle
 from . import belief_rows, live
 from .belief import answer, draw_push, struck
@@ -82,8 +82,7 @@ def about_map(trace: Trace, layout: Layout) -> str:
 def _lies(trace: Trace, layout: Layout) -> Lies | str:
     """Those of a shortcut's run on the canvas."""
     assert trace.shortcut
-    at, (x0, y0, x1, y1) = middle(trace.b), layout.limits
-    return _lies_of(trace.a, trace.b, trace.shortcut, (x0 - at.x, y0 - at.y, x1 - at.x, y1 - at.y))
+    return _lies_of(trace.a, trace.b, trace.shortcut, layout.limits)
 
 
-_lies_of = lru_cache(maxsize=2)(lies)  # asked of one pose twice: for the map and for the words about it
+_lies_of = lru_cache(maxsize=2)(lies_in_view)  # asked of one pose twice: for the map and for the words about it

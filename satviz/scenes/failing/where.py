@@ -13,7 +13,7 @@ from ...engine.geometry import Interval, Vec
 from ...engine.sat import project
 from ...engine.shapes import Circle, Shape, centroid
 from ...engine.shortcut import Shortcut
-from ..shortcuts import FAR, NAMED, turned_round, unit_normals, within_reach
+from ..shortcuts import FAR, NAMED, middle, turned_round, unit_normals, within_reach
 from .plane import SAME, Ring, Window, clipped, corners, difference, within, without
 from .reading import moved
 from .where_numbers import MAPS, ROUNDING
@@ -50,6 +50,12 @@ def lies(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> Lies | str:
     false = tuple(piece for ring in claimed for piece in without(ring, hits))
     missed = tuple(piece for i, hit in enumerate(hits) for piece in without(hit, (*claimed, *hits[:i])))
     return Lies(false, missed, tuple(filter(None, hits)), shortcut.touching_separates)
+
+
+def lies_in_view(a: Shape, b: Shape, shortcut: Shortcut, view: Window) -> Lies | str:
+    """The same of the moves that bring B's middle into view."""
+    at, (x0, y0, x1, y1) = middle(b), view
+    return lies(a, b, shortcut, (x0 - at.x, y0 - at.y, x1 - at.x, y1 - at.y))
 
 
 def _claimed(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> tuple[Ring, ...] | str:

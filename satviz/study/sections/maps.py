@@ -16,8 +16,8 @@ from ...engine.shapes import Circle, Shape
 from ...pictures import Mark, Picture, Theme
 from ...render.pen import Pen
 from ...scenes.failing import NAMED, Row
-from ...scenes.failing.plane import Ring, Window, corners, difference
-from ...scenes.failing.where import Lies, lies
+from ...scenes.failing.plane import Ring, corners, difference
+from ...scenes.failing.where import Lies, lies_in_view
 from ...scenes.shortcuts import middle
 from ..lab.cells import Cell, Settings
 from ..lab.chart import TEXT, Chart, headline
@@ -111,7 +111,7 @@ def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme) -> None:
         Mark("reference", "dot", "B", (at,)),
     ]
     Pen(ax, theme).draw(Picture(tuple(marks), view, ((x1 - x0) * scale, (y1 - y0) * scale), "", ""))
-    told = where(row, view)
+    told = lies_in_view(a, b, row.shortcut, view)
     found = Lies((), (), tuple(difference(a, b))) if isinstance(told, str) else told
 
     # over the shapes' fills, so that red stays red, and under their lines
@@ -130,13 +130,6 @@ def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme) -> None:
         area([corners((x - half, y - half, x + half, y + half)) for x, y in wrong], facecolor=theme.roles["wrong"])
     look: dict[str, Any] = {"fill": False, "edgecolor": theme.roles["guide"], "linewidth": 0.7, "clip_on": False}
     ax.add_patch(Rectangle((0, 0), 1, 1, transform=ax.transAxes, **look))
-
-
-def where(row: Row, view: Window) -> Lies | str:
-    """The moves of B for which the shortcut is wrong, while B's middle lies in view; or why they are no area."""
-    (a, b), (x0, y0, x1, y1) = both(row), view
-    at = middle(b)
-    return lies(a, b, row.shortcut, (x0 - at.x, y0 - at.y, x1 - at.x, y1 - at.y))
 
 
 def _path(rings: Sequence[Ring], at: Vec) -> Path:
