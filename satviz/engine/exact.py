@@ -70,11 +70,6 @@ def orient(p: Point, q: Point, r: Point) -> int:
     return sign((qx - px) * (ry - py) - (qy - py) * (rx - px))
 
 
-def root_sign(s: int, r: int, square: int) -> int:
-    """The exact sign of s - r * sqrt(square), for r >= 0."""
-    return -1 if s < 0 else sign(s * s - r * r * square)
-
-
 def to_float(num: int, k: int) -> float:
     """num / 2**k rounded once; a value too small for float64 keeps its sign, one too large is capped.
 
@@ -88,8 +83,8 @@ def to_float(num: int, k: int) -> float:
 
 
 def root_difference(s: int, r: int, square: int, k: int) -> float:
-    """(s / sqrt(square) - r) / 2**k as a float that has the exact sign, good to one unit in the last place."""
-    if root_sign(s, r, square) == 0:
+    """(s / sqrt(square) - r) / 2**k, r >= 0, as a float that has the exact sign, good to one unit in the last place."""
+    if s >= 0 and s * s == r * r * square:
         return 0.0
     bits = 80
     while True:

@@ -1,10 +1,11 @@
 """relate: the exact relation of two shapes, with nothing recorded."""
 
 from collections.abc import Sequence
-from math import inf
+from math import inf, nan
+from typing import Any
 
 from .concave import parts
-from .exact import HUGE, TINY, IntPoint, aligned, orient, root_sign, shifted, sign, to_integers
+from .exact import HUGE, TINY, IntPoint, Point, aligned, orient, shifted, sign, to_integers
 from .geometry import Relation, Vec
 from .shapes import Shape, Slab, checked
 
@@ -132,10 +133,12 @@ def relate_moved(a: Shape, b: Shape, move: Vec) -> Relation:
 
 
 def relate_integers(p: Sequence[IntPoint], q: Sequence[IntPoint], radii: int) -> Relation:
-    """The integer twins: a circle is a point with a radius, and beside another circle a ring of one corner."""
-    if len(p) == 1:
-        return _exact_circle_polygon(p[0], radii, q)
-    return _exact_circle_polygon(q[0], radii, p) if len(q) == 1 else _by_sign(max(_edge_side(p, q), _edge_side(q, p)))
+    """The same in integers: a circle is a point with a radius, and beside another circle a ring of one corner."""
+    if len(p) > 1 and len(q) > 1:
+        return _by_sign(max(_edge_side(p, q), _edge_side(q, p)))
+    (center,), ring = (p, q) if len(p) == 1 else (q, p)
+    inside, _, gap = _from_center(center, ring, radii * radii, 0)
+    return OVERLAPPING if inside else _by_sign(gap)
 
 
 def _edge_side(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> int:
@@ -158,17 +161,13 @@ def _circles(a: Shape, b: Shape) -> Relation:
     dx, dy = ax - bx, ay - by
     reach = a.radius + b.radius
     distance, reach = dx * dx + dy * dy, reach * reach
-    room = distance + reach
-    if TINY < room < HUGE:
-        gap = distance - reach
-        if gap > room * 2.0**-50:
-            return APART
-        if gap < room * -(2.0**-50):
-            return OVERLAPPING
+    room = (distance + reach) * 2.0**-50
+    if TINY < room < HUGE and abs(distance - reach) > room:
+        return _by_sign(distance - reach)
     return relate_integers(*aligned(a, b)[:3])
 
 
-def _by_sign(gap: int) -> Relation:
+def _by_sign(gap: Any) -> Relation:
     return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
 
@@ -183,62 +182,48 @@ def _circle_polygon(circle: Shape, polygon: Shape) -> Relation:
     Where the room is below HUGE, the products are at most 2**49 times larger; a
     radius beyond 2D, whatever its rounding, reaches past every vertex.
     """
-    ((cx, cy),), ring = circle.core, polygon.core
+    center, reach = circle.core[0], circle.radius * circle.radius
     x0, y0, x1, y1 = polygon.bounds
-    far = max(x1 - cx, cx - x0, y1 - cy, cy - y0)
+    far = max(x1 - center.x, center.x - x0, y1 - center.y, center.y - y0)
     room = far * far * 2.0**-46
-    if not TINY < room < HUGE:
-        return relate_integers(*aligned(circle, polygon)[:3])
-    side_room = far * 2.0**-48
-    inside, outside, nearest = True, False, inf
+    if TINY < room < HUGE:
+        inside, outside, gap = _from_center(center, polygon.core, reach, far * 2.0**-48)
+        if inside or gap < -room:
+            return OVERLAPPING
+        if outside and gap > room:
+            return APART
+    return relate_integers(*aligned(circle, polygon)[:3])
+
+
+def _from_center(center: Point, ring: Sequence[Point], reach: Any, room: float) -> tuple[bool, bool, Any]:
+    """Does a center lie surely inside a ring, surely outside, and the gap: its least squared distance beyond `reach`.
+
+    The turn about an edge is sure beyond `room` times its lengths in x and y; the gap is nan where an edge is
+    too short for its square.  A room of 0 stands for integers: the sign of the gap is exact then, and the
+    ring may be one corner, another circle's center.
+    """
+    cx, cy = center
+    inside, outside, least = True, False, inf
     vx, vy = ring[-1]
     px, py = vx - cx, vy - cy
     for wx, wy in ring:
         qx, qy = wx - cx, wy - cy
         dx, dy = wx - vx, wy - vy
         turn = px * dy - py * dx  # positive with the center inside this edge
-        tolerance = (abs(dx) + abs(dy)) * side_room
+        tolerance = (abs(dx) + abs(dy)) * room
         if turn <= tolerance:
             inside = False
             outside = outside or turn < -tolerance
             along, square = -(px * dx + py * dy), dx * dx + dy * dy
-            if square < TINY:
-                return relate_integers(*aligned(circle, polygon)[:3])
+            if room and square < TINY:
+                return False, False, nan
             if along <= 0:
-                distance = px * px + py * py
+                gap = px * px + py * py - reach
             elif along >= square:
-                distance = qx * qx + qy * qy
-            else:
-                distance = turn / square * turn  # in this order it stays in range
-            if distance < nearest:
-                nearest = distance
+                gap = qx * qx + qy * qy - reach
+            else:  # in this order floats stay in range; integers ask for the sign alone
+                gap = turn / square * turn - reach if room else turn * turn - reach * square
+            if gap < least:
+                least = gap
         px, py, vx, vy = qx, qy, wx, wy
-    reach = circle.radius * circle.radius
-    if inside or nearest < reach - room:
-        return OVERLAPPING
-    if outside and nearest > reach + room:
-        return APART
-    return relate_integers(*aligned(circle, polygon)[:3])
-
-
-def _exact_circle_polygon(center: IntPoint, r: int, ring: Sequence[IntPoint]) -> Relation:
-    """The integer twin of _circle_polygon, and of _circles (r the sum of both radii)."""
-    cx, cy = center
-    inside, best = True, 1
-    px, py = ring[-1][0] - cx, ring[-1][1] - cy
-    for qx, qy in ring:
-        qx, qy = qx - cx, qy - cy
-        dx, dy = qx - px, qy - py
-        turn = px * dy - py * dx
-        if turn <= 0:
-            inside = False
-            along, square = -(px * dx + py * dy), dx * dx + dy * dy
-            if along <= 0:
-                side = sign(px * px + py * py - r * r)
-            elif along >= square:
-                side = sign(qx * qx + qy * qy - r * r)
-            else:
-                side = root_sign(-turn, r, square)
-            best = min(best, side)
-        px, py = qx, qy
-    return OVERLAPPING if inside else _by_sign(best)
+    return inside, outside, least
