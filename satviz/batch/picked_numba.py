@@ -9,7 +9,7 @@ from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .compiling import compiled
 from .filter_numba import edges_of_eight
 from .rings import FEW
-from .settle_numba import TERMS, settled
+from .settle_numba import TERMS, inside, of_few, of_many
 from .signs import Array, Signs
 
 Indices = NDArray[np.intp]
@@ -39,7 +39,7 @@ def _columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, reach: floa
                 x[v], y[v] = ax[v, first + k], ay[v, first + k]
             for v in range(vb):
                 p[v], q[v] = bx[v, first + k], by[v, first + k]
-            out[k] = settled(x, y, 0, va, p, q, 0, vb, reach, terms)
+            out[k] = of_few(x, y, 0, va, p, q, 0, vb, reach, terms)
 
 
 @compiled
@@ -79,8 +79,17 @@ def _polygons(
     for k in range(out.size):
         if out[k] == UNDECIDED:
             i, j = ia[k], ib[k]
-            reach = _reach(box_a, i) + _reach(box_b, j)
-            out[k] = settled(ax, ay, sa[i], sa[i + 1], bx, by, sb[j], sb[j + 1], reach, terms)
+            i0, i1, j0, j1, reach = sa[i], sa[i + 1], sb[j], sb[j + 1], _reach(box_a, i) + _reach(box_b, j)
+            if max(i1 - i0, j1 - j0) <= FEW:
+                out[k] = of_few(ax, ay, i0, i1, bx, by, j0, j1, reach, terms)
+                continue
+            # the middle of what both boxes share
+            px = max(box_a[i, 0], box_b[j, 0]) / 2 + min(box_a[i, 2], box_b[j, 2]) / 2
+            py = max(box_a[i, 1], box_b[j, 1]) / 2 + min(box_a[i, 3], box_b[j, 3]) / 2
+            if inside(ax, ay, i0, i1, px, py, reach) and inside(bx, by, j0, j1, px, py, reach):
+                out[k] = OVERLAPPING
+            else:
+                out[k] = of_many(ax, ay, i0, i1, bx, by, j0, j1, reach, terms)
 
 
 @compiled

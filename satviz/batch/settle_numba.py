@@ -10,30 +10,29 @@ from ..engine.exact import HUGE, TINY
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .compiling import compiled, inlined
-from .rings import FEW
 from .signs import FINEST, MOST_PASSES, ROUND, SPLIT, UNKNOWN, Array
 
 MOST_STEPS = 20
-DEEP, DEEP_CORNERS = 32, 64  # a corner is looked for inside where the reach beyond each other, times this, is as far as
-# the first two corners' sums lie apart, and only of so many corners: touching shapes would pay for it in vain
 TERMS = 12  # floats that a turn is the sum of
-
-# A corner found by walking lies, along the normal, at most the outline's length times 2**-50 above the lowest: where
-# an edge's direction is misjudged it is within three roundings of level.  An outline is at most eight reaches long.
-WALKED = 8 * LOOK
 
 
 @inlined
-def settled(
+def of_few(
     x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, reach: float, terms: Array
 ) -> int:
     """The exact relation of corners i0 to i1 of one row with j0 to j1 of another; UNDECIDED out of range.
 
     `reach`: both largest coordinates together; `terms`: scratch.
     """
-    if max(i1 - i0, j1 - j0) <= FEW:
-        side = _few(x, y, i0, i1, p, q, j0, j1, reach, terms)
-        return _few(p, q, j0, j1, x, y, i0, i1, reach, terms) if side == OVERLAPPING else side
+    side = _edges(x, y, i0, i1, i0, i1, p, q, j0, j1, reach, terms)
+    return _edges(p, q, j0, j1, j0, j1, x, y, i0, i1, reach, terms) if side == OVERLAPPING else side
+
+
+@inlined
+def of_many(
+    x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, reach: float, terms: Array
+) -> int:
+    """The same, quicker for outlines of many corners."""
     found, i, j = _soon(x, y, i0, i1, p, q, j0, j1, reach)
     if found != UNDECIDED:
         return found
@@ -54,10 +53,19 @@ def settled(
 
 
 @inlined
-def _few(x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, reach: float, terms: Array) -> int:
-    """What the edges of a shape of few corners tell, as `_side` does, looking at every corner of the other."""
-    ex, ey = x[i1 - 1], y[i1 - 1]
-    for i in range(i0, i1):
+def _edges(
+    x: Array, y: Array, i0: int, i1: int, first: int, last: int, p: Array, q: Array, j0: int, j1: int, reach: float,
+    terms: Array,
+) -> int:  # fmt: skip
+    """What the edges that end in corners first to last tell, looking at every corner of the other shape.
+
+    APART where all corners lie beyond one.  Where some lie on its line and none before, the shapes can only
+    meet there: TOUCHING, or APART, as their ranges on the line tell.  Else OVERLAPPING for now; UNDECIDED
+    out of range.
+    """
+    start = first - 1 if first > i0 else i1 - 1
+    ex, ey = x[start], y[start]
+    for i in range(first, last):
         fx, fy = x[i], y[i]
         nx, ny = fy - ey, ex - fx
         at, room = nx * ex + ny * ey, (abs(nx) + abs(ny)) * reach * LOOK
@@ -90,51 +98,18 @@ def _side(
     x: Array, y: Array, i0: int, i1: int, end: int, p: Array, q: Array, j0: int, j1: int, k: int, reach: float,
     terms: Array,
 ) -> tuple[int, int]:  # fmt: skip
-    """What the edge that ends in a corner tells, and the corner of the other shape that is lowest along its normal.
+    """What the edge that ends in a corner tells, and a corner of the other shape low along its normal.
 
-    APART where all corners lie beyond it.  Where some lie on its line and none before, the shapes can only
-    meet there: TOUCHING, or APART, as their ranges on the line tell.  OVERLAPPING for now where one lies before.
+    Down the outline from corner k one is soon found that lies before the edge.  That alone is taken from walking,
+    which rounding can stop: where none is found, all are looked at.
     """
     start = end - 1 if end > i0 else i1 - 1
-    ex, ey, fx, fy = x[start], y[start], x[end], y[end]
-    nx, ny = fy - ey, ex - fx
-    at, walk = nx * ex + ny * ey, j1 - j0 > FEW
-    room = (abs(nx) + abs(ny)) * reach * WALKED
-    if not (room > LEAST_ROOM and room < MOST_ROOM):
-        return UNDECIDED, k
-    if walk:
-        k = _down(p, q, j0, j1, k, nx, ny)
-        least = nx * p[k] + ny * q[k] - at
-    else:
-        least = np.inf
-        for j in range(j0, j1):
-            least = min(least, nx * p[j] + ny * q[j])
-        least -= at
-    if least > room:
-        return APART, k
-    if least < -room:
+    nx, ny = y[end] - y[start], x[start] - x[end]
+    room = (abs(nx) + abs(ny)) * reach * LOOK
+    k = _down(p, q, j0, j1, k, nx, ny)
+    if nx * p[k] + ny * q[k] - (nx * x[end] + ny * y[end]) < -room and room > LEAST_ROOM and room < MOST_ROOM:
         return OVERLAPPING, k
-    # the exact sign of every corner within the room of zero: where floats walk, these stand in a row about the lowest
-    low, high = np.inf, -np.inf
-    for way in range(2 if walk else 1):
-        j = k
-        for _ in range(j0, j1):
-            if way == 1:
-                j = j - 1 if j > j0 else j1 - 1
-            if nx * p[j] + ny * q[j] - at <= 3 * room:
-                sign = turn(fx, fy, ex, ey, p[j], q[j], terms)
-                if sign == UNKNOWN:
-                    return UNDECIDED, k
-                if sign < 0:
-                    return OVERLAPPING, k
-                if sign == 0:
-                    on = q[j] if ex == fx else p[j]
-                    low, high = min(low, on), max(high, on)
-            elif walk:
-                break
-            if way == 0:
-                j = j + 1 if j + 1 < j1 else j0
-    return TOUCHING if low <= high and _meet(ex, ey, fx, fy, low, high) else APART, k
+    return _edges(x, y, i0, i1, end, end + 1, p, q, j0, j1, reach, terms), k
 
 
 @compiled
@@ -157,7 +132,7 @@ def _on(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> i
 
 @inlined
 def _down(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> int:
-    """From corner k on or back, down along (dx, dy) to the lowest: as low as any, up to what walking may miss."""
+    """From corner k on or back, as long as the outline falls along (dx, dy)."""
     end = _on(x, y, i0, i1, k, dx, dy)
     if end == k:
         for _ in range(i0, i1):
@@ -171,13 +146,14 @@ def _down(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) ->
 
 @inlined
 def _lowest(x: Array, y: Array, i0: int, i1: int, dx: float, dy: float) -> int:
-    """The same from the best of some corners: no way is longer than they lie apart."""
-    k, least = i0, np.inf
-    for i in range(i0, i1, int(np.sqrt(i1 - i0))):
+    """The corner lowest along (dx, dy), up to rounding: to look at all without a branch is quicker than to walk."""
+    k, least = 0, np.inf
+    for n in range(i1 - i0):
+        i = np.uintp(i0 + n)  # unsigned: numba need not ask whether it counts from the end
         look = dx * x[i] + dy * y[i]
-        if look < least:
-            k, least = i, look
-    return _down(x, y, i0, i1, k, dx, dy)
+        k = n if look < least else k
+        least = look if look < least else least
+    return i0 + k
 
 
 @compiled
@@ -196,16 +172,13 @@ def _soon(
     for step in range(MOST_STEPS):
         i, j = _lowest(x, y, i0, i1, -dx, -dy), _lowest(p, q, j0, j1, dx, dy)
         wx, wy = p[j] - x[i], q[j] - y[i]
-        room = (abs(dx) + abs(dy)) * reach * WALKED
+        room = (abs(dx) + abs(dy)) * reach * LOOK
         at = dx * wx + dy * wy
         if not (room > LEAST_ROOM and room < MOST_ROOM) or abs(at) <= room:
             return UNDECIDED, i, j
         if at > room:
             return APART, i, j
         if step == 0:
-            deep = -DEEP * at > dx * dx + dy * dy and max(i1 - i0, j1 - j0) <= DEEP_CORNERS
-            if deep and (_inside(x, y, i0, i1, p[j], q[j], reach) or _inside(p, q, j0, j1, x[i], y[i], reach)):
-                return OVERLAPPING, i, j
             ux, uy, dx, dy = wx, wy, wx, wy
             continue
         if step == 1:
@@ -231,19 +204,21 @@ def _soon(
 
 
 @inlined
-def _inside(x: Array, y: Array, i0: int, i1: int, px: float, py: float, reach: float) -> bool:
-    """Is a point surely inside?  Never sure out of range."""
-    outside = 0
-    for i in range(i0, i1 - 1):
-        outside += not _before(x[i], y[i], x[i + 1], y[i + 1], px, py, reach)
-    return outside == 0 and _before(x[i1 - 1], y[i1 - 1], x[i0], y[i0], px, py, reach)
+def inside(x: Array, y: Array, i0: int, i1: int, px: float, py: float, reach: float) -> bool:
+    """Does a point of a shape's box lie surely inside it?  Never sure out of range."""
+    room, left = reach * LOOK, 0
+    for n in range(i1 - i0 - 1):
+        i = np.uintp(i0 + n)
+        j = i + np.uintp(1)
+        left += _left(x[i], y[i], x[j], y[j], px, py, room)
+    return left == i1 - i0 - 1 and _left(x[i1 - 1], y[i1 - 1], x[i0], y[i0], px, py, room) and reach * reach < HUGE
 
 
 @inlined
-def _before(ex: float, ey: float, fx: float, fy: float, px: float, py: float, reach: float) -> bool:
-    nx, ny = fy - ey, ex - fx
-    room = (abs(nx) + abs(ny)) * reach * LOOK
-    return nx * px + ny * py - (nx * ex + ny * ey) < -room and room > LEAST_ROOM and room < MOST_ROOM
+def _left(ex: float, ey: float, fx: float, fy: float, px: float, py: float, room: float) -> bool:
+    """Surely left of the way from e to f?  As one look of verdict; TINY is far more than products lose below it."""
+    dx, dy = fx - ex, fy - ey
+    return dx * (py - ey) - dy * (px - ex) > (abs(dx) + abs(dy)) * room + TINY
 
 
 @compiled
