@@ -7,6 +7,7 @@ then scaled by a power of two of its own.  So a contact is exact whatever the si
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
 from functools import partial
 from itertools import pairwise
 from random import Random
@@ -653,6 +654,55 @@ def upright_boxes(rng: Random) -> Pair:
     return convex(a), convex(b)
 
 
+# -- outlines that are walked down -----------------------------------------------------------------
+
+
+def shortest_edge(rng: Random) -> Pair:
+    """Two corners so close that their products vanish, and another shape at a corner next to them."""
+    ring = many_corners(rng, 48)
+    x, y = ring[0]
+    ring = [(px - x, py - y) for px, py in ring]
+    before, after = ring[-1], ring[1]
+    twin = after[0] - before[0], after[1] - before[1]
+    (qx, qy), (rx, ry) = rng.choice(((before, ring[0]), (after, ring[2])))
+    nx, ny = ry - qy, qx - rx
+    other = few_corners(rng)
+    px, py = other[extreme(other, -nx, -ny)]
+    step, part = rng.choice((-1, 0, 0, 1)), rng.choice((1, 16, 64))
+    other = moved(other, qx - px + nx * step // part, qy - py + ny * step // part)
+    power = -rng.randint(40, 400)
+    a, b = ([(math.ldexp(x, power), math.ldexp(y, power)) for x, y in whole] for whole in (ring, other))
+    a.insert(1, (math.ldexp(twin[0], -1074), math.ldexp(twin[1], -1074)))
+    start = rng.randrange(len(a))
+    return convex((a[start:] + a[:start])[:: rng.choice((-1, 1))]), convex(b)
+
+
+def level_far_side(rng: Random) -> Pair:
+    """The far side of an outline falls by less than a rounding either way; all that is near are two of many corners.
+
+    B is such that the first direction from A to it is (-ux, -uy), to the last bit.
+    """
+    n, (ux, uy) = rng.randint(3, 9), (rng.uniform(-1, 1), rng.uniform(1, 2))
+
+    def falling(way: int) -> Ring:
+        """Out from the origin, ever steeper in rationals, where floats see all level with it."""
+        found = []
+        while len(found) < n:
+            x = way * rng.uniform(1, 2)
+            y = -ux * x / uy
+            fall = -Fraction(ux) * Fraction(x) - Fraction(uy) * Fraction(y)
+            if fall > 0 and ux * x + uy * y == 0:
+                found.append((fall / abs(Fraction(x)), x, y))
+        # a thousand times as far each: then the way from one to the next is as steep as from the origin
+        return [(math.ldexp(x, 10 * (i - n)), math.ldexp(y, 10 * (i - n))) for i, (_, x, y) in enumerate(sorted(found))]
+
+    depth = rng.choice((0.5, 4.0))
+    (lx, ly), right = ((side * uy - depth * ux, -side * ux - depth * uy) for side in (-1, 1))
+    a = [(0.0, 0.0), *falling(-1), (lx, ly), right, *falling(1)[::-1]]
+    times = rng.choice((1, 1, 1, 2))  # 1: at the middle one of A's corners
+    return convex(a), convex([(-ux, -uy), (times * lx, times * ly), (-2 * ux, -2 * uy)])
+
+
 # -- circles ---------------------------------------------------------------------------------------
 
 
@@ -832,6 +882,8 @@ CONVEX: dict[str, Callable[[Random], Pair]] = {
     "nearly parallel": near_parallel,
     "rounded needles": needles,
     "boxes on a grid": upright_boxes,
+    "shortest edges": shortest_edge,
+    "level far sides": level_far_side,
     "circles near tangent": circles_near_tangent,
     "circle and polygon near tangent": circle_polygon_near_tangent,
     "circle and clipped corner": circle_clipped_corner,
