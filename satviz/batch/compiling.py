@@ -25,9 +25,9 @@ def inlined(kernel: Kernel) -> Kernel:
     return cast(Kernel, njit(inline="always", error_model="numpy")(kernel))
 
 
-def compiled(kernel: Kernel) -> Kernel:
+def compiled(kernel: Kernel, **options: Any) -> Kernel:
     """The kernel compiled at its first call; to type checkers the function that it was."""
-    made: Any = njit(nogil=True, cache=True, error_model="numpy")(kernel)
+    made: Any = njit(nogil=True, cache=True, error_model="numpy", **options)(kernel)
     kept = made._cache._cache_file  # noqa: SLF001
     # numba would keep what it compiled until the kernel's own file changes; it holds calls and constants of others too
     kept._source_stamp = (*STAMP, _stamp(Path(kernel.__code__.co_filename)))  # noqa: SLF001
@@ -35,3 +35,8 @@ def compiled(kernel: Kernel) -> Kernel:
     # process that compiles at the same moment puts there for arrays of another kind
     kept._data_name_pattern = kept._data_name_pattern.replace(".nbc", f"-{uuid4().hex}.nbc")  # noqa: SLF001
     return cast(Kernel, made)
+
+
+def fused(kernel: Kernel) -> Kernel:
+    """The same, with products and the sums they go into rounded once: only for filters, whose bounds hold so too."""
+    return compiled(kernel, fastmath={"contract"})

@@ -159,10 +159,12 @@ def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | Non
         zeros = np.zeros(stop - start, np.intp)
         return _relate_some(a, indices if len(a) > 1 else zeros, b, indices if len(b) > 1 else zeros, engine)
     out = np.empty(stop - start, np.int8)
-    for first in range(start, stop, kernels.block):
-        last = min(first + kernels.block, stop)
-        _filter(kernels, one, other, first, out[first - start : last - start])
-    rest = np.flatnonzero(out == UNDECIDED)
+    left = [np.empty(0, np.intp)]  # block by block: for a mask of all, the system would have to find memory anew
+    for first in range(0, len(out), kernels.block):
+        block = out[first : first + kernels.block]
+        _filter(kernels, one, other, start + first, block)
+        left.append(first + np.flatnonzero(block == UNDECIDED))
+    rest = np.concatenate(left)
     out[rest] = undecided.relations(one, start + rest, other, start + rest)
     return out
 
