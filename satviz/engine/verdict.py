@@ -182,12 +182,12 @@ def _circle_polygon(circle: Shape, polygon: Shape) -> Relation:
     Where the room is below HUGE, the products are at most 2**49 times larger; a
     radius beyond 2D, whatever its rounding, reaches past every vertex.
     """
-    center, reach = circle.core[0], circle.radius * circle.radius
+    (x, y), reach = circle.core[0], circle.radius * circle.radius
     x0, y0, x1, y1 = polygon.bounds
-    far = max(x1 - center.x, center.x - x0, y1 - center.y, center.y - y0)
+    far = max(x1 - x, x - x0, y1 - y, y - y0)
     room = far * far * 2.0**-46
     if TINY < room < HUGE:
-        inside, outside, gap = _from_center(center, polygon.core, reach, far * 2.0**-48)
+        inside, outside, gap = _from_center((x, y), polygon.core, reach, far * 2.0**-48)
         if inside or gap < -room:
             return OVERLAPPING
         if outside and gap > room:
