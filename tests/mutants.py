@@ -52,6 +52,8 @@ TESTS = {  # which test files judge a module: the quick and likely first
     "engine/trace": ["trace"],
     "scenes/tracefile": ["trace"],
 }
+# what kernels run as Python cannot do: number cells beyond 2**63, and pass by 1e308 without a warning
+COMPILED_ONLY = ["are_candidates", "of_whatever_size", "warn_of_nothing"]
 FATES = "killed", "timed out", "equivalent", "survived"
 
 # -- the mutants -----------------------------------------------------------------------------------
@@ -167,10 +169,11 @@ class Watch:
 
     def __init__(self, out: Path, kills: Counter, times: dict[str, float]):
         self.out, self.kills, self.times, self.last, self.found = out, kills, times, "", {}
+        self.engine = "numpy"
 
     def pytest_collection_modifyitems(self, items: list) -> None:
         for module in {item.module for item in items if hasattr(item.module, "ENGINES")}:
-            module.ENGINES = ["numpy"]  # of those that a test asks in turn
+            module.ENGINES = [self.engine]  # of those that a test asks in turn
         items[:] = [item for item in items if self.times.get(item.nodeid, 0) < QUICK]
         items.sort(key=lambda item: (-self.kills[item.nodeid], self.times.get(item.nodeid, 0)))
 
@@ -200,8 +203,10 @@ def judge(path: Path, source: str, tests: list[str], watch: Watch) -> int:
     sys.meta_path.insert(0, Sown(path, source))
     sys.path.insert(0, str(HERE.parent))
     words = []
-    if path.parent.name == "batch" and "numba" in path.stem:  # compiled kernels are kept by file, not by what is in it
-        numba.config.CACHE_DIR = f"{watch.out}-numba"
+    if path.stem.endswith("_numba"):  # run as Python: to compile them anew would take 17 seconds a mutant
+        numba.config.DISABLE_JIT = True
+        watch.engine = "numba"
+        words = ["-k", f"not numpy and not processes and not {' and not '.join(COMPILED_ONLY)}"]
     elif path.parent.name == "batch":  # NumPy answers, so that nothing need be compiled
         found = importlib.util.find_spec
         importlib.util.find_spec = lambda name, *more: None if name == "numba" else found(name, *more)

@@ -28,6 +28,8 @@ def inlined(kernel: Kernel) -> Kernel:
 def compiled(kernel: Kernel, **options: Any) -> Kernel:
     """The kernel compiled at its first call; to type checkers the function that it was."""
     made: Any = njit(nogil=True, cache=True, error_model="numpy", **options)(kernel)
+    if made is kernel:  # NUMBA_DISABLE_JIT: to step through it, or to sow faults
+        return kernel
     kept = made._cache._cache_file  # noqa: SLF001
     # numba would keep what it compiled until the kernel's own file changes; it holds calls and constants of others too
     kept._source_stamp = (*STAMP, _stamp(Path(kernel.__code__.co_filename)))  # noqa: SLF001
