@@ -203,6 +203,10 @@ def test_every_shortcut_runs_on_pairs_of_every_kind_beside_the_exact_relation(na
         for b in shapes:
             trace = sv.record(a, b, axes=SHORTCUTS[name])
             assert trace.relation is sv.relate(a, b) and str(trace) and trace.sentence
+            told_hit = trace.claim is not sv.Relation.APART and bool(trace.tests or trace.pairs)
+            assert (trace.push is not None) == told_hit
+            assert trace.truth == sv.record(a, b, every_axis=True)
+            assert trace.without_early_exit() == sv.record(a, b, axes=SHORTCUTS[name], every_axis=True)
             assert sv.Trace.from_json(trace.to_json()) == trace
 
 
