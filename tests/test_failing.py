@@ -176,7 +176,7 @@ def test_a_false_claim_in_a_file_is_found_out():
     for lie in '"claim": "overlapping", "relation": "overlapping"', '"claim": "apart", "relation": "apart"':
         with pytest.raises(sv.InvalidScene):
             sv.Trace.from_json(text.replace('"claim": "apart", "relation": "overlapping"', lie))
-    for name in '"extremes-once"', '"no-such"', '""', "3", "null":
+    for name in '"extremes-once"', '"no-such"', '""', "3", "0", "false", "null":
         with pytest.raises(sv.InvalidScene):
             sv.Trace.from_json(text.replace('"shortcut": "far-centers"', f'"shortcut": {name}'))
 
