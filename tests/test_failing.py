@@ -341,6 +341,14 @@ def test_a_slipped_normal_runs_along_its_edge_mirrored_and_is_exact():
         assert test.axis.normal.x * -dy == test.axis.normal.y * dx
 
 
+def test_the_gap_on_a_slipped_normal_is_that_of_its_edge_before_rounding():
+    e = 2.0**-60  # the edge is 1 - e wide, which rounds to 1
+    a, b = sv.Polygon([(e, 0), (1, 1), (0, 2)]), sv.Polygon([(-4, -4), (3, -9), (3, -4)])
+    tests = sv.record(a, b, axes=SHORTCUTS["slipped-normal"], every_axis=True).tests
+    (test,) = (t for t in tests if t.source[1:] == ("A", (0, 1)))
+    assert test.axis.normal == (1, -1) and test.gap == pytest.approx(3 * e / sqrt(2), rel=1e-9, abs=0)
+
+
 def test_on_the_seam_one_tile_pushes_up_and_the_other_back():
     left, right_tile = NAMED["tile-seam"].scene.record().pairs
     assert left.mtv.x == 0 and left.mtv.y == 0.5
