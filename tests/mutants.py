@@ -37,7 +37,7 @@ ROOT = HERE.parent / "satviz"
 AT_ONCE = 2
 QUICK = 0.5  # seconds: slower tests do not judge, since each survivor goes through all that do
 LOADED_ONCE = ["hypothesis.strategies", "matplotlib", "numba", "numpy", "pytest", "shapely.geometry"]
-TESTS = {  # which test files judge a module: the quick and likely first
+TESTS = {  # which test files judge a module
     "engine/geometry": ["geometry"],
     "engine/exact": ["exact", "trace", "verdict"],
     "engine/outline": ["shapes"],
@@ -45,12 +45,12 @@ TESTS = {  # which test files judge a module: the quick and likely first
     "engine/concave": ["concave"],
     "engine/verdict": ["verdict"],
     **{f"batch/{path.stem}": ["batch", "batch_door"] for path in sorted((ROOT / "batch").glob("[!_]*.py"))},
-    "engine/axes": ["axes", "trace"],
+    "engine/axes": ["axes", "trace", "failing"],
     "engine/sat": ["trace"],
     "engine/escape": ["escape"],
     "engine/certificate": ["certificate", "trace"],
-    "engine/trace": ["trace"],
-    "scenes/tracefile": ["trace"],
+    "engine/trace": ["trace", "failing", "escape"],
+    "scenes/tracefile": ["trace", "failing"],
 }
 # what kernels run as Python cannot do: number cells beyond 2**63, and pass by 1e308 without a warning
 COMPILED_ONLY = ["are_candidates", "of_whatever_size", "warn_of_nothing"]
@@ -224,8 +224,7 @@ def judge(path: Path, source: str, tests: list[str], watch: Watch) -> int:
         "-pno:unraisableexception",
     ]
     files = [str(HERE / f"test_{name}.py") for name in tests]
-    codes = (pytest.main([*flags, *words, "-m", "not slow and not full", file], plugins=[watch]) for file in files)
-    return next((int(code) for code in codes if code), 0)
+    return int(pytest.main([*flags, *words, "-m", "not slow and not full", *files], plugins=[watch]))
 
 
 class Field:

@@ -176,7 +176,7 @@ def test_a_false_claim_in_a_file_is_found_out():
     for lie in '"claim": "overlapping", "relation": "overlapping"', '"claim": "apart", "relation": "apart"':
         with pytest.raises(sv.InvalidScene):
             sv.Trace.from_json(text.replace('"claim": "apart", "relation": "overlapping"', lie))
-    for name in '"extremes-once"', '"no-such"', '""', "3", "null":
+    for name in '"extremes-once"', '"no-such"', '""', "3", "0", "false", "null":
         with pytest.raises(sv.InvalidScene):
             sv.Trace.from_json(text.replace('"shortcut": "far-centers"', f'"shortcut": {name}'))
 
@@ -203,6 +203,10 @@ def test_every_shortcut_runs_on_pairs_of_every_kind_beside_the_exact_relation(na
         for b in shapes:
             trace = sv.record(a, b, axes=SHORTCUTS[name])
             assert trace.relation is sv.relate(a, b) and str(trace) and trace.sentence
+            told_hit = trace.claim is not sv.Relation.APART and bool(trace.tests or trace.pairs)
+            assert (trace.push is not None) == told_hit
+            assert trace.truth == sv.record(a, b, every_axis=True)
+            assert trace.without_early_exit() == sv.record(a, b, axes=SHORTCUTS[name], every_axis=True)
             assert sv.Trace.from_json(trace.to_json()) == trace
 
 
@@ -335,6 +339,14 @@ def test_a_slipped_normal_runs_along_its_edge_mirrored_and_is_exact():
         p, q = ((a if test.source.shape == "A" else b).vertices[i] for i in test.source.ids)
         dx, dy = q.x - p.x, q.y - p.y
         assert test.axis.normal.x * -dy == test.axis.normal.y * dx
+
+
+def test_the_gap_on_a_slipped_normal_is_that_of_its_edge_before_rounding():
+    e = 2.0**-60  # the edge is 1 - e wide, which rounds to 1
+    a, b = sv.Polygon([(e, 0), (1, 1), (0, 2)]), sv.Polygon([(-4, -4), (3, -9), (3, -4)])
+    tests = sv.record(a, b, axes=SHORTCUTS["slipped-normal"], every_axis=True).tests
+    (test,) = (t for t in tests if t.source[1:] == ("A", (0, 1)))
+    assert test.axis.normal == (1, -1) and test.gap == pytest.approx(3 * e / sqrt(2), rel=1e-9, abs=0)
 
 
 def test_on_the_seam_one_tile_pushes_up_and_the_other_back():

@@ -250,6 +250,7 @@ CROSSED = {
     "a vertex on another edge from outside": [(0, 0), (4, 0), (4, 4), (6, 2), (4, 2), (6, 1), (8, 9), (0, 4)],
     "a vertex twice": [(0, 0), (2, 2), (4, 0), (4, 4), (2, 2), (0, 4)],
     "an edge on another edge": [(0, 0), (6, 0), (6, 2), (4, 0), (2, 0), (0, 2)],
+    "an edge within another edge": [(0, 0), (9, 0), (9, 5), (4, 0), (2, 0), (5, 4), (5, 9), (0, 9)],
     "an edge twice": [(0, 0), (4, 0), (4, 4), (2, 2), (2, 1), (3, 1), (2, 1), (2, 2), (0, 4)],
     "a hole by a bridge": [(0, 0), (9, 0), (9, 9), (0, 9), (0, 0), (3, 3), (3, 6), (6, 6), (6, 3), (3, 3)],
     "a crossing at the last bit": [(0, 0), (1, 0), (1, 1), (0.5, -5e-324), (0, 1)],
@@ -261,8 +262,9 @@ every_crossing = pytest.mark.parametrize("ring", CROSSED.values(), ids=CROSSED)
 def test_an_outline_that_crosses_or_touches_itself_is_refused(ring):
     assert not oracle.is_simple(ring)
     for turned in rotations(ring):
-        with refused(r"edges \d+ and \d+ cross|at vertex \d+ \(a spike\)"):
+        with refused(r"edges \d+ and \d+ cross|at vertex \d+ \(a spike\)") as told:
             Polygon(turned)
+        assert_told_place_is_on_both_edges(turned, str(told.value))
 
 
 @every_crossing
@@ -274,7 +276,7 @@ def test_a_crossing_is_seen_at_every_scale(ring, power):
     assert not oracle.is_simple(ring)
     with refused(r"edges \d+ and \d+ cross|at vertex \d+ \(a spike\)") as told:
         Polygon(ring)
-    assert_told_place_is_in(ring, str(told.value))
+    assert_told_place_is_on_both_edges(ring, str(told.value))
 
 
 def test_the_crossing_edges_are_named_with_the_place():
@@ -735,11 +737,17 @@ def test_star_shaped_outlines_are_accepted_with_the_right_winding(ring, start, c
     assert shape.is_convex == all(turn > 0 for turn in turns)
 
 
-def assert_told_place_is_in(ring: Sequence[tuple[float, float]], message: str) -> None:
-    """A crossing is told with its place, if only roughly: to six digits within the outline's bounds."""
-    if told := re.search(r"near \((.*), (.*)\)", message):
-        for place, along in zip(map(float, told.groups()), zip(*ring)):
-            assert min(along) - 1e-5 * abs(min(along)) <= place <= max(along) + 1e-5 * abs(max(along)), (message, ring)
+def assert_told_place_is_on_both_edges(ring: Sequence[tuple[float, float]], message: str) -> None:
+    """A crossing is told with its place: to six digits, on each of the two edges that it names."""
+    if told := re.search(r"edges (\d+) and (\d+) cross near \((.*), (.*)\)", message):
+        first, second, *place = told.groups()
+        size = Fraction(max(abs(c) for v in ring for c in v))
+        told_at, *at = (complex(*(float(Fraction(c) / size) for c in v)) for v in (place, *ring))
+        for i in map(int, (first, second)):
+            end = next(q for q in at[i + 1 :] + at if q != at[i])
+            way, out = end - at[i], told_at - at[i]
+            foot = at[i] + way * min(1, max(0, (out / way).real))
+            assert abs(told_at - foot) < 1e-5 + float(Fraction(5e-324) / size), (message, ring)
 
 
 def agrees_with_the_oracle(ring: Sequence[tuple[float, float]]) -> bool:
@@ -749,7 +757,7 @@ def agrees_with_the_oracle(ring: Sequence[tuple[float, float]]) -> bool:
         shape = Polygon(ring)
     except InvalidShape as error:
         assert not simple, f"refused, but simple: {ring!r}"
-        assert_told_place_is_in(ring, str(error))
+        assert_told_place_is_on_both_edges(ring, str(error))
     else:
         assert simple, f"accepted, but not simple: {ring!r}"
         assert oracle.area2(shape.corners) == abs(oracle.area2(ring)) > 0

@@ -231,6 +231,12 @@ def test_the_shallowest_test_is_told_where_none_separates():
     assert sv.record(box(1, 1, 3, 3), L).shallowest is None  # its pairs have one each
 
 
+def test_a_run_without_a_shortcut_is_the_truth_and_pushes_by_its_way_out():
+    for b, mtv in (box(3, 1, 9, 3), (1, 0)), (box(4, 1, 9, 3), (0, 0)), (box(5, 1, 9, 3), None):
+        trace = sv.record(box(0, 0, 4, 4), b)
+        assert trace.truth is trace and trace.push == trace.mtv == trace.known_mtv == mtv
+
+
 def test_without_an_early_exit_every_axis_of_every_pair_is_tested():
     for a, b, tests in (A, B, [5]), (box(2.5, 2.5, 3.5, 3.5), L, [2, 2]), (box(1, 1, 3, 3), L, [2, 2]):
         short = sv.record(a, b)
@@ -928,6 +934,7 @@ def test_the_claim_of_a_shortcut_that_splits_is_that_of_its_pieces_and_its_certi
         trace = sv.record(u, b, axes=mine)
         assert trace.relation is sv.relate(u, b)
         assert trace.claim is max(sv.relate(piece, b) for piece in pieces[keep])
+        assert [pair.names for pair in trace.pairs] == [(f"A{i + 1}", "B") for i in range(len(pieces[keep]))]
         assert str(trace) and sv.picture(trace).marks
         if trace.missed_hit:
             assert trace.mtv is None and trace.separating is None

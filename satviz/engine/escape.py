@@ -79,8 +79,8 @@ def around_parts(a: Shape, b: Shape) -> Vec | None:
         raise InvalidScene(reason)
     # near size 1 nothing overflows; a power of two changes no digit, and moves are as long as the shapes are wide,
     # however far out they lie
-    x0, y0, x1, y1 = (pick(ends) for pick, ends in zip((min, min, max, max), zip(a.bounds, b.bounds, strict=True)))
-    size = frexp(min(max(x1 - x0, y1 - y0), LARGEST))[1]
+    widths = (hi - lo for shape in (a, b) for lo, hi in zip(shape.bounds, shape.bounds[2:]))
+    size = frexp(min(max(widths), LARGEST))[1]
     radius = ldexp(a.radius + b.radius, -size)
     free = _Free(size, radius, [_region(p, q, size, radius) for p in parts(a) for q in parts(b)])
     borders = [border for region in free.regions for border in _borders(region.ring, radius)]

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
 from reprlib import Repr
 from typing import Any, NamedTuple
 
@@ -219,7 +220,7 @@ def refuse_crossings(ring: Sequence[Vec], ids: Sequence[int]) -> None:
             if (i - j) % n in (1, n - 1) or not _meet(p, q, r, s):
                 continue
             first, second = sorted((ids[i], ids[j]))
-            x, y = _near(p, q, r, s)
+            x, y = _place(p, q, r, s)
             raise InvalidShape(
                 f"edges {first} and {second} cross near ({x:.6g}, {y:.6g}): "
                 "an outline must not cross or touch itself; reorder the vertices"
@@ -234,10 +235,12 @@ def _meet(p: Vec, q: Vec, r: Vec, s: Vec) -> bool:
     return orient(p, q, r) * orient(p, q, s) <= 0 and orient(r, s, p) * orient(r, s, q) <= 0
 
 
-def _near(p: Vec, q: Vec, r: Vec, s: Vec) -> Vec:
-    """Roughly where two segments meet: for the message only."""
-    dx, dy, ex, ey = q.x - p.x, q.y - p.y, s.x - r.x, s.y - r.y
+def _place(p: Vec, q: Vec, r: Vec, s: Vec) -> Vec:
+    """A point of both segments, which meet; in fractions, since products of floats may overflow and vanish."""
+    (px, py), (qx, qy), (rx, ry), (sx, sy) = (map(Fraction, v) for v in (p, q, r, s))
+    dx, dy, ex, ey = qx - px, qy - py, sx - rx, sy - ry
     det = dx * ey - dy * ex
-    t = ((r.x - p.x) * ey - (r.y - p.y) * ex) / det if det else 0.0
-    t = min(1.0, max(0.0, t)) if t == t else 0.5
-    return Vec(p.x + t * dx, p.y + t * dy)
+    if not det:  # both on one line
+        return max(min(p, q), min(r, s))
+    t = ((rx - px) * ey - (ry - py) * ex) / det
+    return Vec(float(px + t * dx), float(py + t * dy))

@@ -55,8 +55,6 @@ class Trace:
         """The exact relation, also where the chosen axes alone could not tell (see `claim`)."""
         if self.shortcut:
             return relate(self.a, self.b)
-        if self.pairs:
-            return max(pair.relation for pair in self.pairs)
         claim = self.claim
         return claim if claim is APART or self.choice.complete else relate(self.a, self.b)
 
@@ -245,7 +243,7 @@ def _record_shortcut(a: Shape, b: Shape, shortcut: Shortcut, every_axis: bool) -
     if shortcut.split is None:
         return _record(a, b, shortcut.choose(a, b), every_axis, PLAIN, shortcut)
     pieces = enumerate(shortcut.split(a), 1)
-    pairs = [_record(p, b, needed(p, b), every_axis, Names(f"A{i}", "B")) for i, p in pieces]
+    pairs = [_record(p, b, needed(p, b), every_axis, Names(f"A{i}")) for i, p in pieces]
     return Trace(a, b, Choice(()), (), every_axis, tuple(pairs), PLAIN, shortcut)
 
 

@@ -176,7 +176,7 @@ def _dropped(shape: Shape, n: Vec) -> Projection:
     """Where the points land in units of n's length."""
     if shape.radius:
         ((x, y),), length = shape.core, hypot(*n)
-        ends = project(shape, Axis(n, length, Source(""))).points
+        ends = project(shape, Axis(n, length or 1.0, Source(""))).points  # on (0, 0) both are the center
         at, r = x * n.x + y * n.y, shape.radius * length
         return Projection(ends, (at - r, at + r))
     return Projection(shape.core, tuple(x * n.x + y * n.y for x, y in shape.core))

@@ -61,11 +61,11 @@ def load(text: str) -> Trace:
 
 
 def _shortcut(name: Any) -> Shortcut | None:
-    if not name and name is not None:
-        raise InvalidScene("trace.shortcut must be a name or null")
-    if name is not None and typed(name, "trace.shortcut", str) not in SHORTCUTS:
+    if name is None:
+        return None
+    if typed(name, "trace.shortcut", str) not in SHORTCUTS:
         raise InvalidScene(f"trace.shortcut is {name!r}: no shortcut of that name")
-    return SHORTCUTS[name] if name else None
+    return SHORTCUTS[name]
 
 
 def _pair(data: Any, where: str, ours: Trace) -> Trace:
