@@ -45,6 +45,7 @@ TESTS = {  # which test files judge a module: the quick and likely first
     "engine/concave": ["concave"],
     "engine/verdict": ["verdict"],
     **{f"batch/{path.stem}": ["batch", "batch_door"] for path in sorted((ROOT / "batch").glob("[!_]*.py"))},
+    **{f"batch/{name}": ["batch_door", "batch"] for name in ("door", "making", "outlines")},
     "engine/axes": ["axes", "trace"],
     "engine/sat": ["trace"],
     "engine/escape": ["escape"],

@@ -2,13 +2,14 @@
 
 import sys
 import warnings
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import filter_numpy, narrow
+from satviz.batch import filter_numpy, narrow, outlines
 
 TRIANGLE = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
 ELL = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
@@ -114,6 +115,69 @@ def test_vertices_one_after_another_are_numbers_like_all_others(name):
 )
 def test_offsets_that_do_not_fit_are_refused(offsets, said):
     assert said in words(batch.Polygons, np.array(TRIANGLE * 2), offsets=offsets)
+
+
+@pytest.mark.parametrize(
+    "shape", [(), (3,), (2, 3), (2, 2, 2), (0, 2, 2), (2, 3, 1), (2, 3, 3), (2, 0, 2), (1, 2, 3, 2)]
+)
+def test_an_array_of_a_shape_that_holds_no_polygons_is_refused_by_its_shape(shape):
+    said = f"vertices has the shape {shape}: expected (N, V, 2) with V at least 3"
+    assert words(batch.Polygons, np.zeros(shape)) == said
+
+
+LAYOUTS = {
+    "an array": lambda rings: batch.Polygons(np.array(rings)),
+    "an array of objects": lambda rings: batch.Polygons(np.array(rings, object)),
+    "lists": batch.Polygons,
+    "tuples": lambda rings: batch.Polygons(tuple(tuple(map(tuple, ring)) for ring in rings)),
+    "arrays": lambda rings: batch.Polygons(list(map(np.array, rings))),
+    "arrays of float32": lambda rings: batch.Polygons([np.array(ring, np.float32) for ring in rings]),
+    "one after another": lambda rings: batch.Polygons(np.concatenate(rings), offsets=np.arange(0, 13, 4)),
+    "points one after another": lambda rings: batch.Polygons(
+        [p for ring in rings for p in ring], offsets=np.arange(0, 13, 4)
+    ),
+    "a stream": lambda rings: batch.stream_colliding_pairs(np.array(rings), strip=2),
+}
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_the_first_number_at_fault_is_named_wherever_it_stands(layout):
+    for i, j, k in np.ndindex(3, 4, 2):
+        rings = [[[5.0, 5.0], [6.0, 5.0], [6.0, 6.0], [5.0, 6.0]] for _ in range(3)]
+        rings[2][3][1] = np.inf
+        rings[i][j][k] = np.nan
+        said = f"polygon {i}: vertex {j}.{'xy'[k]} is nan: coordinates must be finite"
+        assert words(LAYOUTS[layout], rings) == said
+
+
+@pytest.mark.parametrize("made", [np.array, list, tuple, lambda values: np.array(values, object)])
+def test_of_circles_and_boxes_too(made):
+    for i, k in np.ndindex(3, 2):
+        centers = [[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]]
+        centers[2][1] = np.inf
+        centers[i][k] = np.nan
+        assert words(batch.Circles, made(centers), 1).startswith(f"circle {i}: center.{'xy'[k]} is nan")
+    for i in range(3):
+        radii = [1.0, 2.0, np.inf]
+        radii[i] = np.nan
+        assert words(batch.Circles, np.zeros((3, 2)), made(radii)).startswith(f"circle {i}: radius is nan")
+        assert words(batch.Circles, np.zeros((3, 2)), made([1.0] * i + [-1.0] * (3 - i))).startswith(f"circle {i}: ")
+    for i, k in np.ndindex(3, 4):
+        boxes = [[0.0, 0.0, 1.0, 1.0] for _ in range(3)]
+        boxes[2][3] = np.inf
+        boxes[i][k] = np.nan
+        assert words(batch.candidate_pairs, made(boxes)).startswith(f"bounds[{i}][{k}] is nan")
+        boxes[2][3], boxes[i] = 1.0, [0.0, 2.0, 1.0, 1.0]
+        assert words(batch.candidate_pairs, made(boxes)).startswith(f"bounds[{i}] is [0.0, 2.0, 1.0, 1.0]")
+
+
+@pytest.mark.parametrize("kind", [np.int8, np.uint8, np.uint64, ">i4", int])
+def test_offsets_of_whatever_integers_mean_the_same(kind):
+    assert batch.Polygons(np.array(TRIANGLE * 3), offsets=np.array([0, 3, 6, 9], kind)).count.tolist() == [3, 3, 3]
+    for offsets in [0, 4, 3, 6], [0, 9, 3, 6], [0, 6, 4, 3]:
+        fall = next(i for i in range(3) if offsets[i] > offsets[i + 1])
+        said = f"offsets falls from {offsets[fall]} to {offsets[fall + 1]}: "
+        assert words(batch.Polygons, np.array(TRIANGLE * 2), offsets=np.array(offsets, kind)).startswith(said)
 
 
 def test_an_outline_lies_as_it_was_given_in_whatever_layout():
@@ -286,6 +350,59 @@ def test_shapes_of_other_libraries_and_our_own_are_taken():
     )
     assert batch.relate(made, made).tolist() == [2] * 5
     assert len(batch.concat([])) == 0 == len(batch.Polygons([])) == len(batch.Polygons(np.zeros((0, 5, 2))))
+
+
+# -- outlines
+
+
+def any_outline(rng):
+    """Corners of a grid at random, or in order with repeats and straight-on vertices, once around or twice."""
+    if rng.random() < 0.4:
+        return rng.integers(0, 3, (int(rng.integers(0, 8)), 2)).tolist()
+    kinds = [(0, 0), (4, 0), (4, 4), (0, 4)], [(0, 0), (4, 0), (0, 4)], [(0, 0), (4, 2), (6, 6), (2, 6), (0, 4)], ELL
+    ring = kinds[rng.integers(4)] * (2 if rng.random() < 0.1 else 1)
+    first = int(rng.integers(len(ring)))
+    ring = ring[first:] + ring[:first]
+    full = []
+    for p, q in zip(ring, ring[1:] + ring[:1]):
+        full += [p] * int(rng.choice([1, 1, 1, 2, 3]))
+        if rng.random() < 0.3:
+            full.append(((p[0] + q[0]) / 2, (p[1] + q[1]) / 2))
+    return full[:: int(rng.choice([1, -1]))]
+
+
+def around(corners):
+    """From the lowest corner on."""
+    corners = list(map(tuple, corners))
+    first = corners.index(min(corners))
+    return corners[first:] + corners[:first]
+
+
+@pytest.mark.parametrize("block", [1, 3, 4, 11, 100, outlines.BLOCK])
+def test_outlines_are_judged_as_one_by_one_however_many_at_a_time(block, monkeypatch):
+    monkeypatch.setattr(outlines, "BLOCK", block)
+    rng = np.random.default_rng(block)
+    good, bad = [], []
+    for ring in (any_outline(rng) for _ in range(200)):
+        try:
+            good.append((ring, [around(part.core) for part in sv.parts(sv.Polygon(ring))]))
+        except sv.InvalidShape as error:
+            bad.append((ring, str(error)))
+    rings, cores = map(list, zip(*good))
+    start = np.cumsum([0, *map(len, rings)])
+    for made in (
+        batch.Polygons(rings, concave="split"),
+        batch.Polygons(np.concatenate(rings), offsets=start, concave="split"),
+    ):
+        assert made.owner.tolist() == [i for i, core in enumerate(cores) for _ in core]
+        x, y, first = made.rings
+        found = [around(zip(x[i:j], y[i:j])) for i, j in pairwise(first)]
+        assert found == [part for core in cores for part in core]
+    convex = [ring for ring, core in good if len(core) == 1]
+    assert batch.Polygons(convex).owner is None
+    for i, (ring, error) in enumerate(bad):
+        some = [*convex[: i % 4], ring, *convex[:2], bad[i - 1][0]]
+        assert words(batch.Polygons, some) == f"polygon {i % 4}: {error}"
 
 
 # -- the caller's own
