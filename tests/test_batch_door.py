@@ -26,6 +26,8 @@ BAD = {
     "a lossy integer": with_last(2**53 + 1, np.int64),
     "a lossy unsigned integer": with_last(2**64 - 1, np.uint64),
     "a long double": with_last(np.nextafter(np.longdouble(1), np.longdouble(2))),
+    "a long double too large": with_last(np.ldexp(np.longdouble(1), 2000)),
+    "an infinite long double": with_last(np.longdouble(np.inf)),
     "booleans": np.array(TRIANGLE, bool),
     "complex": np.array(TRIANGLE, complex),
     "text": np.array(TRIANGLE).astype(str),
@@ -46,6 +48,25 @@ BAD = {
     "no area": [(0, 0), (1, 1), (2, 2)],
 }
 
+CORNERS = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
+NO_OUTLINES = {
+    "four of three coordinates": [(*p, 0.0) for p in CORNERS],
+    "one of three coordinates": [*CORNERS, (1.0, 2.0, 3.0)],
+    "a vertex that is a set": [*CORNERS, {0.0, 1.0}],
+    "a vertex that is a dict": [*CORNERS, {0.0: 0, 1.0: 0}],
+    "a vertex that is text": [*CORNERS, "01"],
+    "a vertex that is a number": [*CORNERS, 0.0],
+    "a set of vertices": set(CORNERS),
+    "a dict of vertices": dict.fromkeys(CORNERS),
+    "numbers without vertices": np.ravel(CORNERS).tolist(),
+    "an array of numbers": np.ravel(CORNERS),
+    "an array of three coordinates": np.ones((4, 3)),
+    "an array of one coordinate": np.ones((4, 1)),
+    "an array of columns": np.array(CORNERS).T,
+    "an array of arrays": np.ones((4, 2, 2)),
+    "no array of vertices": np.empty((0, 2)),
+}
+
 
 def words(make, *arguments, **options):
     with pytest.raises(sv.InvalidShape) as error:
@@ -54,9 +75,9 @@ def words(make, *arguments, **options):
     return str(error.value)
 
 
-@pytest.mark.parametrize("name", BAD)
+@pytest.mark.parametrize("name", BAD | NO_OUTLINES)
 def test_what_the_scalar_door_refuses_the_batch_refuses_in_the_same_words(name):
-    bad = BAD[name]
+    bad = (BAD | NO_OUTLINES)[name]
     assert words(batch.Polygons, [TRIANGLE, bad]) == f"polygon 1: {words(sv.Polygon, bad)}"
 
 
@@ -150,8 +171,17 @@ def test_the_first_number_at_fault_is_named_wherever_it_stands(layout):
         assert words(LAYOUTS[layout], rings) == said
 
 
+@pytest.mark.parametrize("first", [np.nan, True, 2**53 + 1, None, (1.0, 2.0)], ids=repr)
+@pytest.mark.parametrize("second", [np.nan, True, 2**53 + 1, None, (1.0, 2.0)], ids=repr)
+def test_of_two_lists_at_fault_in_whatever_way_the_first_is_named(first, second):
+    for i, j in (0, 1), (1, 3), (2, 3):
+        rings = [[*CORNERS] for _ in range(4)]
+        rings[i][1], rings[j][1] = (5.0, first), (5.0, second)
+        assert words(batch.Polygons, rings) == f"polygon {i}: {words(sv.Polygon, rings[i])}"
+
+
 @pytest.mark.parametrize("made", [np.array, list, tuple, lambda values: np.array(values, object)])
-def test_of_circles_and_boxes_too(made):
+def test_of_circles_and_boxes_too_the_first_number_at_fault_is_named(made):
     for i, k in np.ndindex(3, 2):
         centers = [[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]]
         centers[2][1] = np.inf
@@ -169,6 +199,19 @@ def test_of_circles_and_boxes_too(made):
         assert words(batch.candidate_pairs, made(boxes)).startswith(f"bounds[{i}][{k}] is nan")
         boxes[2][3], boxes[i] = 1.0, [0.0, 2.0, 1.0, 1.0]
         assert words(batch.candidate_pairs, made(boxes)).startswith(f"bounds[{i}] is [0.0, 2.0, 1.0, 1.0]")
+
+
+@pytest.mark.parametrize("layout", [name for name in LAYOUTS if name != "a stream"])
+def test_minus_zero_is_zero(layout):
+    made = LAYOUTS[layout]([[[-0.0, -1.0], [1.0, -0.0], [-0.0, 1.0], [-1.0, -0.0]]] * 3)
+    for corners in (*made.rings[:2], *made.uniform[:2]):
+        assert not np.signbit(corners[corners == 0]).any()
+
+
+@pytest.mark.parametrize("vertices", [[], [TRIANGLE], [ELL], np.zeros((0, 3, 2)), np.array([TRIANGLE])], ids=repr)
+def test_another_word_for_what_to_do_with_concave_ones_is_refused(vertices):
+    with pytest.raises(ValueError, match='concave is \'merge\': choose "refuse" or "split"'):
+        batch.Polygons(vertices, concave="merge")
 
 
 @pytest.mark.parametrize("kind", [np.int8, np.uint8, np.uint64, ">i4", int])
@@ -209,9 +252,12 @@ def test_shapelys_polygons_come_as_they_are():
         None,
         "POLYGON",
     ):
-        said = words(batch.from_shapely, [shapely.box(0, 0, 1, 1), odd])
-        assert said == f"polygon 1: {words(sv.Polygon, odd)}"
+        said = words(sv.Polygon, odd)
+        assert words(batch.from_shapely, [odd]) == f"polygon 0: {said}"
+        assert words(batch.from_shapely, [shapely.box(0, 0, 1, 1), odd]) == f"polygon 1: {said}"
     ring = shapely.LinearRing(TRIANGLE)
+    for other in shapely.LinearRing(ELL), sv.Polygon(ELL), ELL:
+        assert len(batch.from_shapely([ring, ell, other], concave="split")) == 3
     assert batch.from_shapely([ring, ell.convex_hull]).bounds.tolist() == [[0, 0, 1, 1], [0, 0, 4, 4]]
     assert len(batch.from_shapely([])) == 0
 
@@ -323,6 +369,17 @@ def test_arrays_of_circles_are_judged_like_lists():
     assert "expected (2,)" in words(batch.Circles, np.zeros((2, 2)), [1, 2, 3])
 
 
+@pytest.mark.parametrize("radius", [2, 2.0, [2], (2,), np.array(2), np.array([2]), np.array([2], object), [2, 2, 2]])
+def test_one_radius_may_stand_for_all_in_whatever_form(radius):
+    assert batch.Circles([(0, 0), (1, 1), (2, 2)], radius).uniform.r.tolist() == [2, 2, 2]
+
+
+@pytest.mark.parametrize(("radii", "shape"), [([], (0,)), ([1, 2], (2,)), (np.ones((3, 1)), (3, 1)), ([1] * 4, (4,))])
+def test_radii_for_some_of_the_circles_are_refused_by_their_shape(radii, shape):
+    said = f"radii has the shape {shape}: expected (3,), or one radius for all"
+    assert words(batch.Circles, [(0, 0), (1, 1), (2, 2)], radii) == said
+
+
 @pytest.mark.parametrize("thing", [3, None, "abc", {"a": 1}, np.float64(1), np.array(1.0), np.array(None)])
 def test_what_is_no_sequence_is_refused_in_words(thing):
     words(batch.Polygons, thing)
@@ -409,12 +466,13 @@ def test_outlines_are_judged_as_one_by_one_however_many_at_a_time(block, monkeyp
 
 
 @pytest.mark.parametrize("concave", ["refuse", "split"])
-@pytest.mark.parametrize("order", ["C", "F", "transposed", "one", "reversed"])
+@pytest.mark.parametrize("order", ["C", "F", "transposed", "by coordinate", "one", "reversed"])
 def test_the_callers_array_is_never_written_to(order, concave):
     given = {
         "C": np.ascontiguousarray(CLOCKWISE),
         "F": np.asfortranarray(CLOCKWISE),
         "transposed": np.ascontiguousarray(CLOCKWISE.transpose(2, 1, 0)).transpose(2, 1, 0),
+        "by coordinate": np.ascontiguousarray(CLOCKWISE.transpose(2, 0, 1)).transpose(1, 2, 0),
         "one": CLOCKWISE[:1].copy(),
         "reversed": CLOCKWISE.copy()[::-1],
     }[order]
@@ -423,6 +481,16 @@ def test_the_callers_array_is_never_written_to(order, concave):
     assert np.array_equal(given, before)
     given.flags.writeable = False
     assert len(batch.Polygons(given, concave=concave)) == len(given)
+
+
+@pytest.mark.parametrize("concave", ["refuse", "split"])
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_vertices_one_after_another_and_arrays_in_a_list_are_never_written_to(order, concave):
+    given = CLOCKWISE.reshape(-1, 2).copy(order=order)
+    start = np.arange(0, 10, 3)
+    batch.Polygons(given, offsets=start, concave=concave)
+    batch.Polygons([given[:3]], concave=concave)
+    assert np.array_equal(given, CLOCKWISE.reshape(-1, 2)) and start.tolist() == [0, 3, 6, 9]
 
 
 @pytest.mark.parametrize("mode", ["r", "r+", "c"])

@@ -135,7 +135,7 @@ def numbers(values: Numbers, name: str, one: str, item: Callable[[int], str]) ->
     if _is_plain(values):
         return floats(values, name, lambda *i: item(i[0]) if i else one)
     if isinstance(values, Iterable):
-        return np.array([outline.number(v, item(i)) for i, v in enumerate(_listed(values, name))], np.float64)
+        return np.array([outline.number(v, item(i)) for i, v in enumerate(_listed(values, name))])
     return np.array(outline.number(values, one))
 
 
@@ -149,7 +149,7 @@ def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray
     outline.refuse_array(array, name)
     if array.dtype == object:
         each = [outline.number(value, entry(*at)) for at, value in np.ndenumerate(array)]
-        return np.array(each, np.float64).reshape(array.shape)
+        return np.array(each).reshape(array.shape)
     with np.errstate(all="ignore"):
         found = np.asarray(array, np.float64)
     doubtful = ~np.isfinite(found)

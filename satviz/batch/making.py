@@ -30,9 +30,7 @@ class Circles(Shapes):
         if (bad := np.flatnonzero(~(r > 0))).size:
             raise InvalidShape(f"circle {bad[0]}: radius is {r[bad[0]]}: a circle needs a positive radius")
         x, y = (np.array(centers[:, i][None]) for i in (0, 1))
-        with np.errstate(over="ignore"):
-            reach = float((np.abs(centers).max(axis=1, initial=0.0) + r).max(initial=0.0))
-        super().__init__(np.ones(n, np.int64), groups={1: Group(x, y, r, float(r.max(initial=0.0)), reach)})
+        super().__init__(np.ones(n, np.int64), groups={1: Group(x, y, r)})
 
 
 class Polygons(Shapes):
