@@ -413,9 +413,12 @@ def test_shapes_of_other_libraries_and_our_own_are_taken():
 
 
 def any_outline(rng):
-    """Corners of a grid at random, or in order with repeats and straight-on vertices, once around or twice."""
-    if rng.random() < 0.4:
+    """Corners of a grid or steps at random, or in order with repeats and straight-on vertices, once around or twice."""
+    kind = rng.random()
+    if kind < 0.2:
         return rng.integers(0, 3, (int(rng.integers(0, 8)), 2)).tolist()
+    if kind < 0.4:
+        return rng.integers(-1, 2, (int(rng.integers(3, 9)), 2)).cumsum(axis=0).tolist()
     kinds = [(0, 0), (4, 0), (4, 4), (0, 4)], [(0, 0), (4, 0), (0, 4)], [(0, 0), (4, 2), (6, 6), (2, 6), (0, 4)], ELL
     ring = kinds[rng.integers(4)] * (2 if rng.random() < 0.1 else 1)
     first = int(rng.integers(len(ring)))
