@@ -2,13 +2,14 @@
 
 import sys
 import warnings
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import filter_numpy, narrow
+from satviz.batch import filter_numpy, narrow, outlines
 
 TRIANGLE = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
 ELL = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
@@ -25,6 +26,8 @@ BAD = {
     "a lossy integer": with_last(2**53 + 1, np.int64),
     "a lossy unsigned integer": with_last(2**64 - 1, np.uint64),
     "a long double": with_last(np.nextafter(np.longdouble(1), np.longdouble(2))),
+    "a long double too large": with_last(np.ldexp(np.longdouble(1), 2000)),
+    "an infinite long double": with_last(np.longdouble(np.inf)),
     "booleans": np.array(TRIANGLE, bool),
     "complex": np.array(TRIANGLE, complex),
     "text": np.array(TRIANGLE).astype(str),
@@ -45,6 +48,25 @@ BAD = {
     "no area": [(0, 0), (1, 1), (2, 2)],
 }
 
+CORNERS = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]
+NO_OUTLINES = {
+    "four of three coordinates": [(*p, 0.0) for p in CORNERS],
+    "one of three coordinates": [*CORNERS, (1.0, 2.0, 3.0)],
+    "a vertex that is a set": [*CORNERS, {0.0, 1.0}],
+    "a vertex that is a dict": [*CORNERS, {0.0: 0, 1.0: 0}],
+    "a vertex that is text": [*CORNERS, "01"],
+    "a vertex that is a number": [*CORNERS, 0.0],
+    "a set of vertices": set(CORNERS),
+    "a dict of vertices": dict.fromkeys(CORNERS),
+    "numbers without vertices": np.ravel(CORNERS).tolist(),
+    "an array of numbers": np.ravel(CORNERS),
+    "an array of three coordinates": np.ones((4, 3)),
+    "an array of one coordinate": np.ones((4, 1)),
+    "an array of columns": np.array(CORNERS).T,
+    "an array of arrays": np.ones((4, 2, 2)),
+    "no array of vertices": np.empty((0, 2)),
+}
+
 
 def words(make, *arguments, **options):
     with pytest.raises(sv.InvalidShape) as error:
@@ -53,9 +75,9 @@ def words(make, *arguments, **options):
     return str(error.value)
 
 
-@pytest.mark.parametrize("name", BAD)
+@pytest.mark.parametrize("name", BAD | NO_OUTLINES)
 def test_what_the_scalar_door_refuses_the_batch_refuses_in_the_same_words(name):
-    bad = BAD[name]
+    bad = (BAD | NO_OUTLINES)[name]
     assert words(batch.Polygons, [TRIANGLE, bad]) == f"polygon 1: {words(sv.Polygon, bad)}"
 
 
@@ -116,6 +138,91 @@ def test_offsets_that_do_not_fit_are_refused(offsets, said):
     assert said in words(batch.Polygons, np.array(TRIANGLE * 2), offsets=offsets)
 
 
+@pytest.mark.parametrize(
+    "shape", [(), (3,), (2, 3), (2, 2, 2), (0, 2, 2), (2, 3, 1), (2, 3, 3), (2, 0, 2), (1, 2, 3, 2)]
+)
+def test_an_array_of_a_shape_that_holds_no_polygons_is_refused_by_its_shape(shape):
+    said = f"vertices has the shape {shape}: expected (N, V, 2) with V at least 3"
+    assert words(batch.Polygons, np.zeros(shape)) == said
+
+
+LAYOUTS = {
+    "an array": lambda rings: batch.Polygons(np.array(rings)),
+    "an array of objects": lambda rings: batch.Polygons(np.array(rings, object)),
+    "lists": batch.Polygons,
+    "tuples": lambda rings: batch.Polygons(tuple(tuple(map(tuple, ring)) for ring in rings)),
+    "arrays": lambda rings: batch.Polygons(list(map(np.array, rings))),
+    "arrays of float32": lambda rings: batch.Polygons([np.array(ring, np.float32) for ring in rings]),
+    "one after another": lambda rings: batch.Polygons(np.concatenate(rings), offsets=np.arange(0, 13, 4)),
+    "points one after another": lambda rings: batch.Polygons(
+        [p for ring in rings for p in ring], offsets=np.arange(0, 13, 4)
+    ),
+    "a stream": lambda rings: batch.stream_colliding_pairs(np.array(rings), strip=2),
+}
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_the_first_number_at_fault_is_named_wherever_it_stands(layout):
+    for i, j, k in np.ndindex(3, 4, 2):
+        rings = [[[5.0, 5.0], [6.0, 5.0], [6.0, 6.0], [5.0, 6.0]] for _ in range(3)]
+        rings[2][3][1] = np.inf
+        rings[i][j][k] = np.nan
+        said = f"polygon {i}: vertex {j}.{'xy'[k]} is nan: coordinates must be finite"
+        assert words(LAYOUTS[layout], rings) == said
+
+
+@pytest.mark.parametrize("first", [np.nan, True, 2**53 + 1, None, (1.0, 2.0)], ids=repr)
+@pytest.mark.parametrize("second", [np.nan, True, 2**53 + 1, None, (1.0, 2.0)], ids=repr)
+def test_of_two_lists_at_fault_in_whatever_way_the_first_is_named(first, second):
+    for i, j in (0, 1), (1, 3), (2, 3):
+        rings = [[*CORNERS] for _ in range(4)]
+        rings[i][1], rings[j][1] = (5.0, first), (5.0, second)
+        assert words(batch.Polygons, rings) == f"polygon {i}: {words(sv.Polygon, rings[i])}"
+
+
+@pytest.mark.parametrize("made", [np.array, list, tuple, lambda values: np.array(values, object)])
+def test_of_circles_and_boxes_too_the_first_number_at_fault_is_named(made):
+    for i, k in np.ndindex(3, 2):
+        centers = [[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]]
+        centers[2][1] = np.inf
+        centers[i][k] = np.nan
+        assert words(batch.Circles, made(centers), 1).startswith(f"circle {i}: center.{'xy'[k]} is nan")
+    for i in range(3):
+        radii = [1.0, 2.0, np.inf]
+        radii[i] = np.nan
+        assert words(batch.Circles, np.zeros((3, 2)), made(radii)).startswith(f"circle {i}: radius is nan")
+        assert words(batch.Circles, np.zeros((3, 2)), made([1.0] * i + [-1.0] * (3 - i))).startswith(f"circle {i}: ")
+    for i, k in np.ndindex(3, 4):
+        boxes = [[0.0, 0.0, 1.0, 1.0] for _ in range(3)]
+        boxes[2][3] = np.inf
+        boxes[i][k] = np.nan
+        assert words(batch.candidate_pairs, made(boxes)).startswith(f"bounds[{i}][{k}] is nan")
+        boxes[2][3], boxes[i] = 1.0, [0.0, 2.0, 1.0, 1.0]
+        assert words(batch.candidate_pairs, made(boxes)).startswith(f"bounds[{i}] is [0.0, 2.0, 1.0, 1.0]")
+
+
+@pytest.mark.parametrize("layout", [name for name in LAYOUTS if name != "a stream"])
+def test_minus_zero_is_zero(layout):
+    made = LAYOUTS[layout]([[[-0.0, -1.0], [1.0, -0.0], [-0.0, 1.0], [-1.0, -0.0]]] * 3)
+    for corners in (*made.rings[:2], *made.uniform[:2]):
+        assert not np.signbit(corners[corners == 0]).any()
+
+
+@pytest.mark.parametrize("vertices", [[], [TRIANGLE], [ELL], np.zeros((0, 3, 2)), np.array([TRIANGLE])], ids=repr)
+def test_another_word_for_what_to_do_with_concave_ones_is_refused(vertices):
+    with pytest.raises(ValueError, match='concave is \'merge\': choose "refuse" or "split"'):
+        batch.Polygons(vertices, concave="merge")
+
+
+@pytest.mark.parametrize("kind", [np.int8, np.uint8, np.uint64, ">i4", int])
+def test_offsets_of_whatever_integers_mean_the_same(kind):
+    assert batch.Polygons(np.array(TRIANGLE * 3), offsets=np.array([0, 3, 6, 9], kind)).count.tolist() == [3, 3, 3]
+    for offsets in [0, 4, 3, 6], [0, 9, 3, 6], [0, 6, 4, 3]:
+        fall = next(i for i in range(3) if offsets[i] > offsets[i + 1])
+        said = f"offsets falls from {offsets[fall]} to {offsets[fall + 1]}: "
+        assert words(batch.Polygons, np.array(TRIANGLE * 2), offsets=np.array(offsets, kind)).startswith(said)
+
+
 def test_an_outline_lies_as_it_was_given_in_whatever_layout():
     rings = [TRIANGLE, [(5, 5), (6, 5), (6, 6), (5, 6)], [(0, 9), (1, 9), (2, 9), (2, 9), (1, 11)], TRIANGLE[::-1]]
     corners = [[0, 0, 1, 1], [5, 5, 6, 6], [0, 9, 2, 11], [0, 0, 1, 1]]
@@ -145,9 +252,12 @@ def test_shapelys_polygons_come_as_they_are():
         None,
         "POLYGON",
     ):
-        said = words(batch.from_shapely, [shapely.box(0, 0, 1, 1), odd])
-        assert said == f"polygon 1: {words(sv.Polygon, odd)}"
+        said = words(sv.Polygon, odd)
+        assert words(batch.from_shapely, [odd]) == f"polygon 0: {said}"
+        assert words(batch.from_shapely, [shapely.box(0, 0, 1, 1), odd]) == f"polygon 1: {said}"
     ring = shapely.LinearRing(TRIANGLE)
+    for other in shapely.LinearRing(ELL), sv.Polygon(ELL), ELL:
+        assert len(batch.from_shapely([ring, ell, other], concave="split")) == 3
     assert batch.from_shapely([ring, ell.convex_hull]).bounds.tolist() == [[0, 0, 1, 1], [0, 0, 4, 4]]
     assert len(batch.from_shapely([])) == 0
 
@@ -259,6 +369,17 @@ def test_arrays_of_circles_are_judged_like_lists():
     assert "expected (2,)" in words(batch.Circles, np.zeros((2, 2)), [1, 2, 3])
 
 
+@pytest.mark.parametrize("radius", [2, 2.0, [2], (2,), np.array(2), np.array([2]), np.array([2], object), [2, 2, 2]])
+def test_one_radius_may_stand_for_all_in_whatever_form(radius):
+    assert batch.Circles([(0, 0), (1, 1), (2, 2)], radius).uniform.r.tolist() == [2, 2, 2]
+
+
+@pytest.mark.parametrize(("radii", "shape"), [([], (0,)), ([1, 2], (2,)), (np.ones((3, 1)), (3, 1)), ([1] * 4, (4,))])
+def test_radii_for_some_of_the_circles_are_refused_by_their_shape(radii, shape):
+    said = f"radii has the shape {shape}: expected (3,), or one radius for all"
+    assert words(batch.Circles, [(0, 0), (1, 1), (2, 2)], radii) == said
+
+
 @pytest.mark.parametrize("thing", [3, None, "abc", {"a": 1}, np.float64(1), np.array(1.0), np.array(None)])
 def test_what_is_no_sequence_is_refused_in_words(thing):
     words(batch.Polygons, thing)
@@ -288,16 +409,73 @@ def test_shapes_of_other_libraries_and_our_own_are_taken():
     assert len(batch.concat([])) == 0 == len(batch.Polygons([])) == len(batch.Polygons(np.zeros((0, 5, 2))))
 
 
+# -- outlines
+
+
+def any_outline(rng):
+    """Corners of a grid or steps at random, or in order with repeats and straight-on vertices, once around or twice."""
+    kind = rng.random()
+    if kind < 0.2:
+        return rng.integers(0, 3, (int(rng.integers(0, 8)), 2)).tolist()
+    if kind < 0.4:
+        return rng.integers(-1, 2, (int(rng.integers(3, 9)), 2)).cumsum(axis=0).tolist()
+    kinds = [(0, 0), (4, 0), (4, 4), (0, 4)], [(0, 0), (4, 0), (0, 4)], [(0, 0), (4, 2), (6, 6), (2, 6), (0, 4)], ELL
+    ring = kinds[rng.integers(4)] * (2 if rng.random() < 0.1 else 1)
+    first = int(rng.integers(len(ring)))
+    ring = ring[first:] + ring[:first]
+    full = []
+    for p, q in zip(ring, ring[1:] + ring[:1]):
+        full += [p] * int(rng.choice([1, 1, 1, 2, 3]))
+        if rng.random() < 0.3:
+            full.append(((p[0] + q[0]) / 2, (p[1] + q[1]) / 2))
+    return full[:: int(rng.choice([1, -1]))]
+
+
+def around(corners):
+    """From the lowest corner on."""
+    corners = list(map(tuple, corners))
+    first = corners.index(min(corners))
+    return corners[first:] + corners[:first]
+
+
+@pytest.mark.parametrize("block", [1, 3, 4, 11, 100, outlines.BLOCK])
+def test_outlines_are_judged_as_one_by_one_however_many_at_a_time(block, monkeypatch):
+    monkeypatch.setattr(outlines, "BLOCK", block)
+    rng = np.random.default_rng(block)
+    good, bad = [], []
+    for ring in (any_outline(rng) for _ in range(200)):
+        try:
+            good.append((ring, [around(part.core) for part in sv.parts(sv.Polygon(ring))]))
+        except sv.InvalidShape as error:
+            bad.append((ring, str(error)))
+    rings, cores = map(list, zip(*good))
+    start = np.cumsum([0, *map(len, rings)])
+    for made in (
+        batch.Polygons(rings, concave="split"),
+        batch.Polygons(np.concatenate(rings), offsets=start, concave="split"),
+    ):
+        assert made.owner.tolist() == [i for i, core in enumerate(cores) for _ in core]
+        x, y, first = made.rings
+        found = [around(zip(x[i:j], y[i:j])) for i, j in pairwise(first)]
+        assert found == [part for core in cores for part in core]
+    convex = [ring for ring, core in good if len(core) == 1]
+    assert batch.Polygons(convex).owner is None
+    for i, (ring, error) in enumerate(bad):
+        some = [*convex[: i % 4], ring, *convex[:2], bad[i - 1][0]]
+        assert words(batch.Polygons, some) == f"polygon {i % 4}: {error}"
+
+
 # -- the caller's own
 
 
 @pytest.mark.parametrize("concave", ["refuse", "split"])
-@pytest.mark.parametrize("order", ["C", "F", "transposed", "one", "reversed"])
+@pytest.mark.parametrize("order", ["C", "F", "transposed", "by coordinate", "one", "reversed"])
 def test_the_callers_array_is_never_written_to(order, concave):
     given = {
         "C": np.ascontiguousarray(CLOCKWISE),
         "F": np.asfortranarray(CLOCKWISE),
         "transposed": np.ascontiguousarray(CLOCKWISE.transpose(2, 1, 0)).transpose(2, 1, 0),
+        "by coordinate": np.ascontiguousarray(CLOCKWISE.transpose(2, 0, 1)).transpose(1, 2, 0),
         "one": CLOCKWISE[:1].copy(),
         "reversed": CLOCKWISE.copy()[::-1],
     }[order]
@@ -306,6 +484,16 @@ def test_the_callers_array_is_never_written_to(order, concave):
     assert np.array_equal(given, before)
     given.flags.writeable = False
     assert len(batch.Polygons(given, concave=concave)) == len(given)
+
+
+@pytest.mark.parametrize("concave", ["refuse", "split"])
+@pytest.mark.parametrize("order", ["C", "F"])
+def test_vertices_one_after_another_and_arrays_in_a_list_are_never_written_to(order, concave):
+    given = CLOCKWISE.reshape(-1, 2).copy(order=order)
+    start = np.arange(0, 10, 3)
+    batch.Polygons(given, offsets=start, concave=concave)
+    batch.Polygons([given[:3]], concave=concave)
+    assert np.array_equal(given, CLOCKWISE.reshape(-1, 2)) and start.tolist() == [0, 3, 6, 9]
 
 
 @pytest.mark.parametrize("mode", ["r", "r+", "c"])

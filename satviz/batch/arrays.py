@@ -20,14 +20,14 @@ class Group(NamedTuple):
 
     x, y: (V, n) counter-clockwise corners in scene units, no repeats, none straight on
     (V = 1: centers, r: (n,) radii).  span, reach: the largest edge component and
-    coordinate of all; upright: are all of them boxes with their sides along x and y?
+    coordinate of all polygons; upright: are all of them boxes with their sides along x and y?
     """
 
     x: NDArray[np.float64]
     y: NDArray[np.float64]
     r: NDArray[np.float64] | None
-    span: float
-    reach: float
+    span: float = 0.0
+    reach: float = 0.0
     upright: bool = False
 
     def columns(self, where: slice | NDArray[np.integer[Any] | np.bool_]) -> "Group":

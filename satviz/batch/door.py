@@ -31,7 +31,7 @@ def ragged(vertices: Points, offsets: Any) -> tuple[NDArray[np.float64], NDArray
     start = start.astype(np.intp)
 
     def entry(i: int) -> str:
-        polygon = int(np.searchsorted(start, i, side="right")) - 1
+        polygon = np.searchsorted(start, i, side="right") - 1
         return f"polygon {polygon}: vertex {i - start[polygon]}"
 
     expected = "expected to rise from 0 to the number of vertices"
@@ -54,7 +54,7 @@ def listed_rings(
 
     def joined() -> tuple[NDArray[np.float64], NDArray[np.intp]]:
         start = np.cumsum([0, *map(len, arrays)])
-        flat = np.concatenate(arrays) if arrays else np.empty((0, 2))
+        flat = np.concatenate([np.empty((0, 2)), *arrays])
         if (bad := np.flatnonzero(~np.isfinite(flat).all(axis=1))).size:
             i = int(np.searchsorted(start, bad[0], side="right")) - 1
             ring(given[i], name(i))  # says which number it is
@@ -76,8 +76,8 @@ def listed_rings(
 def _quickly(one: Any) -> NDArray[np.float64] | None:
     """An outline of plain floats as an array, not yet known to be finite; None where the door must look closer."""
     if type(one) is np.ndarray:
-        return one if one.dtype == np.float64 and one.ndim == 2 and one.shape[1] == 2 and len(one) > 2 else None
-    if (type(one) is not list and type(one) is not tuple) or len(one) < 3:
+        return one if one.dtype == np.float64 and one.ndim == 2 and one.shape[1] == 2 else None
+    if type(one) is not list and type(one) is not tuple:
         return None
     flat: list[Any] = []
     for p in one:
@@ -93,10 +93,8 @@ def ring(vertices: Any, name: str) -> NDArray[np.float64]:
         return np.array(vertices.vertices)
     try:
         if _is_plain(vertices) and vertices.ndim == 2 and vertices.shape[1] == 2:
-            found = floats(vertices, "vertices", lambda j, k: f"vertex {j}.{'xy'[k]}")
-        else:
-            found = np.array(outline.vertices(vertices)).reshape(-1, 2)
-        return found if len(found) > 2 else np.array(Polygon(found).vertices)  # which says what is missing
+            return floats(vertices, "vertices", lambda j, k: f"vertex {j}.{'xy'[k]}")
+        return np.array(outline.vertices(vertices)).reshape(-1, 2)
     except InvalidShape as error:
         raise InvalidShape(f"{name}: {error}") from None
 
@@ -137,7 +135,7 @@ def numbers(values: Numbers, name: str, one: str, item: Callable[[int], str]) ->
     if _is_plain(values):
         return floats(values, name, lambda *i: item(i[0]) if i else one)
     if isinstance(values, Iterable):
-        return np.array([outline.number(v, item(i)) for i, v in enumerate(_listed(values, name))], np.float64)
+        return np.array([outline.number(v, item(i)) for i, v in enumerate(_listed(values, name))])
     return np.array(outline.number(values, one))
 
 
@@ -151,7 +149,7 @@ def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray
     outline.refuse_array(array, name)
     if array.dtype == object:
         each = [outline.number(value, entry(*at)) for at, value in np.ndenumerate(array)]
-        return np.array(each, np.float64).reshape(array.shape)
+        return np.array(each).reshape(array.shape)
     with np.errstate(all="ignore"):
         found = np.asarray(array, np.float64)
     doubtful = ~np.isfinite(found)

@@ -30,9 +30,7 @@ class Circles(Shapes):
         if (bad := np.flatnonzero(~(r > 0))).size:
             raise InvalidShape(f"circle {bad[0]}: radius is {r[bad[0]]}: a circle needs a positive radius")
         x, y = (np.array(centers[:, i][None]) for i in (0, 1))
-        with np.errstate(over="ignore"):
-            reach = float((np.abs(centers).max(axis=1, initial=0.0) + r).max(initial=0.0))
-        super().__init__(np.ones(n, np.int64), groups={1: Group(x, y, r, float(r.max(initial=0.0)), reach)})
+        super().__init__(np.ones(n, np.int64), groups={1: Group(x, y, r)})
 
 
 class Polygons(Shapes):
@@ -88,7 +86,7 @@ def polygons_numbered(vertices: door.Rings, numbers: Indices | None, concave: st
 
 
 def _assembled(given: Rings, name: Callable[[int], str], concave: str) -> Shapes:
-    """The corners of all; those not plainly convex go through the scalar door one by one."""
+    """The corners of all; those not convex go through the scalar door one by one."""
     if concave not in ("refuse", "split"):
         raise ValueError(f'concave is {concave!r}: choose "refuse" or "split"')
     given = Rings(given.x + 0.0, given.y + 0.0, given.start)  # a copy of our own, where -0.0 is 0.0
@@ -96,26 +94,23 @@ def _assembled(given: Rings, name: Callable[[int], str], concave: str) -> Shapes
     count = np.diff(rings.start)
     if plain.all():
         if len(count) and count[0] <= FEW and (count == count[0]).all():  # pairs of such come side by side mostly
-            return Shapes(
-                count, groups={int(count[0]): group_of(*(c.reshape(len(count), -1).T.copy() for c in rings[:2]))}
-            )
+            columns = (c.reshape(len(count), -1).T.copy() for c in rings[:2])
+            return Shapes(count, groups={int(count[0]): group_of(*columns)})
         return Shapes(count, rings=rings)
     pieces: list[NDArray[np.float64]] = []
     owners = [np.flatnonzero(plain)]
-    split = False
     for i in np.flatnonzero(~plain).tolist():
         part = slice(given.start[i], given.start[i + 1])
         try:
             polygon = Polygon(np.stack([given.x[part], given.y[part]], axis=1))
         except InvalidShape as error:
             raise InvalidShape(f"{name(i)}: {error}") from None
-        found = parts(polygon)
-        if len(found) > 1 and concave == "refuse":
+        if concave == "refuse":
             raise InvalidShape(
                 f"{name(i)} is not convex: split it with satviz.parts first, "
                 'or pass concave="split", which keeps the owner of each part'
             )
-        split = split or len(found) > 1
+        found = parts(polygon)
         pieces += [np.asarray(piece.core) for piece in found]
         owners.append(np.full(len(found), i))
     flat = np.concatenate(pieces)
@@ -123,4 +118,4 @@ def _assembled(given: Rings, name: Callable[[int], str], concave: str) -> Shapes
     owner = np.concatenate(owners)
     order = np.argsort(owner, kind="stable")
     rings = joined([rings, Rings(flat[:, 0], flat[:, 1], start)]).picked(order)
-    return Shapes(np.diff(rings.start), owner[order] if split else None, rings=rings)
+    return Shapes(np.diff(rings.start), owner[order], rings=rings)

@@ -32,7 +32,7 @@ def convex(rings: Rings) -> tuple[Rings, Mask]:
         some, mask = _convex(Rings(rings.x[part], rings.y[part], start - start[0]))
         found.append(some)
         masks.append(mask)
-    mask = np.concatenate(masks) if masks else np.zeros(0, bool)
+    mask = np.concatenate([np.zeros(0, bool), *masks])
     if mask.all() and sum(len(some.x) for some in found) == len(rings.x):  # none left out; turned round in place
         return rings, mask
     return joined(found), mask
@@ -54,20 +54,14 @@ def _convex(rings: Rings) -> tuple[Rings, Mask]:
     turns = signs.orient(px, py, x, y, nx, ny)
     first = start[:-1]
     least, most = np.minimum.reduceat(turns, first), np.maximum.reduceat(turns, first)
-    straight = np.flatnonzero(turns == 0)
-    if straight.size:  # straight on is no corner; straight back is a spike
-        on = _rises(*(c[straight] for c in (px, py, x, y))) == _rises(*(c[straight] for c in (x, y, nx, ny)))
-        least = np.minimum.reduceat(np.where(turns == 0, np.int8(1), turns), first)
-        most = np.maximum.reduceat(np.where(turns == 0, np.int8(-1), turns), first)
-        spiked = np.searchsorted(start, straight[~on], side="right") - 1
-        least[spiked], most[spiked] = -1, 1
-    plain = (least > 0) | (most < 0)
+    # straight on is no corner; straight back comes with turns both ways, with going round twice, or with no turn at all
+    plain = (least >= 0) != (most <= 0)
     if np.diff(start).max() > 4:  # with 3 or 4 corners the same way there is no going round twice
         rises = _rises(x, y, nx, ny)
         plain &= np.add.reduceat(rises != _before(rises, start), first) == 2
-    back = most < 0
+    back = most <= 0
     many[many] = plain
-    if straight.size:
+    if not turns.all():
         ring = ring.without(turns != 0)
     return _turned(ring.some(plain), back[plain]), many
 

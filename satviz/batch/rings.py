@@ -40,5 +40,5 @@ class Rings(NamedTuple):
 def joined(many: list[Rings]) -> Rings:
     """All of them, in order."""
     counts = [np.diff(rings.start) for rings in many]
-    x, y = (np.concatenate([rings[i] for rings in many]) if many else np.empty(0) for i in (0, 1))
+    x, y = (np.concatenate([rings[i] for rings in many]) for i in (0, 1))
     return Rings(x, y, np.cumsum(np.concatenate([[0], *counts])))
