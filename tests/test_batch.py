@@ -14,12 +14,13 @@ from fractions import Fraction
 from functools import partial
 from itertools import product
 from pathlib import Path
+from random import Random
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import CONVEX, pairs
+from strategies import CONVEX, drawn, pairs
 
 import satviz as sv
 from satviz import batch
@@ -103,6 +104,22 @@ def test_many_corners_apart_touching_and_overlapping_are_told_apart(engine, v, w
         for one, other in (p, q), (q, p), (p[::-1][::-1], q):
             assert (batch.relate(one, other, engine=engine) == right).all(), move
     assert one_by_one(p, q) == [2] * 60
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("kind", ["many corners", "opposite edges", "shortest edges", "level far sides"])
+def test_outlines_of_many_corners_are_told_as_one_by_one_wherever_they_meet(engine, kind):
+    """Whichever edge or corner meets which, whichever comes first, beside any others in memory."""
+    rng, pairs = Random(kind), []
+    while len(pairs) < 60:
+        pair = drawn(rng, kind)
+        if not any(isinstance(s, sv.Circle) for s in pair) and 8 < max(len(s.vertices) for s in pair) < 60:
+            pairs.append(pair)
+    a, b = (batches_of(side) for side in zip(*pairs))
+    right = [sv.relate(p, q) for p, q in pairs]
+    assert min(map(right.count, sv.Relation)) > 2
+    assert batch.relate(a, b, engine=engine).tolist() == right
+    assert batch.relate(b, a, engine=engine).tolist() == right
 
 
 @pytest.mark.slow
