@@ -703,6 +703,22 @@ def level_far_side(rng: Random) -> Pair:
     return convex(a), convex([(-ux, -uy), (times * lx, times * ly), (-2 * ux, -2 * uy)])
 
 
+def bowls(rng: Random) -> Pair:
+    """Corners of all sizes on a parabola, and those of another upside down below it: both at the origin, or nearly."""
+
+    def bowl() -> Ring:
+        reach = rng.choice((4, 60, 500))
+        xs = {way * rng.choice((1, 3, 5)) * 2.0 ** rng.randint(-reach, reach) for way in (-1, 1) for _ in range(9)}
+        return [(x, x * x) for x in sorted(xs | {0.0} if rng.random() < 0.7 else xs)]
+
+    a, b = bowl(), bowl()
+    if rng.random() < 0.5:
+        b = list(a)
+    if rng.random() < 0.7:  # the whole or one corner a float or two up or down
+        b = jolted(rng, b, rng.randrange(len(b)), 2)
+    return convex(a), convex([(x, -y) for x, y in b])
+
+
 # -- circles ---------------------------------------------------------------------------------------
 
 
@@ -884,6 +900,7 @@ CONVEX: dict[str, Callable[[Random], Pair]] = {
     "boxes on a grid": upright_boxes,
     "shortest edges": shortest_edge,
     "level far sides": level_far_side,
+    "bowls": bowls,
     "circles near tangent": circles_near_tangent,
     "circle and polygon near tangent": circle_polygon_near_tangent,
     "circle and clipped corner": circle_clipped_corner,

@@ -152,7 +152,7 @@ def _picked(shapes: Shapes, indices: Indices) -> tuple[Shapes, Indices]:
 def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | None) -> Relations:
     """Pairs start to stop of a[i] with b[i], or of one with many."""
     kernels = engine_of(engine)
-    side_by_side = len(a) == len(b) and a.most <= kernels.most
+    side_by_side = len(a) == len(b) and max(a.most, b.most) <= kernels.most
     one, other = (a.uniform, b.uniform) if side_by_side else (None, None)
     if one is None or other is None:
         indices = np.arange(start, stop)
