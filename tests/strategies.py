@@ -37,6 +37,7 @@ CONTACTS = (
     "kissing from inside",
 )
 INNER = CONTACTS[-2:]
+QUARTERS = (1, 0), (0, 1), (-1, 0), (0, -1)
 
 
 class NotConvex(Exception):
@@ -779,6 +780,29 @@ def circle_clipped_corner(rng: Random) -> Pair:
     return scaled(convex(ring), power), scaled(circle, power)
 
 
+def pointed_at_circle(rng: Random) -> Pair:
+    """A needle that points at a circle's center to less than a rounding of its own edges, be they tiny or not.
+
+    In rationals the center lies outside; the rounded edges, each by itself, can all have it on their inner side.
+    """
+    while True:
+        x, y = sorted(4 * rng.randrange(2**50, int(2**50.4)) + 2 for _ in "xy")
+        # half a float from x and y, which is rounded away: three edges lean to one side of (x, y), the last leans more
+        at = [(-3 * x, -3 * y + 2), (1 - x, 1 - y), (x + 2, y + 1), (3 * x + 2, 3 * y)]
+        # the products x*q and p*y straddle a half: of what is rounded to, where products vanish
+        half = 2**105
+        p, q = half // y + 1, half // x
+        if half % x / x + 1 - half % y / y < 0.6:
+            break
+    vanishing = rng.random() < 0.7
+    size, near = (-729, -452) if vanishing else (0, rng.randint(3, 40))
+    center = -math.ldexp(p, near), -math.ldexp(q, near)
+    most = max(map(abs, center))
+    radius = most * rng.choice((1.2, rng.uniform(1.0, math.hypot(*center) / most), rng.uniform(0.1, 2.0)))
+    center, *ring = spun([center, *((math.ldexp(u, size), math.ldexp(v, size)) for u, v in at)], *rng.choice(QUARTERS))
+    return convex(ring), Circle(center, radius)
+
+
 # -- scales ----------------------------------------------------------------------------------------
 
 BASIC = (
@@ -904,6 +928,7 @@ CONVEX: dict[str, Callable[[Random], Pair]] = {
     "circles near tangent": circles_near_tangent,
     "circle and polygon near tangent": circle_polygon_near_tangent,
     "circle and clipped corner": circle_clipped_corner,
+    "needles pointed at circles": pointed_at_circle,
     "any scale": any_scale,
     "smallest scale": smallest_scale,
     "largest scale": largest_scale,

@@ -90,6 +90,30 @@ def test_many_gammas_are_those_one_by_one():
         assert math.isclose(some, gamma(a, b), rel_tol=0.02), kind
 
 
+@pytest.mark.parametrize("kind", ["smallest scale", "needles pointed at circles"])
+def test_many_gammas_are_those_one_by_one_where_rounding_could_hide_all(kind):
+    found = list(pairs(16, 250, [kind]))
+    found += [(kind, a, b) for a, b in few_units(Random(16), 50)] if kind == "smallest scale" else []
+    many = gammas(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found]))
+    for (_, a, b), some in zip(found, many.tolist(), strict=True):
+        assert math.isclose(some, gamma(a, b), rel_tol=0.02), (a, b)
+
+
+def few_units(rng, count):
+    """Pairs of triangles whose coordinates are up to nine of the smallest float."""
+    made = []
+    while len(made) < 2 * count:
+        try:
+            made.append(sv.Polygon([(rng.randint(-9, 9) * 5e-324, rng.randint(-9, 9) * 5e-324) for _ in range(3)]))
+        except sv.InvalidShape:
+            continue
+    return list(zip(made[::2], made[1::2], strict=True))
+
+
+def test_gamma_of_a_gap_that_is_nothing_beside_the_reach_is_next_to_nothing():
+    assert 0 < gamma(sv.Circle((0, 0), 1e300), sv.Circle((1e300, 0), 5e-324)) < 1e-320
+
+
 def test_gammas_by_index_are_those_side_by_side():
     found = list(pairs(15, 40, ORDINARY))
     a, b = batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found])
@@ -126,6 +150,22 @@ def test_what_is_sure_for_many_is_sure_by_fractions_and_is_what_the_model_answer
                 known[model.name] += 1
                 assert model.sure(p, q) == one == answer, (model.name, kind, p, q)
     assert min(known.values()) > 25 and len(known) == len(MODELS)
+
+
+@pytest.mark.parametrize("engine", ["numpy", "numba"])
+def test_a_circle_too_small_for_float32_is_one_in_it_still(engine):
+    dot, model = sv.Circle((0.5, 0.5), 1e-50), Model("float32", 5)
+    kite = sv.Polygon([(0, 0), (1, 0), (1.25, 1), (0, 1.5)])
+    for other, truth in (
+        (kite, 2),
+        (sv.Circle((0.5, 0.5), 1), 2),
+        (sv.Polygon([(0.75, 0.5), (1, 0), (1, 1)]), 0),
+        (sv.Circle((0.5, 0.75), 0.125), 0),
+    ):
+        for a, b in ((dot, other), (other, dot)):
+            many = of_shapes(a, b, 3)
+            said = answers(model, many, kept(model, many.a), kept(model, many.b), engine=engine).tolist()
+            assert model.sure(a, b) == truth and said == [truth] * 3, (a, b)
 
 
 # -- never a wrong advice

@@ -8,6 +8,7 @@ import pytest
 
 import satviz as sv
 from satviz.engine import axes
+from satviz.engine.sat import axis_tests
 from satviz.scenes.article import box
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
@@ -269,6 +270,19 @@ def test_given_directions_keep_their_way_and_their_number():
     assert not found.complete
     with pytest.raises(ValueError, match=r"direction 1 is \(0, 0\)"):
         axes.directions((1, 0), (0, 0))
+
+
+@pytest.mark.parametrize("vector", [(1e300, 5e-324), (5e-324, -1e300), (1.7e308, 3e-310), (5e-324, 0), (2.0**1000, 3)])
+def test_a_direction_keeps_both_its_parts_whatever_their_sizes(vector):
+    (axis,) = axes.directions(vector)(A, B).axes
+    (nx, ny), (x, y) = map(Fraction, axis.normal), map(Fraction, vector)
+    assert nx * y == ny * x and nx * x + ny * y > 0
+
+
+def test_the_gap_on_a_direction_is_that_of_the_direction_given():
+    a, b = sv.Polygon([(0, 0), (1, 0), (0, 1)]), sv.Polygon([(1 - 2**-53, 1e308), (3, 1e308), (3, 1.5e308)])
+    (test,) = axis_tests(a, b, axes.directions((1e300, 5e-324))(a, b).axes)
+    assert test.gap == -(2.0**-53)
 
 
 def test_a_direction_of_any_size_is_taken():

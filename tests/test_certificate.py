@@ -242,3 +242,12 @@ def test_lines_past_all_parts_of_a_concave_outline_are_a_proof(ring):
         for a, b in ((shape, other), (other, shape)):
             lines = sv.record(a, b).certificate
             assert isinstance(lines, PartLines) and lines.check()
+
+
+def test_a_separating_line_at_the_rim_of_float64_has_a_point_to_show():
+    most = 1.7976931348623157e308
+    k = most / 1024
+    a = sv.Polygon([(most - 2 * k, most), (most - 4 * k, most - 8 * k), (most, most - 4.83 * k)])
+    b = sv.Polygon([(most, most), (most, most - 2.4142 * k), (most - k, most)])
+    line = sv.record(a, b, every_axis=True).certificate
+    assert line.check() and line.point.x == most and line.point.y < most  # the line's own is 1.2 times as far out

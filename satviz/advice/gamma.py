@@ -20,7 +20,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from ..engine.concave import parts
-from ..engine.exact import UNIT, IntPoint, aligned, root_difference
+from ..engine.exact import IntPoint, aligned, root_difference
 from ..engine.shapes import Shape, checked
 
 IN_FLOAT32 = 2.0**-29
@@ -51,9 +51,10 @@ def _convex(a: Shape, b: Shape) -> float:
         max(map(abs, s.integers[1][0])) + s.integers[2] << k - s.integers[0] if s.radius else _most(s, k)
         for s in (a, b)
     )
-    shift = reach.bit_length()
+    size = reach.bit_length()
+    shift = size - 53  # the gap in roundings already, as what is least must not be multiplied
     gap = _from_center(p[0], radii, q, shift) if len(p) == 1 else _from_center(q[0], radii, p, shift)
-    return gap / (UNIT * (reach / (1 << shift)))
+    return gap / (reach / (1 << size))
 
 
 def _most(shape: Shape, k: int) -> int:

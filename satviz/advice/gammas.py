@@ -43,9 +43,9 @@ def signed_gammas(a: Shapes, b: Shapes, pairs: ArrayLike | None = None) -> Array
 
 def _columns(a: Group, b: Group) -> Array:
     with np.errstate(all="ignore"):
-        # of halves, as two large coordinates have a difference beyond float64
-        power = -np.frexp(np.maximum(reach(_half(a)), reach(_half(b))))[1]
-        a, b = (_scaled(_half(g), power) for g in (a, b))
+        # to below a half, as large coordinates have a difference beyond float64, and a center and its radius a sum
+        power = -1 - np.frexp(np.maximum(reach(_half(a)), reach(_half(b))))[1]
+        a, b = (_scaled(g, power) for g in (a, b))
         unit = UNIT * np.maximum(reach(a), reach(b))
         if a.r is not None and b.r is not None:
             gap = np.hypot(a.x[0] - b.x[0], a.y[0] - b.y[0]) - (a.r + b.r)
@@ -78,7 +78,10 @@ def _clears(own: Group, other: Group) -> Array:
 
 
 def _from_center(circle: Group, ring: Group) -> Array:
-    """The gap of circles and polygons: outside from the nearest point of a side, inside from the nearest side."""
+    """The gap of circles and polygons: outside from the nearest point of a side, inside from the nearest side.
+
+    NaN where rounding can have put a center inside.
+    """
     assert circle.r is not None
     x, y = ring.x - circle.x, ring.y - circle.y
     inner, outer = np.full((2, x.shape[1]), np.inf)
@@ -94,4 +97,5 @@ def _from_center(circle: Group, ring: Group) -> Array:
         outer = np.minimum(outer, np.where(foot, np.abs(side), ends))
         inner = np.minimum(inner, side)
     gap: Array = np.where(inner > 0, -inner, outer) - circle.r
+    gap[(inner > 0) & (inner < NEAR * UNIT)] = np.nan  # or outside, before the tip of a needle
     return gap

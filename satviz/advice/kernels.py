@@ -60,7 +60,7 @@ def sat(
     x: Array, y: Array, r: Array, start: Indices, box_a: Array, ia: Indices,
     p: Array, q: Array, s: Array, begin: Indices, box_b: Array, ib: Indices, out: Relations,
 ) -> None:  # fmt: skip
-    """By their boxes, then every edge of both, and for circles squared distances; r: (N,) radii, 0 of polygons.
+    """By their boxes, then every edge of both, and for circles squared distances; r: (N,) radii, of one corner only.
 
     Polygons of few corners wait until there are as many as are looked at side by side, as in the filter.
     """
@@ -69,17 +69,19 @@ def sat(
     many = np.zeros(2, np.intp)
     for k in range(out.size):
         i, j = ia[k], ib[k]
+        # by corners, as a radius can be too small for float32
+        round_a, round_b = start[i + 1] - start[i] == 1, begin[j + 1] - begin[j] == 1
         aside = max(box_a[i, 0], box_b[j, 0]) > min(box_a[i, 2], box_b[j, 2])
         if aside or max(box_a[i, 1], box_b[j, 1]) > min(box_a[i, 3], box_b[j, 3]):
             out[k] = APART
-        elif r[i] > 0 and s[j] > 0:
+        elif round_a and round_b:
             u, v = start[i], begin[j]
             dx, dy, reach = x[u] - p[v], y[u] - q[v], r[i] + s[j]
             out[k] = _told(dx * dx + dy * dy - reach * reach)
-        elif r[i] > 0:
+        elif round_a:
             u = start[i]
             out[k] = _told(_from_center(x[u], y[u], r[i], p, q, begin[j], begin[j + 1]))
-        elif s[j] > 0:
+        elif round_b:
             v = begin[j]
             out[k] = _told(_from_center(p[v], q[v], s[j], x, y, start[i], start[i + 1]))
         elif max(start[i + 1] - start[i], begin[j + 1] - begin[j]) <= FEW:

@@ -260,6 +260,8 @@ def _axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = False) -
     size = max(x.bit_length(), y.bit_length())
     if abs(size - k) > 300:
         k = size  # a direction has no size: bring extreme ones near 1, where lengths neither overflow nor vanish
+        if as_given:  # but no nearer than where its last bit is the smallest float
+            k = min(k, ((x | y) & -(x | y)).bit_length() + 1073)
     vector = Vec(to_float(x, k), to_float(y, k))
     return Axis(vector, hypot(*vector), source)
 

@@ -11,11 +11,13 @@ from .axes import Axis, exact_dots
 from .concave import parts
 from .exact import orient
 from .geometry import Vec
+from .sat import LARGEST
 from .shapes import Shape
 
 Rational = tuple[Fraction, Fraction]
 T = TypeVar("T")
 Number = TypeVar("Number", float, Fraction)
+RIM = Fraction(LARGEST)
 
 
 class SeparatingLine(NamedTuple):
@@ -33,10 +35,10 @@ class SeparatingLine(NamedTuple):
 
     @property
     def point(self) -> Vec:
-        """A point on the line, the nearest to the origin, rounded."""
+        """A point on the line, the nearest to the origin, rounded; beyond float64 at its rim."""
         nx, ny = self.normal
         t = self.offset / (nx * nx + ny * ny)
-        return Vec(float(nx * t), float(ny * t))
+        return Vec(*(float(max(-RIM, min(RIM, c * t))) for c in (nx, ny)))
 
     def __str__(self) -> str:
         return digits.plain(f"separating line {telling.line(self)}")

@@ -181,12 +181,14 @@ def _circle_polygon(circle: Shape, polygon: Shape) -> Relation:
     vertex, or the reverse, moves a squared distance by the square of a rounding.
     Where the room is below HUGE, the products are at most 2**49 times larger; a
     radius beyond 2D, whatever its rounding, reaches past every vertex.
+    Where products vanish, a turn tells nothing: what is beyond such edges alone
+    is as near to others as these are long, so one whose products stay is enough.
     """
     (x, y), reach = circle.core[0], circle.radius * circle.radius
     x0, y0, x1, y1 = polygon.bounds
     far = max(x1 - x, x - x0, y1 - y, y - y0)
     room = far * far * 2.0**-46
-    if TINY < room < HUGE:
+    if TINY < room < HUGE and polygon.span * far > TINY:
         inside, outside, gap = _from_center((x, y), polygon.core, reach, far * 2.0**-48)
         if inside or gap < -room:
             return OVERLAPPING
