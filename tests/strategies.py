@@ -715,8 +715,9 @@ def bowls(rng: Random) -> Pair:
     a, b = bowl(), bowl()
     if rng.random() < 0.5:
         b = list(a)
-    if rng.random() < 0.7:  # the whole or one corner a float or two up or down
-        b = jolted(rng, b, rng.randrange(len(b)), 2)
+    if rng.random() < 0.7:  # a corner a float or two beside where it was, mostly the lowest
+        lowest = min(range(len(b)), key=lambda i: b[i][1])
+        b = jolted(rng, b, rng.choice((lowest, lowest, rng.randrange(len(b)))), 2)
     return convex(a), convex([(x, -y) for x, y in b])
 
 
