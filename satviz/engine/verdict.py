@@ -134,7 +134,7 @@ def relate_moved(a: Shape, b: Shape, move: Vec) -> Relation:
 
 def relate_integers(p: Sequence[IntPoint], q: Sequence[IntPoint], radii: int) -> Relation:
     """The same in integers: a circle is a point with a radius, and beside another circle a ring of one corner."""
-    if len(p) > 1 and len(q) > 1:
+    if 1 not in (len(p), len(q)):
         return _by_sign(max(_edge_side(p, q), _edge_side(q, p)))
     (center,), ring = (p, q) if len(p) == 1 else (q, p)
     inside, _, gap = _from_center(center, ring, radii * radii, 0)
