@@ -12,7 +12,7 @@ from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPool
 from decimal import Decimal, localcontext
 from fractions import Fraction
 from functools import partial
-from itertools import product
+from itertools import pairwise, product
 from pathlib import Path
 from random import Random
 
@@ -20,7 +20,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import CONVEX, drawn, pairs
+from strategies import CONVEX, drawn, edge_facing, many_corners, pairs, vertex_facing
 
 import satviz as sv
 from satviz import batch
@@ -123,6 +123,40 @@ def test_numba_leaves_nothing_ordinary_to_the_exact_twin(v, w, monkeypatch):
         for picked in None, np.repeat(np.arange(60)[:, None], 2, axis=1):
             assert batch.relate(p, q, picked, engine="numba").tolist() == one_by_one(p, q), move
     assert not left
+
+
+def corner_on_edge(rng):
+    """Outlines of some corners, one of the second's on the edge of the first that is the most diagonal.
+
+    All products round, and the room of a look is nowhere less when it is worked out wrongly.
+    """
+    rings, slant = [[], []], 1
+    while slant > 0.03 or not all(8 < len(ring) < 20 for ring in rings):
+        rings = [many_corners(rng, 16) for _ in rings]
+        normals = [(q[1] - p[1], p[0] - q[0]) for p, q in pairwise([*rings[0], rings[0][0]])]
+        slant, nx, ny = min((abs(abs(x) - abs(y)) / (abs(x) + abs(y)), x, y) for x, y in normals)
+    first, second = edge_facing(rng, rings[0], nx, ny).ring, vertex_facing(rings[1], -nx, -ny).ring
+    if rng.random() < 0.5:  # the edge that leads from the last corner to the first
+        ends = [nx * x + ny * y == 0 for x, y in first]
+        end = next(k for k in range(len(first)) if ends[k] and ends[k - 1])
+        first = first[end:] + first[:end]
+    large, at = 2**34 + rng.randrange(1, 2**20, 2), np.array([rng.randrange(2**50), rng.randrange(2**50)])
+    size = 2.0 ** rng.choice((-90, 90))
+    return [(np.array(ring) * large + at) * size for ring in (first, second)]
+
+
+def test_wherever_the_search_of_numba_ends_every_edge_is_asked(monkeypatch):
+    settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
+    of_many = getattr(settle.of_many, "py_func", settle.of_many)  # run as Python, which asks what stands here
+    rng = Random(1)
+    for _ in range(100):
+        (x, y), (p, q) = (ring.T.copy() for ring in corner_on_edge(rng))
+        reach = float(np.abs([*x, *y]).max() + np.abs([*p, *q]).max())
+        one, other = (x, y, 0, len(x)), (p, q, 0, len(p))
+        for i, j in product(*(rng.sample(range(len(c)), 2) for c in (x, p))):
+            for these, ends in (((one, other), (i, j)), ((other, one), (j, i))):
+                monkeypatch.setattr(settle, "_soon", lambda *_, ends=ends: (UNDECIDED, *ends))
+                assert of_many(*these[0], *these[1], reach, np.empty(settle.TERMS)) == 1, ends
 
 
 HARD = [
