@@ -1,8 +1,12 @@
-"""Honest times: the methods in turn within a round, so that a slow moment of the machine meets them all."""
+"""Honest times: the methods in turn within a round, so that a slow moment of the machine meets them all.
+
+In a new order each round, as one finds in the cache what another left there.
+"""
 
 import gc
 import statistics
 from collections.abc import Callable, Mapping
+from random import Random
 from time import perf_counter
 from typing import Any, NamedTuple
 
@@ -30,11 +34,13 @@ def in_turn(
     times: dict[str, list[float]] = {name: [] for name in jobs}
     for job in jobs.values():
         job()
+    order, shuffle = list(jobs.items()), Random(rounds).shuffle
     collecting = gc.isenabled()
     gc.disable()
     try:
         for _ in range(rounds):
-            for name, job in jobs.items():
+            shuffle(order)
+            for name, job in order:
                 start = clock()
                 job()
                 times[name].append((clock() - start) / items[name] * 1e9)

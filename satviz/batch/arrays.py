@@ -140,6 +140,11 @@ class Shapes:
         return int(self.count.max(initial=0))
 
     @cached_property
+    def least(self) -> int:
+        """The smallest number of corners, 1 where there are circles; 0 of no shapes."""
+        return int(self.count.min()) if len(self.count) else 0
+
+    @cached_property
     def starts(self) -> NDArray[np.intp]:
         """(N + 1,) at which part each shape begins, and the last one ends."""
         places = np.arange(len(self) + 1)

@@ -175,8 +175,9 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
         return _relate_parts(a, ia, b, ib, engine)
     kernels = engine_of(engine)
     out = np.full(len(ia), UNDECIDED, np.int8)
-    polygons = np.flatnonzero((a.count[ia] > 1) & (b.count[ib] > 1))
-    if polygons.size:
+    if min(a.least, b.least) > 1:
+        kernels.picked(a.flat, np.ascontiguousarray(ia), b.flat, np.ascontiguousarray(ib), out)
+    elif (polygons := np.flatnonzero((a.count[ia] > 1) & (b.count[ib] > 1))).size:
         found = np.empty(len(polygons), np.int8)
         kernels.picked(a.flat, ia[polygons], b.flat, ib[polygons], found)
         out[polygons] = found
