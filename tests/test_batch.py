@@ -126,7 +126,7 @@ def test_numba_leaves_nothing_ordinary_to_the_exact_twin(v, w, monkeypatch):
 
 
 def corner_on_edge(rng):
-    """Outlines of some corners, one of the second's on the edge of the first that is the most diagonal.
+    """Outlines of some corners, one of the second's on the edge of the first that is the most diagonal, and that point.
 
     All products round, and the room of a look is nowhere less when it is worked out wrongly.
     """
@@ -142,7 +142,27 @@ def corner_on_edge(rng):
         first = first[end:] + first[:end]
     large, at = 2**34 + rng.randrange(1, 2**20, 2), np.array([rng.randrange(2**50), rng.randrange(2**50)])
     size = 2.0 ** rng.choice((-90, 90))
-    return [(np.array(ring) * large + at) * size for ring in (first, second)]
+    return *((np.array(ring) * large + at) * size for ring in (first, second)), at * size
+
+
+def as_rows(first, second, point):
+    """What kernels take: of each outline x, y, where it begins and ends; both largest coordinates together."""
+    rows = [(*ring.T.copy(), 0, len(ring)) for ring in (first, second)]
+    return *rows, float(np.abs(first).max() + np.abs(second).max()), point
+
+
+def test_numbas_search_tells_nothing_of_what_touches_and_no_point_of_an_edge_is_inside(monkeypatch):
+    settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
+    for name in "inside", "_left", "_soon", "_lowest", "_cross":  # run as Python
+        kernel = getattr(settle, name)
+        monkeypatch.setattr(settle, name, getattr(kernel, "py_func", kernel))
+    rng = Random(2)
+    for _ in range(40):
+        one, other, reach, point = as_rows(*corner_on_edge(rng))
+        assert settle._soon(*one, *other, reach)[0] == settle._soon(*other, *one, reach)[0] == UNDECIDED
+        for row in one, other:
+            assert not settle.inside(*row, *point, reach)
+            assert settle.inside(*row, row[0].mean(), row[1].mean(), reach)
 
 
 def test_wherever_the_search_of_numba_ends_every_edge_is_asked(monkeypatch):
@@ -150,10 +170,8 @@ def test_wherever_the_search_of_numba_ends_every_edge_is_asked(monkeypatch):
     of_many = getattr(settle.of_many, "py_func", settle.of_many)  # run as Python, which asks what stands here
     rng = Random(1)
     for _ in range(100):
-        (x, y), (p, q) = (ring.T.copy() for ring in corner_on_edge(rng))
-        reach = float(np.abs([*x, *y]).max() + np.abs([*p, *q]).max())
-        one, other = (x, y, 0, len(x)), (p, q, 0, len(p))
-        for i, j in product(*(rng.sample(range(len(c)), 2) for c in (x, p))):
+        one, other, reach, _ = as_rows(*corner_on_edge(rng))
+        for i, j in product(*(rng.sample(range(row[3]), 2) for row in (one, other))):
             for these, ends in (((one, other), (i, j)), ((other, one), (j, i))):
                 monkeypatch.setattr(settle, "_soon", lambda *_, ends=ends: (UNDECIDED, *ends))
                 assert of_many(*these[0], *these[1], reach, np.empty(settle.TERMS)) == 1, ends
