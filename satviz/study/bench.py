@@ -128,13 +128,15 @@ def _uniform(plan: Plan) -> Iterator[Row]:
                 mine = [method.prepare(side) for side in (few if scalar else (a, b))]
                 jobs[label] = partial(method.hits, *mine)
                 items[label] = len(right) if scalar else plan.pairs
+                if label == "satviz numba":
+                    shapes_of_numba = mine
                 if label in ENGINES:
                     halves: dict[str, Any] = {"engine": ENGINES[label], "executor": pool, "chunk": -(-plan.pairs // 2)}
                     jobs[f"{label}, 2 threads"] = partial(batch.relate, *mine, **halves)
                     items[f"{label}, 2 threads"] = plan.pairs
             peers: dict[str, Callable[[], Any]] = {}
             if installed("numba") and not isinstance(a, tuple) and not isinstance(b, tuple) and "mixed" not in work:
-                peers = _compiled(a, b)
+                peers = _compiled(*shapes_of_numba)
             jobs |= peers
             items |= dict.fromkeys(peers, plan.pairs)
             answers = {label: job() for label, job in jobs.items()}
@@ -145,13 +147,15 @@ def _uniform(plan: Plan) -> Iterator[Row]:
 READING = "reading the arrays once"
 
 
-def _compiled(a: NDArray[np.float64], b: NDArray[np.float64]) -> dict[str, Callable[[], Any]]:
-    """Textbook SAT and GJK in numba, satviz's kernel without its room for rounding, and reading alone."""
+def _compiled(a: batch.Shapes, b: batch.Shapes) -> dict[str, Callable[[], Any]]:
+    """Textbook SAT and GJK in numba, satviz's kernel without its room for rounding, and reading alone.
+
+    All go through the very arrays that satviz does: another's copies could lie nearer to the processor.
+    """
     from ..batch.filter_numba import looks
     from .methods import kernels
 
-    columns = [np.ascontiguousarray(rings[:, :, d].T) for rings in (a, b) for d in (0, 1)]
-    numbers = np.concatenate([c.ravel() for c in columns]).view(np.int64)
+    columns = [c for shapes in (a, b) if (g := shapes.uniform) for c in (g.x, g.y)]
     out = np.empty(len(a), np.int8)
 
     def run(kernel: Callable[..., None], *more: Any) -> NDArray[np.bool_]:
@@ -159,10 +163,10 @@ def _compiled(a: NDArray[np.float64], b: NDArray[np.float64]) -> dict[str, Calla
         return out > 0
 
     return {
-        READING: partial(kernels.reading, numbers),
+        READING: lambda: [kernels.reading(c.ravel().view(np.int64)) for c in columns],
         "textbook SAT in numba": partial(run, kernels.textbook, True, 0.0),
         "GJK in numba": partial(run, kernels.gjk),
-        "numba, no room for rounding": partial(run, looks(a.shape[1], b.shape[1]), 0, 0.0),
+        "numba, no room for rounding": partial(run, looks(a.most, b.most), 0, 0.0),
     }
 
 
