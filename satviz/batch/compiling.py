@@ -25,9 +25,9 @@ def inlined(kernel: Kernel) -> Kernel:
     return cast(Kernel, njit(inline="always", error_model="numpy")(kernel))
 
 
-def compiled(kernel: Kernel, **options: Any) -> Kernel:
+def compiled(kernel: Kernel) -> Kernel:
     """The kernel compiled at its first call; to type checkers the function that it was."""
-    made: Any = njit(nogil=True, cache=True, error_model="numpy", **options)(kernel)
+    made: Any = njit(nogil=True, cache=True, error_model="numpy")(kernel)
     if made is kernel:  # NUMBA_DISABLE_JIT: to step through it, or to sow faults
         return kernel
     kept = made._cache._cache_file  # noqa: SLF001
@@ -37,8 +37,3 @@ def compiled(kernel: Kernel, **options: Any) -> Kernel:
     # process that compiles at the same moment puts there for arrays of another kind
     kept._data_name_pattern = kept._data_name_pattern.replace(".nbc", f"-{uuid4().hex}.nbc")  # noqa: SLF001
     return cast(Kernel, made)
-
-
-def fused(kernel: Kernel) -> Kernel:
-    """The same, with products and the sums they go into rounded once: only for filters, whose bounds hold so too."""
-    return compiled(kernel, fastmath={"contract"})

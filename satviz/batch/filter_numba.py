@@ -15,7 +15,7 @@ import numpy as np
 from ..engine.exact import HUGE, TINY
 from .arrays import Group
 from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
-from .compiling import compiled, fused
+from .compiling import compiled
 from .filter_numpy import room_64
 from .rings import FEW
 from .signs import Array, Signs
@@ -42,7 +42,7 @@ def looks(va: int, vb: int) -> Callable[..., None]:
 def _unrolled(va: int, vb: int) -> Callable[..., None]:
     """A kernel for fixed numbers of corners: the compiler unrolls its inner loops and vectorises over pairs."""
 
-    @fused
+    @compiled
     def kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
         for k in range(out.size):
             i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end
@@ -68,7 +68,7 @@ def _unrolled(va: int, vb: int) -> Callable[..., None]:
     return kernel
 
 
-@fused
+@compiled
 def _eight(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
     best = np.empty(TILE)
     for start in range(0, out.size, TILE):
@@ -81,7 +81,7 @@ def _eight(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, 
             out[start + i] = APART if best[i] > room else OVERLAPPING if best[i] < -room else UNDECIDED
 
 
-@fused
+@compiled
 def edges_of_eight(x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array) -> None:
     """Raise `best` to the clearances of n columns from s on; after the last row comes the first, or a ninth."""
     t = s + n
@@ -119,7 +119,7 @@ def edges_of_eight(x: Array, y: Array, px: Array, py: Array, s: int, n: int, bes
             best[i] = max(best[i], min(low, top) - (a * x0[i] + b * y0[i]))
 
 
-@fused
+@compiled
 def _general(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
     best, least, nx, ny = np.empty(TILE), np.empty(TILE), np.empty(TILE), np.empty(TILE)
     for start in range(0, out.size, TILE):
@@ -132,7 +132,7 @@ def _general(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float
             out[start + i] = APART if best[i] > room else OVERLAPPING if best[i] < -room else UNDECIDED
 
 
-@fused
+@compiled
 def _edges(
     x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array, least: Array, nx: Array, ny: Array
 ) -> None:

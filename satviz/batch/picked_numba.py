@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from .arrays import Flat, Group
 from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
-from .compiling import compiled, fused
+from .compiling import compiled
 from .filter_numba import edges_of_eight
 from .rings import FEW
 from .settle_numba import TERMS, inside, of_few, of_many
@@ -140,7 +140,7 @@ def lay(x: Array, y: Array, start: int, stop: int, width: int, to_x: Array, to_y
         i = i + 1 if i + 1 < stop else start
 
 
-@fused
+@compiled
 def edges_of_four(x: Array, y: Array, p: Array, q: Array, n: int, best: Array) -> None:
     """Raise `best` of n lanes to how far beyond one of four edges all four corners lie."""
     p0, p1, p2, p3 = p[0, :n], p[1, :n], p[2, :n], p[3, :n]
