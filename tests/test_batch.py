@@ -90,6 +90,14 @@ def test_batch_gives_the_scalar_answers(engine, kinds):
     assert batch.relate(a, b, np.c_[index, index], engine=engine).tolist() == found.tolist()
 
 
+@pytest.mark.parametrize("engine", ENGINES)
+def test_blocks_of_any_size_give_the_same_side_by_side(engine, monkeypatch):
+    whole = narrow.engine_of(engine)
+    monkeypatch.setattr(narrow, "engine_of", lambda name: whole._replace(block=7))
+    a, b = (batch.Polygons(ngons(RNG(seed), 50, 3)) for seed in (1, 2))
+    assert batch.relate(a, b, engine=engine, chunk=20).tolist() == one_by_one(a, b)
+
+
 def beside_mirror(v, w):
     """60 shapes, each beside one of another kind on whose leftmost corner or edge its rightmost corner lies."""
     a, b = (np.round(ngons(RNG(v * w), 60, k) * 2.0**40) for k in (v, w))
