@@ -60,7 +60,7 @@ def sat(
     x: Array, y: Array, r: Array, start: Indices, box_a: Array, ia: Indices,
     p: Array, q: Array, s: Array, begin: Indices, box_b: Array, ib: Indices, out: Relations,
 ) -> None:  # fmt: skip
-    """By their boxes, then every edge of both, and for circles squared distances; r: (N,) radii, of one corner only.
+    """By their boxes, then every edge of both, and for circles squared distances; r: (N,) radii, 0 of polygons.
 
     Polygons of few corners wait until there are as many as are looked at side by side, as in the filter.
     """
