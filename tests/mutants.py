@@ -1,12 +1,12 @@
 """What no test would notice: small faults sown into the exact core one at a time, and the tests run against each.
 
-    python -m pip install 'mutmut>=3.8' && python tests/mutants.py exact axes:240 batch/signs
+    python -m pip install 'mutmut>=3.8' && python tests/mutants.py engine/exact engine/axes:240 batch/signs
 
 prints every mutant that survived, and a table; without names it goes through the whole
-core, and batch/door%3 sows every third only.  tests/mutants.md holds the last table and, for
-each survivor that changes nothing, the reason: those are known and only counted.  Half the
-kinds of mutants are mutmut's.  Its runner starts Python anew for each; here a parent loads
-the large libraries once and forks.
+core, batch/door:9-80 sows these lines only, and batch/door%3 every third mutant.
+tests/mutants.md holds the last table and, for each survivor that changes nothing, the
+reason: those are known and only counted.  Half the kinds of mutants are mutmut's.  Its
+runner starts Python anew for each; here a parent loads the large libraries once and forks.
 Left as they are: strings, messages (all of a raise), annotations, docstrings, zip's strict.
 """
 
@@ -266,15 +266,15 @@ class Field:
                 print(f"{line}\n- {change}", flush=True)
         return told
 
-    def sow(self, wanted: int, step: int) -> None:
-        """Judge every mutant (of one line, if wanted; or every third, say), after none at all."""
+    def sow(self, lines: range, step: int) -> None:
+        """Judge every mutant of some lines (or every third, say), after none at all."""
         self.start(0, "", self.path.read_text(encoding="utf-8"))
         self.times = self.end()["times"]
-        for line, change, source in islice(mutants(self.path), 0, None, step):
-            if not wanted or line == wanted:
-                self.start(line, change, source)
-                if len(self.running) == AT_ONCE:
-                    self.end()
+        wanted = (mutant for mutant in mutants(self.path) if mutant[0] in lines)
+        for mutant in islice(wanted, 0, None, step):
+            self.start(*mutant)
+            if len(self.running) == AT_ONCE:
+                self.end()
         while self.running:
             self.end()
 
@@ -287,10 +287,10 @@ def main(*names: str) -> None:
     rows = ["| module | mutants | " + " | ".join(FATES) + " |", "|---|--:|--:|--:|--:|--:|"]
     with tempfile.TemporaryDirectory() as folder:
         for name in names or TESTS:
-            name, line, step = re.fullmatch(r"([^:%]+)(?::(\d+))?(?:%(\d+))?", name).groups()
+            name, first, last, step = re.fullmatch(r"([^:%]+)(?::(\d+)(?:-(\d+))?)?(?:%(\d+))?", name).groups()
             print(f"## {name}")
             field = Field(name, Path(folder))
-            field.sow(int(line or 0), int(step or 1))
+            field.sow(range(int(first or 0), int(last or first or 10**6) + 1), int(step or 1))
             counts = field.score.total(), *(field.score[fate] for fate in FATES)
             rows.append(f"| {name} | {' | '.join(map(str, counts))} |")
     print("", *rows, sep="\n")

@@ -27,7 +27,7 @@ from satviz.advice.many import of_shapes
 from satviz.advice.models import answers, kept
 from satviz.advice.pairs import paired
 from satviz.advice.proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Compound, Model
-from satviz.advice.scope import ANYWHERE, GRID, HERE, MOVED, Scope
+from satviz.advice.scope import ANYWHERE, GRID, HERE, MOVED, Scope, bound_of
 from satviz.advice.shapesfile import load
 from satviz.advice.sure import sure
 from satviz.cli import main
@@ -466,6 +466,15 @@ def test_an_advice_with_any_lie_in_it_does_not_pass_its_check():
         for doctored, lie in lies(advice):
             assert not doctored.check(), (advice, lie)
     assert seen == {ANYWHERE, GRID, MOVED, HERE}
+
+
+def test_a_bound_is_the_largest_power_of_two_within_what_is_allowed():
+    for e in (-249, -60, -1, 0, 1, 53, 249):
+        below, above = math.nextafter(2.0**e, 0), math.nextafter(2.0**e, math.inf)
+        assert [bound_of(allowed, 0.0) for allowed in (below, 2.0**e, above)] == [2.0 ** (e - 1), 2.0**e, 2.0**e]
+        assert bound_of(above, 2.0**e) == 0.0
+    assert bound_of(0.0, 0.0) == bound_of(math.inf, 1.0) == 0.0
+    assert bound_of(1e300, 1.0) == 2.0**250
 
 
 def test_shapes_as_large_as_float64_holds_are_json_too():

@@ -159,18 +159,64 @@ def as_rows(first, second, point):
     return *rows, float(np.abs(first).max() + np.abs(second).max()), point
 
 
-def test_numbas_search_tells_nothing_of_what_touches_and_no_point_of_an_edge_is_inside(monkeypatch):
+def flat_corners(rng, size):
+    """Outlines that share one corner, which in both is bent by less than a look along the corners can tell.
+
+    So the corner that looks lowest need not be it, and may lie beyond the point that is shared.
+    """
+    along = np.array([rng.choice((-1, 1)), rng.choice((-1, 1)) * rng.uniform(0.999, 1.001)]) / 2**0.5
+    beyond = np.array([-along[1], along[0]])
+    shared = np.array([rng.choice((-1, 1)) * rng.randrange(2**52, 2**53 - 2**50) for _ in "xy"])
+    rings = []
+    for side in 1, -1:
+        at = [(rng.random(), side * rng.random() / 2**40), (rng.uniform(-2, 2), side * rng.uniform(0.1, 2))]
+        at.append((-rng.random(), side * rng.random() / 2**40))
+        ring = [shared] + [shared + np.round(u * 2**40 * along) + np.round(v * 2**40 * beyond) for u, v in at[::side]]
+        start = rng.randrange(4)
+        rings.append(np.array(ring[start:] + ring[:start]))
+    try:
+        plain = [sv.Polygon(ring) for ring in rings]
+    except sv.InvalidShape:
+        return flat_corners(rng, size)
+    if not all(p.is_convex and len(p.core) == 4 for p in plain) or sv.relate(*plain) != 1:
+        return flat_corners(rng, size)
+    return *(np.array(p.core) * size for p in plain), shared * size
+
+
+@pytest.fixture
+def search(monkeypatch):
+    """Numba's kernels, the search among them run as Python."""
     settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
-    for name in "inside", "_left", "_soon", "_lowest", "_cross":  # run as Python
+    for name in "inside", "_left", "_soon", "_lowest", "_cross":
         kernel = getattr(settle, name)
         monkeypatch.setattr(settle, name, getattr(kernel, "py_func", kernel))
+    return settle
+
+
+@pytest.mark.parametrize("size", [1.0, 2.0**-90, 2.0**90, 2.0**-577])  # at the last products of a turn begin to vanish
+def test_numbas_search_tells_nothing_of_corners_too_flat_to_be_told_apart(search, size):
+    rng = Random(3)
+    for _ in range(60):
+        one, other, reach, _ = as_rows(*flat_corners(rng, size))
+        assert search._soon(*one, *other, reach)[0] == search._soon(*other, *one, reach)[0] == UNDECIDED
+
+
+def test_numbas_search_tells_whatever_is_plain(search):
+    rings = ngons(RNG(4), 40, 12, 0.5) * 2.0**50
+    for move in np.array([(0, 0), (0.5, 0.4), (-0.6, 0.7), (3, 1), (-1, 4), (0, -5)]) * 2.0**50:
+        for a, b in zip(rings, rings[::-1] + move):
+            one, other, reach, _ = as_rows(a, b, None)
+            assert search._soon(*one, *other, reach)[0] == sv.relate(sv.Polygon(a), sv.Polygon(b))
+
+
+def test_numbas_search_tells_nothing_of_what_touches_and_no_point_of_an_edge_is_inside(search):
     rng = Random(2)
     for _ in range(40):
         one, other, reach, point = as_rows(*corner_on_edge(rng))
-        assert settle._soon(*one, *other, reach)[0] == settle._soon(*other, *one, reach)[0] == UNDECIDED
+        assert search._soon(*one, *other, reach)[0] == search._soon(*other, *one, reach)[0] == UNDECIDED
         for row in one, other:
-            assert not settle.inside(*row, *point, reach)
-            assert settle.inside(*row, row[0].mean(), row[1].mean(), reach)
+            assert not search.inside(*row, *point, reach)
+            assert search.inside(*row, row[0].mean(), row[1].mean(), reach)
 
 
 def test_wherever_the_search_of_numba_ends_every_edge_is_asked(monkeypatch):

@@ -132,6 +132,8 @@ def test_vertices_one_after_another_are_numbers_like_all_others(name):
         ([[0, 3, 6]], "(1, 3)"),
         ([], "(0,)"),
         ([True, False], "bool"),
+        (np.array([0, 3, 2**63], np.uint64), "offsets holds 9223372036854775808: expected to rise"),
+        (np.ma.array([0, 3, 6], mask=[0, 1, 0]), "offsets has masked entries"),
     ],
 )
 def test_offsets_that_do_not_fit_are_refused(offsets, said):

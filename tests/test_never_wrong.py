@@ -1,9 +1,12 @@
 """No form of the verdict is ever wrong: against rationals, under changes that change nothing, and about each find."""
 
+import ctypes
 import functools
+import platform
+import warnings
 from collections import Counter
-from collections.abc import Callable, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from fractions import Fraction
 from itertools import combinations, islice, pairwise
 from random import Random
@@ -107,6 +110,57 @@ def test_the_pairs_are_of_all_relations():
     for kind in KINDS:
         seen = {right for _, _, right in known(kind)}
         assert seen >= ({Relation.APART, Relation.OVERLAPPING} if kind in irrational else set(Relation)), kind
+
+
+# -- numbers below 2.3e-308 taken for 0 ------------------------------------------------------------
+
+
+@contextmanager
+def flushed() -> Iterator[None]:
+    """As code compiled with -ffast-math leaves a thread."""
+    if (platform.machine(), platform.libc_ver()[0]) != ("x86_64", "glibc"):
+        pytest.skip("this machine's word for flush-to-zero is not known here")
+    math, kept = ctypes.CDLL("libm.so.6"), (ctypes.c_uint32 * 8)()
+    math.fegetenv(kept)
+    other = type(kept)(*kept)
+    other[7] |= 0x8040  # MXCSR: results to zero, operands to zero
+    math.fesetenv(other)
+    try:
+        yield
+    finally:
+        math.fesetenv(kept)
+
+
+def test_a_thread_that_takes_the_least_numbers_for_0_is_told_so():
+    ring = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
+    doors = {
+        "Polygon": lambda: Polygon(ring),
+        "Circle": lambda: Circle((0, 0), 1),
+        "Polygons": lambda: batch.Polygons(np.array([ring])),
+        "a list": lambda: batch.Polygons([ring]),
+        "offsets": lambda: batch.Polygons(np.array(ring), offsets=[0, 3]),
+        "Circles": lambda: batch.Circles(np.zeros((2, 2)), 1.0),
+        "boxes": lambda: batch.candidate_pairs(np.array([[0.0, 0.0, 1.0, 1.0]])),
+    }
+    for through in doors.values():
+        through()
+        with flushed(), pytest.warns(RuntimeWarning, match="exact only where every number given is 0 or beyond 1e-290"):
+            through()
+
+
+def numbers(shape: Shape) -> list[float]:
+    return [c for p in shape.core for c in p] + [shape.radius]
+
+
+@pytest.mark.slow
+def test_no_form_is_wrong_where_the_least_numbers_are_taken_for_0_and_none_is_given():
+    some = [row for row in known(ALL)[::8] if all(c == 0 or abs(c) > 1e-290 for s in row[:2] for c in numbers(s))]
+    assert len(some) > 200
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "this thread takes")
+        for name, form in FORMS.items():
+            with flushed():
+                refute(form, some, name)
 
 
 # -- changes that change nothing -------------------------------------------------------------------

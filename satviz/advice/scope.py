@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from fractions import Fraction
 from itertools import chain
-from math import floor, inf, log2
+from math import frexp, inf
 from typing import NamedTuple
 
 from ..engine.shapes import Shape
@@ -56,8 +56,8 @@ def reach_of(pairs: Iterable[tuple[Body, Body]]) -> float:
 
 
 def bound_of(allowed: float, reach: float) -> float:
-    """A power of two below what is allowed; 0 if that is no further than the shapes reach."""
-    bound = min(2.0 ** floor(log2(allowed)), FLOAT64.most) if 0 < allowed < inf else 0.0
+    """The largest power of two within what is allowed; 0 if that is no further than the shapes reach."""
+    bound = min(2.0 ** (frexp(allowed)[1] - 1), FLOAT64.most) if 0 < allowed < inf else 0.0
     return bound if bound > reach else 0.0
 
 

@@ -60,7 +60,7 @@ class Grid(NamedTuple):
         """By the (N, k) numbers of each shape."""
         mantissa, power = np.frexp(numbers)
         n = (mantissa * 2.0**53).astype(np.int64)
-        size = np.where(n == 0, 5000, np.log2(np.maximum(n & -n, 1).astype(float)) + power - 53)
+        size = np.where(n == 0, 5000, np.frexp((n & -n).astype(float))[1] - 1 + power - 53)
         return cls(size.min(axis=1, initial=5000), np.abs(numbers).max(axis=1, initial=0.0))
 
     @classmethod
@@ -76,7 +76,7 @@ def whole(a: Grid, ia: Indices, b: Grid, ib: Indices, form: Format, bits: int = 
     """Which pairs are whole multiples of one unit, so few of it that nothing is rounded."""
     unit, most = np.minimum(a.unit[ia], b.unit[ib]), np.maximum(a.most[ia], b.most[ib])
     fits = np.ldexp(most, -np.clip(unit, -1000, 1000).astype(int)) <= 2.0 ** (bits or form.whole)
-    found: NDArray[np.bool_] = fits & (unit > np.log2(form.least)) & (most < form.most)
+    found: NDArray[np.bool_] = fits & (unit >= np.frexp(form.least)[1]) & (most < form.most)
     return found
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine import outline
+from ..engine.exact import warn_if_flushed
 from ..engine.geometry import InvalidShape
 from ..engine.shapes import Polygon
 
@@ -14,6 +15,9 @@ from ..engine.shapes import Polygon
 Rings = Any  # an (N, V, 2) array, or a sequence of what satviz.Polygon takes
 Points = Any  # an (N, 2) array, or a sequence of what satviz.Circle takes as its center
 Numbers = Any  # an (N,) array, a sequence of numbers, or one number
+
+
+EXPECTED = "expected to rise from 0 to the number of vertices"  # of offsets
 
 
 def rings(vertices: NDArray[Any], name: Callable[[int], str]) -> NDArray[np.float64]:
@@ -28,20 +32,22 @@ def ragged(vertices: Points, offsets: Any) -> tuple[NDArray[np.float64], NDArray
     start = np.asarray(offsets)
     if start.ndim != 1 or not start.size or start.dtype.kind not in "iu":
         raise InvalidShape(f"offsets is {start.dtype} of the shape {start.shape}: expected N + 1 integers")
+    outline.refuse_array(offsets, "offsets")
+    if (far := np.flatnonzero(start > np.iinfo(np.intp).max)).size:
+        raise InvalidShape(f"offsets holds {start[far[0]]}: {EXPECTED}")
     start = start.astype(np.intp)
 
     def entry(i: int) -> str:
         polygon = np.searchsorted(start, i, side="right") - 1
         return f"polygon {polygon}: vertex {i - start[polygon]}"
 
-    expected = "expected to rise from 0 to the number of vertices"
     if start[0]:
-        raise InvalidShape(f"offsets begins with {start[0]}: {expected}")
+        raise InvalidShape(f"offsets begins with {start[0]}: {EXPECTED}")
     if (fall := np.flatnonzero(np.diff(start) < 0)).size:
-        raise InvalidShape(f"offsets falls from {start[fall[0]]} to {start[fall[0] + 1]}: {expected}")
+        raise InvalidShape(f"offsets falls from {start[fall[0]]} to {start[fall[0] + 1]}: {EXPECTED}")
     found = points(vertices, "vertices", entry)
     if start[-1] != len(found):
-        raise InvalidShape(f"offsets ends with {start[-1]}: {expected}, {len(found)}")
+        raise InvalidShape(f"offsets ends with {start[-1]}: {EXPECTED}, {len(found)}")
     return found[:, 0], found[:, 1], start
 
 
@@ -146,6 +152,7 @@ def _is_plain(values: Any) -> bool:
 
 def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray[np.float64]:
     """The same values in float64; InvalidShape says of the first that has none what satviz.Polygon would."""
+    warn_if_flushed()
     outline.refuse_array(array, name)
     if array.dtype == object:
         each = [outline.number(value, entry(*at)) for at, value in np.ndenumerate(array)]

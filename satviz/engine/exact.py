@@ -8,12 +8,14 @@ they step aside where products could overflow or lose bits to underflow.
 """
 
 import sys
+import warnings
 from collections.abc import Iterable, Sequence
 from math import isqrt
 from typing import Any
 
 UNIT = 2.0**-53  # unit roundoff of float64
 TINY, HUGE = 1e-280, 1e290  # products inside this range neither lose bits nor overflow
+SMALLEST = 5e-324  # where numbers keep their size until the last bit is gone
 SCALE = 2.0**72  # makes integers of ordinary coordinates: 0, and from 2**-20 up to 2**951
 
 Point = tuple[float, float]
@@ -23,6 +25,17 @@ IntPoint = tuple[int, int]
 def sign(value: int) -> int:
     """-1, 0 or 1."""
     return (value > 0) - (value < 0)
+
+
+def warn_if_flushed() -> None:
+    """RuntimeWarning in a thread that takes numbers below 2.3e-308 for 0: nothing below `TINY` would be exact there."""
+    if SMALLEST + SMALLEST == 0:
+        warnings.warn(
+            "this thread takes numbers below 2.3e-308 for 0 (flush-to-zero, which code compiled with -ffast-math "
+            "sets): answers are exact only where every number given is 0 or beyond 1e-290",
+            RuntimeWarning,
+            stacklevel=2,
+        )
 
 
 def to_integers(values: Iterable[float]) -> tuple[int, list[int]]:

@@ -6,7 +6,7 @@ from fractions import Fraction
 from reprlib import Repr
 from typing import Any, NamedTuple
 
-from .exact import orient
+from .exact import orient, warn_if_flushed
 from .geometry import InvalidShape, Vec
 
 
@@ -111,6 +111,7 @@ def _points(values: Any, name: str) -> tuple[Vec, ...]:
 
 def listed(values: Any, name: str, expected: str) -> list[Any]:
     """What can be gone through in order; InvalidShape says what was expected."""
+    warn_if_flushed()
     values = plain(values, name)
     if not isinstance(values, Iterable) or isinstance(values, type):
         raise InvalidShape(f"{name} is {_shown(values)}: expected {expected}")

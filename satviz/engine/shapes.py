@@ -6,7 +6,7 @@ from itertools import chain, pairwise
 from typing import Any, ClassVar, TypeVar
 
 from . import door, outline
-from .exact import IntPoint, to_integers
+from .exact import IntPoint, to_integers, warn_if_flushed
 from .geometry import InvalidShape, Vec
 
 INF = math.inf
@@ -141,6 +141,7 @@ class Circle(_Shape):
     corner_ids: ClassVar[tuple[int, ...]] = ()
 
     def __init__(self, center: Any, radius: Any) -> None:
+        warn_if_flushed()
         c = outline.point(center, "center")
         r = outline.number(radius, "radius")
         if r <= 0:
