@@ -7,6 +7,7 @@ import subprocess
 import sys
 import zipfile
 from collections import Counter
+from contextlib import suppress
 from dataclasses import replace
 from itertools import combinations
 from random import Random
@@ -32,9 +33,10 @@ from satviz.advice.shapesfile import load
 from satviz.advice.sure import sure
 from satviz.cli import main
 from satviz.engine.concave import parts
-from satviz.engine.enough import enough
-from satviz.engine.geometry import Relation
+from satviz.engine.enough import WORDS, enough
+from satviz.engine.geometry import Relation, Vec
 from satviz.pictures import THEMES
+from satviz.scenes.failing.reading import moved
 
 ORDINARY = [kind for kind in CONVEX if kind not in ("largest scale", "smallest scale", "any scale")]
 
@@ -286,6 +288,57 @@ def test_one_axis_is_enough_where_a_gap_is_found_and_all_are_needed_for_a_hit():
     assert enough(sv.record(a, b)) == (many, said)
 
 
+def test_as_many_axes_are_told_to_touch_as_do():
+    corner = sv.Polygon([(0, 0), (1, 0), (0, 1)])
+    opposite = sv.Polygon([(0, 0), (-1, 0), (0, -1)])
+    assert enough(corner, opposite) == (
+        3,
+        "Three axes are needed here: the ranges leave no gap on any, and only all of them prove a hit.",
+    )
+    assert "touch on one axis and overlap on the others" in enough(corner, sv.Polygon([(1, -1), (2, 0.5), (1, 2)]))[1]
+
+
+def test_what_is_enough_wherever_shapes_are_moved_is_so_where_the_nearest_vertex_gives_no_axis_of_its_own():
+    square = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+    for y in (5.0, 5.5):
+        many, said = enough(square, sv.Circle((1, y), 1))
+        assert many == 1 and said.endswith("Wherever they are moved, three are enough.")
+    assert enough(square, sv.Circle((1.5, 1.7), 1))[0] == 3
+    for kind, a, b in pairs(42, 2 * len(CONVEX), list(CONVEX)):
+        if words := enough(a, b)[1].partition("Wherever they are moved, ")[2]:
+            to = [p - q for p, q in zip(a.bounds[:2], b.bounds[:2])]
+            with suppress(sv.InvalidShape):
+                assert len(sv.axes.needed(a, moved(b, Vec(*to))).axes) <= told(words), kind
+
+
+def told(words):
+    """How many: the first word."""
+    many = words.split()[0]
+    return WORDS.index(many.capitalize()) if many.isalpha() else int(many.replace(",", ""))
+
+
+def test_no_more_than_a_pair_as_it_lies_is_told_of_concave_outlines():
+    """Their parts depend on where they lie, and the corners of parts need not lie on the grid of the outlines'."""
+    ring = [(0, 0), (8000, -8000), (8209, -7709), (8300, -6500), (8280, -5880), (8209, -5208), (16, 2984), (-1, 8192)]
+    far = [
+        sv.Polygon([(64 * x + 2**34, 64 * y + 2**34) for x, y in r])
+        for r in (ring, [(0, -100), (-16, -5984), (-15, -5985)])
+    ]
+    notch = sv.Polygon([(0, 100), (257, 101), (257, 0), (500, 0), (498, 510), (400, 800), (0, 800)])
+    found = [far, [notch, sv.Polygon([(499, 255), (600, 200), (600, 300)])]]
+    found += [[a, b] for kind, a, b in pairs(43, 60, ["concave", "in the notch"])]
+    kinds = {sv.advise(*pair).scope.kind for pair in found}
+    kinds |= {sv.advise(batch_of([a]), batch_of([b])).scope.kind for a, b in found[:20]}
+    assert kinds <= {ANYWHERE, HERE}
+    said = str(sv.advise(sv.Polygon([(0, 0), (8, 2), (2, 10)]), sv.Polygon([(5, 6), (20, 7), (9, 15)])))
+    assert "any convex polygons whose numbers are multiples of 2^0" in said
+
+
+def test_circles_that_reach_beyond_float64_are_advised_on():
+    coins = batch.Circles([(1e308, 0), (0, 0)], [1.7e308, 1.0])
+    assert sv.advise(coins).check() and sv.advise(coins, pairs=[[0, 1]]).check()
+
+
 def test_two_axes_are_enough_for_upright_boxes_wherever_they_lie():
     box = sv.Polygon([(0, 0), (2, 0), (2, 1), (0, 1)])
     assert enough(box, box) == (2, "Two axes are enough, wherever two upright boxes lie: y and x.")
@@ -303,7 +356,7 @@ def test_a_hulls_normal_may_be_enough_where_no_edges_is():
     notch = sv.Polygon([(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)])
     assert enough(notch, sv.Circle((2, 2), 0.5)) == (
         3,
-        "No one normal of an edge is enough here: each of the 3 pairs of convex parts needs its own.",
+        "No one normal of an edge is enough here, but one for each of the 3 pairs of convex parts is.",
     )
 
 

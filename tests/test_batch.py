@@ -1263,6 +1263,17 @@ def layouts(n, rng):
     yield "one at 1e300", np.r_[[[1e300, -1e300]], at[1:]], np.r_[[[1e285, 1e285]], size[1:]]
     yield "every scale", (wide := 10 ** rng.uniform(-300, 300, (n, 2))), wide * rng.uniform(0.01, 0.1, (n, 2))
     yield "points", np.floor(at), np.zeros((n, 2))
+    crowd = rng.random((n, 1)) < 0.6
+    yield "a crowd in a wide field", np.where(crowd, np.floor(at) * 2, at * 1e9), np.ones((n, 2))
+    far = 2.0 ** rng.choice(
+        (32, 50, 52, 53, 60)
+    )  # flat ones so far out that floats there are many of their cells apart
+    rows = rng.integers(-1, 2, (n, 1)) * np.spacing(far)
+    yield "flat and far away", np.c_[at[:, :1], far + rows], np.c_[size[:, :1], np.zeros(n)]
+    slim = np.c_[at * [1e-3, 0] + [0, far], size[:, :1] * 1e6, np.zeros(n)]
+    low = np.c_[at[:, :1] + 2e6, np.zeros((n, 2)), np.full(n, np.spacing(far) * 2.0**-29)]
+    low[0] = low[0, 0], far, 0, np.spacing(far)
+    yield "flat and far away among others", *np.hsplit(np.r_[slim[::2], low[::2]], 2)
 
 
 @pytest.mark.parametrize("n", [2, 300])
@@ -1354,6 +1365,31 @@ def test_circles_that_reach_beyond_float64_collide_with_what_they_reach():
     known = scalar(coins)
     expected = [[i, j] for i in range(4) for j in range(i + 1, 4) if sv.relate(known[i], known[j])]
     assert expected and batch.colliding_pairs(coins).tolist() == expected
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_candidate_pairs_are_found_whatever_numpy_is_told_to_do_with_what_vanishes(engine):
+    low = [[0, 0, 1, 1], [1, 0, 2, 1e-320], [5e-324, 0, 1e-300, 1e300]]
+    with np.errstate(all="raise"):
+        assert batch.candidate_pairs(low, engine=engine).tolist() == [[0, 1], [0, 2]]
+        for bounds in [[0, 0, 0, 0], [1e-9, 0, 1e-9, 0], [5e-324, 0, 1e-300, 0]], [[-MOST, -MOST, MOST, MOST]] * 2:
+            found = batch.candidate_pairs(bounds, engine=engine)
+            assert len(found) == (len(bounds) == 2)
+
+
+def test_pairs_keep_their_order_where_an_index_has_32_bits():
+    found = broad.in_order([np.array([[50_000, 60_000], [1, 2]], np.int32)])
+    assert found.tolist() == [[1, 2], [50_000, 60_000]]
+
+
+def test_a_grid_of_numba_takes_few_blocks_whatever_its_samples_say(monkeypatch):
+    grid = pytest.importorskip("satviz.batch.grid_numba", reason="needs numba: python -m pip install '.[fast]'")
+    monkeypatch.setattr(grid, "_looks", lambda *_: 0.0)
+    x, y = (c.ravel() for c in np.meshgrid(np.arange(60.0), np.arange(60.0)))
+    bounds, blocks, real = np.c_[x, y, x + 1, y + 1], [], grid._met
+    monkeypatch.setattr(grid, "_met", lambda *given: blocks.append(1) or real(*given))
+    assert np.array_equal(batch.candidate_pairs(bounds, engine="numba"), brute(bounds))
+    assert len(blocks) < 10
 
 
 def test_candidate_pairs_of_little_or_bad_input():
@@ -1489,6 +1525,7 @@ def test_of_plain_pairs_in_any_order_none_needs_an_exact_sign(block, monkeypatch
     right = [int(sv.relate(p, q)) for known in [scalar(shapes)] for p, q in ((known[i], known[j]) for i, j in index)]
     asked = []
     monkeypatch.setattr(narrow, "BLOCK_OF_PICKED", block)
+    monkeypatch.setattr(narrow, "LANES", 1)
     real = narrow.undecided.relations
     monkeypatch.setattr(narrow.undecided, "relations", lambda *c: asked.extend(c[1]) or real(*c))
     assert batch.relate(shapes, shapes, index, engine="numpy").tolist() == right
@@ -1617,6 +1654,42 @@ def test_touching_shapes_of_many_corners_take_little_memory(engine, v):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("other", ["few corners", "as many corners", "circles", "touching circles"])
+def test_one_shape_of_many_corners_against_many_takes_little_memory(engine, other):
+    """However it is copied beside each of them."""
+    v, n = 2_000, 1_500
+    k = np.arange(float(v))
+    bowl = np.stack([k, k * k], axis=1)
+    one, x = batch.Polygons([bowl]), np.floor(np.arange(n) * (v / n))
+    if other == "circles":
+        many = batch.Circles(np.stack([x, x * x - 3], axis=1), 0.5)
+    elif other == "touching circles":
+        many = batch.Circles(np.stack([x, x * x - 3], axis=1)[:1], 3)[[0] * 1500]
+    elif other == "few corners":
+        corner = np.stack([x, x * x], axis=1)[:40, None]
+        many = batch.Polygons(corner + np.array([(0, 0), (-1, -9), (1, -9)]))
+    else:
+        many = batch.Polygons(np.stack([bowl, bowl - np.array([0, 1]), -bowl]))
+    few = many[:3]
+    assert batch.relate(one, few, engine=engine).tolist() == one_by_one(one[[0, 0, 0]], few)  # and compiled
+    tracemalloc.start()
+    batch.relate(one, many, engine=engine)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 100e6
+
+
+def test_many_touching_circles_take_little_memory():
+    n = 1 << 18
+    a, b = batch.Circles(np.zeros((n, 2)), 1.0), batch.Circles(np.tile([3.0, 4.0], (n, 1)), 4.0)
+    tracemalloc.start()
+    found = batch.relate(a, b, engine="numpy")
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert (found == 1).all() and peak < 60e6
+
+
+@pytest.mark.parametrize("engine", ENGINES)
 def test_upright_boxes_are_never_asked_for_an_exact_sign(engine, monkeypatch):
     x, y = (c.ravel() * 0.1 for c in np.meshgrid(np.arange(20), np.arange(20)))
     tiles = np.stack([np.stack(c, axis=1) for c in ((x, y), (x + 0.1, y), (x + 0.1, y + 0.1), (x, y + 0.1))], axis=1)
@@ -1664,6 +1737,8 @@ def test_a_failed_chunk_names_its_range():
     with Failing(1) as pool, pytest.raises(ChunkFailed, match="items 200 to 299 failed: ValueError") as failed:
         batch.relate(a, a, executor=pool, chunk=100)
     assert (failed.value.start, failed.value.stop) == (200, 300)
+    again = pickle.loads(pickle.dumps(failed.value))  # as a pool of the caller's sends it
+    assert (again.start, again.stop, str(again)) == (200, 300, str(failed.value))
 
 
 def test_a_chunk_that_fails_without_any_pool_names_its_range_too(monkeypatch):

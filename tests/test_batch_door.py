@@ -648,6 +648,26 @@ def test_an_engine_does_all_its_work_in_its_own_modules(name):
     assert engine is narrow.engine_of(name)
 
 
+def test_masked_indices_are_refused_and_a_tuple_is_a_list():
+    for split in "refuse", "split":
+        shapes = batch.Polygons(
+            [TRIANGLE, [(x + 1, y) for x, y in TRIANGLE], ELL][: 2 + (split == "split")], concave=split
+        )
+        with pytest.raises(ValueError, match="pairs has masked entries"):
+            batch.relate(shapes, shapes, np.ma.array([[0, 0], [0, 1]], mask=[[0, 0], [1, 1]]))
+        with pytest.raises(ValueError, match="indices has masked entries"):
+            shapes[np.ma.array([0, 1], mask=[0, 1])]
+        assert len(shapes[()]) == 0 and shapes[(1, 0)].bounds.tolist() == shapes[[1, 0]].bounds.tolist()
+
+
+def test_a_stream_of_nothing_has_the_door_and_the_engines_of_any_other():
+    for bad in np.empty((0, 3, 3)), np.empty((0, 3, 2), "U3"):
+        assert words(batch.Polygons, bad) == words(lambda given: list(batch.stream_colliding_pairs(given)), bad)
+    assert list(batch.stream_colliding_pairs(np.empty((0, 3, 2)))) == []
+    with pytest.raises(ValueError, match="engine is 'x'"):
+        list(batch.stream_colliding_pairs(np.empty((0, 3, 2)), engine="x"))
+
+
 @pytest.mark.parametrize("none", [[], (), np.empty((0, 2)), np.empty((0, 2), int)], ids=repr)
 @pytest.mark.parametrize("engine", [None, "numpy"])
 def test_no_pairs_are_none_however_they_are_written(none, engine):

@@ -121,6 +121,26 @@ def test_a_choice_that_says_it_is_complete_decides_by_itself(name):
             assert trace.claim is sv.relate(a, b), (a, b)
 
 
+def test_axes_that_were_chosen_for_other_shapes_are_refused_or_prove_no_more_than_they_do():
+    """As of a trace's choice that is kept, or of a choice that takes the shapes in the other order."""
+    taken, refused, wrong = 0, 0, 0
+    known = [(a, b) for _, a, b in SOME[::2]] + [(box(0, 0, 1, 1), sv.Circle((x, 1.4), 0.5)) for x in (0.5, 1.4, 1.6)]
+    for k, (a, b) in enumerate(known):
+        # of two others, of one of them and another, of the same the other way round
+        for other in (known[k - 1], (a, known[k - 1][1]), (b, a)):
+            for choose in axes.needed, axes.edge_normals:
+                try:
+                    trace = sv.record(a, b, axes=choose(*other))
+                except ValueError as error:
+                    assert "is no axis of these shapes" in str(error)
+                    refused += 1
+                    continue
+                taken, wrong = taken + 1, wrong + trace.false_hit
+                assert trace.relation is sv.relate(a, b) and trace.certificate.check()
+                assert not (trace.choice.complete and trace.false_hit)
+    assert taken > 20 and refused > 20 and wrong
+
+
 def test_aabb_is_fooled_by_turned_boxes_and_says_so():
     trace = sv.scene("aabb-rotated").record()
     assert trace.false_hit and not trace.hit

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from ..engine.shapes import Shape
 from . import proofs
-from .facts import ROUND, UPRIGHT, Case, Facts
+from .facts import CONCAVE, ROUND, UPRIGHT, Case, Facts
 from .gamma import gamma
 from .proofs import BOXES, EXACT, FLOAT64, FORMATS, Body, Format, Model
 
@@ -30,6 +30,8 @@ def scope_of(model: Model, facts: Facts, case: Case) -> Scope:
     if model.kind == EXACT or (model.kind == BOXES and set(facts.kinds) == {UPRIGHT}):
         return Scope(ANYWHERE)
     if model.kind not in FORMATS:
+        return Scope(HERE)
+    if CONCAVE in facts.kinds:  # whose convex parts depend on where it lies, and their corners on no grid of its own
         return Scope(HERE)
     form = FORMATS[model.kind]
     if (ROUND not in facts.kinds or len(facts.kinds) == 1) and (unit := case.unit(form)) is not None:

@@ -62,7 +62,7 @@ def holds(scope: Scope, facts: Facts) -> str:
             return "anywhere: upright boxes need y and x only, whatever their coordinates"
         return "anywhere: it is exact for all coordinates"
     if scope.kind == GRID:
-        what = "circles" if ROUND in facts.kinds else "polygons"
+        what = "circles" if ROUND in facts.kinds else "convex polygons"
         return f"any {what} whose numbers are multiples of 2^{scope.unit}, up to {power(scope.bound, 0)}"
     if scope.kind == MOVED:
         return f"the scene moved as a whole, exactly, while no coordinate exceeds {power(scope.bound, 0)}"

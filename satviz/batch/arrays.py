@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, SupportsIndex
 import numpy as np
 from numpy.typing import NDArray
 
+from ..engine.outline import refuse_masked
 from .rings import Rings
 
 Where = SupportsIndex | slice | Sequence[int] | NDArray[np.integer[Any] | np.bool_]  # one, a range, indices, a mask
@@ -69,7 +70,7 @@ class Shapes:
         rings: Rings | None = None,
         groups: dict[int, Group] | None = None,
     ) -> None:
-        self.count = count
+        self.count = count.astype(np.int64, copy=False)
         self.owner = owner
         if rings is not None:
             self.rings = rings
@@ -82,7 +83,8 @@ class Shapes:
 
     def __repr__(self) -> str:
         kinds = zip(*np.unique(self.count, return_counts=True), strict=True)
-        return f"{type(self).__name__}({', '.join(f'{n} x {_kind(v)}' for v, n in kinds)})"
+        parts = "" if self.owner is None else f", parts of {len(self)}"
+        return f"{type(self).__name__}({', '.join(f'{n} x {_kind(v)}' for v, n in kinds)}{parts})"
 
     @cached_property
     def rings(self) -> Rings:
@@ -163,8 +165,10 @@ class Shapes:
     def __getitem__(self, where: Where) -> "Shapes":
         """Some of the shapes by slice, index array or mask; one by its index is a batch of one.
 
-        Shapes count, not parts.  IndexError for what is out of range.
+        Shapes count, not parts.  IndexError for what is out of range, ValueError for masked indices.
         """
+        refuse_masked(where, "indices")
+        where = list(where) if isinstance(where, tuple) else where
         if isinstance(where, slice) and (where.step or 1) == 1 and "groups" in vars(self) and self.uniform is not None:
             group = self.uniform.columns(where)
             return Shapes(self.count[where], groups={len(group.x): group})

@@ -1,6 +1,8 @@
 """The broad phase: which boxes meet, by uniform grids, one for each pair of size classes."""
 
+import sys
 from collections.abc import Iterator
+from math import sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +13,7 @@ from .narrow import engine_of
 
 CHEAP = 48  # looks a box that are not worth a split: a look is far cheaper than sorting again
 ALIKE = 4.0
+WIDE, FINE = 2.0**-1000, 2.0**-48  # of the farthest coordinate: cells whose numbers cannot overflow, nor run together
 SAMPLE = 1024  # boxes that tell how densely all lie
 
 
@@ -25,7 +28,7 @@ def candidate_pairs(bounds: door.Points, *, engine: str | None = None) -> Pairs:
 
 def in_order(blocks: list[Pairs]) -> Pairs:
     """All pairs sorted by their first index, then their second."""
-    pairs = np.concatenate(blocks) if blocks else np.empty((0, 2), np.intp)
+    pairs = np.concatenate(blocks).astype(np.int64, copy=False) if blocks else np.empty((0, 2), np.int64)
     base = int(pairs.max(initial=0)) + 1
     return np.stack(np.divmod(np.sort(pairs[:, 0] * base + pairs[:, 1]), base), axis=1)
 
@@ -39,34 +42,36 @@ def candidate_blocks(bounds: NDArray[np.float64], grid: Grid) -> Iterator[Pairs]
     would put everything into one cell, and a square cell a stack of needles), the
     boxes are split by width or height and the halves compared with cells of their
     own.  Boxes alike within a factor of four are not split further: few of them fit a
-    cell without nearly meeting.
+    cell of their own size without nearly meeting.
     """
     most = np.finfo(float).max
     bounds = np.clip(bounds, -most, most)  # places and widths beyond float64 are capped: that changes no order
-    with np.errstate(over="ignore"):
+    with np.errstate(all="ignore"):
         size = np.stack([np.clip(bounds[:, d + 2] - bounds[:, d], np.finfo(float).tiny, most) for d in (0, 1)])
-    least = max(-bounds.min(initial=0), bounds.max(initial=0)) * 2.0**-1000  # a cell so wide that no number overflows
-    everything = np.arange(len(bounds))
+    farthest = float(max(-bounds.min(initial=0), bounds.max(initial=0)))
+    everything = np.arange(len(bounds), dtype=np.intp)
     todo: list[tuple[Pairs, Pairs | None]] = [(everything, None)]  # None: among themselves
     while todo:
         one, other = todo.pop()
         both = one if other is None else np.concatenate([one, other])
         if len(both) < 2:
             continue
-        cell = [max(size[d, both].max(), _even(bounds[:, d], both), least) for d in (0, 1)]
-        blocks = grid(bounds, one, other, cell, CHEAP * len(both))
+        largest = [float(size[d, both].max()) for d in (0, 1)]
+        even = [max(largest[d], _even(bounds[:, d], both), farthest * WIDE) for d in (0, 1)]
+        blocks = grid(bounds, one, other, even, CHEAP * len(both))
         if blocks is None:
             halves = _halves(size, one, other)
             todo += halves
-            blocks = None if halves else grid(bounds, one, other, cell, np.inf)
+            # alike, and too many of them in the cells that would be right if they lay evenly
+            blocks = None if halves else grid(bounds, one, other, [max(c, farthest * FINE) for c in largest], np.inf)
         yield from blocks or ()
 
 
 def _even(low: NDArray[np.float64], which: Pairs) -> float:
     """How wide cells are of which there would be as many as boxes, were these spread as evenly as their middle half."""
     some = np.sort(low[which[:: -(-len(which) // SAMPLE)]])
-    first, last = some[len(some) // 4] / 2, some[-1 - len(some) // 4] / 2
-    return float(min(last - first, np.finfo(float).max / 8) * (4 / np.sqrt(len(which))))
+    first, last = float(some[len(some) // 4]) / 2, float(some[-1 - len(some) // 4]) / 2
+    return min(last - first, sys.float_info.max / 8) * (4 / sqrt(len(which)))
 
 
 def _halves(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[tuple[Pairs, Pairs | None]]:
@@ -78,7 +83,7 @@ def _halves(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[
     for d in (0, 1):
         swap = other is not None and size[d, other].max() > size[d, one].max()
         sizes = size[d, other if swap else one]
-        with np.errstate(over="ignore"):
+        with np.errstate(all="ignore"):
             spreads.append((sizes.max() / sizes.min(), d, swap))
     spread, d, swap = max(spreads)
     if spread <= ALIKE:

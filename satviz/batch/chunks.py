@@ -14,11 +14,14 @@ Waiting = deque[tuple[int, int, Future[Any]]]
 
 
 class ChunkFailed(RuntimeError):
-    """A chunk of the work failed; `start` and `stop` are its range, the cause is chained."""
+    """A chunk of the work failed; `start` and `stop` are its range, `cause` is chained."""
 
     def __init__(self, start: int, stop: int, cause: BaseException) -> None:
         super().__init__(f"items {start} to {stop - 1} failed: {type(cause).__name__}: {cause}")
-        self.start, self.stop = start, stop
+        self.start, self.stop, self.cause = start, stop, cause
+
+    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
+        return type(self), (self.start, self.stop, self.cause)
 
 
 def in_chunks(

@@ -62,16 +62,18 @@ def stream_colliding_pairs(
     The scene is cut into upright strips of about `strip` shapes each; every strip
     reads and holds only the shapes that reach into it.  A pair is
     given once, by the strip where the later of the two begins.  Memory: a few
-    hundred bytes a shape of one strip, and 16 bytes a shape of the file for the x ranges.
-    InvalidShape as in Polygons, before the first strip for what is no number.
+    hundred bytes a shape of one strip (shapes that all begin at one x are in one), and some
+    25 bytes a shape of the file for the x ranges.  InvalidShape as in Polygons, before the first
+    strip for what is no number, else of the first strip that holds one at fault.
     """
     if getattr(vertices, "ndim", 0) != 3:
         raise InvalidShape(f"vertices is {_kind(vertices)}: expected an (N, V, 2) array; colliding_pairs takes others")
     if strip < 1:
         raise ValueError(f"strip is {strip}: it must be at least 1")
+    engine_of(engine)
     n = len(vertices)
     low, high = np.empty(n), np.empty(n)
-    for start in range(0, n, strip):
+    for start in range(0, max(n, 1), strip):
         x = door.rings(vertices[start : start + strip], _numbered_from(start))[:, :, 0]
         low[start : start + strip], high[start : start + strip] = x.min(axis=1), x.max(axis=1)
     if not n:

@@ -32,7 +32,7 @@ def ragged(vertices: Points, offsets: Any) -> tuple[NDArray[np.float64], NDArray
     start = np.asarray(offsets)
     if start.ndim != 1 or not start.size or start.dtype.kind not in "iu":
         raise InvalidShape(f"offsets is {start.dtype} of the shape {start.shape}: expected N + 1 integers")
-    outline.refuse_array(offsets, "offsets")
+    outline.refuse_masked(offsets, "offsets")
     if (far := np.flatnonzero(start > np.iinfo(np.intp).max)).size:
         raise InvalidShape(f"offsets holds {start[far[0]]}: {EXPECTED}")
     start = start.astype(np.intp)

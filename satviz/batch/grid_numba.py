@@ -14,21 +14,25 @@ Starts = NDArray[np.int32]
 Table = tuple[Starts, Pairs, Places, Array, float, float, float, float, int, int, int]
 
 FARTHEST = 2.0**50  # cells from the origin: what lies farther shares the last one
-SAMPLE = 16  # of so many queries one is asked how many looks it takes
+SAMPLE = 17  # of so many queries one is asked how many looks it takes
 ROUNDINGS = 2.0**-50  # more than the three that may hide what still meets
 
 
 def met(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float) -> Iterator[Pairs] | None:
     """Of two sets of boxes, or of one among itself, the pairs that meet (i < j), a block at a time, in no order.
 
-    None where that takes more than `most` looks.
+    None where that takes more than about `most` looks.
     """
     stored = one if other is None else other
     size = 1 << int(2 * len(stored) - 1).bit_length()
     table = _stored(bounds, stored, cell[0], cell[1], size)
     queries, boxes = (table[1], table[3]) if other is None else (one, bounds[one])
     looks = _looks(boxes, other is None, table)
-    return None if looks > most else _blocks(queries, boxes, other is None, table, min(BLOCK, int(looks)))
+    return (
+        None
+        if looks > most
+        else _blocks(queries, boxes, other is None, table, min(BLOCK, max(int(looks), len(queries))))
+    )
 
 
 def _blocks(queries: Pairs, boxes: Array, among: bool, table: Table, block: int) -> Iterator[Pairs]:

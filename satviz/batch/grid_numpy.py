@@ -27,18 +27,19 @@ def met(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float)
     queries, stored = one, one if other is None else other
     (low_x, high_x, own_x), (low_y, high_y, own_y) = (_cells(bounds, queries, stored, d, cell[d]) for d in (0, 1))
     width, height = (int(max(high.max(), own.max())) + 1 for high, own in ((high_x, own_x), (high_y, own_y)))
-    key = own_y * width + own_x
+    key = own_y.astype(np.int64) * width + own_x
     order = np.argsort(key)
     key, stored = key[order], stored[order]
     if other is None:  # each pair once: rows from a box's own on; in the order of the cells, neighbours lie near
-        queries, low_x, high_x, low_y, high_y = (c[order] for c in (queries, low_x, high_x, own_y, high_y))
+        queries = stored
+        low_x, high_x, low_y, high_y = (c[order] for c in (low_x, high_x, own_y, high_y))
     begin = None
     if width * height <= DENSE * len(key):
         begin = np.concatenate([[0], np.cumsum(np.bincount(key, minlength=width * height))])
     ranges: Ranges = []
     for row in range(int((high_y - low_y).max()) + 1):
         which = np.flatnonzero(high_y - low_y >= row)
-        base = (low_y[which] + row) * width
+        base = (low_y[which].astype(np.int64) + row) * width
         ends = base + low_x[which], base + high_x[which] + 1
         first, last = (np.searchsorted(key, c) if begin is None else begin[c] for c in ends)
         if other is None and row == 0:
@@ -53,21 +54,23 @@ def _cells(bounds: Array, queries: Pairs, stored: Pairs, d: int, cell: float) ->
     """Along one axis: the first and last cell in which what meets each query can be stored, and each stored box's own.
 
     A box that meets a query begins before the query ends, and not more than its own width before the
-    query begins.  Numbers that would not fit become their ranks, which keeps their order.
+    query begins.  Numbers that would not fit, or lie so far out that those next to one another are many cells
+    apart, become their ranks, which keeps their order.
     """
     low, high = bounds[queries, d], bounds[queries, d + 2]
-    with np.errstate(over="ignore"):
+    with np.errstate(all="ignore"):
         longest = (bounds[stored, d + 2] - bounds[stored, d]).max()
         first = np.nextafter(low - np.nextafter(longest, np.inf), -np.inf)
         numbers = [np.floor(c / cell) for c in (first, high, bounds[stored, d])]
         own = numbers[2]
         lowest, highest = own.min(), own.max()
         many = highest - lowest
-    if many < 1 << 30:
+    if many < 1 << 30 and max(-lowest, highest) < 2.0**52:
         first, last = (np.clip(c, lowest - 1, highest + 1) for c in numbers[:2])
         return tuple((c - (lowest - 1)).astype(np.int64) for c in (first, last, own))
     found, own = np.unique(own, return_inverse=True)
-    return np.searchsorted(found, numbers[0]), np.searchsorted(found, numbers[1], side="right") - 1, own
+    first, last = np.searchsorted(found, numbers[0]), np.searchsorted(found, numbers[1], side="right") - 1
+    return first, last, own
 
 
 def _blocks(bounds: Array, queries: Pairs, stored: Pairs, ranges: Ranges) -> Iterator[Pairs]:

@@ -78,7 +78,7 @@ def polygons_numbered(vertices: door.Rings, numbers: Indices | None, concave: st
 
     if isinstance(vertices, np.ndarray) and vertices.dtype != object:
         array = door.rings(vertices, name)
-        start = np.arange(len(array) + 1) * array.shape[1]
+        start = np.arange(len(array) + 1, dtype=np.intp) * array.shape[1]
         rings = Rings(array[:, :, 0].ravel(), array[:, :, 1].ravel(), start)
     else:
         rings = Rings(*door.listed_rings(vertices, name))

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple, TypedDict, Unpack
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..engine.outline import refuse_masked
 from ..extras import needs
 from . import undecided
 from .arrays import Group, Shapes, checked
@@ -19,6 +20,7 @@ from .codes import APART, UNDECIDED
 from .filter_numpy import room_64
 from .grid_numpy import Grid
 from .rings import FEW
+from .signs import LANES
 
 Relations = NDArray[np.int8]
 Kernel = Callable[..., None]
@@ -132,6 +134,7 @@ def _columns_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
 
 def checked_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
     """The two columns of (K, 2) indices into na and nb shapes; ValueError and IndexError say what is wrong."""
+    refuse_masked(pairs, "pairs")
     pairs = np.asarray(pairs)
     if pairs.shape == (0,):  # an empty list
         pairs = pairs.reshape(0, 2)
@@ -187,8 +190,9 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
         mine = todo[key == kind]
         one, other = a.groups[kind >> 32], b.groups[kind & 0xFFFFFFFF]
         if one.r is not None or other.r is not None:  # polygons were looked at
-            for start in range(0, len(mine), BLOCK_OF_PICKED):
-                part = mine[start : start + BLOCK_OF_PICKED]
+            size = max(LANES, BLOCK_OF_PICKED // max(len(one.x), len(other.x)))
+            for start in range(0, len(mine), size):
+                part = mine[start : start + size]
                 found = np.empty(len(part), np.int8)
                 _filter(kernels, one.columns(a.slot[ia[part]]), other.columns(b.slot[ib[part]]), 0, found)
                 out[part] = found
@@ -197,7 +201,7 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
     return out
 
 
-BLOCK_OF_PICKED = 16384  # picked columns are copied first: the copies stay in the cache
+BLOCK_OF_PICKED = 1 << 16  # corners: picked columns are copied first, and the copies stay in the cache
 
 
 def _relate_parts(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | None) -> Relations:

@@ -8,7 +8,7 @@ from . import steps_numpy
 from .arrays import Flat
 from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .filter_numpy import MANY, decide, look_32
-from .signs import Array, Signs, columns
+from .signs import LANES, Array, Signs, columns
 from .undecided import Edges, edges
 
 Indices = NDArray[np.intp]
@@ -30,11 +30,11 @@ def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
     widths = np.maximum(2 ** np.ceil(np.log2(most)).astype(np.intp), 4)
     for width in np.unique(widths).tolist():
         mine = left[widths == width]
-        size = max(64, AT_ONCE // width)
+        size = max(LANES, AT_ONCE // width)
         for start in range(0, len(mine), size):
             part = mine[start : start + size]
             with np.errstate(all="ignore"):
-                out[part] = _side_by_side(a, ia[part], boxes_a[part], b, ib[part], boxes_b[part], width)
+                out[part] = _side_by_side(a, ia[part], boxes_a[part], b, ib[part], boxes_b[part])
 
 
 def _gap(a: Array, b: Array) -> Array:
@@ -46,18 +46,18 @@ def _gap(a: Array, b: Array) -> Array:
     return gap
 
 
-def _side_by_side(a: Flat, ia: Indices, boxes_a: Array, b: Flat, ib: Indices, boxes_b: Array, width: int) -> Signs:
+def _side_by_side(a: Flat, ia: Indices, boxes_a: Array, b: Flat, ib: Indices, boxes_b: Array) -> Signs:
     """First the filter on all, then the edges of those that it leaves undecided."""
-    (x, y), (p, q) = _laid(a, ia, width), _laid(b, ib, width)
+    (x, y), (p, q) = _laid(a, ia), _laid(b, ib)
     found = np.empty(len(ia), np.int8)
-    if width > MANY:
+    if max(len(x), len(p)) - 1 > MANY:
         reach = float(np.abs(boxes_a).max() + np.abs(boxes_b).max()) * LOOK
         steps_numpy.few_steps(x, y, p, q, reach, found)
     else:
         decide(*look_32(x, y, p, q, _wide(boxes_a) + _wide(boxes_b), 1), found)
     rest = np.flatnonzero(found == UNDECIDED)
     x, y, p, q = (columns(c, rest) for c in (x, y, p, q))
-    found[rest] = edges(Edges(x, y, width), Edges(p, q, width))
+    found[rest] = edges(Edges(x, y, len(x) - 1), Edges(p, q, len(p) - 1))
     return found
 
 
@@ -66,10 +66,10 @@ def _wide(boxes: Array) -> Array:
     return wide
 
 
-def _laid(shapes: Flat, which: Indices, width: int) -> tuple[Array, Array]:
-    """One corner more than `width` of each, which goes round again where it has fewer: so all have that many edges."""
+def _laid(shapes: Flat, which: Indices) -> tuple[Array, Array]:
+    """Corners in columns and the first once more; outlines of fewer go round again, so all have as many edges."""
     start = shapes.start[which]
-    around = np.arange(width + 1)[:, None] % np.arange(1, width + 1)  # by corners: a division a corner is slow
-    places = around.take(shapes.start[which + 1] - start - 1, axis=1)
+    many, of = np.unique(shapes.start[which + 1] - start, return_inverse=True)
+    places = (np.arange(many[-1] + 1)[:, None] % many).take(of, axis=1)  # a division a corner of each would be slow
     places += start
     return shapes.x[places], shapes.y[places]

@@ -22,6 +22,7 @@ FINE = 2.0**-98  # 256 roundings of roundings
 FINEST = 2.0**-101  # 32 of them
 SPLIT = 2.0**27 + 1
 MOST_PASSES = 12
+LANES = 128  # pairs side by side at least, however many corners they have: of fewer, Python would take the most time
 
 
 def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
@@ -34,7 +35,7 @@ def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
     found = np.sign(det, where=sure, out=np.zeros_like(det)).astype(np.int8)
     rest = np.flatnonzero(~sure)
     if rest.size:
-        points = [np.ascontiguousarray(np.broadcast_to(c, det.shape)[rest]) for c in (px, py, qx, qy, rx, ry)]
+        points = [c[rest] for c in (px, py, qx, qy, rx, ry)]
         found[rest] = _turns(*points)
     return found
 

@@ -10,7 +10,7 @@ from . import circle_polygons, signs
 from .arrays import Group, upright_boxes
 from .codes import APART, OVERLAPPING, TOUCHING
 from .filter_numpy import boxes
-from .signs import Array, Signs, columns
+from .signs import LANES, Array, Signs, columns
 
 Indices = NDArray[np.intp]
 
@@ -22,14 +22,14 @@ RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 
 
 def relations(a: Group, ia: Indices, b: Group, ib: Indices) -> Signs:
     """Exact relations of columns ia of one group with columns ib of another."""
-    if a.r is not None or b.r is not None:
-        return _circles(a.columns(ia), b.columns(ib))
     found = np.empty(len(ia), np.int8)
-    size = max(1, LOOKS // max(len(a.x), len(b.x)))
+    settle, size = _polygons, max(LANES, LOOKS // max(len(a.x), len(b.x)))
+    if a.r is not None or b.r is not None:
+        settle, size = _circles, min(size, DOUBTS)
     with np.errstate(all="ignore"):
         for start in range(0, len(found), size):
             part = slice(start, start + size)
-            found[part] = _polygons(a.columns(ia[part]), b.columns(ib[part]))
+            found[part] = settle(a.columns(ia[part]), b.columns(ib[part]))
     return found
 
 

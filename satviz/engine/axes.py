@@ -197,6 +197,21 @@ def by_source(a: Shape, b: Shape) -> dict[Source, Axis]:
     return {axis.source: axis for c in choices for axis in (*c.axes, *(skip.axis for skip in c.skipped))}
 
 
+def made_for(choice: Choice, a: Shape, b: Shape) -> Choice:
+    """A choice of someone else's as it serves this pair: complete only if it holds all that `needed` asks for.
+
+    ValueError for an axis that these shapes do not have: exactly, an axis is where it comes from, not its numbers.
+    """
+    known = by_source(a, b) if any(axis.source.kind != GIVEN for axis in choice.axes) else {}
+    for i, axis in enumerate(choice.axes, 1):
+        if axis.source.kind != GIVEN and known.get(axis.source) != axis:
+            raise ValueError(
+                f"axis {i} of the choice is no axis of these shapes ({axis.source}): choose the axes for this very pair"
+            )
+    has = {axis.source for axis in choice.axes}
+    return choice._replace(complete=choice.complete and has >= {axis.source for axis in needed(a, b).axes})
+
+
 class ExactDots(NamedTuple):
     """Both cores on an axis, in integers: where a point lies is its dot / |normal|, in units of 2**-k."""
 

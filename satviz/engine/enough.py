@@ -1,7 +1,7 @@
 """How many axes are enough for the pair in hand: quick enough to be asked while it is dragged (no NumPy)."""
 
 from . import digits, telling
-from .axes import CENTERS, WORLD, hull_normals, needed
+from .axes import CENTERS, VERTEX, WORLD, Axis, hull_normals, needed
 from .concave import parts
 from .geometry import Relation
 from .sat import axis_tests
@@ -16,15 +16,16 @@ def enough(a: Trace | Shape, b: Shape | None = None, names: Names = PLAIN) -> tu
     """How many axes settle this pair as it lies, and a sentence on which, and on what would do wherever they lie.
 
     A gap on one axis proves that two shapes are apart, so one that leaves a gap is enough; and where there is none, no
-    axis by itself says anything: all of a complete set must be tried.  Concave: each pair of convex parts needs its
-    own.  Takes a trace, or two shapes with what they are called.
+    axis by itself says anything: all of a complete set must be tried.  Concave: one for each pair of convex parts
+    is enough.  Takes a trace, or two shapes with what they are called.
     """
     if isinstance(a, Trace):
         return enough(a.a, a.b, a.names)
     b = checked(b, "b")
     choice = needed(a, b)
     axes = choice.axes if choice.complete else (*choice.axes, *hull_normals(a, b).axes)
-    test = max(axis_tests(a, b, axes), key=lambda test: test.gap)
+    tests = list(axis_tests(a, b, axes))
+    test = max(tests, key=lambda test: test.gap)
     if test.separates:
         name = telling.axis_name(test.axis, (a, b), names)
         which = f"the line {name}" if test.source.kind == CENTERS else f"the {name.removeprefix('the ')}"
@@ -33,7 +34,9 @@ def enough(a: Trace | Shape, b: Shape | None = None, names: Names = PLAIN) -> tu
     if not choice.complete:
         return _of_parts(a, b)
     many = len(choice.axes)
-    meets = "touch on one axis and overlap on the others" if test.gap == 0 and many > 1 else "leave no gap on any"
+    touch = sum(test.gap == 0 for test in tests)
+    on = "one axis" if touch == 1 else f"{_count(touch).lower()} axes"
+    meets = f"touch on {on} and overlap on the others" if 0 < touch < many else "leave no gap on any"
     if many == 1:
         return 1, "One axis is enough, wherever two circles lie: the line through their centers."
     if choice.axes[0].source.kind == WORLD:
@@ -41,18 +44,21 @@ def enough(a: Trace | Shape, b: Shape | None = None, names: Names = PLAIN) -> tu
     return many, f"{_count(many)} axes are needed here: the ranges {meets}, and only all of them prove a hit."
 
 
-def _anywhere(axes: tuple[object, ...], a: Shape, b: Shape) -> str:
-    if not (a.is_convex and b.is_convex):
+def _anywhere(axes: tuple[Axis, ...], a: Shape, b: Shape) -> str:
+    if not (a.is_convex and b.is_convex) or (a.radius and b.radius):
         return ""
-    return f" Wherever they are moved, {_count(len(axes)).lower()} are enough." if len(axes) > 1 else ""
+    # the axis to the nearest vertex is left out where it happens to be parallel to an edge's normal
+    many = sum(axis.source.kind != VERTEX for axis in axes) + bool(a.radius or b.radius)
+    return f" Wherever they are moved, {_count(many).lower()} are enough."
 
 
 def _of_parts(a: Shape, b: Shape) -> tuple[int, str]:
     pairs = [(p, q) for p in parts(a) for q in parts(b)]
     if relate(a, b) is Relation.APART:
-        return len(
-            pairs
-        ), f"No one normal of an edge is enough here: each of the {len(pairs)} pairs of convex parts needs its own."
+        said = (
+            f"No one normal of an edge is enough here, but one for each of the {len(pairs)} pairs of convex parts is."
+        )
+        return len(pairs), said
     hit = next(pair for pair in pairs if relate(*pair))
     many = len(needed(*hit).axes)
     return many, f"{_count(many)} axes are needed here: all those of two convex parts that meet."

@@ -83,6 +83,11 @@ def refuse_array(array: Any, name: str) -> None:
     """InvalidShape for an array of something else than real numbers, or with masked entries."""
     if _kind(array) in _NOT_REAL:
         raise InvalidShape(f"{name} is an array of {array.dtype}: coordinates must be real numbers")
+    refuse_masked(array, name)
+
+
+def refuse_masked(array: Any, name: str) -> None:
+    """InvalidShape for an array with masked entries, which most of NumPy would take as if they were not masked."""
     mask = getattr(array, "mask", None)
     if mask is not None and getattr(mask, "any", bool)():
         raise InvalidShape(f"{name} has masked entries: fill or drop them first")

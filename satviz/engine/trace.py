@@ -6,7 +6,7 @@ from itertools import product
 from typing import NamedTuple
 
 from . import door, telling
-from .axes import EARLY_EXIT, Choice, Chooser, Skip, needed
+from .axes import EARLY_EXIT, NAMED, Choice, Chooser, Skip, made_for, needed
 from .certificate import Certificate, PartLines, separating_line, shared_point
 from .concave import named_parts
 from .escape import along_axis, around_parts
@@ -19,6 +19,9 @@ from .verdict import relate
 APART, TOUCHING, OVERLAPPING = Relation
 
 MAX_SIZE = 200_000  # what a trace lists (see _size): some 30 MB of JSON, which can be read again
+
+
+OWN = frozenset(NAMED.values())
 
 
 class Names(NamedTuple):
@@ -118,8 +121,8 @@ class Trace:
 
         It ends the overlap exactly, being rounded outwards; (0, 0) when the shapes only
         touch, None when they are apart or when no float64 move is long enough.  It is the
-        shortest of all (to a rounding) where the choice of axes is complete, else the
-        shortest along the tested axes.  None also where a shortcut measures otherwise or
+        shortest of all (to a rounding of the largest coordinate) where the choice of axes is
+        complete, else the shortest along the tested axes.  None also where a shortcut measures otherwise or
         misses the hit.  Worked out when asked for; InvalidScene for concave outlines of
         too many parts.
         """
@@ -228,15 +231,16 @@ def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, ev
     it, concave polygons are tested part by part.  Or a shortcut, whose `claim` the
     trace then holds beside the exact relation.  The loop stops at the first
     separating axis, and for parts at the first pair that overlaps, unless
-    `every_axis`.  TypeError for anything but Polygon and Circle; InvalidScene if the
-    trace would list more than MAX_SIZE points and axes.
+    `every_axis`.  TypeError for anything but Polygon and Circle; ValueError for axes of
+    other shapes; InvalidScene if the trace would list more than MAX_SIZE points and axes.
     """
     checked(a, "a"), checked(b, "b")
     if axes is needed and not (a.is_convex and b.is_convex):
         return _record_parts(a, b, every_axis)
     if isinstance(axes, Shortcut):
         return _record_shortcut(a, b, axes, every_axis)
-    return _record(a, b, axes if isinstance(axes, Choice) else axes(a, b), every_axis, PLAIN)
+    choice = axes if isinstance(axes, Choice) else axes(a, b)
+    return _record(a, b, choice if axes in OWN else made_for(choice, a, b), every_axis, PLAIN)
 
 
 def _record_shortcut(a: Shape, b: Shape, shortcut: Shortcut, every_axis: bool) -> Trace:
