@@ -96,6 +96,22 @@ def nudged(value: float, steps: int) -> float:
     return value
 
 
+SIZES = [2.0**e for e in (-1060, -900, -537, -514, -500, -300, -40, 0, 40, 300, 470, 510, 900, 1020)]
+
+
+def nearly_straight(rng: Random, size: float) -> list[tuple[float, float]]:
+    """Three points about on one line, with full mantissas or on a small grid."""
+    if rng.random() < 0.3:
+        x, y, dx, dy, t = (rng.randint(-9, 9) for _ in range(5))
+        return [(u * (size / 128), v * (size / 128)) for u, v in ((x, y), (x + dx, y + dy), (x + t * dx, y + t * dy))]
+    px, py, qx, qy = (rng.uniform(-1, 1) * size for _ in range(4))
+    t = rng.uniform(-1, 2)
+    near = [nudged(c, rng.randint(-1, 1)) for c in (px + (qx - px) * t, py + (qy - py) * t)]
+    points = [(px, py), (qx, qy), tuple(near)]
+    rng.shuffle(points)
+    return points
+
+
 # -- whole rings -----------------------------------------------------------------------------------
 
 

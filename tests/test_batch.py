@@ -20,7 +20,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import CONVEX, drawn, edge_facing, many_corners, pairs, vertex_facing
+from strategies import CONVEX, SIZES, drawn, edge_facing, many_corners, nearly_straight, pairs, vertex_facing
 
 import satviz as sv
 from satviz import batch
@@ -200,6 +200,79 @@ def test_numbas_search_tells_nothing_of_corners_too_flat_to_be_told_apart(search
     for _ in range(60):
         one, other, reach, _ = as_rows(*flat_corners(rng, size))
         assert search._soon(*one, *other, reach)[0] == search._soon(*other, *one, reach)[0] == UNDECIDED
+
+
+ROUNDED = [  # found by search: triangles that touch, whose corners are so far apart that differences are rounded
+    (
+        [
+            (-459940604306739, 4433704032951140),
+            (-4114470215126679, -8168429283312487),
+            (940296430833664, 4027645187304480),
+        ],
+        [
+            (-8497241818748311, -2343482795304638),
+            (-1272058295600059, 1633229962670334),
+            (-5248771053575031, 8858413485818586),
+        ],
+    ),
+    (
+        [
+            (7010272725071316, -11765230323355440),
+            (1704180389594424, 1319257849863516),
+            (1734304167173303, -5016960944890531),
+        ],
+        [
+            (3030703473463647, -1951864193441223),
+            (6713876100479248, 4620503670747134),
+            (2352380042739596, 2851806225588170),
+        ],
+    ),
+    (
+        [
+            (-5155920299005934, 4466112899482660),
+            (7539758868357489, -5731370133296107),
+            (4323018607169719, 4447503945442647),
+        ],
+        [
+            (-2847614995848948, 2612025075341066),
+            (-4928811559498238, 2384916335833370),
+            (-7482834556202933, -3158738182551399),
+        ],
+    ),
+]
+
+
+@pytest.mark.parametrize("rings", ROUNDED)
+def test_numbas_search_finds_no_shared_point_by_turns_that_rounding_may_hide(search, rings):
+    one, other, reach, _ = as_rows(*(np.array(ring, float) for ring in rings), None)
+    assert sv.relate(*(sv.Polygon(ring) for ring in rings)) == 1
+    assert search._soon(*one, *other, reach)[0] == search._soon(*other, *one, reach)[0] == UNDECIDED
+
+
+def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
+    """As told of one point after another; where products leave the range of floats it may tell nothing."""
+    settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
+    rng, terms = Random(6), np.empty(settle.TERMS)
+    seen = {(told, size): 0 for told in (-2, -1, 0, 1) for size in SIZES}
+    for _ in range(60):
+        for size in SIZES:
+            p, q, r = nearly_straight(rng, size)
+            for x, y, z in (
+                (p, q, r),
+                (q, r, p),
+                (p, r, q),
+                (p, q, p),
+                (p, q, q),
+                (p, q, (p[0], r[1])),
+                (p, q, (r[0], q[1])),
+            ):
+                told = settle.turn(*x, *y, *z, terms)
+                seen[told, size] += 1
+                exact = oracle.turn(x, y, z)
+                assert told in (-2, (exact > 0) - (exact < 0)), (x, y, z)
+    for size in SIZES:
+        assert min(seen[told, size] for told in (-1, 0, 1)) > 5 or seen[-2, size] > 100
+        assert not seen[-2, size] or not 2.0**-400 < size < 2.0**450
 
 
 @pytest.mark.parametrize("size", [1.0, 2.0**-130])

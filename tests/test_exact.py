@@ -6,13 +6,12 @@ from fractions import Fraction
 from random import Random
 
 import pytest
-from strategies import nudged
+from strategies import SIZES, nearly_straight
 
 from satviz.engine import exact
 from satviz.study import truth as oracle
 
 LARGEST, LEAST = sys.float_info.max, 5e-324
-SIZES = [2.0**e for e in (-1060, -900, -537, -514, -500, -300, -40, 0, 40, 300, 470, 510, 900, 1020)]
 
 
 @pytest.fixture
@@ -45,19 +44,6 @@ def test_two_shapes_come_to_one_unit_whichever_is_finer():
     assert exact.aligned(fine, coarse) == ([(8, 1)], [(8, 12), (16, 28)], 13, 3)
     assert exact.aligned(coarse, fine) == ([(8, 12), (16, 28)], [(8, 1)], 13, 3)
     assert exact.aligned(fine, fine) == ([(8, 1)], [(8, 1)], 10, 3)
-
-
-def nearly_straight(rng: Random, size: float) -> list[tuple[float, float]]:
-    """Three points about on one line, with full mantissas or on a small grid."""
-    if rng.random() < 0.3:
-        x, y, dx, dy, t = (rng.randint(-9, 9) for _ in range(5))
-        return [(u * (size / 128), v * (size / 128)) for u, v in ((x, y), (x + dx, y + dy), (x + t * dx, y + t * dy))]
-    px, py, qx, qy = (rng.uniform(-1, 1) * size for _ in range(4))
-    t = rng.uniform(-1, 2)
-    near = [nudged(c, rng.randint(-1, 1)) for c in (px + (qx - px) * t, py + (qy - py) * t)]
-    points = [(px, py), (qx, qy), tuple(near)]
-    rng.shuffle(points)
-    return points
 
 
 @pytest.mark.parametrize("size", SIZES)
