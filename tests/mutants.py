@@ -52,8 +52,15 @@ TESTS = {  # which test files judge a module
     "engine/trace": ["trace", "failing", "escape"],
     "scenes/tracefile": ["trace", "failing"],
 }
-# what kernels run as Python cannot do: number cells beyond 2**63, and pass by 1e308 without a warning
-COMPILED_ONLY = ["are_candidates", "of_whatever_size", "warn_of_nothing"]
+# what kernels run as Python cannot do: number cells beyond 2**63, pass by 1e308 without a warning, and be quick
+COMPILED_ONLY = [
+    "are_candidates",
+    "every_layout",
+    "little_memory",
+    "looks_of_the_grid",
+    "of_whatever_size",
+    "warn_of_nothing",
+]
 FATES = "killed", "timed out", "equivalent", "survived"
 
 # -- the mutants -----------------------------------------------------------------------------------

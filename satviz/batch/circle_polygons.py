@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from ..engine.exact import HUGE, TINY, to_integers
 from ..engine.verdict import relate_integers
 from . import signs
-from .signs import LANES, UNKNOWN, Array, Pairs, Signs, two_sum
+from .signs import UNKNOWN, Array, Pairs, Signs, two_sum
 
 Indices = NDArray[np.intp]
 
-BLOCK = 1 << 15  # corners at a time: what bounds the memory, and stays in the cache
+BLOCK = 1 << 13  # pairs at a time, where they have few corners: their columns stay in the second-level cache
 FEW = 32  # pairs that integers settle sooner
 
 
@@ -26,7 +26,7 @@ def gaps(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
     """The exact signs of distance minus radius, column by column; -1 also with the center inside."""
     found = np.full(len(cx), UNKNOWN, np.int8)
     with np.errstate(all="ignore"):
-        size = max(LANES, BLOCK // len(px))
+        size = signs.lanes(BLOCK, len(px))
         for start in range(0, len(cx) if len(cx) > FEW else 0, size):
             part = slice(start, start + size)
             found[part] = _by_floats(*(c[..., part] for c in (cx, cy, cr, px, py)))

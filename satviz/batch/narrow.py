@@ -20,7 +20,7 @@ from .codes import APART, UNDECIDED
 from .filter_numpy import room_64
 from .grid_numpy import Grid
 from .rings import FEW
-from .signs import LANES
+from .signs import lanes
 
 Relations = NDArray[np.int8]
 Kernel = Callable[..., None]
@@ -190,7 +190,7 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
         mine = todo[key == kind]
         one, other = a.groups[kind >> 32], b.groups[kind & 0xFFFFFFFF]
         if one.r is not None or other.r is not None:  # polygons were looked at
-            size = max(LANES, BLOCK_OF_PICKED // max(len(one.x), len(other.x)))
+            size = lanes(BLOCK_OF_PICKED, max(len(one.x), len(other.x)))
             for start in range(0, len(mine), size):
                 part = mine[start : start + size]
                 found = np.empty(len(part), np.int8)
@@ -201,7 +201,7 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
     return out
 
 
-BLOCK_OF_PICKED = 1 << 16  # corners: picked columns are copied first, and the copies stay in the cache
+BLOCK_OF_PICKED = 16384  # pairs: their columns are copied first, and where corners are few the copies stay in the cache
 
 
 def _relate_parts(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | None) -> Relations:

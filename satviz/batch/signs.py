@@ -23,6 +23,12 @@ FINEST = 2.0**-101  # 32 of them
 SPLIT = 2.0**27 + 1
 MOST_PASSES = 12
 LANES = 128  # pairs side by side at least, however many corners they have: of fewer, Python would take the most time
+CORNERS = 1 << 19  # side by side at most: what bounds the memory
+
+
+def lanes(most: int, corners: int) -> int:
+    """How many pairs to look at side by side: fewer of many corners."""
+    return max(LANES, min(most, CORNERS // corners))
 
 
 def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:

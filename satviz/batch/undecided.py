@@ -25,7 +25,7 @@ def relations(a: Group, ia: Indices, b: Group, ib: Indices) -> Signs:
     found = np.empty(len(ia), np.int8)
     settle, size = _polygons, max(LANES, LOOKS // max(len(a.x), len(b.x)))
     if a.r is not None or b.r is not None:
-        settle, size = _circles, min(size, DOUBTS)
+        settle, size = _circles, signs.lanes(DOUBTS, max(len(a.x), len(b.x)))
     with np.errstate(all="ignore"):
         for start in range(0, len(found), size):
             part = slice(start, start + size)
