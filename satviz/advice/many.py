@@ -28,9 +28,8 @@ def of_many(a: Any, b: Any, pairs: ArrayLike | None) -> tuple[Facts, tuple[Judge
     if b is None:
         b = a
         if pairs is None:
-            pairs = batch.candidate_pairs(
-                np.clip(a.bounds, -float_info.max, float_info.max)
-            )  # a circle may reach farther
+            farthest = float_info.max  # which a circle may pass
+            pairs = batch.candidate_pairs(np.clip(a.bounds, -farthest, farthest))
             settled_by_boxes = len(a) * (len(a) - 1) // 2 - len(pairs)
     b = checked(b, "b")
     ia, ib = indexed(a, b, pairs)

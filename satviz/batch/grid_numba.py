@@ -28,11 +28,9 @@ def met(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float)
     table = _stored(bounds, stored, cell[0], cell[1], size)
     queries, boxes = (table[1], table[3]) if other is None else (one, bounds[one])
     looks = _looks(boxes, other is None, table)
-    return (
-        None
-        if looks > most
-        else _blocks(queries, boxes, other is None, table, min(BLOCK, max(int(looks), len(queries))))
-    )
+    if looks > most:
+        return None
+    return _blocks(queries, boxes, other is None, table, min(BLOCK, max(int(looks), len(queries))))
 
 
 def _blocks(queries: Pairs, boxes: Array, among: bool, table: Table, block: int) -> Iterator[Pairs]:

@@ -21,7 +21,7 @@ APART, TOUCHING, OVERLAPPING = Relation
 MAX_SIZE = 200_000  # what a trace lists (see _size): some 30 MB of JSON, which can be read again
 
 
-OWN = frozenset(NAMED.values())
+OWN = tuple(NAMED.values())
 
 
 class Names(NamedTuple):
@@ -122,9 +122,9 @@ class Trace:
         It ends the overlap exactly, being rounded outwards; (0, 0) when the shapes only
         touch, None when they are apart or when no float64 move is long enough.  It is the
         shortest of all (to a rounding of the largest coordinate) where the choice of axes is
-        complete, else the shortest along the tested axes.  None also where a shortcut measures otherwise or
-        misses the hit.  Worked out when asked for; InvalidScene for concave outlines of
-        too many parts.
+        complete, else the shortest along the tested axes.  None also where a shortcut
+        measures otherwise or misses the hit.  Worked out when asked for; InvalidScene for
+        concave outlines of too many parts.
         """
         if self.missed_hit or not self.proves:
             return None
