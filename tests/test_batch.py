@@ -249,6 +249,35 @@ def test_numbas_search_finds_no_shared_point_by_turns_that_rounding_may_hide(sea
     assert search._soon(*one, *other, reach)[0] == search._soon(*other, *one, reach)[0] == UNDECIDED
 
 
+@pytest.mark.parametrize(
+    ("ring", "point"),
+    [  # found by search
+        (
+            [
+                (8660339316690704, 2837116945160626),
+                (-666423947225527, 750505952779784),
+                (6834032253248210, 700250253321093),
+            ],
+            (4271274251318360, 1855182360510818),
+        ),
+        (
+            [
+                (6260228183444929, 1145635108668575),
+                (-3305976233469562, -1518501441802149),
+                (1509194851016166, -1390225937688219),
+            ],
+            (1758484928426345, -108076209200001),
+        ),
+    ],
+)
+def test_no_point_of_an_edge_is_inside_for_numba_where_differences_are_rounded(search, ring, point):
+    triangle, at = sv.Polygon(ring), np.array(point, float)
+    assert 0 in [oracle.turn(p, q, point) for p, q in pairwise([*triangle.core, triangle.core[0]])]
+    row, _, reach, _ = as_rows(np.array(triangle.core), np.array(triangle.core), None)
+    assert not search.inside(*row, *at, reach)
+    assert search.inside(*row, *np.array(triangle.core).mean(axis=0), reach)
+
+
 def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
     """As told of one point after another; where products leave the range of floats it may tell nothing."""
     settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
