@@ -121,6 +121,15 @@ def test_a_choice_that_says_it_is_complete_decides_by_itself(name):
             assert trace.claim is sv.relate(a, b), (a, b)
 
 
+@pytest.mark.parametrize("name", axes.NAMED)
+def test_a_choice_made_beforehand_is_as_good_as_its_name_and_its_trace_loads(name):
+    choose = axes.NAMED[name]
+    upright = [(box(0, 0, 2, 1), box(1, 0, 2, 1)), (box(0, 0, 2, 1), sv.Circle((2, 2), 1))]
+    for a, b in upright + [(a, b) for _, a, b in SOME[::9]]:
+        trace = sv.record(a, b, axes=choose)
+        assert sv.record(a, b, axes=choose(a, b)) == trace == sv.Trace.from_json(trace.to_json())
+
+
 def test_axes_that_were_chosen_for_other_shapes_are_refused_or_prove_no_more_than_they_do():
     """As of a trace's choice that is kept, or of a choice that takes the shapes in the other order."""
     taken, refused, wrong = 0, 0, 0

@@ -198,7 +198,7 @@ def by_source(a: Shape, b: Shape) -> dict[Source, Axis]:
 
 
 def made_for(choice: Choice, a: Shape, b: Shape) -> Choice:
-    """A choice of someone else's as it serves this pair: complete only if it holds all that `needed` asks for.
+    """A choice of someone else's as it serves this pair: complete only if it has all axes of `needed`, or of all edges.
 
     ValueError for an axis that these shapes do not have: exactly, an axis is where it comes from, not its numbers.
     """
@@ -209,7 +209,8 @@ def made_for(choice: Choice, a: Shape, b: Shape) -> Choice:
                 f"axis {i} of the choice is no axis of these shapes ({axis.source}): choose the axes for this very pair"
             )
     has = {axis.source for axis in choice.axes}
-    return choice._replace(complete=choice.complete and has >= {axis.source for axis in needed(a, b).axes})
+    enough = (own for own in (needed(a, b), edge_normals(a, b)) if own.complete)  # of upright boxes no edge is needed
+    return choice._replace(complete=choice.complete and any(has >= {x.source for x in own.axes} for own in enough))
 
 
 class ExactDots(NamedTuple):
