@@ -296,6 +296,7 @@ def test_as_many_axes_are_told_to_touch_as_do():
         "Three axes are needed here: the ranges leave no gap on any, and only all of them prove a hit.",
     )
     assert "touch on one axis and overlap on the others" in enough(corner, sv.Polygon([(1, -1), (2, 0.5), (1, 2)]))[1]
+    assert "touch on three axes and overlap on the others" in enough(corner, sv.Polygon([(0, 0), (-1, 0), (-1, -1)]))[1]
 
 
 def test_what_is_enough_wherever_shapes_are_moved_is_so_where_the_nearest_vertex_gives_no_axis_of_its_own():

@@ -1367,15 +1367,9 @@ def layouts(n, rng):
     yield "points", np.floor(at), np.zeros((n, 2))
     crowd = rng.random((n, 1)) < 0.6
     yield "a crowd in a wide field", np.where(crowd, np.floor(at) * 2, at * 1e9), np.ones((n, 2))
-    far = 2.0 ** rng.choice(
-        (32, 50, 52, 53, 60)
-    )  # flat ones so far out that floats there are many of their cells apart
+    far = 2.0 ** rng.choice((32, 50, 52, 53, 60))
     rows = rng.integers(-1, 2, (n, 1)) * np.spacing(far)
     yield "flat and far away", np.c_[at[:, :1], far + rows], np.c_[size[:, :1], np.zeros(n)]
-    slim = np.c_[at * [1e-3, 0] + [0, far], size[:, :1] * 1e6, np.zeros(n)]
-    low = np.c_[at[:, :1] + 2e6, np.zeros((n, 2)), np.full(n, np.spacing(far) * 2.0**-29)]
-    low[0] = low[0, 0], far, 0, np.spacing(far)
-    yield "flat and far away among others", *np.hsplit(np.r_[slim[::2], low[::2]], 2)
 
 
 @pytest.mark.parametrize("n", [2, 300])
@@ -1477,6 +1471,21 @@ def test_candidate_pairs_are_found_whatever_numpy_is_told_to_do_with_what_vanish
         for bounds in [[0, 0, 0, 0], [1e-9, 0, 1e-9, 0], [5e-324, 0, 1e-300, 0]], [[-MOST, -MOST, MOST, MOST]] * 2:
             found = batch.candidate_pairs(bounds, engine=engine)
             assert len(found) == (len(bounds) == 2)
+
+
+@pytest.mark.parametrize("finer", [0, 6, 12])
+def test_the_grid_asks_few_rows_of_flat_boxes_so_far_out_that_floats_are_many_cells_apart(finer, monkeypatch):
+    far, step, rows, real = 2.0**32, 2.0**-20, [], grid_numpy._blocks
+    assert np.spacing(far) == step
+    x, s = np.arange(400.0) * 1e-3, 2e6 + np.arange(1600.0) * 20
+    long = np.c_[x, np.full(400, far), x + 1e6, np.full(400, far)]
+    short = np.c_[s, np.zeros(1600), s, np.full(1600, step * 2.0**-finer)]
+    long[0, 1::2] += step
+    short[0, 1::2] = far + step
+    monkeypatch.setattr(grid_numpy, "_blocks", lambda *given: rows.append(len(given[-1])) or real(*given))
+    bounds = np.r_[long, short]
+    assert np.array_equal(batch.candidate_pairs(bounds, engine="numpy"), brute(bounds))
+    assert max(rows) <= 4
 
 
 def test_pairs_keep_their_order_where_an_index_has_32_bits():
@@ -1627,7 +1636,6 @@ def test_of_plain_pairs_in_any_order_none_needs_an_exact_sign(block, monkeypatch
     right = [int(sv.relate(p, q)) for known in [scalar(shapes)] for p, q in ((known[i], known[j]) for i, j in index)]
     asked = []
     monkeypatch.setattr(narrow, "BLOCK_OF_PICKED", block)
-    monkeypatch.setattr(signs, "LANES", 1)
     real = narrow.undecided.relations
     monkeypatch.setattr(narrow.undecided, "relations", lambda *c: asked.extend(c[1]) or real(*c))
     assert batch.relate(shapes, shapes, index, engine="numpy").tolist() == right
@@ -1766,7 +1774,7 @@ def test_one_shape_of_many_corners_against_many_takes_little_memory(engine, othe
     if other == "circles":
         many = batch.Circles(np.stack([x, x * x - 3], axis=1), 0.5)
     elif other == "touching circles":
-        many = batch.Circles(np.stack([x, x * x - 3], axis=1)[:1], 3)[[0] * 900]
+        many = batch.Circles(np.stack([x, x * x - 3], axis=1)[:1], 3)[[0] * n]
     elif other == "few corners":
         corner = np.stack([x, x * x], axis=1)[:40, None]
         many = batch.Polygons(corner + np.array([(0, 0), (-1, -9), (1, -9)]))

@@ -26,7 +26,7 @@ def gaps(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
     """The exact signs of distance minus radius, column by column; -1 also with the center inside."""
     found = np.full(len(cx), UNKNOWN, np.int8)
     with np.errstate(all="ignore"):
-        size = signs.lanes(BLOCK, len(px))
+        size = min(BLOCK, signs.lanes(len(px)))
         for start in range(0, len(cx) if len(cx) > FEW else 0, size):
             part = slice(start, start + size)
             found[part] = _by_floats(*(c[..., part] for c in (cx, cy, cr, px, py)))

@@ -16,7 +16,6 @@ Rings = Any  # an (N, V, 2) array, or a sequence of what satviz.Polygon takes
 Points = Any  # an (N, 2) array, or a sequence of what satviz.Circle takes as its center
 Numbers = Any  # an (N,) array, a sequence of numbers, or one number
 
-
 EXPECTED = "expected to rise from 0 to the number of vertices"  # of offsets
 
 

@@ -27,7 +27,7 @@ def met(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float)
     queries, stored = one, one if other is None else other
     (low_x, high_x, own_x), (low_y, high_y, own_y) = (_cells(bounds, queries, stored, d, cell[d]) for d in (0, 1))
     width, height = (int(max(high.max(), own.max())) + 1 for high, own in ((high_x, own_x), (high_y, own_y)))
-    key = own_y.astype(np.int64) * width + own_x
+    key = own_y.astype(np.int64, copy=False) * width + own_x
     order = np.argsort(key)
     key, stored = key[order], stored[order]
     if other is None:  # each pair once: rows from a box's own on; in the order of the cells, neighbours lie near
@@ -39,7 +39,7 @@ def met(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float)
     ranges: Ranges = []
     for row in range(int((high_y - low_y).max()) + 1):
         which = np.flatnonzero(high_y - low_y >= row)
-        base = (low_y[which].astype(np.int64) + row) * width
+        base = (low_y[which].astype(np.int64, copy=False) + row) * width
         ends = base + low_x[which], base + high_x[which] + 1
         first, last = (np.searchsorted(key, c) if begin is None else begin[c] for c in ends)
         if other is None and row == 0:

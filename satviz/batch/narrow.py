@@ -190,7 +190,7 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
         mine = todo[key == kind]
         one, other = a.groups[kind >> 32], b.groups[kind & 0xFFFFFFFF]
         if one.r is not None or other.r is not None:  # polygons were looked at
-            size = lanes(BLOCK_OF_PICKED, max(len(one.x), len(other.x)))
+            size = min(BLOCK_OF_PICKED, lanes(max(len(one.x), len(other.x))))
             for start in range(0, len(mine), size):
                 part = mine[start : start + size]
                 found = np.empty(len(part), np.int8)

@@ -8,7 +8,7 @@ from . import steps_numpy
 from .arrays import Flat
 from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .filter_numpy import MANY, decide, look_32
-from .signs import LANES, Array, Signs, columns
+from .signs import Array, Signs, columns, lanes
 from .undecided import Edges, edges
 
 Indices = NDArray[np.intp]
@@ -30,7 +30,7 @@ def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
     widths = np.maximum(2 ** np.ceil(np.log2(most)).astype(np.intp), 4)
     for width in np.unique(widths).tolist():
         mine = left[widths == width]
-        size = max(LANES, AT_ONCE // width)
+        size = lanes(width, AT_ONCE)
         for start in range(0, len(mine), size):
             part = mine[start : start + size]
             with np.errstate(all="ignore"):

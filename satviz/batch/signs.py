@@ -26,9 +26,9 @@ LANES = 128  # pairs side by side at least, however many corners they have: of f
 CORNERS = 1 << 19  # side by side at most: what bounds the memory
 
 
-def lanes(most: int, corners: int) -> int:
-    """How many pairs to look at side by side: fewer of many corners."""
-    return max(LANES, min(most, CORNERS // corners))
+def lanes(corners: int, at_once: int = CORNERS) -> int:
+    """How many pairs of so many corners to look at side by side."""
+    return max(LANES, at_once // corners)
 
 
 def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
@@ -41,8 +41,7 @@ def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
     found = np.sign(det, where=sure, out=np.zeros_like(det)).astype(np.int8)
     rest = np.flatnonzero(~sure)
     if rest.size:
-        points = [c[rest] for c in (px, py, qx, qy, rx, ry)]
-        found[rest] = _turns(*points)
+        found[rest] = _turns(*(c[rest] for c in (px, py, qx, qy, rx, ry)))
     return found
 
 

@@ -10,7 +10,7 @@ from . import circle_polygons, signs
 from .arrays import Group, upright_boxes
 from .codes import APART, OVERLAPPING, TOUCHING
 from .filter_numpy import boxes
-from .signs import LANES, Array, Signs, columns
+from .signs import Array, Signs, columns
 
 Indices = NDArray[np.intp]
 
@@ -23,9 +23,10 @@ RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 
 def relations(a: Group, ia: Indices, b: Group, ib: Indices) -> Signs:
     """Exact relations of columns ia of one group with columns ib of another."""
     found = np.empty(len(ia), np.int8)
-    settle, size = _polygons, max(LANES, LOOKS // max(len(a.x), len(b.x)))
+    corners = max(len(a.x), len(b.x))
+    settle, size = _polygons, signs.lanes(corners, LOOKS)
     if a.r is not None or b.r is not None:
-        settle, size = _circles, signs.lanes(DOUBTS, max(len(a.x), len(b.x)))
+        settle, size = _circles, min(DOUBTS, signs.lanes(corners))
     with np.errstate(all="ignore"):
         for start in range(0, len(found), size):
             part = slice(start, start + size)

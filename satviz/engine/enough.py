@@ -55,11 +55,8 @@ def _anywhere(axes: tuple[Axis, ...], a: Shape, b: Shape) -> str:
 def _of_parts(a: Shape, b: Shape) -> tuple[int, str]:
     pairs = [(p, q) for p in parts(a) for q in parts(b)]
     if relate(a, b) is Relation.APART:
-        many = len(pairs)
-        return (
-            many,
-            f"No one normal of an edge is enough here, but one for each of the {many} pairs of convex parts is.",
-        )
+        none = "No one normal of an edge is enough here"
+        return len(pairs), f"{none}, but one for each of the {len(pairs)} pairs of convex parts is."
     hit = next(pair for pair in pairs if relate(*pair))
     many = len(needed(*hit).axes)
     return many, f"{_count(many)} axes are needed here: all those of two convex parts that meet."

@@ -28,7 +28,7 @@ def sign(value: int) -> int:
 
 
 def warn_if_flushed() -> None:
-    """RuntimeWarning in a thread that takes numbers below 2.3e-308 for 0: nothing below `TINY` would be exact there."""
+    """RuntimeWarning in a thread that takes numbers below 2.3e-308 for 0: none below 1e-290 would be exact there."""
     if SMALLEST + SMALLEST == 0:
         warnings.warn(
             "this thread takes numbers below 2.3e-308 for 0 (flush-to-zero, which code compiled with -ffast-math "

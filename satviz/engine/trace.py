@@ -19,8 +19,6 @@ from .verdict import relate
 APART, TOUCHING, OVERLAPPING = Relation
 
 MAX_SIZE = 200_000  # what a trace lists (see _size): some 30 MB of JSON, which can be read again
-
-
 OWN = tuple(NAMED.values())
 
 
