@@ -137,9 +137,10 @@ def test_axes_that_were_chosen_for_other_shapes_are_refused_or_prove_no_more_tha
     for k, (a, b) in enumerate(known):
         # of two others, of one of them and another, of the same the other way round
         for other in (known[k - 1], (a, known[k - 1][1]), (b, a)):
-            for choose in axes.needed, axes.edge_normals:
+            chosen = [choose(*other) for choose in (axes.needed, axes.edge_normals)]
+            for choice in (*chosen, *(c._replace(skipped=()) for c in chosen)):
                 try:
-                    trace = sv.record(a, b, axes=choose(*other))
+                    trace = sv.record(a, b, axes=choice)
                 except ValueError as error:
                     assert "is no axis of these shapes" in str(error)
                     refused += 1
@@ -147,6 +148,8 @@ def test_axes_that_were_chosen_for_other_shapes_are_refused_or_prove_no_more_tha
                 taken, wrong = taken + 1, wrong + trace.false_hit
                 assert trace.relation is sv.relate(a, b) and trace.certificate.check()
                 assert not (trace.choice.complete and trace.false_hit)
+                if choice.complete is trace.choice.complete and choice in chosen:
+                    assert sv.Trace.from_json(trace.to_json()) == trace
     assert taken > 20 and refused > 20 and wrong
 
 

@@ -202,15 +202,14 @@ def made_for(choice: Choice, a: Shape, b: Shape) -> Choice:
 
     ValueError for an axis that these shapes do not have: exactly, an axis is where it comes from, not its numbers.
     """
-    known = by_source(a, b) if any(axis.source.kind != GIVEN for axis in choice.axes) else {}
-    for i, axis in enumerate(choice.axes, 1):
-        if axis.source.kind != GIVEN and known.get(axis.source) != axis:
-            raise ValueError(
-                f"axis {i} of the choice is no axis of these shapes ({axis.source}): choose the axes for this very pair"
-            )
+    own = [axis for axis in (*choice.axes, *(skip.axis for skip in choice.skipped)) if axis.source.kind != GIVEN]
+    known = by_source(a, b) if own else {}
+    for axis in own:
+        if known.get(axis.source) != axis:
+            raise ValueError(f"{axis.source} is no axis of these shapes: choose the axes for this very pair")
     has = {axis.source for axis in choice.axes}
-    enough = (own for own in (needed(a, b), edge_normals(a, b)) if own.complete)  # of upright boxes no edge is needed
-    return choice._replace(complete=choice.complete and any(has >= {x.source for x in own.axes} for own in enough))
+    enough = (full for full in (needed(a, b), edge_normals(a, b)) if full.complete)  # upright boxes need no edge's
+    return choice._replace(complete=choice.complete and any(has >= {x.source for x in full.axes} for full in enough))
 
 
 class ExactDots(NamedTuple):
