@@ -2,7 +2,9 @@
 
 import json
 import pickle
+from collections import Counter
 from itertools import combinations
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -210,11 +212,31 @@ def test_counts_are_the_same_on_a_rerun_with_the_same_seed(found):
     assert again(order.followed(3, 30, QUICK)) == found["order"]
 
 
-def test_set_up_and_the_first_question_are_counted(found):
-    for row in found["reuse-times"]:
-        assert row["ns_setup"] > 0 and row["ns_first"] > 0 and row["ns_again"] > 0
-    of = {(row["method"], row["reuse"]): row["ns"] for row in found["reuse-times"]}
-    assert all(of[name, 100] < of[name, 1] for name, _ in of)
+def test_set_up_and_the_first_question_are_counted(monkeypatch):
+    """By a clock of its own: real times of so few pairs say nothing."""
+    rounds: Counter[object] = Counter()
+
+    def once(method, a, b):
+        rounds[method] += 1
+        return (6.0, 4.0, 1.0) if rounds[method] > 1 else (600.0, 400.0, 100.0)  # the first round is left out
+
+    monkeypatch.setattr(reuse, "_once", once)
+    rows = reuse.take_times(200, 2, QUICK)
+    assert {row["reuse"]: row["ns"] * 200 / 1e9 for row in rows} == pytest.approx({1: 10, 10: 1.9, 100: 1.09})
+    for row in rows:
+        parts = [row[part] * row["pairs"] / 1e9 for part in reuse.PARTS.values()]
+        assert parts == pytest.approx([6, 4, 1]) and row["ns_low"] == row["ns"] == row["ns_high"]
+    assert len(rows) == 3 * len(rounds) and set(rounds.values()) == {3}
+
+
+def test_set_up_and_questions_are_timed_apart(monkeypatch):
+    """Made ready once, asked twice, the clock read between all of them."""
+    done = []
+    clock = iter([0.0, 1.0, 11.0, 111.0])
+    monkeypatch.setattr(reuse, "thread_time", lambda: done.append("clock") or next(clock))
+    method = SimpleNamespace(prepare=lambda side: done.append("ready") or side, hits=lambda a, b: done.append("asked"))
+    assert reuse._once(method, None, None) == (1.0, 10.0, 100.0)
+    assert done == ["clock", "ready", "ready", "clock", "asked", "clock", "asked", "clock"]
 
 
 # -- charts
