@@ -52,6 +52,13 @@ TESTS = {  # which test files judge a module
     "engine/trace": ["trace", "failing", "escape"],
     "scenes/tracefile": ["trace", "failing"],
 }
+GRID = "candidate or collid or grid or stream or boxes"
+ABOUT = {  # of those files only these tests, as pytest -k takes them, since each survivor goes through all that judge
+    "batch/broad": GRID,
+    "batch/grid_numba": GRID,
+    "batch/grid_numpy": GRID,
+    "batch/circle_polygons": "circle or foot or forgotten or hard_pairs or scalar_answers or tiny",
+}
 # what kernels run as Python cannot do: number cells beyond 2**63, pass by 1e308 without a warning, and be quick
 COMPILED_ONLY = [
     "are_candidates",
@@ -197,7 +204,7 @@ class Watch:
         self.out.write_text(json.dumps({"at": test, "times": self.found}))
 
 
-def judge(path: Path, source: str, tests: list[str], watch: Watch) -> int:
+def judge(path: Path, source: str, tests: list[str], about: str, watch: Watch) -> int:
     """pytest's exit code in this process, which dies of a signal if a test runs away."""
     import hypothesis
     import numba
@@ -209,15 +216,15 @@ def judge(path: Path, source: str, tests: list[str], watch: Watch) -> int:
     sys.dont_write_bytecode = True
     sys.meta_path.insert(0, Sown(path, source))
     sys.path.insert(0, str(HERE.parent))
-    words = []
+    words = [f"({about})"] if about else []
     if path.stem.endswith("_numba"):  # run as Python: to compile them anew would take 17 seconds a mutant
         numba.config.DISABLE_JIT = True
         watch.engine = "numba"
-        words = ["-k", f"not numpy and not processes and not {' and not '.join(COMPILED_ONLY)}"]
+        words += [f"not {word}" for word in ("numpy", "processes", *COMPILED_ONLY)]
     elif path.parent.name == "batch":  # NumPy answers, so that nothing need be compiled
         found = importlib.util.find_spec
         importlib.util.find_spec = lambda name, *more: None if name == "numba" else found(name, *more)
-        words = ["-k", "not numba and not processes"]  # which would outlive a test that is stopped
+        words += ["not numba", "not processes"]  # which would outlive a test that is stopped
     plain = {"derandomize": True, "database": None, "deadline": None, "phases": ["explicit", "generate"]}
     hypothesis.settings.register_profile("mutants", **plain)
     hypothesis.settings.load_profile("mutants")
@@ -231,7 +238,7 @@ def judge(path: Path, source: str, tests: list[str], watch: Watch) -> int:
         "-pno:unraisableexception",
     ]
     files = [str(HERE / f"test_{name}.py") for name in tests]
-    return int(pytest.main([*flags, *words, "-m", "not slow and not full", *files], plugins=[watch]))
+    return int(pytest.main([*flags, "-k", " and ".join(words), "-m", "not slow and not full", *files], plugins=[watch]))
 
 
 class Field:
@@ -239,6 +246,7 @@ class Field:
 
     def __init__(self, name: str, folder: Path):
         self.path, self.tests, self.folder = ROOT / f"{name}.py", TESTS[name], folder
+        self.about = ABOUT.get(name, "")
         self.running: dict[int, tuple[int, str]] = {}
         self.score, self.kills, self.times = Counter(), Counter(), {}
         notes = (HERE / "mutants.md").read_text(encoding="utf-8")
@@ -253,7 +261,8 @@ class Field:
         code, sink = 3, os.open(os.devnull, os.O_WRONLY)
         os.dup2(sink, 1), os.dup2(sink, 2)
         try:
-            code = judge(self.path, source, self.tests, Watch(self.folder / str(os.getpid()), self.kills, self.times))
+            watch = Watch(self.folder / str(os.getpid()), self.kills, self.times)
+            code = judge(self.path, source, self.tests, self.about, watch)
         finally:
             os._exit(code)
 

@@ -20,6 +20,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from speeds import one_in
 from strategies import CONVEX, SIZES, drawn, edge_facing, many_corners, nearly_straight, pairs, vertex_facing
 
 import satviz as sv
@@ -1748,7 +1749,7 @@ def test_processes_give_the_same_in_order():
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("v", [100, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("v", one_in(2, [100, 200]))
 def test_touching_shapes_of_many_corners_take_little_memory(engine, v):
     turns = 2 * np.pi * np.arange(v) / v
     ring = np.stack([np.cos(turns), np.sin(turns)], axis=1)
@@ -1764,7 +1765,7 @@ def test_touching_shapes_of_many_corners_take_little_memory(engine, v):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("other", ["few corners", "as many corners", "circles", "touching circles"])
+@pytest.mark.parametrize("other", one_in(2, ["touching circles", "few corners", "as many corners", "circles"]))
 def test_one_shape_of_many_corners_against_many_takes_little_memory(engine, other):
     """However it is copied beside each of them."""
     v, n = 2_000, 900

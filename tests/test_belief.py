@@ -6,6 +6,7 @@ from importlib.util import find_spec
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from speeds import one_in
 
 import satviz as sv
 from satviz.cli import main
@@ -378,7 +379,7 @@ OWN_PANELS = {*belief_rows.SAW, *belief_rows.IS, "sum-of-parts", "tile-seam"}
 @pytest.mark.parametrize("name", sorted(OWN_PANELS))
 @pytest.mark.parametrize(
     "corners",
-    [(3, 60), *(pytest.param(more, marks=pytest.mark.slow) for more in ((7, 12), (30, 4), (60, 45)))],
+    one_in(4, [(3, 60), (7, 12), (30, 4), (60, 45)]),
     ids=str,
 )
 def test_panels_of_their_own_hold_their_words_for_shapes_of_any_number_of_corners(name, corners):
@@ -389,7 +390,7 @@ def test_panels_of_their_own_hold_their_words_for_shapes_of_any_number_of_corner
             assert no_overlap(drawn) and drawn.size[0] < 1000
 
 
-@each_row
+@pytest.mark.parametrize("row", one_in(4, SHOWN), ids=lambda row: row.name)
 def test_on_a_telephone_the_panels_stand_one_above_the_other_with_letters_as_large(row):
     trace = row.scene.record()
     shows = narrow(trace)

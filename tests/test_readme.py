@@ -48,7 +48,7 @@ def test_the_scene_file_loads():
 
 
 COMMANDS = [line for block in blocks("sh") for line in block.splitlines() if "pip" not in line]
-LONG = "satviz study", "satviz bench", "satviz site"
+LONG = "satviz study", "satviz bench", "satviz site", "satviz advise", "satviz figures --"
 
 
 @pytest.mark.parametrize(

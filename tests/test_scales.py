@@ -5,6 +5,7 @@ from itertools import combinations
 from random import Random
 
 import pytest
+from speeds import one_in
 from test_digits import printed_gap, sign, value
 from test_pictures import boxes, meet
 
@@ -108,7 +109,7 @@ def seen(mark, scale):
     return max(math.dist(p, q) for p in mark.points for q in mark.points) * scale + 2 * mark.radius * scale
 
 
-@pytest.mark.parametrize("seed", [0, 1, *(pytest.param(s, marks=pytest.mark.slow) for s in range(2, 8))])
+@pytest.mark.parametrize("seed", one_in(8, range(8)))
 def test_pictures_hold_at_any_scale(seed):
     rng = Random(seed)
     for trace in scenes(seed, 6):

@@ -1,0 +1,11 @@
+"""The two speeds of tests: which of many like cases run at once, and which with -m slow."""
+
+from collections.abc import Iterable
+from typing import Any
+
+import pytest
+
+
+def one_in(n: int, values: Iterable[Any]) -> list[Any]:
+    """For parametrize: every n-th value is quick, the others are slow."""
+    return [x if i % n == 0 else pytest.param(x, marks=pytest.mark.slow) for i, x in enumerate(values)]
