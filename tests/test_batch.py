@@ -339,6 +339,35 @@ def test_wherever_the_search_of_numba_ends_every_edge_is_asked(monkeypatch):
                 assert of_many(*these[0], *these[1], reach, np.empty(settle.TERMS)) == 1, ends
 
 
+class Counted(list):
+    """Numbers that tell how often any of them was looked at."""
+
+    looks = 0
+
+    def __getitem__(self, i):
+        Counted.looks += 1
+        return super().__getitem__(i)
+
+
+@pytest.mark.parametrize(("v", "w"), [(9, 9), (64, 64), (200, 30), (30, 200)])
+def test_of_edges_that_tell_nothing_numba_looks_at_few_corners(v, w, monkeypatch):
+    """About twenty for each edge, however many there are: from each to the next the walk goes on where it was."""
+    settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
+    for name in "of_many", "_side", "_on", "_down":
+        kernel = getattr(settle, name)
+        monkeypatch.setattr(settle, name, getattr(kernel, "py_func", kernel))
+    monkeypatch.setattr(settle, "_edges", lambda *_: pytest.fail("all corners are looked at"))
+    rng = RNG(4)
+    for n in range(3):
+        rings = ngons(rng, 1, v, 0.3)[0], ngons(rng, 1, w, 0.3)[0] + 0.4
+        one, other, reach, _ = as_rows(*rings, None)
+        ends = [row[2] + (1 + n) * (row[3] - row[2]) // 4 for row in (one, other)]
+        monkeypatch.setattr(settle, "_soon", lambda *_, ends=ends: (UNDECIDED, *ends))
+        Counted.looks, rows = 0, [[Counted(row[0]), Counted(row[1]), *row[2:]] for row in (one, other)]
+        assert settle.of_many(*rows[0], *rows[1], reach, np.empty(settle.TERMS)) == 2
+        assert Counted.looks < 24 * (v + w)
+
+
 HARD = [
     *("few corners", "many corners", "opposite edges", "shortest edges", "level far sides", "bowls", "nearly parallel"),
     *("mixed magnitudes", "tiny and huge", "map coordinates", "rounded needles", "any scale"),
