@@ -203,6 +203,28 @@ def test_numbas_search_tells_nothing_of_corners_too_flat_to_be_told_apart(search
         assert search._soon(*one, *other, reach)[0] == search._soon(*other, *one, reach)[0] == UNDECIDED
 
 
+def test_numbas_search_finds_no_shared_point_on_the_edge_whose_ends_it_finds_first(search):
+    """Narrow shapes that stand on a long edge of flat ones: what lies left of the edge says nothing of its line."""
+    rng = Random(5)
+    for _ in range(100):
+        long, lean = rng.randrange(50, 5000), rng.choice((-1, 1))
+        flat = [
+            (-rng.randrange(1, long), 0),
+            (rng.randrange(-long, long), -rng.randrange(1, 9)),
+            (rng.randrange(1, long), 0),
+        ]
+        tall = [(lean * rng.randrange(max(2, long // 20)), rng.randrange(1, 3 * long)) for _ in range(2)]
+        turned = complex(rng.randrange(1, 2000), rng.randrange(-2000, 2000))
+        at = complex(rng.randrange(-100_000, 100_000), rng.randrange(-100_000, 100_000))
+        rings = [[complex(*point) * turned + at for point in ring] for ring in (flat, [(0, 0), *tall])]
+        rings = [
+            np.array([(z.real, z.imag) for z in ring[k:] + ring[:k]]) for ring in rings for k in [rng.randrange(3)]
+        ]
+        one, other, reach, _ = as_rows(*rings, None)
+        for these in (one, other), (other, one):
+            assert search._soon(*these[0], *these[1], reach)[0] == UNDECIDED
+
+
 ROUNDED = [  # found by search: triangles that touch, whose corners are so far apart that differences are rounded
     (
         [
@@ -279,6 +301,12 @@ def test_no_point_of_an_edge_is_inside_for_numba_where_differences_are_rounded(s
     assert search.inside(*row, *np.array(triangle.core).mean(axis=0), reach)
 
 
+@pytest.mark.parametrize(("e", "sure"), [(-480, False), (-460, True), (480, True), (484, False), (510, False)])
+def test_numba_is_sure_of_no_point_where_products_leave_the_range_of_floats(search, e, sure):
+    row, _, reach, _ = as_rows(*[np.array([(-1.0, -1), (1, -1), (0, 1)]) * 2.0**e] * 2, None)
+    assert bool(search.inside(*row, 0.0, 0.0, reach)) is sure
+
+
 def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
     """As told of one point after another; where products leave the range of floats it may tell nothing."""
     settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
@@ -303,6 +331,22 @@ def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
     for size in SIZES:
         assert min(seen[told, size] for told in (-1, 0, 1)) > 5 or seen[-2, size] > 100
         assert not seen[-2, size] or not 2.0**-400 < size < 2.0**450
+
+
+@pytest.mark.parametrize("scale", [1e-130, 1.0, 1e140])
+def test_numbas_turn_looks_no_further_than_it_must(scale, monkeypatch):
+    """Of plain points at no more than two products, of points nearly in a row at no long sum."""
+    settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
+    turn, terms = getattr(settle.turn, "py_func", settle.turn), np.empty(settle.TERMS)
+    monkeypatch.setattr(settle, "_sign_of_sum", lambda *_: pytest.fail("sums are asked"))
+    for points in np.transpose([c * scale for c in in_a_row(RNG(2), 1000, 1000)]).tolist():
+        if abs(exact := oracle.turn(points[:2], points[2:4], points[4:])) > 1e-24 * scale**2:
+            assert turn(*points, terms) == (1 if exact > 0 else -1)
+    monkeypatch.setattr(settle, "_lost", lambda *_: pytest.fail("what differences lost is asked"))
+    for points in RNG(1).uniform(-scale, scale, (1000, 6)).tolist():
+        exact = oracle.turn(points[:2], points[2:4], points[4:])
+        assert turn(*points, terms) == (1 if exact > 0 else -1)
+        assert turn(*points[:4], *points[:2], terms) == turn(*points[:4], *points[2:4], terms) == 0
 
 
 @pytest.mark.parametrize("size", [1.0, 2.0**-130])
