@@ -2,12 +2,12 @@
 
     python -m pip install 'mutmut>=3.8' && python tests/mutants.py engine/exact engine/axes:240 batch/signs
 
-prints every mutant that survived, and a table; without names it goes through the whole
-core, batch/door:9-80 sows these lines only, and batch/door%3 every third mutant.
-tests/mutants.md holds the last table and, for each survivor that changes nothing, the
-reason: those are known and only counted.  Half the kinds of mutants are mutmut's.  Its
-runner starts Python anew for each; here a parent loads the large libraries once and forks.
-Left as they are: strings, messages (all of a raise), annotations, docstrings, zip's strict.
+prints every mutant that survived, every one that was killed though listed as equivalent, and a
+table; without names it goes through the whole core, batch/door:9-80 sows these lines only, and
+batch/door%3 every third mutant.  tests/mutants.md holds the last table and, for each survivor
+that changes nothing, the reason: those are known and only counted.  Half the kinds of mutants are
+mutmut's.  Its runner starts Python anew for each; here a parent loads the large libraries once and
+forks.  Left as they are: strings, messages (all of a raise), annotations, docstrings, zip's strict.
 """
 
 import ast
@@ -280,6 +280,8 @@ class Field:
             self.score[fate] += 1
             if fate == "survived":
                 print(f"{line}\n- {change}", flush=True)
+            elif code and change in self.known:
+                print(f"{line}\nlisted as equivalent, but {fate}: {change}", flush=True)
         return told
 
     def sow(self, lines: range, step: int) -> None:
