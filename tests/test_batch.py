@@ -1736,6 +1736,9 @@ def test_chunks_of_nothing_are_refused(chunk, executor):
     a = batch.Circles([(0, 0), (1, 0)], 1)
     with pytest.raises(ValueError, match=f"chunk is {chunk}: it must be at least 1"):
         batch.relate(a, a, engine="numpy", executor=executor, chunk=chunk)
+    for shapes in a, a[:0], batch.Polygons([[(0, 0), (1, 0), (1, 1), (0, 1)]] * 2):
+        with pytest.raises(ValueError, match=f"chunk is {chunk}: it must be at least 1"):
+            batch.colliding_pairs(shapes, engine="numpy", executor=executor, chunk=chunk)
 
 
 def test_only_a_few_chunks_are_under_way_at_once():

@@ -32,8 +32,7 @@ def in_chunks(
     At most WAITING chunks are under way, so memory does not grow with n.  An
     interrupt or a failed chunk cancels those not yet started.
     """
-    if size < 1:
-        raise ValueError(f"chunk is {size}: it must be at least 1")
+    at_least_one("chunk", size)
     ranges = ((start, min(start + size, n)) for start in range(0, n, size))
     waiting: Waiting = deque()
     try:
@@ -56,6 +55,12 @@ def in_chunks(
     finally:
         for _, _, future in waiting:
             future.cancel()
+
+
+def at_least_one(name: str, size: int) -> None:
+    """ValueError for a size with which no work would ever be done."""
+    if size < 1:
+        raise ValueError(f"{name} is {size}: it must be at least 1")
 
 
 def _result(start: int, stop: int, job: Job) -> Any:

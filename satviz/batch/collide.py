@@ -12,7 +12,7 @@ from ..engine.geometry import InvalidShape
 from . import door
 from .arrays import Shapes, checked
 from .broad import candidate_blocks, in_order
-from .chunks import CHUNK
+from .chunks import CHUNK, at_least_one
 from .grid_numpy import Pairs
 from .making import polygons_numbered
 from .narrow import engine_of, hits
@@ -34,6 +34,7 @@ def colliding_pairs(
     `progress` (told of candidates done in each block) and `chunk`: as in `relate`;
     upright boxes alone need the engine's grid only.
     """
+    at_least_one("chunk", chunk)  # also where the grid alone decides
     found = []
     parts = checked(shapes, "shapes").parts
     for pairs in candidate_blocks(parts.bounds, engine_of(engine).grid):
@@ -68,8 +69,7 @@ def stream_colliding_pairs(
     """
     if getattr(vertices, "ndim", 0) != 3:
         raise InvalidShape(f"vertices is {_kind(vertices)}: expected an (N, V, 2) array; colliding_pairs takes others")
-    if strip < 1:
-        raise ValueError(f"strip is {strip}: it must be at least 1")
+    at_least_one("strip", strip)
     engine_of(engine)
     n = len(vertices)
     low, high = np.empty(n), np.empty(n)

@@ -119,7 +119,11 @@ def _root(shape: Shape, k: int, square: int, bits: int) -> Fraction:
 
 @lru_cache(maxsize=256)
 def shared_point(a: Shape, b: Shape) -> SharedPoint:
-    """A point of both of two convex shapes that touch or overlap, well inside the overlap where it has an inside."""
+    """A point of both of two convex shapes that touch or overlap.
+
+    Of two polygons about the middle of what they share where floats can say it, of a circle and a polygon the
+    polygon's nearest point to the center, of two circles one between their centers.
+    """
     if a.radius and b.radius:
         ((ax, ay),), ((bx, by),) = _ring(a), _ring(b)
         t = Fraction(a.radius) / (Fraction(a.radius) + Fraction(b.radius))  # the distance is at most their sum
