@@ -1462,6 +1462,61 @@ def test_the_grid_finds_the_same_pairs_in_blocks_of_any_size(block, monkeypatch)
         assert np.array_equal(batch.candidate_pairs(bounds, engine="numpy"), brute(bounds)), name
 
 
+def in_cells(rng):
+    """Boxes of like sizes in a few cells of any width and height, and one half of them and the other."""
+    n, (wide, high) = int(rng.integers(4, 60)), 2.0 ** rng.integers(-3, 9, 2)
+    low = rng.integers(-200, 200, (n, 2)) * rng.choice([1.0, 0.1, 1e-300, 2.0**40, 2.0**-40])
+    size = rng.integers(0, 40, (n, 2)) * np.abs(low).max() / rng.choice([200, 2000])
+    step = max(np.abs(low).max() / 200, 5e-324)
+    order = rng.permutation(n)
+    return np.hstack([low, low + size]), order[::2], order[1::2], (wide * step, high * step)
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("engine", ENGINES)
+def test_cells_of_any_size_find_what_meets_and_each_pair_once(engine, seed):
+    grid, rng = importlib.import_module(f"satviz.batch.grid_{engine}"), RNG(seed)
+    for n in range(25):
+        bounds, one, other, cell = in_cells(rng)
+        all_pairs = brute(bounds)
+        mixed = all_pairs[np.isin(all_pairs, one).sum(axis=1) == 1]
+        for these, those, right in (np.arange(len(bounds)), None, all_pairs), (one, other, mixed):
+            found = np.concatenate([np.empty((0, 2), int), *grid.met(bounds, these, those, cell, np.inf)])
+            assert np.array_equal(found[np.lexsort(found.T[::-1])], right), n
+
+
+def test_the_grid_of_numba_looks_as_often_as_it_says(monkeypatch):
+    grid, rng = pytest.importorskip("satviz.batch.grid_numba", reason="needs numba: pip install '.[fast]'"), RNG(4)
+    for name in "_stored", "_looks", "_met", "_lowest", "_at":
+        kernel = getattr(grid, name)
+        monkeypatch.setattr(grid, name, getattr(kernel, "py_func", kernel))
+    places, asked = getattr(grid._places, "py_func", grid._places), []
+    monkeypatch.setattr(grid, "_places", lambda *given: asked.append(places(*given)) or asked[-1])
+    for _ in range(60):
+        bounds, one, other, cell = in_cells(rng)
+        size = 1 << int(2 * len(other) - 1).bit_length()
+        table = grid._stored(bounds, other, *cell, size)
+        told = grid._looks(bounds[one], False, table)
+        asked.clear()
+        pairs = sum(map(len, grid._blocks(one, bounds[one], False, table, 100)))
+        assert told == sum(last - first for first, last in asked) >= pairs
+        assert grid.met(bounds, one, other, cell, told) is not None
+        assert told == 0 or grid.met(bounds, one, other, cell, told - 1) is None
+
+
+def test_the_grid_of_numpy_looks_at_those_in_the_cells_that_a_box_can_meet():
+    rng = RNG(5)
+    for _ in range(60):
+        bounds, one, other, cell = in_cells(rng)
+        longest = (bounds[other, 2:] - bounds[other, :2]).max(axis=0)
+        first, last = np.floor((bounds[one, :2] - longest) / cell), np.floor(bounds[one, 2:] / cell)
+        own = np.floor(bounds[other, :2] / cell)[:, None]
+        looks = int(((first <= own) & (own <= last)).all(axis=2).sum())
+        wider = int(((first - 1 <= own) & (own <= last)).all(axis=2).sum())  # where what is subtracted is rounded up
+        assert grid_numpy.met(bounds, one, other, cell, wider) is not None
+        assert looks == 0 or grid_numpy.met(bounds, one, other, cell, looks - 1) is None
+
+
 TURNED = -6.123233995736766e-17  # what a quarter turn leaves of 0
 
 
