@@ -52,7 +52,7 @@ TESTS = {  # which test files judge a module
     "engine/trace": ["trace", "failing", "escape"],
     "scenes/tracefile": ["trace", "failing"],
 }
-GRID = "candidate or collid or grid or stream or boxes"
+GRID = "boxes or candidate or cells or collid or grid or stream"
 ABOUT = {  # of those files only these tests, as pytest -k takes them, since each survivor goes through all that judge
     "batch/broad": GRID,
     "batch/grid_numba": GRID,
