@@ -349,6 +349,18 @@ def test_numbas_turn_looks_no_further_than_it_must(scale, monkeypatch):
         assert turn(*points[:4], *points[:2], terms) == turn(*points[:4], *points[2:4], terms) == 0
 
 
+@pytest.mark.parametrize("scale", [2.0**-400, 1.0, 2.0**460])
+def test_numbas_turn_of_points_in_a_row_whose_differences_are_floats_is_a_sum_of_four(scale, monkeypatch):
+    settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
+    turn, sums = getattr(settle.turn, "py_func", settle.turn), []
+    real = getattr(settle._sign_of_sum, "py_func", settle._sign_of_sum)
+    monkeypatch.setattr(settle, "_sign_of_sum", lambda terms, count: sums.append(count) or real(terms, count))
+    for px, py, dx, dy in RNG(3).integers(-(2**20), 2**20, (50, 4)):
+        points = np.array([px, py, px + dx, py + dy, px - 3 * dx, py - 3 * dy]) * scale
+        assert turn(*points, np.empty(settle.TERMS)) == 0
+    assert sums == [4] * 50
+
+
 @pytest.mark.parametrize("size", [1.0, 2.0**-130])
 def test_numbas_search_tells_whatever_is_plain(search, size):
     """Also where it takes many steps, as beside a thin one."""
@@ -739,9 +751,12 @@ def test_turns_beyond_float64_are_exact_and_warn_of_nothing():
 
 
 @pytest.mark.parametrize("swap", [[0, 1, 2, 3, 4, 5], [1, 0, 3, 2, 5, 4], [0, 1, 4, 5, 2, 3], [1, 0, 5, 4, 3, 2]])
-def test_a_turn_of_which_one_difference_alone_is_rounded_is_exact(swap):
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_turn_of_which_one_difference_alone_is_rounded_is_exact(swap, engine):
     """A straight way and one a float off: a product of two odd numbers is the difference of two floats of one end."""
     rng = RNG(6)
+    if engine == "numba":
+        settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
     for f, g in rng.integers(2**33, 2**36, (60, 2)).tolist():
         far = float(f * g)
         near = float(int(far) - f * g)
@@ -750,8 +765,11 @@ def test_a_turn_of_which_one_difference_alone_is_rounded_is_exact(swap):
                 columns = np.array([near, 0, far, f, g + near + off, 1], float)[swap]
                 px, py, qx, qy, rx, ry = map(Fraction, columns)
                 det = (qx - px) * (ry - py) - (qy - py) * (rx - px)
-                assert signs.orient(*columns[:, None]).tolist() == [(det > 0) - (det < 0)]
-                assert (det == 0) == (off == 0)
+                if engine == "numba":
+                    told = settle.turn(*columns, np.empty(settle.TERMS))
+                else:
+                    (told,) = signs.orient(*columns[:, None])
+                assert told == (det > 0) - (det < 0) and (det == 0) == (off == 0)
 
 
 def test_signs_of_products_are_exact_at_every_scale():
