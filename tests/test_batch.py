@@ -781,11 +781,16 @@ def test_signs_of_products_are_exact_at_every_scale():
         assert signs.sign_of_products(sums).tolist() == [(s > 0) - (s < 0) for s in right]
 
 
-def test_a_sum_is_told_from_what_its_other_terms_can_add_up_to_at_most():
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_sum_is_told_from_what_its_other_terms_can_add_up_to_at_most(engine):
     """Though that sum is itself rounded: 1 and five times what is rounded off it."""
-    column = np.array([-1, *[-(2.0**-53)] * 5, 1 + 2.0**-52])[:, None]
+    terms = np.array([-1, *[-(2.0**-53)] * 5, 1 + 2.0**-52])
     for way in (1, -1):
-        assert signs.sign_of_sum(way * column) == -way
+        if engine == "numba":
+            settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: pip install '.[fast]'")
+            assert settle._sign_of_sum(way * terms, len(terms)) == -way
+        else:
+            assert signs.sign_of_sum(way * terms[:, None]) == -way
 
 
 def test_sums_of_ordinary_products_need_no_integers(monkeypatch):
