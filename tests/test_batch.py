@@ -793,6 +793,28 @@ def test_a_sum_is_told_from_what_its_other_terms_can_add_up_to_at_most(engine):
             assert signs.sign_of_sum(way * terms[:, None]) == -way
 
 
+@pytest.mark.parametrize("engine", ENGINES)
+def test_sums_that_nearly_vanish_are_told_exactly(engine):
+    """What is left once each number has met its opposite, split in two on the way: nothing, or one that is far less."""
+    rng, seen = RNG(12), []
+    for n in range(300):
+        large = rng.normal(0, 1, 3) * 2.0 ** rng.integers(-40, 40, 3)
+        parts = large * rng.uniform(-2, 3, 3)
+        rest = large - parts  # rounded: what was lost is the last of each
+        lost = [float(Fraction(u) - Fraction(v) - Fraction(w)) for u, v, w in zip(large, parts, rest)]
+        terms = np.array([*-large, *parts, *rest, *lost[:2], lost[2] * (n % 3)])
+        rng.shuffle(terms)
+        exact = sum(map(Fraction, terms))
+        if engine == "numba":
+            settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: pip install '.[fast]'")
+            told = settle._sign_of_sum(terms.copy(), len(terms))
+        else:
+            (told,) = signs.sign_of_sum(terms[:, None].copy())
+        assert told == (exact > 0) - (exact < 0), terms
+        seen.append(told)
+    assert min(map(seen.count, (-1, 0, 1))) > 20
+
+
 def test_sums_of_ordinary_products_need_no_integers(monkeypatch):
     asked = []
     monkeypatch.setattr(signs, "to_integers", lambda values: asked.append(values))
