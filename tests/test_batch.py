@@ -361,6 +361,19 @@ def test_numbas_turn_of_points_in_a_row_whose_differences_are_floats_is_a_sum_of
     assert sums == [4] * 50
 
 
+@pytest.mark.parametrize("steps", [1, 2, 3])
+def test_numbas_search_ends_after_so_many_steps(search, monkeypatch, steps):
+    """With nothing told, or what is right."""
+    monkeypatch.setattr(search, "MOST_STEPS", steps)
+    rng, seen = RNG(4), []
+    for _ in range(40):
+        a, b = ngons(rng, 2, 16, 0.3) * 2.0**50 + [[[0]], [[rng.uniform(0, 2) * 2**50]]]
+        one, other, reach, _ = as_rows(a, b, None)
+        seen.append(search._soon(*one, *other, reach)[0])
+        assert seen[-1] in (UNDECIDED, sv.relate(sv.Polygon(a), sv.Polygon(b)))
+    assert UNDECIDED in seen
+
+
 @pytest.mark.parametrize("size", [1.0, 2.0**-130])
 def test_numbas_search_tells_whatever_is_plain(search, size):
     """Also where it takes many steps, as beside a thin one."""

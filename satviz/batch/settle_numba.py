@@ -246,17 +246,16 @@ def turn(px: float, py: float, qx: float, qy: float, rx: float, ry: float, terms
         turn = (left - right) + ((e - f) + ((a * eb + ea * b) - (c * ed + ec * d)))
         if abs(turn) > FINEST * size:
             return 1 if turn > 0 else -1
-    if ea == 0 and eb == 0 and ec == 0 and ed == 0 and size < HUGE and _holds(a, b) and _holds(c, d):
+    # a product beyond the floats leaves an infinity among the terms, and no sum is told of that
+    if ea == 0 and eb == 0 and ec == 0 and ed == 0 and _holds(a, b) and _holds(c, d):
         terms[0], terms[2] = _product(a, b)
         terms[1], terms[3] = _product(-c, d)
         return _sign_of_sum(terms, 4)
-    size = 0.0
     for i, (a, b) in enumerate(((px, qy), (-py, qx), (qx, ry), (-qy, rx), (rx, py), (-ry, px))):
         if not _holds(a, b):
             return UNKNOWN
         terms[i], terms[6 + i] = _product(a, b)
-        size += abs(a * b)
-    return _sign_of_sum(terms, TERMS) if size < HUGE else UNKNOWN
+    return _sign_of_sum(terms, TERMS)
 
 
 @compiled
