@@ -53,6 +53,12 @@ def ngons(rng, n, v, spread=1.5):
     return center + np.stack([np.cos(turns), np.sin(turns)], axis=2)
 
 
+def regular(rng, n, v, spread=0.1):
+    """Regular polygons of one size, turned any way."""
+    turns = rng.uniform(0, 2 * np.pi, (n, 1)) + 2 * np.pi * np.arange(v) / v
+    return rng.uniform(-spread, spread, (n, 1, 2)) + np.stack([np.cos(turns), np.sin(turns)], axis=2)
+
+
 def circles(rng, n, spread=2.0):
     return batch.Circles(rng.uniform(-spread, spread, (n, 2)), rng.uniform(0.1, 1, n))
 
@@ -1827,6 +1833,56 @@ def test_of_plain_pairs_in_any_order_none_needs_an_exact_sign(block, monkeypatch
     monkeypatch.setattr(narrow.undecided, "relations", lambda *c: asked.extend(c[1]) or real(*c))
     assert batch.relate(shapes, shapes, index, engine="numpy").tolist() == right
     assert not asked
+
+
+def outlines_of_all_numbers(rng, across):
+    """Upright boxes, turned squares, and outlines of 3 to 12 corners, on whole numbers."""
+    rings = [[(0, 0), (u, 0), (u, v), (0, v)] for u, v in rng.integers(1, 4, (4, 2))]
+    rings += [[(0, 0), (2, 1), (1, 3), (-1, 2)], [(0, 0), (4, 0), (1, 3)], [(0, 0), (-1, 4), (-3, 1)]]
+    rings += [3 * regular(rng, 1, v)[0] for v in (5, 6, 7, 8, 9, 12)]
+    return [batch.Polygons([np.array(ring) + rng.integers(-across, across, 2)]) for ring in rings]
+
+
+@pytest.mark.parametrize("lanes", [1, 3, 128])
+def test_numba_tells_picked_outlines_of_all_numbers_of_corners_as_one_by_one(lanes, monkeypatch):
+    picked = pytest.importorskip("satviz.batch.picked_numba", reason="needs numba: python -m pip install '.[fast]'")
+    monkeypatch.setattr(picked, "_polygons", getattr(picked._polygons, "py_func", picked._polygons))
+    monkeypatch.setattr(picked, "LANES", lanes)
+    rng = RNG(lanes)
+    shapes = batch.concat(outlines_of_all_numbers(rng, 5) + outlines_of_all_numbers(rng, 8))
+    known, every = scalar(shapes), np.argwhere(np.ones((len(shapes), len(shapes))))
+    found = batch.relate(shapes, shapes, every, engine="numba")
+    assert found.tolist() == [int(sv.relate(known[i], known[j])) for i, j in every]
+    most = shapes.count[every].max(axis=1)
+    for these in most <= 4, (most > 4) & (most <= 8), most > 8:
+        assert set(found[these].tolist()) >= {0, 2}
+
+
+@pytest.mark.parametrize("lanes", [7, 128])
+def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeypatch):
+    """Nor upright boxes, nor, where the middle of what their boxes share is inside both, many corners for an axis."""
+    picked = pytest.importorskip("satviz.batch.picked_numba", reason="needs numba: python -m pip install '.[fast]'")
+    monkeypatch.setattr(picked, "_polygons", getattr(picked._polygons, "py_func", picked._polygons))
+    monkeypatch.setattr(picked, "LANES", lanes)
+    for name in "of_few", "of_many":
+        monkeypatch.setattr(picked, name, lambda *_: pytest.fail("looked at longer"))
+    look, widths = picked._look, []
+    monkeypatch.setattr(picked, "_look", lambda *given: widths.extend([given[11]] * given[10].size) or look(*given))
+    box = batch.Polygons([[(5, 0), (6, 0), (6, 1), (5, 1)], [(6, 1), (7, 1), (7, 2), (6, 2)]])
+    rng = RNG(2)
+    index = np.r_[[(0, 1), (1, 1), (2, 0)], 2 + np.c_[rng.permutation(30), rng.permutation(30)]]
+    for v, w in product((3, 4, 6, 8, 40), repeat=2):
+        a, b = (batch.concat([box, batch.Polygons(regular(rng, 30, n))]) for n in (v, w))
+        assert batch.relate(a, b, index, engine="numba").tolist() == [1, 2, 0] + [2] * 30
+        far = batch.concat([box, batch.Polygons(regular(rng, 30, w) + 1.8)])
+        if max(v, w) <= 8:
+            widths.clear()
+            assert batch.relate(a, far, index, engine="numba").tolist() == [1, 2, 0] + [0] * 30
+            assert len(widths) < 31 and set(widths) == {4 if max(v, w) <= 4 else 8}
+    for x, y, size in product((-0.6, 0.0, 0.6), (-0.3, 0.2), (0.1, 0.2)):
+        small = batch.Polygons(regular(rng, 1, 40) * size + [[[x, y]]])
+        for these in (a[2:3], small), (small, a[2:3]):
+            assert batch.relate(*these, [(0, 0)], engine="numba").tolist() == [2]
 
 
 @pytest.mark.parametrize("block", [1, 7, 1000])
