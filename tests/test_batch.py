@@ -1870,19 +1870,37 @@ def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeyp
     monkeypatch.setattr(picked, "_look", lambda *given: widths.extend([given[11]] * given[10].size) or look(*given))
     box = batch.Polygons([[(5, 0), (6, 0), (6, 1), (5, 1)], [(6, 1), (7, 1), (7, 2), (6, 2)]])
     rng = RNG(2)
-    index = np.r_[[(0, 1), (1, 1), (2, 0)], 2 + np.c_[rng.permutation(30), rng.permutation(30)]]
+    index = np.r_[[(0, 1), (1, 1), (2, 0)], 2 + rng.integers(0, 30, (150, 2))]
     for v, w in product((3, 4, 6, 8, 40), repeat=2):
         a, b = (batch.concat([box, batch.Polygons(regular(rng, 30, n))]) for n in (v, w))
-        assert batch.relate(a, b, index, engine="numba").tolist() == [1, 2, 0] + [2] * 30
+        assert batch.relate(a, b, index, engine="numba").tolist() == [1, 2, 0] + [2] * 150
         far = batch.concat([box, batch.Polygons(regular(rng, 30, w) + 1.8)])
         if max(v, w) <= 8:
             widths.clear()
-            assert batch.relate(a, far, index, engine="numba").tolist() == [1, 2, 0] + [0] * 30
-            assert len(widths) < 31 and set(widths) == {4 if max(v, w) <= 4 else 8}
+            assert batch.relate(a, far, index, engine="numba").tolist() == [1, 2, 0] + [0] * 150
+            assert 7 < len(widths) < 151 and set(widths) == {4 if max(v, w) <= 4 else 8}
     for x, y, size in product((-0.6, 0.0, 0.6), (-0.3, 0.2), (0.1, 0.2)):
         small = batch.Polygons(regular(rng, 1, 40) * size + [[[x, y]]])
         for these in (a[2:3], small), (small, a[2:3]):
             assert batch.relate(*these, [(0, 0)], engine="numba").tolist() == [2]
+
+
+@pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 4), (8, 8), (5, 3), (7, 8), (8, 5)])
+def test_columns_of_every_number_of_corners_are_told_by_numba_from_their_clearances(v, w):
+    """Far beyond a room, or far within it, as if rounding could hide so much: the clearance itself is looked at."""
+    kernels = pytest.importorskip("satviz.batch.filter_numba", reason="needs numba: python -m pip install '.[fast]'")
+    rng, first, n, room = RNG(v * w), 5, 300, 0.1
+    a, b = (rng.uniform(-1.5, 1.5, (n + first, 1, 2)) + ngons(rng, n + first, k, 0.0) for k in (v, w))
+    best = np.full(n, -np.inf)
+    for p, q in (a, b), (b, a):
+        edges = np.roll(p, -1, axis=1) - p
+        normals = np.stack([edges[..., 1], -edges[..., 0]], axis=2)[first:]
+        beyond = (q[first:, None] * normals[:, :, None]).sum(axis=3).min(axis=2) - (p[first:] * normals).sum(axis=2)
+        best = np.maximum(best, beyond.max(axis=1))
+    out = np.full(n, 9, np.int8)
+    kernels.looks(v, w)(*(np.ascontiguousarray(c) for s in (a, b) for c in s.transpose(2, 1, 0)), first, room, out)
+    assert out.tolist() == np.select([best > room, best < -room], [0, 2], UNDECIDED).tolist()
+    assert min((out == told).sum() for told in (0, 2, UNDECIDED)) > 10
 
 
 @pytest.mark.parametrize("block", [1, 7, 1000])
