@@ -1903,6 +1903,21 @@ def test_columns_of_every_number_of_corners_are_told_by_numba_from_their_clearan
     assert min((out == told).sum() for told in (0, 2, UNDECIDED)) > 10
 
 
+@pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 8), (8, 5)])
+def test_columns_that_floats_leave_undecided_are_settled_by_numba_and_the_others_left_as_they_are(v, w):
+    picked = pytest.importorskip("satviz.batch.picked_numba", reason="needs numba: python -m pip install '.[fast]'")
+    a, touching = beside_mirror(v, w)
+    for move in (0, 1, -1):
+        p, q = batch.Polygons(a[:8]), batch.Polygons(touching[:8] + np.array([move, 0.0]))
+        right = one_by_one(p, q)
+        out = np.array([UNDECIDED, 7, UNDECIDED, UNDECIDED, 5], np.int8)
+        picked.columns(p.uniform, q.uniform, 3, out)
+        assert out.tolist() == [right[3], 7, *right[5:7], 5]
+        out = np.full(8, UNDECIDED, np.int8)
+        picked.polygons(p.flat, np.arange(8), q.flat, np.arange(8), out)
+        assert out.tolist() == right
+
+
 @pytest.mark.parametrize("block", [1, 7, 1000])
 def test_parts_are_looked_at_in_blocks_of_any_size(block, monkeypatch):
     """Blocks may end amid the parts of a pair."""
