@@ -40,6 +40,7 @@ from satviz.batch import (
 )
 from satviz.batch.chunks import ChunkFailed
 from satviz.batch.codes import UNDECIDED
+from satviz.engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from satviz.study import truth as oracle
 
 ENGINES = ["numpy", "numba"]
@@ -1880,8 +1881,10 @@ def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeyp
             assert batch.relate(a, far, index, engine="numba").tolist() == [1, 2, 0] + [0] * 150
             assert 7 < len(widths) < 151 and set(widths) == {4 if max(v, w) <= 4 else 8}
     for x, y, size in product((-0.6, 0.0, 0.6), (-0.3, 0.2), (0.1, 0.2)):
-        small = batch.Polygons(regular(rng, 1, 40) * size + [[[x, y]]])
-        for these in (a[2:3], small), (small, a[2:3]):
+        large, small = (
+            batch.Polygons(regular(rng, 1, 40) * u + [[[30 + v, 50 + w]]]) for u, v, w in ((1, 0, 0), (size, x, y))
+        )
+        for these in (large, small), (small, large):
             assert batch.relate(*these, [(0, 0)], engine="numba").tolist() == [2]
 
 
@@ -1903,19 +1906,57 @@ def test_columns_of_every_number_of_corners_are_told_by_numba_from_their_clearan
     assert min((out == told).sum() for told in (0, 2, UNDECIDED)) > 10
 
 
-@pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 8), (8, 5)])
-def test_columns_that_floats_leave_undecided_are_settled_by_numba_and_the_others_left_as_they_are(v, w):
+@pytest.mark.parametrize("scale", [1.0, 2.0**-90])
+@pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 8), (8, 8), (8, 5), (9, 5), (12, 12)])
+def test_columns_that_floats_leave_undecided_are_settled_by_numba_and_the_others_left_as_they_are(v, w, scale):
     picked = pytest.importorskip("satviz.batch.picked_numba", reason="needs numba: python -m pip install '.[fast]'")
     a, touching = beside_mirror(v, w)
     for move in (0, 1, -1):
-        p, q = batch.Polygons(a[:8]), batch.Polygons(touching[:8] + np.array([move, 0.0]))
+        p = batch.Polygons(a[:8] * scale)
+        q = batch.Polygons((touching[:8] + np.array([move, 0.0])) * scale)
         right = one_by_one(p, q)
         out = np.array([UNDECIDED, 7, UNDECIDED, UNDECIDED, 5], np.int8)
         picked.columns(p.uniform, q.uniform, 3, out)
         assert out.tolist() == [right[3], 7, *right[5:7], 5]
-        out = np.full(8, 9, np.int8)  # whatever was there
-        picked.polygons(p.flat, np.arange(8), q.flat, np.arange(8), out)
-        assert out.tolist() == right
+
+
+@pytest.mark.parametrize("scale", [1.0, 2.0**-90])
+@pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 8), (8, 8), (8, 5), (9, 5), (12, 12)])
+def test_picked_pairs_that_touch_are_all_settled_by_numba(v, w, scale, monkeypatch):
+    """Those of few corners edge by edge, the others after a search; whatever stood in the answer's place."""
+    picked = pytest.importorskip("satviz.batch.picked_numba", reason="needs numba: python -m pip install '.[fast]'")
+    monkeypatch.setattr(picked, "_polygons", getattr(picked._polygons, "py_func", picked._polygons))
+    monkeypatch.setattr(picked, "of_many" if max(v, w) <= 8 else "of_few", lambda *_: pytest.fail("the other way"))
+    a, touching = beside_mirror(v, w)
+    p, q = batch.Polygons(a[:8] * scale), batch.Polygons(touching[:8] * scale)
+    for one, other in (p, q), (q, p):
+        out = np.full(8, 9, np.int8)
+        picked.polygons(one.flat, np.arange(8), other.flat, np.arange(8), out)
+        assert out.tolist() == one_by_one(one, other) == [1] * 8
+
+
+@pytest.mark.parametrize("e", [-600, -100, 0, 100, 400, 600])
+def test_numbas_lanes_are_granted_room_for_the_widest_and_the_farthest(e, monkeypatch):
+    picked = pytest.importorskip("satviz.batch.picked_numba", reason="needs numba: python -m pip install '.[fast]'")
+    look, granted = getattr(picked._look, "py_func", picked._look), {}
+
+    def seen(*given):
+        look(*given)
+        granted.update(zip(given[10].tolist(), given[16].tolist()))
+
+    monkeypatch.setattr(picked, "_polygons", getattr(picked._polygons, "py_func", picked._polygons))
+    monkeypatch.setattr(picked, "_look", seen)
+    rng = RNG(7)
+    a, b = (batch.Polygons((ngons(rng, 40, v, 2) * rng.uniform(0.2, 5, (40, 1, 2))) * 2.0**e) for v in (3, 7))
+    index = rng.integers(0, 40, (200, 2))
+    batch.relate(a, b, index, engine="numba")
+    boxes = a.bounds[index[:, 0]], b.bounds[index[:, 1]]
+    wide = sum((c[:, 2:] - c[:, :2]).max(axis=1) for c in boxes)
+    with np.errstate(all="ignore"):
+        room = wide * sum(np.abs(c).max(axis=1) for c in boxes) * LOOK
+    right = np.where((room > LEAST_ROOM) & (room < MOST_ROOM), room, np.inf)
+    assert len(granted) > 20 and all(granted[k] == right[k] for k in granted)
+    assert np.isinf(right).all() == (abs(e) == 600)
 
 
 @pytest.mark.parametrize("block", [1, 7, 1000])
