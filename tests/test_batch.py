@@ -1006,6 +1006,35 @@ def test_circles_that_rest_on_polygons_are_exact(kind):
         assert found == dict.fromkeys(found, right)
 
 
+@pytest.mark.parametrize("e", [-470, -450, 0, 470])
+def test_numbas_filter_tells_of_circles_what_numpys_tells(e):
+    """Of those that rest on polygons or on each other, by about as much as rounding may hide, and of plain ones."""
+    kernels = pytest.importorskip("satviz.batch.filter_numba", reason="needs numba: python -m pip install '.[fast]'")
+    rng, told = RNG(e + 500), []
+
+    def both(name, *columns):
+        outs = [np.full(len(columns[0]) - 3, 9, np.int8) for _ in "ab"]
+        with np.errstate(all="ignore"):
+            getattr(kernels, name)(*columns, 3, outs[0])
+            getattr(filter_numpy, name)(*columns, 3, outs[1])
+        assert outs[0].tolist() == outs[1].tolist()
+        told.extend(outs[0].tolist())
+
+    plain = [
+        lambda _, n, v=v: (rng.uniform(-2, 2, (n, 2)), rng.uniform(0.1, 1, n), ngons(rng, n, v)) for v in (3, 5, 9)
+    ]
+    for make in [*(COMMON | RARE).values(), *plain]:
+        centers, radii, rings = make(rng, 40)
+        radii = radii * (1 + rng.integers(-9, 10, len(radii)) * 2.0 ** rng.choice([-52, -45, -44, -40], len(radii)))
+        c, p = (s.uniform for s in batches_from((centers * 2.0**e, radii * 2.0**e, rings * 2.0**e)))
+        both("circle_polygons", c.x[0], c.y[0], c.r, p.x, p.y)
+    for near in (1, 0.5, 1e-9):
+        x, y, z = TRIPLES[rng.integers(0, len(TRIPLES), 40)].T * 2.0**e * near
+        radii = z * (1 + rng.integers(-9, 10, 40) * 2.0 ** rng.choice([-52, -50, -49, -40], 40)) / 2
+        both("circles", x, -y, z / 2, np.zeros(40), np.zeros(40), radii)
+    assert all(told.count(k) > 20 for k in ((UNDECIDED,) if e == -470 else (0, 2, UNDECIDED)))
+
+
 @pytest.mark.parametrize(
     ("center", "radius", "ring", "right"),
     [
