@@ -1557,20 +1557,28 @@ def test_the_grid_finds_the_same_pairs_in_blocks_of_any_size(block, monkeypatch)
 
 
 def in_cells(rng):
-    """Boxes of like sizes in a few cells of any width and height, and one half of them and the other."""
-    n, (wide, high) = int(rng.integers(4, 60)), 2.0 ** rng.integers(-3, 9, 2)
-    low = rng.integers(-200, 200, (n, 2)) * rng.choice([1.0, 0.1, 1e-300, 2.0**40, 2.0**-40])
-    size = rng.integers(0, 40, (n, 2)) * np.abs(low).max() / rng.choice([200, 2000])
-    step = max(np.abs(low).max() / 200, 5e-324)
+    """Boxes of like sizes in a few cells of any width and height, far from 0 or not; one half of them and the other.
+
+    Some sides lie a float beside the borders of cells, so that lengths and places are rounded over them.
+    """
+    n, (wide, high) = int(rng.integers(4, 40)), 2.0 ** rng.integers(-2, 7, 2)
+    low = rng.integers(-100, 100, (n, 2)) + rng.choice([0, 0, 1000, -1000], 2)
+    sides = np.hstack([low, low + rng.integers(0, rng.choice([3, 40]), (n, 2))]) * rng.choice(
+        [1, 1, 0.1, 1e-300, 2.0**40]
+    )
+    step = max(np.abs(sides).max() / rng.choice([100, 128]), 5e-324)
+    if rng.random() < 0.5:
+        sides = np.nextafter(sides, rng.choice([-np.inf, np.inf], (n, 1)))
+        step = sides.dtype.type(2.0 ** np.floor(np.log2(step)))
     order = rng.permutation(n)
-    return np.hstack([low, low + size]), order[::2], order[1::2], (wide * step, high * step)
+    return sides, order[::2], order[1::2], (wide * step, high * step)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(12))
 @pytest.mark.parametrize("engine", ENGINES)
 def test_cells_of_any_size_find_what_meets_and_each_pair_once(engine, seed):
     grid, rng = importlib.import_module(f"satviz.batch.grid_{engine}"), RNG(seed)
-    for n in range(25):
+    for n in range(16):
         bounds, one, other, cell = in_cells(rng)
         all_pairs = brute(bounds)
         mixed = all_pairs[np.isin(all_pairs, one).sum(axis=1) == 1]
@@ -1579,14 +1587,28 @@ def test_cells_of_any_size_find_what_meets_and_each_pair_once(engine, seed):
             assert np.array_equal(found[np.lexsort(found.T[::-1])], right), n
 
 
-def test_the_grid_of_numba_looks_as_often_as_it_says(monkeypatch):
-    grid, rng = pytest.importorskip("satviz.batch.grid_numba", reason="needs numba: pip install '.[fast]'"), RNG(4)
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("swap", [[0, 1, 2, 3], [1, 0, 3, 2]])
+def test_a_length_that_is_rounded_hides_no_box_that_begins_a_float_before_its_cells_border(engine, swap):
+    grid = importlib.import_module(f"satviz.batch.grid_{engine}")
+    for border in np.arange(-40, 40) / 4:
+        begins = np.nextafter(border, -np.inf)
+        bounds = np.array([[begins, 0, border + 1, 1], [border + 1, 0, border + 2, 1]])[:, swap]
+        for one, other in (([0, 1], None), ([0], [1]), ([1], [0])):
+            sets = (np.array(ids) if ids else None for ids in (one, other))
+            (found,) = grid.met(bounds, *sets, (0.25, 0.25), np.inf)
+            assert found.tolist() == [[0, 1]], border
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_grid_of_numba_looks_as_often_as_it_says(seed, monkeypatch):
+    grid, rng = pytest.importorskip("satviz.batch.grid_numba", reason="needs numba: pip install '.[fast]'"), RNG(seed)
     for name in "_stored", "_looks", "_met", "_lowest", "_at":
         kernel = getattr(grid, name)
         monkeypatch.setattr(grid, name, getattr(kernel, "py_func", kernel))
     places, asked = getattr(grid._places, "py_func", grid._places), []
     monkeypatch.setattr(grid, "_places", lambda *given: asked.append(places(*given)) or asked[-1])
-    for _ in range(60):
+    for _ in range(15):
         bounds, one, other, cell = in_cells(rng)
         size = 1 << int(2 * len(other) - 1).bit_length()
         table = grid._stored(bounds, other, *cell, size)
