@@ -1576,9 +1576,10 @@ def in_cells(rng):
 
 @pytest.mark.parametrize("seed", range(12))
 @pytest.mark.parametrize("engine", ENGINES)
-def test_cells_of_any_size_find_what_meets_and_each_pair_once(engine, seed):
+def test_cells_of_any_size_find_what_meets_and_each_pair_once(engine, seed, monkeypatch):
     grid, rng = importlib.import_module(f"satviz.batch.grid_{engine}"), RNG(seed)
     for n in range(16):
+        monkeypatch.setattr(grid, "BLOCK", int(rng.choice([1, 7, 1 << 20])))
         bounds, one, other, cell = in_cells(rng)
         all_pairs = brute(bounds)
         mixed = all_pairs[np.isin(all_pairs, one).sum(axis=1) == 1]
@@ -1590,14 +1591,15 @@ def test_cells_of_any_size_find_what_meets_and_each_pair_once(engine, seed):
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("swap", [[0, 1, 2, 3], [1, 0, 3, 2]])
 def test_a_length_that_is_rounded_hides_no_box_that_begins_a_float_before_its_cells_border(engine, swap):
-    grid = importlib.import_module(f"satviz.batch.grid_{engine}")
-    for border in np.arange(-40, 40) / 4:
+    grid, rng = importlib.import_module(f"satviz.batch.grid_{engine}"), RNG(6)
+    for border in np.arange(-20, 20) / 4:
         begins = np.nextafter(border, -np.inf)
-        bounds = np.array([[begins, 0, border + 1, 1], [border + 1, 0, border + 2, 1]])[:, swap]
-        for one, other in (([0, 1], None), ([0], [1]), ([1], [0])):
-            sets = (np.array(ids) if ids else None for ids in (one, other))
-            (found,) = grid.met(bounds, *sets, (0.25, 0.25), np.inf)
-            assert found.tolist() == [[0, 1]], border
+        for end in (border + 1, *(rng.choice([0, border + 1, border + 0.5]) + rng.integers(0, 40, 3) * 2.0**-55)):
+            bounds = np.array([[begins, 0, max(end, border), 1], [max(end, border), 0, border + 5, 1]])[:, swap]
+            for one, other in (([0, 1], None), ([0], [1]), ([1], [0])):
+                sets = (np.array(ids) if ids else None for ids in (one, other))
+                (found,) = grid.met(bounds, *sets, (0.25, 0.25), np.inf)
+                assert found.tolist() == [[0, 1]], (border, end)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -1618,6 +1620,31 @@ def test_the_grid_of_numba_looks_as_often_as_it_says(seed, monkeypatch):
         assert told == sum(last - first for first, last in asked) >= pairs
         assert grid.met(bounds, one, other, cell, told) is not None
         assert told == 0 or grid.met(bounds, one, other, cell, told - 1) is None
+        # among themselves in rows from a box's own on, so some more than are needed
+        table = grid._stored(bounds, one, *cell, size)
+        told = grid._looks(bounds[one], True, table)
+        asked.clear()
+        pairs = sum(map(len, grid._blocks(table[1], table[3], True, table, 100)))
+        assert told >= sum(last - first for first, last in asked) >= pairs and told <= 2 * sum(
+            last - first for first, last in asked
+        ) + 9 * len(one)
+
+
+def test_of_many_boxes_the_grid_of_numba_asks_some_how_often_all_will_be_looked_at(monkeypatch):
+    grid = pytest.importorskip("satviz.batch.grid_numba", reason="needs numba: python -m pip install '.[fast]'")
+    x, y = (c.ravel()[:1000] for c in np.meshgrid(np.arange(33.0), np.arange(33.0)))
+    bounds = np.c_[x, y, x + 1, y + 1]
+    table = grid._stored(bounds, np.arange(1000), 1.0, 1.0, 2048)
+    queried = []
+    monkeypatch.setattr(grid, "_lowest", lambda *given: queried.append(given) or 0)
+    looks = getattr(grid._looks, "py_func", grid._looks)
+    for n, each in ((999, 1), (1000, grid.SAMPLE)):
+        queried.clear()
+        looks(bounds[:n], False, table)
+        assert len(queried) == 2 * -(-n // each)
+    monkeypatch.undo()
+    exact, told = grid._looks(bounds[:999], True, table), grid._looks(bounds, True, table)
+    assert 0.9 < told / exact < 1.1
 
 
 def test_the_grid_of_numpy_looks_at_those_in_the_cells_that_a_box_can_meet():
