@@ -1984,6 +1984,26 @@ def test_columns_of_every_number_of_corners_are_told_by_numba_from_their_clearan
     assert min((out == told).sum() for told in (0, 2, UNDECIDED)) > 10
 
 
+def test_columns_of_three_four_and_eight_corners_have_kernels_of_their_own():
+    kernels = pytest.importorskip("satviz.batch.filter_numba", reason="needs numba: python -m pip install '.[fast]'")
+    written_out = {kernels._eight, kernels._general}
+    own = {(v, w): kernels.looks(v, w) for v in (3, 4) for w in (3, 4)}
+    assert len(written_out | set(own.values())) == 6 and all(kernels.looks(*key) is own[key] for key in own)
+    assert kernels.looks(8, 8) is kernels._eight
+    for key in (4, 5), (5, 4), (5, 5), (3, 8), (8, 3), (8, 7), (7, 8), (7, 7), (9, 9):
+        assert kernels.looks(*key) is kernels._general
+
+
+def test_circles_beside_up_to_eight_corners_have_kernels_of_their_own(monkeypatch):
+    kernels = pytest.importorskip("satviz.batch.filter_numba", reason="needs numba: python -m pip install '.[fast]'")
+    served = []
+    monkeypatch.setattr(kernels, "_circle_unrolled", lambda n: served.append(n) or (lambda *_: None))
+    monkeypatch.setattr(kernels, "_circle_general", lambda *_: served.append("any"))
+    for corners in (3, 8, 9):
+        kernels.circle_polygons(*[np.zeros(1)] * 3, *[np.zeros((corners, 1))] * 2, 0, np.zeros(1, np.int8))
+    assert served == [3, 8, "any"]
+
+
 @pytest.mark.parametrize("scale", [1.0, 2.0**-90])
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 8), (8, 8), (8, 5), (9, 5), (12, 12)])
 def test_columns_that_floats_leave_undecided_are_settled_by_numba_and_the_others_left_as_they_are(v, w, scale):

@@ -17,7 +17,6 @@ from .arrays import Group
 from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .compiling import compiled
 from .filter_numpy import room_64
-from .rings import FEW
 from .signs import Array, Signs
 
 BLOCK = 1 << 17  # pairs a call: long enough that Python's share vanishes
@@ -26,11 +25,7 @@ TILE = 128  # pairs whose columns stay in the first-level cache between edges
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     """APART where an edge has the other shape beyond it by more than rounding can hide."""
-    va, vb = len(a.x), len(b.x)
-    if max(va, vb) > FEW:  # the exact way is as quick
-        out.fill(UNDECIDED)
-        return
-    looks(va, vb)(a.x, a.y, b.x, b.y, first, room_64(a, b), out)
+    looks(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, room_64(a, b), out)
 
 
 def looks(va: int, vb: int) -> Callable[..., None]:
