@@ -1588,6 +1588,56 @@ def test_cells_of_any_size_find_what_meets_and_each_pair_once(engine, seed, monk
             assert np.array_equal(found[np.lexsort(found.T[::-1])], right), n
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_once_each(seed):
+    rng, sets = RNG(seed), []
+    low = rng.uniform(-100, 100, (60, 2))
+    bounds = np.hstack([low, low + 2.0 ** rng.uniform(0, [3, 20] if seed % 2 else [20, 3], (60, 2))])
+    size, farthest = bounds[:, 2:] - bounds[:, :2], np.abs(bounds).max()
+
+    def too_many(given, one, other, cell, most):
+        """Before nothing is left to split, whatever is asked is too much."""
+        assert given is bounds or np.array_equal(given, bounds)
+        both = one if other is None else np.concatenate([one, other])
+        assert most in (broad.CHEAP * len(both), np.inf)
+        if most == np.inf:
+            assert np.array_equal(cell, size[both].max(axis=0)) and min(cell) > farthest * broad.FINE
+            sets.append((one, other))
+            return iter(())
+        even = [broad._even(bounds[:, d], both) for d in (0, 1)]
+        assert np.array_equal(cell, np.maximum(size[both].max(axis=0), even))
+        return None
+
+    assert list(broad.candidate_blocks(bounds, too_many)) == []
+    times = np.zeros((60, 60), int)
+    for one, other in sets:
+        assert len(one) and (other is None or len(other))
+        if other is None:
+            times[np.ix_(one, one)] += 1
+        else:
+            times[np.ix_(one, other)] += 1
+            times[np.ix_(other, one)] += 1
+        for d in (0, 1):
+            larger = max((one, one if other is None else other), key=lambda ids: size[ids, d].max())
+            assert size[larger, d].max() <= broad.ALIKE * size[larger, d].min()
+    assert (times[~np.eye(60, dtype=bool)] == 1).all()
+    assert 3 < len(sets) < 400
+
+
+@pytest.mark.parametrize("n", [100, 3000])
+def test_even_cells_are_as_many_as_the_boxes_would_be_spread_like_their_middle_half(n):
+    """Whatever lies far outside; and where the middle half is wider than a float, the number is finite."""
+    low = np.sort(RNG(n).permutation(n) + 0.5) * (7 / n) - 3
+    which = RNG(1).permutation(n)
+    assert broad._even(low, which) == pytest.approx(7 / np.sqrt(n), rel=0.1)
+    low[: n // 5], low[-n // 5 :] = -1e300, 1e300
+    assert broad._even(low, which) == pytest.approx(7 / np.sqrt(n), rel=0.1)
+    assert broad._even(low, which[: n // 2]) == pytest.approx(7 / np.sqrt(n / 2), rel=0.4)
+    low[: n // 2], low[n // 2 :] = -MOST, MOST
+    assert 0 < broad._even(low, which) < np.inf
+    assert broad._even(np.zeros(n), which) == 0
+
+
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("swap", [[0, 1, 2, 3], [1, 0, 3, 2]])
 def test_a_length_that_is_rounded_hides_no_box_that_begins_a_float_before_its_cells_border(engine, swap):
