@@ -1007,7 +1007,7 @@ def test_circles_that_rest_on_polygons_are_exact(kind):
 
 
 @pytest.mark.parametrize("e", [-470, -450, 0, 470])
-def test_numbas_filter_tells_of_circles_what_numpys_tells(e):
+def test_numbas_filter_tells_of_circles_what_the_plain_one_tells(e):
     """Of those that rest on polygons or on each other, by about as much as rounding may hide, and of plain ones."""
     kernels = pytest.importorskip("satviz.batch.filter_numba", reason="needs numba: python -m pip install '.[fast]'")
     rng, told = RNG(e + 500), []
