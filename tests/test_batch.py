@@ -1053,8 +1053,9 @@ def test_circles_are_exact_where_all_hangs_on_what_was_rounded_off_or_lost(cente
     assert batch.relate(circles, polygons, engine="numpy").tolist() == [right] * 50
 
 
+@pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("e", [-460, -500, -532, -536, -538, -545])
-def test_circles_are_exact_over_an_edge_so_short_that_its_square_loses_bits(e):
+def test_circles_are_exact_over_an_edge_so_short_that_its_square_loses_bits(e, engine):
     rng = RNG(-e)
     x, half = rng.uniform(-1, 1, 25), rng.uniform(0.8, 1.5, 25)
     points = np.zeros((25, 5, 2))  # center, the ends of the edge below, two more corners
@@ -1065,7 +1066,7 @@ def test_circles_are_exact_over_an_edge_so_short_that_its_square_loses_bits(e):
         circles, polygons = batch.Circles(points[:, 0], radii), batch.Polygons(points[:, 1:])
         right = [oracle.relation(p, q) for p, q in zip(scalar(circles), scalar(polygons))]
         assert set(right) == {0, 1, 2}
-        assert batch.relate(circles, polygons, engine="numpy").tolist() == right, turns
+        assert batch.relate(circles, polygons, engine=engine).tolist() == right, turns
         points = turned(points)
 
 

@@ -209,7 +209,7 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
             for v in range(count):
                 far = max(far, max(abs(px[v, i] - x0), abs(py[v, i] - y0)))
             room, side_room = far * far * 2.0**-46, far * 2.0**-48
-            inside, outside, safe, nearest = True, False, room > TINY and room < HUGE * 2.0**-46, np.inf
+            inside, safe, nearest = True, room > TINY and room < HUGE * 2.0**-46, np.inf
             for v in range(count):
                 w = (v + 1) % count
                 dx, dy = px[w, i] - px[v, i], py[w, i] - py[v, i]
@@ -222,11 +222,11 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
                 distance = x * x + y * y if along <= 0 else u * u + z * z if along >= square else foot
                 facing = turn <= tolerance
                 inside = inside & (not facing)
-                outside = outside | (turn < -tolerance)
                 nearest = min(nearest, distance if facing else np.inf)
             reach = r * r
             over = inside | (nearest < reach - room)
-            apart = outside & (nearest > reach + room)
+            # of a center inside that is not told to be, some edge lies within the tolerance: far within the room
+            apart = nearest > reach + room
             out[k] = UNDECIDED if not safe else OVERLAPPING if over else APART if apart else UNDECIDED
 
     return kernel
