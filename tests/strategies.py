@@ -912,6 +912,30 @@ def one_out_of_range(rng: Random) -> Pair:
     return convex(a), convex(b)
 
 
+def circle_by_a_bent_side(rng: Random) -> Pair:
+    """A small circle inside or outside of a side that is hardly bent, about as far as rounding hides where it lies.
+
+    One of the two parts of the side can look as if the center lay on its line, the other as if it did not.
+    """
+    turn = rng.uniform(0, math.tau)
+    along, inward = (math.cos(turn), math.sin(turn)), (-math.sin(turn), math.cos(turn))
+    start = rng.uniform(-1, 1), rng.uniform(-1, 1)
+
+    def at(s: float, h: float) -> Point:
+        return tuple(c + s * u + h * v for c, u, v in zip(start, along, inward, strict=True))
+
+    end, bend = rng.uniform(1, 1.5), rng.uniform(0.3, 0.6)
+    ring = [at(0, 0), at(bend, -rng.randrange(3) * 2.0**-52), at(end, 0), at(0.5, rng.uniform(0.2, 1))]
+    s = rng.uniform(0.05, 1) * end
+    far = max(abs(c - d) for p in ring for c, d in zip(p, at(s, 0), strict=True))
+    off = far * (abs(along[0]) + abs(along[1])) * 2.0 ** -rng.choice((48, 48, 48, 48, 46, 47, 49, 50, 51))
+    off *= rng.choice((1, 1, 1, -1)) * rng.gauss(1, rng.choice((0.02, 0.02, 0.3)))
+    circle = Circle(at(s, off), 2.0 ** -rng.choice((5, 30, 45, 60)))
+    power = rng.choice((0, 0, 0, -300, 300))
+    pair = scaled(convex(ring), power), scaled(circle, power)
+    return pair if rng.random() < 0.5 else pair[::-1]
+
+
 def dress(rng: Random, ring: Sequence[Point]) -> Ring:
     """The same outline with midpoints (exact on even grids), repeats, a closing vertex, the other way round."""
     full: Ring = []
@@ -945,6 +969,7 @@ CONVEX: dict[str, Callable[[Random], Pair]] = {
     "circles near tangent": circles_near_tangent,
     "circle and polygon near tangent": circle_polygon_near_tangent,
     "circle and clipped corner": circle_clipped_corner,
+    "circle by a bent side": circle_by_a_bent_side,
     "needles pointed at circles": pointed_at_circle,
     "any scale": any_scale,
     "smallest scale": smallest_scale,

@@ -220,12 +220,11 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
                 safe = safe & (square > TINY)
                 foot = turn / square * turn
                 distance = x * x + y * y if along <= 0 else u * u + z * z if along >= square else foot
-                facing = turn <= tolerance
-                inside = inside & (not facing)
-                nearest = min(nearest, distance if facing else np.inf)
+                inside = inside & (turn > tolerance)
+                nearest = min(nearest, distance)  # of edges that face away too: none lies nearer than the nearest
             reach = r * r
             over = inside | (nearest < reach - room)
-            # of a center inside that is not told to be, some edge lies within the tolerance: far within the room
+            # a center inside, taken for one on an edge's line, has the boundary within twice the tolerance
             apart = nearest > reach + room
             out[k] = UNDECIDED if not safe else OVERLAPPING if over else APART if apart else UNDECIDED
 
