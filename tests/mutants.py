@@ -58,7 +58,7 @@ ABOUT = {  # of those files only these tests, as pytest -k takes them, since eac
     "batch/grid_numba": GRID,
     "batch/grid_numpy": GRID,
     "batch/filter_numba": "circles or columns or filter or float32 or hard_pairs or look or plain or scalar or upright",
-    "batch/picked_numba": "hard_pairs or index or lanes or many_corners or picked or plain or upright",
+    "batch/picked_numba": "columns or hard_pairs or index or lanes or many_corners or picked or plain or upright",
     "batch/picked_numpy": "hard_pairs or index or many_corners or picked or plain or side_by_side or upright",
     "batch/circle_polygons": "circle or foot or forgotten or hard_pairs or scalar_answers or tiny",
 }
