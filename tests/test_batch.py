@@ -1996,6 +1996,7 @@ def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeyp
     monkeypatch.setattr(picked, "LANES", lanes)
     for name in "of_few", "of_many":
         monkeypatch.setattr(picked, name, lambda *_: pytest.fail("looked at longer"))
+    monkeypatch.setattr(undecided, "relations", lambda *_: pytest.fail("left to the exact twin"))
     look, widths = picked._look, []
     monkeypatch.setattr(picked, "_look", lambda *given: widths.extend([given[11]] * given[10].size) or look(*given))
     box = batch.Polygons([[(5, 0), (6, 0), (6, 1), (5, 1)], [(6, 1), (7, 1), (7, 2), (6, 2)]])
