@@ -1625,6 +1625,15 @@ def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_
     assert 3 < len(sets) < 400
 
 
+@pytest.mark.parametrize(("x", "y"), [(1e9, 3), (-1e9, 3), (2, 1e9), (2, -1e9), (-1e9, -5), (0.25, 0.5), (-0.25, 0)])
+def test_cells_of_boxes_on_one_spot_are_as_fine_as_numbers_of_cells_can_be_told_apart(x, y):
+    cells = []
+    bounds = np.tile([x, y, x, y], (20, 1)).astype(float)
+    assert list(broad.candidate_blocks(bounds, lambda *given: cells.append(given[3:]))) == []
+    far = max(abs(x), abs(y))
+    assert cells == [([far * 2.0**-1000] * 2, broad.CHEAP * 20), ([far * 2.0**-48] * 2, np.inf)]
+
+
 @pytest.mark.parametrize("n", [100, 3000])
 def test_even_cells_are_as_many_as_the_boxes_would_be_spread_like_their_middle_half(n):
     """Whatever lies far outside; and where the middle half is wider than a float, the number is finite."""
