@@ -1594,6 +1594,8 @@ def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_
     rng, sets = RNG(seed), []
     low = rng.uniform(-100, 100, (60, 2))
     bounds = np.hstack([low, low + 2.0 ** rng.uniform(0, [3, 20] if seed % 2 else [20, 3], (60, 2))])
+    if seed >= 3:  # half of them of one size, which no split can part
+        bounds[::2, 2:] = bounds[::2, :2] + [[2.0**-20, 1, 2.0**30][seed - 3]]
     size, farthest = bounds[:, 2:] - bounds[:, :2], np.abs(bounds).max()
 
     def too_many(given, one, other, cell, most):
@@ -1645,6 +1647,7 @@ def test_even_cells_are_as_many_as_the_boxes_would_be_spread_like_their_middle_h
     assert broad._even(low, which[: n // 2]) == pytest.approx(7 / np.sqrt(n / 2), rel=0.4)
     low[: n // 2], low[n // 2 :] = -MOST, MOST
     assert 0 < broad._even(low, which) < np.inf
+    assert 0 < broad._even(np.array([-MOST, -MOST, 0, MOST, MOST]), np.arange(5)) < np.inf
     assert broad._even(np.zeros(n), which) == 0
 
 
