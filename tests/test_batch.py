@@ -1985,15 +1985,18 @@ def outlines_of_all_numbers(rng, across):
     return [batch.Polygons([np.array(ring) + rng.integers(-across, across, 2)]) for ring in rings]
 
 
+@pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("lanes", [1, 3, 128])
-def test_numba_tells_picked_outlines_of_all_numbers_of_corners_as_one_by_one(lanes, monkeypatch):
-    picked = pytest.importorskip("satviz.batch.picked_numba", reason="needs numba: python -m pip install '.[fast]'")
-    monkeypatch.setattr(picked, "_polygons", getattr(picked._polygons, "py_func", picked._polygons))
-    monkeypatch.setattr(picked, "LANES", lanes)
+def test_picked_outlines_of_all_numbers_of_corners_are_told_as_one_by_one(lanes, engine, monkeypatch):
+    if engine == "numba":
+        picked = pytest.importorskip("satviz.batch.picked_numba", reason="needs numba: python -m pip install '.[fast]'")
+        monkeypatch.setattr(picked, "_polygons", getattr(picked._polygons, "py_func", picked._polygons))
+        monkeypatch.setattr(picked, "LANES", lanes)
+    monkeypatch.setattr(picked_numpy, "lanes", lambda *_: lanes)
     rng = RNG(lanes)
     shapes = batch.concat(outlines_of_all_numbers(rng, 5) + outlines_of_all_numbers(rng, 8))
     known, every = scalar(shapes), np.argwhere(np.ones((len(shapes), len(shapes))))
-    found = batch.relate(shapes, shapes, every, engine="numba")
+    found = batch.relate(shapes, shapes, every, engine=engine)
     assert found.tolist() == [int(sv.relate(known[i], known[j])) for i, j in every]
     most = shapes.count[every].max(axis=1)
     for these in most <= 4, (most > 4) & (most <= 8), most > 8:
@@ -2046,6 +2049,32 @@ def test_columns_of_every_number_of_corners_are_told_by_numba_from_their_clearan
     kernels.looks(v, w)(*(np.ascontiguousarray(c) for s in (a, b) for c in s.transpose(2, 1, 0)), first, room, out)
     assert out.tolist() == np.select([best > room, best < -room], [0, 2], UNDECIDED).tolist()
     assert min((out == told).sum() for told in (0, 2, UNDECIDED)) > 10
+
+
+@pytest.mark.parametrize(("v", "w"), [(16, 3), (3, 16), (17, 3), (3, 17), (16, 16), (17, 17)])
+def test_picked_outlines_of_many_corners_are_looked_at_in_a_few_steps_and_edges_asked_where_that_tells_nothing(
+    v, w, monkeypatch
+):
+    looks, asked, widths = [], [], []
+    for module, name in (picked_numpy, "look_32"), (picked_numpy.steps_numpy, "few_steps"):
+        real = getattr(module, name)
+        monkeypatch.setattr(
+            module, name, lambda *c, name=name, real=real: looks.append(name) or widths.append(c[4]) or real(*c)
+        )
+    real = picked_numpy.edges
+    monkeypatch.setattr(picked_numpy, "edges", lambda a, b: asked.append(a.x.shape[1]) or real(a, b))
+    rng = RNG(v)
+    a, b, far = (batch.Polygons(regular(rng, 20, n) + move) for n, move in ((v, 0), (w, 0), (w, 9)))
+    p, q = (batch.Polygons(rings[:20]) for rings in beside_mirror(v, w))
+    for one, other, right, left in (a, b, 2, 0), (a, far, 0, 0), (p, q, 1, 20):
+        asked.clear()
+        out = np.full(20, 9, np.int8)
+        picked_numpy.polygons(one.flat, np.arange(20), other.flat, np.arange(20), out)
+        assert out.tolist() == [right] * 20 and sum(asked) == left
+    if max(v, w) <= 16:
+        wide = [(s.bounds[:, 2:] - s.bounds[:, :2]).max(axis=1) for s in (a, b)]
+        assert np.array_equal(widths[0], wide[0] + wide[1])
+    assert set(looks) == {"look_32" if max(v, w) <= 16 else "few_steps"}
 
 
 def test_columns_of_three_four_and_eight_corners_have_kernels_of_their_own():
