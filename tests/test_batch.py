@@ -1665,6 +1665,26 @@ def test_a_length_that_is_rounded_hides_no_box_that_begins_a_float_before_its_ce
                 assert found.tolist() == [[0, 1]], (border, end)
 
 
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("about", [0, 1])
+def test_boxes_so_far_apart_that_numbers_of_cells_multiplied_overflow_are_found(engine, about):
+    """The last cell of a row that has 2**32, in row 2**31: the next number would be 2**63; from 0 on or about it."""
+    grid = importlib.import_module(f"satviz.batch.grid_{engine}")
+    low = np.array([(0, 0), (2**32 - 3, 2**31 - 2), (2**32 - 3, 2**31 - 2)]) - np.array([2**31, 2**30]) * about
+    (found,) = grid.met(np.hstack([low, low + 1.0]), np.arange(3), None, (1.0, 1.0), np.inf)
+    assert found.tolist() == [[1, 2]]
+
+
+def test_the_grid_of_numpy_keeps_no_table_of_cells_in_which_hardly_anything_lies():
+    x = np.arange(2000.0)
+    bounds = np.c_[x, x, x + 1, x + 1] * 2
+    tracemalloc.start()
+    assert list(grid_numpy.met(bounds, np.arange(2000), None, (1.0, 1.0), np.inf)) != []
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 2e6
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_the_grid_of_numba_looks_as_often_as_it_says(seed, monkeypatch):
     grid, rng = pytest.importorskip("satviz.batch.grid_numba", reason="needs numba: pip install '.[fast]'"), RNG(seed)
@@ -1808,10 +1828,11 @@ def test_candidate_pairs_are_found_whatever_numpy_is_told_to_do_with_what_vanish
             assert len(found) == (len(bounds) == 2)
 
 
+@pytest.mark.parametrize("side", [1, -1])
 @pytest.mark.parametrize("finer", [0, 6, 12])
-def test_the_grid_asks_few_rows_of_flat_boxes_so_far_out_that_floats_are_many_cells_apart(finer, monkeypatch):
-    far, step, rows, real = 2.0**32, 2.0**-20, [], grid_numpy._blocks
-    assert np.spacing(far) == step
+def test_the_grid_asks_few_rows_of_flat_boxes_so_far_out_that_floats_are_many_cells_apart(finer, side, monkeypatch):
+    far, step, rows, real = side * 2.0**32, 2.0**-20, [], grid_numpy._blocks
+    assert abs(np.spacing(far)) == step
     x, s = np.arange(400.0) * 1e-3, 2e6 + np.arange(1600.0) * 20
     long = np.c_[x, np.full(400, far), x + 1e6, np.full(400, far)]
     short = np.c_[s, np.zeros(1600), s, np.full(1600, step * 2.0**-finer)]

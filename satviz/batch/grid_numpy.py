@@ -44,7 +44,7 @@ def met(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float)
         first, last = (np.searchsorted(key, c) if begin is None else begin[c] for c in ends)
         if other is None and row == 0:
             first = np.arange(1, len(queries) + 1)  # in their own row: those further on
-        ranges.append((which, first, np.maximum(last - first, 0)))
+        ranges.append((which, first, last - first))
     if sum(int(many.sum()) for _, _, many in ranges) > most:
         return None
     return _blocks(bounds, queries, stored, ranges)
