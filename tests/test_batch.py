@@ -210,7 +210,7 @@ def test_numbas_search_tells_nothing_of_corners_too_flat_to_be_told_apart(search
         assert search._soon(*one, *other, reach)[0] == search._soon(*other, *one, reach)[0] == UNDECIDED
 
 
-def test_numbas_search_finds_no_shared_point_on_the_edge_whose_ends_it_finds_first(search):
+def standing_on_edges():
     """Narrow shapes that stand on a long edge of flat ones: what lies left of the edge says nothing of its line."""
     rng = Random(5)
     for _ in range(100):
@@ -224,12 +224,23 @@ def test_numbas_search_finds_no_shared_point_on_the_edge_whose_ends_it_finds_fir
         turned = complex(rng.randrange(1, 2000), rng.randrange(-2000, 2000))
         at = complex(rng.randrange(-100_000, 100_000), rng.randrange(-100_000, 100_000))
         rings = [[complex(*point) * turned + at for point in ring] for ring in (flat, [(0, 0), *tall])]
-        rings = [
-            np.array([(z.real, z.imag) for z in ring[k:] + ring[:k]]) for ring in rings for k in [rng.randrange(3)]
-        ]
+        yield [np.array([(z.real, z.imag) for z in ring[k:] + ring[:k]]) for ring in rings for k in [rng.randrange(3)]]
+
+
+def test_numbas_search_finds_no_shared_point_on_the_edge_whose_ends_it_finds_first(search):
+    for rings in standing_on_edges():
         one, other, reach, _ = as_rows(*rings, None)
         for these in (one, other), (other, one):
             assert search._soon(*these[0], *these[1], reach)[0] == UNDECIDED
+
+
+def test_a_few_steps_find_no_shared_point_on_the_edge_whose_ends_they_find_first():
+    one, other = (np.array(rings).transpose(2, 1, 0).copy() for rings in zip(*standing_on_edges()))
+    reach = (np.abs(one).max() + np.abs(other).max()) * LOOK
+    for p, q in (one, other), (other, one):
+        out = np.zeros(100, np.int8)
+        picked_numpy.steps_numpy.few_steps(*p, *q, reach, out)
+        assert (out == UNDECIDED).all()
 
 
 ROUNDED = [  # found by search: triangles that touch, whose corners are so far apart that differences are rounded
