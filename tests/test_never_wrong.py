@@ -106,7 +106,7 @@ def test_the_rationals_agree_with_the_most_simple_minded_way():
 @pytest.mark.slow
 def test_the_pairs_are_of_all_relations():
     irrational = {"random polygons", "random circles", "circles near tangent", "circle and polygon near tangent"}
-    irrational |= {"map coordinates", "needles pointed at circles"}
+    irrational |= {"map coordinates", "needles pointed at circles", "circle by a bent side"}
     for kind in KINDS:
         seen = {right for _, _, right in known(kind)}
         assert seen >= ({Relation.APART, Relation.OVERLAPPING} if kind in irrational else set(Relation)), kind
