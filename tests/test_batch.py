@@ -60,6 +60,21 @@ def regular(rng, n, v, spread=0.1):
     return rng.uniform(-spread, spread, (n, 1, 2)) + np.stack([np.cos(turns), np.sin(turns)], axis=2)
 
 
+def kernels_of(name):
+    """One of numba's modules, where numba is installed."""
+    return pytest.importorskip(f"satviz.batch.{name}_numba", reason="needs numba: python -m pip install '.[fast]'")
+
+
+def in_python(kernel):
+    """A kernel as Python, which asks what stands in its module."""
+    return getattr(kernel, "py_func", kernel)
+
+
+def as_python(monkeypatch, module, *names):
+    for name in names:
+        monkeypatch.setattr(module, name, in_python(getattr(module, name)))
+
+
 def circles(rng, n, spread=2.0):
     return batch.Circles(rng.uniform(-spread, spread, (n, 2)), rng.uniform(0.1, 1, n))
 
@@ -195,10 +210,8 @@ def flat_corners(rng, size):
 @pytest.fixture
 def search(monkeypatch):
     """Numba's kernels, the search among them run as Python."""
-    settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
-    for name in "inside", "_left", "_soon", "_lowest", "_cross":
-        kernel = getattr(settle, name)
-        monkeypatch.setattr(settle, name, getattr(kernel, "py_func", kernel))
+    settle = kernels_of("settle")
+    as_python(monkeypatch, settle, "inside", "_left", "_soon", "_lowest", "_cross")
     return settle
 
 
@@ -327,7 +340,7 @@ def test_numba_is_sure_of_no_point_where_products_leave_the_range_of_floats(sear
 
 def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
     """As told of one point after another; where products leave the range of floats it may tell nothing."""
-    settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
+    settle = kernels_of("settle")
     rng, terms = Random(6), np.empty(settle.TERMS)
     seen = {(told, size): 0 for told in (-2, -1, 0, 1) for size in SIZES}
     for _ in range(60):
@@ -354,8 +367,8 @@ def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
 @pytest.mark.parametrize("scale", [1e-130, 1.0, 1e140])
 def test_numbas_turn_looks_no_further_than_it_must(scale, monkeypatch):
     """Of plain points at no more than two products, of points nearly in a row at no long sum."""
-    settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
-    turn, terms = getattr(settle.turn, "py_func", settle.turn), np.empty(settle.TERMS)
+    settle = kernels_of("settle")
+    turn, terms = in_python(settle.turn), np.empty(settle.TERMS)
     monkeypatch.setattr(settle, "_sign_of_sum", lambda *_: pytest.fail("sums are asked"))
     for points in np.transpose([c * scale for c in in_a_row(RNG(2), 1000, 1000)]).tolist():
         if abs(exact := oracle.turn(points[:2], points[2:4], points[4:])) > 1e-24 * scale**2:
@@ -369,9 +382,9 @@ def test_numbas_turn_looks_no_further_than_it_must(scale, monkeypatch):
 
 @pytest.mark.parametrize("scale", [2.0**-400, 1.0, 2.0**460])
 def test_numbas_turn_of_points_in_a_row_whose_differences_are_floats_is_a_sum_of_four(scale, monkeypatch):
-    settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
-    turn, sums = getattr(settle.turn, "py_func", settle.turn), []
-    real = getattr(settle._sign_of_sum, "py_func", settle._sign_of_sum)
+    settle = kernels_of("settle")
+    turn, sums = in_python(settle.turn), []
+    real = in_python(settle._sign_of_sum)
     monkeypatch.setattr(settle, "_sign_of_sum", lambda terms, count: sums.append(count) or real(terms, count))
     for px, py, dx, dy in RNG(3).integers(-(2**20), 2**20, (50, 4)):
         points = np.array([px, py, px + dx, py + dy, px - 3 * dx, py - 3 * dy]) * scale
@@ -415,8 +428,8 @@ def test_numbas_search_tells_nothing_of_what_touches_and_no_point_of_an_edge_is_
 
 
 def test_wherever_the_search_of_numba_ends_every_edge_is_asked(monkeypatch):
-    settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
-    of_many = getattr(settle.of_many, "py_func", settle.of_many)  # run as Python, which asks what stands here
+    settle = kernels_of("settle")
+    of_many = in_python(settle.of_many)  # run as Python, which asks what stands here
     rng = Random(1)
     for _ in range(100):
         one, other, reach, _ = as_rows(*corner_on_edge(rng))
@@ -439,10 +452,8 @@ class Counted(list):
 @pytest.mark.parametrize(("v", "w"), [(9, 9), (64, 64), (200, 30), (30, 200)])
 def test_of_edges_that_tell_nothing_numba_looks_at_few_corners(v, w, monkeypatch):
     """About twenty for each edge, however many there are: from each to the next the walk goes on where it was."""
-    settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
-    for name in "of_many", "_side", "_on", "_down":
-        kernel = getattr(settle, name)
-        monkeypatch.setattr(settle, name, getattr(kernel, "py_func", kernel))
+    settle = kernels_of("settle")
+    as_python(monkeypatch, settle, "of_many", "_side", "_on", "_down")
     monkeypatch.setattr(settle, "_edges", lambda *_: pytest.fail("all corners are looked at"))
     rng = RNG(4)
     for n in range(3):
@@ -787,7 +798,7 @@ def test_a_turn_of_which_one_difference_alone_is_rounded_is_exact(swap, engine):
     """A straight way and one a float off: a product of two odd numbers is the difference of two floats of one end."""
     rng = RNG(6)
     if engine == "numba":
-        settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: python -m pip install '.[fast]'")
+        settle = kernels_of("settle")
     for f, g in rng.integers(2**33, 2**36, (60, 2)).tolist():
         far = float(f * g)
         near = float(int(far) - f * g)
@@ -818,7 +829,7 @@ def test_a_sum_is_told_from_what_its_other_terms_can_add_up_to_at_most(engine):
     terms = np.array([-1, *[-(2.0**-53)] * 5, 1 + 2.0**-52])
     for way in (1, -1):
         if engine == "numba":
-            settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: pip install '.[fast]'")
+            settle = kernels_of("settle")
             assert settle._sign_of_sum(way * terms, len(terms)) == -way
         else:
             assert signs.sign_of_sum(way * terms[:, None]) == -way
@@ -837,7 +848,7 @@ def test_sums_that_nearly_vanish_are_told_exactly(engine):
         rng.shuffle(terms)
         exact = sum(map(Fraction, terms))
         if engine == "numba":
-            settle = pytest.importorskip("satviz.batch.settle_numba", reason="needs numba: pip install '.[fast]'")
+            settle = kernels_of("settle")
             told = settle._sign_of_sum(terms.copy(), len(terms))
         else:
             (told,) = signs.sign_of_sum(terms[:, None].copy())
@@ -1020,7 +1031,7 @@ def test_circles_that_rest_on_polygons_are_exact(kind):
 @pytest.mark.parametrize("e", [-470, -450, 0, 470])
 def test_numbas_filter_tells_of_circles_what_the_plain_one_tells(e):
     """Of those that rest on polygons or on each other, by about as much as rounding may hide, and of plain ones."""
-    kernels = pytest.importorskip("satviz.batch.filter_numba", reason="needs numba: python -m pip install '.[fast]'")
+    kernels = kernels_of("filter")
     rng, told = RNG(e + 500), []
 
     def both(name, *columns):
@@ -1581,7 +1592,7 @@ def in_cells(rng):
     step = max(np.abs(sides).max() / rng.choice([100, 128]), 5e-324)
     if rng.random() < 0.5:
         sides = np.nextafter(sides, rng.choice([-np.inf, np.inf], (n, 1)))
-        step = sides.dtype.type(2.0 ** np.floor(np.log2(step)))
+        step = 2.0 ** np.floor(np.log2(step))
     order = rng.permutation(n)
     return sides, order[::2], order[1::2], (wide * step, high * step)
 
@@ -1698,11 +1709,9 @@ def test_the_grid_of_numpy_keeps_no_table_of_cells_in_which_hardly_anything_lies
 
 @pytest.mark.parametrize("seed", range(4))
 def test_the_grid_of_numba_looks_as_often_as_it_says(seed, monkeypatch):
-    grid, rng = pytest.importorskip("satviz.batch.grid_numba", reason="needs numba: pip install '.[fast]'"), RNG(seed)
-    for name in "_stored", "_looks", "_met", "_lowest", "_at":
-        kernel = getattr(grid, name)
-        monkeypatch.setattr(grid, name, getattr(kernel, "py_func", kernel))
-    places, asked = getattr(grid._places, "py_func", grid._places), []
+    grid, rng = kernels_of("grid"), RNG(seed)
+    as_python(monkeypatch, grid, "_stored", "_looks", "_met", "_lowest", "_at")
+    places, asked = in_python(grid._places), []
     monkeypatch.setattr(grid, "_places", lambda *given: asked.append(places(*given)) or asked[-1])
     for _ in range(15):
         bounds, one, other, cell = in_cells(rng)
@@ -1719,19 +1728,18 @@ def test_the_grid_of_numba_looks_as_often_as_it_says(seed, monkeypatch):
         told = grid._looks(bounds[one], True, table)
         asked.clear()
         pairs = sum(map(len, grid._blocks(table[1], table[3], True, table, 100)))
-        assert told >= sum(last - first for first, last in asked) >= pairs and told <= 2 * sum(
-            last - first for first, last in asked
-        ) + 9 * len(one)
+        looked = sum(last - first for first, last in asked)
+        assert 2 * looked + 9 * len(one) >= told >= looked >= pairs
 
 
 def test_of_many_boxes_the_grid_of_numba_asks_some_how_often_all_will_be_looked_at(monkeypatch):
-    grid = pytest.importorskip("satviz.batch.grid_numba", reason="needs numba: python -m pip install '.[fast]'")
+    grid = kernels_of("grid")
     x, y = (c.ravel()[:1000] for c in np.meshgrid(np.arange(33.0), np.arange(33.0)))
     bounds = np.c_[x, y, x + 1, y + 1]
     table = grid._stored(bounds, np.arange(1000), 1.0, 1.0, 2048)
     queried = []
     monkeypatch.setattr(grid, "_lowest", lambda *given: queried.append(given) or 0)
-    looks = getattr(grid._looks, "py_func", grid._looks)
+    looks = in_python(grid._looks)
     for n, each in ((999, 1), (1000, grid.SAMPLE)):
         queried.clear()
         looks(bounds[:n], False, table)
@@ -1861,7 +1869,7 @@ def test_pairs_keep_their_order_where_an_index_has_32_bits():
 
 
 def test_a_grid_of_numba_takes_few_blocks_whatever_its_samples_say(monkeypatch):
-    grid = pytest.importorskip("satviz.batch.grid_numba", reason="needs numba: python -m pip install '.[fast]'")
+    grid = kernels_of("grid")
     monkeypatch.setattr(grid, "_looks", lambda *_: 0.0)
     x, y = (c.ravel() for c in np.meshgrid(np.arange(60.0), np.arange(60.0)))
     bounds, blocks, real = np.c_[x, y, x + 1, y + 1], [], grid._met
@@ -2021,8 +2029,8 @@ def outlines_of_all_numbers(rng, across):
 @pytest.mark.parametrize("lanes", [1, 3, 128])
 def test_picked_outlines_of_all_numbers_of_corners_are_told_as_one_by_one(lanes, engine, monkeypatch):
     if engine == "numba":
-        picked = pytest.importorskip("satviz.batch.picked_numba", reason="needs numba: python -m pip install '.[fast]'")
-        monkeypatch.setattr(picked, "_polygons", getattr(picked._polygons, "py_func", picked._polygons))
+        picked = kernels_of("picked")
+        as_python(monkeypatch, picked, "_polygons")
         monkeypatch.setattr(picked, "LANES", lanes)
     monkeypatch.setattr(picked_numpy, "lanes", lambda *_: lanes)
     rng = RNG(lanes)
@@ -2038,8 +2046,8 @@ def test_picked_outlines_of_all_numbers_of_corners_are_told_as_one_by_one(lanes,
 @pytest.mark.parametrize("lanes", [7, 128])
 def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeypatch):
     """Nor upright boxes, nor, where the middle of what their boxes share is inside both, many corners for an axis."""
-    picked = pytest.importorskip("satviz.batch.picked_numba", reason="needs numba: python -m pip install '.[fast]'")
-    monkeypatch.setattr(picked, "_polygons", getattr(picked._polygons, "py_func", picked._polygons))
+    picked = kernels_of("picked")
+    as_python(monkeypatch, picked, "_polygons")
     monkeypatch.setattr(picked, "LANES", lanes)
     for name in "of_few", "of_many":
         monkeypatch.setattr(picked, name, lambda *_: pytest.fail("looked at longer"))
@@ -2068,7 +2076,7 @@ def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeyp
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 4), (8, 8), (5, 3), (7, 8), (8, 5)])
 def test_columns_of_every_number_of_corners_are_told_by_numba_from_their_clearances(v, w):
     """Far beyond a room, or far within it, as if rounding could hide so much: the clearance itself is looked at."""
-    kernels = pytest.importorskip("satviz.batch.filter_numba", reason="needs numba: python -m pip install '.[fast]'")
+    kernels = kernels_of("filter")
     rng, first, n, room = RNG(v * w), 5, 300, 0.1
     a, b = (rng.uniform(-1.5, 1.5, (n + first, 1, 2)) + ngons(rng, n + first, k, 0.0) for k in (v, w))
     best = np.full(n, -np.inf)
@@ -2110,7 +2118,7 @@ def test_picked_outlines_of_many_corners_are_looked_at_in_a_few_steps_and_edges_
 
 
 def test_columns_of_three_four_and_eight_corners_have_kernels_of_their_own():
-    kernels = pytest.importorskip("satviz.batch.filter_numba", reason="needs numba: python -m pip install '.[fast]'")
+    kernels = kernels_of("filter")
     written_out = {kernels._eight, kernels._general}
     own = {(v, w): kernels.looks(v, w) for v in (3, 4) for w in (3, 4)}
     assert len(written_out | set(own.values())) == 6 and all(kernels.looks(*key) is own[key] for key in own)
@@ -2120,7 +2128,7 @@ def test_columns_of_three_four_and_eight_corners_have_kernels_of_their_own():
 
 
 def test_circles_beside_up_to_eight_corners_have_kernels_of_their_own(monkeypatch):
-    kernels = pytest.importorskip("satviz.batch.filter_numba", reason="needs numba: python -m pip install '.[fast]'")
+    kernels = kernels_of("filter")
     served = []
     monkeypatch.setattr(kernels, "_circle_unrolled", lambda n: served.append(n) or (lambda *_: None))
     monkeypatch.setattr(kernels, "_circle_general", lambda *_: served.append("any"))
@@ -2132,7 +2140,7 @@ def test_circles_beside_up_to_eight_corners_have_kernels_of_their_own(monkeypatc
 @pytest.mark.parametrize("scale", [1.0, 2.0**-90])
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 8), (8, 8), (8, 5), (9, 5), (12, 12)])
 def test_columns_that_floats_leave_undecided_are_settled_by_numba_and_the_others_left_as_they_are(v, w, scale):
-    picked = pytest.importorskip("satviz.batch.picked_numba", reason="needs numba: python -m pip install '.[fast]'")
+    picked = kernels_of("picked")
     a, touching = beside_mirror(v, w)
     for move in (0, 1, -1):
         p = batch.Polygons(a[:8] * scale)
@@ -2147,8 +2155,8 @@ def test_columns_that_floats_leave_undecided_are_settled_by_numba_and_the_others
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 8), (8, 8), (8, 5), (9, 5), (12, 12)])
 def test_picked_pairs_that_touch_are_all_settled_by_numba(v, w, scale, monkeypatch):
     """Those of few corners edge by edge, the others after a search; whatever stood in the answer's place."""
-    picked = pytest.importorskip("satviz.batch.picked_numba", reason="needs numba: python -m pip install '.[fast]'")
-    monkeypatch.setattr(picked, "_polygons", getattr(picked._polygons, "py_func", picked._polygons))
+    picked = kernels_of("picked")
+    as_python(monkeypatch, picked, "_polygons")
     monkeypatch.setattr(picked, "of_many" if max(v, w) <= 8 else "of_few", lambda *_: pytest.fail("the other way"))
     a, touching = beside_mirror(v, w)
     p, q = batch.Polygons(a[:8] * scale), batch.Polygons(touching[:8] * scale)
@@ -2160,14 +2168,14 @@ def test_picked_pairs_that_touch_are_all_settled_by_numba(v, w, scale, monkeypat
 
 @pytest.mark.parametrize("e", [-600, -100, 0, 100, 400, 600])
 def test_numbas_lanes_are_granted_room_for_the_widest_and_the_farthest(e, monkeypatch):
-    picked = pytest.importorskip("satviz.batch.picked_numba", reason="needs numba: python -m pip install '.[fast]'")
-    look, granted = getattr(picked._look, "py_func", picked._look), {}
+    picked = kernels_of("picked")
+    look, granted = in_python(picked._look), {}
 
     def seen(*given):
         look(*given)
         granted.update(zip(given[10].tolist(), given[16].tolist()))
 
-    monkeypatch.setattr(picked, "_polygons", getattr(picked._polygons, "py_func", picked._polygons))
+    as_python(monkeypatch, picked, "_polygons")
     monkeypatch.setattr(picked, "_look", seen)
     rng = RNG(7)
     a, b = (batch.Polygons((ngons(rng, 40, v, 2) * rng.uniform(0.2, 5, (40, 1, 2))) * 2.0**e) for v in (3, 7))
