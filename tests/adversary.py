@@ -211,10 +211,13 @@ def float32_look(*numbers: float) -> float:
 
 
 def float64_look(*numbers: float) -> float:
+    """What numba's kernels look at, and the room that they are granted."""
+    from satviz.batch.filter_numba import room_of
+
     p, q = _triangles(numbers)
     a, b = _group(p), _group(q)
     found = filter_numpy.clearance(a.x, a.y, b.x, b.y, 0)
-    return over(abs(Fraction(float(found[0])) - _exact_clearance(p, q)), filter_numpy.room_64(a, b))
+    return over(abs(Fraction(float(found[0])) - _exact_clearance(p, q)), room_of(a, b))
 
 
 def turn(px: float, py: float, qx: float, qy: float, rx: float, ry: float) -> float:

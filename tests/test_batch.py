@@ -36,6 +36,7 @@ from satviz.batch import (
     narrow,
     picked_numpy,
     signs,
+    steps_numpy,
     undecided,
 )
 from satviz.batch.chunks import ChunkFailed
@@ -568,6 +569,19 @@ def test_the_float32_look_errs_less_than_its_room(v, w, far):
     assert 0 < error.max() < 64
 
 
+@pytest.mark.parametrize("v", range(3, 17))
+def test_the_float32_look_takes_no_shape_for_narrower_than_it_is(v):
+    group = batch.Polygons(ngons(RNG(v), 50, v)).uniform
+    assert (np.ptp([group.x, group.y], axis=1) <= filter_numpy._width(group)).all()
+
+
+@pytest.mark.parametrize("half", range(2, 9))
+def test_no_shape_is_wider_than_one_whose_edges_lead_there_and_back_by_as_much(half):
+    there = np.stack([np.ones(half), (2 * np.arange(half) + 1 - half) / half], axis=1)
+    group = batch.Polygons(np.cumsum([*there, *-there], axis=0)[None]).uniform
+    assert np.ptp(group.x) == filter_numpy._width(group) == half
+
+
 @pytest.mark.full
 @pytest.mark.parametrize("engine", ENGINES)
 def test_a_million_random_pairs_agree_with_relate(engine):
@@ -584,6 +598,18 @@ def test_touching_boxes_and_circles_touch(engine):
     coins = batch.Circles([(0, 0), (3, 4)], [1, 4])
     assert batch.relate(coins[:1], coins[1:], engine=engine).tolist() == [1]
     assert batch.relate(boxes[:1], batch.Circles([(4, 5)], [5]), engine=engine).tolist() == [1]  # 3-4-5 off a corner
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize(("x", "y", "apart"), [(3, 4, 5), (5, 12, 13), (8, 15, 17), (20, 21, 29)])
+def test_circles_that_touch_where_squares_are_rounded_touch(engine, x, y, apart):
+    rng = RNG(apart)
+    size = rng.integers(2**40, 2**47, 100)
+    centers = np.stack([x * size, y * size], axis=1) * rng.choice((-1, 1), (100, 2))
+    radius = rng.integers(1, apart * size)
+    for more, right in (0, 1), (1, 2), (-1, 0):
+        a, b = batch.Circles(np.zeros((100, 2)), radius), batch.Circles(centers, apart * size - radius + more)
+        assert (batch.relate(a, b, engine=engine) == right).all()
 
 
 @pytest.mark.parametrize("engine", ENGINES)
@@ -1058,6 +1084,20 @@ def test_numbas_filter_tells_of_circles_what_the_plain_one_tells(e):
 
 
 @pytest.mark.parametrize(
+    ("e", "told"), [(-500, False), (-446, False), (-430, True), (476, True), (486, False), (511, False)]
+)
+@pytest.mark.parametrize("engine", ENGINES)
+def test_the_filter_tells_of_circles_what_products_in_the_range_of_floats_tell(engine, e, told):
+    kernels = filter_numpy if engine == "numpy" else kernels_of("filter")
+    rng, size = RNG(e + 500), 2.0**e
+    c, p = circles(rng, 50).uniform, batch.Polygons(regular(rng, 50, 5)).uniform
+    out = np.empty(50, np.int8)
+    with np.errstate(all="ignore"):
+        kernels.circle_polygons(c.x[0] * size, c.y[0] * size, c.r * size, p.x * size, p.y * size, 0, out)
+    assert {0, 2} <= set(out) if told else set(out) == {UNDECIDED}
+
+
+@pytest.mark.parametrize(
     ("center", "radius", "ring", "right"),
     [
         ((4, -3), 5, [(-3 * 2.0**60, -4 * 2.0**60), (3 * 2.0**60, 4 * 2.0**60), (-4 * 2.0**60, 3 * 2.0**60)], 1),
@@ -1420,14 +1460,14 @@ def test_a_kernel_told_to_begin_further_on_answers_for_those_columns(v, w):
 def test_the_few_steps_of_many_corners_are_granted_room_for_the_largest_coordinates(large, monkeypatch):
     rng = RNG(17)
     seen = []
-    real = filter_numpy.steps_numpy.few_steps
-    monkeypatch.setattr(filter_numpy.steps_numpy, "few_steps", lambda *c: seen.append(c[4]) or real(*c))
+    real = steps_numpy.few_steps
+    monkeypatch.setattr(steps_numpy, "few_steps", lambda *c: seen.append(c[4]) or real(*c))
     rings = [ngons(rng, 30, 20, 0.1) * (1000 if k == large else 1) for k in (0, 1)]
     a, b = map(batch.Polygons, rings)
     index = np.arange(30)
     batch.relate(a, b, engine="numpy")
     batch.relate(a, b, np.c_[index, index], engine="numpy")
-    assert seen == [sum(np.abs(r).max() for r in rings) * filter_numpy.LOOK] * 2
+    assert seen == [sum(np.abs(r).max() for r in rings) * LOOK] * 2
 
 
 @pytest.mark.parametrize(
@@ -1441,7 +1481,7 @@ def test_what_a_few_steps_tell_is_right_wherever_the_other_shape_lies(other):
     right = one_by_one(a, b)
     for p, q in ((a.uniform, b.uniform), (b.uniform, a.uniform)):
         out = np.empty(len(right), np.int8)
-        filter_numpy.steps_numpy.few_steps(p.x, p.y, q.x, q.y, 30 * filter_numpy.LOOK, out)
+        steps_numpy.few_steps(p.x, p.y, q.x, q.y, 30 * LOOK, out)
         assert all(found in (UNDECIDED, told) for found, told in zip(out.tolist(), right))
         assert (out == UNDECIDED).sum() <= right.count(1) + 20
 
@@ -1453,7 +1493,7 @@ def test_what_a_few_steps_tell_of_polygons_that_lean_on_each_other_is_right(v):
     good = [i for i in range(len(rings)) if batch_takes(rings[i], v) and batch_takes(others[i], v)]
     a, b = batch.Polygons(rings[good]), batch.Polygons(others[good])
     p, q, out = a.uniform, b.uniform, np.empty(len(good), np.int8)
-    filter_numpy.steps_numpy.few_steps(p.x, p.y, q.x, q.y, (p.reach + q.reach) * filter_numpy.LOOK, out)
+    steps_numpy.few_steps(p.x, p.y, q.x, q.y, (p.reach + q.reach) * LOOK, out)
     assert all(found in (UNDECIDED, right) for found, right in zip(out.tolist(), one_by_one(a, b)))
 
 

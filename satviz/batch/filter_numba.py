@@ -13,10 +13,10 @@ from functools import cache
 import numpy as np
 
 from ..engine.exact import HUGE, TINY
+from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from .arrays import Group
 from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .compiling import compiled
-from .filter_numpy import room_64
 from .signs import Array, Signs
 
 BLOCK = 1 << 17  # pairs a call: long enough that Python's share vanishes
@@ -25,7 +25,13 @@ TILE = 128  # pairs whose columns stay in the first-level cache between edges
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     """APART where an edge has the other shape beyond it by more than rounding can hide."""
-    looks(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, room_64(a, b), out)
+    looks(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, room_of(a, b), out)
+
+
+def room_of(a: Group, b: Group) -> float:
+    """How far a float64 clearance of these groups can be off; infinite outside the range where that is known."""
+    found = (a.span + b.span) * (a.reach + b.reach) * LOOK
+    return found if LEAST_ROOM < found < MOST_ROOM else np.inf
 
 
 def looks(va: int, vb: int) -> Callable[..., None]:

@@ -5,13 +5,10 @@ are those of the scalar engine (satviz.verdict); all hold for any order of opera
 Every kernel takes one column a pair, from column `first` on, and fills `out` with relations.
 """
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.exact import HUGE, TINY
-from ..engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
 from . import steps_numpy
 from .arrays import Group
 from .codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
@@ -38,12 +35,6 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
         return
     ax, ay, bx, by = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
     decide(*look_32(ax, ay, bx, by, _width(a) + _width(b)), out)
-
-
-def room_64(a: Group, b: Group) -> float:
-    """How far a float64 clearance of these groups can be off; infinite outside the range where that is known."""
-    room = (a.span + b.span) * (a.reach + b.reach) * LOOK
-    return room if LEAST_ROOM < room < MOST_ROOM else math.inf
 
 
 def _width(group: Group) -> float:

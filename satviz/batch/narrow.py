@@ -17,7 +17,6 @@ from . import undecided
 from .arrays import Group, Shapes, checked
 from .chunks import CHUNK, Call, in_chunks
 from .codes import APART, UNDECIDED
-from .filter_numpy import room_64
 from .grid_numpy import Grid
 from .rings import FEW
 from .signs import lanes
@@ -234,9 +233,6 @@ def _filter(kernels: Engine, a: Group, b: Group, first: int, out: Relations) -> 
             circle, polygon = (a, b) if a.r is not None else (b, a)
             kernels.circle_polygons(circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y, first, out)
         else:
-            if room_64(a, b) < np.inf:
-                kernels.polygons(a, b, first, out)
-            else:
-                out.fill(UNDECIDED)
+            kernels.polygons(a, b, first, out)
             if kernels.settle is not None and out.min(initial=APART) == UNDECIDED:  # rarely, and to look costs little
                 kernels.settle(a, b, first, out)
