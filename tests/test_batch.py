@@ -1961,6 +1961,28 @@ def test_colliding_pairs_are_those_of_every_pair():
     assert batch.colliding_pairs(shapes).tolist() == [list(p) for p in expected]
 
 
+BOX, KITE, WEDGE = map(np.array, ([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (1, -1), (2, 0), (1, 1)], ELL[:3]))
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("come", ["as one list", "out of a larger one", "one by one"])
+@pytest.mark.parametrize("kinds", [[BOX], [KITE], [BOX, KITE], [KITE, BOX], [BOX, WEDGE], [WEDGE, BOX], [KITE, WEDGE]])
+def test_the_grid_alone_decides_only_where_all_are_upright_boxes(engine, come, kinds, monkeypatch):
+    asked, real = [], collide.hits
+    monkeypatch.setattr(collide, "hits", lambda *args, **how: asked.append(args) or real(*args, **how))
+    rings = [kinds[i % len(kinds)] + at for i, at in enumerate(RNG(3).uniform(0, 8, (30, 2)))]
+    known = [sv.Polygon(ring) for ring in rings]
+    right = [[i, j] for i in range(30) for j in range(i + 1, 30) if sv.relate(known[i], known[j])]
+    if come == "one by one":
+        shapes = batch.concat([batch.Polygons([ring]) for ring in rings])
+    elif come == "as one list":
+        shapes = batch.Polygons(rings)
+    else:
+        shapes = batch.Polygons([WEDGE, *rings])[1:]
+    assert batch.colliding_pairs(shapes, engine=engine).tolist() == right
+    assert bool(asked) == (len(kinds) > 1 or kinds[0] is not BOX)
+
+
 # -- executors
 
 

@@ -225,6 +225,14 @@ def test_offsets_of_whatever_integers_mean_the_same(kind):
         assert words(batch.Polygons, np.array(TRIANGLE * 2), offsets=np.array(offsets, kind)).startswith(said)
 
 
+def test_a_batch_says_what_it_holds():
+    ell = np.array([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)])
+    split = batch.Polygons([ell, TRIANGLE, ell + 5], concave="split")
+    assert repr(split) == "Polygons(1 x 3-gon, 4 x 4-gon, parts of 3)"
+    assert repr(batch.Circles([(0, 0), (1, 1)], 1)) == "Circles(2 x circle)"
+    assert repr(split[:0]) == "Shapes(parts of 0)"
+
+
 def test_an_outline_lies_as_it_was_given_in_whatever_layout():
     rings = [TRIANGLE, [(5, 5), (6, 5), (6, 6), (5, 6)], [(0, 9), (1, 9), (2, 9), (2, 9), (1, 11)], TRIANGLE[::-1]]
     corners = [[0, 0, 1, 1], [5, 5, 6, 6], [0, 9, 2, 11], [0, 0, 1, 1]]

@@ -83,8 +83,10 @@ class Shapes:
 
     def __repr__(self) -> str:
         kinds = zip(*np.unique(self.count, return_counts=True), strict=True)
-        parts = "" if self.owner is None else f", parts of {len(self)}"
-        return f"{type(self).__name__}({', '.join(f'{n} x {_kind(v)}' for v, n in kinds)}{parts})"
+        held = [f"{n} x {_kind(v)}" for v, n in kinds]
+        if self.owner is not None:
+            held.append(f"parts of {len(self)}")
+        return f"{type(self).__name__}({', '.join(held)})"
 
     @cached_property
     def rings(self) -> Rings:
