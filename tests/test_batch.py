@@ -1983,6 +1983,17 @@ def test_the_grid_alone_decides_only_where_all_are_upright_boxes(engine, come, k
     assert bool(asked) == (len(kinds) > 1 or kinds[0] is not BOX)
 
 
+@pytest.mark.parametrize("v", [1, 4])
+def test_the_columns_of_chosen_shapes_lie_row_by_row_without_gaps(v):
+    """Kernels are compiled for that."""
+    shapes = circles(RNG(1), 20) if v == 1 else batch.Polygons(ngons(RNG(1), 20, v))
+    for where in slice(3, 9), slice(2, 15, 2), slice(None, None, -1), np.array([7, 3, 3]), np.arange(20) % 3 == 0:
+        for group in shapes[where].uniform, shapes.uniform.columns(np.arange(20)[where]):
+            assert group.x.strides[1] == group.y.strides[1] == 8
+            assert np.array_equal(group.x, shapes.uniform.x[:, where])
+            assert v > 1 or (group.r.strides == (8,) and np.array_equal(group.r, shapes.uniform.r[where]))
+
+
 # -- executors
 
 
