@@ -2,7 +2,8 @@
 
 import sys
 import warnings
-from itertools import pairwise
+from fractions import Fraction
+from itertools import pairwise, permutations
 
 import numpy as np
 import pytest
@@ -583,6 +584,45 @@ def test_shapes_in_parts_keep_their_owners_when_batches_are_joined():
     joined = batch.concat([three_in_parts(), batch.Circles([(0, 0)], 1), three_in_parts(), three_in_parts()[1]])
     assert joined.owner.tolist() == [0, 1, 1, 2, 3, 4, 5, 5, 6, 7, 7]
     assert joined.bounds[[1, 3, 5, 7]].round().tolist() == [[0, 0, 4, 4], [-1, -1, 1, 1], [0, 0, 4, 4], [0, 0, 4, 4]]
+
+
+def test_only_batches_with_shapes_in_parts_have_owners_when_they_are_joined():
+    plain, parts = batch.Polygons([TRIANGLE] * 2), three_in_parts()
+    assert batch.concat([plain, plain]).owner is None and batch.concat([]).owner is None
+    both = batch.concat([parts, parts]).owner
+    assert both.dtype == np.int64 and both.tolist() == [*parts.owner, *(parts.owner + 3)]
+
+
+def test_what_is_known_of_joined_shapes_holds_for_them_all():
+    """How far they reach, how long an edge is at most, and whether all are upright boxes."""
+    box = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
+    kite = np.array([(0, -1), (1, 0), (0, 1), (-1, 0)])
+    some = [(box * 1e-9, True), (box[[1, 2, 3, 0]], True), (kite * 9, False), (box * 1e-3 - 5, True), (kite / 9, False)]
+    for rings, upright in (zip(*chosen) for chosen in permutations(some, 3)):
+        joined = batch.concat([batch.Polygons([ring]) for ring in rings])
+        group = joined.groups[4]
+        assert group.reach == np.abs(rings).max() == max(group.x.max(), -group.x.min(), group.y.max(), -group.y.min())
+        assert group.span == max(np.abs(ring - np.roll(ring, 1, axis=0)).max() for ring in np.array(rings))
+        assert group.upright == joined.are_upright_boxes == all(upright)
+        assert joined.flat.upright.tolist() == list(upright)
+        assert batch.Polygons(np.array(rings)).uniform[3:] == group[3:]
+
+
+def test_the_largest_and_least_numbers_of_corners_are_told_also_of_no_shapes():
+    mixed = batch.concat([batch.Polygons([TRIANGLE, [(0, 0), (1, 0), (1, 1), (0, 1)]]), batch.Circles([(0, 0)], 1)])
+    assert (mixed.most, mixed.least) == (4, 1) and (mixed[:2].most, mixed[:2].least) == (4, 3)
+    assert (mixed[:0].most, mixed[:0].least) == (0, 0)
+    for none in mixed[:0], batch.Polygons([]), three_in_parts()[:0], batch.Polygons(np.zeros((0, 3, 2))):
+        assert none.bounds.shape == (0, 4) and none.flat.bounds.shape == (0, 4)
+
+
+def test_the_box_of_a_circle_holds_all_of_it():
+    """Though center and radius together are mostly no floats."""
+    rng = np.random.default_rng(1)
+    x, y, r = rng.uniform(-1, 1, (3, 300)) * 2.0 ** rng.integers(-60, 60, (3, 300))
+    for (left, low, right, top), *circle in zip(batch.Circles(np.c_[x, y], np.abs(r)).bounds.tolist(), x, y, np.abs(r)):
+        x0, y0, r0 = map(Fraction, circle)
+        assert left < x0 - r0 and low < y0 - r0 and x0 + r0 < right and y0 + r0 < top
 
 
 def test_what_was_worked_out_before_changes_no_box_and_no_choice():

@@ -195,14 +195,13 @@ class Shapes:
         """(N, 4) boxes (x min, y min, x max, y max) in scene units, circles' rounded outwards."""
         found = np.empty((len(self.count), 4))
         if "rings" in vars(self) and not (self.count == 1).any():
-            if len(found):
-                x, y, first = self.rings.x, self.rings.y, self.rings.start[:-1]
-                for i, (extreme, c) in enumerate(((np.minimum, x), (np.minimum, y), (np.maximum, x), (np.maximum, y))):
-                    found[:, i] = extreme.reduceat(c, first)
+            x, y, first = self.rings.x, self.rings.y, self.rings.start[:-1]
+            for i, (extreme, c) in enumerate(((np.minimum, x), (np.minimum, y), (np.maximum, x), (np.maximum, y))):
+                found[:, i] = extreme.reduceat(c, first)
         else:
             for v, group in self.groups.items():
                 found[self.count == v] = _boxes(group)
-        if self.owner is None or not len(self.owner):
+        if self.owner is None:
             return found
         first = self.starts[:-1]
         return np.hstack([np.minimum.reduceat(found[:, :2], first), np.maximum.reduceat(found[:, 2:], first)])
@@ -212,14 +211,14 @@ def group_of(x: NDArray[np.float64], y: NDArray[np.float64]) -> Group:
     """Polygons of one number of corners, column by column."""
     reach = float(max(np.abs(x).max(initial=0.0), np.abs(y).max(initial=0.0)))
     with np.errstate(over="ignore"):
-        span = max((float(np.abs(c - np.roll(c, 1, axis=0)).max(initial=0.0)) for c in (x, y)), default=0.0)
-    return Group(x, y, None, min(span, 1e308), reach, len(x) == 4 and bool(upright_boxes(x, y).all()))
+        span = float(max(np.abs(c - np.roll(c, 1, axis=0)).max(initial=0.0) for c in (x, y)))
+    return Group(x, y, None, span, reach, len(x) == 4 and bool(upright_boxes(x, y).all()))
 
 
 def upright_boxes(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Which columns of four corners are boxes with their sides along x and y."""
     level: list[NDArray[np.bool_]] = [
-        (c[i] == c[(i + 1) % 4]) & (c[i + 2] == c[(i + 3) % 4]) for c, i in ((x, 0), (y, 1), (y, 0), (x, 1))
+        (c[i] == c[i + 1]) & (c[i - 2] == c[i - 1]) for c, i in ((x, 0), (y, 1), (y, 0), (x, 1))
     ]
     return (level[0] & level[1]) | (level[2] & level[3])
 
