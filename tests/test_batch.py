@@ -1103,6 +1103,10 @@ def test_the_filter_tells_of_circles_what_products_in_the_range_of_floats_tell(e
         ((4, -3), 5, [(-3 * 2.0**60, -4 * 2.0**60), (3 * 2.0**60, 4 * 2.0**60), (-4 * 2.0**60, 3 * 2.0**60)], 1),
         ((4, -3), 5, [(-3, -4), (3 * 2.0**60, 4 * 2.0**60), (-4 * 2.0**60, 3 * 2.0**60)], 1),
         ((1e-200, -1), 1, [(0, 0), (-1, 1), (-1, 0.5)], 0),
+        ((2.0**-100, 0), 5, [(3, 4), (10, 5), (5, 12)], 2),
+        ((-(2.0**-100), 0), 5, [(3, 4), (10, 5), (5, 12)], 0),
+        ((0, 2.0**-100), 5, [(3, 4), (10, 5), (5, 12)], 2),
+        ((0, -(2.0**-100)), 5, [(3, 4), (10, 5), (5, 12)], 0),
         ((1e-150, -1), 1, [(0, 0), (1, 1e-200), (0.5, 1)], 0),
         ((0.5, -1), 1, [(0, 0), (1, 1e-200), (0.5, 1)], 0),
         ((0.5, -1), 1, [(0, 0), (1, -5e-324), (0.5, 1)], 2),
@@ -1172,6 +1176,74 @@ def test_hardly_a_circle_on_a_polygon_needs_integers(kind, monkeypatch):
     circles, polygons = (shapes.uniform for shapes in batches_from(COMMON[kind](RNG(5), 5000)))
     circle_polygons.gaps(circles.x[0], circles.y[0], circles.r, polygons.x, polygons.y)
     assert len(counted) <= 5
+
+
+@pytest.mark.parametrize("kind", COMMON)
+def test_of_a_circle_on_a_polygon_only_what_may_lie_within_its_radius_is_settled(kind):
+    """A corner or a foot of it, or a corner and the foot beside it."""
+    circles, polygons = (shapes.uniform for shapes in batches_from(COMMON[kind](RNG(5), 300)))
+    *asked, inside, room = within_reach(circles, polygons)
+    assert np.bincount(np.concatenate(asked) % 300).max() <= 2
+    assert not inside.size and (room < np.inf).all()
+
+
+def within_reach(circles, polygons):
+    x, y = (circle_polygons._closed(c) for c in (polygons.x, polygons.y))
+    with np.errstate(all="ignore"):
+        return circle_polygons._within_reach(circles.x[0], circles.y[0], circles.r, x, y)
+
+
+@pytest.mark.parametrize(("e", "told"), [(-470, False), (-430, True), (460, True), (486, False), (505, False)])
+def test_floats_settle_circles_on_polygons_only_where_products_stay_in_their_range(e, told):
+    made = [values * 2.0 ** (e - 10) for values in resting_exactly(RNG(3), 50)]
+    circles, polygons = (shapes.uniform for shapes in batches_from(made))
+    *places, room = within_reach(circles, polygons)
+    assert (room == np.inf).tolist() == [not told] * 50
+    if not told:
+        assert not any(place.size for place in places)
+    columns = circles.x[0], circles.y[0], circles.r, polygons.x, polygons.y
+    with np.errstate(all="ignore"):
+        found = circle_polygons._by_floats(*columns)
+    assert found.tolist() == ([0] * 50 if told else [signs.UNKNOWN] * 50)
+    assert circle_polygons.gaps(*columns).tolist() == [0] * 50
+
+
+def test_circles_on_polygons_are_settled_a_block_at_a_time(monkeypatch):
+    looked, real = [], circle_polygons._by_floats
+    monkeypatch.setattr(circle_polygons, "_by_floats", lambda *c: looked.append(c[0]) or real(*c))
+    circles, polygons = (shapes.uniform for shapes in batches_from(resting_exactly(RNG(3), 100)))
+    columns = circles.x[0], circles.y[0], circles.r, polygons.x, polygons.y
+    for block, sizes in (40, [40, 40, 20]), (1 << 13, [100]):
+        monkeypatch.setattr(circle_polygons, "BLOCK", block)
+        assert circle_polygons.gaps(*columns).tolist() == [0] * 100
+        assert list(map(len, looked)) == sizes and np.array_equal(np.concatenate(looked), columns[0])
+        looked.clear()
+
+
+def on_long_edges(rng, n):
+    """Circles that touch an edge from without or within, near its one end; the other is 2**10 to 2**40 radii away."""
+    x, y, z = TRIPLES[rng.integers(0, len(TRIPLES), n)].T
+    along, outside = np.stack([x, y], axis=1), rng.choice([-1, 1], (n, 1))
+    near, far = -rng.integers(0, 3, (n, 1)) * along, 2.0 ** rng.integers(10, 41, (n, 1)) * along
+    m = rng.integers(1, 4, (n, 1))
+    rings = np.stack([near, far, far - turned(along) * 2.0**42 - along], axis=1)
+    centers, mirrored = m * turned(along) * outside + along, rng.random((n, 1)) < 0.5
+    flip = np.where(mirrored, [-1, 1], [1, 1])
+    return centers * flip, m[:, 0] * z, rings * flip[:, None], outside[:, 0]
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_circles_that_touch_long_edges_from_without_and_within_are_exact(seed):
+    centers, radii, rings, outside = on_long_edges(RNG(seed), 200)
+    for more in 0, 1, -1:
+        c, p = (shapes.uniform for shapes in batches_from((centers, radii * (1 + more * 2.0**-50), rings)))
+        found = circle_polygons.gaps(c.x[0], c.y[0], c.r, p.x, p.y)
+        assert found.tolist() == np.where(outside < 0, -1, -more).tolist()
+        for engine in ENGINES:
+            assert (
+                batch.relate(*batches_from((centers, radii * (1 + more * 2.0**-50), rings)), engine=engine).tolist()
+                == (1 - found).tolist()
+            )
 
 
 @pytest.mark.parametrize("kind", ["near triangles", "near, moved", "slivers"])

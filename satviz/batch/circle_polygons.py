@@ -107,7 +107,7 @@ def _within_reach(
         np.minimum(lowest, turn, out=lowest)
         np.minimum(shortest, square, out=shortest)
     unsafe = np.flatnonzero(~((room > TINY) & (room < HUGE * 2.0**-46) & (shortest > TINY)))
-    room[unsafe], within[unsafe], near[:, unsafe] = np.inf, -1.0, False
+    room[unsafe], within[unsafe], near[:, unsafe], lowest[unsafe] = np.inf, -1.0, False, np.nan
     places = [np.flatnonzero(m) for m in (distance <= within, near & upright, near & ~upright, lowest >= -room)]
     return *places, room
 
