@@ -1031,8 +1031,10 @@ COMMON = {
 }
 RARE = {
     "tiny on edges": tiny_on_edges,
+    "tiny on edges, moved": moved(tiny_on_edges),
     "beside corners": beside_corners,
     "slivers": slivers,
+    "small slivers": lambda rng, n: tuple(c * 2.0**-40 for c in slivers(rng, n)),
     "at the end of a long edge": at_the_end_of_a_long_edge,
 }
 
@@ -1107,6 +1109,20 @@ def test_the_filter_tells_of_circles_what_products_in_the_range_of_floats_tell(e
         ((-(2.0**-100), 0), 5, [(3, 4), (10, 5), (5, 12)], 0),
         ((0, 2.0**-100), 5, [(3, 4), (10, 5), (5, 12)], 2),
         ((0, -(2.0**-100)), 5, [(3, 4), (10, 5), (5, 12)], 0),
+        ((2.0**-100, 0), 5, [(7, 1), (1, -7), (12, -9)], 2),
+        ((-(2.0**-100), 0), 5, [(7, 1), (1, -7), (12, -9)], 0),
+        ((0, 2.0**-100), 5, [(7, 1), (1, -7), (12, -9)], 0),
+        ((0, -(2.0**-100)), 5, [(7, 1), (1, -7), (12, -9)], 2),
+        *(  # straight off an end of an edge but for a little: beyond it, and before it
+            (at, 5, [(0, 0), (3, 4), (-10, 5)], right)
+            for e, right in ((2.0**-50, 0), (-(2.0**-50), 1))
+            for at in ((4 - 3 * e, -3 - 4 * e), (7 + 3 * e, 1 + 4 * e))
+        ),
+        ((-2.5, 5), 5, [(3, 4), (2.0**-60, 0), (5, -3)], 0),  # an edge that rounds to one of length 5
+        ((-2.5, 5), 5, [(3, 4), (-(2.0**-60), 0), (5, -3)], 2),
+        ((5, -2.5), 5, [(-3, 5), (0, 2.0**-60), (4, 3)], 0),
+        ((5, -2.5), 5, [(-3, 5), (0, -(2.0**-60)), (4, 3)], 2),
+        ((2.5 * 2.0**-560, 0.5), 2 * 2.0**-560, [(0, 0), (2.0**-560, 1), (-1, 0.5)], 2),  # an edge hardly above 1
         ((1e-150, -1), 1, [(0, 0), (1, 1e-200), (0.5, 1)], 0),
         ((0.5, -1), 1, [(0, 0), (1, 1e-200), (0.5, 1)], 0),
         ((0.5, -1), 1, [(0, 0), (1, -5e-324), (0.5, 1)], 2),
@@ -1123,11 +1139,11 @@ def test_circles_are_exact_where_all_hangs_on_what_was_rounded_off_or_lost(cente
 @pytest.mark.parametrize("e", [-460, -500, -532, -536, -538, -545])
 def test_circles_are_exact_over_an_edge_so_short_that_its_square_loses_bits(e, engine):
     rng = RNG(-e)
-    x, half = rng.uniform(-1, 1, 25), rng.uniform(0.8, 1.5, 25)
-    points = np.zeros((25, 5, 2))  # center, the ends of the edge below, two more corners
+    x, half = rng.uniform(-1, 1, 100), rng.uniform(0.8, 1.5, 100)
+    points = np.zeros((100, 5, 2))  # center, the ends of the edge below, two more corners
     points[:, :3, 0] = np.stack([x, half, -half], axis=1) * 2.0**e
     points[:, 0, 1], points[:, 3:] = 1, [(-1, -1), (1, -1)]
-    radii = rng.choice([0.8, 1 - 2.0**-10, 1, 1 + 2.0**-10, 1.2], 25)
+    radii = rng.choice([0.8, 1 - 2.0**-10, 1, 1, 1, 1, 1 + 2.0**-10, 1.2], 100)
     for turns in range(4):
         circles, polygons = batch.Circles(points[:, 0], radii), batch.Polygons(points[:, 1:])
         right = [oracle.relation(p, q) for p, q in zip(scalar(circles), scalar(polygons))]
@@ -1206,6 +1222,12 @@ def test_floats_settle_circles_on_polygons_only_where_products_stay_in_their_ran
         found = circle_polygons._by_floats(*columns)
     assert found.tolist() == ([0] * 50 if told else [signs.UNKNOWN] * 50)
     assert circle_polygons.gaps(*columns).tolist() == [0] * 50
+
+
+def test_an_edge_whose_square_may_lose_bits_leaves_circles_to_integers():
+    shapes = batch.Circles([(0, -1)], 1), batch.Polygons([[(-1, 0), (2.0**-470, 0), (0, 2.0**-470)]])
+    *places, room = within_reach(*(shape.uniform for shape in shapes))
+    assert room == np.inf and not any(place.size for place in places)
 
 
 def test_circles_on_polygons_are_settled_a_block_at_a_time(monkeypatch):
