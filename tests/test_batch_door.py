@@ -3,7 +3,7 @@
 import sys
 import warnings
 from fractions import Fraction
-from itertools import pairwise, permutations
+from itertools import pairwise, permutations, product
 
 import numpy as np
 import pytest
@@ -598,13 +598,14 @@ def test_what_is_known_of_joined_shapes_holds_for_them_all():
     box = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
     kite = np.array([(0, -1), (1, 0), (0, 1), (-1, 0)])
     some = [(box * 1e-9, True), (box[[1, 2, 3, 0]], True), (kite * 9, False), (box * 1e-3 - 5, True), (kite / 9, False)]
-    for rings, upright in (zip(*chosen) for chosen in permutations(some, 3)):
+    for size, chosen in product((1, 1e-12), permutations(some, 3)):
+        rings, upright = [ring * size for ring, _ in chosen], [is_upright for _, is_upright in chosen]
         joined = batch.concat([batch.Polygons([ring]) for ring in rings])
         group = joined.groups[4]
         assert group.reach == np.abs(rings).max() == max(group.x.max(), -group.x.min(), group.y.max(), -group.y.min())
         assert group.span == max(np.abs(ring - np.roll(ring, 1, axis=0)).max() for ring in np.array(rings))
         assert group.upright == joined.are_upright_boxes == all(upright)
-        assert joined.flat.upright.tolist() == list(upright)
+        assert joined.flat.upright.tolist() == upright
         assert batch.Polygons(np.array(rings)).uniform[3:] == group[3:]
 
 
