@@ -200,7 +200,9 @@ def by_source(a: Shape, b: Shape) -> dict[Source, Axis]:
 def made_for(choice: Choice, a: Shape, b: Shape) -> Choice:
     """A choice of someone else's as it serves this pair: complete only if it has all axes of `needed`, or of all edges.
 
-    ValueError for an axis that these shapes do not have: exactly, an axis is where it comes from, not its numbers.
+    In any order: those left out as parallel are given the number of the first axis that they are parallel to.
+    ValueError for an axis that these shapes do not have (exactly: an axis is where it comes from,
+    not its numbers), and for one left out for no reason.
     """
     own = [axis for axis in (*choice.axes, *(skip.axis for skip in choice.skipped)) if axis.source.kind != GIVEN]
     known = by_source(a, b) if own else {}
@@ -209,7 +211,21 @@ def made_for(choice: Choice, a: Shape, b: Shape) -> Choice:
             raise ValueError(f"{axis.source} is no axis of these shapes: choose the axes for this very pair")
     has = {axis.source for axis in choice.axes}
     enough = (full for full in (needed(a, b), edge_normals(a, b)) if full.complete)  # upright boxes need no edge's
-    return choice._replace(complete=choice.complete and any(has >= {x.source for x in full.axes} for full in enough))
+    complete = choice.complete and any(has >= {x.source for x in full.axes} for full in enough)
+    return Choice(choice.axes, tuple(_numbered(choice, a, b)), complete)
+
+
+def _numbered(choice: Choice, a: Shape, b: Shape) -> Iterator[Skip]:
+    number: dict[IntPoint, int] = {}
+    for i, axis in enumerate(choice.axes if choice.skipped else (), 1):
+        number.setdefault(_direction_key(*exact_dots(a, b, axis).normal), i)
+    for skip in choice.skipped:
+        if skip.why == NO_DIRECTION and skip in nearest_vertex(a, b).skipped:
+            yield skip
+        elif skip.why == PARALLEL and (key := _direction_key(*exact_dots(a, b, skip.axis).normal)) in number:
+            yield skip._replace(number=number[key])
+        else:
+            raise ValueError(f"{skip.axis.source} is left out as {skip.why!r}, which it is not")
 
 
 class ExactDots(NamedTuple):

@@ -55,7 +55,7 @@ def load(text: str) -> Trace:
         )
     else:
         trace = _facts(data, "trace", a, b, PLAIN, shortcut)
-        _same(trace, record(a, b, axes=shortcut or _choice_like(trace), every_axis=trace.every_axis), "trace")
+        _same(trace, _again(trace), "trace")
     _agree(_data(trace, _way_out(trace, data["mtv"])), data, "trace")
     return trace
 
@@ -206,15 +206,19 @@ def _agree(ours: Any, theirs: Any, where: str) -> None:
         raise InvalidScene(f"{where} is {theirs!r}, but the facts give {ours!r}")
 
 
-def _choice_like(trace: Trace) -> Choice:
-    """The named choice of axes that the trace made; one of its own may leave nothing out and prove nothing complete."""
-    for choose in axes.NAMED.values():
-        choice = choose(trace.a, trace.b)
-        if _sources(choice) == _sources(trace.choice) and choice.complete == trace.choice.complete:
-            return choice
-    if trace.choice.complete or trace.choice.skipped:
-        raise InvalidScene("trace.axes are complete, or leave some out, in a way that no choice of axes does")
-    return trace.choice
+def _again(trace: Trace) -> Trace:
+    """The same run with the axes as these shapes have them; no more complete, and leaving out no more, than is true."""
+    known = axes.by_source(trace.a, trace.b)
+    chosen, skipped, complete = trace.choice
+    choice = Choice(
+        tuple(known.get(axis.source, axis) for axis in chosen),
+        tuple(skip._replace(axis=known.get(skip.axis.source, skip.axis)) for skip in skipped),
+        complete,
+    )
+    try:
+        return record(trace.a, trace.b, axes=trace.shortcut or choice, every_axis=trace.every_axis)
+    except ValueError as error:
+        raise InvalidScene(f"trace.skipped: {error}") from None
 
 
 def _sources(choice: Choice) -> tuple[list[Source], list[object]]:
