@@ -569,6 +569,22 @@ def test_the_float32_look_errs_less_than_its_room(v, w, far):
     assert 0 < error.max() < 64
 
 
+@pytest.mark.parametrize("spans", [*product([2.0**-30, 1, 2.0**20], repeat=2)])
+@pytest.mark.parametrize("reaches", [*product([2.0**-20, 1, 2.0**30], repeat=2)])
+def test_the_room_of_numbas_look_is_what_rounding_needs_and_little_more(spans, reaches):
+    """See verdict.LOOK: 15 roundings of the longest edge's part times the farthest coordinate; asked are 32 of both."""
+    kernels, x = kernels_of("filter"), np.zeros((3, 1))
+    a, b = (arrays.Group(x, x, None, span, reach) for span, reach in zip(spans, reaches))
+    assert 15 / 32 * LOOK <= kernels.room_of(a, b) / (max(spans) * max(reaches)) <= 4 * LOOK
+
+
+@pytest.mark.parametrize("e", [-560, -480, -430, 0, 430, 500, 560])
+def test_the_room_of_numbas_look_is_infinite_where_products_lose_bits_or_overflow(e):
+    kernels, x = kernels_of("filter"), np.zeros((3, 1))
+    group = arrays.Group(x, x, None, 2.0**e, 2.0**e)
+    assert (kernels.room_of(group, group) < np.inf) == (abs(e) <= 430)
+
+
 @pytest.mark.parametrize("v", range(3, 17))
 def test_the_float32_look_takes_no_shape_for_narrower_than_it_is(v):
     group = batch.Polygons(ngons(RNG(v), 50, v)).uniform
@@ -2086,6 +2102,19 @@ def test_the_columns_of_chosen_shapes_lie_row_by_row_without_gaps(v):
             assert group.x.strides[1] == group.y.strides[1] == 8
             assert np.array_equal(group.x, shapes.uniform.x[:, where])
             assert v > 1 or (group.r.strides == (8,) and np.array_equal(group.r, shapes.uniform.r[where]))
+
+
+@pytest.mark.parametrize(("v", "n"), [(3, 20_000), (300, 5_000)])
+def test_circles_picked_with_polygons_are_looked_at_once_in_blocks_that_bound_the_memory(v, n, monkeypatch):
+    rng, looked, real = RNG(v), [], narrow._filter
+    monkeypatch.setattr(narrow, "_filter", lambda *args: looked.append(args[-1].size) or real(*args))
+    some, polygons = circles(rng, 50), batch.Polygons(regular(rng, 50, v))
+    pairs = rng.integers(0, 50, (n, 2))
+    for a, b, index in (some, polygons, pairs), (polygons, some, pairs[:, ::-1]):
+        assert batch.relate(a, b, index, engine="numpy").any()
+        at_once = min(narrow.BLOCK_OF_PICKED, max(signs.LANES, signs.CORNERS // v))
+        assert set(looked[:-1]) == {at_once} and sum(looked) == n
+        looked.clear()
 
 
 # -- executors
