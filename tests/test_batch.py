@@ -2117,6 +2117,20 @@ def test_circles_picked_with_polygons_are_looked_at_once_in_blocks_that_bound_th
         looked.clear()
 
 
+@pytest.mark.parametrize("kinds", [(3, 3), (3, 300), (300, 3), (300, 300), (1, 3), (300, 1), (1, 1)])
+def test_the_exact_twin_takes_each_pair_once_in_blocks_that_bound_the_memory(kinds, monkeypatch):
+    looked = []
+    for name in "_circles", "_polygons":
+        monkeypatch.setattr(undecided, name, lambda a, _: looked.append(len(a.x[0])) or np.zeros(looked[-1], np.int8))
+    a, b = (circles(RNG(k), 2) if k == 1 else batch.Polygons(regular(RNG(k), 2, k)) for k in kinds)
+    n = 100_000
+    undecided.relations(a.uniform, np.zeros(n, np.intp), b.uniform, np.ones(n, np.intp))
+    at_once = max(signs.LANES, undecided.LOOKS // max(kinds))
+    if 1 in kinds:
+        at_once = min(undecided.DOUBTS, max(signs.LANES, signs.CORNERS // max(kinds)))
+    assert set(looked[:-1]) == {at_once} and sum(looked) == n
+
+
 # -- executors
 
 
