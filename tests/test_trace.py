@@ -156,6 +156,15 @@ def test_axes_in_any_order_prove_as_much_and_their_trace_loads(name):
                     assert skip in choice.skipped
 
 
+def test_an_axis_that_the_shapes_do_not_have_is_refused_and_its_numbers_are_its_own():
+    a, b = box(0, 0, 1, 1), sv.Polygon([(2, 0), (3, 0), (3, 1)])
+    for axis in axes.needed(a, b).axes:
+        for other in axis._replace(length=2 * axis.length), axis._replace(source=axis.source._replace(ids=(0, 9))):
+            for choice in axes.Choice((other,)), axes.Choice(axes.WORLD_AXES, (axes.Skip(other, axes.PARALLEL, 1),)):
+                with pytest.raises(ValueError, match="is no axis of these shapes: choose the axes for this very pair"):
+                    sv.record(a, b, axes=choice)
+
+
 def test_an_axis_may_be_left_out_for_the_reason_given_only():
     a, b = box(0, 0, 1, 1), sv.Polygon([(2, 0), (3, 0), (3, 1)])
     choice = axes.needed(a, b)
