@@ -165,6 +165,27 @@ def test_an_axis_that_the_shapes_do_not_have_is_refused_and_its_numbers_are_its_
                     sv.record(a, b, axes=choice)
 
 
+def test_a_choice_is_no_more_complete_than_its_axes_whatever_it_says():
+    triangle, ball = sv.Polygon([(2, 2), (3, 2), (3, 3)]), sv.Circle((3, 3), 1)
+    upright = box(0, 0, 1, 1), box(2, 0, 1, 1)
+    for a, b, choose, complete in (
+        (*upright, axes.world, True),
+        (*upright, axes.edge_normals, True),
+        (upright[0], triangle, axes.world, False),
+        (upright[0], triangle, axes.edge_normals, True),
+        (upright[0], triangle, axes.edge_normals_of_a, False),
+        (upright[0], ball, axes.edge_normals, False),
+        (upright[0], ball, axes.needed, True),
+        (L, triangle, axes.edge_normals, False),
+        (L, triangle, axes.needed, False),
+        (triangle, L, axes.hull_normals, False),
+    ):
+        trace = sv.record(a, b, axes=axes.Choice(choose(a, b).axes, complete=True))
+        assert trace.choice.complete is complete
+        assert not sv.record(a, b, axes=axes.Choice(choose(a, b).axes)).choice.complete
+        assert sv.Trace.from_json(trace.to_json()) == trace
+
+
 def test_an_axis_may_be_left_out_for_the_reason_given_only():
     a, b = box(0, 0, 1, 1), sv.Polygon([(2, 0), (3, 0), (3, 1)])
     choice = axes.needed(a, b)
