@@ -11,6 +11,7 @@ import pytest
 import satviz as sv
 from satviz import batch
 from satviz.batch import filter_numpy, narrow, outlines
+from satviz.engine import exact
 
 TRIANGLE = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
 ELL = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
@@ -726,3 +727,19 @@ def test_no_pairs_are_none_however_they_are_written(none, engine):
         assert batch.relate(shapes, shapes, none, engine=engine).shape == (0,)
         assert batch.hits(shapes, shapes, none, engine=engine).shape == (0,)
     assert batch.relate(split[:0], split[:0], engine=engine).shape == (0,)
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda: batch.Polygons(np.array([TRIANGLE])),
+        lambda: batch.Polygons([TRIANGLE]),
+        lambda: batch.Circles(np.zeros((2, 2)), 1.0),
+    ],
+    ids=["polygons of an array", "polygons of a list", "circles"],
+)
+def test_batches_are_not_made_silently_where_small_numbers_are_taken_for_nothing(make, monkeypatch):
+    make()
+    monkeypatch.setattr(exact, "SMALLEST", 0.0)
+    with pytest.warns(RuntimeWarning, match="answers are exact only where"):
+        make()

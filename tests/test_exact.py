@@ -1,7 +1,11 @@
 """The signs and the numbers that everything else rests on: exact at every size, and quick where floats can tell."""
 
+import ctypes
 import math
+import platform
 import sys
+import warnings
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from random import Random
 
@@ -134,3 +138,36 @@ def test_a_difference_from_a_root_is_right_to_a_unit_in_the_last_place(draw: str
 def test_a_touch_is_no_difference_at_all():
     for s, r, square in ((0, 0, 5), (15, 3, 25), (5 << 300, 1 << 300, 25)):
         assert repr(exact.root_difference(s, r, square, 7)) == "0.0"
+
+
+def test_a_thread_that_takes_small_numbers_for_nothing_is_warned_of(monkeypatch):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        exact.warn_if_flushed()
+    monkeypatch.setattr(exact, "SMALLEST", 0.0)  # as such a thread takes it
+    with pytest.warns(RuntimeWarning, match="takes numbers below 2.3e-308 for 0"):
+        exact.warn_if_flushed()
+
+
+@pytest.mark.skipif(
+    sys.platform != "linux" or platform.machine() != "x86_64", reason="sets the processor's flags as on Linux, x86-64"
+)
+def test_what_a_flushing_thread_computes_is_what_the_warning_looks_at():
+    """The C library's environment of x86-64 floats holds the processor's register of flags from byte 28 on."""
+    libm, flags, flush = ctypes.CDLL("libm.so.6"), ctypes.create_string_buffer(64), 0x8040
+
+    def flushed():
+        libm.fegetenv(flags)
+        register = int.from_bytes(flags[28:32], "little")
+        flags[28:32] = (register | flush).to_bytes(4, "little")
+        libm.fesetenv(flags)
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            exact.warn_if_flushed()
+        flags[28:32] = register.to_bytes(4, "little")
+        libm.fesetenv(flags)
+        exact.warn_if_flushed()
+        return [warning.category for warning in told]
+
+    with ThreadPoolExecutor(1) as thread:
+        assert thread.submit(flushed).result() == [RuntimeWarning]

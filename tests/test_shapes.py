@@ -19,6 +19,7 @@ import shapely.geometry
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from satviz.engine import exact
 from satviz.engine.geometry import InvalidShape
 from satviz.engine.shapes import Circle, Polygon, centroid
 from satviz.study import truth as oracle
@@ -999,3 +1000,11 @@ def test_the_centroid_of_a_hair_is_not_far_from_it():
 def test_a_shape_is_worked_out_once():
     for shape in SHAPES.values():
         assert shape.integers is shape.integers
+
+
+@pytest.mark.parametrize("make", [lambda: Polygon(TRIANGLE), lambda: Circle((1, 2), 3)], ids=["polygon", "circle"])
+def test_shapes_are_not_made_silently_where_small_numbers_are_taken_for_nothing(make, monkeypatch):
+    make()
+    monkeypatch.setattr(exact, "SMALLEST", 0.0)
+    with pytest.warns(RuntimeWarning, match="answers are exact only where"):
+        make()
