@@ -3,11 +3,13 @@
 import json
 import sys
 from contextlib import suppress
+from dataclasses import replace
 from fractions import Fraction
 from itertools import islice
 from math import cos, hypot, ldexp, pi, sin
 from random import Random
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -163,6 +165,119 @@ def test_an_axis_that_the_shapes_do_not_have_is_refused_and_its_numbers_are_its_
             for choice in axes.Choice((other,)), axes.Choice(axes.WORLD_AXES, (axes.Skip(other, axes.PARALLEL, 1),)):
                 with pytest.raises(ValueError, match="is no axis of these shapes: choose the axes for this very pair"):
                     sv.record(a, b, axes=choice)
+
+
+@pytest.mark.parametrize(
+    "axis",
+    [
+        ((1.0, 0.0), 0.1),
+        ((1.0, 0.0), -1.0),
+        ((1.0, 0.0), 1 + 2**-40),
+        ((1.0, 0.0), float("inf")),
+        ((1.0, 0.0), float("nan")),
+        ((1.5e308, 1.5e308), 1.0),
+        ((0.0, 0.0), 1.0),
+        ((float("inf"), 0.0), 1.0),
+        ((float("nan"), 0.0), 1.0),
+        ((10**400, 0), 1.0),
+    ],
+    ids=str,
+)
+def test_a_direction_of_ones_own_has_the_length_that_it_has(axis):
+    """A shorter one would have told a gap of circles that overlap."""
+    given = axes.Axis(sv.Vec(*axis[0]), axis[1], axes.Source(axes.GIVEN, None, (0,)))
+    for choice in axes.Choice((given,)), axes.Choice(axes.WORLD_AXES, (axes.Skip(given, axes.PARALLEL, 2),)):
+        with pytest.raises(ValueError):
+            sv.record(sv.Circle((0, 0), 1), sv.Circle((0.5, 0), 1), axes=choice)
+
+
+@pytest.mark.parametrize("source", [(None, ()), (None, (0, 1)), (None, ("x",)), (None, (True,)), ("A", (0,))], ids=str)
+def test_a_direction_of_ones_own_has_a_number(source):
+    given = axes.Axis(sv.Vec(1.0, 0.0), 1.0, axes.Source(axes.GIVEN, *source))
+    with pytest.raises(ValueError, match="is no axis of these shapes"):
+        sv.record(A, B, axes=axes.Choice((given,)))
+
+
+def test_a_choice_may_hold_lists_and_other_numbers_and_its_trace_loads():
+    a, b = box(0, 0, 1, 1), sv.Polygon([(2, 0), (3, 0), (3, 1)])
+    plain = sv.record(a, b, axes=axes.needed, every_axis=True)
+    needed = axes.needed(a, b)
+
+    def with_each(change):
+        return needed._replace(axes=tuple(map(change, needed.axes)))
+
+    for choice in (
+        needed._replace(axes=list(needed.axes), skipped=list(needed.skipped)),
+        needed._replace(axes=iter(needed.axes), skipped=iter(needed.skipped), complete=1),
+        with_each(
+            lambda axis: axis._replace(normal=sv.Vec(*map(np.float64, axis.normal)), length=Fraction(axis.length))
+        ),
+        with_each(lambda axis: axis._replace(normal=tuple(axis.normal))),
+        with_each(lambda axis: axis._replace(source=axis.source._replace(ids=tuple(map(float, axis.source.ids))))),
+        with_each(lambda axis: axis._replace(source=axis.source._replace(ids=tuple(map(np.int64, axis.source.ids))))),
+    ):
+        trace = sv.record(a, b, axes=choice, every_axis=np.True_)
+        assert trace == plain == sv.Trace.from_json(trace.to_json()) and hash(trace) == hash(plain)
+
+
+@pytest.mark.parametrize(
+    "choice",
+    [
+        None,
+        "world",
+        5,
+        axes.WORLD_AXES,
+        lambda a, b: None,
+        lambda a, b: axes.WORLD_AXES,
+        axes.Choice((None,)),
+        axes.Choice("xy"),
+        axes.Choice(((1, 0),)),
+        axes.Choice(5),
+        axes.Choice((axes.Axis(sv.Vec(1, 0), 1, ("world", None, (0,))),)),
+        axes.Choice((), axes.WORLD_AXES),
+        axes.Choice((), (None,)),
+    ],
+    ids=str,
+)
+def test_what_is_no_choice_of_axes_is_a_type_error(choice):
+    with pytest.raises(TypeError):
+        sv.record(A, B, axes=choice)
+
+
+def test_an_axis_is_tested_or_left_out_and_no_direction_is_none():
+    a, b = box(0, 0, 2, 2), sv.Circle((2, 2), 1)
+    (skip,) = axes.nearest_vertex(a, b).skipped
+    with pytest.raises(ValueError, match="has no direction"):
+        sv.record(a, b, axes=axes.Choice((skip.axis,)))
+    for twice in (
+        axes.Choice(axes.WORLD_AXES, (axes.Skip(axes.WORLD_AXES[0], axes.PARALLEL, 1),)),
+        axes.Choice(axes.WORLD_AXES, (axes.Skip(skip.axis, axes.PARALLEL, 2),)),
+    ):
+        with pytest.raises(ValueError, match="which it is not"):
+            sv.record(a, b, axes=twice)
+
+
+def test_a_chooser_that_says_it_is_one_of_ours_is_not_believed():
+    class Sly:
+        def __eq__(self, other):
+            return True
+
+        def __call__(self, a, b):
+            return axes.Choice((), (), True)
+
+    assert not sv.record(box(0, 0, 1, 1), box(5, 5, 6, 6), axes=Sly()).choice.complete
+
+
+def test_a_long_choice_is_looked_at_once_for_each_of_its_axes_and_bounded(monkeypatch):
+    a, b = box(0, 0, 1, 1), sv.Polygon([(2, 0), (3, 0), (3, 1)])
+    looked, real, needed = [], axes._way, axes.needed(a, b)
+    monkeypatch.setattr(axes, "_way", lambda axis, *shapes: looked.append(axis) or real(axis, *shapes))
+    trace = sv.record(a, b, axes=axes.Choice(needed.axes * 1000, needed.skipped * 1000))
+    assert len(looked) == len(set(looked)) and len(trace.choice.skipped) == 1000 * len(needed.skipped)
+    ball = sv.Circle((0, 0), 0.1)
+    monkeypatch.setattr(trace_module, "MAX_SIZE", 500)
+    with pytest.raises(sv.InvalidScene, match="a trace lists 500 points and axes at most"):
+        sv.record(a, ball, axes=axes.Choice((), axes.nearest_vertex(a, ball).skipped * 500))
 
 
 def test_a_choice_is_no_more_complete_than_its_axes_whatever_it_says():
@@ -636,8 +751,8 @@ def test_one_of_each_survives_json_and_the_rounding_of_another_machine(name):
     assert json.loads(again.to_json()) == data
 
 
-@pytest.mark.parametrize("told", [-(2.0**-40), 0.0, 2.0**-40])
-@pytest.mark.parametrize("true", [-(2.0**-40), 0.0, 2.0**-40])
+@pytest.mark.parametrize("told", [-(2.0**-48), 0.0, 2.0**-48])
+@pytest.mark.parametrize("true", [-(2.0**-48), 0.0, 2.0**-48])
 def test_no_rounding_of_another_machine_changes_the_sign_of_a_gap(told, true):
     """Not even on an axis that does not matter, here x beside a clear gap along y."""
     told, true = (sv.record(box(0, 0, 1, 1), box(1 + gap, 3, 2 + gap, 4), every_axis=True) for gap in (told, true))
@@ -646,6 +761,38 @@ def test_no_rounding_of_another_machine_changes_the_sign_of_a_gap(told, true):
         assert sv.Trace.from_json(json.dumps(data)) == true
     else:
         with pytest.raises(sv.InvalidScene, match="gap"):
+            sv.Trace.from_json(json.dumps(data))
+
+
+@pytest.mark.parametrize("far", [0, 1e6, 1e9, 1e12])
+def test_no_other_gap_or_landing_is_taken_for_rounding_however_far_from_the_origin(far):
+    a, b = box(far, far, far + 4, far + 4), box(far + 1, far + 3, far + 5, far + 7)
+    trace = sv.record(a, b)
+    y, x = trace.tests
+    assert (y.gap, x.gap) == (-1, -3)
+    for tests in (y._replace(gap=-1.001), x), (y._replace(gap=-3.0), x._replace(gap=-1.0)):
+        with pytest.raises(sv.InvalidScene, match="gap"):
+            sv.Trace.from_json(replace(trace, tests=tests).to_json())
+    landed = y.a._replace(landings=tuple(c + 1e-3 + far * 2**-44 for c in y.a.landings))
+    with pytest.raises(sv.InvalidScene, match="is not where these shapes land"):
+        sv.Trace.from_json(replace(trace, tests=(y._replace(a=landed), x)).to_json())
+
+
+def test_where_a_circle_reaches_beyond_float64_landings_are_looked_at_all_the_same():
+    near_the_rim, far = sv.Circle((1.76e308, 1.32e308), 4.4e307), sv.Circle((-4, -1), 2)
+    data = json.loads(sv.record(near_the_rim, far, axes=axes.world).to_json())
+    assert sv.Trace.from_json(json.dumps(data)).relation is sv.Relation.APART
+    with pytest.raises(sv.InvalidScene):
+        sv.Trace.from_json(json.dumps(data | {"a": data["b"], "b": data["a"]}))
+
+
+@pytest.mark.parametrize("choose", [axes.world, axes.centers, axes.needed])
+def test_the_normal_of_an_axis_in_a_file_is_its_own_to_the_last_bit(choose):
+    data = json.loads(sv.record(box(0, 0, 4, 4), box(1, 3, 5, 7), axes=choose).to_json())
+    x, y = data["axes"][0]["normal"]
+    for normal in [x + 2**-60 if x == 0 else x * (1 + 2**-52), y], [x, y * (1 - 2**-52)]:
+        data["axes"][0]["normal"] = normal
+        with pytest.raises(sv.InvalidScene, match="is not the direction"):
             sv.Trace.from_json(json.dumps(data))
 
 

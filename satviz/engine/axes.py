@@ -169,14 +169,17 @@ def nearest_vertex(a: Shape, b: Shape) -> Choice:
 
 def directions(*vectors: Any) -> Chooser:
     """A choice of the given (x, y) directions, taken exactly as given and not turned round."""
-    axes = []
-    for i, vector in enumerate(vectors):
-        v = point(vector, f"direction {i}")
-        if v == (0, 0):
-            raise ValueError(f"direction {i} is (0, 0): an axis needs a direction")
-        k, (x, y) = to_integers(v)
-        axes.append(_axis((x, y), k, Source(GIVEN, None, (i,)), as_given=True))
-    return lambda a, b: Choice(tuple(axes))
+    axes = tuple(given(vector, i) for i, vector in enumerate(vectors))
+    return lambda a, b: Choice(axes)
+
+
+def given(vector: Any, number: int) -> Axis:
+    """The axis along the direction that was given as number 0, 1, ...; ValueError for what is none."""
+    v = point(vector, f"direction {number}")
+    if v == (0, 0):
+        raise ValueError(f"direction {number} is (0, 0): an axis needs a direction")
+    k, (x, y) = to_integers(v)
+    return _axis((x, y), k, Source(GIVEN, None, (number,)), as_given=True)
 
 
 NAMED: dict[str, Chooser] = {
@@ -197,35 +200,78 @@ def by_source(a: Shape, b: Shape) -> dict[Source, Axis]:
     return {axis.source: axis for c in choices for axis in (*c.axes, *(skip.axis for skip in c.skipped))}
 
 
+def same_axis(axis: Axis, ours: Axis) -> bool:
+    """Is it this axis, to the last bit of its normal?  Its length may come from another machine's square root."""
+    return axis.normal == ours.normal and abs(axis.length - ours.length) <= ours.length * 2.0**-46
+
+
 def made_for(choice: Choice, a: Shape, b: Shape) -> Choice:
     """A choice of someone else's as it serves this pair: complete only if it has all axes of `needed`, or of all edges.
 
     In any order: those left out as parallel are given the number of the first axis that they are parallel to.
     ValueError for an axis that these shapes do not have (exactly: an axis is where it comes from,
-    not its numbers), and for one left out for no reason.
+    not its numbers), and for one left out for no reason; TypeError for what is no Choice, Axis or Skip.
     """
-    own = [axis for axis in (*choice.axes, *(skip.axis for skip in choice.skipped)) if axis.source.kind != GIVEN]
-    known = by_source(a, b) if own else {}
-    for axis in own:
-        if known.get(axis.source) != axis:
-            raise ValueError(f"{axis.source} is no axis of these shapes: choose the axes for this very pair")
-    has = {axis.source for axis in choice.axes}
+    known = by_source(a, b)
+    chosen = tuple(_owned(axis, known) for axis in _typed(choice, Choice).axes)
+    left_out = [_typed(skip, Skip) for skip in choice.skipped]
+    skipped = tuple(skip._replace(axis=_owned(skip.axis, known)) for skip in left_out)
+    nowhere = nearest_vertex(a, b).skipped
+    if any(skip.axis in chosen for skip in nowhere):
+        raise ValueError(f"{nowhere[0].axis.source} has no direction: the center is on that vertex")
+    has = {axis.source for axis in chosen}
     enough = (full for full in (needed(a, b), edge_normals(a, b)) if full.complete)  # upright boxes need no edge's
-    complete = choice.complete and any(has >= {x.source for x in full.axes} for full in enough)
-    return Choice(choice.axes, tuple(_numbered(choice, a, b)), complete)
+    complete = bool(choice.complete) and any(has >= {x.source for x in full.axes} for full in enough)
+    return Choice(chosen, tuple(_numbered(chosen, skipped, nowhere, a, b)), complete)
 
 
-def _numbered(choice: Choice, a: Shape, b: Shape) -> Iterator[Skip]:
+def _typed(value: Any, kind: type) -> Any:
+    if isinstance(value, kind):
+        return value
+    raise TypeError(f"a choice of axes holds a {type(value).__name__}: expected a satviz.axes.{kind.__name__}")
+
+
+def _owned(axis: Axis, known: dict[Source, Axis]) -> Axis:
+    """The same axis, in the numbers that these shapes give, or that a given direction has."""
+    source: Source = _typed(_typed(axis, Axis).source, Source)
+    ours = known.get(source)
+    if source.kind == GIVEN and source.shape is None and len(source.ids) == 1 and type(source.ids[0]) is int:
+        ours = given(axis.normal, source.ids[0])
+    if ours is None or not same_axis(axis, ours):
+        raise ValueError(f"{source} is no axis of these shapes: choose the axes for this very pair")
+    return ours
+
+
+def _numbered(
+    axes: Sequence[Axis], skipped: Sequence[Skip], nowhere: Sequence[Skip], a: Shape, b: Shape
+) -> Iterator[Skip]:
+    if not skipped:
+        return
+    ways = {axis: _way(axis, a, b) for axis in {*axes, *(skip.axis for skip in skipped)}}
     number: dict[IntPoint, int] = {}
-    for i, axis in enumerate(choice.axes if choice.skipped else (), 1):
-        number.setdefault(_direction_key(*exact_dots(a, b, axis).normal), i)
-    for skip in choice.skipped:
-        if skip.why == NO_DIRECTION and skip in nearest_vertex(a, b).skipped:
+    for i, axis in enumerate(axes, 1):
+        number.setdefault(ways[axis], i)
+    elsewhere = {*axes, *(skip.axis for skip in nowhere)}
+    for skip in skipped:
+        if skip in nowhere:
             yield skip
-        elif skip.why == PARALLEL and (key := _direction_key(*exact_dots(a, b, skip.axis).normal)) in number:
-            yield skip._replace(number=number[key])
+        elif skip.why == PARALLEL and ways[skip.axis] in number and skip.axis not in elsewhere:
+            yield skip._replace(number=number[ways[skip.axis]])
         else:
             raise ValueError(f"{skip.axis.source} is left out as {skip.why!r}, which it is not")
+
+
+def _way(axis: Axis, a: Shape, b: Shape) -> IntPoint:
+    """A key that is equal exactly for parallel axes."""
+    kind, role, ids = axis.source
+    if role and kind in (EDGE, HULL):
+        shape = a if role == "A" else b
+        i, j = (shape.corner_ids.index(v) for v in ids)
+        return _direction_key(*_edge_normal(shape, role, kind, i, j)[0])
+    if kind in (CENTERS, VERTEX):
+        return _direction_key(*exact_dots(a, b, axis).normal)
+    _, (x, y) = to_integers(axis.normal)
+    return _direction_key(x, y)
 
 
 class ExactDots(NamedTuple):

@@ -19,7 +19,6 @@ from .verdict import relate
 APART, TOUCHING, OVERLAPPING = Relation
 
 MAX_SIZE = 200_000  # what a trace lists (see _size): some 30 MB of JSON, which can be read again
-OWN = tuple(NAMED.values())
 
 
 class Names(NamedTuple):
@@ -229,16 +228,20 @@ def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, ev
     it, concave polygons are tested part by part.  Or a shortcut, whose `claim` the
     trace then holds beside the exact relation.  The loop stops at the first
     separating axis, and for parts at the first pair that overlaps, unless
-    `every_axis`.  TypeError for anything but Polygon and Circle; ValueError for axes of
-    other shapes; InvalidScene if the trace would list more than MAX_SIZE points and axes.
+    `every_axis`.  TypeError for anything but Polygon and Circle and for no choice of axes; ValueError
+    for axes of other shapes; InvalidScene if the trace would list more than MAX_SIZE points and axes.
     """
     checked(a, "a"), checked(b, "b")
+    every_axis = bool(every_axis)
     if axes is needed and not (a.is_convex and b.is_convex):
         return _record_parts(a, b, every_axis)
     if isinstance(axes, Shortcut):
         return _record_shortcut(a, b, axes, every_axis)
+    if not (isinstance(axes, Choice) or callable(axes)):
+        raise TypeError(f"axes is a {type(axes).__name__}: expected a choice of axes, or what makes one (satviz.axes)")
     choice = axes if isinstance(axes, Choice) else axes(a, b)
-    return _record(a, b, choice if axes in OWN else made_for(choice, a, b), every_axis, PLAIN)
+    own = any(axes is choose for choose in NAMED.values())
+    return _record(a, b, choice if own else made_for(choice, a, b), every_axis, PLAIN)
 
 
 def _record_shortcut(a: Shape, b: Shape, shortcut: Shortcut, every_axis: bool) -> Trace:
@@ -254,11 +257,10 @@ def _record(
 ) -> Trace:
     tests: list[AxisTest] = []
     measured = shortcut.tests(a, b, choice.axes) if shortcut else axis_tests(a, b, choice.axes)
+    _keep_within_limit(a, b, choice, tests, names)
     for test in measured:
         tests.append(test)
-        if _size(a, b, choice, tests) > MAX_SIZE:
-            what = f"{' and '.join(names)} have {_points(a, b):,} points to drop on {len(choice.axes):,} axes"
-            raise _too_large(what)
+        _keep_within_limit(a, b, choice, tests, names)
         if not every_axis and (test.gap > 0 or (shortcut and shortcut.separates(test))):
             break
     return Trace(a, b, choice, tuple(tests), every_axis, (), names, shortcut)
@@ -289,6 +291,11 @@ def _shallowest(tests: Sequence[AxisTest]) -> AxisTest:
 def _size(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest]) -> int:
     """What a trace lists: points, those dropped in each test too, and axes."""
     return _points(a, b) * (1 + len(tests)) + len(choice.axes) + len(choice.skipped)
+
+
+def _keep_within_limit(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest], names: Names) -> None:
+    if _size(a, b, choice, tests) > MAX_SIZE:
+        raise _too_large(f"{' and '.join(names)} have {_points(a, b):,} points to drop on {len(choice.axes):,} axes")
 
 
 def _points(a: Shape, b: Shape) -> int:

@@ -10,7 +10,7 @@ from ..engine.axes import Axis, Choice, Skip, Source
 from ..engine.escape import ends_overlap
 from ..engine.geometry import InvalidScene, InvalidShape, Vec
 from ..engine.outline import number
-from ..engine.sat import AxisTest, Projection
+from ..engine.sat import CLOSE, LARGEST, AxisTest, Projection
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import PLAIN, Names, Trace, record
@@ -19,7 +19,9 @@ from .shortcuts import NAMED as SHORTCUTS
 from .strictjson import keys, parse, refuse_large, typed
 
 MAX_CHARS = 1 << 26
-ROUNDING = 2.0**-28  # how far another machine's square root may move a landing, relative to the reach
+ROUNDING = (
+    2.0**-46
+)  # how far another machine's square root may move a landing, relative to the reach (under 13 * 2**-53, see sat.CLOSE)
 
 
 def dump(trace: Trace, indent: int | None) -> str:
@@ -158,11 +160,13 @@ def _axis(data: Any, where: str, known: dict[Source, Axis]) -> Axis:
     kind, role = typed(told["kind"], f"{where}.source.kind", str), told["shape"]
     source = Source(kind, role if role is None else typed(role, f"{where}.source.shape", str), ids)
     axis = Axis(_vec(data["normal"], f"{where}.normal"), _float(data["length"], f"{where}.length"), source)
-    given = kind == axes.GIVEN and role is None and len(ids) == 1 and any(axis.normal)
-    ours = Axis(axis.normal, hypot(*axis.normal), source) if given else known.get(source)
+    if kind == axes.GIVEN and role is None and len(ids) == 1 and any(axis.normal):
+        ours: Axis | None = axes.given(axis.normal, ids[0])
+    else:
+        ours = known.get(source)
     if ours is None:
         raise InvalidScene(f"{where}.source names vertices or a kind that these shapes do not have")
-    if not _near((*axis.normal, axis.length), (*ours.normal, ours.length), ours.length * 1e-12):
+    if not axes.same_axis(axis, ours):
         raise InvalidScene(f"{where} is not the direction (or not the length) that its source has")
     return axis
 
@@ -207,16 +211,9 @@ def _agree(ours: Any, theirs: Any, where: str) -> None:
 
 
 def _again(trace: Trace) -> Trace:
-    """The same run with the axes as these shapes have them; no more complete, and leaving out no more, than is true."""
-    known = axes.by_source(trace.a, trace.b)
-    chosen, skipped, complete = trace.choice
-    choice = Choice(
-        tuple(known.get(axis.source, axis) for axis in chosen),
-        tuple(skip._replace(axis=known.get(skip.axis.source, skip.axis)) for skip in skipped),
-        complete,
-    )
+    """The same run, with its axes in the numbers of these shapes, and no more left out than is true."""
     try:
-        return record(trace.a, trace.b, axes=trace.shortcut or choice, every_axis=trace.every_axis)
+        return record(trace.a, trace.b, axes=trace.shortcut or trace.choice, every_axis=trace.every_axis)
     except ValueError as error:
         raise InvalidScene(f"trace.skipped: {error}") from None
 
@@ -231,10 +228,12 @@ def _same(trace: Trace, again: Trace, where: str) -> None:
         raise InvalidScene(f"{where}.axes are not those of these shapes")
     if trace.every_axis != again.every_axis or len(trace.tests) != len(again.tests):
         raise InvalidScene(f"{where}.tests has {len(trace.tests)} tests where the run has {len(again.tests)}")
-    room = max(trace.a.reach, trace.b.reach) * ROUNDING
+    reach = min(max(trace.a.reach, trace.b.reach), LARGEST)  # beyond float64 a circle's is infinite
+    room = reach * ROUNDING
     for i, (test, ours) in enumerate(zip(trace.tests, again.tests)):
         same_sign = (test.gap > 0) == (ours.gap > 0) and (test.gap < 0) == (ours.gap < 0)
-        if not same_sign or not _near((test.gap,), (ours.gap,), room):
+        exact = abs(ours.gap) <= reach * CLOSE  # and rounded once
+        if not same_sign or not _near((test.gap,), (ours.gap,), abs(ours.gap) * 2.0**-50 if exact else room):
             raise InvalidScene(f"{where}.tests[{i}].gap is {test.gap}, but the shapes give {ours.gap}")
         for name, mine, other in ("a", test.a, ours.a), ("b", test.b, ours.b):
             flat = [c for p in mine.points for c in p], [c for p in other.points for c in p]
