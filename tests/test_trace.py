@@ -257,6 +257,28 @@ def test_an_axis_is_tested_or_left_out_and_no_direction_is_none():
             sv.record(a, b, axes=twice)
 
 
+def test_what_is_nearly_parallel_is_not_left_out_as_parallel():
+    """The way from a corner to a center, or between two, where its rounded normal is that of another axis."""
+    triangle, (across,) = sv.Polygon([(1, 1), (-1, 0), (1, -1)]), axes.directions((1, -2))(A, B).axes
+    for x, parallel in (0, True), (1e-20, False):
+        ball, coin = sv.Circle((x, 3), 0.5), sv.Circle((1, 1), 0.5)
+        (vertex,) = axes.nearest_vertex(triangle, ball).axes
+        assert vertex.normal == across.normal
+        known = axes.needed(triangle, ball)
+        edges = tuple(axis for axis in known.axes if axis != vertex)
+        for a, b, chosen, skipped in (
+            (triangle, ball, edges, vertex),
+            (coin, ball, (across,), *axes.centers(coin, ball).axes),
+        ):
+            choice = axes.Choice(chosen[::-1], (axes.Skip(skipped, axes.PARALLEL),))
+            if parallel:
+                (skip,) = sv.record(a, b, axes=choice).choice.skipped
+                assert skip.number and skip.axis == skipped
+            else:
+                with pytest.raises(ValueError, match="which it is not"):
+                    sv.record(a, b, axes=choice)
+
+
 def test_a_chooser_that_says_it_is_one_of_ours_is_not_believed():
     class Sly:
         def __eq__(self, other):
