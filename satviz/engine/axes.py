@@ -212,16 +212,19 @@ def made_for(choice: Choice, a: Shape, b: Shape) -> Choice:
     ValueError for an axis that these shapes do not have (exactly: an axis is where it comes from,
     not its numbers), and for one left out for no reason; TypeError for what is no Choice, Axis or Skip.
     """
-    known = by_source(a, b)
-    chosen = tuple(_owned(axis, known) for axis in _typed(choice, Choice).axes)
-    left_out = [_typed(skip, Skip) for skip in choice.skipped]
+    axes, left_out = tuple(_typed(choice, Choice).axes), [_typed(skip, Skip) for skip in choice.skipped]
+    every = [_typed(axis, Axis) for axis in (*axes, *(skip.axis for skip in left_out))]
+    known = {} if all(_typed(axis.source, Source).kind == GIVEN for axis in every) else by_source(a, b)
+    chosen = tuple(_owned(axis, known) for axis in axes)
     skipped = tuple(skip._replace(axis=_owned(skip.axis, known)) for skip in left_out)
     nowhere = nearest_vertex(a, b).skipped
     if any(skip.axis in chosen for skip in nowhere):
         raise ValueError(f"{nowhere[0].axis.source} has no direction: the center is on that vertex")
     has = {axis.source for axis in chosen}
-    enough = (full for full in (needed(a, b), edge_normals(a, b)) if full.complete)  # upright boxes need no edge's
-    complete = bool(choice.complete) and any(has >= {x.source for x in full.axes} for full in enough)
+    complete = bool(choice.complete) and any(
+        full.complete and has >= {axis.source for axis in full.axes}
+        for full in (needed(a, b), edge_normals(a, b))  # upright boxes need no edge's
+    )
     return Choice(chosen, tuple(_numbered(chosen, skipped, nowhere, a, b)), complete)
 
 
@@ -233,7 +236,7 @@ def _typed(value: Any, kind: type) -> Any:
 
 def _owned(axis: Axis, known: dict[Source, Axis]) -> Axis:
     """The same axis, in the numbers that these shapes give, or that a given direction has."""
-    source: Source = _typed(_typed(axis, Axis).source, Source)
+    source = axis.source
     ours = known.get(source)
     if source.kind == GIVEN and source.shape is None and len(source.ids) == 1 and type(source.ids[0]) is int:
         ours = given(axis.normal, source.ids[0])

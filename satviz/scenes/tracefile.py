@@ -19,9 +19,8 @@ from .shortcuts import NAMED as SHORTCUTS
 from .strictjson import keys, parse, refuse_large, typed
 
 MAX_CHARS = 1 << 26
-ROUNDING = (
-    2.0**-46
-)  # how far another machine's square root may move a landing, relative to the reach (under 13 * 2**-53, see sat.CLOSE)
+# How far another machine's square root may move a landing, relative to the reach: under 26 * 2**-53, see sat.CLOSE.
+ROUNDING = 2.0**-46
 
 
 def dump(trace: Trace, indent: int | None) -> str:
@@ -214,8 +213,10 @@ def _again(trace: Trace) -> Trace:
     """The same run, with its axes in the numbers of these shapes, and no more left out than is true."""
     try:
         return record(trace.a, trace.b, axes=trace.shortcut or trace.choice, every_axis=trace.every_axis)
+    except InvalidScene:
+        raise
     except ValueError as error:
-        raise InvalidScene(f"trace.skipped: {error}") from None
+        raise InvalidScene(f"trace.axes: {error}") from None
 
 
 def _sources(choice: Choice) -> tuple[list[Source], list[object]]:
