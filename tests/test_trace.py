@@ -239,7 +239,7 @@ def test_a_choice_may_hold_lists_and_other_numbers_and_its_trace_loads():
     ],
 )
 def test_what_is_no_choice_of_axes_is_a_type_error(choice):
-    with pytest.raises(TypeError, match="expected a|not iterable"):
+    with pytest.raises(TypeError, match=r"expected a|not iterable"):
         sv.record(A, B, axes=choice)
 
 
