@@ -175,6 +175,7 @@ def test_an_axis_that_the_shapes_do_not_have_is_refused_and_its_numbers_are_its_
         ((1.0, 0.0), 1 + 2**-40),
         ((1.0, 0.0), float("inf")),
         ((1.0, 0.0), float("nan")),
+        ((1.0, 0.0), 10**400),
         ((1.5e308, 1.5e308), 1.0),
         ((0.0, 0.0), 1.0),
         ((float("inf"), 0.0), 1.0),
@@ -191,7 +192,11 @@ def test_a_direction_of_ones_own_has_the_length_that_it_has(axis):
             sv.record(sv.Circle((0, 0), 1), sv.Circle((0.5, 0), 1), axes=choice)
 
 
-@pytest.mark.parametrize("source", [(None, ()), (None, (0, 1)), (None, ("x",)), (None, (True,)), ("A", (0,))], ids=str)
+@pytest.mark.parametrize(
+    "source",
+    [(None, ()), (None, (0, 1)), (None, ("x",)), (None, (True,)), (None, (-1,)), (None, (2**53,)), ("A", (0,))],
+    ids=str,
+)
 def test_a_direction_of_ones_own_has_a_number(source):
     given = axes.Axis(sv.Vec(1.0, 0.0), 1.0, axes.Source(axes.GIVEN, *source))
     with pytest.raises(ValueError, match="is no axis of these shapes"):
@@ -682,6 +687,7 @@ def test_a_way_out_as_short_as_ours_is_as_good():
         return sv.Trace.from_json(json.dumps(data | {"mtv": list(move), "sentence": sentence}))
 
     assert told(-x, y) == trace
+    assert told(x * (1 + 2**-30), y).relation is trace.relation  # a step more or less of those that lead outwards
     for longer_shorter_or_not_out in (-2 * x, y), (-1.1 * x, y), (-x * 0.9, y), (0.0, abs(x)):
         with pytest.raises(sv.InvalidScene, match="mtv"):
             told(*longer_shorter_or_not_out)

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from .exact import IntPoint, aligned, orient, to_float, to_int_points, to_integers
 from .geometry import Vec
-from .outline import point
+from .outline import number, point
 from .shapes import Shape, centroid
 
 __all__ = [
@@ -173,13 +173,13 @@ def directions(*vectors: Any) -> Chooser:
     return lambda a, b: Choice(axes)
 
 
-def given(vector: Any, number: int) -> Axis:
+def given(vector: Any, index: int) -> Axis:
     """The axis along the direction that was given as number 0, 1, ...; ValueError for what is none."""
-    v = point(vector, f"direction {number}")
+    v = point(vector, f"direction {index}")
     if v == (0, 0):
-        raise ValueError(f"direction {number} is (0, 0): an axis needs a direction")
+        raise ValueError(f"direction {index} is (0, 0): an axis needs a direction")
     k, (x, y) = to_integers(v)
-    return _axis((x, y), k, Source(GIVEN, None, (number,)), as_given=True)
+    return _axis((x, y), k, Source(GIVEN, None, (index,)), as_given=True)
 
 
 NAMED: dict[str, Chooser] = {
@@ -238,11 +238,15 @@ def _owned(axis: Axis, known: dict[Source, Axis]) -> Axis:
     """The same axis, in the numbers that these shapes give, or that a given direction has."""
     source = axis.source
     ours = known.get(source)
-    if source.kind == GIVEN and source.shape is None and len(source.ids) == 1 and type(source.ids[0]) is int:
+    if source.kind == GIVEN and source.shape is None and len(source.ids) == 1 and _is_index(source.ids[0]):
         ours = given(axis.normal, source.ids[0])
-    if ours is None or not same_axis(axis, ours):
+    if ours is None or not same_axis(axis._replace(length=number(axis.length, "the length of an axis")), ours):
         raise ValueError(f"{source} is no axis of these shapes: choose the axes for this very pair")
     return ours
+
+
+def _is_index(value: Any) -> bool:
+    return type(value) is int and 0 <= value < 2**53
 
 
 def _numbered(
@@ -250,27 +254,27 @@ def _numbered(
 ) -> Iterator[Skip]:
     if not skipped:
         return
-    ways = {axis: _way(axis, a, b) for axis in {*axes, *(skip.axis for skip in skipped)}}
-    number: dict[IntPoint, int] = {}
+    corners = {role: {v: i for i, v in enumerate(shape.corner_ids)} for role, shape in (("A", a), ("B", b))}
+    ways = {axis: _way(axis, a, b, corners) for axis in {*axes, *(skip.axis for skip in skipped)}}
+    first: dict[IntPoint, int] = {}
     for i, axis in enumerate(axes, 1):
-        number.setdefault(ways[axis], i)
+        first.setdefault(ways[axis], i)
     elsewhere = {*axes, *(skip.axis for skip in nowhere)}
     for skip in skipped:
         if skip in nowhere:
             yield skip
-        elif skip.why == PARALLEL and ways[skip.axis] in number and skip.axis not in elsewhere:
-            yield skip._replace(number=number[ways[skip.axis]])
+        elif skip.why == PARALLEL and ways[skip.axis] in first and skip.axis not in elsewhere:
+            yield skip._replace(number=first[ways[skip.axis]])
         else:
             raise ValueError(f"{skip.axis.source} is left out as {skip.why!r}, which it is not")
 
 
-def _way(axis: Axis, a: Shape, b: Shape) -> IntPoint:
-    """A key that is equal exactly for parallel axes."""
+def _way(axis: Axis, a: Shape, b: Shape, corners: dict[str, dict[int, int]]) -> IntPoint:
+    """A key that is equal exactly for parallel axes; `corners`: where each vertex stands among its shape's corners."""
     kind, role, ids = axis.source
     if role and kind in (EDGE, HULL):
-        shape = a if role == "A" else b
-        i, j = (shape.corner_ids.index(v) for v in ids)
-        return _direction_key(*_edge_normal(shape, role, kind, i, j)[0])
+        i, j = (corners[role][v] for v in ids)
+        return _direction_key(*_edge_normal(a if role == "A" else b, role, kind, i, j)[0])
     if kind in (CENTERS, VERTEX):
         return _direction_key(*exact_dots(a, b, axis).normal)
     _, (x, y) = to_integers(axis.normal)

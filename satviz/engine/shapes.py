@@ -194,7 +194,7 @@ def centroid(shape: Shape) -> Vec:
     middle = Vec(ox + x / area / 3 * size, oy + y / area / 3 * size) if area > 1e-12 else Vec(INF, INF)
     if math.isfinite(middle.x) and math.isfinite(middle.y):
         return middle
-    return Vec(sum(p.x / len(ring) for p in ring), sum(p.y / len(ring) for p in ring))
+    return Vec(math.fsum(p.x / len(ring) for p in ring), math.fsum(p.y / len(ring) for p in ring))
 
 
 def _slabs(corners: tuple[Vec, ...], edges: list[tuple[float, float]]) -> tuple[Slab, ...]:

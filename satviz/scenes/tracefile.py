@@ -8,6 +8,7 @@ from typing import Any
 from ..engine import axes, digits, telling
 from ..engine.axes import Axis, Choice, Skip, Source
 from ..engine.escape import ends_overlap
+from ..engine.exact import SMALLEST
 from ..engine.geometry import InvalidScene, InvalidShape, Vec
 from ..engine.outline import number
 from ..engine.sat import CLOSE, LARGEST, AxisTest, Projection
@@ -21,6 +22,8 @@ from .strictjson import keys, parse, refuse_large, typed
 MAX_CHARS = 1 << 26
 # How far another machine's square root may move a landing, relative to the reach: under 26 * 2**-53, see sat.CLOSE.
 ROUNDING = 2.0**-46
+# The same where all is float work: a shortcut's own measure, and the way out of concave outlines.
+FLOAT_WORK = 2.0**-28
 
 
 def dump(trace: Trace, indent: int | None) -> str:
@@ -45,7 +48,7 @@ def load(text: str) -> Trace:
     a, b = (shape_from(data[name], f"trace.{name}") for name in ("a", "b"))
     shortcut = _shortcut(data["shortcut"])
     pairs = typed(data["pairs"], "trace.pairs", list)
-    if pairs:
+    if pairs or (shortcut and shortcut.split):
         every_axis = typed(data["every_axis"], "trace.every_axis", bool)
         again = record(a, b, axes=shortcut or axes.needed, every_axis=every_axis)
         if len(pairs) != len(again.pairs):
@@ -81,7 +84,7 @@ def _way_out(trace: Trace, data: Any) -> Vec | None:
     if not trace.pairs or not ours or data is None:
         return ours
     theirs = _vec(data, "trace.mtv")
-    as_short = hypot(*theirs) <= hypot(*ours) * (1 + ROUNDING)
+    as_short = hypot(*theirs) <= hypot(*ours) * (1 + FLOAT_WORK)
     return theirs if as_short and ends_overlap(trace.a, trace.b, theirs) else ours
 
 
@@ -230,10 +233,11 @@ def _same(trace: Trace, again: Trace, where: str) -> None:
     if trace.every_axis != again.every_axis or len(trace.tests) != len(again.tests):
         raise InvalidScene(f"{where}.tests has {len(trace.tests)} tests where the run has {len(again.tests)}")
     reach = min(max(trace.a.reach, trace.b.reach), LARGEST)  # beyond float64 a circle's is infinite
-    room = reach * ROUNDING
+    measured = trace.shortcut is not None and trace.shortcut.measure is not None
+    room = max(reach * (FLOAT_WORK if measured else ROUNDING), SMALLEST)
     for i, (test, ours) in enumerate(zip(trace.tests, again.tests)):
         same_sign = (test.gap > 0) == (ours.gap > 0) and (test.gap < 0) == (ours.gap < 0)
-        exact = abs(ours.gap) <= reach * CLOSE  # and rounded once
+        exact = not measured and max(abs(test.gap), abs(ours.gap)) <= reach * CLOSE  # and rounded once
         if not same_sign or not _near((test.gap,), (ours.gap,), abs(ours.gap) * 2.0**-50 if exact else room):
             raise InvalidScene(f"{where}.tests[{i}].gap is {test.gap}, but the shapes give {ours.gap}")
         for name, mine, other in ("a", test.a, ours.a), ("b", test.b, ours.b):
