@@ -1274,14 +1274,12 @@ def on_long_edges(rng, n):
 def test_circles_that_touch_long_edges_from_without_and_within_are_exact(seed):
     centers, radii, rings, outside = on_long_edges(RNG(seed), 200)
     for more in 0, 1, -1:
-        c, p = (shapes.uniform for shapes in batches_from((centers, radii * (1 + more * 2.0**-50), rings)))
+        made = batches_from((centers, radii * (1 + more * 2.0**-50), rings))
+        c, p = (shapes.uniform for shapes in made)
         found = circle_polygons.gaps(c.x[0], c.y[0], c.r, p.x, p.y)
         assert found.tolist() == np.where(outside < 0, -1, -more).tolist()
         for engine in ENGINES:
-            assert (
-                batch.relate(*batches_from((centers, radii * (1 + more * 2.0**-50), rings)), engine=engine).tolist()
-                == (1 - found).tolist()
-            )
+            assert batch.relate(*made, engine=engine).tolist() == (1 - found).tolist()
 
 
 @pytest.mark.parametrize("kind", ["near triangles", "near, moved", "slivers"])

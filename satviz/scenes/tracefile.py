@@ -233,23 +233,19 @@ def _same(trace: Trace, again: Trace, where: str) -> None:
     if trace.every_axis != again.every_axis or len(trace.tests) != len(again.tests):
         raise InvalidScene(f"{where}.tests has {len(trace.tests)} tests where the run has {len(again.tests)}")
     measured = trace.shortcut is not None and trace.shortcut.measure is not None
-    reaches = {
-        "a": min(trace.a.reach, LARGEST),
-        "b": min(trace.b.reach, LARGEST),
-    }  # beyond float64 a circle's is infinite
-    reach = max(reaches.values())
-    if measured:
-        reaches = dict.fromkeys(reaches, reach)
     rounding = FLOAT_WORK if measured else ROUNDING
+    reach_a, reach_b = (
+        min(shape.reach, LARGEST) for shape in (trace.a, trace.b)
+    )  # beyond float64 a circle's is infinite
+    reach = max(reach_a, reach_b)
     for i, (test, ours) in enumerate(zip(trace.tests, again.tests)):
         same_sign = (test.gap > 0) == (ours.gap > 0) and (test.gap < 0) == (ours.gap < 0)
         exact = not measured and max(abs(test.gap), abs(ours.gap)) <= reach * CLOSE  # and rounded once
-        if not same_sign or not _near(
-            (test.gap,), (ours.gap,), abs(ours.gap) * 2.0**-50 if exact else reach * rounding
-        ):
+        room = abs(ours.gap) * 2.0**-50 if exact else reach * rounding
+        if not same_sign or not _near((test.gap,), (ours.gap,), room):
             raise InvalidScene(f"{where}.tests[{i}].gap is {test.gap}, but the shapes give {ours.gap}")
-        for name, mine, other in ("a", test.a, ours.a), ("b", test.b, ours.b):
-            room = max(reaches[name] * rounding, SMALLEST)
+        for name, own, mine, other in ("a", reach_a, test.a, ours.a), ("b", reach_b, test.b, ours.b):
+            room = max((reach if measured else own) * rounding, SMALLEST)
             flat = [c for p in mine.points for c in p], [c for p in other.points for c in p]
             if not (_near(*flat, room) and _near(mine.landings, other.landings, room)):
                 raise InvalidScene(f"{where}.tests[{i}].{name} is not where these shapes land")
