@@ -24,6 +24,7 @@ from satviz.engine.sat import axis_tests
 from satviz.engine.verdict import relate_moved
 from satviz.scenes import strictjson, tracefile
 from satviz.scenes.article import SCENES, box
+from satviz.scenes.shortcuts import NAMED as SHORTCUTS
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
 B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])
@@ -803,6 +804,92 @@ def test_no_other_gap_or_landing_is_taken_for_rounding_however_far_from_the_orig
     landed = y.a._replace(landings=tuple(c + 1e-3 + far * 2**-44 for c in y.a.landings))
     with pytest.raises(sv.InvalidScene, match="is not where these shapes land"):
         sv.Trace.from_json(replace(trace, tests=(y._replace(a=landed), x)).to_json())
+
+
+def loads(trace, tests):
+    """Is a file of this trace with these tests in it taken?"""
+    text = replace(trace, tests=tuple(tests)).to_json()
+    with suppress(sv.InvalidScene):
+        return sv.Trace.from_json(text).to_json() == text
+    return False
+
+
+# a reach of 4 beside one of 1024: whole numbers, so that what is added stays exact
+SMALL_AND_LARGE = box(1, 1, 4, 3), box(2, 2, 1024, 512)
+
+
+@pytest.mark.parametrize("shapes", [SMALL_AND_LARGE, SMALL_AND_LARGE[::-1]], ids=["small, large", "large, small"])
+@pytest.mark.parametrize("name", [None, "one-overlap", "lengths", "circles-turned-round"])
+def test_each_number_of_a_file_has_the_room_of_how_it_was_measured(name, shapes):
+    """That of a square root in a landing of its own shape; of a shortcut's own floats, that of both shapes."""
+    shortcut = SHORTCUTS[name] if name else axes.world
+    trace = sv.record(*shapes, axes=shortcut, every_axis=True)
+    test, *others = trace.tests
+    own_way = bool(name and shortcut.measure)
+    rounding = tracefile.FLOAT_WORK if own_way else tracefile.ROUNDING
+    assert abs(test.gap) >= 1
+    for part, shape in ("gap", None), ("a", shapes[0]), ("b", shapes[1]):
+        room = rounding * (shape.reach if shape and not own_way else 1024)
+        for off in room, -room, room * 1.5, -room * 1.5:
+            if shape:
+                side = getattr(test, part)
+                moved = side._replace(landings=tuple(c + off for c in side.landings))
+            else:
+                moved = test.gap + off
+            assert loads(trace, [test._replace(**{part: moved}), *others]) == (abs(off) == room)
+
+
+@pytest.mark.parametrize("name", [None, "lengths"])
+def test_the_extremes_of_a_circle_have_the_room_of_its_landings(name):
+    trace = sv.record(sv.Circle((1, 1), 3), sv.Circle((500, 0), 524), axes=SHORTCUTS[name] if name else axes.needed)
+    test, room = trace.tests[0], 2.0**-18 if name else 2.0**-44
+    for off in room, -room, room * 1.5, -room * 1.5:
+        moved = test.a._replace(points=(test.a.points[0], sv.Vec(test.a.points[1].x, test.a.points[1].y + off)))
+        assert loads(trace, [test._replace(a=moved)]) == (abs(off) == room)
+
+
+@pytest.mark.parametrize("name", [None, "one-overlap", "lengths"])
+def test_the_sign_of_a_small_gap_is_its_own_however_it_was_measured(name):
+    shortcut = SHORTCUTS[name] if name else axes.world
+    for true in 2.0**-42, 0.0, -(2.0**-42):
+        trace = sv.record(box(1, 0, 4, 2), box(1, 2 + true, 1024, 512), axes=shortcut, every_axis=True)
+        test, *others = trace.tests
+        assert test.gap == true
+        for told in 2.0**-42, 2.0**-41, 0.0, -(2.0**-41), -(2.0**-42):
+            good = told == true or (name == "lengths" and told * true > 0)  # rounded once, or a float's
+            assert loads(trace, [test._replace(gap=told), *others]) == good
+
+
+def test_a_gap_that_is_exact_on_one_machine_only_is_still_rounding():
+    """Just within the room of zero a gap is worked out in integers; another machine may see it just outside."""
+    close, room = 1024 * sat.CLOSE, 1024 * tracefile.ROUNDING
+    trace = sv.record(box(1, 0, 4, 2), box(1, 2 + close, 1024, 512), axes=axes.world, every_axis=True)
+    test, *others = trace.tests
+    assert test.gap == close
+    assert loads(trace, [test._replace(gap=close + room / 2), *others])
+    assert not loads(trace, [test._replace(gap=close - room / 2), *others])
+    outside = sv.record(box(1, 0, 4, 2), box(1, 2 + close + room / 2, 1024, 512), axes=axes.world, every_axis=True)
+    test, *others = outside.tests
+    assert loads(outside, [test._replace(gap=close), *others])
+
+
+@pytest.mark.parametrize("name", [None, "lengths"])
+def test_the_smallest_shapes_land_within_the_smallest_float(name):
+    least = 5e-324
+    shapes = box(0, 0, 3 * least, 4 * least), box(2 * least, 2 * least, 7 * least, 9 * least)
+    trace = sv.record(*shapes, axes=SHORTCUTS[name] if name else axes.world, every_axis=True)
+    test, *others = trace.tests
+    for steps in 1, 2:
+        moved = test.a._replace(landings=tuple(c + steps * least for c in test.a.landings))
+        assert loads(trace, [test._replace(a=moved), *others]) == (steps == 1)
+
+
+@pytest.mark.parametrize("name", [None, "lengths"])
+def test_a_run_that_outgrew_its_limit_in_a_file_is_refused_in_the_words_of_record(name, monkeypatch):
+    text = sv.record(A, B, axes=SHORTCUTS[name] if name else axes.needed).to_json()
+    monkeypatch.setattr(trace_module, "MAX_SIZE", 10)
+    with pytest.raises(sv.InvalidScene, match="^A and B have 6 points to drop on"):
+        sv.Trace.from_json(text)
 
 
 def test_where_a_circle_reaches_beyond_float64_landings_are_looked_at_all_the_same():
