@@ -202,6 +202,8 @@ def test_a_direction_of_ones_own_has_a_number(source):
     given = axes.Axis(sv.Vec(1.0, 0.0), 1.0, axes.Source(axes.GIVEN, *source))
     with pytest.raises(ValueError, match="is no axis of these shapes"):
         sv.record(A, B, axes=axes.Choice((given,)))
+    last = given._replace(source=axes.Source(axes.GIVEN, None, (2**53 - 1,)))
+    assert sv.record(A, B, axes=axes.Choice((last,))).tests[0].axis == last
 
 
 def test_a_choice_may_hold_lists_and_other_numbers_and_its_trace_loads():
@@ -851,26 +853,29 @@ def test_the_extremes_of_a_circle_have_the_room_of_its_landings(name):
 @pytest.mark.parametrize("name", [None, "one-overlap", "lengths"])
 def test_the_sign_of_a_small_gap_is_its_own_however_it_was_measured(name):
     shortcut = SHORTCUTS[name] if name else axes.world
-    for true in 2.0**-42, 0.0, -(2.0**-42):
+    small = 2.0**-42
+    for true in small, 0.0, -small:
         trace = sv.record(box(1, 0, 4, 2), box(1, 2 + true, 1024, 512), axes=shortcut, every_axis=True)
         test, *others = trace.tests
         assert test.gap == true
-        for told in 2.0**-42, 2.0**-41, 0.0, -(2.0**-41), -(2.0**-42):
-            good = told == true or (name == "lengths" and told * true > 0)  # rounded once, or a float's
-            assert loads(trace, [test._replace(gap=told), *others]) == good
+        for told in (sign * small * (1 + off) for sign in (1, 0, -1) for off in (0, 2.0**-50, 2.0**-49, 1)):
+            rounded = told * true > 0 and (name == "lengths" or abs(told) < small * (1 + 2**-49))  # in integers once
+            assert loads(trace, [test._replace(gap=told), *others]) == (told == true or rounded)
 
 
-def test_a_gap_that_is_exact_on_one_machine_only_is_still_rounding():
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_gap_that_is_exact_on_one_machine_only_is_still_rounding(sign):
     """Just within the room of zero a gap is worked out in integers; another machine may see it just outside."""
-    close, room = 1024 * sat.CLOSE, 1024 * tracefile.ROUNDING
-    trace = sv.record(box(1, 0, 4, 2), box(1, 2 + close, 1024, 512), axes=axes.world, every_axis=True)
-    test, *others = trace.tests
-    assert test.gap == close
-    assert loads(trace, [test._replace(gap=close + room / 2), *others])
-    assert not loads(trace, [test._replace(gap=close - room / 2), *others])
-    outside = sv.record(box(1, 0, 4, 2), box(1, 2 + close + room / 2, 1024, 512), axes=axes.world, every_axis=True)
-    test, *others = outside.tests
-    assert loads(outside, [test._replace(gap=close), *others])
+    close, half_room = 1024 * sat.CLOSE, 512 * tracefile.ROUNDING
+    for true, told, good in (
+        (close, close + half_room, True),
+        (close, close - half_room, False),
+        (close + half_room, close, True),
+    ):
+        trace = sv.record(box(1, 0, 4, 2), box(1, 2 + sign * true, 1024, 512), axes=axes.world, every_axis=True)
+        test, *others = trace.tests
+        assert test.gap == sign * true
+        assert loads(trace, [test._replace(gap=sign * told), *others]) == good
 
 
 @pytest.mark.parametrize("name", [None, "lengths"])
