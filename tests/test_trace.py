@@ -893,7 +893,7 @@ def test_the_smallest_shapes_land_within_the_smallest_float(name):
 def test_a_run_that_outgrew_its_limit_in_a_file_is_refused_in_the_words_of_record(name, monkeypatch):
     text = sv.record(A, B, axes=SHORTCUTS[name] if name else axes.needed).to_json()
     monkeypatch.setattr(trace_module, "MAX_SIZE", 10)
-    with pytest.raises(sv.InvalidScene, match="^A and B have 6 points to drop on"):
+    with pytest.raises(sv.InvalidScene, match=r"^A and B have 6 points to drop on"):
         sv.Trace.from_json(text)
 
 
