@@ -347,7 +347,40 @@ def test_two_axes_are_enough_for_upright_boxes_wherever_they_lie():
 
 def test_one_axis_is_enough_for_circles():
     coin = sv.Circle((0, 0), 1)
-    assert enough(coin, coin)[0] == enough(coin, sv.Circle((5, 0), 1))[0] == 1
+    assert enough(coin, coin) == (1, "One axis is enough, wherever two circles lie: the line through their centers.")
+    gap = "One axis is enough here: the line through both centers leaves a gap of 3."
+    assert enough(coin, sv.Circle((5, 0), 1)) == (1, gap)
+
+
+def test_no_range_is_said_to_touch_where_all_overlap():
+    corner = sv.Polygon([(0, 0), (4, 0), (0, 4)])
+    said = "Four axes are needed here: the ranges leave no gap on any, and only all of them prove a hit."
+    assert enough(corner, sv.Polygon([(1, 1), (5, 1), (1, 6)])) == (4, said)
+
+
+def test_enough_axes_for_a_hit_of_parts_are_those_of_the_parts_that_meet():
+    roof = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (0, 5)])  # a box below, a triangle on its left half
+    for x, y, many in (3.0, 0.5, "Two"), (0.2, 2.5, "Three"):
+        small = sv.Polygon([(x, y), (x + 0.2, y), (x + 0.2, y + 0.2), (x, y + 0.2)])
+        said = f"{many} axes are needed here: all those of two convex parts that meet."
+        assert enough(roof, small) == (WORDS.index(many), said)
+
+
+def test_enough_says_no_more_of_concave_outlines_than_of_where_they_lie_and_names_a_traces_shapes():
+    notch = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
+    far = sv.Polygon([(9, 9), (10, 9), (10, 10), (9, 10)])
+    said = "One axis is enough here: the normal of B's hull edge b3b5 leaves a gap of 8.485."
+    assert enough(far, notch) == (1, said)
+    said = "One axis is enough here: the normal of A's hull edge a3a5 leaves a gap of 8.485."
+    assert enough(notch, far) == (1, said)
+    roof = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (0, 5)])
+    pairs = sv.record(sv.Polygon([(2, 3.5), (3, 3.5), (3, 4.5)]), roof).pairs
+    assert [enough(pair)[1].partition(" leaves")[0] for pair in pairs] == [
+        "One axis is enough here: the normal of B1's edge b1.1 to b1.2",
+        "One axis is enough here: the normal of B2's edge b2.1 to b2.2",
+    ]
+    with pytest.raises(TypeError, match="^b is a str: "):
+        enough(far, "B")
 
 
 def test_a_hulls_normal_may_be_enough_where_no_edges_is():

@@ -5,7 +5,7 @@ import sys
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
-from itertools import islice
+from itertools import islice, product
 from math import cos, hypot, ldexp, pi, sin
 from random import Random
 
@@ -21,6 +21,7 @@ from satviz.engine import axes, concave, digits, sat, telling
 from satviz.engine import trace as trace_module
 from satviz.engine.certificate import SharedPoint
 from satviz.engine.sat import axis_tests
+from satviz.engine.shortcut import out_by
 from satviz.engine.verdict import relate_moved
 from satviz.scenes import strictjson, tracefile
 from satviz.scenes.article import SCENES, box
@@ -935,6 +936,15 @@ def test_a_trace_is_its_tests_one_after_the_other_and_shows_itself_in_a_notebook
     assert tuple(trace) == trace.tests
     monkeypatch.setattr(trace_module.door, "bundle", lambda shown: {"shown": shown})
     assert trace._repr_mimebundle_() == {"shown": trace}
+
+
+def test_the_move_along_an_axis_parts_the_ranges_by_the_shorter_way():
+    for lo_a, hi_a, lo_b, hi_b in product(range(-3, 4), repeat=4):
+        if lo_a < hi_a and lo_b < hi_b:
+            _, x = sv.record(box(lo_a, 0, hi_a, 1), box(lo_b, 0, hi_b, 1), axes=axes.world, every_axis=True).tests
+            to_the_right, to_the_left = hi_a - lo_b, hi_b - lo_a
+            way = to_the_right if to_the_right < to_the_left else -to_the_left  # to the left where both are as short
+            assert out_by(x, min(to_the_right, to_the_left)) == (way, 0)
 
 
 @pytest.mark.parametrize("gap", [5e-324, 0.5])
