@@ -379,7 +379,7 @@ def test_enough_says_no_more_of_concave_outlines_than_of_where_they_lie_and_name
         "One axis is enough here: the normal of B1's edge b1.1 to b1.2",
         "One axis is enough here: the normal of B2's edge b2.1 to b2.2",
     ]
-    with pytest.raises(TypeError, match="^b is a str: "):
+    with pytest.raises(TypeError, match=r"^b is a str: "):
         enough(far, "B")
 
 
