@@ -18,6 +18,7 @@ import pytest
 from benchmarks.advice import SCENES
 from forms import batch_of
 from hypothesis import HealthCheck, given, settings
+from speeds import one_in
 from strategies import CONVEX, KINDS, NotConvex, drawn, pairs, scaled, some_pairs
 
 import satviz as sv
@@ -255,6 +256,7 @@ def wrong_advices(seed, count, engines=("numpy",)):
     return wrong, advised
 
 
+@pytest.mark.slow
 def test_no_advice_is_wrong_in_300_scenes():
     wrong, advised = wrong_advices(31, 300)
     assert not wrong
@@ -625,6 +627,7 @@ def test_what_is_no_scene_is_refused(wrong):
 # -- prices and the chart
 
 
+@pytest.mark.slow
 def test_prices_are_those_of_all_candidates_and_count_their_wrong_answers():
     advice = sv.advise("triangles")
     found = advice.prices()
@@ -634,7 +637,7 @@ def test_prices_are_those_of_all_candidates_and_count_their_wrong_answers():
 
 
 @pytest.mark.parametrize("theme", THEMES.values(), ids=lambda theme: theme.name)
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", one_in(3, range(6)))
 def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
     from satviz.advice.chart import Chart
     from satviz.advice.prices import Price

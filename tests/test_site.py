@@ -170,6 +170,7 @@ def test_the_command_writes_a_site_over_its_own_and_over_nothing_else(tmp_path, 
     assert (out / "site.css").read_text() == "mine" and "was not made by satviz" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_without_npm_the_site_is_made_and_one_line_says_so(monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(runtime, "which", lambda name: None)
@@ -391,6 +392,7 @@ def test_touching_is_exact():
     assert stands("touch", box, sv.Circle((1.9999999999999998, 0.5), 1)).says == "They overlap."
 
 
+@pytest.mark.slow
 def test_every_shortcut_that_can_be_broken_begins_unbroken_and_its_own_scene_breaks_it():
     asked = [start for goal, start in goals.challenges() if goal == "break"]
     assert len(asked) > 25
@@ -398,6 +400,7 @@ def test_every_shortcut_that_can_be_broken_begins_unbroken_and_its_own_scene_bre
         assert not goals.judged("break", start).met and goals.judged("break", sv.scene(start.axes)).met, start.name
 
 
+@pytest.mark.slow
 def test_no_challenge_is_won_when_it_begins_and_each_has_its_link():
     for goal, start in goals.challenges():
         assert not goals.judged(goal, start).met
