@@ -3,7 +3,7 @@
 import json
 from dataclasses import replace
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, product
 from math import cos, nextafter, radians, sin, sqrt
 from random import Random
 
@@ -218,6 +218,60 @@ def test_a_shortcut_of_ones_own_runs_and_is_not_written():
     assert trace.false_hit and "“y is enough”" in trace.sentence
     with pytest.raises(sv.InvalidScene, match="'mine' is none of satviz's"):
         trace.to_json()
+
+    class Otherwise(sv.Shortcut):
+        def separates(self, test):
+            return True
+
+    otherwise = Otherwise(*SHORTCUTS["one-overlap"])
+    with pytest.raises(sv.InvalidScene, match="'one-overlap' is none of satviz's"):
+        sv.record(trace.a, trace.b, axes=otherwise).to_json()
+
+
+SIZES = [
+    (1e16, 1e300),
+    (1e60, 1e248),
+    (1e100, 1e100),
+    (1e300, 1e300),
+    (1.5e308, 1.0),
+    (5e-324, 1e300),
+    (5e-324, 5e-324),
+]
+
+
+def of_size(s):
+    rings = [(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (1, 0), (0, 1)]
+    return [*(sv.Polygon([(x * s, y * s) for x, y in ring]) for ring in rings), sv.Circle((s, s), s / 8 or s)]
+
+
+@pytest.mark.parametrize("name", SHORTCUTS)
+def test_a_shortcut_is_recorded_in_finite_numbers_and_loads_again_or_says_that_it_overflows(name):
+    refused = set()
+    for sizes in SIZES:
+        for i, (a, b) in enumerate(product(*map(of_size, sizes))):
+            a, b = (b, a) if i % 2 else (a, b)
+            try:
+                trace = sv.record(a, b, axes=SHORTCUTS[name], every_axis=i % 3 > 0)
+            except sv.InvalidScene as error:
+                assert str(error).startswith(name)
+                refused.add(sizes)
+                continue
+            assert sv.Trace.from_json(trace.to_json()) == trace and str(trace)
+    fits = {(1e100, 1e100), (5e-324, 5e-324)} if SHORTCUTS[name].measure else {s for s in SIZES if 5e-324 not in s}
+    assert not refused & fits and (SHORTCUTS[name].measure or name == "tile-seam" or not refused)
+    assert refused or name not in ("raw-depth", "touch-on-paper", "lengths", "far-centers", "tile-seam")
+
+
+def test_what_cannot_be_taken_apart_is_told_as_that_also_in_a_file():
+    scene, least = NAMED["tile-seam"].scene, 5e-324
+    thin = [(least, 0.0), (2 * least, 0.0), (2 * least, least), (least, least)]
+    data = json.loads(scene.record().to_json()) | {"a": {"polygon": thin}}
+    words = "^tile-seam cannot take A apart: 2 distinct vertices"
+    with pytest.raises(sv.InvalidScene, match=words):
+        sv.record(sv.Polygon(thin), scene.b, axes=SHORTCUTS["tile-seam"])
+    with pytest.raises(sv.InvalidScene, match=words):
+        sv.Trace.from_json(json.dumps(data))
+    assert len(sv.record(sv.Polygon(thin), scene.b, axes=SHORTCUTS["sum-of-parts"]).pairs) == 2
 
 
 @pytest.mark.parametrize("name", SHORTCUTS)

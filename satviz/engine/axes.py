@@ -212,7 +212,8 @@ def made_for(choice: Choice, a: Shape, b: Shape) -> Choice:
     ValueError for an axis that these shapes do not have (exactly: an axis is where it comes from,
     not its numbers), and for one left out for no reason; TypeError for what is no Choice, Axis or Skip.
     """
-    axes, left_out = tuple(_typed(choice, Choice).axes), [_typed(skip, Skip) for skip in choice.skipped]
+    axes = _listed(_typed(choice, Choice).axes)
+    left_out = [_typed(skip, Skip) for skip in _listed(choice.skipped)]
     every = [_typed(axis, Axis) for axis in (*axes, *(skip.axis for skip in left_out))]
     known = {} if all(_typed(axis.source, Source).kind == GIVEN for axis in every) else by_source(a, b)
     chosen = tuple(_owned(axis, known) for axis in axes)
@@ -232,6 +233,13 @@ def _typed(value: Any, kind: type) -> Any:
     if isinstance(value, kind):
         return value
     raise TypeError(f"a choice of axes holds a {type(value).__name__}: expected a satviz.axes.{kind.__name__}")
+
+
+def _listed(values: Any) -> Sequence[Any]:
+    """What is listed may be long, but not without end."""
+    if isinstance(values, tuple | list):
+        return values
+    raise TypeError(f"a choice of axes holds a {type(values).__name__}: expected a tuple")
 
 
 def _owned(axis: Axis, known: dict[Source, Axis]) -> Axis:

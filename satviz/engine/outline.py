@@ -36,16 +36,16 @@ def number(value: Any, name: str) -> float:
             raise InvalidShape(f"{name} is masked: fill or drop it first")
         given = value
         if getattr(value, "shape", ()) != ():
-            raise InvalidShape(f"{name} is {_shown(value)}: a coordinate must be one real number")
+            raise InvalidShape(f"{name} is {shown(value)}: a coordinate must be one real number")
         if _kind(value) in _WHOLE:
             value = int(value)  # a NumPy integer compares in float64, which hides what it loses
         # an array of one object gives way to float(), whatever it holds
         if isinstance(value, (bool, str, bytes, complex)) or _kind(value) in (*_NOT_REAL, "O"):
-            raise InvalidShape(f"{name} is {_shown(given)}: a coordinate must be a real number")
+            raise InvalidShape(f"{name} is {shown(given)}: a coordinate must be a real number")
         try:
             as_float = float(value)
         except (TypeError, ValueError):
-            raise InvalidShape(f"{name} is {_shown(value)}: a coordinate must be a real number") from None
+            raise InvalidShape(f"{name} is {shown(value)}: a coordinate must be a real number") from None
         except OverflowError:
             raise InvalidShape(f"{name} is too large for float64: scale the scene down") from None
         if as_float != value and as_float == as_float:
@@ -65,14 +65,14 @@ def point(value: Any, name: str) -> Vec:
     except (TypeError, ValueError) as error:
         if isinstance(error, InvalidShape):
             raise
-        raise InvalidShape(f"{name} is {_shown(value)}: expected a pair (x, y)") from None
+        raise InvalidShape(f"{name} is {shown(value)}: expected a pair (x, y)") from None
     return Vec(number(x, f"{name}.x"), number(y, f"{name}.y"))
 
 
 def plain(values: Any, name: str) -> Any:
     """An array as nested lists (NumPy is not imported for it); masked entries are refused."""
     if isinstance(values, (str, bytes, dict, set, frozenset)) or getattr(values, "ndim", 1) == 0:
-        raise InvalidShape(f"{name} is {_shown(values)}: expected numbers in order")
+        raise InvalidShape(f"{name} is {shown(values)}: expected numbers in order")
     if hasattr(values, "tolist"):
         refuse_array(values, name)
         return values.tolist()
@@ -98,7 +98,7 @@ def vertices(values: Any) -> tuple[Vec, ...]:
     try:
         interface = getattr(values, "__geo_interface__", None)
     except Exception as error:
-        raise InvalidShape(f"__geo_interface__ fails: {_shown(error)}: pass the vertices themselves") from error
+        raise InvalidShape(f"__geo_interface__ fails: {shown(error)}: pass the vertices themselves") from error
     if interface is None:
         return _points(values, "vertices")
     rings = _rings(interface)
@@ -119,7 +119,7 @@ def listed(values: Any, name: str, expected: str) -> list[Any]:
     warn_if_flushed()
     values = plain(values, name)
     if not isinstance(values, Iterable) or isinstance(values, type):
-        raise InvalidShape(f"{name} is {_shown(values)}: expected {expected}")
+        raise InvalidShape(f"{name} is {shown(values)}: expected {expected}")
     return list(values)
 
 
@@ -129,7 +129,7 @@ def _rings(interface: Any) -> list[Any]:
     if _type(interface) == "Feature":
         interface, name = interface.get("geometry"), "the Feature's geometry"
     if not isinstance(interface, Mapping):
-        raise InvalidShape(f"{name} is {_shown(interface)}: expected a dict with type and coordinates")
+        raise InvalidShape(f"{name} is {shown(interface)}: expected a dict with type and coordinates")
     kind, held = _type(interface), interface.get("coordinates")
     if not kind:
         raise InvalidShape(f"{name} has no type: expected a dict with type and coordinates")
@@ -143,7 +143,7 @@ def _type(interface: Any) -> str:
     return kind if isinstance(kind, str) else ""
 
 
-def _shown(value: Any) -> str:
+def shown(value: Any) -> str:
     """A value in a message: short, however large or deep it is."""
     return _REPR.repr(value)
 

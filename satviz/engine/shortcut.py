@@ -1,10 +1,11 @@
 """A shortcut: the one loop over other axes, or with one step done otherwise, as people believe it may be."""
 
 from collections.abc import Callable, Iterator, Sequence
+from math import isfinite
 from typing import NamedTuple
 
 from .axes import Axis, Chooser, needed
-from .geometry import Vec
+from .geometry import InvalidScene, InvalidShape, Vec
 from .sat import AxisTest, axis_tests
 from .shapes import Shape
 
@@ -30,16 +31,39 @@ class Shortcut(NamedTuple):
     push: Push | None = None
 
     def tests(self, a: Shape, b: Shape, axes: Sequence[Axis]) -> Iterator[AxisTest]:
-        """Each axis as the shortcut measures it."""
+        """Each axis as the shortcut measures it; InvalidScene where its plain floats overflow."""
         if self.measure is None:
             yield from axis_tests(a, b, axes)
-        else:
-            for axis in axes:
-                yield self.measure(a, b, axis)
+            return
+        for axis in axes:
+            try:
+                test = self.measure(a, b, axis)
+            except OverflowError:
+                test = None
+            if test is None or not all(map(isfinite, _numbers(test))):
+                raise InvalidScene(
+                    f"{self.name} measures in plain floats, which overflow here: bring the sizes nearer to 1"
+                )
+            yield test
+
+    def pieces(self, a: Shape) -> Sequence[Shape]:
+        """What it takes A apart into; InvalidScene where a piece is too thin for float64."""
+        try:
+            return self.split(a) if self.split else (a,)
+        except InvalidShape as error:
+            raise InvalidScene(f"{self.name} cannot take A apart: {error}") from None
 
     def separates(self, test: AxisTest) -> bool:
         """Does the shortcut stop at this test?"""
         return test.gap > 0 or (self.touching_separates and test.gap == 0)
+
+
+def _numbers(test: AxisTest) -> Iterator[float]:
+    yield test.gap
+    for side in test.a, test.b:
+        yield from side.landings
+        for point in side.points:
+            yield from point
 
 
 def out_by(test: AxisTest, length: float) -> Vec:

@@ -29,6 +29,7 @@ class Names(NamedTuple):
 
 
 PLAIN = Names()
+Named = Sequence[tuple[Shape, str]]  # parts, and what each is called
 
 
 @dataclass(frozen=True, slots=True)
@@ -247,9 +248,8 @@ def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, ev
 def _record_shortcut(a: Shape, b: Shape, shortcut: Shortcut, every_axis: bool) -> Trace:
     if shortcut.split is None:
         return _record(a, b, shortcut.choose(a, b), every_axis, PLAIN, shortcut)
-    pieces = enumerate(shortcut.split(a), 1)
-    pairs = [_record(p, b, needed(p, b), every_axis, Names(f"A{i}")) for i, p in pieces]
-    return Trace(a, b, Choice(()), (), every_axis, tuple(pairs), PLAIN, shortcut)
+    pieces = [(piece, f"A{i}") for i, piece in enumerate(shortcut.pieces(a), 1)]
+    return _record_pairs(a, b, pieces, [(b, "B")], every_axis, shortcut)
 
 
 def _record(
@@ -267,17 +267,25 @@ def _record(
 
 
 def _record_parts(a: Shape, b: Shape, every_axis: bool) -> Trace:
+    return _record_pairs(a, b, named_parts(a, "A"), named_parts(b, "B"), every_axis)
+
+
+def _record_pairs(
+    a: Shape, b: Shape, of_a: Named, of_b: Named, every_axis: bool, shortcut: Shortcut | None = None
+) -> Trace:
+    """A trace for each pair of parts; a shortcut looks at all of them, and proves nothing by it."""
     pairs, size = [], 0
-    parts_a, parts_b = named_parts(a, "A"), named_parts(b, "B")
-    for (p, name_a), (q, name_b) in product(parts_a, parts_b):
+    for (p, name_a), (q, name_b) in product(of_a, of_b):
         pair = _record(p, q, needed(p, q), every_axis, Names(name_a, name_b))
         pairs.append(pair)
         size += _size(p, q, pair.choice, pair.tests)
         if size > MAX_SIZE:
-            raise _too_large(f"A and B have {len(parts_a) * len(parts_b):,} pairs of convex parts")
-        if pair.relation is OVERLAPPING and not every_axis:
+            raise _too_large(
+                f"A and B have {len(of_a) * len(of_b):,} pairs of {'pieces' if shortcut else 'convex parts'}"
+            )
+        if not shortcut and pair.relation is OVERLAPPING and not every_axis:
             break
-    return Trace(a, b, Choice((), complete=True), (), every_axis, tuple(pairs))
+    return Trace(a, b, Choice((), complete=not shortcut), (), every_axis, tuple(pairs), PLAIN, shortcut)
 
 
 def _separates(test: AxisTest) -> bool:

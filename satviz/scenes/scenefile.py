@@ -10,6 +10,7 @@ from typing import Any
 from ..engine import door
 from ..engine.axes import NAMED, Chooser
 from ..engine.geometry import InvalidScene, InvalidShape
+from ..engine.outline import shown
 from ..engine.shapes import Circle, Polygon, Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import Trace, record
@@ -41,12 +42,14 @@ class Scene:
     def __post_init__(self) -> None:
         if not NAME.fullmatch(self.name) or len(self.name) > MAX_NAME:
             raise InvalidScene(
-                f"the name {self.name!r} must be small letters and digits in words joined by -, at most {MAX_NAME}"
+                f"the name {shown(self.name)} must be small letters and digits in words joined by -, at most {MAX_NAME}"
             )
         if not self.title.isprintable():
-            raise InvalidScene(f"the title {self.title!r} must be one line of printable text")
+            raise InvalidScene(f"the title {shown(self.title)} must be one line of printable text")
         if self.axes not in CHOICES:
-            raise InvalidScene(f"unknown axes {self.axes!r}: choose one of {', '.join(NAMED)}, or a shortcut by name")
+            raise InvalidScene(
+                f"unknown axes {shown(self.axes)}: choose one of {', '.join(NAMED)}, or a shortcut by name"
+            )
 
     def record(self) -> Trace:
         """The scene's trace."""

@@ -23,6 +23,8 @@ def refuse_large(text: str, max_chars: int) -> None:
 
 def parse(text: str, max_chars: int) -> Any:
     """The value of a JSON text; InvalidScene names what is wrong.  Size and depth are checked before parsing."""
+    if not isinstance(text, str):
+        raise TypeError(f"expected the text of a file, not {type(text).__name__}")
     refuse_large(text, max_chars)
     depth = 0
     for bracket in re.finditer(r"[\[\]{}]", STRING.sub("", text)):
@@ -53,7 +55,9 @@ def keys(data: Any, where: str, required: Set[str], optional: Set[str] = frozens
 
 
 def typed(value: Any, where: str, wanted: type) -> Any:
-    """The value itself, if it is of the type (a bool is no number)."""
+    """The value itself, if it is of the type (a bool is no number; other writers put a .0 to whole ones)."""
+    if wanted is int and isinstance(value, float) and value.is_integer():
+        return int(value)
     if not isinstance(value, wanted) or (isinstance(value, bool) and wanted is not bool):
         raise InvalidScene(f"{where} must be {_NAMES[wanted]}, not {kind(value)}")
     return value
@@ -64,7 +68,14 @@ def kind(value: Any) -> str:
     return "null" if value is None else _NAMES.get(type(value), type(value).__name__)
 
 
-_NAMES = {str: "text", list: "a list", dict: "an object", bool: "true or false", int: "a number", float: "a number"}
+_NAMES = {
+    str: "text",
+    list: "a list",
+    dict: "an object",
+    bool: "true or false",
+    int: "a whole number",
+    float: "a number",
+}
 
 
 def _no_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -93,4 +104,5 @@ def _whole(text: str) -> int:
 
 
 def _quoted(names: list[str]) -> str:
-    return ", ".join(json.dumps(name) for name in names)
+    found = ", ".join(json.dumps(name if len(name) <= 60 else f"{name[:60]}...") for name in names[:20])
+    return found if len(names) <= 20 else f"{found}, and {len(names) - 20:,} more"

@@ -10,7 +10,7 @@ from ..engine.axes import Axis, Choice, Skip, Source
 from ..engine.escape import ends_overlap
 from ..engine.exact import SMALLEST
 from ..engine.geometry import InvalidScene, InvalidShape, Vec
-from ..engine.outline import number
+from ..engine.outline import number, shown
 from ..engine.sat import CLOSE, LARGEST, AxisTest, Projection
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
@@ -28,8 +28,11 @@ FLOAT_WORK = 2.0**-28
 
 def dump(trace: Trace, indent: int | None) -> str:
     """A trace as the text of a trace file; InvalidScene for a shortcut of one's own, which nobody could run again."""
-    if trace.shortcut and SHORTCUTS.get(trace.shortcut.name) != trace.shortcut:
-        raise InvalidScene(f"the shortcut {trace.shortcut.name!r} is none of satviz's: its trace cannot be written")
+    known = trace.shortcut and SHORTCUTS.get(trace.shortcut.name)
+    if trace.shortcut and (known != trace.shortcut or type(trace.shortcut) is not Shortcut):
+        raise InvalidScene(
+            f"the shortcut {shown(trace.shortcut.name)} is none of satviz's: its trace cannot be written"
+        )
     data = {"satviz": "trace 1", **_data(trace, trace.known_mtv)}
     text = json.dumps(data, indent=indent, ensure_ascii=False, allow_nan=False)
     try:
@@ -68,7 +71,7 @@ def _shortcut(name: Any) -> Shortcut | None:
     if name is None:
         return None
     if typed(name, "trace.shortcut", str) not in SHORTCUTS:
-        raise InvalidScene(f"trace.shortcut is {name!r}: no shortcut of that name")
+        raise InvalidScene(f"trace.shortcut is {shown(name)}: no shortcut of that name")
     return SHORTCUTS[name]
 
 
@@ -145,7 +148,9 @@ def _facts(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut: Sh
         keys(skip, f"{where}.skipped[{i}]", {"axis", "reason"})
         reason = typed(skip["reason"], f"{where}.skipped[{i}].reason", str)
         if reason not in reasons:
-            raise InvalidScene(f"{where}.skipped[{i}].reason is {reason!r}: no reason to leave out one of these axes")
+            raise InvalidScene(
+                f"{where}.skipped[{i}].reason is {shown(reason)}: no reason to leave out one of these axes"
+            )
         skipped.append(Skip(_axis(skip["axis"], f"{where}.skipped[{i}].axis", known), *reasons[reason]))
     if len(lists["tests"]) > len(found):
         raise InvalidScene(f"{where}.tests has more tests than there are axes")
@@ -209,7 +214,7 @@ def _agree(ours: Any, theirs: Any, where: str) -> None:
         for i, (mine, yours) in enumerate(zip(ours, theirs)):
             _agree(mine, yours, f"{where}[{i}]")
     elif ours != theirs or isinstance(ours, bool) is not isinstance(theirs, bool):
-        raise InvalidScene(f"{where} is {theirs!r}, but the facts give {ours!r}")
+        raise InvalidScene(f"{where} is {shown(theirs)}, but the facts give {shown(ours)}")
 
 
 def _again(trace: Trace) -> Trace:
