@@ -217,7 +217,7 @@ def test_a_choice_may_hold_lists_and_other_numbers_and_its_trace_loads():
 
     for choice in (
         needed._replace(axes=list(needed.axes), skipped=list(needed.skipped)),
-        needed._replace(axes=iter(needed.axes), skipped=iter(needed.skipped), complete=1),
+        needed._replace(complete=1),
         with_each(
             lambda axis: axis._replace(normal=sv.Vec(*map(np.float64, axis.normal)), length=Fraction(axis.length))
         ),

@@ -59,7 +59,8 @@ def typed(value: Any, where: str, wanted: type) -> Any:
     if wanted is int and isinstance(value, float) and value.is_integer():
         return int(value)
     if not isinstance(value, wanted) or (isinstance(value, bool) and wanted is not bool):
-        raise InvalidScene(f"{where} must be {_NAMES[wanted]}, not {kind(value)}")
+        expected = "a whole number" if wanted is int else _NAMES[wanted]
+        raise InvalidScene(f"{where} must be {expected}, not {kind(value)}")
     return value
 
 
@@ -68,14 +69,7 @@ def kind(value: Any) -> str:
     return "null" if value is None else _NAMES.get(type(value), type(value).__name__)
 
 
-_NAMES = {
-    str: "text",
-    list: "a list",
-    dict: "an object",
-    bool: "true or false",
-    int: "a whole number",
-    float: "a number",
-}
+_NAMES = {str: "text", list: "a list", dict: "an object", bool: "true or false", int: "a number", float: "a number"}
 
 
 def _no_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
