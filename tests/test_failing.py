@@ -4,7 +4,7 @@ import json
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations, product
-from math import cos, nextafter, radians, sin, sqrt
+from math import cos, inf, nan, nextafter, radians, sin, sqrt
 from random import Random
 
 import numpy as np
@@ -226,6 +226,21 @@ def test_a_shortcut_of_ones_own_runs_and_is_not_written():
     otherwise = Otherwise(*SHORTCUTS["one-overlap"])
     with pytest.raises(sv.InvalidScene, match="'one-overlap' is none of satviz's"):
         sv.record(trace.a, trace.b, axes=otherwise).to_json()
+
+
+@pytest.mark.parametrize("wrong", [inf, -inf, nan])
+def test_no_number_that_is_not_finite_is_recorded_wherever_a_shortcut_measures_it(wrong):
+    scene = SCENES["aabb"]
+    test, *_ = scene.record().tests
+    lies = [test._replace(gap=wrong)]
+    for name in "a", "b":
+        side = getattr(test, name)
+        lies.append(test._replace(**{name: side._replace(landings=(*side.landings[:-1], wrong))}))
+        lies.append(test._replace(**{name: side._replace(points=(*side.points[:-1], sv.Vec(0.0, wrong)))}))
+    for lie in lies:
+        mine = sv.Shortcut("mine", "it is so", sv.axes.world, lambda a, b, axis, lie=lie: lie)
+        with pytest.raises(sv.InvalidScene, match="^mine measures in plain floats, which overflow here"):
+            sv.record(scene.a, scene.b, axes=mine)
 
 
 SIZES = [

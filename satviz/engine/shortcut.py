@@ -46,10 +46,12 @@ class Shortcut(NamedTuple):
                 )
             yield test
 
-    def pieces(self, a: Shape) -> Sequence[Shape]:
-        """What it takes A apart into; InvalidScene where a piece is too thin for float64."""
+    def pieces(self, a: Shape) -> Sequence[Shape] | None:
+        """What it takes A apart into, if it does; InvalidScene where a piece is too thin for float64."""
+        if self.split is None:
+            return None
         try:
-            return self.split(a) if self.split else (a,)
+            return self.split(a)
         except InvalidShape as error:
             raise InvalidScene(f"{self.name} cannot take A apart: {error}") from None
 

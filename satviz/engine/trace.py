@@ -246,10 +246,10 @@ def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, ev
 
 
 def _record_shortcut(a: Shape, b: Shape, shortcut: Shortcut, every_axis: bool) -> Trace:
-    if shortcut.split is None:
+    pieces = shortcut.pieces(a)
+    if pieces is None:
         return _record(a, b, shortcut.choose(a, b), every_axis, PLAIN, shortcut)
-    pieces = [(piece, f"A{i}") for i, piece in enumerate(shortcut.pieces(a), 1)]
-    return _record_pairs(a, b, pieces, [(b, "B")], every_axis, shortcut)
+    return _record_pairs(a, b, [(p, f"A{i}") for i, p in enumerate(pieces, 1)], [(b, "B")], every_axis, shortcut)
 
 
 def _record(
