@@ -4,7 +4,7 @@ import json
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations, product
-from math import cos, inf, nan, nextafter, radians, sin, sqrt
+from math import cos, inf, nan, nextafter, pi, radians, sin, sqrt
 from random import Random
 
 import numpy as np
@@ -224,8 +224,51 @@ def test_a_shortcut_of_ones_own_runs_and_is_not_written():
             return True
 
     otherwise = Otherwise(*SHORTCUTS["one-overlap"])
-    with pytest.raises(sv.InvalidScene, match="'one-overlap' is none of satviz's"):
-        sv.record(trace.a, trace.b, axes=otherwise).to_json()
+    with pytest.raises(TypeError, match="axes is a Otherwise: expected a choice"):
+        sv.record(trace.a, trace.b, axes=otherwise)
+
+
+def test_what_a_shortcut_measures_may_be_no_float_at_all():
+    def whole(a, b, axis):
+        test = sv.record(a, b, axes=sv.axes.directions(axis.normal)).tests[0]
+        return test._replace(a=test.a._replace(landings=(10**400,)))
+
+    mine = sv.Shortcut("mine\n" * 100, "it is so", sv.axes.world, whole)
+    with pytest.raises(sv.InvalidScene, match="measures in plain floats, which overflow here") as refused:
+        sv.record(box(0, 0, 1, 1), box(2, 0, 3, 1), axes=mine)
+    assert "\n" not in str(refused.value) and len(str(refused.value)) < 200
+
+
+def test_pieces_may_come_one_by_one_and_are_refused_in_the_same_words():
+    def in_turn(shape):
+        yield shape
+        yield sv.Polygon([(0, 0), (1, 0)])
+
+    with pytest.raises(sv.InvalidScene, match=r"^'mine' cannot take A apart: "):
+        sv.record(box(0, 0, 1, 1), box(2, 0, 3, 1), axes=sv.Shortcut("mine", "it is so", split=in_turn))
+
+
+@pytest.mark.parametrize("name", ["tile-seam", "sum-of-parts"])
+def test_a_push_that_no_float_holds_or_nobody_can_find_is_none(name):
+    rim = 1.7e308
+    wide = sv.Polygon([(-rim, -1e308), (rim, -rim), (1e308, -1e308), (1e308, 1e308)])
+    tall = sv.Polygon([(-rim, rim), (0, -rim), (0, 0)])
+    square = box(-rim, -rim, rim, rim)
+    for a, b in [(wide, tall), (square, square)][: 1 + (name == "sum-of-parts")]:
+        trace = sv.record(a, b, axes=SHORTCUTS[name])
+        assert trace.push is None and sv.Trace.from_json(trace.to_json()) == trace and str(trace)
+    ring = [(cos(2 * pi * i / 140), sin(2 * pi * i / 140)) for i in range(140)]
+    star = [(x * (1 - i % 2 / 10), y * (1 - i % 2 / 10)) for i, (x, y) in enumerate(ring)]
+    trace = sv.record(sv.Polygon(ring), sv.Polygon(star), axes=SHORTCUTS[name])
+    assert trace.push is None and trace.relation is sv.Relation.OVERLAPPING and str(trace)
+    assert json.loads(trace.to_json())["pairs"][0]["mtv"] is None and sv.Trace.from_json(trace.to_json()) == trace
+
+
+def test_the_push_from_the_center_is_the_same_at_the_rim_of_float64():
+    for size in 1.0, 1e300, 1e308:
+        a, b = box(size, 0, 1.2 * size, 0.2 * size), box(1.01 * size, 0, 1.21 * size, 0.2 * size)
+        x, y = sv.record(a, b, axes=SHORTCUTS["push-from-center"]).push
+        assert (x / size, y) == (pytest.approx(0.19), 0)
 
 
 @pytest.mark.parametrize("wrong", [inf, -inf, nan])
@@ -239,7 +282,7 @@ def test_no_number_that_is_not_finite_is_recorded_wherever_a_shortcut_measures_i
         lies.append(test._replace(**{name: side._replace(points=(*side.points[:-1], sv.Vec(0.0, wrong)))}))
     for lie in lies:
         mine = sv.Shortcut("mine", "it is so", sv.axes.world, lambda a, b, axis, lie=lie: lie)
-        with pytest.raises(sv.InvalidScene, match=r"^mine measures in plain floats, which overflow here"):
+        with pytest.raises(sv.InvalidScene, match=r"^'mine' measures in plain floats, which overflow here"):
             sv.record(scene.a, scene.b, axes=mine)
 
 
@@ -268,7 +311,7 @@ def test_a_shortcut_is_recorded_in_finite_numbers_and_loads_again_or_says_that_i
             try:
                 trace = sv.record(a, b, axes=SHORTCUTS[name], every_axis=i % 3 > 0)
             except sv.InvalidScene as error:
-                assert str(error).startswith(name)
+                assert str(error).startswith(repr(name))
                 refused.add(sizes)
                 continue
             assert sv.Trace.from_json(trace.to_json()) == trace and str(trace)
@@ -281,7 +324,7 @@ def test_what_cannot_be_taken_apart_is_told_as_that_also_in_a_file():
     scene, least = NAMED["tile-seam"].scene, 5e-324
     thin = [(least, 0.0), (2 * least, 0.0), (2 * least, least), (least, least)]
     data = json.loads(scene.record().to_json()) | {"a": {"polygon": thin}}
-    words = "^tile-seam cannot take A apart: 2 distinct vertices"
+    words = "^'tile-seam' cannot take A apart: 2 distinct vertices"
     with pytest.raises(sv.InvalidScene, match=words):
         sv.record(sv.Polygon(thin), scene.b, axes=SHORTCUTS["tile-seam"])
     with pytest.raises(sv.InvalidScene, match=words):

@@ -1025,6 +1025,23 @@ def test_what_is_no_text_is_told_as_that(text):
             read(text)
 
 
+def test_a_text_that_is_not_what_the_facts_give_is_shown_from_where_it_parts():
+    for shortcut, said, lie in (
+        ("one-overlap", "a landing", "a lending"),
+        ("one-overlap", "overlap", "underlap"),
+        (None, "leaves a gap", "leaves no gap"),
+        (None, "2", "3"),
+    ):
+        trace = sv.record(A, B, axes=SHORTCUTS[shortcut] if shortcut else axes.needed)
+        data = json.loads(trace.to_json())
+        data["sentence"] = data["sentence"].replace(said, lie)
+        if data["sentence"] != trace.sentence:
+            with pytest.raises(sv.InvalidScene, match=r"^trace.sentence is ") as refused:
+                sv.Trace.from_json(json.dumps(data))
+            told, found = str(refused.value).removeprefix("trace.sentence is ").split(", but the facts give ")
+            assert told != found and eval(told) in data["sentence"] and eval(found) in digits.plain(trace.sentence)
+
+
 LONG = "x" * 100_000
 
 
@@ -1042,8 +1059,12 @@ LONG = "x" * 100_000
         lambda d: d.update(names=[LONG, "B"]),
         lambda d: d["tests"][0].update(gap=[1.0] * 10_000),
         lambda d: d["tests"][0].update(gap=LONG),
+        lambda d: d["tests"][0].update(gap=int("1" * 400)),
+        lambda d: d["b"].update(labels=[[LONG], "a", "b"]),
+        lambda d: d["b"].update(labels=LONG),
+        lambda d: d["a"]["polygon"][0].__setitem__(0, int("1" * 300)),
     ],
-    ids=range(11),
+    ids=range(15),
 )
 def test_a_refusal_quotes_no_more_than_a_line_of_what_it_refuses(change):
     data = json.loads(sv.record(A, B).to_json())
@@ -1051,6 +1072,9 @@ def test_a_refusal_quotes_no_more_than_a_line_of_what_it_refuses(change):
     with pytest.raises(sv.InvalidScene) as refused:
         sv.Trace.from_json(json.dumps(data))
     assert len(str(refused.value)) < 2000
+    with pytest.raises(sv.InvalidScene) as refused:
+        sv.Trace.from_json('{"satviz": 1' + "0" * 1_000_000 + ".0}")
+    assert len(str(refused.value)) < 200
     for about in {"axes": LONG}, {"name": LONG}, {"title": LONG + "\n"}, {LONG: 1}:
         with pytest.raises(sv.InvalidScene) as refused:
             sv.Scene.from_json(json.dumps(json.loads(sv.scene("triangles").to_json()) | about))

@@ -239,7 +239,7 @@ def _listed(values: Any) -> Sequence[Any]:
     """What is listed may be long, but not without end."""
     if isinstance(values, tuple | list):
         return values
-    raise TypeError(f"a choice of axes holds a {type(values).__name__}: expected a tuple")
+    raise TypeError(f"a choice of axes holds a {type(values).__name__}: expected a tuple or a list")
 
 
 def _owned(axis: Axis, known: dict[Source, Axis]) -> Axis:

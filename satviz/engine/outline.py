@@ -50,7 +50,7 @@ def number(value: Any, name: str) -> float:
             raise InvalidShape(f"{name} is too large for float64: scale the scene down") from None
         if as_float != value and as_float == as_float:
             raise InvalidShape(
-                f"{name} is {value!r}, which float64 cannot hold (nearest {as_float!r}): round or scale it first"
+                f"{name} is {shown(value)}, which float64 cannot hold (nearest {as_float!r}): round or scale it first"
             )
         value = as_float
     if not math.isfinite(value):

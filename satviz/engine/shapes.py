@@ -221,18 +221,18 @@ def _checked_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | N
     if labels is None:
         return None
     if isinstance(labels, str):
-        raise InvalidShape(f"labels is the text {labels!r}: pass a list with one label a vertex")
+        raise InvalidShape(f"labels is the text {outline.shown(labels)}: pass a list with one label a vertex")
     try:
         labels = tuple(labels)
     except TypeError:
-        raise InvalidShape(f"labels is {labels!r}: pass a list with one label a vertex") from None
+        raise InvalidShape(f"labels is {outline.shown(labels)}: pass a list with one label a vertex") from None
     if len(labels) != n:
         raise InvalidShape(f"{len(labels)} labels for {n} vertices: pass one a vertex")
     for i, label in enumerate(labels):
         if not isinstance(label, str):
-            raise InvalidShape(f"label {i} is {label!r}: a label must be text")
+            raise InvalidShape(f"label {i} is {outline.shown(label)}: a label must be text")
         if any("\ud800" <= c <= "\udfff" for c in label):
-            raise InvalidShape(f"label {i} is {label!r}: half a surrogate pair is no text")
+            raise InvalidShape(f"label {i} is {outline.shown(label)}: half a surrogate pair is no text")
     return labels
 
 

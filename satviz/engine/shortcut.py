@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from .axes import Axis, Chooser, needed
 from .geometry import InvalidScene, InvalidShape, Vec
+from .outline import shown
 from .sat import AxisTest, axis_tests
 from .shapes import Shape
 
@@ -38,22 +39,23 @@ class Shortcut(NamedTuple):
         for axis in axes:
             try:
                 test = self.measure(a, b, axis)
+                finite = all(map(isfinite, _numbers(test)))
             except OverflowError:
-                test = None
-            if test is None or not all(map(isfinite, _numbers(test))):
+                finite = False
+            if not finite:
                 raise InvalidScene(
-                    f"{self.name} measures in plain floats, which overflow here: bring the sizes nearer to 1"
+                    f"{shown(self.name)} measures in plain floats, which overflow here: bring the sizes nearer to 1"
                 )
             yield test
 
     def pieces(self, a: Shape) -> Sequence[Shape] | None:
-        """What it takes A apart into, if it does; InvalidScene where a piece is too thin for float64."""
+        """What it takes A apart into, if it does; InvalidScene where float64 has no such piece."""
         if self.split is None:
             return None
         try:
-            return self.split(a)
+            return list(self.split(a))
         except InvalidShape as error:
-            raise InvalidScene(f"{self.name} cannot take A apart: {error}") from None
+            raise InvalidScene(f"{shown(self.name)} cannot take A apart: {error}") from None
 
     def separates(self, test: AxisTest) -> bool:
         """Does the shortcut stop at this test?"""

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
+from math import isfinite
 from typing import NamedTuple
 
 from . import door, telling
@@ -143,7 +144,10 @@ class Trace:
 
     @property
     def push(self) -> Vec | None:
-        """The move of B by which this run would end the overlap: the MTV, or what its shortcut takes for it."""
+        """The move of B by which this run would end the overlap: the MTV, or what its shortcut takes for it.
+
+        None also where a piece's move would take too long to find, or is too long for float64.
+        """
         if self.shortcut is None:
             return self.mtv
         if self.claim is APART:
@@ -151,8 +155,10 @@ class Trace:
         if self.shortcut.push:
             return self.shortcut.push(self.a, self.b, self.tests)
         if self.pairs:
-            moves = [pair.mtv or Vec(0.0, 0.0) for pair in self.pairs]
-            return Vec(sum(move.x for move in moves), sum(move.y for move in moves))
+            moves = [pair.known_mtv for pair in self.pairs if pair.relation is OVERLAPPING]
+            found = [move for move in moves if move]
+            push = Vec(sum((move.x for move in found), 0.0), sum((move.y for move in found), 0.0))
+            return push if len(found) == len(moves) and all(map(isfinite, push)) else None
         test = self.shallowest
         return out_by(test, -test.gap) if test else None
 
@@ -188,7 +194,7 @@ class Trace:
         return self.choice.skipped + tuple(Skip(axis, EARLY_EXIT, len(self.tests)) for axis in left)
 
     def without_early_exit(self) -> "Trace":
-        """The same run over every axis of the choice (and every pair of parts)."""
+        """The same run over every axis of the choice (and every pair of parts); InvalidScene as for `record`."""
         if self.every_axis:
             return self
         if self.shortcut:
@@ -230,15 +236,16 @@ def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, ev
     trace then holds beside the exact relation.  The loop stops at the first
     separating axis, and for parts at the first pair that overlaps, unless
     `every_axis`.  TypeError for anything but Polygon and Circle and for no choice of axes; ValueError
-    for axes of other shapes; InvalidScene if the trace would list more than MAX_SIZE points and axes.
+    for axes of other shapes; InvalidScene if the trace would list more than MAX_SIZE points and axes, or
+    where what a shortcut does in plain floats overflows.
     """
     checked(a, "a"), checked(b, "b")
     every_axis = bool(every_axis)
     if axes is needed and not (a.is_convex and b.is_convex):
         return _record_parts(a, b, every_axis)
-    if isinstance(axes, Shortcut):
+    if type(axes) is Shortcut:  # one with methods of its own would compare equal to what it is not
         return _record_shortcut(a, b, axes, every_axis)
-    if not (isinstance(axes, Choice) or callable(axes)):
+    if isinstance(axes, Shortcut) or not (isinstance(axes, Choice) or callable(axes)):
         raise TypeError(f"axes is a {type(axes).__name__}: expected a choice of axes, or what makes one (satviz.axes)")
     choice = axes if isinstance(axes, Choice) else axes(a, b)
     own = any(axes is choose for choose in NAMED.values())

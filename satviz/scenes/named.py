@@ -1,6 +1,7 @@
 """Every scene by its name: the article's and the failing ones."""
 
 from ..engine.geometry import InvalidScene
+from ..engine.outline import shown
 from .article import SCENES
 from .failing import NAMED as FAILING
 from .scenefile import Scene
@@ -18,5 +19,5 @@ def scene(name: str) -> Scene:
     if name in FAILING:
         return FAILING[name].scene
     if name not in ARTICLE:
-        raise InvalidScene(f"no scene {name!r}: choose one of {', '.join(names())}, or give a file")
+        raise InvalidScene(f"no scene {shown(name)}: choose one of {', '.join(names())}, or give a file")
     return ARTICLE[name]

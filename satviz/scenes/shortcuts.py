@@ -196,14 +196,14 @@ def push_from_center(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
         return Vec(0.0, 0.0)
     test = max(tests, key=lambda test: test.gap)
     (px, py), (qx, qy), n = middle(a), middle(b), test.axis.direction
-    length = copysign(test.gap, n.x * (qx - px) + n.y * (qy - py))
+    length = copysign(test.gap, n.x * (qx / 2 - px / 2) + n.y * (qy / 2 - py / 2))  # as halves: none overflows
     return Vec(n.x * length, n.y * length)
 
 
 def middle(shape: Shape) -> Vec:
     """The mean of the vertices; a circle's center."""
     points = shape.vertices or shape.core
-    return Vec(sum(x for x, _ in points) / len(points), sum(y for _, y in points) / len(points))
+    return Vec(sum(x / len(points) for x, _ in points), sum(y / len(points) for _, y in points))
 
 
 def halves(shape: Shape) -> Sequence[Shape]:

@@ -7,6 +7,7 @@ from collections.abc import Set
 from typing import Any
 
 from ..engine.geometry import InvalidScene
+from ..engine.outline import shown
 
 MAX_DEPTH = 12
 MAX_MARKS = 1 << 23  # commas, opening brackets and quotes: no value goes without one, so memory is bounded by them
@@ -87,7 +88,7 @@ def _no_constant(name: str) -> float:
 def _finite(text: str) -> float:
     value = float(text)
     if abs(value) == float("inf"):
-        raise InvalidScene(f"{text} is too large for float64")
+        raise InvalidScene(f"{shown(text)} is too large for float64")
     return value
 
 

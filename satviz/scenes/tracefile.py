@@ -28,8 +28,7 @@ FLOAT_WORK = 2.0**-28
 
 def dump(trace: Trace, indent: int | None) -> str:
     """A trace as the text of a trace file; InvalidScene for a shortcut of one's own, which nobody could run again."""
-    known = trace.shortcut and SHORTCUTS.get(trace.shortcut.name)
-    if trace.shortcut and (known != trace.shortcut or type(trace.shortcut) is not Shortcut):
+    if trace.shortcut and SHORTCUTS.get(trace.shortcut.name) != trace.shortcut:
         raise InvalidScene(
             f"the shortcut {shown(trace.shortcut.name)} is none of satviz's: its trace cannot be written"
         )
@@ -119,7 +118,7 @@ def _data(trace: Trace, mtv: Vec | None) -> dict[str, object]:
             {"axis": _axis_data(s.axis), "reason": telling.reason(s.why, s.number)} for s in trace.choice.skipped
         ],
         "tests": [_test_data(test) for test in trace.tests],
-        "pairs": [_data(pair, pair.mtv) for pair in trace.pairs],
+        "pairs": [_data(pair, pair.known_mtv) for pair in trace.pairs],
         "claim": str(trace.claim),
         "relation": str(trace.relation),
         "hit": trace.hit,
@@ -214,7 +213,17 @@ def _agree(ours: Any, theirs: Any, where: str) -> None:
         for i, (mine, yours) in enumerate(zip(ours, theirs)):
             _agree(mine, yours, f"{where}[{i}]")
     elif ours != theirs or isinstance(ours, bool) is not isinstance(theirs, bool):
-        raise InvalidScene(f"{where} is {shown(theirs)}, but the facts give {shown(ours)}")
+        told, found = (
+            _from_difference(theirs, ours) if isinstance(theirs, str) and isinstance(ours, str) else (theirs, ours)
+        )
+        raise InvalidScene(f"{where} is {shown(told)}, but the facts give {shown(found)}")
+
+
+def _from_difference(one: str, other: str) -> tuple[str, str]:
+    """Both texts from a few words before they part, as long as a message shows."""
+    same = next((i for i, (c, d) in enumerate(zip(one, other)) if c != d), min(len(one), len(other)))
+    begin = max(0, same - 20)
+    return one[begin : begin + 50], other[begin : begin + 50]
 
 
 def _again(trace: Trace) -> Trace:

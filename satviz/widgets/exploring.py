@@ -55,7 +55,7 @@ class Exploring(Showing):
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
         """A pose, a preset by name, or a challenge: the state that follows, or why it cannot be."""
-        n = content.get("n")
+        n, before = content.get("n"), {**vars(self), "_stood": dict(self._stood)}
         try:
             if content.get("kind") == "preset":
                 self._start(scene(typed(content.get("name"), "the preset", str)))
@@ -66,10 +66,11 @@ class Exploring(Showing):
                 self._pose(content)
             else:
                 return None
-        except ValueError as error:
+            self._settle(final=bool(content.get("final", True)))
+            return {"kind": "state", "n": n, **self.state()}
+        except ValueError as error:  # also of what a picture asks of the engine: then nothing has changed
+            vars(self).update(before)
             return {"kind": "refused", "n": n, "why": str(error)}
-        self._settle(final=bool(content.get("final", True)))
-        return {"kind": "state", "n": n, **self.state()}
 
     def state(self) -> dict[str, Any]:
         """All that a front end shows."""

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
-from ..engine import telling
+from ..engine import outline, telling
 from ..engine.axes import needed
 from ..engine.geometry import InvalidScene, Relation, Vec
 from ..engine.trace import record
@@ -47,7 +47,7 @@ class Judged(NamedTuple):
 def judged(goal: str, shown: Scene) -> Judged:
     """How a scene stands to a goal; InvalidScene for one that is none, or that the scene cannot have."""
     if goal not in ASKS:
-        raise InvalidScene(f"no challenge {goal!r}: choose one of {', '.join(ASKS)}")
+        raise InvalidScene(f"no challenge {outline.shown(goal)}: choose one of {', '.join(ASKS)}")
     met, says = {ONE_AXIS: _one_axis, TOUCH: _touch, BREAK: _break}[goal](shown)
     return Judged(goal, met, ASKS[goal], says, HINTS[goal])
 

@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from ...engine.axes import EDGE, GIVEN, HULL, SLIP, WORLD, Axis
-from ...engine.geometry import Interval, Vec
+from ...engine.geometry import Interval, InvalidShape, Vec
 from ...engine.sat import project
 from ...engine.shapes import Circle, Shape, centroid
 from ...engine.shortcut import Shortcut
@@ -19,6 +19,9 @@ from .reading import moved
 from .where_numbers import MAPS, ROUNDING
 
 TURNING = "its axes turn as B moves, so where it is wrong has no straight edges"
+SPECK = "the shapes are so small beside their moves that float64 cannot tell their corners apart"
+CROWDED = "the parts of these shapes have too many corners to work it out while you drag"
+MOST_OF_PARTS = 300  # of the corners of all pairs of parts: what is left of one without the others is cut up by each
 FIXED = EDGE, GIVEN, HULL, SLIP, WORLD  # axes that stay where they are while B moves
 
 
@@ -38,7 +41,16 @@ class Lies(NamedTuple):
 
 def lies(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> Lies | str:
     """Where the shortcut's answer is wrong, of the moves within the window (x0, y0, x1, y1); or why that is no area."""
+    try:
+        return _lies(a, b, shortcut, window)
+    except InvalidShape:
+        return SPECK
+
+
+def _lies(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> Lies | str:
     hits = tuple(within(hit, window) for hit in difference(a, b))
+    if len(hits) > 1 and sum(map(len, hits)) > MOST_OF_PARTS:
+        return CROWDED
     if NAMED.get(shortcut.name) == shortcut and shortcut.name in MAPS:
         wrong = MAPS[shortcut.name](a, b, window)
         return wrong if isinstance(wrong, str) else Lies((), (), tuple(filter(None, hits)), numbers=tuple(wrong))

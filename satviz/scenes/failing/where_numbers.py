@@ -7,7 +7,7 @@ the same formula or they differ (but for a line or a curve without an area).
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise, product
-from math import hypot
+from math import hypot, isfinite
 from typing import NamedTuple
 
 from ...engine.axes import Axis, needed
@@ -27,6 +27,7 @@ COUNT = "the count does not depend on where B is"
 ROUNDING = "only rounding makes it wrong, at single places that no area can show"
 CIRCLE = "of a circle the way out turns as B moves, so where the number is wrong has no straight edges"
 DENT = "a shape has a dent, and where its way out changes is no straight line"
+HUGE = "the squares of its lengths are too large for float64"
 MANY = "both shapes together have more than {} corners, too many to work it out while you drag"
 
 
@@ -155,7 +156,10 @@ def _pieces(name: str, differ: Callable[[Vec, Vec], float]) -> "Map":
             (own,) = difference(piece, b)
             beyond = (Cell(rest, NOTHING, NOTHING.down) for rest in without(within(ring, window), [own]))
             runs.append([*_cells(piece, b, window), *beyond])
-        near = SAME * max(abs(u) for p in (*ring, *corners(window)) for u in p) ** 2
+        far = max(abs(u) for p in (*ring, *corners(window)) for u in p)
+        if not isfinite(far * far):
+            return HUGE
+        near = SAME * far * far
         return [ring for ring, cells in _overlaid(runs) if not _agree(ring, cells, differ, near)]
 
     return found
@@ -197,7 +201,8 @@ def _longer(push: Vec, true: Vec) -> float:
 
 
 def _elsewhere(push: Vec, true: Vec) -> float:
-    return (push.x - true.x) ** 2 + (push.y - true.y) ** 2
+    x, y = push.x - true.x, push.y - true.y
+    return x * x + y * y
 
 
 # -- other numbers
