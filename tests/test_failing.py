@@ -257,6 +257,15 @@ def test_a_push_that_no_float_holds_or_nobody_can_find_is_none(name):
     for a, b in [(wide, tall), (square, square)][: 1 + (name == "sum-of-parts")]:
         trace = sv.record(a, b, axes=SHORTCUTS[name])
         assert trace.push is None and sv.Trace.from_json(trace.to_json()) == trace and str(trace)
+
+
+def test_pieces_that_touch_push_by_nothing():
+    for b, push in ((box(4, 0, 6, 2), "Vec(x=0.0, y=0.0)"), (box(1, 1.5, 1.5, 4), "Vec(x=0.0, y=0.5)")):
+        assert repr(sv.record(box(0, 0, 4, 2), b, axes=SHORTCUTS["tile-seam"]).push) == push
+
+
+@pytest.mark.parametrize("name", ["tile-seam", "sum-of-parts"])
+def test_pieces_with_too_many_parts_are_recorded_and_written_without_their_pushes(name):
     ring = [(cos(2 * pi * i / 140), sin(2 * pi * i / 140)) for i in range(140)]
     star = [(x * (1 - i % 2 / 10), y * (1 - i % 2 / 10)) for i, (x, y) in enumerate(ring)]
     trace = sv.record(sv.Polygon(ring), sv.Polygon(star), axes=SHORTCUTS[name])

@@ -1042,6 +1042,13 @@ def test_a_text_that_is_not_what_the_facts_give_is_shown_from_where_it_parts():
             assert told != found and eval(told) in data["sentence"] and eval(found) in digits.plain(trace.sentence)
 
 
+@pytest.mark.parametrize("lie", ["", "A", "B", "A an", "A and C", "A and B are not apart"])
+def test_texts_that_part_early_are_shown_from_their_beginning(lie):
+    data = json.loads(sv.record(A, B).to_json()) | {"sentence": lie}
+    with pytest.raises(sv.InvalidScene, match=rf"^trace.sentence is '{lie}', but the facts give .A and B are apart: "):
+        sv.Trace.from_json(json.dumps(data))
+
+
 LONG = "x" * 100_000
 
 

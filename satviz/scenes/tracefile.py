@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import replace
+from itertools import takewhile
 from math import hypot
 from typing import Any
 
@@ -221,8 +222,8 @@ def _agree(ours: Any, theirs: Any, where: str) -> None:
 
 def _from_difference(one: str, other: str) -> tuple[str, str]:
     """Both texts from a few words before they part, as long as a message shows."""
-    same = next((i for i, (c, d) in enumerate(zip(one, other)) if c != d), min(len(one), len(other)))
-    begin = max(0, same - 20)
+    same = [*takewhile(lambda both: both[0] == both[1], zip(one, other))]
+    begin = max(0, len(same) - 20)
     return one[begin : begin + 50], other[begin : begin + 50]
 
 
