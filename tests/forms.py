@@ -62,12 +62,12 @@ def is_convex(shape: Shape) -> bool:
 
 
 def by_shortcut(shortcut: Shortcut, a: Shape, b: Shape) -> Relation | None:
-    """None where what the shortcut measures in plain floats overflows, or a box one float wide has no seam."""
+    """None where what the shortcut measures in plain floats overflows, or a box has no seam in float64."""
     try:
         return record(a, b, axes=shortcut).relation
     except InvalidScene as error:
         if shortcut.split:
-            assert "cannot take A apart: 2 distinct vertices" in str(error) and a.is_upright_box
+            assert "cannot take A apart" in str(error) and a.is_upright_box
         else:
             assert "overflow" in str(error) and shortcut.measure and max(a.reach, b.reach) > 1e150
         return None
