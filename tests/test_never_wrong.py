@@ -260,7 +260,7 @@ def refute_by_changes(form: Form, kind: str, name: str = "") -> None:
     wrong = [
         (a, b, f"{base[i]} before it was {change}", answer)
         for (change, a, b, i), answer in zip(cases, answers, strict=True)
-        if answer is not None and answer != base[i]
+        if None not in (answer, base[i]) and answer != base[i]  # a shortcut's floats may overflow before or after
     ]
     if wrong:
         pytest.fail(f"{name}\n{shown(wrong)}", pytrace=False)
