@@ -1027,19 +1027,19 @@ def test_what_is_no_text_is_told_as_that(text):
 
 def test_a_text_that_is_not_what_the_facts_give_is_shown_from_where_it_parts():
     for shortcut, said, lie in (
-        ("one-overlap", "a landing", "a lending"),
-        ("one-overlap", "overlap", "underlap"),
+        ("one-overlap", "no gap", "a gap"),
+        ("one-overlap", "false hit", "true hit"),
         (None, "leaves a gap", "leaves no gap"),
         (None, "2", "3"),
     ):
         trace = sv.record(A, B, axes=SHORTCUTS[shortcut] if shortcut else axes.needed)
         data = json.loads(trace.to_json())
         data["sentence"] = data["sentence"].replace(said, lie)
-        if data["sentence"] != trace.sentence:
-            with pytest.raises(sv.InvalidScene, match=r"^trace.sentence is ") as refused:
-                sv.Trace.from_json(json.dumps(data))
-            told, found = str(refused.value).removeprefix("trace.sentence is ").split(", but the facts give ")
-            assert told != found and eval(told) in data["sentence"] and eval(found) in digits.plain(trace.sentence)
+        assert said in trace.sentence
+        with pytest.raises(sv.InvalidScene, match=r"^trace.sentence is ") as refused:
+            sv.Trace.from_json(json.dumps(data))
+        told, found = str(refused.value).removeprefix("trace.sentence is ").split(", but the facts give ")
+        assert told != found and eval(told) in data["sentence"] and eval(found) in digits.plain(trace.sentence)
 
 
 @pytest.mark.parametrize("lie", ["", "A", "B", "A an", "A and C", "A and B are not apart"])

@@ -394,6 +394,20 @@ def test_a_map_of_many_parts_is_not_worked_out_under_the_hand():
         assert ("too many corners" in str(explored.answer(pose)["map"])) == (n > 20)
 
 
+@pytest.mark.parametrize(
+    ("name", "pair", "why"),
+    [
+        ("aabb-turned", "a speck", "cannot tell their corners apart"),
+        ("tile-seam", "squares beyond float64", "too large for float64"),
+        ("sum-of-parts", "squares beyond float64", "too large for float64"),
+    ],
+)
+def test_a_map_that_floats_cannot_hold_says_so_beside_the_picture(name, pair, why):
+    explored, (a, b) = Exploring(sv.scene(name)), EXTREME[pair]
+    said = explored.answer({"kind": "pose", "n": 1, "a": a, "b": b, "degree": None, "pinned": None})
+    assert said["kind"] == "state" and why in str(said["map"])
+
+
 def test_undo_may_go_back_to_another_scene_with_its_own_axes():
     widget = explorer()
     begun = widget.first["scene"]

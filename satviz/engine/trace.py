@@ -245,7 +245,7 @@ def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, ev
         return _record_parts(a, b, every_axis)
     if type(axes) is Shortcut:  # one with methods of its own would compare equal to what it is not
         return _record_shortcut(a, b, axes, every_axis)
-    if isinstance(axes, Shortcut) or not (isinstance(axes, Choice) or callable(axes)):
+    if not (isinstance(axes, Choice) or callable(axes)):
         raise TypeError(f"axes is a {type(axes).__name__}: expected a choice of axes, or what makes one (satviz.axes)")
     choice = axes if isinstance(axes, Choice) else axes(a, b)
     own = any(axes is choose for choose in NAMED.values())

@@ -214,10 +214,9 @@ def _agree(ours: Any, theirs: Any, where: str) -> None:
         for i, (mine, yours) in enumerate(zip(ours, theirs)):
             _agree(mine, yours, f"{where}[{i}]")
     elif ours != theirs or isinstance(ours, bool) is not isinstance(theirs, bool):
-        told, found = (
-            _from_difference(theirs, ours) if isinstance(theirs, str) and isinstance(ours, str) else (theirs, ours)
-        )
-        raise InvalidScene(f"{where} is {shown(told)}, but the facts give {shown(found)}")
+        if isinstance(ours, str) and isinstance(theirs, str):
+            ours, theirs = _from_difference(ours, theirs)
+        raise InvalidScene(f"{where} is {shown(theirs)}, but the facts give {shown(ours)}")
 
 
 def _from_difference(one: str, other: str) -> tuple[str, str]:
@@ -247,20 +246,18 @@ def _same(trace: Trace, again: Trace, where: str) -> None:
         raise InvalidScene(f"{where}.axes are not those of these shapes")
     if trace.every_axis != again.every_axis or len(trace.tests) != len(again.tests):
         raise InvalidScene(f"{where}.tests has {len(trace.tests)} tests where the run has {len(again.tests)}")
-    measured = trace.shortcut is not None and trace.shortcut.measure is not None
-    rounding = FLOAT_WORK if measured else ROUNDING
-    reach_a, reach_b = (
-        min(shape.reach, LARGEST) for shape in (trace.a, trace.b)
-    )  # beyond float64 a circle's is infinite
+    rounding = ROUNDING if trace.proves else FLOAT_WORK
+    # beyond float64 a circle's is infinite
+    reach_a, reach_b = (min(shape.reach, LARGEST) for shape in (trace.a, trace.b))
     reach = max(reach_a, reach_b)
     for i, (test, ours) in enumerate(zip(trace.tests, again.tests)):
         same_sign = (test.gap > 0) == (ours.gap > 0) and (test.gap < 0) == (ours.gap < 0)
-        exact = not measured and max(abs(test.gap), abs(ours.gap)) <= reach * CLOSE  # and rounded once
+        exact = trace.proves and max(abs(test.gap), abs(ours.gap)) <= reach * CLOSE  # and rounded once
         room = abs(ours.gap) * 2.0**-50 if exact else reach * rounding
         if not same_sign or not _near((test.gap,), (ours.gap,), room):
             raise InvalidScene(f"{where}.tests[{i}].gap is {test.gap}, but the shapes give {ours.gap}")
         for name, own, mine, other in ("a", reach_a, test.a, ours.a), ("b", reach_b, test.b, ours.b):
-            room = max((reach if measured else own) * rounding, SMALLEST)
+            room = max((own if trace.proves else reach) * rounding, SMALLEST)
             flat = [c for p in mine.points for c in p], [c for p in other.points for c in p]
             if not (_near(*flat, room) and _near(mine.landings, other.landings, room)):
                 raise InvalidScene(f"{where}.tests[{i}].{name} is not where these shapes land")

@@ -27,7 +27,7 @@ COUNT = "the count does not depend on where B is"
 ROUNDING = "only rounding makes it wrong, at single places that no area can show"
 CIRCLE = "of a circle the way out turns as B moves, so where the number is wrong has no straight edges"
 DENT = "a shape has a dent, and where its way out changes is no straight line"
-HUGE = "the squares of its lengths are too large for float64"
+HUGE = "the squares of these lengths are too large for float64"
 MANY = "both shapes together have more than {} corners, too many to work it out while you drag"
 
 
