@@ -223,7 +223,8 @@ def _from_difference(one: str, other: str) -> tuple[str, str]:
     """Both texts from a few words before they part, as long as a message shows."""
     same = [*takewhile(lambda both: both[0] == both[1], zip(one, other))]
     begin = max(0, len(same) - 20)
-    return one[begin : begin + 50], other[begin : begin + 50]
+    told = slice(begin, begin + 50)
+    return one[told], other[told]
 
 
 def _again(trace: Trace) -> Trace:
