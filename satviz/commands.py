@@ -258,11 +258,11 @@ def advise(args: argparse.Namespace) -> int:
         scene = _load(args)
         advice = advise(scene.a, scene.b)
     if args.json:
-        prices = {name: found._asdict() for name, found in advice.prices().items()} if args.chart else None
+        prices = {name: p and p._asdict() for name, p in advice.prices().items()} if args.chart else None
         data = json.loads(advice.to_json())
         out_json(json.dumps(data | {"prices": prices} if prices else data, indent=1, allow_nan=False))
     else:
-        out("\n".join(filter(None, (str(advice), price(advice.model, advice.prices())))))
+        out("\n".join(filter(None, (str(advice), price(advice.model, advice.facts, advice.prices())))))
     if args.chart:
         try:
             drawn = advice.chart()

@@ -9,16 +9,17 @@ from math import inf, isclose
 from sys import float_info
 from typing import TYPE_CHECKING, Any
 
-from ..engine.geometry import Relation
+from ..engine.geometry import InvalidScene, Relation
 from ..engine.shapes import Shape, checked
 from ..engine.trace import Trace, record
 from ..scenes.named import scene as named
 from ..scenes.scenefile import Scene
 from . import proofs, telling
-from .facts import Case, Facts, Judged, Pair, anywhere, best, for_hits, kind_of
+from .facts import Case, Facts, Judged, Pair, anywhere, best, candidates, for_hits, kind_of
 from .gamma import signed
+from .limits import MAX_TESTS_CHECKED, TESTS_BY_FRACTIONS, TESTS_TIMED
 from .proofs import Compound, Model, pieces
-from .scope import HERE, Scope, reach_of, scope_of, unit_of
+from .scope import HERE, Scope, grid_of, reach_of, scope_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -73,14 +74,20 @@ class Advice:
         """Why it is right, in words."""
         return telling.reason(self.model, self.facts, self.scope)
 
-    def check(self) -> bool:
-        """Prove it again with integers, pair by pair (0.2 to 2.5 ms each); False if anything claimed does not hold.
+    def check(self, most: int = MAX_TESTS_CHECKED) -> bool:
+        """Prove it again with integers and fractions, pair by pair; False if anything claimed does not hold.
 
-        The candidates are all there and none twice; each is right, wrong or in doubt on the pairs as is said; what
-        there is; and the scope.  Only `facts.settled` is taken as it is.
+        It checks that the candidates are all there and none twice, that each is right, wrong or in doubt on the pairs
+        as is said, what there is, and the scope; how many pairs the boxes settle is taken as it is.  InvalidScene where
+        that takes more than `most` tests of an edge against a corner, at some 30 microseconds each.
         """
+        if self.case.tests > most:
+            raise InvalidScene(
+                f"check() would make {self.case.tests:,} tests of an edge against a corner with fractions: the limit "
+                f"is {most:,}; advise on some of the pairs, or ask for more by most="
+            )
         models = _candidates(self.case)
-        if [j.model for j in self.judged] != models:
+        if tuple(j.model for j in self.judged) != models:
             return False
         facts, judged = _counted(self.case, models)
         return (
@@ -91,7 +98,7 @@ class Advice:
 
     def _has(self, found: Facts) -> bool:
         mine, place = self.facts, self._place(self.facts.at)
-        if mine != found._replace(settled=mine.settled, gamma=mine.gamma, at=mine.at):
+        if mine != found._replace(gamma=mine.gamma, at=mine.at):
             return False
         if place is None:
             return not mine.pairs
@@ -112,11 +119,11 @@ class Advice:
         return said is not None and said is not proofs.exactly(a, b) if claim.wrong else said is None
 
     def _place(self, pair: Pair) -> int | None:
-        return next((k for k in range(self.case.pairs) if self.case.indices(k) == pair), None)
+        return next((k for k in range(self.case.known) if self.case.indices(k) == pair), None)
 
     def _scope(self) -> bool:
         pairs = [self.case.body(k) for k in range(self.case.pairs)]
-        again = self.case._replace(reach=lambda: reach_of(pairs), unit=lambda form: unit_of(pairs, form))
+        again = self.case._replace(reach=lambda: reach_of(pairs), grid=lambda: grid_of(pairs))
         found = scope_of(self.model, self.facts, again)
         return self.scope == Scope(HERE) or (
             self.scope._replace(bound=0) == found._replace(bound=0) and (0 <= self.scope.bound <= found.bound)
@@ -136,22 +143,25 @@ class Advice:
         return record(a, b, axes=shortcut(smaller.model, a, b))
 
     @cached_property
-    def _prices(self) -> "dict[str, Price]":
+    def _prices(self) -> "dict[str, Price | None]":
         from .prices import prices
 
         # for one pair numba would take longer to load than all else
         engine = "numpy" if self.facts.pairs == 1 else None
         return prices([j.model for j in self.judged], self.case.batches(), engine=engine)
 
-    def prices(self) -> "dict[str, Price]":
-        """By model's name what it costs here: nanoseconds a pair, cold (with its set-up) and warm; measured once."""
+    def prices(self) -> "dict[str, Price | None]":
+        """By model's name what it costs here: nanoseconds a pair, cold (with its set-up) and warm.
+
+        Measured once, for about a second; None for a model of which one call would take too long.
+        """
         return self._prices
 
     def chart(self) -> "Chart":
         """Time against wrong answers of every candidate on these pairs, the advised one marked."""
         from .chart import chart
 
-        return chart(self.model, self.facts.pairs, self.judged, self.prices())
+        return chart(self.model, self.facts, self.judged, self.prices())
 
     def to_json(self, indent: int | None = None) -> str:
         """All of it but prices as JSON; the same each time."""
@@ -182,9 +192,8 @@ class Advice:
         return f"Advice({self.model.name}, {self.scope.kind})"
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
-        """In a notebook: the advice in words, and its chart."""
-        found = {"text/plain": str(self)}
-        return found | {"image/svg+xml": self.chart().svg()} if self.facts.pairs else found
+        """In a notebook: the recommendation in words; `chart()` measures, so it is drawn only when it is asked for."""
+        return {"text/plain": str(self)}
 
 
 def _model(model: Model) -> dict[str, Any]:
@@ -209,8 +218,7 @@ def advise(
     if isinstance(a, Shape) and (b is None or isinstance(b, Shape)):
         if pairs is not None:
             raise TypeError("pairs are of batch shapes: make them with batch.Polygons or batch.Circles")
-        case = _two(a, checked(b, "b"))
-        facts, judged = _counted(case, _candidates(case))
+        facts, judged, case = _of_two(a, checked(b, "b"))
     else:
         from .many import of_many
 
@@ -218,13 +226,26 @@ def advise(
     return Advice(facts, judged, scope_of(best(judged).model, facts, case), case)
 
 
+def _of_two(a: Shape, b: Shape) -> tuple[Facts, tuple[Judged, ...], Case]:
+    """The same for two shapes: by fractions alone, or by arrays where that would take long."""
+    case = _two(a, b)
+    if case.tests <= TESTS_BY_FRACTIONS:
+        return *_counted(case, _candidates(case)), case
+    from .many import as_batch, of_many
+
+    # for one pair numba would take longer to load than all else
+    return of_many(as_batch(a), as_batch(b), None, engine="numpy")
+
+
 def _two(a: Shape, b: Shape) -> Case:
     def batches() -> Any:
         from .many import of_shapes
 
-        return of_shapes(a, b)
+        return of_shapes(a, b, copies=max(1, min(4096, TESTS_TIMED // tests)))
 
     both = [(a, b)]
+    corners = [sum(len(p.core) for p in pieces(shape)) for shape in (a, b)]
+    tests = 2 * corners[0] * corners[1]
     return Case(
         1,
         both.__getitem__,
@@ -232,17 +253,17 @@ def _two(a: Shape, b: Shape) -> Case:
         lambda: (a, b),
         batches,
         lambda: reach_of(both),
-        lambda form: unit_of(both, form),
+        lambda: grid_of(both),
+        tests,
     )
 
 
-def _candidates(case: Case) -> list[Model]:
-    """The models worth a look, worked out from the bodies alone."""
-    if not case.pairs:
-        return proofs.NO_PAIRS
+def _candidates(case: Case) -> tuple[Model, ...]:
+    """The candidate models, worked out from the bodies alone."""
     shapes = case.shapes()
-    axes = max(proofs.axes_asked(*case.body(k)) for k in range(case.pairs))
-    return proofs.candidates(axes, proofs.shared_directions(shapes), all(s.radius for s in shapes))
+    axes = max((proofs.axes_asked(*case.body(k)) for k in range(case.pairs)), default=1)
+    directions = proofs.shared_directions(shapes) if case.pairs else ()
+    return candidates(axes, directions, {kind_of(s) for s in shapes}, case)
 
 
 def _counted(case: Case, models: Sequence[Model]) -> tuple[Facts, tuple[Judged, ...]]:
@@ -252,13 +273,16 @@ def _counted(case: Case, models: Sequence[Model]) -> tuple[Facts, tuple[Judged, 
     first: dict[Model, Pair] = {}
     doubtful: dict[Model, Pair] = {}
     missing = set()
-    for k in range(case.pairs):
+    for k in range(case.known):
         a, b = case.body(k)
         relation, pair = proofs.exactly(a, b), case.indices(k)
-        relations[relation] += 1
-        if (found := _gamma(case, k)) < least:
-            least, at = found, pair
+        if k < case.pairs:
+            relations[relation] += 1
+            if (found := _gamma(case, k)) < least:
+                least, at = found, pair
         for model in models:
+            if k >= case.pairs and (model.after_boxes or model.kind == proofs.BOXES):
+                continue  # settled already
             said = model.sure(a, b)
             if said is None:
                 unsure[model] += 1
@@ -277,7 +301,7 @@ def _counted(case: Case, models: Sequence[Model]) -> tuple[Facts, tuple[Judged, 
         min(max(widths) / min(widths), float_info.max),
         case.pairs,
         (relations[Relation.APART], relations[Relation.TOUCHING], relations[Relation.OVERLAPPING]),
-        0,
+        case.settled.pairs if case.settled else 0,
         least,
         at,
     )

@@ -11,8 +11,8 @@ from matplotlib.transforms import Bbox
 
 from ..pictures import LIGHT, THEMES, Theme
 from ..render.files import DPI, bare, encode_figure
-from .facts import Judged
-from .prices import MOST, Price
+from .facts import Facts, Judged
+from .prices import Price
 from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
 from .telling import duration
 
@@ -59,20 +59,28 @@ class Chart(NamedTuple):
         return {"text/plain": self.sentence, "image/svg+xml": self.svg()}
 
 
-def chart(model: Model, pairs: int, judged: Sequence[Judged], found: Mapping[str, Price]) -> Chart:
-    """The chart of an advice: the model advised among those judged, by their prices."""
+def chart(model: Model, facts: Facts, judged: Sequence[Judged], found: Mapping[str, Price | None]) -> Chart:
+    """The chart of a recommendation: the recommended model among those judged, by their prices.
+
+    ValueError where there is nothing to draw: no pairs, or a recommended model that is not timed.
+    """
     if not found:
         raise ValueError("there are no pairs, so there is nothing to time: give shapes of which some boxes meet")
-    rows = tuple((j.model.name, ROLES.get(j.model.kind, "float"), found[j.model.name]) for j in judged)
-    mine, exact = found[model.name], found[EXACT]
-    what = "this pair" if pairs == 1 else f"{pairs:,} pairs"
+    mine = found[model.name]
+    if mine is None:
+        raise ValueError(f"{model.name} is not timed, as one call takes too long: give smaller shapes for a chart")
+    timed = [(j.model, price) for j in judged if (price := found[j.model.name]) is not None]
+    rows = tuple((m.name, ROLES.get(m.kind, "float"), price) for m, price in timed)
+    exact = next((price for m, price in timed if m.kind == EXACT), None)
+    one = facts.pairs + facts.settled == 1
+    what = "this pair" if one else f"{facts.pairs:,} pairs{' whose boxes meet' if facts.settled else ''}"
     sentence = (
         f"{model.name} is right for {what}: {duration(mine.warm)} a pair, {duration(mine.cold)} with set-up. "
-        f"The exact filter takes {duration(exact.warm)}."
+        f"The exact filter {f'takes {duration(exact.warm)}' if exact else 'is not timed'}."
     )
-    timed = "4,096 copies of it" if pairs == 1 else "all of them" if pairs <= MOST else f"the first {MOST:,} of them"
-    under = f"filled: warm, hollow: with set-up; {what}, times of {timed} at once"
-    return Chart(f"Right and enough here: {model.name}", under, rows, model.name, pairs, sentence)
+    of = f"{mine.timed:,} copies of it" if one else "all" if mine.timed == facts.pairs else f"the first {mine.timed:,}"
+    under = f"filled: warm, hollow: with set-up; {what}, times of {of} at once"
+    return Chart(f"Right and enough here: {model.name}", under, rows, model.name, facts.pairs, sentence)
 
 
 def _draw(fig: Figure, chart: Chart, theme: Theme) -> None:

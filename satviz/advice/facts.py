@@ -1,19 +1,46 @@
 """What an advice is made of: the pairs in hand, what there is, and each model judged on them."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from typing import Any, NamedTuple
 
-from .proofs import BOXES, EXACT, Body, Format, Model
+from ..engine.geometry import Vec
+from . import proofs
+from .proofs import BOXES, EXACT, Body, Model
 
 Pair = tuple[int, int]
 UPRIGHT, ROUND, CONVEX, CONCAVE = "upright boxes", "circles", "convex polygons", "concave polygons"
 
 
+class Grid(NamedTuple):
+    """The coarsest grid of some numbers: all are multiples of 2**unit, and the largest is `most` times that.
+
+    `span`: the largest part of an edge, in the same unit.
+    """
+
+    unit: int
+    most: int
+    span: int
+
+
+class Settled(NamedTuple):
+    """What the bounding boxes settle before a model is asked, where all pairs of one batch are meant.
+
+    `pairs`: how many; `near`: how many of them a model that stands alone could still doubt; `alone`: the kinds of
+    models that are judged without the boxes too; `only_circles`: whether the batch has nothing else.
+    """
+
+    pairs: int
+    near: int
+    alone: frozenset[str]
+    only_circles: bool
+
+
 class Case(NamedTuple):
     """The pairs in hand, by number: their two bodies and their indices; each shape in them once; the batches.
 
-    `reach`: how far they may be moved as a whole with plain floats still proven, 0 if no further than they reach;
-    `unit`: the exponent of the power of two that all numbers are few multiples of, by format.
+    The numbers from `pairs` on are those of `settled.near`.  `reach`: how far the pairs may be moved as a whole with
+    plain floats still proven, 0 if no further than they reach; `grid`: the grid of all their numbers; `tests`: how
+    many tests of an edge against a corner all pairs take.
     """
 
     pairs: int
@@ -22,7 +49,14 @@ class Case(NamedTuple):
     shapes: Callable[[], Sequence[Body]]
     batches: Callable[[], Any]
     reach: Callable[[], float]
-    unit: Callable[[Format], int | None]
+    grid: Callable[[], Grid | None]
+    tests: int
+    settled: Settled | None = None
+
+    @property
+    def known(self) -> int:
+        """How many pairs have a number."""
+        return self.pairs + (self.settled.near if self.settled else 0)
 
 
 class Facts(NamedTuple):
@@ -81,3 +115,13 @@ def anywhere(facts: Facts, judged: Sequence[Judged]) -> Model:
     """The least that is right wherever these shapes lie: y and x for upright boxes, else what is exact."""
     wide = BOXES if set(facts.kinds) == {UPRIGHT} else EXACT
     return next(j.model for j in judged if j.model.kind == wide)
+
+
+def candidates(axes: int, directions: tuple[Vec, ...], kinds: Collection[str], case: Case) -> tuple[Model, ...]:
+    """The candidate models of a case, for shapes of these kinds and the most axes that a pair of them has."""
+    if case.settled is None:
+        return proofs.candidates(axes, directions, set(kinds) == {ROUND})
+    found = proofs.candidates(axes, directions, case.settled.only_circles, case.settled.alone)
+    if case.pairs:
+        return found
+    return tuple(m for m in found if not m.after_boxes or m.kind == EXACT)  # nothing is left after the boxes

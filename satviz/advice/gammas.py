@@ -1,58 +1,72 @@
-"""gamma for many pairs with NumPy: by floats where they can tell, else as the scalar engine does."""
+"""gamma for many pairs with NumPy: by floats, by floats with their errors where pairs are near, and by integers."""
+
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import batch
 from ..batch.arrays import Group, Shapes
+from ..batch.codes import TOUCHING
+from ..batch.signs import nearly, two_sum
 from ..engine.exact import UNIT
 from .gamma import signed
+from .limits import refuse_more_by_fractions
 from .pairs import Array, columns, indexed, one, part_pairs, reach
 
 # By floats a turn is off by under 17 u * span * reach (three roundings of each product, one of their difference), a
-# distance by under 40 u * reach; below this gamma is asked exactly, and above it is good to one part in fifty.
+# distance by under 40 u * reach; below this gamma is worked out more finely, and above it is good to one part in fifty.
 NEAR = 2.0**11
+FINELY = 100.0  # times the error bound: good to one part in a hundred
 SHORT = 2.0**-900  # of the reach: where products of differences lose bits
+
+Measure = Callable[[Group, Group], Array]
 
 
 def gammas(a: Shapes, b: Shapes, pairs: ArrayLike | None = None) -> Array:
-    """(K,) gamma of many pairs, good to one part in fifty; those below 2**11 as `gamma` gives them.
+    """(K,) gamma of many pairs, good to one part in fifty; 0 for touching pairs only.
 
     a, b: batch shapes side by side, or the (K, 2) indices `pairs` into them, as in `batch.relate`.
     """
     return np.abs(signed_gammas(a, b, pairs))
 
 
-def signed_gammas(a: Shapes, b: Shapes, pairs: ArrayLike | None = None) -> Array:
-    """(K,) gammas, negative where the pair overlaps."""
+def signed_gammas(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, *, engine: str | None = None) -> Array:
+    """(K,) gammas, negative where the pair overlaps; `engine`: as in `batch.relate`."""
     ia, ib = indexed(a, b, pairs)
     pa, pb, of = part_pairs(a, ia, b, ib)
     a, b = a.parts, b.parts
     roughly = np.empty(len(pa))
     for mine, p, q in columns(a, pa, b, pb):
-        roughly[mine] = _columns(p, q)
+        roughly[mine] = _columns(p, q, _clears, _between)
     near = np.flatnonzero(~(np.abs(roughly) >= NEAR))
-    relation = batch.relate(a, b, np.stack([pa[near], pb[near]], axis=1))
-    roughly[near[relation == 1]] = 0.0
-    for i in near[relation != 1].tolist():
+    relation = batch.relate(a, b, np.stack([pa[near], pb[near]], axis=1), engine=engine)
+    roughly[near] = np.where(relation == TOUCHING, 0.0, np.nan)
+    near = near[relation != TOUCHING]
+    for mine, p, q in columns(a, pa[near], b, pb[near]):
+        if (p.r is None) == (q.r is None):
+            roughly[near[mine]] = _columns(p, q, _clears_finely, _between_finely)
+    rest = np.flatnonzero(np.isnan(roughly))
+    for many, i in enumerate(rest.tolist()):
+        refuse_more_by_fractions(many, len(rest))
         roughly[i] = signed(one(a, pa[i]), one(b, pb[i]))
     found = np.full(len(ia), np.inf)
     np.minimum.at(found, of, roughly)
     return found
 
 
-def _columns(a: Group, b: Group) -> Array:
+def _columns(a: Group, b: Group, clears: Measure, between: Measure) -> Array:
     with np.errstate(all="ignore"):
         # to below a half, as large coordinates have a difference beyond float64, and a center and its radius a sum
         power = -1 - np.frexp(np.maximum(reach(_half(a)), reach(_half(b))))[1]
         a, b = (_scaled(g, power) for g in (a, b))
         unit = UNIT * np.maximum(reach(a), reach(b))
         if a.r is not None and b.r is not None:
-            gap = np.hypot(a.x[0] - b.x[0], a.y[0] - b.y[0]) - (a.r + b.r)
+            gap = between(a, b)
         elif a.r is not None or b.r is not None:
             gap = _from_center(a, b) if a.r is not None else _from_center(b, a)
         else:
-            gap = np.maximum(_clears(a, b), _clears(b, a))
+            gap = np.maximum(clears(a, b), clears(b, a))
         return np.asarray(gap / unit)
 
 
@@ -75,6 +89,38 @@ def _clears(own: Group, other: Group) -> Array:
         span[span < SHORT] = np.nan
         np.maximum(best, (nx * (other.x - x) + ny * (other.y - y)).min(axis=0) / span, out=best)
     return best
+
+
+def _between(a: Group, b: Group) -> Array:
+    """The gap of two circles."""
+    assert a.r is not None and b.r is not None
+    gap: Array = np.hypot(a.x[0] - b.x[0], a.y[0] - b.y[0]) - (a.r + b.r)
+    return gap
+
+
+def _clears_finely(own: Group, other: Group) -> Array:
+    """As `_clears`, with the error of each operation; NaN where one part in a hundred cannot be told even so."""
+    best, room = np.full(own.x.shape[1], -np.inf), np.zeros(own.x.shape[1])
+    shape = other.x.shape
+    for e in range(len(own.x)):
+        x, y = own.x[e - 1], own.y[e - 1]
+        sides = two_sum(own.y[e], -y), two_sum(x, -own.x[e]), two_sum(other.x, -x), two_sum(other.y, -y)
+        (nx, enx), (ny, eny), (dx, edx), (dy, edy) = ([np.broadcast_to(c, shape).ravel() for c in s] for s in sides)
+        turn, off, _ = nearly([(nx, dx), (ny, dy)], (nx * edx + enx * dx) + (ny * edy + eny * dy))
+        span = np.maximum(np.abs(nx), np.abs(ny))[: shape[1]]
+        span[span < SHORT] = np.nan
+        np.maximum(best, turn.reshape(shape).min(axis=0) / span, out=best)
+        np.maximum(room, off.reshape(shape).max(axis=0) / span, out=room)
+    return np.where(np.abs(best) > np.maximum(FINELY * room, SHORT), best, np.nan)
+
+
+def _between_finely(a: Group, b: Group) -> Array:
+    """As `_between`, by the difference of the squares with the error of each operation; NaN as above."""
+    assert a.r is not None and b.r is not None
+    (dx, ex), (dy, ey), (r, er) = two_sum(a.x[0], -b.x[0]), two_sum(a.y[0], -b.y[0]), two_sum(a.r, b.r)
+    square, off, _ = nearly([(dx, dx), (dy, dy), (-r, r)], 2 * ((dx * ex + dy * ey) - r * er))
+    gap = square / (np.hypot(dx, dy) + r)
+    return np.where((np.abs(square) > FINELY * off) & (np.abs(gap) > SHORT), gap, np.nan)
 
 
 def _from_center(circle: Group, ring: Group) -> Array:

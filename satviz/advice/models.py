@@ -15,7 +15,8 @@ from ..batch.filter_numpy import clearance
 from ..engine.exact import HUGE, TINY
 from ..engine.geometry import Vec
 from .pairs import Array, Indices, Pairs, Relations, columns, in_a_row
-from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, FILLED, FORMATS, MOST_DIRECTIONS, PARALLEL, Model
+from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, FILLED, MOST_DIRECTIONS, PARALLEL, Model
+from .rounding import FORMATS
 
 BLOCK = 16384  # pairs at a time, whose columns stay in the cache
 DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64}
@@ -41,7 +42,7 @@ def kept(model: Model, shapes: Shapes) -> Any:
         _ = shapes.groups, shapes.rings, shapes.slot
         return shapes
     if model.kind == BOXES:
-        return np.ascontiguousarray(shapes.bounds)
+        return boxes(shapes)
     if model.kind == CIRCLES:
         return discs(shapes)
     if model.kind == DIRECTIONS:
@@ -68,6 +69,17 @@ def radii(shapes: Shapes) -> Array:
 def is_circle(shapes: Shapes) -> NDArray[np.bool_]:
     """(N,) which shapes are circles."""
     found: NDArray[np.bool_] = shapes.count[shapes.starts[:-1]] == 1
+    return found
+
+
+def boxes(shapes: Shapes) -> Array:
+    """(N, 4) bounding boxes as plain floats have them: a circle's is its center less and plus its radius."""
+    found = np.array(shapes.bounds)
+    circle = np.flatnonzero(is_circle(shapes))
+    part = shapes.starts[circle]
+    x, y, start = shapes.rings
+    for side, c in enumerate((x, y) * 2):
+        found[circle, side] = c[start[part]] + (1 if side > 1 else -1) * radii(shapes)[part]
     return found
 
 

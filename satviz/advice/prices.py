@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from .. import batch
 from . import models, timing
+from .limits import SECONDS, TESTS_TIMED
 from .pairs import Pairs, paired
 from .proofs import Model
 
@@ -18,24 +19,39 @@ MOST = 1 << 16  # pairs timed: the first of more
 
 
 class Price(NamedTuple):
-    """Nanoseconds a pair, `cold` with the set-up of all shapes and `warm` without; `wrong`: how many answers."""
+    """Nanoseconds a pair, `cold` with the set-up of all shapes and `warm` without.
+
+    `wrong`: how many answers are; `timed`: how many pairs, or copies of the one pair, were answered at once.
+    """
 
     cold: float
     warm: float
     wrong: int
+    timed: int
 
 
 def prices(
-    asked: Sequence[Model], pairs: Pairs, *, rounds: int = ROUNDS, engine: str | None = None, most: int = MOST
-) -> dict[str, Price]:
+    asked: Sequence[Model],
+    pairs: Pairs,
+    *,
+    rounds: int = ROUNDS,
+    engine: str | None = None,
+    most: int = MOST,
+    tests: float = TESTS_TIMED,
+    seconds: float = SECONDS,
+) -> dict[str, Price | None]:
     """Medians of some rounds in turn, by the models' names; no prices where there are no pairs.
 
-    Cold starts from checked shapes and makes what the model keeps of those in the pairs.
+    Cold starts from checked shapes and makes what the model keeps of those in the pairs.  It times the first pairs, at
+    most `most` and of at most `tests` tests of an edge against a corner, in about `seconds` besides loading the engine.
+    None stands for a model that is not timed, as one call takes too long.
     """
-    if len(pairs.ia) > most:
-        pairs = paired(pairs.a, pairs.ia[:most], pairs.b, pairs.ib[:most])
-    if not len(pairs.ia):
-        return {}
+    fits = np.searchsorted(np.cumsum(_tests(pairs)), tests, side="right")
+    if not fits:
+        return dict.fromkeys([m.name for m in asked] if len(pairs.ia) else [])
+    few = min(int(fits), most)
+    if few < len(pairs.ia):
+        pairs = paired(pairs.a, pairs.ia[:few], pairs.b, pairs.ib[:few])
     pairs = _of_those_used(pairs)
     right = batch.relate(pairs.a, pairs.b, np.stack([pairs.ia, pairs.ib], axis=1), engine=engine)
     different = len(pairs.ia) if len(pairs.a) + len(pairs.b) > 2 else 1  # else copies of one
@@ -46,8 +62,19 @@ def prices(
         jobs[f"{model.name} warm"] = partial(_asked, model, pairs, ready, engine)
         jobs[f"{model.name} cold"] = partial(_from_scratch, model, pairs, engine)
     # this thread's time, in which other programs have no part
-    found = timing.in_turn(jobs, rounds, dict.fromkeys(jobs, len(pairs.ia)), thread_time)
-    return {m.name: Price(found[f"{m.name} cold"].median, found[f"{m.name} warm"].median, wrong[m.name]) for m in asked}
+    found = timing.in_turn(jobs, rounds, dict.fromkeys(jobs, len(pairs.ia)), thread_time, seconds)
+    priced: dict[str, Price | None] = {}
+    for m in asked:
+        cold, warm = (found.get(f"{m.name} {how}") for how in ("cold", "warm"))
+        priced[m.name] = Price(cold.median, warm.median, wrong[m.name], len(pairs.ia)) if cold and warm else None
+    return priced
+
+
+def _tests(pairs: Pairs) -> NDArray[np.float64]:
+    """(K,) tests of an edge against a corner, of each pair."""
+    corners = [np.diff(s.rings.start[s.starts])[i].astype(float) for s, i in ((pairs.a, pairs.ia), (pairs.b, pairs.ib))]
+    found: NDArray[np.float64] = 2 * corners[0] * corners[1]
+    return found
 
 
 def _of_those_used(pairs: Pairs) -> Pairs:

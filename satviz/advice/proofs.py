@@ -18,15 +18,14 @@ edges, so none is left out).  Rounded coordinates move a turn about an edge of p
 2d(|dx| + |dy|) + 4dF + 8dd, and the distance, which changes by no more than the points do, by 3d: its square by
 9dF + 9dd.
 
-Whole multiples of one unit, few enough that no sum needs more bits than a float has, are not rounded at all: there
-plain floats tell touching too.
+Where a bound cannot tell, the pair may still be one on which the model rounds nothing, in whatever order it computes
+(`rounding.py`): there plain floats tell touching too.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from fractions import Fraction
 from itertools import chain, pairwise
 from math import copysign, frexp, inf, isfinite, ldexp, nextafter, sqrt
-from struct import pack, unpack
 from typing import NamedTuple, TypeVar
 
 from ..engine.concave import parts
@@ -34,31 +33,13 @@ from ..engine.exact import HUGE, TINY, IntPoint, aligned, sign, to_int_points, t
 from ..engine.geometry import Relation, Vec
 from ..engine.shapes import Polygon, Shape
 from ..engine.verdict import relate, relate_integers
+from . import rounding
+from .rounding import FLOAT64, FORMATS, Exact, Format, holds
 
 T = TypeVar("T")
 APART, TOUCHING, OVERLAPPING = Relation
 LOOKS, TURNS, SQUARES, LANDINGS = 32, 32, 128, 16  # roundings asked of each
 FILLED = 1 + 2.0**-40  # what makes a bounding circle's rounded radius hold every corner
-
-
-class Format(NamedTuple):
-    """A float format: its rounding is 2**-bits, its reach and spans are trusted between `least` and `most`.
-
-    Within them no product of up to four differences over- or underflows by what counts, in whatever order it is taken
-    (the squared turn over a squared length is one); whole numbers up to 2**whole stay exact in all sums of four
-    products of two.
-    """
-
-    name: str
-    bits: int
-    whole: int
-    least: float
-    most: float
-
-
-FLOAT32 = Format("float32", 24, 10, 2.0**-30, 2.0**30)
-FLOAT64 = Format("float64", 53, 25, 2.0**-250, 2.0**250)
-FORMATS = {f.name: f for f in (FLOAT32, FLOAT64)}
 CIRCLES, BOXES, DIRECTIONS, EXACT = "bounding circles", "AABB", "shared directions", "filtered exact"
 
 
@@ -80,7 +61,7 @@ class Compound:
         places = list(dict.fromkeys(self.core))
         _, at = to_int_points(places)
         edges: set[tuple[int, int]] = set()
-        for p, q in (edge for piece in self.pieces for edge in _edges([places.index(v) for v in piece.core])):
+        for p, q in (edge for piece in self.pieces for edge in edges_of([places.index(v) for v in piece.core])):
             (px, py), (qx, qy) = at[p], at[q]
             dx, dy = qx - px, qy - py
             along = {i: dx * (x - px) + dy * (y - py) for i, (x, y) in enumerate(at) if dx * (y - py) == dy * (x - px)}
@@ -114,19 +95,26 @@ def exactly(a: Body, b: Body) -> Relation:
 class Model(NamedTuple):
     """A way to tell pairs, and how many axes it looks at for the largest of them.
 
-    `kind`: one of those above, or a format's name; `directions`: the fixed ones of DIRECTIONS, as any (x, y).
+    `kind`: one of those above, or a format's name; `directions`: the fixed ones of DIRECTIONS, as any (x, y);
+    `after_boxes`: whether it follows a test of the bounding boxes, whose two axes then count among its own.
     """
 
     kind: str
     axes: int
     directions: tuple[Vec, ...] = ()
+    after_boxes: bool = False
+
+    @property
+    def test(self) -> str:
+        """What its own test is called in words, without what runs first."""
+        if self.kind == DIRECTIONS:
+            return f"ranges on {len(self.directions)} directions"
+        return f"SAT, {self.kind}" if self.kind in FORMATS else self.kind
 
     @property
     def name(self) -> str:
         """What it is called in words."""
-        if self.kind == DIRECTIONS:
-            return f"ranges on {self.axes} directions"
-        return f"SAT, {self.kind}" if self.kind in FORMATS else self.kind
+        return f"{BOXES}, then {self.test}" if self.after_boxes else self.test
 
     def sure(self, a: Body, b: Body) -> Relation | None:
         """The relation it gives in every order of its operations; None where rounding can decide."""
@@ -152,7 +140,7 @@ def shared_directions(bodies: Iterable[Body]) -> tuple[Vec, ...]:
     """
     left = set()
     for ring in (piece.core for body in bodies for piece in pieces(body)):
-        for (px, py), (qx, qy) in _edges(ring):
+        for (px, py), (qx, qy) in edges_of(ring):
             nx, ny = qy - py, px - qx
             size = max(abs(nx), abs(ny))
             if not 0 < size < inf:  # one corner only, of a circle, has no edge either
@@ -168,18 +156,24 @@ def shared_directions(bodies: Iterable[Body]) -> tuple[Vec, ...]:
     return tuple(found)
 
 
-def candidates(axes: int, directions: tuple[Vec, ...], only_circles: bool) -> list[Model]:
-    """The models worth a look, from the fewest axes to the most, and the plainest numbers first."""
+def candidates(
+    axes: int, directions: tuple[Vec, ...], only_circles: bool, alone: Collection[str] | None = None
+) -> tuple[Model, ...]:
+    """The candidate models, from the fewest axes to the most, and the plainest numbers first.
+
+    `alone`: None for given pairs.  For all pairs of a batch, whose bounding boxes are compared first: the kinds that
+    are looked at without the boxes too, as they have fewer axes; every other model follows the boxes.
+    """
     found = [] if only_circles else [Model(CIRCLES, 1)]
     found.append(Model(BOXES, 2))
     upright = all(0.0 in n for n in directions)
     if not upright and 2 <= len(directions) < axes:
         found.append(Model(DIRECTIONS, len(directions), directions))
     found += [Model(kind, axes) for kind in (*FORMATS, EXACT)]
-    return sorted(found, key=lambda model: model.axes)
-
-
-NO_PAIRS = [Model(BOXES, 2), Model(EXACT, 0)]  # where there is none, anything will do
+    if alone is not None:
+        behind = [m._replace(axes=m.axes + 2, after_boxes=True) for m in found if m.kind != BOXES]
+        found = [m for m in found if m.kind == BOXES or m.kind in alone] + behind
+    return tuple(sorted(found, key=lambda model: model.axes))
 
 
 def axes_asked(a: Body, b: Body) -> int:
@@ -193,13 +187,9 @@ def _axes(a: Shape, b: Shape) -> int:
 
 
 def boxes(a: Body, b: Body) -> Relation | None:
-    """By the bounding boxes: comparisons alone, which round nothing; a circle's box is a float or so off."""
-    gap = _box_gap(a.bounds, b.bounds)
-    if gap > 0:
-        return APART
-    if not (a.radius or b.radius):
-        return TOUCHING if gap == 0 else OVERLAPPING
-    return OVERLAPPING if _box_gap(*(_inner(s) for s in (a, b))) < 0 else None
+    """By the bounding boxes: comparisons alone, which round nothing; the sides of a circle's box may be rounded."""
+    outer, inner = (_box_gap(*(_box(s, way) for s in (a, b))) for way in (inf, -inf))
+    return _told(outer) if outer == inner else None
 
 
 def _box_gap(a: tuple[float, ...], b: tuple[float, ...]) -> int:
@@ -210,12 +200,17 @@ def _box_gap(a: tuple[float, ...], b: tuple[float, ...]) -> int:
     return 0 if ax1 == bx0 or bx1 == ax0 or ay1 == by0 or by1 == ay0 else -1
 
 
-def _inner(shape: Body) -> tuple[float, ...]:
-    """A box within a circle's, whose own is rounded outwards by less than two floats."""
+def _box(shape: Body, way: float) -> tuple[float, ...]:
+    """The bounding box; a circle's sides that are rounded are moved one float outwards (inf) or inwards (-inf)."""
     if not shape.radius:
         return shape.bounds
-    x0, y0, x1, y1 = (nextafter(c, way) for c, way in zip(shape.bounds, (inf, inf, -inf, -inf), strict=True))
-    return nextafter(x0, inf), nextafter(y0, inf), nextafter(x1, -inf), nextafter(y1, -inf)
+    sides = []
+    for out in (-1.0, 1.0):
+        for c in shape.core[0]:
+            side = c + out * shape.radius
+            exact = isfinite(side) and Fraction(side) == Fraction(c) + Fraction(out * shape.radius)
+            sides.append(side if exact else nextafter(side, out * way))
+    return tuple(sides)
 
 
 Disc = tuple[float, float, float]
@@ -240,11 +235,13 @@ def circles(a: Disc, b: Disc, form: Format) -> Relation | None:
     moved = _moved((ax, ay, bx, by), (*a, *b), form)
     distance, reach = (ax - bx) ** 2 + (ay - by) ** 2, (ar + br) ** 2
     gap = sign(distance - reach)
-    if whole((*a, *b), form):
-        return _told(gap)
     size = max(abs(a[0] - b[0]), abs(a[1] - b[1]), a[2] + b[2])
     room = Fraction(12 * (distance + reach), 1 << form.bits) + 5 * moved * (abs(ax - bx) + abs(ay - by)) + 9 * moved**2
     sure = form.least < size and max(map(abs, (*a, *b))) < form.most and abs(distance - reach) > room
+    if not sure:
+        arithmetic = Exact(form)
+        rounding.circles(arithmetic, *([arithmetic.held(Fraction(c)) for c in disc] for disc in (a, b)))
+        sure = arithmetic.exact
     return _told(gap) if sure else None
 
 
@@ -260,44 +257,63 @@ def along(a: Body, b: Body, directions: Sequence[Vec]) -> Relation | None:
     if a.radius or b.radius:
         return None
     p, q, *_ = aligned(a, b)
-    corners = [c for v in (*a.core, *b.core) for c in v]
-    reach = max(a.reach, b.reach)
-    if not FLOAT64.least < reach < FLOAT64.most:
-        return None
-    gaps = []
-    surely_over = True
-    for nx, ny in directions:
-        _, (mx, my) = to_integers((nx, ny))
+    trusted = FLOAT64.least < max(a.reach, b.reach) < FLOAT64.most
+    found = []
+    for n in directions:
+        _, (mx, my) = to_integers(n)
         on_p, on_q = ([mx * x + my * y for x, y in ring] for ring in (p, q))
         gap = max(min(on_p) - max(on_q), min(on_q) - max(on_p))
         room = LANDINGS * max(abs(mx), abs(my)) * max(abs(c) for ring in (p, q) for v in ring for c in v)
-        plain = whole((nx, ny), FLOAT64, 24) and whole(corners, FLOAT64, 27)
-        if gap > 0 and (plain or gap << 53 > room):
+        sure = (trusted and abs(gap) << 53 > room) or _lands_exactly((*a.core, *b.core), n)
+        if sure and gap > 0:
             return APART
-        if not plain:
-            surely_over = surely_over and -gap << 53 > room
-        gaps.append(gap)
-    if not surely_over:
-        return None
-    return _told(max(map(sign, gaps)))
+        found.append(sign(gap) if sure else None)
+    return None if None in found else _told(max(gap for gap in found if gap is not None))
+
+
+def _lands_exactly(corners: Iterable[Vec], direction: Vec) -> bool:
+    arithmetic = Exact(FLOAT64)
+    normal = Fraction(direction[0]), Fraction(direction[1])
+    for x, y in corners:
+        rounding.landing(arithmetic, normal, (Fraction(x), Fraction(y)))
+    return arithmetic.exact
 
 
 def sat(a: Body, b: Body, form: Format) -> Relation | None:
     """By every axis of every pair of convex parts, in a float format without a filter."""
-    found = [_sat(p, q, form) for p in pieces(a) for q in pieces(b)]
+    found = [convex_sat(p, q, form) for p in pieces(a) for q in pieces(b)]
     if OVERLAPPING in found:
         return OVERLAPPING
     return None if None in found else max(r for r in found if r is not None)
 
 
-def _sat(a: Shape, b: Shape, form: Format) -> Relation | None:
+def convex_sat(a: Shape, b: Shape, form: Format) -> Relation | None:
+    """The same for two convex shapes."""
     if a.radius and b.radius:
         return circles((*a.core[0], a.radius), (*b.core[0], b.radius), form)
     if a.radius or b.radius:
-        return _circle_polygon(a, b, form) if a.radius else _circle_polygon(b, a, form)
-    numbers = [c for v in (*a.core, *b.core) for c in v]
-    if whole(numbers, form):
+        bounded = _circle_polygon(a, b, form) if a.radius else _circle_polygon(b, a, form)
+    else:
+        bounded = _polygons(a, b, form)
+    if bounded is None and _rounds_nothing(a, b, form):
         return relate(a, b)  # what SAT gives where nothing is rounded
+    return bounded
+
+
+def _rounds_nothing(a: Shape, b: Shape, form: Format) -> bool:
+    arithmetic = Exact(form)
+    p, q = ([(arithmetic.held(Fraction(x)), arithmetic.held(Fraction(y))) for x, y in s.core] for s in (a, b))
+    if not (a.radius or b.radius):
+        edges = rounding.polygons(arithmetic, p, q)
+    else:
+        center, ring = (p[0], q) if a.radius else (q[0], p)
+        circle = *center, arithmetic.held(Fraction(a.radius or b.radius))
+        edges = rounding.circle_polygon(arithmetic, circle, ring, Fraction(0), Fraction(1))
+    return all(arithmetic.exact for _ in edges)
+
+
+def _polygons(a: Shape, b: Shape, form: Format) -> Relation | None:
+    numbers = [c for v in (*a.core, *b.core) for c in v]
     p, q, *_ = aligned(a, b)
     flat = [c for ring in (p, q) for v in ring for c in v]
     reach = max(map(abs, flat))
@@ -307,7 +323,7 @@ def _sat(a: Shape, b: Shape, form: Format) -> Relation | None:
     moved = _moved(flat, numbers, form)
     surely_over = True
     for ring, other, own in (p, q, a), (q, p, b):
-        for ((px, py), (qx, qy)), ((fx, fy), (gx, gy)) in zip(_edges(ring), _edges(own.core), strict=True):
+        for ((px, py), (qx, qy)), ((fx, fy), (gx, gy)) in zip(edges_of(ring), edges_of(own.core), strict=True):
             nx, ny = qy - py, px - qx
             clears = min(nx * x + ny * y for x, y in other) - nx * px - ny * py
             span = max(abs(nx), abs(ny))
@@ -325,7 +341,7 @@ def _circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Relation | N
     (center,), ring, r, _ = aligned(circle, polygon)
     cx, cy = circle.core[0]
     far = max(max(abs(x - cx), abs(y - cy)) for x, y in polygon.core)
-    least = min(max(abs(x - u), abs(y - v)) for (x, y), (u, v) in _edges(polygon.core))
+    least = min(max(abs(x - u), abs(y - v)) for (x, y), (u, v) in edges_of(polygon.core))
     moved = _moved((*center, *chain.from_iterable(ring)), numbers, form)
     most = max(far, *map(abs, numbers))
     if not (form.least + 2 * most * bool(moved) * 2.0**-form.bits < least and most < form.most):
@@ -333,7 +349,7 @@ def _circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Relation | N
     at = [(x - center[0], y - center[1]) for x, y in ring]
     widest = max(abs(c) for v in at for c in v)
     inside, outside, nearest = True, False, None
-    for (px, py), (qx, qy) in _edges(at):
+    for (px, py), (qx, qy) in edges_of(at):
         dx, dy = qx - px, qy - py
         turn, along, square = px * dy - py * dx, -(px * dx + py * dy), dx * dx + dy * dy
         long = abs(dx) + abs(dy)
@@ -359,36 +375,11 @@ def _moved(coordinates: Iterable[int], numbers: Iterable[float], form: Format) -
     return Fraction(0) if held(numbers, form) else Fraction(max(map(abs, coordinates)), 1 << form.bits)
 
 
-def _edges(ring: Sequence[T]) -> Iterable[tuple[T, T]]:
+def edges_of(ring: Sequence[T]) -> Iterable[tuple[T, T]]:
+    """The pairs of neighbouring corners of an outline, the last and the first among them."""
     return zip(ring, [*ring[1:], ring[0]], strict=True)
 
 
 def held(numbers: Iterable[float], form: Format) -> bool:
     """Does the format hold them all as they are?"""
-    if form is FLOAT64:
-        return True
-    try:
-        return all(float(unpack("f", pack("f", c))[0]) == c for c in numbers)
-    except OverflowError:
-        return False
-
-
-def whole(numbers: Iterable[float], form: Format, bits: int = 0) -> bool:
-    """Are they whole multiples of one power of two, up to 2**form.whole (or `bits`) of it, and far from its rims?"""
-    return unit(numbers, form, bits) is not None
-
-
-def unit(numbers: Iterable[float], form: Format, bits: int = 0) -> int | None:
-    """The exponent of that power of two; None if there is none."""
-    k, found = to_integers(numbers)
-    common = 0
-    for n in found:
-        common |= n
-    if not common:
-        return 0
-    low = (common & -common).bit_length() - 1
-    most = max(map(abs, found)) >> low
-    size = low - k
-    if most > 1 << (bits or form.whole):
-        return None
-    return size if form.least < 2.0 ** max(size, -1000) and most * 2.0 ** min(size, 900) < form.most else None
+    return form is FLOAT64 or all(holds(Fraction(c), form) for c in numbers)

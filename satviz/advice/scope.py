@@ -6,21 +6,28 @@ from itertools import chain
 from math import frexp, inf
 from typing import NamedTuple
 
+from ..engine.exact import to_integers
 from ..engine.shapes import Shape
 from . import proofs
-from .facts import CONCAVE, ROUND, UPRIGHT, Case, Facts
+from .facts import CONCAVE, ROUND, UPRIGHT, Case, Facts, Grid
 from .gamma import gamma
-from .proofs import BOXES, EXACT, FLOAT64, FORMATS, Body, Format, Model
+from .proofs import BOXES, EXACT, Body, Model
+from .rounding import FLOAT64, FORMATS, Format
 
 ANYWHERE, GRID, MOVED, HERE = "anywhere", "on a grid", "moved as a whole", "these coordinates"
 
 
 class Scope(NamedTuple):
-    """Where the advice holds: its kind, one of those above, its bound in scene units and the grid's 2**unit if any."""
+    """Where the recommendation holds: its kind, one of those above, and its numbers in scene units.
+
+    `bound`: the largest magnitude of a coordinate (and radius); `unit`: on a grid, the exponent of the power of two
+    that all numbers are multiples of; `span`: the widest and highest that an edge may be there, 0 for any.
+    """
 
     kind: str
     bound: float = 0.0
     unit: int | None = None
+    span: float = 0.0
 
 
 def scope_of(model: Model, facts: Facts, case: Case) -> Scope:
@@ -34,8 +41,9 @@ def scope_of(model: Model, facts: Facts, case: Case) -> Scope:
     if CONCAVE in facts.kinds:  # whose convex parts depend on where it lies, and their corners on no grid of its own
         return Scope(HERE)
     form = FORMATS[model.kind]
-    if (ROUND not in facts.kinds or len(facts.kinds) == 1) and (unit := case.unit(form)) is not None:
-        return Scope(GRID, 2.0 ** (unit + form.whole), unit)
+    round_only = len(facts.kinds) == 1
+    if (ROUND not in facts.kinds or round_only) and (found := _on_grid(case.grid(), form, ROUND in facts.kinds)):
+        return found
     bound = case.reach() if form is FLOAT64 and ROUND not in facts.kinds else 0.0
     return Scope(MOVED, bound) if bound else Scope(HERE)
 
@@ -63,10 +71,37 @@ def bound_of(allowed: float, reach: float) -> float:
     return bound if bound > reach else 0.0
 
 
-def unit_of(pairs: Iterable[tuple[Body, Body]], form: Format) -> int | None:
-    """The exponent of the power of two that all their numbers are few multiples of, if there is one."""
-    shapes = chain.from_iterable(_parts(pairs))
-    return proofs.unit(chain.from_iterable((*chain.from_iterable(s.core), s.radius) for s in shapes), form)
+def _on_grid(grid: Grid | None, form: Format, circles: bool) -> Scope | None:
+    """The grid on which nothing is rounded: any polygons of its multiples up to M, with edges up to S, or circles to M.
+
+    In units of the grid a product of an edge's part and a coordinate is at most S M.  The terms of a comparison are
+    four, and a sum of up to three of them is at most 3 S M: held if 4 S M <= 2**bits.  With S = 2 M, which is every
+    edge, and for circles, whose squared distance is at most 8 M M, that is 8 M M <= 2**bits.
+    """
+    if grid is None:
+        return None
+    any_edge = form.bits - 3 >> 1
+    size = max((grid.most - 1).bit_length() if grid.most else 0, any_edge)
+    span = form.bits - 2 - size
+    fits = size == any_edge or (not circles and grid.span <= 1 << max(span, 0) and span >= 0)
+    trusted = form.least < 2.0 ** max(grid.unit, -1000) and 2.0 ** min(size + grid.unit, 900) < form.most
+    if not (fits and trusted):
+        return None
+    return Scope(GRID, 2.0 ** (grid.unit + size), grid.unit, 0.0 if size == any_edge else 2.0 ** (grid.unit + span))
+
+
+def grid_of(pairs: Iterable[tuple[Body, Body]]) -> Grid | None:
+    """The grid of these pairs; None where all numbers are 0."""
+    shapes = list(chain.from_iterable(_parts(pairs)))
+    k, found = to_integers(c for s in shapes for c in (*chain.from_iterable(s.core), s.radius))
+    common = 0
+    for n in found:
+        common |= n
+    if not common:
+        return None
+    low = (common & -common).bit_length() - 1
+    spans = [abs(Fraction(c) - Fraction(d)) for s in shapes for p, q in proofs.edges_of(s.core) for c, d in zip(p, q)]
+    return Grid(low - k, max(map(abs, found)) >> low, int(max(spans) / Fraction(2) ** (low - k)))
 
 
 def _parts(pairs: Iterable[tuple[Body, Body]]) -> list[tuple[Shape, Shape]]:

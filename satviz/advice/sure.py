@@ -8,91 +8,145 @@ from numpy.typing import NDArray
 from .. import batch
 from ..batch.arrays import Group, Shapes
 from ..batch.codes import APART, OVERLAPPING, UNDECIDED
+from ..batch.signs import two_sum
 from ..engine.exact import UNIT
-from . import proofs
-from .models import DTYPES, by_boxes, discs, is_circle, ranges, told
-from .pairs import Array, Indices, Pairs, Relations, columns, reach
-from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, FLOAT64, FORMATS, Format, Model
+from . import proofs, rounding
+from .limits import refuse_more_by_fractions
+from .models import DTYPES, boxes, by_boxes, discs, is_circle, ranges, told
+from .pairs import Array, Indices, Pairs, Relations, columns, one, reach
+from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Model, convex_sat
+from .rounding import FLOAT64, FORMATS, Format
+from .rounding_numpy import Errors
 
 
-def sure(model: Model, pairs: Pairs, exact: Relations) -> Relations:
+def sure(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None = None) -> Relations:
     """The relation each pair surely gets in any order of operations; UNDECIDED where rounding can decide.
 
-    `exact`: the relations themselves, which are also what comes out where nothing is rounded.
+    `exact`: the relations themselves, which are also what comes out where nothing is rounded.  `engine`: as in
+    `batch.relate`, which gives those of convex parts.
     """
     a, b, ia, ib = pairs.a, pairs.b, pairs.ia, pairs.ib
     with np.errstate(all="ignore"):
         if model.kind == EXACT:
             return exact
         if model.kind == BOXES:
-            return _sure_boxes(a.bounds, is_circle(a), ia, b.bounds, is_circle(b), ib)
+            return _sure_boxes(a, ia, b, ib)
         if model.kind == CIRCLES:
             return _sure_circles(discs(a)[ia], discs(b)[ib], FLOAT64)
         if model.kind == DIRECTIONS:
             return _sure_ranges(model, pairs)
         form = FORMATS[model.kind]
-        parts = exact
+        relations = exact
         if a.owner is not None or b.owner is not None:
-            parts = batch.relate(a.parts, b.parts, np.stack([pairs.pa, pairs.pb], axis=1))
+            relations = batch.relate(a.parts, b.parts, np.stack([pairs.pa, pairs.pb], axis=1), engine=engine)
         found = np.empty(len(pairs.pa), np.int8)
-        fine_a, fine_b = (Grid.of_parts(s) for s in (a.parts, b.parts))
+        fine_a, fine_b = (Grids.of(s.parts) for s in (a, b))
         for mine, p, q in columns(a.parts, pairs.pa, b.parts, pairs.pb):
-            pa, pb = pairs.pa[mine], pairs.pb[mine]
-            if p.r is not None and q.r is not None:
-                found[mine] = _sure_circles(_rows(p), _rows(q), form)
-            elif p.r is not None or q.r is not None:
-                found[mine] = _sure_center(p, q, form) if p.r is not None else _sure_center(q, p, form)
-            else:
-                found[mine] = _sure_polygons(p, q, form)
-                plain = whole(fine_a, pa, fine_b, pb, form)
-                found[mine] = np.where(plain, parts[mine], found[mine])
-        return pairs.whole(found)
+            found[mine] = _by_bounds(p, q, form)
+            coarse = on_a_grid(fine_a, pairs.pa[mine], fine_b, pairs.pb[mine], form)
+            if p.r is None and q.r is None:
+                found[mine] = np.where(coarse, relations[mine], found[mine])
+            doubt = np.flatnonzero(found[mine] == UNDECIDED)
+            if doubt.size and (p.r is None or q.r is None):  # of two circles it has been asked
+                plain = mine[doubt[_rounds_nothing(p.columns(doubt), q.columns(doubt), form)]]
+                found[plain] = relations[plain]
+        return pairs.whole(_asked_of_fractions(pairs, found, form))
 
 
-class Grid(NamedTuple):
-    """Of each shape the finest power of two that its numbers are multiples of, and the largest of them."""
+def _asked_of_fractions(pairs: Pairs, found: Relations, form: Format) -> Relations:
+    """Ask fractions about convex parts that arrays doubt, as their bounds are a little wider: up to a real doubt."""
+    doubt = np.flatnonzero((found == UNDECIDED) & (pairs.whole(found)[pairs.of] == UNDECIDED))
+    for many, k in enumerate(doubt.tolist()):
+        refuse_more_by_fractions(many, len(doubt))
+        said = convex_sat(one(pairs.a.parts, pairs.pa[k]), one(pairs.b.parts, pairs.pb[k]), form)
+        if said is None:
+            break
+        found[k] = said
+    return found
+
+
+def _by_bounds(p: Group, q: Group, form: Format) -> Relations:
+    if p.r is not None and q.r is not None:
+        return _sure_circles(_rows(p), _rows(q), form)
+    if p.r is not None or q.r is not None:
+        return _sure_center(p, q, form) if p.r is not None else _sure_center(q, p, form)
+    return _sure_polygons(p, q, form)
+
+
+def _rounds_nothing(p: Group, q: Group, form: Format) -> NDArray[np.bool_]:
+    """Where the format holds every number that SAT can compute of a polygon and another, or a circle, on the way."""
+    errors = Errors(form, p.x.shape[1])
+    for g in (p, q):
+        for c in (g.x, g.y, g.r):
+            if c is not None:
+                errors.held(c)
+    rings = [list(zip(g.x, g.y, strict=True)) for g in (p, q)]
+    if p.r is None and q.r is None:
+        edges = rounding.polygons(errors, *rings)
+    else:
+        circle, ring = (p, rings[1]) if p.r is not None else (q, rings[0])
+        assert circle.r is not None
+        numbers = circle.x[0], circle.y[0], circle.r
+        edges = rounding.circle_polygon(errors, numbers, ring, np.zeros_like(circle.r), np.ones_like(circle.r))
+    for _ in edges:
+        if not errors.exact.any():
+            break
+    return errors.exact
+
+
+class Grids(NamedTuple):
+    """Of each part the exponent of the finest power of two that its numbers are multiples of, and their magnitudes.
+
+    `most`: the largest number; `span`: the largest part of an edge, 0 of a circle.
+    """
 
     unit: Array
     most: Array
+    span: Array
 
     @classmethod
-    def of(cls, numbers: Array) -> "Grid":
-        """By the (N, k) numbers of each shape."""
-        mantissa, power = np.frexp(numbers)
-        n = (mantissa * 2.0**53).astype(np.int64)
-        size = np.where(n == 0, 5000, np.frexp((n & -n).astype(float))[1] - 1 + power - 53)
-        return cls(size.min(axis=1, initial=5000), np.abs(numbers).max(axis=1, initial=0.0))
-
-    @classmethod
-    def of_parts(cls, shapes: Shapes) -> "Grid":
+    def of(cls, parts: Shapes) -> "Grids":
         """Of convex parts."""
-        unit, most = np.empty((2, len(shapes.count)))
-        for v, g in shapes.groups.items():
-            unit[shapes.count == v], most[shapes.count == v] = cls.of(_rows(g))
-        return cls(unit, most)
+        found = cls(*np.empty((3, len(parts.count))))
+        for v, g in parts.groups.items():
+            mine = parts.count == v
+            rows = _rows(g)
+            mantissa, power = np.frexp(rows)
+            n = (mantissa * 2.0**53).astype(np.int64)
+            size = np.where(n == 0, 5000, np.frexp((n & -n).astype(float))[1] - 1 + power - 53)
+            found.unit[mine], found.most[mine] = size.min(axis=1), np.abs(rows).max(axis=1)
+            edges = (np.abs(c - np.roll(c, 1, axis=0)).max(axis=0) for c in (g.x, g.y))
+            found.span[mine] = np.maximum(*edges)
+        return found
 
 
-def whole(a: Grid, ia: Indices, b: Grid, ib: Indices, form: Format, bits: int = 0) -> NDArray[np.bool_]:
-    """Which pairs are whole multiples of one unit, so few of it that nothing is rounded."""
-    unit, most = np.minimum(a.unit[ia], b.unit[ib]), np.maximum(a.most[ia], b.most[ib])
-    fits = np.ldexp(most, -np.clip(unit, -1000, 1000).astype(int)) <= 2.0 ** (bits or form.whole)
-    found: NDArray[np.bool_] = fits & (unit >= np.frexp(form.least)[1]) & (most < form.most)
+def on_a_grid(a: Grids, ia: Indices, b: Grids, ib: Indices, form: Format) -> NDArray[np.bool_]:
+    """Which pairs of polygons are whole multiples of one unit, so few of it that nothing is rounded.
+
+    The bound of `scope`: an edge's part times a coordinate, times four, is at most 2**bits of that unit squared.
+    """
+    unit = np.minimum(a.unit[ia], b.unit[ib])
+    most, span = (np.maximum(c[ia], d[ib]) for c, d in ((a.most, b.most), (a.span, b.span)))
+    by = -np.clip(unit, -1000, 1000).astype(int)
+    few = 4 * np.ldexp(most, by) * np.ldexp(span, by) <= 2.0**form.bits
+    found: NDArray[np.bool_] = few & (unit >= np.frexp(form.least)[1]) & (most < form.most)
     return found
 
 
-def _sure_boxes(
-    box_a: Array, round_a: NDArray[np.bool_], ia: Indices, box_b: Array, round_b: NDArray[np.bool_], ib: Indices
-) -> Relations:
-    found = by_boxes(box_a[ia], box_b[ib])
-    circles = np.flatnonzero((round_a[ia] | round_b[ib]) & (found != APART))
-    inner = by_boxes(_inner(box_a, round_a)[ia[circles]], _inner(box_b, round_b)[ib[circles]])
-    found[circles] = np.where(inner == OVERLAPPING, inner, UNDECIDED)
+def _sure_boxes(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Relations:
+    outer, inner = (by_boxes(_boxes(a, way)[ia], _boxes(b, way)[ib]) for way in (np.inf, -np.inf))
+    return np.where(outer == inner, outer, UNDECIDED).astype(np.int8)
+
+
+def _boxes(shapes: Shapes, way: float) -> Array:
+    """(N, 4) boxes; a circle's sides that are rounded are moved one float outwards (inf) or inwards (-inf)."""
+    disc, found = discs(shapes), boxes(shapes)
+    circle = np.flatnonzero(is_circle(shapes))
+    for side in range(4):
+        out = -1.0 if side < 2 else 1.0
+        at, error = two_sum(disc[circle, side % 2], out * disc[circle, 2])
+        found[circle, side] = np.where(error == 0, at, np.nextafter(at, out * way))
     return found
-
-
-def _inner(box: Array, circle: NDArray[np.bool_]) -> Array:
-    inwards = np.array([np.inf, np.inf, -np.inf, -np.inf])
-    return np.where(circle[:, None], np.nextafter(np.nextafter(box, inwards), inwards), box)
 
 
 def _sure_circles(a: Array, b: Array, form: Format) -> Relations:
@@ -106,9 +160,13 @@ def _sure_circles(a: Array, b: Array, form: Format) -> Relations:
     room += 5.001 * moved * (np.abs(dx) + np.abs(dy)) + 9.001 * moved * moved
     room[~(known & (size > form.least * 1.001) & (most < form.most))] = np.inf
     found = _beyond(distance - square, room)
-    i = np.arange(len(a))
-    plain = known & whole(Grid.of(a), i, Grid.of(b), i, form)
-    return np.where(plain, told(distance - square), found)
+    doubt = np.flatnonzero((found == UNDECIDED) & known)
+    errors = Errors(form, len(doubt))
+    rows = [[errors.held(c) for c in disc[doubt].T] for disc in (a, b)]
+    rounding.circles(errors, *rows)
+    plain = doubt[errors.exact]
+    found[plain] = told((distance - square)[plain])
+    return found
 
 
 def _rows(g: Group) -> Array:
@@ -130,22 +188,30 @@ def _sure_ranges(model: Model, pairs: Pairs) -> Relations:
     a, b, ia, ib = pairs.a, pairs.b, pairs.ia, pairs.ib
     p, q = ranges(a, model.directions)[ia], ranges(b, model.directions)[ib]
     gap = np.maximum(p[:, :, 0] - q[:, :, 1], q[:, :, 0] - p[:, :, 1])
-    grids = [_of_shapes(s) for s in (a, b)]
-    most = np.maximum(grids[0].most[ia], grids[1].most[ib])
+    most = np.maximum(_most(a)[ia], _most(b)[ib])
     room = most * (2.0**-53 * 32)
     room[~((most > FLOAT64.least) & (most < FLOAT64.most))] = np.inf
-    found = _beyond(gap.max(axis=1), room)
-    if all(proofs.whole(n, FLOAT64, 24) for n in model.directions):
-        plain = whole(grids[0], ia, grids[1], ib, FLOAT64, 27)
-        found = np.where(plain, told(gap.max(axis=1)), found)
+    plain = _lands_exactly(a, model)[ia] & _lands_exactly(b, model)[ib]
+    known = plain | (np.abs(gap) > room[:, None])
+    apart = (known & (gap > 0)).any(axis=1)
+    return np.where(apart, APART, np.where(known.all(axis=1), told(gap.max(axis=1)), UNDECIDED)).astype(np.int8)
+
+
+def _lands_exactly(shapes: Shapes, model: Model) -> NDArray[np.bool_]:
+    """(N, k) where projecting all corners of a shape on each direction rounds nothing."""
+    x, y, start = shapes.rings
+    found = np.empty((len(shapes), len(model.directions)), bool)
+    for k, (nx, ny) in enumerate(model.directions):
+        errors = Errors(FLOAT64, len(x))
+        rounding.landing(errors, (np.full_like(x, nx), np.full_like(y, ny)), (x, y))
+        found[:, k] = np.logical_and.reduceat(errors.exact, start[shapes.starts[:-1]])
     return found
 
 
-def _of_shapes(shapes: Shapes) -> Grid:
-    parts, first = Grid.of_parts(shapes.parts), shapes.starts[:-1]
-    if not len(first):
-        return parts
-    return Grid(np.minimum.reduceat(parts.unit, first), np.maximum.reduceat(parts.most, first))
+def _most(shapes: Shapes) -> Array:
+    """(N,) the largest magnitude of a coordinate of each shape."""
+    most: Array = np.abs(shapes.bounds).max(axis=1)
+    return most
 
 
 def _sure_polygons(p: Group, q: Group, form: Format) -> Relations:

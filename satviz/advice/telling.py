@@ -5,7 +5,9 @@ from typing import TYPE_CHECKING
 
 from .facts import CONCAVE, CONVEX, ROUND, UPRIGHT, Facts, Judged, anywhere, best, for_hits
 from .gamma import IN_FLOAT32
-from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, FLOAT64, FORMATS, Model
+from .limits import SECONDS
+from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
+from .rounding import FLOAT64, FORMATS
 from .scope import ANYWHERE, GRID, MOVED, Scope
 
 if TYPE_CHECKING:
@@ -21,6 +23,7 @@ def told(facts: Facts, judged: "Sequence[Judged]", scope: Scope) -> str:
     least, hits = best(judged), for_hits(judged)
     lines = [
         f"{named(least.model)}: right for {_all(facts)}",
+        *_first(least.model, facts),
         f"why      {reason(least.model, facts, scope)}",
         f"holds    {holds(scope, facts)}",
         f"shapes   {shapes(facts)}",
@@ -40,7 +43,7 @@ def told(facts: Facts, judged: "Sequence[Judged]", scope: Scope) -> str:
 
 def reason(model: Model, facts: Facts, scope: Scope) -> str:
     """Why the model is right."""
-    if not facts.pairs:
+    if not facts.pairs and model.kind == BOXES:
         return "no two boxes meet, so there is nothing left to ask"
     if model.kind == BOXES and scope.kind == ANYWHERE:
         return "upright boxes are their bounding boxes, and comparisons round nothing"
@@ -51,7 +54,10 @@ def reason(model: Model, facts: Facts, scope: Scope) -> str:
         CIRCLES: "the circles around the shapes lie to each other as the shapes do, by more than rounding can hide",
         DIRECTIONS: "on these directions the ranges lie to each other as the shapes do, by more than rounding can hide",
         EXACT: "where the floats of a pair cannot tell, it asks integers",
-        **{kind: f"every pair is decided by more than the roundings of {kind} can hide" for kind in FORMATS},
+        **{
+            kind: f"every pair is decided by more than the roundings of {kind} can hide, or {kind} rounds nothing in it"
+            for kind in FORMATS
+        },
     }[model.kind]
 
 
@@ -63,21 +69,28 @@ def holds(scope: Scope, facts: Facts) -> str:
         return "anywhere: it is exact for all coordinates"
     if scope.kind == GRID:
         what = "circles" if ROUND in facts.kinds else "convex polygons"
-        return f"any {what} whose numbers are multiples of 2^{scope.unit}, up to {power(scope.bound, 0)}"
+        text = f"any {what} whose numbers are multiples of 2^{scope.unit}, up to {power(scope.bound, 0)}"
+        return f"{text}, with edges up to {power(scope.span, 0)} wide and high" if scope.span else text
     if scope.kind == MOVED:
         return f"the scene moved as a whole, exactly, while no coordinate exceeds {power(scope.bound, 0)}"
-    if not facts.pairs:
-        return "these shapes as they lie"
+    if facts.settled:
+        return "these shapes where they are: it is proven for each pair of them"
     return "this pair as it lies" if facts.pairs == 1 else "these pairs as they lie: it is proven on each of them"
 
 
-def price(model: Model, found: "Mapping[str, Price]") -> str:
-    """What the model advised costs here, beside the exact filter; empty where there are no pairs."""
+def price(model: Model, facts: Facts, found: "Mapping[str, Price | None]") -> str:
+    """What the recommended model costs here, beside the exact filter; empty where there are no pairs."""
     if not found:
         return ""
-    mine, exact = found[model.name], found[EXACT]
-    text = f"price    {duration(mine.warm)} a pair, {duration(mine.cold)} with its set-up"
-    return text if mine is exact else f"{text}; {EXACT} {duration(exact.warm)} and {duration(exact.cold)}"
+    mine = found[model.name]
+    exact_name, exact = next((name, p) for name, p in found.items() if name.endswith(EXACT))
+    after = " whose boxes meet" if facts.settled else ""
+    if mine is None:
+        return f"price    not timed: one call would take too long ({SECONDS:g} s are allowed for all models)"
+    text = f"price    {duration(mine.warm)} a pair{after}, {duration(mine.cold)} with its set-up"
+    if model.name == exact_name:
+        return text
+    return f"{text}; {exact_name} {f'{duration(exact.warm)} and {duration(exact.cold)}' if exact else 'not timed'}"
 
 
 def duration(nanoseconds: float) -> str:
@@ -91,7 +104,7 @@ def duration(nanoseconds: float) -> str:
 
 def named(model: Model) -> str:
     """A model's name and how many axes it has."""
-    return model.name if model.kind == DIRECTIONS else f"{model.name} ({axes(model.axes)})"
+    return model.name if model.kind == DIRECTIONS and not model.after_boxes else f"{model.name} ({axes(model.axes)})"
 
 
 def axes(many: int) -> str:
@@ -115,9 +128,16 @@ def shapes(facts: Facts) -> str:
 
 
 def _all(facts: Facts) -> str:
-    if not facts.pairs:
-        return f"all {facts.settled:,} pairs" if facts.settled else "no pairs"
-    return "this pair" if facts.pairs == 1 else f"all {facts.pairs:,} pairs"
+    every = facts.pairs + facts.settled
+    return "this pair" if every == 1 else f"all {every:,} pairs"
+
+
+def _first(model: Model, facts: Facts) -> list[str]:
+    """What runs before the model's own test, and how many pairs it leaves."""
+    if not model.after_boxes:
+        return []
+    said = f"{BOXES} (2 axes) settles {facts.settled:,} pairs; {model.test} decides the other {facts.pairs:,}"
+    return [f"first    {said}"]
 
 
 def _pairs(facts: Facts) -> str:
@@ -128,17 +148,17 @@ def _pairs(facts: Facts) -> str:
 
 def nearest(facts: Facts) -> str:
     """The pair that is hardest to tell, in roundings."""
-    where = "" if facts.pairs == 1 else f"pair {facts.at} "
+    where = "" if facts.pairs + facts.settled == 1 else f"pair {facts.at} "
     if not facts.gamma:
         return f"{where}touches: gamma is 0"
     return (
-        f"{where}{'' if facts.pairs == 1 else 'is '}decided by {power(facts.gamma)} roundings of float64 (its gamma), "
+        f"{where}{'is ' if where else ''}decided by {power(facts.gamma)} roundings of float64 (its gamma), "
         f"{power(facts.gamma * IN_FLOAT32)} of float32"
     )
 
 
 def _fails(judged: Judged, facts: Facts) -> str:
-    if facts.pairs == 1:
+    if facts.pairs + facts.settled == 1:
         return f"{named(judged.model)}: {'wrong here' if judged.wrong else 'in doubt, as rounding decides'}"
     said = []
     if judged.wrong:

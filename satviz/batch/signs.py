@@ -117,7 +117,7 @@ def _products(pairs: Pairs) -> tuple[Array, Array]:
     k = len(pairs)
     terms = np.empty((2 * k, len(pairs[0][0])))
     for i, (a, b) in enumerate(pairs):
-        _two_product(a, b, terms[i], terms[k + i])
+        two_product(a, b, terms[i], terms[k + i])
     sizes = np.abs(terms[k:])
     size = sizes.sum(axis=0)
     lost = ~(size < HUGE)
@@ -129,7 +129,7 @@ def _products(pairs: Pairs) -> tuple[Array, Array]:
     return terms, size
 
 
-def _two_product(a: Array, b: Array, error: Array, product: Array) -> None:
+def two_product(a: Array, b: Array, error: Array, product: Array) -> None:
     """a * b as the rounded product and its error."""
     np.multiply(a, b, out=product)
     a1, a0 = _split(a)

@@ -1,0 +1,173 @@
+"""Whether a model rounds anything at all on a pair; where it does not, its plain floats also tell touching exactly.
+
+Each formula names every number that a model can compute on the way: every partial sum, in every order of the terms,
+with differences of coordinates taken first or last, and every product and quotient.  It runs on one of two kinds of
+arithmetic: `Exact` below has the exact values as fractions, for one pair; `rounding_numpy.Errors` has arrays of floats
+and the error of each operation, for many.  Both note in `exact` whether the format holds every number named.
+
+A comparison, and the last sum before a sign is taken, need not be held: rounding keeps the sign of a sum.
+"""
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import combinations, pairwise
+from typing import Any, NamedTuple, Protocol, TypeVar
+
+N = TypeVar("N")
+Point = tuple[N, N]
+
+
+class Format(NamedTuple):
+    """A binary float format of `bits` significant bits.
+
+    It holds n * 2**e for |n| < 2**bits from the lowest bit 2**lowest up to below 2**highest.  `least` and `most` bound
+    the coordinates and spans for which bounds on rounding errors are trusted: between them no product of up to four
+    differences underflows or overflows in any order (the squared turn over a squared length is one).
+    """
+
+    name: str
+    bits: int
+    lowest: int
+    highest: int
+    least: float
+    most: float
+
+
+FLOAT32 = Format("float32", 24, -149, 128, 2.0**-30, 2.0**30)
+FLOAT64 = Format("float64", 53, -1074, 1024, 2.0**-250, 2.0**250)
+FORMATS = {f.name: f for f in (FLOAT32, FLOAT64)}
+
+
+class Arithmetic(Protocol[N]):
+    """Operations that give exact results and note in `exact` whether the format holds them."""
+
+    def product(self, a: N, b: N) -> N:
+        """a * b."""
+
+    def quotient(self, a: N, b: N) -> N:
+        """a / b; b is not 0."""
+
+    def total(self, *terms: N) -> N:
+        """The sum of the terms; it and every partial sum must be held."""
+
+    def compared(self, *terms: N) -> None:
+        """A sum of which only the sign is used: every partial sum must be held, but not the sum itself."""
+
+    def within(self, low: N, value: N, high: N, then: N, otherwise: N) -> N:
+        """`then` where low < value < high, else `otherwise`."""
+
+    def together(self, ring: Sequence[Point[N]]) -> Sequence[Point[N]]:
+        """The corners, in as few operands as this arithmetic can take at once."""
+
+
+class Exact:
+    """The arithmetic of one pair: fractions; `exact` is False once the format does not hold a number."""
+
+    def __init__(self, form: Format) -> None:
+        self.form = form
+        self.exact = True
+
+    def held(self, value: Fraction) -> Fraction:
+        """The value, noted."""
+        self.exact = self.exact and holds(value, self.form)
+        return value
+
+    def product(self, a: Fraction, b: Fraction) -> Fraction:
+        """a * b."""
+        return self.held(a * b)
+
+    def quotient(self, a: Fraction, b: Fraction) -> Fraction:
+        """a / b."""
+        return self.held(a / b)
+
+    def total(self, *terms: Fraction) -> Fraction:
+        """The sum of the terms."""
+        self.compared(*terms)
+        return self.held(sum(terms, Fraction(0)))
+
+    def compared(self, *terms: Fraction) -> None:
+        """A sum of which only the sign is used."""
+        terms = tuple(filter(None, terms))
+        for many in range(2, len(terms)):
+            for some in combinations(terms, many):
+                self.held(sum(some, Fraction(0)))
+
+    def within(self, low: Fraction, value: Fraction, high: Fraction, then: Fraction, otherwise: Fraction) -> Fraction:
+        """`then` where low < value < high."""
+        return then if low < value < high else otherwise
+
+    def together(self, ring: Sequence[Point[Fraction]]) -> Sequence[Point[Fraction]]:
+        """The corners one by one."""
+        return ring
+
+
+def holds(value: Fraction, form: Format) -> bool:
+    """Is the value a number of the format?"""
+    n, d = value.as_integer_ratio()
+    if not n:
+        return True
+    low = (n & -n).bit_length() - 1
+    lowest, highest = low - d.bit_length() + 1, abs(n).bit_length() - d.bit_length() + 1
+    return not d & (d - 1) and highest - lowest <= form.bits and lowest >= form.lowest and highest <= form.highest
+
+
+def polygons(arithmetic: Arithmetic[N], p: Sequence[Point[N]], q: Sequence[Point[N]]) -> Iterator[None]:
+    """Two convex polygons by the normals of all edges; a step for each edge, so that the caller can stop.
+
+    Each corner of the other shape is compared with the edge, and each corner is projected on its normal.
+    """
+    for own, other in (p, q), (q, p):
+        all_own, all_other = arithmetic.together(own), arithmetic.together(other)
+        for start, end in pairwise([own[-1], *own]):
+            normal = arithmetic.total(end[1], _minus(start[1])), arithmetic.total(start[0], _minus(end[0]))
+            edge = tuple(_minus(arithmetic.product(n, c)) for n, c in zip(normal, start, strict=True))
+            for corner in all_other:
+                terms = (arithmetic.product(n, c) for n, c in zip(normal, corner, strict=True))
+                arithmetic.compared(*terms, *edge)
+            for corner in all_own:
+                landing(arithmetic, normal, corner)
+            yield
+
+
+def landing(arithmetic: Arithmetic[N], normal: Point[N], corner: Point[N]) -> N:
+    """Where a corner lands on an axis: nx*x + ny*y."""
+    return arithmetic.total(*(arithmetic.product(n, c) for n, c in zip(normal, corner, strict=True)))
+
+
+def circles(arithmetic: Arithmetic[N], a: Sequence[N], b: Sequence[N]) -> None:
+    """Two circles (x, y, radius) by the squares of their distance and of the sum of their radii."""
+    dx, dy = (arithmetic.total(c, _minus(d)) for c, d in zip(a[:2], b[:2], strict=True))
+    reach = arithmetic.total(a[2], b[2])
+    square = arithmetic.product(reach, reach)
+    arithmetic.compared(arithmetic.product(dx, dx), arithmetic.product(dy, dy), _minus(square))
+    arithmetic.total(arithmetic.product(dx, dx), arithmetic.product(dy, dy))
+
+
+def circle_polygon(
+    arithmetic: Arithmetic[N], circle: Sequence[N], ring: Sequence[Point[N]], zero: N, one: N
+) -> Iterator[None]:
+    """A circle (x, y, radius) and a convex polygon by the squared distance to the nearest edge; a step for each edge.
+
+    Both ways to square the distance to an edge's line are asked, turn * turn / length**2 and turn / length**2 * turn,
+    and the comparison turn * turn with r * r * length**2.
+    """
+    add, times = arithmetic.total, arithmetic.product
+    x, y, radius = circle
+    corners = [(add(cx, _minus(x)), add(cy, _minus(y))) for cx, cy in ring]
+    square = times(radius, radius)
+    for (px, py), (qx, qy) in pairwise([corners[-1], *corners]):
+        dx, dy = add(qx, _minus(px)), add(qy, _minus(py))
+        arithmetic.compared(times(px, px), times(py, py), _minus(square))
+        add(times(px, px), times(py, py))
+        turn = add(times(px, dy), _minus(times(py, dx)))
+        along = _minus(add(times(px, dx), times(py, dy)))
+        length = add(times(dx, dx), times(dy, dy))
+        turn, length = (arithmetic.within(zero, along, length, *c) for c in ((turn, zero), (length, one)))
+        arithmetic.quotient(times(turn, turn), length)
+        times(arithmetic.quotient(turn, length), turn)
+        times(square, length)
+        yield
+
+
+def _minus(value: Any) -> Any:
+    return -value

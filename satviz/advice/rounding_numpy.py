@@ -1,0 +1,92 @@
+"""The arithmetic of `rounding` for many pairs: arrays of floats, and where the error of each operation is nothing."""
+
+from collections.abc import Sequence
+from functools import reduce
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..batch.signs import two_product, two_sum
+from .rounding import FLOAT32, Format, Point
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+
+class Errors:
+    """Float64 arrays of n pairs, (n,) or (corners, n); `exact` (n,) is False where the format does not hold a number.
+
+    Exact like `rounding.Exact`, pair by pair.  float32 is a part of float64: what float64 does not hold it does not
+    either.  Values of pairs that are not exact mean nothing.
+    """
+
+    def __init__(self, form: Format, pairs: int) -> None:
+        self.form = form
+        self.exact: Flags = np.ones(pairs, bool)
+
+    def held(self, value: Array) -> Array:
+        """The value, noted."""
+        return self._held(value, np.ones(value.shape, bool))
+
+    def _held(self, value: Array, exact: Flags) -> Array:
+        good = exact & np.isfinite(value)
+        if self.form is FLOAT32:
+            good &= value.astype(np.float32) == value
+        self.exact &= good if good.ndim == 1 else good.all(axis=0)
+        return value
+
+    def product(self, a: Array, b: Array) -> Array:
+        """a * b, of mantissas and exponents apart, so that no part of it under- or overflows by itself."""
+        (a, i), (b, j) = np.frexp(a), np.frexp(b)
+        value, error = _product(a, b)
+        return self._scaled(value, i + j, error == 0)
+
+    def quotient(self, a: Array, b: Array) -> Array:
+        """a / b."""
+        (a, i), (b, j) = np.frexp(a), np.frexp(b)
+        value = a / b
+        back, error = _product(value, b)
+        return self._scaled(value, i - j, (error == 0) & (back == a))
+
+    def _scaled(self, value: Array, power: NDArray[Any], exact: Flags) -> Array:
+        result = np.ldexp(value, power)
+        return self._held(result, exact & (np.ldexp(result, -power) == value))
+
+    def total(self, *terms: Array) -> Array:
+        """The sum of the terms."""
+        self.compared(*terms)
+        return self._held(*_sum(terms))
+
+    def compared(self, *terms: Array) -> None:
+        """A sum of which only the sign is used: its partial sums but those that leave out only zeros."""
+        for many in range(2, len(terms)):
+            for some in combinations(range(len(terms)), many):
+                value, exact = _sum([terms[i] for i in some])
+                last = reduce(np.logical_and, [terms[i] == 0 for i in range(len(terms)) if i not in some])
+                self._held(np.where(last, 0.0, value), exact | last)
+
+    def within(self, low: Array, value: Array, high: Array, then: Array, otherwise: Array) -> Array:
+        """`then` where low < value < high."""
+        return np.where((low < value) & (value < high), then, otherwise)
+
+    def together(self, ring: Sequence[Point[Array]]) -> Sequence[Point[Array]]:
+        """All corners at once, as (corners, n) arrays."""
+        return [(np.stack([x for x, _ in ring]), np.stack([y for _, y in ring]))]
+
+
+def _product(a: Array, b: Array) -> tuple[Array, Array]:
+    a, b = np.broadcast_arrays(a, b)
+    error, product = np.empty_like(a), np.empty_like(a)
+    two_product(a, b, error, product)
+    return product, error
+
+
+def _sum(terms: Sequence[Array]) -> tuple[Array, Flags]:
+    """The sum, and where no addition rounds, which is so in every order once every partial sum is held."""
+    total, exact = terms[0], np.bool_(True)
+    for term in terms[1:]:
+        total, error = two_sum(total, term)
+        exact = exact & (error == 0)
+    return total, np.asarray(exact)
