@@ -575,18 +575,26 @@ def test_shapes_as_large_as_float64_holds_are_json_too():
 
 
 def test_where_boxes_never_meet_there_is_nothing_left_to_ask():
-    advice = sv.advise(boxes_at([(0, 0), (5, 5), (9, 0)]))
+    advice = sv.advise(boxes_at([(0, 0), (1.2, 0), (9, 0)]))  # the circles around the first two meet
     assert advice.model.kind == BOXES and advice.facts.pairs == 0 and advice.check() and advice.prices() == {}
-    assert (
-        "all 3 pairs" in str(advice)
-        and "as they lie" in str(advice)
-        and "proven" not in str(advice)
-        and advice._repr_mimebundle_().keys() == {"text/plain"}
-    )
+    assert "all 3 pairs" in str(advice) and "no two boxes meet" in str(advice)
     with pytest.raises(ValueError, match="nothing to time"):
         advice.chart()
-    assert "proven on each" not in str(advice)
-    assert str(sv.advise(batch.Circles([(0, 0)], 1))).startswith("AABB (2 axes): right for no pairs")
+    assert sv.advise(boxes_at([(0, 0), (5, 5), (9, 0)])).model.kind == CIRCLES
+
+
+@pytest.mark.parametrize(
+    ("shapes", "pairs"),
+    [
+        ([(0, 0), (1, 0)], np.empty((0, 2), int)),
+        ([(0, 0), (1, 0)], []),
+        ([(0, 0)], None),
+        (np.empty((0, 2)), None),
+    ],
+)
+def test_where_no_pair_is_meant_nothing_is_recommended(shapes, pairs):
+    with pytest.raises(ValueError, match=r"nothing to advise on"):
+        sv.advise(batch.Circles(shapes, 1.0), pairs=pairs)
 
 
 def test_hits_alone_may_need_less():
@@ -647,7 +655,9 @@ def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
     rows = []
     for i, name in enumerate(names):
         warm = 10 ** rng.uniform(0.5, 3) if seed else 50.0
-        rows.append((name, "float", Price(warm * rng.uniform(1, 5), warm, 0 if i > 2 else rng.choice((1, 40, 12_345)))))
+        rows.append(
+            (name, "float", Price(warm * rng.uniform(1, 5), warm, 0 if i > 2 else rng.choice((1, 40, 12_345)), 9))
+        )
     fig = Chart("title", "under", tuple(rows), "SAT, float32", 20_000, "words").figure(theme)
     renderer = fig.canvas.get_renderer()
     texts = [t for ax in fig.axes for t in ax.texts]

@@ -38,14 +38,14 @@ def signed_gammas(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, *, engin
     a, b = a.parts, b.parts
     roughly = np.empty(len(pa))
     for mine, p, q in columns(a, pa, b, pb):
-        roughly[mine] = _columns(p, q, _clears, _between)
+        roughly[mine] = _columns(p, q, _beyond, _between)
     near = np.flatnonzero(~(np.abs(roughly) >= NEAR))
     relation = batch.relate(a, b, np.stack([pa[near], pb[near]], axis=1), engine=engine)
     roughly[near] = np.where(relation == TOUCHING, 0.0, np.nan)
     near = near[relation != TOUCHING]
     for mine, p, q in columns(a, pa[near], b, pb[near]):
         if (p.r is None) == (q.r is None):
-            roughly[near[mine]] = _columns(p, q, _clears_finely, _between_finely)
+            roughly[near[mine]] = _columns(p, q, _beyond_finely, _between_finely)
     rest = np.flatnonzero(np.isnan(roughly))
     for many, i in enumerate(rest.tolist()):
         refuse_more_by_fractions(many, len(rest))
@@ -55,7 +55,7 @@ def signed_gammas(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, *, engin
     return found
 
 
-def _columns(a: Group, b: Group, clears: Measure, between: Measure) -> Array:
+def _columns(a: Group, b: Group, beyond: Measure, between: Measure) -> Array:
     with np.errstate(all="ignore"):
         # to below a half, as large coordinates have a difference beyond float64, and a center and its radius a sum
         power = -1 - np.frexp(np.maximum(reach(_half(a)), reach(_half(b))))[1]
@@ -66,7 +66,7 @@ def _columns(a: Group, b: Group, clears: Measure, between: Measure) -> Array:
         elif a.r is not None or b.r is not None:
             gap = _from_center(a, b) if a.r is not None else _from_center(b, a)
         else:
-            gap = np.maximum(clears(a, b), clears(b, a))
+            gap = beyond(a, b)
         return np.asarray(gap / unit)
 
 
@@ -77,6 +77,11 @@ def _half(g: Group) -> Group:
 def _scaled(g: Group, power: NDArray[np.intp]) -> Group:
     r = None if g.r is None else np.ldexp(g.r, power)
     return g._replace(x=np.ldexp(g.x, power), y=np.ldexp(g.y, power), r=r)
+
+
+def _beyond(a: Group, b: Group) -> Array:
+    """The most that an edge of either polygon clears the other by, over its span."""
+    return np.maximum(_clears(a, b), _clears(b, a))
 
 
 def _clears(own: Group, other: Group) -> Array:
@@ -98,19 +103,20 @@ def _between(a: Group, b: Group) -> Array:
     return gap
 
 
-def _clears_finely(own: Group, other: Group) -> Array:
-    """As `_clears`, with the error of each operation; NaN where one part in a hundred cannot be told even so."""
-    best, room = np.full(own.x.shape[1], -np.inf), np.zeros(own.x.shape[1])
-    shape = other.x.shape
-    for e in range(len(own.x)):
-        x, y = own.x[e - 1], own.y[e - 1]
-        sides = two_sum(own.y[e], -y), two_sum(x, -own.x[e]), two_sum(other.x, -x), two_sum(other.y, -y)
-        (nx, enx), (ny, eny), (dx, edx), (dy, edy) = ([np.broadcast_to(c, shape).ravel() for c in s] for s in sides)
-        turn, off, _ = nearly([(nx, dx), (ny, dy)], (nx * edx + enx * dx) + (ny * edy + eny * dy))
-        span = np.maximum(np.abs(nx), np.abs(ny))[: shape[1]]
-        span[span < SHORT] = np.nan
-        np.maximum(best, turn.reshape(shape).min(axis=0) / span, out=best)
-        np.maximum(room, off.reshape(shape).max(axis=0) / span, out=room)
+def _beyond_finely(a: Group, b: Group) -> Array:
+    """As `_beyond`, with the error of each operation; NaN where even so one part in a hundred cannot be told."""
+    best, room = np.full(a.x.shape[1], -np.inf), np.zeros(a.x.shape[1])
+    for own, other in (a, b), (b, a):
+        shape = other.x.shape
+        for e in range(len(own.x)):
+            x, y = own.x[e - 1], own.y[e - 1]
+            sides = two_sum(own.y[e], -y), two_sum(x, -own.x[e]), two_sum(other.x, -x), two_sum(other.y, -y)
+            (nx, enx), (ny, eny), (dx, edx), (dy, edy) = ([np.broadcast_to(c, shape).ravel() for c in s] for s in sides)
+            turn, off, _ = nearly([(nx, dx), (ny, dy)], (nx * edx + enx * dx) + (ny * edy + eny * dy))
+            span = np.maximum(np.abs(nx), np.abs(ny))[: shape[1]]
+            span[span < SHORT] = np.nan
+            np.maximum(best, turn.reshape(shape).min(axis=0) / span, out=best)
+            np.maximum(room, off.reshape(shape).max(axis=0) / span, out=room)
     return np.where(np.abs(best) > np.maximum(FINELY * room, SHORT), best, np.nan)
 
 

@@ -13,6 +13,7 @@ from ..batch.arrays import Shapes, checked
 from ..batch.broad import candidate_blocks, in_order
 from ..batch.codes import APART
 from ..batch.narrow import engine_of
+from ..batch.rings import Rings
 from ..engine.geometry import InvalidScene
 from ..engine.shapes import Circle, Shape
 from . import proofs
@@ -135,10 +136,14 @@ def _grid(both: Pairs) -> Grid | None:
 
 
 def as_batch(shape: Shape) -> Shapes:
-    """A batch of the one shape."""
+    """A batch of the one shape, with the convex parts that it already knows."""
     if isinstance(shape, Circle):
         return batch.Circles([shape.center], shape.radius)
-    return batch.Polygons([shape], concave="split")
+    cores = [np.asarray(part.core) for part in proofs.pieces(shape)]
+    start = np.cumsum([0, *map(len, cores)])
+    x, y = np.concatenate(cores).T.copy()
+    owner = np.zeros(len(cores), np.int64) if len(cores) > 1 else None
+    return Shapes(np.diff(start), owner, rings=Rings(x, y, start))
 
 
 def of_shapes(a: Shape, b: Shape, copies: int = 4096) -> Pairs:

@@ -1,0 +1,393 @@
+"""A recommendation is the least that can be proven, and the work for it is bounded."""
+
+import math
+from fractions import Fraction
+from itertools import combinations, permutations
+from random import Random
+
+import numpy as np
+import oracle
+import pytest
+from test_advice import boxes_at
+
+import satviz as sv
+from satviz import batch
+from satviz.advice import advising, gammas, limits, prices, rounding, timing
+from satviz.advice.models import answers, kept
+from satviz.advice.pairs import paired
+from satviz.advice.proofs import BOXES, CIRCLES, DIRECTIONS, EXACT
+from satviz.advice.rounding import FLOAT32, FLOAT64, FORMATS
+from satviz.advice.rounding_numpy import Errors
+
+CORNER_ON_EDGE = [(0, 0), (6, 2), (2, 6)], [(4, 4), (9, 3), (8, 9)]  # touching, and no two of three models tell it
+ROUND = {"float32": lambda v: Fraction(float(np.float32(float(v)))), "float64": lambda v: Fraction(float(v))}
+
+
+# -- what rounds nothing
+
+
+def coordinates(rng, count):
+    """Numbers on a common grid, near or far, of any size; and some that lie on no grid."""
+    power = rng.choice((0, 0, 0, -500, -530, -545, 500, -60, -75, 60, -1070, 30))
+    far = rng.choice((0, 0, 2.0**22, 2.0**27, 2.0**40, 1000)) * 2.0**power
+    strange = (rng.uniform(-9, 9), 0.1 * rng.randint(-3, 3), 0.0, 2.0 ** rng.choice((10, 24, 52)))
+    return [
+        rng.choice(strange) * 2.0**power if rng.random() < 0.07 else far + rng.randint(-9, 9) * 2.0**power
+        for _ in range(count)
+    ]
+
+
+def asked(formula, arithmetic, numbers, zero, one):
+    points = list(zip(numbers[3::2], numbers[4::2], strict=True))
+    if formula is rounding.circles:
+        formula(arithmetic, numbers[:3], numbers[3:6])
+    elif formula is rounding.polygons:
+        list(formula(arithmetic, points[:3], points[3:7]))
+    else:
+        list(formula(arithmetic, numbers[:3], points[:4], zero, one))
+    return arithmetic.exact
+
+
+@pytest.mark.parametrize("form", FORMATS.values(), ids=FORMATS)
+@pytest.mark.parametrize(
+    "formula", [rounding.polygons, rounding.circles, rounding.circle_polygon], ids=lambda f: f.__name__
+)
+def test_arrays_and_fractions_agree_on_what_rounds_nothing(formula, form):
+    rng = Random(1)
+    rows = [coordinates(rng, 17) for _ in range(250)]
+    one_by_one = [
+        asked(formula, rounding.Exact(form), list(map(Fraction, row)), Fraction(0), Fraction(1)) for row in rows
+    ]
+    with np.errstate(all="ignore"):
+        many = asked(formula, Errors(form, len(rows)), list(np.array(rows).T), np.zeros(len(rows)), np.ones(len(rows)))
+    assert many.tolist() == one_by_one
+    assert 2 < sum(one_by_one) < 240
+
+
+def test_a_number_is_held_exactly_where_rounding_to_the_format_keeps_it():
+    rng = Random(2)
+    for _ in range(2000):
+        value = Fraction(rng.randint(-(2**60), 2**60)) * Fraction(2) ** rng.randint(-1150, 1000)
+        value /= rng.choice((1, 1, 1, 3))
+        for form, dtype in (FLOAT32, np.float32), (FLOAT64, np.float64):
+            with np.errstate(all="ignore"):
+                try:
+                    there = float(dtype(float(value)))
+                except OverflowError:
+                    there = math.inf
+            assert rounding.holds(value, form) is (math.isfinite(there) and Fraction(there) == value), (value, form)
+
+
+# -- the least
+
+
+def every_partial_sum(terms, held):
+    """Does every order of the sum keep every partial sum?  The last sum only gives its sign."""
+    terms = [t for t in terms if t]
+    return all(held(sum(order[:k])) for order in permutations(terms) for k in range(1, len(terms)))
+
+
+def sat_rounds_nothing(a, b, name):
+    """A check by fractions that shares nothing with the proofs: each edge, each corner, each order of the sum."""
+
+    def held(value):
+        return ROUND[name](value) == value
+
+    rings = [[(Fraction(x), Fraction(y)) for x, y in s.core] for s in (a, b)]
+    if not all(held(c) for ring in rings for v in ring for c in v):
+        return False
+    for own, other in (rings, rings[::-1]):
+        for (px, py), (qx, qy) in zip(own, own[1:] + own[:1]):
+            nx, ny = qy - py, px - qx
+            products = [n * c for x, y in (*own, *other) for n, c in ((nx, x), (ny, y))]
+            if not all(map(held, (nx, ny, *products))):
+                return False
+            if not all(every_partial_sum((nx * x, ny * y, -nx * px, -ny * py), held) for x, y in other):
+                return False
+            if not all(held(nx * x + ny * y) for x, y in own):
+                return False
+    return True
+
+
+def circles_round_nothing(a, b, name):
+    def held(value):
+        return ROUND[name](value) == value
+
+    (ax, ay, ar), (bx, by, br) = ((*map(Fraction, s.center), Fraction(s.radius)) for s in (a, b))
+    dx, dy, reach = ax - bx, ay - by, ar + br
+    numbers = (ax, ay, ar, bx, by, br, dx, dy, reach, dx * dx, dy * dy, reach * reach, dx * dx + dy * dy)
+    return all(map(held, numbers)) and every_partial_sum((dx * dx, dy * dy, -reach * reach), held)
+
+
+def on_pixels(rng):
+    """Two triangles or two circles in whole or half numbers, often touching, up to far from the origin."""
+    unit = rng.choice((1.0, 1.0, 0.5, 2.0**-10, 16.0))
+    far = rng.choice((0, 600, 1500, 5000, 100_000, 2**22, 2**24, 2**27, 2**40, 2**50)) + rng.randint(0, 9)
+    shift = [far * unit, rng.choice((far, 0, -far)) * unit]
+    if rng.random() < 0.4:
+        x, y, r = rng.choice(((3, 4, 5), (5, 12, 13), (8, 15, 17), (4, 0, 4), (2, 3, 4)))
+        small = rng.randint(1, r - 1)
+        return [
+            sv.Circle((cx * unit + shift[0], cy * unit + shift[1]), radius * unit)
+            for cx, cy, radius in ((0, 0, r - small), (x, y, small))
+        ]
+    rings = CORNER_ON_EDGE
+    if rng.random() < 0.6:
+        rings = [[(rng.randint(-9, 9) * 2, rng.randint(-9, 9) * 2) for _ in range(3)] for _ in "ab"]
+    return [sv.Polygon([(x * unit + shift[0], y * unit + shift[1]) for x, y in ring]) for ring in rings]
+
+
+def not_least(seed, count):
+    """Scenes in which a smaller model is right by a check of every partial sum; and how many scenes there were."""
+    rng, found, seen = Random(seed), [], 0
+    while seen < count:
+        try:
+            a, b = on_pixels(rng)
+        except sv.InvalidShape:
+            continue
+        seen += 1
+        rounds_nothing = circles_round_nothing if a.radius else sat_rounds_nothing
+        for advice in (sv.advise(a, b), many_of(a, b)):
+            assert advice.model.sure(a, b) is oracle.relation(a, b)
+            smaller = [j.model.kind for j in advice.judged[: advice.judged.index(advice.best)]]
+            found += [(kind, a, b) for kind in smaller if kind in FORMATS and rounds_nothing(a, b, kind)]
+    return found
+
+
+def many_of(a, b):
+    if a.radius:
+        return sv.advise(batch.Circles([a.center], a.radius), batch.Circles([b.center], b.radius))
+    return sv.advise(batch.Polygons([a]), batch.Polygons([b]))
+
+
+def test_what_rounds_nothing_is_least_in_100_scenes():
+    assert not not_least(3, 100)
+
+
+@pytest.mark.full
+def test_what_rounds_nothing_is_least_in_10000_scenes():
+    assert not not_least(4, 10_000)
+
+
+@pytest.mark.parametrize(
+    ("far", "kind"),
+    [(2_000, "float32"), (5_000, "float32"), (100_000, "float32"), (2**27, "float64"), (2**40, "float64")],
+)
+def test_small_touching_shapes_far_out_need_no_exact_filter(far, kind):
+    triangles = [sv.Polygon([(x + far, y + far) for x, y in ring]) for ring in CORNER_ON_EDGE]
+    coins = sv.Circle((far, far), 2), sv.Circle((far + 3, far + 4), 3)
+    for a, b in (triangles, coins):
+        for advice in (sv.advise(a, b), many_of(a, b)):
+            assert advice.model.kind == kind and advice.facts.relations == (0, 1, 0), (a, b)
+            assert advice.check() and "rounds nothing" in advice.reason
+
+
+def test_a_grid_far_out_says_how_long_its_edges_may_be():
+    rings = np.array(CORNER_ON_EDGE, float) + 2.0**30
+    advice = sv.advise(batch.Polygons(rings))
+    assert (advice.scope.kind, advice.scope.unit) == ("on a grid", 0)
+    assert advice.scope.bound * advice.scope.span * 4 == 2.0**53
+    assert "with edges up to 2^20 wide and high" in str(advice) and advice.check()
+    rng, most, span = np.random.default_rng(5), int(advice.scope.bound), int(advice.scope.span)
+    for _ in range(200):
+        at = rng.integers(-most + span, most - span, 2)
+        try:
+            a, b = (sv.Polygon((at + rng.integers(-span // 2, span // 2 + 1, (3, 2))).astype(float)) for _ in "ab")
+        except sv.InvalidShape:
+            continue
+        assert advice.model.sure(a, b) is oracle.relation(a, b)
+
+
+def test_a_coin_that_rests_on_a_box_needs_the_boxes_only():
+    box = sv.Polygon([(600, 600), (604, 600), (604, 602), (600, 602)])
+    for advice in (
+        sv.advise(box, sv.Circle((602, 603), 1)),
+        sv.advise(batch.Polygons([box]), batch.Circles([(602, 603)], 1)),
+    ):
+        assert advice.model.kind == BOXES and advice.facts.relations == (0, 1, 0) and advice.check()
+
+
+def test_a_coin_that_rests_on_a_slope_of_whole_numbers_needs_plain_floats_only():
+    slope, coin = sv.Polygon([(600, 600), (608, 606), (600, 606)]), sv.Circle((607, 599), 5)
+    for advice in (sv.advise(slope, coin), sv.advise(batch.Polygons([slope]), batch.Circles([coin.center], 5))):
+        assert advice.model.kind == "float32" and advice.facts.relations == (0, 1, 0) and advice.check()
+
+
+# -- whole pipelines
+
+
+def all_by(model, shapes, pairs):
+    with np.errstate(all="ignore"):
+        many = paired(shapes, pairs[:, 0], shapes, pairs[:, 1])
+        return answers(model, many, kept(model, shapes), kept(model, shapes), engine="numpy")
+
+
+def crowds(seed):
+    """Batches of one kind and mixed ones, in which boxes settle most pairs."""
+    rng = np.random.default_rng(seed)
+    notched = np.array([[0, 0], [4, 0], [4, 4], [2, 1], [0, 4]], float)
+    at = rng.uniform(0, 60, (30, 1, 2))
+    yield batch.Polygons(notched + at, concave="split")
+    yield batch.Circles(rng.integers(0, 40, (30, 2)).astype(float), rng.integers(1, 4, 30).astype(float))
+    yield batch.Circles(rng.uniform(0, 3000, (30, 2)), rng.uniform(1, 90, 30))
+    thin = rng.uniform(-1, 1, (30, 3, 2)) * [8, 0.2]
+    yield batch.Polygons(thin + at)
+    yield batch.concat([batch.Polygons(thin[:15] + at[:15]), batch.Circles(at[15:, 0], rng.uniform(0.1, 2, 15))])
+    yield boxes_at(rng.uniform(0, 400, (30, 2)))
+    yield batch.Polygons(thin * 0.01 + rng.uniform(0, 5000, (30, 1, 2)))
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_each_pipeline_is_judged_on_all_pairs_of_a_batch(seed):
+    for shapes in crowds(seed):
+        advice = sv.advise(shapes)
+        pairs = np.array(list(combinations(range(len(shapes)), 2)))
+        truth = batch.relate(shapes, shapes, pairs)
+        boxes_apart = all_by(next(j.model for j in advice.judged if j.model.kind == BOXES), shapes, pairs) == 0
+        for j in advice.judged:
+            said = all_by(j.model, shapes, pairs)
+            if j.model.after_boxes:
+                said = np.where(boxes_apart, 0, said)
+            assert j.model.axes == (2 if j.model.after_boxes else 0) + j.model._replace(after_boxes=False).axes - (
+                2 if j.model.after_boxes else 0
+            )
+            assert j.wrong <= (said != truth).sum() <= j.wrong + j.unsure, j
+        assert (truth == 0).sum() == advice.facts.relations[0] + advice.facts.settled
+        assert advice.check()
+
+
+def test_circles_that_are_right_behind_the_boxes_only_are_not_said_to_be_right_alone():
+    notched = np.array([[0, 0], [4, 0], [4, 4], [2, 1], [0, 4]], float)
+    shapes = batch.Polygons(notched + np.random.default_rng(3).uniform(0, 250, (500, 1, 2)), concave="split")
+    advice = sv.advise(shapes)
+    alone, after = (
+        next(j for j in advice.judged if j.model.kind == CIRCLES and j.model.after_boxes is way)
+        for way in (False, True)
+    )
+    assert not alone.proven and after.proven and (alone.model.axes, after.model.axes) == (1, 3)
+    assert advice.model.kind == BOXES
+
+
+def test_a_pipeline_says_what_runs_first_and_counts_its_axes():
+    kite = np.array([(0, -1), (1, 0.2), (0, 1.1), (-1, 0.1)])
+    advice = sv.advise(batch.Polygons(kite + np.array([(0, 0), (1.3, 1.3), (9, 9)])[:, None]))
+    first, second = str(advice).splitlines()[:2]
+    assert advice.model.after_boxes and first.startswith(f"AABB, then {advice.model.test} (")
+    assert second == f"first    AABB (2 axes) settles 2 pairs; {advice.model.test} decides the other 1"
+    assert f"({advice.model.axes} axes): right for all 3 pairs" in first
+
+
+# -- bounded work
+
+
+@pytest.mark.parametrize("make", [lambda n: batch.Circles(np.zeros((n, 2)), 1.0), lambda n: boxes_at(np.zeros((n, 2)))])
+def test_pairs_are_counted_before_they_are_listed(make, monkeypatch):
+    monkeypatch.setattr("satviz.advice.many.in_order", lambda blocks: pytest.fail("listed"))
+    with pytest.raises(sv.InvalidScene, match=r"more than 2,000,000 pairs of the bounding boxes of 2,100 shapes meet"):
+        sv.advise(make(2100))
+
+
+def test_tests_of_many_corners_are_counted_before_they_are_made():
+    angles = np.linspace(0, 2 * np.pi, 5000, endpoint=False)
+    ring = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    many = batch.Polygons(np.stack([ring, ring + 0.5, ring + 0.25]))
+    with pytest.raises(
+        sv.InvalidScene, match=r"150,000,000 tests of an edge against a corner: the limit is 60,000,000"
+    ):
+        sv.advise(many)
+
+
+def stars(corners):
+    turns = [2 * math.pi * i / corners for i in range(corners)]
+    return [
+        sv.Polygon(
+            [
+                ((10 if i % 2 else 4) * math.cos(t) + x, (10 if i % 2 else 4) * math.sin(t) + y)
+                for i, t in enumerate(turns)
+            ]
+        )
+        for x, y in ((0, 0), (13.1, 1.3))
+    ]
+
+
+def test_two_shapes_of_many_parts_are_advised_on_as_two_of_few_are(monkeypatch):
+    for scene in (stars(12), [sv.scene("concave").a, sv.scene("concave").b]):
+        found = []
+        for most in (0, math.inf):
+            monkeypatch.setattr(advising, "TESTS_BY_FRACTIONS", most)
+            found.append(sv.advise(*scene))
+        by_arrays, by_fractions = found
+        assert by_arrays.judged == by_fractions.judged and by_arrays.scope == by_fractions.scope
+        assert by_arrays.facts._replace(gamma=0) == by_fractions.facts._replace(gamma=0)
+
+
+def test_to_prove_again_is_refused_beyond_its_limit():
+    advice = sv.advise(*stars(12))
+    tests = advice.case.tests
+    assert advice.check(most=tests)
+    with pytest.raises(sv.InvalidScene, match=rf"check\(\) would make {tests:,} tests .* the limit is {tests - 1:,}; "):
+        advice.check(most=tests - 1)
+
+
+def test_to_show_a_recommendation_measures_nothing(monkeypatch):
+    monkeypatch.setattr(prices, "prices", lambda *args, **kwargs: pytest.fail("measured"))
+    for advice in (sv.advise("triangles"), sv.advise(boxes_at([(0, 0), (0.5, 0.5)]))):
+        assert advice._repr_mimebundle_() == {"text/plain": str(advice)}
+
+
+def test_a_pair_of_many_parts_is_not_timed_and_the_command_says_so(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(prices, "TESTS_TIMED", 10)
+    monkeypatch.setattr(prices.prices, "__kwdefaults__", {**prices.prices.__kwdefaults__, "tests": 10})
+    advice = sv.advise("triangles")
+    assert set(advice.prices().values()) == {None}
+    with pytest.raises(ValueError, match="not timed"):
+        advice.chart()
+    from satviz.cli import main
+
+    assert main(["advise", "triangles"]) == 0
+    assert "price    not timed: one call would take too long" in capsys.readouterr().out
+    assert main(["advise", "triangles", "--chart", str(tmp_path)]) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_timing_stops_when_its_seconds_are_over(monkeypatch):
+    clock = [0.0]
+    monkeypatch.setattr(timing, "perf_counter", lambda: clock[0])
+    ran = {"quick": 0, "slow": 0, "last": 0}
+
+    def job(name, takes):
+        def run():
+            ran[name] += 1
+            clock[0] += takes
+
+        return run
+
+    jobs = {"quick": job("quick", 0.1), "slow": job("slow", 0.3), "last": job("last", 0.1)}
+    found = timing.in_turn(jobs, 100, dict.fromkeys(jobs, 1), lambda: clock[0], seconds=1.0)
+    assert found.keys() == {"quick", "last"} and ran["slow"] == 1
+    assert clock[0] < 1.2 and ran["quick"] == ran["last"] > 1
+
+
+def test_pairs_within_a_rounding_of_touching_are_not_asked_one_by_one(monkeypatch):
+    monkeypatch.setattr(gammas, "signed", lambda a, b: pytest.fail("asked"))
+    turn, rng = 0.3, np.random.default_rng(6)
+    x, y = np.meshgrid(np.arange(12.0), np.arange(12.0))
+    ring = np.stack([x.ravel(), y.ravel()], axis=1)[:, None] + np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
+    ring += rng.integers(-1, 2, ring.shape) * 2.0**-46
+    u, v = ring[..., 0], ring[..., 1]
+    tiles = np.stack([u * math.cos(turn) - v * math.sin(turn), u * math.sin(turn) + v * math.cos(turn)], axis=2)
+    coins = batch.Circles(np.stack([x.ravel(), y.ravel()], axis=1), 0.5 + rng.integers(-1, 2, 144) * 2.0**-50)
+    for shapes in (batch.Polygons(tiles), coins):
+        near = sv.advise(shapes).facts
+        assert near.relations[0] > 20 and near.gamma < 64
+    assert limits.MAX_PAIRS_BY_FRACTIONS == 20_000
+
+
+@pytest.mark.parametrize("kind", [EXACT, DIRECTIONS])
+def test_names_of_models_after_the_boxes_say_so(kind):
+    model = (
+        sv.advise("triangles")
+        .judged[0]
+        .model._replace(kind=kind, directions=((1.0, 0.5),) * 3, axes=5, after_boxes=True)
+    )
+    assert model.name == f"AABB, then {'filtered exact' if kind == EXACT else 'ranges on 3 directions'}"
