@@ -8,7 +8,7 @@ import pytest
 from satviz import Polygon, batch
 from satviz.cli import main
 from satviz.study import truth
-from satviz.study.bench import Row, busy, slope
+from satviz.study.bench import BY, Row, busy, slope
 from satviz.study.lab import machine
 from satviz.study.methods import kernels
 from satviz.study.pairs.workloads import CORNERS, LAYOUTS, WORKLOADS
@@ -33,6 +33,10 @@ def test_bench_times_every_method_and_satviz_is_never_wrong(capsys, tmp_path):
             assert row["checked"] > 0 or row["section"] in ("growth", "starts", "memory") or "making" in row["work"], (
                 row
             )
+        if row["checked"]:
+            assert row["by"] in BY, row
+        if row["method"] == "shapely" and row["section"] in ("scenes", "broad phase"):
+            assert row["checked"] == 0, row  # the others are held against it
     inexact = {row["method"] for row in rows if row["work"] == "nearly touching" and row["wrong"]}
     assert inexact >= {"plain NumPy", "textbook SAT in numba", "GJK in numba"}  # hard enough to tell methods apart
     assert set(found["machine"]) >= {"python", "numpy", "satviz"}

@@ -3,19 +3,22 @@
 import csv
 import json
 import os
+import re
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import nullcontext
+from math import log2
 from pathlib import Path
 from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import matplotlib
 import pytest
+from refresh_charts import BENCH, IN_README, SPEED, stored
 
 from satviz.cli import main
 from satviz.pictures import THEMES
 from satviz.study import bench_chart, run
-from satviz.study.bench import Row
+from satviz.study.bench import BY, ENGINES, Row
 from satviz.study.lab.cells import Cell, Failure, Settings, results
 from satviz.study.lab.chart import Chart, axes, suffix, wilson
 from satviz.study.methods import COMPILED
@@ -136,7 +139,7 @@ def test_the_command_does_the_other_sections_and_ends_with_1_if_a_cell_failed(tm
 
 
 def test_a_chart_is_saved_with_its_numbers_beside_it(tmp_path):
-    chart = resolution.main_chart(KEPT["rows"], QUICK)
+    chart = resolution.main_chart(SPEED["rows"], QUICK)
     section = SimpleNamespace(cells=lambda settings: [], charts=lambda found, settings: [chart])
     files = study(QUICK._replace(quick=False), tmp_path, sections=[section])
     assert {path.suffix for path in files} == {".svg", ".png", ".json", ".csv", ".md"}
@@ -205,21 +208,10 @@ COMMITTED = Path(__file__).parent.parent / "figures"
 README = (COMMITTED.parent / "README.md").read_text(encoding="utf-8")
 
 
-def kept(stem):
-    return json.loads((COMMITTED / f"{stem}.json").read_text(encoding="utf-8"))
-
-
-KEPT, BENCH = kept("speed-against-accuracy"), kept("bench")
-IN_README = {
-    "speed-against-accuracy": resolution.main_chart(KEPT["rows"], Settings(**KEPT["settings"])),
-    "bench": bench_chart.chart([Row(**row) for row in BENCH["rows"]], BENCH["rough"]),
-}
-
-
 @pytest.mark.parametrize("stem", IN_README)
 @pytest.mark.parametrize("theme", THEMES.values(), ids=list(THEMES))
 def test_a_chart_in_the_readme_is_what_its_numbers_draw(stem, theme):
-    chart, numbers = IN_README[stem], kept(stem)
+    chart, numbers = IN_README[stem], stored(stem)
     assert (chart.reading, chart.title, chart.rough) == (numbers["reading"], numbers["title"], numbers["rough"])
     committed = (COMMITTED / f"{stem}{suffix(theme)}.svg").read_text(encoding="utf-8")
     drawn = chart.encode("svg", theme).decode()
@@ -232,14 +224,69 @@ def test_a_chart_in_the_readme_is_what_its_numbers_draw(stem, theme):
     assert texts(drawn) == texts(committed)
 
 
-def test_the_bench_in_the_readme_is_told_as_it_was_measured_on_a_quiet_machine_and_none_was_wrong():
-    assert f'src="figures/bench.svg" width="800" alt="{BENCH["reading"]}"' in README and not BENCH["rough"]
+@pytest.mark.parametrize("stem", IN_README)
+def test_a_chart_in_the_readme_has_its_reading_as_alternative_text(stem):
+    (alt,) = re.findall(rf'<img src="figures/{stem}\.svg"[^>]* alt="([^"]*)"', README)
+    assert alt == stored(stem)["reading"]
+
+
+def test_the_bench_in_the_readme_was_measured_on_a_quiet_machine_and_none_was_wrong():
+    assert not BENCH["rough"]
     assert all(row["wrong"] == 0 for row in BENCH["rows"] if row["method"].startswith("satviz"))
 
 
+def test_the_readme_tells_the_largest_gammas_of_its_sample_and_that_it_is_one():
+    gamma = {row["method"]: row["gamma"] for row in SPEED["rows"]}
+    float64 = max(row["gamma"] for row in SPEED["rows"] if row["family"] == "float SAT" and row["gamma"] < 2**20)
+    assert f"in this sample SAT in float64 was wrong up to a gamma of {float64:.1f}," in README
+    assert f"float32 was wrong up to 2^{log2(gamma['SAT, float32']):.1f} in this sample" in README
+
+
+def of_bench(method, time=1.0, work="tiles", section="scenes", size=0, **more):
+    return Row(section, work, size, method, "ns", time, time, time, time, **more)
+
+
+def test_what_answers_were_checked_by_is_never_added_up():
+    rows = [of_bench(engine, wrong=1, checked=10 ** (k + 1), by=by) for k, by in enumerate(BY) for engine in ENGINES]
+    rows += [of_bench("shapely", 2.0), of_bench("GJK in numba", wrong=5, checked=7, by="rationals")]
+    told = bench_chart.chart(rows, "").reading
+    for k, words in enumerate(BY.values()):
+        assert f"2 of {2 * 10 ** (k + 1):,} {words}" in told
+    assert len(re.findall(r"\d of \d", told)) == len(BY)
+
+
+def test_every_place_where_satviz_is_slower_than_shapely_is_told():
+    rows = [of_bench("shapely"), of_bench("satviz numpy", 0.5)]
+    assert "Nowhere in this run was satviz slower" in bench_chart.chart(rows, "").reading
+    for n in 1000, 100_000, 10_000_000:
+        rows += [
+            of_bench("shapely", 1.0, "even", "broad phase", n),
+            of_bench("satviz numpy", 1000 / n, "even", "broad phase", n),
+        ]
+    for v in 3, 64:
+        rows += [
+            of_bench("shapely", 1.0, "touching", "corners", v),
+            of_bench("satviz numpy", v / 32, "touching", "corners", v),
+        ]
+    rows += [
+        of_bench("shapely", 1.0, "even", "broad phase", 10),
+        of_bench("satviz numpy", 4.0, "even", "broad phase", 10),
+    ]
+    told = bench_chart.chart(rows, "").reading
+    assert "touching, 64 corners (0.50)" in told and "10 boxes, even (0.25)" in told and "3 corners" not in told
+    assert "from 0.2 times as fast as shapely unprepared (10 boxes, even)" in told and "100,000 boxes" not in told
+
+
+def test_times_as_fast_as_shapely_say_which_shapely():
+    rows = [of_bench("shapely", 8.0), of_bench("shapely, prepared", 4.0), of_bench("satviz numba", 1.0)]
+    told = bench_chart.chart(rows, "").reading
+    assert "8.0 times (tiles; 4.0 times as fast as prepared)" in told
+    assert "shapely" not in told.replace("shapely unprepared", "")
+
+
 def test_the_chart_in_the_readme_comes_from_a_full_run_and_its_exact_methods_were_never_wrong():
-    assert KEPT["settings"] == Settings()._asdict() and not KEPT["rough"].endswith("quick run")
-    for row in KEPT["rows"]:
+    assert SPEED["settings"] == Settings()._asdict() and not SPEED["rough"].endswith("quick run")
+    for row in SPEED["rows"]:
         assert (row["lane"] == "exact by construction") == (row["family"] == "exact")
         assert row["family"] != "exact" or row["wrong"] == row["touching_wrong"] == row["ordinary_wrong"] == 0
 
@@ -250,7 +297,7 @@ def test_the_counts_in_the_readme_are_counted_again():
     times = {"ns": 1.0, "ns_low": 1.0, "ns_high": 1.0}
     found["resolution-times"] = [{**row, **times} for row in found["count-ordinary"]]
     again = {row["method"]: row for row in errors.rows(found) if row["language"] == COMPILED}
-    for row in KEPT["rows"]:
+    for row in SPEED["rows"]:
         assert {**again[row["method"]], **times} == {**row, **times}
 
 

@@ -13,7 +13,9 @@ along the way out from the center) over u * reach, where a circle reaches its ra
 polygons: of all pairs of their convex parts the one that clears least decides.
 
 A sum of products of rounded differences is off by some u * span * reach, so gamma says what no unit does: plain
-floats can be trusted where it is above their number of roundings, `proofs.py` says how many.
+floats can be trusted where it is above their number of roundings, `proofs.py` says how many.  That holds while the
+floats can hold the shapes and the products of their coordinates.  Where products leave the floats' range, or where
+float32's grid is coarser than a shape, an answer can be wrong at any gamma.
 """
 
 from collections.abc import Sequence

@@ -1,14 +1,15 @@
 """satviz bench: what work costs, satviz beside its peers on the same work in one run.
 
 The methods are taken in turn within a round; the figure is the median over rounds.  What is
-timed starts where the line says: from shapes built beforehand, or from raw arrays.  Answers
-are checked: against rationals on the first pairs, by construction, or against shapely.
+timed starts where the line says: from shapes built beforehand, or from raw arrays.  Each row says
+what its answers were checked by (`BY`): the first pairs by rationals, pairs that were made to lie so
+by how they were made, collisions by shapely's.  Of the broad phase only the number of pairs is compared.
 """
 
 import subprocess
 import sys
 import tracemalloc
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from math import isqrt
@@ -40,13 +41,22 @@ ENGINES = {"satviz numpy": "numpy", "satviz numba": "numba"}
 SIZES = (3, 4, 8, 16, 32, 64, 128, 256)  # corners
 BUSY = 0.25  # quartiles so far apart, as a share of the median, tell of a busy machine
 
+# what answers are checked by, and how a sentence says so; the method that others are held against is not checked
+BY = {
+    "rationals": "checked by rationals",
+    "construction": "by how the pairs were made",
+    "shapely": "against shapely's collisions",
+    "count": "box pairs by their number alone, against shapely's",
+}
+
 Jobs = Mapping[str, Callable[[], Any]]
 
 
 class Row(NamedTuple):
     """One method on one work: the time of an item (a pair, or the whole) in the section's unit, and what was wrong.
 
-    `size`: what the section varies, 0 if nothing; `low` and `high`: quartiles; `checked`: how many answers were.
+    `size`: what the section varies, 0 if nothing; `low` and `high`: quartiles; `checked`: how many answers were, and
+    `by` which key of `BY`.
     """
 
     section: str
@@ -60,6 +70,7 @@ class Row(NamedTuple):
     high: float
     wrong: int = 0
     checked: int = 0
+    by: str = ""
 
 
 class Plan(NamedTuple):
@@ -100,9 +111,9 @@ def _timed(
         yield Row(section, work, size, method, unit, median, least, low, high)
 
 
-def _judged(row: Row, said: Any, right: NDArray[np.int8]) -> Row:
+def _judged(row: Row, said: Any, right: NDArray[np.int8], by: str) -> Row:
     said = np.asarray(said)[: len(right)]
-    return row._replace(wrong=sum(mistakes(said, right).values()), checked=len(right))
+    return row._replace(wrong=sum(mistakes(said, right).values()), checked=len(right), by=by)
 
 
 # -- pairs, from shapes built beforehand -------------------------------------------------------------
@@ -141,7 +152,7 @@ def _uniform(plan: Plan) -> Iterator[Row]:
             items |= dict.fromkeys(peers, plan.pairs)
             answers = {label: job() for label, job in jobs.items()}
             for row in _timed("pairs", work, 0, jobs, items, "ns", plan.rounds):
-                yield row if row.method == READING else _judged(row, answers[row.method], right)
+                yield row if row.method == READING else _judged(row, answers[row.method], right, "rationals")
 
 
 READING = "reading the arrays once"
@@ -184,7 +195,7 @@ def _corners(plan: Plan) -> Iterator[Row]:
             right = np.full(n, relation, np.int8)
             answers = {label: job() for label, job in jobs.items()}
             for row in _timed("corners", work, v, jobs, n, "ns", plan.rounds):
-                yield _judged(row, answers[row.method], right)
+                yield _judged(row, answers[row.method], right, "construction")
 
 
 def _batches(a: batch.Shapes, b: batch.Shapes) -> dict[str, Callable[[], Any]]:
@@ -242,10 +253,11 @@ def _collisions(work: str, made: Jobs, plan: Plan) -> Iterator[Row]:
     answers = {label: job() for label, job in jobs.items()}
     right = answers.get("shapely")
     for row in _timed("scenes", work, 0, jobs, 1, "ms", plan.rounds):
-        wrong = (
-            0 if right is None else len(set(map(tuple, right.tolist())) ^ set(map(tuple, answers[row.method].tolist())))
-        )
-        yield row._replace(wrong=wrong, checked=0 if right is None else len(right))
+        if right is None or row.method == "shapely":
+            yield row
+            continue
+        wrong = len(set(map(tuple, right.tolist())) ^ set(map(tuple, answers[row.method].tolist())))
+        yield row._replace(wrong=wrong, checked=len(right), by="shapely")
 
 
 def _geometries(coords: NDArray[np.float64], offsets: NDArray[np.int64]) -> Any:
@@ -280,8 +292,12 @@ def _boxes(plan: Plan) -> Iterator[Row]:
 
                 jobs["shapely"] = partial(_meeting, shapely.box(*bounds.T), None)
             found = {label: len(job()) for label, job in jobs.items()}
+            right = found.get("shapely")
             for row in _timed("broad phase", work, n, jobs, 1, "ms", plan.rounds):
-                yield row._replace(wrong=abs(found[row.method] - found["satviz numpy"]), checked=found["satviz numpy"])
+                if right is None or row.method == "shapely":
+                    yield row
+                else:
+                    yield row._replace(wrong=abs(found[row.method] - right), checked=right, by="count")
 
 
 # -- growth, starts, memory --------------------------------------------------------------------------
@@ -381,10 +397,10 @@ def _by_method(rows: list[Row]) -> list[str]:
     for work in dict.fromkeys(row.work for row in rows):
         block = sorted((row for row in rows if row.work == work), key=lambda row: row.time)
         base = next((row.time for row in block if row.method == "shapely"), None)
-        checked = max(row.checked for row in block)
+        most = max(row.checked for row in block)
         unit = block[0].unit if block[0].section != "pairs" else "ns a pair"
         lines.append(
-            f"{work:40}{unit:>14}{'quartiles':>20}{'x shapely':>11}" + (f"   wrong of {checked:,}" if checked else "")
+            f"{work:40}{unit:>14}{'quartiles':>20}{'x shapely':>11}" + (f"   wrong of {most:,}" if most else "")
         )
         for row in block:
             ratio = f"{base / row.time:.1f}" if base else ""
@@ -403,8 +419,18 @@ def _by_size(rows: list[Row]) -> list[str]:
         times = {row.size: row.time for row in rows if (row.work, row.method) == (work, method)}
         line = "".join(f"{times[n]:10.1f}" for n in sizes)
         lines.append(f"  {work + ', ' + method:50}{line}{slope(times):8.2f}")
-    wrong, checked = sum(row.wrong for row in rows), sum(row.checked for row in rows)
-    return [*lines, f"  wrong: {wrong:,} of {checked:,} answers"] if checked else lines
+    return [*lines, f"  wrong: {wrong}"] if (wrong := checked(rows)) else lines
+
+
+def checked(rows: Sequence[Row]) -> str:
+    """How many answers were wrong of how many, told apart by what they were checked by."""
+    parts = []
+    for by, words in BY.items():
+        mine = [row for row in rows if row.by == by]
+        if mine:
+            wrong, of = sum(row.wrong for row in mine), sum(row.checked for row in mine)
+            parts.append(f"{wrong:,} of {of:,} {words}")
+    return ", ".join(parts)
 
 
 def slope(times: Mapping[int, float]) -> float:

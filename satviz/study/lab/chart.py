@@ -21,6 +21,7 @@ TEXT, TITLE = 10.0, 13.0  # points, at final size
 # who a method is, by colour; every mark is named beside it as well
 FAMILIES = {
     "exact": "exact",
+    "exact in range": "exact",
     "float SAT": "float",
     "tolerance": "tolerance",
     "bounds": "shortcut",

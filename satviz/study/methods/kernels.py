@@ -1,4 +1,7 @@
-"""Methods compiled with numba: one language for all, so that what differs between them is the method.
+"""Methods compiled with numba: one language for all.
+
+Not only the method differs between them.  The bounding circles and boxes here, and satviz's own kernel, are vectorised
+by the compiler; the loops that end early (textbook SAT, turns, GJK, ranges on many axes) go pair by pair.
 
 Polygons of one number of corners, counter-clockwise: (V, N) x and y of each side, column by column.
 Every kernel ends in `out`: 1 for a hit, 0 for apart.

@@ -146,7 +146,7 @@ KINDS = (
     Kind("24 corners", _many),
     Kind("sizes that differ", _sizes),
 )
-EXTREME = Kind("extreme sizes", _ordinary, (400, 1000))  # the one that gamma does not explain: floats end there
+EXTREME = Kind("extreme sizes", _ordinary, (400, 1000))  # gamma does not measure it: products leave floats' range
 
 
 def octave(gamma: Array) -> NDArray[np.int_]:

@@ -38,7 +38,7 @@ CHANGES: dict[str, Callable[[Rings, Rings], Pairs]] = {
     "moved": lambda a, b: (a + AWAY, b + AWAY),
 }
 SHOWN = (
-    (COMPILED, "satviz"), (COMPILED, "turns, adaptive"), (COMPILED, "turns, always exact"), (COMPILED, "shapely"),
+    (COMPILED, "satviz"), (COMPILED, "turns, adaptive"), (COMPILED, "turns, expansions"), (COMPILED, "shapely"),
     (COMPILED, "turns, floats"), (COMPILED, "GJK"), (PYTHON, "pymunk"), (COMPILED, "satviz, no filter"),
     (COMPILED, "SAT, raw normals"), (COMPILED, "SAT, unit normals"), (COMPILED, "SAT, float32"),
 )  # fmt: skip

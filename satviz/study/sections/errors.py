@@ -15,7 +15,8 @@ Row = dict[str, Any]
 Key = tuple[str, str]  # language, name
 ANY = 2.0 ** (max(OCTAVES) - 1)  # wrong up to here is wrong at any gamma
 EVERY = (*KINDS, EXTREME)
-NEVER, PROVED, LOOSE = "none wrong seen", "exact by construction", "wrong at any distance"
+NEVER, PROVED, LOOSE = "none wrong in this sample", "exact by construction", "wrong at any distance"
+FIXED = "fixed tolerance"  # a length, which gamma does not measure
 
 
 def count_hard(kind: int, each: int, settings: Settings) -> list[Row]:
@@ -67,26 +68,40 @@ def take_times(sizes: dict[str, int], rounds: int, settings: Settings) -> list[R
 
 
 def rows(found: dict[str, Any]) -> list[Row]:
-    """A row a method: the largest gamma wrong over all kinds but the extreme sizes, and its time."""
+    """A row a method: the largest gamma wrong over all kinds but the extreme sizes, these counted apart, and its time.
+
+    `lane`: empty where the largest gamma of this sample ranks the method.
+    """
     ordinary, touches, times = (
         {key_of(row): row for row in found[name]} for name in ("count-ordinary", "count-touching", "resolution-times")
     )
     counted = [row for kind in KINDS for row in found[cell_of(kind)]]
+    extremes = {key_of(row): row for row in found[cell_of(EXTREME)]}
     each = np.sum([found[cell_of(kind)][0]["pairs_by_octave"] for kind in KINDS], axis=0)[2:-1]
     made = []
     for key in dict.fromkeys(map(key_of, counted)):
         mine = [row for row in counted if key_of(row) == key]
         gamma = max(row["gamma"] for row in mine)
-        touch, plain, time = touches[key], ordinary[key], times[key]
+        touch, plain, time, extreme = touches[key], ordinary[key], times[key], extremes[key]
         bad = sum(row["wrong"] for row in mine)
         row = {"language": key[0], "method": key[1], "family": mine[0]["family"], "gamma": gamma}
         row |= {"pairs": sum(row["pairs"] for row in mine), "wrong": bad, "least_an_octave": int(each.min())}
         row |= {"touching": touch["pairs"], "touching_wrong": touch["wrong"]}
         row |= {"ordinary": plain["pairs"], "ordinary_wrong": plain["wrong"]}
-        clean = not bad and not touch["wrong"]
-        row["lane"] = LOOSE if gamma > ANY else "" if not clean else PROVED if row["family"] == "exact" else NEVER
+        row |= {"extreme": extreme["pairs"], "extreme_wrong": extreme["wrong"]}
+        row["lane"] = _lane(row)
         made.append({**row, **{k: round(time[k], 3) for k in ("ns", "ns_low", "ns_high")}})
     return made
+
+
+def _lane(row: Row) -> str:
+    if row["gamma"] > ANY:
+        return LOOSE
+    if row["family"] == "tolerance":
+        return FIXED
+    if row["wrong"] or row["touching_wrong"]:
+        return ""
+    return PROVED if row["family"] == "exact" else NEVER
 
 
 def key_of(row: Row) -> Key:

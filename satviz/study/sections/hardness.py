@@ -47,7 +47,9 @@ def rates(found: dict[str, Any]) -> Chart:
         row["share"] = row["wrong"] / max(row["pairs"], 1)
         row["low"], row["high"] = wilson(row["wrong"], row["pairs"])
     least = min(row["pairs"] for row in made[:-1])
-    title = "Each method has a resolution: above it it is always right, below it it tosses a coin"
+    top = {row["method"] for row in made if row["octave"] == OCTAVES[-1] and row["wrong"]}
+    title = "In this sample wrong answers end at some gamma"
+    title += f", except for {', '.join(name for name in SHOWN if name in top)}" if top else ""
 
     def draw(fig: Figure, theme: Theme) -> None:
         under = f"share of wrong answers by hardness, {least:,} pairs or more an octave; bands: 95 % intervals"
@@ -90,8 +92,10 @@ def rates(found: dict[str, Any]) -> Chart:
         mine = [row for row in made if row["method"] == name]
         if mine:
             last = [row["octave"] for row in mine[1:] if row["wrong"]]
-            upto = f"wrong up to gamma 2^{max(last) + 1}" if last else "never wrong"
-            text += f"{name}: {upto}, and at {mine[0]['wrong']:,} of {mine[0]['pairs']:,} touches. "
+            upto = f"wrong up to gamma 2^{max(last) + 1}" if last else "none wrong"
+            text += f"{name}: {upto}, {mine[1]['share']:.0%} in the hardest octave, "
+            text += f"and at {mine[0]['wrong']:,} of {mine[0]['pairs']:,} touches. "
+    text = f"In this sample, which is no bound for other pairs: {text}"
     return Chart("wrong-by-gamma", title, (860.0, 400.0), draw, made, text.strip())
 
 
@@ -119,7 +123,7 @@ def kinds(found: dict[str, Any]) -> Chart:
         if row["family"] == "float SAT" and row["kind"] != EXTREME.name and "float32" not in row["method"]
     ]
     most = 2.0 ** int(np.ceil(log2(max(plain, default=1.0))))
-    title = f"Whatever makes a pair hard, float64 SAT errs only below gamma {most:g}; extreme sizes apart"
+    title = f"In this sample float64 SAT was wrong only below gamma {most:g}; extreme sizes apart"
     wide = 78.0
     size = 170 + wide * len(names), 132 + 30.0 * len(EVERY)
 
@@ -128,7 +132,7 @@ def kinds(found: dict[str, Any]) -> Chart:
             fig,
             theme,
             title,
-            "the largest gamma at which an answer was wrong, by method and kind of hardness; darker is worse",
+            "the largest gamma of this sample at which a method was wrong, by kind of hardness; darker is worse",
         )
         ax = axes(fig, (160 / size[0], 16 / size[1], wide * len(names) / size[0], 30.0 * len(EVERY) / size[1]), theme)
 
@@ -146,11 +150,12 @@ def kinds(found: dict[str, Any]) -> Chart:
         worst.append(f"{name} {max(collapse):.2g}" if max(collapse) else f"{name} none")
     extreme = [row["method"] for row in made if row["kind"] == EXTREME.name and not row["wrong"]]
     text = (
-        f"The largest gamma found wrong over {len(KINDS)} kinds of hardness: {', '.join(worst)}. Extreme sizes (2^400 "
-        "and more, either way) do not follow gamma: products of coordinates leave the range of floats there, so what "
-        f"is lost is everything and not some roundings; never wrong there: {', '.join(extreme) or 'none'}. A fixed "
-        "tolerance is no number of roundings either: far from the origin the same 1e-9 is a smaller gamma. All shapes "
-        "are ones that float32 can hold: where its grid is coarser than a shape, no gamma can tell."
+        f"The largest gamma found wrong in this sample of {len(KINDS)} kinds of hardness (no bound for other pairs): "
+        f"{', '.join(worst)}. Extreme sizes (2^400 and more, either way) do not follow gamma: products of "
+        "coordinates leave the range of floats there, so what is lost is everything and not some roundings; none wrong "
+        f"there: {', '.join(extreme) or 'no method'}. A fixed tolerance is no number of roundings either: far from the "
+        "origin the same 1e-9 is a smaller gamma. float32 leaves its range much sooner, and all shapes of this sample "
+        "are ones that it can hold: where its grid is coarser than a shape, no gamma can tell."
     )
     return Chart("kinds-of-hardness", title, size, draw, made, text)
 

@@ -1,7 +1,8 @@
-"""Speed against resolution: up to which gamma each method was found wrong, and what it takes a pair.
+"""Speed against resolution: up to which gamma each method was wrong in a sample, and what it takes a pair.
 
-gamma is how hard a pair is for floats, whatever made it hard; so this measure says how good a method is,
-where a rate of wrong answers says how its workload was made.
+gamma is how hard a pair is for floats that can hold the shapes and the products of their coordinates.  It ranks
+methods where a rate of wrong answers would only say how the workload was made.  The largest gamma of a sample is
+no bound: a search for the worst pairs finds larger ones.
 """
 
 from collections.abc import Sequence
@@ -16,10 +17,10 @@ from ..lab.cells import Cell, Settings
 from ..lab.chart import TEXT, Chart, axes, colour, headline, label_points, time_ticks, told
 from ..lab.machine import installed
 from ..lab.times import rough
-from ..methods import COMPILED, NUMPY, PYTHON
+from ..methods import COMPILED, NUMPY, PYTHON, VECTORISED
 from ..pairs.hard import KINDS, OCTAVES
 from . import hardness
-from .errors import EVERY, LOOSE, NEVER, PROVED, Row, cell_of, count, count_hard, rows, take_times
+from .errors import EVERY, FIXED, LOOSE, NEVER, PROVED, Row, cell_of, count, count_hard, rows, take_times
 
 KILOMETRE = 2.0**-53 * 1e3  # what gamma 1 is, as a gap in metres, where coordinates reach a kilometre
 ATOM = 1e-10  # metres
@@ -54,8 +55,8 @@ def main_chart(rows: Sequence[Row], settings: Settings) -> Chart:
     mine = [row for row in rows if row["language"] == COMPILED]
     gap = _floats(mine) * KILOMETRE
     small = "gaps smaller than an atom" if 0 < gap < ATOM else f"gaps below {_length(_floats(mine))}"
-    title = f"In a scene of 1 km, SAT in plain floats errs only at {small}"
-    return _scatter("speed-against-accuracy", title, mine, settings)
+    title = f"In this sample, at 1 km, float64 SAT was wrong only at {small}"
+    return _scatter("speed-against-accuracy", title, mine, settings, more=VECTORISED)
 
 
 def _interpreted(rows: Sequence[Row], settings: Settings) -> Chart:
@@ -69,7 +70,9 @@ def _interpreted(rows: Sequence[Row], settings: Settings) -> Chart:
         )
         for language in (COMPILED, NUMPY, PYTHON)
     }
-    title = f"SAT by language: {', '.join(f'{time} {language}' for language, time in least.items())}; its errors stay"
+    errors = {(r["gamma"], r["wrong"], r["touching_wrong"]) for r in rows if r["method"] == "SAT, raw normals"}
+    alike = "same errors in this sample" if len(errors) == 1 else "not the same errors in this sample"
+    title = f"SAT: {', '.join(f'{time} {language}' for language, time in least.items())}; {alike}"
     return _scatter("interpreted", title, mine, settings)
 
 
@@ -85,15 +88,18 @@ def _length(gamma: float) -> str:
     metres = gamma * KILOMETRE
     for size, unit in (1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm"), (1e-12, "pm"):
         if metres >= size:
-            return f"{metres / size:.2g} {unit}"
+            return f"{float(f'{metres / size:.2g}'):g} {unit}"
     return f"{metres / 1e-12:.1g} pm"
 
 
-def _scatter(stem: str, title: str, rows: Sequence[Row], settings: Settings) -> Chart:
-    """Lanes for what gamma cannot rank, and between them what was wrong up to some gamma, to scale."""
+def _scatter(stem: str, title: str, rows: Sequence[Row], settings: Settings, more: str = "") -> Chart:
+    """Lanes for what gamma cannot rank, and between them what was wrong up to some gamma, to scale.
+
+    `more`: a last sentence of the reading.
+    """
     lanes = {
         name: sorted((r for r in rows if r["lane"] == name), key=lambda r: r["ns"])
-        for name in (LOOSE, "", NEVER, PROVED)
+        for name in (LOOSE, FIXED, "", NEVER, PROVED)
     }
     tall = {name: SCALE if not name else 24 + ROW * len(mine) for name, mine in lanes.items() if mine}
     head, foot = 66.0, 42.0
@@ -105,7 +111,7 @@ def _scatter(stem: str, title: str, rows: Sequence[Row], settings: Settings) -> 
         under = (
             "further left: faster; further down: finer; bars: quartiles of the time",
             f"{n['pairs']:,} pairs made hard in {len(KINDS)} ways, at least {n['least_an_octave']:,} an octave of gap, "
-            f"and {n['touching']:,} that touch",
+            f"and {n['touching']:,} that touch; extreme sizes apart",
         )
         headline(fig, theme, title, *under)
         top = size[1] - head
@@ -125,14 +131,19 @@ def _scatter(stem: str, title: str, rows: Sequence[Row], settings: Settings) -> 
                 _levels(ax, theme, mine)
             top -= 10
 
-    return Chart(stem, title, size, draw, list(rows), _reading(rows), rough(rows, settings))
+    return Chart(stem, title, size, draw, list(rows), f"{_reading(rows)} {more}".strip(), rough(rows, settings))
 
 
 def _lane(ax: Axes, theme: Theme, name: str, rows: Sequence[Row]) -> None:
     """A line each, no order of quality."""
     ax.set(yticks=[], ylim=(24 + ROW * len(rows), 0))
     ax.spines["left"].set_visible(False)
-    words = {LOOSE: "wrong at\nany gap", NEVER: "none wrong\nseen", PROVED: "exact by\nconstruction"}[name]
+    words = {
+        LOOSE: "wrong at\nany gap",
+        FIXED: "a fixed\ntolerance",
+        NEVER: "none wrong in\nthis sample",
+        PROVED: "exact by\nconstruction",
+    }[name]
     ax.annotate(
         words,
         (0, 0.5),
@@ -149,24 +160,32 @@ def _lane(ax: Axes, theme: Theme, name: str, rows: Sequence[Row]) -> None:
         y, shade = 12 + ROW * (i + 0.5), colour(theme, row["family"])
         ax.plot([row["ns_low"], row["ns_high"]], [y, y], color=shade, lw=1)
         ax.plot([row["ns"]], [y], "D" if name == PROVED else "o", color=shade, ms=6)
-        text = row["method"]
-        if name == LOOSE:
-            text += (
-                f": {row['ordinary_wrong'] / row['ordinary']:.0%} of ordinary pairs wrong"
-                if row["ordinary_wrong"]
-                else ""
-            )
+        # a label that has no place to the right of its point stands to the left of it
+        right = log2(row["ns"]) < sum(map(log2, ax.get_xlim())) / 2
         ax.annotate(
-            text,
-            (row["ns_high"], y),
-            (6, 0),
+            _with_share(row),
+            (row["ns_high" if right else "ns_low"], y),
+            (6 if right else -6, 0),
             textcoords="offset points",
+            ha="left" if right else "right",
             va="center_baseline",
             fontsize=TEXT,
             color=colour(theme, row["family"], text=True),
             parse_math=False,
             annotation_clip=False,
         )
+
+
+def _with_share(row: Row) -> str:
+    """A method of a lane, and the share it has wrong of the pairs that tell most about it."""
+    wrong, of, pairs = {
+        LOOSE: (row["ordinary_wrong"], row["ordinary"], "ordinary pairs"),
+        FIXED: (row["wrong"], row["pairs"], "hard pairs"),
+    }.get(row["lane"], (row["extreme_wrong"], row["extreme"], "extreme sizes"))
+    if not wrong:
+        return str(row["method"])
+    share = f"{wrong / of:.0%}" if wrong >= 0.01 * of else "under 1%"
+    return f"{row['method']}: {share} of {pairs} wrong"
 
 
 def _levels(ax: Axes, theme: Theme, rows: Sequence[Row]) -> None:
@@ -200,11 +219,20 @@ def _reading(rows: Sequence[Row]) -> str:
     n = rows[0]
     text = f"{len(rows)} methods on {n['pairs']:,} pairs made hard in {len(KINDS)} ways (at least "
     text += f"{n['least_an_octave']:,} an octave of gamma) and {n['touching']:,} that touch exactly. "
+    text += "The gammas that follow are the largest of this sample, and other pairs can be wrong at larger ones. "
     for row in sorted((r for r in rows if r["lane"] == ""), key=lambda r: -r["gamma"]):
         upto = f"wrong up to gamma {row['gamma']:.2g} ({_length(row['gamma'])} in a kilometre)"
         touch = f", and at {row['touching_wrong']:,} of the touches" if row["touching_wrong"] else ""
         text += f"{row['method']}: {upto}{touch}; {told(row['ns'])}. "
+    fixed = [r for r in rows if r["lane"] == FIXED]
+    text += "A fixed tolerance is a length, so its gamma changes with the scene. " if fixed else ""
+    for row in fixed:
+        touch = f" and at {row['touching_wrong']:,} of the touches" if row["touching_wrong"] else ""
+        text += f"{row['method']}: wrong on {row['wrong']:,} of the hard pairs{touch}; {told(row['ns'])}. "
     for name in (LOOSE, NEVER, PROVED):
         mine = [f"{r['method']} ({told(r['ns'])})" for r in rows if r["lane"] == name]
         text += f"{name[0].upper()}{name[1:]}: {', '.join(mine)}. " if mine else ""
-    return text.strip()
+    text += f"The chart leaves out {n['extreme']:,} pairs of extreme sizes (2^400 and more, either way), "
+    text += "where products leave float64's range. Wrong on those: "
+    text += "; ".join(f"{r['method']}: {r['extreme_wrong']:,}" for r in rows if r["lane"] in (NEVER, PROVED))
+    return f"{text}."

@@ -1,0 +1,49 @@
+"""Redraw the README's charts from their stored rows, after the code that writes their texts has changed.
+
+    python tests/refresh_charts.py
+
+Nothing is measured.  Title and reading are worked out again, both SVGs are drawn, and the README's alternative text
+becomes the reading.
+"""
+
+import json
+import re
+from pathlib import Path
+
+from satviz.pictures import THEMES
+from satviz.study import bench_chart
+from satviz.study.bench import Row
+from satviz.study.lab.cells import Settings
+from satviz.study.lab.chart import Chart, suffix
+from satviz.study.sections import resolution
+
+ROOT = Path(__file__).parent.parent
+FIGURES, README = ROOT / "figures", ROOT / "README.md"
+
+
+def stored(stem: str) -> dict:
+    """What was measured, and the texts that were made from it."""
+    return json.loads((FIGURES / f"{stem}.json").read_text(encoding="utf-8"))
+
+
+SPEED, BENCH = stored("speed-against-accuracy"), stored("bench")
+IN_README: dict[str, Chart] = {
+    "speed-against-accuracy": resolution.main_chart(SPEED["rows"], Settings(**SPEED["settings"])),
+    "bench": bench_chart.chart([Row(**row) for row in BENCH["rows"]], BENCH["rough"]),
+}
+
+
+def main() -> None:
+    text = README.read_text(encoding="utf-8")
+    for stem, chart in IN_README.items():
+        data = stored(stem) | {"title": chart.title, "reading": chart.reading}
+        (FIGURES / f"{stem}.json").write_text(json.dumps(data, indent=1) + "\n", encoding="utf-8")
+        for theme in THEMES.values():
+            (FIGURES / f"{stem}{suffix(theme)}.svg").write_bytes(chart.encode("svg", theme))
+        picture = re.search(rf'<img src="figures/{stem}\.svg"[^>]* alt="([^"]*)"', text)
+        text = text[: picture.start(1)] + chart.reading + text[picture.end(1) :]
+    README.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
