@@ -710,6 +710,11 @@ def test_pieces_that_are_halved_to_any_size_are_right(kind, most, monkeypatch):
         assert not refute_at_any_size(Polygon(polygon.vertices)), repr(polygon)
 
 
+def test_no_cut_ends_inside_a_diagonal_that_only_halves_so_that_it_can_be_taken_back(monkeypatch):
+    monkeypatch.setattr(concave, "MOST", 1)
+    assert len(parts(Polygon([(0, 4), (0, 1), (2, 1), (3, 0), (5, 1), (3, 2), (4, 4)]))) == 4
+
+
 @pytest.mark.parametrize("kind", one_in(5, BIG))
 def test_hardly_more_parts_come_of_halving(kind, monkeypatch):
     """None where all its cuts are diagonals that no vertex needs: they are taken back."""

@@ -150,8 +150,8 @@ class _Pieces:
     def merged(self) -> list[Ring]:
         """The pieces without the cuts that were not needed after all (Hertel and Mehlhorn 1983).
 
-        The diagonals of `halve` go first.  What is left of them and of the cuts at a reflex vertex is at
-        most two: any third lies where the angles on its two sides make no more than 180 degrees.
+        At most two cuts remain for each reflex vertex, those of `halve` included: if it needed a
+        third, its angles would add up to more than 360 degrees.
         """
         after: dict[Edge, Edge] = {}
         before: dict[Edge, Edge] = {}
@@ -163,7 +163,7 @@ class _Pieces:
             edges = list(zip(ring, [*ring[1:], ring[0]], strict=True))
             for first, second in zip(edges, [*edges[1:], edges[0]], strict=True):
                 link(first, second)
-        for cut in (*self.halving, *after):
+        for cut in list(after):
             twin = cut[::-1]
             if cut not in after or twin not in after:
                 continue
