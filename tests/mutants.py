@@ -40,8 +40,10 @@ LOADED_ONCE = ["hypothesis.strategies", "matplotlib", "numba", "numpy", "pytest"
 TESTS = {  # which test files judge a module
     "engine/geometry": ["geometry"],
     "engine/exact": ["exact", "trace", "verdict"],
+    "engine/sweep": ["shapes", "concave"],
     "engine/outline": ["shapes"],
     "engine/shapes": ["shapes", "trace"],
+    "engine/triangulation": ["concave"],
     "engine/concave": ["concave"],
     "engine/verdict": ["verdict"],
     **{f"batch/{path.stem}": ["batch", "batch_door"] for path in sorted((ROOT / "batch").glob("[!_]*.py"))},

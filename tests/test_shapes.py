@@ -19,7 +19,7 @@ import shapely.geometry
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from satviz.engine import exact
+from satviz.engine import exact, outline, sweep
 from satviz.engine.geometry import InvalidShape
 from satviz.engine.shapes import Circle, Polygon, centroid
 from satviz.study import truth as oracle
@@ -293,6 +293,47 @@ def test_a_crossing_anywhere_on_two_edges_is_told_with_its_place(center, d, e):
     for turned in rotations(ring):
         with refused(rf"edges [01] and [23] cross near \({x}, {y}\)"):
             Polygon(turned)
+
+
+@pytest.mark.parametrize(("x", "y"), [(1, 0), (0, 1), (-1, 0), (0, -1), (3, 4), (-4, 3)])
+def test_two_vertices_in_one_place_are_refused_from_whichever_sides_they_come(x, y):
+    """A corner from the left and one from the right meet in a point, as do two from above and below."""
+    ring = [(0, 0), (-2, 1), (-3, 3), (3, 3), (2, 1), (0, 0), (2, -1), (3, -3), (-3, -3), (-2, -1)]
+    for turned in rotations([(x * px - y * py, y * px + x * py) for px, py in ring]):
+        with refused(r"edges \d and \d cross near \(-?0, 0\)"):
+            Polygon(turned)
+
+
+def _in_rows(n: int) -> list[tuple[float, float]]:
+    """Long teeth that lie above each other: a vertical line meets nearly all edges."""
+    teeth = [p for i in range(n // 4) for p in ((0, 2 * i), (n, 2 * i + 0.5), (0, 2 * i + 1), (0, 2 * i + 1.5))]
+    return [*teeth, (-1, n), (-1, 0)]
+
+
+def _star(n: int) -> list[tuple[float, float]]:
+    return [
+        ((1, 0.4)[i % 2] * math.cos(math.tau * i / n), (1, 0.4)[i % 2] * math.sin(math.tau * i / n)) for i in range(n)
+    ]
+
+
+@pytest.mark.parametrize("outline_of", [_in_rows, _star, lambda n: [(y, x) for x, y in _in_rows(n)[::-1]]])
+def test_looking_for_crossings_grows_almost_as_the_outline(outline_of, monkeypatch):
+    """Counted in orientation tests; n log n would be 10.7 times as many."""
+    asked = 0
+
+    def counted(*points):
+        nonlocal asked
+        asked += 1
+        return exact.orient(*points)
+
+    monkeypatch.setattr(outline, "orient", counted)
+    monkeypatch.setattr(sweep, "orient", counted)
+    cost = []
+    for n in (500, 4000):
+        asked = 0
+        assert not Polygon(outline_of(n)).is_convex
+        cost.append(asked)
+    assert cost[1] < 12 * cost[0] and cost[0] < 20 * 500, cost
 
 
 def test_the_spike_is_named_by_its_vertex():

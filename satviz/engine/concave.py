@@ -7,14 +7,17 @@ are full of cost no more than other turns.
 
 from fractions import Fraction
 from heapq import nsmallest
+from itertools import accumulate, chain
 from math import gcd, lcm
 from typing import NamedTuple
 
+from . import triangulation
 from .exact import IntPoint
 from .geometry import Vec
 from .shapes import Polygon, Shape, checked
 
 NEAREST = 8  # partners tried for each reflex vertex among those after it: a big outline does not try all pairs
+MOST = 100  # reflex vertices of a piece; to cut it takes the square of their number
 
 Ring = list[int]  # the vertex numbers of a piece: counter-clockwise, none straight on
 Edge = tuple[int, int]
@@ -32,6 +35,7 @@ def parts(shape: Shape) -> tuple[Shape, ...]:
 
 def _parts(shape: Shape) -> tuple[Polygon, ...]:
     pieces = _Pieces(shape)
+    pieces.halve()
     pieces.cut_in_pairs()
     pieces.cut_one_by_one()
     numbers = {p: i for i, p in reversed(list(enumerate(shape.vertices)))}
@@ -50,7 +54,7 @@ def _parts(shape: Shape) -> tuple[Polygon, ...]:
 class _Hit(NamedTuple):
     """Where an edge's line ends: on the edge from p to q, or on the vertex q."""
 
-    end: int | None  # None if float64 cannot hold the point
+    end: int | None  # None if float64 cannot hold the point, or inside a diagonal of `halve`
     p: int
     q: int
 
@@ -66,14 +70,63 @@ class _Pieces:
         self.unit = Fraction(common, 1 << k)  # of the integers in self.at, made as short as they can be
         self.at = [(x // common, y // common) for x, y in at]
         self.convex: list[Ring] = []
+        # the diagonals of `halve`, both ways round; no other cut ends inside one, so that it can be taken back
+        self.halving: dict[Edge, None] = {}
         ring = list(range(len(at)))
         # the piece in which a vertex is still reflex: one at most, as all its angles add up to less than 360 degrees
         self.home = {v: ring for i, v in enumerate(ring) if _bend(self.at, ring, i) < 0}
 
+    def halve(self) -> None:
+        """Cut until no piece has more than MOST reflex vertices; each cut leaves an eighth of them on both sides.
+
+        A cut along the line of an edge is preferred.  Otherwise it is a diagonal of a
+        triangulation, which `merged` takes back if no vertex turned out to need it.
+        """
+        todo: list[tuple[Ring, list[Edge]]] = [(next(iter(self.home.values())), [])]
+        while todo:
+            ring, diagonals = todo.pop()
+            sides = _Sides(ring, [self.home.get(v) is ring for v in ring])
+            if sides.total <= MOST:
+                continue
+            best = max(diagonals, key=sides.fewer, default=None)
+            # the diagonals that cuts along lines have left may all be near one end of the piece
+            if best is None or not sides.balanced(best):
+                diagonals = [(ring[i], ring[j]) for i, j in triangulation.diagonals([self.points[v] for v in ring])]
+                best = max(diagonals, key=sides.fewer)
+            cut = self._balanced_line(ring, best, sides)
+            if cut is None:
+                cut = best
+                self.halving |= {cut: None, cut[::-1]: None}
+            for piece in self._cut(ring, *cut):
+                held = set(piece)
+                todo.append((piece, [d for d in diagonals if d != best and held.issuperset(d)]))
+
+    def _balanced_line(self, ring: Ring, ends: Edge, sides: "_Sides") -> Edge | None:
+        """The first balanced cut along the line of an edge at one of two vertices; its end is put on the ring."""
+        for v in ends:
+            for hit in self._both_extended(ring, v) if self.home.get(v) is ring else ():
+                if hit.end is not None and sides.balanced((v, hit.q)):
+                    _put(ring, hit.end, hit.q)
+                    return v, hit.end
+        return None
+
     def cut_in_pairs(self) -> None:
         """Cuts that end two reflex vertices at once: first those along an edge's line, then the shortest."""
-        at, pairs = self.at, []
-        bends = [(v, at[v - 1], at[v], at[(v + 1) % len(at)]) for v in self.home]
+        rings = {id(ring): ring for ring in self.home.values()}
+        for _, _, u, v in sorted(chain.from_iterable(map(self._pairs, rings.values()))):
+            ring = self.home.get(u)
+            if ring is not None and ring is self.home.get(v) and self._sees(ring, u, v):
+                self._cut(ring, u, v)
+
+    def _pairs(self, ring: Ring) -> list[tuple[bool, int, int, int]]:
+        """Return the cuts between reflex vertices of a ring that would end both.
+
+        Each is given as: does it make a new normal, its squared length, its two ends.
+        """
+        at = self.at
+        pairs: list[tuple[bool, int, int, int]] = []
+        around = zip([ring[-1], *ring[:-1]], ring, [*ring[1:], ring[0]], strict=True)
+        bends = [(v, at[a], at[v], at[b]) for a, v, b in around if self.home.get(v) is ring]
         for i, (u, before_u, pu, after_u) in enumerate(bends, 1):
             found = []
             for v, before_v, pv, after_v in bends[i:]:
@@ -86,10 +139,7 @@ class _Pieces:
                     new_normal = 0 not in (first, second, third, fourth)
                     found.append((new_normal, _square(pu, pv), u, v))
             pairs += nsmallest(NEAREST, found)
-        for _, _, u, v in sorted(pairs):
-            ring = self.home.get(u)
-            if ring is not None and ring is self.home.get(v) and self._sees(ring, u, v):
-                self._cut(ring, u, v)
+        return pairs
 
     def cut_one_by_one(self) -> None:
         """Cuts that end the other reflex vertices, one for each where there is one, else two."""
@@ -98,7 +148,11 @@ class _Pieces:
                 self._cut_at(v)
 
     def merged(self) -> list[Ring]:
-        """The pieces without the cuts that were not needed after all (Hertel and Mehlhorn 1983)."""
+        """The pieces without the cuts that were not needed after all (Hertel and Mehlhorn 1983).
+
+        At most two cuts remain for each reflex vertex, those of `halve` included: if it needed a
+        third, its angles would add up to more than 360 degrees.
+        """
         after: dict[Edge, Edge] = {}
         before: dict[Edge, Edge] = {}
 
@@ -135,7 +189,7 @@ class _Pieces:
             rings.append(ring)
         return rings
 
-    def _cut(self, ring: Ring, u: int, v: int) -> None:
+    def _cut(self, ring: Ring, u: int, v: int) -> tuple[Ring, Ring]:
         """Split a ring between two of its vertices; where one then lies straight on, it is left out."""
         i, j = sorted((ring.index(u), ring.index(v)))
         for end in (u, v):
@@ -150,23 +204,29 @@ class _Pieces:
             self.home.update(dict.fromkeys(reflex, piece))
             if not reflex:
                 self.convex.append(piece)
+        return found[0][0], found[1][0]
 
     def _cut_at(self, v: int) -> None:
         """The shortest of the cuts at the reflex vertex v that are worked out here."""
         ring = self.home[v]
-        i = ring.index(v)
-        a, b = ring[i - 1], ring[(i + 1) % len(ring)]
-        hits = ahead, back = self._extended(ring, a, v), self._extended(ring, b, v)
+        hits = ahead, back = self._both_extended(ring, v)
         # A cut along an edge's own line comes first: it gives the parts no new normal, so no new axis to test.
         ends = [hit.end for hit in hits if hit.end is not None]
-        # The next best ends v too if v sees any vertex between the two lines.  If not, both lines end on one
-        # edge, and these two cuts go to either side of them: one now, and then the other is between the lines.
-        ends = ends or [self._first_beside(ring, a, v, ahead, True), self._first_beside(ring, b, v, back, False)]
+        if not ends:
+            # The next best ends v too if v sees any vertex between the two lines.  If not, both lines end on one
+            # edge, and these two cuts go to either side of them: one now, and then the other is between the lines.
+            a, b = _neighbours(ring, v)
+            ends = [self._first_beside(ring, a, v, ahead, True), self._first_beside(ring, b, v, back, False)]
         end = min(ends, key=lambda w: _square(self.at[v], self.at[w]))
         for hit in hits:
-            if end == hit.end != hit.q:
-                ring.insert(ring.index(hit.q), end)
+            if end == hit.end:
+                _put(ring, end, hit.q)
         self._cut(ring, v, end)
+
+    def _both_extended(self, ring: Ring, v: int) -> tuple[_Hit, _Hit]:
+        """Where the lines of the two edges at v end."""
+        a, b = _neighbours(ring, v)
+        return self._extended(ring, a, v), self._extended(ring, b, v)
 
     def _sees(self, ring: Ring, u: int, v: int) -> bool:
         """Does the cut from u to v, inside at both its ends, meet the ring nowhere between them?"""
@@ -211,7 +271,11 @@ class _Pieces:
                 best, num, den = (p, q, side), s, t
             p, px, py, before = q, qx, qy, side
         p, q, side = best
-        return _Hit(self._number(vx + Fraction(num * dx, den), vy + Fraction(num * dy, den)) if side else q, p, q)
+        if side == 0:
+            return _Hit(q, p, q)
+        if (p, q) in self.halving:
+            return _Hit(None, p, q)
+        return _Hit(self._number(vx + Fraction(num * dx, den), vy + Fraction(num * dy, den)), p, q)
 
     def _first_beside(self, ring: Ring, a: int, v: int, hit: _Hit, left: bool) -> int:
         """The first vertex that a ray from v meets as it turns left or right from the line of a and v.
@@ -242,10 +306,40 @@ class _Pieces:
             self.numbers[point] = len(self.points)
             self.points.append(point)
             finer = lcm(x.denominator, y.denominator)
-            self.unit /= finer
-            self.at = [(px * finer, py * finer) for px, py in self.at]
+            if finer > 1:  # some two thousand times at most, the bits from 2**1024 down to 2**-1074
+                self.unit /= finer
+                self.at = [(px * finer, py * finer) for px, py in self.at]
             self.at.append((int(x * finer), int(y * finer)))
         return self.numbers[point]
+
+
+class _Sides:
+    """How many reflex vertices lie on either side of a cut through a ring."""
+
+    def __init__(self, ring: Ring, reflex: list[bool]) -> None:
+        self.place = {v: i for i, v in enumerate(ring)}
+        self.sums = [0, *accumulate(reflex)]
+        self.total = self.sums[-1]
+
+    def fewer(self, cut: Edge) -> int:
+        """Those on the side that has fewer, without the ends."""
+        i, j = sorted(map(self.place.__getitem__, cut))
+        return min(self.sums[j] - self.sums[i + 1], self.total - self.sums[j + 1] + self.sums[i])
+
+    def balanced(self, cut: Edge) -> bool:
+        """Has either side an eighth of all?"""
+        return 8 * self.fewer(cut) >= self.total
+
+
+def _neighbours(ring: Ring, v: int) -> Edge:
+    i = ring.index(v)
+    return ring[i - 1], ring[(i + 1) % len(ring)]
+
+
+def _put(ring: Ring, v: int, before: int) -> None:
+    """Insert a vertex that is not on the ring yet."""
+    if v != before:
+        ring.insert(ring.index(before), v)
 
 
 def _turn(p: IntPoint, q: IntPoint, r: IntPoint) -> int:

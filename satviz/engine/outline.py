@@ -3,11 +3,13 @@
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
+from itertools import pairwise
 from reprlib import Repr
 from typing import Any, NamedTuple
 
 from .exact import orient, warn_if_flushed
 from .geometry import InvalidShape, Vec
+from .sweep import sweep
 
 
 class Corners(NamedTuple):
@@ -211,18 +213,19 @@ def _runs_round_once(ring: Sequence[Vec]) -> bool:
 
 
 def refuse_crossings(ring: Sequence[Vec], ids: Sequence[int]) -> None:
-    """Raise InvalidShape if two edges that are not neighbours meet.
+    """Raise InvalidShape if two edges that are not neighbours in the outline meet.
 
-    Edges are swept from left to right, so only those that share an x are compared.
+    Source: Shamos and Hoey (1976).  Of the edges that meet furthest left, two lie directly
+    above each other just before, so only such edges are compared.
     """
     n = len(ring)
-    edges = sorted((min(ring[i].x, ring[(i + 1) % n].x), i) for i in range(n))
-    active: list[int] = []
-    for left, i in edges:
-        p, q = ring[i], ring[(i + 1) % n]
-        active = [j for j in active if max(ring[j].x, ring[(j + 1) % n].x) >= left]
-        for j in active:
-            r, s = ring[j], ring[(j + 1) % n]
+    for event in sweep(ring):
+        if event.touched is None:
+            row = [e for e in (event.below, *event.begun, event.above) if e is not None]
+        else:
+            row = [event.touched, event.vertex]
+        for j, i in pairwise(row):
+            p, q, r, s = ring[i], ring[(i + 1) % n], ring[j], ring[(j + 1) % n]
             if (i - j) % n in (1, n - 1) or not _meet(p, q, r, s):
                 continue
             first, second = sorted((ids[i], ids[j]))
@@ -231,7 +234,6 @@ def refuse_crossings(ring: Sequence[Vec], ids: Sequence[int]) -> None:
                 f"edges {first} and {second} cross near ({x:.6g}, {y:.6g}): "
                 "an outline must not cross or touch itself; reorder the vertices"
             )
-        active.append(i)
 
 
 def _meet(p: Vec, q: Vec, r: Vec, s: Vec) -> bool:
