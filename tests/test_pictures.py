@@ -255,7 +255,7 @@ def test_an_axis_has_one_direction_in_table_sentence_label_and_arrow(name):
             continue  # two vertices in one place
         picture = sv.picture(trace, step)
         told = table[begins[step.pair or 0] + step.test]["direction"]
-        marks = {mark.part.removeprefix("saw-"): mark for mark in picture.marks if mark.panel in ("", "saw")}
+        marks = {mark.part.removeprefix("saw-"): mark for mark in picture.marks}
         ways = [vectors(told)[0]]
         ways += [(q.x - p.x, q.y - p.y) for p, q in (marks[key].points for key in ("axis", "normal") if key in marks)]
         if label := marks.get("normal-name"):
