@@ -60,6 +60,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     with heeding_interrupts(to_the_end=argv is None):
         try:
             args = _parser().parse_args(argv)
+            if clash := args.clash(args):
+                raise Refused(clash)
+            vars(args).update({name: value for name, value in args.usual.items() if getattr(args, name) is None})
             code: int = args.run(args)
         except BaseException as error:
             # whatever an interrupt was turned into on its way
@@ -94,6 +97,8 @@ def _failed(error: BaseException) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = Parser(prog="satviz", description="2D collision detection by the Separating Axis Theorem, made visible.")
     parser.add_argument("--version", action="version", version=f"satviz {__version__}")
+    # clash: says which options cannot be given together; usual: what holds where an option was not given
+    parser.set_defaults(clash=lambda args: None, usual={})
     command = parser.add_subparsers(required=True, metavar="COMMAND")
 
     figures = command.add_parser("figures", help="make the article's twenty figures")
@@ -112,9 +117,11 @@ def _parser() -> argparse.ArgumentParser:
     _scene(draw)
     _output(draw, "satviz-out", DRAW_FORMATS)
     draw.add_argument(
-        "--caption", action="store_true", help="put each sentence under its picture (a GIF always has it)"
+        "--caption",
+        action="store_true",
+        help="put each sentence under its picture (a GIF, a page and a sheet always have it)",
     )
-    draw.add_argument("--site", default="", metavar="URL", help="where the site is that --format link leads to")
+    draw.add_argument("--site", metavar="URL", help="where the site is that --format link leads to: http or https")
     which = draw.add_mutually_exclusive_group()
     which.add_argument("--sheet", action="store_true", help="one picture of the whole run, a row for each axis")
     which.add_argument(
@@ -122,7 +129,7 @@ def _parser() -> argparse.ArgumentParser:
         action="store_true",
         help=f"every step, also of a run of more than {commands.MOST_STEPS} (which else gets a sheet)",
     )
-    draw.set_defaults(run=commands.draw)
+    draw.set_defaults(run=commands.draw, clash=_clash_of_draw)
 
     advise = command.add_parser(
         "advise",
@@ -137,7 +144,7 @@ def _parser() -> argparse.ArgumentParser:
         "--chart", type=_folder, metavar="DIR", help="draw time against wrong answers, into this folder"
     )
     advise.add_argument("--force", action="store_true", help="overwrite what satviz did not make")
-    advise.set_defaults(run=commands.advise, axes=None, every_axis=False)
+    advise.set_defaults(run=commands.advise, axes=None, every_axis=False, clash=_clash_of_chart)
 
     notebook = command.add_parser("notebook", help="copy the walkthrough's notebooks and open them in JupyterLab")
     notebook.add_argument(
@@ -156,19 +163,16 @@ def _parser() -> argparse.ArgumentParser:
     bench.add_argument(
         "--pairs",
         type=_whole(1, 10**8),
-        default=100_000,
         metavar="N",
         help="pairs a workload; scenes grow with them (default: 100000)",
     )
-    bench.add_argument(
-        "--rounds", type=_whole(1, 10**6), default=9, metavar="N", help="rounds to take the median of (default: 9)"
-    )
+    bench.add_argument("--rounds", type=_whole(1, 10**6), metavar="N", help="rounds to take the median of (default: 9)")
     bench.add_argument("--seed", type=SEED, default=1, metavar="N", help="of the random pairs (default: 1)")
     bench.add_argument("--quick", action="store_true", help="less of everything: half a minute, rough figures")
     bench.add_argument("--json", action="store_true", help="print the figures, the machine and the versions as JSON")
     bench.add_argument("--chart", type=_folder, metavar="DIR", help="draw the figures as well, into this folder")
     bench.add_argument("--force", action="store_true", help="overwrite what satviz did not make")
-    bench.set_defaults(run=commands.bench)
+    bench.set_defaults(run=commands.bench, clash=_clash_of_bench, usual={"pairs": 100_000, "rounds": 9})
 
     study = command.add_parser("study", help="chart speed against accuracy, and what exactness costs")
     study.add_argument("--quick", action="store_true", help="fewer and smaller runs, half a minute, and no PNG")
@@ -197,7 +201,7 @@ def _parser() -> argparse.ArgumentParser:
     site.add_argument("--pyodide", type=_folder, metavar="DIR", help="Pyodide's core, if npm is not to fetch it")
     site.add_argument("--still", action="store_true", help="without Python in the page: pictures do not move")
     site.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
-    site.set_defaults(run=commands.site)
+    site.set_defaults(run=commands.site, clash=_clash_of_site)
 
     scenes = command.add_parser("scenes", help="list the built-in scenes")
     scenes.add_argument("--failing", action="store_true", help="those where shortcuts fail, and what is right")
@@ -216,9 +220,43 @@ def _scene(parser: argparse.ArgumentParser) -> None:
 
 
 def _output(parser: argparse.ArgumentParser, out: str, formats: Sequence[str]) -> None:
-    parser.add_argument(
-        "--out", type=_folder, default=Path(out), metavar="DIR", help=f"the folder to write to (default: {out})"
-    )
+    parser.add_argument("--out", type=_folder, metavar="DIR", help=f"the folder to write to (default: {out})")
     parser.add_argument("--format", action="append", choices=formats, help="may be given several times (default: svg)")
-    parser.add_argument("--theme", choices=THEMES, default="light")
+    parser.add_argument("--theme", choices=THEMES, help="(default: light)")
     parser.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
+    parser.set_defaults(usual={"out": Path(out), "format": ["svg"], "theme": "light"})
+
+
+def _clash_of_draw(args: argparse.Namespace) -> str | None:
+    """Say which options of `draw` cannot be given together; None where all can."""
+    formats = set(args.format or ["svg"])
+    if args.site is not None and "link" not in formats:
+        return "--site is where a link leads: give it with --format link"
+    if args.sheet and formats & {"gif", "html"}:
+        return f"--sheet is one picture, for {', '.join(FIGURE_FORMATS)}: ask for --format gif or html in another run"
+    files = formats - {"link"}
+    if not files and (given := _first_given(args, "out", "theme", "force", "caption", "sheet", "steps")):
+        return f"--format link prints a line: {given} is for files, so add the format of a file"
+    if files == {"html"} and args.theme:
+        return "a page has both themes, and shows its reader's: leave out --theme, or add the format of a picture"
+    return None
+
+
+def _clash_of_chart(args: argparse.Namespace) -> str | None:
+    """Say that --force has nothing to overwrite where nothing is written."""
+    return "--force overwrites files: give it with --chart" if args.force and not args.chart else None
+
+
+def _clash_of_bench(args: argparse.Namespace) -> str | None:
+    if args.quick and (given := _first_given(args, "pairs", "rounds")):
+        return f"--quick sets the pairs and the rounds: give it without {given}"
+    return _clash_of_chart(args)
+
+
+def _clash_of_site(args: argparse.Namespace) -> str | None:
+    return "--still has no Python in the page: give it without --pyodide" if args.still and args.pyodide else None
+
+
+def _first_given(args: argparse.Namespace, *names: str) -> str | None:
+    """The first of these options that was given, as it is written."""
+    return next((f"--{name}" for name in names if getattr(args, name)), None)

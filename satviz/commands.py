@@ -68,25 +68,33 @@ def figures(args: argparse.Namespace) -> int:
             if name not in known:
                 raise Refused(f"no figure {name!r}{_did_you_mean(name, known)}")
         wanted = [figure for figure in FIGURES if figure in [known[name] for name in args.only]]
-    jobs = [(figure.stem, form, figure.picture) for figure in wanted for form in args.format or ["svg"]]
+    jobs = [(figure.stem, form, figure.picture) for figure in wanted for form in dict.fromkeys(args.format)]
     return _write(args, jobs)
 
 
 def draw(args: argparse.Namespace) -> int:
-    """Draw every step of a scene, or of a long run its contact sheet, in each format asked for."""
+    """Draw every step of a scene, or of a long run its contact sheet, in each format asked for; print its link."""
     from .pictures import Picture, picture, steps
     from .pictures.belief import refused
     from .pictures.caption import captioned
     from .pictures.sheet import sheet
     from .scenes.asked import refused_row
 
-    if "link" in (args.format or []):
-        return _link(args)
+    formats = [form for form in dict.fromkeys(args.format) if form != "link"]
+    if "link" in args.format:
+        _link(args)
+    if not formats:
+        return 0
     if row := refused_row(args.scene):
+        if args.axes or args.every_axis or args.sheet or args.steps:
+            raise Refused(
+                f"{row.name} has no run, since its outlines are refused: leave out --axes, --every-axis, "
+                "--sheet and --steps"
+            )
         drawn, name = refused(row), row.name
         makes: dict[str, Callable[[], Picture | list[Picture] | bytes]]
         makes = {"gif": lambda: [drawn], "html": lambda: _page(name, "")}
-        return _write(args, [(name, form, makes.get(form, lambda: drawn)) for form in args.format or ["svg"]])
+        return _write(args, [(name, form, makes.get(form, lambda: drawn)) for form in formats])
     scene = _load(args)
     trace = scene.record()
     try:
@@ -100,7 +108,7 @@ def draw(args: argparse.Namespace) -> int:
         drawn = picture(trace, step, title=scene.title)
         return captioned([drawn])[0] if args.caption else drawn
 
-    for form in args.format or ["svg"]:
+    for form in formats:
         if form == "gif":
             jobs.append((scene.name, form, lambda: captioned([picture(trace, i) for i in range(count)])))
             continue
@@ -119,14 +127,11 @@ def draw(args: argparse.Namespace) -> int:
     return done
 
 
-def _link(args: argparse.Namespace) -> int:
-    """Print the link that opens the scene on a site; it is no file, so it goes with no other format."""
+def _link(args: argparse.Namespace) -> None:
+    """Print the link that opens the scene on a site."""
     from .scenes.link import link
 
-    if len(set(args.format)) > 1:
-        raise Refused("--format link prints a line: ask for files in another run")
-    out(link(_load(args), site=args.site))
-    return 0
+    out(link(_load(args), site=args.site or ""))
 
 
 def _page(what: "Trace | str", title: str) -> bytes:

@@ -718,8 +718,8 @@ def test_the_command_advises_on_a_file_of_many_shapes_and_draws_what_they_cost(t
         ({"centers": [(0, 0)], "radii": [-1.0]}, "circle 0: radius is -1.0"),
         ({"coords": [(0, 0), (1, 1), (2, 2)], "offsets": [0, 3]}, "polygon 0"),
         ({"centers": [(0, 0)], "radii": [1.0], "pairs": [[0, 1]]}, "pairs name shapes outside"),
-        ({"centers": [(0, 0)], "radii": [1.0], "pairs": [0.5]}, "expected (K, 2) integers"),
-        ({"coords": np.array([{}]), "offsets": [0]}, "no .npz of plain arrays"),
+        ({"centers": [(0, 0)], "radii": [1.0], "pairs": [0.5]}, "pairs is float64 of the shape (1,)"),
+        ({"coords": np.array([{}]), "offsets": [0]}, "coords is object of the shape (1,)"),
     ],
 )
 def test_a_file_that_holds_no_shapes_gives_one_clear_line(arrays, says, tmp_path, capsys):

@@ -242,7 +242,7 @@ def test_which_choices_are_complete(pair):
             "boxes": {"needed", "edge-normals", "hull-normals", "world"},
             "polygon and circle": {"needed"},
             "circle and concave": set(),
-            "circle on a vertex": {"needed"},
+            "circle on a vertex": {"needed", "edge-normals", "edge-normals-of-b", "hull-normals"},
             "circles": {"needed", "centers"},
             "concentric": {"needed", "centers"},
         }[pair]

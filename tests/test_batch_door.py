@@ -1,7 +1,9 @@
 """The batch's door: the rules and the words of the scalar one, and nothing of the caller's is touched."""
 
+import inspect
 import sys
 import warnings
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from itertools import pairwise, permutations, product
 
@@ -10,7 +12,7 @@ import pytest
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import filter_numpy, narrow, outlines
+from satviz.batch import broad, collide, door, filter_numpy, making, narrow, outlines
 from satviz.engine import exact
 
 TRIANGLE = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
@@ -643,14 +645,88 @@ def test_a_split_batch_has_a_box_a_shape():
     assert three_in_parts().bounds.tolist() == [[0, 0, 1, 1], [0, 0, 4, 4], [0, 0, 1, 1]]
 
 
+# -- options
+
+
+SOME = batch.Circles([(0, 0), (1, 0)], 1)
+OUTLINES = np.array([TRIANGLE, TRIANGLE])
+# each public function that takes options, called with those given
+TAKERS = {
+    "Polygons": lambda **how: batch.Polygons(OUTLINES, **how),
+    "candidate_pairs": lambda **how: batch.candidate_pairs([(0, 0, 1, 1)] * 2, **how),
+    "colliding_pairs": lambda **how: batch.colliding_pairs(SOME, **how),
+    "from_shapely": lambda **how: batch.from_shapely([], **how),
+    "hits": lambda **how: batch.hits(SOME, SOME, **how),
+    "relate": lambda **how: batch.relate(SOME, SOME, **how),
+    "stream_colliding_pairs": lambda **how: batch.stream_colliding_pairs(OUTLINES, **how),
+}
+SIZES = [(None, TypeError), (1.5, TypeError), ("5", TypeError), (True, TypeError), ([5], TypeError), (0, ValueError)]
+WRONG = {
+    "chunk": (SIZES, "whole number of at least 1|must be at least 1"),
+    "concave": (
+        [(None, TypeError), (True, TypeError), (["split"], TypeError), ("Split", ValueError)],
+        'choose "refuse" or "split"',
+    ),
+    "engine": (
+        [(1, TypeError), (["numpy"], TypeError), (True, TypeError), ("NumPy", ValueError), ("", ValueError)],
+        'choose "numpy" or "numba"',
+    ),
+    "executor": (
+        [("threads", TypeError), (4, TypeError), (False, TypeError), (ThreadPoolExecutor, TypeError)],
+        r"concurrent\.futures\.Executor, or None",
+    ),
+    "progress": ([("bar", TypeError), (True, TypeError), (0, TypeError)], r"function of \(done, total\), or None"),
+    "strip": (SIZES, "whole number of at least 1|must be at least 1"),
+}
+
+
+def options_of(name):
+    found = getattr(batch, name)
+    if name == "hits":
+        return set(narrow.Options.__annotations__)
+    return {key for key, it in inspect.signature(found).parameters.items() if it.kind is it.KEYWORD_ONLY}
+
+
+def test_every_option_of_the_batch_is_among_those_tested():
+    public = {name: options_of(name) for name in batch.__all__ if name != "Shapes"}
+    assert {name for name, found in public.items() if found} == set(TAKERS)
+    assert set().union(*public.values()) == {*WRONG, "offsets"}  # which is data
+
+
+@pytest.mark.parametrize(
+    ("name", "option", "value", "error"),
+    [
+        pytest.param(name, option, value, error, id=f"{name} {option}={value!r}")
+        for name in TAKERS
+        for option in sorted(options_of(name) & set(WRONG))
+        for value, error in WRONG[option][0]
+    ],
+)
+def test_an_option_that_is_none_is_named_before_any_work(name, option, value, error, monkeypatch):
+    def work(*_, **__):
+        raise AssertionError("work was begun")
+
+    for module in narrow, collide, broad, making, door:
+        for function in "in_chunks", "candidate_blocks", "rings", "ragged", "boxes", "checked_pairs", "convex":
+            if hasattr(module, function):
+                monkeypatch.setattr(module, function, work)
+    with pytest.raises(error, match=f"^{option} is .*({WRONG[option][1]})"):
+        TAKERS[name](**{option: value})
+
+
+def test_a_size_may_be_any_whole_number():
+    assert batch.hits(SOME, SOME, chunk=np.int8(1)).all()
+    assert len(list(batch.stream_colliding_pairs(OUTLINES, strip=np.uint64(1)))) == 1
+
+
 # -- the engine
 
 
 @pytest.fixture
 def fresh_choice():
-    narrow.engine_of.cache_clear()
+    narrow.loaded.cache_clear()
     yield
-    narrow.engine_of.cache_clear()
+    narrow.loaded.cache_clear()
 
 
 @pytest.mark.parametrize(

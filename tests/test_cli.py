@@ -518,3 +518,75 @@ def test_small_hostile_files_are_refused_at_once(tmp_path, capsys):
         assert main(["trace", scene_file(tmp_path, data)]) == 2
         print(f"{time.perf_counter() - start:.2f} s")
         assert capsys.readouterr().err.count("\n") == 1
+
+
+# -- options together
+
+CLASHES = {
+    "draw triangles --sheet --format gif": "--sheet is one picture",
+    "draw triangles --sheet --format html": "--sheet is one picture",
+    "draw triangles --sheet --format svg --format html": "--sheet is one picture",
+    "draw triangles --sheet --format link": "--format link prints a line: --sheet is for files",
+    "draw triangles --steps --format link": "--format link prints a line: --steps is for files",
+    "draw triangles --format link --out somewhere": "--format link prints a line: --out is for files",
+    "draw triangles --format link --theme light": "--format link prints a line: --theme is for files",
+    "draw triangles --site https://example.org": "give it with --format link",
+    "draw triangles --site https://example.org --format svg": "give it with --format link",
+    "draw triangles --theme dark --format html": "a page has both themes",
+    "draw no-area --sheet": "no-area has no run",
+    "draw no-area --steps --format gif": "no-area has no run",
+    "draw no-area --axes world": "no-area has no run",
+    "draw no-area --every-axis --format html": "no-area has no run",
+    "advise triangles --force": "give it with --chart",
+    "bench --force": "give it with --chart",
+    "bench --quick --pairs 100000": "--quick sets the pairs and the rounds: give it without --pairs",
+    "bench --rounds 9 --quick": "--quick sets the pairs and the rounds: give it without --rounds",
+    "site --still --pyodide somewhere": "--still has no Python in the page: give it without --pyodide",
+}
+
+
+@pytest.mark.parametrize("line", CLASHES)
+def test_options_that_cannot_be_together_get_one_line(line, capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(line.split()) == 2
+    told = capsys.readouterr()
+    assert CLASHES[line] in told.err and told.err.count("\n") == 1 and told.out == ""
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("scene", ["circles", "no-area"])
+@pytest.mark.parametrize("form", ["svg", "png", "pdf", "gif", "html", "link"])
+def test_no_option_of_draw_is_taken_in_silence(form, scene, capsys, tmp_path, monkeypatch):
+    """What is given changes what is made, or is refused; or it is so in any case, as the help says."""
+
+    def files(picture, form, theme, stem):
+        return f"{form} {theme.name} {picture.to_json()}".encode()
+
+    monkeypatch.setattr("satviz.render.files.encode", files)
+    monkeypatch.setattr(
+        "satviz.render.files.animate", lambda made, theme: files(made[-1], len(made), theme, "").strip()
+    )
+
+    def made(*options):
+        folder = tmp_path / str(len(list(tmp_path.iterdir())))
+        folder.mkdir()
+        monkeypatch.chdir(folder)
+        code = main(["draw", scene, "--format", form, *options])
+        return code, capsys.readouterr().out, {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*.*")}
+
+    plain = made()
+    in_any_case = {"--steps"} | ({"--caption"} if form in ("gif", "html") or scene == "no-area" else set())
+    in_any_case |= {"--every-axis"} if scene == "circles" else set()  # it has one
+    for options in (
+        ["--caption"],
+        ["--sheet"],
+        ["--steps"],
+        ["--every-axis"],
+        ["--axes", "world"],
+        ["--theme", "dark"],
+        ["--out", "elsewhere"],
+        ["--site", "https://example.org"],
+    ):
+        found = made(*options)
+        assert found[0] in (0, 2)
+        assert found[0] == 2 or found != plain or options[0] in in_any_case, options

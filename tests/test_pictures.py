@@ -19,9 +19,12 @@ from satviz.pictures.figures import FIGURES
 from satviz.pictures.labels import RIM, clipped
 from satviz.pictures.layout import text_box
 from satviz.pictures.live import KNOB, field, live, telling_test, turned_axis
+from satviz.pictures.playback import first_rows, rows
 from satviz.pictures.theme import CHART_ROLES, DOT, PICTURE_ROLES
 from satviz.pictures.views import split
 from satviz.scenes.article import SCENES, box
+from satviz.scenes.asked import refused_row
+from satviz.scenes.named import names, scene
 
 L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
 TRACES = {scene.name: scene.record() for scene in SCENES} | {
@@ -227,12 +230,66 @@ def test_drop_lines_run_across_the_axis_from_the_points_to_where_they_land():
     assert {"v3: 3.051", "v1, v2: 6.934"} <= set(picture.texts)
 
 
-def test_the_moved_normal_keeps_its_line_and_is_drawn_outward():
-    picture = sv.picture(TRACES["triangles"], Step(Stage.AXIS, 1))
-    arrows = [picture.mark("normal").points, picture.mark("axis.2").points]
-    (ax, ay), (bx, by) = ((q.x - p.x, q.y - p.y) for p, q in arrows)
-    assert ax * by - ay * bx == pytest.approx(0, abs=1e-9)
-    assert "normal (−4, 1)\n(either direction will do)" in picture.texts
+VECTOR = r"\((\S+), (\S+)\)"
+
+
+def vectors(text):
+    """Every (x, y) in a text."""
+    return [tuple(float(c.replace("−", "-")) for c in found) for found in re.findall(VECTOR, text)]
+
+
+def same_way(one, other):
+    (ax, ay), (bx, by) = one, other
+    return ax * bx + ay * by == pytest.approx(math.hypot(ax, ay) * math.hypot(bx, by), rel=1e-4)
+
+
+@pytest.mark.parametrize("name", [name for name in names() if not refused_row(name)])
+def test_an_axis_has_one_direction_in_table_sentence_label_and_arrow(name):
+    trace = scene(name).record().without_early_exit()
+    table, begins = rows(trace), first_rows(trace)
+    for step in sv.steps(trace):
+        if step.test is None:
+            continue
+        test = (trace.pairs[step.pair] if trace.pairs else trace).tests[step.test]
+        if not any(test.axis.normal):
+            continue  # two vertices in one place
+        picture = sv.picture(trace, step)
+        told = table[begins[step.pair or 0] + step.test]["direction"]
+        marks = {mark.part.removeprefix("saw-"): mark for mark in picture.marks}
+        ways = [vectors(told)[0]]
+        ways += [(q.x - p.x, q.y - p.y) for p, q in (marks[key].points for key in ("axis", "normal") if key in marks)]
+        if label := marks.get("normal-name"):
+            ways += vectors(label.text)
+        if test.source.kind not in axes.FROM_EDGES and "edge-name" in marks:
+            ways += vectors(marks["edge-name"].text)
+        if step.stage is Stage.AXIS:
+            assert picture.sentence.endswith(f"direction {told}.")
+        if step.stage is Stage.NORMAL and test.source.kind in axes.FROM_EDGES:
+            *_, normal = vectors(picture.sentence)
+            assert label is None or vectors(label.text) == [normal]
+            ways.append(normal)
+        assert all(same_way(way, test.axis.direction) for way in ways), (step, ways)
+
+
+def test_the_arrow_of_an_axis_not_tested_points_as_the_axis_does():
+    trace = TRACES["triangles"]
+    left = [skip.axis for skip in trace.skipped if skip.why == axes.EARLY_EXIT]
+    arrows = [mark.points for mark in sv.picture(trace, Step(Stage.GAP, 1)).marks if mark.part == "untested"]
+    assert len(arrows) == len(left) == 4
+    for (p, q), axis in zip(arrows, left, strict=True):
+        assert same_way((q.x - p.x, q.y - p.y), axis.direction)
+
+
+@pytest.mark.parametrize("at", [(-3, 0), (0, -3), (-2, -3)])
+def test_the_line_between_two_centers_has_the_direction_of_the_axis(at):
+    """Also where B lies to the left of A, or below it: an axis points right, or up."""
+    circle = sv.Circle((0, 0), 1)
+    for b in sv.Circle(at, 1), sv.Polygon([(x + at[0], y + at[1]) for x, y in [(0, 0), (-3, 1), (-1, -4)]]):
+        for trace in (sv.record(circle, b, every_axis=True), sv.record(b, circle, every_axis=True)):
+            *_, test = trace.tests
+            assert test.source.kind in (axes.CENTERS, axes.VERTEX)
+            drawn = sv.picture(trace, Step(Stage.NORMAL, len(trace.tests) - 1))
+            assert vectors(drawn.mark("edge-name").text) == [test.axis.normal]
 
 
 def test_a_mark_that_moves_starts_where_it_comes_from():
@@ -241,7 +298,7 @@ def test_a_mark_that_moves_starts_where_it_comes_from():
     i = trace.tests.index(trace.separating)
     gap = sv.picture(trace, Step(Stage.GAP, i))
     axes = [picture.mark(f"axis.{i + 1}").start for picture in (gap, sv.picture(trace))]
-    assert axes == [gap.mark("normal").points[::-1]] * 2  # drawn outward, against the axis
+    assert axes == [gap.mark("normal").points] * 2
     drops, landings = ([m for m in gap.marks if m.part == part] for part in ("drop", "landing"))
     assert len(drops) == 4 and [(m.points[0], m.points[-1]) for m in drops] == [(*m.start, *m.points) for m in landings]
 

@@ -67,3 +67,31 @@ def test_every_command_runs(line, tmp_path, monkeypatch, capsys):
 def test_pictures_shown_are_there():
     for name in re.findall(r'(?:src|srcset)="([^"]+)"', TEXT):
         assert (ROOT / name).is_file(), name
+
+
+TAKEN = sorted({*re.findall(r"^\| `sv\.(\w+)\(", TEXT, re.MULTILINE), "page"})
+
+
+@pytest.mark.parametrize("name", TAKEN)
+def test_what_the_notebooks_table_names_takes_what_is_said_below_it(name):
+    """A name, a Scene, two shapes and (but explore) a trace; and nothing in silence."""
+    pytest.importorskip("anywidget")
+    assert "All of these take a built-in scene's name, a `Scene`, two shapes, or (but `explore`" in TEXT
+    function, scene = getattr(sv, name), sv.scene("circles")
+    trace = scene.record()
+    for what in ("circles",), (scene,), (scene.a, scene.b):
+        assert function(*what)
+    if name != "explore":
+        assert function(trace)
+    for what in (scene.a,), (trace, scene.b), ("circles", scene.b), (scene, scene.b), (5,), (None,):
+        with pytest.raises(TypeError, match=r"pass a scene's name, a Scene, |make it a satviz\.Polygon"):
+            function(*what)
+
+
+@pytest.mark.parametrize("name", ["draw", "picture", "steps"])
+def test_what_takes_a_step_takes_a_run_and_says_so_of_two_shapes(name):
+    function, scene = getattr(sv, name), sv.scene("circles")
+    for what in "circles", scene, scene.record():
+        assert function(what)
+    with pytest.raises(TypeError, match=r"a scene's name, a Scene, or the trace of two shapes, sv\.record\(a, b\)$"):
+        function(scene.a)

@@ -348,16 +348,94 @@ def test_a_link_beyond_all_bounds_is_not_even_decoded():
 def test_what_cannot_be_opened_again_is_not_linked():
     with pytest.raises(InvalidScene):
         sv.link("triangles", view="other")
-    with pytest.raises(TypeError, match="a scene or its name"):
+    with pytest.raises(TypeError, match="this is a Circle: pass a scene's name, a Scene, two shapes, or their trace"):
         sv.link(sv.Circle((0, 0), 1))
+
+
+def test_two_shapes_and_a_trace_have_a_link():
+    a, b = sv.Polygon([(0, 1), (3, 2), (1, 5)]), sv.Circle((4, 4), 1)
+    scene, shown = links.opened(sv.link(a, b, free=30.0).partition("#")[2])
+    assert (scene.a, scene.b, scene.axes, shown.free) == (a, b, "needed", 30.0)
+    assert sv.link(sv.scene("far-centers").record()) == sv.link("far-centers")
+    world = sv.record(a, b, axes=sv.axes.world, every_axis=True)
+    assert links.opened(sv.link(world).partition("#")[2])[0].record() == world
+    for own in sv.axes.directions((1, 2)), sv.Shortcut("mine", "one is enough", sv.axes.world):
+        scene, _ = links.opened(sv.link(sv.record(a, b, axes=own, every_axis=True)).partition("#")[2])
+        assert (scene.a, scene.b, scene.axes, scene.every_axis) == (a, b, "needed", True)
+
+
+SITES = [
+    "javascript:alert(1)//",
+    "JavaScript:alert(1)",
+    "data:text/html,x",
+    "file:///etc/",
+    "ftp://example.org",
+    "//example.org",
+    "example.org/satviz",
+    "../",
+    "https:",
+    "https://",
+    "https:///satviz",
+    "https:example.org",
+    "http://[",
+    "http://example.org:port",
+    "https://example.org/?q=1",
+    "https://example.org/#top",
+    " https://example.org",
+    "https://example.org/a b",
+    "java\nscript:alert(1)",
+    "ht\ttps://example.org",
+    "https://example.org/\u202e",
+    "https:\\\\example.org",
+]
+
+
+@pytest.mark.parametrize("site", SITES, ids=range(len(SITES)))
+def test_a_site_is_at_an_address_of_http_or_https(site, capsys, monkeypatch):
+    """Wherever one can be given: in Python, on the command line, in the environment, on a widget."""
+    with pytest.raises(InvalidScene, match=r"^site is .*: expected an address such as https://"):
+        sv.link("triangles", site=site)
+    assert main(["draw", "triangles", "--format", "link", f"--site={site}"]) == 2
+    told = capsys.readouterr()
+    assert told.out == "" and "site is" in told.err and told.err.count("\n") == 1
+    pytest.importorskip("anywidget")
+    widget = sv.play("aabb")
+    with pytest.raises(InvalidScene, match=r"^site is"):
+        widget.site = site
+    assert widget.site == ""
+    monkeypatch.setenv("SATVIZ_SITE", site)
+    with pytest.raises(InvalidScene, match=r"^SATVIZ_SITE is"):
+        sv.play("aabb")
+
+
+@pytest.mark.parametrize(
+    "site", ["https://example.org", "http://localhost:8000/s", "HTTPS://Example.org/a/", "http://[::1]/"]
+)
+def test_the_address_of_a_site_ends_with_a_slash(site, monkeypatch):
+    folder = site.removesuffix("/") + "/"
+    assert sv.link("triangles", site=site) == f"{folder}scene.html#triangles"
+    pytest.importorskip("anywidget")
+    monkeypatch.setenv("SATVIZ_SITE", site)
+    assert sv.play("aabb").site == sv.explore("aabb").site == folder
+
+
+def test_a_site_that_is_no_text_is_named():
+    with pytest.raises(TypeError, match=r"^site is None: pass an address as text"):
+        sv.link("triangles", site=None)
 
 
 def test_draw_prints_the_link(capsys, tmp_path):
     assert main(["draw", "far-centers", "--format", "link", "--site", "https://example.org/s/"]) == 0
     assert capsys.readouterr().out == "https://example.org/s/scene.html#far-centers\n"
-    assert main(["draw", "triangles", "--axes", "world", "--format", "link", "--out", str(tmp_path / "no")]) == 0
+    assert main(["draw", "triangles", "--axes", "world", "--format", "link"]) == 0
     shown, _ = links.opened(capsys.readouterr().out.strip().partition("#")[2])
-    assert shown.axes == "world" and not (tmp_path / "no").exists()
+    assert shown.axes == "world"
+
+
+def test_draw_prints_the_link_beside_the_files(capsys, tmp_path):
+    assert main(["draw", "circles", "--sheet", "--format", "link", "--format", "svg", "--out", str(tmp_path)]) == 0
+    assert capsys.readouterr().out == f"scene.html#circles\n1 file in {tmp_path}\n"
+    assert [path.name for path in tmp_path.iterdir()] == ["circles-sheet.svg"]
 
 
 # -- challenges

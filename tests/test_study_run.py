@@ -116,6 +116,12 @@ def test_a_failing_cell_is_named_and_the_others_are_done(tmp_path, pool):
     assert [path.name[:5] for path in (tmp_path / "cells").iterdir()] == ["good-"]  # a failure is tried again
 
 
+def test_what_is_no_executor_is_refused_before_anything_is_written(tmp_path):
+    with pytest.raises(TypeError, match=r"^executor is 'threads': pass a concurrent\.futures\.Executor, or None"):
+        study(QUICK, tmp_path / "new", executor="threads")
+    assert not (tmp_path / "new").exists()
+
+
 def test_when_a_worker_dies_the_cells_left_to_it_have_failed_and_what_is_timed_is_done(tmp_path):
     cells = [Cell(f"dead-{i}", die, (1,)) for i in range(20)]
     cells.append(Cell("good", count, (str(tmp_path / "log"), 1), timed=True))

@@ -25,6 +25,9 @@ from satviz.engine.shortcut import out_by
 from satviz.engine.verdict import relate_moved
 from satviz.scenes import strictjson, tracefile
 from satviz.scenes.article import SCENES, box
+from satviz.scenes.asked import refused_row
+from satviz.scenes.named import names
+from satviz.scenes.named import scene as named
 from satviz.scenes.shortcuts import NAMED as SHORTCUTS
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
@@ -312,7 +315,7 @@ def test_a_long_choice_is_looked_at_once_for_each_of_its_axes_and_bounded(monkey
         sv.record(a, ball, axes=axes.Choice((), axes.nearest_vertex(a, ball).skipped * 500))
 
 
-def test_a_choice_is_no_more_complete_than_its_axes_whatever_it_says():
+def test_a_choice_is_as_complete_as_its_axes_whatever_it_says():
     triangle, ball = sv.Polygon([(2, 2), (3, 2), (3, 3)]), sv.Circle((3, 3), 1)
     upright = box(0, 0, 1, 1), box(2, 0, 1, 1)
     for a, b, choose, complete in (
@@ -323,14 +326,19 @@ def test_a_choice_is_no_more_complete_than_its_axes_whatever_it_says():
         (upright[0], triangle, axes.edge_normals_of_a, False),
         (upright[0], ball, axes.edge_normals, False),
         (upright[0], ball, axes.needed, True),
+        (upright[0], sv.Circle((1, 3), 1), axes.edge_normals, True),  # the nearest vertex lies straight below
+        (upright[0], sv.Circle((1, 3), 1), axes.edge_normals_of_a, True),
+        (upright[0], sv.Circle((1, 3), 1), axes.nearest_vertex, False),
+        (upright[0], sv.Circle((1, 1), 1), axes.hull_normals, True),
+        (upright[0], ball, axes.directions((1, 0), (0, 1)), False),
         (L, triangle, axes.edge_normals, False),
         (L, triangle, axes.needed, False),
         (triangle, L, axes.hull_normals, False),
     ):
-        trace = sv.record(a, b, axes=axes.Choice(choose(a, b).axes, complete=True))
-        assert trace.choice.complete is complete
-        assert not sv.record(a, b, axes=axes.Choice(choose(a, b).axes)).choice.complete
-        assert sv.Trace.from_json(trace.to_json()) == trace
+        for says in True, False:
+            trace = sv.record(a, b, axes=axes.Choice(choose(a, b).axes, complete=says))
+            assert trace.choice.complete is complete is choose(a, b).complete
+            assert sv.Trace.from_json(trace.to_json()) == trace
 
 
 def test_an_axis_may_be_left_out_for_the_reason_given_only():
@@ -758,14 +766,51 @@ ONE_OF_EACH = {
 @pytest.mark.parametrize("share", one_in(2, range(16)))
 @pytest.mark.parametrize("name", ONE_OF_EACH)
 def test_a_trace_file_with_any_one_thing_changed_is_refused(name, share):
-    """Or it is the trace of a choice that names less of what it leaves out, or does not say that it is complete."""
+    """Or it is the trace of a choice that names less of what it leaves out."""
     file = [json.loads(ONE_OF_EACH[name].to_json())]
     for _ in islice(altered(file), share, None, 16):
         with suppress(sv.InvalidScene):
             trace = sv.Trace.from_json(json.dumps(file[0]))
             assert trace == sv.record(trace.a, trace.b, axes=trace.choice, every_axis=trace.every_axis)
             changed = {key for key, value in json.loads(ONE_OF_EACH[name].to_json()).items() if value != file[0][key]}
-            assert changed in ({"complete"}, {"skipped"}) and json.loads(trace.to_json()) == file[0]
+            assert changed == {"skipped"} and json.loads(trace.to_json()) == file[0]
+
+
+def flags(data):
+    """Every object of a trace file that holds true or false, and the key that it has it by."""
+    for key, value in data.items() if isinstance(data, dict) else enumerate(data):
+        if isinstance(value, bool):
+            yield data, key
+        elif isinstance(value, dict | list):
+            yield from flags(value)
+
+
+FLAGGED = {
+    **ONE_OF_EACH,
+    **{f"the choice {name}": sv.record(SQUARE, COIN, axes=axes.NAMED[name]) for name in axes.NAMED},
+    "a complete choice of one's own": sv.record(A, B, axes=axes.Choice(axes.edge_normals(A, B).axes[::-1])),
+    "no axes": sv.record(A, B, axes=axes.Choice(())),
+    **{f"the scene {name}": named(name).record() for name in names() if not refused_row(name)},
+}
+
+
+@pytest.mark.parametrize("name", FLAGGED)
+def test_no_flag_of_a_trace_file_can_be_turned_round(name):
+    """Except that every axis was asked for, where the run is the same without that."""
+    trace = FLAGGED[name]
+    other = sv.record(trace.a, trace.b, axes=trace.shortcut or trace.choice, every_axis=not trace.every_axis)
+    data = json.loads(trace.to_json())
+    turned = list(flags(data))
+    # the tests of a run are alike, so the first and the last few flags show as much as all
+    for held, key in turned[:6] + turned[6:][-6:]:
+        held[key] = not held[key]
+        if key == "every_axis" and not trace.pairs and trace.tests == other.tests:
+            assert sv.Trace.from_json(json.dumps(data)) == other
+        else:
+            of_every_axis = r"|has \d+ tests where the run has|every_axis is|pairs are not"
+            with pytest.raises(sv.InvalidScene, match=f"{key} is{of_every_axis if key == 'every_axis' else ''}"):
+                sv.Trace.from_json(json.dumps(data))
+        held[key] = not held[key]
 
 
 @pytest.mark.parametrize("name", ONE_OF_EACH)

@@ -1,18 +1,42 @@
 """Many shapes as a file: an .npz of plain arrays, read without running anything."""
 
 import zipfile
+from collections import Counter
+from io import BytesIO
+from math import prod
 from pathlib import Path
 from stat import S_ISREG
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.lib import format as npy
 from numpy.typing import NDArray
 
 from .. import batch
 from ..engine.geometry import InvalidScene, InvalidShape
+from ..engine.outline import shown
 
-KEYS = {"coords", "offsets", "centers", "radii", "pairs"}
-MOST_BYTES = 1 << 30
+MAX_NUMBERS = 10_000_000  # 80 MB as float64: read and checked in some 2 s and 0.4 GB
+HEADER_BYTES = 1 << 14  # NumPy itself reads no header longer than 10,000
+
+
+class Kind(NamedTuple):
+    """What an array of the file must be: the letters of its dtype, the numbers of a row, and that in words."""
+
+    dtypes: str
+    row: tuple[int, ...]
+    words: str
+
+
+KINDS = {
+    "coords": Kind("fiu", (2,), "(M, 2) real numbers, the vertices of all polygons"),
+    "offsets": Kind("iu", (), "(N + 1,) integers, where each polygon starts in coords and the last one ends"),
+    "centers": Kind("fiu", (2,), "(K, 2) real numbers, the centers of all circles"),
+    "radii": Kind("fiu", (), "(K,) real numbers, a radius for each of centers"),
+    "pairs": Kind("iu", (2,), "(P, 2) integers, the numbers of the two shapes of each pair"),
+}
+PACKED = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED  # by numpy.savez and numpy.savez_compressed
+LIMITED = ("coords",), ("offsets",), ("centers", "radii"), ("pairs",)  # of each of these, the numbers in all
 
 
 def load(path: Path) -> tuple[batch.Shapes, NDArray[Any] | None]:
@@ -20,16 +44,15 @@ def load(path: Path) -> tuple[batch.Shapes, NDArray[Any] | None]:
 
     `coords` (M, 2) and `offsets` (N + 1,): polygons one after another, concave ones split; `centers` (K, 2) and
     `radii` (K,): circles, numbered after the polygons; `pairs` (P, 2): the numbers of the two shapes of each.
+    A few kilobytes can unpack to gigabytes, so names, kinds and sizes are checked before anything is unpacked.
     """
     try:
         if not S_ISREG(path.stat().st_mode):  # as scenefile.load
             raise InvalidScene(f"cannot read {path}: not a regular file")
         with zipfile.ZipFile(path) as held:
-            size = sum(member.file_size for member in held.infolist())
-        if size > MOST_BYTES:
-            raise InvalidScene(f"{path} holds {size:,} bytes: the limit is {MOST_BYTES:,}")
-        with np.load(path, allow_pickle=False) as found:
-            arrays = {name: found[name] for name in found.files}
+            members = _members(path, held)
+            _check(path, {name: _header(held, member) for name, member in members.items()})
+            arrays = {name: _unpacked(held, member) for name, member in members.items()}
     except InvalidScene:
         raise
     except OSError as error:
@@ -40,20 +63,81 @@ def load(path: Path) -> tuple[batch.Shapes, NDArray[Any] | None]:
     return _shapes(path, arrays), arrays.get("pairs")
 
 
-def _shapes(path: Path, arrays: dict[str, NDArray[Any]]) -> batch.Shapes:
-    if unknown := sorted(arrays.keys() - KEYS):
-        raise InvalidScene(f"{path} has the unknown array {unknown[0]!r}; known: {', '.join(sorted(KEYS))}")
+def _members(path: Path, held: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
+    """The members by the arrays' names: each name is known and there once, and a pair of arrays is whole."""
+    listed = [(member.filename.removesuffix(".npy"), member) for member in held.infolist()]
+    names = Counter(name for name, _ in listed)
+    if twice := next((name for name, count in names.items() if count > 1), None):
+        raise InvalidScene(f"{path} has the array {shown(twice)} {names[twice]} times: keep one of them")
+    if unknown := sorted(names.keys() - KINDS.keys()):
+        raise InvalidScene(f"{path} has the unknown array {shown(unknown[0])}; known: {', '.join(sorted(KINDS))}")
     for one, other in ("coords", "offsets"), ("centers", "radii"):
-        if (one in arrays) != (other in arrays):
-            raise InvalidScene(f"{path} lacks {other if one in arrays else one!r}: {one} and {other} go together")
+        if (one in names) != (other in names):
+            raise InvalidScene(f"{path} lacks {other if one in names else one!r}: {one} and {other} go together")
+    if not names.keys() & {"coords", "centers"}:
+        raise InvalidScene(f"{path} has no shapes: it needs coords and offsets, or centers and radii")
+    # others may unpack gigabytes for the first byte
+    if odd := next((name for name, member in listed if member.compress_type not in PACKED), None):
+        raise InvalidScene(f"{path}: {odd} is packed as numpy packs none: save the arrays with numpy.savez_compressed")
+    return dict(listed)
+
+
+def _header(held: zipfile.ZipFile, member: zipfile.ZipInfo) -> tuple[tuple[int, ...], np.dtype[Any]]:
+    """The shape and the dtype of an array, from the first bytes of its member; ValueError where they hold none."""
+    with held.open(member) as file:
+        start = BytesIO(file.read(HEADER_BYTES))
+    version = npy.read_magic(start)
+    if version == (1, 0):
+        shape, _, dtype = npy.read_array_header_1_0(start)
+    elif version == (2, 0):
+        shape, _, dtype = npy.read_array_header_2_0(start)
+    else:
+        raise ValueError(f"{member.filename} is of version {version} of the format, which no plain array needs")
+    return shape, dtype
+
+
+def _check(path: Path, headers: dict[str, tuple[tuple[int, ...], np.dtype[Any]]]) -> None:
+    """InvalidScene names the first array of a wrong kind or shape, and those that hold too many numbers."""
+    for name, (shape, dtype) in headers.items():
+        kind, empty = KINDS[name], shape == (0,) and dtype.kind in "fiu"  # as a list without a row is saved
+        fits = dtype.kind in kind.dtypes and len(shape) == 1 + len(kind.row) and shape[1:] == kind.row
+        if not (fits or empty) or min(shape) < 0:
+            raise InvalidScene(f"{path}: {name} is {dtype} of the shape {shape}: expected {kind.words}")
+    for together in LIMITED:
+        if (many := sum(prod(headers[name][0]) for name in together if name in headers)) > MAX_NUMBERS:
+            verb = "holds" if len(together) == 1 else "hold"
+            raise InvalidScene(
+                f"{path}: {' and '.join(together)} {verb} {many:,} numbers: the limit is {MAX_NUMBERS:,}; "
+                "put fewer into one file"
+            )
+    if "centers" in headers and headers["radii"][0] != headers["centers"][0][:1]:
+        (many,), (count, *_) = headers["radii"][0], headers["centers"][0]
+        raise InvalidScene(f"{path}: radii has the shape ({many},): expected ({count},), a radius for each of centers")
+
+
+def _unpacked(held: zipfile.ZipFile, member: zipfile.ZipInfo) -> NDArray[Any]:
+    with held.open(member) as file:
+        found: NDArray[Any] = npy.read_array(file, allow_pickle=False)
+    return found
+
+
+def _shapes(path: Path, arrays: dict[str, NDArray[Any]]) -> batch.Shapes:
     made: list[batch.Shapes] = []
     try:
         if "coords" in arrays:
-            made.append(batch.Polygons(arrays["coords"], offsets=arrays["offsets"], concave="split"))
+            coords = arrays["coords"].reshape(-1, 2)
+            made.append(batch.Polygons(coords, offsets=arrays["offsets"], concave="split"))
         if "centers" in arrays:
-            made.append(batch.Circles(arrays["centers"], arrays["radii"]))
+            made.append(batch.Circles(arrays["centers"].reshape(-1, 2), arrays["radii"]))
     except InvalidShape as error:
-        raise InvalidScene(f"{path}: {error}") from None
-    if not made:
-        raise InvalidScene(f"{path} has no shapes: it needs coords and offsets, or centers and radii")
+        raise InvalidScene(f"{path}: {_in_the_file(str(error))}") from None
     return made[0] if len(made) == 1 else batch.concat(made)
+
+
+def _in_the_file(said: str) -> str:
+    """What the batch says of a shape, behind the name of the array of the file that it is about."""
+    if said.startswith("polygon"):
+        return f"coords: {said}"
+    if said.startswith("circle"):
+        return f"{'radii' if ': radius' in said else 'centers'}: {said}"
+    return said.replace("number of vertices", "number of rows of coords")  # of offsets, which it names

@@ -22,8 +22,8 @@ def candidate_pairs(bounds: door.Points, *, engine: str | None = None) -> Pairs:
 
     `engine`: as in `relate`.  InvalidShape for boxes that are not finite or turned inside out.
     """
-    found = door.boxes(bounds)
-    return in_order(list(candidate_blocks(found, engine_of(engine).grid)))
+    grid = engine_of(engine).grid
+    return in_order(list(candidate_blocks(door.boxes(bounds), grid)))
 
 
 def in_order(blocks: list[Pairs]) -> Pairs:

@@ -3,7 +3,10 @@
 from collections import deque
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future
+from operator import index
 from typing import Any
+
+from ..engine.outline import shown
 
 CHUNK = 1 << 20  # pairs: large enough to hide what a hand-over costs, small enough to hold a few at once
 WAITING = 8  # chunks handed over and not yet fetched: what bounds the memory
@@ -32,7 +35,6 @@ def in_chunks(
     At most WAITING chunks are under way, so memory does not grow with n.  An
     interrupt or a failed chunk cancels those not yet started.
     """
-    at_least_one("chunk", size)
     ranges = ((start, min(start + size, n)) for start in range(0, n, size))
     waiting: Waiting = deque()
     try:
@@ -57,10 +59,29 @@ def in_chunks(
             future.cancel()
 
 
-def at_least_one(name: str, size: int) -> None:
-    """ValueError for a size with which no work would ever be done."""
-    if size < 1:
-        raise ValueError(f"{name} is {size}: it must be at least 1")
+def check_executor(executor: object) -> None:
+    """Raise TypeError for anything but a concurrent.futures.Executor or None."""
+    if executor is not None and not isinstance(executor, Executor):
+        raise TypeError(f"executor is {shown(executor)}: pass a concurrent.futures.Executor, or None for this thread")
+
+
+def check_progress(progress: object) -> None:
+    """Raise TypeError for anything but a function or None."""
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress is {shown(progress)}: pass a function of (done, total), or None")
+
+
+def at_least_one(name: str, size: object) -> int:
+    """Return the size as an int; TypeError if it is no whole number, ValueError if it is less than 1."""
+    try:
+        number = index(size)  # type: ignore[arg-type]
+    except TypeError:
+        number = None
+    if number is None or isinstance(size, bool):
+        raise TypeError(f"{name} is {shown(size)}: pass a whole number of at least 1")
+    if number < 1:
+        raise ValueError(f"{name} is {shown(number)}: it must be at least 1")
+    return number
 
 
 def _result(start: int, stop: int, job: Job) -> Any:

@@ -12,10 +12,10 @@ from ..engine.geometry import InvalidShape
 from . import door
 from .arrays import Shapes, checked
 from .broad import candidate_blocks, in_order
-from .chunks import CHUNK, at_least_one
+from .chunks import CHUNK
 from .grid_numpy import Pairs
 from .making import polygons_numbered
-from .narrow import engine_of, hits
+from .narrow import check_options, engine_of, hits
 
 STRIP = 1 << 19  # shapes a strip of a streamed file should hold
 
@@ -34,7 +34,7 @@ def colliding_pairs(
     `progress` (told of candidates done in each block) and `chunk`: as in `relate`;
     upright boxes alone need the engine's grid only.
     """
-    at_least_one("chunk", chunk)  # also where the grid alone decides
+    chunk = check_options(engine, executor, progress, chunk)  # also where the grid alone decides
     found = []
     parts = checked(shapes, "shapes").parts
     for pairs in candidate_blocks(parts.bounds, engine_of(engine).grid):
@@ -64,13 +64,23 @@ def stream_colliding_pairs(
     reads and holds only the shapes that reach into it.  A pair is
     given once, by the strip where the later of the two begins.  Memory: a few
     hundred bytes a shape of one strip (shapes that all begin at one x are in one), and some
-    25 bytes a shape of the file for the x ranges.  InvalidShape as in Polygons, before the first
-    strip for what is no number, else of the first strip that holds one at fault.
+    25 bytes a shape of the file for the x ranges.  Options are checked at the call, shapes as the
+    strips are asked for: InvalidShape as in Polygons, before the first strip for what is no number,
+    else of the first strip that holds one at fault.
     """
     if getattr(vertices, "ndim", 0) != 3:
         raise InvalidShape(f"vertices is {_kind(vertices)}: expected an (N, V, 2) array; colliding_pairs takes others")
-    at_least_one("strip", strip)
-    engine_of(engine)
+    strip = check_options(engine, executor, progress, strip, "strip")
+    return _streamed(vertices, engine, executor, progress, strip)
+
+
+def _streamed(
+    vertices: NDArray[Any],
+    engine: str | None,
+    executor: Executor | None,
+    progress: Callable[[int, int], None] | None,
+    strip: int,
+) -> Iterator[Pairs]:
     n = len(vertices)
     low, high = np.empty(n), np.empty(n)
     for start in range(0, max(n, 1), strip):

@@ -1,6 +1,7 @@
 """The batch's door: numbers in arrays, judged by the rules and in the words of satviz.Polygon and satviz.Circle."""
 
-from collections.abc import Callable, Iterable
+import json
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,8 +16,16 @@ from ..engine.shapes import Polygon
 Rings = Any  # an (N, V, 2) array, or a sequence of what satviz.Polygon takes
 Points = Any  # an (N, 2) array, or a sequence of what satviz.Circle takes as its center
 Numbers = Any  # an (N,) array, a sequence of numbers, or one number
+CONCAVE = "refuse", "split"  # what to do with concave outlines
 
 EXPECTED = "expected to rise from 0 to the number of vertices"  # of offsets
+
+
+def check_word(name: str, value: object, words: Sequence[str]) -> None:
+    """Raise TypeError for what is no text, ValueError for a text that is none of the words."""
+    if not isinstance(value, str) or value not in words:
+        fault = ValueError if isinstance(value, str) else TypeError
+        raise fault(f"{name} is {outline.shown(value)}: choose {' or '.join(map(json.dumps, words))}")
 
 
 def rings(vertices: NDArray[Any], name: Callable[[int], str]) -> NDArray[np.float64]:

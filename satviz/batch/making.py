@@ -47,6 +47,7 @@ class Polygons(Shapes):
     """
 
     def __init__(self, vertices: door.Rings, *, offsets: ArrayLike | None = None, concave: str = "refuse") -> None:
+        door.check_word("concave", concave, door.CONCAVE)
         if offsets is None:
             made = polygons_numbered(vertices, None, concave)
         else:
@@ -56,6 +57,7 @@ class Polygons(Shapes):
 
 def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
     """Polygons from an array or sequence of shapely's polygons."""
+    door.check_word("concave", concave, door.CONCAVE)
     import shapely
 
     array = np.asarray(geometries, object).ravel()
@@ -87,8 +89,6 @@ def polygons_numbered(vertices: door.Rings, numbers: Indices | None, concave: st
 
 def _assembled(given: Rings, name: Callable[[int], str], concave: str) -> Shapes:
     """The corners of all; those not convex go through the scalar door one by one."""
-    if concave not in ("refuse", "split"):
-        raise ValueError(f'concave is {concave!r}: choose "refuse" or "split"')
     given = Rings(given.x + 0.0, given.y + 0.0, given.start)  # a copy of our own, where -0.0 is 0.0
     rings, plain = convex(given)
     count = np.diff(rings.start)

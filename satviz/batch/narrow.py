@@ -13,9 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..engine.outline import refuse_masked
 from ..extras import needs
-from . import undecided
+from . import door, undecided
 from .arrays import Group, Shapes, checked
-from .chunks import CHUNK, Call, in_chunks
+from .chunks import CHUNK, Call, at_least_one, check_executor, check_progress, in_chunks
 from .codes import APART, UNDECIDED
 from .grid_numpy import Grid
 from .rings import FEW
@@ -69,10 +69,11 @@ def relate(
     `engine`: "numpy" or "numba" (by default the best installed; the answers are the
     same).  `executor`: any concurrent.futures.Executor; chunks of pairs come back in
     order, `progress(done, total)` is told of each.  ValueError for lengths that do not
-    fit, IndexError for pairs out of range, ChunkFailed names the range that failed.
+    fit, IndexError for pairs out of range, TypeError or ValueError for an option that is none,
+    ChunkFailed names the range that failed.
     """
     checked(a, "a"), checked(b, "b")
-    engine_of(engine)  # an engine that is not there is told of before the work starts
+    chunk = check_options(engine, executor, progress, chunk)
     chosen = None if pairs is None else checked_pairs(pairs, len(a), len(b))
     if chosen is None and len(a) != len(b) and 1 not in (len(a), len(b)):
         raise ValueError(f"{len(a)} shapes against {len(b)}: pass as many of both, or one against many")
@@ -100,15 +101,32 @@ def hits(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, **options: Unpack
     return hit
 
 
+def check_options(engine: object, executor: object, progress: object, size: object, of: str = "chunk") -> int:
+    """Check how work is to be done, before any is; return the size of its pieces, whose argument is called `of`.
+
+    TypeError, ValueError and (where numba is not there) ImportError name the argument and say what it takes.
+    """
+    check_executor(executor)
+    check_progress(progress)
+    number = at_least_one(of, size)
+    engine_of(engine)
+    return number
+
+
+def engine_of(name: Any) -> Engine:
+    """The engine of that name, None for the best that works; TypeError and ValueError for what is no name."""
+    if name is not None:
+        door.check_word("engine", name, ("numpy", "numba"))
+    return loaded(name)
+
+
 @cache
-def engine_of(name: str | None) -> Engine:
+def loaded(name: str | None) -> Engine:
     """The engine of that name; numba is imported here and nowhere else.
 
     By default the best that works: where numba is installed but does not load or cannot keep
     what it compiles, NumPy answers, and one warning says why.
     """
-    if name not in (None, "numpy", "numba"):
-        raise ValueError(f'engine is {name!r}: choose "numpy" or "numba"')
     if name == "numba" or (name is None and find_spec("numba")):
         try:
             from . import filter_numba, grid_numba, picked_numba

@@ -125,8 +125,8 @@ def world(a: Shape, b: Shape) -> Choice:
 
 
 def edge_normals(a: Shape, b: Shape) -> Choice:
-    """Every edge normal of both shapes, B's first, parallel repeats included; not complete for circles."""
-    return Choice(_normals(b, "B") + _normals(a, "A"), complete=_convex_polygons(a, b))
+    """Every edge normal of both shapes, B's first, parallel repeats included; for a circle rarely complete."""
+    return _told(_normals(b, "B") + _normals(a, "A"), a, b)
 
 
 def hull_normals(a: Shape, b: Shape) -> Choice:
@@ -136,17 +136,17 @@ def hull_normals(a: Shape, b: Shape) -> Choice:
         hull = _hull(shape.core)
         for i, j in zip(hull, [*hull[1:], *hull[:1]], strict=True):
             axes.append(_axis(*_edge_normal(shape, role, EDGE if (j - i) % len(shape.core) == 1 else HULL, i, j)))
-    return Choice(tuple(axes), complete=_convex_polygons(a, b))
+    return _told(tuple(axes), a, b)
 
 
 def edge_normals_of_a(a: Shape, b: Shape) -> Choice:
     """A's edge normals only: a shortcut that gives false hits."""
-    return Choice(_normals(a, "A"))
+    return _told(_normals(a, "A"), a, b)
 
 
 def edge_normals_of_b(a: Shape, b: Shape) -> Choice:
     """B's edge normals only: a shortcut that gives false hits."""
-    return Choice(_normals(b, "B"))
+    return _told(_normals(b, "B"), a, b)
 
 
 def centers(a: Shape, b: Shape) -> Choice:
@@ -205,8 +205,24 @@ def same_axis(axis: Axis, ours: Axis) -> bool:
     return axis.normal == ours.normal and abs(axis.length - ours.length) <= ours.length * 2.0**-46
 
 
+def is_complete(axes: Sequence[Axis], a: Shape, b: Shape) -> bool:
+    """Does no gap on these axes prove a hit?  It does if they have all axes of `needed`, or all edge normals.
+
+    Of other axes nothing is proven: directions that were given may be all that are needed by chance.
+    """
+    has = {axis.source for axis in axes}
+    if _convex_polygons(a, b) and has >= {axis.source for axis in (*_normals(a, "A"), *_normals(b, "B"))}:
+        return True  # upright boxes need none of these
+    full = needed(a, b)
+    return full.complete and has >= {axis.source for axis in full.axes}
+
+
+def _told(axes: tuple[Axis, ...], a: Shape, b: Shape) -> Choice:
+    return Choice(axes, complete=is_complete(axes, a, b))
+
+
 def made_for(choice: Choice, a: Shape, b: Shape) -> Choice:
-    """A choice of someone else's as it serves this pair: complete only if it has all axes of `needed`, or of all edges.
+    """A choice of someone else's as it serves this pair; whether it is complete is worked out, whatever it says.
 
     In any order: those left out as parallel are given the number of the first axis that they are parallel to.
     ValueError for an axis that these shapes do not have (exactly: an axis is where it comes from,
@@ -221,11 +237,7 @@ def made_for(choice: Choice, a: Shape, b: Shape) -> Choice:
     nowhere = nearest_vertex(a, b).skipped
     if any(skip.axis in chosen for skip in nowhere):
         raise ValueError(f"{nowhere[0].axis.source} has no direction: the center is on that vertex")
-    has = {axis.source for axis in chosen}
-    complete = bool(choice.complete) and any(
-        full.complete and has >= {axis.source for axis in full.axes}
-        for full in (needed(a, b), edge_normals(a, b))  # upright boxes need no edge's
-    )
+    complete = bool(known) and is_complete(chosen, a, b)
     return Choice(chosen, tuple(_numbered(chosen, skipped, nowhere, a, b)), complete)
 
 

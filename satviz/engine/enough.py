@@ -28,7 +28,7 @@ def enough(a: Trace | Shape, b: Shape | None = None, names: Names = PLAIN) -> tu
     test = max(tests, key=lambda test: test.gap)
     if test.separates:
         name = telling.axis_name(test.axis, (a, b), names)
-        which = f"the line {name}" if test.source.kind == CENTERS else f"the {name.removeprefix('the ')}"
+        which = f"the line {name}" if test.source.kind in (CENTERS, VERTEX) else f"the {name.removeprefix('the ')}"
         gap = digits.of_tests((a, b), (test,)).number(test.gap)
         return 1, f"One axis is enough here: {which} leaves a gap of {gap}.{_anywhere(choice.axes, a, b)}"
     if not choice.complete:

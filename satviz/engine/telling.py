@@ -70,13 +70,13 @@ def axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
         if kind != VERTEX:
             what = "(dx, -dy)" if kind == SLIP else "normal"
             return f"{what} of {names[at]}'s {'hull ' if kind == HULL else ''}edge {edge_name(ends)}"
-        return f"from {names[at]}'s nearest vertex {ends[0]} to the center of {names[1 - at]}"
+        return f"through {names[at]}'s nearest vertex {ends[0]} and the center of {names[1 - at]}"
     return f"direction {vector(axis.normal)}"
 
 
 def short_axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
     """The same for a list: "B's v2v3"."""
-    return axis_name(axis, shapes, names).replace("normal of ", "").replace("edge ", "").replace("from ", "")
+    return axis_name(axis, shapes, names).replace("normal of ", "").replace("edge ", "").replace("through ", "")
 
 
 def edge_name(ends: list[str]) -> str:
@@ -382,7 +382,7 @@ def _origin(trace: Trace, axis: Axis) -> str:
     shape, name = (trace.a, trace.b)[at], trace.names[at]
     ends = [vertex_name(shape, name, i) for i in ids]
     if kind == VERTEX:
-        return f"The line from {name}'s nearest vertex {ends[0]} to the center of {trace.names[1 - at]}"
+        return f"The line through {name}'s nearest vertex {ends[0]} and the center of {trace.names[1 - at]}"
     p, q = (shape.vertices[i] for i in ids)
     what = "Hull edge" if kind == HULL else "Edge"
     return f"{what} {edge_name(ends)} of {name}: {edge_vector(trace, ends, p, q)}"

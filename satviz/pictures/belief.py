@@ -11,7 +11,7 @@ from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
-from ..scenes.asked import Asked, refused_row, trace_of
+from ..scenes.asked import RUNS, Asked, refused_row, trace_of
 from ..scenes.failing import MISSED_HIT, Row
 from . import belief_rows, stages
 from .belief_rows import Panel, arrange
@@ -62,7 +62,7 @@ def picture(
     """
     if row := refused_row(what):
         return refused(row, title=title, width=min(BOTH, largest[0]) if largest != (WIDTH, HEIGHT) else BOTH)
-    trace = trace_of(what)
+    trace = trace_of(what, takes=RUNS)
     if not trace.shortcut:
         return stages.picture(trace, step, title=title, largest=largest, by_itself=by_itself)
     step = stages.chosen(trace, step)

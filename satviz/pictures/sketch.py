@@ -179,8 +179,8 @@ class Sketch:
             for i, end in enumerate((p, q)):
                 self.add("edge-end", "dot", "AB"[i], end, number=i)
             if told:
-                text = telling.digits(self.trace).vector(Vec(q.x - p.x, q.y - p.y))
-                self.label("edge-name", text, "ink", self.middle(p, q), first=1)
+                along = max(Vec(q.x - p.x, q.y - p.y), Vec(p.x - q.x, p.y - q.y))  # as the axis points
+                self.label("edge-name", telling.digits(self.trace).vector(along), "ink", self.middle(p, q), first=1)
 
     def joined(self, test: AxisTest) -> Segment:
         """The two points whose difference is the axis: A's, then B's."""
@@ -198,36 +198,23 @@ class Sketch:
             start = self.middle(*self.joined(test))
         else:
             return None
-        return start, moved(start, self.way_of(test), self.layout.units(NORMAL))
-
-    def way_of(self, test: AxisTest) -> Vec:
-        """The axis's direction as it is drawn where it comes from: out of the shape, either direction will do."""
-        n, (kind, role, ids) = test.axis.direction, test.source
-        if kind in (EDGE, HULL) and any(n):
-            _, polygon = self.polygon(role)
-            p, q = (polygon.vertices[i] for i in ids)
-            out = self.outward(polygon, p, q)
-            if out.x * n.x + out.y * n.y < 0:
-                return Vec(-n.x, -n.y)
-        return n
+        return start, moved(start, test.axis.direction, self.layout.units(NORMAL))
 
     def normal(self, test: AxisTest, *, told: bool = False) -> None:
-        """The axis's direction as an arrow where it comes from."""
+        """The axis's direction as an arrow where it comes from: into the shape or out of it, as the axis points."""
         arrow = self.normal_arrow(test)
         if arrow is None:
             return
-        role, way = test.source.shape or "ink", self.way_of(test)
-        if test.source.kind in (EDGE, HULL):
+        kind, owner, _ = test.source
+        role, way = owner or "ink", test.axis.direction
+        if kind in (EDGE, HULL):
             self.right_angle(arrow[0], way)
         self.add("normal", "arrow", role, *arrow, start=arrow[:1])
         if told:
-            text, edge = "direction", test.source.kind in FROM_EDGES
-            if edge:
-                sign = 1 if way == test.axis.direction else -1
-                n = Vec(test.axis.normal.x * sign + 0.0, test.axis.normal.y * sign + 0.0)
-                what = "(dx, -dy) =" if test.source.kind == SLIP else "normal"
-                text = f"{what} {telling.digits(self.trace).vector(n)}"
-                text += "\n(either direction will do)" if sign < 0 else ""
+            text = "direction"
+            if kind in FROM_EDGES:
+                what = "one sign changed:" if kind == SLIP else "normal"
+                text = f"{what} {telling.digits(self.trace).vector(test.axis.normal)}"
             self.label("normal-name", text, role, arrow[1], prefer=way, first=1)
 
     def right_angle(self, foot: Vec, way: Vec) -> None:
@@ -281,8 +268,6 @@ class Sketch:
     def axis(self, test: AxisTest, place: AxisPlace, *, told: bool = True) -> None:
         """The axis as a long arrow clear of the shapes: its normal, pulled away from the edge."""
         start = self.normal_arrow(test) or ()
-        if start and self.way_of(test) != test.axis.direction:
-            start = start[::-1]  # so that it grows out of the normal without turning over
         self.add("axis", "arrow", "ink", place.at(place.lo), place.at(place.hi), axis=self.on(test), start=start)
         if told:
             kind, _, ids = test.source
@@ -425,7 +410,7 @@ class Sketch:
             if kind in (EDGE, HULL) and not self.crowded(self.of(owner)[1]):
                 _, polygon = self.polygon(owner)
                 p, q = (polygon.vertices[j] for j in ids)
-                tip = moved(self.middle(p, q), self.outward(polygon, p, q), self.layout.units(NORMAL * 0.6))
+                tip = moved(self.middle(p, q), axis.direction, self.layout.units(NORMAL * 0.6))
                 self.add("untested", "arrow", "guide", self.middle(p, q), tip, number=n)
         names = [telling.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names) for axis in left]
         if len(names) > 8:

@@ -12,7 +12,7 @@ from ..engine.concave import named_parts
 from ..engine.geometry import Relation, Vec
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace, record
-from ..scenes.asked import Asked, trace_of
+from ..scenes.asked import RUNS, Asked, trace_of
 from .insets import with_insets
 from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, moved, padded
 from .marks import Mark, Picture
@@ -49,7 +49,7 @@ class Step(NamedTuple):
 
 def steps(what: Asked) -> list[Step]:
     """Every step of a trace in drawing order, from the bare scene to the verdict; of a scene, of its trace."""
-    trace = trace_of(what)
+    trace = trace_of(what, takes=RUNS)
     found = [Step(Stage.SCENE)]
     if trace.pairs:
         found.append(Step(Stage.PARTS))

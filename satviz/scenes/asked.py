@@ -9,10 +9,14 @@ from .named import scene
 from .scenefile import Scene
 
 Asked = Scene | Trace | str  # what has a run by itself
+# what may be passed, by what the function takes
+SCENES = "a scene's name, a Scene, or two shapes"
+RUNS = "a scene's name, a Scene, or the trace of two shapes, sv.record(a, b)"
+ALL = "a scene's name, a Scene, two shapes, or their trace, sv.record(a, b)"
 
 
-def scene_of(what: Scene | Shape | str, b: Shape | None = None) -> Scene:
-    """The scene that is meant; InvalidScene for an unknown name, TypeError for anything else."""
+def scene_of(what: Scene | Shape | str, b: Shape | None = None, *, takes: str = SCENES) -> Scene:
+    """The scene that is meant; InvalidScene for an unknown name, TypeError for anything but what `takes` says."""
     if b is not None:
         return Scene("scene", checked(what, "a"), checked(b, "b"))
     found: Any = scene(what) if isinstance(what, str) else what
@@ -20,19 +24,19 @@ def scene_of(what: Scene | Shape | str, b: Shape | None = None) -> Scene:
         return found
     if isinstance(found, Trace):
         raise TypeError("this is a Trace, one run of two shapes: pass the shapes, trace.a and trace.b")
-    raise TypeError(f"this is a {type(found).__name__}: pass a scene's name, a Scene, or two shapes")
+    raise TypeError(f"this is a {type(found).__name__}: pass {takes}")
 
 
 def pair_of(what: Asked | Shape, b: Shape | None = None) -> tuple[Shape, Shape]:
     """The two shapes that are meant, which need no run."""
-    if isinstance(what, Trace):
+    if isinstance(what, Trace) and b is None:
         return what.a, what.b
-    found = scene_of(what, b)
+    found = scene_of(what, b, takes=ALL)  # type: ignore[arg-type]
     return found.a, found.b
 
 
-def trace_of(what: Asked | Shape, b: Shape | None = None) -> Trace:
-    """The run that is meant; InvalidScene for an unknown name, TypeError for anything else."""
+def trace_of(what: Asked | Shape, b: Shape | None = None, *, takes: str = ALL) -> Trace:
+    """The run that is meant; InvalidScene for an unknown name, TypeError for anything but what `takes` says."""
     if b is not None:
         return record(checked(what, "a"), checked(b, "b"))
     found: Any = scene(what) if isinstance(what, str) else what
@@ -40,9 +44,7 @@ def trace_of(what: Asked | Shape, b: Shape | None = None) -> Trace:
         return found.record()
     if isinstance(found, Trace):
         return found
-    raise TypeError(
-        f"this is a {type(found).__name__}: pass a scene's name, a Scene, two shapes, or their trace, sv.record(a, b)"
-    )
+    raise TypeError(f"this is a {type(found).__name__}: pass {takes}")
 
 
 def refused_row(what: object) -> Row | None:

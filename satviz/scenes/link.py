@@ -11,10 +11,14 @@ from binascii import Error
 from contextlib import suppress
 from math import isfinite
 from typing import Any, NamedTuple
+from urllib.parse import urlsplit
 
 from ..engine.geometry import InvalidScene
+from ..engine.outline import shown
+from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import Trace
+from . import asked
 from .article import SCENES
 from .failing import REFUSED, ROWS
 from .named import scene
@@ -46,19 +50,43 @@ class Shown(NamedTuple):
 AS_IT_COMES = Shown()
 
 
-def link(shown: Scene | str, *, site: str = "", **more: Any) -> str:
-    """The link that opens a scene (or the built-in one of that name) on a site, by default relative to its folder.
+def link(what: asked.Asked | Shape, b: Shape | None = None, *, site: str = "", **more: Any) -> str:
+    """The link that opens a scene on a site, by default relative to the site's folder.
 
+    Of a scene (or its name), two shapes, or a trace.  Of a trace the link keeps the two shapes, whether every
+    axis was tested, and the choice of axes where it has a name; else the link opens the shapes with `needed`.
+    `site` is the address of the site's folder, http or https.
     `more` says what is shown: free=30.0, row=2, view="truth", way_out=True, against=True, or for the
-    player step=5, predict=True, rest=True.  InvalidScene for a name or a value that cannot be opened again.
+    player step=5, predict=True, rest=True.  InvalidScene for a name, an address or a value that cannot be
+    opened again, TypeError for anything else.
     """
-    found = scene(shown) if isinstance(shown, str) else shown
-    if not isinstance(found, Scene):
-        raise TypeError(f"shown is a {type(shown).__name__}: pass a scene or its name")
-    end = "" if not site or site.endswith("/") else "/"
+    if isinstance(what, Trace) and b is None:
+        found = _scene_of(what) or Scene("scene", what.a, what.b, every_axis=what.every_axis)
+    else:
+        found = asked.scene_of(what, b, takes=asked.ALL)  # type: ignore[arg-type]
     made = fragment(found, Shown(**more))
     opened(made)
-    return f"{site}{end}{PAGE}#{made}"
+    return f"{folder_of(site)}{PAGE}#{made}"
+
+
+def folder_of(site: str, name: str = "site") -> str:
+    """Check the address of a site's folder and end it with a slash; the empty address stays as it is.
+
+    Only http and https: a link must not run a script or open a file of whoever clicks on it.  InvalidScene for
+    any other address, TypeError for what is no text; `name` is what they call it.
+    """
+    if not isinstance(site, str):
+        raise TypeError(f"{name} is {shown(site)}: pass an address as text, such as https://example.org/satviz/")
+    if not site:
+        return ""
+    try:
+        parts = urlsplit(site)
+        plain = parts.scheme in ("http", "https") and parts.hostname and (parts.port or True)
+    except ValueError:  # brackets or a port that are none
+        plain = False
+    if not plain or set(site) & set("?#\\") or not site.isprintable() or " " in site:
+        raise InvalidScene(f"{name} is {shown(site)}: expected an address such as https://example.org/satviz/")
+    return site if site.endswith("/") else f"{site}/"
 
 
 def fragment(found: Scene, shown: Shown = AS_IT_COMES) -> str:
@@ -75,14 +103,20 @@ def fragment(found: Scene, shown: Shown = AS_IT_COMES) -> str:
 
 def of_trace(trace: Trace) -> str:
     """What stands behind the # for a trace's scene; empty where its axes have no name, or a shape is too large."""
+    found = _scene_of(trace)
+    with suppress(InvalidScene):
+        return fragment(found) if found else ""
+    return ""
+
+
+def _scene_of(trace: Trace) -> Scene | None:
+    """The scene that a trace is the run of, the built-in one if there is one; None where its axes have no name."""
     axes = next((name for name in CHOICES if _is_of(trace, name)), None)
     if axes is None:
-        return ""
+        return None
     made = Scene("scene", trace.a, trace.b, axes, trace.every_axis)
     known = (s for s in ALL if (s.a, s.b, s.axes, s.every_axis) == (made.a, made.b, made.axes, made.every_axis))
-    with suppress(InvalidScene):
-        return fragment(next(known, made))
-    return ""
+    return next(known, made)
 
 
 def _is_of(trace: Trace, name: str) -> bool:

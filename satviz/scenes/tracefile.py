@@ -243,9 +243,11 @@ def _sources(choice: Choice) -> tuple[list[Source], list[object]]:
 
 def _same(trace: Trace, again: Trace, where: str) -> None:
     """Measured again, numbers may differ by a rounding of another machine; signs and everything else may not."""
-    if _sources(trace.choice) != _sources(again.choice) or trace.choice.complete != again.choice.complete:
+    if _sources(trace.choice) != _sources(again.choice):
         raise InvalidScene(f"{where}.axes are not those of these shapes")
-    if trace.every_axis != again.every_axis or len(trace.tests) != len(again.tests):
+    _agree(again.choice.complete, trace.choice.complete, f"{where}.complete")
+    _agree(again.every_axis, trace.every_axis, f"{where}.every_axis")
+    if len(trace.tests) != len(again.tests):
         raise InvalidScene(f"{where}.tests has {len(trace.tests)} tests where the run has {len(again.tests)}")
     rounding = ROUNDING if trace.proves else FLOAT_WORK
     # beyond float64 a circle's is infinite

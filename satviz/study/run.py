@@ -8,6 +8,7 @@ from signal import SIG_DFL, SIGINT, signal
 from types import ModuleType
 from typing import Any
 
+from ..batch.chunks import check_executor
 from ..disk import MADE_BY, check, folder, write
 from ..extras import needs
 from .lab.cells import Failure, Settings, results
@@ -40,6 +41,7 @@ def study(
     is told of each finished cell.  FileExistsError for a file that satviz did not make,
     unless `force`; CellsFailed at the end, if any did.
     """
+    check_executor(executor)
     sections = SECTIONS if sections is None else sections
     folder(out)
     check(out / "study.md", force=force)

@@ -16,6 +16,7 @@ from ..pictures.caption import captioned
 from ..render.files import animate, encode
 from ..render.notebook import bundle
 from ..render.script import javascript, stylesheet
+from ..scenes.link import folder_of
 from .showing import Showing
 
 LOCK = RLock()  # a front end's messages can come on any thread
@@ -25,13 +26,21 @@ class Shown(anywidget.AnyWidget):
     """A widget whose trace is shown; its messages are answered one at a time."""
 
     _css = stylesheet()
-    site = traitlets.Unicode(os.environ.get("SATVIZ_SITE", ""), help="where links to a scene lead").tag(sync=True)
+    site = traitlets.Unicode(help="where links to a scene lead: http or https").tag(sync=True)
     trace = traitlets.Any(help="the Trace that is shown; observe it to follow").tag(sync=False)
 
     def __init__(self, showing: Showing, **more: Any) -> None:
         self._showing = showing
         super().__init__(trace=showing.trace, **more)
         self.on_msg(self._heard)
+
+    @traitlets.default("site")
+    def _site_of_the_environment(self) -> str:
+        return folder_of(os.environ.get("SATVIZ_SITE", ""), "SATVIZ_SITE")
+
+    @traitlets.validate("site")
+    def _checked_site(self, proposal: Any) -> str:
+        return folder_of(proposal["value"])
 
     def _heard(self, _widget: Any, content: Any, _buffers: Any) -> None:
         if not isinstance(content, dict):
