@@ -3,6 +3,7 @@
 import json
 import math
 import re
+from fractions import Fraction
 from functools import cache, partial
 from hashlib import md5
 from itertools import combinations, pairwise
@@ -244,7 +245,8 @@ def same_way(one, other):
 
 
 @pytest.mark.parametrize("name", [name for name in names() if not refused_row(name)])
-def test_an_axis_has_one_direction_in_table_sentence_label_and_arrow(name):
+def test_an_axis_has_one_direction_in_table_sentence_and_arrow_and_its_normal_that_or_the_other(name):
+    """A normal is drawn out of its shape; where the axis points the other way, the sentence says both."""
     trace = scene(name).record().without_early_exit()
     table, begins = rows(trace), first_rows(trace)
     for step in sv.steps(trace):
@@ -256,28 +258,55 @@ def test_an_axis_has_one_direction_in_table_sentence_label_and_arrow(name):
         picture = sv.picture(trace, step)
         told = table[begins[step.pair or 0] + step.test]["direction"]
         marks = {mark.part.removeprefix("saw-"): mark for mark in picture.marks}
-        ways = [vectors(told)[0]]
-        ways += [(q.x - p.x, q.y - p.y) for p, q in (marks[key].points for key in ("axis", "normal") if key in marks)]
+        ways, normals = [vectors(told)[0]], []
+        for key, some in ("axis", ways), ("normal", normals):
+            if key in marks:
+                p, q = marks[key].points
+                some.append((q.x - p.x, q.y - p.y))
         if label := marks.get("normal-name"):
-            ways += vectors(label.text)
+            normals += vectors(label.text)
         if test.source.kind not in axes.FROM_EDGES and "edge-name" in marks:
             ways += vectors(marks["edge-name"].text)
         if step.stage is Stage.AXIS:
             assert picture.sentence.endswith(f"direction {told}.")
         if step.stage is Stage.NORMAL and test.source.kind in axes.FROM_EDGES:
-            *_, normal = vectors(picture.sentence)
+            _, normal, *direction = vectors(picture.sentence)
             assert label is None or vectors(label.text) == [normal]
-            ways.append(normal)
+            normals.append(normal)
+            ways += direction or [normal]
         assert all(same_way(way, test.axis.direction) for way in ways), (step, ways)
+        sign = 1 if describes_outward(trace.pairs[step.pair] if trace.pairs else trace, test) else -1
+        assert all(same_way((sign * x, sign * y), test.axis.direction) for x, y in normals), (step, normals)
 
 
-def test_the_arrow_of_an_axis_not_tested_points_as_the_axis_does():
-    trace = TRACES["triangles"]
-    left = [skip.axis for skip in trace.skipped if skip.why == axes.EARLY_EXIT]
-    arrows = [mark.points for mark in sv.picture(trace, Step(Stage.GAP, 1)).marks if mark.part == "untested"]
-    assert len(arrows) == len(left) == 4
-    for (p, q), axis in zip(arrows, left, strict=True):
-        assert same_way((q.x - p.x, q.y - p.y), axis.direction)
+def describes_outward(trace, test):
+    """By the middle of an edge: a small step along the axis leaves the shape, as an oracle sees it."""
+    kind, role, ids = test.source
+    if kind not in (axes.EDGE, axes.HULL):
+        return True
+    polygon = (trace.a, trace.b)["AB".index(role)]
+    (px, py), (qx, qy) = (map(Fraction, polygon.vertices[i]) for i in ids)
+    n, step = test.axis.normal, Fraction(1, 2**40)
+    x, y = (px + qx) / 2 + step * Fraction(n[0]), (py + qy) / 2 + step * Fraction(n[1])
+    ring = [tuple(map(Fraction, v)) for v in polygon.core]
+    if kind == axes.HULL:
+        return all((vx - px) * Fraction(n[0]) + (vy - py) * Fraction(n[1]) <= 0 for vx, vy in ring)
+    crossed = sum(
+        (ay > y) != (by > y) and x < ax + (y - ay) * (bx - ax) / (by - ay)
+        for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1])
+    )
+    return crossed % 2 == 0
+
+
+def test_a_normal_that_points_against_its_axis_is_drawn_outward_and_the_sentence_says_both():
+    picture = sv.picture(TRACES["triangles"], Step(Stage.NORMAL, 1))
+    assert "normal (−4, 1)" in picture.texts
+    assert picture.sentence.endswith("A quarter turn makes it the normal (−4, 1); axis 2 of 6 takes it as (4, −1).")
+    (p, q), (lo, hi) = (
+        picture.mark("normal").points,
+        sv.picture(TRACES["triangles"], Step(Stage.AXIS, 1)).mark("axis.2").points,
+    )
+    assert same_way((p.x - q.x, p.y - q.y), (hi.x - lo.x, hi.y - lo.y))
 
 
 @pytest.mark.parametrize("at", [(-3, 0), (0, -3), (-2, -3)])
@@ -298,7 +327,7 @@ def test_a_mark_that_moves_starts_where_it_comes_from():
     i = trace.tests.index(trace.separating)
     gap = sv.picture(trace, Step(Stage.GAP, i))
     axes = [picture.mark(f"axis.{i + 1}").start for picture in (gap, sv.picture(trace))]
-    assert axes == [gap.mark("normal").points] * 2
+    assert axes == [gap.mark("normal").points[::-1]] * 2  # drawn outward, against the axis
     drops, landings = ([m for m in gap.marks if m.part == part] for part in ("drop", "landing"))
     assert len(drops) == 4 and [(m.points[0], m.points[-1]) for m in drops] == [(*m.start, *m.points) for m in landings]
 
@@ -555,8 +584,8 @@ def test_a_normal_is_said_to_be_its_edge_turned_by_a_quarter_and_is():
     trace = sv.scene("triangles").record().without_early_exit()
     for i in range(len(trace.tests)):
         said = sv.picture(trace, sv.Step(sv.Stage.NORMAL, i)).sentence.replace("\N{MINUS SIGN}", "-")
-        (x, y), normal = ((float(x), float(y)) for x, y in re.findall(r"\(([-.\d]+), ([-.\d]+)\)", said))
-        assert (
-            f"A quarter turn makes it the normal ({normal[0]:g}, {normal[1]:g}), the direction of axis {i + 1}" in said
-        )
+        (x, y), normal, *turned = ((float(x), float(y)) for x, y in re.findall(r"\(([-.\d]+), ([-.\d]+)\)", said))
+        made = f"A quarter turn makes it the normal ({normal[0]:g}, {normal[1]:g})"
+        assert f"{made}; axis {i + 1} of" in said if turned else f"{made}, the direction of axis {i + 1}" in said
         assert normal in ((y, -x), (-y, x))
+        assert not turned or turned == [(-normal[0], -normal[1])]

@@ -11,6 +11,7 @@ from .axes import (
     CENTERS,
     CENTROIDS,
     EARLY_EXIT,
+    EDGE,
     FROM_EDGES,
     HULL,
     NO_DIRECTION,
@@ -359,7 +360,9 @@ def stage(trace: Trace, i: int, name: str, first: str) -> str:
         if t.source.kind not in FROM_EDGES:
             return f"{_origin(trace, t.axis)} gives {of} its direction."
         turned = "One sign changed makes it" if t.source.kind == SLIP else "A quarter turn makes it the normal"
-        return f"{_origin(trace, t.axis)}. {turned} {digits(trace).vector(t.axis.normal)}, the direction of {of}."
+        normal, direction = outward_normal(trace, t.axis), digits(trace).vector(t.axis.normal)
+        made = f"{_origin(trace, t.axis)}. {turned} {normal}"
+        return f"{made}, the direction of {of}." if normal == direction else f"{made}; {of} takes it as {direction}."
     if name == "axis":
         what = axis_name(t.axis, shapes, trace.names)
         return f"Axis {i + 1}, {what}, moved clear of the shapes: direction {vector(t.axis.direction)}."
@@ -386,6 +389,31 @@ def _origin(trace: Trace, axis: Axis) -> str:
     p, q = (shape.vertices[i] for i in ids)
     what = "Hull edge" if kind == HULL else "Edge"
     return f"{what} {edge_name(ends)} of {name}: {edge_vector(trace, ends, p, q)}"
+
+
+def points_outward(trace: Trace, axis: Axis) -> bool:
+    """Does the axis of an edge's normal point out of its shape?  Either direction gives the same axis; True for others.
+
+    Outward is right of an edge that is walked counter-clockwise.
+    """
+    kind, role, ids = axis.source
+    if kind not in (EDGE, HULL):
+        return True
+    polygon = trace.b if role == "B" else trace.a
+    p, q = (polygon.vertices[i] for i in ids)
+    if kind == HULL:
+        start, n = p, axis.normal
+        return all(n.x * (v.x - start.x) + n.y * (v.y - start.y) <= 0 for v in polygon.core)
+    i, j = polygon.core.index(p), polygon.core.index(q)
+    if (i + 1) % len(polygon.core) != j:
+        p, q = q, p
+    return (q.y - p.y) * axis.normal.x + (p.x - q.x) * axis.normal.y >= 0
+
+
+def outward_normal(trace: Trace, axis: Axis) -> str:
+    """The normal that an axis comes from, pointing out of its shape; the axis may point the other way."""
+    n = axis.normal
+    return digits(trace).vector(n if points_outward(trace, axis) else Vec(0.0 - n.x, 0.0 - n.y))
 
 
 def edge_vector(trace: Trace, ends: Sequence[str], p: Vec, q: Vec) -> str:

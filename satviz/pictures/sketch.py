@@ -198,15 +198,20 @@ class Sketch:
             start = self.middle(*self.joined(test))
         else:
             return None
-        return start, moved(start, test.axis.direction, self.layout.units(NORMAL))
+        return start, moved(start, self.way_of(test), self.layout.units(NORMAL))
+
+    def way_of(self, test: AxisTest) -> Vec:
+        """The axis's direction as it is drawn where it comes from: a normal points out of its shape."""
+        n = test.axis.direction
+        return n if telling.points_outward(self.trace, test.axis) else Vec(-n.x, -n.y)
 
     def normal(self, test: AxisTest, *, told: bool = False) -> None:
-        """The axis's direction as an arrow where it comes from: into the shape or out of it, as the axis points."""
+        """The axis's direction as an arrow where it comes from; a normal points out of its shape."""
         arrow = self.normal_arrow(test)
         if arrow is None:
             return
         kind, owner, _ = test.source
-        role, way = owner or "ink", test.axis.direction
+        role, way = owner or "ink", self.way_of(test)
         if kind in (EDGE, HULL):
             self.right_angle(arrow[0], way)
         self.add("normal", "arrow", role, *arrow, start=arrow[:1])
@@ -214,7 +219,7 @@ class Sketch:
             text = "direction"
             if kind in FROM_EDGES:
                 what = "one sign changed:" if kind == SLIP else "normal"
-                text = f"{what} {telling.digits(self.trace).vector(test.axis.normal)}"
+                text = f"{what} {telling.outward_normal(self.trace, test.axis)}"
             self.label("normal-name", text, role, arrow[1], prefer=way, first=1)
 
     def right_angle(self, foot: Vec, way: Vec) -> None:
@@ -268,6 +273,8 @@ class Sketch:
     def axis(self, test: AxisTest, place: AxisPlace, *, told: bool = True) -> None:
         """The axis as a long arrow clear of the shapes: its normal, pulled away from the edge."""
         start = self.normal_arrow(test) or ()
+        if start and self.way_of(test) != test.axis.direction:
+            start = start[::-1]  # so that it grows out of the normal without turning over
         self.add("axis", "arrow", "ink", place.at(place.lo), place.at(place.hi), axis=self.on(test), start=start)
         if told:
             kind, _, ids = test.source
@@ -410,7 +417,7 @@ class Sketch:
             if kind in (EDGE, HULL) and not self.crowded(self.of(owner)[1]):
                 _, polygon = self.polygon(owner)
                 p, q = (polygon.vertices[j] for j in ids)
-                tip = moved(self.middle(p, q), axis.direction, self.layout.units(NORMAL * 0.6))
+                tip = moved(self.middle(p, q), self.outward(polygon, p, q), self.layout.units(NORMAL * 0.6))
                 self.add("untested", "arrow", "guide", self.middle(p, q), tip, number=n)
         names = [telling.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names) for axis in left]
         if len(names) > 8:
