@@ -1,6 +1,7 @@
 """In a real browser: the widgets in a real JupyterLab and in Notebook 7."""
 
 import json
+import shutil
 from math import dist
 
 import pytest
@@ -10,6 +11,7 @@ import satviz as sv
 from satviz.pictures import DARK, LIGHT, playback
 from satviz.pictures.caption import captioned
 from satviz.render.files import MADE_BY, animate, encode
+from satviz.site.walkthrough import shipped
 
 pytestmark = pytest.mark.slow
 
@@ -448,3 +450,20 @@ def test_in_notebook_7_the_widgets_show_and_can_be_dragged(browser, lab):
     found.said("A and B are apart", 2)
     found.page.close()
     assert not found.errors, found.errors
+
+
+@pytest.mark.parametrize("app", ["lab", "notebooks"])
+def test_the_text_that_answers_a_question_of_a_chapter_is_folded(browser, lab, app):
+    chapter = next(path for path in shipped() if path.name.startswith("1"))
+    shutil.copy(chapter, lab.folder / "chapter.ipynb")
+    page = browser.new_page(viewport={"width": 1200, "height": 12_000})
+    lab.open(page, "chapter.ipynb", app)
+    answer = page.locator(".jp-Notebook details", has_text="Only one. The table")
+    answer.wait_for(timeout=60_000)
+    text = answer.locator("p", has_text="Only one.")
+    assert not text.is_visible()
+    answer.locator("summary").press("Enter")
+    text.wait_for()
+    answers = page.locator(".jp-Notebook details", has_text="The answer")
+    assert [each.get_attribute("open") is not None for each in answers.all()].count(True) == 1
+    page.close()

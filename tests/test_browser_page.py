@@ -1,5 +1,6 @@
 """In a real browser: the two pens side by side, the page from disk."""
 
+import json
 import re
 from xml.etree import ElementTree
 
@@ -12,7 +13,10 @@ from matplotlib.path import Path
 import satviz as sv
 from satviz.pictures import THEMES
 from satviz.pictures.caption import reading
+from satviz.pictures.playback import playback, playbacks
 from satviz.render.files import canvas
+from satviz.render.script import javascript, stylesheet
+from satviz.scenes.link import ALL
 from satviz.widgets.exploring import Exploring
 
 pytestmark = pytest.mark.slow
@@ -164,6 +168,99 @@ def test_the_page_plays_only_when_asked_and_stops_at_the_end(browser, errors, pa
     page.get_by_role("button", name="play").click()
     page.get_by_text("16 / 16").wait_for(timeout=5000)
     page.get_by_role("button", name="play").wait_for()
+    page.close()
+
+
+def pressed_on(page, key, *, on="body"):
+    """How many steps on the player is after a key."""
+    before = page.locator(".sv-count").inner_text()
+    if on == "body":
+        page.evaluate("document.activeElement.blur()")
+        page.keyboard.press(key)
+    else:
+        page.locator(on).first.press(key)
+    return int(page.locator(".sv-count").inner_text().split()[0]) - int(before.split()[0])
+
+
+def test_arrow_keys_step_as_soon_as_the_page_is_open(browser, errors, pages):
+    page = opened(browser, errors, pages / "triangles.html")
+    assert pressed_on(page, "ArrowRight") == pressed_on(page, "ArrowRight") == 1
+    assert pressed_on(page, "ArrowLeft") == -1
+    page.get_by_role("button", name="step forward").click()
+    assert pressed_on(page, "ArrowRight", on="[aria-label='step forward']") == 1  # also right after a click
+    page.close()
+
+
+def test_arrow_keys_are_nobodys_but_the_players_where_nothing_has_the_focus(browser, errors, pages):
+    page = opened(browser, errors, pages / "triangles.html")
+    for key in "Control+ArrowRight", "Alt+ArrowRight", "Meta+ArrowRight", "Shift+ArrowRight", "End", " ", "ArrowDown":
+        assert pressed_on(page, key) == 0, key
+    page.evaluate("""() => document.querySelector("main").insertAdjacentHTML("beforeend",
+        "<input id=field value=abc><textarea id=text>abc</textarea><div id=own contenteditable>abc</div>")""")
+    for field in "#field", "#text", "#own", ".sv-controls select", ".sv-controls [type=checkbox]":
+        assert pressed_on(page, "ArrowRight", on=field) == 0, field
+    page.locator("#field").press("Home")
+    page.locator("#field").press("ArrowRight")
+    assert page.evaluate("document.getElementById('field').selectionStart") == 1
+    page.close()
+
+
+PLAYERS = """
+const data = JSON.parse(document.getElementById("data").textContent);
+for (const root of document.querySelectorAll(".here")) arrowKeys(new Player(root, data.shows, data));
+"""
+
+
+def test_of_several_players_arrow_keys_go_to_the_one_last_used_or_in_view(browser, errors):
+    """None of those that are folded away."""
+    data = json.dumps({"shows": playbacks(sv.scene("triangles").record())}).replace("<", "\\u003c")
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.set_content(
+        f"<!doctype html><style>{stylesheet()}</style>"
+        '<details><summary>more</summary><div class="here"></div></details>'
+        '<div class="here"></div><div class="here"></div><p style="height: 3000px">words</p><div class="here"></div>'
+        f'<script type="application/json" id="data">{data}</script>'
+        f'<script type="module">{javascript("pen", "download", "player", "arrows")}{PLAYERS}</script>'
+    )
+    page.locator(".sv-count").nth(3).wait_for(state="attached")
+
+    def steps():
+        return [int(count.split()[0]) for count in page.locator(".sv-count").all_text_contents()]
+
+    page.keyboard.press("ArrowRight")
+    assert steps() == [1, 2, 1, 1]  # of the two in view the one of which more is seen
+    page.locator(".sv-stage").nth(2).click(position={"x": 5, "y": 5})
+    page.evaluate("document.activeElement.blur()")
+    page.evaluate("scrollTo(0, 100)")
+    page.keyboard.press("ArrowRight")
+    assert steps() == [1, 2, 2, 1]
+    page.get_by_text("words").evaluate("p => scrollTo(0, p.offsetTop + 500)")
+    page.keyboard.press("ArrowRight")
+    assert steps() == [1, 2, 2, 1]  # none is in view
+    page.evaluate("scrollTo(0, document.body.scrollHeight)")
+    page.keyboard.press("ArrowRight")
+    assert steps() == [1, 2, 2, 2]
+    page.evaluate("scrollTo(0, 0)")
+    page.get_by_text("more").click()
+    page.evaluate("document.activeElement.blur()")
+    page.locator(".sv-stage").nth(0).click(position={"x": 5, "y": 5})
+    page.evaluate("document.activeElement.blur()")
+    page.keyboard.press("ArrowRight")
+    assert steps() == [2, 2, 2, 2]
+    page.close()
+
+
+def test_a_row_that_is_not_tested_yet_does_not_say_whether_it_will_be(browser, errors, pages):
+    """Else the first step would tell where the run stops."""
+    page = opened(browser, errors, pages / "triangles.html", reduced_motion="reduce")
+    for i, step in enumerate(playback(sv.scene("triangles").record())["steps"]):
+        page.get_by_role("slider", name="step").fill(str(i))
+        for row in page.locator("tbody tr").all():
+            number, _, *results = row.locator("td").all_inner_texts()
+            assert not number or any(results) or "sv-lit" in row.get_attribute("class"), (i, step["sentence"])
+    page.get_by_role("slider", name="step").fill("0")
+    assert not any(row.locator("td").first.inner_text() for row in page.locator("tbody tr").all())
     page.close()
 
 
@@ -676,3 +773,76 @@ def test_no_turn_handle_hides_the_other(browser, errors, b):
             page.wait_for_timeout(300)
             first, second = (page.locator(f'[data-handle="{shape}-rotate"]').bounding_box() for shape in "AB")
             assert max(abs(first[side] - second[side]) for side in "xy") >= 24  # as large as the icon
+
+
+DOTS = """() => {
+  const middle = e => {
+    const {x, y, width, height} = e.getBoundingClientRect();
+    return [x + width / 2, y + height / 2];
+  };
+  const solids = [...document.querySelectorAll('.sv-board > svg [data-layer="solid"] path')];
+  const arrow = e => e.getAttribute("d").split("L").length === 3; // a triangle
+  const handles = [...document.querySelectorAll(".sv-handle")];
+  return {
+    dots: solids.filter(e => !arrow(e)).map(e => [e.dataset.id, ...middle(e)]),
+    handles: Object.fromEntries(handles.map(e => [e.dataset.handle, middle(e)])),
+  };
+}"""
+WAYS = pytest.mark.parametrize("screen", [PHONE, WIDE], ids=["phone", "wide"])
+
+
+@WAYS
+@pytest.mark.parametrize("name", [scene.name for scene in ALL])
+def test_a_dot_that_is_no_handle_is_under_none(browser, errors, name, screen):
+    """What is pressed in the middle of a dot: the handle that sits there, else the shape or nothing; of a map B."""
+    with explored(browser, Exploring(sv.scene(name)), errors, **screen) as page:
+        truth = page.get_by_role("button", name="truth", exact=True)
+        for view in ["shortcut", "truth"][: 1 + truth.is_visible()]:
+            if view == "truth":
+                truth.click()
+            page.wait_for_timeout(200)
+            found = page.evaluate(DOTS)
+            for dot, x, y in found["dots"]:
+                page.evaluate("document.activeElement.blur()")
+                page.mouse.move(x, y)
+                page.mouse.down()
+                held = page.evaluate("document.activeElement.dataset.handle ?? ''")
+                page.mouse.up()
+                if dot == "reference":
+                    assert held == "B-move", (view, held)
+                elif held and not held.endswith("-move"):
+                    assert np.hypot(*np.subtract(found["handles"][held], (x, y))) < 2, (view, dot, held)
+                for handle, at in found["handles"].items():  # its icon would hide the dot
+                    if handle.endswith("-rotate"):
+                        assert np.hypot(*np.subtract(at, (x, y))) > 14, (view, dot, handle)
+
+
+def test_the_dot_of_a_map_moves_b_and_leaves_its_form(browser, errors):
+    scene = sv.scene("far-centers")
+    hand = Exploring(scene)
+    with explored(browser, hand, errors, **WIDE) as page:
+        page.wait_for_timeout(200)
+        x, y = next((x, y) for dot, x, y in page.evaluate(DOTS)["dots"] if dot == "reference")
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.mouse.move(x - 60, y - 40, steps=5)
+        page.mouse.up()
+        page.wait_for_timeout(300)
+        moves = {(round(q.x - p.x, 6), round(q.y - p.y, 6)) for p, q in zip(scene.b.vertices, hand.scene.b.vertices)}
+        assert len(moves) == 1 and moves != {(0, 0)}
+
+
+def test_reset_frames_the_scene_as_it_was(browser, errors):
+    with explored(browser, Exploring(sv.scene("triangles")), errors, **WIDE) as page:
+        outline = page.locator('[data-id="A.outline"]').first
+        page.wait_for_timeout(200)
+        before = outline.bounding_box()
+        for _ in range(60):
+            page.locator('[data-handle="B-move"]').press("ArrowRight")
+        page.wait_for_function(
+            "wide => document.querySelector('[data-id=\"A.outline\"]').getBoundingClientRect().width < wide",
+            arg=before["width"] / 1.5,
+        )
+        page.get_by_role("button", name="reset").click()
+        page.wait_for_timeout(500)
+        assert outline.bounding_box() == before

@@ -183,6 +183,56 @@ def test_without_javascript_every_page_is_there(visit):
     assert page.locator("details[open] pre.code").last.is_visible()
 
 
+def test_an_answer_is_opened_with_the_keyboard_and_without_javascript(visit):
+    page = visit("1-aabb.html", live=False, java_script_enabled=False)
+    answer = page.locator("details.later", has_text="Only one.")
+    assert not page.get_by_text("Only one. The table").is_visible() and not answer.locator("pre.out").is_visible()
+    assert "Only one." not in page.locator("article").aria_snapshot()  # nor is it read aloud
+    summary = answer.locator("> summary")
+    for key, open_ in ("Enter", True), ("Space", False), ("Enter", True):
+        summary.press(key)
+        assert page.get_by_text("Only one. The table").is_visible() == answer.locator("pre.out").is_visible() == open_
+
+
+def test_on_paper_an_answer_is_printed_under_its_line(visit):
+    for path in "1-aabb.html", "7-speed-against-accuracy.html":
+        page = visit(path, live=False)
+        page.emulate_media(media="print")
+        for answer in page.locator("details.later").all():
+            assert answer.locator("> summary").is_visible()
+            for part in answer.locator("> p:not(.status, .open), > pre, > figure").all():
+                assert part.evaluate("p => p.checkVisibility() && p.getBoundingClientRect().height > 0")
+
+
+def test_what_is_in_an_answer_comes_to_life_when_it_is_opened(visit):
+    page = visit("6-where-it-fails.html")
+    answer = page.locator("details.later", has=page.locator(".live"))
+    answer.locator(".live.ready").wait_for(state="attached", timeout=LIVE)
+    answer.locator("> summary").click()
+    place = answer.locator(".live")
+    words = place.locator(".sv-sentence").inner_text()
+    place.locator('[data-handle="B-move"]').press("ArrowRight")
+    page.wait_for_function(
+        "before => document.querySelector('.later .live .sv-board svg').ariaLabel !== before", arg=""
+    )
+    assert words and place.bounding_box()["width"] > 1000
+
+
+@pytest.mark.parametrize("screen", [{}, {"viewport": {"width": 390, "height": 844}}], ids=["wide", "phone"])
+@pytest.mark.parametrize("link", ["nosuch", "triangles&goal=nosense", "eyJzYXR2", "circles&free=x", "A" * 1_900_000])
+def test_a_link_that_opens_nothing_says_why_and_offers_the_scenes(visit, link, screen):
+    page = visit(f"scene.html#{link}", live=False, **screen)
+    page.get_by_text("This link cannot be opened").wait_for(timeout=LIVE)
+    why, offer = page.locator(".status"), page.locator(".offer")
+    assert len(why.inner_text()) < 240 and why.bounding_box()["y"] < 400
+    assert not page.locator(".live .picture").is_visible()  # nothing that only looks as if it could be dragged
+    assert page.evaluate("document.documentElement.scrollWidth") <= page.viewport_size["width"]
+    offer.get_by_role("link", name="Two circles").click()
+    page.locator(".live.ready").wait_for(timeout=LIVE)
+    assert not offer.is_visible() and why.inner_text() == "" and page.url.endswith("#circles")
+    assert said(page) == sv.scene("circles").record().sentence
+
+
 def test_a_failing_scenes_link_opens_it(visit):
     page = visit("scene.html#far-centers")
     assert "Claim: the centers are far apart" in page.locator(".sv-heading").inner_text()
@@ -280,9 +330,10 @@ def test_what_was_wrong_with_a_link_is_forgotten_when_the_scene_changes(visit):
     page = visit("scene.html#circles")
     page.evaluate("() => { location.hash = 'no-such-scene'; }")
     page.get_by_text("This link cannot be opened").wait_for()
+    assert page.locator(".offer").is_visible()
     page.locator('[data-handle="B-move"]').press("ArrowLeft")
     says(page, "1.700")
-    assert page.locator(".status").inner_text() == ""
+    assert page.locator(".status").inner_text() == "" and not page.locator(".offer").is_visible()
 
 
 AFTER_EACH_PAINT = """() => {
@@ -400,7 +451,7 @@ def test_what_the_page_cannot_make_is_not_offered(visit):
 def test_a_link_of_a_stranger_runs_nothing_and_says_why(visit):
     page = visit("scene.html#<img src=x onerror=alert(1)>&free=1", live=False)
     page.get_by_text("This link cannot be opened").wait_for(timeout=LIVE)
-    assert page.locator(".live .picture").is_visible() and not page.locator("main img").count()
+    assert page.locator(".offer").is_visible() and not page.locator("main img").count()
 
 
 def test_a_chapter_plays_and_explores(visit):

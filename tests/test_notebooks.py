@@ -13,6 +13,8 @@ from xml.etree import ElementTree
 
 import pytest
 
+import satviz as sv
+
 NEEDED = "nbval", "nbformat", "ipykernel", "ipywidgets", "anywidget"  # found here, imported where they are used
 pytestmark = [
     pytest.mark.slow,
@@ -126,6 +128,39 @@ def test_a_chapter_is_committed_executed_small_and_bare(chapter):
     assert not re.findall(r"/tmp|/home/|/root/|/Users/|[A-Z]:\\", "\n".join(words))
     ids = [cell.id for cell in notebook.cells]
     assert ids == [f"ch{chapter[0]}-{i:02d}" for i in range(1, len(ids) + 1)]
+
+
+STATELESS = "--ExecutePreprocessor.store_widget_state=False"  # as README says
+
+
+@pytest.mark.parametrize("route", ["run for the page", "saved"])
+def test_in_an_exported_page_a_widget_is_its_picture(browser, tmp_path, route):
+    """Without a network; also of a notebook as JupyterLab saves it, with widgets in its outputs but not their state."""
+    import nbformat
+
+    calls = "sv.explore('circles')", "sv.play('circles')", "sv.play('circles', pen='matplotlib')"
+    cells = [nbformat.v4.new_code_cell(f"import satviz as sv\n{call}") for call in calls]
+    nbformat.write(nbformat.v4.new_notebook(cells=cells), tmp_path / "copy.ipynb")
+
+    def convert(*options):
+        command = [sys.executable, "-m", "nbconvert", *options, "copy.ipynb"]
+        subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, timeout=120)
+
+    if route == "saved":
+        convert("--to", "notebook", "--execute", STATELESS, "--inplace")
+        assert (tmp_path / "copy.ipynb").read_text().count("application/vnd.jupyter.widget-view+json") == len(calls)
+        convert("--to", "html")
+    else:
+        convert("--to", "html", "--execute", STATELESS)
+    context = browser.new_context(offline=True)
+    page = context.new_page()
+    page.goto((tmp_path / "copy.html").as_uri())
+    said = sv.scene("circles").record().sentence
+    shown = page.locator(".jp-OutputArea-output img").all()
+    assert [image.get_attribute("alt") for image in shown] == [said] * len(calls)
+    assert all(image.evaluate("image => image.naturalWidth > 100 && image.offsetHeight > 100") for image in shown)
+    assert STATELESS in (FOLDER.parent / "README.md").read_text(encoding="utf-8")
+    context.close()
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)

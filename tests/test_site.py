@@ -16,7 +16,9 @@ from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from html import unescape
+from html.parser import HTMLParser
 from itertools import product
+from typing import NamedTuple
 from urllib.parse import urldefrag
 from zipfile import ZipFile
 
@@ -130,10 +132,136 @@ def test_where_only_the_notebook_has_something_to_move_the_page_says_so(pages):
     assert pages["5-doing-less.html"].count('class="instead"') == 2
 
 
-def test_a_question_comes_before_its_answer(pages):
-    later = re.findall(r'<details class="later">.*?</details>', pages["2-sat.html"], re.DOTALL)
-    assert len(later) >= 2 and any("the other:    (-2, -3)" in answer for answer in later)
-    assert later and not any('class="live"' in answer for answer in later)  # what is dragged is no answer
+BLOCKS = {"h1", "h2", "h3", "p", "li", "pre", "figure", "blockquote", "table"}
+WHOLE = {"live", "player", "cell"}  # classes of parts of a page whose insides are their own matter
+
+
+class Block(NamedTuple):
+    """A part of a chapter's page: its tag or class, its words, and whether a closed answer hides it."""
+
+    kind: str
+    text: str
+    folded: bool
+    asks: bool
+
+
+class Reader(HTMLParser):
+    """The parts of a chapter's page in order, each once; code within prose is `x`."""
+
+    EMPTY = "meta", "link", "img", "br", "input", "source", "hr"
+
+    def __init__(self, page):
+        super().__init__()
+        self.path, self.found, self.begun = [], [], None
+        article = page[page.index("<article>") : page.index("</article>")]
+        self.feed(re.sub(r"<svg.*?</svg>|<script.*?</script>", self.said, article, flags=re.DOTALL))
+
+    @staticmethod
+    def said(picture):
+        title = re.search(r"<title[^>]*>([^<]*)", picture[0])
+        return title[1] if title else ""
+
+    def handle_starttag(self, tag, attributes):
+        if tag in self.EMPTY:
+            return
+        classes = set((dict(attributes).get("class") or "").split())
+        closed = tag == "details" and "open" not in dict(attributes)
+        self.path.append((tag, classes, closed))
+        kind = next(iter(classes & WHOLE | classes & {"instead", "status", "open"}), tag)
+        if self.begun is None and (kind in WHOLE or tag in BLOCKS):
+            self.begun = len(self.path), kind, [], []
+        if self.begun and tag == "code":
+            self.begun[2].append("x")
+
+    def handle_endtag(self, tag):
+        while self.path and self.path[-1][0] != tag:
+            self.path.pop()
+        if self.begun and len(self.path) == self.begun[0]:
+            _, kind, words, strong = self.begun
+            text, bold = "".join(words), "".join(strong)
+            asks = kind == "p" and (bold.endswith("?") or (bold.endswith(":") and "?" in text))
+            self.found.append(Block(kind, text, any("later" in c and shut for _, c, shut in self.path), asks))
+            self.begun = None
+        if self.path:
+            self.path.pop()
+
+    def handle_data(self, data):
+        inside = {tag for tag, *_ in self.path}
+        if self.begun and "code" not in inside:
+            self.begun[2].append(data)
+            if "strong" in inside:
+                self.begun[3].append(data)
+
+
+def test_what_answers_a_question_is_folded_and_what_it_is_about_is_not(pages):
+    """Folded: all up to the next heading or question.  Not: what stands before, code, shapes, what can be tried."""
+    for chapter in chapters.chapters():
+        tries = iter(
+            "predict=True" in "".join(c["source"]) for c in chapter.cells if "sv.play(" in "".join(c["source"])
+        )
+        answers = state = None  # what the question has for an answer, and what comes next
+        for block in Reader(pages[chapter.path]).found:
+            tool = block.kind in ("live", "instead") or (block.kind == "player" and next(tries))
+            tool = tool or (block.kind == "figure" and block.text.strip().endswith("Do they collide?"))
+            where = chapter.path, block.text[:80]
+            if block.asks or block.kind in ("h1", "h2", "h3"):
+                assert not block.folded, where
+                state = "asked" if block.asks else None
+            elif state == "asked" and (tool or block.kind in ("cell", "status", "open")):
+                assert not block.folded, where
+            elif state:
+                assert block.folded, where
+                state, answers = "answered", (answers or 0) + 1
+            else:
+                assert not block.folded, where
+        assert answers, chapter.path
+
+
+def test_who_is_to_guess_is_asked_in_the_form_that_a_page_knows():
+    """Bold words; exercises have their own fold."""
+    for chapter in chapters.chapters():
+        prose = "\n\n".join("".join(cell["source"]) for cell in chapter.cells if cell["cell_type"] == "markdown")
+        for paragraph in prose.partition("## Exercises")[0].split("\n\n"):
+            if re.search(r"[Bb]efore you (run|look|go on)|\bGuess\b", paragraph) and "Make a guess" not in paragraph:
+                assert chapters.QUESTION.search(paragraph), (chapter.path, paragraph)
+
+
+def test_a_notebook_folds_the_text_that_answers():
+    """Its output is not there until the cell is run; of the text only what tells which cell is next stands open."""
+    for chapter in chapters.chapters():
+        asked = False
+        for cell in chapter.cells:
+            if cell["cell_type"] == "code":
+                continue
+            text = re.sub(rf"{chapters.FOLD}.*?</details>", "FOLDED", "".join(cell["source"]), flags=re.DOTALL)
+            parts = text.split("\n\n")
+            for part in parts:
+                if part.startswith("#"):
+                    asked = False
+                assert part != "FOLDED" or asked, (chapter.path, cell["id"])
+                if chapters.QUESTION.search(part):
+                    assert part is parts[-1], (chapter.path, part)
+                    asked = True
+                elif asked:
+                    assert part == "FOLDED" or "next cell" in part, (chapter.path, part)
+
+
+def test_an_answer_is_opened_without_a_script(pages):
+    for chapter in chapters.chapters():
+        answers = re.findall(r'<details class="later"([^>]*)>(<summary>([^<]+)</summary>)?', pages[chapter.path])
+        assert answers and all(answer == ("", "<summary>The answer</summary>", "The answer") for answer in answers)
+        assert "<details><summary>The answer" not in pages[chapter.path]
+
+
+GLUED = re.compile(r"[\w)\]”\"'][.!?;:,]+[\"”)]?(?=[A-Z“])|[a-z)][.!?](?=[a-z])")
+
+
+def test_no_sentence_is_glued_to_the_next(pages):
+    for chapter in chapters.chapters():
+        for block in Reader(pages[chapter.path]).found:
+            if block.kind in ("p", "li", "blockquote", "h1", "h2", "h3"):
+                assert not GLUED.search(block.text), block.text
+    assert GLUED.search("the point (4, 2) is.Sometimes") and not GLUED.search("It is. Sometimes “so”, e. g. 0.3, 1,000")
 
 
 def test_a_page_does_not_speak_of_running_cells(pages):
@@ -540,4 +668,15 @@ def test_a_drag_is_judged_and_a_preset_ends_the_challenge():
 
 def test_a_goal_that_the_scene_cannot_have_is_refused():
     assert "no shortcut" in opened("triangles&goal=break")["why"]
-    assert "means nothing" in opened("triangles&goal=win")["why"]
+    assert "no challenge is called 'win'" in opened("triangles&goal=win")["why"]
+
+
+@pytest.mark.parametrize("text", BAD)
+def test_why_a_link_opens_nothing_is_one_plain_line(text):
+    why = opened(text)["why"]
+    assert "\n" not in why and len(why) <= 200 and "JSON" not in why and "line 1" not in why
+
+
+def test_a_link_that_opens_nothing_is_offered_every_scene(pages):
+    offer = re.search(r'<nav class="offer"[^>]* hidden>(.*?)</nav>', pages["scene.html"], re.DOTALL)[1]
+    assert re.findall(r'href="scene.html#([^"]+)"', offer) == [scene.name for scene in links.ALL]

@@ -169,6 +169,23 @@ def test_a_row_that_is_picked_stays_picked():
     assert pose(widget, pinned=4, b=moved_b(widget, 1, 1))["lit"] == 4
 
 
+@pytest.mark.parametrize("name", ["triangles", "circles", "concave", "far-centers"])
+def test_back_where_it_began_a_scene_is_framed_as_it_was(name):
+    """Whatever the view was fitted to since: by reset, by undo, or by hand."""
+    scene = sv.scene(name)
+    hand = Exploring(scene)
+    first = hand.state()["picture"]
+    begin = {"kind": "pose", "n": 1, "a": shape_data(scene.a), "b": shape_data(scene.b)}
+    away = begin | {"b": shape_data(moved(scene.b, sv.Vec(90, 20)))}
+    wide = hand.answer(away)["picture"]["limits"]
+    assert wide[2] - wide[0] > 2 * (first["limits"][2] - first["limits"][0])
+    assert hand.answer(begin | {"final": False})["picture"]["limits"] == wide  # nothing jumps under the hand
+    assert hand.answer(begin)["picture"] == first
+    narrow = hand.answer(begin | {"width": 320})["picture"]["limits"]
+    hand.answer(away | {"width": 320})
+    assert hand.answer(begin | {"width": 320})["picture"]["limits"] == narrow != first["limits"]
+
+
 def test_presets_are_the_built_in_scenes():
     widget = explorer()
     for name in widget.presets:

@@ -13,6 +13,7 @@ from math import isfinite
 from typing import Any, NamedTuple
 from urllib.parse import urlsplit
 
+from ..engine import outline
 from ..engine.geometry import InvalidScene
 from ..engine.outline import shown
 from ..engine.shapes import Shape
@@ -21,7 +22,7 @@ from ..engine.trace import Trace
 from . import asked
 from .article import SCENES
 from .failing import REFUSED, ROWS
-from .named import scene
+from .named import names, scene
 from .scenefile import CHOICES, MAX_CHARS, NAME, Scene
 
 ALL = (*SCENES, *(row.scene for row in ROWS if row.how != REFUSED))
@@ -138,15 +139,23 @@ def opened(text: str) -> tuple[Scene, Shown]:
         if key.replace("-", "_") not in Shown._fields or key.replace("-", "_") in values:
             raise InvalidScene(f"the link says {key[:40]!r}, which is unknown or said twice")
         values[key.replace("-", "_")] = _value(key, value)
-    return scene(first) if NAME.fullmatch(first) else _decoded(first), Shown(**values)
+    return _named(first) if NAME.fullmatch(first) else _decoded(first), Shown(**values)
+
+
+def _named(name: str) -> Scene:
+    if name not in names():  # a page offers them itself
+        raise InvalidScene(f"no scene is called {outline.shown(name)}")
+    return scene(name)
 
 
 def _decoded(text: str) -> Scene:
+    """The scene of a file in base64url; one that was cut off is not even base64, or its JSON does not end."""
     try:
         raw = b64decode(text.encode() + b"=" * (-len(text) % 4), altchars=b"-_", validate=True)
         return Scene.from_json(raw.decode())
     except (Error, UnicodeError, InvalidScene) as error:
-        why = error if isinstance(error, InvalidScene) else "it is cut off or not one of satviz"
+        readable = isinstance(error, InvalidScene) and not isinstance(error.__context__, json.JSONDecodeError)
+        why = error if readable else "it is cut off or not one of satviz"
         raise InvalidScene(f"the link holds no scene: {why}") from None
 
 
@@ -155,8 +164,12 @@ def _value(key: str, text: str) -> Any:
         return float(text)
     if key in ("row", "step") and WHOLE.fullmatch(text):
         return int(text)
-    if text in {"view": VIEWS, "goal": GOALS}.get(key, ()):
-        return text
+    if key in ("view", "goal"):
+        choices = VIEWS if key == "view" else GOALS
+        if text in choices:
+            return text
+        what = "view" if key == "view" else "challenge"
+        raise InvalidScene(f"no {what} is called {outline.shown(text)}: choose one of {', '.join(choices)}")
     if key in ("way-out", "against", "predict", "rest") and text == "1":
         return True
     raise InvalidScene(f"the link says {key}={text[:40]!r}, which means nothing")

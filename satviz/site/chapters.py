@@ -21,8 +21,9 @@ from .walkthrough import shipped
 WAY = re.compile(r"(Back|Next): \[")  # a notebook's own links to its neighbours: a page has its own
 # what a notebook says of itself, and what a page says for it
 OF_NOTEBOOKS = [
-    (re.compile(r"[^.\n]*Shift\+Enter[^.\n]*\. Then drag"), "Drag"),
-    (re.compile(r"[^.\n]*Shift\+Enter[^.\n]*\. ?|\([^()]*(saved copy|run the cell)[^()]*\)"), ""),
+    (re.compile(r"(?<!\S)[^.\n]*Shift\+Enter[^.\n]*\. Then drag"), "Drag"),
+    # a sentence that goes leaves the space before it, which parts its neighbours
+    (re.compile(r"(?<!\S)[^.\s][^.\n]*Shift\+Enter[^.\n]*\.|\([^()]*(web page|run the cell)[^()]*\)"), ""),
     (re.compile(r"(?<=efore you )run (the next cell|the cell after it|a cell|it)\b"), "look"),
     (re.compile(r"\bThe next cell (shows|draws)\b"), "Below you see"),
     (re.compile(r"\bIn the next cell\b"), "Below"),
@@ -32,10 +33,21 @@ OF_NOTEBOOKS = [
 ]
 
 
+# bold words that end in a question mark, or in a colon with a question behind them
+QUESTION = re.compile(r"\*\*[^*]*(\?\*\*|:\*\*.*\?)", re.DOTALL)
+SUMMARY = "<summary>The answer</summary>"
+FOLD = f"<details>{SUMMARY}"  # as a notebook folds the prose that answers
 INSTEAD = (
     '<p class="instead">Here the notebook has a slider, which needs a Python of your own: <code>satviz notebook</code> '
     "gives you a copy to move it in.</p>"
 )
+
+
+class Widget(NamedTuple):
+    """What a cell shows that can be dragged or stepped; does it answer a question, or can one try it out?"""
+
+    html: str
+    answers: bool
 
 
 class Chapter(NamedTuple):
@@ -59,26 +71,90 @@ def chapters() -> list[Chapter]:
 
 def body(chapter: Chapter) -> str:
     """The chapter's HTML, whole without JavaScript; ImportError says what to install where nothing reads Markdown."""
-    markdown = _markdown()
-    made, asked, names = [], False, _Names(chapter.cells)
+    markdown, text, names = _markdown(), _Text(), _Names(chapter.cells)
     for i, cell in enumerate(chapter.cells):
         source = "".join(cell["source"])
         if cell["cell_type"] == "markdown":
-            for pattern, instead in OF_NOTEBOOKS:
-                source = pattern.sub(instead, source)
-            paragraphs = [p for p in source.split("\n\n") if not WAY.match(p)]
-            made.append(markdown.render(re.sub(r"\]\(([\w-]+)\.ipynb\)", r"](\1.html)", "\n\n".join(paragraphs))))
-            asked = bool(paragraphs) and "**" in paragraphs[-1] and "?" in paragraphs[-1]
+            _prose(text, markdown, source)
+            continue
+        shown = names.widget(i)
+        if shown is None or len(ast.parse(source).body) > 1:  # else the code says what the reader sees
+            text.add(_code(source), asked=True)
+        if shown:
+            text.add(shown.html, asked=not shown.answers)
+        elif not cell["outputs"] and isinstance(ast.parse(source).body[-1], ast.Expr):
+            text.add(INSTEAD, asked=True)  # a widget of the notebook's own, which has no picture
         else:
-            shown = names.widget(i)
-            if shown is None or len(ast.parse(source).body) > 1:  # else the code says what the reader sees
-                made.append(_code(source))
-            out = "".join(map(_output, cell["outputs"]))
-            if not out and isinstance(ast.parse(source).body[-1], ast.Expr):
-                out = INSTEAD  # a widget of the notebook's own, which has no picture
-            made.append(shown or (_later(out) if asked and out else out))
-            asked = False
-    return "\n".join(made)
+            for output in sorted(cell["outputs"], key=_asks, reverse=True):
+                text.add(_output(output), asked=_asks(output))
+    return text.html()
+
+
+class _Text:
+    """A chapter's parts in order.  What answers a question is folded: all up to the next heading or question.
+
+    What the question is about stands outside: all before it, and right after it code, shapes, and what can be tried.
+    On paper, where nobody can open it, the answer is printed under its line.
+    """
+
+    def __init__(self) -> None:
+        self.parts: list[str] = []
+        self.answer: list[str] | None = None  # of the question that is open
+
+    def add(self, html: str, *, asked: bool = False) -> None:
+        """A part; `asked`: right after a question it is what the question is about."""
+        outside = self.answer is None or (asked and not self.answer)
+        (self.parts if outside or self.answer is None else self.answer).append(html)
+
+    def ask(self, question: str) -> None:
+        """A question, whose answer follows."""
+        self.end()
+        self.parts.append(question)
+        self.answer = []
+
+    def end(self) -> None:
+        """The answer ends, if there is one."""
+        if self.answer:
+            self.parts.append(f'<details class="later">{SUMMARY}{"".join(self.answer)}</details>')
+        self.answer = None
+
+    def html(self) -> str:
+        """The whole."""
+        self.end()
+        return "\n".join(self.parts)
+
+
+def _prose(text: _Text, markdown: Any, source: str) -> None:
+    """A cell of prose; its own fold of an answer, which a notebook needs, is a part of the page's."""
+    for pattern, instead in OF_NOTEBOOKS:
+        source = pattern.sub(instead, source)
+    source = "\n\n".join(p for p in source.split("\n\n") if not WAY.match(p))
+    env: dict[str, Any] = {}
+    tokens = markdown.parse(re.sub(r"\]\(([\w-]+)\.ipynb\)", r"](\1.html)", source), env)
+    folded = False
+    for block in _blocks(tokens):
+        first, html = block[0], markdown.renderer.render(block, markdown.options, env)
+        if first.type == "html_block" and (
+            first.content.startswith(FOLD) or (folded and html.startswith("</details>"))
+        ):
+            folded = not folded
+            continue
+        if first.type == "heading_open":
+            text.end()
+        if first.type == "paragraph_open" and QUESTION.search(block[1].content):
+            text.ask(html)
+        else:
+            text.add(html)
+
+
+def _blocks(tokens: list[Any]) -> Iterator[list[Any]]:
+    """Headings, paragraphs, lists and so on, each with all that is in it."""
+    begin = depth = 0
+    for end, token in enumerate(tokens, 1):
+        depth += token.nesting
+        if not depth:
+            yield tokens[begin:end]
+            begin = end
 
 
 def _markdown() -> Any:
@@ -109,8 +185,9 @@ def _code(source: str) -> str:
     return f'<details class="cell"><summary>{says}</summary>{_highlighted(source, "", "")}</details>'
 
 
-def _later(out: str) -> str:
-    return f'<details class="later"><summary>I have guessed: show it</summary>{out}</details>'
+def _asks(output: dict[str, Any]) -> bool:
+    """Is it a picture of two shapes before any test?"""
+    return "".join(output.get("data", {}).get("text/plain", "")).endswith("Do they collide?>")
 
 
 def _output(output: dict[str, Any]) -> str:
@@ -130,8 +207,8 @@ class _Names:
         self.done = 0
         self.names: dict[str, Any] = {"sv": satviz}
 
-    def widget(self, i: int) -> str | None:
-        """HTML of the explorer or the player that cell i shows; None if it shows none."""
+    def widget(self, i: int) -> Widget | None:
+        """The explorer or the player that cell i shows; None if it shows none."""
         *before, last = ast.parse(self.sources[i]).body or [ast.Pass()]
         call = last.value if isinstance(last, ast.Expr) else None
         if not isinstance(call, ast.Call) or ast.unparse(call.func) not in ("sv.play", "sv.explore"):
@@ -141,8 +218,9 @@ class _Names:
             self.done = i + 1
         what, *more = [eval(ast.unparse(argument), self.names) for argument in call.args]
         if ast.unparse(call.func) == "sv.explore":
-            return parts.explorer(Exploring(scene_of(what, *more)))
-        return parts.player(trace_of(what, *more), predict=any(word.arg == "predict" for word in call.keywords))
+            return Widget(parts.explorer(Exploring(scene_of(what, *more))), answers=False)
+        predict = any(word.arg == "predict" for word in call.keywords)
+        return Widget(parts.player(trace_of(what, *more), predict=predict), answers=not predict)
 
     def _run(self, sources: list[str]) -> None:
         for source in sources:

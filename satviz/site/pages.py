@@ -14,7 +14,7 @@ from ..render.files import encode
 from ..scenes.article import SCENES
 from ..scenes.failing import NAMED as FAILING
 from ..scenes.failing import REFUSED, ROWS
-from ..scenes.link import BREAK, PAGE, link
+from ..scenes.link import ALL, BREAK, PAGE, link
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene
 from ..widgets.exploring import Exploring
@@ -124,12 +124,16 @@ def gallery(frame: Frame) -> bytes:
 
 
 def explorer(frame: Frame) -> bytes:
-    """The page that a link opens."""
+    """The page that a link opens; a link that opens nothing is told why, and offered every scene."""
+    called = [(s.name, f"“{FAILING[s.name].claim}”" if s.name in FAILING else s.title) for s in ALL]
+    offered = "".join(f'<li><a href="{PAGE}#{name}">{escape(says)}</a></li>' for name, says in called)
     body = f"""
 <h1>Explorer</h1>
 <p class="lead">Drag the shapes, their corners, or a free axis.
 The address of this page is a link to the scene as it stands.</p>
 <section class="stage">{parts.explorer(Exploring(scene("triangles")))}</section>
+<nav class="offer" aria-label="scenes" hidden><p>These scenes can be opened:</p>
+<ul class="challenges">{offered}</ul></nav>
 """
     return page(
         frame, PAGE, "Explorer: drag two shapes", body, says="Drag two shapes and see every axis.", kind="explorer"

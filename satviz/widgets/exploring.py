@@ -112,6 +112,7 @@ class Exploring(Showing):
     def _start(self, shown: Scene, goal: str | None = None) -> None:
         trace, met = _trace(shown), judged(goal, shown) if goal else None
         self._layout = field(trace, self._largest)
+        self._at_first = shown.a, shown.b
         self._begun = shown.to_json()  # a pose says which scene it is of: undo goes back over presets too
         self._look(shown, trace, SHORTCUT if trace.shortcut else None, met)
         self._pinned: int | None = None
@@ -136,9 +137,11 @@ class Exploring(Showing):
         goal = content.get("goal", before)
         met = None if goal is None else judged(typed(goal, "the challenge", str), changed)
         if begun is not self.scene:
-            self._begun = begun.to_json()
-        if begun is not self.scene or largest != self._largest:
-            self._layout, self._largest, self._stood = layout, largest, {}
+            self._begun, self._at_first = begun.to_json(), (begun.a, begun.b)
+        # where the scene began it has the frame that it had there, whatever the view was fitted to since
+        returns = content.get("final", True) and (a, b) == self._at_first and layout != self._layout
+        if begun is not self.scene or largest != self._largest or returns:
+            self._layout, self._largest, self._stood, self._near = layout, largest, {}, None
         if pinned != self._pinned or (degree is None) != (self._degree is None) or view != self._view:
             self._near = None
         if view != self._view:

@@ -9,6 +9,7 @@ const IN_FLIGHT = 3; // poses not answered yet
 const FREE_MS = 8; // the empty message comes this long after a pose, when the answer should lie in the server
 const LATE_MS = 3000; // answers that have not come by then are not waited for
 const STEP = 8; // points that an arrow key moves; with Shift a tenth
+const DOT = 8; // pixels from the middle of a map's dot, by which B is moved, too
 const TURN = 5; // degrees that [ and ] turn; with Shift 1
 
 const TELL_MS = 400; // what is told waits for the hand to rest
@@ -292,8 +293,8 @@ class Explorer {
     return found;
   }
 
-  // Where a shape's turn handle sits: above it, or where neither an axis, words nor the other's (`taken`) lie; there it
-  // stays while it can.
+  // Where a shape's turn handle sits: above it, or where neither an axis, dots, words nor the other's (`taken`) lie;
+  // there it stays while it can.
   turnSpot({ polygon }, key, taken) {
     const [x, y] = middle({ polygon });
     const [xs, ys] = [0, 1].map((k) => polygon.map((p) => p[k]));
@@ -301,12 +302,13 @@ class Explorer {
     const [left, right, low, high] = [Math.min(...xs) - off, Math.max(...xs) + off, Math.min(...ys) - off, Math.max(...ys) + off];
     const spots = [[x, high], [x, low], [right, y], [left, y], [right, high], [left, high], [right, low], [left, low]];
     const other = this.pose[key === "a" ? "b" : "a"];
-    const { axes, words } = this.obstacles;
+    const { axes, dots, words } = this.obstacles;
     const clear = (spot, room) => {
       const [px, py] = this.pen.at(spot);
       const inside = px > 14 && py > 14 && px < this.pen.width - 14 && py < this.pen.height - 14;
       const free = !taken || Math.hypot(spot[0] - taken[0], spot[1] - taken[1]) > off;
       return inside && free && axes.every((line) => distance(spot, line) * this.pen.scale > 16)
+        && dots.every(({ at }) => Math.hypot(at[0] - spot[0], at[1] - spot[1]) > off / 2)
         && (!room || (!holds(other, spot) && words.every(([wx, wy, wide, high]) => Math.abs(wx - px) > wide + room || Math.abs(wy - py) > high + room)));
     };
     const sides = [...spots.keys()];
@@ -315,15 +317,17 @@ class Explorer {
     return spots[side];
   }
 
-  // The axes and the words in the picture: middle, half the width and the height, about.
+  // What lies in the picture: axes and normals, dots that are no corners (of a map: B's middle), and words as middle,
+  // half the width and the height, about.
   get obstacles() {
     if (this.seen !== this.state) {
       this.seen = this.state;
       const { marks, looks } = this.state.picture;
-      const axes = marks.filter(({ part }) => part === "axis").map(({ points }) => points);
+      const axes = marks.filter(({ part }) => part === "axis" || part === "normal").map(({ points }) => points);
+      const dots = marks.filter(({ part, look }) => looks[look].kind === "dot" && part !== "vertex").map(({ part, points }) => ({ at: points[0], middle: part === "reference" }));
       const labels = marks.filter(({ look }) => looks[look].kind === "label");
       const half = (lines, size) => [Math.max(...lines.map(({ length }) => length)) * size * 0.32, lines.length * size * 0.6];
-      this.found = { axes, words: labels.map(({ points, text, look }) => [...this.pen.at(points[0]), ...half(text.split("\n"), looks[look].size)]) };
+      this.found = { axes, dots, words: labels.map(({ points, text, look }) => [...this.pen.at(points[0]), ...half(text.split("\n"), looks[look].size)]) };
     }
     return this.found;
   }
@@ -379,20 +383,30 @@ class Explorer {
     return this.pen.scene([(clientX - box.left) * k, (clientY - box.top) * k]);
   }
 
-  // The handle that a pointer means.  A shape is moved by any point of it; where both lie B, which is drawn last.
+  // The handle that a pointer means.  Where handles overlap it is the nearest one, and none where a dot that nothing
+  // drags is nearer still; the dot of a map is B's middle.  A shape is moved by any point of it; where both lie B, which
+  // is drawn last.
   under(target, pointer) {
-    const handle = target.closest(".sv-handle");
-    if (handle) return handle;
     const spot = this.pointed(pointer);
+    const mover = (key) => this.handles.querySelector(`[data-handle="${key.toUpperCase()}-move"]`);
+    const marks = [...this.handles.children].filter(({ spec }) => spec.does !== "move").map((handle) => ({ at: handle.spec.at, handle }));
+    for (const { at, middle } of this.obstacles.dots) marks.push({ at, handle: middle ? mover("b") : null });
+    const reach = target.closest(".sv-handle") ? Infinity : DOT / this.shown / this.pen.scale;
+    let [means, least] = [null, Infinity];
+    for (const { at: [x, y], handle } of marks) {
+      const off = Math.hypot(x - spot[0], y - spot[1]);
+      if (off < least) [means, least] = [handle, off];
+    }
+    if (means && least <= reach) return means;
     const key = ["b", "a"].find((k) => holds(this.pose[k], spot));
-    return key ? this.handles.querySelector(`[data-handle="${key.toUpperCase()}-move"]`) : null;
+    return key ? mover(key) : null;
   }
 
   down(event) {
     if (event.button > 0 || this.drag || this.choosing) return;
     const handle = this.under(event.target, event);
+    if (handle || event.target.closest(".sv-handle")) event.preventDefault(); // what is not meant gets no focus either
     if (!handle) return;
-    event.preventDefault();
     clearTimeout(this.telling);
     this.hint.hidden = true;
     handle.focus({ preventScroll: true });

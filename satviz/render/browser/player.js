@@ -71,8 +71,8 @@ export function saveMenu(pens, ask, texts) {
   return [menu, said];
 }
 
-// The table of axes.  A row is lit, greyed or still empty (with `asks` it hides whether it is tested at all);
-// `pick` makes the rows buttons.
+// The table of axes.  A row is lit, greyed or still empty; then it does not show, either, whether it will be tested, since
+// that tells where the run stops.  `pick` makes the rows buttons.
 export class Table {
   constructor(names, { pick } = {}) {
     this.pick = pick;
@@ -86,7 +86,7 @@ export class Table {
     this.head.replaceChildren(element("td"), ...heads);
     this.called = names;
   }
-  show(rows, { lit = null, done = () => true, asks = false } = {}) {
+  show(rows, { lit = null, done = () => true } = {}) {
     let pair = "";
     const made = [];
     rows.forEach((row, i) => {
@@ -107,7 +107,7 @@ export class Table {
       ];
       const classes = `${lit === i ? "sv-lit" : ""} ${skipped && known ? "sv-skipped" : ""}`.trim();
       const name = this.pick && !skipped ? button(`show ${row.axis}`, () => this.pick(i), { shows: row.axis }) : row.axis;
-      const first = element("td", {}, known || !asks ? String(row.number ?? "–") : "");
+      const first = element("td", {}, known || lit === i ? String(row.number ?? "–") : "");
       const line = element("tr", { class: classes, "aria-current": lit === i ? "step" : null }, first, element("td", {}, name), ...cells);
       made.push(line);
     });
@@ -234,7 +234,7 @@ export class Player {
     this.scrub.hidden = hides;
     this.rest.hidden = hides || this.shows.length < 2;
     const known = (i) => this.doneAt[i] <= to && (!this.predict.checked || "reason" in this.show.rows[i] || this.answered.has(i));
-    this.table.show(this.show.rows, { lit: row, done: known, asks: hides });
+    this.table.show(this.show.rows, { lit: row, done: known });
     [...this.code.children].forEach((line, i) => line.classList.toggle("sv-lit", code.includes(i)));
     this.ask();
     if (to === this.last || this.asking !== null) this.pause();
@@ -296,11 +296,11 @@ export class Player {
   }
 
   key(event) {
-    const inside = event.target.closest("input, select, button");
+    const inside = event.target.closest("input, select, .sv-question");
     if (event.ctrlKey || event.metaKey || event.altKey || (inside && inside !== this.scrub)) return;
     const where = { ArrowRight: this.at + 1, ArrowLeft: this.at - 1, Home: 0, End: this.last }[event.key];
     if (where !== undefined) this.go(where);
-    else if (event.key === " " && !inside) this.toggle();
+    else if (event.key === " " && !event.target.closest("input, button, summary")) this.toggle();
     else return;
     event.preventDefault();
     event.stopPropagation();

@@ -55,6 +55,7 @@ class Place {
     Object.assign(this, { element, python, linked, name: `place-${number}` });
     this.status = element.nextElementSibling;
     this.way = this.status.nextElementSibling.firstElementChild;
+    this.offer = linked ? document.querySelector(".offer") : null; // the scenes, where a link opens none
     this.model = new Model(python, this.name);
     this.model.opened = (content) => this.opened(content);
     this.model.follows = (state) => this.follows(state);
@@ -80,6 +81,7 @@ class Place {
   follows({ link }) {
     if (this.opening) return;
     this.say("");
+    if (this.offer) this.offer.hidden = true;
     const to = new URL(this.way.href);
     to.hash = link;
     this.way.href = to.href;
@@ -91,7 +93,10 @@ class Place {
   }
   opened(content) {
     this.opening = false;
-    if (content.kind === "refused") return this.say(`This link cannot be opened: ${content.why}`);
+    const refused = content.kind === "refused";
+    if (this.offer) this.offer.hidden = !refused;
+    this.element.hidden = refused && !this.shown; // the still picture is not what the link asked for
+    if (refused) return this.say(`This link cannot be opened: ${content.why.replace(/\.?$/, ".")}`);
     this.say("");
     const made = element("div");
     this.shown?.remove();
@@ -99,6 +104,7 @@ class Place {
       this.shown = new Player(made, content.shows, { ...content, site: HERE });
       if (content.rest) this.shown.other();
       this.shown.go(content.step, { animate: false });
+      arrowKeys(this.shown);
     } else {
       this.model.values = { ...content, alone: true, site: HERE };
       this.model.listeners.clear();
@@ -121,7 +127,7 @@ function decoded(text) {
 for (const place of document.querySelectorAll(".player")) {
   const { shows, ...more } = JSON.parse(place.querySelector("script").textContent);
   const made = element("div");
-  new Player(made, shows, { ...more, site: HERE });
+  arrowKeys(new Player(made, shows, { ...more, site: HERE }));
   place.replaceChildren(made);
 }
 const scenes = [...document.querySelectorAll(".live")];
