@@ -334,7 +334,7 @@ def test_no_more_than_a_pair_as_it_lies_is_told_of_concave_outlines():
     kinds |= {sv.advise(batch_of([a]), batch_of([b])).scope.kind for a, b in found[:20]}
     assert kinds <= {ANYWHERE, HERE}
     said = str(sv.advise(sv.Polygon([(0, 0), (8, 2), (2, 10)]), sv.Polygon([(5, 6), (20, 7), (9, 15)])))
-    assert "any convex polygons whose numbers are multiples of 2^0" in said
+    assert "any convex polygons with whole numbers, up to 1,024" in said
 
 
 def test_circles_that_reach_beyond_float64_are_advised_on():
