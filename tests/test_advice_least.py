@@ -470,3 +470,12 @@ def test_names_of_models_after_the_boxes_say_so(kind):
         .model._replace(kind=kind, directions=((1.0, 0.5),) * 3, axes=5, after_boxes=True)
     )
     assert model.name == f"AABB, then {'filtered exact' if kind == EXACT else 'ranges on 3 directions'}"
+
+
+@pytest.mark.parametrize("power", [-1000, 990])
+def test_what_only_integers_can_tell_is_counted_before_it_is_worked_out(power, monkeypatch):
+    monkeypatch.setattr(limits, "MAX_PAIRS_BY_FRACTIONS", 3)
+    monkeypatch.setattr(batch, "relate", lambda *args, **kwargs: pytest.fail("worked out"))
+    tall = np.array([(0, 0), (6, 2), (2, 6)]) * 2.0**power
+    with pytest.raises(sv.InvalidScene, match=r"^6 pairs of convex parts are so near .* such different sizes"):
+        sv.advise(batch.Polygons(np.stack([tall] * 4)))
