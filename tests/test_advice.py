@@ -601,7 +601,7 @@ def test_hits_alone_may_need_less():
     box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     advice = sv.advise(box, sv.Polygon([(1, 0.5), (2, 0), (2, 1)]))  # touching; their circles overlap
     assert advice.for_hits.model.kind == CIRCLES and advice.model.kind != CIRCLES
-    assert "need not be told from overlapping, bounding circles (1 axis) will do" in str(advice)
+    assert "bounding circles (1 axis) is enough to tell hits from misses, where touching is a hit" in str(advice)
 
 
 def test_an_advice_is_json_and_the_same_each_time():

@@ -1,6 +1,7 @@
 """A recommendation is the least that can be proven, and the work for it is bounded."""
 
 import math
+import re
 from fractions import Fraction
 from itertools import combinations, permutations
 from random import Random
@@ -182,7 +183,7 @@ def test_small_touching_shapes_far_out_need_no_exact_filter(far, kind):
     for a, b in (triangles, coins):
         for advice in (sv.advise(a, b), many_of(a, b)):
             assert advice.model.kind == kind and advice.facts.relations == (0, 1, 0), (a, b)
-            assert advice.check() and "rounds nothing" in advice.reason
+            assert advice.check() and re.search("or there are none|rounds nothing", advice.reason)
 
 
 def test_a_grid_far_out_says_how_long_its_edges_may_be():
@@ -352,7 +353,7 @@ def test_a_pipeline_says_what_runs_first_and_counts_its_axes():
     advice = sv.advise(batch.Polygons(kite + np.array([(0, 0), (1.3, 1.3), (9, 9)])[:, None]))
     first, second = str(advice).splitlines()[:2]
     assert advice.model.after_boxes and first.startswith(f"AABB, then {advice.model.test} (")
-    assert second == f"first    AABB (2 axes) settles 2 pairs; {advice.model.test} decides the other 1"
+    assert second == f"first    AABB (2 axes) finds 2 pairs apart; {advice.model.test} decides the other 1"
     assert f"({advice.model.axes} axes): right for all 3 pairs" in first
 
 
