@@ -160,6 +160,8 @@ class Explorer {
         this.pose = this.start;
       }
       this.valid = { ...this.pose, a: content.a, b: content.b };
+      const shapes = ({ a, b }) => JSON.stringify([a, b]);
+      if (!this.ahead && shapes(content) === shapes(this.start)) this.sides = {}; // as at first
       this.show(content);
     }
   }

@@ -43,7 +43,8 @@ class Model {
     for (const listener of this.listeners) listener(content, []);
   }
   heard(content) {
-    if (content.kind === "opened" || (content.kind === "refused" && content.n === undefined)) this.opened(content);
+    const ofLink = content.kind === "opened" || (content.kind === "refused" && content.n === undefined);
+    if (ofLink) return this.opened(content); // the page says why, once
     if (content.kind === "state") this.follows(content);
     this.tell(content);
   }
@@ -96,7 +97,11 @@ class Place {
     const refused = content.kind === "refused";
     if (this.offer) this.offer.hidden = !refused;
     this.element.hidden = refused && !this.shown; // the still picture is not what the link asked for
-    if (refused) return this.say(`This link cannot be opened: ${content.why.replace(/\.?$/, ".")}`);
+    if (refused) {
+      this.say(`This link cannot be opened: ${content.why.replace(/\.?$/, ".")}`);
+      if (this.offer && this.shown) this.status.scrollIntoView(); // it is below the scene
+      return;
+    }
     this.say("");
     const made = element("div");
     this.shown?.remove();
