@@ -163,6 +163,6 @@ def test_corners_of_concave_polygons_are_counted_before_they_are_split(tmp_path,
     monkeypatch.setattr(shapesfile, "MAX_CONCAVE_CORNERS", 9)
     monkeypatch.setattr(shapesfile.batch, "Polygons", lambda *args, **kwargs: pytest.fail("split"))
     with pytest.raises(
-        sv.InvalidScene, match=r"coords holds 10 corners of concave polygons: the limit is 9; split them"
+        sv.InvalidScene, match=r"coords holds 10 corners of concave .*: the limit is 9; split"
     ):
         shapesfile.load(path)
