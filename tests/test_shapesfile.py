@@ -162,7 +162,5 @@ def test_corners_of_concave_polygons_are_counted_before_they_are_split(tmp_path,
     assert len(shapesfile.load(path)[0]) == 3
     monkeypatch.setattr(shapesfile, "MAX_CONCAVE_CORNERS", 9)
     monkeypatch.setattr(shapesfile.batch, "Polygons", lambda *args, **kwargs: pytest.fail("split"))
-    with pytest.raises(
-        sv.InvalidScene, match=r"coords holds 10 corners of concave .*: the limit is 9; split"
-    ):
+    with pytest.raises(sv.InvalidScene, match=r"coords holds 10 corners of concave .*: the limit is 9; split"):
         shapesfile.load(path)
