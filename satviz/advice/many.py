@@ -101,10 +101,10 @@ def _out_of_range(both: Pairs) -> int:
 def _settled(a: Shapes, many: int, engine: str | None) -> tuple[Settled, Pairs]:
     """What the boxes settle; and which of these pairs a model that stands alone, by one circle a shape, may doubt.
 
-    Two circles of reach M at most, of which d is the distance and R the sum of the radii, are surely told apart where
-    d - R is 66 u M or more: d*d - R*R = (d - R)(d + R), and the error bound of `proofs.circles` is at most d + R times
-    12 u (d + R) + 5 sqrt(2) u M, with d + R at most 4.9 M.  So boxes of the circles that are 100 u M wider on each side
-    (u of float32 where that is a candidate) meet for every pair that can be doubted.
+    With M the larger reach of two circles, u the rounding, d their distance and R the sum of the radii, they are surely
+    told apart where d - R is 72 u M or more: the bound of `proofs.circles` for ranges, and more than its bound for
+    squares, 12 u (d + R) + 5 sqrt(2) u M with d + R at most 4.9 M.  So boxes of the circles that are 100 u M wider on
+    each side (u of float32 where that is a candidate) meet for every pair that can be doubted.
     """
     only_circles = bool(is_circle(a).all())
     forms = FORMATS if only_circles else {CIRCLES: FLOAT64}
