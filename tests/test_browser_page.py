@@ -221,7 +221,7 @@ def test_of_several_players_arrow_keys_go_to_the_one_last_used_or_in_view(browse
         '<details><summary>more</summary><div class="here"></div></details>'
         '<div class="here"></div><div class="here"></div><p style="height: 3000px">words</p><div class="here"></div>'
         f'<script type="application/json" id="data">{data}</script>'
-        f'<script type="module">{javascript("pen", "download", "player", "arrows")}{PLAYERS}</script>'
+        f'<script type="module">{javascript("player", "arrows")}{PLAYERS}</script>'
     )
     page.locator(".sv-count").nth(3).wait_for(state="attached")
 
