@@ -714,6 +714,18 @@ def test_a_page_to_share_saves_the_step_that_it_shows(browser, errors, pages):
     page.close()
 
 
+def test_a_picture_that_the_browser_cannot_draw_is_no_file_and_the_page_says_so(browser, errors, pages):
+    page = opened(browser, errors, pages / "triangles.html")
+    files = []
+    page.on("download", lambda file: files.append(file))
+    page.evaluate("HTMLCanvasElement.prototype.toBlob = (made) => made(null); 0")  # as a browser out of memory does
+    page.locator(".sv-menu summary").click()
+    page.get_by_role("button", name="save PNG").click()
+    page.get_by_text("This browser cannot draw the file.").wait_for()
+    assert not files
+    page.close()
+
+
 def test_what_is_saved_while_it_moves_is_what_it_comes_to(browser, errors, pages):
     page = opened(browser, errors, pages / "triangles.html")
     save = "document.querySelector('[aria-label=\"save SVG\"]').click();"

@@ -26,12 +26,12 @@ async function copyText(text) {
   } catch {
     const field = element("textarea", { readonly: true });
     field.value = text;
-    const focused = document.activeElement;
+    const focused = /** @type {HTMLElement | null} */ (document.activeElement);
     document.body.append(field);
     field.select();
     const copied = document.execCommand("copy");
     field.remove();
-    if (focused instanceof HTMLElement) focused.focus();
+    focused?.focus();
     return copied;
   }
 }
