@@ -2,12 +2,11 @@
 
     python tests/refresh_charts.py
 
-Nothing is measured.  Title and reading are worked out again, both SVGs are drawn, and the README's alternative text
-becomes the reading.
+Nothing is measured.  Title and reading are worked out again, and both SVGs are drawn.  The README's alternative texts
+are the titles, and what a reading begins with: a test says where they differ.
 """
 
 import json
-import re
 from pathlib import Path
 
 from satviz.pictures import THEMES
@@ -17,8 +16,7 @@ from satviz.study.lab.cells import Settings
 from satviz.study.lab.chart import Chart, suffix
 from satviz.study.sections import resolution
 
-ROOT = Path(__file__).parent.parent
-FIGURES, README = ROOT / "figures", ROOT / "README.md"
+FIGURES = Path(__file__).parent.parent / "figures"
 
 
 def stored(stem: str) -> dict:
@@ -34,15 +32,11 @@ IN_README: dict[str, Chart] = {
 
 
 def main() -> None:
-    text = README.read_text(encoding="utf-8")
     for stem, chart in IN_README.items():
         data = stored(stem) | {"title": chart.title, "reading": chart.reading}
         (FIGURES / f"{stem}.json").write_text(json.dumps(data, indent=1) + "\n", encoding="utf-8")
         for theme in THEMES.values():
             (FIGURES / f"{stem}{suffix(theme)}.svg").write_bytes(chart.encode("svg", theme))
-        picture = re.search(rf'<img src="figures/{stem}\.svg"[^>]* alt="([^"]*)"', text)
-        text = text[: picture.start(1)] + chart.reading + text[picture.end(1) :]
-    README.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

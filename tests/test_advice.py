@@ -334,7 +334,7 @@ def test_no_more_than_a_pair_as_it_lies_is_told_of_concave_outlines():
     kinds |= {sv.advise(batch_of([a]), batch_of([b])).scope.kind for a, b in found[:20]}
     assert kinds <= {ANYWHERE, HERE}
     said = str(sv.advise(sv.Polygon([(0, 0), (8, 2), (2, 10)]), sv.Polygon([(5, 6), (20, 7), (9, 15)])))
-    assert "any convex polygons whose numbers are multiples of 2^0" in said
+    assert "any convex polygons with whole numbers, up to 1,024" in said
 
 
 def test_circles_that_reach_beyond_float64_are_advised_on():
@@ -601,7 +601,7 @@ def test_hits_alone_may_need_less():
     box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     advice = sv.advise(box, sv.Polygon([(1, 0.5), (2, 0), (2, 1)]))  # touching; their circles overlap
     assert advice.for_hits.model.kind == CIRCLES and advice.model.kind != CIRCLES
-    assert "need not be told from overlapping, bounding circles (1 axis) will do" in str(advice)
+    assert "bounding circles (1 axis) is enough to tell hits from misses, where touching is a hit" in str(advice)
 
 
 def test_an_advice_is_json_and_the_same_each_time():

@@ -300,7 +300,7 @@ def describes_outward(trace, test):
 
 def test_a_normal_that_points_against_its_axis_is_drawn_outward_and_the_sentence_says_both():
     picture = sv.picture(TRACES["triangles"], Step(Stage.NORMAL, 1))
-    assert "normal (−4, 1)" in picture.texts
+    assert "normal (−4, 1)\n(either direction will do)" in picture.texts
     assert picture.sentence.endswith("A quarter turn makes it the normal (−4, 1); axis 2 of 6 takes it as (4, −1).")
     (p, q), (lo, hi) = (
         picture.mark("normal").points,

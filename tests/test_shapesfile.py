@@ -133,7 +133,7 @@ def test_of_every_array_there_may_be_as_many_numbers_as_the_limit_says(name, tmp
                     made.writestr(f"{other}.npy", out.getvalue())
             text = repr(header).encode()
             made.writestr(f"{name}.npy", b"\x93NUMPY" + version + len(text).to_bytes(size, "little") + text)
-        with pytest.raises(sv.InvalidScene, match="the limit is 10,000,000"):
+        with pytest.raises(sv.InvalidScene, match="the limit is 4,000,000"):
             load(path)
 
 

@@ -111,6 +111,8 @@ class Advice:
             return False
         if not claim.wrong <= found.wrong <= found.wrong + found.unsure <= claim.wrong + claim.unsure:
             return False
+        if claim.wrong and claim.wrong == found.wrong and claim.first != found.first:
+            return False
         place = None if claim.first is None else self._place(claim.first)
         if place is None or claim.proven:
             return claim.first is None and claim.proven

@@ -68,7 +68,7 @@ def chart(model: Model, facts: Facts, judged: Sequence[Judged], found: Mapping[s
         raise ValueError("there are no pairs, so there is nothing to time: give shapes of which some boxes meet")
     mine = found[model.name]
     if mine is None:
-        raise ValueError(f"{model.name} is not timed, as one call takes too long: give smaller shapes for a chart")
+        raise ValueError(f"{model.name} is not timed, as one pair of these shapes takes too long: give smaller shapes")
     timed = [(j.model, price) for j in judged if (price := found[j.model.name]) is not None]
     rows = tuple((m.name, ROLES.get(m.kind, "float"), price) for m, price in timed)
     exact = next((price for m, price in timed if m.kind == EXACT), None)

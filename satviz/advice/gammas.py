@@ -47,8 +47,8 @@ def signed_gammas(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, *, engin
         if (p.r is None) == (q.r is None):
             roughly[near[mine]] = _columns(p, q, _beyond_finely, _between_finely)
     rest = np.flatnonzero(np.isnan(roughly))
-    for many, i in enumerate(rest.tolist()):
-        refuse_more_by_fractions(many, len(rest))
+    refuse_more_by_fractions(len(rest), len(rest))
+    for i in rest.tolist():
         roughly[i] = signed(one(a, pa[i]), one(b, pb[i]))
     found = np.full(len(ia), np.inf)
     np.minimum.at(found, of, roughly)

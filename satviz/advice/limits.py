@@ -25,8 +25,8 @@ def refuse_more(pairs: int, tests: int) -> None:
     ):
         if many > most:
             raise InvalidScene(
-                f"advise would look at {many:,} {what}: the limit is {most:,}; give fewer shapes, or some of the pairs "
-                "by pairs="
+                f"advise would look at {many:,} {what}: the limit is {most:,}; give fewer or simpler shapes, or "
+                "some of the pairs by pairs="
             )
 
 
@@ -43,6 +43,6 @@ def refuse_more_by_fractions(asked: int, doubtful: int) -> None:
     """InvalidScene once so many of the doubtful pairs have been asked of fractions."""
     if asked >= MAX_PAIRS_BY_FRACTIONS:
         raise InvalidScene(
-            f"{doubtful:,} pairs are so near to touching that fractions must tell them: advise asks at most "
-            f"{MAX_PAIRS_BY_FRACTIONS:,}; give some of the pairs by pairs="
+            f"{doubtful:,} pairs of convex parts are so near to touching, or of such different sizes, that fractions "
+            f"must tell them: advise asks at most {MAX_PAIRS_BY_FRACTIONS:,}; give fewer or simpler shapes"
         )

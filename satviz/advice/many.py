@@ -41,6 +41,8 @@ def of_many(
         raise ValueError(f"{what}, so there is nothing to advise on: give at least one pair")
     refuse_more(*(work := _work(a, ia, b, ib)))
     both = paired(a, ia, b, ib)
+    extreme = _out_of_range(both)
+    refuse_more_by_fractions(extreme, extreme)
     exact = batch.relate(a, b, np.stack([ia, ib], axis=1), engine=engine)
     settled, near = None, paired(a, ia[:0], a, ia[:0])
     if all_pairs and len(ia) < (every := len(a) * (len(a) - 1) // 2):
@@ -87,6 +89,13 @@ def _work(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> tuple[int, int]:
     corners = [np.diff(s.rings.start[s.starts])[i] for s, i in ((a, ia), (b, ib))]
     tests = 2.0 * (corners[0].astype(float) * corners[1]).sum()
     return int((parts[0].astype(float) * parts[1]).sum()), int(tests)
+
+
+def _out_of_range(both: Pairs) -> int:
+    """How many pairs of convex parts have products beyond the range of floats, so that integers must tell them."""
+    with np.errstate(over="ignore"):
+        most = np.maximum(_reach(both.a)[both.pa], _reach(both.b)[both.pb])
+    return int(np.count_nonzero(~((most > 2.0**-450) & (most < 2.0**450))))
 
 
 def _settled(a: Shapes, many: int, engine: str | None) -> tuple[Settled, Pairs]:

@@ -78,12 +78,13 @@ def boxes(shapes: Shapes) -> Array:
     circle = np.flatnonzero(is_circle(shapes))
     part = shapes.starts[circle]
     x, y, start = shapes.rings
-    for side, c in enumerate((x, y) * 2):
-        found[circle, side] = c[start[part]] + (1 if side > 1 else -1) * radii(shapes)[part]
+    with np.errstate(over="ignore"):
+        for side, c in enumerate((x, y) * 2):
+            found[circle, side] = c[start[part]] + (1 if side > 1 else -1) * radii(shapes)[part]
     return found
 
 
-def discs(shapes: Shapes) -> Array:
+def discs(shapes: Shapes, wider: float = FILLED) -> Array:
     """(N, 3) x, y, radius of a circle around each shape, as `proofs.around` has them."""
     found = np.empty((len(shapes), 3))
     x, y, start = shapes.rings
@@ -94,7 +95,7 @@ def discs(shapes: Shapes) -> Array:
         many = np.diff(np.concatenate([first, start[-1:]]))
         dx, dy = (c - np.repeat(found[:, i], many) for i, c in enumerate((x, y)))
         square = np.maximum.reduceat(dx * dx + dy * dy, first) if len(first) else np.empty(0)
-        found[:, 2] = np.where((square > TINY) & (square < HUGE), np.sqrt(square) * FILLED, 0.0)
+        found[:, 2] = np.where((square > TINY) & (square < HUGE), np.sqrt(square) * wider, 0.0)
     circle = np.flatnonzero(is_circle(shapes))
     part = shapes.starts[circle]
     found[circle] = np.stack([x[start[part]], y[start[part]], radii(shapes)[part]], axis=1)

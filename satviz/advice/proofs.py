@@ -17,6 +17,11 @@ under 45 of the largest difference F squared, asked: 128 (the derivation of verd
 edges, so none is left out).  Rounded coordinates move a turn about an edge of parts dx, dy by
 2d(|dx| + |dy|) + 4dF + 8dd, and the distance, which changes by no more than the points do, by 3d: its square by
 9dF + 9dd.
+Ranges on the normals, and on the line to the nearest vertex or through two centers, err more, as they project far
+from the origin.  With R the reach and the radius together, an axis of span D: the landings of the center and of a
+corner carry 6u DR each, the radius times the axis's length 6u DR, their sum 2u DR: 20u R in distance.  A vertex that
+only seems the nearest is so by 10u of its distance squared at most, which turns the axis by so little that 14u R is
+lost.  Rounded coordinates move the gap by 4u R.  That is 38u R; asked: 72.
 
 Where a bound cannot tell, the pair may still be one on which the model rounds nothing, in whatever order it computes
 (`rounding.py`): there plain floats tell touching too.
@@ -38,7 +43,7 @@ from .rounding import FLOAT64, FORMATS, Exact, Format, holds
 
 T = TypeVar("T")
 APART, TOUCHING, OVERLAPPING = Relation
-LOOKS, TURNS, SQUARES, LANDINGS = 32, 32, 128, 16  # roundings asked of each
+LOOKS, TURNS, SQUARES, LANDINGS, RANGES = 32, 32, 128, 16, 72  # roundings asked of each
 FILLED = 1 + 2.0**-40  # what makes a bounding circle's rounded radius hold every corner
 CIRCLES, BOXES, DIRECTIONS, EXACT = "bounding circles", "AABB", "shared directions", "filtered exact"
 
@@ -123,7 +128,7 @@ class Model(NamedTuple):
         if self.kind == BOXES:
             return boxes(a, b)
         if self.kind == CIRCLES:
-            return circles(around(a), around(b), FLOAT64)
+            return bounding_circles(a, b)
         if self.kind == DIRECTIONS:
             return along(a, b, self.directions)
         return sat(a, b, FORMATS[self.kind])
@@ -217,18 +222,31 @@ Disc = tuple[float, float, float]
 
 
 def around(shape: Body) -> Disc:
-    """x, y and radius of a circle around the shape; the radius is infinite or 0 where floats cannot tell it."""
+    """x, y and radius of a circle around the shape; the radius is infinite or 0 where floats cannot tell it.
+
+    Its center is that of the bounding box, and it reaches the farthest corner.
+    """
+    return _disc(shape, FILLED)
+
+
+def _disc(shape: Body, wider: float) -> Disc:
     if shape.radius:
         return (*shape.core[0], shape.radius)
     x0, y0, x1, y1 = shape.bounds
     x, y = x0 / 2 + x1 / 2, y0 / 2 + y1 / 2
     square = max((px - x) * (px - x) + (py - y) * (py - y) for px, py in shape.core)
     # under TINY bits are lost, and beyond HUGE they overflow
-    return x, y, sqrt(square) * FILLED if TINY < square < HUGE else 0.0
+    return x, y, sqrt(square) * wider if TINY < square < HUGE else 0.0
+
+
+def bounding_circles(a: Body, b: Body) -> Relation | None:
+    """By circles around the shapes, whether their radii are made to hold every corner or only rounded."""
+    held, bare = (circles(_disc(a, wider), _disc(b, wider), FLOAT64) for wider in (FILLED, 1.0))
+    return held if held is bare else None
 
 
 def circles(a: Disc, b: Disc, form: Format) -> Relation | None:
-    """By the squares of the distance and of the sum of radii."""
+    """By the squares of the distance and of the sum of radii, and by ranges on the line through the centers."""
     if not (a[2] and b[2] and all(map(isfinite, (*a, *b)))):
         return None
     _, (ax, ay, ar, bx, by, br) = to_integers((*a, *b))
@@ -238,11 +256,16 @@ def circles(a: Disc, b: Disc, form: Format) -> Relation | None:
     size = max(abs(a[0] - b[0]), abs(a[1] - b[1]), a[2] + b[2])
     room = Fraction(12 * (distance + reach), 1 << form.bits) + 5 * moved * (abs(ax - bx) + abs(ay - by)) + 9 * moved**2
     sure = form.least < size and max(map(abs, (*a, *b))) < form.most and abs(distance - reach) > room
-    if not sure:
+    far_off = Fraction(RANGES * (max(map(abs, (ax, ay, bx, by))) + max(ar, br)), 1 << form.bits)
+    radii = ar + br
+    if sure and (distance > (radii + far_off) ** 2 or (radii > far_off and distance < (radii - far_off) ** 2)):
+        return _told(gap)
+    for formula in (rounding.circle_ranges,) if sure else (rounding.circle_ranges, rounding.circles):
         arithmetic = Exact(form)
-        rounding.circles(arithmetic, *([arithmetic.held(Fraction(c)) for c in disc] for disc in (a, b)))
-        sure = arithmetic.exact
-    return _told(gap) if sure else None
+        formula(arithmetic, *([arithmetic.held(Fraction(c)) for c in disc] for disc in (a, b)))
+        if not arithmetic.exact:
+            return None
+    return _told(gap)
 
 
 def _told(gap: int) -> Relation:
@@ -292,9 +315,8 @@ def convex_sat(a: Shape, b: Shape, form: Format) -> Relation | None:
     if a.radius and b.radius:
         return circles((*a.core[0], a.radius), (*b.core[0], b.radius), form)
     if a.radius or b.radius:
-        bounded = _circle_polygon(a, b, form) if a.radius else _circle_polygon(b, a, form)
-    else:
-        bounded = _polygons(a, b, form)
+        return _circle_polygon(a, b, form) if a.radius else _circle_polygon(b, a, form)
+    bounded = _polygons(a, b, form)
     if bounded is None and _rounds_nothing(a, b, form):
         return relate(a, b)  # what SAT gives where nothing is rounded
     return bounded
@@ -303,13 +325,7 @@ def convex_sat(a: Shape, b: Shape, form: Format) -> Relation | None:
 def _rounds_nothing(a: Shape, b: Shape, form: Format) -> bool:
     arithmetic = Exact(form)
     p, q = ([(arithmetic.held(Fraction(x)), arithmetic.held(Fraction(y))) for x, y in s.core] for s in (a, b))
-    if not (a.radius or b.radius):
-        edges = rounding.polygons(arithmetic, p, q)
-    else:
-        center, ring = (p[0], q) if a.radius else (q[0], p)
-        circle = *center, arithmetic.held(Fraction(a.radius or b.radius))
-        edges = rounding.circle_polygon(arithmetic, circle, ring, Fraction(0), Fraction(1))
-    return all(arithmetic.exact for _ in edges)
+    return all(arithmetic.exact for _ in rounding.polygons(arithmetic, p, q))
 
 
 def _polygons(a: Shape, b: Shape, form: Format) -> Relation | None:
@@ -365,9 +381,11 @@ def _circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Relation | N
         nearest = away if nearest is None else min(nearest, away)
     assert nearest is not None
     room = (SQUARES * (widest + 2 * moved) ** 2 + 8 * r * r) / (1 << form.bits) + 9 * moved * (widest + moved)
-    if inside or nearest < r * r - room:
+    far_off = Fraction(RANGES * (max(abs(c) for v in (center, *ring) for c in v) + r), 1 << form.bits)
+    deep = r > far_off and nearest < (r - far_off) ** 2
+    if (inside and (r > far_off or nearest > (far_off - r) ** 2)) or (deep and nearest < r * r - room):
         return OVERLAPPING
-    return APART if outside and nearest > r * r + room else None
+    return APART if outside and nearest > max(r * r + room, (r + far_off) ** 2) else None
 
 
 def _moved(coordinates: Iterable[int], numbers: Iterable[float], form: Format) -> Fraction:

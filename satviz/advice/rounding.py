@@ -1,7 +1,7 @@
 """Whether a model rounds anything at all on a pair; where it does not, its plain floats also tell touching exactly.
 
 Each formula names every number that a model can compute on the way: every partial sum, in every order of the terms,
-with differences of coordinates taken first or last, and every product and quotient.  It runs on one of two kinds of
+with differences of coordinates taken first or last, and every product.  It runs on one of two kinds of
 arithmetic: `Exact` below has the exact values as fractions, for one pair; `rounding_numpy.Errors` has arrays of floats
 and the error of each operation, for many.  Both note in `exact` whether the format holds every number named.
 
@@ -11,6 +11,7 @@ A comparison, and the last sum before a sign is taken, need not be held: roundin
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations, pairwise
+from math import isqrt
 from typing import Any, NamedTuple, Protocol, TypeVar
 
 N = TypeVar("N")
@@ -44,17 +45,14 @@ class Arithmetic(Protocol[N]):
     def product(self, a: N, b: N) -> N:
         """a * b."""
 
-    def quotient(self, a: N, b: N) -> N:
-        """a / b; b is not 0."""
+    def root(self, a: N) -> N:
+        """The square root of a."""
 
     def total(self, *terms: N) -> N:
         """The sum of the terms; it and every partial sum must be held."""
 
     def compared(self, *terms: N) -> None:
         """A sum of which only the sign is used: every partial sum must be held, but not the sum itself."""
-
-    def within(self, low: N, value: N, high: N, then: N, otherwise: N) -> N:
-        """`then` where low < value < high, else `otherwise`."""
 
     def together(self, ring: Sequence[Point[N]]) -> Sequence[Point[N]]:
         """The corners, in as few operands as this arithmetic can take at once."""
@@ -76,9 +74,11 @@ class Exact:
         """a * b."""
         return self.held(a * b)
 
-    def quotient(self, a: Fraction, b: Fraction) -> Fraction:
-        """a / b."""
-        return self.held(a / b)
+    def root(self, a: Fraction) -> Fraction:
+        """The square root of a, rounded down where it is no fraction."""
+        found = Fraction(isqrt(a.numerator), isqrt(a.denominator))
+        self.exact = self.exact and found * found == a
+        return self.held(found)
 
     def total(self, *terms: Fraction) -> Fraction:
         """The sum of the terms."""
@@ -91,10 +91,6 @@ class Exact:
         for many in range(2, len(terms)):
             for some in combinations(terms, many):
                 self.held(sum(some, Fraction(0)))
-
-    def within(self, low: Fraction, value: Fraction, high: Fraction, then: Fraction, otherwise: Fraction) -> Fraction:
-        """`then` where low < value < high."""
-        return then if low < value < high else otherwise
 
     def together(self, ring: Sequence[Point[Fraction]]) -> Sequence[Point[Fraction]]:
         """The corners one by one."""
@@ -143,30 +139,13 @@ def circles(arithmetic: Arithmetic[N], a: Sequence[N], b: Sequence[N]) -> None:
     arithmetic.total(arithmetic.product(dx, dx), arithmetic.product(dy, dy))
 
 
-def circle_polygon(
-    arithmetic: Arithmetic[N], circle: Sequence[N], ring: Sequence[Point[N]], zero: N, one: N
-) -> Iterator[None]:
-    """A circle (x, y, radius) and a convex polygon by the squared distance to the nearest edge; a step for each edge.
-
-    Both ways to square the distance to an edge's line are asked, turn * turn / length**2 and turn / length**2 * turn,
-    and the comparison turn * turn with r * r * length**2.
-    """
-    add, times = arithmetic.total, arithmetic.product
-    x, y, radius = circle
-    corners = [(add(cx, _minus(x)), add(cy, _minus(y))) for cx, cy in ring]
-    square = times(radius, radius)
-    for (px, py), (qx, qy) in pairwise([corners[-1], *corners]):
-        dx, dy = add(qx, _minus(px)), add(qy, _minus(py))
-        arithmetic.compared(times(px, px), times(py, py), _minus(square))
-        add(times(px, px), times(py, py))
-        turn = add(times(px, dy), _minus(times(py, dx)))
-        along = _minus(add(times(px, dx), times(py, dy)))
-        length = add(times(dx, dx), times(dy, dy))
-        turn, length = (arithmetic.within(zero, along, length, *c) for c in ((turn, zero), (length, one)))
-        arithmetic.quotient(times(turn, turn), length)
-        times(arithmetic.quotient(turn, length), turn)
-        times(square, length)
-        yield
+def circle_ranges(arithmetic: Arithmetic[N], a: Sequence[N], b: Sequence[N]) -> None:
+    """Two circles (x, y, radius) by their ranges on the line through the centers, which is not made to unit length."""
+    nx, ny = (arithmetic.total(c, _minus(d)) for c, d in zip(a[:2], b[:2], strict=True))
+    length = arithmetic.root(arithmetic.total(arithmetic.product(nx, nx), arithmetic.product(ny, ny)))
+    for x, y, radius in (a, b):
+        center, reach = landing(arithmetic, (nx, ny), (x, y)), arithmetic.product(radius, length)
+        arithmetic.total(center, reach), arithmetic.total(center, _minus(reach))
 
 
 def _minus(value: Any) -> Any:

@@ -43,12 +43,12 @@ class Errors:
         value, error = _product(a, b)
         return self._scaled(value, i + j, error == 0)
 
-    def quotient(self, a: Array, b: Array) -> Array:
-        """a / b."""
-        (a, i), (b, j) = np.frexp(a), np.frexp(b)
-        value = a / b
-        back, error = _product(value, b)
-        return self._scaled(value, i - j, (error == 0) & (back == a))
+    def root(self, a: Array) -> Array:
+        """The square root of a."""
+        value = np.sqrt(a)
+        mantissa, power = np.frexp(value)
+        square, error = _product(mantissa, mantissa)
+        return self._held(value, (error == 0) & (np.ldexp(square, 2 * power) == a))
 
     def _scaled(self, value: Array, power: NDArray[Any], exact: Flags) -> Array:
         result = np.ldexp(value, power)
@@ -66,10 +66,6 @@ class Errors:
                 value, exact = _sum([terms[i] for i in some])
                 last = reduce(np.logical_and, [terms[i] == 0 for i in range(len(terms)) if i not in some])
                 self._held(np.where(last, 0.0, value), exact | last)
-
-    def within(self, low: Array, value: Array, high: Array, then: Array, otherwise: Array) -> Array:
-        """`then` where low < value < high."""
-        return np.where((low < value) & (value < high), then, otherwise)
 
     def together(self, ring: Sequence[Point[Array]]) -> Sequence[Point[Array]]:
         """All corners at once, as (corners, n) arrays."""

@@ -41,10 +41,11 @@ def scope_of(model: Model, facts: Facts, case: Case) -> Scope:
     if CONCAVE in facts.kinds:  # whose convex parts depend on where it lies, and their corners on no grid of its own
         return Scope(HERE)
     form = FORMATS[model.kind]
-    round_only = len(facts.kinds) == 1
-    if (ROUND not in facts.kinds or round_only) and (found := _on_grid(case.grid(), form, ROUND in facts.kinds)):
+    if ROUND in facts.kinds:
+        return Scope(HERE)
+    if not facts.settled and (found := _on_grid(case.grid(), form)):
         return found
-    bound = case.reach() if form is FLOAT64 and ROUND not in facts.kinds else 0.0
+    bound = case.reach() if form is FLOAT64 else 0.0
     return Scope(MOVED, bound) if bound else Scope(HERE)
 
 
@@ -71,19 +72,18 @@ def bound_of(allowed: float, reach: float) -> float:
     return bound if bound > reach else 0.0
 
 
-def _on_grid(grid: Grid | None, form: Format, circles: bool) -> Scope | None:
-    """The grid on which nothing is rounded: any polygons of its multiples up to M, with edges up to S, or circles to M.
+def _on_grid(grid: Grid | None, form: Format) -> Scope | None:
+    """The grid on which nothing is rounded: any polygons of its multiples up to M, with edges up to S.
 
     In units of the grid a product of an edge's part and a coordinate is at most S M.  The terms of a comparison are
-    four, and a sum of up to three of them is at most 3 S M: held if 4 S M <= 2**bits.  With S = 2 M, which is every
-    edge, and for circles, whose squared distance is at most 8 M M, that is 8 M M <= 2**bits.
+    four, and a sum of up to three of them is at most 3 S M: held if 4 S M <= 2**bits.  S = 2 M is every edge.
     """
     if grid is None:
         return None
     any_edge = form.bits - 3 >> 1
     size = max((grid.most - 1).bit_length() if grid.most else 0, any_edge)
     span = form.bits - 2 - size
-    fits = size == any_edge or (not circles and grid.span <= 1 << max(span, 0) and span >= 0)
+    fits = size == any_edge or (span >= 0 and grid.span <= 1 << span)
     trusted = form.least < 2.0 ** max(grid.unit, -1000) and 2.0 ** min(size + grid.unit, 900) < form.most
     if not (fits and trusted):
         return None

@@ -13,10 +13,14 @@ from numpy.lib import format as npy
 from numpy.typing import NDArray
 
 from .. import batch
+from ..batch import door
+from ..batch.outlines import convex
+from ..batch.rings import Rings
 from ..engine.geometry import InvalidScene, InvalidShape
 from ..engine.outline import shown
 
-MAX_NUMBERS = 10_000_000  # 80 MB as float64: read and checked in some 2 s and 0.4 GB
+MAX_NUMBERS = 4_000_000  # 2,000,000 circles or corners: recommended on in some 10 s and 0.8 GB
+MAX_CONCAVE_CORNERS = 100_000  # split into convex parts one outline at a time, in some 20 s
 HEADER_BYTES = 1 << 14  # NumPy itself reads no header longer than 10,000
 
 
@@ -126,12 +130,24 @@ def _shapes(path: Path, arrays: dict[str, NDArray[Any]]) -> batch.Shapes:
     try:
         if "coords" in arrays:
             coords = arrays["coords"].reshape(-1, 2)
+            _check_concave(path, coords, arrays["offsets"])
             made.append(batch.Polygons(coords, offsets=arrays["offsets"], concave="split"))
         if "centers" in arrays:
             made.append(batch.Circles(arrays["centers"].reshape(-1, 2), arrays["radii"]))
     except InvalidShape as error:
         raise InvalidScene(f"{path}: {_in_the_file(str(error))}") from None
     return made[0] if len(made) == 1 else batch.concat(made)
+
+
+def _check_concave(path: Path, coords: NDArray[Any], offsets: NDArray[Any]) -> None:
+    rings = Rings(*door.ragged(coords, offsets))
+    corners = np.diff(rings.start)
+    _, plain = convex(Rings(rings.x + 0.0, rings.y + 0.0, rings.start))
+    if (many := int(corners[~plain].sum())) > MAX_CONCAVE_CORNERS:
+        raise InvalidScene(
+            f"{path}: coords holds {many:,} corners of concave polygons: the limit is {MAX_CONCAVE_CORNERS:,}; "
+            "split them yourself, or put fewer into one file"
+        )
 
 
 def _in_the_file(said: str) -> str:

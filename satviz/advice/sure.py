@@ -14,9 +14,11 @@ from . import proofs, rounding
 from .limits import refuse_more_by_fractions
 from .models import DTYPES, boxes, by_boxes, discs, is_circle, ranges, told
 from .pairs import Array, Indices, Pairs, Relations, columns, one, reach
-from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Model, convex_sat
+from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, FILLED, Model, convex_sat
 from .rounding import FLOAT64, FORMATS, Format
 from .rounding_numpy import Errors
+
+ROUNDED = 1 + 2.0**-40  # more than a few roundings of float64
 
 
 def sure(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None = None) -> Relations:
@@ -32,7 +34,8 @@ def sure(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None = N
         if model.kind == BOXES:
             return _sure_boxes(a, ia, b, ib)
         if model.kind == CIRCLES:
-            return _sure_circles(discs(a)[ia], discs(b)[ib], FLOAT64)
+            held, bare = (_sure_circles(discs(a, by)[ia], discs(b, by)[ib], FLOAT64) for by in (FILLED, 1.0))
+            return np.where(held == bare, held, UNDECIDED).astype(np.int8)
         if model.kind == DIRECTIONS:
             return _sure_ranges(model, pairs)
         form = FORMATS[model.kind]
@@ -47,7 +50,7 @@ def sure(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None = N
             if p.r is None and q.r is None:
                 found[mine] = np.where(coarse, relations[mine], found[mine])
             doubt = np.flatnonzero(found[mine] == UNDECIDED)
-            if doubt.size and (p.r is None or q.r is None):  # of two circles it has been asked
+            if doubt.size and p.r is None and q.r is None:  # of two circles it has been asked
                 plain = mine[doubt[_rounds_nothing(p.columns(doubt), q.columns(doubt), form)]]
                 found[plain] = relations[plain]
         return pairs.whole(_asked_of_fractions(pairs, found, form))
@@ -74,21 +77,11 @@ def _by_bounds(p: Group, q: Group, form: Format) -> Relations:
 
 
 def _rounds_nothing(p: Group, q: Group, form: Format) -> NDArray[np.bool_]:
-    """Where the format holds every number that SAT can compute of a polygon and another, or a circle, on the way."""
+    """Where the format holds every number that SAT can compute of two polygons on the way."""
     errors = Errors(form, p.x.shape[1])
     for g in (p, q):
-        for c in (g.x, g.y, g.r):
-            if c is not None:
-                errors.held(c)
-    rings = [list(zip(g.x, g.y, strict=True)) for g in (p, q)]
-    if p.r is None and q.r is None:
-        edges = rounding.polygons(errors, *rings)
-    else:
-        circle, ring = (p, rings[1]) if p.r is not None else (q, rings[0])
-        assert circle.r is not None
-        numbers = circle.x[0], circle.y[0], circle.r
-        edges = rounding.circle_polygon(errors, numbers, ring, np.zeros_like(circle.r), np.ones_like(circle.r))
-    for _ in edges:
+        errors.held(g.x), errors.held(g.y)
+    for _ in rounding.polygons(errors, *(list(zip(g.x, g.y, strict=True)) for g in (p, q))):
         if not errors.exact.any():
             break
     return errors.exact
@@ -160,13 +153,15 @@ def _sure_circles(a: Array, b: Array, form: Format) -> Relations:
     room += 5.001 * moved * (np.abs(dx) + np.abs(dy)) + 9.001 * moved * moved
     room[~(known & (size > form.least * 1.001) & (most < form.most))] = np.inf
     found = _beyond(distance - square, room)
-    doubt = np.flatnonzero((found == UNDECIDED) & known)
-    errors = Errors(form, len(doubt))
-    rows = [[errors.held(c) for c in disc[doubt].T] for disc in (a, b)]
-    rounding.circles(errors, *rows)
-    plain = doubt[errors.exact]
-    found[plain] = told((distance - square)[plain])
-    return found
+    reach = np.maximum(np.abs(a[:, :2]).max(axis=1), np.abs(b[:, :2]).max(axis=1)) + np.maximum(a[:, 2], b[:, 2])
+    far_off = proofs.RANGES * (2.0**-form.bits + 2.0**-53) * 1.001 * reach
+    near = np.abs(np.sqrt(distance) - total) <= far_off  # where ranges can err
+    doubt, exact = found == UNDECIDED, np.ones(len(a), bool)
+    for formula, where in (rounding.circles, doubt & known), (rounding.circle_ranges, (doubt | near) & known):
+        errors = Errors(form, int(np.count_nonzero(where)))
+        formula(errors, *([errors.held(c) for c in disc[where].T] for disc in (a, b)))
+        exact[where] &= errors.exact
+    return np.where(exact & known, np.where(doubt, told(distance - square), found), UNDECIDED).astype(np.int8)
 
 
 def _rows(g: Group) -> Array:
@@ -268,6 +263,10 @@ def _sure_center(circle: Group, ring: Group, form: Format) -> Relations:
         np.minimum(nearest, np.where((along > 0) & (along < square), turn / square * turn, ends), out=nearest)
     square = circle.r * circle.r
     room = unit * (proofs.SQUARES * (far + 2 * moved) ** 2 + 8 * square) + 9.001 * moved * (far + moved)
-    over = good & (inside | (nearest < square - room))
-    apart = good & outside & (nearest > square + room)
+    reach = np.maximum.reduce([np.abs(c).max(axis=0) for c in (ring.x, ring.y, circle.x, circle.y)])
+    far_off = proofs.RANGES * unit * (reach + circle.r)
+    rim, depth = circle.r + far_off, np.maximum(circle.r - far_off, 0)  # by more than ranges can be off
+    deep = inside & ((depth > 0) | (nearest > (far_off - circle.r) ** 2 * ROUNDED + room))
+    over = good & (deep | ((depth > 0) & (nearest < np.minimum(square, depth * depth / ROUNDED) - room)))
+    apart = good & outside & (nearest > np.maximum(square, rim * rim * ROUNDED) + room)
     return np.where(over, OVERLAPPING, np.where(apart, APART, UNDECIDED)).astype(np.int8)

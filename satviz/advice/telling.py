@@ -1,13 +1,14 @@
 """An advice in words: each line a fact with a number."""
 
 from math import inf, log2
+from sys import float_info
 from typing import TYPE_CHECKING
 
 from .facts import CONCAVE, CONVEX, ROUND, UPRIGHT, Facts, Judged, anywhere, best, for_hits
 from .gamma import IN_FLOAT32
 from .limits import SECONDS
 from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
-from .rounding import FLOAT64, FORMATS
+from .rounding import FLOAT32, FLOAT64, FORMATS
 from .scope import ANYWHERE, GRID, MOVED, Scope
 
 if TYPE_CHECKING:
@@ -26,18 +27,19 @@ def told(facts: Facts, judged: "Sequence[Judged]", scope: Scope) -> str:
         *_first(least.model, facts),
         f"why      {reason(least.model, facts, scope)}",
         f"holds    {holds(scope, facts)}",
-        f"shapes   {shapes(facts)}",
+        f"shapes   {shapes(facts)}{' in these pairs' if facts.settled and facts.pairs else ''}",
         f"pairs    {_pairs(facts)}",
     ]
     if facts.pairs:
         lines.append(f"nearest  {nearest(facts)}")
     place = judged.index(least)
     lines += [f"less     {_fails(j, facts)}" for j in judged[:place]]
-    lines += [f"more     {_adds(j, facts)}" for j in judged[place + 1 :]]
+    rest = judged[place + 1 :]
+    lines += [f"{'more ' if j.proven else 'other'}    {_adds(j, facts, judged)}" for j in rest]
     if scope.kind != ANYWHERE:
-        lines.append(f"anywhere {named(anywhere(facts, judged))} is right, wherever they lie")
+        lines.append(f"anywhere {named(anywhere(facts, judged))} is right in every position, if the shapes move")
     if hits is not least:
-        lines.append(f"hits     if touching need not be told from overlapping, {named(hits.model)} will do")
+        lines.append(f"hits     {named(hits.model)} is enough to tell hits from misses, where touching is a hit")
     return "\n".join(lines)
 
 
@@ -48,14 +50,16 @@ def reason(model: Model, facts: Facts, scope: Scope) -> str:
     if model.kind == BOXES and scope.kind == ANYWHERE:
         return "upright boxes are their bounding boxes, and comparisons round nothing"
     if scope.kind == GRID:
-        return f"all numbers are whole multiples of 2^{scope.unit}, so few of it that {model.kind} rounds nothing"
+        return f"all coordinates are {_multiples(scope.unit)}, and {model.kind} rounds nothing of that size"
     return {
-        BOXES: "the bounding boxes lie to each other as the shapes do, and comparisons round nothing",
-        CIRCLES: "the circles around the shapes lie to each other as the shapes do, by more than rounding can hide",
-        DIRECTIONS: "on these directions the ranges lie to each other as the shapes do, by more than rounding can hide",
-        EXACT: "where the floats of a pair cannot tell, it asks integers",
+        BOXES: "the bounding boxes give the same answers as the shapes, and comparing numbers rounds nothing",
+        CIRCLES: "circles from the middle of each box to its farthest corner give the same answers as the shapes, and "
+        "rounding errors are too small to change that",
+        DIRECTIONS: "the ranges on these directions give the same answers as the shapes, and rounding errors are too "
+        "small to change that, or there are none",
+        EXACT: "where floats cannot decide a pair, it computes with integers",
         **{
-            kind: f"every pair is decided by more than the roundings of {kind} can hide, or {kind} rounds nothing in it"
+            kind: f"the rounding errors of {kind} are too small to change the answer of any pair, or there are none"
             for kind in FORMATS
         },
     }[model.kind]
@@ -68,14 +72,22 @@ def holds(scope: Scope, facts: Facts) -> str:
             return "anywhere: upright boxes need y and x only, whatever their coordinates"
         return "anywhere: it is exact for all coordinates"
     if scope.kind == GRID:
-        what = "circles" if ROUND in facts.kinds else "convex polygons"
-        text = f"any {what} whose numbers are multiples of 2^{scope.unit}, up to {power(scope.bound, 0)}"
-        return f"{text}, with edges up to {power(scope.span, 0)} wide and high" if scope.span else text
+        text = f"any convex polygons with {_multiples(scope.unit)}, up to {_size(scope.bound)}"
+        return f"{text}, and edges up to {_size(scope.span)} wide and high" if scope.span else text
     if scope.kind == MOVED:
         return f"the scene moved as a whole, exactly, while no coordinate exceeds {power(scope.bound, 0)}"
     if facts.settled:
-        return "these shapes where they are: it is proven for each pair of them"
-    return "this pair as it lies" if facts.pairs == 1 else "these pairs as they lie: it is proven on each of them"
+        return "these shapes in these positions: it is proven for each pair"
+    return "this pair in this position" if facts.pairs == 1 else "these pairs in these positions: it is proven for each"
+
+
+def _multiples(unit: int | None) -> str:
+    return "whole numbers" if unit == 0 else f"multiples of {_size(2.0 ** (unit or 0))}"
+
+
+def _size(value: float) -> str:
+    """A power of two as a number, where that can be read."""
+    return f"{value:,.15g}" if 2.0**-10 <= value <= 2.0**20 else power(value, 0)
 
 
 def price(model: Model, facts: Facts, found: "Mapping[str, Price | None]") -> str:
@@ -86,7 +98,7 @@ def price(model: Model, facts: Facts, found: "Mapping[str, Price | None]") -> st
     exact_name, exact = next((name, p) for name, p in found.items() if name.endswith(EXACT))
     after = " whose boxes meet" if facts.settled else ""
     if mine is None:
-        return f"price    not timed: one call would take too long ({SECONDS:g} s are allowed for all models)"
+        return f"price    not timed: one pair of these shapes takes too long for the {SECONDS:g} s of all models"
     text = f"price    {duration(mine.warm)} a pair{after}, {duration(mine.cold)} with its set-up"
     if model.name == exact_name:
         return text
@@ -123,7 +135,8 @@ def shapes(facts: Facts) -> str:
     low, high = facts.corners
     corners = f", {low} corners" if low == high else f", {low} to {high} corners"
     corners += " in a convex part" if "concave polygons" in facts.kinds else ""
-    sizes = f", the largest {facts.sizes:,.3g} times the smallest" if facts.sizes > 1.005 else ""
+    more = "more than " if facts.sizes == float_info.max else ""
+    sizes = f", the largest {more}{facts.sizes:,.3g} times the smallest" if facts.sizes > 1.005 else ""
     return f"{kinds or 'none'}{corners if high else ''}{sizes}"
 
 
@@ -136,7 +149,7 @@ def _first(model: Model, facts: Facts) -> list[str]:
     """What runs before the model's own test, and how many pairs it leaves."""
     if not model.after_boxes:
         return []
-    said = f"{BOXES} (2 axes) settles {facts.settled:,} pairs; {model.test} decides the other {facts.pairs:,}"
+    said = f"{BOXES} (2 axes) finds {facts.settled:,} pairs apart; {model.test} decides the other {facts.pairs:,}"
     return [f"first    {said}"]
 
 
@@ -150,30 +163,31 @@ def nearest(facts: Facts) -> str:
     """The pair that is hardest to tell, in roundings."""
     where = "" if facts.pairs + facts.settled == 1 else f"pair {facts.at} "
     if not facts.gamma:
-        return f"{where}touches: gamma is 0"
+        return f"{where}touches: its margin (gamma) is 0"
     return (
-        f"{where}{'is ' if where else ''}decided by {power(facts.gamma)} roundings of float64 (its gamma), "
+        f"{where}{'has ' if where else ''}a margin of {power(facts.gamma)} rounding errors of float64 (its gamma), "
         f"{power(facts.gamma * IN_FLOAT32)} of float32"
     )
 
 
 def _fails(judged: Judged, facts: Facts) -> str:
     if facts.pairs + facts.settled == 1:
-        return f"{named(judged.model)}: {'wrong here' if judged.wrong else 'in doubt, as rounding decides'}"
-    said = []
+        said = "wrong here" if judged.wrong else "not proven, as a rounding error could change the answer"
+        return f"{named(judged.model)}: {said}"
+    found = []
     if judged.wrong:
-        said.append(f"wrong on {judged.wrong:,}")
+        found.append(f"wrong on {judged.wrong:,}")
     if judged.unsure:
-        said.append(f"in doubt on {judged.unsure:,}, where rounding decides")
-    return f"{named(judged.model)}: {' and '.join(said)}; the first is pair {judged.first}"
+        found.append(f"not proven for {judged.unsure:,}, where a rounding error could change the answer")
+    return f"{named(judged.model)}: {' and '.join(found)}; the first is pair {judged.first}"
 
 
-def _adds(judged: Judged, facts: Facts) -> str:
+def _adds(judged: Judged, facts: Facts, every: "Sequence[Judged]") -> str:
     if not judged.proven:
         return _fails(judged, facts)
-    adds = "right as well, and adds nothing here"
+    adds = "also right, but not needed here"
     if judged.model.kind == EXACT:
         adds = "right for all coordinates"
-    elif judged.model.kind == FLOAT64.name:
-        adds = "right as well, 2^29 times as fine as float32, which nothing here needs"
+    elif judged.model.kind == FLOAT64.name and any(j.model.kind == FLOAT32.name and j.proven for j in every):
+        adds = "also right, but nothing here needs rounding errors 2^29 times as small"
     return f"{named(judged.model)}: {adds}"

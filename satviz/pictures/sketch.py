@@ -220,6 +220,7 @@ class Sketch:
             if kind in FROM_EDGES:
                 what = "one sign changed:" if kind == SLIP else "normal"
                 text = f"{what} {telling.outward_normal(self.trace, test.axis)}"
+                text += "\n(either direction will do)" if way != test.axis.direction else ""
             self.label("normal-name", text, role, arrow[1], prefer=way, first=1)
 
     def right_angle(self, foot: Vec, way: Vec) -> None:
