@@ -232,6 +232,8 @@ def _clash_of_draw(args: argparse.Namespace) -> str | None:
     formats = set(args.format or ["svg"])
     if args.site is not None and "link" not in formats:
         return "--site is where a link leads: give it with --format link"
+    if args.site == "":
+        return "--site is empty: expected an address such as https://example.org/satviz/, or no --site"
     if args.sheet and formats & {"gif", "html"}:
         return f"--sheet is one picture, for {', '.join(FIGURE_FORMATS)}: ask for --format gif or html in another run"
     files = formats - {"link"}

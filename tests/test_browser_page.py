@@ -858,3 +858,26 @@ def test_reset_frames_the_scene_as_it_was(browser, errors):
         page.get_by_role("button", name="reset").click()
         page.wait_for_timeout(500)
         assert outline.bounding_box() == before
+
+
+SEEN = """() => [
+  ...[...document.querySelectorAll(".sv-handle")].map(({dataset, style}) => [dataset.handle, style.left, style.top]),
+  ...[...document.querySelectorAll("[data-id]")].map(e => [e.dataset.id, e.getAttribute("d"), e.dataset.at]),
+]"""
+
+
+@pytest.mark.parametrize("name, keys", [("concave", ["ArrowDown"] * 40), ("triangles", ["]"]), ("aabb", ["["] * 3)])
+@pytest.mark.parametrize("back", ["reset", "undo"])
+def test_back_where_it_began_all_is_where_it_was(browser, errors, name, keys, back):
+    """The labels and the turn handles too, by reset and by undo."""
+    with explored(browser, Exploring(sv.scene(name)), errors, **WIDE) as page:
+        page.wait_for_timeout(300)
+        before = page.evaluate(SEEN)
+        for key in keys:
+            page.locator('[data-handle="B-move"]').press(key)
+        page.wait_for_timeout(300)
+        assert page.evaluate(SEEN) != before
+        for _ in keys if back == "undo" else "1":
+            page.get_by_role("button", name=back).click()
+        page.wait_for_timeout(500)
+        assert page.evaluate(SEEN) == before

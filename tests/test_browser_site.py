@@ -183,6 +183,14 @@ def test_without_javascript_every_page_is_there(visit):
     assert page.locator("details[open] pre.code").last.is_visible()
 
 
+def test_without_javascript_the_explorer_says_so_and_where_the_pictures_are(visit, built):
+    page = visit("scene.html", live=False, java_script_enabled=False)
+    says = page.locator("main").inner_text()
+    assert "This page needs JavaScript" in says and "The gallery has a still picture of every scene" in says
+    assert "needs JavaScript" not in visit("scene.html", live=False).locator("main").inner_text()
+    assert (built / "gallery.html").is_file()
+
+
 def test_an_answer_is_opened_with_the_keyboard_and_without_javascript(visit):
     page = visit("1-aabb.html", live=False, java_script_enabled=False)
     answer = page.locator("details.later", has_text="Only one.")
@@ -334,6 +342,28 @@ def test_what_was_wrong_with_a_link_is_forgotten_when_the_scene_changes(visit):
     page.locator('[data-handle="B-move"]').press("ArrowLeft")
     says(page, "1.700")
     assert page.locator(".status").inner_text() == "" and not page.locator(".offer").is_visible()
+
+
+@pytest.mark.parametrize("screen", [{}, {"viewport": {"width": 390, "height": 844}}], ids=["wide", "phone"])
+def test_a_bad_link_in_a_running_page_is_told_once_and_the_scenes_are_in_view(visit, screen):
+    page = visit("scene.html#circles", **screen)
+    offered, why = page.locator(".offer"), page.get_by_text("no scene is called")
+
+    def refused():
+        offered.wait_for()
+        page.wait_for_timeout(300)
+        assert [each.is_visible() for each in why.all()].count(True) == 1
+        for seen in why.filter(visible=True), offered.get_by_role("link").first:
+            box = seen.bounding_box()
+            assert box["y"] > -1 and box["y"] + box["height"] <= page.viewport_size["height"]
+
+    page.evaluate("() => { location.hash = 'nosuch'; }")
+    refused()
+    offered.get_by_role("link", name="Two triangles").first.click()
+    offered.wait_for(state="hidden")
+    page.go_back()
+    assert page.url.endswith("#nosuch")
+    refused()
 
 
 AFTER_EACH_PAINT = """() => {

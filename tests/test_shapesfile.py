@@ -152,3 +152,17 @@ def test_a_member_that_numpy_would_not_write_so_is_not_unpacked(tmp_path):
             made.writestr("radii.npy", radii)
         with pytest.raises(sv.InvalidScene, match=says):
             load(path)
+
+
+def test_corners_of_concave_polygons_are_counted_before_they_are_split(tmp_path, monkeypatch):
+    notched, square = [(0, 0), (4, 0), (4, 4), (2, 1), (0, 4)], [(0, 0), (1, 0), (1, 1), (0, 1)]
+    path = tmp_path / "notched.npz"
+    np.savez(path, coords=np.array(notched + square + notched, float), offsets=[0, 5, 9, 14])
+    monkeypatch.setattr(shapesfile, "MAX_CONCAVE_CORNERS", 10)
+    assert len(shapesfile.load(path)[0]) == 3
+    monkeypatch.setattr(shapesfile, "MAX_CONCAVE_CORNERS", 9)
+    monkeypatch.setattr(shapesfile.batch, "Polygons", lambda *args, **kwargs: pytest.fail("split"))
+    with pytest.raises(
+        sv.InvalidScene, match=r"coords holds 10 corners of concave .*: the limit is 9; split"
+    ):
+        shapesfile.load(path)

@@ -515,6 +515,11 @@ SITES = [
     "ht\ttps://example.org",
     "https://example.org/\u202e",
     "https:\\\\example.org",
+    'https://example.org/"a',
+    "https://example.org/'a",
+    "https://example.org/`a",
+    "https://example.org/<b>",
+    "https://example.org/scene.html#triangles",
 ]
 
 
@@ -545,6 +550,21 @@ def test_the_address_of_a_site_ends_with_a_slash(site, monkeypatch):
     pytest.importorskip("anywidget")
     monkeypatch.setenv("SATVIZ_SITE", site)
     assert sv.play("aabb").site == sv.explore("aabb").site == folder
+
+
+@pytest.mark.parametrize("page", ["scene.html", "index.html", "2-sat.HTML", "x.htm"])
+def test_of_the_address_of_a_page_the_folder_is_taken(page, capsys):
+    for folder in "https://a.b/", "https://a.b/c/", "https://a.b/c.html/":
+        assert sv.link("triangles", site=folder + page) == f"{folder}scene.html#triangles"
+        assert main(["draw", "triangles", "--format", "link", f"--site={folder}{page}"]) == 0
+        assert capsys.readouterr().out == f"{folder}scene.html#triangles\n"
+    assert sv.link("triangles", site="https://a.html") == "https://a.html/scene.html#triangles"
+
+
+def test_an_empty_address_is_refused_on_the_command_line(capsys):
+    assert main(["draw", "triangles", "--format", "link", "--site", ""]) == 2
+    told = capsys.readouterr()
+    assert told.out == "" and "--site is empty" in told.err and told.err.count("\n") == 1
 
 
 def test_a_site_that_is_no_text_is_named():

@@ -181,6 +181,9 @@ def test_back_where_it_began_a_scene_is_framed_as_it_was(name):
     assert wide[2] - wide[0] > 2 * (first["limits"][2] - first["limits"][0])
     assert hand.answer(begin | {"final": False})["picture"]["limits"] == wide  # nothing jumps under the hand
     assert hand.answer(begin)["picture"] == first
+    for _ in dragged(hand, name):
+        pass  # labels have moved
+    assert hand.answer(begin)["picture"] == first
     narrow = hand.answer(begin | {"width": 320})["picture"]["limits"]
     hand.answer(away | {"width": 320})
     assert hand.answer(begin | {"width": 320})["picture"]["limits"] == narrow != first["limits"]

@@ -20,7 +20,7 @@ from ..engine.geometry import InvalidScene, InvalidShape
 from ..engine.outline import shown
 
 MAX_NUMBERS = 4_000_000  # 2,000,000 circles or corners: recommended on in some 10 s and 0.8 GB
-MAX_CONCAVE_CORNERS = 100_000  # split into convex parts one outline at a time, in some 20 s
+MAX_CONCAVE_CORNERS = 50_000  # split into convex parts one outline at a time, in some 10 s
 HEADER_BYTES = 1 << 14  # NumPy itself reads no header longer than 10,000
 
 

@@ -30,6 +30,8 @@ PAGE = "scene.html"  # the site's explorer
 VIEWS = "shortcut", "truth"
 GOALS = ONE_AXIS, TOUCH, BREAK = "one-axis", "touch", "break"  # what a challenge asks
 WHOLE = re.compile(r"[0-9]{1,6}")
+FORBIDDEN = set(" ?#\\\"'`<>")  # in the address of a site: a query, a fragment, and what no address holds unescaped
+A_PAGE = re.compile(r"\.html?$", re.IGNORECASE)
 DEGREE = re.compile(r"-?[0-9]{1,6}(\.[0-9]{1,12})?")
 
 
@@ -73,6 +75,7 @@ def link(what: asked.Asked | Shape, b: Shape | None = None, *, site: str = "", *
 def folder_of(site: str, name: str = "site") -> str:
     """Check the address of a site's folder and end it with a slash; the empty address stays as it is.
 
+    Of the address of a page, such as .../scene.html, the folder is taken.
     Only http and https: a link must not run a script or open a file of whoever clicks on it.  InvalidScene for
     any other address, TypeError for what is no text; `name` is what they call it.
     """
@@ -85,8 +88,10 @@ def folder_of(site: str, name: str = "site") -> str:
         plain = parts.scheme in ("http", "https") and parts.hostname and (parts.port or True)
     except ValueError:  # brackets or a port that are none
         plain = False
-    if not plain or set(site) & set("?#\\") or not site.isprintable() or " " in site:
+    if not plain or set(site) & FORBIDDEN or not site.isprintable():
         raise InvalidScene(f"{name} is {shown(site)}: expected an address such as https://example.org/satviz/")
+    if A_PAGE.search(parts.path):
+        site = site.rpartition("/")[0]
     return site if site.endswith("/") else f"{site}/"
 
 

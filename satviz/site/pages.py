@@ -131,6 +131,8 @@ def explorer(frame: Frame) -> bytes:
 <h1>Explorer</h1>
 <p class="lead">Drag the shapes, their corners, or a free axis.
 The address of this page is a link to the scene as it stands.</p>
+<noscript><p>This page needs JavaScript. Without it, nothing can be dragged, and the picture is always that of two
+triangles. The <a href="gallery.html">gallery</a> has a still picture of every scene.</p></noscript>
 <section class="stage">{parts.explorer(Exploring(scene("triangles")))}</section>
 <nav class="offer" aria-label="scenes" hidden><p>These scenes can be opened:</p>
 <ul class="challenges">{offered}</ul></nav>

@@ -138,8 +138,10 @@ class Exploring(Showing):
         met = None if goal is None else judged(typed(goal, "the challenge", str), changed)
         if begun is not self.scene:
             self._begun, self._at_first = begun.to_json(), (begun.a, begun.b)
-        # where the scene began it has the frame that it had there, whatever the view was fitted to since
-        returns = content.get("final", True) and (a, b) == self._at_first and layout != self._layout
+        # where the scene began it has the frame and the labels that it had there, whatever was shown since; while
+        # only a free axis is turned there, nothing may jump
+        came = degree is None or layout != self._layout or (self.scene.a, self.scene.b) != self._at_first
+        returns = content.get("final", True) and (a, b) == self._at_first and came
         if begun is not self.scene or largest != self._largest or returns:
             self._layout, self._largest, self._stood, self._near = layout, largest, {}, None
         if pinned != self._pinned or (degree is None) != (self._degree is None) or view != self._view:

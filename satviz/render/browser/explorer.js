@@ -151,6 +151,8 @@ export class Explorer {
         this.pose = this.start;
       }
       this.valid = { ...this.pose, a: content.a, b: content.b };
+      const shapes = (/** @type {{ a: unknown, b: unknown }} */ { a, b }) => JSON.stringify([a, b]);
+      if (!this.ahead && shapes(content) === shapes(this.start)) this.handles.sides = { a: 0, b: 0 }; // as at first
       this.show(content);
     }
   }

@@ -86,7 +86,10 @@ export class SiteModel {
       this.callbacks.opened(content);
       return;
     }
-    if (content.kind === "refused" && content.n === undefined) this.callbacks.opened({ kind: "refused", why: content.why });
+    if (content.kind === "refused" && content.n === undefined) {
+      this.callbacks.opened({ kind: "refused", why: content.why }); // the page says why, once
+      return;
+    }
     if (content.kind === "state") this.callbacks.changed(content);
     for (const listener of this.listeners) listener(content, []);
   }

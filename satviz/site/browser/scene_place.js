@@ -84,6 +84,7 @@ export class ScenePlace {
     this.root.hidden = refused && !this.widget; // the still picture is not what the link names
     if (refused) {
       this.say(`This link cannot be opened: ${content.why.replace(/\.?$/, ".")}`);
+      if (this.sceneList && this.widget) this.status.scrollIntoView(); // it is below the scene
       return;
     }
     this.say("");
