@@ -72,7 +72,7 @@ def explored(browser, exploring, errors, **more):
     }
     page.expose_function("first", lambda: first)
     page.expose_function("answer", exploring.answer)
-    script = javascript("pen", "player", "download", "explore").replace("export default", "const made =")
+    script = javascript("explore").replace("export default", "const made =")
     page.set_content(
         '<!doctype html><html lang="en"><head><title>An explorer</title>'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'

@@ -221,7 +221,7 @@ def test_of_several_players_arrow_keys_go_to_the_one_last_used_or_in_view(browse
         '<details><summary>more</summary><div class="here"></div></details>'
         '<div class="here"></div><div class="here"></div><p style="height: 3000px">words</p><div class="here"></div>'
         f'<script type="application/json" id="data">{data}</script>'
-        f'<script type="module">{javascript("pen", "download", "player", "arrows")}{PLAYERS}</script>'
+        f'<script type="module">{javascript("player", "arrows")}{PLAYERS}</script>'
     )
     page.locator(".sv-count").nth(3).wait_for(state="attached")
 
@@ -711,6 +711,18 @@ def test_a_page_to_share_saves_the_step_that_it_shows(browser, errors, pages):
                 == sv.picture(sv.scene("triangles").record(), 7).sentence
             )
     assert "GIF" not in page.locator(".sv-menu").inner_text()
+    page.close()
+
+
+def test_a_picture_that_the_browser_cannot_draw_is_no_file_and_the_page_says_so(browser, errors, pages):
+    page = opened(browser, errors, pages / "triangles.html")
+    files = []
+    page.on("download", lambda file: files.append(file))
+    page.evaluate("HTMLCanvasElement.prototype.toBlob = (made) => made(null); 0")  # as a browser out of memory does
+    page.locator(".sv-menu summary").click()
+    page.get_by_role("button", name="save PNG").click()
+    page.get_by_text("This browser cannot draw the file.").wait_for()
+    assert not files
     page.close()
 
 

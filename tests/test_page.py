@@ -9,6 +9,7 @@ import pytest
 import satviz as sv
 from satviz.pictures import playback as module
 from satviz.pictures.playback import playback, playbacks
+from satviz.render.script import javascript
 from satviz.scenes.article import SCENES
 
 TRIANGLES = sv.scene("triangles").record()
@@ -33,6 +34,20 @@ def test_a_page_loads_nothing_from_elsewhere(scene):
     page = sv.page(scene.record(), title=scene.title)
     assert re.findall(r"https?://[^\s\"'<]+", page.replace("http://www.w3.org/", "")) == []
     assert "default-src 'none'" in page and 'src="' not in page and "@import" not in page
+
+
+@pytest.mark.parametrize("name", ["explore", "play", "arrows", "../../site/browser/site"])
+def test_a_script_is_one_module_without_comments_in_which_each_name_is_declared_once(name):
+    script = javascript(name)
+    assert not re.search(r"^import |^export (?!default)|/\*\*|^ *//", script, re.MULTILINE)
+    names = re.findall(r"^(?:async )?(?:class|const|function|let) (\w+)", script, re.MULTILINE)
+    assert len(names) > 1 and len(set(names)) == len(names)
+
+
+def test_a_script_has_each_file_once_after_the_files_that_it_imports():
+    script = javascript("player", "arrows")
+    assert script.count("class Pen {") == 1
+    assert script.index("function element(") < script.index("class Pen {") < script.index("class Player {")
 
 
 def test_the_style_sheets_say_no_underline_in_a_way_that_webkit_does_not_know():

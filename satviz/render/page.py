@@ -58,7 +58,7 @@ def page(what: Asked | Shape, b: Shape | None = None, *, title: str = "", predic
     asked = "Do A and B collide?"
     about = telling.printable(asked if predict else trace.sentence)
     title = " ".join(heading(trace)) if trace.shortcut else title or asked
-    script = javascript("pen", "download", "player", "arrows") + START
+    script = javascript("player", "arrows") + START
     policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_hash(script)}'; "
     policy += "img-src blob:; base-uri 'none'"  # a picture on its way to a PNG
     show = {"predict": predict, "shows": shows, "narrow": narrow(trace)}

@@ -3,18 +3,37 @@
 import re
 from functools import cache
 from importlib.resources import files
+from posixpath import dirname, normpath
 
 from ..pictures import DARK, LIGHT, Theme
 
-# one module needs none between its files
-_EXPORT = re.compile(r"^export (?=class|function|async function)", re.MULTILINE)
-_REMARK = re.compile(r"^ *//.*\n", re.MULTILINE)  # for who reads the source; each page to share would carry them
+_PACKAGE = __package__.partition(".")[0]
+_IMPORT = re.compile(r'^import .* from "(\..*)";\n', re.MULTILINE)
+_EXPORT = re.compile(r"^export (?=class|const|function|async function)", re.MULTILINE)
+# Comments, types and empty lines are for readers of the source; each page to share would carry them.
+_COMMENT = re.compile(r"^ *//.*\n| // .*$|^ */\*\*[\s\S]*?\*/\n|/\*\*.*?\*/ ?|^\n", re.MULTILINE)
 
 
 @cache
 def javascript(*names: str) -> str:
-    """The named files (pen, player ...) as one module."""
-    return "\n".join(_EXPORT.sub("", _REMARK.sub("", _file(f"{name}.js"))) for name in names)
+    """Return the named files of `render/browser`, and all that they import, as one module without imports.
+
+    Their top-level names share one scope, so no two files may declare the same one.
+    """
+    found: dict[str, str] = {}
+    for name in names:
+        _collect(normpath(f"render/browser/{name}.js"), found)
+    return "\n".join(found.values())
+
+
+def _collect(path: str, found: dict[str, str]) -> None:
+    """Add a file after the files that it imports."""
+    if path in found:
+        return
+    source = (files(_PACKAGE) / path).read_text(encoding="utf-8")
+    for imported in _IMPORT.findall(source):
+        _collect(normpath(f"{dirname(path)}/{imported}"), found)
+    found[path] = _EXPORT.sub("", _IMPORT.sub("", _COMMENT.sub("", source)))
 
 
 @cache
@@ -26,7 +45,7 @@ def stylesheet() -> str:
     for theme, own in ("light", light), ("dark", dark):
         rules.append(f'.satviz[data-theme="{theme}"] {{ {own} }}')
     rules.append(f"@media print {{ .satviz, .satviz[data-theme] {{ {light} }} }}")
-    return "\n".join([*rules, _file("satviz.css")])
+    return "\n".join([*rules, (files(__package__) / "browser" / "satviz.css").read_text(encoding="utf-8")])
 
 
 def _variables(theme: Theme) -> str:
@@ -34,7 +53,3 @@ def _variables(theme: Theme) -> str:
     pairs = [("paper", theme.paper), *theme.roles.items()]
     pairs += [(f"text-{role}", theme.text.get(role, colour)) for role, colour in theme.roles.items()]
     return " ".join(f"--sv-{name}: {colour};" for name, colour in pairs) + f" color-scheme: {scheme};"
-
-
-def _file(name: str) -> str:
-    return (files(__package__) / "browser" / name).read_text(encoding="utf-8")

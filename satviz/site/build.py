@@ -61,8 +61,8 @@ def _files(script: bytes, style: bytes, python: dict[str, bytes], version: str) 
 
 def _script() -> bytes:
     """One plain script whose names stay its own: a module would not load from a file."""
-    widgets = javascript("pen", "player", "download", "arrows", "explore").replace("export default { render };", "")
-    return _marked(f'"use strict";\n{{\n{widgets}\n{_own("site.js").decode()}}}\n'.encode())
+    script = javascript("../../site/browser/site")
+    return _marked(f'"use strict";\n{{\n{script}}}\n'.encode())
 
 
 def _style() -> bytes:

@@ -15,7 +15,7 @@ from ..pictures import LIGHT, Picture
 from ..pictures.caption import captioned
 from ..render.files import animate, encode
 from ..render.notebook import bundle
-from ..render.script import javascript, stylesheet
+from ..render.script import stylesheet
 from ..scenes.link import folder_of
 from .showing import Showing
 
@@ -105,8 +105,3 @@ def still(widget: Any) -> dict[str, str]:
     source = f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
     img = f'<img alt="{escape(telling.printable(drawn.sentence))}" src="{source}">'
     return {"text/plain": said, "text/html": img, "image/svg+xml": svg}
-
-
-def code(*names: str) -> str:
-    """The browser's module for a widget."""
-    return javascript("pen", "player", "download", *names)

@@ -6,11 +6,12 @@ import traitlets
 
 from ..engine.shapes import Shape
 from ..pictures.belief import refused
+from ..render.script import javascript
 from ..scenes.article import SCENES
 from ..scenes.asked import refused_row, scene_of
 from ..scenes.failing import REFUSED, ROWS
 from ..scenes.scenefile import Scene
-from .base import Shown, code
+from .base import Shown
 from .exploring import Exploring
 from .goals import CALLED
 
@@ -22,7 +23,7 @@ class Explorer(Shown):
     `scene` and `trace` follow the hand; what the browser sends is checked like a scene file.
     """
 
-    _esm = code("explore")
+    _esm = javascript("explore")
     first = traitlets.Dict().tag(sync=True)
     presets = traitlets.List([s.name for s in SCENES]).tag(sync=True)
     failing = traitlets.List([row.name for row in ROWS if row.how != REFUSED]).tag(sync=True)

@@ -9,10 +9,11 @@ from ..engine.trace import Trace
 from ..pictures import Picture, picture
 from ..pictures.belief import refused
 from ..pictures.playback import narrow, playbacks
+from ..render.script import javascript
 from ..scenes.asked import Asked, refused_row, trace_of
 from ..scenes.link import of_trace
 from ..scenes.scenefile import Scene
-from .base import Shown, code
+from .base import Shown
 from .showing import Showing
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 class Player(Shown):
     """The steps of a trace with their table, algorithm and sentences; it never plays by itself."""
 
-    _esm = code("play")
+    _esm = javascript("play")
     shows: traitlets.List[dict[str, Any]] = traitlets.List().tag(sync=True)
     narrow: traitlets.List[dict[str, Any]] = traitlets.List().tag(sync=True)
     predict = traitlets.Bool(False).tag(sync=True)

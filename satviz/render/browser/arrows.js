@@ -1,24 +1,39 @@
-// Arrow keys on a page of its own, where nothing has the focus.  (In a notebook they go from cell to cell.)
+// Arrow keys on a page of its own, where no element has the focus.  (In a notebook they go from cell to cell.)
 
-const steppers = []; // the players of the page
-let used = null; // the last one that a hand or a key went to
+/** @import { Player } from "./player.js" */
 
+/** @type {Player[]} The players of the page. */
+const players = [];
+/** @type {Player | null} The last one that the reader clicked or focused. */
+let lastUsed = null;
+
+/** @param {Player} player */
 export function arrowKeys(player) {
-  if (!steppers.length) document.addEventListener("keydown", arrowPressed);
-  steppers.push(player);
-  for (const kind of ["pointerdown", "focusin"]) player.root.addEventListener(kind, () => { used = player; });
+  if (!players.length) document.addEventListener("keydown", arrowPressed);
+  players.push(player);
+  for (const kind of ["pointerdown", "focusin"]) {
+    player.root.addEventListener(kind, () => {
+      lastUsed = player;
+    });
+  }
 }
 
-// To the player that was used last if it is in view, else to the one of which most is.
+/**
+ * The key goes to the player that was used last if it is in view, else to the one that shows most of itself.
+ * @param {KeyboardEvent} event
+ */
 function arrowPressed(event) {
   if (event.target !== document.body || event.shiftKey || !["ArrowLeft", "ArrowRight"].includes(event.key)) return;
-  const seen = steppers.filter((player) => inView(player) > 0);
-  const most = seen.toSorted((one, other) => inView(other) - inView(one))[0];
-  (seen.includes(used) ? used : most)?.key(event);
+  const visible = players.filter((player) => heightInView(player) > 0);
+  const [most] = visible.toSorted((one, other) => heightInView(other) - heightInView(one));
+  (visible.find((player) => player === lastUsed) ?? most)?.keyPressed(event);
 }
 
-// How much of the window's height a player takes; none where it is folded away.
-function inView({ root }) {
+/**
+ * How much of the window's height a player takes; nothing where it is folded away.
+ * @param {Player} player
+ */
+function heightInView({ root }) {
   const { top, bottom } = root.getBoundingClientRect();
   return root.checkVisibility() ? Math.min(bottom, innerHeight) - Math.max(top, 0) : 0;
 }

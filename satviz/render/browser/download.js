@@ -1,61 +1,89 @@
-// A file handed to the reader: from the kernel, or drawn here.
+// Files that are given to the reader: from the kernel, or drawn here.
+
+import { element, SVG } from "./elements.js";
+
+/** @import { Pen } from "./pen.js" */
+
+const PIXELS_PER_POINT = 2;
+const INLINED_STYLES = ["fill", "stroke", "font-family", "font-size", "font-weight"]; // set by style sheets and variables
+/** @type {Record<string, string>} */
+const TYPES = { svg: "image/svg+xml", png: "image/png", gif: "image/gif" };
+
+/**
+ * @param {{ name: string }} file Its ending says its type.
+ * @param {BlobPart[]} buffers
+ */
 export function download({ name }, [data]) {
-  const type = { svg: "image/svg+xml", png: "image/png", gif: "image/gif" }[name.split(".").pop()];
+  const type = TYPES[name.split(".").pop() ?? ""];
   const url = URL.createObjectURL(new Blob([data], { type }));
   element("a", { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), 10000);
 }
 
-const FINE = 2; // pixels a point
-const STYLED = ["fill", "stroke", "font-family", "font-size", "font-weight"]; // what style sheets and variables decide
-
-// The pictures as they are shown, one under another, saved without a kernel; of one that moves what it comes to.
-export async function saveDrawn(pens, form) {
+/**
+ * Save the pictures that are shown, one under another, without a kernel.  A picture that moves is saved as it will end.
+ * @param {Pen[]} pens
+ * @param {string} form "svg" or "png".
+ */
+export async function savePictures(pens, form) {
   const shown = pens.filter(({ svg }) => !svg.hasAttribute("hidden"));
   for (const pen of shown) pen.arrive();
-  const drawn = standing(shown.map(({ svg }) => svg));
+  const drawn = stacked(shown.map(({ svg }) => svg));
   const text = new XMLSerializer().serializeToString(drawn);
-  download({ name: `satviz.${form}` }, [form === "svg" ? text : await painted(text, drawn.viewBox.baseVal)]);
+  download({ name: `satviz.${form}` }, [form === "svg" ? text : await png(text, drawn.viewBox.baseVal)]);
 }
 
-// Pictures as a file that stands by itself: their styles written into it, their sentences as its title.
-function standing(svgs) {
+/**
+ * The pictures as one file that needs no page: their styles are written into it, and their sentences are its title.
+ * @param {SVGSVGElement[]} svgs
+ */
+function stacked(svgs) {
   const sizes = svgs.map((svg) => svg.viewBox.baseVal);
   const [width, height] = [Math.max(...sizes.map((size) => size.width)), sizes.reduce((sum, size) => sum + size.height, 0)];
-  const says = svgs.map((svg) => svg.getAttribute("aria-label")).join(" ");
+  const sentences = svgs.map((svg) => svg.getAttribute("aria-label")).join(" ");
   const title = document.createElementNS(SVG, "title");
-  title.textContent = says;
+  title.textContent = sentences;
   const paper = getComputedStyle(svgs[0]).getPropertyValue("--sv-paper").trim();
-  const whole = element("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img", "aria-label": says }, title, element("rect", { width, height, fill: paper }));
+  const whole = element("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img", "aria-label": sentences }, title, element("rect", { width, height, fill: paper }));
   let y = 0;
   svgs.forEach((svg, i) => {
-    const { width: wide, height: high } = sizes[i];
-    whole.append(element("svg", { x: (width - wide) / 2, y, width: wide, height: high, viewBox: `0 0 ${wide} ${high}` }, ...styled(svg).children));
-    y += high;
+    const { width: ownWidth, height: ownHeight } = sizes[i];
+    whole.append(element("svg", { x: (width - ownWidth) / 2, y, width: ownWidth, height: ownHeight, viewBox: `0 0 ${ownWidth} ${ownHeight}` }, ...withStyles(svg).children));
+    y += ownHeight;
   });
   return whole;
 }
 
-// A copy of a picture without need of style sheets.
-function styled(svg) {
-  const copy = svg.cloneNode(true);
-  const parts = (of) => [...of.querySelectorAll("path, text")];
-  const made = parts(copy);
+/**
+ * A copy of a picture that needs no style sheet.
+ * @param {SVGSVGElement} svg
+ */
+function withStyles(svg) {
+  const copy = /** @type {SVGSVGElement} */ (svg.cloneNode(true));
+  /** @param {SVGSVGElement} picture */
+  const parts = (picture) => [...picture.querySelectorAll("path, text")];
+  const copies = parts(copy);
   parts(svg).forEach((part, i) => {
     const style = getComputedStyle(part);
-    for (const name of STYLED) made[i].setAttribute(name, style.getPropertyValue(name));
-    for (const name of ["data-text", "data-at"]) made[i].removeAttribute(name);
+    for (const name of INLINED_STYLES) copies[i].setAttribute(name, style.getPropertyValue(name));
+    for (const name of ["data-text", "data-at"]) copies[i].removeAttribute(name);
   });
   return copy;
 }
 
-// The same as a PNG.
-async function painted(text, { width, height }) {
+/**
+ * A PNG; rejected where the browser cannot draw one.
+ * @param {string} text An SVG.
+ * @param {{ width: number, height: number }} size In points.
+ * @returns {Promise<Blob>}
+ */
+async function png(text, { width, height }) {
   const image = new Image();
   image.src = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
   await image.decode();
-  const canvas = Object.assign(document.createElement("canvas"), { width: width * FINE, height: height * FINE });
-  canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+  const canvas = Object.assign(document.createElement("canvas"), { width: width * PIXELS_PER_POINT, height: height * PIXELS_PER_POINT });
+  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+  context.drawImage(image, 0, 0, canvas.width, canvas.height);
   URL.revokeObjectURL(image.src);
-  return new Promise((made) => canvas.toBlob(made, "image/png"));
+  return new Promise((resolve, reject) => canvas.toBlob((blob) => (blob ? resolve(blob) : reject()), "image/png"));
 }

@@ -1,26 +1,63 @@
-// The SVG pen: draws a picture's marks, keeps their elements, and moves them from step to step.
+// The SVG pen draws a picture's marks, keeps their elements, and moves them from step to step.
 // How a mark looks (layer, widths, dashes, sizes in points) comes with it; colours are CSS variables.
 
-const SVG = "http://www.w3.org/2000/svg";
+import { element } from "./elements.js";
+
+/** @typedef {[number, number]} Point */
+/**
+ * @typedef {object} Mark
+ * @property {string} id
+ * @property {number} look The mark's row in the table of looks.
+ * @property {string} part What the mark is: "outline", "vertex", "axis".
+ * @property {Point[]} points In scene units.
+ * @property {Point[]} [start] Where the points come from: a point each, or one for all.
+ * @property {string} [owner]
+ * @property {number} [number]
+ * @property {number} [radius]
+ * @property {string} [text]
+ */
+/**
+ * @typedef {object} Look
+ * @property {"outline" | "disc" | "segment" | "arrow" | "interval" | "bracket" | "dot" | "label"} kind
+ * @property {string} role
+ * @property {number} [layer] Of its line.
+ * @property {number} [width] None: the mark has no line.
+ * @property {number[]} [dash] In widths.
+ * @property {number} [opacity]
+ * @property {number} [fill] The opacity of its inside.
+ * @property {number} [size] A dot's width, or the size of the letters.
+ * @property {boolean} [square] A dot is round otherwise.
+ * @property {boolean} [bold]
+ * @property {Point} [head] The length and width of an arrow's head.
+ */
+/**
+ * @typedef {object} Picture
+ * @property {Mark[]} marks
+ * @property {Look[]} looks
+ * @property {[number, number, number, number]} limits In scene units: x0, y0, x1, y1.
+ * @property {Point} size In points.
+ * @property {string} sentence
+ */
+/** @typedef {{ mark: Mark, look: Look, parts: SVGElement[] }} Drawn */
+/** @typedef {{ drawn: Drawn, from: Point[] | "fade" }} Move */
+
 const MOVE_MS = 450;
 
-export function element(tag, attributes = {}, ...children) {
-  const made = tag === "svg" || PARTS.has(tag) ? document.createElementNS(SVG, tag) : document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith("on")) made.addEventListener(name.slice(2), value);
-    else if (value !== null && value !== false) made.setAttribute(name, value === true ? "" : value);
-  }
-  made.append(...children);
-  return made;
-}
-const PARTS = new Set(["g", "path", "circle", "rect", "text", "tspan"]);
-
 export class Pen {
-  // `svg`: the element to draw in.  Layers: fills, then strokes from guides to brackets, solids, labels.
+  /**
+   * The layers: fills, then strokes from guides to brackets, solids, labels.
+   * @param {SVGSVGElement} svg The element to draw in.
+   */
   constructor(svg) {
     this.svg = svg;
-    this.drawn = new Map(); // id -> {mark, look, parts}
+    /** @type {Map<string, Drawn>} By the id of the mark. */
+    this.drawn = new Map();
     this.frame = 0;
+    this.x0 = 0;
+    this.y0 = 0;
+    this.width = 0; // in points
+    this.height = 0;
+    this.scale = 1; // points per scene unit
     this.layers = Object.fromEntries(
       ["fill", "0", "1", "2", "3", "4", "5", "solid", "label"].map((name) => {
         const layer = element("g", { "data-layer": name });
@@ -30,123 +67,159 @@ export class Pen {
     );
   }
 
-  // Show a picture {marks, looks, limits, size, sentence}; `animate` moves what comes new or changes.
+  /**
+   * Show a picture.  `animate` moves the marks that are new or that change.
+   * @param {Picture} picture
+   */
   draw(picture, { animate = false } = {}) {
     cancelAnimationFrame(this.frame);
     const before = this.drawn;
-    this.view(picture);
+    this.fit(picture);
     this.drawn = new Map();
+    /** @type {Move[]} */
     const moves = [];
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     for (const mark of picture.marks) {
       const old = before.get(mark.id);
       const look = picture.looks[mark.look];
-      const keep = old && JSON.stringify(old.look) === JSON.stringify(look);
-      const entry = { mark, look, parts: keep ? old.parts : this.parts(mark, look) };
-      entry.parts.forEach((part) => part.removeAttribute("opacity")); // of a fade cut short
-      if (!keep && old) old.parts.forEach((part) => part.remove());
-      // in the order of the picture: later marks lie on top
-      entry.parts.forEach((part) => part.parentNode.append(part));
-      this.drawn.set(mark.id, entry);
+      const kept = old && JSON.stringify(old.look) === JSON.stringify(look) ? old.parts : null;
+      const drawn = { mark, look, parts: kept ?? this.makeParts(mark, look) };
+      this.unfade(drawn); // a move may have been cut short
+      if (!kept && old) for (const part of old.parts) part.remove();
+      // The elements follow the order of the picture: later marks lie on top.
+      for (const part of drawn.parts) part.parentNode?.append(part);
+      this.drawn.set(mark.id, drawn);
       before.delete(mark.id);
-      if (look.kind === "label") this.write(entry);
-      const from = animate && !still ? origin(entry, old) : null;
-      this.place(entry, mark);
-      if (from) moves.push({ entry, from });
+      if (look.kind === "label") this.write(drawn);
+      const from = animate && !still ? startOfMove(drawn, old) : null;
+      this.place(drawn, mark);
+      if (from) moves.push({ drawn, from });
     }
-    for (const { parts } of before.values()) parts.forEach((part) => part.remove());
+    for (const { parts } of before.values()) for (const part of parts) part.remove();
     this.svg.setAttribute("aria-label", picture.sentence);
     if (moves.length) this.move(moves);
   }
 
-  view({ limits: [x0, y0, x1], size: [width, height] }) {
+  /** @param {Picture} picture */
+  fit({ limits: [x0, y0, x1], size: [width, height] }) {
     Object.assign(this, { x0, y0, width, height, scale: width / (x1 - x0) });
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
   }
 
-  // scene units -> points from the upper left corner, and back
-  at([x, y]) {
+  /**
+   * From scene units to points from the upper left corner.
+   * @param {Point} point
+   * @returns {Point}
+   */
+  toPicture([x, y]) {
     return [(x - this.x0) * this.scale, this.height - (y - this.y0) * this.scale];
   }
-  scene([x, y]) {
+
+  /**
+   * The inverse of `toPicture`.
+   * @param {Point} point
+   * @returns {Point}
+   */
+  toScene([x, y]) {
     return [x / this.scale + this.x0, (this.height - y) / this.scale + this.y0];
   }
 
-  // Move marks by hand (a shape under the pointer), until the next picture says where they are.
-  patch(where) {
-    for (const entry of this.drawn.values()) {
-      const there = where(entry.mark);
-      if (there) this.place(entry, { ...entry.mark, ...there });
+  /**
+   * Move the marks for which `moved` returns new points (a shape that is dragged), until the next picture is drawn.
+   * @param {(mark: Mark) => Partial<Mark> | null} moved
+   */
+  patch(moved) {
+    for (const drawn of this.drawn.values()) {
+      const changes = moved(drawn.mark);
+      if (changes) this.place(drawn, { ...drawn.mark, ...changes });
     }
   }
 
-  parts({ id }, { kind, role, layer, width, dash, opacity, fill, size, bold }) {
+  /**
+   * @param {Mark} mark
+   * @param {Look} look
+   */
+  makeParts({ id }, { kind, role, layer, width, dash, opacity, fill, size, bold }) {
+    /** @type {SVGElement[]} */
     const parts = [];
-    const make = (where, tag, more) => {
-      parts.push(element(tag, { "data-id": id, ...more }));
-      this.layers[where].append(parts.at(-1));
+    /** @type {(layer: string | number, tag: "path" | "text", attributes: Record<string, import("./elements.js").Attribute>) => void} */
+    const make = (where, tag, attributes) => {
+      const part = element(tag, { "data-id": id, ...attributes });
+      parts.push(part);
+      this.layers[where].append(part);
     };
     const colour = `var(--sv-${role})`;
-    const letters = { "font-size": size, "font-weight": bold ? "bold" : null, "text-anchor": "middle" };
-    if (kind === "label") make("label", "text", { fill: `var(--sv-text-${role})`, ...letters });
+    if (kind === "label") make("label", "text", { fill: `var(--sv-text-${role})`, "font-size": size ?? null, "font-weight": bold ? "bold" : null, "text-anchor": "middle" });
     if (fill) make("fill", "path", { fill: colour, "fill-opacity": fill });
-    const dashes = dash ? dash.map((d) => d * width).join(" ") : null;
-    const line = { "stroke-width": width, "stroke-dasharray": dashes, "stroke-opacity": opacity ?? null, "stroke-linejoin": "round" };
-    if (width) make(layer ?? 0, "path", { fill: "none", stroke: colour, ...line });
+    if (width) {
+      const dashes = dash ? dash.map((d) => d * width).join(" ") : null;
+      const line = { "stroke-width": width, "stroke-dasharray": dashes, "stroke-opacity": opacity ?? null, "stroke-linejoin": "round" };
+      make(layer ?? 0, "path", { fill: "none", stroke: colour, ...line });
+    }
     if (kind === "dot" || kind === "arrow") make("solid", "path", { fill: colour });
     return parts;
   }
 
-  write({ mark, parts: [text] }) {
-    if (text.dataset.text === mark.text) return;
-    text.dataset.text = mark.text;
-    text.replaceChildren(...mark.text.split("\n").map((line) => Object.assign(element("tspan"), { textContent: line })));
+  /** @param {Drawn} drawn A label. */
+  write({ mark: { text = "" }, parts: [letters] }) {
+    if (letters.dataset.text === text) return;
+    letters.dataset.text = text;
+    letters.replaceChildren(...text.split("\n").map((line) => element("tspan", {}, line)));
   }
 
+  /**
+   * @param {Drawn} drawn
+   * @param {Mark} mark The same mark, perhaps on its way to its points.
+   */
   place({ look, parts }, mark) {
-    const points = mark.points.map((p) => this.at(p));
-    const d = (path) => parts.forEach((part) => part.setAttribute("d", path));
+    const { size = 0 } = look;
+    const points = mark.points.map((p) => this.toPicture(p));
+    /** @param {string} path */
+    const setPath = (path) => {
+      for (const part of parts) part.setAttribute("d", path);
+    };
     if (look.kind === "label") {
       const [[x, y]] = points;
       const [text] = parts;
       const lines = [...text.children];
       lines.forEach((line, i) => {
-        line.setAttribute("x", round(x));
-        // a letter's middle lies about a third of its size above the baseline
-        line.setAttribute("y", round(y + (i - (lines.length - 1) / 2) * look.size * 1.2 + look.size * 0.35));
+        line.setAttribute("x", String(round(x)));
+        // The middle of a letter lies about a third of its size above the baseline.
+        line.setAttribute("y", String(round(y + (i - (lines.length - 1) / 2) * size * 1.2 + size * 0.35)));
       });
       text.dataset.at = points[0].map(round).join(" ");
     } else if (look.kind === "dot") {
-      d((look.square ? square : circle)(points[0], look.size / 2));
+      setPath((look.square ? squarePath : circlePath)(points[0], size / 2));
     } else if (look.kind === "disc") {
-      d(circle(points[0], mark.radius * this.scale));
+      setPath(circlePath(points[0], (mark.radius ?? 0) * this.scale));
     } else if (look.kind === "outline") {
-      d(`${line(points)}Z`);
+      setPath(`${linePath(points)}Z`);
     } else if (look.kind === "arrow") {
-      const [shaft, head] = arrow(points, look.head);
+      const [shaft, head] = arrowPaths(points, look.head ?? [0, 0]);
       parts[0].setAttribute("d", shaft);
       parts[1].setAttribute("d", head);
     } else if (look.kind === "segment") {
-      d(line(points, 2));
+      setPath(linePath(points, 2));
     } else {
-      d(line(points));
+      setPath(linePath(points));
     }
   }
 
+  /** @param {Move[]} moves */
   move(moves) {
     const start = performance.now();
+    /** @param {number} now */
     const tick = (now) => {
       const part = Math.min(1, Math.max(0, (now - start) / MOVE_MS));
       const eased = 1 - (1 - part) ** 3;
-      for (const { entry, from } of moves) {
+      for (const { drawn, from } of moves) {
         if (from === "fade") {
-          entry.parts.forEach((p) => (part < 1 ? p.setAttribute("opacity", eased) : p.removeAttribute("opacity")));
+          for (const p of drawn.parts) p.setAttribute("opacity", String(eased));
+          if (part === 1) this.unfade(drawn);
         } else {
-          const points = entry.mark.points.map(([x, y], i) => [
-            from[i][0] + (x - from[i][0]) * eased,
-            from[i][1] + (y - from[i][1]) * eased,
-          ]);
-          this.place(entry, part < 1 ? { ...entry.mark, points } : entry.mark);
+          /** @type {Point[]} */
+          const points = drawn.mark.points.map(([x, y], i) => [from[i][0] + (x - from[i][0]) * eased, from[i][1] + (y - from[i][1]) * eased]);
+          this.place(drawn, part < 1 ? { ...drawn.mark, points } : drawn.mark);
         }
       }
       if (part < 1) this.frame = requestAnimationFrame(tick);
@@ -154,13 +227,18 @@ export class Pen {
     tick(start);
   }
 
-  // All that moves is where it goes.
+  // End a move at once: each mark is where it goes.
   arrive() {
     cancelAnimationFrame(this.frame);
-    for (const entry of this.drawn.values()) {
-      entry.parts.forEach((part) => part.removeAttribute("opacity"));
-      this.place(entry, entry.mark);
+    for (const drawn of this.drawn.values()) {
+      this.unfade(drawn);
+      this.place(drawn, drawn.mark);
     }
+  }
+
+  /** @param {Drawn} drawn */
+  unfade({ parts }) {
+    for (const part of parts) part.removeAttribute("opacity");
   }
 
   remove() {
@@ -168,88 +246,60 @@ export class Pen {
   }
 }
 
-// Light or dark as what lies around an element is, whatever the system likes; until the function it gives is called.
-export function themed(root) {
-  const match = () => {
-    const theme = dark(root) ? "dark" : "light";
-    if (root.dataset.theme !== theme) root.dataset.theme = theme;
-  };
-  const late = () => {
-    match();
-    clearTimeout(again);
-    again = setTimeout(match, 500); // colours may fade over
-  };
-  let again = 0;
-  const placed = new ResizeObserver(() => { // what lies nowhere yet is looked at when it does, before it is painted
-    placed.disconnect();
-    match();
-  });
-  const system = matchMedia("(prefers-color-scheme: dark)");
-  const changes = new MutationObserver(late);
-  for (const page of [document.documentElement, document.body]) changes.observe(page, { attributes: true });
-  system.addEventListener("change", late);
-  if (root.isConnected) late();
-  else placed.observe(root);
-  return () => {
-    clearTimeout(again);
-    placed.disconnect();
-    changes.disconnect();
-    system.removeEventListener("change", late);
-  };
-}
-
-// Is the page dark?  As JupyterLab and VS Code say it, else by the colour that shows behind the element.
-function dark(root) {
-  const { body } = document;
-  if (body.dataset.jpThemeLight) return body.dataset.jpThemeLight === "false";
-  if (body.matches(".vscode-light, .vscode-high-contrast-light")) return false;
-  if (body.matches(".vscode-dark, .vscode-high-contrast")) return true;
-  for (let around = root.parentNode; around; around = around.parentNode ?? around.host) {
-    const [r, g, b, opacity = 1] = around instanceof Element ? rgba(getComputedStyle(around).backgroundColor) : [0, 0, 0, 0];
-    if (opacity > 0.5) return 0.3 * r + 0.6 * g + 0.1 * b < 0.5;
-  }
-  const scheme = getComputedStyle(document.documentElement).colorScheme;
-  return scheme.includes("dark") && (!scheme.includes("light") || matchMedia("(prefers-color-scheme: dark)").matches);
-}
-
-// Any colour of CSS in numbers to 1.  Not from a canvas: who guards against being recognized gets noise back from it.
-function rgba(colour) {
-  if (!colour) return [0, 0, 0, 0]; // of what is on no page
-  const probe = document.body.appendChild(element("i", { hidden: true }));
-  probe.style.color = `color-mix(in srgb, ${colour}, ${colour})`;
-  const found = getComputedStyle(probe).color.match(/-?[\d.]+(e-\d+)?/g).map(Number);
-  probe.remove();
-  return found;
-}
-
-// The points a mark moves from, "fade" for what only appears, null for what is simply there.
-function origin({ mark: { points, start }, look }, old) {
+/**
+ * The points that a mark moves from, "fade" for one that only appears, null for one that does not move.
+ * @param {Drawn} drawn
+ * @param {Drawn | undefined} old
+ * @returns {Point[] | "fade" | null}
+ */
+function startOfMove({ mark: { points, start }, look }, old) {
   if (look.kind === "label") return old ? null : "fade";
   if (!old) return start ? points.map((_, i) => start[i] ?? start[0]) : "fade";
   const from = old.mark.points;
   return from.length === points.length && String(from) !== String(points) ? from : null;
 }
 
-const round = (value) => Math.round(value * 1000) / 1000;
+/** @param {number} value */
+function round(value) {
+  return Math.round(value * 1000) / 1000;
+}
 
-function line(points, piece = points.length) {
+/**
+ * The path through the points, or of pieces of `piece` points each.
+ * @param {Point[]} points
+ */
+function linePath(points, piece = points.length) {
   return points.map(([x, y], i) => `${i % piece ? "L" : "M"}${round(x)} ${round(y)}`).join("");
 }
 
-function circle([x, y], r) {
+/**
+ * @param {Point} center
+ * @param {number} r
+ */
+function circlePath([x, y], r) {
   const [a, b, size] = [round(x - r), round(x + r), round(r)];
   return `M${a} ${round(y)}A${size} ${size} 0 1 1 ${b} ${round(y)}A${size} ${size} 0 1 1 ${a} ${round(y)}Z`;
 }
 
-function square([x, y], r) {
-  return `${line([[x - r, y + r], [x + r, y + r], [x + r, y - r], [x - r, y - r]])}Z`;
+/**
+ * @param {Point} center
+ * @param {number} r Half of the width.
+ */
+function squarePath([x, y], r) {
+  return `${linePath([[x - r, y + r], [x + r, y + r], [x + r, y - r], [x - r, y - r]])}Z`;
 }
 
-function arrow([[x0, y0], [x1, y1]], [most, width]) {
+/**
+ * The shaft and the head.
+ * @param {Point[]} points The tail and the tip.
+ * @param {Point} head The largest length of the head, and its width.
+ */
+function arrowPaths([[x0, y0], [x1, y1]], [most, width]) {
   const size = Math.hypot(x1 - x0, y1 - y0) || 1;
   const [ux, uy] = [(x1 - x0) / size, (y1 - y0) / size];
   const [length, half] = [Math.min(most, size), width / 2];
   const [bx, by] = [x1 - ux * length, y1 - uy * length];
+  /** @type {Point[]} */
   const head = [[x1, y1], [bx + uy * half, by - ux * half], [bx - uy * half, by + ux * half]];
-  return [line([[x0, y0], [x1 - ux * length * 0.8, y1 - uy * length * 0.8]]), `${line(head)}Z`];
+  return [linePath([[x0, y0], [x1 - ux * length * 0.8, y1 - uy * length * 0.8]]), `${linePath(head)}Z`];
 }

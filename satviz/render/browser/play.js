@@ -1,15 +1,25 @@
 // The widget of sv.play: the player, with files made by the kernel.
 
+import { download } from "./download.js";
+import { element } from "./elements.js";
+import { Player } from "./player.js";
+
+/** @import { WidgetModel } from "./messages.js" */
+
+/** @param {{ model: WidgetModel, el: HTMLElement }} widget */
 function render({ model, el }) {
-  const asks = (form, step, which) => model.send({ kind: "save", form, step, which });
-  const player = new Player(el.appendChild(element("div")), model.get("shows"), { predict: model.get("predict"), narrow: model.get("narrow") ?? [], save: asks, link: model.get("link"), site: model.get("site") });
-  const heard = (content, buffers) => {
+  /** @type {import("./player.js").RequestFile} */
+  const requestFile = (form, step, which) => model.send({ kind: "save", form, step, which });
+  const [shows, narrow = [], predict, link, site] = ["shows", "narrow", "predict", "link", "site"].map((name) => model.get(name));
+  const player = new Player(el.appendChild(element("div")), shows, { predict, narrow, requestFile, link, site });
+  /** @type {import("./messages.js").Listener} */
+  const receive = (content, buffers) => {
     if (content.kind === "file") download(content, buffers);
-    else if (content.kind === "refused") player.done.textContent = content.why;
+    else if (content.kind === "refused") player.status.textContent = content.why;
   };
-  model.on("msg:custom", heard);
+  model.on("msg:custom", receive);
   return () => {
-    model.off("msg:custom", heard);
+    model.off("msg:custom", receive);
     player.remove();
   };
 }

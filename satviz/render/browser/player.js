@@ -1,133 +1,67 @@
 // The step player: the picture of each step, the table of axes, the algorithm, the sentence.
-// Everything shown was computed in Python; this walks through it.
+// Python has computed everything that is shown.
 
-const ASKED = new Set(["range", "both ranges", "gap"]); // stages that give the answer away
-const ICONS = {
-  first: "M3 3h2v10H3zM13 3v10L6 8z",
-  back: "M11 3v10L4 8z",
-  play: "M4 3v10l9-5z",
-  pause: "M4 3h3v10H4zM9 3h3v10H9z",
-  forward: "M5 3v10l7-5z",
-  last: "M3 3v10l7-5zM11 3h2v10h-2z",
-  turn: "M12.7 9.7A5 5 0 1 1 11.7 4.6M12.2 1.4V5.2H8.4",
-};
+import { button, element, icon } from "./elements.js";
+import { Pen } from "./pen.js";
+import { saveMenu, sceneLink } from "./save_menu.js";
+import { Table } from "./table.js";
+import { followTheme } from "./theme.js";
 
-export function icon(name) {
-  return element("svg", { viewBox: "0 0 16 16", class: "sv-icon", "aria-hidden": "true" }, element("path", { d: ICONS[name] }));
-}
+/** @import { Look, Mark, Picture, Point } from "./pen.js" */
+/** @import { Row } from "./table.js" */
+/**
+ * @typedef {object} Step
+ * @property {number[]} marks By their number in the show.
+ * @property {Picture["limits"]} limits
+ * @property {string} sentence
+ * @property {number} ms How long the sentence takes to read.
+ * @property {number | null} row The row of the table that the step is about.
+ * @property {number[]} code The lines of the algorithm that the step is about.
+ * @property {string} stage
+ */
+/**
+ * A run of the algorithm.
+ * @typedef {object} Show
+ * @property {Point} size
+ * @property {Look[]} looks
+ * @property {Mark[]} marks
+ * @property {Step[]} steps
+ * @property {string[]} names
+ * @property {Row[]} rows
+ * @property {boolean} asks Can the reader predict its answers?
+ * @property {string[]} code
+ */
+/** @typedef {(form: string, step: number, which: number) => void} RequestFile */
+/**
+ * @typedef {object} PlayerOptions
+ * @property {boolean} [predict]
+ * @property {RequestFile | null} [requestFile] Makes a kernel draw a file.  Without it the page saves its own picture.
+ * @property {Show[]} [narrow] The same shows for a place where the others do not fit.
+ * @property {string} [link]
+ * @property {string} [site]
+ */
 
-export function button(label, does, { shows, pressed = null, keys = null } = {}) {
-  const what = { type: "button", "aria-label": label, title: label, onclick: does, "aria-pressed": pressed, "aria-keyshortcuts": keys };
-  return element("button", what, shows ?? label);
-}
+const ANSWER_STAGES = new Set(["range", "both ranges", "gap"]); // these stages give the answer away
+const MAX_WIDTH_BESIDE_TABLE = 620; // points
 
-// What a site's explorer opens: `site` is its address, empty where none is known.
-export function linked(site, link) {
-  return `${site ?? ""}scene.html#${link}`;
-}
-
-// Was the text copied?  Only a page from https or this machine has the clipboard, and a browser may forbid it there.
-async function copied(text) {
-  try {
-    await navigator.clipboard.writeText(text);
-    return true;
-  } catch {
-    const field = element("textarea", { readonly: true });
-    field.value = text;
-    const focused = document.activeElement;
-    document.body.append(field);
-    field.select();
-    const done = document.execCommand("copy");
-    field.remove();
-    focused?.focus();
-    return done;
-  }
-}
-
-// One menu of the files that can be saved, and of texts to copy: functions by name.  `ask` makes a kernel draw the
-// files; where there is none the page's own pictures are the file.  Beside it `.sv-done` says what became of it.
-export function saveMenu(pens, ask, texts) {
-  const save = ask ?? ((form) => saveDrawn(pens, form));
-  const said = element("span", { class: "sv-done", role: "status" });
-  const copy = async (text) => { said.textContent = (await copied(text())) ? "Copied." : "This browser does not let a page copy."; };
-  const copies = Object.entries(texts).map(([name, text]) => button(name, () => copy(text)));
-  const forms = (ask ? ["svg", "png", "gif"] : ["svg", "png"]).map((form) => button(`save ${form.toUpperCase()}`, () => save(form), { shows: form.toUpperCase() }));
-  const head = element("summary", {}, "save");
-  const list = element("div", { onclick: () => menu.removeAttribute("open") }, ...forms, ...copies);
-  const menu = element("details", { class: "sv-menu" }, head, list);
-  menu.addEventListener("toggle", () => { // it stays inside the page
-    if (menu.open) said.textContent = "";
-    list.style.translate = "";
-    const beyond = list.getBoundingClientRect().right - document.documentElement.clientWidth + 8;
-    if (menu.open && beyond > 0) list.style.translate = `${-beyond}px`;
-  });
-  menu.addEventListener("focusout", ({ relatedTarget }) => relatedTarget && !menu.contains(relatedTarget) && menu.removeAttribute("open"));
-  menu.addEventListener("keydown", (event) => {
-    if (event.key !== "Escape" || !menu.open) return;
-    event.stopPropagation();
-    menu.removeAttribute("open");
-    head.focus();
-  });
-  return [menu, said];
-}
-
-// The table of axes.  A row is lit, greyed or still empty; then it does not show, either, whether it will be tested, since
-// that tells where the run stops.  `pick` makes the rows buttons.
-export class Table {
-  constructor(names, { pick } = {}) {
-    this.pick = pick;
-    this.head = element("tr");
-    this.body = element("tbody");
-    this.element = element("table", { class: "sv-table" }, element("thead", {}, this.head), this.body);
-    this.names(names);
-  }
-  names(names) {
-    const heads = ["axis", ...names, "gap"].map((name) => element("th", { scope: "col" }, name));
-    this.head.replaceChildren(element("td"), ...heads);
-    this.called = names;
-  }
-  show(rows, { lit = null, done = () => true } = {}) {
-    let pair = "";
-    const made = [];
-    rows.forEach((row, i) => {
-      if (row.pair !== pair) {
-        pair = row.pair;
-        const cell = element("th", { colspan: 5, scope: "rowgroup" }, pair);
-        made.push(element("tr", { class: "sv-pair" }, cell));
-      }
-      const known = done(i);
-      const skipped = "reason" in row;
-      const result = !known ? "" : skipped ? row.reason : row.outcome;
-      const role = skipped || !known ? "" : row.gap >= 0 ? "sv-gap" : "sv-overlap";
-      const shown = (text) => (known && !skipped ? text : "");
-      const cells = skipped && known ? [element("td", { colspan: 3, class: "sv-reason" }, result)] : [
-        element("td", { class: "sv-A", "data-of": this.called[0] }, shown(row.a)),
-        element("td", { class: "sv-B", "data-of": this.called[1] }, shown(row.b)),
-        element("td", { class: role }, result),
-      ];
-      const classes = `${lit === i ? "sv-lit" : ""} ${skipped && known ? "sv-skipped" : ""}`.trim();
-      const name = this.pick && !skipped ? button(`show ${row.axis}`, () => this.pick(i), { shows: row.axis }) : row.axis;
-      const first = element("td", {}, known || lit === i ? String(row.number ?? "–") : "");
-      const line = element("tr", { class: classes, "aria-current": lit === i ? "step" : null }, first, element("td", {}, name), ...cells);
-      made.push(line);
-    });
-    this.body.replaceChildren(...made);
-  }
-}
-
-const WIDE = 620; // points; what is wider has no table beside it
-
-// shows: one, or that of the early exit and that of every axis; narrow: the same for where these do not fit.
-// save(form, step, which) asks a kernel for a file; without one the picture is saved as it is drawn.
 export class Player {
-  constructor(root, shows, { predict = false, save = null, narrow = [], link = "", site = "" } = {}) {
+  /**
+   * @param {HTMLElement} root
+   * @param {Show[]} shows One, or that of the early exit and that of every axis.
+   * @param {PlayerOptions} [options]
+   */
+  constructor(root, shows, { predict = false, requestFile = null, narrow = [], link = "", site = "" } = {}) {
     this.root = root;
     this.shows = shows;
     this.which = 0;
     this.at = 0;
     this.timer = 0;
-    this.answered = new Map(); // row -> was the guess right?
+    /** @type {Map<number, boolean>} By row: was the guess right? */
+    this.answered = new Map();
+    /** @type {number | null} The row that the reader is asked about. */
     this.asking = null;
+    /** @type {number[]} By row: the step from which its result is known. */
+    this.knownAt = [];
     const svg = element("svg", { class: "sv-picture", role: "img", tabindex: 0, "data-lm-suppress-shortcuts": "true" });
     this.svg = svg;
     this.pen = new Pen(svg);
@@ -135,17 +69,28 @@ export class Player {
     this.question = element("div", { class: "sv-question", role: "group", hidden: true });
     this.table = new Table(this.show.names);
     this.code = element("ol", { class: "sv-code", "aria-label": "the algorithm" });
-    const asked = (name, on) => (on ? `&${name}=1` : "");
-    const copy = () => linked(site, `${link}&step=${this.at}${asked("predict", this.predict.checked)}${asked("rest", this.which)}`);
-    this.controls = this.makeControls(predict, save, link ? { "copy link": copy } : {});
+    this.playButton = button("play", () => this.toggle(), { content: icon("play") });
+    this.scrub = element("input", { type: "range", min: 0, step: 1, "aria-label": "step", oninput: () => this.go(Number(this.scrub.value)) });
+    this.count = element("output", { class: "sv-count" });
+    const speeds = [0.5, 1, 2].map((v) => element("option", { value: v, selected: v === 1 }, `${v}×`));
+    this.speed = element("select", { "aria-label": "speed" }, ...speeds);
+    this.predict = element("input", { type: "checkbox", checked: predict, onchange: () => this.go(this.at) });
+    this.predictLabel = element("label", {}, this.predict, " predict");
+    this.score = element("output", { class: "sv-score" });
+    this.rest = button("test the rest", () => this.switchShow(), { pressed: "false" });
+    const copy = () => sceneLink(site, `${link}&step=${this.at}${this.predict.checked ? "&predict=1" : ""}${this.which ? "&rest=1" : ""}`);
+    const save = requestFile && ((/** @type {string} */ form) => requestFile(form, this.at, this.which));
+    const { menu, status } = saveMenu([this.pen], save, link ? { "copy link": copy } : {});
+    this.status = status; // says what became of a file
     const side = element("div", { class: "sv-side" }, this.code, element("div", { class: "sv-fold" }, this.table.element));
     const board = element("div", { class: "sv-board sv-scrolls" }, svg);
-    const stage = element("div", { class: "sv-stage" }, board, this.question, this.sentence, this.controls);
+    const stage = element("div", { class: "sv-stage" }, board, this.question, this.sentence, this.controls(menu));
     root.classList.add("satviz");
     root.append(element("div", { class: "sv-columns" }, stage, side));
-    this.onkey = (event) => this.key(event);
+    /** @param {KeyboardEvent} event */
+    this.onkey = (event) => this.keyPressed(event);
     root.addEventListener("keydown", this.onkey);
-    this.unthemed = themed(root);
+    this.unfollowTheme = followTheme(root);
     this.load();
     this.sizes = new ResizeObserver(() => {
       const fitting = narrow.length && board.clientWidth < shows[0].size[0] ? narrow : shows;
@@ -163,62 +108,56 @@ export class Player {
     return this.show.steps.length - 1;
   }
 
-  makeControls(predict, save, texts) {
-    const go = (where) => () => this.go(where());
-    this.playButton = button("play", () => this.toggle(), { shows: icon("play") });
-    this.scrub = element("input", { type: "range", min: 0, step: 1, "aria-label": "step", oninput: () => this.go(Number(this.scrub.value)) });
-    this.count = element("output", { class: "sv-count" });
-    const options = [0.5, 1, 2].map((v) => element("option", { value: v, selected: v === 1 }, `${v}×`));
-    this.speed = element("select", { "aria-label": "speed" }, ...options);
-    this.predict = element("input", { type: "checkbox", checked: predict, onchange: () => this.go(this.at) });
-    this.score = element("output", { class: "sv-score" });
-    this.rest = button("test the rest", () => this.other(), { pressed: "false" });
-    const row = element("div", { class: "sv-controls", role: "group", "aria-label": "player", "data-lm-suppress-shortcuts": "true" },
-      button("first step", go(() => 0), { shows: icon("first") }),
-      button("step back", go(() => this.at - 1), { shows: icon("back") }),
+  /** @param {HTMLElement} menu */
+  controls(menu) {
+    return element("div", { class: "sv-controls", role: "group", "aria-label": "player", "data-lm-suppress-shortcuts": "true" },
+      button("first step", () => this.go(0), { content: icon("first") }),
+      button("step back", () => this.go(this.at - 1), { content: icon("back") }),
       this.playButton,
-      button("step forward", go(() => this.at + 1), { shows: icon("forward") }),
-      button("last step", go(() => this.last), { shows: icon("last") }),
-      this.scrub, this.count, this.speed,
-      element("label", {}, this.predict, " predict"), this.score,
-      button("reset", () => this.reset()), this.rest);
-    const [menu, done] = saveMenu([this.pen], save && ((form) => save(form, this.at, this.which)), texts);
-    this.done = done; // says what became of a file
-    row.append(menu, done);
-    return row;
+      button("step forward", () => this.go(this.at + 1), { content: icon("forward") }),
+      button("last step", () => this.go(this.last), { content: icon("last") }),
+      this.scrub, this.count, this.speed, this.predictLabel, this.score,
+      button("reset", () => this.reset()), this.rest, menu, this.status);
   }
 
-  // Take in a show: when each row of its table is known, and the pictures by number.
+  // Show another run, at the same step if it has one.
   load() {
     const { steps, rows } = this.show;
-    this.doneAt = rows.map(() => 0);
+    this.knownAt = rows.map(() => 0);
     steps.forEach((step, i) => {
-      if (step.stage === "gap") this.doneAt[step.row] = i;
+      if (step.stage === "gap" && step.row !== null) this.knownAt[step.row] = i;
     });
     rows.forEach((row, i) => {
-      if ("reason" in row && i) this.doneAt[i] = this.doneAt[i - 1];
+      if ("reason" in row && i) this.knownAt[i] = this.knownAt[i - 1];
     });
-    this.scrub.max = this.last;
+    this.scrub.max = String(this.last);
     const [width] = this.show.size;
     this.svg.style.minWidth = `${width}px`; // no letter is shown smaller than it is
-    this.root.classList.toggle("sv-wide", width > WIDE);
-    this.predict.parentNode.hidden = !this.show.asks;
-    this.table.names(this.show.names);
+    this.root.classList.toggle("sv-wide", width > MAX_WIDTH_BESIDE_TABLE);
+    this.predictLabel.hidden = !this.show.asks;
+    this.table.setNames(this.show.names);
     this.code.replaceChildren(...this.show.code.map((text) => element("li", {}, text)));
     this.go(Math.min(this.at, this.last), { animate: false });
   }
 
+  /**
+   * @param {number} i
+   * @returns {Picture}
+   */
   picture(i) {
     const { size, looks, marks, steps } = this.show;
     const { limits, sentence } = steps[i];
     return { limits, size, looks, sentence, marks: steps[i].marks.map((m) => marks[m]) };
   }
 
-  // Go to a step; in predict mode no further than the first question that is open.
+  /**
+   * Go to a step; in predict mode no further than the first question that is open.
+   * @param {number} step
+   */
   go(step, { animate = true } = {}) {
     let to = Math.max(0, Math.min(this.last, step));
     this.asking = null;
-    const open = this.predict.checked ? this.show.steps.findIndex((s) => s.row !== null && ASKED.has(s.stage) && !this.answered.has(s.row)) : -1;
+    const open = this.predict.checked ? this.show.steps.findIndex((s) => s.row !== null && ANSWER_STAGES.has(s.stage) && !this.answered.has(s.row)) : -1;
     if (open > 0 && open <= to) {
       to = open - 1;
       this.asking = this.show.steps[open].row;
@@ -229,36 +168,39 @@ export class Player {
     this.pen.draw(this.picture(to), { animate: animate && forward });
     const { sentence, row, code } = this.show.steps[to];
     this.sentence.textContent = sentence;
-    this.scrub.value = to;
+    this.scrub.value = String(to);
     this.count.textContent = hides ? `${to + 1}` : `${to + 1} / ${this.last + 1}`;
     this.scrub.hidden = hides;
     this.rest.hidden = hides || this.shows.length < 2;
-    const known = (i) => this.doneAt[i] <= to && (!this.predict.checked || "reason" in this.show.rows[i] || this.answered.has(i));
-    this.table.show(this.show.rows, { lit: row, done: known });
-    [...this.code.children].forEach((line, i) => line.classList.toggle("sv-lit", code.includes(i)));
+    const known = (/** @type {number} */ i) => this.knownAt[i] <= to && (!this.predict.checked || "reason" in this.show.rows[i] || this.answered.has(i));
+    this.table.show(this.show.rows, { lit: row, known });
+    for (const [i, line] of [...this.code.children].entries()) line.classList.toggle("sv-lit", code.includes(i));
     this.ask();
     if (to === this.last || this.asking !== null) this.pause();
   }
 
   ask() {
-    this.question.hidden = this.asking === null;
-    if (this.asking !== null) {
-      const name = this.show.rows[this.asking].axis;
-      const answer = (yes) => () => this.answer(yes);
-      this.question.replaceChildren(element("span", {}, `Does this axis (${name}) separate them?`), button("yes", answer(true)), button("no", answer(false)));
+    const row = this.asking;
+    this.question.hidden = row === null;
+    if (row !== null) {
+      const name = this.show.rows[row].axis;
+      this.question.replaceChildren(element("span", {}, `Does this axis (${name}) separate them?`), button("yes", () => this.answer(row, true)), button("no", () => this.answer(row, false)));
     }
     const right = [...this.answered.values()].filter(Boolean).length;
     this.score.textContent = this.predict.checked && this.answered.size ? `${right} of ${this.answered.size} right` : "";
   }
 
-  answer(yes) {
-    const row = this.asking;
-    const separates = this.show.rows[row].gap > 0;
-    this.answered.set(row, yes === separates);
-    this.go(this.doneAt[row]);
-    const said = yes === separates ? "Right. " : "Not so. ";
-    this.sentence.textContent = said + this.sentence.textContent;
-    this.root.querySelector(".sv-picture").focus();
+  /**
+   * @param {number} row
+   * @param {boolean} yes
+   */
+  answer(row, yes) {
+    const asked = this.show.rows[row];
+    const right = yes === ("gap" in asked && asked.gap > 0);
+    this.answered.set(row, right);
+    this.go(this.knownAt[row]);
+    this.sentence.textContent = (right ? "Right. " : "Not so. ") + this.sentence.textContent;
+    this.svg.focus();
   }
 
   toggle() {
@@ -284,22 +226,26 @@ export class Player {
   reset() {
     this.answered.clear();
     this.pause();
-    if (this.which) this.other();
+    if (this.which) this.switchShow();
     this.go(0, { animate: false });
   }
 
-  // The early exit's steps, or those of every axis.
-  other() {
+  // Change between the steps of the early exit and those of every axis.
+  switchShow() {
     this.which = this.which ? 0 : 1;
     this.rest.setAttribute("aria-pressed", String(Boolean(this.which)));
     this.load();
   }
 
-  key(event) {
+  /** @param {KeyboardEvent} event */
+  keyPressed(event) {
+    if (!(event.target instanceof Element)) return;
     const inside = event.target.closest("input, select, .sv-question");
     if (event.ctrlKey || event.metaKey || event.altKey || (inside && inside !== this.scrub)) return;
-    const where = { ArrowRight: this.at + 1, ArrowLeft: this.at - 1, Home: 0, End: this.last }[event.key];
-    if (where !== undefined) this.go(where);
+    /** @type {Record<string, number>} */
+    const steps = { ArrowRight: this.at + 1, ArrowLeft: this.at - 1, Home: 0, End: this.last };
+    const step = steps[event.key];
+    if (step !== undefined) this.go(step);
     else if (event.key === " " && !event.target.closest("input, button, summary")) this.toggle();
     else return;
     event.preventDefault();
@@ -309,7 +255,7 @@ export class Player {
   remove() {
     this.pause();
     this.sizes.disconnect();
-    this.unthemed();
+    this.unfollowTheme();
     this.pen.remove();
     this.root.removeEventListener("keydown", this.onkey);
     this.root.replaceChildren();

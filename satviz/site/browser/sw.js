@@ -1,26 +1,33 @@
-// Keeps the site's files: those with a version as they are, pages anew where there is a network.
-const KEPT = "satviz VERSION";
+// The service worker keeps the site's files: those with a version as they are; pages anew where there is a network.
 
-self.addEventListener("install", () => self.skipWaiting());
-self.addEventListener("activate", (event) => event.waitUntil(clean()));
-self.addEventListener("fetch", (event) => {
+/** @type {ServiceWorkerGlobalScope} */
+const worker = /** @type {any} */ (self);
+const CACHE_NAME = "satviz VERSION";
+
+worker.addEventListener("install", () => worker.skipWaiting());
+worker.addEventListener("activate", (event) => event.waitUntil(removeOldCaches()));
+worker.addEventListener("fetch", (event) => {
   const { url, method } = event.request;
-  if (method === "GET" && url.startsWith(self.registration.scope)) event.respondWith(answer(event, url.includes("?")));
+  if (method === "GET" && url.startsWith(worker.registration.scope)) event.respondWith(answer(event, url.includes("?")));
 });
 
-async function clean() {
-  for (const name of await caches.keys()) if (name.startsWith("satviz ") && name !== KEPT) await caches.delete(name);
-  await self.clients.claim();
+async function removeOldCaches() {
+  for (const name of await caches.keys()) if (name.startsWith("satviz ") && name !== CACHE_NAME) await caches.delete(name);
+  await worker.clients.claim();
 }
 
+/**
+ * @param {FetchEvent} event
+ * @param {boolean} versioned
+ */
 async function answer(event, versioned) {
   const { request } = event;
-  const cache = await caches.open(KEPT);
+  const cache = await caches.open(CACHE_NAME);
   const kept = await cache.match(request);
   if (kept && versioned) return kept;
   try {
     const found = await fetch(request);
-    // the page need not wait until a file is kept, nor go without where there is no room to keep it
+    // The page does not wait until a file is kept, and gets it also where there is no space to keep it.
     if (found.ok) event.waitUntil(cache.put(request, found.clone()).catch(() => {}));
     return found;
   } catch (error) {

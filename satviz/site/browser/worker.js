@@ -1,38 +1,59 @@
-// Python beside the page: starts from the memory kept when the site was built, else from nothing, and answers.
-// The big files are gzip (.bin), since plain servers do not pack; they are unpacked while they come in.
+// Python beside the page.  It starts from the memory kept when the site was built, else from nothing, and answers.
+// The big files are compressed with gzip (.bin), since plain servers do not compress; they are unpacked as they arrive.
 
-// First of all ears: a message that comes before the first await has ended would be lost.
-// Of the poses of one place that have piled up while Python worked only the newest is worth an answer.
+/** @typedef {{ place: string, content: Record<string, any> }} Request */
+/** @typedef {(place: string, text: string) => string} Answer Of satviz.site.live: from JSON to JSON, empty for none. */
+/** @typedef {{ answer: Answer, from: "memory" | "nothing", fetchLibrary?: () => Promise<void> }} Python */
+/**
+ * What is used of Pyodide.
+ * @typedef {object} Pyodide
+ * @property {{ writeFile: (path: string, data: Uint8Array) => void }} FS
+ * @property {(code: string) => any} runPython
+ * @property {(name: string) => any} pyimport
+ * @property {(archive: Uint8Array, format: string, options: { extractDir: string }) => void} unpackArchive
+ */
+
+// The worker listens first of all: a message that came before the end of the first await would be lost.
+// While Python works, poses of one place wait; only the newest is answered.
+/** @type {Request[]} */
 const waiting = [];
-const turn = new MessageChannel();
+const turns = new MessageChannel();
+/** @type {Python | null} */
 let python = null;
 self.onmessage = ({ data }) => {
   waiting.push(data);
-  turn.port2.postMessage(null);
+  turns.port2.postMessage(null);
 };
-turn.port1.onmessage = () => {
-  if (!python || !waiting.length) return;
-  const { place, content } = waiting.shift();
+turns.port1.onmessage = () => {
+  const request = python && waiting.shift();
+  if (!python || !request) return;
+  const { place, content } = request;
   const stale = content.kind === "pose" && waiting.some((later) => later.place === place && later.content.kind === "pose");
   const text = stale ? "" : python.answer(place, JSON.stringify(content));
-  if (text) postMessage({ place, text });
+  if (text) self.postMessage({ place, text });
 };
 
-const LATE_MS = 3000; // after the start the rest of the library is fetched
+const LIBRARY_DELAY_MS = 3000; // after the start the rest of the library is fetched
 const version = new URL(import.meta.url).search;
-const url = (name) => new URL(`${name}${version}`, import.meta.url).href;
-const server = self.fetch.bind(self);
-const { sizes, lock } = await (await server(url("about.json"))).json();
-const whole = sizes["memory.bin"] ? sizes["memory.bin"] + sizes["wasm.bin"] : Object.values(sizes).reduce((sum, size) => sum + size);
-let got = 0;
+const url = (/** @type {string} */ name) => new URL(`${name}${version}`, import.meta.url).href;
+const fetchFile = self.fetch.bind(self);
+/** @type {{ sizes: Record<string, number>, lock: string }} */
+const { sizes, lock } = await (await fetchFile(url("about.json"))).json();
+const total = sizes["memory.bin"] ? sizes["memory.bin"] + sizes["wasm.bin"] : Object.values(sizes).reduce((sum, size) => sum + size);
+let received = 0;
 
+/**
+ * @param {string} name
+ * @param {string} type
+ */
 async function unpacked(name, type) {
-  const response = await server(url(name));
-  if (!response.ok) throw new Error(`${name}: ${response.status}`);
+  const response = await fetchFile(url(name));
+  if (!response.ok || !response.body) throw new Error(`${name}: ${response.status}`);
+  /** @type {TransformStream<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>} */
   const counted = new TransformStream({
     transform(chunk, controller) {
-      got += chunk.byteLength;
-      if (!python) postMessage({ progress: Math.min(1, got / whole) });
+      received += chunk.byteLength;
+      if (!python) self.postMessage({ progress: Math.min(1, received / total) });
       controller.enqueue(chunk);
     },
   });
@@ -40,44 +61,50 @@ async function unpacked(name, type) {
   return new Response(stream, { headers: { "content-type": type } });
 }
 
-const bytes = async (name) => new Uint8Array(await (await unpacked(name, "application/octet-stream")).arrayBuffer());
+/** @param {string} name */
+async function bytes(name) {
+  return new Uint8Array(await (await unpacked(name, "application/octet-stream")).arrayBuffer());
+}
 
-// What Pyodide asks for comes unpacked, and of the right type whatever the server says.  Kept memory holds all modules
-// that are needed, so that the library may come after the first drag.
-let anew = !sizes["memory.bin"];
-self.fetch = (what, more) => {
+// Pyodide's files arrive unpacked, and with the right type whatever the server says.  Kept memory holds all modules that
+// are needed, so the library can come after the first drag.
+let cold = !sizes["memory.bin"];
+self.fetch = (what, options) => {
   if (String(what).endsWith(".wasm")) return unpacked("wasm.bin", "application/wasm");
-  if (String(what).endsWith(".zip")) return anew ? unpacked("library.bin", "application/zip") : Promise.resolve(new Response());
-  return server(what, more);
+  if (String(what).endsWith(".zip")) return cold ? unpacked("library.bin", "application/zip") : Promise.resolve(new Response());
+  return fetchFile(what, options);
 };
 
+/** @returns {Promise<Python>} */
 async function start() {
-  const memory = anew ? null : bytes("memory.bin");
-  memory?.catch(() => {}); // told where it is waited for
+  const memory = cold ? null : bytes("memory.bin");
+  memory?.catch(() => {}); // its failure is handled where it is awaited
   const [{ loadPyodide }, { default: createPyodideModule }] = await Promise.all([import(url("pyodide.js")), import(url("pyodide.asm.js"))]);
   const here = new URL(".", import.meta.url).href;
   const options = { indexURL: here, packageBaseUrl: here, lockFileContents: lock, createPyodideModule };
   if (memory) {
     try {
-      const python = await loadPyodide({ ...options, _loadSnapshot: memory });
-      const late = async () => python.FS.writeFile(python.runPython("import sys; next(p for p in sys.path if p.endswith('.zip'))"), await bytes("library.bin"));
-      return { answer: python.pyimport("satviz.site.live").answer, from: "memory", late };
+      /** @type {Pyodide} */
+      const pyodide = await loadPyodide({ ...options, _loadSnapshot: memory });
+      const fetchLibrary = async () => pyodide.FS.writeFile(pyodide.runPython("import sys; next(p for p in sys.path if p.endswith('.zip'))"), await bytes("library.bin"));
+      return { answer: pyodide.pyimport("satviz.site.live").answer, from: "memory", fetchLibrary };
     } catch (error) {
       console.info(`satviz: the kept memory does not load, so Python starts anew (${error})`);
     }
   }
-  anew = true;
-  const [python, satviz] = await Promise.all([loadPyodide(options), bytes("satviz.bin")]);
-  python.unpackArchive(satviz, "zip", { extractDir: "/satviz" });
-  python.runPython("import sys; sys.path.append('/satviz')");
-  return { answer: python.pyimport("satviz.site.live").answer, from: "nothing" };
+  cold = true;
+  /** @type {[Pyodide, Uint8Array]} */
+  const [pyodide, satviz] = await Promise.all([loadPyodide(options), bytes("satviz.bin")]);
+  pyodide.unpackArchive(satviz, "zip", { extractDir: "/satviz" });
+  pyodide.runPython("import sys; sys.path.append('/satviz')");
+  return { answer: pyodide.pyimport("satviz.site.live").answer, from: "nothing" };
 }
 
 try {
   python = await start();
-  postMessage({ ready: python.from });
-  for (const _ of waiting) turn.port2.postMessage(null);
-  setTimeout(() => python.late?.(), LATE_MS);
+  self.postMessage({ ready: python.from });
+  for (const _ of waiting) turns.port2.postMessage(null);
+  setTimeout(() => python?.fetchLibrary?.(), LIBRARY_DELAY_MS);
 } catch (error) {
-  postMessage({ failed: String(error) });
+  self.postMessage({ failed: String(error) });
 }

@@ -1,0 +1,54 @@
+// The messages between the page and Python.
+
+/** @import { Picture, Point } from "./pen.js" */
+/** @import { Row } from "./table.js" */
+/** @import { Shape } from "./shapes.js" */
+/**
+ * What the reader has made of a scene.
+ * @typedef {object} Pose
+ * @property {Shape} a
+ * @property {Shape} b
+ * @property {string | null} view "shortcut" or "truth"; null for a scene without a shortcut.
+ * @property {string} scene The scene that the pose is of, as JSON.
+ * @property {string | null} goal The challenge.
+ * @property {number | null} pinned The row of the axis that is shown.
+ * @property {number | null} degree The direction of a free axis.
+ * @property {boolean} wayOut
+ * @property {boolean} against Is the difference B − A shown?
+ */
+/** @typedef {{ goal: string, met: boolean, asks: string, says: string, hint: string }} Goal */
+/**
+ * Everything that an explorer shows.
+ * @typedef {object} State
+ * @property {Picture} picture
+ * @property {Shape} a
+ * @property {Shape} b
+ * @property {string[]} names
+ * @property {string} sentence
+ * @property {string} enough How many axes are enough.
+ * @property {Row[]} rows
+ * @property {number | null} lit
+ * @property {string} json
+ * @property {string | null} view
+ * @property {string} link
+ * @property {string} scene
+ * @property {Goal} [goal]
+ * @property {Picture} [difference]
+ * @property {string[]} [heading]
+ * @property {string} [map]
+ * @property {Picture} [curve]
+ * @property {Point} [knob] The handle of the free axis.
+ */
+/** @typedef {{ kind: "state", n?: number | null } & State} StateMessage `n` is the number of the pose that it answers. */
+/** @typedef {{ kind: "refused", n?: number | null, why: string }} RefusedMessage */
+/** @typedef {{ kind: "file", name: string }} FileMessage Its content is in the buffers. */
+/** @typedef {StateMessage | RefusedMessage | FileMessage} Message */
+/** @typedef {(content: Message, buffers: BlobPart[]) => void} Listener */
+/**
+ * What a widget needs of its model: that of anywidget, or the site's own.
+ * @typedef {object} WidgetModel
+ * @property {(name: string) => any} get
+ * @property {(event: "msg:custom", listener: Listener) => void} on
+ * @property {(event: "msg:custom", listener: Listener) => void} off
+ * @property {(content: Record<string, unknown>) => void} send
+ */

@@ -1,0 +1,77 @@
+// The menu of what a widget saves: files, and texts to copy.
+
+import { savePictures } from "./download.js";
+import { button, element } from "./elements.js";
+
+/** @import { Pen } from "./pen.js" */
+
+/**
+ * The address at which a site's explorer opens a scene.
+ * @param {string | undefined} site The site's address, empty where none is known.
+ * @param {string} link
+ */
+export function sceneLink(site, link) {
+  return `${site ?? ""}scene.html#${link}`;
+}
+
+/**
+ * Copy a text, and return whether that succeeded.  Only a page from https or from this machine has the clipboard, and a
+ * browser may forbid it there.
+ * @param {string} text
+ */
+async function copyText(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    const field = element("textarea", { readonly: true });
+    field.value = text;
+    const focused = /** @type {HTMLElement | null} */ (document.activeElement);
+    document.body.append(field);
+    field.select();
+    const copied = document.execCommand("copy");
+    field.remove();
+    focused?.focus();
+    return copied;
+  }
+}
+
+/**
+ * The menu, and beside it the place that says what became of a file.
+ * @param {Pen[]} pens
+ * @param {((form: string) => void) | null} requestFile Makes a kernel draw a file.  Without it the page saves its own pictures.
+ * @param {Record<string, () => string>} texts What can be copied, by the name of its button.
+ */
+export function saveMenu(pens, requestFile, texts) {
+  const status = element("span", { class: "sv-done", role: "status" });
+  /** @param {string} form */
+  const savePage = (form) => savePictures(pens, form).catch(() => {
+    status.textContent = "This browser cannot draw the file.";
+  });
+  const save = requestFile ?? savePage;
+  /** @param {() => string} text */
+  const copy = async (text) => {
+    status.textContent = (await copyText(text())) ? "Copied." : "This browser does not let a page copy.";
+  };
+  const copies = Object.entries(texts).map(([name, text]) => button(name, () => copy(text)));
+  const forms = (requestFile ? ["svg", "png", "gif"] : ["svg", "png"]).map((form) => button(`save ${form.toUpperCase()}`, () => save(form), { content: form.toUpperCase() }));
+  const summary = element("summary", {}, "save");
+  const list = element("div", { onclick: () => menu.removeAttribute("open") }, ...forms, ...copies);
+  const menu = element("details", { class: "sv-menu" }, summary, list);
+  menu.addEventListener("toggle", () => {
+    if (menu.open) status.textContent = "";
+    list.style.translate = "";
+    const beyond = list.getBoundingClientRect().right - document.documentElement.clientWidth + 8;
+    if (menu.open && beyond > 0) list.style.translate = `${-beyond}px`; // the list stays inside the page
+  });
+  menu.addEventListener("focusout", ({ relatedTarget }) => {
+    if (relatedTarget instanceof Node && !menu.contains(relatedTarget)) menu.removeAttribute("open");
+  });
+  menu.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || !menu.open) return;
+    event.stopPropagation();
+    menu.removeAttribute("open");
+    summary.focus();
+  });
+  return { menu, status };
+}
