@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 from .engine import axes
 from .engine.geometry import Interval, InvalidScene, InvalidShape, Relation, Vec
+from .engine.relate import relate
 from .engine.shapes import Circle, Polygon
-from .engine.verdict import relate
 
 if TYPE_CHECKING:  # what is loaded at first use, as type checkers see it
     from . import batch
     from .advice.advising import Advice, advise
-    from .engine.concave import parts
+    from .engine.convex_parts import parts
     from .engine.sat import AxisTest, axis_tests
     from .engine.shortcut import Shortcut
     from .engine.trace import Trace, record
@@ -85,7 +85,7 @@ _LATER = {
     "gap_curve": "pictures.curve",
     "link": "scenes.link",
     "page": "render.page",
-    "parts": "engine.concave",
+    "parts": "engine.convex_parts",
     "picture": "pictures",
     "play": "widgets",
     "record": "engine.trace",

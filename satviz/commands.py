@@ -10,8 +10,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
-from . import disk
-from .extras import needs
+from . import safe_write
+from .optional_imports import needs
 from .terminal import interrupts_ignored, out, out_json, say, stop_if_interrupted, visible
 
 if TYPE_CHECKING:
@@ -75,10 +75,10 @@ def figures(args: argparse.Namespace) -> int:
 def draw(args: argparse.Namespace) -> int:
     """Draw every step of a scene, or of a long run its contact sheet, in each format asked for; print its link."""
     from .pictures import Picture, picture, steps
-    from .pictures.belief import refused
     from .pictures.caption import captioned
+    from .pictures.comparison import refused
     from .pictures.sheet import sheet
-    from .scenes.asked import refused_row
+    from .scenes.resolve import refused_row
 
     formats = [form for form in dict.fromkeys(args.format) if form != "link"]
     if "link" in args.format:
@@ -150,13 +150,13 @@ def notebook(args: argparse.Namespace) -> int:
     from .site.walkthrough import shipped
 
     sources = shipped()
-    disk.folder(args.out)
+    safe_write.folder(args.out)
     for source in sources:
         copy, data = args.out / source.name, _not_yet_run(source.read_bytes())
         if os.path.lexists(copy) and not _holds(copy, data) and not args.force:
             say(f"{copy} was changed and is left alone (overwrite it with --force)")
         else:
-            disk.write(copy, data, force=True)
+            safe_write.write(copy, data, force=True)
         stop_if_interrupted()
     out(f"{len(sources)} notebooks in {visible(str(args.out))}")
     if args.no_open:
@@ -205,16 +205,16 @@ def _write(args: argparse.Namespace, jobs: Sequence["Job"]) -> int:
     suffix = "" if theme.name == "light" else f"-{theme.name}"
     # a page has both themes
     paths = [args.out / f"{stem}{suffix if form != 'html' else ''}.{form}" for stem, form, _ in jobs]
-    disk.folder(args.out)
+    safe_write.folder(args.out)
     for path in paths:
-        disk.check(path, force=args.force)
+        safe_write.check(path, force=args.force)
     with warnings.catch_warnings(record=True) as said:
         for path, (stem, form, make) in zip(_progress(paths), jobs, strict=True):
             made = make()
             if isinstance(made, Picture):
                 made = encode(made, form, theme, stem=stem + suffix)
             data = made if isinstance(made, bytes) else animate(made, theme)
-            disk.write(path, data, force=args.force)
+            safe_write.write(path, data, force=args.force)
     for line in dict.fromkeys(str(warning.message) for warning in said):
         say(line)
     out(f"{len(paths)} {'file' if len(paths) == 1 else 'files'} in {visible(str(args.out))}")
@@ -236,11 +236,11 @@ def trace(args: argparse.Namespace) -> int:
     """Print the record of a scene, as a table or as JSON."""
     from shutil import get_terminal_size
 
-    from .engine import telling
+    from .engine import describe
 
     trace = _load(args).record()
     width = get_terminal_size().columns if sys.stdout.isatty() else None
-    out_json(trace.to_json(indent=1)) if args.json else out(telling.table(trace, width))
+    out_json(trace.to_json(indent=1)) if args.json else out(describe.table(trace, width))
     return 0
 
 
@@ -249,7 +249,7 @@ def advise(args: argparse.Namespace) -> int:
     import json
 
     from .advice.advising import advise
-    from .advice.telling import price
+    from .advice.report import price
 
     if Path(args.scene).suffix == ".npz":
         from .advice.shapesfile import load
@@ -273,11 +273,11 @@ def advise(args: argparse.Namespace) -> int:
             drawn = advice.chart()
         except ValueError as error:
             raise Refused(str(error)) from None
-        disk.folder(args.chart)
+        safe_write.folder(args.chart)
         for theme in ("light", "dark"):
             for form in ("svg", "png"):
                 path = args.chart / f"advice{'' if theme == 'light' else '-dark'}.{form}"
-                disk.write(path, drawn.encode(form, theme), force=args.force)
+                safe_write.write(path, drawn.encode(form, theme), force=args.force)
                 say(f"wrote {path}")
     return 0
 
@@ -289,7 +289,7 @@ def bench(args: argparse.Namespace) -> int:
     from tqdm import tqdm
 
     from .study.bench import bench, busy, planned, table, when_numba_pays
-    from .study.lab.machine import machine, missing
+    from .study.harness.machine import machine, missing
 
     pairs, rounds = (2000, 3) if args.quick else (args.pairs, args.rounds)
     rows = []
@@ -311,7 +311,7 @@ def bench(args: argparse.Namespace) -> int:
         say(warning)
     if args.chart:
         from .study.bench_chart import chart
-        from .study.lab.chart import save
+        from .study.harness.chart import save
 
         for path in save(chart(rows, warning), args.chart, {"machine": machine()}, ("svg", "png"), force=args.force):
             say(f"wrote {path}")
@@ -322,7 +322,7 @@ def study(args: argparse.Namespace) -> int:
     """Run the sections asked for, and write their tables and charts."""
     from tqdm import tqdm
 
-    from .study.lab.cells import Settings
+    from .study.harness.cells import Settings
     from .study.run import CellsFailed, executor, study
 
     with ExitStack() as stack:
@@ -354,11 +354,11 @@ def reference(args: argparse.Namespace) -> int:
         files = [(args.out / path, data) for path, data in reference()]
     except ImportError as error:
         raise Failed(str(error)) from None
-    disk.folder(args.out)
+    safe_write.folder(args.out)
     for path, _ in files:
-        disk.check(path, force=args.force)
+        safe_write.check(path, force=args.force)
     for path, data in files:
-        disk.write(path, data, force=args.force)
+        safe_write.write(path, data, force=args.force)
     out(f"open {visible(str(args.out / 'index.html'))}")
     return 0
 
@@ -374,11 +374,11 @@ def site(args: argparse.Namespace) -> int:
         raise Failed(str(error)) from None
     except Missing as error:
         raise Refused(str(error)) from None
-    disk.folder(args.out)
+    safe_write.folder(args.out)
     for path in made:
-        disk.check(path, force=args.force)
+        safe_write.check(path, force=args.force)
     for path, data in made.items():
-        disk.write(path, data, force=args.force)
+        safe_write.write(path, data, force=args.force)
         stop_if_interrupted()
     for line in lacks:
         say(line)

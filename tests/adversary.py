@@ -22,8 +22,9 @@ from oracle import relation
 from strategies import KINDS, NotConvex, drawn, nudged
 
 from satviz import batch, record
-from satviz.batch import filter_numpy, signs
-from satviz.engine import verdict
+from satviz.batch import exact_signs
+from satviz.batch.with_numpy import filter as filter_numpy
+from satviz.engine import relate
 from satviz.engine.geometry import InvalidShape, Relation
 from satviz.engine.sat import CLOSE
 from satviz.engine.shapes import Circle, Polygon, Shape
@@ -140,7 +141,7 @@ def look(px: float, py: float, qx: float, qy: float, x: float, y: float, fuse: b
         there, edge = fused(dy, x, -(dx * y)), fused(-dx, py, dy * px)
     else:
         there, edge = dy * x - dx * y, dy * px - dx * py
-    room = max(abs(dx), abs(dy)) * max(map(abs, (px, py, qx, qy, x, y))) * verdict.LOOK
+    room = max(abs(dx), abs(dy)) * max(map(abs, (px, py, qx, qy, x, y))) * relate.LOOK
     exact = -truth.turn((px, py), (qx, qy), (x, y))
     return max(over(abs(Fraction(there) - Fraction(edge + r) - (exact - Fraction(r))), room) for r in (room, -room))
 
@@ -212,7 +213,7 @@ def float32_look(*numbers: float) -> float:
 
 def float64_look(*numbers: float) -> float:
     """What numba's kernels look at, and the room that they are granted."""
-    from satviz.batch.filter_numba import room_of
+    from satviz.batch.with_numba.filter import room_of
 
     p, q = _triangles(numbers)
     a, b = _group(p), _group(q)
@@ -221,16 +222,16 @@ def float64_look(*numbers: float) -> float:
 
 
 def turn(px: float, py: float, qx: float, qy: float, rx: float, ry: float) -> float:
-    """The first look of signs.orient."""
+    """The first look of exact_signs.orient."""
     left, right = (qx - px) * (ry - py), (qy - py) * (rx - px)
     exact = truth.turn((px, py), (qx, qy), (rx, ry))
-    return over(abs(Fraction(left - right) - exact), signs.ROUND * (abs(left) + abs(right)))
+    return over(abs(Fraction(left - right) - exact), exact_signs.ROUND * (abs(left) + abs(right)))
 
 
 def two_floats(*numbers: float) -> float:
     """Sums of three products in two floats, beyond the last rounding of the sum itself."""
     factors = [(np.array([a]), np.array([b])) for a, b in zip(numbers[::2], numbers[1::2], strict=True)]
-    total, off, _ = signs.nearly(factors, np.zeros(1))
+    total, off, _ = exact_signs.nearly(factors, np.zeros(1))
     exact = sum(Fraction(a) * Fraction(b) for a, b in zip(numbers[::2], numbers[1::2], strict=True))
     return over(abs(Fraction(float(total[0])) - exact) - abs(exact) * Fraction(U), float(off[0]))
 

@@ -43,7 +43,7 @@ def chromium():
         browser.close()
 
 
-# The explorer over a model of a few lines instead of Jupyter's: `satviz.widgets.exploring` answers it.
+# The explorer over a model of a few lines instead of Jupyter's: `satviz.widgets.explorer_model` answers it.
 STAND_IN = """
 const data = await window.first();
 const heard = new Set();

@@ -19,9 +19,9 @@ from satviz.batch.arrays import Shapes
 from satviz.engine import axes
 from satviz.engine.certificate import SharedPoint
 from satviz.engine.geometry import InvalidScene, Relation, Vec
+from satviz.engine.relate import relate_moved
 from satviz.engine.shapes import Circle, Polygon, Shape
 from satviz.engine.shortcut import Shortcut
-from satviz.engine.verdict import relate_moved
 from satviz.scenes.shortcuts import NAMED as SHORTCUTS
 
 Pairs = Sequence[tuple[Shape, Shape]]

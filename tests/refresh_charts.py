@@ -12,8 +12,8 @@ from pathlib import Path
 from satviz.pictures import THEMES
 from satviz.study import bench_chart
 from satviz.study.bench import Row
-from satviz.study.lab.cells import Settings
-from satviz.study.lab.chart import Chart, suffix
+from satviz.study.harness.cells import Settings
+from satviz.study.harness.chart import Chart, suffix
 from satviz.study.sections import resolution
 
 FIGURES = Path(__file__).parent.parent / "figures"

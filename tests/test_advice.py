@@ -23,21 +23,21 @@ from strategies import CONVEX, KINDS, NotConvex, drawn, pairs, scaled, some_pair
 
 import satviz as sv
 from satviz import batch
-from satviz.advice.gamma import gamma, signed
-from satviz.advice.gammas import gammas
+from satviz.advice.certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Compound, Model
+from satviz.advice.classify import sure
 from satviz.advice.many import of_shapes
+from satviz.advice.margins import gammas
 from satviz.advice.models import answers, kept
 from satviz.advice.pairs import paired
-from satviz.advice.proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Compound, Model
+from satviz.advice.relative_margin import gamma, signed
 from satviz.advice.scope import ANYWHERE, GRID, HERE, MOVED, Scope, bound_of
 from satviz.advice.shapesfile import load
-from satviz.advice.sure import sure
 from satviz.cli import main
-from satviz.engine.concave import parts
-from satviz.engine.enough import WORDS, enough
+from satviz.engine.axis_count import WORDS, enough
+from satviz.engine.convex_parts import parts
 from satviz.engine.geometry import Relation, Vec
 from satviz.pictures import THEMES
-from satviz.scenes.failing.reading import moved
+from satviz.scenes.failing.claimed_value import moved
 
 ORDINARY = [kind for kind in CONVEX if kind not in ("largest scale", "smallest scale", "any scale")]
 
@@ -412,7 +412,7 @@ def test_enough_axes_are_counted_for_pairs_of_every_kind():
 def test_two_shapes_are_advised_on_and_counted_without_numpy():
     code = (
         "import sys, satviz as sv\n"
-        "from satviz.engine.enough import enough\n"
+        "from satviz.engine.axis_count import enough\n"
         "scene = sv.scene('triangles')\n"
         "enough(scene.a, scene.b), str(sv.advise(scene)), sv.advise(scene).to_json(), sv.advise(scene).check()\n"
         "assert not {'numpy', 'matplotlib'} & set(sys.modules)"
@@ -647,8 +647,8 @@ def test_prices_are_those_of_all_candidates_and_count_their_wrong_answers():
 @pytest.mark.parametrize("theme", THEMES.values(), ids=lambda theme: theme.name)
 @pytest.mark.parametrize("seed", one_in(3, range(6)))
 def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
-    from satviz.advice.chart import Chart
-    from satviz.advice.prices import Price
+    from satviz.advice.cost_chart import Chart
+    from satviz.advice.costs import Price
 
     rng = Random(seed)
     names = CIRCLES, BOXES, "ranges on 8 directions", "SAT, float32", "SAT, float64", EXACT

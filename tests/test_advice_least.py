@@ -13,10 +13,10 @@ from test_advice import boxes_at
 
 import satviz as sv
 from satviz import batch
-from satviz.advice import advising, gammas, limits, prices, rounding, timing
+from satviz.advice import advising, costs, limits, margins, rounding, timing
+from satviz.advice.certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
 from satviz.advice.models import answers, kept
 from satviz.advice.pairs import paired
-from satviz.advice.proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
 from satviz.advice.rounding import FLOAT32, FLOAT64, FORMATS
 from satviz.advice.rounding_numpy import Errors
 from satviz.engine.geometry import Relation
@@ -410,14 +410,14 @@ def test_to_prove_again_is_refused_beyond_its_limit():
 
 
 def test_to_show_a_recommendation_measures_nothing(monkeypatch):
-    monkeypatch.setattr(prices, "prices", lambda *args, **kwargs: pytest.fail("measured"))
+    monkeypatch.setattr(costs, "prices", lambda *args, **kwargs: pytest.fail("measured"))
     for advice in (sv.advise("triangles"), sv.advise(boxes_at([(0, 0), (0.5, 0.5)]))):
         assert advice._repr_mimebundle_() == {"text/plain": str(advice)}
 
 
 def test_a_pair_of_many_parts_is_not_timed_and_the_command_says_so(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(prices, "TESTS_TIMED", 10)
-    monkeypatch.setattr(prices.prices, "__kwdefaults__", {**prices.prices.__kwdefaults__, "tests": 10})
+    monkeypatch.setattr(costs, "TESTS_TIMED", 10)
+    monkeypatch.setattr(costs.prices, "__kwdefaults__", {**costs.prices.__kwdefaults__, "tests": 10})
     advice = sv.advise("triangles")
     assert set(advice.prices().values()) == {None}
     with pytest.raises(ValueError, match="not timed"):
@@ -449,7 +449,7 @@ def test_timing_stops_when_its_seconds_are_over(monkeypatch):
 
 
 def test_pairs_within_a_rounding_of_touching_are_not_asked_one_by_one(monkeypatch):
-    monkeypatch.setattr(gammas, "signed", lambda a, b: pytest.fail("asked"))
+    monkeypatch.setattr(margins, "signed", lambda a, b: pytest.fail("asked"))
     turn, rng = 0.3, np.random.default_rng(6)
     x, y = np.meshgrid(np.arange(12.0), np.arange(12.0))
     ring = np.stack([x.ravel(), y.ravel()], axis=1)[:, None] + np.array([[0, 0], [1, 0], [1, 1], [0, 1]])

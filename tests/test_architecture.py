@@ -127,7 +127,7 @@ def test_pictures_and_what_the_widgets_answer_load_the_standard_library_only():
     """So any front end can ask them, where neither NumPy nor matplotlib nor a kernel is."""
     code = (
         "import sys; import satviz as sv\n"
-        "from satviz.widgets.exploring import Exploring; from satviz.widgets.showing import Showing\n"
+        "from satviz.widgets.explorer_model import Exploring; from satviz.widgets.player_model import Showing\n"
         "a, b = sv.Polygon([(0,0),(4,0),(4,2),(2,2),(2,4),(0,4)]), sv.Circle((6,6),1)\n"
         "trace = sv.record(a, b); assert sv.picture(trace).marks\n"
         "hand = Exploring(sv.Scene('mine', a, b)); before = hand.state()\n"

@@ -25,23 +25,14 @@ from strategies import CONVEX, SIZES, drawn, edge_facing, many_corners, nearly_s
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import (
-    arrays,
-    broad,
-    chunks,
-    circle_polygons,
-    collide,
-    filter_numpy,
-    grid_numpy,
-    narrow,
-    picked_numpy,
-    signs,
-    steps_numpy,
-    undecided,
-)
+from satviz.batch import arrays, broad_phase, chunks, collide, exact_signs, narrow_phase
 from satviz.batch.chunks import ChunkFailed
 from satviz.batch.codes import UNDECIDED
-from satviz.engine.verdict import LEAST_ROOM, LOOK, MOST_ROOM
+from satviz.batch.with_numpy import circle_polygons, gjk, indexed
+from satviz.batch.with_numpy import exact as exact_numpy
+from satviz.batch.with_numpy import filter as filter_numpy
+from satviz.batch.with_numpy import grid as grid_numpy
+from satviz.engine.relate import LEAST_ROOM, LOOK, MOST_ROOM
 from satviz.study import truth as oracle
 
 ENGINES = ["numpy", "numba"]
@@ -116,8 +107,8 @@ def test_batch_gives_the_scalar_answers(engine, kinds):
 
 @pytest.mark.parametrize("engine", ENGINES)
 def test_blocks_of_any_size_give_the_same_side_by_side(engine, monkeypatch):
-    whole = narrow.engine_of(engine)
-    monkeypatch.setattr(narrow, "engine_of", lambda name: whole._replace(block=7))
+    whole = narrow_phase.engine_of(engine)
+    monkeypatch.setattr(narrow_phase, "engine_of", lambda name: whole._replace(block=7))
     a, b = (batch.Polygons(ngons(RNG(seed), 50, 3)) for seed in (1, 2))
     assert batch.relate(a, b, engine=engine, chunk=20).tolist() == one_by_one(a, b)
 
@@ -148,8 +139,8 @@ def test_numba_leaves_nothing_ordinary_to_the_exact_twin(v, w, monkeypatch):
     pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
     a, touching = beside_mirror(v, w)
     left = []
-    real = undecided.relations
-    monkeypatch.setattr(undecided, "relations", lambda *c: left.extend(c[1]) or real(*c))
+    real = exact_numpy.relations
+    monkeypatch.setattr(exact_numpy, "relations", lambda *c: left.extend(c[1]) or real(*c))
     for move in (0, 1, -1, -(2.0**39)):
         p, q = batch.Polygons(a), batch.Polygons(touching + np.array([move, 0.0]))
         for picked in None, np.repeat(np.arange(60)[:, None], 2, axis=1):
@@ -253,7 +244,7 @@ def test_a_few_steps_find_no_shared_point_on_the_edge_whose_ends_they_find_first
     reach = (np.abs(one).max() + np.abs(other).max()) * LOOK
     for p, q in (one, other), (other, one):
         out = np.zeros(100, np.int8)
-        picked_numpy.steps_numpy.few_steps(*p, *q, reach, out)
+        indexed.steps_numpy.few_steps(*p, *q, reach, out)
         assert (out == UNDECIDED).all()
 
 
@@ -512,7 +503,7 @@ def test_processes_that_compile_a_kernel_at_once_never_run_each_others_code(tmp_
     """Arrays whose numbers lie side by side, and those that skip some, take code of their own."""
     numba = pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
     monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
-    from satviz.batch.compiling import compiled
+    from satviz.batch.with_numba.jit_cache import compiled
 
     def second(numbers):
         return numbers[1]
@@ -760,7 +751,7 @@ def test_turns_are_exact(points, e):
     cols = np.array(points, dtype=float).T * 2.0**e
     nudged = np.nextafter(cols, np.inf)
     for c in (cols, nudged, np.where(cols == 0, 1e-300, cols)):
-        found = signs.orient(*c)
+        found = exact_signs.orient(*c)
         for i, value in enumerate(found):
             px, py, qx, qy, rx, ry = map(Fraction, c[:, i])
             det = (qx - px) * (ry - py) - (qy - py) * (rx - px)
@@ -776,31 +767,31 @@ def in_a_row(rng, n, far):
 @pytest.mark.parametrize("scale", [1e-130, 1.0, 1e140])
 def test_plain_turns_are_told_by_floats_alone(scale, monkeypatch):
     asked = []
-    real = signs._turns
-    monkeypatch.setattr(signs, "_turns", lambda *c: asked.extend(c[0]) or real(*c))
-    signs.orient(*RNG(1).uniform(-scale, scale, (6, 1000)))
+    real = exact_signs._turns
+    monkeypatch.setattr(exact_signs, "_turns", lambda *c: asked.extend(c[0]) or real(*c))
+    exact_signs.orient(*RNG(1).uniform(-scale, scale, (6, 1000)))
     assert not asked
 
 
 @pytest.mark.parametrize("scale", [1e-130, 1.0, 1e140])
 def test_turns_of_points_nearly_in_a_row_are_told_without_long_sums(scale, monkeypatch):
     asked = []
-    real = signs.sign_of_products
-    monkeypatch.setattr(signs, "sign_of_products", lambda pairs: asked.extend(pairs[0][0]) or real(pairs))
-    signs.orient(*(c * scale for c in in_a_row(RNG(2), 1000, 1000)))
+    real = exact_signs.sign_of_products
+    monkeypatch.setattr(exact_signs, "sign_of_products", lambda pairs: asked.extend(pairs[0][0]) or real(pairs))
+    exact_signs.orient(*(c * scale for c in in_a_row(RNG(2), 1000, 1000)))
     assert len(asked) <= 5
 
 
 def test_turns_with_what_was_lost_are_off_by_less_than_granted(monkeypatch):
     """Granted are 32 roundings of roundings, 12 can be shown; the worst found is told."""
     seen = []
-    real = signs.sign_beyond
-    monkeypatch.setattr(signs, "sign_beyond", lambda *c: seen.append(c) or real(*c))
+    real = exact_signs.sign_beyond
+    monkeypatch.setattr(exact_signs, "sign_beyond", lambda *c: seen.append(c) or real(*c))
     worst = 0
     for far in (3, 1e3, 1e9):
         points = in_a_row(RNG(3), 500, far)
         seen.clear()
-        signs._turns(*points)
+        exact_signs._turns(*points)
         turns, rooms = seen[0]
         for turn, room, *at in zip(*(map(Fraction, c.tolist()) for c in (turns, rooms, *points))):
             px, py, qx, qy, rx, ry = at
@@ -817,7 +808,7 @@ def test_two_floats_are_the_product_exactly():
     b[200:300] = np.nextafter(2.0 ** rng.integers(-9, 9, 100), 0)
     a[250:350] = np.nextafter(2.0 ** rng.integers(-9, 9, 100), 9e9)
     error, product = np.empty((2, 5000))
-    signs.two_product(a, b, error, product)
+    exact_signs.two_product(a, b, error, product)
     assert np.array_equal(product, a * b)
     for x, y, *terms in zip(*(c.tolist() for c in (a, b, error, product))):
         assert Fraction(x) * Fraction(y) == sum(map(Fraction, terms))
@@ -827,7 +818,7 @@ def test_turns_beyond_float64_are_exact_and_warn_of_nothing():
     columns = RNG(5).choice([-1.7e308, 1.7e308, 1e-320, 0, 1], (6, 300))
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        found = signs.orient(*columns)
+        found = exact_signs.orient(*columns)
     for value, *at in zip(found, *columns):
         px, py, qx, qy, rx, ry = map(Fraction, at)
         det = (qx - px) * (ry - py) - (qy - py) * (rx - px)
@@ -852,7 +843,7 @@ def test_a_turn_of_which_one_difference_alone_is_rounded_is_exact(swap, engine):
                 if engine == "numba":
                     told = settle.turn(*columns, np.empty(settle.TERMS))
                 else:
-                    (told,) = signs.orient(*columns[:, None])
+                    (told,) = exact_signs.orient(*columns[:, None])
                 assert told == (det > 0) - (det < 0) and (det == 0) == (off == 0)
 
 
@@ -862,7 +853,7 @@ def test_signs_of_products_are_exact_at_every_scale():
     a, b = factors[0]
     for sums in (factors, [(a, b), (-a, b)], [(a, b), (a, -b), (b, b)], [(a, b), (b, -np.nextafter(a, 9))]):
         right = [sum(Fraction(p[i]) * Fraction(q[i]) for p, q in sums) for i in range(600)]
-        assert signs.sign_of_products(sums).tolist() == [(s > 0) - (s < 0) for s in right]
+        assert exact_signs.sign_of_products(sums).tolist() == [(s > 0) - (s < 0) for s in right]
 
 
 @pytest.mark.parametrize("engine", ENGINES)
@@ -874,7 +865,7 @@ def test_a_sum_is_told_from_what_its_other_terms_can_add_up_to_at_most(engine):
             settle = kernels_of("settle")
             assert settle._sign_of_sum(way * terms, len(terms)) == -way
         else:
-            assert signs.sign_of_sum(way * terms[:, None]) == -way
+            assert exact_signs.sign_of_sum(way * terms[:, None]) == -way
 
 
 @pytest.mark.parametrize("engine", ENGINES)
@@ -893,7 +884,7 @@ def test_sums_that_nearly_vanish_are_told_exactly(engine):
             settle = kernels_of("settle")
             told = settle._sign_of_sum(terms.copy(), len(terms))
         else:
-            (told,) = signs.sign_of_sum(terms[:, None].copy())
+            (told,) = exact_signs.sign_of_sum(terms[:, None].copy())
         assert told == (exact > 0) - (exact < 0), terms
         seen.append(told)
     assert min(map(seen.count, (-1, 0, 1))) > 20
@@ -901,12 +892,12 @@ def test_sums_that_nearly_vanish_are_told_exactly(engine):
 
 def test_sums_of_ordinary_products_need_no_integers(monkeypatch):
     asked = []
-    monkeypatch.setattr(signs, "to_integers", lambda values: asked.append(values))
+    monkeypatch.setattr(exact_signs, "to_integers", lambda values: asked.append(values))
     a, b, c = RNG(8).uniform(-1, 1, (3, 500)) * 10.0 ** RNG(9).integers(-60, 60, (3, 500))
     zero = np.zeros(500)
     for more in ([], [(zero, c)], [(c, zero)]):
-        assert not signs.sign_of_products([(a, b), (-b, a), *more]).any()
-        assert np.array_equal(signs.sign_of_products([(a, b), (-b, a), (c, a), *more]), np.sign(c) * np.sign(a))
+        assert not exact_signs.sign_of_products([(a, b), (-b, a), *more]).any()
+        assert np.array_equal(exact_signs.sign_of_products([(a, b), (-b, a), (c, a), *more]), np.sign(c) * np.sign(a))
     assert not asked
 
 
@@ -984,7 +975,7 @@ def slivers(rng, n):
     p, q = rng.uniform(-1, 1, (2, n, 2))
     rings = np.stack([p, q, p + rng.uniform(0.1, 0.9, (n, 1)) * (q - p)], axis=1)
     rings[:, 2, 1] = np.nextafter(np.nextafter(rings[:, 2, 1], 9), 9)
-    keep = signs.orient(*rings.reshape(n, 6).T) != 0
+    keep = exact_signs.orient(*rings.reshape(n, 6).T) != 0
     centers = jolt(rng, p + rng.uniform(0, 1, (n, 1)) * (q - p), 3)
     return centers[keep], (2.0 ** -rng.choice([50, 53, 54, 56, 70], n))[keep], rings[keep]
 
@@ -1195,8 +1186,8 @@ def test_what_floats_settle_of_the_hard_pairs_is_right():
         with np.errstate(all="ignore"):
             found = circle_polygons._by_floats(*columns)
         for i, value in zip(mine, found):
-            assert value in (signs.UNKNOWN, 1 - oracle.relation(*known[i])), known[i]
-        settled += (found != signs.UNKNOWN).sum()
+            assert value in (exact_signs.UNKNOWN, 1 - oracle.relation(*known[i])), known[i]
+        settled += (found != exact_signs.UNKNOWN).sum()
     assert settled > len(known) / 2
 
 
@@ -1236,7 +1227,7 @@ def test_floats_settle_circles_on_polygons_only_where_products_stay_in_their_ran
     columns = circles.x[0], circles.y[0], circles.r, polygons.x, polygons.y
     with np.errstate(all="ignore"):
         found = circle_polygons._by_floats(*columns)
-    assert found.tolist() == ([0] * 50 if told else [signs.UNKNOWN] * 50)
+    assert found.tolist() == ([0] * 50 if told else [exact_signs.UNKNOWN] * 50)
     assert circle_polygons.gaps(*columns).tolist() == [0] * 50
 
 
@@ -1286,11 +1277,11 @@ def test_circles_that_touch_long_edges_from_without_and_within_are_exact(seed):
 def test_turns_in_two_floats_are_off_by_less_than_granted(kind, monkeypatch):
     """Granted are 256 roundings of roundings, 88 can be shown, besides the sum's own; the worst found is told."""
     seen = []
-    real = signs.nearly
-    monkeypatch.setattr(signs, "nearly", lambda *terms: seen.append(real(*terms)) or seen[-1])
+    real = exact_signs.nearly
+    monkeypatch.setattr(exact_signs, "nearly", lambda *terms: seen.append(real(*terms)) or seen[-1])
     centers, radii, rings = (COMMON | RARE)[kind](RNG(1), 500)
     columns = *centers.T, radii, *rings[:, 0].T, *rings[:, 1].T
-    side = -signs.orient(*rings[:, 0].T, *rings[:, 1].T, *centers.T)
+    side = -exact_signs.orient(*rings[:, 0].T, *rings[:, 1].T, *centers.T)
     circle_polygons._foot_signs(*columns, room=np.full(len(radii), np.inf))
     (_, _, _), (total, off, _) = seen
     worst = 0.0
@@ -1323,8 +1314,8 @@ def test_upright_boxes_among_other_shapes_of_four_corners_are_settled_by_their_s
     ]
     known = [sv.relate(sv.Polygon(p), sv.Polygon(q)) for p, q in zip(rings, others)]
     asked = []
-    real = signs.orient
-    monkeypatch.setattr(signs, "orient", lambda *c: asked.extend(c[0]) or real(*c))
+    real = exact_signs.orient
+    monkeypatch.setattr(exact_signs, "orient", lambda *c: asked.extend(c[0]) or real(*c))
     a, b = batch.Polygons(rings), batch.Polygons(others)
     assert batch.relate(a, b, engine="numpy").tolist() == batch.relate(b, a, engine="numpy").tolist() == known
     asked.clear()
@@ -1355,8 +1346,8 @@ def test_polygons_that_lean_on_each_other_are_exact(v, w, far, scale):
     found |= {
         f"{engine} by index": batch.relate(p, q, np.c_[index, index], engine=engine).tolist() for engine in ENGINES
     }
-    found["all undecided"] = undecided.relations(p.uniform, index, q.uniform, index).tolist()
-    found["all undecided, swapped"] = undecided.relations(q.uniform, index, p.uniform, index).tolist()
+    found["all undecided"] = exact_numpy.relations(p.uniform, index, q.uniform, index).tolist()
+    found["all undecided, swapped"] = exact_numpy.relations(q.uniform, index, p.uniform, index).tolist()
     assert found == dict.fromkeys(found, right)
 
 
@@ -1372,13 +1363,13 @@ def batch_takes(ring, v):
 @pytest.mark.parametrize(("v", "w"), [(5, 5), (8, 5), (9, 20)])
 def test_every_edge_is_asked_whichever_corner_the_search_begins_at(v, w, monkeypatch):
     rng = RNG(v * w)
-    monkeypatch.setattr(undecided, "_nearest", lambda own, other: rng.integers(0, own.asked, own.x.shape[1]))
+    monkeypatch.setattr(exact_numpy, "_nearest", lambda own, other: rng.integers(0, own.asked, own.x.shape[1]))
     p, q = (batch.Polygons(ngons(rng, 300, k)) for k in (v, w))
     index = np.arange(300)
     right = one_by_one(p, q)
     assert 0 < right.count(0) < 300
-    assert undecided.relations(p.uniform, index, q.uniform, index).tolist() == right
-    assert undecided.relations(q.uniform, index, p.uniform, index).tolist() == right
+    assert exact_numpy.relations(p.uniform, index, q.uniform, index).tolist() == right
+    assert exact_numpy.relations(q.uniform, index, p.uniform, index).tolist() == right
 
 
 @pytest.mark.parametrize("v", [40, 100])
@@ -1386,24 +1377,24 @@ def test_of_many_corners_only_those_near_the_other_shape_are_asked(v, monkeypatc
     """Shapes and those turned about a corner of theirs, wherever they lie."""
     rng = RNG(v)
     asked = []
-    real = undecided._edge
-    monkeypatch.setattr(undecided, "_edge", lambda *c: asked.extend(c[3]) or real(*c))
-    exactly, orient = [], signs.orient
-    monkeypatch.setattr(signs, "orient", lambda *c: exactly.extend(c[0]) or orient(*c))
+    real = exact_numpy._edge
+    monkeypatch.setattr(exact_numpy, "_edge", lambda *c: asked.extend(c[3]) or real(*c))
+    exactly, orient = [], exact_signs.orient
+    monkeypatch.setattr(exact_signs, "orient", lambda *c: exactly.extend(c[0]) or orient(*c))
     for far in ((0, 0), (30, -20), (-1000, 1000)):
         a = np.round(ngons(rng, 200, v) * 2.0**30) * 2.0**-30 + far
         spot = a[np.arange(200), rng.integers(0, v, 200)][:, None]
         p, q, index = batch.Polygons(a).uniform, batch.Polygons(2 * spot - a).uniform, np.arange(200)
         for one, other in ((p, q), (q, p)):
             asked.clear(), exactly.clear()
-            assert (undecided.relations(one, index, other, index) == 1).all()
+            assert (exact_numpy.relations(one, index, other, index) == 1).all()
             assert len(asked) <= 7 * 200
 
 
 @pytest.mark.parametrize("turn", [[[1, 0], [0, 1]], [[0, 1], [-1, 0]], [[-1, 0], [0, -1]], [[3, 4], [-4, 3]]], ids=str)
 def test_edges_on_one_line_meet_where_their_ranges_on_it_do(turn, monkeypatch):
     rng = RNG(10)
-    monkeypatch.setattr(undecided, "_nearest", lambda own, other: rng.integers(0, own.asked, own.x.shape[1]))
+    monkeypatch.setattr(exact_numpy, "_nearest", lambda own, other: rng.integers(0, own.asked, own.x.shape[1]))
     house = np.array([(0, 0), (4, 0), (6, 2), (6, 4), (4, 6), (0, 6), (-2, 4), (-2, 2)])
     moves = np.repeat([-20, -1, 0, 1, 4, 8, 9, 20], 10)
     below = np.stack([[t, 0] - house for t in moves]) @ turn
@@ -1411,7 +1402,7 @@ def test_edges_on_one_line_meet_where_their_ranges_on_it_do(turn, monkeypatch):
     right = [int(0 <= t <= 8) for t in moves]
     index = np.arange(len(moves))
     for one, other in ((a, b), (b, a)):
-        assert undecided.relations(one.uniform, index, other.uniform, index).tolist() == right
+        assert exact_numpy.relations(one.uniform, index, other.uniform, index).tolist() == right
         assert batch.relate(one, other).tolist() == right
 
 
@@ -1419,23 +1410,23 @@ def test_edges_on_one_line_meet_where_their_ranges_on_it_do(turn, monkeypatch):
 @pytest.mark.parametrize("v", [3, 4, 5, 20])
 def test_plain_pairs_are_asked_for_no_exact_sign_whatever_the_scale(v, scale, monkeypatch):
     rng = RNG(v)
-    asked, in_doubt, edge = [], [], undecided._edge
-    monkeypatch.setattr(undecided, "_edge", lambda *c: asked.extend(c[3]) or edge(*c))
-    monkeypatch.setattr(undecided, "_line", lambda *c: in_doubt.append(c))
+    asked, in_doubt, edge = [], [], exact_numpy._edge
+    monkeypatch.setattr(exact_numpy, "_edge", lambda *c: asked.extend(c[3]) or edge(*c))
+    monkeypatch.setattr(exact_numpy, "_line", lambda *c: in_doubt.append(c))
     rings = ngons(rng, 200, v)
     rings = rings[(rings * turned(np.roll(rings, -1, axis=1))).sum(axis=(1, 2)) > 0.5]
     a, b = (batch.Polygons((rings + far) * scale).uniform for far in (0, [1e-3, 2e-3]))
     index = np.arange(len(rings))
-    assert (undecided.relations(a, index, b, index) == 2).all()
-    assert not asked or v > undecided.AT_ONCE
+    assert (exact_numpy.relations(a, index, b, index) == 2).all()
+    assert not asked or v > exact_numpy.AT_ONCE
     a, b = (batch.Polygons(ngons(rng, 200, v) * scale).uniform for _ in "ab")
-    undecided.relations(a, np.arange(200), b, np.arange(200))
+    exact_numpy.relations(a, np.arange(200), b, np.arange(200))
     assert not in_doubt
 
 
 def test_the_largest_magnitude_of_a_column_is_of_either_sign_and_axis():
     x, y = RNG(11).uniform(-1, 1, (2, 3, 100))
-    assert np.array_equal(undecided._largest(x, y), np.abs(np.concatenate([x, y])).max(axis=0))
+    assert np.array_equal(exact_numpy._largest(x, y), np.abs(np.concatenate([x, y])).max(axis=0))
 
 
 @pytest.mark.parametrize("scale", [2.0**-30, 1.0, 2.0**30])
@@ -1457,7 +1448,7 @@ def test_the_float32_look_is_granted_room_for_every_corner(v, w, scale, monkeypa
     rng = RNG(v)
     seen = []
     real = filter_numpy.look_32
-    for module in (filter_numpy, picked_numpy):
+    for module in (filter_numpy, indexed):
         monkeypatch.setattr(module, "look_32", lambda *c: seen.append((*c[:4], real(*c)[1])) or real(*c))
     for wide, high, up in ((1, 8, 9), (8, 1, 9), (1, 8, -9), (8, 1, -9)):
         a, b = (
@@ -1485,7 +1476,7 @@ def test_upright_boxes_are_told_by_their_sides_from_any_first_corner_of_each(eng
         made.append(batch.Polygons(corners[np.arange(2000)[:, None], around]))
     gap = np.maximum(low[0] - high[1], low[1] - high[0]).max(axis=1)
     with monkeypatch.context() as patch:
-        patch.setattr(narrow.undecided, "relations", lambda a, i, *_: np.empty(len(i)) if not len(i) else None)
+        patch.setattr(narrow_phase.undecided, "relations", lambda a, i, *_: np.empty(len(i)) if not len(i) else None)
         found = batch.relate(*made, engine=engine)
     assert found.tolist() == (1 - np.sign(gap)).tolist()
     assert set(found.tolist()) == {0, 1, 2}
@@ -1512,7 +1503,7 @@ def test_circles_that_rest_on_each_other_are_exact(scale):
         for engine in ENGINES:
             assert batch.relate(one, other, engine=engine).tolist() == right
         p, q = one.uniform, other.uniform
-        assert (1 - signs.circles(p.x[0], p.y[0], p.r, q.x[0], q.y[0], q.r)).tolist() == right
+        assert (1 - exact_signs.circles(p.x[0], p.y[0], p.r, q.x[0], q.y[0], q.r)).tolist() == right
 
 
 @pytest.mark.parametrize("scale", [1e-120, 1.0, 1e120])
@@ -1568,8 +1559,8 @@ def test_a_kernel_told_to_begin_further_on_answers_for_those_columns(v, w):
 def test_the_few_steps_of_many_corners_are_granted_room_for_the_largest_coordinates(large, monkeypatch):
     rng = RNG(17)
     seen = []
-    real = steps_numpy.few_steps
-    monkeypatch.setattr(steps_numpy, "few_steps", lambda *c: seen.append(c[4]) or real(*c))
+    real = gjk.few_steps
+    monkeypatch.setattr(gjk, "few_steps", lambda *c: seen.append(c[4]) or real(*c))
     rings = [ngons(rng, 30, 20, 0.1) * (1000 if k == large else 1) for k in (0, 1)]
     a, b = map(batch.Polygons, rings)
     index = np.arange(30)
@@ -1589,7 +1580,7 @@ def test_what_a_few_steps_tell_is_right_wherever_the_other_shape_lies(other):
     right = one_by_one(a, b)
     for p, q in ((a.uniform, b.uniform), (b.uniform, a.uniform)):
         out = np.empty(len(right), np.int8)
-        steps_numpy.few_steps(p.x, p.y, q.x, q.y, 30 * LOOK, out)
+        gjk.few_steps(p.x, p.y, q.x, q.y, 30 * LOOK, out)
         assert all(found in (UNDECIDED, told) for found, told in zip(out.tolist(), right))
         assert (out == UNDECIDED).sum() <= right.count(1) + 20
 
@@ -1601,7 +1592,7 @@ def test_what_a_few_steps_tell_of_polygons_that_lean_on_each_other_is_right(v):
     good = [i for i in range(len(rings)) if batch_takes(rings[i], v) and batch_takes(others[i], v)]
     a, b = batch.Polygons(rings[good]), batch.Polygons(others[good])
     p, q, out = a.uniform, b.uniform, np.empty(len(good), np.int8)
-    steps_numpy.few_steps(p.x, p.y, q.x, q.y, (p.reach + q.reach) * LOOK, out)
+    gjk.few_steps(p.x, p.y, q.x, q.y, (p.reach + q.reach) * LOOK, out)
     assert all(found in (UNDECIDED, right) for found, right in zip(out.tolist(), one_by_one(a, b)))
 
 
@@ -1620,8 +1611,8 @@ def test_whether_the_foot_lies_between_the_ends_is_told_rightly_next_to_an_end()
         ):
             along = (cx - px) * (qx - px) + (cy - py) * (qy - py)
             between = 0 < along < (qx - px) ** 2 + (qy - py) ** 2
-            assert told in (signs.UNKNOWN, -1 if between else 1)
-            known += told != signs.UNKNOWN
+            assert told in (exact_signs.UNKNOWN, -1 if between else 1)
+            known += told != exact_signs.UNKNOWN
     assert known > 1.9 * n
 
 
@@ -1639,7 +1630,7 @@ def test_what_was_lost_of_a_difference_is_not_forgotten_where_all_else_adds_up_t
             (told,) = circle_polygons._only_between(np.full(1, -1, np.int8), *columns)
             cx, cy, px, py, qx, qy = map(Fraction, (cx, cy, px, py, qx, qy))
             along = (cx - px) * (qx - px) + (cy - py) * (qy - py)
-            assert along and told in (signs.UNKNOWN, -1 if 0 < along < (qx - px) ** 2 + (qy - py) ** 2 else 1)
+            assert along and told in (exact_signs.UNKNOWN, -1 if 0 < along < (qx - px) ** 2 + (qy - py) ** 2 else 1)
 
 
 @pytest.mark.parametrize("e", [-76, -75, -74, -73])
@@ -1772,16 +1763,16 @@ def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_
         """Before nothing is left to split, whatever is asked is too much."""
         assert given is bounds or np.array_equal(given, bounds)
         both = one if other is None else np.concatenate([one, other])
-        assert most in (broad.CHEAP * len(both), np.inf)
+        assert most in (broad_phase.CHEAP * len(both), np.inf)
         if most == np.inf:
-            assert np.array_equal(cell, size[both].max(axis=0)) and min(cell) > farthest * broad.FINE
+            assert np.array_equal(cell, size[both].max(axis=0)) and min(cell) > farthest * broad_phase.FINE
             sets.append((one, other))
             return iter(())
-        even = [broad._even(bounds[:, d], both) for d in (0, 1)]
+        even = [broad_phase._even(bounds[:, d], both) for d in (0, 1)]
         assert np.array_equal(cell, np.maximum(size[both].max(axis=0), even))
         return None
 
-    assert list(broad.candidate_blocks(bounds, too_many)) == []
+    assert list(broad_phase.candidate_blocks(bounds, too_many)) == []
     times = np.zeros((60, 60), int)
     for one, other in sets:
         assert len(one) and (other is None or len(other))
@@ -1792,7 +1783,7 @@ def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_
             times[np.ix_(other, one)] += 1
         for d in (0, 1):
             larger = max((one, one if other is None else other), key=lambda ids: size[ids, d].max())
-            assert size[larger, d].max() <= broad.ALIKE * size[larger, d].min()
+            assert size[larger, d].max() <= broad_phase.ALIKE * size[larger, d].min()
     assert (times[~np.eye(60, dtype=bool)] == 1).all()
     assert 3 < len(sets) < 400
 
@@ -1801,9 +1792,9 @@ def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_
 def test_cells_of_boxes_on_one_spot_are_as_fine_as_numbers_of_cells_can_be_told_apart(x, y):
     cells = []
     bounds = np.tile([x, y, x, y], (20, 1)).astype(float)
-    assert list(broad.candidate_blocks(bounds, lambda *given: cells.append(given[3:]))) == []
+    assert list(broad_phase.candidate_blocks(bounds, lambda *given: cells.append(given[3:]))) == []
     far = max(abs(x), abs(y))
-    assert cells == [([far * 2.0**-1000] * 2, broad.CHEAP * 20), ([far * 2.0**-48] * 2, np.inf)]
+    assert cells == [([far * 2.0**-1000] * 2, broad_phase.CHEAP * 20), ([far * 2.0**-48] * 2, np.inf)]
 
 
 @pytest.mark.parametrize("n", [100, 3000])
@@ -1811,14 +1802,14 @@ def test_even_cells_are_as_many_as_the_boxes_would_be_spread_like_their_middle_h
     """Whatever lies far outside; and where the middle half is wider than a float, the number is finite."""
     low = np.sort(RNG(n).permutation(n) + 0.5) * (7 / n) - 3
     which = RNG(1).permutation(n)
-    assert broad._even(low, which) == pytest.approx(7 / np.sqrt(n), rel=0.1)
+    assert broad_phase._even(low, which) == pytest.approx(7 / np.sqrt(n), rel=0.1)
     low[: n // 5], low[-n // 5 :] = -1e300, 1e300
-    assert broad._even(low, which) == pytest.approx(7 / np.sqrt(n), rel=0.1)
-    assert broad._even(low, which[: n // 2]) == pytest.approx(7 / np.sqrt(n / 2), rel=0.4)
+    assert broad_phase._even(low, which) == pytest.approx(7 / np.sqrt(n), rel=0.1)
+    assert broad_phase._even(low, which[: n // 2]) == pytest.approx(7 / np.sqrt(n / 2), rel=0.4)
     low[: n // 2], low[n // 2 :] = -MOST, MOST
-    assert 0 < broad._even(low, which) < np.inf
-    assert 0 < broad._even(np.array([-MOST, -MOST, 0, MOST, MOST]), np.arange(5)) < np.inf
-    assert broad._even(np.zeros(n), which) == 0
+    assert 0 < broad_phase._even(low, which) < np.inf
+    assert 0 < broad_phase._even(np.array([-MOST, -MOST, 0, MOST, MOST]), np.arange(5)) < np.inf
+    assert broad_phase._even(np.zeros(n), which) == 0
 
 
 @pytest.mark.parametrize("engine", ENGINES)
@@ -2012,7 +2003,7 @@ def test_the_grid_asks_few_rows_of_flat_boxes_so_far_out_that_floats_are_many_ce
 
 
 def test_pairs_keep_their_order_where_an_index_has_32_bits():
-    found = broad.in_order([np.array([[50_000, 60_000], [1, 2]], np.int32)])
+    found = broad_phase.in_order([np.array([[50_000, 60_000], [1, 2]], np.int32)])
     assert found.tolist() == [[1, 2], [50_000, 60_000]]
 
 
@@ -2056,7 +2047,7 @@ def test_the_looks_of_the_grid_grow_like_shapes_and_pairs(monkeypatch, engine):
             continue
         looked.clear()
         found = len(batch.candidate_pairs(np.c_[at, at + size], engine=engine))
-        assert 0 < sum(looked) <= 5 * broad.CHEAP * (1500 + found), (name, sum(looked), found)
+        assert 0 < sum(looked) <= 5 * broad_phase.CHEAP * (1500 + found), (name, sum(looked), found)
 
 
 def test_colliding_pairs_are_those_of_every_pair():
@@ -2104,13 +2095,13 @@ def test_the_columns_of_chosen_shapes_lie_row_by_row_without_gaps(v):
 
 @pytest.mark.parametrize(("v", "n"), [(3, 20_000), (300, 5_000)])
 def test_circles_picked_with_polygons_are_looked_at_once_in_blocks_that_bound_the_memory(v, n, monkeypatch):
-    rng, looked, real = RNG(v), [], narrow._filter
-    monkeypatch.setattr(narrow, "_filter", lambda *args: looked.append(args[-1].size) or real(*args))
+    rng, looked, real = RNG(v), [], narrow_phase._filter
+    monkeypatch.setattr(narrow_phase, "_filter", lambda *args: looked.append(args[-1].size) or real(*args))
     some, polygons = circles(rng, 50), batch.Polygons(regular(rng, 50, v))
     pairs = rng.integers(0, 50, (n, 2))
     for a, b, index in (some, polygons, pairs), (polygons, some, pairs[:, ::-1]):
         assert batch.relate(a, b, index, engine="numpy").any()
-        at_once = min(narrow.BLOCK_OF_PICKED, max(signs.LANES, signs.CORNERS // v))
+        at_once = min(narrow_phase.BLOCK_OF_PICKED, max(exact_signs.LANES, exact_signs.CORNERS // v))
         assert set(looked[:-1]) == {at_once} and sum(looked) == n
         looked.clear()
 
@@ -2119,13 +2110,13 @@ def test_circles_picked_with_polygons_are_looked_at_once_in_blocks_that_bound_th
 def test_the_exact_twin_takes_each_pair_once_in_blocks_that_bound_the_memory(kinds, monkeypatch):
     looked = []
     for name in "_circles", "_polygons":
-        monkeypatch.setattr(undecided, name, lambda a, _: looked.append(len(a.x[0])) or np.zeros(looked[-1], np.int8))
+        monkeypatch.setattr(exact_numpy, name, lambda a, _: looked.append(len(a.x[0])) or np.zeros(looked[-1], np.int8))
     a, b = (circles(RNG(k), 2) if k == 1 else batch.Polygons(regular(RNG(k), 2, k)) for k in kinds)
     n = 100_000 if max(kinds) < 9 else 10_000
-    undecided.relations(a.uniform, np.zeros(n, np.intp), b.uniform, np.ones(n, np.intp))
-    at_once = max(signs.LANES, undecided.LOOKS // max(kinds))
+    exact_numpy.relations(a.uniform, np.zeros(n, np.intp), b.uniform, np.ones(n, np.intp))
+    at_once = max(exact_signs.LANES, exact_numpy.LOOKS // max(kinds))
     if 1 in kinds:
-        at_once = min(undecided.DOUBTS, max(signs.LANES, signs.CORNERS // max(kinds)))
+        at_once = min(exact_numpy.DOUBTS, max(exact_signs.LANES, exact_signs.CORNERS // max(kinds)))
     assert set(looked[:-1]) == {at_once} and sum(looked) == n
 
 
@@ -2218,9 +2209,9 @@ def test_of_plain_pairs_in_any_order_none_needs_an_exact_sign(block, monkeypatch
     index = rng.integers(0, 150, (600, 2))
     right = [int(sv.relate(p, q)) for known in [scalar(shapes)] for p, q in ((known[i], known[j]) for i, j in index)]
     asked = []
-    monkeypatch.setattr(narrow, "BLOCK_OF_PICKED", block)
-    real = narrow.undecided.relations
-    monkeypatch.setattr(narrow.undecided, "relations", lambda *c: asked.extend(c[1]) or real(*c))
+    monkeypatch.setattr(narrow_phase, "BLOCK_OF_PICKED", block)
+    real = narrow_phase.undecided.relations
+    monkeypatch.setattr(narrow_phase.undecided, "relations", lambda *c: asked.extend(c[1]) or real(*c))
     assert batch.relate(shapes, shapes, index, engine="numpy").tolist() == right
     assert not asked
 
@@ -2240,7 +2231,7 @@ def test_picked_outlines_of_all_numbers_of_corners_are_told_as_one_by_one(lanes,
         picked = kernels_of("picked")
         as_python(monkeypatch, picked, "_polygons")
         monkeypatch.setattr(picked, "LANES", lanes)
-    monkeypatch.setattr(picked_numpy, "lanes", lambda *_: lanes)
+    monkeypatch.setattr(indexed, "lanes", lambda *_: lanes)
     rng = RNG(lanes)
     shapes = batch.concat(outlines_of_all_numbers(rng, 5) + outlines_of_all_numbers(rng, 8))
     known, every = scalar(shapes), np.argwhere(np.ones((len(shapes), len(shapes))))
@@ -2259,7 +2250,7 @@ def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeyp
     monkeypatch.setattr(picked, "LANES", lanes)
     for name in "of_few", "of_many":
         monkeypatch.setattr(picked, name, lambda *_: pytest.fail("looked at longer"))
-    monkeypatch.setattr(undecided, "relations", lambda *_: pytest.fail("left to the exact twin"))
+    monkeypatch.setattr(exact_numpy, "relations", lambda *_: pytest.fail("left to the exact twin"))
     look, widths = picked._look, []
     monkeypatch.setattr(picked, "_look", lambda *given: widths.extend([given[11]] * given[10].size) or look(*given))
     box = batch.Polygons([[(5, 0), (6, 0), (6, 1), (5, 1)], [(6, 1), (7, 1), (7, 2), (6, 2)]])
@@ -2304,20 +2295,20 @@ def test_picked_outlines_of_many_corners_are_looked_at_in_a_few_steps_and_edges_
     v, w, monkeypatch
 ):
     looks, asked, widths = [], [], []
-    for module, name in (picked_numpy, "look_32"), (picked_numpy.steps_numpy, "few_steps"):
+    for module, name in (indexed, "look_32"), (indexed.steps_numpy, "few_steps"):
         real = getattr(module, name)
         monkeypatch.setattr(
             module, name, lambda *c, name=name, real=real: looks.append(name) or widths.append(c[4]) or real(*c)
         )
-    real = picked_numpy.edges
-    monkeypatch.setattr(picked_numpy, "edges", lambda a, b: asked.append(a.x.shape[1]) or real(a, b))
+    real = indexed.edges
+    monkeypatch.setattr(indexed, "edges", lambda a, b: asked.append(a.x.shape[1]) or real(a, b))
     rng = RNG(v)
     a, b, far = (batch.Polygons(regular(rng, 20, n) + move) for n, move in ((v, 0), (w, 0), (w, 9)))
     p, q = (batch.Polygons(rings[:20]) for rings in beside_mirror(v, w))
     for one, other, right, left in (a, b, 2, 0), (a, far, 0, 0), (p, q, 1, 20):
         asked.clear()
         out = np.full(20, 9, np.int8)
-        picked_numpy.polygons(one.flat, np.arange(20), other.flat, np.arange(20), out)
+        indexed.polygons(one.flat, np.arange(20), other.flat, np.arange(20), out)
         assert out.tolist() == [right] * 20 and sum(asked) == left
     if max(v, w) <= 16:
         wide = [(s.bounds[:, 2:] - s.bounds[:, :2]).max(axis=1) for s in (a, b)]
@@ -2404,9 +2395,9 @@ def test_parts_are_looked_at_in_blocks_of_any_size(block, monkeypatch):
     shapes = batch.Polygons([ELL + at for at in RNG(block).uniform(0, 6, (20, 1, 2))], concave="split")
     known = [sv.Polygon(ELL + at) for at in RNG(block).uniform(0, 6, (20, 1, 2))]
     looked = []
-    real = narrow._relate_some
-    monkeypatch.setattr(narrow, "_relate_some", lambda *c: looked.append(len(c[1])) or real(*c))
-    monkeypatch.setattr(narrow, "BLOCK_OF_PARTS", block)
+    real = narrow_phase._relate_some
+    monkeypatch.setattr(narrow_phase, "_relate_some", lambda *c: looked.append(len(c[1])) or real(*c))
+    monkeypatch.setattr(narrow_phase, "BLOCK_OF_PARTS", block)
     found = batch.relate(shapes, shapes[::-1], engine="numpy")
     assert found.tolist() == [sv.relate(p, q) for p, q in zip(known, known[::-1])]
     assert max(looked[1:]) <= block and sum(looked[1:]) == 20 * 4
@@ -2567,7 +2558,7 @@ def test_upright_boxes_are_never_asked_for_an_exact_sign(engine, monkeypatch):
     alone, beside = batch.Polygons(tiles), batch.Polygons([*tiles, diamond])
     everywhere = beside[::-1][1:][::-1]
     asked = []
-    for module in (signs, sv.engine.verdict):
+    for module in (exact_signs, sv.engine.verdict):
         monkeypatch.setattr(module, "orient", lambda *c: asked.append(c))
     for shapes in (alone, everywhere):
         pairs = batch.candidate_pairs(shapes.bounds)
@@ -2611,12 +2602,12 @@ def test_a_failed_chunk_names_its_range():
 
 
 def test_a_chunk_that_fails_without_any_pool_names_its_range_too(monkeypatch):
-    real = narrow._relate_range
+    real = narrow_phase._relate_range
 
     def failing(a, b, start, stop, engine):
         return real(a, b, start, stop, engine) if start != 200 else 1 / 0
 
-    monkeypatch.setattr(narrow, "_relate_range", failing)
+    monkeypatch.setattr(narrow_phase, "_relate_range", failing)
     a, told = batch.Circles(np.zeros((1000, 2)), 1), []
     with pytest.raises(ChunkFailed, match="items 200 to 299 failed: ZeroDivisionError") as failed:
         batch.relate(a, a, engine="numpy", chunk=100, progress=lambda *at: told.append(at))

@@ -12,8 +12,9 @@ import pytest
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import broad, collide, door, filter_numpy, making, narrow, outlines
-from satviz.engine import exact
+from satviz.batch import broad_phase, collide, constructors, narrow_phase, outlines, validation
+from satviz.batch.with_numpy import filter as filter_numpy
+from satviz.engine import predicates
 
 TRIANGLE = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
 ELL = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
@@ -683,7 +684,7 @@ WRONG = {
 def options_of(name):
     found = getattr(batch, name)
     if name == "hits":
-        return set(narrow.Options.__annotations__)
+        return set(narrow_phase.Options.__annotations__)
     return {key for key, it in inspect.signature(found).parameters.items() if it.kind is it.KEYWORD_ONLY}
 
 
@@ -706,7 +707,7 @@ def test_an_option_that_is_none_is_named_before_any_work(name, option, value, er
     def work(*_, **__):
         raise AssertionError("work was begun")
 
-    for module in narrow, collide, broad, making, door:
+    for module in narrow_phase, collide, broad_phase, constructors, validation:
         for function in "in_chunks", "candidate_blocks", "rings", "ragged", "boxes", "checked_pairs", "convex":
             if hasattr(module, function):
                 monkeypatch.setattr(module, function, work)
@@ -724,9 +725,9 @@ def test_a_size_may_be_any_whole_number():
 
 @pytest.fixture
 def fresh_choice():
-    narrow.loaded.cache_clear()
+    narrow_phase.loaded.cache_clear()
     yield
-    narrow.loaded.cache_clear()
+    narrow_phase.loaded.cache_clear()
 
 
 @pytest.mark.parametrize(
@@ -753,25 +754,25 @@ def test_numpy_answers_where_numba_does_not_work_and_says_so_once(fresh_choice, 
 
 
 def test_where_numba_is_not_installed_asking_for_it_says_what_to_install(fresh_choice, monkeypatch):
-    monkeypatch.setattr(narrow, "find_spec", lambda name: None)
+    monkeypatch.setattr(narrow_phase, "find_spec", lambda name: None)
     monkeypatch.setitem(sys.modules, "numba", None)
     for name in ("compiling", "filter_numba", "grid_numba", "picked_numba", "settle_numba"):
         monkeypatch.delitem(sys.modules, f"satviz.batch.{name}", raising=False)
         monkeypatch.delattr(batch, name, raising=False)
     with pytest.raises(ImportError, match=r"engine .numba. needs .*pip install"):
-        narrow.engine_of("numba")
-    assert narrow.engine_of(None).circles is filter_numpy.circles
+        narrow_phase.engine_of("numba")
+    assert narrow_phase.engine_of(None).circles is filter_numpy.circles
 
 
 @pytest.mark.parametrize("name", ["numpy", "numba"])
 def test_an_engine_does_all_its_work_in_its_own_modules(name):
     if name == "numba":
         pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
-    engine = narrow.engine_of(name)
+    engine = narrow_phase.engine_of(name)
     kernels = [part for part in engine if callable(part)]
     assert len(kernels) == (7 if name == "numba" else 6)
     assert all(kernel.__module__.endswith(f"_{name}") for kernel in kernels)
-    assert engine is narrow.engine_of(name)
+    assert engine is narrow_phase.engine_of(name)
 
 
 def test_masked_indices_are_refused_and_a_tuple_is_a_list():
@@ -816,6 +817,6 @@ def test_no_pairs_are_none_however_they_are_written(none, engine):
 )
 def test_batches_are_not_made_silently_where_small_numbers_are_taken_for_nothing(make, monkeypatch):
     make()
-    monkeypatch.setattr(exact, "SMALLEST", 0.0)
+    monkeypatch.setattr(predicates, "SMALLEST", 0.0)
     with pytest.warns(RuntimeWarning, match="answers are exact only where"):
         make()

@@ -10,18 +10,18 @@ from speeds import one_in
 
 import satviz as sv
 from satviz.cli import main
-from satviz.engine.digits import plain
-from satviz.pictures import belief, belief_rows
+from satviz.engine.number_format import plain
+from satviz.pictures import comparison, comparison_panels
 from satviz.pictures.labels import Board, Request
 from satviz.pictures.layout import Layout, text_box
 from satviz.pictures.marks import Picture
 from satviz.pictures.playback import NARROW_PANELS, narrow
 from satviz.pictures.stages import shifted
 from satviz.scenes.article import box
-from satviz.scenes.failing import NAMED, REFUSED, ROWS, right
+from satviz.scenes.failing import NAMED, REFUSED, ROWS
 from satviz.scenes.shortcuts import NAMED as SHORTCUTS
 from satviz.scenes.shortcuts import halves
-from satviz.widgets.exploring import Exploring
+from satviz.widgets.explorer_model import Exploring
 
 SHOWN = [row for row in ROWS if row.how != REFUSED]
 each_refused = pytest.mark.parametrize("row", [row for row in ROWS if row.how == REFUSED], ids=lambda row: row.name)
@@ -199,7 +199,7 @@ def test_every_shortcut_is_drawn_for_pairs_of_every_kind(name):
 
 @each_refused
 def test_what_is_refused_shows_its_outline_and_the_reason(row, tmp_path):
-    drawn = belief.refused(row)
+    drawn = comparison.refused(row)
     assert [mark.owner for mark in drawn.marks if mark.part == "outline"] == ["A", "B"]
     assert " ".join(drawn.mark("wrong").text.split()) == f"Refused: {row.truth}."
     for form in "svg", "png", "gif", "html":
@@ -322,14 +322,14 @@ def test_the_line_of_a_distance_is_as_long_as_the_distance():
     for a in shapes:
         for b in others:
             trace = sv.record(a, b, axes=SHORTCUTS["gap-as-distance"])
-            sketch = belief_rows.distance(trace, (340.0, 300.0))
+            sketch = comparison_panels.distance(trace, (340.0, 300.0))
             (p, q) = next(m.points for m in sketch.marks if m.part == "distance")
-            assert math.dist(p, q) == pytest.approx(right.distance(a, b))
+            assert math.dist(p, q) == pytest.approx(true_value.distance(a, b))
 
 
 def test_a_fan_of_directions_stays_on_its_panel():
     for b in box(2.01, 0, 4, 1), box(2.01, -1, 2.2, 3), box(-0.1, 1.01, 30, 4), sv.Polygon([(1, 1.1), (3, 2), (2, 9)]):
-        sketch = belief_rows.fan(sv.record(box(0, 0, 2, 1), b, axes=SHORTCUTS["only-one-axis"]), (340.0, 300.0))
+        sketch = comparison_panels.fan(sv.record(box(0, 0, 2, 1), b, axes=SHORTCUTS["only-one-axis"]), (340.0, 300.0))
         x0, y0, x1, y1 = sketch.layout.limits
         assert all(x0 <= p.x <= x1 and y0 <= p.y <= y1 for m in sketch.marks if m.part == "fan" for p in m.points)
 
@@ -373,7 +373,7 @@ def round_polygon(corners, x, y, size):
     return sv.Polygon([(x + size * math.cos(t), y + 0.6 * size * math.sin(t)) for t in turns])
 
 
-OWN_PANELS = {*belief_rows.SAW, *belief_rows.IS, "sum-of-parts", "tile-seam"}
+OWN_PANELS = {*comparison_panels.SAW, *comparison_panels.IS, "sum-of-parts", "tile-seam"}
 
 
 @pytest.mark.parametrize("name", sorted(OWN_PANELS))

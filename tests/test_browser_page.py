@@ -17,7 +17,7 @@ from satviz.pictures.playback import playback, playbacks
 from satviz.render.files import canvas
 from satviz.render.script import javascript, stylesheet
 from satviz.scenes.link import ALL
-from satviz.widgets.exploring import Exploring
+from satviz.widgets.explorer_model import Exploring
 
 pytestmark = pytest.mark.slow
 

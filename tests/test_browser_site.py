@@ -11,8 +11,8 @@ from browser import missing, shut_out
 from PIL import Image
 
 import satviz as sv
-from satviz.disk import write
 from satviz.pictures import DARK, LIGHT
+from satviz.safe_write import write
 from satviz.scenes.link import Shown, fragment
 from satviz.site.build import site
 from satviz.site.serving import server

@@ -17,10 +17,10 @@ import pytest
 
 import satviz as sv
 from satviz.cli import main
-from satviz.engine import telling
+from satviz.engine import describe
 from satviz.pictures.figures import FIGURES
 from satviz.scenes.article import SCENES
-from satviz.study.lab.cells import Cell
+from satviz.study.harness.cells import Cell
 
 GOOD = {"satviz": "scene 1", "a": {"polygon": [[0, 0], [4, 0], [0, 4]]}, "b": {"circle": [5, 5], "radius": 1}}
 
@@ -395,10 +395,10 @@ def vanishing(work):
     [
         (["figures", "--only", "1", "--only", "2", "--out"], "satviz.render.files.encode"),
         (["draw", "aabb", "--format", "gif", "--format", "html", "--out"], "satviz.render.files.animate"),
-        (["study", "--quick", "--out"], "satviz.study.lab.cells._load"),
+        (["study", "--quick", "--out"], "satviz.study.harness.cells._load"),
         (["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.in_turn"),
         (["trace", "aabb"], "satviz.scenes.named.scene"),
-        (["notebook", "--no-open"], "satviz.disk.write"),
+        (["notebook", "--no-open"], "satviz.safe_write.write"),
     ],
     ids=lambda value: value[0] if isinstance(value, list) else "",
 )
@@ -483,11 +483,11 @@ def test_a_closed_pipe_is_no_error():
 @pytest.mark.parametrize("name", [scene.name for scene in SCENES])
 def test_a_narrow_terminal_gets_a_narrow_table_that_says_the_same(name):
     trace = sv.scene(name).record()
-    wide = telling.table(trace)
-    assert wide == str(trace) == telling.table(trace, 10_000)
+    wide = describe.table(trace)
+    assert wide == str(trace) == describe.table(trace, 10_000)
     heads = {"axis", "direction", "gap", *(name for t in (trace, *trace.pairs) for name in t.names)}
     for width in 40, 61, 80:
-        lines = telling.table(trace, width).splitlines()
+        lines = describe.table(trace, width).splitlines()
         assert max(map(len, lines)) <= width
         said, given = (Counter(w for w in text.split() if w not in heads) for text in (" ".join(lines), wide))
         assert said == given

@@ -15,11 +15,11 @@ from hypothesis import strategies as st
 from oracle import cross, edges, holds, integers, meet, on_segment
 from speeds import one_in
 
-from satviz.engine import concave, outline, sweep, triangulation
-from satviz.engine.concave import parts
+from satviz.engine import convex_parts, polygon_validation, sweep, triangulation
+from satviz.engine.convex_parts import parts
 from satviz.engine.geometry import InvalidShape, Relation
+from satviz.engine.relate import relate
 from satviz.engine.shapes import Circle, Polygon
-from satviz.engine.verdict import relate
 from satviz.study import truth
 
 APART, TOUCHING, OVERLAPPING = Relation
@@ -242,7 +242,7 @@ def test_the_parts_scale_with_the_polygon(kind):
 def test_an_outline_that_is_larger_by_any_factor_is_split_on_no_longer_integers():
     for factor in (2.0**900, 5):
         larger = Polygon([(x * factor, y * factor) for x, y in L])
-        assert concave._Pieces(larger).at == concave._Pieces(Polygon([(x / 2, y / 2) for x, y in L])).at
+        assert convex_parts._Pieces(larger).at == convex_parts._Pieces(Polygon([(x / 2, y / 2) for x, y in L])).at
 
 
 @pytest.mark.parametrize("unit", [5e-324, 2.0**1020])
@@ -500,8 +500,8 @@ def test_a_circle_and_a_convex_polygon_are_their_own_only_part():
 
 def test_the_parts_of_a_concave_shape_are_numbered_and_a_convex_one_keeps_its_name():
     bottom, top = parts(Polygon(L))
-    assert concave.named_parts(Polygon(L), "A") == [(bottom, "A1"), (top, "A2")]
-    assert concave.named_parts(NOTCH, "B") == [(NOTCH, "B")]
+    assert convex_parts.named_parts(Polygon(L), "A") == [(bottom, "A1"), (top, "A2")]
+    assert convex_parts.named_parts(NOTCH, "B") == [(NOTCH, "B")]
 
 
 @pytest.mark.parametrize("thing", [None, [(0, 0), (1, 0), (0, 1)], "L", 3])
@@ -705,13 +705,13 @@ def test_outlines_of_thousands_of_vertices_are_filled_once_by_convex_parts(kind)
 @pytest.mark.parametrize("most", [0, 1, 5])
 @every_kind
 def test_pieces_that_are_halved_to_any_size_are_right(kind, most, monkeypatch):
-    monkeypatch.setattr(concave, "MOST", most)
+    monkeypatch.setattr(convex_parts, "MOST", most)
     for polygon in sample(kind):
         assert not refute_at_any_size(Polygon(polygon.vertices)), repr(polygon)
 
 
 def test_no_cut_ends_inside_a_diagonal_that_only_halves_so_that_it_can_be_taken_back(monkeypatch):
-    monkeypatch.setattr(concave, "MOST", 1)
+    monkeypatch.setattr(convex_parts, "MOST", 1)
     assert len(parts(Polygon([(0, 4), (0, 1), (2, 1), (3, 0), (5, 1), (3, 2), (4, 4)]))) == 4
 
 
@@ -719,7 +719,7 @@ def test_no_cut_ends_inside_a_diagonal_that_only_halves_so_that_it_can_be_taken_
 def test_hardly_more_parts_come_of_halving(kind, monkeypatch):
     """None where all its cuts are diagonals that no vertex needs: they are taken back."""
     halved = len(parts(Polygon(BIG[kind](600))))
-    monkeypatch.setattr(concave, "MOST", 600)
+    monkeypatch.setattr(convex_parts, "MOST", 600)
     whole = len(parts(Polygon(BIG[kind](600))))
     assert halved <= (1 if kind in ("star", "needles", "zigzag", "spiral", "bowl") else 1.03) * whole
 
@@ -755,11 +755,11 @@ def test_splitting_grows_almost_as_the_outline(kind, monkeypatch):
         monkeypatch.setattr(owner, name, lambda *args: looks.update({name: work(*args)}) or done(*args))
 
     for name in "_turn", "_bend":
-        counted(concave, name, lambda *_: 1)
-    for module in sweep, triangulation, outline:
+        counted(convex_parts, name, lambda *_: 1)
+    for module in sweep, triangulation, polygon_validation:
         counted(module, "orient", lambda *_: 1)
     for name in "_sees", "_extended", "_first_beside", "_cut":
-        counted(concave._Pieces, name, lambda _, ring, *rest: len(ring))
+        counted(convex_parts._Pieces, name, lambda _, ring, *rest: len(ring))
     cost = []
     for n in (500, 4000):
         looks.clear()

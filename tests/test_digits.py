@@ -7,8 +7,8 @@ from random import Random
 import pytest
 
 import satviz as sv
-from satviz.engine import digits, telling
-from satviz.engine.digits import MINUS
+from satviz.engine import describe, number_format
+from satviz.engine.number_format import MINUS
 from satviz.scenes.article import box
 
 
@@ -56,7 +56,7 @@ def test_printed_ranges_agree_with_the_printed_gap(seed):
             continue
         trace = sv.record(a, b, every_axis=True)
         for t in trace.tests:
-            told = telling.digits(trace, t)
+            told = describe.digits(trace, t)
             text, gap = told.ranges(t), value(told.signed(t.gap).lstrip("+"))
             assert sign(printed_gap(text)) == sign(t.gap) == sign(gap), (text, t.gap)
             assert abs(printed_gap(text) - gap) <= abs(gap) / 50, (text, gap)
@@ -66,14 +66,14 @@ def test_printed_ranges_agree_with_the_printed_gap(seed):
 def test_far_from_the_origin_the_ranges_are_told_from_near_them():
     trace = sv.record(box(7.276e8, 0, 7.276e8 + 2, 1), box(7.276e8 + 2.970, 0, 7.276e8 + 5, 1))
     t = trace.separating
-    assert telling.digits(trace, t).ranges(t) == ("727600000 + [0, 2]", "727600000 + [2.970, 5]")
-    assert "gap +0.970" in telling.test(trace, trace.tests.index(t))
+    assert describe.digits(trace, t).ranges(t) == ("727600000 + [0, 2]", "727600000 + [2.970, 5]")
+    assert "gap +0.970" in describe.test(trace, trace.tests.index(t))
 
 
 def test_a_gap_too_fine_for_the_ranges_is_told_beside_the_end_it_is_measured_from():
     trace = sv.record(box(0, 0, 1, 1), sv.Polygon([(1 + 2**-52, 0), (2, 0), (2, 1)]))
     t = trace.separating
-    assert telling.digits(trace, t).ranges(t) == ("[0, 1]", f"[1 + 2.220e{MINUS}16, 2]")
+    assert describe.digits(trace, t).ranges(t) == ("[0, 1]", f"[1 + 2.220e{MINUS}16, 2]")
 
 
 @pytest.mark.parametrize("scale, unit", [(1e-9, f"e{MINUS}9"), (1e9, "e9"), (1e-3, f"e{MINUS}3"), (1, ""), (1e5, "")])
@@ -81,7 +81,7 @@ def test_all_numbers_of_a_scene_have_one_unit_that_fits_it(scale, unit):
     trace = sv.record(box(0, 0, 2 * scale, scale), box(3.5 * scale, 0, 7 * scale, scale))
     shown = [number * (scale if not unit else 1) for number in (2, 3.5, 7)]
     two, three, seven = (f"{number:.7g}" for number in shown)
-    assert telling.digits(trace).ranges(trace.separating) == (f"[0, {two}]{unit}", f"[{three}, {seven}]{unit}")
+    assert describe.digits(trace).ranges(trace.separating) == (f"[0, {two}]{unit}", f"[{three}, {seven}]{unit}")
 
 
 def test_a_minus_sign_is_one_in_words_and_ascii_in_files_and_tables():
@@ -95,7 +95,7 @@ def test_a_minus_sign_is_one_in_words_and_ascii_in_files_and_tables():
     "number, text", [(0.0, "0"), (1e-5, f"1.000e{MINUS}5"), (-2.5, f"{MINUS}2.5"), (1 / 3, "0.333")]
 )
 def test_a_number_keeps_its_zeros_only_where_digits_were_cut(number, text):
-    assert digits.number(number) == text
+    assert number_format.number(number) == text
 
 
 @pytest.mark.parametrize("size", [1e-9, 3e-4, 1.0, 1e5, 1e9])
@@ -107,8 +107,8 @@ def test_an_overlap_has_three_digits_however_narrow_the_range_that_lies_inside(s
         trace = sv.record(sv.Polygon([(0, 0), (size, 0), (size, size), (0, size)]), inner)
         for t in trace.tests:
             shared = min(t.a.interval.hi, t.b.interval.hi) - max(t.a.interval.lo, t.b.interval.lo)
-            told = telling.digits(trace, t)
-            said = [value(word.rstrip(",")) for word in telling.outcome(t, told).split() if word[0].isdigit()]
+            told = describe.digits(trace, t)
+            said = [value(word.rstrip(",")) for word in describe.outcome(t, told).split() if word[0].isdigit()]
             for number, text in zip((shared, -t.gap), (said[0], said[-1]), strict=True):
                 if number == shared or len(said) > 1:
-                    assert abs(text - Fraction(number)) <= Fraction(number) / 199, (telling.outcome(t, told), number)
+                    assert abs(text - Fraction(number)) <= Fraction(number) / 199, (describe.outcome(t, told), number)

@@ -10,8 +10,9 @@ import shapely
 from strategies import CONVEX, NotConvex, few_corners, notched, pairs, scaled, star
 
 import satviz as sv
-from satviz.engine import axes, concave, escape
-from satviz.engine.escape import ends_overlap
+from satviz.engine import axes, convex_parts
+from satviz.engine import mtv as mtv_module
+from satviz.engine.mtv import ends_overlap
 from satviz.scenes.article import box
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
@@ -152,20 +153,20 @@ def test_the_way_out_of_too_many_parts_is_refused_with_the_numbers_and_what_to_d
 def test_the_limit_on_the_way_out_counts_the_corners_of_all_pairs(monkeypatch):
     for b, corners in (box(1.5, 1.5, 3.5, 3.5), 16), (sv.Circle((3.2, 3.2), 1.5), 10), (star(3, 2, 2), 44):
         trace = sv.record(L, b)
-        monkeypatch.setattr(escape, "MOST_CORNERS", corners - 1)
-        escape.around_parts.cache_clear()
+        monkeypatch.setattr(mtv_module, "MOST_CORNERS", corners - 1)
+        mtv_module.around_parts.cache_clear()
         with pytest.raises(sv.InvalidScene, match=rf"{2 * len(sv.parts(b))} pairs of convex parts with {corners} corn"):
             _ = trace.mtv
-        monkeypatch.setattr(escape, "MOST_CORNERS", corners)
+        monkeypatch.setattr(mtv_module, "MOST_CORNERS", corners)
         assert trace.mtv
 
 
 def test_the_way_out_is_looked_for_once_and_not_for_a_picture_of_what_is_apart(monkeypatch):
-    escape.around_parts.cache_clear()
+    mtv_module.around_parts.cache_clear()
     trace = sv.record(L, sv.Circle((3.2, 3.2), 1.5))
-    assert escape.around_parts.cache_info().misses == 0
+    assert mtv_module.around_parts.cache_info().misses == 0
     _ = trace.mtv, str(trace), trace.to_json(), sv.Trace.from_json(trace.to_json()).mtv
-    assert escape.around_parts.cache_info().misses == 1
+    assert mtv_module.around_parts.cache_info().misses == 1
 
 
 POCKET = sv.Polygon(
@@ -241,7 +242,7 @@ def test_no_shorter_move_of_a_circle_ends_the_overlap(a, b):
 
 def forbidden(a, b):
     """The moves of b that let the shapes overlap, as shapely makes them: round ones all but a millionth."""
-    (p, q), radius = ([part.core for part in concave.parts(shape)] for shape in (a, b)), a.radius + b.radius
+    (p, q), radius = ([part.core for part in convex_parts.parts(shape)] for shape in (a, b)), a.radius + b.radius
     sums = [shapely.MultiPoint([(ux - vx, uy - vy) for ux, uy in u for vx, vy in v]) for u in p for v in q]
     return shapely.union_all([points.convex_hull.buffer(radius, quad_segs=512) for points in sums])
 
@@ -292,10 +293,10 @@ def test_the_way_out_needs_no_tested_axis():
 def test_hardly_a_move_that_floats_can_refuse_is_checked_exactly_and_buried_borders_are_not_crossed(b, monkeypatch):
     asked = Counter()
     for name in ("relate_moved", "_crossings"):
-        done = getattr(escape, name)
-        monkeypatch.setattr(escape, name, lambda *args, name=name, done=done: asked.update([name]) or done(*args))
+        done = getattr(mtv_module, name)
+        monkeypatch.setattr(mtv_module, name, lambda *args, name=name, done=done: asked.update([name]) or done(*args))
     a = star(9)
-    assert escape.around_parts.__wrapped__(a, b)
+    assert mtv_module.around_parts.__wrapped__(a, b)
     assert asked["relate_moved"] < 3 * len(sv.parts(a)) * len(sv.parts(b)) and asked["_crossings"] < 600
 
 
@@ -312,7 +313,7 @@ def test_a_tooth_so_small_that_its_parts_vanish_at_the_size_of_its_outline_has_a
 
 def test_sides_of_one_direction_are_one_side_of_the_sum():
     square = [0j, 1 + 0j, 1 + 1j, 1j]
-    assert escape._sum(square, [2 * v for v in square[2:] + square[:2]]) == [3 * v for v in square]
+    assert mtv_module._sum(square, [2 * v for v in square[2:] + square[:2]]) == [3 * v for v in square]
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -320,10 +321,10 @@ def test_only_a_circle_bends_borders_and_the_hull_of_each_holds_it(seed):
     rng = Random(seed)
     corners = shapely.MultiPoint([(rng.gauss(0, 1), rng.gauss(0, 0.01)) for _ in range(rng.randint(3, 6))])
     ring = [complex(x, y) for x, y in reversed(corners.convex_hull.exterior.coords[1:])]
-    assert all(border.normal for border in escape._borders(ring, 0.0))
+    assert all(border.normal for border in mtv_module._borders(ring, 0.0))
     for radius in (0.01, 1.0, 3.0):
         bare = corners.convex_hull.buffer(radius, quad_segs=512).boundary
-        for border in escape._borders(ring, radius):
+        for border in mtv_module._borders(ring, radius):
             hull = shapely.MultiPoint([(v.real, v.imag) for v in border.hull]).convex_hull
             bare -= hull.buffer(1e-4)  # shapely leaves out arcs hardly bent
         assert bare.is_empty
@@ -332,7 +333,7 @@ def test_only_a_circle_bends_borders_and_the_hull_of_each_holds_it(seed):
 @pytest.mark.parametrize("radius", [0.0, 0.5, 1.0, 3.0])
 def test_no_piece_of_border_is_nearer_than_it_says(radius):
     for turn in (1, 1j, -1, -1j):
-        for border in escape._borders([turn * v for v in (2 + 1j, 3 + 1j, 2.5 + 3j)], radius):
+        for border in mtv_module._borders([turn * v for v in (2 + 1j, 3 + 1j, 2.5 + 3j)], radius):
             assert border.nearest <= min(abs(border.p), abs(border.q)) + 1e-9
 
 

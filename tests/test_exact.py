@@ -12,7 +12,7 @@ from random import Random
 import pytest
 from strategies import SIZES, nearly_straight
 
-from satviz.engine import exact
+from satviz.engine import predicates
 from satviz.study import truth as oracle
 
 LARGEST, LEAST = sys.float_info.max, 5e-324
@@ -25,18 +25,18 @@ def no_integers(monkeypatch) -> None:
     def refuse(*_):
         raise AssertionError("floats can tell this")
 
-    monkeypatch.setattr(exact, "to_integers", refuse)
+    monkeypatch.setattr(predicates, "to_integers", refuse)
 
 
 def test_the_sign_of_a_number():
-    assert [exact.sign(n) for n in (-(10**30), -2, -1, 0, 1, 2, 10**30)] == [-1, -1, -1, 0, 1, 1, 1]
+    assert [predicates.sign(n) for n in (-(10**30), -2, -1, 0, 1, 2, 10**30)] == [-1, -1, -1, 0, 1, 1, 1]
 
 
 def test_numbers_become_integers_over_the_coarsest_power_of_two():
-    assert exact.to_integers([3.0]) == (0, [3])
-    assert exact.to_integers([0.5, -3.0, 0.0, 0.75]) == (2, [2, -12, 0, 3])
-    assert exact.to_integers([5e-324, 1.0]) == (1074, [1, 1 << 1074])
-    assert exact.to_int_points([(0.5, -3.0), (0.0, 0.75), (1.0, 2.0)]) == (2, [(2, -12), (0, 3), (4, 8)])
+    assert predicates.to_integers([3.0]) == (0, [3])
+    assert predicates.to_integers([0.5, -3.0, 0.0, 0.75]) == (2, [2, -12, 0, 3])
+    assert predicates.to_integers([5e-324, 1.0]) == (1074, [1, 1 << 1074])
+    assert predicates.to_int_points([(0.5, -3.0), (0.0, 0.75), (1.0, 2.0)]) == (2, [(2, -12), (0, 3), (4, 8)])
 
 
 def test_two_shapes_come_to_one_unit_whichever_is_finer():
@@ -45,9 +45,9 @@ def test_two_shapes_come_to_one_unit_whichever_is_finer():
             self.integers = integers
 
     fine, coarse = Given(3, [(8, 1)], 5), Given(1, [(2, 3), (4, 7)], 2)
-    assert exact.aligned(fine, coarse) == ([(8, 1)], [(8, 12), (16, 28)], 13, 3)
-    assert exact.aligned(coarse, fine) == ([(8, 12), (16, 28)], [(8, 1)], 13, 3)
-    assert exact.aligned(fine, fine) == ([(8, 1)], [(8, 1)], 10, 3)
+    assert predicates.aligned(fine, coarse) == ([(8, 1)], [(8, 12), (16, 28)], 13, 3)
+    assert predicates.aligned(coarse, fine) == ([(8, 12), (16, 28)], [(8, 1)], 13, 3)
+    assert predicates.aligned(fine, fine) == ([(8, 1)], [(8, 1)], 10, 3)
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -57,8 +57,8 @@ def test_a_turn_is_told_exactly_at_every_size(size):
     for _ in range(600):
         p, q, r = nearly_straight(rng, size)
         turn = oracle.turn(p, q, r)
-        seen.add(exact.sign(turn))
-        assert exact.orient(p, q, r) == exact.sign(turn), (p, q, r)
+        seen.add(predicates.sign(turn))
+        assert predicates.orient(p, q, r) == predicates.sign(turn), (p, q, r)
     assert seen == {-1, 0, 1}
 
 
@@ -69,19 +69,24 @@ def test_a_turn_is_exact_where_its_products_lose_bits():
         ("-0x1.3a83484c08f30p-513", "0x1.c2148935c9610p-516"),
     )
     p, q, r = (tuple(map(float.fromhex, v)) for v in (p, q, r))
-    assert exact.orient(p, q, r) == exact.sign(oracle.turn(p, q, r)) == 1
+    assert predicates.orient(p, q, r) == predicates.sign(oracle.turn(p, q, r)) == 1
 
 
 @pytest.mark.parametrize("size", SIZES[5:11])
 def test_an_ordinary_turn_needs_no_integers(size, no_integers):
     for p, q, r in (((0, 0), (3, 1), (2, 2)), ((-4, 1), (3, 5), (-1, 9)), ((7, -2), (-3, -2), (5, -1))):
         points = [(x * size, y * size) for x, y in (p, q, r)]
-        assert exact.orient(*points) == -exact.orient(*points[::-1]) == exact.sign(oracle.turn(*points)) != 0
+        assert (
+            predicates.orient(*points)
+            == -predicates.orient(*points[::-1])
+            == predicates.sign(oracle.turn(*points))
+            != 0
+        )
 
 
 def root_sign(s: int, r: int, square: int) -> int:
     """The sign of s - r * sqrt(square), for r >= 0, from the squares."""
-    return exact.sign(s * abs(s) - r * r * square)
+    return predicates.sign(s * abs(s) - r * r * square)
 
 
 @pytest.mark.parametrize("squares", [1, 2, 3, 4, 25, 10**40 + 1, 4**200])
@@ -89,24 +94,24 @@ def test_a_difference_from_a_root_has_the_exact_sign(squares):
     for r in (0, 1, 2, 5, 10**20):
         whole = math.isqrt(r * r * squares)
         for s in (-whole - 1, -1, 0, 1, whole - 1, whole, whole + 1, 2 * whole + 1):
-            assert exact.sign(exact.root_difference(s, r, squares, 0)) == root_sign(s, r, squares), (s, r)
+            assert predicates.sign(predicates.root_difference(s, r, squares, 0)) == root_sign(s, r, squares), (s, r)
 
 
 def test_an_integer_over_a_power_of_two_is_rounded_once():
     rng = Random(4)
     for _ in range(500):
         num, k = rng.randint(-(2**90), 2**90), rng.randint(-60, 300)
-        value = exact.to_float(num, k)
+        value = predicates.to_float(num, k)
         assert type(value) is float
         assert value == float(Fraction(num) / Fraction(2) ** k), (num, k)
 
 
 def test_a_number_beyond_float64_keeps_its_sign():
-    assert [exact.to_float(n, -1100) for n in (-2, -1, 1, 2)] == [-LARGEST, -LARGEST, LARGEST, LARGEST]
-    assert [exact.to_float(n, 2000) for n in (-2, -1, 1, 2)] == [-LEAST, -LEAST, LEAST, LEAST]
-    assert [exact.to_float(1 << 1100, k) for k in (0, 1, -1)] == [LARGEST] * 3
+    assert [predicates.to_float(n, -1100) for n in (-2, -1, 1, 2)] == [-LARGEST, -LARGEST, LARGEST, LARGEST]
+    assert [predicates.to_float(n, 2000) for n in (-2, -1, 1, 2)] == [-LEAST, -LEAST, LEAST, LEAST]
+    assert [predicates.to_float(1 << 1100, k) for k in (0, 1, -1)] == [LARGEST] * 3
     for k in (-3000, 0, 3000):
-        assert repr(exact.to_float(0, k)) == "0.0"
+        assert repr(predicates.to_float(0, k)) == "0.0"
 
 
 def well_rounded(value: float, s: int, r: int, square: int, k: int) -> bool:
@@ -130,23 +135,23 @@ def test_a_difference_from_a_root_is_right_to_a_unit_in_the_last_place(draw: str
         if draw == "a small dot":
             s, square = rng.randint(-3, 3), rng.randint(2**300, 2**400)
         k = rng.randint(-200, 200)
-        value = exact.root_difference(s, r, square, k)
-        assert exact.sign(value) == root_sign(s, r, square), (s, r, square)
+        value = predicates.root_difference(s, r, square, k)
+        assert predicates.sign(value) == root_sign(s, r, square), (s, r, square)
         assert value == 0 or well_rounded(value, s, r, square, k), (s, r, square, k)
 
 
 def test_a_touch_is_no_difference_at_all():
     for s, r, square in ((0, 0, 5), (15, 3, 25), (5 << 300, 1 << 300, 25)):
-        assert repr(exact.root_difference(s, r, square, 7)) == "0.0"
+        assert repr(predicates.root_difference(s, r, square, 7)) == "0.0"
 
 
 def test_a_thread_that_takes_small_numbers_for_nothing_is_warned_of(monkeypatch):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        exact.warn_if_flushed()
-    monkeypatch.setattr(exact, "SMALLEST", 0.0)  # as such a thread takes it
+        predicates.warn_if_flushed()
+    monkeypatch.setattr(predicates, "SMALLEST", 0.0)  # as such a thread takes it
     with pytest.warns(RuntimeWarning, match="takes numbers below 2.3e-308 for 0"):
-        exact.warn_if_flushed()
+        predicates.warn_if_flushed()
 
 
 @pytest.mark.skipif(
@@ -164,10 +169,10 @@ def test_what_a_flushing_thread_computes_is_what_the_warning_looks_at():
         libm.fesetenv(flags)
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always")
-            exact.warn_if_flushed()
+            predicates.warn_if_flushed()
         flags[28:32] = register.to_bytes(4, "little")
         libm.fesetenv(flags)
-        exact.warn_if_flushed()
+        predicates.warn_if_flushed()
         return [warning.category for warning in told]
 
     with ThreadPoolExecutor(1) as thread:

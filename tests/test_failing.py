@@ -13,7 +13,7 @@ import pytest
 import satviz as sv
 from satviz import batch
 from satviz.cli import main
-from satviz.engine import digits
+from satviz.engine import number_format
 from satviz.engine.axes import NAMED as CHOICES
 from satviz.engine.sat import project
 from satviz.engine.shapes import centroid
@@ -26,10 +26,10 @@ from satviz.scenes.failing import (
     REFUSED,
     ROWS,
     WRONG_NUMBER,
-    reading,
-    right,
+    claimed_value,
     swept,
     threed,
+    true_value,
     unchecked,
     where,
 )
@@ -397,7 +397,7 @@ def test_scenes_failing_lists_claim_and_both_numbers_of_every_row(capsys):
         assert line.split(maxsplit=2) == [str(row.number), row.name, row.claim]
         wrong, good = row.answers
         assert row.told(row.wrong) in wrong and row.told(row.truth) in good
-        assert under.strip() == digits.plain(f"{row.how}: {wrong}; right: {good}")
+        assert under.strip() == number_format.plain(f"{row.how}: {wrong}; right: {good}")
 
 
 def test_a_failing_scene_is_traced_by_name_and_a_name_nearly_right_is_guessed(capsys):
@@ -420,8 +420,8 @@ def test_the_line_of_one_overlap_stands_at_x_2_5_and_the_fan_is_as_wide_as_known
     row = NAMED["line-for-axis"]
     line = row.scene.record().truth.certificate
     assert line.check() and line.point.x == 2.5 and line.normal[1] == 0
-    assert right.fan(row.a, row.b) == pytest.approx((-21.80, 33.69), abs=5e-3)
-    touching = right.fan(box(0, 0, 1, 1), box(nextafter(1, 2), 0, 2, 1))
+    assert true_value.fan(row.a, row.b) == pytest.approx((-21.80, 33.69), abs=5e-3)
+    touching = true_value.fan(box(0, 0, 1, 1), box(nextafter(1, 2), 0, 2, 1))
     assert touching == pytest.approx((0, 0), abs=1e-9)  # at a shared edge one direction is left
 
 
@@ -474,8 +474,8 @@ def test_both_ends_of_an_edge_land_together_on_its_normal_in_the_engine():
 
 def test_a_touch_on_paper_goes_either_way_in_floats():
     wall = 0.1 + 0.2
-    assert right.gap(box(0, 0, wall, 1), box(0.3, 0, 1, 1)) == about(-5.6e-17)
-    assert right.gap(box(0, 0, 0.3, 1), box(wall, 0, 1, 1)) == about(5.6e-17)
+    assert true_value.gap(box(0, 0, wall, 1), box(0.3, 0, 1, 1)) == about(-5.6e-17)
+    assert true_value.gap(box(0, 0, 0.3, 1), box(wall, 0, 1, 1)) == about(5.6e-17)
 
 
 def test_concentric_circles_collide_though_no_direction_is_theirs():
@@ -540,7 +540,7 @@ def test_centers_that_far_apart_belong_to_a_hit():
 
 
 def test_a_thousand_shapes_in_a_row_are_many_pairs_and_no_candidates():
-    boxes = np.array([[2 * i, 0, 2 * i + 1, 1] for i in range(reading.MANY)], float)
+    boxes = np.array([[2 * i, 0, 2 * i + 1, 1] for i in range(claimed_value.MANY)], float)
     assert len(list(combinations(boxes, 2))) == NAMED["many-pairs"].truth
     assert len(batch.candidate_pairs(boxes)) == 0
 
@@ -577,14 +577,14 @@ def test_the_scene_of_the_boxes_is_their_view_from_above():
 def test_a_push_away_from_the_center_is_as_long_as_the_right_one_and_leaves_them_colliding():
     row = NAMED["push-from-center"]
     push = row.scene.record().push
-    assert sqrt(push.x**2 + push.y**2) == about(1.426) == right.depth(row.a, row.b)
+    assert sqrt(push.x**2 + push.y**2) == about(1.426) == true_value.depth(row.a, row.b)
     pushed = sv.Polygon([(x + push.x, y + push.y) for x, y in row.b.vertices])
     assert exact(row.a, pushed) is sv.Relation.OVERLAPPING
 
 
 def test_first_gap_best_gap_and_distance_are_three_four_five():
     row = NAMED["gap-as-distance"]
-    assert (row.wrong, right.gap(row.a, row.b), row.truth) == (3, 4, 5)
+    assert (row.wrong, true_value.gap(row.a, row.b), row.truth) == (3, 4, 5)
     assert truth.distance2(row.a, row.b) == 25
 
 
@@ -650,7 +650,7 @@ NO_MAP = {
 
 def said_there(row, a, b, move):
     """Is the row's answer called wrong, once B is moved?"""
-    return claims.said(sv.record(a, reading.moved(b, move), axes=row.shortcut)).is_wrong
+    return claims.said(sv.record(a, claimed_value.moved(b, move), axes=row.shortcut)).is_wrong
 
 
 @each_scene
@@ -671,8 +671,8 @@ def test_the_map_says_wherever_b_is_put_what_the_run_says_there(row):
     rng = Random(row.number)
     for _ in range(150):
         move = sv.Vec(rng.uniform(x0, x1), rng.uniform(y0, y1))
-        run = sv.record(row.a, reading.moved(row.b, move), axes=row.shortcut)
-        if isinstance(row.b, sv.Circle) and abs(right.gap(run.a, run.b)) < 0.01:
+        run = sv.record(row.a, claimed_value.moved(row.b, move), axes=row.shortcut)
+        if isinstance(row.b, sv.Circle) and abs(true_value.gap(run.a, run.b)) < 0.01:
             continue  # a round rim is drawn with many corners
         said = [any(holds(ring, move) for ring in rings) for rings in found[:3]]
         if row.name in MAPS:
@@ -726,7 +726,7 @@ def test_where_a_number_has_no_exact_map_the_reason_is_said_and_else_the_map_hol
             continue
         for _ in range(30):
             move = sv.Vec(rng.uniform(x0, x1), rng.uniform(y0, y1))
-            if isinstance(b, sv.Circle) and abs(right.gap(a, reading.moved(b, move))) < 0.02:
+            if isinstance(b, sv.Circle) and abs(true_value.gap(a, claimed_value.moved(b, move))) < 0.02:
                 continue
             assert any(holds(ring, move) for ring in found.numbers) is said_there(row, a, b, move), (b, move)
 
@@ -752,6 +752,6 @@ def test_the_distance_is_that_of_the_nearest_points_for_shapes_of_any_kind():
     for a in u, many, box(-3, 0, -2, 1):
         for b in box(2.5, 2, 3.5, 3), sv.Polygon([(x + 7, y + 8) for x, y in ring]), box(9, 9, 10, 10), many:
             distance2 = min(truth.distance2(p, q) for p in sv.parts(a) for q in sv.parts(b))
-            assert right.distance(a, b) == pytest.approx(sqrt(distance2), rel=1e-9)
+            assert true_value.distance(a, b) == pytest.approx(sqrt(distance2), rel=1e-9)
             assert sv.picture(sv.record(a, b, axes=SHORTCUTS["gap-as-distance"])).marks
-    assert right.distance(u, sv.Circle((3, 3), 0.5)) == 1.5
+    assert true_value.distance(u, sv.Circle((3, 3), 0.5)) == 1.5

@@ -65,7 +65,7 @@ def test_one_shape_has_no_difference():
 
 
 def test_the_explorer_shows_it_beside_the_pair_when_asked():
-    from satviz.widgets.exploring import Exploring
+    from satviz.widgets.explorer_model import Exploring
 
     hand = Exploring(sv.scene("triangles"))
     state = hand.state()

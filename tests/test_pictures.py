@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import satviz as sv
-from satviz.engine import axes, telling
+from satviz.engine import axes, describe
 from satviz.pictures import LIGHT, THEMES, Mark, Stage, Step
 from satviz.pictures.curve import direction
 from satviz.pictures.figures import FIGURES
@@ -24,8 +24,8 @@ from satviz.pictures.playback import first_rows, rows
 from satviz.pictures.theme import CHART_ROLES, DOT, PICTURE_ROLES
 from satviz.pictures.views import split
 from satviz.scenes.article import SCENES, box
-from satviz.scenes.asked import refused_row
 from satviz.scenes.named import names, scene
+from satviz.scenes.resolve import refused_row
 
 L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
 TRACES = {scene.name: scene.record() for scene in SCENES} | {
@@ -180,7 +180,7 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
         for i, test in enumerate(run.tests):
             picture = sv.picture(trace, Step(Stage.GAP, i, pair))
             n = test.axis.direction
-            told = telling.digits(run, test)
+            told = describe.digits(run, test)
             for side, who, text in zip((test.a, test.b), run.names, told.ranges(test), strict=True):
                 mark = picture.mark(f"{who}.range.{i + 1}")
                 along = [p.x * n.x + p.y * n.y for p in mark.points]
@@ -193,8 +193,8 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
             assert max(along) - min(along) == pytest.approx(abs(shared), abs=1e-9)
             assert test.gap <= 0 or -shared == pytest.approx(test.gap)
             assert gap.role == ("overlap" if test.gap < 0 else "gap")
-            assert picture.mark(f"gap-name.{i + 1}").text == telling.shared(test, told)
-            assert picture.sentence == telling.test(run, i)
+            assert picture.mark(f"gap-name.{i + 1}").text == describe.shared(test, told)
+            assert picture.sentence == describe.test(run, i)
 
 
 @pytest.mark.parametrize("name", TRACES)
@@ -488,7 +488,7 @@ def test_any_scene_is_drawn_at_every_step_with_its_labels_apart(a, b):
 
 def test_where_one_range_holds_the_other_overlap_and_way_out_are_told_apart():
     trace = sv.record(box(0, 0, 10, 1), box(4, 0, 5, 1))
-    assert "overlap 1, way out 5" in telling.test(trace, 1)
+    assert "overlap 1, way out 5" in describe.test(trace, 1)
     picture = sv.picture(trace, Step(Stage.GAP, 1))
     (p, q) = picture.mark("gap.2").points
     assert q.x - p.x == pytest.approx(1)
@@ -510,7 +510,7 @@ def test_vertices_without_a_label_among_labelled_ones_are_drawn(shape):
 def test_a_part_pair_that_is_apart_does_not_say_that_the_shapes_are():
     trace = sv.record(sv.Polygon([(1, 3), (3.5, 3), (3.5, 3.5), (1, 3.5)]), L)
     apart = next(pair for pair in trace.pairs if pair.separating)
-    assert trace.hit and "so A and B1 are apart" in telling.test(apart, len(apart.tests) - 1)
+    assert trace.hit and "so A and B1 are apart" in describe.test(apart, len(apart.tests) - 1)
 
 
 def test_every_choice_of_axes_can_be_drawn():

@@ -25,12 +25,12 @@ from matplotlib.ft2font import FT2Font
 from PIL import Image
 
 import satviz as sv
-from satviz.disk import MADE_BY, check, write
 from satviz.pictures import DARK, LIGHT, Stage, Step, Theme, letters
 from satviz.pictures.figures import FIGURES
 from satviz.render import fonts
 from satviz.render.files import animate, encode
 from satviz.render.pen import Pen
+from satviz.safe_write import MADE_BY, check, write
 from satviz.scenes.article import box
 
 COMMITTED = Path(__file__).parent.parent / "figures"

@@ -10,7 +10,7 @@ from test_digits import printed_gap, sign, value
 from test_pictures import boxes, meet
 
 import satviz as sv
-from satviz.engine import telling
+from satviz.engine import describe
 from satviz.pictures.insets import SMALLEST
 
 SEEN = 5.0  # points
@@ -95,7 +95,7 @@ def hold(trace, rng):
             assert max(reach) >= SEEN, (i, name)
     for run in trace.pairs or (trace,):
         for t in run.tests:
-            told = telling.digits(run, t)
+            told = describe.digits(run, t)
             gap = value(told.signed(t.gap).lstrip("+"))
             assert sign(printed_gap(told.ranges(t))) == sign(t.gap) == sign(gap), (told.ranges(t), t.gap)
 

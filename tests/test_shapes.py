@@ -19,7 +19,7 @@ import shapely.geometry
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from satviz.engine import exact, outline, sweep
+from satviz.engine import polygon_validation, predicates, sweep
 from satviz.engine.geometry import InvalidShape
 from satviz.engine.shapes import Circle, Polygon, centroid
 from satviz.study import truth as oracle
@@ -324,9 +324,9 @@ def test_looking_for_crossings_grows_almost_as_the_outline(outline_of, monkeypat
     def counted(*points):
         nonlocal asked
         asked += 1
-        return exact.orient(*points)
+        return predicates.orient(*points)
 
-    monkeypatch.setattr(outline, "orient", counted)
+    monkeypatch.setattr(polygon_validation, "orient", counted)
     monkeypatch.setattr(sweep, "orient", counted)
     cost = []
     for n in (500, 4000):
@@ -1046,6 +1046,6 @@ def test_a_shape_is_worked_out_once():
 @pytest.mark.parametrize("make", [lambda: Polygon(TRIANGLE), lambda: Circle((1, 2), 3)], ids=["polygon", "circle"])
 def test_shapes_are_not_made_silently_where_small_numbers_are_taken_for_nothing(make, monkeypatch):
     make()
-    monkeypatch.setattr(exact, "SMALLEST", 0.0)
+    monkeypatch.setattr(predicates, "SMALLEST", 0.0)
     with pytest.warns(RuntimeWarning, match="answers are exact only where"):
         make()

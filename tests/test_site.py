@@ -30,10 +30,10 @@ from satviz.engine.geometry import InvalidScene, InvalidShape
 from satviz.scenes import link as links
 from satviz.scenes.article import SCENES
 from satviz.scenes.failing import REFUSED, ROWS
-from satviz.scenes.failing.reading import moved
+from satviz.scenes.failing.claimed_value import moved
 from satviz.site import chapters, live, runtime
 from satviz.widgets import goals
-from satviz.widgets.exploring import Exploring
+from satviz.widgets.explorer_model import Exploring
 
 pytest.importorskip("markdown_it", reason="a site needs markdown-it-py: python -m pip install '.[site]'")
 

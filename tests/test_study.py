@@ -9,9 +9,9 @@ from satviz import Polygon, batch
 from satviz.cli import main
 from satviz.study import truth
 from satviz.study.bench import BY, Row, busy, slope
-from satviz.study.lab import machine
+from satviz.study.harness import machine
 from satviz.study.methods import kernels
-from satviz.study.pairs.workloads import CORNERS, LAYOUTS, WORKLOADS
+from satviz.study.workloads.workloads import CORNERS, LAYOUTS, WORKLOADS
 
 pytestmark = pytest.mark.slow
 

@@ -11,11 +11,11 @@ import satviz as sv
 from satviz.engine.axes import needed
 from satviz.scenes.article import box
 from satviz.scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, REFUSED, ROWS
-from satviz.scenes.failing.reading import moved
+from satviz.scenes.failing.claimed_value import moved
 from satviz.scenes.failing.where import lies_in_view
 from satviz.scenes.shortcuts import middle
 from satviz.study import truth
-from satviz.study.lab.cells import Settings
+from satviz.study.harness.cells import Settings
 from satviz.study.sections import maps, slides
 from satviz.study.sections.maps import LOOKS
 from satviz.study.sections.slides import APART, FALSE, FAR, HIT, LONG, METHODS, MISSED, SHORT, WRONG, Slide

@@ -19,8 +19,8 @@ from satviz.cli import main
 from satviz.pictures import THEMES
 from satviz.study import bench_chart, run
 from satviz.study.bench import BY, ENGINES, Row
-from satviz.study.lab.cells import Cell, Failure, Settings, results
-from satviz.study.lab.chart import Chart, axes, suffix, wilson
+from satviz.study.harness.cells import Cell, Failure, Settings, results
+from satviz.study.harness.chart import Chart, axes, suffix, wilson
 from satviz.study.methods import COMPILED
 from satviz.study.run import study
 from satviz.study.sections import errors, order, resolution

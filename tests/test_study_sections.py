@@ -13,19 +13,19 @@ import pytest
 from matplotlib.text import Text
 
 from satviz import Circle, Polygon, batch, relate
-from satviz.advice.gamma import gamma
-from satviz.advice.gammas import gammas
+from satviz.advice.margins import gammas
+from satviz.advice.relative_margin import gamma
 from satviz.engine.axes import needed
 from satviz.engine.geometry import Relation
 from satviz.pictures import THEMES
 from satviz.study import run, truth
-from satviz.study.lab.cells import Settings
-from satviz.study.lab.chart import TEXT
-from satviz.study.lab.times import rough
-from satviz.study.methods import COMPILED, PYTHON, asked, kernels, methods, mistakes, plain, shapes, truths, wrong
-from satviz.study.pairs.hard import EXTREME, KINDS, hard, octave, on_a_grid, touching
-from satviz.study.pairs.workloads import WORKLOADS, apart, outlines, overlapping
+from satviz.study.harness.cells import Settings
+from satviz.study.harness.chart import TEXT
+from satviz.study.harness.times import rough
+from satviz.study.methods import COMPILED, PYTHON, asked, kernels, methods, mistakes, scalar, shapes, truths, wrong
 from satviz.study.sections import changes, corners, errors, maps, order, price, resolution, resting, reuse
+from satviz.study.workloads.hard import EXTREME, KINDS, hard, octave, on_a_grid, touching
+from satviz.study.workloads.workloads import WORKLOADS, apart, outlines, overlapping
 
 pytestmark = pytest.mark.slow
 
@@ -144,7 +144,7 @@ def test_the_largest_gamma_of_a_sample_is_no_bound(normals):
     a, b, known = FOUND[normals]
     p, q = Polygon(a), Polygon(b)
     assert truth.relation(p, q) == Relation.APART and round(gamma(p, q), 2) == known
-    assert plain.sat(plain.plain(p), plain.plain(q), unit=normals == "unit normals")  # a hit, which is wrong
+    assert scalar.sat(scalar.plain(p), scalar.plain(q), unit=normals == "unit normals")  # a hit, which is wrong
     for name in "README.md", "notebooks/7-speed-against-accuracy.ipynb":
         text = (Path(__file__).parent.parent / name).read_text(encoding="utf-8")
         assert re.search(rf"{normals} (wrong )?at {known:.2f}", text), name
@@ -187,8 +187,8 @@ def test_gjk_counts_touching_and_concentric_shapes_as_hits():
     square = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     beside, corner = Polygon([(1, 0), (2, 0), (2, 1), (1, 1)]), Polygon([(1, 1), (2, 1), (2, 2), (1, 2)])
     for other in (square, beside, corner, Circle((0.5, 0.5), 0.1), Circle((2, 0.5), 1)):
-        assert plain.gjk(plain.plain(square), plain.plain(other))
-    assert not plain.gjk(plain.plain(square), plain.plain(Circle((2.5, 0.5), 1)))
+        assert scalar.gjk(scalar.plain(square), scalar.plain(other))
+    assert not scalar.gjk(scalar.plain(square), scalar.plain(Circle((2.5, 0.5), 1)))
 
 
 @pytest.mark.parametrize("v", [3, 4, 7, 24, 100])

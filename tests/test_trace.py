@@ -17,17 +17,17 @@ from speeds import one_in
 from strategies import CONVEX, pairs, star
 
 import satviz as sv
-from satviz.engine import axes, concave, digits, sat, telling
+from satviz.engine import axes, convex_parts, describe, number_format, sat
 from satviz.engine import trace as trace_module
 from satviz.engine.certificate import SharedPoint
+from satviz.engine.relate import relate_moved
 from satviz.engine.sat import axis_tests
 from satviz.engine.shortcut import out_by
-from satviz.engine.verdict import relate_moved
 from satviz.scenes import strictjson, tracefile
 from satviz.scenes.article import SCENES, box
-from satviz.scenes.asked import refused_row
 from satviz.scenes.named import names
 from satviz.scenes.named import scene as named
+from satviz.scenes.resolve import refused_row
 from satviz.scenes.shortcuts import NAMED as SHORTCUTS
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
@@ -58,7 +58,7 @@ def test_ties_on_an_edges_own_normal_land_on_one_spot():
 
 def test_the_sentence_of_a_step_is_made_from_the_trace():
     trace = sv.record(A, B, axes=axes.edge_normals)
-    assert telling.test(trace, 1) == (
+    assert describe.test(trace, 1) == (
         "Axis 2 of 6, normal of B's edge v1v3: A [−0.243, 2.425], B [3.638, 7.034], gap +1.213: "
         "separating, so the shapes are apart."
     )
@@ -697,7 +697,9 @@ def test_a_way_out_as_short_as_ours_is_as_good():
     assert abs(x) == pytest.approx(1.5)
 
     def told(*move):
-        sentence = data["sentence"].replace(*(digits.plain(digits.vector(sv.Vec(*v))) for v in ((x, y), move)))
+        sentence = data["sentence"].replace(
+            *(number_format.plain(number_format.vector(sv.Vec(*v))) for v in ((x, y), move))
+        )
         return sv.Trace.from_json(json.dumps(data | {"mtv": list(move), "sentence": sentence}))
 
     assert told(-x, y) == trace
@@ -1085,7 +1087,7 @@ def test_a_text_that_is_not_what_the_facts_give_is_shown_from_where_it_parts():
             sv.Trace.from_json(json.dumps(data))
         told, found = str(refused.value).removeprefix("trace.sentence is ").split(", but the facts give ")
         assert lie in eval(told) and eval(told) in data["sentence"]
-        assert said in eval(found) and eval(found) in digits.plain(trace.sentence)
+        assert said in eval(found) and eval(found) in number_format.plain(trace.sentence)
 
 
 @pytest.mark.parametrize("lie", ["", "A", "B", "A an", "A and C", "A and B are not apart"])
@@ -1274,7 +1276,9 @@ def test_concave_outlines_of_hundreds_of_parts_are_refused_after_a_part_of_the_w
 
 def test_the_parts_of_a_shape_are_worked_out_once_for_all_that_asks_for_them(monkeypatch):
     made = []
-    monkeypatch.setattr(concave, "_parts", lambda shape, make=concave._parts: made.append(shape) or make(shape))
+    monkeypatch.setattr(
+        convex_parts, "_parts", lambda shape, make=convex_parts._parts: made.append(shape) or make(shape)
+    )
     a, b = star(7), star(8, 1.3, 0.1)
     trace = sv.record(a, b)
     _ = trace.mtv, str(trace), trace.to_json(), trace.certificate.check(), sv.relate(a, b), sv.steps(trace)
@@ -1386,7 +1390,7 @@ def test_shapes_wider_than_float64_can_say_are_told_and_kept(every_axis, move):
     a = sv.Polygon([(-1.7e308, -1.6e308), (1.7e308, -1e300), (0, 1.7e308)])
     b = sv.Polygon([(-1.7e308 + move * 2e307, 1.7e308), (-1.6e308, 1.5e308), (1.7e308, 1.79e308)])
     trace = sv.record(a, b, every_axis=every_axis)
-    assert str(trace) and trace.sentence and all(telling.test(trace, i) for i in range(len(trace.tests)))
+    assert str(trace) and trace.sentence and all(describe.test(trace, i) for i in range(len(trace.tests)))
     assert sv.Trace.from_json(trace.to_json()) == trace
 
 

@@ -32,12 +32,12 @@ from strategies import (
     spun,
 )
 
-from satviz.engine import verdict
-from satviz.engine.exact import aligned
+from satviz.engine import relate as relate_module
 from satviz.engine.geometry import InvalidShape, Relation, Vec
+from satviz.engine.predicates import aligned
+from satviz.engine.relate import relate, relate_integers, relate_moved
 from satviz.engine.shapes import Circle, Polygon, Shape
 from satviz.engine.trace import record
-from satviz.engine.verdict import relate, relate_integers, relate_moved
 from satviz.study import truth as oracle
 
 
@@ -103,7 +103,7 @@ def steps_of_relate(a: Shape, b: Shape) -> int:
 
     def count(frame, *_):
         nonlocal steps
-        steps += frame.f_code.co_filename == verdict.__file__
+        steps += frame.f_code.co_filename == relate_module.__file__
         return count
 
     before = sys.gettrace()
@@ -516,8 +516,8 @@ def float_only(monkeypatch) -> Callable[[Shape, Shape], Relation | None]:
         except Undecided:
             return None
 
-    monkeypatch.setattr(verdict, "aligned", no_sign)
-    monkeypatch.setattr(verdict, "orient", no_sign)
+    monkeypatch.setattr(relate_module, "aligned", no_sign)
+    monkeypatch.setattr(relate_module, "orient", no_sign)
     return decide
 
 
@@ -573,8 +573,8 @@ def test_the_float_filter_alone_is_never_wrong_about_what_it_decides(float_only,
 
 def test_a_polygon_filter_without_room_is_wrong(float_only, monkeypatch):
     """The pairs above do lie where roundings decide: with a room of half a rounding the filter errs."""
-    monkeypatch.setattr(verdict, "LOOK", U / 8)  # times two spans and two reaches
-    monkeypatch.setattr(verdict, "LEAST_ROOM", 0.0)
+    monkeypatch.setattr(relate_module, "LOOK", U / 8)  # times two spans and two reaches
+    monkeypatch.setattr(relate_module, "LEAST_ROOM", 0.0)
     wrong = sum(float_only(a, b) not in (None, oracle.relation(a, b)) for a, b in at_the_bound(11, 1_000, 0))
     print(f"wrong without room: {wrong} of 1000")
     assert wrong > 3

@@ -18,10 +18,10 @@ from satviz.pictures.layout import Layout, text_box
 from satviz.render.notebook import bundle
 from satviz.scenes.article import box
 from satviz.scenes.failing import REFUSED, ROWS
-from satviz.scenes.failing.reading import moved
+from satviz.scenes.failing.claimed_value import moved
 from satviz.scenes.scenefile import shape_data
-from satviz.widgets.exploring import Exploring
-from satviz.widgets.showing import Showing
+from satviz.widgets.explorer_model import Exploring
+from satviz.widgets.player_model import Showing
 
 pytest.importorskip("anywidget", reason="anywidget is not installed")
 

@@ -14,19 +14,19 @@ from ..engine.shapes import Shape, checked
 from ..engine.trace import Trace, record
 from ..scenes.named import scene as named
 from ..scenes.scenefile import Scene
-from . import proofs, telling
+from . import certified_bounds, report
+from .certified_bounds import Compound, Model, pieces
 from .facts import Case, Facts, Judged, Pair, anywhere, best, candidates, for_hits, kind_of
-from .gamma import signed
 from .limits import MAX_TESTS_CHECKED, TESTS_BY_FRACTIONS, TESTS_TIMED
-from .proofs import Compound, Model, pieces
+from .relative_margin import signed
 from .scope import HERE, Scope, grid_of, reach_of, scope_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ..batch import Shapes
-    from .chart import Chart
-    from .prices import Price
+    from .cost_chart import Chart
+    from .costs import Price
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class Advice:
     @property
     def reason(self) -> str:
         """Why it is right, in words."""
-        return telling.reason(self.model, self.facts, self.scope)
+        return report.reason(self.model, self.facts, self.scope)
 
     def check(self, most: int = MAX_TESTS_CHECKED) -> bool:
         """Prove it again with integers and fractions, pair by pair; False if anything claimed does not hold.
@@ -118,7 +118,7 @@ class Advice:
             return claim.first is None and claim.proven
         a, b = self.case.body(place)
         said = claim.model.sure(a, b)
-        return said is not None and said is not proofs.exactly(a, b) if claim.wrong else said is None
+        return said is not None and said is not certified_bounds.exactly(a, b) if claim.wrong else said is None
 
     def _place(self, pair: Pair) -> int | None:
         return next((k for k in range(self.case.known) if self.case.indices(k) == pair), None)
@@ -136,7 +136,7 @@ class Advice:
 
         Drawn (`sv.draw`), what the model saw stands beside what is.  Where it is rounding that fails, all exact.
         """
-        from .believing import shortcut
+        from .as_shortcut import shortcut
 
         smaller = self.smaller
         if smaller is None or smaller.first is None or (place := self._place(smaller.first)) is None:
@@ -146,7 +146,7 @@ class Advice:
 
     @cached_property
     def _prices(self) -> "dict[str, Price | None]":
-        from .prices import prices
+        from .costs import prices
 
         # for one pair numba would take longer to load than all else
         engine = "numpy" if self.facts.pairs == 1 else None
@@ -161,7 +161,7 @@ class Advice:
 
     def chart(self) -> "Chart":
         """Time against wrong answers of every candidate on these pairs, the advised one marked."""
-        from .chart import chart
+        from .cost_chart import chart
 
         return chart(self.model, self.facts, self.judged, self.prices())
 
@@ -174,7 +174,7 @@ class Advice:
             "reason": self.reason,
             "scope": {
                 "kind": self.scope.kind,
-                "text": telling.holds(self.scope, self.facts),
+                "text": report.holds(self.scope, self.facts),
                 "bound": self.scope.bound,
             },
             "anywhere": self.anywhere.name,
@@ -188,7 +188,7 @@ class Advice:
         return json.dumps(data, indent=indent, allow_nan=False)
 
     def __str__(self) -> str:
-        return telling.told(self.facts, self.judged, self.scope)
+        return report.told(self.facts, self.judged, self.scope)
 
     def __repr__(self) -> str:
         return f"Advice({self.model.name}, {self.scope.kind})"
@@ -263,8 +263,8 @@ def _two(a: Shape, b: Shape) -> Case:
 def _candidates(case: Case) -> tuple[Model, ...]:
     """The candidate models, worked out from the bodies alone."""
     shapes = case.shapes()
-    axes = max((proofs.axes_asked(*case.body(k)) for k in range(case.pairs)), default=1)
-    directions = proofs.shared_directions(shapes) if case.pairs else ()
+    axes = max((certified_bounds.axes_asked(*case.body(k)) for k in range(case.pairs)), default=1)
+    directions = certified_bounds.shared_directions(shapes) if case.pairs else ()
     return candidates(axes, directions, {kind_of(s) for s in shapes}, case)
 
 
@@ -277,13 +277,13 @@ def _counted(case: Case, models: Sequence[Model]) -> tuple[Facts, tuple[Judged, 
     missing = set()
     for k in range(case.known):
         a, b = case.body(k)
-        relation, pair = proofs.exactly(a, b), case.indices(k)
+        relation, pair = certified_bounds.exactly(a, b), case.indices(k)
         if k < case.pairs:
             relations[relation] += 1
             if (found := _gamma(case, k)) < least:
                 least, at = found, pair
         for model in models:
-            if k >= case.pairs and (model.after_boxes or model.kind == proofs.BOXES):
+            if k >= case.pairs and (model.after_boxes or model.kind == certified_bounds.BOXES):
                 continue  # settled already
             said = model.sure(a, b)
             if said is None:

@@ -4,8 +4,8 @@ from collections.abc import Callable, Collection, Sequence
 from typing import Any, NamedTuple
 
 from ..engine.geometry import Vec
-from . import proofs
-from .proofs import BOXES, EXACT, Body, Model
+from . import certified_bounds
+from .certified_bounds import BOXES, EXACT, Body, Model
 
 Pair = tuple[int, int]
 UPRIGHT, ROUND, CONVEX, CONCAVE = "upright boxes", "circles", "convex polygons", "concave polygons"
@@ -120,8 +120,8 @@ def anywhere(facts: Facts, judged: Sequence[Judged]) -> Model:
 def candidates(axes: int, directions: tuple[Vec, ...], kinds: Collection[str], case: Case) -> tuple[Model, ...]:
     """The candidate models of a case, for shapes of these kinds and the most axes that a pair of them has."""
     if case.settled is None:
-        return proofs.candidates(axes, directions, set(kinds) == {ROUND})
-    found = proofs.candidates(axes, directions, case.settled.only_circles, case.settled.alone)
+        return certified_bounds.candidates(axes, directions, set(kinds) == {ROUND})
+    found = certified_bounds.candidates(axes, directions, case.settled.only_circles, case.settled.alone)
     if case.pairs:
         return found
     return tuple(m for m in found if not m.after_boxes or m.kind == EXACT)  # nothing is left after the boxes

@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..batch.codes import APART, OVERLAPPING, TOUCHING
-from ..batch.compiling import compiled
-from ..batch.filter_numba import edges_of_eight
-from ..batch.picked_numba import LANES, ROW, edges_of_four, lay
-from ..batch.rings import FEW
+from ..batch.ragged import FEW
+from ..batch.with_numba.filter import edges_of_eight
+from ..batch.with_numba.indexed import LANES, ROW, edges_of_four, lay
+from ..batch.with_numba.jit_cache import compiled
 
 Array = NDArray[Any]
 Indices = NDArray[np.intp]

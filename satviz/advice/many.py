@@ -10,22 +10,22 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import batch
 from ..batch.arrays import Shapes, checked
-from ..batch.broad import candidate_blocks, in_order
+from ..batch.broad_phase import candidate_blocks, in_order
 from ..batch.codes import APART
-from ..batch.narrow import engine_of
-from ..batch.rings import Rings
+from ..batch.narrow_phase import engine_of
+from ..batch.ragged import Rings
 from ..engine.geometry import InvalidScene
 from ..engine.shapes import Circle, Shape
-from . import proofs
+from . import certified_bounds
+from .certified_bounds import BOXES, CIRCLES, EXACT, Body, Compound, Model
+from .classify import Grids, sure
 from .facts import CONCAVE, CONVEX, ROUND, UPRIGHT, Case, Facts, Grid, Judged, Pair, Settled, candidates
-from .gammas import signed_gammas
 from .limits import refuse_more, refuse_more_boxes, refuse_more_by_fractions
+from .margins import signed_gammas
 from .models import by_boxes, discs, is_circle, shared_directions
 from .pairs import Array, Indices, Pairs, indexed, one, paired, reach
-from .proofs import BOXES, CIRCLES, EXACT, Body, Compound, Model
 from .rounding import FLOAT64, FORMATS
 from .scope import bound_of
-from .sure import Grids, sure
 
 
 def of_many(
@@ -102,7 +102,7 @@ def _settled(a: Shapes, many: int, engine: str | None) -> tuple[Settled, Pairs]:
     """What the boxes settle; and which of these pairs a model that stands alone, by one circle a shape, may doubt.
 
     With M the larger reach of two circles, u the rounding, d their distance and R the sum of the radii, they are surely
-    told apart where d - R is 72 u M or more: the bound of `proofs.circles` for ranges, and more than its bound for
+    told apart where d - R is 72 u M or more: the bound of `certified_bounds.circles` for ranges, and more than its bound for
     squares, 12 u (d + R) + 5 sqrt(2) u M with d + R at most 4.9 M.  So boxes of the circles that are 100 u M wider on
     each side (u of float32 where that is a candidate) meet for every pair that can be doubted.
     """
@@ -131,7 +131,7 @@ def _bound(both: Pairs, engine: str | None) -> float:
     most = np.maximum(_reach(both.a)[both.pa], _reach(both.b)[both.pb])
     signed = signed_gammas(both.a.parts, both.b.parts, np.stack([both.pa, both.pb], axis=1), engine=engine)
     # gamma is good to one part in fifty
-    return bound_of(float((np.abs(signed) * 0.9 * most).min()) / (proofs.LOOKS + 1), float(most.max()))
+    return bound_of(float((np.abs(signed) * 0.9 * most).min()) / (certified_bounds.LOOKS + 1), float(most.max()))
 
 
 def _grid(both: Pairs) -> Grid | None:
@@ -148,7 +148,7 @@ def as_batch(shape: Shape) -> Shapes:
     """A batch of the one shape, with the convex parts that it already knows."""
     if isinstance(shape, Circle):
         return batch.Circles([shape.center], shape.radius)
-    cores = [np.asarray(part.core) for part in proofs.pieces(shape)]
+    cores = [np.asarray(part.core) for part in certified_bounds.pieces(shape)]
     start = np.cumsum([0, *map(len, cores)])
     x, y = np.concatenate(cores).T.copy()
     owner = np.zeros(len(cores), np.int64) if len(cores) > 1 else None

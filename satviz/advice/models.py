@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from .. import batch
 from ..batch.arrays import Group, Shapes
 from ..batch.codes import TOUCHING
-from ..batch.filter_numpy import clearance
-from ..engine.exact import HUGE, TINY
+from ..batch.with_numpy.filter import clearance
 from ..engine.geometry import Vec
+from ..engine.predicates import HUGE, TINY
+from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, FILLED, MOST_DIRECTIONS, PARALLEL, Model
 from .pairs import Array, Indices, Pairs, Relations, columns, in_a_row
-from .proofs import BOXES, CIRCLES, DIRECTIONS, EXACT, FILLED, MOST_DIRECTIONS, PARALLEL, Model
 from .rounding import FORMATS
 
 BLOCK = 16384  # pairs at a time, whose columns stay in the cache

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..batch.arrays import Group, Shapes
 from ..batch.codes import UNDECIDED
-from ..batch.narrow import checked_pairs
+from ..batch.narrow_phase import checked_pairs
 from ..engine.shapes import Circle, Polygon, Shape
 
 Array = NDArray[np.float64]

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..batch.signs import two_product, two_sum
+from ..batch.exact_signs import two_product, two_sum
 from .rounding import FLOAT32, Format, Point
 
 Array = NDArray[np.float64]

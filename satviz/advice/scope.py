@@ -6,12 +6,12 @@ from itertools import chain
 from math import frexp, inf
 from typing import NamedTuple
 
-from ..engine.exact import to_integers
+from ..engine.predicates import to_integers
 from ..engine.shapes import Shape
-from . import proofs
+from . import certified_bounds
+from .certified_bounds import BOXES, EXACT, Body, Model
 from .facts import CONCAVE, ROUND, UPRIGHT, Case, Facts, Grid
-from .gamma import gamma
-from .proofs import BOXES, EXACT, Body, Model
+from .relative_margin import gamma
 from .rounding import FLOAT64, FORMATS, Format
 
 ANYWHERE, GRID, MOVED, HERE = "anywhere", "on a grid", "moved as a whole", "these coordinates"
@@ -56,7 +56,7 @@ def reach_allowed(a: Shape, b: Shape) -> Fraction:
     the roundings asked (and one, as gamma itself is rounded).
     """
     reach = max(abs(c) for s in (a, b) for c in s.bounds)
-    return Fraction(gamma(a, b)) * Fraction(reach) / (proofs.LOOKS + 1)
+    return Fraction(gamma(a, b)) * Fraction(reach) / (certified_bounds.LOOKS + 1)
 
 
 def reach_of(pairs: Iterable[tuple[Body, Body]]) -> float:
@@ -100,9 +100,14 @@ def grid_of(pairs: Iterable[tuple[Body, Body]]) -> Grid | None:
     if not common:
         return None
     low = (common & -common).bit_length() - 1
-    spans = [abs(Fraction(c) - Fraction(d)) for s in shapes for p, q in proofs.edges_of(s.core) for c, d in zip(p, q)]
+    spans = [
+        abs(Fraction(c) - Fraction(d))
+        for s in shapes
+        for p, q in certified_bounds.edges_of(s.core)
+        for c, d in zip(p, q)
+    ]
     return Grid(low - k, max(map(abs, found)) >> low, int(max(spans) / Fraction(2) ** (low - k)))
 
 
 def _parts(pairs: Iterable[tuple[Body, Body]]) -> list[tuple[Shape, Shape]]:
-    return [(p, q) for a, b in pairs for p in proofs.pieces(a) for q in proofs.pieces(b)]
+    return [(p, q) for a, b in pairs for p in certified_bounds.pieces(a) for q in certified_bounds.pieces(b)]

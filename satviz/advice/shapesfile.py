@@ -13,11 +13,11 @@ from numpy.lib import format as npy
 from numpy.typing import NDArray
 
 from .. import batch
-from ..batch import door
+from ..batch import validation
 from ..batch.outlines import convex
-from ..batch.rings import Rings
+from ..batch.ragged import Rings
 from ..engine.geometry import InvalidScene, InvalidShape
-from ..engine.outline import shown
+from ..engine.polygon_validation import shown
 
 MAX_NUMBERS = 4_000_000  # 2,000,000 circles or corners: recommended on in some 10 s and 0.8 GB
 MAX_CONCAVE_CORNERS = 50_000  # split into convex parts one outline at a time, in some 10 s
@@ -140,7 +140,7 @@ def _shapes(path: Path, arrays: dict[str, NDArray[Any]]) -> batch.Shapes:
 
 
 def _check_concave(path: Path, coords: NDArray[Any], offsets: NDArray[Any]) -> None:
-    rings = Rings(*door.ragged(coords, offsets))
+    rings = Rings(*validation.ragged(coords, offsets))
     corners = np.diff(rings.start)
     _, plain = convex(Rings(rings.x + 0.0, rings.y + 0.0, rings.start))
     if (many := int(corners[~plain].sum())) > MAX_CONCAVE_CORNERS:

@@ -1,10 +1,10 @@
 """Many pairs at once: exact like satviz.relate, near the machine's speed (loads NumPy)."""
 
 from .arrays import Shapes, concat
-from .broad import candidate_pairs
+from .broad_phase import candidate_pairs
 from .collide import colliding_pairs, stream_colliding_pairs
-from .making import Circles, Polygons, from_shapely
-from .narrow import hits, relate
+from .constructors import Circles, Polygons, from_shapely
+from .narrow_phase import hits, relate
 
 __all__ = [
     "Circles",

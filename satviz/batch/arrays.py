@@ -10,8 +10,8 @@ from typing import Any, NamedTuple, SupportsIndex
 import numpy as np
 from numpy.typing import NDArray
 
-from ..engine.outline import refuse_masked
-from .rings import Rings
+from ..engine.polygon_validation import refuse_masked
+from .ragged import Rings
 
 Where = SupportsIndex | slice | Sequence[int] | NDArray[np.integer[Any] | np.bool_]  # one, a range, indices, a mask
 

@@ -6,7 +6,7 @@ from concurrent.futures import Executor, Future
 from operator import index
 from typing import Any
 
-from ..engine.outline import shown
+from ..engine.polygon_validation import shown
 
 CHUNK = 1 << 20  # pairs: large enough to hide what a hand-over costs, small enough to hold a few at once
 WAITING = 8  # chunks handed over and not yet fetched: what bounds the memory

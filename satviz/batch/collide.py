@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.geometry import InvalidShape
-from . import door
+from . import validation
 from .arrays import Shapes, checked
-from .broad import candidate_blocks, in_order
+from .broad_phase import candidate_blocks, in_order
 from .chunks import CHUNK
-from .grid_numpy import Pairs
-from .making import polygons_numbered
-from .narrow import check_options, engine_of, hits
+from .constructors import polygons_numbered
+from .narrow_phase import check_options, engine_of, hits
+from .with_numpy.grid import Pairs
 
 STRIP = 1 << 19  # shapes a strip of a streamed file should hold
 
@@ -84,7 +84,7 @@ def _streamed(
     n = len(vertices)
     low, high = np.empty(n), np.empty(n)
     for start in range(0, max(n, 1), strip):
-        x = door.rings(vertices[start : start + strip], _numbered_from(start))[:, :, 0]
+        x = validation.rings(vertices[start : start + strip], _numbered_from(start))[:, :, 0]
         low[start : start + strip], high[start : start + strip] = x.min(axis=1), x.max(axis=1)
     if not n:
         return

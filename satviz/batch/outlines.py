@@ -9,9 +9,9 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from . import signs
-from .rings import Mask, Places, Rings, joined
-from .signs import Array
+from . import exact_signs
+from .exact_signs import Array
+from .ragged import Mask, Places, Rings, joined
 
 Value = TypeVar("Value", np.float64, np.bool_)
 
@@ -51,7 +51,7 @@ def _convex(rings: Rings) -> tuple[Rings, Mask]:
     if len(start) == 1:
         return ring, many
     px, py, nx, ny = (way(c, start) for way in (_before, _after) for c in (x, y))
-    turns = signs.orient(px, py, x, y, nx, ny)
+    turns = exact_signs.orient(px, py, x, y, nx, ny)
     first = start[:-1]
     least, most = np.minimum.reduceat(turns, first), np.maximum.reduceat(turns, first)
     # straight on is no corner; straight back comes with turns both ways, with going round twice, or with no turn at all

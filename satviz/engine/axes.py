@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterator, Sequence
 from math import gcd, hypot
 from typing import Any, NamedTuple
 
-from .exact import IntPoint, aligned, orient, to_float, to_int_points, to_integers
 from .geometry import Vec
-from .outline import number, point
+from .polygon_validation import number, point
+from .predicates import IntPoint, aligned, orient, to_float, to_int_points, to_integers
 from .shapes import Shape, centroid
 
 __all__ = [

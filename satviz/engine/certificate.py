@@ -6,11 +6,11 @@ from functools import lru_cache
 from math import gcd, isfinite, isqrt
 from typing import NamedTuple, TypeVar
 
-from . import digits, telling
+from . import describe, number_format
 from .axes import Axis, exact_dots
-from .concave import parts
-from .exact import orient
+from .convex_parts import parts
 from .geometry import Vec
+from .predicates import orient
 from .sat import LARGEST
 from .shapes import Shape
 
@@ -41,7 +41,7 @@ class SeparatingLine(NamedTuple):
         return Vec(*(float(max(-RIM, min(RIM, c * t))) for c in (nx, ny)))
 
     def __str__(self) -> str:
-        return digits.plain(f"separating line {telling.line(self)}")
+        return number_format.plain(f"separating line {describe.line(self)}")
 
 
 class SharedPoint(NamedTuple):
@@ -62,7 +62,9 @@ class SharedPoint(NamedTuple):
         return Vec(float(self.x), float(self.y))
 
     def __str__(self) -> str:
-        return digits.plain(f"the point {digits.of_shapes(self.a, self.b).vector(self.point)} lies in both")
+        return number_format.plain(
+            f"the point {number_format.of_shapes(self.a, self.b).vector(self.point)} lies in both"
+        )
 
 
 class PartLines(NamedTuple):

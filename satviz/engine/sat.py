@@ -5,8 +5,8 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from .axes import Axis, Source, exact_dots, needed
-from .exact import root_difference
 from .geometry import Interval, Vec
+from .predicates import root_difference
 from .shapes import Shape, checked
 
 # Landing places carry under 13 roundings of the reach each, a gap under 27.  Asked is far

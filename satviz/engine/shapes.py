@@ -5,9 +5,9 @@ from collections.abc import Callable, Sequence
 from itertools import chain, pairwise
 from typing import Any, ClassVar, TypeVar
 
-from . import door, outline
-from .exact import IntPoint, to_integers, warn_if_flushed
+from . import hooks, polygon_validation
 from .geometry import InvalidShape, Vec
+from .predicates import IntPoint, to_integers, warn_if_flushed
 
 INF = math.inf
 T = TypeVar("T")
@@ -65,7 +65,7 @@ class _Shape:
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: the repr and a picture."""
-        return door.bundle(self)
+        return hooks.bundle(self)
 
     @property
     def integers(self) -> tuple[int, list[IntPoint], int]:
@@ -96,8 +96,8 @@ class Polygon(_Shape):
     def __init__(self, vertices: Any, labels: Sequence[str] | None = None) -> None:
         if isinstance(vertices, Polygon):
             vertices, labels = vertices.vertices, vertices.labels if labels is None else labels
-        points = outline.vertices(vertices)
-        ring = outline.corners(points)
+        points = polygon_validation.vertices(vertices)
+        ring = polygon_validation.corners(points)
         corners = tuple(Vec(points[i].x + 0.0, points[i].y + 0.0) for i in ring.ids)  # -0.0 becomes 0.0
         xs, ys = [c.x for c in corners], [c.y for c in corners]
         edges = [(q.x - p.x, q.y - p.y) for p, q in zip(corners, (*corners[1:], corners[0]), strict=True)]
@@ -142,8 +142,8 @@ class Circle(_Shape):
 
     def __init__(self, center: Any, radius: Any) -> None:
         warn_if_flushed()
-        c = outline.point(center, "center")
-        r = outline.number(radius, "radius")
+        c = polygon_validation.point(center, "center")
+        r = polygon_validation.number(radius, "radius")
         if r <= 0:
             raise InvalidShape(f"radius is {r}: a circle needs a positive radius")
         self._set(
@@ -221,18 +221,22 @@ def _checked_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | N
     if labels is None:
         return None
     if isinstance(labels, str):
-        raise InvalidShape(f"labels is the text {outline.shown(labels)}: pass a list with one label a vertex")
+        raise InvalidShape(
+            f"labels is the text {polygon_validation.shown(labels)}: pass a list with one label a vertex"
+        )
     try:
         labels = tuple(labels)
     except TypeError:
-        raise InvalidShape(f"labels is {outline.shown(labels)}: pass a list with one label a vertex") from None
+        raise InvalidShape(
+            f"labels is {polygon_validation.shown(labels)}: pass a list with one label a vertex"
+        ) from None
     if len(labels) != n:
         raise InvalidShape(f"{len(labels)} labels for {n} vertices: pass one a vertex")
     for i, label in enumerate(labels):
         if not isinstance(label, str):
-            raise InvalidShape(f"label {i} is {outline.shown(label)}: a label must be text")
+            raise InvalidShape(f"label {i} is {polygon_validation.shown(label)}: a label must be text")
         if any("\ud800" <= c <= "\udfff" for c in label):
-            raise InvalidShape(f"label {i} is {outline.shown(label)}: half a surrogate pair is no text")
+            raise InvalidShape(f"label {i} is {polygon_validation.shown(label)}: half a surrogate pair is no text")
     return labels
 
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from .axes import Axis, Chooser, needed
 from .geometry import InvalidScene, InvalidShape, Vec
-from .outline import shown
+from .polygon_validation import shown
 from .sat import AxisTest, axis_tests
 from .shapes import Shape
 

@@ -8,8 +8,8 @@ from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from .exact import orient
 from .geometry import Vec
+from .predicates import orient
 
 
 class Event(NamedTuple):

@@ -6,16 +6,16 @@ from itertools import product
 from math import isfinite
 from typing import NamedTuple
 
-from . import door, telling
+from . import describe, hooks
 from .axes import EARLY_EXIT, NAMED, Choice, Chooser, Skip, made_for, needed
 from .certificate import Certificate, PartLines, separating_line, shared_point
-from .concave import named_parts
-from .escape import along_axis, around_parts
+from .convex_parts import named_parts
 from .geometry import InvalidScene, Relation, Vec
+from .mtv import along_axis, around_parts
+from .relate import relate
 from .sat import AxisTest, axis_tests
 from .shapes import Shape, checked
 from .shortcut import Shortcut, out_by
-from .verdict import relate
 
 APART, TOUCHING, OVERLAPPING = Relation
 
@@ -206,26 +206,26 @@ class Trace:
     @property
     def sentence(self) -> str:
         """The verdict in words."""
-        return telling.verdict(self, self.known_mtv)
+        return describe.verdict(self, self.known_mtv)
 
     def __str__(self) -> str:
-        return telling.table(self)
+        return describe.table(self)
 
     def __iter__(self) -> Iterator[AxisTest]:
         return iter(self.tests)
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: the table and the last picture."""
-        return door.bundle(self)
+        return hooks.bundle(self)
 
     def to_json(self, *, indent: int | None = None) -> str:
         """The trace as JSON: the shapes, each axis and landing place, and the verdicts for readers elsewhere."""
-        return door.to_json(self, indent)
+        return hooks.to_json(self, indent)
 
     @staticmethod
     def from_json(text: str) -> "Trace":
         """The trace that `to_json` wrote; InvalidScene if anything in it is missing, unknown or untrue."""
-        return door.from_json(text)
+        return hooks.from_json(text)
 
 
 def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, every_axis: bool = False) -> Trace:

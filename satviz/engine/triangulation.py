@@ -6,8 +6,8 @@ of the sweep and one orientation test or two for each diagonal, whatever the out
 
 from collections.abc import Sequence
 
-from .exact import orient
 from .geometry import Vec
+from .predicates import orient
 from .sweep import sweep
 
 Diagonal = tuple[int, int]

@@ -1,6 +1,6 @@
 """Pictures: one step of a trace as marks, with no pen in sight."""
 
-from .belief import picture
+from .comparison import picture
 from .marks import Mark, Picture
 from .stages import Stage, Step, steps
 from .theme import DARK, LIGHT, THEMES, Theme

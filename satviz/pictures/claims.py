@@ -4,13 +4,13 @@ from functools import lru_cache
 from math import hypot, isclose, isnan
 from typing import NamedTuple
 
-from ..engine import telling
+from ..engine import describe
 from ..engine.geometry import Vec
 from ..engine.trace import Trace, record
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, Row
-from ..scenes.failing.reading import OF_PUSHES
-from ..scenes.failing.right import Answer
-from . import belief_rows
+from ..scenes.failing.claimed_value import OF_PUSHES
+from ..scenes.failing.true_value import Answer
+from . import comparison_panels
 from .layout import box_of
 from .stages import shifted
 
@@ -43,7 +43,7 @@ def said(trace: Trace) -> Said:
     assert trace.shortcut
     row = row_of(trace)
     if row is None and trace.push and trace.hit and about_push(trace):
-        told, way = telling.digits(trace), trace.truth.known_mtv or Vec(0.0, 0.0)
+        told, way = describe.digits(trace), trace.truth.known_mtv or Vec(0.0, 0.0)
         words = f"push {told.vector(trace.push)}", f"{trace.relation}, way out {told.vector(way)}"
         return Said(*words, not _leads_out(trace, trace.push, way))
     if row is None:
@@ -91,7 +91,7 @@ def _leads_out(trace: Trace, push: Vec, way: Vec) -> bool:
 def verdicts(trace: Trace) -> tuple[str, str]:
     """The claim and the relation in a word each."""
     row = row_of(trace)
-    own = belief_rows.VERDICTS.get(row.name) if row else None
+    own = comparison_panels.VERDICTS.get(row.name) if row else None
     return own or (str(trace.claim), str(trace.relation))
 
 

@@ -5,13 +5,13 @@ from itertools import pairwise
 from math import atan2, cos, degrees, isfinite, pi, radians, sin
 from numbers import Real
 
-from ..engine import digits, telling
+from ..engine import describe, number_format
 from ..engine.axes import WORLD, Axis
 from ..engine.geometry import Vec
 from ..engine.sat import axis_tests
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import PLAIN
-from ..scenes.asked import Asked, pair_of
+from ..scenes.resolve import Asked, pair_of
 from .labels import Request, with_labels
 from .layout import Layout
 from .marks import Mark, Picture
@@ -52,14 +52,16 @@ def gap_curve(
         if pieces:
             marks.append(Mark(f"{role}-curve", "segment", role, tuple(at(*p) for p in pieces), weight="plain"))
     best = max(points, key=lambda p: p[1])
-    requests.append(Request("best", f"largest {digits.of_shapes(a, b).signed(best[1])}", _role(best[1]), at(*best)))
+    requests.append(
+        Request("best", f"largest {number_format.of_shapes(a, b).signed(best[1])}", _role(best[1]), at(*best))
+    )
     if degree is not None:
         d, gap = degree % 180, gap_at(a, b, degree)
         marks += [
             Mark("here-line", "segment", "ink", (at(d, low), at(d, high))),
             Mark("here", "disc", "ink", (at(d, gap),), radius=HERE),  # a ring: a candidate's dot shows inside it
         ]
-        text = f"{digits.number(round(d, 1))}°: {digits.of_shapes(a, b).signed(gap)}"
+        text = f"{number_format.number(round(d, 1))}°: {number_format.of_shapes(a, b).signed(gap)}"
         requests.insert(0, Request("here-name", text, "ink", at(d, gap)))
     for i, (d, gap, axis) in enumerate(candidates):
         role = axis.source.shape or "ink"
@@ -126,19 +128,19 @@ def _short(axis: Axis, a: Shape, b: Shape) -> str:
     kind, role, ids = axis.source
     if role:
         shape = a if role == "A" else b
-        return telling.edge_name([telling.vertex_name(shape, role, i) for i in ids])
+        return describe.edge_name([describe.vertex_name(shape, role, i) for i in ids])
     return "xy"[ids[0]] if kind == WORLD else "centers"
 
 
 def _sentence(a: Shape, b: Shape, best: tuple[float, float], candidates: Sequence[tuple[float, float, Axis]]) -> str:
-    (at, gap), told = best, digits.of_shapes(a, b)
+    (at, gap), told = best, number_format.of_shapes(a, b)
     top = max(candidates, key=lambda c: c[1])
-    name = telling.axis_name(top[2], (a, b), PLAIN)
+    name = describe.axis_name(top[2], (a, b), PLAIN)
     if gap >= 0:
         first = f"The gap of A and B on every axis from 0 to 180 degrees: the largest is {told.signed(gap)}"
     else:
         first = f"A and B overlap on every axis from 0 to 180 degrees, least by {told.gap(gap)}"
     return (
-        f"{first}, at {digits.number(round(at, 1))} degrees. "
+        f"{first}, at {number_format.number(round(at, 1))} degrees. "
         f"Of the {len(candidates)} axes that SAT tests, the best is {name}: {told.signed(top[1])}."
     )

@@ -6,7 +6,7 @@ from itertools import chain, pairwise
 from math import cos, hypot, pi, sin
 from typing import NamedTuple
 
-from ..engine import telling
+from ..engine import describe
 from ..engine.geometry import Vec
 from ..engine.shapes import Circle, Shape, centroid
 from .caption import wrapped
@@ -154,7 +154,7 @@ def _broken(mark: Mark, boxes: Sequence[tuple[Vec, tuple[float, float]]], layout
 
 def short_name(shape: Shape, name: str, i: int) -> str:
     """A vertex's name cut to what a picture has room for."""
-    text = telling.vertex_name(shape, name, i)
+    text = describe.vertex_name(shape, name, i)
     return text if len(text) <= LONGEST_NAME else f"{text[: LONGEST_NAME - 1]}\u2026"
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..engine import digits
+from ..engine import number_format
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Shape
@@ -141,7 +141,7 @@ def _label_room(group: Group, test: AxisTest) -> float:
     """How wide a label of the test's ranges is, in points."""
     if group.brief:
         return BRIEF
-    told = digits.of_tests(group.shapes, [test])
+    told = number_format.of_tests(group.shapes, [test])
     return min(max(text_box(range_label("B2", text))[0] for text in told.ranges(test)), WIDTH / 3)
 
 

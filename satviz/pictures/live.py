@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ..engine import digits, telling
+from ..engine import describe, number_format
 from ..engine.geometry import Vec
 from ..engine.trace import Trace
 from .curve import direction
@@ -111,9 +111,9 @@ def turned_axis(
     sketch.add("knob", "disc", "ink", knob(layout, place, degree), radius=layout.units(KNOB))  # no label lies on it
     says = "this axis separates them" if test.separates else "this axis shows no gap"
     sketch.note("verdict", f"{trace.relation}: {says}", "ink", weight="title", first=1)
-    verdict = f"{' and '.join(trace.names)} {telling.ARE[trace.relation]}."
-    found = telling.outcome(test, telling.digits(trace, test))
-    sentence = f"{verdict} The axis at {digits.number(round(degree, 1))} degrees: {found}; {says}."
+    verdict = f"{' and '.join(trace.names)} {describe.ARE[trace.relation]}."
+    found = describe.outcome(test, describe.digits(trace, test))
+    sentence = f"{verdict} The axis at {number_format.number(round(degree, 1))} degrees: {found}; {says}."
     return sketch.finish("", sentence, steady=False, stood=stood), place
 
 

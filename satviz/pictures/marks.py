@@ -4,7 +4,7 @@ import json
 from collections.abc import Iterable
 from typing import Any, NamedTuple, TypedDict
 
-from ..engine import door
+from ..engine import hooks
 from ..engine.geometry import Vec
 from .theme import Look, look
 
@@ -103,7 +103,7 @@ class Picture(NamedTuple):
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: the picture, and its sentence."""
-        return door.bundle(self)
+        return hooks.bundle(self)
 
     def data(self) -> dict[str, Any]:
         """The picture as JSON values: all a pen needs."""

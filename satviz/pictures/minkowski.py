@@ -6,14 +6,14 @@ A gap on an axis is how far the origin lies outside on it; the way out is the wa
 
 from collections.abc import Sequence
 
-from ..engine import telling
-from ..engine.digits import MINUS
+from ..engine import describe
 from ..engine.geometry import Relation, Vec
+from ..engine.number_format import MINUS
 from ..engine.sat import AxisTest
 from ..engine.shapes import Polygon, Shape
 from ..engine.trace import Trace, record
-from ..scenes.asked import Asked, trace_of
 from ..scenes.failing.plane import difference as rings
+from ..scenes.resolve import Asked, trace_of
 from .insets import SMALLEST
 from .layout import Group, arrange, moved
 from .marks import Picture
@@ -55,7 +55,7 @@ def difference(
         run.relation
     ]
     sketch.note("verdict", str(run.relation), "ink", weight="title", first=1)
-    sentence = f"The origin lies {where} B {MINUS} A, so A and B {telling.ARE[run.relation]}{words}."
+    sentence = f"The origin lies {where} B {MINUS} A, so A and B {describe.ARE[run.relation]}{words}."
     return sketch.finish(title, sentence, steady=False)
 
 
@@ -73,14 +73,14 @@ def _proof(sketch: Sketch, run: Trace, best: AxisTest | None, foot: Vec) -> str:
         move = run.known_mtv
         if not move:
             return ""
-        rim, told = Vec(-move.x, -move.y), telling.digits(run)
+        rim, told = Vec(-move.x, -move.y), describe.digits(run)
         sketch.add("mtv", "arrow", "move", rim, origin, start=(rim,))
         text = f"MTV {told.vector(move)}"
         sketch.label("mtv-name", text, "move", sketch.middle(rim, origin), prefer=Vec(move.y, -move.x), first=2)
         return f": the rim is nearest at {told.vector(rim)}, and moving B by {told.vector(move)} brings it there"
     if best is None or best.gap < 0:
         return ""
-    n, told = best.axis.direction, telling.digits(run, best)
+    n, told = best.axis.direction, describe.digits(run, best)
     sketch.line_across("side", foot, n, "gap")
     across = Vec(-n.y, n.x)
     low, high = sketch.line_across("axis", origin, across, "guide")
@@ -89,13 +89,13 @@ def _proof(sketch: Sketch, run: Trace, best: AxisTest | None, foot: Vec) -> str:
         sketch.label("axis-name", "separating axis", "guide", low, along=(high,), prefer=across, first=3, far=True)
     sketch.label(
         "gap-name",
-        telling.outcome(best, told),
+        describe.outcome(best, told),
         "gap",
         sketch.middle(origin, foot),
         prefer=across,
         first=2,
     )
-    name = telling.axis_name(best.axis, (run.a, run.b), run.names)
+    name = describe.axis_name(best.axis, (run.a, run.b), run.names)
     return f": the axis ({name}) leaves a gap of {told.gap(best.gap)}" if best.gap else f" on the axis ({name})"
 
 

@@ -3,11 +3,11 @@
 from itertools import accumulate
 from typing import Any
 
-from ..engine import digits, telling
+from ..engine import describe, number_format
 from ..engine.geometry import Relation
 from ..engine.trace import Trace
-from .belief import picture
 from .caption import reading
+from .comparison import picture
 from .layout import HEIGHT, WIDTH
 from .marks import Mark, marks_data
 from .stages import Stage, Step, steps
@@ -112,18 +112,18 @@ def rows(trace: Trace) -> list[dict[str, Any]]:
         shapes = pair.a, pair.b
         of = f"{pair.names.a} and {pair.names.b}" if trace.pairs else ""
         for i, t in enumerate(pair.tests, 1):
-            row = {"pair": of, "number": i, "axis": telling.axis_name(t.axis, shapes, pair.names), "gap": t.gap}
-            told = telling.digits(pair, t)
-            row |= {"direction": digits.vector(t.axis.direction), "outcome": telling.outcome(t, told)}
+            row = {"pair": of, "number": i, "axis": describe.axis_name(t.axis, shapes, pair.names), "gap": t.gap}
+            told = describe.digits(pair, t)
+            row |= {"direction": number_format.vector(t.axis.direction), "outcome": describe.outcome(t, told)}
             row |= dict(zip("ab", told.ranges(t), strict=True))
             found.append(row)
-        found += [{"pair": of, "axis": name, "reason": why} for _, name, why in telling.untested(pair)]
+        found += [{"pair": of, "axis": name, "reason": why} for _, name, why in describe.untested(pair)]
     return found
 
 
 def first_rows(trace: Trace) -> list[int]:
     """The number of the first row of each pair of parts; of a plain pair, 0."""
-    return [*accumulate((len(run.tests) + len(telling.untested(run)) for run in trace.pairs), initial=0)]
+    return [*accumulate((len(run.tests) + len(describe.untested(run)) for run in trace.pairs), initial=0)]
 
 
 def _code(trace: Trace) -> tuple[tuple[str, tuple[Stage, ...]], ...]:

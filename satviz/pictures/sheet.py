@@ -4,12 +4,12 @@ from collections.abc import Sequence
 from math import cos, hypot, pi, sin
 from typing import NamedTuple
 
-from ..engine import telling
+from ..engine import describe
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
-from ..scenes.asked import Asked, trace_of
+from ..scenes.resolve import Asked, trace_of
 from .caption import wrapped
 from .layout import box_of, text_box
 from .marks import Mark, Picture
@@ -59,7 +59,7 @@ def sheet(what: Asked | Shape, b: Shape | None = None, *, title: str = "") -> Pi
     y = top - ROW * len(shown)
     if rest:
         best = max(rest, key=lambda row: row.test.gap)
-        gap = telling.digits(best.run, best.test).signed(best.test.gap)
+        gap = describe.digits(best.run, best.test).signed(best.test.gap)
         y -= 16
         marks.append(_text("rest", f"and {len(rest)} more, best gap {gap}", "guide", MARGIN, y))
     for n, line in enumerate(lines):
@@ -104,7 +104,7 @@ def _scale(ends: Sequence[tuple[float, float]], end: float) -> tuple[float, floa
 def _said(row: Row) -> list[tuple[str, str]]:
     """What a row's test says, line by line, each with its role."""
     run, _, test, made = row
-    found = telling.outcome(test, telling.digits(run, test)).replace(", way out", "\nway out").split("\n")
+    found = describe.outcome(test, describe.digits(run, test)).replace(", way out", "\nway out").split("\n")
     colour = "guide" if not made else "ink" if not test.gap else "gap" if test.gap > 0 else "overlap"
     lines = [(found[0], colour), *((line, "ink" if made else "guide") for line in found[1:])]
     if not made:
@@ -143,7 +143,7 @@ def _row(row: Row, number: int, top: float, scale: float, zero: float | None, en
         bar("gap", "gap", *((a.hi, b.lo) if a.hi <= b.lo else (b.hi, a.lo)), y)
     elif test.gap < 0:
         bar("gap", "overlap", max(a.lo, b.lo), min(a.hi, b.hi), y)
-    name = telling.axis_name(test.axis, (run.a, run.b), run.names)
+    name = describe.axis_name(test.axis, (run.a, run.b), run.names)
     pair = "" if run.names == ("A", "B") else f"{run.names.a} | {run.names.b}: "
     marks.append(_text("name", _cut(f"{pair}{row.number} {name}", end - BARS[0]), ink, BARS[0], top - 10, number))
     lines = _said(row)

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterator, Sequence
 from math import hypot
 from typing import Unpack
 
-from ..engine import telling
+from ..engine import describe
 from ..engine.axes import CENTERS, EARLY_EXIT, EDGE, FROM_EDGES, HULL, SLIP, VERTEX, WORLD
 from ..engine.geometry import Interval, Vec
 from ..engine.sat import AxisTest, Projection
@@ -170,7 +170,7 @@ class Sketch:
                 self.vertices(role, ids)
                 ends = [short_name(polygon, name, i) for i in ids]
                 out = self.outward(polygon, p, q)
-                text = f"edge = {telling.edge_vector(self.trace, ends, p, q)}".replace(" = (", "\n= (")
+                text = f"edge = {describe.edge_vector(self.trace, ends, p, q)}".replace(" = (", "\n= (")
                 clear = self.middle(self.middle(p, q), q)  # of the normal, which stands in the middle
                 self.label("edge-name", text, role, clear, prefer=out, first=1)
         elif kind in (CENTERS, VERTEX):
@@ -180,7 +180,7 @@ class Sketch:
                 self.add("edge-end", "dot", "AB"[i], end, number=i)
             if told:
                 along = max(Vec(q.x - p.x, q.y - p.y), Vec(p.x - q.x, p.y - q.y))  # as the axis points
-                self.label("edge-name", telling.digits(self.trace).vector(along), "ink", self.middle(p, q), first=1)
+                self.label("edge-name", describe.digits(self.trace).vector(along), "ink", self.middle(p, q), first=1)
 
     def joined(self, test: AxisTest) -> Segment:
         """The two points whose difference is the axis: A's, then B's."""
@@ -203,7 +203,7 @@ class Sketch:
     def way_of(self, test: AxisTest) -> Vec:
         """The axis's direction as it is drawn where it comes from: a normal points out of its shape."""
         n = test.axis.direction
-        return n if telling.points_outward(self.trace, test.axis) else Vec(-n.x, -n.y)
+        return n if describe.points_outward(self.trace, test.axis) else Vec(-n.x, -n.y)
 
     def normal(self, test: AxisTest, *, told: bool = False) -> None:
         """The axis's direction as an arrow where it comes from; a normal points out of its shape."""
@@ -219,7 +219,7 @@ class Sketch:
             text = "direction"
             if kind in FROM_EDGES:
                 what = "one sign changed:" if kind == SLIP else "normal"
-                text = f"{what} {telling.outward_normal(self.trace, test.axis)}"
+                text = f"{what} {describe.outward_normal(self.trace, test.axis)}"
                 text += "\n(either direction will do)" if way != test.axis.direction else ""
             self.label("normal-name", text, role, arrow[1], prefer=way, first=1)
 
@@ -305,7 +305,7 @@ class Sketch:
             start = (point,) if from_here else ()
             self.add("landing", "dot", role, spot, owner=name, axis=axis, number=i, start=start)
         if named:
-            told = telling.digits(self.trace, test)
+            told = describe.digits(self.trace, test)
             for end, way in zip(side.interval, (-1, 1), strict=True):
                 text = told.landing(end)
                 landed = [p for p, t in zip(side.points, side.landings, strict=True) if told.landing(t) == text]
@@ -346,7 +346,7 @@ class Sketch:
         out = place.out if role == "B" else Vec(-place.out.x, -place.out.y)
         if not named:
             return
-        text = range_label(name, telling.digits(self.trace, test).ranges(test)["AB".index(role)])
+        text = range_label(name, describe.digits(self.trace, test).ranges(test)["AB".index(role)])
         p, q = ends
         spot, *along = (Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for f in (0.5, 0.3, 0.7, 0.1, 0.9))
         text = text if numbers else name
@@ -371,7 +371,7 @@ class Sketch:
             return
         self.insets(test)
         anchor = self.middle(*points[1:3]) if kind == "bracket" else self.middle(*ends)
-        text = (telling.shared if interval else telling.outcome)(test, telling.digits(self.trace, test))
+        text = (describe.shared if interval else describe.outcome)(test, describe.digits(self.trace, test))
         self.label("gap-name", text, role, anchor, axis=self.on(test), prefer=place.out, first=2)
 
     def project(
@@ -420,7 +420,7 @@ class Sketch:
                 p, q = (polygon.vertices[j] for j in ids)
                 tip = moved(self.middle(p, q), self.outward(polygon, p, q), self.layout.units(NORMAL * 0.6))
                 self.add("untested", "arrow", "guide", self.middle(p, q), tip, number=n)
-        names = [telling.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names) for axis in left]
+        names = [describe.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names) for axis in left]
         if len(names) > 8:
             names = [*names[:7], f"{len(names) - 7} more"]
         lines = ["not tested:"]

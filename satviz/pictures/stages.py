@@ -5,14 +5,14 @@ from enum import StrEnum
 from functools import lru_cache
 from typing import NamedTuple, SupportsIndex
 
-from ..engine import telling
+from ..engine import describe
 from ..engine.axes import ANY, CENTROIDS, GIVEN, WORLD
 from ..engine.certificate import PartLines, SeparatingLine, SharedPoint
-from ..engine.concave import named_parts
+from ..engine.convex_parts import named_parts
 from ..engine.geometry import Relation, Vec
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace, record
-from ..scenes.asked import RUNS, Asked, trace_of
+from ..scenes.resolve import RUNS, Asked, trace_of
 from .insets import with_insets
 from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, moved, padded
 from .marks import Mark, Picture
@@ -201,7 +201,7 @@ def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace | None) -> 
             return
         if test.separates:
             sketch.left_out()
-        sketch.note("conclusion", telling.conclusion(trace, i), "ink", first=3)
+        sketch.note("conclusion", describe.conclusion(trace, i), "ink", first=3)
 
 
 def others(sketch: Sketch, whole: Trace, run: Trace) -> None:
@@ -230,7 +230,7 @@ def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace], *, told: bool = Tr
     else:
         sketch.shapes()
     if told and trace.false_hit:
-        sketch.note("verdict", telling.claimed(trace), "wrong", weight="title", first=1)
+        sketch.note("verdict", describe.claimed(trace), "wrong", weight="title", first=1)
     elif told:
         sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
     if isinstance(certificate, SeparatingLine):
@@ -244,7 +244,7 @@ def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace], *, told: bool = Tr
                     sketch.shape(role, name, shape, quiet=True)
         spot = certificate.point
         sketch.add("shared", "dot", "ink", spot)
-        text = f"a point in both: {telling.digits(trace).vector(spot)}" if told else "in both"
+        text = f"a point in both: {describe.digits(trace).vector(spot)}" if told else "in both"
         sketch.label("shared-name", text, "ink", spot, first=4)
         draw_move(sketch)
 
@@ -284,7 +284,7 @@ def draw_mtv(sketch: Sketch, start: Vec, move: Vec) -> None:
     sketch.shape("B", f"{sketch.trace.names.b} moved", ghost, weight="faint", named=False)
     tip = moved(start, move, 1.0)
     sketch.add("mtv", "arrow", "move", start, tip, start=(start,))
-    sketch.label("mtv-name", f"MTV {telling.digits(sketch.trace).vector(move)}", "move", tip, prefer=move, first=3)
+    sketch.label("mtv-name", f"MTV {describe.digits(sketch.trace).vector(move)}", "move", tip, prefer=move, first=3)
 
 
 def separating_line(sketch: Sketch, certificate: SeparatingLine, text: str = "separating line") -> None:
@@ -307,7 +307,7 @@ def sentence(trace: Trace, step: Step) -> str:
     """What a step shows, in words made from the trace."""
     stage = step.stage
     if step.test is not None:
-        return telling.stage(trace, step.test, stage.value, first_role(trace, step.test))
+        return describe.stage(trace, step.test, stage.value, first_role(trace, step.test))
     if stage is Stage.PARTS:
-        return telling.parts(trace)
-    return telling.scene(trace) if stage is Stage.SCENE else trace.sentence
+        return describe.parts(trace)
+    return describe.scene(trace) if stage is Stage.SCENE else trace.sentence

@@ -2,10 +2,10 @@
 
 from math import hypot
 
-from ..engine import digits, telling
+from ..engine import describe, number_format
 from ..engine.axes import HULL, VERTEX, Choice
 from ..engine.certificate import SeparatingLine
-from ..engine.concave import named_parts
+from ..engine.convex_parts import named_parts
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape
@@ -26,7 +26,7 @@ def alone(shape: Shape) -> Picture:
     sketch.shape("A", "A", shape, named=False)
     if isinstance(shape, Polygon) and shape.labels:
         sketch.vertices("A", range(len(shape.vertices)))
-    return sketch.finish("", f"{telling.shape_in_words(shape, 'This')}.")
+    return sketch.finish("", f"{describe.shape_in_words(shape, 'This')}.")
 
 
 def normals(trace: Trace, *, title: str = "") -> Picture:
@@ -35,7 +35,7 @@ def normals(trace: Trace, *, title: str = "") -> Picture:
     sketch.shapes()
     sketch.all_normals()
     count = sum(mark.kind == "arrow" for mark in sketch.marks)
-    return sketch.finish(title, f"{telling.both(trace)} Each of the {count} edges has a normal.")
+    return sketch.finish(title, f"{describe.both(trace)} Each of the {count} edges has a normal.")
 
 
 def world(trace: Trace, *, title: str = "") -> Picture:
@@ -46,8 +46,8 @@ def world(trace: Trace, *, title: str = "") -> Picture:
     for test, place in zip(trace.tests, layout.places, strict=True):
         sketch.axis(test, place)
     # projecting starts with y, as in the article, but one says x and y
-    names = sorted(telling.axis_name(t.axis, (trace.a, trace.b), trace.names) for t in trace.tests)
-    return sketch.finish(title, f"{telling.both(trace)} They will be projected on {telling.listed(names)}.")
+    names = sorted(describe.axis_name(t.axis, (trace.a, trace.b), trace.names) for t in trace.tests)
+    return sketch.finish(title, f"{describe.both(trace)} They will be projected on {describe.listed(names)}.")
 
 
 def at_once(trace: Trace, *, title: str = "") -> Picture:
@@ -58,8 +58,8 @@ def at_once(trace: Trace, *, title: str = "") -> Picture:
     for test, place in zip(trace.tests, layout.places, strict=True):
         sketch.project(test, place)
     if trace.false_hit:
-        sketch.note("verdict", telling.claimed(trace), "wrong", first=1)
-    tests = " ".join(telling.test(trace, i) for i in range(len(trace.tests)))
+        sketch.note("verdict", describe.claimed(trace), "wrong", first=1)
+    tests = " ".join(describe.test(trace, i) for i in range(len(trace.tests)))
     return sketch.finish(title, f"{tests} {trace.sentence}")
 
 
@@ -72,14 +72,14 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
     sketch.shapes()
     (place,) = layout.places
     sketch.axis(test, place)
-    name = telling.axis_name(test.axis, (trace.a, trace.b), trace.names)
+    name = describe.axis_name(test.axis, (trace.a, trace.b), trace.names)
     text = f"separating axis: {name.removeprefix('the ').removesuffix(' axis')}"
     along = tuple(place.at(place.lo + (place.hi - place.lo) * part) for part in (0.5, 0.2, 0.8))
     sketch.label("axis-caption", text, "ink", along[0], along=along[1:], prefer=place.out, first=1)
     for role in "AB":
         sketch.range(test, place, role)
     sketch.gap(test, place)
-    line = telling.line(certificate)
+    line = describe.line(certificate)
     separating_line(sketch, certificate, f"separating line: {line}")
     return sketch.finish(
         title, f"The separating axis is {name}; the separating line {line} runs across it, through the gap."
@@ -92,7 +92,7 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
     assert isinstance(a, Circle) and isinstance(b, Circle)
     layout = frames(trace, by_themselves=True)[1]
     sketch = Sketch(trace, layout)
-    told = telling.digits(trace, test)
+    told = describe.digits(trace, test)
     (place,) = layout.places
     p, q = a.center, b.center
     way = Vec(q.x - p.x, q.y - p.y)
@@ -108,7 +108,7 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
         sketch.label("radius-name", text, role, sketch.middle(circle.center, rim), owner=role, prefer=above, first=1)
     role = "gap" if test.gap >= 0 else "overlap"
     sketch.add("between", "segment", role, *rims, weight="strong")
-    text = telling.outcome(test, told)
+    text = describe.outcome(test, told)
     sketch.label("between-name", text, role, sketch.middle(*rims), prefer=above, first=1)
     sketch.project(test, place)
     # on this axis the gap is the distance less both radii, so the trace has the distance
@@ -137,7 +137,7 @@ def each_axis(trace: Trace, *, title: str = "") -> Picture:
         sketch.normal(test)
         sketch.project(test, layout.places[0], numbers=False)
         says = "separates" if test.separates else "no gap"
-        name = telling.short_axis_name(test.axis, shapes, trace.names)
+        name = describe.short_axis_name(test.axis, shapes, trace.names)
         kind = f"normal of {name}"
         if test.source.kind == VERTEX:
             sketch.vertices(test.source.shape or "A", test.source.ids)
@@ -145,7 +145,7 @@ def each_axis(trace: Trace, *, title: str = "") -> Picture:
             kind = f"nearest vertex {short_name(polygon, of, test.source.ids[0])}"
         sketch.note("verdict", f"axis {i + 1}, {kind}: {says}", "ink", first=1)
         panels.append(sketch.finish("", ""))
-    tests = " ".join(telling.test(trace, i) for i in range(len(trace.tests)))
+    tests = " ".join(describe.test(trace, i) for i in range(len(trace.tests)))
     return grid(panels, 2, title=title, sentence=f"{tests} {trace.sentence}")
 
 
@@ -162,7 +162,7 @@ def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title:
     sketch.axis(test, place, told=False)
     sketch.label("axis-caption", "axis, direction n", "ink", place.at(place.hi), prefer=test.axis.direction, first=1)
     sketch.add("center", "dot", role, circle.center)
-    told = telling.digits(trace, test)
+    told = describe.digits(trace, test)
     p2, p1 = side.points
     n = test.axis.direction
     if not extremes:
@@ -185,7 +185,7 @@ def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title:
         sketch.label("landing-name", told.landing(landing), role, spot, number=i, prefer=place.out, first=1)
     return sketch.finish(
         title,
-        f"The extremes along an axis of direction n = {digits.vector(n)} are P1 = C + r n {told.vector(p1)} "
+        f"The extremes along an axis of direction n = {number_format.vector(n)} are P1 = C + r n {told.vector(p1)} "
         f"and P2 = C − r n {told.vector(p2)}; they land at {told.landing(side.landings[1])} "
         f"and {told.landing(side.landings[0])}.",
     )
@@ -201,7 +201,7 @@ def failed_axes(trace: Trace, *, most: int = 3, title: str = "") -> Picture:
     (layout,) = arrange([Group([trace.a, trace.b], shown, brief=True)])
     sketch = Sketch(trace, layout)
     sketch.shapes()
-    told = telling.digits(trace, *shown)
+    told = describe.digits(trace, *shown)
     for test, place in zip(shown, layout.places, strict=True):
         sketch.axis(test, place, told=False)
         kind = "normal of the hull alone" if test.source.kind == HULL and not _is_edge(trace, test) else "edge normal"
@@ -238,7 +238,7 @@ def _distance(sketch: Sketch, pair: Trace, test: AxisTest, number: int) -> None:
     start = Vec(sum(p.x for p in facing) / len(facing), sum(p.y for p in facing) / len(facing))
     stop = moved(start, test.axis.direction, sign * test.gap)
     sketch.add("distance", "segment", "gap", start, stop, weight="strong", number=number)
-    text = telling.digits(pair, test).gap(test.gap)
+    text = describe.digits(pair, test).gap(test.gap)
     sketch.label("distance-name", text, "gap", sketch.middle(start, stop), number=number, first=0)
 
 
@@ -255,7 +255,7 @@ def split(trace: Trace, *, title: str = "") -> Picture:
             inner.project(test, next(places))
             sketch.marks += inner.marks
             sketch.requests += inner.requests
-    parts = [f"{n} is {telling.listed([p for _, p in found])}" for n, found in _split_shapes(trace)]
+    parts = [f"{n} is {describe.listed([p for _, p in found])}" for n, found in _split_shapes(trace)]
     return sketch.finish(title, f"{'; '.join(parts)}. {' '.join(p.sentence for p in trace.pairs)} {trace.sentence}")
 
 

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, overload
 from matplotlib.axes import Axes
 
 from ..pictures import THEMES, Picture, Step, Theme, picture
-from ..scenes.asked import Asked
+from ..scenes.resolve import Asked
 from .files import canvas
 from .pen import Pen
 

@@ -12,10 +12,10 @@ import matplotlib
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from ..disk import MADE_BY
-from ..engine import telling
+from ..engine import describe
 from ..pictures import LIGHT, Picture, Theme
 from ..pictures.caption import reading
+from ..safe_write import MADE_BY
 from .fonts import families
 from .pen import Pen
 
@@ -75,7 +75,7 @@ def encode(picture: Picture, form: str, theme: Theme = LIGHT, *, stem: str = "pi
 
 def encode_figure(drawn: Callable[[], Figure], form: str, *, stem: str, title: str, sentence: str) -> bytes:
     """The file of a matplotlib Figure, with its words inside; `drawn` makes it under the files' own settings."""
-    title = telling.printable(title)
+    title = describe.printable(title)
     out = io.BytesIO()
     with styled({"svg.hashsalt": stem}):
         fig = drawn()

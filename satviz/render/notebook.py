@@ -5,7 +5,7 @@ from html import escape
 from typing import Any
 from zlib import crc32
 
-from ..engine import telling
+from ..engine import describe
 from ..engine.shapes import Circle, Polygon
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
@@ -19,7 +19,7 @@ def bundle(what: Any) -> dict[str, str]:
     make: Callable[[], Picture]
     trace = None
     if isinstance(what, Picture):
-        text, make = telling.printable(repr(what)), lambda: what
+        text, make = describe.printable(repr(what)), lambda: what
     elif isinstance(what, (Circle, Polygon)):
         text, make = repr(what), lambda: alone(what)
     else:
@@ -49,7 +49,7 @@ def table(trace: Trace) -> str:
             told = (row[key] for key in ("direction", "a", "b", "outcome"))
             lines.append(f"<td>{row['number']}</td>{axis}" + "".join(f"<td>{escape(cell)}</td>" for cell in told))
     body = "\n".join(f"<tr>{line}</tr>" for line in lines)
-    said = escape(telling.printable(trace.sentence))
+    said = escape(describe.printable(trace.sentence))
     return f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody>\n</table>\n<p>{said}</p>"
 
 

@@ -6,15 +6,15 @@ from collections.abc import Sequence
 from hashlib import sha256
 from html import escape
 
-from ..disk import MADE_BY
-from ..engine import telling
+from ..engine import describe
 from ..engine.shapes import Shape
 from ..pictures import DARK, LIGHT, picture
-from ..pictures.belief import refused
 from ..pictures.claims import heading
+from ..pictures.comparison import refused
 from ..pictures.playback import NARROW, narrow, playbacks
-from ..scenes.asked import Asked, refused_row, trace_of
+from ..safe_write import MADE_BY
 from ..scenes.failing import Row
+from ..scenes.resolve import Asked, refused_row, trace_of
 from .files import inline_svg
 from .script import javascript, stylesheet
 
@@ -56,7 +56,7 @@ def page(what: Asked | Shape, b: Shape | None = None, *, title: str = "", predic
         trace = trace.truth
     shows = playbacks(trace)
     asked = "Do A and B collide?"
-    about = telling.printable(asked if predict else trace.sentence)
+    about = describe.printable(asked if predict else trace.sentence)
     title = " ".join(heading(trace)) if trace.shortcut else title or asked
     script = javascript("player", "arrows") + START
     policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_hash(script)}'; "
@@ -90,11 +90,11 @@ def _page(title: str, about: str, policy: str, body: Sequence[str]) -> str:
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
         f'<meta name="generator" content="{MADE_BY}">',
         f'<meta name="description" content="{escape(about)}">',
-        f"<title>{escape(telling.printable(title))}</title>",
+        f"<title>{escape(describe.printable(title))}</title>",
         f"<style>\n{stylesheet()}{STYLE}</style>",
         "</head>",
         '<body class="satviz"><main>',
-        f"<h1>{escape(telling.printable(title))}</h1>",
+        f"<h1>{escape(describe.printable(title))}</h1>",
         *body,
         "</main></body>",
         "</html>",

@@ -13,13 +13,13 @@ from math import isfinite
 from typing import Any, NamedTuple
 from urllib.parse import urlsplit
 
-from ..engine import outline
+from ..engine import polygon_validation
 from ..engine.geometry import InvalidScene
-from ..engine.outline import shown
+from ..engine.polygon_validation import shown
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import Trace
-from . import asked
+from . import resolve
 from .article import SCENES
 from .failing import REFUSED, ROWS
 from .named import names, scene
@@ -53,7 +53,7 @@ class Shown(NamedTuple):
 AS_IT_COMES = Shown()
 
 
-def link(what: asked.Asked | Shape, b: Shape | None = None, *, site: str = "", **more: Any) -> str:
+def link(what: resolve.Asked | Shape, b: Shape | None = None, *, site: str = "", **more: Any) -> str:
     """The link that opens a scene on a site, by default relative to the site's folder.
 
     Of a scene (or its name), two shapes, or a trace.  Of a trace the link keeps the two shapes, whether every
@@ -66,7 +66,7 @@ def link(what: asked.Asked | Shape, b: Shape | None = None, *, site: str = "", *
     if isinstance(what, Trace) and b is None:
         found = _scene_of(what) or Scene("scene", what.a, what.b, every_axis=what.every_axis)
     else:
-        found = asked.scene_of(what, b, takes=asked.ALL)  # type: ignore[arg-type]
+        found = resolve.scene_of(what, b, takes=resolve.ALL)  # type: ignore[arg-type]
     made = fragment(found, Shown(**more))
     opened(made)
     return f"{folder_of(site)}{PAGE}#{made}"
@@ -149,7 +149,7 @@ def opened(text: str) -> tuple[Scene, Shown]:
 
 def _named(name: str) -> Scene:
     if name not in names():  # a page offers them itself
-        raise InvalidScene(f"no scene is called {outline.shown(name)}")
+        raise InvalidScene(f"no scene is called {polygon_validation.shown(name)}")
     return scene(name)
 
 
@@ -174,7 +174,7 @@ def _value(key: str, text: str) -> Any:
         if text in choices:
             return text
         what = "view" if key == "view" else "challenge"
-        raise InvalidScene(f"no {what} is called {outline.shown(text)}: choose one of {', '.join(choices)}")
+        raise InvalidScene(f"no {what} is called {polygon_validation.shown(text)}: choose one of {', '.join(choices)}")
     if key in ("way-out", "against", "predict", "rest") and text == "1":
         return True
     raise InvalidScene(f"the link says {key}={text[:40]!r}, which means nothing")

@@ -1,7 +1,7 @@
 """Every scene by its name: the article's and the failing ones."""
 
 from ..engine.geometry import InvalidScene
-from ..engine.outline import shown
+from ..engine.polygon_validation import shown
 from .article import SCENES
 from .failing import NAMED as FAILING
 from .scenefile import Scene

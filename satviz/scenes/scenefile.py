@@ -7,10 +7,10 @@ from pathlib import Path
 from stat import S_ISREG
 from typing import Any
 
-from ..engine import door
+from ..engine import hooks
 from ..engine.axes import NAMED, Chooser
 from ..engine.geometry import InvalidScene, InvalidShape
-from ..engine.outline import shown
+from ..engine.polygon_validation import shown
 from ..engine.shapes import Circle, Polygon, Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import Trace, record
@@ -57,7 +57,7 @@ class Scene:
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: its trace's table and last picture."""
-        return door.bundle(self)
+        return hooks.bundle(self)
 
     def to_json(self) -> str:
         """The scene as a scene file."""

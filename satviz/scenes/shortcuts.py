@@ -24,7 +24,7 @@ from ..engine.axes import (
     needed,
     world,
 )
-from ..engine.concave import parts
+from ..engine.convex_parts import parts
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, Projection, project
 from ..engine.shapes import Circle, Polygon, Shape, centroid

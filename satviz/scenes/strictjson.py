@@ -7,7 +7,7 @@ from collections.abc import Set
 from typing import Any
 
 from ..engine.geometry import InvalidScene
-from ..engine.outline import shown
+from ..engine.polygon_validation import shown
 
 MAX_DEPTH = 12
 MAX_MARKS = 1 << 23  # commas, opening brackets and quotes: no value goes without one, so memory is bounded by them

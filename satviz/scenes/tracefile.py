@@ -6,12 +6,12 @@ from itertools import takewhile
 from math import hypot
 from typing import Any
 
-from ..engine import axes, digits, telling
+from ..engine import axes, describe, number_format
 from ..engine.axes import Axis, Choice, Skip, Source
-from ..engine.escape import ends_overlap
-from ..engine.exact import SMALLEST
 from ..engine.geometry import InvalidScene, InvalidShape, Vec
-from ..engine.outline import number, shown
+from ..engine.mtv import ends_overlap
+from ..engine.polygon_validation import number, shown
+from ..engine.predicates import SMALLEST
 from ..engine.sat import CLOSE, LARGEST, AxisTest, Projection
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
@@ -116,7 +116,7 @@ def _data(trace: Trace, mtv: Vec | None) -> dict[str, object]:
         "complete": trace.choice.complete,
         "axes": [_axis_data(axis) for axis in trace.choice.axes],
         "skipped": [
-            {"axis": _axis_data(s.axis), "reason": telling.reason(s.why, s.number)} for s in trace.choice.skipped
+            {"axis": _axis_data(s.axis), "reason": describe.reason(s.why, s.number)} for s in trace.choice.skipped
         ],
         "tests": [_test_data(test) for test in trace.tests],
         "pairs": [_data(pair, pair.known_mtv) for pair in trace.pairs],
@@ -124,7 +124,7 @@ def _data(trace: Trace, mtv: Vec | None) -> dict[str, object]:
         "relation": str(trace.relation),
         "hit": trace.hit,
         "mtv": mtv and list(mtv),
-        "sentence": digits.plain(telling.verdict(trace, mtv)),
+        "sentence": number_format.plain(describe.verdict(trace, mtv)),
     }
 
 
@@ -142,7 +142,7 @@ def _facts(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut: Sh
         known |= {axis.source: axis for axis in shortcut.choose(a, b).axes}
     found = tuple(_axis(axis, f"{where}.axes[{i}]", known) for i, axis in lists["axes"])
     parallel = [(axes.PARALLEL, i) for i in range(1, len(found) + 1)]
-    reasons = {telling.reason(*facts): facts for facts in [(axes.NO_DIRECTION, None), *parallel]}
+    reasons = {describe.reason(*facts): facts for facts in [(axes.NO_DIRECTION, None), *parallel]}
     skipped = []
     for i, skip in lists["skipped"]:
         keys(skip, f"{where}.skipped[{i}]", {"axis", "reason"})

@@ -5,8 +5,8 @@ from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
 
-from ..disk import MADE_BY
 from ..render.script import javascript, stylesheet
+from ..safe_write import MADE_BY
 from . import chapters, pages
 from .runtime import Missing as Missing
 from .runtime import runtime

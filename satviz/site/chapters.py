@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 
 import satviz
 
-from ..extras import needs
-from ..scenes.asked import scene_of, trace_of
-from ..widgets.exploring import Exploring
+from ..optional_imports import needs
+from ..scenes.resolve import scene_of, trace_of
+from ..widgets.explorer_model import Exploring
 from . import parts
 from .themed import themed
 from .walkthrough import shipped

@@ -10,7 +10,7 @@ from ..scenes.failing import REFUSED, ROWS
 from ..scenes.link import AS_IT_COMES, Shown, fragment, opened
 from ..scenes.scenefile import Scene, shape_data
 from ..scenes.strictjson import typed
-from ..widgets.exploring import Exploring
+from ..widgets.explorer_model import Exploring
 from ..widgets.goals import CALLED
 
 _hands: dict[str, Exploring] = {}

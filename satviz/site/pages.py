@@ -6,18 +6,18 @@ from html import escape
 from typing import NamedTuple
 
 from .. import __version__
-from ..disk import MADE_BY
-from ..engine import telling
+from ..engine import describe
 from ..pictures import Picture, picture
 from ..pictures.playback import NARROW_PANELS
 from ..render.files import encode
+from ..safe_write import MADE_BY
 from ..scenes.article import SCENES
 from ..scenes.failing import NAMED as FAILING
 from ..scenes.failing import REFUSED, ROWS
 from ..scenes.link import ALL, BREAK, PAGE, link
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene
-from ..widgets.exploring import Exploring
+from ..widgets.explorer_model import Exploring
 from ..widgets.goals import ASKS, challenges
 from . import parts
 from .chapters import Chapter, lead
@@ -54,7 +54,7 @@ def page(frame: Frame, path: str, title: str, body: str, *, says: str, kind: str
         f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
         f'<meta name="generator" content="{MADE_BY}">',
-        f'<meta name="description" content="{escape(telling.printable(says))}">',
+        f'<meta name="description" content="{escape(describe.printable(says))}">',
         f"<title>{escape(title)}</title>",
         f'<link rel="stylesheet" href="site.css?{frame.version}">',
         '<link rel="icon" href="icon.svg" type="image/svg+xml">',

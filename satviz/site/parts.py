@@ -8,7 +8,7 @@ from ..pictures import Picture, picture
 from ..pictures.playback import narrow, playbacks
 from ..render.notebook import bundle
 from ..scenes.link import PAGE, fragment, of_trace
-from ..widgets.exploring import Exploring
+from ..widgets.explorer_model import Exploring
 from .themed import themed
 
 

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import satviz
 
-from ..disk import MADE_BY
-from ..extras import needs
+from ..optional_imports import needs
+from ..safe_write import MADE_BY
 from .examples import EXAMPLES
 
 MODULES = "satviz", "satviz.engine.axes", "satviz.batch"

@@ -15,7 +15,7 @@ from shutil import which
 from tempfile import TemporaryDirectory
 from zipfile import ZipFile, ZipInfo
 
-from .. import disk
+from .. import safe_write
 
 VERSION = "314.0.7"
 INTEGRITY = "sha512-0YvXxEhfEdpLfb/XkM2BFAeMROq0iMUX2bzzH9pOttyMcWkwq+HbE5uyuGD82LN7y2q+SNvi/6V5JEsOlD2R1A=="
@@ -70,7 +70,7 @@ def runtime(pyodide: Path | None) -> tuple[dict[str, bytes], str]:
         made["memory.bin"] = packed(memory)
     sizes = {name: len(data) for name, data in made.items() if name.endswith(".bin")}
     lock = {"info": json.loads(core["pyodide-lock.json"])["info"], "packages": {}}
-    about = {"made_by": disk.MADE_BY, "pyodide": VERSION, "sizes": sizes, "lock": lock}
+    about = {"made_by": safe_write.MADE_BY, "pyodide": VERSION, "sizes": sizes, "lock": lock}
     made["about.json"] = json.dumps(about).encode()
     return made, why
 
@@ -78,7 +78,7 @@ def runtime(pyodide: Path | None) -> tuple[dict[str, bytes], str]:
 def packed(data: bytes) -> bytes:
     """The data as gzip, the same each time, its maker in the field for a comment."""
     deflate = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS)
-    head = b"\x1f\x8b\x08\x10\0\0\0\0\x02\xff" + disk.MADE_BY.encode() + b"\0"
+    head = b"\x1f\x8b\x08\x10\0\0\0\0\x02\xff" + safe_write.MADE_BY.encode() + b"\0"
     tail = zlib.crc32(data).to_bytes(4, "little") + (len(data) & 0xFFFFFFFF).to_bytes(4, "little")
     found = head + deflate.compress(data) + deflate.flush() + tail
     assert gzip.decompress(found) == data
@@ -120,7 +120,7 @@ def _core_from_npm() -> dict[str, bytes]:
         data = _fetched()
         if not _is_the_one(data):
             raise Missing(f"npm's pyodide {VERSION} is not the one that satviz was made with (its hash differs)")
-        disk.write(kept, data, force=True)
+        safe_write.write(kept, data, force=True)
     with tarfile.open(kept) as archive:
         return {name: found.read() for name in CORE if (found := archive.extractfile(f"package/{name}"))}
 
@@ -149,7 +149,7 @@ def _memory(core: dict[str, bytes], satviz: bytes) -> tuple[bytes, str]:
         return b"", "no memory of a first start is kept, so pages start slower: node is not installed"
     with TemporaryDirectory() as folder:
         for name, data in {**core, "satviz.zip": satviz}.items():
-            disk.write(Path(folder) / name, data)
+            safe_write.write(Path(folder) / name, data)
         script = files(__package__) / "browser" / "memory.mjs"
         command = [node, str(script), folder]
         try:

@@ -21,9 +21,9 @@ from numpy.typing import NDArray
 from .. import batch
 from ..advice.timing import in_turn
 from . import truth
-from .lab.machine import installed
+from .harness.machine import installed
 from .methods import COMPILED, NUMPY, PYTHON, batched, methods, mistakes, shapes
-from .pairs.workloads import CORNERS, LAYOUTS, WORKLOADS, outlines, scattered, tiles
+from .workloads.workloads import CORNERS, LAYOUTS, WORKLOADS, outlines, scattered, tiles
 
 # (language, name) of the methods that take part, and what the table calls them
 BENCHED = {
@@ -163,7 +163,7 @@ def _compiled(a: batch.Shapes, b: batch.Shapes) -> dict[str, Callable[[], Any]]:
 
     All go through the very arrays that satviz does: another's copies could lie nearer to the processor.
     """
-    from ..batch.filter_numba import looks
+    from ..batch.with_numba.filter import looks
     from .methods import kernels
 
     columns = [c for shapes in (a, b) if (g := shapes.uniform) for c in (g.x, g.y)]

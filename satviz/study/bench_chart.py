@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from ..pictures import Theme
 from .bench import ENGINES, Row, checked, slope
-from .lab.chart import TEXT, Chart, axes, headline, label_ends
+from .harness.chart import TEXT, Chart, axes, headline, label_ends
 
 SIZE = 900.0, 560.0  # points
 PREPARED = "shapely, prepared"

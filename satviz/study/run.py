@@ -9,11 +9,11 @@ from types import ModuleType
 from typing import Any
 
 from ..batch.chunks import check_executor
-from ..disk import MADE_BY, check, folder, write
-from ..extras import needs
-from .lab.cells import Failure, Settings, results
-from .lab.chart import Chart, save
-from .lab.machine import machine
+from ..optional_imports import needs
+from ..safe_write import MADE_BY, check, folder, write
+from .harness.cells import Failure, Settings, results
+from .harness.chart import Chart, save
+from .harness.machine import machine
 from .sections import changes, corners, maps, order, price, resolution, resting, reuse
 
 SECTIONS: tuple[ModuleType, ...] = (resolution, price, reuse, corners, changes, resting, order, maps)

@@ -6,7 +6,7 @@ What a widget shows and answers is in showing.py and exploring.py, which need ne
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from ..extras import needs
+from ..optional_imports import needs
 
 if TYPE_CHECKING:  # what is loaded when it is asked for, as type checkers see it
     from .explorer import Explorer, explore

@@ -10,14 +10,14 @@ from typing import Any
 import anywidget
 import traitlets
 
-from ..engine import telling
+from ..engine import describe
 from ..pictures import LIGHT, Picture
 from ..pictures.caption import captioned
 from ..render.files import animate, encode
 from ..render.notebook import bundle
 from ..render.script import stylesheet
 from ..scenes.link import folder_of
-from .showing import Showing
+from .player_model import Showing
 
 LOCK = RLock()  # a front end's messages can come on any thread
 
@@ -100,8 +100,8 @@ def still(widget: Any) -> dict[str, str]:
 
     As HTML too, which exported pages prefer: a bare picture gets no alt text there.
     """
-    drawn, said = widget.picture(), telling.printable(repr(widget))
+    drawn, said = widget.picture(), describe.printable(repr(widget))
     svg = bundle(captioned([drawn])[0])["image/svg+xml"]
     source = f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
-    img = f'<img alt="{escape(telling.printable(drawn.sentence))}" src="{source}">'
+    img = f'<img alt="{escape(describe.printable(drawn.sentence))}" src="{source}">'
     return {"text/plain": said, "text/html": img, "image/svg+xml": svg}

@@ -5,14 +5,14 @@ from typing import Any, overload
 import traitlets
 
 from ..engine.shapes import Shape
-from ..pictures.belief import refused
+from ..pictures.comparison import refused
 from ..render.script import javascript
 from ..scenes.article import SCENES
-from ..scenes.asked import refused_row, scene_of
 from ..scenes.failing import REFUSED, ROWS
+from ..scenes.resolve import refused_row, scene_of
 from ..scenes.scenefile import Scene
 from .base import Shown
-from .exploring import Exploring
+from .explorer_model import Exploring
 from .goals import CALLED
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import NamedTuple
 
-from ..engine import outline, telling
+from ..engine import describe, polygon_validation
 from ..engine.axes import needed
 from ..engine.geometry import InvalidScene, Relation, Vec
 from ..engine.trace import record
@@ -12,7 +12,7 @@ from ..pictures.claims import said
 from ..pictures.layout import box_of
 from ..pictures.live import field
 from ..scenes.failing import NAMED, REFUSED, ROWS, Row
-from ..scenes.failing.reading import moved
+from ..scenes.failing.claimed_value import moved
 from ..scenes.link import BREAK, ONE_AXIS, TOUCH
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene
@@ -47,7 +47,7 @@ class Judged(NamedTuple):
 def judged(goal: str, shown: Scene) -> Judged:
     """How a scene stands to a goal; InvalidScene for one that is none, or that the scene cannot have."""
     if goal not in ASKS:
-        raise InvalidScene(f"no challenge {outline.shown(goal)}: choose one of {', '.join(ASKS)}")
+        raise InvalidScene(f"no challenge {polygon_validation.shown(goal)}: choose one of {', '.join(ASKS)}")
     met, says = {ONE_AXIS: _one_axis, TOUCH: _touch, BREAK: _break}[goal](shown)
     return Judged(goal, met, ASKS[goal], says, HINTS[goal])
 
@@ -115,7 +115,7 @@ def _touch(shown: Scene) -> tuple[bool, str]:
         return False, "They overlap."
     tests = [(run, test) for run in trace.pairs or (trace,) for test in run.tests]
     run, best = max(tests, key=lambda pair: pair[1].gap)
-    return False, f"They are apart: {telling.outcome(best, telling.digits(run, best))}."
+    return False, f"They are apart: {describe.outcome(best, describe.digits(run, best))}."
 
 
 def _break(shown: Scene) -> tuple[bool, str]:

@@ -7,17 +7,17 @@ import traitlets
 from ..engine.shapes import Shape
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
-from ..pictures.belief import refused
+from ..pictures.comparison import refused
 from ..pictures.playback import narrow, playbacks
 from ..render.script import javascript
-from ..scenes.asked import Asked, refused_row, trace_of
 from ..scenes.link import of_trace
+from ..scenes.resolve import Asked, refused_row, trace_of
 from ..scenes.scenefile import Scene
 from .base import Shown
-from .showing import Showing
+from .player_model import Showing
 
 if TYPE_CHECKING:
-    from .plain import PlainPlayer
+    from .plain_controls import PlainPlayer
 
 
 class Player(Shown):
@@ -78,6 +78,6 @@ def play(what: Asked | Shape, b: Shape | None = None, *, predict: bool = False, 
         return Player(trace, predict=predict)
     if pen != "matplotlib":
         raise ValueError(f'pen is {pen!r}: choose "svg" or "matplotlib"')
-    from .plain import PlainPlayer
+    from .plain_controls import PlainPlayer
 
     return PlainPlayer(trace)

@@ -13,9 +13,9 @@ import numpy as np
 
 import satviz as sv
 from satviz import batch
-from satviz.advice.prices import prices
-from satviz.advice.proofs import EXACT
-from satviz.study.pairs import workloads
+from satviz.advice.certified_bounds import EXACT
+from satviz.advice.costs import prices
+from satviz.study.workloads import workloads
 
 PAIRS = 200_000
 LEAST = 5e6  # nanoseconds

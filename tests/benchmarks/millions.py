@@ -13,7 +13,7 @@ from time import perf_counter
 import numpy as np
 
 from satviz import batch
-from satviz.study.pairs.workloads import mixed
+from satviz.study.workloads.workloads import mixed
 
 PART = 250_000  # polygons made at once
 

@@ -1,8 +1,8 @@
 """Scenes where shortcuts fail: each the smallest that shows it, with the shortcut's number beside the right one."""
 
+from .failure_case import FALSE_HIT, MISSED_HIT, REFUSED, WRONG_NUMBER, Row
 from .hits import HITS
 from .numbers import NUMBERS
-from .row import FALSE_HIT, MISSED_HIT, REFUSED, WRONG_NUMBER, Row
 
 __all__ = ["FALSE_HIT", "MISSED_HIT", "NAMED", "REFUSED", "ROWS", "WRONG_NUMBER", "Row"]
 

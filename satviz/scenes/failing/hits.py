@@ -5,8 +5,8 @@ from math import sqrt
 from ...engine.shapes import Circle, Polygon
 from ..article import box
 from ..shortcuts import NAMED
-from . import reading, right, threed
-from .row import FALSE_HIT, MISSED_HIT, Row
+from . import claimed_value, threed, true_value
+from .failure_case import FALSE_HIT, MISSED_HIT, Row
 
 
 def diamond(x: float, y: float, half: float) -> Polygon:
@@ -62,7 +62,7 @@ HITS = (
         "gap",
         Polygon([(-3, -3), (4, 0), (1, 1), (0, 4)]),
         box(2.2, 2.2, 3.2, 3.2),
-        right=right.hull_gap,
+        right=true_value.hull_gap,
     ),
     Row(
         21,
@@ -89,7 +89,7 @@ HITS = (
         "gap",
         Polygon(threed.seen_from_above(threed.PAIR[0])),
         Polygon(threed.seen_from_above(threed.PAIR[1])),
-        right=right.gap_3d,
+        right=true_value.gap_3d,
     ),
     Row(
         32,
@@ -98,8 +98,8 @@ HITS = (
         "gap",
         box(-2.1, -0.1, -1.9, 0.1),
         box(-0.05, -1, 0.05, 1),
-        reading.gap_at_both_frames,
-        right.contact,
+        claimed_value.gap_at_both_frames,
+        true_value.contact,
     ),
     Row(33, NAMED["slipped-normal"], FALSE_HIT, "gap", slanted(0), slanted(2)),
     Row(34, NAMED["touch-as-apart"], MISSED_HIT, "gap", box(0, 0, 2, 1), box(2, 0, 3, 2)),

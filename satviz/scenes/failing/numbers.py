@@ -5,8 +5,8 @@ from math import cos, radians, sin
 from ...engine.shapes import Polygon
 from ..article import TRIANGLE_A, TRIANGLE_B, box
 from ..shortcuts import NAMED
-from . import reading, right, unchecked
-from .row import REFUSED, WRONG_NUMBER, Row
+from . import claimed_value, true_value, unchecked
+from .failure_case import REFUSED, WRONG_NUMBER, Row
 
 STAR = [(cos(radians(90 + 144 * i)), sin(radians(90 + 144 * i))) for i in range(5)]
 
@@ -18,8 +18,8 @@ NUMBERS = (
         "degrees that separate:",
         box(0, 0, 2, 2),
         box(3, 0.5, 5, 2.5),
-        reading.spread_of_found,
-        right.fan_width,
+        claimed_value.spread_of_found,
+        true_value.fan_width,
     ),
     Row(
         7,
@@ -37,8 +37,8 @@ NUMBERS = (
         "depth",
         Polygon([(0, 0), (1, 0), (1, 0), (1, 1), (0, 1)]),
         box(0.5, 0.25, 1.5, 1.25),
-        reading.length_of_push,
-        right.depth,
+        claimed_value.length_of_push,
+        true_value.depth,
     ),
     Row(
         9,
@@ -56,8 +56,8 @@ NUMBERS = (
         "depth",
         box(0, 0, 2, 1),
         box(1, 0.25, 3, 2.25),
-        reading.length_of_push,
-        right.depth,
+        claimed_value.length_of_push,
+        true_value.depth,
     ),
     Row(
         16,
@@ -66,8 +66,8 @@ NUMBERS = (
         "furthest vertices:",
         TRIANGLE_A,
         TRIANGLE_B,
-        reading.extremes_of_b,
-        right.extremes_of_b,
+        claimed_value.extremes_of_b,
+        true_value.extremes_of_b,
     ),
     Row(17, NAMED["touch-on-paper"], WRONG_NUMBER, "gap", box(0, 0, 0.1 + 0.2, 0.3), box(0.3, 0, 0.6, 0.3)),
     Row(
@@ -77,8 +77,8 @@ NUMBERS = (
         "depth",
         box(0, 0, 4, 4),
         box(1.5, 1.5, 2.5, 2.5),
-        reading.length_of_push,
-        right.depth,
+        claimed_value.length_of_push,
+        true_value.depth,
     ),
     Row(
         26,
@@ -87,8 +87,8 @@ NUMBERS = (
         "tests:",
         box(0, 0, 1, 1),
         box(2, 0, 3, 1),
-        reading.one_test_each,
-        right.pairs_of_many,
+        claimed_value.one_test_each,
+        true_value.pairs_of_many,
     ),
     Row(
         28,
@@ -97,8 +97,8 @@ NUMBERS = (
         "vertices looked at:",
         box(0, 0, 2, 2),
         box(1, 1, 4, 3),
-        reading.least_looks_of_gjk,
-        right.looks,
+        claimed_value.least_looks_of_gjk,
+        true_value.looks,
         less=True,
     ),
     Row(
@@ -108,8 +108,8 @@ NUMBERS = (
         "overlap left:",
         Polygon([(0, 0), (8, 0), (0, 1)]),
         box(0.5, -0.5, 1.5, 1.5),
-        reading.overlap_after_push,
-        right.overlap_after_mtv,
+        claimed_value.overlap_after_push,
+        true_value.overlap_after_mtv,
     ),
     Row(
         30,
@@ -118,8 +118,8 @@ NUMBERS = (
         "depth",
         box(0, 0, 10, 10),
         box(4, 4, 5, 5),
-        reading.length_of_push,
-        right.depth,
+        claimed_value.length_of_push,
+        true_value.depth,
     ),
     Row(
         31,
@@ -128,8 +128,8 @@ NUMBERS = (
         "distance",
         box(0, 0, 1, 1),
         box(4, 5, 5, 6),
-        reading.gap_as_distance,
-        right.distance,
+        claimed_value.gap_as_distance,
+        true_value.distance,
     ),
     Row(
         35,
@@ -138,7 +138,7 @@ NUMBERS = (
         "push off by",
         box(0, 0, 8, 2),
         box(2.9, 1.5, 4.4, 3),
-        reading.off_the_way_out,
-        right.on_the_way_out,
+        claimed_value.off_the_way_out,
+        true_value.on_the_way_out,
     ),
 )

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 from math import cos, hypot, pi, sin
 
-from ...engine.concave import parts
+from ...engine.convex_parts import parts
 from ...engine.geometry import Vec
 from ...engine.shapes import Shape
 

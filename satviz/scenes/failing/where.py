@@ -14,8 +14,8 @@ from ...engine.sat import project
 from ...engine.shapes import Circle, Shape, centroid
 from ...engine.shortcut import Shortcut
 from ..shortcuts import FAR, NAMED, middle, turned_round, unit_normals, within_reach
+from .claimed_value import moved
 from .plane import SAME, Ring, Window, clipped, corners, difference, within, without
-from .reading import moved
 from .where_numbers import MAPS, ROUNDING
 
 TURNING = "its axes turn as B moves, so where it is wrong has no straight edges"

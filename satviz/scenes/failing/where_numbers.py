@@ -11,14 +11,14 @@ from math import hypot, isfinite
 from typing import NamedTuple
 
 from ...engine.axes import Axis, needed
-from ...engine.concave import parts
+from ...engine.convex_parts import parts
 from ...engine.geometry import Vec
 from ...engine.sat import project
 from ...engine.shapes import Shape
 from ..shortcuts import NAMED, middle
 from . import swept
+from .claimed_value import LEAST_OF_GJK
 from .plane import SAME, Ring, Window, area, clipped, corners, difference, hull, within, without
-from .reading import LEAST_OF_GJK
 
 Found = list[Ring] | str
 MOST_CORNERS, MOST_OF_PIECES = 32, 12  # of both shapes: more cells than theirs take too long for a hand that drags

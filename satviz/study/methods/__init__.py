@@ -14,13 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ... import batch
+from ...engine.relate import relate
 from ...engine.shapes import Circle, Polygon, Shape
 from ...engine.trace import record
-from ...engine.verdict import relate
 from .. import truth
-from ..lab.machine import installed
-from ..pairs.workloads import Side, outlines, padded
-from . import columns, peers, plain
+from ..harness.machine import installed
+from ..workloads.workloads import Side, outlines, padded
+from . import columns, peers, scalar
 
 COMPILED, NUMPY, PYTHON = "compiled", "NumPy", "Python"
 EPS = 1e-9  # scene units
@@ -103,7 +103,7 @@ def _compiled() -> Iterator[Method]:
     if not installed("numba"):
         return
     from ...batch.codes import APART
-    from ...batch.filter_numba import looks
+    from ...batch.with_numba.filter import looks
     from . import kernels
 
     def filled(kernel: Callable[..., None], *more: Any) -> Callable[[Any, Any], Said]:
@@ -154,9 +154,9 @@ def _compiled() -> Iterator[Method]:
     yield loop("SAT, 1e-9 counts as a miss", "tolerance", kernels.textbook, True, -EPS)
     yield loop("GJK", "GJK", kernels.gjk)
     yield bound("bounding circles", kernels.around, kernels.circles)
-    yield bound("AABB", kernels.ranges, kernels.boxes_overlap, np.array(plain.spread(2)))
+    yield bound("AABB", kernels.ranges, kernels.boxes_overlap, np.array(scalar.spread(2)))
     yield bound("oriented boxes", kernels.oriented, kernels.oriented_overlap)
-    yield bound("16 axes", kernels.ranges, kernels.ranges_overlap, np.array(plain.spread(16)))
+    yield bound("16 axes", kernels.ranges, kernels.ranges_overlap, np.array(scalar.spread(16)))
 
 
 def _numpy() -> Iterator[Method]:
@@ -179,11 +179,11 @@ def _python() -> Iterator[Method]:
 
     yield each("satviz", "exact", _same, relate)
     yield each("satviz, recorded", "exact", _same, lambda a, b: record(a, b).relation)
-    yield each("SAT, raw normals", "float SAT", plain.plain, plain.sat)
-    yield each("SAT, unit normals", "float SAT", plain.plain, partial(plain.sat, unit=True))
-    yield each("GJK", "GJK", plain.plain, plain.gjk)
-    ways = plain.spread(2)
-    yield each("AABB", "bounds", plain.plain, partial(plain.sat, choice=lambda a, b: ways))
+    yield each("SAT, raw normals", "float SAT", scalar.plain, scalar.sat)
+    yield each("SAT, unit normals", "float SAT", scalar.plain, partial(scalar.sat, unit=True))
+    yield each("GJK", "GJK", scalar.plain, scalar.gjk)
+    ways = scalar.spread(2)
+    yield each("AABB", "bounds", scalar.plain, partial(scalar.sat, choice=lambda a, b: ways))
 
 
 def _same(shape: Shape) -> Shape:

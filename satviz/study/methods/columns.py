@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..pairs.workloads import Side
-from .plain import spread
+from ..workloads.workloads import Side
+from .scalar import spread
 
 Array = NDArray[np.floating]
 Answers = NDArray[np.bool_]

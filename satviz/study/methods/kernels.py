@@ -10,9 +10,9 @@ Every kernel ends in `out`: 1 for a hit, 0 for apart.
 import numpy as np
 from numpy.typing import NDArray
 
-from ...batch.compiling import compiled
-from ...batch.settle_numba import TERMS, _product, _sign_of_sum, turn
-from ...batch.signs import UNKNOWN
+from ...batch.exact_signs import UNKNOWN
+from ...batch.with_numba.exact import TERMS, _product, _sign_of_sum, turn
+from ...batch.with_numba.jit_cache import compiled
 
 Array = NDArray[np.float64]
 Out = NDArray[np.int8]

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..pairs.workloads import Side, outlines, padded
+from ..workloads.workloads import Side, outlines, padded
 
 
 def pair_by_pair(ask: Callable[[Any, Any], Any]) -> Callable[[list[Any], list[Any]], list[Any]]:

@@ -11,11 +11,11 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ...pictures import Theme
-from ..lab.cells import Cell, Settings
-from ..lab.chart import Chart, axes, colour, headline, table, wilson
+from ..harness.cells import Cell, Settings
+from ..harness.chart import Chart, axes, colour, headline, table, wilson
 from ..methods import COMPILED, PYTHON, asked, methods
-from ..pairs.hard import Pairs, on_a_grid
-from ..pairs.workloads import Rings
+from ..workloads.hard import Pairs, on_a_grid
+from ..workloads.workloads import Rings
 
 Row = dict[str, Any]
 HARDEST = 8.0  # gamma

@@ -9,12 +9,12 @@ from matplotlib.figure import Figure
 
 from ... import batch
 from ...pictures import Theme
-from ..lab.cells import Cell, Settings
-from ..lab.chart import Chart, axes, colour, headline, label_ends, time_ticks, told
-from ..lab.machine import installed
-from ..lab.times import rough, timed
+from ..harness.cells import Cell, Settings
+from ..harness.chart import Chart, axes, colour, headline, label_ends, time_ticks, told
+from ..harness.machine import installed
+from ..harness.times import rough, timed
 from ..methods import peers
-from ..pairs.workloads import Rings, apart, overlapping
+from ..workloads.workloads import Rings, apart, overlapping
 
 Row = dict[str, Any]
 SIZES = (3, 4, 6, 8, 12, 16, 32, 64, 128, 256)

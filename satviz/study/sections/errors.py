@@ -5,11 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from ..lab.cells import Settings
-from ..lab.times import timed
+from ..harness.cells import Settings
+from ..harness.times import timed
 from ..methods import asked, methods, mistakes, truths, wrong
-from ..pairs.hard import EXTREME, KINDS, OCTAVES, Kind, hard, octave, touching
-from ..pairs.workloads import ngons
+from ..workloads.hard import EXTREME, KINDS, OCTAVES, Kind, hard, octave, touching
+from ..workloads.workloads import ngons
 
 Row = dict[str, Any]
 Key = tuple[str, str]  # language, name

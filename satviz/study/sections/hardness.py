@@ -7,9 +7,9 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ...pictures import Theme
-from ..lab.chart import TEXT, Chart, axes, colour, headline, label_ends, table, wilson
+from ..harness.chart import TEXT, Chart, axes, colour, headline, label_ends, table, wilson
 from ..methods import COMPILED
-from ..pairs.hard import EXTREME, KINDS, OCTAVES
+from ..workloads.hard import EXTREME, KINDS, OCTAVES
 from .errors import EVERY, Row, cell_of, key_of
 
 # the curves: how each is called, and where its name stands (octave, share)

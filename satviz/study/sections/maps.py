@@ -19,8 +19,8 @@ from ...scenes.failing import NAMED, Row
 from ...scenes.failing.plane import Ring, corners, difference
 from ...scenes.failing.where import Lies, lies_in_view
 from ...scenes.shortcuts import middle
-from ..lab.cells import Cell, Settings
-from ..lab.chart import TEXT, Chart, headline
+from ..harness.cells import Cell, Settings
+from ..harness.chart import TEXT, Chart, headline
 from .slides import APART, FALSE, HIT, METHODS, MISSED, ON_PAPER, WRONG, Slide, both, slide
 
 # what is wrong has one colour, and a hatch for each way; what is right stays quiet

@@ -14,9 +14,9 @@ from ...engine.shapes import Polygon, Shape, centroid
 from ...engine.trace import record
 from ...pictures import Theme
 from .. import truth
-from ..lab.cells import Cell, Settings
-from ..lab.chart import TEXT, Chart, axes, headline
-from ..pairs.workloads import ngons
+from ..harness.cells import Cell, Settings
+from ..harness.chart import TEXT, Chart, axes, headline
+from ..workloads.workloads import ngons
 
 Rng = np.random.Generator
 InOrder = tuple[Axis, ...]

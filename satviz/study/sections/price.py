@@ -6,12 +6,12 @@ from typing import Any
 from matplotlib.figure import Figure
 
 from ...pictures import Theme
-from ..lab.cells import Cell, Settings
-from ..lab.chart import Chart, axes, colour, headline, label_ends, time_ticks, told
-from ..lab.times import rough, timed
+from ..harness.cells import Cell, Settings
+from ..harness.chart import Chart, axes, colour, headline, label_ends, time_ticks, told
+from ..harness.times import rough, timed
 from ..methods import COMPILED, VECTORISED, methods
-from ..pairs.hard import touching
-from ..pairs.workloads import ngons
+from ..workloads.hard import touching
+from ..workloads.workloads import ngons
 
 Row = dict[str, Any]
 SHARES = (0.0, 0.001, 0.01, 0.1, 0.3, 1.0)

@@ -13,12 +13,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...pictures import Theme
-from ..lab.cells import Cell, Settings
-from ..lab.chart import TEXT, Chart, axes, colour, headline, label_points, time_ticks, told
-from ..lab.machine import installed
-from ..lab.times import rough
+from ..harness.cells import Cell, Settings
+from ..harness.chart import TEXT, Chart, axes, colour, headline, label_points, time_ticks, told
+from ..harness.machine import installed
+from ..harness.times import rough
 from ..methods import COMPILED, NUMPY, PYTHON, VECTORISED
-from ..pairs.hard import KINDS, OCTAVES
+from ..workloads.hard import KINDS, OCTAVES
 from . import hardness
 from .errors import EVERY, FIXED, LOOSE, NEVER, PROVED, Row, cell_of, count, count_hard, rows, take_times
 

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from ... import batch
 from ...pictures import Theme
-from ..lab.cells import Cell, Settings
-from ..lab.chart import Chart, axes, headline, table
-from ..pairs.workloads import Array, Rings
+from ..harness.cells import Cell, Settings
+from ..harness.chart import Chart, axes, headline, table
+from ..workloads.workloads import Array, Rings
 
 Row = dict[str, Any]
 # the floor's slope, about 0.3 radians: coordinates are rounded on it, as in any turned scene

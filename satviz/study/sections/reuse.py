@@ -8,11 +8,11 @@ from typing import Any
 from matplotlib.figure import Figure
 
 from ...pictures import Theme
-from ..lab.cells import Cell, Settings
-from ..lab.chart import TEXT, Chart, axes, colour, headline, time_ticks, told
-from ..lab.times import rough
+from ..harness.cells import Cell, Settings
+from ..harness.chart import TEXT, Chart, axes, colour, headline, time_ticks, told
+from ..harness.times import rough
 from ..methods import COMPILED, NUMPY, Method, methods
-from ..pairs.workloads import Side, ngons
+from ..workloads.workloads import Side, ngons
 
 Row = dict[str, Any]
 REUSE = (1, 10, 100)

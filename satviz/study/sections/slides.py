@@ -11,12 +11,12 @@ from fractions import Fraction
 from math import ceil, frexp
 from typing import Any, NamedTuple
 
-from ...engine.concave import parts
+from ...engine.convex_parts import parts
 from ...engine.geometry import Relation, Vec
 from ...engine.shapes import Circle, Polygon, Shape
 from ...engine.trace import Trace, record
 from ...scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, ROWS, Row
-from ...scenes.failing.reading import moved
+from ...scenes.failing.claimed_value import moved
 from ...scenes.shortcuts import middle
 from .. import truth
 

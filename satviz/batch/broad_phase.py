@@ -1,0 +1,98 @@
+"""The broad phase: which boxes meet, by uniform grids, one for each pair of size classes."""
+
+import sys
+from collections.abc import Iterator
+from math import sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import validation
+from .narrow_phase import engine_of
+from .with_numpy.grid import Grid, Pairs
+
+CHEAP = 48  # looks a box that are not worth a split: a look is far cheaper than sorting again
+ALIKE = 4.0
+WIDE, FINE = 2.0**-1000, 2.0**-48  # of the farthest coordinate: cells whose numbers cannot overflow, nor run together
+SAMPLE = 1024  # boxes that tell how densely all lie
+
+
+def candidate_pairs(bounds: validation.Points, *, engine: str | None = None) -> Pairs:
+    """(K, 2) indices i < j, in order, of the boxes that meet (closed); bounds: (N, 4) x min, y min, x max, y max.
+
+    `engine`: as in `relate`.  InvalidShape for boxes that are not finite or turned inside out.
+    """
+    grid = engine_of(engine).grid
+    return in_order(list(candidate_blocks(validation.boxes(bounds), grid)))
+
+
+def in_order(blocks: list[Pairs]) -> Pairs:
+    """All pairs sorted by their first index, then their second."""
+    pairs = np.concatenate(blocks).astype(np.int64, copy=False) if blocks else np.empty((0, 2), np.int64)
+    base = int(pairs.max(initial=0)) + 1
+    return np.stack(np.divmod(np.sort(pairs[:, 0] * base + pairs[:, 1]), base), axis=1)
+
+
+def candidate_blocks(bounds: NDArray[np.float64], grid: Grid) -> Iterator[Pairs]:
+    """The same pairs (i < j) a block at a time, each pair once, in no order.
+
+    The cell is at least the largest width by the largest height of the boxes compared: then a
+    box reaches at most into the next cell, and three rows of three cells hold all it
+    can meet.  Where that gives too many to look at (one large box among small ones
+    would put everything into one cell, and a square cell a stack of needles), the
+    boxes are split by width or height and the halves compared with cells of their
+    own.  Boxes alike within a factor of four are not split further: few of them fit a
+    cell of their own size without nearly meeting.
+    """
+    most = np.finfo(float).max
+    bounds = np.clip(bounds, -most, most)  # places and widths beyond float64 are capped: that changes no order
+    with np.errstate(all="ignore"):
+        size = np.stack([np.clip(bounds[:, d + 2] - bounds[:, d], np.finfo(float).tiny, most) for d in (0, 1)])
+    farthest = float(max(-bounds.min(initial=0), bounds.max(initial=0)))
+    everything = np.arange(len(bounds), dtype=np.intp)
+    todo: list[tuple[Pairs, Pairs | None]] = [(everything, None)]  # None: among themselves
+    while todo:
+        one, other = todo.pop()
+        both = one if other is None else np.concatenate([one, other])
+        if len(both) < 2:
+            continue
+        largest = [float(size[d, both].max()) for d in (0, 1)]
+        even = [max(largest[d], _even(bounds[:, d], both), farthest * WIDE) for d in (0, 1)]
+        blocks = grid(bounds, one, other, even, CHEAP * len(both))
+        if blocks is None:
+            halves = _halves(size, one, other)
+            todo += halves
+            # alike, and too many of them in the cells that would be right if they lay evenly
+            blocks = None if halves else grid(bounds, one, other, [max(c, farthest * FINE) for c in largest], np.inf)
+        yield from blocks or ()
+
+
+def _even(low: NDArray[np.float64], which: Pairs) -> float:
+    """How wide cells are of which there would be as many as boxes, were these spread as evenly as their middle half."""
+    some = np.sort(low[which[:: -(-len(which) // SAMPLE)]])
+    first, last = float(some[len(some) // 4]) / 2, float(some[-1 - len(some) // 4]) / 2
+    return min(last - first, sys.float_info.max / 8) * (4 / sqrt(len(which)))
+
+
+def _halves(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[tuple[Pairs, Pairs | None]]:
+    """The same comparison with the boxes that set the cell's width or height split; nothing if they are alike.
+
+    They are split half way (by ratio) between the smallest and the largest.
+    """
+    spreads = []
+    for d in (0, 1):
+        swap = other is not None and size[d, other].max() > size[d, one].max()
+        sizes = size[d, other if swap else one]
+        with np.errstate(all="ignore"):
+            spreads.append((sizes.max() / sizes.min(), d, swap))
+    spread, d, swap = max(spreads)
+    if spread <= ALIKE:
+        return []
+    if other is not None and swap:
+        one, other = other, one
+    logs = np.log2(size[d, one])
+    is_small = logs <= (logs.min() + logs.max()) / 2
+    small, large = one[is_small], one[~is_small]
+    if other is None:
+        return [(small, None), (large, None), (small, large)]
+    return [(small, other), (large, other)]

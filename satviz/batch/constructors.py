@@ -1,0 +1,123 @@
+"""Circles and Polygons: many shapes checked at the door."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..engine.convex_parts import parts
+from ..engine.geometry import InvalidShape
+from ..engine.shapes import Polygon
+from . import validation
+from .arrays import Group, Shapes, group_of
+from .outlines import convex
+from .ragged import FEW, Rings, joined
+
+Indices = NDArray[np.intp]
+
+
+class Circles(Shapes):
+    """Circles from (N, 2) centers and (N,) radii, or one radius (scene units); InvalidShape names the first bad one."""
+
+    def __init__(self, centers: validation.Points, radii: validation.Numbers) -> None:
+        centers = validation.points(centers, "centers", lambda i: f"circle {i}: center")
+        n = len(centers)
+        r = validation.numbers(radii, "radii", "radius", lambda i: f"circle {i}: radius")
+        if r.shape not in ((), (1,), (n,)):
+            raise InvalidShape(f"radii has the shape {r.shape}: expected ({n},), or one radius for all")
+        r = np.array(np.broadcast_to(r, (n,)))
+        if (bad := np.flatnonzero(~(r > 0))).size:
+            raise InvalidShape(f"circle {bad[0]}: radius is {r[bad[0]]}: a circle needs a positive radius")
+        x, y = (np.array(centers[:, i][None]) for i in (0, 1))
+        super().__init__(np.ones(n, np.int64), groups={1: Group(x, y, r)})
+
+
+class Polygons(Shapes):
+    """Convex polygons in scene units, of any numbers of vertices.
+
+    `vertices`: an (N, V, 2) array (an outline with fewer than V vertices repeats one); or (M, 2) vertices
+    one after another, with the (N + 1,) `offsets` at which each polygon starts and the last one ends;
+    or a sequence of what satviz.Polygon takes.
+
+    Either winding, repeats and straight-on vertices are allowed.  `concave="split"`
+    splits concave ones into parts and keeps their owner.  InvalidShape names the
+    first polygon at fault and says what is wrong, as satviz.Polygon does.  What is
+    given is copied, never written to.
+    """
+
+    def __init__(
+        self, vertices: validation.Rings, *, offsets: ArrayLike | None = None, concave: str = "refuse"
+    ) -> None:
+        validation.check_word("concave", concave, validation.CONCAVE)
+        if offsets is None:
+            made = polygons_numbered(vertices, None, concave)
+        else:
+            made = _assembled(Rings(*validation.ragged(vertices, offsets)), "polygon {}".format, concave)
+        vars(self).update(vars(made))
+
+
+def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
+    """Polygons from an array or sequence of shapely's polygons."""
+    validation.check_word("concave", concave, validation.CONCAVE)
+    import shapely
+
+    array = np.asarray(geometries, object).ravel()
+    if not shapely.is_geometry(array).all():
+        return Polygons(list(array), concave=concave)  # whose door says what each is
+    odd = shapely.get_type_id(array) != shapely.GeometryType.POLYGON
+    odd |= shapely.is_empty(array) | shapely.has_z(array) | (shapely.get_num_interior_rings(array) > 0)
+    if odd.any():
+        return Polygons(list(array), concave=concave)
+    outer = shapely.get_exterior_ring(array)
+    start = np.concatenate([[0], np.cumsum(shapely.get_num_coordinates(outer))])
+    return Polygons(shapely.get_coordinates(outer), offsets=start, concave=concave)
+
+
+def polygons_numbered(vertices: validation.Rings, numbers: Indices | None, concave: str) -> Shapes:
+    """The same for some of more: `numbers` are what errors call them."""
+
+    def name(i: int) -> str:
+        return f"polygon {i if numbers is None else numbers[i]}"
+
+    if isinstance(vertices, np.ndarray) and vertices.dtype != object:
+        array = validation.rings(vertices, name)
+        start = np.arange(len(array) + 1, dtype=np.intp) * array.shape[1]
+        rings = Rings(array[:, :, 0].ravel(), array[:, :, 1].ravel(), start)
+    else:
+        rings = Rings(*validation.listed_rings(vertices, name))
+    return _assembled(rings, name, concave)
+
+
+def _assembled(given: Rings, name: Callable[[int], str], concave: str) -> Shapes:
+    """The corners of all; those not convex go through the scalar door one by one."""
+    given = Rings(given.x + 0.0, given.y + 0.0, given.start)  # a copy of our own, where -0.0 is 0.0
+    rings, plain = convex(given)
+    count = np.diff(rings.start)
+    if plain.all():
+        if len(count) and count[0] <= FEW and (count == count[0]).all():  # pairs of such come side by side mostly
+            columns = (c.reshape(len(count), -1).T.copy() for c in rings[:2])
+            return Shapes(count, groups={int(count[0]): group_of(*columns)})
+        return Shapes(count, rings=rings)
+    pieces: list[NDArray[np.float64]] = []
+    owners = [np.flatnonzero(plain)]
+    for i in np.flatnonzero(~plain).tolist():
+        part = slice(given.start[i], given.start[i + 1])
+        try:
+            polygon = Polygon(np.stack([given.x[part], given.y[part]], axis=1))
+        except InvalidShape as error:
+            raise InvalidShape(f"{name(i)}: {error}") from None
+        if concave == "refuse":
+            raise InvalidShape(
+                f"{name(i)} is not convex: split it with satviz.parts first, "
+                'or pass concave="split", which keeps the owner of each part'
+            )
+        found = parts(polygon)
+        pieces += [np.asarray(piece.core) for piece in found]
+        owners.append(np.full(len(found), i))
+    flat = np.concatenate(pieces)
+    start = np.cumsum([0, *map(len, pieces)])
+    owner = np.concatenate(owners)
+    order = np.argsort(owner, kind="stable")
+    rings = joined([rings, Rings(flat[:, 0], flat[:, 1], start)]).picked(order)
+    return Shapes(np.diff(rings.start), owner[order], rings=rings)

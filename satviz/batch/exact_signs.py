@@ -1,0 +1,192 @@
+"""Exact signs for arrays: a float filter, then sums of floats whose errors are kept, then integers.
+
+A product of two floats is the sum of two floats exactly (Dekker 1971), so a sum of
+products is a sum of floats; adding them while keeping each rounding (Knuth's
+two-sum, passed over the terms as in Ogita, Rump and Oishi 2005) brings the sign out.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..engine.predicates import HUGE, TINY, sign, to_integers
+
+Array = NDArray[np.float64]
+Signs = NDArray[np.int8]
+Pairs = Sequence[tuple[Array, Array]]  # the factors of products
+
+UNKNOWN = -2  # below every sign: the least of several signs is known when all are
+ROUND = 2.0**-50  # eight roundings
+FINE = 2.0**-98  # 256 roundings of roundings
+FINEST = 2.0**-101  # 32 of them
+SPLIT = 2.0**27 + 1
+MOST_PASSES = 12
+LANES = 128  # pairs side by side at least, however many corners they have: of fewer, Python would take the most time
+CORNERS = 1 << 19  # side by side at most: what bounds the memory
+
+
+def lanes(corners: int, at_once: int = CORNERS) -> int:
+    """How many pairs of so many corners to look at side by side."""
+    return max(LANES, at_once // corners)
+
+
+def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
+    """The exact turns from p over q to r: 1 left, -1 right, 0 straight; arrays of one length."""
+    with np.errstate(all="ignore"):
+        left = (qx - px) * (ry - py)
+        right = (qy - py) * (rx - px)
+        det, room = left - right, np.abs(left) + np.abs(right)
+        sure = (np.abs(det) > ROUND * room) & (room > TINY) & (room < HUGE)
+    found = np.sign(det, where=sure, out=np.zeros_like(det)).astype(np.int8)
+    rest = np.flatnonzero(~sure)
+    if rest.size:
+        found[rest] = _turns(*(c[rest] for c in (px, py, qx, qy, rx, ry)))
+    return found
+
+
+def _turns(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
+    """With what the differences and their products lost; exactly where that does not tell.
+
+    A difference is a + ea with ea at most u a (u = 2**-53), and the same for b, c and d; with S = |ab| + |cd| the turn
+    is ab - cd, whose rounded products differ by so little here that their difference is exact, and the errors of both
+    (u S in all), and a eb + ea b - c ed - ec d (2u S).  Left out are ea eb and ec ed, at most uu S; adding up what is
+    of the size u S rounds by 10 uu S at most, and the last sum by a share of itself.  Granted are 32 uu S.
+    """
+    with np.errstate(all="ignore"):
+        (a, ea), (b, eb), (c, ec), (d, ed) = (two_sum(u, -v) for u, v in ((qx, px), (ry, py), (qy, py), (rx, px)))
+        terms, size = _products([(a, b), (-c, d)])
+        turn = terms[0] + terms[1]
+        turn += (a * eb + ea * b) - (c * ed + ec * d)
+        turn += terms[2] + terms[3]
+        found = sign_beyond(turn, FINEST * size)
+    plain = (ea == 0) & (eb == 0) & (ec == 0) & (ed == 0)
+    for mask, pairs in (
+        (plain, [(a, b), (-c, d)]),
+        (~plain, [(px, qy), (-py, qx), (qx, ry), (-qy, rx), (rx, py), (-ry, px)]),
+    ):
+        which = np.flatnonzero(mask & (found == 0))
+        if which.size:
+            found[which] = sign_of_products([(u[which], v[which]) for u, v in pairs])
+    return found
+
+
+def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array) -> Signs:
+    """The exact sign of distance minus sum of radii for each pair of circles."""
+    pairs = []
+    for p, q in ((ax, bx), (ay, by)):
+        pairs += [(p, p), (q, q), (-p, q), (-p, q)]  # twice, as doubling could overflow
+    pairs += [(-ar, ar), (-br, br), (-ar, br), (-ar, br)]
+    return sign_of_products(pairs)
+
+
+def sign_of_products(pairs: Pairs) -> Signs:
+    """The exact signs of the sums of the products, column by column."""
+    with np.errstate(all="ignore"):
+        terms, size = _products(pairs)
+        found = np.full(len(size), UNKNOWN, np.int8)
+        calm = np.flatnonzero(size < np.inf)
+        found[calm] = sign_of_sum(columns(terms, calm))
+    for i in np.flatnonzero(found == UNKNOWN):
+        _, n = to_integers(f[i] for pair in pairs for f in pair)
+        found[i] = sign(sum(p * q for p, q in zip(n[::2], n[1::2], strict=True)))
+    return found
+
+
+def nearly(pairs: Pairs, more: Array) -> tuple[Array, Array, Array]:
+    """The sums of up to three products and of `more`, how far they can be off, and the products as floats to add up.
+
+    With products of size R in all, u = 2**-53 and `more` at most 3uR: the errors of the products
+    and of their sums are 3uR in all, and adding all this up rounds five times, by 30uuR.
+    Granted are 256uuR: the difference is for how far `more` itself may be off.
+    """
+    terms, size = _products(pairs)
+    _add_up(terms[len(pairs) :])
+    rest = terms[:-1].sum(axis=0)
+    rest += more
+    rest += terms[-1]
+    size *= FINE
+    return rest, size, terms
+
+
+def _products(pairs: Pairs) -> tuple[Array, Array]:
+    """Floats that add up to the products exactly, errors first, and the products' size: infinite where bits are lost.
+
+    The error of a product above TINY, and the parts it is made of, are multiples of 1e-312: floats.
+    """
+    k = len(pairs)
+    terms = np.empty((2 * k, len(pairs[0][0])))
+    for i, (a, b) in enumerate(pairs):
+        two_product(a, b, terms[i], terms[k + i])
+    sizes = np.abs(terms[k:])
+    size = sizes.sum(axis=0)
+    lost = ~(size < HUGE)
+    small = sizes < TINY
+    if small.any():
+        for look, (a, b) in zip(small, pairs, strict=True):
+            lost |= look & (a != 0) & (b != 0)
+    size[lost] = np.inf
+    return terms, size
+
+
+def two_product(a: Array, b: Array, error: Array, product: Array) -> None:
+    """a * b as the rounded product and its error."""
+    np.multiply(a, b, out=product)
+    a1, a0 = _split(a)
+    b1, b0 = (a1, a0) if b is a else _split(b)
+    np.multiply(a1, b1, out=error)
+    error -= product
+    for p, q in ((a0, b1), (a1, b0), (a0, b0)):
+        error += p * q
+
+
+def _split(a: Array) -> tuple[Array, Array]:
+    """a as two floats of half the bits."""
+    high = a * SPLIT
+    high -= high - a
+    return high, a - high
+
+
+def two_sum(a: Array, b: Array) -> tuple[Array, Array]:
+    """a + b as (rounded sum, error)."""
+    total = a + b
+    part = total - a
+    error = b - part
+    np.subtract(total, part, out=part)
+    np.subtract(a, part, out=part)
+    error += part
+    return total, error
+
+
+def _add_up(terms: Array) -> None:
+    """The rounded sum of each column into its last place; what was rounded off each time into the others."""
+    for i in range(1, len(terms)):
+        terms[i], terms[i - 1] = two_sum(terms[i], terms[i - 1])
+
+
+def columns(terms: Array, where: NDArray[np.intp]) -> Array:
+    """Some of the columns, in ascending order; "clip" as NumPy's check of the indices takes twice the copying."""
+    return terms if len(where) == terms.shape[1] else terms.take(where, axis=1, mode="clip")
+
+
+def sign_beyond(values: Array, room: Array | float) -> Signs:
+    """1 above the room, -1 below, 0 between."""
+    return (values > room).view(np.int8) - (values < -room).view(np.int8)
+
+
+def sign_of_sum(terms: Array) -> Signs:
+    """The exact signs of the columns' sums; UNKNOWN where it takes too many passes.  The terms are used up."""
+    found = np.full(terms.shape[1], UNKNOWN, np.int8)
+    left = np.arange(len(found))
+    for _ in range(MOST_PASSES):
+        rest = np.abs(terms[:-1]).sum(axis=0)
+        rest *= 1 + 2.0**-40
+        signs = sign_beyond(terms[-1], rest)
+        done = (signs != 0) | (rest == 0)
+        found[left] = np.where(done, signs, UNKNOWN)
+        more = np.flatnonzero(~done)
+        if not more.size:
+            break
+        left, terms = left[more], columns(terms, more)
+        _add_up(terms)
+    return found

@@ -1,0 +1,181 @@
+"""The batch's door: numbers in arrays, judged by the rules and in the words of satviz.Polygon and satviz.Circle."""
+
+import json
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..engine import polygon_validation
+from ..engine.geometry import InvalidShape
+from ..engine.predicates import warn_if_flushed
+from ..engine.shapes import Polygon
+
+# Taken in more forms than a type can say, so type checkers let anything through and the door judges it.
+Rings = Any  # an (N, V, 2) array, or a sequence of what satviz.Polygon takes
+Points = Any  # an (N, 2) array, or a sequence of what satviz.Circle takes as its center
+Numbers = Any  # an (N,) array, a sequence of numbers, or one number
+CONCAVE = "refuse", "split"  # what to do with concave outlines
+
+EXPECTED = "expected to rise from 0 to the number of vertices"  # of offsets
+
+
+def check_word(name: str, value: object, words: Sequence[str]) -> None:
+    """Raise TypeError for what is no text, ValueError for a text that is none of the words."""
+    if not isinstance(value, str) or value not in words:
+        fault = ValueError if isinstance(value, str) else TypeError
+        raise fault(f"{name} is {polygon_validation.shown(value)}: choose {' or '.join(map(json.dumps, words))}")
+
+
+def rings(vertices: NDArray[Any], name: Callable[[int], str]) -> NDArray[np.float64]:
+    """An (N, V, 2) array in float64; InvalidShape names the first number that is none."""
+    if vertices.ndim != 3 or vertices.shape[2] != 2 or vertices.shape[1] < 3:
+        raise InvalidShape(f"vertices has the shape {vertices.shape}: expected (N, V, 2) with V at least 3")
+    return floats(vertices, "vertices", lambda i, j, k: f"{name(i)}: vertex {j}.{'xy'[k]}")
+
+
+def ragged(vertices: Points, offsets: Any) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
+    """x, y and where each outline starts; InvalidShape names the first number that is none and the first bad offset."""
+    start = np.asarray(offsets)
+    if start.ndim != 1 or not start.size or start.dtype.kind not in "iu":
+        raise InvalidShape(f"offsets is {start.dtype} of the shape {start.shape}: expected N + 1 integers")
+    polygon_validation.refuse_masked(offsets, "offsets")
+    if (far := np.flatnonzero(start > np.iinfo(np.intp).max)).size:
+        raise InvalidShape(f"offsets holds {start[far[0]]}: {EXPECTED}")
+    start = start.astype(np.intp)
+
+    def entry(i: int) -> str:
+        polygon = np.searchsorted(start, i, side="right") - 1
+        return f"polygon {polygon}: vertex {i - start[polygon]}"
+
+    if start[0]:
+        raise InvalidShape(f"offsets begins with {start[0]}: {EXPECTED}")
+    if (fall := np.flatnonzero(np.diff(start) < 0)).size:
+        raise InvalidShape(f"offsets falls from {start[fall[0]]} to {start[fall[0] + 1]}: {EXPECTED}")
+    found = points(vertices, "vertices", entry)
+    if start[-1] != len(found):
+        raise InvalidShape(f"offsets ends with {start[-1]}: {EXPECTED}, {len(found)}")
+    return found[:, 0], found[:, 1], start
+
+
+def listed_rings(
+    vertices: Any, name: Callable[[int], str]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
+    """The same from a sequence of outlines."""
+    given = _listed(vertices, "vertices")
+    arrays: list[NDArray[np.float64]] = []
+
+    def joined() -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+        start = np.cumsum([0, *map(len, arrays)])
+        flat = np.concatenate([np.empty((0, 2)), *arrays])
+        if (bad := np.flatnonzero(~np.isfinite(flat).all(axis=1))).size:
+            i = int(np.searchsorted(start, bad[0], side="right")) - 1
+            ring(given[i], name(i))  # says which number it is
+        return flat, start
+
+    for i, one in enumerate(given):
+        array = _quickly(one)
+        if array is None:
+            try:
+                array = ring(one, name(i))
+            except InvalidShape:
+                joined()  # one before it may be at fault as well
+                raise
+        arrays.append(array)
+    flat, start = joined()
+    return flat[:, 0], flat[:, 1], start
+
+
+def _quickly(one: Any) -> NDArray[np.float64] | None:
+    """An outline of plain floats as an array, not yet known to be finite; None where the door must look closer."""
+    if type(one) is np.ndarray:
+        return one if one.dtype == np.float64 and one.ndim == 2 and one.shape[1] == 2 else None
+    if type(one) is not list and type(one) is not tuple:
+        return None
+    flat: list[Any] = []
+    for p in one:
+        if (type(p) is not tuple and type(p) is not list) or len(p) != 2:
+            return None
+        flat += p
+    return np.array(flat).reshape(-1, 2) if set(map(type, flat)) == {float} else None
+
+
+def ring(vertices: Any, name: str) -> NDArray[np.float64]:
+    """One outline as (V, 2) float64, through the door of satviz.Polygon where it is no plain array."""
+    if isinstance(vertices, Polygon):
+        return np.array(vertices.vertices)
+    try:
+        if _is_plain(vertices) and vertices.ndim == 2 and vertices.shape[1] == 2:
+            return floats(vertices, "vertices", lambda j, k: f"vertex {j}.{'xy'[k]}")
+        return np.array(polygon_validation.vertices(vertices)).reshape(-1, 2)
+    except InvalidShape as error:
+        raise InvalidShape(f"{name}: {error}") from None
+
+
+def points(values: Points, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
+    """(N, 2) float64 from an array or a sequence of points."""
+    if not _is_plain(values):
+        return np.array([polygon_validation.point(p, item(i)) for i, p in enumerate(_listed(values, name))]).reshape(
+            -1, 2
+        )
+    if values.ndim != 2 or values.shape[1] != 2:
+        raise InvalidShape(f"{name} has the shape {values.shape}: expected (N, 2)")
+    return floats(values, name, lambda i, k: f"{item(i)}.{'xy'[k]}")
+
+
+def boxes(values: Points) -> NDArray[np.float64]:
+    """(N, 4) float64 from an array or a sequence of boxes; InvalidShape names the first that is none."""
+    name = "bounds"
+    if not _is_plain(values):
+        rows = [
+            polygon_validation.listed(box, f"{name}[{i}]", "4 numbers") for i, box in enumerate(_listed(values, name))
+        ]
+        for i, row in enumerate(rows):
+            if len(row) != 4:
+                raise InvalidShape(f"{name}[{i}] has {len(row)} numbers: expected x min, y min, x max, y max")
+        values = np.array(rows, object).reshape(-1, 4)
+    if values.ndim != 2 or values.shape[1] != 4:
+        raise InvalidShape(f"{name} has the shape {values.shape}: expected (N, 4)")
+    found = floats(values, name, lambda i, k: f"{name}[{i}][{k}]")
+    good = (found[:, 0] <= found[:, 2]) & (found[:, 1] <= found[:, 3])
+    if (bad := np.flatnonzero(~good)).size:
+        raise InvalidShape(f"{name}[{bad[0]}] is {found[bad[0]].tolist()}: expected x min, y min <= x max, y max")
+    return found
+
+
+def _listed(values: Any, name: str) -> list[Any]:
+    return polygon_validation.listed(values, name, "a sequence")
+
+
+def numbers(values: Numbers, name: str, one: str, item: Callable[[int], str]) -> NDArray[np.float64]:
+    """(N,) float64 from an array or a sequence of numbers, or () from `one`."""
+    if _is_plain(values):
+        return floats(values, name, lambda *i: item(i[0]) if i else one)
+    if isinstance(values, Iterable):
+        return np.array([polygon_validation.number(v, item(i)) for i, v in enumerate(_listed(values, name))])
+    return np.array(polygon_validation.number(values, one))
+
+
+def _is_plain(values: Any) -> bool:
+    """Is it an array of NumPy's own numbers?  Others are looked at one by one."""
+    return isinstance(values, np.ndarray) and values.dtype != object
+
+
+def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray[np.float64]:
+    """The same values in float64; InvalidShape says of the first that has none what satviz.Polygon would."""
+    warn_if_flushed()
+    polygon_validation.refuse_array(array, name)
+    if array.dtype == object:
+        each = [polygon_validation.number(value, entry(*at)) for at, value in np.ndenumerate(array)]
+        return np.array(each).reshape(array.shape)
+    with np.errstate(all="ignore"):
+        found = np.asarray(array, np.float64)
+    doubtful = ~np.isfinite(found)
+    if array.dtype.kind in "iu" and array.dtype.itemsize == 8:
+        doubtful |= np.abs(found) >= 2.0**53
+    elif array.dtype.itemsize > 8:
+        doubtful |= found != array
+    for at in np.argwhere(doubtful).tolist() if doubtful.any() else ():
+        polygon_validation.number(array[tuple(at)], entry(*at))  # the scalar door judges each
+    return found

@@ -1,0 +1,241 @@
+"""The same filter compiled with numba: vectorised over pairs, the GIL released, cached on disk.
+
+Arrays come whole, with the first column to look at: a slice of them has rows that the
+compiler cannot know to be without gaps, and then it does not vectorise.
+
+Loops over corners are unrolled by the compiler where their number is a constant
+(3 and 4 corners), written out for 8, and taken four at a time otherwise.
+"""
+
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+
+from ...engine.predicates import HUGE, TINY
+from ...engine.relate import LEAST_ROOM, LOOK, MOST_ROOM
+from ..arrays import Group
+from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
+from ..exact_signs import Array, Signs
+from .jit_cache import compiled
+
+BLOCK = 1 << 17  # pairs a call: long enough that Python's share vanishes
+TILE = 128  # pairs whose columns stay in the first-level cache between edges
+
+
+def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
+    """APART where an edge has the other shape beyond it by more than rounding can hide."""
+    looks(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, room_of(a, b), out)
+
+
+def room_of(a: Group, b: Group) -> float:
+    """How far a float64 clearance of these groups can be off; infinite outside the range where that is known."""
+    found = (a.span + b.span) * (a.reach + b.reach) * LOOK
+    return found if LEAST_ROOM < found < MOST_ROOM else np.inf
+
+
+def looks(va: int, vb: int) -> Callable[..., None]:
+    """The kernel for so many corners: (ax, ay, bx, by, first column, room, out)."""
+    return _unrolled(va, vb) if va <= 4 and vb <= 4 else _eight if va == vb == 8 else _general
+
+
+@cache
+def _unrolled(va: int, vb: int) -> Callable[..., None]:
+    """A kernel for fixed numbers of corners: the compiler unrolls its inner loops and vectorises over pairs."""
+
+    @compiled
+    def kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
+        for k in range(out.size):
+            i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end
+            best = -np.inf
+            for e in range(va):
+                f = (e + 1) % va
+                px, py = ax[e, i], ay[e, i]
+                nx, ny = ay[f, i] - py, px - ax[f, i]
+                least = np.inf
+                for v in range(vb):
+                    least = min(least, nx * bx[v, i] + ny * by[v, i])
+                best = max(best, least - (nx * px + ny * py))
+            for e in range(vb):
+                f = (e + 1) % vb
+                px, py = bx[e, i], by[e, i]
+                nx, ny = by[f, i] - py, px - bx[f, i]
+                least = np.inf
+                for v in range(va):
+                    least = min(least, nx * ax[v, i] + ny * ay[v, i])
+                best = max(best, least - (nx * px + ny * py))
+            out[k] = APART if best > room else OVERLAPPING if best < -room else UNDECIDED
+
+    return kernel
+
+
+@compiled
+def _eight(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
+    best = np.empty(TILE)
+    for start in range(0, out.size, TILE):
+        n = min(TILE, out.size - start)
+        for i in range(n):
+            best[i] = -np.inf
+        edges_of_eight(ax, ay, bx, by, first + start, n, best)
+        edges_of_eight(bx, by, ax, ay, first + start, n, best)
+        for i in range(n):
+            out[start + i] = APART if best[i] > room else OVERLAPPING if best[i] < -room else UNDECIDED
+
+
+@compiled
+def edges_of_eight(x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array) -> None:
+    """Raise `best` to the clearances of n columns from s on; after the last row comes the first, or a ninth."""
+    t = s + n
+    p0, p1, p2, p3, p4, p5, p6, p7 = (
+        px[0, s:t],
+        px[1, s:t],
+        px[2, s:t],
+        px[3, s:t],
+        px[4, s:t],
+        px[5, s:t],
+        px[6, s:t],
+        px[7, s:t],
+    )
+    q0, q1, q2, q3, q4, q5, q6, q7 = (
+        py[0, s:t],
+        py[1, s:t],
+        py[2, s:t],
+        py[3, s:t],
+        py[4, s:t],
+        py[5, s:t],
+        py[6, s:t],
+        py[7, s:t],
+    )
+    for e in range(8):
+        f = (e + 1) % x.shape[0]
+        x0, y0, x1, y1 = x[e, s:t], y[e, s:t], x[f, s:t], y[f, s:t]
+        for i in range(n):
+            a, b = y1[i] - y0[i], x0[i] - x1[i]
+            low = min(
+                min(a * p0[i] + b * q0[i], a * p1[i] + b * q1[i]), min(a * p2[i] + b * q2[i], a * p3[i] + b * q3[i])
+            )
+            top = min(
+                min(a * p4[i] + b * q4[i], a * p5[i] + b * q5[i]), min(a * p6[i] + b * q6[i], a * p7[i] + b * q7[i])
+            )
+            best[i] = max(best[i], min(low, top) - (a * x0[i] + b * y0[i]))
+
+
+@compiled
+def _general(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
+    best, least, nx, ny = np.empty(TILE), np.empty(TILE), np.empty(TILE), np.empty(TILE)
+    for start in range(0, out.size, TILE):
+        n = min(TILE, out.size - start)
+        for i in range(n):
+            best[i] = -np.inf
+        _edges(ax, ay, bx, by, first + start, n, best, least, nx, ny)
+        _edges(bx, by, ax, ay, first + start, n, best, least, nx, ny)
+        for i in range(n):
+            out[start + i] = APART if best[i] > room else OVERLAPPING if best[i] < -room else UNDECIDED
+
+
+@compiled
+def _edges(
+    x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array, least: Array, nx: Array, ny: Array
+) -> None:
+    t = s + n
+    for e in range(x.shape[0]):
+        f = (e + 1) % x.shape[0]
+        x0, y0, x1, y1 = x[e, s:t], y[e, s:t], x[f, s:t], y[f, s:t]
+        for i in range(n):
+            nx[i], ny[i], least[i] = y1[i] - y0[i], x0[i] - x1[i], np.inf
+        v = 0
+        while v + 4 <= px.shape[0]:
+            p0, p1, p2, p3 = px[v, s:t], px[v + 1, s:t], px[v + 2, s:t], px[v + 3, s:t]
+            q0, q1, q2, q3 = py[v, s:t], py[v + 1, s:t], py[v + 2, s:t], py[v + 3, s:t]
+            for i in range(n):
+                a, b = nx[i], ny[i]
+                low, top = (
+                    min(a * p0[i] + b * q0[i], a * p1[i] + b * q1[i]),
+                    min(a * p2[i] + b * q2[i], a * p3[i] + b * q3[i]),
+                )
+                least[i] = min(least[i], min(low, top))
+            v += 4
+        while v < px.shape[0]:
+            p, q = px[v, s:t], py[v, s:t]
+            for i in range(n):
+                least[i] = min(least[i], nx[i] * p[i] + ny[i] * q[i])
+            v += 1
+        for i in range(n):
+            best[i] = max(best[i], least[i] - (nx[i] * x0[i] + ny[i] * y0[i]))
+
+
+def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
+    """Upright boxes: four comparisons of sides settle them, exactly."""
+    _boxes(a.x, a.y, b.x, b.y, first, out)
+
+
+@compiled
+def _ranges(a: float, c: float, p: float, r: float) -> tuple[float, float, float, float]:
+    return min(a, c), max(a, c), min(p, r), max(p, r)
+
+
+@compiled
+def _boxes(ax: Array, ay: Array, bx: Array, by: Array, first: int, out: Signs) -> None:
+    for k in range(out.size):
+        i = np.uintp(first + k)
+        ax0, ax1, bx0, bx1 = _ranges(ax[0, i], ax[2, i], bx[0, i], bx[2, i])
+        ay0, ay1, by0, by1 = _ranges(ay[0, i], ay[2, i], by[0, i], by[2, i])
+        gap = max(max(ax0 - bx1, bx0 - ax1), max(ay0 - by1, by0 - ay1))
+        out[k] = APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
+
+
+@compiled
+def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Signs) -> None:
+    """Distance against the sum of radii, squared."""
+    for k in range(out.size):
+        i = np.uintp(first + k)
+        dx, dy, reach = ax[i] - bx[i], ay[i] - by[i], ar[i] + br[i]
+        distance, reach = dx * dx + dy * dy, reach * reach
+        size = distance + reach
+        room = size * 2.0**-50 if size > TINY and size < HUGE else np.inf
+        gap = distance - reach
+        out[k] = APART if gap > room else OVERLAPPING if gap < -room else UNDECIDED
+
+
+def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
+    """The squared distance from each center to the nearest edge or corner, against the squared radius."""
+    (_circle_unrolled(len(px)) if len(px) <= 8 else _circle_general)(cx, cy, cr, px, py, first, out)
+
+
+def _circle_kernel(corners: int | None) -> Callable[..., None]:
+    """`corners` fixed for the compiler to unroll, or None for any number."""
+
+    @compiled
+    def kernel(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
+        count = px.shape[0] if corners is None else corners
+        for k in range(out.size):
+            i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end
+            x0, y0, r = cx[i], cy[i], cr[i]
+            far = r
+            for v in range(count):
+                far = max(far, max(abs(px[v, i] - x0), abs(py[v, i] - y0)))
+            room, side_room = far * far * 2.0**-46, far * 2.0**-48
+            inside, safe, nearest = True, room > TINY and room < HUGE * 2.0**-46, np.inf
+            for v in range(count):
+                w = (v + 1) % count
+                dx, dy = px[w, i] - px[v, i], py[w, i] - py[v, i]
+                x, y, u, z = px[v, i] - x0, py[v, i] - y0, px[w, i] - x0, py[w, i] - y0
+                turn = x * dy - y * dx
+                tolerance = (abs(dx) + abs(dy)) * side_room
+                along, square = -(x * dx + y * dy), dx * dx + dy * dy
+                safe = safe & (square > TINY)
+                foot = turn / square * turn
+                distance = x * x + y * y if along <= 0 else u * u + z * z if along >= square else foot
+                inside = inside & (turn > tolerance)
+                nearest = min(nearest, distance)  # of edges that face away too: none lies nearer than the nearest
+            reach = r * r
+            over = inside | (nearest < reach - room)
+            # a center inside, taken for one on an edge's line, has the boundary within twice the tolerance
+            apart = nearest > reach + room
+            out[k] = UNDECIDED if not safe else OVERLAPPING if over else APART if apart else UNDECIDED
+
+    return kernel
+
+
+_circle_unrolled = cache(_circle_kernel)
+_circle_general = _circle_kernel(None)

@@ -1,0 +1,97 @@
+"""Boxes in the cells of a grid, in NumPy: sorted by their cells, a row of cells side by side."""
+
+from collections.abc import Callable, Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..exact_signs import Array
+
+Pairs = NDArray[np.intp]
+Ranges = list[tuple[Pairs, Pairs, Pairs]]  # of some queries: which, from where and how many of what is stored
+Cell = Sequence[float]  # its width and height
+Grid = Callable[[Array, Pairs, Pairs | None, Cell, float], Iterator[Pairs] | None]  # as `met` below
+
+BLOCK = 1 << 20  # candidates looked at in one go: what bounds the memory
+DENSE = 8  # cells a box that are worth a table of where each begins
+
+
+def met(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float) -> Iterator[Pairs] | None:
+    """Of two sets of boxes, or of one among itself, the pairs that meet (i < j), a block at a time, in no order.
+
+    None where that takes more than `most` looks.  Boxes are stored by the cell of their lower
+    left corner, row after row.  The numbers of cells never decrease along an axis, so a box
+    whose lower left corner lies between two places is stored between their cells, however the
+    division rounds.
+    """
+    queries, stored = one, one if other is None else other
+    (low_x, high_x, own_x), (low_y, high_y, own_y) = (_cells(bounds, queries, stored, d, cell[d]) for d in (0, 1))
+    width, height = (int(max(high.max(), own.max())) + 1 for high, own in ((high_x, own_x), (high_y, own_y)))
+    key = own_y.astype(np.int64, copy=False) * width + own_x
+    order = np.argsort(key)
+    key, stored = key[order], stored[order]
+    if other is None:  # each pair once: rows from a box's own on; in the order of the cells, neighbours lie near
+        queries = stored
+        low_x, high_x, low_y, high_y = (c[order] for c in (low_x, high_x, own_y, high_y))
+    begin = None
+    if width * height <= DENSE * len(key):
+        begin = np.concatenate([[0], np.cumsum(np.bincount(key, minlength=width * height))])
+    ranges: Ranges = []
+    for row in range(int((high_y - low_y).max()) + 1):
+        which = np.flatnonzero(high_y - low_y >= row)
+        base = (low_y[which].astype(np.int64, copy=False) + row) * width
+        ends = base + low_x[which], base + high_x[which] + 1
+        first, last = (np.searchsorted(key, c) if begin is None else begin[c] for c in ends)
+        if other is None and row == 0:
+            first = np.arange(1, len(queries) + 1)  # in their own row: those further on
+        ranges.append((which, first, last - first))
+    if sum(int(many.sum()) for _, _, many in ranges) > most:
+        return None
+    return _blocks(bounds, queries, stored, ranges)
+
+
+def _cells(bounds: Array, queries: Pairs, stored: Pairs, d: int, cell: float) -> tuple[Pairs, Pairs, Pairs]:
+    """Along one axis: the first and last cell in which what meets each query can be stored, and each stored box's own.
+
+    A box that meets a query begins before the query ends, and not more than its own width before the
+    query begins.  Numbers that would not fit, or lie so far out that those next to one another are many cells
+    apart, become their ranks, which keeps their order.
+    """
+    low, high = bounds[queries, d], bounds[queries, d + 2]
+    with np.errstate(all="ignore"):
+        longest = (bounds[stored, d + 2] - bounds[stored, d]).max()
+        first = np.nextafter(low - np.nextafter(longest, np.inf), -np.inf)
+        numbers = [np.floor(c / cell) for c in (first, high, bounds[stored, d])]
+        own = numbers[2]
+        lowest, highest = own.min(), own.max()
+        many = highest - lowest
+    if many < 1 << 30 and max(-lowest, highest) < 2.0**52:
+        first, last = (np.clip(c, lowest - 1, highest + 1) for c in numbers[:2])
+        return tuple((c - (lowest - 1)).astype(np.int64) for c in (first, last, own))
+    found, own = np.unique(own, return_inverse=True)
+    first, last = np.searchsorted(found, numbers[0]), np.searchsorted(found, numbers[1], side="right") - 1
+    return first, last, own
+
+
+def _blocks(bounds: Array, queries: Pairs, stored: Pairs, ranges: Ranges) -> Iterator[Pairs]:
+    """Of each query with what is stored in its ranges, those whose boxes meet."""
+    # in the order of the cells: the looks then run through memory nearly straight on
+    theirs = bounds[stored].T.copy()
+    own = theirs if queries is stored else bounds[queries].T.copy()
+    for which, first, many in ranges:
+        end = np.cumsum(many)
+        start = 0
+        while start < len(which):
+            # at least one query, and as many as fit the block
+            done = end[start - 1] if start else 0
+            stop = max(start + 1, int(np.searchsorted(end, done + BLOCK, side="right")))
+            each = many[start:stop]
+            of = np.repeat(which[start:stop], each)
+            with_ = np.arange(len(of)) + np.repeat(first[start:stop] - (end[start:stop] - each - done), each)
+            for d in (0, 1):
+                meet = (own[d][of] <= theirs[d + 2][with_]) & (theirs[d][with_] <= own[d + 2][of])
+                of, with_ = of[meet], with_[meet]
+            i, j = queries[of], stored[with_]
+            if len(i):
+                yield np.stack([np.minimum(i, j), np.maximum(i, j)], axis=1)
+            start = stop

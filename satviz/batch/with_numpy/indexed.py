@@ -1,0 +1,75 @@
+"""Pairs of convex polygons picked from anywhere, whatever their numbers of corners, in NumPy."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...engine.relate import LOOK
+from ..arrays import Flat
+from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
+from ..exact_signs import Array, Signs, columns, lanes
+from . import gjk
+from .exact import Edges, edges
+from .filter import MANY, decide, look_32
+
+Indices = NDArray[np.intp]
+
+AT_ONCE = 1 << 17  # corners
+
+
+def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
+    """The exact relations of the pairs (ia, ib): by their boxes, else side by side with others of about their width."""
+    boxes_a, boxes_b = a.bounds[ia], b.bounds[ib]
+    with np.errstate(over="ignore"):
+        gap = _gap(boxes_a, boxes_b)
+    out.fill(APART)
+    touch = np.flatnonzero(~(gap > 0))
+    upright = a.upright[ia[touch]] & b.upright[ib[touch]]
+    out[touch[upright]] = np.where(gap[touch[upright]] < 0, OVERLAPPING, TOUCHING)
+    left = touch[~upright]
+    most = np.maximum(*(s.start[i[left] + 1] - s.start[i[left]] for s, i in ((a, ia), (b, ib))))
+    widths = np.maximum(2 ** np.ceil(np.log2(most)).astype(np.intp), 4)
+    for width in np.unique(widths).tolist():
+        mine = left[widths == width]
+        size = lanes(width, AT_ONCE)
+        for start in range(0, len(mine), size):
+            part = mine[start : start + size]
+            with np.errstate(all="ignore"):
+                out[part] = _side_by_side(a, ia[part], boxes_a[part], b, ib[part], boxes_b[part])
+
+
+def _gap(a: Array, b: Array) -> Array:
+    """The largest gap between boxes along x and y."""
+    gap = np.full(len(a), -np.inf)
+    for low, high in ((0, 2), (1, 3)):
+        for one, other in ((a, b), (b, a)):
+            np.maximum(gap, one[:, low] - other[:, high], out=gap)
+    return gap
+
+
+def _side_by_side(a: Flat, ia: Indices, boxes_a: Array, b: Flat, ib: Indices, boxes_b: Array) -> Signs:
+    """First the filter on all, then the edges of those that it leaves undecided."""
+    (x, y), (p, q) = _laid(a, ia), _laid(b, ib)
+    found = np.empty(len(ia), np.int8)
+    if max(len(x), len(p)) - 1 > MANY:
+        reach = float(np.abs(boxes_a).max() + np.abs(boxes_b).max()) * LOOK
+        gjk.few_steps(x, y, p, q, reach, found)
+    else:
+        decide(*look_32(x, y, p, q, _wide(boxes_a) + _wide(boxes_b), 1), found)
+    rest = np.flatnonzero(found == UNDECIDED)
+    x, y, p, q = (columns(c, rest) for c in (x, y, p, q))
+    found[rest] = edges(Edges(x, y, len(x) - 1), Edges(p, q, len(p) - 1))
+    return found
+
+
+def _wide(boxes: Array) -> Array:
+    wide: Array = np.maximum(boxes[:, 2] - boxes[:, 0], boxes[:, 3] - boxes[:, 1])
+    return wide
+
+
+def _laid(shapes: Flat, which: Indices) -> tuple[Array, Array]:
+    """Corners in columns and the first once more; outlines of fewer go round again, so all have as many edges."""
+    start = shapes.start[which]
+    many, of = np.unique(shapes.start[which + 1] - start, return_inverse=True)
+    places = (np.arange(many[-1] + 1)[:, None] % many).take(of, axis=1)  # a division a corner of each would be slow
+    places += start
+    return shapes.x[places], shapes.y[places]

@@ -1,0 +1,66 @@
+"""How many axes are enough for the pair in hand: quick enough to be asked while it is dragged (no NumPy)."""
+
+from . import describe, number_format
+from .axes import CENTERS, VERTEX, WORLD, Axis, hull_normals, needed
+from .convex_parts import parts
+from .geometry import Relation
+from .relate import relate
+from .sat import axis_tests
+from .shapes import Shape, checked
+from .trace import PLAIN, Names, Trace
+
+WORDS = "no", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten", "Eleven", "Twelve"
+
+
+def enough(a: Trace | Shape, b: Shape | None = None, names: Names = PLAIN) -> tuple[int, str]:
+    """How many axes settle this pair as it lies, and a sentence on which, and on what would do wherever they lie.
+
+    A gap on one axis proves that two shapes are apart, so one that leaves a gap is enough; and where there is none, no
+    axis by itself says anything: all of a complete set must be tried.  Concave: one for each pair of convex parts
+    is enough.  Takes a trace, or two shapes with what they are called.
+    """
+    if isinstance(a, Trace):
+        return enough(a.a, a.b, a.names)
+    b = checked(b, "b")
+    choice = needed(a, b)
+    axes = choice.axes if choice.complete else (*choice.axes, *hull_normals(a, b).axes)
+    tests = list(axis_tests(a, b, axes))
+    test = max(tests, key=lambda test: test.gap)
+    if test.separates:
+        name = describe.axis_name(test.axis, (a, b), names)
+        which = f"the line {name}" if test.source.kind in (CENTERS, VERTEX) else f"the {name.removeprefix('the ')}"
+        gap = number_format.of_tests((a, b), (test,)).number(test.gap)
+        return 1, f"One axis is enough here: {which} leaves a gap of {gap}.{_anywhere(choice.axes, a, b)}"
+    if not choice.complete:
+        return _of_parts(a, b)
+    many = len(choice.axes)
+    touch = sum(test.gap == 0 for test in tests)
+    on = "one axis" if touch == 1 else f"{_count(touch).lower()} axes"
+    meets = f"touch on {on} and overlap on the others" if 0 < touch < many else "leave no gap on any"
+    if many == 1:
+        return 1, "One axis is enough, wherever two circles lie: the line through their centers."
+    if choice.axes[0].source.kind == WORLD:
+        return 2, "Two axes are enough, wherever two upright boxes lie: y and x."
+    return many, f"{_count(many)} axes are needed here: the ranges {meets}, and only all of them prove a hit."
+
+
+def _anywhere(axes: tuple[Axis, ...], a: Shape, b: Shape) -> str:
+    if not (a.is_convex and b.is_convex) or (a.radius and b.radius):
+        return ""
+    # the axis to the nearest vertex is left out where it happens to be parallel to an edge's normal
+    many = sum(axis.source.kind != VERTEX for axis in axes) + bool(a.radius or b.radius)
+    return f" Wherever they are moved, {_count(many).lower()} are enough."
+
+
+def _of_parts(a: Shape, b: Shape) -> tuple[int, str]:
+    pairs = [(p, q) for p in parts(a) for q in parts(b)]
+    if relate(a, b) is Relation.APART:
+        none = "No one normal of an edge is enough here"
+        return len(pairs), f"{none}, but one for each of the {len(pairs)} pairs of convex parts is."
+    hit = next(pair for pair in pairs if relate(*pair))
+    many = len(needed(*hit).axes)
+    return many, f"{_count(many)} axes are needed here: all those of two convex parts that meet."
+
+
+def _count(many: int) -> str:
+    return WORDS[many] if many < len(WORDS) else f"{many:,}"

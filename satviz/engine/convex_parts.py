@@ -1,0 +1,363 @@
+"""parts: a concave polygon as few convex parts that fill it exactly.
+
+Every coordinate is an integer times one power of two, so all of this is done on
+integers: each side and length is exact, and the straight lines that drawn outlines
+are full of cost no more than other turns.
+"""
+
+from fractions import Fraction
+from heapq import nsmallest
+from itertools import accumulate, chain
+from math import gcd, lcm
+from typing import NamedTuple
+
+from . import triangulation
+from .geometry import Vec
+from .predicates import IntPoint
+from .shapes import Polygon, Shape, checked
+
+NEAREST = 8  # partners tried for each reflex vertex among those after it: a big outline does not try all pairs
+MOST = 100  # reflex vertices of a piece; to cut it takes the square of their number
+
+Ring = list[int]  # the vertex numbers of a piece: counter-clockwise, none straight on
+Edge = tuple[int, int]
+
+
+def parts(shape: Shape) -> tuple[Shape, ...]:
+    """Convex parts with disjoint insides that fill the shape exactly; a convex shape is its own only part.
+
+    Their vertices are the polygon's and points where the line of an edge or cut ends
+    on another (label "" if the polygon has labels), never more parts than twice the
+    reflex vertices and one.  Sorted by the lowest vertex number they hold.
+    """
+    return (shape,) if checked(shape, "shape").is_convex else shape.kept("parts", lambda: _parts(shape))
+
+
+def _parts(shape: Shape) -> tuple[Polygon, ...]:
+    pieces = _Pieces(shape)
+    pieces.halve()
+    pieces.cut_in_pairs()
+    pieces.cut_one_by_one()
+    numbers = {p: i for i, p in reversed(list(enumerate(shape.vertices)))}
+    found = []
+    for ring in pieces.merged():
+        places = [(numbers.get(p, len(shape.vertices)), p) for p in map(pieces.points.__getitem__, ring)]
+        start = places.index(min(places))
+        found.append(places[start:] + places[:start])
+    found.sort()
+    labels = (*shape.labels, "") if shape.labels else None
+    return tuple(
+        Polygon([p for _, p in places], [labels[i] for i, _ in places] if labels else None) for places in found
+    )
+
+
+class _Hit(NamedTuple):
+    """Where an edge's line ends: on the edge from p to q, or on the vertex q."""
+
+    end: int | None  # None if float64 cannot hold the point, or inside a diagonal of `halve`
+    p: int
+    q: int
+
+
+class _Pieces:
+    """The pieces of one polygon while it is cut; no cut makes a vertex reflex."""
+
+    def __init__(self, shape: Shape) -> None:
+        self.points = list(shape.core)
+        self.numbers = {p: v for v, p in enumerate(self.points)}
+        k, at, _ = shape.integers
+        common = gcd(*(c for p in at for c in p))
+        self.unit = Fraction(common, 1 << k)  # of the integers in self.at, made as short as they can be
+        self.at = [(x // common, y // common) for x, y in at]
+        self.convex: list[Ring] = []
+        # the diagonals of `halve`, both ways round; no other cut ends inside one, so that it can be taken back
+        self.halving: dict[Edge, None] = {}
+        ring = list(range(len(at)))
+        # the piece in which a vertex is still reflex: one at most, as all its angles add up to less than 360 degrees
+        self.home = {v: ring for i, v in enumerate(ring) if _bend(self.at, ring, i) < 0}
+
+    def halve(self) -> None:
+        """Cut until no piece has more than MOST reflex vertices; each cut leaves an eighth of them on both sides.
+
+        A cut along the line of an edge is preferred.  Otherwise it is a diagonal of a
+        triangulation, which `merged` takes back if no vertex turned out to need it.
+        """
+        todo: list[tuple[Ring, list[Edge]]] = [(next(iter(self.home.values())), [])]
+        while todo:
+            ring, diagonals = todo.pop()
+            sides = _Sides(ring, [self.home.get(v) is ring for v in ring])
+            if sides.total <= MOST:
+                continue
+            best = max(diagonals, key=sides.fewer, default=None)
+            # the diagonals that cuts along lines have left may all be near one end of the piece
+            if best is None or not sides.balanced(best):
+                diagonals = [(ring[i], ring[j]) for i, j in triangulation.diagonals([self.points[v] for v in ring])]
+                best = max(diagonals, key=sides.fewer)
+            cut = self._balanced_line(ring, best, sides)
+            if cut is None:
+                cut = best
+                self.halving |= {cut: None, cut[::-1]: None}
+            for piece in self._cut(ring, *cut):
+                held = set(piece)
+                todo.append((piece, [d for d in diagonals if d != best and held.issuperset(d)]))
+
+    def _balanced_line(self, ring: Ring, ends: Edge, sides: "_Sides") -> Edge | None:
+        """The first balanced cut along the line of an edge at one of two vertices; its end is put on the ring."""
+        for v in ends:
+            for hit in self._both_extended(ring, v) if self.home.get(v) is ring else ():
+                if hit.end is not None and sides.balanced((v, hit.q)):
+                    _put(ring, hit.end, hit.q)
+                    return v, hit.end
+        return None
+
+    def cut_in_pairs(self) -> None:
+        """Cuts that end two reflex vertices at once: first those along an edge's line, then the shortest."""
+        rings = {id(ring): ring for ring in self.home.values()}
+        for _, _, u, v in sorted(chain.from_iterable(map(self._pairs, rings.values()))):
+            ring = self.home.get(u)
+            if ring is not None and ring is self.home.get(v) and self._sees(ring, u, v):
+                self._cut(ring, u, v)
+
+    def _pairs(self, ring: Ring) -> list[tuple[bool, int, int, int]]:
+        """Return the cuts between reflex vertices of a ring that would end both.
+
+        Each is given as: does it make a new normal, its squared length, its two ends.
+        """
+        at = self.at
+        pairs: list[tuple[bool, int, int, int]] = []
+        around = zip([ring[-1], *ring[:-1]], ring, [*ring[1:], ring[0]], strict=True)
+        bends = [(v, at[a], at[v], at[b]) for a, v, b in around if self.home.get(v) is ring]
+        for i, (u, before_u, pu, after_u) in enumerate(bends, 1):
+            found = []
+            for v, before_v, pv, after_v in bends[i:]:
+                # a cut ends a reflex vertex if it goes to the left of both its edges or along one's line
+                first, second = _turn(before_u, pu, pv), _turn(pu, after_u, pv)
+                if first < 0 or second < 0:
+                    continue
+                third, fourth = _turn(before_v, pv, pu), _turn(pv, after_v, pu)
+                if third >= 0 and fourth >= 0:
+                    new_normal = 0 not in (first, second, third, fourth)
+                    found.append((new_normal, _square(pu, pv), u, v))
+            pairs += nsmallest(NEAREST, found)
+        return pairs
+
+    def cut_one_by_one(self) -> None:
+        """Cuts that end the other reflex vertices, one for each where there is one, else two."""
+        for v in sorted(self.home):
+            while v in self.home:
+                self._cut_at(v)
+
+    def merged(self) -> list[Ring]:
+        """The pieces without the cuts that were not needed after all (Hertel and Mehlhorn 1983).
+
+        At most two cuts remain for each reflex vertex, those of `halve` included: if it needed a
+        third, its angles would add up to more than 360 degrees.
+        """
+        after: dict[Edge, Edge] = {}
+        before: dict[Edge, Edge] = {}
+
+        def link(first: Edge, second: Edge) -> None:
+            after[first], before[second] = second, first
+
+        for ring in self.convex:
+            edges = list(zip(ring, [*ring[1:], ring[0]], strict=True))
+            for first, second in zip(edges, [*edges[1:], edges[0]], strict=True):
+                link(first, second)
+        for cut in list(after):
+            twin = cut[::-1]
+            if cut not in after or twin not in after:
+                continue
+            joints = (before[cut], after[twin]), (before[twin], after[cut])
+            turns = [_turn(self.at[p], self.at[v], self.at[q]) for (p, v), (_, q) in joints]
+            if min(turns) < 0:
+                continue
+            del after[cut], after[twin]
+            for turn, (first, second) in zip(turns, joints, strict=True):
+                if turn:
+                    link(first, second)
+                    continue
+                edge = (first[0], second[1])
+                link(before[first], edge)
+                link(edge, after[second])
+                del after[first], after[second]
+        rings = []
+        while after:
+            edge, ring = next(iter(after)), []
+            while edge in after:
+                ring.append(edge[0])
+                edge = after.pop(edge)
+            rings.append(ring)
+        return rings
+
+    def _cut(self, ring: Ring, u: int, v: int) -> tuple[Ring, Ring]:
+        """Split a ring between two of its vertices; where one then lies straight on, it is left out."""
+        i, j = sorted((ring.index(u), ring.index(v)))
+        for end in (u, v):
+            if self.home.get(end) is ring:  # it may be reflex still in the piece behind an earlier cut
+                del self.home[end]
+        found = []
+        for piece in (ring[i : j + 1], ring[j:] + ring[: i + 1]):
+            bends = {piece[0]: _bend(self.at, piece, 0), piece[-1]: _bend(self.at, piece, -1)}
+            reflex = [w for w in piece if self.home.get(w) is ring or bends.get(w, 0) < 0]
+            found.append(([w for w in piece if bends.get(w, 1)], reflex))
+        for piece, reflex in found:
+            self.home.update(dict.fromkeys(reflex, piece))
+            if not reflex:
+                self.convex.append(piece)
+        return found[0][0], found[1][0]
+
+    def _cut_at(self, v: int) -> None:
+        """The shortest of the cuts at the reflex vertex v that are worked out here."""
+        ring = self.home[v]
+        hits = ahead, back = self._both_extended(ring, v)
+        # A cut along an edge's own line comes first: it gives the parts no new normal, so no new axis to test.
+        ends = [hit.end for hit in hits if hit.end is not None]
+        if not ends:
+            # The next best ends v too if v sees any vertex between the two lines.  If not, both lines end on one
+            # edge, and these two cuts go to either side of them: one now, and then the other is between the lines.
+            a, b = _neighbours(ring, v)
+            ends = [self._first_beside(ring, a, v, ahead, True), self._first_beside(ring, b, v, back, False)]
+        end = min(ends, key=lambda w: _square(self.at[v], self.at[w]))
+        for hit in hits:
+            if end == hit.end:
+                _put(ring, end, hit.q)
+        self._cut(ring, v, end)
+
+    def _both_extended(self, ring: Ring, v: int) -> tuple[_Hit, _Hit]:
+        """Where the lines of the two edges at v end."""
+        a, b = _neighbours(ring, v)
+        return self._extended(ring, a, v), self._extended(ring, b, v)
+
+    def _sees(self, ring: Ring, u: int, v: int) -> bool:
+        """Does the cut from u to v, inside at both its ends, meet the ring nowhere between them?"""
+        at = self.at
+        (ux, uy), (vx, vy) = pu, pv = at[u], at[v]
+        dx, dy = vx - ux, vy - uy
+        square = dx * dx + dy * dy
+        p, before = pu, 0
+        for w in (ring[-1], *ring):
+            q = at[w]
+            x, y = q[0] - ux, q[1] - uy
+            side = dx * y - dy * x
+            if side == 0:
+                if 0 < dx * x + dy * y < square:
+                    return False
+            # where the cut leaves the inside, the ring runs from right to left
+            elif before < 0 < side and _turn(p, q, pu) > 0 > _turn(p, q, pv):
+                return False
+            p, before = q, side
+        return True
+
+    def _extended(self, ring: Ring, a: int, v: int) -> _Hit:
+        """Where the edge from a to the reflex vertex v, made longer beyond v, first meets the ring."""
+        at = self.at
+        (ax, ay), (vx, vy) = at[a], at[v]
+        dx, dy = vx - ax, vy - ay
+        on_line = dx * vy - dy * vx
+        p = ring[-1]
+        px, py = at[p]
+        best, num, den = (p, p, 0), 1, 0  # the hit is at v + num/den * (dx, dy)
+        before = dx * py - dy * px - on_line
+        for q in ring:
+            qx, qy = at[q]
+            side = dx * qy - dy * qx - on_line
+            if side == 0:
+                s, t = dx * (qx - vx) + dy * (qy - vy), dx * dx + dy * dy
+            elif before < 0 < side:  # seen from inside, the ring runs from right to left
+                s, t = (px - vx) * (qy - py) - (py - vy) * (qx - px), side - before
+            else:
+                s = 0
+            if s > 0 and s * den < num * t:
+                best, num, den = (p, q, side), s, t
+            p, px, py, before = q, qx, qy, side
+        p, q, side = best
+        if side == 0:
+            return _Hit(q, p, q)
+        if (p, q) in self.halving:
+            return _Hit(None, p, q)
+        return _Hit(self._number(vx + Fraction(num * dx, den), vy + Fraction(num * dy, den)), p, q)
+
+    def _first_beside(self, ring: Ring, a: int, v: int, hit: _Hit, left: bool) -> int:
+        """The first vertex that a ray from v meets as it turns left or right from the line of a and v.
+
+        That line is clear up to the edge it hits, so it is the one at the smallest
+        angle among the vertices before that edge, the nearest if there are several.
+        """
+        at = self.at
+        pv, pp, pq = at[v], at[hit.p], at[hit.q]
+        way, best = (1, hit.q) if left else (-1, hit.p)
+        dx, dy = way * (pv[0] - at[a][0]), way * (pv[1] - at[a][1])
+        on_line = dx * pv[1] - dy * pv[0]
+        for w in ring:
+            x, y = pw = at[w]
+            if dx * y - dy * x > on_line:
+                turn = way * _turn(pv, at[best], pw)
+                nearer = turn < 0 or (turn == 0 and _square(pv, pw) < _square(pv, at[best]))
+                if nearer and _turn(pp, pq, pw) > 0:
+                    best = w
+        return best
+
+    def _number(self, x: Fraction, y: Fraction) -> int | None:
+        """The number of a point given in units, a new one if need be; None if float64 cannot hold it."""
+        point = Vec(float(x * self.unit), float(y * self.unit))
+        if point.x != x * self.unit or point.y != y * self.unit:
+            return None
+        if point not in self.numbers:
+            self.numbers[point] = len(self.points)
+            self.points.append(point)
+            finer = lcm(x.denominator, y.denominator)
+            if finer > 1:  # some two thousand times at most, the bits from 2**1024 down to 2**-1074
+                self.unit /= finer
+                self.at = [(px * finer, py * finer) for px, py in self.at]
+            self.at.append((int(x * finer), int(y * finer)))
+        return self.numbers[point]
+
+
+class _Sides:
+    """How many reflex vertices lie on either side of a cut through a ring."""
+
+    def __init__(self, ring: Ring, reflex: list[bool]) -> None:
+        self.place = {v: i for i, v in enumerate(ring)}
+        self.sums = [0, *accumulate(reflex)]
+        self.total = self.sums[-1]
+
+    def fewer(self, cut: Edge) -> int:
+        """Those on the side that has fewer, without the ends."""
+        i, j = sorted(map(self.place.__getitem__, cut))
+        return min(self.sums[j] - self.sums[i + 1], self.total - self.sums[j + 1] + self.sums[i])
+
+    def balanced(self, cut: Edge) -> bool:
+        """Has either side an eighth of all?"""
+        return 8 * self.fewer(cut) >= self.total
+
+
+def _neighbours(ring: Ring, v: int) -> Edge:
+    i = ring.index(v)
+    return ring[i - 1], ring[(i + 1) % len(ring)]
+
+
+def _put(ring: Ring, v: int, before: int) -> None:
+    """Insert a vertex that is not on the ring yet."""
+    if v != before:
+        ring.insert(ring.index(before), v)
+
+
+def _turn(p: IntPoint, q: IntPoint, r: IntPoint) -> int:
+    """Positive when the way from p over q to r turns left, 0 when it is straight."""
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+
+def _square(p: IntPoint, q: IntPoint) -> int:
+    """The squared distance."""
+    return (q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2
+
+
+def _bend(at: list[IntPoint], ring: Ring, i: int) -> int:
+    """The turn at the ring's i-th vertex: negative when it is reflex."""
+    return _turn(at[ring[i - 1]], at[ring[i]], at[ring[(i + 1) % len(ring)]])
+
+
+def named_parts(shape: Shape, name: str) -> list[tuple[Shape, str]]:
+    """The convex parts with their names: B1, B2, ... for a concave B, else just B."""
+    found = parts(shape)
+    return [(p, f"{name}{i}" if len(found) > 1 else name) for i, p in enumerate(found, 1)]

@@ -1,0 +1,441 @@
+"""A trace in words: the names of axes, the sentence of a test, the verdict, the plain-text table."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from .axes import (
+    ANY,
+    CENTERS,
+    CENTROIDS,
+    EARLY_EXIT,
+    EDGE,
+    FROM_EDGES,
+    HULL,
+    NO_DIRECTION,
+    PARALLEL,
+    SLIP,
+    VERTEX,
+    WORLD,
+    Axis,
+)
+from .convex_parts import named_parts
+from .geometry import Relation, Vec
+from .mtv import too_many
+from .number_format import MINUS, Digits, number, of_shapes, of_tests, plain, vector
+from .shapes import Shape
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from .certificate import SeparatingLine
+    from .sat import AxisTest
+    from .trace import Names, Trace
+
+MOST_PAIRS = 20  # of parts, in a table that can be read
+
+
+_JOINS = "\u200c\u200d\u200e\u200f"  # Persian, emoji and Hebrew are written with them
+
+
+def printable(text: str) -> str:
+    """The text with a sign in place of each control character, which would break an SVG."""
+    return "".join(c if c.isprintable() or c in _JOINS else "\ufffd" for c in text)
+
+
+def vertex_name(shape: Shape, name: str, i: int) -> str:
+    """The owner's label, or the shape's letter in small with a number from 1: b1, b2 ..."""
+    label = shape.labels[i] if shape.labels else ""
+    return printable(label) or f"{name.lower()}{'.' if name[-1].isdigit() else ''}{i + 1}"
+
+
+_PLAIN = {
+    CENTERS: "through both centers",
+    CENTROIDS: "through both centroids",
+    ANY: "any direction, since the centers coincide",
+}
+
+
+def axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
+    """Where an axis comes from: "normal of B's edge v1v3"."""
+    kind, role, ids = axis.source
+    if kind == WORLD:
+        return f"the {'xy'[ids[0]]} axis"
+    if kind in _PLAIN:
+        return _PLAIN[kind]
+    if kind in (*FROM_EDGES, VERTEX):
+        at = int(role == "B")
+        ends = [vertex_name(shapes[at], names[at], i) for i in ids]
+        if kind != VERTEX:
+            what = "(dx, -dy)" if kind == SLIP else "normal"
+            return f"{what} of {names[at]}'s {'hull ' if kind == HULL else ''}edge {edge_name(ends)}"
+        return f"through {names[at]}'s nearest vertex {ends[0]} and the center of {names[1 - at]}"
+    return f"direction {vector(axis.normal)}"
+
+
+def short_axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
+    """The same for a list: "B's v2v3"."""
+    return axis_name(axis, shapes, names).replace("normal of ", "").replace("edge ", "").replace("through ", "")
+
+
+def edge_name(ends: list[str]) -> str:
+    """A letter and a number each run together (v1v3), other labels keep apart."""
+    return "".join(ends) if all(re.fullmatch(r"[^\W\d]\d{1,2}", end) for end in ends) else " to ".join(ends)
+
+
+_WHY = {
+    PARALLEL: "parallel to axis {}",
+    NO_DIRECTION: "the center is on that vertex: no direction",
+    EARLY_EXIT: "early exit: axis {} separates",
+}
+
+
+def reason(why: str, number: int | None) -> str:
+    """Why an axis was not tested; the arguments are a Skip's."""
+    return _WHY[why].format(number)
+
+
+def digits(trace: Trace, *tests: AxisTest) -> Digits:
+    """The one format of a picture or a sentence of these tests; of none: for lengths and points."""
+    return of_tests((trace.a, trace.b), tests)
+
+
+def outcome(t: AxisTest, told: Digits) -> str:
+    """What one test says of the two ranges, and of nothing else."""
+    if t.gap >= 0:
+        return f"gap {told.signed(t.gap)}" if t.gap else "touching, gap 0"
+    a, b = t.a.interval, t.b.interval
+    shared, way_out = min(a.hi, b.hi) - max(a.lo, b.lo), told.gap(t.gap)
+    if shared < 0:  # ranges apart, and yet a negative gap: a shortcut reads them the wrong way round
+        return f"gap {told.signed(t.gap)}"
+    # where one range holds the other, getting out takes more than what they share
+    if -t.gap > 1.001 * shared and not told.fine:
+        return f"overlap {told.gap(shared)}, way out {way_out}"
+    return f"overlap {way_out}"
+
+
+def shared(t: AxisTest, told: Digits) -> str:
+    """The same in a picture, the shared part named as an interval."""
+    a, b = t.a.interval, t.b.interval
+    lo, hi = max(a.lo, b.lo), min(a.hi, b.hi)
+    if t.gap >= 0 or told.fine or told.origin or lo >= hi:
+        return outcome(t, told)
+    way_out = f"; way out {told.gap(t.gap)}" if -t.gap > 1.001 * (hi - lo) else ""
+    return f"overlap {told.interval(lo, hi)}\n{told.gap(hi - lo)} long{way_out}"
+
+
+def conclusion(trace: Trace, i: int) -> str:
+    """What follows from test `i` for the shapes, in a line."""
+    t, last = trace.tests[i], i == len(trace.tests) - 1
+    who = "the shapes" if trace.names == ("A", "B") else " and ".join(trace.names)
+    if t.separates:
+        return f"A gap: {who} are apart."
+    found = "The ranges only touch" if t.gap == 0 else "The ranges overlap"
+    if not last:
+        return f"{found} on this axis: no verdict yet, on to the next."
+    if trace.separating or not trace.choice.complete:
+        return f"{found} on this axis: it does not separate."
+    collide = "touch" if trace.relation is Relation.TOUCHING else "collide"
+    return f"{found} on this axis too: no gap on any, so {who} {collide}."
+
+
+def claimed(trace: Trace) -> str:
+    """What the axes tested say beside the truth, where they are wrong."""
+    who = "AABB says" if {t.source.kind for t in trace.tests} == {WORLD} else "These axes say"
+    return f"{who}: {'hit' if trace.claim else 'apart'}. Truth: {'hit' if trace.hit else 'apart'}."
+
+
+def both_ranges(trace: Trace, t: AxisTest, told: Digits) -> str:
+    """ "A [2, 4], B [3, 6]"."""
+    return ", ".join(f"{name} {text}" for name, text in zip(trace.names, told.ranges(t)))
+
+
+def test(trace: Trace, i: int) -> str:
+    """One test: which axis, both ranges, the gap, and what follows."""
+    t = trace.tests[i]
+    head = f"Axis {i + 1} of {len(trace.choice.axes)}, {axis_name(t.axis, (trace.a, trace.b), trace.names)}"
+    told = digits(trace, t)
+    found = f"{both_ranges(trace, t, told)}, {outcome(t, told)}"
+    who = "the shapes" if trace.names == ("A", "B") else " and ".join(trace.names)
+    if trace.shortcut:
+        ends = trace.shortcut.separates(t)
+        return f"{head}: {found}: {f'taken for a gap, so {who} for apart' if ends else 'no gap'}."
+    if t.separates:
+        return f"{head}: {found}: separating, so {who} are apart."
+    return f"{head}: {found}: not a separating axis."
+
+
+def verdict(trace: Trace, move: Vec | None) -> str:
+    """The whole run in one sentence that says no more than was proved; `move` ends an overlap."""
+    if trace.shortcut:
+        return _shortcut_verdict(trace)
+    if trace.pairs:
+        return _parts_verdict(trace, move)
+    a, b = trace.names
+    separating = trace.separating
+    if separating:
+        i = trace.tests.index(separating)
+        name = axis_name(separating.axis, (trace.a, trace.b), trace.names)
+        gap = digits(trace, separating).gap(separating.gap)
+        return f"{a} and {b} are apart: axis {i + 1} ({name}) leaves a gap of {gap}."
+    if trace.false_hit:
+        tested = "1 axis" if len(trace.tests) == 1 else f"{len(trace.tests)} axes"
+        return f"No gap on the {tested} tested, yet {a} and {b} are apart: a false hit."
+    if not trace.tests:
+        return f"This choice of axes has none for the pair: nothing is tested. {a} and {b} are {trace.relation}."
+    count = f"no gap on {_any_of(len(trace.tests))}"
+    if not trace.choice.complete:
+        count += " (not a proof; the exact test decides)"
+    if trace.relation is Relation.TOUCHING:
+        return f"{a} and {b} touch: {count}, and they share no interior point. Touching is a hit."
+    return f"{a} and {b} overlap: {count}. {_way_out(trace, move)}"
+
+
+ARE = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
+
+
+def _shortcut_verdict(trace: Trace) -> str:
+    """What the shortcut says, by which axis, and what is."""
+    assert trace.shortcut
+    a, b = trace.names
+    says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {ARE[trace.claim]}"
+    if trace.ended_by:
+        i = trace.tests.index(trace.ended_by)
+        name = axis_name(trace.ended_by.axis, (trace.a, trace.b), trace.names)
+        says += f": {outcome(trace.ended_by, digits(trace, trace.ended_by))} on axis {i + 1} ({name})"
+    elif trace.tests:
+        says += f": no gap on {_any_of(len(trace.tests))}"
+    is_so = ARE[trace.relation]
+    if trace.missed_hit or trace.false_hit:
+        return f"{says}. In truth they {is_so}: a {'missed' if trace.missed_hit else 'false'} hit."
+    return f"{says}, and so it is." if trace.claim is trace.relation else f"{says}. In truth they {is_so}."
+
+
+def _way_out(trace: Trace, move: Vec | None) -> str:
+    if move is None and too_many(trace.a, trace.b):
+        return "They have too many parts to look for the shortest way out."
+    if move is None:
+        return "No move that float64 can hold parts them."
+    return f"Moving {trace.names.b} by {digits(trace).vector(move)} leaves them just touching."
+
+
+def _any_of(n: int) -> str:
+    return "the one axis" if n == 1 else "either axis" if n == 2 else f"any of the {n} axes"
+
+
+def _parts_verdict(trace: Trace, move: Vec | None) -> str:
+    a, b = trace.names
+    settling = trace.colliding
+    if not settling:
+        return f"{a} and {b} are apart: each of the {len(trace.pairs)} pairs of convex parts has a separating axis."
+    p, q = settling.names
+    if trace.relation is Relation.TOUCHING:
+        return f"{a} and {b} touch: their parts {p} and {q} do, and no parts overlap. Touching is a hit."
+    return f"{a} and {b} overlap: their parts {p} and {q} do. {_way_out(trace, move)}"
+
+
+def table(trace: Trace, width: int | None = None) -> str:
+    """The trace as plain text: a row a test, then the axes not tested, then the verdict.
+
+    `width`: letters a line may have; where the columns need more, a test takes several lines.
+    """
+    if not trace.pairs:
+        blocks = [f"{_rows(trace, width)}\n{_wrapped([trace.sentence], width, '')}"]
+    else:
+        hit = trace.colliding
+        shown = [pair for i, pair in enumerate(trace.pairs) if i < MOST_PAIRS or pair is hit]
+        blocks = [f"{pair.names.a} against {pair.names.b}\n{table(pair, width)}" for pair in shown]
+        if left := len(trace.pairs) - len(shown):
+            blocks.append(f"(and {left:,} more pairs of parts)")
+        blocks.append(_wrapped([trace.sentence], width, ""))
+    return plain("\n\n".join(blocks))  # a terminal may know no more than ASCII
+
+
+def _rows(trace: Trace, width: int | None) -> str:
+    shapes = trace.a, trace.b
+    rows = [("axis", "direction", trace.names.a, trace.names.b, "gap", "")]
+    for i, t in enumerate(trace.tests, 1):
+        name = axis_name(t.axis, shapes, trace.names)
+        ends = trace.shortcut.separates(t) if trace.shortcut else t.separates
+        what = "separates" if ends else "touches" if t.gap == 0 else "overlaps"
+        told = digits(trace, t)
+        cells = vector(t.axis.direction), *told.ranges(t), told.signed(t.gap), what
+        rows.append((f"{i} {name}", *cells))
+    widths = [max(len(row[i]) for row in rows) for i in range(6)]
+    sides = "<<<<><"  # the gaps are set to the right
+    lines = ["  ".join(f"{cell:{side}{w}}" for cell, side, w in zip(row, sides, widths)).rstrip() for row in rows]
+    if width is not None and max(map(len, lines)) > width:
+        heads = "", *rows[0][1:-1]
+        blocks = [[*(f"{head} {cell}".lstrip() for head, cell in zip(heads, row)), row[-1]] for row in rows[1:]]
+        lines = [_wrapped(block, width, "  ") for block in blocks]
+    for place, name, why in untested(trace):
+        lines.append(_wrapped([f"- {place}{' ' if place else ''}{name}: {why}"], width, "  "))
+    return "\n".join(lines)
+
+
+def untested(trace: Trace) -> list[tuple[str, str, str]]:
+    """The rows of the axes not tested: the number, the name, and why; what is parallel to one axis is one row."""
+    places = {axis: f"{i}" for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
+    found: dict[tuple[str, str], list[str]] = {}
+    for s in sorted(trace.skipped, key=lambda s: s.axis not in places):  # those with a number first
+        row = places.get(s.axis, ""), reason(s.why, s.number)
+        found.setdefault(row, []).append(axis_name(s.axis, (trace.a, trace.b), trace.names))
+    return [(p, f"{name} and {len(more)} more" if more else name, why) for (p, why), (name, *more) in found.items()]
+
+
+def _wrapped(pieces: Sequence[str], width: int | None, indent: str) -> str:
+    """The pieces in a line, or in several of at most `width` letters: broken between pieces, within one at a space."""
+    line, lines = "", []
+    for piece in pieces:
+        joined = f"{line}  {piece}" if line.strip() else f"{line}{piece}"
+        if width is not None and len(joined) > width and line.strip():
+            lines.append(line)
+            joined = f"{indent}{piece}"
+        while width is not None and len(joined) > width and " " in joined[len(indent) : width + 1].rstrip():
+            at = joined.rindex(" ", len(indent), width + 1)
+            lines.append(joined[:at])
+            joined = f"{indent}{joined[at + 1 :]}"
+        line = joined
+    return "\n".join([*lines, line])
+
+
+def scene(trace: Trace) -> str:
+    """What is given and what is asked."""
+    return f"{both(trace)} Do they collide?"
+
+
+def both(trace: Trace) -> str:
+    """What the two shapes are."""
+    kinds = [shape_in_words(shape, "").split("is ", 1)[1] for shape in (trace.a, trace.b)]
+    if kinds[0] == kinds[1] and not trace.a.radius:
+        return f"{trace.names.a} and {trace.names.b} are {plural(kinds[0])}."
+    told = digits(trace)
+    return f"{shape_in_words(trace.a, trace.names.a, told)}, {shape_in_words(trace.b, trace.names.b, told)}."
+
+
+def plural(kind: str) -> str:
+    """ "a triangle" as "triangles", "an upright box" as "upright boxes"."""
+    noun = kind.split(" ", 1)[1]
+    head, _, tail = noun.partition(" with")
+    return f"{head}{'es' if head.endswith('x') else 's'}{' with' if tail else ''}{tail}"
+
+
+def line(certificate: SeparatingLine) -> str:
+    """A separating line by its equation: "x = 5 (parallel to y)", "4x - y = 12.5"."""
+    nx, ny, offset = (*certificate.normal, certificate.offset)
+    if ny == 0 or nx == 0:
+        at = of_shapes(certificate.a, certificate.b).number(float(offset / (nx or ny)))
+        return f"{'y' if nx == 0 else 'x'} = {at} (parallel to {'x' if nx == 0 else 'y'})"
+    size = max(abs(nx), abs(ny))
+    unit = size if size > 1000 else 1
+    if abs(offset) > unit * 10**308:  # as the sum of two coordinates, out of a float's range
+        unit *= 4
+    return f"{_term(nx / unit)}x {MINUS if ny < 0 else '+'} {_term(abs(ny / unit))}y = {number(float(offset / unit))}"
+
+
+def _term(factor: Fraction) -> str:
+    return "" if factor == 1 else MINUS if factor == -1 else number(float(factor))
+
+
+def parts(trace: Trace) -> str:
+    """How concave outlines are split."""
+    names = [[name for _, name in named_parts(s, n)] for s, n in zip((trace.a, trace.b), trace.names)]
+    split = [f"{n} is split into {listed(ps)}" for ps, n in zip(names, trace.names) if len(ps) > 1]
+    return f"{' and '.join(split)}: the shapes collide only if two of their convex parts do."
+
+
+def stage(trace: Trace, i: int, name: str, first: str) -> str:
+    """One drawing stage of test `i`; `first` is the role whose points drop first."""
+    t = trace.tests[i]
+    shapes = trace.a, trace.b
+    at = "AB".index(first)
+    side, owner, told = (t.a, t.b)[at], trace.names[at], digits(trace, t)
+    axis = f"axis {i + 1}"
+    if name == "edge":
+        return f"{_origin(trace, t.axis)}."
+    if name == "normal":
+        of = f"{axis} of {len(trace.choice.axes)}"
+        if t.source.kind not in FROM_EDGES:
+            return f"{_origin(trace, t.axis)} gives {of} its direction."
+        turned = "One sign changed makes it" if t.source.kind == SLIP else "A quarter turn makes it the normal"
+        normal, direction = outward_normal(trace, t.axis), digits(trace).vector(t.axis.normal)
+        made = f"{_origin(trace, t.axis)}. {turned} {normal}"
+        return f"{made}, the direction of {of}." if normal == direction else f"{made}; {of} takes it as {direction}."
+    if name == "axis":
+        what = axis_name(t.axis, shapes, trace.names)
+        return f"Axis {i + 1}, {what}, moved clear of the shapes: direction {vector(t.axis.direction)}."
+    if name == "drops":
+        lo, hi = (told.landing(end) for end in side.interval)
+        return f"{owner}'s points dropped onto {axis}: the lowest lands at {lo}, the highest at {hi}."
+    if name == "range":
+        return f"{owner}'s range on {axis} is {told.ranges(t)[at]}."
+    if name == "both ranges":
+        return f"Both ranges on {axis}: {both_ranges(trace, t, told)}."
+    return test(trace, i)
+
+
+def _origin(trace: Trace, axis: Axis) -> str:
+    """The edge or line that an axis comes from, with its vector."""
+    kind, role, ids = axis.source
+    if kind == CENTERS:
+        return f"The line through the centers of {trace.names.a} and {trace.names.b}"
+    at = int(role == "B")
+    shape, name = (trace.a, trace.b)[at], trace.names[at]
+    ends = [vertex_name(shape, name, i) for i in ids]
+    if kind == VERTEX:
+        return f"The line through {name}'s nearest vertex {ends[0]} and the center of {trace.names[1 - at]}"
+    p, q = (shape.vertices[i] for i in ids)
+    what = "Hull edge" if kind == HULL else "Edge"
+    return f"{what} {edge_name(ends)} of {name}: {edge_vector(trace, ends, p, q)}"
+
+
+def points_outward(trace: Trace, axis: Axis) -> bool:
+    """Does the axis of an edge's normal point out of its shape?  Either direction gives the same axis; True for others.
+
+    Outward is right of an edge that is walked counter-clockwise.
+    """
+    kind, role, ids = axis.source
+    if kind not in (EDGE, HULL):
+        return True
+    polygon = trace.b if role == "B" else trace.a
+    p, q = (polygon.vertices[i] for i in ids)
+    if kind == HULL:
+        start, n = p, axis.normal
+        return all(n.x * (v.x - start.x) + n.y * (v.y - start.y) <= 0 for v in polygon.core)
+    i, j = polygon.core.index(p), polygon.core.index(q)
+    if (i + 1) % len(polygon.core) != j:
+        p, q = q, p
+    return (q.y - p.y) * axis.normal.x + (p.x - q.x) * axis.normal.y >= 0
+
+
+def outward_normal(trace: Trace, axis: Axis) -> str:
+    """The normal that an axis comes from, pointing out of its shape; the axis may point the other way."""
+    n = axis.normal
+    return digits(trace).vector(n if points_outward(trace, axis) else Vec(0.0 - n.x, 0.0 - n.y))
+
+
+def edge_vector(trace: Trace, ends: Sequence[str], p: Vec, q: Vec) -> str:
+    """An edge as the difference of its ends: "v1 - v2 = (-3, 2)"."""
+    return f"{ends[0]} {MINUS} {ends[1]} = {digits(trace).vector(Vec(p.x - q.x, p.y - q.y))}"
+
+
+def listed(words: list[str]) -> str:
+    """ "x", "x and y", "x, y and z"."""
+    if len(words) == 1:
+        return words[0]
+    return ", ".join(words[:-1]) + " and " + words[-1]
+
+
+def shape_in_words(shape: Shape, name: str, told: Digits | None = None) -> str:
+    """What a shape is: "A is a triangle", "B is a circle of radius 1 around (2, 2)"."""
+    if shape.radius:
+        told = told or of_shapes(shape)
+        return f"{name} is a circle of radius {told.number(shape.radius)} around {told.vector(shape.core[0])}"
+    n = len(shape.core)
+    kind = {3: "triangle", 4: "quadrilateral"}.get(n, f"polygon with {n} corners")
+    if shape.is_upright_box:
+        kind = "upright box"
+    what = kind if shape.is_convex else f"concave {kind}"
+    return f"{name} is {'an' if what[0] in 'u' else 'a'} {what}"

@@ -1,0 +1,254 @@
+"""What is checked of an outline at the door, with exact predicates: numbers, repeats, turns, crossings."""
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from reprlib import Repr
+from typing import Any, NamedTuple
+
+from .geometry import InvalidShape, Vec
+from .predicates import orient, warn_if_flushed
+from .sweep import sweep
+
+
+class Corners(NamedTuple):
+    """An outline as the engine walks it: counter-clockwise, without repeats and straight-on vertices."""
+
+    ids: tuple[int, ...]  # the owner's vertex numbers
+    convex: bool
+    notes: tuple[str, ...]
+
+
+_NOT_REAL = tuple("bcSUmMV")  # NumPy's kinds: bool, complex, text, times, records
+_WHOLE = ("i", "u")
+_REPR = Repr()
+_REPR.maxlevel, _REPR.maxstring, _REPR.maxother = 3, 60, 100
+
+
+def _kind(value: Any) -> str:
+    """NumPy's letter for the kind of an array's numbers; nothing for what is not NumPy's."""
+    return getattr(getattr(value, "dtype", None), "kind", "")
+
+
+def number(value: Any, name: str) -> float:
+    """One finite float64 equal to what was given; bool, text, complex and lossy integers are refused."""
+    if type(value) is not float:
+        if getattr(value, "mask", False):
+            raise InvalidShape(f"{name} is masked: fill or drop it first")
+        given = value
+        if getattr(value, "shape", ()) != ():
+            raise InvalidShape(f"{name} is {shown(value)}: a coordinate must be one real number")
+        if _kind(value) in _WHOLE:
+            value = int(value)  # a NumPy integer compares in float64, which hides what it loses
+        # an array of one object gives way to float(), whatever it holds
+        if isinstance(value, (bool, str, bytes, complex)) or _kind(value) in (*_NOT_REAL, "O"):
+            raise InvalidShape(f"{name} is {shown(given)}: a coordinate must be a real number")
+        try:
+            as_float = float(value)
+        except (TypeError, ValueError):
+            raise InvalidShape(f"{name} is {shown(value)}: a coordinate must be a real number") from None
+        except OverflowError:
+            raise InvalidShape(f"{name} is too large for float64: scale the scene down") from None
+        if as_float != value and as_float == as_float:
+            raise InvalidShape(
+                f"{name} is {shown(value)}, which float64 cannot hold (nearest {as_float!r}): round or scale it first"
+            )
+        value = as_float
+    if not math.isfinite(value):
+        raise InvalidShape(f"{name} is {value}: coordinates must be finite")
+    return float(value)
+
+
+def point(value: Any, name: str) -> Vec:
+    """A pair of finite numbers."""
+    try:
+        x, y = plain(value, name)
+    except (TypeError, ValueError) as error:
+        if isinstance(error, InvalidShape):
+            raise
+        raise InvalidShape(f"{name} is {shown(value)}: expected a pair (x, y)") from None
+    return Vec(number(x, f"{name}.x"), number(y, f"{name}.y"))
+
+
+def plain(values: Any, name: str) -> Any:
+    """An array as nested lists (NumPy is not imported for it); masked entries are refused."""
+    if isinstance(values, (str, bytes, dict, set, frozenset)) or getattr(values, "ndim", 1) == 0:
+        raise InvalidShape(f"{name} is {shown(values)}: expected numbers in order")
+    if hasattr(values, "tolist"):
+        refuse_array(values, name)
+        return values.tolist()
+    return values
+
+
+def refuse_array(array: Any, name: str) -> None:
+    """InvalidShape for an array of something else than real numbers, or with masked entries."""
+    if _kind(array) in _NOT_REAL:
+        raise InvalidShape(f"{name} is an array of {array.dtype}: coordinates must be real numbers")
+    refuse_masked(array, name)
+
+
+def refuse_masked(array: Any, name: str) -> None:
+    """InvalidShape for an array with masked entries, which most of NumPy would take as if they were not masked."""
+    mask = getattr(array, "mask", None)
+    if mask is not None and getattr(mask, "any", bool)():
+        raise InvalidShape(f"{name} has masked entries: fill or drop them first")
+
+
+def vertices(values: Any) -> tuple[Vec, ...]:
+    """The owner's vertices, in the owner's order, from nested sequences, arrays or `__geo_interface__`."""
+    try:
+        interface = getattr(values, "__geo_interface__", None)
+    except Exception as error:
+        raise InvalidShape(f"__geo_interface__ fails: {shown(error)}: pass the vertices themselves") from error
+    if interface is None:
+        return _points(values, "vertices")
+    rings = _rings(interface)
+    if not rings:
+        raise InvalidShape("the polygon is empty: it needs at least 3 distinct vertices")
+    points = _points(rings[0], "the outer ring")
+    if len(rings) > 1:
+        raise InvalidShape("the polygon has holes: pass its outer ring, or split it into parts without holes")
+    return points
+
+
+def _points(values: Any, name: str) -> tuple[Vec, ...]:
+    return tuple(point(v, f"vertex {i}") for i, v in enumerate(listed(values, name, "a sequence of (x, y) pairs")))
+
+
+def listed(values: Any, name: str, expected: str) -> list[Any]:
+    """What can be gone through in order; InvalidShape says what was expected."""
+    warn_if_flushed()
+    values = plain(values, name)
+    if not isinstance(values, Iterable) or isinstance(values, type):
+        raise InvalidShape(f"{name} is {shown(values)}: expected {expected}")
+    return list(values)
+
+
+def _rings(interface: Any) -> list[Any]:
+    """The rings of a GeoJSON-like Polygon, or of a Feature that has one."""
+    name = "__geo_interface__"
+    if _type(interface) == "Feature":
+        interface, name = interface.get("geometry"), "the Feature's geometry"
+    if not isinstance(interface, Mapping):
+        raise InvalidShape(f"{name} is {shown(interface)}: expected a dict with type and coordinates")
+    kind, held = _type(interface), interface.get("coordinates")
+    if not kind:
+        raise InvalidShape(f"{name} has no type: expected a dict with type and coordinates")
+    if kind not in ("Polygon", "LinearRing"):
+        raise InvalidShape(f"a {kind} is not a polygon: pass one Polygon at a time")
+    return [held] if kind == "LinearRing" else listed(held, "coordinates", "a sequence of (x, y) pairs")
+
+
+def _type(interface: Any) -> str:
+    kind = interface.get("type") if isinstance(interface, Mapping) else ""
+    return kind if isinstance(kind, str) else ""
+
+
+def shown(value: Any) -> str:
+    """A value in a message: short, however large or deep it is."""
+    return _REPR.repr(value)
+
+
+def corners(points: Sequence[Vec]) -> Corners:
+    """Check that the points run once round a simple outline of positive area, and find its corners.
+
+    The first edge stays first: a clockwise outline is walked backwards from it.
+    """
+    ring, notes = _without_repeats(points)
+    if len({points[i] for i in ring}) < 3:
+        raise InvalidShape(f"{len(set(points))} distinct vertices: a polygon needs at least 3")
+    turns = []
+    for before, i, after in _around(ring):
+        turn = orient(points[before], points[i], points[after])
+        if turn == 0 and _reverses(points[before], points[i], points[after]):
+            if _flat(points, ring):
+                raise InvalidShape("all vertices lie on one line: a polygon needs a positive area; move one off it")
+            raise InvalidShape(f"the outline turns back on itself at vertex {i} (a spike): remove that vertex")
+        turns.append(turn)
+    notes += [f"vertex {i} lies straight on between its neighbours" for i, turn in zip(ring, turns) if turn == 0]
+    kept = [i for i, turn in zip(ring, turns) if turn]
+    bends = {turn for turn in turns if turn}
+    convex = len(bends) == 1 and _runs_round_once([points[i] for i in kept])
+    if not convex:
+        refuse_crossings([points[i] for i in ring], ring)
+    lowest = min(range(len(kept)), key=lambda j: points[kept[j]])
+    # the turn at the lowest corner is the winding of the whole: no vertex lies beyond it
+    if next(t for i, t in zip(ring, turns) if i == kept[lowest]) < 0:
+        kept = [kept[1], kept[0], *kept[:1:-1]]
+    return Corners(tuple(kept), convex, tuple(notes))
+
+
+def _without_repeats(points: Sequence[Vec]) -> tuple[list[int], list[str]]:
+    ring: list[int] = []
+    notes = []
+    for i, p in enumerate(points):
+        if ring and points[ring[-1]] == p:
+            notes.append(f"vertex {i} repeats vertex {ring[-1]}: merged")
+        else:
+            ring.append(i)
+    while len(ring) > 1 and points[ring[-1]] == points[ring[0]]:
+        notes.append(f"vertex {ring.pop()} closes the outline on vertex {ring[0]}: merged")
+    return ring, notes
+
+
+def _around(ring: Sequence[int]) -> Iterable[tuple[int, int, int]]:
+    return zip([ring[-1], *ring[:-1]], ring, [*ring[1:], ring[0]], strict=True)
+
+
+def _reverses(before: Vec, here: Vec, after: Vec) -> bool:
+    """Of three points on one line: does the way go back?  Signs of float differences are exact."""
+    return (here > before) != (after > here)
+
+
+def _flat(points: Sequence[Vec], ring: Sequence[int]) -> bool:
+    first, second = points[ring[0]], points[ring[1]]
+    return all(orient(first, second, points[i]) == 0 for i in ring)
+
+
+def _runs_round_once(ring: Sequence[Vec]) -> bool:
+    """All turns one way is not enough (a pentagram turns left everywhere, twice round)."""
+    rising = [q > p for p, q in zip(ring, [*ring[1:], ring[0]], strict=True)]
+    return sum(r != s for r, s in zip(rising, [*rising[1:], rising[0]], strict=True)) == 2
+
+
+def refuse_crossings(ring: Sequence[Vec], ids: Sequence[int]) -> None:
+    """Raise InvalidShape if two edges that are not neighbours in the outline meet.
+
+    Source: Shamos and Hoey (1976).  Of the edges that meet furthest left, two lie directly
+    above each other just before, so only such edges are compared.
+    """
+    n = len(ring)
+    for event in sweep(ring):
+        if event.touched is None:
+            row = [e for e in (event.below, *event.begun, event.above) if e is not None]
+        else:
+            row = [event.touched, event.vertex]
+        for j, i in pairwise(row):
+            p, q, r, s = ring[i], ring[(i + 1) % n], ring[j], ring[(j + 1) % n]
+            if (i - j) % n in (1, n - 1) or not _meet(p, q, r, s):
+                continue
+            first, second = sorted((ids[i], ids[j]))
+            x, y = _place(p, q, r, s)
+            raise InvalidShape(
+                f"edges {first} and {second} cross near ({x:.6g}, {y:.6g}): "
+                "an outline must not cross or touch itself; reorder the vertices"
+            )
+
+
+def _meet(p: Vec, q: Vec, r: Vec, s: Vec) -> bool:
+    """Do two closed segments that share an x share a point?"""
+    if max(p.y, q.y) < min(r.y, s.y) or max(r.y, s.y) < min(p.y, q.y):
+        return False
+    return orient(p, q, r) * orient(p, q, s) <= 0 and orient(r, s, p) * orient(r, s, q) <= 0
+
+
+def _place(p: Vec, q: Vec, r: Vec, s: Vec) -> Vec:
+    """A point of both segments, which meet; in fractions, since products of floats may overflow and vanish."""
+    (px, py), (qx, qy), (rx, ry), (sx, sy) = (map(Fraction, v) for v in (p, q, r, s))
+    dx, dy, ex, ey = qx - px, qy - py, sx - rx, sy - ry
+    det = dx * ey - dy * ex
+    if not det:  # both on one line
+        return max(min(p, q), min(r, s))
+    t = ((rx - px) * ey - (ry - py) * ex) / det
+    return Vec(float(px + t * dx), float(py + t * dy))

@@ -1,0 +1,198 @@
+"""A scene under the hand, without the widget: a pose is answered with the picture that follows."""
+
+from dataclasses import replace
+from math import isfinite
+from typing import Any, NamedTuple
+
+from ..engine.axes import directions
+from ..engine.axis_count import enough
+from ..engine.geometry import InvalidScene, Vec
+from ..engine.trace import Trace, record
+from ..pictures import Picture
+from ..pictures.claims import heading
+from ..pictures.comparison_drag import about_map, hand
+from ..pictures.curve import WIDTH, direction, gap_curve
+from ..pictures.labels import Standing
+from ..pictures.live import Chosen, canvas, field, fits, knob, live, telling_test, turned_axis
+from ..pictures.minkowski import difference
+from ..pictures.playback import first_rows, rows
+from ..scenes.link import Shown, fragment
+from ..scenes.named import scene
+from ..scenes.scenefile import Scene, shape_data, shape_from
+from ..scenes.strictjson import typed
+from .goals import Judged, begun, judged
+from .player_model import Showing
+
+SHORTCUT, TRUTH = "shortcut", "truth"
+
+
+class Drawn(NamedTuple):
+    """The picture, the row of its axis in the table (None: not in it), and the handle that turns a free axis."""
+
+    picture: Picture
+    lit: int | None = None
+    knob: Vec | None = None
+
+
+class Exploring(Showing):
+    """Two shapes to drag, turn and reshape, with the axis that tells most (or one chosen, or a free one).
+
+    A scene whose axes are a shortcut's has two views: the shortcut's run, and the truth.
+    A goal is a challenge: what the scene is to become.
+    ValueError for a scene that cannot be drawn, or cannot have the goal.
+    """
+
+    def __init__(self, shown: Scene, goal: str | None = None) -> None:
+        self._degree: float | None = None
+        self._largest = canvas(None)
+        self._way_out = self._against = False
+        self._start(shown, goal)
+        self._settle()
+
+    def picture(self) -> Picture:
+        """The picture as it stands."""
+        return self._drawn.picture
+
+    def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
+        """A pose, a preset by name, or a challenge: the state that follows, or why it cannot be."""
+        n, before = content.get("n"), {**vars(self), "_stood": dict(self._stood)}
+        try:
+            if content.get("kind") == "preset":
+                self._start(scene(typed(content.get("name"), "the preset", str)))
+            elif content.get("kind") == "challenge":
+                goal = typed(content.get("goal"), "the challenge", str)
+                self._start(begun(goal, self.scene), goal)
+            elif content.get("kind") == "pose":
+                self._pose(content)
+            else:
+                return None
+            self._settle(final=bool(content.get("final", True)))
+            return {"kind": "state", "n": n, **self.state()}
+        except ValueError as error:  # also of what a picture asks of the engine: then nothing has changed
+            vars(self).update(before)
+            return {"kind": "refused", "n": n, "why": str(error)}
+
+    def state(self) -> dict[str, Any]:
+        """All that a front end shows."""
+        trace, drawn = self.trace, self._drawn
+        found: dict[str, Any] = {
+            "picture": drawn.picture.data(),
+            "a": shape_data(self.scene.a),
+            "b": shape_data(self.scene.b),
+            "names": list(trace.names),
+            "relation": str(trace.relation),
+            "sentence": drawn.picture.sentence,
+            "enough": enough(trace)[1],
+            "rows": rows(trace),
+            "lit": drawn.lit,
+            "json": self.scene.to_json(),
+            "view": self._view,
+            "link": fragment(self.scene, self._shown()),
+            "scene": self._begun,
+        }
+        if self._judged:
+            found["goal"] = self._judged._asdict()
+        if self._against:
+            found["difference"] = difference(trace, largest=(min(340.0, self._largest[0]), 300.0)).data()
+        if self._run.shortcut:
+            found["heading"] = list(heading(self._run))
+        if trace.shortcut and drawn.knob is None:
+            found["map"] = about_map(trace, self._layout)
+        if drawn.knob is not None:
+            width = min(WIDTH, self._largest[0])
+            found["curve"] = gap_curve(self.scene.a, self.scene.b, self._degree, width=width).data()
+            found["knob"] = list(drawn.knob)
+        return found
+
+    def _shown(self) -> Shown:
+        view = self._view if self._view == TRUTH else None
+        goal = self._judged.goal if self._judged else None
+        return Shown(self._degree, self._pinned, view, self._way_out, self._against, goal=goal)
+
+    def _start(self, shown: Scene, goal: str | None = None) -> None:
+        trace, met = _trace(shown), judged(goal, shown) if goal else None
+        self._layout = field(trace, self._largest)
+        self._at_first = shown.a, shown.b
+        self._begun = shown.to_json()  # a pose says which scene it is of: undo goes back over presets too
+        self._look(shown, trace, SHORTCUT if trace.shortcut else None, met)
+        self._pinned: int | None = None
+        self._near: Vec | None = None  # the way the axis lay before, so that it stays on its side
+        self._stood: Standing = {}  # how the labels stood, so that they do not jump
+
+    def _pose(self, content: dict[str, Any]) -> None:
+        a, b = shape_from(content.get("a"), "A"), shape_from(content.get("b"), "B")
+        degree, pinned = _number(content.get("degree"), "the angle"), content.get("pinned")
+        largest = canvas(_number(content.get("width"), "the width"))
+        if pinned is not None and not isinstance(pinned, int):
+            raise InvalidScene("the axis shown must be a row's number")
+        text = content.get("scene")
+        begun = self.scene if text in (None, self._begun) else Scene.from_json(typed(text, "the scene", str))
+        changed = replace(begun, a=a, b=b)
+        trace = _trace(changed)
+        view = (content.get("view") or self._view or SHORTCUT) if trace.shortcut else None
+        if view not in (None, SHORTCUT, TRUTH):
+            raise InvalidScene(f'the view must be "{SHORTCUT}" or "{TRUTH}"')
+        layout = field(trace, largest)  # refused where it cannot be drawn
+        before = self._judged.goal if self._judged else None
+        goal = content.get("goal", before)
+        met = None if goal is None else judged(typed(goal, "the challenge", str), changed)
+        if begun is not self.scene:
+            self._begun, self._at_first = begun.to_json(), (begun.a, begun.b)
+        # where the scene began it has the frame and the labels that it had there, whatever was shown since; while
+        # only a free axis is turned there, nothing may jump
+        came = degree is None or layout != self._layout or (self.scene.a, self.scene.b) != self._at_first
+        returns = content.get("final", True) and (a, b) == self._at_first and came
+        if begun is not self.scene or largest != self._largest or returns:
+            self._layout, self._largest, self._stood, self._near = layout, largest, {}, None
+        if pinned != self._pinned or (degree is None) != (self._degree is None) or view != self._view:
+            self._near = None
+        if view != self._view:
+            pinned = None  # the other run's rows are others
+        self._pinned, self._degree, self._way_out = pinned, degree, bool(content.get("wayOut"))
+        self._against = bool(content.get("against"))
+        self._look(changed, trace, view, met)
+
+    def _look(self, scene: Scene, run: Trace, view: str | None, met: Judged | None) -> None:
+        """The run of the scene, the trace that the view shows, and how the scene stands to a challenge."""
+        self.scene, self._run, self._view, self._judged = scene, run, view, met
+        self.trace = run.truth if view == TRUTH else run
+
+    def _settle(self, *, final: bool = True) -> None:
+        """Draw; when a drag has ended the view is fitted anew if something lies outside."""
+        self._drawn = self._draw()
+        if final and not fits(self._drawn.picture):
+            self._layout, self._stood = field(self.trace, self._largest), {}
+            self._drawn = self._draw()
+
+    def _draw(self) -> Drawn:
+        trace = self.trace
+        if self._degree is not None:
+            free = record(self.scene.a, self.scene.b, axes=directions(direction(self._degree)))
+            drawn, place = turned_axis(free, self._layout, self._degree, near=self._near, stood=self._stood)
+            self._near = place.out
+            return Drawn(drawn, knob=knob(self._layout, place, self._degree))
+        chosen = self._choice()
+        show = hand if trace.shortcut else live
+        drawn, lies = show(trace, self._layout, chosen, way_out=self._way_out, near=self._near, stood=self._stood)
+        self._near = None if lies is None else lies.out
+        return Drawn(drawn, lit=None if chosen is None else first_rows(trace)[chosen.pair or 0] + chosen.test)
+
+    def _choice(self) -> Chosen | None:
+        """The axis that was asked for, as long as the trace has it; else the one that tells most."""
+        if self._pinned is not None:
+            runs = self.trace.pairs or (self.trace,)
+            for pair, (run, begin) in enumerate(zip(runs, first_rows(self.trace), strict=False)):
+                if begin <= self._pinned < begin + len(run.tests):
+                    return Chosen(pair if self.trace.pairs else None, self._pinned - begin)
+        return telling_test(self.trace)
+
+
+def _number(value: Any, what: str) -> float | None:
+    if value is not None and not (isinstance(value, (int, float)) and isfinite(value)):
+        raise InvalidScene(f"{what} must be a number")
+    return value
+
+
+def _trace(shown: Scene) -> Trace:
+    """Every axis, since the table shows them all."""
+    return shown.record().without_early_exit()
