@@ -5,14 +5,14 @@ The engine and the pictures need the standard library only; drawing loads matplo
 
 from typing import TYPE_CHECKING
 
-from .engine import axes
+from .engine import axes, hooks
 from .engine.geometry import Interval, InvalidScene, InvalidShape, Relation, Vec
 from .engine.relate import relate
 from .engine.shapes import Circle, Polygon
 
 if TYPE_CHECKING:  # what is loaded at first use, as type checkers see it
     from . import batch
-    from .advice.advising import Advice, advise
+    from .advice.advising import Recommendation, advise
     from .engine.convex_parts import parts
     from .engine.sat import AxisTest, axis_tests
     from .engine.shortcut import Shortcut
@@ -31,7 +31,6 @@ if TYPE_CHECKING:  # what is loaded at first use, as type checkers see it
 __version__ = "0.1.0"
 
 __all__ = [
-    "Advice",
     "AxisTest",
     "Circle",
     "Interval",
@@ -39,6 +38,7 @@ __all__ = [
     "InvalidShape",
     "Picture",
     "Polygon",
+    "Recommendation",
     "Relation",
     "Scene",
     "Shortcut",
@@ -67,9 +67,16 @@ __all__ = [
     "steps",
 ]
 
-# so that importing satviz stays quick
+# what higher layers provide to the engine's values
+hooks.provide(
+    mime_bundle="satviz.render.notebook:bundle",
+    trace_to_json="satviz.scenes.tracefile:dump",
+    trace_from_json="satviz.scenes.tracefile:load",
+)
+
+# loaded at first use, so that importing satviz stays quick
 _LATER = {
-    "Advice": "advice.advising",
+    "Recommendation": "advice.advising",
     "AxisTest": "engine.sat",
     "Picture": "pictures",
     "Scene": "scenes.scenefile",

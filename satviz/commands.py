@@ -78,14 +78,14 @@ def draw(args: argparse.Namespace) -> int:
     from .pictures.caption import captioned
     from .pictures.comparison import refused
     from .pictures.sheet import sheet
-    from .scenes.resolve import refused_row
+    from .scenes.resolve import refused_case
 
     formats = [form for form in dict.fromkeys(args.format) if form != "link"]
     if "link" in args.format:
         _link(args)
     if not formats:
         return 0
-    if row := refused_row(args.scene):
+    if row := refused_case(args.scene):
         if args.axes or args.every_axis or args.sheet or args.steps:
             raise Refused(
                 f"{row.name} has no run, since its outlines are refused: leave out --axes, --every-axis, "
@@ -404,9 +404,9 @@ def _serve(folder: Path) -> int:
 def scenes(args: argparse.Namespace) -> int:
     """List the built-in scenes, or those where shortcuts fail."""
     if args.failing:
-        from .scenes.failing import ROWS
+        from .scenes.failing import FAILURE_CASES
 
-        out("\n".join(map(str, ROWS)))
+        out("\n".join(map(str, FAILURE_CASES)))
         return 0
     from .scenes.article import SCENES
 

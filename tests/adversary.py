@@ -141,7 +141,7 @@ def look(px: float, py: float, qx: float, qy: float, x: float, y: float, fuse: b
         there, edge = fused(dy, x, -(dx * y)), fused(-dx, py, dy * px)
     else:
         there, edge = dy * x - dx * y, dy * px - dx * py
-    room = max(abs(dx), abs(dy)) * max(map(abs, (px, py, qx, qy, x, y))) * relate.LOOK
+    room = max(abs(dx), abs(dy)) * max(map(abs, (px, py, qx, qy, x, y))) * relate.ERROR_FACTOR_F64
     exact = -truth.turn((px, py), (qx, qy), (x, y))
     return max(over(abs(Fraction(there) - Fraction(edge + r) - (exact - Fraction(r))), room) for r in (room, -room))
 

@@ -648,7 +648,7 @@ def test_prices_are_those_of_all_candidates_and_count_their_wrong_answers():
 @pytest.mark.parametrize("seed", one_in(3, range(6)))
 def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
     from satviz.advice.cost_chart import Chart
-    from satviz.advice.costs import Price
+    from satviz.advice.costs import Cost
 
     rng = Random(seed)
     names = CIRCLES, BOXES, "ranges on 8 directions", "SAT, float32", "SAT, float64", EXACT
@@ -656,7 +656,7 @@ def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
     for i, name in enumerate(names):
         warm = 10 ** rng.uniform(0.5, 3) if seed else 50.0
         rows.append(
-            (name, "float", Price(warm * rng.uniform(1, 5), warm, 0 if i > 2 else rng.choice((1, 40, 12_345)), 9))
+            (name, "float", Cost(warm * rng.uniform(1, 5), warm, 0 if i > 2 else rng.choice((1, 40, 12_345)), 9))
         )
     fig = Chart("title", "under", tuple(rows), "SAT, float32", 20_000, "words").figure(theme)
     renderer = fig.canvas.get_renderer()

@@ -417,7 +417,7 @@ def test_to_show_a_recommendation_measures_nothing(monkeypatch):
 
 def test_a_pair_of_many_parts_is_not_timed_and_the_command_says_so(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(costs, "TESTS_TIMED", 10)
-    monkeypatch.setattr(costs.prices, "__kwdefaults__", {**costs.prices.__kwdefaults__, "tests": 10})
+    monkeypatch.setattr(costs.costs, "__kwdefaults__", {**costs.costs.__kwdefaults__, "tests": 10})
     advice = sv.advise("triangles")
     assert set(advice.prices().values()) == {None}
     with pytest.raises(ValueError, match="not timed"):

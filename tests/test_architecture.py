@@ -1,4 +1,4 @@
-"""The floors: imports only go down, and importing satviz loads the standard library only."""
+"""The layers: imports only go down, and importing satviz loads the standard library only."""
 
 import ast
 import re
@@ -21,74 +21,77 @@ def listed(block):
     return [line.split()[0] for line in text.splitlines()][::-1]
 
 
-FLOORS = listed("floors")  # a folder is one floor
-# the one door that opens upward, at call time only: showing oneself in a notebook, and a trace as a file
-DOORS = {("engine", "render"), ("engine", "scenes")}
+LAYERS = listed("layers")  # a folder is one layer
 
 
-def floor_of(path):
+def layer_of(path):
     return path.relative_to(ROOT).parts[0].removesuffix(".py")
 
 
-def imports(path, within=None):
-    """(floor, or room of the floor `within`, whether at import time) of a file's imports, without those for types."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    inside = {node for outer in ast.walk(tree) if isinstance(outer, ast.FunctionDef) for node in ast.walk(outer)}
-    typing_only = {
-        node
-        for outer in ast.walk(tree)
-        if isinstance(outer, ast.If) and getattr(outer.test, "id", "") == "TYPE_CHECKING"
-        for node in ast.walk(outer)
-    }
-    depth = len(path.relative_to(ROOT).parts) - (within is not None)
-    for node in ast.walk(tree):
-        if isinstance(node, ast.ImportFrom) and node not in typing_only:
-            up = node.level
-            if up == 0 and (node.module or "").split(".")[0] == "satviz":
-                yield node.module.split(".")[1], node not in inside
-            elif up == depth:
-                names = [node.module.split(".")[0]] if node.module else [alias.name for alias in node.names]
-                yield from ((name, node not in inside) for name in names)
-
-
 def files():
-    return [p for p in ROOT.rglob("*.py") if p.name not in ("__init__.py", "__main__.py") or p.parent != ROOT]
+    return [path for path in ROOT.rglob("*.py") if path != ROOT / "__main__.py"]
 
 
-def test_every_module_stands_on_a_floor():
-    assert {floor_of(p) for p in files()} == set(FLOORS)
+def module_name(path):
+    parts = path.relative_to(ROOT.parent).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+MODULES = {module_name(path): path for path in ROOT.rglob("*.py")}
+
+
+def imported(path):
+    """The modules of satviz that a file imports, at import time, inside functions and for type checkers."""
+    package = module_name(path).split(".")[: None if path.name == "__init__.py" else -1]
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom):
+            start = package[: len(package) - node.level + 1] if node.level else []
+            base = ".".join([*start, *(node.module or "").split(".")]).strip(".")
+            for alias in node.names:
+                found = f"{base}.{alias.name}"
+                yield from (name for name in (found if found in MODULES else base,) if name in MODULES)
+        elif isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names if alias.name in MODULES)
+
+
+def test_every_module_belongs_to_a_layer():
+    assert {layer_of(p) for p in files()} == set(LAYERS)
 
 
 def test_imports_only_go_down():
-    doors = set()
+    """Imports inside functions and for type checkers included: there is no exception."""
     for path in files():
-        mine = floor_of(path)
-        for other, at_import in imports(path):
-            if other == mine or other.startswith("__"):
-                continue
-            if FLOORS.index(other) > FLOORS.index(mine):
-                assert not at_import and path == ROOT / "engine" / "door.py", f"{path} imports {other}"
-                doors.add((mine, other))
-    assert doors == DOORS  # no door that nobody uses
+        mine = layer_of(path)
+        for name in imported(path):
+            other = (name.split(".") + ["__init__"])[1]
+            assert other == mine or other in LAYERS[: LAYERS.index(mine)], f"{path} imports {name}"
 
 
-@pytest.mark.parametrize("floor", ["engine", "advice"])
-def test_the_rooms_of_a_floor_stand_on_each_other(floor):
-    order = listed(floor)
-    rooms = {path.stem: path for path in (ROOT / floor).glob("*.py") if path.stem != "__init__"}
-    assert set(rooms) == set(order)
-    for room, path in rooms.items():
-        below = order[: order.index(room)]
-        asked = [name for name, _ in imports(path, within=floor)]
-        assert set(asked) <= set(below), room
+def test_no_module_imports_itself_by_a_detour():
+    below = {name: set(imported(path)) - {name} for name, path in MODULES.items()}
+    while below:
+        leaves = {name for name, others in below.items() if not others & below.keys()}
+        assert leaves, f"a cycle of imports among {sorted(below)}"
+        below = {name: others for name, others in below.items() if name not in leaves}
+
+
+@pytest.mark.parametrize("package", ["engine", "advice"])
+def test_the_modules_of_a_package_are_listed_in_the_order_of_their_imports(package):
+    order = listed(package)
+    modules = {path.stem: path for path in (ROOT / package).glob("*.py") if path.stem != "__init__"}
+    assert set(modules) == set(order)
+    for module, path in modules.items():
+        below = order[: order.index(module)]
+        inside = [name.split(".")[2] for name in imported(path) if name.startswith(f"satviz.{package}.")]
+        assert set(inside) <= {*below, module}, module
 
 
 def test_pictures_know_no_pen_and_only_render_and_the_charts_know_artists():
     for path in files():
         text = path.read_text(encoding="utf-8")
-        if floor_of(path) == "pictures":
+        if layer_of(path) == "pictures":
             assert "matplotlib" not in text, path
-        elif floor_of(path) not in ("render", "study", "advice"):
+        elif layer_of(path) not in ("render", "study", "advice"):
             assert "import matplotlib" not in text and "from matplotlib" not in text, path
 
 
@@ -105,7 +108,7 @@ def test_what_a_benchmark_asks_of_satviz_is_there(name):
 def test_one_place_writes_files():
     ways = re.compile(r"write_text|write_bytes|copy(?:file|2|tree)|shutil\.|np\.save|os\.replace|open\([^)]*[\"'][wxa]")
     writing = {path.name for path in files() if ways.search(path.read_text(encoding="utf-8"))}
-    assert writing == {"disk.py"}
+    assert writing == {"safe_write.py"}
 
 
 def run(code):
@@ -127,17 +130,17 @@ def test_pictures_and_what_the_widgets_answer_load_the_standard_library_only():
     """So any front end can ask them, where neither NumPy nor matplotlib nor a kernel is."""
     code = (
         "import sys; import satviz as sv\n"
-        "from satviz.widgets.explorer_model import Exploring; from satviz.widgets.player_model import Showing\n"
+        "from satviz.widgets.explorer_model import ExplorerModel; from satviz.widgets.player_model import PlayerModel\n"
         "a, b = sv.Polygon([(0,0),(4,0),(4,2),(2,2),(2,4),(0,4)]), sv.Circle((6,6),1)\n"
         "trace = sv.record(a, b); assert sv.picture(trace).marks\n"
-        "hand = Exploring(sv.Scene('mine', a, b)); before = hand.state()\n"
+        "hand = ExplorerModel(sv.Scene('mine', a, b)); before = hand.state()\n"
         "pose = {'kind': 'pose', 'n': 1, 'a': before['a'], 'b': {'circle': [3, 3], 'radius': 2}}\n"
         "for degree in None, 30:\n"
         "    after = hand.answer(pose | {'degree': degree})\n"
         "    assert before['relation'] == 'apart' and after['relation'] == 'overlapping', after\n"
         "    assert after['picture']['marks'] != before['picture']['marks']\n"
-        "assert Showing(trace).picture() == sv.picture(trace)\n"
-        "assert len(Showing(trace).to_save({'form': 'gif'})) == len(sv.steps(trace))\n"
+        "assert PlayerModel(trace).picture() == sv.picture(trace)\n"
+        "assert len(PlayerModel(trace).to_save({'form': 'gif'})) == len(sv.steps(trace))\n"
         "print(*{m.split('.')[0] for m in sys.modules})"
     )
     loaded = set(run(code))

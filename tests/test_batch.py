@@ -32,7 +32,7 @@ from satviz.batch.with_numpy import circle_polygons, gjk, indexed
 from satviz.batch.with_numpy import exact as exact_numpy
 from satviz.batch.with_numpy import filter as filter_numpy
 from satviz.batch.with_numpy import grid as grid_numpy
-from satviz.engine.relate import LEAST_ROOM, LOOK, MOST_ROOM
+from satviz.engine.relate import ERROR_FACTOR_F64, LEAST_ROOM, MOST_ROOM
 from satviz.study import truth as oracle
 
 ENGINES = ["numpy", "numba"]
@@ -241,7 +241,7 @@ def test_numbas_search_finds_no_shared_point_on_the_edge_whose_ends_it_finds_fir
 
 def test_a_few_steps_find_no_shared_point_on_the_edge_whose_ends_they_find_first():
     one, other = (np.array(rings).transpose(2, 1, 0).copy() for rings in zip(*standing_on_edges()))
-    reach = (np.abs(one).max() + np.abs(other).max()) * LOOK
+    reach = (np.abs(one).max() + np.abs(other).max()) * ERROR_FACTOR_F64
     for p, q in (one, other), (other, one):
         out = np.zeros(100, np.int8)
         indexed.steps_numpy.few_steps(*p, *q, reach, out)
@@ -566,7 +566,7 @@ def test_the_room_of_numbas_look_is_what_rounding_needs_and_little_more(spans, r
     """See verdict.LOOK: 15 roundings of the longest edge's part times the farthest coordinate; asked are 32 of both."""
     kernels, x = kernels_of("filter"), np.zeros((3, 1))
     a, b = (arrays.Group(x, x, None, span, reach) for span, reach in zip(spans, reaches))
-    assert 15 / 32 * LOOK <= kernels.room_of(a, b) / (max(spans) * max(reaches)) <= 4 * LOOK
+    assert 15 / 32 * ERROR_FACTOR_F64 <= kernels.room_of(a, b) / (max(spans) * max(reaches)) <= 4 * ERROR_FACTOR_F64
 
 
 @pytest.mark.parametrize("e", [-560, -480, -430, 0, 430, 500, 560])
@@ -1566,7 +1566,7 @@ def test_the_few_steps_of_many_corners_are_granted_room_for_the_largest_coordina
     index = np.arange(30)
     batch.relate(a, b, engine="numpy")
     batch.relate(a, b, np.c_[index, index], engine="numpy")
-    assert seen == [sum(np.abs(r).max() for r in rings) * LOOK] * 2
+    assert seen == [sum(np.abs(r).max() for r in rings) * ERROR_FACTOR_F64] * 2
 
 
 @pytest.mark.parametrize(
@@ -1580,7 +1580,7 @@ def test_what_a_few_steps_tell_is_right_wherever_the_other_shape_lies(other):
     right = one_by_one(a, b)
     for p, q in ((a.uniform, b.uniform), (b.uniform, a.uniform)):
         out = np.empty(len(right), np.int8)
-        gjk.few_steps(p.x, p.y, q.x, q.y, 30 * LOOK, out)
+        gjk.few_steps(p.x, p.y, q.x, q.y, 30 * ERROR_FACTOR_F64, out)
         assert all(found in (UNDECIDED, told) for found, told in zip(out.tolist(), right))
         assert (out == UNDECIDED).sum() <= right.count(1) + 20
 
@@ -1592,7 +1592,7 @@ def test_what_a_few_steps_tell_of_polygons_that_lean_on_each_other_is_right(v):
     good = [i for i in range(len(rings)) if batch_takes(rings[i], v) and batch_takes(others[i], v)]
     a, b = batch.Polygons(rings[good]), batch.Polygons(others[good])
     p, q, out = a.uniform, b.uniform, np.empty(len(good), np.int8)
-    gjk.few_steps(p.x, p.y, q.x, q.y, (p.reach + q.reach) * LOOK, out)
+    gjk.few_steps(p.x, p.y, q.x, q.y, (p.reach + q.reach) * ERROR_FACTOR_F64, out)
     assert all(found in (UNDECIDED, right) for found, right in zip(out.tolist(), one_by_one(a, b)))
 
 
@@ -2383,7 +2383,7 @@ def test_numbas_lanes_are_granted_room_for_the_widest_and_the_farthest(e, monkey
     boxes = a.bounds[index[:, 0]], b.bounds[index[:, 1]]
     wide = sum((c[:, 2:] - c[:, :2]).max(axis=1) for c in boxes)
     with np.errstate(all="ignore"):
-        room = wide * sum(np.abs(c).max(axis=1) for c in boxes) * LOOK
+        room = wide * sum(np.abs(c).max(axis=1) for c in boxes) * ERROR_FACTOR_F64
     right = np.where((room > LEAST_ROOM) & (room < MOST_ROOM), room, np.inf)
     assert len(granted) > 20 and all(granted[k] == right[k] for k in granted)
     assert np.isinf(right).all() == (abs(e) == 600)

@@ -18,13 +18,15 @@ from satviz.pictures.marks import Picture
 from satviz.pictures.playback import NARROW_PANELS, narrow
 from satviz.pictures.stages import shifted
 from satviz.scenes.article import box
-from satviz.scenes.failing import NAMED, REFUSED, ROWS
+from satviz.scenes.failing import FAILURE_CASES, NAMED, REFUSED, true_value
 from satviz.scenes.shortcuts import NAMED as SHORTCUTS
 from satviz.scenes.shortcuts import halves
-from satviz.widgets.explorer_model import Exploring
+from satviz.widgets.explorer_model import ExplorerModel
 
-SHOWN = [row for row in ROWS if row.how != REFUSED]
-each_refused = pytest.mark.parametrize("row", [row for row in ROWS if row.how == REFUSED], ids=lambda row: row.name)
+SHOWN = [row for row in FAILURE_CASES if row.how != REFUSED]
+each_refused = pytest.mark.parametrize(
+    "row", [row for row in FAILURE_CASES if row.how == REFUSED], ids=lambda row: row.name
+)
 each_row = pytest.mark.parametrize("row", SHOWN, ids=lambda row: row.name)
 
 
@@ -313,7 +315,7 @@ def test_there_is_room_for_a_push_only_where_one_is_drawn():
 def test_a_gap_that_is_right_is_not_struck_out_with_the_wrong_answer():
     drawn = sv.picture(NAMED["touch-as-apart"].scene.record())
     assert struck(drawn) == ["apart"]
-    assert struck(Exploring(NAMED["tunnelling"].scene).picture()) == ["apart"]
+    assert struck(ExplorerModel(NAMED["tunnelling"].scene).picture()) == ["apart"]
 
 
 def test_the_line_of_a_distance_is_as_long_as_the_distance():
@@ -406,7 +408,7 @@ LARGER = [pytest.param(size, marks=pytest.mark.slow) for size in ((3.1, 4.6), (4
 
 
 @pytest.mark.parametrize("size", [(2.3, 2.3), *LARGER])
-@pytest.mark.parametrize("name", [row.name for row in ROWS])
+@pytest.mark.parametrize("name", [row.name for row in FAILURE_CASES])
 def test_both_panels_hold_on_axes_of_any_size(name, size):
     """On Axes of one's own, however small: each word inside, none over another (a small picture loops no more)."""
     fig = Figure(figsize=size)

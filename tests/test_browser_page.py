@@ -17,7 +17,7 @@ from satviz.pictures.playback import playback, playbacks
 from satviz.render.files import canvas
 from satviz.render.script import javascript, stylesheet
 from satviz.scenes.link import ALL
-from satviz.widgets.explorer_model import Exploring
+from satviz.widgets.explorer_model import ExplorerModel
 
 pytestmark = pytest.mark.slow
 
@@ -352,7 +352,7 @@ def answered(page, words):
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_nothing_shuts_anyone_out(browser, errors, pages, axe_core, theme, screen):
     for name in "triangles", "aabb-turned":
-        with explored(browser, Exploring(sv.scene(name)), errors, color_scheme=theme, **screen) as page:
+        with explored(browser, ExplorerModel(sv.scene(name)), errors, color_scheme=theme, **screen) as page:
             if theme == "dark":
                 page.evaluate("() => { document.body.style.background = '#111'; }")
                 page.locator("[data-theme='dark']").wait_for()
@@ -392,7 +392,7 @@ SMALL = """() => {
 @pytest.mark.parametrize("screen", [PHONE, ZOOMED, WIDE], ids=["phone", "zoomed", "wide"])
 @pytest.mark.parametrize("name", ["triangles", "circle-polygon", "concave", "unit-normals"])
 def test_as_shown_letters_can_be_read_targets_be_hit_and_nothing_is_cut(browser, errors, pages, tmp_path, name, screen):
-    with explored(browser, Exploring(sv.scene(name)), errors, **screen) as page:
+    with explored(browser, ExplorerModel(sv.scene(name)), errors, **screen) as page:
         page.get_by_label("free axis").check()
         page.locator(".sv-curve").wait_for()
         page.locator(".sv-menu summary").click()
@@ -428,7 +428,7 @@ def test_two_panels_need_no_scrolling_aside_on_a_telephone(browser, tmp_path, na
 
 def test_a_line_under_the_picture_says_what_the_map_shows_or_why_there_is_none(browser, errors):
     for name, words in ("sum-of-parts", "The map: while"), ("many-pairs", "No map of where it is wrong"):
-        with explored(browser, Exploring(sv.scene(name)), errors, **PHONE) as page:
+        with explored(browser, ExplorerModel(sv.scene(name)), errors, **PHONE) as page:
             line = page.locator(".sv-map")
             assert line.inner_text().startswith(words)
             page.get_by_role("button", name="truth").click()
@@ -438,7 +438,7 @@ def test_a_line_under_the_picture_says_what_the_map_shows_or_why_there_is_none(b
 
 def test_the_curve_is_right_under_the_picture_where_it_is_not_beside_it(browser, errors):
     for screen, under in (PHONE, True), (WIDE, False):
-        with explored(browser, Exploring(sv.scene("triangles")), errors, **screen) as page:
+        with explored(browser, ExplorerModel(sv.scene("triangles")), errors, **screen) as page:
             page.get_by_label("free axis").check()
             page.locator(".sv-curve").wait_for()
             picture, curve = (page.locator(c).bounding_box() for c in (".sv-board", ".sv-curve"))
@@ -447,7 +447,7 @@ def test_the_curve_is_right_under_the_picture_where_it_is_not_beside_it(browser,
 
 
 def test_a_finger_beside_the_shapes_scrolls_the_page_and_one_on_a_shape_drags_it(browser, errors):
-    with explored(browser, Exploring(sv.scene("triangles")), errors, **PHONE) as page:
+    with explored(browser, ExplorerModel(sv.scene("triangles")), errors, **PHONE) as page:
         page.evaluate("() => { document.body.style.height = '3000px'; }")
         session = page.context.new_cdp_session(page)
 
@@ -472,7 +472,7 @@ def test_a_finger_beside_the_shapes_scrolls_the_page_and_one_on_a_shape_drags_it
 
 
 def test_a_shape_is_one_stop_of_tab_and_its_corners_are_reached_from_it(browser, errors):
-    hand = Exploring(sv.scene("triangles"))
+    hand = ExplorerModel(sv.scene("triangles"))
     with explored(browser, hand, errors) as page:
         here = "() => document.activeElement.dataset.handle ?? document.activeElement.tagName"
         stops = []
@@ -496,7 +496,7 @@ def test_a_shape_is_one_stop_of_tab_and_its_corners_are_reached_from_it(browser,
 
 
 def test_a_voice_is_told_what_each_handle_is_and_where(browser, errors):
-    with explored(browser, Exploring(sv.scene("circle-polygon")), errors) as page:
+    with explored(browser, ExplorerModel(sv.scene("circle-polygon")), errors) as page:
         page.get_by_label("free axis").check()
         page.locator("[data-handle='axis']").wait_for()
         tree = page.locator(".sv-board").aria_snapshot()
@@ -513,7 +513,7 @@ def test_a_voice_is_told_what_each_handle_is_and_where(browser, errors):
 
 
 def test_the_sentence_is_said_when_the_hand_lets_go_and_once(browser, errors):
-    with explored(browser, Exploring(sv.scene("triangles")), errors) as page:
+    with explored(browser, ExplorerModel(sv.scene("triangles")), errors) as page:
         assert page.locator(".sv-sentence").get_attribute("aria-live") is None
         page.evaluate(
             "() => { window.said = []; const status = document.querySelector('[role=status]');"
@@ -543,7 +543,7 @@ HEARD = """() => {
 
 
 def test_how_a_challenge_stands_is_said_when_the_hand_rests_and_once(browser, errors):
-    with explored(browser, Exploring(sv.scene("aabb"), "touch"), errors) as page:
+    with explored(browser, ExplorerModel(sv.scene("aabb"), "touch"), errors) as page:
         page.evaluate(HEARD)
 
         def heard():
@@ -575,7 +575,7 @@ def test_how_a_challenge_stands_is_said_when_the_hand_rests_and_once(browser, er
 @pytest.mark.parametrize("clipboard", ["undefined", "{ writeText: () => Promise.reject(new Error('forbidden')) }"])
 def test_what_is_copied_is_copied_without_a_clipboard_too_and_either_way_a_line_says_so(browser, errors, clipboard):
     """A page from http, such as a JupyterLab of another machine, has no clipboard; a browser may forbid one."""
-    hand = Exploring(sv.scene("circles"))
+    hand = ExplorerModel(sv.scene("circles"))
     with explored(browser, hand, errors) as page:
         page.evaluate(f"() => Object.defineProperty(navigator, 'clipboard', {{ value: {clipboard} }})")
         page.evaluate(
@@ -596,7 +596,7 @@ def test_what_is_copied_is_copied_without_a_clipboard_too_and_either_way_a_line_
 
 
 def test_the_hint_goes_with_the_first_use(browser, errors):
-    with explored(browser, Exploring(sv.scene("triangles")), errors) as page:
+    with explored(browser, ExplorerModel(sv.scene("triangles")), errors) as page:
         hint = page.locator(".sv-hint")
         assert "Drag a shape, a corner or the turn handle" in hint.inner_text() and "Tab" in hint.inner_text()
         page.keyboard.press("Tab")
@@ -605,7 +605,7 @@ def test_the_hint_goes_with_the_first_use(browser, errors):
 
 
 def test_undo_and_redo_cover_the_axis_and_scenes_too(browser, errors):
-    hand = Exploring(sv.scene("triangles"))
+    hand = ExplorerModel(sv.scene("triangles"))
     with explored(browser, hand, errors) as page:
         page.get_by_label("free axis").check()
         page.locator("[data-handle='axis']").focus()
@@ -632,7 +632,7 @@ def test_undo_and_redo_cover_the_axis_and_scenes_too(browser, errors):
 
 
 def test_a_free_axis_has_one_knob_and_it_stays_on_the_arrow_while_it_is_dragged(browser, errors):
-    with explored(browser, Exploring(sv.scene("triangles")), errors) as page:
+    with explored(browser, ExplorerModel(sv.scene("triangles")), errors) as page:
         page.get_by_label("free axis").check()
         handle = page.locator("[data-handle='axis']")
         handle.wait_for()
@@ -661,7 +661,7 @@ THEMES_OF_PAGES = [
 @pytest.mark.parametrize("system", ["light", "dark"])
 @pytest.mark.parametrize("says", [s for _, s in THEMES_OF_PAGES], ids=[name for name, _ in THEMES_OF_PAGES])
 def test_a_widget_is_light_or_dark_as_the_page_is_and_not_as_the_system(browser, errors, says, system):
-    with explored(browser, Exploring(sv.scene("circles")), errors, color_scheme=system) as page:
+    with explored(browser, ExplorerModel(sv.scene("circles")), errors, color_scheme=system) as page:
         page.add_style_tag(content="html.light { background: #fff } html.dark { background: #181c1a }")
         assert page.locator(".satviz").get_attribute("data-theme") == "light"  # a bare page is white
         for theme in "dark", "light", "dark":
@@ -674,7 +674,7 @@ def test_a_widget_is_light_or_dark_as_the_page_is_and_not_as_the_system(browser,
 @pytest.mark.parametrize("noise", [[0, 0, 0, 255], [255, 255, 255, 255]], ids=["black", "white"])
 def test_the_theme_is_right_where_a_browser_answers_with_noise_for_a_canvas(browser, errors, noise):
     """As Firefox does with privacy.resistFingerprinting."""
-    with explored(browser, Exploring(sv.scene("circles")), errors) as page:
+    with explored(browser, ExplorerModel(sv.scene("circles")), errors) as page:
         page.evaluate(f"() => {{ CanvasRenderingContext2D.prototype.getImageData = () => ({{data: {noise}}}); }}")
         for theme, paper in ("dark", "oklch(0.2 0.02 250)"), ("light", "rgb(250 250 250 / 0.9)"), ("dark", "#111"):
             page.evaluate(f"() => {{ document.body.style.background = '{paper}'; }}")
@@ -687,7 +687,7 @@ def test_the_theme_is_right_where_a_browser_answers_with_noise_for_a_canvas(brow
 def test_a_handles_value_is_a_plain_number_at_any_scale(browser, errors, size):
     corners = [(2 * size, 0.0), (-1 * size, 1.7320508075688776 * size), (-1 * size, -1.7320508075688774 * size)]
     shapes = sv.Polygon(corners), sv.Circle((3e-9 * size, 4 * size), size)
-    with explored(browser, Exploring(sv.Scene("any", *shapes)), errors) as page:
+    with explored(browser, ExplorerModel(sv.Scene("any", *shapes)), errors) as page:
         for handle in page.locator("[data-handle]").all():
             now = handle.get_attribute("aria-valuenow")
             assert re.fullmatch(r"-?[0-9]+(\.[0-9]+)?", now), (handle.get_attribute("data-handle"), now)
@@ -741,7 +741,7 @@ def test_what_is_saved_while_it_moves_is_what_it_comes_to(browser, errors, pages
 
 
 def test_the_save_menu_opens_and_closes_from_the_keyboard(browser, errors):
-    with explored(browser, Exploring(sv.scene("triangles")), errors) as page:
+    with explored(browser, ExplorerModel(sv.scene("triangles")), errors) as page:
         menu = page.locator(".sv-menu")
         assert not page.get_by_role("button", name="save SVG").is_visible()
         menu.locator("summary").focus()
@@ -769,7 +769,7 @@ COVERED = """() => {
 @pytest.mark.parametrize("name", ["triangles", "concave", "aabb-rotated", "slipped-normal", "dart", "tile-seam"])
 def test_a_turn_handle_hides_no_words(browser, errors, name):
     for screen in PHONE, WIDE:
-        with explored(browser, Exploring(sv.scene(name)), errors, **screen) as page:
+        with explored(browser, ExplorerModel(sv.scene(name)), errors, **screen) as page:
             page.wait_for_timeout(300)
             assert not any(page.evaluate(COVERED))
 
@@ -781,7 +781,7 @@ def test_no_turn_handle_hides_the_other(browser, errors, b):
     """Of two shapes as high as each other, one over the other."""
     scene = sv.Scene("over", sv.Polygon([(0, 0), (4, 0), (4, 4), (0, 4)]), sv.Polygon(b))
     for screen in PHONE, WIDE:
-        with explored(browser, Exploring(scene), errors, **screen) as page:
+        with explored(browser, ExplorerModel(scene), errors, **screen) as page:
             page.wait_for_timeout(300)
             first, second = (page.locator(f'[data-handle="{shape}-rotate"]').bounding_box() for shape in "AB")
             assert max(abs(first[side] - second[side]) for side in "xy") >= 24  # as large as the icon
@@ -807,7 +807,7 @@ WAYS = pytest.mark.parametrize("screen", [PHONE, WIDE], ids=["phone", "wide"])
 @pytest.mark.parametrize("name", [scene.name for scene in ALL])
 def test_a_dot_that_is_no_handle_is_under_none(browser, errors, name, screen):
     """What is pressed in the middle of a dot: the handle that sits there, else the shape or nothing; of a map B."""
-    with explored(browser, Exploring(sv.scene(name)), errors, **screen) as page:
+    with explored(browser, ExplorerModel(sv.scene(name)), errors, **screen) as page:
         truth = page.get_by_role("button", name="truth", exact=True)
         for view in ["shortcut", "truth"][: 1 + truth.is_visible()]:
             if view == "truth":
@@ -831,7 +831,7 @@ def test_a_dot_that_is_no_handle_is_under_none(browser, errors, name, screen):
 
 def test_the_dot_of_a_map_moves_b_and_leaves_its_form(browser, errors):
     scene = sv.scene("far-centers")
-    hand = Exploring(scene)
+    hand = ExplorerModel(scene)
     with explored(browser, hand, errors, **WIDE) as page:
         page.wait_for_timeout(200)
         x, y = next((x, y) for dot, x, y in page.evaluate(DOTS)["dots"] if dot == "reference")
@@ -845,7 +845,7 @@ def test_the_dot_of_a_map_moves_b_and_leaves_its_form(browser, errors):
 
 
 def test_reset_frames_the_scene_as_it_was(browser, errors):
-    with explored(browser, Exploring(sv.scene("triangles")), errors, **WIDE) as page:
+    with explored(browser, ExplorerModel(sv.scene("triangles")), errors, **WIDE) as page:
         outline = page.locator('[data-id="A.outline"]').first
         page.wait_for_timeout(200)
         before = outline.bounding_box()
@@ -870,7 +870,7 @@ SEEN = """() => [
 @pytest.mark.parametrize("back", ["reset", "undo"])
 def test_back_where_it_began_all_is_where_it_was(browser, errors, name, keys, back):
     """The labels and the turn handles too, by reset and by undo."""
-    with explored(browser, Exploring(sv.scene(name)), errors, **WIDE) as page:
+    with explored(browser, ExplorerModel(sv.scene(name)), errors, **WIDE) as page:
         page.wait_for_timeout(300)
         before = page.evaluate(SEEN)
         for key in keys:

@@ -20,11 +20,11 @@ from satviz.engine.shapes import centroid
 from satviz.pictures import claims
 from satviz.scenes.article import SCENES, box
 from satviz.scenes.failing import (
+    FAILURE_CASES,
     FALSE_HIT,
     MISSED_HIT,
     NAMED,
     REFUSED,
-    ROWS,
     WRONG_NUMBER,
     claimed_value,
     swept,
@@ -77,8 +77,8 @@ KNOWN = {
     34: (MISSED_HIT, 0, 0),
     35: (WRONG_NUMBER, 0.4, 0),
 }
-each_row = pytest.mark.parametrize("row", ROWS, ids=lambda row: row.name)
-SCENE_ROWS = [row for row in ROWS if row.how != REFUSED]
+each_row = pytest.mark.parametrize("row", FAILURE_CASES, ids=lambda row: row.name)
+SCENE_ROWS = [row for row in FAILURE_CASES if row.how != REFUSED]
 each_scene = pytest.mark.parametrize("row", SCENE_ROWS, ids=lambda row: row.name)
 # what an outside oracle says of a scene is not what these are about: frames, boxes in space
 OTHER_WORLDS = ("tunnelling",)
@@ -95,7 +95,7 @@ def about(value):
 
 
 def test_there_are_thirty_five_rows_with_names_of_their_own():
-    assert [row.number for row in ROWS] == list(range(1, 36)) == list(KNOWN)
+    assert [row.number for row in FAILURE_CASES] == list(range(1, 36)) == list(KNOWN)
     assert len(set(names())) == len(names()) == len(SCENES) + 35
 
 
@@ -378,7 +378,7 @@ def test_each_scene_is_recorded_told_and_drawn_by_its_name(row):
     sv.draw(trace)
 
 
-@pytest.mark.parametrize("row", [row for row in ROWS if row.how == REFUSED], ids=lambda row: row.name)
+@pytest.mark.parametrize("row", [row for row in FAILURE_CASES if row.how == REFUSED], ids=lambda row: row.name)
 def test_what_is_no_scene_is_refused_with_the_reason(row, capsys, tmp_path):
     with pytest.raises(sv.InvalidScene, match=r"is no scene: .*(line|cross)"):
         sv.scene(row.name)
@@ -393,7 +393,7 @@ def test_scenes_failing_lists_claim_and_both_numbers_of_every_row(capsys):
     assert main(["scenes", "--failing"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 2 * 35
-    for row, line, under in zip(ROWS, lines[::2], lines[1::2], strict=True):
+    for row, line, under in zip(FAILURE_CASES, lines[::2], lines[1::2], strict=True):
         assert line.split(maxsplit=2) == [str(row.number), row.name, row.claim]
         wrong, good = row.answers
         assert row.told(row.wrong) in wrong and row.told(row.truth) in good
@@ -655,7 +655,7 @@ def said_there(row, a, b, move):
 
 @each_scene
 def test_every_row_has_a_map_or_says_why_there_is_none(row):
-    found = where.lies(row.a, row.b, row.shortcut, window(row.a, row.b))
+    found = where.error_region(row.a, row.b, row.shortcut, window(row.a, row.b))
     if row.name in NO_MAP:
         assert isinstance(found, str) and NO_MAP[row.name] in found
     else:
@@ -665,7 +665,7 @@ def test_every_row_has_a_map_or_says_why_there_is_none(row):
 @each_scene
 def test_the_map_says_wherever_b_is_put_what_the_run_says_there(row):
     x0, y0, x1, y1 = view = window(row.a, row.b)
-    found = where.lies(row.a, row.b, row.shortcut, view)
+    found = where.error_region(row.a, row.b, row.shortcut, view)
     if row.name in NO_MAP:
         return
     rng = Random(row.number)
@@ -697,7 +697,7 @@ def test_the_map_of_a_number_holds_for_other_shapes_too(name):
         a = round_polygon(rng, rng.randint(3, 6), (0, 0), 3) if trial % 2 else box(0, 0, rng.randint(1, 5), 2)
         b = round_polygon(rng, rng.randint(3, 6), (2, 1), 2) if trial % 3 else box(1, 0.5, 2, rng.randint(1, 4))
         x0, y0, x1, y1 = view = window(a, b)
-        found = where.lies(a, b, row.shortcut, view)
+        found = where.error_region(a, b, row.shortcut, view)
         for _ in range(20):
             move = sv.Vec(rng.uniform(x0, x1), rng.uniform(y0, y1))
             red = any(holds(ring, move) for ring in found.numbers)
@@ -720,7 +720,7 @@ def test_where_a_number_has_no_exact_map_the_reason_is_said_and_else_the_map_hol
     row, rng = NAMED[name], Random(5)
     for b in sv.Circle((1, 1), 1), box(1, 1, 2, 3):
         x0, y0, x1, y1 = view = window(a, b)
-        found = where.lies(a, b, row.shortcut, view)
+        found = where.error_region(a, b, row.shortcut, view)
         if isinstance(found, str):
             assert found[0].islower() and not found.endswith(".")
             continue
@@ -732,7 +732,7 @@ def test_where_a_number_has_no_exact_map_the_reason_is_said_and_else_the_map_hol
 
 
 def test_the_maps_boundaries_are_those_of_the_difference_of_both():
-    found = where.lies(*NAMED["aabb-turned"].shapes, SHORTCUTS["aabb-turned"], (-9, -9, 9, 9))
+    found = where.error_region(*NAMED["aabb-turned"].shapes, SHORTCUTS["aabb-turned"], (-9, -9, 9, 9))
     (hits,) = found.hits
     assert {(round(x, 12), round(y, 12)) for x, y in hits} == {(-3.5, -1.5), (-1.5, -3.5), (0.5, -1.5), (-1.5, 0.5)}
     spots = {(round(x, 12), round(y, 12)) for ring in found.false_hits for x, y in ring}
@@ -741,7 +741,7 @@ def test_the_maps_boundaries_are_those_of_the_difference_of_both():
 
 def test_a_shortcut_that_calls_touching_apart_is_wrong_along_the_rim_alone():
     row = NAMED["touch-as-apart"]
-    found = where.lies(row.a, row.b, row.shortcut, window(row.a, row.b))
+    found = where.error_region(row.a, row.b, row.shortcut, window(row.a, row.b))
     assert found.touching and not found.false_hits and not found.missed_hits and len(found.hits) == 1
 
 

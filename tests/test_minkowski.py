@@ -6,7 +6,7 @@ import pytest
 
 import satviz as sv
 from satviz.scenes.article import SCENES, box
-from satviz.scenes.failing import REFUSED, ROWS
+from satviz.scenes.failing import FAILURE_CASES, REFUSED
 
 TRIANGLE = sv.Polygon([(3, 1), (6, 0), (5, 3)])
 
@@ -49,7 +49,7 @@ def test_the_gap_is_how_far_the_origin_is_from_the_side_along_the_separating_axi
 
 
 def test_every_scene_has_the_picture_also_circles_and_concave_ones():
-    scenes = [*SCENES, *(row.scene for row in ROWS if row.how != REFUSED)]
+    scenes = [*SCENES, *(row.scene for row in FAILURE_CASES if row.how != REFUSED)]
     for scene in scenes:
         trace = scene.record()
         drawn = sv.difference(trace)
@@ -65,9 +65,9 @@ def test_one_shape_has_no_difference():
 
 
 def test_the_explorer_shows_it_beside_the_pair_when_asked():
-    from satviz.widgets.explorer_model import Exploring
+    from satviz.widgets.explorer_model import ExplorerModel
 
-    hand = Exploring(sv.scene("triangles"))
+    hand = ExplorerModel(sv.scene("triangles"))
     state = hand.state()
     assert "difference" not in state
     pose = {"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "against": True}

@@ -25,7 +25,7 @@ from satviz.pictures.theme import CHART_ROLES, DOT, PICTURE_ROLES
 from satviz.pictures.views import split
 from satviz.scenes.article import SCENES, box
 from satviz.scenes.named import names, scene
-from satviz.scenes.resolve import refused_row
+from satviz.scenes.resolve import refused_case
 
 L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
 TRACES = {scene.name: scene.record() for scene in SCENES} | {
@@ -244,7 +244,7 @@ def same_way(one, other):
     return ax * bx + ay * by == pytest.approx(math.hypot(ax, ay) * math.hypot(bx, by), rel=1e-4)
 
 
-@pytest.mark.parametrize("name", [name for name in names() if not refused_row(name)])
+@pytest.mark.parametrize("name", [name for name in names() if not refused_case(name)])
 def test_an_axis_has_one_direction_in_table_sentence_and_arrow_and_its_normal_that_or_the_other(name):
     """A normal is drawn out of its shape; where the axis points the other way, the sentence says both."""
     trace = scene(name).record().without_early_exit()

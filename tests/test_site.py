@@ -29,11 +29,11 @@ from satviz.cli import main
 from satviz.engine.geometry import InvalidScene, InvalidShape
 from satviz.scenes import link as links
 from satviz.scenes.article import SCENES
-from satviz.scenes.failing import REFUSED, ROWS
+from satviz.scenes.failing import FAILURE_CASES, REFUSED
 from satviz.scenes.failing.claimed_value import moved
 from satviz.site import chapters, live, runtime
 from satviz.widgets import goals
-from satviz.widgets.explorer_model import Exploring
+from satviz.widgets.explorer_model import ExplorerModel
 
 pytest.importorskip("markdown_it", reason="a site needs markdown-it-py: python -m pip install '.[site]'")
 
@@ -272,13 +272,13 @@ def test_a_page_does_not_speak_of_running_cells(pages):
 
 
 def test_the_gallery_has_every_scene(files, pages):
-    for name in [scene.name for scene in SCENES] + [row.name for row in ROWS]:
+    for name in [scene.name for scene in SCENES] + [row.name for row in FAILURE_CASES]:
         assert f"pictures/{name}.svg" in files and f'src="pictures/{name}.svg"' in pages["gallery.html"]
-    for row in ROWS:  # on a telephone one panel above the other
+    for row in FAILURE_CASES:  # on a telephone one panel above the other
         assert f"pictures/{row.name}-narrow.svg" in files
         assert f'srcset="pictures/{row.name}-narrow.svg"' in pages["gallery.html"]
     openable = set(re.findall(r'href="scene.html#([^"]+)"', pages["gallery.html"]))
-    assert openable == {s.name for s in SCENES} | {row.name for row in ROWS if row.how != REFUSED}
+    assert openable == {s.name for s in SCENES} | {row.name for row in FAILURE_CASES if row.how != REFUSED}
 
 
 def test_pictures_follow_the_theme(pages, files):
@@ -378,7 +378,7 @@ def opened(text):
     return json.loads(live.answer("place", json.dumps({"kind": "open", "hash": text})))
 
 
-@pytest.mark.parametrize("name", [scene.name for scene in SCENES] + [r.name for r in ROWS if r.how != REFUSED])
+@pytest.mark.parametrize("name", [scene.name for scene in SCENES] + [r.name for r in FAILURE_CASES if r.how != REFUSED])
 def test_a_built_in_scene_is_its_name(name):
     assert sv.link(name) == f"scene.html#{name}"
     assert links.opened(name)[0] == sv.scene(name)
@@ -637,7 +637,7 @@ def test_no_challenge_is_won_when_it_begins_and_each_has_its_link():
 def by_the_hint(goal, start):
     """Where a hand may bring a scene: B moved by arrow keys, a circle level with a point, two corners to one place."""
     a, b = start.a, start.b
-    at_most = 8 / Exploring(start).picture().scale  # as the browser's: 1, 2 or 5 times a power of ten
+    at_most = 8 / ExplorerModel(start).picture().scale  # as the browser's: 1, 2 or 5 times a power of ten
     step = max(
         float(f"{digit}e{power}")
         for digit in (1, 2, 5)

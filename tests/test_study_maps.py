@@ -10,9 +10,9 @@ import pytest
 import satviz as sv
 from satviz.engine.axes import needed
 from satviz.scenes.article import box
-from satviz.scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, REFUSED, ROWS
+from satviz.scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED, REFUSED
 from satviz.scenes.failing.claimed_value import moved
-from satviz.scenes.failing.where import lies_in_view
+from satviz.scenes.failing.where import error_region_in_view
 from satviz.scenes.shortcuts import middle
 from satviz.study import truth
 from satviz.study.harness.cells import Settings
@@ -68,7 +68,7 @@ def test_the_shortcut_is_wrong_somewhere_in_the_way_its_row_says(name):
         assert found & ({SHORT, LONG} if name in slides.PUSHES else {FAR})
 
 
-LEAVING_OUT = [row.name for row in ROWS if row.shortcut.choose is not needed and row.shortcut.measure is None]
+LEAVING_OUT = [row.name for row in FAILURE_CASES if row.shortcut.choose is not needed and row.shortcut.measure is None]
 
 
 @pytest.mark.parametrize("name", [name for name in LEAVING_OUT if name in slides.VERDICTS])
@@ -127,7 +127,7 @@ def test_every_position_lies_in_the_area_that_its_run_belongs_to(name):
     slide, row = small(name), NAMED[name]
     view = maps.limits(slide, row)
     (x0, y0, x1, y1), at = view, middle(row.b)
-    found, near = lies_in_view(*slides.both(row), row.shortcut, view), 1e-6 * max(x1 - x0, y1 - y0)
+    found, near = error_region_in_view(*slides.both(row), row.shortcut, view), 1e-6 * max(x1 - x0, y1 - y0)
 
     def depth(ring, d):
         """How far inside a convex counter-clockwise ring; negative outside."""
@@ -147,7 +147,7 @@ def test_every_position_lies_in_the_area_that_its_run_belongs_to(name):
 def test_wrong_at_single_places_is_drawn_as_spots_and_along_the_contact_as_a_line():
     for name in METHODS:
         row = NAMED[name]
-        found = lies_in_view(*slides.both(row), row.shortcut, maps.limits(small(name), row))
+        found = error_region_in_view(*slides.both(row), row.shortcut, maps.limits(small(name), row))
         assert isinstance(found, str) == (name in ("unit-normals", "touch-on-paper"))
         assert isinstance(found, str) or found.touching == (name == "touch-as-apart")
 
@@ -159,9 +159,9 @@ def test_quick_maps_are_smaller_and_every_cell_is_done_by_name():
 
 
 def test_every_row_that_is_a_method_has_a_map_and_the_rest_are_named():
-    rest = {row.name for row in ROWS} - set(METHODS)
+    rest = {row.name for row in FAILURE_CASES} - set(METHODS)
     about_no_method = {"only-one-axis", "one-maximum", "many-pairs", "gjk-looks-less"}
-    assert rest == {row.name for row in ROWS if row.how == REFUSED} | set(slides.OTHERS) | about_no_method
+    assert rest == {row.name for row in FAILURE_CASES if row.how == REFUSED} | set(slides.OTHERS) | about_no_method
 
 
 # -- the chart

@@ -27,7 +27,7 @@ from satviz.scenes import strictjson, tracefile
 from satviz.scenes.article import SCENES, box
 from satviz.scenes.named import names
 from satviz.scenes.named import scene as named
-from satviz.scenes.resolve import refused_row
+from satviz.scenes.resolve import refused_case
 from satviz.scenes.shortcuts import NAMED as SHORTCUTS
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
@@ -792,7 +792,7 @@ FLAGGED = {
     **{f"the choice {name}": sv.record(SQUARE, COIN, axes=axes.NAMED[name]) for name in axes.NAMED},
     "a complete choice of one's own": sv.record(A, B, axes=axes.Choice(axes.edge_normals(A, B).axes[::-1])),
     "no axes": sv.record(A, B, axes=axes.Choice(())),
-    **{f"the scene {name}": named(name).record() for name in names() if not refused_row(name)},
+    **{f"the scene {name}": named(name).record() for name in names() if not refused_case(name)},
 }
 
 

@@ -17,11 +17,11 @@ from satviz.pictures.labels import Board, _put
 from satviz.pictures.layout import Layout, text_box
 from satviz.render.notebook import bundle
 from satviz.scenes.article import box
-from satviz.scenes.failing import REFUSED, ROWS
+from satviz.scenes.failing import FAILURE_CASES, REFUSED
 from satviz.scenes.failing.claimed_value import moved
 from satviz.scenes.scenefile import shape_data
-from satviz.widgets.explorer_model import Exploring
-from satviz.widgets.player_model import Showing
+from satviz.widgets.explorer_model import ExplorerModel
+from satviz.widgets.player_model import PlayerModel
 
 pytest.importorskip("anywidget", reason="anywidget is not installed")
 
@@ -173,7 +173,7 @@ def test_a_row_that_is_picked_stays_picked():
 def test_back_where_it_began_a_scene_is_framed_as_it_was(name):
     """Whatever the view was fitted to since: by reset, by undo, or by hand."""
     scene = sv.scene(name)
-    hand = Exploring(scene)
+    hand = ExplorerModel(scene)
     first = hand.state()["picture"]
     begin = {"kind": "pose", "n": 1, "a": shape_data(scene.a), "b": shape_data(scene.b)}
     away = begin | {"b": shape_data(moved(scene.b, sv.Vec(90, 20)))}
@@ -257,7 +257,7 @@ def test_the_step_that_is_saved_is_the_one_that_is_shown(monkeypatch):
     (shown,) = playback.playbacks(trace)
     assert len(shown["steps"]) < len(sv.steps(trace))
     for i, step in enumerate(shown["steps"]):
-        (drawn,) = Showing(trace).to_save({"form": "png", "step": i})
+        (drawn,) = PlayerModel(trace).to_save({"form": "png", "step": i})
         assert drawn.sentence == step["sentence"]
 
 
@@ -393,9 +393,11 @@ EXTREME = {
 
 
 @pytest.mark.parametrize("pair", EXTREME)
-@pytest.mark.parametrize("name", one_in(8, [*(row.name for row in ROWS if row.how != REFUSED), "triangles", "concave"]))
+@pytest.mark.parametrize(
+    "name", one_in(8, [*(row.name for row in FAILURE_CASES if row.how != REFUSED), "triangles", "concave"])
+)
 def test_the_strangest_pose_is_shown_or_refused_and_then_nothing_has_changed(name, pair):
-    explored, (a, b) = Exploring(sv.scene(name)), EXTREME[pair]
+    explored, (a, b) = ExplorerModel(sv.scene(name)), EXTREME[pair]
     before = json.dumps(explored.state())
     for more in ({}, {"view": "truth", "wayOut": True}, {"degree": 20.0}, {"against": True}):
         said = explored.answer({"kind": "pose", "n": 1, "a": a, "b": b, "degree": None, "pinned": None} | more)
@@ -408,7 +410,7 @@ def test_the_strangest_pose_is_shown_or_refused_and_then_nothing_has_changed(nam
 
 def test_a_map_of_many_parts_is_not_worked_out_under_the_hand():
     """Each pair of parts cuts up what the others leave: 40 corners took 6 seconds, 60 took 43."""
-    explored = Exploring(sv.scene("aabb-turned"))
+    explored = ExplorerModel(sv.scene("aabb-turned"))
     for n in 20, 40, 60:
         pose = {"kind": "pose", "n": 1, "a": ring_data(n), "b": ring_data(n, 0.9), "degree": None, "pinned": None}
         assert ("too many corners" in str(explored.answer(pose)["map"])) == (n > 20)
@@ -423,7 +425,7 @@ def test_a_map_of_many_parts_is_not_worked_out_under_the_hand():
     ],
 )
 def test_a_map_that_floats_cannot_hold_says_so_beside_the_picture(name, pair, why):
-    explored, (a, b) = Exploring(sv.scene(name)), EXTREME[pair]
+    explored, (a, b) = ExplorerModel(sv.scene(name)), EXTREME[pair]
     said = explored.answer({"kind": "pose", "n": 1, "a": a, "b": b, "degree": None, "pinned": None})
     assert said["kind"] == "state" and why in str(said["map"])
 
@@ -487,7 +489,7 @@ def test_both_widgets_know_the_link_of_what_they_show():
     assert "free=30" in pose(widget, degree=30.0)["link"] and widget.site == ""
 
 
-@pytest.mark.parametrize("name", [row.name for row in ROWS if row.how != REFUSED])
+@pytest.mark.parametrize("name", [row.name for row in FAILURE_CASES if row.how != REFUSED])
 def test_every_failing_scene_has_a_map_under_the_hand_or_says_why_not(name):
     first = sv.explore(name).first
     red = [mark for mark in first["picture"]["marks"] if mark["id"].startswith("lies")]
@@ -496,7 +498,7 @@ def test_every_failing_scene_has_a_map_under_the_hand_or_says_why_not(name):
 
 
 def test_where_a_shortcut_is_right_all_over_the_picture_that_is_said():
-    hand = Exploring(sv.Scene("boxes", box(0, 0, 2, 2), box(1, 1, 4, 3), "aabb-turned"))
+    hand = ExplorerModel(sv.Scene("boxes", box(0, 0, 2, 2), box(1, 1, 4, 3), "aabb-turned"))
     assert hand.state()["map"] == "No red on the map: wherever B lies in this picture, the shortcut is right."
     shapes = {key: hand.state()[key] for key in ("a", "b")}
     free = hand.answer({"kind": "pose", **shapes, "degree": 30})
@@ -504,7 +506,7 @@ def test_where_a_shortcut_is_right_all_over_the_picture_that_is_said():
 
 
 def test_a_dent_made_under_the_hand_takes_the_map_away_and_says_so():
-    hand = Exploring(sv.scene("raw-depth"))
+    hand = ExplorerModel(sv.scene("raw-depth"))
     first = hand.state()
     a = {"polygon": [*first["a"]["polygon"], [0.5, 0.5]]}
     state = hand.answer({"kind": "pose", "a": a, "b": first["b"]})
@@ -527,7 +529,7 @@ def which_of(mark):
 
 @pytest.mark.parametrize("name", one_in(2, ["triangles", "dart", "circle-polygon", "concave-outline", "aabb"]))
 def test_no_name_jumps_under_the_hand_without_a_reason(name):
-    hand, before = Exploring(sv.scene(name)), {}
+    hand, before = ExplorerModel(sv.scene(name)), {}
     for drawn, stood in dragged(hand, name):
         (x0, y0, *_), labels = drawn.limits, {which_of(m): m for m in drawn.marks if m.kind == "label"}
         for which in labels.keys() & before.keys():

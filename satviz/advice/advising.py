@@ -16,7 +16,7 @@ from ..scenes.named import scene as named
 from ..scenes.scenefile import Scene
 from . import certified_bounds, report
 from .certified_bounds import Compound, Model, pieces
-from .facts import Case, Facts, Judged, Pair, anywhere, best, candidates, for_hits, kind_of
+from .facts import Case, Facts, ModelResult, Pair, anywhere, best, candidates, for_hits, kind_of
 from .limits import MAX_TESTS_CHECKED, TESTS_BY_FRACTIONS, TESTS_TIMED
 from .relative_margin import signed
 from .scope import HERE, Scope, grid_of, reach_of, scope_of
@@ -26,11 +26,11 @@ if TYPE_CHECKING:
 
     from ..batch import Shapes
     from .cost_chart import Chart
-    from .costs import Price
+    from .costs import Cost
 
 
 @dataclass(frozen=True)
-class Advice:
+class Recommendation:
     """The least model that is right: `judged` has every candidate from the fewest axes on, `best` is the one advised.
 
     The question is the three-way relation.  print() says it in words, `to_json()` as data; `check()` proves it once
@@ -39,12 +39,12 @@ class Advice:
     """
 
     facts: Facts
-    judged: tuple[Judged, ...]
+    judged: tuple[ModelResult, ...]
     scope: Scope
     case: Case
 
     @property
-    def best(self) -> Judged:
+    def best(self) -> ModelResult:
         """The candidate advised: the first that is proven."""
         return best(self.judged)
 
@@ -54,7 +54,7 @@ class Advice:
         return self.best.model
 
     @property
-    def smaller(self) -> Judged | None:
+    def smaller(self) -> ModelResult | None:
         """The next smaller candidate, which fails; None if there is none."""
         place = self.judged.index(self.best)
         return self.judged[place - 1] if place else None
@@ -65,7 +65,7 @@ class Advice:
         return anywhere(self.facts, self.judged)
 
     @property
-    def for_hits(self) -> Judged:
+    def for_hits(self) -> ModelResult:
         """The first candidate that is proven to tell hits from misses, which may confuse touching and overlapping."""
         return for_hits(self.judged)
 
@@ -105,7 +105,7 @@ class Advice:
         # arrays have gamma good to one part in fifty
         return all(isclose(mine.gamma, known, rel_tol=0.025) for known in (found.gamma, _gamma(self.case, place)))
 
-    def _bears(self, claim: Judged, found: Judged) -> bool:
+    def _bears(self, claim: ModelResult, found: ModelResult) -> bool:
         """Arrays may doubt what integers prove, if another pair is in doubt anyway."""
         if (claim.proven, claim.hits) != (found.proven, found.hits):
             return False
@@ -145,14 +145,14 @@ class Advice:
         return record(a, b, axes=shortcut(smaller.model, a, b))
 
     @cached_property
-    def _prices(self) -> "dict[str, Price | None]":
-        from .costs import prices
+    def _prices(self) -> "dict[str, Cost | None]":
+        from .costs import costs
 
         # for one pair numba would take longer to load than all else
         engine = "numpy" if self.facts.pairs == 1 else None
-        return prices([j.model for j in self.judged], self.case.batches(), engine=engine)
+        return costs([j.model for j in self.judged], self.case.batches(), engine=engine)
 
-    def prices(self) -> "dict[str, Price | None]":
+    def prices(self) -> "dict[str, Cost | None]":
         """By model's name what it costs here: nanoseconds a pair, cold (with its set-up) and warm.
 
         Measured once, for about a second; None for a model of which one call would take too long.
@@ -191,7 +191,7 @@ class Advice:
         return report.told(self.facts, self.judged, self.scope)
 
     def __repr__(self) -> str:
-        return f"Advice({self.model.name}, {self.scope.kind})"
+        return f"Recommendation({self.model.name}, {self.scope.kind})"
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: the recommendation in words; `chart()` measures, so it is drawn only when it is asked for."""
@@ -204,7 +204,7 @@ def _model(model: Model) -> dict[str, Any]:
 
 def advise(
     a: "Shape | Shapes | Scene | str", b: "Shape | Shapes | None" = None, pairs: "ArrayLike | None" = None
-) -> Advice:
+) -> Recommendation:
     """The least model (fewest axes, then the plainest numbers) that is proven right for what is given.
 
     a, b: two shapes; or a Scene or its name; or batch shapes, side by side or by the (K, 2) indices `pairs`; or one
@@ -225,10 +225,10 @@ def advise(
         from .many import of_many
 
         facts, judged, case = of_many(a, b, pairs)
-    return Advice(facts, judged, scope_of(best(judged).model, facts, case), case)
+    return Recommendation(facts, judged, scope_of(best(judged).model, facts, case), case)
 
 
-def _of_two(a: Shape, b: Shape) -> tuple[Facts, tuple[Judged, ...], Case]:
+def _of_two(a: Shape, b: Shape) -> tuple[Facts, tuple[ModelResult, ...], Case]:
     """The same for two shapes: by fractions alone, or by arrays where that would take long."""
     case = _two(a, b)
     if case.tests <= TESTS_BY_FRACTIONS:
@@ -268,7 +268,7 @@ def _candidates(case: Case) -> tuple[Model, ...]:
     return candidates(axes, directions, {kind_of(s) for s in shapes}, case)
 
 
-def _counted(case: Case, models: Sequence[Model]) -> tuple[Facts, tuple[Judged, ...]]:
+def _counted(case: Case, models: Sequence[Model]) -> tuple[Facts, tuple[ModelResult, ...]]:
     """What there is and what each model is sure of, by integers, pair by pair."""
     relations, least, at = Counter[Relation](), inf, (0, 0)
     wrong, unsure = Counter[Model](), Counter[Model]()
@@ -307,7 +307,9 @@ def _counted(case: Case, models: Sequence[Model]) -> tuple[Facts, tuple[Judged, 
         least,
         at,
     )
-    return facts, tuple(Judged(m, wrong[m], unsure[m], first.get(m, doubtful.get(m)), m not in missing) for m in models)
+    return facts, tuple(
+        ModelResult(m, wrong[m], unsure[m], first.get(m, doubtful.get(m)), m not in missing) for m in models
+    )
 
 
 def _gamma(case: Case, k: int) -> float:

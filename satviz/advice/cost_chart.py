@@ -12,8 +12,8 @@ from matplotlib.transforms import Bbox
 from ..pictures import LIGHT, THEMES, Theme
 from ..render.files import DPI, bare, encode_figure
 from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
-from .costs import Price
-from .facts import Facts, Judged
+from .costs import Cost
+from .facts import Facts, ModelResult
 from .report import duration
 
 SIZE = 620.0, 400.0  # points
@@ -27,7 +27,7 @@ class Chart(NamedTuple):
 
     title: str
     under: str
-    rows: tuple[tuple[str, str, Price], ...]  # name, role, price
+    rows: tuple[tuple[str, str, Cost], ...]  # name, role, price
     advised: str
     pairs: int
     sentence: str
@@ -59,7 +59,7 @@ class Chart(NamedTuple):
         return {"text/plain": self.sentence, "image/svg+xml": self.svg()}
 
 
-def chart(model: Model, facts: Facts, judged: Sequence[Judged], found: Mapping[str, Price | None]) -> Chart:
+def chart(model: Model, facts: Facts, judged: Sequence[ModelResult], found: Mapping[str, Cost | None]) -> Chart:
     """The chart of a recommendation: the recommended model among those judged, by their prices.
 
     ValueError where there is nothing to draw: no pairs, or a recommended model that is not timed.

@@ -19,7 +19,7 @@ MOST = 1 << 16  # pairs timed: the first of more
 FIRST = 16  # pairs that tell what all cost
 
 
-class Price(NamedTuple):
+class Cost(NamedTuple):
     """Nanoseconds a pair, `cold` with the set-up of all shapes and `warm` without.
 
     `wrong`: how many answers are; `timed`: how many pairs, or copies of the one pair, were answered at once.
@@ -31,7 +31,7 @@ class Price(NamedTuple):
     timed: int
 
 
-def prices(
+def costs(
     asked: Sequence[Model],
     pairs: Pairs,
     *,
@@ -40,7 +40,7 @@ def prices(
     most: int = MOST,
     tests: float = TESTS_TIMED,
     seconds: float = SECONDS,
-) -> dict[str, Price | None]:
+) -> dict[str, Cost | None]:
     """Medians of some rounds in turn, by the models' names; no prices where there are no pairs.
 
     Cold starts from checked shapes and makes what the model keeps of those in the pairs.  It times the first pairs, at
@@ -66,10 +66,10 @@ def prices(
         jobs[f"{model.name} cold"] = partial(_from_scratch, model, pairs, engine)
     # this thread's time, in which other programs have no part
     found = timing.in_turn(jobs, rounds, dict.fromkeys(jobs, len(pairs.ia)), thread_time, seconds)
-    priced: dict[str, Price | None] = {}
+    priced: dict[str, Cost | None] = {}
     for m in asked:
         cold, warm = (found.get(f"{m.name} {how}") for how in ("cold", "warm"))
-        priced[m.name] = Price(cold.median, warm.median, wrong[m.name], len(pairs.ia)) if cold and warm else None
+        priced[m.name] = Cost(cold.median, warm.median, wrong[m.name], len(pairs.ia)) if cold and warm else None
     return priced
 
 

@@ -76,7 +76,7 @@ class Facts(NamedTuple):
     at: Pair
 
 
-class Judged(NamedTuple):
+class ModelResult(NamedTuple):
     """A model on the pairs: how many it gets wrong, and of how many, at most, rounding decides what it says.
 
     `first`: the first pair that is wrong, or else in doubt; `hits`: does it tell hits from misses, at least?
@@ -101,17 +101,17 @@ def kind_of(shape: Body) -> str:
     return UPRIGHT if shape.is_upright_box else CONVEX if shape.is_convex else CONCAVE
 
 
-def best(judged: Sequence[Judged]) -> Judged:
+def best(judged: Sequence[ModelResult]) -> ModelResult:
     """The first that is proven."""
     return next(j for j in judged if j.proven)
 
 
-def for_hits(judged: Sequence[Judged]) -> Judged:
+def for_hits(judged: Sequence[ModelResult]) -> ModelResult:
     """The first that is proven to tell hits from misses."""
     return next(j for j in judged if j.hits)
 
 
-def anywhere(facts: Facts, judged: Sequence[Judged]) -> Model:
+def anywhere(facts: Facts, judged: Sequence[ModelResult]) -> Model:
     """The least that is right wherever these shapes lie: y and x for upright boxes, else what is exact."""
     wide = BOXES if set(facts.kinds) == {UPRIGHT} else EXACT
     return next(j.model for j in judged if j.model.kind == wide)

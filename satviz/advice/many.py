@@ -19,7 +19,7 @@ from ..engine.shapes import Circle, Shape
 from . import certified_bounds
 from .certified_bounds import BOXES, CIRCLES, EXACT, Body, Compound, Model
 from .classify import Grids, sure
-from .facts import CONCAVE, CONVEX, ROUND, UPRIGHT, Case, Facts, Grid, Judged, Pair, Settled, candidates
+from .facts import CONCAVE, CONVEX, ROUND, UPRIGHT, Case, Facts, Grid, ModelResult, Pair, Settled, candidates
 from .limits import refuse_more, refuse_more_boxes, refuse_more_by_fractions
 from .margins import signed_gammas
 from .models import by_boxes, discs, is_circle, shared_directions
@@ -30,7 +30,7 @@ from .scope import bound_of
 
 def of_many(
     a: Any, b: Any, pairs: ArrayLike | None, *, engine: str | None = None
-) -> tuple[Facts, tuple[Judged, ...], Case]:
+) -> tuple[Facts, tuple[ModelResult, ...], Case]:
     """What there is in batch shapes and the models judged on them; see `advise`.  `engine`: as in `batch.relate`."""
     a = checked(a, "a")
     all_pairs = b is None and pairs is None
@@ -101,10 +101,11 @@ def _out_of_range(both: Pairs) -> int:
 def _settled(a: Shapes, many: int, engine: str | None) -> tuple[Settled, Pairs]:
     """What the boxes settle; and which of these pairs a model that stands alone, by one circle a shape, may doubt.
 
-    With M the larger reach of two circles, u the rounding, d their distance and R the sum of the radii, they are surely
-    told apart where d - R is 72 u M or more: the bound of `certified_bounds.circles` for ranges, and more than its bound for
-    squares, 12 u (d + R) + 5 sqrt(2) u M with d + R at most 4.9 M.  So boxes of the circles that are 100 u M wider on
-    each side (u of float32 where that is a candidate) meet for every pair that can be doubted.
+    With M the larger reach of two circles, u the rounding, d their distance and R the sum of the radii, they
+    are surely told apart where d - R is 72 u M or more: the bound of `certified_bounds.circles` for ranges,
+    and more than its bound for squares, 12 u (d + R) + 5 sqrt(2) u M with d + R at most 4.9 M.  So boxes of
+    the circles that are 100 u M wider on each side (u of float32 where that is a candidate) meet for every
+    pair that can be doubted.
     """
     only_circles = bool(is_circle(a).all())
     forms = FORMATS if only_circles else {CIRCLES: FLOAT64}
@@ -172,7 +173,9 @@ def _models(pairs: Pairs, kinds: Collection[str], case: Case) -> tuple[Model, ..
     return candidates(int(asked.max(initial=1)), directions, kinds, case)
 
 
-def _judged(model: Model, both: Pairs, exact: NDArray[np.int8], near: Pairs, case: Case, engine: str | None) -> Judged:
+def _judged(
+    model: Model, both: Pairs, exact: NDArray[np.int8], near: Pairs, case: Case, engine: str | None
+) -> ModelResult:
     told = _told(model, both, exact, case, 0, engine)
     if not (model.after_boxes or model.kind == BOXES):
         apart = np.zeros(len(near.ia), np.int8)
@@ -184,7 +187,7 @@ def _judged(model: Model, both: Pairs, exact: NDArray[np.int8], near: Pairs, cas
     bad = bad if bad.size else np.flatnonzero(unsure)
     first = case.indices(int(bad[0])) if bad.size else None
     hits = not unsure.any() and bool(((told > 0) == (exact > 0)).all())
-    return Judged(model, int(wrong.sum()), int(unsure.sum()), first, hits)
+    return ModelResult(model, int(wrong.sum()), int(unsure.sum()), first, hits)
 
 
 def _told(

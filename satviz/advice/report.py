@@ -5,7 +5,7 @@ from sys import float_info
 from typing import TYPE_CHECKING
 
 from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
-from .facts import CONCAVE, CONVEX, ROUND, UPRIGHT, Facts, Judged, anywhere, best, for_hits
+from .facts import CONCAVE, CONVEX, ROUND, UPRIGHT, Facts, ModelResult, anywhere, best, for_hits
 from .limits import SECONDS
 from .relative_margin import IN_FLOAT32
 from .rounding import FLOAT32, FLOAT64, FORMATS
@@ -14,12 +14,12 @@ from .scope import ANYWHERE, GRID, MOVED, Scope
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from .costs import Price
+    from .costs import Cost
 
 ONE = {UPRIGHT: "upright box", ROUND: "circle", CONVEX: "convex polygon", CONCAVE: "concave polygon"}
 
 
-def told(facts: Facts, judged: "Sequence[Judged]", scope: Scope) -> str:
+def told(facts: Facts, judged: "Sequence[ModelResult]", scope: Scope) -> str:
     """The whole advice, a line each: what is advised, why, how far, what there is, what less and more would give."""
     least, hits = best(judged), for_hits(judged)
     lines = [
@@ -90,7 +90,7 @@ def _size(value: float) -> str:
     return f"{value:,.15g}" if 2.0**-10 <= value <= 2.0**20 else power(value, 0)
 
 
-def price(model: Model, facts: Facts, found: "Mapping[str, Price | None]") -> str:
+def price(model: Model, facts: Facts, found: "Mapping[str, Cost | None]") -> str:
     """What the recommended model costs here, beside the exact filter; empty where there are no pairs."""
     if not found:
         return ""
@@ -170,7 +170,7 @@ def nearest(facts: Facts) -> str:
     )
 
 
-def _fails(judged: Judged, facts: Facts) -> str:
+def _fails(judged: ModelResult, facts: Facts) -> str:
     if facts.pairs + facts.settled == 1:
         said = "wrong here" if judged.wrong else "not proven, as a rounding error could change the answer"
         return f"{named(judged.model)}: {said}"
@@ -182,7 +182,7 @@ def _fails(judged: Judged, facts: Facts) -> str:
     return f"{named(judged.model)}: {' and '.join(found)}; the first is pair {judged.first}"
 
 
-def _adds(judged: Judged, facts: Facts, every: "Sequence[Judged]") -> str:
+def _adds(judged: ModelResult, facts: Facts, every: "Sequence[ModelResult]") -> str:
     if not judged.proven:
         return _fails(judged, facts)
     adds = "also right, but not needed here"

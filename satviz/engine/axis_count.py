@@ -3,11 +3,12 @@
 from . import describe, number_format
 from .axes import CENTERS, VERTEX, WORLD, Axis, hull_normals, needed
 from .convex_parts import parts
+from .describe import Names
 from .geometry import Relation
 from .relate import relate
 from .sat import axis_tests
 from .shapes import Shape, checked
-from .trace import PLAIN, Names, Trace
+from .trace import PLAIN, Trace
 
 WORDS = "no", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten", "Eleven", "Twelve"
 

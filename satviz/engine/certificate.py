@@ -6,10 +6,11 @@ from functools import lru_cache
 from math import gcd, isfinite, isqrt
 from typing import NamedTuple, TypeVar
 
-from . import describe, number_format
+from . import number_format
 from .axes import Axis, exact_dots
 from .convex_parts import parts
 from .geometry import Vec
+from .number_format import MINUS
 from .predicates import orient
 from .sat import LARGEST
 from .shapes import Shape
@@ -40,8 +41,26 @@ class SeparatingLine(NamedTuple):
         t = self.offset / (nx * nx + ny * ny)
         return Vec(*(float(max(-RIM, min(RIM, c * t))) for c in (nx, ny)))
 
+    @property
+    def equation(self) -> str:
+        """The line's equation in words: "x = 5 (parallel to y)", "4x - y = 12.5"."""
+        nx, ny = self.normal
+        if ny == 0 or nx == 0:
+            at = number_format.of_shapes(self.a, self.b).number(float(self.offset / (nx or ny)))
+            return f"{'y' if nx == 0 else 'x'} = {at} (parallel to {'x' if nx == 0 else 'y'})"
+        size = max(abs(nx), abs(ny))
+        unit = size if size > 1000 else 1
+        if abs(self.offset) > unit * 10**308:  # as the sum of two coordinates, which no float can hold
+            unit *= 4
+        right = number_format.number(float(self.offset / unit))
+        return f"{_factor(nx / unit)}x {MINUS if ny < 0 else '+'} {_factor(abs(ny / unit))}y = {right}"
+
     def __str__(self) -> str:
-        return number_format.plain(f"separating line {describe.line(self)}")
+        return number_format.plain(f"separating line {self.equation}")
+
+
+def _factor(factor: Fraction) -> str:
+    return "" if factor == 1 else MINUS if factor == -1 else number_format.number(float(factor))
 
 
 class SharedPoint(NamedTuple):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import NamedTuple, Protocol
 
 from .axes import (
     ANY,
@@ -20,19 +20,63 @@ from .axes import (
     VERTEX,
     WORLD,
     Axis,
+    Choice,
+    Skip,
 )
 from .convex_parts import named_parts
 from .geometry import Relation, Vec
 from .mtv import too_many
-from .number_format import MINUS, Digits, number, of_shapes, of_tests, plain, vector
+from .number_format import MINUS, Digits, of_shapes, of_tests, plain, vector
+from .sat import AxisTest
 from .shapes import Shape
+from .shortcut import Shortcut
 
-if TYPE_CHECKING:
-    from fractions import Fraction
 
-    from .certificate import SeparatingLine
-    from .sat import AxisTest
-    from .trace import Names, Trace
+class Names(NamedTuple):
+    """What the two shapes are called: "A" and "B", or the name of a convex part such as "B2"."""
+
+    a: str = "A"
+    b: str = "B"
+
+
+class _Trace(Protocol):
+    """What the sentences need of `satviz.engine.trace.Trace`, whose module imports this module."""
+
+    @property
+    def a(self) -> Shape: ...
+    @property
+    def b(self) -> Shape: ...
+    @property
+    def names(self) -> Names: ...
+    @property
+    def choice(self) -> Choice: ...
+    @property
+    def shortcut(self) -> Shortcut | None: ...
+    @property
+    def tests(self) -> tuple[AxisTest, ...]: ...
+    @property
+    def pairs(self) -> tuple[_Trace, ...]: ...
+    @property
+    def skipped(self) -> tuple[Skip, ...]: ...
+    @property
+    def relation(self) -> Relation: ...
+    @property
+    def claim(self) -> Relation: ...
+    @property
+    def hit(self) -> bool: ...
+    @property
+    def false_hit(self) -> bool: ...
+    @property
+    def missed_hit(self) -> bool: ...
+    @property
+    def separating(self) -> AxisTest | None: ...
+    @property
+    def ended_by(self) -> AxisTest | None: ...
+    @property
+    def colliding(self) -> _Trace | None: ...
+    @property
+    def sentence(self) -> str: ...
+
 
 MOST_PAIRS = 20  # of parts, in a table that can be read
 
@@ -97,7 +141,7 @@ def reason(why: str, number: int | None) -> str:
     return _WHY[why].format(number)
 
 
-def digits(trace: Trace, *tests: AxisTest) -> Digits:
+def digits(trace: _Trace, *tests: AxisTest) -> Digits:
     """The one format of a picture or a sentence of these tests; of none: for lengths and points."""
     return of_tests((trace.a, trace.b), tests)
 
@@ -126,7 +170,7 @@ def shared(t: AxisTest, told: Digits) -> str:
     return f"overlap {told.interval(lo, hi)}\n{told.gap(hi - lo)} long{way_out}"
 
 
-def conclusion(trace: Trace, i: int) -> str:
+def conclusion(trace: _Trace, i: int) -> str:
     """What follows from test `i` for the shapes, in a line."""
     t, last = trace.tests[i], i == len(trace.tests) - 1
     who = "the shapes" if trace.names == ("A", "B") else " and ".join(trace.names)
@@ -141,18 +185,18 @@ def conclusion(trace: Trace, i: int) -> str:
     return f"{found} on this axis too: no gap on any, so {who} {collide}."
 
 
-def claimed(trace: Trace) -> str:
+def claimed(trace: _Trace) -> str:
     """What the axes tested say beside the truth, where they are wrong."""
     who = "AABB says" if {t.source.kind for t in trace.tests} == {WORLD} else "These axes say"
     return f"{who}: {'hit' if trace.claim else 'apart'}. Truth: {'hit' if trace.hit else 'apart'}."
 
 
-def both_ranges(trace: Trace, t: AxisTest, told: Digits) -> str:
+def both_ranges(trace: _Trace, t: AxisTest, told: Digits) -> str:
     """ "A [2, 4], B [3, 6]"."""
     return ", ".join(f"{name} {text}" for name, text in zip(trace.names, told.ranges(t)))
 
 
-def test(trace: Trace, i: int) -> str:
+def test(trace: _Trace, i: int) -> str:
     """One test: which axis, both ranges, the gap, and what follows."""
     t = trace.tests[i]
     head = f"Axis {i + 1} of {len(trace.choice.axes)}, {axis_name(t.axis, (trace.a, trace.b), trace.names)}"
@@ -167,7 +211,7 @@ def test(trace: Trace, i: int) -> str:
     return f"{head}: {found}: not a separating axis."
 
 
-def verdict(trace: Trace, move: Vec | None) -> str:
+def verdict(trace: _Trace, move: Vec | None) -> str:
     """The whole run in one sentence that says no more than was proved; `move` ends an overlap."""
     if trace.shortcut:
         return _shortcut_verdict(trace)
@@ -196,7 +240,7 @@ def verdict(trace: Trace, move: Vec | None) -> str:
 ARE = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
 
 
-def _shortcut_verdict(trace: Trace) -> str:
+def _shortcut_verdict(trace: _Trace) -> str:
     """What the shortcut says, by which axis, and what is."""
     assert trace.shortcut
     a, b = trace.names
@@ -213,7 +257,7 @@ def _shortcut_verdict(trace: Trace) -> str:
     return f"{says}, and so it is." if trace.claim is trace.relation else f"{says}. In truth they {is_so}."
 
 
-def _way_out(trace: Trace, move: Vec | None) -> str:
+def _way_out(trace: _Trace, move: Vec | None) -> str:
     if move is None and too_many(trace.a, trace.b):
         return "They have too many parts to look for the shortest way out."
     if move is None:
@@ -225,7 +269,7 @@ def _any_of(n: int) -> str:
     return "the one axis" if n == 1 else "either axis" if n == 2 else f"any of the {n} axes"
 
 
-def _parts_verdict(trace: Trace, move: Vec | None) -> str:
+def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
     a, b = trace.names
     settling = trace.colliding
     if not settling:
@@ -236,7 +280,7 @@ def _parts_verdict(trace: Trace, move: Vec | None) -> str:
     return f"{a} and {b} overlap: their parts {p} and {q} do. {_way_out(trace, move)}"
 
 
-def table(trace: Trace, width: int | None = None) -> str:
+def table(trace: _Trace, width: int | None = None) -> str:
     """The trace as plain text: a row a test, then the axes not tested, then the verdict.
 
     `width`: letters a line may have; where the columns need more, a test takes several lines.
@@ -253,7 +297,7 @@ def table(trace: Trace, width: int | None = None) -> str:
     return plain("\n\n".join(blocks))  # a terminal may know no more than ASCII
 
 
-def _rows(trace: Trace, width: int | None) -> str:
+def _rows(trace: _Trace, width: int | None) -> str:
     shapes = trace.a, trace.b
     rows = [("axis", "direction", trace.names.a, trace.names.b, "gap", "")]
     for i, t in enumerate(trace.tests, 1):
@@ -275,7 +319,7 @@ def _rows(trace: Trace, width: int | None) -> str:
     return "\n".join(lines)
 
 
-def untested(trace: Trace) -> list[tuple[str, str, str]]:
+def untested(trace: _Trace) -> list[tuple[str, str, str]]:
     """The rows of the axes not tested: the number, the name, and why; what is parallel to one axis is one row."""
     places = {axis: f"{i}" for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
     found: dict[tuple[str, str], list[str]] = {}
@@ -301,12 +345,12 @@ def _wrapped(pieces: Sequence[str], width: int | None, indent: str) -> str:
     return "\n".join([*lines, line])
 
 
-def scene(trace: Trace) -> str:
+def scene(trace: _Trace) -> str:
     """What is given and what is asked."""
     return f"{both(trace)} Do they collide?"
 
 
-def both(trace: Trace) -> str:
+def both(trace: _Trace) -> str:
     """What the two shapes are."""
     kinds = [shape_in_words(shape, "").split("is ", 1)[1] for shape in (trace.a, trace.b)]
     if kinds[0] == kinds[1] and not trace.a.radius:
@@ -322,31 +366,14 @@ def plural(kind: str) -> str:
     return f"{head}{'es' if head.endswith('x') else 's'}{' with' if tail else ''}{tail}"
 
 
-def line(certificate: SeparatingLine) -> str:
-    """A separating line by its equation: "x = 5 (parallel to y)", "4x - y = 12.5"."""
-    nx, ny, offset = (*certificate.normal, certificate.offset)
-    if ny == 0 or nx == 0:
-        at = of_shapes(certificate.a, certificate.b).number(float(offset / (nx or ny)))
-        return f"{'y' if nx == 0 else 'x'} = {at} (parallel to {'x' if nx == 0 else 'y'})"
-    size = max(abs(nx), abs(ny))
-    unit = size if size > 1000 else 1
-    if abs(offset) > unit * 10**308:  # as the sum of two coordinates, out of a float's range
-        unit *= 4
-    return f"{_term(nx / unit)}x {MINUS if ny < 0 else '+'} {_term(abs(ny / unit))}y = {number(float(offset / unit))}"
-
-
-def _term(factor: Fraction) -> str:
-    return "" if factor == 1 else MINUS if factor == -1 else number(float(factor))
-
-
-def parts(trace: Trace) -> str:
+def parts(trace: _Trace) -> str:
     """How concave outlines are split."""
     names = [[name for _, name in named_parts(s, n)] for s, n in zip((trace.a, trace.b), trace.names)]
     split = [f"{n} is split into {listed(ps)}" for ps, n in zip(names, trace.names) if len(ps) > 1]
     return f"{' and '.join(split)}: the shapes collide only if two of their convex parts do."
 
 
-def stage(trace: Trace, i: int, name: str, first: str) -> str:
+def stage(trace: _Trace, i: int, name: str, first: str) -> str:
     """One drawing stage of test `i`; `first` is the role whose points drop first."""
     t = trace.tests[i]
     shapes = trace.a, trace.b
@@ -376,7 +403,7 @@ def stage(trace: Trace, i: int, name: str, first: str) -> str:
     return test(trace, i)
 
 
-def _origin(trace: Trace, axis: Axis) -> str:
+def _origin(trace: _Trace, axis: Axis) -> str:
     """The edge or line that an axis comes from, with its vector."""
     kind, role, ids = axis.source
     if kind == CENTERS:
@@ -391,7 +418,7 @@ def _origin(trace: Trace, axis: Axis) -> str:
     return f"{what} {edge_name(ends)} of {name}: {edge_vector(trace, ends, p, q)}"
 
 
-def points_outward(trace: Trace, axis: Axis) -> bool:
+def points_outward(trace: _Trace, axis: Axis) -> bool:
     """Does the axis of an edge's normal point out of its shape?  Either direction gives the same axis; True for others.
 
     Outward is right of an edge that is walked counter-clockwise.
@@ -410,13 +437,13 @@ def points_outward(trace: Trace, axis: Axis) -> bool:
     return (q.y - p.y) * axis.normal.x + (p.x - q.x) * axis.normal.y >= 0
 
 
-def outward_normal(trace: Trace, axis: Axis) -> str:
+def outward_normal(trace: _Trace, axis: Axis) -> str:
     """The normal that an axis comes from, pointing out of its shape; the axis may point the other way."""
     n = axis.normal
     return digits(trace).vector(n if points_outward(trace, axis) else Vec(0.0 - n.x, 0.0 - n.y))
 
 
-def edge_vector(trace: Trace, ends: Sequence[str], p: Vec, q: Vec) -> str:
+def edge_vector(trace: _Trace, ends: Sequence[str], p: Vec, q: Vec) -> str:
     """An edge as the difference of its ends: "v1 - v2 = (-3, 2)"."""
     return f"{ends[0]} {MINUS} {ends[1]} = {digits(trace).vector(Vec(p.x - q.x, p.y - q.y))}"
 

@@ -1,27 +1,38 @@
-"""The one door upward: what values of the engine ask of the floors above, when they are asked and not before."""
+"""Hooks: what values of the engine need from higher layers, loaded by name at the first call.
 
-from typing import TYPE_CHECKING, Any
+The engine imports nothing upward.  `satviz/__init__.py`, which knows all layers, names the providers.
+"""
 
-if TYPE_CHECKING:
-    from .trace import Trace
+from collections.abc import Callable
+from importlib import import_module
+from typing import Any
 
-
-def bundle(what: Any) -> dict[str, str]:
-    """What a notebook shows of a shape, a scene, a trace or a picture: its text and its picture."""
-    from ..render import notebook
-
-    return notebook.bundle(what)
+_PROVIDERS: dict[str, str] = {}
 
 
-def to_json(trace: "Trace", indent: int | None) -> str:
-    """A trace as the text of a trace file."""
-    from ..scenes import tracefile
-
-    return tracefile.dump(trace, indent)
+def provide(**providers: str) -> None:
+    """Name the function behind each hook, as "module:function"; it is imported at the first call."""
+    _PROVIDERS.update(providers)
 
 
-def from_json(text: str) -> "Trace":
-    """The trace in the text of a trace file."""
-    from ..scenes import tracefile
+def _provider(hook: str) -> Callable[..., Any]:
+    module, _, function = _PROVIDERS[hook].partition(":")
+    provided: Callable[..., Any] = getattr(import_module(module), function)
+    return provided
 
-    return tracefile.load(text)
+
+def mime_bundle(value: object) -> dict[str, str]:
+    """Return what a notebook shows of a shape, a scene, a trace or a picture: its text and its picture by MIME type."""
+    bundle: dict[str, str] = _provider("mime_bundle")(value)
+    return bundle
+
+
+def trace_to_json(trace: object, indent: int | None) -> str:
+    """Return a trace as the text of a trace file."""
+    text: str = _provider("trace_to_json")(trace, indent)
+    return text
+
+
+def trace_from_json(text: str) -> Any:
+    """Return the Trace in the text of a trace file; InvalidScene if the text does not hold one."""
+    return _provider("trace_from_json")(text)

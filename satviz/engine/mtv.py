@@ -18,7 +18,7 @@ T = TypeVar("T")
 
 NUDGES = (0.0, *(2.0**-e for e in range(52, 19, -2)))  # how far outwards a rounded move is helped, near size 1
 ROUNDING = 2.0**-40
-MOST_CORNERS = 4000  # of all pairs of parts: seconds at worst, most often far less
+MAX_CORNERS = 4000  # of all pairs of parts: seconds at worst, most often far less
 
 
 def ends_overlap(a: Shape, b: Shape, move: Vec) -> bool:
@@ -56,11 +56,11 @@ def too_many(a: Shape, b: Shape) -> str:
     """Why `around_parts` will not look for a way out: it would take more than a moment; "" if it will."""
     sizes = [[len(part.core) for part in parts(s)] for s in (a, b)]
     pairs, corners = len(sizes[0]) * len(sizes[1]), sum(sizes[0]) * len(sizes[1]) + sum(sizes[1]) * len(sizes[0])
-    if corners <= MOST_CORNERS:
+    if corners <= MAX_CORNERS:
         return ""
     return (
         f"{pairs:,} pairs of convex parts with {corners:,} corners: the shortest way out is looked for among "
-        f"{MOST_CORNERS:,} at most; simplify the outlines, or part two of the parts (trace.colliding.mtv)"
+        f"{MAX_CORNERS:,} at most; simplify the outlines, or part two of the parts (trace.colliding.mtv)"
     )
 
 

@@ -15,9 +15,9 @@ APART, TOUCHING, OVERLAPPING = Relation
 # shape and M the larger reach: the normal carries one rounding, each product one more, the sum
 # one, at most 2DM each; the edge's value the same; the two bounds one each: under
 # 15 * 2**-53 * D * M, whatever the order and with fused operations.  Asked: 32.
-LOOK = 2.0**-48
+ERROR_FACTOR_F64 = 2.0**-48
 FEW = 6  # slabs of both, as triangles have: so few are looked at as soon as a point between them
-LEAST_ROOM, MOST_ROOM = TINY, HUGE * LOOK
+LEAST_ROOM, MOST_ROOM = TINY, HUGE * ERROR_FACTOR_F64
 
 
 def relate(a: Shape, b: Shape) -> Relation:
@@ -43,7 +43,7 @@ def relate(a: Shape, b: Shape) -> Relation:
         return _circles(a, b) if a.radius and b.radius else _mixed(a, b)
     if a.is_upright_box and b.is_upright_box:
         return TOUCHING if ax1 == bx0 or bx1 == ax0 or ay1 == by0 or by1 == ay0 else OVERLAPPING
-    reach = (a.reach + b.reach) * LOOK  # the sum stands in for the larger: quicker, and on the safe side
+    reach = (a.reach + b.reach) * ERROR_FACTOR_F64  # the sum stands in for the larger: quicker, and on the safe side
     room_a, room_b = a.span * reach, b.span * reach
     if not (LEAST_ROOM < room_a < MOST_ROOM and LEAST_ROOM < room_b < MOST_ROOM):
         return relate_integers(*aligned(a, b)[:3])

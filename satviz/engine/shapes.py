@@ -65,7 +65,7 @@ class _Shape:
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: the repr and a picture."""
-        return hooks.bundle(self)
+        return hooks.mime_bundle(self)
 
     @property
     def integers(self) -> tuple[int, list[IntPoint], int]:

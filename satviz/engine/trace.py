@@ -4,12 +4,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 from math import isfinite
-from typing import NamedTuple
 
 from . import describe, hooks
 from .axes import EARLY_EXIT, NAMED, Choice, Chooser, Skip, made_for, needed
 from .certificate import Certificate, PartLines, separating_line, shared_point
 from .convex_parts import named_parts
+from .describe import Names
 from .geometry import InvalidScene, Relation, Vec
 from .mtv import along_axis, around_parts
 from .relate import relate
@@ -20,13 +20,6 @@ from .shortcut import Shortcut, out_by
 APART, TOUCHING, OVERLAPPING = Relation
 
 MAX_SIZE = 200_000  # what a trace lists (see _size): some 30 MB of JSON, which can be read again
-
-
-class Names(NamedTuple):
-    """What the two shapes are called: "A" and "B", or a part's name such as "B2"."""
-
-    a: str = "A"
-    b: str = "B"
 
 
 PLAIN = Names()
@@ -216,16 +209,17 @@ class Trace:
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: the table and the last picture."""
-        return hooks.bundle(self)
+        return hooks.mime_bundle(self)
 
     def to_json(self, *, indent: int | None = None) -> str:
         """The trace as JSON: the shapes, each axis and landing place, and the verdicts for readers elsewhere."""
-        return hooks.to_json(self, indent)
+        return hooks.trace_to_json(self, indent)
 
     @staticmethod
     def from_json(text: str) -> "Trace":
         """The trace that `to_json` wrote; InvalidScene if anything in it is missing, unknown or untrue."""
-        return hooks.from_json(text)
+        trace: Trace = hooks.trace_from_json(text)
+        return trace
 
 
 def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, every_axis: bool = False) -> Trace:

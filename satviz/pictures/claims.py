@@ -7,7 +7,7 @@ from typing import NamedTuple
 from ..engine import describe
 from ..engine.geometry import Vec
 from ..engine.trace import Trace, record
-from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, Row
+from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, FailureCase
 from ..scenes.failing.claimed_value import OF_PUSHES
 from ..scenes.failing.true_value import Answer
 from . import comparison_panels
@@ -17,7 +17,7 @@ from .stages import shifted
 ROUNDING = 1e-12  # of the size of it all: what numbers differ by that are the same
 
 
-def row_of(trace: Trace) -> Row | None:
+def row_of(trace: Trace) -> FailureCase | None:
     """The row of satviz's own shortcuts; None for one's own."""
     row = NAMED.get(trace.shortcut.name) if trace.shortcut else None
     return row if row and row.shortcut == trace.shortcut else None
@@ -57,7 +57,7 @@ def said(trace: Trace) -> Said:
     return Said(row.told(number), row.told(truth), _contradicts(row, trace, number, truth))
 
 
-def _contradicts(row: Row, trace: Trace, number: float, truth: Answer) -> bool:
+def _contradicts(row: FailureCase, trace: Trace, number: float, truth: Answer) -> bool:
     """Is a row's number wrong?  A push that rounding alone keeps from the right one is right, a gap has a sign."""
     if isinstance(truth, str):
         return True

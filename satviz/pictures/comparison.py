@@ -11,8 +11,8 @@ from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
-from ..scenes.failing import MISSED_HIT, Row
-from ..scenes.resolve import RUNS, Asked, refused_row, trace_of
+from ..scenes.failing import MISSED_HIT, FailureCase
+from ..scenes.resolve import RUNS, SceneLike, refused_case, trace_of
 from . import comparison_panels, stages
 from .caption import wrapped
 from .claims import about_push, heading, is_near, row_of, said, verdicts
@@ -45,7 +45,7 @@ TALL = 1.5  # times its width from which a canvas has the panels one above the o
 
 
 def picture(
-    what: Asked,
+    what: SceneLike,
     step: int | Step = -1,
     *,
     title: str = "",
@@ -60,7 +60,7 @@ def picture(
     All steps have one scale and one canvas; `by_itself` cuts it to what this step shows (never of two panels).
     IndexError for a step the trace does not have.
     """
-    if row := refused_row(what):
+    if row := refused_case(what):
         return refused(row, title=title, width=min(BOTH, largest[0]) if largest != (WIDTH, HEIGHT) else BOTH)
     trace = trace_of(what, takes=RUNS)
     if not trace.shortcut:
@@ -317,7 +317,7 @@ def _proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
 # -- refused at the door
 
 
-def refused(row: Row, *, title: str = "", width: float = BOTH) -> Picture:
+def refused(row: FailureCase, *, title: str = "", width: float = BOTH) -> Picture:
     """The outlines of a row that the engine refuses, and the reason; `width` in points."""
     rings = [[Vec(*map(float, point)) for point in ring] for ring in (row.a, row.b) if not isinstance(ring, Shape)]
     xs, ys = [p.x for ring in rings for p in ring], [p.y for ring in rings for p in ring]

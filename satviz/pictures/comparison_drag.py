@@ -5,7 +5,7 @@ from itertools import pairwise
 
 from ..engine.geometry import Vec
 from ..engine.trace import Trace
-from ..scenes.failing.where import Lies, lies_in_view
+from ..scenes.failing.where import ErrorRegion, error_region_in_view
 from ..scenes.shortcuts import middle
 from . import comparison_panels, live
 from .claims import said, verdicts
@@ -16,7 +16,7 @@ from .marks import Mark, Picture
 from .sketch import Sketch
 
 
-def hand(
+def drag_view(
     trace: Trace,
     layout: Layout,
     chosen: live.Chosen | None,
@@ -79,10 +79,10 @@ def about_map(trace: Trace, layout: Layout) -> str:
     return f"The map: while the dot, the middle of B, lies {where}, the shortcut is wrong."
 
 
-def _lies(trace: Trace, layout: Layout) -> Lies | str:
+def _lies(trace: Trace, layout: Layout) -> ErrorRegion | str:
     """Those of a shortcut's run on the canvas."""
     assert trace.shortcut
     return _lies_of(trace.a, trace.b, trace.shortcut, layout.limits)
 
 
-_lies_of = lru_cache(maxsize=2)(lies_in_view)  # asked of one pose twice: for the map and for the words about it
+_lies_of = lru_cache(maxsize=2)(error_region_in_view)  # asked of one pose twice: for the map and for the words about it

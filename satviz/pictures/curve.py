@@ -11,7 +11,7 @@ from ..engine.geometry import Vec
 from ..engine.sat import axis_tests
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import PLAIN
-from ..scenes.resolve import Asked, pair_of
+from ..scenes.resolve import SceneLike, pair_of
 from .labels import Request, with_labels
 from .layout import Layout
 from .marks import Mark, Picture
@@ -23,7 +23,7 @@ MOST_NAMES = 12
 
 
 def gap_curve(
-    what: Asked | Shape, b: Shape | None = None, degree: float | None = None, *, width: float = WIDTH
+    what: SceneLike | Shape, b: Shape | None = None, degree: float | None = None, *, width: float = WIDTH
 ) -> Picture:
     """The signed gap on every axis from 0 to 180 degrees, with the axes that SAT would test marked on it.
 

@@ -3,13 +3,11 @@
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import atan2, cos, floor, hypot, log10, pi, sin
-from typing import NamedTuple
 
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape, centroid
-from .layout import Layout, around, box_of, clipped
-from .marks import Limits
+from .layout import Inset, Layout, around, box_of, clipped
 
 # all in points
 SMALLEST = 8.0  # a shape smaller than this is shown larger, and so is a gap smaller than
@@ -21,34 +19,12 @@ EACH = 128.0  # an inset's height with its caption
 FILLED = 0.5  # how much of its box the small thing takes
 
 
-class Inset(NamedTuple):
-    """A spot of the scene and how many times as large it is shown, in a box on the canvas (scene units).
-
-    `of` is the shape's name, or "" for a gap on the axis of `test`.
-    """
-
-    of: str
-    spot: Vec
-    times: float
-    box: Limits
-    test: AxisTest | None = None
-
-    @property
-    def center(self) -> Vec:
-        """The middle of its box."""
-        return Vec((self.box[0] + self.box[2]) / 2, (self.box[1] + self.box[3]) / 2)
-
-    def at(self, p: Vec) -> Vec:
-        """Where a point of the scene is shown."""
-        middle = self.center
-        return Vec(middle.x + (p.x - self.spot.x) * self.times, middle.y + (p.y - self.spot.y) * self.times)
-
-    def edges(self, shape: Shape) -> Iterator[tuple[Vec, Vec]]:
-        """What is seen of a shape's outline in the box."""
-        for p, q in pairwise(map(self.at, _outline(shape, self.spot))):
-            part = clipped(*p, *q, *self.box)
-            if part and part[0] < part[1]:
-                yield tuple(Vec(p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t) for t in part)  # type: ignore[misc]
+def edges_in(inset: Inset, shape: Shape) -> Iterator[tuple[Vec, Vec]]:
+    """What is seen of a shape's outline in the box."""
+    for p, q in pairwise(map(inset.at, _outline(shape, inset.spot))):
+        part = clipped(*p, *q, *inset.box)
+        if part and part[0] < part[1]:
+            yield tuple(Vec(p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t) for t in part)  # type: ignore[misc]
 
 
 def _outline(shape: Shape, spot: Vec) -> list[Vec]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from ..engine import number_format
 from ..engine.geometry import Vec
@@ -11,9 +11,6 @@ from ..engine.shapes import Circle, Shape
 from . import letters
 from .marks import Limits
 from .theme import look
-
-if TYPE_CHECKING:
-    from .insets import Inset
 
 FURTHEST = 2.0**41  # sizes from the origin at which float64 still holds a shape's outline
 LONGEST = 30  # letters of a range in one line
@@ -57,6 +54,29 @@ class AxisPlace(NamedTuple):
         return moved(moved(self.zero, self.n, t * self.unit), self.out, side)
 
 
+class Inset(NamedTuple):
+    """A spot of the scene and how many times as large it is shown, in a box on the canvas (scene units).
+
+    `of` is the shape's name, or "" for a gap on the axis of `test`.
+    """
+
+    of: str
+    spot: Vec
+    times: float
+    box: Limits
+    test: AxisTest | None = None
+
+    @property
+    def center(self) -> Vec:
+        """The middle of its box."""
+        return Vec((self.box[0] + self.box[2]) / 2, (self.box[1] + self.box[3]) / 2)
+
+    def at(self, p: Vec) -> Vec:
+        """Where a point of the scene is shown."""
+        middle = self.center
+        return Vec(middle.x + (p.x - self.spot.x) * self.times, middle.y + (p.y - self.spot.y) * self.times)
+
+
 class Layout(NamedTuple):
     """The limits in scene units, the canvas in points, one place for each test, and what is shown larger."""
 
@@ -64,7 +84,7 @@ class Layout(NamedTuple):
     size: tuple[float, float]
     places: tuple[AxisPlace, ...] = ()
     tests: tuple[AxisTest, ...] = ()
-    insets: "tuple[Inset, ...]" = ()
+    insets: tuple[Inset, ...] = ()
 
     @property
     def scale(self) -> float:

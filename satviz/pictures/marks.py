@@ -103,7 +103,7 @@ class Picture(NamedTuple):
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: the picture, and its sentence."""
-        return hooks.bundle(self)
+        return hooks.mime_bundle(self)
 
     def data(self) -> dict[str, Any]:
         """The picture as JSON values: all a pen needs."""

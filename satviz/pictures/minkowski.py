@@ -13,7 +13,7 @@ from ..engine.sat import AxisTest
 from ..engine.shapes import Polygon, Shape
 from ..engine.trace import Trace, record
 from ..scenes.failing.plane import difference as rings
-from ..scenes.resolve import Asked, trace_of
+from ..scenes.resolve import SceneLike, trace_of
 from .insets import SMALLEST
 from .layout import Group, arrange, moved
 from .marks import Picture
@@ -21,7 +21,7 @@ from .sketch import Sketch
 
 
 def difference(
-    what: Asked | Shape, b: Shape | None = None, *, title: str = "", largest: tuple[float, float] = (340.0, 300.0)
+    what: SceneLike | Shape, b: Shape | None = None, *, title: str = "", largest: tuple[float, float] = (340.0, 300.0)
 ) -> Picture:
     """B - A and the origin, in scene units: the origin inside is an overlap, on the rim a touch, outside a miss.
 

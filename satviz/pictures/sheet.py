@@ -9,7 +9,7 @@ from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
-from ..scenes.resolve import Asked, trace_of
+from ..scenes.resolve import SceneLike, trace_of
 from .caption import wrapped
 from .layout import box_of, text_box
 from .marks import Mark, Picture
@@ -33,7 +33,7 @@ class Row(NamedTuple):
     made: bool
 
 
-def sheet(what: Asked | Shape, b: Shape | None = None, *, title: str = "") -> Picture:
+def sheet(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "") -> Picture:
     """A whole run in one picture: each axis with both ranges, the gap and what it says.
 
     Of a scene (or its name), two shapes, or a trace.  The row that ended the run is marked, those that

@@ -14,9 +14,9 @@ from ..engine.geometry import Interval, Vec
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Polygon, Shape, centroid
 from ..engine.trace import Trace
-from .insets import Inset, in_words, small
+from .insets import edges_in, in_words, small
 from .labels import Request, Segment, Standing, Wishes, holds, name_spots, short_name, with_labels
-from .layout import LONGEST, TRACK, AxisPlace, Layout, moved, range_label
+from .layout import LONGEST, TRACK, AxisPlace, Inset, Layout, moved, range_label
 from .marks import Details, Mark, Picture
 
 NORMAL = 34.0  # the length of a normal's arrow, in points
@@ -84,7 +84,7 @@ class Sketch:
     def insets(self, test: AxisTest | None = None) -> None:
         """What is too small for the pen, larger: the shapes, or the gap of a test."""
         for number, inset in enumerate(self.layout.insets, 1):
-            outlines = [(role, name, [*inset.edges(shape)]) for role, name, shape in self.pair()]
+            outlines = [(role, name, [*edges_in(inset, shape)]) for role, name, shape in self.pair()]
             if inset.test != test or not (inset.test or any(edges for *_, edges in outlines)):
                 continue  # of another test, or of a part that this step leaves aside
             x0, y0, x1, y1 = inset.box

@@ -12,7 +12,7 @@ from ..engine.convex_parts import named_parts
 from ..engine.geometry import Relation, Vec
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace, record
-from ..scenes.resolve import RUNS, Asked, trace_of
+from ..scenes.resolve import RUNS, SceneLike, trace_of
 from .insets import with_insets
 from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, moved, padded
 from .marks import Mark, Picture
@@ -47,7 +47,7 @@ class Step(NamedTuple):
     pair: int | None = None
 
 
-def steps(what: Asked) -> list[Step]:
+def steps(what: SceneLike) -> list[Step]:
     """Every step of a trace in drawing order, from the bare scene to the verdict; of a scene, of its trace."""
     trace = trace_of(what, takes=RUNS)
     found = [Step(Stage.SCENE)]

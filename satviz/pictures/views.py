@@ -79,7 +79,7 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
     for role in "AB":
         sketch.range(test, place, role)
     sketch.gap(test, place)
-    line = describe.line(certificate)
+    line = certificate.equation
     separating_line(sketch, certificate, f"separating line: {line}")
     return sketch.finish(
         title, f"The separating axis is {name}; the separating line {line} runs across it, through the gap."

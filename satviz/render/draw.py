@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, overload
 from matplotlib.axes import Axes
 
 from ..pictures import THEMES, Picture, Step, Theme, picture
-from ..scenes.resolve import Asked
+from ..scenes.resolve import SceneLike
 from .files import canvas
 from .pen import Pen
 
@@ -18,15 +18,17 @@ _PEN = "_satviz_pen"  # kept on the Axes themselves, so that it goes when they g
 
 
 @overload
-def draw(what: Asked | Picture, step: int | Step = -1, *, ax: None = None, theme: str = "light") -> "Figure": ...
+def draw(what: SceneLike | Picture, step: int | Step = -1, *, ax: None = None, theme: str = "light") -> "Figure": ...
 
 
 @overload
-def draw(what: Asked | Picture, step: int | Step = -1, *, ax: Axes, theme: str = "light") -> "dict[str, Artist]": ...
+def draw(
+    what: SceneLike | Picture, step: int | Step = -1, *, ax: Axes, theme: str = "light"
+) -> "dict[str, Artist]": ...
 
 
 def draw(
-    what: Asked | Picture, step: int | Step = -1, *, ax: Axes | None = None, theme: str = "light"
+    what: SceneLike | Picture, step: int | Step = -1, *, ax: Axes | None = None, theme: str = "light"
 ) -> "Figure | dict[str, Artist]":
     """Draw a step of a trace (or of a scene, by name too), or a picture, with matplotlib.
 

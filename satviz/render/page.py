@@ -13,8 +13,8 @@ from ..pictures.claims import heading
 from ..pictures.comparison import refused
 from ..pictures.playback import NARROW, narrow, playbacks
 from ..safe_write import MADE_BY
-from ..scenes.failing import Row
-from ..scenes.resolve import Asked, refused_row, trace_of
+from ..scenes.failing import FailureCase
+from ..scenes.resolve import SceneLike, refused_case, trace_of
 from .files import inline_svg
 from .script import javascript, stylesheet
 
@@ -41,7 +41,7 @@ footer { font-size: 12px; color: var(--sv-guide); margin: 12px 8px; }
 """
 
 
-def page(what: Asked | Shape, b: Shape | None = None, *, title: str = "", predict: bool = False) -> str:
+def page(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "", predict: bool = False) -> str:
     """One self-contained HTML file: every step with its player, the table and every sentence.
 
     Of a scene (or its name), two shapes, or a trace.  With `predict` it asks before it shows.
@@ -49,7 +49,7 @@ def page(what: Asked | Shape, b: Shape | None = None, *, title: str = "", predic
     A failing scene whose outlines are refused has no steps: its picture and the reason.
     ValueError for a scene that cannot be drawn, or one with too many steps.
     """
-    if b is None and (row := refused_row(what)):
+    if b is None and (row := refused_case(what)):
         return _refused(row)
     trace = trace_of(what, b)
     if predict and trace.shortcut:
@@ -102,7 +102,7 @@ def _page(title: str, about: str, policy: str, body: Sequence[str]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _refused(row: Row) -> str:
+def _refused(row: FailureCase) -> str:
     """A page without a script: the picture as wide as a telephone, in the colours of the reader's screen."""
     drawn = refused(row, width=NARROW[0])
     figures = (f'<figure class="sv-{t.name}">{inline_svg(drawn, t, stem=t.name)}</figure>' for t in (LIGHT, DARK))

@@ -21,11 +21,11 @@ from ..engine.shortcut import Shortcut
 from ..engine.trace import Trace
 from . import resolve
 from .article import SCENES
-from .failing import REFUSED, ROWS
+from .failing import FAILURE_CASES, REFUSED
 from .named import names, scene
 from .scenefile import CHOICES, MAX_CHARS, NAME, Scene
 
-ALL = (*SCENES, *(row.scene for row in ROWS if row.how != REFUSED))
+ALL = (*SCENES, *(row.scene for row in FAILURE_CASES if row.how != REFUSED))
 PAGE = "scene.html"  # the site's explorer
 VIEWS = "shortcut", "truth"
 GOALS = ONE_AXIS, TOUCH, BREAK = "one-axis", "touch", "break"  # what a challenge asks
@@ -53,7 +53,7 @@ class Shown(NamedTuple):
 AS_IT_COMES = Shown()
 
 
-def link(what: resolve.Asked | Shape, b: Shape | None = None, *, site: str = "", **more: Any) -> str:
+def link(what: resolve.SceneLike | Shape, b: Shape | None = None, *, site: str = "", **more: Any) -> str:
     """The link that opens a scene on a site, by default relative to the site's folder.
 
     Of a scene (or its name), two shapes, or a trace.  Of a trace the link keeps the two shapes, whether every

@@ -4,11 +4,11 @@ from typing import Any
 
 from ..engine.shapes import Shape, checked
 from ..engine.trace import Trace, record
-from .failing import NAMED, REFUSED, Row
+from .failing import NAMED, REFUSED, FailureCase
 from .named import scene
 from .scenefile import Scene
 
-Asked = Scene | Trace | str  # what has a run by itself
+SceneLike = Scene | Trace | str  # what has a run by itself
 # what may be passed, by what the function takes
 SCENES = "a scene's name, a Scene, or two shapes"
 RUNS = "a scene's name, a Scene, or the trace of two shapes, sv.record(a, b)"
@@ -27,7 +27,7 @@ def scene_of(what: Scene | Shape | str, b: Shape | None = None, *, takes: str = 
     raise TypeError(f"this is a {type(found).__name__}: pass {takes}")
 
 
-def pair_of(what: Asked | Shape, b: Shape | None = None) -> tuple[Shape, Shape]:
+def pair_of(what: SceneLike | Shape, b: Shape | None = None) -> tuple[Shape, Shape]:
     """The two shapes that are meant, which need no run."""
     if isinstance(what, Trace) and b is None:
         return what.a, what.b
@@ -35,7 +35,7 @@ def pair_of(what: Asked | Shape, b: Shape | None = None) -> tuple[Shape, Shape]:
     return found.a, found.b
 
 
-def trace_of(what: Asked | Shape, b: Shape | None = None, *, takes: str = ALL) -> Trace:
+def trace_of(what: SceneLike | Shape, b: Shape | None = None, *, takes: str = ALL) -> Trace:
     """The run that is meant; InvalidScene for an unknown name, TypeError for anything but what `takes` says."""
     if b is not None:
         return record(checked(what, "a"), checked(b, "b"))
@@ -47,7 +47,7 @@ def trace_of(what: Asked | Shape, b: Shape | None = None, *, takes: str = ALL) -
     raise TypeError(f"this is a {type(found).__name__}: pass {takes}")
 
 
-def refused_row(what: object) -> Row | None:
+def refused_case(what: object) -> FailureCase | None:
     """The failing scene of that name whose outlines are refused, so that it has no run; None for all else."""
     row = NAMED.get(what) if isinstance(what, str) else None
     return row if row and row.how == REFUSED else None

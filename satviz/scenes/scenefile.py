@@ -57,7 +57,7 @@ class Scene:
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """In a notebook: its trace's table and last picture."""
-        return hooks.bundle(self)
+        return hooks.mime_bundle(self)
 
     def to_json(self) -> str:
         """The scene as a scene file."""

@@ -8,6 +8,7 @@ from typing import Any
 
 from ..engine import axes, describe, number_format
 from ..engine.axes import Axis, Choice, Skip, Source
+from ..engine.describe import Names
 from ..engine.geometry import InvalidScene, InvalidShape, Vec
 from ..engine.mtv import ends_overlap
 from ..engine.polygon_validation import number, shown
@@ -15,7 +16,7 @@ from ..engine.predicates import SMALLEST
 from ..engine.sat import CLOSE, LARGEST, AxisTest, Projection
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
-from ..engine.trace import PLAIN, Names, Trace, record
+from ..engine.trace import PLAIN, Trace, record
 from .scenefile import shape_data, shape_from
 from .shortcuts import NAMED as SHORTCUTS
 from .strictjson import keys, parse, refuse_large, typed

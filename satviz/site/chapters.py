@@ -13,7 +13,7 @@ import satviz
 
 from ..optional_imports import needs
 from ..scenes.resolve import scene_of, trace_of
-from ..widgets.explorer_model import Exploring
+from ..widgets.explorer_model import ExplorerModel
 from . import parts
 from .themed import themed
 from .walkthrough import shipped
@@ -218,7 +218,7 @@ class _Names:
             self.done = i + 1
         what, *more = [eval(ast.unparse(argument), self.names) for argument in call.args]
         if ast.unparse(call.func) == "sv.explore":
-            return Widget(parts.explorer(Exploring(scene_of(what, *more))), answers=False)
+            return Widget(parts.explorer(ExplorerModel(scene_of(what, *more))), answers=False)
         predict = any(word.arg == "predict" for word in call.keywords)
         return Widget(parts.player(trace_of(what, *more), predict=predict), answers=not predict)
 

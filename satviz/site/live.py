@@ -6,17 +6,17 @@ from typing import Any
 from ..engine.geometry import InvalidScene
 from ..pictures.playback import narrow, playbacks
 from ..scenes.article import SCENES
-from ..scenes.failing import REFUSED, ROWS
+from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.link import AS_IT_COMES, Shown, fragment, opened
 from ..scenes.scenefile import Scene, shape_data
 from ..scenes.strictjson import typed
-from ..widgets.explorer_model import Exploring
+from ..widgets.explorer_model import ExplorerModel
 from ..widgets.goals import CALLED
 
-_hands: dict[str, Exploring] = {}
+_hands: dict[str, ExplorerModel] = {}
 CHOICES = {
     "presets": [s.name for s in SCENES],
-    "failing": [row.name for row in ROWS if row.how != REFUSED],
+    "failing": [row.name for row in FAILURE_CASES if row.how != REFUSED],
     "challenges": CALLED,
 }
 
@@ -37,7 +37,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
         scene, shown = opened(typed(content.get("hash"), "the link", str))
         if shown.step is not None or shown.predict or shown.rest:
             return _show(scene, shown)
-        hand = Exploring(scene, shown.goal)
+        hand = ExplorerModel(scene, shown.goal)
         pose: dict[str, Any] = {
             "degree": shown.free,
             "wayOut": shown.way_out,

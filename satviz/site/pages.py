@@ -12,12 +12,12 @@ from ..pictures.playback import NARROW_PANELS
 from ..render.files import encode
 from ..safe_write import MADE_BY
 from ..scenes.article import SCENES
+from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.failing import NAMED as FAILING
-from ..scenes.failing import REFUSED, ROWS
 from ..scenes.link import ALL, BREAK, PAGE, link
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene
-from ..widgets.explorer_model import Exploring
+from ..widgets.explorer_model import ExplorerModel
 from ..widgets.goals import ASKS, challenges
 from . import parts
 from .chapters import Chapter, lead
@@ -86,7 +86,7 @@ def front(frame: Frame) -> bytes:
 <p class="lead"><b>Drag a triangle.</b> As long as some direction leaves a gap between their two shadows, they are
 apart. If no direction does, they collide.</p>
 </div>
-<section class="stage" aria-label="two triangles to drag">{parts.explorer(Exploring(scene("triangles")))}</section>
+<section class="stage" aria-label="two triangles to drag">{parts.explorer(ExplorerModel(scene("triangles")))}</section>
 </div>
 <section class="read">
 <h2>That is the Separating Axis Theorem</h2>
@@ -98,7 +98,7 @@ directions are enough: those at right angles to an edge.</p>
 <section id="chapters"><h2>Seven chapters</h2><ol class="chapters">{listed}</ol></section>
 <section><h2>Where shortcuts fail</h2>
 <p>Everybody who writes a collision test leaves something out. Here is what happens then; the
-<a href="gallery.html#failing">gallery</a> has {len(ROWS)} such scenes,
+<a href="gallery.html#failing">gallery</a> has {len(FAILURE_CASES)} such scenes,
 and the <a href="challenges.html">challenges</a> let you find them yourself.</p>
 <div class="cards wide">{cards}</div></section>
 """
@@ -116,7 +116,7 @@ def gallery(frame: Frame) -> bytes:
 <section><h2>Scenes of the chapters</h2><div class="cards">{"".join(_card(s.name) for s in SCENES)}</div></section>
 <section id="failing"><h2>Where shortcuts fail</h2>
 <p>Left, what the shortcut saw; right, what is. Its claim stands above, the truth below.</p>
-<div class="cards wide">{"".join(_card(row.name) for row in ROWS)}</div></section>
+<div class="cards wide">{"".join(_card(row.name) for row in FAILURE_CASES)}</div></section>
 """
     return page(
         frame, "gallery.html", "Gallery: every scene of satviz", body, says="All scenes, and where shortcuts fail."
@@ -133,7 +133,7 @@ def explorer(frame: Frame) -> bytes:
 The address of this page is a link to the scene as it stands.</p>
 <noscript><p>This page needs JavaScript. Without it, nothing can be dragged, and the picture is always that of two
 triangles. The <a href="gallery.html">gallery</a> has a still picture of every scene.</p></noscript>
-<section class="stage">{parts.explorer(Exploring(scene("triangles")))}</section>
+<section class="stage">{parts.explorer(ExplorerModel(scene("triangles")))}</section>
 <nav class="offer" aria-label="scenes" hidden><p>These scenes can be opened:</p>
 <ul class="challenges">{offered}</ul></nav>
 """

@@ -8,7 +8,7 @@ from ..pictures import Picture, picture
 from ..pictures.playback import narrow, playbacks
 from ..render.notebook import bundle
 from ..scenes.link import PAGE, fragment, of_trace
-from ..widgets.explorer_model import Exploring
+from ..widgets.explorer_model import ExplorerModel
 from .themed import themed
 
 
@@ -17,7 +17,7 @@ def drawn(picture: Picture) -> str:
     return themed(bundle(picture)["image/svg+xml"])
 
 
-def explorer(hand: Exploring) -> str:
+def explorer(hand: ExplorerModel) -> str:
     """A scene as it stands, its sentence and its table; a live one takes its place when Python is there."""
     behind, drawing = escape(fragment(hand.scene)), hand.picture()
     return (

@@ -22,11 +22,11 @@ INTEGRITY = "sha512-0YvXxEhfEdpLfb/XkM2BFAeMROq0iMUX2bzzH9pOttyMcWkwq+HbE5uyuGD8
 CORE = "pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json"
 # what the pages ask for: the engine, the pictures and what answers; neither NumPy nor matplotlib is in the page
 PARTS = (
-    *("__init__.py", "extras.py", "engine", "scenes", "pictures"),
+    *("__init__.py", "optional_imports.py", "engine", "scenes", "pictures"),
     *(
         "widgets/__init__.py",
-        "widgets/showing.py",
-        "widgets/exploring.py",
+        "widgets/player_model.py",
+        "widgets/explorer_model.py",
         "widgets/goals.py",
         "site/__init__.py",
         "site/live.py",

@@ -17,7 +17,7 @@ from ..render.files import animate, encode
 from ..render.notebook import bundle
 from ..render.script import stylesheet
 from ..scenes.link import folder_of
-from .player_model import Showing
+from .player_model import PlayerModel
 
 LOCK = RLock()  # a front end's messages can come on any thread
 
@@ -29,7 +29,7 @@ class Shown(anywidget.AnyWidget):
     site = traitlets.Unicode(help="where links to a scene lead: http or https").tag(sync=True)
     trace = traitlets.Any(help="the Trace that is shown; observe it to follow").tag(sync=False)
 
-    def __init__(self, showing: Showing, **more: Any) -> None:
+    def __init__(self, showing: PlayerModel, **more: Any) -> None:
         self._showing = showing
         super().__init__(trace=showing.trace, **more)
         self.on_msg(self._heard)

@@ -8,11 +8,11 @@ from ..engine.shapes import Shape
 from ..pictures.comparison import refused
 from ..render.script import javascript
 from ..scenes.article import SCENES
-from ..scenes.failing import REFUSED, ROWS
-from ..scenes.resolve import refused_row, scene_of
+from ..scenes.failing import FAILURE_CASES, REFUSED
+from ..scenes.resolve import refused_case, scene_of
 from ..scenes.scenefile import Scene
 from .base import Shown
-from .explorer_model import Exploring
+from .explorer_model import ExplorerModel
 from .goals import CALLED
 
 
@@ -26,11 +26,11 @@ class Explorer(Shown):
     _esm = javascript("explore")
     first = traitlets.Dict().tag(sync=True)
     presets = traitlets.List([s.name for s in SCENES]).tag(sync=True)
-    failing = traitlets.List([row.name for row in ROWS if row.how != REFUSED]).tag(sync=True)
+    failing = traitlets.List([row.name for row in FAILURE_CASES if row.how != REFUSED]).tag(sync=True)
     challenges = traitlets.Dict(CALLED).tag(sync=True)
 
     def __init__(self, shown: Scene, goal: str | None = None) -> None:
-        self._exploring = Exploring(shown, goal)
+        self._exploring = ExplorerModel(shown, goal)
         super().__init__(self._exploring, first=self._exploring.state())
 
     @property
@@ -55,6 +55,6 @@ def explore(what: Scene | Shape | str = "triangles", b: Shape | None = None, *, 
     refused has nothing to drag: its Picture, with the reason.  InvalidScene for an unknown name or goal,
     ValueError for a scene that cannot be drawn, TypeError for anything else.
     """
-    if b is None and (row := refused_row(what)):
+    if b is None and (row := refused_case(what)):
         return refused(row)
     return Explorer(scene_of(what, b), goal)

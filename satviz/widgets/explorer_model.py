@@ -10,7 +10,7 @@ from ..engine.geometry import InvalidScene, Vec
 from ..engine.trace import Trace, record
 from ..pictures import Picture
 from ..pictures.claims import heading
-from ..pictures.comparison_drag import about_map, hand
+from ..pictures.comparison_drag import about_map, drag_view
 from ..pictures.curve import WIDTH, direction, gap_curve
 from ..pictures.labels import Standing
 from ..pictures.live import Chosen, canvas, field, fits, knob, live, telling_test, turned_axis
@@ -20,8 +20,8 @@ from ..scenes.link import Shown, fragment
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
 from ..scenes.strictjson import typed
-from .goals import Judged, begun, judged
-from .player_model import Showing
+from .goals import ChallengeResult, begun, judged
+from .player_model import PlayerModel
 
 SHORTCUT, TRUTH = "shortcut", "truth"
 
@@ -34,7 +34,7 @@ class Drawn(NamedTuple):
     knob: Vec | None = None
 
 
-class Exploring(Showing):
+class ExplorerModel(PlayerModel):
     """Two shapes to drag, turn and reshape, with the axis that tells most (or one chosen, or a free one).
 
     A scene whose axes are a shortcut's has two views: the shortcut's run, and the truth.
@@ -152,7 +152,7 @@ class Exploring(Showing):
         self._against = bool(content.get("against"))
         self._look(changed, trace, view, met)
 
-    def _look(self, scene: Scene, run: Trace, view: str | None, met: Judged | None) -> None:
+    def _look(self, scene: Scene, run: Trace, view: str | None, met: ChallengeResult | None) -> None:
         """The run of the scene, the trace that the view shows, and how the scene stands to a challenge."""
         self.scene, self._run, self._view, self._judged = scene, run, view, met
         self.trace = run.truth if view == TRUTH else run
@@ -172,7 +172,7 @@ class Exploring(Showing):
             self._near = place.out
             return Drawn(drawn, knob=knob(self._layout, place, self._degree))
         chosen = self._choice()
-        show = hand if trace.shortcut else live
+        show = drag_view if trace.shortcut else live
         drawn, lies = show(trace, self._layout, chosen, way_out=self._way_out, near=self._near, stood=self._stood)
         self._near = None if lies is None else lies.out
         return Drawn(drawn, lit=None if chosen is None else first_rows(trace)[chosen.pair or 0] + chosen.test)

@@ -11,7 +11,7 @@ from ..engine.trace import record
 from ..pictures.claims import said
 from ..pictures.layout import box_of
 from ..pictures.live import field
-from ..scenes.failing import NAMED, REFUSED, ROWS, Row
+from ..scenes.failing import FAILURE_CASES, NAMED, REFUSED, FailureCase
 from ..scenes.failing.claimed_value import moved
 from ..scenes.link import BREAK, ONE_AXIS, TOUCH
 from ..scenes.named import scene
@@ -34,7 +34,7 @@ HINTS = {
 STEPS, WAYS = (1, 2, 3, 4, 6, 8), ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1))
 
 
-class Judged(NamedTuple):
+class ChallengeResult(NamedTuple):
     """The goal, is it reached, what is asked, how the scene stands to it, and a hint."""
 
     goal: str
@@ -44,12 +44,12 @@ class Judged(NamedTuple):
     hint: str
 
 
-def judged(goal: str, shown: Scene) -> Judged:
+def judged(goal: str, shown: Scene) -> ChallengeResult:
     """How a scene stands to a goal; InvalidScene for one that is none, or that the scene cannot have."""
     if goal not in ASKS:
         raise InvalidScene(f"no challenge {polygon_validation.shown(goal)}: choose one of {', '.join(ASKS)}")
     met, says = {ONE_AXIS: _one_axis, TOUCH: _touch, BREAK: _break}[goal](shown)
-    return Judged(goal, met, ASKS[goal], says, HINTS[goal])
+    return ChallengeResult(goal, met, ASKS[goal], says, HINTS[goal])
 
 
 def begun(goal: str, shown: Scene) -> Scene:
@@ -67,13 +67,13 @@ def challenges() -> Iterator[tuple[str, Scene]]:
     yield TOUCH, scene("aabb")
     yield ONE_AXIS, replace(scene("triangles"), axes="needed")
     yield TOUCH, scene("circle-polygon")
-    for row in ROWS:
+    for row in FAILURE_CASES:
         start = None if row.how == REFUSED else harmless(row)
         if start:
             yield BREAK, start
 
 
-def harmless(row: Row) -> Scene | None:
+def harmless(row: FailureCase) -> Scene | None:
     """The row's scene with B moved to where the shortcut happens to be right; None where no such place is near."""
     a, b = row.shapes
     x0, y0, x1, y1 = box_of([a, b])

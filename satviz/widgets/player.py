@@ -11,10 +11,10 @@ from ..pictures.comparison import refused
 from ..pictures.playback import narrow, playbacks
 from ..render.script import javascript
 from ..scenes.link import of_trace
-from ..scenes.resolve import Asked, refused_row, trace_of
+from ..scenes.resolve import SceneLike, refused_case, trace_of
 from ..scenes.scenefile import Scene
 from .base import Shown
-from .player_model import Showing
+from .player_model import PlayerModel
 
 if TYPE_CHECKING:
     from .plain_controls import PlainPlayer
@@ -31,7 +31,7 @@ class Player(Shown):
 
     def __init__(self, trace: Trace, *, predict: bool = False) -> None:
         super().__init__(
-            Showing(trace), shows=playbacks(trace), narrow=narrow(trace), predict=predict, link=of_trace(trace)
+            PlayerModel(trace), shows=playbacks(trace), narrow=narrow(trace), predict=predict, link=of_trace(trace)
         )
 
     def picture(self) -> Picture:
@@ -56,11 +56,11 @@ def play(
 
 @overload
 def play(
-    what: Asked | Shape, b: Shape | None = None, *, predict: bool = False, pen: str = "svg"
+    what: SceneLike | Shape, b: Shape | None = None, *, predict: bool = False, pen: str = "svg"
 ) -> Any: ...  # by name it may be a Picture: that of a scene that is refused
 
 
-def play(what: Asked | Shape, b: Shape | None = None, *, predict: bool = False, pen: str = "svg") -> Any:
+def play(what: SceneLike | Shape, b: Shape | None = None, *, predict: bool = False, pen: str = "svg") -> Any:
     """A player for a notebook: step, play, scrub, and with `predict` a question before each answer.
 
     Of a scene (or its name), two shapes, or a trace.  `pen`: "svg" (drawn in the browser) or
@@ -69,7 +69,7 @@ def play(what: Asked | Shape, b: Shape | None = None, *, predict: bool = False, 
     A failing scene whose outlines are refused has nothing to step through: its Picture, with the reason.
     ValueError for a scene that cannot be drawn.
     """
-    if b is None and (row := refused_row(what)):
+    if b is None and (row := refused_case(what)):
         return refused(row)
     trace = trace_of(what, b)
     if predict and trace.shortcut:

@@ -7,7 +7,7 @@ from ..pictures import Picture, picture
 from ..pictures.playback import played
 
 
-class Showing:
+class PlayerModel:
     """The trace that is shown, and what its front end is answered."""
 
     def __init__(self, trace: Trace) -> None:

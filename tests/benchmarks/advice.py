@@ -14,7 +14,7 @@ import numpy as np
 import satviz as sv
 from satviz import batch
 from satviz.advice.certified_bounds import EXACT
-from satviz.advice.costs import prices
+from satviz.advice.costs import costs
 from satviz.study.workloads import workloads
 
 PAIRS = 200_000
@@ -109,7 +109,7 @@ def main():
     for name in asked.only:
         advice = sv.advise(*SCENES[name](np.random.default_rng(1), PAIRS))
         right = [j.model for j in advice.judged if j.proven]
-        found = prices(right, advice.case.batches(), engine=engine, most=PAIRS, tests=math.inf, seconds=math.inf)
+        found = costs(right, advice.case.batches(), engine=engine, most=PAIRS, tests=math.inf, seconds=math.inf)
         best = min(found, key=lambda key: found[key].warm)
         mine, pairs = found[advice.model.name].warm, min(advice.facts.pairs, PAIRS)
         regret = mine / found[best].warm

@@ -7,7 +7,7 @@ outlines edge by edge, with the exact sign asked of every corner within the room
 import numpy as np
 
 from ...engine.predicates import HUGE, TINY
-from ...engine.relate import LEAST_ROOM, LOOK, MOST_ROOM
+from ...engine.relate import ERROR_FACTOR_F64, LEAST_ROOM, MOST_ROOM
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from ..exact_signs import FINEST, MOST_PASSES, ROUND, SPLIT, UNKNOWN, Array
 from .jit_cache import compiled, inlined
@@ -68,7 +68,7 @@ def _edges(
     for i in range(first, last):
         fx, fy = x[i], y[i]
         nx, ny = fy - ey, ex - fx
-        at, room = nx * ex + ny * ey, (abs(nx) + abs(ny)) * reach * LOOK
+        at, room = nx * ex + ny * ey, (abs(nx) + abs(ny)) * reach * ERROR_FACTOR_F64
         least = np.inf
         for j in range(j0, j1):
             least = min(least, nx * p[j] + ny * q[j])
@@ -105,7 +105,7 @@ def _side(
     """
     start = end - 1 if end > i0 else i1 - 1
     nx, ny = y[end] - y[start], x[start] - x[end]
-    room = (abs(nx) + abs(ny)) * reach * LOOK
+    room = (abs(nx) + abs(ny)) * reach * ERROR_FACTOR_F64
     k = _down(p, q, j0, j1, k, nx, ny)
     if nx * p[k] + ny * q[k] - (nx * x[end] + ny * y[end]) < -room and room > LEAST_ROOM and room < MOST_ROOM:
         return OVERLAPPING, k
@@ -172,7 +172,7 @@ def _soon(
     for step in range(MOST_STEPS):
         i, j = _lowest(x, y, i0, i1, -dx, -dy), _lowest(p, q, j0, j1, dx, dy)
         wx, wy = p[j] - x[i], q[j] - y[i]
-        room = (abs(dx) + abs(dy)) * reach * LOOK
+        room = (abs(dx) + abs(dy)) * reach * ERROR_FACTOR_F64
         at = dx * wx + dy * wy
         if not (room > LEAST_ROOM and room < MOST_ROOM) or abs(at) <= room:
             return UNDECIDED, i, j
@@ -206,7 +206,7 @@ def _soon(
 @inlined
 def inside(x: Array, y: Array, i0: int, i1: int, px: float, py: float, reach: float) -> bool:
     """Does a point of a shape's box lie surely inside it?  Never sure out of range."""
-    room, left = reach * LOOK, 0
+    room, left = reach * ERROR_FACTOR_F64, 0
     for n in range(i1 - i0 - 1):
         i = np.uintp(i0 + n)
         j = i + np.uintp(1)

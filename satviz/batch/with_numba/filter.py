@@ -13,7 +13,7 @@ from functools import cache
 import numpy as np
 
 from ...engine.predicates import HUGE, TINY
-from ...engine.relate import LEAST_ROOM, LOOK, MOST_ROOM
+from ...engine.relate import ERROR_FACTOR_F64, LEAST_ROOM, MOST_ROOM
 from ..arrays import Group
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from ..exact_signs import Array, Signs
@@ -30,7 +30,7 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
 
 def room_of(a: Group, b: Group) -> float:
     """How far a float64 clearance of these groups can be off; infinite outside the range where that is known."""
-    found = (a.span + b.span) * (a.reach + b.reach) * LOOK
+    found = (a.span + b.span) * (a.reach + b.reach) * ERROR_FACTOR_F64
     return found if LEAST_ROOM < found < MOST_ROOM else np.inf
 
 

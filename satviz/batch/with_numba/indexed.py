@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ...engine.relate import LEAST_ROOM, LOOK, MOST_ROOM
+from ...engine.relate import ERROR_FACTOR_F64, LEAST_ROOM, MOST_ROOM
 from ..arrays import Flat, Group
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from ..exact_signs import Array, Signs
@@ -118,7 +118,7 @@ def _look(
         i, j = ia[which[k]], ib[which[k]]
         lay(ax, ay, sa[i], sa[i + 1], width, x, y, k)
         lay(bx, by, sb[j], sb[j + 1], width, p, q, k)
-        room = (_width(box_a, i) + _width(box_b, j)) * (_reach(box_a, i) + _reach(box_b, j)) * LOOK
+        room = (_width(box_a, i) + _width(box_b, j)) * (_reach(box_a, i) + _reach(box_b, j)) * ERROR_FACTOR_F64
         rooms[k] = room if room > LEAST_ROOM and room < MOST_ROOM else np.inf
         best[k] = -np.inf
     if width == 4:

@@ -9,8 +9,12 @@ from numba import njit
 
 Kernel = TypeVar("Kernel", bound=Callable[..., object])
 
-HERE = Path(__file__).parent
-SOURCES = [*sorted(HERE.glob("*.py")), *(HERE.parent / "engine" / f"{name}.py" for name in ("exact", "verdict"))]
+PACKAGE = Path(__file__).parents[2]
+# the files whose functions and constants are compiled into some kernel
+SOURCES = [
+    *sorted((PACKAGE / "batch").rglob("*.py")),
+    *(PACKAGE / "engine" / f"{name}.py" for name in ("predicates", "relate")),
+]
 
 
 def _stamp(path: Path) -> tuple[int, int]:

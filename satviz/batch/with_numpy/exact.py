@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...engine.relate import LEAST_ROOM, LOOK, MOST_ROOM
+from ...engine.relate import ERROR_FACTOR_F64, LEAST_ROOM, MOST_ROOM
 from .. import exact_signs
 from ..arrays import Group, upright_boxes
 from ..codes import APART, OVERLAPPING, TOUCHING
@@ -76,7 +76,7 @@ class Edges(NamedTuple):
 def edges(a: Edges, b: Edges) -> Signs:
     """Few corners: every edge of all pairs, with exact signs for those in doubt.  Many: the likely edges first."""
     found = np.full(a.x.shape[1], OVERLAPPING, np.int8)
-    reach = (_largest(a.x, a.y) + _largest(b.x, b.y)) * LOOK
+    reach = (_largest(a.x, a.y) + _largest(b.x, b.y)) * ERROR_FACTOR_F64
     most = max(a.asked, b.asked)
     left = np.arange(len(found))
     nearest = [] if most <= AT_ONCE else [_nearest(a, b), _nearest(b, a)]

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...engine.predicates import TINY
-from ...engine.relate import LEAST_ROOM, LOOK, MOST_ROOM
+from ...engine.relate import ERROR_FACTOR_F64, LEAST_ROOM, MOST_ROOM
 from ..arrays import Group
 from ..codes import APART, OVERLAPPING, UNDECIDED
 from ..exact_signs import ROUND, Array, Signs, columns
@@ -25,7 +25,7 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     size = max(1, AT_ONCE // (len(a.x) + len(b.x)))
     for start in range(0, out.size, size):
         part = slice(first + start, first + min(start + size, out.size))
-        reach = (a.reach + b.reach) * LOOK
+        reach = (a.reach + b.reach) * ERROR_FACTOR_F64
         few_steps(a.x[:, part], a.y[:, part], b.x[:, part], b.y[:, part], reach, out[start : start + size])
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ...engine.relate import LOOK
+from ...engine.relate import ERROR_FACTOR_F64
 from ..arrays import Flat
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from ..exact_signs import Array, Signs, columns, lanes
@@ -51,7 +51,7 @@ def _side_by_side(a: Flat, ia: Indices, boxes_a: Array, b: Flat, ib: Indices, bo
     (x, y), (p, q) = _laid(a, ia), _laid(b, ib)
     found = np.empty(len(ia), np.int8)
     if max(len(x), len(p)) - 1 > MANY:
-        reach = float(np.abs(boxes_a).max() + np.abs(boxes_b).max()) * LOOK
+        reach = float(np.abs(boxes_a).max() + np.abs(boxes_b).max()) * ERROR_FACTOR_F64
         gjk.few_steps(x, y, p, q, reach, found)
     else:
         decide(*look_32(x, y, p, q, _wide(boxes_a) + _wide(boxes_b), 1), found)

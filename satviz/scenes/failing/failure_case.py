@@ -22,7 +22,7 @@ def best_gap(trace: Trace) -> float:
     return max((test.gap for test in trace.tests), default=nan)
 
 
-class Row(NamedTuple):
+class FailureCase(NamedTuple):
     """One way to be wrong.
 
     `how` it fails (one of the four above); `what` both numbers are ("gap", "depth", ...);

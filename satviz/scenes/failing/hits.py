@@ -6,7 +6,7 @@ from ...engine.shapes import Circle, Polygon
 from ..article import box
 from ..shortcuts import NAMED
 from . import claimed_value, threed, true_value
-from .failure_case import FALSE_HIT, MISSED_HIT, Row
+from .failure_case import FALSE_HIT, MISSED_HIT, FailureCase
 
 
 def diamond(x: float, y: float, half: float) -> Polygon:
@@ -22,12 +22,12 @@ def slanted(y: float) -> Polygon:
 SQUARE, BESIDE = box(0, 0, 2, 2), box(3, 0.5, 5, 2.5)
 
 HITS = (
-    Row(1, NAMED["aabb-not-upright"], FALSE_HIT, "gap", Polygon([(0, 0), (4, 0), (0, 4)]), box(3, 3, 4, 4)),
-    Row(2, NAMED["aabb-turned"], FALSE_HIT, "gap", diamond(0, 0, 1), diamond(1.5, 1.5, 1)),
-    Row(3, NAMED["one-overlap"], FALSE_HIT, "gap", SQUARE, BESIDE),
-    Row(4, NAMED["line-for-axis"], FALSE_HIT, "gap", SQUARE, BESIDE),
-    Row(6, NAMED["one-shapes-normals"], FALSE_HIT, "gap", SQUARE, diamond(3, 3.2, 1.6)),
-    Row(
+    FailureCase(1, NAMED["aabb-not-upright"], FALSE_HIT, "gap", Polygon([(0, 0), (4, 0), (0, 4)]), box(3, 3, 4, 4)),
+    FailureCase(2, NAMED["aabb-turned"], FALSE_HIT, "gap", diamond(0, 0, 1), diamond(1.5, 1.5, 1)),
+    FailureCase(3, NAMED["one-overlap"], FALSE_HIT, "gap", SQUARE, BESIDE),
+    FailureCase(4, NAMED["line-for-axis"], FALSE_HIT, "gap", SQUARE, BESIDE),
+    FailureCase(6, NAMED["one-shapes-normals"], FALSE_HIT, "gap", SQUARE, diamond(3, 3.2, 1.6)),
+    FailureCase(
         10,
         NAMED["extremes-once"],
         MISSED_HIT,
@@ -35,7 +35,7 @@ HITS = (
         Polygon([(-3, -1), (1, -3), (3, 1), (2.2, 2.6), (1, 3), (-3, 1)]),
         diamond(3.2, 3.2, 2.2),
     ),
-    Row(
+    FailureCase(
         11,
         NAMED["open-outline"],
         FALSE_HIT,
@@ -43,8 +43,8 @@ HITS = (
         Polygon([(6, 4), (5, 0), (0, 1)]),
         Polygon([(0, 3), (1, 6), (2, 4)]),
     ),
-    Row(12, NAMED["mixed-signs"], MISSED_HIT, "gap", Polygon([(0, 0), (4, 0), (1, 3)]), box(1, 1, 2, 2)),
-    Row(
+    FailureCase(12, NAMED["mixed-signs"], MISSED_HIT, "gap", Polygon([(0, 0), (4, 0), (1, 3)]), box(1, 1, 2, 2)),
+    FailureCase(
         13,
         NAMED["unit-normals"],
         MISSED_HIT,
@@ -52,10 +52,10 @@ HITS = (
         Polygon([(-7, 5), (2, -2), (-1, 4)]),
         Polygon([(1, -3), (-9, 7), (-2, -1)]),
     ),
-    Row(15, NAMED["lengths"], FALSE_HIT, "gap", box(-3, 0, -2, 1), box(2, 0, 3, 1)),
-    Row(18, NAMED["circles-turned-round"], FALSE_HIT, "gap", Circle((0, 0), 1), Circle((3, 0), 1)),
-    Row(19, NAMED["no-nearest-vertex"], FALSE_HIT, "gap", box(0, 0, 1, 1), Circle((1.8, 1.8), 1)),
-    Row(
+    FailureCase(15, NAMED["lengths"], FALSE_HIT, "gap", box(-3, 0, -2, 1), box(2, 0, 3, 1)),
+    FailureCase(18, NAMED["circles-turned-round"], FALSE_HIT, "gap", Circle((0, 0), 1), Circle((3, 0), 1)),
+    FailureCase(19, NAMED["no-nearest-vertex"], FALSE_HIT, "gap", box(0, 0, 1, 1), Circle((1.8, 1.8), 1)),
+    FailureCase(
         20,
         NAMED["dart"],
         FALSE_HIT,
@@ -64,7 +64,7 @@ HITS = (
         box(2.2, 2.2, 3.2, 3.2),
         right=true_value.hull_gap,
     ),
-    Row(
+    FailureCase(
         21,
         NAMED["box-in-u"],
         FALSE_HIT,
@@ -72,7 +72,7 @@ HITS = (
         Polygon([(0, 0), (6, 0), (6, 4), (5, 4), (5, 1), (1, 1), (1, 4), (0, 4)]),
         box(2, 2, 4, 4),
     ),
-    Row(
+    FailureCase(
         23,
         NAMED["half-the-normals"],
         FALSE_HIT,
@@ -80,9 +80,9 @@ HITS = (
         Polygon([(0, 0), (6, 0), (4, 2), (2, 2)]),
         box(-0.9, 0.4, 0.1, 1.4),
     ),
-    Row(24, NAMED["same-shape"], FALSE_HIT, "gap", box(-1, -1, 1, 1), diamond(1.8, 1.8, sqrt(2))),
-    Row(25, NAMED["far-centers"], MISSED_HIT, "gap", box(-10, -0.5, 10, 0.5), box(9, -0.5, 10, 0.5)),
-    Row(
+    FailureCase(24, NAMED["same-shape"], FALSE_HIT, "gap", box(-1, -1, 1, 1), diamond(1.8, 1.8, sqrt(2))),
+    FailureCase(25, NAMED["far-centers"], MISSED_HIT, "gap", box(-10, -0.5, 10, 0.5), box(9, -0.5, 10, 0.5)),
+    FailureCase(
         27,
         NAMED["faces-in-3d"],
         FALSE_HIT,
@@ -91,7 +91,7 @@ HITS = (
         Polygon(threed.seen_from_above(threed.PAIR[1])),
         right=true_value.gap_3d,
     ),
-    Row(
+    FailureCase(
         32,
         NAMED["tunnelling"],
         MISSED_HIT,
@@ -101,6 +101,6 @@ HITS = (
         claimed_value.gap_at_both_frames,
         true_value.contact,
     ),
-    Row(33, NAMED["slipped-normal"], FALSE_HIT, "gap", slanted(0), slanted(2)),
-    Row(34, NAMED["touch-as-apart"], MISSED_HIT, "gap", box(0, 0, 2, 1), box(2, 0, 3, 2)),
+    FailureCase(33, NAMED["slipped-normal"], FALSE_HIT, "gap", slanted(0), slanted(2)),
+    FailureCase(34, NAMED["touch-as-apart"], MISSED_HIT, "gap", box(0, 0, 2, 1), box(2, 0, 3, 2)),
 )

@@ -6,12 +6,12 @@ from ...engine.shapes import Polygon
 from ..article import TRIANGLE_A, TRIANGLE_B, box
 from ..shortcuts import NAMED
 from . import claimed_value, true_value, unchecked
-from .failure_case import REFUSED, WRONG_NUMBER, Row
+from .failure_case import REFUSED, WRONG_NUMBER, FailureCase
 
 STAR = [(cos(radians(90 + 144 * i)), sin(radians(90 + 144 * i))) for i in range(5)]
 
 NUMBERS = (
-    Row(
+    FailureCase(
         5,
         NAMED["only-one-axis"],
         WRONG_NUMBER,
@@ -21,7 +21,7 @@ NUMBERS = (
         claimed_value.spread_of_found,
         true_value.fan_width,
     ),
-    Row(
+    FailureCase(
         7,
         NAMED["no-area"],
         REFUSED,
@@ -30,7 +30,7 @@ NUMBERS = (
         [(2, 0), (3, 0), (2.5, 0)],
         unchecked=unchecked.best_gap,
     ),
-    Row(
+    FailureCase(
         8,
         NAMED["repeated-vertex"],
         WRONG_NUMBER,
@@ -40,7 +40,7 @@ NUMBERS = (
         claimed_value.length_of_push,
         true_value.depth,
     ),
-    Row(
+    FailureCase(
         9,
         NAMED["pentagram"],
         REFUSED,
@@ -49,7 +49,7 @@ NUMBERS = (
         [(0.5, 0), (1.5, 0), (1.5, 1), (0.5, 1)],
         unchecked=unchecked.least_turn,
     ),
-    Row(
+    FailureCase(
         14,
         NAMED["raw-depth"],
         WRONG_NUMBER,
@@ -59,7 +59,7 @@ NUMBERS = (
         claimed_value.length_of_push,
         true_value.depth,
     ),
-    Row(
+    FailureCase(
         16,
         NAMED["one-maximum"],
         WRONG_NUMBER,
@@ -69,8 +69,8 @@ NUMBERS = (
         claimed_value.extremes_of_b,
         true_value.extremes_of_b,
     ),
-    Row(17, NAMED["touch-on-paper"], WRONG_NUMBER, "gap", box(0, 0, 0.1 + 0.2, 0.3), box(0.3, 0, 0.6, 0.3)),
-    Row(
+    FailureCase(17, NAMED["touch-on-paper"], WRONG_NUMBER, "gap", box(0, 0, 0.1 + 0.2, 0.3), box(0.3, 0, 0.6, 0.3)),
+    FailureCase(
         22,
         NAMED["sum-of-parts"],
         WRONG_NUMBER,
@@ -80,7 +80,7 @@ NUMBERS = (
         claimed_value.length_of_push,
         true_value.depth,
     ),
-    Row(
+    FailureCase(
         26,
         NAMED["many-pairs"],
         WRONG_NUMBER,
@@ -90,7 +90,7 @@ NUMBERS = (
         claimed_value.one_test_each,
         true_value.pairs_of_many,
     ),
-    Row(
+    FailureCase(
         28,
         NAMED["gjk-looks-less"],
         WRONG_NUMBER,
@@ -101,7 +101,7 @@ NUMBERS = (
         true_value.looks,
         less=True,
     ),
-    Row(
+    FailureCase(
         29,
         NAMED["push-from-center"],
         WRONG_NUMBER,
@@ -111,7 +111,7 @@ NUMBERS = (
         claimed_value.overlap_after_push,
         true_value.overlap_after_mtv,
     ),
-    Row(
+    FailureCase(
         30,
         NAMED["range-inside"],
         WRONG_NUMBER,
@@ -121,7 +121,7 @@ NUMBERS = (
         claimed_value.length_of_push,
         true_value.depth,
     ),
-    Row(
+    FailureCase(
         31,
         NAMED["gap-as-distance"],
         WRONG_NUMBER,
@@ -131,7 +131,7 @@ NUMBERS = (
         claimed_value.gap_as_distance,
         true_value.distance,
     ),
-    Row(
+    FailureCase(
         35,
         NAMED["tile-seam"],
         WRONG_NUMBER,

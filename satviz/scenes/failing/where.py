@@ -25,7 +25,7 @@ MOST_OF_PARTS = 300  # of the corners of all pairs of parts: what is left of one
 FIXED = EDGE, GIVEN, HULL, SLIP, WORLD  # axes that stay where they are while B moves
 
 
-class Lies(NamedTuple):
+class ErrorRegion(NamedTuple):
     """Moves of B, as convex polygons: where a hit is claimed that is none, where one is missed, and all true hits.
 
     `touching`: are those moves missed, too, at which the shapes only touch, the rims of `hits`?
@@ -39,7 +39,7 @@ class Lies(NamedTuple):
     numbers: tuple[Ring, ...] = ()
 
 
-def lies(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> Lies | str:
+def error_region(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> ErrorRegion | str:
     """Where the shortcut's answer is wrong, of the moves within the window (x0, y0, x1, y1); or why that is no area."""
     try:
         return _lies(a, b, shortcut, window)
@@ -47,27 +47,27 @@ def lies(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> Lies | str:
         return SPECK
 
 
-def _lies(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> Lies | str:
+def _lies(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> ErrorRegion | str:
     hits = tuple(within(hit, window) for hit in difference(a, b))
     if len(hits) > 1 and sum(map(len, hits)) > MOST_OF_PARTS:
         return CROWDED
     if NAMED.get(shortcut.name) == shortcut and shortcut.name in MAPS:
         wrong = MAPS[shortcut.name](a, b, window)
-        return wrong if isinstance(wrong, str) else Lies((), (), tuple(filter(None, hits)), numbers=tuple(wrong))
+        return wrong if isinstance(wrong, str) else ErrorRegion((), (), tuple(filter(None, hits)), numbers=tuple(wrong))
     if shortcut.measure is turned_round and a.radius and b.radius:
-        return Lies(tuple(without(corners(window), hits)), hits, hits)
+        return ErrorRegion(tuple(without(corners(window), hits)), hits, hits)
     claimed = _claimed(a, b, shortcut, window)
     if isinstance(claimed, str):
         return claimed
     false = tuple(piece for ring in claimed for piece in without(ring, hits))
     missed = tuple(piece for i, hit in enumerate(hits) for piece in without(hit, (*claimed, *hits[:i])))
-    return Lies(false, missed, tuple(filter(None, hits)), shortcut.touching_separates)
+    return ErrorRegion(false, missed, tuple(filter(None, hits)), shortcut.touching_separates)
 
 
-def lies_in_view(a: Shape, b: Shape, shortcut: Shortcut, view: Window) -> Lies | str:
+def error_region_in_view(a: Shape, b: Shape, shortcut: Shortcut, view: Window) -> ErrorRegion | str:
     """The same of the moves that bring B's middle into view."""
     at, (x0, y0, x1, y1) = middle(b), view
-    return lies(a, b, shortcut, (x0 - at.x, y0 - at.y, x1 - at.x, y1 - at.y))
+    return error_region(a, b, shortcut, (x0 - at.x, y0 - at.y, x1 - at.x, y1 - at.y))
 
 
 def _claimed(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> tuple[Ring, ...] | str:

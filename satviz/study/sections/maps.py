@@ -15,9 +15,9 @@ from ...engine.geometry import Vec
 from ...engine.shapes import Circle, Shape
 from ...pictures import Mark, Picture, Theme
 from ...render.pen import Pen
-from ...scenes.failing import NAMED, Row
+from ...scenes.failing import NAMED, FailureCase
 from ...scenes.failing.plane import Ring, corners, difference
-from ...scenes.failing.where import Lies, lies_in_view
+from ...scenes.failing.where import ErrorRegion, error_region_in_view
 from ...scenes.shortcuts import middle
 from ..harness.cells import Cell, Settings
 from ..harness.chart import TEXT, Chart, headline
@@ -89,7 +89,7 @@ def _summary(slide: Slide) -> dict[str, Any]:
     return start | {"apart": found[APART], "hit": found[HIT]} | {names[code]: found[code] for code in names}
 
 
-def limits(slide: Slide, row: Row) -> tuple[float, float, float, float]:
+def limits(slide: Slide, row: FailureCase) -> tuple[float, float, float, float]:
     """What a map shows: the positions, A, and B where the scene has it."""
     spots = [(x, y) for x, y, _ in slide.positions()]
     (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = (shape.bounds for shape in both(row))
@@ -98,7 +98,7 @@ def limits(slide: Slide, row: Row) -> tuple[float, float, float, float]:
     return min(xs) - rim_x, min(ys) - rim_y, max(xs) + rim_x, max(ys) + rim_y
 
 
-def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme) -> None:
+def draw_map(ax: Axes, slide: Slide, row: FailureCase, theme: Theme) -> None:
     """The areas, A, and B where the scene has it with its middle."""
     x0, y0, x1, y1 = view = limits(slide, row)
     box, (wide, high) = ax.get_position(), cast(Figure, ax.figure).get_size_inches() * 72
@@ -111,8 +111,8 @@ def draw_map(ax: Axes, slide: Slide, row: Row, theme: Theme) -> None:
         Mark("reference", "dot", "B", (at,)),
     ]
     Pen(ax, theme).draw(Picture(tuple(marks), view, ((x1 - x0) * scale, (y1 - y0) * scale), "", ""))
-    told = lies_in_view(a, b, row.shortcut, view)
-    found = Lies((), (), tuple(difference(a, b))) if isinstance(told, str) else told
+    told = error_region_in_view(a, b, row.shortcut, view)
+    found = ErrorRegion((), (), tuple(difference(a, b))) if isinstance(told, str) else told
 
     # over the shapes' fills, so that red stays red, and under their lines
     def area(rings: Sequence[Ring], **look: Any) -> None:

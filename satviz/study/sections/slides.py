@@ -15,7 +15,7 @@ from ...engine.convex_parts import parts
 from ...engine.geometry import Relation, Vec
 from ...engine.shapes import Circle, Polygon, Shape
 from ...engine.trace import Trace, record
-from ...scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, ROWS, Row
+from ...scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED, FailureCase
 from ...scenes.failing.claimed_value import moved
 from ...scenes.shortcuts import middle
 from .. import truth
@@ -32,8 +32,11 @@ PUSHES = "repeated-vertex", "raw-depth", "sum-of-parts", "push-from-center", "ra
 DISTANCES = ("gap-as-distance",)
 # no methods of their own for two shapes in the plane: row 3's again, boxes in space, frames in time
 OTHERS = "line-for-axis", "faces-in-3d", "tunnelling"
-VERDICTS = (*(r.name for r in ROWS if r.how in (FALSE_HIT, MISSED_HIT) and r.name not in OTHERS), "touch-on-paper")
-METHODS = tuple(row.name for row in ROWS if row.name in {*VERDICTS, *PUSHES, *DISTANCES})
+VERDICTS = (
+    *(r.name for r in FAILURE_CASES if r.how in (FALSE_HIT, MISSED_HIT) and r.name not in OTHERS),
+    "touch-on-paper",
+)
+METHODS = tuple(row.name for row in FAILURE_CASES if row.name in {*VERDICTS, *PUSHES, *DISTANCES})
 # wrong at exact contact only: B goes round A and touches it all the way
 ALONG_CONTACT = "unit-normals", "touch-as-apart"
 ON_PAPER = "touch-on-paper"
@@ -97,18 +100,18 @@ def relation(a: Shape, b: Shape) -> Relation:
     return max(truth.relation(p, q) for p in parts(a) for q in parts(b))
 
 
-def _judge(row: Row) -> Callable[[Shape, Shape], str]:
+def _judge(row: FailureCase) -> Callable[[Shape, Shape], str]:
     """The letter of a pair of shapes: what the shortcut's own run says, held against rationals."""
     of = _of_push if row.name in PUSHES else _of_distance if row.name in DISTANCES else _of_verdict
     return lambda a, b: of(record(a, b, axes=row.shortcut), row)
 
 
-def _of_verdict(run: Trace, row: Row) -> str:
+def _of_verdict(run: Trace, row: FailureCase) -> str:
     says, is_hit = run.claim, bool(relation(run.a, run.b))
     return (HIT if is_hit else FALSE) if says else (MISSED if is_hit else APART)
 
 
-def _of_push(run: Trace, row: Row) -> str:
+def _of_push(run: Trace, row: FailureCase) -> str:
     if relation(run.a, run.b) is not Relation.OVERLAPPING:
         return APART
     x, y = run.push or Vec(0.0, 0.0)
@@ -117,7 +120,7 @@ def _of_push(run: Trace, row: Row) -> str:
     return LONG if x * x + y * y > depth2(*_convex(run.a, run.b)) * A_LITTLE else HIT
 
 
-def _of_distance(run: Trace, row: Row) -> str:
+def _of_distance(run: Trace, row: FailureCase) -> str:
     right = truth.distance2(*_convex(run.a, run.b))
     if not right:
         return HIT
@@ -125,7 +128,7 @@ def _of_distance(run: Trace, row: Row) -> str:
     return APART if gap > 0 and right / A_LITTLE < gap * gap < right * A_LITTLE else FAR
 
 
-def both(row: Row) -> tuple[Shape, Shape]:
+def both(row: FailureCase) -> tuple[Shape, Shape]:
     """The shapes of a row that satviz does not refuse."""
     assert isinstance(row.a, Polygon | Circle) and isinstance(row.b, Polygon | Circle)
     return row.a, row.b
@@ -173,7 +176,7 @@ def contacts(a: Polygon, b: Polygon, n: int) -> Iterator[Vec]:
         )
 
 
-def _lattice(row: Row, n: int) -> tuple[tuple[int, float], tuple[int, float]]:
+def _lattice(row: FailureCase, n: int) -> tuple[tuple[int, float], tuple[int, float]]:
     """First number and step in x and in y: round A with room for B, the scene's own position among them."""
     if row.name == ON_PAPER:
         return (-6 - n // 2, 0.05), (-(n // 2), 0.05)  # steps as a person would write them, round A's own place
