@@ -242,7 +242,7 @@ def recorded_gap(*numbers: float) -> float:
         a, b = (Polygon(ring) for ring in _triangles(numbers))
     except InvalidShape:
         return 0.0
-    close = max(a.reach, b.reach) * CLOSE
+    close = max(a.max_coordinate, b.max_coordinate) * CLOSE
     worst = 0.0
     with localcontext(prec=60):
         for test in record(a, b, every_axis=True).tests:

@@ -1592,7 +1592,7 @@ def test_what_a_few_steps_tell_of_polygons_that_lean_on_each_other_is_right(v):
     good = [i for i in range(len(rings)) if batch_takes(rings[i], v) and batch_takes(others[i], v)]
     a, b = batch.Polygons(rings[good]), batch.Polygons(others[good])
     p, q, out = a.uniform, b.uniform, np.empty(len(good), np.int8)
-    gjk.few_steps(p.x, p.y, q.x, q.y, (p.reach + q.reach) * ERROR_FACTOR_F64, out)
+    gjk.few_steps(p.x, p.y, q.x, q.y, (p.max_coordinate + q.max_coordinate) * ERROR_FACTOR_F64, out)
     assert all(found in (UNDECIDED, right) for found, right in zip(out.tolist(), one_by_one(a, b)))
 
 
@@ -1648,7 +1648,7 @@ def test_the_span_of_a_group_is_its_largest_edge_component(n):
     rings = ngons(RNG(n), 1, 5) + 0.01 * np.arange(n)[:, None, None]
     edges = np.abs(rings - np.roll(rings, 1, axis=1))
     group = batch.Polygons(rings).uniform
-    assert group.span == edges.max() and group.reach == np.abs(rings).max()
+    assert group.max_edge_component == edges.max() and group.max_coordinate == np.abs(rings).max()
 
 
 def test_what_has_only_some_sides_of_an_upright_box_is_none():

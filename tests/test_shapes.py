@@ -940,12 +940,12 @@ def test_reach_span_and_bounds_are_those_of_the_corners(e):
     ring = [(math.ldexp(x, e), math.ldexp(y, e)) for x, y in ((-5, 1), (3, 2), (0, -40), (-4, -9))]
     shape = Polygon(ring)
     assert shape.bounds == tuple(math.ldexp(c, e) for c in (-5, -40, 3, 2))
-    assert (shape.reach, shape.span) == (math.ldexp(40, e), math.ldexp(42, e))
+    assert (shape.max_coordinate, shape.max_edge_component) == (math.ldexp(40, e), math.ldexp(42, e))
     for turn in ((-1, 1), (1, -1), (-1, -1)):
         turned = Polygon([(x * turn[0], y * turn[1]) for x, y in ring])
-        assert (turned.reach, turned.span) == (shape.reach, shape.span)
+        assert (turned.max_coordinate, turned.max_edge_component) == (shape.max_coordinate, shape.max_edge_component)
     wide = Polygon([(math.ldexp(x, e), math.ldexp(y, e)) for x, y in ((-50, 1), (3, 2), (0, 4))])
-    assert (wide.reach, wide.span) == (math.ldexp(50, e), math.ldexp(53, e))
+    assert (wide.max_coordinate, wide.max_edge_component) == (math.ldexp(50, e), math.ldexp(53, e))
 
 
 def test_a_circle_says_that_it_has_no_vertices_no_labels_and_no_corners():
@@ -962,9 +962,9 @@ def test_a_circles_bounds_hold_it_and_hardly_more():
             lowest, highest = Fraction(c) - Fraction(r), Fraction(c) + Fraction(r)
             assert lowest - Fraction(1, 2**47) < Fraction(low) < lowest and highest < Fraction(high)
             assert Fraction(high) < highest + Fraction(1, 2**47)
-        assert max(abs(x), abs(y)) + r == circle.reach and circle.span == r
+        assert max(abs(x), abs(y)) + r == circle.max_coordinate and circle.max_edge_component == r
         assert circle.slabs is None
-    assert Circle((-3, 2), 1).reach == Circle((2, -3), 1).reach == 4
+    assert Circle((-3, 2), 1).max_coordinate == Circle((2, -3), 1).max_coordinate == 4
 
 
 @pytest.mark.parametrize(

@@ -882,7 +882,7 @@ def test_each_number_of_a_file_has_the_room_of_how_it_was_measured(name, shapes)
     rounding = tracefile.FLOAT_WORK if own_way else tracefile.ROUNDING
     assert abs(test.gap) >= 1
     for part, shape in ("gap", None), ("a", shapes[0]), ("b", shapes[1]):
-        room = rounding * (shape.reach if shape and not own_way else 1024)
+        room = rounding * (shape.max_coordinate if shape and not own_way else 1024)
         for off in room, -room, room * 1.5, -room * 1.5:
             if shape:
                 side = getattr(test, part)
@@ -983,7 +983,7 @@ def test_no_other_way_out_of_convex_shapes_is_as_good_as_the_exact_one():
 def test_a_trace_is_its_tests_one_after_the_other_and_shows_itself_in_a_notebook(monkeypatch):
     trace = sv.record(A, B)
     assert tuple(trace) == trace.tests
-    monkeypatch.setattr(trace_module.door, "bundle", lambda shown: {"shown": shown})
+    monkeypatch.setattr(trace_module.hooks, "mime_bundle", lambda shown: {"shown": shown})
     assert trace._repr_mimebundle_() == {"shown": trace}
 
 

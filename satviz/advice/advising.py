@@ -295,7 +295,7 @@ def _counted(case: Case, models: Sequence[Model]) -> tuple[Facts, tuple[ModelRes
             if said is None or bool(said) is not bool(relation):
                 missing.add(model)
     shapes = case.shapes()
-    corners = [len(p.core) for s in shapes if not s.radius for p in pieces(s)] or [0]
+    corners = [len(p.core) for s in shapes if not s.core_is_point for p in pieces(s)] or [0]
     widths = [min(max(s.bounds[2] - s.bounds[0], s.bounds[3] - s.bounds[1]), float_info.max) for s in shapes] or [1.0]
     facts = Facts(
         dict(Counter(map(kind_of, shapes))),

@@ -52,13 +52,14 @@ class Compound:
     """Convex pieces that are one shape, where only the pieces are known: as much of a shape as the models ask for."""
 
     radius = 0.0
+    core_is_point = False
 
     def __init__(self, pieces: Sequence[Shape]) -> None:
         self.pieces = pieces
         self.core = tuple(chain.from_iterable(p.core for p in pieces))
         boxes = [p.bounds for p in pieces]
         self.bounds = (*(min(b[i] for b in boxes) for i in (0, 1)), *(max(b[i] for b in boxes) for i in (2, 3)))
-        self.reach = max(p.reach for p in pieces)
+        self.max_coordinate = max(p.max_coordinate for p in pieces)
         self.is_upright_box = self.is_convex = False
 
     def outline(self) -> Shape:
@@ -187,8 +188,8 @@ def axes_asked(a: Body, b: Body) -> int:
 
 
 def _axes(a: Shape, b: Shape) -> int:
-    edges = sum(0 if s.radius else len(s.core) for s in (a, b))
-    return edges + bool(a.radius or b.radius)
+    edges = sum(0 if s.core_is_point else len(s.core) for s in (a, b))
+    return edges + (a.core_is_point or b.core_is_point)
 
 
 def boxes(a: Body, b: Body) -> Relation | None:
@@ -207,7 +208,7 @@ def _box_gap(a: tuple[float, ...], b: tuple[float, ...]) -> int:
 
 def _box(shape: Body, way: float) -> tuple[float, ...]:
     """The bounding box; a circle's sides that are rounded are moved one float outwards (inf) or inwards (-inf)."""
-    if not shape.radius:
+    if not shape.core_is_point:
         return shape.bounds
     sides = []
     for out in (-1.0, 1.0):
@@ -230,7 +231,7 @@ def around(shape: Body) -> Disc:
 
 
 def _disc(shape: Body, wider: float) -> Disc:
-    if shape.radius:
+    if shape.core_is_point:
         return (*shape.core[0], shape.radius)
     x0, y0, x1, y1 = shape.bounds
     x, y = x0 / 2 + x1 / 2, y0 / 2 + y1 / 2
@@ -277,10 +278,10 @@ def along(a: Body, b: Body, directions: Sequence[Vec]) -> Relation | None:
 
     A landing is off by 4 roundings of m M (m the larger part of the direction), a gap of two by 8; asked: 16.
     """
-    if a.radius or b.radius:
+    if a.core_is_point or b.core_is_point:
         return None
     p, q, *_ = aligned(a, b)
-    trusted = FLOAT64.least < max(a.reach, b.reach) < FLOAT64.most
+    trusted = FLOAT64.least < max(a.max_coordinate, b.max_coordinate) < FLOAT64.most
     found = []
     for n in directions:
         _, (mx, my) = to_integers(n)
@@ -312,10 +313,10 @@ def sat(a: Body, b: Body, form: Format) -> Relation | None:
 
 def convex_sat(a: Shape, b: Shape, form: Format) -> Relation | None:
     """The same for two convex shapes."""
-    if a.radius and b.radius:
+    if a.core_is_point and b.core_is_point:
         return circles((*a.core[0], a.radius), (*b.core[0], b.radius), form)
-    if a.radius or b.radius:
-        return _circle_polygon(a, b, form) if a.radius else _circle_polygon(b, a, form)
+    if a.core_is_point or b.core_is_point:
+        return _circle_polygon(a, b, form) if a.core_is_point else _circle_polygon(b, a, form)
     bounded = _polygons(a, b, form)
     if bounded is None and _rounds_nothing(a, b, form):
         return relate(a, b)  # what SAT gives where nothing is rounded
@@ -333,7 +334,7 @@ def _polygons(a: Shape, b: Shape, form: Format) -> Relation | None:
     p, q, *_ = aligned(a, b)
     flat = [c for ring in (p, q) for v in ring for c in v]
     reach = max(map(abs, flat))
-    if not form.least < max(a.reach, b.reach) < form.most:
+    if not form.least < max(a.max_coordinate, b.max_coordinate) < form.most:
         return None
     apart = [max(r[d] for r in (*p, *q)) - min(r[d] for r in (*p, *q)) for d in (0, 1)]
     moved = _moved(flat, numbers, form)

@@ -96,7 +96,7 @@ class ModelResult(NamedTuple):
 
 def kind_of(shape: Body) -> str:
     """What kind of shape it is, in words."""
-    if shape.radius:
+    if shape.core_is_point:
         return ROUND
     return UPRIGHT if shape.is_upright_box else CONVEX if shape.is_convex else CONCAVE
 

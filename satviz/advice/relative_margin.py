@@ -50,7 +50,7 @@ def _convex(a: Shape, b: Shape) -> float:
         return float(best * 2**53) or (best > 0) * 5e-324 - (best < 0) * 5e-324
     k = max(a.integers[0], b.integers[0])
     reach = max(
-        max(map(abs, s.integers[1][0])) + s.integers[2] << k - s.integers[0] if s.radius else _most(s, k)
+        max(map(abs, s.integers[1][0])) + s.integers[2] << k - s.integers[0] if s.core_is_point else _most(s, k)
         for s in (a, b)
     )
     size = reach.bit_length()

@@ -63,7 +63,7 @@ def reach_of(pairs: Iterable[tuple[Body, Body]]) -> float:
     """The reach allowed for all of these polygons."""
     parts = _parts(pairs)
     allowed = min(reach_allowed(p, q) for p, q in parts)
-    return bound_of(float(min(allowed, Fraction(FLOAT64.most))), max(s.reach for pair in parts for s in pair))
+    return bound_of(float(min(allowed, Fraction(FLOAT64.most))), max(s.max_coordinate for pair in parts for s in pair))
 
 
 def bound_of(allowed: float, reach: float) -> float:

@@ -20,15 +20,15 @@ class Group(NamedTuple):
     """The shapes with one number of corners.
 
     x, y: (V, n) counter-clockwise corners in scene units, no repeats, none straight on
-    (V = 1: centers, r: (n,) radii).  span, reach: the largest edge component and
+    (V = 1: centers, r: (n,) radii).  max_edge_component, max_coordinate: the largest edge component and
     coordinate of all polygons; upright: are all of them boxes with their sides along x and y?
     """
 
     x: NDArray[np.float64]
     y: NDArray[np.float64]
     r: NDArray[np.float64] | None
-    span: float = 0.0
-    reach: float = 0.0
+    max_edge_component: float = 0.0
+    max_coordinate: float = 0.0
     upright: bool = False
 
     def columns(self, where: slice | NDArray[np.integer[Any] | np.bool_]) -> "Group":
@@ -209,10 +209,10 @@ class Shapes:
 
 def group_of(x: NDArray[np.float64], y: NDArray[np.float64]) -> Group:
     """Polygons of one number of corners, column by column."""
-    reach = float(max(np.abs(x).max(initial=0.0), np.abs(y).max(initial=0.0)))
+    max_coordinate = float(max(np.abs(x).max(initial=0.0), np.abs(y).max(initial=0.0)))
     with np.errstate(over="ignore"):
-        span = float(max(np.abs(c - np.roll(c, 1, axis=0)).max(initial=0.0) for c in (x, y)))
-    return Group(x, y, None, span, reach, len(x) == 4 and bool(upright_boxes(x, y).all()))
+        max_edge_component = float(max(np.abs(c - np.roll(c, 1, axis=0)).max(initial=0.0) for c in (x, y)))
+    return Group(x, y, None, max_edge_component, max_coordinate, len(x) == 4 and bool(upright_boxes(x, y).all()))
 
 
 def upright_boxes(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -252,8 +252,11 @@ def concat(many: Sequence[Shapes]) -> Shapes:
         mine = [shapes.groups[v] for shapes in many if v in shapes.groups]
         x, y = (np.concatenate([g[k] for g in mine], axis=1) for k in (0, 1))
         r = None if v > 1 else np.concatenate([g.r for g in mine])
-        span, reach = max(g.span for g in mine), max(g.reach for g in mine)
-        groups[v] = Group(x, y, r, span, reach, all(g.upright for g in mine))
+        max_edge_component, max_coordinate = (
+            max(g.max_edge_component for g in mine),
+            max(g.max_coordinate for g in mine),
+        )
+        groups[v] = Group(x, y, r, max_edge_component, max_coordinate, all(g.upright for g in mine))
     owners, first = [np.empty(0, np.int64)], 0
     for shapes in many:
         owners.append((np.arange(len(shapes.count)) if shapes.owner is None else shapes.owner) + first)

@@ -96,7 +96,7 @@ def needed(a: Shape, b: Shape) -> Choice:
     vertex (without it a circle off a corner is a false hit).  Polygons: edge normals
     without parallel repeats, B's first as in the article.
     """
-    if a.radius and b.radius:
+    if a.core_is_point and b.core_is_point:
         return centers(a, b)
     # which side of a rectangle gives which axis does not matter: y and x serve all eight
     upright = a.is_upright_box and b.is_upright_box
@@ -110,7 +110,7 @@ def needed(a: Shape, b: Shape) -> Choice:
             else:
                 axes.append(axis)
                 number[key] = len(axes)
-    if a.radius or b.radius:
+    if a.core_is_point or b.core_is_point:
         vertex, skip = _vertex_axis(a, b, number)
         if skip:
             skipped.append(skip)
@@ -161,7 +161,7 @@ def centers(a: Shape, b: Shape) -> Choice:
 
 def nearest_vertex(a: Shape, b: Shape) -> Choice:
     """The axis from a circle's center to the polygon's nearest vertex; no axis for other pairs."""
-    if bool(a.radius) == bool(b.radius):
+    if a.core_is_point == b.core_is_point:
         return Choice(())
     axis, skip = _vertex_axis(a, b, {})
     return Choice((), (skip,)) if skip else Choice((axis,))
@@ -353,7 +353,7 @@ def _hull(ring: Sequence[Vec]) -> list[int]:
 
 
 def _convex_polygons(a: Shape, b: Shape) -> bool:
-    return all(s.is_convex and not s.radius for s in (a, b))
+    return all(s.is_convex and not s.core_is_point for s in (a, b))
 
 
 def _axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = False) -> Axis:
@@ -401,9 +401,9 @@ def _normals(shape: Shape, role: str) -> tuple[Axis, ...]:
 
 def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis, Skip | None]:
     """The axis between a circle's center and the polygon's nearest vertex, and why it is left out if it is."""
-    role, polygon = ("B", b) if a.radius else ("A", a)
+    role, polygon = ("B", b) if a.core_is_point else ("A", a)
     core_a, core_b, _, k = aligned(a, b)
-    ring, ((cx, cy),) = (core_b, core_a) if a.radius else (core_a, core_b)
+    ring, ((cx, cy),) = (core_b, core_a) if a.core_is_point else (core_a, core_b)
     i = min(range(len(ring)), key=lambda i: (cx - ring[i][0]) ** 2 + (cy - ring[i][1]) ** 2)
     source = Source(VERTEX, role, (polygon.corner_ids[i],))
     x, y = cx - ring[i][0], cy - ring[i][1]

@@ -46,10 +46,10 @@ def enough(a: Trace | Shape, b: Shape | None = None, names: Names = PLAIN) -> tu
 
 
 def _anywhere(axes: tuple[Axis, ...], a: Shape, b: Shape) -> str:
-    if not (a.is_convex and b.is_convex) or (a.radius and b.radius):
+    if not (a.is_convex and b.is_convex) or (a.core_is_point and b.core_is_point):
         return ""
     # the axis to the nearest vertex is left out where it happens to be parallel to an edge's normal
-    many = sum(axis.source.kind != VERTEX for axis in axes) + bool(a.radius or b.radius)
+    many = sum(axis.source.kind != VERTEX for axis in axes) + (a.core_is_point or b.core_is_point)
     return f" Wherever they are moved, {_count(many).lower()} are enough."
 
 

@@ -145,12 +145,12 @@ def shared_point(a: Shape, b: Shape) -> SharedPoint:
     Of two polygons about the middle of what they share where floats can say it, of a circle and a polygon the
     polygon's nearest point to the center, of two circles one between their centers.
     """
-    if a.radius and b.radius:
+    if a.core_is_point and b.core_is_point:
         ((ax, ay),), ((bx, by),) = _ring(a), _ring(b)
         t = Fraction(a.radius) / (Fraction(a.radius) + Fraction(b.radius))  # the distance is at most their sum
         point = ax + t * (bx - ax), ay + t * (by - ay)
-    elif a.radius or b.radius:
-        circle, polygon = (a, b) if a.radius else (b, a)
+    elif a.core_is_point or b.core_is_point:
+        circle, polygon = (a, b) if a.core_is_point else (b, a)
         point = _nearest_point(_ring(polygon), _ring(circle)[0])
     else:
         point = _in_both(a, b)
@@ -212,7 +212,7 @@ def _nearest_point(ring: list[Rational], c: Rational) -> Rational:
 
 
 def _holds(shape: Shape, point: Rational) -> bool:
-    if not shape.radius:
+    if not shape.core_is_point:
         return all(_cross(p, q, point) >= 0 for p, q in _edges(_ring(shape)))
     ((x, y),) = _ring(shape)
     return (point[0] - x) ** 2 + (point[1] - y) ** 2 <= Fraction(shape.radius) ** 2

@@ -353,7 +353,7 @@ def scene(trace: _Trace) -> str:
 def both(trace: _Trace) -> str:
     """What the two shapes are."""
     kinds = [shape_in_words(shape, "").split("is ", 1)[1] for shape in (trace.a, trace.b)]
-    if kinds[0] == kinds[1] and not trace.a.radius:
+    if kinds[0] == kinds[1] and not trace.a.core_is_point:
         return f"{trace.names.a} and {trace.names.b} are {plural(kinds[0])}."
     told = digits(trace)
     return f"{shape_in_words(trace.a, trace.names.a, told)}, {shape_in_words(trace.b, trace.names.b, told)}."
@@ -457,7 +457,7 @@ def listed(words: list[str]) -> str:
 
 def shape_in_words(shape: Shape, name: str, told: Digits | None = None) -> str:
     """What a shape is: "A is a triangle", "B is a circle of radius 1 around (2, 2)"."""
-    if shape.radius:
+    if shape.core_is_point:
         told = told or of_shapes(shape)
         return f"{name} is a circle of radius {told.number(shape.radius)} around {told.vector(shape.core[0])}"
     n = len(shape.core)

@@ -40,11 +40,13 @@ def relate(a: Shape, b: Shape) -> Relation:
     if ax1 < bx0 or bx1 < ax0 or ay1 < by0 or by1 < ay0:
         return APART
     if not (a_slabs and b_slabs):
-        return _circles(a, b) if a.radius and b.radius else _mixed(a, b)
+        return _circles(a, b) if a.core_is_point and b.core_is_point else _mixed(a, b)
     if a.is_upright_box and b.is_upright_box:
         return TOUCHING if ax1 == bx0 or bx1 == ax0 or ay1 == by0 or by1 == ay0 else OVERLAPPING
-    reach = (a.reach + b.reach) * ERROR_FACTOR_F64  # the sum stands in for the larger: quicker, and on the safe side
-    room_a, room_b = a.span * reach, b.span * reach
+    reach = (
+        a.max_coordinate + b.max_coordinate
+    ) * ERROR_FACTOR_F64  # the sum stands in for the larger: quicker, and on the safe side
+    room_a, room_b = a.max_edge_component * reach, b.max_edge_component * reach
     if not (LEAST_ROOM < room_a < MOST_ROOM and LEAST_ROOM < room_b < MOST_ROOM):
         return relate_integers(*aligned(a, b)[:3])
     if len(a_slabs) + len(b_slabs) > FEW:
@@ -108,9 +110,9 @@ def _told(edges: Sequence[tuple[Vec, Vec]], points: Sequence[Vec], room: float) 
 
 
 def _mixed(a: Shape, b: Shape) -> Relation:
-    if a.radius and b.slabs:
+    if a.core_is_point and b.slabs:
         return _circle_polygon(a, b)
-    if b.radius and a.slabs:
+    if b.core_is_point and a.slabs:
         return _circle_polygon(b, a)
     worst = APART
     for p in parts(a):
@@ -188,7 +190,7 @@ def _circle_polygon(circle: Shape, polygon: Shape) -> Relation:
     x0, y0, x1, y1 = polygon.bounds
     far = max(x1 - x, x - x0, y1 - y, y - y0)
     room = far * far * 2.0**-46
-    if TINY < room < HUGE and polygon.span * far > TINY:
+    if TINY < room < HUGE and polygon.max_edge_component * far > TINY:
         inside, outside, gap = _from_center((x, y), polygon.core, reach, far * 2.0**-48)
         if inside or gap < -room:
             return OVERLAPPING

@@ -81,7 +81,7 @@ def axis_tests(a: Shape, b: Shape, axes: Iterable[Axis] | None = None) -> Iterat
     checked(a, "a"), checked(b, "b")
     if axes is None:
         axes = needed(a, b).axes
-    reach = max(a.reach, b.reach)
+    reach = max(a.max_coordinate, b.max_coordinate)
     close = reach * CLOSE if SAFE[0] < reach < SAFE[1] else float("inf")
     for axis in axes:
         p, q = project(a, axis), project(b, axis)

@@ -17,15 +17,25 @@ Slab = tuple[float, float, float, float, tuple[tuple[Vec, Vec], ...]]
 class _Shape:
     """What the engine asks of a shape: all points within the radius of its core."""
 
-    __slots__ = ("_cache", "bounds", "core", "is_convex", "is_upright_box", "radius", "reach", "slabs", "span")
+    __slots__ = (
+        "_cache",
+        "bounds",
+        "core",
+        "is_convex",
+        "is_upright_box",
+        "max_coordinate",
+        "max_edge_component",
+        "radius",
+        "slabs",
+    )
 
     core: tuple[Vec, ...]  # a polygon's corners; a circle is its center with a radius
     radius: float  # 0 for a polygon
     is_convex: bool
     is_upright_box: bool  # a rectangle with its sides along x and y
     bounds: tuple[float, float, float, float]  # x min, y min, x max, y max; a circle's are rounded outwards
-    reach: float  # the largest coordinate's magnitude
-    span: float  # the largest edge component's magnitude
+    max_coordinate: float  # the largest coordinate's magnitude
+    max_edge_component: float  # the largest edge component's magnitude
     slabs: tuple[Slab, ...] | None  # per edge direction, see _slabs; None for circles and concave ones
     _cache: dict[str, Any]  # what is worked out at first use: integers, axes, parts
 
@@ -90,6 +100,7 @@ class Polygon(_Shape):
 
     vertices: tuple[Vec, ...]
     labels: tuple[str, ...] | None
+    core_is_point: ClassVar[bool] = False
     corner_ids: tuple[int, ...]  # which vertex each corner is
     notes: tuple[str, ...]
 
@@ -112,8 +123,8 @@ class Polygon(_Shape):
             notes=ring.notes,
             is_upright_box=len(corners) == 4 and all(x in (x0, x1) and y in (y0, y1) for x, y in corners),
             bounds=box,
-            reach=max(map(abs, xs + ys)),
-            span=max(abs(d) for edge in edges for d in edge),
+            max_coordinate=max(map(abs, xs + ys)),
+            max_edge_component=max(abs(d) for edge in edges for d in edge),
             slabs=_slabs(corners, edges) if ring.convex else None,
             _cache={},
         )
@@ -136,6 +147,7 @@ class Circle(_Shape):
 
     __slots__ = ()
 
+    core_is_point: ClassVar[bool] = True
     vertices: ClassVar[tuple[Vec, ...]] = ()
     labels: ClassVar[tuple[str, ...] | None] = None
     corner_ids: ClassVar[tuple[int, ...]] = ()
@@ -157,8 +169,8 @@ class Circle(_Shape):
                 math.nextafter(c.x + r, INF),
                 math.nextafter(c.y + r, INF),
             ),
-            reach=max(abs(c.x), abs(c.y)) + r,
-            span=r,
+            max_coordinate=max(abs(c.x), abs(c.y)) + r,
+            max_edge_component=r,
             slabs=None,
             _cache={},
         )
@@ -184,7 +196,7 @@ def checked(shape: Any, name: str) -> Shape:
 
 def centroid(shape: Shape) -> Vec:
     """The center of area, rounded."""
-    (ox, oy), ring, size = shape.core[0], shape.core, shape.span
+    (ox, oy), ring, size = shape.core[0], shape.core, shape.max_edge_component
     area = x = y = 0.0
     for (px, py), (qx, qy) in pairwise(((p.x - ox) / size, (p.y - oy) / size) for p in ring):
         cross = px * qy - py * qx

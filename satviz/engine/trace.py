@@ -308,7 +308,7 @@ def _keep_within_limit(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisT
 
 
 def _points(a: Shape, b: Shape) -> int:
-    return sum(2 if shape.radius else len(shape.vertices) for shape in (a, b))
+    return sum(2 if shape.core_is_point else len(shape.vertices) for shape in (a, b))
 
 
 def _too_large(what: str) -> InvalidScene:

@@ -102,7 +102,7 @@ def load(path: str | Path) -> Scene:
 
 def shape_data(shape: Shape) -> dict[str, object]:
     """A shape as plain JSON values; InvalidScene if it is too large to be read again."""
-    if shape.radius:
+    if shape.core_is_point:
         return {"circle": list(shape.core[0]), "radius": shape.radius}
     if len(shape.vertices) > MAX_VERTICES:
         raise InvalidScene(f"a polygon of {len(shape.vertices):,} vertices: a file holds {MAX_VERTICES:,} at most")

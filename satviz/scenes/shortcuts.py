@@ -106,7 +106,7 @@ def four_extremes(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     def few(shape: Shape) -> Projection:
         whole = project(shape, axis)
         x0, y0, x1, y1 = shape.bounds
-        at = [i for i, (x, y) in enumerate(whole.points) if shape.radius or x in (x0, x1) or y in (y0, y1)]
+        at = [i for i, (x, y) in enumerate(whole.points) if shape.core_is_point or x in (x0, x1) or y in (y0, y1)]
         return Projection(tuple(whole.points[i] for i in at), tuple(whole.landings[i] for i in at))
 
     return _measured(axis, few(a), few(b))
@@ -137,7 +137,7 @@ def raw_normals(a: Shape, b: Shape, axis: Axis) -> AxisTest:
 def on_paper(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     """The decimals that people write, where 0.1 + 0.2 is 0.3, instead of the floats they become."""
     p, q = project(a, axis), project(b, axis)
-    if a.radius or b.radius:
+    if a.core_is_point or b.core_is_point:
         return _measured(axis, p, q)
     (x, y), length = map(Fraction, axis.normal), axis.length
     dots = [[u * x + v * y for u, v in written(shape)] for shape in (a, b)]
@@ -174,7 +174,7 @@ def _measured(axis: Axis, a: Projection, b: Projection) -> AxisTest:
 
 def _dropped(shape: Shape, n: Vec) -> Projection:
     """Where the points land in units of n's length."""
-    if shape.radius:
+    if shape.core_is_point:
         ((x, y),), length = shape.core, hypot(*n)
         ends = project(shape, Axis(n, length or 1.0, Source(""))).points  # on (0, 0) both are the center
         at, r = x * n.x + y * n.y, shape.radius * length

@@ -252,7 +252,7 @@ def _same(trace: Trace, again: Trace, where: str) -> None:
         raise InvalidScene(f"{where}.tests has {len(trace.tests)} tests where the run has {len(again.tests)}")
     rounding = ROUNDING if trace.proves else FLOAT_WORK
     # beyond float64 a circle's is infinite
-    reach_a, reach_b = (min(shape.reach, LARGEST) for shape in (trace.a, trace.b))
+    reach_a, reach_b = (min(shape.max_coordinate, LARGEST) for shape in (trace.a, trace.b))
     reach = max(reach_a, reach_b)
     for i, (test, ours) in enumerate(zip(trace.tests, again.tests)):
         same_sign = (test.gap > 0) == (ours.gap > 0) and (test.gap < 0) == (ours.gap < 0)

@@ -59,7 +59,7 @@ def theirs(shape):
 
 def unrecorded(a, b):
     """The recording loop with nothing kept: the same axes, landings, gap and early exit."""
-    reach = max(a.reach, b.reach)
+    reach = max(a.max_coordinate, b.max_coordinate)
     close = reach * CLOSE
     gap = -1.0
     for (nx, ny), length, _ in sv.axes.needed(a, b).axes:

@@ -30,7 +30,7 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
 
 def room_of(a: Group, b: Group) -> float:
     """How far a float64 clearance of these groups can be off; infinite outside the range where that is known."""
-    found = (a.span + b.span) * (a.reach + b.reach) * ERROR_FACTOR_F64
+    found = (a.max_edge_component + b.max_edge_component) * (a.max_coordinate + b.max_coordinate) * ERROR_FACTOR_F64
     return found if LEAST_ROOM < found < MOST_ROOM else np.inf
 
 

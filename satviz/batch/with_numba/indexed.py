@@ -26,7 +26,7 @@ def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
 
 def columns(a: Group, b: Group, first: int, out: Signs) -> None:
     """The exact relations of the columns from `first` on that are UNDECIDED in `out`; UNDECIDED still out of range."""
-    _columns(a.x, a.y, b.x, b.y, first, a.reach + b.reach, out)
+    _columns(a.x, a.y, b.x, b.y, first, a.max_coordinate + b.max_coordinate, out)
 
 
 @compiled

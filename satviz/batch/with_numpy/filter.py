@@ -39,7 +39,7 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
 
 def _width(group: Group) -> float:
     """No shape of V corners is wider than half its edges laid end to end."""
-    return len(group.x) // 2 * group.span
+    return len(group.x) // 2 * group.max_edge_component
 
 
 def look_32(

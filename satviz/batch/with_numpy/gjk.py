@@ -25,7 +25,7 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     size = max(1, AT_ONCE // (len(a.x) + len(b.x)))
     for start in range(0, out.size, size):
         part = slice(first + start, first + min(start + size, out.size))
-        reach = (a.reach + b.reach) * ERROR_FACTOR_F64
+        reach = (a.max_coordinate + b.max_coordinate) * ERROR_FACTOR_F64
         few_steps(a.x[:, part], a.y[:, part], b.x[:, part], b.y[:, part], reach, out[start : start + size])
 
 

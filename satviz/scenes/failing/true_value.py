@@ -113,7 +113,7 @@ def gap_3d(a: Shape, b: Shape) -> float:
 
 def contact(a: Shape, b: Shape) -> Answer:
     """When polygon A, flying over B, meets it, in parts of the way (NaN if never); exact for the scene's decimals."""
-    if a.radius or b.radius:
+    if a.core_is_point or b.core_is_point:
         return nan, nan
     runs = (swept.windows(written(p), written(q), swept.FLIGHT) for p in parts(a) for q in parts(b))
     times = [time for run in runs if (time := swept.contact(run))]

@@ -54,7 +54,7 @@ def _lies(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> ErrorRegion
     if NAMED.get(shortcut.name) == shortcut and shortcut.name in MAPS:
         wrong = MAPS[shortcut.name](a, b, window)
         return wrong if isinstance(wrong, str) else ErrorRegion((), (), tuple(filter(None, hits)), numbers=tuple(wrong))
-    if shortcut.measure is turned_round and a.radius and b.radius:
+    if shortcut.measure is turned_round and a.core_is_point and b.core_is_point:
         return ErrorRegion(tuple(without(corners(window), hits)), hits, hits)
     claimed = _claimed(a, b, shortcut, window)
     if isinstance(claimed, str):

@@ -58,7 +58,7 @@ class Cell(NamedTuple):
 
 def _plain(a: Shape, b: Shape) -> str:
     """Why there is no map of pushes; empty where there is one."""
-    if a.radius or b.radius:
+    if a.core_is_point or b.core_is_point:
         return CIRCLE
     if not (a.is_convex and b.is_convex):
         return DENT
@@ -243,7 +243,7 @@ def _not_beside(a: Shape, b: Shape, window: Window) -> Found:
 
 def _on_the_way(a: Shape, b: Shape, window: Window) -> Found:
     """Where A meets B between two frames, and in neither."""
-    if a.radius or b.radius:
+    if a.core_is_point or b.core_is_point:
         return "a circle's flight is not followed"
     if not (a.is_convex and b.is_convex):
         return "a shape has a dent, and both frames are looked at without its parts"

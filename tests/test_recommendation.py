@@ -410,7 +410,7 @@ def test_to_prove_again_is_refused_beyond_its_limit():
 
 
 def test_to_show_a_recommendation_measures_nothing(monkeypatch):
-    monkeypatch.setattr(costs, "prices", lambda *args, **kwargs: pytest.fail("measured"))
+    monkeypatch.setattr(costs, "costs", lambda *args, **kwargs: pytest.fail("measured"))
     for advice in (sv.advise("triangles"), sv.advise(boxes_at([(0, 0), (0.5, 0.5)]))):
         assert advice._repr_mimebundle_() == {"text/plain": str(advice)}
 

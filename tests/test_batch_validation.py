@@ -606,8 +606,14 @@ def test_what_is_known_of_joined_shapes_holds_for_them_all():
         rings, upright = [ring * size for ring, _ in chosen], [is_upright for _, is_upright in chosen]
         joined = batch.concat([batch.Polygons([ring]) for ring in rings])
         group = joined.groups[4]
-        assert group.reach == np.abs(rings).max() == max(group.x.max(), -group.x.min(), group.y.max(), -group.y.min())
-        assert group.span == max(np.abs(ring - np.roll(ring, 1, axis=0)).max() for ring in np.array(rings))
+        assert (
+            group.max_coordinate
+            == np.abs(rings).max()
+            == max(group.x.max(), -group.x.min(), group.y.max(), -group.y.min())
+        )
+        assert group.max_edge_component == max(
+            np.abs(ring - np.roll(ring, 1, axis=0)).max() for ring in np.array(rings)
+        )
         assert group.upright == joined.are_upright_boxes == all(upright)
         assert joined.flat.upright.tolist() == upright
         assert batch.Polygons(np.array(rings)).uniform[3:] == group[3:]

@@ -153,11 +153,11 @@ def test_the_way_out_of_too_many_parts_is_refused_with_the_numbers_and_what_to_d
 def test_the_limit_on_the_way_out_counts_the_corners_of_all_pairs(monkeypatch):
     for b, corners in (box(1.5, 1.5, 3.5, 3.5), 16), (sv.Circle((3.2, 3.2), 1.5), 10), (star(3, 2, 2), 44):
         trace = sv.record(L, b)
-        monkeypatch.setattr(mtv_module, "MOST_CORNERS", corners - 1)
+        monkeypatch.setattr(mtv_module, "MAX_CORNERS", corners - 1)
         mtv_module.around_parts.cache_clear()
         with pytest.raises(sv.InvalidScene, match=rf"{2 * len(sv.parts(b))} pairs of convex parts with {corners} corn"):
             _ = trace.mtv
-        monkeypatch.setattr(mtv_module, "MOST_CORNERS", corners)
+        monkeypatch.setattr(mtv_module, "MAX_CORNERS", corners)
         assert trace.mtv
 
 
@@ -255,8 +255,10 @@ def test_the_way_out_of_a_concave_outline_is_to_the_nearest_move_that_is_not_for
         with suppress(sv.InvalidShape, NotConvex):
             a, other = sv.Polygon(notched(rng)), sv.Polygon((notched if kind == "concave" else few_corners)(rng))
             x, y = (rng.uniform(*a.bounds[i::2]) for i in (0, 1))
-            size = a.reach * rng.choice((0.05, 0.3, 1))
-            ring = [(u / other.reach * size + x, v / other.reach * size + y) for u, v in other.vertices]
+            size = a.max_coordinate * rng.choice((0.05, 0.3, 1))
+            ring = [
+                (u / other.max_coordinate * size + x, v / other.max_coordinate * size + y) for u, v in other.vertices
+            ]
             b = sv.Circle((x, y), size) if kind == "circle" else sv.Polygon(ring)
             a, b = rng.sample((a, b), 2)
             if sv.relate(a, b) is sv.Relation.OVERLAPPING:
