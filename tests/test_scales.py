@@ -6,7 +6,7 @@ from random import Random
 
 import pytest
 from speeds import one_in
-from test_digits import printed_gap, sign, value
+from test_number_format import printed_gap, sign, value
 from test_pictures import boxes, meet
 
 import satviz as sv
