@@ -54,7 +54,8 @@ def regular(rng, n, v, spread=0.1):
 
 def kernels_of(name):
     """One of numba's modules, where numba is installed."""
-    return pytest.importorskip(f"satviz.batch.{name}_numba", reason="needs numba: python -m pip install '.[fast]'")
+    pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
+    return importlib.import_module(f"satviz.batch.with_numba.{name}")
 
 
 def in_python(kernel):
@@ -202,7 +203,7 @@ def flat_corners(rng, size):
 @pytest.fixture
 def search(monkeypatch):
     """Numba's kernels, the search among them run as Python."""
-    settle = kernels_of("settle")
+    settle = kernels_of("exact")
     as_python(monkeypatch, settle, "inside", "_left", "_soon", "_lowest", "_cross")
     return settle
 
@@ -244,7 +245,7 @@ def test_a_few_steps_find_no_shared_point_on_the_edge_whose_ends_they_find_first
     reach = (np.abs(one).max() + np.abs(other).max()) * ERROR_FACTOR_F64
     for p, q in (one, other), (other, one):
         out = np.zeros(100, np.int8)
-        indexed.steps_numpy.few_steps(*p, *q, reach, out)
+        indexed.gjk.few_steps(*p, *q, reach, out)
         assert (out == UNDECIDED).all()
 
 
@@ -332,7 +333,7 @@ def test_numba_is_sure_of_no_point_where_products_leave_the_range_of_floats(sear
 
 def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
     """As told of one point after another; where products leave the range of floats it may tell nothing."""
-    settle = kernels_of("settle")
+    settle = kernels_of("exact")
     rng, terms = Random(6), np.empty(settle.TERMS)
     seen = {(told, size): 0 for told in (-2, -1, 0, 1) for size in SIZES}
     for _ in range(60):
@@ -359,7 +360,7 @@ def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
 @pytest.mark.parametrize("scale", [1e-130, 1.0, 1e140])
 def test_numbas_turn_looks_no_further_than_it_must(scale, monkeypatch):
     """Of plain points at no more than two products, of points nearly in a row at no long sum."""
-    settle = kernels_of("settle")
+    settle = kernels_of("exact")
     turn, terms = in_python(settle.turn), np.empty(settle.TERMS)
     monkeypatch.setattr(settle, "_sign_of_sum", lambda *_: pytest.fail("sums are asked"))
     for points in np.transpose([c * scale for c in in_a_row(RNG(2), 1000, 1000)]).tolist():
@@ -374,7 +375,7 @@ def test_numbas_turn_looks_no_further_than_it_must(scale, monkeypatch):
 
 @pytest.mark.parametrize("scale", [2.0**-400, 1.0, 2.0**460])
 def test_numbas_turn_of_points_in_a_row_whose_differences_are_floats_is_a_sum_of_four(scale, monkeypatch):
-    settle = kernels_of("settle")
+    settle = kernels_of("exact")
     turn, sums = in_python(settle.turn), []
     real = in_python(settle._sign_of_sum)
     monkeypatch.setattr(settle, "_sign_of_sum", lambda terms, count: sums.append(count) or real(terms, count))
@@ -420,7 +421,7 @@ def test_numbas_search_tells_nothing_of_what_touches_and_no_point_of_an_edge_is_
 
 
 def test_wherever_the_search_of_numba_ends_every_edge_is_asked(monkeypatch):
-    settle = kernels_of("settle")
+    settle = kernels_of("exact")
     of_many = in_python(settle.of_many)  # run as Python, which asks what stands here
     rng = Random(1)
     for _ in range(100):
@@ -444,7 +445,7 @@ class Counted(list):
 @pytest.mark.parametrize(("v", "w"), [(9, 9), (64, 64), (200, 30), (30, 200)])
 def test_of_edges_that_tell_nothing_numba_looks_at_few_corners(v, w, monkeypatch):
     """About twenty for each edge, however many there are: from each to the next the walk goes on where it was."""
-    settle = kernels_of("settle")
+    settle = kernels_of("exact")
     as_python(monkeypatch, settle, "of_many", "_side", "_on", "_down")
     monkeypatch.setattr(settle, "_edges", lambda *_: pytest.fail("all corners are looked at"))
     rng = RNG(4)
@@ -831,7 +832,7 @@ def test_a_turn_of_which_one_difference_alone_is_rounded_is_exact(swap, engine):
     """A straight way and one a float off: a product of two odd numbers is the difference of two floats of one end."""
     rng = RNG(6)
     if engine == "numba":
-        settle = kernels_of("settle")
+        settle = kernels_of("exact")
     for f, g in rng.integers(2**33, 2**36, (60, 2)).tolist():
         far = float(f * g)
         near = float(int(far) - f * g)
@@ -862,7 +863,7 @@ def test_a_sum_is_told_from_what_its_other_terms_can_add_up_to_at_most(engine):
     terms = np.array([-1, *[-(2.0**-53)] * 5, 1 + 2.0**-52])
     for way in (1, -1):
         if engine == "numba":
-            settle = kernels_of("settle")
+            settle = kernels_of("exact")
             assert settle._sign_of_sum(way * terms, len(terms)) == -way
         else:
             assert exact_signs.sign_of_sum(way * terms[:, None]) == -way
@@ -881,7 +882,7 @@ def test_sums_that_nearly_vanish_are_told_exactly(engine):
         rng.shuffle(terms)
         exact = sum(map(Fraction, terms))
         if engine == "numba":
-            settle = kernels_of("settle")
+            settle = kernels_of("exact")
             told = settle._sign_of_sum(terms.copy(), len(terms))
         else:
             (told,) = exact_signs.sign_of_sum(terms[:, None].copy())
@@ -1476,7 +1477,7 @@ def test_upright_boxes_are_told_by_their_sides_from_any_first_corner_of_each(eng
         made.append(batch.Polygons(corners[np.arange(2000)[:, None], around]))
     gap = np.maximum(low[0] - high[1], low[1] - high[0]).max(axis=1)
     with monkeypatch.context() as patch:
-        patch.setattr(narrow_phase.undecided, "relations", lambda a, i, *_: np.empty(len(i)) if not len(i) else None)
+        patch.setattr(narrow_phase.exact, "relations", lambda a, i, *_: np.empty(len(i)) if not len(i) else None)
         found = batch.relate(*made, engine=engine)
     assert found.tolist() == (1 - np.sign(gap)).tolist()
     assert set(found.tolist()) == {0, 1, 2}
@@ -1739,7 +1740,7 @@ def in_cells(rng):
 @pytest.mark.parametrize("seed", range(12))
 @pytest.mark.parametrize("engine", ENGINES)
 def test_cells_of_any_size_find_what_meets_and_each_pair_once(engine, seed, monkeypatch):
-    grid, rng = importlib.import_module(f"satviz.batch.grid_{engine}"), RNG(seed)
+    grid, rng = importlib.import_module(f"satviz.batch.with_{engine}.grid"), RNG(seed)
     for n in range(16):
         monkeypatch.setattr(grid, "BLOCK", int(rng.choice([1, 7, 1 << 20])))
         bounds, one, other, cell = in_cells(rng)
@@ -1815,7 +1816,7 @@ def test_even_cells_are_as_many_as_the_boxes_would_be_spread_like_their_middle_h
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("swap", [[0, 1, 2, 3], [1, 0, 3, 2]])
 def test_a_length_that_is_rounded_hides_no_box_that_begins_a_float_before_its_cells_border(engine, swap):
-    grid, rng = importlib.import_module(f"satviz.batch.grid_{engine}"), RNG(6)
+    grid, rng = importlib.import_module(f"satviz.batch.with_{engine}.grid"), RNG(6)
     for border in np.arange(-20, 20) / 4:
         begins = np.nextafter(border, -np.inf)
         for end in (border + 1, *(rng.choice([0, border + 1, border + 0.5]) + rng.integers(0, 40, 3) * 2.0**-55)):
@@ -1830,7 +1831,7 @@ def test_a_length_that_is_rounded_hides_no_box_that_begins_a_float_before_its_ce
 @pytest.mark.parametrize("about", [0, 1])
 def test_boxes_so_far_apart_that_numbers_of_cells_multiplied_overflow_are_found(engine, about):
     """The last cell of a row that has 2**32, in row 2**31: the next number would be 2**63; from 0 on or about it."""
-    grid = importlib.import_module(f"satviz.batch.grid_{engine}")
+    grid = importlib.import_module(f"satviz.batch.with_{engine}.grid")
     low = np.array([(0, 0), (2**32 - 3, 2**31 - 2), (2**32 - 3, 2**31 - 2)]) - np.array([2**31, 2**30]) * about
     (found,) = grid.met(np.hstack([low, low + 1.0]), np.arange(3), None, (1.0, 1.0), np.inf)
     assert found.tolist() == [[1, 2]]
@@ -2031,7 +2032,7 @@ def test_candidate_pairs_of_little_or_bad_input():
 
 @pytest.mark.parametrize("engine", ENGINES)
 def test_the_looks_of_the_grid_grow_like_shapes_and_pairs(monkeypatch, engine):
-    grid = importlib.import_module(f"satviz.batch.grid_{engine}")
+    grid = importlib.import_module(f"satviz.batch.with_{engine}.grid")
     looked, blocks = [], grid._blocks
 
     def counted(queries, boxes, *more):
@@ -2210,8 +2211,8 @@ def test_of_plain_pairs_in_any_order_none_needs_an_exact_sign(block, monkeypatch
     right = [int(sv.relate(p, q)) for known in [scalar(shapes)] for p, q in ((known[i], known[j]) for i, j in index)]
     asked = []
     monkeypatch.setattr(narrow_phase, "BLOCK_OF_PICKED", block)
-    real = narrow_phase.undecided.relations
-    monkeypatch.setattr(narrow_phase.undecided, "relations", lambda *c: asked.extend(c[1]) or real(*c))
+    real = narrow_phase.exact.relations
+    monkeypatch.setattr(narrow_phase.exact, "relations", lambda *c: asked.extend(c[1]) or real(*c))
     assert batch.relate(shapes, shapes, index, engine="numpy").tolist() == right
     assert not asked
 
@@ -2228,7 +2229,7 @@ def outlines_of_all_numbers(rng, across):
 @pytest.mark.parametrize("lanes", [1, 3, 128])
 def test_picked_outlines_of_all_numbers_of_corners_are_told_as_one_by_one(lanes, engine, monkeypatch):
     if engine == "numba":
-        picked = kernels_of("picked")
+        picked = kernels_of("indexed")
         as_python(monkeypatch, picked, "_polygons")
         monkeypatch.setattr(picked, "LANES", lanes)
     monkeypatch.setattr(indexed, "lanes", lambda *_: lanes)
@@ -2245,7 +2246,7 @@ def test_picked_outlines_of_all_numbers_of_corners_are_told_as_one_by_one(lanes,
 @pytest.mark.parametrize("lanes", [7, 128])
 def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeypatch):
     """Nor upright boxes, nor, where the middle of what their boxes share is inside both, many corners for an axis."""
-    picked = kernels_of("picked")
+    picked = kernels_of("indexed")
     as_python(monkeypatch, picked, "_polygons")
     monkeypatch.setattr(picked, "LANES", lanes)
     for name in "of_few", "of_many":
@@ -2295,7 +2296,7 @@ def test_picked_outlines_of_many_corners_are_looked_at_in_a_few_steps_and_edges_
     v, w, monkeypatch
 ):
     looks, asked, widths = [], [], []
-    for module, name in (indexed, "look_32"), (indexed.steps_numpy, "few_steps"):
+    for module, name in (indexed, "look_32"), (indexed.gjk, "few_steps"):
         real = getattr(module, name)
         monkeypatch.setattr(
             module, name, lambda *c, name=name, real=real: looks.append(name) or widths.append(c[4]) or real(*c)
@@ -2339,7 +2340,7 @@ def test_circles_beside_up_to_eight_corners_have_kernels_of_their_own(monkeypatc
 @pytest.mark.parametrize("scale", [1.0, 2.0**-90])
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 8), (8, 8), (8, 5), (9, 5), (12, 12)])
 def test_columns_that_floats_leave_undecided_are_settled_by_numba_and_the_others_left_as_they_are(v, w, scale):
-    picked = kernels_of("picked")
+    picked = kernels_of("indexed")
     a, touching = beside_mirror(v, w)
     for move in (0, 1, -1):
         p = batch.Polygons(a[:8] * scale)
@@ -2354,7 +2355,7 @@ def test_columns_that_floats_leave_undecided_are_settled_by_numba_and_the_others
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 8), (8, 8), (8, 5), (9, 5), (12, 12)])
 def test_picked_pairs_that_touch_are_all_settled_by_numba(v, w, scale, monkeypatch):
     """Those of few corners edge by edge, the others after a search; whatever stood in the answer's place."""
-    picked = kernels_of("picked")
+    picked = kernels_of("indexed")
     as_python(monkeypatch, picked, "_polygons")
     monkeypatch.setattr(picked, "of_many" if max(v, w) <= 8 else "of_few", lambda *_: pytest.fail("the other way"))
     a, touching = beside_mirror(v, w)
@@ -2367,7 +2368,7 @@ def test_picked_pairs_that_touch_are_all_settled_by_numba(v, w, scale, monkeypat
 
 @pytest.mark.parametrize("e", [-600, -100, 0, 100, 400, 600])
 def test_numbas_lanes_are_granted_room_for_the_widest_and_the_farthest(e, monkeypatch):
-    picked = kernels_of("picked")
+    picked = kernels_of("indexed")
     look, granted = in_python(picked._look), {}
 
     def seen(*given):
@@ -2558,7 +2559,7 @@ def test_upright_boxes_are_never_asked_for_an_exact_sign(engine, monkeypatch):
     alone, beside = batch.Polygons(tiles), batch.Polygons([*tiles, diamond])
     everywhere = beside[::-1][1:][::-1]
     asked = []
-    for module in (exact_signs, sv.engine.verdict):
+    for module in (exact_signs, sv.engine.relate):
         monkeypatch.setattr(module, "orient", lambda *c: asked.append(c))
     for shapes in (alone, everywhere):
         pairs = batch.candidate_pairs(shapes.bounds)
