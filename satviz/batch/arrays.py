@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ..engine.polygon_validation import refuse_masked
 from .ragged import Rings
 
-Where = SupportsIndex | slice | Sequence[int] | NDArray[np.integer[Any] | np.bool_]  # one, a range, indices, a mask
+Selection = SupportsIndex | slice | Sequence[int] | NDArray[np.integer[Any] | np.bool_]  # one, a range, indices, a mask
 
 
 class Group(NamedTuple):
@@ -83,7 +83,7 @@ class Shapes:
 
     def __repr__(self) -> str:
         kinds = zip(*np.unique(self.count, return_counts=True), strict=True)
-        held = [f"{n} x {_kind(v)}" for v, n in kinds]
+        held = [f"{n} x {_kind_name(v)}" for v, n in kinds]
         if self.owner is not None:
             held.append(f"parts of {len(self)}")
         return f"{type(self).__name__}({', '.join(held)})"
@@ -104,7 +104,7 @@ class Shapes:
         found = {}
         for v in np.unique(self.count).tolist():
             places = self.rings.start[:-1][self.count == v] + np.arange(v)[:, None]
-            found[v] = group_of(self.rings.x[places], self.rings.y[places])
+            found[v] = make_group(self.rings.x[places], self.rings.y[places])
         return found
 
     @cached_property
@@ -128,7 +128,7 @@ class Shapes:
         upright = np.zeros(len(self.count), bool)
         if (fours := np.flatnonzero(self.count == 4)).size:
             places = self.rings.start[fours] + np.arange(4)[:, None]
-            upright[fours] = upright_boxes(self.rings.x[places], self.rings.y[places])
+            upright[fours] = upright_box_mask(self.rings.x[places], self.rings.y[places])
         return Flat(*self.rings, self.parts.bounds, upright)
 
     @cached_property
@@ -139,12 +139,12 @@ class Shapes:
         return bool((self.count == 4).all() and self.flat.upright.all())
 
     @cached_property
-    def most(self) -> int:
+    def max_corners(self) -> int:
         """The largest number of corners; 0 of no shapes."""
         return int(self.count.max(initial=0))
 
     @cached_property
-    def least(self) -> int:
+    def min_corners(self) -> int:
         """The smallest number of corners, 1 where there are circles; 0 of no shapes."""
         return int(self.count.min()) if len(self.count) else 0
 
@@ -157,14 +157,14 @@ class Shapes:
     @property
     def parts(self) -> "Shapes":
         """The convex parts as shapes of their own."""
-        return self if self.owner is None else self._parts
+        return self if self.owner is None else self._unowned_parts
 
     @cached_property
-    def _parts(self) -> "Shapes":
+    def _unowned_parts(self) -> "Shapes":
         made = vars(self)
         return Shapes(self.count, rings=made.get("rings"), groups=made.get("groups"))
 
-    def __getitem__(self, where: Where) -> "Shapes":
+    def __getitem__(self, where: Selection) -> "Shapes":
         """Some of the shapes by slice, index array or mask; one by its index is a batch of one.
 
         Shapes count, not parts.  IndexError for what is out of range, ValueError for masked indices.
@@ -185,7 +185,7 @@ class Shapes:
             chosen = np.arange(len(owner)) + np.repeat(first - (np.cumsum(many) - many), many)
         count = self.count[chosen]
         if "rings" in vars(self) and not (count == 1).any():
-            return Shapes(count, owner, rings=self.rings.picked(chosen))
+            return Shapes(count, owner, rings=self.rings.take(chosen))
         slot = self.slot[chosen]
         groups = {v: self.groups[v].columns(slot[count == v]) for v in np.unique(count).tolist()}
         return Shapes(count, owner, groups=groups)
@@ -200,22 +200,22 @@ class Shapes:
                 found[:, i] = extreme.reduceat(c, first)
         else:
             for v, group in self.groups.items():
-                found[self.count == v] = _boxes(group)
+                found[self.count == v] = _bounding_boxes(group)
         if self.owner is None:
             return found
         first = self.starts[:-1]
         return np.hstack([np.minimum.reduceat(found[:, :2], first), np.maximum.reduceat(found[:, 2:], first)])
 
 
-def group_of(x: NDArray[np.float64], y: NDArray[np.float64]) -> Group:
+def make_group(x: NDArray[np.float64], y: NDArray[np.float64]) -> Group:
     """Polygons of one number of corners, column by column."""
     max_coordinate = float(max(np.abs(x).max(initial=0.0), np.abs(y).max(initial=0.0)))
     with np.errstate(over="ignore"):
         max_edge_component = float(max(np.abs(c - np.roll(c, 1, axis=0)).max(initial=0.0) for c in (x, y)))
-    return Group(x, y, None, max_edge_component, max_coordinate, len(x) == 4 and bool(upright_boxes(x, y).all()))
+    return Group(x, y, None, max_edge_component, max_coordinate, len(x) == 4 and bool(upright_box_mask(x, y).all()))
 
 
-def upright_boxes(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.bool_]:
+def upright_box_mask(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Which columns of four corners are boxes with their sides along x and y."""
     level: list[NDArray[np.bool_]] = [
         (c[i] == c[i + 1]) & (c[i - 2] == c[i - 1]) for c, i in ((x, 0), (y, 1), (y, 0), (x, 1))
@@ -223,7 +223,7 @@ def upright_boxes(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.
     return (level[0] & level[1]) | (level[2] & level[3])
 
 
-def _boxes(group: Group) -> NDArray[np.float64]:
+def _bounding_boxes(group: Group) -> NDArray[np.float64]:
     x, y = group.x, group.y
     box = np.stack([x.min(axis=0), y.min(axis=0), x.max(axis=0), y.max(axis=0)], axis=1)
     if group.r is not None:
@@ -233,11 +233,11 @@ def _boxes(group: Group) -> NDArray[np.float64]:
     return box
 
 
-def _kind(v: int) -> str:
+def _kind_name(v: int) -> str:
     return "circle" if v == 1 else f"{v}-gon"
 
 
-def checked(shapes: object, name: str) -> Shapes:
+def check_shapes(shapes: object, name: str) -> Shapes:
     """The batch itself; TypeError says how to make one of anything else."""
     if isinstance(shapes, Shapes):
         return shapes
@@ -246,7 +246,7 @@ def checked(shapes: object, name: str) -> Shapes:
 
 def concat(many: Sequence[Shapes]) -> Shapes:
     """One batch of several, in order: how circles and polygons are mixed."""
-    many = [checked(shapes, f"batch {i}") for i, shapes in enumerate(many)]
+    many = [check_shapes(shapes, f"batch {i}") for i, shapes in enumerate(many)]
     groups: dict[int, Group] = {}
     for v in sorted({v for shapes in many for v in shapes.groups}):
         mine = [shapes.groups[v] for shapes in many if v in shapes.groups]

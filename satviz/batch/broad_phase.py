@@ -11,10 +11,10 @@ from . import validation
 from .narrow_phase import engine_of
 from .with_numpy.grid import Grid, Pairs
 
-CHEAP = 48  # looks a box that are not worth a split: a look is far cheaper than sorting again
-ALIKE = 4.0
+MAX_CANDIDATES_PER_BOX = 48  # looks a box that are not worth a split: a look is far cheaper than sorting again
+MAX_UNSPLIT_RATIO = 4.0
 WIDE, FINE = 2.0**-1000, 2.0**-48  # of the farthest coordinate: cells whose numbers cannot overflow, nor run together
-SAMPLE = 1024  # boxes that tell how densely all lie
+SAMPLE_BOXES = 1024  # boxes that tell how densely all lie
 
 
 def candidate_pairs(bounds: validation.Points, *, engine: str | None = None) -> Pairs:
@@ -23,10 +23,10 @@ def candidate_pairs(bounds: validation.Points, *, engine: str | None = None) -> 
     `engine`: as in `relate`.  InvalidShape for boxes that are not finite or turned inside out.
     """
     grid = engine_of(engine).grid
-    return in_order(list(candidate_blocks(validation.boxes(bounds), grid)))
+    return sort_pairs(list(candidate_blocks(validation.boxes(bounds), grid)))
 
 
-def in_order(blocks: list[Pairs]) -> Pairs:
+def sort_pairs(blocks: list[Pairs]) -> Pairs:
     """All pairs sorted by their first index, then their second."""
     pairs = np.concatenate(blocks).astype(np.int64, copy=False) if blocks else np.empty((0, 2), np.int64)
     base = int(pairs.max(initial=0)) + 1
@@ -57,24 +57,24 @@ def candidate_blocks(bounds: NDArray[np.float64], grid: Grid) -> Iterator[Pairs]
         if len(both) < 2:
             continue
         largest = [float(size[d, both].max()) for d in (0, 1)]
-        even = [max(largest[d], _even(bounds[:, d], both), farthest * WIDE) for d in (0, 1)]
-        blocks = grid(bounds, one, other, even, CHEAP * len(both))
+        even = [max(largest[d], _cell_size_if_even(bounds[:, d], both), farthest * WIDE) for d in (0, 1)]
+        blocks = grid(bounds, one, other, even, MAX_CANDIDATES_PER_BOX * len(both))
         if blocks is None:
-            halves = _halves(size, one, other)
+            halves = _split_by_size(size, one, other)
             todo += halves
             # alike, and too many of them in the cells that would be right if they lay evenly
             blocks = None if halves else grid(bounds, one, other, [max(c, farthest * FINE) for c in largest], np.inf)
         yield from blocks or ()
 
 
-def _even(low: NDArray[np.float64], which: Pairs) -> float:
+def _cell_size_if_even(low: NDArray[np.float64], which: Pairs) -> float:
     """How wide cells are of which there would be as many as boxes, were these spread as evenly as their middle half."""
-    some = np.sort(low[which[:: -(-len(which) // SAMPLE)]])
+    some = np.sort(low[which[:: -(-len(which) // SAMPLE_BOXES)]])
     first, last = float(some[len(some) // 4]) / 2, float(some[-1 - len(some) // 4]) / 2
     return min(last - first, sys.float_info.max / 8) * (4 / sqrt(len(which)))
 
 
-def _halves(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[tuple[Pairs, Pairs | None]]:
+def _split_by_size(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[tuple[Pairs, Pairs | None]]:
     """The same comparison with the boxes that set the cell's width or height split; nothing if they are alike.
 
     They are split half way (by ratio) between the smallest and the largest.
@@ -86,7 +86,7 @@ def _halves(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[
         with np.errstate(all="ignore"):
             spreads.append((sizes.max() / sizes.min(), d, swap))
     spread, d, swap = max(spreads)
-    if spread <= ALIKE:
+    if spread <= MAX_UNSPLIT_RATIO:
         return []
     if other is not None and swap:
         one, other = other, one

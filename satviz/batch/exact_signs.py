@@ -17,18 +17,20 @@ Signs = NDArray[np.int8]
 Pairs = Sequence[tuple[Array, Array]]  # the factors of products
 
 UNKNOWN = -2  # below every sign: the least of several signs is known when all are
-ROUND = 2.0**-50  # eight roundings
-FINE = 2.0**-98  # 256 roundings of roundings
-FINEST = 2.0**-101  # 32 of them
-SPLIT = 2.0**27 + 1
-MOST_PASSES = 12
-LANES = 128  # pairs side by side at least, however many corners they have: of fewer, Python would take the most time
-CORNERS = 1 << 19  # side by side at most: what bounds the memory
+ERRBOUND_A = 2.0**-50  # eight roundings
+ERRBOUND_B = 2.0**-98  # 256 roundings of roundings
+ERRBOUND_C = 2.0**-101  # 32 of them
+SPLITTER = 2.0**27 + 1
+MAX_PASSES = 12
+MIN_BLOCK_PAIRS = (
+    128  # pairs side by side at least, however many corners they have: of fewer, Python would take the most time
+)
+MAX_BLOCK_CORNERS = 1 << 19  # side by side at most: what bounds the memory
 
 
-def lanes(corners: int, at_once: int = CORNERS) -> int:
+def pairs_per_block(corners: int, at_once: int = MAX_BLOCK_CORNERS) -> int:
     """How many pairs of so many corners to look at side by side."""
-    return max(LANES, at_once // corners)
+    return max(MIN_BLOCK_PAIRS, at_once // corners)
 
 
 def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
@@ -37,15 +39,15 @@ def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
         left = (qx - px) * (ry - py)
         right = (qy - py) * (rx - px)
         det, room = left - right, np.abs(left) + np.abs(right)
-        sure = (np.abs(det) > ROUND * room) & (room > TINY) & (room < HUGE)
+        sure = (np.abs(det) > ERRBOUND_A * room) & (room > TINY) & (room < HUGE)
     found = np.sign(det, where=sure, out=np.zeros_like(det)).astype(np.int8)
     rest = np.flatnonzero(~sure)
     if rest.size:
-        found[rest] = _turns(*(c[rest] for c in (px, py, qx, qy, rx, ry)))
+        found[rest] = _orient_adaptive(*(c[rest] for c in (px, py, qx, qy, rx, ry)))
     return found
 
 
-def _turns(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
+def _orient_adaptive(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
     """With what the differences and their products lost; exactly where that does not tell.
 
     A difference is a + ea with ea at most u a (u = 2**-53), and the same for b, c and d; with S = |ab| + |cd| the turn
@@ -55,11 +57,11 @@ def _turns(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
     """
     with np.errstate(all="ignore"):
         (a, ea), (b, eb), (c, ec), (d, ed) = (two_sum(u, -v) for u, v in ((qx, px), (ry, py), (qy, py), (rx, px)))
-        terms, size = _products([(a, b), (-c, d)])
+        terms, size = _expand_products([(a, b), (-c, d)])
         turn = terms[0] + terms[1]
         turn += (a * eb + ea * b) - (c * ed + ec * d)
         turn += terms[2] + terms[3]
-        found = sign_beyond(turn, FINEST * size)
+        found = certified_sign(turn, ERRBOUND_C * size)
     plain = (ea == 0) & (eb == 0) & (ec == 0) & (ed == 0)
     for mask, pairs in (
         (plain, [(a, b), (-c, d)]),
@@ -71,7 +73,7 @@ def _turns(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
     return found
 
 
-def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array) -> Signs:
+def circle_gap_signs(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array) -> Signs:
     """The exact sign of distance minus sum of radii for each pair of circles."""
     pairs = []
     for p, q in ((ax, bx), (ay, by)):
@@ -83,33 +85,33 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array) ->
 def sign_of_products(pairs: Pairs) -> Signs:
     """The exact signs of the sums of the products, column by column."""
     with np.errstate(all="ignore"):
-        terms, size = _products(pairs)
+        terms, size = _expand_products(pairs)
         found = np.full(len(size), UNKNOWN, np.int8)
         calm = np.flatnonzero(size < np.inf)
-        found[calm] = sign_of_sum(columns(terms, calm))
+        found[calm] = sign_of_sum(take_columns(terms, calm))
     for i in np.flatnonzero(found == UNKNOWN):
         _, n = to_integers(f[i] for pair in pairs for f in pair)
         found[i] = sign(sum(p * q for p, q in zip(n[::2], n[1::2], strict=True)))
     return found
 
 
-def nearly(pairs: Pairs, more: Array) -> tuple[Array, Array, Array]:
+def sum_with_error(pairs: Pairs, more: Array) -> tuple[Array, Array, Array]:
     """The sums of up to three products and of `more`, how far they can be off, and the products as floats to add up.
 
     With products of size R in all, u = 2**-53 and `more` at most 3uR: the errors of the products
     and of their sums are 3uR in all, and adding all this up rounds five times, by 30uuR.
     Granted are 256uuR: the difference is for how far `more` itself may be off.
     """
-    terms, size = _products(pairs)
-    _add_up(terms[len(pairs) :])
+    terms, size = _expand_products(pairs)
+    _vec_sum(terms[len(pairs) :])
     rest = terms[:-1].sum(axis=0)
     rest += more
     rest += terms[-1]
-    size *= FINE
+    size *= ERRBOUND_B
     return rest, size, terms
 
 
-def _products(pairs: Pairs) -> tuple[Array, Array]:
+def _expand_products(pairs: Pairs) -> tuple[Array, Array]:
     """Floats that add up to the products exactly, errors first, and the products' size: infinite where bits are lost.
 
     The error of a product above TINY, and the parts it is made of, are multiples of 1e-312: floats.
@@ -142,7 +144,7 @@ def two_product(a: Array, b: Array, error: Array, product: Array) -> None:
 
 def _split(a: Array) -> tuple[Array, Array]:
     """a as two floats of half the bits."""
-    high = a * SPLIT
+    high = a * SPLITTER
     high -= high - a
     return high, a - high
 
@@ -158,18 +160,18 @@ def two_sum(a: Array, b: Array) -> tuple[Array, Array]:
     return total, error
 
 
-def _add_up(terms: Array) -> None:
+def _vec_sum(terms: Array) -> None:
     """The rounded sum of each column into its last place; what was rounded off each time into the others."""
     for i in range(1, len(terms)):
         terms[i], terms[i - 1] = two_sum(terms[i], terms[i - 1])
 
 
-def columns(terms: Array, where: NDArray[np.intp]) -> Array:
+def take_columns(terms: Array, where: NDArray[np.intp]) -> Array:
     """Some of the columns, in ascending order; "clip" as NumPy's check of the indices takes twice the copying."""
     return terms if len(where) == terms.shape[1] else terms.take(where, axis=1, mode="clip")
 
 
-def sign_beyond(values: Array, room: Array | float) -> Signs:
+def certified_sign(values: Array, room: Array | float) -> Signs:
     """1 above the room, -1 below, 0 between."""
     return (values > room).view(np.int8) - (values < -room).view(np.int8)
 
@@ -178,15 +180,15 @@ def sign_of_sum(terms: Array) -> Signs:
     """The exact signs of the columns' sums; UNKNOWN where it takes too many passes.  The terms are used up."""
     found = np.full(terms.shape[1], UNKNOWN, np.int8)
     left = np.arange(len(found))
-    for _ in range(MOST_PASSES):
+    for _ in range(MAX_PASSES):
         rest = np.abs(terms[:-1]).sum(axis=0)
         rest *= 1 + 2.0**-40
-        signs = sign_beyond(terms[-1], rest)
+        signs = certified_sign(terms[-1], rest)
         done = (signs != 0) | (rest == 0)
         found[left] = np.where(done, signs, UNKNOWN)
         more = np.flatnonzero(~done)
         if not more.size:
             break
-        left, terms = left[more], columns(terms, more)
-        _add_up(terms)
+        left, terms = left[more], take_columns(terms, more)
+        _vec_sum(terms)
     return found

@@ -14,11 +14,11 @@ from numpy.typing import ArrayLike, NDArray
 from ..engine.polygon_validation import refuse_masked
 from ..optional_imports import needs
 from . import validation
-from .arrays import Group, Shapes, checked
-from .chunks import CHUNK, Call, at_least_one, check_executor, check_progress, in_chunks
+from .arrays import Group, Shapes, check_shapes
+from .chunks import CHUNK_PAIRS, Call, check_executor, check_progress, check_size, in_chunks
 from .codes import APART, UNDECIDED
-from .exact_signs import lanes
-from .ragged import FEW
+from .exact_signs import pairs_per_block
+from .ragged import MAX_LANE_CORNERS
 from .with_numpy import exact
 from .with_numpy.grid import Grid
 
@@ -39,10 +39,10 @@ class Engine(NamedTuple):
     boxes: Kernel
     circles: Kernel
     circle_polygons: Kernel
-    picked: Kernel
+    indexed: Kernel
     grid: Grid
-    settle: Kernel | None = None
-    most: int = sys.maxsize  # corners of polygons that are looked at side by side, in columns
+    exact_columns: Kernel | None = None
+    max_corners: int = sys.maxsize  # corners of polygons that are looked at side by side, in columns
 
 
 class Options(TypedDict, total=False):
@@ -62,7 +62,7 @@ def relate(
     engine: str | None = None,
     executor: Executor | None = None,
     progress: Callable[[int, int], None] | None = None,
-    chunk: int = CHUNK,
+    chunk: int = CHUNK_PAIRS,
 ) -> Relations:
     """The exact relation of each pair as int8: 0 apart, 1 touching, 2 overlapping (satviz.Relation's values).
 
@@ -73,9 +73,9 @@ def relate(
     fit, IndexError for pairs out of range, TypeError or ValueError for an option that is none,
     ChunkFailed names the range that failed.
     """
-    checked(a, "a"), checked(b, "b")
+    check_shapes(a, "a"), check_shapes(b, "b")
     chunk = check_options(engine, executor, progress, chunk)
-    chosen = None if pairs is None else checked_pairs(pairs, len(a), len(b))
+    chosen = None if pairs is None else check_pairs(pairs, len(a), len(b))
     if chosen is None and len(a) != len(b) and 1 not in (len(a), len(b)):
         raise ValueError(f"{len(a)} shapes against {len(b)}: pass as many of both, or one against many")
     n = len(chosen[0]) if chosen is not None else 0 if 0 in (len(a), len(b)) else max(len(a), len(b))
@@ -86,7 +86,7 @@ def relate(
     def job(start: int, stop: int) -> Call:
         if chosen is not None:
             i, j = (indices[start:stop] for indices in chosen)
-            return _relate_some, (a, i, b, j, engine) if shared else (*_picked(a, i), *_picked(b, j), engine)
+            return _relate_some, (a, i, b, j, engine) if shared else (*_take_used(a, i), *_take_used(b, j), engine)
         if shared:
             return _relate_range, (a, b, start, stop, engine)
         mine, theirs = (s if len(s) == 1 else s[start:stop] for s in (a, b))
@@ -109,7 +109,7 @@ def check_options(engine: object, executor: object, progress: object, size: obje
     """
     check_executor(executor)
     check_progress(progress)
-    number = at_least_one(of, size)
+    number = check_size(of, size)
     engine_of(engine)
     return number
 
@@ -118,11 +118,11 @@ def engine_of(name: Any) -> Engine:
     """The engine of that name, None for the best that works; TypeError and ValueError for what is no name."""
     if name is not None:
         validation.check_word("engine", name, ("numpy", "numba"))
-    return loaded(name)
+    return load_engine(name)
 
 
 @cache
-def loaded(name: str | None) -> Engine:
+def load_engine(name: str | None) -> Engine:
     """The engine of that name; numba is imported here and nowhere else.
 
     By default the best that works: where numba is installed but does not load or cannot keep
@@ -134,8 +134,8 @@ def loaded(name: str | None) -> Engine:
             from .with_numba import grid as grid_numba
             from .with_numba import indexed as indexed_numba
 
-            own = indexed_numba.polygons, grid_numba.met, indexed_numba.columns, FEW
-            return Engine(*_columns_of(filter_numba), *own)
+            own = indexed_numba.polygons, grid_numba.meeting_pairs, indexed_numba.columns, MAX_LANE_CORNERS
+            return Engine(*_column_kernels_of(filter_numba), *own)
         except Exception as error:  # an ImportError of its own, or RuntimeError where no folder can be written
             if name is None:
                 warnings.warn(f"numba does not work here, so NumPy does the work: {error}", stacklevel=2)
@@ -147,14 +147,14 @@ def loaded(name: str | None) -> Engine:
     from .with_numpy import grid as grid_numpy
     from .with_numpy import indexed
 
-    return Engine(*_columns_of(filter_numpy), indexed.polygons, grid_numpy.met)
+    return Engine(*_column_kernels_of(filter_numpy), indexed.polygons, grid_numpy.meeting_pairs)
 
 
-def _columns_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
-    return module.BLOCK, module.polygons, module.boxes, module.circles, module.circle_polygons
+def _column_kernels_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
+    return module.BLOCK_PAIRS, module.polygons, module.boxes, module.circles, module.circle_polygons
 
 
-def checked_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
+def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
     """The two columns of (K, 2) indices into na and nb shapes; ValueError and IndexError say what is wrong."""
     refuse_masked(pairs, "pairs")
     pairs = np.asarray(pairs)
@@ -168,7 +168,7 @@ def checked_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]
     return pairs[:, 0], pairs[:, 1]
 
 
-def _picked(shapes: Shapes, indices: Indices) -> tuple[Shapes, Indices]:
+def _take_used(shapes: Shapes, indices: Indices) -> tuple[Shapes, Indices]:
     """Only the shapes that a chunk needs, to send elsewhere, and the indices into them."""
     used, where = np.unique(indices, return_inverse=True)
     return shapes[used], where
@@ -177,7 +177,7 @@ def _picked(shapes: Shapes, indices: Indices) -> tuple[Shapes, Indices]:
 def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | None) -> Relations:
     """Pairs start to stop of a[i] with b[i], or of one with many."""
     kernels = engine_of(engine)
-    side_by_side = len(a) == len(b) and max(a.most, b.most) <= kernels.most
+    side_by_side = len(a) == len(b) and max(a.max_corners, b.max_corners) <= kernels.max_corners
     one, other = (a.uniform, b.uniform) if side_by_side else (None, None)
     if one is None or other is None:
         indices = np.arange(start, stop)
@@ -186,9 +186,9 @@ def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | Non
     out = np.empty(stop - start, np.int8)
     left = [np.empty(0, np.intp)]  # block by block: for a mask of all, the system would have to find memory anew
     for first in range(0, len(out), kernels.block):
-        block = out[first : first + kernels.block]
-        _filter(kernels, one, other, start + first, block)
-        left.append(first + np.flatnonzero(block == UNDECIDED))
+        block_pairs = out[first : first + kernels.block]
+        _evaluate_block(kernels, one, other, start + first, block_pairs)
+        left.append(first + np.flatnonzero(block_pairs == UNDECIDED))
     rest = np.concatenate(left)
     out[rest] = exact.relations(one, start + rest, other, start + rest)
     return out
@@ -200,11 +200,11 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
         return _relate_parts(a, ia, b, ib, engine)
     kernels = engine_of(engine)
     out = np.full(len(ia), UNDECIDED, np.int8)
-    if min(a.least, b.least) > 1:
-        kernels.picked(a.flat, np.ascontiguousarray(ia), b.flat, np.ascontiguousarray(ib), out)
+    if min(a.min_corners, b.min_corners) > 1:
+        kernels.indexed(a.flat, np.ascontiguousarray(ia), b.flat, np.ascontiguousarray(ib), out)
     elif (polygons := np.flatnonzero((a.count[ia] > 1) & (b.count[ib] > 1))).size:
         found = np.empty(len(polygons), np.int8)
-        kernels.picked(a.flat, ia[polygons], b.flat, ib[polygons], found)
+        kernels.indexed(a.flat, ia[polygons], b.flat, ib[polygons], found)
         out[polygons] = found
     todo = np.flatnonzero(out == UNDECIDED)
     key = a.count[ia[todo]] << 32 | b.count[ib[todo]]
@@ -212,18 +212,18 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
         mine = todo[key == kind]
         one, other = a.groups[kind >> 32], b.groups[kind & 0xFFFFFFFF]
         if one.r is not None or other.r is not None:  # polygons were looked at
-            size = min(BLOCK_OF_PICKED, lanes(max(len(one.x), len(other.x))))
+            size = min(BLOCK_PAIRS, pairs_per_block(max(len(one.x), len(other.x))))
             for start in range(0, len(mine), size):
                 part = mine[start : start + size]
                 found = np.empty(len(part), np.int8)
-                _filter(kernels, one.columns(a.slot[ia[part]]), other.columns(b.slot[ib[part]]), 0, found)
+                _evaluate_block(kernels, one.columns(a.slot[ia[part]]), other.columns(b.slot[ib[part]]), 0, found)
                 out[part] = found
         rest = mine[out[mine] == UNDECIDED]
         out[rest] = exact.relations(one, a.slot[ia[rest]], other, b.slot[ib[rest]])
     return out
 
 
-BLOCK_OF_PICKED = 16384  # pairs: their columns are copied first, and where corners are few the copies stay in the cache
+BLOCK_PAIRS = 16384  # pairs: their columns are copied first, and where corners are few the copies stay in the cache
 
 
 def _relate_parts(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | None) -> Relations:
@@ -233,8 +233,8 @@ def _relate_parts(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | 
     many_b = b.starts[ib + 1] - first_b
     each = (a.starts[ia + 1] - first_a) * many_b
     end = np.cumsum(each)
-    for start in range(0, end[-1], BLOCK_OF_PARTS):
-        place = np.arange(start, min(start + BLOCK_OF_PARTS, end[-1]))
+    for start in range(0, end[-1], BLOCK_PART_PAIRS):
+        place = np.arange(start, min(start + BLOCK_PART_PAIRS, end[-1]))
         of = np.searchsorted(end, place, side="right")
         rank = place - (end - each)[of]
         pa, pb = first_a[of] + rank // many_b[of], first_b[of] + rank % many_b[of]
@@ -242,10 +242,10 @@ def _relate_parts(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | 
     return out
 
 
-BLOCK_OF_PARTS = 1 << 18  # pairs of parts at a time: what bounds the memory
+BLOCK_PART_PAIRS = 1 << 18  # pairs of parts at a time: what bounds the memory
 
 
-def _filter(kernels: Engine, a: Group, b: Group, first: int, out: Relations) -> None:
+def _evaluate_block(kernels: Engine, a: Group, b: Group, first: int, out: Relations) -> None:
     """Relations of one block of one kind of pair, from column `first` on; UNDECIDED where floats cannot tell."""
     with np.errstate(all="ignore"):
         if a.upright and b.upright:
@@ -257,5 +257,7 @@ def _filter(kernels: Engine, a: Group, b: Group, first: int, out: Relations) -> 
             kernels.circle_polygons(circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y, first, out)
         else:
             kernels.polygons(a, b, first, out)
-            if kernels.settle is not None and out.min(initial=APART) == UNDECIDED:  # rarely, and to look costs little
-                kernels.settle(a, b, first, out)
+            if (
+                kernels.exact_columns is not None and out.min(initial=APART) == UNDECIDED
+            ):  # rarely, and to look costs little
+                kernels.exact_columns(a, b, first, out)

@@ -9,7 +9,7 @@ Array = NDArray[np.float64]
 Places = NDArray[np.intp]
 Mask = NDArray[np.bool_]
 
-FEW = 8  # corners: up to so many pairs are looked at in columns or lanes, corner by corner
+MAX_LANE_CORNERS = 8  # corners: up to so many pairs are looked at in columns or lanes, corner by corner
 
 
 class Rings(NamedTuple):
@@ -19,17 +19,17 @@ class Rings(NamedTuple):
     y: Array
     start: Places
 
-    def some(self, mask: Mask) -> "Rings":
+    def select(self, mask: Mask) -> "Rings":
         """The outlines of a mask."""
-        return self if mask.all() else self.without(np.repeat(mask, np.diff(self.start)), mask)
+        return self if mask.all() else self.keep_corners(np.repeat(mask, np.diff(self.start)), mask)
 
-    def without(self, kept: Mask, mask: Mask | None = None) -> "Rings":
+    def keep_corners(self, kept: Mask, mask: Mask | None = None) -> "Rings":
         """Only the corners kept, of those outlines (of all)."""
         ends = np.concatenate([[0], np.cumsum(kept)])[self.start]
         start = ends if mask is None else np.concatenate([[0], np.cumsum(np.diff(ends)[mask])])
         return Rings(self.x[kept], self.y[kept], start)
 
-    def picked(self, where: Places) -> "Rings":
+    def take(self, where: Places) -> "Rings":
         """The outlines of these numbers, in this order."""
         many = np.diff(self.start)[where]
         start = np.concatenate([[0], np.cumsum(many)])
@@ -37,7 +37,7 @@ class Rings(NamedTuple):
         return Rings(self.x[corners], self.y[corners], start)
 
 
-def joined(many: list[Rings]) -> Rings:
+def concat_rings(many: list[Rings]) -> Rings:
     """All of them, in order."""
     counts = [np.diff(rings.start) for rings in many]
     x, y = (np.concatenate([rings[i] for rings in many]) for i in (0, 1))

@@ -16,9 +16,9 @@ from ..engine.shapes import Polygon
 Rings = Any  # an (N, V, 2) array, or a sequence of what satviz.Polygon takes
 Points = Any  # an (N, 2) array, or a sequence of what satviz.Circle takes as its center
 Numbers = Any  # an (N,) array, a sequence of numbers, or one number
-CONCAVE = "refuse", "split"  # what to do with concave outlines
+CONCAVE_OPTIONS = "refuse", "split"  # what to do with concave outlines
 
-EXPECTED = "expected to rise from 0 to the number of vertices"  # of offsets
+OFFSETS_RULE = "expected to rise from 0 to the number of vertices"  # of offsets
 
 
 def check_word(name: str, value: object, words: Sequence[str]) -> None:
@@ -28,21 +28,23 @@ def check_word(name: str, value: object, words: Sequence[str]) -> None:
         raise fault(f"{name} is {polygon_validation.shown(value)}: choose {' or '.join(map(json.dumps, words))}")
 
 
-def rings(vertices: NDArray[Any], name: Callable[[int], str]) -> NDArray[np.float64]:
+def rings_from_array(vertices: NDArray[Any], name: Callable[[int], str]) -> NDArray[np.float64]:
     """An (N, V, 2) array in float64; InvalidShape names the first number that is none."""
     if vertices.ndim != 3 or vertices.shape[2] != 2 or vertices.shape[1] < 3:
         raise InvalidShape(f"vertices has the shape {vertices.shape}: expected (N, V, 2) with V at least 3")
     return floats(vertices, "vertices", lambda i, j, k: f"{name(i)}: vertex {j}.{'xy'[k]}")
 
 
-def ragged(vertices: Points, offsets: Any) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
+def rings_from_offsets(
+    vertices: Points, offsets: Any
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
     """x, y and where each outline starts; InvalidShape names the first number that is none and the first bad offset."""
     start = np.asarray(offsets)
     if start.ndim != 1 or not start.size or start.dtype.kind not in "iu":
         raise InvalidShape(f"offsets is {start.dtype} of the shape {start.shape}: expected N + 1 integers")
     polygon_validation.refuse_masked(offsets, "offsets")
     if (far := np.flatnonzero(start > np.iinfo(np.intp).max)).size:
-        raise InvalidShape(f"offsets holds {start[far[0]]}: {EXPECTED}")
+        raise InvalidShape(f"offsets holds {start[far[0]]}: {OFFSETS_RULE}")
     start = start.astype(np.intp)
 
     def entry(i: int) -> str:
@@ -50,20 +52,20 @@ def ragged(vertices: Points, offsets: Any) -> tuple[NDArray[np.float64], NDArray
         return f"polygon {polygon}: vertex {i - start[polygon]}"
 
     if start[0]:
-        raise InvalidShape(f"offsets begins with {start[0]}: {EXPECTED}")
+        raise InvalidShape(f"offsets begins with {start[0]}: {OFFSETS_RULE}")
     if (fall := np.flatnonzero(np.diff(start) < 0)).size:
-        raise InvalidShape(f"offsets falls from {start[fall[0]]} to {start[fall[0] + 1]}: {EXPECTED}")
+        raise InvalidShape(f"offsets falls from {start[fall[0]]} to {start[fall[0] + 1]}: {OFFSETS_RULE}")
     found = points(vertices, "vertices", entry)
     if start[-1] != len(found):
-        raise InvalidShape(f"offsets ends with {start[-1]}: {EXPECTED}, {len(found)}")
+        raise InvalidShape(f"offsets ends with {start[-1]}: {OFFSETS_RULE}, {len(found)}")
     return found[:, 0], found[:, 1], start
 
 
-def listed_rings(
+def rings_from_sequence(
     vertices: Any, name: Callable[[int], str]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
     """The same from a sequence of outlines."""
-    given = _listed(vertices, "vertices")
+    given = _as_list(vertices, "vertices")
     arrays: list[NDArray[np.float64]] = []
 
     def joined() -> tuple[NDArray[np.float64], NDArray[np.intp]]:
@@ -75,7 +77,7 @@ def listed_rings(
         return flat, start
 
     for i, one in enumerate(given):
-        array = _quickly(one)
+        array = _plain_float_ring(one)
         if array is None:
             try:
                 array = ring(one, name(i))
@@ -87,7 +89,7 @@ def listed_rings(
     return flat[:, 0], flat[:, 1], start
 
 
-def _quickly(one: Any) -> NDArray[np.float64] | None:
+def _plain_float_ring(one: Any) -> NDArray[np.float64] | None:
     """An outline of plain floats as an array, not yet known to be finite; None where the door must look closer."""
     if type(one) is np.ndarray:
         return one if one.dtype == np.float64 and one.ndim == 2 and one.shape[1] == 2 else None
@@ -116,7 +118,7 @@ def ring(vertices: Any, name: str) -> NDArray[np.float64]:
 def points(values: Points, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
     """(N, 2) float64 from an array or a sequence of points."""
     if not _is_plain(values):
-        return np.array([polygon_validation.point(p, item(i)) for i, p in enumerate(_listed(values, name))]).reshape(
+        return np.array([polygon_validation.point(p, item(i)) for i, p in enumerate(_as_list(values, name))]).reshape(
             -1, 2
         )
     if values.ndim != 2 or values.shape[1] != 2:
@@ -129,7 +131,7 @@ def boxes(values: Points) -> NDArray[np.float64]:
     name = "bounds"
     if not _is_plain(values):
         rows = [
-            polygon_validation.listed(box, f"{name}[{i}]", "4 numbers") for i, box in enumerate(_listed(values, name))
+            polygon_validation.listed(box, f"{name}[{i}]", "4 numbers") for i, box in enumerate(_as_list(values, name))
         ]
         for i, row in enumerate(rows):
             if len(row) != 4:
@@ -144,7 +146,7 @@ def boxes(values: Points) -> NDArray[np.float64]:
     return found
 
 
-def _listed(values: Any, name: str) -> list[Any]:
+def _as_list(values: Any, name: str) -> list[Any]:
     return polygon_validation.listed(values, name, "a sequence")
 
 
@@ -153,7 +155,7 @@ def numbers(values: Numbers, name: str, one: str, item: Callable[[int], str]) ->
     if _is_plain(values):
         return floats(values, name, lambda *i: item(i[0]) if i else one)
     if isinstance(values, Iterable):
-        return np.array([polygon_validation.number(v, item(i)) for i, v in enumerate(_listed(values, name))])
+        return np.array([polygon_validation.number(v, item(i)) for i, v in enumerate(_as_list(values, name))])
     return np.array(polygon_validation.number(values, one))
 
 

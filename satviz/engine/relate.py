@@ -17,7 +17,7 @@ APART, TOUCHING, OVERLAPPING = Relation
 # 15 * 2**-53 * D * M, whatever the order and with fused operations.  Asked: 32.
 ERROR_FACTOR_F64 = 2.0**-48
 FEW = 6  # slabs of both, as triangles have: so few are looked at as soon as a point between them
-LEAST_ROOM, MOST_ROOM = TINY, HUGE * ERROR_FACTOR_F64
+MIN_ERROR_BOUND, MAX_ERROR_BOUND = TINY, HUGE * ERROR_FACTOR_F64
 
 
 def relate(a: Shape, b: Shape) -> Relation:
@@ -47,7 +47,7 @@ def relate(a: Shape, b: Shape) -> Relation:
         a.max_coordinate + b.max_coordinate
     ) * ERROR_FACTOR_F64  # the sum stands in for the larger: quicker, and on the safe side
     room_a, room_b = a.max_edge_component * reach, b.max_edge_component * reach
-    if not (LEAST_ROOM < room_a < MOST_ROOM and LEAST_ROOM < room_b < MOST_ROOM):
+    if not (MIN_ERROR_BOUND < room_a < MAX_ERROR_BOUND and MIN_ERROR_BOUND < room_b < MAX_ERROR_BOUND):
         return relate_integers(*aligned(a, b)[:3])
     if len(a_slabs) + len(b_slabs) > FEW:
         # the middle of what both boxes share: surely inside both shapes, or beyond an edge that then is the likeliest

@@ -13,34 +13,34 @@ from functools import cache
 import numpy as np
 
 from ...engine.predicates import HUGE, TINY
-from ...engine.relate import ERROR_FACTOR_F64, LEAST_ROOM, MOST_ROOM
+from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..arrays import Group
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from ..exact_signs import Array, Signs
 from .jit_cache import compiled
 
-BLOCK = 1 << 17  # pairs a call: long enough that Python's share vanishes
-TILE = 128  # pairs whose columns stay in the first-level cache between edges
+BLOCK_PAIRS = 1 << 17  # pairs a call: long enough that Python's share vanishes
+TILE_PAIRS = 128  # pairs whose columns stay in the first-level cache between edges
 
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     """APART where an edge has the other shape beyond it by more than rounding can hide."""
-    looks(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, room_of(a, b), out)
+    clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, error_bound_of(a, b), out)
 
 
-def room_of(a: Group, b: Group) -> float:
+def error_bound_of(a: Group, b: Group) -> float:
     """How far a float64 clearance of these groups can be off; infinite outside the range where that is known."""
     found = (a.max_edge_component + b.max_edge_component) * (a.max_coordinate + b.max_coordinate) * ERROR_FACTOR_F64
-    return found if LEAST_ROOM < found < MOST_ROOM else np.inf
+    return found if MIN_ERROR_BOUND < found < MAX_ERROR_BOUND else np.inf
 
 
-def looks(va: int, vb: int) -> Callable[..., None]:
+def clearance_kernel(va: int, vb: int) -> Callable[..., None]:
     """The kernel for so many corners: (ax, ay, bx, by, first column, room, out)."""
-    return _unrolled(va, vb) if va <= 4 and vb <= 4 else _eight if va == vb == 8 else _general
+    return _unrolled_kernel(va, vb) if va <= 4 and vb <= 4 else _kernel_8 if va == vb == 8 else _kernel_any
 
 
 @cache
-def _unrolled(va: int, vb: int) -> Callable[..., None]:
+def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
     """A kernel for fixed numbers of corners: the compiler unrolls its inner loops and vectorises over pairs."""
 
     @compiled
@@ -70,20 +70,20 @@ def _unrolled(va: int, vb: int) -> Callable[..., None]:
 
 
 @compiled
-def _eight(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
-    best = np.empty(TILE)
-    for start in range(0, out.size, TILE):
-        n = min(TILE, out.size - start)
+def _kernel_8(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
+    best = np.empty(TILE_PAIRS)
+    for start in range(0, out.size, TILE_PAIRS):
+        n = min(TILE_PAIRS, out.size - start)
         for i in range(n):
             best[i] = -np.inf
-        edges_of_eight(ax, ay, bx, by, first + start, n, best)
-        edges_of_eight(bx, by, ax, ay, first + start, n, best)
+        raise_clearance_8(ax, ay, bx, by, first + start, n, best)
+        raise_clearance_8(bx, by, ax, ay, first + start, n, best)
         for i in range(n):
             out[start + i] = APART if best[i] > room else OVERLAPPING if best[i] < -room else UNDECIDED
 
 
 @compiled
-def edges_of_eight(x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array) -> None:
+def raise_clearance_8(x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array) -> None:
     """Raise `best` to the clearances of n columns from s on; after the last row comes the first, or a ninth."""
     t = s + n
     p0, p1, p2, p3, p4, p5, p6, p7 = (
@@ -121,20 +121,20 @@ def edges_of_eight(x: Array, y: Array, px: Array, py: Array, s: int, n: int, bes
 
 
 @compiled
-def _general(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
-    best, least, nx, ny = np.empty(TILE), np.empty(TILE), np.empty(TILE), np.empty(TILE)
-    for start in range(0, out.size, TILE):
-        n = min(TILE, out.size - start)
+def _kernel_any(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
+    best, least, nx, ny = np.empty(TILE_PAIRS), np.empty(TILE_PAIRS), np.empty(TILE_PAIRS), np.empty(TILE_PAIRS)
+    for start in range(0, out.size, TILE_PAIRS):
+        n = min(TILE_PAIRS, out.size - start)
         for i in range(n):
             best[i] = -np.inf
-        _edges(ax, ay, bx, by, first + start, n, best, least, nx, ny)
-        _edges(bx, by, ax, ay, first + start, n, best, least, nx, ny)
+        _raise_clearance(ax, ay, bx, by, first + start, n, best, least, nx, ny)
+        _raise_clearance(bx, by, ax, ay, first + start, n, best, least, nx, ny)
         for i in range(n):
             out[start + i] = APART if best[i] > room else OVERLAPPING if best[i] < -room else UNDECIDED
 
 
 @compiled
-def _edges(
+def _raise_clearance(
     x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array, least: Array, nx: Array, ny: Array
 ) -> None:
     t = s + n

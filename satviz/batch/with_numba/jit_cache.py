@@ -17,11 +17,11 @@ SOURCES = [
 ]
 
 
-def _stamp(path: Path) -> tuple[int, int]:
+def _file_stamp(path: Path) -> tuple[int, int]:
     return path.stat().st_mtime_ns, path.stat().st_size
 
 
-STAMP = tuple(map(_stamp, SOURCES))
+STAMP = tuple(map(_file_stamp, SOURCES))
 
 
 def inlined(kernel: Kernel) -> Kernel:
@@ -36,7 +36,7 @@ def compiled(kernel: Kernel) -> Kernel:
         return kernel
     kept = made._cache._cache_file  # noqa: SLF001
     # numba would keep what it compiled until the kernel's own file changes; it holds calls and constants of others too
-    kept._source_stamp = (*STAMP, _stamp(Path(kernel.__code__.co_filename)))  # noqa: SLF001
+    kept._source_stamp = (*STAMP, _file_stamp(Path(kernel.__code__.co_filename)))  # noqa: SLF001
     # it counts its files and writes the index first, which then could name what was left by older code, or what another
     # process that compiles at the same moment puts there for arrays of another kind
     kept._data_name_pattern = kept._data_name_pattern.replace(".nbc", f"-{uuid4().hex}.nbc")  # noqa: SLF001

@@ -18,33 +18,33 @@ from ..exact_signs import UNKNOWN, Array, Pairs, Signs, two_sum
 
 Indices = NDArray[np.intp]
 
-BLOCK = 1 << 13  # pairs at a time, where they have few corners: their columns stay in the second-level cache
-FEW = 32  # pairs that integers settle sooner
+BLOCK_PAIRS = 1 << 13  # pairs at a time, where they have few corners: their columns stay in the second-level cache
+MAX_INTEGER_PAIRS = 32  # pairs that integers settle sooner
 
 
-def gaps(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
+def gap_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
     """The exact signs of distance minus radius, column by column; -1 also with the center inside."""
     found = np.full(len(cx), UNKNOWN, np.int8)
     with np.errstate(all="ignore"):
-        size = min(BLOCK, exact_signs.lanes(len(px)))
-        for start in range(0, len(cx) if len(cx) > FEW else 0, size):
+        size = min(BLOCK_PAIRS, exact_signs.pairs_per_block(len(px)))
+        for start in range(0, len(cx) if len(cx) > MAX_INTEGER_PAIRS else 0, size):
             part = slice(start, start + size)
-            found[part] = _by_floats(*(c[..., part] for c in (cx, cy, cr, px, py)))
+            found[part] = _float_signs(*(c[..., part] for c in (cx, cy, cr, px, py)))
     for i in np.flatnonzero(found == UNKNOWN):
-        found[i] = _by_integers(cx[i], cy[i], cr[i], px[:, i], py[:, i])
+        found[i] = _integer_sign(cx[i], cy[i], cr[i], px[:, i], py[:, i])
     return found
 
 
-def _by_integers(cx: float, cy: float, cr: float, px: Array, py: Array) -> int:
+def _integer_sign(cx: float, cy: float, cr: float, px: Array, py: Array) -> int:
     _, (x, y, r, *flat) = to_integers([float(cx), float(cy), float(cr), *px.tolist(), *py.tolist()])
     return 1 - relate_integers([(x, y)], list(zip(flat[: len(px)], flat[len(px) :], strict=True)), r)
 
 
-def _by_floats(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
+def _float_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
     """The same, or UNKNOWN: the least over all corners, and feet within their edges, that may be within reach."""
     n, v = len(cx), len(px)
-    px, py = _closed(px), _closed(py)
-    corners, upright, slanted, inside, room = _within_reach(cx, cy, cr, px, py)
+    px, py = _close_rings(px), _close_rings(py)
+    corners, upright, slanted, inside, room = _features_within_radius(cx, cy, cr, px, py)
     found = np.ones(v * n, np.int8)
     least = found.reshape(v, n)
 
@@ -61,24 +61,24 @@ def _by_floats(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
         value, doubtful = _foot_signs(*edges, room=room[pair])
         ask = np.flatnonzero(doubtful & (value < least.min(axis=0)[pair]))
         if ask.size:
-            value[ask] = _only_between(value[ask], *(c[ask] for c in edges))
+            value[ask] = _keep_inner_feet(value[ask], *(c[ask] for c in edges))
         found[slanted] = np.minimum(found[slanted], value)
     nearest: Signs = least.min(axis=0)
     inside = inside[nearest[inside] >= 0]
     if inside.size:
-        nearest[inside[_inside(*(c[..., inside] for c in (cx, cy, px, py)))]] = -1
+        nearest[inside[_contains_center(*(c[..., inside] for c in (cx, cy, px, py)))]] = -1
     nearest[room == np.inf] = UNKNOWN
     return nearest
 
 
-def _closed(c: Array) -> Array:
+def _close_rings(c: Array) -> Array:
     """The first corner again at the end."""
     closed = np.empty((len(c) + 1, c.shape[1]))
     closed[:-1], closed[-1] = c, c[0]
     return closed
 
 
-def _within_reach(
+def _features_within_radius(
     cx: Array, cy: Array, cr: Array, px: Array, py: Array
 ) -> tuple[Indices, Indices, Indices, Indices, Array]:
     """Flat places of the corners, and of the edges (upright, slanted) with feet, that may lie within the radius.
@@ -121,7 +121,7 @@ def _corner_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Sign
     """
     (x, a), (y, b) = two_sum(px, -cx), two_sum(py, -cy)
     more = x * a + y * b
-    return _signs([(x, x), (y, y), (-cr, cr)], more + more, (a == 0) & (b == 0))
+    return _signs_of_sums([(x, x), (y, y), (-cr, cr)], more + more, (a == 0) & (b == 0))
 
 
 def _upright_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array) -> Signs:
@@ -152,9 +152,9 @@ def _foot_signs(
     doubtful = np.maximum(along, -square - along) >= -room
     length = np.sqrt(square)
     more = dx * f + dy * g
-    missing, off, terms = exact_signs.nearly([(dx, dx), (dy, dy), (-length, length)], more + more)
+    missing, off, terms = exact_signs.sum_with_error([(dx, dx), (dy, dy), (-length, length)], more + more)
     exact = np.flatnonzero((np.abs(missing) <= off) & (off < np.inf) & (f == 0) & (g == 0))
-    exact = exact[exact_signs.sign_of_sum(exact_signs.columns(terms, exact)) == 0]
+    exact = exact[exact_signs.sign_of_sum(exact_signs.take_columns(terms, exact)) == 0]
     missing /= length + length
     missing[exact] = 0.0
     plain = np.zeros(len(x), bool)
@@ -164,10 +164,12 @@ def _foot_signs(
     if unclear.size:
         side[unclear] = -exact_signs.orient(*(c[unclear] for c in (px, py, qx, qy, cx, cy)))
     more = side * (b * dx + y * f - a * dy - x * g) - cr * missing
-    return _signs([(side * y, dx), (-side * x, dy), (-cr, length)], more, plain), doubtful
+    return _signs_of_sums([(side * y, dx), (-side * x, dy), (-cr, length)], more, plain), doubtful
 
 
-def _only_between(least: Signs, cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array) -> Signs:
+def _keep_inner_feet(
+    least: Signs, cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array
+) -> Signs:
     """Those signs whose foot lies strictly between the ends; 1 for the others, as a corner is nearer."""
     (dx, f), (dy, g) = two_sum(qx, -px), two_sum(qy, -py)
     inner = []
@@ -175,23 +177,23 @@ def _only_between(least: Signs, cx: Array, cy: Array, cr: Array, px: Array, py: 
         (x, a), (y, b) = two_sum(ends[0], -cx), two_sum(ends[1], -cy)
         more = way * (a * dx + x * f + b * dy + y * g)
         plain = (a == 0) & (b == 0) & (f == 0) & (g == 0)
-        inner.append(_signs([(way * x, dx), (way * y, dy)], more, plain))
+        inner.append(_signs_of_sums([(way * x, dx), (way * y, dy)], more, plain))
     worst = np.minimum(*inner)
     return np.where(worst == UNKNOWN, UNKNOWN, np.where(worst > 0, least, 1))
 
 
-def _signs(pairs: Pairs, more: Array, plain: NDArray[np.bool_]) -> Signs:
+def _signs_of_sums(pairs: Pairs, more: Array, plain: NDArray[np.bool_]) -> Signs:
     """Signs of the products and `more`, which is exactly 0 where `plain`; UNKNOWN where too near to 0 otherwise."""
-    total, off, terms = exact_signs.nearly(pairs, more)
-    found = exact_signs.sign_beyond(total, off)
+    total, off, terms = exact_signs.sum_with_error(pairs, more)
+    found = exact_signs.certified_sign(total, off)
     rest = np.flatnonzero(found == 0)
     found[rest] = UNKNOWN
     rest = rest[plain[rest] & (off[rest] < np.inf)]
-    found[rest] = exact_signs.sign_of_sum(exact_signs.columns(terms, rest))
+    found[rest] = exact_signs.sign_of_sum(exact_signs.take_columns(terms, rest))
     return found
 
 
-def _inside(cx: Array, cy: Array, px: Array, py: Array) -> NDArray[np.bool_]:
+def _contains_center(cx: Array, cy: Array, px: Array, py: Array) -> NDArray[np.bool_]:
     """Is the center strictly left of every edge?"""
     ends = [np.ravel(c) for c in (px[:-1], py[:-1], px[1:], py[1:])]
     centers = [np.tile(c, len(px) - 1) for c in (cx, cy)]

@@ -16,49 +16,49 @@ from . import gjk
 
 Array32 = NDArray[np.float32]
 
-BLOCK = 16384  # pairs at a time: their columns and the scratch arrays stay in the second-level cache
+BLOCK_PAIRS = 16384  # pairs at a time: their columns and the scratch arrays stay in the second-level cache
 
 # The float32 look.  Coordinates from the first corner of A, at most m, are each off by
 # u m, u = 2^-24; an edge's parts by 3 u m, its products with a corner by 20 u m^2 in
 # all, and with the edge's own start as much: with the last subtractions below 64 u m^2.
-LOOK_32 = np.float32(2.0**-18)
-LEAST_32, MOST_32 = np.float32(2.0**-40), np.float32(2.0**50)  # m where float32 products keep their bits
+ERROR_FACTOR_F32 = np.float32(2.0**-18)
+MIN_SIZE_F32, MAX_SIZE_F32 = np.float32(2.0**-40), np.float32(2.0**50)  # m where float32 products keep their bits
 
 
-MANY = 16  # corners: beyond, float32 leaves nearly all pairs undecided, and to look at all takes too long
+MAX_F32_CORNERS = 16  # corners: beyond, float32 leaves nearly all pairs undecided, and to look at all takes too long
 
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     """APART where an edge has the other shape beyond it, in float32, with room for what rounding can hide."""
-    if max(len(a.x), len(b.x)) > MANY:
+    if max(len(a.x), len(b.x)) > MAX_F32_CORNERS:
         gjk.polygons(a, b, first, out)
         return
     ax, ay, bx, by = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
-    decide(*look_32(ax, ay, bx, by, _width(a) + _width(b)), out)
+    classify_clearances(*evaluate_f32(ax, ay, bx, by, _max_width(a) + _max_width(b)), out)
 
 
-def _width(group: Group) -> float:
+def _max_width(group: Group) -> float:
     """No shape of V corners is wider than half its edges laid end to end."""
     return len(group.x) // 2 * group.max_edge_component
 
 
-def look_32(
+def evaluate_f32(
     ax: Array, ay: Array, bx: Array, by: Array, width: float | Array, again: int = 0
 ) -> tuple[Array32, Array32]:
     """Clearances in float32, and how far each can be off, from the pair's own size: far pairs widen no other's.
 
     `again`: how many corners come again at the end, so that no edge leads from the last to the first.
     """
-    x, y, px, py = (_rounded(c, origin) for c, origin in zip((ax, ay, bx, by), (ax[0], ay[0]) * 2, strict=True))
+    x, y, px, py = (_to_f32(c, origin) for c, origin in zip((ax, ay, bx, by), (ax[0], ay[0]) * 2, strict=True))
     size = np.maximum(np.abs(px[0]), np.abs(py[0]))
     size += np.asarray(width, np.float32)
     room = size * size
-    room *= LOOK_32
-    room[~((size > LEAST_32) & (size < MOST_32))] = np.inf
+    room *= ERROR_FACTOR_F32
+    room[~((size > MIN_SIZE_F32) & (size < MAX_SIZE_F32))] = np.inf
     return clearance(x, y, px, py, 1, again), room
 
 
-def _rounded(c: Array, origin: Array) -> Array32:
+def _to_f32(c: Array, origin: Array) -> Array32:
     return np.subtract(c, origin).astype(np.float32)
 
 
@@ -70,12 +70,12 @@ def clearance(ax: Array32, ay: Array32, bx: Array32, by: Array32, known: int, ag
     best = np.full(ax.shape[1], -np.inf, ax.dtype)
     scratch = np.empty((5, ax.shape[1]), ax.dtype)
     own, other = len(ax) - again, len(bx) - again
-    _edges(ax, ay, bx[:other], by[:other], own, known, 0, best, *scratch)
-    _edges(bx, by, ax[:own], ay[:own], other, 0, known, best, *scratch)
+    _raise_clearance(ax, ay, bx[:other], by[:other], own, known, 0, best, *scratch)
+    _raise_clearance(bx, by, ax[:own], ay[:own], other, 0, known, best, *scratch)
     return best
 
 
-def _edges(
+def _raise_clearance(
     x: Array32,
     y: Array32,
     px: Array32,
@@ -109,7 +109,7 @@ def _edges(
         np.maximum(best, least, out=best)
 
 
-def decide(gap: Array32 | Array, room: Array32 | Array, out: Signs) -> None:
+def classify_clearances(gap: Array32 | Array, room: Array32 | Array, out: Signs) -> None:
     """Fill `out` with what clearances tell, each of which can be off by its room."""
     np.multiply((gap < -room).view(np.int8), OVERLAPPING - UNDECIDED, out=out)
     out += (gap > room).view(np.int8)  # by APART - UNDECIDED, which is 1
@@ -137,7 +137,7 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
     sure = (room > TINY) & (room < HUGE)
     room *= 2.0**-50
     room[~sure] = np.inf
-    decide(distance - reach, room, out)
+    classify_clearances(distance - reach, room, out)
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
