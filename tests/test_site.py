@@ -30,7 +30,8 @@ from satviz.engine.geometry import InvalidScene, InvalidShape
 from satviz.scenes import link as links
 from satviz.scenes.article import SCENES
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
-from satviz.scenes.failing.claimed_value import moved
+from satviz.scenes.named import ALL_SCENES
+from satviz.scenes.outlines import translated
 from satviz.site import chapters, live, runtime
 from satviz.widgets import goals
 from satviz.widgets.explorer_model import ExplorerModel
@@ -429,7 +430,7 @@ def test_an_axis_at_any_angle_can_be_linked(degree):
 
 
 def test_a_traces_link_is_its_scenes():
-    for scene in links.ALL:
+    for scene in ALL_SCENES:
         assert links.opened(links.of_trace(scene.record()))[0].record() == scene.record(), scene.name
     a, b = sv.Circle((0, 0), 1), sv.Circle((3, 0), 1)
     assert links.opened(links.of_trace(sv.record(a, b)))[0].record() == sv.record(a, b)
@@ -647,7 +648,7 @@ def by_the_hint(goal, start):
     for r in range(46):
         for x, y in product(range(-r, r + 1), repeat=2):
             if max(abs(x), abs(y)) == r:
-                yield replace(start, b=moved(b, sv.Vec(x * step, y * step)))
+                yield replace(start, b=translated(b, sv.Vec(x * step, y * step)))
     if goal != goals.TOUCH:
         return
     round_, other = (b, a) if isinstance(b, sv.Circle) else (a, b)
@@ -664,7 +665,7 @@ def by_the_hint(goal, start):
             yield replace(start, a=sv.Polygon(ends[0]), b=sv.Polygon(ends[1]))
 
 
-SOME = [pytest.param(s.name, marks=[pytest.mark.slow] if i % 5 else []) for i, s in enumerate(links.ALL)]
+SOME = [pytest.param(s.name, marks=[pytest.mark.slow] if i % 5 else []) for i, s in enumerate(ALL_SCENES)]
 
 
 @pytest.mark.parametrize("name", SOME)
@@ -699,4 +700,4 @@ def test_why_a_link_opens_nothing_is_one_plain_line(text):
 
 def test_a_link_that_opens_nothing_is_offered_every_scene(pages):
     offer = re.search(r'<nav class="offer"[^>]* hidden>(.*?)</nav>', pages["scene.html"], re.DOTALL)[1]
-    assert re.findall(r'href="scene.html#([^"]+)"', offer) == [scene.name for scene in links.ALL]
+    assert re.findall(r'href="scene.html#([^"]+)"', offer) == [scene.name for scene in ALL_SCENES]

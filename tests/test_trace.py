@@ -24,11 +24,11 @@ from satviz.engine.relate import relate_moved
 from satviz.engine.sat import axis_tests
 from satviz.engine.shortcut import out_by
 from satviz.scenes import strictjson, tracefile
-from satviz.scenes.article import SCENES, box
-from satviz.scenes.named import names
+from satviz.scenes.article import SCENES
+from satviz.scenes.failing import SHORTCUTS
+from satviz.scenes.named import names, refused_case
 from satviz.scenes.named import scene as named
-from satviz.scenes.resolve import refused_case
-from satviz.scenes.shortcuts import NAMED as SHORTCUTS
+from satviz.scenes.outlines import box
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
 B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])

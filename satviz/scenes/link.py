@@ -13,19 +13,15 @@ from math import isfinite
 from typing import Any, NamedTuple
 from urllib.parse import urlsplit
 
-from ..engine import polygon_validation
 from ..engine.geometry import InvalidScene
 from ..engine.polygon_validation import shown
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import Trace
-from . import resolve
-from .article import SCENES
-from .failing import FAILURE_CASES, REFUSED
-from .named import names, scene
+from .named import ALL_SCENES, names, scene
+from .resolve import SceneLike, resolve
 from .scenefile import CHOICES, MAX_CHARS, NAME, Scene
 
-ALL = (*SCENES, *(row.scene for row in FAILURE_CASES if row.how != REFUSED))
 PAGE = "scene.html"  # the site's explorer
 VIEWS = "shortcut", "truth"
 GOALS = ONE_AXIS, TOUCH, BREAK = "one-axis", "touch", "break"  # what a challenge asks
@@ -53,7 +49,7 @@ class Shown(NamedTuple):
 AS_IT_COMES = Shown()
 
 
-def link(what: resolve.SceneLike | Shape, b: Shape | None = None, *, site: str = "", **more: Any) -> str:
+def link(what: SceneLike | Shape, b: Shape | None = None, *, site: str = "", **more: Any) -> str:
     """The link that opens a scene on a site, by default relative to the site's folder.
 
     Of a scene (or its name), two shapes, or a trace.  Of a trace the link keeps the two shapes, whether every
@@ -66,7 +62,7 @@ def link(what: resolve.SceneLike | Shape, b: Shape | None = None, *, site: str =
     if isinstance(what, Trace) and b is None:
         found = _scene_of(what) or Scene("scene", what.a, what.b, every_axis=what.every_axis)
     else:
-        found = resolve.scene_of(what, b, takes=resolve.ALL)  # type: ignore[arg-type]
+        found = resolve(what, b).scene
     made = fragment(found, Shown(**more))
     opened(made)
     return f"{folder_of(site)}{PAGE}#{made}"
@@ -98,7 +94,7 @@ def folder_of(site: str, name: str = "site") -> str:
 def fragment(found: Scene, shown: Shown = AS_IT_COMES) -> str:
     """What stands behind the #."""
     text = json.dumps(json.loads(found.to_json()), separators=(",", ":"), ensure_ascii=False)
-    words = [found.name if found in ALL else urlsafe_b64encode(text.encode()).decode().rstrip("=")]
+    words = [found.name if found in ALL_SCENES else urlsafe_b64encode(text.encode()).decode().rstrip("=")]
     for key, value in shown._asdict().items():
         if value is not None and value is not False:
             if isinstance(value, float):
@@ -121,7 +117,7 @@ def _scene_of(trace: Trace) -> Scene | None:
     if axes is None:
         return None
     made = Scene("scene", trace.a, trace.b, axes, trace.every_axis)
-    known = (s for s in ALL if (s.a, s.b, s.axes, s.every_axis) == (made.a, made.b, made.axes, made.every_axis))
+    known = (s for s in ALL_SCENES if (s.a, s.b, s.axes, s.every_axis) == (made.a, made.b, made.axes, made.every_axis))
     return next(known, made)
 
 
@@ -149,7 +145,7 @@ def opened(text: str) -> tuple[Scene, Shown]:
 
 def _named(name: str) -> Scene:
     if name not in names():  # a page offers them itself
-        raise InvalidScene(f"no scene is called {polygon_validation.shown(name)}")
+        raise InvalidScene(f"no scene is called {shown(name)}")
     return scene(name)
 
 
@@ -174,7 +170,7 @@ def _value(key: str, text: str) -> Any:
         if text in choices:
             return text
         what = "view" if key == "view" else "challenge"
-        raise InvalidScene(f"no {what} is called {polygon_validation.shown(text)}: choose one of {', '.join(choices)}")
+        raise InvalidScene(f"no {what} is called {shown(text)}: choose one of {', '.join(choices)}")
     if key in ("way-out", "against", "predict", "rest") and text == "1":
         return True
     raise InvalidScene(f"the link says {key}={text[:40]!r}, which means nothing")

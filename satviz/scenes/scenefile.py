@@ -14,7 +14,7 @@ from ..engine.polygon_validation import shown
 from ..engine.shapes import Circle, Polygon, Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import Trace, record
-from .shortcuts import NAMED as SHORTCUTS
+from .failing import SHORTCUTS
 from .strictjson import keys, parse, typed
 
 MAX_CHARS = 1 << 20

@@ -10,7 +10,7 @@ from ..engine.geometry import InvalidScene, Vec
 from ..engine.trace import Trace, record
 from ..pictures import Picture
 from ..pictures.claims import heading
-from ..pictures.comparison_drag import about_map, drag_view
+from ..pictures.comparison_drag import describe_error_region, drag_view
 from ..pictures.curve import WIDTH, direction, gap_curve
 from ..pictures.labels import Standing
 from ..pictures.live import Chosen, canvas, field, fits, knob, live, telling_test, turned_axis
@@ -97,7 +97,7 @@ class ExplorerModel(PlayerModel):
         if self._run.shortcut:
             found["heading"] = list(heading(self._run))
         if trace.shortcut and drawn.knob is None:
-            found["map"] = about_map(trace, self._layout)
+            found["map"] = describe_error_region(trace, self._layout)
         if drawn.knob is not None:
             width = min(WIDTH, self._largest[0])
             found["curve"] = gap_curve(self.scene.a, self.scene.b, self._degree, width=width).data()
