@@ -5,7 +5,6 @@ from functools import lru_cache
 
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
-from ..engine.shapes import Shape
 from ..engine.trace import Trace
 from ..scenes.failing import MISSED_HIT, FailureCase, case_of
 from ..scenes.failing.failure_case import Panels
@@ -182,7 +181,7 @@ def _strike(label: Mark, scale: float) -> Mark:
 
 def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH) -> Picture:
     """Return the outlines of a failing case that the engine refuses, with the reason; `width` in points."""
-    rings = [[Vec(*map(float, point)) for point in ring] for ring in (case.a, case.b) if not isinstance(ring, Shape)]
+    rings = [[Vec(*map(float, point)) for point in ring] for ring in case.raw_outlines]
     xs, ys = [p.x for ring in rings for p in ring], [p.y for ring in rings for p in ring]
     k = min(260.0, width - 80.0) / max(max(xs) - min(xs), max(ys) - min(ys))
     low = (max(ys) - min(ys)) * k + 80.0

@@ -33,8 +33,8 @@ class FailureCase(NamedTuple):
 
     `shortcut`: the claim as people say it, and the one step that is done wrongly.
     `how`: the way in which it fails, one of FALSE_HIT, MISSED_HIT, WRONG_NUMBER and REFUSED.
+    `outlines`: the shapes A and B, or the raw vertices of outlines that the engine refuses.
     `quantity`: what both answers measure, such as "gap" or "depth".
-    `a`, `b`: the shapes, or the raw vertices of outlines that the engine refuses.
     `claimed_value`: reads the shortcut's answer off its own run.
     `true_value`: the right answer by the engine.
     `unchecked_value`: for refused outlines, the answer of a program that does not check its input.
@@ -48,9 +48,8 @@ class FailureCase(NamedTuple):
 
     shortcut: Shortcut
     how: str
-    quantity: str
-    a: Shape | RawOutline
-    b: Shape | RawOutline
+    outlines: tuple[Shape | RawOutline, Shape | RawOutline]
+    quantity: str = "gap"
     claimed_value: Callable[[Trace], float] = claimed_value.largest_gap
     true_value: Callable[[Shape, Shape], Answer] = true_value.gap
     unchecked_value: Callable[[RawOutline, RawOutline], float] | None = None
@@ -72,10 +71,25 @@ class FailureCase(NamedTuple):
         return self.shortcut.claim
 
     @property
+    def a(self) -> Shape | RawOutline:
+        """Shape A, or its raw vertices."""
+        return self.outlines[0]
+
+    @property
+    def b(self) -> Shape | RawOutline:
+        """Shape B, or its raw vertices."""
+        return self.outlines[1]
+
+    @property
     def shapes(self) -> tuple[Shape, Shape]:
         """Both shapes; InvalidShape where the engine refuses an outline."""
-        a, b = (s if isinstance(s, Shape) else Polygon(s) for s in (self.a, self.b))
+        a, b = (s if isinstance(s, Shape) else Polygon(s) for s in self.outlines)
         return a, b
+
+    @property
+    def raw_outlines(self) -> list[RawOutline]:
+        """The raw vertices of the outlines that nobody has checked; none where both are shapes."""
+        return [outline for outline in self.outlines if not isinstance(outline, Shape)]
 
     def record(self) -> Trace:
         """Return the shortcut's run on the shapes; InvalidShape where the engine refuses an outline."""
@@ -84,8 +98,8 @@ class FailureCase(NamedTuple):
     @property
     def claimed(self) -> float:
         """The number that the shortcut gives."""
-        if self.unchecked_value and not isinstance(self.a, Shape) and not isinstance(self.b, Shape):
-            return self.unchecked_value(self.a, self.b)
+        if self.unchecked_value:
+            return self.unchecked_value(*self.raw_outlines)
         return self.claimed_value(self.record())
 
     @property
