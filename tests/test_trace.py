@@ -1323,7 +1323,7 @@ def test_what_is_written_can_be_read_again_or_is_not_written(monkeypatch):
 @pytest.mark.parametrize("unit", ["[],", "{},", "1,", '"",', '"', "["])
 def test_a_text_of_too_many_values_is_refused_before_it_is_read(unit, monkeypatch):
     monkeypatch.setattr(strictjson.json, "loads", None)
-    monkeypatch.setattr(strictjson, "MAX_MARKS", 1000)
+    monkeypatch.setattr(strictjson, "MAX_PUNCTUATION", 1000)
     with pytest.raises(sv.InvalidScene, match="the limit is 1000"):
         sv.Trace.from_json(unit * 1001)
 

@@ -42,7 +42,8 @@ class Scene:
     def __post_init__(self) -> None:
         if not NAME.fullmatch(self.name) or len(self.name) > MAX_NAME_LETTERS:
             raise InvalidScene(
-                f"the name {shown(self.name)} must be small letters and digits in words joined by -, at most {MAX_NAME_LETTERS}"
+                f"the name {shown(self.name)} must be small letters and digits in words joined by -, "
+                f"at most {MAX_NAME_LETTERS}"
             )
         if not self.title.isprintable():
             raise InvalidScene(f"the title {shown(self.title)} must be one line of printable text")

@@ -65,7 +65,7 @@ def keys(data: Any, where: str, required: Set[str], optional: Set[str] = frozens
 
 
 def typed(value: Any, where: str, wanted: type) -> Any:
-    """Return the value itself; InvalidScene unless it has the type.  A bool does not count as a number; 3.0 does as 3."""
+    """Return the value itself; InvalidScene unless it has the type.  A bool is not a number, and 3.0 is a whole one."""
     if wanted is int and isinstance(value, float) and value.is_integer():
         return int(value)
     if not isinstance(value, wanted) or (isinstance(value, bool) and wanted is not bool):

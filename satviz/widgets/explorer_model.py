@@ -16,7 +16,7 @@ from ..pictures.labels import Standing
 from ..pictures.live import Chosen, canvas, field, fits, knob, live, telling_test, turned_axis
 from ..pictures.minkowski import difference
 from ..pictures.playback import first_rows, rows
-from ..scenes.link import Shown, fragment
+from ..scenes.link import ViewOptions, fragment
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
 from ..scenes.strictjson import typed
@@ -104,10 +104,10 @@ class ExplorerModel(PlayerModel):
             found["knob"] = list(drawn.knob)
         return found
 
-    def _shown(self) -> Shown:
+    def _shown(self) -> ViewOptions:
         view = self._view if self._view == TRUTH else None
         goal = self._judged.goal if self._judged else None
-        return Shown(self._degree, self._pinned, view, self._way_out, self._against, goal=goal)
+        return ViewOptions(self._degree, self._pinned, view, self._way_out, self._against, goal=goal)
 
     def _start(self, shown: Scene, goal: str | None = None) -> None:
         trace, met = _trace(shown), judged(goal, shown) if goal else None

@@ -10,7 +10,7 @@ from ..pictures import Picture, picture
 from ..pictures.comparison import refused_picture
 from ..pictures.playback import narrow, playbacks
 from ..render.script import javascript
-from ..scenes.link import of_trace
+from ..scenes.link import fragment_of_trace
 from ..scenes.resolve import SceneLike, resolve
 from ..scenes.scenefile import Scene
 from .base import Shown
@@ -31,7 +31,11 @@ class Player(Shown):
 
     def __init__(self, trace: Trace, *, predict: bool = False) -> None:
         super().__init__(
-            PlayerModel(trace), shows=playbacks(trace), narrow=narrow(trace), predict=predict, link=of_trace(trace)
+            PlayerModel(trace),
+            shows=playbacks(trace),
+            narrow=narrow(trace),
+            predict=predict,
+            link=fragment_of_trace(trace),
         )
 
     def picture(self) -> Picture:
