@@ -24,7 +24,7 @@ from .scenefile import CHOICES, MAX_CHARS, NAME, Scene
 
 PAGE = "scene.html"  # the site's explorer
 VIEWS = "shortcut", "truth"
-GOALS = ONE_AXIS, TOUCH, BREAK = "one-axis", "touch", "break"  # what a challenge asks
+GOALS = ONE_AXIS, TOUCH, BREAK = "one-axis", "touch", "break"  # of a challenge
 WHOLE_NUMBER = re.compile(r"[0-9]{1,6}")
 FORBIDDEN_LETTERS = set(" ?#\\\"'`<>")  # in a site's address: a query, a fragment, letters that must be escaped
 PAGE_ENDING = re.compile(r"\.html?$", re.IGNORECASE)

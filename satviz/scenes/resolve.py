@@ -27,25 +27,25 @@ class Resolved(NamedTuple):
 
     @property
     def refused(self) -> FailureCase | None:
-        """The failing case whose outlines are refused; None for all else."""
+        """Return the failing case whose outlines are refused; None for all else."""
         return self.given if isinstance(self.given, FailureCase) else None
 
     @property
     def shapes(self) -> tuple[Shape, Shape]:
-        """Both shapes; InvalidScene says why an outline is refused."""
+        """Return both shapes; InvalidScene says why an outline is refused."""
         given = scene(self.given.name) if isinstance(self.given, FailureCase) else self.given
         return given.a, given.b
 
     @property
     def scene(self) -> Scene:
-        """The scene; TypeError for a trace, InvalidScene says why an outline is refused."""
+        """Return the scene; TypeError for a trace, InvalidScene says why an outline is refused."""
         if isinstance(self.given, Trace):
             raise TypeError("this is a Trace, one run of two shapes: pass the shapes, trace.a and trace.b")
         return scene(self.given.name) if isinstance(self.given, FailureCase) else self.given
 
     @property
     def trace(self) -> Trace:
-        """The trace that was passed, or the scene's run, recorded anew each time; InvalidScene for a refused case."""
+        """Return the trace that was passed, or record the scene anew; InvalidScene for a refused case."""
         return self.given if isinstance(self.given, Trace) else self.scene.record()
 
 

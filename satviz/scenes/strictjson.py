@@ -1,4 +1,4 @@
-"""JSON read strictly: finite numbers, no key twice, bounded size and nesting, exactly the keys asked for."""
+"""JSON read strictly: finite numbers, no key twice, bounded size and nesting, exactly the keys that are expected."""
 
 import json
 import re

@@ -62,33 +62,33 @@ class FailureCase(NamedTuple):
 
     @property
     def name(self) -> str:
-        """The scene's name, which is the shortcut's."""
+        """Return the scene's name, which is the shortcut's."""
         return self.shortcut.name
 
     @property
     def claim(self) -> str:
-        """The claim as people say it."""
+        """Return the claim as people say it."""
         return self.shortcut.claim
 
     @property
     def a(self) -> Shape | RawOutline:
-        """Shape A, or its raw vertices."""
+        """Return shape A, or its raw vertices."""
         return self.outlines[0]
 
     @property
     def b(self) -> Shape | RawOutline:
-        """Shape B, or its raw vertices."""
+        """Return shape B, or its raw vertices."""
         return self.outlines[1]
 
     @property
     def shapes(self) -> tuple[Shape, Shape]:
-        """Both shapes; InvalidShape where the engine refuses an outline."""
+        """Return both shapes; InvalidShape where the engine refuses an outline."""
         a, b = (s if isinstance(s, Shape) else Polygon(s) for s in self.outlines)
         return a, b
 
     @property
     def raw_outlines(self) -> list[RawOutline]:
-        """The raw vertices of the outlines that nobody has checked; none where both are shapes."""
+        """Return the raw vertices of the outlines that nobody has checked; none where both are shapes."""
         return [outline for outline in self.outlines if not isinstance(outline, Shape)]
 
     def record(self) -> Trace:
@@ -97,14 +97,14 @@ class FailureCase(NamedTuple):
 
     @property
     def claimed(self) -> float:
-        """The number that the shortcut gives."""
+        """Return the number that the shortcut gives."""
         if self.unchecked_value:
             return self.unchecked_value(*self.raw_outlines)
         return self.claimed_value(self.record())
 
     @property
     def actual(self) -> Answer:
-        """The engine's answer: a number, two numbers, or the line with which it refuses an outline."""
+        """Return the engine's answer: a number, two numbers, or the line with which it refuses an outline."""
         try:
             return self.true_value(*self.shapes)
         except InvalidShape as error:
@@ -125,7 +125,7 @@ class FailureCase(NamedTuple):
 
     @property
     def answers(self) -> tuple[str, str]:
-        """The claimed and the actual answer in words, each with its verdict where the verdict is wrong."""
+        """Return the claimed and the actual answer in words, each with its verdict where the verdict is wrong."""
         claimed, actual = self.in_words(self.claimed), self.in_words(self.actual)
         if self.how in (FALSE_HIT, MISSED_HIT) and not isinstance(self.actual, tuple):
             trace = self.record()

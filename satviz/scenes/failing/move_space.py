@@ -13,7 +13,7 @@ from ...engine.geometry import Vec
 from ...engine.shapes import Shape
 
 Ring = tuple[Vec, ...]
-Window = tuple[float, float, float, float]  # x0, y0, x1, y1: the moves that are looked at
+Window = tuple[float, float, float, float]  # x0, y0, x1, y1 of an upright box of moves
 TOLERANCE = 1e-9  # numbers that differ by this part of the largest one are taken as equal: floats, rounded often
 CIRCLE_CORNERS = 64  # corners of the polygon that stands for a circle's rim
 

@@ -26,8 +26,8 @@ from .move_space import (
 )
 
 ROUNDING = "only rounding makes it wrong, at single places that no area can show"
-TURNING = "its axes turn as B moves, so where it is wrong has no straight edges"
-OWN_PUSH = "it is about a push of its own, which may be anything"
+TURNING = "its axes turn as B moves, so the region where it is wrong has no straight edges"
+OWN_PUSH = "its answer is a push of its own, which no formula is known for"
 FIXED_AXES = EDGE, GIVEN, HULL, SLIP, WORLD  # kinds of axes that stay where they are while B moves
 
 
@@ -36,7 +36,7 @@ def region_of_verdict(
 ) -> ErrorRegion | str:
     """Return where the shortcut's verdict is wrong, or the reason why no region with straight edges shows it.
 
-    `start`: the moves that the shortcut takes for hits before it looks at any axis, by default all in the window.
+    `start`: the moves that the shortcut takes for hits before it tests any axis; None for all in the window.
     """
     if shortcut.split or shortcut.push:
         return OWN_PUSH

@@ -31,8 +31,8 @@ from .move_space import (
 
 MAX_CORNERS, MAX_CORNERS_IN_PIECES = 32, 12  # of both shapes: more make too many cells to work out during a drag
 
-ROUND = "of a circle the way out turns as B moves, so where the number is wrong has no straight edges"
-DENT = "a shape has a dent, and where its way out changes is no straight line"
+ROUND = "the way out of a circle turns as B moves, so the region where the number is wrong has no straight edges"
+DENT = "a shape has a dent, so its shortest way out does not change along straight lines"
 OVERFLOW = "the squares of these lengths are too large for float64"
 MANY_CORNERS = "both shapes together have more than {} corners, too many to work it out while you drag"
 

@@ -28,7 +28,7 @@ def width_of_separating_angles(a: Shape, b: Shape) -> float:
 def region_apart(a: Shape, b: Shape, window: Window) -> ErrorRegion | str:
     """Return all moves that keep the shapes apart: wherever one direction separates them, more do."""
     if not (a.is_convex and b.is_convex):
-        return "a shape has a dent, into which no direction looks"
+        return "a shape has a dent, and no direction shows a gap inside a dent"
     return wrong_number_region(a, b, window, subtract(window_ring(window), list(minkowski_difference(a, b))))
 
 

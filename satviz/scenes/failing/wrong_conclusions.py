@@ -125,9 +125,9 @@ def gap_in_both_frames(trace: Trace) -> float:
 def region_on_the_way(a: Shape, b: Shape, window: Window) -> ErrorRegion | str:
     """Return where A meets B between two frames, and in neither of them."""
     if a.core_is_point or b.core_is_point:
-        return "a circle's flight is not followed"
+        return "the flight of a circle is not worked out"
     if not (a.is_convex and b.is_convex):
-        return "a shape has a dent, and both frames are looked at without its parts"
+        return "a shape has a dent, and both frames are tested without its convex parts"
     x, y = map(float, true_value.FLIGHT)
     (first,) = minkowski_difference(a, b)
     after = tuple(Vec(p.x + x, p.y + y) for p in first)
