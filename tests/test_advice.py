@@ -37,7 +37,7 @@ from satviz.engine.axis_count import WORDS, enough
 from satviz.engine.convex_parts import parts
 from satviz.engine.geometry import Relation, Vec
 from satviz.pictures import THEMES
-from satviz.scenes.outlines import translated
+from satviz.scenes.shape_tools import translated
 
 ORDINARY = [kind for kind in CONVEX if kind not in ("largest scale", "smallest scale", "any scale")]
 

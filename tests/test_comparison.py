@@ -18,7 +18,7 @@ from satviz.pictures.marks import Picture
 from satviz.pictures.playback import NARROW_PANELS, narrow
 from satviz.scenes.failing import FAILURE_CASES, NAMED, REFUSED, SHORTCUTS, true_value
 from satviz.scenes.failing.circles_and_dents import halves
-from satviz.scenes.outlines import box, translated
+from satviz.scenes.shape_tools import box, translated
 from satviz.widgets.explorer_model import ExplorerModel
 
 SHOWN = [case for case in FAILURE_CASES if case.how != REFUSED]

@@ -37,7 +37,7 @@ from satviz.scenes.failing import (
 )
 from satviz.scenes.failing.circles_and_dents import halves
 from satviz.scenes.named import names
-from satviz.scenes.outlines import box, decimal_vertices, translated
+from satviz.scenes.shape_tools import box, decimal_vertices, translated
 from satviz.study import truth
 
 # how it fails, what the shortcut says, what is right (None: refused), to the digits that are known

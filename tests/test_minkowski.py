@@ -6,7 +6,7 @@ import pytest
 
 import satviz as sv
 from satviz.scenes.named import ALL_SCENES
-from satviz.scenes.outlines import box
+from satviz.scenes.shape_tools import box
 
 TRIANGLE = sv.Polygon([(3, 1), (6, 0), (5, 3)])
 

@@ -25,7 +25,7 @@ from satviz.pictures.theme import CHART_ROLES, DOT, PICTURE_ROLES
 from satviz.pictures.views import split
 from satviz.scenes.article import SCENES
 from satviz.scenes.named import names, refused_case, scene
-from satviz.scenes.outlines import box
+from satviz.scenes.shape_tools import box
 
 L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
 TRACES = {scene.name: scene.record() for scene in SCENES} | {

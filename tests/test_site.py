@@ -31,7 +31,7 @@ from satviz.scenes import link as links
 from satviz.scenes.article import SCENES
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
 from satviz.scenes.named import ALL_SCENES
-from satviz.scenes.outlines import translated
+from satviz.scenes.shape_tools import translated
 from satviz.site import chapters, live, runtime
 from satviz.widgets import goals
 from satviz.widgets.explorer_model import ExplorerModel

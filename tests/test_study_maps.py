@@ -11,7 +11,7 @@ import satviz as sv
 from satviz.engine.axes import needed
 from satviz.scenes.error_region import error_region_in_view
 from satviz.scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED, REFUSED, WRONG_NUMBER
-from satviz.scenes.outlines import box, translated, vertex_mean
+from satviz.scenes.shape_tools import box, translated, vertex_mean
 from satviz.study import truth
 from satviz.study.harness.cells import Settings
 from satviz.study.sections import maps, slides

@@ -28,7 +28,7 @@ from satviz.scenes.article import SCENES
 from satviz.scenes.failing import SHORTCUTS
 from satviz.scenes.named import names, refused_case
 from satviz.scenes.named import scene as named
-from satviz.scenes.outlines import box
+from satviz.scenes.shape_tools import box
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
 B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])

@@ -17,8 +17,8 @@ from satviz.pictures.labels import Board, _put
 from satviz.pictures.layout import Layout, text_box
 from satviz.render.notebook import bundle
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
-from satviz.scenes.outlines import box, translated
 from satviz.scenes.scenefile import shape_data
+from satviz.scenes.shape_tools import box, translated
 from satviz.widgets.explorer_model import ExplorerModel
 from satviz.widgets.player_model import PlayerModel
 

@@ -9,7 +9,7 @@ from ..engine.geometry import Vec
 from ..engine.trace import Trace, record
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, FailureCase, case_of
 from ..scenes.failing.true_value import Answer
-from ..scenes.outlines import translated
+from ..scenes.shape_tools import translated
 from .layout import box_of
 
 ROUNDING = 1e-12  # numbers that differ by this part of the scene's size, or of themselves, count as equal

@@ -7,7 +7,7 @@ from ..engine.geometry import Vec
 from ..engine.trace import Trace
 from ..scenes.error_region import error_region_in_view
 from ..scenes.failing.move_space import ErrorRegion
-from ..scenes.outlines import vertex_mean
+from ..scenes.shape_tools import vertex_mean
 from . import comparison_panels, live
 from .claims import answers, verdict_words
 from .comparison import draw_answer, strike_wrong_answers

@@ -19,7 +19,7 @@ from ..scenes.failing.saved_work import MIN_SUPPORT_POINTS
 from ..scenes.failing.true_value import FLIGHT, contact_times, separating_angles
 from ..scenes.failing.true_value import distance as true_distance
 from ..scenes.failing.wrong_projections import FIRST_EDGE_OF_B
-from ..scenes.outlines import translated
+from ..scenes.shape_tools import translated
 from .caption import wrapped
 from .curve import direction
 from .default_panels import arrange, draw_claimed_tests, draw_proof

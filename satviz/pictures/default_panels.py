@@ -11,7 +11,7 @@ from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
-from ..scenes.outlines import translated
+from ..scenes.shape_tools import translated
 from . import layout
 from .claims import is_about_push, is_near
 from .layout import NARROW_PAD, Group, Layout, moved, padded

@@ -12,8 +12,8 @@ from ..engine.convex_parts import named_parts
 from ..engine.geometry import Relation, Vec
 from ..engine.shapes import Shape
 from ..engine.trace import Trace, record
-from ..scenes.outlines import translated
 from ..scenes.resolve import RUNS, SceneLike, resolve
+from ..scenes.shape_tools import translated
 from .insets import with_insets
 from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, moved, padded
 from .marks import Mark, Picture

@@ -1,8 +1,8 @@
 """The article's scenes."""
 
 from ..engine.shapes import Circle, Polygon
-from .outlines import box, turned_box
 from .scenefile import Scene
+from .shape_tools import box, turned_box
 
 TRIANGLE_A = Polygon([(0, 1), (3, 2), (1, 5)])
 TRIANGLE_B = Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])

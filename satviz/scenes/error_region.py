@@ -6,7 +6,7 @@ from ..engine.shortcut import Shortcut
 from .failing import case_of
 from .failing.move_space import ErrorRegion, Window, hits_in_window
 from .failing.region_of_axes import region_of_verdict
-from .outlines import vertex_mean
+from .shape_tools import vertex_mean
 
 TOO_SMALL = "the shapes are so small beside their moves that float64 cannot tell their corners apart"
 TOO_MANY_CORNERS = "the parts of these shapes have too many corners to work it out while you drag"

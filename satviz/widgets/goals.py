@@ -14,8 +14,8 @@ from ..pictures.live import field
 from ..scenes.failing import FAILURE_CASES, NAMED, REFUSED, FailureCase
 from ..scenes.link import BREAK, ONE_AXIS, TOUCH
 from ..scenes.named import scene, scene_of_case
-from ..scenes.outlines import translated
 from ..scenes.scenefile import Scene
+from ..scenes.shape_tools import translated
 
 CALLED = {TOUCH: "make them touch", ONE_AXIS: "exactly one axis", BREAK: "break the shortcut"}
 ASKS = {

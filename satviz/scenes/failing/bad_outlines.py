@@ -10,7 +10,7 @@ from ...engine.geometry import Interval, Vec
 from ...engine.sat import AxisTest, Projection, project
 from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
-from ..outlines import box, diamond
+from ..shape_tools import box, diamond
 from .claimed_value import push_length
 from .failure_case import FALSE_HIT, MISSED_HIT, REFUSED, WRONG_NUMBER, FailureCase, RawOutline
 from .region_of_pushes import overlaps_in_raw_units, region_of_depth

@@ -10,7 +10,7 @@ from ...engine.sat import AxisTest, project
 from ...engine.shapes import Circle, Polygon, Shape
 from ...engine.shortcut import Shortcut
 from ...engine.trace import record
-from ..outlines import box
+from ..shape_tools import box
 from .claimed_value import push_length
 from .failure_case import FALSE_HIT, WRONG_NUMBER, FailureCase
 from .move_space import ErrorRegion, Window, hits_in_window, subtract, window_ring

@@ -13,7 +13,7 @@ from ...engine.geometry import Interval, Vec
 from ...engine.sat import project
 from ...engine.shapes import Shape
 from ...engine.shortcut import Shortcut
-from ..outlines import translated
+from ..shape_tools import translated
 from .move_space import (
     TOLERANCE,
     ErrorRegion,

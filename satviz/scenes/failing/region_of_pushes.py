@@ -14,7 +14,7 @@ from ...engine.axes import Axis, Chooser, needed
 from ...engine.geometry import Vec
 from ...engine.sat import project
 from ...engine.shapes import Shape
-from ..outlines import vertex_mean
+from ..shape_tools import vertex_mean
 from .move_space import (
     TOLERANCE,
     ErrorRegion,

@@ -18,7 +18,7 @@ from ...engine.sat import AxisTest, project
 from ...engine.shapes import Circle, Polygon, Shape, centroid
 from ...engine.shortcut import Shortcut
 from ...engine.trace import Trace, record
-from ..outlines import box, diamond
+from ..shape_tools import box, diamond
 from . import threed
 from .failure_case import FALSE_HIT, MISSED_HIT, WRONG_NUMBER, FailureCase, Panels
 from .move_space import (

@@ -6,7 +6,7 @@ from ...engine.axes import edge_normals_of_a, world
 from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
 from ...engine.trace import Trace
-from ..outlines import box, diamond
+from ..shape_tools import box, diamond
 from .failure_case import FALSE_HIT, WRONG_NUMBER, FailureCase, Panels
 from .move_space import ErrorRegion, Window, minkowski_difference, subtract, window_ring, wrong_number_region
 from .true_value import separating_angles

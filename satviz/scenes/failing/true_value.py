@@ -10,7 +10,7 @@ from ...engine.geometry import Vec
 from ...engine.sat import axis_tests
 from ...engine.shapes import Shape
 from ...engine.trace import record
-from ..outlines import decimal_vertices
+from ..shape_tools import decimal_vertices
 from . import swept
 
 Answer = float | tuple[swept.ExactNumber, swept.ExactNumber] | str

@@ -11,7 +11,7 @@ from ...engine.sat import AxisTest, project
 from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
 from ...engine.trace import Trace, record
-from ..outlines import box, translated, vertex_mean
+from ..shape_tools import box, translated, vertex_mean
 from . import true_value
 from .claimed_value import push_length
 from .failure_case import FALSE_HIT, MISSED_HIT, WRONG_NUMBER, FailureCase, Panels

@@ -9,7 +9,7 @@ from ...engine.sat import AxisTest, Projection, axis_tests, project
 from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
 from ...engine.trace import Trace
-from ..outlines import box, decimal_vertices
+from ..shape_tools import box, decimal_vertices
 from .claimed_value import push_length
 from .failure_case import FALSE_HIT, MISSED_HIT, WRONG_NUMBER, FailureCase, Panels
 from .move_space import Window

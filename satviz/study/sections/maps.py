@@ -18,7 +18,7 @@ from ...render.pen import Pen
 from ...scenes.error_region import error_region_in_view
 from ...scenes.failing import NAMED, FailureCase
 from ...scenes.failing.move_space import ErrorRegion, Ring, minkowski_difference, window_ring
-from ...scenes.outlines import vertex_mean
+from ...scenes.shape_tools import vertex_mean
 from ..harness.cells import Cell, Settings
 from ..harness.chart import TEXT, Chart, headline
 from .slides import APART, FALSE, HIT, METHODS, MISSED, ON_PAPER, WRONG, Slide, both, slide

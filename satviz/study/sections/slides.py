@@ -16,7 +16,7 @@ from ...engine.geometry import Relation, Vec
 from ...engine.shapes import Circle, Polygon, Shape
 from ...engine.trace import Trace, record
 from ...scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED, FailureCase
-from ...scenes.outlines import translated, vertex_mean
+from ...scenes.shape_tools import translated, vertex_mean
 from .. import truth
 
 APART, HIT, FALSE, MISSED, SHORT, LONG, FAR = ".oHMSLD"
