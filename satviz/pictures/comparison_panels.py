@@ -12,25 +12,25 @@ from ..engine import describe
 from ..engine.geometry import Vec
 from ..engine.number_format import MINUS, number
 from ..engine.sat import AxisTest, axis_tests
-from ..engine.shapes import Polygon, Shape, centroid
+from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
 from ..scenes.failing.move_space import convex_hull
 from ..scenes.failing.saved_work import MIN_SUPPORT_POINTS
 from ..scenes.failing.true_value import FLIGHT, contact_times, separating_angles
 from ..scenes.failing.true_value import distance as true_distance
 from ..scenes.failing.wrong_projections import FIRST_EDGE_OF_B
-from ..scenes.shape_tools import translated
+from ..scenes.shape_tools import box, translated
 from .caption import wrapped
 from .curve import direction
-from .default_panels import arrange, draw_claimed_tests, draw_proof
+from .default_panels import arrange, draw_claimed_tests, draw_proof, start_sketch
 from .layout import NARROW_PAD, Group, Layout, box_of, moved, text_box
 from .sketch import Sketch
 
 Panel = Callable[[Trace, tuple[float, float]], Sketch]
 DOT_COUNT = 12  # dots that stand for many shapes
-MAX_AXES = 3  # that have space side by side
+MAX_AXES = 3  # axes that have space side by side
 ARROW_LENGTH = 74.0  # points
-MOVE = Vec(*map(float, FLIGHT))  # of A in one frame
+MOVE = Vec(*map(float, FLIGHT))  # how far A flies in one frame
 
 
 def draw_pieces_panel(trace: Trace, largest: tuple[float, float]) -> Sketch:
@@ -62,8 +62,7 @@ def draw_separating_directions(trace: Trace, largest: tuple[float, float]) -> Sk
     if trace.truth.pairs:
         return draw_shapes(trace, largest)
     test = max(trace.truth.tests, key=lambda test: test.gap)
-    sketch = Sketch(trace, arrange([Group([trace.a, trace.b], [test])], largest=largest)[0])
-    sketch.shapes()
+    sketch = start_sketch(trace, largest, [test])
     if test.gap <= 0:
         return sketch
     ends = separating_angles(trace.a, trace.b)
@@ -89,14 +88,13 @@ def digits_panel(exact: bool) -> Panel:
 
     def panel(trace: Trace, largest: tuple[float, float]) -> Sketch:
         test = next((test for test in trace.tests if test.source == FIRST_EDGE_OF_B), None)
-        sketch = Sketch(trace, arrange([Group([trace.a, trace.b], [test] if test else [])], largest=largest)[0])
-        sketch.shapes()
+        sketch = start_sketch(trace, largest, [test] if test else [])
         if test is None:
             return sketch
         if exact:
             test = next(axis_tests(trace.a, trace.b, [test.axis]))
         place = sketch.layout.places[0]
-        sketch.trace = _with_one_test(trace, test)
+        sketch.trace = replace(trace, tests=(test,))
         sketch.edge(test)
         sketch.axis(test, place)
         sketch.drops(test, place, "B", ends_only=False, named=False)
@@ -152,8 +150,7 @@ def draw_support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
     lines = f"a corner of B {MINUS} A takes {count} looks,", rest
     text = "\n".join(wrapped(line, wide - 2 * NARROW_PAD) for line in lines)
     band = text_box(text)[1] + NARROW_PAD  # below the picture, for words
-    box = Polygon([(min(xs), min(ys)), (max(xs), min(ys)), (max(xs), max(ys)), (min(xs), max(ys))])
-    layout = arrange([Group([box], [])], largest=(wide, high - band))[0]
+    layout = arrange([Group([box(min(xs), min(ys), max(xs), max(ys))])], largest=(wide, high - band))[0]
     (x0, y0, x1, y1), (wide, high) = layout.limits, layout.size
     low = y0 - layout.units(band)
     sketch = Sketch(trace, layout._replace(limits=(x0, low, x1, y1), size=(wide, high + band)))
@@ -187,9 +184,8 @@ def _holds_origin(ring: Sequence[Vec]) -> bool:
 def draw_axes_of_sat(trace: Trace, largest: tuple[float, float]) -> Sketch:
     """Draw the axes that SAT tests until its verdict is certain; of more than three the one of the largest gap."""
     run = record(trace.a, trace.b)
-    tests = run.tests if len(run.tests) <= MAX_AXES else (_largest_gap(run),)
-    sketch = Sketch(run, arrange([Group([trace.a, trace.b], tests)], largest=largest)[0])
-    sketch.shapes()
+    tests = run.tests if len(run.tests) <= MAX_AXES else (_best_test(run),)
+    sketch = start_sketch(run, largest, tests)
     for test, place in zip(tests, sketch.layout.places, strict=True):
         sketch.project(test, place, interval=False)
     if len(run.tests) > len(tests):
@@ -201,20 +197,17 @@ def draw_two_frames(trace: Trace, largest: tuple[float, float]) -> Sketch:
     """Draw A in this frame and in the next, and the gap that is left in both."""
     test = trace.ended_by or trace.tests[0]
     after = translated(trace.a, MOVE)
-    layout = arrange([Group([trace.a, after, trace.b], [test])], largest=largest)[0]
-    sketch = Sketch(_with_one_test(trace, test), layout)
-    sketch.shapes()
+    sketch = start_sketch(replace(trace, tests=(test,)), largest, [test], also=after)
     sketch.shape("A", "A next", after, weight="faint", named=False)
     sketch.label("next-name", "next frame", "A", centroid(after), prefer=Vec(0.0, 1.0), first=2)
-    sketch.project(test, layout.places[0], drops=False, interval=False)
+    sketch.project(test, sketch.layout.places[0], drops=False, interval=False)
     return sketch
 
 
 def draw_flight(trace: Trace, largest: tuple[float, float]) -> Sketch:
     """Draw A on its way, where it first and last meets B."""
     test = trace.ended_by or trace.tests[0]
-    sketch = Sketch(trace, arrange([Group([trace.a, translated(trace.a, MOVE), trace.b], [test])], largest=largest)[0])
-    sketch.shapes()
+    sketch = start_sketch(trace, largest, [test], also=translated(trace.a, MOVE))
     start = centroid(trace.a)
     sketch.add("flight", "arrow", "A", start, moved(start, MOVE, 1.0))
     for i, t in enumerate(map(float, contact_times(trace.a, trace.b))):
@@ -229,11 +222,9 @@ def draw_flight(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 def draw_distance(trace: Trace, largest: tuple[float, float]) -> Sketch:
     """Draw the nearest points, and the segment between them."""
-    truth = trace.truth
     p, q = _nearest_points(trace.a, trace.b)
-    sketch = Sketch(trace, arrange([Group([trace.a, trace.b], [_largest_gap(trace)])], largest=largest)[0])
-    sketch.shapes()
-    if not truth.hit:
+    sketch = start_sketch(trace, largest, [_best_test(trace)])
+    if not trace.truth.hit:
         sketch.add("distance", "segment", "gap", p, q, weight="strong")
         text = f"distance {number(true_distance(trace.a, trace.b))}"
         sketch.label("distance-name", text, "gap", sketch.middle(p, q), prefer=Vec(q.y - p.y, p.x - q.x), first=1)
@@ -265,27 +256,20 @@ def _nearest_on_edge(p: Vec, edge: tuple[Vec, Vec]) -> Vec:
 
 def draw_shapes(trace: Trace, largest: tuple[float, float]) -> Sketch:
     """Draw both shapes alone."""
-    sketch = Sketch(trace, arrange([Group([trace.a, trace.b], [])], largest=largest)[0])
-    sketch.shapes()
-    return sketch
+    return start_sketch(trace, largest)
 
 
 def _layout_of_pieces(trace: Trace, largest: tuple[float, float]) -> Layout:
     """Return a layout with space for every push of a piece, and for words above."""
     shapes = [trace.a, trace.b, *(translated(trace.b, pair.mtv) for pair in trace.pairs if pair.mtv)]
     x0, y0, x1, y1 = box_of(shapes)
-    words = Polygon([(x0, y1), (x1, y1), (x1, y1 + (y1 - y0) / 5), (x0, y1 + (y1 - y0) / 5)])  # what is said above
-    return arrange([Group([*shapes, words], [])], largest=largest)[0]
+    words = box(x0, y1, x1, y1 + (y1 - y0) / 5)
+    return arrange([Group([*shapes, words])], largest=largest)[0]
 
 
-def _largest_gap(trace: Trace) -> AxisTest:
+def _best_test(trace: Trace) -> AxisTest:
     """Return the test of the largest gap, which is the least overlap where none separates."""
     return max(trace.tests, key=lambda test: test.gap)
-
-
-def _with_one_test(trace: Trace, test: AxisTest) -> Trace:
-    """Return the trace with one of its tests alone."""
-    return replace(trace, tests=(test,))
 
 
 PANELS: dict[str, Panel] = {

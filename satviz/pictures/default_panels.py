@@ -21,6 +21,16 @@ from .stages import draw_mtv, draw_verdict, separating_line
 arrange = partial(layout.arrange, pad=NARROW_PAD)
 
 
+def start_sketch(
+    trace: Trace, largest: tuple[float, float], tests: Sequence[AxisTest] = (), *, also: Shape | None = None
+) -> Sketch:
+    """Return a sketch of both shapes with a place for the axis of each test, and space for one more shape."""
+    shapes = [trace.a, trace.b] if also is None else [trace.a, also, trace.b]
+    sketch = Sketch(trace, arrange([Group(shapes, tests)], largest=largest)[0])
+    sketch.shapes()
+    return sketch
+
+
 def draw_claimed_tests(trace: Trace, largest: tuple[float, float]) -> Sketch:
     """Draw the tests that the shortcut's answer comes from, and its push."""
     layout, _ = panel_layouts(trace, largest)
