@@ -6,7 +6,7 @@ from itertools import pairwise
 from ..engine.geometry import Vec
 from ..engine.trace import Trace
 from ..scenes.error_region import error_region_in_view
-from ..scenes.failing.move_space import ErrorRegion
+from ..scenes.failing.move_space import RegionOrReason
 from ..scenes.shape_tools import vertex_mean
 from . import comparison_panels, live
 from .claims import answers, verdict_words
@@ -84,7 +84,7 @@ def describe_error_region(trace: Trace, layout: Layout) -> str:
     return f"The map: while the dot, the middle of B, lies {where}, the shortcut is wrong."
 
 
-def _error_region(trace: Trace, layout: Layout) -> ErrorRegion | str:
+def _error_region(trace: Trace, layout: Layout) -> RegionOrReason:
     """Return the error region of a shortcut's run on the canvas, or why there is none."""
     assert trace.shortcut
     return _cached_region(trace.a, trace.b, trace.shortcut, layout.limits)

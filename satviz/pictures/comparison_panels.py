@@ -1,6 +1,7 @@
 """The panels of failing cases by name, and those that show something else than tests and proofs.
 
-A new panel is a function (trace, largest canvas in points) -> Sketch, with a name in `PANELS` below.
+A new panel is a function of a trace and the largest canvas (in points) that returns the sketch it has drawn; it gets
+a name in `PANELS` below.
 """
 
 from collections.abc import Callable, Sequence
@@ -26,7 +27,7 @@ from .default_panels import arrange, draw_claimed_tests, draw_proof, start_sketc
 from .layout import NARROW_PAD, Group, Layout, box_of, moved, text_box
 from .sketch import Sketch
 
-Panel = Callable[[Trace, tuple[float, float]], Sketch]
+Panel = Callable[[Trace, tuple[float, float]], Sketch]  # draws a trace on a canvas in points, returns the sketch
 DOT_COUNT = 12  # dots that stand for many shapes
 MAX_AXES = 3  # axes that have space side by side
 ARROW_LENGTH = 74.0  # points

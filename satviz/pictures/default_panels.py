@@ -155,7 +155,7 @@ def _layout_on_scale(
 
 
 def drawable_test(trace: Trace, test: AxisTest) -> AxisTest:
-    """Return the test; for one on the axis (0, 0) another one, in whose place words will stand."""
+    """Return the test itself; for the axis (0, 0), which has no direction, another test, to keep a place for words."""
     return test if any(test.axis.normal) else next(t for t in trace.tests if any(t.axis.normal))
 
 

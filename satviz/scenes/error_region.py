@@ -4,7 +4,7 @@ from ..engine.geometry import InvalidShape
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
 from .failing import case_of
-from .failing.move_space import ErrorRegion, Window, hits_in_window
+from .failing.move_space import RegionOrReason, Window, hits_in_window
 from .failing.region_of_axes import region_of_verdict
 from .shape_tools import vertex_mean
 
@@ -13,7 +13,7 @@ TOO_MANY_CORNERS = "the parts of these shapes have too many corners to work it o
 MAX_PART_CORNERS = 300  # of all A - B of pairs of parts: what is left of one without the others is cut up by each
 
 
-def error_region(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> ErrorRegion | str:
+def error_region(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> RegionOrReason:
     """Return where the shortcut's answer is wrong, for the moves of B in the window (x0, y0, x1, y1).
 
     Return the reason instead, in words that follow a colon, where no area shows it.
@@ -30,7 +30,7 @@ def error_region(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> Erro
         return TOO_SMALL
 
 
-def error_region_in_view(a: Shape, b: Shape, shortcut: Shortcut, view: Window) -> ErrorRegion | str:
+def error_region_in_view(a: Shape, b: Shape, shortcut: Shortcut, view: Window) -> RegionOrReason:
     """Return the error region, or the reason why there is none, for the moves that bring B's vertex mean into view.
 
     `view` is (x0, y0, x1, y1) in scene coordinates; the region is in moves of B, as in `error_region`.

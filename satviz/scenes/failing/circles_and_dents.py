@@ -13,7 +13,7 @@ from ...engine.trace import record
 from ..shape_tools import box
 from .claimed_value import push_length
 from .failure_case import FALSE_HIT, WRONG_NUMBER, FailureCase
-from .move_space import ErrorRegion, Window, hits_in_window, subtract, window_ring
+from .move_space import ErrorRegion, RegionOrReason, Window, hits_in_window, subtract, window_ring
 from .region_of_axes import TURNING
 from .region_of_pushes import region_of_pieces
 from .true_value import depth, gap
@@ -26,7 +26,7 @@ def reversed_gap(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     return test._replace(gap=-test.gap)
 
 
-def region_everywhere(a: Shape, b: Shape, window: Window) -> ErrorRegion | str:
+def region_everywhere(a: Shape, b: Shape, window: Window) -> RegionOrReason:
     """Return all moves: of two circles the reversed comparison calls every hit a miss and every miss a hit."""
     if not (a.core_is_point and b.core_is_point):
         return TURNING

@@ -10,7 +10,7 @@ from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
 from ...engine.trace import Trace, record
 from . import claimed_value, true_value
-from .move_space import ErrorRegion, Window
+from .move_space import RegionOrReason, Window
 from .true_value import Answer
 
 FALSE_HIT, MISSED_HIT, WRONG_NUMBER, REFUSED = "false hit", "missed hit", "wrong number", "refused input"
@@ -55,7 +55,7 @@ class FailureCase(NamedTuple):
     unchecked_value: Callable[[RawOutline, RawOutline], float] | None = None
     claims_less: bool = False
     is_about_push: bool = False
-    error_region: Callable[[Shape, Shape, Window], ErrorRegion | str] | None = None
+    error_region: Callable[[Shape, Shape, Window], RegionOrReason] | None = None
     panels: Panels = Panels()
     verdicts: tuple[str, str] | None = None
     number: int = 0

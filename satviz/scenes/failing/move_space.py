@@ -34,6 +34,9 @@ class ErrorRegion(NamedTuple):
     numbers: tuple[Ring, ...] = ()
 
 
+RegionOrReason = ErrorRegion | str  # a text says why no area shows where the answer is wrong; it follows a colon
+
+
 def minkowski_difference(a: Shape, b: Shape) -> Iterator[Ring]:
     """Yield A - B as a convex polygon for each pair of convex parts: the moves of B for which the parts meet."""
     for p in parts(a):

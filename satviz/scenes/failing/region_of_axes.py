@@ -17,6 +17,7 @@ from ..shape_tools import translated
 from .move_space import (
     TOLERANCE,
     ErrorRegion,
+    RegionOrReason,
     Ring,
     Window,
     clip_to_half_plane,
@@ -33,7 +34,7 @@ FIXED_AXES = EDGE, GIVEN, HULL, SLIP, WORLD  # kinds of axes that stay where the
 
 def region_of_verdict(
     a: Shape, b: Shape, shortcut: Shortcut, window: Window, *, start: Ring | None = None
-) -> ErrorRegion | str:
+) -> RegionOrReason:
     """Return where the shortcut's verdict is wrong, or the reason why no region with straight edges shows it.
 
     `start`: the moves that the shortcut takes for hits before it tests any axis; None for all in the window.

@@ -17,7 +17,7 @@ from ...engine.shapes import Shape
 from ..shape_tools import vertex_mean
 from .move_space import (
     TOLERANCE,
-    ErrorRegion,
+    RegionOrReason,
     Ring,
     Window,
     clip_to_half_plane,
@@ -90,7 +90,7 @@ def shared_lengths(a: Shape, b: Shape, axis: Axis) -> list[Linear]:
 
 def region_of_depth(
     a: Shape, b: Shape, window: Window, choose: Chooser, measure: Callable[[Shape, Shape, Axis], list[Linear]]
-) -> ErrorRegion | str:
+) -> RegionOrReason:
     """Return where the least number that `measure` finds on the chosen axes is not the depth; or why none is shown."""
     if why := why_no_cells(a, b):
         return why
@@ -103,7 +103,7 @@ def region_of_depth(
     return wrong_number_region(a, b, window, wrong)
 
 
-def region_of_push_to_mean(a: Shape, b: Shape, window: Window) -> ErrorRegion | str:
+def region_of_push_to_mean(a: Shape, b: Shape, window: Window) -> RegionOrReason:
     """Return where the MTV leads towards A's vertex mean instead of away from it; or why none is shown."""
     if why := why_no_cells(a, b):
         return why
@@ -120,7 +120,7 @@ def region_of_pieces(
     window: Window,
     split: Callable[[Shape], Sequence[Shape]],
     error: Callable[[Vec, Vec], float],
-) -> ErrorRegion | str:
+) -> RegionOrReason:
     """Return where the sum of the pushes of A's pieces is wrong beside the MTV of A; or why none is shown.
 
     `error` of (sum of pushes, MTV) is quadratic in both, and 0 where the sum counts as right.
@@ -169,7 +169,7 @@ def _where_least(ring: Ring, one: Linear, others: Sequence[Linear]) -> Ring:
 
 
 def _is_same(p: Linear, q: Linear) -> bool:
-    """Are both the same formula, but for rounding?"""
+    """Are two numbers the same formula in the move of B, but for rounding?"""
     size = max(abs(p.rest), abs(q.rest), hypot(*p.down), hypot(*q.down))
     return max(abs(p.rest - q.rest), *(abs(u - v) for u, v in zip(p.down, q.down, strict=True))) <= TOLERANCE * size
 
@@ -195,9 +195,10 @@ def _intersection(ring: Ring, other: Ring) -> Ring:
 
 
 def _pushes_agree(ring: Ring, cells: Sequence[Cell], error: Callable[[Vec, Vec], float], tolerance: float) -> bool:
-    """Is the error 0 all over the ring?  A quadratic is 0 if it is at a triangle's corners and edge midpoints.
+    """Does the sum of the pieces' pushes count as right all over the ring, where `error` of it and the MTV is 0?
 
-    The first cell is the whole shape's, the others are its pieces'.
+    A quadratic is 0 all over if it is 0 at a triangle's corners and edge midpoints.
+    The first cell holds the whole shape's MTV, the others hold its pieces' pushes.
     """
     p, q, r = max(((ring[0], *two) for two in pairwise(ring[1:])), key=twice_area)
     spots = p, q, r, *(Vec((u.x + v.x) / 2, (u.y + v.y) / 2) for u, v in ((p, q), (q, r), (r, p)))

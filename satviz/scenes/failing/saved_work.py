@@ -22,7 +22,7 @@ from ..shape_tools import box, diamond
 from . import threed
 from .failure_case import FALSE_HIT, MISSED_HIT, WRONG_NUMBER, FailureCase, Panels
 from .move_space import (
-    ErrorRegion,
+    RegionOrReason,
     Window,
     clip_to_half_plane,
     clip_to_window,
@@ -61,7 +61,7 @@ def within_reach(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     return measured_test(axis, *(project(Circle(centroid(s), FAR_APART / 2), axis) for s in (a, b)))
 
 
-def region_of_far_centers(a: Shape, b: Shape, window: Window) -> ErrorRegion | str:
+def region_of_far_centers(a: Shape, b: Shape, window: Window) -> RegionOrReason:
     """Return where the check of the centers, followed by the needed axes, gives a wrong verdict."""
     near = minkowski_difference(*(Circle(centroid(shape), FAR_APART / 2) for shape in (a, b)))
     without_check = CENTERS_FAR_APART._replace(choose=needed)
@@ -95,7 +95,10 @@ def region_of_count(a: Shape, b: Shape, window: Window) -> str:
 
 
 def least_evaluations_of_gjk(trace: Trace) -> float:
-    """Return the fewest vertices that GJK evaluates: all for each support point, of which a miss takes one at least."""
+    """Return the fewest vertices that GJK can evaluate: all of both shapes for each of its support points.
+
+    A hit takes MIN_SUPPORT_POINTS support points at least, a miss one.
+    """
     return (MIN_SUPPORT_POINTS if trace.hit else 1) * (len(trace.a.core) + len(trace.b.core))
 
 
@@ -106,7 +109,7 @@ def evaluations_of_sat(a: Shape, b: Shape) -> float:
     return sum(len(test.a.points) + len(test.b.points) for test in tests)
 
 
-def region_of_few_evaluations(a: Shape, b: Shape, window: Window) -> ErrorRegion | str:
+def region_of_few_evaluations(a: Shape, b: Shape, window: Window) -> RegionOrReason:
     """Return where SAT evaluates no more vertices than GJK must: one axis that separates, or three that do not."""
     if why := why_no_cells(a, b):
         return why

@@ -8,7 +8,7 @@ from ...engine.shortcut import Shortcut
 from ...engine.trace import Trace
 from ..shape_tools import box, diamond
 from .failure_case import FALSE_HIT, WRONG_NUMBER, FailureCase, Panels
-from .move_space import ErrorRegion, Window, minkowski_difference, subtract, window_ring, wrong_number_region
+from .move_space import RegionOrReason, Window, minkowski_difference, subtract, window_ring, wrong_number_region
 from .true_value import separating_angles
 from .wrong_steps import only_y
 
@@ -25,8 +25,8 @@ def width_of_separating_angles(a: Shape, b: Shape) -> float:
     return hi - lo or nan
 
 
-def region_apart(a: Shape, b: Shape, window: Window) -> ErrorRegion | str:
-    """Return all moves that keep the shapes apart: wherever one direction separates them, more do."""
+def region_apart(a: Shape, b: Shape, window: Window) -> RegionOrReason:
+    """Return the moves that keep the shapes apart: the claim is wrong there, since many directions separate."""
     if not (a.is_convex and b.is_convex):
         return "a shape has a dent, and no direction shows a gap inside a dent"
     return wrong_number_region(a, b, window, subtract(window_ring(window), list(minkowski_difference(a, b))))

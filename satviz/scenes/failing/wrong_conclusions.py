@@ -18,6 +18,7 @@ from .failure_case import FALSE_HIT, MISSED_HIT, WRONG_NUMBER, FailureCase, Pane
 from .move_space import (
     TOLERANCE,
     ErrorRegion,
+    RegionOrReason,
     Window,
     clip_to_half_plane,
     clip_to_window,
@@ -122,7 +123,7 @@ def gap_in_both_frames(trace: Trace) -> float:
     return min(max(test.gap for test in one.tests) for one in (trace, run))
 
 
-def region_on_the_way(a: Shape, b: Shape, window: Window) -> ErrorRegion | str:
+def region_on_the_way(a: Shape, b: Shape, window: Window) -> RegionOrReason:
     """Return where A meets B between two frames, and in neither of them."""
     if a.core_is_point or b.core_is_point:
         return "the flight of a circle is not worked out"

@@ -47,13 +47,13 @@ FIRST_EDGE_OF_B = Source(EDGE, "B", (0, 1))
 
 
 def claimed_furthest_vertices(trace: Trace) -> float:
-    """Return how many vertices of B are furthest along the normal of its first edge; NaN if it has none."""
+    """Return how many vertices of B are furthest along the normal of its first edge, as measured; NaN for a circle."""
     found = [test.b.landings for test in trace.tests if test.source == FIRST_EDGE_OF_B]
     return found[0].count(max(found[0])) if found else nan
 
 
 def true_furthest_vertices(a: Shape, b: Shape) -> float:
-    """Return how many vertices of B land on the end of its range, on its first edge's normal; NaN if it has none."""
+    """Return how many vertices of B land on the end of its range, on its first edge's normal; NaN for a circle."""
     first = (axis for axis in edge_normals(a, b).axes if axis.source == FIRST_EDGE_OF_B)
     found = [test.b for test in axis_tests(a, b, first)]
     return found[0].landings.count(found[0].interval.hi) if found else nan
