@@ -15,7 +15,6 @@ ExactPoint = tuple[ExactNumber, ExactNumber]
 class OverlapTime(NamedTuple):
     """When the ranges on one axis begin to overlap and when they end, in parts of the way; `never` if they do not."""
 
-    axis: ExactPoint
     enter: ExactNumber
     leave: ExactNumber
     never: bool = False
@@ -40,9 +39,9 @@ def _overlap_time(a: Sequence[ExactPoint], b: Sequence[ExactPoint], move: ExactP
     (a0, a1), (b0, b1) = _range_on(a, n), _range_on(b, n)
     speed = move[0] * n[0] + move[1] * n[1]
     if not speed:
-        return OverlapTime(n, Fraction(0), Fraction(1), a1 < b0 or b1 < a0)
+        return OverlapTime(Fraction(0), Fraction(1), a1 < b0 or b1 < a0)
     enter, leave = sorted(((b0 - a1) / speed, (b1 - a0) / speed))
-    return OverlapTime(n, max(enter, Fraction(0)), min(leave, Fraction(1)), leave < 0 or enter > 1)
+    return OverlapTime(max(enter, Fraction(0)), min(leave, Fraction(1)), leave < 0 or enter > 1)
 
 
 def contact(found: Sequence[OverlapTime]) -> tuple[ExactNumber, ExactNumber] | None:

@@ -24,7 +24,6 @@ class AxisGap(NamedTuple):
     """The signed gap on one axis, named after the edges that it lies across ("A1 × B3") or after its face ("A1")."""
 
     name: str
-    axis: Vec3
     gap: float
 
 
@@ -59,23 +58,13 @@ def edge_gaps(a: SolidBox, b: SolidBox) -> list[AxisGap]:
 def gap_on_axis(a: SolidBox, b: SolidBox, name: str, n: Vec3) -> AxisGap:
     """Return the signed gap on the axis along n, in scene units."""
     length = sqrt(dot(n, n))
-    return AxisGap(name, n, interval_on(a, n).gap(interval_on(b, n)) / length)
+    return AxisGap(name, interval_on(a, n).gap(interval_on(b, n)) / length)
 
 
 def interval_on(box: SolidBox, n: Vec3) -> Interval:
     """Return a box's range along n, in units of n's length: its center's landing, and half its extent to each side."""
     at, half_extent = dot(box.center, n), sum(h * abs(dot(u, n)) for u, h in zip(box.axes, box.half, strict=True))
     return Interval(at - half_extent, at + half_extent)
-
-
-def box_corners(box: SolidBox) -> list[Vec3]:
-    """Return the eight corners; two whose numbers differ in bit i alone are the ends of an edge along axis i."""
-    found = []
-    for number in range(8):
-        signs = [1 if number >> i & 1 else -1 for i in range(3)]
-        moves = [(s * h * u[0], s * h * u[1], s * h * u[2]) for s, h, u in zip(signs, box.half, box.axes, strict=True)]
-        found.append(tuple(sum(parts) for parts in zip(box.center, *moves, strict=True)))
-    return found
 
 
 def seen_from_above(box: SolidBox) -> list[Vec]:
