@@ -12,7 +12,7 @@ from ...engine.convex_parts import parts
 from ...engine.geometry import Vec
 from ...engine.shapes import Shape
 
-Ring = tuple[Vec, ...]
+ConvexRing = tuple[Vec, ...]
 Window = tuple[float, float, float, float]  # x0, y0, x1, y1 of an upright box of moves
 TOLERANCE = 1e-9  # numbers that differ by this part of the largest one are taken as equal: floats, rounded often
 CIRCLE_CORNERS = 64  # corners of the polygon that stands for a circle's rim
@@ -27,17 +27,17 @@ class ErrorRegion(NamedTuple):
     `numbers`: for a shortcut about a number, the moves for which this number is wrong.
     """
 
-    false_hits: tuple[Ring, ...]
-    missed_hits: tuple[Ring, ...]
-    hits: tuple[Ring, ...]
+    false_hits: tuple[ConvexRing, ...]
+    missed_hits: tuple[ConvexRing, ...]
+    hits: tuple[ConvexRing, ...]
     touching: bool = False
-    numbers: tuple[Ring, ...] = ()
+    numbers: tuple[ConvexRing, ...] = ()
 
 
 RegionOrReason = ErrorRegion | str  # a text says why no area shows where the answer is wrong; it follows a colon
 
 
-def minkowski_difference(a: Shape, b: Shape) -> Iterator[Ring]:
+def minkowski_difference(a: Shape, b: Shape) -> Iterator[ConvexRing]:
     """Yield A - B as a convex polygon for each pair of convex parts: the moves of B for which the parts meet."""
     for p in parts(a):
         for q in parts(b):
@@ -47,24 +47,24 @@ def minkowski_difference(a: Shape, b: Shape) -> Iterator[Ring]:
             yield convex_hull(Vec(u.x - v.x + w.x, u.y - v.y + w.y) for u in p.core for v in q.core for w in rim)
 
 
-def hits_in_window(a: Shape, b: Shape, window: Window) -> tuple[Ring, ...]:
+def hits_in_window(a: Shape, b: Shape, window: Window) -> tuple[ConvexRing, ...]:
     """Return the moves in the window for which the shapes meet, one ring (or the empty one) for each pair of parts."""
     return tuple(clip_to_window(ring, window) for ring in minkowski_difference(a, b))
 
 
-def wrong_number_region(a: Shape, b: Shape, window: Window, rings: Iterable[Ring]) -> ErrorRegion:
+def wrong_number_region(a: Shape, b: Shape, window: Window, rings: Iterable[ConvexRing]) -> ErrorRegion:
     """Return the region of a shortcut about a number, which is wrong for the moves in `rings`."""
     hits = tuple(filter(None, hits_in_window(a, b, window)))
     return ErrorRegion((), (), hits, numbers=tuple(filter(None, rings)))
 
 
-def window_ring(window: Window) -> Ring:
+def window_ring(window: Window) -> ConvexRing:
     """Return a window as a counter-clockwise ring."""
     x0, y0, x1, y1 = window
     return Vec(x0, y0), Vec(x1, y0), Vec(x1, y1), Vec(x0, y1)
 
 
-def clip_to_window(ring: Ring, window: Window) -> Ring:
+def clip_to_window(ring: ConvexRing, window: Window) -> ConvexRing:
     """Return the part of a convex ring inside a window."""
     x0, y0, x1, y1 = window
     for n, limit in (Vec(1.0, 0.0), x1), (Vec(-1.0, 0.0), -x0), (Vec(0.0, 1.0), y1), (Vec(0.0, -1.0), -y0):
@@ -72,7 +72,7 @@ def clip_to_window(ring: Ring, window: Window) -> Ring:
     return ring
 
 
-def clip_to_half_plane(ring: Ring, n: Vec, limit: float) -> Ring:
+def clip_to_half_plane(ring: ConvexRing, n: Vec, limit: float) -> ConvexRing:
     """Return the part of a convex ring where p . n <= limit (Sutherland and Hodgman); () if it has no area."""
     sides = [p.x * n.x + p.y * n.y - limit for p in ring]
     tolerance = TOLERANCE * max(map(abs, sides), default=0.0)
@@ -88,7 +88,7 @@ def clip_to_half_plane(ring: Ring, n: Vec, limit: float) -> Ring:
     return tuple(found) if twice_area(found) > 0 else ()
 
 
-def subtract(ring: Ring, others: Sequence[Ring]) -> list[Ring]:
+def subtract(ring: ConvexRing, others: Sequence[ConvexRing]) -> list[ConvexRing]:
     """Return the part of a convex ring outside all the others, as convex pieces."""
     left = [ring] if ring else []
     for other in filter(None, others):
@@ -96,7 +96,7 @@ def subtract(ring: Ring, others: Sequence[Ring]) -> list[Ring]:
     return left
 
 
-def _subtract_one(ring: Ring, other: Ring) -> Iterator[Ring]:
+def _subtract_one(ring: ConvexRing, other: ConvexRing) -> Iterator[ConvexRing]:
     """Yield the pieces of a convex ring outside another: for each edge of the other the piece that it cuts off."""
     rest = ring
     for p, q in zip(other, (*other[1:], other[0]), strict=True):
@@ -120,7 +120,7 @@ def twice_area(ring: Sequence[Vec]) -> float:
     return twice if twice > 1e-12 * size * size else 0.0
 
 
-def convex_hull(points: Iterable[Vec]) -> Ring:
+def convex_hull(points: Iterable[Vec]) -> ConvexRing:
     """Return the convex hull, counter-clockwise: Andrew's monotone chain."""
     order = sorted(set(points))
 

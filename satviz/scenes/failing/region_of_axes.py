@@ -16,9 +16,9 @@ from ...engine.shortcut import Shortcut
 from ..shape_tools import translated
 from .move_space import (
     TOLERANCE,
+    ConvexRing,
     ErrorRegion,
     RegionOrReason,
-    Ring,
     Window,
     clip_to_half_plane,
     hits_in_window,
@@ -33,7 +33,7 @@ FIXED_AXES = EDGE, GIVEN, HULL, SLIP, WORLD  # kinds of axes that stay where the
 
 
 def region_of_verdict(
-    a: Shape, b: Shape, shortcut: Shortcut, window: Window, *, start: Ring | None = None
+    a: Shape, b: Shape, shortcut: Shortcut, window: Window, *, start: ConvexRing | None = None
 ) -> RegionOrReason:
     """Return where the shortcut's verdict is wrong, or the reason why no region with straight edges shows it.
 
@@ -41,7 +41,7 @@ def region_of_verdict(
     """
     if shortcut.split or shortcut.push:
         return OWN_PUSH
-    claimed: tuple[Ring, ...] = (window_ring(window) if start is None else start,)
+    claimed: tuple[ConvexRing, ...] = (window_ring(window) if start is None else start,)
     for axis in shortcut.choose(a, b).axes:
         if not any(axis.normal):
             continue  # an axis (0, 0) never shows a gap
@@ -54,7 +54,7 @@ def region_of_verdict(
     return ErrorRegion(false, missed, tuple(filter(None, hits)), shortcut.touching_separates)
 
 
-def _without_gap(rings: Sequence[Ring], u: Vec, ranges: Sequence[Interval]) -> tuple[Ring, ...]:
+def _without_gap(rings: Sequence[ConvexRing], u: Vec, ranges: Sequence[Interval]) -> tuple[ConvexRing, ...]:
     """Return the parts of the rings where d . u lies in one of the ranges."""
     cut = (
         clip_to_half_plane(clip_to_half_plane(ring, u, hi), Vec(-u.x, -u.y), -lo) for ring in rings for lo, hi in ranges

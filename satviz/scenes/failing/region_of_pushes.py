@@ -17,8 +17,8 @@ from ...engine.shapes import Shape
 from ..shape_tools import vertex_mean
 from .move_space import (
     TOLERANCE,
+    ConvexRing,
     RegionOrReason,
-    Ring,
     Window,
     clip_to_half_plane,
     clip_to_window,
@@ -54,7 +54,7 @@ ZERO = Linear(0.0, Vec(0.0, 0.0))
 class Cell(NamedTuple):
     """A convex polygon of moves in which B is pushed by `length` along `direction` (of length 1)."""
 
-    ring: Ring
+    ring: ConvexRing
     length: Linear
     direction: Vec
 
@@ -153,7 +153,7 @@ def _push_cells(a: Shape, b: Shape, window: Window) -> Iterator[Cell]:
             yield Cell(cell, length, direction)
 
 
-def _where_least(ring: Ring, one: Linear, others: Sequence[Linear]) -> Ring:
+def _where_least(ring: ConvexRing, one: Linear, others: Sequence[Linear]) -> ConvexRing:
     """Return the part of a convex ring where one number is the least of all."""
     for other in others:
         n, limit = Vec(other.down.x - one.down.x, other.down.y - one.down.y), other.rest - one.rest
@@ -174,7 +174,7 @@ def _is_same(p: Linear, q: Linear) -> bool:
     return max(abs(p.rest - q.rest), *(abs(u - v) for u, v in zip(p.down, q.down, strict=True))) <= TOLERANCE * size
 
 
-def _overlay(layers: Sequence[Sequence[Cell]]) -> list[tuple[Ring, list[Cell]]]:
+def _overlay(layers: Sequence[Sequence[Cell]]) -> list[tuple[ConvexRing, list[Cell]]]:
     """Return each polygon in which one cell of every layer meet, with these cells."""
     found = [(cell.ring, [cell]) for cell in layers[0]]
     for layer in layers[1:]:
@@ -183,7 +183,7 @@ def _overlay(layers: Sequence[Sequence[Cell]]) -> list[tuple[Ring, list[Cell]]]:
     return found
 
 
-def _intersection(ring: Ring, other: Ring) -> Ring:
+def _intersection(ring: ConvexRing, other: ConvexRing) -> ConvexRing:
     """Return what two convex rings share; their bounding boxes are compared first, since most lie apart."""
     for k in 0, 1:
         if max(p[k] for p in ring) <= min(p[k] for p in other) or max(p[k] for p in other) <= min(p[k] for p in ring):
@@ -194,7 +194,9 @@ def _intersection(ring: Ring, other: Ring) -> Ring:
     return ring
 
 
-def _pushes_agree(ring: Ring, cells: Sequence[Cell], error: Callable[[Vec, Vec], float], tolerance: float) -> bool:
+def _pushes_agree(
+    ring: ConvexRing, cells: Sequence[Cell], error: Callable[[Vec, Vec], float], tolerance: float
+) -> bool:
     """Does the sum of the pieces' pushes count as right all over the ring, where `error` of it and the MTV is 0?
 
     A quadratic is 0 all over if it is 0 at a triangle's corners and edge midpoints.

@@ -17,7 +17,7 @@ from ...pictures import Mark, Picture, Theme
 from ...render.pen import Pen
 from ...scenes.error_region import error_region_in_view
 from ...scenes.failing import NAMED, FailureCase
-from ...scenes.failing.move_space import ErrorRegion, Ring, minkowski_difference, window_ring
+from ...scenes.failing.move_space import ConvexRing, ErrorRegion, minkowski_difference, window_ring
 from ...scenes.shape_tools import vertex_mean
 from ..harness.cells import Cell, Settings
 from ..harness.chart import TEXT, Chart, headline
@@ -115,7 +115,7 @@ def draw_map(ax: Axes, slide: Slide, row: FailureCase, theme: Theme) -> None:
     found = ErrorRegion((), (), tuple(minkowski_difference(a, b))) if isinstance(told, str) else told
 
     # over the shapes' fills, so that red stays red, and under their lines
-    def area(rings: Sequence[Ring], **look: Any) -> None:
+    def area(rings: Sequence[ConvexRing], **look: Any) -> None:
         if rings:
             ax.add_patch(PathPatch(_path(rings, at), **{"facecolor": "none", "linewidth": 0, "zorder": 1.3} | look))
 
@@ -132,7 +132,7 @@ def draw_map(ax: Axes, slide: Slide, row: FailureCase, theme: Theme) -> None:
     ax.add_patch(Rectangle((0, 0), 1, 1, transform=ax.transAxes, **look))
 
 
-def _path(rings: Sequence[Ring], at: Vec) -> Path:
+def _path(rings: Sequence[ConvexRing], at: Vec) -> Path:
     """One outline for all, so that nothing shows where two share a side."""
     points = [(x + at.x, y + at.y) for ring in rings for x, y in (*ring, ring[0])]
     codes = [code for ring in rings for code in (Path.MOVETO, *[Path.LINETO] * (len(ring) - 1), Path.CLOSEPOLY)]
