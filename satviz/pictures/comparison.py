@@ -8,7 +8,7 @@ from ..engine.sat import AxisTest
 from ..engine.trace import Trace
 from ..scenes.failing import MISSED_HIT, FailureCase, case_of
 from ..scenes.failing.failure_case import Panels
-from ..scenes.resolve import RUNS, SceneLike, resolve
+from ..scenes.resolve import EXPECT_RUN, SceneLike, resolve
 from . import stages
 from .caption import wrapped
 from .claims import answers, heading, verdict_words
@@ -49,7 +49,7 @@ def picture(
     All steps have one scale and one canvas; `by_itself` cuts it to what this step shows (never of two panels).
     IndexError for a step the trace does not have.
     """
-    found = resolve(what, expected=RUNS)
+    found = resolve(what, expected=EXPECT_RUN)
     if found.refused:
         width = BOTH if largest == (WIDTH, HEIGHT) else min(BOTH, largest[0])
         return refused_picture(found.refused, title=title, width=width)

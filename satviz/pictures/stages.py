@@ -12,7 +12,7 @@ from ..engine.convex_parts import named_parts
 from ..engine.geometry import Relation, Vec
 from ..engine.shapes import Shape
 from ..engine.trace import Trace, record
-from ..scenes.resolve import RUNS, SceneLike, resolve
+from ..scenes.resolve import EXPECT_RUN, SceneLike, resolve
 from ..scenes.shape_tools import translated
 from .insets import with_insets
 from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, moved, padded
@@ -50,7 +50,7 @@ class Step(NamedTuple):
 
 def steps(what: SceneLike) -> list[Step]:
     """Every step of a trace in drawing order, from the bare scene to the verdict; of a scene, of its trace."""
-    trace = resolve(what, expected=RUNS).trace
+    trace = resolve(what, expected=EXPECT_RUN).trace
     found = [Step(Stage.SCENE)]
     if trace.pairs:
         found.append(Step(Stage.PARTS))

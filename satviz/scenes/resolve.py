@@ -9,10 +9,10 @@ from .named import refused_case, scene
 from .scenefile import Scene
 
 SceneLike = Scene | Trace | str  # one argument that stands for two shapes and the axes to test them on
-# for the error line: what a function takes
-SCENES = "a scene's name, a Scene, or two shapes"
-RUNS = "a scene's name, a Scene, or the trace of two shapes, sv.record(a, b)"
-ALL = "a scene's name, a Scene, two shapes, or their trace, sv.record(a, b)"
+# what a function takes, in the words of its error line
+EXPECT_SCENE = "a scene's name, a Scene, or two shapes"
+EXPECT_RUN = "a scene's name, a Scene, or the trace of two shapes, sv.record(a, b)"
+EXPECT_ANY = "a scene's name, a Scene, two shapes, or their trace, sv.record(a, b)"
 
 
 class Resolved(NamedTuple):
@@ -49,7 +49,7 @@ class Resolved(NamedTuple):
         return self.given if isinstance(self.given, Trace) else self.scene.record()
 
 
-def resolve(what: SceneLike | Shape, b: Shape | None = None, *, expected: str = ALL) -> Resolved:
+def resolve(what: SceneLike | Shape, b: Shape | None = None, *, expected: str = EXPECT_ANY) -> Resolved:
     """Resolve what was passed: a scene's name, a Scene, a trace, or, with `b`, two shapes.
 
     `expected` says for the error line what the calling function takes.

@@ -9,8 +9,7 @@ from ..pictures.comparison import refused_picture
 from ..render.script import javascript
 from ..scenes.article import SCENES
 from ..scenes.failing import FAILURE_CASES, REFUSED
-from ..scenes.resolve import SCENES as EXPECTED
-from ..scenes.resolve import resolve
+from ..scenes.resolve import EXPECT_SCENE, resolve
 from ..scenes.scenefile import Scene
 from .base import Shown
 from .explorer_model import ExplorerModel
@@ -56,5 +55,5 @@ def explore(what: Scene | Shape | str = "triangles", b: Shape | None = None, *, 
     refused has nothing to drag: its Picture, with the reason.  InvalidScene for an unknown name or goal,
     ValueError for a scene that cannot be drawn, TypeError for anything else.
     """
-    found = resolve(what, b, expected=EXPECTED)
+    found = resolve(what, b, expected=EXPECT_SCENE)
     return refused_picture(found.refused) if found.refused else Explorer(found.scene, goal)
