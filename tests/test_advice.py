@@ -37,7 +37,7 @@ from satviz.engine.axis_count import WORDS, enough
 from satviz.engine.convex_parts import parts
 from satviz.engine.geometry import Relation, Vec
 from satviz.pictures import THEMES
-from satviz.scenes.failing.claimed_value import moved
+from satviz.scenes.shape_tools import translated
 
 ORDINARY = [kind for kind in CONVEX if kind not in ("largest scale", "smallest scale", "any scale")]
 
@@ -311,7 +311,7 @@ def test_what_is_enough_wherever_shapes_are_moved_is_so_where_the_nearest_vertex
         if words := enough(a, b)[1].partition("Wherever they are moved, ")[2]:
             to = [p - q for p, q in zip(a.bounds[:2], b.bounds[:2])]
             with suppress(sv.InvalidShape):
-                assert len(sv.axes.needed(a, moved(b, Vec(*to))).axes) <= told(words), kind
+                assert len(sv.axes.needed(a, translated(b, Vec(*to))).axes) <= told(words), kind
 
 
 def told(words):

@@ -9,7 +9,7 @@ import pytest
 import satviz as sv
 from satviz.engine import axes
 from satviz.engine.sat import axis_tests
-from satviz.scenes.article import box
+from satviz.scenes.shape_tools import box
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
 B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])

@@ -13,7 +13,7 @@ import satviz as sv
 from satviz.engine import axes, convex_parts
 from satviz.engine import mtv as mtv_module
 from satviz.engine.mtv import ends_overlap
-from satviz.scenes.article import box
+from satviz.scenes.shape_tools import box
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
 B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])

@@ -24,11 +24,11 @@ from satviz.engine.relate import relate_moved
 from satviz.engine.sat import axis_tests
 from satviz.engine.shortcut import out_by
 from satviz.scenes import strictjson, tracefile
-from satviz.scenes.article import SCENES, box
-from satviz.scenes.named import names
+from satviz.scenes.article import SCENES
+from satviz.scenes.failing import SHORTCUTS
+from satviz.scenes.named import names, refused_case
 from satviz.scenes.named import scene as named
-from satviz.scenes.resolve import refused_case
-from satviz.scenes.shortcuts import NAMED as SHORTCUTS
+from satviz.scenes.shape_tools import box
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
 B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])
@@ -1323,7 +1323,7 @@ def test_what_is_written_can_be_read_again_or_is_not_written(monkeypatch):
 @pytest.mark.parametrize("unit", ["[],", "{},", "1,", '"",', '"', "["])
 def test_a_text_of_too_many_values_is_refused_before_it_is_read(unit, monkeypatch):
     monkeypatch.setattr(strictjson.json, "loads", None)
-    monkeypatch.setattr(strictjson, "MAX_MARKS", 1000)
+    monkeypatch.setattr(strictjson, "MAX_PUNCTUATION", 1000)
     with pytest.raises(sv.InvalidScene, match="the limit is 1000"):
         sv.Trace.from_json(unit * 1001)
 

@@ -17,8 +17,8 @@ from ..engine.sat import CLOSE, LARGEST, AxisTest, Projection
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import PLAIN, Trace, record
+from .failing import SHORTCUTS
 from .scenefile import shape_data, shape_from
-from .shortcuts import NAMED as SHORTCUTS
 from .strictjson import keys, parse, refuse_large, typed
 
 MAX_CHARS = 1 << 26
