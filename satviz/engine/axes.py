@@ -104,7 +104,7 @@ def needed(a: Shape, b: Shape) -> Choice:
     number = {(0, 1): 1, (1, 0): 2} if upright else {}
     skipped = []
     for shape, role in (b, "B"), (a, "A"):
-        for axis, key in _own_normals(shape, role):
+        for axis, key in _keyed_normals_of(shape, role):
             if key in number:
                 skipped.append(Skip(axis, PARALLEL, number[key]))
             else:
@@ -126,27 +126,29 @@ def world(a: Shape, b: Shape) -> Choice:
 
 def edge_normals(a: Shape, b: Shape) -> Choice:
     """Every edge normal of both shapes, B's first, parallel repeats included; for a circle rarely complete."""
-    return _told(_normals(b, "B") + _normals(a, "A"), a, b)
+    return _make_choice(_normals(b, "B") + _normals(a, "A"), a, b)
 
 
 def hull_normals(a: Shape, b: Shape) -> Choice:
     """The edge normals of both convex hulls, B's first; no gap on these proves that no line separates the polygons."""
     axes: list[Axis] = []
     for shape, role in (b, "B"), (a, "A"):
-        hull = _hull(shape.core)
+        hull = _hull_corners(shape.core)
         for i, j in zip(hull, [*hull[1:], *hull[:1]], strict=True):
-            axes.append(_axis(*_edge_normal(shape, role, EDGE if (j - i) % len(shape.core) == 1 else HULL, i, j)))
-    return _told(tuple(axes), a, b)
+            axes.append(
+                _make_axis(*_integer_edge_normal(shape, role, EDGE if (j - i) % len(shape.core) == 1 else HULL, i, j))
+            )
+    return _make_choice(tuple(axes), a, b)
 
 
 def edge_normals_of_a(a: Shape, b: Shape) -> Choice:
     """A's edge normals only: a shortcut that gives false hits."""
-    return _told(_normals(a, "A"), a, b)
+    return _make_choice(_normals(a, "A"), a, b)
 
 
 def edge_normals_of_b(a: Shape, b: Shape) -> Choice:
     """B's edge normals only: a shortcut that gives false hits."""
-    return _told(_normals(b, "B"), a, b)
+    return _make_choice(_normals(b, "B"), a, b)
 
 
 def centers(a: Shape, b: Shape) -> Choice:
@@ -156,7 +158,7 @@ def centers(a: Shape, b: Shape) -> Choice:
     if (px, py) == (qx, qy):
         # concentric: no direction is special, and on every one the ranges overlap by as much
         return Choice((Axis(Vec(1.0, 0.0), 1.0, Source(ANY)),), complete=circles)
-    return Choice((_axis((qx - px, qy - py), k, Source(CENTERS if circles else CENTROIDS)),), complete=circles)
+    return Choice((_make_axis((qx - px, qy - py), k, Source(CENTERS if circles else CENTROIDS)),), complete=circles)
 
 
 def nearest_vertex(a: Shape, b: Shape) -> Choice:
@@ -169,17 +171,17 @@ def nearest_vertex(a: Shape, b: Shape) -> Choice:
 
 def directions(*vectors: Any) -> Chooser:
     """A choice of the given (x, y) directions, taken exactly as given and not turned round."""
-    axes = tuple(given(vector, i) for i, vector in enumerate(vectors))
+    axes = tuple(given_axis(vector, i) for i, vector in enumerate(vectors))
     return lambda a, b: Choice(axes)
 
 
-def given(vector: Any, index: int) -> Axis:
+def given_axis(vector: Any, index: int) -> Axis:
     """The axis along the direction that was given as number 0, 1, ...; ValueError for what is none."""
     v = point(vector, f"direction {index}")
     if v == (0, 0):
         raise ValueError(f"direction {index} is (0, 0): an axis needs a direction")
     k, (x, y) = to_integers(v)
-    return _axis((x, y), k, Source(GIVEN, None, (index,)), as_given=True)
+    return _make_axis((x, y), k, Source(GIVEN, None, (index,)), as_given=True)
 
 
 NAMED: dict[str, Chooser] = {
@@ -194,7 +196,7 @@ NAMED: dict[str, Chooser] = {
 }
 
 
-def by_source(a: Shape, b: Shape) -> dict[Source, Axis]:
+def axes_by_source(a: Shape, b: Shape) -> dict[Source, Axis]:
     """Every axis that these shapes have of themselves, by where it comes from."""
     choices = [choose(a, b) for choose in (edge_normals, hull_normals, world, centers, nearest_vertex)]
     return {axis.source: axis for c in choices for axis in (*c.axes, *(skip.axis for skip in c.skipped))}
@@ -217,49 +219,49 @@ def is_complete(axes: Sequence[Axis], a: Shape, b: Shape) -> bool:
     return full.complete and has >= {axis.source for axis in full.axes}
 
 
-def _told(axes: tuple[Axis, ...], a: Shape, b: Shape) -> Choice:
+def _make_choice(axes: tuple[Axis, ...], a: Shape, b: Shape) -> Choice:
     return Choice(axes, complete=is_complete(axes, a, b))
 
 
-def made_for(choice: Choice, a: Shape, b: Shape) -> Choice:
+def validate_choice(choice: Choice, a: Shape, b: Shape) -> Choice:
     """A choice of someone else's as it serves this pair; whether it is complete is worked out, whatever it says.
 
     In any order: those left out as parallel are given the number of the first axis that they are parallel to.
     ValueError for an axis that these shapes do not have (exactly: an axis is where it comes from,
     not its numbers), and for one left out for no reason; TypeError for what is no Choice, Axis or Skip.
     """
-    axes = _listed(_typed(choice, Choice).axes)
-    left_out = [_typed(skip, Skip) for skip in _listed(choice.skipped)]
-    every = [_typed(axis, Axis) for axis in (*axes, *(skip.axis for skip in left_out))]
-    known = {} if all(_typed(axis.source, Source).kind == GIVEN for axis in every) else by_source(a, b)
-    chosen = tuple(_owned(axis, known) for axis in axes)
-    skipped = tuple(skip._replace(axis=_owned(skip.axis, known)) for skip in left_out)
+    axes = _require_list(_require_type(choice, Choice).axes)
+    left_out = [_require_type(skip, Skip) for skip in _require_list(choice.skipped)]
+    every = [_require_type(axis, Axis) for axis in (*axes, *(skip.axis for skip in left_out))]
+    known = {} if all(_require_type(axis.source, Source).kind == GIVEN for axis in every) else axes_by_source(a, b)
+    chosen = tuple(_recompute_axis(axis, known) for axis in axes)
+    skipped = tuple(skip._replace(axis=_recompute_axis(skip.axis, known)) for skip in left_out)
     nowhere = nearest_vertex(a, b).skipped
     if any(skip.axis in chosen for skip in nowhere):
         raise ValueError(f"{nowhere[0].axis.source} has no direction: the center is on that vertex")
     complete = bool(known) and is_complete(chosen, a, b)
-    return Choice(chosen, tuple(_numbered(chosen, skipped, nowhere, a, b)), complete)
+    return Choice(chosen, tuple(_number_skips(chosen, skipped, nowhere, a, b)), complete)
 
 
-def _typed(value: Any, kind: type) -> Any:
+def _require_type(value: Any, kind: type) -> Any:
     if isinstance(value, kind):
         return value
     raise TypeError(f"a choice of axes holds a {type(value).__name__}: expected a satviz.axes.{kind.__name__}")
 
 
-def _listed(values: Any) -> Sequence[Any]:
+def _require_list(values: Any) -> Sequence[Any]:
     """What is listed may be long, but not without end."""
     if isinstance(values, tuple | list):
         return values
     raise TypeError(f"a choice of axes holds a {type(values).__name__}: expected a tuple or a list")
 
 
-def _owned(axis: Axis, known: dict[Source, Axis]) -> Axis:
+def _recompute_axis(axis: Axis, known: dict[Source, Axis]) -> Axis:
     """The same axis, in the numbers that these shapes give, or that a given direction has."""
     source = axis.source
     ours = known.get(source)
     if source.kind == GIVEN and source.shape is None and len(source.ids) == 1 and _is_index(source.ids[0]):
-        ours = given(axis.normal, source.ids[0])
+        ours = given_axis(axis.normal, source.ids[0])
     if ours is None or not same_axis(axis._replace(length=number(axis.length, "the length of an axis")), ours):
         raise ValueError(f"{source} is no axis of these shapes: choose the axes for this very pair")
     return ours
@@ -269,13 +271,13 @@ def _is_index(value: Any) -> bool:
     return type(value) is int and 0 <= value < 2**53
 
 
-def _numbered(
+def _number_skips(
     axes: Sequence[Axis], skipped: Sequence[Skip], nowhere: Sequence[Skip], a: Shape, b: Shape
 ) -> Iterator[Skip]:
     if not skipped:
         return
     corners = {role: {v: i for i, v in enumerate(shape.corner_ids)} for role, shape in (("A", a), ("B", b))}
-    ways = {axis: _way(axis, a, b, corners) for axis in {*axes, *(skip.axis for skip in skipped)}}
+    ways = {axis: _parallel_key(axis, a, b, corners) for axis in {*axes, *(skip.axis for skip in skipped)}}
     first: dict[IntPoint, int] = {}
     for i, axis in enumerate(axes, 1):
         first.setdefault(ways[axis], i)
@@ -289,12 +291,12 @@ def _numbered(
             raise ValueError(f"{skip.axis.source} is left out as {skip.why!r}, which it is not")
 
 
-def _way(axis: Axis, a: Shape, b: Shape, corners: dict[str, dict[int, int]]) -> IntPoint:
+def _parallel_key(axis: Axis, a: Shape, b: Shape, corners: dict[str, dict[int, int]]) -> IntPoint:
     """A key that is equal exactly for parallel axes; `corners`: where each vertex stands among its shape's corners."""
     kind, role, ids = axis.source
     if role and kind in (EDGE, HULL):
         i, j = (corners[role][v] for v in ids)
-        return _direction_key(*_edge_normal(a if role == "A" else b, role, kind, i, j)[0])
+        return _direction_key(*_integer_edge_normal(a if role == "A" else b, role, kind, i, j)[0])
     if kind in (CENTERS, VERTEX):
         return _direction_key(*exact_dots(a, b, axis).normal)
     _, (x, y) = to_integers(axis.normal)
@@ -337,7 +339,7 @@ def exact_dots(a: Shape, b: Shape, axis: Axis) -> ExactDots:
     return ExactDots((x, y), dots_a, dots_b, radii, k)
 
 
-def _hull(ring: Sequence[Vec]) -> list[int]:
+def _hull_corners(ring: Sequence[Vec]) -> list[int]:
     """Which corners are on the convex hull, counter-clockwise: Andrew's monotone chain with exact turns."""
     order = sorted(range(len(ring)), key=ring.__getitem__)
 
@@ -356,7 +358,7 @@ def _convex_polygons(a: Shape, b: Shape) -> bool:
     return all(s.is_convex and not s.core_is_point for s in (a, b))
 
 
-def _axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = False) -> Axis:
+def _make_axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = False) -> Axis:
     """The axis along an integer vector, not (0, 0), in units of 2**-k."""
     x, y = normal
     if not as_given and (x, y) < (0, 0):
@@ -370,14 +372,14 @@ def _axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = False) -
     return Axis(vector, hypot(*vector), source)
 
 
-def _edge_normal(shape: Shape, role: str, kind: str, i: int, j: int) -> tuple[IntPoint, int, Source]:
+def _integer_edge_normal(shape: Shape, role: str, kind: str, i: int, j: int) -> tuple[IntPoint, int, Source]:
     """The normal of the edge from one corner to another, as `_axis` takes it."""
     k, points, _ = shape.integers
     (px, py), (qx, qy) = points[i], points[j]
     return (qy - py, px - qx), k, Source(kind, role, tuple(sorted((shape.corner_ids[i], shape.corner_ids[j]))))
 
 
-def _own_normals(shape: Shape, role: str) -> tuple[tuple[Axis, IntPoint], ...]:
+def _keyed_normals_of(shape: Shape, role: str) -> tuple[tuple[Axis, IntPoint], ...]:
     """Each edge's normal with a key that is equal exactly for parallel edges; kept on the shape."""
     return shape.kept(role, lambda: tuple(_keyed_normals(shape, role)))
 
@@ -385,8 +387,8 @@ def _own_normals(shape: Shape, role: str) -> tuple[tuple[Axis, IntPoint], ...]:
 def _keyed_normals(shape: Shape, role: str) -> Iterator[tuple[Axis, IntPoint]]:
     n = len(shape.corner_ids)
     for i in range(n):
-        normal, k, source = _edge_normal(shape, role, EDGE, i, (i + 1) % n)
-        yield _axis(normal, k, source), _direction_key(*normal)
+        normal, k, source = _integer_edge_normal(shape, role, EDGE, i, (i + 1) % n)
+        yield _make_axis(normal, k, source), _direction_key(*normal)
 
 
 def _direction_key(x: int, y: int) -> IntPoint:
@@ -396,7 +398,7 @@ def _direction_key(x: int, y: int) -> IntPoint:
 
 
 def _normals(shape: Shape, role: str) -> tuple[Axis, ...]:
-    return tuple(axis for axis, _ in _own_normals(shape, role))
+    return tuple(axis for axis, _ in _keyed_normals_of(shape, role))
 
 
 def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis, Skip | None]:
@@ -410,5 +412,5 @@ def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis,
     if not (x or y):
         nowhere = Axis(Vec(1.0, 0.0), 1.0, source)
         return nowhere, Skip(nowhere, NO_DIRECTION)
-    axis, key = _axis((x, y), k, source), _direction_key(x, y)
+    axis, key = _make_axis((x, y), k, source), _direction_key(x, y)
     return axis, Skip(axis, PARALLEL, number[key]) if key in number else None

@@ -31,7 +31,7 @@ class SeparatingLine(NamedTuple):
 
     def check(self) -> bool:
         """Exactly: does the line lie strictly between the shapes?"""
-        below, above = _sides(self.a, self.normal, self.offset), _sides(self.b, self.normal, self.offset)
+        below, above = _side_of_line(self.a, self.normal, self.offset), _side_of_line(self.b, self.normal, self.offset)
         return (below, above) in ((-1, 1), (1, -1))
 
     @property
@@ -53,13 +53,15 @@ class SeparatingLine(NamedTuple):
         if abs(self.offset) > unit * 10**308:  # as the sum of two coordinates, which no float can hold
             unit *= 4
         right = number_format.number(float(self.offset / unit))
-        return f"{_factor(nx / unit)}x {MINUS if ny < 0 else '+'} {_factor(abs(ny / unit))}y = {right}"
+        return (
+            f"{_coefficient_text(nx / unit)}x {MINUS if ny < 0 else '+'} {_coefficient_text(abs(ny / unit))}y = {right}"
+        )
 
     def __str__(self) -> str:
         return number_format.plain(f"separating line {self.equation}")
 
 
-def _factor(factor: Fraction) -> str:
+def _coefficient_text(factor: Fraction) -> str:
     return "" if factor == 1 else MINUS if factor == -1 else number_format.number(float(factor))
 
 
@@ -73,7 +75,7 @@ class SharedPoint(NamedTuple):
 
     def check(self) -> bool:
         """Exactly: does the point lie in both shapes (their borders included)?"""
-        return all(any(_holds(part, (self.x, self.y)) for part in parts(s)) for s in (self.a, self.b))
+        return all(any(_contains(part, (self.x, self.y)) for part in parts(s)) for s in (self.a, self.b))
 
     @property
     def point(self) -> Vec:
@@ -99,7 +101,7 @@ class PartLines(NamedTuple):
         return (
             [(line.a, line.b) for line in self.lines] == pairs
             and all(line.check() for line in self.lines)
-            and all(_area(s) == sum(map(_area, parts(s))) for s in (self.a, self.b))
+            and all(_doubled_area(s) == sum(map(_doubled_area, parts(s))) for s in (self.a, self.b))
         )
 
     def __str__(self) -> str:
@@ -146,29 +148,29 @@ def shared_point(a: Shape, b: Shape) -> SharedPoint:
     polygon's nearest point to the center, of two circles one between their centers.
     """
     if a.core_is_point and b.core_is_point:
-        ((ax, ay),), ((bx, by),) = _ring(a), _ring(b)
+        ((ax, ay),), ((bx, by),) = _exact_core(a), _exact_core(b)
         t = Fraction(a.radius) / (Fraction(a.radius) + Fraction(b.radius))  # the distance is at most their sum
         point = ax + t * (bx - ax), ay + t * (by - ay)
     elif a.core_is_point or b.core_is_point:
         circle, polygon = (a, b) if a.core_is_point else (b, a)
-        point = _nearest_point(_ring(polygon), _ring(circle)[0])
+        point = _nearest_point(_exact_core(polygon), _exact_core(circle)[0])
     else:
-        point = _in_both(a, b)
+        point = _shared_point_of_polygons(a, b)
     return SharedPoint(a, b, *point)
 
 
-def _in_both(a: Shape, b: Shape) -> Rational:
+def _shared_point_of_polygons(a: Shape, b: Shape) -> Rational:
     """A point of two convex polygons: the rounded middle of the overlap, or a corner, or worked out in fractions."""
-    roughly = _clipped(a.core, b.core)
+    roughly = _clip(a.core, b.core)
     middle = sum(x / len(roughly) for x, _ in roughly), sum(y / len(roughly) for _, y in roughly)
     for spot in (middle, *a.core, *b.core):
         if all(isfinite(c) for c in spot) and all(orient(p, q, spot) >= 0 for s in (a, b) for p, q in _edges(s.core)):
             return Fraction(spot[0]), Fraction(spot[1])
-    common = _clipped(_ring(a), _ring(b))
+    common = _clip(_exact_core(a), _exact_core(b))
     return sum(x for x, _ in common) / Fraction(len(common)), sum(y for _, y in common) / Fraction(len(common))
 
 
-def _ring(shape: Shape) -> list[Rational]:
+def _exact_core(shape: Shape) -> list[Rational]:
     return [(Fraction(x), Fraction(y)) for x, y in shape.core]
 
 
@@ -180,7 +182,7 @@ def _edges(ring: Sequence[T]) -> Iterator[tuple[T, T]]:
     return zip(ring, [*ring[1:], ring[0]], strict=True)
 
 
-def _clipped(
+def _clip(
     subject: Sequence[tuple[Number, Number]], clip: Sequence[tuple[Number, Number]]
 ) -> Sequence[tuple[Number, Number]]:
     """Sutherland and Hodgman's clipping of one convex ring by another: exact in fractions, roughly in floats."""
@@ -211,23 +213,23 @@ def _nearest_point(ring: list[Rational], c: Rational) -> Rational:
     return min(feet, key=lambda f: (f[0] - c[0]) ** 2 + (f[1] - c[1]) ** 2)
 
 
-def _holds(shape: Shape, point: Rational) -> bool:
+def _contains(shape: Shape, point: Rational) -> bool:
     if not shape.core_is_point:
-        return all(_cross(p, q, point) >= 0 for p, q in _edges(_ring(shape)))
-    ((x, y),) = _ring(shape)
+        return all(_cross(p, q, point) >= 0 for p, q in _edges(_exact_core(shape)))
+    ((x, y),) = _exact_core(shape)
     return (point[0] - x) ** 2 + (point[1] - y) ** 2 <= Fraction(shape.radius) ** 2
 
 
-def _sides(shape: Shape, normal: Rational, offset: Fraction) -> int:
+def _side_of_line(shape: Shape, normal: Rational, offset: Fraction) -> int:
     """-1 or 1 if the whole shape is strictly below or above the line, else 0."""
     nx, ny = normal
-    dots = [nx * x + ny * y - offset for x, y in _ring(shape)]
+    dots = [nx * x + ny * y - offset for x, y in _exact_core(shape)]
     nearest = min(dots, key=abs)
     meets = min(dots) < 0 < max(dots) or nearest**2 <= Fraction(shape.radius) ** 2 * (nx * nx + ny * ny)
     return 0 if meets else 1 if nearest > 0 else -1
 
 
-def _area(shape: Shape) -> Fraction:
+def _doubled_area(shape: Shape) -> Fraction:
     """Twice the core's area; a circle is its own only part, so any number serves."""
-    ring = _ring(shape)
+    ring = _exact_core(shape)
     return sum((p[0] * q[1] - p[1] * q[0] for p, q in _edges(ring)), Fraction(0))

@@ -25,7 +25,7 @@ from .axes import (
 )
 from .convex_parts import named_parts
 from .geometry import Relation, Vec
-from .mtv import too_many
+from .mtv import why_too_many_parts
 from .number_format import MINUS, Digits, of_shapes, of_tests, plain, vector
 from .sat import AxisTest
 from .shapes import Shape
@@ -78,15 +78,15 @@ class _Trace(Protocol):
     def sentence(self) -> str: ...
 
 
-MOST_PAIRS = 20  # of parts, in a table that can be read
+MAX_TABLE_PAIRS = 20  # of parts, in a table that can be read
 
 
-_JOINS = "\u200c\u200d\u200e\u200f"  # Persian, emoji and Hebrew are written with them
+_JOINERS = "\u200c\u200d\u200e\u200f"  # Persian, emoji and Hebrew are written with them
 
 
 def printable(text: str) -> str:
     """The text with a sign in place of each control character, which would break an SVG."""
-    return "".join(c if c.isprintable() or c in _JOINS else "\ufffd" for c in text)
+    return "".join(c if c.isprintable() or c in _JOINERS else "\ufffd" for c in text)
 
 
 def vertex_name(shape: Shape, name: str, i: int) -> str:
@@ -229,12 +229,12 @@ def verdict(trace: _Trace, move: Vec | None) -> str:
         return f"No gap on the {tested} tested, yet {a} and {b} are apart: a false hit."
     if not trace.tests:
         return f"This choice of axes has none for the pair: nothing is tested. {a} and {b} are {trace.relation}."
-    count = f"no gap on {_any_of(len(trace.tests))}"
+    count = f"no gap on {_any_of_axes(len(trace.tests))}"
     if not trace.choice.complete:
         count += " (not a proof; the exact test decides)"
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: {count}, and they share no interior point. Touching is a hit."
-    return f"{a} and {b} overlap: {count}. {_way_out(trace, move)}"
+    return f"{a} and {b} overlap: {count}. {_mtv_sentence(trace, move)}"
 
 
 ARE = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
@@ -250,22 +250,22 @@ def _shortcut_verdict(trace: _Trace) -> str:
         name = axis_name(trace.ended_by.axis, (trace.a, trace.b), trace.names)
         says += f": {outcome(trace.ended_by, digits(trace, trace.ended_by))} on axis {i + 1} ({name})"
     elif trace.tests:
-        says += f": no gap on {_any_of(len(trace.tests))}"
+        says += f": no gap on {_any_of_axes(len(trace.tests))}"
     is_so = ARE[trace.relation]
     if trace.missed_hit or trace.false_hit:
         return f"{says}. In truth they {is_so}: a {'missed' if trace.missed_hit else 'false'} hit."
     return f"{says}, and so it is." if trace.claim is trace.relation else f"{says}. In truth they {is_so}."
 
 
-def _way_out(trace: _Trace, move: Vec | None) -> str:
-    if move is None and too_many(trace.a, trace.b):
+def _mtv_sentence(trace: _Trace, move: Vec | None) -> str:
+    if move is None and why_too_many_parts(trace.a, trace.b):
         return "They have too many parts to look for the shortest way out."
     if move is None:
         return "No move that float64 can hold parts them."
     return f"Moving {trace.names.b} by {digits(trace).vector(move)} leaves them just touching."
 
 
-def _any_of(n: int) -> str:
+def _any_of_axes(n: int) -> str:
     return "the one axis" if n == 1 else "either axis" if n == 2 else f"any of the {n} axes"
 
 
@@ -277,7 +277,7 @@ def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
     p, q = settling.names
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: their parts {p} and {q} do, and no parts overlap. Touching is a hit."
-    return f"{a} and {b} overlap: their parts {p} and {q} do. {_way_out(trace, move)}"
+    return f"{a} and {b} overlap: their parts {p} and {q} do. {_mtv_sentence(trace, move)}"
 
 
 def table(trace: _Trace, width: int | None = None) -> str:
@@ -286,14 +286,14 @@ def table(trace: _Trace, width: int | None = None) -> str:
     `width`: letters a line may have; where the columns need more, a test takes several lines.
     """
     if not trace.pairs:
-        blocks = [f"{_rows(trace, width)}\n{_wrapped([trace.sentence], width, '')}"]
+        blocks = [f"{_rows(trace, width)}\n{_wrap([trace.sentence], width, '')}"]
     else:
         hit = trace.colliding
-        shown = [pair for i, pair in enumerate(trace.pairs) if i < MOST_PAIRS or pair is hit]
+        shown = [pair for i, pair in enumerate(trace.pairs) if i < MAX_TABLE_PAIRS or pair is hit]
         blocks = [f"{pair.names.a} against {pair.names.b}\n{table(pair, width)}" for pair in shown]
         if left := len(trace.pairs) - len(shown):
             blocks.append(f"(and {left:,} more pairs of parts)")
-        blocks.append(_wrapped([trace.sentence], width, ""))
+        blocks.append(_wrap([trace.sentence], width, ""))
     return plain("\n\n".join(blocks))  # a terminal may know no more than ASCII
 
 
@@ -313,9 +313,9 @@ def _rows(trace: _Trace, width: int | None) -> str:
     if width is not None and max(map(len, lines)) > width:
         heads = "", *rows[0][1:-1]
         blocks = [[*(f"{head} {cell}".lstrip() for head, cell in zip(heads, row)), row[-1]] for row in rows[1:]]
-        lines = [_wrapped(block, width, "  ") for block in blocks]
+        lines = [_wrap(block, width, "  ") for block in blocks]
     for place, name, why in untested(trace):
-        lines.append(_wrapped([f"- {place}{' ' if place else ''}{name}: {why}"], width, "  "))
+        lines.append(_wrap([f"- {place}{' ' if place else ''}{name}: {why}"], width, "  "))
     return "\n".join(lines)
 
 
@@ -329,7 +329,7 @@ def untested(trace: _Trace) -> list[tuple[str, str, str]]:
     return [(p, f"{name} and {len(more)} more" if more else name, why) for (p, why), (name, *more) in found.items()]
 
 
-def _wrapped(pieces: Sequence[str], width: int | None, indent: str) -> str:
+def _wrap(pieces: Sequence[str], width: int | None, indent: str) -> str:
     """The pieces in a line, or in several of at most `width` letters: broken between pieces, within one at a space."""
     line, lines = "", []
     for piece in pieces:

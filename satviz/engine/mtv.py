@@ -26,7 +26,7 @@ def ends_overlap(a: Shape, b: Shape, move: Vec) -> bool:
     return all(relate_moved(p, q, move) != Relation.OVERLAPPING for p in parts(a) for q in parts(b))
 
 
-def along_axis(a: Shape, b: Shape, test: AxisTest) -> Vec | None:
+def mtv_along_axis(a: Shape, b: Shape, test: AxisTest) -> Vec | None:
     """The shortest move of B along a test's axis that parts the ranges, each component rounded away from 0.
 
     Rounded so, the move is never too short.  None if it is beyond float64.
@@ -52,7 +52,7 @@ def _away_from_zero(value: Fraction) -> float:
     return rounded
 
 
-def too_many(a: Shape, b: Shape) -> str:
+def why_too_many_parts(a: Shape, b: Shape) -> str:
     """Why `around_parts` will not look for a way out: it would take more than a moment; "" if it will."""
     sizes = [[len(part.core) for part in parts(s)] for s in (a, b)]
     pairs, corners = len(sizes[0]) * len(sizes[1]), sum(sizes[0]) * len(sizes[1]) + sum(sizes[1]) * len(sizes[0])
@@ -65,7 +65,7 @@ def too_many(a: Shape, b: Shape) -> str:
 
 
 @lru_cache(maxsize=256)
-def around_parts(a: Shape, b: Shape) -> Vec | None:
+def mtv_of_parts(a: Shape, b: Shape) -> Vec | None:
     """The shortest move of B that ends the overlap of shapes, one of them concave; None if beyond float64.
 
     B clears A when it clears every part of A with every part of its own.  Each part
@@ -75,19 +75,19 @@ def around_parts(a: Shape, b: Shape) -> Vec | None:
     shortest, each checked exactly.  Pushing the deepest part out is not enough: that
     may run into its neighbour.  InvalidScene if there are too many pairs of parts.
     """
-    if reason := too_many(a, b):
+    if reason := why_too_many_parts(a, b):
         raise InvalidScene(reason)
     # near size 1 nothing overflows; a power of two changes no digit, and moves are as long as the shapes are wide,
     # however far out they lie
     widths = (hi - lo for shape in (a, b) for lo, hi in zip(shape.bounds, shape.bounds[2:]))
     size = frexp(min(max(widths), LARGEST))[1]
     radius = ldexp(a.radius + b.radius, -size)
-    free = _Free(size, radius, [_region(p, q, size, radius) for p in parts(a) for q in parts(b)])
+    free = _ShortestFreeMove(size, radius, [_make_region(p, q, size, radius) for p in parts(a) for q in parts(b)])
     borders = [border for region in free.regions for border in _borders(region.ring, radius)]
-    free.try_all(c for border in borders for c in _feet(border, radius))
+    free.try_all(c for border in borders for c in _nearest_candidates(border, radius))
     # what runs wholly inside one region is no border of the union
     outer = [border for border in borders if border.nearest < free.length and not free.buries(border)]
-    free.try_all(c for one, other in combinations(outer, 2) for c in _crossings(one, other, radius))
+    free.try_all(c for one, other in combinations(outer, 2) for c in _crossing_candidates(one, other, radius))
     return free.move
 
 
@@ -129,7 +129,7 @@ class Border(NamedTuple):
         return _cross(self.p - self.center, seen) >= room and _cross(seen, self.q - self.center) >= room
 
 
-class _Free:
+class _ShortestFreeMove:
     """The shortest free move found so far, among all that the regions do not forbid."""
 
     def __init__(self, size: int, radius: float, regions: list[Region]) -> None:
@@ -144,7 +144,7 @@ class _Free:
                 continue
             for nudge in NUDGES:
                 helped = self._scaled_back(move + out * nudge)
-                if helped and not self._forbidden(partial(_overlap, move=helped)):
+                if helped and not self._forbidden(partial(_parts_overlap, move=helped)):
                     self.length, self.move = length, helped
                     return
 
@@ -172,7 +172,9 @@ class _Free:
                 beyond = outside
         if beyond <= 0 or not radius:
             return beyond < radius - region.rounding
-        return min(abs(_foot(p - move, q - move)) for p, q in _around(region.ring)) < radius - region.rounding
+        return (
+            min(abs(_nearest_to_origin(p - move, q - move)) for p, q in _around(region.ring)) < radius - region.rounding
+        )
 
     def _scaled_back(self, move: complex) -> Vec | None:
         try:
@@ -181,21 +183,21 @@ class _Free:
             return None
 
 
-def _overlap(region: Region, move: Vec) -> bool:
+def _parts_overlap(region: Region, move: Vec) -> bool:
     """Exactly: do the region's parts still overlap after the move?"""
     return relate_moved(region.p, region.q, move) is Relation.OVERLAPPING
 
 
-def _region(p: Shape, q: Shape, size: int, radius: float) -> Region:
+def _make_region(p: Shape, q: Shape, size: int, radius: float) -> Region:
     core_p, core_q = ([complex(ldexp(x, -size), ldexp(y, -size)) for x, y in s.core] for s in (p, q))
-    ring = _sum(core_p, [-v for v in core_q])
+    ring = _minkowski_sum(core_p, [-v for v in core_q])
     # what float64 let collapse at this size has no inside
     normals = [(u, -1j * (v - u) / abs(v - u)) for u, v in _around(ring)] if len(ring) > 2 else []
     sides = [(n.real, n.imag, n.real * u.real + n.imag * u.imag) for u, n in normals]
     return Region(p, q, ring, sides, ROUNDING * (max(map(abs, ring)) + radius))
 
 
-def _sum(p: list[complex], q: list[complex]) -> list[complex]:
+def _minkowski_sum(p: list[complex], q: list[complex]) -> list[complex]:
     """The Minkowski sum of convex rings: their sides in the order of their directions.
 
     Rounded, since whatever comes of it is checked exactly.
@@ -224,14 +226,14 @@ def _borders(ring: list[complex], radius: float) -> Iterator[Border]:
     sides = [(p, q, -1j * (q - p) / abs(q - p)) for p, q in _around(ring) if p != q]
     for (p, q, normal), (_, _, after) in _around(sides):
         start, end = p + normal * radius, q + normal * radius
-        yield Border(abs(_foot(start, end)), start, end, normal, start - normal, (start, end))
+        yield Border(abs(_nearest_to_origin(start, end)), start, end, normal, start - normal, (start, end))
         if radius:
             # no arc is longer than half round, so as far as the radius along the tangents at its ends is far enough
             last, ahead, back = q + after * radius, 1j * normal * radius, -1j * after * radius
             yield Border(abs(q) - radius, end, last, 0j, q, (end, end + ahead, last + back, last))
 
 
-def _foot(p: complex, q: complex) -> complex:
+def _nearest_to_origin(p: complex, q: complex) -> complex:
     """The segment's point nearest to the origin."""
     way = q - p
     square = way.real * way.real + way.imag * way.imag
@@ -239,9 +241,9 @@ def _foot(p: complex, q: complex) -> complex:
     return p + min(1.0, max(0.0, t)) * way
 
 
-def _feet(border: Border, radius: float) -> Iterator[Candidate]:
+def _nearest_candidates(border: Border, radius: float) -> Iterator[Candidate]:
     if border.normal:
-        foot = _foot(border.p, border.q)
+        foot = _nearest_to_origin(border.p, border.q)
         yield Candidate(abs(foot), foot, border.normal)
     elif border.center:
         out = -border.center / abs(border.center)
@@ -249,7 +251,7 @@ def _feet(border: Border, radius: float) -> Iterator[Candidate]:
         yield Candidate(abs(move), move, out)
 
 
-def _crossings(one: Border, other: Border, radius: float) -> Iterator[Candidate]:
+def _crossing_candidates(one: Border, other: Border, radius: float) -> Iterator[Candidate]:
     if not one.normal:
         one, other = other, one
     for move in _line_points(one, other, radius) if one.normal else _circle_points(one.center, other.center, radius):

@@ -10,11 +10,11 @@ from .sat import AxisTest
 from .shapes import Shape
 
 MINUS = "\u2212"
-PLAIN = 1e-2, 1e6  # scenes of these sizes are told as they are, others in units of a power of a thousand
-FAR = 1e6  # landings beyond so many units are told from an origin near them
-MOST = 9  # decimals; a finer gap is told beside the end it is measured from
-MOST_ALONE = 6  # decimals that a narrow range, or a gap by itself, may ask for
-LARGEST = 1e15  # whole numbers beyond lose digits in float64
+PLAIN_SIZES = 1e-2, 1e6  # scenes of these sizes are told as they are, others in units of a power of a thousand
+FAR_LANDING = 1e6  # landings beyond so many units are told from an origin near them
+MAX_DECIMALS = 9  # decimals; a finer gap is told beside the end it is measured from
+MAX_NARROW_DECIMALS = 6  # decimals that a narrow range, or a gap by itself, may ask for
+MAX_WHOLE_NUMBER = 1e15  # whole numbers beyond lose digits in float64
 
 
 class Digits(NamedTuple):
@@ -75,12 +75,12 @@ class Digits(NamedTuple):
         return self._from_origin(f"[{self._rest(lo)}, {self._rest(hi)}]")
 
     def _for(self, gap: float) -> "Digits":
-        decimals = _needed(abs(gap) / 10.0**self.power, 3)
-        return self._replace(decimals=decimals) if self.decimals < decimals <= MOST_ALONE else self
+        decimals = _needed_decimals(abs(gap) / 10.0**self.power, 3)
+        return self._replace(decimals=decimals) if self.decimals < decimals <= MAX_NARROW_DECIMALS else self
 
     def shows(self, gap: float) -> bool:
         """Are the decimals enough for three digits of a gap?"""
-        return _needed(abs(gap) / 10.0**self.power, 3) <= self.decimals
+        return _needed_decimals(abs(gap) / 10.0**self.power, 3) <= self.decimals
 
     def _from_origin(self, text: str) -> str:
         if not self.origin:
@@ -98,7 +98,7 @@ class Digits(NamedTuple):
         """A number in units, by a power of ten of its own where the decimals cannot show it."""
         scaled = value / 10.0**self.power
         text = f"{scaled + 0.0:.{self.decimals}f}"
-        if abs(scaled) >= LARGEST or (scaled and float(text) == 0):
+        if abs(scaled) >= MAX_WHOLE_NUMBER or (scaled and float(text) == 0):
             return _scientific(scaled)
         # a change of unit may cost the last bit
         if isclose(float(text), scaled, rel_tol=1e-15 if self.power else 0.0) and "." in text:
@@ -135,7 +135,7 @@ def of_shapes(*shapes: Shape) -> Digits:
     """The unit of a scene: 1 for ordinary sizes, else the power of a thousand that fits them."""
     boxes = [shape.bounds for shape in shapes]
     size = max(max(box[i + 2] for box in boxes) - min(box[i] for box in boxes) for i in (0, 1))
-    if PLAIN[0] <= size < PLAIN[1]:
+    if PLAIN_SIZES[0] <= size < PLAIN_SIZES[1]:
         return Digits()
     # an infinite size is one beyond float64
     return Digits(power=max(-300, min(300, 3 * floor(log10(min(size, 1e300)) / 3))))
@@ -150,18 +150,18 @@ def of_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digits:
         return digits
     lo, hi = min(r.lo for r in ranges) / unit, max(r.hi for r in ranges) / unit
     most = max(-lo, hi)
-    held = min(MOST, floor(-log10(8 * ulp(most))))  # what float64 resolves out there
-    gap = max(_needed(abs(t.gap) / unit, 3) for t in tests)
-    width = min(max(_needed(r.hi / unit - r.lo / unit, 2) for r in ranges), held, MOST_ALONE)
+    held = min(MAX_DECIMALS, floor(-log10(8 * ulp(most))))  # what float64 resolves out there
+    gap = max(_needed_decimals(abs(t.gap) / unit, 3) for t in tests)
+    width = min(max(_needed_decimals(r.hi / unit - r.lo / unit, 2) for r in ranges), held, MAX_NARROW_DECIMALS)
     least = max(0, min(held, 3), width)
     fine = gap > held
     origin = 0
-    if most >= FAR and hi - lo < most / 100:
+    if most >= FAR_LANDING and hi - lo < most / 100:
         step = 10 ** max(0, floor(log10(max(hi - lo, 1.0))) + 1)
         origin = floor(lo / step) * step
     return Digits(least if fine else max(least, gap), digits.power, origin, fine)
 
 
-def _needed(size: float, digits: int) -> int:
+def _needed_decimals(size: float, digits: int) -> int:
     """Decimals that show so many digits of a size; 0 for none, and for one beyond float64."""
     return digits - 1 - floor(log10(size)) if 0 < size < inf else 0

@@ -26,7 +26,7 @@ _REPR = Repr()
 _REPR.maxlevel, _REPR.maxstring, _REPR.maxother = 3, 60, 100
 
 
-def _kind(value: Any) -> str:
+def _dtype_kind(value: Any) -> str:
     """NumPy's letter for the kind of an array's numbers; nothing for what is not NumPy's."""
     return getattr(getattr(value, "dtype", None), "kind", "")
 
@@ -39,10 +39,10 @@ def number(value: Any, name: str) -> float:
         given = value
         if getattr(value, "shape", ()) != ():
             raise InvalidShape(f"{name} is {shown(value)}: a coordinate must be one real number")
-        if _kind(value) in _WHOLE:
+        if _dtype_kind(value) in _WHOLE:
             value = int(value)  # a NumPy integer compares in float64, which hides what it loses
         # an array of one object gives way to float(), whatever it holds
-        if isinstance(value, (bool, str, bytes, complex)) or _kind(value) in (*_NOT_REAL, "O"):
+        if isinstance(value, (bool, str, bytes, complex)) or _dtype_kind(value) in (*_NOT_REAL, "O"):
             raise InvalidShape(f"{name} is {shown(given)}: a coordinate must be a real number")
         try:
             as_float = float(value)
@@ -83,7 +83,7 @@ def plain(values: Any, name: str) -> Any:
 
 def refuse_array(array: Any, name: str) -> None:
     """InvalidShape for an array of something else than real numbers, or with masked entries."""
-    if _kind(array) in _NOT_REAL:
+    if _dtype_kind(array) in _NOT_REAL:
         raise InvalidShape(f"{name} is an array of {array.dtype}: coordinates must be real numbers")
     refuse_masked(array, name)
 
@@ -102,17 +102,17 @@ def vertices(values: Any) -> tuple[Vec, ...]:
     except Exception as error:
         raise InvalidShape(f"__geo_interface__ fails: {shown(error)}: pass the vertices themselves") from error
     if interface is None:
-        return _points(values, "vertices")
-    rings = _rings(interface)
+        return _parse_points(values, "vertices")
+    rings = _geo_rings(interface)
     if not rings:
         raise InvalidShape("the polygon is empty: it needs at least 3 distinct vertices")
-    points = _points(rings[0], "the outer ring")
+    points = _parse_points(rings[0], "the outer ring")
     if len(rings) > 1:
         raise InvalidShape("the polygon has holes: pass its outer ring, or split it into parts without holes")
     return points
 
 
-def _points(values: Any, name: str) -> tuple[Vec, ...]:
+def _parse_points(values: Any, name: str) -> tuple[Vec, ...]:
     return tuple(point(v, f"vertex {i}") for i, v in enumerate(listed(values, name, "a sequence of (x, y) pairs")))
 
 
@@ -125,14 +125,14 @@ def listed(values: Any, name: str, expected: str) -> list[Any]:
     return list(values)
 
 
-def _rings(interface: Any) -> list[Any]:
+def _geo_rings(interface: Any) -> list[Any]:
     """The rings of a GeoJSON-like Polygon, or of a Feature that has one."""
     name = "__geo_interface__"
-    if _type(interface) == "Feature":
+    if _geo_type(interface) == "Feature":
         interface, name = interface.get("geometry"), "the Feature's geometry"
     if not isinstance(interface, Mapping):
         raise InvalidShape(f"{name} is {shown(interface)}: expected a dict with type and coordinates")
-    kind, held = _type(interface), interface.get("coordinates")
+    kind, held = _geo_type(interface), interface.get("coordinates")
     if not kind:
         raise InvalidShape(f"{name} has no type: expected a dict with type and coordinates")
     if kind not in ("Polygon", "LinearRing"):
@@ -140,7 +140,7 @@ def _rings(interface: Any) -> list[Any]:
     return [held] if kind == "LinearRing" else listed(held, "coordinates", "a sequence of (x, y) pairs")
 
 
-def _type(interface: Any) -> str:
+def _geo_type(interface: Any) -> str:
     kind = interface.get("type") if isinstance(interface, Mapping) else ""
     return kind if isinstance(kind, str) else ""
 
@@ -150,7 +150,7 @@ def shown(value: Any) -> str:
     return _REPR.repr(value)
 
 
-def corners(points: Sequence[Vec]) -> Corners:
+def find_corners(points: Sequence[Vec]) -> Corners:
     """Check that the points run once round a simple outline of positive area, and find its corners.
 
     The first edge stays first: a clockwise outline is walked backwards from it.
@@ -159,17 +159,17 @@ def corners(points: Sequence[Vec]) -> Corners:
     if len({points[i] for i in ring}) < 3:
         raise InvalidShape(f"{len(set(points))} distinct vertices: a polygon needs at least 3")
     turns = []
-    for before, i, after in _around(ring):
+    for before, i, after in _with_neighbours(ring):
         turn = orient(points[before], points[i], points[after])
-        if turn == 0 and _reverses(points[before], points[i], points[after]):
-            if _flat(points, ring):
+        if turn == 0 and _turns_back(points[before], points[i], points[after]):
+            if _is_flat(points, ring):
                 raise InvalidShape("all vertices lie on one line: a polygon needs a positive area; move one off it")
             raise InvalidShape(f"the outline turns back on itself at vertex {i} (a spike): remove that vertex")
         turns.append(turn)
     notes += [f"vertex {i} lies straight on between its neighbours" for i, turn in zip(ring, turns) if turn == 0]
     kept = [i for i, turn in zip(ring, turns) if turn]
     bends = {turn for turn in turns if turn}
-    convex = len(bends) == 1 and _runs_round_once([points[i] for i in kept])
+    convex = len(bends) == 1 and _winds_once([points[i] for i in kept])
     if not convex:
         refuse_crossings([points[i] for i in ring], ring)
     lowest = min(range(len(kept)), key=lambda j: points[kept[j]])
@@ -192,21 +192,21 @@ def _without_repeats(points: Sequence[Vec]) -> tuple[list[int], list[str]]:
     return ring, notes
 
 
-def _around(ring: Sequence[int]) -> Iterable[tuple[int, int, int]]:
+def _with_neighbours(ring: Sequence[int]) -> Iterable[tuple[int, int, int]]:
     return zip([ring[-1], *ring[:-1]], ring, [*ring[1:], ring[0]], strict=True)
 
 
-def _reverses(before: Vec, here: Vec, after: Vec) -> bool:
+def _turns_back(before: Vec, here: Vec, after: Vec) -> bool:
     """Of three points on one line: does the way go back?  Signs of float differences are exact."""
     return (here > before) != (after > here)
 
 
-def _flat(points: Sequence[Vec], ring: Sequence[int]) -> bool:
+def _is_flat(points: Sequence[Vec], ring: Sequence[int]) -> bool:
     first, second = points[ring[0]], points[ring[1]]
     return all(orient(first, second, points[i]) == 0 for i in ring)
 
 
-def _runs_round_once(ring: Sequence[Vec]) -> bool:
+def _winds_once(ring: Sequence[Vec]) -> bool:
     """All turns one way is not enough (a pentagram turns left everywhere, twice round)."""
     rising = [q > p for p, q in zip(ring, [*ring[1:], ring[0]], strict=True)]
     return sum(r != s for r, s in zip(rising, [*rising[1:], rising[0]], strict=True)) == 2
@@ -226,24 +226,24 @@ def refuse_crossings(ring: Sequence[Vec], ids: Sequence[int]) -> None:
             row = [event.touched, event.vertex]
         for j, i in pairwise(row):
             p, q, r, s = ring[i], ring[(i + 1) % n], ring[j], ring[(j + 1) % n]
-            if (i - j) % n in (1, n - 1) or not _meet(p, q, r, s):
+            if (i - j) % n in (1, n - 1) or not _segments_meet(p, q, r, s):
                 continue
             first, second = sorted((ids[i], ids[j]))
-            x, y = _place(p, q, r, s)
+            x, y = _meeting_point(p, q, r, s)
             raise InvalidShape(
                 f"edges {first} and {second} cross near ({x:.6g}, {y:.6g}): "
                 "an outline must not cross or touch itself; reorder the vertices"
             )
 
 
-def _meet(p: Vec, q: Vec, r: Vec, s: Vec) -> bool:
+def _segments_meet(p: Vec, q: Vec, r: Vec, s: Vec) -> bool:
     """Do two closed segments that share an x share a point?"""
     if max(p.y, q.y) < min(r.y, s.y) or max(r.y, s.y) < min(p.y, q.y):
         return False
     return orient(p, q, r) * orient(p, q, s) <= 0 and orient(r, s, p) * orient(r, s, q) <= 0
 
 
-def _place(p: Vec, q: Vec, r: Vec, s: Vec) -> Vec:
+def _meeting_point(p: Vec, q: Vec, r: Vec, s: Vec) -> Vec:
     """A point of both segments, which meet; in fractions, since products of floats may overflow and vanish."""
     (px, py), (qx, qy), (rx, ry), (sx, sy) = (map(Fraction, v) for v in (p, q, r, s))
     dx, dy, ex, ey = qx - px, qy - py, sx - rx, sy - ry

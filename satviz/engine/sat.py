@@ -11,8 +11,8 @@ from .shapes import Shape, checked
 
 # Landing places carry under 13 roundings of the reach each, a gap under 27.  Asked is far
 # more, so that a float gap has not only the right sign but five right digits.
-CLOSE = 2.0**-30
-SAFE = 1e-100, 1e100
+CLOSE_GAP_FACTOR = 2.0**-30
+SAFE_RANGE = 1e-100, 1e100
 LARGEST = sys.float_info.max
 new = tuple.__new__  # what a NamedTuple's own constructor ends in; the loop's records are half its cost
 
@@ -82,12 +82,12 @@ def axis_tests(a: Shape, b: Shape, axes: Iterable[Axis] | None = None) -> Iterat
     if axes is None:
         axes = needed(a, b).axes
     reach = max(a.max_coordinate, b.max_coordinate)
-    close = reach * CLOSE if SAFE[0] < reach < SAFE[1] else float("inf")
+    close = reach * CLOSE_GAP_FACTOR if SAFE_RANGE[0] < reach < SAFE_RANGE[1] else float("inf")
     for axis in axes:
         p, q = project(a, axis), project(b, axis)
         on_a, on_b = p[1], q[1]
         gap = max(min(on_a) - max(on_b), min(on_b) - max(on_a))
-        if (gap > close or -gap > close) and SAFE[0] < axis.length < SAFE[1]:
+        if (gap > close or -gap > close) and SAFE_RANGE[0] < axis.length < SAFE_RANGE[1]:
             yield new(AxisTest, (axis, p, q, gap))
         else:
             yield _exact_test(a, b, axis)
@@ -99,10 +99,12 @@ def _exact_test(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     square = nx * nx + ny * ny
     apart = max(min(dots_a) - max(dots_b), min(dots_b) - max(dots_a))
     gap = root_difference(apart, radii, square, k)
-    return AxisTest(axis, _landed(a, axis, dots_a, square, k), _landed(b, axis, dots_b, square, k), gap)
+    return AxisTest(
+        axis, _exact_projection(a, axis, dots_a, square, k), _exact_projection(b, axis, dots_b, square, k), gap
+    )
 
 
-def _landed(shape: Shape, axis: Axis, dots: list[int], square: int, k: int) -> Projection:
+def _exact_projection(shape: Shape, axis: Axis, dots: list[int], square: int, k: int) -> Projection:
     own_k, _, radius = shape.integers
     if not radius:
         return Projection(shape.core, tuple(root_difference(dot, 0, square, k) for dot in dots))
@@ -110,10 +112,10 @@ def _landed(shape: Shape, axis: Axis, dots: list[int], square: int, k: int) -> P
     ((x, y),), r, (nx, ny) = shape.core, shape.radius, axis.direction
     lo = root_difference(dots[0], radius, square, k)
     hi = -root_difference(-dots[0], radius, square, k) + 0.0
-    ends = (Vec(_capped(x + s * r * nx), _capped(y + s * r * ny)) for s in (-1, 1))
+    ends = (Vec(_cap_to_float64(x + s * r * nx), _cap_to_float64(y + s * r * ny)) for s in (-1, 1))
     return Projection(tuple(ends), (lo, hi))
 
 
-def _capped(value: float) -> float:
+def _cap_to_float64(value: float) -> float:
     """An extreme beyond float64 is shown at its rim."""
     return max(-LARGEST, min(LARGEST, value))

@@ -70,7 +70,7 @@ class _Shape:
         return type(self), self._facts()
 
     def __repr__(self) -> str:
-        facts = [repr(_listed(f)) for f in self._facts() if f is not None]
+        facts = [repr(_to_lists(f)) for f in self._facts() if f is not None]
         return f"{type(self).__name__}({', '.join(facts)})"
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
@@ -108,14 +108,14 @@ class Polygon(_Shape):
         if isinstance(vertices, Polygon):
             vertices, labels = vertices.vertices, vertices.labels if labels is None else labels
         points = polygon_validation.vertices(vertices)
-        ring = polygon_validation.corners(points)
+        ring = polygon_validation.find_corners(points)
         corners = tuple(Vec(points[i].x + 0.0, points[i].y + 0.0) for i in ring.ids)  # -0.0 becomes 0.0
         xs, ys = [c.x for c in corners], [c.y for c in corners]
         edges = [(q.x - p.x, q.y - p.y) for p, q in zip(corners, (*corners[1:], corners[0]), strict=True)]
         x0, y0, x1, y1 = box = min(xs), min(ys), max(xs), max(ys)
         self._set(
             vertices=points,
-            labels=_checked_labels(labels, len(points)),
+            labels=_validate_labels(labels, len(points)),
             core=corners,
             radius=0.0,
             corner_ids=ring.ids,
@@ -229,7 +229,7 @@ def _slabs(corners: tuple[Vec, ...], edges: list[tuple[float, float]]) -> tuple[
     return tuple(slabs)
 
 
-def _checked_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | None:
+def _validate_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | None:
     if labels is None:
         return None
     if isinstance(labels, str):
@@ -252,8 +252,8 @@ def _checked_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | N
     return labels
 
 
-def _listed(fact: Any) -> Any:
+def _to_lists(fact: Any) -> Any:
     """Plain lists and tuples for a repr that can be pasted back."""
     if isinstance(fact, Vec):
         return tuple(fact)
-    return [_listed(f) for f in fact] if isinstance(fact, tuple) else fact
+    return [_to_lists(f) for f in fact] if isinstance(fact, tuple) else fact

@@ -39,7 +39,7 @@ class Shortcut(NamedTuple):
         for axis in axes:
             try:
                 test = self.measure(a, b, axis)
-                finite = all(map(isfinite, _numbers(test)))
+                finite = all(map(isfinite, _all_numbers(test)))
             except OverflowError:
                 finite = False
             if not finite:
@@ -62,7 +62,7 @@ class Shortcut(NamedTuple):
         return test.gap > 0 or (self.touching_separates and test.gap == 0)
 
 
-def _numbers(test: AxisTest) -> Iterator[float]:
+def _all_numbers(test: AxisTest) -> Iterator[float]:
     yield test.gap
     for side in test.a, test.b:
         yield from side.landings
@@ -70,7 +70,7 @@ def _numbers(test: AxisTest) -> Iterator[float]:
             yield from point
 
 
-def out_by(test: AxisTest, length: float) -> Vec:
+def move_along_axis(test: AxisTest, length: float) -> Vec:
     """A move of B by that length along a test's axis, to the side on which the ranges part sooner."""
     a, b, n = test.a.interval, test.b.interval, test.axis.direction
     way = length if a.hi - b.lo < b.hi - a.lo else -length

@@ -6,16 +6,16 @@ from itertools import product
 from math import isfinite
 
 from . import describe, hooks
-from .axes import EARLY_EXIT, NAMED, Choice, Chooser, Skip, made_for, needed
+from .axes import EARLY_EXIT, NAMED, Choice, Chooser, Skip, validate_choice, needed
 from .certificate import Certificate, PartLines, separating_line, shared_point
 from .convex_parts import named_parts
 from .describe import Names
 from .geometry import InvalidScene, Relation, Vec
-from .mtv import along_axis, around_parts
+from .mtv import mtv_along_axis, mtv_of_parts
 from .relate import relate
 from .sat import AxisTest, axis_tests
 from .shapes import Shape, checked
-from .shortcut import Shortcut, out_by
+from .shortcut import Shortcut, move_along_axis
 
 APART, TOUCHING, OVERLAPPING = Relation
 
@@ -23,7 +23,7 @@ MAX_SIZE = 200_000  # what a trace lists (see _size): some 30 MB of JSON, which 
 
 
 PLAIN = Names()
-Named = Sequence[tuple[Shape, str]]  # parts, and what each is called
+NamedParts = Sequence[tuple[Shape, str]]  # parts, and what each is called
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +105,7 @@ class Trace:
     @property
     def shallowest(self) -> AxisTest | None:
         """The test of least penetration depth, as measured, when none separates, or None."""
-        return _shallowest(self.tests) if self.tests and not self.ended_by else None
+        return _least_overlap(self.tests) if self.tests and not self.ended_by else None
 
     @property
     def mtv(self) -> Vec | None:
@@ -124,8 +124,8 @@ class Trace:
         if relation is not OVERLAPPING:
             return None if relation is APART else Vec(0.0, 0.0)
         if not (self.a.is_convex and self.b.is_convex):
-            return around_parts(self.a, self.b)
-        return along_axis(self.a, self.b, _shallowest(self.tests or record(self.a, self.b).tests))
+            return mtv_of_parts(self.a, self.b)
+        return mtv_along_axis(self.a, self.b, _least_overlap(self.tests or record(self.a, self.b).tests))
 
     @property
     def known_mtv(self) -> Vec | None:
@@ -153,7 +153,7 @@ class Trace:
             push = Vec(sum((move.x for move in found), 0.0), sum((move.y for move in found), 0.0))
             return push if len(found) == len(moves) and all(map(isfinite, push)) else None
         test = self.shallowest
-        return out_by(test, -test.gap) if test else None
+        return move_along_axis(test, -test.gap) if test else None
 
     @property
     def truth(self) -> "Trace":
@@ -243,7 +243,7 @@ def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, ev
         raise TypeError(f"axes is a {type(axes).__name__}: expected a choice of axes, or what makes one (satviz.axes)")
     choice = axes if isinstance(axes, Choice) else axes(a, b)
     own = any(axes is choose for choose in NAMED.values())
-    return _record(a, b, choice if own else made_for(choice, a, b), every_axis, PLAIN)
+    return _record(a, b, choice if own else validate_choice(choice, a, b), every_axis, PLAIN)
 
 
 def _record_shortcut(a: Shape, b: Shape, shortcut: Shortcut, every_axis: bool) -> Trace:
@@ -258,10 +258,10 @@ def _record(
 ) -> Trace:
     tests: list[AxisTest] = []
     measured = shortcut.tests(a, b, choice.axes) if shortcut else axis_tests(a, b, choice.axes)
-    _keep_within_limit(a, b, choice, tests, names)
+    _check_size(a, b, choice, tests, names)
     for test in measured:
         tests.append(test)
-        _keep_within_limit(a, b, choice, tests, names)
+        _check_size(a, b, choice, tests, names)
         if not every_axis and (test.gap > 0 or (shortcut and shortcut.separates(test))):
             break
     return Trace(a, b, choice, tuple(tests), every_axis, (), names, shortcut)
@@ -272,16 +272,16 @@ def _record_parts(a: Shape, b: Shape, every_axis: bool) -> Trace:
 
 
 def _record_pairs(
-    a: Shape, b: Shape, of_a: Named, of_b: Named, every_axis: bool, shortcut: Shortcut | None = None
+    a: Shape, b: Shape, of_a: NamedParts, of_b: NamedParts, every_axis: bool, shortcut: Shortcut | None = None
 ) -> Trace:
     """A trace for each pair of parts; a shortcut looks at all of them, and proves nothing by it."""
     pairs, size = [], 0
     for (p, name_a), (q, name_b) in product(of_a, of_b):
         pair = _record(p, q, needed(p, q), every_axis, Names(name_a, name_b))
         pairs.append(pair)
-        size += _size(p, q, pair.choice, pair.tests)
+        size += _count_listed(p, q, pair.choice, pair.tests)
         if size > MAX_SIZE:
-            raise _too_large(
+            raise _too_large_error(
                 f"A and B have {len(of_a) * len(of_b):,} pairs of {'pieces' if shortcut else 'convex parts'}"
             )
         if not shortcut and pair.relation is OVERLAPPING and not every_axis:
@@ -293,25 +293,27 @@ def _separates(test: AxisTest) -> bool:
     return test.gap > 0
 
 
-def _shallowest(tests: Sequence[AxisTest]) -> AxisTest:
+def _least_overlap(tests: Sequence[AxisTest]) -> AxisTest:
     return max(tests, key=lambda test: test.gap)
 
 
-def _size(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest]) -> int:
+def _count_listed(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest]) -> int:
     """What a trace lists: points, those dropped in each test too, and axes."""
-    return _points(a, b) * (1 + len(tests)) + len(choice.axes) + len(choice.skipped)
+    return _count_points(a, b) * (1 + len(tests)) + len(choice.axes) + len(choice.skipped)
 
 
-def _keep_within_limit(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest], names: Names) -> None:
-    if _size(a, b, choice, tests) > MAX_SIZE:
-        raise _too_large(f"{' and '.join(names)} have {_points(a, b):,} points to drop on {len(choice.axes):,} axes")
+def _check_size(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest], names: Names) -> None:
+    if _count_listed(a, b, choice, tests) > MAX_SIZE:
+        raise _too_large_error(
+            f"{' and '.join(names)} have {_count_points(a, b):,} points to drop on {len(choice.axes):,} axes"
+        )
 
 
-def _points(a: Shape, b: Shape) -> int:
+def _count_points(a: Shape, b: Shape) -> int:
     return sum(2 if shape.core_is_point else len(shape.vertices) for shape in (a, b))
 
 
-def _too_large(what: str) -> InvalidScene:
+def _too_large_error(what: str) -> InvalidScene:
     """Work and memory stay bounded: the loop ends where its trace outgrows the limit."""
     return InvalidScene(
         f"{what}: a trace lists {MAX_SIZE:,} points and axes at most; ask relate for the verdict alone, "
