@@ -754,7 +754,7 @@ def test_splitting_grows_almost_as_the_outline(kind, monkeypatch):
         done = getattr(owner, name)
         monkeypatch.setattr(owner, name, lambda *args: looks.update({name: work(*args)}) or done(*args))
 
-    for name in "_turn", "_bend":
+    for name in "_turn", "_turn_at":
         counted(convex_parts, name, lambda *_: 1)
     for module in sweep, triangulation, polygon_validation:
         counted(module, "orient", lambda *_: 1)

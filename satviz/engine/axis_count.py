@@ -1,4 +1,4 @@
-"""How many axes are enough for the pair in hand: quick enough to be asked while it is dragged (no NumPy)."""
+"""How many axes are enough for one pair of shapes; standard library only, so that it can run during a drag."""
 
 from . import describe, number_format
 from .axes import CENTERS, VERTEX, WORLD, Axis, hull_normals, needed
@@ -14,11 +14,11 @@ NUMBER_WORDS = "no", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eig
 
 
 def enough(a: Trace | Shape, b: Shape | None = None, names: Names = PLAIN) -> tuple[int, str]:
-    """How many axes settle this pair as it lies, and a sentence on which, and on what would do wherever they lie.
+    """Return how many axes decide this pair where it lies, and a sentence that names them.
 
-    A gap on one axis proves that two shapes are apart, so one that leaves a gap is enough; and where there is none, no
-    axis by itself says anything: all of a complete set must be tried.  Concave: one for each pair of convex parts
-    is enough.  Takes a trace, or two shapes with what they are called.
+    One axis with a gap proves that two shapes are apart, so it is enough.  Where no axis has a gap, a single
+    axis proves nothing: all axes of a complete set must be tested.  Concave shapes need one axis for each pair
+    of convex parts.  Takes a trace, or two shapes with their names.
     """
     if isinstance(a, Trace):
         return enough(a.a, a.b, a.names)
@@ -46,14 +46,16 @@ def enough(a: Trace | Shape, b: Shape | None = None, names: Names = PLAIN) -> tu
 
 
 def _any_position_sentence(axes: tuple[Axis, ...], a: Shape, b: Shape) -> str:
+    """Return the sentence on how many axes are enough wherever the shapes are moved, or ""."""
     if not (a.is_convex and b.is_convex) or (a.core_is_point and b.core_is_point):
         return ""
-    # the axis to the nearest vertex is left out where it happens to be parallel to an edge's normal
+    # the axis to the nearest vertex is not tested when it happens to be parallel to an edge's normal
     many = sum(axis.source.kind != VERTEX for axis in axes) + (a.core_is_point or b.core_is_point)
     return f" Wherever they are moved, {_number_word(many).lower()} are enough."
 
 
 def _count_axes_of_parts(a: Shape, b: Shape) -> tuple[int, str]:
+    """Return what `enough` returns, for a pair with a concave polygon."""
     pairs = [(p, q) for p in parts(a) for q in parts(b)]
     if relate(a, b) is Relation.APART:
         none = "No one normal of an edge is enough here"
@@ -64,4 +66,5 @@ def _count_axes_of_parts(a: Shape, b: Shape) -> tuple[int, str]:
 
 
 def _number_word(many: int) -> str:
+    """Return a count as a word with a capital letter, or in digits above twelve."""
     return NUMBER_WORDS[many] if many < len(NUMBER_WORDS) else f"{many:,}"

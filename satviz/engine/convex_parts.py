@@ -30,10 +30,11 @@ def parts(shape: Shape) -> tuple[Shape, ...]:
     on another (label "" if the polygon has labels), never more parts than twice the
     reflex vertices and one.  Sorted by the lowest vertex number they hold.
     """
-    return (shape,) if checked(shape, "shape").is_convex else shape.kept("parts", lambda: _split(shape))
+    return (shape,) if checked(shape, "shape").is_convex else shape.cached("parts", lambda: _split(shape))
 
 
 def _split(shape: Shape) -> tuple[Polygon, ...]:
+    """Return the convex parts of a concave polygon, sorted by their lowest vertex number."""
     pieces = _Pieces(shape)
     pieces.halve()
     pieces.cut_in_pairs()
@@ -157,6 +158,7 @@ class _Pieces:
         before: dict[Edge, Edge] = {}
 
         def link(first: Edge, second: Edge) -> None:
+            """Note that one edge follows another in a piece."""
             after[first], before[second] = second, first
 
         for ring in self.convex:
@@ -332,6 +334,7 @@ class _ReflexCount:
 
 
 def _neighbours(ring: Ring, v: int) -> Edge:
+    """Return the vertices before and after `v` on a ring."""
     i = ring.index(v)
     return ring[i - 1], ring[(i + 1) % len(ring)]
 
