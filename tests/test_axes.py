@@ -142,7 +142,7 @@ SOURCES = [
 
 @pytest.mark.parametrize("source", SOURCES, ids=str)
 def test_a_source_that_the_shapes_do_not_have_is_not_among_theirs(source):
-    assert source not in axes.by_source(A, COIN)
+    assert source not in axes.axes_by_source(A, COIN)
 
 
 def sources(choice: axes.Choice) -> dict:
