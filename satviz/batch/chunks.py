@@ -30,7 +30,7 @@ class ChunkFailed(RuntimeError):
 def in_chunks(
     job: Job, n: int, executor: Executor | None, progress: Callable[[int, int], None] | None, size: int
 ) -> Iterator[tuple[int, int, Any]]:
-    """(start, stop, result) for each chunk, in order; `job(start, stop)` gives a function and its arguments.
+    """Yield (start, stop, result) for each chunk in order; `job(start, stop)` returns a function and its arguments.
 
     At most WAITING chunks are under way, so memory does not grow with n.  An
     interrupt or a failed chunk cancels those not yet started.
@@ -72,7 +72,7 @@ def check_progress(progress: object) -> None:
 
 
 def check_size(name: str, size: object) -> int:
-    """Return the size as an int; TypeError if it is no whole number, ValueError if it is less than 1."""
+    """Return the size as an int; TypeError unless it is a whole number, ValueError if it is less than 1."""
     try:
         number = index(size)  # type: ignore[arg-type]
     except TypeError:
@@ -85,6 +85,7 @@ def check_size(name: str, size: object) -> int:
 
 
 def _run_chunk(start: int, stop: int, job: Job) -> Any:
+    """Run one chunk; a failure becomes ChunkFailed, which names the chunk."""
     function, arguments = job(start, stop)
     try:
         return function(*arguments)
@@ -93,6 +94,7 @@ def _run_chunk(start: int, stop: int, job: Job) -> Any:
 
 
 def _pop_result(waiting: Waiting, progress: Callable[[int, int], None] | None, n: int) -> tuple[int, int, Any]:
+    """Wait for the oldest chunk, report progress, and return its start, stop and result."""
     start, stop, future = waiting.popleft()
     try:
         result = future.result()
@@ -103,5 +105,6 @@ def _pop_result(waiting: Waiting, progress: Callable[[int, int], None] | None, n
 
 
 def _report_progress(progress: Callable[[int, int], None] | None, done: int, total: int) -> None:
+    """Call `progress(done, total)`."""
     if progress is not None:
         progress(done, total)

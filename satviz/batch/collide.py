@@ -28,10 +28,10 @@ def colliding_pairs(
     progress: Callable[[int, int], None] | None = None,
     chunk: int = CHUNK_PAIRS,
 ) -> Pairs:
-    """(K, 2) indices i < j, in order, of the shapes that share a point (touching counts).
+    """Return the (K, 2) indices i < j, in order, of the shapes that share a point (touching counts).
 
     Parts of one concave polygon count as their owner.  `engine`, `executor`,
-    `progress` (told of candidates done in each block) and `chunk`: as in `relate`;
+    `progress` (called with the candidates done after each block) and `chunk`: as in `relate`;
     upright boxes alone need the engine's grid only.
     """
     chunk = check_options(engine, executor, progress, chunk)  # also where the grid alone decides
@@ -58,7 +58,7 @@ def stream_colliding_pairs(
     progress: Callable[[int, int], None] | None = None,
     strip: int = STRIP_SHAPES,
 ) -> Iterator[Pairs]:
-    """The colliding pairs of an (N, V, 2) array too large for memory (np.load(..., mmap_mode="r")), a strip at a time.
+    """Yield the colliding pairs of an (N, V, 2) array too large for memory, one strip at a time.
 
     The scene is cut into upright strips of about `strip` shapes each; every strip
     reads and holds only the shapes that reach into it.  A pair is
@@ -83,6 +83,7 @@ def _stream_strips(
     progress: Callable[[int, int], None] | None,
     strip: int,
 ) -> Iterator[Pairs]:
+    """Yield the pairs strip by strip, after the arguments were checked."""
     n = len(vertices)
     low, high = np.empty(n), np.empty(n)
     for start in range(0, max(n, 1), strip):
@@ -105,9 +106,11 @@ def _stream_strips(
 
 
 def _names_from(start: int) -> Callable[[int], str]:
+    """Return a function that names shapes in error lines by their number from `start` on."""
     return lambda i: f"polygon {start + i}"
 
 
 def _describe_type(values: Any) -> str:
+    """Return the type and shape of what was passed, for an error line."""
     shape = getattr(values, "shape", None)
     return f"a {type(values).__name__}" if shape is None else f"an array of the shape {shape}"

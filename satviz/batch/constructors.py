@@ -1,4 +1,4 @@
-"""Circles and Polygons: many shapes checked at the door."""
+"""Circles and Polygons: batches of shapes, validated when they are made."""
 
 from collections.abc import Callable
 from typing import Any
@@ -58,13 +58,13 @@ class Polygons(Shapes):
 
 
 def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
-    """Polygons from an array or sequence of shapely's polygons."""
+    """Return a batch from an array or sequence of shapely polygons."""
     validation.check_word("concave", concave, validation.CONCAVE_OPTIONS)
     import shapely
 
     array = np.asarray(geometries, object).ravel()
     if not shapely.is_geometry(array).all():
-        return Polygons(list(array), concave=concave)  # whose door says what each is
+        return Polygons(list(array), concave=concave)  # it says what each one is
     odd = shapely.get_type_id(array) != shapely.GeometryType.POLYGON
     odd |= shapely.is_empty(array) | shapely.has_z(array) | (shapely.get_num_interior_rings(array) > 0)
     if odd.any():
@@ -75,9 +75,10 @@ def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
 
 
 def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave: str) -> Shapes:
-    """The same for some of more: `numbers` are what errors call them."""
+    """Return a batch of some polygons of a larger set; error lines call them by these `numbers`."""
 
     def name(i: int) -> str:
+        """Return how error lines call polygon `i`."""
         return f"polygon {i if numbers is None else numbers[i]}"
 
     if isinstance(vertices, np.ndarray) and vertices.dtype != object:
@@ -90,7 +91,7 @@ def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave
 
 
 def _build_shapes(given: Rings, name: Callable[[int], str], concave: str) -> Shapes:
-    """The corners of all; those not convex go through the scalar door one by one."""
+    """Return a batch from rings; outlines that are not plainly convex are validated one by one by satviz.Polygon."""
     given = Rings(given.x + 0.0, given.y + 0.0, given.start)  # a copy of our own, where -0.0 is 0.0
     rings, plain = convex_rings(given)
     count = np.diff(rings.start)

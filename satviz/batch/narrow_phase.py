@@ -64,12 +64,12 @@ def relate(
     progress: Callable[[int, int], None] | None = None,
     chunk: int = CHUNK_PAIRS,
 ) -> Relations:
-    """The exact relation of each pair as int8: 0 apart, 1 touching, 2 overlapping (satviz.Relation's values).
+    """Return the exact relation of each pair as int8: 0 apart, 1 touching, 2 overlapping (satviz.Relation's values).
 
     Pairs are a[i] with b[i], one against many, or the rows (i, j) of `pairs`.
     `engine`: "numpy" or "numba" (by default the best installed; the answers are the
     same).  `executor`: any concurrent.futures.Executor; chunks of pairs come back in
-    order, `progress(done, total)` is told of each.  ValueError for lengths that do not
+    order, `progress(done, total)` is called after each.  ValueError for lengths that do not
     fit, IndexError for pairs out of range, TypeError or ValueError for an option that is none,
     ChunkFailed names the range that failed.
     """
@@ -84,6 +84,7 @@ def relate(
     shared = executor is None or isinstance(executor, ThreadPoolExecutor)
 
     def job(start: int, stop: int) -> Call:
+        """Return the function and the arguments that relate one chunk."""
         if chosen is not None:
             i, j = (indices[start:stop] for indices in chosen)
             return _relate_some, (a, i, b, j, engine) if shared else (*_take_used(a, i), *_take_used(b, j), engine)
@@ -97,13 +98,13 @@ def relate(
 
 
 def hits(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, **options: Unpack[Options]) -> NDArray[np.bool_]:
-    """Which pairs share a point (touching counts); the arguments of `relate`."""
+    """Return which pairs share a point (touching counts), as bool; the arguments are those of `relate`."""
     hit: NDArray[np.bool_] = relate(a, b, pairs, **options) != APART
     return hit
 
 
 def check_options(engine: object, executor: object, progress: object, size: object, of: str = "chunk") -> int:
-    """Check how work is to be done, before any is; return the size of its pieces, whose argument is called `of`.
+    """Check engine, executor and progress before any work is done; return the size of a chunk.
 
     TypeError, ValueError and (where numba is not there) ImportError name the argument and say what it takes.
     """
@@ -115,7 +116,7 @@ def check_options(engine: object, executor: object, progress: object, size: obje
 
 
 def engine_of(name: Any) -> Engine:
-    """The engine of that name, None for the best that works; TypeError and ValueError for what is no name."""
+    """Return the engine of that name, or the best one that works for None; TypeError or ValueError for a wrong name."""
     if name is not None:
         validation.check_word("engine", name, ("numpy", "numba"))
     return load_engine(name)
@@ -123,7 +124,7 @@ def engine_of(name: Any) -> Engine:
 
 @cache
 def load_engine(name: str | None) -> Engine:
-    """The engine of that name; numba is imported here and nowhere else.
+    """Import and return the engine of that name; this is the only place that imports numba.
 
     By default the best that works: where numba is installed but does not load or cannot keep
     what it compiles, NumPy answers, and one warning says why.
@@ -151,11 +152,12 @@ def load_engine(name: str | None) -> Engine:
 
 
 def _column_kernels_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
+    """Return a backend's kernels for pairs side by side, by the kinds of both shapes."""
     return module.BLOCK_PAIRS, module.polygons, module.boxes, module.circles, module.circle_polygons
 
 
 def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
-    """The two columns of (K, 2) indices into na and nb shapes; ValueError and IndexError say what is wrong."""
+    """Return the two columns of (K, 2) indices into `na` and `nb` shapes; ValueError or IndexError say what is wrong."""
     refuse_masked(pairs, "pairs")
     pairs = np.asarray(pairs)
     if pairs.shape == (0,):  # an empty list
@@ -169,13 +171,13 @@ def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
 
 
 def _take_used(shapes: Shapes, indices: Indices) -> tuple[Shapes, Indices]:
-    """Only the shapes that a chunk needs, to send elsewhere, and the indices into them."""
+    """Return only the shapes that a chunk needs, to be sent to another process, and the indices into them."""
     used, where = np.unique(indices, return_inverse=True)
     return shapes[used], where
 
 
 def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | None) -> Relations:
-    """Pairs start to stop of a[i] with b[i], or of one with many."""
+    """Return the relations of pairs start to stop of a[i] with b[i], or of one shape with many."""
     kernels = engine_of(engine)
     side_by_side = len(a) == len(b) and max(a.max_corners, b.max_corners) <= kernels.max_corners
     one, other = (a.uniform, b.uniform) if side_by_side else (None, None)
@@ -195,7 +197,7 @@ def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | Non
 
 
 def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | None) -> Relations:
-    """The pairs (ia, ib), group by group, block by block; their columns are copied together first."""
+    """Return the relations of the pairs (ia, ib), computed group by group and block by block."""
     if a.owner is not None or b.owner is not None:
         return _relate_parts(a, ia, b, ib, engine)
     kernels = engine_of(engine)
@@ -227,7 +229,7 @@ BLOCK_PAIRS = 16384  # pairs: their columns are copied first, and where corners 
 
 
 def _relate_parts(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | None) -> Relations:
-    """Pairs of shapes, some in parts: the most of what their parts do; in blocks, as parts multiply."""
+    """Return the relations of shapes made of convex parts: the strongest relation of any two parts."""
     out = np.zeros(len(ia), np.int8)
     first_a, first_b = a.starts[ia], b.starts[ib]
     many_b = b.starts[ib + 1] - first_b
@@ -246,7 +248,7 @@ BLOCK_PART_PAIRS = 1 << 18  # pairs of parts at a time: what bounds the memory
 
 
 def _evaluate_block(kernels: Engine, a: Group, b: Group, first: int, out: Relations) -> None:
-    """Relations of one block of one kind of pair, from column `first` on; UNDECIDED where floats cannot tell."""
+    """Fill in the relations of one block of one kind of pair; UNDECIDED where floats cannot decide."""
     with np.errstate(all="ignore"):
         if a.upright and b.upright:
             kernels.boxes(a, b, first, out)
@@ -257,7 +259,5 @@ def _evaluate_block(kernels: Engine, a: Group, b: Group, first: int, out: Relati
             kernels.circle_polygons(circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y, first, out)
         else:
             kernels.polygons(a, b, first, out)
-            if (
-                kernels.exact_columns is not None and out.min(initial=APART) == UNDECIDED
-            ):  # rarely, and to look costs little
+            if kernels.exact_columns is not None and out.min(initial=APART) == UNDECIDED:  # rare, and cheap to check
                 kernels.exact_columns(a, b, first, out)

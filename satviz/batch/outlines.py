@@ -19,9 +19,9 @@ BLOCK_CORNERS = 1 << 15  # corners at a time: they and the scratch arrays stay i
 
 
 def convex_rings(rings: Rings) -> tuple[Rings, Mask]:
-    """The corners of those that are plainly convex, counter-clockwise, and which they are.
+    """Return the corners of the outlines that are plainly convex, counter-clockwise, and the mask of these outlines.
 
-    The others are concave, or no simple outlines: the scalar door tells.  The arrays given may be written to.
+    The others are concave or not simple: satviz.Polygon decides.  The arrays given may be overwritten.
     """
     found, masks = [], []
     full = np.searchsorted(rings.start, np.arange(BLOCK_CORNERS, rings.start[-1], BLOCK_CORNERS), side="right") - 1
@@ -39,6 +39,7 @@ def convex_rings(rings: Rings) -> tuple[Rings, Mask]:
 
 
 def _convex_in_block(rings: Rings) -> tuple[Rings, Mask]:
+    """Return what `convex_rings` returns, for one block of outlines."""
     many = np.diff(rings.start) > 2
     ring = rings.select(many)
     fresh = (ring.x != _previous_in_ring(ring.x, ring.start)) | (ring.y != _previous_in_ring(ring.y, ring.start))
@@ -67,7 +68,7 @@ def _convex_in_block(rings: Rings) -> tuple[Rings, Mask]:
 
 
 def _previous_in_ring(c: NDArray[Value], start: Places) -> NDArray[Value]:
-    """What stands before each corner of its outline."""
+    """Return the value before each corner in its outline."""
     found = np.empty_like(c)
     found[1:] = c[:-1]
     found[start[:-1]] = c[start[1:] - 1]
@@ -75,6 +76,7 @@ def _previous_in_ring(c: NDArray[Value], start: Places) -> NDArray[Value]:
 
 
 def _next_in_ring(c: NDArray[Value], start: Places) -> NDArray[Value]:
+    """Return the value after each corner in its outline."""
     found = np.empty_like(c)
     found[:-1] = c[1:]
     found[start[1:] - 1] = c[start[:-1]]
@@ -82,13 +84,13 @@ def _next_in_ring(c: NDArray[Value], start: Places) -> NDArray[Value]:
 
 
 def _leads_right(px: Array, py: Array, qx: Array, qy: Array) -> Mask:
-    """Is q to the right of p, or straight above?"""
+    """Return whether q lies to the right of p, or straight above it."""
     rises: Mask = (qx > px) | ((qx == px) & (qy > py))
     return rises
 
 
 def _reverse_rings(ring: Rings, back: Mask) -> Rings:
-    """Those of the mask the other way round."""
+    """Return the rings with those of the mask in reversed order."""
     if not back.any():
         return ring
     x, y, start = ring

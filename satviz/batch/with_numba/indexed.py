@@ -20,17 +20,18 @@ LANE_STRIDE = LANES + 8  # a power of two would put all corners of a pair into t
 
 
 def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
-    """The exact relations of the pairs (ia, ib); UNDECIDED where floats go out of range."""
+    """Fill in the exact relations of the pairs (ia, ib); UNDECIDED where floats go out of range."""
     _polygons(a.x, a.y, a.start, a.bounds, a.upright, b.x, b.y, b.start, b.bounds, b.upright, ia, ib, out)
 
 
 def columns(a: Group, b: Group, first: int, out: Signs) -> None:
-    """The exact relations of the columns from `first` on that are UNDECIDED in `out`; UNDECIDED still out of range."""
+    """Fill in the exact relations of the columns that are UNDECIDED in `out`; some stay UNDECIDED out of range."""
     _columns(a.x, a.y, b.x, b.y, first, a.max_coordinate + b.max_coordinate, out)
 
 
 @compiled
-def _columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, reach: float, out: Signs) -> None:
+def _columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, max_coordinate: float, out: Signs) -> None:
+    """Compute the exact relations of undecided columns one by one."""
     va, vb = ax.shape[0], bx.shape[0]
     x, y, p, q, terms = np.empty(va), np.empty(va), np.empty(vb), np.empty(vb), np.empty(MAX_TERMS)
     for k in range(out.size):
@@ -39,7 +40,7 @@ def _columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, reach: floa
                 x[v], y[v] = ax[v, first + k], ay[v, first + k]
             for v in range(vb):
                 p[v], q[v] = bx[v, first + k], by[v, first + k]
-            out[k] = relate_few_corners(x, y, 0, va, p, q, 0, vb, reach, terms)
+            out[k] = relate_few_corners(x, y, 0, va, p, q, 0, vb, max_coordinate, terms)
 
 
 @compiled
@@ -48,7 +49,8 @@ def _polygons(
     bx: Array, by: Array, sb: Indices, box_b: Array, upright_b: Mask,
     ia: Indices, ib: Indices, out: Signs,
 ) -> None:  # fmt: skip
-    terms, rooms, best = np.empty(MAX_TERMS), np.empty(LANES), np.empty(LANES)
+    """Compute the relations of picked pairs: by bounding boxes, then by the float filter on lanes, then exactly."""
+    terms, error_bounds, best = np.empty(MAX_TERMS), np.empty(LANES), np.empty(LANES)
     x, y, p, q = (
         np.empty((9, LANE_STRIDE)),
         np.empty((9, LANE_STRIDE)),
@@ -76,15 +78,17 @@ def _polygons(
             many[w] += 1
             if many[w] == LANES:
                 full, width = waiting[w], 4 * (w + 1)
-                _evaluate_lanes(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, full, width, x, y, p, q, rooms, best, out)
+                _evaluate_lanes(
+                    ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, full, width, x, y, p, q, error_bounds, best, out
+                )
                 many[w] = 0
     for w in range(2):
         left, width = waiting[w, : many[w]], 4 * (w + 1)
-        _evaluate_lanes(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, left, width, x, y, p, q, rooms, best, out)
+        _evaluate_lanes(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, left, width, x, y, p, q, error_bounds, best, out)
     for k in range(out.size):
         if out[k] == UNDECIDED:
             i, j = ia[k], ib[k]
-            i0, i1, j0, j1, reach = (
+            i0, i1, j0, j1, max_coordinate = (
                 sa[i],
                 sa[i + 1],
                 sb[j],
@@ -92,29 +96,29 @@ def _polygons(
                 _max_coordinate(box_a, i) + _max_coordinate(box_b, j),
             )
             if max(i1 - i0, j1 - j0) <= MAX_LANE_CORNERS:
-                out[k] = relate_few_corners(ax, ay, i0, i1, bx, by, j0, j1, reach, terms)
+                out[k] = relate_few_corners(ax, ay, i0, i1, bx, by, j0, j1, max_coordinate, terms)
                 continue
             # the middle of what both boxes share
             px = max(box_a[i, 0], box_b[j, 0]) / 2 + min(box_a[i, 2], box_b[j, 2]) / 2
             py = max(box_a[i, 1], box_b[j, 1]) / 2 + min(box_a[i, 3], box_b[j, 3]) / 2
-            if is_certainly_inside(ax, ay, i0, i1, px, py, reach) and is_certainly_inside(
-                bx, by, j0, j1, px, py, reach
+            if is_certainly_inside(ax, ay, i0, i1, px, py, max_coordinate) and is_certainly_inside(
+                bx, by, j0, j1, px, py, max_coordinate
             ):
                 out[k] = OVERLAPPING
             else:
-                out[k] = relate_many_corners(ax, ay, i0, i1, bx, by, j0, j1, reach, terms)
+                out[k] = relate_many_corners(ax, ay, i0, i1, bx, by, j0, j1, max_coordinate, terms)
 
 
 @compiled
 def _max_coordinate(box: Array, i: int) -> float:
-    """The largest coordinate's magnitude."""
-    reach: float = max(max(-box[i, 0], box[i, 2]), max(-box[i, 1], box[i, 3]))
-    return reach
+    """Return the largest absolute coordinate of a box."""
+    max_coordinate: float = max(max(-box[i, 0], box[i, 2]), max(-box[i, 1], box[i, 3]))
+    return max_coordinate
 
 
 @compiled
 def _max_width(box: Array, i: int) -> float:
-    """No edge has a larger part along x or y."""
+    """Return an upper bound of the x and y components of a shape's edges, from its box."""
     width: float = max(box[i, 2] - box[i, 0], box[i, 3] - box[i, 1])
     return width
 
@@ -123,20 +127,20 @@ def _max_width(box: Array, i: int) -> float:
 def _evaluate_lanes(
     ax: Array, ay: Array, sa: Indices, box_a: Array, bx: Array, by: Array, sb: Indices, box_b: Array,
     ia: Indices, ib: Indices, which: Indices, width: int,
-    x: Array, y: Array, p: Array, q: Array, rooms: Array, best: Array, out: Signs,
+    x: Array, y: Array, p: Array, q: Array, error_bounds: Array, best: Array, out: Signs,
 ) -> None:  # fmt: skip
-    """The float filter on lanes of pairs; an outline of fewer corners goes round again, so all have `width` edges."""
+    """Evaluate the float filter on lanes of pairs; an outline of fewer corners is repeated to `width` edges."""
     n = which.size
     for k in range(n):
         i, j = ia[which[k]], ib[which[k]]
         copy_to_lane(ax, ay, sa[i], sa[i + 1], width, x, y, k)
         copy_to_lane(bx, by, sb[j], sb[j + 1], width, p, q, k)
-        room = (
+        error_bound = (
             (_max_width(box_a, i) + _max_width(box_b, j))
             * (_max_coordinate(box_a, i) + _max_coordinate(box_b, j))
             * ERROR_FACTOR_F64
         )
-        rooms[k] = room if room > MIN_ERROR_BOUND and room < MAX_ERROR_BOUND else np.inf
+        error_bounds[k] = error_bound if error_bound > MIN_ERROR_BOUND and error_bound < MAX_ERROR_BOUND else np.inf
         best[k] = -np.inf
     if width == 4:
         raise_clearance_4(x, y, p, q, n, best)
@@ -145,12 +149,12 @@ def _evaluate_lanes(
         raise_clearance_8(x, y, p, q, 0, n, best)
         raise_clearance_8(p, q, x, y, 0, n, best)
     for k in range(n):
-        out[which[k]] = APART if best[k] > rooms[k] else OVERLAPPING if best[k] < -rooms[k] else UNDECIDED
+        out[which[k]] = APART if best[k] > error_bounds[k] else OVERLAPPING if best[k] < -error_bounds[k] else UNDECIDED
 
 
 @compiled
 def copy_to_lane(x: Array, y: Array, start: int, stop: int, width: int, to_x: Array, to_y: Array, k: int) -> None:
-    """An outline into lane k, going round again until it has `width` edges."""
+    """Copy an outline into lane k, repeated from its first corner until it has `width` edges."""
     i = start
     for v in range(width + 1):
         to_x[v, k], to_y[v, k] = x[np.uintp(i)], y[np.uintp(i)]
@@ -159,7 +163,7 @@ def copy_to_lane(x: Array, y: Array, start: int, stop: int, width: int, to_x: Ar
 
 @compiled
 def raise_clearance_4(x: Array, y: Array, p: Array, q: Array, n: int, best: Array) -> None:
-    """Raise `best` of n lanes to how far beyond one of four edges all four corners lie."""
+    """Raise `best` of n lanes to the largest clearance of four edges over four corners."""
     p0, p1, p2, p3 = p[0, :n], p[1, :n], p[2, :n], p[3, :n]
     q0, q1, q2, q3 = q[0, :n], q[1, :n], q[2, :n], q[3, :n]
     for e in range(4):

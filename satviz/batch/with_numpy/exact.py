@@ -22,7 +22,7 @@ RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 
 
 
 def relations(a: Group, ia: Indices, b: Group, ib: Indices) -> Signs:
-    """Exact relations of columns ia of one group with columns ib of another."""
+    """Return the exact relations of columns `ia` of one group with columns `ib` of another."""
     found = np.empty(len(ia), np.int8)
     corners = max(len(a.x), len(b.x))
     settle, size = _relate_polygons, exact_signs.pairs_per_block(corners, BLOCK_CORNERS)
@@ -36,6 +36,7 @@ def relations(a: Group, ia: Indices, b: Group, ib: Indices) -> Signs:
 
 
 def _relate_circles(a: Group, b: Group) -> Signs:
+    """Return the exact relations of circles."""
     if a.r is not None and b.r is not None:
         return RELATION_OF_SIGN[exact_signs.circle_gap_signs(a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r)]
     (circle, polygon), radii = ((a, b), a.r) if a.r is not None else ((b, a), b.r)
@@ -44,7 +45,7 @@ def _relate_circles(a: Group, b: Group) -> Signs:
 
 
 def _relate_polygons(a: Group, b: Group) -> Signs:
-    """Upright boxes by their sides, the others by their edges."""
+    """Return the exact relations of polygons: of upright boxes by their sides, of others by their edges."""
     upright = np.zeros(a.x.shape[1], bool)
     if len(a.x) == len(b.x) == 4:
         upright = upright_box_mask(a.x, a.y) & upright_box_mask(b.x, b.y)
@@ -57,15 +58,16 @@ def _relate_polygons(a: Group, b: Group) -> Signs:
 
 
 def _relate_boxes(a: Group, b: Group) -> Signs:
+    """Return the exact relations of upright boxes."""
     found = np.empty(a.x.shape[1], np.int8)
     boxes(a, b, 0, found)
     return found
 
 
 class Edges(NamedTuple):
-    """Outlines in columns, and how many edges are asked; rows beyond that number are corners come again.
+    """Outlines in columns and how many edges count; further rows repeat corners.
 
-    An edge leads from a row to the next, the last of as many as rows to the first.
+    An edge leads from one row to the next; the last edge leads back to the first row if all rows count.
     """
 
     x: Array
@@ -74,9 +76,9 @@ class Edges(NamedTuple):
 
 
 def relate_edges(a: Edges, b: Edges) -> Signs:
-    """Few corners: every edge of all pairs, with exact signs for those in doubt.  Many: the likely edges first."""
+    """Return exact relations from edges: every edge for few corners, the likeliest edges first for many."""
     found = np.full(a.x.shape[1], OVERLAPPING, np.int8)
-    reach = (_max_coordinates(a.x, a.y) + _max_coordinates(b.x, b.y)) * ERROR_FACTOR_F64
+    factor = (_max_coordinates(a.x, a.y) + _max_coordinates(b.x, b.y)) * ERROR_FACTOR_F64
     most = max(a.edge_count, b.edge_count)
     left = np.arange(len(found))
     nearest = [] if most <= MAX_ALL_EDGES_CORNERS else [_facing_corner(a, b), _facing_corner(b, a)]
@@ -87,44 +89,44 @@ def relate_edges(a: Edges, b: Edges) -> Signs:
             if step >= own.edge_count:
                 continue
             if not nearest:
-                which, tells = _classify_numbered_edge(own, other, step, reach)
+                which, tells = _classify_numbered_edge(own, other, step, factor)
                 found[which] = np.minimum(found[which], tells)
             elif left.size:
-                tells = _classify_edges(own, other, (nearest[k][left] + away) % own.edge_count, left, reach[left])
+                tells = _classify_edges(own, other, (nearest[k][left] + away) % own.edge_count, left, factor[left])
                 found[left] = tells
                 left = left[tells == OVERLAPPING]
     return found
 
 
 def _facing_corner(own: Edges, other: Edges) -> Indices:
-    """The corner that lies furthest towards the other shape, by floats; any would do."""
+    """Return the corner furthest towards the other shape, by floats; any corner would be correct."""
     dx, dy = (s[0] + s[len(s) // 2] - o[0] - o[len(o) // 2] for s, o in ((other.x, own.x), (other.y, own.y)))
-    look = dx * own.x
-    look += dy * own.y
-    found: Indices = look.argmax(axis=0)
+    value = dx * own.x
+    value += dy * own.y
+    found: Indices = value.argmax(axis=0)
     return found
 
 
-def _classify_numbered_edge(own: Edges, other: Edges, e: int, reach: Array) -> tuple[Indices, Signs]:
-    """The pairs of which an edge does not plainly cut the other shape, and what it tells of them."""
+def _classify_numbered_edge(own: Edges, other: Edges, e: int, factor: Array) -> tuple[Indices, Signs]:
+    """Return (pairs that edge `e` does not plainly cut, what the edge proves about them)."""
     f = (e + 1) % len(own.x)
     ex, ey, fx, fy = own.x[e], own.y[e], own.x[f], own.y[f]
     nx, ny = fy - ey, ex - fx
-    least, look, part = np.full(len(nx), np.inf), np.empty_like(nx), np.empty_like(nx)
+    least, value, part = np.full(len(nx), np.inf), np.empty_like(nx), np.empty_like(nx)
     for x, y in zip(other.x, other.y, strict=True):
-        np.multiply(nx, x, out=look)
+        np.multiply(nx, x, out=value)
         np.multiply(ny, y, out=part)
-        look += part
-        np.minimum(least, look, out=least)
+        value += part
+        np.minimum(least, value, out=least)
     least -= nx * ex + ny * ey
-    room = np.maximum(np.abs(nx), np.abs(ny)) * reach
-    room[~((room > MIN_ERROR_BOUND) & (room < MAX_ERROR_BOUND))] = np.inf
-    which = np.flatnonzero(~(least < -room))
-    return which, _classify_edges(own, other, np.full(len(which), e), which, reach[which])
+    error_bound = np.maximum(np.abs(nx), np.abs(ny)) * factor
+    error_bound[~((error_bound > MIN_ERROR_BOUND) & (error_bound < MAX_ERROR_BOUND))] = np.inf
+    which = np.flatnonzero(~(least < -error_bound))
+    return which, _classify_edges(own, other, np.full(len(which), e), which, factor[which])
 
 
-def _classify_edges(own: Edges, other: Edges, start: Indices, left: Indices, reach: Array) -> Signs:
-    """What one edge of each pair left tells, from the float looks and the exact sign of every corner within the room.
+def _classify_edges(own: Edges, other: Edges, start: Indices, left: Indices, factor: Array) -> Signs:
+    """Return what one edge of each pair proves, from float values and exact signs within the error bound.
 
     APART where all corners lie beyond it.  Where some lie on its line and none before, the shapes can only
     meet there: TOUCHING, or APART, as their ranges on the line tell.  OVERLAPPING for now where one lies before.
@@ -132,24 +134,24 @@ def _classify_edges(own: Edges, other: Edges, start: Indices, left: Indices, rea
     end = (start + 1) % len(own.x)
     ex, ey, fx, fy = own.x[start, left], own.y[start, left], own.x[end, left], own.y[end, left]
     nx, ny = fy - ey, ex - fx
-    room = np.maximum(np.abs(nx), np.abs(ny)) * reach
-    room[~((room > MIN_ERROR_BOUND) & (room < MAX_ERROR_BOUND))] = np.inf
+    error_bound = np.maximum(np.abs(nx), np.abs(ny)) * factor
+    error_bound[~((error_bound > MIN_ERROR_BOUND) & (error_bound < MAX_ERROR_BOUND))] = np.inf
     px, py = take_columns(other.x, left), take_columns(other.y, left)
-    looks = nx * px
-    looks += ny * py
-    looks -= nx * ex + ny * ey
-    least = looks.min(axis=0)
-    tells = np.where(least > room, np.int8(APART), np.int8(OVERLAPPING))
-    doubtful = ~(np.abs(least) > room)
+    values = nx * px
+    values += ny * py
+    values -= nx * ex + ny * ey
+    least = values.min(axis=0)
+    tells = np.where(least > error_bound, np.int8(APART), np.int8(OVERLAPPING))
+    doubtful = ~(np.abs(least) > error_bound)
     if doubtful.any():
-        corner, which = np.nonzero(~(looks > room) & doubtful)
+        corner, which = np.nonzero(~(values > error_bound) & doubtful)
         found = _classify_on_line(ex, ey, fx, fy, px[corner, which], py[corner, which], which)
         np.copyto(tells, found, where=doubtful)
     return tells
 
 
 def _classify_on_line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, which: Indices) -> Signs:
-    """The same from the exact signs of the corners p that are close, each to edge `which`; the others lie beyond."""
+    """Return what an edge proves when only corners on its line are left; the others lie beyond it."""
     side = np.empty(len(which), np.int8)
     for start in range(0, len(which), BLOCK_SIGNS):
         part = slice(start, start + BLOCK_SIGNS)
@@ -171,7 +173,7 @@ def _classify_on_line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py:
 
 
 def _max_coordinates(x: Array, y: Array) -> Array:
-    """The largest magnitude in each column."""
+    """Return the largest absolute value in each column."""
     most, least = np.maximum(x.max(axis=0), y.max(axis=0)), np.minimum(x.min(axis=0), y.min(axis=0))
     largest: Array = np.maximum(most, -least)
     return largest

@@ -16,7 +16,7 @@ BLOCK_CORNERS = 1 << 16  # corners: they and the scratch arrays stay in the seco
 
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
-    """APART and OVERLAPPING of the columns from `first` on, where a few steps tell.
+    """Mark columns APART or OVERLAPPING where a few steps of GJK find an axis or a shared point.
 
     The differences of B's corners and A's span a polygon about the origin if the shapes overlap: its lowest
     corner along an axis above zero proves a gap, a triangle of its corners about the origin a shared
@@ -25,12 +25,12 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     size = max(1, BLOCK_CORNERS // (len(a.x) + len(b.x)))
     for start in range(0, out.size, size):
         part = slice(first + start, first + min(start + size, out.size))
-        reach = (a.max_coordinate + b.max_coordinate) * ERROR_FACTOR_F64
-        gjk(a.x[:, part], a.y[:, part], b.x[:, part], b.y[:, part], reach, out[start : start + size])
+        factor = (a.max_coordinate + b.max_coordinate) * ERROR_FACTOR_F64
+        gjk(a.x[:, part], a.y[:, part], b.x[:, part], b.y[:, part], factor, out[start : start + size])
 
 
-def gjk(x: Array, y: Array, p: Array, q: Array, reach: float, out: Signs) -> None:
-    """The same of whole columns; `reach`: both largest coordinates together, times what a look is granted."""
+def gjk(x: Array, y: Array, p: Array, q: Array, factor: float, out: Signs) -> None:
+    """Mark whole columns by GJK; `factor` is the sum of both largest coordinates times ERROR_FACTOR_F64."""
     out.fill(UNDECIDED)
     left = np.arange(out.size)
     d = _mid_point(p, q) - _mid_point(x, y)
@@ -38,10 +38,10 @@ def gjk(x: Array, y: Array, p: Array, q: Array, reach: float, out: Signs) -> Non
     for step in range(MAX_STEPS):
         w = _lowest_corner(p, q, d) - _lowest_corner(x, y, -d)
         at = d[0] * w[0] + d[1] * w[1]
-        room = np.abs(d).sum(axis=0) * reach
-        room[~((room > MIN_ERROR_BOUND) & (room < MAX_ERROR_BOUND))] = np.inf
-        out[left[at > room]] = APART
-        go = at < -room
+        error_bound = np.abs(d).sum(axis=0) * factor
+        error_bound[~((error_bound > MIN_ERROR_BOUND) & (error_bound < MAX_ERROR_BOUND))] = np.inf
+        out[left[at > error_bound]] = APART
+        go = at < -error_bound
         if step == 0:
             u, d = w, w
         else:
@@ -65,20 +65,20 @@ def gjk(x: Array, y: Array, p: Array, q: Array, reach: float, out: Signs) -> Non
 
 
 def _mid_point(x: Array, y: Array) -> Array:
-    """Between two corners far from each other."""
+    """Return the point between two corners of each outline that lie far apart."""
     return np.stack([c[0] / 2 + c[len(c) // 2] / 2 for c in (x, y)])
 
 
 def _lowest_corner(x: Array, y: Array, d: Array) -> Array:
-    """The corner of each column that is lowest along d, by floats."""
-    look = d[0] * x
-    look += d[1] * y
-    corner, column = look.argmin(axis=0), np.arange(x.shape[1])
+    """Return the corner of each column that is lowest along d, by floats."""
+    value = d[0] * x
+    value += d[1] * y
+    corner, column = value.argmin(axis=0), np.arange(x.shape[1])
     return np.stack([x[corner, column], y[corner, column]])
 
 
 def _certified_cross(u: Array, v: Array) -> Array:
-    """The turns from u to v; 0 where rounding may hide the sign."""
+    """Return the cross products of u and v, or 0 where rounding may hide the sign."""
     left, right = u[0] * v[1], u[1] * v[0]
     size = np.abs(left) + np.abs(right)
     turn: Array = left - right

@@ -17,7 +17,7 @@ MAX_TABLE_CELLS_PER_BOX = 8  # cells a box that are worth a table of where each 
 
 
 def meeting_pairs(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float) -> Iterator[Pairs] | None:
-    """Of two sets of boxes, or of one among itself, the pairs that meet (i < j), a block at a time, in no order.
+    """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one; None beyond `most` candidates.
 
     None where that takes more than `most` looks.  Boxes are stored by the cell of their lower
     left corner, row after row.  The numbers of cells never decrease along an axis, so a box
@@ -51,7 +51,7 @@ def meeting_pairs(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, mo
 
 
 def _cell_ranges(bounds: Array, queries: Pairs, stored: Pairs, d: int, cell: float) -> tuple[Pairs, Pairs, Pairs]:
-    """Along one axis: the first and last cell in which what meets each query can be stored, and each stored box's own.
+    """Return for one axis the first and last cell that each query must search, and the cell of each stored box.
 
     A box that meets a query begins before the query ends, and not more than its own width before the
     query begins.  Numbers that would not fit, or lie so far out that those next to one another are many cells
@@ -74,7 +74,7 @@ def _cell_ranges(bounds: Array, queries: Pairs, stored: Pairs, d: int, cell: flo
 
 
 def _pair_blocks(bounds: Array, queries: Pairs, stored: Pairs, ranges: Ranges) -> Iterator[Pairs]:
-    """Of each query with what is stored in its ranges, those whose boxes meet."""
+    """Yield the pairs of queries with stored boxes in their cell ranges whose boxes meet."""
     # in the order of the cells: the looks then run through memory nearly straight on
     theirs = bounds[stored].T.copy()
     own = theirs if queries is stored else bounds[queries].T.copy()
