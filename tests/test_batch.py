@@ -1287,7 +1287,7 @@ def test_turns_in_two_floats_are_off_by_less_than_granted(kind, monkeypatch):
     centers, radii, rings = (COMMON | RARE)[kind](RNG(1), 500)
     columns = *centers.T, radii, *rings[:, 0].T, *rings[:, 1].T
     side = -exact_signs.orient(*rings[:, 0].T, *rings[:, 1].T, *centers.T)
-    circle_polygons._foot_signs(*columns, room=np.full(len(radii), np.inf))
+    circle_polygons._foot_signs(*columns, error_bound=np.full(len(radii), np.inf))
     (_, _, _), (total, off, _) = seen
     worst = 0.0
     with localcontext(prec=150):

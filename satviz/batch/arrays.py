@@ -193,7 +193,7 @@ class Shapes:
 
     @property
     def bounds(self) -> NDArray[np.float64]:
-        """Return the bounding boxes, (N, 4) as x min, y min, x max, y max in scene units, rounded outwards for circles."""
+        """Return the boxes, (N, 4) as x min, y min, x max, y max in scene units, rounded outwards for circles."""
         found = np.empty((len(self.count), 4))
         if "rings" in vars(self) and not (self.count == 1).any():
             x, y, first = self.rings.x, self.rings.y, self.rings.start[:-1]

@@ -157,7 +157,7 @@ def _column_kernels_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel
 
 
 def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
-    """Return the two columns of (K, 2) indices into `na` and `nb` shapes; ValueError or IndexError say what is wrong."""
+    """Return the two columns of (K, 2) indices into `na` and `nb` shapes; ValueError, IndexError otherwise."""
     refuse_masked(pairs, "pairs")
     pairs = np.asarray(pairs)
     if pairs.shape == (0,):  # an empty list

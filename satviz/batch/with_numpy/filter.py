@@ -165,5 +165,5 @@ def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first
     radius_squared = cr * cr
     out.fill(UNDECIDED)
     out[safe & (inside | (nearest < radius_squared - error_bound))] = OVERLAPPING
-    # a center inside, taken for one on an edge's line, has the boundary within twice the tolerance: far within the error bound
+    # a center inside, taken for one on an edge's line, is within twice the tolerance of the boundary
     out[safe & ~inside & (nearest > radius_squared + error_bound)] = APART
