@@ -1,7 +1,7 @@
 """What only some users need comes as an extra, and there is one way to say how to get it."""
 
 
-def needs(what: str, extra: str) -> str:
+def extra_needed(what: str, extra: str) -> str:
     """The line that says which extra something needs, and how to install it.
 
     From a checkout: satviz is not published yet, and the name "satviz" on PyPI is another project's.

@@ -13,7 +13,7 @@ from threading import get_ident
 
 MADE_BY = "made by satviz"
 # where each format names its maker; to speak of satviz elsewhere is not enough
-_MARKS = {
+_MAKER_FIELDS = {
     ".svg": f"<dc:title>{MADE_BY}",
     ".png": f"Software\0{MADE_BY}",
     ".pdf": f"/Creator ({MADE_BY}",
@@ -37,17 +37,17 @@ def check(path: Path, *, force: bool = False) -> None:
         raise FileExistsError(f"{path} is a folder: satviz writes a file of that name")
     if link and not force:
         raise FileExistsError(f"{path} is a link: choose another folder, or put a file in its place with --force")
-    if not force and not (path.is_file() and _ours(path)):
+    if not force and not (path.is_file() and _is_made_by_satviz(path)):
         raise FileExistsError(f"{path} was not made by satviz: choose another folder, or overwrite it with --force")
 
 
-def _ours(path: Path) -> bool:
+def _is_made_by_satviz(path: Path) -> bool:
     """Does the file's own field for its maker name us?"""
     with path.open("rb") as file:
         head = file.read(1 << 16)
         file.seek(max(0, os.fstat(file.fileno()).st_size - (1 << 16)))
         tail = file.read(1 << 16)
-    mark = _MARKS.get(path.suffix, "").encode()
+    mark = _MAKER_FIELDS.get(path.suffix, "").encode()
     return bool(mark) and (mark in head or mark in tail)
 
 

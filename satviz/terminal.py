@@ -9,7 +9,7 @@ from contextlib import contextmanager, suppress
 from threading import current_thread, main_thread
 from types import FrameType
 
-LONGEST = 1200  # letters of a message
+MAX_MESSAGE_LETTERS = 1200  # letters of a message
 _interrupted = False
 
 
@@ -34,27 +34,27 @@ def visible(text: str) -> str:
 def say(text: str) -> None:
     """One line on standard error, a very long one cut in its middle; where nobody hears it, nothing is left to do."""
     line = visible(text)
-    if len(line) > LONGEST:
-        line = f"{line[: LONGEST // 2]} ... {line[-LONGEST // 2 :]}"
+    if len(line) > MAX_MESSAGE_LETTERS:
+        line = f"{line[: MAX_MESSAGE_LETTERS // 2]} ... {line[-MAX_MESSAGE_LETTERS // 2 :]}"
     with suppress(OSError, ValueError):
         print(f"satviz: {line}", file=sys.stderr, flush=True)
 
 
 def out(text: str) -> None:
     """Lines on standard output; an OSError names it."""
-    _out("\n".join(map(visible, text.split("\n"))))
+    _print("\n".join(map(visible, text.split("\n"))))
 
 
 def out_json(text: str) -> None:
     """The same for JSON, which stays JSON: what the stream cannot hold or must not show is escaped as JSON does it."""
 
     def plain(c: str) -> bool:
-        return c == "\n" or (c.isprintable() and (c.isascii() or _holds(c)))
+        return c == "\n" or (c.isprintable() and (c.isascii() or _can_encode(c)))
 
-    _out("".join(c if plain(c) else json.dumps(c)[1:-1] for c in text))
+    _print("".join(c if plain(c) else json.dumps(c)[1:-1] for c in text))
 
 
-def _holds(c: str) -> bool:
+def _can_encode(c: str) -> bool:
     try:
         c.encode(sys.stdout.encoding or "utf-8")
     except UnicodeEncodeError:
@@ -62,7 +62,7 @@ def _holds(c: str) -> bool:
     return True
 
 
-def _out(text: str) -> None:
+def _print(text: str) -> None:
     try:
         print(text, flush=True)
     except OSError as error:
@@ -71,14 +71,14 @@ def _out(text: str) -> None:
         raise OSError(error.errno, error.strerror, "standard output") from None
 
 
-def _interrupt(number: int, frame: FrameType | None) -> None:
+def _on_interrupt(number: int, frame: FrameType | None) -> None:
     global _interrupted
     _interrupted = True
     raise KeyboardInterrupt
 
 
 @contextmanager
-def heeding_interrupts(*, to_the_end: bool) -> Iterator[None]:
+def remembering_interrupts(*, to_the_end: bool) -> Iterator[None]:
     """Keep it in mind that an interrupt came: raised inside a callback, KeyboardInterrupt vanishes there.
 
     `to_the_end`: the process has nothing to do afterwards, so that a later one just ends it.
@@ -92,7 +92,7 @@ def heeding_interrupts(*, to_the_end: bool) -> Iterator[None]:
         return
     told = sys.unraisablehook
     sys.unraisablehook = lambda lost: None if lost.exc_type is KeyboardInterrupt else told(lost)
-    signal.signal(signal.SIGINT, _interrupt)
+    signal.signal(signal.SIGINT, _on_interrupt)
     try:
         yield
     finally:
@@ -103,14 +103,14 @@ def heeding_interrupts(*, to_the_end: bool) -> Iterator[None]:
 @contextmanager
 def interrupts_ignored() -> Iterator[None]:
     """Leave interrupts to a program that was started and that shares the terminal."""
-    mine = signal.getsignal(signal.SIGINT) is _interrupt
+    mine = signal.getsignal(signal.SIGINT) is _on_interrupt
     if mine:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
         yield
     finally:
         if mine:
-            signal.signal(signal.SIGINT, _interrupt)
+            signal.signal(signal.SIGINT, _on_interrupt)
 
 
 def interrupted() -> bool:

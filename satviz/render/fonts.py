@@ -9,14 +9,14 @@ from matplotlib.ft2font import FT2Font
 
 from ..pictures import letters
 
-OWN = "DejaVu Sans"
+OWN_FAMILY = "DejaVu Sans"
 
 
 def families(texts: Iterable[str], form: str) -> list[str]:
     """The fonts to write these texts in, for a file of that form; a warning names letters that no font here has."""
-    found, without = [OWN], ""
+    found, without = [OWN_FAMILY], ""
     for letter in sorted(set(letters.lacking("".join(texts)))):
-        family = _with(letter)
+        family = _family_with(letter)
         if family is None:
             without += letter
         elif family not in found:
@@ -31,16 +31,16 @@ def families(texts: Iterable[str], form: str) -> list[str]:
 
 
 @lru_cache(maxsize=256)
-def _with(letter: str) -> str | None:
+def _family_with(letter: str) -> str | None:
     """A font family that has the letter, the first by name."""
     for font in sorted(fontManager.ttflist, key=lambda font: (font.name, font.fname)):
-        if font.style == "normal" and "last resort" not in font.name.lower() and ord(letter) in _letters(font.fname):
+        if font.style == "normal" and "last resort" not in font.name.lower() and ord(letter) in _letters_of(font.fname):
             return str(font.name)
     return None
 
 
 @lru_cache(maxsize=256)
-def _letters(path: str) -> frozenset[int]:
+def _letters_of(path: str) -> frozenset[int]:
     try:
         return frozenset(FT2Font(path).get_charmap())
     except (OSError, RuntimeError):  # a font that cannot be read has none

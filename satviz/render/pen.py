@@ -60,11 +60,11 @@ class Pen:
             colour, look = self.theme.roles[mark.role], mark.look
             artists[mark.id] = self.solids if mark.kind == "dot" else self.strokes
             if look.fill:
-                fills.append((_line(mark, picture.scale), to_rgba(colour, look.fill)))
+                fills.append((_outline_path(mark, picture.scale), to_rgba(colour, look.fill)))
             if look.width:
-                strokes.append((look, (_line(mark, picture.scale), to_rgba(colour, look.opacity))))
+                strokes.append((look, (_outline_path(mark, picture.scale), to_rgba(colour, look.opacity))))
             if mark.kind in ("dot", "arrow"):
-                solids.append((_solid(mark, picture.scale), to_rgba(colour)))
+                solids.append((_solid_path(mark, picture.scale), to_rgba(colour)))
         strokes.sort(key=lambda stroke: stroke[0].layer)
         for collection, painted in (self.fills, fills), (self.solids, solids):
             collection.set_paths([path for path, _ in painted])
@@ -76,7 +76,7 @@ class Pen:
         self._write(labels, artists, zoom)
         return artists
 
-    def write_in(self, families: Sequence[str]) -> None:
+    def set_fonts(self, families: Sequence[str]) -> None:
         """Write all labels in these fonts, the first that has a letter; none: as it is."""
         for text in self.texts if len(families) > 1 else ():
             text.set_fontfamily(list(families))
@@ -109,7 +109,7 @@ class Pen:
             text.set_visible(False)
 
 
-def _line(mark: Mark, scale: float) -> Path:
+def _outline_path(mark: Mark, scale: float) -> Path:
     """A mark's line, which is the rim of what is filled."""
     points = mark.points
     if mark.kind == "disc":
@@ -117,16 +117,16 @@ def _line(mark: Mark, scale: float) -> Path:
     if mark.kind == "outline":
         return Path(np.asarray([*points, points[0]], dtype=float), closed=True)
     if mark.kind == "arrow":
-        u, tip, length, _ = _arrow(mark, scale)
+        u, tip, length, _ = _arrow_geometry(mark, scale)
         points = points[0], Vec(tip.x - u.x * length * 0.8, tip.y - u.y * length * 0.8)
     codes = [Path.MOVETO, Path.LINETO] * (len(points) // 2) if mark.kind == "segment" else None
     return Path(np.asarray(points, dtype=float), codes)
 
 
-def _solid(mark: Mark, scale: float) -> Path:
+def _solid_path(mark: Mark, scale: float) -> Path:
     """A dot, or an arrow's head."""
     if mark.kind == "arrow":
-        u, tip, length, half = _arrow(mark, scale)
+        u, tip, length, half = _arrow_geometry(mark, scale)
         bx, by = tip.x - u.x * length, tip.y - u.y * length
         return Path([tip, (bx - u.y * half, by + u.x * half), (bx + u.y * half, by - u.x * half), tip], closed=True)
     (x, y), r = mark.points[0], mark.look.size / 2 / scale
@@ -135,7 +135,7 @@ def _solid(mark: Mark, scale: float) -> Path:
     return Path.circle((x, y), r)
 
 
-def _arrow(mark: Mark, scale: float) -> tuple[Vec, Vec, float, float]:
+def _arrow_geometry(mark: Mark, scale: float) -> tuple[Vec, Vec, float, float]:
     """An arrow's direction and tip, its head's length and half its width in scene units."""
     (tail, tip), (length, width) = mark.points, mark.look.head
     size = hypot(tip.x - tail.x, tip.y - tail.y) or 1.0

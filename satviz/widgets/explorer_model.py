@@ -20,13 +20,13 @@ from ..scenes.link import Shown, fragment
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
 from ..scenes.strictjson import typed
-from .goals import ChallengeResult, begun, judged
+from .goals import ChallengeResult, challenge_start, evaluate_goal
 from .player_model import PlayerModel
 
 SHORTCUT, TRUTH = "shortcut", "truth"
 
 
-class Drawn(NamedTuple):
+class DrawnScene(NamedTuple):
     """The picture, the row of its axis in the table (None: not in it), and the handle that turns a free axis."""
 
     picture: Picture
@@ -61,7 +61,7 @@ class ExplorerModel(PlayerModel):
                 self._start(scene(typed(content.get("name"), "the preset", str)))
             elif content.get("kind") == "challenge":
                 goal = typed(content.get("goal"), "the challenge", str)
-                self._start(begun(goal, self.scene), goal)
+                self._start(challenge_start(goal, self.scene), goal)
             elif content.get("kind") == "pose":
                 self._pose(content)
             else:
@@ -110,7 +110,7 @@ class ExplorerModel(PlayerModel):
         return Shown(self._degree, self._pinned, view, self._way_out, self._against, goal=goal)
 
     def _start(self, shown: Scene, goal: str | None = None) -> None:
-        trace, met = _trace(shown), judged(goal, shown) if goal else None
+        trace, met = _trace(shown), evaluate_goal(goal, shown) if goal else None
         self._layout = field(trace, self._largest)
         self._at_first = shown.a, shown.b
         self._begun = shown.to_json()  # a pose says which scene it is of: undo goes back over presets too
@@ -135,7 +135,7 @@ class ExplorerModel(PlayerModel):
         layout = field(trace, largest)  # refused where it cannot be drawn
         before = self._judged.goal if self._judged else None
         goal = content.get("goal", before)
-        met = None if goal is None else judged(typed(goal, "the challenge", str), changed)
+        met = None if goal is None else evaluate_goal(typed(goal, "the challenge", str), changed)
         if begun is not self.scene:
             self._begun, self._at_first = begun.to_json(), (begun.a, begun.b)
         # where the scene began it has the frame and the labels that it had there, whatever was shown since; while
@@ -164,18 +164,18 @@ class ExplorerModel(PlayerModel):
             self._layout, self._stood = field(self.trace, self._largest), {}
             self._drawn = self._draw()
 
-    def _draw(self) -> Drawn:
+    def _draw(self) -> DrawnScene:
         trace = self.trace
         if self._degree is not None:
             free = record(self.scene.a, self.scene.b, axes=directions(direction(self._degree)))
             drawn, place = turned_axis(free, self._layout, self._degree, near=self._near, stood=self._stood)
             self._near = place.out
-            return Drawn(drawn, knob=knob(self._layout, place, self._degree))
+            return DrawnScene(drawn, knob=knob(self._layout, place, self._degree))
         chosen = self._choice()
         show = drag_view if trace.shortcut else live
         drawn, lies = show(trace, self._layout, chosen, way_out=self._way_out, near=self._near, stood=self._stood)
         self._near = None if lies is None else lies.out
-        return Drawn(drawn, lit=None if chosen is None else first_rows(trace)[chosen.pair or 0] + chosen.test)
+        return DrawnScene(drawn, lit=None if chosen is None else first_rows(trace)[chosen.pair or 0] + chosen.test)
 
     def _choice(self) -> Chosen | None:
         """The axis that was asked for, as long as the trace has it; else the one that tells most."""

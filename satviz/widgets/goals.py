@@ -17,13 +17,13 @@ from ..scenes.link import BREAK, ONE_AXIS, TOUCH
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene
 
-CALLED = {TOUCH: "make them touch", ONE_AXIS: "exactly one axis", BREAK: "break the shortcut"}
-ASKS = {
+GOAL_NAMES = {TOUCH: "make them touch", ONE_AXIS: "exactly one axis", BREAK: "break the shortcut"}
+GOAL_TASKS = {
     ONE_AXIS: "Make exactly one axis separate the shapes.",
     TOUCH: "Make the shapes touch: not a hair apart, and no overlap.",
     BREAK: "Break this shortcut: find a place where it is wrong.",
 }
-HINTS = {
+GOAL_HINTS = {
     ONE_AXIS: "One axis is enough to keep them apart. Push the shapes together until all gaps but one have closed.",
     TOUCH: "Bring an edge flush with an edge, or a corner onto one. The arrow keys move a shape by the same step each "
     "time, with Shift by a tenth of it. A round shape touches exactly where its center is level with a corner or "
@@ -44,19 +44,19 @@ class ChallengeResult(NamedTuple):
     hint: str
 
 
-def judged(goal: str, shown: Scene) -> ChallengeResult:
+def evaluate_goal(goal: str, shown: Scene) -> ChallengeResult:
     """How a scene stands to a goal; InvalidScene for one that is none, or that the scene cannot have."""
-    if goal not in ASKS:
-        raise InvalidScene(f"no challenge {polygon_validation.shown(goal)}: choose one of {', '.join(ASKS)}")
-    met, says = {ONE_AXIS: _one_axis, TOUCH: _touch, BREAK: _break}[goal](shown)
-    return ChallengeResult(goal, met, ASKS[goal], says, HINTS[goal])
+    if goal not in GOAL_TASKS:
+        raise InvalidScene(f"no challenge {polygon_validation.shown(goal)}: choose one of {', '.join(GOAL_TASKS)}")
+    met, says = {ONE_AXIS: _evaluate_one_axis, TOUCH: _evaluate_touch, BREAK: _evaluate_break}[goal](shown)
+    return ChallengeResult(goal, met, GOAL_TASKS[goal], says, GOAL_HINTS[goal])
 
 
-def begun(goal: str, shown: Scene) -> Scene:
+def challenge_start(goal: str, shown: Scene) -> Scene:
     """Where a challenge begins that is set while a scene is shown: there, unless it is or cannot be reached there."""
-    if not judged(goal, shown).met and not (goal == ONE_AXIS and _dented(shown)):
+    if not evaluate_goal(goal, shown).met and not (goal == ONE_AXIS and _has_concave_shape(shown)):
         return shown
-    start = harmless(NAMED[shown.axes]) if goal == BREAK else next(s for g, s in challenges() if g == goal)
+    start = start_where_right(NAMED[shown.axes]) if goal == BREAK else next(s for g, s in challenges() if g == goal)
     if start is None:
         raise InvalidScene("no place is near where this shortcut is right, so there is nothing to break")
     return start
@@ -68,12 +68,12 @@ def challenges() -> Iterator[tuple[str, Scene]]:
     yield ONE_AXIS, replace(scene("triangles"), axes="needed")
     yield TOUCH, scene("circle-polygon")
     for row in FAILURE_CASES:
-        start = None if row.how == REFUSED else harmless(row)
+        start = None if row.how == REFUSED else start_where_right(row)
         if start:
             yield BREAK, start
 
 
-def harmless(row: FailureCase) -> Scene | None:
+def start_where_right(row: FailureCase) -> Scene | None:
     """The row's scene with B moved to where the shortcut happens to be right; None where no such place is near."""
     a, b = row.shapes
     x0, y0, x1, y1 = box_of([a, b])
@@ -87,27 +87,27 @@ def harmless(row: FailureCase) -> Scene | None:
     return None
 
 
-def _one_axis(shown: Scene) -> tuple[bool, str]:
-    if _dented(shown):
+def _evaluate_one_axis(shown: Scene) -> tuple[bool, str]:
+    if _has_concave_shape(shown):
         return False, "A shape has a dent, and only convex ones count: drag the corner out, or choose another scene."
     trace = record(shown.a, shown.b, axes=needed, every_axis=True)
-    count = len({_line(test.axis.direction) for test in trace.tests if test.separates})
+    count = len({_rounded_line(test.axis.direction) for test in trace.tests if test.separates})
     if count == 1:
         return True, "Exactly one axis separates them."
     return False, "No axis separates them: they collide." if not count else f"{count} axes separate them."
 
 
-def _dented(shown: Scene) -> bool:
+def _has_concave_shape(shown: Scene) -> bool:
     return not (shown.a.is_convex and shown.b.is_convex)
 
 
-def _line(direction: Vec) -> tuple[float, float]:
+def _rounded_line(direction: Vec) -> tuple[float, float]:
     """The axis without its sense, as finely as an eye tells axes: edges moved by a hand are parallel up to rounding."""
     x, y = round(direction.x, 9) + 0.0, round(direction.y, 9) + 0.0
     return max((x, y), (0.0 - x, 0.0 - y))
 
 
-def _touch(shown: Scene) -> tuple[bool, str]:
+def _evaluate_touch(shown: Scene) -> tuple[bool, str]:
     trace = record(shown.a, shown.b, every_axis=True)
     if trace.relation is Relation.TOUCHING:
         return True, "They touch, exactly."
@@ -118,7 +118,7 @@ def _touch(shown: Scene) -> tuple[bool, str]:
     return False, f"They are apart: {describe.outcome(best, describe.digits(run, best))}."
 
 
-def _break(shown: Scene) -> tuple[bool, str]:
+def _evaluate_break(shown: Scene) -> tuple[bool, str]:
     trace = shown.record()
     if trace.shortcut is None:
         raise InvalidScene(f"the axes {shown.axes!r} are no shortcut, so there is nothing to break")
