@@ -58,6 +58,7 @@ render({ model: { get: (name) => data[name], on, off, send }, el: document.query
 @contextmanager
 def explored(browser, exploring, errors, **more):
     """A page with the explorer alone; `more` is the browser's context."""
+    from satviz.render.formats import FORMATS
     from satviz.render.script import javascript, stylesheet
     from satviz.widgets.goals import GOAL_NAMES
 
@@ -69,6 +70,7 @@ def explored(browser, exploring, errors, **more):
         "presets": ["triangles", "circles"],
         "failing": ["aabb-turned"],
         "challenges": GOAL_NAMES,
+        "formats": list(FORMATS),
     }
     page.expose_function("first", lambda: first)
     page.expose_function("answer", exploring.answer)
