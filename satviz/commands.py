@@ -93,7 +93,7 @@ def draw(args: argparse.Namespace) -> int:
     """Draw every step of a scene, or of a long run its contact sheet, in each format asked for; print its link."""
     from .render.formats import FORMATS, STILL_FORMATS
     from .scenes.link import link
-    from .scenes.resolve import refused_case
+    from .scenes.named import refused_case
 
     case = refused_case(args.scene)
     forms = [form for form in dict.fromkeys(args.format) if form != "link"]
@@ -122,7 +122,7 @@ def draw(args: argparse.Namespace) -> int:
 
 def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawable:
     """Return the picture of a scene whose outlines are refused; Refused for options that need a run."""
-    from .pictures.comparison import refused
+    from .pictures.comparison import refused_picture
     from .render.page import page_of_refused
 
     if args.axes or args.every_axis or args.sheet or args.steps:
@@ -130,7 +130,7 @@ def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawabl
             f"{case.name} has no run, since its outlines are refused: leave out --axes, --every-axis, "
             "--sheet and --steps"
         )
-    drawn = refused(case)
+    drawn = refused_picture(case)
     return _Drawable(case.name, [(case.name, lambda: [drawn])], lambda: [drawn], lambda: page_of_refused(case))
 
 

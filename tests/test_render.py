@@ -32,7 +32,7 @@ from satviz.render.files import encode, encode_frames
 from satviz.render.formats import FORMATS, STILL_FORMATS
 from satviz.render.pen import Pen
 from satviz.safe_write import MADE_BY, check, write
-from satviz.scenes.article import box
+from satviz.scenes.shape_tools import box
 
 COMMITTED = Path(__file__).parent.parent / "figures"
 TRIANGLES = sv.scene("triangles").record()

@@ -14,11 +14,11 @@ from ..engine.shapes import Shape
 from ..engine.trace import Trace
 from ..pictures import DARK, LIGHT, picture
 from ..pictures.claims import heading
-from ..pictures.comparison import refused
+from ..pictures.comparison import refused_picture
 from ..pictures.playback import NARROW, narrow, playbacks
 from ..safe_write import MADE_BY
 from ..scenes.failing import FailureCase
-from ..scenes.resolve import SceneLike, refused_case, trace_of
+from ..scenes.resolve import SceneLike, resolve
 from .files import inline_svg
 from .script import javascript, stylesheet
 
@@ -53,9 +53,10 @@ def page(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "", pr
     A failing scene whose outlines are refused has no steps: the page has its picture and the reason.
     ValueError for a scene that cannot be drawn, or one with too many steps.
     """
-    if b is None and (case := refused_case(what)):
-        return page_of_refused(case)
-    return page_of_run(trace_of(what, b), title=title, predict=predict)
+    found = resolve(what, b)
+    if found.refused:
+        return page_of_refused(found.refused)
+    return page_of_run(found.trace, title=title, predict=predict)
 
 
 def page_of_run(trace: Trace, *, title: str = "", predict: bool = False) -> str:
@@ -118,7 +119,7 @@ def page_of_refused(case: FailureCase) -> str:
 
     The picture is as wide as a telephone and follows the colours of the reader's screen.
     """
-    drawn = refused(case, width=NARROW[0])
+    drawn = refused_picture(case, width=NARROW[0])
     figures = (f'<figure class="sv-{t.name}">{inline_svg(drawn, t, stem=t.name)}</figure>' for t in (LIGHT, DARK))
     body = ['<section class="sv-static">', *figures, "</section>", f"<footer>{MADE_BY}</footer>"]
     policy = "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'"

@@ -17,7 +17,7 @@ from ..render.files import encode_frames
 from ..render.formats import FORMATS
 from ..render.notebook import bundle
 from ..render.script import stylesheet
-from ..scenes.link import folder_of
+from ..scenes.link import site_folder
 from .player_model import PlayerModel
 
 LOCK = RLock()  # a front end's messages can come on any thread
@@ -39,12 +39,12 @@ class TraceWidget(anywidget.AnyWidget):
     @traitlets.default("site")
     def _site_of_environment(self) -> str:
         """Return the address in the environment variable SATVIZ_SITE, empty where it is not set."""
-        return folder_of(os.environ.get("SATVIZ_SITE", ""), "SATVIZ_SITE")
+        return site_folder(os.environ.get("SATVIZ_SITE", ""), "SATVIZ_SITE")
 
     @traitlets.validate("site")
     def _checked_site(self, proposal: Any) -> str:
         """Return the address of the site's folder; InvalidScene for an address that is not http or https."""
-        return folder_of(proposal["value"])
+        return site_folder(proposal["value"])
 
     def _receive(self, _widget: Any, content: Any, _buffers: Any) -> None:
         """Answer a message of the front end; a message of no known kind is ignored."""
