@@ -1,4 +1,4 @@
-"""satviz figures | trace | draw | advise | notebook | site | reference | study | scenes | bench: what is understood."""
+"""The command line: its commands, their options and exit codes."""
 
 import argparse
 import reprlib
@@ -18,9 +18,10 @@ DRAW_FORMATS = (*FORMATS, "html", "link")  # a page of the run, and a line with 
 
 
 def _whole_number(least: int, most: int) -> Callable[[str], int]:
-    """The number itself, if it is a whole one from `least` to `most`."""
+    """Return a parser of whole numbers from `least` to `most`."""
 
     def number(text: str) -> int:
+        """Return the number in the text; ArgumentTypeError if it is not a whole number in range."""
         try:
             value = int(text)
         except ValueError:
@@ -36,26 +37,27 @@ SEED = _whole_number(0, 2**63 - 1)
 
 
 def _folder(text: str) -> Path:
-    """A folder's path; a variable that is not set would scatter files here."""
+    """Return the path of a folder; an empty text, as of an unset variable, is refused (files would be scattered here)."""
     if not text:
         raise argparse.ArgumentTypeError("a folder's name is empty: write . for this one")
     return Path(text)
 
 
 class Parser(argparse.ArgumentParser):
-    """Says what is wrong in one line, as every command does."""
+    """A parser that reports a fault in one line, as every command does."""
 
     def error(self, message: str) -> NoReturn:
-        """Usage faults in one line, and where to read on; exit 2."""
+        """Print a usage fault in one line, with where to read on, and exit with 2."""
         say(f"{message} (try {self.prog} --help)")
         raise SystemExit(2)
 
     def _print_message(self, message: str, file: object = None) -> None:
+        """Print help and version by the functions of `terminal`."""
         out(message.rstrip("\n"))  # the help and the version, which argparse would lose where they cannot be written
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run a command; 0 done, 1 failed, 2 bad input, 130 interrupted."""
+    """Run a command and return its exit code: 0 done, 1 failed, 2 bad input, 130 interrupted."""
     open_streams()
     with remembering_interrupts(to_the_end=argv is None):
         try:
@@ -74,7 +76,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _report_failure(error: BaseException) -> int:
-    """Say what went wrong in one line and give the exit code."""
+    """Print what went wrong in one line and return the exit code."""
     if isinstance(error, BrokenPipeError):
         return 0  # the reader has gone: nothing left to say
     if isinstance(error, (Refused, InvalidScene)):
@@ -95,6 +97,7 @@ def _report_failure(error: BaseException) -> int:
 
 
 def _parser() -> argparse.ArgumentParser:
+    """Return the parser of all commands."""
     parser = Parser(prog="satviz", description="2D collision detection by the Separating Axis Theorem, made visible.")
     parser.add_argument("--version", action="version", version=f"satviz {__version__}")
     # clash: says which options cannot be given together; usual: what holds where an option was not given
@@ -212,6 +215,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _add_scene_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options of commands that take a scene."""
     from .engine.axes import NAMED
     from .scenes.failing import SHORTCUTS
 
@@ -222,6 +226,7 @@ def _add_scene_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_output_options(parser: argparse.ArgumentParser, out: str, formats: Sequence[str]) -> None:
+    """Add the options of commands that write files."""
     parser.add_argument("--out", type=_folder, metavar="DIR", help=f"the folder to write to (default: {out})")
     parser.add_argument("--format", action="append", choices=formats, help="may be given several times (default: svg)")
     parser.add_argument("--theme", choices=THEMES, help="(default: light)")
@@ -230,7 +235,7 @@ def _add_output_options(parser: argparse.ArgumentParser, out: str, formats: Sequ
 
 
 def _clash_of_draw(args: argparse.Namespace) -> str | None:
-    """Say which options of `draw` cannot be given together; None where all can."""
+    """Return which options of `draw` cannot be given together, as an error line, or None."""
     formats = set(args.format or ["svg"])
     if args.site is not None and "link" not in formats:
         return "--site is where a link leads: give it with --format link"
@@ -248,20 +253,22 @@ def _clash_of_draw(args: argparse.Namespace) -> str | None:
 
 
 def _clash_of_chart(args: argparse.Namespace) -> str | None:
-    """Say that --force has nothing to overwrite where nothing is written."""
+    """Return the error line for --force where nothing is written, or None."""
     return "--force overwrites files: give it with --chart" if args.force and not args.chart else None
 
 
 def _clash_of_bench(args: argparse.Namespace) -> str | None:
+    """Return which options of `bench` cannot be given together, as an error line, or None."""
     if args.quick and (given := _first_given(args, "pairs", "rounds")):
         return f"--quick sets the pairs and the rounds: give it without {given}"
     return _clash_of_chart(args)
 
 
 def _clash_of_site(args: argparse.Namespace) -> str | None:
+    """Return which options of `site` cannot be given together, as an error line, or None."""
     return "--still has no Python in the page: give it without --pyodide" if args.still and args.pyodide else None
 
 
 def _first_given(args: argparse.Namespace, *names: str) -> str | None:
-    """The first of these options that was given, as it is written."""
+    """Return the first of these options that was given, as it is written."""
     return next((f"--{name}" for name in names if getattr(args, name)), None)

@@ -254,7 +254,7 @@ def _not_yet_run(data: bytes) -> bytes:
 
 
 def _holds(path: Path, data: bytes) -> bool:
-    """Is there a file, not a link, with this content?"""
+    """Return whether a file, not a link, with exactly this content exists."""
     return path.is_file() and not path.is_symlink() and path.read_bytes() == data
 
 
@@ -373,6 +373,7 @@ def study(args: argparse.Namespace) -> int:
         bar = stack.enter_context(tqdm(unit="cell", disable=None, leave=False, file=sys.stderr))
 
         def progress(done: int, total: int, name: str) -> None:
+            """Print the section that is being worked on."""
             bar.total = total
             bar.set_postfix_str(name, refresh=False)
             bar.update(done - bar.n)

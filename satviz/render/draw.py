@@ -1,4 +1,4 @@
-"""sv.draw: one step of a trace on a matplotlib Figure, or on Axes of one's own."""
+"""sv.draw: one step of a trace on a new matplotlib Figure, or on given Axes."""
 
 from typing import TYPE_CHECKING, overload
 
@@ -56,7 +56,7 @@ def draw(
 
 
 def _pen_of(ax: Axes, theme: Theme) -> Pen:
-    """The Axes' own pen, so that a second picture takes the place of the first; a new one after ax.clear()."""
+    """Return the pen kept on the Axes, so that a second picture replaces the first; a new pen after ax.clear()."""
     pen: Pen | None = getattr(ax, _PEN_ATTRIBUTE, None)
     there = pen is not None and pen.fills in ax.collections
     if pen is None or not there or pen.theme != theme:

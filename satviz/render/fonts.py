@@ -1,4 +1,4 @@
-"""Letters that DejaVu Sans lacks, out of other fonts of this machine, for files that cannot leave it to the reader."""
+"""Other fonts of this machine for letters that DejaVu Sans lacks, in files that cannot leave the choice to a reader."""
 
 import warnings
 from collections.abc import Iterable
@@ -13,7 +13,7 @@ OWN_FAMILY = "DejaVu Sans"
 
 
 def families(texts: Iterable[str], form: str) -> list[str]:
-    """The fonts to write these texts in, for a file of that form; a warning names letters that no font here has."""
+    """Return the fonts for these texts in a file of this format; a warning names letters that no font here has."""
     found, without = [OWN_FAMILY], ""
     for letter in sorted(set(letters.lacking("".join(texts)))):
         family = _family_with(letter)
@@ -32,7 +32,7 @@ def families(texts: Iterable[str], form: str) -> list[str]:
 
 @lru_cache(maxsize=256)
 def _family_with(letter: str) -> str | None:
-    """A font family that has the letter, the first by name."""
+    """Return the first font family, by name, that has the letter."""
     for font in sorted(fontManager.ttflist, key=lambda font: (font.name, font.fname)):
         if font.style == "normal" and "last resort" not in font.name.lower() and ord(letter) in _letters_of(font.fname):
             return str(font.name)
@@ -41,6 +41,7 @@ def _family_with(letter: str) -> str | None:
 
 @lru_cache(maxsize=256)
 def _letters_of(path: str) -> frozenset[int]:
+    """Return the letters that a font file has."""
     try:
         return frozenset(FT2Font(path).get_charmap())
     except (OSError, RuntimeError):  # a font that cannot be read has none

@@ -22,7 +22,7 @@ Painted = tuple[Path, tuple[float, float, float, float]]  # and its colour
 
 
 class Pen:
-    """Draws pictures on one Axes: three collections (fills, strokes, solids) and a pool of texts.
+    """A pen for one Axes: it draws pictures with three collections (fills, strokes, solids) and a pool of texts.
 
     Few artists, kept and given new numbers for the next picture, are what makes a
     redraw quick.
@@ -43,7 +43,7 @@ class Pen:
         self.texts: list[Text] = []
 
     def draw(self, picture: Picture, *, zoom: float = 1.0) -> "dict[str, Artist]":
-        """Put the picture on the Axes in place of the one before; returns the artist of each mark by its id.
+        """Draw the picture in place of the one before; return the artist of each mark by the mark's id.
 
         Marks of one kind share a collection, so several ids may give one artist.  `zoom`: how large the
         Axes show the picture, for what is measured in points.
@@ -77,22 +77,24 @@ class Pen:
         return artists
 
     def set_fonts(self, families: Sequence[str]) -> None:
-        """Write all labels in these fonts, the first that has a letter; none: as it is."""
+        """Write all labels in the first of these fonts that has a letter; with none, leave the fonts as they are."""
         for text in self.texts if len(families) > 1 else ():
             text.set_fontfamily(list(families))
 
     def remove(self) -> None:
-        """Take everything drawn off the Axes."""
+        """Remove everything that this pen drew from the Axes."""
         for artist in (self.fills, self.strokes, self.solids, *self.texts):
             artist.remove()
 
     def _view(self, picture: Picture) -> None:
+        """Set the limits and the size of the Axes to those of a picture."""
         x0, y0, x1, y1 = picture.limits
         self.ax.set_xlim(x0, x1)
         self.ax.set_ylim(y0, y1)
         self.ax.set_aspect("equal", adjustable="box")
 
     def _write(self, labels: Sequence[Mark], artists: "dict[str, Artist]", zoom: float) -> None:
+        """Write the labels, reusing the texts of the picture before."""
         while len(self.texts) < len(labels):
             text = self.ax.text(0, 0, "", fontfamily="sans-serif", parse_math=False, zorder=4, clip_on=False)
             text.set(ha="center", va="center", linespacing=1.2)
@@ -110,7 +112,7 @@ class Pen:
 
 
 def _outline_path(mark: Mark, scale: float) -> Path:
-    """A mark's line, which is the rim of what is filled."""
+    """Return the path of a mark's line, which is also the rim of a filled mark."""
     points = mark.points
     if mark.kind == "disc":
         return Path.circle(points[0], mark.radius)
@@ -124,7 +126,7 @@ def _outline_path(mark: Mark, scale: float) -> Path:
 
 
 def _solid_path(mark: Mark, scale: float) -> Path:
-    """A dot, or an arrow's head."""
+    """Return the path of a dot or of an arrow's head."""
     if mark.kind == "arrow":
         u, tip, length, half = _arrow_geometry(mark, scale)
         bx, by = tip.x - u.x * length, tip.y - u.y * length
@@ -136,7 +138,7 @@ def _solid_path(mark: Mark, scale: float) -> Path:
 
 
 def _arrow_geometry(mark: Mark, scale: float) -> tuple[Vec, Vec, float, float]:
-    """An arrow's direction and tip, its head's length and half its width in scene units."""
+    """Return an arrow's direction, its tip, and the length and half width of its head in scene units."""
     (tail, tip), (length, width) = mark.points, mark.look.head
     size = hypot(tip.x - tail.x, tip.y - tail.y) or 1.0
     u = Vec((tip.x - tail.x) / size, (tip.y - tail.y) / size)

@@ -36,7 +36,7 @@ class Explorer(TraceWidget):
 
     @property
     def scene(self) -> Scene:
-        """The scene as it is now."""
+        """Return the scene as it is now."""
         return self._model.scene
 
 

@@ -1,4 +1,4 @@
-"""Challenges: what a scene under the hand is to become, judged by the engine.  (Standard library only.)"""
+"""Challenges: what the reader is to turn a scene into, judged by the engine; standard library only."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -35,7 +35,7 @@ STEPS, WAYS = (1, 2, 3, 4, 6, 8), ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1
 
 
 class ChallengeResult(NamedTuple):
-    """The goal, is it reached, what is asked, how the scene stands to it, and a hint."""
+    """A challenge's goal, whether it is reached, the task, the state of the scene, and a hint."""
 
     goal: str
     met: bool
@@ -45,7 +45,7 @@ class ChallengeResult(NamedTuple):
 
 
 def evaluate_goal(goal: str, shown: Scene) -> ChallengeResult:
-    """How a scene stands to a goal; InvalidScene for one that is none, or that the scene cannot have."""
+    """Return how a scene stands to a goal; InvalidScene for an unknown goal, or one that the scene cannot have."""
     if goal not in GOAL_TASKS:
         raise InvalidScene(f"no challenge {polygon_validation.shown(goal)}: choose one of {', '.join(GOAL_TASKS)}")
     met, says = {ONE_AXIS: _evaluate_one_axis, TOUCH: _evaluate_touch, BREAK: _evaluate_break}[goal](shown)
@@ -53,7 +53,7 @@ def evaluate_goal(goal: str, shown: Scene) -> ChallengeResult:
 
 
 def challenge_start(goal: str, shown: Scene) -> Scene:
-    """Where a challenge begins that is set while a scene is shown: there, unless it is or cannot be reached there."""
+    """Return the scene with which a challenge begins: the one shown, unless it meets the goal or never can."""
     if not evaluate_goal(goal, shown).met and not (goal == ONE_AXIS and _has_concave_shape(shown)):
         return shown
     start = start_where_right(NAMED[shown.axes]) if goal == BREAK else next(s for g, s in challenges() if g == goal)
@@ -63,7 +63,7 @@ def challenge_start(goal: str, shown: Scene) -> Scene:
 
 
 def challenges() -> Iterator[tuple[str, Scene]]:
-    """(goal, the scene to begin with) of those that the site sets."""
+    """Return (goal, first scene) of each challenge that the site offers."""
     yield TOUCH, scene("aabb")
     yield ONE_AXIS, replace(scene("triangles"), axes="needed")
     yield TOUCH, scene("circle-polygon")
@@ -88,6 +88,7 @@ def start_where_right(row: FailureCase) -> Scene | None:
 
 
 def _evaluate_one_axis(shown: Scene) -> tuple[bool, str]:
+    """Return whether one axis is enough, and how many are needed now."""
     if _has_concave_shape(shown):
         return False, "A shape has a dent, and only convex ones count: drag the corner out, or choose another scene."
     trace = record(shown.a, shown.b, axes=needed, every_axis=True)
@@ -98,16 +99,18 @@ def _evaluate_one_axis(shown: Scene) -> tuple[bool, str]:
 
 
 def _has_concave_shape(shown: Scene) -> bool:
+    """Return whether one of the shapes is concave."""
     return not (shown.a.is_convex and shown.b.is_convex)
 
 
 def _rounded_line(direction: Vec) -> tuple[float, float]:
-    """The axis without its sense, as finely as an eye tells axes: edges moved by a hand are parallel up to rounding."""
+    """Return an axis without its sense, rounded as an eye sees it: a dragged edge is parallel only up to rounding."""
     x, y = round(direction.x, 9) + 0.0, round(direction.y, 9) + 0.0
     return max((x, y), (0.0 - x, 0.0 - y))
 
 
 def _evaluate_touch(shown: Scene) -> tuple[bool, str]:
+    """Return whether the shapes touch, and what is missing."""
     trace = record(shown.a, shown.b, every_axis=True)
     if trace.relation is Relation.TOUCHING:
         return True, "They touch, exactly."
@@ -119,6 +122,7 @@ def _evaluate_touch(shown: Scene) -> tuple[bool, str]:
 
 
 def _evaluate_break(shown: Scene) -> tuple[bool, str]:
+    """Return whether the shortcut's answer is wrong, and what it says."""
     trace = shown.record()
     if trace.shortcut is None:
         raise InvalidScene(f"the axes {shown.axes!r} are no shortcut, so there is nothing to break")
