@@ -10,7 +10,7 @@ from browser import jupyterlab
 import satviz as sv
 from satviz.pictures import DARK, LIGHT, playback
 from satviz.pictures.caption import captioned
-from satviz.render.files import MADE_BY, animate, encode
+from satviz.render.files import MADE_BY, encode, encode_frames
 from satviz.site.walkthrough import shipped
 
 pytestmark = pytest.mark.slow
@@ -298,11 +298,11 @@ def test_a_challenge_is_set_judged_and_given_up(hand):
 
 SLOW = """
 import time
-answer = w._exploring.answer
+answer = w._model.answer
 def slow(content):
     time.sleep({seconds} * (content.get("kind") in ("pose", "preset")))
     return answer(content)
-w._exploring.answer = slow
+w._model.answer = slow
 """
 
 
@@ -322,8 +322,8 @@ def test_a_slow_python_loses_neither_a_preset_nor_the_end_of_a_drag(hand, second
     hand.said("A and B overlap")
     hand.page.wait_for_timeout(1000 * 4 * seconds)  # what is on its way has come
     assert dist(json.loads(hand.kernel("list(w.scene.b.vertices[0])")), (5, 5)) > 1
-    assert hand.kernel("w._exploring.picture().sentence") == widget.locator(".sv-sentence").inner_text()
-    hand.page.evaluate(ASK, "del w._exploring.answer")
+    assert hand.kernel("w._model.picture().sentence") == widget.locator(".sv-sentence").inner_text()
+    hand.page.evaluate(ASK, "del w._model.answer")
     reset(hand)
 
 
@@ -336,7 +336,7 @@ def test_files_come_from_the_matplotlib_pen(hand):
     for form in "svg", "png":
         assert hand.file(f"save {form.upper()}", 2) == (f"satviz.{form}", encode(drawn, form, LIGHT))
     every = captioned([sv.picture(trace, i) for i in range(len(sv.steps(trace)))])
-    assert hand.file("save GIF", 2) == ("satviz.gif", animate(every))
+    assert hand.file("save GIF", 2) == ("satviz.gif", encode_frames(every, "gif"))
     hand.press("reset", 2)
 
 

@@ -591,7 +591,7 @@ def test_draw_prints_the_link_beside_the_files(capsys, tmp_path):
 
 
 def stands(goal, a, b, axes="needed"):
-    return goals.judged(goal, sv.Scene("mine", a, b, axes))
+    return goals.evaluate_goal(goal, sv.Scene("mine", a, b, axes))
 
 
 def test_exactly_one_axis_is_one():
@@ -624,15 +624,17 @@ def test_every_shortcut_that_can_be_broken_begins_unbroken_and_its_own_scene_bre
     asked = [start for goal, start in goals.challenges() if goal == "break"]
     assert len(asked) > 25
     for start in asked:
-        assert not goals.judged("break", start).met and goals.judged("break", sv.scene(start.axes)).met, start.name
+        assert not goals.evaluate_goal("break", start).met and goals.evaluate_goal("break", sv.scene(start.axes)).met, (
+            start.name
+        )
 
 
 @pytest.mark.slow
 def test_no_challenge_is_won_when_it_begins_and_each_has_its_link():
     for goal, start in goals.challenges():
-        assert not goals.judged(goal, start).met
+        assert not goals.evaluate_goal(goal, start).met
         first = opened(sv.link(start, goal=goal).partition("#")[2])["first"]
-        assert first["goal"]["asks"] == goals.ASKS[goal] and first["link"].endswith(f"&goal={goal}")
+        assert first["goal"]["asks"] == goals.GOAL_TASKS[goal] and first["link"].endswith(f"&goal={goal}")
 
 
 def by_the_hint(goal, start):
@@ -670,12 +672,12 @@ SOME = [pytest.param(s.name, marks=[pytest.mark.slow] if i % 5 else []) for i, s
 
 @pytest.mark.parametrize("name", SOME)
 def test_every_challenge_that_is_offered_can_be_met_as_its_hint_says(name):
-    for goal in goals.CALLED:
+    for goal in goals.GOAL_NAMES:
         try:
-            start = goals.begun(goal, sv.scene(name))
+            start = goals.challenge_start(goal, sv.scene(name))
         except InvalidScene:
             continue
-        assert any(goals.judged(goal, there).met for there in by_the_hint(goal, start)), goal
+        assert any(goals.evaluate_goal(goal, there).met for there in by_the_hint(goal, start)), goal
 
 
 def test_a_drag_is_judged_and_a_preset_ends_the_challenge():

@@ -10,7 +10,8 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 from matplotlib.transforms import Bbox
 
 from ..pictures import LIGHT, THEMES, Theme
-from ..render.files import DPI, bare, encode_figure
+from ..render.files import bare, encode_figure
+from ..render.formats import DPI
 from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
 from .costs import Cost
 from .facts import Facts, ModelResult

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..engine.polygon_validation import refuse_masked
-from ..optional_imports import needs
+from ..optional_imports import extra_needed
 from . import validation
 from .arrays import Group, Shapes, check_shapes
 from .chunks import CHUNK_PAIRS, Call, check_executor, check_progress, check_size, in_chunks
@@ -141,7 +141,7 @@ def load_engine(name: str | None) -> Engine:
             if name is None:
                 warnings.warn(f"numba does not work here, so NumPy does the work: {error}", stacklevel=2)
             elif find_spec("numba") is None:
-                raise ImportError(needs('engine "numba"', "fast")) from error
+                raise ImportError(extra_needed('engine "numba"', "fast")) from error
             else:
                 raise ImportError(f'engine "numba" does not work here: {error}; engine="numpy" does') from error
     from .with_numpy import filter as filter_numpy

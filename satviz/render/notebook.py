@@ -1,4 +1,4 @@
-"""What a notebook shows of a picture, a trace, a scene or a shape: its text and its picture, of a run the table too."""
+"""What a notebook shows of a shape, a scene, a trace or a picture."""
 
 from collections.abc import Callable
 from html import escape
@@ -15,7 +15,7 @@ from .files import inline_svg
 
 
 def bundle(what: Any) -> dict[str, str]:
-    """The MIME bundle: plain text, and the picture as SVG where it can be drawn; of a run HTML with its table."""
+    """Return the MIME bundle: plain text, the picture as SVG where it can be drawn, and for a run its table as HTML."""
     make: Callable[[], Picture]
     trace = None
     if isinstance(what, Picture):
@@ -35,7 +35,7 @@ def bundle(what: Any) -> dict[str, str]:
 
 
 def table(trace: Trace) -> str:
-    """The table of a run with its sentence, as HTML."""
+    """Return the table of a run with its sentence, as HTML."""
     head = "".join(f'<th scope="col">{escape(name)}</th>' for name in ("", "axis", "direction", *trace.names, "gap"))
     lines, pair = [], ""
     for row in rows(trace):
@@ -54,5 +54,5 @@ def table(trace: Trace) -> str:
 
 
 def _stem(drawn: Picture) -> str:
-    """Ids of its own for each picture: a page may show many."""
+    """Return a beginning for the ids of one picture, since a page may show many."""
     return f"satviz-{crc32(drawn.to_json().encode()):08x}"

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import satviz
 
-from ..optional_imports import needs
+from ..optional_imports import extra_needed
 from ..scenes.resolve import resolve
 from ..widgets.explorer_model import ExplorerModel
 from . import parts
@@ -161,7 +161,7 @@ def _markdown() -> Any:
     try:
         from markdown_it import MarkdownIt
     except ImportError:
-        raise ImportError(needs("a site's chapters", "site")) from None
+        raise ImportError(extra_needed("a site's chapters", "site")) from None
     markdown = MarkdownIt("commonmark", {"html": True, "highlight": _highlighted}).enable("table")
     markdown.add_render_rule("code_block", _indented)
     return markdown

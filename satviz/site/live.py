@@ -11,13 +11,13 @@ from ..scenes.link import DEFAULT_VIEW, ViewOptions, fragment, parse_fragment
 from ..scenes.scenefile import Scene, shape_data
 from ..scenes.strictjson import typed
 from ..widgets.explorer_model import ExplorerModel
-from ..widgets.goals import CALLED
+from ..widgets.goals import GOAL_NAMES
 
 _hands: dict[str, ExplorerModel] = {}
 CHOICES = {
     "presets": [s.name for s in SCENES],
     "failing": [row.name for row in FAILURE_CASES if row.how != REFUSED],
-    "challenges": CALLED,
+    "challenges": GOAL_NAMES,
 }
 
 

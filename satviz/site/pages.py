@@ -18,7 +18,7 @@ from ..scenes.link import BREAK, PAGE, link
 from ..scenes.named import ALL_SCENES, scene
 from ..scenes.scenefile import Scene
 from ..widgets.explorer_model import ExplorerModel
-from ..widgets.goals import ASKS, challenges
+from ..widgets.goals import GOAL_TASKS, challenges
 from . import parts
 from .chapters import Chapter, lead
 from .themed import themed_file
@@ -164,7 +164,7 @@ somebody.</p>
 
 def _asked(goal: str, begin: Scene) -> str:
     row = FAILING.get(begin.axes)
-    return f"“{row.claim}”" if row else f"{ASKS[goal].rstrip('.')} ({begin.title.lower()})"
+    return f"“{row.claim}”" if row else f"{GOAL_TASKS[goal].rstrip('.')} ({begin.title.lower()})"
 
 
 def chapter(frame: Frame, shown: Chapter, body: str) -> bytes:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import satviz
 
-from ..optional_imports import needs
+from ..optional_imports import extra_needed
 from ..safe_write import MADE_BY
 from .examples import EXAMPLES
 
@@ -25,7 +25,7 @@ def reference() -> Iterator[tuple[str, bytes]]:
         import pdoc
         from pdoc import render
     except ImportError:
-        raise ImportError(needs("the reference", "docs")) from None
+        raise ImportError(extra_needed("the reference", "docs")) from None
     render.configure(docformat="markdown", show_source=False, template_directory=TEMPLATES)
     render.env.globals["example"] = example
     for name in satviz.__all__:  # what is loaded at first use is in no module before
