@@ -37,7 +37,7 @@ SEED = _whole_number(0, 2**63 - 1)
 
 
 def _folder(text: str) -> Path:
-    """Return the path of a folder; an empty text (an unset variable) is refused, since files would be scattered here."""
+    """Return the path of a folder; an empty text (an unset variable) is refused: it would scatter files here."""
     if not text:
         raise argparse.ArgumentTypeError("a folder's name is empty: write . for this one")
     return Path(text)

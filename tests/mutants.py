@@ -65,7 +65,8 @@ ABOUT = {  # of those files only these tests, as pytest -k takes them, since eac
     "batch/with_numba/grid": GRID,
     "batch/with_numpy/grid": GRID,
     "engine/axis_count": "enough or touch or parts",
-    "batch/with_numba/filter": "circles or columns or filter or float32 or hard_pairs or look or plain or scalar or upright",
+    "batch/with_numba/filter": "circles or columns or filter or float32 or hard_pairs or look or plain or scalar"
+    " or upright",
     "batch/with_numba/indexed": "columns or hard_pairs or index or lanes or many_corners or picked or plain or upright",
     "batch/with_numpy/indexed": "hard_pairs or index or many_corners or picked or plain or side_by_side or upright",
     "batch/with_numpy/circle_polygons": "circle or foot or forgotten or hard_pairs or scalar_answers or tiny",
