@@ -75,7 +75,7 @@ def figures(args: argparse.Namespace) -> int:
 def draw(args: argparse.Namespace) -> int:
     """Draw every step of a scene, or of a long run its contact sheet, in each format asked for; print its link."""
     from .pictures import Picture, picture, steps
-    from .pictures.caption import captioned
+    from .pictures.caption import add_captions
     from .pictures.comparison import refused
     from .pictures.sheet import sheet
     from .scenes.resolve import refused_case
@@ -106,11 +106,11 @@ def draw(args: argparse.Namespace) -> int:
 
     def finished(step: int) -> Picture:
         drawn = picture(trace, step, title=scene.title)
-        return captioned([drawn])[0] if args.caption else drawn
+        return add_captions([drawn])[0] if args.caption else drawn
 
     for form in formats:
         if form == "gif":
-            jobs.append((scene.name, form, lambda: captioned([picture(trace, i) for i in range(count)])))
+            jobs.append((scene.name, form, lambda: add_captions([picture(trace, i) for i in range(count)])))
             continue
         if form == "html":
             jobs.append((scene.name, form, lambda: _page(trace, scene.title)))

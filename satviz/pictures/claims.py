@@ -11,8 +11,8 @@ from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, FailureCase
 from ..scenes.failing.claimed_value import OF_PUSHES
 from ..scenes.failing.true_value import Answer
 from . import comparison_panels
-from .layout import box_of
-from .stages import shifted
+from .layout import bounding_box
+from .stages import moved_shape
 
 ROUNDING = 1e-12  # of the size of it all: what numbers differ by that are the same
 
@@ -74,7 +74,7 @@ def _contradicts(row: FailureCase, trace: Trace, number: float, truth: Answer) -
 
 def _size(trace: Trace) -> float:
     """The largest length or coordinate there is, to hold roundings against."""
-    x0, y0, x1, y1 = box_of([trace.a, trace.b])
+    x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
     return max(x1 - x0, y1 - y0, *map(abs, (x0, y0, x1, y1)))
 
 
@@ -82,7 +82,7 @@ def _leads_out(trace: Trace, push: Vec, way: Vec) -> bool:
     """Does a push end the overlap, and is none shorter, but for rounding?"""
     if not is_near(trace, push):
         return False
-    a, pushed = trace.a, shifted(trace.b, push)
+    a, pushed = trace.a, moved_shape(trace.b, push)
     left = record(a, pushed).known_mtv or Vec(0.0, 0.0)
     room = ROUNDING * _size(trace)
     return hypot(*left) <= room and hypot(*push) <= hypot(*way) + room
@@ -107,5 +107,5 @@ def heading(trace: Trace) -> tuple[str, str]:
 
 def is_near(trace: Trace, move: Vec) -> bool:
     """Is B, moved so, still near enough for both shapes to be seen in one picture?"""
-    x0, y0, x1, y1 = box_of([trace.a, trace.b])
+    x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
     return max(map(abs, move)) < 3 * max(x1 - x0, y1 - y0)

@@ -14,30 +14,30 @@ from ..engine.trace import Trace, record
 from ..scenes.failing import MISSED_HIT, FailureCase
 from ..scenes.resolve import RUNS, SceneLike, refused_case, trace_of
 from . import comparison_panels, stages
-from .caption import wrapped
+from .caption import wrap_text
 from .claims import about_push, heading, is_near, row_of, said, verdicts
 from .comparison_panels import Panel, arrange
-from .labels import Request, with_labels
-from .layout import HEIGHT, WIDTH, Group, Layout, moved, padded, text_box
+from .labels import LabelRequest, with_labels
+from .layout import MAX_HEIGHT_PT, MAX_WIDTH_PT, Group, Layout, centered_layout, point_along, text_size
 from .marks import Mark, Picture
-from .panels import moved_to
+from .panels import marks_moved_to
 from .sketch import Sketch
 from .stages import (
-    BEFORE_THE_AXIS,
-    OF_A_TEST,
+    STAGES_BEFORE_AXIS,
+    TEST_STAGES,
     Stage,
     Step,
     draw_mtv,
+    draw_other_parts,
+    draw_separating_line,
     draw_test,
     draw_verdict,
-    others,
-    separating_line,
-    shifted,
+    moved_shape,
 )
 
 SAW, IS = "what the shortcut saw", "what is"
 PANEL = 340.0, 300.0  # the largest, in points
-FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
+FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(TEST_STAGES[2:-1], Stage.GAP)
 BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0  # points between the panels, for each one's heading, round the words above
 BOTH = 2 * PANEL[0] + BETWEEN
 SMALLEST = 170.0  # points: a smaller panel has no room for its words
@@ -49,7 +49,7 @@ def picture(
     step: int | Step = -1,
     *,
     title: str = "",
-    largest: tuple[float, float] = (WIDTH, HEIGHT),
+    largest: tuple[float, float] = (MAX_WIDTH_PT, MAX_HEIGHT_PT),
     by_itself: bool = False,
 ) -> Picture:
     """The picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
@@ -61,11 +61,13 @@ def picture(
     IndexError for a step the trace does not have.
     """
     if row := refused_case(what):
-        return refused(row, title=title, width=min(BOTH, largest[0]) if largest != (WIDTH, HEIGHT) else BOTH)
+        return refused(
+            row, title=title, width=min(BOTH, largest[0]) if largest != (MAX_WIDTH_PT, MAX_HEIGHT_PT) else BOTH
+        )
     trace = trace_of(what, takes=RUNS)
     if not trace.shortcut:
         return stages.picture(trace, step, title=title, largest=largest, by_itself=by_itself)
-    step = stages.chosen(trace, step)
+    step = stages.resolve_step(trace, step)
     panel, stacked = _panel(largest)
     return _put(trace, _saw(trace, step, panel), _what_is(trace, panel), _room(trace, panel), title, stacked=stacked)
 
@@ -75,7 +77,7 @@ def _panel(largest: tuple[float, float]) -> tuple[tuple[float, float], bool]:
 
     On a canvas that has no room for both it is larger, and the whole is shown smaller.
     """
-    if largest == (WIDTH, HEIGHT):
+    if largest == (MAX_WIDTH_PT, MAX_HEIGHT_PT):
         return PANEL, False
     width, height = largest
     if stacked := height > TALL * width:
@@ -102,7 +104,7 @@ def _layouts(trace: Trace, largest: tuple[float, float]) -> tuple[Layout, Layout
     small, large = sorted((0, 1), key=lambda k: found[k].scale)
     found[large] = _on_scale(found[small].scale, drawn[large], tests[large], largest) or found[large]
     size = max(layout.size[0] for layout in found), max(layout.size[1] for layout in found)
-    return padded(found[0], size), padded(found[1], size)
+    return centered_layout(found[0], size), centered_layout(found[1], size)
 
 
 def _on_scale(
@@ -137,13 +139,13 @@ def _room(trace: Trace, largest: tuple[float, float]) -> tuple[float, float]:
     tests = [test for run in trace.pairs or (trace,) for test in run.tests]
     sizes = [_believed(trace, largest).size, _what_is(trace, largest).size]
     sizes += [_test_layout(trace, test, largest).size for test in tests]
-    heads = [text_box(name)[0] + RIM for name in (SAW, IS)]
+    heads = [text_size(name)[0] + RIM for name in (SAW, IS)]
     return max(*heads, *(w for w, _ in sizes)), max(h for _, h in sizes)
 
 
 def _drawn(trace: Trace, move: Vec | None) -> list[Shape]:
     """The shapes, and where B is moved to, which must fit too."""
-    return [trace.a, trace.b, *([shifted(trace.b, move)] if move and is_near(trace, move) else [])]
+    return [trace.a, trace.b, *([moved_shape(trace.b, move)] if move and is_near(trace, move) else [])]
 
 
 @lru_cache(maxsize=64)
@@ -156,14 +158,14 @@ def _saw(trace: Trace, step: Step, largest: tuple[float, float]) -> Picture:
     layout = _test_layout(trace, test, largest) if test else _layouts(trace, largest)[0]
     sketch = Sketch(run, layout)
     if step.pair is not None:
-        others(sketch, trace, run)
+        draw_other_parts(sketch, trace, run)
     if step.test is not None:
-        draw_test(sketch, step.stage, step.test, None if step.stage in BEFORE_THE_AXIS else layout.places[0])
+        draw_test(sketch, step.stage, step.test, None if step.stage in STAGES_BEFORE_AXIS else layout.places[0])
     else:
         sketch.shapes()
     fuller = FULLER.get(step.stage)  # whose labels leave room for what comes next, so that nothing jumps
     kept = _saw(trace, step._replace(stage=fuller), largest).labels if fuller else ()
-    return sketch.finish("", stages.sentence(run, step), kept=kept)
+    return sketch.finish("", stages.step_sentence(run, step), kept=kept)
 
 
 @lru_cache(maxsize=64)
@@ -220,8 +222,8 @@ def draw_push(sketch: Sketch) -> None:
     if not is_near(trace, trace.push):
         text += ",\nout of the picture"
     elif any(trace.push):
-        tip = moved(start, trace.push, 1.0)
-        sketch.shape("B", f"{trace.names.b} pushed", shifted(trace.b, trace.push), weight="faint", named=False)
+        tip = point_along(start, trace.push, 1.0)
+        sketch.shape("B", f"{trace.names.b} pushed", moved_shape(trace.b, trace.push), weight="faint", named=False)
         sketch.add("push", "arrow", "move", start, tip, start=(start,))
     prefer = trace.push if any(trace.push) else Vec(0.0, 1.0)
     sketch.label("push-name", text, "move", tip, prefer=prefer, far=not is_near(trace, trace.push), first=3)
@@ -251,10 +253,10 @@ def struck(drawn: Picture, trace: Trace) -> Picture:
 def _strike(label: Mark, scale: float) -> Mark:
     """A line through each line of a label."""
     (x, y), lines = label.points[0], label.text.split("\n")
-    high = text_box(label.text, label.weight)[1] / len(lines) / scale
+    high = text_size(label.text, label.weight)[1] / len(lines) / scale
     ends: list[Vec] = []
     for i, line in enumerate(lines):
-        half, level = text_box(line, label.weight)[0] / 2 / scale, y + ((len(lines) - 1) / 2 - i) * high
+        half, level = text_size(line, label.weight)[0] / 2 / scale, y + ((len(lines) - 1) / 2 - i) * high
         ends += [Vec(x - half, level), Vec(x + half, level)]
     return Mark(f"{label.part}-strike", "segment", "ink", tuple(ends), label.owner, label.axis, label.number)
 
@@ -303,7 +305,7 @@ def _proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
     sketch.shapes()
     certificate = trace.truth.certificate if trace.hit else run.certificate
     if isinstance(certificate, SeparatingLine):
-        separating_line(sketch, certificate)
+        draw_separating_line(sketch, certificate)
     elif isinstance(certificate, SharedPoint):
         sketch.add("shared", "dot", "ink", certificate.point)
         sketch.label("shared-name", "in both", "ink", certificate.point, first=4)
@@ -329,12 +331,12 @@ def refused(row: FailureCase, *, title: str = "", width: float = BOTH) -> Pictur
         spots = [Vec(off.x + p.x * k, off.y + p.y * k) for p in ring]
         marks.append(Mark("outline", "outline", name, tuple(spots), owner=name))
         inner = Vec(sum(p.x for p in spots) / len(spots), sum(p.y for p in spots) / len(spots))
-        requests.append(Request("name", name, name, inner, owner=name, weight="title", inside=True))
+        requests.append(LabelRequest("name", name, name, inner, owner=name, weight="title", inside=True))
         for i, spot in enumerate(spots):
             marks.append(Mark("vertex", "dot", name, (spot,), owner=name, number=i))
             away = Vec(spot.x - inner.x, spot.y - inner.y + 1e-3)
             label = f"{name.lower()}{i + 1}"
-            requests.append(Request("vertex-name", label, name, spot, owner=name, number=i, prefer=away))
+            requests.append(LabelRequest("vertex-name", label, name, spot, owner=name, number=i, prefer=away))
     layout = Layout((0.0, 0.0, width, low), (width, low), ())
     drawn = with_labels(marks, requests, layout, steady=False, keep_off=())
     return _under(f"Claim: {row.claim}.", f"Refused: {row.truth}.", width, low, drawn, title or row.claim)
@@ -359,7 +361,7 @@ def _put(
         spot = Vec(at.x + wide / 2, at.y + high + HEAD / 2)
         marks.append(Mark(f"{prefix}-heading", "label", "guide", (spot,), text=name))
         corner = Vec(at.x + (wide - panel.size[0]) / 2, at.y + high - panel.size[1])
-        marks += [mark._replace(part=f"{prefix}-{mark.part}") for mark in moved_to(panel, corner, "")]
+        marks += [mark._replace(part=f"{prefix}-{mark.part}") for mark in marks_moved_to(panel, corner, "")]
     across = cell + BETWEEN / 2
     line = (
         (Vec(8.0, across), Vec(width - 8.0, across)) if stacked else (Vec(width / 2, 8.0), Vec(width / 2, cell - 4.0))
@@ -371,14 +373,14 @@ def _put(
 def _under(claim: str, wrong: str, width: float, low: float, below: Sequence[Mark], title: str) -> Picture:
     """Marks, in points, under the claim and what is wrong with it."""
     room = width - 2 * RIM
-    if text_box(wrong)[0] > room:
+    if text_size(wrong)[0] > room:
         wrong = wrong.replace(" Right: ", "\nRight: ")
-    lines = "\n".join(wrapped(line, room) for line in wrong.split("\n"))
-    texts = [(wrapped(claim, room, "title"), "title"), (lines, "plain")]
-    height = round(low + sum(text_box(*text)[1] + 4.0 for text in texts) + RIM)
+    lines = "\n".join(wrap_text(line, room) for line in wrong.split("\n"))
+    texts = [(wrap_text(claim, room, "title"), "title"), (lines, "plain")]
+    height = round(low + sum(text_size(*text)[1] + 4.0 for text in texts) + RIM)
     marks, top = [], height - RIM
     for part, (text, weight) in zip(("heading", "wrong"), texts, strict=True):
-        tall = text_box(text, weight)[1]
+        tall = text_size(text, weight)[1]
         marks.append(Mark(part, "label", "ink", (Vec(width / 2, top - tall / 2),), text=text, weight=weight))
         top -= tall + 4.0
     limits = 0.0, 0.0, float(width), float(height)

@@ -7,11 +7,12 @@ from ..engine.geometry import Vec
 from ..engine.trace import Trace
 from ..scenes.failing.where import ErrorRegion, error_region_in_view
 from ..scenes.shortcuts import middle
-from . import comparison_panels, live
+from . import comparison_panels
 from .claims import said, verdicts
 from .comparison import answer, draw_push, struck
-from .labels import Standing
-from .layout import AxisPlace, Layout, place_within
+from .drag import ShownTest
+from .labels import LabelOffsets
+from .layout import AxisPlace, Layout, place_axis_within
 from .marks import Mark, Picture
 from .sketch import Sketch
 
@@ -19,17 +20,17 @@ from .sketch import Sketch
 def drag_view(
     trace: Trace,
     layout: Layout,
-    chosen: live.Chosen | None,
+    shown: ShownTest | None,
     *,
-    way_out: bool = False,
-    near: Vec | None = None,
-    stood: Standing | None = None,
+    show_mtv: bool = False,
+    last_out: Vec | None = None,
+    last_offsets: LabelOffsets | None = None,
 ) -> tuple[Picture, AxisPlace | None]:
     """A shortcut's run under the hand: what it saw by the chosen test, its answer, and a map of where it lies."""
     sketch, place = Sketch(trace, layout), None
     where = map_of_lies(trace, layout)
     sketch.marks += [mark for mark in where if mark.part == "reference"]  # words keep off it
-    test = trace.tests[chosen.test] if chosen and trace.tests else None
+    test = trace.tests[shown.test] if shown and trace.tests else None
     if trace.pairs:
         comparison_panels.draw_pieces(sketch)
     else:
@@ -38,17 +39,17 @@ def drag_view(
     if test is not None and not any(test.axis.normal):
         sketch.no_axis(test)
     elif test is not None:
-        place = place_within(layout, (trace.a, trace.b), test, near)
+        place = place_axis_within(layout, (trace.a, trace.b), test, last_out)
         sketch.edge(test)
         sketch.normal(test)
         sketch.project(test, place, interval=False)
     answer(sketch, trace, "claim", verdicts(trace)[0], said(trace).wrong)
-    if way_out and not trace.pairs:  # pieces show their pushes themselves
+    if show_mtv and not trace.pairs:  # pieces show their pushes themselves
         draw_push(sketch)
     if where:
         text = f"dot {'on' if where[0].kind == 'segment' else 'in'} the red:\nthe shortcut is wrong"
         sketch.note("lies-name", text, "ink", first=6)  # red words would be lost on the red
-    drawn = struck(sketch.finish("", trace.sentence, steady=False, stood=stood), trace)
+    drawn = struck(sketch.finish("", trace.sentence, steady=False, last_offsets=last_offsets), trace)
     return drawn._replace(marks=(*(mark for mark in where if mark.part != "reference"), *drawn.marks)), place
 
 

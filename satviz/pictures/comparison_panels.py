@@ -15,13 +15,13 @@ from ..engine.trace import Trace, record
 from ..scenes.failing import swept, true_value
 from ..scenes.failing.claimed_value import moved as put
 from ..scenes.failing.plane import hull
-from .caption import wrapped
-from .curve import direction
-from .layout import NARROW_PAD, Group, Layout, box_of, moved, text_box
+from .caption import wrap_text
+from .curve import unit_vector
+from .layout import NARROW_PAD_PT, Group, Layout, bounding_box, point_along, text_size
 from .layout import arrange as arranged
 from .sketch import Sketch
 
-arrange = partial(arranged, pad=NARROW_PAD)
+arrange = partial(arranged, pad=NARROW_PAD_PT)
 Panel = Callable[[Trace, tuple[float, float]], Sketch]
 FEW = 12  # dots that stand for many shapes
 MOST_AXES = 3  # that have room side by side
@@ -44,7 +44,7 @@ def draw_pieces(sketch: Sketch) -> None:
     for i, pair in enumerate(trace.pairs):
         if pair.mtv:
             start = centroid(trace.b)
-            tip = moved(start, pair.mtv, 1.0)
+            tip = point_along(start, pair.mtv, 1.0)
             sketch.add("mtv", "arrow", "move", start, tip, number=i, start=(start,))
             text = f"{pair.names.a}: push {describe.digits(trace).vector(pair.mtv)}"
             sketch.label("mtv-name", text, "move", tip, number=i, prefer=pair.mtv, first=3, far=True)
@@ -68,11 +68,11 @@ def fan(trace: Trace, largest: tuple[float, float]) -> Sketch:
     across = ((p.x + q.x) * -n.y + (p.y + q.y) * n.x) / 2
     start = Vec(n.x * nearest - n.y * across, n.y * nearest + n.x * across)
     turns = [ends[0] + (ends[1] - ends[0]) * i / 4 for i in range(5)]
-    ways = [Vec(n.x * c.x - n.y * c.y, n.x * c.y + n.y * c.x) for c in map(direction, turns)]
+    ways = [Vec(n.x * c.x - n.y * c.y, n.x * c.y + n.y * c.x) for c in map(unit_vector, turns)]
     x0, y0, x1, y1 = sketch.layout.limits
     room = min(x1 - start.x, start.x - x0, y1 - start.y, start.y - y0)
     for i, (turn, u) in enumerate(zip(turns, ways, strict=True)):
-        tip = moved(start, u, min(sketch.layout.units(ARROW), room))
+        tip = point_along(start, u, min(sketch.layout.units(ARROW), room))
         sketch.add("fan", "arrow", "gap", start, tip, number=i, weight="strong" if i in (0, 4) else "plain")
         if i in (0, 4):
             sketch.label("fan-name", f"{number(round(turn, 2))}°", "gap", tip, number=i, prefer=u, first=1)
@@ -139,7 +139,7 @@ def support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
     best = max(record(trace.a, trace.b, every_axis=True).tests, key=lambda test: test.gap, default=None)
     if best is None:
         return plain(trace, largest)  # with a dent B - A has none of its own
-    supports = [_furthest(corners, direction(45.0 * k + 10.0)) for k in range(8)]
+    supports = [_furthest(corners, unit_vector(45.0 * k + 10.0)) for k in range(8)]
     found = next(filter(_holds_origin, combinations(dict.fromkeys(supports), 3)), tuple(supports[::3]))
     if not trace.hit:  # one that lies nearest on the axis of a gap
         n = best.axis.direction
@@ -150,8 +150,8 @@ def support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
     rest = "and a triangle round the origin three corners" if trace.hit else "and for a miss one corner may be enough"
     wide, high = largest[0] * 0.8, largest[1] * 0.8
     lines = f"a corner of B {MINUS} A takes {count} looks,", rest
-    text = "\n".join(wrapped(line, wide - 2 * NARROW_PAD) for line in lines)
-    band = text_box(text)[1] + NARROW_PAD  # below the picture, for words
+    text = "\n".join(wrap_text(line, wide - 2 * NARROW_PAD_PT) for line in lines)
+    band = text_size(text)[1] + NARROW_PAD_PT  # below the picture, for words
     box = Polygon([(min(xs), min(ys)), (max(xs), min(ys)), (max(xs), max(ys)), (min(xs), max(ys))])
     layout = arrange([Group([box], [])], largest=(wide, high - band))[0]
     (x0, y0, x1, y1), (wide, high) = layout.limits, layout.size
@@ -215,7 +215,7 @@ def flight(trace: Trace, largest: tuple[float, float]) -> Sketch:
     sketch.shapes()
     start = centroid(trace.a)
     way = Vec(*map(float, swept.FLIGHT))
-    sketch.add("flight", "arrow", "A", start, moved(start, way, 1.0))
+    sketch.add("flight", "arrow", "A", start, point_along(start, way, 1.0))
     times = true_value.contact(trace.a, trace.b)
     for i, t in enumerate(map(float, times) if isinstance(times, tuple) else ()):
         if t != t:
@@ -247,7 +247,7 @@ def _nearest(a: Shape, b: Shape) -> tuple[Vec, Vec]:
     p, q = min(pairs, key=lambda pair: hypot(pair[1].x - pair[0].x, pair[1].y - pair[0].y))
     length = hypot(q.x - p.x, q.y - p.y) or 1.0
     way = Vec((q.x - p.x) / length, (q.y - p.y) / length)
-    return moved(p, way, a.radius), moved(q, way, -b.radius)
+    return point_along(p, way, a.radius), point_along(q, way, -b.radius)
 
 
 def _ring(shape: Shape) -> Sequence[Vec]:
@@ -260,7 +260,7 @@ def _foot(p: Vec, edge: tuple[Vec, Vec]) -> Vec:
     q, r = edge
     x, y = r.x - q.x, r.y - q.y
     t = ((p.x - q.x) * x + (p.y - q.y) * y) / ((x * x + y * y) or 1.0)
-    return moved(q, Vec(x, y), min(1.0, max(0.0, t)))
+    return point_along(q, Vec(x, y), min(1.0, max(0.0, t)))
 
 
 def plain(trace: Trace, largest: tuple[float, float]) -> Sketch:
@@ -272,7 +272,7 @@ def plain(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 def _room(trace: Trace, largest: tuple[float, float]) -> Layout:
     shapes = [trace.a, trace.b, *(put(trace.b, pair.mtv) for pair in trace.pairs if pair.mtv)]
-    x0, y0, x1, y1 = box_of(shapes)
+    x0, y0, x1, y1 = bounding_box(shapes)
     words = Polygon([(x0, y1), (x1, y1), (x1, y1 + (y1 - y0) / 5), (x0, y1 + (y1 - y0) / 5)])  # what is said above
     return arrange([Group([*shapes, words], [])], largest=largest)[0]
 

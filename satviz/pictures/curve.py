@@ -12,18 +12,18 @@ from ..engine.sat import axis_tests
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import PLAIN
 from ..scenes.resolve import SceneLike, pair_of
-from .labels import Request, with_labels
+from .labels import LabelRequest, with_labels
 from .layout import Layout
 from .marks import Mark, Picture
 
-WIDTH, HEIGHT = 500.0, 204.0  # points; the picture's own units
+CURVE_WIDTH_PT, HEIGHT = 500.0, 204.0  # points; the picture's own units
 RIM, BOTTOM, TOP = 16.0, 30.0, 172.0
 HERE = 6.0
 MOST_NAMES = 12
 
 
 def gap_curve(
-    what: SceneLike | Shape, b: Shape | None = None, degree: float | None = None, *, width: float = WIDTH
+    what: SceneLike | Shape, b: Shape | None = None, degree: float | None = None, *, width: float = CURVE_WIDTH_PT
 ) -> Picture:
     """The signed gap on every axis from 0 to 180 degrees, with the axes that SAT would test marked on it.
 
@@ -46,14 +46,14 @@ def gap_curve(
         return Vec(RIM + (width - 2 * RIM) * d / 180, BOTTOM + (TOP - BOTTOM) * ((gap - low) / span))
 
     marks = [Mark("zero", "segment", "guide", (at(0, 0), at(180, 0)))]
-    requests = [Request("zero-name", "gap 0", "guide", at(180, 0), prefer=Vec(-1.0, 0.3), optional=True)]
+    requests = [LabelRequest("zero-name", "gap 0", "guide", at(180, 0), prefer=Vec(-1.0, 0.3), optional=True)]
     for role, side in ("overlap", -1), ("gap", 1):
         pieces = _pieces(points, side)
         if pieces:
             marks.append(Mark(f"{role}-curve", "segment", role, tuple(at(*p) for p in pieces), weight="plain"))
     best = max(points, key=lambda p: p[1])
     requests.append(
-        Request("best", f"largest {number_format.of_shapes(a, b).signed(best[1])}", _role(best[1]), at(*best))
+        LabelRequest("best", f"largest {number_format.of_shapes(a, b).signed(best[1])}", _role(best[1]), at(*best))
     )
     if degree is not None:
         d, gap = degree % 180, gap_at(a, b, degree)
@@ -62,13 +62,13 @@ def gap_curve(
             Mark("here", "disc", "ink", (at(d, gap),), radius=HERE),  # a ring: a candidate's dot shows inside it
         ]
         text = f"{number_format.number(round(d, 1))}°: {number_format.of_shapes(a, b).signed(gap)}"
-        requests.insert(0, Request("here-name", text, "ink", at(d, gap)))
+        requests.insert(0, LabelRequest("here-name", text, "ink", at(d, gap)))
     for i, (d, gap, axis) in enumerate(candidates):
         role = axis.source.shape or "ink"
         marks.append(Mark("candidate", "dot", role, (at(d, gap),), number=i))
         if len(candidates) <= MOST_NAMES:
             name = _short(axis, a, b)
-            requests.append(Request("candidate-name", name, role, at(d, gap), number=i, optional=True))
+            requests.append(LabelRequest("candidate-name", name, role, at(d, gap), number=i, optional=True))
     spots = [(d, Vec(at(d, 0).x, 12.0)) for d in (0, 45, 90, 135, 180)]
     marks += [
         # the outermost clear of the rim
@@ -82,12 +82,12 @@ def gap_curve(
 
 def gap_at(a: Shape, b: Shape, degree: float) -> float:
     """The signed gap on the axis at that angle, in float64."""
-    n = direction(degree)
+    n = unit_vector(degree)
     (alo, ahi), (blo, bhi) = (_range(shape, n) for shape in (a, b))
     return max(blo - ahi, alo - bhi)
 
 
-def direction(degree: float) -> Vec:
+def unit_vector(degree: float) -> Vec:
     """The unit vector at an angle counter-clockwise from x, exact on the quarter turns."""
     turns, rest = divmod(degree, 90.0)
     if rest == 0.0:

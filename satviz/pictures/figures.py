@@ -81,6 +81,6 @@ _ALL = (
         view(views.circle_alone, number=1, role="B", extremes=True),
     ),
     ("concave-fails", "No axis tested separates them, yet they are apart", "concave-outline", view(views.failed_axes)),
-    ("concave-parts", "Split into convex parts, each is apart from A", "concave", view(views.split)),
+    ("concave-parts", "Split into convex parts, each is apart from A", "concave", view(views.convex_parts)),
 )
 FIGURES = tuple(Figure(i, *row) for i, row in enumerate(_ALL, 1))

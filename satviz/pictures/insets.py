@@ -7,10 +7,10 @@ from math import atan2, cos, floor, hypot, log10, pi, sin
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape, centroid
-from .layout import Inset, Layout, around, box_of, clipped
+from .layout import Inset, Layout, around, bounding_box, clip_segment
 
 # all in points
-SMALLEST = 8.0  # a shape smaller than this is shown larger, and so is a gap smaller than
+MIN_SHAPE_PT = 8.0  # a shape smaller than this is shown larger, and so is a gap smaller than
 LEAST_GAP = 3.0
 THINNEST = 1.5  # and the end of a needle thinner than this
 BOX = 96.0  # an inset's side
@@ -22,7 +22,7 @@ FILLED = 0.5  # how much of its box the small thing takes
 def edges_in(inset: Inset, shape: Shape) -> Iterator[tuple[Vec, Vec]]:
     """What is seen of a shape's outline in the box."""
     for p, q in pairwise(map(inset.at, _outline(shape, inset.spot))):
-        part = clipped(*p, *q, *inset.box)
+        part = clip_segment(*p, *q, *inset.box)
         if part and part[0] < part[1]:
             yield tuple(Vec(p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t) for t in part)  # type: ignore[misc]
 
@@ -40,7 +40,7 @@ def _outline(shape: Shape, spot: Vec) -> list[Vec]:
 def small(shape: Shape, scale: float) -> bool:
     """Is it too small to be seen, at so many points a unit?"""
     x0, y0, x1, y1 = shape.bounds
-    return max(x1 - x0, y1 - y0) * scale < SMALLEST
+    return max(x1 - x0, y1 - y0) * scale < MIN_SHAPE_PT
 
 
 def with_insets(layout: Layout, shapes: Sequence[tuple[str, Shape]]) -> Layout:
@@ -68,7 +68,7 @@ Wanted = tuple[str, Vec, float, AxisTest | None]  # of what, where, how long
 
 def _of_shape(name: str, shape: Shape, scale: float) -> list[Wanted]:
     if small(shape, scale):
-        x0, y0, x1, y1 = box_of([shape])
+        x0, y0, x1, y1 = bounding_box([shape])
         return [(name, Vec((x0 + x1) / 2, (y0 + y1) / 2), max(x1 - x0, y1 - y0), None)]
     if isinstance(shape, Circle):
         return []
@@ -77,7 +77,7 @@ def _of_shape(name: str, shape: Shape, scale: float) -> list[Wanted]:
     length, middle = hypot(q.x - p.x, q.y - p.y), centroid(shape)
     area = abs(sum(u.x * v.y - v.x * u.y for u, v in pairwise([Vec(c.x - p.x, c.y - p.y) for c in ring]))) / 2
     reach = max(hypot(v.x - middle.x, v.y - middle.y) for v in shape.corners)
-    if area / reach * scale > THINNEST or length * scale > SMALLEST:
+    if area / reach * scale > THINNEST or length * scale > MIN_SHAPE_PT:
         return []
     return [(f"{name}'s end", Vec((p.x + q.x) / 2, (p.y + q.y) / 2), length, None)]
 

@@ -9,23 +9,25 @@ from typing import NamedTuple
 from ..engine import describe
 from ..engine.geometry import Vec
 from ..engine.shapes import Circle, Shape, centroid
-from .caption import wrapped
-from .layout import Layout, clipped, moved, text_box
+from .caption import wrap_text
+from .layout import Layout, clip_segment, point_along, text_size
 from .marks import Limits, Mark, Which
-from .theme import DOT
+from .theme import DOT_PT
 
 Segment = tuple[Vec, Vec]
 
 LONGEST_NAME = 16  # letters
-RIM = 4.0  # points that a label keeps from the canvas's rim
+RIM_PT = 4.0  # points that a label keeps from the canvas's rim
 NEAR = 2  # how many of the distances are close by
 GRID = 12  # steps across the canvas where a label may stand anywhere
 COVERS = 1e4  # the cost of lying over a label or a dot
-LOYAL = 50.0  # what another spot must be better by before a label leaves where it stood: a guide line is no reason
+LOYAL = (
+    50.0  # what another spot must be better by before a label leaves where it last_offsets: a guide line is no reason
+)
 LEADER = 22.0  # points beyond which a label is tied to its anchor by a line
 
 
-class Request(NamedTuple):
+class LabelRequest(NamedTuple):
     """A label that wants a place near its anchor (scene units), rather towards `prefer` than elsewhere.
 
     `along`: other anchors that serve nearly as well, such as the rest of a bar.
@@ -54,18 +56,18 @@ class Request(NamedTuple):
         return self.part, self.owner, self.axis, self.number
 
 
-class Stood(NamedTuple):
-    """Where a label stood: points from its anchor, and what that spot cost by itself."""
+class LabelOffset(NamedTuple):
+    """Where a label last_offsets: points from its anchor, and what that spot cost by itself."""
 
     right: float
     up: float
     price: float
 
 
-Standing = dict[tuple[str, str, str, int | None], Stood]
+LabelOffsets = dict[tuple[str, str, str, int | None], LabelOffset]
 
 
-class Wishes(Which, total=False):
+class LabelOptions(Which, total=False):
     """What of a Request may be left out."""
 
     along: tuple[Vec, ...]
@@ -80,23 +82,23 @@ class Wishes(Which, total=False):
 
 def with_labels(
     marks: Sequence[Mark],
-    requests: Sequence[Request],
+    requests: Sequence[LabelRequest],
     layout: Layout,
     *,
     steady: bool = False,
     keep_off: Sequence[Segment] = (),
     kept: Sequence[Mark] = (),
-    stood: Standing | None = None,
+    last_offsets: LabelOffsets | None = None,
 ) -> list[Mark]:
     """The marks and a label for each request that finds a place, the most important first.
 
     `steady`: the names of shapes and vertices see only what every step has (the
     outlines, and `keep_off`: where normals will stand), so that nothing jumps.
     `kept`: labels of other steps; one that is asked for again stays where it is.
-    `stood`: how the labels stood by their anchors in the picture before, under the hand: where that is
+    `last_offsets`: how the labels last_offsets by their anchors in the picture before, under the hand: where that is
     still clear they stand so again.  It is brought up to date.
     """
-    board = Board(layout, kept, stood)
+    board = LabelPlacer(layout, kept, last_offsets)
     beside = [mark for mark in marks if mark.part in ("inset", "inset-name")]
     for mark in beside:
         _put(board, mark)
@@ -120,17 +122,17 @@ def with_labels(
         _put(board, mark)
     labels += board.labels(rest)
     labels = _uncovered(labels, requests, layout)
-    boxes = [(m.points[0], text_box(m.text, m.weight)) for m in labels if m.kind == "label"]
+    boxes = [(m.points[0], text_size(m.text, m.weight)) for m in labels if m.kind == "label"]
     return [_broken(m, boxes, layout) if m.role == "guide" and m.kind == "segment" else m for m in marks] + labels
 
 
-def _uncovered(labels: Sequence[Mark], requests: Sequence[Request], layout: Layout) -> list[Mark]:
+def _uncovered(labels: Sequence[Mark], requests: Sequence[LabelRequest], layout: Layout) -> list[Mark]:
     """The labels without those that may be left out and on which others had to be placed for want of room."""
     optional = {r.which for r in requests if r.optional}
     boxes: dict[tuple[str, str, str, int | None], Limits] = {}
     for mark in labels:
         if mark.kind == "label":
-            (x, y), size = mark.points[0], text_box(mark.text, mark.weight)
+            (x, y), size = mark.points[0], text_size(mark.text, mark.weight)
             w, h = (layout.units(side / 2) for side in size)
             boxes[mark.part, mark.owner, mark.axis, mark.number] = x - w, y - h, x + w, y + h
     must = [box for which, box in boxes.items() if which not in optional]
@@ -162,7 +164,7 @@ def name_spots(shape: Shape) -> list[Vec]:
     """Where a shape's name may stand, best first: the middle, or half way out; below a circle's center."""
     if isinstance(shape, Circle):
         turns = [k * pi / 4 - pi / 2 for k in range(8)]
-        return [moved(shape.center, Vec(cos(t), sin(t)), shape.radius * f) for f in (0.5, 0.8) for t in turns]
+        return [point_along(shape.center, Vec(cos(t), sin(t)), shape.radius * f) for f in (0.5, 0.8) for t in turns]
     middle = centroid(shape)
     outer = [*shape.corners, *(Vec((p.x + q.x) / 2, (p.y + q.y) / 2) for p, q in pairwise(shape.corners))]
     spots = [Vec(middle.x + (v.x - middle.x) * f, middle.y + (v.y - middle.y) * f) for f in (0.5, 0.75) for v in outer]
@@ -185,12 +187,12 @@ DISTANCES = (3.0, 7.0, 12.0, 18.0, 26.0, 36.0, 50.0, 70.0, 95.0, 125.0)
 DIRECTIONS = tuple(Vec(cos(k * pi / 8), sin(k * pi / 8)) for k in range(16))
 
 
-class Board:
+class LabelPlacer:
     """Places labels one by one, each at the nearest spot clear of strokes, dots, labels and the rim."""
 
-    def __init__(self, layout: Layout, kept: Sequence[Mark] = (), stood: Standing | None = None) -> None:
+    def __init__(self, layout: Layout, kept: Sequence[Mark] = (), last_offsets: LabelOffsets | None = None) -> None:
         self.layout = layout
-        self.stood: Standing = {} if stood is None else stood
+        self.last_offsets: LabelOffsets = {} if last_offsets is None else last_offsets
         self.kept = [mark for mark in kept if mark.kind == "label"]
         self.strokes: list[tuple[float, float, float, float, float]] = []  # x, y, x, y, cost of crossing it
         self.walls: list[tuple[float, float, float, float]] = []  # x, y, x, y that no name strays across
@@ -205,11 +207,11 @@ class Board:
         x, y = self._points(p)
         self.boxes.append((x - w, y - h, x + w, y + h))
 
-    def kept_at(self, request: Request) -> Vec | None:
+    def kept_at(self, request: LabelRequest) -> Vec | None:
         """Where the same label stands in another step, if that is on this canvas and free."""
         for label in self.kept:
             if (label.part, label.owner, label.axis, label.number, label.text) == (*request.which, request.text):
-                (x, y), (w, h) = self._points(label.points[0]), text_box(label.text, label.weight)
+                (x, y), (w, h) = self._points(label.points[0]), text_size(label.text, label.weight)
                 x0, y0, x1, y1 = x - w / 2 + 0.01, y - h / 2 + 0.01, x + w / 2 - 0.01, y + h / 2 - 0.01
                 lies_on = any(x0 < box[2] and box[0] < x1 and y0 < box[3] and box[1] < y1 for box in self.boxes)
                 if self._inside(x0, y0, x1, y1) and not lies_on:
@@ -218,7 +220,7 @@ class Board:
 
     def _inside(self, x0: float, y0: float, x1: float, y1: float) -> bool:
         width, height = self.layout.size
-        return x0 >= RIM and y0 >= RIM and x1 <= width - RIM and y1 <= height - RIM
+        return x0 >= RIM_PT and y0 >= RIM_PT and x1 <= width - RIM_PT and y1 <= height - RIM_PT
 
     def wall(self, p: Vec, q: Vec) -> None:
         """A line that no name strays across."""
@@ -229,7 +231,7 @@ class Board:
         scale = self.layout.scale
         return (p.x - x0) * scale, (p.y - y0) * scale
 
-    def labels(self, requests: Sequence[Request]) -> list[Mark]:
+    def labels(self, requests: Sequence[LabelRequest]) -> list[Mark]:
         """The label of each request that finds a place, in order; one far from its anchor gets a line to it."""
         found = []
         for r in requests:
@@ -245,49 +247,49 @@ class Board:
             found.append(Mark(r.part, "label", r.role, (at,), *which, text=r.text, weight=r.weight))
         return found
 
-    def _leader(self, request: Request, at: Vec) -> Vec | None:
+    def _leader(self, request: LabelRequest, at: Vec) -> Vec | None:
         """Where a line from the anchor meets the label's box; None if they are near enough without."""
-        w, h = (self.layout.units(c / 2 + 1) for c in text_box(request.text, request.weight))
+        w, h = (self.layout.units(c / 2 + 1) for c in text_size(request.text, request.weight))
         a = request.anchor
-        inside = clipped(a.x, a.y, at.x, at.y, at.x - w, at.y - h, at.x + w, at.y + h)
+        inside = clip_segment(a.x, a.y, at.x, at.y, at.x - w, at.y - h, at.x + w, at.y + h)
         if inside is None or inside[0] * hypot(at.x - a.x, at.y - a.y) < self.layout.units(LEADER):
             return None
         end = Vec(a.x + (at.x - a.x) * inside[0], a.y + (at.y - a.y) * inside[0])
         line = *self._points(a), *self._points(end)
         # the last box is the label's own; a line through another label would tie the wrong one
-        return None if any(clipped(*line, *box) and not _is_dot(box) for box in self.boxes[:-1]) else end
+        return None if any(clip_segment(*line, *box) and not _is_dot(box) for box in self.boxes[:-1]) else end
 
-    def _stay(self, request: Request) -> Vec | None:
+    def _stay(self, request: LabelRequest) -> Vec | None:
         at = self.kept_at(request)
         if at is not None:
-            w, h = text_box(request.text, request.weight)
+            w, h = text_size(request.text, request.weight)
             self.box(at, w / 2 + 2, h / 2 + 1)
         return at
 
-    def _place(self, request: Request) -> tuple[Request, Vec | None]:
+    def _place(self, request: LabelRequest) -> tuple[LabelRequest, Vec | None]:
         """The label and where it stands; in more lines where it has no room as it is, not at all if it is optional."""
         found, cost, price = self._best(request)
-        width = text_box(request.text, request.weight)[0]
+        width = text_size(request.text, request.weight)[0]
         for lines in (2, 3) if not request.optional else ():
             if cost < COVERS:
                 break
-            slim = request._replace(text=wrapped(request.text, width / lines, request.weight))
+            slim = request._replace(text=wrap_text(request.text, width / lines, request.weight))
             there, less, slim_price = self._best(slim)
             if less < cost:
                 request, found, cost, price = slim, there, less, slim_price
         x, y = self._points(request.anchor)
-        self.stood[request.which] = Stood(found[0] - x, found[1] - y, price)
+        self.last_offsets[request.which] = LabelOffset(found[0] - x, found[1] - y, price)
         return request, self._take(request, found, cost)
 
-    def _best(self, request: Request) -> tuple[tuple[float, float], float, float]:
+    def _best(self, request: LabelRequest) -> tuple[tuple[float, float], float, float]:
         """The spot in points that costs a label least, what it costs, and what of that by itself."""
-        w, h = text_box(request.text, request.weight)
+        w, h = text_size(request.text, request.weight)
         anchor = self._points(request.anchor)
         wall = request.wall and (*self._points(request.wall[0]), *self._points(request.wall[1]))
         best, found, price, loyal = float("inf"), anchor, 0.0, 0.0
         spots: Iterator[tuple[tuple[float, float], float, float]]
         spots = ((spot, penalty, 0.0) for spot, penalty in self._spots(request, w / 2, h / 2))
-        if before := self.stood.get(request.which):
+        if before := self.last_offsets.get(request.which):
             again = anchor[0] + before.right, anchor[1] + before.up
             spots = chain([(again, before.price - LOYAL, LOYAL)], spots)
         for spot, penalty, stays in spots:
@@ -311,22 +313,22 @@ class Board:
                     best, found, price = cost, spot, penalty
         return found, best, price
 
-    def _take(self, request: Request, found: tuple[float, float], cost: float) -> Vec | None:
+    def _take(self, request: LabelRequest, found: tuple[float, float], cost: float) -> Vec | None:
         """The label's center in scene units, its room taken; None for an optional one that found no clear spot."""
         if request.optional and cost >= 300:
             return None
-        w, h = text_box(request.text, request.weight)
+        w, h = text_size(request.text, request.weight)
         # what is too long for any spot stays on the canvas all the same
         width, height = self.layout.size
         cx, cy = (
-            min(max(found[0], w / 2 + RIM), width - w / 2 - RIM),
-            min(max(found[1], h / 2 + RIM), height - h / 2 - RIM),
+            min(max(found[0], w / 2 + RIM_PT), width - w / 2 - RIM_PT),
+            min(max(found[1], h / 2 + RIM_PT), height - h / 2 - RIM_PT),
         )
         self.boxes.append((cx - w / 2 - 2, cy - h / 2 - 1, cx + w / 2 + 2, cy + h / 2 + 1))
         x0, y0, _, _ = self.layout.limits
         return Vec(x0 + cx / self.layout.scale, y0 + cy / self.layout.scale)
 
-    def _spots(self, request: Request, w: float, h: float) -> Iterator[tuple[tuple[float, float], float]]:
+    def _spots(self, request: LabelRequest, w: float, h: float) -> Iterator[tuple[tuple[float, float], float]]:
         """Candidate centers in points with what each costs by itself, cheapest first."""
         x, y = self._points(request.anchor)
         if request.inside:
@@ -360,8 +362,8 @@ class Board:
         width, height = self.layout.size
         for i in range(GRID + 1):
             for j in range(GRID + 1):
-                x = RIM + w + (width - 2 * (RIM + w)) * i / GRID
-                y = RIM + h + (height - 2 * (RIM + h)) * j / GRID
+                x = RIM_PT + w + (width - 2 * (RIM_PT + w)) * i / GRID
+                y = RIM_PT + h + (height - 2 * (RIM_PT + h)) * j / GRID
                 yield (x, y), 60 + hypot(x - near[0], y - near[1]) / 10
 
     def _cost(self, spot: tuple[float, float], w: float, h: float, enough: float) -> float:
@@ -380,7 +382,7 @@ class Board:
             # most strokes are far off: that is seen before the exact look
             if (sx < x0 and tx < x0) or (sx > x1 and tx > x1) or (sy < y0 and ty < y0) or (sy > y1 and ty > y1):
                 continue
-            if clipped(sx, sy, tx, ty, x0, y0, x1, y1):
+            if clip_segment(sx, sy, tx, ty, x0, y0, x1, y1):
                 cost += price
         return cost
 
@@ -391,19 +393,19 @@ def _cross(ax: float, ay: float, bx: float, by: float, sx: float, sy: float, tx:
 
 
 def _is_dot(box: Box) -> bool:
-    return box[2] - box[0] <= DOT
+    return box[2] - box[0] <= DOT_PT
 
 
 def _around(p: Vec, q: Vec, box: Limits) -> list[tuple[Vec, Vec]]:
     """What is left of a segment outside a box."""
-    inside = clipped(*p, *q, *box)
+    inside = clip_segment(*p, *q, *box)
     if inside is None:
         return [(p, q)]
     start, end = (Vec(p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t) for t in inside)
     return [piece for piece, keep in (((p, start), inside[0] > 0), ((end, q), inside[1] < 1)) if keep]
 
 
-def _put(board: Board, mark: Mark) -> None:
+def _put(board: LabelPlacer, mark: Mark) -> None:
     """Tell the board what a mark covers."""
     points = mark.points
     if mark.part == "inset":
@@ -411,12 +413,12 @@ def _put(board: Board, mark: Mark) -> None:
         middle = Vec((x0 + x1) / 2, (y0 + y1) / 2)
         board.box(middle, (x1 - x0) / 2 * board.layout.scale, (y1 - y0) / 2 * board.layout.scale)
     elif mark.kind == "dot":
-        board.box(points[0], DOT / 2, DOT / 2)
+        board.box(points[0], DOT_PT / 2, DOT_PT / 2)
     elif mark.kind == "label":
-        width, height = text_box(mark.text, mark.weight)
+        width, height = text_size(mark.text, mark.weight)
         board.box(points[0], width / 2, height / 2)
     elif mark.kind == "disc":
-        rim = [moved(points[0], Vec(cos(k * pi / 16), sin(k * pi / 16)), mark.radius) for k in range(33)]
+        rim = [point_along(points[0], Vec(cos(k * pi / 16), sin(k * pi / 16)), mark.radius) for k in range(33)]
         for p, q in pairwise(rim):
             board.stroke(p, q, 300)
     else:

@@ -10,15 +10,15 @@ from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Shape
 from . import letters
 from .marks import Limits
-from .theme import look
+from .theme import style_of
 
 FURTHEST = 2.0**41  # sizes from the origin at which float64 still holds a shape's outline
 LONGEST = 30  # letters of a range in one line
 # all in points
-WIDTH, HEIGHT = 500.0, 400.0  # the largest canvas
+MAX_WIDTH_PT, MAX_HEIGHT_PT = 500.0, 400.0  # the largest canvas
 LEAST_WIDTH, LEAST_HEIGHT = 420.0, 190.0
 PAD = 36.0  # all round
-NARROW_PAD = 12.0  # to the left and right in a panel beside another
+NARROW_PAD_PT = 12.0  # to the left and right in a panel beside another
 HEAD = 16.0  # and above it all, for a line of words
 BRIEF = 24.0  # the width of a label that is a name alone
 LABEL_HEIGHT = 18.0  # room for a range's label on the far side of its axis
@@ -28,7 +28,7 @@ ZERO = 45.0  # and to coordinate 0, where that is no further from them
 TRACK = 5.5  # A's bar on one side of the axis, B's on the other
 
 
-def moved(p: Vec, d: Vec, t: float) -> Vec:
+def point_along(p: Vec, d: Vec, t: float) -> Vec:
     """p + t d."""
     return Vec(p.x + t * d.x, p.y + t * d.y)
 
@@ -51,7 +51,7 @@ class AxisPlace(NamedTuple):
     def at(self, t: float, role: str = "") -> Vec:
         """Coordinate t on the axis, or on A's track (towards the shapes) or B's (away from them)."""
         side = {"A": -self.track, "B": self.track}.get(role, 0.0)
-        return moved(moved(self.zero, self.n, t * self.unit), self.out, side)
+        return point_along(point_along(self.zero, self.n, t * self.unit), self.out, side)
 
 
 class Inset(NamedTuple):
@@ -104,7 +104,7 @@ class Layout(NamedTuple):
         return points / self.scale
 
 
-def box_of(shapes: Iterable[Shape]) -> Limits:
+def bounding_box(shapes: Iterable[Shape]) -> Limits:
     """The smallest upright box around the shapes."""
     boxes = [s.bounds for s in shapes]
     return (min(b[0] for b in boxes), min(b[1] for b in boxes), max(b[2] for b in boxes), max(b[3] for b in boxes))
@@ -124,7 +124,7 @@ class Group(NamedTuple):
 def arrange(
     groups: Sequence[Group],
     *,
-    largest: tuple[float, float] = (WIDTH, HEIGHT),
+    largest: tuple[float, float] = (MAX_WIDTH_PT, MAX_HEIGHT_PT),
     least: tuple[float, float] = (LEAST_WIDTH, LEAST_HEIGHT),
     pad: float = PAD,
 ) -> list[Layout]:
@@ -135,7 +135,7 @@ def arrange(
     The room around the shapes is measured in points, which need the scale, which needs
     the room: a few rounds settle it.
     """
-    x0, y0, x1, y1 = box_of([shape for group in groups for shape in group.shapes])
+    x0, y0, x1, y1 = bounding_box([shape for group in groups for shape in group.shapes])
     size = max(x1 - x0, y1 - y0)
     if not 1e-290 < size < 1e290 or max(map(abs, (x0, y0, x1, y1))) > FURTHEST * size:
         raise ValueError(
@@ -162,7 +162,7 @@ def _label_room(group: Group, test: AxisTest) -> float:
     if group.brief:
         return BRIEF
     told = number_format.of_tests(group.shapes, [test])
-    return min(max(text_box(range_label("B2", text))[0] for text in told.ranges(test)), WIDTH / 3)
+    return min(max(text_size(range_label("B2", text))[0] for text in told.ranges(test)), MAX_WIDTH_PT / 3)
 
 
 def _arranged(
@@ -200,7 +200,7 @@ def around(center: tuple[float, float], size: tuple[float, float], scale: float)
     return x - w, y - h, x + w, y + h
 
 
-def padded(layout: Layout, size: tuple[float, float]) -> Layout:
+def centered_layout(layout: Layout, size: tuple[float, float]) -> Layout:
     """The same in the middle of a canvas of that size."""
     x0, y0, x1, y1 = layout.limits
     return layout._replace(limits=around(((x0 + x1) / 2, (y0 + y1) / 2), size, layout.scale), size=size)
@@ -208,7 +208,7 @@ def padded(layout: Layout, size: tuple[float, float]) -> Layout:
 
 def _room(group: Group, places: Sequence[AxisPlace], words: Sequence[float], scale: float, beside: float) -> Limits:
     """The box of the shapes, the axes, and the labels on their far sides; a normal needs points beside its shape."""
-    x0, y0, x1, y1 = box_of(group.shapes)
+    x0, y0, x1, y1 = bounding_box(group.shapes)
     if any(test.source.shape for test in group.tests):
         x0, x1 = x0 - beside / scale, x1 + beside / scale
     ends = [place.at(t, role) for place in places for t in (place.lo, place.hi) for role in "AB"]
@@ -243,7 +243,7 @@ def _place(shapes: Sequence[Shape], test: AxisTest, scale: float, side: int, wid
         hi = 0.0
     label = abs(out.x) * wide + abs(out.y) * LABEL_HEIGHT + TRACK + 7.0
     away = far + max(CLEAR, label if wide else 0.0) / scale
-    zero = moved(Vec(out.x * away, out.y * away), n, slid)
+    zero = point_along(Vec(out.x * away, out.y * away), n, slid)
     return AxisPlace(n, out, zero, lo - BEYOND / points, hi + BEYOND / points, TRACK / scale, unit, bool(slid))
 
 
@@ -252,7 +252,7 @@ def _unit_and_slide(shapes: Sequence[Shape], n: Vec, lo: float, hi: float) -> tu
 
     What a shortcut measures may lie far from them, or take much more room; on their scale they would be lost.
     """
-    x0, y0, x1, y1 = box_of(shapes)
+    x0, y0, x1, y1 = bounding_box(shapes)
     size = max(x1 - x0, y1 - y0)
     far, near = (max(_reach(shape, d) for shape in shapes) for d in (n, Vec(-n.x, -n.y)))
     if max(-near - lo, hi - far) <= size:
@@ -261,7 +261,9 @@ def _unit_and_slide(shapes: Sequence[Shape], n: Vec, lo: float, hi: float) -> tu
     return unit, (far - near) / 2 - (lo + (hi - lo) / 2) * unit
 
 
-def place_within(layout: Layout, shapes: Sequence[Shape], test: AxisTest, near: Vec | None = None) -> AxisPlace:
+def place_axis_within(
+    layout: Layout, shapes: Sequence[Shape], test: AxisTest, last_out: Vec | None = None
+) -> AxisPlace:
     """An axis clear of the shapes on limits that are given: on the side where it fits, rather where it was before."""
     x0, y0, x1, y1 = layout.limits
     rim = layout.units(BEYOND)
@@ -274,14 +276,14 @@ def place_within(layout: Layout, shapes: Sequence[Shape], test: AxisTest, near: 
         return sum(outside(place.at(t)) for t in (min(ends[0]), max(ends[1])))
 
     places = [_place(shapes, test, layout.scale, side) for side in (-1, 1)]
-    if near is not None:
-        places.sort(key=lambda p: -(p.out.x * near.x + p.out.y * near.y))
+    if last_out is not None:
+        places.sort(key=lambda p: -(p.out.x * last_out.x + p.out.y * last_out.y))
     else:
         places.sort(key=lambda p: _awkward(shapes, test, p))
     best = min(places, key=lacking)
     step = layout.units(8.0)
     for _ in range(60):  # no room on either side: nearer, over the shapes if it must be
-        nearer = best._replace(zero=moved(best.zero, best.out, -step))
+        nearer = best._replace(zero=point_along(best.zero, best.out, -step))
         if lacking(nearer) >= lacking(best):
             break
         best = nearer
@@ -298,7 +300,7 @@ def _awkward(shapes: Sequence[Shape], test: AxisTest, place: AxisPlace) -> float
     """How little one likes an axis there: it should not widen the scene much, lie near the shape
     whose edge it comes from (so that those points drop past nothing), and rather below or left.
     """
-    x0, y0, x1, y1 = box_of(shapes)
+    x0, y0, x1, y1 = bounding_box(shapes)
     ends = place.at(place.lo), place.at(place.hi)
     xs, ys = [x0, x1, *(p.x for p in ends)], [y0, y1, *(p.y for p in ends)]
     size = max(x1 - x0, y1 - y0)
@@ -328,15 +330,15 @@ def _segments_meet(s: tuple[Vec, Vec], t: tuple[Vec, Vec]) -> bool:
 
 
 @lru_cache(maxsize=4096)
-def text_box(text: str, weight: str = "plain") -> tuple[float, float]:
+def text_size(text: str, weight: str = "plain") -> tuple[float, float]:
     """Width and height of a label in points."""
-    letter = look("label", "", weight)
+    letter = style_of("label", "", weight)
     lines = text.split("\n")
-    widest = max(letters.width(line, bold=letter.bold) for line in lines)
+    widest = max(letters.text_width(line, bold=letter.bold) for line in lines)
     return widest * letter.size, len(lines) * letter.size * 1.2
 
 
-def clipped(
+def clip_segment(
     sx: float, sy: float, tx: float, ty: float, x0: float, y0: float, x1: float, y1: float
 ) -> tuple[float, float] | None:
     """The part (from, to) of a segment inside an upright box, 0 to 1, or None.  (Liang and Barsky's clipping.)"""

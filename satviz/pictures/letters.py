@@ -6,13 +6,13 @@ from importlib.resources import files
 EM = 2048  # the tables' unit is 1/EM of the text size
 
 
-def width(line: str, *, bold: bool = False) -> float:
+def text_width(line: str, *, bold: bool = False) -> float:
     """A line's width as a part of the text size, without kerning; a letter the font lacks is a full square."""
     known = _widths("DejaVuSans-Bold" if bold else "DejaVuSans")
     return sum(known.get(ord(letter), EM) for letter in line) / EM
 
 
-def lacking(text: str) -> str:
+def missing_letters(text: str) -> str:
     """The letters of a text that the font does not have."""
     known = _widths("DejaVuSans")
     return "".join(letter for letter in text if ord(letter) not in known and letter.isprintable())

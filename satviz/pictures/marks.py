@@ -6,7 +6,7 @@ from typing import Any, NamedTuple, TypedDict
 
 from ..engine import hooks
 from ..engine.geometry import Vec
-from .theme import Look, look
+from .theme import Style, style_of
 
 Limits = tuple[float, float, float, float]
 
@@ -43,9 +43,9 @@ class Mark(NamedTuple):
         return ".".join(str(fact) for fact in known if fact not in ("", None))
 
     @property
-    def look(self) -> Look:
+    def style(self) -> Style:
         """How it is drawn."""
-        return look(self.kind, self.role, self.weight)
+        return style_of(self.kind, self.role, self.weight)
 
 
 class Which(TypedDict, total=False):
@@ -117,15 +117,15 @@ class Picture(NamedTuple):
 
 def marks_data(marks: Iterable[Mark]) -> dict[str, Any]:
     """Marks as JSON values, and their looks, which are few, in a table; what is as in a plain one is left out."""
-    looks: dict[Look, int] = {}
+    looks: dict[Style, int] = {}
     found = []
     for mark in marks:
         own = {name: value for name, value in _told(mark).items() if name not in ("kind", "role", "weight")}
-        found.append({"id": mark.id, "look": looks.setdefault(mark.look, len(looks)), **own})
-    return {"looks": [_told(look) for look in looks], "marks": found}
+        found.append({"id": mark.id, "look": looks.setdefault(mark.style, len(looks)), **own})
+    return {"looks": [_told(style_of) for style_of in looks], "marks": found}
 
 
-def _told(one: Mark | Look) -> dict[str, Any]:
+def _told(one: Mark | Style) -> dict[str, Any]:
     plain = one._field_defaults
     return {name: _listed(value) for name, value in one._asdict().items() if value != plain.get(name)}
 

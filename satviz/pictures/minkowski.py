@@ -14,8 +14,8 @@ from ..engine.shapes import Polygon, Shape
 from ..engine.trace import Trace, record
 from ..scenes.failing.plane import difference as rings
 from ..scenes.resolve import SceneLike, trace_of
-from .insets import SMALLEST
-from .layout import Group, arrange, moved
+from .insets import MIN_SHAPE_PT
+from .layout import Group, arrange, point_along
 from .marks import Picture
 from .sketch import Sketch
 
@@ -41,7 +41,7 @@ def difference(
     sketch = Sketch(record(run.a, run.b), arrange([Group([box], [])], largest=largest)[0])
     for i, ring in enumerate(found):
         sketch.add("difference", "outline", "guide", *ring, number=i)
-        if max(abs(p.x - q.x) + abs(p.y - q.y) for p in ring for q in ring[:1]) * sketch.layout.scale < SMALLEST:
+        if max(abs(p.x - q.x) + abs(p.y - q.y) for p in ring for q in ring[:1]) * sketch.layout.scale < MIN_SHAPE_PT:
             sketch.add("difference-speck", "dot", "guide", _middle(ring), number=i)
     inner = [_middle(ring) for ring in found]
     sketch.label(
@@ -63,7 +63,7 @@ def _foot(best: AxisTest, found: Sequence[Sequence[Vec]]) -> Vec:
     """How far the origin lies outside on an axis, on that axis."""
     n = best.axis.direction
     far = min((p for ring in found for p in ring), key=lambda p: abs(p.x * n.x + p.y * n.y))
-    return moved(Vec(0.0, 0.0), n, best.gap if far.x * n.x + far.y * n.y > 0 else -best.gap)
+    return point_along(Vec(0.0, 0.0), n, best.gap if far.x * n.x + far.y * n.y > 0 else -best.gap)
 
 
 def _proof(sketch: Sketch, run: Trace, best: AxisTest | None, foot: Vec) -> str:

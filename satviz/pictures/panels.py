@@ -6,7 +6,7 @@ from ..engine.geometry import Vec
 from .marks import Mark, Picture
 
 
-def grid(pictures: Sequence[Picture], columns: int, *, title: str = "", sentence: str = "") -> Picture:
+def panel_grid(pictures: Sequence[Picture], columns: int, *, title: str = "", sentence: str = "") -> Picture:
     """The pictures row by row, each in the middle of its cell; a scene unit of the whole is a point."""
     rows = [pictures[i : i + columns] for i in range(0, len(pictures), columns)]
     widths = [max(row[i].size[0] for row in rows if i < len(row)) for i in range(min(columns, len(pictures)))]
@@ -17,12 +17,14 @@ def grid(pictures: Sequence[Picture], columns: int, *, title: str = "", sentence
         top -= heights[r]
         for c, picture in enumerate(row):
             left = sum(widths[:c]) + (widths[c] - picture.size[0]) / 2
-            marks += moved_to(picture, Vec(left, top + (heights[r] - picture.size[1]) / 2), f"{r * columns + c + 1}")
+            marks += marks_moved_to(
+                picture, Vec(left, top + (heights[r] - picture.size[1]) / 2), f"{r * columns + c + 1}"
+            )
     size = sum(widths), sum(heights)
     return Picture(tuple(marks), (0.0, 0.0, *size), size, title, sentence)
 
 
-def moved_to(picture: Picture, corner: Vec, panel: str) -> list[Mark]:
+def marks_moved_to(picture: Picture, corner: Vec, panel: str) -> list[Mark]:
     """A picture's marks in points, its lower left corner there; `panel` tells them from another picture's."""
     x0, y0, _, _ = picture.limits
     scale = picture.scale

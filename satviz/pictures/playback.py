@@ -6,9 +6,9 @@ from typing import Any
 from ..engine import describe, number_format
 from ..engine.geometry import Relation
 from ..engine.trace import Trace
-from .caption import reading
+from .caption import reading_time_ms
 from .comparison import picture
-from .layout import HEIGHT, WIDTH
+from .layout import MAX_HEIGHT_PT, MAX_WIDTH_PT
 from .marks import Mark, marks_data
 from .stages import Stage, Step, steps
 
@@ -32,9 +32,12 @@ CODE_OF_PAIRS = (
 PROVED, NOT_PROVED = "the shapes collide", "no gap found (no proof of a hit)"
 
 
-MOST_STEPS = 600
-NARROW = 340.0, 340.0  # points
-NARROW_PANELS = (340.0, 680.0), (350.0, 700.0)  # one above the other; the second where the first has no room for words
+MAX_STEPS = 600
+NARROW_SIZE_PT = 340.0, 340.0  # points
+NARROW_PANEL_SIZES_PT = (
+    (340.0, 680.0),
+    (350.0, 700.0),
+)  # one above the other; the second where the first has no room for words
 MOST_WIDTH, FEW_STEPS = 430.0, 150  # points, steps
 
 
@@ -48,25 +51,25 @@ def _runs(trace: Trace) -> list[Trace]:
     return [trace] if whole.tests == trace.tests and whole.pairs == trace.pairs else [trace, whole]
 
 
-def narrow(trace: Trace) -> list[dict[str, Any]]:
+def narrow_playbacks(trace: Trace) -> list[dict[str, Any]]:
     """The same for a telephone's screen; none where it would be hardly narrower, or of very many steps."""
-    sizes = NARROW_PANELS if trace.shortcut else (NARROW,)
+    sizes = NARROW_PANEL_SIZES_PT if trace.shortcut else (NARROW_SIZE_PT,)
     largest = next((size for size in sizes if picture(trace, largest=size).size[0] <= size[0]), sizes[-1])
     if picture(trace, largest=largest).size[0] > MOST_WIDTH or len(steps(trace.without_early_exit())) > FEW_STEPS:
         return []
     return [playback(run, largest) for run in _runs(trace)]
 
 
-def playback(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> dict[str, Any]:
+def playback(trace: Trace, largest: tuple[float, float] = (MAX_WIDTH_PT, MAX_HEIGHT_PT)) -> dict[str, Any]:
     """Marks, steps, table and pseudo-code as JSON values; equal marks are stored once.
 
     steps: the marks by number, the limits, the sentence and how long it takes to read, the row of the
     table (None: no test), the lines of the code; rows: those of `rows`.  ValueError for a scene that
     cannot be drawn, or that has too many tests.
     """
-    every = played(trace)
+    every = playback_steps(trace)
     marks: dict[Mark, int] = {}
-    found, begins = [], first_rows(trace)
+    found, begins = [], first_row_numbers(trace)
     for step in every:
         drawn = picture(trace, step, largest=largest)
         ids = [marks.setdefault(mark, len(marks)) for mark in drawn.marks]
@@ -75,7 +78,7 @@ def playback(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> di
                 "marks": ids,
                 "limits": list(drawn.limits),
                 "sentence": drawn.sentence,
-                "ms": reading(drawn.sentence),
+                "ms": reading_time_ms(drawn.sentence),
                 "row": None if step.test is None else begins[step.pair or 0] + step.test,
                 "code": _lines(trace, step),
             }
@@ -89,23 +92,23 @@ def playback(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> di
         **marks_data(marks),
         "steps": [step | {"stage": s.stage.value} for step, s in zip(found, every, strict=True)],
         "names": list(trace.names),
-        "rows": rows(trace),
+        "rows": table_rows(trace),
         "asks": not trace.shortcut,  # beside what a shortcut saw stands what is
         "code": [line.format(end=PROVED if proves else NOT_PROVED) for line, _ in _code(trace)],
     }
 
 
-def played(trace: Trace) -> list[Step]:
+def playback_steps(trace: Trace) -> list[Step]:
     """The steps of a playback: of very many tests only the last stage of each; ValueError for too many tests."""
     every = steps(trace)
-    if len(every) > MOST_STEPS:
+    if len(every) > MAX_STEPS:
         every = [step for step in every if step.test is None or step.stage is Stage.GAP]
-    if len(every) > MOST_STEPS:
-        raise ValueError(f"{len(every)} tests are too many to step through: at most {MOST_STEPS}")
+    if len(every) > MAX_STEPS:
+        raise ValueError(f"{len(every)} tests are too many to step through: at most {MAX_STEPS}")
     return every
 
 
-def rows(trace: Trace) -> list[dict[str, Any]]:
+def table_rows(trace: Trace) -> list[dict[str, Any]]:
     """The table's rows: each test, then the axes left out, of each pair of parts in turn."""
     found = []
     for pair in trace.pairs or (trace,):
@@ -121,7 +124,7 @@ def rows(trace: Trace) -> list[dict[str, Any]]:
     return found
 
 
-def first_rows(trace: Trace) -> list[int]:
+def first_row_numbers(trace: Trace) -> list[int]:
     """The number of the first row of each pair of parts; of a plain pair, 0."""
     return [*accumulate((len(run.tests) + len(describe.untested(run)) for run in trace.pairs), initial=0)]
 

@@ -10,11 +10,11 @@ from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
 from ..scenes.resolve import SceneLike, trace_of
-from .caption import wrapped
-from .layout import box_of, text_box
+from .caption import wrap_text
+from .layout import bounding_box, text_size
 from .marks import Mark, Picture
 
-MOST_ROWS = 12
+MAX_ROWS = 12
 # all in points
 WIDTH, ROW, HEAD, MARGIN = 500.0, 58.0, 30.0, 12.0
 SMALL = 74.0, 48.0  # a row's small picture
@@ -43,12 +43,12 @@ def sheet(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "") -
     trace = trace_of(what, b)
     every = list(_rows(trace))
     told_first = sorted(every, key=lambda row: (-(row.made and row.test.separates), -row.made, -row.test.gap))
-    shown = [row for row in every if row in told_first[:MOST_ROWS]]
-    rest = told_first[MOST_ROWS:]
-    lines = wrapped(trace.sentence, WIDTH - 2 * MARGIN).split("\n")
+    shown = [row for row in every if row in told_first[:MAX_ROWS]]
+    rest = told_first[MAX_ROWS:]
+    lines = wrap_text(trace.sentence, WIDTH - 2 * MARGIN).split("\n")
     height = HEAD + ROW * len(shown) + (22 if rest else 0) + 16 * len(lines) + 2 * MARGIN
     top = height - HEAD
-    widest = max((text_box(line)[0] for row in shown for line, _ in _said(row)), default=0.0)
+    widest = max((text_size(line)[0] for row in shown for line, _ in _said(row)), default=0.0)
     end = min(BARS[1], WIDTH - MARGIN - widest - 8)
     marks = [_text("legend", text, role, left, top + 9, n) for n, (role, text, left) in enumerate(_legend(trace, end))]
     scale, zero = _scale([_ends(row.test) for row in shown], end)
@@ -81,7 +81,7 @@ def _rows(trace: Trace) -> list[Row]:
 def _legend(trace: Trace, end: float) -> list[tuple[str, str, float]]:
     """Whose bar is where: role, words, where they begin."""
     above, below = f"{trace.names.a} above,", f"{trace.names.b} below"
-    return [("A", above, end + 8), ("B", below, end + 12 + text_box(above)[0])]
+    return [("A", above, end + 8), ("B", below, end + 12 + text_size(above)[0])]
 
 
 def _ends(test: AxisTest) -> tuple[float, float]:
@@ -159,7 +159,7 @@ def _row(row: Row, number: int, top: float, scale: float, zero: float | None, en
 def _small(row: Row, number: int, top: float, weight: str) -> list[Mark]:
     """Both shapes and the axis's direction."""
     run, _, test, _ = row
-    x0, y0, x1, y1 = box_of([run.a, run.b])
+    x0, y0, x1, y1 = bounding_box([run.a, run.b])
     center, corner = Vec((x0 + x1) / 2, (y0 + y1) / 2), Vec(MARGIN + SMALL[0] / 2, top - ROW / 2)
     scale = 0.86 * min(SMALL[0] / ((x1 - x0) or 1.0), SMALL[1] / ((y1 - y0) or 1.0))
 
@@ -186,10 +186,10 @@ def _small(row: Row, number: int, top: float, weight: str) -> list[Mark]:
 
 def _text(part: str, text: str, role: str, left: float, y: float, number: int | None = None) -> Mark:
     """A line that begins at `left`."""
-    return Mark(part, "label", role, (Vec(left + text_box(text)[0] / 2, y),), number=number, text=text)
+    return Mark(part, "label", role, (Vec(left + text_size(text)[0] / 2, y),), number=number, text=text)
 
 
 def _cut(text: str, room: float) -> str:
-    while text_box(text)[0] > room:
+    while text_size(text)[0] > room:
         text = text[:-2] + "\u2026"
     return text

@@ -15,8 +15,8 @@ from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Polygon, Shape, centroid
 from ..engine.trace import Trace
 from .insets import edges_in, in_words, small
-from .labels import Request, Segment, Standing, Wishes, holds, name_spots, short_name, with_labels
-from .layout import LONGEST, TRACK, AxisPlace, Inset, Layout, moved, range_label
+from .labels import LabelOffsets, LabelOptions, LabelRequest, Segment, holds, name_spots, short_name, with_labels
+from .layout import LONGEST, TRACK, AxisPlace, Inset, Layout, point_along, range_label
 from .marks import Details, Mark, Picture
 
 NORMAL = 34.0  # the length of a normal's arrow, in points
@@ -35,15 +35,17 @@ class Sketch:
         self.layout = layout
         self.prefix = prefix
         self.marks: list[Mark] = []
-        self.requests: list[tuple[int, Request]] = []
+        self.requests: list[tuple[int, LabelRequest]] = []
 
     def add(self, part: str, kind: str, role: str, *points: Vec, **more: Unpack[Details]) -> None:
         """One more mark."""
         self.marks.append(Mark(part, kind, role, points, **more))
 
-    def label(self, part: str, text: str, role: str, anchor: Vec, *, first: int = 5, **more: Unpack[Wishes]) -> None:
+    def label(
+        self, part: str, text: str, role: str, anchor: Vec, *, first: int = 5, **more: Unpack[LabelOptions]
+    ) -> None:
         """Ask for a label; those with a lower `first` choose their place earlier."""
-        self.requests.append((first, Request(part, text, role, anchor, **more)))
+        self.requests.append((first, LabelRequest(part, text, role, anchor, **more)))
 
     # -- shapes
 
@@ -61,7 +63,7 @@ class Sketch:
         if named:
             other = self.trace.b if role == "A" else self.trace.a
             spot, *along = sorted(name_spots(shape), key=lambda p: holds(other, p))
-            wish: Wishes = {"owner": name, "along": tuple(along), "inside": True, "steady": True}
+            wish: LabelOptions = {"owner": name, "along": tuple(along), "inside": True, "steady": True}
             wish |= {"weight": "plain" if quiet else "title", "optional": quiet, "near": quiet}
             self.label("name", name, role, spot, **wish)
 
@@ -146,7 +148,7 @@ class Sketch:
             v = polygon.vertices[i]
             self.add("vertex", "dot", role, v, owner=name, number=i)
             away = Vec(v.x - middle.x, v.y - middle.y)
-            wish: Wishes = {"owner": name, "number": i, "prefer": away, "optional": True, "steady": True}
+            wish: LabelOptions = {"owner": name, "number": i, "prefer": away, "optional": True, "steady": True}
             self.label("vertex-name", short_name(polygon, name, i), as_role or role, v, first=4, **wish)
 
     def corners(self, of: Collection[str | None] = "AB", *, as_role: str = "") -> None:
@@ -198,7 +200,7 @@ class Sketch:
             start = self.middle(*self.joined(test))
         else:
             return None
-        return start, moved(start, self.way_of(test), self.layout.units(NORMAL))
+        return start, point_along(start, self.way_of(test), self.layout.units(NORMAL))
 
     def way_of(self, test: AxisTest) -> Vec:
         """The axis's direction as it is drawn where it comes from: a normal points out of its shape."""
@@ -227,8 +229,8 @@ class Sketch:
         """The mark in the corner between an edge and its normal."""
         size = self.layout.units(RIGHT_ANGLE)
         along = Vec(-way.y, way.x)
-        up, side = moved(foot, way, size), moved(foot, along, size)
-        corner = moved(up, along, size)
+        up, side = point_along(foot, way, size), point_along(foot, along, size)
+        corner = point_along(up, along, size)
         self.add("right-angle", "segment", "ink", up, corner, corner, side)
 
     def no_axis(self, test: AxisTest) -> None:
@@ -246,7 +248,7 @@ class Sketch:
             if isinstance(shape, Polygon):
                 ring = shape.corners
                 for i, (p, q) in enumerate(zip(ring, [*ring[1:], ring[0]], strict=True)):
-                    tip = moved(self.middle(p, q), self.outward(shape, p, q), self.layout.units(NORMAL * 0.8))
+                    tip = point_along(self.middle(p, q), self.outward(shape, p, q), self.layout.units(NORMAL * 0.8))
                     self.add("normal", "arrow", role, self.middle(p, q), tip, owner=name, number=i)
 
     def middle(self, p: Vec, q: Vec) -> Vec:
@@ -284,9 +286,9 @@ class Sketch:
             self.label("axis-name", text, "ink", place.at(place.hi), axis=self.on(test), prefer=place.n, first=3)
         if place.lo < 0 < place.hi:
             half = self.layout.units(ZERO_TICK)
-            ends = (moved(place.at(0.0), place.out, side * half) for side in (-1, 1))
+            ends = (point_along(place.at(0.0), place.out, side * half) for side in (-1, 1))
             self.add("zero", "segment", "ink", *ends, axis=self.on(test))
-            wish: Wishes = {"axis": self.on(test), "prefer": place.out, "optional": True}
+            wish: LabelOptions = {"axis": self.on(test), "prefer": place.out, "optional": True}
             self.label("zero-name", "0", "ink", place.at(0.0), first=7, **wish)
 
     def drops(self, test: AxisTest, place: AxisPlace, role: str, *, ends_only: bool, named: bool) -> None:
@@ -351,7 +353,7 @@ class Sketch:
         spot, *along = (Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for f in (0.5, 0.3, 0.7, 0.1, 0.9))
         text = text if numbers else name
         wall = place.at(place.lo), place.at(place.hi)  # on its own side of the axis
-        wish: Wishes = {"owner": name, "axis": self.on(test), "along": tuple(along), "prefer": out, "wall": wall}
+        wish: LabelOptions = {"owner": name, "axis": self.on(test), "along": tuple(along), "prefer": out, "wall": wall}
         self.label("range-name", text, role, spot, first=1, **wish)
 
     def gap(self, test: AxisTest, place: AxisPlace, *, named: bool = True, interval: bool = True) -> None:
@@ -361,7 +363,7 @@ class Sketch:
             span = Interval(*((a.hi, b.lo) if a.hi <= b.lo else (b.hi, a.lo)))
             near, far = (self.layout.units(c) for c in BRACKET)
             ends = tuple(place.at(t) for t in span)
-            points = tuple(moved(ends[i], place.out, c) for i, c in ((0, near), (0, far), (1, far), (1, near)))
+            points = tuple(point_along(ends[i], place.out, c) for i, c in ((0, near), (0, far), (1, far), (1, near)))
             role, kind = "gap", "bracket"
         else:
             ends = points = tuple(place.at(t) for t in Interval(max(a.lo, b.lo), min(a.hi, b.hi)))
@@ -397,7 +399,7 @@ class Sketch:
             if abs(u) > 1e-12:
                 near, far = sorted(((lo - p) / u, (hi - p) / u))
                 start, end = max(start, near), min(end, far)
-        ends = moved(through, d, start), moved(through, d, end)
+        ends = point_along(through, d, start), point_along(through, d, end)
         self.add(part, "segment", role, *ends, number=number)
         return ends
 
@@ -418,7 +420,7 @@ class Sketch:
             if kind in (EDGE, HULL) and not self.crowded(self.of(owner)[1]):
                 _, polygon = self.polygon(owner)
                 p, q = (polygon.vertices[j] for j in ids)
-                tip = moved(self.middle(p, q), self.outward(polygon, p, q), self.layout.units(NORMAL * 0.6))
+                tip = point_along(self.middle(p, q), self.outward(polygon, p, q), self.layout.units(NORMAL * 0.6))
                 self.add("untested", "arrow", "guide", self.middle(p, q), tip, number=n)
         names = [describe.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names) for axis in left]
         if len(names) > 8:
@@ -439,10 +441,12 @@ class Sketch:
         *,
         steady: bool = True,
         kept: Sequence[Mark] = (),
-        stood: Standing | None = None,
+        last_offsets: LabelOffsets | None = None,
     ) -> Picture:
         """Place the labels and close the picture; what may change where they stand: see `with_labels`."""
         requests = [request for _, request in sorted(self.requests, key=lambda r: r[0])]
         keep_off = [arrow for arrow in map(self.normal_arrow, self.trace.tests) if arrow]
-        marks = with_labels(self.marks, requests, self.layout, steady=steady, keep_off=keep_off, kept=kept, stood=stood)
+        marks = with_labels(
+            self.marks, requests, self.layout, steady=steady, keep_off=keep_off, kept=kept, last_offsets=last_offsets
+        )
         return Picture(tuple(marks), self.layout.limits, self.layout.size, title, sentence)

@@ -14,7 +14,7 @@ from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace, record
 from ..scenes.resolve import RUNS, SceneLike, trace_of
 from .insets import with_insets
-from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, moved, padded
+from .layout import MAX_HEIGHT_PT, MAX_WIDTH_PT, AxisPlace, Group, Layout, arrange, centered_layout, point_along
 from .marks import Mark, Picture
 from .sketch import Sketch
 
@@ -36,7 +36,7 @@ class Stage(StrEnum):
 
 MOST_LINES = 4  # between parts, in one picture
 FEW_PARTS = 3  # more have their names in small
-OF_A_TEST = (Stage.EDGE, Stage.NORMAL, Stage.AXIS, Stage.DROPS, Stage.RANGE, Stage.BOTH, Stage.GAP)
+TEST_STAGES = (Stage.EDGE, Stage.NORMAL, Stage.AXIS, Stage.DROPS, Stage.RANGE, Stage.BOTH, Stage.GAP)
 
 
 class Step(NamedTuple):
@@ -62,7 +62,7 @@ def steps(what: SceneLike) -> list[Step]:
 
 def _stages(trace: Trace, test: int) -> Sequence[Stage]:
     """World axes and the like come from no edge."""
-    return OF_A_TEST[2:] if trace.tests[test].source.kind in (WORLD, GIVEN, ANY, CENTROIDS) else OF_A_TEST
+    return TEST_STAGES[2:] if trace.tests[test].source.kind in (WORLD, GIVEN, ANY, CENTROIDS) else TEST_STAGES
 
 
 def picture(
@@ -70,7 +70,7 @@ def picture(
     step: int | Step = -1,
     *,
     title: str = "",
-    largest: tuple[float, float] = (WIDTH, HEIGHT),
+    largest: tuple[float, float] = (MAX_WIDTH_PT, MAX_HEIGHT_PT),
     by_itself: bool = False,
 ) -> Picture:
     """The picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
@@ -78,8 +78,8 @@ def picture(
     `largest`: the canvas in points at most.  All steps have one scale and one canvas; `by_itself` cuts it to
     what this step shows.  IndexError for a step the trace does not have.
     """
-    step = chosen(trace, step)
-    layout = frames(trace, largest, by_itself)[_frame(trace, step)]
+    step = resolve_step(trace, step)
+    layout = step_layouts(trace, largest, by_itself)[_frame(trace, step)]
     return _drawn(trace, step, layout, _kept(trace, step, largest, by_itself), title)
 
 
@@ -88,20 +88,20 @@ def _drawn(trace: Trace, step: Step, layout: Layout, kept: Sequence[Mark], title
     run = trace if step.pair is None else trace.pairs[step.pair]
     sketch = Sketch(run, layout)
     if step.pair is not None:
-        others(sketch, trace, run)
+        draw_other_parts(sketch, trace, run)
     if step.test is not None:
         draw_test(sketch, step.stage, step.test, layout.places[0] if layout.places else None)
     elif step.stage is Stage.PARTS:
         draw_parts(sketch)
     else:
         draw_verdict(sketch, layout.places) if step.stage is Stage.VERDICT else sketch.shapes()
-    return sketch.finish(title, sentence(run, step), steady=step.stage is not Stage.VERDICT, kept=kept)
+    return sketch.finish(title, step_sentence(run, step), steady=step.stage is not Stage.VERDICT, kept=kept)
 
 
-BEFORE_THE_AXIS = Stage.SCENE, Stage.PARTS, Stage.EDGE, Stage.NORMAL
+STAGES_BEFORE_AXIS = Stage.SCENE, Stage.PARTS, Stage.EDGE, Stage.NORMAL
 
 
-def chosen(trace: Trace, step: int | Step) -> Step:
+def resolve_step(trace: Trace, step: int | Step) -> Step:
     """A step by its number in `steps(trace)`, or itself; IndexError for one the trace does not have."""
     every = steps(trace)
     if not isinstance(step, Step):
@@ -116,7 +116,9 @@ def chosen(trace: Trace, step: int | Step) -> Step:
 
 
 @lru_cache(maxsize=64)
-def frames(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT), by_themselves: bool = False) -> list[Layout]:
+def step_layouts(
+    trace: Trace, largest: tuple[float, float] = (MAX_WIDTH_PT, MAX_HEIGHT_PT), by_themselves: bool = False
+) -> list[Layout]:
     """A frame for the shapes, one for each test with its axis, one for the verdict; all at one scale.
 
     And all on one canvas, unless each is to be shown by itself.
@@ -130,12 +132,12 @@ def frames(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT), by_them
     if by_themselves:
         return found
     size = max(layout.size[0] for layout in found), max(layout.size[1] for layout in found)
-    return [padded(layout, size) for layout in found]
+    return [centered_layout(layout, size) for layout in found]
 
 
 def _frame(trace: Trace, step: Step) -> int:
     """Which of the frames a step has."""
-    if step.stage in BEFORE_THE_AXIS:
+    if step.stage in STAGES_BEFORE_AXIS:
         return 0
     if step.test is None:
         return -1
@@ -145,12 +147,12 @@ def _frame(trace: Trace, step: Step) -> int:
 @lru_cache(maxsize=64)
 def _kept(trace: Trace, step: Step, largest: tuple[float, float], by_itself: bool) -> tuple[Mark, ...]:
     """The labels of the step that a step leads up to: it has most to show, so that nothing jumps on the way to it."""
-    fuller = {Stage.EDGE: Stage.NORMAL} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
+    fuller = {Stage.EDGE: Stage.NORMAL} | dict.fromkeys(TEST_STAGES[2:-1], Stage.GAP)
     if step.stage is Stage.VERDICT or step.stage is Stage.SCENE:
         return ()
     next_one = fuller.get(step.stage)
     there = step._replace(stage=next_one) if next_one else Step(Stage.SCENE, None, step.pair)
-    layout = frames(trace, largest, by_itself)[_frame(trace, there)]
+    layout = step_layouts(trace, largest, by_itself)[_frame(trace, there)]
     return _drawn(trace, there, layout, _kept(trace, there, largest, by_itself), "").labels
 
 
@@ -158,14 +160,14 @@ def _moved_too(trace: Trace) -> list[Shape]:
     """The shapes, and where the verdict moves B to, which must fit too."""
     shapes: list[Shape] = [trace.a, trace.b]
     move = trace.known_mtv
-    return shapes if move is None else [*shapes, shifted(trace.b, move)]
+    return shapes if move is None else [*shapes, moved_shape(trace.b, move)]
 
 
-def shifted(shape: Shape, move: Vec) -> Shape:
+def moved_shape(shape: Shape, move: Vec) -> Shape:
     """The shape moved, rounded: for drawing only."""
     if isinstance(shape, Circle):
-        return Circle(moved(shape.center, move, 1.0), shape.radius)
-    return type(shape)([moved(v, move, 1.0) for v in shape.vertices], shape.labels)
+        return Circle(point_along(shape.center, move, 1.0), shape.radius)
+    return type(shape)([point_along(v, move, 1.0) for v in shape.vertices], shape.labels)
 
 
 def first_role(trace: Trace, test: int) -> str:
@@ -177,12 +179,12 @@ def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace | None) -> 
     """One test as far as the stage goes."""
     trace = sketch.trace
     test = trace.tests[i]
-    done = OF_A_TEST.index(stage)
+    done = TEST_STAGES.index(stage)
     sketch.shapes()
     if not any(test.axis.normal):
         return sketch.no_axis(test)
     sketch.edge(test, told=stage in (Stage.EDGE, Stage.NORMAL))
-    if Stage.NORMAL in OF_A_TEST[: done + 1]:
+    if Stage.NORMAL in TEST_STAGES[: done + 1]:
         sketch.normal(test, told=stage in (Stage.NORMAL, Stage.AXIS))
     if place is None:
         return
@@ -204,7 +206,7 @@ def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace | None) -> 
         sketch.note("conclusion", describe.conclusion(trace, i), "ink", first=3)
 
 
-def others(sketch: Sketch, whole: Trace, run: Trace) -> None:
+def draw_other_parts(sketch: Sketch, whole: Trace, run: Trace) -> None:
     """The parts that this pair leaves aside, faintly."""
     for role, name, shape in zip("AB", whole.names, (whole.a, whole.b), strict=True):
         for part, part_name in named_parts(shape, name):
@@ -234,7 +236,7 @@ def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace], *, told: bool = Tr
     elif told:
         sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
     if isinstance(certificate, SeparatingLine):
-        separating_line(sketch, certificate)
+        draw_separating_line(sketch, certificate)
         if trace.separating:
             sketch.project(trace.separating, places[0], drops=False)
     elif isinstance(certificate, SharedPoint):
@@ -280,14 +282,14 @@ def draw_move(sketch: Sketch) -> None:
 
 def draw_mtv(sketch: Sketch, start: Vec, move: Vec) -> None:
     """The move from a point in both, and B there."""
-    ghost = shifted(sketch.trace.b, move)
+    ghost = moved_shape(sketch.trace.b, move)
     sketch.shape("B", f"{sketch.trace.names.b} moved", ghost, weight="faint", named=False)
-    tip = moved(start, move, 1.0)
+    tip = point_along(start, move, 1.0)
     sketch.add("mtv", "arrow", "move", start, tip, start=(start,))
     sketch.label("mtv-name", f"MTV {describe.digits(sketch.trace).vector(move)}", "move", tip, prefer=move, first=3)
 
 
-def separating_line(sketch: Sketch, certificate: SeparatingLine, text: str = "separating line") -> None:
+def draw_separating_line(sketch: Sketch, certificate: SeparatingLine, text: str = "separating line") -> None:
     """The certificate's line across the canvas."""
     ends = sketch.line_across("line", certificate.point, _unit(certificate), "gap")
     low, high = sorted(ends, key=lambda p: p.y)
@@ -303,7 +305,7 @@ def _unit(certificate: SeparatingLine) -> Vec:
     return Vec(x / length, y / length)
 
 
-def sentence(trace: Trace, step: Step) -> str:
+def step_sentence(trace: Trace, step: Step) -> str:
     """What a step shows, in words made from the trace."""
     stage = step.stage
     if step.test is not None:

@@ -38,18 +38,18 @@ THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
 
 OUTLINE, STRONG, BAR, OVERLAP_BAR, GUIDE, SEGMENT, AXIS = 2.0, 4.0, 4.0, 5.0, 1.0, 1.5, 1.2
 FILL, FAINT = 0.15, 0.55  # opacities
-DOT = 6.5  # a dot's width
+DOT_PT = 6.5  # a dot's width
 HEAD = 8.0, 6.0  # an arrow head's length and width
 STRONG_HEAD = 15.0, 11.0
 DASH = 4.0, 2.0  # B's edges, in line widths
 DOTTED = 1.0, 2.2
-TEXT = 11.0
+TEXT_PT = 11.0
 TITLE_TEXT = 15.0  # the names of the shapes
 # lines lie on top of each other in this order: what guides, the shapes, then what the step is about
 LAYERS = {"guide": 0, "faint": 1, "plain": 2, "strong": 3, "interval": 4, "bracket": 5}
 
 
-class Look(NamedTuple):
+class Style(NamedTuple):
     """How every pen draws a mark: finished numbers, lengths in points."""
 
     kind: str
@@ -66,18 +66,18 @@ class Look(NamedTuple):
 
 
 @cache
-def look(kind: str, role: str, weight: str) -> Look:
+def style_of(kind: str, role: str, weight: str) -> Style:
     """The look of a mark of that kind, role and weight."""
     faint, strong = weight == "faint", weight == "strong"
     if kind == "label":
         bold = weight == "title"
-        return Look(kind, role, size=TITLE_TEXT if bold else TEXT, bold=bold)
+        return Style(kind, role, size=TITLE_TEXT if bold else TEXT_PT, bold=bold)
     if kind == "dot":
         square = role == "B"
-        return Look(kind, role, size=DOT * 0.9 if square else DOT, square=square)
-    line = Look(kind, role, LAYERS.get(kind, LAYERS[weight]), OUTLINE, opacity=FAINT if faint else 1.0)
+        return Style(kind, role, size=DOT_PT * 0.9 if square else DOT_PT, square=square)
+    line = Style(kind, role, LAYERS.get(kind, LAYERS[weight]), OUTLINE, opacity=FAINT if faint else 1.0)
     if kind == "outline" and role == "wrong":
-        return Look(kind, role, fill=FILL * 2)  # an area, and no line: what lies side by side shows no seam
+        return Style(kind, role, fill=FILL * 2)  # an area, and no line: what lies side by side shows no seam
     if kind in ("outline", "disc"):
         fill = FILL / 3 if faint else FILL
         return line._replace(width=GUIDE if faint else OUTLINE, dash=DASH if role == "B" else (), fill=fill)

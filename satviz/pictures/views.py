@@ -10,17 +10,17 @@ from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape
 from ..engine.trace import Trace, record
-from .labels import Wishes, short_name
-from .layout import Group, arrange, moved
+from .labels import LabelOptions, short_name
+from .layout import Group, arrange, point_along
 from .marks import Picture
-from .panels import grid
+from .panels import panel_grid
 from .sketch import Sketch
-from .stages import draw_parts, frames, separating_line
+from .stages import draw_parts, draw_separating_line, step_layouts
 
 PANEL = 262.0, 250.0  # points of a small picture
 
 
-def alone(shape: Shape) -> Picture:
+def single_shape(shape: Shape) -> Picture:
     """One shape by itself."""
     sketch = Sketch(record(shape, shape, axes=Choice(())), arrange([Group([shape])])[0])
     sketch.shape("A", "A", shape, named=False)
@@ -31,7 +31,7 @@ def alone(shape: Shape) -> Picture:
 
 def normals(trace: Trace, *, title: str = "") -> Picture:
     """Both shapes with an outward normal on every edge."""
-    sketch = Sketch(trace, frames(trace, by_themselves=True)[0])
+    sketch = Sketch(trace, step_layouts(trace, by_themselves=True)[0])
     sketch.shapes()
     sketch.all_normals()
     count = sum(mark.kind == "arrow" for mark in sketch.marks)
@@ -67,7 +67,7 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
     """The separating axis and the separating line, each named: the line runs across the axis."""
     test, certificate = trace.separating, trace.certificate
     assert test and isinstance(certificate, SeparatingLine)  # it is for shapes that an axis separates
-    layout = frames(trace, by_themselves=True)[-1]
+    layout = step_layouts(trace, by_themselves=True)[-1]
     sketch = Sketch(trace, layout)
     sketch.shapes()
     (place,) = layout.places
@@ -80,7 +80,7 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
         sketch.range(test, place, role)
     sketch.gap(test, place)
     line = certificate.equation
-    separating_line(sketch, certificate, f"separating line: {line}")
+    draw_separating_line(sketch, certificate, f"separating line: {line}")
     return sketch.finish(
         title, f"The separating axis is {name}; the separating line {line} runs across it, through the gap."
     )
@@ -90,7 +90,7 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
     """Two circles: radius, gap (or overlap) and radius along the line of centers, and the same on the axis."""
     a, b, test = trace.a, trace.b, trace.tests[0]
     assert isinstance(a, Circle) and isinstance(b, Circle)
-    layout = frames(trace, by_themselves=True)[1]
+    layout = step_layouts(trace, by_themselves=True)[1]
     sketch = Sketch(trace, layout)
     told = describe.digits(trace, test)
     (place,) = layout.places
@@ -98,7 +98,7 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
     way = Vec(q.x - p.x, q.y - p.y)
     size = hypot(*way) or 1.0
     n = Vec(way.x / size, way.y / size)
-    rims = moved(p, n, a.radius), moved(q, n, -b.radius)
+    rims = point_along(p, n, a.radius), point_along(q, n, -b.radius)
     sketch.shapes()
     above = Vec(-n.y, n.x) if n.x > 0 else Vec(n.y, -n.x)
     for role, circle, rim in ("A", a, rims[0]), ("B", b, rims[1]):
@@ -146,7 +146,7 @@ def each_axis(trace: Trace, *, title: str = "") -> Picture:
         sketch.note("verdict", f"axis {i + 1}, {kind}: {says}", "ink", first=1)
         panels.append(sketch.finish("", ""))
     tests = " ".join(describe.test(trace, i) for i in range(len(trace.tests)))
-    return grid(panels, 2, title=title, sentence=f"{tests} {trace.sentence}")
+    return panel_grid(panels, 2, title=title, sentence=f"{tests} {trace.sentence}")
 
 
 def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title: str = "") -> Picture:
@@ -206,7 +206,7 @@ def failed_axes(trace: Trace, *, most: int = 3, title: str = "") -> Picture:
         sketch.axis(test, place, told=False)
         kind = "normal of the hull alone" if test.source.kind == HULL and not _is_edge(trace, test) else "edge normal"
         text = f"axis, {kind}\ngap {told.signed(test.gap)}"
-        wish: Wishes = {"axis": sketch.on(test), "along": (place.at(place.lo),), "prefer": place.n}
+        wish: LabelOptions = {"axis": sketch.on(test), "along": (place.at(place.lo),), "prefer": place.n}
         sketch.label("axis-caption", text, "ink", place.at(place.hi), first=1, **wish)
         for role in "AB":
             sketch.range(test, place, role, numbers=False)
@@ -236,13 +236,13 @@ def _distance(sketch: Sketch, pair: Trace, test: AxisTest, number: int) -> None:
     end = test.a.interval.hi if sign > 0 else test.a.interval.lo
     facing = [p for p, t in zip(test.a.points, test.a.landings, strict=True) if t == end]
     start = Vec(sum(p.x for p in facing) / len(facing), sum(p.y for p in facing) / len(facing))
-    stop = moved(start, test.axis.direction, sign * test.gap)
+    stop = point_along(start, test.axis.direction, sign * test.gap)
     sketch.add("distance", "segment", "gap", start, stop, weight="strong", number=number)
     text = describe.digits(pair, test).gap(test.gap)
     sketch.label("distance-name", text, "gap", sketch.middle(start, stop), number=number, first=0)
 
 
-def split(trace: Trace, *, title: str = "") -> Picture:
+def convex_parts(trace: Trace, *, title: str = "") -> Picture:
     """Concave outlines as their parts, each part pair with the axis that separates it."""
     tests = [pair.separating for pair in trace.pairs]
     (layout,) = arrange([Group([trace.a, trace.b], [t for t in tests if t])])

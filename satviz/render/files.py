@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 
 from ..engine import describe
 from ..pictures import LIGHT, Picture, Theme
-from ..pictures.caption import reading
+from ..pictures.caption import reading_time_ms
 from ..safe_write import MADE_BY
 from .fonts import families
 from .pen import Pen
@@ -134,7 +134,7 @@ def animate(pictures: Sequence[Picture], theme: Theme = LIGHT) -> bytes:
             frame = Image.frombuffer("RGBA", size, agg.buffer_rgba(), "raw", "RGBA", 0, 1)
             frames.append(frame.convert("RGB").quantize(128, dither=Image.Dither.NONE))
     out = io.BytesIO()
-    times = [reading(picture.sentence) for picture in pictures]
+    times = [reading_time_ms(picture.sentence) for picture in pictures]
     times[-1] += LAST
     comment = f"{MADE_BY}. {pictures[-1].sentence}".encode()
     frames[0].save(

@@ -15,7 +15,7 @@ OWN = "DejaVu Sans"
 def families(texts: Iterable[str], form: str) -> list[str]:
     """The fonts to write these texts in, for a file of that form; a warning names letters that no font here has."""
     found, without = [OWN], ""
-    for letter in sorted(set(letters.lacking("".join(texts)))):
+    for letter in sorted(set(letters.missing_letters("".join(texts)))):
         family = _with(letter)
         if family is None:
             without += letter

@@ -11,7 +11,7 @@ from ..engine.shapes import Shape
 from ..pictures import DARK, LIGHT, picture
 from ..pictures.claims import heading
 from ..pictures.comparison import refused
-from ..pictures.playback import NARROW, narrow, playbacks
+from ..pictures.playback import NARROW_SIZE_PT, narrow_playbacks, playbacks
 from ..safe_write import MADE_BY
 from ..scenes.failing import FailureCase
 from ..scenes.resolve import SceneLike, refused_case, trace_of
@@ -61,7 +61,7 @@ def page(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "", pr
     script = javascript("player", "arrows") + START
     policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_hash(script)}'; "
     policy += "img-src blob:; base-uri 'none'"  # a picture on its way to a PNG
-    show = {"predict": predict, "shows": shows, "narrow": narrow(trace)}
+    show = {"predict": predict, "shows": shows, "narrow": narrow_playbacks(trace)}
     data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
     first, last = (picture(trace, i) for i in (0, -1))
     sentences = [s["sentence"] for s in shows[0]["steps"]]
@@ -104,7 +104,7 @@ def _page(title: str, about: str, policy: str, body: Sequence[str]) -> str:
 
 def _refused(row: FailureCase) -> str:
     """A page without a script: the picture as wide as a telephone, in the colours of the reader's screen."""
-    drawn = refused(row, width=NARROW[0])
+    drawn = refused(row, width=NARROW_SIZE_PT[0])
     figures = (f'<figure class="sv-{t.name}">{inline_svg(drawn, t, stem=t.name)}</figure>' for t in (LIGHT, DARK))
     body = ['<section class="sv-static">', *figures, "</section>", f"<footer>{MADE_BY}</footer>"]
     policy = "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'"

@@ -12,7 +12,7 @@ import traitlets
 
 from ..engine import describe
 from ..pictures import LIGHT, Picture
-from ..pictures.caption import captioned
+from ..pictures.caption import add_captions
 from ..render.files import animate, encode
 from ..render.notebook import bundle
 from ..render.script import stylesheet
@@ -65,7 +65,7 @@ class Shown(anywidget.AnyWidget):
             self.send({"kind": "refused", "why": str(error)})
             return
         if drawn:
-            data = animate(captioned(drawn)) if form == "gif" else encode(drawn[0], str(form), LIGHT)
+            data = animate(add_captions(drawn)) if form == "gif" else encode(drawn[0], str(form), LIGHT)
             self.send({"kind": "file", "name": f"satviz.{form}"}, [data])
 
     def _answer(self, content: dict[str, Any]) -> None:
@@ -101,7 +101,7 @@ def still(widget: Any) -> dict[str, str]:
     As HTML too, which exported pages prefer: a bare picture gets no alt text there.
     """
     drawn, said = widget.picture(), describe.printable(repr(widget))
-    svg = bundle(captioned([drawn])[0])["image/svg+xml"]
+    svg = bundle(add_captions([drawn])[0])["image/svg+xml"]
     source = f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
     img = f'<img alt="{escape(describe.printable(drawn.sentence))}" src="{source}">'
     return {"text/plain": said, "text/html": img, "image/svg+xml": svg}

@@ -8,7 +8,7 @@ from ..engine.shapes import Shape
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
 from ..pictures.comparison import refused
-from ..pictures.playback import narrow, playbacks
+from ..pictures.playback import narrow_playbacks, playbacks
 from ..render.script import javascript
 from ..scenes.link import of_trace
 from ..scenes.resolve import SceneLike, refused_case, trace_of
@@ -31,7 +31,11 @@ class Player(Shown):
 
     def __init__(self, trace: Trace, *, predict: bool = False) -> None:
         super().__init__(
-            PlayerModel(trace), shows=playbacks(trace), narrow=narrow(trace), predict=predict, link=of_trace(trace)
+            PlayerModel(trace),
+            shows=playbacks(trace),
+            narrow=narrow_playbacks(trace),
+            predict=predict,
+            link=of_trace(trace),
         )
 
     def picture(self) -> Picture:

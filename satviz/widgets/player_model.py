@@ -4,7 +4,7 @@ from typing import Any
 
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
-from ..pictures.playback import played
+from ..pictures.playback import playback_steps
 
 
 class PlayerModel:
@@ -32,5 +32,5 @@ class PlayerModel:
         if form != "gif" and not isinstance(step, int):
             return [self.picture()]
         trace = self.trace.without_early_exit() if content.get("which") else self.trace
-        every = played(trace)
+        every = playback_steps(trace)
         return [picture(trace, s) for i, s in enumerate(every) if form == "gif" or i == step]
