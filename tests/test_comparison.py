@@ -12,11 +12,12 @@ import satviz as sv
 from satviz.cli import main
 from satviz.engine.number_format import plain
 from satviz.pictures import comparison, comparison_panels
-from satviz.pictures.labels import LabelPlacer, LabelRequest
-from satviz.pictures.layout import Layout, text_size
+from satviz.pictures.float_geometry import moved_shape
+from satviz.pictures.label_placer import LabelPlacer, LabelRequest
+from satviz.pictures.layout import Layout
+from satviz.pictures.letters import text_size
 from satviz.pictures.marks import Picture
 from satviz.pictures.playback import NARROW_PANEL_SIZES_PT, narrow_playbacks
-from satviz.pictures.stages import moved_shape
 from satviz.scenes.article import box
 from satviz.scenes.failing import FAILURE_CASES, NAMED, REFUSED, true_value
 from satviz.scenes.shortcuts import NAMED as SHORTCUTS

@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 from refresh_widths import FACES, TABLES, table, widths
 
 from satviz.pictures import letters, theme
-from satviz.pictures.layout import text_size
+from satviz.pictures.letters import text_size
 from satviz.render.files import styled
 
 WORDS = ["A", "B", "overlapping", "this axis shows no gap", "B [-0.832, 4.715]", "gap +1.213", "Ångström ≤ 45°, Ω → ∞"]

@@ -18,8 +18,9 @@ from satviz.pictures import LIGHT, THEMES, Mark, Stage, Step
 from satviz.pictures.curve import unit_vector
 from satviz.pictures.drag import KNOB_RADIUS_PT, decisive_test, drag_layout, drag_picture, free_axis_picture
 from satviz.pictures.figures import FIGURES
-from satviz.pictures.labels import RIM_PT, clip_segment
-from satviz.pictures.layout import text_size
+from satviz.pictures.float_geometry import clip_segment
+from satviz.pictures.label_placer import RIM_PT
+from satviz.pictures.letters import text_size
 from satviz.pictures.playback import first_row_numbers, table_rows
 from satviz.pictures.theme import CHART_ROLES, DOT_PT, PICTURE_ROLES
 from satviz.pictures.views import convex_parts

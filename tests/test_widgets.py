@@ -13,8 +13,9 @@ import satviz as sv
 from satviz.engine.geometry import InvalidScene, Relation
 from satviz.pictures import playback
 from satviz.pictures.caption import add_captions
-from satviz.pictures.labels import LabelPlacer, _put
-from satviz.pictures.layout import Layout, text_size
+from satviz.pictures.label_placer import LabelPlacer
+from satviz.pictures.layout import Layout
+from satviz.pictures.letters import text_size
 from satviz.render.notebook import bundle
 from satviz.scenes.article import box
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
@@ -539,7 +540,7 @@ def test_no_name_jumps_under_the_hand_without_a_reason(name):
             board = LabelPlacer(Layout(drawn.limits, drawn.size, ()))
             for mark in drawn.marks:
                 if mark.part != f"{which[0]}-leader" and which_of(mark) != which:
-                    _put(board, mark)
+                    board.cover(mark)
             at, (w, h) = labels[which].points[0], text_size(labels[which].text, labels[which].weight)
             spot = [(p - low) * drawn.scale + old - new for p, low, old, new in zip(at, (x0, y0), was, now)]
             covers = board._cost(spot, w / 2 + 2, h / 2 + 1, 1e9)

@@ -11,8 +11,7 @@ from ..scenes.failing import FALSE_HIT, MISSED_HIT, NAMED, FailureCase
 from ..scenes.failing.claimed_value import OF_PUSHES
 from ..scenes.failing.true_value import Answer
 from . import comparison_panels
-from .layout import bounding_box
-from .stages import moved_shape
+from .float_geometry import bounding_box, moved_shape
 
 ROUNDING = 1e-12  # of the size of it all: what numbers differ by that are the same
 

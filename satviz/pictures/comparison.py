@@ -13,27 +13,19 @@ from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
 from ..scenes.failing import MISSED_HIT, FailureCase
 from ..scenes.resolve import RUNS, SceneLike, refused_case, trace_of
-from . import comparison_panels, stages
-from .caption import wrap_text
+from . import comparison_panels, step_picture
 from .claims import about_push, heading, is_near, row_of, said, verdicts
 from .comparison_panels import Panel, arrange
-from .labels import LabelRequest, with_labels
-from .layout import MAX_HEIGHT_PT, MAX_WIDTH_PT, Group, Layout, centered_layout, point_along, text_size
+from .draw_steps import draw_mtv, draw_other_parts, draw_separating_line, draw_test, draw_verdict
+from .float_geometry import moved_shape, point_along
+from .label_placer import LabelRequest
+from .labels import with_labels
+from .layout import MAX_HEIGHT_PT, MAX_WIDTH_PT, Group, Layout, centered_layout
+from .letters import text_size, wrap_text
 from .marks import Mark, Picture
 from .panels import marks_moved_to
 from .sketch import Sketch
-from .stages import (
-    STAGES_BEFORE_AXIS,
-    TEST_STAGES,
-    Stage,
-    Step,
-    draw_mtv,
-    draw_other_parts,
-    draw_separating_line,
-    draw_test,
-    draw_verdict,
-    moved_shape,
-)
+from .stages import STAGES_BEFORE_AXIS, TEST_STAGES, Stage, Step, resolve_step, step_sentence
 
 SAW, IS = "what the shortcut saw", "what is"
 PANEL = 340.0, 300.0  # the largest, in points
@@ -66,8 +58,8 @@ def picture(
         )
     trace = trace_of(what, takes=RUNS)
     if not trace.shortcut:
-        return stages.picture(trace, step, title=title, largest=largest, by_itself=by_itself)
-    step = stages.resolve_step(trace, step)
+        return step_picture.picture(trace, step, title=title, largest=largest, by_itself=by_itself)
+    step = resolve_step(trace, step)
     panel, stacked = _panel(largest)
     return _put(trace, _saw(trace, step, panel), _what_is(trace, panel), _room(trace, panel), title, stacked=stacked)
 
@@ -165,7 +157,7 @@ def _saw(trace: Trace, step: Step, largest: tuple[float, float]) -> Picture:
         sketch.shapes()
     fuller = FULLER.get(step.stage)  # whose labels leave room for what comes next, so that nothing jumps
     kept = _saw(trace, step._replace(stage=fuller), largest).labels if fuller else ()
-    return sketch.finish("", stages.step_sentence(run, step), kept=kept)
+    return sketch.finish("", step_sentence(run, step), kept=kept)
 
 
 @lru_cache(maxsize=64)
@@ -297,7 +289,7 @@ def _proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
     run, test = true_run(trace), true_test(trace)
     if test is None:
         sketch = Sketch(run, layout)
-        draw_verdict(sketch, layout.places, told=False)
+        draw_verdict(sketch, layout.places, named=False)
         return sketch
     run = replace(run, choice=Choice((test.axis,), complete=run.choice.complete), tests=(test,))
     place = layout.places[-1]

@@ -8,11 +8,12 @@ from ..engine.trace import Trace
 from ..scenes.failing.where import ErrorRegion, error_region_in_view
 from ..scenes.shortcuts import middle
 from . import comparison_panels
+from .axis_place import AxisPlace
 from .claims import said, verdicts
 from .comparison import answer, draw_push, struck
 from .drag import ShownTest
-from .labels import LabelOffsets
-from .layout import AxisPlace, Layout, place_axis_within
+from .label_placer import LabelOffsets
+from .layout import Layout, place_axis_within
 from .marks import Mark, Picture
 from .sketch import Sketch
 

@@ -15,10 +15,11 @@ from ..engine.trace import Trace, record
 from ..scenes.failing import swept, true_value
 from ..scenes.failing.claimed_value import moved as put
 from ..scenes.failing.plane import hull
-from .caption import wrap_text
 from .curve import unit_vector
-from .layout import NARROW_PAD_PT, Group, Layout, bounding_box, point_along, text_size
+from .float_geometry import bounding_box, midpoint, point_along
+from .layout import NARROW_PAD_PT, Group, Layout
 from .layout import arrange as arranged
+from .letters import text_size, wrap_text
 from .sketch import Sketch
 
 arrange = partial(arranged, pad=NARROW_PAD_PT)
@@ -96,7 +97,7 @@ def digits(exact: bool) -> Panel:
         sketch.axis(test, place)
         sketch.drops(test, place, "B", ends_only=False, named=False)
         top = [i for i, t in enumerate(test.b.landings) if abs(t - test.b.interval.hi) < 1e-9 * abs(t)]
-        name, polygon = sketch.polygon("B")
+        name, polygon = sketch.named_polygon("B")
         lines = {i: f"{describe.vertex_name(polygon, name, polygon.corner_ids[i])} {test.b.landings[i]!r}" for i in top}
         text = "\n".join(lines[i] for i in sorted(top))
         sketch.label("landing-name", text, "B", place.at(test.b.interval.hi), prefer=place.out, first=1)
@@ -236,7 +237,7 @@ def distance(trace: Trace, largest: tuple[float, float]) -> Sketch:
     if not truth.hit:
         sketch.add("distance", "segment", "gap", p, q, weight="strong")
         text = f"distance {number(true_value.distance(trace.a, trace.b))}"
-        sketch.label("distance-name", text, "gap", sketch.middle(p, q), prefer=Vec(q.y - p.y, p.x - q.x), first=1)
+        sketch.label("distance-name", text, "gap", midpoint(p, q), prefer=Vec(q.y - p.y, p.x - q.x), first=1)
     return sketch
 
 

@@ -22,7 +22,7 @@ from ..pictures.drag import (
     free_axis_picture,
     knob_position,
 )
-from ..pictures.labels import LabelOffsets
+from ..pictures.label_placer import LabelOffsets
 from ..pictures.minkowski import difference
 from ..pictures.playback import first_row_numbers, table_rows
 from ..scenes.link import Shown, fragment

@@ -10,7 +10,7 @@ from ..engine.geometry import InvalidScene, Relation, Vec
 from ..engine.trace import record
 from ..pictures.claims import said
 from ..pictures.drag import drag_layout
-from ..pictures.layout import bounding_box
+from ..pictures.float_geometry import bounding_box
 from ..scenes.failing import FAILURE_CASES, NAMED, REFUSED, FailureCase
 from ..scenes.failing.claimed_value import moved
 from ..scenes.link import BREAK, ONE_AXIS, TOUCH
