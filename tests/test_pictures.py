@@ -47,9 +47,9 @@ def every_picture():
         for i in range(len(sv.steps(trace))):
             yield f"{name} {i}", partial(sv.picture, trace, i)
         if trace.pairs:
-            yield f"{name} split", partial(convex_parts, trace)
+            yield f"{name} convex parts", partial(convex_parts, trace)
         yield (
-            f"{name} live",
+            f"{name} drag",
             lambda trace=trace: drag_picture(trace, drag_layout(trace), decisive_test(trace), show_mtv=True)[0],
         )
         yield f"{name} curve", partial(sv.gap_curve, trace.a, trace.b, 30)
@@ -186,8 +186,8 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
         for i, test in enumerate(run.tests):
             picture = sv.picture(trace, Step(Stage.GAP, i, pair))
             n = test.axis.direction
-            told = describe.digits(run, test)
-            for side, who, text in zip((test.a, test.b), run.names, told.ranges(test), strict=True):
+            digits = describe.digits(run, test)
+            for side, who, text in zip((test.a, test.b), run.names, digits.ranges(test), strict=True):
                 mark = picture.mark(f"{who}.range.{i + 1}")
                 along = [p.x * n.x + p.y * n.y for p in mark.points]
                 assert along == pytest.approx(list(side.interval), abs=1e-9)
@@ -199,7 +199,7 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
             assert max(along) - min(along) == pytest.approx(abs(shared), abs=1e-9)
             assert test.gap <= 0 or -shared == pytest.approx(test.gap)
             assert gap.role == ("overlap" if test.gap < 0 else "gap")
-            assert picture.mark(f"gap-name.{i + 1}").text == describe.shared(test, told)
+            assert picture.mark(f"gap-name.{i + 1}").text == describe.shared(test, digits)
             assert picture.sentence == describe.test(run, i)
 
 
@@ -262,9 +262,9 @@ def test_an_axis_has_one_direction_in_table_sentence_and_arrow_and_its_normal_th
         if not any(test.axis.normal):
             continue  # two vertices in one place
         picture = sv.picture(trace, step)
-        told = table[begins[step.pair or 0] + step.test]["direction"]
+        listed = table[begins[step.pair or 0] + step.test]["direction"]
         marks = {mark.part.removeprefix("saw-"): mark for mark in picture.marks}
-        ways, normals = [vectors(told)[0]], []
+        ways, normals = [vectors(listed)[0]], []
         for key, some in ("axis", ways), ("normal", normals):
             if key in marks:
                 p, q = marks[key].points
@@ -274,7 +274,7 @@ def test_an_axis_has_one_direction_in_table_sentence_and_arrow_and_its_normal_th
         if test.source.kind not in axes.FROM_EDGES and "edge-name" in marks:
             ways += vectors(marks["edge-name"].text)
         if step.stage is Stage.AXIS:
-            assert picture.sentence.endswith(f"direction {told}.")
+            assert picture.sentence.endswith(f"direction {listed}.")
         if step.stage is Stage.NORMAL and test.source.kind in axes.FROM_EDGES:
             _, normal, *direction = vectors(picture.sentence)
             assert label is None or vectors(label.text) == [normal]
@@ -434,7 +434,7 @@ def test_every_meaning_has_a_colour_of_its_own_for_every_eye(theme, roles, eye):
         assert math.dist(lab(theme.roles[one], eye), lab(theme.roles[other], eye)) > 9, (one, other)
 
 
-def test_gap_way_out_and_wrong_are_not_told_by_one_colour():
+def test_gap_mtv_and_wrong_have_different_colours():
     picture = sv.picture(TRACES["overlap"])
     assert picture.mark("mtv").role == "move"
     wrong = sv.picture(TRACES["aabb-rotated"]).mark("verdict")
@@ -492,7 +492,7 @@ def test_any_scene_is_drawn_at_every_step_with_its_labels_apart(a, b):
             assert inside, (a, b, i, mark)
 
 
-def test_where_one_range_holds_the_other_overlap_and_way_out_are_told_apart():
+def test_where_one_range_holds_the_other_the_overlap_and_the_depth_are_both_said():
     trace = sv.record(box(0, 0, 10, 1), box(4, 0, 5, 1))
     assert "overlap 1, way out 5" in describe.test(trace, 1)
     picture = sv.picture(trace, Step(Stage.GAP, 1))

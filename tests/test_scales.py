@@ -95,9 +95,9 @@ def hold(trace, rng):
             assert max(reach) >= SEEN, (i, name)
     for run in trace.pairs or (trace,):
         for t in run.tests:
-            told = describe.digits(run, t)
-            gap = value(told.signed(t.gap).lstrip("+"))
-            assert sign(printed_gap(told.ranges(t))) == sign(t.gap) == sign(gap), (told.ranges(t), t.gap)
+            digits = describe.digits(run, t)
+            gap = value(digits.signed(t.gap).lstrip("+"))
+            assert sign(printed_gap(digits.ranges(t))) == sign(t.gap) == sign(gap), (digits.ranges(t), t.gap)
 
 
 def seen(mark, scale):

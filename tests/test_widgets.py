@@ -543,6 +543,6 @@ def test_no_name_jumps_under_the_hand_without_a_reason(name):
                     board.cover(mark)
             at, (w, h) = labels[which].points[0], text_size(labels[which].text, labels[which].weight)
             spot = [(p - low) * drawn.scale + old - new for p, low, old, new in zip(at, (x0, y0), was, now)]
-            covers = board._cost(spot, w / 2 + 2, h / 2 + 1, 1e9)
-            assert covers + was.price - now.price > 40, which
+            covers = board.cover_cost(spot, w / 2 + 2, h / 2 + 1, 1e9)
+            assert covers + was.cost - now.cost > 40, which
         before = stood

@@ -51,7 +51,7 @@ class AxisPlace(NamedTuple):
 
     @property
     def ends(self) -> tuple[Vec, Vec]:
-        """Both ends of the axis: tail and tip."""
+        """Return tail and tip of the axis."""
         return self.at(self.lo), self.at(self.hi)
 
 

@@ -28,7 +28,7 @@ class Figure(NamedTuple):
 
     @property
     def stem(self) -> str:
-        """The file name without its suffix: "01-aabb-apart"."""
+        """Return the file name without its suffix: "01-aabb-apart"."""
         return f"{self.number:02}-{self.name}"
 
     def picture(self) -> Picture:

@@ -10,6 +10,7 @@ from ..engine.sat import AxisTest, project
 from ..engine.shapes import Circle, Shape
 
 Box = tuple[float, float, float, float]  # x min, y min, x max, y max
+_GIVEN = Source(GIVEN)
 
 
 def point_along(p: Vec, d: Vec, t: float) -> Vec:
@@ -48,7 +49,7 @@ def moved_shape(shape: Shape, move: Vec) -> Shape:
 
 def range_along(shape: Shape, direction: Vec) -> Interval:
     """Return the range of a shape on a unit vector, in scene units from the origin."""
-    return project(shape, Axis(direction, 1.0, Source(GIVEN))).interval
+    return project(shape, Axis(direction, 1.0, _GIVEN)).interval
 
 
 def gap_or_overlap(test: AxisTest) -> Interval:
@@ -74,7 +75,9 @@ def boxes_overlap(p: Box, q: Box) -> bool:
     return p[0] < q[2] and q[0] < p[2] and p[1] < q[3] and q[1] < p[3]
 
 
-def clip_line(p: Vec, d: Vec, box: Box, start: float = -float("inf"), end: float = float("inf")) -> tuple[float, float]:
+def clip_line(
+    p: Point, d: Point, box: Box, start: float = -float("inf"), end: float = float("inf")
+) -> tuple[float, float]:
     """Return the range of t, within start to end, in which p + t d lies inside an upright box (Liang and Barsky).
 
     The range is empty (its start above its end) where the line misses the box.  A coordinate
@@ -94,5 +97,5 @@ def clip_segment(
     """Return the part (from, to) of the segment from s (0) to t (1) inside an upright box, or None if it misses."""
     if max(sx, tx) < x0 or min(sx, tx) > x1 or max(sy, ty) < y0 or min(sy, ty) > y1:
         return None
-    start, end = clip_line(Vec(sx, sy), Vec(tx - sx, ty - sy), (x0, y0, x1, y1), 0.0, 1.0)
+    start, end = clip_line((sx, sy), (tx - sx, ty - sy), (x0, y0, x1, y1), 0.0, 1.0)
     return (start, end) if start <= end else None

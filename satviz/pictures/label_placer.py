@@ -63,7 +63,7 @@ class LabelRequest(NamedTuple):
 
     @property
     def key(self) -> LabelKey:
-        """Part, owner, axis and number, as its label will have them."""
+        """Return part, owner, axis and number, as its label will have them."""
         return self.part, self.owner, self.axis, self.number
 
 
@@ -92,14 +92,17 @@ LabelOffsets = dict[LabelKey, LabelOffset]
 
 
 class LabelPlacer:
-    """Places labels one by one, each on the cheapest spot beside what is known to it so far."""
+    """Places labels one by one, each on the cheapest spot given the marks and labels noted so far.
+
+    `kept`: labels of other steps, which keep their spots; `last_offsets`: see `with_labels`.
+    """
 
     def __init__(self, layout: Layout, kept: Sequence[Mark] = (), last_offsets: LabelOffsets | None = None) -> None:
         self.layout = layout
         self.last_offsets: LabelOffsets = {} if last_offsets is None else last_offsets
         self.kept = [mark for mark in kept if mark.kind == "label"]
         self.strokes: list[tuple[float, float, float, float, float]] = []  # x, y, x, y, cost of covering it
-        self.walls: list[tuple[Spot, Spot]] = []  # lines that no steady label's spot lies beyond
+        self.walls: list[tuple[Spot, Spot]] = []  # steady labels stay on their anchors' side of these
         self.boxes: list[Box] = []
 
     def cover(self, mark: Mark) -> None:
@@ -230,7 +233,7 @@ class LabelPlacer:
                 cost += OTHER_SIDE_COST
             if wall and on_opposite_sides(anchor, spot, wall):
                 cost += WALL_COST
-            cost += self._cover_cost(spot, w / 2 + 2, h / 2 + 1, best - cost)
+            cost += self.cover_cost(spot, w / 2 + 2, h / 2 + 1, best - cost)
             if cost < best:
                 best, found, found_own_cost, found_bonus = cost, spot, own_cost, bonus
             if best <= 0:
@@ -239,7 +242,7 @@ class LabelPlacer:
         if best >= COVER_COST and not request.far and not request.optional:
             for spot, cost in self._spots_anywhere(w / 2, h / 2, anchor):
                 own_cost = cost
-                cost += self._cover_cost(spot, w / 2 + 2, h / 2 + 1, best - cost)
+                cost += self.cover_cost(spot, w / 2 + 2, h / 2 + 1, best - cost)
                 if cost < best:
                     best, found, found_own_cost = cost, spot, own_cost
         return found, best, found_own_cost
@@ -301,7 +304,7 @@ class LabelPlacer:
                 y = RIM_PT + h + (height - 2 * (RIM_PT + h)) * j / GRID_STEPS
                 yield (x, y), ANYWHERE_COST + hypot(x - near[0], y - near[1]) / 10
 
-    def _cover_cost(self, spot: Spot, w: float, h: float, limit: float) -> float:
+    def cover_cost(self, spot: Spot, w: float, h: float, limit: float) -> float:
         """Return the cost of what a label with its center there would cover; it stops counting at the limit."""
         cx, cy = spot
         x0, y0, x1, y1 = cx - w, cy - h, cx + w, cy + h

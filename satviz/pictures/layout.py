@@ -36,7 +36,7 @@ class Inset(NamedTuple):
 
     @property
     def center(self) -> Vec:
-        """The middle of its box."""
+        """Return the middle of its box."""
         return Vec((self.box[0] + self.box[2]) / 2, (self.box[1] + self.box[3]) / 2)
 
     def at(self, p: Vec) -> Vec:
@@ -59,12 +59,12 @@ class Layout(NamedTuple):
 
     @property
     def scale(self) -> float:
-        """Points in a scene unit."""
+        """Return the points in a scene unit."""
         return self.size[0] / (self.limits[2] - self.limits[0])
 
     @property
     def scene_limits(self) -> Box:
-        """The limits without the strip of insets beside the scene."""
+        """Return the limits without the strip of insets beside the scene."""
         if not self.insets:
             return self.limits
         x0, y0, _, y1 = self.limits
@@ -211,7 +211,7 @@ def place_axis_within(
         return max(x0 + rim - p.x, p.x - x1 + rim, y0 + rim - p.y, p.y - y1 + rim, 0.0)
 
     def lacking(place: AxisPlace) -> float:
-        """Return how far both ends of the ranges lie outside, in all."""
+        """Return the sum of the distances by which both ends of the ranges lie outside the limits."""
         ends = (r.lo for r in (test.a.interval, test.b.interval)), (r.hi for r in (test.a.interval, test.b.interval))
         return sum(distance_outside(place.at(t)) for t in (min(ends[0]), max(ends[1])))
 

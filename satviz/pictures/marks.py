@@ -38,13 +38,13 @@ class Mark(NamedTuple):
 
     @property
     def id(self) -> str:
-        """A name that is unique in its picture, by which a pen recognises the mark in the next picture."""
+        """Return a name, unique in its picture, by which a pen recognises the mark in the next picture."""
         known = self.panel, self.owner, self.part, self.axis, self.number
         return ".".join(str(fact) for fact in known if fact not in ("", None))
 
     @property
     def style(self) -> Style:
-        """How every pen draws it."""
+        """Return how every pen draws it."""
         return style_of(self.kind, self.role, self.weight)
 
 
@@ -79,7 +79,7 @@ class Picture(NamedTuple):
 
     @property
     def scale(self) -> float:
-        """Points in a scene unit, the same in x and y."""
+        """Return the points in a scene unit, the same in x and y."""
         return self.size[0] / (self.limits[2] - self.limits[0])
 
     def mark(self, mark_id: str) -> Mark:
@@ -91,12 +91,12 @@ class Picture(NamedTuple):
 
     @property
     def labels(self) -> tuple[Mark, ...]:
-        """The labels, in drawing order."""
+        """Return the labels, in drawing order."""
         return tuple(mark for mark in self.marks if mark.kind == "label")
 
     @property
     def texts(self) -> tuple[str, ...]:
-        """The texts of the labels, in drawing order."""
+        """Return the texts of the labels, in drawing order."""
         return tuple(mark.text for mark in self.labels)
 
     def __repr__(self) -> str:

@@ -112,7 +112,9 @@ def playback_steps(trace: Trace) -> list[Step]:
     if len(every) > MAX_STEPS:
         every = [step for step in every if step.test is None or step.stage is Stage.GAP]
     if len(every) > MAX_STEPS:
-        raise ValueError(f"{len(every)} tests are too many to step through: at most {MAX_STEPS}")
+        raise ValueError(
+            f"{len(every)} tests are too many to step through, at most {MAX_STEPS}: draw a sheet instead (sv.sheet)"
+        )
     return every
 
 
