@@ -64,12 +64,12 @@ class ShapeSketch:
         """Check whether a shape is too small for marks at its corners and edges."""
         return is_too_small(shape, self.layout.scale / CROWDED_SIZES)
 
-    def shapes(self, *, weight: str = "plain") -> None:
+    def shapes(self) -> None:
         """Draw both shapes with the labels of their vertices, and insets of what is too small to be seen."""
         self.insets()
         for role, name, shape in self.roles():
-            self.shape(role, name, shape, weight=weight)
-            if isinstance(shape, Polygon) and shape.labels and weight != "faint":
+            self.shape(role, name, shape)
+            if isinstance(shape, Polygon) and shape.labels:
                 self.vertices(role, range(len(shape.vertices)))
 
     def insets(self, test: AxisTest | None = None) -> None:
