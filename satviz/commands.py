@@ -137,7 +137,7 @@ def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawabl
 def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
     """Return the pictures of a scene's run, with --sheet, --steps and --caption; Refused if it cannot be drawn."""
     from .pictures import picture, steps
-    from .pictures.caption import captioned
+    from .pictures.caption import add_captions
     from .pictures.sheet import sheet
     from .render.page import page_of_run
 
@@ -151,11 +151,11 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
     def still(step: int) -> "Sequence[Picture]":
         """Return the picture of a step, with its sentence below it if --caption asks for that."""
         drawn = [picture(trace, step, title=scene.title)]
-        return captioned(drawn) if args.caption else drawn
+        return add_captions(drawn) if args.caption else drawn
 
     def frames() -> "Sequence[Picture]":
         """Return the picture of every step, each with its sentence below it."""
-        return captioned([picture(trace, step) for step in range(count)])
+        return add_captions([picture(trace, step) for step in range(count)])
 
     def page() -> str:
         """Return the page of the run."""

@@ -9,7 +9,7 @@ from browser import jupyterlab
 
 import satviz as sv
 from satviz.pictures import DARK, LIGHT, playback
-from satviz.pictures.caption import captioned
+from satviz.pictures.caption import add_captions
 from satviz.render.files import MADE_BY, encode, encode_frames
 from satviz.site.walkthrough import shipped
 
@@ -335,18 +335,18 @@ def test_files_come_from_the_matplotlib_pen(hand):
     drawn = sv.picture(trace, 7)
     for form in "svg", "png":
         assert hand.file(f"save {form.upper()}", 2) == (f"satviz.{form}", encode(drawn, form, LIGHT))
-    every = captioned([sv.picture(trace, i) for i in range(len(sv.steps(trace)))])
+    every = add_captions([sv.picture(trace, i) for i in range(len(sv.steps(trace)))])
     assert hand.file("save GIF", 2) == ("satviz.gif", encode_frames(every, "gif"))
     hand.press("reset", 2)
 
 
 def test_why_the_player_gives_no_file_is_said(hand):
-    hand.page.evaluate(ASK, "from satviz.pictures import playback; playback.MOST_STEPS = 1")
+    hand.page.evaluate(ASK, "from satviz.pictures import playback; playback.MAX_STEPS = 1")
     player = hand.widgets.nth(2)
     player.locator(".sv-menu summary").click()
     hand.press("save GIF", 2)
     player.locator(".sv-done", has_text="too many to step through").wait_for()
-    hand.page.evaluate(ASK, f"playback.MOST_STEPS = {playback.MOST_STEPS}")
+    hand.page.evaluate(ASK, f"playback.MAX_STEPS = {playback.MAX_STEPS}")
     player.locator(".sv-menu summary").click()  # forgotten when the menu opens again
     player.locator(".sv-done", has_text="too many").wait_for(state="detached")
     player.locator(".sv-menu summary").click()

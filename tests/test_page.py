@@ -150,8 +150,8 @@ def test_the_algorithm_for_concave_shapes_goes_through_the_pairs_of_their_parts(
 
 
 def test_too_many_steps_are_thinned_then_refused(monkeypatch):
-    monkeypatch.setattr(module, "MOST_STEPS", 10)
+    monkeypatch.setattr(module, "MAX_STEPS", 10)
     assert [s["stage"] for s in playback(TRIANGLES)["steps"]] == ["scene", "gap", "gap", "verdict"]
-    monkeypatch.setattr(module, "MOST_STEPS", 3)
+    monkeypatch.setattr(module, "MAX_STEPS", 3)
     with pytest.raises(ValueError, match="too many"):
         playback(TRIANGLES)

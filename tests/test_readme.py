@@ -11,7 +11,7 @@ import pytest
 
 import satviz as sv
 from satviz.cli import main
-from satviz.pictures.theme import TEXT as TEXT_SIZE
+from satviz.pictures.theme import TEXT_PT as TEXT_SIZE
 from satviz.study import bench
 from satviz.study.bench import planned
 

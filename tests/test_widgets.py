@@ -12,9 +12,10 @@ from speeds import one_in
 import satviz as sv
 from satviz.engine.geometry import InvalidScene, Relation
 from satviz.pictures import playback
-from satviz.pictures.caption import captioned
-from satviz.pictures.labels import Board, _put
-from satviz.pictures.layout import Layout, text_box
+from satviz.pictures.caption import add_captions
+from satviz.pictures.label_placer import LabelPlacer
+from satviz.pictures.layout import Layout
+from satviz.pictures.letters import text_size
 from satviz.render.notebook import bundle
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
 from satviz.scenes.scenefile import shape_data
@@ -251,7 +252,7 @@ def test_files_come_from_the_matplotlib_pen():
 
 def test_the_step_that_is_saved_is_the_one_that_is_shown(monkeypatch):
     """Also where a playback leaves steps out, since there are too many."""
-    monkeypatch.setattr(playback, "MOST_STEPS", 20)
+    monkeypatch.setattr(playback, "MAX_STEPS", 20)
     trace = TRIANGLES.record().without_early_exit()
     (shown,) = playback.playbacks(trace)
     assert len(shown["steps"]) < len(sv.steps(trace))
@@ -261,7 +262,7 @@ def test_the_step_that_is_saved_is_the_one_that_is_shown(monkeypatch):
 
 
 def test_an_animation_of_too_many_steps_is_refused(monkeypatch):
-    monkeypatch.setattr(playback, "MOST_STEPS", 5)
+    monkeypatch.setattr(playback, "MAX_STEPS", 5)
     widget = explorer()
     widget._receive(widget, {"kind": "save", "form": "gif"}, [])
     assert widget.sent[-1][0]["kind"] == "refused" and "too many to step through" in widget.sent[-1][0]["why"]
@@ -300,7 +301,7 @@ def test_an_exported_page_shows_the_picture_with_its_sentence(make):
     drawn = widget.picture() if isinstance(widget, sv.widgets.Explorer) else sv.picture(widget.trace)
     assert drawn.sentence == widget.trace.sentence
     (still,) = re.findall(r'src="data:image/svg\+xml;base64,([^"]*)"', page)
-    assert base64.b64decode(still).decode() == bundle(captioned([drawn])[0])["image/svg+xml"]
+    assert base64.b64decode(still).decode() == bundle(add_captions([drawn])[0])["image/svg+xml"]
     assert re.findall(r'alt="([^"]*)"', page) == [drawn.sentence]
 
 
@@ -535,12 +536,12 @@ def test_no_name_jumps_under_the_hand_without_a_reason(name):
             was, now = before[which], stood[which]
             if which[0] not in ("name", "vertex-name") or dist(was[:2], now[:2]) < 12:
                 continue
-            board = Board(Layout(drawn.limits, drawn.size, ()))
+            board = LabelPlacer(Layout(drawn.limits, drawn.size, ()))
             for mark in drawn.marks:
                 if mark.part != f"{which[0]}-leader" and which_of(mark) != which:
-                    _put(board, mark)
-            at, (w, h) = labels[which].points[0], text_box(labels[which].text, labels[which].weight)
+                    board.cover(mark)
+            at, (w, h) = labels[which].points[0], text_size(labels[which].text, labels[which].weight)
             spot = [(p - low) * drawn.scale + old - new for p, low, old, new in zip(at, (x0, y0), was, now)]
-            covers = board._cost(spot, w / 2 + 2, h / 2 + 1, 1e9)
-            assert covers + was.price - now.price > 40, which
+            covers = board.cover_cost(spot, w / 2 + 2, h / 2 + 1, 1e9)
+            assert covers + was.cost - now.cost > 40, which
         before = stood

@@ -80,7 +80,7 @@ def _encode_gif(figures: "Iterable[Figure]", words: Sequence[Words]) -> bytes:
     """Return an animation that shows each Figure for as long as its sentence takes to read."""
     from PIL import Image
 
-    from ..pictures.caption import reading
+    from ..pictures.caption import reading_time_ms
 
     frames = []
     for figure in figures:
@@ -89,7 +89,7 @@ def _encode_gif(figures: "Iterable[Figure]", words: Sequence[Words]) -> bytes:
         size = canvas.get_width_height()
         frame = Image.frombuffer("RGBA", size, canvas.buffer_rgba(), "raw", "RGBA", 0, 1)
         frames.append(frame.convert("RGB").quantize(128, dither=Image.Dither.NONE))
-    times = [reading(each.sentence) for each in words]
+    times = [reading_time_ms(each.sentence) for each in words]
     times[-1] += LAST_FRAME_MS
     comment = f"{MADE_BY}. {words[-1].sentence}".encode()
     out = io.BytesIO()

@@ -9,8 +9,8 @@ from ..engine import describe
 from ..engine.shapes import Circle, Polygon
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
-from ..pictures.playback import rows
-from ..pictures.views import alone
+from ..pictures.playback import table_rows
+from ..pictures.views import single_shape
 from .files import inline_svg
 
 
@@ -21,7 +21,7 @@ def bundle(what: Any) -> dict[str, str]:
     if isinstance(what, Picture):
         text, make = describe.printable(repr(what)), lambda: what
     elif isinstance(what, (Circle, Polygon)):
-        text, make = repr(what), lambda: alone(what)
+        text, make = repr(what), lambda: single_shape(what)
     else:
         trace = what if isinstance(what, Trace) else what.record()
         text, make = str(trace), lambda: picture(trace)
@@ -38,7 +38,7 @@ def table(trace: Trace) -> str:
     """Return the table of a run with its sentence, as HTML."""
     head = "".join(f'<th scope="col">{escape(name)}</th>' for name in ("", "axis", "direction", *trace.names, "gap"))
     lines, pair = [], ""
-    for row in rows(trace):
+    for row in table_rows(trace):
         if row["pair"] != pair:
             pair = row["pair"]
             lines.append(f'<th scope="rowgroup" colspan="6">{escape(pair)}</th>')

@@ -15,7 +15,7 @@ from ..engine.trace import Trace
 from ..pictures import DARK, LIGHT, picture
 from ..pictures.claims import heading
 from ..pictures.comparison import refused_picture
-from ..pictures.playback import NARROW, narrow, playbacks
+from ..pictures.playback import NARROW_SIZE_PT, narrow_playbacks, playbacks
 from ..safe_write import MADE_BY
 from ..scenes.failing import FailureCase
 from ..scenes.resolve import SceneLike, resolve
@@ -70,7 +70,7 @@ def page_of_run(trace: Trace, *, title: str = "", predict: bool = False) -> str:
     script = javascript("player", "arrows") + START
     policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_sha256(script)}'; "
     policy += "img-src blob:; base-uri 'none'"  # the save menu makes a PNG from a blob
-    show = {"predict": predict, "shows": shows, "narrow": narrow(trace)}
+    show = {"predict": predict, "shows": shows, "narrow": narrow_playbacks(trace)}
     data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
     first, last = (picture(trace, i) for i in (0, -1))
     sentences = [s["sentence"] for s in shows[0]["steps"]]
@@ -119,7 +119,7 @@ def page_of_refused(case: FailureCase) -> str:
 
     The picture is as wide as a telephone and follows the colours of the reader's screen.
     """
-    drawn = refused_picture(case, width=NARROW[0])
+    drawn = refused_picture(case, width=NARROW_SIZE_PT[0])
     figures = (f'<figure class="sv-{t.name}">{inline_svg(drawn, t, stem=t.name)}</figure>' for t in (LIGHT, DARK))
     body = ['<section class="sv-static">', *figures, "</section>", f"<footer>{MADE_BY}</footer>"]
     policy = "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'"

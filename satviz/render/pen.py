@@ -12,7 +12,7 @@ from matplotlib.text import Text
 
 from ..engine.geometry import Vec
 from ..pictures import LIGHT, Mark, Picture, Theme
-from ..pictures.theme import Look
+from ..pictures.theme import Style
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -51,13 +51,13 @@ class Pen:
         self._view(picture)
         fills: list[Painted] = []
         solids: list[Painted] = []
-        strokes: list[tuple[Look, Painted]] = []
+        strokes: list[tuple[Style, Painted]] = []
         artists: dict[str, Artist] = {}
         labels = [mark for mark in picture.marks if mark.kind == "label"]
         for mark in picture.marks:
             if mark.kind == "label":
                 continue
-            colour, look = self.theme.roles[mark.role], mark.look
+            colour, look = self.theme.roles[mark.role], mark.style
             artists[mark.id] = self.solids if mark.kind == "dot" else self.strokes
             if look.fill:
                 fills.append((_outline_path(mark, picture.scale), to_rgba(colour, look.fill)))
@@ -103,8 +103,8 @@ class Pen:
             text.set_position(mark.points[0])
             text.set_text(mark.text)
             text.set_color(self.theme.text.get(mark.role, self.theme.roles[mark.role]))
-            text.set_fontsize(mark.look.size * zoom)
-            text.set_fontweight("bold" if mark.look.bold else "normal")
+            text.set_fontsize(mark.style.size * zoom)
+            text.set_fontweight("bold" if mark.style.bold else "normal")
             text.set_visible(True)
             artists[mark.id] = text
         for text in self.texts[len(labels) :]:
@@ -131,15 +131,15 @@ def _solid_path(mark: Mark, scale: float) -> Path:
         u, tip, length, half = _arrow_geometry(mark, scale)
         bx, by = tip.x - u.x * length, tip.y - u.y * length
         return Path([tip, (bx - u.y * half, by + u.x * half), (bx + u.y * half, by - u.x * half), tip], closed=True)
-    (x, y), r = mark.points[0], mark.look.size / 2 / scale
-    if mark.look.square:
+    (x, y), r = mark.points[0], mark.style.size / 2 / scale
+    if mark.style.square:
         return Path([(x - r, y - r), (x + r, y - r), (x + r, y + r), (x - r, y + r), (x - r, y - r)], closed=True)
     return Path.circle((x, y), r)
 
 
 def _arrow_geometry(mark: Mark, scale: float) -> tuple[Vec, Vec, float, float]:
     """Return an arrow's direction, its tip, and the length and half width of its head in scene units."""
-    (tail, tip), (length, width) = mark.points, mark.look.head
+    (tail, tip), (length, width) = mark.points, mark.style.head
     size = hypot(tip.x - tail.x, tip.y - tail.y) or 1.0
     u = Vec((tip.x - tail.x) / size, (tip.y - tail.y) / size)
     return u, tip, min(length / scale, size), width / 2 / scale

@@ -4,7 +4,7 @@ import json
 from typing import Any
 
 from ..engine.geometry import InvalidScene
-from ..pictures.playback import narrow, playbacks
+from ..pictures.playback import narrow_playbacks, playbacks
 from ..scenes.article import SCENES
 from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.link import DEFAULT_VIEW, ViewOptions, fragment, parse_fragment
@@ -60,7 +60,7 @@ def _show(scene: Scene, shown: ViewOptions) -> dict[str, Any]:
     trace = scene.record()
     trace = trace.truth if shown.predict and trace.shortcut else trace
     shows = playbacks(trace)
-    found: dict[str, Any] = {"kind": "opened", "title": scene.title, "shows": shows, "narrow": narrow(trace)}
+    found: dict[str, Any] = {"kind": "opened", "title": scene.title, "shows": shows, "narrow": narrow_playbacks(trace)}
     rest = shown.rest and len(shows) > 1
     found |= {"step": min(shown.step or 0, len(shows[rest]["steps"]) - 1), "predict": shown.predict, "rest": rest}
     return found | {"link": fragment(scene)}

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from .. import __version__
 from ..engine import describe
 from ..pictures import Picture, picture
-from ..pictures.playback import NARROW_PANELS
+from ..pictures.playback import NARROW_PANEL_SIZES_PT
 from ..render.files import encode
 from ..safe_write import MADE_BY
 from ..scenes.article import SCENES
@@ -195,7 +195,7 @@ def pictures() -> "list[tuple[str, bytes]]":
 @cache
 def _drawn(name: str, *, slim: bool = False) -> Picture:
     """A scene's picture, `slim` as a telephone shows it: both a file and what its card is made of."""
-    return picture(name, largest=NARROW_PANELS[0]) if slim else picture(name)
+    return picture(name, largest=NARROW_PANEL_SIZES_PT[0]) if slim else picture(name)
 
 
 def _card(name: str) -> str:

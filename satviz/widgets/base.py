@@ -12,7 +12,7 @@ import traitlets
 
 from ..engine import describe
 from ..pictures import Picture
-from ..pictures.caption import captioned
+from ..pictures.caption import add_captions
 from ..render.files import encode_frames
 from ..render.formats import FORMATS
 from ..render.notebook import bundle
@@ -74,7 +74,7 @@ class TraceWidget(anywidget.AnyWidget):
             self.send({"kind": "refused", "why": str(error)})
             return
         if drawn:
-            data = encode_frames(captioned(drawn) if form.animated else drawn, form.name)
+            data = encode_frames(add_captions(drawn) if form.animated else drawn, form.name)
             self.send({"kind": "file", "name": f"satviz.{form.name}", "mime": form.mime}, [data])
 
     def _answer(self, content: dict[str, Any]) -> None:
@@ -111,7 +111,7 @@ def still(widget: Any) -> dict[str, str]:
     The picture is also there as HTML, which exported pages prefer: a bare picture gets no alt text there.
     """
     drawn, said = widget.picture(), describe.printable(repr(widget))
-    svg = bundle(captioned([drawn])[0])["image/svg+xml"]
+    svg = bundle(add_captions([drawn])[0])["image/svg+xml"]
     source = f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
     img = f'<img alt="{escape(describe.printable(drawn.sentence))}" src="{source}">'
     return {"text/plain": said, "text/html": img, "image/svg+xml": svg}

@@ -9,8 +9,8 @@ from ..engine.axes import needed
 from ..engine.geometry import InvalidScene, Relation, Vec
 from ..engine.trace import record
 from ..pictures.claims import answers
-from ..pictures.layout import box_of
-from ..pictures.live import field
+from ..pictures.drag import drag_layout
+from ..pictures.float_geometry import bounding_box
 from ..scenes.failing import FAILURE_CASES, NAMED, REFUSED, FailureCase
 from ..scenes.link import BREAK, ONE_AXIS, TOUCH
 from ..scenes.named import scene, scene_of_case
@@ -76,13 +76,13 @@ def challenges() -> Iterator[tuple[str, Scene]]:
 def start_where_right(row: FailureCase) -> Scene | None:
     """The row's scene with B moved to where the shortcut happens to be right; None where no such place is near."""
     a, b = row.shapes
-    x0, y0, x1, y1 = box_of([a, b])
+    x0, y0, x1, y1 = bounding_box([a, b])
     step = float(f"{max(x1 - x0, y1 - y0) / 4:.1g}")
     for size in STEPS:
         for x, y in WAYS:
             start = replace(scene_of_case(row), b=translated(b, Vec(size * step * x, size * step * y)))
             if not answers(start.record()).is_wrong:
-                field(start.record())
+                drag_layout(start.record())
                 return start
     return None
 

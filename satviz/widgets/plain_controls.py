@@ -8,7 +8,7 @@ import ipywidgets as ui
 
 from ..engine.trace import Trace
 from ..pictures import LIGHT, Picture, picture, steps
-from ..pictures.caption import reading
+from ..pictures.caption import reading_time_ms
 from ..render.files import canvas, styled
 from .base import LOCK, still
 
@@ -23,7 +23,7 @@ class PlainPlayer(ui.VBox):  # type: ignore[misc]
         self.image = ui.Image(format="png", layout={"max_width": "100%", "object_fit": "contain"})
         self.sentence = ui.HTML()
         self.slider = ui.IntSlider(0, 0, last, description="step")
-        self.player = ui.Play(value=0, min=0, max=last, interval=reading(picture(trace, 0).sentence))
+        self.player = ui.Play(value=0, min=0, max=last, interval=reading_time_ms(picture(trace, 0).sentence))
         ui.jslink((self.player, "value"), (self.slider, "value"))
         back, forward = (ui.Button(description=name, layout={"width": "80px"}) for name in ("back", "forward"))
         back.on_click(lambda _: self._move(-1))
@@ -44,7 +44,7 @@ class PlainPlayer(ui.VBox):  # type: ignore[misc]
             out = io.BytesIO()
             self.figure.savefig(out, format="png", dpi=96)
         self.image.value = out.getvalue()
-        self.player.interval = reading(drawn.sentence)
+        self.player.interval = reading_time_ms(drawn.sentence)
         self.sentence.value = f"<p>{escape(drawn.sentence)}</p>"
 
     def __repr__(self) -> str:

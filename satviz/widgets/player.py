@@ -8,7 +8,7 @@ from ..engine.shapes import Shape
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
 from ..pictures.comparison import refused_picture
-from ..pictures.playback import narrow, playbacks
+from ..pictures.playback import narrow_playbacks, playbacks
 from ..render.script import javascript
 from ..scenes.link import fragment_of_trace
 from ..scenes.resolve import SceneLike, resolve
@@ -33,7 +33,7 @@ class Player(TraceWidget):
         super().__init__(
             PlayerModel(trace),
             shows=playbacks(trace),
-            narrow=narrow(trace),
+            narrow=narrow_playbacks(trace),
             predict=predict,
             link=fragment_of_trace(trace),
         )

@@ -4,7 +4,7 @@ from typing import Any
 
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
-from ..pictures.playback import played
+from ..pictures.playback import playback_steps
 
 
 class PlayerModel:
@@ -30,5 +30,5 @@ class PlayerModel:
         if not every_step and not isinstance(step, int):
             return [self.picture()]
         trace = self.trace.without_early_exit() if content.get("which") else self.trace
-        shown = played(trace)
+        shown = playback_steps(trace)
         return [picture(trace, s) for i, s in enumerate(shown) if every_step or i == step]
