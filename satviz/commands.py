@@ -249,7 +249,7 @@ def advise(args: argparse.Namespace) -> int:
     import json
 
     from .advice.advising import advise
-    from .advice.report import price
+    from .advice.report import cost_line
 
     if Path(args.scene).suffix == ".npz":
         from .advice.shapesfile import load
@@ -267,7 +267,7 @@ def advise(args: argparse.Namespace) -> int:
         data = json.loads(advice.to_json())
         out_json(json.dumps(data | {"prices": prices} if prices else data, indent=1, allow_nan=False))
     else:
-        out("\n".join(filter(None, (str(advice), price(advice.model, advice.facts, advice.prices())))))
+        out("\n".join(filter(None, (str(advice), cost_line(advice.model, advice.summary, advice.prices())))))
     if args.chart:
         try:
             drawn = advice.chart()

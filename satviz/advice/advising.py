@@ -15,11 +15,11 @@ from ..engine.trace import Trace, record
 from ..scenes.named import scene as named
 from ..scenes.scenefile import Scene
 from . import certified_bounds, report
-from .certified_bounds import Compound, Model, pieces
-from .facts import Case, Facts, ModelResult, Pair, anywhere, best, candidates, for_hits, kind_of
+from .certified_bounds import Model, SplitPolygon, convex_parts
 from .limits import MAX_TESTS_CHECKED, TESTS_BY_FRACTIONS, TESTS_TIMED
-from .relative_margin import signed
-from .scope import HERE, Scope, grid_of, reach_of, scope_of
+from .records import InputSummary, ModelResult, Pair, PairsInHand, anywhere, best, candidates, for_hits, kind_of
+from .relative_margin import signed_relative_margin
+from .scope import HERE, Scope, grid_of, moved_bound, scope_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -31,22 +31,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Recommendation:
-    """The least model that is right: `judged` has every candidate from the fewest axes on, `best` is the one advised.
+    """The least model that is right: `results` has every candidate from the fewest axes on, `best` is the one advised.
 
     The question is the three-way relation.  print() says it in words, `to_json()` as data; `check()` proves it once
     more with integers, `failure()` is the trace of the pair on which the next smaller model fails, `prices()` and
     `chart()` measure what each model costs on this machine.
     """
 
-    facts: Facts
-    judged: tuple[ModelResult, ...]
+    summary: InputSummary
+    results: tuple[ModelResult, ...]
     scope: Scope
-    case: Case
+    case: PairsInHand
 
     @property
     def best(self) -> ModelResult:
         """The candidate advised: the first that is proven."""
-        return best(self.judged)
+        return best(self.results)
 
     @property
     def model(self) -> Model:
@@ -56,23 +56,23 @@ class Recommendation:
     @property
     def smaller(self) -> ModelResult | None:
         """The next smaller candidate, which fails; None if there is none."""
-        place = self.judged.index(self.best)
-        return self.judged[place - 1] if place else None
+        place = self.results.index(self.best)
+        return self.results[place - 1] if place else None
 
     @property
     def anywhere(self) -> Model:
         """The least that is right wherever these shapes lie: y and x for upright boxes, else what is exact."""
-        return anywhere(self.facts, self.judged)
+        return anywhere(self.summary, self.results)
 
     @property
     def for_hits(self) -> ModelResult:
         """The first candidate that is proven to tell hits from misses, which may confuse touching and overlapping."""
-        return for_hits(self.judged)
+        return for_hits(self.results)
 
     @property
     def reason(self) -> str:
         """Why it is right, in words."""
-        return report.reason(self.model, self.facts, self.scope)
+        return report.reason(self.model, self.summary, self.scope)
 
     def check(self, most: int = MAX_TESTS_CHECKED) -> bool:
         """Prove it again with integers and fractions, pair by pair; False if anything claimed does not hold.
@@ -87,29 +87,32 @@ class Recommendation:
                 f"is {most:,}; advise on some of the pairs, or ask for more by most="
             )
         models = _candidates(self.case)
-        if tuple(j.model for j in self.judged) != models:
+        if tuple(j.model for j in self.results) != models:
             return False
-        facts, judged = _counted(self.case, models)
+        facts, results = _summarize(self.case, models)
         return (
             self._has(facts)
-            and all(self._bears(claim, found) for claim, found in zip(self.judged, judged, strict=True))
+            and all(self._bears(claim, found) for claim, found in zip(self.results, results, strict=True))
             and self._scope()
         )
 
-    def _has(self, found: Facts) -> bool:
-        mine, place = self.facts, self._place(self.facts.at)
-        if mine != found._replace(gamma=mine.gamma, at=mine.at):
+    def _has(self, found: InputSummary) -> bool:
+        mine, place = self.summary, self._place(self.summary.at)
+        if mine != found._replace(relative_margin=mine.relative_margin, at=mine.at):
             return False
         if place is None:
             return not mine.pairs
         # arrays have gamma good to one part in fifty
-        return all(isclose(mine.gamma, known, rel_tol=0.025) for known in (found.gamma, _gamma(self.case, place)))
+        return all(
+            isclose(mine.relative_margin, known, rel_tol=0.025)
+            for known in (found.relative_margin, _least_margin(self.case, place))
+        )
 
     def _bears(self, claim: ModelResult, found: ModelResult) -> bool:
         """Arrays may doubt what integers prove, if another pair is in doubt anyway."""
-        if (claim.proven, claim.hits) != (found.proven, found.hits):
+        if (claim.proven, claim.proven_for_hits) != (found.proven, found.proven_for_hits):
             return False
-        if not claim.wrong <= found.wrong <= found.wrong + found.unsure <= claim.wrong + claim.unsure:
+        if not claim.wrong <= found.wrong <= found.wrong + found.uncertain <= claim.wrong + claim.uncertain:
             return False
         if claim.wrong and claim.wrong == found.wrong and claim.first != found.first:
             return False
@@ -118,15 +121,15 @@ class Recommendation:
             return claim.first is None and claim.proven
         a, b = self.case.body(place)
         said = claim.model.sure(a, b)
-        return said is not None and said is not certified_bounds.exactly(a, b) if claim.wrong else said is None
+        return said is not None and said is not certified_bounds.exact_relation(a, b) if claim.wrong else said is None
 
     def _place(self, pair: Pair) -> int | None:
         return next((k for k in range(self.case.known) if self.case.indices(k) == pair), None)
 
     def _scope(self) -> bool:
         pairs = [self.case.body(k) for k in range(self.case.pairs)]
-        again = self.case._replace(reach=lambda: reach_of(pairs), grid=lambda: grid_of(pairs))
-        found = scope_of(self.model, self.facts, again)
+        again = self.case._replace(reach=lambda: moved_bound(pairs), grid=lambda: grid_of(pairs))
+        found = scope_of(self.model, self.summary, again)
         return self.scope == Scope(HERE) or (
             self.scope._replace(bound=0) == found._replace(bound=0) and (0 <= self.scope.bound <= found.bound)
         )
@@ -141,7 +144,7 @@ class Recommendation:
         smaller = self.smaller
         if smaller is None or smaller.first is None or (place := self._place(smaller.first)) is None:
             return None
-        a, b = (s.outline() if isinstance(s, Compound) else s for s in self.case.body(place))
+        a, b = (s.outline() if isinstance(s, SplitPolygon) else s for s in self.case.body(place))
         return record(a, b, axes=shortcut(smaller.model, a, b))
 
     @cached_property
@@ -149,8 +152,8 @@ class Recommendation:
         from .costs import costs
 
         # for one pair numba would take longer to load than all else
-        engine = "numpy" if self.facts.pairs == 1 else None
-        return costs([j.model for j in self.judged], self.case.batches(), engine=engine)
+        engine = "numpy" if self.summary.pairs == 1 else None
+        return costs([j.model for j in self.results], self.case.batches(), engine=engine)
 
     def prices(self) -> "dict[str, Cost | None]":
         """By model's name what it costs here: nanoseconds a pair, cold (with its set-up) and warm.
@@ -163,32 +166,32 @@ class Recommendation:
         """Time against wrong answers of every candidate on these pairs, the advised one marked."""
         from .cost_chart import chart
 
-        return chart(self.model, self.facts, self.judged, self.prices())
+        return chart(self.model, self.summary, self.results, self.prices())
 
     def to_json(self, indent: int | None = None) -> str:
         """All of it but prices as JSON; the same each time."""
-        f = self.facts
+        f = self.summary
         data = {
             "satviz": "advice 1",
             "model": _model(self.model),
             "reason": self.reason,
             "scope": {
                 "kind": self.scope.kind,
-                "text": report.holds(self.scope, self.facts),
+                "text": report.holds(self.scope, self.summary),
                 "bound": self.scope.bound,
             },
             "anywhere": self.anywhere.name,
             "for_hits": self.for_hits.model.name,
-            "facts": {**f._asdict(), "gamma": f.gamma if f.pairs else None},
+            "facts": {**f._asdict(), "relative_margin": f.relative_margin if f.pairs else None},
             "candidates": [
-                {**_model(j.model), "wrong": j.wrong, "unsure": j.unsure, "first": j.first, "proven": j.proven}
-                for j in self.judged
+                {**_model(j.model), "wrong": j.wrong, "uncertain": j.uncertain, "first": j.first, "proven": j.proven}
+                for j in self.results
             ],
         }
         return json.dumps(data, indent=indent, allow_nan=False)
 
     def __str__(self) -> str:
-        return report.told(self.facts, self.judged, self.scope)
+        return report.text(self.summary, self.results, self.scope)
 
     def __repr__(self) -> str:
         return f"Recommendation({self.model.name}, {self.scope.kind})"
@@ -220,74 +223,74 @@ def advise(
     if isinstance(a, Shape) and (b is None or isinstance(b, Shape)):
         if pairs is not None:
             raise TypeError("pairs are of batch shapes: make them with batch.Polygons or batch.Circles")
-        facts, judged, case = _of_two(a, checked(b, "b"))
+        facts, results, case = _recommend_pair(a, checked(b, "b"))
     else:
-        from .many import of_many
+        from .advising_batches import recommend_batch
 
-        facts, judged, case = of_many(a, b, pairs)
-    return Recommendation(facts, judged, scope_of(best(judged).model, facts, case), case)
+        facts, results, case = recommend_batch(a, b, pairs)
+    return Recommendation(facts, results, scope_of(best(results).model, facts, case), case)
 
 
-def _of_two(a: Shape, b: Shape) -> tuple[Facts, tuple[ModelResult, ...], Case]:
+def _recommend_pair(a: Shape, b: Shape) -> tuple[InputSummary, tuple[ModelResult, ...], PairsInHand]:
     """The same for two shapes: by fractions alone, or by arrays where that would take long."""
-    case = _two(a, b)
+    case = _pair_in_hand(a, b)
     if case.tests <= TESTS_BY_FRACTIONS:
-        return *_counted(case, _candidates(case)), case
-    from .many import as_batch, of_many
+        return *_summarize(case, _candidates(case)), case
+    from .advising_batches import recommend_batch, shape_as_batch
 
     # for one pair numba would take longer to load than all else
-    return of_many(as_batch(a), as_batch(b), None, engine="numpy")
+    return recommend_batch(shape_as_batch(a), shape_as_batch(b), None, engine="numpy")
 
 
-def _two(a: Shape, b: Shape) -> Case:
+def _pair_in_hand(a: Shape, b: Shape) -> PairsInHand:
     def batches() -> Any:
-        from .many import of_shapes
+        from .advising_batches import repeated_pair
 
-        return of_shapes(a, b, copies=max(1, min(4096, TESTS_TIMED // tests)))
+        return repeated_pair(a, b, copies=max(1, min(4096, TESTS_TIMED // tests)))
 
     both = [(a, b)]
-    corners = [sum(len(p.core) for p in pieces(shape)) for shape in (a, b)]
+    corners = [sum(len(p.core) for p in convex_parts(shape)) for shape in (a, b)]
     tests = 2 * corners[0] * corners[1]
-    return Case(
+    return PairsInHand(
         1,
         both.__getitem__,
         lambda k: (0, 0),
         lambda: (a, b),
         batches,
-        lambda: reach_of(both),
+        lambda: moved_bound(both),
         lambda: grid_of(both),
         tests,
     )
 
 
-def _candidates(case: Case) -> tuple[Model, ...]:
+def _candidates(case: PairsInHand) -> tuple[Model, ...]:
     """The candidate models, worked out from the bodies alone."""
     shapes = case.shapes()
-    axes = max((certified_bounds.axes_asked(*case.body(k)) for k in range(case.pairs)), default=1)
+    axes = max((certified_bounds.count_axes(*case.body(k)) for k in range(case.pairs)), default=1)
     directions = certified_bounds.shared_directions(shapes) if case.pairs else ()
     return candidates(axes, directions, {kind_of(s) for s in shapes}, case)
 
 
-def _counted(case: Case, models: Sequence[Model]) -> tuple[Facts, tuple[ModelResult, ...]]:
+def _summarize(case: PairsInHand, models: Sequence[Model]) -> tuple[InputSummary, tuple[ModelResult, ...]]:
     """What there is and what each model is sure of, by integers, pair by pair."""
     relations, least, at = Counter[Relation](), inf, (0, 0)
-    wrong, unsure = Counter[Model](), Counter[Model]()
+    wrong, uncertain = Counter[Model](), Counter[Model]()
     first: dict[Model, Pair] = {}
     doubtful: dict[Model, Pair] = {}
     missing = set()
     for k in range(case.known):
         a, b = case.body(k)
-        relation, pair = certified_bounds.exactly(a, b), case.indices(k)
+        relation, pair = certified_bounds.exact_relation(a, b), case.indices(k)
         if k < case.pairs:
             relations[relation] += 1
-            if (found := _gamma(case, k)) < least:
+            if (found := _least_margin(case, k)) < least:
                 least, at = found, pair
         for model in models:
             if k >= case.pairs and (model.after_boxes or model.kind == certified_bounds.BOXES):
                 continue  # settled already
             said = model.sure(a, b)
             if said is None:
-                unsure[model] += 1
+                uncertain[model] += 1
                 doubtful.setdefault(model, pair)
             elif said is not relation:
                 wrong[model] += 1
@@ -295,9 +298,9 @@ def _counted(case: Case, models: Sequence[Model]) -> tuple[Facts, tuple[ModelRes
             if said is None or bool(said) is not bool(relation):
                 missing.add(model)
     shapes = case.shapes()
-    corners = [len(p.core) for s in shapes if not s.core_is_point for p in pieces(s)] or [0]
+    corners = [len(p.core) for s in shapes if not s.core_is_point for p in convex_parts(s)] or [0]
     widths = [min(max(s.bounds[2] - s.bounds[0], s.bounds[3] - s.bounds[1]), float_info.max) for s in shapes] or [1.0]
-    facts = Facts(
+    facts = InputSummary(
         dict(Counter(map(kind_of, shapes))),
         (min(corners), max(corners)),
         min(max(widths) / min(widths), float_info.max),
@@ -308,10 +311,10 @@ def _counted(case: Case, models: Sequence[Model]) -> tuple[Facts, tuple[ModelRes
         at,
     )
     return facts, tuple(
-        ModelResult(m, wrong[m], unsure[m], first.get(m, doubtful.get(m)), m not in missing) for m in models
+        ModelResult(m, wrong[m], uncertain[m], first.get(m, doubtful.get(m)), m not in missing) for m in models
     )
 
 
-def _gamma(case: Case, k: int) -> float:
+def _least_margin(case: PairsInHand, k: int) -> float:
     a, b = case.body(k)
-    return abs(min(signed(p, q) for p in pieces(a) for q in pieces(b)))
+    return abs(min(signed_relative_margin(p, q) for p in convex_parts(a) for q in convex_parts(b)))

@@ -4,7 +4,7 @@ from ..engine.axes import Axis, Choice, directions, needed, world
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Circle, Shape
 from ..engine.shortcut import Shortcut
-from .certified_bounds import BOXES, DIRECTIONS, Model, around
+from .certified_bounds import BOXES, DIRECTIONS, Model, bounding_circle
 
 
 def shortcut(model: Model, a: Shape, b: Shape) -> Shortcut:
@@ -21,10 +21,10 @@ def shortcut(model: Model, a: Shape, b: Shape) -> Shortcut:
 
 
 def _between(a: Shape, b: Shape) -> Choice:
-    (ax, ay, _), (bx, by, _) = around(a), around(b)
+    (ax, ay, _), (bx, by, _) = bounding_circle(a), bounding_circle(b)
     return directions((bx - ax, by - ay) if (ax, ay) != (bx, by) else (1, 0))(a, b)
 
 
 def _by_circles(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    (ax, ay, ar), (bx, by, br) = around(a), around(b)
+    (ax, ay, ar), (bx, by, br) = bounding_circle(a), bounding_circle(b)
     return next(axis_tests(Circle((ax, ay), ar), Circle((bx, by), br), [axis]))

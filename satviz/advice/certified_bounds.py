@@ -43,12 +43,18 @@ from .rounding import FLOAT64, FORMATS, Exact, Format, holds
 
 T = TypeVar("T")
 APART, TOUCHING, OVERLAPPING = Relation
-LOOKS, TURNS, SQUARES, LANDINGS, RANGES = 32, 32, 128, 16, 72  # roundings asked of each
-FILLED = 1 + 2.0**-40  # what makes a bounding circle's rounded radius hold every corner
+SAT_ROUNDINGS, TURN_ROUNDINGS, DISTANCE_ROUNDINGS, LANDING_ROUNDINGS, RANGE_ROUNDINGS = (
+    32,
+    32,
+    128,
+    16,
+    72,
+)  # roundings asked of each
+WIDENING = 1 + 2.0**-40  # what makes a bounding circle's rounded radius hold every corner
 CIRCLES, BOXES, DIRECTIONS, EXACT = "bounding circles", "AABB", "shared directions", "filtered exact"
 
 
-class Compound:
+class SplitPolygon:
     """Convex pieces that are one shape, where only the pieces are known: as much of a shape as the models ask for."""
 
     radius = 0.0
@@ -85,17 +91,17 @@ class Compound:
         return (*to_int_points(self.core), 0)
 
 
-Body = Shape | Compound
+AnyShape = Shape | SplitPolygon
 
 
-def pieces(body: Body) -> Sequence[Shape]:
+def convex_parts(body: AnyShape) -> Sequence[Shape]:
     """The convex parts."""
-    return body.pieces if isinstance(body, Compound) else parts(body)
+    return body.pieces if isinstance(body, SplitPolygon) else parts(body)
 
 
-def exactly(a: Body, b: Body) -> Relation:
+def exact_relation(a: AnyShape, b: AnyShape) -> Relation:
     """The relation by integers alone, without a filter."""
-    return max(relate_integers(*aligned(p, q)[:3]) for p in pieces(a) for q in pieces(b))
+    return max(relate_integers(*aligned(p, q)[:3]) for p in convex_parts(a) for q in convex_parts(b))
 
 
 class Model(NamedTuple):
@@ -122,30 +128,30 @@ class Model(NamedTuple):
         """What it is called in words."""
         return f"{BOXES}, then {self.test}" if self.after_boxes else self.test
 
-    def sure(self, a: Body, b: Body) -> Relation | None:
+    def sure(self, a: AnyShape, b: AnyShape) -> Relation | None:
         """The relation it gives in every order of its operations; None where rounding can decide."""
         if self.kind == EXACT:
-            return max(relate(p, q) for p in pieces(a) for q in pieces(b))
+            return max(relate(p, q) for p in convex_parts(a) for q in convex_parts(b))
         if self.kind == BOXES:
-            return boxes(a, b)
+            return certify_boxes(a, b)
         if self.kind == CIRCLES:
-            return bounding_circles(a, b)
+            return certify_bounding_circles(a, b)
         if self.kind == DIRECTIONS:
-            return along(a, b, self.directions)
-        return sat(a, b, FORMATS[self.kind])
+            return certify_directions(a, b, self.directions)
+        return certify_sat(a, b, FORMATS[self.kind])
 
 
-MOST_DIRECTIONS = 8
-PARALLEL = 2.0**-20  # radians: what is taken for one direction, to be proven or refused afterwards
+MAX_DIRECTIONS = 8
+PARALLEL_ANGLE = 2.0**-20  # radians: what is taken for one direction, to be proven or refused afterwards
 
 
-def shared_directions(bodies: Iterable[Body]) -> tuple[Vec, ...]:
+def shared_directions(bodies: Iterable[AnyShape]) -> tuple[Vec, ...]:
     """The few directions of all normals, the larger part of each from a half to one; none where there are too many.
 
     Each time the least that is left, so that they do not depend on the order of shapes and corners.
     """
     left = set()
-    for ring in (piece.core for body in bodies for piece in pieces(body)):
+    for ring in (piece.core for body in bodies for piece in convex_parts(body)):
         for (px, py), (qx, qy) in edges_of(ring):
             nx, ny = qy - py, px - qx
             size = max(abs(nx), abs(ny))
@@ -155,10 +161,10 @@ def shared_directions(bodies: Iterable[Body]) -> tuple[Vec, ...]:
             left.add(Vec(*(ldexp(scale * c, -frexp(size)[1]) + 0.0 for c in (nx, ny))))
     found: list[Vec] = []
     while left:
-        if len(found) == MOST_DIRECTIONS:
+        if len(found) == MAX_DIRECTIONS:
             return ()
         found.append(n := min(left))
-        left = {m for m in left if abs(n.x * m.y - n.y * m.x) > PARALLEL}
+        left = {m for m in left if abs(n.x * m.y - n.y * m.x) > PARALLEL_ANGLE}
     return tuple(found)
 
 
@@ -182,23 +188,23 @@ def candidates(
     return tuple(sorted(found, key=lambda model: model.axes))
 
 
-def axes_asked(a: Body, b: Body) -> int:
+def count_axes(a: AnyShape, b: AnyShape) -> int:
     """How many axes SAT looks at: every edge of both, a circle's to the nearest corner, for every pair of parts."""
-    return sum(_axes(p, q) for p in pieces(a) for q in pieces(b))
+    return sum(_count_convex_axes(p, q) for p in convex_parts(a) for q in convex_parts(b))
 
 
-def _axes(a: Shape, b: Shape) -> int:
+def _count_convex_axes(a: Shape, b: Shape) -> int:
     edges = sum(0 if s.core_is_point else len(s.core) for s in (a, b))
     return edges + (a.core_is_point or b.core_is_point)
 
 
-def boxes(a: Body, b: Body) -> Relation | None:
+def certify_boxes(a: AnyShape, b: AnyShape) -> Relation | None:
     """By the bounding boxes: comparisons alone, which round nothing; the sides of a circle's box may be rounded."""
-    outer, inner = (_box_gap(*(_box(s, way) for s in (a, b))) for way in (inf, -inf))
-    return _told(outer) if outer == inner else None
+    outer, inner = (_compare_boxes(*(_bounding_box(s, way) for s in (a, b))) for way in (inf, -inf))
+    return relation_of_sign(outer) if outer == inner else None
 
 
-def _box_gap(a: tuple[float, ...], b: tuple[float, ...]) -> int:
+def _compare_boxes(a: tuple[float, ...], b: tuple[float, ...]) -> int:
     """1 if the boxes are apart, 0 if they touch, -1 if they overlap: no difference, which could vanish."""
     (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = a, b
     if ax1 < bx0 or bx1 < ax0 or ay1 < by0 or by1 < ay0:
@@ -206,7 +212,7 @@ def _box_gap(a: tuple[float, ...], b: tuple[float, ...]) -> int:
     return 0 if ax1 == bx0 or bx1 == ax0 or ay1 == by0 or by1 == ay0 else -1
 
 
-def _box(shape: Body, way: float) -> tuple[float, ...]:
+def _bounding_box(shape: AnyShape, way: float) -> tuple[float, ...]:
     """The bounding box; a circle's sides that are rounded are moved one float outwards (inf) or inwards (-inf)."""
     if not shape.core_is_point:
         return shape.bounds
@@ -222,15 +228,15 @@ def _box(shape: Body, way: float) -> tuple[float, ...]:
 Disc = tuple[float, float, float]
 
 
-def around(shape: Body) -> Disc:
+def bounding_circle(shape: AnyShape) -> Disc:
     """x, y and radius of a circle around the shape; the radius is infinite or 0 where floats cannot tell it.
 
     Its center is that of the bounding box, and it reaches the farthest corner.
     """
-    return _disc(shape, FILLED)
+    return _disc(shape, WIDENING)
 
 
-def _disc(shape: Body, wider: float) -> Disc:
+def _disc(shape: AnyShape, wider: float) -> Disc:
     if shape.core_is_point:
         return (*shape.core[0], shape.radius)
     x0, y0, x1, y1 = shape.bounds
@@ -240,40 +246,40 @@ def _disc(shape: Body, wider: float) -> Disc:
     return x, y, sqrt(square) * wider if TINY < square < HUGE else 0.0
 
 
-def bounding_circles(a: Body, b: Body) -> Relation | None:
+def certify_bounding_circles(a: AnyShape, b: AnyShape) -> Relation | None:
     """By circles around the shapes, whether their radii are made to hold every corner or only rounded."""
-    held, bare = (circles(_disc(a, wider), _disc(b, wider), FLOAT64) for wider in (FILLED, 1.0))
+    held, bare = (certify_circles(_disc(a, wider), _disc(b, wider), FLOAT64) for wider in (WIDENING, 1.0))
     return held if held is bare else None
 
 
-def circles(a: Disc, b: Disc, form: Format) -> Relation | None:
+def certify_circles(a: Disc, b: Disc, form: Format) -> Relation | None:
     """By the squares of the distance and of the sum of radii, and by ranges on the line through the centers."""
     if not (a[2] and b[2] and all(map(isfinite, (*a, *b)))):
         return None
     _, (ax, ay, ar, bx, by, br) = to_integers((*a, *b))
-    moved = _moved((ax, ay, bx, by), (*a, *b), form)
+    moved = _coordinate_error((ax, ay, bx, by), (*a, *b), form)
     distance, reach = (ax - bx) ** 2 + (ay - by) ** 2, (ar + br) ** 2
     gap = sign(distance - reach)
     size = max(abs(a[0] - b[0]), abs(a[1] - b[1]), a[2] + b[2])
     room = Fraction(12 * (distance + reach), 1 << form.bits) + 5 * moved * (abs(ax - bx) + abs(ay - by)) + 9 * moved**2
     sure = form.least < size and max(map(abs, (*a, *b))) < form.most and abs(distance - reach) > room
-    far_off = Fraction(RANGES * (max(map(abs, (ax, ay, bx, by))) + max(ar, br)), 1 << form.bits)
+    far_off = Fraction(RANGE_ROUNDINGS * (max(map(abs, (ax, ay, bx, by))) + max(ar, br)), 1 << form.bits)
     radii = ar + br
     if sure and (distance > (radii + far_off) ** 2 or (radii > far_off and distance < (radii - far_off) ** 2)):
-        return _told(gap)
+        return relation_of_sign(gap)
     for formula in (rounding.circle_ranges,) if sure else (rounding.circle_ranges, rounding.circles):
         arithmetic = Exact(form)
         formula(arithmetic, *([arithmetic.held(Fraction(c)) for c in disc] for disc in (a, b)))
         if not arithmetic.exact:
             return None
-    return _told(gap)
+    return relation_of_sign(gap)
 
 
-def _told(gap: int) -> Relation:
+def relation_of_sign(gap: int) -> Relation:
     return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
 
-def along(a: Body, b: Body, directions: Sequence[Vec]) -> Relation | None:
+def certify_directions(a: AnyShape, b: AnyShape, directions: Sequence[Vec]) -> Relation | None:
     """By ranges of x*nx + y*ny on given directions, each a sum of two products.
 
     A landing is off by 4 roundings of m M (m the larger part of the direction), a gap of two by 8; asked: 16.
@@ -287,15 +293,15 @@ def along(a: Body, b: Body, directions: Sequence[Vec]) -> Relation | None:
         _, (mx, my) = to_integers(n)
         on_p, on_q = ([mx * x + my * y for x, y in ring] for ring in (p, q))
         gap = max(min(on_p) - max(on_q), min(on_q) - max(on_p))
-        room = LANDINGS * max(abs(mx), abs(my)) * max(abs(c) for ring in (p, q) for v in ring for c in v)
-        sure = (trusted and abs(gap) << 53 > room) or _lands_exactly((*a.core, *b.core), n)
+        room = LANDING_ROUNDINGS * max(abs(mx), abs(my)) * max(abs(c) for ring in (p, q) for v in ring for c in v)
+        sure = (trusted and abs(gap) << 53 > room) or _projects_exactly((*a.core, *b.core), n)
         if sure and gap > 0:
             return APART
         found.append(sign(gap) if sure else None)
-    return None if None in found else _told(max(gap for gap in found if gap is not None))
+    return None if None in found else relation_of_sign(max(gap for gap in found if gap is not None))
 
 
-def _lands_exactly(corners: Iterable[Vec], direction: Vec) -> bool:
+def _projects_exactly(corners: Iterable[Vec], direction: Vec) -> bool:
     arithmetic = Exact(FLOAT64)
     normal = Fraction(direction[0]), Fraction(direction[1])
     for x, y in corners:
@@ -303,21 +309,21 @@ def _lands_exactly(corners: Iterable[Vec], direction: Vec) -> bool:
     return arithmetic.exact
 
 
-def sat(a: Body, b: Body, form: Format) -> Relation | None:
+def certify_sat(a: AnyShape, b: AnyShape, form: Format) -> Relation | None:
     """By every axis of every pair of convex parts, in a float format without a filter."""
-    found = [convex_sat(p, q, form) for p in pieces(a) for q in pieces(b)]
+    found = [certify_convex_sat(p, q, form) for p in convex_parts(a) for q in convex_parts(b)]
     if OVERLAPPING in found:
         return OVERLAPPING
     return None if None in found else max(r for r in found if r is not None)
 
 
-def convex_sat(a: Shape, b: Shape, form: Format) -> Relation | None:
+def certify_convex_sat(a: Shape, b: Shape, form: Format) -> Relation | None:
     """The same for two convex shapes."""
     if a.core_is_point and b.core_is_point:
-        return circles((*a.core[0], a.radius), (*b.core[0], b.radius), form)
+        return certify_circles((*a.core[0], a.radius), (*b.core[0], b.radius), form)
     if a.core_is_point or b.core_is_point:
-        return _circle_polygon(a, b, form) if a.core_is_point else _circle_polygon(b, a, form)
-    bounded = _polygons(a, b, form)
+        return _certify_circle_polygon(a, b, form) if a.core_is_point else _certify_circle_polygon(b, a, form)
+    bounded = _certify_polygons(a, b, form)
     if bounded is None and _rounds_nothing(a, b, form):
         return relate(a, b)  # what SAT gives where nothing is rounded
     return bounded
@@ -329,7 +335,7 @@ def _rounds_nothing(a: Shape, b: Shape, form: Format) -> bool:
     return all(arithmetic.exact for _ in rounding.polygons(arithmetic, p, q))
 
 
-def _polygons(a: Shape, b: Shape, form: Format) -> Relation | None:
+def _certify_polygons(a: Shape, b: Shape, form: Format) -> Relation | None:
     numbers = [c for v in (*a.core, *b.core) for c in v]
     p, q, *_ = aligned(a, b)
     flat = [c for ring in (p, q) for v in ring for c in v]
@@ -337,14 +343,14 @@ def _polygons(a: Shape, b: Shape, form: Format) -> Relation | None:
     if not form.least < max(a.max_coordinate, b.max_coordinate) < form.most:
         return None
     apart = [max(r[d] for r in (*p, *q)) - min(r[d] for r in (*p, *q)) for d in (0, 1)]
-    moved = _moved(flat, numbers, form)
+    moved = _coordinate_error(flat, numbers, form)
     surely_over = True
     for ring, other, own in (p, q, a), (q, p, b):
         for ((px, py), (qx, qy)), ((fx, fy), (gx, gy)) in zip(edges_of(ring), edges_of(own.core), strict=True):
             nx, ny = qy - py, px - qx
             clears = min(nx * x + ny * y for x, y in other) - nx * px - ny * py
             span = max(abs(nx), abs(ny))
-            room = LOOKS * (span + 2 * moved) * (reach + moved) / (1 << form.bits)
+            room = SAT_ROUNDINGS * (span + 2 * moved) * (reach + moved) / (1 << form.bits)
             room += 4 * moved * (span + max(apart)) + 8 * moved * moved
             sure = abs(clears) > room and max(abs(fx - gx), abs(fy - gy)) > form.least
             if sure and clears > 0:
@@ -353,13 +359,13 @@ def _polygons(a: Shape, b: Shape, form: Format) -> Relation | None:
     return OVERLAPPING if surely_over else None
 
 
-def _circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Relation | None:
+def _certify_circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Relation | None:
     numbers = (*circle.core[0], circle.radius, *chain.from_iterable(polygon.core))
     (center,), ring, r, _ = aligned(circle, polygon)
     cx, cy = circle.core[0]
     far = max(max(abs(x - cx), abs(y - cy)) for x, y in polygon.core)
     least = min(max(abs(x - u), abs(y - v)) for (x, y), (u, v) in edges_of(polygon.core))
-    moved = _moved((*center, *chain.from_iterable(ring)), numbers, form)
+    moved = _coordinate_error((*center, *chain.from_iterable(ring)), numbers, form)
     most = max(far, *map(abs, numbers))
     if not (form.least + 2 * most * bool(moved) * 2.0**-form.bits < least and most < form.most):
         return None
@@ -370,7 +376,7 @@ def _circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Relation | N
         dx, dy = qx - px, qy - py
         turn, along, square = px * dy - py * dx, -(px * dx + py * dy), dx * dx + dy * dy
         long = abs(dx) + abs(dy)
-        size = TURNS * (widest + 2 * moved) * (long + 4 * moved) / (1 << form.bits)
+        size = TURN_ROUNDINGS * (widest + 2 * moved) * (long + 4 * moved) / (1 << form.bits)
         size += 2 * moved * long + 4 * moved * widest + 8 * moved**2
         inside = inside and turn > size
         outside = outside or -turn > size
@@ -381,17 +387,19 @@ def _circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Relation | N
             away = Fraction(turn * turn, square)
         nearest = away if nearest is None else min(nearest, away)
     assert nearest is not None
-    room = (SQUARES * (widest + 2 * moved) ** 2 + 8 * r * r) / (1 << form.bits) + 9 * moved * (widest + moved)
-    far_off = Fraction(RANGES * (max(abs(c) for v in (center, *ring) for c in v) + r), 1 << form.bits)
+    room = (DISTANCE_ROUNDINGS * (widest + 2 * moved) ** 2 + 8 * r * r) / (1 << form.bits) + 9 * moved * (
+        widest + moved
+    )
+    far_off = Fraction(RANGE_ROUNDINGS * (max(abs(c) for v in (center, *ring) for c in v) + r), 1 << form.bits)
     deep = r > far_off and nearest < (r - far_off) ** 2
     if (inside and (r > far_off or nearest > (far_off - r) ** 2)) or (deep and nearest < r * r - room):
         return OVERLAPPING
     return APART if outside and nearest > max(r * r + room, (r + far_off) ** 2) else None
 
 
-def _moved(coordinates: Iterable[int], numbers: Iterable[float], form: Format) -> Fraction:
+def _coordinate_error(coordinates: Iterable[int], numbers: Iterable[float], form: Format) -> Fraction:
     """By how much the format moves a coordinate at most, in the integers' unit; 0 where it holds all numbers."""
-    return Fraction(0) if held(numbers, form) else Fraction(max(map(abs, coordinates)), 1 << form.bits)
+    return Fraction(0) if holds_all(numbers, form) else Fraction(max(map(abs, coordinates)), 1 << form.bits)
 
 
 def edges_of(ring: Sequence[T]) -> Iterable[tuple[T, T]]:
@@ -399,6 +407,6 @@ def edges_of(ring: Sequence[T]) -> Iterable[tuple[T, T]]:
     return zip(ring, [*ring[1:], ring[0]], strict=True)
 
 
-def held(numbers: Iterable[float], form: Format) -> bool:
+def holds_all(numbers: Iterable[float], form: Format) -> bool:
     """Does the format hold them all as they are?"""
     return form is FLOAT64 or all(holds(Fraction(c), form) for c in numbers)

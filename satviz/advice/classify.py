@@ -11,17 +11,25 @@ from ..batch.codes import APART, OVERLAPPING, UNDECIDED
 from ..batch.exact_signs import two_sum
 from ..engine.predicates import UNIT
 from . import certified_bounds, rounding
-from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, FILLED, Model, convex_sat
-from .limits import refuse_more_by_fractions
-from .models import DTYPES, boxes, by_boxes, discs, is_circle, ranges, told
-from .pairs import Array, Indices, Pairs, Relations, columns, one, reach
+from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, WIDENING, Model, certify_convex_sat
+from .limits import refuse_too_many_fractions
+from .models import (
+    DTYPES,
+    bounding_boxes,
+    bounding_circles,
+    compare_boxes,
+    direction_ranges,
+    is_circle,
+    relations_of_gaps,
+)
+from .pairs import Array, Indices, Pairs, Relations, max_reach, pair_columns, part_shape
 from .rounding import FLOAT64, FORMATS, Format
 from .rounding_numpy import Errors
 
 ROUNDED = 1 + 2.0**-40  # more than a few roundings of float64
 
 
-def sure(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None = None) -> Relations:
+def classify(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None = None) -> Relations:
     """The relation each pair surely gets in any order of operations; UNDECIDED where rounding can decide.
 
     `exact`: the relations themselves, which are also what comes out where nothing is rounded.  `engine`: as in
@@ -34,7 +42,10 @@ def sure(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None = N
         if model.kind == BOXES:
             return _sure_boxes(a, ia, b, ib)
         if model.kind == CIRCLES:
-            held, bare = (_sure_circles(discs(a, by)[ia], discs(b, by)[ib], FLOAT64) for by in (FILLED, 1.0))
+            held, bare = (
+                _sure_circles(bounding_circles(a, by)[ia], bounding_circles(b, by)[ib], FLOAT64)
+                for by in (WIDENING, 1.0)
+            )
             return np.where(held == bare, held, UNDECIDED).astype(np.int8)
         if model.kind == DIRECTIONS:
             return _sure_ranges(model, pairs)
@@ -43,10 +54,10 @@ def sure(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None = N
         if a.owner is not None or b.owner is not None:
             relations = batch.relate(a.parts, b.parts, np.stack([pairs.pa, pairs.pb], axis=1), engine=engine)
         found = np.empty(len(pairs.pa), np.int8)
-        fine_a, fine_b = (Grids.of(s.parts) for s in (a, b))
-        for mine, p, q in columns(a.parts, pairs.pa, b.parts, pairs.pb):
+        fine_a, fine_b = (PartGrids.of(s.parts) for s in (a, b))
+        for mine, p, q in pair_columns(a.parts, pairs.pa, b.parts, pairs.pb):
             found[mine] = _by_bounds(p, q, form)
-            coarse = on_a_grid(fine_a, pairs.pa[mine], fine_b, pairs.pb[mine], form)
+            coarse = fits_grid(fine_a, pairs.pa[mine], fine_b, pairs.pb[mine], form)
             if p.r is None and q.r is None:
                 found[mine] = np.where(coarse, relations[mine], found[mine])
             doubt = np.flatnonzero(found[mine] == UNDECIDED)
@@ -60,8 +71,8 @@ def _asked_of_fractions(pairs: Pairs, found: Relations, form: Format) -> Relatio
     """Ask fractions about convex parts that arrays doubt, as their bounds are a little wider: up to a real doubt."""
     doubt = np.flatnonzero((found == UNDECIDED) & (pairs.whole(found)[pairs.of] == UNDECIDED))
     for many, k in enumerate(doubt.tolist()):
-        refuse_more_by_fractions(many, len(doubt))
-        said = convex_sat(one(pairs.a.parts, pairs.pa[k]), one(pairs.b.parts, pairs.pb[k]), form)
+        refuse_too_many_fractions(many, len(doubt))
+        said = certify_convex_sat(part_shape(pairs.a.parts, pairs.pa[k]), part_shape(pairs.b.parts, pairs.pb[k]), form)
         if said is None:
             break
         found[k] = said
@@ -87,7 +98,7 @@ def _rounds_nothing(p: Group, q: Group, form: Format) -> NDArray[np.bool_]:
     return errors.exact
 
 
-class Grids(NamedTuple):
+class PartGrids(NamedTuple):
     """Of each part the exponent of the finest power of two that its numbers are multiples of, and their magnitudes.
 
     `most`: the largest number; `span`: the largest part of an edge, 0 of a circle.
@@ -98,7 +109,7 @@ class Grids(NamedTuple):
     span: Array
 
     @classmethod
-    def of(cls, parts: Shapes) -> "Grids":
+    def of(cls, parts: Shapes) -> "PartGrids":
         """Of convex parts."""
         found = cls(*np.empty((3, len(parts.count))))
         for v, g in parts.groups.items():
@@ -113,7 +124,7 @@ class Grids(NamedTuple):
         return found
 
 
-def on_a_grid(a: Grids, ia: Indices, b: Grids, ib: Indices, form: Format) -> NDArray[np.bool_]:
+def fits_grid(a: PartGrids, ia: Indices, b: PartGrids, ib: Indices, form: Format) -> NDArray[np.bool_]:
     """Which pairs of polygons are whole multiples of one unit, so few of it that nothing is rounded.
 
     The bound of `scope`: an edge's part times a coordinate, times four, is at most 2**bits of that unit squared.
@@ -127,13 +138,13 @@ def on_a_grid(a: Grids, ia: Indices, b: Grids, ib: Indices, form: Format) -> NDA
 
 
 def _sure_boxes(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Relations:
-    outer, inner = (by_boxes(_boxes(a, way)[ia], _boxes(b, way)[ib]) for way in (np.inf, -np.inf))
+    outer, inner = (compare_boxes(_boxes(a, way)[ia], _boxes(b, way)[ib]) for way in (np.inf, -np.inf))
     return np.where(outer == inner, outer, UNDECIDED).astype(np.int8)
 
 
 def _boxes(shapes: Shapes, way: float) -> Array:
     """(N, 4) boxes; a circle's sides that are rounded are moved one float outwards (inf) or inwards (-inf)."""
-    disc, found = discs(shapes), boxes(shapes)
+    disc, found = bounding_circles(shapes), bounding_boxes(shapes)
     circle = np.flatnonzero(is_circle(shapes))
     for side in range(4):
         out = -1.0 if side < 2 else 1.0
@@ -154,14 +165,16 @@ def _sure_circles(a: Array, b: Array, form: Format) -> Relations:
     room[~(known & (size > form.least * 1.001) & (most < form.most))] = np.inf
     found = _beyond(distance - square, room)
     reach = np.maximum(np.abs(a[:, :2]).max(axis=1), np.abs(b[:, :2]).max(axis=1)) + np.maximum(a[:, 2], b[:, 2])
-    far_off = certified_bounds.RANGES * (2.0**-form.bits + 2.0**-53) * 1.001 * reach
+    far_off = certified_bounds.RANGE_ROUNDINGS * (2.0**-form.bits + 2.0**-53) * 1.001 * reach
     near = np.abs(np.sqrt(distance) - total) <= far_off  # where ranges can err
     doubt, exact = found == UNDECIDED, np.ones(len(a), bool)
     for formula, where in (rounding.circles, doubt & known), (rounding.circle_ranges, (doubt | near) & known):
         errors = Errors(form, int(np.count_nonzero(where)))
         formula(errors, *([errors.held(c) for c in disc[where].T] for disc in (a, b)))
         exact[where] &= errors.exact
-    return np.where(exact & known, np.where(doubt, told(distance - square), found), UNDECIDED).astype(np.int8)
+    return np.where(exact & known, np.where(doubt, relations_of_gaps(distance - square), found), UNDECIDED).astype(
+        np.int8
+    )
 
 
 def _rows(g: Group) -> Array:
@@ -181,7 +194,7 @@ def _beyond(gap: Array, room: Array) -> Relations:
 
 def _sure_ranges(model: Model, pairs: Pairs) -> Relations:
     a, b, ia, ib = pairs.a, pairs.b, pairs.ia, pairs.ib
-    p, q = ranges(a, model.directions)[ia], ranges(b, model.directions)[ib]
+    p, q = direction_ranges(a, model.directions)[ia], direction_ranges(b, model.directions)[ib]
     gap = np.maximum(p[:, :, 0] - q[:, :, 1], q[:, :, 0] - p[:, :, 1])
     most = np.maximum(_most(a)[ia], _most(b)[ib])
     room = most * (2.0**-53 * 32)
@@ -189,7 +202,9 @@ def _sure_ranges(model: Model, pairs: Pairs) -> Relations:
     plain = _lands_exactly(a, model)[ia] & _lands_exactly(b, model)[ib]
     known = plain | (np.abs(gap) > room[:, None])
     apart = (known & (gap > 0)).any(axis=1)
-    return np.where(apart, APART, np.where(known.all(axis=1), told(gap.max(axis=1)), UNDECIDED)).astype(np.int8)
+    return np.where(apart, APART, np.where(known.all(axis=1), relations_of_gaps(gap.max(axis=1)), UNDECIDED)).astype(
+        np.int8
+    )
 
 
 def _lands_exactly(shapes: Shapes, model: Model) -> NDArray[np.bool_]:
@@ -211,7 +226,7 @@ def _most(shapes: Shapes) -> Array:
 
 def _sure_polygons(p: Group, q: Group, form: Format) -> Relations:
     """By the exact bounds of `proofs`, with room for what is rounded in asking: 17 u DM, and a thousandth."""
-    most = np.maximum(reach(p), reach(q))
+    most = np.maximum(max_reach(p), max_reach(q))
     wide = np.maximum(
         *(np.maximum(c.max(0), d.max(0)) - np.minimum(c.min(0), d.min(0)) for c, d in ((p.x, q.x), (p.y, q.y)))
     )
@@ -254,7 +269,7 @@ def _sure_center(circle: Group, ring: Group, form: Format) -> Relations:
         good &= np.maximum(np.abs(dx), np.abs(dy)) > (form.least + 2 * moved) * 1.001
         turn = x[e - 1] * dy - y[e - 1] * dx
         long = np.abs(dx) + np.abs(dy)
-        size = certified_bounds.TURNS * unit * (far + 2 * moved) * (long + 4 * moved)
+        size = certified_bounds.TURN_ROUNDINGS * unit * (far + 2 * moved) * (long + 4 * moved)
         size += 1.001 * moved * (2 * long + 4 * far + 8 * moved)
         inside &= turn > size
         outside |= turn < -size
@@ -262,9 +277,11 @@ def _sure_center(circle: Group, ring: Group, form: Format) -> Relations:
         ends = np.where(along <= 0, x[e - 1] ** 2 + y[e - 1] ** 2, x[e] ** 2 + y[e] ** 2)
         np.minimum(nearest, np.where((along > 0) & (along < square), turn / square * turn, ends), out=nearest)
     square = circle.r * circle.r
-    room = unit * (certified_bounds.SQUARES * (far + 2 * moved) ** 2 + 8 * square) + 9.001 * moved * (far + moved)
+    room = unit * (certified_bounds.DISTANCE_ROUNDINGS * (far + 2 * moved) ** 2 + 8 * square) + 9.001 * moved * (
+        far + moved
+    )
     reach = np.maximum.reduce([np.abs(c).max(axis=0) for c in (ring.x, ring.y, circle.x, circle.y)])
-    far_off = certified_bounds.RANGES * unit * (reach + circle.r)
+    far_off = certified_bounds.RANGE_ROUNDINGS * unit * (reach + circle.r)
     rim, depth = circle.r + far_off, np.maximum(circle.r - far_off, 0)  # by more than ranges can be off
     deep = inside & ((depth > 0) | (nearest > (far_off - circle.r) ** 2 * ROUNDED + room))
     over = good & (deep | ((depth > 0) & (nearest < np.minimum(square, depth * depth / ROUNDED) - room)))

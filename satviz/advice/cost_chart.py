@@ -13,7 +13,7 @@ from ..pictures import LIGHT, THEMES, Theme
 from ..render.files import DPI, bare, encode_figure
 from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
 from .costs import Cost
-from .facts import Facts, ModelResult
+from .records import InputSummary, ModelResult
 from .report import duration
 
 SIZE = 620.0, 400.0  # points
@@ -59,8 +59,8 @@ class Chart(NamedTuple):
         return {"text/plain": self.sentence, "image/svg+xml": self.svg()}
 
 
-def chart(model: Model, facts: Facts, judged: Sequence[ModelResult], found: Mapping[str, Cost | None]) -> Chart:
-    """The chart of a recommendation: the recommended model among those judged, by their prices.
+def chart(model: Model, facts: InputSummary, results: Sequence[ModelResult], found: Mapping[str, Cost | None]) -> Chart:
+    """The chart of a recommendation: the recommended model among those results, by their prices.
 
     ValueError where there is nothing to draw: no pairs, or a recommended model that is not timed.
     """
@@ -69,7 +69,7 @@ def chart(model: Model, facts: Facts, judged: Sequence[ModelResult], found: Mapp
     mine = found[model.name]
     if mine is None:
         raise ValueError(f"{model.name} is not timed, as one pair of these shapes takes too long: give smaller shapes")
-    timed = [(j.model, price) for j in judged if (price := found[j.model.name]) is not None]
+    timed = [(j.model, price) for j in results if (price := found[j.model.name]) is not None]
     rows = tuple((m.name, ROLES.get(m.kind, "float"), price) for m, price in timed)
     exact = next((price for m, price in timed if m.kind == EXACT), None)
     one = facts.pairs + facts.settled == 1

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 from .. import batch
 from . import models, timing
 from .certified_bounds import Model
-from .limits import SECONDS, TESTS_TIMED
+from .limits import SECONDS_TIMED, TESTS_TIMED
 from .pairs import Pairs, paired
 
 ROUNDS = 5
-MOST = 1 << 16  # pairs timed: the first of more
-FIRST = 16  # pairs that tell what all cost
+MAX_PAIRS_TIMED = 1 << 16  # pairs timed: the first of more
+PAIRS_OF_THE_ESTIMATE = 16  # pairs that tell what all cost
 
 
 class Cost(NamedTuple):
@@ -37,9 +37,9 @@ def costs(
     *,
     rounds: int = ROUNDS,
     engine: str | None = None,
-    most: int = MOST,
+    most: int = MAX_PAIRS_TIMED,
     tests: float = TESTS_TIMED,
-    seconds: float = SECONDS,
+    seconds: float = SECONDS_TIMED,
 ) -> dict[str, Cost | None]:
     """Medians of some rounds in turn, by the models' names; no prices where there are no pairs.
 
@@ -50,22 +50,22 @@ def costs(
     fits = np.searchsorted(np.cumsum(_tests(pairs)), tests, side="right")
     if not fits:
         return dict.fromkeys([m.name for m in asked] if len(pairs.ia) else [])
-    few = min(int(fits), most, _affordable(pairs, seconds, engine))
+    few = min(int(fits), most, _pairs_in_time(pairs, seconds, engine))
     if not few:
         return dict.fromkeys(m.name for m in asked)
     if few < len(pairs.ia):
         pairs = paired(pairs.a, pairs.ia[:few], pairs.b, pairs.ib[:few])
-    pairs = _of_those_used(pairs)
+    pairs = _without_unused_shapes(pairs)
     right = _relations(pairs, engine)
     different = len(pairs.ia) if len(pairs.a) + len(pairs.b) > 2 else 1  # else copies of one
     jobs, wrong = {}, {}
     for model in asked:
-        ready = _ready(model, pairs.a, pairs.b)
-        wrong[model.name] = int((_asked(model, pairs, ready, engine) != right)[:different].sum())
-        jobs[f"{model.name} warm"] = partial(_asked, model, pairs, ready, engine)
-        jobs[f"{model.name} cold"] = partial(_from_scratch, model, pairs, engine)
+        ready = _prepare_both(model, pairs.a, pairs.b)
+        wrong[model.name] = int((_evaluate(model, pairs, ready, engine) != right)[:different].sum())
+        jobs[f"{model.name} warm"] = partial(_evaluate, model, pairs, ready, engine)
+        jobs[f"{model.name} cold"] = partial(_evaluate_cold, model, pairs, engine)
     # this thread's time, in which other programs have no part
-    found = timing.in_turn(jobs, rounds, dict.fromkeys(jobs, len(pairs.ia)), thread_time, seconds)
+    found = timing.time_in_turn(jobs, rounds, dict.fromkeys(jobs, len(pairs.ia)), thread_time, seconds)
     priced: dict[str, Cost | None] = {}
     for m in asked:
         cold, warm = (found.get(f"{m.name} {how}") for how in ("cold", "warm"))
@@ -77,9 +77,9 @@ def _relations(pairs: Pairs, engine: str | None) -> NDArray[np.int8]:
     return batch.relate(pairs.a, pairs.b, np.stack([pairs.ia, pairs.ib], axis=1), engine=engine)
 
 
-def _affordable(pairs: Pairs, seconds: float, engine: str | None) -> int:
+def _pairs_in_time(pairs: Pairs, seconds: float, engine: str | None) -> int:
     """How many pairs the exact model answers in an eighth of the time, by the first of them: it is the dearest."""
-    first = paired(pairs.a, pairs.ia[:FIRST], pairs.b, pairs.ib[:FIRST])
+    first = paired(pairs.a, pairs.ia[:PAIRS_OF_THE_ESTIMATE], pairs.b, pairs.ib[:PAIRS_OF_THE_ESTIMATE])
     _relations(first, engine)  # loads the engine and makes what is kept of the shapes
     start = perf_counter()
     _relations(first, engine)
@@ -94,7 +94,7 @@ def _tests(pairs: Pairs) -> NDArray[np.float64]:
     return found
 
 
-def _of_those_used(pairs: Pairs) -> Pairs:
+def _without_unused_shapes(pairs: Pairs) -> Pairs:
     """The same pairs of only the shapes that are in them."""
     if pairs.a is pairs.b:
         every, where = np.unique(np.concatenate([pairs.ia, pairs.ib]), return_inverse=True)
@@ -104,22 +104,22 @@ def _of_those_used(pairs: Pairs) -> Pairs:
     return paired(pairs.a[one], ia, pairs.b[other], ib)
 
 
-def _asked(model: Model, pairs: Pairs, ready: tuple[object, object], engine: str | None) -> NDArray[np.int8]:
+def _evaluate(model: Model, pairs: Pairs, ready: tuple[object, object], engine: str | None) -> NDArray[np.int8]:
     with np.errstate(all="ignore"):
-        return models.answers(model, pairs, *ready, engine=engine)
+        return models.evaluate(model, pairs, *ready, engine=engine)
 
 
-def _from_scratch(model: Model, pairs: Pairs, engine: str | None) -> NDArray[np.int8]:
-    a = _fresh(pairs.a)
-    return _asked(model, pairs, _ready(model, a, a if pairs.b is pairs.a else _fresh(pairs.b)), engine)
+def _evaluate_cold(model: Model, pairs: Pairs, engine: str | None) -> NDArray[np.int8]:
+    a = _uncached(pairs.a)
+    return _evaluate(model, pairs, _prepare_both(model, a, a if pairs.b is pairs.a else _uncached(pairs.b)), engine)
 
 
-def _ready(model: Model, a: batch.Shapes, b: batch.Shapes) -> tuple[object, object]:
-    mine = models.kept(model, a)
-    return mine, mine if b is a else models.kept(model, b)
+def _prepare_both(model: Model, a: batch.Shapes, b: batch.Shapes) -> tuple[object, object]:
+    mine = models.prepare(model, a)
+    return mine, mine if b is a else models.prepare(model, b)
 
 
-def _fresh(shapes: batch.Shapes) -> batch.Shapes:
+def _uncached(shapes: batch.Shapes) -> batch.Shapes:
     """The same shapes with nothing worked out beforehand but how they were made."""
     made = vars(shapes)
     return batch.Shapes(shapes.count, shapes.owner, rings=made.get("rings"), groups=made.get("groups"))

@@ -18,7 +18,7 @@ FAR = np.float32(np.inf)  # which leaves float32 what it is
 
 
 @compiled
-def boxes(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
+def compare_boxes(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
     """By (N, 4) bounds."""
     for k in range(out.size):
         i, j = ia[k], ib[k]
@@ -31,7 +31,7 @@ def boxes(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
 
 
 @compiled
-def circles(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
+def compare_circles(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
     """By (N, 3) x, y and radius."""
     for k in range(out.size):
         i, j = ia[k], ib[k]
@@ -41,7 +41,7 @@ def circles(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> Non
 
 
 @compiled
-def ranges(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
+def compare_ranges(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
     """By (N, k, 2) ranges on k directions."""
     for k in range(out.size):
         i, j = ia[k], ib[k]
@@ -77,36 +77,36 @@ def sat(
         elif round_a and round_b:
             u, v = start[i], begin[j]
             dx, dy, reach = x[u] - p[v], y[u] - q[v], r[i] + s[j]
-            out[k] = _told(dx * dx + dy * dy - reach * reach)
+            out[k] = relation_of_gap(dx * dx + dy * dy - reach * reach)
         elif round_a:
             u = start[i]
-            out[k] = _told(_from_center(x[u], y[u], r[i], p, q, begin[j], begin[j + 1]))
+            out[k] = relation_of_gap(circle_polygon_gap(x[u], y[u], r[i], p, q, begin[j], begin[j + 1]))
         elif round_b:
             v = begin[j]
-            out[k] = _told(_from_center(p[v], q[v], s[j], x, y, start[i], start[i + 1]))
+            out[k] = relation_of_gap(circle_polygon_gap(p[v], q[v], s[j], x, y, start[i], start[i + 1]))
         elif max(start[i + 1] - start[i], begin[j + 1] - begin[j]) <= FEW:
             w = 0 if max(start[i + 1] - start[i], begin[j + 1] - begin[j]) <= 4 else 1
             of[w, many[w]] = k
             many[w] += 1
             if many[w] == LANES:
-                _look(x, y, start, ia, p, q, begin, ib, of[w], 4 * (w + 1), at, best, out)
+                _evaluate_lanes(x, y, start, ia, p, q, begin, ib, of[w], 4 * (w + 1), at, best, out)
                 many[w] = 0
         else:
-            gap = _clears(x, y, start[i], start[i + 1], p, q, begin[j], begin[j + 1])
+            gap = polygon_clearance(x, y, start[i], start[i + 1], p, q, begin[j], begin[j + 1])
             if gap <= 0:
-                gap = max(gap, _clears(p, q, begin[j], begin[j + 1], x, y, start[i], start[i + 1]))
-            out[k] = _told(gap)
+                gap = max(gap, polygon_clearance(p, q, begin[j], begin[j + 1], x, y, start[i], start[i + 1]))
+            out[k] = relation_of_gap(gap)
     for w in range(2):
-        _look(x, y, start, ia, p, q, begin, ib, of[w, : many[w]], 4 * (w + 1), at, best, out)
+        _evaluate_lanes(x, y, start, ia, p, q, begin, ib, of[w, : many[w]], 4 * (w + 1), at, best, out)
 
 
 @compiled
-def _told(gap: float) -> int:
+def relation_of_gap(gap: float) -> int:
     return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
 
 @compiled
-def _look(
+def _evaluate_lanes(
     x: Array, y: Array, start: Indices, ia: Indices, p: Array, q: Array, begin: Indices, ib: Indices,
     of: Indices, width: int, at: Array, best: Array, out: Relations,
 ) -> None:  # fmt: skip
@@ -123,11 +123,11 @@ def _look(
         edges_of_eight(at[0], at[1], at[2], at[3], 0, n, best)
         edges_of_eight(at[2], at[3], at[0], at[1], 0, n, best)
     for k in range(n):
-        out[of[k]] = _told(best[k])
+        out[of[k]] = relation_of_gap(best[k])
 
 
 @compiled
-def _clears(x: Array, y: Array, first: int, last: int, p: Array, q: Array, begin: int, end: int) -> float:
+def polygon_clearance(x: Array, y: Array, first: int, last: int, p: Array, q: Array, begin: int, end: int) -> float:
     """How far beyond an edge all corners lie: of the first edge that clears, else the most of all."""
     best: float = x[first] * 0 - FAR
     ux, uy = x[last - 1], y[last - 1]
@@ -148,7 +148,7 @@ def _clears(x: Array, y: Array, first: int, last: int, p: Array, q: Array, begin
 
 
 @compiled
-def _from_center(cx: float, cy: float, r: float, p: Array, q: Array, begin: int, end: int) -> Any:
+def circle_polygon_gap(cx: float, cy: float, r: float, p: Array, q: Array, begin: int, end: int) -> Any:
     """The squared distance from a center to the nearest side, less the radius squared; -1 with the center inside."""
     inside = True
     nearest = cx * 0 + FAR

@@ -13,11 +13,11 @@ TESTS_BY_FRACTIONS = 2_000
 # `check()` takes fractions for every test: some 30 us each.
 MAX_TESTS_CHECKED = 500_000
 # Prices: how long they are measured for a scene, and how many tests one call makes (some 50 ms).
-SECONDS = 1.0
+SECONDS_TIMED = 1.0
 TESTS_TIMED = 400_000
 
 
-def refuse_more(pairs: int, tests: int) -> None:
+def refuse_too_many_tests(pairs: int, tests: int) -> None:
     """InvalidScene for more pairs of convex parts, or more tests of an edge against a corner, than are taken on."""
     for many, most, what in (
         (pairs, MAX_PAIRS, "pairs of convex parts"),
@@ -30,7 +30,7 @@ def refuse_more(pairs: int, tests: int) -> None:
             )
 
 
-def refuse_more_boxes(pairs: int, shapes: int) -> None:
+def refuse_too_many_boxes(pairs: int, shapes: int) -> None:
     """InvalidScene for more pairs of shapes whose boxes meet than are taken on; `pairs`: counted so far."""
     if pairs > MAX_PAIRS:
         raise InvalidScene(
@@ -39,7 +39,7 @@ def refuse_more_boxes(pairs: int, shapes: int) -> None:
         )
 
 
-def refuse_more_by_fractions(asked: int, doubtful: int) -> None:
+def refuse_too_many_fractions(asked: int, doubtful: int) -> None:
     """InvalidScene once so many of the doubtful pairs have been asked of fractions."""
     if asked >= MAX_PAIRS_BY_FRACTIONS:
         raise InvalidScene(

@@ -14,16 +14,16 @@ from ..batch.codes import TOUCHING
 from ..batch.with_numpy.filter import clearance
 from ..engine.geometry import Vec
 from ..engine.predicates import HUGE, TINY
-from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, FILLED, MOST_DIRECTIONS, PARALLEL, Model
-from .pairs import Array, Indices, Pairs, Relations, columns, in_a_row
+from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, MAX_DIRECTIONS, PARALLEL_ANGLE, WIDENING, Model
+from .pairs import Array, Indices, Pairs, Relations, pair_columns, slice_if_adjacent
 from .rounding import FORMATS
 
-BLOCK = 16384  # pairs at a time, whose columns stay in the cache
+PAIRS_PER_BLOCK = 16384  # pairs at a time, whose columns stay in the cache
 DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64}
 
 
 @dataclass(frozen=True)
-class Flat:
+class ConvertedParts:
     """All convex parts in one float format: corners one after another with radii, and in columns."""
 
     x: NDArray[Any]
@@ -36,29 +36,29 @@ class Flat:
     groups: dict[int, Group]
 
 
-def kept(model: Model, shapes: Shapes) -> Any:
+def prepare(model: Model, shapes: Shapes) -> Any:
     """What a model keeps of shapes: the set-up that its times cold have in them."""
     if model.kind == EXACT:
         _ = shapes.groups, shapes.rings, shapes.slot
         return shapes
     if model.kind == BOXES:
-        return boxes(shapes)
+        return bounding_boxes(shapes)
     if model.kind == CIRCLES:
-        return discs(shapes)
+        return bounding_circles(shapes)
     if model.kind == DIRECTIONS:
-        return ranges(shapes, model.directions)
+        return direction_ranges(shapes, model.directions)
     dtype = DTYPES[model.kind]
     with np.errstate(over="ignore"):
         groups = {
             v: g._replace(x=g.x.astype(dtype), y=g.y.astype(dtype), r=None if g.r is None else g.r.astype(dtype))
             for v, g in shapes.groups.items()
         }
-        x, y, r = (c.astype(dtype) for c in (*shapes.rings[:2], radii(shapes)))
+        x, y, r = (c.astype(dtype) for c in (*shapes.rings[:2], part_radii(shapes)))
         bounds = shapes.parts.bounds.astype(dtype)  # rounding keeps their order, so a gap that is left was there
-        return Flat(x, y, r, shapes.rings.start, bounds, shapes.count, shapes.slot, groups)
+        return ConvertedParts(x, y, r, shapes.rings.start, bounds, shapes.count, shapes.slot, groups)
 
 
-def radii(shapes: Shapes) -> Array:
+def part_radii(shapes: Shapes) -> Array:
     """(N,) of each part: 0 of polygons."""
     found = np.zeros(len(shapes.count))
     if (group := shapes.groups.get(1)) is not None:
@@ -72,7 +72,7 @@ def is_circle(shapes: Shapes) -> NDArray[np.bool_]:
     return found
 
 
-def boxes(shapes: Shapes) -> Array:
+def bounding_boxes(shapes: Shapes) -> Array:
     """(N, 4) bounding boxes as plain floats have them: a circle's is its center less and plus its radius."""
     found = np.array(shapes.bounds)
     circle = np.flatnonzero(is_circle(shapes))
@@ -80,11 +80,11 @@ def boxes(shapes: Shapes) -> Array:
     x, y, start = shapes.rings
     with np.errstate(over="ignore"):
         for side, c in enumerate((x, y) * 2):
-            found[circle, side] = c[start[part]] + (1 if side > 1 else -1) * radii(shapes)[part]
+            found[circle, side] = c[start[part]] + (1 if side > 1 else -1) * part_radii(shapes)[part]
     return found
 
 
-def discs(shapes: Shapes, wider: float = FILLED) -> Array:
+def bounding_circles(shapes: Shapes, wider: float = WIDENING) -> Array:
     """(N, 3) x, y, radius of a circle around each shape, as `proofs.around` has them."""
     found = np.empty((len(shapes), 3))
     x, y, start = shapes.rings
@@ -98,11 +98,11 @@ def discs(shapes: Shapes, wider: float = FILLED) -> Array:
         found[:, 2] = np.where((square > TINY) & (square < HUGE), np.sqrt(square) * wider, 0.0)
     circle = np.flatnonzero(is_circle(shapes))
     part = shapes.starts[circle]
-    found[circle] = np.stack([x[start[part]], y[start[part]], radii(shapes)[part]], axis=1)
+    found[circle] = np.stack([x[start[part]], y[start[part]], part_radii(shapes)[part]], axis=1)
     return found
 
 
-def ranges(shapes: Shapes, directions: tuple[Vec, ...]) -> Array:
+def direction_ranges(shapes: Shapes, directions: tuple[Vec, ...]) -> Array:
     """(N, k, 2) least and most of x*nx + y*ny."""
     x, y, start = shapes.rings
     first = start[shapes.starts[:-1]]
@@ -132,12 +132,12 @@ def shared_directions(*many: Shapes) -> tuple[Vec, ...]:
     left = np.ldexp(left * np.copysign(1.0, np.where(left[0], left[0], left[1])), -np.frexp(size)[1]) + 0.0
     found: list[Vec] = []
     while left.size:
-        if len(found) == MOST_DIRECTIONS:
+        if len(found) == MAX_DIRECTIONS:
             return ()
         nx = left[0].min()
         ny = left[1, left[0] == nx].min()
         found.append(Vec(float(nx), float(ny)))
-        left = left[:, np.abs(nx * left[1] - ny * left[0]) > PARALLEL]
+        left = left[:, np.abs(nx * left[1] - ny * left[0]) > PARALLEL_ANGLE]
     return tuple(found)
 
 
@@ -145,7 +145,7 @@ def shared_directions(*many: Shapes) -> tuple[Vec, ...]:
 
 
 @cache
-def compiled() -> Any:
+def numba_kernels() -> Any:
     """The compiled kernels, or None where numba does not work."""
     if not find_spec("numba"):
         return None
@@ -156,82 +156,84 @@ def compiled() -> Any:
     return kernels
 
 
-def answers(model: Model, pairs: Pairs, a: Any, b: Any, *, engine: str | None = None) -> Relations:
+def evaluate(model: Model, pairs: Pairs, a: Any, b: Any, *, engine: str | None = None) -> Relations:
     """The relations that the model gives, from what it has kept of both sides."""
     ia, ib = pairs.ia, pairs.ib
     if model.kind == EXACT:
         return batch.relate(a, b, np.stack([ia, ib], axis=1), engine=engine)
-    kernels = None if engine == "numpy" else compiled()
+    kernels = None if engine == "numpy" else numba_kernels()
     out = np.empty(len(ia), np.int8)
     if model.kind in FORMATS:
-        return _sat(pairs, a, b, kernels)
+        return sat(pairs, a, b, kernels)
     if kernels is not None:
-        kernel = {BOXES: kernels.boxes, CIRCLES: kernels.circles, DIRECTIONS: kernels.ranges}[model.kind]
+        kernel = {BOXES: kernels.compare_boxes, CIRCLES: kernels.compare_circles, DIRECTIONS: kernels.compare_ranges}[
+            model.kind
+        ]
         kernel(a, ia, b, ib, out)
         return out
-    look = {BOXES: by_boxes, CIRCLES: _by_circles, DIRECTIONS: _by_ranges}[model.kind]
-    for start in range(0, len(ia), BLOCK):
-        part = slice(start, start + BLOCK)
+    look = {BOXES: compare_boxes, CIRCLES: compare_circles, DIRECTIONS: compare_ranges}[model.kind]
+    for start in range(0, len(ia), PAIRS_PER_BLOCK):
+        part = slice(start, start + PAIRS_PER_BLOCK)
         with np.errstate(all="ignore"):
-            out[part] = look(a[in_a_row(ia[part])], b[in_a_row(ib[part])])
+            out[part] = look(a[slice_if_adjacent(ia[part])], b[slice_if_adjacent(ib[part])])
     return out
 
 
-def told(gap: NDArray[Any]) -> Relations:
+def relations_of_gaps(gap: NDArray[Any]) -> Relations:
     """The relations that gaps tell by their signs."""
-    return _counted(gap > 0, gap < 0)
+    return relations_of(gap > 0, gap < 0)
 
 
-def by_boxes(a: Array, b: Array) -> Relations:
+def compare_boxes(a: Array, b: Array) -> Relations:
     """Those of (N, 4) boxes."""
     apart = (a[:, 0] > b[:, 2]) | (b[:, 0] > a[:, 2]) | (a[:, 1] > b[:, 3]) | (b[:, 1] > a[:, 3])
     over = (a[:, 0] < b[:, 2]) & (b[:, 0] < a[:, 2]) & (a[:, 1] < b[:, 3]) & (b[:, 1] < a[:, 3])
-    return _counted(apart, over)
+    return relations_of(apart, over)
 
 
-def _counted(apart: Any, over: Any) -> Relations:
+def relations_of(apart: Any, over: Any) -> Relations:
     found: Relations = over.view(np.int8) - apart.view(np.int8)
     found += TOUCHING
     return found
 
 
-def _by_circles(a: Array, b: Array) -> Relations:
+def compare_circles(a: Array, b: Array) -> Relations:
     dx, dy, total = a[:, 0] - b[:, 0], a[:, 1] - b[:, 1], a[:, 2] + b[:, 2]
-    return told(dx * dx + dy * dy - total * total)
+    return relations_of_gaps(dx * dx + dy * dy - total * total)
 
 
-def _by_ranges(a: Array, b: Array) -> Relations:
+def compare_ranges(a: Array, b: Array) -> Relations:
     apart, over = np.zeros(len(a), bool), np.ones(len(a), bool)
     for k in range(a.shape[1]):
         apart |= (a[:, k, 0] > b[:, k, 1]) | (b[:, k, 0] > a[:, k, 1])
         over &= (a[:, k, 0] < b[:, k, 1]) & (b[:, k, 0] < a[:, k, 1])
-    return _counted(apart, over)
+    return relations_of(apart, over)
 
 
-def _sat(pairs: Pairs, a: Flat, b: Flat, kernels: Any) -> Relations:
+def sat(pairs: Pairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) -> Relations:
     found = np.empty(len(pairs.pa), np.int8)
     if kernels is not None:
         kernels.sat(a.x, a.y, a.r, a.start, a.bounds, pairs.pa, b.x, b.y, b.r, b.start, b.bounds, pairs.pb, found)
     else:
-        for mine, p, q in columns(a, pairs.pa, b, pairs.pb, BLOCK):
+        for mine, p, q in pair_columns(a, pairs.pa, b, pairs.pb, PAIRS_PER_BLOCK):
             with np.errstate(all="ignore"):
-                found[mine] = told(_gaps(p, q))
+                found[mine] = relations_of_gaps(sat_gaps(p, q))
     return pairs.whole(found)
 
 
-def _gaps(p: Group, q: Group) -> NDArray[Any]:
+def sat_gaps(p: Group, q: Group) -> NDArray[Any]:
     if p.r is not None and q.r is not None:
         dx, dy, total = p.x[0] - q.x[0], p.y[0] - q.y[0], p.r + q.r
         gap: NDArray[Any] = dx * dx + dy * dy - total * total
         return gap
     if p.r is not None or q.r is not None:
-        return _from_center(p, q) if p.r is not None else _from_center(q, p)
+        return circle_polygon_gap(p, q) if p.r is not None else circle_polygon_gap(q, p)
     look: Any = clearance  # whose types say float32, where it is used
     found: NDArray[Any] = look(p.x, p.y, q.x, q.y, 0)
     return found
 
 
-def _from_center(circle: Group, ring: Group) -> NDArray[Any]:
+def circle_polygon_gap(circle: Group, ring: Group) -> NDArray[Any]:
     assert circle.r is not None
     x, y = ring.x - circle.x, ring.y - circle.y
     inside = np.ones(x.shape[1], bool)

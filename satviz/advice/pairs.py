@@ -14,7 +14,7 @@ from ..engine.shapes import Circle, Polygon, Shape
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 Relations = NDArray[np.int8]
-AT_ONCE = 1 << 18  # corners times pairs
+MAX_CORNERS_AT_ONCE = 1 << 18  # corners times pairs
 
 
 class Pairs(NamedTuple):
@@ -43,7 +43,7 @@ def paired(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Pairs:
     return Pairs(a, b, ia, ib, *part_pairs(a, ia, b, ib))
 
 
-class Columned(Protocol):
+class HasColumns(Protocol):
     """Convex parts in columns by their number of corners: batch shapes, or a copy of them in another format."""
 
     @property
@@ -79,7 +79,7 @@ def part_pairs(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> tuple[Indices,
     return first_a[of] + rank // many_b[of], first_b[of] + rank % many_b[of], of
 
 
-def one(shapes: Shapes, part: int) -> Shape:
+def part_shape(shapes: Shapes, part: int) -> Shape:
     """A convex part as a shape of the engine."""
     group, i = shapes.groups[int(shapes.count[part])], shapes.slot[part]
     if group.r is not None:
@@ -87,28 +87,28 @@ def one(shapes: Shapes, part: int) -> Shape:
     return Polygon(np.stack([group.x[:, i], group.y[:, i]], axis=1))
 
 
-def columns(
-    a: Columned, pa: Indices, b: Columned, pb: Indices, most: int = 1 << 62
+def pair_columns(
+    a: HasColumns, pa: Indices, b: HasColumns, pb: Indices, most: int = 1 << 62
 ) -> Iterator[tuple[Indices, Group, Group]]:
     """Pairs of parts by their numbers of corners, some at a time (at most `most`): which, and both sides' columns."""
     key = a.count[pa] << 32 | b.count[pb]
     for kind in np.unique(key).tolist():
         one_side, other = kind >> 32, kind & 0xFFFFFFFF
         p, q = a.groups[one_side], b.groups[other]
-        mine, size = np.flatnonzero(key == kind), min(most, max(16, AT_ONCE // (one_side + other)))
+        mine, size = np.flatnonzero(key == kind), min(most, max(16, MAX_CORNERS_AT_ONCE // (one_side + other)))
         for start in range(0, len(mine), size):
             some = mine[start : start + size]
-            yield some, p.columns(in_a_row(a.slot[pa[some]])), q.columns(in_a_row(b.slot[pb[some]]))
+            yield some, p.columns(slice_if_adjacent(a.slot[pa[some]])), q.columns(slice_if_adjacent(b.slot[pb[some]]))
 
 
-def in_a_row(slots: Indices) -> Indices | slice:
+def slice_if_adjacent(slots: Indices) -> Indices | slice:
     """A slice where the columns stand side by side, which then need no copying."""
     first, last = int(slots[0]), int(slots[-1])
     side_by_side = last - first == len(slots) - 1 and (np.diff(slots) == 1).all()
     return slice(first, last + 1) if side_by_side else slots
 
 
-def reach(group: Group) -> Array:
+def max_reach(group: Group) -> Array:
     """(n,) the largest magnitude of a coordinate of each shape."""
     most: Array = np.maximum(np.abs(group.x).max(axis=0), np.abs(group.y).max(axis=0))
     return most if group.r is None else most + group.r

@@ -28,21 +28,21 @@ from ..engine.shapes import Shape, checked
 IN_FLOAT32 = 2.0**-29
 
 
-def gamma(a: Shape, b: Shape) -> float:
+def relative_margin(a: Shape, b: Shape) -> float:
     """By how many roundings (2**-53 of span times reach) the pair is decided: 0 or more, and 0 only for touching.
 
     Right to the last place of the result; exact in its sign.  TypeError for anything but Polygon and Circle.
     """
-    return abs(signed(a, b))
+    return abs(signed_relative_margin(a, b))
 
 
-def signed(a: Shape, b: Shape) -> float:
+def signed_relative_margin(a: Shape, b: Shape) -> float:
     """The same, negative where they overlap."""
     checked(a, "a"), checked(b, "b")
-    return min(_convex(p, q) for p in parts(a) for q in parts(b))
+    return min(_convex_margin(p, q) for p in parts(a) for q in parts(b))
 
 
-def _convex(a: Shape, b: Shape) -> float:
+def _convex_margin(a: Shape, b: Shape) -> float:
     p, q, radii, _ = aligned(a, b)
     if not radii:
         reach = max(abs(c) for ring in (p, q) for v in ring for c in v)
@@ -55,7 +55,7 @@ def _convex(a: Shape, b: Shape) -> float:
     )
     size = reach.bit_length()
     shift = size - 53  # the gap in roundings already, as what is least must not be multiplied
-    gap = _from_center(p[0], radii, q, shift) if len(p) == 1 else _from_center(q[0], radii, p, shift)
+    gap = _circle_gap(p[0], radii, q, shift) if len(p) == 1 else _circle_gap(q[0], radii, p, shift)
     return gap / (reach / (1 << size))
 
 
@@ -77,7 +77,7 @@ def _clears(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Fraction:
     return best
 
 
-def _from_center(center: IntPoint, r: int, ring: Sequence[IntPoint], shift: int) -> float:
+def _circle_gap(center: IntPoint, r: int, ring: Sequence[IntPoint], shift: int) -> float:
     """The gap from a center with a radius to a ring (of one corner: another circle), in units of 2**shift."""
     cx, cy = center
     inner, outer = [], []

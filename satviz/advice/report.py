@@ -5,8 +5,8 @@ from sys import float_info
 from typing import TYPE_CHECKING
 
 from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
-from .facts import CONCAVE, CONVEX, ROUND, UPRIGHT, Facts, ModelResult, anywhere, best, for_hits
-from .limits import SECONDS
+from .limits import SECONDS_TIMED
+from .records import CONCAVE, CONVEX, ROUND, UPRIGHT, InputSummary, ModelResult, anywhere, best, for_hits
 from .relative_margin import IN_FLOAT32
 from .rounding import FLOAT32, FLOAT64, FORMATS
 from .scope import ANYWHERE, GRID, MOVED, Scope
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 ONE = {UPRIGHT: "upright box", ROUND: "circle", CONVEX: "convex polygon", CONCAVE: "concave polygon"}
 
 
-def told(facts: Facts, judged: "Sequence[ModelResult]", scope: Scope) -> str:
+def text(facts: InputSummary, results: "Sequence[ModelResult]", scope: Scope) -> str:
     """The whole advice, a line each: what is advised, why, how far, what there is, what less and more would give."""
-    least, hits = best(judged), for_hits(judged)
+    least, hits = best(results), for_hits(results)
     lines = [
         f"{named(least.model)}: right for {_all(facts)}",
         *_first(least.model, facts),
@@ -32,18 +32,18 @@ def told(facts: Facts, judged: "Sequence[ModelResult]", scope: Scope) -> str:
     ]
     if facts.pairs:
         lines.append(f"nearest  {nearest(facts)}")
-    place = judged.index(least)
-    lines += [f"less     {_fails(j, facts)}" for j in judged[:place]]
-    rest = judged[place + 1 :]
-    lines += [f"{'more ' if j.proven else 'other'}    {_adds(j, facts, judged)}" for j in rest]
+    place = results.index(least)
+    lines += [f"less     {_fails(j, facts)}" for j in results[:place]]
+    rest = results[place + 1 :]
+    lines += [f"{'more ' if j.proven else 'other'}    {_adds(j, facts, results)}" for j in rest]
     if scope.kind != ANYWHERE:
-        lines.append(f"anywhere {named(anywhere(facts, judged))} is right in every position, if the shapes move")
+        lines.append(f"anywhere {named(anywhere(facts, results))} is right in every position, if the shapes move")
     if hits is not least:
         lines.append(f"hits     {named(hits.model)} is enough to tell hits from misses, where touching is a hit")
     return "\n".join(lines)
 
 
-def reason(model: Model, facts: Facts, scope: Scope) -> str:
+def reason(model: Model, facts: InputSummary, scope: Scope) -> str:
     """Why the model is right."""
     if not facts.pairs and model.kind == BOXES:
         return "no two boxes meet, so there is nothing left to ask"
@@ -65,7 +65,7 @@ def reason(model: Model, facts: Facts, scope: Scope) -> str:
     }[model.kind]
 
 
-def holds(scope: Scope, facts: Facts) -> str:
+def holds(scope: Scope, facts: InputSummary) -> str:
     """Where it holds."""
     if scope.kind == ANYWHERE:
         if set(facts.kinds) == {UPRIGHT}:
@@ -73,11 +73,7 @@ def holds(scope: Scope, facts: Facts) -> str:
         return "anywhere: it is exact for all coordinates"
     if scope.kind == GRID:
         text = f"any convex polygons with {_multiples(scope.unit)}, up to {_size(scope.bound)}"
-        return (
-            f"{text}, and edges up to {_size(scope.span)} wide and high"
-            if scope.span
-            else text
-        )
+        return f"{text}, and edges up to {_size(scope.span)} wide and high" if scope.span else text
     if scope.kind == MOVED:
         return f"the scene moved as a whole, exactly, while no coordinate exceeds {power(scope.bound, 0)}"
     if facts.settled:
@@ -94,7 +90,7 @@ def _size(value: float) -> str:
     return f"{value:,.15g}" if 2.0**-10 <= value <= 2.0**20 else power(value, 0)
 
 
-def price(model: Model, facts: Facts, found: "Mapping[str, Cost | None]") -> str:
+def cost_line(model: Model, facts: InputSummary, found: "Mapping[str, Cost | None]") -> str:
     """What the recommended model costs here, beside the exact filter; empty where there are no pairs."""
     if not found:
         return ""
@@ -102,7 +98,7 @@ def price(model: Model, facts: Facts, found: "Mapping[str, Cost | None]") -> str
     exact_name, exact = next((name, p) for name, p in found.items() if name.endswith(EXACT))
     after = " whose boxes meet" if facts.settled else ""
     if mine is None:
-        return f"price    not timed: one pair of these shapes takes too long for the {SECONDS:g} s of all models"
+        return f"price    not timed: one pair of these shapes takes too long for the {SECONDS_TIMED:g} s of all models"
     text = f"price    {duration(mine.warm)} a pair{after}, {duration(mine.cold)} with its set-up"
     if model.name == exact_name:
         return text
@@ -133,7 +129,7 @@ def power(value: float, digits: int = 1) -> str:
     return "0" if not value else f"2^{log2(value):.{digits}f}" if value < inf else "no end"
 
 
-def shapes(facts: Facts) -> str:
+def shapes(facts: InputSummary) -> str:
     """What there is."""
     kinds = ", ".join(f"{n:,} {ONE[kind] if n == 1 else kind}" for kind, n in facts.kinds.items())
     low, high = facts.corners
@@ -144,12 +140,12 @@ def shapes(facts: Facts) -> str:
     return f"{kinds or 'none'}{corners if high else ''}{sizes}"
 
 
-def _all(facts: Facts) -> str:
+def _all(facts: InputSummary) -> str:
     every = facts.pairs + facts.settled
     return "this pair" if every == 1 else f"all {every:,} pairs"
 
 
-def _first(model: Model, facts: Facts) -> list[str]:
+def _first(model: Model, facts: InputSummary) -> list[str]:
     """What runs before the model's own test, and how many pairs it leaves."""
     if not model.after_boxes:
         return []
@@ -157,41 +153,41 @@ def _first(model: Model, facts: Facts) -> list[str]:
     return [f"first    {said}"]
 
 
-def _pairs(facts: Facts) -> str:
+def _pairs(facts: InputSummary) -> str:
     apart, touching, overlapping = facts.relations
     text = f"{facts.pairs:,}: {apart:,} apart, {touching:,} touching, {overlapping:,} overlapping"
     return text + (f"; {facts.settled:,} more are apart by their boxes" if facts.settled else "")
 
 
-def nearest(facts: Facts) -> str:
+def nearest(facts: InputSummary) -> str:
     """The pair that is hardest to tell, in roundings."""
     where = "" if facts.pairs + facts.settled == 1 else f"pair {facts.at} "
-    if not facts.gamma:
+    if not facts.relative_margin:
         return f"{where}touches: its margin (gamma) is 0"
     return (
-        f"{where}{'has ' if where else ''}a margin of {power(facts.gamma)} rounding errors of float64 (its gamma), "
-        f"{power(facts.gamma * IN_FLOAT32)} of float32"
+        f"{where}{'has ' if where else ''}a margin of {power(facts.relative_margin)} rounding errors of float64 (its gamma), "
+        f"{power(facts.relative_margin * IN_FLOAT32)} of float32"
     )
 
 
-def _fails(judged: ModelResult, facts: Facts) -> str:
+def _fails(results: ModelResult, facts: InputSummary) -> str:
     if facts.pairs + facts.settled == 1:
-        said = "wrong here" if judged.wrong else "not proven, as a rounding error could change the answer"
-        return f"{named(judged.model)}: {said}"
+        said = "wrong here" if results.wrong else "not proven, as a rounding error could change the answer"
+        return f"{named(results.model)}: {said}"
     found = []
-    if judged.wrong:
-        found.append(f"wrong on {judged.wrong:,}")
-    if judged.unsure:
-        found.append(f"not proven for {judged.unsure:,}, where a rounding error could change the answer")
-    return f"{named(judged.model)}: {' and '.join(found)}; the first is pair {judged.first}"
+    if results.wrong:
+        found.append(f"wrong on {results.wrong:,}")
+    if results.uncertain:
+        found.append(f"not proven for {results.uncertain:,}, where a rounding error could change the answer")
+    return f"{named(results.model)}: {' and '.join(found)}; the first is pair {results.first}"
 
 
-def _adds(judged: ModelResult, facts: Facts, every: "Sequence[ModelResult]") -> str:
-    if not judged.proven:
-        return _fails(judged, facts)
+def _adds(results: ModelResult, facts: InputSummary, every: "Sequence[ModelResult]") -> str:
+    if not results.proven:
+        return _fails(results, facts)
     adds = "also right, but not needed here"
-    if judged.model.kind == EXACT:
+    if results.model.kind == EXACT:
         adds = "right for all coordinates"
-    elif judged.model.kind == FLOAT64.name and any(j.model.kind == FLOAT32.name and j.proven for j in every):
+    elif results.model.kind == FLOAT64.name and any(j.model.kind == FLOAT32.name and j.proven for j in every):
         adds = "also right, but nothing here needs rounding errors 2^29 times as small"
-    return f"{named(judged.model)}: {adds}"
+    return f"{named(results.model)}: {adds}"

@@ -9,9 +9,9 @@ from typing import NamedTuple
 from ..engine.predicates import to_integers
 from ..engine.shapes import Shape
 from . import certified_bounds
-from .certified_bounds import BOXES, EXACT, Body, Model
-from .facts import CONCAVE, ROUND, UPRIGHT, Case, Facts, Grid
-from .relative_margin import gamma
+from .certified_bounds import BOXES, EXACT, AnyShape, Model
+from .records import CONCAVE, ROUND, UPRIGHT, Grid, InputSummary, PairsInHand
+from .relative_margin import relative_margin
 from .rounding import FLOAT64, FORMATS, Format
 
 ANYWHERE, GRID, MOVED, HERE = "anywhere", "on a grid", "moved as a whole", "these coordinates"
@@ -30,7 +30,7 @@ class Scope(NamedTuple):
     span: float = 0.0
 
 
-def scope_of(model: Model, facts: Facts, case: Case) -> Scope:
+def scope_of(model: Model, facts: InputSummary, case: PairsInHand) -> Scope:
     """Where the model is right, if it is so for the pairs in hand."""
     if not facts.pairs:
         return Scope(HERE)
@@ -49,24 +49,26 @@ def scope_of(model: Model, facts: Facts, case: Case) -> Scope:
     return Scope(MOVED, bound) if bound else Scope(HERE)
 
 
-def reach_allowed(a: Shape, b: Shape) -> Fraction:
+def allowed_coordinate(a: Shape, b: Shape) -> Fraction:
     """How far from the origin a pair of convex polygons may be moved as a whole, for SAT on float64 to stay proven.
 
     A move changes no turn and no span, so what decides stays gamma * u * span * reach: reach may grow until gamma is
     the roundings asked (and one, as gamma itself is rounded).
     """
     reach = max(abs(c) for s in (a, b) for c in s.bounds)
-    return Fraction(gamma(a, b)) * Fraction(reach) / (certified_bounds.LOOKS + 1)
+    return Fraction(relative_margin(a, b)) * Fraction(reach) / (certified_bounds.SAT_ROUNDINGS + 1)
 
 
-def reach_of(pairs: Iterable[tuple[Body, Body]]) -> float:
+def moved_bound(pairs: Iterable[tuple[AnyShape, AnyShape]]) -> float:
     """The reach allowed for all of these polygons."""
     parts = _parts(pairs)
-    allowed = min(reach_allowed(p, q) for p, q in parts)
-    return bound_of(float(min(allowed, Fraction(FLOAT64.most))), max(s.max_coordinate for pair in parts for s in pair))
+    allowed = min(allowed_coordinate(p, q) for p, q in parts)
+    return power_of_two_bound(
+        float(min(allowed, Fraction(FLOAT64.most))), max(s.max_coordinate for pair in parts for s in pair)
+    )
 
 
-def bound_of(allowed: float, reach: float) -> float:
+def power_of_two_bound(allowed: float, reach: float) -> float:
     """The largest power of two within what is allowed; 0 if that is no further than the shapes reach."""
     bound = min(2.0 ** (frexp(allowed)[1] - 1), FLOAT64.most) if 0 < allowed < inf else 0.0
     return bound if bound > reach else 0.0
@@ -90,7 +92,7 @@ def _on_grid(grid: Grid | None, form: Format) -> Scope | None:
     return Scope(GRID, 2.0 ** (grid.unit + size), grid.unit, 0.0 if size == any_edge else 2.0 ** (grid.unit + span))
 
 
-def grid_of(pairs: Iterable[tuple[Body, Body]]) -> Grid | None:
+def grid_of(pairs: Iterable[tuple[AnyShape, AnyShape]]) -> Grid | None:
     """The grid of these pairs; None where all numbers are 0."""
     shapes = list(chain.from_iterable(_parts(pairs)))
     k, found = to_integers(c for s in shapes for c in (*chain.from_iterable(s.core), s.radius))
@@ -109,5 +111,7 @@ def grid_of(pairs: Iterable[tuple[Body, Body]]) -> Grid | None:
     return Grid(low - k, max(map(abs, found)) >> low, int(max(spans) / Fraction(2) ** (low - k)))
 
 
-def _parts(pairs: Iterable[tuple[Body, Body]]) -> list[tuple[Shape, Shape]]:
-    return [(p, q) for a, b in pairs for p in certified_bounds.pieces(a) for q in certified_bounds.pieces(b)]
+def _parts(pairs: Iterable[tuple[AnyShape, AnyShape]]) -> list[tuple[Shape, Shape]]:
+    return [
+        (p, q) for a, b in pairs for p in certified_bounds.convex_parts(a) for q in certified_bounds.convex_parts(b)
+    ]

@@ -21,7 +21,7 @@ class Spread(NamedTuple):
     high: float
 
 
-def in_turn(
+def time_in_turn(
     jobs: Mapping[str, Callable[[], Any]],
     rounds: int,
     items: Mapping[str, int],

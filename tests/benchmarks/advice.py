@@ -1,4 +1,4 @@
-"""The regret of an advice: the time of the model advised over that of the fastest right one, scene by scene.
+"""The regret of a recommendation: the time of the model advised over that of the fastest right one, scene by scene.
 
     python tests/benchmarks/advice.py [--engine numpy|numba] [--only SCENE ...]
 
@@ -107,17 +107,17 @@ def main():
     regrets = []
     print(f"{'scene':24} {'pairs':>7}  {'advised':22} {'ns':>7}  {'fastest right':22} {'ns':>7}  regret")
     for name in asked.only:
-        advice = sv.advise(*SCENES[name](np.random.default_rng(1), PAIRS))
-        right = [j.model for j in advice.judged if j.proven]
-        found = costs(right, advice.case.batches(), engine=engine, most=PAIRS, tests=math.inf, seconds=math.inf)
+        recommendation = sv.advise(*SCENES[name](np.random.default_rng(1), PAIRS))
+        right = [j.model for j in recommendation.results if j.proven]
+        found = costs(right, recommendation.case.batches(), engine=engine, most=PAIRS, tests=math.inf, seconds=math.inf)
         best = min(found, key=lambda key: found[key].warm)
-        mine, pairs = found[advice.model.name].warm, min(advice.facts.pairs, PAIRS)
+        mine, pairs = found[recommendation.model.name].warm, min(recommendation.summary.pairs, PAIRS)
         regret = mine / found[best].warm
         counts = found[EXACT].warm * pairs > LEAST
         regrets += [regret] * counts
         print(
-            f"{name:24} {advice.facts.pairs:7}  {advice.model.name:22} {mine:7.1f}  {best:22} {found[best].warm:7.1f}"
-            f"  {regret:.2f}{'' if counts else ' (too little work)'}"
+            f"{name:24} {recommendation.summary.pairs:7}  {recommendation.model.name:22} {mine:7.1f}  "
+            f"{best:22} {found[best].warm:7.1f}  {regret:.2f}{'' if counts else ' (too little work)'}"
         )
     print(f"median regret of {len(regrets)} scenes: {statistics.median(regrets):.2f}, the most {max(regrets):.2f}")
 

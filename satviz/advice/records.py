@@ -1,11 +1,11 @@
-"""What an advice is made of: the pairs in hand, what there is, and each model judged on them."""
+"""What an advice is made of: the pairs in hand, what there is, and each model results on them."""
 
 from collections.abc import Callable, Collection, Sequence
 from typing import Any, NamedTuple
 
 from ..engine.geometry import Vec
 from . import certified_bounds
-from .certified_bounds import BOXES, EXACT, Body, Model
+from .certified_bounds import BOXES, EXACT, AnyShape, Model
 
 Pair = tuple[int, int]
 UPRIGHT, ROUND, CONVEX, CONCAVE = "upright boxes", "circles", "convex polygons", "concave polygons"
@@ -22,11 +22,11 @@ class Grid(NamedTuple):
     span: int
 
 
-class Settled(NamedTuple):
+class BroadPhaseResult(NamedTuple):
     """What the bounding boxes settle before a model is asked, where all pairs of one batch are meant.
 
     `pairs`: how many; `near`: how many of them a model that stands alone could still doubt; `alone`: the kinds of
-    models that are judged without the boxes too; `only_circles`: whether the batch has nothing else.
+    models that are results without the boxes too; `only_circles`: whether the batch has nothing else.
     """
 
     pairs: int
@@ -35,7 +35,7 @@ class Settled(NamedTuple):
     only_circles: bool
 
 
-class Case(NamedTuple):
+class PairsInHand(NamedTuple):
     """The pairs in hand, by number: their two bodies and their indices; each shape in them once; the batches.
 
     The numbers from `pairs` on are those of `settled.near`.  `reach`: how far the pairs may be moved as a whole with
@@ -44,14 +44,14 @@ class Case(NamedTuple):
     """
 
     pairs: int
-    body: Callable[[int], tuple[Body, Body]]
+    body: Callable[[int], tuple[AnyShape, AnyShape]]
     indices: Callable[[int], Pair]
-    shapes: Callable[[], Sequence[Body]]
+    shapes: Callable[[], Sequence[AnyShape]]
     batches: Callable[[], Any]
     reach: Callable[[], float]
     grid: Callable[[], Grid | None]
     tests: int
-    settled: Settled | None = None
+    settled: BroadPhaseResult | None = None
 
     @property
     def known(self) -> int:
@@ -59,7 +59,7 @@ class Case(NamedTuple):
         return self.pairs + (self.settled.near if self.settled else 0)
 
 
-class Facts(NamedTuple):
+class InputSummary(NamedTuple):
     """What there is: shapes by kind, their parts' fewest and most corners, the largest over the smallest.
 
     `relations`: pairs by relation; `settled`: pairs whose boxes are apart, which no model was asked about; `gamma`: the
@@ -72,7 +72,7 @@ class Facts(NamedTuple):
     pairs: int
     relations: tuple[int, int, int]
     settled: int
-    gamma: float
+    relative_margin: float
     at: Pair
 
 
@@ -84,40 +84,40 @@ class ModelResult(NamedTuple):
 
     model: Model
     wrong: int
-    unsure: int
+    uncertain: int
     first: Pair | None
-    hits: bool
+    proven_for_hits: bool
 
     @property
     def proven(self) -> bool:
         """Is it right on every pair, whatever the order of its operations?"""
-        return not (self.wrong or self.unsure)
+        return not (self.wrong or self.uncertain)
 
 
-def kind_of(shape: Body) -> str:
+def kind_of(shape: AnyShape) -> str:
     """What kind of shape it is, in words."""
     if shape.core_is_point:
         return ROUND
     return UPRIGHT if shape.is_upright_box else CONVEX if shape.is_convex else CONCAVE
 
 
-def best(judged: Sequence[ModelResult]) -> ModelResult:
+def best(results: Sequence[ModelResult]) -> ModelResult:
     """The first that is proven."""
-    return next(j for j in judged if j.proven)
+    return next(j for j in results if j.proven)
 
 
-def for_hits(judged: Sequence[ModelResult]) -> ModelResult:
+def for_hits(results: Sequence[ModelResult]) -> ModelResult:
     """The first that is proven to tell hits from misses."""
-    return next(j for j in judged if j.hits)
+    return next(j for j in results if j.proven_for_hits)
 
 
-def anywhere(facts: Facts, judged: Sequence[ModelResult]) -> Model:
+def anywhere(facts: InputSummary, results: Sequence[ModelResult]) -> Model:
     """The least that is right wherever these shapes lie: y and x for upright boxes, else what is exact."""
     wide = BOXES if set(facts.kinds) == {UPRIGHT} else EXACT
-    return next(j.model for j in judged if j.model.kind == wide)
+    return next(j.model for j in results if j.model.kind == wide)
 
 
-def candidates(axes: int, directions: tuple[Vec, ...], kinds: Collection[str], case: Case) -> tuple[Model, ...]:
+def candidates(axes: int, directions: tuple[Vec, ...], kinds: Collection[str], case: PairsInHand) -> tuple[Model, ...]:
     """The candidate models of a case, for shapes of these kinds and the most axes that a pair of them has."""
     if case.settled is None:
         return certified_bounds.candidates(axes, directions, set(kinds) == {ROUND})
