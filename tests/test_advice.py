@@ -24,7 +24,8 @@ from strategies import CONVEX, KINDS, NotConvex, drawn, pairs, scaled, some_pair
 import satviz as sv
 from satviz import batch
 from satviz.advice.advising_batches import repeated_pair
-from satviz.advice.certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Model, SplitPolygon
+from satviz.advice.candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model, SplitPolygon
+from satviz.advice.certified_bounds import certify
 from satviz.advice.classify import classify
 from satviz.advice.margins import relative_margins
 from satviz.advice.models import evaluate, prepare
@@ -135,7 +136,10 @@ def test_pairs_that_are_none_are_refused(wrong):
 
 
 WAYS = sv.Vec(0.5, 0.5), sv.Vec(0.75, -0.25), sv.Vec(0.0, 0.5), sv.Vec(0.1, 0.7)
-MODELS = [*(Model(kind, 1) for kind in (CIRCLES, BOXES, "float32", "float64", EXACT)), Model(DIRECTIONS, 4, WAYS)]
+MODELS = [
+    *(Model(kind, 1) for kind in (BOUNDING_CIRCLES, AABB, "float32", "float64", EXACT_FILTER)),
+    Model(K_DOP, 4, WAYS),
+]
 
 
 @pytest.mark.parametrize("engine", ["numpy", "numba"])
@@ -149,9 +153,9 @@ def test_what_is_sure_for_many_is_sure_by_fractions_and_is_what_the_model_answer
         with np.errstate(all="ignore"):
             said = evaluate(model, many, prepare(model, a), prepare(model, b), engine=engine).tolist()
         for (kind, p, q), one, answer in zip(some, told, said, strict=True):
-            if one != -1 and not (model.kind == DIRECTIONS and (p.radius or q.radius)):
+            if one != -1 and not (model.kind == K_DOP and (p.radius or q.radius)):
                 known[model.name] += 1
-                assert model.sure(p, q) == one == answer, (model.name, kind, p, q)
+                assert certify(model, p, q) == one == answer, (model.name, kind, p, q)
     assert min(known.values()) > 25 and len(known) == len(MODELS)
 
 
@@ -168,7 +172,7 @@ def test_a_circle_too_small_for_float32_is_one_in_it_still(engine):
         for a, b in ((dot, other), (other, dot)):
             many = repeated_pair(a, b, 3)
             said = evaluate(model, many, prepare(model, many.a), prepare(model, many.b), engine=engine).tolist()
-            assert model.sure(a, b) == truth and said == [truth] * 3, (a, b)
+            assert certify(model, a, b) == truth and said == [truth] * 3, (a, b)
 
 
 # -- never a wrong recommendation
@@ -247,7 +251,7 @@ def wrong_recommendations(seed, count, engines=("numpy",)):
             many = recommendation.case.batches()
         model = recommendation.model
         advised[model.kind] += 1
-        surely = [model.sure(a, b) for a, b in scene]
+        surely = [certify(model, a, b) for a, b in scene]
         with np.errstate(all="ignore"):
             ready = prepare(model, many.a), prepare(model, many.b)
             said = [evaluate(model, many, *ready, engine=engine).tolist() for engine in engines]
@@ -260,7 +264,7 @@ def wrong_recommendations(seed, count, engines=("numpy",)):
 def test_no_recommendation_is_wrong_in_300_scenes():
     wrong, advised = wrong_recommendations(31, 300)
     assert not wrong
-    assert set(advised) == {CIRCLES, BOXES, DIRECTIONS, "float32", "float64", EXACT}
+    assert set(advised) == {BOUNDING_CIRCLES, AABB, K_DOP, "float32", "float64", EXACT_FILTER}
 
 
 @pytest.mark.slow
@@ -423,7 +427,7 @@ def test_two_shapes_are_advised_on_and_counted_without_numpy():
 @given(some_pairs())
 @settings(max_examples=40, deadline=None, suppress_health_check=list(HealthCheck))
 def test_no_recommendation_on_two_shapes_is_wrong(pair):
-    assert sv.advise(*pair).model.sure(*pair) is oracle.relation(*pair)
+    assert certify(sv.advise(*pair).model, *pair) is oracle.relation(*pair)
 
 
 # -- what a recommendation says
@@ -435,7 +439,7 @@ def boxes_at(corners, w=1.0, h=1.0):
 
 def test_upright_boxes_need_two_axes_wherever_they_lie():
     recommendation = sv.advise(boxes_at([(0, 0), (0.9, 0.1), (1, 1), (2.5, 0.1)]))
-    assert (recommendation.model.kind, recommendation.model.axes, recommendation.scope.kind) == (BOXES, 2, "anywhere")
+    assert (recommendation.model.kind, recommendation.model.axes, recommendation.scope.kind) == (AABB, 2, "anywhere")
     assert recommendation.summary.relations == (0, 1, 2)
     assert recommendation.summary.settled == 3
     assert recommendation.summary.relative_margin == 0
@@ -448,9 +452,9 @@ def test_the_first_pair_on_which_the_smaller_model_fails_is_named_and_can_be_dra
     a = batch.Polygons(kite + np.array([(0, 0), (0, 0), (9, 9)])[:, None])
     b = batch.Polygons(kite + np.array([(5, 5), (1.4, 1.4), (0, 0)])[:, None])
     recommendation = sv.advise(a, b)
-    smaller = next(j for j in recommendation.results if j.model.kind == BOXES)
+    smaller = next(j for j in recommendation.results if j.model.kind == AABB)
     assert (smaller.wrong, smaller.first) == (1, (1, 1))
-    assert recommendation.model == Model(DIRECTIONS, 2, recommendation.model.directions) and recommendation.check()
+    assert recommendation.model == Model(K_DOP, 2, recommendation.model.directions) and recommendation.check()
     trace = recommendation.failure()
     assert trace.claim is not trace.relation and trace.relation is Relation.APART
     assert sv.picture(trace).marks
@@ -459,7 +463,7 @@ def test_the_first_pair_on_which_the_smaller_model_fails_is_named_and_can_be_dra
 
 def test_a_failure_of_the_circles_around_shapes_can_be_drawn():
     recommendation = sv.advise("triangles")
-    assert recommendation.smaller.model.kind == CIRCLES
+    assert recommendation.smaller.model.kind == BOUNDING_CIRCLES
     trace = recommendation.failure()
     assert trace.claim is Relation.OVERLAPPING and trace.relation is Relation.APART
     assert sv.picture(trace).marks
@@ -540,12 +544,12 @@ def lies(recommendation):
             yield (
                 replace(
                     recommendation,
-                    results=(*recommendation.results[:k], one._replace(**lie), *recommendation.results[k + 1 :]),
+                    results=(*before, one._replace(**lie), *after),
                 ),
                 lie,
             )
         yield (
-            replace(recommendation, results=(*recommendation.results[:k], *recommendation.results[k + 1 :])),
+            replace(recommendation, results=(*before, *after)),
             f"no {one.model.name}",
         )
     for kind in {ANYWHERE, GRID, MOVED} - {scope.kind}:
@@ -598,14 +602,14 @@ def test_shapes_as_large_as_float64_holds_are_json_too():
 
 def test_where_boxes_never_meet_there_is_nothing_left_to_ask():
     recommendation = sv.advise(boxes_at([(0, 0), (1.2, 0), (9, 0)]))  # the circles around the first two meet
-    assert recommendation.model.kind == BOXES
+    assert recommendation.model.kind == AABB
     assert recommendation.summary.pairs == 0
     assert recommendation.check()
     assert recommendation.prices() == {}
     assert "all 3 pairs" in str(recommendation) and "no two boxes meet" in str(recommendation)
     with pytest.raises(ValueError, match="nothing to time"):
         recommendation.chart()
-    assert sv.advise(boxes_at([(0, 0), (5, 5), (9, 0)])).model.kind == CIRCLES
+    assert sv.advise(boxes_at([(0, 0), (5, 5), (9, 0)])).model.kind == BOUNDING_CIRCLES
 
 
 @pytest.mark.parametrize(
@@ -625,7 +629,7 @@ def test_where_no_pair_is_meant_nothing_is_recommended(shapes, pairs):
 def test_hits_alone_may_need_less():
     box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     recommendation = sv.advise(box, sv.Polygon([(1, 0.5), (2, 0), (2, 1)]))  # touching; their circles overlap
-    assert recommendation.for_hits.model.kind == CIRCLES and recommendation.model.kind != CIRCLES
+    assert recommendation.for_hits.model.kind == BOUNDING_CIRCLES and recommendation.model.kind != BOUNDING_CIRCLES
     assert "bounding circles (1 axis) is enough to tell hits from misses, where touching is a hit" in str(
         recommendation
     )
@@ -668,7 +672,7 @@ def test_prices_are_those_of_all_candidates_and_count_their_wrong_answers():
     found = recommendation.prices()
     assert found.keys() == {j.model.name for j in recommendation.results}
     assert all(price.cold > 0 and price.warm > 0 for price in found.values())
-    assert (found[CIRCLES].wrong, found[recommendation.model.name].wrong) == (1, 0)
+    assert (found[BOUNDING_CIRCLES].wrong, found[recommendation.model.name].wrong) == (1, 0)
 
 
 @pytest.mark.parametrize("theme", THEMES.values(), ids=lambda theme: theme.name)
@@ -678,7 +682,7 @@ def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
     from satviz.advice.costs import Cost
 
     rng = Random(seed)
-    names = CIRCLES, BOXES, "ranges on 8 directions", "SAT, float32", "SAT, float64", EXACT
+    names = BOUNDING_CIRCLES, AABB, "ranges on 8 directions", "SAT, float32", "SAT, float64", EXACT_FILTER
     rows = []
     for i, name in enumerate(names):
         warm = 10 ** rng.uniform(0.5, 3) if seed else 50.0
@@ -790,7 +794,7 @@ def test_plain_floats_are_sure_only_where_no_order_of_products_vanishes_or_overf
         ring = [(rng.uniform(-9, 9) * unit, rng.uniform(-9, 9) * unit) for _ in range(3)]
         circle = sv.Circle((rng.uniform(-9, 9) * unit, rng.uniform(-9, 9) * unit), rng.uniform(0.1, 4) * unit)
         polygon = sv.Polygon(ring)
-        said = Model(kind, 4).sure(circle, polygon)
+        said = certify(Model(kind, 4), circle, polygon)
         if said is not None:
             sure_of += 1
             with np.errstate(all="ignore"):
@@ -832,7 +836,7 @@ def test_every_failure_can_be_drawn_and_tells_the_truth():
                 seen[smaller.model.kind, bool(smaller.wrong)] += 1
                 if smaller.wrong:
                     assert trace.claim is not trace.relation, kind
-    assert seen[CIRCLES, False] and seen[CIRCLES, True] and seen[BOXES, True], seen
+    assert seen[BOUNDING_CIRCLES, False] and seen[BOUNDING_CIRCLES, True] and seen[AABB, True], seen
 
 
 def test_the_convex_parts_of_a_polygon_are_its_outline_again():

@@ -14,7 +14,8 @@ from test_advice import boxes_at
 import satviz as sv
 from satviz import batch
 from satviz.advice import advising, costs, limits, margins, rounding, timing
-from satviz.advice.certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
+from satviz.advice.candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
+from satviz.advice.certified_bounds import certify
 from satviz.advice.models import evaluate, prepare
 from satviz.advice.pairs import paired
 from satviz.advice.rounding import FLOAT32, FLOAT64, FORMATS
@@ -152,7 +153,7 @@ def not_least(seed, count):
         seen += 1
         rounds_nothing = circles_round_nothing if a.radius else sat_rounds_nothing
         for recommendation in (sv.advise(a, b), many_of(a, b)):
-            assert recommendation.model.sure(a, b) is oracle.relation(a, b)
+            assert certify(recommendation.model, a, b) is oracle.relation(a, b)
             smaller = [
                 j.model.kind for j in recommendation.results[: recommendation.results.index(recommendation.best)]
             ]
@@ -201,7 +202,7 @@ def test_a_grid_far_out_says_how_long_its_edges_may_be():
             a, b = (sv.Polygon((at + rng.integers(-span // 2, span // 2 + 1, (3, 2))).astype(float)) for _ in "ab")
         except sv.InvalidShape:
             continue
-        assert recommendation.model.sure(a, b) is oracle.relation(a, b)
+        assert certify(recommendation.model, a, b) is oracle.relation(a, b)
 
 
 def test_a_coin_that_rests_on_a_box_needs_the_boxes_only():
@@ -210,7 +211,7 @@ def test_a_coin_that_rests_on_a_box_needs_the_boxes_only():
         sv.advise(box, sv.Circle((602, 603), 1)),
         sv.advise(batch.Polygons([box]), batch.Circles([(602, 603)], 1)),
     ):
-        assert recommendation.model.kind == BOXES
+        assert recommendation.model.kind == AABB
         assert recommendation.summary.relations == (0, 1, 0)
         assert recommendation.check()
 
@@ -270,7 +271,7 @@ def test_what_is_sure_of_circles_is_so_by_ranges_too(kind, dtype):
             a, b = resting(rng)
         except sv.InvalidShape:
             continue
-        said = Model(kind, 4).sure(a, b)
+        said = certify(Model(kind, 4), a, b)
         with np.errstate(all="ignore"):
             answers_by_ranges = {by_ranges(*pair, dtype, unit) for pair in ((a, b), (b, a)) for unit in (False, True)}
         if said is None:
@@ -286,7 +287,7 @@ def test_circles_whose_radius_is_only_rounded_are_not_relied_on_by_what_widens_i
     a = sv.Polygon([(0, 0), (3, 0), (3, 4), (0, 4)])
     b = sv.Polygon([(-u, 0), (u / 2, -u), (u / 2, u)])
     for recommendation in (sv.advise(a, b), many_of(a, b)):
-        assert next(j for j in recommendation.results if j.model.kind == CIRCLES).uncertain == 1
+        assert next(j for j in recommendation.results if j.model.kind == BOUNDING_CIRCLES).uncertain == 1
         assert recommendation.check()
 
 
@@ -330,7 +331,7 @@ def test_each_pipeline_is_judged_on_all_pairs_of_a_batch(seed):
         recommendation = sv.advise(shapes)
         pairs = np.array(list(combinations(range(len(shapes)), 2)))
         truth = batch.relate(shapes, shapes, pairs)
-        boxes_apart = all_by(next(j.model for j in recommendation.results if j.model.kind == BOXES), shapes, pairs) == 0
+        boxes_apart = all_by(next(j.model for j in recommendation.results if j.model.kind == AABB), shapes, pairs) == 0
         for j in recommendation.results:
             said = all_by(j.model, shapes, pairs)
             if j.model.after_boxes:
@@ -348,11 +349,11 @@ def test_circles_that_are_right_behind_the_boxes_only_are_not_said_to_be_right_a
     shapes = batch.Polygons(notched + np.random.default_rng(3).uniform(0, 250, (500, 1, 2)), concave="split")
     recommendation = sv.advise(shapes)
     alone, after = (
-        next(j for j in recommendation.results if j.model.kind == CIRCLES and j.model.after_boxes is way)
+        next(j for j in recommendation.results if j.model.kind == BOUNDING_CIRCLES and j.model.after_boxes is way)
         for way in (False, True)
     )
     assert not alone.proven and after.proven and (alone.model.axes, after.model.axes) == (1, 3)
-    assert recommendation.model.kind == BOXES
+    assert recommendation.model.kind == AABB
 
 
 def test_a_pipeline_says_what_runs_first_and_counts_its_axes():
@@ -456,7 +457,7 @@ def test_timing_stops_when_its_seconds_are_over(monkeypatch):
 
 
 def test_pairs_within_a_rounding_of_touching_are_not_asked_one_by_one(monkeypatch):
-    monkeypatch.setattr(margins, "signed", lambda a, b: pytest.fail("asked"))
+    monkeypatch.setattr(margins, "signed_relative_margin", lambda a, b: pytest.fail("by fractions"))
     turn, rng = 0.3, np.random.default_rng(6)
     x, y = np.meshgrid(np.arange(12.0), np.arange(12.0))
     ring = np.stack([x.ravel(), y.ravel()], axis=1)[:, None] + np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
@@ -470,14 +471,14 @@ def test_pairs_within_a_rounding_of_touching_are_not_asked_one_by_one(monkeypatc
     assert limits.MAX_PAIRS_BY_FRACTIONS == 20_000
 
 
-@pytest.mark.parametrize("kind", [EXACT, DIRECTIONS])
+@pytest.mark.parametrize("kind", [EXACT_FILTER, K_DOP])
 def test_names_of_models_after_the_boxes_say_so(kind):
     model = (
         sv.advise("triangles")
         .results[0]
         .model._replace(kind=kind, directions=((1.0, 0.5),) * 3, axes=5, after_boxes=True)
     )
-    assert model.name == f"AABB, then {'filtered exact' if kind == EXACT else 'ranges on 3 directions'}"
+    assert model.name == f"AABB, then {'filtered exact' if kind == EXACT_FILTER else 'ranges on 3 directions'}"
 
 
 @pytest.mark.parametrize("power", [-1000, 990])

@@ -14,10 +14,11 @@ from ..engine.shapes import Shape, checked
 from ..engine.trace import Trace, record
 from ..scenes.named import scene as named
 from ..scenes.scenefile import Scene
-from . import certified_bounds, report
-from .certified_bounds import Model, SplitPolygon, convex_parts
+from . import report
+from .candidates import AABB, Model, SplitPolygon, convex_parts, count_axes, shared_directions
+from .certified_bounds import certify, exact_relation
 from .limits import MAX_TESTS_CHECKED, TESTS_BY_FRACTIONS, TESTS_TIMED
-from .records import InputSummary, ModelResult, Pair, PairsInHand, anywhere, best, candidates, for_hits, kind_of
+from .records import InputSummary, ModelResult, Pair, PairsInHand, anywhere, best, candidates_of, for_hits, kind_of
 from .relative_margin import signed_relative_margin
 from .scope import HERE, Scope, grid_of, moved_bound, scope_of
 
@@ -120,8 +121,8 @@ class Recommendation:
         if place is None or claim.proven:
             return claim.first is None and claim.proven
         a, b = self.case.body(place)
-        said = claim.model.sure(a, b)
-        return said is not None and said is not certified_bounds.exact_relation(a, b) if claim.wrong else said is None
+        said = certify(claim.model, a, b)
+        return said is not None and said is not exact_relation(a, b) if claim.wrong else said is None
 
     def _place(self, pair: Pair) -> int | None:
         return next((k for k in range(self.case.known) if self.case.indices(k) == pair), None)
@@ -266,9 +267,9 @@ def _pair_in_hand(a: Shape, b: Shape) -> PairsInHand:
 def _candidates(case: PairsInHand) -> tuple[Model, ...]:
     """The candidate models, worked out from the bodies alone."""
     shapes = case.shapes()
-    axes = max((certified_bounds.count_axes(*case.body(k)) for k in range(case.pairs)), default=1)
-    directions = certified_bounds.shared_directions(shapes) if case.pairs else ()
-    return candidates(axes, directions, {kind_of(s) for s in shapes}, case)
+    axes = max((count_axes(*case.body(k)) for k in range(case.pairs)), default=1)
+    directions = shared_directions(shapes) if case.pairs else ()
+    return candidates_of(axes, directions, {kind_of(s) for s in shapes}, case)
 
 
 def _summarize(case: PairsInHand, models: Sequence[Model]) -> tuple[InputSummary, tuple[ModelResult, ...]]:
@@ -280,15 +281,15 @@ def _summarize(case: PairsInHand, models: Sequence[Model]) -> tuple[InputSummary
     missing = set()
     for k in range(case.known):
         a, b = case.body(k)
-        relation, pair = certified_bounds.exact_relation(a, b), case.indices(k)
+        relation, pair = exact_relation(a, b), case.indices(k)
         if k < case.pairs:
             relations[relation] += 1
             if (found := _least_margin(case, k)) < least:
                 least, at = found, pair
         for model in models:
-            if k >= case.pairs and (model.after_boxes or model.kind == certified_bounds.BOXES):
+            if k >= case.pairs and (model.after_boxes or model.kind == AABB):
                 continue  # settled already
-            said = model.sure(a, b)
+            said = certify(model, a, b)
             if said is None:
                 uncertain[model] += 1
                 doubtful.setdefault(model, pair)

@@ -16,25 +16,25 @@ from ..batch.narrow_phase import engine_of
 from ..batch.ragged import Rings
 from ..engine.geometry import InvalidScene
 from ..engine.shapes import Circle, Shape
-from . import certified_bounds
-from .certified_bounds import BOXES, CIRCLES, EXACT, AnyShape, Model, SplitPolygon
+from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, AnyShape, Model, SplitPolygon, convex_parts
+from .certified_bounds import SAT_ROUNDINGS, certify
 from .classify import PartGrids, classify
 from .limits import refuse_too_many_boxes, refuse_too_many_fractions, refuse_too_many_tests
 from .margins import signed_relative_margins
 from .models import bounding_circles, compare_boxes, is_circle, shared_directions
 from .pairs import Array, Indices, Pairs, indexed, max_reach, paired, part_shape
 from .records import (
-    CONCAVE,
-    CONVEX,
-    ROUND,
-    UPRIGHT,
+    CIRCLES,
+    CONCAVE_POLYGONS,
+    CONVEX_POLYGONS,
+    UPRIGHT_BOXES,
     BroadPhaseResult,
     Grid,
     InputSummary,
     ModelResult,
     Pair,
     PairsInHand,
-    candidates,
+    candidates_of,
 )
 from .rounding import FLOAT64, FORMATS
 from .scope import power_of_two_bound
@@ -114,19 +114,19 @@ def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[Bro
     """What the boxes settle; and which of these pairs a model that stands alone, by one circle a shape, may doubt.
 
     With M the larger reach of two circles, u the rounding, d their distance and R the sum of the radii, they
-    are surely told apart where d - R is 72 u M or more: the bound of `certified_bounds.circles` for ranges,
+    are surely told apart where d - R is 72 u M or more: the bound of `certify_circles` for ranges,
     and more than its bound for squares, 12 u (d + R) + 5 sqrt(2) u M with d + R at most 4.9 M.  So boxes of
     the circles that are 100 u M wider on each side (u of float32 where that is a candidate) meet for every
     pair that can be doubted.
     """
     only_circles = bool(is_circle(a).all())
-    forms = FORMATS if only_circles else {CIRCLES: FLOAT64}
+    forms = FORMATS if only_circles else {BOUNDING_CIRCLES: FLOAT64}
     disc = bounding_circles(a)
     with np.errstate(all="ignore"):
         reach = np.abs(disc[:, :2]).max(axis=1) + disc[:, 2]
         trusted = {k: f for k, f in forms.items() if (reach < f.most).all() and (disc[:, 2] > f.least).all()}
         nothing = paired(a, np.empty(0, np.intp), a, np.empty(0, np.intp))
-        exact = {EXACT} if only_circles else set()
+        exact = {EXACT_FILTER} if only_circles else set()
         if not trusted:
             return BroadPhaseResult(many, 0, frozenset(exact), only_circles), nothing
         wide = (disc[:, 2] + 100 * 2.0 ** -min(f.bits for f in trusted.values()) * reach)[:, None]
@@ -144,9 +144,7 @@ def _bound(both: Pairs, engine: str | None) -> float:
     most = np.maximum(_part_reaches(both.a)[both.pa], _part_reaches(both.b)[both.pb])
     signed = signed_relative_margins(both.a.parts, both.b.parts, np.stack([both.pa, both.pb], axis=1), engine=engine)
     # gamma is good to one part in fifty
-    return power_of_two_bound(
-        float((np.abs(signed) * 0.9 * most).min()) / (certified_bounds.SAT_ROUNDINGS + 1), float(most.max())
-    )
+    return power_of_two_bound(float((np.abs(signed) * 0.9 * most).min()) / (SAT_ROUNDINGS + 1), float(most.max()))
 
 
 def _grid(both: Pairs) -> Grid | None:
@@ -163,7 +161,7 @@ def shape_as_batch(shape: Shape) -> Shapes:
     """A batch of the one shape, with the convex parts that it already knows."""
     if isinstance(shape, Circle):
         return batch.Circles([shape.center], shape.radius)
-    cores = [np.asarray(part.core) for part in certified_bounds.convex_parts(shape)]
+    cores = [np.asarray(part.core) for part in convex_parts(shape)]
     start = np.cumsum([0, *map(len, cores)])
     x, y = np.concatenate(cores).T.copy()
     owner = np.zeros(len(cores), np.int64) if len(cores) > 1 else None
@@ -183,15 +181,15 @@ def _models(pairs: Pairs, kinds: Collection[str], case: PairsInHand) -> tuple[Mo
     each += (edges[0][pairs.pa] == 0) | (edges[1][pairs.pb] == 0)
     asked = np.bincount(pairs.of, each, minlength=len(pairs.ia))
     used = pairs.a[np.unique(pairs.ia)], pairs.b[np.unique(pairs.ib)]
-    directions = shared_directions(*used) if case.pairs and ROUND not in kinds else ()
-    return candidates(int(asked.max(initial=1)), directions, kinds, case)
+    directions = shared_directions(*used) if case.pairs and CIRCLES not in kinds else ()
+    return candidates_of(int(asked.max(initial=1)), directions, kinds, case)
 
 
 def _evaluate_model(
     model: Model, both: Pairs, exact: NDArray[np.int8], near: Pairs, case: PairsInHand, engine: str | None
 ) -> ModelResult:
     told = _classify(model, both, exact, case, 0, engine)
-    if not (model.after_boxes or model.kind == BOXES):
+    if not (model.after_boxes or model.kind == AABB):
         apart = np.zeros(len(near.ia), np.int8)
         told = np.concatenate([told, _classify(model, near, apart, case, case.pairs, engine)])
         exact = np.concatenate([exact, apart])
@@ -213,7 +211,7 @@ def _classify(
         doubt = np.flatnonzero(told < 0)
         for many, k in enumerate(doubt.tolist()):  # arrays need more room than fractions: up to the first real doubt
             refuse_too_many_fractions(many, len(doubt))
-            said = model.sure(*case.body(first + k))
+            said = certify(model, *case.body(first + k))
             if said is None:
                 break
             told[k] = said
@@ -228,10 +226,10 @@ def _kinds(sides: Sequence[tuple[Shapes, Indices]]) -> dict[str, int]:
         upright = shapes.parts.flat.upright[first] & (parts == 1)
         circles = shapes.count[first] == 1
         for name, many in (
-            (UPRIGHT, upright),
-            (ROUND, circles),
-            (CONVEX, (parts == 1) & ~upright & ~circles),
-            (CONCAVE, parts > 1),
+            (UPRIGHT_BOXES, upright),
+            (CIRCLES, circles),
+            (CONVEX_POLYGONS, (parts == 1) & ~upright & ~circles),
+            (CONCAVE_POLYGONS, parts > 1),
         ):
             if many.any():
                 found[name] = found.get(name, 0) + int(many.sum())

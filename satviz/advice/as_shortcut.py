@@ -4,16 +4,17 @@ from ..engine.axes import Axis, Choice, directions, needed, world
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Circle, Shape
 from ..engine.shortcut import Shortcut
-from .certified_bounds import BOXES, DIRECTIONS, Model, bounding_circle
+from .candidates import AABB, K_DOP, Model
+from .certified_bounds import bounding_circle, certify
 
 
 def shortcut(model: Model, a: Shape, b: Shape) -> Shortcut:
     """What believers in the model do with this pair; where only rounding fails, the loop itself."""
-    if model.sure(a, b) is None:
+    if certify(model, a, b) is None:
         return Shortcut("plain floats", "plain floats are exact enough", needed)
-    if model.kind == BOXES:
+    if model.kind == AABB:
         return Shortcut("bounding boxes", "the bounding boxes lie as the shapes do", world)
-    if model.kind == DIRECTIONS:
+    if model.kind == K_DOP:
         return Shortcut(
             "shared directions", "the directions that most edges share are enough", directions(*model.directions)
         )

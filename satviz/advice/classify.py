@@ -11,7 +11,8 @@ from ..batch.codes import APART, OVERLAPPING, UNDECIDED
 from ..batch.exact_signs import two_sum
 from ..engine.predicates import UNIT
 from . import certified_bounds, rounding
-from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, WIDENING, Model, certify_convex_sat
+from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
+from .certified_bounds import WIDENING, certify_convex_sat
 from .limits import refuse_too_many_fractions
 from .models import (
     DTYPES,
@@ -37,17 +38,17 @@ def classify(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None
     """
     a, b, ia, ib = pairs.a, pairs.b, pairs.ia, pairs.ib
     with np.errstate(all="ignore"):
-        if model.kind == EXACT:
+        if model.kind == EXACT_FILTER:
             return exact
-        if model.kind == BOXES:
+        if model.kind == AABB:
             return _sure_boxes(a, ia, b, ib)
-        if model.kind == CIRCLES:
+        if model.kind == BOUNDING_CIRCLES:
             held, bare = (
                 _sure_circles(bounding_circles(a, by)[ia], bounding_circles(b, by)[ib], FLOAT64)
                 for by in (WIDENING, 1.0)
             )
             return np.where(held == bare, held, UNDECIDED).astype(np.int8)
-        if model.kind == DIRECTIONS:
+        if model.kind == K_DOP:
             return _sure_ranges(model, pairs)
         form = FORMATS[model.kind]
         relations = exact

@@ -11,7 +11,7 @@ from matplotlib.transforms import Bbox
 
 from ..pictures import LIGHT, THEMES, Theme
 from ..render.files import DPI, bare, encode_figure
-from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
+from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
 from .costs import Cost
 from .records import InputSummary, ModelResult
 from .report import duration
@@ -19,7 +19,7 @@ from .report import duration
 SIZE = 620.0, 400.0  # points
 BOX = 0.11, 0.14, 0.85, 0.67  # left, bottom, width, height, in parts of the figure
 TEXT, TITLE, SMALL = 10.0, 13.0, 9.0
-ROLES = {EXACT: "exact", CIRCLES: "shortcut", BOXES: "shortcut", DIRECTIONS: "shortcut"}  # the others: float
+ROLES = {EXACT_FILTER: "exact", BOUNDING_CIRCLES: "shortcut", AABB: "shortcut", K_DOP: "shortcut"}  # the others: float
 
 
 class Chart(NamedTuple):
@@ -71,7 +71,7 @@ def chart(model: Model, facts: InputSummary, results: Sequence[ModelResult], fou
         raise ValueError(f"{model.name} is not timed, as one pair of these shapes takes too long: give smaller shapes")
     timed = [(j.model, price) for j in results if (price := found[j.model.name]) is not None]
     rows = tuple((m.name, ROLES.get(m.kind, "float"), price) for m, price in timed)
-    exact = next((price for m, price in timed if m.kind == EXACT), None)
+    exact = next((price for m, price in timed if m.kind == EXACT_FILTER), None)
     one = facts.pairs + facts.settled == 1
     what = "this pair" if one else f"{facts.pairs:,} pairs{' whose boxes meet' if facts.settled else ''}"
     sentence = (

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from .. import batch
 from . import models, timing
-from .certified_bounds import Model
+from .candidates import Model
 from .limits import SECONDS_TIMED, TESTS_TIMED
 from .pairs import Pairs, paired
 

@@ -102,6 +102,7 @@ def sat(
 
 @compiled
 def relation_of_gap(gap: float) -> int:
+    """Return APART for a positive gap, OVERLAPPING for a negative one, else TOUCHING."""
     return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
 

@@ -14,7 +14,8 @@ from ..batch.codes import TOUCHING
 from ..batch.with_numpy.filter import clearance
 from ..engine.geometry import Vec
 from ..engine.predicates import HUGE, TINY
-from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, MAX_DIRECTIONS, PARALLEL_ANGLE, WIDENING, Model
+from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, MAX_DIRECTIONS, PARALLEL_ANGLE, Model
+from .certified_bounds import WIDENING
 from .pairs import Array, Indices, Pairs, Relations, pair_columns, slice_if_adjacent
 from .rounding import FORMATS
 
@@ -38,14 +39,14 @@ class ConvertedParts:
 
 def prepare(model: Model, shapes: Shapes) -> Any:
     """What a model keeps of shapes: the set-up that its times cold have in them."""
-    if model.kind == EXACT:
+    if model.kind == EXACT_FILTER:
         _ = shapes.groups, shapes.rings, shapes.slot
         return shapes
-    if model.kind == BOXES:
+    if model.kind == AABB:
         return bounding_boxes(shapes)
-    if model.kind == CIRCLES:
+    if model.kind == BOUNDING_CIRCLES:
         return bounding_circles(shapes)
-    if model.kind == DIRECTIONS:
+    if model.kind == K_DOP:
         return direction_ranges(shapes, model.directions)
     dtype = DTYPES[model.kind]
     with np.errstate(over="ignore"):
@@ -159,19 +160,21 @@ def numba_kernels() -> Any:
 def evaluate(model: Model, pairs: Pairs, a: Any, b: Any, *, engine: str | None = None) -> Relations:
     """The relations that the model gives, from what it has kept of both sides."""
     ia, ib = pairs.ia, pairs.ib
-    if model.kind == EXACT:
+    if model.kind == EXACT_FILTER:
         return batch.relate(a, b, np.stack([ia, ib], axis=1), engine=engine)
     kernels = None if engine == "numpy" else numba_kernels()
     out = np.empty(len(ia), np.int8)
     if model.kind in FORMATS:
         return sat(pairs, a, b, kernels)
     if kernels is not None:
-        kernel = {BOXES: kernels.compare_boxes, CIRCLES: kernels.compare_circles, DIRECTIONS: kernels.compare_ranges}[
-            model.kind
-        ]
+        kernel = {
+            AABB: kernels.compare_boxes,
+            BOUNDING_CIRCLES: kernels.compare_circles,
+            K_DOP: kernels.compare_ranges,
+        }[model.kind]
         kernel(a, ia, b, ib, out)
         return out
-    look = {BOXES: compare_boxes, CIRCLES: compare_circles, DIRECTIONS: compare_ranges}[model.kind]
+    look = {AABB: compare_boxes, BOUNDING_CIRCLES: compare_circles, K_DOP: compare_ranges}[model.kind]
     for start in range(0, len(ia), PAIRS_PER_BLOCK):
         part = slice(start, start + PAIRS_PER_BLOCK)
         with np.errstate(all="ignore"):
@@ -180,29 +183,32 @@ def evaluate(model: Model, pairs: Pairs, a: Any, b: Any, *, engine: str | None =
 
 
 def relations_of_gaps(gap: NDArray[Any]) -> Relations:
-    """The relations that gaps tell by their signs."""
+    """Return the relations of gaps: apart where positive, touching at 0, overlapping where negative."""
     return relations_of(gap > 0, gap < 0)
 
 
 def compare_boxes(a: Array, b: Array) -> Relations:
-    """Those of (N, 4) boxes."""
+    """Return the relations of bounding boxes given as rows (x0, y0, x1, y1)."""
     apart = (a[:, 0] > b[:, 2]) | (b[:, 0] > a[:, 2]) | (a[:, 1] > b[:, 3]) | (b[:, 1] > a[:, 3])
     over = (a[:, 0] < b[:, 2]) & (b[:, 0] < a[:, 2]) & (a[:, 1] < b[:, 3]) & (b[:, 1] < a[:, 3])
     return relations_of(apart, over)
 
 
 def relations_of(apart: Any, over: Any) -> Relations:
+    """Return the relations of pairs that are apart, that overlap, or else touch; each flag is a bool array."""
     found: Relations = over.view(np.int8) - apart.view(np.int8)
     found += TOUCHING
     return found
 
 
 def compare_circles(a: Array, b: Array) -> Relations:
+    """Return the relations of circles given as rows (x, y, radius), by squared distances."""
     dx, dy, total = a[:, 0] - b[:, 0], a[:, 1] - b[:, 1], a[:, 2] + b[:, 2]
     return relations_of_gaps(dx * dx + dy * dy - total * total)
 
 
 def compare_ranges(a: Array, b: Array) -> Relations:
+    """Return the relations of shapes by their (N, k, 2) ranges on k directions."""
     apart, over = np.zeros(len(a), bool), np.ones(len(a), bool)
     for k in range(a.shape[1]):
         apart |= (a[:, k, 0] > b[:, k, 1]) | (b[:, k, 0] > a[:, k, 1])
@@ -211,6 +217,7 @@ def compare_ranges(a: Array, b: Array) -> Relations:
 
 
 def sat(pairs: Pairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) -> Relations:
+    """Return the relations by SAT in the float format of the parts; `kernels` is None for NumPy."""
     found = np.empty(len(pairs.pa), np.int8)
     if kernels is not None:
         kernels.sat(a.x, a.y, a.r, a.start, a.bounds, pairs.pa, b.x, b.y, b.r, b.start, b.bounds, pairs.pb, found)
@@ -222,6 +229,7 @@ def sat(pairs: Pairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) -> Rel
 
 
 def sat_gaps(p: Group, q: Group) -> NDArray[Any]:
+    """Return a number with the sign of the gap of each pair of convex parts, given in columns."""
     if p.r is not None and q.r is not None:
         dx, dy, total = p.x[0] - q.x[0], p.y[0] - q.y[0], p.r + q.r
         gap: NDArray[Any] = dx * dx + dy * dy - total * total
@@ -234,6 +242,7 @@ def sat_gaps(p: Group, q: Group) -> NDArray[Any]:
 
 
 def circle_polygon_gap(circle: Group, ring: Group) -> NDArray[Any]:
+    """Return the squared distance from center to polygon less the squared radius; -1 with the center inside."""
     assert circle.r is not None
     x, y = ring.x - circle.x, ring.y - circle.y
     inside = np.ones(x.shape[1], bool)

@@ -4,11 +4,15 @@ from collections.abc import Callable, Collection, Sequence
 from typing import Any, NamedTuple
 
 from ..engine.geometry import Vec
-from . import certified_bounds
-from .certified_bounds import BOXES, EXACT, AnyShape, Model
+from .candidates import AABB, EXACT_FILTER, AnyShape, Model, candidates
 
 Pair = tuple[int, int]
-UPRIGHT, ROUND, CONVEX, CONCAVE = "upright boxes", "circles", "convex polygons", "concave polygons"
+UPRIGHT_BOXES, CIRCLES, CONVEX_POLYGONS, CONCAVE_POLYGONS = (
+    "upright boxes",
+    "circles",
+    "convex polygons",
+    "concave polygons",
+)
 
 
 class Grid(NamedTuple):
@@ -97,8 +101,8 @@ class ModelResult(NamedTuple):
 def kind_of(shape: AnyShape) -> str:
     """What kind of shape it is, in words."""
     if shape.core_is_point:
-        return ROUND
-    return UPRIGHT if shape.is_upright_box else CONVEX if shape.is_convex else CONCAVE
+        return CIRCLES
+    return UPRIGHT_BOXES if shape.is_upright_box else CONVEX_POLYGONS if shape.is_convex else CONCAVE_POLYGONS
 
 
 def best(results: Sequence[ModelResult]) -> ModelResult:
@@ -113,15 +117,17 @@ def for_hits(results: Sequence[ModelResult]) -> ModelResult:
 
 def anywhere(facts: InputSummary, results: Sequence[ModelResult]) -> Model:
     """The least that is right wherever these shapes lie: y and x for upright boxes, else what is exact."""
-    wide = BOXES if set(facts.kinds) == {UPRIGHT} else EXACT
+    wide = AABB if set(facts.kinds) == {UPRIGHT_BOXES} else EXACT_FILTER
     return next(j.model for j in results if j.model.kind == wide)
 
 
-def candidates(axes: int, directions: tuple[Vec, ...], kinds: Collection[str], case: PairsInHand) -> tuple[Model, ...]:
+def candidates_of(
+    axes: int, directions: tuple[Vec, ...], kinds: Collection[str], case: PairsInHand
+) -> tuple[Model, ...]:
     """The candidate models of a case, for shapes of these kinds and the most axes that a pair of them has."""
     if case.settled is None:
-        return certified_bounds.candidates(axes, directions, set(kinds) == {ROUND})
-    found = certified_bounds.candidates(axes, directions, case.settled.only_circles, case.settled.alone)
+        return candidates(axes, directions, set(kinds) == {CIRCLES})
+    found = candidates(axes, directions, case.settled.only_circles, case.settled.alone)
     if case.pairs:
         return found
-    return tuple(m for m in found if not m.after_boxes or m.kind == EXACT)  # nothing is left after the boxes
+    return tuple(m for m in found if not m.after_boxes or m.kind == EXACT_FILTER)  # nothing is left after the boxes

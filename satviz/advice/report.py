@@ -4,9 +4,19 @@ from math import inf, log2
 from sys import float_info
 from typing import TYPE_CHECKING
 
-from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
+from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
 from .limits import SECONDS_TIMED
-from .records import CONCAVE, CONVEX, ROUND, UPRIGHT, InputSummary, ModelResult, anywhere, best, for_hits
+from .records import (
+    CIRCLES,
+    CONCAVE_POLYGONS,
+    CONVEX_POLYGONS,
+    UPRIGHT_BOXES,
+    InputSummary,
+    ModelResult,
+    anywhere,
+    best,
+    for_hits,
+)
 from .relative_margin import IN_FLOAT32
 from .rounding import FLOAT32, FLOAT64, FORMATS
 from .scope import ANYWHERE, GRID, MOVED, Scope
@@ -16,7 +26,12 @@ if TYPE_CHECKING:
 
     from .costs import Cost
 
-ONE = {UPRIGHT: "upright box", ROUND: "circle", CONVEX: "convex polygon", CONCAVE: "concave polygon"}
+ONE = {
+    UPRIGHT_BOXES: "upright box",
+    CIRCLES: "circle",
+    CONVEX_POLYGONS: "convex polygon",
+    CONCAVE_POLYGONS: "concave polygon",
+}
 
 
 def text(facts: InputSummary, results: "Sequence[ModelResult]", scope: Scope) -> str:
@@ -45,19 +60,19 @@ def text(facts: InputSummary, results: "Sequence[ModelResult]", scope: Scope) ->
 
 def reason(model: Model, facts: InputSummary, scope: Scope) -> str:
     """Why the model is right."""
-    if not facts.pairs and model.kind == BOXES:
+    if not facts.pairs and model.kind == AABB:
         return "no two boxes meet, so there is nothing left to ask"
-    if model.kind == BOXES and scope.kind == ANYWHERE:
+    if model.kind == AABB and scope.kind == ANYWHERE:
         return "upright boxes are their bounding boxes, and comparisons round nothing"
     if scope.kind == GRID:
         return f"all coordinates are {_multiples(scope.unit)}, and {model.kind} rounds nothing of that size"
     return {
-        BOXES: "the bounding boxes give the same answers as the shapes, and comparing numbers rounds nothing",
-        CIRCLES: "circles from the middle of each box to its farthest corner give the same answers as the shapes, and "
-        "rounding errors are too small to change that",
-        DIRECTIONS: "the ranges on these directions give the same answers as the shapes, and rounding errors are too "
+        AABB: "the bounding boxes give the same answers as the shapes, and comparing numbers rounds nothing",
+        BOUNDING_CIRCLES: "circles from the middle of each box to its farthest corner give the same answers as the "
+        "shapes, and rounding errors are too small to change that",
+        K_DOP: "the ranges on these directions give the same answers as the shapes, and rounding errors are too "
         "small to change that, or there are none",
-        EXACT: "where floats cannot decide a pair, it computes with integers",
+        EXACT_FILTER: "where floats cannot decide a pair, it computes with integers",
         **{
             kind: f"the rounding errors of {kind} are too small to change the answer of any pair, or there are none"
             for kind in FORMATS
@@ -68,7 +83,7 @@ def reason(model: Model, facts: InputSummary, scope: Scope) -> str:
 def holds(scope: Scope, facts: InputSummary) -> str:
     """Where it holds."""
     if scope.kind == ANYWHERE:
-        if set(facts.kinds) == {UPRIGHT}:
+        if set(facts.kinds) == {UPRIGHT_BOXES}:
             return "anywhere: upright boxes need y and x only, whatever their coordinates"
         return "anywhere: it is exact for all coordinates"
     if scope.kind == GRID:
@@ -95,7 +110,7 @@ def cost_line(model: Model, facts: InputSummary, found: "Mapping[str, Cost | Non
     if not found:
         return ""
     mine = found[model.name]
-    exact_name, exact = next((name, p) for name, p in found.items() if name.endswith(EXACT))
+    exact_name, exact = next((name, p) for name, p in found.items() if name.endswith(EXACT_FILTER))
     after = " whose boxes meet" if facts.settled else ""
     if mine is None:
         return f"price    not timed: one pair of these shapes takes too long for the {SECONDS_TIMED:g} s of all models"
@@ -116,7 +131,7 @@ def duration(nanoseconds: float) -> str:
 
 def named(model: Model) -> str:
     """A model's name and how many axes it has."""
-    return model.name if model.kind == DIRECTIONS and not model.after_boxes else f"{model.name} ({axes(model.axes)})"
+    return model.name if model.kind == K_DOP and not model.after_boxes else f"{model.name} ({axes(model.axes)})"
 
 
 def axes(many: int) -> str:
@@ -149,7 +164,7 @@ def _first(model: Model, facts: InputSummary) -> list[str]:
     """What runs before the model's own test, and how many pairs it leaves."""
     if not model.after_boxes:
         return []
-    said = f"{BOXES} (2 axes) finds {facts.settled:,} pairs apart; {model.test} decides the other {facts.pairs:,}"
+    said = f"{AABB} (2 axes) finds {facts.settled:,} pairs apart; {model.test} decides the other {facts.pairs:,}"
     return [f"first    {said}"]
 
 
@@ -163,10 +178,10 @@ def nearest(facts: InputSummary) -> str:
     """The pair that is hardest to tell, in roundings."""
     where = "" if facts.pairs + facts.settled == 1 else f"pair {facts.at} "
     if not facts.relative_margin:
-        return f"{where}touches: its margin (gamma) is 0"
+        return f"{where}touches: its relative margin is 0"
     return (
-        f"{where}{'has ' if where else ''}a margin of {power(facts.relative_margin)} rounding errors of float64 (its gamma), "
-        f"{power(facts.relative_margin * IN_FLOAT32)} of float32"
+        f"{where}{'has ' if where else ''}a relative margin of {power(facts.relative_margin)} rounding errors of "
+        f"float64, {power(facts.relative_margin * IN_FLOAT32)} of float32"
     )
 
 
@@ -186,7 +201,7 @@ def _adds(results: ModelResult, facts: InputSummary, every: "Sequence[ModelResul
     if not results.proven:
         return _fails(results, facts)
     adds = "also right, but not needed here"
-    if results.model.kind == EXACT:
+    if results.model.kind == EXACT_FILTER:
         adds = "right for all coordinates"
     elif results.model.kind == FLOAT64.name and any(j.model.kind == FLOAT32.name and j.proven for j in every):
         adds = "also right, but nothing here needs rounding errors 2^29 times as small"

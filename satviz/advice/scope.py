@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 from ..engine.predicates import to_integers
 from ..engine.shapes import Shape
-from . import certified_bounds
-from .certified_bounds import BOXES, EXACT, AnyShape, Model
-from .records import CONCAVE, ROUND, UPRIGHT, Grid, InputSummary, PairsInHand
+from .candidates import AABB, EXACT_FILTER, AnyShape, Model, convex_parts, cyclic_pairs
+from .certified_bounds import SAT_ROUNDINGS
+from .records import CIRCLES, CONCAVE_POLYGONS, UPRIGHT_BOXES, Grid, InputSummary, PairsInHand
 from .relative_margin import relative_margin
 from .rounding import FLOAT64, FORMATS, Format
 
@@ -34,14 +34,16 @@ def scope_of(model: Model, facts: InputSummary, case: PairsInHand) -> Scope:
     """Where the model is right, if it is so for the pairs in hand."""
     if not facts.pairs:
         return Scope(HERE)
-    if model.kind == EXACT or (model.kind == BOXES and set(facts.kinds) == {UPRIGHT}):
+    if model.kind == EXACT_FILTER or (model.kind == AABB and set(facts.kinds) == {UPRIGHT_BOXES}):
         return Scope(ANYWHERE)
     if model.kind not in FORMATS:
         return Scope(HERE)
-    if CONCAVE in facts.kinds:  # whose convex parts depend on where it lies, and their corners on no grid of its own
+    if (
+        CONCAVE_POLYGONS in facts.kinds
+    ):  # whose convex parts depend on where it lies, and their corners on no grid of its own
         return Scope(HERE)
     form = FORMATS[model.kind]
-    if ROUND in facts.kinds:
+    if CIRCLES in facts.kinds:
         return Scope(HERE)
     if not facts.settled and (found := _on_grid(case.grid(), form)):
         return found
@@ -56,7 +58,7 @@ def allowed_coordinate(a: Shape, b: Shape) -> Fraction:
     the roundings asked (and one, as gamma itself is rounded).
     """
     reach = max(abs(c) for s in (a, b) for c in s.bounds)
-    return Fraction(relative_margin(a, b)) * Fraction(reach) / (certified_bounds.SAT_ROUNDINGS + 1)
+    return Fraction(relative_margin(a, b)) * Fraction(reach) / (SAT_ROUNDINGS + 1)
 
 
 def moved_bound(pairs: Iterable[tuple[AnyShape, AnyShape]]) -> float:
@@ -102,16 +104,9 @@ def grid_of(pairs: Iterable[tuple[AnyShape, AnyShape]]) -> Grid | None:
     if not common:
         return None
     low = (common & -common).bit_length() - 1
-    spans = [
-        abs(Fraction(c) - Fraction(d))
-        for s in shapes
-        for p, q in certified_bounds.edges_of(s.core)
-        for c, d in zip(p, q)
-    ]
+    spans = [abs(Fraction(c) - Fraction(d)) for s in shapes for p, q in cyclic_pairs(s.core) for c, d in zip(p, q)]
     return Grid(low - k, max(map(abs, found)) >> low, int(max(spans) / Fraction(2) ** (low - k)))
 
 
 def _parts(pairs: Iterable[tuple[AnyShape, AnyShape]]) -> list[tuple[Shape, Shape]]:
-    return [
-        (p, q) for a, b in pairs for p in certified_bounds.convex_parts(a) for q in certified_bounds.convex_parts(b)
-    ]
+    return [(p, q) for a, b in pairs for p in convex_parts(a) for q in convex_parts(b)]

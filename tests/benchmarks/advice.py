@@ -13,7 +13,7 @@ import numpy as np
 
 import satviz as sv
 from satviz import batch
-from satviz.advice.certified_bounds import EXACT
+from satviz.advice.candidates import EXACT_FILTER
 from satviz.advice.costs import costs
 from satviz.study.workloads import workloads
 
@@ -113,7 +113,7 @@ def main():
         best = min(found, key=lambda key: found[key].warm)
         mine, pairs = found[recommendation.model.name].warm, min(recommendation.summary.pairs, PAIRS)
         regret = mine / found[best].warm
-        counts = found[EXACT].warm * pairs > LEAST
+        counts = found[EXACT_FILTER].warm * pairs > LEAST
         regrets += [regret] * counts
         print(
             f"{name:24} {recommendation.summary.pairs:7}  {recommendation.model.name:22} {mine:7.1f}  "
