@@ -1,4 +1,7 @@
-"""sv.advise for many pairs: the same facts and proofs, worked out with arrays."""
+"""`sv.advise` for many pairs: facts, results and scope as in `advising.py`, computed with arrays.
+
+`engine` stands for the engine of `batch.relate` throughout: "numpy", "numba", or None for the faster one installed.
+"""
 
 from collections.abc import Collection, Sequence
 from math import inf
@@ -22,7 +25,7 @@ from .classify import PartGrids, classify
 from .limits import refuse_too_many_boxes, refuse_too_many_fractions, refuse_too_many_tests
 from .margins import signed_relative_margins
 from .models import bounding_circles, compare_boxes, is_circle, shared_directions
-from .pairs import Array, Indices, Pairs, indexed, max_reach, paired, part_shape
+from .pairs import Array, Indices, Pairs, indexed, max_coordinates, paired, part_shape, tests_per_pair
 from .records import (
     CIRCLES,
     CONCAVE_POLYGONS,
@@ -43,7 +46,7 @@ from .scope import power_of_two_bound
 def recommend_batch(
     a: Any, b: Any, pairs: ArrayLike | None, *, engine: str | None = None
 ) -> tuple[InputSummary, tuple[ModelResult, ...], PairsInHand]:
-    """What there is in batch shapes and the models results on them; see `advise`.  `engine`: as in `batch.relate`."""
+    """Return (facts, results, case) for batch shapes; the parameters are those of `advise`."""
     a = checked(a, "a")
     all_pairs = b is None and pairs is None
     b = a if b is None else checked(b, "b")
@@ -68,7 +71,7 @@ def recommend_batch(
         lambda k: (int(numbers[0][k]), int(numbers[1][k])),
         lambda: [_shape_of(shapes, i) for shapes, some in used for i in some.tolist()],
         lambda: both,
-        lambda: _bound(both, engine),
+        lambda: _moved_bound(both, engine),
         lambda: _grid(both),
         work[1] + _count_work(a, near.ia, a, near.ib)[1],
         settled,
@@ -84,8 +87,8 @@ def recommend_batch(
 
 
 def _pairs_with_meeting_boxes(bounds: Array, engine: str | None) -> tuple[Indices, Indices]:
-    """All pairs of which the boxes meet, in order; counted while they are found, so that they never fill the memory."""
-    farthest = float_info.max  # which a circle may pass
+    """Return all pairs whose boxes meet, in order; they are counted while found, so that they never fill the memory."""
+    farthest = float_info.max  # the box of a circle may exceed it
     blocks, many = [], 0
     for block in candidate_blocks(np.clip(bounds, -farthest, farthest), engine_of(engine).grid):
         many += len(block)
@@ -96,59 +99,58 @@ def _pairs_with_meeting_boxes(bounds: Array, engine: str | None) -> tuple[Indice
 
 
 def _count_work(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> tuple[int, int]:
-    """How many pairs of convex parts, and how many tests of an edge against a corner, both ways."""
+    """Return the number of pairs of convex parts, and of tests of an edge against a corner."""
     parts = [np.diff(s.starts)[i] for s, i in ((a, ia), (b, ib))]
-    corners = [np.diff(s.rings.start[s.starts])[i] for s, i in ((a, ia), (b, ib))]
-    tests = 2.0 * (corners[0].astype(float) * corners[1]).sum()
-    return int((parts[0].astype(float) * parts[1]).sum()), int(tests)
+    return int((parts[0].astype(float) * parts[1]).sum()), int(tests_per_pair(a, ia, b, ib).sum())
 
 
 def _out_of_range(both: Pairs) -> int:
-    """How many pairs of convex parts have products beyond the range of floats, so that integers must tell them."""
+    """Return how many pairs of convex parts have products beyond the range of floats, and so need integers."""
     with np.errstate(over="ignore"):
-        most = np.maximum(_part_reaches(both.a)[both.pa], _part_reaches(both.b)[both.pb])
+        most = np.maximum(_part_max_coordinates(both.a)[both.pa], _part_max_coordinates(both.b)[both.pb])
     return int(np.count_nonzero(~((most > 2.0**-450) & (most < 2.0**450))))
 
 
 def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[BroadPhaseResult, Pairs]:
-    """What the boxes settle; and which of these pairs a model that stands alone, by one circle a shape, may doubt.
+    """Return what the boxes settle, and those of the settled pairs that bounding circles alone might not certify.
 
-    With M the larger reach of two circles, u the rounding, d their distance and R the sum of the radii, they
-    are surely told apart where d - R is 72 u M or more: the bound of `certify_circles` for ranges,
-    and more than its bound for squares, 12 u (d + R) + 5 sqrt(2) u M with d + R at most 4.9 M.  So boxes of
-    the circles that are 100 u M wider on each side (u of float32 where that is a candidate) meet for every
-    pair that can be doubted.
+    With M the larger max_coordinate (radius included) of two circles, u the unit roundoff, d their distance and R the
+    sum of the radii, the circles are certified apart where d - R is 72 u M or more: the bound of `certify_circles` for
+    ranges, and more than its bound for squares, 12 u (d + R) + 5 sqrt(2) u M with d + R at most 4.9 M.  So boxes of the
+    circles that are 100 u M wider on each side (u of float32 where that is a candidate) meet for every pair that is
+    not certified.  `many` is the number of settled pairs.
     """
     only_circles = bool(is_circle(a).all())
     forms = FORMATS if only_circles else {BOUNDING_CIRCLES: FLOAT64}
     disc = bounding_circles(a)
     with np.errstate(all="ignore"):
-        reach = np.abs(disc[:, :2]).max(axis=1) + disc[:, 2]
-        trusted = {k: f for k, f in forms.items() if (reach < f.most).all() and (disc[:, 2] > f.least).all()}
+        max_coordinate = np.abs(disc[:, :2]).max(axis=1) + disc[:, 2]
+        trusted = {k: f for k, f in forms.items() if (max_coordinate < f.most).all() and (disc[:, 2] > f.least).all()}
         nothing = paired(a, np.empty(0, np.intp), a, np.empty(0, np.intp))
         exact = {EXACT_FILTER} if only_circles else set()
         if not trusted:
             return BroadPhaseResult(many, 0, frozenset(exact), only_circles), nothing
-        wide = (disc[:, 2] + 100 * 2.0 ** -min(f.bits for f in trusted.values()) * reach)[:, None]
+        wide = (disc[:, 2] + 100 * 2.0 ** -min(f.bits for f in trusted.values()) * max_coordinate)[:, None]
         boxes = np.concatenate([disc[:, :2] - wide, disc[:, :2] + wide], axis=1)
     try:
         i, j = _pairs_with_meeting_boxes(boxes, engine)
-    except InvalidScene:  # too many to look at: no model is results alone
+    except InvalidScene:  # too many: every model follows the boxes
         return BroadPhaseResult(many, 0, frozenset(exact), only_circles), nothing
     apart = compare_boxes(a.bounds[i], a.bounds[j]) == APART
     near = paired(a, i[apart], a, j[apart])
     return BroadPhaseResult(many, len(near.ia), frozenset(exact | trusted.keys()), only_circles), near
 
 
-def _bound(both: Pairs, engine: str | None) -> float:
-    most = np.maximum(_part_reaches(both.a)[both.pa], _part_reaches(both.b)[both.pb])
+def _moved_bound(both: Pairs, engine: str | None) -> float:
+    """Return what `scope.moved_bound` returns, by arrays."""
+    most = np.maximum(_part_max_coordinates(both.a)[both.pa], _part_max_coordinates(both.b)[both.pb])
     signed = signed_relative_margins(both.a.parts, both.b.parts, np.stack([both.pa, both.pb], axis=1), engine=engine)
-    # gamma is good to one part in fifty
+    # arrays compute the relative margin to one part in fifty
     return power_of_two_bound(float((np.abs(signed) * 0.9 * most).min()) / (SAT_ROUNDINGS + 1), float(most.max()))
 
 
 def _grid(both: Pairs) -> Grid | None:
-    """The grid of all parts in the pairs; None also where its unit is at the ends of float64's range."""
+    """Return the grid of all parts in the pairs; None also where its unit is near the ends of the range of float64."""
     found = [PartGrids(*(c[p] for c in PartGrids.of(s.parts))) for s, p in ((both.a, both.pa), (both.b, both.pb))]
     unit = min(float(g.unit.min()) for g in found)
     most, span = (max(float(c.max()) for c in both) for both in zip(*(g[1:] for g in found), strict=True))
@@ -158,7 +160,7 @@ def _grid(both: Pairs) -> Grid | None:
 
 
 def shape_as_batch(shape: Shape) -> Shapes:
-    """A batch of the one shape, with the convex parts that it already knows."""
+    """Return a batch that holds this shape alone, with the convex parts already computed."""
     if isinstance(shape, Circle):
         return batch.Circles([shape.center], shape.radius)
     cores = [np.asarray(part.core) for part in convex_parts(shape)]
@@ -169,56 +171,58 @@ def shape_as_batch(shape: Shape) -> Shapes:
 
 
 def repeated_pair(a: Shape, b: Shape, copies: int = 4096) -> Pairs:
-    """One pair as many, to be timed: its answers in one call, over and over."""
+    """Return many copies of one pair, so that one call can be timed."""
     nothing = np.zeros(copies, np.intp)
     return paired(shape_as_batch(a), nothing, shape_as_batch(b), nothing)
 
 
 def _models(pairs: Pairs, kinds: Collection[str], case: PairsInHand) -> tuple[Model, ...]:
-    """The candidates for these pairs."""
+    """Return the candidate models for these pairs."""
     edges = [np.where(s.parts.count == 1, 0, s.parts.count) for s in (pairs.a, pairs.b)]
     each = edges[0][pairs.pa] + edges[1][pairs.pb]
     each += (edges[0][pairs.pa] == 0) | (edges[1][pairs.pb] == 0)
-    asked = np.bincount(pairs.of, each, minlength=len(pairs.ia))
+    axes = np.bincount(pairs.of, each, minlength=len(pairs.ia))
     used = pairs.a[np.unique(pairs.ia)], pairs.b[np.unique(pairs.ib)]
     directions = shared_directions(*used) if case.pairs and CIRCLES not in kinds else ()
-    return candidates_of(int(asked.max(initial=1)), directions, kinds, case)
+    return candidates_of(int(axes.max(initial=1)), directions, kinds, case)
 
 
 def _evaluate_model(
     model: Model, both: Pairs, exact: NDArray[np.int8], near: Pairs, case: PairsInHand, engine: str | None
 ) -> ModelResult:
-    told = _classify(model, both, exact, case, 0, engine)
+    """Return the result of a model on the pairs `both`, and on the `near` ones if it runs without the boxes."""
+    found = _classify(model, both, exact, case, 0, engine)
     if not (model.after_boxes or model.kind == AABB):
         apart = np.zeros(len(near.ia), np.int8)
-        told = np.concatenate([told, _classify(model, near, apart, case, case.pairs, engine)])
+        found = np.concatenate([found, _classify(model, near, apart, case, case.pairs, engine)])
         exact = np.concatenate([exact, apart])
-    uncertain = told < 0
-    wrong = ~uncertain & (told != exact)
+    uncertain = found < 0
+    wrong = ~uncertain & (found != exact)
     bad = np.flatnonzero(wrong)
     bad = bad if bad.size else np.flatnonzero(uncertain)
     first = case.indices(int(bad[0])) if bad.size else None
-    hits = not uncertain.any() and bool(((told > 0) == (exact > 0)).all())
+    hits = not uncertain.any() and bool(((found > 0) == (exact > 0)).all())
     return ModelResult(model, int(wrong.sum()), int(uncertain.sum()), first, hits)
 
 
 def _classify(
     model: Model, pairs: Pairs, exact: NDArray[np.int8], case: PairsInHand, first: int, engine: str | None
 ) -> NDArray[np.int8]:
-    """What the model is sure of on these pairs, which have numbers from `first` on in the case."""
-    told = classify(model, pairs, exact, engine=engine)
-    if model.kind not in FORMATS:  # which has asked fractions itself, part by part
-        doubt = np.flatnonzero(told < 0)
-        for many, k in enumerate(doubt.tolist()):  # arrays need more room than fractions: up to the first real doubt
+    """Return the certified relations of these pairs, -1 where uncertain; their numbers in the case start at `first`."""
+    found = classify(model, pairs, exact, engine=engine)
+    if model.kind not in FORMATS:  # SAT has used fractions already, part by part
+        doubt = np.flatnonzero(found < 0)
+        for many, k in enumerate(doubt.tolist()):  # the bounds of arrays are wider than those of fractions
             refuse_too_many_fractions(many, len(doubt))
-            said = certify(model, *case.body(first + k))
-            if said is None:
-                break
-            told[k] = said
-    return told
+            relation = certify(model, *case.shapes_of(first + k))
+            if relation is None:
+                break  # one uncertain pair is enough to reject the model
+            found[k] = relation
+    return found
 
 
 def _kinds(sides: Sequence[tuple[Shapes, Indices]]) -> dict[str, int]:
+    """Return how many of the used shapes are of each kind."""
     found: dict[str, int] = {}
     for shapes, used in sides:
         parts = np.diff(shapes.starts)[used]
@@ -237,12 +241,14 @@ def _kinds(sides: Sequence[tuple[Shapes, Indices]]) -> dict[str, int]:
 
 
 def _corners(case: Pairs) -> Pair:
+    """Return the fewest and the most corners of the convex parts, (0, 0) if all are circles."""
     counts = np.concatenate([case.a.count[case.pa], case.b.count[case.pb]])
     counts = counts[counts > 1]
     return (int(counts.min()), int(counts.max())) if counts.size else (0, 0)
 
 
 def _sizes(case: Pairs) -> float:
+    """Return the width of the largest shape over that of the smallest."""
     if not len(case.ia):
         return 1.0
     with np.errstate(all="ignore"):
@@ -251,13 +257,15 @@ def _sizes(case: Pairs) -> float:
         return float(min(some.max() / some.min(), float_info.max))
 
 
-def _part_reaches(shapes: Shapes) -> NDArray[np.float64]:
+def _part_max_coordinates(shapes: Shapes) -> NDArray[np.float64]:
+    """Return the largest absolute coordinate of each convex part, plus the radius of circles."""
     found = np.empty(len(shapes.count))
     for v, g in shapes.parts.groups.items():
-        found[shapes.count == v] = max_reach(g)
+        found[shapes.count == v] = max_coordinates(g)
     return found
 
 
 def _shape_of(shapes: Shapes, i: int) -> AnyShape:
-    pieces = [part_shape(shapes.parts, k) for k in range(shapes.starts[i], shapes.starts[i + 1])]
-    return pieces[0] if len(pieces) == 1 else SplitPolygon(pieces)
+    """Return shape i of a batch: a shape of the engine, or a SplitPolygon if it has several convex parts."""
+    parts = [part_shape(shapes.parts, k) for k in range(shapes.starts[i], shapes.starts[i + 1])]
+    return parts[0] if len(parts) == 1 else SplitPolygon(parts)

@@ -1,4 +1,4 @@
-"""The smaller models as shortcuts of the one loop, so that a pair on which one fails can be recorded and drawn."""
+"""The smaller models as shortcuts of SAT, so that a pair on which a model fails can be recorded and drawn."""
 
 from ..engine.axes import Axis, Choice, directions, needed, world
 from ..engine.sat import AxisTest, axis_tests
@@ -9,7 +9,7 @@ from .certified_bounds import bounding_circle, certify
 
 
 def shortcut(model: Model, a: Shape, b: Shape) -> Shortcut:
-    """What believers in the model do with this pair; where only rounding fails, the loop itself."""
+    """Return the shortcut that tests this pair as the model does; where only rounding fails, SAT itself."""
     if certify(model, a, b) is None:
         return Shortcut("plain floats", "plain floats are exact enough", needed)
     if model.kind == AABB:
@@ -22,10 +22,12 @@ def shortcut(model: Model, a: Shape, b: Shape) -> Shortcut:
 
 
 def _between(a: Shape, b: Shape) -> Choice:
+    """Return the axis through the centers of the bounding circles; the x axis if they coincide."""
     (ax, ay, _), (bx, by, _) = bounding_circle(a), bounding_circle(b)
     return directions((bx - ax, by - ay) if (ax, ay) != (bx, by) else (1, 0))(a, b)
 
 
 def _by_circles(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Return the test of the bounding circles on an axis."""
     (ax, ay, ar), (bx, by, br) = bounding_circle(a), bounding_circle(b)
     return next(axis_tests(Circle((ax, ay), ar), Circle((bx, by), br), [axis]))

@@ -23,7 +23,7 @@ from .models import (
     is_circle,
     relations_of_gaps,
 )
-from .pairs import Array, Indices, Pairs, Relations, max_reach, pair_columns, part_shape
+from .pairs import Array, Indices, Pairs, Relations, max_coordinates, pair_columns, part_shape
 from .rounding import FLOAT64, FORMATS, Format
 from .rounding_numpy import Errors
 
@@ -227,7 +227,7 @@ def _most(shapes: Shapes) -> Array:
 
 def _sure_polygons(p: Group, q: Group, form: Format) -> Relations:
     """By the exact bounds of `proofs`, with room for what is rounded in asking: 17 u DM, and a thousandth."""
-    most = np.maximum(max_reach(p), max_reach(q))
+    most = np.maximum(max_coordinates(p), max_coordinates(q))
     wide = np.maximum(
         *(np.maximum(c.max(0), d.max(0)) - np.minimum(c.min(0), d.min(0)) for c, d in ((p.x, q.x), (p.y, q.y)))
     )

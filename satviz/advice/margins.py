@@ -11,7 +11,7 @@ from ..batch.codes import TOUCHING
 from ..batch.exact_signs import nearly, two_sum
 from ..engine.predicates import UNIT
 from .limits import refuse_too_many_fractions
-from .pairs import Array, indexed, max_reach, pair_columns, part_pairs, part_shape
+from .pairs import Array, indexed, max_coordinates, pair_columns, part_pairs, part_shape
 from .relative_margin import signed_relative_margin
 
 # By floats a turn is off by under 17 u * span * reach (three roundings of each product, one of their difference), a
@@ -60,9 +60,9 @@ def signed_relative_margins(
 def _margins_of_columns(a: Group, b: Group, beyond: Measure, between: Measure) -> Array:
     with np.errstate(all="ignore"):
         # to below a half, as large coordinates have a difference beyond float64, and a center and its radius a sum
-        power = -1 - np.frexp(np.maximum(max_reach(_halved(a)), max_reach(_halved(b))))[1]
+        power = -1 - np.frexp(np.maximum(max_coordinates(_halved(a)), max_coordinates(_halved(b))))[1]
         a, b = (_scaled(g, power) for g in (a, b))
-        unit = UNIT * np.maximum(max_reach(a), max_reach(b))
+        unit = UNIT * np.maximum(max_coordinates(a), max_coordinates(b))
         if a.r is not None and b.r is not None:
             gap = between(a, b)
         elif a.r is not None or b.r is not None:
