@@ -1,5 +1,6 @@
-"""The models for many pairs: what each keeps of the shapes, and what it answers."""
+"""The models for many pairs: `prepare` sets up the data of a model for a batch, `evaluate` returns its relations."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
@@ -16,16 +17,17 @@ from ..engine.geometry import Vec
 from ..engine.predicates import HUGE, TINY
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, MAX_DIRECTIONS, PARALLEL_ANGLE, Model
 from .certified_bounds import WIDENING
+from .margins import edges_from_centers
 from .pairs import Array, Indices, Pairs, Relations, pair_columns, slice_if_adjacent
 from .rounding import FORMATS
 
-PAIRS_PER_BLOCK = 16384  # pairs at a time, whose columns stay in the cache
+PAIRS_PER_BLOCK = 16384  # pairs whose columns fit the cache
 DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64}
 
 
 @dataclass(frozen=True)
 class ConvertedParts:
-    """All convex parts in one float format: corners one after another with radii, and in columns."""
+    """All convex parts of a batch in one float format: corners one after another with radii, and in columns."""
 
     x: NDArray[Any]
     y: NDArray[Any]
@@ -38,7 +40,7 @@ class ConvertedParts:
 
 
 def prepare(model: Model, shapes: Shapes) -> Any:
-    """What a model keeps of shapes: the set-up that its times cold have in them."""
+    """Return the data that a model needs of the shapes: its set-up, which cold times include."""
     if model.kind == EXACT_FILTER:
         _ = shapes.groups, shapes.rings, shapes.slot
         return shapes
@@ -55,12 +57,12 @@ def prepare(model: Model, shapes: Shapes) -> Any:
             for v, g in shapes.groups.items()
         }
         x, y, r = (c.astype(dtype) for c in (*shapes.rings[:2], part_radii(shapes)))
-        bounds = shapes.parts.bounds.astype(dtype)  # rounding keeps their order, so a gap that is left was there
+        bounds = shapes.parts.bounds.astype(dtype)  # rounding keeps order: boxes apart after it were apart before
         return ConvertedParts(x, y, r, shapes.rings.start, bounds, shapes.count, shapes.slot, groups)
 
 
 def part_radii(shapes: Shapes) -> Array:
-    """(N,) of each part: 0 of polygons."""
+    """Return the radius of each convex part, 0 for polygons."""
     found = np.zeros(len(shapes.count))
     if (group := shapes.groups.get(1)) is not None:
         found[shapes.count == 1] = group.r
@@ -68,13 +70,13 @@ def part_radii(shapes: Shapes) -> Array:
 
 
 def is_circle(shapes: Shapes) -> NDArray[np.bool_]:
-    """(N,) which shapes are circles."""
+    """Return which shapes are circles."""
     found: NDArray[np.bool_] = shapes.count[shapes.starts[:-1]] == 1
     return found
 
 
 def bounding_boxes(shapes: Shapes) -> Array:
-    """(N, 4) bounding boxes as plain floats have them: a circle's is its center less and plus its radius."""
+    """Return (N, 4) bounding boxes in plain floats: for a circle, center minus and plus radius."""
     found = np.array(shapes.bounds)
     circle = np.flatnonzero(is_circle(shapes))
     part = shapes.starts[circle]
@@ -85,8 +87,8 @@ def bounding_boxes(shapes: Shapes) -> Array:
     return found
 
 
-def bounding_circles(shapes: Shapes, wider: float = WIDENING) -> Array:
-    """(N, 3) x, y, radius of a circle around each shape, as `proofs.around` has them."""
+def bounding_circles(shapes: Shapes, widening: float = WIDENING) -> Array:
+    """Return (N, 3) x, y, radius of a circle around each shape, as `certified_bounds.bounding_circle`."""
     found = np.empty((len(shapes), 3))
     x, y, start = shapes.rings
     box = shapes.bounds
@@ -96,7 +98,7 @@ def bounding_circles(shapes: Shapes, wider: float = WIDENING) -> Array:
         many = np.diff(np.concatenate([first, start[-1:]]))
         dx, dy = (c - np.repeat(found[:, i], many) for i, c in enumerate((x, y)))
         square = np.maximum.reduceat(dx * dx + dy * dy, first) if len(first) else np.empty(0)
-        found[:, 2] = np.where((square > TINY) & (square < HUGE), np.sqrt(square) * wider, 0.0)
+        found[:, 2] = np.where((square > TINY) & (square < HUGE), np.sqrt(square) * widening, 0.0)
     circle = np.flatnonzero(is_circle(shapes))
     part = shapes.starts[circle]
     found[circle] = np.stack([x[start[part]], y[start[part]], part_radii(shapes)[part]], axis=1)
@@ -104,7 +106,7 @@ def bounding_circles(shapes: Shapes, wider: float = WIDENING) -> Array:
 
 
 def direction_ranges(shapes: Shapes, directions: tuple[Vec, ...]) -> Array:
-    """(N, k, 2) least and most of x*nx + y*ny."""
+    """Return (N, k, 2): the least and the largest x*nx + y*ny of each shape, for k directions."""
     x, y, start = shapes.rings
     first = start[shapes.starts[:-1]]
     found = np.empty((len(shapes), len(directions), 2))
@@ -115,10 +117,10 @@ def direction_ranges(shapes: Shapes, directions: tuple[Vec, ...]) -> Array:
     return found
 
 
-def shared_directions(*many: Shapes) -> tuple[Vec, ...]:
-    """The same as `proofs.shared_directions` for many."""
+def shared_directions(*batches: Shapes) -> tuple[Vec, ...]:
+    """Return what `candidates.shared_directions` returns, for all shapes of these batches."""
     edges = []
-    for shapes in many:
+    for shapes in batches:
         if (shapes.count == 1).any():
             return ()
         x, y, start = shapes.rings
@@ -142,23 +144,23 @@ def shared_directions(*many: Shapes) -> tuple[Vec, ...]:
     return tuple(found)
 
 
-# -- what is answered
+# -- relations
 
 
 @cache
 def numba_kernels() -> Any:
-    """The compiled kernels, or None where numba does not work."""
+    """Return the module of compiled kernels, or None where numba does not work."""
     if not find_spec("numba"):
         return None
     try:
         from . import kernels
-    except Exception:  # as narrow.engine_of, which warns
+    except Exception:  # `narrow_phase.engine_of` warns about it
         return None
     return kernels
 
 
 def evaluate(model: Model, pairs: Pairs, a: Any, b: Any, *, engine: str | None = None) -> Relations:
-    """The relations that the model gives, from what it has kept of both sides."""
+    """Return the relations that the model finds; a and b are the prepared data of both sides."""
     ia, ib = pairs.ia, pairs.ib
     if model.kind == EXACT_FILTER:
         return batch.relate(a, b, np.stack([ia, ib], axis=1), engine=engine)
@@ -174,11 +176,11 @@ def evaluate(model: Model, pairs: Pairs, a: Any, b: Any, *, engine: str | None =
         }[model.kind]
         kernel(a, ia, b, ib, out)
         return out
-    look = {AABB: compare_boxes, BOUNDING_CIRCLES: compare_circles, K_DOP: compare_ranges}[model.kind]
+    compare = {AABB: compare_boxes, BOUNDING_CIRCLES: compare_circles, K_DOP: compare_ranges}[model.kind]
     for start in range(0, len(ia), PAIRS_PER_BLOCK):
         part = slice(start, start + PAIRS_PER_BLOCK)
         with np.errstate(all="ignore"):
-            out[part] = look(a[slice_if_adjacent(ia[part])], b[slice_if_adjacent(ib[part])])
+            out[part] = compare(a[slice_if_adjacent(ia[part])], b[slice_if_adjacent(ib[part])])
     return out
 
 
@@ -203,8 +205,15 @@ def relations_of(apart: Any, over: Any) -> Relations:
 
 def compare_circles(a: Array, b: Array) -> Relations:
     """Return the relations of circles given as rows (x, y, radius), by squared distances."""
-    dx, dy, total = a[:, 0] - b[:, 0], a[:, 1] - b[:, 1], a[:, 2] + b[:, 2]
-    return relations_of_gaps(dx * dx + dy * dy - total * total)
+    return relations_of_gaps(_squared_gap(a.T, b.T))
+
+
+def _squared_gap(a: Iterable[NDArray[Any]], b: Iterable[NDArray[Any]]) -> NDArray[Any]:
+    """Return the squared distance less the squared sum of the radii of circles (x, y, radius)."""
+    (ax, ay, ar), (bx, by, br) = a, b
+    dx, dy, radii = ax - bx, ay - by, ar + br
+    gap: NDArray[Any] = dx * dx + dy * dy - radii * radii
+    return gap
 
 
 def compare_ranges(a: Array, b: Array) -> Relations:
@@ -231,28 +240,20 @@ def sat(pairs: Pairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) -> Rel
 def sat_gaps(p: Group, q: Group) -> NDArray[Any]:
     """Return a number with the sign of the gap of each pair of convex parts, given in columns."""
     if p.r is not None and q.r is not None:
-        dx, dy, total = p.x[0] - q.x[0], p.y[0] - q.y[0], p.r + q.r
-        gap: NDArray[Any] = dx * dx + dy * dy - total * total
-        return gap
+        return _squared_gap((p.x[0], p.y[0], p.r), (q.x[0], q.y[0], q.r))
     if p.r is not None or q.r is not None:
         return circle_polygon_gap(p, q) if p.r is not None else circle_polygon_gap(q, p)
-    look: Any = clearance  # whose types say float32, where it is used
-    found: NDArray[Any] = look(p.x, p.y, q.x, q.y, 0)
+    evaluate_clearance: Any = clearance  # annotated for float32 only
+    found: NDArray[Any] = evaluate_clearance(p.x, p.y, q.x, q.y, 0)
     return found
 
 
 def circle_polygon_gap(circle: Group, ring: Group) -> NDArray[Any]:
     """Return the squared distance from center to polygon less the squared radius; -1 with the center inside."""
     assert circle.r is not None
-    x, y = ring.x - circle.x, ring.y - circle.y
-    inside = np.ones(x.shape[1], bool)
-    nearest = np.full(x.shape[1], np.inf, x.dtype)
-    for e in range(len(x)):
-        dx, dy = ring.x[e] - ring.x[e - 1], ring.y[e] - ring.y[e - 1]
-        turn = x[e - 1] * dy - y[e - 1] * dx
+    inside = np.ones(ring.x.shape[1], bool)
+    nearest = np.full(ring.x.shape[1], np.inf, ring.x.dtype)
+    for _, _, turn, distance in edges_from_centers(circle, ring):
         inside &= turn > 0
-        along, square = -(x[e - 1] * dx + y[e - 1] * dy), dx * dx + dy * dy
-        ends = np.where(along <= 0, x[e - 1] ** 2 + y[e - 1] ** 2, x[e] ** 2 + y[e] ** 2)
-        away = np.where((along > 0) & (along < square), turn / square * turn, ends)
-        np.minimum(nearest, away, out=nearest)
+        np.minimum(nearest, distance, out=nearest)
     return np.where(inside, -1, nearest - circle.r * circle.r)
