@@ -1,4 +1,8 @@
-"""An advice in words: each line a fact with a number."""
+"""A recommendation in words: each line states one fact with its number.
+
+`facts` is the summary of the case, `results` the result of each candidate model, `scope` where the proof is valid
+(`records.py`, `scope.py`).
+"""
 
 from math import inf, log2
 from sys import float_info
@@ -26,7 +30,7 @@ if TYPE_CHECKING:
 
     from .costs import Cost
 
-ONE = {
+SINGULAR = {
     UPRIGHT_BOXES: "upright box",
     CIRCLES: "circle",
     CONVEX_POLYGONS: "convex polygon",
@@ -35,7 +39,7 @@ ONE = {
 
 
 def text(facts: InputSummary, results: "Sequence[ModelResult]", scope: Scope) -> str:
-    """The whole advice, a line each: what is advised, why, how far, what there is, what less and more would give."""
+    """Return the recommendation as lines: the model, why, its scope, the facts, and the smaller and larger models."""
     least, hits = best(results), for_hits(results)
     lines = [
         f"{named(least.model)}: right for {_all(facts)}",
@@ -59,7 +63,7 @@ def text(facts: InputSummary, results: "Sequence[ModelResult]", scope: Scope) ->
 
 
 def reason(model: Model, facts: InputSummary, scope: Scope) -> str:
-    """Why the model is right."""
+    """Return a sentence why the model is right."""
     if not facts.pairs and model.kind == AABB:
         return "no two boxes meet, so there is nothing left to ask"
     if model.kind == AABB and scope.kind == ANYWHERE:
@@ -81,7 +85,7 @@ def reason(model: Model, facts: InputSummary, scope: Scope) -> str:
 
 
 def holds(scope: Scope, facts: InputSummary) -> str:
-    """Where it holds."""
+    """Return a sentence where the recommendation holds."""
     if scope.kind == ANYWHERE:
         if set(facts.kinds) == {UPRIGHT_BOXES}:
             return "anywhere: upright boxes need y and x only, whatever their coordinates"
@@ -97,16 +101,17 @@ def holds(scope: Scope, facts: InputSummary) -> str:
 
 
 def _multiples(unit: int | None) -> str:
+    """Return "whole numbers", or the power of two that all coordinates are multiples of."""
     return "whole numbers" if unit == 0 else f"multiples of {_size(2.0 ** (unit or 0))}"
 
 
 def _size(value: float) -> str:
-    """A power of two as a number, where that can be read."""
+    """Return a power of two as a decimal number, or as 2^n where the number is long."""
     return f"{value:,.15g}" if 2.0**-10 <= value <= 2.0**20 else power(value, 0)
 
 
 def cost_line(model: Model, facts: InputSummary, found: "Mapping[str, Cost | None]") -> str:
-    """What the recommended model costs here, beside the exact filter; empty where there are no pairs."""
+    """Return the line on the cost of the recommended model beside the exact filter; "" where there are no pairs."""
     if not found:
         return ""
     mine = found[model.name]
@@ -121,7 +126,7 @@ def cost_line(model: Model, facts: InputSummary, found: "Mapping[str, Cost | Non
 
 
 def duration(nanoseconds: float) -> str:
-    """A time with its unit, two digits."""
+    """Return a time with its unit, to two digits."""
     for size, unit in ((1e9, "s"), (1e6, "ms"), (1e3, "µs")):
         if nanoseconds >= size * 0.9995:
             shown = nanoseconds / size
@@ -130,23 +135,23 @@ def duration(nanoseconds: float) -> str:
 
 
 def named(model: Model) -> str:
-    """A model's name and how many axes it has."""
+    """Return the name of a model and its number of axes."""
     return model.name if model.kind == K_DOP and not model.after_boxes else f"{model.name} ({axes(model.axes)})"
 
 
 def axes(many: int) -> str:
-    """How many axes."""
+    """Return a number of axes in words: "1 axis", "2 axes"."""
     return f"{many:,} {'axis' if many == 1 else 'axes'}"
 
 
 def power(value: float, digits: int = 1) -> str:
-    """A number as a power of two."""
+    """Return a number as a power of two; "0" and "no end" for 0 and infinity."""
     return "0" if not value else f"2^{log2(value):.{digits}f}" if value < inf else "no end"
 
 
 def shapes(facts: InputSummary) -> str:
-    """What there is."""
-    kinds = ", ".join(f"{n:,} {ONE[kind] if n == 1 else kind}" for kind, n in facts.kinds.items())
+    """Return the shapes in words: kinds, corners and sizes."""
+    kinds = ", ".join(f"{n:,} {SINGULAR[kind] if n == 1 else kind}" for kind, n in facts.kinds.items())
     low, high = facts.corners
     corners = f", {low} corners" if low == high else f", {low} to {high} corners"
     corners += " in a convex part" if "concave polygons" in facts.kinds else ""
@@ -156,26 +161,28 @@ def shapes(facts: InputSummary) -> str:
 
 
 def _all(facts: InputSummary) -> str:
+    """Return "this pair" or "all N pairs"."""
     every = facts.pairs + facts.settled
     return "this pair" if every == 1 else f"all {every:,} pairs"
 
 
 def _first(model: Model, facts: InputSummary) -> list[str]:
-    """What runs before the model's own test, and how many pairs it leaves."""
+    """Return the line on the test of bounding boxes before the model, if there is one: pairs settled and pairs left."""
     if not model.after_boxes:
         return []
-    said = f"{AABB} (2 axes) finds {facts.settled:,} pairs apart; {model.test} decides the other {facts.pairs:,}"
-    return [f"first    {said}"]
+    sentence = f"{AABB} (2 axes) finds {facts.settled:,} pairs apart; {model.test} decides the other {facts.pairs:,}"
+    return [f"first    {sentence}"]
 
 
 def _pairs(facts: InputSummary) -> str:
+    """Return the numbers of pairs by relation."""
     apart, touching, overlapping = facts.relations
     text = f"{facts.pairs:,}: {apart:,} apart, {touching:,} touching, {overlapping:,} overlapping"
     return text + (f"; {facts.settled:,} more are apart by their boxes" if facts.settled else "")
 
 
 def nearest(facts: InputSummary) -> str:
-    """The pair that is hardest to tell, in roundings."""
+    """Return the pair with the smallest relative margin, and that margin in roundings."""
     where = "" if facts.pairs + facts.settled == 1 else f"pair {facts.at} "
     if not facts.relative_margin:
         return f"{where}touches: its relative margin is 0"
@@ -185,24 +192,26 @@ def nearest(facts: InputSummary) -> str:
     )
 
 
-def _fails(results: ModelResult, facts: InputSummary) -> str:
+def _fails(result: ModelResult, facts: InputSummary) -> str:
+    """Return why a model is not proven: its wrong and its uncertain pairs."""
     if facts.pairs + facts.settled == 1:
-        said = "wrong here" if results.wrong else "not proven, as a rounding error could change the answer"
-        return f"{named(results.model)}: {said}"
+        verdict = "wrong here" if result.wrong else "not proven, as a rounding error could change the answer"
+        return f"{named(result.model)}: {verdict}"
     found = []
-    if results.wrong:
-        found.append(f"wrong on {results.wrong:,}")
-    if results.uncertain:
-        found.append(f"not proven for {results.uncertain:,}, where a rounding error could change the answer")
-    return f"{named(results.model)}: {' and '.join(found)}; the first is pair {results.first}"
+    if result.wrong:
+        found.append(f"wrong on {result.wrong:,}")
+    if result.uncertain:
+        found.append(f"not proven for {result.uncertain:,}, where a rounding error could change the answer")
+    return f"{named(result.model)}: {' and '.join(found)}; the first is pair {result.first}"
 
 
-def _adds(results: ModelResult, facts: InputSummary, every: "Sequence[ModelResult]") -> str:
-    if not results.proven:
-        return _fails(results, facts)
+def _adds(result: ModelResult, facts: InputSummary, results: "Sequence[ModelResult]") -> str:
+    """Return what a model larger than the recommended one adds, or why it fails too."""
+    if not result.proven:
+        return _fails(result, facts)
     adds = "also right, but not needed here"
-    if results.model.kind == EXACT_FILTER:
+    if result.model.kind == EXACT_FILTER:
         adds = "right for all coordinates"
-    elif results.model.kind == FLOAT64.name and any(j.model.kind == FLOAT32.name and j.proven for j in every):
+    elif result.model.kind == FLOAT64.name and any(j.model.kind == FLOAT32.name and j.proven for j in results):
         adds = "also right, but nothing here needs rounding errors 2^29 times as small"
-    return f"{named(results.model)}: {adds}"
+    return f"{named(result.model)}: {adds}"
