@@ -1,4 +1,4 @@
-"""The least model that is right: what it claims is proven, and never wrong."""
+"""The recommended model: what it claims is proven, and never wrong."""
 
 import json
 import math
@@ -143,7 +143,7 @@ MODELS = [
 
 
 @pytest.mark.parametrize("engine", ["numpy", "numba"])
-def test_what_is_sure_for_many_is_sure_by_fractions_and_is_what_the_model_answers(engine):
+def test_relations_certified_for_many_pairs_are_certified_by_fractions_and_found_by_the_model(engine):
     known = Counter()
     some = list(pairs(21, 8 * len(KINDS)))
     for model in MODELS:
@@ -324,8 +324,8 @@ def told(words):
     return WORDS.index(many.capitalize()) if many.isalpha() else int(many.replace(",", ""))
 
 
-def test_no_more_than_a_pair_as_it_lies_is_told_of_concave_outlines():
-    """Their parts depend on where they lie, and the corners of parts need not lie on the grid of the outlines'."""
+def test_a_scope_with_concave_outlines_is_these_coordinates_only():
+    """The parts depend on the coordinates, and corners of parts need not be on the grid of the outlines."""
     ring = [(0, 0), (8000, -8000), (8209, -7709), (8300, -6500), (8280, -5880), (8209, -5208), (16, 2984), (-1, 8192)]
     far = [
         sv.Polygon([(64 * x + 2**34, 64 * y + 2**34) for x, y in r])
@@ -516,11 +516,11 @@ def test_a_recommendation_far_from_the_origin_passes_its_check():
         assert sv.advise(a, b).check()
 
 
-def lies(recommendation):
-    """The same recommendation with one thing said that is not so, and what."""
+def wrong_claims(recommendation):
+    """Yield (recommendation with one wrong claim, the claim)."""
     facts, scope = recommendation.summary, recommendation.scope
     a, b, c = facts.relations
-    for lie in (
+    for claim in (
         {"kinds": {"upright boxes": 1}} if set(facts.kinds) != {"upright boxes"} else {"kinds": {"circles": 1}},
         {"kinds": {kind: n + 1 for kind, n in facts.kinds.items()}},
         {"corners": (facts.corners[0], facts.corners[1] + 1)},
@@ -530,10 +530,10 @@ def lies(recommendation):
         {"relative_margin": facts.relative_margin * 2 + 1},
         {"at": (90, 91)},
     ):
-        yield replace(recommendation, summary=facts._replace(**lie)), lie
+        yield replace(recommendation, summary=facts._replace(**claim)), claim
     for k, one in enumerate(recommendation.results):
         before, after = recommendation.results[:k], recommendation.results[k + 1 :]
-        for lie in (
+        for claim in (
             {"wrong": one.wrong + 1, "first": one.first or facts.at},
             {"wrong": 0, "uncertain": 0, "first": None} if not one.proven else {"uncertain": 1, "first": facts.at},
             {"proven_for_hits": not one.proven_for_hits},
@@ -544,9 +544,9 @@ def lies(recommendation):
             yield (
                 replace(
                     recommendation,
-                    results=(*before, one._replace(**lie), *after),
+                    results=(*before, one._replace(**claim), *after),
                 ),
-                lie,
+                claim,
             )
         yield (
             replace(recommendation, results=(*before, *after)),
@@ -560,7 +560,7 @@ def lies(recommendation):
         yield replace(recommendation, scope=scope._replace(unit=scope.unit - 1)), "unit"
 
 
-def test_a_recommendation_with_any_lie_in_it_does_not_pass_its_check():
+def test_a_recommendation_with_any_wrong_claim_does_not_pass_its_check():
     rng, seen = np.random.default_rng(8), set()
     rings = rng.integers(1, 2**20, (40, 3, 2)) * 2.0**-20 + 2.0**13 + rng.integers(0, 3, (40, 1, 2)) / 2
     far = batch.Polygons(rings)
@@ -572,8 +572,8 @@ def test_a_recommendation_with_any_lie_in_it_does_not_pass_its_check():
     for recommendation in some:
         assert recommendation.check()
         seen.add(recommendation.scope.kind)
-        for doctored, lie in lies(recommendation):
-            assert not doctored.check(), (recommendation, lie)
+        for doctored, claim in wrong_claims(recommendation):
+            assert not doctored.check(), (recommendation, claim)
     assert seen == {ANYWHERE, GRID, MOVED, HERE}
 
 
@@ -600,7 +600,7 @@ def test_shapes_as_large_as_float64_holds_are_json_too():
             assert str(recommendation)
 
 
-def test_where_boxes_never_meet_there_is_nothing_left_to_ask():
+def test_where_boxes_never_meet_there_is_nothing_left_to_test():
     recommendation = sv.advise(boxes_at([(0, 0), (1.2, 0), (9, 0)]))  # the circles around the first two meet
     assert recommendation.model.kind == AABB
     assert recommendation.summary.pairs == 0

@@ -90,7 +90,7 @@ class Recommendation:
         if self.case.tests > most:
             raise InvalidScene(
                 f"check() would make {self.case.tests:,} tests of an edge against a corner with fractions: the limit "
-                f"is {most:,}; advise on some of the pairs, or ask for more by most="
+                f"is {most:,}; advise on some of the pairs, or raise the limit by most="
             )
         models = _candidates(self.case)
         if tuple(j.model for j in self.results) != models:
@@ -292,7 +292,7 @@ def _summarize(case: PairsInHand, models: Sequence[Model]) -> tuple[InputSummary
     relations, least, at = Counter[Relation](), inf, (0, 0)
     wrong, uncertain = Counter[Model](), Counter[Model]()
     first: dict[Model, Pair] = {}
-    doubtful: dict[Model, Pair] = {}
+    first_uncertain: dict[Model, Pair] = {}
     missing = set()
     for k in range(case.known):
         a, b = case.shapes_of(k)
@@ -307,7 +307,7 @@ def _summarize(case: PairsInHand, models: Sequence[Model]) -> tuple[InputSummary
             certified = certify(model, a, b)
             if certified is None:
                 uncertain[model] += 1
-                doubtful.setdefault(model, pair)
+                first_uncertain.setdefault(model, pair)
             elif certified is not relation:
                 wrong[model] += 1
                 first.setdefault(model, pair)
@@ -327,7 +327,7 @@ def _summarize(case: PairsInHand, models: Sequence[Model]) -> tuple[InputSummary
         at,
     )
     return facts, tuple(
-        ModelResult(m, wrong[m], uncertain[m], first.get(m, doubtful.get(m)), m not in missing) for m in models
+        ModelResult(m, wrong[m], uncertain[m], first.get(m, first_uncertain.get(m)), m not in missing) for m in models
     )
 
 

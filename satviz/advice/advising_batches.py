@@ -211,9 +211,9 @@ def _classify(
     """Return the certified relations of these pairs, -1 where uncertain; their numbers in the case start at `first`."""
     found = classify(model, pairs, exact, engine=engine)
     if model.kind not in FORMATS:  # SAT has used fractions already, part by part
-        doubt = np.flatnonzero(found < 0)
-        for many, k in enumerate(doubt.tolist()):  # the bounds of arrays are wider than those of fractions
-            refuse_too_many_fractions(many, len(doubt))
+        uncertain = np.flatnonzero(found < 0)
+        for many, k in enumerate(uncertain.tolist()):  # the bounds of arrays are wider than those of fractions
+            refuse_too_many_fractions(many, len(uncertain))
             relation = certify(model, *case.shapes_of(first + k))
             if relation is None:
                 break  # one uncertain pair is enough to reject the model

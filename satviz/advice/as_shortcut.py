@@ -13,12 +13,14 @@ def shortcut(model: Model, a: Shape, b: Shape) -> Shortcut:
     if certify(model, a, b) is None:
         return Shortcut("plain floats", "plain floats are exact enough", needed)
     if model.kind == AABB:
-        return Shortcut("bounding boxes", "the bounding boxes lie as the shapes do", world)
+        return Shortcut("bounding boxes", "the bounding boxes give the same answer as the shapes", world)
     if model.kind == K_DOP:
         return Shortcut(
             "shared directions", "the directions that most edges share are enough", directions(*model.directions)
         )
-    return Shortcut("bounding circles", "the circles around the shapes lie as the shapes do", _between, _by_circles)
+    return Shortcut(
+        "bounding circles", "the circles around the shapes give the same answer as the shapes", _between, _by_circles
+    )
 
 
 def _between(a: Shape, b: Shape) -> Choice:

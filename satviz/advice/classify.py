@@ -66,18 +66,18 @@ def classify(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None
             on_grid = fits_grid(grids_a, pairs.pa[mine], grids_b, pairs.pb[mine], form)
             if p.r is None and q.r is None:
                 found[mine] = np.where(on_grid, relations[mine], found[mine])
-            doubt = np.flatnonzero(found[mine] == UNDECIDED)
-            if doubt.size and p.r is None and q.r is None:  # circles: done in _classify_circles
-                exact_pairs = mine[doubt[_rounds_nothing(p.columns(doubt), q.columns(doubt), form)]]
+            undecided = np.flatnonzero(found[mine] == UNDECIDED)
+            if undecided.size and p.r is None and q.r is None:  # circles: done in _classify_circles
+                exact_pairs = mine[undecided[_rounds_nothing(p.columns(undecided), q.columns(undecided), form)]]
                 found[exact_pairs] = relations[exact_pairs]
         return pairs.whole(_decide_by_fractions(pairs, found, form))
 
 
 def _decide_by_fractions(pairs: Pairs, found: Relations, form: Format) -> Relations:
     """Certify with fractions the parts that arrays leave undecided; stop at the first that stays undecided."""
-    doubt = np.flatnonzero((found == UNDECIDED) & (pairs.whole(found)[pairs.of] == UNDECIDED))
-    for many, k in enumerate(doubt.tolist()):
-        refuse_too_many_fractions(many, len(doubt))
+    undecided = np.flatnonzero((found == UNDECIDED) & (pairs.whole(found)[pairs.of] == UNDECIDED))
+    for many, k in enumerate(undecided.tolist()):
+        refuse_too_many_fractions(many, len(undecided))
         relation = certify_convex_sat(
             part_shape(pairs.a.parts, pairs.pa[k]), part_shape(pairs.b.parts, pairs.pb[k]), form
         )
@@ -179,12 +179,12 @@ def _classify_circles(a: Array, b: Array, form: Format) -> Relations:
     max_coordinate = np.maximum(*(np.abs(c[:, :2]).max(axis=1) for c in (a, b))) + np.maximum(a[:, 2], b[:, 2])
     range_error = RANGE_ROUNDINGS * (2.0**-form.bits + 2.0**-53) * 1.001 * max_coordinate
     near = np.abs(np.sqrt(distance) - total) <= range_error  # where ranges can be wrong
-    doubt, exact = found == UNDECIDED, np.ones(len(a), bool)
-    for formula, where in (rounding.circles, doubt & known), (rounding.circle_ranges, (doubt | near) & known):
+    undecided, exact = found == UNDECIDED, np.ones(len(a), bool)
+    for formula, where in (rounding.circles, undecided & known), (rounding.circle_ranges, (undecided | near) & known):
         errors = Errors(form, int(np.count_nonzero(where)))
         formula(errors, *([errors.held(c) for c in disc[where].T] for disc in (a, b)))
         exact[where] &= errors.exact
-    return np.where(exact & known, np.where(doubt, relations_of_gaps(distance - square), found), UNDECIDED).astype(
+    return np.where(exact & known, np.where(undecided, relations_of_gaps(distance - square), found), UNDECIDED).astype(
         np.int8
     )
 

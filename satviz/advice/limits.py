@@ -25,7 +25,7 @@ def refuse_too_many_tests(pairs: int, tests: int) -> None:
     ):
         if many > most:
             raise InvalidScene(
-                f"advise would look at {many:,} {what}: the limit is {most:,}; give fewer or simpler shapes, or "
+                f"advise would test {many:,} {what}: the limit is {most:,}; give fewer or simpler shapes, or "
                 "some of the pairs by pairs="
             )
 
@@ -35,14 +35,14 @@ def refuse_too_many_boxes(pairs: int, shapes: int) -> None:
     if pairs > MAX_PAIRS:
         raise InvalidScene(
             f"more than {MAX_PAIRS:,} pairs of the bounding boxes of {shapes:,} shapes meet, which is the most that "
-            "advise looks at: give fewer shapes, or some of the pairs by pairs="
+            "advise tests: give fewer shapes, or some of the pairs by pairs="
         )
 
 
-def refuse_too_many_fractions(decided: int, doubtful: int) -> None:
-    """Raise InvalidScene once MAX_PAIRS_BY_FRACTIONS of the doubtful pairs have been decided with fractions."""
+def refuse_too_many_fractions(decided: int, undecided: int) -> None:
+    """Raise InvalidScene once MAX_PAIRS_BY_FRACTIONS of the undecided pairs have been decided with fractions."""
     if decided >= MAX_PAIRS_BY_FRACTIONS:
         raise InvalidScene(
-            f"{doubtful:,} pairs of convex parts are so near to touching, or of such different sizes, that fractions "
-            f"must tell them: advise asks at most {MAX_PAIRS_BY_FRACTIONS:,}; give fewer or simpler shapes"
+            f"{undecided:,} pairs of convex parts are so near to touching, or of such different sizes, that fractions "
+            f"must decide them: the limit is {MAX_PAIRS_BY_FRACTIONS:,}; give fewer or simpler shapes"
         )

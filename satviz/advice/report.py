@@ -65,7 +65,7 @@ def text(facts: InputSummary, results: "Sequence[ModelResult]", scope: Scope) ->
 def reason(model: Model, facts: InputSummary, scope: Scope) -> str:
     """Return a sentence why the model is right."""
     if not facts.pairs and model.kind == AABB:
-        return "no two boxes meet, so there is nothing left to ask"
+        return "no two boxes meet, so there is nothing left to test"
     if model.kind == AABB and scope.kind == ANYWHERE:
         return "upright boxes are their bounding boxes, and comparisons round nothing"
     if scope.kind == GRID:
