@@ -294,7 +294,7 @@ def test_one_axis_is_enough_where_a_gap_is_found_and_all_are_needed_for_a_hit():
     assert enough(sv.record(a, b)) == (many, said)
 
 
-def test_as_many_axes_are_told_to_touch_as_do():
+def test_the_sentence_counts_the_axes_that_touch():
     corner = sv.Polygon([(0, 0), (1, 0), (0, 1)])
     opposite = sv.Polygon([(0, 0), (-1, 0), (0, -1)])
     assert enough(corner, opposite) == (
@@ -786,7 +786,7 @@ def by_the_squared_turn(circle, polygon, dtype):
 
 
 @pytest.mark.parametrize(("kind", "dtype", "far"), [("float32", np.float32, 60), ("float64", np.float64, 500)])
-def test_plain_floats_are_sure_only_where_no_order_of_products_vanishes_or_overflows(kind, dtype, far):
+def test_plain_floats_are_certified_only_where_no_order_of_products_under_or_overflows(kind, dtype, far):
     rng = Random(61)
     sure_of = 0
     for _ in range(600):

@@ -1,4 +1,4 @@
-"""A recommendation is the least that can be proven, and the work for it is bounded."""
+"""A recommendation is the simplest model that can be proven, and the work for it is bounded."""
 
 import math
 import re
@@ -30,7 +30,7 @@ ROUND = {"float32": lambda v: Fraction(float(np.float32(float(v)))), "float64": 
 
 
 def coordinates(rng, count):
-    """Numbers on a common grid, near or far, of any size; and some that lie on no grid."""
+    """Numbers on a common grid, near or far, of any size; and some that are on no grid."""
     power = rng.choice((0, 0, 0, -500, -530, -545, 500, -60, -75, 60, -1070, 30))
     far = rng.choice((0, 0, 2.0**22, 2.0**27, 2.0**40, 1000)) * 2.0**power
     strange = (rng.uniform(-9, 9), 0.1 * rng.randint(-3, 3), 0.0, 2.0 ** rng.choice((10, 24, 52)))
@@ -264,7 +264,7 @@ def resting(rng):
 
 
 @pytest.mark.parametrize(("kind", "dtype"), [("float32", np.float32), ("float64", np.float64)])
-def test_what_is_sure_of_circles_is_so_by_ranges_too(kind, dtype):
+def test_certified_relations_of_circles_are_found_by_ranges_too(kind, dtype):
     rng, sure_of, wrong = Random(7), 0, 0
     while sure_of < 150:
         try:
@@ -291,7 +291,7 @@ def test_circles_whose_radius_is_only_rounded_are_not_relied_on_by_what_widens_i
         assert recommendation.check()
 
 
-def test_shapes_that_no_pair_has_are_not_said_to_lie_on_the_grid_of_the_pairs():
+def test_shapes_outside_all_pairs_do_not_count_for_the_grid():
     tall = np.array([(0, 0), (6, 2), (2, 6)], float)
     shapes = batch.Polygons(np.stack([tall, tall + 3, tall + 100.1]))
     recommendation = sv.advise(shapes)
@@ -326,7 +326,7 @@ def crowds(seed):
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_each_pipeline_is_judged_on_all_pairs_of_a_batch(seed):
+def test_each_pipeline_is_evaluated_on_all_pairs_of_a_batch(seed):
     for shapes in crowds(seed):
         recommendation = sv.advise(shapes)
         pairs = np.array(list(combinations(range(len(shapes)), 2)))
@@ -344,7 +344,7 @@ def test_each_pipeline_is_judged_on_all_pairs_of_a_batch(seed):
         assert recommendation.check()
 
 
-def test_circles_that_are_right_behind_the_boxes_only_are_not_said_to_be_right_alone():
+def test_circles_that_are_right_after_the_boxes_only_are_not_proven_alone():
     notched = np.array([[0, 0], [4, 0], [4, 4], [2, 1], [0, 4]], float)
     shapes = batch.Polygons(notched + np.random.default_rng(3).uniform(0, 250, (500, 1, 2)), concave="split")
     recommendation = sv.advise(shapes)
@@ -456,7 +456,7 @@ def test_timing_stops_when_its_seconds_are_over(monkeypatch):
     assert clock[0] < 1.2 and ran["quick"] == ran["last"] > 1
 
 
-def test_pairs_within_a_rounding_of_touching_are_not_asked_one_by_one(monkeypatch):
+def test_pairs_within_a_rounding_of_touching_are_not_decided_one_by_one(monkeypatch):
     monkeypatch.setattr(margins, "signed_relative_margin", lambda a, b: pytest.fail("by fractions"))
     turn, rng = 0.3, np.random.default_rng(6)
     x, y = np.meshgrid(np.arange(12.0), np.arange(12.0))
@@ -482,7 +482,7 @@ def test_names_of_models_after_the_boxes_say_so(kind):
 
 
 @pytest.mark.parametrize("power", [-1000, 990])
-def test_what_only_integers_can_tell_is_counted_before_it_is_worked_out(power, monkeypatch):
+def test_pairs_that_only_integers_can_decide_are_counted_first(power, monkeypatch):
     monkeypatch.setattr(limits, "MAX_PAIRS_BY_FRACTIONS", 3)
     monkeypatch.setattr(batch, "relate", lambda *args, **kwargs: pytest.fail("worked out"))
     tall = np.array([(0, 0), (6, 2), (2, 6)]) * 2.0**power

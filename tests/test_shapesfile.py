@@ -81,7 +81,7 @@ BAD_NUMBERS = [
 
 
 @pytest.mark.parametrize(("name", "array", "says"), BAD_NUMBERS, ids=range(len(BAD_NUMBERS)))
-def test_a_number_at_fault_is_told_of_the_array_of_the_file(name, array, says, saved, capsys):
+def test_an_invalid_number_is_named_by_the_array_of_the_file(name, array, says, saved, capsys):
     path = saved(**WHOLE | {name: array})
     assert main(["advise", str(path)]) == 2
     told = capsys.readouterr().err
