@@ -285,39 +285,40 @@ def trace(args: argparse.Namespace) -> int:
 
 
 def advise(args: argparse.Namespace) -> int:
-    """Say which model is the least that is right for a scene or for many shapes, and draw what each costs."""
+    """Print the simplest model that is right for a scene or for many shapes; draw the cost of each model if asked."""
     import json
 
     from .advice.advising import advise
-    from .advice.report import price
+    from .advice.report import cost_line
 
     if Path(args.scene).suffix == ".npz":
         from .advice.shapesfile import load
 
         shapes, pairs = load(Path(args.scene))
         try:
-            advice = advise(shapes, pairs=pairs)
+            recommendation = advise(shapes, pairs=pairs)
         except (ValueError, IndexError) as error:
             raise Refused(f"{args.scene}: {error}") from None
     else:
         scene = _load(args)
-        advice = advise(scene.a, scene.b)
+        recommendation = advise(scene.a, scene.b)
     if args.json:
-        prices = {name: p and p._asdict() for name, p in advice.prices().items()} if args.chart else None
-        data = json.loads(advice.to_json())
+        prices = {name: p and p._asdict() for name, p in recommendation.prices().items()} if args.chart else None
+        data = json.loads(recommendation.to_json())
         out_json(json.dumps(data | {"prices": prices} if prices else data, indent=1, allow_nan=False))
     else:
-        out("\n".join(filter(None, (str(advice), price(advice.model, advice.facts, advice.prices())))))
+        cost = cost_line(recommendation.model, recommendation.summary, recommendation.prices())
+        out("\n".join(filter(None, (str(recommendation), cost))))
     if args.chart:
         try:
-            drawn = advice.chart()
+            chart = recommendation.chart()
         except ValueError as error:
             raise Refused(str(error)) from None
         safe_write.folder(args.chart)
         for theme in ("light", "dark"):
             for form in ("svg", "png"):
                 path = args.chart / f"advice{'' if theme == 'light' else '-dark'}.{form}"
-                safe_write.write(path, drawn.encode(form, theme), force=args.force)
+                safe_write.write(path, chart.encode(form, theme), force=args.force)
                 say(f"wrote {path}")
     return 0
 

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import batch
-from ..advice.timing import in_turn
+from ..advice.timing import time_in_turn
 from . import truth
 from .harness.machine import installed
 from .methods import COMPILED, NUMPY, PYTHON, batched, methods, mistakes, shapes
@@ -106,7 +106,7 @@ def _timed(
 ) -> Iterator[Row]:
     each = dict.fromkeys(jobs, items) if isinstance(items, int) else items
     scale = {"ns": 1.0, "us": 1e3, "ms": 1e6}[unit]
-    for method, times in in_turn(jobs, rounds, each).items():
+    for method, times in time_in_turn(jobs, rounds, each).items():
         median, least, low, high = (t / scale for t in times)
         yield Row(section, work, size, method, unit, median, least, low, high)
 

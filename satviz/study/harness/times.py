@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from time import thread_time
 from typing import Any
 
-from ...advice.timing import in_turn
+from ...advice.timing import time_in_turn
 from .cells import Settings
 
 BUSY = 0.25  # quartiles so far apart, as a share of the median, tell of a busy machine
@@ -17,7 +17,7 @@ def timed(jobs: Mapping[str, Callable[[], Any]], rounds: int, items: Mapping[str
     gc.collect()
     gc.freeze()  # collecting after each round would go through all shapes each time
     try:
-        found = in_turn(jobs, rounds, items, thread_time)
+        found = time_in_turn(jobs, rounds, items, thread_time)
     finally:
         gc.unfreeze()
     return {name: {"ns": s.median, "ns_low": s.low, "ns_high": s.high} for name, s in found.items()}
