@@ -18,18 +18,18 @@ from ...engine.relate import relate
 from ...engine.shapes import Circle, Polygon, Shape
 from ...engine.trace import record
 from .. import truth
-from ..harness.machine import installed
-from ..workloads.workloads import Side, outlines, padded
-from . import columns, peers, scalar
+from ..harness.machine import is_installed
+from ..workloads.generators import Side, is_padded, unpadded_rings
+from . import libraries, numpy_rivals, python_rivals
 
 COMPILED, NUMPY, PYTHON = "compiled", "NumPy", "Python"
-EPS = 1e-9  # scene units
+TOLERANCE = 1e-9  # scene units
 # read off numba's machine code on x86: a loop that can end early stays scalar
 VECTORISED = (
     "The kernels of satviz (also without its filter), of the bounding circles and of the boxes are vectorised, the "
     "other kernels go pair by pair: the times compare these programs and not the methods alone."
 )
-Said = NDArray[Any]
+Answers = NDArray[Any]
 
 
 class Method(NamedTuple):
@@ -54,62 +54,62 @@ class Method(NamedTuple):
         return [self.one(shape) for shape in known] if self.one else self.prepare(side)
 
 
-def methods(*, circles: bool = False) -> list[Method]:
+def all_methods(*, circles: bool = False) -> list[Method]:
     """Those that answer this kind of pair, with what is installed."""
-    found = [*_compiled(), *_numpy(), *_python(), *_peers()]
+    found = [*_numba_methods(), *_numpy_methods(), *_python_methods(), *_library_methods()]
     return [method for method in found if method.circles or not circles]
 
 
-def truths(a: Side, b: Side) -> NDArray[np.int8]:
+def true_relations(a: Side, b: Side) -> NDArray[np.int8]:
     """The relation of each pair, by rationals."""
-    return np.array([truth.relation(p, q) for p, q in zip(shapes(a), shapes(b), strict=True)], np.int8)
+    return np.array([truth.relation(p, q) for p, q in zip(engine_shapes(a), engine_shapes(b), strict=True)], np.int8)
 
 
-def asked(found: Iterable[Method], a: Side, b: Side) -> Iterator[tuple[Method, Said]]:
+def answers_by_method(found: Iterable[Method], a: Side, b: Side) -> Iterator[tuple[Method, Answers]]:
     """Each method with its answers to all pairs."""
-    known = shapes(a), shapes(b)
+    known = engine_shapes(a), engine_shapes(b)
     for method in found:
         with np.errstate(all="ignore"):
             yield method, np.asarray(method.hits(method.ready(a, known[0]), method.ready(b, known[1])))
 
 
-def wrong(said: Said, right: NDArray[np.int8]) -> NDArray[np.bool_]:
+def wrong_answers(said: Answers, right: NDArray[np.int8]) -> NDArray[np.bool_]:
     """Which answers are wrong; who tells touching from overlapping is held to that too."""
     return np.asarray(said != (right > 0) if said.dtype == bool else said != right)
 
 
-def mistakes(said: Said, right: NDArray[np.int8]) -> dict[str, int]:
+def count_mistakes(said: Answers, right: NDArray[np.int8]) -> dict[str, int]:
     """False hits and false misses; of a method that tells touching from overlapping also the hits it confused."""
     hit, is_hit = said > 0, right > 0
-    confused = int((wrong(said, right) & hit & is_hit).sum())
+    confused = int((wrong_answers(said, right) & hit & is_hit).sum())
     return {"false_hits": int((hit & ~is_hit).sum()), "false_misses": int((~hit & is_hit).sum()), "confused": confused}
 
 
-def shapes(side: Side) -> list[Shape]:
+def engine_shapes(side: Side) -> list[Shape]:
     """A workload's side as satviz's own shapes."""
     if isinstance(side, tuple):
         return [Circle(c, r) for c, r in zip(side[0].tolist(), side[1].tolist())]
-    return [Polygon(ring) for ring in outlines(side)]
+    return [Polygon(ring) for ring in unpadded_rings(side)]
 
 
-def batched(side: Side) -> batch.Shapes:
+def batch_shapes(side: Side) -> batch.Shapes:
     """A workload's side as satviz's batch shapes."""
     if isinstance(side, tuple):
         return batch.Circles(*side)
-    return batch.Polygons(outlines(side) if padded(side) else side.copy())
+    return batch.Polygons(unpadded_rings(side) if is_padded(side) else side.copy())
 
 
-def _compiled() -> Iterator[Method]:
-    if not installed("numba"):
+def _numba_methods() -> Iterator[Method]:
+    if not is_installed("numba"):
         return
     from ...batch.codes import APART
     from ...batch.with_numba.filter import looks
-    from . import kernels
+    from . import numba_rivals
 
-    def filled(kernel: Callable[..., None], *more: Any) -> Callable[[Any, Any], Said]:
+    def filled(kernel: Callable[..., None], *more: Any) -> Callable[[Any, Any], Answers]:
         """On (x, y) columns."""
 
-        def hits(a: columns.Columns, b: columns.Columns) -> Said:
+        def hits(a: numpy_rivals.Columns, b: numpy_rivals.Columns) -> Answers:
             out = np.empty(a.x.shape[1], np.int8)
             kernel(a.x, a.y, b.x, b.y, *more, out)
             return out > 0
@@ -120,17 +120,17 @@ def _compiled() -> Iterator[Method]:
         """On what was worked out beforehand."""
 
         def prepare(side: Side) -> Any:
-            c = columns.columns(side)
+            c = numpy_rivals.to_columns(side)
             return make(c.x, c.y, *more)
 
-        def hits(a: Any, b: Any) -> Said:
+        def hits(a: Any, b: Any) -> Answers:
             out = np.empty(a.shape[1], np.int8)
             kernel(a, b, out)
             return out > 0
 
         return prepare, hits
 
-    def unfiltered(a: columns.Columns, b: columns.Columns) -> Said:
+    def unfiltered(a: numpy_rivals.Columns, b: numpy_rivals.Columns) -> Answers:
         out = np.empty(a.x.shape[1], np.int8)
         looks(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, 0, 0.0, out)
         return np.asarray(out != APART)  # a clearance of exactly zero it leaves open: a touch
@@ -139,62 +139,85 @@ def _compiled() -> Iterator[Method]:
         return Method(name, COMPILED, "bounds", *kept(*of))
 
     def loop(name: str, family: str, kernel: Callable[..., None], *more: Any, dtype: type = np.float64) -> Method:
-        return Method(name, COMPILED, family, partial(columns.columns, dtype=dtype), filled(kernel, *more))
+        return Method(name, COMPILED, family, partial(numpy_rivals.to_columns, dtype=dtype), filled(kernel, *more))
 
     relation = partial(batch.relate, engine="numba")
-    yield Method("satviz", COMPILED, "exact", batched, relation, circles=True)
-    yield Method("satviz, no filter", COMPILED, "float SAT", columns.columns, unfiltered)
-    yield loop("turns, adaptive", "exact in range", kernels.turns, kernels.ADAPTIVE)
-    yield loop("turns, expansions", "exact in range", kernels.turns, kernels.EXACT)
-    yield loop("turns, floats", "float SAT", kernels.turns, kernels.FLOAT)
-    yield loop("SAT, raw normals", "float SAT", kernels.textbook, False, 0.0)
-    yield loop("SAT, unit normals", "float SAT", kernels.textbook, True, 0.0)
-    yield loop("SAT, float32", "float SAT", kernels.textbook, False, 0.0, dtype=np.float32)
-    yield loop("SAT, 1e-9 counts as a hit", "tolerance", kernels.textbook, True, EPS)
-    yield loop("SAT, 1e-9 counts as a miss", "tolerance", kernels.textbook, True, -EPS)
-    yield loop("GJK", "GJK", kernels.gjk)
-    yield bound("bounding circles", kernels.around, kernels.circles)
-    yield bound("AABB", kernels.ranges, kernels.boxes_overlap, np.array(scalar.spread(2)))
-    yield bound("oriented boxes", kernels.oriented, kernels.oriented_overlap)
-    yield bound("16 axes", kernels.ranges, kernels.ranges_overlap, np.array(scalar.spread(16)))
+    yield Method("satviz", COMPILED, "exact", batch_shapes, relation, circles=True)
+    yield Method("satviz, no filter", COMPILED, "float SAT", numpy_rivals.to_columns, unfiltered)
+    yield loop("turns, adaptive", "exact in range", numba_rivals.orientation_sat, numba_rivals.ERRBOUND_A)
+    yield loop("turns, expansions", "exact in range", numba_rivals.orientation_sat, numba_rivals.ALWAYS_EXACT)
+    yield loop("turns, floats", "float SAT", numba_rivals.orientation_sat, numba_rivals.NO_ERROR_BOUND)
+    yield loop("SAT, raw normals", "float SAT", numba_rivals.textbook_sat, False, 0.0)
+    yield loop("SAT, unit normals", "float SAT", numba_rivals.textbook_sat, True, 0.0)
+    yield loop("SAT, float32", "float SAT", numba_rivals.textbook_sat, False, 0.0, dtype=np.float32)
+    yield loop("SAT, 1e-9 counts as a hit", "tolerance", numba_rivals.textbook_sat, True, TOLERANCE)
+    yield loop("SAT, 1e-9 counts as a miss", "tolerance", numba_rivals.textbook_sat, True, -TOLERANCE)
+    yield loop("GJK", "GJK", numba_rivals.gjk)
+    yield bound("bounding circles", numba_rivals.enclosing_circles, numba_rivals.circles_hit)
+    yield bound(
+        "AABB", numba_rivals.ranges_on_directions, numba_rivals.boxes_hit, np.array(python_rivals.even_directions(2))
+    )
+    yield bound("oriented boxes", numba_rivals.oriented_boxes, numba_rivals.oriented_boxes_hit)
+    yield bound(
+        "16 axes",
+        numba_rivals.ranges_on_directions,
+        numba_rivals.ranges_hit,
+        np.array(python_rivals.even_directions(16)),
+    )
 
 
-def _numpy() -> Iterator[Method]:
-    def loop(name: str, family: str, of: columns.Choice) -> Method:
-        return Method(name, NUMPY, family, columns.columns, partial(columns.hits, axes=of), circles=True)
+def _numpy_methods() -> Iterator[Method]:
+    def loop(name: str, family: str, of: numpy_rivals.AxisChoice) -> Method:
+        return Method(
+            name, NUMPY, family, numpy_rivals.to_columns, partial(numpy_rivals.sat_hits, axes=of), circles=True
+        )
 
-    yield Method("satviz", NUMPY, "exact", batched, partial(batch.relate, engine="numpy"), circles=True)
-    yield loop("SAT, raw normals", "float SAT", columns.complete)
-    yield loop("SAT, unit normals", "float SAT", columns.unit(columns.complete))
-    yield loop("16 axes", "bounds", columns.fixed(16))
-    yield loop("AABB", "bounds", columns.fixed(2))
+    yield Method("satviz", NUMPY, "exact", batch_shapes, partial(batch.relate, engine="numpy"), circles=True)
+    yield loop("SAT, raw normals", "float SAT", numpy_rivals.sat_axes)
+    yield loop("SAT, unit normals", "float SAT", numpy_rivals.with_unit_length(numpy_rivals.sat_axes))
+    yield loop("16 axes", "bounds", numpy_rivals.fixed_directions(16))
+    yield loop("AABB", "bounds", numpy_rivals.fixed_directions(2))
 
 
-def _python() -> Iterator[Method]:
+def _python_methods() -> Iterator[Method]:
     def each(name: str, family: str, prepare: Callable[[Shape], Any], ask: Callable[[Any, Any], Any]) -> Method:
         def ready(side: Side) -> list[Any]:
-            return [prepare(shape) for shape in shapes(side)]
+            return [prepare(shape) for shape in engine_shapes(side)]
 
-        return Method(name, PYTHON, family, ready, peers.pair_by_pair(ask), circles=True, one=prepare)
+        return Method(name, PYTHON, family, ready, libraries.one_by_one(ask), circles=True, one=prepare)
 
     yield each("satviz", "exact", _same, relate)
     yield each("satviz, recorded", "exact", _same, lambda a, b: record(a, b).relation)
-    yield each("SAT, raw normals", "float SAT", scalar.plain, scalar.sat)
-    yield each("SAT, unit normals", "float SAT", scalar.plain, partial(scalar.sat, unit=True))
-    yield each("GJK", "GJK", scalar.plain, scalar.gjk)
-    ways = scalar.spread(2)
-    yield each("AABB", "bounds", scalar.plain, partial(scalar.sat, choice=lambda a, b: ways))
+    yield each("SAT, raw normals", "float SAT", python_rivals.points_and_radius, python_rivals.sat)
+    yield each("SAT, unit normals", "float SAT", python_rivals.points_and_radius, partial(python_rivals.sat, unit=True))
+    yield each("GJK", "GJK", python_rivals.points_and_radius, python_rivals.gjk)
+    ways = python_rivals.even_directions(2)
+    yield each("AABB", "bounds", python_rivals.points_and_radius, partial(python_rivals.sat, choice=lambda a, b: ways))
 
 
 def _same(shape: Shape) -> Shape:
     return shape
 
 
-def _peers() -> Iterator[Method]:
+def _library_methods() -> Iterator[Method]:
     """shapely (all pairs at once, prepared, and pair by pair) and pymunk, where installed."""
-    if installed("shapely"):
-        yield Method("shapely", COMPILED, "library", peers.geometries, peers.meet, circles=True)
-        yield Method("shapely, prepared", COMPILED, "library", peers.prepared, peers.meet)
-        yield Method("shapely", PYTHON, "library", peers.listed, peers.pair_by_pair(peers.meets), circles=True)
-    if installed("pymunk"):
-        yield Method("pymunk", PYTHON, "library", peers.bodies, peers.pair_by_pair(peers.collide), circles=True)
+    if is_installed("shapely"):
+        yield Method("shapely", COMPILED, "library", libraries.shapely_geometries, libraries.shapely_hits, circles=True)
+        yield Method("shapely, prepared", COMPILED, "library", libraries.prepared_geometries, libraries.shapely_hits)
+        yield Method(
+            "shapely",
+            PYTHON,
+            "library",
+            libraries.geometry_list,
+            libraries.one_by_one(libraries.shapely_hit),
+            circles=True,
+        )
+    if is_installed("pymunk"):
+        yield Method(
+            "pymunk",
+            PYTHON,
+            "library",
+            libraries.pymunk_shapes,
+            libraries.one_by_one(libraries.pymunk_hit),
+            circles=True,
+        )

@@ -20,30 +20,30 @@ from ...scenes.failing.claimed_value import moved
 from ...scenes.shortcuts import middle
 from .. import truth
 
-APART, HIT, FALSE, MISSED, SHORT, LONG, FAR = ".oHMSLD"
-WRONG = {
-    FALSE: ("false hit", "false hits"),
-    MISSED: ("missed hit", "missed hits"),
-    SHORT: ("push too short", "pushes too short"),
-    LONG: ("push too long", "pushes too long"),
-    FAR: ("wrong distance", "wrong distances"),
+APART, HIT, FALSE_HIT_CODE, MISSED_HIT_CODE, SHORT_PUSH, LONG_PUSH, WRONG_DISTANCE = ".oHMSLD"
+ERROR_NAMES = {
+    FALSE_HIT_CODE: ("false hit", "false hits"),
+    MISSED_HIT_CODE: ("missed hit", "missed hits"),
+    SHORT_PUSH: ("push too short", "pushes too short"),
+    LONG_PUSH: ("push too long", "pushes too long"),
+    WRONG_DISTANCE: ("wrong distance", "wrong distances"),
 }
 PUSHES = "repeated-vertex", "raw-depth", "sum-of-parts", "push-from-center", "range-inside", "tile-seam"
 DISTANCES = ("gap-as-distance",)
 # no methods of their own for two shapes in the plane: row 3's again, boxes in space, frames in time
-OTHERS = "line-for-axis", "faces-in-3d", "tunnelling"
+NOT_MAPPED = "line-for-axis", "faces-in-3d", "tunnelling"
 VERDICTS = (
-    *(r.name for r in FAILURE_CASES if r.how in (FALSE_HIT, MISSED_HIT) and r.name not in OTHERS),
+    *(r.name for r in FAILURE_CASES if r.how in (FALSE_HIT, MISSED_HIT) and r.name not in NOT_MAPPED),
     "touch-on-paper",
 )
-METHODS = tuple(row.name for row in FAILURE_CASES if row.name in {*VERDICTS, *PUSHES, *DISTANCES})
+MAPPED_SHORTCUTS = tuple(row.name for row in FAILURE_CASES if row.name in {*VERDICTS, *PUSHES, *DISTANCES})
 # wrong at exact contact only: B goes round A and touches it all the way
 ALONG_CONTACT = "unit-normals", "touch-as-apart"
-ON_PAPER = "touch-on-paper"
-A_LITTLE = 1 + 2.0**-20  # a push this much longer leaves a rounding's worth of overlap
+TOUCH_ON_PAPER = "touch-on-paper"
+ROUNDING_FACTOR = 1 + 2.0**-20  # a push this much longer leaves a rounding's worth of overlap
 
 
-class Slide(NamedTuple):
+class PositionGrid(NamedTuple):
     """Where B was put: its reference point at (x + i dx, y + j dy), line by line from below, or along a contact.
 
     `codes`: one letter a position; `path`: the positions along a contact, then `codes` is one line.
@@ -63,13 +63,15 @@ class Slide(NamedTuple):
 
     @property
     def wrong(self) -> int:
-        return sum(self.counts[code] for code in WRONG)
+        return sum(self.counts[code] for code in ERROR_NAMES)
 
     @property
-    def told(self) -> str:
+    def counts_in_words(self) -> str:
         """How many of each way to be wrong: "37 false hits"."""
         found = self.counts
-        return ", ".join(f"{found[c]} {many if found[c] != 1 else one}" for c, (one, many) in WRONG.items() if found[c])
+        return ", ".join(
+            f"{found[c]} {many if found[c] != 1 else one}" for c, (one, many) in ERROR_NAMES.items() if found[c]
+        )
 
     def positions(self) -> Iterator[tuple[float, float, str]]:
         """Every position of the reference point with its letter."""
@@ -80,68 +82,68 @@ class Slide(NamedTuple):
             yield from ((self.x + i * self.dx, self.y + j * self.dy, code) for i, code in enumerate(line))
 
 
-def slide(name: str, n: int) -> dict[str, Any]:
+def evaluate_grid(name: str, n: int) -> dict[str, Any]:
     """The Slide of a method over n x n positions, as JSON values."""
     row = NAMED[name]
-    judge, (a, b) = _judge(row), both(row)
+    judge, (a, b) = _evaluator(row), shapes_of(row)
     at = middle(b)
     if name in ALONG_CONTACT:
-        moves = list(contacts(*_convex(a, b), n))
+        moves = list(contact_moves(*_as_polygons(a, b), n))
         codes = ["".join(judge(a, moved(b, move)) for move in moves)]
-        return Slide(name, *at, 0.0, 0.0, codes, [[at.x + m.x, at.y + m.y] for m in moves])._asdict()
-    lines = _lattice(row, n)
+        return PositionGrid(name, *at, 0.0, 0.0, codes, [[at.x + m.x, at.y + m.y] for m in moves])._asdict()
+    lines = _grid_lines(row, n)
     (i0, dx), (j0, dy) = lines
     codes = ["".join(judge(a, moved(b, Vec((i0 + i) * dx, (j0 + j) * dy))) for i in range(n)) for j in range(n)]
-    return Slide(name, at.x + i0 * dx, at.y + j0 * dy, dx, dy, codes, [])._asdict()
+    return PositionGrid(name, at.x + i0 * dx, at.y + j0 * dy, dx, dy, codes, [])._asdict()
 
 
-def relation(a: Shape, b: Shape) -> Relation:
+def exact_relation(a: Shape, b: Shape) -> Relation:
     """The exact relation; of concave outlines the closest one of their parts."""
     return max(truth.relation(p, q) for p in parts(a) for q in parts(b))
 
 
-def _judge(row: FailureCase) -> Callable[[Shape, Shape], str]:
+def _evaluator(row: FailureCase) -> Callable[[Shape, Shape], str]:
     """The letter of a pair of shapes: what the shortcut's own run says, held against rationals."""
-    of = _of_push if row.name in PUSHES else _of_distance if row.name in DISTANCES else _of_verdict
+    of = _push_code if row.name in PUSHES else _distance_code if row.name in DISTANCES else _verdict_code
     return lambda a, b: of(record(a, b, axes=row.shortcut), row)
 
 
-def _of_verdict(run: Trace, row: FailureCase) -> str:
-    says, is_hit = run.claim, bool(relation(run.a, run.b))
-    return (HIT if is_hit else FALSE) if says else (MISSED if is_hit else APART)
+def _verdict_code(run: Trace, row: FailureCase) -> str:
+    says, is_hit = run.claim, bool(exact_relation(run.a, run.b))
+    return (HIT if is_hit else FALSE_HIT_CODE) if says else (MISSED_HIT_CODE if is_hit else APART)
 
 
-def _of_push(run: Trace, row: FailureCase) -> str:
-    if relation(run.a, run.b) is not Relation.OVERLAPPING:
+def _push_code(run: Trace, row: FailureCase) -> str:
+    if exact_relation(run.a, run.b) is not Relation.OVERLAPPING:
         return APART
     x, y = run.push or Vec(0.0, 0.0)
-    if relation(run.a, moved(run.b, Vec(x * A_LITTLE, y * A_LITTLE))) is Relation.OVERLAPPING:
-        return SHORT
-    return LONG if x * x + y * y > depth2(*_convex(run.a, run.b)) * A_LITTLE else HIT
+    if exact_relation(run.a, moved(run.b, Vec(x * ROUNDING_FACTOR, y * ROUNDING_FACTOR))) is Relation.OVERLAPPING:
+        return SHORT_PUSH
+    return LONG_PUSH if x * x + y * y > squared_depth(*_as_polygons(run.a, run.b)) * ROUNDING_FACTOR else HIT
 
 
-def _of_distance(run: Trace, row: FailureCase) -> str:
-    right = truth.distance2(*_convex(run.a, run.b))
+def _distance_code(run: Trace, row: FailureCase) -> str:
+    right = truth.distance2(*_as_polygons(run.a, run.b))
     if not right:
         return HIT
     gap = row.read(run)
-    return APART if gap > 0 and right / A_LITTLE < gap * gap < right * A_LITTLE else FAR
+    return APART if gap > 0 and right / ROUNDING_FACTOR < gap * gap < right * ROUNDING_FACTOR else WRONG_DISTANCE
 
 
-def both(row: FailureCase) -> tuple[Shape, Shape]:
+def shapes_of(row: FailureCase) -> tuple[Shape, Shape]:
     """The shapes of a row that satviz does not refuse."""
     assert isinstance(row.a, Polygon | Circle) and isinstance(row.b, Polygon | Circle)
     return row.a, row.b
 
 
-def _convex(a: Shape, b: Shape) -> tuple[Polygon, Polygon]:
+def _as_polygons(a: Shape, b: Shape) -> tuple[Polygon, Polygon]:
     assert isinstance(a, Polygon) and isinstance(b, Polygon)
     return a, b
 
 
-def depth2(a: Polygon, b: Polygon) -> Fraction:
+def squared_depth(a: Polygon, b: Polygon) -> Fraction:
     """The exact squared depth of two convex polygons: how far the origin is from the rim of their difference."""
-    ring = difference(a, b)
+    ring = minkowski_difference(a, b)
     found = []
     for (px, py), (qx, qy) in zip(ring, (*ring[1:], ring[0])):
         cross = px * qy - py * qx
@@ -149,7 +151,7 @@ def depth2(a: Polygon, b: Polygon) -> Fraction:
     return min(found)
 
 
-def difference(a: Polygon, b: Polygon) -> list[tuple[Fraction, Fraction]]:
+def minkowski_difference(a: Polygon, b: Polygon) -> list[tuple[Fraction, Fraction]]:
     """The convex hull of all a - b, counter-clockwise, exactly."""
     every = {(Fraction(p.x) - Fraction(q.x), Fraction(p.y) - Fraction(q.y)) for p in a.vertices for q in b.vertices}
 
@@ -165,10 +167,10 @@ def difference(a: Polygon, b: Polygon) -> list[tuple[Fraction, Fraction]]:
     return chain(order) + chain(order[::-1])
 
 
-def contacts(a: Polygon, b: Polygon, n: int) -> Iterator[Vec]:
+def contact_moves(a: Polygon, b: Polygon, n: int) -> Iterator[Vec]:
     """Moves of B after which it touches A exactly, n steps and more along each side of a's and b's difference."""
     steps = 1 << n.bit_length()  # whole corners and a power of two: every move is a float
-    ring = difference(a, b)
+    ring = minkowski_difference(a, b)
     for (px, py), (qx, qy) in zip(ring, (*ring[1:], ring[0])):
         yield from (
             Vec(float(px + (qx - px) * Fraction(k, steps)), float(py + (qy - py) * Fraction(k, steps)))
@@ -176,11 +178,11 @@ def contacts(a: Polygon, b: Polygon, n: int) -> Iterator[Vec]:
         )
 
 
-def _lattice(row: FailureCase, n: int) -> tuple[tuple[int, float], tuple[int, float]]:
+def _grid_lines(row: FailureCase, n: int) -> tuple[tuple[int, float], tuple[int, float]]:
     """First number and step in x and in y: round A with room for B, the scene's own position among them."""
-    if row.name == ON_PAPER:
+    if row.name == TOUCH_ON_PAPER:
         return (-6 - n // 2, 0.05), (-(n // 2), 0.05)  # steps as a person would write them, round A's own place
-    (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = (shape.bounds for shape in both(row))
+    (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = (shape.bounds for shape in shapes_of(row))
     off = [(bx0 + bx1 - ax0 - ax1) / 2, (by0 + by1 - ay0 - ay1) / 2]
     half = [
         max((a1 - a0 + b1 - b0) / 2 * 1.2, abs(d) * 1.15)

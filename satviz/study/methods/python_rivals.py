@@ -9,18 +9,18 @@ from math import cos, hypot, inf, pi, sin, sqrt
 from ...engine.shapes import Circle, Shape
 
 Points = Sequence[tuple[float, float]]
-Plain = tuple[Points, float]
-Corners = list[tuple[float, float]]
-Choice = Callable[[Plain, Plain], Iterable[tuple[float, float]]]
-MOST_TURNS = 64  # of GJK: rounding may make it go round
+PointsAndRadius = tuple[Points, float]
+Simplex = list[tuple[float, float]]
+AxisChoice = Callable[[PointsAndRadius, PointsAndRadius], Iterable[tuple[float, float]]]
+MAX_GJK_STEPS = 64  # of GJK: rounding may make it go round
 
 
-def plain(shape: Shape) -> Plain:
+def points_and_radius(shape: Shape) -> PointsAndRadius:
     """The numbers of a shape alone."""
     return ((shape.center,), shape.radius) if isinstance(shape, Circle) else (shape.corners, 0.0)
 
 
-def edge_normals(a: Plain, b: Plain) -> Iterator[tuple[float, float]]:
+def edge_normals(a: PointsAndRadius, b: PointsAndRadius) -> Iterator[tuple[float, float]]:
     """Every edge normal, A's first, not normalised."""
     for points, _ in (a, b):
         if len(points) > 1:
@@ -30,7 +30,7 @@ def edge_normals(a: Plain, b: Plain) -> Iterator[tuple[float, float]]:
                 px, py = qx, qy
 
 
-def normals(a: Plain, b: Plain) -> Iterator[tuple[float, float]]:
+def sat_axes(a: PointsAndRadius, b: PointsAndRadius) -> Iterator[tuple[float, float]]:
     """The edge normals, and for a circle and a polygon the direction towards the nearest vertex."""
     yield from edge_normals(a, b)
     if a[1] or b[1]:
@@ -38,35 +38,37 @@ def normals(a: Plain, b: Plain) -> Iterator[tuple[float, float]]:
         yield min(((x - cx, y - cy) for x, y in ring), key=lambda v: v[0] * v[0] + v[1] * v[1])
 
 
-def sat(a: Plain, b: Plain, choice: Choice = normals, *, unit: bool = False, tolerance: float = 0.0) -> bool:
+def sat(
+    a: PointsAndRadius, b: PointsAndRadius, choice: AxisChoice = sat_axes, *, unit: bool = False, tolerance: float = 0.0
+) -> bool:
     """Textbook SAT: a hit unless some axis leaves a gap of more than `tolerance`; `unit` normalises the normals."""
     for nx, ny in choice(a, b):
         length = sqrt(nx * nx + ny * ny)
         if unit and length:
             nx, ny, length = nx / length, ny / length, 1.0
-        lo_a, hi_a = span(a, nx, ny, length)
-        lo_b, hi_b = span(b, nx, ny, length)
+        lo_a, hi_a = project(a, nx, ny, length)
+        lo_b, hi_b = project(b, nx, ny, length)
         if max(lo_a - hi_b, lo_b - hi_a) > tolerance:
             return False
     return True
 
 
-def span(shape: Plain, nx: float, ny: float, length: float) -> tuple[float, float]:
+def project(shape: PointsAndRadius, nx: float, ny: float, length: float) -> tuple[float, float]:
     """The range of a shape on an axis of that length."""
     points, r = shape
     landings = [x * nx + y * ny for x, y in points]
     return min(landings) - r * length, max(landings) + r * length
 
 
-def gjk(a: Plain, b: Plain) -> bool:
+def gjk(a: PointsAndRadius, b: PointsAndRadius) -> bool:
     """Gilbert, Johnson and Keerthi (1988): does the difference of the shapes hold the origin?  Touching counts."""
-    ax, ay = _difference(a, b, 1.0, 0.0)
+    ax, ay = _support_of_difference(a, b, 1.0, 0.0)
     corners = [(ax, ay)]
     dx, dy = -ax, -ay
-    for _ in range(MOST_TURNS):
+    for _ in range(MAX_GJK_STEPS):
         if dx == 0 and dy == 0:
             return True  # the origin lies on what is left
-        ax, ay = _difference(a, b, dx, dy)
+        ax, ay = _support_of_difference(a, b, dx, dy)
         if ax * dx + ay * dy < 0:
             return False
         corners, (dx, dy) = _towards_origin(corners, ax, ay)
@@ -75,14 +77,14 @@ def gjk(a: Plain, b: Plain) -> bool:
     return True
 
 
-def _difference(a: Plain, b: Plain, dx: float, dy: float) -> tuple[float, float]:
+def _support_of_difference(a: PointsAndRadius, b: PointsAndRadius, dx: float, dy: float) -> tuple[float, float]:
     """The support point of A - B along (dx, dy)."""
     px, py = _support(a, dx, dy)
     qx, qy = _support(b, -dx, -dy)
     return px - qx, py - qy
 
 
-def _support(shape: Plain, dx: float, dy: float) -> tuple[float, float]:
+def _support(shape: PointsAndRadius, dx: float, dy: float) -> tuple[float, float]:
     points, r = shape
     best, found = -inf, points[0]
     for p in points:
@@ -95,25 +97,25 @@ def _support(shape: Plain, dx: float, dy: float) -> tuple[float, float]:
     return found[0] + r * dx / length, found[1] + r * dy / length
 
 
-def _towards_origin(corners: Corners, ax: float, ay: float) -> tuple[Corners, tuple[float, float]]:
+def _towards_origin(corners: Simplex, ax: float, ay: float) -> tuple[Simplex, tuple[float, float]]:
     """The part of the simplex nearest the origin once (ax, ay) is added, and the way from there to the origin.
 
     All three corners left means the origin is inside.
     """
     a = ax, ay
     if len(corners) == 1:
-        return _edge(a, corners[0])
+        return _edge_towards_origin(a, corners[0])
     c, b = corners
     # the sides of the triangle that face away from the third corner
     turn = (b[0] - ax) * (c[1] - ay) - (b[1] - ay) * (c[0] - ax)
     for near, sign in ((b, 1.0), (c, -1.0)):
         side = (near[0] - ax) * -ay - (near[1] - ay) * -ax
         if side * sign * turn < 0:
-            return _edge(a, near)
+            return _edge_towards_origin(a, near)
     return [c, b, a], (0.0, 0.0)
 
 
-def _edge(a: tuple[float, float], b: tuple[float, float]) -> tuple[Corners, tuple[float, float]]:
+def _edge_towards_origin(a: tuple[float, float], b: tuple[float, float]) -> tuple[Simplex, tuple[float, float]]:
     ex, ey = b[0] - a[0], b[1] - a[1]
     if ex * -a[0] + ey * -a[1] <= 0:
         return [a], (-a[0], -a[1])
@@ -121,6 +123,6 @@ def _edge(a: tuple[float, float], b: tuple[float, float]) -> tuple[Corners, tupl
     return [b, a], (-ey * turn, ex * turn)
 
 
-def spread(k: int) -> list[tuple[float, float]]:
+def even_directions(k: int) -> list[tuple[float, float]]:
     """k unit directions evenly over a half turn, x first."""
     return [(0.0, 1.0) if 2 * i == k else (cos(pi * i / k), sin(pi * i / k)) for i in range(k)]

@@ -6,55 +6,55 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..workloads.workloads import Side, outlines, padded
+from ..workloads.generators import Side, is_padded, unpadded_rings
 
 
-def pair_by_pair(ask: Callable[[Any, Any], Any]) -> Callable[[list[Any], list[Any]], list[Any]]:
+def one_by_one(ask: Callable[[Any, Any], Any]) -> Callable[[list[Any], list[Any]], list[Any]]:
     """A question about one pair as one about many."""
     return lambda a, b: [ask(p, q) for p, q in zip(a, b, strict=True)]
 
 
-def geometries(side: Side) -> Any:
+def shapely_geometries(side: Side) -> Any:
     """shapely's arrays by its own array constructor; circles as (points, radii), for shapely has no true circle."""
     import shapely
 
     if isinstance(side, tuple):
         return shapely.points(side[0]), side[1]
-    if not padded(side):
+    if not is_padded(side):
         return shapely.polygons(side)
-    rings = outlines(side)
+    rings = unpadded_rings(side)
     owner = np.repeat(np.arange(len(rings)), [len(ring) for ring in rings])
     return shapely.polygons(shapely.linearrings(np.concatenate(rings), indices=owner))
 
 
-def prepared(side: Side) -> Any:
+def prepared_geometries(side: Side) -> Any:
     """The same with their edges in a tree."""
     import shapely
 
-    found = geometries(side)
+    found = shapely_geometries(side)
     shapely.prepare(found)
     return found
 
 
-def meet(a: Any, b: Any) -> NDArray[np.bool_]:
+def shapely_hits(a: Any, b: Any) -> NDArray[np.bool_]:
     """Do they share a point?"""
     import shapely
 
     return np.asarray(shapely.dwithin(a[0], b, a[1]) if isinstance(a, tuple) else shapely.intersects(a, b))
 
 
-def listed(side: Side) -> list[Any]:
+def geometry_list(side: Side) -> list[Any]:
     """One geometry at a time."""
-    found = geometries(side)
+    found = shapely_geometries(side)
     return list(zip(found[0], found[1].tolist())) if isinstance(found, tuple) else list(found)
 
 
-def meets(a: Any, b: Any) -> bool:
+def shapely_hit(a: Any, b: Any) -> bool:
     """`meet` of one pair."""
     return bool(a[0].dwithin(b, a[1]) if isinstance(a, tuple) else a.intersects(b))
 
 
-def bodies(side: Side) -> list[Any]:
+def pymunk_shapes(side: Side) -> list[Any]:
     """pymunk's shapes on one static body."""
     import pymunk
 
@@ -62,13 +62,13 @@ def bodies(side: Side) -> list[Any]:
     if isinstance(side, tuple):
         found: list[Any] = [pymunk.Circle(body, r, tuple(c)) for c, r in zip(side[0].tolist(), side[1].tolist())]
     else:
-        found = [pymunk.Poly(body, [tuple(v) for v in ring.tolist()]) for ring in outlines(side)]
+        found = [pymunk.Poly(body, [tuple(v) for v in ring.tolist()]) for ring in unpadded_rings(side)]
     for shape in found:
         shape.cache_bb()
     return found
 
 
-def collide(a: Any, b: Any) -> bool:
+def pymunk_hit(a: Any, b: Any) -> bool:
     """Does pymunk find points of contact?"""
     try:
         return bool(a.shapes_collide(b).points)

@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Rings = Array  # (N, V, 2), counter-clockwise
-Coins = tuple[Array, Array]  # (N, 2) centers, (N,) radii
-Side = Rings | Coins
-Make = Callable[[np.random.Generator, int], tuple[Side, Side]]
+Circles = tuple[Array, Array]  # (N, 2) centers, (N,) radii
+Side = Rings | Circles
+MakePairs = Callable[[np.random.Generator, int], tuple[Side, Side]]
 
 
-def directions(rng: np.random.Generator, *shape: int) -> Array:
+def unit_vectors(rng: np.random.Generator, *shape: int) -> Array:
     """Unit vectors, evenly over the full turn: points drawn in a square until they fall in its circle."""
     found = rng.uniform(-1, 1, (*shape, 2))
     while True:
@@ -31,64 +31,64 @@ def directions(rng: np.random.Generator, *shape: int) -> Array:
 
 def ngons(rng: np.random.Generator, n: int, v: int, spread: float) -> Rings:
     """Corners at random turns on a unit circle around a random center."""
-    corners = directions(rng, n, v)
+    corners = unit_vectors(rng, n, v)
     order = np.argsort(np.arctan2(corners[..., 1], corners[..., 0]), axis=1)
-    return _around(rng, n, spread) + np.take_along_axis(corners, order[..., None], axis=1)
+    return _random_centers(rng, n, spread) + np.take_along_axis(corners, order[..., None], axis=1)
 
 
-def boxes(rng: np.random.Generator, n: int, spread: float) -> Rings:
+def turned_boxes(rng: np.random.Generator, n: int, spread: float) -> Rings:
     """Turned boxes of half sizes 0.3 to 1."""
     half = rng.uniform(0.3, 1, (n, 1, 2)) * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
-    return _around(rng, n, spread) + turned(half, directions(rng, n))
+    return _random_centers(rng, n, spread) + turn_rings(half, unit_vectors(rng, n))
 
 
-def turned(rings: Rings, ways: Array) -> Rings:
+def turn_rings(rings: Rings, ways: Array) -> Rings:
     """Each shape turned so that the x axis points along its unit vector."""
     c, s = ways[:, :1], ways[:, 1:]
     return np.stack([rings[..., 0] * c - rings[..., 1] * s, rings[..., 0] * s + rings[..., 1] * c], axis=2)
 
 
-def outward(p: Array, q: Array) -> Array:
+def outward_normals(p: Array, q: Array) -> Array:
     """The unit normals of edges from p to q (N, 2), outwards for counter-clockwise shapes."""
     edge = q - p
     normal: Array = np.stack([edge[:, 1], -edge[:, 0]], axis=1)
     return np.asarray(normal / np.sqrt((edge * edge).sum(axis=1, keepdims=True)))
 
 
-def coins(rng: np.random.Generator, n: int, spread: float) -> Coins:
+def circles(rng: np.random.Generator, n: int, spread: float) -> Circles:
     """Circles of radius 0.3 to 1."""
-    return _around(rng, n, spread)[:, 0], rng.uniform(0.3, 1, n)
+    return _random_centers(rng, n, spread)[:, 0], rng.uniform(0.3, 1, n)
 
 
-def mixed(rng: np.random.Generator, n: int, spread: float) -> Rings:
+def mixed_polygons(rng: np.random.Generator, n: int, spread: float) -> Rings:
     """Polygons with 3 to 8 corners and sizes of 0.4 to 1.6; the last corner is repeated to make up 8."""
     rings, most = np.empty((n, 8, 2)), rng.integers(3, 9, n)
     for v in range(3, 9):
         mine = np.flatnonzero(most == v)
         rings[mine, :v] = ngons(rng, len(mine), v, 0.0) * rng.uniform(0.4, 1.6, (len(mine), 1, 1))
         rings[mine, v:] = rings[mine, v - 1 : v]
-    return rings + _around(rng, n, spread)
+    return rings + _random_centers(rng, n, spread)
 
 
-def regular(rng: np.random.Generator, n: int, v: int) -> Rings:
+def regular_polygons(rng: np.random.Generator, n: int, v: int) -> Rings:
     """Regular polygons about the origin, turned at random: in the last places as this machine's sines are."""
     turn = rng.uniform(0, 2 * np.pi, (n, 1)) + np.linspace(0, 2 * np.pi, v, endpoint=False)
     return np.stack([np.cos(turn), np.sin(turn)], axis=2)
 
 
-def apart(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rings]:
+def apart_pairs(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rings]:
     """Two regular polygons with some room between them."""
-    return regular(rng, n, v), regular(rng, n, v) + 2.3 * directions(rng, n, 1)
+    return regular_polygons(rng, n, v), regular_polygons(rng, n, v) + 2.3 * unit_vectors(rng, n, 1)
 
 
-def overlapping(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rings]:
+def overlapping_pairs(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rings]:
     """Two regular polygons, about as deep in each other as they reach."""
-    return regular(rng, n, v), regular(rng, n, v) + 0.9 * directions(rng, n, 1)
+    return regular_polygons(rng, n, v), regular_polygons(rng, n, v) + 0.9 * unit_vectors(rng, n, 1)
 
 
-def touching(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rings]:
+def touching_pairs(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rings]:
     """A regular polygon and its mirror image beyond its rightmost corner, the only point that they share."""
-    a = regular(rng, n, v)
+    a = regular_polygons(rng, n, v)
     b = a[:, ::-1].copy()
     b[:, :, 0] = 2 * a[:, :, 0].max(axis=1)[:, None] - b[:, :, 0]
     return a, b
@@ -100,18 +100,18 @@ def tiles(n: int) -> Rings:
     return np.asarray(at + np.array([[0, 0], [0.25, 0], [0.25, 0.25], [0, 0.25]]))
 
 
-def scattered(rng: np.random.Generator, n: int) -> Rings:
+def scattered_polygons(rng: np.random.Generator, n: int) -> Rings:
     """Mixed polygons spread evenly, about 1.5 collisions each; padded to 8 corners."""
-    rings = mixed(rng, n, 0.0)
+    rings = mixed_polygons(rng, n, 0.0)
     return rings + rng.uniform(0, np.sqrt(n) * 1.5, (n, 1, 2))
 
 
-def nearly_touching(rng: np.random.Generator, n: int) -> tuple[Rings, Rings]:
+def nearly_touching_pairs(rng: np.random.Generator, n: int) -> tuple[Rings, Rings]:
     """Triangles where a corner of B lies on an edge of A or within 4 units in the last place of it."""
     a = ngons(rng, n, 3, 2.0)
     along = rng.uniform(0.1, 0.9, (n, 1))
     spot = a[:, 0] + along * (a[:, 1] - a[:, 0])
-    out = outward(a[:, 0], a[:, 1])
+    out = outward_normals(a[:, 0], a[:, 1])
     side = np.stack([-out[:, 1], out[:, 0]], axis=1)
     far, wide = rng.uniform(0.5, 1.5, (2, n, 1))
     b = np.stack([spot, spot + far * out + wide * side, spot + far * out - wide * side], axis=1)
@@ -130,69 +130,69 @@ def _turn(ring: Array) -> float:
     return float((qx - px) * (ry - py) - (qy - py) * (rx - px))
 
 
-def padded(rings: Rings) -> bool:
+def is_padded(rings: Rings) -> bool:
     """Is some ring's last corner repeated?"""
     return bool((rings[:, -1] == rings[:, -2]).all(axis=1).any())
 
 
-def outlines(rings: Rings) -> list[Rings]:
+def unpadded_rings(rings: Rings) -> list[Rings]:
     """Each ring without the last corner's repeats."""
     same = (rings[:, 1:] == rings[:, :-1]).all(axis=2)
     repeats = np.logical_and.accumulate(same[:, ::-1], axis=1).sum(axis=1)
     return [ring[: len(ring) - k] for ring, k in zip(rings, repeats.tolist())]
 
 
-def _around(rng: np.random.Generator, n: int, spread: float) -> Array:
+def _random_centers(rng: np.random.Generator, n: int, spread: float) -> Array:
     return rng.uniform(-spread, spread, (n, 1, 2))
 
 
-WORKLOADS: dict[str, Make] = {
+WORKLOADS: dict[str, MakePairs] = {
     "triangles": lambda rng, n: (ngons(rng, n, 3, 0.9), ngons(rng, n, 3, 0.9)),
-    "boxes": lambda rng, n: (boxes(rng, n, 1.7), boxes(rng, n, 1.7)),
+    "boxes": lambda rng, n: (turned_boxes(rng, n, 1.7), turned_boxes(rng, n, 1.7)),
     "8-gons": lambda rng, n: (ngons(rng, n, 8, 1.9), ngons(rng, n, 8, 1.9)),
-    "circle and triangle": lambda rng, n: (coins(rng, n, 1.3), ngons(rng, n, 3, 1.3)),
-    "mixed, 3 to 8 corners": lambda rng, n: (mixed(rng, n, 1.0), mixed(rng, n, 1.0)),
-    "nearly touching": nearly_touching,
+    "circle and triangle": lambda rng, n: (circles(rng, n, 1.3), ngons(rng, n, 3, 1.3)),
+    "mixed, 3 to 8 corners": lambda rng, n: (mixed_polygons(rng, n, 1.0), mixed_polygons(rng, n, 1.0)),
+    "nearly touching": nearly_touching_pairs,
 }
 
 # pairs of V-gons by how they lie, and the relation of all of them
-CORNERS = {"apart": (apart, 0), "overlapping": (overlapping, 2), "touching": (touching, 1)}
+CORNER_WORKLOADS = {"apart": (apart_pairs, 0), "overlapping": (overlapping_pairs, 2), "touching": (touching_pairs, 1)}
 
 
-def _boxed(at: Array, size: Array) -> Array:
+def _corners_of_boxes(at: Array, size: Array) -> Array:
     return np.concatenate([at, at + size], axis=1)
 
 
-def _spread_out(rng: np.random.Generator, n: int) -> tuple[Array, Array]:
+def _even_places_and_sizes(rng: np.random.Generator, n: int) -> tuple[Array, Array]:
     return rng.uniform(0, np.sqrt(n) * 1.5, (n, 2)), rng.uniform(0.3, 1, (n, 2))
 
 
-def _even(rng: np.random.Generator, n: int) -> Array:
-    return _boxed(*_spread_out(rng, n))
+def _even_boxes(rng: np.random.Generator, n: int) -> Array:
+    return _corners_of_boxes(*_even_places_and_sizes(rng, n))
 
 
-def _thousandfold(rng: np.random.Generator, n: int) -> Array:
-    at, size = _spread_out(rng, n)
-    return _boxed(at * 6, size * 10 ** rng.uniform(-1.5, 1.5, (n, 1)))
+def _boxes_of_many_sizes(rng: np.random.Generator, n: int) -> Array:
+    at, size = _even_places_and_sizes(rng, n)
+    return _corners_of_boxes(at * 6, size * 10 ** rng.uniform(-1.5, 1.5, (n, 1)))
 
 
-def _one_cell(rng: np.random.Generator, n: int) -> Array:
-    at, size = _spread_out(rng, n)
+def _tiny_boxes_beside_a_large_one(rng: np.random.Generator, n: int) -> Array:
+    at, size = _even_places_and_sizes(rng, n)
     at, size = at * 1e-6, size * 1e-6
     at[0], size[0] = 0, 1  # one box as large as everything, beside tiny ones
-    return _boxed(at, size)
+    return _corners_of_boxes(at, size)
 
 
-def _far_out(rng: np.random.Generator, n: int) -> Array:
-    at, size = _spread_out(rng, n)
+def _boxes_with_one_far_away(rng: np.random.Generator, n: int) -> Array:
+    at, size = _even_places_and_sizes(rng, n)
     at[0], size[0] = 1e300, 1e285
-    return _boxed(at, size)
+    return _corners_of_boxes(at, size)
 
 
 # (N, 4) boxes whose pairs grow like N
-LAYOUTS: dict[str, Callable[[np.random.Generator, int], Array]] = {
-    "even": _even,
-    "sizes thousandfold": _thousandfold,
-    "all in one cell": _one_cell,
-    "one at 1e300": _far_out,
+BOX_LAYOUTS: dict[str, Callable[[np.random.Generator, int], Array]] = {
+    "even": _even_boxes,
+    "sizes thousandfold": _boxes_of_many_sizes,
+    "all in one cell": _tiny_boxes_beside_a_large_one,
+    "one at 1e300": _boxes_with_one_far_away,
 }

@@ -12,20 +12,20 @@ from numpy.typing import NDArray
 from ... import batch
 from ...pictures import Theme
 from ..harness.cells import Cell, Settings
-from ..harness.chart import Chart, axes, headline, table
-from ..workloads.workloads import Array, Rings
+from ..harness.chart import Chart, add_axes, draw_headline, draw_table
+from ..workloads.generators import Array, Rings
 
 Row = dict[str, Any]
 # the floor's slope, about 0.3 radians: coordinates are rounded on it, as in any turned scene
 COS, SIN = 0.955336489125606, 0.2955202066613396
-OFF = 3.7, 1.9  # the origin of a scene is nowhere special
+ORIGIN = 3.7, 1.9  # the origin of a scene is nowhere special
 DEPTH = 0.001  # of a box that has sunk in a little
-STAYS = 0.01  # another axis must be shallower by this, of scene units, before a kept one is left
-SHAKE = 1e-5
-SAME = 0.9  # the cosine between the normals of neighbouring frames below which they are two
+KEEP_WITHIN = 0.01  # another axis must be shallower by this, of scene units, before a kept one is left
+SHAKE_LENGTH = 1e-5
+SAME_NORMAL_COSINE = 0.9  # the cosine between the normals of neighbouring frames below which they are two
 
 ON, IN, OVER, AT = "touching the floor", "sunk in a little", "sliding over a seam", "standing at a seam"
-TOLD = (
+MEASURES = (
     (ON, "apart", "frames seen apart"),
     (ON, "wrong", "wrong verdicts"),
     (IN, "apart", "frames seen apart"),
@@ -40,7 +40,7 @@ def _box(x: Array, y: float, half: tuple[float, float]) -> Rings:
     corners = [(-half[0], 0.0), (half[0], 0.0), (half[0], 2 * half[1]), (-half[0], 2 * half[1])]
     s = np.stack([x + u for u, _ in corners], axis=1)
     t = np.stack([np.full(len(x), y + v) for _, v in corners], axis=1)
-    return np.stack([OFF[0] + COS * s - SIN * t, OFF[1] + SIN * s + COS * t], axis=2)
+    return np.stack([ORIGIN[0] + COS * s - SIN * t, ORIGIN[1] + SIN * s + COS * t], axis=2)
 
 
 def _tile(low: float, high: float) -> Rings:
@@ -52,7 +52,7 @@ def scenes(frames: int, rng: np.random.Generator) -> dict[str, tuple[list[Rings]
     x, half = np.linspace(-1.5, 1.5, frames), (0.5, 0.25)
     floor, tiles = [_tile(-8.0, 8.0)], [_tile(-8.0, 0.0), _tile(0.0, 8.0)]
     # it stands still, DEPTH over the second tile's rim and DEPTH deep, but for a shake
-    still = DEPTH - half[0] + rng.uniform(-SHAKE, SHAKE, frames)
+    still = DEPTH - half[0] + rng.uniform(-SHAKE_LENGTH, SHAKE_LENGTH, frames)
     return {
         ON: (floor, _box(x, 0.0, half)),
         IN: (floor, _box(x, -DEPTH, half)),
@@ -61,7 +61,7 @@ def scenes(frames: int, rng: np.random.Generator) -> dict[str, tuple[list[Rings]
     }
 
 
-def gaps(floor: Rings, boxes: Rings, dtype: type) -> tuple[Array, Array, Array]:
+def gaps_on_normals(floor: Rings, boxes: Rings, dtype: type) -> tuple[Array, Array, Array]:
     """(F, 8) gaps on all edge normals, those edges' lengths, and (F, 8, 2) unit normals towards the box."""
     a: NDArray[Any] = np.broadcast_to(floor, boxes.shape).astype(dtype)
     b: NDArray[Any] = boxes.astype(dtype)
@@ -80,19 +80,19 @@ def gaps(floor: Rings, boxes: Rings, dtype: type) -> tuple[Array, Array, Array]:
     return gap, length, way
 
 
-def chosen(gap: Array, *, kept: bool) -> NDArray[np.intp]:
+def contact_axes(gap: Array, *, kept: bool) -> NDArray[np.intp]:
     """The axis of least depth in each frame; `kept`: the last frame's, unless another is shallower by some way."""
     best: NDArray[np.intp] = gap.argmax(axis=1)
     if kept:
         for i in range(1, len(best)):
             last = best[i - 1]
-            if gap[i - 1].max() <= 0 and gap[i, best[i]] - gap[i, last] <= STAYS:
+            if gap[i - 1].max() <= 0 and gap[i, best[i]] - gap[i, last] <= KEEP_WITHIN:
                 best[i] = last
     return best
 
 
 # (numbers, do normals keep their edges' lengths, is the verdict exact)
-METHODS: dict[str, tuple[type, bool, bool]] = {
+METHOD_OPTIONS: dict[str, tuple[type, bool, bool]] = {
     "satviz": (np.float64, False, True),
     "SAT, unit normals": (np.float64, False, False),
     "SAT, raw normals": (np.float64, True, False),
@@ -100,7 +100,7 @@ METHODS: dict[str, tuple[type, bool, bool]] = {
 }
 
 
-def followed(frames: int, settings: Settings) -> list[Row]:
+def measure_contacts(frames: int, settings: Settings) -> list[Row]:
     """Each method in each scene, with the last axis kept and without.
 
     `apart`: frames in which it sees no contact; `flips`: of the normal between neighbouring frames of contact;
@@ -111,8 +111,8 @@ def followed(frames: int, settings: Settings) -> list[Row]:
         exact = [
             batch.relate(batch.Polygons(np.repeat(t, frames, axis=0)), batch.Polygons(boxes.copy())) for t in tiles
         ]
-        for name, (dtype, raw, sure) in METHODS.items():
-            every = [gaps(tile, boxes, dtype) for tile in tiles]
+        for name, (dtype, raw, sure) in METHOD_OPTIONS.items():
+            every = [gaps_on_normals(tile, boxes, dtype) for tile in tiles]
             for kept in (False, True):
                 hits = [
                     right > 0 if sure else gap.max(axis=1) <= 0 for (gap, _, _), right in zip(every, exact, strict=True)
@@ -123,10 +123,10 @@ def followed(frames: int, settings: Settings) -> list[Row]:
                 row["apart_in_truth"] = int((np.max(exact, axis=0) == 0).sum())
                 noise = [0.0]
                 for hit, (gap, length, way) in zip(hits, every, strict=True):
-                    axis = chosen(gap * length if raw else gap, kept=kept)
+                    axis = contact_axes(gap * length if raw else gap, kept=kept)
                     normal, depth = way[np.arange(frames), axis], -gap[np.arange(frames), axis]
-                    together, level = hit[1:] & hit[:-1], normal @ up > SAME
-                    row["flips"] += int(((normal[1:] * normal[:-1]).sum(axis=1)[together] < SAME).sum())
+                    together, level = hit[1:] & hit[:-1], normal @ up > SAME_NORMAL_COSINE
+                    row["flips"] += int(((normal[1:] * normal[:-1]).sum(axis=1)[together] < SAME_NORMAL_COSINE).sum())
                     row["sideways"] += int((hit & ~level).sum())
                     noise += np.abs(depth[hit & level] - (0.0 if scene == ON else DEPTH)).tolist()
                 rows.append({**row, "noise": max(noise)})
@@ -135,7 +135,7 @@ def followed(frames: int, settings: Settings) -> list[Row]:
 
 def cells(settings: Settings) -> list[Cell]:
     """One: all scenes."""
-    return [Cell("resting", followed, (1000 if settings.quick else 10_000, settings))]
+    return [Cell("resting", measure_contacts, (1000 if settings.quick else 10_000, settings))]
 
 
 def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
@@ -144,29 +144,27 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     of = {(row["scene"], row["method"], row["kept"]): row for row in rows}
     frames = rows[0]["frames"]
     title = "A resting box: rounded poses flicker for exact verdicts too; some depth and the last axis kept calm it"
-    columns = [(name, k) for name in METHODS for k in (False, True)]
+    columns = [(name, k) for name in METHOD_OPTIONS for k in (False, True)]
     size = 880.0, 300.0
 
     def draw(fig: Figure, theme: Theme) -> None:
-        under = (
-            f"a box on a slope, {frames:,} prescribed frames; kept: the last axis, unless another is better by {STAYS}"
-        )
-        headline(fig, theme, title, under)
-        ax = axes(fig, (0.33, 0.04, 0.66, 0.6), theme)
+        under = f"a box on a slope, {frames:,} prescribed frames; kept: the last axis, unless another is better by {KEEP_WITHIN}"
+        draw_headline(fig, theme, title, under)
+        ax = add_axes(fig, (0.33, 0.04, 0.66, 0.6), theme)
 
         def cell(y: int, x: int) -> tuple[str, str, float]:
-            (scene, key, _), (name, k) = TOLD[y], columns[x]
+            (scene, key, _), (name, k) = MEASURES[y], columns[x]
             value = of[scene, name, k][key]
             if key == "noise":
                 return f"{value:.0e}", theme.roles["wrong"], (float(np.log10(max(value, 1e-17))) + 17) / 14
             return f"{value:,}", theme.roles["wrong"], value / frames
 
         heads = [f"{name}{', kept' if k else ''}".replace(", ", ",\n") for name, k in columns]
-        table(ax, theme, heads, [f"{scene}: {words}" for scene, _, words in TOLD], cell)
+        draw_table(ax, theme, heads, [f"{scene}: {words}" for scene, _, words in MEASURES], cell)
 
     touching, seam = of[ON, "satviz", False], of[OVER, "satviz", False]
     unit, short = of[IN, "SAT, unit normals", False]["noise"], of[IN, "SAT, float32", False]["noise"]
-    flips = {name: (of[AT, name, False]["flips"], of[AT, name, True]["flips"]) for name in METHODS}
+    flips = {name: (of[AT, name, False]["flips"], of[AT, name, True]["flips"]) for name in METHOD_OPTIONS}
     told = ", ".join(f"{loose:,} times ({name}; kept: {kept:,})" for name, (loose, kept) in flips.items())
     text = (
         f"Meant to touch, the box is apart in {touching['apart_in_truth']:,} of {frames:,} frames, as its corners are "

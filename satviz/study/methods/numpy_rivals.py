@@ -6,12 +6,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..workloads.workloads import Side
-from .scalar import spread
+from ..workloads.generators import Side
+from .python_rivals import even_directions
 
 Array = NDArray[np.floating]
-Answers = NDArray[np.bool_]
-BLOCK = 1 << 14  # pairs: what fits in the cache
+Hits = NDArray[np.bool_]
+BLOCK_PAIRS = 1 << 14  # pairs: what fits in the cache
 
 
 class Columns(NamedTuple):
@@ -22,7 +22,7 @@ class Columns(NamedTuple):
     r: Array | None
 
 
-class Axes(NamedTuple):
+class PairAxes(NamedTuple):
     """One axis a pair: the direction (nx, ny) and its length, arrays or numbers."""
 
     nx: Array | float
@@ -30,10 +30,10 @@ class Axes(NamedTuple):
     length: Array | float
 
 
-Choice = Callable[[Columns, Columns], Iterator[Axes]]
+AxisChoice = Callable[[Columns, Columns], Iterator[PairAxes]]
 
 
-def columns(side: Side, dtype: type = np.float64) -> Columns:
+def to_columns(side: Side, dtype: type = np.float64) -> Columns:
     """The shapes of a workload's side."""
     at, r = side if isinstance(side, tuple) else (side, None)
     at = at[:, None] if at.ndim == 2 else at
@@ -41,21 +41,21 @@ def columns(side: Side, dtype: type = np.float64) -> Columns:
     return Columns(x, y, None if r is None else r.astype(dtype))
 
 
-def hits(a: Columns, b: Columns, axes: Choice, tolerance: float = 0.0) -> Answers:
+def sat_hits(a: Columns, b: Columns, axes: AxisChoice, tolerance: float = 0.0) -> Hits:
     """A hit unless some axis of the choice leaves a gap of more than `tolerance`."""
     found = np.ones(a.x.shape[1], bool)
     with np.errstate(all="ignore"):
-        for start in range(0, len(found), BLOCK):
-            p, q = (_part(side, start) for side in (a, b))
+        for start in range(0, len(found), BLOCK_PAIRS):
+            p, q = (_block(side, start) for side in (a, b))
             for axis in axes(p, q):
-                lo_a, hi_a = span(p, axis)
-                lo_b, hi_b = span(q, axis)
+                lo_a, hi_a = project(p, axis)
+                lo_b, hi_b = project(q, axis)
                 # a repeated corner's edge has no direction: its gap is 0 or NaN, which separates nothing
-                found[start : start + BLOCK] &= ~(np.maximum(lo_a - hi_b, lo_b - hi_a) > tolerance)
+                found[start : start + BLOCK_PAIRS] &= ~(np.maximum(lo_a - hi_b, lo_b - hi_a) > tolerance)
     return found
 
 
-def span(c: Columns, axis: Axes) -> tuple[Array, Array]:
+def project(c: Columns, axis: PairAxes) -> tuple[Array, Array]:
     """The ranges of all shapes on their axes."""
     nx, ny, length = axis
     lo = hi = c.x[0] * nx + c.y[0] * ny
@@ -65,41 +65,41 @@ def span(c: Columns, axis: Axes) -> tuple[Array, Array]:
     return (lo, hi) if c.r is None else (lo - c.r * length, hi + c.r * length)
 
 
-def edge_normals(a: Columns, b: Columns) -> Iterator[Axes]:
+def edge_normals(a: Columns, b: Columns) -> Iterator[PairAxes]:
     """Every edge normal, A's first, not normalised."""
     circles = a.r is not None or b.r is not None
     for c in (a, b):
         for i in range(len(c.x) if len(c.x) > 1 else 0):
             nx, ny = c.y[i] - c.y[i - 1], c.x[i - 1] - c.x[i]
-            yield Axes(nx, ny, np.hypot(nx, ny) if circles else 1.0)
+            yield PairAxes(nx, ny, np.hypot(nx, ny) if circles else 1.0)
 
 
-def complete(a: Columns, b: Columns) -> Iterator[Axes]:
+def sat_axes(a: Columns, b: Columns) -> Iterator[PairAxes]:
     """The edge normals, and for a circle and a polygon the axis from the center to the nearest vertex."""
     yield from edge_normals(a, b)
     if a.r is not None or b.r is not None:
         circle, ring = (a, b) if a.r is not None else (b, a)
         x, y = ring.x - circle.x, ring.y - circle.y
         nearest = (x * x + y * y).argmin(axis=0), np.arange(x.shape[1])
-        yield Axes(x[nearest], y[nearest], np.hypot(x[nearest], y[nearest]))
+        yield PairAxes(x[nearest], y[nearest], np.hypot(x[nearest], y[nearest]))
 
 
-def unit(choice: Choice) -> Choice:
+def with_unit_length(choice: AxisChoice) -> AxisChoice:
     """The same axes, each brought to length 1."""
 
-    def normalised(a: Columns, b: Columns) -> Iterator[Axes]:
+    def normalised(a: Columns, b: Columns) -> Iterator[PairAxes]:
         for nx, ny, _ in choice(a, b):
             length = np.sqrt(nx * nx + ny * ny)
-            yield Axes(nx / length, ny / length, 1.0)
+            yield PairAxes(nx / length, ny / length, 1.0)
 
     return normalised
 
 
-def fixed(k: int) -> Choice:
+def fixed_directions(k: int) -> AxisChoice:
     """k directions evenly over a half turn."""
-    return lambda a, b: (Axes(x, y, 1.0) for x, y in spread(k))
+    return lambda a, b: (PairAxes(x, y, 1.0) for x, y in even_directions(k))
 
 
-def _part(c: Columns, start: int) -> Columns:
-    stop = start + BLOCK
+def _block(c: Columns, start: int) -> Columns:
+    stop = start + BLOCK_PAIRS
     return Columns(c.x[:, start:stop], c.y[:, start:stop], None if c.r is None else c.r[start:stop])
