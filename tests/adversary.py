@@ -26,7 +26,7 @@ from satviz.batch import exact_signs
 from satviz.batch.with_numpy import filter as filter_numpy
 from satviz.engine import relate
 from satviz.engine.geometry import InvalidShape, Relation
-from satviz.engine.sat import CLOSE
+from satviz.engine.sat import CLOSE_GAP_FACTOR
 from satviz.engine.shapes import Circle, Polygon, Shape
 from satviz.study import truth
 
@@ -242,7 +242,7 @@ def recorded_gap(*numbers: float) -> float:
         a, b = (Polygon(ring) for ring in _triangles(numbers))
     except InvalidShape:
         return 0.0
-    close = max(a.max_coordinate, b.max_coordinate) * CLOSE
+    close = max(a.max_coordinate, b.max_coordinate) * CLOSE_GAP_FACTOR
     worst = 0.0
     with localcontext(prec=60):
         for test in record(a, b, every_axis=True).tests:
@@ -266,7 +266,7 @@ BOUNDS: dict[str, Bound] = {
     "batch: the float64 look": Bound(float64_look, two_triangles, 15 / 32),
     "signs.orient": Bound(turn, near_look, 4 / 8),
     "signs.nearly": Bound(two_floats, three_products, 33 / 256),
-    "record: a gap": Bound(recorded_gap, two_triangles, 27 * U / CLOSE),
+    "record: a gap": Bound(recorded_gap, two_triangles, 27 * U / CLOSE_GAP_FACTOR),
 }
 
 

@@ -823,6 +823,6 @@ def test_no_pairs_are_none_however_they_are_written(none, engine):
 )
 def test_batches_are_not_made_silently_where_small_numbers_are_taken_for_nothing(make, monkeypatch):
     make()
-    monkeypatch.setattr(predicates, "SMALLEST", 0.0)
+    monkeypatch.setattr(predicates, "MIN_FLOAT", 0.0)
     with pytest.warns(RuntimeWarning, match="answers are exact only where"):
         make()

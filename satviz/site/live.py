@@ -7,7 +7,7 @@ from ..engine.geometry import InvalidScene
 from ..pictures.playback import narrow, playbacks
 from ..scenes.article import SCENES
 from ..scenes.failing import FAILURE_CASES, REFUSED
-from ..scenes.link import AS_IT_COMES, Shown, fragment, opened
+from ..scenes.link import DEFAULT_VIEW, ViewOptions, fragment, parse_fragment
 from ..scenes.scenefile import Scene, shape_data
 from ..scenes.strictjson import typed
 from ..widgets.explorer_model import ExplorerModel
@@ -34,7 +34,7 @@ def answer(place: str, text: str) -> str:
 def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
     """What a link shows: the state of an explorer, the show of a player, or why it cannot be opened."""
     try:
-        scene, shown = opened(typed(content.get("hash"), "the link", str))
+        scene, shown = parse_fragment(typed(content.get("hash"), "the link", str))
         if shown.step is not None or shown.predict or shown.rest:
             return _show(scene, shown)
         hand = ExplorerModel(scene, shown.goal)
@@ -45,7 +45,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
             "pinned": shown.row,
         }
         pose |= {"view": shown.view} if shown.view else {}
-        if shown._replace(goal=None) != AS_IT_COMES:
+        if shown._replace(goal=None) != DEFAULT_VIEW:
             said = hand.answer({"kind": "pose", "a": shape_data(scene.a), "b": shape_data(scene.b), **pose})
             if said and said["kind"] == "refused":
                 raise InvalidScene(said["why"])
@@ -55,7 +55,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
     return {"kind": "opened", "title": scene.title, "first": hand.state(), "pose": pose, **CHOICES}
 
 
-def _show(scene: Scene, shown: Shown) -> dict[str, Any]:
+def _show(scene: Scene, shown: ViewOptions) -> dict[str, Any]:
     """A player at a step; what a shortcut saw tells what is, so to predict is asked of the true run."""
     trace = scene.record()
     trace = trace.truth if shown.predict and trace.shortcut else trace

@@ -14,8 +14,8 @@ from ..safe_write import MADE_BY
 from ..scenes.article import SCENES
 from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.failing import NAMED as FAILING
-from ..scenes.link import ALL, BREAK, PAGE, link
-from ..scenes.named import scene
+from ..scenes.link import BREAK, PAGE, link
+from ..scenes.named import ALL_SCENES, scene
 from ..scenes.scenefile import Scene
 from ..widgets.explorer_model import ExplorerModel
 from ..widgets.goals import ASKS, challenges
@@ -125,7 +125,7 @@ def gallery(frame: Frame) -> bytes:
 
 def explorer(frame: Frame) -> bytes:
     """The page that a link opens; a link that opens nothing is told why, and offered every scene."""
-    called = [(s.name, f"“{FAILING[s.name].claim}”" if s.name in FAILING else s.title) for s in ALL]
+    called = [(s.name, f"“{FAILING[s.name].claim}”" if s.name in FAILING else s.title) for s in ALL_SCENES]
     offered = "".join(f'<li><a href="{PAGE}#{name}">{escape(says)}</a></li>' for name, says in called)
     body = f"""
 <h1>Explorer</h1>

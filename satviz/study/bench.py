@@ -125,7 +125,8 @@ def _time_jobs(
     items_of = dict.fromkeys(jobs, items) if isinstance(items, int) else items
     nanoseconds = {"ns": 1.0, "us": 1e3, "ms": 1e6}[unit]
     for method, times in in_turn(jobs, rounds, items_of).items():
-        yield TimingRow(section, work, size, method, unit, *(t / nanoseconds for t in times))
+        median, least, low, high = (t / nanoseconds for t in times)
+        yield TimingRow(section, work, size, method, unit, median, least, low, high)
 
 
 def _with_wrong_count(row: TimingRow, answers: Any, right: NDArray[np.int8], by: str) -> TimingRow:

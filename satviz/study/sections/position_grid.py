@@ -16,8 +16,7 @@ from ...engine.geometry import Relation, Vec
 from ...engine.shapes import Circle, Polygon, Shape
 from ...engine.trace import Trace, record
 from ...scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED, FailureCase
-from ...scenes.failing.claimed_value import moved
-from ...scenes.shortcuts import middle
+from ...scenes.shape_tools import translated, vertex_mean
 from .. import truth
 
 APART, HIT, FALSE_HIT_CODE, MISSED_HIT_CODE, SHORT_PUSH, LONG_PUSH, WRONG_DISTANCE = ".oHMSLD"
@@ -28,8 +27,8 @@ ERROR_NAMES = {
     LONG_PUSH: ("push too long", "pushes too long"),
     WRONG_DISTANCE: ("wrong distance", "wrong distances"),
 }
-PUSHES = "repeated-vertex", "raw-depth", "sum-of-parts", "push-from-center", "range-inside", "tile-seam"
-DISTANCES = ("gap-as-distance",)
+PUSHES = tuple(case.name for case in FAILURE_CASES if case.is_about_push)
+DISTANCES = tuple(case.name for case in FAILURE_CASES if case.quantity == "distance")
 # no methods of their own for two shapes in the plane: row 3's again, boxes in space, frames in time
 NOT_MAPPED = "line-for-axis", "faces-in-3d", "tunnelling"
 VERDICTS = (
@@ -86,14 +85,14 @@ def evaluate_grid(name: str, n: int) -> dict[str, Any]:
     """The Slide of a method over n x n positions, as JSON values."""
     row = NAMED[name]
     judge, (a, b) = _evaluator(row), shapes_of(row)
-    at = middle(b)
+    at = vertex_mean(b)
     if name in ALONG_CONTACT:
         moves = list(contact_moves(*_as_polygons(a, b), n))
-        codes = ["".join(judge(a, moved(b, move)) for move in moves)]
+        codes = ["".join(judge(a, translated(b, move)) for move in moves)]
         return PositionGrid(name, *at, 0.0, 0.0, codes, [[at.x + m.x, at.y + m.y] for m in moves])._asdict()
     lines = _grid_lines(row, n)
     (i0, dx), (j0, dy) = lines
-    codes = ["".join(judge(a, moved(b, Vec((i0 + i) * dx, (j0 + j) * dy))) for i in range(n)) for j in range(n)]
+    codes = ["".join(judge(a, translated(b, Vec((i0 + i) * dx, (j0 + j) * dy))) for i in range(n)) for j in range(n)]
     return PositionGrid(name, at.x + i0 * dx, at.y + j0 * dy, dx, dy, codes, [])._asdict()
 
 
@@ -117,7 +116,7 @@ def _push_code(run: Trace, row: FailureCase) -> str:
     if exact_relation(run.a, run.b) is not Relation.OVERLAPPING:
         return APART
     x, y = run.push or Vec(0.0, 0.0)
-    if exact_relation(run.a, moved(run.b, Vec(x * ROUNDING_FACTOR, y * ROUNDING_FACTOR))) is Relation.OVERLAPPING:
+    if exact_relation(run.a, translated(run.b, Vec(x * ROUNDING_FACTOR, y * ROUNDING_FACTOR))) is Relation.OVERLAPPING:
         return SHORT_PUSH
     return LONG_PUSH if x * x + y * y > squared_depth(*_as_polygons(run.a, run.b)) * ROUNDING_FACTOR else HIT
 
@@ -126,7 +125,7 @@ def _distance_code(run: Trace, row: FailureCase) -> str:
     right = truth.distance2(*_as_polygons(run.a, run.b))
     if not right:
         return HIT
-    gap = row.read(run)
+    gap = row.claimed_value(run)
     return APART if gap > 0 and right / ROUNDING_FACTOR < gap * gap < right * ROUNDING_FACTOR else WRONG_DISTANCE
 
 
