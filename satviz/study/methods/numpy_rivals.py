@@ -1,4 +1,7 @@
-"""Many pairs at once, as it is usually written with NumPy: one loop over a choice of axes, in blocks."""
+"""Textbook SAT on many pairs with NumPy, as it is usually written: one loop over a choice of axes, in blocks.
+
+It stays beside the models of `satviz/advice` as a rival: its own time is what the study measures.
+"""
 
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
@@ -11,11 +14,14 @@ from .python_rivals import even_directions
 
 Array = NDArray[np.floating]
 Hits = NDArray[np.bool_]
-BLOCK_PAIRS = 1 << 14  # pairs: what fits in the cache
+BLOCK_PAIRS = 1 << 14  # so many pairs fit in the cache
 
 
 class Columns(NamedTuple):
-    """Shapes as arrays: x, y (V, N) corners, the last repeated where one has fewer; r (N,) of circles, else None."""
+    """N shapes as columns: x and y (V, N) coordinates of corners, and r (N,) radii of circles, or None for polygons.
+
+    A polygon with fewer than V corners repeats its last one.
+    """
 
     x: Array
     y: Array
@@ -23,7 +29,7 @@ class Columns(NamedTuple):
 
 
 class PairAxes(NamedTuple):
-    """One axis a pair: the direction (nx, ny) and its length, arrays or numbers."""
+    """One axis for each pair: its direction (nx, ny) and the length of that; a number is the same for all pairs."""
 
     nx: Array | float
     ny: Array | float
@@ -34,15 +40,15 @@ AxisChoice = Callable[[Columns, Columns], Iterator[PairAxes]]
 
 
 def to_columns(side: Side, dtype: type = np.float64) -> Columns:
-    """The shapes of a workload's side."""
+    """Return the shapes of a workload's side as columns."""
     at, r = side if isinstance(side, tuple) else (side, None)
     at = at[:, None] if at.ndim == 2 else at
     x, y = (np.ascontiguousarray(at[:, :, i].T, dtype=dtype) for i in (0, 1))  # type: ignore[var-annotated]
     return Columns(x, y, None if r is None else r.astype(dtype))
 
 
-def sat_hits(a: Columns, b: Columns, axes: AxisChoice, tolerance: float = 0.0) -> Hits:
-    """A hit unless some axis of the choice leaves a gap of more than `tolerance`."""
+def sat_hits(a: Columns, b: Columns, axes: AxisChoice) -> Hits:
+    """Return for each pair whether no axis of the choice leaves a gap."""
     found = np.ones(a.x.shape[1], bool)
     with np.errstate(all="ignore"):
         for start in range(0, len(found), BLOCK_PAIRS):
@@ -51,12 +57,12 @@ def sat_hits(a: Columns, b: Columns, axes: AxisChoice, tolerance: float = 0.0) -
                 lo_a, hi_a = project(p, axis)
                 lo_b, hi_b = project(q, axis)
                 # a repeated corner's edge has no direction: its gap is 0 or NaN, which separates nothing
-                found[start : start + BLOCK_PAIRS] &= ~(np.maximum(lo_a - hi_b, lo_b - hi_a) > tolerance)
+                found[start : start + BLOCK_PAIRS] &= ~(np.maximum(lo_a - hi_b, lo_b - hi_a) > 0)
     return found
 
 
 def project(c: Columns, axis: PairAxes) -> tuple[Array, Array]:
-    """The ranges of all shapes on their axes."""
+    """Return (low, high): the range of each shape on the axis of its pair."""
     nx, ny, length = axis
     lo = hi = c.x[0] * nx + c.y[0] * ny
     for x, y in zip(c.x[1:], c.y[1:]):
@@ -66,7 +72,7 @@ def project(c: Columns, axis: PairAxes) -> tuple[Array, Array]:
 
 
 def edge_normals(a: Columns, b: Columns) -> Iterator[PairAxes]:
-    """Every edge normal, A's first, not normalised."""
+    """Yield every edge normal, those of A first, not normalised."""
     circles = a.r is not None or b.r is not None
     for c in (a, b):
         for i in range(len(c.x) if len(c.x) > 1 else 0):
@@ -75,7 +81,7 @@ def edge_normals(a: Columns, b: Columns) -> Iterator[PairAxes]:
 
 
 def sat_axes(a: Columns, b: Columns) -> Iterator[PairAxes]:
-    """The edge normals, and for a circle and a polygon the axis from the center to the nearest vertex."""
+    """Yield the axes of SAT: edge normals, and for circles the axis from the center to the nearest vertex or center."""
     yield from edge_normals(a, b)
     if a.r is not None or b.r is not None:
         circle, ring = (a, b) if a.r is not None else (b, a)
@@ -85,9 +91,10 @@ def sat_axes(a: Columns, b: Columns) -> Iterator[PairAxes]:
 
 
 def with_unit_length(choice: AxisChoice) -> AxisChoice:
-    """The same axes, each brought to length 1."""
+    """Return the choice of the same axes, each divided by its length."""
 
     def normalised(a: Columns, b: Columns) -> Iterator[PairAxes]:
+        """Yield the axes of `choice` with length 1."""
         for nx, ny, _ in choice(a, b):
             length = np.sqrt(nx * nx + ny * ny)
             yield PairAxes(nx / length, ny / length, 1.0)
@@ -96,10 +103,11 @@ def with_unit_length(choice: AxisChoice) -> AxisChoice:
 
 
 def fixed_directions(k: int) -> AxisChoice:
-    """k directions evenly over a half turn."""
+    """Return the choice of k directions, spread evenly over a half turn, for every pair."""
     return lambda a, b: (PairAxes(x, y, 1.0) for x, y in even_directions(k))
 
 
 def _block(c: Columns, start: int) -> Columns:
+    """Return the columns of one block of shapes."""
     stop = start + BLOCK_PAIRS
     return Columns(c.x[:, start:stop], c.y[:, start:stop], None if c.r is None else c.r[start:stop])

@@ -1,7 +1,8 @@
-"""Pairs as hard as asked: an octave of gamma each, and seven reasons to be hard.
+"""Pairs that are hard to decide: for each of seven reasons, pairs of every octave of the relative margin.
 
-gamma (satviz/advice/gamma.py) measures how finely a pair must be resolved; what a maker aims at is rounded
-with its coordinates, so gamma is always taken of the pairs themselves, exactly.
+The relative margin (`satviz/advice/relative_margin.py`) says how hard a pair is for floats: it is the distance from a
+wrong answer, counted in rounding errors.  A generator aims at a margin; rounding the coordinates changes that, so the
+margin of each pair is computed again from the pair itself.
 """
 
 from collections.abc import Callable
@@ -15,19 +16,19 @@ from ...advice.margins import gammas
 from ...engine.geometry import InvalidShape
 from ...engine.shapes import Polygon
 from .. import truth
-from .generators import Array, Rings, ngons, outward_normals, turned_boxes, unit_vectors
+from .generators import Array, Rings, ngons, outward_normals, quarter_turn, turn_rings, turned_boxes, unit_vectors
 
 Rng = np.random.Generator
 Pairs = tuple[Rings, Rings]
-MARGIN_OCTAVES = range(-2, 36)  # of gamma: from within a rounding to a millionth of the size
+MARGIN_OCTAVES = range(-2, 36)  # k for 2**k <= relative margin < 2**(k + 1); 2**35 is some 4e-6 of the size
 ROUNDING_UNIT = 2.0**-53
-MAX_OCTAVES = 18  # powers of two: float32's 24 bits can still hold shapes so thin, so small, or so far out
+MAX_OCTAVES = 18  # thinness, smallness and distance go up to 2**18: such shapes fit the 24 bits of float32
 
 
 class HardKind(NamedTuple):
-    """A reason to be hard: `shapes(rng, n)` makes both sides; A's first edge is where they will nearly meet.
+    """One reason to be hard: `shapes(rng, n)` makes both sides, which are then moved until B is near A's first edge.
 
-    `power`: by how many powers of two, at random, the whole scene is larger or smaller then.
+    `power`: the range of the random power of two by which the whole scene is made larger or smaller at the end.
     """
 
     name: str
@@ -35,9 +36,10 @@ class HardKind(NamedTuple):
     power: tuple[int, int] = (0, 0)
 
 
-def hard_pairs(kind: HardKind, rng: Rng, each: int) -> tuple[Rings, Rings, Array]:
-    """About `each` pairs an octave, half of them overlapping, and the gamma of each pair."""
-    target = np.ldexp(rng.uniform(1, 2, len(MARGIN_OCTAVES) * each), np.repeat(np.array(MARGIN_OCTAVES), each))
+def hard_pairs(kind: HardKind, rng: Rng, per_octave: int) -> tuple[Rings, Rings, Array]:
+    """Return about `per_octave` pairs an octave, half of them overlapping, and the relative margin of each pair."""
+    octaves = np.repeat(np.array(MARGIN_OCTAVES), per_octave)
+    target = np.ldexp(rng.uniform(1, 2, len(octaves)), octaves)
     a, b = kind.shapes(rng, len(target))
     a, b = moved_to_margin(rng, a, b, target * rng.choice([-1.0, 1.0], len(target)))
     if kind.power != (0, 0):
@@ -46,9 +48,10 @@ def hard_pairs(kind: HardKind, rng: Rng, each: int) -> tuple[Rings, Rings, Array
     return a, b, gammas(batch.Polygons(a), batch.Polygons(b))
 
 
-def moved_to_margin(rng: Rng, a: Rings, b: Rings, gamma: Array) -> Pairs:
-    """B moved until its nearest corner lies off A's first edge by about that gamma; only pairs that rounding leaves
-    convex.
+def moved_to_margin(rng: Rng, a: Rings, b: Rings, margin: Array) -> Pairs:
+    """Return the pairs with B moved until its nearest corner is off A's first edge by about that relative margin.
+
+    Pairs that rounding makes invalid or concave are left out.
     """
     p, q = a[:, 0], a[:, 1]
     edge, out = q - p, outward_normals(p, q)
@@ -56,32 +59,39 @@ def moved_to_margin(rng: Rng, a: Rings, b: Rings, gamma: Array) -> Pairs:
     rows = np.arange(len(a))
     tip = b[rows, np.einsum("nvd,nd->nv", b, out).argmin(axis=1)]
     span = np.abs(edge).max(axis=1) / np.sqrt((edge * edge).sum(axis=1))
-    gap = gamma * ROUNDING_UNIT * span * np.abs(a).max(axis=(1, 2))
+    gap = margin * ROUNDING_UNIT * span * np.abs(a).max(axis=(1, 2))
     b = b + (spot - tip + gap[:, None] * out)[:, None]
     good = np.array([_is_valid_ring(ring) and _is_valid_ring(other) for ring, other in zip(a, b, strict=True)])
     return a[good], b[good]
 
 
 def touching_triangles(rng: Rng, n: int) -> Pairs:
-    """Triangles with a corner of B exactly on A's first edge; coordinates of 40 bits leave room for the point on it."""
+    """Return pairs of triangles with a corner of B exactly on A's first edge.
+
+    A has coordinates of 40 bits, so that the point on its edge, 10 bits finer, is a float64.
+    """
     a = np.round(ngons(rng, n, 3, 2.0) * 2.0**38) * 2.0**-38
     out = outward_normals(a[:, 0], a[:, 1])
-    side = np.stack([-out[:, 1], out[:, 0]], axis=1)
+    side = quarter_turn(out)
     spot = a[:, 0] + rng.integers(200, 824, (n, 1)) * 2.0**-10 * (a[:, 1] - a[:, 0])  # exact
     far, wide = rng.uniform(0.5, 1.5, (2, n, 1))
     return a, np.stack([spot, spot + far * out - wide * side, spot + far * out + wide * side], axis=1)
 
 
-def pairs_on_a_grid(rng: Rng, n: int, gamma: float) -> Pairs:
-    """4-gons about that hard, with coordinates below 8 that are multiples of 2**-46: exact moves by up to 64."""
+def pairs_on_a_grid(rng: Rng, n: int, margin: float) -> Pairs:
+    """Return pairs of 4-gons with at most about that relative margin, and coordinates that are multiples of 2**-46.
+
+    The coordinates are below 8, so moving the shapes by whole numbers up to 64 is exact in float64 (53 bits).
+    """
     p, q = (ngons(rng, n, 4, 2.0) for _ in "AB")
-    a, b = moved_to_margin(rng, np.round(p * 2.0**46) * 2.0**-46, q, np.full(n, gamma) * rng.uniform(-1, 1, n))
+    a, b = moved_to_margin(rng, np.round(p * 2.0**46) * 2.0**-46, q, np.full(n, margin) * rng.uniform(-1, 1, n))
     b = np.round(b * 2.0**46) * 2.0**-46
     good = np.array([_is_valid_ring(ring) for ring in b])
     return a[good], b[good]
 
 
 def _is_valid_ring(ring: Rings) -> bool:
+    """Return whether a ring is a convex, counter-clockwise polygon without repeated or collinear corners."""
     try:
         shape = Polygon(ring)
     except InvalidShape:
@@ -89,38 +99,41 @@ def _is_valid_ring(ring: Rings) -> bool:
     return shape.is_convex and len(shape.corners) == len(ring) and truth.area2(ring.tolist()) > 0
 
 
-def _log_uniform(rng: Rng, n: int, most: int) -> Array:
-    """(n, 1, 1) numbers from 8 to 2**most, octave by octave; no powers nor sines, which machines round apart."""
-    return np.ldexp(rng.uniform(1, 2, (n, 1, 1)), rng.integers(3, most, (n, 1, 1)))
+def _log_uniform(rng: Rng, n: int, octaves: int) -> Array:
+    """Return (n, 1, 1) numbers from 8 to 2**octaves, equally many in each octave, by sums and powers of 2."""
+    return np.ldexp(rng.uniform(1, 2, (n, 1, 1)), rng.integers(3, octaves, (n, 1, 1)))
 
 
 def _ordinary(rng: Rng, n: int) -> Pairs:
+    """Return pairs of 4-gons of like sizes near the origin."""
     return ngons(rng, n, 4, 2.0), ngons(rng, n, 4, 2.0)
 
 
 def _boxes(rng: Rng, n: int) -> Pairs:
+    """Return pairs of turned boxes."""
     return turned_boxes(rng, n, 2.0), turned_boxes(rng, n, 2.0)
 
 
 def _far_out(rng: Rng, n: int) -> Pairs:
+    """Return ordinary pairs moved up to 2**18 away from the origin."""
     away = _log_uniform(rng, n, MAX_OCTAVES) * unit_vectors(rng, n, 1)
     return ngons(rng, n, 4, 2.0) + away, ngons(rng, n, 4, 2.0) + away
 
 
 def _needles(rng: Rng, n: int) -> Pairs:
+    """Return pairs of thin triangles."""
     return _needle(rng, n), _needle(rng, n)
 
 
 def _needle(rng: Rng, n: int) -> Rings:
+    """Return triangles of length 2 whose widths go down to 2**-17, turned and moved at random."""
     width, zero, one = 1 / _log_uniform(rng, n, MAX_OCTAVES)[:, 0, 0], np.zeros(n), np.ones(n)
     thin = np.stack([np.stack([-one, one, one], axis=1), np.stack([zero, -width, width], axis=1)], axis=2)
-    c, s = np.moveaxis(unit_vectors(rng, n, 1), 2, 0)
-    turned = np.stack([thin[..., 0] * c - thin[..., 1] * s, thin[..., 0] * s + thin[..., 1] * c], axis=2)
-    return turned + rng.uniform(-2, 2, (n, 1, 2))
+    return turn_rings(thin, unit_vectors(rng, n)) + rng.uniform(-2, 2, (n, 1, 2))
 
 
 def _parallel(rng: Rng, n: int) -> Pairs:
-    """B's lowest edge faces A's first at an angle of 2**-2 to 2**-40."""
+    """Return pairs with an edge of B that faces A's first edge at an angle of 2**-3 to 2**-40."""
     a = turned_boxes(rng, n, 2.0)
     p, q = a[:, 0], a[:, 1]
     edge, out = (q - p)[:, None], outward_normals(p, q)[:, None]
@@ -129,11 +142,13 @@ def _parallel(rng: Rng, n: int) -> Pairs:
     return a, np.concatenate([0 * edge, out, along + out, along], axis=1) + p[:, None]
 
 
-def _many(rng: Rng, n: int) -> Pairs:
+def _many_corners(rng: Rng, n: int) -> Pairs:
+    """Return pairs of 24-gons."""
     return ngons(rng, n, 24, 2.0), ngons(rng, n, 24, 0.0)
 
 
-def _sizes(rng: Rng, n: int) -> Pairs:
+def _unequal_sizes(rng: Rng, n: int) -> Pairs:
+    """Return pairs in which B is up to 2**18 times smaller than A."""
     return ngons(rng, n, 4, 2.0), ngons(rng, n, 4, 0.0) / _log_uniform(rng, n, MAX_OCTAVES)
 
 
@@ -143,14 +158,13 @@ HARD_KINDS = (
     HardKind("far from the origin", _far_out),
     HardKind("needles", _needles),
     HardKind("nearly parallel edges", _parallel),
-    HardKind("24 corners", _many),
-    HardKind("sizes that differ", _sizes),
+    HardKind("24 corners", _many_corners),
+    HardKind("sizes that differ", _unequal_sizes),
 )
-EXTREME_KIND = HardKind(
-    "extreme sizes", _ordinary, (400, 1000)
-)  # gamma does not measure it: products leave floats' range
+# products of such coordinates leave the range of floats, so the relative margin does not measure these pairs
+EXTREME_KIND = HardKind("extreme sizes", _ordinary, (400, 1000))
 
 
-def octave_of(gamma: Array) -> NDArray[np.int_]:
-    """k for 2**k <= gamma < 2**(k + 1)."""
-    return np.floor(np.log2(gamma, where=gamma > 0, out=np.full(len(gamma), -1e4))).astype(int)
+def octave_of(margin: Array) -> NDArray[np.int_]:
+    """Return k for 2**k <= margin < 2**(k + 1); -10,000 for a margin of 0."""
+    return np.floor(np.log2(margin, where=margin > 0, out=np.full(len(margin), -1e4))).astype(int)
