@@ -268,7 +268,7 @@ def test_changes_change_no_pair_and_no_exact_method(found):
     for change in invariance.CHANGES.values():
         assert np.array_equal(true_relations(*change(a, b)), true_relations(a, b))
     moved = {(row["method"], row["change"]): row["changed"] for row in found["changes"]}
-    assert all(not count for (method, _), count in moved.items() if method in ("satviz", "turns, adaptive"))
+    assert all(not count for (method, _), count in moved.items() if method in ("satviz", "orientation, adaptive"))
     assert moved["SAT, raw normals", "moved"] > 0
 
 
@@ -368,7 +368,7 @@ def test_exact_by_construction_is_said_of_nothing_that_was_ever_wrong(charts):
             row["wrong"] == row["touching_wrong"] == row["ordinary_wrong"] == row["extreme_wrong"] == 0 < row["extreme"]
         )
     lane = {row["method"]: row["lane"] for row in rows}
-    assert lane["turns, adaptive"] == lane["turns, expansions"] == error_counts.NONE_WRONG
+    assert lane["orientation, adaptive"] == lane["orientation, expansions"] == error_counts.NONE_WRONG
     assert lane["AABB"] == lane["bounding circles"] == error_counts.WRONG_AT_ANY_DISTANCE
     assert lane["SAT, raw normals"] == "" and lane.get("shapely", error_counts.NONE_WRONG) == error_counts.NONE_WRONG
 

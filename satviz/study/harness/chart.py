@@ -3,7 +3,7 @@
 import csv
 import io
 import json
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple, cast
 
@@ -16,6 +16,7 @@ from matplotlib.patches import Rectangle
 from ...pictures import LIGHT, THEMES, Theme
 from ...render.files import DPI, bare, encode_figure
 from ...safe_write import MADE_BY, write
+from .cells import JsonRow
 
 TEXT_POINTS, TITLE_POINTS = 10.0, 13.0  # at final size
 # the colour role of each family of methods; every mark has its name beside it as well
@@ -42,7 +43,7 @@ class Chart(NamedTuple):
     title: str
     size: tuple[float, float]
     draw: Callable[[Figure, Theme], None]
-    rows: Sequence[dict[str, Any]]
+    rows: Sequence[JsonRow]
     reading: str
     warning: str = ""
 
@@ -84,7 +85,7 @@ def theme_suffix(theme: Theme) -> str:
 def save_chart(
     chart: Chart, folder: Path, facts: dict[str, Any], forms: Sequence[str], *, force: bool = False
 ) -> Iterator[Path]:
-    """Write the chart in those forms, light and dark, and its numbers as JSON (with `facts`) and CSV; yield the paths."""
+    """Write the chart in those forms, light and dark, and its numbers as JSON (with `facts`) and CSV; yield paths."""
     for theme in THEMES.values():
         for form in forms:
             path = folder / f"{chart.stem}{theme_suffix(theme)}.{form}"
@@ -181,6 +182,29 @@ def family_colour(theme: Theme, family: str, *, text: bool = False) -> str:
     return theme.text.get(role, theme.roles[role]) if text else theme.roles[role]
 
 
+def draw_time_curves(
+    ax: Axes, theme: Theme, xs: Sequence[float], rows: Sequence[JsonRow], styles: Mapping[str, tuple[str, str]]
+) -> None:
+    """Draw a curve of times for each method over xs, with bars for quartiles, and write its name at its end.
+
+    `styles`: (family, line style) by method; methods without rows are left out.
+    """
+    ends = []
+    for name, (family, style) in styles.items():
+        own = [row for row in rows if row["method"] == name]
+        if not own:
+            continue
+        shade = family_colour(theme, family)
+        ax.plot(xs, [row["ns"] for row in own], color=shade, ls=style, lw=1.8, marker="o", ms=4)
+        for x, row in zip(xs, own, strict=True):
+            ax.plot([x, x], [row["ns_low"], row["ns_high"]], color=shade, lw=1)
+        label = f"{name}: {format_time(own[-1]['ns'])}"
+        ends.append((xs[-1], own[-1]["ns"], label, family_colour(theme, family, text=True)))
+    ax.set_yscale("log")
+    set_time_ticks(ax.yaxis, ax.get_ylim())
+    label_ends(ax, ends, gap=15)
+
+
 def label_ends(
     ax: Axes, ends: Sequence[tuple[float, float, str, str]], *, gap: float = 13.0, space: float = 12.0
 ) -> None:
@@ -225,7 +249,7 @@ def label_ends(
 def label_points(
     ax: Axes, points: Sequence[tuple[float, float, str, str]], theme: Theme, taken: Sequence[tuple[float, float]] = ()
 ) -> None:
-    """Write each (x, y, text, colour) beside its point, where it covers no other label, no point and no side of the axes.
+    """Write each (x, y, text, colour) beside its point, where it covers no other label and no point.
 
     `taken`: more (x, y) points that no label may cover.
     """

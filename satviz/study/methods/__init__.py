@@ -143,9 +143,9 @@ def _numba_methods() -> Iterator[Method]:
     ranges = numba_rivals.ranges_on_directions
     yield Method("satviz", COMPILED, "exact", batch_shapes, relation, circles=True)
     yield Method("satviz, no filter", COMPILED, "float SAT", numpy_rivals.to_columns, hits_without_filter)
-    yield on_columns("turns, adaptive", "exact in range", orientation_sat, numba_rivals.ERRBOUND_A)
-    yield on_columns("turns, expansions", "exact in range", orientation_sat, numba_rivals.ALWAYS_EXACT)
-    yield on_columns("turns, floats", "float SAT", orientation_sat, numba_rivals.NO_ERROR_BOUND)
+    yield on_columns("orientation, adaptive", "exact in range", orientation_sat, numba_rivals.ERRBOUND_A)
+    yield on_columns("orientation, expansions", "exact in range", orientation_sat, numba_rivals.ALWAYS_EXACT)
+    yield on_columns("orientation, floats", "float SAT", orientation_sat, numba_rivals.NO_ERROR_BOUND)
     yield on_columns("SAT, raw normals", "float SAT", textbook_sat, False, 0.0)
     yield on_columns("SAT, unit normals", "float SAT", textbook_sat, True, 0.0)
     yield on_columns("SAT, float32", "float SAT", textbook_sat, False, 0.0, dtype=np.float32)

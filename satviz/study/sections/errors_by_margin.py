@@ -1,4 +1,4 @@
-"""Behind the resolution: the share of wrong answers by octave of gamma, and each kind of hardness apart."""
+"""The share of wrong answers by relative margin, and the kinds of hardness apart: details of `error_counts`."""
 
 from math import log2
 from typing import Any
@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ...pictures import Theme
+from ..harness.cells import JsonRow
 from ..harness.chart import (
     TEXT_POINTS,
     Chart,
@@ -19,9 +20,9 @@ from ..harness.chart import (
 )
 from ..methods import COMPILED
 from ..workloads.hard_pairs import EXTREME_KIND, HARD_KINDS, MARGIN_OCTAVES
-from .error_counts import ALL_KINDS, Row, cell_name, method_key
+from .error_counts import ALL_KINDS, cell_name, method_key
 
-# the curves: how each is called, and where its name stands (octave, share)
+# by method: the name of its curve, and where the name is written (octave, share)
 CURVE_LABELS = {
     "AABB": ("AABB", 31, 0.66),
     "SAT, float32": ("SAT, float32", 29.2, 0.25),
@@ -29,154 +30,144 @@ CURVE_LABELS = {
     "SAT, 1e-9 counts as a miss": ("overlaps of 1e-9 count as misses", 8.2, 0.3),
     "SAT, unit normals": ("SAT, unit normals", 1.4, 0.24),
     "SAT, raw normals": ("SAT, raw normals", 1.4, 0.15),
-    "turns, floats": ("turns, floats", 1.4, 0.08),
+    "orientation, floats": ("orientation, floats", 1.4, 0.08),
     "satviz": ("satviz: none wrong", 8.2, 0.03),
 }
 DASHED_CURVES = "SAT, 1e-9 counts as a miss", "SAT, raw normals"
 TABLE_METHODS = (
-    "satviz", "turns, adaptive", "turns, floats", "GJK", "shapely", "satviz, no filter", "SAT, raw normals",
+    "satviz", "orientation, adaptive", "orientation, floats", "GJK", "shapely", "satviz, no filter", "SAT, raw normals",
     "SAT, unit normals", "SAT, 1e-9 counts as a hit", "SAT, float32",
 )  # fmt: skip
 
 
 def error_rate_chart(found: dict[str, Any]) -> Chart:
-    """The share of wrong answers by octave of gamma, exact touching in a lane of its own."""
-    touches = {method_key(row): row for row in found["count-touching"]}
-    made: list[Row] = []
-    for name in CURVE_LABELS:
-        key = (COMPILED, name)
-        mine = [row for kind in HARD_KINDS for row in found[cell_name(kind)] if method_key(row) == key]
-        if not mine:
-            continue
-        pairs, bad = (np.sum([row[k] for row in mine], axis=0).tolist() for k in ("pairs_by_octave", "wrong_by_octave"))
-        facts = {"method": name, "family": mine[0]["family"]}
-        made.append({**facts, "octave": "touching", "pairs": touches[key]["pairs"], "wrong": touches[key]["wrong"]})
-        made += [
-            {**facts, "octave": k, "pairs": p, "wrong": w} for k, p, w in zip(MARGIN_OCTAVES, pairs, bad, strict=True)
-        ]
-    for row in made:
-        row["share"] = row["wrong"] / max(row["pairs"], 1)
-        row["low"], row["high"] = wilson_interval(row["wrong"], row["pairs"])
-    least = min(row["pairs"] for row in made[:-1])
-    top = {row["method"] for row in made if row["octave"] == MARGIN_OCTAVES[-1] and row["wrong"]}
-    title = "In this sample wrong answers end at some gamma"
-    title += f", except for {', '.join(name for name in CURVE_LABELS if name in top)}" if top else ""
+    """Return the chart of the share of wrong answers by relative margin, with exactly touching pairs beside it."""
+    rows = _error_rates(found)
+    fewest = min(row["pairs"] for row in rows[:-1])
+    at_the_end = {row["method"] for row in rows if row["octave"] == MARGIN_OCTAVES[-1] and row["wrong"]}
+    title = "In this sample wrong answers end at some relative margin"
+    title += f", except for {', '.join(name for name in CURVE_LABELS if name in at_the_end)}" if at_the_end else ""
+    rows_of = {name: own for name in CURVE_LABELS if (own := [row for row in rows if row["method"] == name])}
 
     def draw(fig: Figure, theme: Theme) -> None:
-        under = f"share of wrong answers by hardness, {least:,} pairs or more an octave; bands: 95 % intervals"
-        draw_headline(fig, theme, title, under)
-        touch = add_axes(fig, (0.07, 0.15, 0.06, 0.68), theme)
+        line = (
+            f"Share of wrong answers by hardness. At least {fewest:,} pairs for each factor of 2. Bands: 95 % intervals"
+        )
+        draw_headline(fig, theme, title, line)
+        touch_ax = add_axes(fig, (0.07, 0.15, 0.06, 0.68), theme)
         ax = add_axes(fig, (0.4, 0.15, 0.585, 0.68), theme)
         ends = []
-        for name, (words, x, y) in CURVE_LABELS.items():
-            mine = [row for row in made if row["method"] == name]
-            if not mine:
-                continue
-            shade, ink = family_colour(theme, mine[0]["family"]), family_colour(theme, mine[0]["family"], text=True)
-            style = "--" if name in DASHED_CURVES else "-"
-            last = max((k for k, row in enumerate(mine) if k and row["wrong"]), default=0)
-            curve = mine[1:] if name == "satviz" else mine[1 : last + 2]
+        for name, own in rows_of.items():
+            label, x, y = CURVE_LABELS[name]
+            touching, curve = own[0], own[1:]
+            shade = family_colour(theme, touching["family"])
+            ink = family_colour(theme, touching["family"], text=True)
+            if name != "satviz":
+                last = max((k for k, row in enumerate(curve) if row["wrong"]), default=-1)
+                curve = curve[: last + 2]
             xs = [row["octave"] + 0.5 for row in curve]
             if name != "satviz":
                 lows, highs = ([row[key] for row in curve] for key in ("low", "high"))
                 ax.fill_between(xs, lows, highs, color=shade, alpha=0.15, lw=0)
+            style = "--" if name in DASHED_CURVES else "-"
             ax.plot(xs, [row["share"] for row in curve], color=shade, ls=style, lw=1.8)
-            ax.text(x, y, words, color=ink, fontsize=TEXT_POINTS, parse_math=False)
-            touch.plot([0, 0], [mine[0]["low"], mine[0]["high"]], color=shade, lw=1)
-            touch.plot([0], [mine[0]["share"]], "o", color=shade, ms=6, clip_on=False)
-            ends.append((0, mine[0]["share"], words.split(":")[0], ink))
-        for each in (touch, ax):
-            each.set(ylim=(-0.03, 1.03))
-            each.set_yticks([0, 0.25, 0.5, 0.75, 1], ["0", "25 %", "50 %", "75 %", "100 %"])
+            ax.text(x, y, label, color=ink, fontsize=TEXT_POINTS, parse_math=False)
+            touch_ax.plot([0, 0], [touching["low"], touching["high"]], color=shade, lw=1)
+            touch_ax.plot([0], [touching["share"]], "o", color=shade, ms=6, clip_on=False)
+            ends.append((0, touching["share"], label.split(":")[0], ink))
+        for one in (touch_ax, ax):
+            one.set(ylim=(-0.03, 1.03))
+            one.set_yticks([0, 0.25, 0.5, 0.75, 1], ["0", "25 %", "50 %", "75 %", "100 %"])
         ax.set_yticklabels([])
-        touch.set(xlim=(-1, 1), xticks=[])
-        touch.set_xlabel("touching exactly", labelpad=12)
+        touch_ax.set(xlim=(-1, 1), xticks=[])
+        touch_ax.set_xlabel("touching exactly", labelpad=12)
         none = [text for _, share, text, _ in ends if not share]
         zeros = [f"0 {', '.join(none[i : i + 2])}" for i in range(0, len(none), 2)]
         ends = [(x, y, f"{y:.0%} {text}", ink) for x, y, text, ink in ends if y]
-        label_ends(touch, [*ends, *((0, 0.0, words, theme.roles["guide"]) for words in zeros)], gap=15)
-        ax.set(xlim=(-2.5, max(MARGIN_OCTAVES) + 1), xlabel="gamma: the turn that decides, in roundings")
+        label_ends(touch_ax, [*ends, *((0, 0.0, words, theme.roles["guide"]) for words in zeros)], gap=15)
+        ax.set(
+            xlim=(-2.5, max(MARGIN_OCTAVES) + 1),
+            xlabel="relative margin (distance from a wrong answer, in rounding errors)",
+        )
         ax.set_xticks(range(0, 36, 5), [f"$2^{{{k}}}$" for k in range(0, 36, 5)])
 
-    text = ""
+    text = "This sample is no bound for other pairs. "
+    for name, (touching, *curve) in rows_of.items():
+        wrong = [row["octave"] for row in curve if row["wrong"]]
+        upto = f"wrong up to a relative margin of 2^{max(wrong) + 1}" if wrong else "none wrong"
+        text += f"{name}: {upto}, {curve[0]['share']:.0%} in the hardest octave, "
+        text += f"and wrong at {touching['wrong']:,} of {touching['pairs']:,} touches. "
+    return Chart("wrong-by-margin", title, (860.0, 400.0), draw, rows, text.strip())
+
+
+def _error_rates(found: dict[str, Any]) -> list[JsonRow]:
+    """Return for each charted method a row for exactly touching pairs, then one for each octave of the margin."""
+    touching = {method_key(row): row for row in found["count-touching"]}
+    rows: list[JsonRow] = []
     for name in CURVE_LABELS:
-        mine = [row for row in made if row["method"] == name]
-        if mine:
-            last = [row["octave"] for row in mine[1:] if row["wrong"]]
-            upto = f"wrong up to gamma 2^{max(last) + 1}" if last else "none wrong"
-            text += f"{name}: {upto}, {mine[1]['share']:.0%} in the hardest octave, "
-            text += f"and at {mine[0]['wrong']:,} of {mine[0]['pairs']:,} touches. "
-    text = f"In this sample, which is no bound for other pairs: {text}"
-    return Chart("wrong-by-gamma", title, (860.0, 400.0), draw, made, text.strip())
+        key = (COMPILED, name)
+        own = [row for kind in HARD_KINDS for row in found[cell_name(kind)] if method_key(row) == key]
+        if not own:
+            continue
+        pairs, wrong = (
+            np.sum([row[column] for row in own], axis=0).tolist() for column in ("pairs_by_octave", "wrong_by_octave")
+        )
+        octaves = [("touching", touching[key]["pairs"], touching[key]["wrong"])]
+        for octave, n, bad in [*octaves, *zip(MARGIN_OCTAVES, pairs, wrong, strict=True)]:
+            low, high = wilson_interval(bad, n)
+            row = {"method": name, "family": own[0]["family"], "octave": octave, "pairs": n, "wrong": bad}
+            rows.append({**row, "share": bad / max(n, 1), "low": low, "high": high})
+    return rows
 
 
 def hardness_chart(found: dict[str, Any]) -> Chart:
-    """A row a kind and a column a method: the largest gamma at which it was wrong."""
-    every = {
+    """Return a table: for each kind of hardness and method the largest relative margin at which it was wrong."""
+    counts = {
         (row["kind"], row["method"]): row
         for kind in ALL_KINDS
         for row in found[cell_name(kind)]
         if row["language"] == COMPILED
     }
-    names = [name for name in TABLE_METHODS if (EXTREME_KIND.name, name) in every]
-    made = [
-        {
-            "kind": kind.name,
-            "method": name,
-            **{k: every[kind.name, name][k] for k in ("family", "gamma", "wrong", "pairs")},
-        }
+    names = [name for name in TABLE_METHODS if (EXTREME_KIND.name, name) in counts]
+    columns = "family", "relative_margin", "wrong", "pairs"
+    rows: list[JsonRow] = [
+        {"kind": kind.name, "method": name, **{column: counts[kind.name, name][column] for column in columns}}
         for kind in ALL_KINDS
         for name in names
     ]
-    plain = [
-        row["gamma"]
-        for row in made
-        if row["family"] == "float SAT" and row["kind"] != EXTREME_KIND.name and "float32" not in row["method"]
-    ]
-    most = 2.0 ** int(np.ceil(log2(max(plain, default=1.0))))
-    title = f"In this sample float64 SAT was wrong only below gamma {most:g}; extreme sizes apart"
-    wide = 78.0
-    size = 170 + wide * len(names), 132 + 30.0 * len(ALL_KINDS)
+    usual = [row for row in rows if row["kind"] != EXTREME_KIND.name]
+    float64 = [row for row in usual if row["family"] == "float SAT" and "float32" not in row["method"]]
+    largest = max((row["relative_margin"] for row in float64), default=1.0)
+    below = 2.0 ** int(np.ceil(log2(largest)))
+    title = f"In this sample float64 SAT was wrong only below a relative margin of {below:g}, except at extreme sizes"
+    wide, tall = 78.0 * len(names), 30.0 * len(ALL_KINDS)
+    size = 170 + wide, 132 + tall
 
     def draw(fig: Figure, theme: Theme) -> None:
-        draw_headline(
-            fig,
-            theme,
-            title,
-            "the largest gamma of this sample at which a method was wrong, by kind of hardness; darker is worse",
-        )
-        ax = add_axes(
-            fig, (160 / size[0], 16 / size[1], wide * len(names) / size[0], 30.0 * len(ALL_KINDS) / size[1]), theme
-        )
+        line = "The largest relative margin at which a method was wrong in this sample, by kind of hardness. Darker is worse."
+        draw_headline(fig, theme, title, line)
+        ax = add_axes(fig, (160 / size[0], 16 / size[1], wide / size[0], tall / size[1]), theme)
 
-        def cell(y: int, x: int) -> tuple[str, str, float]:
-            row = every[ALL_KINDS[y].name, names[x]]
-            much = (log2(row["gamma"]) + 6) / 42 if row["gamma"] else 0.0
-            return (
-                _power_of_two_label(row["gamma"]) if row["gamma"] else "none",
-                family_colour(theme, row["family"]),
-                max(0.0, min(1.0, much)),
-            )
+        def entry(y: int, x: int) -> tuple[str, str, float]:
+            row = counts[ALL_KINDS[y].name, names[x]]
+            shade, margin = family_colour(theme, row["family"]), row["relative_margin"]
+            if not margin:
+                return "none", shade, 0.0
+            octave = log2(margin)  # from -6, pale, to 36, dark
+            return f"$2^{{{int(np.ceil(octave))}}}$", shade, max(0.0, min(1.0, (octave + 6) / 42))
 
         labels = [name.replace(", ", ",\n").replace("counts as a", "\ncounts as a") for name in names]
-        draw_table(ax, theme, labels, [kind.name for kind in ALL_KINDS], cell)
+        draw_table(ax, theme, labels, [kind.name for kind in ALL_KINDS], entry)
 
-    worst: list[str] = []
-    for name in names:
-        collapse = [row["gamma"] for row in made if row["method"] == name and row["kind"] != EXTREME_KIND.name]
-        worst.append(f"{name} {max(collapse):.2g}" if max(collapse) else f"{name} none")
-    extreme = [row["method"] for row in made if row["kind"] == EXTREME_KIND.name and not row["wrong"]]
+    worst = {name: max(row["relative_margin"] for row in usual if row["method"] == name) for name in names}
+    each = ", ".join(f"{name} {margin:.2g}" if margin else f"{name} none" for name, margin in worst.items())
+    extreme = [row["method"] for row in rows if row["kind"] == EXTREME_KIND.name and not row["wrong"]]
     text = (
-        f"The largest gamma found wrong in this sample of {len(HARD_KINDS)} kinds of hardness (no bound for other pairs): "
-        f"{', '.join(worst)}. Extreme sizes (2^400 and more, either way) do not follow gamma: products of "
-        "coordinates leave the range of floats there, so what is lost is everything and not some roundings; none wrong "
-        f"there: {', '.join(extreme) or 'no method'}. A fixed tolerance is no number of roundings either: far from the "
-        "origin the same 1e-9 is a smaller gamma. float32 leaves its range much sooner, and all shapes of this sample "
-        "are ones that it can hold: where its grid is coarser than a shape, no gamma can tell."
+        f"The largest relative margin found wrong in this sample of {len(HARD_KINDS)} kinds of hardness, which is no "
+        f"bound for other pairs: {each}. Extreme sizes (2^400 and more, either way) do not follow the relative margin: "
+        "products of their coordinates leave the range of floats, and more is lost than some roundings. "
+        f"Methods with none wrong there: {', '.join(extreme) or 'none'}. A fixed tolerance does not follow it either: "
+        "far from the origin the same 1e-9 is a smaller relative margin. float32 leaves its range much sooner. All "
+        "shapes of this sample fit float32; where its grid is coarser than a shape, no relative margin can tell."
     )
-    return Chart("kinds-of-hardness", title, size, draw, made, text)
-
-
-def _power_of_two_label(gamma: float) -> str:
-    """A power of two that is no smaller."""
-    return f"$2^{{{int(np.ceil(log2(gamma)))}}}$"
+    return Chart("kinds-of-hardness", title, size, draw, rows, text)

@@ -18,7 +18,7 @@ Row = dict[str, Any]
 QUESTION_COUNTS = (1, 10, 100)
 TIME_PARTS = {"making ready": "ns_setup", "the first question": "ns_first", "another": "ns_again"}
 OMITTED_METHODS = (
-    "turns, floats",
+    "orientation, floats",
     "SAT, 1e-9 counts as a miss",
     "SAT, 1e-9 counts as a hit",
     "SAT, unit normals",

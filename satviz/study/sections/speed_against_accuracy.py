@@ -1,8 +1,8 @@
-"""Speed against resolution: up to which gamma each method was wrong in a sample, and what it takes a pair.
+"""Speed against accuracy: how wrong each method was in a sample of hard pairs, and its time for a pair.
 
-gamma is how hard a pair is for floats that can hold the shapes and the products of their coordinates.  It ranks
-methods where a rate of wrong answers would only say how the workload was made.  The largest gamma of a sample is
-no bound: a search for the worst pairs finds larger ones.
+Methods are ranked by the largest relative margin at which they were wrong.  The relative margin says how hard a pair is
+for floats: it is the distance from a wrong answer, in rounding errors.  A rate of wrong answers would depend on how the
+pairs were made.  The largest margin of a sample is no bound: a search for the worst pairs finds larger ones.
 """
 
 from collections.abc import Sequence
@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...pictures import Theme
-from ..harness.cells import Cell, Settings
+from ..harness.cells import Cell, JsonRow, Settings
 from ..harness.chart import (
     TEXT_POINTS,
     Chart,
@@ -35,7 +35,6 @@ from .error_counts import (
     FIXED_TOLERANCE,
     NONE_WRONG,
     WRONG_AT_ANY_DISTANCE,
-    Row,
     cell_name,
     count_errors,
     count_errors_by_margin,
@@ -43,230 +42,200 @@ from .error_counts import (
     take_times,
 )
 
-GAP_PER_MARGIN = 2.0**-53 * 1e3  # what gamma 1 is, as a gap in metres, where coordinates reach a kilometre
-ATOM_METRES = 1e-10  # metres
+# the gap in metres of a relative margin of 1, where coordinates go up to a kilometre: u * 1000 m with u = 2**-53
+GAP_PER_MARGIN = 2.0**-53 * 1e3
+ATOM_METRES = 1e-10
 TICK_METRES = {"1 mm": 1e-3, "1 µm": 1e-6, "1 nm": 1e-9, "1 pm": 1e-12}
-WIDE, ROW, SCALE = 640.0, 17.0, 190.0  # points
+WIDTH_POINTS, ROW_POINTS, SCALE_POINTS = 640.0, 17.0, 190.0
+LANE_LABELS = {
+    WRONG_AT_ANY_DISTANCE: "wrong at\nany gap",
+    FIXED_TOLERANCE: "a fixed\ntolerance",
+    NONE_WRONG: "none wrong in\nthis sample",
+    EXACT_BY_CONSTRUCTION: "exact by\nconstruction",
+}
+LANE_ORDER = (WRONG_AT_ANY_DISTANCE, FIXED_TOLERANCE, "", NONE_WRONG, EXACT_BY_CONSTRUCTION)  # "": the ranked methods
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """For each kind of hardness, and for exact touching and ordinary pairs, what is counted; and the times."""
-    each, many = (12, 400) if settings.quick else (120, 10_000)
-    found = [Cell(cell_name(kind), count_errors_by_margin, (i, each, settings)) for i, kind in enumerate(ALL_KINDS)]
-    found += [Cell(f"count-{work}", count_errors, (work, many, settings)) for work in ("touching", "ordinary")]
-    sizes = (
-        {COMPILED: 30_000, NUMPY: 4000, PYTHON: 200}
-        if settings.quick
-        else {COMPILED: 100_000, NUMPY: 20_000, PYTHON: 1000}
-    )
+    """Return cells that count errors, for each kind of hardness and for touching and ordinary pairs, and the times."""
+    per_octave, n = (12, 400) if settings.quick else (120, 10_000)
+    made = [
+        Cell(cell_name(kind), count_errors_by_margin, (i, per_octave, settings)) for i, kind in enumerate(ALL_KINDS)
+    ]
+    made += [Cell(f"count-{work}", count_errors, (work, n, settings)) for work in ("touching", "ordinary")]
+    full, quick = (100_000, 20_000, 1000), (30_000, 4000, 200)
+    pairs = dict(zip((COMPILED, NUMPY, PYTHON), quick if settings.quick else full, strict=True))
     rounds = 5 if settings.quick else 21
-    return [*found, Cell("resolution-times", take_times, (sizes, rounds, settings), timed=True)]
+    return [*made, Cell("resolution-times", take_times, (pairs, rounds, settings), timed=True)]
 
 
 def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
-    """The main one; the rates behind it; the kinds of hardness apart; and the interpreted methods."""
-    interpreted = _interpreted_chart(method_summaries(found), settings)
+    """Return the chart of compiled methods, two charts of details about them, and the chart of interpreted methods."""
+    summaries = method_summaries(found)
+    interpreted = _interpreted_chart(summaries, settings)
     if not is_installed("numba"):
         return [interpreted]
-    return [
-        main_chart(method_summaries(found), settings),
-        errors_by_margin.error_rate_chart(found),
-        errors_by_margin.hardness_chart(found),
-        interpreted,
+    details = [errors_by_margin.error_rate_chart(found), errors_by_margin.hardness_chart(found)]
+    return [main_chart(summaries, settings), *details, interpreted]
+
+
+def main_chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
+    """Return the chart of the compiled methods, from the rows of `method_summaries`."""
+    compiled = [row for row in rows if row["language"] == COMPILED]
+    margin = _largest_float64_margin(compiled)
+    is_small = 0 < margin * GAP_PER_MARGIN < ATOM_METRES
+    gaps = "gaps smaller than an atom" if is_small else f"gaps below {_gap_in_a_kilometre(margin)}"
+    title = f"In this sample, at 1 km, float64 SAT was wrong only at {gaps}"
+    return _lane_chart("speed-against-accuracy", title, compiled, settings, VECTORISED)
+
+
+def _interpreted_chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
+    """Return the chart of the methods in NumPy and in Python; its title compares textbook SAT in all languages."""
+    interpreted = [
+        {**row, "method": f"{row['method']}, {row['language']}"} for row in rows if row["language"] != COMPILED
     ]
-
-
-def main_chart(rows: Sequence[Row], settings: Settings) -> Chart:
-    """The compiled ones, from their rows alone."""
-    mine = [row for row in rows if row["language"] == COMPILED]
-    gap = _largest_float64_margin(mine) * GAP_PER_MARGIN
-    small = (
-        "gaps smaller than an atom"
-        if 0 < gap < ATOM_METRES
-        else f"gaps below {_gap_in_a_kilometre(_largest_float64_margin(mine))}"
-    )
-    title = f"In this sample, at 1 km, float64 SAT was wrong only at {small}"
-    return _lane_chart("speed-against-accuracy", title, mine, settings, more=VECTORISED)
-
-
-def _interpreted_chart(rows: Sequence[Row], settings: Settings) -> Chart:
-    mine = [{**row, "method": f"{row['method']}, {row['language']}"} for row in rows if row["language"] != COMPILED]
-    least = {
-        language: format_time(
-            min(
-                (row["ns"] for row in rows if row["language"] == language and row["method"] == "SAT, raw normals"),
-                default=0.0,
-            )
-        )
-        for language in (COMPILED, NUMPY, PYTHON)
-    }
-    errors = {(r["gamma"], r["wrong"], r["touching_wrong"]) for r in rows if r["method"] == "SAT, raw normals"}
+    sat = {row["language"]: row for row in rows if row["method"] == "SAT, raw normals"}
+    times = [f"{format_time(sat[name]['ns'])} {name}" for name in (COMPILED, NUMPY, PYTHON) if name in sat]
+    errors = {(row["relative_margin"], row["wrong"], row["touching_wrong"]) for row in sat.values()}
     alike = "same errors in this sample" if len(errors) == 1 else "not the same errors in this sample"
-    title = f"SAT: {', '.join(f'{time} {language}' for language, time in least.items())}; {alike}"
-    return _lane_chart("interpreted", title, mine, settings)
+    return _lane_chart("interpreted", f"SAT: {', '.join(times)}; {alike}", interpreted, settings)
 
 
-def _largest_float64_margin(rows: Sequence[Row]) -> float:
-    """The largest gamma at which SAT in float64 was wrong."""
-    return max(
-        (row["gamma"] for row in rows if row["family"] == "float SAT" and "float32" not in row["method"]), default=0.0
-    )
+def _largest_float64_margin(rows: Sequence[JsonRow]) -> float:
+    """Return the largest relative margin at which SAT in float64 was wrong."""
+    float64 = [row for row in rows if row["family"] == "float SAT" and "float32" not in row["method"]]
+    return max((row["relative_margin"] for row in float64), default=0.0)
 
 
-def _gap_in_a_kilometre(gamma: float) -> str:
-    """The gap in a scene a kilometre across."""
-    metres = gamma * GAP_PER_MARGIN
+def _gap_in_a_kilometre(margin: float) -> str:
+    """Return the gap that a relative margin means in a scene of a kilometre, with its unit."""
+    metres = margin * GAP_PER_MARGIN
     for size, unit in (1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm"), (1e-12, "pm"):
         if metres >= size:
             return f"{float(f'{metres / size:.2g}'):g} {unit}"
     return f"{metres / 1e-12:.1g} pm"
 
 
-def _lane_chart(stem: str, title: str, rows: Sequence[Row], settings: Settings, more: str = "") -> Chart:
-    """Lanes for what gamma cannot rank, and between them what was wrong up to some gamma, to scale.
+def _lane_chart(stem: str, title: str, rows: Sequence[JsonRow], settings: Settings, last_sentence: str = "") -> Chart:
+    """Return a chart with a lane for each group that a relative margin cannot rank, and the ranked methods to scale.
 
-    `more`: a last sentence of the reading.
+    `last_sentence`: added to the reading.
     """
     lanes = {
-        name: sorted((r for r in rows if r["lane"] == name), key=lambda r: r["ns"])
-        for name in (WRONG_AT_ANY_DISTANCE, FIXED_TOLERANCE, "", NONE_WRONG, EXACT_BY_CONSTRUCTION)
+        lane: own
+        for lane in LANE_ORDER
+        if (own := sorted((row for row in rows if row["lane"] == lane), key=lambda row: row["ns"]))
     }
-    tall = {name: SCALE if not name else 24 + ROW * len(mine) for name, mine in lanes.items() if mine}
+    heights = {lane: 24 + ROW_POINTS * len(own) if lane else SCALE_POINTS for lane, own in lanes.items()}
     head, foot = 66.0, 42.0
-    size = WIDE, head + foot + sum(tall.values()) + 10 * (len(tall) - 1)
-    limits = min(r["ns"] for r in rows) / 1.6, max(r["ns"] for r in rows) * 14
-    n = rows[0]
+    size = WIDTH_POINTS, head + foot + sum(heights.values()) + 10 * (len(heights) - 1)
+    limits = min(row["ns"] for row in rows) / 1.6, max(row["ns"] for row in rows) * 14
+    counts = rows[0]
 
     def draw(fig: Figure, theme: Theme) -> None:
-        under = (
-            "further left: faster; further down: finer; bars: quartiles of the time",
-            f"{n['pairs']:,} pairs made hard in {len(HARD_KINDS)} ways, at least {n['least_an_octave']:,} an octave of gap, "
-            f"and {n['touching']:,} that touch; extreme sizes apart",
+        lines = (
+            "Further left is faster. Further down is more accurate. Bars show quartiles of the time.",
+            f"{counts['pairs']:,} pairs, hard in {len(HARD_KINDS)} ways (at least {counts['least_an_octave']:,} for each factor "
+            f"of 2 of the gap), and {counts['touching']:,} that touch.",
         )
-        draw_headline(fig, theme, title, *under)
+        draw_headline(fig, theme, title, *lines)
         top = size[1] - head
-        for name, mine in lanes.items():
-            if not mine:
-                continue
-            top -= tall[name]
-            ax = add_axes(fig, (86 / WIDE, top / size[1], (WIDE - 100) / WIDE, tall[name] / size[1]), theme)
+        for lane, own in lanes.items():
+            top -= heights[lane]
+            share = (WIDTH_POINTS - 100) / WIDTH_POINTS, heights[lane] / size[1]
+            ax = add_axes(fig, (86 / WIDTH_POINTS, top / size[1], *share), theme)
             ax.set(xscale="log", xlim=limits)
-            last = name == [key for key in lanes if lanes[key]][-1]
-            set_time_ticks(ax.xaxis, limits, labels=last)
-            if last:
-                ax.set_xlabel("time a pair of ordinary 4-gons, shapes made ready beforehand")
-            if name:
-                _draw_lane(ax, theme, name, mine)
+            is_last = lane == list(lanes)[-1]
+            set_time_ticks(ax.xaxis, limits, labels=is_last)
+            if is_last:
+                ax.set_xlabel("time for a pair of ordinary 4-gons (without preparing the shapes)")
+            if lane:
+                _draw_lane(ax, theme, lane, own)
             else:
-                _draw_margins(ax, theme, mine)
+                _draw_margins(ax, theme, own)
             top -= 10
 
-    return Chart(
-        stem, title, size, draw, list(rows), f"{_reading(rows)} {more}".strip(), timing_warning(rows, settings)
-    )
+    reading = f"{_reading(rows)} {last_sentence}".strip()
+    return Chart(stem, title, size, draw, list(rows), reading, timing_warning(rows, settings))
 
 
-def _draw_lane(ax: Axes, theme: Theme, name: str, rows: Sequence[Row]) -> None:
-    """A line each, no order of quality."""
-    ax.set(yticks=[], ylim=(24 + ROW * len(rows), 0))
+def _draw_lane(ax: Axes, theme: Theme, lane: str, rows: Sequence[JsonRow]) -> None:
+    """Draw the methods of a lane below each other; their order is that of their times and says nothing of accuracy."""
+    ax.set(yticks=[], ylim=(24 + ROW_POINTS * len(rows), 0))
     ax.spines["left"].set_visible(False)
-    words = {
-        WRONG_AT_ANY_DISTANCE: "wrong at\nany gap",
-        FIXED_TOLERANCE: "a fixed\ntolerance",
-        NONE_WRONG: "none wrong in\nthis sample",
-        EXACT_BY_CONSTRUCTION: "exact by\nconstruction",
-    }[name]
-    ax.annotate(
-        words,
-        (0, 0.5),
-        (-8, 0),
-        xycoords="axes fraction",
-        textcoords="offset points",
-        ha="right",
-        va="center",
-        color=theme.roles["ink"],
-        fontsize=TEXT_POINTS,
-        annotation_clip=False,
-    )
+    style: dict[str, Any] = {"textcoords": "offset points", "fontsize": TEXT_POINTS, "annotation_clip": False}
+    beside: dict[str, Any] = {"xycoords": "axes fraction", "ha": "right", "va": "center"}
+    ax.annotate(LANE_LABELS[lane], (0, 0.5), (-8, 0), color=theme.roles["ink"], **style, **beside)
     for i, row in enumerate(rows):
-        y, shade = 12 + ROW * (i + 0.5), family_colour(theme, row["family"])
+        y, shade = 12 + ROW_POINTS * (i + 0.5), family_colour(theme, row["family"])
         ax.plot([row["ns_low"], row["ns_high"]], [y, y], color=shade, lw=1)
-        ax.plot([row["ns"]], [y], "D" if name == EXACT_BY_CONSTRUCTION else "o", color=shade, ms=6)
-        # a label that has no place to the right of its point stands to the left of it
-        right = log2(row["ns"]) < sum(map(log2, ax.get_xlim())) / 2
-        ax.annotate(
-            _method_with_share(row),
-            (row["ns_high" if right else "ns_low"], y),
-            (6 if right else -6, 0),
-            textcoords="offset points",
-            ha="left" if right else "right",
-            va="center_baseline",
-            fontsize=TEXT_POINTS,
-            color=family_colour(theme, row["family"], text=True),
-            parse_math=False,
-            annotation_clip=False,
-        )
+        ax.plot([row["ns"]], [y], "D" if lane == EXACT_BY_CONSTRUCTION else "o", color=shade, ms=6)
+        # a label without space to the right of its point is written to the left of it
+        if log2(row["ns"]) < sum(map(log2, ax.get_xlim())) / 2:
+            x, offset, side = row["ns_high"], 6, "left"
+        else:
+            x, offset, side = row["ns_low"], -6, "right"
+        letters: dict[str, Any] = {"ha": side, "va": "center_baseline", "parse_math": False}
+        letters["color"] = family_colour(theme, row["family"], text=True)
+        ax.annotate(_method_with_share(row), (x, y), (offset, 0), **letters, **style)
 
 
-def _method_with_share(row: Row) -> str:
-    """A method of a lane, and the share it has wrong of the pairs that tell most about it."""
-    wrong, of, pairs = {
+def _method_with_share(row: JsonRow) -> str:
+    """Return a method's name with its share of wrong answers to the kind of pairs that matters in its lane."""
+    wrong, total, pairs = {
         WRONG_AT_ANY_DISTANCE: (row["ordinary_wrong"], row["ordinary"], "ordinary pairs"),
         FIXED_TOLERANCE: (row["wrong"], row["pairs"], "hard pairs"),
     }.get(row["lane"], (row["extreme_wrong"], row["extreme"], "extreme sizes"))
     if not wrong:
         return str(row["method"])
-    share = f"{wrong / of:.0%}" if wrong >= 0.01 * of else "under 1%"
+    share = f"{wrong / total:.0%}" if wrong >= 0.01 * total else "under 1%"
     return f"{row['method']}: {share} of {pairs} wrong"
 
 
-def _draw_margins(ax: Axes, theme: Theme, rows: Sequence[Row]) -> None:
-    """What was wrong up to some gamma."""
+def _draw_margins(ax: Axes, theme: Theme, rows: Sequence[JsonRow]) -> None:
+    """Draw the ranked methods: time against the largest relative margin that was wrong, shown as a gap at 1 km."""
     ax.set(ylim=(-5, max(MARGIN_OCTAVES) + 1))
     ax.set_yticks([log2(metres / GAP_PER_MARGIN) for metres in TICK_METRES.values()], list(TICK_METRES))
     ax.set_ylabel("wrong up to this gap\nin a scene of 1 km", fontsize=TEXT_POINTS)
     atom, guide = log2(ATOM_METRES / GAP_PER_MARGIN), theme.roles["guide"]
     ax.axhline(atom, color=guide, lw=0.8, ls=(0, (1, 2.2)))
-    ax.annotate(
-        "an atom",
-        (1, atom),
-        (0, 2),
-        xycoords=ax.get_yaxis_transform(),
-        textcoords="offset points",
-        ha="right",
-        va="bottom",
-        color=guide,
-        fontsize=TEXT_POINTS,
-    )
+    style: dict[str, Any] = {"ha": "right", "va": "bottom", "color": guide, "fontsize": TEXT_POINTS}
+    place: dict[str, Any] = {"xycoords": ax.get_yaxis_transform(), "textcoords": "offset points"}
+    ax.annotate("size of an atom", (1, atom), (0, 2), **place, **style)
     labels = []
     for row in rows:
-        y, shade = log2(row["gamma"]) if row["gamma"] else -4.0, family_colour(theme, row["family"])
+        margin, shade = row["relative_margin"], family_colour(theme, row["family"])
+        y = log2(margin) if margin else -4.0
         ax.plot([row["ns_low"], row["ns_high"]], [y, y], color=shade, lw=1)
         ax.plot([row["ns"]], [y], "o", color=shade, ms=6.5)
         labels.append((row["ns"], y, row["method"], family_colour(theme, row["family"], text=True)))
     label_points(ax, labels, theme)
 
 
-def _reading(rows: Sequence[Row]) -> str:
-    n = rows[0]
-    text = f"{len(rows)} methods on {n['pairs']:,} pairs made hard in {len(HARD_KINDS)} ways (at least "
-    text += f"{n['least_an_octave']:,} an octave of gamma) and {n['touching']:,} that touch exactly. "
-    text += "The gammas that follow are the largest of this sample, and other pairs can be wrong at larger ones. "
-    for row in sorted((r for r in rows if r["lane"] == ""), key=lambda r: -r["gamma"]):
-        upto = f"wrong up to gamma {row['gamma']:.2g} ({_gap_in_a_kilometre(row['gamma'])} in a kilometre)"
-        touch = f", and at {row['touching_wrong']:,} of the touches" if row["touching_wrong"] else ""
-        text += f"{row['method']}: {upto}{touch}; {format_time(row['ns'])}. "
-    fixed = [r for r in rows if r["lane"] == FIXED_TOLERANCE]
-    text += "A fixed tolerance is a length, so its gamma changes with the scene. " if fixed else ""
-    for row in fixed:
-        touch = f" and at {row['touching_wrong']:,} of the touches" if row["touching_wrong"] else ""
-        text += f"{row['method']}: wrong on {row['wrong']:,} of the hard pairs{touch}; {format_time(row['ns'])}. "
-    for name in (WRONG_AT_ANY_DISTANCE, NONE_WRONG, EXACT_BY_CONSTRUCTION):
-        mine = [f"{r['method']} ({format_time(r['ns'])})" for r in rows if r["lane"] == name]
-        text += f"{name[0].upper()}{name[1:]}: {', '.join(mine)}. " if mine else ""
-    text += f"The chart leaves out {n['extreme']:,} pairs of extreme sizes (2^400 and more, either way), "
-    text += "where products leave float64's range. Wrong on those: "
-    text += "; ".join(
-        f"{r['method']}: {r['extreme_wrong']:,}" for r in rows if r["lane"] in (NONE_WRONG, EXACT_BY_CONSTRUCTION)
+def _reading(rows: Sequence[JsonRow]) -> str:
+    """Return the chart in words: every method with its errors and its time, lane by lane."""
+    counts = rows[0]
+    by_lane = {lane: [row for row in rows if row["lane"] == lane] for lane in LANE_ORDER}
+    text = f"{len(rows)} methods on {counts['pairs']:,} pairs made hard in {len(HARD_KINDS)} ways (at least "
+    text += (
+        f"{counts['least_an_octave']:,} for each factor of 2 of the relative margin) and {counts['touching']:,} that "
     )
-    return f"{text}."
+    text += "touch exactly. The relative margin is the distance from a wrong answer, in rounding errors. "
+    text += "The margins that follow are the largest of this sample, and other pairs can be wrong at larger ones. "
+    for row in sorted(by_lane[""], key=lambda row: -row["relative_margin"]):
+        gap = f"{_gap_in_a_kilometre(row['relative_margin'])} in a kilometre"
+        touches = f", and at {row['touching_wrong']:,} of the touches" if row["touching_wrong"] else ""
+        text += f"{row['method']}: wrong up to a relative margin of {row['relative_margin']:.2g} ({gap}){touches}; "
+        text += f"{format_time(row['ns'])}. "
+    if by_lane[FIXED_TOLERANCE]:
+        text += "A fixed tolerance is a length, so its relative margin changes with the scene. "
+    for row in by_lane[FIXED_TOLERANCE]:
+        touches = f" and at {row['touching_wrong']:,} of the touches" if row["touching_wrong"] else ""
+        text += f"{row['method']}: wrong on {row['wrong']:,} of the hard pairs{touches}; {format_time(row['ns'])}. "
+    for lane in (WRONG_AT_ANY_DISTANCE, NONE_WRONG, EXACT_BY_CONSTRUCTION):
+        names = [f"{row['method']} ({format_time(row['ns'])})" for row in by_lane[lane]]
+        text += f"{lane[0].upper()}{lane[1:]}: {', '.join(names)}. " if names else ""
+    text += f"The chart leaves out {counts['extreme']:,} pairs of extreme sizes (2^400 and more, either way), "
+    text += "where products leave the range of float64. Wrong on those: "
+    unranked = [row for row in rows if row["lane"] in (NONE_WRONG, EXACT_BY_CONSTRUCTION)]
+    return text + "; ".join(f"{row['method']}: {row['extreme_wrong']:,}" for row in unranked) + "."

@@ -1,4 +1,4 @@
-"""Seeded shapes and pairs of shapes to measure on: random pairs, of which 40 to 70 % are hits, and nearly touching ones.
+"""Seeded shapes and pairs to measure on: random pairs, of which 40 to 70 % are hits, and nearly touching pairs.
 
 Coordinates come from sums, products, quotients and square roots, which every machine rounds in the same way.  Sines
 and cosines may differ between machines, and where shapes nearly touch one unit in the last place decides.
@@ -20,7 +20,7 @@ MakePairs = Callable[[np.random.Generator, int], tuple[Side, Side]]
 
 
 def unit_vectors(rng: np.random.Generator, *shape: int) -> Array:
-    """Return random unit vectors, uniform over the full turn: points of a square, drawn until they lie in its circle."""
+    """Return random unit vectors, uniform over the full turn: points of a square, drawn until they lie in a disc."""
     found = rng.uniform(-1, 1, (*shape, 2))
     while True:
         squares = (found * found).sum(axis=-1, keepdims=True)
@@ -88,7 +88,7 @@ def overlapping_pairs(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, 
 
 
 def touching_pairs(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rings]:
-    """Return pairs of a regular v-gon and its mirror image beyond its rightmost corner, the only point that they share."""
+    """Return pairs of a regular v-gon and its mirror image; they share its rightmost corner and no other point."""
     a = regular_polygons(rng, n, v)
     b = a[:, ::-1].copy()
     b[:, :, 0] = 2 * a[:, :, 0].max(axis=1)[:, None] - b[:, :, 0]
@@ -108,7 +108,7 @@ def scattered_polygons(rng: np.random.Generator, n: int) -> Rings:
 
 
 def nearly_touching_pairs(rng: np.random.Generator, n: int) -> tuple[Rings, Rings]:
-    """Return n pairs of triangles: a corner of B is on an edge of A, or moved off it by at most 4 units in the last place."""
+    """Return pairs of triangles: a corner of B is on an edge of A, but for rounding, or up to 4 ulps off."""
     a = ngons(rng, n, 3, 2.0)
     along = rng.uniform(0.1, 0.9, (n, 1))
     spot = a[:, 0] + along * (a[:, 1] - a[:, 0])
