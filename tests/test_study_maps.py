@@ -103,7 +103,7 @@ def test_a_verdict_is_judged_by_rationals_and_not_by_any_method():
 
 
 def test_the_exact_depth_is_the_mtvs_length():
-    assert position_grid.squared_depth(box(0, 0, 4, 1), box(3, 0.5, 5, 3.5)) == 0.25
+    assert truth.squared_depth(box(0, 0, 4, 1), box(3, 0.5, 5, 3.5)) == 0.25
     rng = Random(3)
     for _ in range(60):
         a, b = (
@@ -112,7 +112,7 @@ def test_the_exact_depth_is_the_mtvs_length():
         )
         if position_grid.exact_relation(a, b) is sv.Relation.OVERLAPPING:
             x, y = sv.record(a, b).mtv
-            assert isclose(position_grid.squared_depth(a, b), x * x + y * y, rel_tol=1e-9)
+            assert isclose(truth.squared_depth(a, b), x * x + y * y, rel_tol=1e-9)
 
 
 def test_along_the_contact_the_shapes_touch_everywhere():

@@ -91,10 +91,10 @@ def hard_rows(found):
     return [row for name, rows in found.items() if name.startswith("hard-") for row in rows]
 
 
-# -- gamma, and the pairs made by it
+# -- the relative margin, and the pairs made by it
 
 
-def test_gamma_has_no_unit():
+def test_the_relative_margin_has_no_unit():
     rng = np.random.default_rng(4)
     for kind in HARD_KINDS:
         a, b, found = hard_pairs(kind, rng, 1)
@@ -148,14 +148,14 @@ def test_in_this_sample_float_sat_is_wrong_only_at_a_few_roundings_whatever_made
             and "float32" not in row["method"]
             and row["kind"] != EXTREME_KIND.name
         ):
-            assert row["gamma"] < 4, row
+            assert row["relative_margin"] < 4, row
 
 
 def test_float32_is_two_to_the_29_coarser_and_a_tolerance_as_coarse_as_its_size(found):
     worst = {}
     for row in hard_rows(found):
         if row["kind"] != EXTREME_KIND.name and row["language"] == COMPILED:
-            worst[row["method"]] = max(worst.get(row["method"], 0.0), row["gamma"])
+            worst[row["method"]] = max(worst.get(row["method"], 0.0), row["relative_margin"])
     assert 2**27 < worst["SAT, float32"] < 2**31
     assert 2**20 < worst["SAT, 1e-9 counts as a hit"] < 2**24
     assert worst["AABB"] > error_counts.EVERY_MARGIN < worst["16 axes"]
@@ -181,7 +181,7 @@ FOUND = {
 
 
 @pytest.mark.parametrize("normals", FOUND)
-def test_the_largest_gamma_of_a_sample_is_no_bound(normals):
+def test_the_largest_margin_of_a_sample_is_no_bound(normals):
     a, b, known = FOUND[normals]
     p, q = Polygon(a), Polygon(b)
     assert truth.relation(p, q) == Relation.APART and round(gamma(p, q), 2) == known
@@ -196,7 +196,7 @@ def test_the_largest_gamma_of_a_sample_is_no_bound(normals):
 @pytest.mark.parametrize(
     ("scale", "away", "gap", "least"), [(2.0**70, 0.0, 0.5, 2.0**50), (1.0, 2.0**25, 2.0**21, 2.0**48)]
 )
-def test_where_float32_cannot_hold_the_shapes_or_their_products_gamma_does_not_rank_it(scale, away, gap, least):
+def test_where_float32_cannot_hold_the_shapes_or_their_products_the_margin_does_not_rank_it(scale, away, gap, least):
     box = np.array([[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]])
     a, b = (box + away) * scale, (box + np.array([1 + gap, 0]) + away) * scale
     (float32,) = [method for method in all_methods() if method.name == "SAT, float32"]
@@ -246,7 +246,7 @@ def test_every_way_through_many_corners_gives_one_answer(v):
             assert set(job()) == {hit}, name
 
 
-def test_turns_differ_only_in_what_they_grant_for_rounding():
+def test_orientation_methods_differ_only_in_their_error_bound():
     a, b, _ = hard_pairs(HARD_KINDS[3], np.random.default_rng(5), 6)
     columns = [np.ascontiguousarray(rings[:, :, d].T) for rings in (a, b) for d in (0, 1)]
     found = {}
@@ -272,7 +272,7 @@ def test_changes_change_no_pair_and_no_exact_method(found):
     assert moved["SAT, raw normals", "moved"] > 0
 
 
-def test_a_resting_box_is_told_as_it_lies(found):
+def test_a_resting_box_is_classified_as_it_is(found):
     of = {(row["scene"], row["method"], row["kept"]): row for row in found["resting"]}
     for (scene, method, _), row in of.items():
         assert row["wrong"] == 0 or method != "satviz"
@@ -349,10 +349,10 @@ def test_charts_are_few_and_their_numbers_are_in_their_rows(charts):
         assert chart.rows and "{" not in chart.reading and chart.reading.endswith(".")
 
 
-def test_readings_tell_the_numbers_of_the_rows(charts):
+def test_readings_hold_the_numbers_of_the_rows(charts):
     main = charts["speed-against-accuracy"]
     of = {row["method"]: row for row in main.rows}
-    assert f"SAT, float32: wrong up to gamma {of['SAT, float32']['gamma']:.2g}" in main.reading
+    assert f"SAT, float32: wrong up to a relative margin of {of['SAT, float32']['relative_margin']:.2g}" in main.reading
     assert f"{of['satviz']['pairs']:,} pairs" in main.reading
     cost = {(row["method"], row["share"]): row["ns"] for row in charts["price-of-exactness"].rows}
     every = speed_against_accuracy.format_time(cost["satviz", 1.0] - cost["satviz, no filter", 1.0])
@@ -382,7 +382,7 @@ def test_what_none_wrong_in_this_sample_leaves_out_is_said_with_its_counts(chart
             )
 
 
-SAMPLED = "speed-against-accuracy", "wrong-by-gamma", "kinds-of-hardness", "interpreted"
+SAMPLED = "speed-against-accuracy", "wrong-by-margin", "kinds-of-hardness", "interpreted"
 
 
 @pytest.mark.parametrize("stem", SAMPLED)

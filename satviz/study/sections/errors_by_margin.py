@@ -144,7 +144,7 @@ def hardness_chart(found: dict[str, Any]) -> Chart:
     size = 170 + wide, 132 + tall
 
     def draw(fig: Figure, theme: Theme) -> None:
-        line = "The largest relative margin at which a method was wrong in this sample, by kind of hardness. Darker is worse."
+        line = "The largest relative margin at which a method was wrong, by kind of hardness. Darker is worse."
         draw_headline(fig, theme, title, line)
         ax = add_axes(fig, (160 / size[0], 16 / size[1], wide / size[0], tall / size[1]), theme)
 

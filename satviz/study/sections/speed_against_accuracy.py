@@ -133,10 +133,11 @@ def _lane_chart(stem: str, title: str, rows: Sequence[JsonRow], settings: Settin
     counts = rows[0]
 
     def draw(fig: Figure, theme: Theme) -> None:
+        hard = f"{counts['pairs']:,} pairs, hard in {len(HARD_KINDS)} ways"
+        per_factor = f"(at least {counts['least_an_octave']:,} for each factor of 2 of the gap)"
         lines = (
             "Further left is faster. Further down is more accurate. Bars show quartiles of the time.",
-            f"{counts['pairs']:,} pairs, hard in {len(HARD_KINDS)} ways (at least {counts['least_an_octave']:,} for each factor "
-            f"of 2 of the gap), and {counts['touching']:,} that touch.",
+            f"{hard} {per_factor}, and {counts['touching']:,} that touch.",
         )
         draw_headline(fig, theme, title, *lines)
         top = size[1] - head
