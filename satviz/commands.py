@@ -329,32 +329,43 @@ def bench(args: argparse.Namespace) -> int:
 
     from tqdm import tqdm
 
-    from .study.bench import bench, busy, planned, table, when_numba_pays
-    from .study.harness.machine import machine, missing
+    from .study.bench import bench, plan_bench
+    from .study.bench_table import bench_table, busy_warning, numba_break_even
+    from .study.harness.machine import machine_facts, missing_peers
 
     pairs, rounds = (2000, 3) if args.quick else (args.pairs, args.rounds)
     rows = []
-    for row in tqdm(bench(planned(pairs, rounds, args.seed)), unit="row", disable=None, leave=False, file=sys.stderr):
+    for row in tqdm(
+        bench(plan_bench(pairs, rounds, args.seed)), unit="row", disable=None, leave=False, file=sys.stderr
+    ):
         rows.append(row)
         stop_if_interrupted()
-    warning = "quick figures are rough: a table for keeps takes minutes" if args.quick else busy(rows)
+    warning = "quick figures are rough: a table for keeps takes minutes" if args.quick else busy_warning(rows)
     if args.json:
-        facts = {"machine": machine(), "missing": missing(), "pairs": pairs, "rounds": rounds, "warning": warning}
+        facts = {
+            "machine": machine_facts(),
+            "missing": missing_peers(),
+            "pairs": pairs,
+            "rounds": rounds,
+            "warning": warning,
+        }
         out_json(json.dumps({**facts, "rows": [row._asdict() for row in rows]}, indent=1))
     else:
-        out(table(rows))
-        if "numba" not in missing():
-            out(when_numba_pays(rows))
-        if missing():
-            out(f"not installed, so left out: {', '.join(missing())}")
-        out(", ".join(f"{name} {what}" for name, what in machine().items()))
+        out(bench_table(rows))
+        if "numba" not in missing_peers():
+            out(numba_break_even(rows))
+        if missing_peers():
+            out(f"not installed, so left out: {', '.join(missing_peers())}")
+        out(", ".join(f"{name} {what}" for name, what in machine_facts().items()))
     if warning:
         say(warning)
     if args.chart:
-        from .study.bench_chart import chart
-        from .study.harness.chart import save
+        from .study.bench_chart import bench_chart
+        from .study.harness.chart import save_chart
 
-        for path in save(chart(rows, warning), args.chart, {"machine": machine()}, ("svg", "png"), force=args.force):
+        for path in save_chart(
+            bench_chart(rows, warning), args.chart, {"machine": machine_facts()}, ("svg", "png"), force=args.force
+        ):
             say(f"wrote {path}")
     return 0
 
@@ -364,11 +375,11 @@ def study(args: argparse.Namespace) -> int:
     from tqdm import tqdm
 
     from .study.harness.cells import Settings
-    from .study.run import CellsFailed, executor, study
+    from .study.run import CellsFailed, open_executor, study
 
     with ExitStack() as stack:
         try:
-            pool = stack.enter_context(executor(args.executor))
+            pool = stack.enter_context(open_executor(args.executor))
         except ValueError as error:
             raise Refused(str(error)) from None
         bar = stack.enter_context(tqdm(unit="cell", disable=None, leave=False, file=sys.stderr))

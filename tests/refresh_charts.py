@@ -11,10 +11,10 @@ from pathlib import Path
 
 from satviz.pictures import THEMES
 from satviz.study import bench_chart
-from satviz.study.bench import Row
+from satviz.study.bench import TimingRow
 from satviz.study.harness.cells import Settings
-from satviz.study.harness.chart import Chart, suffix
-from satviz.study.sections import resolution
+from satviz.study.harness.chart import Chart, theme_suffix
+from satviz.study.sections import speed_against_accuracy
 
 FIGURES = Path(__file__).parent.parent / "figures"
 
@@ -26,8 +26,8 @@ def stored(stem: str) -> dict:
 
 SPEED, BENCH = stored("speed-against-accuracy"), stored("bench")
 IN_README: dict[str, Chart] = {
-    "speed-against-accuracy": resolution.main_chart(SPEED["rows"], Settings(**SPEED["settings"])),
-    "bench": bench_chart.chart([Row(**row) for row in BENCH["rows"]], BENCH["rough"]),
+    "speed-against-accuracy": speed_against_accuracy.main_chart(SPEED["rows"], Settings(**SPEED["settings"])),
+    "bench": bench_chart.bench_chart([TimingRow(**row) for row in BENCH["rows"]], BENCH["rough"]),
 }
 
 
@@ -36,7 +36,7 @@ def main() -> None:
         data = stored(stem) | {"title": chart.title, "reading": chart.reading}
         (FIGURES / f"{stem}.json").write_text(json.dumps(data, indent=1) + "\n", encoding="utf-8")
         for theme in THEMES.values():
-            (FIGURES / f"{stem}{suffix(theme)}.svg").write_bytes(chart.encode("svg", theme))
+            (FIGURES / f"{stem}{theme_suffix(theme)}.svg").write_bytes(chart.encode("svg", theme))
 
 
 if __name__ == "__main__":

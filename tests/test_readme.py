@@ -13,7 +13,7 @@ import satviz as sv
 from satviz.cli import main
 from satviz.pictures.theme import TEXT_PT as TEXT_SIZE
 from satviz.study import bench
-from satviz.study.bench import planned
+from satviz.study.bench import plan_bench
 
 ROOT = Path(__file__).parent.parent
 TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -58,7 +58,7 @@ def test_every_command_runs(line, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "my-scene.json").write_text(blocks("json")[0], encoding="utf-8")
     # at its own size, a quick bench would take as long as all other commands together: with a tenth of the pairs
-    monkeypatch.setattr(bench, "planned", lambda pairs, rounds, seed: planned(pairs // 10, 1, seed))
+    monkeypatch.setattr(bench, "plan_bench", lambda pairs, rounds, seed: plan_bench(pairs // 10, 1, seed))
     program, *args = shlex.split(line)
     assert program == "satviz" and main(args) == 0
     assert capsys.readouterr().out

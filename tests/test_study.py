@@ -8,10 +8,11 @@ import pytest
 from satviz import Polygon, batch
 from satviz.cli import main
 from satviz.study import truth
-from satviz.study.bench import BY, Row, busy, slope
+from satviz.study.bench import CHECKED_BY, TimingRow
+from satviz.study.bench_table import busy_warning, growth_exponent
 from satviz.study.harness import machine
-from satviz.study.methods import kernels
-from satviz.study.workloads.workloads import CORNERS, LAYOUTS, WORKLOADS
+from satviz.study.methods import numba_rivals
+from satviz.study.workloads.generators import BOX_LAYOUTS, CORNER_WORKLOADS, WORKLOADS
 
 pytestmark = pytest.mark.slow
 
@@ -22,9 +23,11 @@ def test_bench_times_every_method_and_satviz_is_never_wrong(capsys, tmp_path):
     found = json.loads(capsys.readouterr().out)
     rows = found["rows"]
     works = {section: {row["work"] for row in rows if row["section"] == section} for section in SECTIONS}
-    assert all(works.values()) and set(rows[0]) == set(Row._fields)
+    assert all(works.values()) and set(rows[0]) == set(TimingRow._fields)
     assert (
-        works["pairs"] == set(WORKLOADS) and works["corners"] == set(CORNERS) and works["broad phase"] == set(LAYOUTS)
+        works["pairs"] == set(WORKLOADS)
+        and works["corners"] == set(CORNER_WORKLOADS)
+        and works["broad phase"] == set(BOX_LAYOUTS)
     )
     for row in rows:
         assert 0 < row["least"] <= row["low"] <= row["time"] <= row["high"], row
@@ -34,7 +37,7 @@ def test_bench_times_every_method_and_satviz_is_never_wrong(capsys, tmp_path):
                 row
             )
         if row["checked"]:
-            assert row["by"] in BY, row
+            assert row["by"] in CHECKED_BY, row
         if row["method"] == "shapely" and row["section"] in ("scenes", "broad phase"):
             assert row["checked"] == 0, row  # the others are held against it
     inexact = {row["method"] for row in rows if row["work"] == "nearly touching" and row["wrong"]}
@@ -56,19 +59,19 @@ def test_bench_prints_a_table_and_names_what_is_missing(capsys, monkeypatch):
 
 
 def test_a_bench_on_a_busy_machine_says_so():
-    calm = [Row("pairs", "triangles", 0, f"method {i}", "ns", 10.0, 9.0, 9.5, 10.5) for i in range(8)]
+    calm = [TimingRow("pairs", "triangles", 0, f"method {i}", "ns", 10.0, 9.0, 9.5, 10.5) for i in range(8)]
     torn = [row._replace(low=6.0, high=14.0) for row in calm]
-    assert busy(calm + torn[:1]) == "" and "the machine was busy" in busy(calm[:4] + torn[:4])
+    assert busy_warning(calm + torn[:1]) == "" and "the machine was busy" in busy_warning(calm[:4] + torn[:4])
 
 
 def test_growth_is_the_exponent_of_the_last_sizes():
-    assert slope({10: 1.0, 100: 900.0, 1000: 90_000.0, 10_000: 9e6}) == pytest.approx(2)
+    assert growth_exponent({10: 1.0, 100: 900.0, 1000: 90_000.0, 10_000: 9e6}) == pytest.approx(2)
 
 
-@pytest.mark.parametrize("work", CORNERS)
+@pytest.mark.parametrize("work", CORNER_WORKLOADS)
 @pytest.mark.parametrize("v", [3, 4, 7, 24])
 def test_pairs_made_to_lie_so_do(work, v):
-    make, relation = CORNERS[work]
+    make, relation = CORNER_WORKLOADS[work]
     for a, b in zip(*make(np.random.default_rng(4), 20, v)):
         assert truth.relation(Polygon(a), Polygon(b)) == relation
 
@@ -78,7 +81,7 @@ def test_peers_in_numba_are_right_where_nothing_is_near(work):
     a, b = WORKLOADS[work](np.random.default_rng(2), 500)
     columns = [np.ascontiguousarray(rings[:, :, d].T) for rings in (a, b) for d in (0, 1)]
     right = batch.hits(batch.Polygons(a), batch.Polygons(b), engine="numpy")
-    for kernel, more in ((kernels.textbook, (True, 0.0)), (kernels.gjk, ())):
+    for kernel, more in ((numba_rivals.textbook_sat, (True, 0.0)), (numba_rivals.gjk, ())):
         out = np.empty(len(a), np.int8)
         kernel(*columns, *more, out)
         assert np.array_equal(out > 0, right)

@@ -18,12 +18,12 @@ from refresh_charts import BENCH, IN_README, SPEED, stored
 from satviz.cli import main
 from satviz.pictures import THEMES
 from satviz.study import bench_chart, run
-from satviz.study.bench import BY, ENGINES, Row
-from satviz.study.harness.cells import Cell, Failure, Settings, results
-from satviz.study.harness.chart import Chart, axes, suffix, wilson
+from satviz.study.bench import CHECKED_BY, ENGINES, TimingRow
+from satviz.study.harness.cells import Cell, Failure, Settings, run_cells
+from satviz.study.harness.chart import Chart, add_axes, theme_suffix, wilson_interval
 from satviz.study.methods import COMPILED
 from satviz.study.run import study
-from satviz.study.sections import errors, order, resolution
+from satviz.study.sections import axis_order, error_counts, speed_against_accuracy
 
 pytestmark = pytest.mark.slow
 
@@ -33,7 +33,9 @@ QUICK = Settings(quick=True, seed=7)
 def small(count):
     """A section of `count` cells and one chart."""
     return SimpleNamespace(
-        cells=lambda settings: [Cell(f"gap-{k}", order.followed, (2, 4 + k, settings)) for k in range(count)],
+        cells=lambda settings: [
+            Cell(f"gap-{k}", axis_order.count_tested_axes, (2, 4 + k, settings)) for k in range(count)
+        ],
         charts=lambda found, settings: [Chart("gaps", "Gaps", (300, 200), blank, rows(found), "Only its numbers.")],
     )
 
@@ -43,7 +45,7 @@ def rows(found):
 
 
 def blank(fig, theme):
-    axes(fig, (0.1, 0.1, 0.8, 0.8), theme)
+    add_axes(fig, (0.1, 0.1, 0.8, 0.8), theme)
 
 
 def contents(folder):
@@ -73,15 +75,15 @@ def count(log, value):
 def test_a_finished_cell_is_not_done_again_unless_it_was_tampered_with_or_asked_otherwise(tmp_path):
     log = tmp_path / "log"
     cells = [Cell("one", count, (str(log), 1)), Cell("two", count, (str(log), 2), timed=True)]
-    first = {cell.name: result for cell, result in results(cells, tmp_path / "cells", None)}
-    again = {cell.name: result for cell, result in results(cells, tmp_path / "cells", None)}
+    first = {cell.name: result for cell, result in run_cells(cells, tmp_path / "cells", None)}
+    again = {cell.name: result for cell, result in run_cells(cells, tmp_path / "cells", None)}
     assert first == again == {"one": {"value": 1}, "two": {"value": 2}} and log.read_text() == "xx"
     (path,) = (tmp_path / "cells").glob("one-*.json")
     path.write_text(path.read_text().replace('"value": 1', '"value": 3'))  # the checksum tells
-    assert {cell.name: result for cell, result in results(cells, tmp_path / "cells", None)} == first
+    assert {cell.name: result for cell, result in run_cells(cells, tmp_path / "cells", None)} == first
     assert log.read_text() == "xxx"
     other = [cells[0]._replace(arguments=(str(log), 9))]
-    assert [result for _, result in results(other, tmp_path / "cells", None)] == [{"value": 9}]
+    assert [result for _, result in run_cells(other, tmp_path / "cells", None)] == [{"value": 9}]
 
 
 @pytest.mark.parametrize("pool", [ThreadPoolExecutor, ProcessPoolExecutor])
@@ -109,7 +111,7 @@ def test_a_failing_cell_is_named_and_the_others_are_done(tmp_path, pool):
     cells = [Cell("bad", broken, (3,)), Cell("endless", nan, ()), Cell("good", count, (str(tmp_path / "log"), 1))]
     cells.append(Cell("late", broken, (4,), timed=True))
     with pool(2) if pool else nullcontext() as executor:
-        found = {cell.name: result for cell, result in results(cells, tmp_path / "cells", executor)}
+        found = {cell.name: result for cell, result in run_cells(cells, tmp_path / "cells", executor)}
     assert found.pop("good") == {"value": 1} and all(isinstance(failure, Failure) for failure in found.values())
     assert found["bad"].why == "ValueError: no 3" and found["late"].why == "ValueError: no 4"
     assert "not JSON compliant" in found["endless"].why
@@ -126,7 +128,7 @@ def test_when_a_worker_dies_the_cells_left_to_it_have_failed_and_what_is_timed_i
     cells = [Cell(f"dead-{i}", die, (1,)) for i in range(20)]
     cells.append(Cell("good", count, (str(tmp_path / "log"), 1), timed=True))
     with ProcessPoolExecutor(2) as executor:
-        found = {cell.name: result for cell, result in results(cells, tmp_path / "cells", executor)}
+        found = {cell.name: result for cell, result in run_cells(cells, tmp_path / "cells", executor)}
     assert found.pop("good") == {"value": 1}
     assert len(found) == 20 and all("terminated abruptly" in failure.why for failure in found.values())
 
@@ -145,14 +147,14 @@ def test_the_command_does_the_other_sections_and_ends_with_1_if_a_cell_failed(tm
 
 
 def test_a_chart_is_saved_with_its_numbers_beside_it(tmp_path):
-    chart = resolution.main_chart(SPEED["rows"], QUICK)
+    chart = speed_against_accuracy.main_chart(SPEED["rows"], QUICK)
     section = SimpleNamespace(cells=lambda settings: [], charts=lambda found, settings: [chart])
     files = study(QUICK._replace(quick=False), tmp_path, sections=[section])
     assert {path.suffix for path in files} == {".svg", ".png", ".json", ".csv", ".md"}
     data = json.loads((tmp_path / f"{chart.stem}.json").read_text())
     assert (
         data["rows"] == list(chart.rows)
-        and data["rough"] == chart.rough == "rough: a quick run"
+        and data["rough"] == chart.warning == "rough: a quick run"
         and data["settings"]["seed"] == 7
         and "python" in data["machine"]
     )
@@ -190,8 +192,8 @@ def test_a_study_leaves_somebody_elses_cell_alone(tmp_path):
 
 
 def test_wilson_covers_the_rate_and_never_says_none_is_certain():
-    assert wilson(0, 1000)[0] == 0 and 0.003 < wilson(0, 1000)[1] < 0.005
-    low, high = wilson(30, 100)
+    assert wilson_interval(0, 1000)[0] == 0 and 0.003 < wilson_interval(0, 1000)[1] < 0.005
+    low, high = wilson_interval(30, 100)
     assert low < 0.3 < high and abs(low - 0.2189) < 1e-3 and abs(high - 0.3958) < 1e-3  # as in textbooks
 
 
@@ -218,8 +220,8 @@ README = (COMMITTED.parent / "README.md").read_text(encoding="utf-8")
 @pytest.mark.parametrize("theme", THEMES.values(), ids=list(THEMES))
 def test_a_chart_in_the_readme_is_what_its_numbers_draw(stem, theme):
     chart, numbers = IN_README[stem], stored(stem)
-    assert (chart.reading, chart.title, chart.rough) == (numbers["reading"], numbers["title"], numbers["rough"])
-    committed = (COMMITTED / f"{stem}{suffix(theme)}.svg").read_text(encoding="utf-8")
+    assert (chart.reading, chart.title, chart.warning) == (numbers["reading"], numbers["title"], numbers["rough"])
+    committed = (COMMITTED / f"{stem}{theme_suffix(theme)}.svg").read_text(encoding="utf-8")
     drawn = chart.encode("svg", theme).decode()
     if f"with matplotlib {matplotlib.__version__}<" in committed:
         assert drawn == committed
@@ -259,29 +261,31 @@ def test_the_bench_in_the_readme_was_measured_on_a_quiet_machine_and_none_was_wr
     assert all(row["wrong"] == 0 for row in BENCH["rows"] if row["method"].startswith("satviz"))
 
 
-def test_the_readme_tells_the_largest_gammas_of_its_sample_and_that_it_is_one():
-    gamma = {row["method"]: row["gamma"] for row in SPEED["rows"]}
-    float64 = max(row["gamma"] for row in SPEED["rows"] if row["family"] == "float SAT" and row["gamma"] < 2**20)
+def test_the_readme_tells_the_largest_margins_of_its_sample_and_that_it_is_one():
+    margin = {row["method"]: row["relative_margin"] for row in SPEED["rows"]}
+    float64 = max(margin[r["method"]] for r in SPEED["rows"] if r["family"] == "float SAT" and "32" not in r["method"])
     assert f"in this sample SAT in float64 was wrong up to a gamma of {float64:.1f}," in README
-    assert f"float32 was wrong up to 2^{log2(gamma['SAT, float32']):.1f} in this sample" in README
+    assert f"float32 was wrong up to 2^{log2(margin['SAT, float32']):.1f} in this sample" in README
 
 
 def of_bench(method, time=1.0, work="tiles", section="scenes", size=0, **more):
-    return Row(section, work, size, method, "ns", time, time, time, time, **more)
+    return TimingRow(section, work, size, method, "ns", time, time, time, time, **more)
 
 
 def test_what_answers_were_checked_by_is_never_added_up():
-    rows = [of_bench(engine, wrong=1, checked=10 ** (k + 1), by=by) for k, by in enumerate(BY) for engine in ENGINES]
+    rows = [
+        of_bench(engine, wrong=1, checked=10 ** (k + 1), by=by) for k, by in enumerate(CHECKED_BY) for engine in ENGINES
+    ]
     rows += [of_bench("shapely", 2.0), of_bench("GJK in numba", wrong=5, checked=7, by="rationals")]
-    told = bench_chart.chart(rows, "").reading
-    for k, words in enumerate(BY.values()):
+    told = bench_chart.bench_chart(rows, "").reading
+    for k, words in enumerate(CHECKED_BY.values()):
         assert f"2 of {2 * 10 ** (k + 1):,} {words}" in told
-    assert len(re.findall(r"\d of \d", told)) == len(BY)
+    assert len(re.findall(r"\d of \d", told)) == len(CHECKED_BY)
 
 
 def test_every_place_where_satviz_is_slower_than_shapely_is_told():
     rows = [of_bench("shapely"), of_bench("satviz numpy", 0.5)]
-    assert "Nowhere in this run was satviz slower" in bench_chart.chart(rows, "").reading
+    assert "At no work of this run was satviz slower" in bench_chart.bench_chart(rows, "").reading
     for n in 1000, 100_000, 10_000_000:
         rows += [
             of_bench("shapely", 1.0, "even", "broad phase", n),
@@ -296,14 +300,14 @@ def test_every_place_where_satviz_is_slower_than_shapely_is_told():
         of_bench("shapely", 1.0, "even", "broad phase", 10),
         of_bench("satviz numpy", 4.0, "even", "broad phase", 10),
     ]
-    told = bench_chart.chart(rows, "").reading
+    told = bench_chart.bench_chart(rows, "").reading
     assert "touching, 64 corners (0.50)" in told and "10 boxes, even (0.25)" in told and "3 corners" not in told
     assert "from 0.2 times as fast as shapely unprepared (10 boxes, even)" in told and "100,000 boxes" not in told
 
 
 def test_times_as_fast_as_shapely_say_which_shapely():
     rows = [of_bench("shapely", 8.0), of_bench("shapely, prepared", 4.0), of_bench("satviz numba", 1.0)]
-    told = bench_chart.chart(rows, "").reading
+    told = bench_chart.bench_chart(rows, "").reading
     assert "8.0 times (tiles; 4.0 times as fast as prepared)" in told
     assert "shapely" not in told.replace("shapely unprepared", "")
 
@@ -317,10 +321,12 @@ def test_the_chart_in_the_readme_comes_from_a_full_run_and_its_exact_methods_wer
 
 @pytest.mark.full
 def test_the_counts_in_the_readme_are_counted_again():
-    found = {cell.name: cell.work(*cell.arguments) for cell in resolution.cells(Settings()) if not cell.timed}
+    found = {
+        cell.name: cell.work(*cell.arguments) for cell in speed_against_accuracy.cells(Settings()) if not cell.timed
+    }
     times = {"ns": 1.0, "ns_low": 1.0, "ns_high": 1.0}
     found["resolution-times"] = [{**row, **times} for row in found["count-ordinary"]]
-    again = {row["method"]: row for row in errors.rows(found) if row["language"] == COMPILED}
+    again = {row["method"]: row for row in error_counts.method_summaries(found) if row["language"] == COMPILED}
     for row in SPEED["rows"]:
         assert {**again[row["method"]], **times} == {**row, **times}
 
@@ -329,7 +335,7 @@ def test_a_cluster_gives_the_same_numbers(tmp_path):
     distributed = pytest.importorskip("distributed", reason="a cluster needs python -m pip install '.[cluster]'")
     with (
         distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
-        run.executor(cluster.scheduler_address) as pool,
+        run.open_executor(cluster.scheduler_address) as pool,
     ):
         study(QUICK, tmp_path / "many", sections=[small(3)], executor=pool)
     study(QUICK, tmp_path / "alone", sections=[small(3)])

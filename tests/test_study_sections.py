@@ -20,17 +20,45 @@ from satviz.engine.geometry import Relation
 from satviz.pictures import THEMES
 from satviz.study import run, truth
 from satviz.study.harness.cells import Settings
-from satviz.study.harness.chart import TEXT
-from satviz.study.harness.times import rough
-from satviz.study.methods import COMPILED, PYTHON, asked, kernels, methods, mistakes, scalar, shapes, truths, wrong
-from satviz.study.sections import changes, corners, errors, maps, order, price, resolution, resting, reuse
-from satviz.study.workloads.hard import EXTREME, KINDS, hard, octave, on_a_grid, touching
-from satviz.study.workloads.workloads import WORKLOADS, apart, outlines, overlapping
+from satviz.study.harness.chart import TEXT_POINTS
+from satviz.study.harness.timings import timing_warning
+from satviz.study.methods import (
+    COMPILED,
+    PYTHON,
+    all_methods,
+    answers_by_method,
+    count_mistakes,
+    engine_shapes,
+    numba_rivals,
+    python_rivals,
+    true_relations,
+    wrong_answers,
+)
+from satviz.study.sections import (
+    axis_order,
+    corner_count,
+    error_counts,
+    error_maps,
+    exactness_cost,
+    invariance,
+    resting_contact,
+    setup_cost,
+    speed_against_accuracy,
+)
+from satviz.study.workloads.generators import WORKLOADS, apart_pairs, overlapping_pairs, unpadded_rings
+from satviz.study.workloads.hard_pairs import (
+    EXTREME_KIND,
+    HARD_KINDS,
+    hard_pairs,
+    octave_of,
+    pairs_on_a_grid,
+    touching_triangles,
+)
 
 pytestmark = pytest.mark.slow
 
 QUICK = Settings(quick=True, seed=7)
-EVERY = (*KINDS, EXTREME)
+EVERY = (*HARD_KINDS, EXTREME_KIND)
 each_kind = pytest.mark.parametrize("kind", range(len(EVERY)), ids=[kind.name for kind in EVERY])
 SIZES = {"compiled": 300, "NumPy": 100, "Python": 20}
 
@@ -38,54 +66,61 @@ SIZES = {"compiled": 300, "NumPy": 100, "Python": 20}
 @pytest.fixture(scope="module")
 def found():
     """Every cell of every section but the maps, on few pairs."""
-    made = {f"hard-{kind.name.replace(' ', '-')}": errors.count_hard(i, 5, QUICK) for i, kind in enumerate(EVERY)}
-    made |= {f"count-{work}": errors.count(work, 120, QUICK) for work in ("touching", "ordinary")}
-    made["resolution-times"] = errors.take_times(SIZES, 2, QUICK)
-    made["price-times"] = price.take_times(300, 2, QUICK)
-    made["reuse-times"] = reuse.take_times(200, 2, QUICK)
-    made["corners-times"] = corners.take_times(300, 2, QUICK)
-    made["changes"] = changes.changed(150, QUICK)
-    made["resting"] = resting.followed(300, QUICK)
-    made["order"] = order.followed(3, 30, QUICK)
-    made |= {cell.name: maps.slide(cell.arguments[0], 9) for cell in maps.cells(QUICK)}
+    made = {
+        f"hard-{kind.name.replace(' ', '-')}": error_counts.count_errors_by_margin(i, 5, QUICK)
+        for i, kind in enumerate(EVERY)
+    }
+    made |= {f"count-{work}": error_counts.count_errors(work, 120, QUICK) for work in ("touching", "ordinary")}
+    made["resolution-times"] = error_counts.take_times(SIZES, 2, QUICK)
+    made["price-times"] = exactness_cost.take_times(300, 2, QUICK)
+    made["reuse-times"] = setup_cost.take_times(200, 2, QUICK)
+    made["corners-times"] = corner_count.take_times(300, 2, QUICK)
+    made["changes"] = invariance.count_changed_answers(150, QUICK)
+    made["resting"] = resting_contact.measure_contacts(300, QUICK)
+    made["order"] = axis_order.count_tested_axes(3, 30, QUICK)
+    made |= {cell.name: error_maps.evaluate_grid(cell.arguments[0], 9) for cell in error_maps.cells(QUICK)}
     return json.loads(json.dumps(made, allow_nan=False))
 
 
 @pytest.fixture(scope="module")
 def charts(found):
-    return {chart.stem: chart for chart in run.charts(found, run.SECTIONS, QUICK)}
+    return {chart.stem: chart for chart in run.all_charts(found, run.SECTIONS, QUICK)}
 
 
 def hard_rows(found):
     return [row for name, rows in found.items() if name.startswith("hard-") for row in rows]
 
 
-# -- gamma, and the pairs made by it
+# -- the relative margin, and the pairs made by it
 
 
-def test_gamma_has_no_unit():
+def test_the_relative_margin_has_no_unit():
     rng = np.random.default_rng(4)
-    for kind in KINDS:
-        a, b, found = hard(kind, rng, 1)
+    for kind in HARD_KINDS:
+        a, b, found = hard_pairs(kind, rng, 1)
         small, large = (relative_margins(batch.Polygons(a * 2.0**k), batch.Polygons(b * 2.0**k)) for k in (-90, 70))
         assert np.array_equal(small, found) and np.array_equal(large, found)
 
 
 @each_kind
 def test_hard_pairs_are_valid_and_as_hard_as_asked(kind):
-    a, b, found = hard(EVERY[kind], np.random.default_rng(3), 9)
-    assert len(a) > 100 and set(octave(found)) >= set(range(2, 34))
-    relations = truths(a, b)
+    a, b, found = hard_pairs(EVERY[kind], np.random.default_rng(3), 9)
+    assert len(a) > 100 and set(octave_of(found)) >= set(range(2, 34))
+    relations = true_relations(a, b)
     assert 0.3 < (relations > 0).mean() < 0.7
-    for p, q, g in list(zip(shapes(a), shapes(b), found, strict=True))[::20]:
+    for p, q, g in list(zip(engine_shapes(a), engine_shapes(b), found, strict=True))[::20]:
         assert p.is_convex and q.is_convex and truth.relation(p, q) == relate(p, q)
         assert relative_margin(p, q) == pytest.approx(g, rel=0.03)
 
 
 def test_touching_pairs_touch_and_take_more_than_whole_numbers():
-    a, b = touching(np.random.default_rng(3), 60)
-    assert set(truths(a, b)) == {1}
-    assert any(wrong(said, truths(a, b)).any() for m, said in asked(methods(), a, b) if m.name == "SAT, raw normals")
+    a, b = touching_triangles(np.random.default_rng(3), 60)
+    assert set(true_relations(a, b)) == {1}
+    assert any(
+        wrong_answers(said, true_relations(a, b)).any()
+        for m, said in answers_by_method(all_methods(), a, b)
+        if m.name == "SAT, raw normals"
+    )
 
 
 # -- who is wrong, and up to where
@@ -93,10 +128,12 @@ def test_touching_pairs_touch_and_take_more_than_whole_numbers():
 
 def test_exact_methods_are_never_wrong_and_those_exact_in_range_not_where_products_stay_in_it(found):
     for row in hard_rows(found):
-        if row["family"] == "exact" or (row["family"] == "exact in range" and row["kind"] != EXTREME.name):
+        if row["family"] == "exact" or (row["family"] == "exact in range" and row["kind"] != EXTREME_KIND.name):
             assert row["wrong"] == 0, row
     beyond = [
-        row["wrong"] for row in hard_rows(found) if row["family"] == "exact in range" and row["kind"] == EXTREME.name
+        row["wrong"]
+        for row in hard_rows(found)
+        if row["family"] == "exact in range" and row["kind"] == EXTREME_KIND.name
     ]
     assert beyond and all(beyond)
     assert not any(
@@ -106,18 +143,22 @@ def test_exact_methods_are_never_wrong_and_those_exact_in_range_not_where_produc
 
 def test_in_this_sample_float_sat_is_wrong_only_at_a_few_roundings_whatever_made_it_hard(found):
     for row in hard_rows(found):
-        if row["family"] in ("float SAT", "GJK") and "float32" not in row["method"] and row["kind"] != EXTREME.name:
-            assert row["gamma"] < 4, row
+        if (
+            row["family"] in ("float SAT", "GJK")
+            and "float32" not in row["method"]
+            and row["kind"] != EXTREME_KIND.name
+        ):
+            assert row["relative_margin"] < 4, row
 
 
 def test_float32_is_two_to_the_29_coarser_and_a_tolerance_as_coarse_as_its_size(found):
     worst = {}
     for row in hard_rows(found):
-        if row["kind"] != EXTREME.name and row["language"] == COMPILED:
-            worst[row["method"]] = max(worst.get(row["method"], 0.0), row["gamma"])
+        if row["kind"] != EXTREME_KIND.name and row["language"] == COMPILED:
+            worst[row["method"]] = max(worst.get(row["method"], 0.0), row["relative_margin"])
     assert 2**27 < worst["SAT, float32"] < 2**31
     assert 2**20 < worst["SAT, 1e-9 counts as a hit"] < 2**24
-    assert worst["AABB"] > errors.ANY < worst["16 axes"]
+    assert worst["AABB"] > error_counts.EVERY_MARGIN < worst["16 axes"]
 
 
 # what a search for the worst pairs found, far beyond every sample of the study; both are apart
@@ -140,11 +181,13 @@ FOUND = {
 
 
 @pytest.mark.parametrize("normals", FOUND)
-def test_the_largest_gamma_of_a_sample_is_no_bound(normals):
+def test_the_largest_margin_of_a_sample_is_no_bound(normals):
     a, b, known = FOUND[normals]
     p, q = Polygon(a), Polygon(b)
     assert truth.relation(p, q) == Relation.APART and round(relative_margin(p, q), 2) == known
-    assert scalar.sat(scalar.plain(p), scalar.plain(q), unit=normals == "unit normals")  # a hit, which is wrong
+    assert python_rivals.sat(
+        python_rivals.points_and_radius(p), python_rivals.points_and_radius(q), unit=normals == "unit normals"
+    )  # a hit, which is wrong
     for name in "README.md", "notebooks/7-speed-against-accuracy.ipynb":
         text = (Path(__file__).parent.parent / name).read_text(encoding="utf-8")
         assert re.search(rf"{normals} (wrong )?at {known:.2f}", text), name
@@ -153,12 +196,14 @@ def test_the_largest_gamma_of_a_sample_is_no_bound(normals):
 @pytest.mark.parametrize(
     ("scale", "away", "gap", "least"), [(2.0**70, 0.0, 0.5, 2.0**50), (1.0, 2.0**25, 2.0**21, 2.0**48)]
 )
-def test_where_float32_cannot_hold_the_shapes_or_their_products_gamma_does_not_rank_it(scale, away, gap, least):
+def test_where_float32_cannot_hold_the_shapes_or_their_products_the_margin_does_not_rank_it(scale, away, gap, least):
     box = np.array([[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]])
     a, b = (box + away) * scale, (box + np.array([1 + gap, 0]) + away) * scale
-    (float32,) = [method for method in methods() if method.name == "SAT, float32"]
-    assert truths(a, b) == [0] and relative_margins(batch.Polygons(a), batch.Polygons(b)) > least
-    assert [wrong(said, truths(a, b)).tolist() for _, said in asked([float32], a, b)] == [[True]]
+    (float32,) = [method for method in all_methods() if method.name == "SAT, float32"]
+    assert true_relations(a, b) == [0] and relative_margins(batch.Polygons(a), batch.Polygons(b)) > least
+    assert [wrong_answers(said, true_relations(a, b)).tolist() for _, said in answers_by_method([float32], a, b)] == [
+        [True]
+    ]
 
 
 def test_a_bound_errs_only_to_a_hit(found):
@@ -169,16 +214,16 @@ def test_a_bound_errs_only_to_a_hit(found):
 
 def test_a_touch_taken_for_an_overlap_is_a_mistake_of_who_tells_them_apart():
     right = np.array([0, 1, 2, 1])
-    assert mistakes(np.array([0, 2, 1, 1]), right) == {"false_hits": 0, "false_misses": 0, "confused": 2}
-    assert mistakes(np.array([1, 2, 1, 0]), right) == {"false_hits": 1, "false_misses": 1, "confused": 2}
-    assert mistakes(right > 0, right) == {"false_hits": 0, "false_misses": 0, "confused": 0}
+    assert count_mistakes(np.array([0, 2, 1, 1]), right) == {"false_hits": 0, "false_misses": 0, "confused": 2}
+    assert count_mistakes(np.array([1, 2, 1, 0]), right) == {"false_hits": 1, "false_misses": 1, "confused": 2}
+    assert count_mistakes(right > 0, right) == {"false_hits": 0, "false_misses": 0, "confused": 0}
 
 
 @pytest.mark.parametrize("work", ["triangles", "boxes", "8-gons"])
 def test_every_complete_method_is_right_where_nothing_is_near(work):
     a, b = WORKLOADS[work](np.random.default_rng(2), 200)
-    right = truths(a, b)
-    for method, said in asked(methods(), a, b):
+    right = true_relations(a, b)
+    for method, said in answers_by_method(all_methods(), a, b):
         if method.family not in ("bounds",):
             assert np.array_equal(said > 0, right > 0), method
 
@@ -187,64 +232,72 @@ def test_gjk_counts_touching_and_concentric_shapes_as_hits():
     square = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     beside, corner = Polygon([(1, 0), (2, 0), (2, 1), (1, 1)]), Polygon([(1, 1), (2, 1), (2, 2), (1, 2)])
     for other in (square, beside, corner, Circle((0.5, 0.5), 0.1), Circle((2, 0.5), 1)):
-        assert scalar.gjk(scalar.plain(square), scalar.plain(other))
-    assert not scalar.gjk(scalar.plain(square), scalar.plain(Circle((2.5, 0.5), 1)))
+        assert python_rivals.gjk(python_rivals.points_and_radius(square), python_rivals.points_and_radius(other))
+    assert not python_rivals.gjk(
+        python_rivals.points_and_radius(square), python_rivals.points_and_radius(Circle((2.5, 0.5), 1))
+    )
 
 
 @pytest.mark.parametrize("v", [3, 4, 7, 24, 100])
 def test_every_way_through_many_corners_gives_one_answer(v):
     rng = np.random.default_rng(v)
-    for make, hit in (apart, False), (overlapping, True):
-        for name, job in corners.ways(*make(rng, 40, v)).items():
+    for make, hit in (apart_pairs, False), (overlapping_pairs, True):
+        for name, job in corner_count.ready_jobs(*make(rng, 40, v)).items():
             assert set(job()) == {hit}, name
 
 
-def test_turns_differ_only_in_what_they_grant_for_rounding():
-    a, b, _ = hard(KINDS[3], np.random.default_rng(5), 6)
+def test_orientation_methods_differ_only_in_their_error_bound():
+    a, b, _ = hard_pairs(HARD_KINDS[3], np.random.default_rng(5), 6)
     columns = [np.ascontiguousarray(rings[:, :, d].T) for rings in (a, b) for d in (0, 1)]
     found = {}
-    for granted in (kernels.FLOAT, kernels.ADAPTIVE, kernels.EXACT):
+    for granted in (numba_rivals.NO_ERROR_BOUND, numba_rivals.ERRBOUND_A, numba_rivals.ALWAYS_EXACT):
         out = np.empty(len(a), np.int8)
-        kernels.turns(*columns, granted, out)
+        numba_rivals.orientation_sat(*columns, granted, out)
         found[granted] = out > 0
-    right = truths(a, b) > 0
-    assert np.array_equal(found[kernels.ADAPTIVE], right) and np.array_equal(found[kernels.EXACT], right)
+    right = true_relations(a, b) > 0
+    assert np.array_equal(found[numba_rivals.ERRBOUND_A], right) and np.array_equal(
+        found[numba_rivals.ALWAYS_EXACT], right
+    )
 
 
 # -- the other sections
 
 
 def test_changes_change_no_pair_and_no_exact_method(found):
-    a, b = on_a_grid(np.random.default_rng(1), 30, changes.HARDEST)
-    for change in changes.CHANGES.values():
-        assert np.array_equal(truths(*change(a, b)), truths(a, b))
+    a, b = pairs_on_a_grid(np.random.default_rng(1), 30, invariance.MAX_MARGIN)
+    for change in invariance.CHANGES.values():
+        assert np.array_equal(true_relations(*change(a, b)), true_relations(a, b))
     moved = {(row["method"], row["change"]): row["changed"] for row in found["changes"]}
-    assert all(not count for (method, _), count in moved.items() if method in ("satviz", "turns, adaptive"))
+    assert all(not count for (method, _), count in moved.items() if method in ("satviz", "orientation, adaptive"))
     assert moved["SAT, raw normals", "moved"] > 0
 
 
-def test_a_resting_box_is_told_as_it_lies(found):
+def test_a_resting_box_is_classified_as_it_is(found):
     of = {(row["scene"], row["method"], row["kept"]): row for row in found["resting"]}
     for (scene, method, _), row in of.items():
         assert row["wrong"] == 0 or method != "satviz"
-        assert scene == resting.ON or row["apart"] == 0
-    assert of[resting.ON, "satviz", False]["apart"] == of[resting.ON, "satviz", False]["apart_in_truth"] > 0
-    assert of[resting.AT, "satviz", False]["flips"] > 0 == of[resting.AT, "satviz", True]["flips"]
+        assert scene == resting_contact.ON or row["apart"] == 0
+    assert (
+        of[resting_contact.ON, "satviz", False]["apart"]
+        == of[resting_contact.ON, "satviz", False]["apart_in_truth"]
+        > 0
+    )
+    assert of[resting_contact.AT, "satviz", False]["flips"] > 0 == of[resting_contact.AT, "satviz", True]["flips"]
 
 
 def test_the_order_of_axes_never_changes_a_verdict(found):
     assert all(row["right"] == row["frames"] for row in found["order"])
     tested = {row["order"]: row["tested"] for row in found["order"]}
-    assert tested[order.WARM] < tested[order.SHUFFLED]
+    assert tested[axis_order.LAST_FIRST] < tested[axis_order.SHUFFLED]
 
 
 def test_the_last_axis_comes_first_and_none_is_lost():
-    a, b = next(order.passing(QUICK.rng("order"), 2))
+    a, b = next(axis_order.passing_frames(QUICK.rng("order"), 2))
     axes = needed(a, b).axes
     for axis in axes:
-        ordered = order.last_first(axes, axis.source)
+        ordered = axis_order.last_first(axes, axis.source)
         assert ordered[0] == axis and sorted(ordered) == sorted(axes)
-    assert order.last_first(axes, None) == axes
+    assert axis_order.last_first(axes, None) == axes
 
 
 def test_counts_are_the_same_on_a_rerun_with_the_same_seed(found):
@@ -252,12 +305,12 @@ def test_counts_are_the_same_on_a_rerun_with_the_same_seed(found):
         return json.loads(json.dumps(value))
 
     other = QUICK._replace(seed=8)
-    assert again(errors.count_hard(0, 5, QUICK)) == found["hard-ordinary-shapes"]
-    assert again(errors.count_hard(0, 5, other)) != found["hard-ordinary-shapes"]
-    assert again(errors.count("touching", 120, QUICK)) == found["count-touching"]
-    assert again(changes.changed(150, QUICK)) == found["changes"]
-    assert again(resting.followed(300, QUICK)) == found["resting"]
-    assert again(order.followed(3, 30, QUICK)) == found["order"]
+    assert again(error_counts.count_errors_by_margin(0, 5, QUICK)) == found["hard-ordinary-shapes"]
+    assert again(error_counts.count_errors_by_margin(0, 5, other)) != found["hard-ordinary-shapes"]
+    assert again(error_counts.count_errors("touching", 120, QUICK)) == found["count-touching"]
+    assert again(invariance.count_changed_answers(150, QUICK)) == found["changes"]
+    assert again(resting_contact.measure_contacts(300, QUICK)) == found["resting"]
+    assert again(axis_order.count_tested_axes(3, 30, QUICK)) == found["order"]
 
 
 def test_set_up_and_the_first_question_are_counted(monkeypatch):
@@ -268,11 +321,11 @@ def test_set_up_and_the_first_question_are_counted(monkeypatch):
         rounds[method] += 1
         return (6.0, 4.0, 1.0) if rounds[method] > 1 else (600.0, 400.0, 100.0)  # the first round is left out
 
-    monkeypatch.setattr(reuse, "_once", once)
-    rows = reuse.take_times(200, 2, QUICK)
+    monkeypatch.setattr(setup_cost, "_once", once)
+    rows = setup_cost.take_times(200, 2, QUICK)
     assert {row["reuse"]: row["ns"] * 200 / 1e9 for row in rows} == pytest.approx({1: 10, 10: 1.9, 100: 1.09})
     for row in rows:
-        parts = [row[part] * row["pairs"] / 1e9 for part in reuse.PARTS.values()]
+        parts = [row[part] * row["pairs"] / 1e9 for part in setup_cost.TIME_PARTS.values()]
         assert parts == pytest.approx([6, 4, 1]) and row["ns_low"] == row["ns"] == row["ns_high"]
     assert len(rows) == 3 * len(rounds) and set(rounds.values()) == {3}
 
@@ -281,9 +334,9 @@ def test_set_up_and_questions_are_timed_apart(monkeypatch):
     """Made ready once, asked twice, the clock read between all of them."""
     done = []
     clock = iter([0.0, 1.0, 11.0, 111.0])
-    monkeypatch.setattr(reuse, "thread_time", lambda: done.append("clock") or next(clock))
+    monkeypatch.setattr(setup_cost, "thread_time", lambda: done.append("clock") or next(clock))
     method = SimpleNamespace(prepare=lambda side: done.append("ready") or side, hits=lambda a, b: done.append("asked"))
-    assert reuse._once(method, None, None) == (1.0, 10.0, 100.0)
+    assert setup_cost._time_parts(method, None, None) == (1.0, 10.0, 100.0)
     assert done == ["clock", "ready", "ready", "clock", "asked", "clock", "asked", "clock"]
 
 
@@ -296,28 +349,28 @@ def test_charts_are_few_and_their_numbers_are_in_their_rows(charts):
         assert chart.rows and "{" not in chart.reading and chart.reading.endswith(".")
 
 
-def test_readings_tell_the_numbers_of_the_rows(charts):
+def test_readings_hold_the_numbers_of_the_rows(charts):
     main = charts["speed-against-accuracy"]
     of = {row["method"]: row for row in main.rows}
-    assert f"SAT, float32: wrong up to gamma {of['SAT, float32']['gamma']:.2g}" in main.reading
+    assert f"SAT, float32: wrong up to a relative margin of {of['SAT, float32']['relative_margin']:.2g}" in main.reading
     assert f"{of['satviz']['pairs']:,} pairs" in main.reading
     cost = {(row["method"], row["share"]): row["ns"] for row in charts["price-of-exactness"].rows}
-    every = resolution.told(cost["satviz", 1.0] - cost["satviz, no filter", 1.0])
+    every = speed_against_accuracy.format_time(cost["satviz", 1.0] - cost["satviz, no filter", 1.0])
     assert every in charts["price-of-exactness"].title
 
 
 def test_exact_by_construction_is_said_of_nothing_that_was_ever_wrong(charts):
     rows = [*charts["speed-against-accuracy"].rows, *charts["interpreted"].rows]
-    proved = [row for row in rows if row["lane"] == errors.PROVED]
+    proved = [row for row in rows if row["lane"] == error_counts.EXACT_BY_CONSTRUCTION]
     assert {row["method"].split(",")[0] for row in proved} == {"satviz"}
     for row in proved:
         assert (
             row["wrong"] == row["touching_wrong"] == row["ordinary_wrong"] == row["extreme_wrong"] == 0 < row["extreme"]
         )
     lane = {row["method"]: row["lane"] for row in rows}
-    assert lane["turns, adaptive"] == lane["turns, expansions"] == errors.NEVER
-    assert lane["AABB"] == lane["bounding circles"] == errors.LOOSE
-    assert lane["SAT, raw normals"] == "" and lane.get("shapely", errors.NEVER) == errors.NEVER
+    assert lane["orientation, adaptive"] == lane["orientation, expansions"] == error_counts.NONE_WRONG
+    assert lane["AABB"] == lane["bounding circles"] == error_counts.WRONG_AT_ANY_DISTANCE
+    assert lane["SAT, raw normals"] == "" and lane.get("shapely", error_counts.NONE_WRONG) == error_counts.NONE_WRONG
 
 
 def test_what_none_wrong_in_this_sample_leaves_out_is_said_with_its_counts(charts):
@@ -325,11 +378,11 @@ def test_what_none_wrong_in_this_sample_leaves_out_is_said_with_its_counts(chart
         told = chart.reading.split("Wrong on those: ")[1]
         for row in chart.rows:
             assert (f"{row['method']}: {row['extreme_wrong']:,}" in told) == (
-                row["lane"] in (errors.NEVER, errors.PROVED)
+                row["lane"] in (error_counts.NONE_WRONG, error_counts.EXACT_BY_CONSTRUCTION)
             )
 
 
-SAMPLED = "speed-against-accuracy", "wrong-by-gamma", "kinds-of-hardness", "interpreted"
+SAMPLED = "speed-against-accuracy", "wrong-by-margin", "kinds-of-hardness", "interpreted"
 
 
 @pytest.mark.parametrize("stem", SAMPLED)
@@ -342,7 +395,9 @@ def test_a_sentence_about_a_sample_says_that_it_is_one(charts, stem):
 def test_a_fixed_tolerance_is_given_no_gap_in_a_scene_of_a_kilometre(charts):
     chart = charts["speed-against-accuracy"]
     fixed = [row["method"] for row in chart.rows if row["family"] == "tolerance"]
-    assert len(fixed) == 2 and {row["lane"] for row in chart.rows if row["method"] in fixed} == {errors.FIXED}
+    assert len(fixed) == 2 and {row["lane"] for row in chart.rows if row["method"] in fixed} == {
+        error_counts.FIXED_TOLERANCE
+    }
     for sentence in re.split(r"\. (?=[A-Z])", chart.reading):
         assert "in a kilometre" not in sentence or not any(name in sentence for name in fixed)
 
@@ -358,8 +413,8 @@ def test_the_price_of_an_exact_answer_says_what_is_not_in_it(charts):
 
 def test_a_quick_or_torn_run_is_stamped():
     calm, torn = {"ns": 10.0, "ns_low": 9.5, "ns_high": 10.5}, {"ns": 10.0, "ns_low": 6.0, "ns_high": 14.0}
-    assert rough([calm] * 4, QUICK) == "rough: a quick run"
-    assert rough([calm] * 3 + [torn], Settings()) == "" and "busy" in rough([calm, torn], Settings())
+    assert timing_warning([calm] * 4, QUICK) == "rough: a quick run"
+    assert timing_warning([calm] * 3 + [torn], Settings()) == "" and "busy" in timing_warning([calm, torn], Settings())
 
 
 def drawn_texts(fig):
@@ -380,7 +435,7 @@ def test_no_label_of_a_chart_covers_another_or_leaves_it(charts, theme):
         fig.draw_without_rendering()
         renderer = fig.canvas.get_renderer()
         texts = [text for text in drawn_texts(fig) if text.get_text().strip()]
-        assert all(text.get_fontsize() >= TEXT for text in texts)
+        assert all(text.get_fontsize() >= TEXT_POINTS for text in texts)
         boxes = [Text.get_window_extent(text, renderer) for text in texts]  # without the lines that tie them
         for text, box in zip(texts, boxes, strict=True):
             inside = fig.bbox.x0 <= box.x0 and box.x1 <= fig.bbox.x1 and fig.bbox.y0 <= box.y0 and box.y1 <= fig.bbox.y1
@@ -400,12 +455,12 @@ def test_cells_can_be_sent_away_and_have_names_of_their_own():
 
 def test_padding_is_taken_off_again():
     rings, _ = WORKLOADS["mixed, 3 to 8 corners"](np.random.default_rng(2), 50)
-    counts = [len(ring) for ring in outlines(rings)]
+    counts = [len(ring) for ring in unpadded_rings(rings)]
     assert set(counts) <= set(range(3, 9)) and len(set(counts)) > 3
 
 
 def test_every_method_says_what_it_is():
     for circles in (False, True):
-        found = methods(circles=circles)
+        found = all_methods(circles=circles)
         assert len({(m.language, m.name) for m in found}) == len(found) > 5
-    assert {m.language for m in methods()} >= {COMPILED, PYTHON}
+    assert {m.language for m in all_methods()} >= {COMPILED, PYTHON}

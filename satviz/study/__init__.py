@@ -1,5 +1,5 @@
-"""Speed against accuracy: the methods measured beside each other, against the truth in rationals.
+"""Speed against accuracy: collision tests measured beside each other, their answers checked by rational arithmetic.
 
-`methods` are asked about `pairs` in the cells of `sections`, with what `lab` has for that.  A section is a module
-with `cells(settings)` and `charts(found, settings)`: it gives its cells and, from their results, its charts.
+`workloads` makes pairs of shapes, `methods` answers them, `truth` gives the exact relations, and each module of
+`sections` measures one question and draws its charts, with the tools of `harness`.
 """

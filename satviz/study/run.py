@@ -1,4 +1,4 @@
-"""satviz study: every section's cells, then its charts and their readings, into one folder."""
+"""satviz study: run the cells of every section, then write the charts and their readings into one folder."""
 
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
@@ -11,18 +11,36 @@ from typing import Any
 from ..batch.chunks import check_executor
 from ..optional_imports import extra_needed
 from ..safe_write import MADE_BY, check, folder, write
-from .harness.cells import Failure, Settings, results
-from .harness.chart import Chart, save
-from .harness.machine import machine
-from .sections import changes, corners, maps, order, price, resolution, resting, reuse
+from .harness.cells import Failure, Settings, run_cells
+from .harness.chart import Chart, save_chart
+from .harness.machine import machine_facts
+from .sections import (
+    axis_order,
+    corner_count,
+    error_maps,
+    exactness_cost,
+    invariance,
+    resting_contact,
+    setup_cost,
+    speed_against_accuracy,
+)
 
-SECTIONS: tuple[ModuleType, ...] = (resolution, price, reuse, corners, changes, resting, order, maps)
-KEPT = "cells"  # the folder of finished cells, inside the study's own
-MOST_NAMED = 5  # of the failed cells
+SECTIONS: tuple[ModuleType, ...] = (
+    speed_against_accuracy,
+    exactness_cost,
+    setup_cost,
+    corner_count,
+    invariance,
+    resting_contact,
+    axis_order,
+    error_maps,
+)
+CELLS_FOLDER = "cells"  # the folder of the finished cells, inside the folder of the study
+MAX_NAMED_FAILURES = 5  # failed cells that an error line names
 
 
 class CellsFailed(RuntimeError):
-    """Some cells failed, so their sections have no charts; all else was written."""
+    """Raised when some cells failed: their sections have no charts, and everything else was written."""
 
 
 def study(
@@ -34,12 +52,11 @@ def study(
     progress: Callable[[int, int, str], None] = lambda done, total, name: None,
     force: bool = False,
 ) -> list[Path]:
-    """Do what is not done yet, then write the charts, their numbers and study.md; returns the files written.
+    """Run the cells that are not finished, write the charts, their numbers and study.md, and return the files written.
 
-    Finished cells stay in `out`/cells, so an interrupted study goes on where it was.
-    `executor` takes the cells that do not measure time.  `progress(done, total, name)`
-    is told of each finished cell.  FileExistsError for a file that satviz did not make,
-    unless `force`; CellsFailed at the end, if any did.
+    Finished cells stay in `out`/cells, so an interrupted study continues where it stopped.  `executor` runs the cells
+    that do not measure time.  `progress(done, total, name)` is called after each finished cell.  Raise FileExistsError
+    for a file that satviz did not make, unless `force`, and CellsFailed at the end if a cell failed.
     """
     check_executor(executor)
     sections = SECTIONS if sections is None else sections
@@ -48,59 +65,66 @@ def study(
     cells = [cell for section in sections for cell in section.cells(settings)]
     found: dict[str, Any] = {}
     failed: dict[str, Failure] = {}
-    for cell, result in results(cells, out / KEPT, executor, force=force):
+    for cell, result in run_cells(cells, out / CELLS_FOLDER, executor, force=force):
         (failed if isinstance(result, Failure) else found)[cell.name] = result
         progress(len(found) + len(failed), len(cells), cell.name)
-    facts = {"settings": settings._asdict(), "machine": machine()}
+    facts = {"settings": settings._asdict(), "machine": machine_facts()}
     written: list[Path] = []
     whole = [section for section in sections if not any(cell.name in failed for cell in section.cells(settings))]
-    made = charts(found, whole, settings)
+    made = all_charts(found, whole, settings)
     for chart in made:
-        written += save(chart, out, facts, ("svg",) if settings.quick else ("svg", "png"), force=force)
-    write(out / "study.md", _words(made, failed, settings).encode(), force=force)
+        written += save_chart(chart, out, facts, ("svg",) if settings.quick else ("svg", "png"), force=force)
+    write(out / "study.md", _study_page(made, failed, settings).encode(), force=force)
     if failed:
-        raise CellsFailed(f"{_count(failed)}, so charts are missing in {out}: {_named(failed)}")
+        raise CellsFailed(f"{_failed_count(failed)}, so charts are missing in {out}: {_failed_names(failed)}")
     return [*written, out / "study.md"]
 
 
-def _count(failed: dict[str, Failure]) -> str:
+def _failed_count(failed: dict[str, Failure]) -> str:
+    """Return "1 cell failed" or "N cells failed"."""
     return "1 cell failed" if len(failed) == 1 else f"{len(failed)} cells failed"
 
 
-def _named(failed: dict[str, Failure]) -> str:
-    """The first of them with their errors."""
-    names = [f"{name} ({failure.why})" for name, failure in list(failed.items())[:MOST_NAMED]]
-    return ", ".join(names) + (f" and {len(failed) - MOST_NAMED} more" if len(failed) > MOST_NAMED else "")
+def _failed_names(failed: dict[str, Failure]) -> str:
+    """Return the names of the first failed cells with their errors."""
+    names = [f"{name} ({failure.why})" for name, failure in list(failed.items())[:MAX_NAMED_FAILURES]]
+    return ", ".join(names) + (
+        f" and {len(failed) - MAX_NAMED_FAILURES} more" if len(failed) > MAX_NAMED_FAILURES else ""
+    )
 
 
-def charts(found: dict[str, Any], sections: Sequence[ModuleType], settings: Settings) -> list[Chart]:
-    """Every chart of the sections from the cells' results by name."""
+def all_charts(found: dict[str, Any], sections: Sequence[ModuleType], settings: Settings) -> list[Chart]:
+    """Return every chart of the sections; `found`: the results of the cells by name."""
     return [chart for section in sections for chart in section.charts(found, settings)]
 
 
-def _words(made: Sequence[Chart], failed: dict[str, Failure], settings: Settings) -> str:
-    """The charts with their readings, as one page of Markdown."""
-    versions = ", ".join(f"{name} {version}" for name, version in machine().items())
+def _study_page(made: Sequence[Chart], failed: dict[str, Failure], settings: Settings) -> str:
+    """Return the page study.md: every chart with its reading, as Markdown."""
+    versions = ", ".join(f"{name} {version}" for name, version in machine_facts().items())
     lines = ["# The study", "", f"{MADE_BY}: {'quick run' if settings.quick else 'full run'}, seed {settings.seed}."]
     lines += [f"Measured with {versions}.", ""]
-    lines += [f"{_count(failed)}, so charts are missing: {_named(failed)}.", ""] if failed else []
+    lines += [f"{_failed_count(failed)}, so charts are missing: {_failed_names(failed)}.", ""] if failed else []
     for chart in made:
-        stamp = f" ({chart.rough})" if chart.rough else ""
+        stamp = f" ({chart.warning})" if chart.warning else ""
         lines += [f"## {chart.title}", "", f"![{chart.title}]({chart.stem}.svg)", "", f"{chart.reading}{stamp}", ""]
         lines += [f"Numbers: [{chart.stem}.csv]({chart.stem}.csv), [{chart.stem}.json]({chart.stem}.json)", ""]
     return "\n".join(lines)
 
 
 @contextmanager
-def executor(kind: str | None) -> Iterator[Executor | None]:
-    """None, "threads", "processes", or the cluster whose scheduler has that address (extra `cluster`)."""
+def open_executor(kind: str | None) -> Iterator[Executor | None]:
+    """Open the executor of that kind and close it at the end.
+
+    `kind`: None for no executor, "threads", "processes", or the address of a dask scheduler (extra `cluster`).
+    Raise ValueError where there is no scheduler at the address, or dask is not installed.
+    """
     if kind is None:
         yield None
     elif kind == "threads":
         with ThreadPoolExecutor() as pool:
             yield pool
     elif kind == "processes":
-        # Ctrl-C reaches the workers too: they just end, and this process says what there is to say
+        # Ctrl-C reaches the workers too: they end silently, and this process prints the message
         with ProcessPoolExecutor(initializer=signal, initargs=(SIGINT, SIG_DFL)) as pool:
             yield pool
     else:

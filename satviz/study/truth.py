@@ -1,11 +1,12 @@
-"""A second opinion on how two convex shapes lie, by another way than satviz: rationals and clipping, no axes.
+"""The oracle: exact relations, distances and depths of convex shapes, by other methods than satviz's.
 
-Coordinates become integers over one power of two, and all that follows is exact:
-- polygons: one is cut down by the other's edges; what is left has an area
-  (overlapping), is a point or a stretch (touching), or is nothing (apart);
-- a circle and a polygon: the squared distance from the center to each edge as a
-  Fraction, and whether the center lies inside by counting crossings of a ray;
-- two circles: squares of the distance and of the sum of radii.
+It shares nothing with the engine but the shapes, so that a mistake in one is seen by the other.  Coordinates become
+integers over one power of two, and everything that follows is exact:
+- two polygons: one is clipped by the edges of the other; the rest has an area (overlapping), is a point or a segment
+  (touching), or is empty (apart);
+- a circle and a polygon: the squared distance from the center to each edge, and whether the center is inside, by the
+  crossings of a ray;
+- two circles: the squares of their distance and of the sum of their radii.
 """
 
 from collections.abc import Iterable, Sequence
@@ -25,14 +26,14 @@ Homogeneous = tuple[int, int, int]  # (X, Y, W): the point (X / W, Y / W), W > 0
 
 
 def relation(a: Shape, b: Shape) -> Relation:
-    """The exact relation of two convex shapes as closed sets."""
+    """Return the exact relation of two convex shapes as closed sets."""
     if isinstance(a, Circle):
         return circles(a, b) if isinstance(b, Circle) else circle_polygon(a, b)
     return circle_polygon(b, a) if isinstance(b, Circle) else polygons(a, b)
 
 
 def polygons(a: Polygon, b: Polygon) -> Relation:
-    """By what is left of a when everything outside b is cut off."""
+    """Return the relation of two polygons, by what remains of a when everything outside b is cut off."""
     _, (p, q) = _rings(a, b)
     common = _clipped(p, q)
     if not common:
@@ -41,50 +42,76 @@ def polygons(a: Polygon, b: Polygon) -> Relation:
 
 
 def circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
-    """By the squared distance from the center to the nearest point of the polygon."""
+    """Return the relation by the squared distance from the center to the nearest point of the polygon."""
     _, (cx, cy, r, *flat) = _integers((*circle.center, circle.radius, *(c for v in polygon.vertices for c in v)))
     ring = _distinct(zip(flat[::2], flat[1::2], strict=True))
     if _inside((cx, cy), ring):
         return Relation.OVERLAPPING
     nearest = min(_segment_distance2((cx, cy), p, q) for p, q in _edges(ring))
-    return _by_gap(nearest, r * r)
+    return _relation_by_distance(nearest, r * r)
 
 
 def circles(a: Circle, b: Circle) -> Relation:
-    """By squares of the distance of the centers and of the sum of the radii."""
+    """Return the relation by the squares of the distance of the centers and of the sum of the radii."""
     _, (ax, ay, ar, bx, by, br) = _integers((*a.center, a.radius, *b.center, b.radius))
-    return _by_gap((ax - bx) ** 2 + (ay - by) ** 2, (ar + br) ** 2)
+    return _relation_by_distance((ax - bx) ** 2 + (ay - by) ** 2, (ar + br) ** 2)
 
 
 def distance2(a: Polygon, b: Polygon) -> Fraction:
-    """The exact squared distance of two convex polygons; 0 when they meet."""
+    """Return the exact squared distance of two convex polygons; 0 when they meet."""
     if polygons(a, b):
         return Fraction(0)
     k, (p, q) = _rings(a, b)
-    both = [(v, edge) for ring, other in ((p, q), (q, p)) for v in other for edge in _edges(ring)]
-    return min(_segment_distance2(v, *edge) for v, edge in both) / Fraction(4) ** k
+    pairs = [(v, edge) for ring, other in ((p, q), (q, p)) for v in other for edge in _edges(ring)]
+    return min(_segment_distance2(v, *edge) for v, edge in pairs) / Fraction(4) ** k
+
+
+def squared_depth(a: Polygon, b: Polygon) -> Fraction:
+    """Return the exact squared penetration depth of two overlapping convex polygons.
+
+    It is the squared distance of the origin from the nearest side of the difference a - b.
+    """
+    sides = _edges(exact_difference(a, b))
+    return min((px * qy - py * qx) ** 2 / ((qx - px) ** 2 + (qy - py) ** 2) for (px, py), (qx, qy) in sides)
+
+
+def exact_difference(a: Polygon, b: Polygon) -> list[Rational]:
+    """Return the Minkowski difference a - b exactly: the convex hull of all p - q, counter-clockwise."""
+    corners = [[exact(v) for v in polygon.vertices] for polygon in (a, b)]
+    points = sorted({(px - qx, py - qy) for px, py in corners[0] for qx, qy in corners[1]})
+
+    def chain(ordered: Sequence[Rational]) -> list[Rational]:
+        """Return one half of the hull, by Andrew's monotone chain, without its last point."""
+        kept: list[Rational] = []
+        for p in ordered:
+            while len(kept) > 1 and turn(kept[-2], kept[-1], p) <= 0:
+                kept.pop()
+            kept.append(p)
+        return kept[:-1]
+
+    return chain(points) + chain(points[::-1])
 
 
 def turn(p: Iterable[Number], q: Iterable[Number], r: Iterable[Number]) -> Fraction:
-    """Twice the signed area of a triangle, exactly."""
+    """Return the orientation determinant: twice the signed area of the triangle p q r, exactly."""
     (px, py), (qx, qy), (rx, ry) = (exact(v) for v in (p, q, r))
     return (qx - px) * (ry - py) - (qy - py) * (rx - px)
 
 
 def exact(v: Iterable[Number]) -> Rational:
-    """A point in rationals."""
+    """Return a point with rational coordinates."""
     x, y = (Fraction(c) for c in v)
     return x, y
 
 
 def area2(vertices: Iterable[Iterable[Number]]) -> Fraction:
-    """Twice the signed area of an outline, exactly: positive when it runs counter-clockwise."""
+    """Return twice the signed area of an outline, exactly; positive if it runs counter-clockwise."""
     ring = [exact(v) for v in vertices]
     return sum((px * qy - py * qx for (px, py), (qx, qy) in _edges(ring)), Fraction(0))
 
 
 def is_simple(vertices: Iterable[Iterable[Number]]) -> bool:
-    """Is an outline a simple polygon once repeated neighbours are merged?  Every pair of edges is compared."""
+    """Return whether an outline, without repeated neighbours, is a simple polygon; all pairs of edges are compared."""
     ring = _distinct(exact(v) for v in vertices)
     edges = list(_edges(ring))
     n = len(edges)
@@ -102,19 +129,22 @@ def is_simple(vertices: Iterable[Iterable[Number]]) -> bool:
     return True
 
 
-def _by_gap(gap: int | Fraction, reach: int) -> Relation:
-    return Relation.APART if gap > reach else Relation.TOUCHING if gap == reach else Relation.OVERLAPPING
+def _relation_by_distance(squared_distance: int | Fraction, squared_radius: int) -> Relation:
+    """Return the relation of a disc and a point at that distance from its center."""
+    if squared_distance == squared_radius:
+        return Relation.TOUCHING
+    return Relation.APART if squared_distance > squared_radius else Relation.OVERLAPPING
 
 
 def _integers(values: Sequence[float]) -> tuple[int, list[int]]:
-    """Integers n and one exponent k with value = n / 2**k; every float64 is a ratio over a power of two."""
+    """Return k and integers n with value = n / 2**k; every float64 is an integer over a power of two."""
     ratios = [value.as_integer_ratio() for value in values]
     unit = max(den for _, den in ratios)
     return unit.bit_length() - 1, [num * (unit // den) for num, den in ratios]
 
 
 def _rings(a: Polygon, b: Polygon) -> tuple[int, tuple[list[Ints], list[Ints]]]:
-    """Both outlines in one integer unit, counter-clockwise, without repeats."""
+    """Return k and both outlines as integers over 2**k, counter-clockwise, without repeated corners."""
     k, flat = _integers([c for v in (*a.vertices, *b.vertices) for c in v])
     points = list(zip(flat[::2], flat[1::2], strict=True))
     n = len(a.vertices)
@@ -122,13 +152,15 @@ def _rings(a: Polygon, b: Polygon) -> tuple[int, tuple[list[Ints], list[Ints]]]:
 
 
 def _counter_clockwise(points: Sequence[Ints]) -> list[Ints]:
+    """Return the ring without repeated corners, counter-clockwise."""
     ring = _distinct(points)
     twice = sum(px * qy - py * qx for (px, py), (qx, qy) in _edges(ring))
-    assert twice, "a polygon of no area"
+    assert twice, "the polygon has no area"
     return ring if twice > 0 else ring[::-1]
 
 
 def _distinct(points: Iterable[Point]) -> list[Point]:
+    """Return a ring in which no point equals its neighbour."""
     ring: list[Point] = []
     for p in points:
         if not ring or ring[-1] != p:
@@ -139,13 +171,14 @@ def _distinct(points: Iterable[Point]) -> list[Point]:
 
 
 def _edges(ring: Sequence[Point]) -> Iterable[tuple[Point, Point]]:
+    """Return the edges (p, q) of a ring, the closing one last."""
     return zip(ring, [*ring[1:], ring[0]], strict=True)
 
 
-def _clipped(ring: Sequence[Ints], by: Sequence[Ints]) -> list[Homogeneous]:
-    """Sutherland-Hodgman with closed half-planes: corners of what both convex rings share, perhaps flat or none."""
+def _clipped(ring: Sequence[Ints], window: Sequence[Ints]) -> list[Homogeneous]:
+    """Return the corners of what two convex rings share, by Sutherland and Hodgman; perhaps collinear, or none."""
     left: list[Homogeneous] = [(x, y, 1) for x, y in ring]
-    for (px, py), (qx, qy) in _edges(by):
+    for (px, py), (qx, qy) in _edges(window):
         ex, ey = qx - px, qy - py
         sides = [ex * (y - py * w) - ey * (x - px * w) for x, y, w in left]
         if min(sides) >= 0:
@@ -164,7 +197,7 @@ def _clipped(ring: Sequence[Ints], by: Sequence[Ints]) -> list[Homogeneous]:
 
 
 def _between(p: Homogeneous, s: int, q: Homogeneous, t: int) -> Homogeneous:
-    """The point of the segment p q on the line where the sides s and t (of opposite signs) vanish."""
+    """Return the point of the segment p q on a line; s and t, of opposite signs, are the sides of p and q of it."""
     if s < 0:
         p, s, q, t = q, t, p, s
     x, y, w = (s * b - t * a for a, b in zip(p, q, strict=True))
@@ -173,7 +206,7 @@ def _between(p: Homogeneous, s: int, q: Homogeneous, t: int) -> Homogeneous:
 
 
 def _has_area(points: Sequence[Homogeneous]) -> bool:
-    """Are three of the points not on one line?"""
+    """Return whether some three of the points are not collinear."""
     ox, oy, ow = points[0]
     arms = [(x * ow - ox * w, y * ow - oy * w) for x, y, w in points[1:]]
     arms = [arm for arm in arms if arm != (0, 0)]
@@ -181,18 +214,18 @@ def _has_area(points: Sequence[Homogeneous]) -> bool:
 
 
 def _inside(c: Ints, ring: Sequence[Ints]) -> bool:
-    """Does a ray from c to the right cross the ring an odd number of times?  On the ring: either answer."""
+    """Return whether a ray from c to the right crosses the ring an odd number of times; on the ring either answer."""
     cx, cy = c
     odd = False
     for (px, py), (qx, qy) in _edges(ring):
         if (py > cy) != (qy > cy):
-            reach = (qx - px) * (cy - py) - (cx - px) * (qy - py)
-            odd ^= (reach > 0) == (qy > py)
+            side = (qx - px) * (cy - py) - (cx - px) * (qy - py)
+            odd ^= (side > 0) == (qy > py)
     return odd
 
 
 def _segment_distance2(c: Ints, p: Ints, q: Ints) -> Fraction | int:
-    """The squared distance of a point from a segment."""
+    """Return the squared distance of the point c from the segment p q."""
     (cx, cy), (px, py), (qx, qy) = c, p, q
     dx, dy = qx - px, qy - py
     along, length2 = (cx - px) * dx + (cy - py) * dy, dx * dx + dy * dy
@@ -200,11 +233,12 @@ def _segment_distance2(c: Ints, p: Ints, q: Ints) -> Fraction | int:
         return (cx - px) ** 2 + (cy - py) ** 2
     if along >= length2:
         return (cx - qx) ** 2 + (cy - qy) ** 2
-    # |c - p|^2 less the part along the segment (Pythagoras)
+    # |c - p|^2 minus the square of its component along the segment (Pythagoras)
     return (cx - px) ** 2 + (cy - py) ** 2 - Fraction(along * along, length2)
 
 
 def _on_segment(v: Either, p: Either, q: Either) -> bool:
+    """Return whether the point v lies on the closed segment p q."""
     (vx, vy), (px, py), (qx, qy) = v, p, q
     if (qx - px) * (vy - py) != (qy - py) * (vx - px):
         return False
@@ -212,7 +246,7 @@ def _on_segment(v: Either, p: Either, q: Either) -> bool:
 
 
 def _segments_meet(p: Either, q: Either, r: Either, s: Either) -> bool:
-    """Do two closed segments share a point?  Cramer's rule; parallel ones by their ends."""
+    """Return whether two closed segments share a point, by Cramer's rule; for parallel ones by their ends."""
     (px, py), (qx, qy), (rx, ry), (sx, sy) = p, q, r, s
     det = (qx - px) * (sy - ry) - (qy - py) * (sx - rx)
     if det == 0:

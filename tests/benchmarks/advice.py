@@ -15,7 +15,7 @@ import satviz as sv
 from satviz import batch
 from satviz.advice.candidates import EXACT_FILTER
 from satviz.advice.costs import costs
-from satviz.study.workloads import workloads
+from satviz.study.workloads import generators
 
 PAIRS = 200_000
 MIN_EXACT_TIME = 5e6  # nanoseconds of the exact filter for all pairs
@@ -42,7 +42,7 @@ def on_a_grid(rng, n):
 
 def discs(rng, n):
     """Return n circles."""
-    return batch.Circles(*workloads.coins(rng, n, 1.0))
+    return batch.Circles(*generators.circles(rng, n, 1.0))
 
 
 def rings(make):
@@ -57,7 +57,7 @@ def two(make):
 
 def far(rng, n):
     """Return two batches of n quadrilaterals, 2**20 from the origin."""
-    a, b = (workloads.ngons(rng, n, 4, 0.9) + 2.0**20 for _ in "ab")
+    a, b = (generators.ngons(rng, n, 4, 0.9) + 2.0**20 for _ in "ab")
     return batch.Polygons(a), batch.Polygons(b)
 
 
@@ -71,7 +71,7 @@ def needles(rng, n):
 
 def strewn(rng, n):
     """Return one batch of scattered polygons and some circles."""
-    return (batch.concat([batch.Polygons(workloads.scattered(rng, n // 12)), discs(rng, n // 120)]),)
+    return (batch.concat([batch.Polygons(generators.scattered_polygons(rng, n // 12)), discs(rng, n // 120)]),)
 
 
 def stars(rng, n):
@@ -87,22 +87,23 @@ def stars(rng, n):
 
 SCENES = {
     "upright boxes": two(upright),
-    "tiles": lambda rng, n: (batch.Polygons(workloads.tiles(120)),),
+    "tiles": lambda rng, n: (batch.Polygons(generators.tiles(120)),),
     "boxes turned alike": two(turned_alike),
     "hexagons on a grid": two(on_a_grid),
     "circles": two(discs),
-    "circles and triangles": lambda rng, n: (discs(rng, n), batch.Polygons(workloads.ngons(rng, n, 3, 1.3))),
-    "triangles": rings(workloads.WORKLOADS["triangles"]),
-    "turned boxes": rings(workloads.WORKLOADS["boxes"]),
-    "8-gons": rings(workloads.WORKLOADS["8-gons"]),
-    "16-gons": two(lambda rng, n: batch.Polygons(workloads.ngons(rng, n // 4, 16, 1.5))),
+    "circles and triangles": lambda rng, n: (discs(rng, n), batch.Polygons(generators.ngons(rng, n, 3, 1.3))),
+    "triangles": rings(generators.WORKLOADS["triangles"]),
+    "turned boxes": rings(generators.WORKLOADS["boxes"]),
+    "8-gons": rings(generators.WORKLOADS["8-gons"]),
+    "16-gons": two(lambda rng, n: batch.Polygons(generators.ngons(rng, n // 4, 16, 1.5))),
     "mixed, 3 to 8 corners": lambda rng, n: tuple(
-        batch.Polygons([r[: len(np.unique(r, axis=0))] for r in workloads.mixed(rng, n // 3, 1.0)]) for _ in "ab"
+        batch.Polygons([r[: len(np.unique(r, axis=0))] for r in generators.mixed_polygons(rng, n // 3, 1.0)])
+        for _ in "ab"
     ),
-    "nearly touching": rings(workloads.WORKLOADS["nearly touching"]),
+    "nearly touching": rings(generators.WORKLOADS["nearly touching"]),
     "needles": two(needles),
     "far from the origin": far,
-    "far from each other": lambda rng, n: tuple(batch.Polygons(workloads.ngons(rng, n, 5, 900.0)) for _ in "ab"),
+    "far from each other": lambda rng, n: tuple(batch.Polygons(generators.ngons(rng, n, 5, 900.0)) for _ in "ab"),
     "strewn, with circles": strewn,
     "stars": lambda rng, n: stars(rng, n // 8),
 }

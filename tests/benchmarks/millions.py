@@ -13,7 +13,7 @@ from time import perf_counter
 import numpy as np
 
 from satviz import batch
-from satviz.study.workloads.workloads import mixed
+from satviz.study.workloads.generators import mixed_polygons
 
 PART = 250_000  # polygons made at once
 
@@ -23,7 +23,7 @@ def written(path: Path, n: int) -> None:
     rng = np.random.default_rng(1)
     file = np.lib.format.open_memmap(path, "w+", np.float64, (n, 8, 2))
     for start in range(0, n, PART):
-        rings = mixed(rng, min(PART, n - start), 0.0)
+        rings = mixed_polygons(rng, min(PART, n - start), 0.0)
         file[start : start + PART] = rings + rng.uniform(0, np.sqrt(n) * 1.5, (len(rings), 1, 2))
     file.flush()
 

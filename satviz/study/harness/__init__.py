@@ -1,1 +1,1 @@
-"""What every section works with: cells that are kept, honest charts, the machine."""
+"""The tools of every section: cells kept on disk, timings, charts, and facts about the machine."""

@@ -1,9 +1,8 @@
-"""The study's work in cells: each done once, kept on disk with a checksum, and not done again.
+"""The work of the study, in cells: each is run once, and its result is kept on disk with a checksum.
 
-A cell is a function of plain arguments that gives plain JSON values.  It is kept under
-a key of all that decides its result: the function, its arguments, the code of satviz
-and the versions it ran with.  Cells that measure time run one at a time in this
-process, after all others, so that nothing runs beside them.
+A cell is a function of plain arguments that returns plain JSON values.  Its result is kept under a key of everything
+that decides it: the function, its arguments, the code of satviz and the versions it ran with.  Cells that measure
+time run one at a time in this process, after all others, so that nothing runs beside them.
 """
 
 import json
@@ -20,24 +19,25 @@ import numpy as np
 
 from ...batch.chunks import ChunkFailed, in_chunks
 from ...safe_write import MADE_BY, write
-from .machine import machine
+from .machine import machine_facts
 
 ROOT = Path(__file__).parents[2]
+JsonRow = dict[str, Any]  # one row of a cell's result or of a chart: plain JSON values by the name of their column
 
 
 class Settings(NamedTuple):
-    """What the whole study is asked: fewer and smaller runs if `quick`, and the seed of all that is random."""
+    """The options of the whole study: `quick` for fewer and smaller runs, and the seed of all random numbers."""
 
     quick: bool = False
     seed: int = 1
 
-    def rng(self, *what: str | int) -> np.random.Generator:
-        """Random numbers for one purpose, the same whenever the seed is."""
-        return np.random.default_rng([self.seed, *(crc32(str(word).encode()) for word in what)])
+    def rng(self, *purpose: str | int) -> np.random.Generator:
+        """Return a random generator for one purpose; the same seed and purpose give the same numbers."""
+        return np.random.default_rng([self.seed, *(crc32(str(word).encode()) for word in purpose)])
 
 
 class Cell(NamedTuple):
-    """One piece of the study: `work(*arguments)`, both to be pickled; `timed` if it measures time."""
+    """One piece of work: `work(*arguments)`, both of which can be pickled; `timed` says that it measures time."""
 
     name: str
     work: Callable[..., Any]
@@ -46,59 +46,59 @@ class Cell(NamedTuple):
 
     @property
     def key(self) -> str:
-        """What decides the result, as a digest."""
-        facts = [self.work.__module__, self.work.__qualname__, self.arguments, machine(), _code()]
+        """A digest of everything that decides the result."""
+        facts = [self.work.__module__, self.work.__qualname__, self.arguments, machine_facts(), _code_digest()]
         return sha256(json.dumps(facts).encode()).hexdigest()
 
 
 @cache
-def _code() -> str:
-    """A digest of satviz's own modules: numbers from other code are not these numbers."""
+def _code_digest() -> str:
+    """Return a digest of all modules of satviz, so that a result is not reused after the code has changed."""
     files = sorted(ROOT.rglob("*.py"))
     return sha256(b"".join(sha256(path.read_bytes()).digest() for path in files)).hexdigest()
 
 
 class Failure(NamedTuple):
-    """What a failed cell gives in place of a result: the error in words."""
+    """The outcome of a failed cell, in place of a result: `why` is the error in words."""
 
     why: str
 
 
-def results(
+def run_cells(
     cells: Sequence[Cell], folder: Path, executor: Executor | None, *, force: bool = False
 ) -> Iterator[tuple[Cell, Any]]:
-    """Each cell with its result or Failure, those kept in `folder` first; what is finished is kept at once.
+    """Yield each cell with its result or Failure, first those kept in `folder`; new results are kept at once.
 
-    A file whose key or checksum is not right counts as not there.  A failed cell leaves
-    the others alone; an interrupt stops after the running cells.
+    A file with another key or a wrong checksum is ignored.  After a failed cell the others still run; an interrupt
+    stops after the running cells.
     """
     todo = []
     for cell in cells:
-        kept = _load(cell, folder)
+        kept = _load_result(cell, folder)
         if kept is None:
             todo.append(cell)
         else:
             yield cell, kept
     for timed, pool in (False, executor), (True, None):
-        mine = [cell for cell in todo if cell.timed is timed]
+        some = [cell for cell in todo if cell.timed is timed]
 
-        def job(start: int, stop: int, mine: list[Cell] = mine) -> tuple[Callable[..., Any], tuple[Any, ...]]:
-            return _attempt, (mine[start].work, mine[start].arguments)
+        def job(start: int, stop: int, some: list[Cell] = some) -> tuple[Callable[..., Any], tuple[Any, ...]]:
+            return _attempt, (some[start].work, some[start].arguments)
 
-        left = deque(mine)
+        left = deque(some)
         try:
-            for _, _, result in in_chunks(job, len(mine), pool, None, 1):
+            for _, _, result in in_chunks(job, len(some), pool, None, 1):
                 cell = left.popleft()
                 if not isinstance(result, Failure):
-                    _keep(cell, result, folder, force)
+                    _save_result(cell, result, folder, force)
                 yield cell, result
-        except (ChunkFailed, BrokenExecutor) as error:  # a worker died, and its pool does no more
+        except (ChunkFailed, BrokenExecutor) as error:  # a worker died, and its pool runs nothing more
             for cell in left:
                 yield cell, _failure(error.__cause__ or error)
 
 
 def _attempt(work: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
-    """The result as it comes back from disk, so that a resumed study ends as one that was not interrupted."""
+    """Return the result as it would be read from disk, or a Failure: a resumed study gets the very same values."""
     try:
         return json.loads(json.dumps(work(*arguments), allow_nan=False))
     except Exception as error:
@@ -106,26 +106,31 @@ def _attempt(work: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
 
 
 def _failure(error: BaseException) -> Failure:
+    """Return the Failure of a cell that raised this error."""
     return Failure(f"{type(error).__name__}: {error}")
 
 
-def _path(cell: Cell, folder: Path) -> Path:
-    return folder / f"{cell.name}-{cell.key[:8]}.json"  # a quick run leaves those of a full one alone
+def _result_path(cell: Cell, folder: Path) -> Path:
+    """Return the file of a cell's result; the key in its name keeps quick and full runs apart."""
+    return folder / f"{cell.name}-{cell.key[:8]}.json"
 
 
-def _load(cell: Cell, folder: Path) -> Any:
+def _load_result(cell: Cell, folder: Path) -> Any:
+    """Return the kept result of a cell, or None if there is no valid one."""
     try:
-        data = json.loads(_path(cell, folder).read_text(encoding="utf-8"))
+        data = json.loads(_result_path(cell, folder).read_text(encoding="utf-8"))
         good = data["key"] == cell.key and data["checksum"] == _checksum(data["result"])
         return data["result"] if good else None
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return None
 
 
-def _keep(cell: Cell, result: Any, folder: Path, force: bool) -> None:
+def _save_result(cell: Cell, result: Any, folder: Path, force: bool) -> None:
+    """Write the result of a cell with its key and checksum."""
     data = {"made_by": MADE_BY, "key": cell.key, "checksum": _checksum(result), "result": result}
-    write(_path(cell, folder), json.dumps(data).encode(), force=force)
+    write(_result_path(cell, folder), json.dumps(data).encode(), force=force)
 
 
 def _checksum(result: Any) -> str:
+    """Return the digest of a result."""
     return sha256(json.dumps(result, sort_keys=True).encode()).hexdigest()

@@ -1,9 +1,9 @@
-"""A chart of the study: what draws it, the numbers beside it, and a reading made from the numbers."""
+"""A chart of the study: its drawing, its numbers, and a reading in words that is made from the numbers."""
 
 import csv
 import io
 import json
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple, cast
 
@@ -17,10 +17,11 @@ from ...pictures import LIGHT, THEMES, Theme
 from ...render.files import bare, encode_figure
 from ...render.formats import DPI
 from ...safe_write import MADE_BY, write
+from .cells import JsonRow
 
-TEXT, TITLE = 10.0, 13.0  # points, at final size
-# who a method is, by colour; every mark is named beside it as well
-FAMILIES = {
+TEXT_POINTS, TITLE_POINTS = 10.0, 13.0  # at final size
+# the colour role of each family of methods; every mark has its name beside it as well
+FAMILY_ROLES = {
     "exact": "exact",
     "exact in range": "exact",
     "float SAT": "float",
@@ -30,39 +31,37 @@ FAMILIES = {
     "library": "guide",
 }
 
-Cell = Callable[[int, int], tuple[str, str, float]]
-
 
 class Chart(NamedTuple):
-    """One chart: `draw` puts it on an empty Figure of `size` (points) in a theme.
+    """One chart: `draw` draws it on an empty Figure of `size` (points) in a theme.
 
-    `rows`: the numbers drawn, flat and of plain values, written beside it as JSON and
-    CSV; `reading`: what it shows in words, made from the rows, and its alt text.
-    `rough`: why its times are not for keeps, stamped on it.
+    `stem`: the name of its files without the ending.  `rows`: the numbers that are drawn, written beside the chart as
+    JSON and CSV.  `reading`: the content in words, made from the rows; it is also the alternative text.  `warning`: why
+    its times are only rough, stamped on the chart; empty if they are not.
     """
 
     stem: str
     title: str
     size: tuple[float, float]
     draw: Callable[[Figure, Theme], None]
-    rows: Sequence[dict[str, Any]]
+    rows: Sequence[JsonRow]
     reading: str
-    rough: str = ""
+    warning: str = ""
 
     def figure(self, theme: Theme) -> Figure:
-        """The chart on a Figure of its own."""
+        """Return the chart on a new Figure."""
         fig = Figure(figsize=(self.size[0] / 72, self.size[1] / 72), dpi=DPI)
         FigureCanvasAgg(fig)
         fig.set_facecolor(theme.paper)
         self.draw(fig, theme)
-        if self.rough:
-            at: dict[str, Any] = {"ha": "right", "va": "bottom", "fontsize": TEXT, "parse_math": False}
+        if self.warning:
+            style: dict[str, Any] = {"ha": "right", "va": "bottom", "fontsize": TEXT_POINTS, "parse_math": False}
             fig.text(
                 1 - 6 / self.size[0],
                 3 / self.size[1],
-                self.rough,
+                self.warning,
                 color=theme.text.get("wrong", theme.roles["wrong"]),
-                **at,
+                **style,
             )
         return fig
 
@@ -70,41 +69,41 @@ class Chart(NamedTuple):
         return self.reading
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
-        """In a notebook: the chart, and its reading."""
+        """Return the chart and its reading, for a notebook."""
         return {"text/plain": self.reading, "image/svg+xml": bare(self.encode("svg", LIGHT))}
 
     def encode(self, form: str, theme: Theme) -> bytes:
-        """The chart's file: form "svg" or "png"."""
-        stem = f"{self.stem}{suffix(theme)}"
+        """Return the content of the chart's file; `form`: "svg" or "png"."""
+        stem = f"{self.stem}{theme_suffix(theme)}"
         return encode_figure(lambda: self.figure(theme), form, stem=stem, title=self.title, sentence=self.reading)
 
 
-def suffix(theme: Theme) -> str:
-    """What the files of a theme end in."""
+def theme_suffix(theme: Theme) -> str:
+    """Return what a theme adds to the names of its files: nothing, or "-dark"."""
     return "" if theme.name == "light" else f"-{theme.name}"
 
 
-def save(
+def save_chart(
     chart: Chart, folder: Path, facts: dict[str, Any], forms: Sequence[str], *, force: bool = False
 ) -> Iterator[Path]:
-    """Write the chart in those forms, light and dark, and its numbers as JSON (with `facts`) and CSV."""
+    """Write the chart in those forms, light and dark, and its numbers as JSON (with `facts`) and CSV; yield paths."""
     for theme in THEMES.values():
         for form in forms:
-            path = folder / f"{chart.stem}{suffix(theme)}.{form}"
+            path = folder / f"{chart.stem}{theme_suffix(theme)}.{form}"
             write(path, chart.encode(form, theme), force=force)
             yield path
     data = {
         "made_by": MADE_BY,
         "title": chart.title,
         "reading": chart.reading,
-        "rough": chart.rough,
+        "rough": chart.warning,
         **facts,
         "rows": list(chart.rows),
     }
     write(folder / f"{chart.stem}.json", (json.dumps(data, indent=1, allow_nan=False) + "\n").encode(), force=force)
     yield folder / f"{chart.stem}.json"
     text = io.StringIO()
-    rows = [{**row, "made_by": MADE_BY} for row in chart.rows]  # a table has no other place for its maker
+    rows = [{**row, "made_by": MADE_BY} for row in chart.rows]  # a CSV file has no other place for its maker
     names = dict.fromkeys(name for row in chart.rows for name in row)
     table = csv.DictWriter(text, [*names, "made_by"], lineterminator="\n")
     table.writeheader()
@@ -113,52 +112,55 @@ def save(
     yield folder / f"{chart.stem}.csv"
 
 
-def axes(fig: Figure, box: tuple[float, float, float, float], theme: Theme, title: str = "") -> Axes:
-    """Quiet axes in the project's look, at (left, bottom, width, height) in parts of the figure."""
+def add_axes(fig: Figure, box: tuple[float, float, float, float], theme: Theme, title: str = "") -> Axes:
+    """Add axes in the project's style at `box`: (left, bottom, width, height) as shares of the figure."""
     ax = fig.add_axes(box)
     ink, guide = theme.roles["ink"], theme.roles["guide"]
     ax.set_facecolor(theme.paper)
     ax.spines[["top", "right"]].set_visible(False)
     ax.spines[["left", "bottom"]].set_color(guide)
-    ax.tick_params(which="both", color=guide, labelcolor=ink, labelsize=TEXT, length=3)
+    ax.tick_params(which="both", color=guide, labelcolor=ink, labelsize=TEXT_POINTS, length=3)
     ax.tick_params(which="minor", length=0)
     for axis in (ax.xaxis, ax.yaxis):
-        axis.label.set(color=ink, fontsize=TEXT)
+        axis.label.set(color=ink, fontsize=TEXT_POINTS)
     if title:
-        ax.set_title(title, loc="left", color=ink, fontsize=TEXT + 1, fontweight="bold", parse_math=False)
+        ax.set_title(title, loc="left", color=ink, fontsize=TEXT_POINTS + 1, fontweight="bold", parse_math=False)
     return ax
 
 
-def headline(fig: Figure, theme: Theme, text: str, *under: str) -> None:
-    """The chart's title at its upper left, and quiet lines under it."""
+def draw_headline(fig: Figure, theme: Theme, title: str, *lines: str) -> None:
+    """Draw the chart's title at its upper left, and smaller lines below it."""
     height = fig.get_size_inches()[1] * 72
-    at: dict[str, Any] = {"ha": "left", "va": "top", "parse_math": False}
-    fig.text(0.012, 1 - 8 / height, text, color=theme.roles["ink"], fontsize=TITLE, fontweight="bold", **at)
-    for i, line in enumerate(under):
-        fig.text(0.012, 1 - (27 + 15 * i) / height, line, color=theme.roles["guide"], fontsize=TEXT, **at)
+    style: dict[str, Any] = {"ha": "left", "va": "top", "parse_math": False}
+    fig.text(0.012, 1 - 8 / height, title, color=theme.roles["ink"], fontsize=TITLE_POINTS, fontweight="bold", **style)
+    for i, line in enumerate(lines):
+        fig.text(0.012, 1 - (27 + 15 * i) / height, line, color=theme.roles["guide"], fontsize=TEXT_POINTS, **style)
 
 
-def time_ticks(axis: XAxis | YAxis, limits: Sequence[float], *, words: bool = True) -> None:
-    """Powers of ten of nanoseconds within the limits, told in their units."""
+def set_time_ticks(axis: XAxis | YAxis, limits: Sequence[float], *, labels: bool = True) -> None:
+    """Set ticks at the powers of ten of a nanosecond within the limits, labelled in ns, µs or ms."""
     decades = [10.0**e for e in range(-1, 9) if limits[0] <= 10.0**e <= limits[1]]
-    axis.set_ticks(decades, labels=[told(d).replace(".0", "") if words else "" for d in decades])
+    axis.set_ticks(decades, labels=[format_time(d).replace(".0", "") if labels else "" for d in decades])
     axis.minorticks_off()
 
 
-def told(ns: float) -> str:
-    """A time to two digits or three."""
+def format_time(ns: float) -> str:
+    """Return a time in ns, µs or ms with two or three digits."""
     size, unit = next(((s, u) for s, u in ((1e6, "ms"), (1e3, "µs")) if ns >= s), (1.0, "ns"))
     return f"{ns / size:.{0 if ns >= 10 * size else 1}f} {unit}"
 
 
-def table(
+def draw_table(
     ax: Axes,
     theme: Theme,
     columns: Sequence[str],
     rows: Sequence[str],
-    cell: Callable[[int, int], tuple[str, str, float]],
+    entry: Callable[[int, int], tuple[str, str, float]],
 ) -> None:
-    """Words in places with a colour and how much of it: `cell(row, column)`, where 0 says that nothing is there."""
+    """Draw a table; `entry(row, column)` returns its text, its colour, and the strength of the colour from 0 to 1.
+
+    Strength 0 draws the text alone, in grey.
+    """
     ax.set(xlim=(-0.5, len(columns) - 0.5), ylim=(len(rows) - 0.5, -0.5))
     ax.spines[["left", "bottom"]].set_visible(False)
     ax.tick_params(length=0)
@@ -167,25 +169,49 @@ def table(
     ax.set_yticks(range(len(rows)), rows)
     for y in range(len(rows)):
         for x in range(len(columns)):
-            words, shade, much = cell(y, x)
-            if much:
-                ax.add_patch(Rectangle((x - 0.48, y - 0.45), 0.96, 0.9, color=shade, alpha=0.1 + 0.5 * much, lw=0))
-            ink = theme.roles["ink" if much else "guide"]
-            ax.text(x, y, words, ha="center", va="center_baseline", fontsize=TEXT, color=ink)
+            words, shade, strength = entry(y, x)
+            if strength:
+                alpha = 0.1 + 0.5 * strength
+                ax.add_patch(Rectangle((x - 0.48, y - 0.45), 0.96, 0.9, color=shade, alpha=alpha, lw=0))
+            ink = theme.roles["ink" if strength else "guide"]
+            ax.text(x, y, words, ha="center", va="center_baseline", fontsize=TEXT_POINTS, color=ink)
 
 
-def colour(theme: Theme, family: str, *, text: bool = False) -> str:
-    """A family's colour; for letters the darker one."""
-    role = FAMILIES[family]
+def family_colour(theme: Theme, family: str, *, text: bool = False) -> str:
+    """Return a family's colour; with `text` the darker one for letters."""
+    role = FAMILY_ROLES[family]
     return theme.text.get(role, theme.roles[role]) if text else theme.roles[role]
 
 
+def draw_time_curves(
+    ax: Axes, theme: Theme, xs: Sequence[float], rows: Sequence[JsonRow], styles: Mapping[str, tuple[str, str]]
+) -> None:
+    """Draw a curve of times for each method over xs, with bars for quartiles, and write its name at its end.
+
+    `styles`: (family, line style) by method; methods without rows are left out.
+    """
+    ends = []
+    for name, (family, style) in styles.items():
+        own = [row for row in rows if row["method"] == name]
+        if not own:
+            continue
+        shade = family_colour(theme, family)
+        ax.plot(xs, [row["ns"] for row in own], color=shade, ls=style, lw=1.8, marker="o", ms=4)
+        for x, row in zip(xs, own, strict=True):
+            ax.plot([x, x], [row["ns_low"], row["ns_high"]], color=shade, lw=1)
+        label = f"{name}: {format_time(own[-1]['ns'])}"
+        ends.append((xs[-1], own[-1]["ns"], label, family_colour(theme, family, text=True)))
+    ax.set_yscale("log")
+    set_time_ticks(ax.yaxis, ax.get_ylim())
+    label_ends(ax, ends, gap=15)
+
+
 def label_ends(
-    ax: Axes, ends: Sequence[tuple[float, float, str, str]], *, gap: float = 13.0, room: float = 12.0
+    ax: Axes, ends: Sequence[tuple[float, float, str, str]], *, gap: float = 13.0, space: float = 12.0
 ) -> None:
     """Write (x, y, text, colour) to the right of the axes, pushed apart to `gap` points, each tied to its point.
 
-    `room`: points between the axes' right side and the letters.
+    `space`: points between the axes' right side and the letters.
     """
     if not ends:
         return
@@ -210,10 +236,10 @@ def label_ends(
         ax.annotate(
             text,
             xy=(x, y),
-            xytext=(box.x1 * scale + room, height),
+            xytext=(box.x1 * scale + space, height),
             textcoords="figure points",
             color=shade,
-            fontsize=TEXT,
+            fontsize=TEXT_POINTS,
             va="center",
             parse_math=False,
             annotation_clip=False,
@@ -224,9 +250,9 @@ def label_ends(
 def label_points(
     ax: Axes, points: Sequence[tuple[float, float, str, str]], theme: Theme, taken: Sequence[tuple[float, float]] = ()
 ) -> None:
-    """Write each (x, y, text, colour) beside its point, where it covers no other label, point or the axes' rim.
+    """Write each (x, y, text, colour) beside its point, where it covers no other label and no point.
 
-    `taken`: more (x, y) points to keep clear of.
+    `taken`: more (x, y) points that no label may cover.
     """
     scale = 72 / ax.figure.dpi
     box = ax.get_window_extent()
@@ -241,7 +267,7 @@ def label_points(
             xytext=(0, 0),
             textcoords="offset points",
             color=shade,
-            fontsize=TEXT,
+            fontsize=TEXT_POINTS,
             ha="left",
             va="bottom",
             parse_math=False,
@@ -253,8 +279,9 @@ def label_points(
         w, h = size.width * scale, size.height * scale
 
         def cost(offset: tuple[float, float], at: tuple[float, float] = (x, y), w: float = w, h: float = h) -> float:
+            """Return how bad a place is: covered area, overhang beyond the axes, and distance from the point."""
             mine = at[0] + offset[0], at[1] + offset[1], at[0] + offset[0] + w, at[1] + offset[1] + h
-            over = sum(_common(mine, other) for other in placed)
+            over = sum(_shared_area(mine, other) for other in placed)
             out = (
                 max(0, rim[0] - mine[0])
                 + max(0, mine[2] - rim[2])
@@ -264,13 +291,13 @@ def label_points(
             away = abs(offset[0] + w / 2) / 2 + abs(offset[1] + h / 2)
             return float(over * 10 + out * 50 + away)
 
-        best = min(_offsets(w, h), key=cost)
+        best = min(_label_offsets(w, h), key=cost)
         note.set_position(best)
         placed.append((x + best[0] - 4, y + best[1], x + best[0] + w + 4, y + best[1] + h))
 
 
-def _offsets(w: float, h: float) -> Iterator[tuple[float, float]]:
-    """Places for a label's lower left corner, seen from its point: beside it, then further up and down."""
+def _label_offsets(w: float, h: float) -> Iterator[tuple[float, float]]:
+    """Yield offsets of a label's lower left corner from its point: beside the point, then further up and down."""
     for step in range(12):
         for side in (1, -1):
             up = side * (4 + step * h * 0.75)
@@ -279,18 +306,18 @@ def _offsets(w: float, h: float) -> Iterator[tuple[float, float]]:
     yield from ((5, -h / 2), (-w - 5, -h / 2))
 
 
-def _common(one: Sequence[float], other: Sequence[float]) -> float:
-    """How much area two boxes (x0, y0, x1, y1) share, in square points."""
+def _shared_area(one: Sequence[float], other: Sequence[float]) -> float:
+    """Return the area that two boxes (x0, y0, x1, y1) share, in square points."""
     wide, high = (min(one[k + 2], other[k + 2]) - max(one[k], other[k]) for k in (0, 1))
     return max(0.0, wide) * max(0.0, high)
 
 
-def wilson(wrong: int, of: int) -> tuple[float, float]:
-    """The 95 % interval of a rate (Wilson 1927), which has a meaning for 0 of n too."""
-    if not of:
+def wilson_interval(wrong: int, total: int) -> tuple[float, float]:
+    """Return the 95 % interval of a rate of errors (Wilson 1927), which is valid for 0 of `total` too."""
+    if not total:
         return 0.0, 1.0
     z = 1.959964
-    p, zz = wrong / of, z * z / of
-    center, half = p + zz / 2, z * (p * (1 - p) / of + zz / (4 * of)) ** 0.5
+    p, zz = wrong / total, z * z / total
+    center, half = p + zz / 2, z * (p * (1 - p) / total + zz / (4 * total)) ** 0.5
     low, high = (center - half) / (1 + zz), (center + half) / (1 + zz)
-    return low if wrong else 0.0, high if wrong < of else 1.0
+    return low if wrong else 0.0, high if wrong < total else 1.0

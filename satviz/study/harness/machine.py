@@ -1,4 +1,4 @@
-"""What figures were measured on: the machine and the versions of all that took part."""
+"""The machine that the figures were measured on, and the versions of the packages that took part."""
 
 import os
 import platform
@@ -9,21 +9,21 @@ from pathlib import Path
 
 from ... import __version__
 
-PEERS = ("numba", "shapely", "pymunk")
+PEER_PACKAGES = ("numba", "shapely", "pymunk")
 
 
-def installed(name: str) -> bool:
-    """Can that package be imported here?"""
+def is_installed(name: str) -> bool:
+    """Return whether the package can be imported here."""
     return find_spec(name) is not None
 
 
-def missing() -> list[str]:
-    """The peers that are not installed."""
-    return [name for name in PEERS if not installed(name)]
+def missing_peers() -> list[str]:
+    """Return the names of the peer packages that are not installed."""
+    return [name for name in PEER_PACKAGES if not is_installed(name)]
 
 
 def _processor() -> str:
-    """Its model, where the system tells."""
+    """Return the model name of the processor; on systems without /proc/cpuinfo what Python knows, perhaps nothing."""
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines()
     except OSError:
@@ -33,12 +33,12 @@ def _processor() -> str:
 
 
 @cache
-def machine() -> dict[str, str]:
-    """The machine's kind and the versions, by name."""
+def machine_facts() -> dict[str, str]:
+    """Return the kind of machine, its processor and cores, and the versions of Python and the packages, by name."""
     found = {"python": platform.python_version(), "machine": platform.machine(), "system": platform.system()}
     found |= {"processor": _processor(), "cores": str(os.cpu_count())}
     found["satviz"] = __version__
-    for name in ("numpy", *PEERS):
+    for name in ("numpy", *PEER_PACKAGES):
         try:
             found[name] = version(name)
         except PackageNotFoundError:

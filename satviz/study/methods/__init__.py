@@ -1,9 +1,9 @@
-"""The methods under study: the engine in each of its forms, and rivals on the same shapes.
+"""The methods under study: every form of the engine, and rival methods on the same shapes.
 
-The rivals are plain: they keep no record and evaluate nothing twice.  Each is here in the language of those
-it is compared with.  A time is that of a program all the same, and not of the method alone (`VECTORISED`).
+The rivals are plain: they keep no record and evaluate nothing twice.  A method is compared with others in the same
+language.  Even so a time belongs to a program and not to its method alone (`VECTORISED`).
 
-A method prepares each side once (its set-up) and then answers all pairs.
+A method prepares the shapes of each side once (its set-up) and then answers all pairs.
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -18,27 +18,27 @@ from ...engine.relate import relate
 from ...engine.shapes import Circle, Polygon, Shape
 from ...engine.trace import record
 from .. import truth
-from ..harness.machine import installed
-from ..workloads.workloads import Side, outlines, padded
-from . import columns, peers, scalar
+from ..harness.machine import is_installed
+from ..workloads.generators import Side, is_padded, unpadded_rings
+from . import libraries, numpy_rivals, python_rivals
 
 COMPILED, NUMPY, PYTHON = "compiled", "NumPy", "Python"
-EPS = 1e-9  # scene units
-# read off numba's machine code on x86: a loop that can end early stays scalar
+TOLERANCE = 1e-9  # scene units
+# found in numba's machine code on x86: a loop that can end early is not vectorised
 VECTORISED = (
-    "The kernels of satviz (also without its filter), of the bounding circles and of the boxes are vectorised, the "
-    "other kernels go pair by pair: the times compare these programs and not the methods alone."
+    "The kernels of satviz (with and without its filter), of the bounding circles and of the boxes are vectorised. "
+    "The other kernels go pair by pair. So the times compare these programs and not only the methods."
 )
-Said = NDArray[Any]
+Answers = NDArray[Any]  # one for each pair: bool for hit or not, or int8 for the relation
 
 
 class Method(NamedTuple):
-    """One way to answer pairs.
+    """One way to answer pairs: `hits(prepare(side_a), prepare(side_b))` returns the answers.
 
-    `language`: what its loop over pairs runs in; `prepare(side)` makes what `hits(a, b)` takes: one bool a pair, or
-    one relation.  `family` decides its colour; "exact" is exact by construction for all float64, "exact in range" only
-    while the products of coordinates stay in float64's range.  `circles`: does it take circles too?  `one` prepares a
-    single shape, where `prepare` starts from satviz's own.
+    `language`: the language of its loop over pairs.  `family`: the group that decides its colour in charts; "exact" is
+    exact by construction for all float64, "exact in range" only while the products of coordinates stay in the range of
+    float64.  `circles`: whether it takes circles too.  `one`: prepares one shape of the engine; None if `prepare` does
+    not go through the engine's shapes.
     """
 
     name: str
@@ -49,152 +49,172 @@ class Method(NamedTuple):
     circles: bool = False
     one: Callable[[Shape], Any] | None = None
 
-    def ready(self, side: Side, known: list[Shape]) -> Any:
-        """What `prepare` gives, where satviz's own shapes of that side are known already."""
-        return [self.one(shape) for shape in known] if self.one else self.prepare(side)
+    def prepare_from(self, side: Side, shapes: list[Shape]) -> Any:
+        """Return the same as `prepare(side)`, quicker: `shapes` are the engine's shapes of that side."""
+        return [self.one(shape) for shape in shapes] if self.one else self.prepare(side)
 
 
-def methods(*, circles: bool = False) -> list[Method]:
-    """Those that answer this kind of pair, with what is installed."""
-    found = [*_compiled(), *_numpy(), *_python(), *_peers()]
+def all_methods(*, circles: bool = False) -> list[Method]:
+    """Return the methods that run with what is installed; with `circles` only those that take circles."""
+    found = [*_numba_methods(), *_numpy_methods(), *_python_methods(), *_library_methods()]
     return [method for method in found if method.circles or not circles]
 
 
-def truths(a: Side, b: Side) -> NDArray[np.int8]:
-    """The relation of each pair, by rationals."""
-    return np.array([truth.relation(p, q) for p, q in zip(shapes(a), shapes(b), strict=True)], np.int8)
+def true_relations(a: Side, b: Side) -> NDArray[np.int8]:
+    """Return the exact relation of each pair, by rational arithmetic."""
+    return np.array([truth.relation(p, q) for p, q in zip(engine_shapes(a), engine_shapes(b), strict=True)], np.int8)
 
 
-def asked(found: Iterable[Method], a: Side, b: Side) -> Iterator[tuple[Method, Said]]:
-    """Each method with its answers to all pairs."""
-    known = shapes(a), shapes(b)
-    for method in found:
+def answers_by_method(methods: Iterable[Method], a: Side, b: Side) -> Iterator[tuple[Method, Answers]]:
+    """Yield each method with its answers to all pairs."""
+    shapes_a, shapes_b = engine_shapes(a), engine_shapes(b)
+    for method in methods:
         with np.errstate(all="ignore"):
-            yield method, np.asarray(method.hits(method.ready(a, known[0]), method.ready(b, known[1])))
+            yield method, np.asarray(method.hits(method.prepare_from(a, shapes_a), method.prepare_from(b, shapes_b)))
 
 
-def wrong(said: Said, right: NDArray[np.int8]) -> NDArray[np.bool_]:
-    """Which answers are wrong; who tells touching from overlapping is held to that too."""
-    return np.asarray(said != (right > 0) if said.dtype == bool else said != right)
+def wrong_answers(answers: Answers, right: NDArray[np.int8]) -> NDArray[np.bool_]:
+    """Return which answers are wrong; answers that are relations must tell touching from overlapping as well."""
+    return np.asarray(answers != (right > 0) if answers.dtype == bool else answers != right)
 
 
-def mistakes(said: Said, right: NDArray[np.int8]) -> dict[str, int]:
-    """False hits and false misses; of a method that tells touching from overlapping also the hits it confused."""
-    hit, is_hit = said > 0, right > 0
-    confused = int((wrong(said, right) & hit & is_hit).sum())
+def count_mistakes(answers: Answers, right: NDArray[np.int8]) -> dict[str, int]:
+    """Return the numbers of false hits, of false misses, and of touches confused with overlaps."""
+    hit, is_hit = answers > 0, right > 0
+    confused = int((wrong_answers(answers, right) & hit & is_hit).sum())
     return {"false_hits": int((hit & ~is_hit).sum()), "false_misses": int((~hit & is_hit).sum()), "confused": confused}
 
 
-def shapes(side: Side) -> list[Shape]:
-    """A workload's side as satviz's own shapes."""
+def engine_shapes(side: Side) -> list[Shape]:
+    """Return the shapes of a workload's side as shapes of the engine."""
     if isinstance(side, tuple):
         return [Circle(c, r) for c, r in zip(side[0].tolist(), side[1].tolist())]
-    return [Polygon(ring) for ring in outlines(side)]
+    return [Polygon(ring) for ring in unpadded_rings(side)]
 
 
-def batched(side: Side) -> batch.Shapes:
-    """A workload's side as satviz's batch shapes."""
+def batch_shapes(side: Side) -> batch.Shapes:
+    """Return the shapes of a workload's side as batch shapes."""
     if isinstance(side, tuple):
         return batch.Circles(*side)
-    return batch.Polygons(outlines(side) if padded(side) else side.copy())
+    return batch.Polygons(unpadded_rings(side) if is_padded(side) else side.copy())
 
 
-def _compiled() -> Iterator[Method]:
-    if not installed("numba"):
+def _numba_methods() -> Iterator[Method]:
+    """Yield the methods compiled with numba, if it is installed."""
+    if not is_installed("numba"):
         return
     from ...batch.codes import APART
     from ...batch.with_numba.filter import clearance_kernel
-    from . import kernels
+    from . import numba_rivals
 
-    def filled(kernel: Callable[..., None], *more: Any) -> Callable[[Any, Any], Said]:
-        """On (x, y) columns."""
+    def on_columns(name: str, family: str, kernel: Callable[..., None], *options: Any, dtype: type = float) -> Method:
+        """Return the method of a kernel that takes both polygons' columns of coordinates."""
 
-        def hits(a: columns.Columns, b: columns.Columns) -> Said:
+        def hits(a: numpy_rivals.Columns, b: numpy_rivals.Columns) -> Answers:
             out = np.empty(a.x.shape[1], np.int8)
-            kernel(a.x, a.y, b.x, b.y, *more, out)
+            kernel(a.x, a.y, b.x, b.y, *options, out)
             return out > 0
 
-        return hits
+        return Method(name, COMPILED, family, partial(numpy_rivals.to_columns, dtype=dtype), hits)
 
-    def kept(make: Callable[..., Any], kernel: Callable[..., None], *more: Any) -> tuple[Any, Any]:
-        """On what was worked out beforehand."""
+    def on_bounds(name: str, bound: Callable[..., Any], kernel: Callable[..., None], *options: Any) -> Method:
+        """Return the method of a kernel that takes what `bound` has prepared from each polygon's columns."""
 
         def prepare(side: Side) -> Any:
-            c = columns.columns(side)
-            return make(c.x, c.y, *more)
+            columns = numpy_rivals.to_columns(side)
+            return bound(columns.x, columns.y, *options)
 
-        def hits(a: Any, b: Any) -> Said:
+        def hits(a: Any, b: Any) -> Answers:
             out = np.empty(a.shape[1], np.int8)
             kernel(a, b, out)
             return out > 0
 
-        return prepare, hits
+        return Method(name, COMPILED, "bounds", prepare, hits)
 
-    def unfiltered(a: columns.Columns, b: columns.Columns) -> Said:
+    def hits_without_filter(a: numpy_rivals.Columns, b: numpy_rivals.Columns) -> Answers:
+        """Return satviz's answers with all error bounds 0; a clearance of exactly 0 counts as a hit."""
         out = np.empty(a.x.shape[1], np.int8)
         clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, 0, 0.0, out)
-        return np.asarray(out != APART)  # a clearance of exactly zero it leaves open: a touch
-
-    def bound(name: str, *of: Any) -> Method:
-        return Method(name, COMPILED, "bounds", *kept(*of))
-
-    def loop(name: str, family: str, kernel: Callable[..., None], *more: Any, dtype: type = np.float64) -> Method:
-        return Method(name, COMPILED, family, partial(columns.columns, dtype=dtype), filled(kernel, *more))
+        return np.asarray(out != APART)
 
     relation = partial(batch.relate, engine="numba")
-    yield Method("satviz", COMPILED, "exact", batched, relation, circles=True)
-    yield Method("satviz, no filter", COMPILED, "float SAT", columns.columns, unfiltered)
-    yield loop("turns, adaptive", "exact in range", kernels.turns, kernels.ADAPTIVE)
-    yield loop("turns, expansions", "exact in range", kernels.turns, kernels.EXACT)
-    yield loop("turns, floats", "float SAT", kernels.turns, kernels.FLOAT)
-    yield loop("SAT, raw normals", "float SAT", kernels.textbook, False, 0.0)
-    yield loop("SAT, unit normals", "float SAT", kernels.textbook, True, 0.0)
-    yield loop("SAT, float32", "float SAT", kernels.textbook, False, 0.0, dtype=np.float32)
-    yield loop("SAT, 1e-9 counts as a hit", "tolerance", kernels.textbook, True, EPS)
-    yield loop("SAT, 1e-9 counts as a miss", "tolerance", kernels.textbook, True, -EPS)
-    yield loop("GJK", "GJK", kernels.gjk)
-    yield bound("bounding circles", kernels.around, kernels.circles)
-    yield bound("AABB", kernels.ranges, kernels.boxes_overlap, np.array(scalar.spread(2)))
-    yield bound("oriented boxes", kernels.oriented, kernels.oriented_overlap)
-    yield bound("16 axes", kernels.ranges, kernels.ranges_overlap, np.array(scalar.spread(16)))
+    xy, sixteen = (np.array(python_rivals.even_directions(k)) for k in (2, 16))
+    orientation_sat, textbook_sat = numba_rivals.orientation_sat, numba_rivals.textbook_sat
+    ranges = numba_rivals.ranges_on_directions
+    yield Method("satviz", COMPILED, "exact", batch_shapes, relation, circles=True)
+    yield Method("satviz, no filter", COMPILED, "float SAT", numpy_rivals.to_columns, hits_without_filter)
+    yield on_columns("orientation, adaptive", "exact in range", orientation_sat, numba_rivals.ERRBOUND_A)
+    yield on_columns("orientation, expansions", "exact in range", orientation_sat, numba_rivals.ALWAYS_EXACT)
+    yield on_columns("orientation, floats", "float SAT", orientation_sat, numba_rivals.NO_ERROR_BOUND)
+    yield on_columns("SAT, raw normals", "float SAT", textbook_sat, False, 0.0)
+    yield on_columns("SAT, unit normals", "float SAT", textbook_sat, True, 0.0)
+    yield on_columns("SAT, float32", "float SAT", textbook_sat, False, 0.0, dtype=np.float32)
+    yield on_columns("SAT, 1e-9 counts as a hit", "tolerance", textbook_sat, True, TOLERANCE)
+    yield on_columns("SAT, 1e-9 counts as a miss", "tolerance", textbook_sat, True, -TOLERANCE)
+    yield on_columns("GJK", "GJK", numba_rivals.gjk)
+    yield on_bounds("bounding circles", numba_rivals.enclosing_circles, numba_rivals.circles_hit)
+    yield on_bounds("AABB", ranges, numba_rivals.boxes_hit, xy)
+    yield on_bounds("oriented boxes", numba_rivals.oriented_boxes, numba_rivals.oriented_boxes_hit)
+    yield on_bounds("16 axes", ranges, numba_rivals.ranges_hit, sixteen)
 
 
-def _numpy() -> Iterator[Method]:
-    def loop(name: str, family: str, of: columns.Choice) -> Method:
-        return Method(name, NUMPY, family, columns.columns, partial(columns.hits, axes=of), circles=True)
+def _numpy_methods() -> Iterator[Method]:
+    """Yield the methods whose loops run in NumPy."""
 
-    yield Method("satviz", NUMPY, "exact", batched, partial(batch.relate, engine="numpy"), circles=True)
-    yield loop("SAT, raw normals", "float SAT", columns.complete)
-    yield loop("SAT, unit normals", "float SAT", columns.unit(columns.complete))
-    yield loop("16 axes", "bounds", columns.fixed(16))
-    yield loop("AABB", "bounds", columns.fixed(2))
+    def sat_on(name: str, family: str, axes: numpy_rivals.AxisChoice) -> Method:
+        """Return SAT on that choice of axes."""
+        hits = partial(numpy_rivals.sat_hits, axes=axes)
+        return Method(name, NUMPY, family, numpy_rivals.to_columns, hits, circles=True)
 
-
-def _python() -> Iterator[Method]:
-    def each(name: str, family: str, prepare: Callable[[Shape], Any], ask: Callable[[Any, Any], Any]) -> Method:
-        def ready(side: Side) -> list[Any]:
-            return [prepare(shape) for shape in shapes(side)]
-
-        return Method(name, PYTHON, family, ready, peers.pair_by_pair(ask), circles=True, one=prepare)
-
-    yield each("satviz", "exact", _same, relate)
-    yield each("satviz, recorded", "exact", _same, lambda a, b: record(a, b).relation)
-    yield each("SAT, raw normals", "float SAT", scalar.plain, scalar.sat)
-    yield each("SAT, unit normals", "float SAT", scalar.plain, partial(scalar.sat, unit=True))
-    yield each("GJK", "GJK", scalar.plain, scalar.gjk)
-    ways = scalar.spread(2)
-    yield each("AABB", "bounds", scalar.plain, partial(scalar.sat, choice=lambda a, b: ways))
+    yield Method("satviz", NUMPY, "exact", batch_shapes, partial(batch.relate, engine="numpy"), circles=True)
+    yield sat_on("SAT, raw normals", "float SAT", numpy_rivals.sat_axes)
+    yield sat_on("SAT, unit normals", "float SAT", numpy_rivals.with_unit_length(numpy_rivals.sat_axes))
+    yield sat_on("16 axes", "bounds", numpy_rivals.fixed_directions(16))
+    yield sat_on("AABB", "bounds", numpy_rivals.fixed_directions(2))
 
 
-def _same(shape: Shape) -> Shape:
-    return shape
+def _python_methods() -> Iterator[Method]:
+    """Yield the methods in plain Python, which answer one pair at a time."""
+
+    def one_by_one(name: str, family: str, test: Callable[[Any, Any], Any], one: Callable[[Shape], Any]) -> Method:
+        """Return the method that prepares each shape by `one` and tests each pair by `test`."""
+        return Method(
+            name, PYTHON, family, lambda side: [one(shape) for shape in engine_shapes(side)],
+            libraries.one_by_one(test), circles=True, one=one,
+        )  # fmt: skip
+
+    def on_points(name: str, family: str, test: Callable[[Any, Any], Any]) -> Method:
+        """Return the method of a test that takes shapes as points with a radius."""
+        return one_by_one(name, family, test, python_rivals.points_and_radius)
+
+    xy = python_rivals.even_directions(2)
+    yield one_by_one("satviz", "exact", relate, lambda shape: shape)
+    yield one_by_one("satviz, recorded", "exact", lambda a, b: record(a, b).relation, lambda shape: shape)
+    yield on_points("SAT, raw normals", "float SAT", python_rivals.sat)
+    yield on_points("SAT, unit normals", "float SAT", partial(python_rivals.sat, unit=True))
+    yield on_points("GJK", "GJK", python_rivals.gjk)
+    yield on_points("AABB", "bounds", partial(python_rivals.sat, choice=lambda a, b: xy))
 
 
-def _peers() -> Iterator[Method]:
-    """shapely (all pairs at once, prepared, and pair by pair) and pymunk, where installed."""
-    if installed("shapely"):
-        yield Method("shapely", COMPILED, "library", peers.geometries, peers.meet, circles=True)
-        yield Method("shapely, prepared", COMPILED, "library", peers.prepared, peers.meet)
-        yield Method("shapely", PYTHON, "library", peers.listed, peers.pair_by_pair(peers.meets), circles=True)
-    if installed("pymunk"):
-        yield Method("pymunk", PYTHON, "library", peers.bodies, peers.pair_by_pair(peers.collide), circles=True)
+def _library_methods() -> Iterator[Method]:
+    """Yield shapely (all pairs at once, prepared, and pair by pair) and pymunk, where they are installed."""
+    if is_installed("shapely"):
+        yield Method("shapely", COMPILED, "library", libraries.shapely_geometries, libraries.shapely_hits, circles=True)
+        yield Method("shapely, prepared", COMPILED, "library", libraries.prepared_geometries, libraries.shapely_hits)
+        yield Method(
+            "shapely",
+            PYTHON,
+            "library",
+            libraries.geometry_list,
+            libraries.one_by_one(libraries.shapely_hit),
+            circles=True,
+        )
+    if is_installed("pymunk"):
+        yield Method(
+            "pymunk",
+            PYTHON,
+            "library",
+            libraries.pymunk_shapes,
+            libraries.one_by_one(libraries.pymunk_hit),
+            circles=True,
+        )

@@ -1,1 +1,1 @@
-"""Seeded pairs of shapes: ordinary ones to time, and ones as hard as asked."""
+"""Seeded pairs of shapes: ordinary pairs to time, and pairs that are hard to decide to a given degree."""

@@ -1,0 +1,76 @@
+"""Other libraries as methods: shapely, which calls GEOS (C++), and pymunk, which calls Chipmunk (C)."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..workloads.generators import Side, is_padded, unpadded_rings
+
+
+def one_by_one(ask: Callable[[Any, Any], Any]) -> Callable[[list[Any], list[Any]], list[Any]]:
+    """Return the function that asks `ask` about each pair of two lists and returns the list of answers."""
+    return lambda a, b: [ask(p, q) for p, q in zip(a, b, strict=True)]
+
+
+def shapely_geometries(side: Side) -> Any:
+    """Return the shapes as an array of shapely; circles as (points, radii), because shapely has no true circle."""
+    import shapely
+
+    if isinstance(side, tuple):
+        return shapely.points(side[0]), side[1]
+    if not is_padded(side):
+        return shapely.polygons(side)
+    rings = unpadded_rings(side)
+    owner = np.repeat(np.arange(len(rings)), [len(ring) for ring in rings])
+    return shapely.polygons(shapely.linearrings(np.concatenate(rings), indices=owner))
+
+
+def prepared_geometries(side: Side) -> Any:
+    """Return the shapes as shapely's prepared geometries, whose edges are in a tree."""
+    import shapely
+
+    found = shapely_geometries(side)
+    shapely.prepare(found)
+    return found
+
+
+def shapely_hits(a: Any, b: Any) -> NDArray[np.bool_]:
+    """Return for each pair whether the shapes share a point."""
+    import shapely
+
+    return np.asarray(shapely.dwithin(a[0], b, a[1]) if isinstance(a, tuple) else shapely.intersects(a, b))
+
+
+def geometry_list(side: Side) -> list[Any]:
+    """Return the shapes as a list of shapely's geometries; circles as (point, radius)."""
+    found = shapely_geometries(side)
+    return list(zip(found[0], found[1].tolist())) if isinstance(found, tuple) else list(found)
+
+
+def shapely_hit(a: Any, b: Any) -> bool:
+    """Return whether the shapes of one pair share a point."""
+    return bool(a[0].dwithin(b, a[1]) if isinstance(a, tuple) else a.intersects(b))
+
+
+def pymunk_shapes(side: Side) -> list[Any]:
+    """Return pymunk's shapes, all on one static body."""
+    import pymunk
+
+    body = pymunk.Body(body_type=pymunk.Body.STATIC)
+    if isinstance(side, tuple):
+        found: list[Any] = [pymunk.Circle(body, r, tuple(c)) for c, r in zip(side[0].tolist(), side[1].tolist())]
+    else:
+        found = [pymunk.Poly(body, [tuple(v) for v in ring.tolist()]) for ring in unpadded_rings(side)]
+    for shape in found:
+        shape.cache_bb()
+    return found
+
+
+def pymunk_hit(a: Any, b: Any) -> bool:
+    """Return whether pymunk finds points of contact."""
+    try:
+        return bool(a.shapes_collide(b).points)
+    except AssertionError:  # what pymunk 7 raises for two shapes without a contact
+        return False

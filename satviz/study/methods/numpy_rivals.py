@@ -1,0 +1,113 @@
+"""Textbook SAT on many pairs with NumPy, as it is usually written: one loop over a choice of axes, in blocks.
+
+It stays beside the models of `satviz/advice` as a rival: its own time is what the study measures.
+"""
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..workloads.generators import Side
+from .python_rivals import even_directions
+
+Array = NDArray[np.floating]
+Hits = NDArray[np.bool_]
+BLOCK_PAIRS = 1 << 14  # so many pairs fit in the cache
+
+
+class Columns(NamedTuple):
+    """N shapes as columns: x and y (V, N) coordinates of corners, and r (N,) radii of circles, or None for polygons.
+
+    A polygon with fewer than V corners repeats its last one.
+    """
+
+    x: Array
+    y: Array
+    r: Array | None
+
+
+class PairAxes(NamedTuple):
+    """One axis for each pair: its direction (nx, ny) and the length of that; a number is the same for all pairs."""
+
+    nx: Array | float
+    ny: Array | float
+    length: Array | float
+
+
+AxisChoice = Callable[[Columns, Columns], Iterator[PairAxes]]
+
+
+def to_columns(side: Side, dtype: type = np.float64) -> Columns:
+    """Return the shapes of a workload's side as columns."""
+    at, r = side if isinstance(side, tuple) else (side, None)
+    at = at[:, None] if at.ndim == 2 else at
+    x, y = (np.ascontiguousarray(at[:, :, i].T, dtype=dtype) for i in (0, 1))  # type: ignore[var-annotated]
+    return Columns(x, y, None if r is None else r.astype(dtype))
+
+
+def sat_hits(a: Columns, b: Columns, axes: AxisChoice) -> Hits:
+    """Return for each pair whether no axis of the choice leaves a gap."""
+    found = np.ones(a.x.shape[1], bool)
+    with np.errstate(all="ignore"):
+        for start in range(0, len(found), BLOCK_PAIRS):
+            p, q = (_block(side, start) for side in (a, b))
+            for axis in axes(p, q):
+                lo_a, hi_a = project(p, axis)
+                lo_b, hi_b = project(q, axis)
+                # a repeated corner's edge has no direction: its gap is 0 or NaN, which separates nothing
+                found[start : start + BLOCK_PAIRS] &= ~(np.maximum(lo_a - hi_b, lo_b - hi_a) > 0)
+    return found
+
+
+def project(c: Columns, axis: PairAxes) -> tuple[Array, Array]:
+    """Return (low, high): the range of each shape on the axis of its pair."""
+    nx, ny, length = axis
+    lo = hi = c.x[0] * nx + c.y[0] * ny
+    for x, y in zip(c.x[1:], c.y[1:]):
+        landing = x * nx + y * ny
+        lo, hi = np.minimum(lo, landing), np.maximum(hi, landing)
+    return (lo, hi) if c.r is None else (lo - c.r * length, hi + c.r * length)
+
+
+def edge_normals(a: Columns, b: Columns) -> Iterator[PairAxes]:
+    """Yield every edge normal, those of A first, not normalised."""
+    circles = a.r is not None or b.r is not None
+    for c in (a, b):
+        for i in range(len(c.x) if len(c.x) > 1 else 0):
+            nx, ny = c.y[i] - c.y[i - 1], c.x[i - 1] - c.x[i]
+            yield PairAxes(nx, ny, np.hypot(nx, ny) if circles else 1.0)
+
+
+def sat_axes(a: Columns, b: Columns) -> Iterator[PairAxes]:
+    """Yield the axes of SAT: edge normals, and for circles the axis from the center to the nearest vertex or center."""
+    yield from edge_normals(a, b)
+    if a.r is not None or b.r is not None:
+        circle, ring = (a, b) if a.r is not None else (b, a)
+        x, y = ring.x - circle.x, ring.y - circle.y
+        nearest = (x * x + y * y).argmin(axis=0), np.arange(x.shape[1])
+        yield PairAxes(x[nearest], y[nearest], np.hypot(x[nearest], y[nearest]))
+
+
+def with_unit_length(choice: AxisChoice) -> AxisChoice:
+    """Return the choice of the same axes, each divided by its length."""
+
+    def normalised(a: Columns, b: Columns) -> Iterator[PairAxes]:
+        """Yield the axes of `choice` with length 1."""
+        for nx, ny, _ in choice(a, b):
+            length = np.sqrt(nx * nx + ny * ny)
+            yield PairAxes(nx / length, ny / length, 1.0)
+
+    return normalised
+
+
+def fixed_directions(k: int) -> AxisChoice:
+    """Return the choice of k directions, spread evenly over a half turn, for every pair."""
+    return lambda a, b: (PairAxes(x, y, 1.0) for x, y in even_directions(k))
+
+
+def _block(c: Columns, start: int) -> Columns:
+    """Return the columns of one block of shapes."""
+    stop = start + BLOCK_PAIRS
+    return Columns(c.x[:, start:stop], c.y[:, start:stop], None if c.r is None else c.r[start:stop])

@@ -1,0 +1,135 @@
+"""The order of axes: how many are tested before one separates, while a shape moves past another.
+
+The order never changes the verdict.  Where the shapes overlap, every order tests all axes.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from ...engine.axes import Axis, Source, needed
+from ...engine.shapes import Polygon, Shape, centroid
+from ...engine.trace import record
+from ...pictures import Theme
+from .. import truth
+from ..harness.cells import Cell, JsonRow, Settings
+from ..harness.chart import TEXT_POINTS, Chart, add_axes, draw_headline
+from ..workloads.generators import ngons
+
+Rng = np.random.Generator
+OrderedAxes = tuple[Axis, ...]
+ReorderAxes = Callable[[Shape, Shape, OrderedAxes, Source | None, Rng], OrderedAxes]
+
+
+def last_first(axes: OrderedAxes, last: Source | None) -> OrderedAxes:
+    """Return the axes with the one from the source `last` first: the warm start from the frame before."""
+    return tuple(sorted(axes, key=lambda axis: axis.source != last))
+
+
+def most_parallel_first(axes: OrderedAxes, dx: float, dy: float) -> OrderedAxes:
+    """Return the axes sorted by their angle to the direction (dx, dy); this takes one dot product for each axis."""
+    return tuple(sorted(axes, key=lambda axis: -abs(dx * axis.normal.x + dy * axis.normal.y) / axis.length))
+
+
+def center_direction(a: Shape, b: Shape) -> tuple[float, float]:
+    """Return the vector from A's centroid to B's."""
+    (ax, ay), (bx, by) = centroid(a), centroid(b)
+    return bx - ax, by - ay
+
+
+def shuffled(axes: OrderedAxes, rng: Rng) -> OrderedAxes:
+    """Return the axes in random order."""
+    return tuple(axes[i] for i in rng.permutation(len(axes)))
+
+
+SHUFFLED, LAST_FIRST, ALONG_CENTERS = "shuffled", "last separating first", "along the centers"
+ORDERS: dict[str, ReorderAxes] = {
+    SHUFFLED: lambda a, b, axes, last, rng: shuffled(axes, rng),
+    "as given": lambda a, b, axes, last, rng: axes,
+    ALONG_CENTERS: lambda a, b, axes, last, rng: most_parallel_first(axes, *center_direction(a, b)),
+    LAST_FIRST: lambda a, b, axes, last, rng: last_first(axes, last),
+}
+
+
+def passing_frames(rng: Rng, frames: int) -> Iterator[tuple[Polygon, Polygon]]:
+    """Yield two random 8-gons frame by frame: B moves on a straight path past A or through it."""
+    a, b = ngons(rng, 2, 8, 0.0)
+    start, move = np.array([-3.0, rng.uniform(-2, 2)]), np.array([6.0, rng.uniform(-1, 1)])
+    shape = Polygon(a)
+    for t in np.linspace(0, 1, frames).tolist():
+        yield shape, Polygon(b + start + t * move)
+
+
+def count_tested_axes(paths: int, frames: int, settings: Settings) -> list[JsonRow]:
+    """Return for each order the mean number of axes tested in a frame with the shapes apart, and the right verdicts.
+
+    The interval of the mean is from the means of the single paths.
+    """
+    rng = settings.rng("order")
+    tested: dict[str, list[float]] = {name: [] for name in ORDERS}
+    right, apart = dict.fromkeys(ORDERS, 0), 0
+    for _ in range(paths):
+        last: dict[str, Source | None] = dict.fromkeys(ORDERS)
+        sums, frames_apart = dict.fromkeys(ORDERS, 0), 0
+        for a, b in passing_frames(rng, frames):
+            choice, verdict = needed(a, b), truth.relation(a, b)
+            frames_apart += not verdict
+            for name, order in ORDERS.items():
+                trace = record(a, b, axes=choice._replace(axes=order(a, b, choice.axes, last[name], rng)))
+                right[name] += trace.claim is verdict
+                if trace.separating:
+                    last[name] = trace.separating.source
+                    sums[name] += len(trace.tests)
+        apart += frames_apart
+        for name in ORDERS:
+            tested[name].append(sums[name] / frames_apart)
+    rows = []
+    for name, means in tested.items():
+        mean, half = float(np.mean(means)), 1.96 * float(np.std(means, ddof=1)) / len(means) ** 0.5
+        row: JsonRow = {"order": name, "tested": mean, "low": mean - half, "high": mean + half, "paths": paths}
+        rows.append({**row, "apart": apart, "frames": paths * frames, "right": right[name]})
+    return rows
+
+
+def cells(settings: Settings) -> list[Cell]:
+    """Return one cell, in which all orders meet the same frames."""
+    return [Cell("order", count_tested_axes, ((10, 40) if settings.quick else (200, 120)) + (settings,))]
+
+
+def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
+    """Return the chart of the mean number of axes tested, by order."""
+    rows: Sequence[JsonRow] = found["order"]
+    by_order = {row["order"]: row for row in rows}
+    tested = {name: f"{row['tested']:.1f}" for name, row in by_order.items()}
+    paths, apart = rows[0]["paths"], rows[0]["apart"]
+    title = (
+        f"Until one separates: {tested[SHUFFLED]} axes in random order, {tested[LAST_FIRST]} with the last one first, "
+        f"{tested[ALONG_CENTERS]} along the centers"
+    )
+
+    def draw(fig: Figure, theme: Theme) -> None:
+        line = (
+            f"8-gons that move past each other on {paths} paths. They are apart in {apart:,} frames. At most 16 axes."
+        )
+        draw_headline(fig, theme, title, line)
+        ax = add_axes(fig, (0.235, 0.2, 0.72, 0.53), theme)
+        for y, row in enumerate(rows):
+            role = "exact" if row["order"] == LAST_FIRST else "guide" if row["order"] == SHUFFLED else "shortcut"
+            ax.plot([row["low"], row["high"]], [y, y], color=theme.roles[role], lw=1.6)
+            ax.plot([row["tested"]], [y], "o", color=theme.roles[role], ms=7)
+            style: dict[str, Any] = {"textcoords": "offset points", "va": "center_baseline", "fontsize": TEXT_POINTS}
+            ax.annotate(f"{row['tested']:.2f}", (row["high"], y), (9, 0), color=theme.roles["ink"], **style)
+        ax.axvline(1, color=theme.roles["guide"], lw=1, ls=(0, (1, 2.2)))
+        ax.set_yticks(range(len(rows)), [row["order"] for row in rows])
+        ax.set(ylim=(len(rows) - 0.5, -0.5), xlim=(0, max(row["high"] for row in rows) * 1.15))
+        ax.set_xlabel("axes tested: mean and its 95 % interval (dotted line: 1, the minimum)")
+        ax.spines["left"].set_visible(False)
+        ax.tick_params(axis="y", length=0)
+
+    each = ", ".join(f"{row['order']} {row['tested']:.2f} ({row['low']:.2f} to {row['high']:.2f})" for row in rows)
+    right, total = sum(row["right"] for row in rows), sum(row["frames"] for row in rows)
+    text = f"Axes tested in a frame with the shapes apart, mean over {paths} paths with its 95 % interval: {each}. "
+    text += f"The verdict is exact in {right:,} of {total:,} runs: the order does not change it."
+    return [Chart("order-of-axes", title, (800.0, 230.0), draw, rows, text)]

@@ -1,0 +1,107 @@
+"""Corners: time against the number of corners, for several ways to go through two outlines."""
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from ... import batch
+from ...pictures import Theme
+from ..harness.cells import Cell, JsonRow, Settings
+from ..harness.chart import Chart, add_axes, draw_headline, draw_time_curves, format_time
+from ..harness.machine import is_installed
+from ..harness.timings import time_jobs, timing_warning
+from ..methods import libraries
+from ..workloads.generators import Rings, apart_pairs, overlapping_pairs
+
+CORNER_COUNTS = (3, 4, 6, 8, 12, 16, 32, 64, 128, 256)
+LINE_STYLES = {
+    "SAT, every corner": ("float SAT", "-"),
+    "SAT, support search": ("float SAT", "--"),
+    "rotating calipers": ("float SAT", ":"),
+    "GJK": ("GJK", "-"),
+    "satviz": ("exact", "-"),
+    "shapely": ("library", "-"),
+}
+
+
+def cells(settings: Settings) -> list[Cell]:
+    """Return one cell, which takes the times and compares every answer with how the pair was made."""
+    corners, rounds = (20_000, 3) if settings.quick else (400_000, 11)
+    return [Cell("corners-times", take_times, (corners, rounds, settings), timed=True)]
+
+
+def ready_jobs(a: Rings, b: Rings) -> dict[str, Callable[[], Any]]:
+    """Return a job for each way through the outlines, on shapes that are prepared: it returns who hits."""
+    jobs: dict[str, Callable[[], Any]] = {}
+    if is_installed("numba"):
+        from ..methods import numba_rivals
+
+        # transposed views, so that the corners of one outline are side by side in memory, as for long outlines
+        columns = [np.ascontiguousarray(rings[:, :, d]).T for rings in (a, b) for d in (0, 1)]
+
+        def run(kernel: Callable[..., None], *options: Any) -> Any:
+            out = np.empty(len(a), np.int8)
+            kernel(*columns, *options, out)
+            return out > 0
+
+        jobs["SAT, every corner"] = partial(run, numba_rivals.textbook_sat, False, 0.0)
+        jobs["SAT, support search"] = partial(run, numba_rivals.support_search_sat)
+        jobs["rotating calipers"] = partial(run, numba_rivals.calipers)
+        jobs["GJK"] = partial(run, numba_rivals.gjk)
+        shapes = batch.Polygons(a.copy()), batch.Polygons(b.copy())
+        jobs["satviz"] = lambda: batch.relate(*shapes, engine="numba") > 0
+    if is_installed("shapely"):
+        jobs["shapely"] = partial(libraries.shapely_hits, *map(libraries.shapely_geometries, (a, b)))
+    return jobs
+
+
+def take_times(corners: int, rounds: int, settings: Settings) -> list[JsonRow]:
+    """Return each way's nanoseconds for a pair of regular v-gons, half of them apart, and its wrong answers.
+
+    `corners`: corners in all, so that there are fewer pairs where each has more corners.
+    """
+    rows = []
+    for v in CORNER_COUNTS:
+        rng, n = settings.rng("corners", v), max(100, corners // v)
+        sides = zip(apart_pairs(rng, n // 2, v), overlapping_pairs(rng, n - n // 2, v), strict=True)
+        a, b = (np.concatenate(side) for side in sides)
+        order = rng.permutation(n)
+        a, b = a[order], b[order]
+        right, jobs = (np.arange(n) >= n // 2)[order], ready_jobs(a, b)
+        wrong = {name: int((job() != right).sum()) for name, job in jobs.items()}
+        for name, times in time_jobs(jobs, rounds, dict.fromkeys(jobs, n)).items():
+            rows.append({"corners": v, "method": name, "pairs": n, "wrong": wrong[name], **times})
+    return rows
+
+
+def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
+    """Return the chart of time against corners; both scales are logarithmic, so a slope is an exponent."""
+    rows: list[JsonRow] = found["corners-times"]
+    ns = {(row["method"], row["corners"]): row["ns"] for row in rows}
+    names = [name for name in LINE_STYLES if (name, CORNER_COUNTS[-1]) in ns]
+    factors = {name: (ns[name, CORNER_COUNTS[-1]] / ns[name, 64]) ** 0.5 for name in names}  # two doublings after 64
+    title = "Time against corners"
+    if "GJK" in factors:
+        title = f"Twice the corners take textbook SAT {factors['SAT, every corner']:.1f} times as long, "
+        title += f"GJK {factors['GJK']:.1f}, calipers {factors['rotating calipers']:.1f}"
+
+    def draw(fig: Figure, theme: Theme) -> None:
+        draw_headline(
+            fig, theme, title, "Time for a pair of regular polygons; half of the pairs are apart. Bars: quartiles"
+        )
+        ax = add_axes(fig, (0.085, 0.14, 0.62, 0.69), theme)
+        ax.set_xscale("log")
+        draw_time_curves(ax, theme, CORNER_COUNTS, rows, LINE_STYLES)
+        ax.set_xlabel("corners of each polygon")
+        ax.set_xticks(CORNER_COUNTS, [str(v) for v in CORNER_COUNTS])
+        ax.xaxis.minorticks_off()
+
+    text = ""
+    for name in names:
+        times = [f"{format_time(ns[name, v])} with {v} corners" for v in (CORNER_COUNTS[0], 32, CORNER_COUNTS[-1])]
+        text += f"{name}: {', '.join(times)}; twice the corners take {factors[name]:.1f} times as long (64 to 256). "
+    text += f"Wrong answers: {sum(row['wrong'] for row in rows)} of {sum(row['pairs'] for row in rows):,}."
+    return [Chart("corners", title, (760.0, 400.0), draw, rows, text, timing_warning(rows, settings))]

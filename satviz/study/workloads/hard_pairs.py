@@ -1,0 +1,170 @@
+"""Pairs that are hard to decide: for each of seven reasons, pairs of every octave of the relative margin.
+
+The relative margin (`satviz/advice/relative_margin.py`) says how hard a pair is for floats: it is the distance from a
+wrong answer, counted in rounding errors.  A generator aims at a margin; rounding the coordinates changes that, so the
+margin of each pair is computed again from the pair itself.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ... import batch
+from ...advice.margins import relative_margins
+from ...engine.geometry import InvalidShape
+from ...engine.shapes import Polygon
+from .. import truth
+from .generators import Array, Rings, ngons, outward_normals, quarter_turn, turn_rings, turned_boxes, unit_vectors
+
+Rng = np.random.Generator
+Pairs = tuple[Rings, Rings]
+MARGIN_OCTAVES = range(-2, 36)  # k for 2**k <= relative margin < 2**(k + 1); 2**35 is some 4e-6 of the size
+ROUNDING_UNIT = 2.0**-53
+MAX_OCTAVES = 18  # thinness, smallness and distance go up to 2**18: such shapes fit the 24 bits of float32
+
+
+class HardKind(NamedTuple):
+    """One reason to be hard: `shapes(rng, n)` makes both sides, which are then moved until B is near A's first edge.
+
+    `power`: the range of the random power of two by which the whole scene is made larger or smaller at the end.
+    """
+
+    name: str
+    shapes: Callable[[Rng, int], Pairs]
+    power: tuple[int, int] = (0, 0)
+
+
+def hard_pairs(kind: HardKind, rng: Rng, per_octave: int) -> tuple[Rings, Rings, Array]:
+    """Return about `per_octave` pairs an octave, half of them overlapping, and the relative margin of each pair."""
+    octaves = np.repeat(np.array(MARGIN_OCTAVES), per_octave)
+    target = np.ldexp(rng.uniform(1, 2, len(octaves)), octaves)
+    a, b = kind.shapes(rng, len(target))
+    a, b = moved_to_margin(rng, a, b, target * rng.choice([-1.0, 1.0], len(target)))
+    if kind.power != (0, 0):
+        power = rng.integers(*kind.power, len(a))[:, None, None] * rng.choice([-1, 1], (len(a), 1, 1))
+        a, b = np.ldexp(a, power), np.ldexp(b, power)
+    return a, b, relative_margins(batch.Polygons(a), batch.Polygons(b))
+
+
+def moved_to_margin(rng: Rng, a: Rings, b: Rings, margin: Array) -> Pairs:
+    """Return the pairs with B moved until its nearest corner is off A's first edge by about that relative margin.
+
+    Pairs that rounding makes invalid or concave are left out.
+    """
+    p, q = a[:, 0], a[:, 1]
+    edge, out = q - p, outward_normals(p, q)
+    spot = p + rng.uniform(0.2, 0.8, (len(a), 1)) * edge
+    rows = np.arange(len(a))
+    tip = b[rows, np.einsum("nvd,nd->nv", b, out).argmin(axis=1)]
+    span = np.abs(edge).max(axis=1) / np.sqrt((edge * edge).sum(axis=1))
+    gap = margin * ROUNDING_UNIT * span * np.abs(a).max(axis=(1, 2))
+    b = b + (spot - tip + gap[:, None] * out)[:, None]
+    good = np.array([_is_valid_ring(ring) and _is_valid_ring(other) for ring, other in zip(a, b, strict=True)])
+    return a[good], b[good]
+
+
+def touching_triangles(rng: Rng, n: int) -> Pairs:
+    """Return pairs of triangles with a corner of B exactly on A's first edge.
+
+    A has coordinates of 40 bits, so that the point on its edge, 10 bits finer, is a float64.
+    """
+    a = np.round(ngons(rng, n, 3, 2.0) * 2.0**38) * 2.0**-38
+    out = outward_normals(a[:, 0], a[:, 1])
+    side = quarter_turn(out)
+    spot = a[:, 0] + rng.integers(200, 824, (n, 1)) * 2.0**-10 * (a[:, 1] - a[:, 0])  # exact
+    far, wide = rng.uniform(0.5, 1.5, (2, n, 1))
+    return a, np.stack([spot, spot + far * out - wide * side, spot + far * out + wide * side], axis=1)
+
+
+def pairs_on_a_grid(rng: Rng, n: int, margin: float) -> Pairs:
+    """Return pairs of 4-gons with at most about that relative margin, and coordinates that are multiples of 2**-46.
+
+    The coordinates are below 8, so moving the shapes by whole numbers up to 64 is exact in float64 (53 bits).
+    """
+    p, q = (ngons(rng, n, 4, 2.0) for _ in "AB")
+    a, b = moved_to_margin(rng, np.round(p * 2.0**46) * 2.0**-46, q, np.full(n, margin) * rng.uniform(-1, 1, n))
+    b = np.round(b * 2.0**46) * 2.0**-46
+    good = np.array([_is_valid_ring(ring) for ring in b])
+    return a[good], b[good]
+
+
+def _is_valid_ring(ring: Rings) -> bool:
+    """Return whether a ring is a convex, counter-clockwise polygon without repeated or collinear corners."""
+    try:
+        shape = Polygon(ring)
+    except InvalidShape:
+        return False
+    return shape.is_convex and len(shape.corners) == len(ring) and truth.area2(ring.tolist()) > 0
+
+
+def _log_uniform(rng: Rng, n: int, octaves: int) -> Array:
+    """Return (n, 1, 1) numbers from 8 to 2**octaves, equally many in each octave, by sums and powers of 2."""
+    return np.ldexp(rng.uniform(1, 2, (n, 1, 1)), rng.integers(3, octaves, (n, 1, 1)))
+
+
+def _ordinary(rng: Rng, n: int) -> Pairs:
+    """Return pairs of 4-gons of like sizes near the origin."""
+    return ngons(rng, n, 4, 2.0), ngons(rng, n, 4, 2.0)
+
+
+def _boxes(rng: Rng, n: int) -> Pairs:
+    """Return pairs of turned boxes."""
+    return turned_boxes(rng, n, 2.0), turned_boxes(rng, n, 2.0)
+
+
+def _far_out(rng: Rng, n: int) -> Pairs:
+    """Return ordinary pairs moved up to 2**18 away from the origin."""
+    away = _log_uniform(rng, n, MAX_OCTAVES) * unit_vectors(rng, n, 1)
+    return ngons(rng, n, 4, 2.0) + away, ngons(rng, n, 4, 2.0) + away
+
+
+def _needles(rng: Rng, n: int) -> Pairs:
+    """Return pairs of thin triangles."""
+    return _needle(rng, n), _needle(rng, n)
+
+
+def _needle(rng: Rng, n: int) -> Rings:
+    """Return triangles of length 2 whose widths go down to 2**-17, turned and moved at random."""
+    width, zero, one = 1 / _log_uniform(rng, n, MAX_OCTAVES)[:, 0, 0], np.zeros(n), np.ones(n)
+    thin = np.stack([np.stack([-one, one, one], axis=1), np.stack([zero, -width, width], axis=1)], axis=2)
+    return turn_rings(thin, unit_vectors(rng, n)) + rng.uniform(-2, 2, (n, 1, 2))
+
+
+def _parallel(rng: Rng, n: int) -> Pairs:
+    """Return pairs with an edge of B that faces A's first edge at an angle of 2**-3 to 2**-40."""
+    a = turned_boxes(rng, n, 2.0)
+    p, q = a[:, 0], a[:, 1]
+    edge, out = (q - p)[:, None], outward_normals(p, q)[:, None]
+    tilt = rng.choice([-1.0, 1.0], (n, 1, 1)) / _log_uniform(rng, n, 40)
+    along = edge + tilt * out
+    return a, np.concatenate([0 * edge, out, along + out, along], axis=1) + p[:, None]
+
+
+def _many_corners(rng: Rng, n: int) -> Pairs:
+    """Return pairs of 24-gons."""
+    return ngons(rng, n, 24, 2.0), ngons(rng, n, 24, 0.0)
+
+
+def _unequal_sizes(rng: Rng, n: int) -> Pairs:
+    """Return pairs in which B is up to 2**18 times smaller than A."""
+    return ngons(rng, n, 4, 2.0), ngons(rng, n, 4, 0.0) / _log_uniform(rng, n, MAX_OCTAVES)
+
+
+HARD_KINDS = (
+    HardKind("ordinary shapes", _ordinary),
+    HardKind("boxes", _boxes),
+    HardKind("far from the origin", _far_out),
+    HardKind("needles", _needles),
+    HardKind("nearly parallel edges", _parallel),
+    HardKind("24 corners", _many_corners),
+    HardKind("sizes that differ", _unequal_sizes),
+)
+# products of such coordinates leave the range of floats, so the relative margin does not measure these pairs
+EXTREME_KIND = HardKind("extreme sizes", _ordinary, (400, 1000))
+
+
+def octave_of(margin: Array) -> NDArray[np.int_]:
+    """Return k for 2**k <= margin < 2**(k + 1); -10,000 for a margin of 0."""
+    return np.floor(np.log2(margin, where=margin > 0, out=np.full(len(margin), -1e4))).astype(int)
