@@ -145,7 +145,7 @@ def test_the_largest_gamma_of_a_sample_is_no_bound(normals):
     p, q = Polygon(a), Polygon(b)
     assert truth.relation(p, q) == Relation.APART and round(gamma(p, q), 2) == known
     assert scalar.sat(scalar.plain(p), scalar.plain(q), unit=normals == "unit normals")  # a hit, which is wrong
-    for name in "README.md", "notebooks/7-speed-against-accuracy.ipynb":
+    for name in "satviz/guides/speed-and-accuracy.md", "notebooks/7-speed-against-accuracy.ipynb":
         text = (Path(__file__).parent.parent / name).read_text(encoding="utf-8")
         assert re.search(rf"{normals} (wrong )?at {known:.2f}", text), name
 
