@@ -52,7 +52,7 @@ def guide_body(guide: Guide) -> str:
     for pattern, target in LINKS:
         text = pattern.sub(target, text)
     html: str = markdown_parser(anchors=True).render(text)
-    return html
+    return html.replace("<picture>", '<picture tabindex="0">')  # a wide picture scrolls, with the keyboard too
 
 
 def pictures() -> list[tuple[str, bytes]]:
