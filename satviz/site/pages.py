@@ -78,7 +78,8 @@ def html_page(frame: Frame, path: str, title: str, body: str, *, description: st
         '<a class="skip" href="#main">to the text</a>',
         f'<header><nav aria-label="site">{nav}</nav></header>',
         f'<main id="main">{body}</main>',
-        f"<footer><p>This site was {MADE_BY} {__version__}. Its answers are exact. Shapes that touch count as a hit.</p></footer>",
+        f"<footer><p>This site was {MADE_BY} {__version__}. Its answers are exact. "
+        "Shapes that touch count as a hit.</p></footer>",
         "</body>",
         "</html>",
     ]
