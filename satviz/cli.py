@@ -211,7 +211,7 @@ def _parser() -> argparse.ArgumentParser:
 
 def _scene(parser: argparse.ArgumentParser) -> None:
     from .engine.axes import NAMED
-    from .scenes.shortcuts import NAMED as SHORTCUTS
+    from .scenes.failing import SHORTCUTS
 
     parser.add_argument("scene", metavar="SCENE", help="a built-in scene's name or a scene file")
     named = f"which axes to test: {', '.join(NAMED)}, or a shortcut by name (satviz scenes --failing)"

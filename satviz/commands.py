@@ -76,22 +76,22 @@ def draw(args: argparse.Namespace) -> int:
     """Draw every step of a scene, or of a long run its contact sheet, in each format asked for; print its link."""
     from .pictures import Picture, picture, steps
     from .pictures.caption import captioned
-    from .pictures.comparison import refused
+    from .pictures.comparison import refused_picture
     from .pictures.sheet import sheet
-    from .scenes.resolve import refused_case
+    from .scenes.named import refused_case
 
     formats = [form for form in dict.fromkeys(args.format) if form != "link"]
     if "link" in args.format:
         _link(args)
     if not formats:
         return 0
-    if row := refused_case(args.scene):
+    if case := refused_case(args.scene):
         if args.axes or args.every_axis or args.sheet or args.steps:
             raise Refused(
-                f"{row.name} has no run, since its outlines are refused: leave out --axes, --every-axis, "
+                f"{case.name} has no run, since its outlines are refused: leave out --axes, --every-axis, "
                 "--sheet and --steps"
             )
-        drawn, name = refused(row), row.name
+        drawn, name = refused_picture(case), case.name
         makes: dict[str, Callable[[], Picture | list[Picture] | bytes]]
         makes = {"gif": lambda: [drawn], "html": lambda: _page(name, "")}
         return _write(args, [(name, form, makes.get(form, lambda: drawn)) for form in formats])

@@ -22,7 +22,7 @@ from satviz.engine.geometry import InvalidScene, Relation, Vec
 from satviz.engine.relate import relate_moved
 from satviz.engine.shapes import Circle, Polygon, Shape
 from satviz.engine.shortcut import Shortcut
-from satviz.scenes.shortcuts import NAMED as SHORTCUTS
+from satviz.scenes.failing import SHORTCUTS
 
 Pairs = Sequence[tuple[Shape, Shape]]
 ENGINES = "numpy", "numba"

@@ -130,14 +130,19 @@ OPERATORS = [*(pair for pair in mutation_operators if pair[0] not in REPLACED), 
 
 
 def mutants(path: Path) -> Iterator[tuple[int, str, str]]:
-    """(line, what changed, mutated source) of each; those that are no Python or the same program are left out."""
+    """Yield (line, key, mutated source) of each mutant; those that are no Python or the same program are left out.
+
+    The key, such as "orient: > → >= #2", names function, operator and place: the second such change in that function.
+    No name of a variable is in it, so it survives a rename.
+    """
     text = path.read_text(encoding="utf-8")
     wrapper = MetadataWrapper(cst.parse_module(text), unsafe_skip_copy=True)
     tree, places = wrapper.module, wrapper.resolve(PositionProvider)
+    count: Counter[tuple[str, str]] = Counter()
     for statement in tree.body:
         code = tree.code_for_node(statement)
         seen = {ast.dump(ast.parse(code))}
-        for node in () if m.matches(statement, ALIAS) else inner(statement):
+        for function, node in () if m.matches(statement, ALIAS) else inner(statement):
             for other in (other for kind, make in OPERATORS if isinstance(node, kind) for other in make(node)):
                 changed = tree.code_for_node(statement.deep_replace(node, other))
                 try:
@@ -146,27 +151,53 @@ def mutants(path: Path) -> Iterator[tuple[int, str, str]]:
                     continue
                 if program not in seen:
                     seen.add(program)
-                    whole = text.replace(code, changed, 1)
-                    yield places[node].start.line, difference(text, whole), whole
+                    operator = operator_of(tree, node, other)
+                    count[function, operator] += 1
+                    key = f"{function or 'module'}: {operator} #{count[function, operator]}"
+                    yield places[node].start.line, key, text.replace(code, changed, 1)
 
 
-def inner(node: cst.CSTNode) -> Iterator[cst.CSTNode]:
-    """The node and all below, but for words."""
+def inner(node: cst.CSTNode, function: str = "") -> Iterator[tuple[str, cst.CSTNode]]:
+    """Yield the node and all below it but words, each with the innermost function or class that holds it."""
     if not m.matches(node, WORDS | CHECK):
-        yield node
+        if isinstance(node, cst.FunctionDef | cst.ClassDef):
+            function = node.name.value
+        yield function, node
         for child in node.children:
-            yield from inner(child)
+            yield from inner(child, function)
 
 
-def difference(old: str, new: str) -> str:
-    """function: `old lines` → `new lines`."""
-    old, new = (re.sub("  # .*", "", source).splitlines() for source in (old, new))
-    while old[-1] == new[-1]:
-        old.pop(), new.pop()
-    same = next(i for i in range(len(old) + 1) if old[: i + 1] != new[: i + 1])
-    inside = ["", *(found[1] for line in old[: same + 1] if (found := re.match(r" *(?:def|class) (\w+)", line)))]
-    was, now = (" ".join(map(str.strip, lines[same:])) for lines in (old, new))
-    return f"{inside[-1]}: `{was}` → `{now}`"
+def operator_of(tree: cst.Module, node: cst.CSTNode, other: cst.CSTNode) -> str:
+    """Return what was changed without the names of variables: "< → <=", "8 → 7", "if True", "no statement"."""
+    match node, other:
+        case cst.IfExp(), cst.IfExp(cst.BooleanOperation(operator=cst.Or())):
+            return "if True"
+        case cst.IfExp(), cst.IfExp(cst.BooleanOperation(operator=cst.And())):
+            return "if False"
+        case (cst.If() | cst.CompIf(), _):
+            return f"if {tree.code_for_node(other.test).strip('()')}"
+        case cst.SimpleStatementLine(), _:
+            return "no statement"
+        case ((cst.FunctionDef() | cst.ClassDef()), _):
+            return "no decorator"
+        case cst.UnaryOperation(operator), _:
+            return f"no {tree.code_for_node(operator).strip()}"
+        case cst.Call(cst.Name(called), [_]), cst.CSTNode() if called in NEEDLESS:
+            return f"no {called}"
+        case cst.Call(_, args), cst.Call(_, fewer) if len(fewer) < len(args):
+            lost = next((a for a, b in zip(args, fewer) if a is not b), args[-1])
+            return f"no {lost.keyword.value}=" if lost.keyword else "no last argument"
+        case cst.BooleanOperation() | cst.BinaryOperation() | cst.ComparisonTarget() | cst.AugAssign(), _ if type(
+            node
+        ) is type(other):
+            node, other = node.operator, other.operator
+    was, now = (" ".join(tree.code_for_node(n).split()) for n in (node, other))
+    simple = all(
+        re.fullmatch(r"[^\w\s]+|(not )?(and|or|in|is|is not|not|break|continue|True|False)|\(?-?[\d.e+-]+\)?|\w+", x)
+        for x in (was, now)
+    )
+    names = not isinstance(node, cst.Name) or node.value in TWINS or was in ("True", "False", "None")
+    return f"{was} → {now}" if simple and names else f"{type(node).__name__} → {type(other).__name__}"
 
 
 # -- the judging -----------------------------------------------------------------------------------
@@ -249,6 +280,14 @@ def judge(path: Path, source: str, tests: list[str], about: str, watch: Watch) -
     return int(pytest.main([*flags, "-k", " and ".join(words), "-m", "not slow and not full", *files], plugins=[watch]))
 
 
+def known(notes: str) -> Iterator[str]:
+    """Yield the keys in a module's notes: `orient: > → >= #1 #2, 8 → 7 #1` holds three."""
+    for function, changes in re.findall(r"`(\w+): ([^`]+)`", notes):
+        for change in changes.split(", "):
+            operator, *places = re.split(r" #", change)
+            yield from (f"{function}: {operator} #{place}" for place in places)
+
+
 class Field:
     """One module, its mutants being judged and how many met which fate."""
 
@@ -259,12 +298,12 @@ class Field:
         self.score, self.kills, self.times = Counter(), Counter(), {}
         notes = (HERE / "mutants.md").read_text(encoding="utf-8")
         of_this = re.search(rf"^## {name}$(.*?)(^## |\Z)", notes, re.M | re.S)
-        self.known = set(re.findall(r"^- (\w*: `.*` → `.*`)$", of_this[1] if of_this else "", re.M))
+        self.known = set(known(of_this[1] if of_this else ""))
 
-    def start(self, line: int, change: str, source: str) -> None:
+    def start(self, line: int, key: str, source: str) -> None:
         sys.stdout.flush()
         if pid := os.fork():
-            self.running[pid] = line, change
+            self.running[pid] = line, key
             return
         code, sink = 3, os.open(os.devnull, os.O_WRONLY)
         os.dup2(sink, 1), os.dup2(sink, 2)
@@ -277,19 +316,19 @@ class Field:
     def end(self) -> dict:
         """Wait for any; a mutant on no line is none."""
         pid, status = os.wait()
-        line, change = self.running.pop(pid)
+        line, key = self.running.pop(pid)
         note = self.folder / str(pid)
         told = json.loads(note.read_text()) if note.exists() else {"at": "", "times": {}}
         code = os.waitstatus_to_exitcode(status)
-        fate = "timed out" if code < 0 else "killed" if code else "equivalent" if change in self.known else "survived"
+        fate = "timed out" if code < 0 else "killed" if code else "equivalent" if key in self.known else "survived"
         assert line or not code, f"{told['at'] or self.tests} fails without any mutant"
         if line:
             self.kills[told["at"]] += bool(code)
             self.score[fate] += 1
             if fate == "survived":
-                print(f"{line}\n- {change}", flush=True)
-            elif code and change in self.known:
-                print(f"{line}\nlisted as equivalent, but {fate}: {change}", flush=True)
+                print(f"line {line}: {key}", flush=True)
+            elif code and key in self.known:
+                print(f"line {line}: {key} is listed as equivalent, but {fate}", flush=True)
         return told
 
     def sow(self, lines: range, step: int) -> None:

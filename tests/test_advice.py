@@ -33,11 +33,11 @@ from satviz.advice.relative_margin import gamma, signed
 from satviz.advice.scope import ANYWHERE, GRID, HERE, MOVED, Scope, bound_of
 from satviz.advice.shapesfile import load
 from satviz.cli import main
-from satviz.engine.axis_count import WORDS, enough
+from satviz.engine.axis_count import NUMBER_WORDS, enough
 from satviz.engine.convex_parts import parts
 from satviz.engine.geometry import Relation, Vec
 from satviz.pictures import THEMES
-from satviz.scenes.failing.claimed_value import moved
+from satviz.scenes.shape_tools import translated
 
 ORDINARY = [kind for kind in CONVEX if kind not in ("largest scale", "smallest scale", "any scale")]
 
@@ -311,13 +311,13 @@ def test_what_is_enough_wherever_shapes_are_moved_is_so_where_the_nearest_vertex
         if words := enough(a, b)[1].partition("Wherever they are moved, ")[2]:
             to = [p - q for p, q in zip(a.bounds[:2], b.bounds[:2])]
             with suppress(sv.InvalidShape):
-                assert len(sv.axes.needed(a, moved(b, Vec(*to))).axes) <= told(words), kind
+                assert len(sv.axes.needed(a, translated(b, Vec(*to))).axes) <= told(words), kind
 
 
 def told(words):
     """How many: the first word."""
     many = words.split()[0]
-    return WORDS.index(many.capitalize()) if many.isalpha() else int(many.replace(",", ""))
+    return NUMBER_WORDS.index(many.capitalize()) if many.isalpha() else int(many.replace(",", ""))
 
 
 def test_no_more_than_a_pair_as_it_lies_is_told_of_concave_outlines():
@@ -365,7 +365,7 @@ def test_enough_axes_for_a_hit_of_parts_are_those_of_the_parts_that_meet():
     for x, y, many in (3.0, 0.5, "Two"), (0.2, 2.5, "Three"):
         small = sv.Polygon([(x, y), (x + 0.2, y), (x + 0.2, y + 0.2), (x, y + 0.2)])
         said = f"{many} axes are needed here: all those of two convex parts that meet."
-        assert enough(roof, small) == (WORDS.index(many), said)
+        assert enough(roof, small) == (NUMBER_WORDS.index(many), said)
 
 
 def test_enough_says_no_more_of_concave_outlines_than_of_where_they_lie_and_names_a_traces_shapes():

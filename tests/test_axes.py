@@ -9,7 +9,7 @@ import pytest
 import satviz as sv
 from satviz.engine import axes
 from satviz.engine.sat import axis_tests
-from satviz.scenes.article import box
+from satviz.scenes.shape_tools import box
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
 B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])
@@ -142,7 +142,7 @@ SOURCES = [
 
 @pytest.mark.parametrize("source", SOURCES, ids=str)
 def test_a_source_that_the_shapes_do_not_have_is_not_among_theirs(source):
-    assert source not in axes.by_source(A, COIN)
+    assert source not in axes.axes_by_source(A, COIN)
 
 
 def sources(choice: axes.Choice) -> dict:

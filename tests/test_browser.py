@@ -243,11 +243,11 @@ def test_a_failing_scene_has_a_switch_between_the_shortcut_and_the_truth(hand):
     widget.get_by_label("presets").select_option("aabb-turned")
     hand.said("a false hit")
     assert switch.is_visible() and "Claim: the bounding boxes" in widget.locator(".sv-heading").inner_text()
-    assert widget.locator("[data-id='lies.0']").count() == 1
+    assert widget.locator("[data-id='error-region.0']").count() == 1
     hand.press("truth")
     hand.said("A and B are apart: axis")
     assert hand.kernel("w.trace.shortcut") == "None"
-    assert widget.locator("[data-id='lies.0']").count() == 0
+    assert widget.locator("[data-id='error-region.0']").count() == 0
     hand.press("shortcut")
     hand.said("a false hit")
     hand.drag("B-move", -100, 100)

@@ -16,7 +16,7 @@ from satviz.pictures.caption import reading
 from satviz.pictures.playback import playback, playbacks
 from satviz.render.files import canvas
 from satviz.render.script import javascript, stylesheet
-from satviz.scenes.link import ALL
+from satviz.scenes.named import ALL_SCENES
 from satviz.widgets.explorer_model import ExplorerModel
 
 pytestmark = pytest.mark.slow
@@ -804,7 +804,7 @@ WAYS = pytest.mark.parametrize("screen", [PHONE, WIDE], ids=["phone", "wide"])
 
 
 @WAYS
-@pytest.mark.parametrize("name", [scene.name for scene in ALL])
+@pytest.mark.parametrize("name", [scene.name for scene in ALL_SCENES])
 def test_a_dot_that_is_no_handle_is_under_none(browser, errors, name, screen):
     """What is pressed in the middle of a dot: the handle that sits there, else the shape or nothing; of a map B."""
     with explored(browser, ExplorerModel(sv.scene(name)), errors, **screen) as page:

@@ -13,7 +13,7 @@ from PIL import Image
 import satviz as sv
 from satviz.pictures import DARK, LIGHT
 from satviz.safe_write import write
-from satviz.scenes.link import Shown, fragment
+from satviz.scenes.link import ViewOptions, fragment
 from satviz.site.build import site
 from satviz.site.serving import server
 
@@ -260,7 +260,7 @@ def test_a_failing_scenes_link_opens_it(visit):
 
 def test_a_link_opens_the_same_state_and_the_address_follows_the_hand(visit):
     mine = sv.Scene("mine", sv.Polygon([(0, 0), (4, 0), (0, 4)]), sv.Circle((5, 5), 1))
-    page = visit(f"scene.html#{fragment(mine, Shown(free=40.0, way_out=True))}")
+    page = visit(f"scene.html#{fragment(mine, ViewOptions(free=40.0, way_out=True))}")
     assert "at 40 degrees" in said(page) and page.get_by_label("free axis").is_checked()
     assert page.get_by_label("way out").is_checked() and not page.get_by_role("checkbox", name="B − A").is_checked()
     page.locator('[data-handle="axis"]').focus()

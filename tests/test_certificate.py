@@ -9,7 +9,7 @@ import pytest
 import satviz as sv
 from satviz.engine import certificate
 from satviz.engine.certificate import PartLines, SeparatingLine, SharedPoint
-from satviz.scenes.article import box
+from satviz.scenes.shape_tools import box
 
 L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
 HAIR = Fraction(1, 10**40)

@@ -1,4 +1,4 @@
-"""Belief beside truth: each failing scene's picture shows the wrong number, struck out, and the right one."""
+"""The claim beside the truth: each failing scene's picture shows the wrong number, struck out, and the right one."""
 
 import math
 from importlib.util import find_spec
@@ -16,18 +16,16 @@ from satviz.pictures.labels import Board, Request
 from satviz.pictures.layout import Layout, text_box
 from satviz.pictures.marks import Picture
 from satviz.pictures.playback import NARROW_PANELS, narrow
-from satviz.pictures.stages import shifted
-from satviz.scenes.article import box
-from satviz.scenes.failing import FAILURE_CASES, NAMED, REFUSED, true_value
-from satviz.scenes.shortcuts import NAMED as SHORTCUTS
-from satviz.scenes.shortcuts import halves
+from satviz.scenes.failing import FAILURE_CASES, NAMED, REFUSED, SHORTCUTS, true_value
+from satviz.scenes.failing.circles_and_dents import halves
+from satviz.scenes.shape_tools import box, translated
 from satviz.widgets.explorer_model import ExplorerModel
 
-SHOWN = [row for row in FAILURE_CASES if row.how != REFUSED]
+SHOWN = [case for case in FAILURE_CASES if case.how != REFUSED]
 each_refused = pytest.mark.parametrize(
-    "row", [row for row in FAILURE_CASES if row.how == REFUSED], ids=lambda row: row.name
+    "case", [case for case in FAILURE_CASES if case.how == REFUSED], ids=lambda case: case.name
 )
-each_row = pytest.mark.parametrize("row", SHOWN, ids=lambda row: row.name)
+each_case = pytest.mark.parametrize("case", SHOWN, ids=lambda case: case.name)
 
 
 def texts(drawn: Picture, prefix: str) -> dict[str, str]:
@@ -68,20 +66,20 @@ def no_overlap(drawn: Picture) -> bool:
     return True
 
 
-@each_row
-def test_the_heading_says_the_claim_the_wrong_answer_and_the_right_one(row):
-    trace = row.scene.record()
+@each_case
+def test_the_heading_says_the_claim_the_wrong_answer_and_the_right_one(case):
+    trace = case.record()
     drawn = sv.picture(trace)
     words = " ".join(" ".join(drawn.mark(name).text.split()) for name in ("heading", "wrong"))
-    wrong, good = row.answers
-    assert words == f"Claim: {row.claim}. Wrong: {wrong}. Right: {good}."
-    assert drawn.sentence == trace.sentence and row.claim in drawn.sentence
+    wrong, good = case.answers
+    assert words == f"Claim: {case.claim}. Wrong: {wrong}. Right: {good}."
+    assert drawn.sentence == trace.sentence and case.claim in drawn.sentence
 
 
-@each_row
-def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on_the_right(row):
-    drawn = sv.picture(row.scene.record())
-    saw, truth = (" | ".join(texts(drawn, prefix).values()) for prefix in ("saw", "is"))
+@each_case
+def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on_the_right(case):
+    drawn = sv.picture(case.record())
+    saw, truth = (" | ".join(texts(drawn, prefix).values()) for prefix in ("claimed", "actual"))
     assert struck(drawn), "nothing is struck out"
     left, right = {
         "tunnelling": ("gap +1.850", "they meet on the way"),
@@ -90,43 +88,43 @@ def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on
         "mixed-signs": ("gap +1", "overlap 1, way out 2"),  # its own axis, with the true ranges
         "unit-normals": ("gap +4.441e-16", "touching, gap 0"),
         "box-in-u": ("overlap 2", "A1 | B"),
-    }.get(row.name, ("", ""))
+    }.get(case.name, ("", ""))
     if not left:
-        told = [row.told(answer) for answer in (row.wrong, row.truth)]
-        left, right = (plain(t).replace("gap -", "overlap ") if row.what == "gap" else plain(t) for t in told)
-        if row.name == "circles-turned-round":
+        told = [case.in_words(answer) for answer in (case.claimed, case.actual)]
+        left, right = (plain(t).replace("gap -", "overlap ") if case.quantity == "gap" else plain(t) for t in told)
+        if case.name == "circles-turned-round":
             left = "gap -1"
     assert left in saw and right in truth
-    assert any(left in text for text in struck(drawn)) or row.name == "tunnelling"
+    assert any(left in text for text in struck(drawn)) or case.name == "tunnelling"
 
 
-@each_row
-def test_either_side_shows_both_shapes(row):
-    if row.name in ("many-pairs", "gjk-looks-less"):  # a crowd, and the difference of both
+@each_case
+def test_either_side_shows_both_shapes(case):
+    if case.name in ("many-pairs", "gjk-looks-less"):  # a crowd, and the difference of both
         return
-    drawn = sv.picture(row.scene.record())
-    for side in "saw", "is":
+    drawn = sv.picture(case.record())
+    for side in "claimed", "actual":
         owners = {mark.owner[0] for mark in drawn.marks if mark.part == f"{side}-outline"}
         assert owners == {"A", "B"}, side
 
 
-@each_row
-def test_nothing_is_struck_out_on_the_side_of_the_truth(row):
-    drawn = sv.picture(row.scene.record())
-    assert not [m for m in drawn.marks if m.part.startswith("is-") and m.part.endswith("-strike")]
+@each_case
+def test_nothing_is_struck_out_on_the_side_of_the_truth(case):
+    drawn = sv.picture(case.record())
+    assert not [m for m in drawn.marks if m.part.startswith("actual-") and m.part.endswith("-strike")]
 
 
-@each_row
+@each_case
 @pytest.mark.parametrize("step", [0, 3, -1])
-def test_no_label_lies_on_another_or_off_the_canvas(row, step):
-    trace = row.scene.record()
+def test_no_label_lies_on_another_or_off_the_canvas(case, step):
+    trace = case.record()
     drawn = sv.picture(trace, min(step, len(sv.steps(trace)) - 1))
     assert no_overlap(drawn)
 
 
-@each_row
-def test_all_steps_are_as_large_with_names_of_their_own(row):
-    trace = row.scene.record()
+@each_case
+def test_all_steps_are_as_large_with_names_of_their_own(case):
+    trace = case.record()
     every = [sv.picture(trace, i) for i in range(len(sv.steps(trace)))]
     assert len({(drawn.size, drawn.limits) for drawn in every}) == 1
     for drawn in every:
@@ -134,18 +132,18 @@ def test_all_steps_are_as_large_with_names_of_their_own(row):
 
 
 def test_a_missed_hit_shows_its_own_axis_with_the_true_ranges():
-    drawn = sv.picture(NAMED["extremes-once"].scene.record())
-    assert "A [-2.828, 2.828]" in texts(drawn, "saw").values()
-    assert "A [-2.828, 3.394]" in texts(drawn, "is").values()
+    drawn = sv.picture(NAMED["extremes-once"].record())
+    assert "A [-2.828, 2.828]" in texts(drawn, "claimed").values()
+    assert "A [-2.828, 3.394]" in texts(drawn, "actual").values()
 
 
-def test_an_edge_without_a_length_is_told_and_gives_no_axis():
-    trace = NAMED["repeated-vertex"].scene.record()
+def test_an_edge_without_a_length_is_labelled_and_gives_no_axis():
+    trace = NAMED["repeated-vertex"].record()
     (i,) = (i for i, test in enumerate(trace.tests) if not any(test.axis.normal))
     for step in -1, sv.Step(sv.Stage.GAP, i), sv.Step(sv.Stage.EDGE, i):
         drawn = sv.picture(trace, step)
-        assert "a2 and a3 lie in one place" in drawn.mark("saw-no-axis").text
-        assert not [m for m in drawn.marks if m.part == "saw-axis"]
+        assert "a2 and a3 lie in one place" in drawn.mark("claimed-no-axis").text
+        assert not [m for m in drawn.marks if m.part == "claimed-axis"]
 
 
 def test_a_shortcut_that_is_right_for_once_is_not_struck_out():
@@ -169,12 +167,12 @@ def test_a_shortcut_that_is_right_for_once_is_not_struck_out():
 )
 def test_a_shortcut_is_called_wrong_only_where_it_is(name, move, right):
     """Not for a rounding, nor for a push where there is nothing to push."""
-    row = NAMED[name]
-    a, b = row.shapes
-    trace = sv.record(a, shifted(b, sv.Vec(*move)), axes=row.shortcut)
+    case = NAMED[name]
+    a, b = case.shapes
+    trace = sv.record(a, translated(b, sv.Vec(*move)), axes=case.shortcut)
     words = sv.picture(trace).mark("wrong").text
     assert words.startswith("Here it happens to be right: " if right else "Wrong: "), words
-    assert sv.picture(row.scene.record()).mark("wrong").text.startswith("Wrong: ")
+    assert sv.picture(case.record()).mark("wrong").text.startswith("Wrong: ")
 
 
 def test_a_shortcut_of_ones_own_is_drawn_beside_the_truth():
@@ -200,31 +198,31 @@ def test_every_shortcut_is_drawn_for_pairs_of_every_kind(name):
 
 
 @each_refused
-def test_what_is_refused_shows_its_outline_and_the_reason(row, tmp_path):
-    drawn = comparison.refused(row)
+def test_what_is_refused_shows_its_outline_and_the_reason(case, tmp_path):
+    drawn = comparison.refused_picture(case)
     assert [mark.owner for mark in drawn.marks if mark.part == "outline"] == ["A", "B"]
-    assert " ".join(drawn.mark("wrong").text.split()) == f"Refused: {row.truth}."
+    assert " ".join(drawn.mark("wrong").text.split()) == f"Refused: {case.actual}."
     for form in "svg", "png", "gif", "html":
-        assert main(["draw", row.name, "--out", str(tmp_path), "--format", form]) == 0
-        assert (tmp_path / f"{row.name}.{form}").stat().st_size
-    assert (tmp_path / f"{row.name}.html").read_text(encoding="utf-8") == sv.page(row.name)
+        assert main(["draw", case.name, "--out", str(tmp_path), "--format", form]) == 0
+        assert (tmp_path / f"{case.name}.{form}").stat().st_size
+    assert (tmp_path / f"{case.name}.html").read_text(encoding="utf-8") == sv.page(case.name)
 
 
 @each_refused
-def test_whatever_shows_a_scene_shows_why_an_outline_is_refused(row):
-    reason = f"Refused: {row.truth}."
-    page = sv.page(row.name)
+def test_whatever_shows_a_scene_shows_why_an_outline_is_refused(case):
+    reason = f"Refused: {case.actual}."
+    page = sv.page(case.name)
     assert page.count(reason) >= 3 and "<script" not in page  # its title, its heading, the pictures' words
-    assert page.count("<svg") == 2 and f"<h1>Claim: {row.claim}. {reason}</h1>" in page
-    shown = [sv.picture(row.name), sv.picture(row.name, 0, largest=(340, 340))]
+    assert page.count("<svg") == 2 and f"<h1>Claim: {case.claim}. {reason}</h1>" in page
+    shown = [sv.picture(case.name), sv.picture(case.name, 0, largest=(340, 340))]
     if find_spec("anywidget"):
-        shown += [sv.play(row.name), sv.play(row.name, predict=True), sv.explore(row.name)]
+        shown += [sv.play(case.name), sv.play(case.name, predict=True), sv.explore(case.name)]
     for drawn in shown:
         assert drawn.sentence.endswith(reason) and no_overlap(drawn)
         assert " ".join(drawn.mark("wrong").text.split()) == reason
-    assert sv.draw(row.name).axes
-    with pytest.raises(sv.InvalidScene, match="is no scene"):
-        sv.scene(row.name)
+    assert sv.draw(case.name).axes
+    with pytest.raises(sv.InvalidScene, match="is refused"):
+        sv.scene(case.name)
 
 
 def test_a_failing_scene_is_drawn_and_made_a_page_under_its_claim(tmp_path):
@@ -236,11 +234,11 @@ def test_a_failing_scene_is_drawn_and_made_a_page_under_its_claim(tmp_path):
 
 
 def test_both_pens_and_the_player_take_both_panels():
-    trace = NAMED["raw-depth"].scene.record()
+    trace = NAMED["raw-depth"].record()
     fig = sv.draw(trace)
     ax = fig.add_axes((0, 0, 1, 1))
     artists = sv.draw(trace, ax=ax)
-    assert "saw-number" in artists and "is-number" in artists
+    assert "claimed-number" in artists and "actual-number" in artists
     from satviz.pictures.playback import playbacks
 
     (show,) = playbacks(trace)
@@ -256,19 +254,19 @@ def test_a_shortcuts_axes_can_be_asked_of_any_scene_by_name(capsys):
 @pytest.mark.parametrize("far", [0.0, 2.0**40])
 @pytest.mark.parametrize("name", ["far-centers", "mixed-signs", "lengths", "raw-depth"])
 def test_ranges_that_a_shortcut_finds_far_from_the_shapes_leave_them_visible(name, size, far):
-    row, at = NAMED[name], size * far
-    a, b = (sv.Polygon([(at + x * size, at + y * size) for x, y in s.vertices]) for s in (row.a, row.b))
-    trace = sv.record(a, b, axes=row.shortcut)
+    case, at = NAMED[name], size * far
+    a, b = (sv.Polygon([(at + x * size, at + y * size) for x, y in s.vertices]) for s in (case.a, case.b))
+    trace = sv.record(a, b, axes=case.shortcut)
     for step in range(len(sv.steps(trace))):
         drawn = sv.picture(trace, step)
         for owner in "AB":
-            (outline,) = (m for m in drawn.marks if (m.part, m.owner, m.weight) == ("saw-outline", owner, "plain"))
+            (outline,) = (m for m in drawn.marks if (m.part, m.owner, m.weight) == ("claimed-outline", owner, "plain"))
             assert max(abs(p.x - q.x) + abs(p.y - q.y) for p in outline.points for q in outline.points) > 5, step
         assert all(0 <= p.x <= drawn.size[0] and 0 <= p.y <= drawn.size[1] for m in drawn.marks for p in m.points)
 
 
 @pytest.mark.parametrize("name", ["extremes-once", "touch-on-paper"])
-def test_a_landing_is_told_of_the_vertex_that_lands_there_where_a_shortcut_leaves_points_out(name):
+def test_a_landing_is_labelled_with_the_vertex_that_lands_there_where_a_shortcut_leaves_points_out(name):
     points = [(-3, -1), (1, -3), (3, 1), (2.5, 2), (2.2, 2.6), (1, 3), (-3, 1)]  # the fourth lies within an edge
     a = sv.Polygon(points, [f"v{i}" for i in range(7)])
     trace = sv.record(a, box(4, 4, 5, 5), axes=SHORTCUTS[name], every_axis=True)
@@ -278,9 +276,9 @@ def test_a_landing_is_told_of_the_vertex_that_lands_there_where_a_shortcut_leave
         test = trace.tests[step.test]
         lands = dict(zip(test.a.points, test.a.landings, strict=True))
         for mark in sv.picture(trace, i).marks:
-            if mark.part in ("saw-lowest", "saw-highest") and mark.owner == "A":
+            if mark.part in ("claimed-lowest", "claimed-highest") and mark.owner == "A":
                 who, _ = mark.text.split(": ")
-                end = test.a.interval[mark.part == "saw-highest"]
+                end = test.a.interval[mark.part == "claimed-highest"]
                 assert all(abs(lands[a.vertices[int(v[1:])]] - end) < 1e-3 for v in who.split(", ")), mark.text
 
 
@@ -292,30 +290,30 @@ def pushed(move):
 def test_the_push_of_a_shortcut_of_ones_own_is_held_against_the_way_out(move, right):
     trace = sv.record(box(0, 0, 4, 4), box(2.5, 1, 6, 3), axes=pushed(move))
     drawn = sv.picture(trace)
-    assert drawn.mark("saw-push-name").text.startswith("push (")
+    assert drawn.mark("claimed-push-name").text.startswith("push (")
     assert drawn.mark("wrong").text.startswith("Here it happens to be right" if right else "Wrong: push (")
     assert bool(struck(drawn)) is not right
-    outline = drawn.mark("A.saw-outline").points
+    outline = drawn.mark("A.claimed-outline").points
     assert max(p.x for p in outline) - min(p.x for p in outline) > 20
 
 
 def test_the_pieces_of_a_shortcut_of_ones_own_are_drawn_with_their_pushes():
     mine = sv.Shortcut("mine", "each half pushes", split=halves)
     drawn = sv.picture(sv.record(box(0, 0, 4, 4), box(1.5, 1.5, 2.5, 2.5), axes=mine))
-    assert {"A1", "A2"} <= {m.owner for m in drawn.marks if m.part == "saw-outline"}
+    assert {"A1", "A2"} <= {m.owner for m in drawn.marks if m.part == "claimed-outline"}
     assert drawn.mark("wrong").text.startswith("Wrong: push (0, 0). Right: overlapping, way out (")
 
 
 def test_there_is_room_for_a_push_only_where_one_is_drawn():
-    drawn = sv.picture(NAMED["one-overlap"].scene.record())
-    outline = drawn.mark("A.saw-outline").points
+    drawn = sv.picture(NAMED["one-overlap"].record())
+    outline = drawn.mark("A.claimed-outline").points
     assert max(p.x for p in outline) - min(p.x for p in outline) > 60
 
 
 def test_a_gap_that_is_right_is_not_struck_out_with_the_wrong_answer():
-    drawn = sv.picture(NAMED["touch-as-apart"].scene.record())
+    drawn = sv.picture(NAMED["touch-as-apart"].record())
     assert struck(drawn) == ["apart"]
-    assert struck(ExplorerModel(NAMED["tunnelling"].scene).picture()) == ["apart"]
+    assert struck(ExplorerModel(sv.scene("tunnelling")).picture()) == ["apart"]
 
 
 def test_the_line_of_a_distance_is_as_long_as_the_distance():
@@ -324,32 +322,34 @@ def test_the_line_of_a_distance_is_as_long_as_the_distance():
     for a in shapes:
         for b in others:
             trace = sv.record(a, b, axes=SHORTCUTS["gap-as-distance"])
-            sketch = comparison_panels.distance(trace, (340.0, 300.0))
+            sketch = comparison_panels.draw_distance(trace, (340.0, 300.0))
             (p, q) = next(m.points for m in sketch.marks if m.part == "distance")
             assert math.dist(p, q) == pytest.approx(true_value.distance(a, b))
 
 
 def test_a_fan_of_directions_stays_on_its_panel():
     for b in box(2.01, 0, 4, 1), box(2.01, -1, 2.2, 3), box(-0.1, 1.01, 30, 4), sv.Polygon([(1, 1.1), (3, 2), (2, 9)]):
-        sketch = comparison_panels.fan(sv.record(box(0, 0, 2, 1), b, axes=SHORTCUTS["only-one-axis"]), (340.0, 300.0))
+        sketch = comparison_panels.draw_separating_directions(
+            sv.record(box(0, 0, 2, 1), b, axes=SHORTCUTS["only-one-axis"]), (340.0, 300.0)
+        )
         x0, y0, x1, y1 = sketch.layout.limits
         assert all(x0 <= p.x <= x1 and y0 <= p.y <= y1 for m in sketch.marks if m.part == "fan" for p in m.points)
 
 
-@each_row
-def test_a_step_shows_no_more_than_it_says_and_its_labels_stay_as_it_moves_on(row):
-    trace = row.scene.record()
+@each_case
+def test_a_step_shows_no_more_than_it_says_and_its_labels_stay_as_it_moves_on(case):
+    trace = case.record()
     spots, before = {}, None
     for i, step in enumerate(sv.steps(trace)):
         if step.test is None:
             continue
         drawn = sv.picture(trace, i)
         if step.stage in (sv.Stage.EDGE, sv.Stage.NORMAL):
-            assert not [m for m in drawn.marks if m.part == "saw-axis"], step
+            assert not [m for m in drawn.marks if m.part == "claimed-axis"], step
         spots = spots if before == step[1:] else {}
         before = step[1:]
         for mark in drawn.labels:
-            if mark.part.startswith("saw-"):
+            if mark.part.startswith("claimed-"):
                 x, y = spots.setdefault((mark.id, mark.text), mark.points[0])
                 assert mark.points[0] == pytest.approx((x, y), abs=0.5), (step, mark.text)
 
@@ -375,7 +375,7 @@ def round_polygon(corners, x, y, size):
     return sv.Polygon([(x + size * math.cos(t), y + 0.6 * size * math.sin(t)) for t in turns])
 
 
-OWN_PANELS = {*comparison_panels.SAW, *comparison_panels.IS, "sum-of-parts", "tile-seam"}
+OWN_PANELS = {case.name for case in FAILURE_CASES if case.panels != ("tests", "proof") or case.shortcut.split}
 
 
 @pytest.mark.parametrize("name", sorted(OWN_PANELS))
@@ -387,28 +387,28 @@ OWN_PANELS = {*comparison_panels.SAW, *comparison_panels.IS, "sum-of-parts", "ti
 def test_panels_of_their_own_hold_their_words_for_shapes_of_any_number_of_corners(name, corners):
     a, b = round_polygon(corners[0], 0, 0, 2), round_polygon(corners[1], 1.3, 1, 1.5)
     for move in (0, 0), (5, 1):
-        trace = sv.record(a, shifted(b, sv.Vec(*move)), axes=SHORTCUTS[name])
+        trace = sv.record(a, translated(b, sv.Vec(*move)), axes=SHORTCUTS[name])
         for drawn in sv.picture(trace), sv.picture(trace, largest=NARROW_PANELS[0]):
             assert no_overlap(drawn) and drawn.size[0] < 1000
 
 
-@pytest.mark.parametrize("row", one_in(4, SHOWN), ids=lambda row: row.name)
-def test_on_a_telephone_the_panels_stand_one_above_the_other_with_letters_as_large(row):
-    trace = row.scene.record()
+@pytest.mark.parametrize("case", one_in(4, SHOWN), ids=lambda case: case.name)
+def test_on_a_telephone_the_panels_stand_one_above_the_other_with_letters_as_large(case):
+    trace = case.record()
     shows = narrow(trace)
     assert shows and shows[0]["size"][0] <= 350
     for step in 0, len(sv.steps(trace)) // 2, -1:
         drawn = sv.picture(trace, step, largest=(350, 700))
-        saw, truth = (drawn.mark(f"{side}-heading").points[0] for side in ("saw", "is"))
+        saw, truth = (drawn.mark(f"{side}-heading").points[0] for side in ("claimed", "actual"))
         assert saw.x == truth.x and saw.y > truth.y + 100 and no_overlap(drawn)
-        assert not [m for m in drawn.marks if m.part.startswith("saw-") for p in m.points if p.y < truth.y]
+        assert not [m for m in drawn.marks if m.part.startswith("claimed-") for p in m.points if p.y < truth.y]
 
 
 LARGER = [pytest.param(size, marks=pytest.mark.slow) for size in ((3.1, 4.6), (4.3, 4.3), (9.0, 1.5))]
 
 
 @pytest.mark.parametrize("size", [(2.3, 2.3), *LARGER])
-@pytest.mark.parametrize("name", [row.name for row in FAILURE_CASES])
+@pytest.mark.parametrize("name", [case.name for case in FAILURE_CASES])
 def test_both_panels_hold_on_axes_of_any_size(name, size):
     """On Axes of one's own, however small: each word inside, none over another (a small picture loops no more)."""
     fig = Figure(figsize=size)

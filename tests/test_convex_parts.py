@@ -705,13 +705,13 @@ def test_outlines_of_thousands_of_vertices_are_filled_once_by_convex_parts(kind)
 @pytest.mark.parametrize("most", [0, 1, 5])
 @every_kind
 def test_pieces_that_are_halved_to_any_size_are_right(kind, most, monkeypatch):
-    monkeypatch.setattr(convex_parts, "MOST", most)
+    monkeypatch.setattr(convex_parts, "MAX_REFLEX_VERTICES", most)
     for polygon in sample(kind):
         assert not refute_at_any_size(Polygon(polygon.vertices)), repr(polygon)
 
 
 def test_no_cut_ends_inside_a_diagonal_that_only_halves_so_that_it_can_be_taken_back(monkeypatch):
-    monkeypatch.setattr(convex_parts, "MOST", 1)
+    monkeypatch.setattr(convex_parts, "MAX_REFLEX_VERTICES", 1)
     assert len(parts(Polygon([(0, 4), (0, 1), (2, 1), (3, 0), (5, 1), (3, 2), (4, 4)]))) == 4
 
 
@@ -719,7 +719,7 @@ def test_no_cut_ends_inside_a_diagonal_that_only_halves_so_that_it_can_be_taken_
 def test_hardly_more_parts_come_of_halving(kind, monkeypatch):
     """None where all its cuts are diagonals that no vertex needs: they are taken back."""
     halved = len(parts(Polygon(BIG[kind](600))))
-    monkeypatch.setattr(convex_parts, "MOST", 600)
+    monkeypatch.setattr(convex_parts, "MAX_REFLEX_VERTICES", 600)
     whole = len(parts(Polygon(BIG[kind](600))))
     assert halved <= (1 if kind in ("star", "needles", "zigzag", "spiral", "bowl") else 1.03) * whole
 
@@ -754,7 +754,7 @@ def test_splitting_grows_almost_as_the_outline(kind, monkeypatch):
         done = getattr(owner, name)
         monkeypatch.setattr(owner, name, lambda *args: looks.update({name: work(*args)}) or done(*args))
 
-    for name in "_turn", "_bend":
+    for name in "_turn", "_turn_at":
         counted(convex_parts, name, lambda *_: 1)
     for module in sweep, triangulation, polygon_validation:
         counted(module, "orient", lambda *_: 1)

@@ -13,7 +13,7 @@ import satviz as sv
 from satviz.engine import axes, convex_parts
 from satviz.engine import mtv as mtv_module
 from satviz.engine.mtv import ends_overlap
-from satviz.scenes.article import box
+from satviz.scenes.shape_tools import box
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
 B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])
@@ -154,7 +154,7 @@ def test_the_limit_on_the_way_out_counts_the_corners_of_all_pairs(monkeypatch):
     for b, corners in (box(1.5, 1.5, 3.5, 3.5), 16), (sv.Circle((3.2, 3.2), 1.5), 10), (star(3, 2, 2), 44):
         trace = sv.record(L, b)
         monkeypatch.setattr(mtv_module, "MAX_CORNERS", corners - 1)
-        mtv_module.around_parts.cache_clear()
+        mtv_module.mtv_of_parts.cache_clear()
         with pytest.raises(sv.InvalidScene, match=rf"{2 * len(sv.parts(b))} pairs of convex parts with {corners} corn"):
             _ = trace.mtv
         monkeypatch.setattr(mtv_module, "MAX_CORNERS", corners)
@@ -162,11 +162,11 @@ def test_the_limit_on_the_way_out_counts_the_corners_of_all_pairs(monkeypatch):
 
 
 def test_the_way_out_is_looked_for_once_and_not_for_a_picture_of_what_is_apart(monkeypatch):
-    mtv_module.around_parts.cache_clear()
+    mtv_module.mtv_of_parts.cache_clear()
     trace = sv.record(L, sv.Circle((3.2, 3.2), 1.5))
-    assert mtv_module.around_parts.cache_info().misses == 0
+    assert mtv_module.mtv_of_parts.cache_info().misses == 0
     _ = trace.mtv, str(trace), trace.to_json(), sv.Trace.from_json(trace.to_json()).mtv
-    assert mtv_module.around_parts.cache_info().misses == 1
+    assert mtv_module.mtv_of_parts.cache_info().misses == 1
 
 
 POCKET = sv.Polygon(
@@ -294,12 +294,12 @@ def test_the_way_out_needs_no_tested_axis():
 )
 def test_hardly_a_move_that_floats_can_refuse_is_checked_exactly_and_buried_borders_are_not_crossed(b, monkeypatch):
     asked = Counter()
-    for name in ("relate_moved", "_crossings"):
+    for name in ("relate_moved", "_crossing_candidates"):
         done = getattr(mtv_module, name)
         monkeypatch.setattr(mtv_module, name, lambda *args, name=name, done=done: asked.update([name]) or done(*args))
     a = star(9)
-    assert mtv_module.around_parts.__wrapped__(a, b)
-    assert asked["relate_moved"] < 3 * len(sv.parts(a)) * len(sv.parts(b)) and asked["_crossings"] < 600
+    assert mtv_module.mtv_of_parts.__wrapped__(a, b)
+    assert asked["relate_moved"] < 3 * len(sv.parts(a)) * len(sv.parts(b)) and asked["_crossing_candidates"] < 600
 
 
 SMALL = [box(-0.5, 0.25, 0.5, 2), sv.Polygon([(0, 0.5), (1, 1), (0, 2)]), sv.Circle((0, 1), 0.5)]
@@ -315,7 +315,7 @@ def test_a_tooth_so_small_that_its_parts_vanish_at_the_size_of_its_outline_has_a
 
 def test_sides_of_one_direction_are_one_side_of_the_sum():
     square = [0j, 1 + 0j, 1 + 1j, 1j]
-    assert mtv_module._sum(square, [2 * v for v in square[2:] + square[:2]]) == [3 * v for v in square]
+    assert mtv_module._minkowski_sum(square, [2 * v for v in square[2:] + square[:2]]) == [3 * v for v in square]
 
 
 @pytest.mark.parametrize("seed", range(20))

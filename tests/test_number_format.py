@@ -9,7 +9,7 @@ import pytest
 import satviz as sv
 from satviz.engine import describe, number_format
 from satviz.engine.number_format import MINUS
-from satviz.scenes.article import box
+from satviz.scenes.shape_tools import box
 
 
 def value(text):

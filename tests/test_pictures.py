@@ -23,9 +23,9 @@ from satviz.pictures.live import KNOB, field, live, telling_test, turned_axis
 from satviz.pictures.playback import first_rows, rows
 from satviz.pictures.theme import CHART_ROLES, DOT, PICTURE_ROLES
 from satviz.pictures.views import split
-from satviz.scenes.article import SCENES, box
-from satviz.scenes.named import names, scene
-from satviz.scenes.resolve import refused_case
+from satviz.scenes.article import SCENES
+from satviz.scenes.named import names, refused_case, scene
+from satviz.scenes.shape_tools import box
 
 L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
 TRACES = {scene.name: scene.record() for scene in SCENES} | {
@@ -257,7 +257,7 @@ def test_an_axis_has_one_direction_in_table_sentence_and_arrow_and_its_normal_th
             continue  # two vertices in one place
         picture = sv.picture(trace, step)
         told = table[begins[step.pair or 0] + step.test]["direction"]
-        marks = {mark.part.removeprefix("saw-"): mark for mark in picture.marks}
+        marks = {mark.part.removeprefix("claimed-"): mark for mark in picture.marks}
         ways, normals = [vectors(told)[0]], []
         for key, some in ("axis", ways), ("normal", normals):
             if key in marks:

@@ -149,7 +149,7 @@ def test_a_thread_that_takes_small_numbers_for_nothing_is_warned_of(monkeypatch)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         predicates.warn_if_flushed()
-    monkeypatch.setattr(predicates, "SMALLEST", 0.0)  # as such a thread takes it
+    monkeypatch.setattr(predicates, "MIN_FLOAT", 0.0)  # as such a thread takes it
     with pytest.warns(RuntimeWarning, match="takes numbers below 2.3e-308 for 0"):
         predicates.warn_if_flushed()
 

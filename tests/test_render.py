@@ -31,7 +31,7 @@ from satviz.render import fonts
 from satviz.render.files import animate, encode
 from satviz.render.pen import Pen
 from satviz.safe_write import MADE_BY, check, write
-from satviz.scenes.article import box
+from satviz.scenes.shape_tools import box
 
 COMMITTED = Path(__file__).parent.parent / "figures"
 TRIANGLES = sv.scene("triangles").record()

@@ -1046,6 +1046,6 @@ def test_a_shape_is_worked_out_once():
 @pytest.mark.parametrize("make", [lambda: Polygon(TRIANGLE), lambda: Circle((1, 2), 3)], ids=["polygon", "circle"])
 def test_shapes_are_not_made_silently_where_small_numbers_are_taken_for_nothing(make, monkeypatch):
     make()
-    monkeypatch.setattr(predicates, "SMALLEST", 0.0)
+    monkeypatch.setattr(predicates, "MIN_FLOAT", 0.0)
     with pytest.warns(RuntimeWarning, match="answers are exact only where"):
         make()

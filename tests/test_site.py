@@ -30,7 +30,8 @@ from satviz.engine.geometry import InvalidScene, InvalidShape
 from satviz.scenes import link as links
 from satviz.scenes.article import SCENES
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
-from satviz.scenes.failing.claimed_value import moved
+from satviz.scenes.named import ALL_SCENES
+from satviz.scenes.shape_tools import translated
 from satviz.site import chapters, guides, live, runtime
 from satviz.widgets import goals
 from satviz.widgets.explorer_model import ExplorerModel
@@ -68,7 +69,7 @@ def test_every_link_of_the_site_leads_to_one_of_its_files(files, pages):
             name = urldefrag(to).url.partition("?")[0]
             assert not name or name in files, f"{path} -> {to}"
             if to.startswith("scene.html#"):
-                assert links.opened(to.partition("#")[2]), to
+                assert links.parse_fragment(to.partition("#")[2]), to
             elif "#" in to:
                 assert f'id="{to.partition("#")[2]}"' in pages[to.partition("#")[0] or path], to
 
@@ -128,7 +129,7 @@ def test_what_a_notebook_plays_and_explores_is_played_and_explored_by_its_page(p
         assert found == (shown_by(chapter, "sv.play("), shown_by(chapter, "sv.explore(")), chapter.path
     assert sum(shown_by(chapter, "sv.explore(") for chapter in known) >= 6
     shown = re.search(r'data-hash="([^"]+)"', pages["3-circles.html"])[1]
-    assert links.opened(shown)[0].b == sv.Circle((7, 4), 1.5)
+    assert links.parse_fragment(shown)[0].b == sv.Circle((7, 4), 1.5)
 
 
 def test_where_only_the_notebook_has_something_to_move_the_page_says_so(pages):
@@ -393,7 +394,7 @@ def opened(text):
 @pytest.mark.parametrize("name", [scene.name for scene in SCENES] + [r.name for r in FAILURE_CASES if r.how != REFUSED])
 def test_a_built_in_scene_is_its_name(name):
     assert sv.link(name) == f"scene.html#{name}"
-    assert links.opened(name)[0] == sv.scene(name)
+    assert links.parse_fragment(name)[0] == sv.scene(name)
 
 
 def test_any_other_scene_comes_whole_and_is_the_same_again():
@@ -404,7 +405,7 @@ def test_any_other_scene_comes_whole_and_is_the_same_again():
     assert made.startswith("https://example.org/satviz/scene.html#") and re.fullmatch(
         r"[\w\-&=.]+", made.partition("#")[2]
     )
-    assert links.opened(made.partition("#")[2]) == (mine, links.Shown(free=30.5, way_out=True))
+    assert links.parse_fragment(made.partition("#")[2]) == (mine, links.ViewOptions(free=30.5, way_out=True))
 
 
 def test_a_link_opens_the_same_state():
@@ -436,16 +437,16 @@ def test_what_a_link_says_alone_is_shown_and_said_again(shows):
 
 @pytest.mark.parametrize("degree", [1e-7, 1 / 3, 1e-13, -12.345678901234567])
 def test_an_axis_at_any_angle_can_be_linked(degree):
-    _, shown = links.opened(sv.link("triangles", free=degree).partition("#")[2])
+    _, shown = links.parse_fragment(sv.link("triangles", free=degree).partition("#")[2])
     assert shown.free == pytest.approx(degree, abs=1e-12)
 
 
 def test_a_traces_link_is_its_scenes():
-    for scene in links.ALL:
-        assert links.opened(links.of_trace(scene.record()))[0].record() == scene.record(), scene.name
+    for scene in ALL_SCENES:
+        assert links.parse_fragment(links.fragment_of_trace(scene.record()))[0].record() == scene.record(), scene.name
     a, b = sv.Circle((0, 0), 1), sv.Circle((3, 0), 1)
-    assert links.opened(links.of_trace(sv.record(a, b)))[0].record() == sv.record(a, b)
-    assert links.of_trace(sv.record(a, b, axes=sv.axes.directions((1, 2)))) == ""
+    assert links.parse_fragment(links.fragment_of_trace(sv.record(a, b)))[0].record() == sv.record(a, b)
+    assert links.fragment_of_trace(sv.record(a, b, axes=sv.axes.directions((1, 2)))) == ""
 
 
 def test_steps_of_a_player_end_at_the_last():
@@ -476,13 +477,13 @@ BAD = [
 @pytest.mark.parametrize("text", BAD)
 def test_a_link_from_a_stranger_is_refused_by_name(text):
     with pytest.raises(InvalidScene):
-        links.opened(text)
+        links.parse_fragment(text)
     assert opened(text)["kind"] == "refused"
 
 
 def test_a_link_beyond_all_bounds_is_not_even_decoded():
     with pytest.raises(InvalidScene, match="limit"):
-        links.opened("e" * (links.MAX_CHARS * 2 + 1))
+        links.parse_fragment("e" * (links.MAX_CHARS * 2 + 1))
 
 
 def test_what_cannot_be_opened_again_is_not_linked():
@@ -494,13 +495,13 @@ def test_what_cannot_be_opened_again_is_not_linked():
 
 def test_two_shapes_and_a_trace_have_a_link():
     a, b = sv.Polygon([(0, 1), (3, 2), (1, 5)]), sv.Circle((4, 4), 1)
-    scene, shown = links.opened(sv.link(a, b, free=30.0).partition("#")[2])
+    scene, shown = links.parse_fragment(sv.link(a, b, free=30.0).partition("#")[2])
     assert (scene.a, scene.b, scene.axes, shown.free) == (a, b, "needed", 30.0)
     assert sv.link(sv.scene("far-centers").record()) == sv.link("far-centers")
     world = sv.record(a, b, axes=sv.axes.world, every_axis=True)
-    assert links.opened(sv.link(world).partition("#")[2])[0].record() == world
+    assert links.parse_fragment(sv.link(world).partition("#")[2])[0].record() == world
     for own in sv.axes.directions((1, 2)), sv.Shortcut("mine", "one is enough", sv.axes.world):
-        scene, _ = links.opened(sv.link(sv.record(a, b, axes=own, every_axis=True)).partition("#")[2])
+        scene, _ = links.parse_fragment(sv.link(sv.record(a, b, axes=own, every_axis=True)).partition("#")[2])
         assert (scene.a, scene.b, scene.axes, scene.every_axis) == (a, b, "needed", True)
 
 
@@ -588,7 +589,7 @@ def test_draw_prints_the_link(capsys, tmp_path):
     assert main(["draw", "far-centers", "--format", "link", "--site", "https://example.org/s/"]) == 0
     assert capsys.readouterr().out == "https://example.org/s/scene.html#far-centers\n"
     assert main(["draw", "triangles", "--axes", "world", "--format", "link"]) == 0
-    shown, _ = links.opened(capsys.readouterr().out.strip().partition("#")[2])
+    shown, _ = links.parse_fragment(capsys.readouterr().out.strip().partition("#")[2])
     assert shown.axes == "world"
 
 
@@ -659,7 +660,7 @@ def by_the_hint(goal, start):
     for r in range(46):
         for x, y in product(range(-r, r + 1), repeat=2):
             if max(abs(x), abs(y)) == r:
-                yield replace(start, b=moved(b, sv.Vec(x * step, y * step)))
+                yield replace(start, b=translated(b, sv.Vec(x * step, y * step)))
     if goal != goals.TOUCH:
         return
     round_, other = (b, a) if isinstance(b, sv.Circle) else (a, b)
@@ -676,7 +677,7 @@ def by_the_hint(goal, start):
             yield replace(start, a=sv.Polygon(ends[0]), b=sv.Polygon(ends[1]))
 
 
-SOME = [pytest.param(s.name, marks=[pytest.mark.slow] if i % 5 else []) for i, s in enumerate(links.ALL)]
+SOME = [pytest.param(s.name, marks=[pytest.mark.slow] if i % 5 else []) for i, s in enumerate(ALL_SCENES)]
 
 
 @pytest.mark.parametrize("name", SOME)
@@ -711,7 +712,7 @@ def test_why_a_link_opens_nothing_is_one_plain_line(text):
 
 def test_a_link_that_opens_nothing_is_offered_every_scene(pages):
     offer = re.search(r'<nav class="offer"[^>]* hidden>(.*?)</nav>', pages["scene.html"], re.DOTALL)[1]
-    assert re.findall(r'href="scene.html#([^"]+)"', offer) == [scene.name for scene in links.ALL]
+    assert re.findall(r'href="scene.html#([^"]+)"', offer) == [scene.name for scene in ALL_SCENES]
 
 
 # -- guides

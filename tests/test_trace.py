@@ -22,13 +22,13 @@ from satviz.engine import trace as trace_module
 from satviz.engine.certificate import SharedPoint
 from satviz.engine.relate import relate_moved
 from satviz.engine.sat import axis_tests
-from satviz.engine.shortcut import out_by
+from satviz.engine.shortcut import move_along_axis
 from satviz.scenes import strictjson, tracefile
-from satviz.scenes.article import SCENES, box
-from satviz.scenes.named import names
+from satviz.scenes.article import SCENES
+from satviz.scenes.failing import SHORTCUTS
+from satviz.scenes.named import names, refused_case
 from satviz.scenes.named import scene as named
-from satviz.scenes.resolve import refused_case
-from satviz.scenes.shortcuts import NAMED as SHORTCUTS
+from satviz.scenes.shape_tools import box
 
 A = sv.Polygon([(0, 1), (3, 2), (1, 5)])
 B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])
@@ -168,7 +168,7 @@ def test_an_axis_that_the_shapes_do_not_have_is_refused_and_its_numbers_are_its_
     for axis in axes.needed(a, b).axes:
         for other in axis._replace(length=2 * axis.length), axis._replace(source=axis.source._replace(ids=(0, 9))):
             for choice in axes.Choice((other,)), axes.Choice(axes.WORLD_AXES, (axes.Skip(other, axes.PARALLEL, 1),)):
-                with pytest.raises(ValueError, match="is no axis of these shapes: choose the axes for this very pair"):
+                with pytest.raises(ValueError, match="is not an axis of these shapes: choose the axes"):
                     sv.record(a, b, axes=choice)
 
 
@@ -204,7 +204,7 @@ def test_a_direction_of_ones_own_has_the_length_that_it_has(axis):
 )
 def test_a_direction_of_ones_own_has_a_number(source):
     given = axes.Axis(sv.Vec(1.0, 0.0), 1.0, axes.Source(axes.GIVEN, *source))
-    with pytest.raises(ValueError, match="is no axis of these shapes"):
+    with pytest.raises(ValueError, match="is not an axis of these shapes"):
         sv.record(A, B, axes=axes.Choice((given,)))
     last = given._replace(source=axes.Source(axes.GIVEN, None, (2**53 - 1,)))
     assert sv.record(A, B, axes=axes.Choice((last,))).tests[0].axis == last
@@ -305,8 +305,8 @@ def test_a_chooser_that_says_it_is_one_of_ours_is_not_believed():
 
 def test_a_long_choice_is_looked_at_once_for_each_of_its_axes_and_bounded(monkeypatch):
     a, b = box(0, 0, 1, 1), sv.Polygon([(2, 0), (3, 0), (3, 1)])
-    looked, real, needed = [], axes._way, axes.needed(a, b)
-    monkeypatch.setattr(axes, "_way", lambda axis, *shapes: looked.append(axis) or real(axis, *shapes))
+    looked, real, needed = [], axes._parallel_key, axes.needed(a, b)
+    monkeypatch.setattr(axes, "_parallel_key", lambda axis, *shapes: looked.append(axis) or real(axis, *shapes))
     trace = sv.record(a, b, axes=axes.Choice(needed.axes * 1000, needed.skipped * 1000))
     assert len(looked) == len(set(looked)) and len(trace.choice.skipped) == 1000 * len(needed.skipped)
     ball = sv.Circle((0, 0), 0.1)
@@ -368,7 +368,7 @@ def test_axes_that_were_chosen_for_other_shapes_are_refused_or_prove_no_more_tha
                 try:
                     trace = sv.record(a, b, axes=choice)
                 except ValueError as error:
-                    assert "is no axis of these shapes" in str(error)
+                    assert "is not an axis of these shapes" in str(error)
                     refused += 1
                     continue
                 taken, wrong = taken + 1, wrong + trace.false_hit
@@ -635,7 +635,7 @@ def test_an_axis_that_is_not_what_its_source_says_is_refused(lie):
 def test_every_axis_that_shapes_have_may_be_in_a_choice_of_ones_own():
     around = sv.Polygon([(1, 1), (2, 1.5), (3, 1), (3, 3), (1, 3)])
     for a, b in [(SQUARE, COIN), (COIN, SQUARE), (COIN, COIN), (COIN, sv.Circle((0, 1), 2)), (SQUARE, around)]:
-        own = axes.Choice((*axes.by_source(a, b).values(), *axes.directions((1, 2), (-3e300, 1e-300))(a, b).axes))
+        own = axes.Choice((*axes.axes_by_source(a, b).values(), *axes.directions((1, 2), (-3e300, 1e-300))(a, b).axes))
         trace = sv.record(a, b, axes=own, every_axis=True)
         assert sv.Trace.from_json(trace.to_json()) == trace
 
@@ -879,7 +879,7 @@ def test_each_number_of_a_file_has_the_room_of_how_it_was_measured(name, shapes)
     trace = sv.record(*shapes, axes=shortcut, every_axis=True)
     test, *others = trace.tests
     own_way = bool(name and shortcut.measure)
-    rounding = tracefile.FLOAT_WORK if own_way else tracefile.ROUNDING
+    rounding = tracefile.FLOAT_ROUNDING if own_way else tracefile.ROUNDING
     assert abs(test.gap) >= 1
     for part, shape in ("gap", None), ("a", shapes[0]), ("b", shapes[1]):
         room = rounding * (shape.max_coordinate if shape and not own_way else 1024)
@@ -917,7 +917,7 @@ def test_the_sign_of_a_small_gap_is_its_own_however_it_was_measured(name):
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_gap_that_is_exact_on_one_machine_only_is_still_rounding(sign):
     """Just within the room of zero a gap is worked out in integers; another machine may see it just outside."""
-    close, half_room = 1024 * sat.CLOSE, 512 * tracefile.ROUNDING
+    close, half_room = 1024 * sat.CLOSE_GAP_FACTOR, 512 * tracefile.ROUNDING
     for true, told, good in (
         (close, close + half_room, True),
         (close, close - half_room, False),
@@ -993,7 +993,7 @@ def test_the_move_along_an_axis_parts_the_ranges_by_the_shorter_way():
             _, x = sv.record(box(lo_a, 0, hi_a, 1), box(lo_b, 0, hi_b, 1), axes=axes.world, every_axis=True).tests
             to_the_right, to_the_left = hi_a - lo_b, hi_b - lo_a
             way = to_the_right if to_the_right < to_the_left else -to_the_left  # to the left where both are as short
-            assert out_by(x, min(to_the_right, to_the_left)) == (way, 0)
+            assert move_along_axis(x, min(to_the_right, to_the_left)) == (way, 0)
 
 
 @pytest.mark.parametrize("gap", [5e-324, 0.5])
@@ -1277,7 +1277,7 @@ def test_concave_outlines_of_hundreds_of_parts_are_refused_after_a_part_of_the_w
 def test_the_parts_of_a_shape_are_worked_out_once_for_all_that_asks_for_them(monkeypatch):
     made = []
     monkeypatch.setattr(
-        convex_parts, "_parts", lambda shape, make=convex_parts._parts: made.append(shape) or make(shape)
+        convex_parts, "_split", lambda shape, make=convex_parts._split: made.append(shape) or make(shape)
     )
     a, b = star(7), star(8, 1.3, 0.1)
     trace = sv.record(a, b)
@@ -1323,7 +1323,7 @@ def test_what_is_written_can_be_read_again_or_is_not_written(monkeypatch):
 @pytest.mark.parametrize("unit", ["[],", "{},", "1,", '"",', '"', "["])
 def test_a_text_of_too_many_values_is_refused_before_it_is_read(unit, monkeypatch):
     monkeypatch.setattr(strictjson.json, "loads", None)
-    monkeypatch.setattr(strictjson, "MAX_MARKS", 1000)
+    monkeypatch.setattr(strictjson, "MAX_PUNCTUATION", 1000)
     with pytest.raises(sv.InvalidScene, match="the limit is 1000"):
         sv.Trace.from_json(unit * 1001)
 
@@ -1398,7 +1398,7 @@ def test_shapes_wider_than_float64_can_say_are_told_and_kept(every_axis, move):
 def test_integers_record_what_floats_record_and_the_gap_to_five_digits(share, monkeypatch):
     some = SOME[share::8]
     by_floats = [sv.record(a, b, every_axis=True).tests for _, a, b in some]
-    monkeypatch.setattr(sat, "CLOSE", float("inf"))
+    monkeypatch.setattr(sat, "CLOSE_GAP_FACTOR", float("inf"))
     for (_, a, b), floats in zip(some, by_floats, strict=True):
         size = max(abs(c) for shape in (a, b) for c in shape.bounds)
         for one, other in zip(floats, sv.record(a, b, every_axis=True).tests, strict=True):

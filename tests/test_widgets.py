@@ -16,10 +16,9 @@ from satviz.pictures.caption import captioned
 from satviz.pictures.labels import Board, _put
 from satviz.pictures.layout import Layout, text_box
 from satviz.render.notebook import bundle
-from satviz.scenes.article import box
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
-from satviz.scenes.failing.claimed_value import moved
 from satviz.scenes.scenefile import shape_data
+from satviz.scenes.shape_tools import box, translated
 from satviz.widgets.explorer_model import ExplorerModel
 from satviz.widgets.player_model import PlayerModel
 
@@ -176,7 +175,7 @@ def test_back_where_it_began_a_scene_is_framed_as_it_was(name):
     hand = ExplorerModel(scene)
     first = hand.state()["picture"]
     begin = {"kind": "pose", "n": 1, "a": shape_data(scene.a), "b": shape_data(scene.b)}
-    away = begin | {"b": shape_data(moved(scene.b, sv.Vec(90, 20)))}
+    away = begin | {"b": shape_data(translated(scene.b, sv.Vec(90, 20)))}
     wide = hand.answer(away)["picture"]["limits"]
     assert wide[2] - wide[0] > 2 * (first["limits"][2] - first["limits"][0])
     assert hand.answer(begin | {"final": False})["picture"]["limits"] == wide  # nothing jumps under the hand
@@ -207,10 +206,10 @@ def test_a_failing_scene_has_two_views_and_a_map_of_where_the_shortcut_is_wrong(
     assert first["view"] == "shortcut" and first["heading"][0].startswith("Claim: ")
     assert "a false hit" in first["sentence"] and widget.trace.shortcut and widget.trace.false_hit
     parts = {mark["id"] for mark in first["picture"]["marks"]}
-    assert {"lies.0", "reference", "claim-strike"} <= parts
+    assert {"error-region.0", "reference", "claim-strike"} <= parts
     truth = pose(widget, view="truth")
     assert truth["view"] == "truth" and truth["sentence"].startswith("A and B are apart")
-    assert widget.trace.shortcut is None and "lies.0" not in {m["id"] for m in truth["picture"]["marks"]}
+    assert widget.trace.shortcut is None and "error-region.0" not in {m["id"] for m in truth["picture"]["marks"]}
     back = pose(widget, view="shortcut", b=moved_b(widget, -1, -1))
     assert back["relation"] == "overlapping" and back["heading"][1].startswith("Here it happens to be right")
     assert "claim-strike" not in {m["id"] for m in back["picture"]["marks"]}
@@ -492,7 +491,7 @@ def test_both_widgets_know_the_link_of_what_they_show():
 @pytest.mark.parametrize("name", [row.name for row in FAILURE_CASES if row.how != REFUSED])
 def test_every_failing_scene_has_a_map_under_the_hand_or_says_why_not(name):
     first = sv.explore(name).first
-    red = [mark for mark in first["picture"]["marks"] if mark["id"].startswith("lies")]
+    red = [mark for mark in first["picture"]["marks"] if mark["id"].startswith("error-region")]
     assert first["map"].startswith("The map: " if red else "No map of where it is wrong: ")
     assert len(first["map"]) > 60
 
@@ -517,7 +516,7 @@ def dragged(hand, name):
     """The picture and how its labels stand, while B is moved across the canvas by two points at a time."""
     start, first = sv.scene(name), hand.picture()
     for i in range(-60, 61):
-        b = shape_data(moved(start.b, sv.Vec(2 * i / first.scale, i / first.scale)))
+        b = shape_data(translated(start.b, sv.Vec(2 * i / first.scale, i / first.scale)))
         said = hand.answer({"kind": "pose", "n": 1, "a": shape_data(start.a), "b": b, "final": False})
         if said["kind"] == "state":
             yield hand.picture(), dict(hand._stood)

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..batch.codes import APART, OVERLAPPING, TOUCHING
-from ..batch.ragged import FEW
-from ..batch.with_numba.filter import edges_of_eight
-from ..batch.with_numba.indexed import LANES, ROW, edges_of_four, lay
+from ..batch.ragged import MAX_LANE_CORNERS
+from ..batch.with_numba.filter import raise_clearance_8
+from ..batch.with_numba.indexed import LANE_STRIDE, LANES, copy_to_lane, raise_clearance_4
 from ..batch.with_numba.jit_cache import compiled
 
 Array = NDArray[Any]
@@ -65,7 +65,7 @@ def sat(
     Polygons of few corners wait until there are as many as are looked at side by side, as in the filter.
     """
     best = np.empty(LANES, x.dtype)
-    at, of = (np.empty((4, 9, ROW), x.dtype), np.empty((2, LANES), np.intp))
+    at, of = (np.empty((4, 9, LANE_STRIDE), x.dtype), np.empty((2, LANES), np.intp))
     many = np.zeros(2, np.intp)
     for k in range(out.size):
         i, j = ia[k], ib[k]
@@ -84,7 +84,7 @@ def sat(
         elif round_b:
             v = begin[j]
             out[k] = _told(_from_center(p[v], q[v], s[j], x, y, start[i], start[i + 1]))
-        elif max(start[i + 1] - start[i], begin[j + 1] - begin[j]) <= FEW:
+        elif max(start[i + 1] - start[i], begin[j + 1] - begin[j]) <= MAX_LANE_CORNERS:
             w = 0 if max(start[i + 1] - start[i], begin[j + 1] - begin[j]) <= 4 else 1
             of[w, many[w]] = k
             many[w] += 1
@@ -113,15 +113,15 @@ def _look(
     n = of.size
     for k in range(n):
         i, j = ia[of[k]], ib[of[k]]
-        lay(x, y, start[i], start[i + 1], width, at[0], at[1], k)
-        lay(p, q, begin[j], begin[j + 1], width, at[2], at[3], k)
+        copy_to_lane(x, y, start[i], start[i + 1], width, at[0], at[1], k)
+        copy_to_lane(p, q, begin[j], begin[j + 1], width, at[2], at[3], k)
         best[k] = -np.inf
     if width == 4:
-        edges_of_four(at[0], at[1], at[2], at[3], n, best)
-        edges_of_four(at[2], at[3], at[0], at[1], n, best)
+        raise_clearance_4(at[0], at[1], at[2], at[3], n, best)
+        raise_clearance_4(at[2], at[3], at[0], at[1], n, best)
     else:
-        edges_of_eight(at[0], at[1], at[2], at[3], 0, n, best)
-        edges_of_eight(at[2], at[3], at[0], at[1], 0, n, best)
+        raise_clearance_8(at[0], at[1], at[2], at[3], 0, n, best)
+        raise_clearance_8(at[2], at[3], at[0], at[1], 0, n, best)
     for k in range(n):
         out[of[k]] = _told(best[k])
 

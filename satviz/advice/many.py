@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import batch
-from ..batch.arrays import Shapes, checked
-from ..batch.broad_phase import candidate_blocks, in_order
+from ..batch.arrays import Shapes, check_shapes
+from ..batch.broad_phase import candidate_blocks, sort_pairs
 from ..batch.codes import APART
 from ..batch.narrow_phase import engine_of
 from ..batch.ragged import Rings
@@ -32,9 +32,9 @@ def of_many(
     a: Any, b: Any, pairs: ArrayLike | None, *, engine: str | None = None
 ) -> tuple[Facts, tuple[ModelResult, ...], Case]:
     """What there is in batch shapes and the models judged on them; see `advise`.  `engine`: as in `batch.relate`."""
-    a = checked(a, "a")
+    a = check_shapes(a, "a")
     all_pairs = b is None and pairs is None
-    b = a if b is None else checked(b, "b")
+    b = a if b is None else check_shapes(b, "b")
     ia, ib = _whose_boxes_meet(a.bounds, engine) if all_pairs else indexed(a, b, pairs)
     if not len(ia) and not (all_pairs and len(a) > 1):
         what = "there are no pairs" if pairs is None else "pairs is empty"
@@ -79,7 +79,7 @@ def _whose_boxes_meet(bounds: Array, engine: str | None) -> tuple[Indices, Indic
         many += len(block)
         refuse_more_boxes(many, len(bounds))
         blocks.append(block)
-    found = in_order(blocks)
+    found = sort_pairs(blocks)
     return found[:, 0], found[:, 1]
 
 

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from .. import batch
 from ..batch.arrays import Group, Shapes
 from ..batch.codes import TOUCHING
-from ..batch.exact_signs import nearly, two_sum
+from ..batch.exact_signs import sum_with_error, two_sum
 from ..engine.predicates import UNIT
 from .limits import refuse_more_by_fractions
 from .pairs import Array, columns, indexed, one, part_pairs, reach
@@ -112,7 +112,7 @@ def _beyond_finely(a: Group, b: Group) -> Array:
             x, y = own.x[e - 1], own.y[e - 1]
             sides = two_sum(own.y[e], -y), two_sum(x, -own.x[e]), two_sum(other.x, -x), two_sum(other.y, -y)
             (nx, enx), (ny, eny), (dx, edx), (dy, edy) = ([np.broadcast_to(c, shape).ravel() for c in s] for s in sides)
-            turn, off, _ = nearly([(nx, dx), (ny, dy)], (nx * edx + enx * dx) + (ny * edy + eny * dy))
+            turn, off, _ = sum_with_error([(nx, dx), (ny, dy)], (nx * edx + enx * dx) + (ny * edy + eny * dy))
             span = np.maximum(np.abs(nx), np.abs(ny))[: shape[1]]
             span[span < SHORT] = np.nan
             np.maximum(best, turn.reshape(shape).min(axis=0) / span, out=best)
@@ -124,7 +124,7 @@ def _between_finely(a: Group, b: Group) -> Array:
     """As `_between`, by the difference of the squares with the error of each operation; NaN as above."""
     assert a.r is not None and b.r is not None
     (dx, ex), (dy, ey), (r, er) = two_sum(a.x[0], -b.x[0]), two_sum(a.y[0], -b.y[0]), two_sum(a.r, b.r)
-    square, off, _ = nearly([(dx, dx), (dy, dy), (-r, r)], 2 * ((dx * ex + dy * ey) - r * er))
+    square, off, _ = sum_with_error([(dx, dx), (dy, dy), (-r, r)], 2 * ((dx * ex + dy * ey) - r * er))
     gap = square / (np.hypot(dx, dy) + r)
     return np.where((np.abs(square) > FINELY * off) & (np.abs(gap) > SHORT), gap, np.nan)
 

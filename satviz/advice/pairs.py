@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..batch.arrays import Group, Shapes
 from ..batch.codes import UNDECIDED
-from ..batch.narrow_phase import checked_pairs
+from ..batch.narrow_phase import check_pairs
 from ..engine.shapes import Circle, Polygon, Shape
 
 Array = NDArray[np.float64]
@@ -62,7 +62,7 @@ class Columned(Protocol):
 def indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Indices]:
     """The pairs as indices into both, side by side or as given; ValueError and IndexError as `batch.relate`."""
     if pairs is not None:
-        return checked_pairs(pairs, len(a), len(b))
+        return check_pairs(pairs, len(a), len(b))
     if len(a) != len(b):
         raise ValueError(f"{len(a)} and {len(b)} shapes: give as many of each, or pairs=")
     every = np.arange(len(a))

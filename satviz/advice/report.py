@@ -73,11 +73,7 @@ def holds(scope: Scope, facts: Facts) -> str:
         return "anywhere: it is exact for all coordinates"
     if scope.kind == GRID:
         text = f"any convex polygons with {_multiples(scope.unit)}, up to {_size(scope.bound)}"
-        return (
-            f"{text}, and edges up to {_size(scope.span)} wide and high"
-            if scope.span
-            else text
-        )
+        return f"{text}, and edges up to {_size(scope.span)} wide and high" if scope.span else text
     if scope.kind == MOVED:
         return f"the scene moved as a whole, exactly, while no coordinate exceeds {power(scope.bound, 0)}"
     if facts.settled:

@@ -1,4 +1,4 @@
-"""How many axes are enough for the pair in hand: quick enough to be asked while it is dragged (no NumPy)."""
+"""How many axes are enough for one pair of shapes; standard library only, so that it can run during a drag."""
 
 from . import describe, number_format
 from .axes import CENTERS, VERTEX, WORLD, Axis, hull_normals, needed
@@ -10,15 +10,15 @@ from .sat import axis_tests
 from .shapes import Shape, checked
 from .trace import PLAIN, Trace
 
-WORDS = "no", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten", "Eleven", "Twelve"
+NUMBER_WORDS = "no", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten", "Eleven", "Twelve"
 
 
 def enough(a: Trace | Shape, b: Shape | None = None, names: Names = PLAIN) -> tuple[int, str]:
-    """How many axes settle this pair as it lies, and a sentence on which, and on what would do wherever they lie.
+    """Return how many axes decide this pair where it lies, and a sentence that names them.
 
-    A gap on one axis proves that two shapes are apart, so one that leaves a gap is enough; and where there is none, no
-    axis by itself says anything: all of a complete set must be tried.  Concave: one for each pair of convex parts
-    is enough.  Takes a trace, or two shapes with what they are called.
+    One axis with a gap proves that two shapes are apart, so it is enough.  Where no axis has a gap, a single
+    axis proves nothing: all axes of a complete set must be tested.  Concave shapes need one axis for each pair
+    of convex parts.  Takes a trace, or two shapes with their names.
     """
     if isinstance(a, Trace):
         return enough(a.a, a.b, a.names)
@@ -31,37 +31,40 @@ def enough(a: Trace | Shape, b: Shape | None = None, names: Names = PLAIN) -> tu
         name = describe.axis_name(test.axis, (a, b), names)
         which = f"the line {name}" if test.source.kind in (CENTERS, VERTEX) else f"the {name.removeprefix('the ')}"
         gap = number_format.of_tests((a, b), (test,)).number(test.gap)
-        return 1, f"One axis is enough here: {which} leaves a gap of {gap}.{_anywhere(choice.axes, a, b)}"
+        return 1, f"One axis is enough here: {which} leaves a gap of {gap}.{_any_position_sentence(choice.axes, a, b)}"
     if not choice.complete:
-        return _of_parts(a, b)
+        return _count_axes_of_parts(a, b)
     many = len(choice.axes)
     touch = sum(test.gap == 0 for test in tests)
-    on = "one axis" if touch == 1 else f"{_count(touch).lower()} axes"
+    on = "one axis" if touch == 1 else f"{_number_word(touch).lower()} axes"
     meets = f"touch on {on} and overlap on the others" if 0 < touch < many else "leave no gap on any"
     if many == 1:
         return 1, "One axis is enough, wherever two circles lie: the line through their centers."
     if choice.axes[0].source.kind == WORLD:
         return 2, "Two axes are enough, wherever two upright boxes lie: y and x."
-    return many, f"{_count(many)} axes are needed here: the ranges {meets}, and only all of them prove a hit."
+    return many, f"{_number_word(many)} axes are needed here: the ranges {meets}, and only all of them prove a hit."
 
 
-def _anywhere(axes: tuple[Axis, ...], a: Shape, b: Shape) -> str:
+def _any_position_sentence(axes: tuple[Axis, ...], a: Shape, b: Shape) -> str:
+    """Return the sentence on how many axes are enough wherever the shapes are moved, or ""."""
     if not (a.is_convex and b.is_convex) or (a.core_is_point and b.core_is_point):
         return ""
-    # the axis to the nearest vertex is left out where it happens to be parallel to an edge's normal
+    # the axis to the nearest vertex is not tested when it happens to be parallel to an edge's normal
     many = sum(axis.source.kind != VERTEX for axis in axes) + (a.core_is_point or b.core_is_point)
-    return f" Wherever they are moved, {_count(many).lower()} are enough."
+    return f" Wherever they are moved, {_number_word(many).lower()} are enough."
 
 
-def _of_parts(a: Shape, b: Shape) -> tuple[int, str]:
+def _count_axes_of_parts(a: Shape, b: Shape) -> tuple[int, str]:
+    """Return what `enough` returns, for a pair with a concave polygon."""
     pairs = [(p, q) for p in parts(a) for q in parts(b)]
     if relate(a, b) is Relation.APART:
         none = "No one normal of an edge is enough here"
         return len(pairs), f"{none}, but one for each of the {len(pairs)} pairs of convex parts is."
     hit = next(pair for pair in pairs if relate(*pair))
     many = len(needed(*hit).axes)
-    return many, f"{_count(many)} axes are needed here: all those of two convex parts that meet."
+    return many, f"{_number_word(many)} axes are needed here: all those of two convex parts that meet."
 
 
-def _count(many: int) -> str:
-    return WORDS[many] if many < len(WORDS) else f"{many:,}"
+def _number_word(many: int) -> str:
+    """Return a count as a word with a capital letter, or in digits above twelve."""
+    return NUMBER_WORDS[many] if many < len(NUMBER_WORDS) else f"{many:,}"

@@ -16,8 +16,8 @@ from .geometry import Vec
 from .predicates import IntPoint
 from .shapes import Polygon, Shape, checked
 
-NEAREST = 8  # partners tried for each reflex vertex among those after it: a big outline does not try all pairs
-MOST = 100  # reflex vertices of a piece; to cut it takes the square of their number
+MAX_PARTNERS = 8  # partners tried for each reflex vertex among those after it: a big outline does not try all pairs
+MAX_REFLEX_VERTICES = 100  # reflex vertices of a piece; to cut it takes the square of their number
 
 Ring = list[int]  # the vertex numbers of a piece: counter-clockwise, none straight on
 Edge = tuple[int, int]
@@ -30,10 +30,11 @@ def parts(shape: Shape) -> tuple[Shape, ...]:
     on another (label "" if the polygon has labels), never more parts than twice the
     reflex vertices and one.  Sorted by the lowest vertex number they hold.
     """
-    return (shape,) if checked(shape, "shape").is_convex else shape.kept("parts", lambda: _parts(shape))
+    return (shape,) if checked(shape, "shape").is_convex else shape.cached("parts", lambda: _split(shape))
 
 
-def _parts(shape: Shape) -> tuple[Polygon, ...]:
+def _split(shape: Shape) -> tuple[Polygon, ...]:
+    """Return the convex parts of a concave polygon, sorted by their lowest vertex number."""
     pieces = _Pieces(shape)
     pieces.halve()
     pieces.cut_in_pairs()
@@ -51,7 +52,7 @@ def _parts(shape: Shape) -> tuple[Polygon, ...]:
     )
 
 
-class _Hit(NamedTuple):
+class _LineEnd(NamedTuple):
     """Where an edge's line ends: on the edge from p to q, or on the vertex q."""
 
     end: int | None  # None if float64 cannot hold the point, or inside a diagonal of `halve`
@@ -74,7 +75,7 @@ class _Pieces:
         self.halving: dict[Edge, None] = {}
         ring = list(range(len(at)))
         # the piece in which a vertex is still reflex: one at most, as all its angles add up to less than 360 degrees
-        self.home = {v: ring for i, v in enumerate(ring) if _bend(self.at, ring, i) < 0}
+        self.home = {v: ring for i, v in enumerate(ring) if _turn_at(self.at, ring, i) < 0}
 
     def halve(self) -> None:
         """Cut until no piece has more than MOST reflex vertices; each cut leaves an eighth of them on both sides.
@@ -85,8 +86,8 @@ class _Pieces:
         todo: list[tuple[Ring, list[Edge]]] = [(next(iter(self.home.values())), [])]
         while todo:
             ring, diagonals = todo.pop()
-            sides = _Sides(ring, [self.home.get(v) is ring for v in ring])
-            if sides.total <= MOST:
+            sides = _ReflexCount(ring, [self.home.get(v) is ring for v in ring])
+            if sides.total <= MAX_REFLEX_VERTICES:
                 continue
             best = max(diagonals, key=sides.fewer, default=None)
             # the diagonals that cuts along lines have left may all be near one end of the piece
@@ -101,12 +102,12 @@ class _Pieces:
                 held = set(piece)
                 todo.append((piece, [d for d in diagonals if d != best and held.issuperset(d)]))
 
-    def _balanced_line(self, ring: Ring, ends: Edge, sides: "_Sides") -> Edge | None:
+    def _balanced_line(self, ring: Ring, ends: Edge, sides: "_ReflexCount") -> Edge | None:
         """The first balanced cut along the line of an edge at one of two vertices; its end is put on the ring."""
         for v in ends:
             for hit in self._both_extended(ring, v) if self.home.get(v) is ring else ():
                 if hit.end is not None and sides.balanced((v, hit.q)):
-                    _put(ring, hit.end, hit.q)
+                    _insert_vertex(ring, hit.end, hit.q)
                     return v, hit.end
         return None
 
@@ -137,8 +138,8 @@ class _Pieces:
                 third, fourth = _turn(before_v, pv, pu), _turn(pv, after_v, pu)
                 if third >= 0 and fourth >= 0:
                     new_normal = 0 not in (first, second, third, fourth)
-                    found.append((new_normal, _square(pu, pv), u, v))
-            pairs += nsmallest(NEAREST, found)
+                    found.append((new_normal, _squared_distance(pu, pv), u, v))
+            pairs += nsmallest(MAX_PARTNERS, found)
         return pairs
 
     def cut_one_by_one(self) -> None:
@@ -157,6 +158,7 @@ class _Pieces:
         before: dict[Edge, Edge] = {}
 
         def link(first: Edge, second: Edge) -> None:
+            """Note that one edge follows another in a piece."""
             after[first], before[second] = second, first
 
         for ring in self.convex:
@@ -197,7 +199,7 @@ class _Pieces:
                 del self.home[end]
         found = []
         for piece in (ring[i : j + 1], ring[j:] + ring[: i + 1]):
-            bends = {piece[0]: _bend(self.at, piece, 0), piece[-1]: _bend(self.at, piece, -1)}
+            bends = {piece[0]: _turn_at(self.at, piece, 0), piece[-1]: _turn_at(self.at, piece, -1)}
             reflex = [w for w in piece if self.home.get(w) is ring or bends.get(w, 0) < 0]
             found.append(([w for w in piece if bends.get(w, 1)], reflex))
         for piece, reflex in found:
@@ -217,13 +219,13 @@ class _Pieces:
             # edge, and these two cuts go to either side of them: one now, and then the other is between the lines.
             a, b = _neighbours(ring, v)
             ends = [self._first_beside(ring, a, v, ahead, True), self._first_beside(ring, b, v, back, False)]
-        end = min(ends, key=lambda w: _square(self.at[v], self.at[w]))
+        end = min(ends, key=lambda w: _squared_distance(self.at[v], self.at[w]))
         for hit in hits:
             if end == hit.end:
-                _put(ring, end, hit.q)
+                _insert_vertex(ring, end, hit.q)
         self._cut(ring, v, end)
 
-    def _both_extended(self, ring: Ring, v: int) -> tuple[_Hit, _Hit]:
+    def _both_extended(self, ring: Ring, v: int) -> tuple[_LineEnd, _LineEnd]:
         """Where the lines of the two edges at v end."""
         a, b = _neighbours(ring, v)
         return self._extended(ring, a, v), self._extended(ring, b, v)
@@ -248,7 +250,7 @@ class _Pieces:
             p, before = q, side
         return True
 
-    def _extended(self, ring: Ring, a: int, v: int) -> _Hit:
+    def _extended(self, ring: Ring, a: int, v: int) -> _LineEnd:
         """Where the edge from a to the reflex vertex v, made longer beyond v, first meets the ring."""
         at = self.at
         (ax, ay), (vx, vy) = at[a], at[v]
@@ -272,12 +274,12 @@ class _Pieces:
             p, px, py, before = q, qx, qy, side
         p, q, side = best
         if side == 0:
-            return _Hit(q, p, q)
+            return _LineEnd(q, p, q)
         if (p, q) in self.halving:
-            return _Hit(None, p, q)
-        return _Hit(self._number(vx + Fraction(num * dx, den), vy + Fraction(num * dy, den)), p, q)
+            return _LineEnd(None, p, q)
+        return _LineEnd(self._number(vx + Fraction(num * dx, den), vy + Fraction(num * dy, den)), p, q)
 
-    def _first_beside(self, ring: Ring, a: int, v: int, hit: _Hit, left: bool) -> int:
+    def _first_beside(self, ring: Ring, a: int, v: int, hit: _LineEnd, left: bool) -> int:
         """The first vertex that a ray from v meets as it turns left or right from the line of a and v.
 
         That line is clear up to the edge it hits, so it is the one at the smallest
@@ -292,7 +294,7 @@ class _Pieces:
             x, y = pw = at[w]
             if dx * y - dy * x > on_line:
                 turn = way * _turn(pv, at[best], pw)
-                nearer = turn < 0 or (turn == 0 and _square(pv, pw) < _square(pv, at[best]))
+                nearer = turn < 0 or (turn == 0 and _squared_distance(pv, pw) < _squared_distance(pv, at[best]))
                 if nearer and _turn(pp, pq, pw) > 0:
                     best = w
         return best
@@ -313,7 +315,7 @@ class _Pieces:
         return self.numbers[point]
 
 
-class _Sides:
+class _ReflexCount:
     """How many reflex vertices lie on either side of a cut through a ring."""
 
     def __init__(self, ring: Ring, reflex: list[bool]) -> None:
@@ -332,11 +334,12 @@ class _Sides:
 
 
 def _neighbours(ring: Ring, v: int) -> Edge:
+    """Return the vertices before and after `v` on a ring."""
     i = ring.index(v)
     return ring[i - 1], ring[(i + 1) % len(ring)]
 
 
-def _put(ring: Ring, v: int, before: int) -> None:
+def _insert_vertex(ring: Ring, v: int, before: int) -> None:
     """Insert a vertex that is not on the ring yet."""
     if v != before:
         ring.insert(ring.index(before), v)
@@ -347,12 +350,12 @@ def _turn(p: IntPoint, q: IntPoint, r: IntPoint) -> int:
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
 
-def _square(p: IntPoint, q: IntPoint) -> int:
+def _squared_distance(p: IntPoint, q: IntPoint) -> int:
     """The squared distance."""
     return (q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2
 
 
-def _bend(at: list[IntPoint], ring: Ring, i: int) -> int:
+def _turn_at(at: list[IntPoint], ring: Ring, i: int) -> int:
     """The turn at the ring's i-th vertex: negative when it is reflex."""
     return _turn(at[ring[i - 1]], at[ring[i]], at[ring[(i + 1) % len(ring)]])
 

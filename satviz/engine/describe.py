@@ -1,4 +1,4 @@
-"""A trace in words: the names of axes, the sentence of a test, the verdict, the plain-text table."""
+"""A trace in words: names of vertices and axes, the sentences of tests and results, the plain-text table."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from .axes import (
 )
 from .convex_parts import named_parts
 from .geometry import Relation, Vec
-from .mtv import too_many
+from .mtv import why_too_many_parts
 from .number_format import MINUS, Digits, of_shapes, of_tests, plain, vector
 from .sat import AxisTest
 from .shapes import Shape
@@ -78,19 +78,19 @@ class _Trace(Protocol):
     def sentence(self) -> str: ...
 
 
-MOST_PAIRS = 20  # of parts, in a table that can be read
+MAX_TABLE_PAIRS = 20  # of parts, in a table that can be read
 
 
-_JOINS = "\u200c\u200d\u200e\u200f"  # Persian, emoji and Hebrew are written with them
+_JOINERS = "\u200c\u200d\u200e\u200f"  # Persian, emoji and Hebrew are written with them
 
 
 def printable(text: str) -> str:
-    """The text with a sign in place of each control character, which would break an SVG."""
-    return "".join(c if c.isprintable() or c in _JOINS else "\ufffd" for c in text)
+    """Return the text with a replacement character for each control character, which would break an SVG."""
+    return "".join(c if c.isprintable() or c in _JOINERS else "\ufffd" for c in text)
 
 
 def vertex_name(shape: Shape, name: str, i: int) -> str:
-    """The owner's label, or the shape's letter in small with a number from 1: b1, b2 ..."""
+    """Return a vertex's label, or the shape's small letter with a number from 1: b1, b2 ..."""
     label = shape.labels[i] if shape.labels else ""
     return printable(label) or f"{name.lower()}{'.' if name[-1].isdigit() else ''}{i + 1}"
 
@@ -103,7 +103,7 @@ _PLAIN = {
 
 
 def axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
-    """Where an axis comes from: "normal of B's edge v1v3"."""
+    """Return where an axis comes from: "normal of B's edge v1v3"."""
     kind, role, ids = axis.source
     if kind == WORLD:
         return f"the {'xy'[ids[0]]} axis"
@@ -120,12 +120,12 @@ def axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
 
 
 def short_axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
-    """The same for a list: "B's v2v3"."""
+    """Return an axis's name for a list: "B's v2v3"."""
     return axis_name(axis, shapes, names).replace("normal of ", "").replace("edge ", "").replace("through ", "")
 
 
 def edge_name(ends: list[str]) -> str:
-    """A letter and a number each run together (v1v3), other labels keep apart."""
+    """Return an edge's name from the names of its ends: "v1v3" for a letter and a number each, else "x to y"."""
     return "".join(ends) if all(re.fullmatch(r"[^\W\d]\d{1,2}", end) for end in ends) else " to ".join(ends)
 
 
@@ -137,41 +137,41 @@ _WHY = {
 
 
 def reason(why: str, number: int | None) -> str:
-    """Why an axis was not tested; the arguments are a Skip's."""
+    """Return why an axis was not tested, from the fields of its Skip."""
     return _WHY[why].format(number)
 
 
 def digits(trace: _Trace, *tests: AxisTest) -> Digits:
-    """The one format of a picture or a sentence of these tests; of none: for lengths and points."""
+    """Return the number format of a picture or sentence about these tests; without tests, for lengths and points."""
     return of_tests((trace.a, trace.b), tests)
 
 
-def outcome(t: AxisTest, told: Digits) -> str:
-    """What one test says of the two ranges, and of nothing else."""
+def outcome(t: AxisTest, numbers: Digits) -> str:
+    """Return what one test says about its two ranges, and nothing else: "gap +1.2", "overlap 3"."""
     if t.gap >= 0:
-        return f"gap {told.signed(t.gap)}" if t.gap else "touching, gap 0"
+        return f"gap {numbers.signed(t.gap)}" if t.gap else "touching, gap 0"
     a, b = t.a.interval, t.b.interval
-    shared, way_out = min(a.hi, b.hi) - max(a.lo, b.lo), told.gap(t.gap)
+    shared, way_out = min(a.hi, b.hi) - max(a.lo, b.lo), numbers.gap(t.gap)
     if shared < 0:  # ranges apart, and yet a negative gap: a shortcut reads them the wrong way round
-        return f"gap {told.signed(t.gap)}"
+        return f"gap {numbers.signed(t.gap)}"
     # where one range holds the other, getting out takes more than what they share
-    if -t.gap > 1.001 * shared and not told.fine:
-        return f"overlap {told.gap(shared)}, way out {way_out}"
+    if -t.gap > 1.001 * shared and not numbers.fine:
+        return f"overlap {numbers.gap(shared)}, way out {way_out}"
     return f"overlap {way_out}"
 
 
-def shared(t: AxisTest, told: Digits) -> str:
-    """The same in a picture, the shared part named as an interval."""
+def shared(t: AxisTest, numbers: Digits) -> str:
+    """Return the outcome of a test for a picture, with the shared part as an interval."""
     a, b = t.a.interval, t.b.interval
     lo, hi = max(a.lo, b.lo), min(a.hi, b.hi)
-    if t.gap >= 0 or told.fine or told.origin or lo >= hi:
-        return outcome(t, told)
-    way_out = f"; way out {told.gap(t.gap)}" if -t.gap > 1.001 * (hi - lo) else ""
-    return f"overlap {told.interval(lo, hi)}\n{told.gap(hi - lo)} long{way_out}"
+    if t.gap >= 0 or numbers.fine or numbers.origin or lo >= hi:
+        return outcome(t, numbers)
+    way_out = f"; way out {numbers.gap(t.gap)}" if -t.gap > 1.001 * (hi - lo) else ""
+    return f"overlap {numbers.interval(lo, hi)}\n{numbers.gap(hi - lo)} long{way_out}"
 
 
 def conclusion(trace: _Trace, i: int) -> str:
-    """What follows from test `i` for the shapes, in a line."""
+    """Return in one line what follows from test `i` for the shapes."""
     t, last = trace.tests[i], i == len(trace.tests) - 1
     who = "the shapes" if trace.names == ("A", "B") else " and ".join(trace.names)
     if t.separates:
@@ -186,22 +186,22 @@ def conclusion(trace: _Trace, i: int) -> str:
 
 
 def claimed(trace: _Trace) -> str:
-    """What the axes tested say beside the truth, where they are wrong."""
+    """Return what the tested axes say beside the truth, for a claim that is wrong."""
     who = "AABB says" if {t.source.kind for t in trace.tests} == {WORLD} else "These axes say"
     return f"{who}: {'hit' if trace.claim else 'apart'}. Truth: {'hit' if trace.hit else 'apart'}."
 
 
-def both_ranges(trace: _Trace, t: AxisTest, told: Digits) -> str:
-    """ "A [2, 4], B [3, 6]"."""
-    return ", ".join(f"{name} {text}" for name, text in zip(trace.names, told.ranges(t)))
+def both_ranges(trace: _Trace, t: AxisTest, numbers: Digits) -> str:
+    """Return both ranges of a test as text: "A [2, 4], B [3, 6]"."""
+    return ", ".join(f"{name} {text}" for name, text in zip(trace.names, numbers.ranges(t)))
 
 
 def test(trace: _Trace, i: int) -> str:
-    """One test: which axis, both ranges, the gap, and what follows."""
+    """Return the sentence of one test: the axis, both ranges, the gap, and what follows."""
     t = trace.tests[i]
     head = f"Axis {i + 1} of {len(trace.choice.axes)}, {axis_name(t.axis, (trace.a, trace.b), trace.names)}"
-    told = digits(trace, t)
-    found = f"{both_ranges(trace, t, told)}, {outcome(t, told)}"
+    numbers = digits(trace, t)
+    found = f"{both_ranges(trace, t, numbers)}, {outcome(t, numbers)}"
     who = "the shapes" if trace.names == ("A", "B") else " and ".join(trace.names)
     if trace.shortcut:
         ends = trace.shortcut.separates(t)
@@ -212,7 +212,7 @@ def test(trace: _Trace, i: int) -> str:
 
 
 def verdict(trace: _Trace, move: Vec | None) -> str:
-    """The whole run in one sentence that says no more than was proved; `move` ends an overlap."""
+    """Return the whole run in one sentence that says no more than was proved; `move` is the MTV of an overlap."""
     if trace.shortcut:
         return _shortcut_verdict(trace)
     if trace.pairs:
@@ -229,19 +229,19 @@ def verdict(trace: _Trace, move: Vec | None) -> str:
         return f"No gap on the {tested} tested, yet {a} and {b} are apart: a false hit."
     if not trace.tests:
         return f"This choice of axes has none for the pair: nothing is tested. {a} and {b} are {trace.relation}."
-    count = f"no gap on {_any_of(len(trace.tests))}"
+    count = f"no gap on {_any_of_axes(len(trace.tests))}"
     if not trace.choice.complete:
         count += " (not a proof; the exact test decides)"
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: {count}, and they share no interior point. Touching is a hit."
-    return f"{a} and {b} overlap: {count}. {_way_out(trace, move)}"
+    return f"{a} and {b} overlap: {count}. {_mtv_sentence(trace, move)}"
 
 
 ARE = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
 
 
 def _shortcut_verdict(trace: _Trace) -> str:
-    """What the shortcut says, by which axis, and what is."""
+    """Return what a shortcut claims, because of which axis, and what is true."""
     assert trace.shortcut
     a, b = trace.names
     says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {ARE[trace.claim]}"
@@ -250,26 +250,29 @@ def _shortcut_verdict(trace: _Trace) -> str:
         name = axis_name(trace.ended_by.axis, (trace.a, trace.b), trace.names)
         says += f": {outcome(trace.ended_by, digits(trace, trace.ended_by))} on axis {i + 1} ({name})"
     elif trace.tests:
-        says += f": no gap on {_any_of(len(trace.tests))}"
+        says += f": no gap on {_any_of_axes(len(trace.tests))}"
     is_so = ARE[trace.relation]
     if trace.missed_hit or trace.false_hit:
         return f"{says}. In truth they {is_so}: a {'missed' if trace.missed_hit else 'false'} hit."
     return f"{says}, and so it is." if trace.claim is trace.relation else f"{says}. In truth they {is_so}."
 
 
-def _way_out(trace: _Trace, move: Vec | None) -> str:
-    if move is None and too_many(trace.a, trace.b):
+def _mtv_sentence(trace: _Trace, move: Vec | None) -> str:
+    """Return the sentence on the move that ends an overlap, or why there is none."""
+    if move is None and why_too_many_parts(trace.a, trace.b):
         return "They have too many parts to look for the shortest way out."
     if move is None:
         return "No move that float64 can hold parts them."
     return f"Moving {trace.names.b} by {digits(trace).vector(move)} leaves them just touching."
 
 
-def _any_of(n: int) -> str:
+def _any_of_axes(n: int) -> str:
+    """Return "the one axis", "either axis" or "any of the n axes"."""
     return "the one axis" if n == 1 else "either axis" if n == 2 else f"any of the {n} axes"
 
 
 def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
+    """Return the sentence of a run over pairs of convex parts."""
     a, b = trace.names
     settling = trace.colliding
     if not settling:
@@ -277,35 +280,36 @@ def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
     p, q = settling.names
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: their parts {p} and {q} do, and no parts overlap. Touching is a hit."
-    return f"{a} and {b} overlap: their parts {p} and {q} do. {_way_out(trace, move)}"
+    return f"{a} and {b} overlap: their parts {p} and {q} do. {_mtv_sentence(trace, move)}"
 
 
 def table(trace: _Trace, width: int | None = None) -> str:
-    """The trace as plain text: a row a test, then the axes not tested, then the verdict.
+    """Return the trace as plain text: one row per test, then the axes that were not tested, then the sentence.
 
     `width`: letters a line may have; where the columns need more, a test takes several lines.
     """
     if not trace.pairs:
-        blocks = [f"{_rows(trace, width)}\n{_wrapped([trace.sentence], width, '')}"]
+        blocks = [f"{_rows(trace, width)}\n{_wrap([trace.sentence], width, '')}"]
     else:
         hit = trace.colliding
-        shown = [pair for i, pair in enumerate(trace.pairs) if i < MOST_PAIRS or pair is hit]
+        shown = [pair for i, pair in enumerate(trace.pairs) if i < MAX_TABLE_PAIRS or pair is hit]
         blocks = [f"{pair.names.a} against {pair.names.b}\n{table(pair, width)}" for pair in shown]
         if left := len(trace.pairs) - len(shown):
             blocks.append(f"(and {left:,} more pairs of parts)")
-        blocks.append(_wrapped([trace.sentence], width, ""))
+        blocks.append(_wrap([trace.sentence], width, ""))
     return plain("\n\n".join(blocks))  # a terminal may know no more than ASCII
 
 
 def _rows(trace: _Trace, width: int | None) -> str:
+    """Return the rows of the tests and of the untested axes as text."""
     shapes = trace.a, trace.b
     rows = [("axis", "direction", trace.names.a, trace.names.b, "gap", "")]
     for i, t in enumerate(trace.tests, 1):
         name = axis_name(t.axis, shapes, trace.names)
         ends = trace.shortcut.separates(t) if trace.shortcut else t.separates
         what = "separates" if ends else "touches" if t.gap == 0 else "overlaps"
-        told = digits(trace, t)
-        cells = vector(t.axis.direction), *told.ranges(t), told.signed(t.gap), what
+        numbers = digits(trace, t)
+        cells = vector(t.axis.direction), *numbers.ranges(t), numbers.signed(t.gap), what
         rows.append((f"{i} {name}", *cells))
     widths = [max(len(row[i]) for row in rows) for i in range(6)]
     sides = "<<<<><"  # the gaps are set to the right
@@ -313,14 +317,14 @@ def _rows(trace: _Trace, width: int | None) -> str:
     if width is not None and max(map(len, lines)) > width:
         heads = "", *rows[0][1:-1]
         blocks = [[*(f"{head} {cell}".lstrip() for head, cell in zip(heads, row)), row[-1]] for row in rows[1:]]
-        lines = [_wrapped(block, width, "  ") for block in blocks]
+        lines = [_wrap(block, width, "  ") for block in blocks]
     for place, name, why in untested(trace):
-        lines.append(_wrapped([f"- {place}{' ' if place else ''}{name}: {why}"], width, "  "))
+        lines.append(_wrap([f"- {place}{' ' if place else ''}{name}: {why}"], width, "  "))
     return "\n".join(lines)
 
 
 def untested(trace: _Trace) -> list[tuple[str, str, str]]:
-    """The rows of the axes not tested: the number, the name, and why; what is parallel to one axis is one row."""
+    """Return the rows (number, name, reason) of the untested axes; those parallel to one axis share a row."""
     places = {axis: f"{i}" for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
     found: dict[tuple[str, str], list[str]] = {}
     for s in sorted(trace.skipped, key=lambda s: s.axis not in places):  # those with a number first
@@ -329,7 +333,7 @@ def untested(trace: _Trace) -> list[tuple[str, str, str]]:
     return [(p, f"{name} and {len(more)} more" if more else name, why) for (p, why), (name, *more) in found.items()]
 
 
-def _wrapped(pieces: Sequence[str], width: int | None, indent: str) -> str:
+def _wrap(pieces: Sequence[str], width: int | None, indent: str) -> str:
     """The pieces in a line, or in several of at most `width` letters: broken between pieces, within one at a space."""
     line, lines = "", []
     for piece in pieces:
@@ -346,39 +350,39 @@ def _wrapped(pieces: Sequence[str], width: int | None, indent: str) -> str:
 
 
 def scene(trace: _Trace) -> str:
-    """What is given and what is asked."""
+    """Return the sentence that says what is given and asks whether the shapes collide."""
     return f"{both(trace)} Do they collide?"
 
 
 def both(trace: _Trace) -> str:
-    """What the two shapes are."""
+    """Return the sentence that says what the two shapes are."""
     kinds = [shape_in_words(shape, "").split("is ", 1)[1] for shape in (trace.a, trace.b)]
     if kinds[0] == kinds[1] and not trace.a.core_is_point:
         return f"{trace.names.a} and {trace.names.b} are {plural(kinds[0])}."
-    told = digits(trace)
-    return f"{shape_in_words(trace.a, trace.names.a, told)}, {shape_in_words(trace.b, trace.names.b, told)}."
+    numbers = digits(trace)
+    return f"{shape_in_words(trace.a, trace.names.a, numbers)}, {shape_in_words(trace.b, trace.names.b, numbers)}."
 
 
 def plural(kind: str) -> str:
-    """ "a triangle" as "triangles", "an upright box" as "upright boxes"."""
+    """Return the plural of a kind of shape: "a triangle" becomes "triangles"."""
     noun = kind.split(" ", 1)[1]
     head, _, tail = noun.partition(" with")
     return f"{head}{'es' if head.endswith('x') else 's'}{' with' if tail else ''}{tail}"
 
 
 def parts(trace: _Trace) -> str:
-    """How concave outlines are split."""
+    """Return the sentence on how concave outlines are split."""
     names = [[name for _, name in named_parts(s, n)] for s, n in zip((trace.a, trace.b), trace.names)]
     split = [f"{n} is split into {listed(ps)}" for ps, n in zip(names, trace.names) if len(ps) > 1]
     return f"{' and '.join(split)}: the shapes collide only if two of their convex parts do."
 
 
 def stage(trace: _Trace, i: int, name: str, first: str) -> str:
-    """One drawing stage of test `i`; `first` is the role whose points drop first."""
+    """Return the sentence of one drawing stage of test `i`; `first` is the role whose points are dropped first."""
     t = trace.tests[i]
     shapes = trace.a, trace.b
     at = "AB".index(first)
-    side, owner, told = (t.a, t.b)[at], trace.names[at], digits(trace, t)
+    side, owner, numbers = (t.a, t.b)[at], trace.names[at], digits(trace, t)
     axis = f"axis {i + 1}"
     if name == "edge":
         return f"{_origin(trace, t.axis)}."
@@ -394,17 +398,17 @@ def stage(trace: _Trace, i: int, name: str, first: str) -> str:
         what = axis_name(t.axis, shapes, trace.names)
         return f"Axis {i + 1}, {what}, moved clear of the shapes: direction {vector(t.axis.direction)}."
     if name == "drops":
-        lo, hi = (told.landing(end) for end in side.interval)
+        lo, hi = (numbers.landing(end) for end in side.interval)
         return f"{owner}'s points dropped onto {axis}: the lowest lands at {lo}, the highest at {hi}."
     if name == "range":
-        return f"{owner}'s range on {axis} is {told.ranges(t)[at]}."
+        return f"{owner}'s range on {axis} is {numbers.ranges(t)[at]}."
     if name == "both ranges":
-        return f"Both ranges on {axis}: {both_ranges(trace, t, told)}."
+        return f"Both ranges on {axis}: {both_ranges(trace, t, numbers)}."
     return test(trace, i)
 
 
 def _origin(trace: _Trace, axis: Axis) -> str:
-    """The edge or line that an axis comes from, with its vector."""
+    """Return the edge or line that an axis comes from, with its vector."""
     kind, role, ids = axis.source
     if kind == CENTERS:
         return f"The line through the centers of {trace.names.a} and {trace.names.b}"
@@ -419,7 +423,7 @@ def _origin(trace: _Trace, axis: Axis) -> str:
 
 
 def points_outward(trace: _Trace, axis: Axis) -> bool:
-    """Does the axis of an edge's normal point out of its shape?  Either direction gives the same axis; True for others.
+    """Return whether the axis of an edge's normal points out of its shape; True for axes of other kinds.
 
     Outward is right of an edge that is walked counter-clockwise.
     """
@@ -438,28 +442,28 @@ def points_outward(trace: _Trace, axis: Axis) -> bool:
 
 
 def outward_normal(trace: _Trace, axis: Axis) -> str:
-    """The normal that an axis comes from, pointing out of its shape; the axis may point the other way."""
+    """Return as text the outward normal that an axis comes from; the axis may have the opposite direction."""
     n = axis.normal
     return digits(trace).vector(n if points_outward(trace, axis) else Vec(0.0 - n.x, 0.0 - n.y))
 
 
 def edge_vector(trace: _Trace, ends: Sequence[str], p: Vec, q: Vec) -> str:
-    """An edge as the difference of its ends: "v1 - v2 = (-3, 2)"."""
+    """Return an edge as the difference of its ends: "v1 - v2 = (-3, 2)"."""
     return f"{ends[0]} {MINUS} {ends[1]} = {digits(trace).vector(Vec(p.x - q.x, p.y - q.y))}"
 
 
 def listed(words: list[str]) -> str:
-    """ "x", "x and y", "x, y and z"."""
+    """Return words as a list in a sentence: "x, y and z"."""
     if len(words) == 1:
         return words[0]
     return ", ".join(words[:-1]) + " and " + words[-1]
 
 
-def shape_in_words(shape: Shape, name: str, told: Digits | None = None) -> str:
-    """What a shape is: "A is a triangle", "B is a circle of radius 1 around (2, 2)"."""
+def shape_in_words(shape: Shape, name: str, numbers: Digits | None = None) -> str:
+    """Return what a shape is: "A is a triangle", "B is a circle of radius 1 around (2, 2)"."""
     if shape.core_is_point:
-        told = told or of_shapes(shape)
-        return f"{name} is a circle of radius {told.number(shape.radius)} around {told.vector(shape.core[0])}"
+        numbers = numbers or of_shapes(shape)
+        return f"{name} is a circle of radius {numbers.number(shape.radius)} around {numbers.vector(shape.core[0])}"
     n = len(shape.core)
     kind = {3: "triangle", 4: "quadrilateral"}.get(n, f"polygon with {n} corners")
     if shape.is_upright_box:

@@ -1,7 +1,10 @@
-"""The values every floor speaks in: points, ranges, relations, and the two exceptions."""
+"""The values that all layers share: points, ranges, relations, and the two exceptions."""
 
+from collections.abc import Iterator, Sequence
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
+
+T = TypeVar("T")
 
 
 class Vec(NamedTuple):
@@ -18,16 +21,16 @@ class Interval(NamedTuple):
     hi: float
 
     def gap(self, other: "Interval") -> float:
-        """The signed gap to another range: positive apart, zero touching, negative by the depth.
+        """Return the signed gap to another range: positive apart, 0 touching, minus the depth where they overlap.
 
-        The depth is how far one range must move to leave the other, so it is right
-        when one holds the other too (min of maxima minus max of minima is not).
+        The depth is how far one range must move to leave the other.  The smaller maximum
+        minus the larger minimum is not the depth where one range contains the other.
         """
         return max(self.lo - other.hi, other.lo - self.hi)
 
 
 class Relation(IntEnum):
-    """How two closed shapes lie to each other; anything but APART is a hit, so it is truthy."""
+    """How two closed shapes stand to each other.  TOUCHING and OVERLAPPING are hits; APART, which is 0, is false."""
 
     APART = 0
     TOUCHING = 1
@@ -38,8 +41,19 @@ class Relation(IntEnum):
 
 
 class InvalidShape(ValueError):
-    """A shape the engine refuses; the message names the culprit and the way out."""
+    """Raised for a shape that the engine refuses; the message names the culprit and what to do about it."""
 
 
 class InvalidScene(ValueError):
-    """A scene or trace file that is not what its format says; the message names the field."""
+    """Raised for a scene or trace that breaks its format or a limit; the message names the field or the number."""
+
+
+def cyclic_pairs(ring: Sequence[T]) -> Iterator[tuple[T, T]]:
+    """Yield each item with the next one, and at the end the last with the first: of corners, these are the edges."""
+    return zip(ring, [*ring[1:], *ring[:1]], strict=True)
+
+
+def nearest_fraction(px: Any, py: Any, dx: Any, dy: Any) -> Any:
+    """Return the t from 0 to 1 for which p + t d is nearest to the origin; in floats or fractions, 0 if d is (0, 0)."""
+    square = dx * dx + dy * dy
+    return min(1, max(0, -(px * dx + py * dy) / square)) if square else 0

@@ -16,6 +16,7 @@ def provide(**providers: str) -> None:
 
 
 def _provider(hook: str) -> Callable[..., Any]:
+    """Import and return the function that provides a hook."""
     module, _, function = _PROVIDERS[hook].partition(":")
     provided: Callable[..., Any] = getattr(import_module(module), function)
     return provided

@@ -1,4 +1,4 @@
-"""Numbers as text: digits chosen from the gap, one unit a scene, a real minus sign."""
+"""Numbers as text: the gap decides how many digits are printed, one unit for a whole scene, a real minus sign."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -10,17 +10,17 @@ from .sat import AxisTest
 from .shapes import Shape
 
 MINUS = "\u2212"
-PLAIN = 1e-2, 1e6  # scenes of these sizes are told as they are, others in units of a power of a thousand
-FAR = 1e6  # landings beyond so many units are told from an origin near them
-MOST = 9  # decimals; a finer gap is told beside the end it is measured from
-MOST_ALONE = 6  # decimals that a narrow range, or a gap by itself, may ask for
-LARGEST = 1e15  # whole numbers beyond lose digits in float64
+PLAIN_SIZES = 1e-2, 1e6  # scenes of these sizes are printed as they are, others in units of a power of a thousand
+FAR_LANDING = 1e6  # units; landings beyond it are printed relative to an origin near them
+MAX_DECIMALS = 9  # decimals; a finer gap is printed beside the end from which it is measured
+MAX_NARROW_DECIMALS = 6  # decimals that a narrow range, or a gap by itself, may ask for
+MAX_WHOLE_NUMBER = 1e15  # whole numbers beyond lose digits in float64
 
 
 class Digits(NamedTuple):
-    """How the numbers of a scene are told: so many decimals, in units of 10**power, landings from `origin` on.
+    """How the numbers of a scene are printed: their decimals, in units of 10**power, landings relative to `origin`.
 
-    `origin` counts in those units.  `fine`: so small a gap that ranges of these decimals cannot show it.
+    `origin` is in those units.  `fine` means: the gap is so small that ranges with these decimals cannot show it.
     """
 
     decimals: int = 3
@@ -30,33 +30,33 @@ class Digits(NamedTuple):
 
     @property
     def unit(self) -> str:
-        """What stands behind a number: "e9", "" where it is told as it is."""
+        """Return what is printed behind a number, such as "e9"; "" where no power of ten is needed."""
         return f"e{self.power}".replace("-", MINUS) if self.power else ""
 
     def number(self, value: float) -> str:
-        """With all decimals where digits were cut, else as few as it has; never 0 for what is not 0."""
+        """Return a number as text: all decimals where digits were cut, else as few as it has; "0" only for 0."""
         text = self.bare(value)
         return _scientific(value) if "e" in text else f"{text}{self.unit}" if value else text
 
     def gap(self, value: float) -> str:
-        """Its size, to three digits at least."""
-        told = self._for(value)
-        return told.number(abs(value)) if told.shows(value) else _scientific(abs(value))
+        """Return the size of a gap as text, with at least three significant digits."""
+        digits = self._for(value)
+        return digits.number(abs(value)) if digits.shows(value) else _scientific(abs(value))
 
     def signed(self, value: float) -> str:
-        """A gap: with its sign, 0 only for exactly 0."""
+        """Return a gap as text with its sign; "0" only for exactly 0."""
         return f"{'+' if value > 0 else MINUS if value else ''}{self.gap(value)}"
 
     def vector(self, value: Vec) -> str:
-        """(x, y) as printed."""
+        """Return a single vector as text: "(x, y)"."""
         return f"({self.number(value.x)}, {self.number(value.y)})"
 
     def landing(self, value: float) -> str:
-        """A coordinate on an axis; far out as a whole number plus the rest."""
+        """Return a coordinate on an axis as text; far from the origin as a whole number plus the rest."""
         return self._from_origin(self._rest(value)) if self.origin else self.number(value)
 
     def ranges(self, test: AxisTest) -> tuple[str, str]:
-        """Both ranges of a test as printed, the ends that face each other as far apart as the gap says."""
+        """Return both ranges of a test as text; the printed ends that face each other differ by the printed gap."""
         a, b = test.a.interval, test.b.interval
         left, right = (a, b) if b.lo - a.hi >= a.lo - b.hi else (b, a)
         end, start = self._rest(left.hi), self._rest(right.lo)
@@ -66,39 +66,41 @@ class Digits(NamedTuple):
             fine, size = self._for(test.gap), abs(test.gap)
             text = fine.bare(size) if fine.shows(size) else _scientific(size / 10.0**self.power)
             start = f"{end} {'+' if test.gap > 0 else MINUS} {text}"
-        told = f"[{self._rest(left.lo)}, {end}]", f"[{start}, {self._rest(right.hi)}]"
-        one, other = map(self._from_origin, told)
+        printed = f"[{self._rest(left.lo)}, {end}]", f"[{start}, {self._rest(right.hi)}]"
+        one, other = map(self._from_origin, printed)
         return (one, other) if left is a else (other, one)
 
     def interval(self, lo: float, hi: float) -> str:
-        """[from, to] as printed."""
+        """Return a range as text: "[from, to]"."""
         return self._from_origin(f"[{self._rest(lo)}, {self._rest(hi)}]")
 
     def _for(self, gap: float) -> "Digits":
-        decimals = _needed(abs(gap) / 10.0**self.power, 3)
-        return self._replace(decimals=decimals) if self.decimals < decimals <= MOST_ALONE else self
+        """Return a format with enough decimals for three digits of this gap."""
+        decimals = _needed_decimals(abs(gap) / 10.0**self.power, 3)
+        return self._replace(decimals=decimals) if self.decimals < decimals <= MAX_NARROW_DECIMALS else self
 
     def shows(self, gap: float) -> bool:
-        """Are the decimals enough for three digits of a gap?"""
-        return _needed(abs(gap) / 10.0**self.power, 3) <= self.decimals
+        """Return whether the decimals are enough for three digits of a gap."""
+        return _needed_decimals(abs(gap) / 10.0**self.power, 3) <= self.decimals
 
     def _from_origin(self, text: str) -> str:
+        """Return the text of a rest with the origin and the unit written around it."""
         if not self.origin:
             return f"{text}{self.unit}"
         whole = f"{self.origin} + {text}".replace("-", MINUS)
         return f"({whole}){self.unit}" if self.power else whole
 
     def _rest(self, value: float) -> str:
-        """What is left of a landing from the origin on, in units: exactly, so it has all the landing's digits."""
+        """Return the text of a landing minus the origin, computed exactly, so that all its digits are kept."""
         if self.origin:
             value = float(Fraction(value) - self.origin * Fraction(10) ** self.power)
         return self.bare(value)
 
     def bare(self, value: float) -> str:
-        """A number in units, by a power of ten of its own where the decimals cannot show it."""
+        """Return a number without its unit as text, in scientific notation where the decimals cannot show it."""
         scaled = value / 10.0**self.power
         text = f"{scaled + 0.0:.{self.decimals}f}"
-        if abs(scaled) >= LARGEST or (scaled and float(text) == 0):
+        if abs(scaled) >= MAX_WHOLE_NUMBER or (scaled and float(text) == 0):
             return _scientific(scaled)
         # a change of unit may cost the last bit
         if isclose(float(text), scaled, rel_tol=1e-15 if self.power else 0.0) and "." in text:
@@ -107,6 +109,7 @@ class Digits(NamedTuple):
 
 
 def _scientific(value: float) -> str:
+    """Return a number as text with a power of ten and four significant digits."""
     mantissa, _, power = f"{value:.3e}".partition("e")
     return f"{mantissa}e{int(power)}".replace("-", MINUS)
 
@@ -127,22 +130,22 @@ def vector(value: Vec) -> str:
 
 
 def plain(text: str) -> str:
-    """The text with the ASCII minus that files and terminals are read with."""
+    """Return the text with ASCII minus signs, as files and terminals need it."""
     return text.replace(MINUS, "-")
 
 
 def of_shapes(*shapes: Shape) -> Digits:
-    """The unit of a scene: 1 for ordinary sizes, else the power of a thousand that fits them."""
+    """Return the number format of a scene: unit 1 for ordinary sizes, else the power of a thousand that fits."""
     boxes = [shape.bounds for shape in shapes]
     size = max(max(box[i + 2] for box in boxes) - min(box[i] for box in boxes) for i in (0, 1))
-    if PLAIN[0] <= size < PLAIN[1]:
+    if PLAIN_SIZES[0] <= size < PLAIN_SIZES[1]:
         return Digits()
     # an infinite size is one beyond float64
     return Digits(power=max(-300, min(300, 3 * floor(log10(min(size, 1e300)) / 3))))
 
 
 def of_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digits:
-    """One format for some tests of a scene: three digits of the least gap, and no range without a width."""
+    """Return one number format for some tests: three digits of the smallest gap, and no range without width."""
     digits = of_shapes(*shapes)
     unit = 10.0**digits.power
     ranges = [side.interval for t in tests for side in (t.a, t.b)]
@@ -150,18 +153,18 @@ def of_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digits:
         return digits
     lo, hi = min(r.lo for r in ranges) / unit, max(r.hi for r in ranges) / unit
     most = max(-lo, hi)
-    held = min(MOST, floor(-log10(8 * ulp(most))))  # what float64 resolves out there
-    gap = max(_needed(abs(t.gap) / unit, 3) for t in tests)
-    width = min(max(_needed(r.hi / unit - r.lo / unit, 2) for r in ranges), held, MOST_ALONE)
+    held = min(MAX_DECIMALS, floor(-log10(8 * ulp(most))))  # what float64 resolves out there
+    gap = max(_needed_decimals(abs(t.gap) / unit, 3) for t in tests)
+    width = min(max(_needed_decimals(r.hi / unit - r.lo / unit, 2) for r in ranges), held, MAX_NARROW_DECIMALS)
     least = max(0, min(held, 3), width)
     fine = gap > held
     origin = 0
-    if most >= FAR and hi - lo < most / 100:
+    if most >= FAR_LANDING and hi - lo < most / 100:
         step = 10 ** max(0, floor(log10(max(hi - lo, 1.0))) + 1)
         origin = floor(lo / step) * step
     return Digits(least if fine else max(least, gap), digits.power, origin, fine)
 
 
-def _needed(size: float, digits: int) -> int:
-    """Decimals that show so many digits of a size; 0 for none, and for one beyond float64."""
+def _needed_decimals(size: float, digits: int) -> int:
+    """Return the decimals that show so many significant digits of a size; 0 for size 0 or infinity."""
     return digits - 1 - floor(log10(size)) if 0 < size < inf else 0

@@ -1,4 +1,4 @@
-"""What is checked of an outline at the door, with exact predicates: numbers, repeats, turns, crossings."""
+"""The checks that every outline must pass, with exact predicates: numbers, repeated vertices, turns, crossings."""
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
@@ -13,9 +13,9 @@ from .sweep import sweep
 
 
 class Corners(NamedTuple):
-    """An outline as the engine walks it: counter-clockwise, without repeats and straight-on vertices."""
+    """The corners of an outline as the engine uses them: counter-clockwise, without repeated and collinear vertices."""
 
-    ids: tuple[int, ...]  # the owner's vertex numbers
+    ids: tuple[int, ...]  # the number of each corner's vertex
     convex: bool
     notes: tuple[str, ...]
 
@@ -26,23 +26,23 @@ _REPR = Repr()
 _REPR.maxlevel, _REPR.maxstring, _REPR.maxother = 3, 60, 100
 
 
-def _kind(value: Any) -> str:
-    """NumPy's letter for the kind of an array's numbers; nothing for what is not NumPy's."""
+def _dtype_kind(value: Any) -> str:
+    """Return NumPy's letter for the kind of an array's numbers; "" for anything that is not from NumPy."""
     return getattr(getattr(value, "dtype", None), "kind", "")
 
 
 def number(value: Any, name: str) -> float:
-    """One finite float64 equal to what was given; bool, text, complex and lossy integers are refused."""
+    """Return one finite float64 equal to the value; InvalidShape for bool, text, complex and inexact integers."""
     if type(value) is not float:
         if getattr(value, "mask", False):
             raise InvalidShape(f"{name} is masked: fill or drop it first")
         given = value
         if getattr(value, "shape", ()) != ():
             raise InvalidShape(f"{name} is {shown(value)}: a coordinate must be one real number")
-        if _kind(value) in _WHOLE:
+        if _dtype_kind(value) in _WHOLE:
             value = int(value)  # a NumPy integer compares in float64, which hides what it loses
-        # an array of one object gives way to float(), whatever it holds
-        if isinstance(value, (bool, str, bytes, complex)) or _kind(value) in (*_NOT_REAL, "O"):
+        # float() accepts an array of one object, whatever the object is
+        if isinstance(value, (bool, str, bytes, complex)) or _dtype_kind(value) in (*_NOT_REAL, "O"):
             raise InvalidShape(f"{name} is {shown(given)}: a coordinate must be a real number")
         try:
             as_float = float(value)
@@ -61,7 +61,7 @@ def number(value: Any, name: str) -> float:
 
 
 def point(value: Any, name: str) -> Vec:
-    """A pair of finite numbers."""
+    """Return a pair of finite numbers as a Vec; InvalidShape for anything else."""
     try:
         x, y = plain(value, name)
     except (TypeError, ValueError) as error:
@@ -72,7 +72,7 @@ def point(value: Any, name: str) -> Vec:
 
 
 def plain(values: Any, name: str) -> Any:
-    """An array as nested lists (NumPy is not imported for it); masked entries are refused."""
+    """Return an array as nested lists, without NumPy; InvalidShape for masked entries and unordered values."""
     if isinstance(values, (str, bytes, dict, set, frozenset)) or getattr(values, "ndim", 1) == 0:
         raise InvalidShape(f"{name} is {shown(values)}: expected numbers in order")
     if hasattr(values, "tolist"):
@@ -82,42 +82,43 @@ def plain(values: Any, name: str) -> Any:
 
 
 def refuse_array(array: Any, name: str) -> None:
-    """InvalidShape for an array of something else than real numbers, or with masked entries."""
-    if _kind(array) in _NOT_REAL:
+    """Raise InvalidShape for an array that does not hold real numbers or has masked entries."""
+    if _dtype_kind(array) in _NOT_REAL:
         raise InvalidShape(f"{name} is an array of {array.dtype}: coordinates must be real numbers")
     refuse_masked(array, name)
 
 
 def refuse_masked(array: Any, name: str) -> None:
-    """InvalidShape for an array with masked entries, which most of NumPy would take as if they were not masked."""
+    """Raise InvalidShape for an array with masked entries, which NumPy would mostly use as if they were valid."""
     mask = getattr(array, "mask", None)
     if mask is not None and getattr(mask, "any", bool)():
         raise InvalidShape(f"{name} has masked entries: fill or drop them first")
 
 
 def vertices(values: Any) -> tuple[Vec, ...]:
-    """The owner's vertices, in the owner's order, from nested sequences, arrays or `__geo_interface__`."""
+    """Return the vertices in the given order, from nested sequences, arrays or `__geo_interface__`."""
     try:
         interface = getattr(values, "__geo_interface__", None)
     except Exception as error:
         raise InvalidShape(f"__geo_interface__ fails: {shown(error)}: pass the vertices themselves") from error
     if interface is None:
-        return _points(values, "vertices")
-    rings = _rings(interface)
+        return _parse_points(values, "vertices")
+    rings = _geo_rings(interface)
     if not rings:
         raise InvalidShape("the polygon is empty: it needs at least 3 distinct vertices")
-    points = _points(rings[0], "the outer ring")
+    points = _parse_points(rings[0], "the outer ring")
     if len(rings) > 1:
         raise InvalidShape("the polygon has holes: pass its outer ring, or split it into parts without holes")
     return points
 
 
-def _points(values: Any, name: str) -> tuple[Vec, ...]:
+def _parse_points(values: Any, name: str) -> tuple[Vec, ...]:
+    """Return the points of a sequence of pairs; InvalidShape names the vertex at fault."""
     return tuple(point(v, f"vertex {i}") for i, v in enumerate(listed(values, name, "a sequence of (x, y) pairs")))
 
 
 def listed(values: Any, name: str, expected: str) -> list[Any]:
-    """What can be gone through in order; InvalidShape says what was expected."""
+    """Return an iterable's values as a list; InvalidShape says what was expected."""
     warn_if_flushed()
     values = plain(values, name)
     if not isinstance(values, Iterable) or isinstance(values, type):
@@ -125,14 +126,14 @@ def listed(values: Any, name: str, expected: str) -> list[Any]:
     return list(values)
 
 
-def _rings(interface: Any) -> list[Any]:
-    """The rings of a GeoJSON-like Polygon, or of a Feature that has one."""
+def _geo_rings(interface: Any) -> list[Any]:
+    """Return the rings of a GeoJSON-like Polygon or LinearRing, or of a Feature with one."""
     name = "__geo_interface__"
-    if _type(interface) == "Feature":
+    if _geo_type(interface) == "Feature":
         interface, name = interface.get("geometry"), "the Feature's geometry"
     if not isinstance(interface, Mapping):
         raise InvalidShape(f"{name} is {shown(interface)}: expected a dict with type and coordinates")
-    kind, held = _type(interface), interface.get("coordinates")
+    kind, held = _geo_type(interface), interface.get("coordinates")
     if not kind:
         raise InvalidShape(f"{name} has no type: expected a dict with type and coordinates")
     if kind not in ("Polygon", "LinearRing"):
@@ -140,17 +141,18 @@ def _rings(interface: Any) -> list[Any]:
     return [held] if kind == "LinearRing" else listed(held, "coordinates", "a sequence of (x, y) pairs")
 
 
-def _type(interface: Any) -> str:
+def _geo_type(interface: Any) -> str:
+    """Return the "type" of a GeoJSON-like mapping; "" if it has none."""
     kind = interface.get("type") if isinstance(interface, Mapping) else ""
     return kind if isinstance(kind, str) else ""
 
 
 def shown(value: Any) -> str:
-    """A value in a message: short, however large or deep it is."""
+    """Return a short text of a value for an error line, however large or deep the value is."""
     return _REPR.repr(value)
 
 
-def corners(points: Sequence[Vec]) -> Corners:
+def find_corners(points: Sequence[Vec]) -> Corners:
     """Check that the points run once round a simple outline of positive area, and find its corners.
 
     The first edge stays first: a clockwise outline is walked backwards from it.
@@ -159,27 +161,28 @@ def corners(points: Sequence[Vec]) -> Corners:
     if len({points[i] for i in ring}) < 3:
         raise InvalidShape(f"{len(set(points))} distinct vertices: a polygon needs at least 3")
     turns = []
-    for before, i, after in _around(ring):
+    for before, i, after in _with_neighbours(ring):
         turn = orient(points[before], points[i], points[after])
-        if turn == 0 and _reverses(points[before], points[i], points[after]):
-            if _flat(points, ring):
+        if turn == 0 and _turns_back(points[before], points[i], points[after]):
+            if _is_flat(points, ring):
                 raise InvalidShape("all vertices lie on one line: a polygon needs a positive area; move one off it")
             raise InvalidShape(f"the outline turns back on itself at vertex {i} (a spike): remove that vertex")
         turns.append(turn)
     notes += [f"vertex {i} lies straight on between its neighbours" for i, turn in zip(ring, turns) if turn == 0]
     kept = [i for i, turn in zip(ring, turns) if turn]
     bends = {turn for turn in turns if turn}
-    convex = len(bends) == 1 and _runs_round_once([points[i] for i in kept])
+    convex = len(bends) == 1 and _winds_once([points[i] for i in kept])
     if not convex:
         refuse_crossings([points[i] for i in ring], ring)
     lowest = min(range(len(kept)), key=lambda j: points[kept[j]])
-    # the turn at the lowest corner is the winding of the whole: no vertex lies beyond it
+    # the outline turns at its lowest corner in the direction of its winding, since no vertex lies beyond that corner
     if next(t for i, t in zip(ring, turns) if i == kept[lowest]) < 0:
         kept = [kept[1], kept[0], *kept[:1:-1]]
     return Corners(tuple(kept), convex, tuple(notes))
 
 
 def _without_repeats(points: Sequence[Vec]) -> tuple[list[int], list[str]]:
+    """Return (vertex numbers without repeated neighbours, a note for each vertex left out)."""
     ring: list[int] = []
     notes = []
     for i, p in enumerate(points):
@@ -192,22 +195,24 @@ def _without_repeats(points: Sequence[Vec]) -> tuple[list[int], list[str]]:
     return ring, notes
 
 
-def _around(ring: Sequence[int]) -> Iterable[tuple[int, int, int]]:
+def _with_neighbours(ring: Sequence[int]) -> Iterable[tuple[int, int, int]]:
+    """Return (previous, this, next) for each vertex number of a ring."""
     return zip([ring[-1], *ring[:-1]], ring, [*ring[1:], ring[0]], strict=True)
 
 
-def _reverses(before: Vec, here: Vec, after: Vec) -> bool:
-    """Of three points on one line: does the way go back?  Signs of float differences are exact."""
+def _turns_back(before: Vec, here: Vec, after: Vec) -> bool:
+    """Return whether three points on one line turn back; the signs of float differences are exact."""
     return (here > before) != (after > here)
 
 
-def _flat(points: Sequence[Vec], ring: Sequence[int]) -> bool:
+def _is_flat(points: Sequence[Vec], ring: Sequence[int]) -> bool:
+    """Return whether all vertices lie on one line."""
     first, second = points[ring[0]], points[ring[1]]
     return all(orient(first, second, points[i]) == 0 for i in ring)
 
 
-def _runs_round_once(ring: Sequence[Vec]) -> bool:
-    """All turns one way is not enough (a pentagram turns left everywhere, twice round)."""
+def _winds_once(ring: Sequence[Vec]) -> bool:
+    """Return whether a ring that turns one way everywhere goes round once (a pentagram goes round twice)."""
     rising = [q > p for p, q in zip(ring, [*ring[1:], ring[0]], strict=True)]
     return sum(r != s for r, s in zip(rising, [*rising[1:], rising[0]], strict=True)) == 2
 
@@ -226,25 +231,25 @@ def refuse_crossings(ring: Sequence[Vec], ids: Sequence[int]) -> None:
             row = [event.touched, event.vertex]
         for j, i in pairwise(row):
             p, q, r, s = ring[i], ring[(i + 1) % n], ring[j], ring[(j + 1) % n]
-            if (i - j) % n in (1, n - 1) or not _meet(p, q, r, s):
+            if (i - j) % n in (1, n - 1) or not _segments_meet(p, q, r, s):
                 continue
             first, second = sorted((ids[i], ids[j]))
-            x, y = _place(p, q, r, s)
+            x, y = _meeting_point(p, q, r, s)
             raise InvalidShape(
                 f"edges {first} and {second} cross near ({x:.6g}, {y:.6g}): "
                 "an outline must not cross or touch itself; reorder the vertices"
             )
 
 
-def _meet(p: Vec, q: Vec, r: Vec, s: Vec) -> bool:
-    """Do two closed segments that share an x share a point?"""
+def _segments_meet(p: Vec, q: Vec, r: Vec, s: Vec) -> bool:
+    """Return whether two closed segments whose x ranges overlap share a point."""
     if max(p.y, q.y) < min(r.y, s.y) or max(r.y, s.y) < min(p.y, q.y):
         return False
     return orient(p, q, r) * orient(p, q, s) <= 0 and orient(r, s, p) * orient(r, s, q) <= 0
 
 
-def _place(p: Vec, q: Vec, r: Vec, s: Vec) -> Vec:
-    """A point of both segments, which meet; in fractions, since products of floats may overflow and vanish."""
+def _meeting_point(p: Vec, q: Vec, r: Vec, s: Vec) -> Vec:
+    """Return a point of two segments that meet; in fractions, since products of floats may overflow or vanish."""
     (px, py), (qx, qy), (rx, ry), (sx, sy) = (map(Fraction, v) for v in (p, q, r, s))
     dx, dy, ex, ey = qx - px, qy - py, sx - rx, sy - ry
     det = dx * ey - dy * ex

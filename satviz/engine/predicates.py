@@ -1,35 +1,38 @@
-"""Signs that are never wrong: a float filter first, integers when it cannot tell.
+"""Exact signs: a float filter answers first, integers where its error bound is too coarse.
 
-Every finite float64 is an integer times a power of two, so after one shift any
-sum of products of coordinates is an integer and its sign is exact.  The filters
-ask for more room than their worst case needs (twice the bound derived beside
-each), so they hold for any order of operations and with fused multiply-add, and
-they step aside where products could overflow or lose bits to underflow.
+Every finite float64 is an integer times a power of two.  After one shift, any sum of
+products of coordinates is an integer, so its sign is exact.  Each filter asks for twice
+the error bound derived beside it, so it holds for any order of operations and with fused
+multiply-add.  A filter leaves the answer to integers where products could overflow or
+lose bits to underflow.
 """
 
 import sys
 import warnings
 from collections.abc import Iterable, Sequence
+from fractions import Fraction
 from math import isqrt
-from typing import Any
+from typing import Any, TypeVar
 
 UNIT = 2.0**-53  # unit roundoff of float64
 TINY, HUGE = 1e-280, 1e290  # products inside this range neither lose bits nor overflow
-SMALLEST = 5e-324  # where numbers keep their size until the last bit is gone
-SCALE = 2.0**72  # makes integers of ordinary coordinates: 0, and from 2**-20 up to 2**951
+MIN_FLOAT = 5e-324  # the smallest positive float64, 2**-1074
+MAX_FLOAT = sys.float_info.max
+SCALE = 2.0**72  # c * SCALE is a whole number for c = 0 and for every float64 c with 2**-20 <= |c| < 2**951
 
 Point = tuple[float, float]
 IntPoint = tuple[int, int]
+Number = TypeVar("Number", int, float, Fraction)
 
 
 def sign(value: int) -> int:
-    """-1, 0 or 1."""
+    """Return -1, 0 or 1."""
     return (value > 0) - (value < 0)
 
 
 def warn_if_flushed() -> None:
-    """RuntimeWarning in a thread that takes numbers below 2.3e-308 for 0: none below 1e-290 would be exact there."""
-    if SMALLEST + SMALLEST == 0:
+    """Warn in a thread that takes numbers below 2.3e-308 for 0: no number below 1e-290 is exact there."""
+    if MIN_FLOAT + MIN_FLOAT == 0:
         warnings.warn(
             "this thread takes numbers below 2.3e-308 for 0 (flush-to-zero, which code compiled with -ffast-math "
             "sets): answers are exact only where every number given is 0 or beyond 1e-290",
@@ -39,64 +42,77 @@ def warn_if_flushed() -> None:
 
 
 def to_integers(values: Iterable[float]) -> tuple[int, list[int]]:
-    """Integers n and one exponent k with value = n / 2**k, exactly and in order."""
+    """Return (k, integers) with value = integer / 2**k exactly, in the order of the values."""
     ratios = [value.as_integer_ratio() for value in values]
     k = max(den.bit_length() for _, den in ratios) - 1
     return k, [num << (k + 1 - den.bit_length()) for num, den in ratios]
 
 
 def to_int_points(points: Sequence[Point]) -> tuple[int, list[IntPoint]]:
-    """The points as integer pairs over one power of two: (k, pairs)."""
+    """Return (k, points) with each coordinate as an integer in units of 2**-k."""
     k, flat = to_integers(c for p in points for c in p)
     return k, list(zip(flat[::2], flat[1::2], strict=True))
 
 
-def shifted(points: Sequence[IntPoint], by: int) -> Sequence[IntPoint]:
-    """Integer points in units finer by 2**by."""
-    return [(x << by, y << by) for x, y in points] if by else points
+def to_finer_units(points: Sequence[IntPoint], bits: int) -> Sequence[IntPoint]:
+    """Return integer points in a unit that is 2**bits times smaller."""
+    return [(x << bits, y << bits) for x, y in points] if bits else points
 
 
 def aligned(a: Any, b: Any) -> tuple[Sequence[IntPoint], Sequence[IntPoint], int, int]:
-    """Both shapes in one integer unit: (a's points, b's points, sum of radii, k), the unit being 2**-k."""
+    """Return both shapes in one integer unit, 2**-k: (a's core, b's core, sum of radii, k)."""
     ka, pa, ra = a.integers
     kb, pb, rb = b.integers
     k = max(ka, kb)
-    return shifted(pa, k - ka), shifted(pb, k - kb), (ra << k - ka) + (rb << k - kb), k
+    return to_finer_units(pa, k - ka), to_finer_units(pb, k - kb), (ra << k - ka) + (rb << k - kb), k
+
+
+def orient_det(p: tuple[Number, Number], q: tuple[Number, Number], r: tuple[Number, Number]) -> Number:
+    """Return the orientation determinant: positive when the way from p over q to r turns left, 0 when it is straight.
+
+    It is exact for integers and fractions.  For floats it is rounded; `orient` gives its exact sign.
+    """
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
 
 def orient(p: Point, q: Point, r: Point) -> int:
-    """The exact turn at q on the way from p over q to r: 1 left, -1 right, 0 straight.
+    """Return the exact sign of the orientation determinant: 1 for a left turn at q, -1 right, 0 straight.
 
-    Source: the determinant of Shewchuk (1997); its static bound is 3.33e-16 of
-    the sum of the two products, asked here with room to spare.
+    Source: Shewchuk (1997), whose static bound is 3.33e-16 of the sum of the two
+    products; the filter here asks for 8 * 2**-53 = 8.9e-16 of it.
     """
     left = (q[0] - p[0]) * (r[1] - p[1])
     right = (q[1] - p[1]) * (r[0] - p[0])
-    room = abs(left) + abs(right)
-    if TINY < room < HUGE:
+    size = abs(left) + abs(right)
+    if TINY < size < HUGE:
         det = left - right
-        if abs(det) > 8 * UNIT * room:
+        if abs(det) > 8 * UNIT * size:
             return 1 if det > 0 else -1
     scaled = [c * SCALE for c in (*p, *q, *r)]
     whole = map(int, scaled) if all(map(float.is_integer, scaled)) else to_integers((*p, *q, *r))[1]
     px, py, qx, qy, rx, ry = whole
-    return sign((qx - px) * (ry - py) - (qy - py) * (rx - px))
+    return sign(orient_det((px, py), (qx, qy), (rx, ry)))
 
 
 def to_float(num: int, k: int) -> float:
-    """num / 2**k rounded once; a value too small for float64 keeps its sign, one too large is capped.
+    """Return num / 2**k rounded once; a value too small for float64 keeps its sign, one too large is capped.
 
     Numbers leave the integers only here, so a printed sign is always the exact one.
     """
     try:
         value = (num << max(-k, 0)) / (1 << max(k, 0))
     except OverflowError:
-        value = sign(num) * sys.float_info.max
-    return value or sign(num) * 5e-324
+        value = sign(num) * MAX_FLOAT
+    return value or sign(num) * MIN_FLOAT
+
+
+def ceil_sqrt(n: int) -> int:
+    """Return the square root of n >= 0, rounded up."""
+    return isqrt(n - 1) + 1 if n else 0
 
 
 def root_difference(s: int, r: int, square: int, k: int) -> float:
-    """(s / sqrt(square) - r) / 2**k, r >= 0, as a float that has the exact sign, good to one unit in the last place."""
+    """Return (s / sqrt(square) - r) / 2**k for r >= 0: with the exact sign, good to one unit in the last place."""
     if s >= 0 and s * s == r * r * square:
         return 0.0
     bits = 80

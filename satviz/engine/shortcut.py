@@ -1,4 +1,4 @@
-"""A shortcut: the one loop over other axes, or with one step done otherwise, as people believe it may be."""
+"""A shortcut: the loop over other axes, or with one step done differently, as common mistakes do it."""
 
 from collections.abc import Callable, Iterator, Sequence
 from math import isfinite
@@ -15,12 +15,12 @@ Push = Callable[[Shape, Shape, Sequence[AxisTest]], Vec]
 
 
 class Shortcut(NamedTuple):
-    """What is believed, and what the loop does otherwise because of it.
+    """One mistaken or cheaper method, and what it does differently from the loop.
 
-    `claim`: the belief as people say it; `choose`: its axes.  At most one step differs:
-    `measure` projects and measures (None: as it should be), `touching_separates` takes
-    a gap of 0 for a gap, `split` takes A apart and every piece by itself, `push`
-    gives the way out of an overlap (None: by the depth measured, along that axis).
+    `claim`: the mistake as people say it; `choose`: the axes.  At most one step differs from the loop:
+    `measure` projects and measures an axis (None: correctly); `touching_separates` counts a gap of 0 as
+    separating; `split` cuts A into pieces that are tested one by one; `push` returns the move of B that is
+    said to end an overlap (None: by the measured depth, along that axis).
     """
 
     name: str
@@ -32,14 +32,14 @@ class Shortcut(NamedTuple):
     push: Push | None = None
 
     def tests(self, a: Shape, b: Shape, axes: Sequence[Axis]) -> Iterator[AxisTest]:
-        """Each axis as the shortcut measures it; InvalidScene where its plain floats overflow."""
+        """Yield the test of each axis as the shortcut measures it; InvalidScene where its plain floats overflow."""
         if self.measure is None:
             yield from axis_tests(a, b, axes)
             return
         for axis in axes:
             try:
                 test = self.measure(a, b, axis)
-                finite = all(map(isfinite, _numbers(test)))
+                finite = all(map(isfinite, _all_numbers(test)))
             except OverflowError:
                 finite = False
             if not finite:
@@ -49,7 +49,7 @@ class Shortcut(NamedTuple):
             yield test
 
     def pieces(self, a: Shape) -> Sequence[Shape] | None:
-        """What it takes A apart into, if it does; InvalidScene where float64 has no such piece."""
+        """Return the pieces into which the shortcut cuts A, or None; InvalidScene where float64 cannot hold one."""
         if self.split is None:
             return None
         try:
@@ -58,11 +58,12 @@ class Shortcut(NamedTuple):
             raise InvalidScene(f"{shown(self.name)} cannot take A apart: {error}") from None
 
     def separates(self, test: AxisTest) -> bool:
-        """Does the shortcut stop at this test?"""
+        """Return whether the shortcut takes this test for a separating one and stops."""
         return test.gap > 0 or (self.touching_separates and test.gap == 0)
 
 
-def _numbers(test: AxisTest) -> Iterator[float]:
+def _all_numbers(test: AxisTest) -> Iterator[float]:
+    """Yield every number of a test: its gap, landings and points."""
     yield test.gap
     for side in test.a, test.b:
         yield from side.landings
@@ -70,8 +71,8 @@ def _numbers(test: AxisTest) -> Iterator[float]:
             yield from point
 
 
-def out_by(test: AxisTest, length: float) -> Vec:
-    """A move of B by that length along a test's axis, to the side on which the ranges part sooner."""
+def move_along_axis(test: AxisTest, length: float) -> Vec:
+    """Return the move of B by a length along a test's axis, to the side on which the ranges separate sooner."""
     a, b, n = test.a.interval, test.b.interval, test.axis.direction
     way = length if a.hi - b.lo < b.hi - a.lo else -length
     return Vec(n.x * way, n.y * way)

@@ -1,4 +1,4 @@
-"""record and the Trace: every tested axis, every landing place, every gap, and what follows from them."""
+"""`record` and the Trace: every tested axis, landing and gap, and what follows from them."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -6,16 +6,16 @@ from itertools import product
 from math import isfinite
 
 from . import describe, hooks
-from .axes import EARLY_EXIT, NAMED, Choice, Chooser, Skip, made_for, needed
+from .axes import EARLY_EXIT, NAMED, Choice, Chooser, Skip, needed, validate_choice
 from .certificate import Certificate, PartLines, separating_line, shared_point
 from .convex_parts import named_parts
 from .describe import Names
 from .geometry import InvalidScene, Relation, Vec
-from .mtv import along_axis, around_parts
+from .mtv import mtv_along_axis, mtv_of_parts
 from .relate import relate
 from .sat import AxisTest, axis_tests
 from .shapes import Shape, checked
-from .shortcut import Shortcut, out_by
+from .shortcut import Shortcut, move_along_axis
 
 APART, TOUCHING, OVERLAPPING = Relation
 
@@ -23,12 +23,12 @@ MAX_SIZE = 200_000  # what a trace lists (see _size): some 30 MB of JSON, which 
 
 
 PLAIN = Names()
-Named = Sequence[tuple[Shape, str]]  # parts, and what each is called
+NamedParts = Sequence[tuple[Shape, str]]  # parts, and what each is called
 
 
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """One run of the loop over a pair of shapes: the facts in its fields, the verdict derived from them.
+    """One run of the loop over a pair of shapes: the facts in its fields, the relation derived from them.
 
     `choice`: the axes in order and those left out; `tests`: the axes tested, in that
     order; `pairs`: for concave outlines, a trace for each pair of convex parts
@@ -47,7 +47,7 @@ class Trace:
 
     @property
     def relation(self) -> Relation:
-        """The exact relation, also where the chosen axes alone could not tell (see `claim`)."""
+        """Return the exact relation, also where the chosen axes alone cannot decide (see `claim`)."""
         if self.shortcut:
             return relate(self.a, self.b)
         claim = self.claim
@@ -55,12 +55,12 @@ class Trace:
 
     @property
     def hit(self) -> bool:
-        """Do the closed shapes share a point?  Touching counts."""
+        """Return whether the closed shapes share a point; touching counts."""
         return self.relation is not APART
 
     @property
     def claim(self) -> Relation:
-        """What the tested axes say by themselves: a gap proves APART, no gap proves nothing unless complete.
+        """Return what the tested axes alone say: a gap proves APART; no gap proves a hit only if they are complete.
 
         Of a shortcut's run it is what the shortcut says, right or wrong.
         """
@@ -72,44 +72,44 @@ class Trace:
 
     @property
     def false_hit(self) -> bool:
-        """No tested axis separates, yet the shapes are apart: the chosen axes are not enough."""
+        """Return whether no tested axis separates although the shapes are apart: the chosen axes are not enough."""
         return self.claim is not APART and self.relation is APART
 
     @property
     def missed_hit(self) -> bool:
-        """A shortcut's run says apart, yet the shapes share a point."""
+        """Return whether a shortcut's run says apart although the shapes share a point."""
         return self.shortcut is not None and self.claim is APART and self.hit
 
     @property
     def ended_by(self) -> AxisTest | None:
-        """The first test that the run takes for separating, right or wrong, or None."""
+        """Return the first test that the run takes for separating, right or wrong, or None."""
         separates = self.shortcut.separates if self.shortcut else _separates
         return next((test for test in self.tests if separates(test)), None)
 
     @property
     def proves(self) -> bool:
-        """Is a gap in `tests` a proof?  Not where a shortcut measures otherwise."""
+        """Return whether a gap in `tests` is a proof; it is none where a shortcut measures something else."""
         return self.shortcut is None or self.shortcut.measure is None
 
     @property
     def separating(self) -> AxisTest | None:
-        """The first test whose axis separates the shapes, or None; where a shortcut measures otherwise none does."""
+        """Return the first test whose axis separates the shapes, or None (always None if `proves` is False)."""
         return next((test for test in self.tests if test.separates), None) if self.proves else None
 
     @property
     def colliding(self) -> "Trace | None":
-        """The trace of the part pair that settles a hit of concave outlines, or None."""
+        """Return the trace of the pair of parts that decides a hit of concave outlines, or None."""
         found = self.relation
         return next((pair for pair in self.pairs if pair.relation is found), None) if found else None
 
     @property
     def shallowest(self) -> AxisTest | None:
-        """The test of least penetration depth, as measured, when none separates, or None."""
-        return _shallowest(self.tests) if self.tests and not self.ended_by else None
+        """Return the test with the least measured penetration depth when none separates, or None."""
+        return _least_overlap(self.tests) if self.tests and not self.ended_by else None
 
     @property
     def mtv(self) -> Vec | None:
-        """The minimum translation vector: the shortest move of B found to end the overlap, in scene units.
+        """Return the minimum translation vector: the shortest move of B found that ends the overlap, in scene units.
 
         It ends the overlap exactly, being rounded outwards; (0, 0) when the shapes only
         touch, None when they are apart or when no float64 move is long enough.  It is the
@@ -124,12 +124,12 @@ class Trace:
         if relation is not OVERLAPPING:
             return None if relation is APART else Vec(0.0, 0.0)
         if not (self.a.is_convex and self.b.is_convex):
-            return around_parts(self.a, self.b)
-        return along_axis(self.a, self.b, _shallowest(self.tests or record(self.a, self.b).tests))
+            return mtv_of_parts(self.a, self.b)
+        return mtv_along_axis(self.a, self.b, _least_overlap(self.tests or record(self.a, self.b).tests))
 
     @property
     def known_mtv(self) -> Vec | None:
-        """`mtv` for tables, files and pictures, which do without where it would take too long: then None."""
+        """Return `mtv`, or None where computing it would take too long; for tables, files and pictures."""
         try:
             return self.mtv
         except InvalidScene:
@@ -137,7 +137,7 @@ class Trace:
 
     @property
     def push(self) -> Vec | None:
-        """The move of B by which this run would end the overlap: the MTV, or what its shortcut takes for it.
+        """Return the move of B by which this run would end the overlap: the MTV, or a shortcut's version of it.
 
         None also where a piece's move would take too long to find, or is too long for float64.
         """
@@ -153,16 +153,16 @@ class Trace:
             push = Vec(sum((move.x for move in found), 0.0), sum((move.y for move in found), 0.0))
             return push if len(found) == len(moves) and all(map(isfinite, push)) else None
         test = self.shallowest
-        return out_by(test, -test.gap) if test else None
+        return move_along_axis(test, -test.gap) if test else None
 
     @property
     def truth(self) -> "Trace":
-        """The same pair as the loop should run it: this trace itself unless it is a shortcut's."""
+        """Return the trace of the same pair without a shortcut: this trace itself unless it is a shortcut's."""
         return record(self.a, self.b, every_axis=True) if self.shortcut else self
 
     @property
     def certificate(self) -> Certificate:
-        """Evidence anyone can check: a separating line, or a point in both shapes; `check()` uses fractions.
+        """Return evidence that anyone can check: a separating line, or a point in both shapes.
 
         InvalidScene where a shortcut measures otherwise or misses a hit: that run proves nothing.
         """
@@ -182,12 +182,12 @@ class Trace:
 
     @property
     def skipped(self) -> tuple[Skip, ...]:
-        """Each axis not tested: left out by the choice, or by the early exit."""
+        """Return each axis that was not tested, with the reason: left out by the choice, or by the early exit."""
         left = self.choice.axes[len(self.tests) :]
         return self.choice.skipped + tuple(Skip(axis, EARLY_EXIT, len(self.tests)) for axis in left)
 
     def without_early_exit(self) -> "Trace":
-        """The same run over every axis of the choice (and every pair of parts); InvalidScene as for `record`."""
+        """Return the same run over every axis of the choice (and every pair of parts)."""
         if self.every_axis:
             return self
         if self.shortcut:
@@ -198,7 +198,7 @@ class Trace:
 
     @property
     def sentence(self) -> str:
-        """The verdict in words."""
+        """Return the result of the run as one sentence."""
         return describe.verdict(self, self.known_mtv)
 
     def __str__(self) -> str:
@@ -208,22 +208,22 @@ class Trace:
         return iter(self.tests)
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
-        """In a notebook: the table and the last picture."""
+        """Return what a notebook shows: the table and the last picture."""
         return hooks.mime_bundle(self)
 
     def to_json(self, *, indent: int | None = None) -> str:
-        """The trace as JSON: the shapes, each axis and landing place, and the verdicts for readers elsewhere."""
+        """Return the trace as JSON: the shapes, each axis and landing, and the results for readers elsewhere."""
         return hooks.trace_to_json(self, indent)
 
     @staticmethod
     def from_json(text: str) -> "Trace":
-        """The trace that `to_json` wrote; InvalidScene if anything in it is missing, unknown or untrue."""
+        """Return the trace that `to_json` wrote; InvalidScene if anything in it is missing, unknown or false."""
         trace: Trace = hooks.trace_from_json(text)
         return trace
 
 
 def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, every_axis: bool = False) -> Trace:
-    """Run the loop and keep everything: a Trace whose relation is exact.
+    """Run the loop, keep everything, and return a Trace whose relation is exact.
 
     `axes`: a choice of axes (satviz.axes), by default the smallest complete set; with
     it, concave polygons are tested part by part.  Or a shortcut, whose `claim` the
@@ -243,10 +243,11 @@ def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, ev
         raise TypeError(f"axes is a {type(axes).__name__}: expected a choice of axes, or what makes one (satviz.axes)")
     choice = axes if isinstance(axes, Choice) else axes(a, b)
     own = any(axes is choose for choose in NAMED.values())
-    return _record(a, b, choice if own else made_for(choice, a, b), every_axis, PLAIN)
+    return _record(a, b, choice if own else validate_choice(choice, a, b), every_axis, PLAIN)
 
 
 def _record_shortcut(a: Shape, b: Shape, shortcut: Shortcut, every_axis: bool) -> Trace:
+    """Run a shortcut, on the whole of A or on each of its pieces."""
     pieces = shortcut.pieces(a)
     if pieces is None:
         return _record(a, b, shortcut.choose(a, b), every_axis, PLAIN, shortcut)
@@ -256,32 +257,34 @@ def _record_shortcut(a: Shape, b: Shape, shortcut: Shortcut, every_axis: bool) -
 def _record(
     a: Shape, b: Shape, choice: Choice, every_axis: bool, names: Names, shortcut: Shortcut | None = None
 ) -> Trace:
+    """Run the loop over one choice of axes and return its trace; InvalidScene if it would list too much."""
     tests: list[AxisTest] = []
     measured = shortcut.tests(a, b, choice.axes) if shortcut else axis_tests(a, b, choice.axes)
-    _keep_within_limit(a, b, choice, tests, names)
+    _check_size(a, b, choice, tests, names)
     for test in measured:
         tests.append(test)
-        _keep_within_limit(a, b, choice, tests, names)
+        _check_size(a, b, choice, tests, names)
         if not every_axis and (test.gap > 0 or (shortcut and shortcut.separates(test))):
             break
     return Trace(a, b, choice, tuple(tests), every_axis, (), names, shortcut)
 
 
 def _record_parts(a: Shape, b: Shape, every_axis: bool) -> Trace:
+    """Run the loop on each pair of convex parts."""
     return _record_pairs(a, b, named_parts(a, "A"), named_parts(b, "B"), every_axis)
 
 
 def _record_pairs(
-    a: Shape, b: Shape, of_a: Named, of_b: Named, every_axis: bool, shortcut: Shortcut | None = None
+    a: Shape, b: Shape, of_a: NamedParts, of_b: NamedParts, every_axis: bool, shortcut: Shortcut | None = None
 ) -> Trace:
-    """A trace for each pair of parts; a shortcut looks at all of them, and proves nothing by it."""
+    """Return a trace of all pairs of parts; a shortcut tests every pair, and its trace proves nothing."""
     pairs, size = [], 0
     for (p, name_a), (q, name_b) in product(of_a, of_b):
         pair = _record(p, q, needed(p, q), every_axis, Names(name_a, name_b))
         pairs.append(pair)
-        size += _size(p, q, pair.choice, pair.tests)
+        size += _count_listed(p, q, pair.choice, pair.tests)
         if size > MAX_SIZE:
-            raise _too_large(
+            raise _too_large_error(
                 f"A and B have {len(of_a) * len(of_b):,} pairs of {'pieces' if shortcut else 'convex parts'}"
             )
         if not shortcut and pair.relation is OVERLAPPING and not every_axis:
@@ -290,29 +293,35 @@ def _record_pairs(
 
 
 def _separates(test: AxisTest) -> bool:
+    """Return whether the test has a gap."""
     return test.gap > 0
 
 
-def _shallowest(tests: Sequence[AxisTest]) -> AxisTest:
+def _least_overlap(tests: Sequence[AxisTest]) -> AxisTest:
+    """Return the test with the largest gap, which has the least penetration depth."""
     return max(tests, key=lambda test: test.gap)
 
 
-def _size(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest]) -> int:
-    """What a trace lists: points, those dropped in each test too, and axes."""
-    return _points(a, b) * (1 + len(tests)) + len(choice.axes) + len(choice.skipped)
+def _count_listed(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest]) -> int:
+    """Return how many points, landings and axes a trace lists."""
+    return _count_points(a, b) * (1 + len(tests)) + len(choice.axes) + len(choice.skipped)
 
 
-def _keep_within_limit(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest], names: Names) -> None:
-    if _size(a, b, choice, tests) > MAX_SIZE:
-        raise _too_large(f"{' and '.join(names)} have {_points(a, b):,} points to drop on {len(choice.axes):,} axes")
+def _check_size(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest], names: Names) -> None:
+    """Raise InvalidScene if a trace would list more than MAX_SIZE points and axes."""
+    if _count_listed(a, b, choice, tests) > MAX_SIZE:
+        raise _too_large_error(
+            f"{' and '.join(names)} have {_count_points(a, b):,} points to drop on {len(choice.axes):,} axes"
+        )
 
 
-def _points(a: Shape, b: Shape) -> int:
+def _count_points(a: Shape, b: Shape) -> int:
+    """Return how many points of both shapes are projected on each axis (two for a circle)."""
     return sum(2 if shape.core_is_point else len(shape.vertices) for shape in (a, b))
 
 
-def _too_large(what: str) -> InvalidScene:
-    """Work and memory stay bounded: the loop ends where its trace outgrows the limit."""
+def _too_large_error(what: str) -> InvalidScene:
+    """Return the error for a trace that outgrows its limit, so that work and memory stay bounded."""
     return InvalidScene(
         f"{what}: a trace lists {MAX_SIZE:,} points and axes at most; ask relate for the verdict alone, "
         "choose fewer axes (world), or simplify the shapes"

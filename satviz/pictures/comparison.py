@@ -1,47 +1,36 @@
-"""Belief beside truth: what a shortcut saw, and what is, side by side in one picture on one scale."""
+"""A shortcut's claim beside the truth: two panels in one picture, on one scale."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from functools import lru_cache
 
-from ..engine import describe
-from ..engine.axes import Choice, hull_normals
-from ..engine.certificate import SeparatingLine, SharedPoint
 from ..engine.geometry import Vec
-from ..engine.sat import AxisTest, axis_tests
-from ..engine.shapes import Shape, centroid
-from ..engine.trace import Trace, record
-from ..scenes.failing import MISSED_HIT, FailureCase
-from ..scenes.resolve import RUNS, SceneLike, refused_case, trace_of
-from . import comparison_panels, stages
+from ..engine.sat import AxisTest
+from ..engine.trace import Trace
+from ..scenes.failing import MISSED_HIT, FailureCase, case_of
+from ..scenes.failing.failure_case import Panels
+from ..scenes.resolve import EXPECT_RUN, SceneLike, resolve
+from . import stages
 from .caption import wrapped
-from .claims import about_push, heading, is_near, row_of, said, verdicts
-from .comparison_panels import Panel, arrange
+from .claims import answers, heading, verdict_words
+from .comparison_panels import PANELS, draw_pieces_panel
+from .default_panels import arrange, claimed_tests, drawable_test, panel_layouts
 from .labels import Request, with_labels
-from .layout import HEIGHT, WIDTH, Group, Layout, moved, padded, text_box
+from .layout import HEIGHT, WIDTH, Group, Layout, text_box
 from .marks import Mark, Picture
 from .panels import moved_to
 from .sketch import Sketch
-from .stages import (
-    BEFORE_THE_AXIS,
-    OF_A_TEST,
-    Stage,
-    Step,
-    draw_mtv,
-    draw_test,
-    draw_verdict,
-    others,
-    separating_line,
-    shifted,
-)
+from .stages import BEFORE_THE_AXIS, OF_A_TEST, Stage, Step, draw_test, others
 
-SAW, IS = "what the shortcut saw", "what is"
-PANEL = 340.0, 300.0  # the largest, in points
+CLAIMED, ACTUAL = "what the shortcut saw", "what is"
+READ_OFF_RANGES = "gap", "depth"  # quantities whose number stands at the bars of the ranges
+# a stage, and the later one whose labels leave space for what comes next, so that nothing jumps
 FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
-BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0  # points between the panels, for each one's heading, round the words above
-BOTH = 2 * PANEL[0] + BETWEEN
-SMALLEST = 170.0  # points: a smaller panel has no room for its words
-TALL = 1.5  # times its width from which a canvas has the panels one above the other
+# in points
+MAX_PANEL = 340.0, 300.0
+BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0  # between the panels, for each one's heading, around the words above
+BOTH = 2 * MAX_PANEL[0] + BETWEEN
+MIN_PANEL = 170.0  # a smaller panel has no space for its words
+TALL = 1.5  # a canvas that is this many times as tall as wide has the panels one above the other
 
 
 def picture(
@@ -52,108 +41,69 @@ def picture(
     largest: tuple[float, float] = (WIDTH, HEIGHT),
     by_itself: bool = False,
 ) -> Picture:
-    """The picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
+    """Return the picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
 
-    Of a trace, or of a scene (or its name).  A shortcut's trace gives two panels: the step as the shortcut
+    `what` is a trace, or a scene (or its name).  A shortcut's trace gives two panels: the step as the shortcut
     takes it, and what is.  A failing scene whose outlines are refused has one picture, with the reason.
     `largest`: the canvas in points at most; on one much taller than wide the panels stand one above the other.
     All steps have one scale and one canvas; `by_itself` cuts it to what this step shows (never of two panels).
     IndexError for a step the trace does not have.
     """
-    if row := refused_case(what):
-        return refused(row, title=title, width=min(BOTH, largest[0]) if largest != (WIDTH, HEIGHT) else BOTH)
-    trace = trace_of(what, takes=RUNS)
+    found = resolve(what, expected=EXPECT_RUN)
+    if found.refused:
+        width = BOTH if largest == (WIDTH, HEIGHT) else min(BOTH, largest[0])
+        return refused_picture(found.refused, title=title, width=width)
+    trace = found.trace
     if not trace.shortcut:
         return stages.picture(trace, step, title=title, largest=largest, by_itself=by_itself)
     step = stages.chosen(trace, step)
-    panel, stacked = _panel(largest)
-    return _put(trace, _saw(trace, step, panel), _what_is(trace, panel), _room(trace, panel), title, stacked=stacked)
+    panel, stacked = _panel_size(largest)
+    pair = _claimed_step(trace, step, panel), _actual_panel(trace, panel)
+    return _join(trace, *pair, _space_for_all_steps(trace, panel), title, stacked=stacked)
 
 
-def _panel(largest: tuple[float, float]) -> tuple[tuple[float, float], bool]:
-    """The largest panel on a canvas, and whether the other one stands below it.
+def _panel_size(largest: tuple[float, float]) -> tuple[tuple[float, float], bool]:
+    """Return the largest panel on a canvas, and whether the panels stand one above the other.
 
-    On a canvas that has no room for both it is larger, and the whole is shown smaller.
+    Where the canvas has no space for both, the panels are larger than it has, and the whole is shown smaller.
     """
     if largest == (WIDTH, HEIGHT):
-        return PANEL, False
+        return MAX_PANEL, False
     width, height = largest
     if stacked := height > TALL * width:
         height = (height - 5 * HEAD) / 2
     else:
         width, height = (width - BETWEEN) / 2, height - 4 * HEAD
-    return (max(width, SMALLEST), max(height, SMALLEST)), stacked
+    return (max(width, MIN_PANEL), max(height, MIN_PANEL)), stacked
 
 
-def _own(panels: dict[str, Panel], trace: Trace) -> Panel | None:
-    return panels.get(trace.shortcut.name) if trace.shortcut and row_of(trace) else None
+@lru_cache(maxsize=64)
+def _space_for_all_steps(trace: Trace, largest: tuple[float, float]) -> tuple[float, float]:
+    """Return the width and height of the largest panel of all steps."""
+    tests = [test for run in trace.pairs or (trace,) for test in run.tests]
+    sizes = [_claimed_panel(trace, largest).size, _actual_panel(trace, largest).size]
+    sizes += [_test_layout(trace, test, largest).size for test in tests]
+    heads = [text_box(name)[0] + RIM for name in (CLAIMED, ACTUAL)]
+    return max(*heads, *(w for w, _ in sizes)), max(h for _, h in sizes)
+
+
+@lru_cache(maxsize=256)
+def _test_layout(trace: Trace, test: AxisTest, largest: tuple[float, float]) -> Layout:
+    """Return the layout that all steps of one test share, so that nothing jumps between them."""
+    return arrange([Group([trace.a, trace.b], [drawable_test(trace, test)])], largest=largest)[0]
 
 
 # -- the two panels
 
 
 @lru_cache(maxsize=64)
-def _layouts(trace: Trace, largest: tuple[float, float]) -> tuple[Layout, Layout]:
-    """Both panels' at last, on one scale: with a place for each test that the shortcut goes by; for the true one."""
-    truth = true_test(trace)
-    tests = [_with_room(trace, test) for test in believed_tests(trace)], [truth] if truth else []
-    drawn = _drawn(trace, trace.push if about_push(trace) else None), _drawn(trace, trace.truth.known_mtv)
-    found = [arrange([Group(shapes, of)], largest=largest)[0] for shapes, of in zip(drawn, tests, strict=True)]
-    small, large = sorted((0, 1), key=lambda k: found[k].scale)
-    found[large] = _on_scale(found[small].scale, drawn[large], tests[large], largest) or found[large]
-    size = max(layout.size[0] for layout in found), max(layout.size[1] for layout in found)
-    return padded(found[0], size), padded(found[1], size)
-
-
-def _on_scale(
-    scale: float, shapes: Sequence[Shape], tests: Sequence[AxisTest], largest: tuple[float, float]
-) -> Layout | None:
-    """The largest layout that is on no larger scale: looked for by halving, as the room for labels is in points."""
-    least, most, found = 0.3, 1.0, None
-    for _ in range(8):
-        part = (least + most) / 2
-        layout = arrange([Group(shapes, tests)], largest=(largest[0] * part, largest[1] * part))[0]
-        if layout.scale > scale:
-            most = part
-        else:
-            least, found = part, layout
-    return found
-
-
-@lru_cache(maxsize=256)
-def _test_layout(trace: Trace, test: AxisTest, largest: tuple[float, float]) -> Layout:
-    """That of the steps of one test, between which nothing jumps."""
-    return arrange([Group([trace.a, trace.b], [_with_room(trace, test)])], largest=largest)[0]
-
-
-def _with_room(trace: Trace, test: AxisTest) -> AxisTest:
-    """The test, or for one without a direction another, in whose place words will stand."""
-    return test if any(test.axis.normal) else next(t for t in trace.tests if any(t.axis.normal))
-
-
-@lru_cache(maxsize=64)
-def _room(trace: Trace, largest: tuple[float, float]) -> tuple[float, float]:
-    """What the largest panel of all steps takes."""
-    tests = [test for run in trace.pairs or (trace,) for test in run.tests]
-    sizes = [_believed(trace, largest).size, _what_is(trace, largest).size]
-    sizes += [_test_layout(trace, test, largest).size for test in tests]
-    heads = [text_box(name)[0] + RIM for name in (SAW, IS)]
-    return max(*heads, *(w for w, _ in sizes)), max(h for _, h in sizes)
-
-
-def _drawn(trace: Trace, move: Vec | None) -> list[Shape]:
-    """The shapes, and where B is moved to, which must fit too."""
-    return [trace.a, trace.b, *([shifted(trace.b, move)] if move and is_near(trace, move) else [])]
-
-
-@lru_cache(maxsize=64)
-def _saw(trace: Trace, step: Step, largest: tuple[float, float]) -> Picture:
-    """A step of the shortcut's run; at last its number, struck out where it is wrong."""
+def _claimed_step(trace: Trace, step: Step, largest: tuple[float, float]) -> Picture:
+    """Return a step of the shortcut's run; the last one shows its answer, struck out where it is wrong."""
     if step.stage is Stage.VERDICT:
-        return _believed(trace, largest)
+        return _claimed_panel(trace, largest)
     run = trace if step.pair is None else trace.pairs[step.pair]
     test = None if step.test is None else run.tests[step.test]
-    layout = _test_layout(trace, test, largest) if test else _layouts(trace, largest)[0]
+    layout = _test_layout(trace, test, largest) if test else panel_layouts(trace, largest)[0]
     sketch = Sketch(run, layout)
     if step.pair is not None:
         others(sketch, trace, run)
@@ -161,95 +111,62 @@ def _saw(trace: Trace, step: Step, largest: tuple[float, float]) -> Picture:
         draw_test(sketch, step.stage, step.test, None if step.stage in BEFORE_THE_AXIS else layout.places[0])
     else:
         sketch.shapes()
-    fuller = FULLER.get(step.stage)  # whose labels leave room for what comes next, so that nothing jumps
-    kept = _saw(trace, step._replace(stage=fuller), largest).labels if fuller else ()
+    fuller = FULLER.get(step.stage)
+    kept = _claimed_step(trace, step._replace(stage=fuller), largest).labels if fuller else ()
     return sketch.finish("", stages.sentence(run, step), kept=kept)
 
 
+def _panels(trace: Trace) -> Panels:
+    """Return the names of a trace's panels: the failing case's own, or the default ones."""
+    case = case_of(trace.shortcut)
+    return case.panels if case else Panels()
+
+
 @lru_cache(maxsize=64)
-def _believed(trace: Trace, largest: tuple[float, float]) -> Picture:
-    """The tests that the shortcut goes by, what it says, and where it would push B."""
-    own = comparison_panels.pieces if trace.pairs else _own(comparison_panels.SAW, trace)
-    sketch = own(trace, largest) if own else _tests_believed(trace, largest)
-    answer(sketch, trace, "claim", verdicts(trace)[0], said(trace).wrong)
-    return struck(sketch.finish("", trace.sentence, steady=False), trace)
+def _claimed_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
+    """Return what the shortcut's answer comes from, with the answer, struck out where it is wrong."""
+    draw = draw_pieces_panel if trace.pairs else PANELS[_panels(trace).claimed]
+    sketch = draw(trace, largest)
+    draw_answer(sketch, trace, "claim", verdict_words(trace)[0], answers(trace).claimed)
+    return strike_wrong_answers(sketch.finish("", trace.sentence, steady=False), trace)
 
 
-def answer(sketch: Sketch, trace: Trace, part: str, word: str, number: str) -> None:
-    """A panel's verdict, and its number where that is more than the gap, which stands at its bar."""
+@lru_cache(maxsize=64)
+def _actual_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
+    """Return what proves the truth, with the right answer."""
+    sketch = PANELS[_panels(trace).actual](trace, largest)
+    draw_answer(sketch, trace, "verdict", verdict_words(trace)[1], answers(trace).actual)
+    return sketch.finish("", trace.truth.sentence, steady=False)
+
+
+def draw_answer(sketch: Sketch, trace: Trace, part: str, word: str, number: str) -> None:
+    """Draw a panel's verdict as the mark `part`, and its number unless this is the gap, which stands at its bar."""
     if word:
         sketch.note(part, word, "ink", weight="title", first=1)
-    row = row_of(trace)
-    if row and row.what != "gap":
+    case = case_of(trace.shortcut)
+    if case and case.quantity != "gap":
         sketch.note("number", number, "ink", first=2)
 
 
-def _tests_believed(trace: Trace, largest: tuple[float, float]) -> Sketch:
-    layout, _ = _layouts(trace, largest)
-    sketch = Sketch(trace, layout)
-    sketch.shapes()
-    told = believed_tests(trace)
-    for test, place in zip(told, layout.places, strict=False):
-        if any(test.axis.normal):
-            if len(told) == 1:
-                sketch.edge(test)
-                sketch.normal(test)
-            sketch.project(test, place, drops=len(told) == 1, interval=False)
-        else:
-            sketch.no_axis(test)
-    if len(told) < len(trace.tests) and not trace.ended_by:
-        sketch.note("tested", f"the least overlap of {len(trace.tests)} axes", "guide", first=7)
-    draw_push(sketch)
-    return sketch
-
-
-def believed_tests(trace: Trace) -> list[AxisTest]:
-    """The tests that the answer comes from: the one that ended the run; else all if they are two, or the least."""
-    if trace.ended_by:
-        return [trace.ended_by]
-    return list(trace.tests) if len(trace.tests) == 2 else [trace.shallowest] if trace.shallowest else []
-
-
-def draw_push(sketch: Sketch) -> None:
-    """B where the shortcut would push it, if that is what it is about."""
-    trace = sketch.trace
-    if not about_push(trace) or not trace.push:
-        return
-    start = tip = centroid(trace.b)
-    text = f"push {describe.digits(trace).vector(trace.push)}"
-    if not is_near(trace, trace.push):
-        text += ",\nout of the picture"
-    elif any(trace.push):
-        tip = moved(start, trace.push, 1.0)
-        sketch.shape("B", f"{trace.names.b} pushed", shifted(trace.b, trace.push), weight="faint", named=False)
-        sketch.add("push", "arrow", "move", start, tip, start=(start,))
-    prefer = trace.push if any(trace.push) else Vec(0.0, 1.0)
-    sketch.label("push-name", text, "move", tip, prefer=prefer, far=not is_near(trace, trace.push), first=3)
-
-
-GAPS = "gap", "depth"  # numbers that are read off the ranges
-
-
-def struck(drawn: Picture, trace: Trace) -> Picture:
-    """The picture with a line through every answer that is wrong."""
-    found = said(trace)
-    if not found.is_wrong:
+def strike_wrong_answers(drawn: Picture, trace: Trace) -> Picture:
+    """Return the picture with a line through every answer that is wrong."""
+    if not answers(trace).is_wrong:
         return drawn
-    claim, verdict = verdicts(trace)
-    told, row = believed_tests(trace), row_of(trace)
-    best = max((test.gap for test in told), default=0.0)
-    read = {str(trace.tests.index(test) + 1) for test in told if test.gap == best}
+    claim, verdict = verdict_words(trace)
+    tests, case = claimed_tests(trace), case_of(trace.shortcut)
+    best = max((test.gap for test in tests), default=0.0)
+    axes = {str(trace.tests.index(test) + 1) for test in tests if test.gap == best}
     wrong = {"push-name", "number"} | ({"claim"} if claim != verdict else set())
-    missed = trace.missed_hit or (row is not None and row.how == MISSED_HIT)
+    missed = trace.missed_hit or (case is not None and case.how == MISSED_HIT)
     if not (missed and trace.proves):  # there the gap is right, and only what follows from it is wrong
-        wrong |= {"gap-name"} if claim != verdict or (row and row.what in GAPS) else set()
-    labels = (mark for mark in drawn.marks if mark.kind == "label" and mark.part in wrong)
-    struck = [_strike(mark, drawn.scale) for mark in labels if mark.part != "gap-name" or mark.axis in read]
-    return drawn._replace(marks=(*drawn.marks, *struck))
+        wrong |= {"gap-name"} if claim != verdict or (case and case.quantity in READ_OFF_RANGES) else set()
+    labels = (mark for mark in drawn.labels if mark.part in wrong)
+    lines = [_strike(mark, drawn.scale) for mark in labels if mark.part != "gap-name" or mark.axis in axes]
+    return drawn._replace(marks=(*drawn.marks, *lines))
 
 
 def _strike(label: Mark, scale: float) -> Mark:
-    """A line through each line of a label."""
+    """Return a line through each line of a label."""
     (x, y), lines = label.points[0], label.text.split("\n")
     high = text_box(label.text, label.weight)[1] / len(lines) / scale
     ends: list[Vec] = []
@@ -259,67 +176,12 @@ def _strike(label: Mark, scale: float) -> Mark:
     return Mark(f"{label.part}-strike", "segment", "ink", tuple(ends), label.owner, label.axis, label.number)
 
 
-def true_test(trace: Trace) -> AxisTest | None:
-    """What to show of the truth: the axis that separates best, or the shortcut's own axis with its true ranges."""
-    run = true_run(trace)
-    if run.pairs:
-        return None
-    best = max(run.tests, key=lambda test: test.gap)
-    ended = trace.ended_by
-    if best.gap > 0 or ended is None or not any(ended.axis.normal):
-        return best
-    return next(axis_tests(trace.a, trace.b, [ended.axis]))
+# -- outlines that the engine refuses
 
 
-@lru_cache(maxsize=64)
-def true_run(trace: Trace) -> Trace:
-    """The exact run; of concave outlines that over their hulls where a line separates them."""
-    truth = trace.truth
-    if not truth.pairs:
-        return truth
-    hull = record(trace.a, trace.b, axes=hull_normals, every_axis=True)
-    return hull if hull.separating else truth
-
-
-@lru_cache(maxsize=64)
-def _what_is(trace: Trace, largest: tuple[float, float]) -> Picture:
-    """What proves the truth: the separating axis and line, or the contact, the true ranges and the way out."""
-    own = _own(comparison_panels.IS, trace)
-    sketch = own(trace, largest) if own else _proof(trace, largest)
-    answer(sketch, trace, "verdict", verdicts(trace)[1], said(trace).right)
-    return sketch.finish("", trace.truth.sentence, steady=False)
-
-
-def _proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
-    _, layout = _layouts(trace, largest)
-    run, test = true_run(trace), true_test(trace)
-    if test is None:
-        sketch = Sketch(run, layout)
-        draw_verdict(sketch, layout.places, told=False)
-        return sketch
-    run = replace(run, choice=Choice((test.axis,), complete=run.choice.complete), tests=(test,))
-    place = layout.places[-1]
-    sketch = Sketch(run, layout)
-    sketch.shapes()
-    certificate = trace.truth.certificate if trace.hit else run.certificate
-    if isinstance(certificate, SeparatingLine):
-        separating_line(sketch, certificate)
-    elif isinstance(certificate, SharedPoint):
-        sketch.add("shared", "dot", "ink", certificate.point)
-        sketch.label("shared-name", "in both", "ink", certificate.point, first=4)
-        move = trace.truth.known_mtv
-        if move and any(move):
-            draw_mtv(sketch, certificate.point, move)
-    sketch.project(test, place, drops=False, interval=False)
-    return sketch
-
-
-# -- refused at the door
-
-
-def refused(row: FailureCase, *, title: str = "", width: float = BOTH) -> Picture:
-    """The outlines of a row that the engine refuses, and the reason; `width` in points."""
-    rings = [[Vec(*map(float, point)) for point in ring] for ring in (row.a, row.b) if not isinstance(ring, Shape)]
+def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH) -> Picture:
+    """Return the outlines of a failing case that the engine refuses, with the reason; `width` in points."""
+    rings = [[Vec(*map(float, point)) for point in ring] for ring in case.raw_outlines]
     xs, ys = [p.x for ring in rings for p in ring], [p.y for ring in rings for p in ring]
     k = min(260.0, width - 80.0) / max(max(xs) - min(xs), max(ys) - min(ys))
     low = (max(ys) - min(ys)) * k + 80.0
@@ -337,25 +199,27 @@ def refused(row: FailureCase, *, title: str = "", width: float = BOTH) -> Pictur
             requests.append(Request("vertex-name", label, name, spot, owner=name, number=i, prefer=away))
     layout = Layout((0.0, 0.0, width, low), (width, low), ())
     drawn = with_labels(marks, requests, layout, steady=False, keep_off=())
-    return _under(f"Claim: {row.claim}.", f"Refused: {row.truth}.", width, low, drawn, title or row.claim)
+    return _under_heading((f"Claim: {case.claim}.", f"Refused: {case.actual}."), width, low, drawn, title or case.claim)
 
 
-# -- put together
+# -- the parts put together
 
 
-def _put(
-    trace: Trace, saw: Picture, truth: Picture, room: tuple[float, float], title: str, *, stacked: bool
+def _join(
+    trace: Trace, claimed: Picture, actual: Picture, space: tuple[float, float], title: str, *, stacked: bool
 ) -> Picture:
-    """Both panels under the claim, in points, each with that room: all steps are as large.
+    """Return both panels under the claim, in points; each has the same space, so that all steps are equally large.
 
-    `stacked`: the shortcut's above the true one.
+    `stacked`: the claimed panel stands above the actual one, not to its left.
     """
-    wide, high = room
+    wide, high = space
     cell = high + HEAD
     width, height = (wide, 2 * cell + BETWEEN) if stacked else (2 * wide + BETWEEN, cell)
-    there = Vec(0.0, 0.0) if stacked else Vec(wide + BETWEEN, 0.0)
+    corners = Vec(0.0, height - cell), Vec(0.0, 0.0) if stacked else Vec(wide + BETWEEN, 0.0)
     marks = []
-    for prefix, name, panel, at in ("saw", SAW, saw, Vec(0.0, height - cell)), ("is", IS, truth, there):
+    for prefix, name, panel, at in zip(
+        ("claimed", "actual"), (CLAIMED, ACTUAL), (claimed, actual), corners, strict=True
+    ):
         spot = Vec(at.x + wide / 2, at.y + high + HEAD / 2)
         marks.append(Mark(f"{prefix}-heading", "label", "guide", (spot,), text=name))
         corner = Vec(at.x + (wide - panel.size[0]) / 2, at.y + high - panel.size[1])
@@ -365,16 +229,17 @@ def _put(
         (Vec(8.0, across), Vec(width - 8.0, across)) if stacked else (Vec(width / 2, 8.0), Vec(width / 2, cell - 4.0))
     )
     marks.append(Mark("between", "segment", "guide", line))
-    return _under(*heading(trace), width, height, marks, title)._replace(sentence=saw.sentence)
+    return _under_heading(heading(trace), width, height, marks, title)._replace(sentence=claimed.sentence)
 
 
-def _under(claim: str, wrong: str, width: float, low: float, below: Sequence[Mark], title: str) -> Picture:
-    """Marks, in points, under the claim and what is wrong with it."""
-    room = width - 2 * RIM
-    if text_box(wrong)[0] > room:
+def _under_heading(words: tuple[str, str], width: float, low: float, below: Sequence[Mark], title: str) -> Picture:
+    """Return marks, in points and `low` points high, under the claim and the sentence that says what is wrong."""
+    claim, wrong = words
+    space = width - 2 * RIM
+    if text_box(wrong)[0] > space:
         wrong = wrong.replace(" Right: ", "\nRight: ")
-    lines = "\n".join(wrapped(line, room) for line in wrong.split("\n"))
-    texts = [(wrapped(claim, room, "title"), "title"), (lines, "plain")]
+    lines = "\n".join(wrapped(line, space) for line in wrong.split("\n"))
+    texts = [(wrapped(claim, space, "title"), "title"), (lines, "plain")]
     height = round(low + sum(text_box(*text)[1] + 4.0 for text in texts) + RIM)
     marks, top = [], height - RIM
     for part, (text, weight) in zip(("heading", "wrong"), texts, strict=True):

@@ -1,15 +1,17 @@
-"""A shortcut's run under the hand, and the map of where it is wrong as B moves."""
+"""A shortcut's run while a shape is dragged, with its error region: where it is wrong as B moves."""
 
 from functools import lru_cache
 from itertools import pairwise
 
 from ..engine.geometry import Vec
 from ..engine.trace import Trace
-from ..scenes.failing.where import ErrorRegion, error_region_in_view
-from ..scenes.shortcuts import middle
+from ..scenes.error_region import error_region_in_view
+from ..scenes.failing.move_space import RegionOrReason
+from ..scenes.shape_tools import vertex_mean
 from . import comparison_panels, live
-from .claims import said, verdicts
-from .comparison import answer, draw_push, struck
+from .claims import answers, verdict_words
+from .comparison import draw_answer, strike_wrong_answers
+from .default_panels import draw_push
 from .labels import Standing
 from .layout import AxisPlace, Layout, place_within
 from .marks import Mark, Picture
@@ -25,10 +27,13 @@ def drag_view(
     near: Vec | None = None,
     stood: Standing | None = None,
 ) -> tuple[Picture, AxisPlace | None]:
-    """A shortcut's run under the hand: what it saw by the chosen test, its answer, and a map of where it lies."""
+    """Return the picture of a shortcut's run while dragging, and where its axis was placed (None: none is shown).
+
+    The picture shows what the shortcut measured in the chosen test, its answer and its error region.
+    """
     sketch, place = Sketch(trace, layout), None
-    where = map_of_lies(trace, layout)
-    sketch.marks += [mark for mark in where if mark.part == "reference"]  # words keep off it
+    region = error_region_marks(trace, layout)
+    sketch.marks += [mark for mark in region if mark.part == "reference"]  # words keep off it
     test = trace.tests[chosen.test] if chosen and trace.tests else None
     if trace.pairs:
         comparison_panels.draw_pieces(sketch)
@@ -42,47 +47,47 @@ def drag_view(
         sketch.edge(test)
         sketch.normal(test)
         sketch.project(test, place, interval=False)
-    answer(sketch, trace, "claim", verdicts(trace)[0], said(trace).wrong)
+    draw_answer(sketch, trace, "claim", verdict_words(trace)[0], answers(trace).claimed)
     if way_out and not trace.pairs:  # pieces show their pushes themselves
         draw_push(sketch)
-    if where:
-        text = f"dot {'on' if where[0].kind == 'segment' else 'in'} the red:\nthe shortcut is wrong"
-        sketch.note("lies-name", text, "ink", first=6)  # red words would be lost on the red
-    drawn = struck(sketch.finish("", trace.sentence, steady=False, stood=stood), trace)
-    return drawn._replace(marks=(*(mark for mark in where if mark.part != "reference"), *drawn.marks)), place
+    if region:
+        text = f"dot {'on' if region[0].kind == 'segment' else 'in'} the red:\nthe shortcut is wrong"
+        sketch.note("error-region-name", text, "ink", first=6)  # red words would be lost on the red
+    drawn = strike_wrong_answers(sketch.finish("", trace.sentence, steady=False, stood=stood), trace)
+    return drawn._replace(marks=(*(mark for mark in region if mark.part != "reference"), *drawn.marks)), place
 
 
-def map_of_lies(trace: Trace, layout: Layout) -> list[Mark]:
-    """Where B's middle would have to be for the shortcut to say the wrong thing, and a dot where it is."""
-    at, found = middle(trace.b), _lies(trace, layout)
+def error_region_marks(trace: Trace, layout: Layout) -> list[Mark]:
+    """Return marks where B's vertex mean has to be for a wrong answer, and a dot where it is; [] if nowhere."""
+    mean, found = vertex_mean(trace.b), _error_region(trace, layout)
     if isinstance(found, str):
         return []
     marks = []
     for i, ring in enumerate((*found.false_hits, *found.missed_hits, *found.numbers)):
-        spots = tuple(Vec(p.x + at.x, p.y + at.y) for p in ring)
-        marks.append(Mark("lies", "outline", "wrong", spots, number=i))
+        spots = tuple(Vec(p.x + mean.x, p.y + mean.y) for p in ring)
+        marks.append(Mark("error-region", "outline", "wrong", spots, number=i))
     for i, ring in enumerate(found.hits if found.touching else ()):
-        spots = tuple(Vec(p.x + at.x, p.y + at.y) for p in (*ring, ring[0]))
+        spots = tuple(Vec(p.x + mean.x, p.y + mean.y) for p in (*ring, ring[0]))
         ends = tuple(end for pair in pairwise(spots) for end in pair)
-        marks.append(Mark("lies-along", "segment", "wrong", ends, number=i))
-    return [*marks, Mark("reference", "dot", "ink", (at,))] if marks else []
+        marks.append(Mark("error-region-along", "segment", "wrong", ends, number=i))
+    return [*marks, Mark("reference", "dot", "ink", (mean,))] if marks else []
 
 
-def about_map(trace: Trace, layout: Layout) -> str:
-    """What the map of lies shows, or why there is none."""
-    found = _lies(trace, layout)
+def describe_error_region(trace: Trace, layout: Layout) -> str:
+    """Return a sentence that says what the red region shows, or why there is none."""
+    found = _error_region(trace, layout)
     if isinstance(found, str):
         return f"No map of where it is wrong: {found}."
-    if not map_of_lies(trace, layout):
+    if not error_region_marks(trace, layout):
         return "No red on the map: wherever B lies in this picture, the shortcut is right."
     where = "on the red line" if found.touching else "in the red"
     return f"The map: while the dot, the middle of B, lies {where}, the shortcut is wrong."
 
 
-def _lies(trace: Trace, layout: Layout) -> ErrorRegion | str:
-    """Those of a shortcut's run on the canvas."""
+def _error_region(trace: Trace, layout: Layout) -> RegionOrReason:
+    """Return the error region of a shortcut's run on the canvas, or why there is none."""
     assert trace.shortcut
-    return _lies_of(trace.a, trace.b, trace.shortcut, layout.limits)
+    return _cached_region(trace.a, trace.b, trace.shortcut, layout.limits)
 
 
-_lies_of = lru_cache(maxsize=2)(error_region_in_view)  # asked of one pose twice: for the map and for the words about it
+_cached_region = lru_cache(maxsize=2)(error_region_in_view)  # needed twice a pose: for the marks and for the words

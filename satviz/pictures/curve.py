@@ -11,7 +11,7 @@ from ..engine.geometry import Vec
 from ..engine.sat import axis_tests
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import PLAIN
-from ..scenes.resolve import SceneLike, pair_of
+from ..scenes.resolve import SceneLike, resolve
 from .labels import Request, with_labels
 from .layout import Layout
 from .marks import Mark, Picture
@@ -34,7 +34,7 @@ def gap_curve(
     """
     if degree is not None and not (isinstance(degree, Real) and isfinite(degree)):
         raise ValueError(f"degree is {degree!r}: pass a finite number")
-    a, b = pair_of(what, b)
+    a, b = resolve(what, b).shapes
     candidates = [(_degree(t.axis), t.gap, t.axis) for t in axis_tests(a, b)]
     grid = {float(d) for d in range(181)} | {d for d, _, _ in candidates}
     points = [(d, gap_at(a, b, d)) for d in sorted(grid)]

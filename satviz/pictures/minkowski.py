@@ -12,8 +12,8 @@ from ..engine.number_format import MINUS
 from ..engine.sat import AxisTest
 from ..engine.shapes import Polygon, Shape
 from ..engine.trace import Trace, record
-from ..scenes.failing.plane import difference as rings
-from ..scenes.resolve import SceneLike, trace_of
+from ..scenes.failing.move_space import minkowski_difference
+from ..scenes.resolve import SceneLike, resolve
 from .insets import SMALLEST
 from .layout import Group, arrange, moved
 from .marks import Picture
@@ -29,9 +29,9 @@ def difference(
     the gap on it, or the way out as the shortest way from the origin to the rim.  Of concave outlines B - A is
     drawn part by part.  ValueError for what cannot be drawn.
     """
-    run = trace_of(what, b).truth
+    run = resolve(what, b).trace.truth
     # A - B is where B's moves lead into A; seen from the origin, B - A is that turned half round
-    found = [tuple(Vec(-p.x, -p.y) for p in ring) for ring in rings(run.a, run.b)]
+    found = [tuple(Vec(-p.x, -p.y) for p in ring) for ring in minkowski_difference(run.a, run.b)]
     best = max(run.tests, key=lambda test: test.gap, default=None)
     foot = _foot(best, found) if best and best.gap > 0 else Vec(0.0, 0.0)
     move = run.known_mtv or Vec(0.0, 0.0)

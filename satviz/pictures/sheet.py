@@ -9,7 +9,7 @@ from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
-from ..scenes.resolve import SceneLike, trace_of
+from ..scenes.resolve import SceneLike, resolve
 from .caption import wrapped
 from .layout import box_of, text_box
 from .marks import Mark, Picture
@@ -40,7 +40,7 @@ def sheet(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "") -
     the early exit left out are shown faintly.  Of more than 12 axes those that tell most: what separates,
     then the largest gaps.
     """
-    trace = trace_of(what, b)
+    trace = resolve(what, b).trace
     every = list(_rows(trace))
     told_first = sorted(every, key=lambda row: (-(row.made and row.test.separates), -row.made, -row.test.gap))
     shown = [row for row in every if row in told_first[:MOST_ROWS]]

@@ -10,9 +10,10 @@ from ..engine.axes import ANY, CENTROIDS, GIVEN, WORLD
 from ..engine.certificate import PartLines, SeparatingLine, SharedPoint
 from ..engine.convex_parts import named_parts
 from ..engine.geometry import Relation, Vec
-from ..engine.shapes import Circle, Shape
+from ..engine.shapes import Shape
 from ..engine.trace import Trace, record
-from ..scenes.resolve import RUNS, SceneLike, trace_of
+from ..scenes.resolve import EXPECT_RUN, SceneLike, resolve
+from ..scenes.shape_tools import translated
 from .insets import with_insets
 from .layout import HEIGHT, WIDTH, AxisPlace, Group, Layout, arrange, moved, padded
 from .marks import Mark, Picture
@@ -49,7 +50,7 @@ class Step(NamedTuple):
 
 def steps(what: SceneLike) -> list[Step]:
     """Every step of a trace in drawing order, from the bare scene to the verdict; of a scene, of its trace."""
-    trace = trace_of(what, takes=RUNS)
+    trace = resolve(what, expected=EXPECT_RUN).trace
     found = [Step(Stage.SCENE)]
     if trace.pairs:
         found.append(Step(Stage.PARTS))
@@ -158,14 +159,7 @@ def _moved_too(trace: Trace) -> list[Shape]:
     """The shapes, and where the verdict moves B to, which must fit too."""
     shapes: list[Shape] = [trace.a, trace.b]
     move = trace.known_mtv
-    return shapes if move is None else [*shapes, shifted(trace.b, move)]
-
-
-def shifted(shape: Shape, move: Vec) -> Shape:
-    """The shape moved, rounded: for drawing only."""
-    if isinstance(shape, Circle):
-        return Circle(moved(shape.center, move, 1.0), shape.radius)
-    return type(shape)([moved(v, move, 1.0) for v in shape.vertices], shape.labels)
+    return shapes if move is None else [*shapes, translated(trace.b, move)]
 
 
 def first_role(trace: Trace, test: int) -> str:
@@ -280,7 +274,7 @@ def draw_move(sketch: Sketch) -> None:
 
 def draw_mtv(sketch: Sketch, start: Vec, move: Vec) -> None:
     """The move from a point in both, and B there."""
-    ghost = shifted(sketch.trace.b, move)
+    ghost = translated(sketch.trace.b, move)
     sketch.shape("B", f"{sketch.trace.names.b} moved", ghost, weight="faint", named=False)
     tip = moved(start, move, 1.0)
     sketch.add("mtv", "arrow", "move", start, tip, start=(start,))

@@ -10,11 +10,11 @@ from ..engine import describe
 from ..engine.shapes import Shape
 from ..pictures import DARK, LIGHT, picture
 from ..pictures.claims import heading
-from ..pictures.comparison import refused
+from ..pictures.comparison import refused_picture
 from ..pictures.playback import NARROW, narrow, playbacks
 from ..safe_write import MADE_BY
 from ..scenes.failing import FailureCase
-from ..scenes.resolve import SceneLike, refused_case, trace_of
+from ..scenes.resolve import SceneLike, resolve
 from .files import inline_svg
 from .script import javascript, stylesheet
 
@@ -49,9 +49,10 @@ def page(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "", pr
     A failing scene whose outlines are refused has no steps: its picture and the reason.
     ValueError for a scene that cannot be drawn, or one with too many steps.
     """
-    if b is None and (row := refused_case(what)):
-        return _refused(row)
-    trace = trace_of(what, b)
+    found = resolve(what, b)
+    if found.refused:
+        return _refused(found.refused)
+    trace = found.trace
     if predict and trace.shortcut:
         trace = trace.truth
     shows = playbacks(trace)
@@ -102,9 +103,9 @@ def _page(title: str, about: str, policy: str, body: Sequence[str]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _refused(row: FailureCase) -> str:
+def _refused(case: FailureCase) -> str:
     """A page without a script: the picture as wide as a telephone, in the colours of the reader's screen."""
-    drawn = refused(row, width=NARROW[0])
+    drawn = refused_picture(case, width=NARROW[0])
     figures = (f'<figure class="sv-{t.name}">{inline_svg(drawn, t, stem=t.name)}</figure>' for t in (LIGHT, DARK))
     body = ['<section class="sv-static">', *figures, "</section>", f"<footer>{MADE_BY}</footer>"]
     policy = "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'"

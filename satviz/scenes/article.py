@@ -1,22 +1,8 @@
 """The article's scenes."""
 
-from math import cos, radians, sin
-
 from ..engine.shapes import Circle, Polygon
 from .scenefile import Scene
-
-
-def box(x0: float, y0: float, x1: float, y1: float) -> Polygon:
-    """An upright box from its lower left to its upper right corner."""
-    return Polygon([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
-
-
-def turned_box(center: tuple[float, float], width: float, height: float, degrees: float) -> Polygon:
-    """A box turned counter-clockwise about its center."""
-    c, s = cos(radians(degrees)), sin(radians(degrees))
-    corners = ((-width / 2, -height / 2), (width / 2, -height / 2), (width / 2, height / 2), (-width / 2, height / 2))
-    return Polygon([(center[0] + x * c - y * s, center[1] + x * s + y * c) for x, y in corners])
-
+from .shape_tools import box, turned_box
 
 TRIANGLE_A = Polygon([(0, 1), (3, 2), (1, 5)])
 TRIANGLE_B = Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])

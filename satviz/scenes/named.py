@@ -1,8 +1,9 @@
-"""Every scene by its name: the article's and the failing ones."""
+"""Every built-in scene by its name: the article's scenes and the failing cases."""
 
-from ..engine.geometry import InvalidScene
+from ..engine.geometry import InvalidScene, InvalidShape
 from ..engine.polygon_validation import shown
 from .article import SCENES
+from .failing import FAILURE_CASES, REFUSED, FailureCase
 from .failing import NAMED as FAILING
 from .scenefile import Scene
 
@@ -10,14 +11,35 @@ ARTICLE = {scene.name: scene for scene in SCENES}
 
 
 def names() -> list[str]:
-    """Every name that `scene` knows, the article's first."""
+    """Return every name that `scene` knows, the article's first."""
     return [*ARTICLE, *FAILING]
 
 
 def scene(name: str) -> Scene:
-    """The built-in scene of that name, also a failing one; InvalidScene lists the names or tells why it is no scene."""
+    """Return the built-in scene of a name, also of a failing case.
+
+    InvalidScene lists the names where this one is unknown, and says why where the outlines are refused.
+    """
     if name in FAILING:
-        return FAILING[name].scene
+        return scene_of_case(FAILING[name])
     if name not in ARTICLE:
         raise InvalidScene(f"no scene {shown(name)}: choose one of {', '.join(names())}, or give a file")
     return ARTICLE[name]
+
+
+def scene_of_case(case: FailureCase) -> Scene:
+    """Return a failing case as a scene with its shortcut; InvalidScene where the engine refuses its outlines."""
+    try:
+        a, b = case.shapes
+    except InvalidShape as error:
+        raise InvalidScene(f"the scene {case.name} is refused: {error}") from None
+    return Scene(case.name, a, b, case.name, title=case.claim)
+
+
+def refused_case(name: str) -> FailureCase | None:
+    """Return the failing case of that name if the engine refuses its outlines; None for any other name or text."""
+    case = FAILING.get(name)
+    return case if case and case.how == REFUSED else None
+
+
+ALL_SCENES = (*SCENES, *(scene_of_case(case) for case in FAILURE_CASES if case.how != REFUSED))

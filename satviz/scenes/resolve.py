@@ -1,53 +1,64 @@
-"""What may be asked to be shown: a built-in scene by name, a Scene, two shapes, or a trace."""
+"""What a caller passed, resolved once: a built-in scene by name, a Scene, two shapes, a trace, or a refused case."""
 
-from typing import Any
+from typing import NamedTuple
 
 from ..engine.shapes import Shape, checked
-from ..engine.trace import Trace, record
-from .failing import NAMED, REFUSED, FailureCase
-from .named import scene
+from ..engine.trace import Trace
+from .failing import FailureCase
+from .named import refused_case, scene
 from .scenefile import Scene
 
-SceneLike = Scene | Trace | str  # what has a run by itself
-# what may be passed, by what the function takes
-SCENES = "a scene's name, a Scene, or two shapes"
-RUNS = "a scene's name, a Scene, or the trace of two shapes, sv.record(a, b)"
-ALL = "a scene's name, a Scene, two shapes, or their trace, sv.record(a, b)"
+SceneLike = Scene | Trace | str  # one argument that stands for two shapes and the axes to test them on
+# what a function takes, in the words of its error line
+EXPECT_SCENE = "a scene's name, a Scene, or two shapes"
+EXPECT_RUN = "a scene's name, a Scene, or the trace of two shapes, sv.record(a, b)"
+EXPECT_ANY = "a scene's name, a Scene, two shapes, or their trace, sv.record(a, b)"
 
 
-def scene_of(what: Scene | Shape | str, b: Shape | None = None, *, takes: str = SCENES) -> Scene:
-    """The scene that is meant; InvalidScene for an unknown name, TypeError for anything but what `takes` says."""
+class Resolved(NamedTuple):
+    """What was passed to a public function, as a Scene, a Trace or a refused FailureCase.
+
+    `given` is a Scene where a scene, its name or two shapes were passed, and a Trace where a trace was passed.
+    It is a FailureCase only for the name of a failing case whose outlines the engine refuses: such a case has no
+    shapes, no scene and no trace, and whoever draws it shows the raw outlines with the reason.
+    """
+
+    given: Scene | Trace | FailureCase
+
+    @property
+    def refused(self) -> FailureCase | None:
+        """Return the failing case whose outlines are refused; None for all else."""
+        return self.given if isinstance(self.given, FailureCase) else None
+
+    @property
+    def shapes(self) -> tuple[Shape, Shape]:
+        """Return both shapes; InvalidScene says why an outline is refused."""
+        given = scene(self.given.name) if isinstance(self.given, FailureCase) else self.given
+        return given.a, given.b
+
+    @property
+    def scene(self) -> Scene:
+        """Return the scene; TypeError for a trace, InvalidScene says why an outline is refused."""
+        if isinstance(self.given, Trace):
+            raise TypeError("this is a Trace, one run of two shapes: pass the shapes, trace.a and trace.b")
+        return scene(self.given.name) if isinstance(self.given, FailureCase) else self.given
+
+    @property
+    def trace(self) -> Trace:
+        """Return the trace that was passed, or record the scene anew; InvalidScene for a refused case."""
+        return self.given if isinstance(self.given, Trace) else self.scene.record()
+
+
+def resolve(what: SceneLike | Shape, b: Shape | None = None, *, expected: str = EXPECT_ANY) -> Resolved:
+    """Resolve what was passed: a scene's name, a Scene, a trace, or, with `b`, two shapes.
+
+    `expected` says for the error line what the calling function takes.
+    InvalidScene for an unknown name, TypeError for anything that is not `expected`.
+    """
     if b is not None:
-        return Scene("scene", checked(what, "a"), checked(b, "b"))
-    found: Any = scene(what) if isinstance(what, str) else what
-    if isinstance(found, Scene):
-        return found
-    if isinstance(found, Trace):
-        raise TypeError("this is a Trace, one run of two shapes: pass the shapes, trace.a and trace.b")
-    raise TypeError(f"this is a {type(found).__name__}: pass {takes}")
-
-
-def pair_of(what: SceneLike | Shape, b: Shape | None = None) -> tuple[Shape, Shape]:
-    """The two shapes that are meant, which need no run."""
-    if isinstance(what, Trace) and b is None:
-        return what.a, what.b
-    found = scene_of(what, b, takes=ALL)  # type: ignore[arg-type]
-    return found.a, found.b
-
-
-def trace_of(what: SceneLike | Shape, b: Shape | None = None, *, takes: str = ALL) -> Trace:
-    """The run that is meant; InvalidScene for an unknown name, TypeError for anything but what `takes` says."""
-    if b is not None:
-        return record(checked(what, "a"), checked(b, "b"))
-    found: Any = scene(what) if isinstance(what, str) else what
-    if isinstance(found, Scene):
-        return found.record()
-    if isinstance(found, Trace):
-        return found
-    raise TypeError(f"this is a {type(found).__name__}: pass {takes}")
-
-
-def refused_case(what: object) -> FailureCase | None:
-    """The failing scene of that name whose outlines are refused, so that it has no run; None for all else."""
-    row = NAMED.get(what) if isinstance(what, str) else None
-    return row if row and row.how == REFUSED else None
+        return Resolved(Scene("scene", checked(what, "a"), checked(b, "b")))
+    if isinstance(what, str):
+        return Resolved(refused_case(what) or scene(what))
+    if isinstance(what, Scene | Trace):
+        return Resolved(what)
+    raise TypeError(f"this is a {type(what).__name__}: pass {expected}")

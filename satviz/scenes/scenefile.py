@@ -14,19 +14,19 @@ from ..engine.polygon_validation import shown
 from ..engine.shapes import Circle, Polygon, Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import Trace, record
-from .shortcuts import NAMED as SHORTCUTS
+from .failing import SHORTCUTS
 from .strictjson import keys, parse, typed
 
-MAX_CHARS = 1 << 20
-MAX_VERTICES = 1000  # a trace has (n + m) axes with n + m landings each
+MAX_CHARS = 1 << 20  # of a scene file
+MAX_VERTICES = 1000  # of a polygon: a trace has n + m axes with n + m landings each
 NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
-MAX_NAME = 60
+MAX_NAME_LETTERS = 60
 CHOICES: dict[str, Chooser | Shortcut] = {**NAMED, **SHORTCUTS}
 
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """Two shapes, the choice of axes to test them on, a name for files and a title for people.
+    """A scene: two shapes, the axes to test them on, a name for files and a title for people.
 
     `axes` is a name from satviz.axes.NAMED, or a shortcut's (`satviz scenes --failing` lists them);
     `every_axis` goes on past the early exit.
@@ -40,9 +40,10 @@ class Scene:
     title: str = ""
 
     def __post_init__(self) -> None:
-        if not NAME.fullmatch(self.name) or len(self.name) > MAX_NAME:
+        if not NAME.fullmatch(self.name) or len(self.name) > MAX_NAME_LETTERS:
             raise InvalidScene(
-                f"the name {shown(self.name)} must be small letters and digits in words joined by -, at most {MAX_NAME}"
+                f"the name {shown(self.name)} must be small letters and digits in words joined by -, "
+                f"at most {MAX_NAME_LETTERS}"
             )
         if not self.title.isprintable():
             raise InvalidScene(f"the title {shown(self.title)} must be one line of printable text")
@@ -52,22 +53,22 @@ class Scene:
             )
 
     def record(self) -> Trace:
-        """The scene's trace."""
+        """Return the scene's trace."""
         return record(self.a, self.b, axes=CHOICES[self.axes], every_axis=self.every_axis)
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
-        """In a notebook: its trace's table and last picture."""
+        """Return what a notebook shows: the trace's table and its last picture."""
         return hooks.mime_bundle(self)
 
     def to_json(self) -> str:
-        """The scene as a scene file."""
+        """Return the scene as the text of a scene file."""
         data: dict[str, object] = {"satviz": "scene 1", "name": self.name, "title": self.title}
         data |= {"a": shape_data(self.a), "b": shape_data(self.b), "axes": self.axes, "every_axis": self.every_axis}
         return json.dumps(data, ensure_ascii=False)
 
     @staticmethod
     def from_json(text: str) -> "Scene":
-        """The scene of a scene file; InvalidScene names the field that is wrong."""
+        """Return the scene of a scene file's text; InvalidScene names the field that is wrong."""
         data = keys(parse(text, MAX_CHARS), "the scene", {"satviz", "a", "b"}, {"name", "title", "axes", "every_axis"})
         if data["satviz"] != "scene 1":
             raise InvalidScene('"satviz" must be "scene 1", the name of the format')
@@ -82,7 +83,7 @@ class Scene:
 
 
 def load(path: str | Path) -> Scene:
-    """The scene of a file; InvalidScene if it cannot be read or is not a scene."""
+    """Return the scene of a file; InvalidScene if it cannot be read or is not a scene."""
     path = Path(path)
     try:
         if not S_ISREG(path.stat().st_mode):  # a pipe would wait for its writer, a device may never end
@@ -101,7 +102,7 @@ def load(path: str | Path) -> Scene:
 
 
 def shape_data(shape: Shape) -> dict[str, object]:
-    """A shape as plain JSON values; InvalidScene if it is too large to be read again."""
+    """Return a shape as plain JSON values; InvalidScene if it is too large to be read again."""
     if shape.core_is_point:
         return {"circle": list(shape.core[0]), "radius": shape.radius}
     if len(shape.vertices) > MAX_VERTICES:
@@ -113,23 +114,24 @@ def shape_data(shape: Shape) -> dict[str, object]:
 
 
 def shape_from(data: Any, where: str) -> Shape:
-    """The shape of plain JSON values; InvalidScene names the field."""
+    """Return the shape of plain JSON values; InvalidScene names the field that is wrong, which begins with `where`."""
     try:
         if isinstance(data, dict) and "circle" in data:
             keys(data, where, {"circle", "radius"})
-            return Circle(_numbers(data["circle"], f"{where}.circle"), data["radius"])
+            return Circle(_number_pair(data["circle"], f"{where}.circle"), data["radius"])
         keys(data, where, {"polygon"}, {"labels"})
         vertices = typed(data["polygon"], f"{where}.polygon", list)
         if len(vertices) > MAX_VERTICES:
             raise InvalidScene(f"{where}.polygon has {len(vertices)} vertices: the limit is {MAX_VERTICES}")
-        vertices = [_numbers(v, f"{where}.polygon[{i}]") for i, v in enumerate(vertices)]
+        vertices = [_number_pair(v, f"{where}.polygon[{i}]") for i, v in enumerate(vertices)]
         labels = data.get("labels")
         return Polygon(vertices, labels if labels is None else typed(labels, f"{where}.labels", list))
     except InvalidShape as error:
         raise InvalidScene(f"{where}: {error}") from None
 
 
-def _numbers(value: Any, where: str) -> list[Any]:
+def _number_pair(value: Any, where: str) -> list[Any]:
+    """Return a list of two values, which the shape will check; InvalidScene for anything else."""
     if not isinstance(value, list) or len(value) != 2:
         raise InvalidScene(f"{where} must be a pair of numbers")
     return value

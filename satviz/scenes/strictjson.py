@@ -1,4 +1,4 @@
-"""JSON read strictly: finite numbers, no key twice, bounded size and nesting, exactly the keys asked for."""
+"""JSON read strictly: finite numbers, no key twice, bounded size and nesting, exactly the keys that are expected."""
 
 import json
 import re
@@ -10,20 +10,22 @@ from ..engine.geometry import InvalidScene
 from ..engine.polygon_validation import shown
 
 MAX_DEPTH = 12
-MAX_MARKS = 1 << 23  # commas, opening brackets and quotes: no value goes without one, so memory is bounded by them
+MAX_PUNCTUATION = (
+    1 << 23
+)  # commas, opening brackets and quotes: no value goes without one, so memory is bounded by them
 STRING = re.compile(r'"(?:[^"\\]|\\.)*+(?:"|$)', re.DOTALL)  # an unended one runs to the end, once
 
 
 def refuse_large(text: str, max_chars: int) -> None:
-    """InvalidScene for a text too large to be read, at a glance."""
+    """Raise InvalidScene for a text too large to be read; only its length and its punctuation are counted."""
     if len(text) > max_chars:
         raise InvalidScene(f"{len(text)} characters: the limit is {max_chars}")
-    if (marks := sum(map(text.count, ',[{"'))) > MAX_MARKS:
-        raise InvalidScene(f"{marks} commas, brackets and quotes: the limit is {MAX_MARKS}")
+    if (count := sum(map(text.count, ',[{"'))) > MAX_PUNCTUATION:
+        raise InvalidScene(f"{count} commas, brackets and quotes: the limit is {MAX_PUNCTUATION}")
 
 
 def parse(text: str, max_chars: int) -> Any:
-    """The value of a JSON text; InvalidScene names what is wrong.  Size and depth are checked before parsing."""
+    """Return the value of a JSON text; InvalidScene names what is wrong.  Size and depth are checked before parsing."""
     if not isinstance(text, str):
         raise TypeError(f"expected the text of a file, not {type(text).__name__}")
     refuse_large(text, max_chars)
@@ -36,14 +38,21 @@ def parse(text: str, max_chars: int) -> Any:
             break  # no JSON, as the parser will say
     try:
         return json.loads(
-            text, object_pairs_hook=_no_twice, parse_constant=_no_constant, parse_float=_finite, parse_int=_whole
+            text,
+            object_pairs_hook=_object_without_duplicates,
+            parse_constant=_refuse_constant,
+            parse_float=_parse_finite,
+            parse_int=_parse_whole,
         )
     except json.JSONDecodeError as error:
         raise InvalidScene(f"not JSON: {error}") from None
 
 
 def keys(data: Any, where: str, required: Set[str], optional: Set[str] = frozenset()) -> dict[str, Any]:
-    """The object itself, if it has all the required keys and none beyond the optional ones."""
+    """Return the object itself; InvalidScene unless it has all required keys and no others but the optional ones.
+
+    `where` names the object in the error line.
+    """
     if not isinstance(data, dict):
         raise InvalidScene(f"{where} must be an object, not {kind(data)}")
     if missing := sorted(required - data.keys()):
@@ -56,7 +65,7 @@ def keys(data: Any, where: str, required: Set[str], optional: Set[str] = frozens
 
 
 def typed(value: Any, where: str, wanted: type) -> Any:
-    """The value itself, if it is of the type (a bool is no number; other writers put a .0 to whole ones)."""
+    """Return the value itself; InvalidScene unless it has the type.  A bool is not a number, and 3.0 is a whole one."""
     if wanted is int and isinstance(value, float) and value.is_integer():
         return int(value)
     if not isinstance(value, wanted) or (isinstance(value, bool) and wanted is not bool):
@@ -66,14 +75,15 @@ def typed(value: Any, where: str, wanted: type) -> Any:
 
 
 def kind(value: Any) -> str:
-    """What JSON calls it."""
+    """Return the name of a value's type in JSON's words."""
     return "null" if value is None else _NAMES.get(type(value), type(value).__name__)
 
 
 _NAMES = {str: "text", list: "a list", dict: "an object", bool: "true or false", int: "a number", float: "a number"}
 
 
-def _no_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+def _object_without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """Return the object of these pairs; InvalidScene names a key that stands twice."""
     found = dict(pairs)
     if len(found) < len(pairs):
         twice = next(key for key, times in Counter(key for key, _ in pairs).items() if times > 1)
@@ -81,23 +91,27 @@ def _no_twice(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return found
 
 
-def _no_constant(name: str) -> float:
+def _refuse_constant(name: str) -> float:
+    """Raise InvalidScene for NaN or Infinity, which Python would read."""
     raise InvalidScene(f"{name} is not a number of a scene: coordinates must be finite")
 
 
-def _finite(text: str) -> float:
+def _parse_finite(text: str) -> float:
+    """Return the number of a text; InvalidScene where float64 cannot hold it."""
     value = float(text)
     if abs(value) == float("inf"):
         raise InvalidScene(f"{shown(text)} is too large for float64")
     return value
 
 
-def _whole(text: str) -> int:
+def _parse_whole(text: str) -> int:
+    """Return the whole number of a text; InvalidScene for more digits than any float64 has."""
     if len(text) > 400:  # no float64 is longer; int() of a million digits takes seconds
         raise InvalidScene(f"a number of {len(text)} digits is too large for float64")
     return int(text)
 
 
 def _quoted(names: list[str]) -> str:
+    """Return names as quoted text with commas, cut to 20 names of 60 letters."""
     found = ", ".join(json.dumps(name if len(name) <= 60 else f"{name[:60]}...") for name in names[:20])
     return found if len(names) <= 20 else f"{found}, and {len(names) - 20:,} more"

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import satviz
 
-from ..scenes.resolve import scene_of, trace_of
+from ..scenes.resolve import resolve
 from ..widgets.explorer_model import ExplorerModel
 from . import parts
 from .markdown import highlighted_code, markdown_parser
@@ -196,9 +196,9 @@ class _WidgetFinder:
             self.next_to_run = i + 1
         what, *more = [eval(ast.unparse(argument), self.names) for argument in call.args]
         if ast.unparse(call.func) == "sv.explore":
-            return Widget(parts.explorer(ExplorerModel(scene_of(what, *more))), answers=False)
+            return Widget(parts.explorer(ExplorerModel(resolve(what, *more).scene)), answers=False)
         predict = any(word.arg == "predict" for word in call.keywords)
-        return Widget(parts.player(trace_of(what, *more), predict=predict), answers=not predict)
+        return Widget(parts.player(resolve(what, *more).trace, predict=predict), answers=not predict)
 
     def _run(self, sources: list[str]) -> None:
         """Run these cells and keep their names; what they print is dropped."""

@@ -7,7 +7,7 @@ from ..engine.geometry import InvalidScene
 from ..pictures.playback import narrow, playbacks
 from ..scenes.article import SCENES
 from ..scenes.failing import FAILURE_CASES, REFUSED
-from ..scenes.link import AS_IT_COMES, Shown, fragment, opened
+from ..scenes.link import DEFAULT_VIEW, ViewOptions, fragment, parse_fragment
 from ..scenes.scenefile import Scene, shape_data
 from ..scenes.strictjson import typed
 from ..widgets.explorer_model import ExplorerModel
@@ -34,7 +34,7 @@ def answer(place: str, text: str) -> str:
 def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
     """Return what a link opens: an explorer's state, a player's steps, or the reason why it cannot be opened."""
     try:
-        scene, shown = opened(typed(content.get("hash"), "the link", str))
+        scene, shown = parse_fragment(typed(content.get("hash"), "the link", str))
         if shown.step is not None or shown.predict or shown.rest:
             return _player_data(scene, shown)
         model = ExplorerModel(scene, shown.goal)
@@ -45,7 +45,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
             "pinned": shown.row,
         }
         pose |= {"view": shown.view} if shown.view else {}
-        if shown._replace(goal=None) != AS_IT_COMES:
+        if shown._replace(goal=None) != DEFAULT_VIEW:
             reply = model.answer({"kind": "pose", "a": shape_data(scene.a), "b": shape_data(scene.b), **pose})
             if reply and reply["kind"] == "refused":
                 raise InvalidScene(reply["why"])
@@ -55,7 +55,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
     return {"kind": "opened", "title": scene.title, "first": model.state(), "pose": pose, **CHOICES}
 
 
-def _player_data(scene: Scene, shown: Shown) -> dict[str, Any]:
+def _player_data(scene: Scene, shown: ViewOptions) -> dict[str, Any]:
     """Return a player's steps and where it begins; a prediction uses the true run, not that of a shortcut."""
     trace = scene.record()
     trace = trace.truth if shown.predict and trace.shortcut else trace

@@ -14,8 +14,8 @@ from ..safe_write import MADE_BY
 from ..scenes.article import SCENES
 from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.failing import NAMED as FAILING
-from ..scenes.link import ALL, BREAK, PAGE, link
-from ..scenes.named import scene
+from ..scenes.link import BREAK, PAGE, link
+from ..scenes.named import ALL_SCENES, scene
 from ..scenes.scenefile import Scene
 from ..widgets.explorer_model import ExplorerModel
 from ..widgets.goals import ASKS, challenges
@@ -142,7 +142,7 @@ under each picture, and its mistake in the line below.</p>
 
 def explorer_page(frame: Frame) -> bytes:
     """Return the page that a link opens; if a link cannot be opened, the page says why and offers every scene."""
-    titles = [(s.name, f"“{FAILING[s.name].claim}”" if s.name in FAILING else s.title) for s in ALL]
+    titles = [(s.name, f"“{FAILING[s.name].claim}”" if s.name in FAILING else s.title) for s in ALL_SCENES]
     offered = "".join(f'<li><a href="{PAGE}#{name}">{escape(title)}</a></li>' for name, title in titles)
     body = f"""
 <h1>Explorer</h1>

@@ -10,7 +10,7 @@ from ..engine.trace import Trace
 from ..pictures import Picture, picture
 from ..pictures.playback import narrow, playbacks
 from ..render.notebook import bundle
-from ..scenes.link import PAGE, fragment, of_trace
+from ..scenes.link import PAGE, fragment, fragment_of_trace
 from ..widgets.explorer_model import ExplorerModel
 from .themed import themed_svg
 
@@ -39,7 +39,7 @@ def player(trace: Trace, *, predict: bool = False) -> str:
     trace = trace.truth if predict and trace.shortcut else trace
     shows = playbacks(trace)
     sentences = "".join(f"<li>{escape(step['sentence'])}</li>" for step in shows[0]["steps"])
-    show = {"shows": shows, "narrow": narrow(trace), "predict": predict, "link": of_trace(trace)}
+    show = {"shows": shows, "narrow": narrow(trace), "predict": predict, "link": fragment_of_trace(trace)}
     data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
     return (
         f'<div class="player"><div class="still"><figure>{svg_element(picture(trace, 0 if predict else -1))}</figure>'

@@ -163,7 +163,7 @@ def _compiled(a: batch.Shapes, b: batch.Shapes) -> dict[str, Callable[[], Any]]:
 
     All go through the very arrays that satviz does: another's copies could lie nearer to the processor.
     """
-    from ..batch.with_numba.filter import looks
+    from ..batch.with_numba.filter import clearance_kernel
     from .methods import kernels
 
     columns = [c for shapes in (a, b) if (g := shapes.uniform) for c in (g.x, g.y)]
@@ -177,7 +177,7 @@ def _compiled(a: batch.Shapes, b: batch.Shapes) -> dict[str, Callable[[], Any]]:
         READING: lambda: [kernels.reading(c.ravel().view(np.int64)) for c in columns],
         "textbook SAT in numba": partial(run, kernels.textbook, True, 0.0),
         "GJK in numba": partial(run, kernels.gjk),
-        "numba, no room for rounding": partial(run, looks(a.most, b.most), 0, 0.0),
+        "numba, no room for rounding": partial(run, clearance_kernel(a.max_corners, b.max_corners), 0, 0.0),
     }
 
 

@@ -16,7 +16,7 @@ from ..pictures.caption import captioned
 from ..render.files import animate, encode
 from ..render.notebook import bundle
 from ..render.script import stylesheet
-from ..scenes.link import folder_of
+from ..scenes.link import site_folder
 from .player_model import PlayerModel
 
 LOCK = RLock()  # a front end's messages can come on any thread
@@ -36,11 +36,11 @@ class Shown(anywidget.AnyWidget):
 
     @traitlets.default("site")
     def _site_of_the_environment(self) -> str:
-        return folder_of(os.environ.get("SATVIZ_SITE", ""), "SATVIZ_SITE")
+        return site_folder(os.environ.get("SATVIZ_SITE", ""), "SATVIZ_SITE")
 
     @traitlets.validate("site")
     def _checked_site(self, proposal: Any) -> str:
-        return folder_of(proposal["value"])
+        return site_folder(proposal["value"])
 
     def _heard(self, _widget: Any, content: Any, _buffers: Any) -> None:
         if not isinstance(content, dict):

@@ -5,11 +5,11 @@ from typing import Any, overload
 import traitlets
 
 from ..engine.shapes import Shape
-from ..pictures.comparison import refused
+from ..pictures.comparison import refused_picture
 from ..render.script import javascript
 from ..scenes.article import SCENES
 from ..scenes.failing import FAILURE_CASES, REFUSED
-from ..scenes.resolve import refused_case, scene_of
+from ..scenes.resolve import EXPECT_SCENE, resolve
 from ..scenes.scenefile import Scene
 from .base import Shown
 from .explorer_model import ExplorerModel
@@ -26,7 +26,7 @@ class Explorer(Shown):
     _esm = javascript("explore")
     first = traitlets.Dict().tag(sync=True)
     presets = traitlets.List([s.name for s in SCENES]).tag(sync=True)
-    failing = traitlets.List([row.name for row in FAILURE_CASES if row.how != REFUSED]).tag(sync=True)
+    failing = traitlets.List([case.name for case in FAILURE_CASES if case.how != REFUSED]).tag(sync=True)
     challenges = traitlets.Dict(CALLED).tag(sync=True)
 
     def __init__(self, shown: Scene, goal: str | None = None) -> None:
@@ -55,6 +55,5 @@ def explore(what: Scene | Shape | str = "triangles", b: Shape | None = None, *, 
     refused has nothing to drag: its Picture, with the reason.  InvalidScene for an unknown name or goal,
     ValueError for a scene that cannot be drawn, TypeError for anything else.
     """
-    if b is None and (row := refused_case(what)):
-        return refused(row)
-    return Explorer(scene_of(what, b), goal)
+    found = resolve(what, b, expected=EXPECT_SCENE)
+    return refused_picture(found.refused) if found.refused else Explorer(found.scene, goal)

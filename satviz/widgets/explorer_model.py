@@ -10,13 +10,13 @@ from ..engine.geometry import InvalidScene, Vec
 from ..engine.trace import Trace, record
 from ..pictures import Picture
 from ..pictures.claims import heading
-from ..pictures.comparison_drag import about_map, drag_view
+from ..pictures.comparison_drag import describe_error_region, drag_view
 from ..pictures.curve import WIDTH, direction, gap_curve
 from ..pictures.labels import Standing
 from ..pictures.live import Chosen, canvas, field, fits, knob, live, telling_test, turned_axis
 from ..pictures.minkowski import difference
 from ..pictures.playback import first_rows, rows
-from ..scenes.link import Shown, fragment
+from ..scenes.link import ViewOptions, fragment
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
 from ..scenes.strictjson import typed
@@ -97,17 +97,17 @@ class ExplorerModel(PlayerModel):
         if self._run.shortcut:
             found["heading"] = list(heading(self._run))
         if trace.shortcut and drawn.knob is None:
-            found["map"] = about_map(trace, self._layout)
+            found["map"] = describe_error_region(trace, self._layout)
         if drawn.knob is not None:
             width = min(WIDTH, self._largest[0])
             found["curve"] = gap_curve(self.scene.a, self.scene.b, self._degree, width=width).data()
             found["knob"] = list(drawn.knob)
         return found
 
-    def _shown(self) -> Shown:
+    def _shown(self) -> ViewOptions:
         view = self._view if self._view == TRUTH else None
         goal = self._judged.goal if self._judged else None
-        return Shown(self._degree, self._pinned, view, self._way_out, self._against, goal=goal)
+        return ViewOptions(self._degree, self._pinned, view, self._way_out, self._against, goal=goal)
 
     def _start(self, shown: Scene, goal: str | None = None) -> None:
         trace, met = _trace(shown), judged(goal, shown) if goal else None

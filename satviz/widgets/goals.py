@@ -8,14 +8,14 @@ from ..engine import describe, polygon_validation
 from ..engine.axes import needed
 from ..engine.geometry import InvalidScene, Relation, Vec
 from ..engine.trace import record
-from ..pictures.claims import said
+from ..pictures.claims import answers
 from ..pictures.layout import box_of
 from ..pictures.live import field
 from ..scenes.failing import FAILURE_CASES, NAMED, REFUSED, FailureCase
-from ..scenes.failing.claimed_value import moved
 from ..scenes.link import BREAK, ONE_AXIS, TOUCH
-from ..scenes.named import scene
+from ..scenes.named import scene, scene_of_case
 from ..scenes.scenefile import Scene
+from ..scenes.shape_tools import translated
 
 CALLED = {TOUCH: "make them touch", ONE_AXIS: "exactly one axis", BREAK: "break the shortcut"}
 ASKS = {
@@ -80,8 +80,8 @@ def harmless(row: FailureCase) -> Scene | None:
     step = float(f"{max(x1 - x0, y1 - y0) / 4:.1g}")
     for size in STEPS:
         for x, y in WAYS:
-            start = replace(row.scene, b=moved(b, Vec(size * step * x, size * step * y)))
-            if not said(start.record()).is_wrong:
+            start = replace(scene_of_case(row), b=translated(b, Vec(size * step * x, size * step * y)))
+            if not answers(start.record()).is_wrong:
                 field(start.record())
                 return start
     return None
@@ -122,7 +122,7 @@ def _break(shown: Scene) -> tuple[bool, str]:
     trace = shown.record()
     if trace.shortcut is None:
         raise InvalidScene(f"the axes {shown.axes!r} are no shortcut, so there is nothing to break")
-    found = said(trace)
+    found = answers(trace)
     if found.is_wrong:
-        return True, f"Broken. It says {found.wrong}; right is {found.right}."
-    return False, f"Here it happens to be right: {found.right}."
+        return True, f"Broken. It says {found.claimed}; right is {found.actual}."
+    return False, f"Here it happens to be right: {found.actual}."

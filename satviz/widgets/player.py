@@ -7,11 +7,11 @@ import traitlets
 from ..engine.shapes import Shape
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
-from ..pictures.comparison import refused
+from ..pictures.comparison import refused_picture
 from ..pictures.playback import narrow, playbacks
 from ..render.script import javascript
-from ..scenes.link import of_trace
-from ..scenes.resolve import SceneLike, refused_case, trace_of
+from ..scenes.link import fragment_of_trace
+from ..scenes.resolve import SceneLike, resolve
 from ..scenes.scenefile import Scene
 from .base import Shown
 from .player_model import PlayerModel
@@ -31,7 +31,11 @@ class Player(Shown):
 
     def __init__(self, trace: Trace, *, predict: bool = False) -> None:
         super().__init__(
-            PlayerModel(trace), shows=playbacks(trace), narrow=narrow(trace), predict=predict, link=of_trace(trace)
+            PlayerModel(trace),
+            shows=playbacks(trace),
+            narrow=narrow(trace),
+            predict=predict,
+            link=fragment_of_trace(trace),
         )
 
     def picture(self) -> Picture:
@@ -69,9 +73,10 @@ def play(what: SceneLike | Shape, b: Shape | None = None, *, predict: bool = Fal
     A failing scene whose outlines are refused has nothing to step through: its Picture, with the reason.
     ValueError for a scene that cannot be drawn.
     """
-    if b is None and (row := refused_case(what)):
-        return refused(row)
-    trace = trace_of(what, b)
+    found = resolve(what, b)
+    if found.refused:
+        return refused_picture(found.refused)
+    trace = found.trace
     if predict and trace.shortcut:
         trace = trace.truth
     if pen == "svg":

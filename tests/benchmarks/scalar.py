@@ -12,7 +12,7 @@ from time import perf_counter
 import shapely
 
 import satviz as sv
-from satviz.engine.sat import CLOSE
+from satviz.engine.sat import CLOSE_GAP_FACTOR
 
 PAIRS, ROUNDS = 1000, 15
 
@@ -60,7 +60,7 @@ def theirs(shape):
 def unrecorded(a, b):
     """The recording loop with nothing kept: the same axes, landings, gap and early exit."""
     reach = max(a.max_coordinate, b.max_coordinate)
-    close = reach * CLOSE
+    close = reach * CLOSE_GAP_FACTOR
     gap = -1.0
     for (nx, ny), length, _ in sv.axes.needed(a, b).axes:
         spans = []

@@ -1,89 +1,117 @@
-"""A row: a scene, the shortcut that fails on it, the number that the shortcut gives, and what satviz says."""
+"""The record of a failing case: all that satviz knows about one common mistake."""
 
-from collections.abc import Callable
-from math import isnan, nan
+from collections.abc import Callable, Sequence
+from math import isnan
 from typing import NamedTuple
 
 from ...engine import number_format
-from ...engine.geometry import InvalidScene, InvalidShape
+from ...engine.geometry import InvalidShape
 from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
 from ...engine.trace import Trace, record
-from ..scenefile import Scene
-from . import true_value
+from . import claimed_value, true_value
+from .move_space import RegionOrReason, Window
 from .true_value import Answer
-from .unchecked import Outline, Ring
 
 FALSE_HIT, MISSED_HIT, WRONG_NUMBER, REFUSED = "false hit", "missed hit", "wrong number", "refused input"
 
+RawOutline = Sequence[tuple[float, float]]  # vertices that nobody has checked
 
-def best_gap(trace: Trace) -> float:
-    """The largest gap that the run measured; NaN if it has no axis."""
-    return max((test.gap for test in trace.tests), default=nan)
+
+class Panels(NamedTuple):
+    """The names of the two panels that draw a case; `PANELS` in satviz/pictures/comparison_panels.py draws them.
+
+    By default the left panel shows what the shortcut measured, and the right one what proves the truth.
+    """
+
+    claimed: str = "tests"
+    actual: str = "proof"
 
 
 class FailureCase(NamedTuple):
-    """One way to be wrong.
+    """A shortcut, the smallest shapes on which it fails, and both answers.
 
-    `how` it fails (one of the four above); `what` both numbers are ("gap", "depth", ...);
-    `a`, `b`: the shapes, or plain vertices of one the engine refuses; `read`: the
-    number in the shortcut's own run; `unchecked`: the same where the shapes are refused;
-    `less`: is the claim that its number is the smaller one, and not that it is the right one?
+    `shortcut`: the claim as people say it, and the one step that is done wrongly.
+    `how`: the way in which it fails, one of FALSE_HIT, MISSED_HIT, WRONG_NUMBER and REFUSED.
+    `outlines`: the shapes A and B, or the raw vertices of outlines that the engine refuses.
+    `quantity`: what both answers measure, such as "gap" or "depth".
+    `claimed_value`: reads the shortcut's answer off its own run.
+    `true_value`: the right answer by the engine.
+    `unchecked_value`: for refused outlines, the answer of a program that does not check its input.
+    `claims_less`: the claim is that its number is smaller than the true one, not that it is equal.
+    `is_about_push`: the number depends on where the shortcut pushes B.
+    `error_region`: the moves of B for which the answer is wrong, or the reason why no area shows them;
+    None for a verdict that follows from the shortcut's axes alone.
+    `panels`: how it is drawn; `verdicts`: the words above both panels, where the relation is not what it is about.
+    `number`: the place in the list of all cases, counted by satviz/scenes/failing/__init__.py.
     """
 
-    number: int
     shortcut: Shortcut
     how: str
-    what: str
-    a: Outline
-    b: Outline
-    read: Callable[[Trace], float] = best_gap
-    right: Callable[[Shape, Shape], Answer] = true_value.gap
-    unchecked: Callable[[Ring, Ring], float] | None = None
-    less: bool = False
+    outlines: tuple[Shape | RawOutline, Shape | RawOutline]
+    quantity: str = "gap"
+    claimed_value: Callable[[Trace], float] = claimed_value.largest_gap
+    true_value: Callable[[Shape, Shape], Answer] = true_value.gap
+    unchecked_value: Callable[[RawOutline, RawOutline], float] | None = None
+    claims_less: bool = False
+    is_about_push: bool = False
+    error_region: Callable[[Shape, Shape, Window], RegionOrReason] | None = None
+    panels: Panels = Panels()
+    verdicts: tuple[str, str] | None = None
+    number: int = 0
 
     @property
     def name(self) -> str:
-        """The scene's name, which is the shortcut's."""
+        """Return the scene's name, which is the shortcut's."""
         return self.shortcut.name
 
     @property
     def claim(self) -> str:
-        """What is believed."""
+        """Return the claim as people say it."""
         return self.shortcut.claim
 
     @property
+    def a(self) -> Shape | RawOutline:
+        """Return shape A, or its raw vertices."""
+        return self.outlines[0]
+
+    @property
+    def b(self) -> Shape | RawOutline:
+        """Return shape B, or its raw vertices."""
+        return self.outlines[1]
+
+    @property
     def shapes(self) -> tuple[Shape, Shape]:
-        """Both as the engine takes them; InvalidShape where it refuses."""
-        a, b = (s if isinstance(s, Shape) else Polygon(s) for s in (self.a, self.b))
+        """Return both shapes; InvalidShape where the engine refuses an outline."""
+        a, b = (s if isinstance(s, Shape) else Polygon(s) for s in self.outlines)
         return a, b
 
     @property
-    def scene(self) -> Scene:
-        """The scene run by its shortcut; InvalidScene says why where an outline is refused."""
-        try:
-            a, b = self.shapes
-        except InvalidShape as error:
-            raise InvalidScene(f"{self.name} is no scene: {error}") from None
-        return Scene(self.name, a, b, self.name, title=self.claim)
+    def raw_outlines(self) -> list[RawOutline]:
+        """Return the raw vertices of the outlines that nobody has checked; none where both are shapes."""
+        return [outline for outline in self.outlines if not isinstance(outline, Shape)]
+
+    def record(self) -> Trace:
+        """Return the shortcut's run on the shapes; InvalidShape where the engine refuses an outline."""
+        return record(*self.shapes, axes=self.shortcut)
 
     @property
-    def wrong(self) -> float:
-        """The number the shortcut gives."""
-        if self.unchecked and not isinstance(self.a, Shape) and not isinstance(self.b, Shape):
-            return self.unchecked(self.a, self.b)
-        return self.read(record(*self.shapes, axes=self.shortcut))
+    def claimed(self) -> float:
+        """Return the number that the shortcut gives."""
+        if self.unchecked_value:
+            return self.unchecked_value(*self.raw_outlines)
+        return self.claimed_value(self.record())
 
     @property
-    def truth(self) -> Answer:
-        """What satviz says: a number, two numbers, or the refusal."""
+    def actual(self) -> Answer:
+        """Return the engine's answer: a number, two numbers, or the line with which it refuses an outline."""
         try:
-            return self.right(*self.shapes)
+            return self.true_value(*self.shapes)
         except InvalidShape as error:
             return str(error)
 
-    def told(self, answer: Answer) -> str:
-        """An answer in words: "gap +0.424"."""
+    def in_words(self, answer: Answer) -> str:
+        """Return an answer in words: "gap +0.424"."""
         if isinstance(answer, str):
             return f"refused ({answer})"
         if isinstance(answer, tuple):
@@ -91,19 +119,20 @@ class FailureCase(NamedTuple):
                 return "no contact"
             return "contact from {:g} to {:g} of the way".format(*map(float, answer))
         if isnan(answer):
-            return f"{self.what} none"
-        return f"{self.what} {number_format.signed(answer) if self.what == 'gap' else number_format.number(answer)}"
+            return f"{self.quantity} none"
+        text = number_format.signed(answer) if self.quantity == "gap" else number_format.number(answer)
+        return f"{self.quantity} {text}"
 
     @property
     def answers(self) -> tuple[str, str]:
-        """The wrong answer and the right one in words, with the verdict where that is what is wrong."""
-        wrong, good = self.told(self.wrong), self.told(self.truth)
-        if self.how in (FALSE_HIT, MISSED_HIT) and not isinstance(self.truth, tuple):
-            trace = self.scene.record()
-            return f"{trace.claim}, {wrong}", f"{trace.relation}, {good}"
-        return wrong, good
+        """Return the claimed and the actual answer in words, each with its verdict where the verdict is wrong."""
+        claimed, actual = self.in_words(self.claimed), self.in_words(self.actual)
+        if self.how in (FALSE_HIT, MISSED_HIT) and not isinstance(self.actual, tuple):
+            trace = self.record()
+            return f"{trace.claim}, {claimed}", f"{trace.relation}, {actual}"
+        return claimed, actual
 
     def __str__(self) -> str:
-        wrong, good = self.answers
-        numbers = number_format.plain(f"{wrong}; right: {good}")
+        claimed, actual = self.answers
+        numbers = number_format.plain(f"{claimed}; right: {actual}")
         return f"{self.number:2} {self.name:21} {self.claim}\n   {self.how}: {numbers}"

@@ -103,7 +103,7 @@ def _compiled() -> Iterator[Method]:
     if not installed("numba"):
         return
     from ...batch.codes import APART
-    from ...batch.with_numba.filter import looks
+    from ...batch.with_numba.filter import clearance_kernel
     from . import kernels
 
     def filled(kernel: Callable[..., None], *more: Any) -> Callable[[Any, Any], Said]:
@@ -132,7 +132,7 @@ def _compiled() -> Iterator[Method]:
 
     def unfiltered(a: columns.Columns, b: columns.Columns) -> Said:
         out = np.empty(a.x.shape[1], np.int8)
-        looks(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, 0, 0.0, out)
+        clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, 0, 0.0, out)
         return np.asarray(out != APART)  # a clearance of exactly zero it leaves open: a touch
 
     def bound(name: str, *of: Any) -> Method:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...batch.exact_signs import UNKNOWN
-from ...batch.with_numba.exact import TERMS, _product, _sign_of_sum, turn
+from ...batch.with_numba.exact import MAX_TERMS, orient, sign_of_sum, two_product
 from ...batch.with_numba.jit_cache import compiled
 
 Array = NDArray[np.float64]
@@ -161,7 +161,7 @@ def _separated(x: Array, y: Array, p: Array, q: Array, i: int, unit: bool, toler
 @compiled
 def turns(ax: Array, ay: Array, bx: Array, by: Array, granted: float, out: Out) -> None:
     """SAT by orientation predicates: apart where all corners lie to the right of some edge of the other."""
-    terms = np.empty(TERMS)
+    terms = np.empty(MAX_TERMS)
     for i in range(out.size):
         out[i] = not (_cleared(ax, ay, bx, by, i, granted, terms) or _cleared(bx, by, ax, ay, i, granted, terms))
 
@@ -179,7 +179,7 @@ def _cleared(x: Array, y: Array, p: Array, q: Array, i: int, granted: float, ter
                 if granted == EXACT:
                     sign = _exact_turn(x[e, i], y[e, i], x[f, i], y[f, i], p[v, i], q[v, i], terms)
                 else:
-                    sign = turn(x[e, i], y[e, i], x[f, i], y[f, i], p[v, i], q[v, i], terms)
+                    sign = orient(x[e, i], y[e, i], x[f, i], y[f, i], p[v, i], q[v, i], terms)
                 # beyond the range of their products these predicates promise nothing
                 side = side if sign == UNKNOWN else float(sign)
             if side >= 0:
@@ -194,8 +194,8 @@ def _cleared(x: Array, y: Array, p: Array, q: Array, i: int, granted: float, ter
 def _exact_turn(px: float, py: float, qx: float, qy: float, rx: float, ry: float, terms: Array) -> int:
     """The sign of the sum of six products, each held as two floats; no look at the float first."""
     for k, (a, b) in enumerate(((px, qy), (-py, qx), (qx, ry), (-qy, rx), (rx, py), (-ry, px))):
-        terms[k], terms[6 + k] = _product(a, b)
-    return _sign_of_sum(terms, TERMS)
+        terms[k], terms[6 + k] = two_product(a, b)
+    return sign_of_sum(terms, MAX_TERMS)
 
 
 @compiled

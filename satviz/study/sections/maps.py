@@ -15,10 +15,10 @@ from ...engine.geometry import Vec
 from ...engine.shapes import Circle, Shape
 from ...pictures import Mark, Picture, Theme
 from ...render.pen import Pen
+from ...scenes.error_region import error_region_in_view
 from ...scenes.failing import NAMED, FailureCase
-from ...scenes.failing.plane import Ring, corners, difference
-from ...scenes.failing.where import ErrorRegion, error_region_in_view
-from ...scenes.shortcuts import middle
+from ...scenes.failing.move_space import ConvexRing, ErrorRegion, minkowski_difference, window_ring
+from ...scenes.shape_tools import vertex_mean
 from ..harness.cells import Cell, Settings
 from ..harness.chart import TEXT, Chart, headline
 from .slides import APART, FALSE, HIT, METHODS, MISSED, ON_PAPER, WRONG, Slide, both, slide
@@ -104,7 +104,7 @@ def draw_map(ax: Axes, slide: Slide, row: FailureCase, theme: Theme) -> None:
     box, (wide, high) = ax.get_position(), cast(Figure, ax.figure).get_size_inches() * 72
     scale = min(box.width * wide / (x1 - x0), box.height * high / (y1 - y0))
     a, b = both(row)
-    at = middle(b)
+    at = vertex_mean(b)
     marks = [
         _outline("A", a),
         _outline("B", b, weight="faint"),
@@ -112,10 +112,10 @@ def draw_map(ax: Axes, slide: Slide, row: FailureCase, theme: Theme) -> None:
     ]
     Pen(ax, theme).draw(Picture(tuple(marks), view, ((x1 - x0) * scale, (y1 - y0) * scale), "", ""))
     told = error_region_in_view(a, b, row.shortcut, view)
-    found = ErrorRegion((), (), tuple(difference(a, b))) if isinstance(told, str) else told
+    found = ErrorRegion((), (), tuple(minkowski_difference(a, b))) if isinstance(told, str) else told
 
     # over the shapes' fills, so that red stays red, and under their lines
-    def area(rings: Sequence[Ring], **look: Any) -> None:
+    def area(rings: Sequence[ConvexRing], **look: Any) -> None:
         if rings:
             ax.add_patch(PathPatch(_path(rings, at), **{"facecolor": "none", "linewidth": 0, "zorder": 1.3} | look))
 
@@ -127,12 +127,12 @@ def draw_map(ax: Axes, slide: Slide, row: FailureCase, theme: Theme) -> None:
     if isinstance(told, str):  # wrong at single places only
         half = 2.0 / scale
         wrong = [(x - at.x, y - at.y) for x, y, code in slide.positions() if code in WRONG]
-        area([corners((x - half, y - half, x + half, y + half)) for x, y in wrong], facecolor=theme.roles["wrong"])
+        area([window_ring((x - half, y - half, x + half, y + half)) for x, y in wrong], facecolor=theme.roles["wrong"])
     look: dict[str, Any] = {"fill": False, "edgecolor": theme.roles["guide"], "linewidth": 0.7, "clip_on": False}
     ax.add_patch(Rectangle((0, 0), 1, 1, transform=ax.transAxes, **look))
 
 
-def _path(rings: Sequence[Ring], at: Vec) -> Path:
+def _path(rings: Sequence[ConvexRing], at: Vec) -> Path:
     """One outline for all, so that nothing shows where two share a side."""
     points = [(x + at.x, y + at.y) for ring in rings for x, y in (*ring, ring[0])]
     codes = [code for ring in rings for code in (Path.MOVETO, *[Path.LINETO] * (len(ring) - 1), Path.CLOSEPOLY)]

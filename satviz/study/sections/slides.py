@@ -16,8 +16,7 @@ from ...engine.geometry import Relation, Vec
 from ...engine.shapes import Circle, Polygon, Shape
 from ...engine.trace import Trace, record
 from ...scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED, FailureCase
-from ...scenes.failing.claimed_value import moved
-from ...scenes.shortcuts import middle
+from ...scenes.shape_tools import translated, vertex_mean
 from .. import truth
 
 APART, HIT, FALSE, MISSED, SHORT, LONG, FAR = ".oHMSLD"
@@ -28,8 +27,8 @@ WRONG = {
     LONG: ("push too long", "pushes too long"),
     FAR: ("wrong distance", "wrong distances"),
 }
-PUSHES = "repeated-vertex", "raw-depth", "sum-of-parts", "push-from-center", "range-inside", "tile-seam"
-DISTANCES = ("gap-as-distance",)
+PUSHES = tuple(case.name for case in FAILURE_CASES if case.is_about_push)
+DISTANCES = tuple(case.name for case in FAILURE_CASES if case.quantity == "distance")
 # no methods of their own for two shapes in the plane: row 3's again, boxes in space, frames in time
 OTHERS = "line-for-axis", "faces-in-3d", "tunnelling"
 VERDICTS = (
@@ -84,14 +83,14 @@ def slide(name: str, n: int) -> dict[str, Any]:
     """The Slide of a method over n x n positions, as JSON values."""
     row = NAMED[name]
     judge, (a, b) = _judge(row), both(row)
-    at = middle(b)
+    at = vertex_mean(b)
     if name in ALONG_CONTACT:
         moves = list(contacts(*_convex(a, b), n))
-        codes = ["".join(judge(a, moved(b, move)) for move in moves)]
+        codes = ["".join(judge(a, translated(b, move)) for move in moves)]
         return Slide(name, *at, 0.0, 0.0, codes, [[at.x + m.x, at.y + m.y] for m in moves])._asdict()
     lines = _lattice(row, n)
     (i0, dx), (j0, dy) = lines
-    codes = ["".join(judge(a, moved(b, Vec((i0 + i) * dx, (j0 + j) * dy))) for i in range(n)) for j in range(n)]
+    codes = ["".join(judge(a, translated(b, Vec((i0 + i) * dx, (j0 + j) * dy))) for i in range(n)) for j in range(n)]
     return Slide(name, at.x + i0 * dx, at.y + j0 * dy, dx, dy, codes, [])._asdict()
 
 
@@ -115,7 +114,7 @@ def _of_push(run: Trace, row: FailureCase) -> str:
     if relation(run.a, run.b) is not Relation.OVERLAPPING:
         return APART
     x, y = run.push or Vec(0.0, 0.0)
-    if relation(run.a, moved(run.b, Vec(x * A_LITTLE, y * A_LITTLE))) is Relation.OVERLAPPING:
+    if relation(run.a, translated(run.b, Vec(x * A_LITTLE, y * A_LITTLE))) is Relation.OVERLAPPING:
         return SHORT
     return LONG if x * x + y * y > depth2(*_convex(run.a, run.b)) * A_LITTLE else HIT
 
@@ -124,7 +123,7 @@ def _of_distance(run: Trace, row: FailureCase) -> str:
     right = truth.distance2(*_convex(run.a, run.b))
     if not right:
         return HIT
-    gap = row.read(run)
+    gap = row.claimed_value(run)
     return APART if gap > 0 and right / A_LITTLE < gap * gap < right * A_LITTLE else FAR
 
 

@@ -1,0 +1,164 @@
+"""The two panels of most shortcuts: the tests that its answer comes from, and what proves the truth."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import lru_cache, partial
+
+from ..engine import describe
+from ..engine.axes import Choice, hull_normals
+from ..engine.certificate import SeparatingLine, SharedPoint
+from ..engine.geometry import Vec
+from ..engine.sat import AxisTest, axis_tests
+from ..engine.shapes import Shape, centroid
+from ..engine.trace import Trace, record
+from ..scenes.shape_tools import translated
+from . import layout
+from .claims import is_about_push, is_near
+from .layout import NARROW_PAD, Group, Layout, moved, padded
+from .sketch import Sketch
+from .stages import draw_mtv, draw_verdict, separating_line
+
+arrange = partial(layout.arrange, pad=NARROW_PAD)
+
+
+def start_sketch(
+    trace: Trace, largest: tuple[float, float], tests: Sequence[AxisTest] = (), *, also: Shape | None = None
+) -> Sketch:
+    """Return a sketch of both shapes with a place for the axis of each test, and space for one more shape."""
+    shapes = [trace.a, trace.b] if also is None else [trace.a, also, trace.b]
+    sketch = Sketch(trace, arrange([Group(shapes, tests)], largest=largest)[0])
+    sketch.shapes()
+    return sketch
+
+
+def draw_claimed_tests(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    """Draw the tests that the shortcut's answer comes from, and its push."""
+    layout, _ = panel_layouts(trace, largest)
+    sketch = Sketch(trace, layout)
+    sketch.shapes()
+    tests = claimed_tests(trace)
+    for test, place in zip(tests, layout.places, strict=False):
+        if any(test.axis.normal):
+            if len(tests) == 1:
+                sketch.edge(test)
+                sketch.normal(test)
+            sketch.project(test, place, drops=len(tests) == 1, interval=False)
+        else:
+            sketch.no_axis(test)
+    if len(tests) < len(trace.tests) and not trace.ended_by:
+        sketch.note("tested", f"the least overlap of {len(trace.tests)} axes", "guide", first=7)
+    draw_push(sketch)
+    return sketch
+
+
+def claimed_tests(trace: Trace) -> list[AxisTest]:
+    """Return the tests that give the answer: the one that ended the run; else both of two, or the least overlap."""
+    if trace.ended_by:
+        return [trace.ended_by]
+    return list(trace.tests) if len(trace.tests) == 2 else [trace.shallowest] if trace.shallowest else []
+
+
+def draw_push(sketch: Sketch) -> None:
+    """Draw B where the shortcut pushes it, if its answer depends on that."""
+    trace = sketch.trace
+    if not is_about_push(trace) or not trace.push:
+        return
+    start = tip = centroid(trace.b)
+    text = f"push {describe.digits(trace).vector(trace.push)}"
+    if not is_near(trace, trace.push):
+        text += ",\nout of the picture"
+    elif any(trace.push):
+        tip = moved(start, trace.push, 1.0)
+        sketch.shape("B", f"{trace.names.b} pushed", translated(trace.b, trace.push), weight="faint", named=False)
+        sketch.add("push", "arrow", "move", start, tip, start=(start,))
+    prefer = trace.push if any(trace.push) else Vec(0.0, 1.0)
+    sketch.label("push-name", text, "move", tip, prefer=prefer, far=not is_near(trace, trace.push), first=3)
+
+
+def draw_proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    """Draw what proves the truth: the separating axis and line, or a shared point, the true ranges and the MTV."""
+    _, layout = panel_layouts(trace, largest)
+    run, test = true_run(trace), true_test(trace)
+    if test is None:
+        sketch = Sketch(run, layout)
+        draw_verdict(sketch, layout.places, told=False)
+        return sketch
+    run = replace(run, choice=Choice((test.axis,), complete=run.choice.complete), tests=(test,))
+    place = layout.places[-1]
+    sketch = Sketch(run, layout)
+    sketch.shapes()
+    certificate = trace.truth.certificate if trace.hit else run.certificate
+    if isinstance(certificate, SeparatingLine):
+        separating_line(sketch, certificate)
+    elif isinstance(certificate, SharedPoint):
+        sketch.add("shared", "dot", "ink", certificate.point)
+        sketch.label("shared-name", "in both", "ink", certificate.point, first=4)
+        move = trace.truth.known_mtv
+        if move and any(move):
+            draw_mtv(sketch, certificate.point, move)
+    sketch.project(test, place, drops=False, interval=False)
+    return sketch
+
+
+def true_test(trace: Trace) -> AxisTest | None:
+    """Return the axis that separates best, or the shortcut's own axis with its true ranges; None for concave hits."""
+    run = true_run(trace)
+    if run.pairs:
+        return None
+    best = max(run.tests, key=lambda test: test.gap)
+    ended = trace.ended_by
+    if best.gap > 0 or ended is None or not any(ended.axis.normal):
+        return best
+    return next(axis_tests(trace.a, trace.b, [ended.axis]))
+
+
+@lru_cache(maxsize=64)
+def true_run(trace: Trace) -> Trace:
+    """Return the exact run; for concave outlines the run over their hulls where a line separates these."""
+    truth = trace.truth
+    if not truth.pairs:
+        return truth
+    hulls = record(trace.a, trace.b, axes=hull_normals, every_axis=True)
+    return hulls if hulls.separating else truth
+
+
+@lru_cache(maxsize=64)
+def panel_layouts(trace: Trace, largest: tuple[float, float]) -> tuple[Layout, Layout]:
+    """Return the layouts of the claimed panel and of the proof, on one scale, with a place for each test shown."""
+    truth = true_test(trace)
+    tests = [drawable_test(trace, test) for test in claimed_tests(trace)], [truth] if truth else []
+    push = trace.push if is_about_push(trace) else None
+    shapes = _shapes_and_moved(trace, push), _shapes_and_moved(trace, trace.truth.known_mtv)
+    found = [arrange([Group(*group)], largest=largest)[0] for group in zip(shapes, tests, strict=True)]
+    small, large = sorted((0, 1), key=lambda k: found[k].scale)
+    found[large] = _layout_on_scale(found[small].scale, shapes[large], tests[large], largest) or found[large]
+    size = max(layout.size[0] for layout in found), max(layout.size[1] for layout in found)
+    return padded(found[0], size), padded(found[1], size)
+
+
+def _layout_on_scale(
+    scale: float, shapes: Sequence[Shape], tests: Sequence[AxisTest], largest: tuple[float, float]
+) -> Layout | None:
+    """Return the largest layout on no larger scale, found by halving, since the space for labels is in points.
+
+    Return None where even a canvas of 0.3 times the largest has a larger scale.
+    """
+    least, most, found = 0.3, 1.0, None
+    for _ in range(8):
+        part = (least + most) / 2
+        layout = arrange([Group(shapes, tests)], largest=(largest[0] * part, largest[1] * part))[0]
+        if layout.scale > scale:
+            most = part
+        else:
+            least, found = part, layout
+    return found
+
+
+def drawable_test(trace: Trace, test: AxisTest) -> AxisTest:
+    """Return the test itself; for the axis (0, 0), which has no direction, another test, to keep a place for words."""
+    return test if any(test.axis.normal) else next(t for t in trace.tests if any(t.axis.normal))
+
+
+def _shapes_and_moved(trace: Trace, move: Vec | None) -> list[Shape]:
+    """Return both shapes, and B where it is moved to if that is near enough to be drawn."""
+    return [trace.a, trace.b, *([translated(trace.b, move)] if move and is_near(trace, move) else [])]

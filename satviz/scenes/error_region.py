@@ -1,0 +1,39 @@
+"""Where a shortcut's answer is wrong as B moves, with exact boundaries: of a failing case, or of any other shortcut."""
+
+from ..engine.geometry import InvalidShape
+from ..engine.shapes import Shape
+from ..engine.shortcut import Shortcut
+from .failing import case_of
+from .failing.move_space import RegionOrReason, Window, hits_in_window
+from .failing.region_of_axes import region_of_verdict
+from .shape_tools import vertex_mean
+
+TOO_SMALL = "the shapes are so small beside their moves that float64 cannot tell their corners apart"
+TOO_MANY_CORNERS = "the parts of these shapes have too many corners to work it out while you drag"
+MAX_PART_CORNERS = 300  # of all A - B of pairs of parts: what is left of one without the others is cut up by each
+
+
+def error_region(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> RegionOrReason:
+    """Return where the shortcut's answer is wrong, for the moves of B in the window (x0, y0, x1, y1).
+
+    Return the reason instead, in words that follow a colon, where no area shows it.
+    """
+    try:
+        hits = hits_in_window(a, b, window)
+        if len(hits) > 1 and sum(map(len, hits)) > MAX_PART_CORNERS:
+            return TOO_MANY_CORNERS
+        case = case_of(shortcut)
+        if case and case.error_region:
+            return case.error_region(a, b, window)
+        return region_of_verdict(a, b, shortcut, window)
+    except InvalidShape:
+        return TOO_SMALL
+
+
+def error_region_in_view(a: Shape, b: Shape, shortcut: Shortcut, view: Window) -> RegionOrReason:
+    """Return the error region, or the reason why there is none, for the moves that bring B's vertex mean into view.
+
+    `view` is (x0, y0, x1, y1) in scene coordinates; the region is in moves of B, as in `error_region`.
+    """
+    mean, (x0, y0, x1, y1) = vertex_mean(b), view
+    return error_region(a, b, shortcut, (x0 - mean.x, y0 - mean.y, x1 - mean.x, y1 - mean.y))

@@ -1,0 +1,110 @@
+"""Cases about outlines: no area, a repeated vertex, edges that cross, vertices or edges left out."""
+
+from collections.abc import Sequence
+from functools import partial
+from itertools import pairwise
+from math import cos, hypot, radians, sin
+
+from ...engine.axes import EDGE, Axis, Choice, Source, edge_normals
+from ...engine.geometry import Interval, Vec
+from ...engine.sat import AxisTest, Projection, project
+from ...engine.shapes import Polygon, Shape
+from ...engine.shortcut import Shortcut
+from ..shape_tools import box, diamond
+from .claimed_value import push_length
+from .failure_case import FALSE_HIT, MISSED_HIT, REFUSED, WRONG_NUMBER, FailureCase, RawOutline
+from .region_of_pushes import overlaps_in_raw_units, region_of_depth
+from .true_value import depth
+from .wrong_steps import is_closing_edge, measured_test, raw_normals
+
+
+def normals_of_every_edge(a: Shape, b: Shape) -> Choice:
+    """Choose the normals of all edges, also (0, 0) for an edge between two vertices in the same place."""
+    axes = list(edge_normals(a, b).axes)
+    for role, points in ("B", b.vertices), ("A", a.vertices):
+        for i, (p, q) in enumerate(pairwise(points)):
+            if p == q:
+                axes.append(Axis(Vec(0.0, 0.0), 1.0, Source(EDGE, role, (i, i + 1))))
+    return Choice(tuple(axes))
+
+
+def normals_of_open_outlines(a: Shape, b: Shape) -> Choice:
+    """Choose the normals without those of the edges from the last vertex back to the first."""
+    return Choice(tuple(axis for axis in edge_normals(a, b).axes if not is_closing_edge(axis, a, b)))
+
+
+def four_extremes(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Measure with only those vertices that are extreme in x or in y."""
+
+    def project_extremes(shape: Shape) -> Projection:
+        whole = project(shape, axis)
+        x0, y0, x1, y1 = shape.bounds
+        at = [i for i, (x, y) in enumerate(whole.points) if shape.core_is_point or x in (x0, x1) or y in (y0, y1)]
+        return Projection(tuple(whole.points[i] for i in at), tuple(whole.landings[i] for i in at))
+
+    return measured_test(axis, project_extremes(a), project_extremes(b))
+
+
+def edge_vectors(points: RawOutline) -> list[Vec]:
+    """Return each vertex taken from the next, the closing edge last."""
+    return [Vec(q[0] - p[0], q[1] - p[1]) for p, q in zip(points, (*points[1:], points[0]))]
+
+
+def largest_gap_of_rods(a: RawOutline, b: RawOutline) -> float:
+    """Return the largest gap on all edge normals of outlines that nobody has checked."""
+
+    def interval(points: RawOutline, dx: float, dy: float) -> Interval:
+        landings = [(x * dy - y * dx) / hypot(dx, dy) for x, y in points]
+        return Interval(min(landings), max(landings))
+
+    return max(interval(a, *edge).gap(interval(b, *edge)) for edge in (*edge_vectors(b), *edge_vectors(a)))
+
+
+def least_turn(a: RawOutline, b: RawOutline) -> float:
+    """Return the smallest turn (cross product of neighbouring edges) of A; where it is positive, A is called convex."""
+    edges = edge_vectors(a)
+    return min(p.x * q.y - p.y * q.x for p, q in zip(edges, (*edges[1:], edges[0])))
+
+
+PENTAGRAM: Sequence[tuple[float, float]] = [(cos(radians(90 + 144 * i)), sin(radians(90 + 144 * i))) for i in range(5)]
+
+CASES = (
+    FailureCase(
+        Shortcut("no-area", "a rod is a polygon like any other"),
+        REFUSED,
+        ([(0, 0), (1, 0), (0.5, 0)], [(2, 0), (3, 0), (2.5, 0)]),
+        unchecked_value=largest_gap_of_rods,
+    ),
+    FailureCase(
+        Shortcut("repeated-vertex", "a vertex listed twice does no harm", normals_of_every_edge, raw_normals),
+        WRONG_NUMBER,
+        (Polygon([(0, 0), (1, 0), (1, 0), (1, 1), (0, 1)]), box(0.5, 0.25, 1.5, 1.25)),
+        quantity="depth",
+        claimed_value=push_length,
+        true_value=depth,
+        is_about_push=True,
+        error_region=partial(region_of_depth, choose=normals_of_every_edge, measure=overlaps_in_raw_units),
+    ),
+    FailureCase(
+        Shortcut("pentagram", "it turns left at every vertex, so it is convex"),
+        REFUSED,
+        (PENTAGRAM, [(0.5, 0), (1.5, 0), (1.5, 1), (0.5, 1)]),
+        quantity="least turn",
+        unchecked_value=least_turn,
+    ),
+    FailureCase(
+        Shortcut(
+            "extremes-once",
+            "the extreme vertices in x and y are the extremes on every axis",
+            edge_normals,
+            four_extremes,
+        ),
+        MISSED_HIT,
+        (Polygon([(-3, -1), (1, -3), (3, 1), (2.2, 2.6), (1, 3), (-3, 1)]), diamond(3.2, 3.2, 2.2)),
+    ),
+    FailureCase(
+        Shortcut("open-outline", "each vertex taken from the next gives all edges", normals_of_open_outlines),
+        FALSE_HIT,
+        (Polygon([(6, 4), (5, 0), (0, 1)]), Polygon([(0, 3), (1, 6), (2, 4)])),
+    ),
+)

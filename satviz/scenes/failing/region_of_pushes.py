@@ -1,0 +1,212 @@
+"""The error region of a push or a depth, as polygons in the plane of B's moves.
+
+How far B has to move out across an edge of A - B is linear in the move that it has made, and the nearest edge
+changes along straight lines.  So in every cell between these lines the claimed number and the true number are one
+formula each: they are the same formula, or they differ everywhere but on a line or a curve without an area.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise, product
+from math import hypot, isfinite
+from typing import NamedTuple
+
+from ...engine.axes import Axis, Chooser, needed
+from ...engine.geometry import Vec
+from ...engine.sat import project
+from ...engine.shapes import Shape
+from ..shape_tools import vertex_mean
+from .move_space import (
+    TOLERANCE,
+    ConvexRing,
+    RegionOrReason,
+    Window,
+    clip_to_half_plane,
+    clip_to_window,
+    minkowski_difference,
+    subtract,
+    twice_area,
+    window_ring,
+    wrong_number_region,
+)
+
+MAX_CORNERS, MAX_CORNERS_IN_PIECES = 32, 12  # of both shapes: more make too many cells to work out during a drag
+
+ROUND = "the way out of a circle turns as B moves, so the region where the number is wrong has no straight edges"
+DENT = "a shape has a dent, so its shortest way out does not change along straight lines"
+OVERFLOW = "the squares of these lengths are too large for float64"
+MANY_CORNERS = "both shapes together have more than {} corners, too many to work it out while you drag"
+
+
+class Linear(NamedTuple):
+    """A number that is linear in the move d of B: `rest` - `down` . d."""
+
+    rest: float
+    down: Vec
+
+    def at(self, d: Vec) -> float:
+        """Return the number for a move."""
+        return self.rest - self.down.x * d.x - self.down.y * d.y
+
+
+ZERO = Linear(0.0, Vec(0.0, 0.0))
+
+
+class Cell(NamedTuple):
+    """A convex polygon of moves in which B is pushed by `length` along `direction` (of length 1)."""
+
+    ring: ConvexRing
+    length: Linear
+    direction: Vec
+
+
+def why_no_cells(a: Shape, b: Shape) -> str:
+    """Return why the pushes of these shapes cannot be cut into cells; "" where they can."""
+    if a.core_is_point or b.core_is_point:
+        return ROUND
+    if not (a.is_convex and b.is_convex):
+        return DENT
+    return MANY_CORNERS.format(MAX_CORNERS) if len(a.vertices) + len(b.vertices) > MAX_CORNERS else ""
+
+
+def overlaps(a: Shape, b: Shape, axis: Axis) -> Iterator[tuple[Linear, Vec]]:
+    """Yield how far B must go to leave A on either side of an axis, with the direction (of length 1)."""
+    p, q, n = project(a, axis).interval, project(b, axis).interval, axis.direction
+    yield Linear(p.hi - q.lo, n), n
+    back = Vec(-n.x, -n.y)
+    yield Linear(q.hi - p.lo, back), back
+
+
+def overlaps_in_raw_units(a: Shape, b: Shape, axis: Axis) -> list[Linear]:
+    """Return the overlap to either side, in units of the normal's length."""
+    k = axis.length
+    return [Linear(rest * k, Vec(n.x * k, n.y * k)) for (rest, n), _ in overlaps(a, b, axis)]
+
+
+def shared_lengths(a: Shape, b: Shape, axis: Axis) -> list[Linear]:
+    """Return the numbers whose least is the length that both ranges share: never more than either range is long."""
+    ranges = project(a, axis).interval, project(b, axis).interval
+    return [*(one for one, _ in overlaps(a, b, axis)), *(Linear(r.hi - r.lo, Vec(0.0, 0.0)) for r in ranges)]
+
+
+def region_of_depth(
+    a: Shape, b: Shape, window: Window, choose: Chooser, measure: Callable[[Shape, Shape, Axis], list[Linear]]
+) -> RegionOrReason:
+    """Return where the least number that `measure` finds on the chosen axes is not the depth; or why none is shown."""
+    if why := why_no_cells(a, b):
+        return why
+    claimed = [one for axis in choose(a, b).axes for one in measure(a, b, axis)]
+    true = [side for axis in needed(a, b).axes for side, _ in overlaps(a, b, axis)]
+    (ring,) = minkowski_difference(a, b)
+    inside = clip_to_window(ring, window)
+    right = [one for one in claimed if any(_is_same(one, other) for other in true)]
+    wrong = subtract(inside, [_where_least(inside, one, [*claimed, *true]) for one in right])
+    return wrong_number_region(a, b, window, wrong)
+
+
+def region_of_push_to_mean(a: Shape, b: Shape, window: Window) -> RegionOrReason:
+    """Return where the MTV leads towards A's vertex mean instead of away from it; or why none is shown."""
+    if why := why_no_cells(a, b):
+        return why
+    p, q = vertex_mean(a), vertex_mean(b)
+    wrong = []
+    for ring, _, n in _push_cells(a, b, window):
+        wrong.append(clip_to_half_plane(ring, n, n.x * (p.x - q.x) + n.y * (p.y - q.y)))
+    return wrong_number_region(a, b, window, wrong)
+
+
+def region_of_pieces(
+    a: Shape,
+    b: Shape,
+    window: Window,
+    split: Callable[[Shape], Sequence[Shape]],
+    error: Callable[[Vec, Vec], float],
+) -> RegionOrReason:
+    """Return where the sum of the pushes of A's pieces is wrong beside the MTV of A; or why none is shown.
+
+    `error` of (sum of pushes, MTV) is quadratic in both, and 0 where the sum counts as right.
+    """
+    if why := why_no_cells(a, b):
+        return why
+    if len(a.vertices) + len(b.vertices) > MAX_CORNERS_IN_PIECES:
+        return MANY_CORNERS.format(MAX_CORNERS_IN_PIECES)
+    (ring,) = minkowski_difference(a, b)
+    layers = [[*_push_cells(a, b, window)]]
+    for piece in split(a):
+        (own,) = minkowski_difference(piece, b)
+        beyond = (Cell(rest, ZERO, ZERO.down) for rest in subtract(clip_to_window(ring, window), [own]))
+        layers.append([*_push_cells(piece, b, window), *beyond])
+    far = max(abs(u) for p in (*ring, *window_ring(window)) for u in p)
+    if not isfinite(far * far):
+        return OVERFLOW
+    tolerance = TOLERANCE * far * far
+    wrong = [ring for ring, cells in _overlay(layers) if not _pushes_agree(ring, cells, error, tolerance)]
+    return wrong_number_region(a, b, window, wrong)
+
+
+def _push_cells(a: Shape, b: Shape, window: Window) -> Iterator[Cell]:
+    """Yield A - B cut along its medial lines: for each edge the moves that it is nearest to."""
+    every = [side for axis in needed(a, b).axes for side in overlaps(a, b, axis)]
+    (ring,) = minkowski_difference(a, b)
+    inside = clip_to_window(ring, window)
+    for length, direction in every:
+        if cell := _where_least(inside, length, [other for other, _ in every]):
+            yield Cell(cell, length, direction)
+
+
+def _where_least(ring: ConvexRing, one: Linear, others: Sequence[Linear]) -> ConvexRing:
+    """Return the part of a convex ring where one number is the least of all."""
+    for other in others:
+        n, limit = Vec(other.down.x - one.down.x, other.down.y - one.down.y), other.rest - one.rest
+        if _is_same(one, other):
+            continue
+        if not ring:
+            break
+        if any(n):
+            ring = clip_to_half_plane(ring, n, limit)
+        elif limit < 0:
+            return ()
+    return ring
+
+
+def _is_same(p: Linear, q: Linear) -> bool:
+    """Are two numbers the same formula in the move of B, but for rounding?"""
+    size = max(abs(p.rest), abs(q.rest), hypot(*p.down), hypot(*q.down))
+    return max(abs(p.rest - q.rest), *(abs(u - v) for u, v in zip(p.down, q.down, strict=True))) <= TOLERANCE * size
+
+
+def _overlay(layers: Sequence[Sequence[Cell]]) -> list[tuple[ConvexRing, list[Cell]]]:
+    """Return each polygon in which one cell of every layer meet, with these cells."""
+    found = [(cell.ring, [cell]) for cell in layers[0]]
+    for layer in layers[1:]:
+        met = ((_intersection(ring, cell.ring), [*cells, cell]) for (ring, cells), cell in product(found, layer))
+        found = [(ring, cells) for ring, cells in met if ring]
+    return found
+
+
+def _intersection(ring: ConvexRing, other: ConvexRing) -> ConvexRing:
+    """Return what two convex rings share; their bounding boxes are compared first, since most lie apart."""
+    for k in 0, 1:
+        if max(p[k] for p in ring) <= min(p[k] for p in other) or max(p[k] for p in other) <= min(p[k] for p in ring):
+            return ()
+    for p, q in zip(other, (*other[1:], other[0]), strict=True):
+        n = Vec(q.y - p.y, p.x - q.x)
+        ring = clip_to_half_plane(ring, n, p.x * n.x + p.y * n.y) if ring else ()
+    return ring
+
+
+def _pushes_agree(
+    ring: ConvexRing, cells: Sequence[Cell], error: Callable[[Vec, Vec], float], tolerance: float
+) -> bool:
+    """Does the sum of the pieces' pushes count as right all over the ring, where `error` of it and the MTV is 0?
+
+    A quadratic is 0 all over if it is 0 at a triangle's corners and edge midpoints.
+    The first cell holds the whole shape's MTV, the others hold its pieces' pushes.
+    """
+    p, q, r = max(((ring[0], *two) for two in pairwise(ring[1:])), key=twice_area)
+    spots = p, q, r, *(Vec((u.x + v.x) / 2, (u.y + v.y) / 2) for u, v in ((p, q), (q, r), (r, p)))
+    for spot in spots:
+        mtv, *pushes = (Vec(c.direction.x * c.length.at(spot), c.direction.y * c.length.at(spot)) for c in cells)
+        total = Vec(sum(one.x for one in pushes), sum(one.y for one in pushes))
+        if abs(error(total, mtv)) > tolerance:
+            return False
+    return True

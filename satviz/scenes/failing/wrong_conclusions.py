@@ -1,0 +1,220 @@
+"""Cases in which the gaps are right and the conclusion is not: a push, a distance, a moving shape, a wrong sign."""
+
+from collections.abc import Sequence
+from functools import partial
+from math import copysign, dist, nan
+
+from ...engine.axes import SLIP, Axis, Choice, edge_normals, needed
+from ...engine.convex_parts import parts
+from ...engine.geometry import Vec
+from ...engine.sat import AxisTest, project
+from ...engine.shapes import Polygon, Shape
+from ...engine.shortcut import Shortcut
+from ...engine.trace import Trace, record
+from ..shape_tools import box, translated, vertex_mean
+from . import true_value
+from .claimed_value import push_length
+from .failure_case import FALSE_HIT, MISSED_HIT, WRONG_NUMBER, FailureCase, Panels
+from .move_space import (
+    TOLERANCE,
+    ErrorRegion,
+    RegionOrReason,
+    Window,
+    clip_to_half_plane,
+    clip_to_window,
+    convex_hull,
+    minkowski_difference,
+    subtract,
+    window_ring,
+    wrong_number_region,
+)
+from .region_of_pushes import region_of_depth, region_of_pieces, region_of_push_to_mean, shared_lengths
+from .wrong_steps import only_x
+
+# -- pushes
+
+
+def push_from_center(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
+    """Push by the right depth along the right axis, but from A's vertex mean towards B's."""
+    if not tests:
+        return Vec(0.0, 0.0)
+    test = max(tests, key=lambda test: test.gap)
+    (px, py), (qx, qy), n = vertex_mean(a), vertex_mean(b), test.axis.direction
+    length = copysign(test.gap, n.x * (qx / 2 - px / 2) + n.y * (qy / 2 - py / 2))  # as halves: none overflows
+    return Vec(n.x * length, n.y * length)
+
+
+def overlap_after_push(trace: Trace) -> float:
+    """Return how deep B still overlaps A after the run's push."""
+    pushed = translated(trace.b, trace.push or Vec(0.0, 0.0))
+    return max(0.0, -max((test.gap for test in record(trace.a, pushed, every_axis=True).tests), default=nan))
+
+
+def overlap_after_mtv(a: Shape, b: Shape) -> float:
+    """Return how deep B, a polygon, still overlaps A after the MTV."""
+    return max(0.0, -true_value.gap(a, translated(b, true_value.mtv(a, b))))
+
+
+def flat_overlap(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Measure from the larger minimum to the smaller maximum, which is too short where one range holds the other."""
+    p, q = project(a, axis), project(b, axis)
+    return AxisTest(axis, p, q, max(p.interval.lo, q.interval.lo) - min(p.interval.hi, q.interval.hi))
+
+
+def tiles(shape: Shape) -> Sequence[Shape]:
+    """Cut an upright box into two tiles side by side; any other shape into its convex parts."""
+    if not shape.is_upright_box:
+        return parts(shape)
+    x0, y0, x1, y1 = shape.bounds
+    seam = (x0 + x1) / 2
+    return [Polygon([(p, y0), (q, y0), (q, y1), (p, y1)]) for p, q in ((x0, seam), (seam, x1))]
+
+
+def distance_from_mtv(trace: Trace) -> float:
+    """Return how far the run's push ends from the MTV; NaN where the run sees nothing to push."""
+    return dist(trace.push, record(trace.a, trace.b).mtv or (0.0, 0.0)) if trace.push else nan
+
+
+def zero(a: Shape, b: Shape) -> float:
+    """Return how far the MTV ends from itself."""
+    return 0.0
+
+
+def squared_distance(push: Vec, mtv: Vec) -> float:
+    """Return the squared distance between the ends of a push and of the MTV."""
+    x, y = push.x - mtv.x, push.y - mtv.y
+    return x * x + y * y
+
+
+# -- a distance
+
+
+def gap_as_distance(trace: Trace) -> float:
+    """Return the largest gap that the run measured; 0 where it found none."""
+    return max(0.0, *(test.gap for test in trace.tests))
+
+
+def region_not_beside(a: Shape, b: Shape, window: Window) -> ErrorRegion:
+    """Return where the shapes are apart and B does not lie beside an upright edge of A, where x gives the distance."""
+    rings = [convex_hull(Vec(u.x - v.x, u.y - v.y) for u in p.core for v in q.core) for p in parts(a) for q in parts(b)]
+    tolerance = TOLERANCE * max((abs(u) for ring in rings for p in ring for u in p), default=0.0)
+    beside = []
+    for side in 1, -1:
+        far = max((p.x * side for ring in rings for p in ring), default=0.0)
+        for ring in rings:
+            ys = [p.y for p in ring if far - p.x * side <= tolerance]
+            low, high = min(ys, default=0.0), max(ys, default=0.0)
+            if low >= high:
+                continue
+            level = clip_to_half_plane(window_ring(window), Vec(0.0, 1.0), high)
+            level = clip_to_half_plane(level, Vec(0.0, -1.0), -low)
+            beside.append(clip_to_half_plane(level, Vec(-side, 0.0), -far))
+    wrong = subtract(window_ring(window), [*minkowski_difference(a, b), *beside])
+    return wrong_number_region(a, b, window, wrong)
+
+
+# -- motion
+
+
+def gap_in_both_frames(trace: Trace) -> float:
+    """Return the smaller gap of two frames, between which A flies by FLIGHT past B."""
+    after = translated(trace.a, Vec(*map(float, true_value.FLIGHT)))
+    run = record(after, trace.b, axes=trace.shortcut or needed)
+    return min(max(test.gap for test in one.tests) for one in (trace, run))
+
+
+def region_on_the_way(a: Shape, b: Shape, window: Window) -> RegionOrReason:
+    """Return where A meets B between two frames, and in neither of them."""
+    if a.core_is_point or b.core_is_point:
+        return "the flight of a circle is not worked out"
+    if not (a.is_convex and b.is_convex):
+        return "a shape has a dent, and both frames are tested without its convex parts"
+    x, y = map(float, true_value.FLIGHT)
+    (first,) = minkowski_difference(a, b)
+    after = tuple(Vec(p.x + x, p.y + y) for p in first)
+    way = clip_to_window(convex_hull((*first, *after)), window)
+    return wrong_number_region(a, b, window, subtract(way, (first, after)))
+
+
+# -- one wrong sign
+
+
+def slipped_normals(a: Shape, b: Shape) -> Choice:
+    """Choose for each edge (dx, dy) the direction (dx, -dy) instead of the normal (dy, -dx)."""
+    found = []
+    for axis in edge_normals(a, b).axes:
+        x, y = axis.normal.y, axis.normal.x  # the normal is (dy, -dx) or its opposite
+        turned = Vec(x, y) if (x, y) > (0, 0) else Vec(-x + 0.0, -y + 0.0)
+        found.append(Axis(turned, axis.length, axis.source._replace(kind=SLIP)))
+    return Choice(tuple(found))
+
+
+def slanted_bar(y: float) -> Polygon:
+    """Return a slanted bar whose lower left corner is at (0, y)."""
+    return Polygon([(0, y), (6, y + 2), (6, y + 3), (0, y + 1)])
+
+
+CASES = (
+    FailureCase(
+        Shortcut("push-from-center", "the way out is away from the other's center", push=push_from_center),
+        WRONG_NUMBER,
+        (Polygon([(0, 0), (8, 0), (0, 1)]), box(0.5, -0.5, 1.5, 1.5)),
+        quantity="overlap left:",
+        claimed_value=overlap_after_push,
+        true_value=overlap_after_mtv,
+        is_about_push=True,
+        error_region=region_of_push_to_mean,
+    ),
+    FailureCase(
+        Shortcut(
+            "range-inside", "the overlap runs from the larger minimum to the smaller maximum", needed, flat_overlap
+        ),
+        WRONG_NUMBER,
+        (box(0, 0, 10, 10), box(4, 4, 5, 5)),
+        quantity="depth",
+        claimed_value=push_length,
+        true_value=true_value.depth,
+        is_about_push=True,
+        error_region=partial(region_of_depth, choose=needed, measure=shared_lengths),
+    ),
+    FailureCase(
+        Shortcut("gap-as-distance", "the gap on an axis is the distance", only_x),
+        WRONG_NUMBER,
+        (box(0, 0, 1, 1), box(4, 5, 5, 6)),
+        quantity="distance",
+        claimed_value=gap_as_distance,
+        true_value=true_value.distance,
+        error_region=region_not_beside,
+        panels=Panels(actual="distance"),
+    ),
+    FailureCase(
+        Shortcut("tunnelling", "clear in this frame and the next, so clear in between"),
+        MISSED_HIT,
+        (box(-2.1, -0.1, -1.9, 0.1), box(-0.05, -1, 0.05, 1)),
+        claimed_value=gap_in_both_frames,
+        true_value=true_value.contact_times,
+        error_region=region_on_the_way,
+        panels=Panels("two frames", "flight"),
+        verdicts=("apart", "they meet on the way"),
+    ),
+    FailureCase(
+        Shortcut("slipped-normal", "the normal of an edge (dx, dy) is (dx, -dy)", slipped_normals),
+        FALSE_HIT,
+        (slanted_bar(0), slanted_bar(2)),
+    ),
+    FailureCase(
+        Shortcut("touch-as-apart", "with < or with <=, the test says the same", touching_separates=True),
+        MISSED_HIT,
+        (box(0, 0, 2, 1), box(2, 0, 3, 2)),
+    ),
+    FailureCase(
+        Shortcut("tile-seam", "each tile of a floor pushes out what sinks into it", split=tiles),
+        WRONG_NUMBER,
+        (box(0, 0, 8, 2), box(2.9, 1.5, 4.4, 3)),
+        quantity="push off by",
+        claimed_value=distance_from_mtv,
+        true_value=zero,
+        is_about_push=True,
+        error_region=partial(region_of_pieces, split=tiles, error=squared_distance),
+    ),
+)

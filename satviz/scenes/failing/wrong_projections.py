@@ -1,0 +1,110 @@
+"""Cases in which the projection is wrong: its sign, its unit, or its rounding."""
+
+from fractions import Fraction
+from functools import partial
+from math import nan
+
+from ...engine.axes import EDGE, Axis, Source, edge_normals, needed
+from ...engine.sat import AxisTest, Projection, axis_tests, project
+from ...engine.shapes import Polygon, Shape
+from ...engine.shortcut import Shortcut
+from ...engine.trace import Trace
+from ..shape_tools import box, decimal_vertices
+from .claimed_value import push_length
+from .failure_case import FALSE_HIT, MISSED_HIT, WRONG_NUMBER, FailureCase, Panels
+from .move_space import Window
+from .region_of_axes import ROUNDING
+from .region_of_pushes import overlaps_in_raw_units, region_of_depth
+from .true_value import depth
+from .wrong_steps import measured_test, raw_normals, unit_normals
+
+
+def mixed_signs(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Measure with A projected on the normal and B on its opposite."""
+    p, q = project(a, axis), project(b, axis)
+    return measured_test(axis, p, q._replace(landings=tuple(-t + 0.0 for t in q.landings)))
+
+
+def without_signs(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Measure with landings taken as lengths."""
+    p, q = (side._replace(landings=tuple(map(abs, side.landings))) for side in (project(a, axis), project(b, axis)))
+    return measured_test(axis, p, q)
+
+
+def as_written(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Measure the decimals that people write, where 0.1 + 0.2 is 0.3, instead of the floats that they become."""
+    p, q = project(a, axis), project(b, axis)
+    if a.core_is_point or b.core_is_point:
+        return measured_test(axis, p, q)
+    (x, y), length = map(Fraction, axis.normal), axis.length
+    dots = [[u * x + v * y for u, v in decimal_vertices(shape)] for shape in (a, b)]
+    gap = max(min(dots[0]) - max(dots[1]), min(dots[1]) - max(dots[0]))
+    p, q = (Projection(s.vertices, tuple(float(t) / length for t in d)) for s, d in zip((a, b), dots, strict=True))
+    return AxisTest(axis, p, q, float(gap) / length)
+
+
+FIRST_EDGE_OF_B = Source(EDGE, "B", (0, 1))
+
+
+def claimed_furthest_vertices(trace: Trace) -> float:
+    """Return how many vertices of B are furthest along the normal of its first edge, as measured; NaN for a circle."""
+    found = [test.b.landings for test in trace.tests if test.source == FIRST_EDGE_OF_B]
+    return found[0].count(max(found[0])) if found else nan
+
+
+def true_furthest_vertices(a: Shape, b: Shape) -> float:
+    """Return how many vertices of B land on the end of its range, on its first edge's normal; NaN for a circle."""
+    first = (axis for axis in edge_normals(a, b).axes if axis.source == FIRST_EDGE_OF_B)
+    found = [test.b for test in axis_tests(a, b, first)]
+    return found[0].landings.count(found[0].interval.hi) if found else nan
+
+
+def no_region(a: Shape, b: Shape, window: Window) -> str:
+    """Return why no area shows where rounding makes an answer wrong."""
+    return ROUNDING
+
+
+CASES = (
+    FailureCase(
+        Shortcut("mixed-signs", "a normal or its opposite, for each shape as it comes", edge_normals, mixed_signs),
+        MISSED_HIT,
+        (Polygon([(0, 0), (4, 0), (1, 3)]), box(1, 1, 2, 2)),
+    ),
+    FailureCase(
+        Shortcut("unit-normals", "a normal must first be brought to length 1", edge_normals, unit_normals),
+        MISSED_HIT,
+        (Polygon([(-7, 5), (2, -2), (-1, 4)]), Polygon([(1, -3), (-9, 7), (-2, -1)])),
+        error_region=no_region,
+    ),
+    FailureCase(
+        Shortcut("raw-depth", "the depth can be read off with normals of any length", edge_normals, raw_normals),
+        WRONG_NUMBER,
+        (box(0, 0, 2, 1), box(1, 0.25, 3, 2.25)),
+        quantity="depth",
+        claimed_value=push_length,
+        true_value=depth,
+        is_about_push=True,
+        error_region=partial(region_of_depth, choose=edge_normals, measure=overlaps_in_raw_units),
+    ),
+    FailureCase(
+        Shortcut("lengths", "a landing place is a length, so it has no sign", needed, without_signs),
+        FALSE_HIT,
+        (box(-3, 0, -2, 1), box(2, 0, 3, 1)),
+    ),
+    FailureCase(
+        Shortcut("one-maximum", "on any axis one vertex is the furthest", edge_normals, unit_normals),
+        WRONG_NUMBER,
+        (Polygon([(0, 1), (3, 2), (1, 5)]), Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])),
+        quantity="furthest vertices:",
+        claimed_value=claimed_furthest_vertices,
+        true_value=true_furthest_vertices,
+        error_region=no_region,
+        panels=Panels("rounded digits", "exact digits"),
+    ),
+    FailureCase(
+        Shortcut("touch-on-paper", "what touches on paper touches in the computer", needed, as_written),
+        WRONG_NUMBER,
+        (box(0, 0, 0.1 + 0.2, 0.3), box(0.3, 0, 0.6, 0.3)),
+        error_region=no_region,
+    ),
+)
