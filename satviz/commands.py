@@ -219,9 +219,9 @@ def notebook(args: argparse.Namespace) -> int:
     """Copy the walkthrough beside the reader, not yet run, and open it."""
     from importlib.util import find_spec
 
-    from .site.walkthrough import shipped
+    from .site.shipped import shipped_notebooks
 
-    sources = shipped()
+    sources = shipped_notebooks()
     safe_write.folder(args.out)
     for source in sources:
         copy, data = args.out / source.name, _not_yet_run(source.read_bytes())
@@ -414,14 +414,14 @@ def reference(args: argparse.Namespace) -> int:
 
 def site(args: argparse.Namespace) -> int:
     """Write the site, and serve it if asked."""
-    from .site.build import Missing, site
+    from .site.build import PythonMissing, site
 
     try:
         pages, lacks = site(pyodide=args.pyodide, live=not args.still)
         files = dict(pages)
     except ImportError as error:
         raise Failed(str(error)) from None
-    except Missing as error:
+    except PythonMissing as error:
         raise Refused(str(error)) from None
     _write_all(args, files)
     for line in lacks:

@@ -11,7 +11,7 @@ import satviz as sv
 from satviz.pictures import DARK, LIGHT, playback
 from satviz.pictures.caption import add_captions
 from satviz.render.files import MADE_BY, encode, encode_frames
-from satviz.site.walkthrough import shipped
+from satviz.site.shipped import shipped_notebooks
 
 pytestmark = pytest.mark.slow
 
@@ -454,7 +454,7 @@ def test_in_notebook_7_the_widgets_show_and_can_be_dragged(browser, lab):
 
 @pytest.mark.parametrize("app", ["lab", "notebooks"])
 def test_the_text_that_answers_a_question_of_a_chapter_is_folded(browser, lab, app):
-    chapter = next(path for path in shipped() if path.name.startswith("1"))
+    chapter = next(path for path in shipped_notebooks() if path.name.startswith("1"))
     shutil.copy(chapter, lab.folder / "chapter.ipynb")
     page = browser.new_page(viewport={"width": 1200, "height": 12_000})
     lab.open(page, "chapter.ipynb", app)

@@ -188,7 +188,7 @@ def test_the_largest_margin_of_a_sample_is_no_bound(normals):
     assert python_rivals.sat(
         python_rivals.points_and_radius(p), python_rivals.points_and_radius(q), unit=normals == "unit normals"
     )  # a hit, which is wrong
-    for name in "README.md", "notebooks/7-speed-against-accuracy.ipynb":
+    for name in "satviz/guides/speed-and-accuracy.md", "notebooks/7-speed-against-accuracy.ipynb":
         text = (Path(__file__).parent.parent / name).read_text(encoding="utf-8")
         assert re.search(rf"{normals} (wrong )?at {known:.2f}", text), name
 
