@@ -168,7 +168,7 @@ def test_an_axis_that_the_shapes_do_not_have_is_refused_and_its_numbers_are_its_
     for axis in axes.needed(a, b).axes:
         for other in axis._replace(length=2 * axis.length), axis._replace(source=axis.source._replace(ids=(0, 9))):
             for choice in axes.Choice((other,)), axes.Choice(axes.WORLD_AXES, (axes.Skip(other, axes.PARALLEL, 1),)):
-                with pytest.raises(ValueError, match="is no axis of these shapes: choose the axes for this very pair"):
+                with pytest.raises(ValueError, match="is not an axis of these shapes: choose the axes for this very pair"):
                     sv.record(a, b, axes=choice)
 
 
@@ -204,7 +204,7 @@ def test_a_direction_of_ones_own_has_the_length_that_it_has(axis):
 )
 def test_a_direction_of_ones_own_has_a_number(source):
     given = axes.Axis(sv.Vec(1.0, 0.0), 1.0, axes.Source(axes.GIVEN, *source))
-    with pytest.raises(ValueError, match="is no axis of these shapes"):
+    with pytest.raises(ValueError, match="is not an axis of these shapes"):
         sv.record(A, B, axes=axes.Choice((given,)))
     last = given._replace(source=axes.Source(axes.GIVEN, None, (2**53 - 1,)))
     assert sv.record(A, B, axes=axes.Choice((last,))).tests[0].axis == last
@@ -368,7 +368,7 @@ def test_axes_that_were_chosen_for_other_shapes_are_refused_or_prove_no_more_tha
                 try:
                     trace = sv.record(a, b, axes=choice)
                 except ValueError as error:
-                    assert "is no axis of these shapes" in str(error)
+                    assert "is not an axis of these shapes" in str(error)
                     refused += 1
                     continue
                 taken, wrong = taken + 1, wrong + trace.false_hit

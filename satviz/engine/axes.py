@@ -1,15 +1,15 @@
-"""The choices of axes: a method is a choice of axes, and one loop runs them all.
+"""The choices of axes: a collision method is a choice of axes, and one loop (`sat`) runs them all.
 
-A choice is a function (a, b) -> Choice.  `needed` is the engine's own: the
+A choice of axes is made by a function (a, b) -> Choice.  `needed` is the engine's own: the
 smallest set that is complete for the pair.  The others are the article's
-shortcuts and the building blocks of a choice of one's own.
+shortcuts and building blocks for choices of the user's own.
 """
 
 from collections.abc import Callable, Iterator, Sequence
 from math import gcd, hypot
 from typing import Any, NamedTuple
 
-from .geometry import Vec
+from .geometry import Vec, cyclic_pairs
 from .polygon_validation import number, point
 from .predicates import IntPoint, aligned, orient, to_float, to_int_points, to_integers
 from .shapes import Shape, centroid
@@ -39,7 +39,11 @@ PARALLEL, NO_DIRECTION, EARLY_EXIT = "parallel", "no direction", "early exit"
 
 
 class Source(NamedTuple):
-    """Where an axis comes from: its kind, whose ("A", "B" or None) and which of the owner's vertices."""
+    """Where an axis comes from, which names it exactly (its numbers may be rounded).
+
+    `kind`: one of the constants above; `shape`: "A", "B", or None where no single shape gives it; `ids`: which of
+    that shape's vertices (an edge's two ends), which world axis (0 for x) or which given direction.
+    """
 
     kind: str
     shape: str | None = None
@@ -50,7 +54,7 @@ class Axis(NamedTuple):
     """A direction to project on, pointing right (or up), and where it comes from.
 
     `normal` is the direction as found, not normalised (edge v1v2 of the article's B
-    gives (2, 3)); `length` its length; `direction` the unit vector.
+    gives (2, 3)); `length` is its length; `direction` is the unit vector.
     """
 
     normal: Vec
@@ -59,14 +63,15 @@ class Axis(NamedTuple):
 
     @property
     def direction(self) -> Vec:
-        """The normal as a unit vector, rounded."""
+        """Return the normal as a unit vector, rounded."""
         return Vec(self.normal.x / self.length, self.normal.y / self.length)
 
 
 class Skip(NamedTuple):
-    """An axis that was not tested, and why: one of the three reasons above.
+    """An axis that was not tested, and why: PARALLEL, NO_DIRECTION or EARLY_EXIT.
 
-    `number`: of the axis, from 1, that it is parallel to or that separates; None where no other axis is the reason.
+    `number` counts from 1 and names the axis that this one is parallel to, or the one that separates;
+    it is None for NO_DIRECTION.
     """
 
     axis: Axis
@@ -75,7 +80,7 @@ class Skip(NamedTuple):
 
 
 class Choice(NamedTuple):
-    """Axes in the order to test them, those left out, and whether no gap on these proves a hit."""
+    """Axes in the order in which to test them, the axes left out, and `complete`: does no gap on these prove a hit?"""
 
     axes: tuple[Axis, ...]
     skipped: tuple[Skip, ...] = ()
@@ -89,7 +94,7 @@ WORLD_AXES = (Axis(Vec(0.0, 1.0), 1.0, Source(WORLD, None, (1,))), Axis(Vec(1.0,
 
 
 def needed(a: Shape, b: Shape) -> Choice:
-    """The smallest complete set for this pair; for a concave polygon, of the pair's outlines.
+    """Return the smallest complete set of axes for this pair; with a concave polygon, which has none, its edge normals.
 
     Two circles: the axis through their centers.  Upright boxes: y and x.  Circle and
     polygon: the polygon's edge normals without parallel repeats, and the nearest
@@ -98,13 +103,13 @@ def needed(a: Shape, b: Shape) -> Choice:
     """
     if a.core_is_point and b.core_is_point:
         return centers(a, b)
-    # which side of a rectangle gives which axis does not matter: y and x serve all eight
+    # y and x are the normals of all eight sides of two upright boxes
     upright = a.is_upright_box and b.is_upright_box
     axes: list[Axis] = list(WORLD_AXES) if upright else []
     number = {(0, 1): 1, (1, 0): 2} if upright else {}
     skipped = []
     for shape, role in (b, "B"), (a, "A"):
-        for axis, key in _keyed_normals_of(shape, role):
+        for axis, key in _keyed_normals(shape, role):
             if key in number:
                 skipped.append(Skip(axis, PARALLEL, number[key]))
             else:
@@ -120,21 +125,21 @@ def needed(a: Shape, b: Shape) -> Choice:
 
 
 def world(a: Shape, b: Shape) -> Choice:
-    """y and x: the AABB method; complete for upright boxes only."""
+    """Return the axes y and x, which is the AABB method; complete for upright boxes only."""
     return Choice(WORLD_AXES, complete=a.is_upright_box and b.is_upright_box)
 
 
 def edge_normals(a: Shape, b: Shape) -> Choice:
-    """Every edge normal of both shapes, B's first, parallel repeats included; for a circle rarely complete."""
+    """Return every edge normal of both shapes, B's first, parallel repeats included; rarely complete for a circle."""
     return _make_choice(_normals(b, "B") + _normals(a, "A"), a, b)
 
 
 def hull_normals(a: Shape, b: Shape) -> Choice:
-    """The edge normals of both convex hulls, B's first; no gap on these proves that no line separates the polygons."""
+    """Return the edge normals of both convex hulls, B's first; no gap proves that no line separates the polygons."""
     axes: list[Axis] = []
     for shape, role in (b, "B"), (a, "A"):
         hull = _hull_corners(shape.core)
-        for i, j in zip(hull, [*hull[1:], *hull[:1]], strict=True):
+        for i, j in cyclic_pairs(hull):
             axes.append(
                 _make_axis(*_integer_edge_normal(shape, role, EDGE if (j - i) % len(shape.core) == 1 else HULL, i, j))
             )
@@ -142,27 +147,27 @@ def hull_normals(a: Shape, b: Shape) -> Choice:
 
 
 def edge_normals_of_a(a: Shape, b: Shape) -> Choice:
-    """A's edge normals only: a shortcut that gives false hits."""
+    """Return the edge normals of A alone: a shortcut that gives false hits."""
     return _make_choice(_normals(a, "A"), a, b)
 
 
 def edge_normals_of_b(a: Shape, b: Shape) -> Choice:
-    """B's edge normals only: a shortcut that gives false hits."""
+    """Return the edge normals of B alone: a shortcut that gives false hits."""
     return _make_choice(_normals(b, "B"), a, b)
 
 
 def centers(a: Shape, b: Shape) -> Choice:
-    """The one axis through both centers (polygons: centroids); complete for two circles, also concentric."""
-    circles = a.radius > 0 and b.radius > 0
+    """Return the one axis through both centers (of polygons, centroids); complete for two circles, also concentric."""
+    circles = a.core_is_point and b.core_is_point
     k, ((px, py), (qx, qy)) = to_int_points((centroid(a), centroid(b)))
     if (px, py) == (qx, qy):
-        # concentric: no direction is special, and on every one the ranges overlap by as much
+        # concentric: the ranges overlap by the same depth in every direction
         return Choice((Axis(Vec(1.0, 0.0), 1.0, Source(ANY)),), complete=circles)
     return Choice((_make_axis((qx - px, qy - py), k, Source(CENTERS if circles else CENTROIDS)),), complete=circles)
 
 
 def nearest_vertex(a: Shape, b: Shape) -> Choice:
-    """The axis from a circle's center to the polygon's nearest vertex; no axis for other pairs."""
+    """Return the axis from a circle's center to the polygon's nearest vertex; no axis for other pairs."""
     if a.core_is_point == b.core_is_point:
         return Choice(())
     axis, skip = _vertex_axis(a, b, {})
@@ -170,13 +175,13 @@ def nearest_vertex(a: Shape, b: Shape) -> Choice:
 
 
 def directions(*vectors: Any) -> Chooser:
-    """A choice of the given (x, y) directions, taken exactly as given and not turned round."""
+    """Return a choice of the given (x, y) directions, taken exactly as given and never reversed."""
     axes = tuple(given_axis(vector, i) for i, vector in enumerate(vectors))
     return lambda a, b: Choice(axes)
 
 
 def given_axis(vector: Any, index: int) -> Axis:
-    """The axis along the direction that was given as number 0, 1, ...; ValueError for what is none."""
+    """Return the axis along the direction that was given as number 0, 1, ...; ValueError for (0, 0)."""
     v = point(vector, f"direction {index}")
     if v == (0, 0):
         raise ValueError(f"direction {index} is (0, 0): an axis needs a direction")
@@ -197,20 +202,23 @@ NAMED: dict[str, Chooser] = {
 
 
 def axes_by_source(a: Shape, b: Shape) -> dict[Source, Axis]:
-    """Every axis that these shapes have of themselves, by where it comes from."""
+    """Return every axis that the choices in this module find for two shapes, by its source."""
     choices = [choose(a, b) for choose in (edge_normals, hull_normals, world, centers, nearest_vertex)]
     return {axis.source: axis for c in choices for axis in (*c.axes, *(skip.axis for skip in c.skipped))}
 
 
 def same_axis(axis: Axis, ours: Axis) -> bool:
-    """Is it this axis, to the last bit of its normal?  Its length may come from another machine's square root."""
+    """Return whether two axes have the same normal to the last bit, and almost the same length.
+
+    The length may come from another machine's square root: 2**-46 of it is 128 roundings.
+    """
     return axis.normal == ours.normal and abs(axis.length - ours.length) <= ours.length * 2.0**-46
 
 
 def is_complete(axes: Sequence[Axis], a: Shape, b: Shape) -> bool:
-    """Does no gap on these axes prove a hit?  It does if they have all axes of `needed`, or all edge normals.
+    """Return whether no gap on these axes proves a hit: they include all axes of `needed`, or all edge normals.
 
-    Of other axes nothing is proven: directions that were given may be all that are needed by chance.
+    Given directions may happen to be all that are needed; that is not proven, so the answer is False.
     """
     has = {axis.source for axis in axes}
     if _convex_polygons(a, b) and has >= {axis.source for axis in (*_normals(a, "A"), *_normals(b, "B"))}:
@@ -220,15 +228,17 @@ def is_complete(axes: Sequence[Axis], a: Shape, b: Shape) -> bool:
 
 
 def _make_choice(axes: tuple[Axis, ...], a: Shape, b: Shape) -> Choice:
+    """Return the choice of these axes, complete or not."""
     return Choice(axes, complete=is_complete(axes, a, b))
 
 
 def validate_choice(choice: Choice, a: Shape, b: Shape) -> Choice:
-    """A choice of someone else's as it serves this pair; whether it is complete is worked out, whatever it says.
+    """Return a choice from outside this module, checked and recomputed for this pair; it claims nothing unproven.
 
-    In any order: those left out as parallel are given the number of the first axis that they are parallel to.
-    ValueError for an axis that these shapes do not have (exactly: an axis is where it comes from,
-    not its numbers), and for one left out for no reason; TypeError for what is no Choice, Axis or Skip.
+    `complete` is computed, whatever the choice says.  The axes may stand in any order; each axis skipped as
+    parallel gets the number of the first chosen axis that it is parallel to.
+    ValueError for an axis that these shapes do not have (its source counts,
+    not its numbers) and for a skip without a reason; TypeError for anything but Choice, Axis and Skip.
     """
     axes = _require_list(_require_type(choice, Choice).axes)
     left_out = [_require_type(skip, Skip) for skip in _require_list(choice.skipped)]
@@ -236,63 +246,69 @@ def validate_choice(choice: Choice, a: Shape, b: Shape) -> Choice:
     known = {} if all(_require_type(axis.source, Source).kind == GIVEN for axis in every) else axes_by_source(a, b)
     chosen = tuple(_recompute_axis(axis, known) for axis in axes)
     skipped = tuple(skip._replace(axis=_recompute_axis(skip.axis, known)) for skip in left_out)
-    nowhere = nearest_vertex(a, b).skipped
-    if any(skip.axis in chosen for skip in nowhere):
-        raise ValueError(f"{nowhere[0].axis.source} has no direction: the center is on that vertex")
+    without_direction = nearest_vertex(a, b).skipped
+    if any(skip.axis in chosen for skip in without_direction):
+        raise ValueError(f"{without_direction[0].axis.source} has no direction: the center is on that vertex")
     complete = bool(known) and is_complete(chosen, a, b)
-    return Choice(chosen, tuple(_number_skips(chosen, skipped, nowhere, a, b)), complete)
+    return Choice(chosen, tuple(_number_skips(chosen, skipped, without_direction, a, b)), complete)
 
 
 def _require_type(value: Any, kind: type) -> Any:
+    """Return the value if it is of a class of this module, such as Axis; TypeError otherwise."""
     if isinstance(value, kind):
         return value
     raise TypeError(f"a choice of axes holds a {type(value).__name__}: expected a satviz.axes.{kind.__name__}")
 
 
 def _require_list(values: Any) -> Sequence[Any]:
-    """What is listed may be long, but not without end."""
+    """Return the values if they are a tuple or a list; TypeError otherwise, since an iterator may never end."""
     if isinstance(values, tuple | list):
         return values
     raise TypeError(f"a choice of axes holds a {type(values).__name__}: expected a tuple or a list")
 
 
 def _recompute_axis(axis: Axis, known: dict[Source, Axis]) -> Axis:
-    """The same axis, in the numbers that these shapes give, or that a given direction has."""
+    """Return the axis with the numbers that its source gives for these shapes; ValueError if they are not its own."""
     source = axis.source
     ours = known.get(source)
     if source.kind == GIVEN and source.shape is None and len(source.ids) == 1 and _is_index(source.ids[0]):
         ours = given_axis(axis.normal, source.ids[0])
     if ours is None or not same_axis(axis._replace(length=number(axis.length, "the length of an axis")), ours):
-        raise ValueError(f"{source} is no axis of these shapes: choose the axes for this very pair")
+        raise ValueError(f"{source} is not an axis of these shapes: choose the axes for this very pair")
     return ours
 
 
 def _is_index(value: Any) -> bool:
+    """Return whether a value can be the number of a given direction."""
     return type(value) is int and 0 <= value < 2**53
 
 
 def _number_skips(
-    axes: Sequence[Axis], skipped: Sequence[Skip], nowhere: Sequence[Skip], a: Shape, b: Shape
+    axes: Sequence[Axis], skipped: Sequence[Skip], without_direction: Sequence[Skip], a: Shape, b: Shape
 ) -> Iterator[Skip]:
+    """Yield the skips with the number of the first axis that each is parallel to; ValueError for a false reason."""
     if not skipped:
         return
     corners = {role: {v: i for i, v in enumerate(shape.corner_ids)} for role, shape in (("A", a), ("B", b))}
-    ways = {axis: _parallel_key(axis, a, b, corners) for axis in {*axes, *(skip.axis for skip in skipped)}}
+    keys = {axis: _parallel_key(axis, a, b, corners) for axis in {*axes, *(skip.axis for skip in skipped)}}
     first: dict[IntPoint, int] = {}
     for i, axis in enumerate(axes, 1):
-        first.setdefault(ways[axis], i)
-    elsewhere = {*axes, *(skip.axis for skip in nowhere)}
+        first.setdefault(keys[axis], i)
+    not_parallel = {*axes, *(skip.axis for skip in without_direction)}
     for skip in skipped:
-        if skip in nowhere:
+        if skip in without_direction:
             yield skip
-        elif skip.why == PARALLEL and ways[skip.axis] in first and skip.axis not in elsewhere:
-            yield skip._replace(number=first[ways[skip.axis]])
+        elif skip.why == PARALLEL and keys[skip.axis] in first and skip.axis not in not_parallel:
+            yield skip._replace(number=first[keys[skip.axis]])
         else:
             raise ValueError(f"{skip.axis.source} is left out as {skip.why!r}, which it is not")
 
 
 def _parallel_key(axis: Axis, a: Shape, b: Shape, corners: dict[str, dict[int, int]]) -> IntPoint:
-    """A key that is equal exactly for parallel axes; `corners`: where each vertex stands among its shape's corners."""
+    """Return a key that is equal exactly for parallel axes.
+
+    `corners`: for "A" and "B", the index in the core of each vertex number.
+    """
     kind, role, ids = axis.source
     if role and kind in (EDGE, HULL):
         i, j = (corners[role][v] for v in ids)
@@ -304,7 +320,7 @@ def _parallel_key(axis: Axis, a: Shape, b: Shape, corners: dict[str, dict[int, i
 
 
 class ExactDots(NamedTuple):
-    """Both cores on an axis, in integers: where a point lies is its dot / |normal|, in units of 2**-k."""
+    """The dot products of both cores with an axis, in integers: a point lands at dot / |normal|, in units of 2**-k."""
 
     normal: IntPoint
     a: list[int]
@@ -314,7 +330,7 @@ class ExactDots(NamedTuple):
 
 
 def exact_dots(a: Shape, b: Shape, axis: Axis) -> ExactDots:
-    """Both cores dropped on the axis as its source tells it, without the rounding of its `normal`."""
+    """Return the exact dot products of both cores with an axis, whose vector is recomputed from its source."""
     core_a, core_b, radii, k = aligned(a, b)
     kind, role, ids = axis.source
     shape, core, other = (a, core_a, core_b) if role == "A" else (b, core_b, core_a)
@@ -340,10 +356,11 @@ def exact_dots(a: Shape, b: Shape, axis: Axis) -> ExactDots:
 
 
 def _hull_corners(ring: Sequence[Vec]) -> list[int]:
-    """Which corners are on the convex hull, counter-clockwise: Andrew's monotone chain with exact turns."""
+    """Return which corners are on the convex hull, counter-clockwise, by Andrew's monotone chain with exact turns."""
     order = sorted(range(len(ring)), key=ring.__getitem__)
 
     def chain(ids: Sequence[int]) -> list[int]:
+        """Return the hull on the right of the way through the corners in this order, without its last corner."""
         kept: list[int] = []
         for i in ids:
             while len(kept) > 1 and orient(ring[kept[-2]], ring[kept[-1]], ring[i]) <= 0:
@@ -355,11 +372,12 @@ def _hull_corners(ring: Sequence[Vec]) -> list[int]:
 
 
 def _convex_polygons(a: Shape, b: Shape) -> bool:
+    """Return whether both shapes are convex polygons."""
     return all(s.is_convex and not s.core_is_point for s in (a, b))
 
 
 def _make_axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = False) -> Axis:
-    """The axis along an integer vector, not (0, 0), in units of 2**-k."""
+    """Return the axis along an integer vector, not (0, 0), in units of 2**-k; it points right unless `as_given`."""
     x, y = normal
     if not as_given and (x, y) < (0, 0):
         x, y = -x, -y
@@ -379,12 +397,13 @@ def _integer_edge_normal(shape: Shape, role: str, kind: str, i: int, j: int) -> 
     return (qy - py, px - qx), k, Source(kind, role, tuple(sorted((shape.corner_ids[i], shape.corner_ids[j]))))
 
 
-def _keyed_normals_of(shape: Shape, role: str) -> tuple[tuple[Axis, IntPoint], ...]:
-    """Each edge's normal with a key that is equal exactly for parallel edges; kept on the shape."""
-    return shape.kept(role, lambda: tuple(_keyed_normals(shape, role)))
+def _keyed_normals(shape: Shape, role: str) -> tuple[tuple[Axis, IntPoint], ...]:
+    """Return the axis of each edge and a key that is equal exactly for parallel edges; cached on the shape."""
+    return shape.cached(role, lambda: tuple(_compute_keyed_normals(shape, role)))
 
 
-def _keyed_normals(shape: Shape, role: str) -> Iterator[tuple[Axis, IntPoint]]:
+def _compute_keyed_normals(shape: Shape, role: str) -> Iterator[tuple[Axis, IntPoint]]:
+    """Yield what `_keyed_normals` returns."""
     n = len(shape.corner_ids)
     for i in range(n):
         normal, k, source = _integer_edge_normal(shape, role, EDGE, i, (i + 1) % n)
@@ -392,17 +411,21 @@ def _keyed_normals(shape: Shape, role: str) -> Iterator[tuple[Axis, IntPoint]]:
 
 
 def _direction_key(x: int, y: int) -> IntPoint:
-    """The shortest integer vector on the same line, pointing right (or up)."""
+    """Return the shortest integer vector on the same line, pointing right (or up)."""
     common = gcd(x, y)
     return (x // common, y // common) if (x, y) > (0, 0) else (-x // common, -y // common)
 
 
 def _normals(shape: Shape, role: str) -> tuple[Axis, ...]:
-    return tuple(axis for axis, _ in _keyed_normals_of(shape, role))
+    """Return the axis of each edge of a shape whose role is "A" or "B"."""
+    return tuple(axis for axis, _ in _keyed_normals(shape, role))
 
 
 def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis, Skip | None]:
-    """The axis between a circle's center and the polygon's nearest vertex, and why it is left out if it is."""
+    """Return the axis from the circle's center to the polygon's nearest vertex, and its Skip or None if it is needed.
+
+    `number`: the number of each axis already chosen, by its key.
+    """
     role, polygon = ("B", b) if a.core_is_point else ("A", a)
     core_a, core_b, _, k = aligned(a, b)
     ring, ((cx, cy),) = (core_b, core_a) if a.core_is_point else (core_a, core_b)

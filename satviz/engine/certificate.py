@@ -1,28 +1,25 @@
 """Evidence for a verdict that anyone can check with fractions, without trusting the engine."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import lru_cache
-from math import gcd, isfinite, isqrt
-from typing import NamedTuple, TypeVar
+from math import gcd, isfinite
+from typing import Any, NamedTuple, TypeVar
 
 from . import number_format
 from .axes import Axis, exact_dots
 from .convex_parts import parts
-from .geometry import Vec
+from .geometry import Vec, cyclic_pairs, nearest_fraction
 from .number_format import MINUS
-from .predicates import orient
-from .sat import LARGEST
+from .predicates import MAX_FLOAT, ceil_sqrt, orient, orient_det
 from .shapes import Shape
 
 Rational = tuple[Fraction, Fraction]
-T = TypeVar("T")
 Number = TypeVar("Number", float, Fraction)
-RIM = Fraction(LARGEST)
 
 
 class SeparatingLine(NamedTuple):
-    """The line normal . (x, y) = offset, with all of one shape strictly on either side (exact fractions)."""
+    """The line normal . (x, y) = offset in exact fractions; a lies strictly on one side of it and b on the other."""
 
     a: Shape
     b: Shape
@@ -30,20 +27,21 @@ class SeparatingLine(NamedTuple):
     offset: Fraction
 
     def check(self) -> bool:
-        """Exactly: does the line lie strictly between the shapes?"""
+        """Return whether the line lies strictly between the shapes, computed exactly."""
         below, above = _side_of_line(self.a, self.normal, self.offset), _side_of_line(self.b, self.normal, self.offset)
         return (below, above) in ((-1, 1), (1, -1))
 
     @property
     def point(self) -> Vec:
-        """A point on the line, the nearest to the origin, rounded; beyond float64 at its rim."""
+        """Return the line's point nearest to the origin, rounded; coordinates beyond float64 are capped."""
         nx, ny = self.normal
         t = self.offset / (nx * nx + ny * ny)
-        return Vec(*(float(max(-RIM, min(RIM, c * t))) for c in (nx, ny)))
+        limit = Fraction(MAX_FLOAT)
+        return Vec(*(float(max(-limit, min(limit, c * t))) for c in (nx, ny)))
 
     @property
     def equation(self) -> str:
-        """The line's equation in words: "x = 5 (parallel to y)", "4x - y = 12.5"."""
+        """Return the line's equation as text: "x = 5 (parallel to y)", "4x - y = 12.5"."""
         nx, ny = self.normal
         if ny == 0 or nx == 0:
             at = number_format.of_shapes(self.a, self.b).number(float(self.offset / (nx or ny)))
@@ -62,6 +60,7 @@ class SeparatingLine(NamedTuple):
 
 
 def _coefficient_text(factor: Fraction) -> str:
+    """Return a coefficient as it stands before x or y: nothing for 1, a minus sign for -1."""
     return "" if factor == 1 else MINUS if factor == -1 else number_format.number(float(factor))
 
 
@@ -74,12 +73,12 @@ class SharedPoint(NamedTuple):
     y: Fraction
 
     def check(self) -> bool:
-        """Exactly: does the point lie in both shapes (their borders included)?"""
-        return all(any(_contains(part, (self.x, self.y)) for part in parts(s)) for s in (self.a, self.b))
+        """Return whether the point lies in both shapes (their borders included), computed exactly."""
+        return all(any(_shape_contains(part, (self.x, self.y)) for part in parts(s)) for s in (self.a, self.b))
 
     @property
     def point(self) -> Vec:
-        """The nearest floats to it."""
+        """Return the point rounded to floats."""
         return Vec(float(self.x), float(self.y))
 
     def __str__(self) -> str:
@@ -89,14 +88,14 @@ class SharedPoint(NamedTuple):
 
 
 class PartLines(NamedTuple):
-    """For concave outlines: one separating line for each pair of convex parts, which make up the whole."""
+    """For concave outlines: one separating line for each pair of convex parts, and the parts make up the shapes."""
 
     a: Shape
     b: Shape
     lines: tuple[SeparatingLine, ...]
 
     def check(self) -> bool:
-        """Exactly: does every line separate its pair, and do the parts' areas add up to the shapes'?"""
+        """Return whether every line separates its two parts and the parts' areas add up to those of the shapes."""
         pairs = [(p, q) for p in parts(self.a) for q in parts(self.b)]
         return (
             [(line.a, line.b) for line in self.lines] == pairs
@@ -112,18 +111,20 @@ Certificate = SeparatingLine | SharedPoint | PartLines
 
 
 def separating_line(a: Shape, b: Shape, axis: Axis) -> SeparatingLine:
-    """The line across a separating axis, in the middle of the gap (as near as fractions name it)."""
+    """Return the line perpendicular to a separating axis in the middle of the gap, whose irrational ends are rounded.
+
+    The ends of the gap are lo + r |n| and hi - r |n| with r a circle's radius and n the axis's normal.
+    """
     (nx, ny), dots_a, dots_b, _, k = exact_dots(a, b, axis)
     if min(dots_a) > max(dots_b):
         (lo, low), (hi, high) = (max(dots_b), b), (min(dots_a), a)
     else:
         (lo, low), (hi, high) = (max(dots_a), a), (min(dots_b), b)
     square = nx * nx + ny * ny
-    # the edges of the gap are lo + r|n| and hi - r|n|; r|n| is irrational in general, so bracket it
     bits = 16
     while True:
-        start = Fraction(lo) + _root(low, k, square, bits)
-        end = Fraction(hi) - _root(high, k, square, bits)
+        start = lo + _radius_on_axis(low, k, square, bits)
+        end = hi - _radius_on_axis(high, k, square, bits)
         if start < end:
             common = gcd(nx, ny)
             offset = (start + end) / 2 / Fraction(2) ** k / common
@@ -131,25 +132,23 @@ def separating_line(a: Shape, b: Shape, axis: Axis) -> SeparatingLine:
         bits *= 2
 
 
-def _root(shape: Shape, k: int, square: int, bits: int) -> Fraction:
-    """radius * sqrt(square) in units of 2**-k, rounded to 2**-bits of a unit upwards; 0 for a polygon."""
+def _radius_on_axis(shape: Shape, k: int, square: int, bits: int) -> Fraction:
+    """Return radius * sqrt(square) in units of 2**-k, rounded up to a multiple of 2**-bits; 0 for a polygon."""
     own_k, _, r = shape.integers
-    if not r:
-        return Fraction(0)
-    scaled = (r << k - own_k) ** 2 * square << 2 * bits
-    return Fraction(isqrt(scaled - 1) + 1, 1 << bits)
+    return Fraction(ceil_sqrt((r << k - own_k) ** 2 * square << 2 * bits), 1 << bits)
 
 
 @lru_cache(maxsize=256)
 def shared_point(a: Shape, b: Shape) -> SharedPoint:
-    """A point of both of two convex shapes that touch or overlap.
+    """Return a point that two convex shapes share, which touch or overlap.
 
-    Of two polygons about the middle of what they share where floats can say it, of a circle and a polygon the
-    polygon's nearest point to the center, of two circles one between their centers.
+    Two circles: a point between their centers.  Circle and polygon: the polygon's nearest point to the center.
+    Two polygons: see `_shared_point_of_polygons`.
     """
     if a.core_is_point and b.core_is_point:
         ((ax, ay),), ((bx, by),) = _exact_core(a), _exact_core(b)
-        t = Fraction(a.radius) / (Fraction(a.radius) + Fraction(b.radius))  # the distance is at most their sum
+        # the distance of the centers is at most the sum of the radii
+        t = Fraction(a.radius) / (Fraction(a.radius) + Fraction(b.radius))
         point = ax + t * (bx - ax), ay + t * (by - ay)
     elif a.core_is_point or b.core_is_point:
         circle, polygon = (a, b) if a.core_is_point else (b, a)
@@ -160,38 +159,34 @@ def shared_point(a: Shape, b: Shape) -> SharedPoint:
 
 
 def _shared_point_of_polygons(a: Shape, b: Shape) -> Rational:
-    """A point of two convex polygons: the rounded middle of the overlap, or a corner, or worked out in fractions."""
-    roughly = _clip(a.core, b.core)
-    middle = sum(x / len(roughly) for x, _ in roughly), sum(y / len(roughly) for _, y in roughly)
-    for spot in (middle, *a.core, *b.core):
-        if all(isfinite(c) for c in spot) and all(orient(p, q, spot) >= 0 for s in (a, b) for p, q in _edges(s.core)):
-            return Fraction(spot[0]), Fraction(spot[1])
+    """Return a point that two convex polygons share: the rounded middle of the overlap, else a corner of either.
+
+    Where neither is in both, the middle of the overlap is computed with fractions.
+    """
+    rounded = _clip(a.core, b.core)
+    middle = sum(x / len(rounded) for x, _ in rounded), sum(y / len(rounded) for _, y in rounded)
+    for point in (middle, *a.core, *b.core):
+        if all(map(isfinite, point)) and all(_ring_contains(shape.core, point, orient) for shape in (a, b)):
+            return Fraction(point[0]), Fraction(point[1])
     common = _clip(_exact_core(a), _exact_core(b))
     return sum(x for x, _ in common) / Fraction(len(common)), sum(y for _, y in common) / Fraction(len(common))
 
 
 def _exact_core(shape: Shape) -> list[Rational]:
+    """Return the shape's core in fractions."""
     return [(Fraction(x), Fraction(y)) for x, y in shape.core]
-
-
-def _cross(p: tuple[Number, Number], q: tuple[Number, Number], r: tuple[Number, Number]) -> Number:
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
-
-
-def _edges(ring: Sequence[T]) -> Iterator[tuple[T, T]]:
-    return zip(ring, [*ring[1:], ring[0]], strict=True)
 
 
 def _clip(
     subject: Sequence[tuple[Number, Number]], clip: Sequence[tuple[Number, Number]]
 ) -> Sequence[tuple[Number, Number]]:
-    """Sutherland and Hodgman's clipping of one convex ring by another: exact in fractions, roughly in floats."""
-    for p, q in _edges(clip):
+    """Return the overlap of two convex rings by the clipping of Sutherland and Hodgman; exact in fractions."""
+    for p, q in cyclic_pairs(clip):
         if not subject:
             break
         kept: list[tuple[Number, Number]] = []
-        for u, v in _edges(subject):
-            side_u, side_v = _cross(p, q, u), _cross(p, q, v)
+        for u, v in cyclic_pairs(subject):
+            side_u, side_v = orient_det(p, q, u), orient_det(p, q, v)
             if side_u >= 0:
                 kept.append(u)
             if side_u * side_v < 0:
@@ -202,26 +197,32 @@ def _clip(
 
 
 def _nearest_point(ring: list[Rational], c: Rational) -> Rational:
-    """The ring's point nearest to c, or c itself inside."""
-    if all(_cross(p, q, c) >= 0 for p, q in _edges(ring)):
+    """Return the point of a convex ring that is nearest to c, which is c itself if it is inside."""
+    if _ring_contains(ring, c):
         return c
-    feet = []
-    for p, q in _edges(ring):
+    candidates = []
+    for p, q in cyclic_pairs(ring):
         dx, dy = q[0] - p[0], q[1] - p[1]
-        t = min(Fraction(1), max(Fraction(0), ((c[0] - p[0]) * dx + (c[1] - p[1]) * dy) / (dx * dx + dy * dy)))
-        feet.append((p[0] + t * dx, p[1] + t * dy))
-    return min(feet, key=lambda f: (f[0] - c[0]) ** 2 + (f[1] - c[1]) ** 2)
+        t = nearest_fraction(p[0] - c[0], p[1] - c[1], dx, dy)
+        candidates.append((p[0] + t * dx, p[1] + t * dy))
+    return min(candidates, key=lambda f: (f[0] - c[0]) ** 2 + (f[1] - c[1]) ** 2)
 
 
-def _contains(shape: Shape, point: Rational) -> bool:
+def _ring_contains(ring: Sequence[Any], point: Any, orientation: Callable[[Any, Any, Any], Any] = orient_det) -> bool:
+    """Return whether a convex ring contains a point, its border included."""
+    return all(orientation(p, q, point) >= 0 for p, q in cyclic_pairs(ring))
+
+
+def _shape_contains(shape: Shape, point: Rational) -> bool:
+    """Return whether a convex shape contains a point, its border included, computed exactly."""
     if not shape.core_is_point:
-        return all(_cross(p, q, point) >= 0 for p, q in _edges(_exact_core(shape)))
+        return _ring_contains(_exact_core(shape), point)
     ((x, y),) = _exact_core(shape)
     return (point[0] - x) ** 2 + (point[1] - y) ** 2 <= Fraction(shape.radius) ** 2
 
 
 def _side_of_line(shape: Shape, normal: Rational, offset: Fraction) -> int:
-    """-1 or 1 if the whole shape is strictly below or above the line, else 0."""
+    """Return -1 or 1 if the whole shape is strictly below or above the line normal . (x, y) = offset, else 0."""
     nx, ny = normal
     dots = [nx * x + ny * y - offset for x, y in _exact_core(shape)]
     nearest = min(dots, key=abs)
@@ -230,6 +231,5 @@ def _side_of_line(shape: Shape, normal: Rational, offset: Fraction) -> int:
 
 
 def _doubled_area(shape: Shape) -> Fraction:
-    """Twice the core's area; a circle is its own only part, so any number serves."""
-    ring = _exact_core(shape)
-    return sum((p[0] * q[1] - p[1] * q[0] for p, q in _edges(ring)), Fraction(0))
+    """Return twice the area of a shape's core: 0 for a circle, which has no other part than itself."""
+    return sum((p[0] * q[1] - p[1] * q[0] for p, q in cyclic_pairs(_exact_core(shape))), Fraction(0))

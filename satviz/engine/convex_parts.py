@@ -30,7 +30,7 @@ def parts(shape: Shape) -> tuple[Shape, ...]:
     on another (label "" if the polygon has labels), never more parts than twice the
     reflex vertices and one.  Sorted by the lowest vertex number they hold.
     """
-    return (shape,) if checked(shape, "shape").is_convex else shape.kept("parts", lambda: _split(shape))
+    return (shape,) if checked(shape, "shape").is_convex else shape.cached("parts", lambda: _split(shape))
 
 
 def _split(shape: Shape) -> tuple[Polygon, ...]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from enum import IntEnum
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 T = TypeVar("T")
 
@@ -51,3 +51,9 @@ class InvalidScene(ValueError):
 def cyclic_pairs(ring: Sequence[T]) -> Iterator[tuple[T, T]]:
     """Yield each item with the next one, and at the end the last with the first: of corners, these are the edges."""
     return zip(ring, [*ring[1:], *ring[:1]], strict=True)
+
+
+def nearest_fraction(px: Any, py: Any, dx: Any, dy: Any) -> Any:
+    """Return the t from 0 to 1 for which p + t d is nearest to the origin; in floats or fractions, 0 if d is (0, 0)."""
+    square = dx * dx + dy * dy
+    return min(1, max(0, -(px * dx + py * dy) / square)) if square else 0

@@ -1,48 +1,54 @@
-"""The way out of an overlap: moves of B, built or checked exactly to end it."""
+"""The minimum translation vector (MTV) of an overlap: the shortest move of B that ends it.
+
+For convex shapes it lies along a tested axis (`mtv_along_axis`); with a concave outline it is
+searched for among the borders of all moves that would keep two parts overlapping (`mtv_of_parts`).
+Each move is built or checked exactly to end the overlap.
+"""
 
 from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from functools import lru_cache, partial
 from itertools import combinations
-from math import frexp, inf, isfinite, isqrt, ldexp, nextafter
-from typing import NamedTuple, TypeVar
+from math import frexp, inf, isfinite, ldexp, nextafter
+from typing import NamedTuple
 
 from .axes import exact_dots
 from .convex_parts import parts
-from .geometry import InvalidScene, Relation, Vec
+from .geometry import InvalidScene, Relation, Vec, cyclic_pairs, nearest_fraction
+from .predicates import MAX_FLOAT, ceil_sqrt
 from .relate import relate_moved
-from .sat import LARGEST, AxisTest
+from .sat import AxisTest
 from .shapes import Shape
 
-T = TypeVar("T")
-
-NUDGES = (0.0, *(2.0**-e for e in range(52, 19, -2)))  # how far outwards a rounded move is helped, near size 1
-ROUNDING = 2.0**-40
-MAX_CORNERS = 4000  # of all pairs of parts: seconds at worst, most often far less
+NUDGES = (0.0, *(2.0**-e for e in range(52, 19, -2)))  # lengths by which a rounded move is made longer, near size 1
+ROUNDING = 2.0**-40  # error of a region's border near size 1: some roundings of 2**-53, with much to spare
+BORDER_TOLERANCE = 1e-9  # near size 1, by how much a crossing may miss the ends of a border
+MAX_CORNERS = 4000  # corners over all pairs of convex parts: seconds at worst, most often far less
 
 
 def ends_overlap(a: Shape, b: Shape, move: Vec) -> bool:
-    """Exactly: once B has moved by `move`, do the shapes share no inner point any more?"""
+    """Return whether the shapes share no interior point once B has moved by exactly `move`."""
     return all(relate_moved(p, q, move) != Relation.OVERLAPPING for p in parts(a) for q in parts(b))
 
 
 def mtv_along_axis(a: Shape, b: Shape, test: AxisTest) -> Vec | None:
-    """The shortest move of B along a test's axis that parts the ranges, each component rounded away from 0.
+    """Return the shortest move of B along a test's axis that ends the overlap of the ranges; None if beyond float64.
 
-    Rounded so, the move is never too short.  None if it is beyond float64.
+    Each component is rounded away from 0, so the move is never too short.
     """
     (nx, ny), dots_a, dots_b, radii, k = exact_dots(a, b, test.axis)
     up, down = max(dots_a) - min(dots_b), max(dots_b) - min(dots_a)
     square = nx * nx + ny * ny
     bits = 80
-    rim = isqrt((radii * radii * square << 2 * bits) - 1) + 1 if radii else 0  # radii * |n|, rounded up
-    depth = Fraction((min(up, down) << bits) + rim, square << (bits + k))
-    way = 1 if up <= down else -1
-    components = [_away_from_zero(way * n * depth) for n in (nx, ny)]
+    radii_on_axis = ceil_sqrt(radii * radii * square << 2 * bits)  # radii * |n| in units of 2**-bits
+    depth = Fraction((min(up, down) << bits) + radii_on_axis, square << (bits + k))
+    direction = 1 if up <= down else -1
+    components = [_round_away_from_zero(direction * n * depth) for n in (nx, ny)]
     return Vec(*components) if all(map(isfinite, components)) else None
 
 
-def _away_from_zero(value: Fraction) -> float:
+def _round_away_from_zero(value: Fraction) -> float:
+    """Return the float64 next to a fraction that is not nearer to 0; inf if there is none."""
     try:
         rounded = float(value)
     except OverflowError:
@@ -53,59 +59,59 @@ def _away_from_zero(value: Fraction) -> float:
 
 
 def why_too_many_parts(a: Shape, b: Shape) -> str:
-    """Why `around_parts` will not look for a way out: it would take more than a moment; "" if it will."""
+    """Return why `mtv_of_parts` refuses two shapes, naming the numbers and the limit; "" if it does not."""
     sizes = [[len(part.core) for part in parts(s)] for s in (a, b)]
     pairs, corners = len(sizes[0]) * len(sizes[1]), sum(sizes[0]) * len(sizes[1]) + sum(sizes[1]) * len(sizes[0])
     if corners <= MAX_CORNERS:
         return ""
     return (
-        f"{pairs:,} pairs of convex parts with {corners:,} corners: the shortest way out is looked for among "
-        f"{MAX_CORNERS:,} at most; simplify the outlines, or part two of the parts (trace.colliding.mtv)"
+        f"{pairs:,} pairs of convex parts with {corners:,} corners: the MTV is searched for among "
+        f"{MAX_CORNERS:,} at most; simplify the outlines, or ask for the MTV of two parts (trace.colliding.mtv)"
     )
 
 
 @lru_cache(maxsize=256)
 def mtv_of_parts(a: Shape, b: Shape) -> Vec | None:
-    """The shortest move of B that ends the overlap of shapes, one of them concave; None if beyond float64.
+    """Return the shortest move of B that ends the overlap of shapes, one of them concave; None if beyond float64.
 
-    B clears A when it clears every part of A with every part of its own.  Each part
-    pair forbids the moves inside one convex region (the Minkowski difference of the
-    two, rounded by the radius of a circle), so the shortest free move lies on a border:
-    at a foot of the perpendicular, or where two borders cross.  They are tried from the
-    shortest, each checked exactly.  Pushing the deepest part out is not enough: that
+    The overlap has ended when no part of A overlaps any part of B.  Each pair of parts
+    forbids the moves inside one convex region (the Minkowski difference of the
+    two, widened by the radius of a circle), so the shortest free move lies on a border:
+    at a foot of the perpendicular from the origin, or where two borders cross.  These are
+    tried from the shortest on, each checked exactly.  Moving the deepest part out is not enough: it
     may run into its neighbour.  InvalidScene if there are too many pairs of parts.
     """
     if reason := why_too_many_parts(a, b):
         raise InvalidScene(reason)
-    # near size 1 nothing overflows; a power of two changes no digit, and moves are as long as the shapes are wide,
-    # however far out they lie
+    # scaled to size 1 nothing overflows, and a power of two changes no digit; moves are at most as long as the shapes
+    # are wide, however far from the origin these are
     widths = (hi - lo for shape in (a, b) for lo, hi in zip(shape.bounds, shape.bounds[2:]))
-    size = frexp(min(max(widths), LARGEST))[1]
+    size = frexp(min(max(widths), MAX_FLOAT))[1]
     radius = ldexp(a.radius + b.radius, -size)
-    free = _ShortestFreeMove(size, radius, [_make_region(p, q, size, radius) for p in parts(a) for q in parts(b)])
-    borders = [border for region in free.regions for border in _borders(region.ring, radius)]
-    free.try_all(c for border in borders for c in _nearest_candidates(border, radius))
-    # what runs wholly inside one region is no border of the union
-    outer = [border for border in borders if border.nearest < free.length and not free.buries(border)]
-    free.try_all(c for one, other in combinations(outer, 2) for c in _crossing_candidates(one, other, radius))
-    return free.move
+    search = _ShortestFreeMove(size, radius, [_make_region(p, q, size, radius) for p in parts(a) for q in parts(b)])
+    borders = [border for region in search.regions for border in _borders(region.ring, radius)]
+    search.try_all(c for border in borders for c in _nearest_candidates(border, radius))
+    # a border wholly inside another region does not bound the union of all regions
+    outer = [border for border in borders if border.nearest < search.length and not search.is_buried(border)]
+    search.try_all(c for one, other in combinations(outer, 2) for c in _crossing_candidates(one, other, radius))
+    return search.move
 
 
 class Region(NamedTuple):
-    """Moves that bring part q into part p: all within the radius of a counter-clockwise ring.
+    """The moves that make part q overlap part p: all within the radius of a counter-clockwise ring.
 
-    Here moves are complex numbers, in units of 2**size.  `sides`: outward (nx, ny) and offset of each side.
+    Here moves are complex numbers, in units of 2**size.  `sides`: outward unit normal (nx, ny) and offset of each.
     """
 
     p: Shape
     q: Shape
     ring: list[complex]
     sides: list[tuple[float, float, float]]
-    rounding: float  # how far a rounded border may lie from the true one
+    rounding: float  # error bound of the border
 
 
 class Candidate(NamedTuple):
-    """A move on the border, its length, and the way outwards there."""
+    """A move to a region's border, the length of the move, and the direction in which it leaves the region."""
 
     length: float
     move: complex
@@ -113,24 +119,24 @@ class Candidate(NamedTuple):
 
 
 class Border(NamedTuple):
-    """A piece of a region's border from p to q, the region to its left: a segment, or an arc round a corner."""
+    """A piece of a region's border from p to q, with the region on its left: a segment, or an arc around a corner."""
 
-    nearest: float  # not farther than this from the origin
+    nearest: float  # at most the distance of the piece from the origin
     p: complex
     q: complex
-    normal: complex  # of a segment, outwards; 0 for an arc
-    center: complex  # of an arc; of a segment, a point behind p
-    hull: tuple[complex, ...]  # corners of what holds the piece
+    normal: complex  # a segment's outward unit normal; 0 for an arc
+    center: complex  # an arc's center; for a segment, a point inside the region from which p and q are seen
+    hull: tuple[complex, ...]  # corners of a convex polygon that contains the piece
 
-    def has(self, point: complex) -> bool:
-        """Is a point of the segment's line or the arc's circle on the piece?"""
-        room = -1e-9
+    def contains(self, point: complex) -> bool:
+        """Return whether a point on the segment's line or the arc's circle is on the piece itself."""
         seen = point - self.center
-        return _cross(self.p - self.center, seen) >= room and _cross(seen, self.q - self.center) >= room
+        after_p, before_q = _cross(self.p - self.center, seen), _cross(seen, self.q - self.center)
+        return after_p >= -BORDER_TOLERANCE and before_q >= -BORDER_TOLERANCE
 
 
 class _ShortestFreeMove:
-    """The shortest free move found so far, among all that the regions do not forbid."""
+    """The search for the shortest free move: one that no region forbids."""
 
     def __init__(self, size: int, radius: float, regions: list[Region]) -> None:
         self.size, self.radius, self.regions = size, radius, regions
@@ -138,30 +144,30 @@ class _ShortestFreeMove:
         self.move: Vec | None = None
 
     def try_all(self, candidates: Iterable[Candidate]) -> None:
-        """Take the shortest that ends the overlap exactly, helped outwards by a rounding or two."""
+        """Keep the shortest candidate that ends the overlap exactly, made longer by a few roundings where it must be."""
         for length, move, out in sorted((c for c in candidates if c.length < self.length), key=lambda c: c.length):
-            if self._forbidden(partial(self._holds, move=move)):
+            if self._any_region(partial(self._certainly_forbids, move=move)):
                 continue
             for nudge in NUDGES:
-                helped = self._scaled_back(move + out * nudge)
-                if helped and not self._forbidden(partial(_parts_overlap, move=helped)):
-                    self.length, self.move = length, helped
+                nudged = self._to_scene_units(move + out * nudge)
+                if nudged and not self._any_region(partial(_parts_overlap, move=nudged)):
+                    self.length, self.move = length, nudged
                     return
 
-    def buries(self, border: Border) -> bool:
-        """Does the piece lie well inside one region?  (A convex region that holds its hull's corners holds it.)"""
-        return self._forbidden(lambda region: all(self._holds(region, corner) for corner in border.hull))
+    def is_buried(self, border: Border) -> bool:
+        """Return whether a piece is certainly inside one region, which is where its hull is."""
+        return self._any_region(lambda region: all(self._certainly_forbids(region, c) for c in border.hull))
 
-    def _forbidden(self, by: Callable[[Region], bool]) -> bool:
-        """Is there a region that forbids?  It moves to the front, as the likeliest to forbid the next move too."""
+    def _any_region(self, forbids: Callable[[Region], bool]) -> bool:
+        """Return whether any region forbids; it moves to the front, as the likeliest to forbid the next move."""
         for i, region in enumerate(self.regions):
-            if by(region):
+            if forbids(region):
                 self.regions.insert(0, self.regions.pop(i))
                 return True
         return False
 
-    def _holds(self, region: Region, move: complex) -> bool:
-        """Well inside: deeper than any rounding."""
+    def _certainly_forbids(self, region: Region, move: complex) -> bool:
+        """Return whether a move is inside a region by more than its error bound."""
         x, y, radius = move.real, move.imag, self.radius
         beyond = -inf if region.sides else inf
         for nx, ny, offset in region.sides:
@@ -173,10 +179,12 @@ class _ShortestFreeMove:
         if beyond <= 0 or not radius:
             return beyond < radius - region.rounding
         return (
-            min(abs(_nearest_to_origin(p - move, q - move)) for p, q in _around(region.ring)) < radius - region.rounding
+            min(abs(_nearest_to_origin(p - move, q - move)) for p, q in cyclic_pairs(region.ring))
+            < radius - region.rounding
         )
 
-    def _scaled_back(self, move: complex) -> Vec | None:
+    def _to_scene_units(self, move: complex) -> Vec | None:
+        """Return a move in the scene's units; None if it is beyond float64."""
         try:
             return Vec(ldexp(move.real, self.size), ldexp(move.imag, self.size))
         except OverflowError:
@@ -184,23 +192,24 @@ class _ShortestFreeMove:
 
 
 def _parts_overlap(region: Region, move: Vec) -> bool:
-    """Exactly: do the region's parts still overlap after the move?"""
+    """Return whether the region's two parts overlap after exactly this move."""
     return relate_moved(region.p, region.q, move) is Relation.OVERLAPPING
 
 
 def _make_region(p: Shape, q: Shape, size: int, radius: float) -> Region:
+    """Return the region of moves that make convex part q overlap p; radius is the sum of both radii in its units."""
     core_p, core_q = ([complex(ldexp(x, -size), ldexp(y, -size)) for x, y in s.core] for s in (p, q))
     ring = _minkowski_sum(core_p, [-v for v in core_q])
-    # what float64 let collapse at this size has no inside
-    normals = [(u, -1j * (v - u) / abs(v - u)) for u, v in _around(ring)] if len(ring) > 2 else []
+    # a ring that float64 collapsed to fewer than 3 points at this size has no inside
+    normals = [(u, -1j * (v - u) / abs(v - u)) for u, v in cyclic_pairs(ring)] if len(ring) > 2 else []
     sides = [(n.real, n.imag, n.real * u.real + n.imag * u.imag) for u, n in normals]
     return Region(p, q, ring, sides, ROUNDING * (max(map(abs, ring)) + radius))
 
 
 def _minkowski_sum(p: list[complex], q: list[complex]) -> list[complex]:
-    """The Minkowski sum of convex rings: their sides in the order of their directions.
+    """Return the Minkowski sum of two convex rings: the sides of both in the order of their directions.
 
-    Rounded, since whatever comes of it is checked exactly.
+    It is rounded; every move that comes of it is checked exactly.
     """
     p, q = (ring[i:] + ring[:i] for ring in (p, q) for i in [ring.index(min(ring, key=lambda v: (v.imag, v.real)))])
     found, i, j = [], 0, 0
@@ -213,57 +222,54 @@ def _minkowski_sum(p: list[complex], q: list[complex]) -> list[complex]:
 
 
 def _cross(u: complex, v: complex) -> float:
+    """Return the cross product of two vectors."""
     return u.real * v.imag - u.imag * v.real
 
 
-def _around(ring: list[T]) -> Iterator[tuple[T, T]]:
-    """Each with the next, round to the first."""
-    return zip(ring, [*ring[1:], *ring[:1]], strict=True)
-
-
 def _borders(ring: list[complex], radius: float) -> Iterator[Border]:
-    """Each side pushed out by the radius, and round each corner an arc from one to the next."""
-    sides = [(p, q, -1j * (q - p) / abs(q - p)) for p, q in _around(ring) if p != q]
-    for (p, q, normal), (_, _, after) in _around(sides):
+    """Yield the border of a widened ring: each side moved out by the radius, and an arc around each corner."""
+    sides = [(p, q, -1j * (q - p) / abs(q - p)) for p, q in cyclic_pairs(ring) if p != q]
+    for (p, q, normal), (_, _, after) in cyclic_pairs(sides):
         start, end = p + normal * radius, q + normal * radius
         yield Border(abs(_nearest_to_origin(start, end)), start, end, normal, start - normal, (start, end))
         if radius:
-            # no arc is longer than half round, so as far as the radius along the tangents at its ends is far enough
+            # an arc is at most half a circle, so it is inside the hull of its ends and the points one radius along the
+            # tangents there
             last, ahead, back = q + after * radius, 1j * normal * radius, -1j * after * radius
             yield Border(abs(q) - radius, end, last, 0j, q, (end, end + ahead, last + back, last))
 
 
 def _nearest_to_origin(p: complex, q: complex) -> complex:
-    """The segment's point nearest to the origin."""
-    way = q - p
-    square = way.real * way.real + way.imag * way.imag
-    t = -(p.real * way.real + p.imag * way.imag) / square if square else 0.0
-    return p + min(1.0, max(0.0, t)) * way
+    """Return the segment's point nearest to the origin."""
+    d = q - p
+    t: float = nearest_fraction(p.real, p.imag, d.real, d.imag)
+    return p + t * d
 
 
 def _nearest_candidates(border: Border, radius: float) -> Iterator[Candidate]:
+    """Yield the move to a piece of border that is nearest to the origin; none for an arc around the origin."""
     if border.normal:
         foot = _nearest_to_origin(border.p, border.q)
         yield Candidate(abs(foot), foot, border.normal)
     elif border.center:
         out = -border.center / abs(border.center)
-        move = border.center + out * radius  # what is not on the arc is inside the region
+        move = border.center + out * radius  # where this is not on the arc, it is inside the region
         yield Candidate(abs(move), move, out)
 
 
 def _crossing_candidates(one: Border, other: Border, radius: float) -> Iterator[Candidate]:
+    """Yield the moves to the points where two pieces of border cross."""
     if not one.normal:
         one, other = other, one
     for move in _line_points(one, other, radius) if one.normal else _circle_points(one.center, other.center, radius):
-        if one.has(move) and other.has(move):
+        if one.contains(move) and other.contains(move):
             out = sum(border.normal or (move - border.center) / radius for border in (one, other))
             yield Candidate(abs(move), move, out)
 
 
 def _line_points(one: Border, other: Border, radius: float) -> Iterator[complex]:
-    """Where a segment's line meets that of another, or the circle of an arc."""
-    along = 1j * one.normal
-    # seen along the first segment
+    """Yield where a segment's line meets the line of another segment, or the circle of an arc."""
+    along = 1j * one.normal  # below, real parts run along the first segment
     if other.normal:
         p, q = ((end - one.p) * along.conjugate() for end in (other.p, other.q))
         if p.imag != q.imag:
@@ -276,7 +282,7 @@ def _line_points(one: Border, other: Border, radius: float) -> Iterator[complex]
 
 
 def _circle_points(c: complex, d: complex, radius: float) -> Iterator[complex]:
-    """Where two circles of the one radius meet."""
+    """Yield where two circles of one radius meet."""
     half = (d - c) / 2
     if 0 < abs(half) <= radius:
         aside = 1j * half / abs(half) * (radius * radius - abs(half) ** 2) ** 0.5

@@ -1,24 +1,23 @@
 """The one loop: project both shapes on each chosen axis and measure the gap between their ranges."""
 
-import sys
 from collections.abc import Iterable, Iterator
+from math import inf
 from typing import NamedTuple
 
 from .axes import Axis, Source, exact_dots, needed
 from .geometry import Interval, Vec
-from .predicates import root_difference
+from .predicates import MAX_FLOAT, root_difference
 from .shapes import Shape, checked
 
-# Landing places carry under 13 roundings of the reach each, a gap under 27.  Asked is far
-# more, so that a float gap has not only the right sign but five right digits.
+# With M the larger max_coordinate and u = 2**-53, a landing carries under 13 u M, a gap under 27 u M.  Gaps below
+# 2**-30 M = 2**23 u M are computed with integers, so a float gap has not only the right sign but five right digits.
 CLOSE_GAP_FACTOR = 2.0**-30
-SAFE_RANGE = 1e-100, 1e100
-LARGEST = sys.float_info.max
+SAFE_RANGE = 1e-100, 1e100  # coordinates and lengths in this range: no product overflows or vanishes
 new = tuple.__new__  # what a NamedTuple's own constructor ends in; the loop's records are half its cost
 
 
 class Projection(NamedTuple):
-    """What dropped on an axis and where it landed.
+    """The points of a shape that were projected on an axis, and where each landed.
 
     `points`: a polygon's corners, or a circle's two extremes C - r n and C + r n;
     `landings`: their signed coordinates along the axis, in scene units.
@@ -29,14 +28,14 @@ class Projection(NamedTuple):
 
     @property
     def interval(self) -> Interval:
-        """From the least landing to the most."""
+        """Return the range from the smallest landing to the largest."""
         return Interval(min(self.landings), max(self.landings))
 
 
 class AxisTest(NamedTuple):
     """One axis tested: both projections and the signed gap between their ranges.
 
-    `gap` is in scene units: positive apart, 0 touching, negative by how deep the
+    `gap` is in scene units: positive apart, 0 touching, minus the depth where the
     ranges overlap; its sign is exact even where the rounded intervals are too coarse
     to show it.
     """
@@ -48,45 +47,45 @@ class AxisTest(NamedTuple):
 
     @property
     def source(self) -> Source:
-        """Where its axis comes from."""
+        """Return where the axis comes from."""
         return self.axis.source
 
     @property
     def separates(self) -> bool:
-        """Is this a separating axis?  Ranges that touch do not separate."""
+        """Return whether this is a separating axis; ranges that touch do not separate."""
         return self.gap > 0
 
 
 def project(shape: Shape, axis: Axis) -> Projection:
-    """Drop a shape on an axis in float64; a landing is (x*nx + y*ny) / length.
+    """Project a shape on an axis in float64; a corner lands at (x*nx + y*ny) / length.
 
-    Dividing last keeps ties: with whole coordinates both ends of an edge land on
-    one spot of its own normal.
+    Dividing last keeps ties: with whole coordinates both ends of an edge have the
+    same landing on the edge's own normal.
     """
     (nx, ny), length, _ = axis
-    if r := shape.radius:
-        ((x, y),) = shape.core
-        at = (x * nx + y * ny) / length
-        rx, ry = r * nx / length, r * ny / length
-        return Projection((Vec(x - rx, y - ry), Vec(x + rx, y + ry)), (at - r, at + r))
-    return new(Projection, (shape.core, tuple([(x * nx + y * ny) / length for x, y in shape.core])))
+    landings = [(x * nx + y * ny) / length for x, y in shape.core]
+    if not (r := shape.radius):
+        return new(Projection, (shape.core, tuple(landings)))
+    rx, ry = r * nx / length, r * ny / length
+    points = [Vec(x - rx, y - ry) for x, y in shape.core] + [Vec(x + rx, y + ry) for x, y in shape.core]
+    return Projection(tuple(points), tuple([at - r for at in landings] + [at + r for at in landings]))
 
 
 def axis_tests(a: Shape, b: Shape, axes: Iterable[Axis] | None = None) -> Iterator[AxisTest]:
-    """Test the axes one by one (by default `needed`); stop asking for more and it stops computing.
+    """Yield the test of each axis (by default those of `needed`); an axis is tested only when its test is asked for.
 
-    That is the early exit: next((t for t in axis_tests(a, b) if t.separates), None).
+    So the early exit is next((t for t in axis_tests(a, b) if t.separates), None).
     TypeError for anything but Polygon and Circle.
     """
     checked(a, "a"), checked(b, "b")
     if axes is None:
         axes = needed(a, b).axes
-    reach = max(a.max_coordinate, b.max_coordinate)
-    close = reach * CLOSE_GAP_FACTOR if SAFE_RANGE[0] < reach < SAFE_RANGE[1] else float("inf")
+    max_coordinate = max(a.max_coordinate, b.max_coordinate)
+    close = max_coordinate * CLOSE_GAP_FACTOR if SAFE_RANGE[0] < max_coordinate < SAFE_RANGE[1] else inf
     for axis in axes:
         p, q = project(a, axis), project(b, axis)
         on_a, on_b = p[1], q[1]
-        gap = max(min(on_a) - max(on_b), min(on_b) - max(on_a))
+        gap = max(min(on_a) - max(on_b), min(on_b) - max(on_a))  # Interval.gap, without making intervals
         if (gap > close or -gap > close) and SAFE_RANGE[0] < axis.length < SAFE_RANGE[1]:
             yield new(AxisTest, (axis, p, q, gap))
         else:
@@ -94,28 +93,29 @@ def axis_tests(a: Shape, b: Shape, axes: Iterable[Axis] | None = None) -> Iterat
 
 
 def _exact_test(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """The integer twin: the same facts, each rounded once, the gap with its exact sign."""
+    """Return the test of an axis computed with integers: each number rounded once, the gap with its exact sign."""
     (nx, ny), dots_a, dots_b, radii, k = exact_dots(a, b, axis)
     square = nx * nx + ny * ny
-    apart = max(min(dots_a) - max(dots_b), min(dots_b) - max(dots_a))
-    gap = root_difference(apart, radii, square, k)
+    core_gap = max(min(dots_a) - max(dots_b), min(dots_b) - max(dots_a))
+    gap = root_difference(core_gap, radii, square, k)
     return AxisTest(
         axis, _exact_projection(a, axis, dots_a, square, k), _exact_projection(b, axis, dots_b, square, k), gap
     )
 
 
 def _exact_projection(shape: Shape, axis: Axis, dots: list[int], square: int, k: int) -> Projection:
+    """Return a shape's projection from the `exact_dots` of its core; square is the squared length of their normal."""
     own_k, _, radius = shape.integers
     if not radius:
         return Projection(shape.core, tuple(root_difference(dot, 0, square, k) for dot in dots))
     radius <<= k - own_k
-    ((x, y),), r, (nx, ny) = shape.core, shape.radius, axis.direction
-    lo = root_difference(dots[0], radius, square, k)
-    hi = -root_difference(-dots[0], radius, square, k) + 0.0
-    ends = (Vec(_cap_to_float64(x + s * r * nx), _cap_to_float64(y + s * r * ny)) for s in (-1, 1))
-    return Projection(tuple(ends), (lo, hi))
+    lows = [root_difference(dot, radius, square, k) for dot in dots]
+    highs = [-root_difference(-dot, radius, square, k) + 0.0 for dot in dots]
+    r, (nx, ny) = shape.radius, axis.direction
+    points = (Vec(_cap(x + s * r * nx), _cap(y + s * r * ny)) for s in (-1, 1) for x, y in shape.core)
+    return Projection(tuple(points), (*lows, *highs))
 
 
-def _cap_to_float64(value: float) -> float:
-    """An extreme beyond float64 is shown at its rim."""
-    return max(-LARGEST, min(LARGEST, value))
+def _cap(value: float) -> float:
+    """Return the float64 nearest to a value that may be infinite."""
+    return max(-MAX_FLOAT, min(MAX_FLOAT, value))

@@ -1,4 +1,4 @@
-"""Polygon and Circle: checked once at the door, unchangeable after; the owner's order and labels are kept."""
+"""Polygon and Circle: validated once when they are made and immutable afterwards; vertex order and labels are kept."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -6,16 +6,16 @@ from itertools import chain, pairwise
 from typing import Any, ClassVar, TypeVar
 
 from . import hooks, polygon_validation
-from .geometry import InvalidShape, Vec
+from .geometry import InvalidShape, Vec, cyclic_pairs
 from .predicates import IntPoint, to_integers, warn_if_flushed
 
 INF = math.inf
 T = TypeVar("T")
-Slab = tuple[float, float, float, float, tuple[tuple[Vec, Vec], ...]]
+Slab = tuple[float, float, float, float, tuple[tuple[Vec, Vec], ...]]  # nx, ny, lo, hi, edges: drawn in `relate`
 
 
 class _Shape:
-    """What the engine asks of a shape: all points within the radius of its core."""
+    """What the engine needs of a shape, which is all points within the radius of its core."""
 
     __slots__ = (
         "_cache",
@@ -29,15 +29,17 @@ class _Shape:
         "slabs",
     )
 
-    core: tuple[Vec, ...]  # a polygon's corners; a circle is its center with a radius
+    core: tuple[Vec, ...]  # a polygon's corners, or a circle's center
     radius: float  # 0 for a polygon
     is_convex: bool
-    is_upright_box: bool  # a rectangle with its sides along x and y
-    bounds: tuple[float, float, float, float]  # x min, y min, x max, y max; a circle's are rounded outwards
-    max_coordinate: float  # the largest coordinate's magnitude
-    max_edge_component: float  # the largest edge component's magnitude
-    slabs: tuple[Slab, ...] | None  # per edge direction, see _slabs; None for circles and concave ones
-    _cache: dict[str, Any]  # what is worked out at first use: integers, axes, parts
+    is_upright_box: bool  # a rectangle with sides along x and y
+    bounds: tuple[
+        float, float, float, float
+    ]  # bounding box: x min, y min, x max, y max; a circle's is rounded outwards
+    max_coordinate: float  # the largest absolute coordinate of any point of the shape
+    max_edge_component: float  # the largest absolute x or y component of an edge; a circle's radius
+    slabs: tuple[Slab, ...] | None  # one per edge direction, see _slabs; None for circles and concave polygons
+    _cache: dict[str, Any]  # what is computed at first use: integers, axes, convex parts
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"a {type(self).__name__} cannot be changed: make a new one")
@@ -46,54 +48,56 @@ class _Shape:
         self.__setattr__(name, None)
 
     def _set(self, **values: Any) -> None:
+        """Set attributes while the shape is made; afterwards it is immutable."""
         for name, value in values.items():
             object.__setattr__(self, name, value)
 
-    def kept(self, name: str, work_out: Callable[[], T]) -> T:
-        """What is worked out of the shape at first use."""
+    def cached(self, name: str, compute: Callable[[], T]) -> T:
+        """Return a value derived from the shape, computed at first use."""
         if name not in self._cache:
-            self._cache[name] = work_out()
+            self._cache[name] = compute()
         value: T = self._cache[name]
         return value
 
-    def _facts(self) -> tuple[object, ...]:
-        """What `__init__` takes to make an equal shape."""
+    def _arguments(self) -> tuple[object, ...]:
+        """Return the arguments of `__init__` that make an equal shape."""
         raise NotImplementedError
 
     def __eq__(self, other: object) -> bool:
-        return type(other) is type(self) and self._facts() == other._facts()
+        return type(other) is type(self) and self._arguments() == other._arguments()
 
     def __hash__(self) -> int:
-        return hash(self._facts())
+        return hash(self._arguments())
 
     def __reduce__(self) -> tuple[type, tuple[object, ...]]:
-        return type(self), self._facts()
+        return type(self), self._arguments()
 
     def __repr__(self) -> str:
-        facts = [repr(_to_lists(f)) for f in self._facts() if f is not None]
-        return f"{type(self).__name__}({', '.join(facts)})"
+        arguments = [repr(_to_lists(value)) for value in self._arguments() if value is not None]
+        return f"{type(self).__name__}({', '.join(arguments)})"
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
-        """In a notebook: the repr and a picture."""
+        """Return what a notebook shows: the repr and a picture."""
         return hooks.mime_bundle(self)
 
     @property
     def integers(self) -> tuple[int, list[IntPoint], int]:
-        """(k, core, radius) as integers in units of 2**-k."""
-        return self.kept("integers", self._to_integers)
+        """Return (k, core, radius) with the core and the radius as integers in units of 2**-k."""
+        return self.cached("integers", self._to_integers)
 
     def _to_integers(self) -> tuple[int, list[IntPoint], int]:
+        """Return what `integers` caches."""
         k, (radius, *flat) = to_integers((self.radius, *chain.from_iterable(self.core)))
         return k, list(zip(flat[::2], flat[1::2], strict=True)), radius
 
 
 class Polygon(_Shape):
-    """A simple polygon, convex or concave, either winding, with the owner's vertex order and labels.
+    """A simple polygon, convex or concave, of either winding; it keeps its vertices and labels as given.
 
     `vertices`: (n, 2) numbers in scene units, anything with `__geo_interface__`, or a
     Polygon, whose labels stay unless others are given; repeats, a closing vertex and
     collinear vertices are allowed and listed in `notes`.
-    `labels`: one text a vertex.  Raises InvalidShape naming the vertex at fault.
+    `labels`: one text a vertex.  Raises InvalidShape, which names the vertex at fault.
     """
 
     __slots__ = ("corner_ids", "labels", "notes", "vertices")
@@ -101,31 +105,31 @@ class Polygon(_Shape):
     vertices: tuple[Vec, ...]
     labels: tuple[str, ...] | None
     core_is_point: ClassVar[bool] = False
-    corner_ids: tuple[int, ...]  # which vertex each corner is
-    notes: tuple[str, ...]
+    corner_ids: tuple[int, ...]  # for each corner, the number of its vertex
+    notes: tuple[str, ...]  # a sentence for each vertex that is not a corner
 
     def __init__(self, vertices: Any, labels: Sequence[str] | None = None) -> None:
         if isinstance(vertices, Polygon):
             vertices, labels = vertices.vertices, vertices.labels if labels is None else labels
         points = polygon_validation.vertices(vertices)
-        ring = polygon_validation.find_corners(points)
-        corners = tuple(Vec(points[i].x + 0.0, points[i].y + 0.0) for i in ring.ids)  # -0.0 becomes 0.0
+        outline = polygon_validation.find_corners(points)
+        corners = tuple(Vec(points[i].x + 0.0, points[i].y + 0.0) for i in outline.ids)  # -0.0 becomes 0.0
         xs, ys = [c.x for c in corners], [c.y for c in corners]
-        edges = [(q.x - p.x, q.y - p.y) for p, q in zip(corners, (*corners[1:], corners[0]), strict=True)]
+        edges = [(q.x - p.x, q.y - p.y) for p, q in cyclic_pairs(corners)]
         x0, y0, x1, y1 = box = min(xs), min(ys), max(xs), max(ys)
         self._set(
             vertices=points,
             labels=_validate_labels(labels, len(points)),
             core=corners,
             radius=0.0,
-            corner_ids=ring.ids,
-            is_convex=ring.convex,
-            notes=ring.notes,
+            corner_ids=outline.ids,
+            is_convex=outline.convex,
+            notes=outline.notes,
             is_upright_box=len(corners) == 4 and all(x in (x0, x1) and y in (y0, y1) for x, y in corners),
             bounds=box,
             max_coordinate=max(map(abs, xs + ys)),
             max_edge_component=max(abs(d) for edge in edges for d in edge),
-            slabs=_slabs(corners, edges) if ring.convex else None,
+            slabs=_slabs(corners, edges) if outline.convex else None,
             _cache={},
         )
 
@@ -134,11 +138,12 @@ class Polygon(_Shape):
 
     @property
     def corners(self) -> tuple[Vec, ...]:
-        """The vertices as the engine walks them: counter-clockwise, no repeats, none straight on."""
+        """Return the vertices that turn: counter-clockwise, without repeats and without those on a straight line."""
         return self.core
 
     @property
     def __geo_interface__(self) -> dict[str, object]:
+        """Return the polygon as GeoJSON, which shapely and others read."""
         return {"type": "Polygon", "coordinates": (tuple(map(tuple, (*self.vertices, self.vertices[0]))),)}
 
 
@@ -177,7 +182,7 @@ class Circle(_Shape):
 
     @property
     def center(self) -> Vec:
-        """Where it is: its core."""
+        """Return the center, which is the circle's core."""
         return self.core[0]
 
     def _facts(self) -> tuple[object, ...]:
@@ -188,14 +193,14 @@ Shape = Polygon | Circle
 
 
 def checked(shape: Any, name: str) -> Shape:
-    """The shape itself; TypeError says how to make one of anything else."""
+    """Return the shape itself; TypeError, which says how to make a shape, for anything else."""
     if isinstance(shape, (Polygon, Circle)):
         return shape
     raise TypeError(f"{name} is a {type(shape).__name__}: make it a satviz.Polygon or satviz.Circle first")
 
 
 def centroid(shape: Shape) -> Vec:
-    """The center of area, rounded."""
+    """Return the center of area, rounded; of corners whose area vanishes in floats, their mean."""
     (ox, oy), ring, size = shape.core[0], shape.core, shape.max_edge_component
     area = x = y = 0.0
     for (px, py), (qx, qy) in pairwise(((p.x - ox) / size, (p.y - oy) / size) for p in ring):
@@ -210,17 +215,17 @@ def centroid(shape: Shape) -> Vec:
 
 
 def _slabs(corners: tuple[Vec, ...], edges: list[tuple[float, float]]) -> tuple[Slab, ...]:
-    """Per direction (nx, ny, lo, hi, edges): inside means lo < nx*x + ny*y < hi, up to rounding.
+    """Return one slab (nx, ny, lo, hi, edges) per edge direction: inside it lo < nx*x + ny*y < hi, up to rounding.
 
-    (nx, ny) is the outward normal (dy, -dx) of the first edge and hi where it lies on
-    it.  Where another edge runs exactly opposite (a box's far side), lo is its place
-    and one look serves both; otherwise lo is -inf.
+    (nx, ny) is the outward normal (dy, -dx) of the first edge and hi the first edge's value.
+    If another edge runs exactly opposite (the far side of a box), lo is the value of that edge
+    and the slab has both edges; otherwise lo is -inf.
     """
     slabs = []
-    ends = list(zip(corners, (*corners[1:], corners[0]), strict=True))
+    ends = list(cyclic_pairs(corners))
     index = {edge: i for i, edge in enumerate(edges)}
     for i, (dx, dy) in enumerate(edges):
-        # float components exactly opposite: the filter's bound covers the rounding of both
+        # the float components are exactly opposite; the error bound of `relate` covers the rounding of both edges
         j = index.get((-dx, -dy), -1)
         if index.get((dx, dy)) == i and 0 <= j < i:
             continue
@@ -230,6 +235,7 @@ def _slabs(corners: tuple[Vec, ...], edges: list[tuple[float, float]]) -> tuple[
 
 
 def _validate_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | None:
+    """Return the labels of n vertices as a tuple; InvalidShape if they are not n texts."""
     if labels is None:
         return None
     if isinstance(labels, str):
@@ -248,12 +254,12 @@ def _validate_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | 
         if not isinstance(label, str):
             raise InvalidShape(f"label {i} is {polygon_validation.shown(label)}: a label must be text")
         if any("\ud800" <= c <= "\udfff" for c in label):
-            raise InvalidShape(f"label {i} is {polygon_validation.shown(label)}: half a surrogate pair is no text")
+            raise InvalidShape(f"label {i} is {polygon_validation.shown(label)}: half a surrogate pair is not text")
     return labels
 
 
-def _to_lists(fact: Any) -> Any:
-    """Plain lists and tuples for a repr that can be pasted back."""
-    if isinstance(fact, Vec):
-        return tuple(fact)
-    return [_to_lists(f) for f in fact] if isinstance(fact, tuple) else fact
+def _to_lists(value: Any) -> Any:
+    """Return a value with plain lists and tuples, whose repr can be pasted back."""
+    if isinstance(value, Vec):
+        return tuple(value)
+    return [_to_lists(v) for v in value] if isinstance(value, tuple) else value

@@ -6,7 +6,7 @@ from itertools import product
 from math import isfinite
 
 from . import describe, hooks
-from .axes import EARLY_EXIT, NAMED, Choice, Chooser, Skip, validate_choice, needed
+from .axes import EARLY_EXIT, NAMED, Choice, Chooser, Skip, needed, validate_choice
 from .certificate import Certificate, PartLines, separating_line, shared_point
 from .convex_parts import named_parts
 from .describe import Names

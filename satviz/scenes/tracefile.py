@@ -12,8 +12,8 @@ from ..engine.describe import Names
 from ..engine.geometry import InvalidScene, InvalidShape, Vec
 from ..engine.mtv import ends_overlap
 from ..engine.polygon_validation import number, shown
-from ..engine.predicates import MIN_FLOAT
-from ..engine.sat import CLOSE_GAP_FACTOR, LARGEST, AxisTest, Projection
+from ..engine.predicates import MAX_FLOAT, MIN_FLOAT
+from ..engine.sat import CLOSE_GAP_FACTOR, AxisTest, Projection
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import PLAIN, Trace, record
@@ -254,7 +254,7 @@ def _require_same_run(trace: Trace, again: Trace, where: str) -> None:
         raise InvalidScene(f"{where}.tests has {len(trace.tests)} tests where the run has {len(again.tests)}")
     rounding = ROUNDING if trace.proves else FLOAT_ROUNDING
     # beyond float64 a circle's is infinite
-    reach_a, reach_b = (min(shape.max_coordinate, LARGEST) for shape in (trace.a, trace.b))
+    reach_a, reach_b = (min(shape.max_coordinate, MAX_FLOAT) for shape in (trace.a, trace.b))
     reach = max(reach_a, reach_b)
     for i, (test, ours) in enumerate(zip(trace.tests, again.tests)):
         same_sign = (test.gap > 0) == (ours.gap > 0) and (test.gap < 0) == (ours.gap < 0)
