@@ -1721,7 +1721,7 @@ def test_candidate_pairs_are_the_boxes_that_meet_in_every_layout(n):
 
 @pytest.mark.parametrize("block", [1, 2, 7, 100])
 def test_the_grid_finds_the_same_pairs_in_blocks_of_any_size(block, monkeypatch):
-    monkeypatch.setattr(grid_numpy, "BLOCK_CANDIDATES", block)
+    monkeypatch.setattr(grid_numpy, "BLOCK_PAIRS", block)
     for name, at, size in layouts(40, RNG(block)):
         bounds = np.c_[at, at + size]
         assert np.array_equal(batch.candidate_pairs(bounds, engine="numpy"), brute(bounds)), name
@@ -1750,7 +1750,7 @@ def in_cells(rng):
 def test_cells_of_any_size_find_what_meets_and_each_pair_once(engine, seed, monkeypatch):
     grid, rng = importlib.import_module(f"satviz.batch.with_{engine}.grid"), RNG(seed)
     for n in range(16):
-        monkeypatch.setattr(grid, "BLOCK_CANDIDATES", int(rng.choice([1, 7, 1 << 20])))
+        monkeypatch.setattr(grid, "BLOCK_PAIRS", int(rng.choice([1, 7, 1 << 20])))
         bounds, one, other, cell = in_cells(rng)
         everything, all_pairs = np.arange(len(bounds)), brute(bounds)
         for these, those in (everything, None), (one, other), (everything[1:], everything[:1]):
@@ -2331,14 +2331,13 @@ def test_picked_outlines_of_many_corners_are_looked_at_in_a_few_steps_and_edges_
     assert set(looks) == {"evaluate_f32" if max(v, w) <= 16 else "gjk"}
 
 
-def test_columns_of_three_four_and_eight_corners_have_kernels_of_their_own():
+def test_columns_of_three_and_four_corners_have_kernels_of_their_own():
     kernels = kernels_of("filter")
-    written_out = {kernels._kernel_8, kernels._kernel_any}
     own = {(v, w): kernels.clearance_kernel(v, w) for v in (3, 4) for w in (3, 4)}
-    assert len(written_out | set(own.values())) == 6 and all(kernels.clearance_kernel(*key) is own[key] for key in own)
-    assert kernels.clearance_kernel(8, 8) is kernels._kernel_8
-    for key in (4, 5), (5, 4), (5, 5), (3, 8), (8, 3), (8, 7), (7, 8), (7, 7), (9, 9):
-        assert kernels.clearance_kernel(*key) is kernels._kernel_any
+    assert len({kernels._tile_kernel, *own.values()}) == 5
+    assert all(kernels.clearance_kernel(*key) is own[key] for key in own)
+    for key in (4, 5), (5, 4), (5, 5), (3, 8), (8, 3), (8, 8), (8, 7), (7, 8), (7, 7), (9, 9):
+        assert kernels.clearance_kernel(*key) is kernels._tile_kernel
 
 
 def test_circles_beside_up_to_eight_corners_have_kernels_of_their_own(monkeypatch):

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from ..batch.codes import APART, OVERLAPPING, TOUCHING
 from ..batch.ragged import MAX_LANE_CORNERS
-from ..batch.with_numba.filter import raise_clearance_8
-from ..batch.with_numba.indexed import LANE_STRIDE, LANES, copy_to_lane, raise_clearance_4
+from ..batch.with_numba.filter import raise_clearance_4, raise_clearance_8
+from ..batch.with_numba.indexed import LANE_STRIDE, LANES, copy_to_lane
 from ..batch.with_numba.jit_cache import compiled
 
 Array = NDArray[Any]
@@ -127,8 +127,8 @@ def _evaluate_lanes(
         copy_to_lane(p, q, begin[j], begin[j + 1], width, at[2], at[3], k)
         best[k] = -np.inf
     if width == 4:
-        raise_clearance_4(at[0], at[1], at[2], at[3], n, best)
-        raise_clearance_4(at[2], at[3], at[0], at[1], n, best)
+        raise_clearance_4(at[0], at[1], at[2], at[3], 0, n, best)
+        raise_clearance_4(at[2], at[3], at[0], at[1], 0, n, best)
     else:
         raise_clearance_8(at[0], at[1], at[2], at[3], 0, n, best)
         raise_clearance_8(at[2], at[3], at[0], at[1], 0, n, best)

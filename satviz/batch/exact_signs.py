@@ -11,10 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.predicates import HUGE, TINY, sign, to_integers
+from .array_types import Array, Signs
 
-Array = NDArray[np.float64]
-Signs = NDArray[np.int8]
-Pairs = Sequence[tuple[Array, Array]]  # the factors of products
+Products = Sequence[tuple[Array, Array]]  # the two factors of each
 
 UNKNOWN = -2  # below every sign: the least of several signs is known when all are
 ERRBOUND_A = 2.0**-50  # eight roundings
@@ -82,7 +81,7 @@ def circle_gap_signs(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: 
     return sign_of_products(pairs)
 
 
-def sign_of_products(pairs: Pairs) -> Signs:
+def sign_of_products(pairs: Products) -> Signs:
     """Return the exact sign of each column's sum of products."""
     with np.errstate(all="ignore"):
         terms, size = _expand_products(pairs)
@@ -95,7 +94,7 @@ def sign_of_products(pairs: Pairs) -> Signs:
     return found
 
 
-def sum_with_error(pairs: Pairs, more: Array) -> tuple[Array, Array, Array]:
+def sum_with_error(pairs: Products, more: Array) -> tuple[Array, Array, Array]:
     """Return (float sums of up to three products and of `more`, their error bounds, the products as floats).
 
     With products of size R in all, u = 2**-53 and `more` at most 3uR: the errors of the products
@@ -111,7 +110,7 @@ def sum_with_error(pairs: Pairs, more: Array) -> tuple[Array, Array, Array]:
     return rest, size, terms
 
 
-def _expand_products(pairs: Pairs) -> tuple[Array, Array]:
+def _expand_products(pairs: Products) -> tuple[Array, Array]:
     """Return floats whose sum is exactly the sum of products, errors first, and the size; inf where bits are lost.
 
     The error of a product above TINY, and the parts it is made of, are multiples of 1e-312: floats.
