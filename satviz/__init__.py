@@ -10,7 +10,7 @@ from .engine.geometry import Interval, InvalidScene, InvalidShape, Relation, Vec
 from .engine.relate import relate
 from .engine.shapes import Circle, Polygon
 
-if TYPE_CHECKING:  # what is loaded at first use, as type checkers see it
+if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from . import batch
     from .advice.advising import Recommendation, advise
     from .engine.convex_parts import parts
@@ -67,15 +67,15 @@ __all__ = [
     "steps",
 ]
 
-# what higher layers provide to the engine's values
+# Shapes, traces and scenes show and save themselves with these functions of higher layers.
 hooks.provide(
     mime_bundle="satviz.render.notebook:bundle",
     trace_to_json="satviz.scenes.tracefile:dump",
     trace_from_json="satviz.scenes.tracefile:load",
 )
 
-# loaded at first use, so that importing satviz stays quick
-_LATER = {
+# The module of each name that is loaded at first use, so that `import satviz` stays quick.
+_MODULE_OF = {
     "Recommendation": "advice.advising",
     "AxisTest": "engine.sat",
     "Picture": "pictures",
@@ -103,16 +103,18 @@ _LATER = {
 
 
 def __getattr__(name: str) -> object:
+    """Return a public name, loading its module at the first use."""
     from importlib import import_module
 
     if name == "batch":
         return import_module("satviz.batch")
-    if name not in _LATER:
+    if name not in _MODULE_OF:
         raise AttributeError(f"module 'satviz' has no attribute {name!r}")
-    value = getattr(import_module(f"{__name__}.{_LATER[name]}"), name)
+    value = getattr(import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
     globals()[name] = value
     return value
 
 
 def __dir__() -> list[str]:
+    """Return all public names, loaded or not."""
     return sorted(__all__)

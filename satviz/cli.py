@@ -1,4 +1,4 @@
-"""satviz figures | trace | draw | advise | notebook | site | reference | study | scenes | bench: what is understood."""
+"""The command line: its commands, their options and exit codes."""
 
 import argparse
 import reprlib
@@ -10,17 +10,18 @@ from typing import NoReturn
 from . import __version__, commands
 from .commands import Failed, Refused
 from .engine.geometry import InvalidScene
-from .terminal import heeding_interrupts, interrupted, open_streams, out, say
+from .render.formats import FORMATS, STILL_FORMATS
+from .terminal import interrupted, open_streams, out, remembering_interrupts, say
 
 THEMES = ("light", "dark")
-FIGURE_FORMATS = ("svg", "png", "pdf")
-DRAW_FORMATS = (*FIGURE_FORMATS, "gif", "html", "link")
+DRAW_FORMATS = (*FORMATS, "html", "link")  # a page of the run, and a line with its link
 
 
-def _whole(least: int, most: int) -> Callable[[str], int]:
-    """The number itself, if it is a whole one from `least` to `most`."""
+def _whole_number(least: int, most: int) -> Callable[[str], int]:
+    """Return a parser of whole numbers from `least` to `most`."""
 
     def number(text: str) -> int:
+        """Return the number in the text; ArgumentTypeError if it is not a whole number in range."""
         try:
             value = int(text)
         except ValueError:
@@ -32,32 +33,33 @@ def _whole(least: int, most: int) -> Callable[[str], int]:
     return number
 
 
-SEED = _whole(0, 2**63 - 1)
+SEED = _whole_number(0, 2**63 - 1)
 
 
 def _folder(text: str) -> Path:
-    """A folder's path; a variable that is not set would scatter files here."""
+    """Return the path of a folder; an empty text (an unset variable) is refused: it would scatter files here."""
     if not text:
         raise argparse.ArgumentTypeError("a folder's name is empty: write . for this one")
     return Path(text)
 
 
 class Parser(argparse.ArgumentParser):
-    """Says what is wrong in one line, as every command does."""
+    """A parser that reports a fault in one line, as every command does."""
 
     def error(self, message: str) -> NoReturn:
-        """Usage faults in one line, and where to read on; exit 2."""
+        """Print a usage fault in one line, with where to read on, and exit with 2."""
         say(f"{message} (try {self.prog} --help)")
         raise SystemExit(2)
 
     def _print_message(self, message: str, file: object = None) -> None:
+        """Print help and version by the functions of `terminal`."""
         out(message.rstrip("\n"))  # the help and the version, which argparse would lose where they cannot be written
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run a command; 0 done, 1 failed, 2 bad input, 130 interrupted."""
+    """Run a command and return its exit code: 0 done, 1 failed, 2 bad input, 130 interrupted."""
     open_streams()
-    with heeding_interrupts(to_the_end=argv is None):
+    with remembering_interrupts(to_the_end=argv is None):
         try:
             args = _parser().parse_args(argv)
             if clash := args.clash(args):
@@ -66,15 +68,15 @@ def main(argv: Sequence[str] | None = None) -> int:
             code: int = args.run(args)
         except BaseException as error:
             # whatever an interrupt was turned into on its way
-            code = 130 if interrupted() or isinstance(error, KeyboardInterrupt) else _failed(error)
+            code = 130 if interrupted() or isinstance(error, KeyboardInterrupt) else _report_failure(error)
         if code == 130 or interrupted():
             say("interrupted; files already named are whole")
             return 130
     return code
 
 
-def _failed(error: BaseException) -> int:
-    """Say what went wrong in one line and give the exit code."""
+def _report_failure(error: BaseException) -> int:
+    """Print what went wrong in one line and return the exit code."""
     if isinstance(error, BrokenPipeError):
         return 0  # the reader has gone: nothing left to say
     if isinstance(error, (Refused, InvalidScene)):
@@ -95,6 +97,7 @@ def _failed(error: BaseException) -> int:
 
 
 def _parser() -> argparse.ArgumentParser:
+    """Return the parser of all commands."""
     parser = Parser(prog="satviz", description="2D collision detection by the Separating Axis Theorem, made visible.")
     parser.add_argument("--version", action="version", version=f"satviz {__version__}")
     # clash: says which options cannot be given together; usual: what holds where an option was not given
@@ -102,20 +105,20 @@ def _parser() -> argparse.ArgumentParser:
     command = parser.add_subparsers(required=True, metavar="COMMAND")
 
     figures = command.add_parser("figures", help="make the article's twenty figures")
-    _output(figures, "figures", FIGURE_FORMATS)
+    _add_output_options(figures, "figures", STILL_FORMATS)
     figures.add_argument(
         "--only", metavar="NAME", action="append", help="only this figure, by name or number; may be repeated"
     )
     figures.set_defaults(run=commands.figures)
 
     trace = command.add_parser("trace", help="print every test of a scene as a table")
-    _scene(trace)
+    _add_scene_options(trace)
     trace.add_argument("--json", action="store_true", help="print the whole trace as JSON")
     trace.set_defaults(run=commands.trace)
 
     draw = command.add_parser("draw", help="draw every step of a scene")
-    _scene(draw)
-    _output(draw, "satviz-out", DRAW_FORMATS)
+    _add_scene_options(draw)
+    _add_output_options(draw, "satviz-out", DRAW_FORMATS)
     draw.add_argument(
         "--caption",
         action="store_true",
@@ -127,7 +130,7 @@ def _parser() -> argparse.ArgumentParser:
     which.add_argument(
         "--steps",
         action="store_true",
-        help=f"every step, also of a run of more than {commands.MOST_STEPS} (which else gets a sheet)",
+        help=f"every step, also of a run of more than {commands.MAX_STEP_FILES} (which else gets a sheet)",
     )
     draw.set_defaults(run=commands.draw, clash=_clash_of_draw)
 
@@ -162,11 +165,13 @@ def _parser() -> argparse.ArgumentParser:
     bench = command.add_parser("bench", help="time satviz beside its peers and count the wrong answers of each")
     bench.add_argument(
         "--pairs",
-        type=_whole(1, 10**8),
+        type=_whole_number(1, 10**8),
         metavar="N",
         help="pairs a workload; scenes grow with them (default: 100000)",
     )
-    bench.add_argument("--rounds", type=_whole(1, 10**6), metavar="N", help="rounds to take the median of (default: 9)")
+    bench.add_argument(
+        "--rounds", type=_whole_number(1, 10**6), metavar="N", help="rounds to take the median of (default: 9)"
+    )
     bench.add_argument("--seed", type=SEED, default=1, metavar="N", help="of the random pairs (default: 1)")
     bench.add_argument("--quick", action="store_true", help="less of everything: half a minute, rough figures")
     bench.add_argument("--json", action="store_true", help="print the figures, the machine and the versions as JSON")
@@ -209,7 +214,8 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _scene(parser: argparse.ArgumentParser) -> None:
+def _add_scene_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options of commands that take a scene."""
     from .engine.axes import NAMED
     from .scenes.failing import SHORTCUTS
 
@@ -219,7 +225,8 @@ def _scene(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--every-axis", action="store_true", help="go on past the first separating axis")
 
 
-def _output(parser: argparse.ArgumentParser, out: str, formats: Sequence[str]) -> None:
+def _add_output_options(parser: argparse.ArgumentParser, out: str, formats: Sequence[str]) -> None:
+    """Add the options of commands that write files."""
     parser.add_argument("--out", type=_folder, metavar="DIR", help=f"the folder to write to (default: {out})")
     parser.add_argument("--format", action="append", choices=formats, help="may be given several times (default: svg)")
     parser.add_argument("--theme", choices=THEMES, help="(default: light)")
@@ -228,14 +235,15 @@ def _output(parser: argparse.ArgumentParser, out: str, formats: Sequence[str]) -
 
 
 def _clash_of_draw(args: argparse.Namespace) -> str | None:
-    """Say which options of `draw` cannot be given together; None where all can."""
+    """Return which options of `draw` cannot be given together, as an error line, or None."""
     formats = set(args.format or ["svg"])
     if args.site is not None and "link" not in formats:
         return "--site is where a link leads: give it with --format link"
     if args.site == "":
         return "--site is empty: expected an address such as https://example.org/satviz/, or no --site"
-    if args.sheet and formats & {"gif", "html"}:
-        return f"--sheet is one picture, for {', '.join(FIGURE_FORMATS)}: ask for --format gif or html in another run"
+    if args.sheet and (others := formats - {*STILL_FORMATS, "link"}):
+        apart = " or ".join(sorted(others))
+        return f"--sheet is one picture, for {', '.join(STILL_FORMATS)}: ask for --format {apart} in another run"
     files = formats - {"link"}
     if not files and (given := _first_given(args, "out", "theme", "force", "caption", "sheet", "steps")):
         return f"--format link prints a line: {given} is for files, so add the format of a file"
@@ -245,20 +253,22 @@ def _clash_of_draw(args: argparse.Namespace) -> str | None:
 
 
 def _clash_of_chart(args: argparse.Namespace) -> str | None:
-    """Say that --force has nothing to overwrite where nothing is written."""
+    """Return the error line for --force where nothing is written, or None."""
     return "--force overwrites files: give it with --chart" if args.force and not args.chart else None
 
 
 def _clash_of_bench(args: argparse.Namespace) -> str | None:
+    """Return which options of `bench` cannot be given together, as an error line, or None."""
     if args.quick and (given := _first_given(args, "pairs", "rounds")):
         return f"--quick sets the pairs and the rounds: give it without {given}"
     return _clash_of_chart(args)
 
 
 def _clash_of_site(args: argparse.Namespace) -> str | None:
+    """Return which options of `site` cannot be given together, as an error line, or None."""
     return "--still has no Python in the page: give it without --pyodide" if args.still and args.pyodide else None
 
 
 def _first_given(args: argparse.Namespace, *names: str) -> str | None:
-    """The first of these options that was given, as it is written."""
+    """Return the first of these options that was given, as it is written."""
     return next((f"--{name}" for name in names if getattr(args, name)), None)

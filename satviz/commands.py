@@ -1,42 +1,43 @@
-"""What each command does: a thin call of the public face."""
+"""What each command does, as calls of the public functions.
+
+A command takes the options of its command line, prints its result and returns the exit code.
+"""
 
 import argparse
 import os
 import sys
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, NamedTuple
 
 from . import safe_write
-from .optional_imports import needs
+from .optional_imports import extra_needed
 from .terminal import interrupts_ignored, out, out_json, say, stop_if_interrupted, visible
 
 if TYPE_CHECKING:
-    from .engine.trace import Trace
     from .pictures import Picture
+    from .scenes.failing import FailureCase
     from .scenes.scenefile import Scene
 
-    Job = tuple[str, str, Callable[[], Picture | list[Picture] | bytes]]  # stem, form, what makes it
+    Pictures = Callable[[], Sequence[Picture]]  # draws the pictures of a file when they are needed
+    Job = tuple[Path, Callable[[], bytes]]  # a file, and what makes its content
 
-Row = TypeVar("Row")
-
-
-MOST_STEPS = 120  # that `draw` makes a file each of without being asked
+MAX_STEP_FILES = 120  # a longer run is drawn as one sheet unless --steps asks for a file of each step
 
 
 class Refused(Exception):
-    """Bad input: one clear line and exit code 2."""
+    """The input is bad: `main` prints one line and returns exit code 2."""
 
 
 class Failed(Exception):
-    """The work itself failed: one clear line and exit code 1."""
+    """The work itself failed: `main` prints one line and returns exit code 1."""
 
 
 def _load(args: argparse.Namespace) -> "Scene":
-    """The scene by name or file, with the options of the command line."""
+    """Return the scene of that name or file, with --axes and --every-axis applied; Refused for an unknown name."""
     from dataclasses import replace
 
     from .scenes.named import names, scene
@@ -51,6 +52,7 @@ def _load(args: argparse.Namespace) -> "Scene":
 
 
 def _did_you_mean(name: str, known: Iterable[str]) -> str:
+    """Return the end of an error line: the known name that is most like this one, or all of them."""
     from difflib import get_close_matches
 
     near = get_close_matches(name, known, n=1)
@@ -68,88 +70,158 @@ def figures(args: argparse.Namespace) -> int:
             if name not in known:
                 raise Refused(f"no figure {name!r}{_did_you_mean(name, known)}")
         wanted = [figure for figure in FIGURES if figure in [known[name] for name in args.only]]
-    jobs = [(figure.stem, form, figure.picture) for figure in wanted for form in dict.fromkeys(args.format)]
-    return _write(args, jobs)
+    forms = dict.fromkeys(args.format)
+    return _write(args, [_job(args, f.stem, form, partial(_single, f.picture)) for f in wanted for form in forms])
+
+
+def _single(make: "Callable[[], Picture]") -> "list[Picture]":
+    """Return the picture that `make` draws as the only one of a file."""
+    return [make()]
+
+
+class _Drawable(NamedTuple):
+    """What `draw` makes files of: still pictures, the frames of an animation, and a page."""
+
+    name: str  # the stem of the animation's and the page's file
+    stills: "Sequence[tuple[str, Pictures]]"  # the stem of each file, and its one picture
+    frames: "Pictures"
+    page: Callable[[], str]
+    note: str = ""  # printed where still pictures were written
 
 
 def draw(args: argparse.Namespace) -> int:
     """Draw every step of a scene, or of a long run its contact sheet, in each format asked for; print its link."""
-    from .pictures import Picture, picture, steps
-    from .pictures.caption import captioned
-    from .pictures.comparison import refused_picture
-    from .pictures.sheet import sheet
+    from .render.formats import FORMATS, STILL_FORMATS
+    from .scenes.link import link
     from .scenes.named import refused_case
 
-    formats = [form for form in dict.fromkeys(args.format) if form != "link"]
-    if "link" in args.format:
-        _link(args)
-    if not formats:
-        return 0
-    if case := refused_case(args.scene):
-        if args.axes or args.every_axis or args.sheet or args.steps:
-            raise Refused(
-                f"{case.name} has no run, since its outlines are refused: leave out --axes, --every-axis, "
-                "--sheet and --steps"
-            )
-        drawn, name = refused_picture(case), case.name
-        makes: dict[str, Callable[[], Picture | list[Picture] | bytes]]
-        makes = {"gif": lambda: [drawn], "html": lambda: _page(name, "")}
-        return _write(args, [(name, form, makes.get(form, lambda: drawn)) for form in formats])
-    scene = _load(args)
+    case = refused_case(args.scene)
+    forms = [form for form in dict.fromkeys(args.format) if form != "link"]
+    if case and len(forms) == len(set(args.format)):
+        drawable = _drawable_refused(args, case)
+    else:
+        scene = _load(args)  # says why a refused case has no link
+        if "link" in args.format:
+            out(link(scene, site=args.site or ""))
+        if not forms:
+            return 0
+        drawable = _drawable_run(args, scene)
+    jobs: list[Job] = []
+    for form in forms:
+        if form == "html":
+            jobs.append((args.out / f"{drawable.name}.html", partial(_page, drawable)))  # a page has both themes
+        elif FORMATS[form].animated:
+            jobs.append(_job(args, drawable.name, form, drawable.frames))
+        else:
+            jobs += [_job(args, stem, form, make) for stem, make in drawable.stills]
+    done = _write(args, jobs)
+    if drawable.note and set(forms) & set(STILL_FORMATS):
+        out(drawable.note)
+    return done
+
+
+def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawable:
+    """Return the picture of a scene whose outlines are refused; Refused for options that need a run."""
+    from .pictures.comparison import refused_picture
+    from .render.page import page_of_refused
+
+    if args.axes or args.every_axis or args.sheet or args.steps:
+        raise Refused(
+            f"{case.name} has no run, since its outlines are refused: leave out --axes, --every-axis, "
+            "--sheet and --steps"
+        )
+    drawn = refused_picture(case)
+    return _Drawable(case.name, [(case.name, lambda: [drawn])], lambda: [drawn], lambda: page_of_refused(case))
+
+
+def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
+    """Return the pictures of a scene's run, with --sheet, --steps and --caption; Refused if it cannot be drawn."""
+    from .pictures import picture, steps
+    from .pictures.caption import add_captions
+    from .pictures.sheet import sheet
+    from .render.page import page_of_run
+
     trace = scene.record()
     try:
         picture(trace, 0)
     except ValueError as error:
         raise Refused(str(error)) from None
     count = len(steps(trace))
-    jobs: list[Job] = []
 
-    def finished(step: int) -> Picture:
-        drawn = picture(trace, step, title=scene.title)
-        return captioned([drawn])[0] if args.caption else drawn
+    def still(step: int) -> "Sequence[Picture]":
+        """Return the picture of a step, with its sentence below it if --caption asks for that."""
+        drawn = [picture(trace, step, title=scene.title)]
+        return add_captions(drawn) if args.caption else drawn
 
-    for form in formats:
-        if form == "gif":
-            jobs.append((scene.name, form, lambda: captioned([picture(trace, i) for i in range(count)])))
-            continue
-        if form == "html":
-            jobs.append((scene.name, form, lambda: _page(trace, scene.title)))
-            continue
-        if args.sheet or (count > MOST_STEPS and not args.steps):
-            jobs.append((f"{scene.name}-sheet", form, lambda: sheet(trace, title=scene.title)))
-            continue
-        for i in range(count):
-            stem = f"{scene.name}-{i:0{len(str(count - 1))}}"
-            jobs.append((stem, form, partial(finished, i)))
-    done = _write(args, jobs)
-    if count > MOST_STEPS and not (args.steps or args.sheet) and any("-sheet" in stem for stem, *_ in jobs):
-        out(f"one sheet instead of a picture of each of the {count} steps (--steps makes those)")
-    return done
+    def frames() -> "Sequence[Picture]":
+        """Return the picture of every step, each with its sentence below it."""
+        return add_captions([picture(trace, step) for step in range(count)])
+
+    def page() -> str:
+        """Return the page of the run."""
+        return page_of_run(trace, title=scene.title)
+
+    if not args.sheet and (count <= MAX_STEP_FILES or args.steps):
+        digits = len(str(count - 1))
+        stills = [(f"{scene.name}-{step:0{digits}}", partial(still, step)) for step in range(count)]
+        return _Drawable(scene.name, stills, frames, page)
+    whole = [(f"{scene.name}-sheet", lambda: [sheet(trace, title=scene.title)])]
+    note = "" if args.sheet else f"one sheet instead of a picture of each of the {count} steps (--steps makes those)"
+    return _Drawable(scene.name, whole, frames, page, note)
 
 
-def _link(args: argparse.Namespace) -> None:
-    """Print the link that opens the scene on a site."""
-    from .scenes.link import link
-
-    out(link(_load(args), site=args.site or ""))
-
-
-def _page(what: "Trace | str", title: str) -> bytes:
-    from .render.page import page
-
+def _page(drawable: _Drawable) -> bytes:
+    """Return the page's file; Refused where the run has too many steps for a page."""
     try:
-        return page(what, title=title).encode()
+        return drawable.page().encode()
     except ValueError as error:
         raise Refused(str(error)) from None
+
+
+def _job(args: argparse.Namespace, stem: str, form: str, make: "Pictures") -> "Job":
+    """Return the file of these pictures in --out and --theme; the names of the dark theme's files end in -dark."""
+    from .pictures import LIGHT, THEMES
+    from .render.files import encode_frames
+
+    theme = THEMES[args.theme]
+    if theme is not LIGHT:
+        stem = f"{stem}-{theme.name}"
+    return args.out / f"{stem}.{form}", lambda: encode_frames(make(), form, theme, stem=stem)
+
+
+def _write(args: argparse.Namespace, jobs: "Sequence[Job]") -> int:
+    """Make and write each file, after checking that all of them can be written; say what warnings came up."""
+    paths = [path for path, _ in jobs]
+    safe_write.folder(args.out)
+    for path in paths:
+        safe_write.check(path, force=args.force)
+    with warnings.catch_warnings(record=True) as caught:
+        for path, (_, make) in zip(_progress(paths), jobs, strict=True):
+            safe_write.write(path, make(), force=args.force)
+    for line in dict.fromkeys(str(warning.message) for warning in caught):
+        say(line)
+    out(f"{len(paths)} {'file' if len(paths) == 1 else 'files'} in {visible(str(args.out))}")
+    return 0
+
+
+def _progress(paths: Sequence[Path]) -> Iterator[Path]:
+    """Yield the paths beside a bar on standard error, where that is a terminal; stop at an interrupt."""
+    from tqdm import tqdm
+
+    with tqdm(paths, unit="file", disable=None, leave=False, file=sys.stderr) as bar:
+        for path in bar:
+            bar.set_postfix_str(path.name)
+            yield path
+            stop_if_interrupted()
 
 
 def notebook(args: argparse.Namespace) -> int:
     """Copy the walkthrough beside the reader, not yet run, and open it."""
     from importlib.util import find_spec
 
-    from .site.walkthrough import shipped
+    from .site.shipped import shipped_notebooks
 
-    sources = shipped()
+    sources = shipped_notebooks()
     safe_write.folder(args.out)
     for source in sources:
         copy, data = args.out / source.name, _not_yet_run(source.read_bytes())
@@ -162,14 +234,15 @@ def notebook(args: argparse.Namespace) -> int:
     if args.no_open:
         return 0
     if not find_spec("jupyterlab") or not find_spec("anywidget"):
-        raise Refused(needs("opening the walkthrough", "jupyter"))
+        raise Refused(extra_needed("opening the walkthrough", "jupyter"))
     return _jupyterlab(args.out)
 
 
 def _not_yet_run(data: bytes) -> bytes:
-    """A notebook without its outputs.
+    """Return the file of a notebook without its outputs.
 
-    JupyterLab trusts none that it did not make: a picture would be its text, and each answer stands below its question.
+    JupyterLab trusts no output that it did not make: it would show a picture as text.  Besides, an output would
+    answer the question above it at once.
     """
     import json
 
@@ -181,11 +254,15 @@ def _not_yet_run(data: bytes) -> bytes:
 
 
 def _holds(path: Path, data: bytes) -> bool:
+    """Return whether a file, not a link, with exactly this content exists."""
     return path.is_file() and not path.is_symlink() and path.read_bytes() == data
 
 
 def _jupyterlab(folder: Path) -> int:
-    """Run it until it ends; an interrupt is its own matter, as it asks whether to stop."""
+    """Run JupyterLab until it ends, and return its exit code.
+
+    Ctrl-C is left to JupyterLab, which asks whether to stop.
+    """
     import subprocess
 
     with (
@@ -193,43 +270,6 @@ def _jupyterlab(folder: Path) -> int:
         interrupts_ignored(),
     ):
         return process.wait()
-
-
-def _write(args: argparse.Namespace, jobs: Sequence["Job"]) -> int:
-    """Draw and write each job (stem, form, picture maker); the dark theme's files say so in their names."""
-    from .pictures import THEMES as LOOKS
-    from .pictures import Picture
-    from .render.files import animate, encode
-
-    theme = LOOKS[args.theme]
-    suffix = "" if theme.name == "light" else f"-{theme.name}"
-    # a page has both themes
-    paths = [args.out / f"{stem}{suffix if form != 'html' else ''}.{form}" for stem, form, _ in jobs]
-    safe_write.folder(args.out)
-    for path in paths:
-        safe_write.check(path, force=args.force)
-    with warnings.catch_warnings(record=True) as said:
-        for path, (stem, form, make) in zip(_progress(paths), jobs, strict=True):
-            made = make()
-            if isinstance(made, Picture):
-                made = encode(made, form, theme, stem=stem + suffix)
-            data = made if isinstance(made, bytes) else animate(made, theme)
-            safe_write.write(path, data, force=args.force)
-    for line in dict.fromkeys(str(warning.message) for warning in said):
-        say(line)
-    out(f"{len(paths)} {'file' if len(paths) == 1 else 'files'} in {visible(str(args.out))}")
-    return 0
-
-
-def _progress(paths: Sequence[Path]) -> Iterator[Path]:
-    """A bar on stderr, none where that is no terminal."""
-    from tqdm import tqdm
-
-    with tqdm(paths, unit="file", disable=None, leave=False, file=sys.stderr) as bar:
-        for path in bar:
-            bar.set_postfix_str(path.name)
-            yield path
-            stop_if_interrupted()
 
 
 def trace(args: argparse.Namespace) -> int:
@@ -245,39 +285,40 @@ def trace(args: argparse.Namespace) -> int:
 
 
 def advise(args: argparse.Namespace) -> int:
-    """Say which model is the least that is right for a scene or for many shapes, and draw what each costs."""
+    """Print the simplest model that is right for a scene or for many shapes; draw the cost of each model if asked."""
     import json
 
     from .advice.advising import advise
-    from .advice.report import price
+    from .advice.report import cost_line
 
     if Path(args.scene).suffix == ".npz":
         from .advice.shapesfile import load
 
         shapes, pairs = load(Path(args.scene))
         try:
-            advice = advise(shapes, pairs=pairs)
+            recommendation = advise(shapes, pairs=pairs)
         except (ValueError, IndexError) as error:
             raise Refused(f"{args.scene}: {error}") from None
     else:
         scene = _load(args)
-        advice = advise(scene.a, scene.b)
+        recommendation = advise(scene.a, scene.b)
     if args.json:
-        prices = {name: p and p._asdict() for name, p in advice.prices().items()} if args.chart else None
-        data = json.loads(advice.to_json())
+        prices = {name: p and p._asdict() for name, p in recommendation.prices().items()} if args.chart else None
+        data = json.loads(recommendation.to_json())
         out_json(json.dumps(data | {"prices": prices} if prices else data, indent=1, allow_nan=False))
     else:
-        out("\n".join(filter(None, (str(advice), price(advice.model, advice.facts, advice.prices())))))
+        cost = cost_line(recommendation.model, recommendation.summary, recommendation.prices())
+        out("\n".join(filter(None, (str(recommendation), cost))))
     if args.chart:
         try:
-            drawn = advice.chart()
+            chart = recommendation.chart()
         except ValueError as error:
             raise Refused(str(error)) from None
         safe_write.folder(args.chart)
         for theme in ("light", "dark"):
             for form in ("svg", "png"):
                 path = args.chart / f"advice{'' if theme == 'light' else '-dark'}.{form}"
-                safe_write.write(path, drawn.encode(form, theme), force=args.force)
+                safe_write.write(path, chart.encode(form, theme), force=args.force)
                 say(f"wrote {path}")
     return 0
 
@@ -344,6 +385,7 @@ def study(args: argparse.Namespace) -> int:
         bar = stack.enter_context(tqdm(unit="cell", disable=None, leave=False, file=sys.stderr))
 
         def progress(done: int, total: int, name: str) -> None:
+            """Print the section that is being worked on."""
             bar.total = total
             bar.set_postfix_str(name, refresh=False)
             bar.update(done - bar.n)
@@ -362,44 +404,45 @@ def reference(args: argparse.Namespace) -> int:
     from .site.reference import reference
 
     try:
-        files = [(args.out / path, data) for path, data in reference()]
+        files = dict(reference())
     except ImportError as error:
         raise Failed(str(error)) from None
-    safe_write.folder(args.out)
-    for path, _ in files:
-        safe_write.check(path, force=args.force)
-    for path, data in files:
-        safe_write.write(path, data, force=args.force)
+    _write_all(args, files)
     out(f"open {visible(str(args.out / 'index.html'))}")
     return 0
 
 
 def site(args: argparse.Namespace) -> int:
     """Write the site, and serve it if asked."""
-    from .site.build import Missing, site
+    from .site.build import PythonMissing, site
 
     try:
-        files, lacks = site(pyodide=args.pyodide, live=not args.still)
-        made = {args.out / path: data for path, data in files}
+        pages, lacks = site(pyodide=args.pyodide, live=not args.still)
+        files = dict(pages)
     except ImportError as error:
         raise Failed(str(error)) from None
-    except Missing as error:
+    except PythonMissing as error:
         raise Refused(str(error)) from None
-    safe_write.folder(args.out)
-    for path in made:
-        safe_write.check(path, force=args.force)
-    for path, data in made.items():
-        safe_write.write(path, data, force=args.force)
-        stop_if_interrupted()
+    _write_all(args, files)
     for line in lacks:
         say(line)
-    sent = sum(map(len, made.values())) / 1e6
-    out(f"{len(made)} files ({sent:.1f} MB) in {visible(str(args.out))}")
+    megabytes = sum(map(len, files.values())) / 1e6
+    out(f"{len(files)} files ({megabytes:.1f} MB) in {visible(str(args.out))}")
     return _serve(args.out) if args.open else 0
 
 
+def _write_all(args: argparse.Namespace, files: Mapping[str, bytes]) -> None:
+    """Write the files, named by their paths in --out, after checking that all of them can be written."""
+    safe_write.folder(args.out)
+    for path in files:
+        safe_write.check(args.out / path, force=args.force)
+    for path, data in files.items():
+        safe_write.write(args.out / path, data, force=args.force)
+        stop_if_interrupted()
+
+
 def _serve(folder: Path) -> int:
-    """Serve the folder until Ctrl-C."""
+    """Serve the folder on this machine and open it in a browser, until Ctrl-C."""
     import webbrowser
 
     from .site.serving import server

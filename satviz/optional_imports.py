@@ -1,8 +1,8 @@
-"""What only some users need comes as an extra, and there is one way to say how to get it."""
+"""Libraries that only some users need come as extras; an error line says how to install one."""
 
 
-def needs(what: str, extra: str) -> str:
-    """The line that says which extra something needs, and how to install it.
+def extra_needed(what: str, extra: str) -> str:
+    """Return the error line that says which extra something needs, and how to install it.
 
     From a checkout: satviz is not published yet, and the name "satviz" on PyPI is another project's.
     """

@@ -1,4 +1,4 @@
-"""The one way satviz writes a file: whole or not at all, over nothing that somebody else made, never through a link.
+"""The one way satviz writes a file: whole or not at all, never through a link, never over somebody else's file.
 
 A file is written beside its place and renamed, so neither an interrupt nor a full disk
 leaves a half one.  Every format has a place for its maker; a file that does not name
@@ -13,7 +13,7 @@ from threading import get_ident
 
 MADE_BY = "made by satviz"
 # where each format names its maker; to speak of satviz elsewhere is not enough
-_MARKS = {
+_MAKER_FIELDS = {
     ".svg": f"<dc:title>{MADE_BY}",
     ".png": f"Software\0{MADE_BY}",
     ".pdf": f"/Creator ({MADE_BY}",
@@ -29,7 +29,7 @@ _MARKS = {
 
 
 def check(path: Path, *, force: bool = False) -> None:
-    """FileExistsError for a link or a file that satviz did not make, unless forced, and for a folder in any case."""
+    """Raise FileExistsError for a folder, and unless forced for a link or a file that satviz did not make."""
     if not os.path.lexists(path):
         return
     link = path.is_symlink()
@@ -37,22 +37,22 @@ def check(path: Path, *, force: bool = False) -> None:
         raise FileExistsError(f"{path} is a folder: satviz writes a file of that name")
     if link and not force:
         raise FileExistsError(f"{path} is a link: choose another folder, or put a file in its place with --force")
-    if not force and not (path.is_file() and _ours(path)):
+    if not force and not (path.is_file() and _is_made_by_satviz(path)):
         raise FileExistsError(f"{path} was not made by satviz: choose another folder, or overwrite it with --force")
 
 
-def _ours(path: Path) -> bool:
-    """Does the file's own field for its maker name us?"""
+def _is_made_by_satviz(path: Path) -> bool:
+    """Return whether the file's own field for its maker names satviz."""
     with path.open("rb") as file:
         head = file.read(1 << 16)
         file.seek(max(0, os.fstat(file.fileno()).st_size - (1 << 16)))
         tail = file.read(1 << 16)
-    mark = _MARKS.get(path.suffix, "").encode()
+    mark = _MAKER_FIELDS.get(path.suffix, "").encode()
     return bool(mark) and (mark in head or mark in tail)
 
 
 def folder(path: Path) -> None:
-    """Make the folder where it is not there; NotADirectoryError where something else has its name."""
+    """Make the folder if it does not exist; NotADirectoryError if a file has its name."""
     try:
         path.mkdir(parents=True, exist_ok=True)
     except FileExistsError:
@@ -60,7 +60,7 @@ def folder(path: Path) -> None:
 
 
 def write(path: Path, data: bytes, *, force: bool = False) -> None:
-    """Put the bytes there in one go, or not at all; FileExistsError as `check`, any other OSError names the file."""
+    """Write the bytes whole or not at all; FileExistsError as in `check`, any other OSError names the file."""
     check(path, force=force)
     folder(path.parent)
     beside = path.with_name(f".{path.name}.{os.getpid()}-{get_ident()}.part")

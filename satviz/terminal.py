@@ -1,4 +1,4 @@
-"""What the command line stands on: streams that may be closed or narrow, and Ctrl-C, which is not lost."""
+"""What the command line prints, to streams that may be closed or narrow, and interrupts that are never lost."""
 
 import json
 import os
@@ -9,12 +9,12 @@ from contextlib import contextmanager, suppress
 from threading import current_thread, main_thread
 from types import FrameType
 
-LONGEST = 1200  # letters of a message
+MAX_MESSAGE_LETTERS = 1200  # letters of a message
 _interrupted = False
 
 
 def open_streams() -> None:
-    """Stand-ins for streams that were closed at the start, and no failing over a letter that one cannot show.
+    """Replace streams that were closed at the start, and let no letter fail that a stream cannot show.
 
     In the order of their numbers: else the next file opened would get the number of a closed stream.
     """
@@ -27,34 +27,36 @@ def open_streams() -> None:
 
 
 def visible(text: str) -> str:
-    """The text with control characters as escapes: a file's name or a label must not steer the terminal."""
+    """Return the text with control characters as escapes: a file's name or a label must not steer the terminal."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
 def say(text: str) -> None:
-    """One line on standard error, a very long one cut in its middle; where nobody hears it, nothing is left to do."""
+    """Print one line on standard error, a very long one cut in its middle; a closed stream is ignored."""
     line = visible(text)
-    if len(line) > LONGEST:
-        line = f"{line[: LONGEST // 2]} ... {line[-LONGEST // 2 :]}"
+    if len(line) > MAX_MESSAGE_LETTERS:
+        line = f"{line[: MAX_MESSAGE_LETTERS // 2]} ... {line[-MAX_MESSAGE_LETTERS // 2 :]}"
     with suppress(OSError, ValueError):
         print(f"satviz: {line}", file=sys.stderr, flush=True)
 
 
 def out(text: str) -> None:
-    """Lines on standard output; an OSError names it."""
-    _out("\n".join(map(visible, text.split("\n"))))
+    """Print lines on standard output; an OSError names the stream."""
+    _print("\n".join(map(visible, text.split("\n"))))
 
 
 def out_json(text: str) -> None:
-    """The same for JSON, which stays JSON: what the stream cannot hold or must not show is escaped as JSON does it."""
+    """Print JSON on standard output; what the stream cannot hold or must not show is escaped as JSON escapes."""
 
     def plain(c: str) -> bool:
-        return c == "\n" or (c.isprintable() and (c.isascii() or _holds(c)))
+        """Return a character, or its JSON escape."""
+        return c == "\n" or (c.isprintable() and (c.isascii() or _can_encode(c)))
 
-    _out("".join(c if plain(c) else json.dumps(c)[1:-1] for c in text))
+    _print("".join(c if plain(c) else json.dumps(c)[1:-1] for c in text))
 
 
-def _holds(c: str) -> bool:
+def _can_encode(c: str) -> bool:
+    """Return whether standard output can show a character."""
     try:
         c.encode(sys.stdout.encoding or "utf-8")
     except UnicodeEncodeError:
@@ -62,7 +64,8 @@ def _holds(c: str) -> bool:
     return True
 
 
-def _out(text: str) -> None:
+def _print(text: str) -> None:
+    """Print on standard output and flush it."""
     try:
         print(text, flush=True)
     except OSError as error:
@@ -71,15 +74,16 @@ def _out(text: str) -> None:
         raise OSError(error.errno, error.strerror, "standard output") from None
 
 
-def _interrupt(number: int, frame: FrameType | None) -> None:
+def _on_interrupt(number: int, frame: FrameType | None) -> None:
+    """Remember the interrupt and raise KeyboardInterrupt."""
     global _interrupted
     _interrupted = True
     raise KeyboardInterrupt
 
 
 @contextmanager
-def heeding_interrupts(*, to_the_end: bool) -> Iterator[None]:
-    """Keep it in mind that an interrupt came: raised inside a callback, KeyboardInterrupt vanishes there.
+def remembering_interrupts(*, to_the_end: bool) -> Iterator[None]:
+    """Remember that an interrupt came, since KeyboardInterrupt vanishes when it is raised in a callback.
 
     `to_the_end`: the process has nothing to do afterwards, so that a later one just ends it.
     """
@@ -92,7 +96,7 @@ def heeding_interrupts(*, to_the_end: bool) -> Iterator[None]:
         return
     told = sys.unraisablehook
     sys.unraisablehook = lambda lost: None if lost.exc_type is KeyboardInterrupt else told(lost)
-    signal.signal(signal.SIGINT, _interrupt)
+    signal.signal(signal.SIGINT, _on_interrupt)
     try:
         yield
     finally:
@@ -102,23 +106,23 @@ def heeding_interrupts(*, to_the_end: bool) -> Iterator[None]:
 
 @contextmanager
 def interrupts_ignored() -> Iterator[None]:
-    """Leave interrupts to a program that was started and that shares the terminal."""
-    mine = signal.getsignal(signal.SIGINT) is _interrupt
+    """Leave interrupts to a started program that shares the terminal."""
+    mine = signal.getsignal(signal.SIGINT) is _on_interrupt
     if mine:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
         yield
     finally:
         if mine:
-            signal.signal(signal.SIGINT, _interrupt)
+            signal.signal(signal.SIGINT, _on_interrupt)
 
 
 def interrupted() -> bool:
-    """Has an interrupt come since the command began?"""
+    """Return whether an interrupt came since the command began."""
     return _interrupted
 
 
 def stop_if_interrupted() -> None:
-    """KeyboardInterrupt, if one came and vanished."""
+    """Raise KeyboardInterrupt if one came and vanished."""
     if _interrupted:
         raise KeyboardInterrupt

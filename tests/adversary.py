@@ -206,32 +206,32 @@ def _exact_clearance(p: Sequence, q: Sequence) -> Fraction:
 def float32_look(*numbers: float) -> float:
     p, q = _triangles(numbers)
     a, b = _group(p), _group(q)
-    width = filter_numpy._width(a) + filter_numpy._width(b)
-    found, room = filter_numpy.look_32(a.x, a.y, b.x, b.y, width)
+    width = filter_numpy._max_width(a) + filter_numpy._max_width(b)
+    found, room = filter_numpy.evaluate_f32(a.x, a.y, b.x, b.y, width)
     return over(abs(Fraction(float(found[0])) - _exact_clearance(p, q)), float(room[0]))
 
 
 def float64_look(*numbers: float) -> float:
     """What numba's kernels look at, and the room that they are granted."""
-    from satviz.batch.with_numba.filter import room_of
+    from satviz.batch.with_numba.filter import error_bound_of
 
     p, q = _triangles(numbers)
     a, b = _group(p), _group(q)
     found = filter_numpy.clearance(a.x, a.y, b.x, b.y, 0)
-    return over(abs(Fraction(float(found[0])) - _exact_clearance(p, q)), room_of(a, b))
+    return over(abs(Fraction(float(found[0])) - _exact_clearance(p, q)), error_bound_of(a, b))
 
 
 def turn(px: float, py: float, qx: float, qy: float, rx: float, ry: float) -> float:
     """The first look of exact_signs.orient."""
     left, right = (qx - px) * (ry - py), (qy - py) * (rx - px)
     exact = truth.turn((px, py), (qx, qy), (rx, ry))
-    return over(abs(Fraction(left - right) - exact), exact_signs.ROUND * (abs(left) + abs(right)))
+    return over(abs(Fraction(left - right) - exact), exact_signs.ERRBOUND_A * (abs(left) + abs(right)))
 
 
 def two_floats(*numbers: float) -> float:
     """Sums of three products in two floats, beyond the last rounding of the sum itself."""
     factors = [(np.array([a]), np.array([b])) for a, b in zip(numbers[::2], numbers[1::2], strict=True)]
-    total, off, _ = exact_signs.nearly(factors, np.zeros(1))
+    total, off, _ = exact_signs.sum_with_error(factors, np.zeros(1))
     exact = sum(Fraction(a) * Fraction(b) for a, b in zip(numbers[::2], numbers[1::2], strict=True))
     return over(abs(Fraction(float(total[0])) - exact) - abs(exact) * Fraction(U), float(off[0]))
 

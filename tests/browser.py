@@ -58,8 +58,9 @@ render({ model: { get: (name) => data[name], on, off, send }, el: document.query
 @contextmanager
 def explored(browser, exploring, errors, **more):
     """A page with the explorer alone; `more` is the browser's context."""
+    from satviz.render.formats import FORMATS
     from satviz.render.script import javascript, stylesheet
-    from satviz.widgets.goals import CALLED
+    from satviz.widgets.goals import GOAL_NAMES
 
     context = browser.new_context(**more)
     page = context.new_page()
@@ -68,7 +69,8 @@ def explored(browser, exploring, errors, **more):
         "first": exploring.state(),
         "presets": ["triangles", "circles"],
         "failing": ["aabb-turned"],
-        "challenges": CALLED,
+        "challenges": GOAL_NAMES,
+        "formats": list(FORMATS),
     }
     page.expose_function("first", lambda: first)
     page.expose_function("answer", exploring.answer)

@@ -1,10 +1,10 @@
 """What no test would notice: small faults sown into the exact core one at a time, and the tests run against each.
 
-    python -m pip install 'mutmut>=3.8' && python tests/mutants.py engine/exact engine/axes:240 batch/signs
+    python -m pip install 'mutmut>=3.8' && python tests/mutants.py engine/predicates engine/axes:240 batch/exact_signs
 
 prints every mutant that survived, every one that was killed though listed as equivalent, and a
-table; without names it goes through the whole core, batch/door:9-80 sows these lines only, and
-batch/door%3 every third mutant.  tests/mutants.md holds the last table and, for each survivor
+table; without names it goes through the whole core, batch/validation:9-80 sows these lines only, and
+batch/validation%3 every third mutant.  tests/mutants.md holds the last table and, for each survivor
 that changes nothing, the reason: those are known and only counted.  Half the kinds of mutants are
 mutmut's.  Its runner starts Python anew for each; here a parent loads the large libraries once and
 forks.  Left as they are: strings, messages (all of a raise), annotations, docstrings, zip's strict.
@@ -39,33 +39,37 @@ QUICK = 0.5  # seconds: slower tests do not judge, since each survivor goes thro
 LOADED_ONCE = ["hypothesis.strategies", "matplotlib", "numba", "numpy", "pytest", "shapely.geometry"]
 TESTS = {  # which test files judge a module
     "engine/geometry": ["geometry"],
-    "engine/exact": ["exact", "trace", "verdict"],
-    "engine/sweep": ["shapes", "concave"],
-    "engine/outline": ["shapes"],
+    "engine/predicates": ["predicates", "trace", "relate"],
+    "engine/sweep": ["shapes", "convex_parts"],
+    "engine/polygon_validation": ["shapes"],
     "engine/shapes": ["shapes", "trace"],
-    "engine/triangulation": ["concave"],
-    "engine/concave": ["concave"],
-    "engine/verdict": ["verdict"],
-    **{f"batch/{path.stem}": ["batch", "batch_door"] for path in sorted((ROOT / "batch").glob("[!_]*.py"))},
+    "engine/triangulation": ["convex_parts"],
+    "engine/convex_parts": ["convex_parts"],
+    "engine/relate": ["relate"],
+    **{
+        path.relative_to(ROOT).with_suffix("").as_posix(): ["batch", "batch_validation"]
+        for path in sorted((ROOT / "batch").rglob("[!_]*.py"))
+    },
     "engine/axes": ["axes", "trace", "failing"],
     "engine/sat": ["trace"],
     "engine/shortcut": ["failing", "trace"],
-    "engine/enough": ["advice"],
-    "engine/escape": ["escape"],
+    "engine/axis_count": ["recommendation"],
+    "engine/mtv": ["mtv"],
     "engine/certificate": ["certificate", "trace"],
-    "engine/trace": ["trace", "failing", "escape"],
+    "engine/trace": ["trace", "failing", "mtv"],
     "scenes/tracefile": ["trace", "failing"],
 }
 GRID = "boxes or candidate or cells or collid or grid or stream"
 ABOUT = {  # of those files only these tests, as pytest -k takes them, since each survivor goes through all that judge
-    "batch/broad": GRID,
-    "batch/grid_numba": GRID,
-    "batch/grid_numpy": GRID,
-    "engine/enough": "enough or touch or parts",
-    "batch/filter_numba": "circles or columns or filter or float32 or hard_pairs or look or plain or scalar or upright",
-    "batch/picked_numba": "columns or hard_pairs or index or lanes or many_corners or picked or plain or upright",
-    "batch/picked_numpy": "hard_pairs or index or many_corners or picked or plain or side_by_side or upright",
-    "batch/circle_polygons": "circle or foot or forgotten or hard_pairs or scalar_answers or tiny",
+    "batch/broad_phase": GRID,
+    "batch/with_numba/grid": GRID,
+    "batch/with_numpy/grid": GRID,
+    "engine/axis_count": "enough or touch or parts",
+    "batch/with_numba/filter": "circles or columns or filter or float32 or hard_pairs or look or plain or scalar"
+    " or upright",
+    "batch/with_numba/indexed": "columns or hard_pairs or index or lanes or many_corners or picked or plain or upright",
+    "batch/with_numpy/indexed": "hard_pairs or index or many_corners or picked or plain or side_by_side or upright",
+    "batch/with_numpy/circle_polygons": "circle or foot or forgotten or hard_pairs or scalar_answers or tiny",
 }
 # what kernels run as Python cannot do: number cells beyond 2**63, pass by 1e308 without a warning, and be quick
 COMPILED_ONLY = [
@@ -256,11 +260,11 @@ def judge(path: Path, source: str, tests: list[str], about: str, watch: Watch) -
     sys.meta_path.insert(0, Sown(path, source))
     sys.path.insert(0, str(HERE.parent))
     words = [f"({about})"] if about else []
-    if path.stem.endswith("_numba"):  # run as Python: to compile them anew would take 17 seconds a mutant
+    if path.parent.name == "with_numba":  # run as Python: to compile them anew would take 17 seconds a mutant
         numba.config.DISABLE_JIT = True
         watch.engine = "numba"
         words += [f"not {word}" for word in ("numpy", "processes", *COMPILED_ONLY)]
-    elif path.parent.name == "batch":  # NumPy answers, so that nothing need be compiled
+    elif "batch" in path.parts:  # NumPy answers, so that nothing need be compiled
         found = importlib.util.find_spec
         importlib.util.find_spec = lambda name, *more: None if name == "numba" else found(name, *more)
         words += ["not numba", "not processes"]  # which would outlive a test that is stopped

@@ -19,14 +19,14 @@ TABLES = Path(satviz.pictures.__file__).parent / "widths"
 
 
 def widths(face: str) -> dict[int, int]:
-    """Code point -> width, of all letters that a face has."""
+    """Return code point -> width for all letters of a face."""
     with TTFont(Path(matplotlib.get_data_path()) / "fonts" / "ttf" / f"{face}.ttf") as font:
         assert font["head"].unitsPerEm == 2048
         return {code: font["hmtx"][glyph][0] for code, glyph in sorted(font.getBestCmap().items())}
 
 
 def table(face: str) -> str:
-    """The file of a face."""
+    """Return the text of a face's table."""
     lines = []
     for _, stretch in groupby(enumerate(widths(face).items()), key=lambda at: at[1][0] - at[0]):
         letters = [letter for _, letter in stretch]
@@ -37,6 +37,7 @@ def table(face: str) -> str:
 
 
 def main() -> None:
+    """Write the tables of all faces."""
     for face in FACES:
         path = TABLES / f"{face}.txt"
         path.write_text(table(face), encoding="ascii")

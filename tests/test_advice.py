@@ -1,4 +1,4 @@
-"""The least model that is right: what it claims is proven, and never wrong."""
+"""The recommended model: what it claims is proven, and never wrong."""
 
 import json
 import math
@@ -23,14 +23,15 @@ from strategies import CONVEX, KINDS, NotConvex, drawn, pairs, scaled, some_pair
 
 import satviz as sv
 from satviz import batch
-from satviz.advice.certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Compound, Model
-from satviz.advice.classify import sure
-from satviz.advice.many import of_shapes
-from satviz.advice.margins import gammas
-from satviz.advice.models import answers, kept
+from satviz.advice.advising_batches import repeated_pair
+from satviz.advice.candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model, SplitPolygon
+from satviz.advice.certified_bounds import certify
+from satviz.advice.classify import classify
+from satviz.advice.margins import relative_margins
+from satviz.advice.models import evaluate, prepare
 from satviz.advice.pairs import paired
-from satviz.advice.relative_margin import gamma, signed
-from satviz.advice.scope import ANYWHERE, GRID, HERE, MOVED, Scope, bound_of
+from satviz.advice.relative_margin import relative_margin, signed_relative_margin
+from satviz.advice.scope import ANYWHERE, GRID, HERE, MOVED, Scope, power_of_two_bound
 from satviz.advice.shapesfile import load
 from satviz.cli import main
 from satviz.engine.axis_count import NUMBER_WORDS, enough
@@ -46,25 +47,25 @@ def sign_of(relation):
     return {Relation.APART: 1, Relation.TOUCHING: 0, Relation.OVERLAPPING: -1}[relation]
 
 
-def test_gamma_of_two_squares_is_the_gap_in_roundings_of_span_times_reach():
+def test_relative_margin_of_two_squares_is_the_gap_in_roundings_of_span_times_reach():
     a = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     b = sv.Polygon([(3, 0), (4, 0), (4, 1), (3, 1)])
-    assert gamma(a, b) == 2 / (2**-53 * 1 * 4)  # the turn 2 of a unit edge, the reach 4
-    assert gamma(a, sv.Circle((3, 0.5), 1)) == 1 / (2**-53 * 4)
-    assert gamma(sv.Circle((0, 0), 1), sv.Circle((3, 0), 1)) == 1 / (2**-53 * 4)
-    assert signed(a, sv.Circle((0.5, 0.5), 1)) == -1.5 / (
+    assert relative_margin(a, b) == 2 / (2**-53 * 1 * 4)  # the turn 2 of a unit edge, the reach 4
+    assert relative_margin(a, sv.Circle((3, 0.5), 1)) == 1 / (2**-53 * 4)
+    assert relative_margin(sv.Circle((0, 0), 1), sv.Circle((3, 0), 1)) == 1 / (2**-53 * 4)
+    assert signed_relative_margin(a, sv.Circle((0.5, 0.5), 1)) == -1.5 / (
         2**-53 * 1.5
     )  # half a unit to the nearest side, and the radius
 
 
-def test_gamma_has_the_sign_of_the_relation_and_only_touching_has_none():
+def test_relative_margin_has_the_sign_of_the_relation_and_only_touching_has_none():
     for kind, a, b in pairs(11, 120):
-        assert np.sign(signed(a, b)) == sign_of(sv.relate(a, b)), kind
+        assert np.sign(signed_relative_margin(a, b)) == sign_of(sv.relate(a, b)), kind
 
 
-def test_gamma_does_not_depend_on_the_order():
+def test_relative_margin_does_not_depend_on_the_order():
     for kind, a, b in pairs(12, 60):
-        assert gamma(a, b) == gamma(b, a), kind
+        assert relative_margin(a, b) == relative_margin(b, a), kind
 
 
 def moved_in_scale(a, b, power):
@@ -76,30 +77,30 @@ def moved_in_scale(a, b, power):
         return None
 
 
-def test_gamma_is_unchanged_by_powers_of_two():
+def test_relative_margin_is_unchanged_by_powers_of_two():
     compared = 0
     for kind, a, b in pairs(13, 120):
         for power in (-300, -1, 7, 300):
             if found := moved_in_scale(a, b, power):
                 compared += 1
-                assert gamma(*found) == gamma(a, b), kind
+                assert relative_margin(*found) == relative_margin(a, b), kind
     assert compared > 300
 
 
-def test_many_gammas_are_those_one_by_one():
+def test_many_relative_margins_are_those_one_by_one():
     found = list(pairs(14, 90))
-    many = gammas(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found]))
+    many = relative_margins(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found]))
     for (kind, a, b), some in zip(found, many.tolist(), strict=True):
-        assert math.isclose(some, gamma(a, b), rel_tol=0.02), kind
+        assert math.isclose(some, relative_margin(a, b), rel_tol=0.02), kind
 
 
 @pytest.mark.parametrize("kind", ["smallest scale", "needles pointed at circles"])
-def test_many_gammas_are_those_one_by_one_where_rounding_could_hide_all(kind):
+def test_many_relative_margins_are_those_one_by_one_where_rounding_could_hide_all(kind):
     found = list(pairs(16, 250, [kind]))
     found += [(kind, a, b) for a, b in few_units(Random(16), 50)] if kind == "smallest scale" else []
-    many = gammas(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found]))
+    many = relative_margins(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found]))
     for (_, a, b), some in zip(found, many.tolist(), strict=True):
-        assert math.isclose(some, gamma(a, b), rel_tol=0.02), (a, b)
+        assert math.isclose(some, relative_margin(a, b), rel_tol=0.02), (a, b)
 
 
 def few_units(rng, count):
@@ -113,45 +114,48 @@ def few_units(rng, count):
     return list(zip(made[::2], made[1::2], strict=True))
 
 
-def test_gamma_of_a_gap_that_is_nothing_beside_the_reach_is_next_to_nothing():
-    assert 0 < gamma(sv.Circle((0, 0), 1e300), sv.Circle((1e300, 0), 5e-324)) < 1e-320
+def test_relative_margin_of_a_gap_that_is_nothing_beside_the_reach_is_next_to_nothing():
+    assert 0 < relative_margin(sv.Circle((0, 0), 1e300), sv.Circle((1e300, 0), 5e-324)) < 1e-320
 
 
-def test_gammas_by_index_are_those_side_by_side():
+def test_relative_margins_by_index_are_those_side_by_side():
     found = list(pairs(15, 40, ORDINARY))
     a, b = batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found])
     i = np.arange(40)[::-1]
-    assert (gammas(a, b, np.stack([i, i], axis=1)) == gammas(a, b)[::-1]).all()
+    assert (relative_margins(a, b, np.stack([i, i], axis=1)) == relative_margins(a, b)[::-1]).all()
 
 
 @pytest.mark.parametrize("wrong", [[[0, 1, 2]], [[0, 9]], [[0.5, 0]]])
 def test_pairs_that_are_none_are_refused(wrong):
     coins = sv.batch.Circles([(0, 0), (1, 1)], 1)
     with pytest.raises((ValueError, IndexError), match="pairs"):
-        gammas(coins, coins, wrong)
+        relative_margins(coins, coins, wrong)
 
 
 # -- models
 
 
 WAYS = sv.Vec(0.5, 0.5), sv.Vec(0.75, -0.25), sv.Vec(0.0, 0.5), sv.Vec(0.1, 0.7)
-MODELS = [*(Model(kind, 1) for kind in (CIRCLES, BOXES, "float32", "float64", EXACT)), Model(DIRECTIONS, 4, WAYS)]
+MODELS = [
+    *(Model(kind, 1) for kind in (BOUNDING_CIRCLES, AABB, "float32", "float64", EXACT_FILTER)),
+    Model(K_DOP, 4, WAYS),
+]
 
 
 @pytest.mark.parametrize("engine", ["numpy", "numba"])
-def test_what_is_sure_for_many_is_sure_by_fractions_and_is_what_the_model_answers(engine):
+def test_relations_certified_for_many_pairs_are_certified_by_fractions_and_found_by_the_model(engine):
     known = Counter()
     some = list(pairs(21, 8 * len(KINDS)))
     for model in MODELS:
         a, b = batch_of([a for _, a, _ in some]), batch_of([b for _, _, b in some])
         i = np.arange(len(some))
-        told = sure(model, many := paired(a, i, b, i), batch.relate(a, b)).tolist()
+        told = classify(model, many := paired(a, i, b, i), batch.relate(a, b)).tolist()
         with np.errstate(all="ignore"):
-            said = answers(model, many, kept(model, a), kept(model, b), engine=engine).tolist()
+            said = evaluate(model, many, prepare(model, a), prepare(model, b), engine=engine).tolist()
         for (kind, p, q), one, answer in zip(some, told, said, strict=True):
-            if one != -1 and not (model.kind == DIRECTIONS and (p.radius or q.radius)):
+            if one != -1 and not (model.kind == K_DOP and (p.radius or q.radius)):
                 known[model.name] += 1
-                assert model.sure(p, q) == one == answer, (model.name, kind, p, q)
+                assert certify(model, p, q) == one == answer, (model.name, kind, p, q)
     assert min(known.values()) > 25 and len(known) == len(MODELS)
 
 
@@ -166,12 +170,12 @@ def test_a_circle_too_small_for_float32_is_one_in_it_still(engine):
         (sv.Circle((0.5, 0.75), 0.125), 0),
     ):
         for a, b in ((dot, other), (other, dot)):
-            many = of_shapes(a, b, 3)
-            said = answers(model, many, kept(model, many.a), kept(model, many.b), engine=engine).tolist()
-            assert model.sure(a, b) == truth and said == [truth] * 3, (a, b)
+            many = repeated_pair(a, b, 3)
+            said = evaluate(model, many, prepare(model, many.a), prepare(model, many.b), engine=engine).tolist()
+            assert certify(model, a, b) == truth and said == [truth] * 3, (a, b)
 
 
-# -- never a wrong advice
+# -- never a wrong recommendation
 
 
 def tiles(rng):
@@ -234,46 +238,46 @@ def scenes(seed, count):
         yield found if made % 3 else found[:1]
 
 
-def wrong_advices(seed, count, engines=("numpy",)):
+def wrong_recommendations(seed, count, engines=("numpy",)):
     """The scenes whose advised model is not sure of the truth or does not answer it, and what was advised how often."""
     wrong, advised = [], Counter()
     for scene in scenes(seed, count):
         truth = [oracle.relation(a, b) for a, b in scene]
         if len(scene) == 1:
-            advice = sv.advise(*scene[0])
-            many = of_shapes(*scene[0], copies=1)
+            recommendation = sv.advise(*scene[0])
+            many = repeated_pair(*scene[0], copies=1)
         else:
-            advice = sv.advise(batch_of([a for a, _ in scene]), batch_of([b for _, b in scene]))
-            many = advice.case.batches()
-        model = advice.model
+            recommendation = sv.advise(batch_of([a for a, _ in scene]), batch_of([b for _, b in scene]))
+            many = recommendation.case.batches()
+        model = recommendation.model
         advised[model.kind] += 1
-        surely = [model.sure(a, b) for a, b in scene]
+        surely = [certify(model, a, b) for a, b in scene]
         with np.errstate(all="ignore"):
-            ready = kept(model, many.a), kept(model, many.b)
-            said = [answers(model, many, *ready, engine=engine).tolist() for engine in engines]
+            ready = prepare(model, many.a), prepare(model, many.b)
+            said = [evaluate(model, many, *ready, engine=engine).tolist() for engine in engines]
         if any(found != truth for found in (surely, *said)):
-            wrong.append((advice, scene))
+            wrong.append((recommendation, scene))
     return wrong, advised
 
 
 @pytest.mark.slow
-def test_no_advice_is_wrong_in_300_scenes():
-    wrong, advised = wrong_advices(31, 300)
+def test_no_recommendation_is_wrong_in_300_scenes():
+    wrong, advised = wrong_recommendations(31, 300)
     assert not wrong
-    assert set(advised) == {CIRCLES, BOXES, DIRECTIONS, "float32", "float64", EXACT}
+    assert set(advised) == {BOUNDING_CIRCLES, AABB, K_DOP, "float32", "float64", EXACT_FILTER}
 
 
 @pytest.mark.slow
-def test_no_advice_is_wrong_in_2000_scenes():
-    assert not wrong_advices(32, 2000, ("numpy", "numba"))[0]
+def test_no_recommendation_is_wrong_in_2000_scenes():
+    assert not wrong_recommendations(32, 2000, ("numpy", "numba"))[0]
 
 
 @pytest.mark.full
-def test_no_advice_is_wrong_in_10000_scenes():
-    assert not wrong_advices(33, 10_000, ("numpy", "numba"))[0]
+def test_no_recommendation_is_wrong_in_10000_scenes():
+    assert not wrong_recommendations(33, 10_000, ("numpy", "numba"))[0]
 
 
-def test_every_advice_holds_when_it_is_proven_again():
+def test_every_recommendation_holds_when_it_is_proven_again():
     for scene in scenes(34, 60):
         assert sv.advise(*scene[0]).check()
         assert sv.advise(batch_of([a for a, _ in scene]), batch_of([b for _, b in scene])).check()
@@ -290,7 +294,7 @@ def test_one_axis_is_enough_where_a_gap_is_found_and_all_are_needed_for_a_hit():
     assert enough(sv.record(a, b)) == (many, said)
 
 
-def test_as_many_axes_are_told_to_touch_as_do():
+def test_the_sentence_counts_the_axes_that_touch():
     corner = sv.Polygon([(0, 0), (1, 0), (0, 1)])
     opposite = sv.Polygon([(0, 0), (-1, 0), (0, -1)])
     assert enough(corner, opposite) == (
@@ -320,8 +324,8 @@ def told(words):
     return NUMBER_WORDS.index(many.capitalize()) if many.isalpha() else int(many.replace(",", ""))
 
 
-def test_no_more_than_a_pair_as_it_lies_is_told_of_concave_outlines():
-    """Their parts depend on where they lie, and the corners of parts need not lie on the grid of the outlines'."""
+def test_a_scope_with_concave_outlines_is_these_coordinates_only():
+    """The parts depend on the coordinates, and corners of parts need not be on the grid of the outlines."""
     ring = [(0, 0), (8000, -8000), (8209, -7709), (8300, -6500), (8280, -5880), (8209, -5208), (16, 2984), (-1, 8192)]
     far = [
         sv.Polygon([(64 * x + 2**34, 64 * y + 2**34) for x, y in r])
@@ -422,11 +426,11 @@ def test_two_shapes_are_advised_on_and_counted_without_numpy():
 
 @given(some_pairs())
 @settings(max_examples=40, deadline=None, suppress_health_check=list(HealthCheck))
-def test_no_advice_on_two_shapes_is_wrong(pair):
-    assert sv.advise(*pair).model.sure(*pair) is oracle.relation(*pair)
+def test_no_recommendation_on_two_shapes_is_wrong(pair):
+    assert certify(sv.advise(*pair).model, *pair) is oracle.relation(*pair)
 
 
-# -- what an advice says
+# -- what a recommendation says
 
 
 def boxes_at(corners, w=1.0, h=1.0):
@@ -434,31 +438,33 @@ def boxes_at(corners, w=1.0, h=1.0):
 
 
 def test_upright_boxes_need_two_axes_wherever_they_lie():
-    advice = sv.advise(boxes_at([(0, 0), (0.9, 0.1), (1, 1), (2.5, 0.1)]))
-    assert (advice.model.kind, advice.model.axes, advice.scope.kind) == (BOXES, 2, "anywhere")
-    assert advice.facts.relations == (0, 1, 2) and advice.facts.settled == 3 and advice.facts.gamma == 0
-    assert advice.check() and advice.anywhere == advice.model
-    assert "3 more are apart by their boxes" in str(advice)
+    recommendation = sv.advise(boxes_at([(0, 0), (0.9, 0.1), (1, 1), (2.5, 0.1)]))
+    assert (recommendation.model.kind, recommendation.model.axes, recommendation.scope.kind) == (AABB, 2, "anywhere")
+    assert recommendation.summary.relations == (0, 1, 2)
+    assert recommendation.summary.settled == 3
+    assert recommendation.summary.relative_margin == 0
+    assert recommendation.check() and recommendation.anywhere == recommendation.model
+    assert "3 more are apart by their boxes" in str(recommendation)
 
 
 def test_the_first_pair_on_which_the_smaller_model_fails_is_named_and_can_be_drawn():
     kite = np.array([(0, -1), (1, 0), (0, 1), (-1, 0)])
     a = batch.Polygons(kite + np.array([(0, 0), (0, 0), (9, 9)])[:, None])
     b = batch.Polygons(kite + np.array([(5, 5), (1.4, 1.4), (0, 0)])[:, None])
-    advice = sv.advise(a, b)
-    smaller = next(j for j in advice.judged if j.model.kind == BOXES)
+    recommendation = sv.advise(a, b)
+    smaller = next(j for j in recommendation.results if j.model.kind == AABB)
     assert (smaller.wrong, smaller.first) == (1, (1, 1))
-    assert advice.model == Model(DIRECTIONS, 2, advice.model.directions) and advice.check()
-    trace = advice.failure()
+    assert recommendation.model == Model(K_DOP, 2, recommendation.model.directions) and recommendation.check()
+    trace = recommendation.failure()
     assert trace.claim is not trace.relation and trace.relation is Relation.APART
     assert sv.picture(trace).marks
-    assert "wrong on 1; the first is pair (1, 1)" in str(advice)
+    assert "wrong on 1; the first is pair (1, 1)" in str(recommendation)
 
 
 def test_a_failure_of_the_circles_around_shapes_can_be_drawn():
-    advice = sv.advise("triangles")
-    assert advice.smaller.model.kind == CIRCLES
-    trace = advice.failure()
+    recommendation = sv.advise("triangles")
+    assert recommendation.smaller.model.kind == BOUNDING_CIRCLES
+    trace = recommendation.failure()
     assert trace.claim is Relation.OVERLAPPING and trace.relation is Relation.APART
     assert sv.picture(trace).marks
 
@@ -467,37 +473,41 @@ CORNER_ON_EDGE = [(0, 0), (6, 2), (2, 6)], [(4, 4), (9, 3), (8, 9)]
 
 
 def test_what_touches_on_a_grid_is_right_in_float32_as_nothing_is_rounded():
-    advice = sv.advise(batch.Polygons(np.array(CORNER_ON_EDGE, float)))
-    assert advice.model.kind == "float32" and advice.scope.kind == "on a grid" and advice.check()
-    assert advice.facts.gamma == 0 and advice.scope.bound == 2.0**10
+    recommendation = sv.advise(batch.Polygons(np.array(CORNER_ON_EDGE, float)))
+    assert recommendation.model.kind == "float32"
+    assert recommendation.scope.kind == "on a grid"
+    assert recommendation.check()
+    assert recommendation.summary.relative_margin == 0 and recommendation.scope.bound == 2.0**10
 
 
-def test_an_advice_on_a_grid_holds_all_over_the_grid():
+def test_a_recommendation_on_a_grid_holds_all_over_the_grid():
     rng = np.random.default_rng(5)
     rings = np.array(CORNER_ON_EDGE, float)
     model = sv.advise(batch.Polygons(rings)).model
     for shift in rng.integers(-1000, 1000, (30, 2)):
         moved = batch.Polygons(rings + shift)
         many = paired(moved, np.array([0]), moved, np.array([1]))
-        assert answers(model, many, kept(model, moved), kept(model, moved), engine="numpy").tolist() == [1]
+        assert evaluate(model, many, prepare(model, moved), prepare(model, moved), engine="numpy").tolist() == [1]
 
 
-def test_an_advice_on_a_scene_moved_as_a_whole_holds_up_to_its_bound():
+def test_a_recommendation_on_a_scene_moved_as_a_whole_holds_up_to_its_bound():
     rng = np.random.default_rng(6)
     rings = rng.integers(1, 2**20, (40, 3, 2)) * 2.0**-20 + 2.0**13 + rng.integers(0, 3, (40, 1, 2)) / 2
     shapes = batch.Polygons(rings)
-    advice = sv.advise(shapes)
-    assert (advice.model.kind, advice.scope.kind) == ("float64", "moved as a whole")
+    recommendation = sv.advise(shapes)
+    assert (recommendation.model.kind, recommendation.scope.kind) == ("float64", "moved as a whole")
     right = batch.relate(shapes, shapes, (pairs := batch.candidate_pairs(shapes.bounds)))
-    assert advice.check()
-    shift = min(advice.scope.bound, 2.0**31) - 2.0**14  # so that float64 holds the moved coordinates
+    assert recommendation.check()
+    shift = min(recommendation.scope.bound, 2.0**31) - 2.0**14  # so that float64 holds the moved coordinates
     moved = batch.Polygons(rings + shift)
-    assert (batch.relate(moved, moved, pairs) == right).all() and np.abs(rings + shift).max() <= advice.scope.bound
+    assert (batch.relate(moved, moved, pairs) == right).all() and np.abs(
+        rings + shift
+    ).max() <= recommendation.scope.bound
     many = paired(moved, pairs[:, 0], moved, pairs[:, 1])
-    assert (sure(advice.model, many, right) == right).all()
+    assert (classify(recommendation.model, many, right) == right).all()
 
 
-def test_an_advice_far_from_the_origin_passes_its_check():
+def test_a_recommendation_far_from_the_origin_passes_its_check():
     rng = np.random.default_rng(7)
     turns = np.linspace(0, 2 * np.pi, 5, endpoint=False)
     ring = np.stack([np.cos(turns), np.sin(turns)], axis=1)
@@ -506,81 +516,100 @@ def test_an_advice_far_from_the_origin_passes_its_check():
         assert sv.advise(a, b).check()
 
 
-def lies(advice):
-    """The same advice with one thing said that is not so, and what."""
-    facts, scope = advice.facts, advice.scope
+def wrong_claims(recommendation):
+    """Yield (recommendation with one wrong claim, the claim)."""
+    facts, scope = recommendation.summary, recommendation.scope
     a, b, c = facts.relations
-    for lie in (
+    for claim in (
         {"kinds": {"upright boxes": 1}} if set(facts.kinds) != {"upright boxes"} else {"kinds": {"circles": 1}},
         {"kinds": {kind: n + 1 for kind, n in facts.kinds.items()}},
         {"corners": (facts.corners[0], facts.corners[1] + 1)},
         {"sizes": facts.sizes * 2},
         {"pairs": facts.pairs + 1, "relations": (a + 1, b, c)},
         {"relations": (a - 1, b + 1, c) if a else (a, b + 1, c - 1)},
-        {"gamma": facts.gamma * 2 + 1},
+        {"relative_margin": facts.relative_margin * 2 + 1},
         {"at": (90, 91)},
     ):
-        yield replace(advice, facts=facts._replace(**lie)), lie
-    for k, one in enumerate(advice.judged):
-        for lie in (
+        yield replace(recommendation, summary=facts._replace(**claim)), claim
+    for k, one in enumerate(recommendation.results):
+        before, after = recommendation.results[:k], recommendation.results[k + 1 :]
+        for claim in (
             {"wrong": one.wrong + 1, "first": one.first or facts.at},
-            {"wrong": 0, "unsure": 0, "first": None} if not one.proven else {"unsure": 1, "first": facts.at},
-            {"hits": not one.hits},
+            {"wrong": 0, "uncertain": 0, "first": None} if not one.proven else {"uncertain": 1, "first": facts.at},
+            {"proven_for_hits": not one.proven_for_hits},
             {"first": (90, 91)},
             {"model": one.model._replace(axes=one.model.axes + 1)},
             {"model": one.model._replace(directions=((1.0, 0.0), (0.0, 1.0)))},
         ):
-            yield replace(advice, judged=(*advice.judged[:k], one._replace(**lie), *advice.judged[k + 1 :])), lie
-        yield replace(advice, judged=(*advice.judged[:k], *advice.judged[k + 1 :])), f"no {one.model.name}"
+            yield (
+                replace(
+                    recommendation,
+                    results=(*before, one._replace(**claim), *after),
+                ),
+                claim,
+            )
+        yield (
+            replace(recommendation, results=(*before, *after)),
+            f"no {one.model.name}",
+        )
     for kind in {ANYWHERE, GRID, MOVED} - {scope.kind}:
-        yield replace(advice, scope=Scope(kind, 2.0**60, 0)), kind
+        yield replace(recommendation, scope=Scope(kind, 2.0**60, 0)), kind
     if scope.bound:
-        yield replace(advice, scope=scope._replace(bound=scope.bound * 4)), "bound"
+        yield replace(recommendation, scope=scope._replace(bound=scope.bound * 4)), "bound"
     if scope.unit is not None:
-        yield replace(advice, scope=scope._replace(unit=scope.unit - 1)), "unit"
+        yield replace(recommendation, scope=scope._replace(unit=scope.unit - 1)), "unit"
 
 
-def test_an_advice_with_any_lie_in_it_does_not_pass_its_check():
+def test_a_recommendation_with_any_wrong_claim_does_not_pass_its_check():
     rng, seen = np.random.default_rng(8), set()
     rings = rng.integers(1, 2**20, (40, 3, 2)) * 2.0**-20 + 2.0**13 + rng.integers(0, 3, (40, 1, 2)) / 2
     far = batch.Polygons(rings)
     asked = batch.candidate_pairs(far.bounds)
-    nearest = np.argsort(gammas(far, far, asked))[:5]
+    nearest = np.argsort(relative_margins(far, far, asked))[:5]
     some = [sv.advise(far, pairs=asked[nearest]), sv.advise(batch.Polygons(np.array(CORNER_ON_EDGE, float)))]
     some += [sv.advise(boxes_at([(0, 0), (0.9, 0.1), (1, 1)])), sv.advise("triangles"), sv.advise("concave")]
     some += [sv.advise(sv.Circle((0.1, 0.2), 1), sv.Circle((0.1, 2.2), 1)), sv.advise("circle-polygon")]
-    for advice in some:
-        assert advice.check()
-        seen.add(advice.scope.kind)
-        for doctored, lie in lies(advice):
-            assert not doctored.check(), (advice, lie)
+    for recommendation in some:
+        assert recommendation.check()
+        seen.add(recommendation.scope.kind)
+        for doctored, claim in wrong_claims(recommendation):
+            assert not doctored.check(), (recommendation, claim)
     assert seen == {ANYWHERE, GRID, MOVED, HERE}
 
 
 def test_a_bound_is_the_largest_power_of_two_within_what_is_allowed():
     for e in (-249, -60, -1, 0, 1, 53, 249):
         below, above = math.nextafter(2.0**e, 0), math.nextafter(2.0**e, math.inf)
-        assert [bound_of(allowed, 0.0) for allowed in (below, 2.0**e, above)] == [2.0 ** (e - 1), 2.0**e, 2.0**e]
-        assert bound_of(above, 2.0**e) == 0.0
-    assert bound_of(0.0, 0.0) == bound_of(math.inf, 1.0) == 0.0
-    assert bound_of(1e300, 1.0) == 2.0**250
+        assert [power_of_two_bound(allowed, 0.0) for allowed in (below, 2.0**e, above)] == [
+            2.0 ** (e - 1),
+            2.0**e,
+            2.0**e,
+        ]
+        assert power_of_two_bound(above, 2.0**e) == 0.0
+    assert power_of_two_bound(0.0, 0.0) == power_of_two_bound(math.inf, 1.0) == 0.0
+    assert power_of_two_bound(1e300, 1.0) == 2.0**250
 
 
 def test_shapes_as_large_as_float64_holds_are_json_too():
     for least in (1.0, 1.5e308, 5e-324):
         wide = sv.Polygon([(-1.6e308, 0), (1.6e308, 0), (0, 1.6e308)])
         tiny = sv.Polygon([(0, 0), (least, 0), (0, least)])
-        for advice in (sv.advise(wide, tiny), sv.advise(batch_of([wide]), batch_of([tiny]))):
-            assert json.loads(advice.to_json())["facts"]["sizes"] > 1 and advice.check() and str(advice)
+        for recommendation in (sv.advise(wide, tiny), sv.advise(batch_of([wide]), batch_of([tiny]))):
+            assert json.loads(recommendation.to_json())["facts"]["sizes"] > 1
+            assert recommendation.check()
+            assert str(recommendation)
 
 
-def test_where_boxes_never_meet_there_is_nothing_left_to_ask():
-    advice = sv.advise(boxes_at([(0, 0), (1.2, 0), (9, 0)]))  # the circles around the first two meet
-    assert advice.model.kind == BOXES and advice.facts.pairs == 0 and advice.check() and advice.prices() == {}
-    assert "all 3 pairs" in str(advice) and "no two boxes meet" in str(advice)
+def test_where_boxes_never_meet_there_is_nothing_left_to_test():
+    recommendation = sv.advise(boxes_at([(0, 0), (1.2, 0), (9, 0)]))  # the circles around the first two meet
+    assert recommendation.model.kind == AABB
+    assert recommendation.summary.pairs == 0
+    assert recommendation.check()
+    assert recommendation.prices() == {}
+    assert "all 3 pairs" in str(recommendation) and "no two boxes meet" in str(recommendation)
     with pytest.raises(ValueError, match="nothing to time"):
-        advice.chart()
-    assert sv.advise(boxes_at([(0, 0), (5, 5), (9, 0)])).model.kind == CIRCLES
+        recommendation.chart()
+    assert sv.advise(boxes_at([(0, 0), (5, 5), (9, 0)])).model.kind == BOUNDING_CIRCLES
 
 
 @pytest.mark.parametrize(
@@ -599,12 +628,14 @@ def test_where_no_pair_is_meant_nothing_is_recommended(shapes, pairs):
 
 def test_hits_alone_may_need_less():
     box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
-    advice = sv.advise(box, sv.Polygon([(1, 0.5), (2, 0), (2, 1)]))  # touching; their circles overlap
-    assert advice.for_hits.model.kind == CIRCLES and advice.model.kind != CIRCLES
-    assert "bounding circles (1 axis) is enough to tell hits from misses, where touching is a hit" in str(advice)
+    recommendation = sv.advise(box, sv.Polygon([(1, 0.5), (2, 0), (2, 1)]))  # touching; their circles overlap
+    assert recommendation.for_hits.model.kind == BOUNDING_CIRCLES and recommendation.model.kind != BOUNDING_CIRCLES
+    assert "bounding circles (1 axis) is enough to tell hits from misses, where touching is a hit" in str(
+        recommendation
+    )
 
 
-def test_an_advice_is_json_and_the_same_each_time():
+def test_a_recommendation_is_json_and_the_same_each_time():
     for name in ("triangles", "circles", "concave", "aabb"):
         text = sv.advise(name).to_json()
         data = json.loads(text)
@@ -614,8 +645,8 @@ def test_an_advice_is_json_and_the_same_each_time():
 
 def test_concave_shapes_are_advised_on_whole():
     some = list(pairs(51, 24, ["concave", "in the notch"]))
-    advice = sv.advise(batch_of([a for _, a, _ in some]), batch_of([b for _, _, b in some]))
-    assert advice.facts.kinds["concave polygons"] >= 20 and advice.check()
+    recommendation = sv.advise(batch_of([a for _, a, _ in some]), batch_of([b for _, _, b in some]))
+    assert recommendation.summary.kinds["concave polygons"] >= 20 and recommendation.check()
 
 
 @pytest.mark.parametrize(
@@ -637,11 +668,11 @@ def test_what_is_no_scene_is_refused(wrong):
 
 @pytest.mark.slow
 def test_prices_are_those_of_all_candidates_and_count_their_wrong_answers():
-    advice = sv.advise("triangles")
-    found = advice.prices()
-    assert found.keys() == {j.model.name for j in advice.judged}
+    recommendation = sv.advise("triangles")
+    found = recommendation.prices()
+    assert found.keys() == {j.model.name for j in recommendation.results}
     assert all(price.cold > 0 and price.warm > 0 for price in found.values())
-    assert (found[CIRCLES].wrong, found[advice.model.name].wrong) == (1, 0)
+    assert (found[BOUNDING_CIRCLES].wrong, found[recommendation.model.name].wrong) == (1, 0)
 
 
 @pytest.mark.parametrize("theme", THEMES.values(), ids=lambda theme: theme.name)
@@ -651,7 +682,7 @@ def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
     from satviz.advice.costs import Cost
 
     rng = Random(seed)
-    names = CIRCLES, BOXES, "ranges on 8 directions", "SAT, float32", "SAT, float64", EXACT
+    names = BOUNDING_CIRCLES, AABB, "ranges on 8 directions", "SAT, float32", "SAT, float64", EXACT_FILTER
     rows = []
     for i, name in enumerate(names):
         warm = 10 ** rng.uniform(0.5, 3) if seed else 50.0
@@ -755,7 +786,7 @@ def by_the_squared_turn(circle, polygon, dtype):
 
 
 @pytest.mark.parametrize(("kind", "dtype", "far"), [("float32", np.float32, 60), ("float64", np.float64, 500)])
-def test_plain_floats_are_sure_only_where_no_order_of_products_vanishes_or_overflows(kind, dtype, far):
+def test_plain_floats_are_certified_only_where_no_order_of_products_under_or_overflows(kind, dtype, far):
     rng = Random(61)
     sure_of = 0
     for _ in range(600):
@@ -763,7 +794,7 @@ def test_plain_floats_are_sure_only_where_no_order_of_products_vanishes_or_overf
         ring = [(rng.uniform(-9, 9) * unit, rng.uniform(-9, 9) * unit) for _ in range(3)]
         circle = sv.Circle((rng.uniform(-9, 9) * unit, rng.uniform(-9, 9) * unit), rng.uniform(0.1, 4) * unit)
         polygon = sv.Polygon(ring)
-        said = Model(kind, 4).sure(circle, polygon)
+        said = certify(Model(kind, 4), circle, polygon)
         if said is not None:
             sure_of += 1
             with np.errstate(all="ignore"):
@@ -784,35 +815,35 @@ def hardly_apart(seed, count):
             continue
 
 
-def test_an_advice_on_a_pair_is_the_same_for_many_as_for_two():
+def test_a_recommendation_on_a_pair_is_the_same_for_many_as_for_two():
     kinds = pairs(62, 2 * len(KINDS))
     for a, b in [*hardly_apart(62, 80), *((a, b) for _, a, b in kinds)]:
         two, many = sv.advise(a, b), sv.advise(batch_of([a]), batch_of([b]))
-        assert two.facts.gamma == pytest.approx(many.facts.gamma, rel=0.02)
-        assert two.judged == many.judged
-        assert two.facts._replace(gamma=0) == many.facts._replace(gamma=0)
+        assert two.summary.relative_margin == pytest.approx(many.summary.relative_margin, rel=0.02)
+        assert two.results == many.results
+        assert two.summary._replace(relative_margin=0) == many.summary._replace(relative_margin=0)
         assert two.check() and many.check()
 
 
 def test_every_failure_can_be_drawn_and_tells_the_truth():
     seen = Counter()
     for kind, a, b in pairs(63, 3 * len(KINDS)):
-        for advice in (sv.advise(a, b), sv.advise(batch_of([a]), batch_of([b]))):
-            trace, smaller = advice.failure(), advice.smaller
+        for recommendation in (sv.advise(a, b), sv.advise(batch_of([a]), batch_of([b]))):
+            trace, smaller = recommendation.failure(), recommendation.smaller
             assert (trace is None) == (smaller is None), kind
             if smaller is not None:
                 assert trace.relation is oracle.relation(a, b), kind
                 seen[smaller.model.kind, bool(smaller.wrong)] += 1
                 if smaller.wrong:
                     assert trace.claim is not trace.relation, kind
-    assert seen[CIRCLES, False] and seen[CIRCLES, True] and seen[BOXES, True], seen
+    assert seen[BOUNDING_CIRCLES, False] and seen[BOUNDING_CIRCLES, True] and seen[AABB, True], seen
 
 
 def test_the_convex_parts_of_a_polygon_are_its_outline_again():
     seen = 0
     for kind, a, _ in pairs(64, 40, ["concave", "in the notch"]):
         if len(pieces := parts(a)) > 1:
-            again = Compound(pieces).outline().core
+            again = SplitPolygon(pieces).outline().core
             start = again.index(a.core[0])
             assert (*again[start:], *again[:start]) == a.core, kind
             seen += 1
@@ -858,5 +889,5 @@ def test_a_pipe_is_no_file_of_shapes_and_is_not_waited_for(tmp_path, capsys):
 
 @pytest.mark.parametrize("name", SCENES)
 def test_every_scene_of_the_regrets_benchmark_is_advised_on(name):
-    advice = sv.advise(*SCENES[name](np.random.default_rng(1), 240))
-    assert advice.facts.pairs and advice.best.proven
+    recommendation = sv.advise(*SCENES[name](np.random.default_rng(1), 240))
+    assert recommendation.summary.pairs and recommendation.best.proven

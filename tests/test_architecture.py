@@ -140,7 +140,7 @@ def test_pictures_and_what_the_widgets_answer_load_the_standard_library_only():
         "    assert before['relation'] == 'apart' and after['relation'] == 'overlapping', after\n"
         "    assert after['picture']['marks'] != before['picture']['marks']\n"
         "assert PlayerModel(trace).picture() == sv.picture(trace)\n"
-        "assert len(PlayerModel(trace).to_save({'form': 'gif'})) == len(sv.steps(trace))\n"
+        "assert len(PlayerModel(trace).pictures_to_save({}, every_step=True)) == len(sv.steps(trace))\n"
         "print(*{m.split('.')[0] for m in sys.modules})"
     )
     loaded = set(run(code))
@@ -178,4 +178,4 @@ def test_type_checkers_see_the_names_that_are_loaded_later():
         for node in typing_only.body
         for alias in node.names
     }
-    assert seen == satviz._LATER | {"batch": "batch"}
+    assert seen == satviz._MODULE_OF | {"batch": "batch"}

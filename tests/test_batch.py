@@ -32,7 +32,7 @@ from satviz.batch.with_numpy import circle_polygons, gjk, indexed
 from satviz.batch.with_numpy import exact as exact_numpy
 from satviz.batch.with_numpy import filter as filter_numpy
 from satviz.batch.with_numpy import grid as grid_numpy
-from satviz.engine.relate import ERROR_FACTOR_F64, LEAST_ROOM, MOST_ROOM
+from satviz.engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from satviz.study import truth as oracle
 
 ENGINES = ["numpy", "numba"]
@@ -54,7 +54,8 @@ def regular(rng, n, v, spread=0.1):
 
 def kernels_of(name):
     """One of numba's modules, where numba is installed."""
-    return pytest.importorskip(f"satviz.batch.{name}_numba", reason="needs numba: python -m pip install '.[fast]'")
+    pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
+    return importlib.import_module(f"satviz.batch.with_numba.{name}")
 
 
 def in_python(kernel):
@@ -202,8 +203,10 @@ def flat_corners(rng, size):
 @pytest.fixture
 def search(monkeypatch):
     """Numba's kernels, the search among them run as Python."""
-    settle = kernels_of("settle")
-    as_python(monkeypatch, settle, "inside", "_left", "_soon", "_lowest", "_cross")
+    settle = kernels_of("exact")
+    as_python(
+        monkeypatch, settle, "is_certainly_inside", "_is_certainly_left", "_gjk", "_lowest_corner", "_certified_cross"
+    )
     return settle
 
 
@@ -212,7 +215,7 @@ def test_numbas_search_tells_nothing_of_corners_too_flat_to_be_told_apart(search
     rng = Random(3)
     for _ in range(60):
         one, other, reach, _ = as_rows(*flat_corners(rng, size))
-        assert search._soon(*one, *other, reach)[0] == search._soon(*other, *one, reach)[0] == UNDECIDED
+        assert search._gjk(*one, *other, reach)[0] == search._gjk(*other, *one, reach)[0] == UNDECIDED
 
 
 def standing_on_edges():
@@ -236,7 +239,7 @@ def test_numbas_search_finds_no_shared_point_on_the_edge_whose_ends_it_finds_fir
     for rings in standing_on_edges():
         one, other, reach, _ = as_rows(*rings, None)
         for these in (one, other), (other, one):
-            assert search._soon(*these[0], *these[1], reach)[0] == UNDECIDED
+            assert search._gjk(*these[0], *these[1], reach)[0] == UNDECIDED
 
 
 def test_a_few_steps_find_no_shared_point_on_the_edge_whose_ends_they_find_first():
@@ -244,7 +247,7 @@ def test_a_few_steps_find_no_shared_point_on_the_edge_whose_ends_they_find_first
     reach = (np.abs(one).max() + np.abs(other).max()) * ERROR_FACTOR_F64
     for p, q in (one, other), (other, one):
         out = np.zeros(100, np.int8)
-        indexed.steps_numpy.few_steps(*p, *q, reach, out)
+        indexed.gjk.gjk(*p, *q, reach, out)
         assert (out == UNDECIDED).all()
 
 
@@ -292,7 +295,7 @@ ROUNDED = [  # found by search: triangles that touch, whose corners are so far a
 def test_numbas_search_finds_no_shared_point_by_turns_that_rounding_may_hide(search, rings):
     one, other, reach, _ = as_rows(*(np.array(ring, float) for ring in rings), None)
     assert sv.relate(*(sv.Polygon(ring) for ring in rings)) == 1
-    assert search._soon(*one, *other, reach)[0] == search._soon(*other, *one, reach)[0] == UNDECIDED
+    assert search._gjk(*one, *other, reach)[0] == search._gjk(*other, *one, reach)[0] == UNDECIDED
 
 
 @pytest.mark.parametrize(
@@ -320,20 +323,20 @@ def test_no_point_of_an_edge_is_inside_for_numba_where_differences_are_rounded(s
     triangle, at = sv.Polygon(ring), np.array(point, float)
     assert 0 in [oracle.turn(p, q, point) for p, q in pairwise([*triangle.core, triangle.core[0]])]
     row, _, reach, _ = as_rows(np.array(triangle.core), np.array(triangle.core), None)
-    assert not search.inside(*row, *at, reach)
-    assert search.inside(*row, *np.array(triangle.core).mean(axis=0), reach)
+    assert not search.is_certainly_inside(*row, *at, reach)
+    assert search.is_certainly_inside(*row, *np.array(triangle.core).mean(axis=0), reach)
 
 
 @pytest.mark.parametrize(("e", "sure"), [(-480, False), (-460, True), (480, True), (484, False), (510, False)])
 def test_numba_is_sure_of_no_point_where_products_leave_the_range_of_floats(search, e, sure):
     row, _, reach, _ = as_rows(*[np.array([(-1.0, -1), (1, -1), (0, 1)]) * 2.0**e] * 2, None)
-    assert bool(search.inside(*row, 0.0, 0.0, reach)) is sure
+    assert bool(search.is_certainly_inside(*row, 0.0, 0.0, reach)) is sure
 
 
 def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
     """As told of one point after another; where products leave the range of floats it may tell nothing."""
-    settle = kernels_of("settle")
-    rng, terms = Random(6), np.empty(settle.TERMS)
+    settle = kernels_of("exact")
+    rng, terms = Random(6), np.empty(settle.MAX_TERMS)
     seen = {(told, size): 0 for told in (-2, -1, 0, 1) for size in SIZES}
     for _ in range(60):
         for size in SIZES:
@@ -347,7 +350,7 @@ def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
                 (p, q, (p[0], r[1])),
                 (p, q, (r[0], q[1])),
             ):
-                told = settle.turn(*x, *y, *z, terms)
+                told = settle.orient(*x, *y, *z, terms)
                 seen[told, size] += 1
                 exact = oracle.turn(x, y, z)
                 assert told in (-2, (exact > 0) - (exact < 0)), (x, y, z)
@@ -359,13 +362,13 @@ def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
 @pytest.mark.parametrize("scale", [1e-130, 1.0, 1e140])
 def test_numbas_turn_looks_no_further_than_it_must(scale, monkeypatch):
     """Of plain points at no more than two products, of points nearly in a row at no long sum."""
-    settle = kernels_of("settle")
-    turn, terms = in_python(settle.turn), np.empty(settle.TERMS)
-    monkeypatch.setattr(settle, "_sign_of_sum", lambda *_: pytest.fail("sums are asked"))
+    settle = kernels_of("exact")
+    turn, terms = in_python(settle.orient), np.empty(settle.MAX_TERMS)
+    monkeypatch.setattr(settle, "sign_of_sum", lambda *_: pytest.fail("sums are asked"))
     for points in np.transpose([c * scale for c in in_a_row(RNG(2), 1000, 1000)]).tolist():
         if abs(exact := oracle.turn(points[:2], points[2:4], points[4:])) > 1e-24 * scale**2:
             assert turn(*points, terms) == (1 if exact > 0 else -1)
-    monkeypatch.setattr(settle, "_lost", lambda *_: pytest.fail("what differences lost is asked"))
+    monkeypatch.setattr(settle, "_two_diff_tail", lambda *_: pytest.fail("what differences lost is asked"))
     for points in RNG(1).uniform(-scale, scale, (1000, 6)).tolist():
         exact = oracle.turn(points[:2], points[2:4], points[4:])
         assert turn(*points, terms) == (1 if exact > 0 else -1)
@@ -374,25 +377,25 @@ def test_numbas_turn_looks_no_further_than_it_must(scale, monkeypatch):
 
 @pytest.mark.parametrize("scale", [2.0**-400, 1.0, 2.0**460])
 def test_numbas_turn_of_points_in_a_row_whose_differences_are_floats_is_a_sum_of_four(scale, monkeypatch):
-    settle = kernels_of("settle")
-    turn, sums = in_python(settle.turn), []
-    real = in_python(settle._sign_of_sum)
-    monkeypatch.setattr(settle, "_sign_of_sum", lambda terms, count: sums.append(count) or real(terms, count))
+    settle = kernels_of("exact")
+    turn, sums = in_python(settle.orient), []
+    real = in_python(settle.sign_of_sum)
+    monkeypatch.setattr(settle, "sign_of_sum", lambda terms, count: sums.append(count) or real(terms, count))
     for px, py, dx, dy in RNG(3).integers(-(2**20), 2**20, (50, 4)):
         points = np.array([px, py, px + dx, py + dy, px - 3 * dx, py - 3 * dy]) * scale
-        assert turn(*points, np.empty(settle.TERMS)) == 0
+        assert turn(*points, np.empty(settle.MAX_TERMS)) == 0
     assert sums == [4] * 50
 
 
 @pytest.mark.parametrize("steps", [1, 2, 3])
 def test_numbas_search_ends_after_so_many_steps(search, monkeypatch, steps):
     """With nothing told, or what is right."""
-    monkeypatch.setattr(search, "MOST_STEPS", steps)
+    monkeypatch.setattr(search, "MAX_STEPS", steps)
     rng, seen = RNG(4), []
     for _ in range(40):
         a, b = ngons(rng, 2, 16, 0.3) * 2.0**50 + [[[0]], [[rng.uniform(0, 2) * 2**50]]]
         one, other, reach, _ = as_rows(a, b, None)
-        seen.append(search._soon(*one, *other, reach)[0])
+        seen.append(search._gjk(*one, *other, reach)[0])
         assert seen[-1] in (UNDECIDED, sv.relate(sv.Polygon(a), sv.Polygon(b)))
     assert UNDECIDED in seen
 
@@ -406,29 +409,29 @@ def test_numbas_search_tells_whatever_is_plain(search, size):
         b = b * (1, 0.02 if n % 2 else 1) + np.array([np.cos(way), np.sin(way)]) * rng.uniform(0, 2.2)
         a, b = (np.round(ring * 2.0**50) * size for ring in (a, b))
         one, other, reach, _ = as_rows(a, b, None)
-        assert search._soon(*one, *other, reach)[0] == sv.relate(sv.Polygon(a), sv.Polygon(b)), n
+        assert search._gjk(*one, *other, reach)[0] == sv.relate(sv.Polygon(a), sv.Polygon(b)), n
 
 
 def test_numbas_search_tells_nothing_of_what_touches_and_no_point_of_an_edge_is_inside(search):
     rng = Random(2)
     for _ in range(40):
         one, other, reach, point = as_rows(*corner_on_edge(rng))
-        assert search._soon(*one, *other, reach)[0] == search._soon(*other, *one, reach)[0] == UNDECIDED
+        assert search._gjk(*one, *other, reach)[0] == search._gjk(*other, *one, reach)[0] == UNDECIDED
         for row in one, other:
-            assert not search.inside(*row, *point, reach)
-            assert search.inside(*row, *(c[row[2] : row[3]].mean() for c in row[:2]), reach)
+            assert not search.is_certainly_inside(*row, *point, reach)
+            assert search.is_certainly_inside(*row, *(c[row[2] : row[3]].mean() for c in row[:2]), reach)
 
 
 def test_wherever_the_search_of_numba_ends_every_edge_is_asked(monkeypatch):
-    settle = kernels_of("settle")
-    of_many = in_python(settle.of_many)  # run as Python, which asks what stands here
+    settle = kernels_of("exact")
+    of_many = in_python(settle.relate_many_corners)  # run as Python, which asks what stands here
     rng = Random(1)
     for _ in range(100):
         one, other, reach, _ = as_rows(*corner_on_edge(rng))
         for i, j in product(*(rng.sample(range(*row[2:]), 2) for row in (one, other))):
             for these, ends in (((one, other), (i, j)), ((other, one), (j, i))):
-                monkeypatch.setattr(settle, "_soon", lambda *_, ends=ends: (UNDECIDED, *ends))
-                assert of_many(*these[0], *these[1], reach, np.empty(settle.TERMS)) == 1, ends
+                monkeypatch.setattr(settle, "_gjk", lambda *_, ends=ends: (UNDECIDED, *ends))
+                assert of_many(*these[0], *these[1], reach, np.empty(settle.MAX_TERMS)) == 1, ends
 
 
 class Counted(list):
@@ -444,17 +447,17 @@ class Counted(list):
 @pytest.mark.parametrize(("v", "w"), [(9, 9), (64, 64), (200, 30), (30, 200)])
 def test_of_edges_that_tell_nothing_numba_looks_at_few_corners(v, w, monkeypatch):
     """About twenty for each edge, however many there are: from each to the next the walk goes on where it was."""
-    settle = kernels_of("settle")
-    as_python(monkeypatch, settle, "of_many", "_side", "_on", "_down")
-    monkeypatch.setattr(settle, "_edges", lambda *_: pytest.fail("all corners are looked at"))
+    settle = kernels_of("exact")
+    as_python(monkeypatch, settle, "relate_many_corners", "_classify_edge", "_walk_down_onward", "_walk_down")
+    monkeypatch.setattr(settle, "_classify_edges", lambda *_: pytest.fail("all corners are looked at"))
     rng = RNG(4)
     for n in range(3):
         rings = ngons(rng, 1, v, 0.3)[0], ngons(rng, 1, w, 0.3)[0] + 0.4
         one, other, reach, _ = as_rows(*rings, None)
         ends = [row[2] + (1 + n) * (row[3] - row[2]) // 4 for row in (one, other)]
-        monkeypatch.setattr(settle, "_soon", lambda *_, ends=ends: (UNDECIDED, *ends))
+        monkeypatch.setattr(settle, "_gjk", lambda *_, ends=ends: (UNDECIDED, *ends))
         Counted.looks, rows = 0, [[Counted(row[0]), Counted(row[1]), *row[2:]] for row in (one, other)]
-        assert settle.of_many(*rows[0], *rows[1], reach, np.empty(settle.TERMS)) == 2
+        assert settle.relate_many_corners(*rows[0], *rows[1], reach, np.empty(settle.MAX_TERMS)) == 2
         assert Counted.looks < 24 * (v + w)
 
 
@@ -551,8 +554,8 @@ def test_the_float32_look_errs_less_than_its_room(v, w, far):
     b[::2] = a[::2, :1] + (b[::2] - b[::2, :1])  # half share a corner
     columns = [np.ascontiguousarray(shape[:, :, k].T) for shape in (a, b) for k in (0, 1)]
     width = 4.0
-    found, room = filter_numpy.look_32(*columns, width)
-    size = np.sqrt(room / filter_numpy.LOOK_32)
+    found, room = filter_numpy.evaluate_f32(*columns, width)
+    size = np.sqrt(room / filter_numpy.ERROR_FACTOR_F32)
     assert (size >= np.abs(b - a[:, :1]).max(axis=(1, 2)) * (1 - 1e-6)).all()
     near = [c - origin for c, origin in zip(columns, (columns[0][0], columns[1][0]) * 2)]
     error = np.abs(found - filter_numpy.clearance(*near, 0)) / (2.0**-24 * size.astype(float) ** 2)
@@ -566,27 +569,29 @@ def test_the_room_of_numbas_look_is_what_rounding_needs_and_little_more(spans, r
     """See verdict.LOOK: 15 roundings of the longest edge's part times the farthest coordinate; asked are 32 of both."""
     kernels, x = kernels_of("filter"), np.zeros((3, 1))
     a, b = (arrays.Group(x, x, None, span, reach) for span, reach in zip(spans, reaches))
-    assert 15 / 32 * ERROR_FACTOR_F64 <= kernels.room_of(a, b) / (max(spans) * max(reaches)) <= 4 * ERROR_FACTOR_F64
+    assert (
+        15 / 32 * ERROR_FACTOR_F64 <= kernels.error_bound_of(a, b) / (max(spans) * max(reaches)) <= 4 * ERROR_FACTOR_F64
+    )
 
 
 @pytest.mark.parametrize("e", [-560, -480, -430, 0, 430, 500, 560])
 def test_the_room_of_numbas_look_is_infinite_where_products_lose_bits_or_overflow(e):
     kernels, x = kernels_of("filter"), np.zeros((3, 1))
     group = arrays.Group(x, x, None, 2.0**e, 2.0**e)
-    assert (kernels.room_of(group, group) < np.inf) == (abs(e) <= 430)
+    assert (kernels.error_bound_of(group, group) < np.inf) == (abs(e) <= 430)
 
 
 @pytest.mark.parametrize("v", range(3, 17))
 def test_the_float32_look_takes_no_shape_for_narrower_than_it_is(v):
     group = batch.Polygons(ngons(RNG(v), 50, v)).uniform
-    assert (np.ptp([group.x, group.y], axis=1) <= filter_numpy._width(group)).all()
+    assert (np.ptp([group.x, group.y], axis=1) <= filter_numpy._max_width(group)).all()
 
 
 @pytest.mark.parametrize("half", range(2, 9))
 def test_no_shape_is_wider_than_one_whose_edges_lead_there_and_back_by_as_much(half):
     there = np.stack([np.ones(half), (2 * np.arange(half) + 1 - half) / half], axis=1)
     group = batch.Polygons(np.cumsum([*there, *-there], axis=0)[None]).uniform
-    assert np.ptp(group.x) == filter_numpy._width(group) == half
+    assert np.ptp(group.x) == filter_numpy._max_width(group) == half
 
 
 @pytest.mark.full
@@ -767,8 +772,8 @@ def in_a_row(rng, n, far):
 @pytest.mark.parametrize("scale", [1e-130, 1.0, 1e140])
 def test_plain_turns_are_told_by_floats_alone(scale, monkeypatch):
     asked = []
-    real = exact_signs._turns
-    monkeypatch.setattr(exact_signs, "_turns", lambda *c: asked.extend(c[0]) or real(*c))
+    real = exact_signs._orient_adaptive
+    monkeypatch.setattr(exact_signs, "_orient_adaptive", lambda *c: asked.extend(c[0]) or real(*c))
     exact_signs.orient(*RNG(1).uniform(-scale, scale, (6, 1000)))
     assert not asked
 
@@ -785,13 +790,13 @@ def test_turns_of_points_nearly_in_a_row_are_told_without_long_sums(scale, monke
 def test_turns_with_what_was_lost_are_off_by_less_than_granted(monkeypatch):
     """Granted are 32 roundings of roundings, 12 can be shown; the worst found is told."""
     seen = []
-    real = exact_signs.sign_beyond
-    monkeypatch.setattr(exact_signs, "sign_beyond", lambda *c: seen.append(c) or real(*c))
+    real = exact_signs.certified_sign
+    monkeypatch.setattr(exact_signs, "certified_sign", lambda *c: seen.append(c) or real(*c))
     worst = 0
     for far in (3, 1e3, 1e9):
         points = in_a_row(RNG(3), 500, far)
         seen.clear()
-        exact_signs._turns(*points)
+        exact_signs._orient_adaptive(*points)
         turns, rooms = seen[0]
         for turn, room, *at in zip(*(map(Fraction, c.tolist()) for c in (turns, rooms, *points))):
             px, py, qx, qy, rx, ry = at
@@ -831,7 +836,7 @@ def test_a_turn_of_which_one_difference_alone_is_rounded_is_exact(swap, engine):
     """A straight way and one a float off: a product of two odd numbers is the difference of two floats of one end."""
     rng = RNG(6)
     if engine == "numba":
-        settle = kernels_of("settle")
+        settle = kernels_of("exact")
     for f, g in rng.integers(2**33, 2**36, (60, 2)).tolist():
         far = float(f * g)
         near = float(int(far) - f * g)
@@ -841,7 +846,7 @@ def test_a_turn_of_which_one_difference_alone_is_rounded_is_exact(swap, engine):
                 px, py, qx, qy, rx, ry = map(Fraction, columns)
                 det = (qx - px) * (ry - py) - (qy - py) * (rx - px)
                 if engine == "numba":
-                    told = settle.turn(*columns, np.empty(settle.TERMS))
+                    told = settle.orient(*columns, np.empty(settle.MAX_TERMS))
                 else:
                     (told,) = exact_signs.orient(*columns[:, None])
                 assert told == (det > 0) - (det < 0) and (det == 0) == (off == 0)
@@ -862,8 +867,8 @@ def test_a_sum_is_told_from_what_its_other_terms_can_add_up_to_at_most(engine):
     terms = np.array([-1, *[-(2.0**-53)] * 5, 1 + 2.0**-52])
     for way in (1, -1):
         if engine == "numba":
-            settle = kernels_of("settle")
-            assert settle._sign_of_sum(way * terms, len(terms)) == -way
+            settle = kernels_of("exact")
+            assert settle.sign_of_sum(way * terms, len(terms)) == -way
         else:
             assert exact_signs.sign_of_sum(way * terms[:, None]) == -way
 
@@ -881,8 +886,8 @@ def test_sums_that_nearly_vanish_are_told_exactly(engine):
         rng.shuffle(terms)
         exact = sum(map(Fraction, terms))
         if engine == "numba":
-            settle = kernels_of("settle")
-            told = settle._sign_of_sum(terms.copy(), len(terms))
+            settle = kernels_of("exact")
+            told = settle.sign_of_sum(terms.copy(), len(terms))
         else:
             (told,) = exact_signs.sign_of_sum(terms[:, None].copy())
         assert told == (exact > 0) - (exact < 0), terms
@@ -1058,7 +1063,7 @@ def test_circles_that_rest_on_polygons_are_exact(kind):
         right = [oracle.relation(p, q) for p, q in zip(scalar(circles), scalar(polygons))]
         found = {engine: batch.relate(circles, polygons, engine=engine).tolist() for engine in ENGINES}
         c, p = circles.uniform, polygons.uniform
-        found["all undecided"] = (1 - circle_polygons.gaps(c.x[0], c.y[0], c.r, p.x, p.y)).tolist()
+        found["all undecided"] = (1 - circle_polygons.gap_signs(c.x[0], c.y[0], c.r, p.x, p.y)).tolist()
         found["swapped"] = batch.relate(polygons, circles).tolist()
         assert found == dict.fromkeys(found, right)
 
@@ -1184,7 +1189,7 @@ def test_what_floats_settle_of_the_hard_pairs_is_right():
         mine = np.flatnonzero(polygons.count == v)
         columns = circles.x[0, mine], circles.y[0, mine], circles.r[mine], group.x, group.y
         with np.errstate(all="ignore"):
-            found = circle_polygons._by_floats(*columns)
+            found = circle_polygons._float_signs(*columns)
         for i, value in zip(mine, found):
             assert value in (exact_signs.UNKNOWN, 1 - oracle.relation(*known[i])), known[i]
         settled += (found != exact_signs.UNKNOWN).sum()
@@ -1194,10 +1199,10 @@ def test_what_floats_settle_of_the_hard_pairs_is_right():
 @pytest.mark.parametrize("kind", COMMON)
 def test_hardly_a_circle_on_a_polygon_needs_integers(kind, monkeypatch):
     counted = []
-    real = circle_polygons._by_integers
-    monkeypatch.setattr(circle_polygons, "_by_integers", lambda *columns: counted.append(1) or real(*columns))
+    real = circle_polygons._integer_sign
+    monkeypatch.setattr(circle_polygons, "_integer_sign", lambda *columns: counted.append(1) or real(*columns))
     circles, polygons = (shapes.uniform for shapes in batches_from(COMMON[kind](RNG(5), 5000)))
-    circle_polygons.gaps(circles.x[0], circles.y[0], circles.r, polygons.x, polygons.y)
+    circle_polygons.gap_signs(circles.x[0], circles.y[0], circles.r, polygons.x, polygons.y)
     assert len(counted) <= 5
 
 
@@ -1211,9 +1216,9 @@ def test_of_a_circle_on_a_polygon_only_what_may_lie_within_its_radius_is_settled
 
 
 def within_reach(circles, polygons):
-    x, y = (circle_polygons._closed(c) for c in (polygons.x, polygons.y))
+    x, y = (circle_polygons._close_rings(c) for c in (polygons.x, polygons.y))
     with np.errstate(all="ignore"):
-        return circle_polygons._within_reach(circles.x[0], circles.y[0], circles.r, x, y)
+        return circle_polygons._features_within_radius(circles.x[0], circles.y[0], circles.r, x, y)
 
 
 @pytest.mark.parametrize(("e", "told"), [(-470, False), (-430, True), (460, True), (486, False), (505, False)])
@@ -1226,9 +1231,9 @@ def test_floats_settle_circles_on_polygons_only_where_products_stay_in_their_ran
         assert not any(place.size for place in places)
     columns = circles.x[0], circles.y[0], circles.r, polygons.x, polygons.y
     with np.errstate(all="ignore"):
-        found = circle_polygons._by_floats(*columns)
+        found = circle_polygons._float_signs(*columns)
     assert found.tolist() == ([0] * 50 if told else [exact_signs.UNKNOWN] * 50)
-    assert circle_polygons.gaps(*columns).tolist() == [0] * 50
+    assert circle_polygons.gap_signs(*columns).tolist() == [0] * 50
 
 
 def test_an_edge_whose_square_may_lose_bits_leaves_circles_to_integers():
@@ -1238,13 +1243,13 @@ def test_an_edge_whose_square_may_lose_bits_leaves_circles_to_integers():
 
 
 def test_circles_on_polygons_are_settled_a_block_at_a_time(monkeypatch):
-    looked, real = [], circle_polygons._by_floats
-    monkeypatch.setattr(circle_polygons, "_by_floats", lambda *c: looked.append(c[0]) or real(*c))
+    looked, real = [], circle_polygons._float_signs
+    monkeypatch.setattr(circle_polygons, "_float_signs", lambda *c: looked.append(c[0]) or real(*c))
     circles, polygons = (shapes.uniform for shapes in batches_from(resting_exactly(RNG(3), 100)))
     columns = circles.x[0], circles.y[0], circles.r, polygons.x, polygons.y
     for block, sizes in (40, [40, 40, 20]), (1 << 13, [100]):
-        monkeypatch.setattr(circle_polygons, "BLOCK", block)
-        assert circle_polygons.gaps(*columns).tolist() == [0] * 100
+        monkeypatch.setattr(circle_polygons, "BLOCK_PAIRS", block)
+        assert circle_polygons.gap_signs(*columns).tolist() == [0] * 100
         assert list(map(len, looked)) == sizes and np.array_equal(np.concatenate(looked), columns[0])
         looked.clear()
 
@@ -1267,7 +1272,7 @@ def test_circles_that_touch_long_edges_from_without_and_within_are_exact(seed):
     for more in 0, 1, -1:
         made = batches_from((centers, radii * (1 + more * 2.0**-50), rings))
         c, p = (shapes.uniform for shapes in made)
-        found = circle_polygons.gaps(c.x[0], c.y[0], c.r, p.x, p.y)
+        found = circle_polygons.gap_signs(c.x[0], c.y[0], c.r, p.x, p.y)
         assert found.tolist() == np.where(outside < 0, -1, -more).tolist()
         for engine in ENGINES:
             assert batch.relate(*made, engine=engine).tolist() == (1 - found).tolist()
@@ -1277,12 +1282,12 @@ def test_circles_that_touch_long_edges_from_without_and_within_are_exact(seed):
 def test_turns_in_two_floats_are_off_by_less_than_granted(kind, monkeypatch):
     """Granted are 256 roundings of roundings, 88 can be shown, besides the sum's own; the worst found is told."""
     seen = []
-    real = exact_signs.nearly
-    monkeypatch.setattr(exact_signs, "nearly", lambda *terms: seen.append(real(*terms)) or seen[-1])
+    real = exact_signs.sum_with_error
+    monkeypatch.setattr(exact_signs, "sum_with_error", lambda *terms: seen.append(real(*terms)) or seen[-1])
     centers, radii, rings = (COMMON | RARE)[kind](RNG(1), 500)
     columns = *centers.T, radii, *rings[:, 0].T, *rings[:, 1].T
     side = -exact_signs.orient(*rings[:, 0].T, *rings[:, 1].T, *centers.T)
-    circle_polygons._foot_signs(*columns, room=np.full(len(radii), np.inf))
+    circle_polygons._foot_signs(*columns, error_bound=np.full(len(radii), np.inf))
     (_, _, _), (total, off, _) = seen
     worst = 0.0
     with localcontext(prec=150):
@@ -1363,7 +1368,9 @@ def batch_takes(ring, v):
 @pytest.mark.parametrize(("v", "w"), [(5, 5), (8, 5), (9, 20)])
 def test_every_edge_is_asked_whichever_corner_the_search_begins_at(v, w, monkeypatch):
     rng = RNG(v * w)
-    monkeypatch.setattr(exact_numpy, "_nearest", lambda own, other: rng.integers(0, own.asked, own.x.shape[1]))
+    monkeypatch.setattr(
+        exact_numpy, "_facing_corner", lambda own, other: rng.integers(0, own.edge_count, own.x.shape[1])
+    )
     p, q = (batch.Polygons(ngons(rng, 300, k)) for k in (v, w))
     index = np.arange(300)
     right = one_by_one(p, q)
@@ -1377,8 +1384,8 @@ def test_of_many_corners_only_those_near_the_other_shape_are_asked(v, monkeypatc
     """Shapes and those turned about a corner of theirs, wherever they lie."""
     rng = RNG(v)
     asked = []
-    real = exact_numpy._edge
-    monkeypatch.setattr(exact_numpy, "_edge", lambda *c: asked.extend(c[3]) or real(*c))
+    real = exact_numpy._classify_edges
+    monkeypatch.setattr(exact_numpy, "_classify_edges", lambda *c: asked.extend(c[3]) or real(*c))
     exactly, orient = [], exact_signs.orient
     monkeypatch.setattr(exact_signs, "orient", lambda *c: exactly.extend(c[0]) or orient(*c))
     for far in ((0, 0), (30, -20), (-1000, 1000)):
@@ -1394,7 +1401,9 @@ def test_of_many_corners_only_those_near_the_other_shape_are_asked(v, monkeypatc
 @pytest.mark.parametrize("turn", [[[1, 0], [0, 1]], [[0, 1], [-1, 0]], [[-1, 0], [0, -1]], [[3, 4], [-4, 3]]], ids=str)
 def test_edges_on_one_line_meet_where_their_ranges_on_it_do(turn, monkeypatch):
     rng = RNG(10)
-    monkeypatch.setattr(exact_numpy, "_nearest", lambda own, other: rng.integers(0, own.asked, own.x.shape[1]))
+    monkeypatch.setattr(
+        exact_numpy, "_facing_corner", lambda own, other: rng.integers(0, own.edge_count, own.x.shape[1])
+    )
     house = np.array([(0, 0), (4, 0), (6, 2), (6, 4), (4, 6), (0, 6), (-2, 4), (-2, 2)])
     moves = np.repeat([-20, -1, 0, 1, 4, 8, 9, 20], 10)
     below = np.stack([[t, 0] - house for t in moves]) @ turn
@@ -1410,15 +1419,15 @@ def test_edges_on_one_line_meet_where_their_ranges_on_it_do(turn, monkeypatch):
 @pytest.mark.parametrize("v", [3, 4, 5, 20])
 def test_plain_pairs_are_asked_for_no_exact_sign_whatever_the_scale(v, scale, monkeypatch):
     rng = RNG(v)
-    asked, in_doubt, edge = [], [], exact_numpy._edge
-    monkeypatch.setattr(exact_numpy, "_edge", lambda *c: asked.extend(c[3]) or edge(*c))
-    monkeypatch.setattr(exact_numpy, "_line", lambda *c: in_doubt.append(c))
+    asked, in_doubt, edge = [], [], exact_numpy._classify_edges
+    monkeypatch.setattr(exact_numpy, "_classify_edges", lambda *c: asked.extend(c[3]) or edge(*c))
+    monkeypatch.setattr(exact_numpy, "_classify_on_line", lambda *c: in_doubt.append(c))
     rings = ngons(rng, 200, v)
     rings = rings[(rings * turned(np.roll(rings, -1, axis=1))).sum(axis=(1, 2)) > 0.5]
     a, b = (batch.Polygons((rings + far) * scale).uniform for far in (0, [1e-3, 2e-3]))
     index = np.arange(len(rings))
     assert (exact_numpy.relations(a, index, b, index) == 2).all()
-    assert not asked or v > exact_numpy.AT_ONCE
+    assert not asked or v > exact_numpy.MAX_ALL_EDGES_CORNERS
     a, b = (batch.Polygons(ngons(rng, 200, v) * scale).uniform for _ in "ab")
     exact_numpy.relations(a, np.arange(200), b, np.arange(200))
     assert not in_doubt
@@ -1426,7 +1435,7 @@ def test_plain_pairs_are_asked_for_no_exact_sign_whatever_the_scale(v, scale, mo
 
 def test_the_largest_magnitude_of_a_column_is_of_either_sign_and_axis():
     x, y = RNG(11).uniform(-1, 1, (2, 3, 100))
-    assert np.array_equal(exact_numpy._largest(x, y), np.abs(np.concatenate([x, y])).max(axis=0))
+    assert np.array_equal(exact_numpy._max_coordinates(x, y), np.abs(np.concatenate([x, y])).max(axis=0))
 
 
 @pytest.mark.parametrize("scale", [2.0**-30, 1.0, 2.0**30])
@@ -1447,9 +1456,9 @@ def test_the_float32_look_is_granted_room_for_every_corner(v, w, scale, monkeypa
     """Side by side and by index, for wide shapes and for high ones, above and below the origin."""
     rng = RNG(v)
     seen = []
-    real = filter_numpy.look_32
+    real = filter_numpy.evaluate_f32
     for module in (filter_numpy, indexed):
-        monkeypatch.setattr(module, "look_32", lambda *c: seen.append((*c[:4], real(*c)[1])) or real(*c))
+        monkeypatch.setattr(module, "evaluate_f32", lambda *c: seen.append((*c[:4], real(*c)[1])) or real(*c))
     for wide, high, up in ((1, 8, 9), (8, 1, 9), (1, 8, -9), (8, 1, -9)):
         a, b = (
             batch.Polygons((ngons(rng, 500, k, 0.1) + np.array([0, up])) * [wide * scale, high * scale]) for k in (v, w)
@@ -1459,7 +1468,7 @@ def test_the_float32_look_is_granted_room_for_every_corner(v, w, scale, monkeypa
         batch.relate(a, b, np.c_[index, index], engine="numpy")
     assert len(seen) >= 4
     for ax, ay, bx, by, room in seen:
-        size = np.sqrt(room.astype(float) / filter_numpy.LOOK_32)
+        size = np.sqrt(room.astype(float) / filter_numpy.ERROR_FACTOR_F32)
         for x, y in ((ax, ay), (bx, by)):
             assert (size * (1 + 1e-6) >= np.maximum(np.abs(x - ax[0]), np.abs(y - ay[0])).max(axis=0)).all()
 
@@ -1476,7 +1485,7 @@ def test_upright_boxes_are_told_by_their_sides_from_any_first_corner_of_each(eng
         made.append(batch.Polygons(corners[np.arange(2000)[:, None], around]))
     gap = np.maximum(low[0] - high[1], low[1] - high[0]).max(axis=1)
     with monkeypatch.context() as patch:
-        patch.setattr(narrow_phase.undecided, "relations", lambda a, i, *_: np.empty(len(i)) if not len(i) else None)
+        patch.setattr(narrow_phase.exact, "relations", lambda a, i, *_: np.empty(len(i)) if not len(i) else None)
         found = batch.relate(*made, engine=engine)
     assert found.tolist() == (1 - np.sign(gap)).tolist()
     assert set(found.tolist()) == {0, 1, 2}
@@ -1503,7 +1512,7 @@ def test_circles_that_rest_on_each_other_are_exact(scale):
         for engine in ENGINES:
             assert batch.relate(one, other, engine=engine).tolist() == right
         p, q = one.uniform, other.uniform
-        assert (1 - exact_signs.circles(p.x[0], p.y[0], p.r, q.x[0], q.y[0], q.r)).tolist() == right
+        assert (1 - exact_signs.circle_gap_signs(p.x[0], p.y[0], p.r, q.x[0], q.y[0], q.r)).tolist() == right
 
 
 @pytest.mark.parametrize("scale", [1e-120, 1.0, 1e120])
@@ -1528,7 +1537,7 @@ def test_circles_on_polygons_are_exact_at_the_ends_of_float64(e):
         circles, polygons = batches_from((centers * 2.0**e, radii * 2.0**e, rings * 2.0**e))
         right = [sv.relate(p, q) for p, q in zip(scalar(circles), scalar(polygons))]
         c, p = circles.uniform, polygons.uniform
-        assert (1 - circle_polygons.gaps(c.x[0], c.y[0], c.r, p.x, p.y)).tolist() == right
+        assert (1 - circle_polygons.gap_signs(c.x[0], c.y[0], c.r, p.x, p.y)).tolist() == right
         for engine in ENGINES:
             assert batch.relate(circles, polygons, engine=engine).tolist() == right
 
@@ -1559,8 +1568,8 @@ def test_a_kernel_told_to_begin_further_on_answers_for_those_columns(v, w):
 def test_the_few_steps_of_many_corners_are_granted_room_for_the_largest_coordinates(large, monkeypatch):
     rng = RNG(17)
     seen = []
-    real = gjk.few_steps
-    monkeypatch.setattr(gjk, "few_steps", lambda *c: seen.append(c[4]) or real(*c))
+    real = gjk.gjk
+    monkeypatch.setattr(gjk, "gjk", lambda *c: seen.append(c[4]) or real(*c))
     rings = [ngons(rng, 30, 20, 0.1) * (1000 if k == large else 1) for k in (0, 1)]
     a, b = map(batch.Polygons, rings)
     index = np.arange(30)
@@ -1580,7 +1589,7 @@ def test_what_a_few_steps_tell_is_right_wherever_the_other_shape_lies(other):
     right = one_by_one(a, b)
     for p, q in ((a.uniform, b.uniform), (b.uniform, a.uniform)):
         out = np.empty(len(right), np.int8)
-        gjk.few_steps(p.x, p.y, q.x, q.y, 30 * ERROR_FACTOR_F64, out)
+        gjk.gjk(p.x, p.y, q.x, q.y, 30 * ERROR_FACTOR_F64, out)
         assert all(found in (UNDECIDED, told) for found, told in zip(out.tolist(), right))
         assert (out == UNDECIDED).sum() <= right.count(1) + 20
 
@@ -1592,7 +1601,7 @@ def test_what_a_few_steps_tell_of_polygons_that_lean_on_each_other_is_right(v):
     good = [i for i in range(len(rings)) if batch_takes(rings[i], v) and batch_takes(others[i], v)]
     a, b = batch.Polygons(rings[good]), batch.Polygons(others[good])
     p, q, out = a.uniform, b.uniform, np.empty(len(good), np.int8)
-    gjk.few_steps(p.x, p.y, q.x, q.y, (p.max_coordinate + q.max_coordinate) * ERROR_FACTOR_F64, out)
+    gjk.gjk(p.x, p.y, q.x, q.y, (p.max_coordinate + q.max_coordinate) * ERROR_FACTOR_F64, out)
     assert all(found in (UNDECIDED, right) for found, right in zip(out.tolist(), one_by_one(a, b)))
 
 
@@ -1605,7 +1614,7 @@ def test_whether_the_foot_lies_between_the_ends_is_told_rightly_next_to_an_end()
     for ends in ((p, q), (q, p)):
         columns = *c.T, np.ones(n), *ends[0].T, *ends[1].T
         with np.errstate(all="ignore"):
-            found = circle_polygons._only_between(np.full(n, -1, np.int8), *columns)
+            found = circle_polygons._keep_inner_feet(np.full(n, -1, np.int8), *columns)
         for told, cx, cy, _, px, py, qx, qy in zip(
             found.tolist(), *(map(Fraction, column.tolist()) for column in columns)
         ):
@@ -1627,7 +1636,7 @@ def test_what_was_lost_of_a_difference_is_not_forgotten_where_all_else_adds_up_t
         for ends in ((p, q), (q, p)):
             cx, cy, px, py, qx, qy = (float(v) for point in (c, *ends) for v in point[:: -1 if y_first else 1])
             columns = [np.array([v]) for v in (cx, cy, 1.0, px, py, qx, qy)]
-            (told,) = circle_polygons._only_between(np.full(1, -1, np.int8), *columns)
+            (told,) = circle_polygons._keep_inner_feet(np.full(1, -1, np.int8), *columns)
             cx, cy, px, py, qx, qy = map(Fraction, (cx, cy, px, py, qx, qy))
             along = (cx - px) * (qx - px) + (cy - py) * (qy - py)
             assert along and told in (exact_signs.UNKNOWN, -1 if 0 < along < (qx - px) ** 2 + (qy - py) ** 2 else 1)
@@ -1662,7 +1671,7 @@ def test_what_has_only_some_sides_of_an_upright_box_is_none():
     for ring in rings:
         for first in range(4):
             x, y = np.array(ring[first:] + ring[:first], float).T[:, :, None]
-            assert arrays.upright_boxes(x, y).tolist() == [ring == box]
+            assert arrays.upright_box_mask(x, y).tolist() == [ring == box]
 
 
 # -- broad phase
@@ -1712,7 +1721,7 @@ def test_candidate_pairs_are_the_boxes_that_meet_in_every_layout(n):
 
 @pytest.mark.parametrize("block", [1, 2, 7, 100])
 def test_the_grid_finds_the_same_pairs_in_blocks_of_any_size(block, monkeypatch):
-    monkeypatch.setattr(grid_numpy, "BLOCK", block)
+    monkeypatch.setattr(grid_numpy, "BLOCK_CANDIDATES", block)
     for name, at, size in layouts(40, RNG(block)):
         bounds = np.c_[at, at + size]
         assert np.array_equal(batch.candidate_pairs(bounds, engine="numpy"), brute(bounds)), name
@@ -1739,14 +1748,14 @@ def in_cells(rng):
 @pytest.mark.parametrize("seed", range(12))
 @pytest.mark.parametrize("engine", ENGINES)
 def test_cells_of_any_size_find_what_meets_and_each_pair_once(engine, seed, monkeypatch):
-    grid, rng = importlib.import_module(f"satviz.batch.grid_{engine}"), RNG(seed)
+    grid, rng = importlib.import_module(f"satviz.batch.with_{engine}.grid"), RNG(seed)
     for n in range(16):
-        monkeypatch.setattr(grid, "BLOCK", int(rng.choice([1, 7, 1 << 20])))
+        monkeypatch.setattr(grid, "BLOCK_CANDIDATES", int(rng.choice([1, 7, 1 << 20])))
         bounds, one, other, cell = in_cells(rng)
         everything, all_pairs = np.arange(len(bounds)), brute(bounds)
         for these, those in (everything, None), (one, other), (everything[1:], everything[:1]):
             right = all_pairs if those is None else all_pairs[np.isin(all_pairs, those).sum(axis=1) == 1]
-            found = np.concatenate([np.empty((0, 2), int), *grid.met(bounds, these, those, cell, np.inf)])
+            found = np.concatenate([np.empty((0, 2), int), *grid.meeting_pairs(bounds, these, those, cell, np.inf)])
             assert np.array_equal(found[np.lexsort(found.T[::-1])], right), n
 
 
@@ -1763,12 +1772,12 @@ def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_
         """Before nothing is left to split, whatever is asked is too much."""
         assert given is bounds or np.array_equal(given, bounds)
         both = one if other is None else np.concatenate([one, other])
-        assert most in (broad_phase.CHEAP * len(both), np.inf)
+        assert most in (broad_phase.MAX_CANDIDATES_PER_BOX * len(both), np.inf)
         if most == np.inf:
             assert np.array_equal(cell, size[both].max(axis=0)) and min(cell) > farthest * broad_phase.FINE
             sets.append((one, other))
             return iter(())
-        even = [broad_phase._even(bounds[:, d], both) for d in (0, 1)]
+        even = [broad_phase._cell_size_if_even(bounds[:, d], both) for d in (0, 1)]
         assert np.array_equal(cell, np.maximum(size[both].max(axis=0), even))
         return None
 
@@ -1783,7 +1792,7 @@ def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_
             times[np.ix_(other, one)] += 1
         for d in (0, 1):
             larger = max((one, one if other is None else other), key=lambda ids: size[ids, d].max())
-            assert size[larger, d].max() <= broad_phase.ALIKE * size[larger, d].min()
+            assert size[larger, d].max() <= broad_phase.MAX_UNSPLIT_RATIO * size[larger, d].min()
     assert (times[~np.eye(60, dtype=bool)] == 1).all()
     assert 3 < len(sets) < 400
 
@@ -1794,7 +1803,7 @@ def test_cells_of_boxes_on_one_spot_are_as_fine_as_numbers_of_cells_can_be_told_
     bounds = np.tile([x, y, x, y], (20, 1)).astype(float)
     assert list(broad_phase.candidate_blocks(bounds, lambda *given: cells.append(given[3:]))) == []
     far = max(abs(x), abs(y))
-    assert cells == [([far * 2.0**-1000] * 2, broad_phase.CHEAP * 20), ([far * 2.0**-48] * 2, np.inf)]
+    assert cells == [([far * 2.0**-1000] * 2, broad_phase.MAX_CANDIDATES_PER_BOX * 20), ([far * 2.0**-48] * 2, np.inf)]
 
 
 @pytest.mark.parametrize("n", [100, 3000])
@@ -1802,27 +1811,27 @@ def test_even_cells_are_as_many_as_the_boxes_would_be_spread_like_their_middle_h
     """Whatever lies far outside; and where the middle half is wider than a float, the number is finite."""
     low = np.sort(RNG(n).permutation(n) + 0.5) * (7 / n) - 3
     which = RNG(1).permutation(n)
-    assert broad_phase._even(low, which) == pytest.approx(7 / np.sqrt(n), rel=0.1)
+    assert broad_phase._cell_size_if_even(low, which) == pytest.approx(7 / np.sqrt(n), rel=0.1)
     low[: n // 5], low[-n // 5 :] = -1e300, 1e300
-    assert broad_phase._even(low, which) == pytest.approx(7 / np.sqrt(n), rel=0.1)
-    assert broad_phase._even(low, which[: n // 2]) == pytest.approx(7 / np.sqrt(n / 2), rel=0.4)
+    assert broad_phase._cell_size_if_even(low, which) == pytest.approx(7 / np.sqrt(n), rel=0.1)
+    assert broad_phase._cell_size_if_even(low, which[: n // 2]) == pytest.approx(7 / np.sqrt(n / 2), rel=0.4)
     low[: n // 2], low[n // 2 :] = -MOST, MOST
-    assert 0 < broad_phase._even(low, which) < np.inf
-    assert 0 < broad_phase._even(np.array([-MOST, -MOST, 0, MOST, MOST]), np.arange(5)) < np.inf
-    assert broad_phase._even(np.zeros(n), which) == 0
+    assert 0 < broad_phase._cell_size_if_even(low, which) < np.inf
+    assert 0 < broad_phase._cell_size_if_even(np.array([-MOST, -MOST, 0, MOST, MOST]), np.arange(5)) < np.inf
+    assert broad_phase._cell_size_if_even(np.zeros(n), which) == 0
 
 
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("swap", [[0, 1, 2, 3], [1, 0, 3, 2]])
 def test_a_length_that_is_rounded_hides_no_box_that_begins_a_float_before_its_cells_border(engine, swap):
-    grid, rng = importlib.import_module(f"satviz.batch.grid_{engine}"), RNG(6)
+    grid, rng = importlib.import_module(f"satviz.batch.with_{engine}.grid"), RNG(6)
     for border in np.arange(-20, 20) / 4:
         begins = np.nextafter(border, -np.inf)
         for end in (border + 1, *(rng.choice([0, border + 1, border + 0.5]) + rng.integers(0, 40, 3) * 2.0**-55)):
             bounds = np.array([[begins, 0, max(end, border), 1], [max(end, border), 0, border + 5, 1]])[:, swap]
             for one, other in (([0, 1], None), ([0], [1]), ([1], [0])):
                 sets = (np.array(ids) if ids else None for ids in (one, other))
-                (found,) = grid.met(bounds, *sets, (0.25, 0.25), np.inf)
+                (found,) = grid.meeting_pairs(bounds, *sets, (0.25, 0.25), np.inf)
                 assert found.tolist() == [[0, 1]], (border, end)
 
 
@@ -1830,9 +1839,9 @@ def test_a_length_that_is_rounded_hides_no_box_that_begins_a_float_before_its_ce
 @pytest.mark.parametrize("about", [0, 1])
 def test_boxes_so_far_apart_that_numbers_of_cells_multiplied_overflow_are_found(engine, about):
     """The last cell of a row that has 2**32, in row 2**31: the next number would be 2**63; from 0 on or about it."""
-    grid = importlib.import_module(f"satviz.batch.grid_{engine}")
+    grid = importlib.import_module(f"satviz.batch.with_{engine}.grid")
     low = np.array([(0, 0), (2**32 - 3, 2**31 - 2), (2**32 - 3, 2**31 - 2)]) - np.array([2**31, 2**30]) * about
-    (found,) = grid.met(np.hstack([low, low + 1.0]), np.arange(3), None, (1.0, 1.0), np.inf)
+    (found,) = grid.meeting_pairs(np.hstack([low, low + 1.0]), np.arange(3), None, (1.0, 1.0), np.inf)
     assert found.tolist() == [[1, 2]]
 
 
@@ -1840,7 +1849,7 @@ def test_the_grid_of_numpy_keeps_no_table_of_cells_in_which_hardly_anything_lies
     x = np.arange(2000.0)
     bounds = np.c_[x, x, x + 1, x + 1] * 2
     tracemalloc.start()
-    assert list(grid_numpy.met(bounds, np.arange(2000), None, (1.0, 1.0), np.inf)) != []
+    assert list(grid_numpy.meeting_pairs(bounds, np.arange(2000), None, (1.0, 1.0), np.inf)) != []
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 2e6
@@ -1849,24 +1858,24 @@ def test_the_grid_of_numpy_keeps_no_table_of_cells_in_which_hardly_anything_lies
 @pytest.mark.parametrize("seed", range(4))
 def test_the_grid_of_numba_looks_as_often_as_it_says(seed, monkeypatch):
     grid, rng = kernels_of("grid"), RNG(seed)
-    as_python(monkeypatch, grid, "_stored", "_looks", "_met", "_lowest", "_at")
-    places, asked = in_python(grid._places), []
-    monkeypatch.setattr(grid, "_places", lambda *given: asked.append(places(*given)) or asked[-1])
+    as_python(monkeypatch, grid, "_build_table", "_count_candidates", "_fill_pairs", "_first_cell", "_cell_number")
+    places, asked = in_python(grid._stored_range), []
+    monkeypatch.setattr(grid, "_stored_range", lambda *given: asked.append(places(*given)) or asked[-1])
     for _ in range(15):
         bounds, one, other, cell = in_cells(rng)
         size = 1 << int(2 * len(other) - 1).bit_length()
-        table = grid._stored(bounds, other, *cell, size)
-        told = grid._looks(bounds[one], False, table)
+        table = grid._build_table(bounds, other, *cell, size)
+        told = grid._count_candidates(bounds[one], False, table)
         asked.clear()
-        pairs = sum(map(len, grid._blocks(one, bounds[one], False, table, 100)))
+        pairs = sum(map(len, grid._pair_blocks(one, bounds[one], False, table, 100)))
         assert told == sum(last - first for first, last in asked) >= pairs
-        assert grid.met(bounds, one, other, cell, told) is not None
-        assert told == 0 or grid.met(bounds, one, other, cell, told - 1) is None
+        assert grid.meeting_pairs(bounds, one, other, cell, told) is not None
+        assert told == 0 or grid.meeting_pairs(bounds, one, other, cell, told - 1) is None
         # among themselves in rows from a box's own on, so some more than are needed
-        table = grid._stored(bounds, one, *cell, size)
-        told = grid._looks(bounds[one], True, table)
+        table = grid._build_table(bounds, one, *cell, size)
+        told = grid._count_candidates(bounds[one], True, table)
         asked.clear()
-        pairs = sum(map(len, grid._blocks(table[1], table[3], True, table, 100)))
+        pairs = sum(map(len, grid._pair_blocks(table[1], table[3], True, table, 100)))
         looked = sum(last - first for first, last in asked)
         assert 2 * looked + 9 * len(one) >= told >= looked >= pairs
 
@@ -1875,16 +1884,16 @@ def test_of_many_boxes_the_grid_of_numba_asks_some_how_often_all_will_be_looked_
     grid = kernels_of("grid")
     x, y = (c.ravel()[:1000] for c in np.meshgrid(np.arange(33.0), np.arange(33.0)))
     bounds = np.c_[x, y, x + 1, y + 1]
-    table = grid._stored(bounds, np.arange(1000), 1.0, 1.0, 2048)
+    table = grid._build_table(bounds, np.arange(1000), 1.0, 1.0, 2048)
     queried = []
-    monkeypatch.setattr(grid, "_lowest", lambda *given: queried.append(given) or 0)
-    looks = in_python(grid._looks)
-    for n, each in ((999, 1), (1000, grid.SAMPLE)):
+    monkeypatch.setattr(grid, "_first_cell", lambda *given: queried.append(given) or 0)
+    looks = in_python(grid._count_candidates)
+    for n, each in ((999, 1), (1000, grid.SAMPLE_STEP)):
         queried.clear()
         looks(bounds[:n], False, table)
         assert len(queried) == 2 * -(-n // each)
     monkeypatch.undo()
-    exact, told = grid._looks(bounds[:999], True, table), grid._looks(bounds, True, table)
+    exact, told = grid._count_candidates(bounds[:999], True, table), grid._count_candidates(bounds, True, table)
     assert 0.9 < told / exact < 1.1
 
 
@@ -1897,8 +1906,8 @@ def test_the_grid_of_numpy_looks_at_those_in_the_cells_that_a_box_can_meet():
         own = np.floor(bounds[other, :2] / cell)[:, None]
         looks = int(((first <= own) & (own <= last)).all(axis=2).sum())
         wider = int(((first - 1 <= own) & (own <= last)).all(axis=2).sum())  # where what is subtracted is rounded up
-        assert grid_numpy.met(bounds, one, other, cell, wider) is not None
-        assert looks == 0 or grid_numpy.met(bounds, one, other, cell, looks - 1) is None
+        assert grid_numpy.meeting_pairs(bounds, one, other, cell, wider) is not None
+        assert looks == 0 or grid_numpy.meeting_pairs(bounds, one, other, cell, looks - 1) is None
 
 
 TURNED = -6.123233995736766e-17  # what a quarter turn leaves of 0
@@ -1989,30 +1998,30 @@ def test_candidate_pairs_are_found_whatever_numpy_is_told_to_do_with_what_vanish
 @pytest.mark.parametrize("side", [1, -1])
 @pytest.mark.parametrize("finer", [0, 6, 12])
 def test_the_grid_asks_few_rows_of_flat_boxes_so_far_out_that_floats_are_many_cells_apart(finer, side, monkeypatch):
-    far, step, rows, real = side * 2.0**32, 2.0**-20, [], grid_numpy._blocks
+    far, step, rows, real = side * 2.0**32, 2.0**-20, [], grid_numpy._pair_blocks
     assert abs(np.spacing(far)) == step
     x, s = np.arange(400.0) * 1e-3, 2e6 + np.arange(1600.0) * 20
     long = np.c_[x, np.full(400, far), x + 1e6, np.full(400, far)]
     short = np.c_[s, np.zeros(1600), s, np.full(1600, step * 2.0**-finer)]
     long[0, 1::2] += step
     short[0, 1::2] = far + step
-    monkeypatch.setattr(grid_numpy, "_blocks", lambda *given: rows.append(len(given[-1])) or real(*given))
+    monkeypatch.setattr(grid_numpy, "_pair_blocks", lambda *given: rows.append(len(given[-1])) or real(*given))
     bounds = np.r_[long, short]
     assert np.array_equal(batch.candidate_pairs(bounds, engine="numpy"), brute(bounds))
     assert max(rows) <= 4
 
 
 def test_pairs_keep_their_order_where_an_index_has_32_bits():
-    found = broad_phase.in_order([np.array([[50_000, 60_000], [1, 2]], np.int32)])
+    found = broad_phase.sort_pairs([np.array([[50_000, 60_000], [1, 2]], np.int32)])
     assert found.tolist() == [[1, 2], [50_000, 60_000]]
 
 
 def test_a_grid_of_numba_takes_few_blocks_whatever_its_samples_say(monkeypatch):
     grid = kernels_of("grid")
-    monkeypatch.setattr(grid, "_looks", lambda *_: 0.0)
+    monkeypatch.setattr(grid, "_count_candidates", lambda *_: 0.0)
     x, y = (c.ravel() for c in np.meshgrid(np.arange(60.0), np.arange(60.0)))
-    bounds, blocks, real = np.c_[x, y, x + 1, y + 1], [], grid._met
-    monkeypatch.setattr(grid, "_met", lambda *given: blocks.append(1) or real(*given))
+    bounds, blocks, real = np.c_[x, y, x + 1, y + 1], [], grid._fill_pairs
+    monkeypatch.setattr(grid, "_fill_pairs", lambda *given: blocks.append(1) or real(*given))
     assert np.array_equal(batch.candidate_pairs(bounds, engine="numba"), brute(bounds))
     assert len(blocks) < 10
 
@@ -2031,23 +2040,23 @@ def test_candidate_pairs_of_little_or_bad_input():
 
 @pytest.mark.parametrize("engine", ENGINES)
 def test_the_looks_of_the_grid_grow_like_shapes_and_pairs(monkeypatch, engine):
-    grid = importlib.import_module(f"satviz.batch.grid_{engine}")
-    looked, blocks = [], grid._blocks
+    grid = importlib.import_module(f"satviz.batch.with_{engine}.grid")
+    looked, blocks = [], grid._pair_blocks
 
     def counted(queries, boxes, *more):
         if engine == "numpy":
             looked.append(sum(int(many.sum()) for _, _, many in more[-1]))
         else:
-            looked.append(grid._looks(boxes, *more[:2]))
+            looked.append(grid._count_candidates(boxes, *more[:2]))
         return blocks(queries, boxes, *more)
 
-    monkeypatch.setattr(grid, "_blocks", counted)
+    monkeypatch.setattr(grid, "_pair_blocks", counted)
     for name, at, size in layouts(1500, RNG(5)):
         if name == "every scale":  # 600 decades of sizes: as many size classes as shapes
             continue
         looked.clear()
         found = len(batch.candidate_pairs(np.c_[at, at + size], engine=engine))
-        assert 0 < sum(looked) <= 5 * broad_phase.CHEAP * (1500 + found), (name, sum(looked), found)
+        assert 0 < sum(looked) <= 5 * broad_phase.MAX_CANDIDATES_PER_BOX * (1500 + found), (name, sum(looked), found)
 
 
 def test_colliding_pairs_are_those_of_every_pair():
@@ -2095,13 +2104,13 @@ def test_the_columns_of_chosen_shapes_lie_row_by_row_without_gaps(v):
 
 @pytest.mark.parametrize(("v", "n"), [(3, 20_000), (300, 5_000)])
 def test_circles_picked_with_polygons_are_looked_at_once_in_blocks_that_bound_the_memory(v, n, monkeypatch):
-    rng, looked, real = RNG(v), [], narrow_phase._filter
-    monkeypatch.setattr(narrow_phase, "_filter", lambda *args: looked.append(args[-1].size) or real(*args))
+    rng, looked, real = RNG(v), [], narrow_phase._evaluate_block
+    monkeypatch.setattr(narrow_phase, "_evaluate_block", lambda *args: looked.append(args[-1].size) or real(*args))
     some, polygons = circles(rng, 50), batch.Polygons(regular(rng, 50, v))
     pairs = rng.integers(0, 50, (n, 2))
     for a, b, index in (some, polygons, pairs), (polygons, some, pairs[:, ::-1]):
         assert batch.relate(a, b, index, engine="numpy").any()
-        at_once = min(narrow_phase.BLOCK_OF_PICKED, max(exact_signs.LANES, exact_signs.CORNERS // v))
+        at_once = min(narrow_phase.BLOCK_PAIRS, max(exact_signs.MIN_BLOCK_PAIRS, exact_signs.MAX_BLOCK_CORNERS // v))
         assert set(looked[:-1]) == {at_once} and sum(looked) == n
         looked.clear()
 
@@ -2109,14 +2118,16 @@ def test_circles_picked_with_polygons_are_looked_at_once_in_blocks_that_bound_th
 @pytest.mark.parametrize("kinds", [(3, 3), (3, 300), (300, 3), (300, 300), (1, 3), (300, 1), (1, 1)])
 def test_the_exact_twin_takes_each_pair_once_in_blocks_that_bound_the_memory(kinds, monkeypatch):
     looked = []
-    for name in "_circles", "_polygons":
+    for name in "_relate_circles", "_relate_polygons":
         monkeypatch.setattr(exact_numpy, name, lambda a, _: looked.append(len(a.x[0])) or np.zeros(looked[-1], np.int8))
     a, b = (circles(RNG(k), 2) if k == 1 else batch.Polygons(regular(RNG(k), 2, k)) for k in kinds)
     n = 100_000 if max(kinds) < 9 else 10_000
     exact_numpy.relations(a.uniform, np.zeros(n, np.intp), b.uniform, np.ones(n, np.intp))
-    at_once = max(exact_signs.LANES, exact_numpy.LOOKS // max(kinds))
+    at_once = max(exact_signs.MIN_BLOCK_PAIRS, exact_numpy.BLOCK_CORNERS // max(kinds))
     if 1 in kinds:
-        at_once = min(exact_numpy.DOUBTS, max(exact_signs.LANES, exact_signs.CORNERS // max(kinds)))
+        at_once = min(
+            exact_numpy.BLOCK_SIGNS, max(exact_signs.MIN_BLOCK_PAIRS, exact_signs.MAX_BLOCK_CORNERS // max(kinds))
+        )
     assert set(looked[:-1]) == {at_once} and sum(looked) == n
 
 
@@ -2209,9 +2220,9 @@ def test_of_plain_pairs_in_any_order_none_needs_an_exact_sign(block, monkeypatch
     index = rng.integers(0, 150, (600, 2))
     right = [int(sv.relate(p, q)) for known in [scalar(shapes)] for p, q in ((known[i], known[j]) for i, j in index)]
     asked = []
-    monkeypatch.setattr(narrow_phase, "BLOCK_OF_PICKED", block)
-    real = narrow_phase.undecided.relations
-    monkeypatch.setattr(narrow_phase.undecided, "relations", lambda *c: asked.extend(c[1]) or real(*c))
+    monkeypatch.setattr(narrow_phase, "BLOCK_PAIRS", block)
+    real = narrow_phase.exact.relations
+    monkeypatch.setattr(narrow_phase.exact, "relations", lambda *c: asked.extend(c[1]) or real(*c))
     assert batch.relate(shapes, shapes, index, engine="numpy").tolist() == right
     assert not asked
 
@@ -2228,10 +2239,10 @@ def outlines_of_all_numbers(rng, across):
 @pytest.mark.parametrize("lanes", [1, 3, 128])
 def test_picked_outlines_of_all_numbers_of_corners_are_told_as_one_by_one(lanes, engine, monkeypatch):
     if engine == "numba":
-        picked = kernels_of("picked")
+        picked = kernels_of("indexed")
         as_python(monkeypatch, picked, "_polygons")
         monkeypatch.setattr(picked, "LANES", lanes)
-    monkeypatch.setattr(indexed, "lanes", lambda *_: lanes)
+    monkeypatch.setattr(indexed, "pairs_per_block", lambda *_: lanes)
     rng = RNG(lanes)
     shapes = batch.concat(outlines_of_all_numbers(rng, 5) + outlines_of_all_numbers(rng, 8))
     known, every = scalar(shapes), np.argwhere(np.ones((len(shapes), len(shapes))))
@@ -2245,14 +2256,16 @@ def test_picked_outlines_of_all_numbers_of_corners_are_told_as_one_by_one(lanes,
 @pytest.mark.parametrize("lanes", [7, 128])
 def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeypatch):
     """Nor upright boxes, nor, where the middle of what their boxes share is inside both, many corners for an axis."""
-    picked = kernels_of("picked")
+    picked = kernels_of("indexed")
     as_python(monkeypatch, picked, "_polygons")
     monkeypatch.setattr(picked, "LANES", lanes)
-    for name in "of_few", "of_many":
+    for name in "relate_few_corners", "relate_many_corners":
         monkeypatch.setattr(picked, name, lambda *_: pytest.fail("looked at longer"))
     monkeypatch.setattr(exact_numpy, "relations", lambda *_: pytest.fail("left to the exact twin"))
-    look, widths = picked._look, []
-    monkeypatch.setattr(picked, "_look", lambda *given: widths.extend([given[11]] * given[10].size) or look(*given))
+    look, widths = picked._evaluate_lanes, []
+    monkeypatch.setattr(
+        picked, "_evaluate_lanes", lambda *given: widths.extend([given[11]] * given[10].size) or look(*given)
+    )
     box = batch.Polygons([[(5, 0), (6, 0), (6, 1), (5, 1)], [(6, 1), (7, 1), (7, 2), (6, 2)]])
     rng = RNG(2)
     index = np.r_[[(0, 1), (1, 1), (2, 0)], 2 + rng.integers(0, 30, (150, 2))]
@@ -2285,7 +2298,9 @@ def test_columns_of_every_number_of_corners_are_told_by_numba_from_their_clearan
         beyond = (q[first:, None] * normals[:, :, None]).sum(axis=3).min(axis=2) - (p[first:] * normals).sum(axis=2)
         best = np.maximum(best, beyond.max(axis=1))
     out = np.full(n, 9, np.int8)
-    kernels.looks(v, w)(*(np.ascontiguousarray(c) for s in (a, b) for c in s.transpose(2, 1, 0)), first, room, out)
+    kernels.clearance_kernel(v, w)(
+        *(np.ascontiguousarray(c) for s in (a, b) for c in s.transpose(2, 1, 0)), first, room, out
+    )
     assert out.tolist() == np.select([best > room, best < -room], [0, 2], UNDECIDED).tolist()
     assert min((out == told).sum() for told in (0, 2, UNDECIDED)) > 10
 
@@ -2295,13 +2310,13 @@ def test_picked_outlines_of_many_corners_are_looked_at_in_a_few_steps_and_edges_
     v, w, monkeypatch
 ):
     looks, asked, widths = [], [], []
-    for module, name in (indexed, "look_32"), (indexed.steps_numpy, "few_steps"):
+    for module, name in (indexed, "evaluate_f32"), (indexed.gjk, "gjk"):
         real = getattr(module, name)
         monkeypatch.setattr(
             module, name, lambda *c, name=name, real=real: looks.append(name) or widths.append(c[4]) or real(*c)
         )
-    real = indexed.edges
-    monkeypatch.setattr(indexed, "edges", lambda a, b: asked.append(a.x.shape[1]) or real(a, b))
+    real = indexed.relate_edges
+    monkeypatch.setattr(indexed, "relate_edges", lambda a, b: asked.append(a.x.shape[1]) or real(a, b))
     rng = RNG(v)
     a, b, far = (batch.Polygons(regular(rng, 20, n) + move) for n, move in ((v, 0), (w, 0), (w, 9)))
     p, q = (batch.Polygons(rings[:20]) for rings in beside_mirror(v, w))
@@ -2313,17 +2328,17 @@ def test_picked_outlines_of_many_corners_are_looked_at_in_a_few_steps_and_edges_
     if max(v, w) <= 16:
         wide = [(s.bounds[:, 2:] - s.bounds[:, :2]).max(axis=1) for s in (a, b)]
         assert np.array_equal(widths[0], wide[0] + wide[1])
-    assert set(looks) == {"look_32" if max(v, w) <= 16 else "few_steps"}
+    assert set(looks) == {"evaluate_f32" if max(v, w) <= 16 else "gjk"}
 
 
 def test_columns_of_three_four_and_eight_corners_have_kernels_of_their_own():
     kernels = kernels_of("filter")
-    written_out = {kernels._eight, kernels._general}
-    own = {(v, w): kernels.looks(v, w) for v in (3, 4) for w in (3, 4)}
-    assert len(written_out | set(own.values())) == 6 and all(kernels.looks(*key) is own[key] for key in own)
-    assert kernels.looks(8, 8) is kernels._eight
+    written_out = {kernels._kernel_8, kernels._kernel_any}
+    own = {(v, w): kernels.clearance_kernel(v, w) for v in (3, 4) for w in (3, 4)}
+    assert len(written_out | set(own.values())) == 6 and all(kernels.clearance_kernel(*key) is own[key] for key in own)
+    assert kernels.clearance_kernel(8, 8) is kernels._kernel_8
     for key in (4, 5), (5, 4), (5, 5), (3, 8), (8, 3), (8, 7), (7, 8), (7, 7), (9, 9):
-        assert kernels.looks(*key) is kernels._general
+        assert kernels.clearance_kernel(*key) is kernels._kernel_any
 
 
 def test_circles_beside_up_to_eight_corners_have_kernels_of_their_own(monkeypatch):
@@ -2339,7 +2354,7 @@ def test_circles_beside_up_to_eight_corners_have_kernels_of_their_own(monkeypatc
 @pytest.mark.parametrize("scale", [1.0, 2.0**-90])
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 8), (8, 8), (8, 5), (9, 5), (12, 12)])
 def test_columns_that_floats_leave_undecided_are_settled_by_numba_and_the_others_left_as_they_are(v, w, scale):
-    picked = kernels_of("picked")
+    picked = kernels_of("indexed")
     a, touching = beside_mirror(v, w)
     for move in (0, 1, -1):
         p = batch.Polygons(a[:8] * scale)
@@ -2354,9 +2369,13 @@ def test_columns_that_floats_leave_undecided_are_settled_by_numba_and_the_others
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 8), (8, 8), (8, 5), (9, 5), (12, 12)])
 def test_picked_pairs_that_touch_are_all_settled_by_numba(v, w, scale, monkeypatch):
     """Those of few corners edge by edge, the others after a search; whatever stood in the answer's place."""
-    picked = kernels_of("picked")
+    picked = kernels_of("indexed")
     as_python(monkeypatch, picked, "_polygons")
-    monkeypatch.setattr(picked, "of_many" if max(v, w) <= 8 else "of_few", lambda *_: pytest.fail("the other way"))
+    monkeypatch.setattr(
+        picked,
+        "relate_many_corners" if max(v, w) <= 8 else "relate_few_corners",
+        lambda *_: pytest.fail("the other way"),
+    )
     a, touching = beside_mirror(v, w)
     p, q = batch.Polygons(a[:8] * scale), batch.Polygons(touching[:8] * scale)
     for one, other in (p, q), (q, p):
@@ -2367,15 +2386,15 @@ def test_picked_pairs_that_touch_are_all_settled_by_numba(v, w, scale, monkeypat
 
 @pytest.mark.parametrize("e", [-600, -100, 0, 100, 400, 600])
 def test_numbas_lanes_are_granted_room_for_the_widest_and_the_farthest(e, monkeypatch):
-    picked = kernels_of("picked")
-    look, granted = in_python(picked._look), {}
+    picked = kernels_of("indexed")
+    look, granted = in_python(picked._evaluate_lanes), {}
 
     def seen(*given):
         look(*given)
         granted.update(zip(given[10].tolist(), given[16].tolist()))
 
     as_python(monkeypatch, picked, "_polygons")
-    monkeypatch.setattr(picked, "_look", seen)
+    monkeypatch.setattr(picked, "_evaluate_lanes", seen)
     rng = RNG(7)
     a, b = (batch.Polygons((ngons(rng, 40, v, 2) * rng.uniform(0.2, 5, (40, 1, 2))) * 2.0**e) for v in (3, 7))
     index = rng.integers(0, 40, (200, 2))
@@ -2384,7 +2403,7 @@ def test_numbas_lanes_are_granted_room_for_the_widest_and_the_farthest(e, monkey
     wide = sum((c[:, 2:] - c[:, :2]).max(axis=1) for c in boxes)
     with np.errstate(all="ignore"):
         room = wide * sum(np.abs(c).max(axis=1) for c in boxes) * ERROR_FACTOR_F64
-    right = np.where((room > LEAST_ROOM) & (room < MOST_ROOM), room, np.inf)
+    right = np.where((room > MIN_ERROR_BOUND) & (room < MAX_ERROR_BOUND), room, np.inf)
     assert len(granted) > 20 and all(granted[k] == right[k] for k in granted)
     assert np.isinf(right).all() == (abs(e) == 600)
 
@@ -2397,7 +2416,7 @@ def test_parts_are_looked_at_in_blocks_of_any_size(block, monkeypatch):
     looked = []
     real = narrow_phase._relate_some
     monkeypatch.setattr(narrow_phase, "_relate_some", lambda *c: looked.append(len(c[1])) or real(*c))
-    monkeypatch.setattr(narrow_phase, "BLOCK_OF_PARTS", block)
+    monkeypatch.setattr(narrow_phase, "BLOCK_PART_PAIRS", block)
     found = batch.relate(shapes, shapes[::-1], engine="numpy")
     assert found.tolist() == [sv.relate(p, q) for p, q in zip(known, known[::-1])]
     assert max(looked[1:]) <= block and sum(looked[1:]) == 20 * 4
@@ -2418,7 +2437,7 @@ def test_only_a_few_chunks_are_under_way_at_once():
     a, pool, under_way = batch.Circles(np.zeros((50, 2)), 1), Elsewhere(), []
     progress = lambda done, total: under_way.append(len(pool.sent) - done + 1)  # noqa: E731
     batch.relate(a, a, engine="numpy", executor=pool, chunk=1, progress=progress)
-    assert len(under_way) == 50 and max(under_way) == chunks.WAITING
+    assert len(under_way) == 50 and max(under_way) == chunks.MAX_WAITING_CHUNKS
 
 
 def test_to_elsewhere_each_chunk_takes_only_the_shapes_it_needs():
@@ -2558,7 +2577,7 @@ def test_upright_boxes_are_never_asked_for_an_exact_sign(engine, monkeypatch):
     alone, beside = batch.Polygons(tiles), batch.Polygons([*tiles, diamond])
     everywhere = beside[::-1][1:][::-1]
     asked = []
-    for module in (exact_signs, sv.engine.verdict):
+    for module in (exact_signs, sv.engine.relate):
         monkeypatch.setattr(module, "orient", lambda *c: asked.append(c))
     for shapes in (alone, everywhere):
         pairs = batch.candidate_pairs(shapes.bounds)
@@ -2653,7 +2672,7 @@ def test_an_interrupt_and_a_failed_chunk_cancel_those_that_wait(error, told):
     a, pool = batch.Circles(np.zeros((100, 2)), 1), Waiting(error)
     with pytest.raises(told):
         batch.relate(a, a, engine="numpy", executor=pool, chunk=10, progress=stop)
-    assert len(pool.futures) == chunks.WAITING and all(future.cancelled() for future in pool.futures[1:])
+    assert len(pool.futures) == chunks.MAX_WAITING_CHUNKS and all(future.cancelled() for future in pool.futures[1:])
 
 
 # -- streams
@@ -2678,10 +2697,8 @@ def test_a_stream_loses_no_pair_that_touches_where_a_strip_begins_and_reads_only
     x, y = RNG(3).permutation([(i, j) for i in range(9) for j in range(6)]).T
     diamonds = np.stack([np.c_[x, y - 0.5], np.c_[x + 0.5, y], np.c_[x, y + 0.5], np.c_[x - 0.5, y]], axis=1)
     read = []
-    real = collide.polygons_numbered
-    monkeypatch.setattr(
-        collide, "polygons_numbered", lambda rings, *more: read.append(len(rings)) or real(rings, *more)
-    )
+    real = collide.number_polygons
+    monkeypatch.setattr(collide, "number_polygons", lambda rings, *more: read.append(len(rings)) or real(rings, *more))
     found = np.concatenate(list(batch.stream_colliding_pairs(diamonds, strip=strip, engine="numpy")))
     expected = [[i, j] for i in range(54) for j in range(i + 1, 54) if abs(x[i] - x[j]) + abs(y[i] - y[j]) == 1]
     assert sorted(found.tolist()) == expected

@@ -453,9 +453,9 @@ def around(corners):
     return corners[first:] + corners[:first]
 
 
-@pytest.mark.parametrize("block", [1, 3, 4, 11, 100, outlines.BLOCK])
+@pytest.mark.parametrize("block", [1, 3, 4, 11, 100, outlines.BLOCK_CORNERS])
 def test_outlines_are_judged_as_one_by_one_however_many_at_a_time(block, monkeypatch):
-    monkeypatch.setattr(outlines, "BLOCK", block)
+    monkeypatch.setattr(outlines, "BLOCK_CORNERS", block)
     rng = np.random.default_rng(block)
     good, bad = [], []
     for ring in (any_outline(rng) for _ in range(200)):
@@ -621,8 +621,8 @@ def test_what_is_known_of_joined_shapes_holds_for_them_all():
 
 def test_the_largest_and_least_numbers_of_corners_are_told_also_of_no_shapes():
     mixed = batch.concat([batch.Polygons([TRIANGLE, [(0, 0), (1, 0), (1, 1), (0, 1)]]), batch.Circles([(0, 0)], 1)])
-    assert (mixed.most, mixed.least) == (4, 1) and (mixed[:2].most, mixed[:2].least) == (4, 3)
-    assert (mixed[:0].most, mixed[:0].least) == (0, 0)
+    assert (mixed.max_corners, mixed.min_corners) == (4, 1) and (mixed[:2].max_corners, mixed[:2].min_corners) == (4, 3)
+    assert (mixed[:0].max_corners, mixed[:0].min_corners) == (0, 0)
     for none in mixed[:0], batch.Polygons([]), three_in_parts()[:0], batch.Polygons(np.zeros((0, 3, 2))):
         assert none.bounds.shape == (0, 4) and none.flat.bounds.shape == (0, 4)
 
@@ -714,7 +714,15 @@ def test_an_option_that_is_none_is_named_before_any_work(name, option, value, er
         raise AssertionError("work was begun")
 
     for module in narrow_phase, collide, broad_phase, constructors, validation:
-        for function in "in_chunks", "candidate_blocks", "rings", "ragged", "boxes", "checked_pairs", "convex":
+        for function in (
+            "in_chunks",
+            "candidate_blocks",
+            "rings_from_array",
+            "rings_from_offsets",
+            "boxes",
+            "check_pairs",
+            "convex_rings",
+        ):
             if hasattr(module, function):
                 monkeypatch.setattr(module, function, work)
     with pytest.raises(error, match=f"^{option} is .*({WRONG[option][1]})"):
@@ -731,9 +739,9 @@ def test_a_size_may_be_any_whole_number():
 
 @pytest.fixture
 def fresh_choice():
-    narrow_phase.loaded.cache_clear()
+    narrow_phase.load_engine.cache_clear()
     yield
-    narrow_phase.loaded.cache_clear()
+    narrow_phase.load_engine.cache_clear()
 
 
 @pytest.mark.parametrize(
@@ -745,7 +753,7 @@ def test_numpy_answers_where_numba_does_not_work_and_says_so_once(fresh_choice, 
     import_ = builtins.__import__
 
     def broken(name, globals=None, locals=None, fromlist=(), level=0):
-        if "filter_numba" in (fromlist or ()):
+        if name == "with_numba":
             raise fault
         return import_(name, globals, locals, fromlist, level)
 
@@ -762,9 +770,9 @@ def test_numpy_answers_where_numba_does_not_work_and_says_so_once(fresh_choice, 
 def test_where_numba_is_not_installed_asking_for_it_says_what_to_install(fresh_choice, monkeypatch):
     monkeypatch.setattr(narrow_phase, "find_spec", lambda name: None)
     monkeypatch.setitem(sys.modules, "numba", None)
-    for name in ("compiling", "filter_numba", "grid_numba", "picked_numba", "settle_numba"):
-        monkeypatch.delitem(sys.modules, f"satviz.batch.{name}", raising=False)
-        monkeypatch.delattr(batch, name, raising=False)
+    for name in [name for name in sys.modules if name.startswith("satviz.batch.with_numba")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.delattr(batch, "with_numba", raising=False)
     with pytest.raises(ImportError, match=r"engine .numba. needs .*pip install"):
         narrow_phase.engine_of("numba")
     assert narrow_phase.engine_of(None).circles is filter_numpy.circles
@@ -777,7 +785,7 @@ def test_an_engine_does_all_its_work_in_its_own_modules(name):
     engine = narrow_phase.engine_of(name)
     kernels = [part for part in engine if callable(part)]
     assert len(kernels) == (7 if name == "numba" else 6)
-    assert all(kernel.__module__.endswith(f"_{name}") for kernel in kernels)
+    assert all(f".with_{name}." in kernel.__module__ for kernel in kernels)
     assert engine is narrow_phase.engine_of(name)
 
 

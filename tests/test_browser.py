@@ -9,9 +9,9 @@ from browser import jupyterlab
 
 import satviz as sv
 from satviz.pictures import DARK, LIGHT, playback
-from satviz.pictures.caption import captioned
-from satviz.render.files import MADE_BY, animate, encode
-from satviz.site.walkthrough import shipped
+from satviz.pictures.caption import add_captions
+from satviz.render.files import MADE_BY, encode, encode_frames
+from satviz.site.shipped import shipped_notebooks
 
 pytestmark = pytest.mark.slow
 
@@ -298,11 +298,11 @@ def test_a_challenge_is_set_judged_and_given_up(hand):
 
 SLOW = """
 import time
-answer = w._exploring.answer
+answer = w._model.answer
 def slow(content):
     time.sleep({seconds} * (content.get("kind") in ("pose", "preset")))
     return answer(content)
-w._exploring.answer = slow
+w._model.answer = slow
 """
 
 
@@ -322,8 +322,8 @@ def test_a_slow_python_loses_neither_a_preset_nor_the_end_of_a_drag(hand, second
     hand.said("A and B overlap")
     hand.page.wait_for_timeout(1000 * 4 * seconds)  # what is on its way has come
     assert dist(json.loads(hand.kernel("list(w.scene.b.vertices[0])")), (5, 5)) > 1
-    assert hand.kernel("w._exploring.picture().sentence") == widget.locator(".sv-sentence").inner_text()
-    hand.page.evaluate(ASK, "del w._exploring.answer")
+    assert hand.kernel("w._model.picture().sentence") == widget.locator(".sv-sentence").inner_text()
+    hand.page.evaluate(ASK, "del w._model.answer")
     reset(hand)
 
 
@@ -335,18 +335,18 @@ def test_files_come_from_the_matplotlib_pen(hand):
     drawn = sv.picture(trace, 7)
     for form in "svg", "png":
         assert hand.file(f"save {form.upper()}", 2) == (f"satviz.{form}", encode(drawn, form, LIGHT))
-    every = captioned([sv.picture(trace, i) for i in range(len(sv.steps(trace)))])
-    assert hand.file("save GIF", 2) == ("satviz.gif", animate(every))
+    every = add_captions([sv.picture(trace, i) for i in range(len(sv.steps(trace)))])
+    assert hand.file("save GIF", 2) == ("satviz.gif", encode_frames(every, "gif"))
     hand.press("reset", 2)
 
 
 def test_why_the_player_gives_no_file_is_said(hand):
-    hand.page.evaluate(ASK, "from satviz.pictures import playback; playback.MOST_STEPS = 1")
+    hand.page.evaluate(ASK, "from satviz.pictures import playback; playback.MAX_STEPS = 1")
     player = hand.widgets.nth(2)
     player.locator(".sv-menu summary").click()
     hand.press("save GIF", 2)
     player.locator(".sv-done", has_text="too many to step through").wait_for()
-    hand.page.evaluate(ASK, f"playback.MOST_STEPS = {playback.MOST_STEPS}")
+    hand.page.evaluate(ASK, f"playback.MAX_STEPS = {playback.MAX_STEPS}")
     player.locator(".sv-menu summary").click()  # forgotten when the menu opens again
     player.locator(".sv-done", has_text="too many").wait_for(state="detached")
     player.locator(".sv-menu summary").click()
@@ -454,7 +454,7 @@ def test_in_notebook_7_the_widgets_show_and_can_be_dragged(browser, lab):
 
 @pytest.mark.parametrize("app", ["lab", "notebooks"])
 def test_the_text_that_answers_a_question_of_a_chapter_is_folded(browser, lab, app):
-    chapter = next(path for path in shipped() if path.name.startswith("1"))
+    chapter = next(path for path in shipped_notebooks() if path.name.startswith("1"))
     shutil.copy(chapter, lab.folder / "chapter.ipynb")
     page = browser.new_page(viewport={"width": 1200, "height": 12_000})
     lab.open(page, "chapter.ipynb", app)

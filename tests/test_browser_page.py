@@ -12,7 +12,7 @@ from matplotlib.path import Path
 
 import satviz as sv
 from satviz.pictures import THEMES
-from satviz.pictures.caption import reading
+from satviz.pictures.caption import reading_time_ms
 from satviz.pictures.playback import playback, playbacks
 from satviz.render.files import canvas
 from satviz.render.script import javascript, stylesheet
@@ -333,7 +333,7 @@ def test_each_step_stays_as_long_as_its_words_take_to_read(browser, errors, page
     page.get_by_role("button", name="play").click()
     page.get_by_text("16 / 16").wait_for()
     waits = page.evaluate("() => window.waits")
-    assert waits[:15] == [reading(sv.picture(trace, i).sentence) for i in range(1, 16)]
+    assert waits[:15] == [reading_time_ms(sv.picture(trace, i).sentence) for i in range(1, 16)]
     page.close()
 
 

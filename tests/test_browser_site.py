@@ -148,13 +148,23 @@ def test_a_site_comes_to_life_where_a_browser_has_no_room_to_keep_its_files(visi
 
 
 @pytest.mark.parametrize(
-    "path", ["", "gallery.html", "challenges.html", "2-sat.html", "6-where-it-fails.html", "scene.html#far-centers"]
+    "path",
+    [
+        "",
+        "gallery.html",
+        "challenges.html",
+        "guides.html",
+        "traces.html",
+        "2-sat.html",
+        "6-where-it-fails.html",
+        "scene.html#far-centers",
+    ],
 )
 @pytest.mark.parametrize(
     "more", [{"color_scheme": "dark"}, {"viewport": {"width": 390, "height": 844}}], ids=["dark", "phone"]
 )
 def test_no_page_shuts_anyone_out(visit, axe_core, path, more):
-    page = visit(path, live=path not in ("gallery.html", "challenges.html"), **more)
+    page = visit(path, live=path not in ("gallery.html", "challenges.html", "guides.html", "traces.html"), **more)
     assert shut_out(axe_core, page) == []
 
 

@@ -16,7 +16,7 @@ from types import SimpleNamespace
 import pytest
 
 import satviz as sv
-from satviz.cli import main
+from satviz.cli import DRAW_FORMATS, main
 from satviz.engine import describe
 from satviz.pictures.figures import FIGURES
 from satviz.scenes.article import SCENES
@@ -393,8 +393,8 @@ def vanishing(work):
 @pytest.mark.parametrize(
     ("args", "where"),
     [
-        (["figures", "--only", "1", "--only", "2", "--out"], "satviz.render.files.encode"),
-        (["draw", "aabb", "--format", "gif", "--format", "html", "--out"], "satviz.render.files.animate"),
+        (["figures", "--only", "1", "--only", "2", "--out"], "satviz.render.files.encode_frames"),
+        (["draw", "aabb", "--format", "gif", "--format", "html", "--out"], "satviz.render.files.encode_frames"),
         (["study", "--quick", "--out"], "satviz.study.harness.cells._load_result"),
         (["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.in_turn"),
         (["trace", "aabb"], "satviz.scenes.named.scene"),
@@ -555,17 +555,14 @@ def test_options_that_cannot_be_together_get_one_line(line, capsys, tmp_path, mo
 
 
 @pytest.mark.parametrize("scene", ["circles", "no-area"])
-@pytest.mark.parametrize("form", ["svg", "png", "pdf", "gif", "html", "link"])
+@pytest.mark.parametrize("form", DRAW_FORMATS)
 def test_no_option_of_draw_is_taken_in_silence(form, scene, capsys, tmp_path, monkeypatch):
     """What is given changes what is made, or is refused; or it is so in any case, as the help says."""
 
-    def files(picture, form, theme, stem):
-        return f"{form} {theme.name} {picture.to_json()}".encode()
+    def files(pictures, form, theme, stem):
+        return f"{form} {len(pictures)} {theme.name} {pictures[-1].to_json()}".encode()
 
-    monkeypatch.setattr("satviz.render.files.encode", files)
-    monkeypatch.setattr(
-        "satviz.render.files.animate", lambda made, theme: files(made[-1], len(made), theme, "").strip()
-    )
+    monkeypatch.setattr("satviz.render.files.encode_frames", files)
 
     def made(*options):
         folder = tmp_path / str(len(list(tmp_path.iterdir())))

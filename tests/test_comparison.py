@@ -12,10 +12,11 @@ import satviz as sv
 from satviz.cli import main
 from satviz.engine.number_format import plain
 from satviz.pictures import comparison, comparison_panels
-from satviz.pictures.labels import Board, Request
-from satviz.pictures.layout import Layout, text_box
+from satviz.pictures.label_placer import LabelPlacer, LabelRequest
+from satviz.pictures.layout import Layout
+from satviz.pictures.letters import text_size
 from satviz.pictures.marks import Picture
-from satviz.pictures.playback import NARROW_PANELS, narrow
+from satviz.pictures.playback import NARROW_PANEL_SIZES_PT, narrow_playbacks
 from satviz.scenes.failing import FAILURE_CASES, NAMED, REFUSED, SHORTCUTS, true_value
 from satviz.scenes.failing.circles_and_dents import halves
 from satviz.scenes.shape_tools import box, translated
@@ -49,7 +50,7 @@ def boxes(drawn: Picture) -> list[tuple[str, tuple[float, float, float, float]]]
     found = []
     x0, y0 = drawn.limits[:2]
     for mark in drawn.labels:
-        w, h = text_box(mark.text, mark.weight)
+        w, h = text_size(mark.text, mark.weight)
         x, y = ((c - o) * drawn.scale for c, o in zip(mark.points[0], (x0, y0)))
         found.append((mark.text, (x - w / 2, y - h / 2, x + w / 2, y + h / 2)))
     return found
@@ -358,8 +359,8 @@ def pushes_on(size, count, text="push (-1234567890123, 9876543210987)"):
     """A picture of labels alone, all of which must be said, asked for round the middle of a canvas of that size."""
     layout = Layout((0.0, 0.0, *size), size)
     spots = [sv.Vec(size[0] * (0.4 + 0.02 * i), size[1] / 2) for i in range(count)]
-    requests = [Request("push", text, "move", spot, number=i) for i, spot in enumerate(spots)]
-    return Picture(tuple(Board(layout).labels(requests)), layout.limits, size, "", "")
+    requests = [LabelRequest("push", text, "move", spot, number=i) for i, spot in enumerate(spots)]
+    return Picture(tuple(LabelPlacer(layout).labels(requests)), layout.limits, size, "", "")
 
 
 @pytest.mark.parametrize("size, count", [((200.0, 80.0), 1), ((120.0, 160.0), 2), ((150.0, 200.0), 3)])
@@ -388,14 +389,14 @@ def test_panels_of_their_own_hold_their_words_for_shapes_of_any_number_of_corner
     a, b = round_polygon(corners[0], 0, 0, 2), round_polygon(corners[1], 1.3, 1, 1.5)
     for move in (0, 0), (5, 1):
         trace = sv.record(a, translated(b, sv.Vec(*move)), axes=SHORTCUTS[name])
-        for drawn in sv.picture(trace), sv.picture(trace, largest=NARROW_PANELS[0]):
+        for drawn in sv.picture(trace), sv.picture(trace, largest=NARROW_PANEL_SIZES_PT[0]):
             assert no_overlap(drawn) and drawn.size[0] < 1000
 
 
 @pytest.mark.parametrize("case", one_in(4, SHOWN), ids=lambda case: case.name)
 def test_on_a_telephone_the_panels_stand_one_above_the_other_with_letters_as_large(case):
     trace = case.record()
-    shows = narrow(trace)
+    shows = narrow_playbacks(trace)
     assert shows and shows[0]["size"][0] <= 350
     for step in 0, len(sv.steps(trace)) // 2, -1:
         drawn = sv.picture(trace, step, largest=(350, 700))

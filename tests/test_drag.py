@@ -4,7 +4,7 @@ Bounds that a busy machine keeps; tests/benchmarks/drag.py prints the figures.
 """
 
 import pytest
-from benchmarks.drag import dragged, kernel, kernel_bytes, opened
+from benchmarks.drag import drag_b, kernel_bytes, open_explorer, run_in_kernel
 from browser import jupyterlab
 
 pytestmark = pytest.mark.slow
@@ -23,15 +23,15 @@ KEYS = """async () => {
 @pytest.fixture(scope="module")
 def page(browser, tmp_path_factory):
     with jupyterlab(tmp_path_factory.mktemp("drag")) as lab:
-        found = opened(browser, lab)
+        found = open_explorer(browser, lab)
         yield found
         found.close()
 
 
 def test_a_drag_is_followed_at_once_and_answered_soon(page):
-    dragged(page)  # what is made once
+    drag_b(page)  # what is made once
     before = kernel_bytes(page)
-    drag = dragged(page, moves=500)
+    drag = drag_b(page, moves=500)
     assert drag.followed == drag.moves
     assert drag.rate >= 5 and drag.age(0.5) < 500
     assert drag.switches < len(drag.ages) / 10  # the kernel is shown as busy until the drag ends,
@@ -42,7 +42,7 @@ def test_a_drag_is_followed_at_once_and_answered_soon(page):
 def test_keys_pressed_faster_than_python_answers_all_count(page):
     page.evaluate(KEYS)
     for _ in range(100):
-        moved = float(kernel(page, "print(sv.scene('triangles').b.vertices[0].x - w.scene.b.vertices[0].x)"))
+        moved = float(run_in_kernel(page, "print(sv.scene('triangles').b.vertices[0].x - w.scene.b.vertices[0].x)"))
         if moved == pytest.approx(1):
             break
         page.wait_for_timeout(50)

@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 from refresh_widths import FACES, TABLES, table, widths
 
 from satviz.pictures import letters, theme
-from satviz.pictures.layout import text_box
+from satviz.pictures.letters import text_size
 from satviz.render.files import styled
 
 WORDS = ["A", "B", "overlapping", "this axis shows no gap", "B [-0.832, 4.715]", "gap +1.213", "Ångström ≤ 45°, Ω → ∞"]
@@ -24,7 +24,7 @@ def test_every_letter_is_as_wide_as_in_the_font_and_a_missing_one_a_full_square(
     known = widths(face)
     bold = face.endswith("Bold")
     for code in range(0x20000):
-        assert letters.width(chr(code), bold=bold) == known.get(code, 2048) / 2048, hex(code)
+        assert letters.text_width(chr(code), bold=bold) == known.get(code, 2048) / 2048, hex(code)
 
 
 def test_the_tables_stay_small():
@@ -37,7 +37,7 @@ def test_a_label_takes_the_room_that_the_pen_fills(words, weight):
     with styled():
         figure = Figure(figsize=(6, 1), dpi=720)  # fine enough that no letter snaps to the dots
         FigureCanvasAgg(figure)
-        look = theme.look("label", "ink", weight)
+        look = theme.style_of("label", "ink", weight)
         text = figure.text(0, 0, words, size=look.size, weight="bold" if look.bold else "normal")
         drawn = text.get_window_extent().width / 10
-    assert text_box(words, weight)[0] == pytest.approx(drawn, rel=0.03, abs=1.0)
+    assert text_size(words, weight)[0] == pytest.approx(drawn, rel=0.03, abs=1.0)

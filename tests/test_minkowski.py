@@ -1,4 +1,4 @@
-"""B - A against the origin: one picture that says what the pair of pictures says."""
+"""The Minkowski difference B - A against the origin shows the same relation as the shapes themselves."""
 
 from random import Random
 
@@ -11,8 +11,8 @@ from satviz.scenes.shape_tools import box
 TRIANGLE = sv.Polygon([(3, 1), (6, 0), (5, 3)])
 
 
-def corner_angles(ring, p):
-    """Is the point inside (1), on the rim (0) or outside (-1) a convex counter-clockwise ring?"""
+def side_of_rim(ring, p):
+    """Return 1 for a point inside a convex counter-clockwise ring, 0 on its rim, -1 outside."""
     sides = [(q.x - r.x) * (p.y - r.y) - (q.y - r.y) * (p.x - r.x) for r, q in zip(ring, (*ring[1:], ring[0]))]
     return (min(sides) > 1e-12) - (min(sides) < -1e-12)
 
@@ -25,16 +25,16 @@ def corner_angles(ring, p):
 def test_the_origin_lies_in_b_minus_a_as_the_shapes_lie_to_each_other(b, where):
     trace = sv.record(box(0, 0, 4, 2), b)
     drawn = sv.difference(trace)
-    assert corner_angles(drawn.mark("difference.0").points, sv.Vec(0, 0)) == where
+    assert side_of_rim(drawn.mark("difference.0").points, sv.Vec(0, 0)) == where
     assert drawn.mark("verdict").text == str(trace.relation)
     assert ["outside", "on the rim of", "inside"][where + 1] in drawn.sentence
 
 
-def test_the_way_out_is_the_way_from_the_rim_to_the_origin():
+def test_the_mtv_leads_from_the_rim_to_the_origin():
     trace = sv.record(box(0, 0, 4, 2), TRIANGLE)
     tail, tip = sv.difference(trace).mark("mtv").points
     assert tip == (0, 0) and (-tail.x, -tail.y) == trace.mtv
-    assert corner_angles(sv.difference(trace).mark("difference.0").points, tail) == 0
+    assert side_of_rim(sv.difference(trace).mark("difference.0").points, tail) == 0
 
 
 def test_the_gap_is_how_far_the_origin_is_from_the_side_along_the_separating_axis():
@@ -42,9 +42,7 @@ def test_the_gap_is_how_far_the_origin_is_from_the_side_along_the_separating_axi
     drawn = sv.difference(trace)
     origin, foot = drawn.mark("gap").points
     assert origin == (0, 0) and (foot.x**2 + foot.y**2) ** 0.5 == pytest.approx(max(t.gap for t in trace.tests))
-    assert (
-        corner_angles(drawn.mark("difference.0").points, sv.Vec(foot.x * 1.02, foot.y * 1.02)) == 1
-    )  # a rounded corner
+    assert side_of_rim(drawn.mark("difference.0").points, sv.Vec(foot.x * 1.02, foot.y * 1.02)) == 1  # a rounded corner
     assert "nearest vertex a3" in drawn.sentence
 
 
@@ -66,11 +64,11 @@ def test_one_shape_has_no_difference():
 def test_the_explorer_shows_it_beside_the_pair_when_asked():
     from satviz.widgets.explorer_model import ExplorerModel
 
-    hand = ExplorerModel(sv.scene("triangles"))
-    state = hand.state()
+    explorer = ExplorerModel(sv.scene("triangles"))
+    state = explorer.state()
     assert "difference" not in state
     pose = {"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "against": True}
-    assert hand.answer(pose)["difference"]["sentence"].startswith("The origin lies outside B \u2212 A")
+    assert explorer.answer(pose)["difference"]["sentence"].startswith("The origin lies outside B \u2212 A")
 
 
 @pytest.mark.parametrize("seed", range(12))

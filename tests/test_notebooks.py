@@ -130,7 +130,7 @@ def test_a_chapter_is_committed_executed_small_and_bare(chapter):
     assert ids == [f"ch{chapter[0]}-{i:02d}" for i in range(1, len(ids) + 1)]
 
 
-STATELESS = "--ExecutePreprocessor.store_widget_state=False"  # as README says
+STATELESS = "--ExecutePreprocessor.store_widget_state=False"  # as the guide says
 
 
 @pytest.mark.parametrize("route", ["run for the page", "saved"])
@@ -159,7 +159,7 @@ def test_in_an_exported_page_a_widget_is_its_picture(browser, tmp_path, route):
     shown = page.locator(".jp-OutputArea-output img").all()
     assert [image.get_attribute("alt") for image in shown] == [said] * len(calls)
     assert all(image.evaluate("image => image.naturalWidth > 100 && image.offsetHeight > 100") for image in shown)
-    assert STATELESS in (FOLDER.parent / "README.md").read_text(encoding="utf-8")
+    assert STATELESS in (FOLDER.parent / "satviz" / "guides" / "notebook.md").read_text(encoding="utf-8")
     context.close()
 
 

@@ -9,6 +9,7 @@ import pytest
 import satviz as sv
 from satviz.pictures import playback as module
 from satviz.pictures.playback import playback, playbacks
+from satviz.render import script as script_module
 from satviz.render.script import javascript
 from satviz.scenes.article import SCENES
 
@@ -37,10 +38,15 @@ def test_a_page_loads_nothing_from_elsewhere(scene):
 
 
 @pytest.mark.parametrize("name", ["explore", "play", "arrows", "../../site/browser/site"])
-def test_a_script_is_one_module_without_comments_in_which_each_name_is_declared_once(name):
+def test_a_script_is_one_module_without_comments_in_which_each_name_is_declared_once(name, monkeypatch):
     script = javascript(name)
-    assert not re.search(r"^import |^export (?!default)|/\*\*|^ *//", script, re.MULTILINE)
-    names = re.findall(r"^(?:async )?(?:class|const|function|let) (\w+)", script, re.MULTILINE)
+    assert not re.search(r"^import |^export (?!default)|/\*\*|^ *//|^ ", script, re.MULTILINE)
+    assert not any(line.count("`") % 2 for line in script.splitlines())  # a string of two lines would lose its indent
+    monkeypatch.setattr(
+        script_module, "_INDENT", re.compile("(?!)")
+    )  # what is indented is not declared at the top level
+    indented = javascript.__wrapped__(name)
+    names = re.findall(r"^(?:async )?(?:class|const|function|let) (\w+)", indented, re.MULTILINE)
     assert len(names) > 1 and len(set(names)) == len(names)
 
 
@@ -144,8 +150,8 @@ def test_the_algorithm_for_concave_shapes_goes_through_the_pairs_of_their_parts(
 
 
 def test_too_many_steps_are_thinned_then_refused(monkeypatch):
-    monkeypatch.setattr(module, "MOST_STEPS", 10)
+    monkeypatch.setattr(module, "MAX_STEPS", 10)
     assert [s["stage"] for s in playback(TRIANGLES)["steps"]] == ["scene", "gap", "gap", "verdict"]
-    monkeypatch.setattr(module, "MOST_STEPS", 3)
+    monkeypatch.setattr(module, "MAX_STEPS", 3)
     with pytest.raises(ValueError, match="too many"):
         playback(TRIANGLES)

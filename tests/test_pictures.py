@@ -15,14 +15,15 @@ from hypothesis import strategies as st
 import satviz as sv
 from satviz.engine import axes, describe
 from satviz.pictures import LIGHT, THEMES, Mark, Stage, Step
-from satviz.pictures.curve import direction
+from satviz.pictures.curve import unit_vector
+from satviz.pictures.drag import KNOB_RADIUS_PT, decisive_test, drag_layout, drag_picture, free_axis_picture
 from satviz.pictures.figures import FIGURES
-from satviz.pictures.labels import RIM, clipped
-from satviz.pictures.layout import text_box
-from satviz.pictures.live import KNOB, field, live, telling_test, turned_axis
-from satviz.pictures.playback import first_rows, rows
-from satviz.pictures.theme import CHART_ROLES, DOT, PICTURE_ROLES
-from satviz.pictures.views import split
+from satviz.pictures.float_geometry import clip_segment
+from satviz.pictures.label_placer import RIM_PT
+from satviz.pictures.letters import text_size
+from satviz.pictures.playback import first_row_numbers, table_rows
+from satviz.pictures.theme import CHART_ROLES, DOT_PT, PICTURE_ROLES
+from satviz.pictures.views import convex_parts
 from satviz.scenes.article import SCENES
 from satviz.scenes.named import names, refused_case, scene
 from satviz.scenes.shape_tools import box
@@ -46,8 +47,11 @@ def every_picture():
         for i in range(len(sv.steps(trace))):
             yield f"{name} {i}", partial(sv.picture, trace, i)
         if trace.pairs:
-            yield f"{name} split", partial(split, trace)
-        yield f"{name} live", lambda trace=trace: live(trace, field(trace), telling_test(trace), way_out=True)[0]
+            yield f"{name} convex parts", partial(convex_parts, trace)
+        yield (
+            f"{name} drag",
+            lambda trace=trace: drag_picture(trace, drag_layout(trace), decisive_test(trace), show_mtv=True)[0],
+        )
         yield f"{name} curve", partial(sv.gap_curve, trace.a, trace.b, 30)
     for figure in FIGURES:
         yield figure.stem, figure.picture
@@ -66,7 +70,7 @@ def boxes(picture):
     x0, y0 = picture.limits[:2]
     for mark in picture.marks:
         if mark.kind == "label":
-            w, h = text_box(mark.text, mark.weight)
+            w, h = text_size(mark.text, mark.weight)
             x, y = ((c - o) * picture.scale for c, o in zip(mark.points[0], (x0, y0)))
             yield mark, (x - w / 2, y - h / 2, x + w / 2, y + h / 2)
 
@@ -94,7 +98,9 @@ def test_no_label_runs_over_another_or_off_the_canvas(name):
         assert not meet(p, q), (one.text, other.text)
     width, height = picture.size
     for mark, (left, low, right, high) in placed:
-        assert left >= RIM - 1 and low >= RIM - 1 and right <= width - RIM + 1 and high <= height - RIM + 1, mark
+        assert (
+            left >= RIM_PT - 1 and low >= RIM_PT - 1 and right <= width - RIM_PT + 1 and high <= height - RIM_PT + 1
+        ), mark
 
 
 @pytest.mark.parametrize("name", [figure.stem for figure in FIGURES])
@@ -102,11 +108,11 @@ def test_no_label_of_a_figure_covers_an_edge_or_a_dot(name):
     picture = pictured(name)
     for label, rect in boxes(picture):
         for mark, p, q in strokes(picture):
-            assert clipped(*p, *q, *rect) is None, (label.text, mark.id)
+            assert clip_segment(*p, *q, *rect) is None, (label.text, mark.id)
         for mark in picture.marks:
             if mark.kind == "dot":
                 x, y = ((c - o) * picture.scale for c, o in zip(mark.points[0], picture.limits))
-                r = DOT / 2
+                r = DOT_PT / 2
                 assert not meet(rect, (x - r, y - r, x + r, y + r)), (label.text, mark.id)
 
 
@@ -180,8 +186,8 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
         for i, test in enumerate(run.tests):
             picture = sv.picture(trace, Step(Stage.GAP, i, pair))
             n = test.axis.direction
-            told = describe.digits(run, test)
-            for side, who, text in zip((test.a, test.b), run.names, told.ranges(test), strict=True):
+            digits = describe.digits(run, test)
+            for side, who, text in zip((test.a, test.b), run.names, digits.ranges(test), strict=True):
                 mark = picture.mark(f"{who}.range.{i + 1}")
                 along = [p.x * n.x + p.y * n.y for p in mark.points]
                 assert along == pytest.approx(list(side.interval), abs=1e-9)
@@ -193,7 +199,7 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
             assert max(along) - min(along) == pytest.approx(abs(shared), abs=1e-9)
             assert test.gap <= 0 or -shared == pytest.approx(test.gap)
             assert gap.role == ("overlap" if test.gap < 0 else "gap")
-            assert picture.mark(f"gap-name.{i + 1}").text == describe.shared(test, told)
+            assert picture.mark(f"gap-name.{i + 1}").text == describe.shared(test, digits)
             assert picture.sentence == describe.test(run, i)
 
 
@@ -248,7 +254,7 @@ def same_way(one, other):
 def test_an_axis_has_one_direction_in_table_sentence_and_arrow_and_its_normal_that_or_the_other(name):
     """A normal is drawn out of its shape; where the axis points the other way, the sentence says both."""
     trace = scene(name).record().without_early_exit()
-    table, begins = rows(trace), first_rows(trace)
+    table, begins = table_rows(trace), first_row_numbers(trace)
     for step in sv.steps(trace):
         if step.test is None:
             continue
@@ -256,9 +262,9 @@ def test_an_axis_has_one_direction_in_table_sentence_and_arrow_and_its_normal_th
         if not any(test.axis.normal):
             continue  # two vertices in one place
         picture = sv.picture(trace, step)
-        told = table[begins[step.pair or 0] + step.test]["direction"]
+        listed = table[begins[step.pair or 0] + step.test]["direction"]
         marks = {mark.part.removeprefix("claimed-"): mark for mark in picture.marks}
-        ways, normals = [vectors(told)[0]], []
+        ways, normals = [vectors(listed)[0]], []
         for key, some in ("axis", ways), ("normal", normals):
             if key in marks:
                 p, q = marks[key].points
@@ -268,7 +274,7 @@ def test_an_axis_has_one_direction_in_table_sentence_and_arrow_and_its_normal_th
         if test.source.kind not in axes.FROM_EDGES and "edge-name" in marks:
             ways += vectors(marks["edge-name"].text)
         if step.stage is Stage.AXIS:
-            assert picture.sentence.endswith(f"direction {told}.")
+            assert picture.sentence.endswith(f"direction {listed}.")
         if step.stage is Stage.NORMAL and test.source.kind in axes.FROM_EDGES:
             _, normal, *direction = vectors(picture.sentence)
             assert label is None or vectors(label.text) == [normal]
@@ -428,7 +434,7 @@ def test_every_meaning_has_a_colour_of_its_own_for_every_eye(theme, roles, eye):
         assert math.dist(lab(theme.roles[one], eye), lab(theme.roles[other], eye)) > 9, (one, other)
 
 
-def test_gap_way_out_and_wrong_are_not_told_by_one_colour():
+def test_gap_mtv_and_wrong_have_different_colours():
     picture = sv.picture(TRACES["overlap"])
     assert picture.mark("mtv").role == "move"
     wrong = sv.picture(TRACES["aabb-rotated"]).mark("verdict")
@@ -486,7 +492,7 @@ def test_any_scene_is_drawn_at_every_step_with_its_labels_apart(a, b):
             assert inside, (a, b, i, mark)
 
 
-def test_where_one_range_holds_the_other_overlap_and_way_out_are_told_apart():
+def test_where_one_range_holds_the_other_the_overlap_and_the_depth_are_both_said():
     trace = sv.record(box(0, 0, 10, 1), box(4, 0, 5, 1))
     assert "overlap 1, way out 5" in describe.test(trace, 1)
     picture = sv.picture(trace, Step(Stage.GAP, 1))
@@ -531,11 +537,11 @@ def test_a_corners_name_stands_on_its_side_of_the_separating_line():
 @pytest.mark.parametrize("degree", range(0, 360, 30))
 def test_no_label_lies_under_the_knob_of_a_free_axis(degree):
     scene = sv.scene("triangles")
-    trace = sv.record(scene.a, scene.b, axes=axes.directions(direction(degree)))
-    drawn, _ = turned_axis(trace, field(trace), degree)
+    trace = sv.record(scene.a, scene.b, axes=axes.directions(unit_vector(degree)))
+    drawn, _ = free_axis_picture(trace, drag_layout(trace), degree)
     knob = drawn.mark("knob").points[0]
     x, y = (knob.x - drawn.limits[0]) * drawn.scale, (knob.y - drawn.limits[1]) * drawn.scale
-    grip = x - KNOB, y - KNOB, x + KNOB, y + KNOB
+    grip = x - KNOB_RADIUS_PT, y - KNOB_RADIUS_PT, x + KNOB_RADIUS_PT, y + KNOB_RADIUS_PT
     assert not [mark.text for mark, box in boxes(drawn) if meet(grip, box)]
 
 

@@ -1,62 +1,73 @@
-"""The README's code, commands and scene file do what it says."""
+"""The code, the commands, the links and the scene file of the README and of the guides do what the text says."""
 
-import contextlib
-import io
 import json
 import re
 import shlex
-from pathlib import Path
+from itertools import chain
 
 import pytest
+from refresh_guides import GUIDES, ROOT, documents, refreshed
 
 import satviz as sv
 from satviz.cli import main
-from satviz.pictures.theme import TEXT as TEXT_SIZE
+from satviz.pictures.theme import TEXT_PT as TEXT_SIZE
 from satviz.study import bench
 from satviz.study.bench import plan_bench
 
-ROOT = Path(__file__).parent.parent
-TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
+DOCUMENTS = documents()
+README = DOCUMENTS["README.md"]
+NOTEBOOK_GUIDE = DOCUMENTS["satviz/guides/notebook.md"]
+MAX_README_WORDS = 900
 
 
-def blocks(language):
-    return re.findall(rf"^```{language}\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)
+def blocks(language, text):
+    return re.findall(rf"^```{language}\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+
+
+def test_the_readme_is_short():
+    assert len(README.split()) <= MAX_README_WORDS
 
 
 def test_the_first_picture_keeps_its_text_at_10_points():
-    name, width = re.search(r'<img src="(\S+)" width="(\d+)"', TEXT).groups()
+    name, width = re.search(r'<img src="(\S+)" width="(\d+)"', README).groups()
     points = float(re.search(r'width="([\d.]+)pt"', (ROOT / name).read_text(encoding="utf-8"))[1])
     assert TEXT_SIZE * (int(width) * 72 / 96) / points >= 10
 
 
-def test_the_code_prints_what_stands_below_it(tmp_path, monkeypatch):
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_the_code_prints_what_stands_below_it(name, tmp_path, monkeypatch):
+    """If it does not: python tests/refresh_guides.py writes what it prints now."""
     monkeypatch.chdir(tmp_path)
-    first, *_ = blocks("python")
-    assert len([line for line in first.splitlines() if line]) <= 8
-    for code, output in zip(blocks("python"), blocks("text"), strict=True):
-        out = io.StringIO()
-        with contextlib.redirect_stdout(out):
-            exec(compile(code, "README.md", "exec"), {})
-        assert out.getvalue() == output
+    assert refreshed(DOCUMENTS[name], name) == DOCUMENTS[name]
+
+
+def test_the_readmes_example_is_short_and_draws_its_picture(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (code,) = blocks("python", README)
+    assert len([line for line in code.splitlines() if line]) <= 8
+    refreshed(README, "README.md")
     assert (tmp_path / "verdict.png").stat().st_size > 1000
 
 
+SCENE_FILE = blocks("json", DOCUMENTS["satviz/guides/scene-files.md"])[0]
+
+
 def test_the_scene_file_loads():
-    (data,) = blocks("json")
-    scene = sv.Scene.from_json(data)
-    assert scene.name == "kite-and-coin" and json.loads(scene.to_json()) == json.loads(data)
+    scene = sv.Scene.from_json(SCENE_FILE)
+    assert scene.name == "kite-and-coin" and json.loads(scene.to_json()) == json.loads(SCENE_FILE)
 
 
-COMMANDS = [line for block in blocks("sh") for line in block.splitlines() if "pip" not in line]
-LONG = "satviz study", "satviz bench", "satviz site", "satviz advise", "satviz figures --"
+LINES = chain.from_iterable(block.splitlines() for text in DOCUMENTS.values() for block in blocks("sh", text))
+COMMANDS = [line for line in dict.fromkeys(LINES) if line.startswith("satviz ")]
+SLOW = "satviz study", "satviz bench", "satviz site", "satviz advise", "satviz figures --"
 
 
 @pytest.mark.parametrize(
-    "line", [pytest.param(c, marks=pytest.mark.slow) if c.startswith(LONG) else c for c in COMMANDS], ids=COMMANDS
+    "line", [pytest.param(c, marks=pytest.mark.slow) if c.startswith(SLOW) else c for c in COMMANDS], ids=COMMANDS
 )
 def test_every_command_runs(line, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "my-scene.json").write_text(blocks("json")[0], encoding="utf-8")
+    (tmp_path / "my-scene.json").write_text(SCENE_FILE, encoding="utf-8")
     # at its own size, a quick bench would take as long as all other commands together: with a tenth of the pairs
     monkeypatch.setattr(bench, "plan_bench", lambda pairs, rounds, seed: plan_bench(pairs // 10, 1, seed))
     program, *args = shlex.split(line)
@@ -64,19 +75,39 @@ def test_every_command_runs(line, tmp_path, monkeypatch, capsys):
     assert capsys.readouterr().out
 
 
-def test_pictures_shown_are_there():
-    for name in re.findall(r'(?:src|srcset)="([^"]+)"', TEXT):
-        assert (ROOT / name).is_file(), name
+def test_every_command_has_a_row_in_the_guide(capsys):
+    with pytest.raises(SystemExit):
+        main(["--help"])
+    commands = set(re.findall(r"^    (\w+)(?: |$)", capsys.readouterr().out, re.MULTILINE))
+    rows = re.findall(r"^\| `satviz (\w+)", DOCUMENTS["satviz/guides/command-line.md"], re.MULTILINE)
+    assert set(rows) == commands and "trace" in commands
 
 
-TAKEN = sorted({*re.findall(r"^\| `sv\.(\w+)\(", TEXT, re.MULTILINE), "page"})
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_every_link_and_picture_of_a_document_is_there(name):
+    folder, text = (ROOT / name).parent, DOCUMENTS[name]
+    for target in re.findall(r'(?:src|srcset)="([^"]+)"', text) + re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", text):
+        assert (folder / target).is_file(), target
 
 
-@pytest.mark.parametrize("name", TAKEN)
+def test_the_readme_and_the_index_list_every_guide():
+    names = {path.name for path in GUIDES.glob("*.md")} - {"README.md"}
+    assert set(re.findall(r"\]\(satviz/guides/([\w-]+\.md)\)", README)) == names
+    assert (
+        set(re.findall(r"^- \[[^\]]*\]\(([\w-]+\.md)\)", DOCUMENTS["satviz/guides/README.md"], re.MULTILINE)) == names
+    )
+
+
+FUNCTIONS = sorted({*re.findall(r"^\| `sv\.(\w+)\(", NOTEBOOK_GUIDE, re.MULTILINE), "page"})
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
 def test_what_the_notebooks_table_names_takes_what_is_said_below_it(name):
-    """A name, a Scene, two shapes and (but explore) a trace; and nothing in silence."""
+    """A name, a Scene, two shapes and (except explore) a trace; anything else is refused."""
     pytest.importorskip("anywidget")
-    assert "All of these take a built-in scene's name, a `Scene`, two shapes, or (but `explore`" in TEXT
+    assert "All of these take a built-in scene's name, a `Scene`, two shapes, or a trace. Only `sv.explore`" in (
+        NOTEBOOK_GUIDE
+    )
     function, scene = getattr(sv, name), sv.scene("circles")
     trace = scene.record()
     for what in ("circles",), (scene,), (scene.a, scene.b):

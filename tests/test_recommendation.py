@@ -1,4 +1,4 @@
-"""A recommendation is the least that can be proven, and the work for it is bounded."""
+"""A recommendation is the simplest model that can be proven, and the work for it is bounded."""
 
 import math
 import re
@@ -14,8 +14,9 @@ from test_advice import boxes_at
 import satviz as sv
 from satviz import batch
 from satviz.advice import advising, costs, limits, margins, rounding, timing
-from satviz.advice.certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
-from satviz.advice.models import answers, kept
+from satviz.advice.candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
+from satviz.advice.certified_bounds import certify
+from satviz.advice.models import evaluate, prepare
 from satviz.advice.pairs import paired
 from satviz.advice.rounding import FLOAT32, FLOAT64, FORMATS
 from satviz.advice.rounding_numpy import Errors
@@ -29,7 +30,7 @@ ROUND = {"float32": lambda v: Fraction(float(np.float32(float(v)))), "float64": 
 
 
 def coordinates(rng, count):
-    """Numbers on a common grid, near or far, of any size; and some that lie on no grid."""
+    """Numbers on a common grid, near or far, of any size; and some that are on no grid."""
     power = rng.choice((0, 0, 0, -500, -530, -545, 500, -60, -75, 60, -1070, 30))
     far = rng.choice((0, 0, 2.0**22, 2.0**27, 2.0**40, 1000)) * 2.0**power
     strange = (rng.uniform(-9, 9), 0.1 * rng.randint(-3, 3), 0.0, 2.0 ** rng.choice((10, 24, 52)))
@@ -151,9 +152,11 @@ def not_least(seed, count):
             continue
         seen += 1
         rounds_nothing = circles_round_nothing if a.radius else sat_rounds_nothing
-        for advice in (sv.advise(a, b), many_of(a, b)):
-            assert advice.model.sure(a, b) is oracle.relation(a, b)
-            smaller = [j.model.kind for j in advice.judged[: advice.judged.index(advice.best)]]
+        for recommendation in (sv.advise(a, b), many_of(a, b)):
+            assert certify(recommendation.model, a, b) is oracle.relation(a, b)
+            smaller = [
+                j.model.kind for j in recommendation.results[: recommendation.results.index(recommendation.best)]
+            ]
             found += [(kind, a, b) for kind in smaller if kind in FORMATS and rounds_nothing(a, b, kind)]
     return found
 
@@ -181,34 +184,36 @@ def test_small_touching_shapes_far_out_need_no_exact_filter(far, kind):
     triangles = [sv.Polygon([(x + far, y + far) for x, y in ring]) for ring in CORNER_ON_EDGE]
     coins = sv.Circle((far, far), 2), sv.Circle((far + 3, far + 4), 3)
     for a, b in (triangles, coins):
-        for advice in (sv.advise(a, b), many_of(a, b)):
-            assert advice.model.kind == kind and advice.facts.relations == (0, 1, 0), (a, b)
-            assert advice.check() and re.search("or there are none|rounds nothing", advice.reason)
+        for recommendation in (sv.advise(a, b), many_of(a, b)):
+            assert recommendation.model.kind == kind and recommendation.summary.relations == (0, 1, 0), (a, b)
+            assert recommendation.check() and re.search("or there are none|rounds nothing", recommendation.reason)
 
 
 def test_a_grid_far_out_says_how_long_its_edges_may_be():
     rings = np.array(CORNER_ON_EDGE, float) + 2.0**30
-    advice = sv.advise(batch.Polygons(rings))
-    assert (advice.scope.kind, advice.scope.unit) == ("on a grid", 0)
-    assert advice.scope.bound * advice.scope.span * 4 == 2.0**53
-    assert "and edges up to 1,048,576 wide and high" in str(advice) and advice.check()
-    rng, most, span = np.random.default_rng(5), int(advice.scope.bound), int(advice.scope.span)
+    recommendation = sv.advise(batch.Polygons(rings))
+    assert (recommendation.scope.kind, recommendation.scope.unit) == ("on a grid", 0)
+    assert recommendation.scope.bound * recommendation.scope.span * 4 == 2.0**53
+    assert "and edges up to 1,048,576 wide and high" in str(recommendation) and recommendation.check()
+    rng, most, span = np.random.default_rng(5), int(recommendation.scope.bound), int(recommendation.scope.span)
     for _ in range(200):
         at = rng.integers(-most + span, most - span, 2)
         try:
             a, b = (sv.Polygon((at + rng.integers(-span // 2, span // 2 + 1, (3, 2))).astype(float)) for _ in "ab")
         except sv.InvalidShape:
             continue
-        assert advice.model.sure(a, b) is oracle.relation(a, b)
+        assert certify(recommendation.model, a, b) is oracle.relation(a, b)
 
 
 def test_a_coin_that_rests_on_a_box_needs_the_boxes_only():
     box = sv.Polygon([(600, 600), (604, 600), (604, 602), (600, 602)])
-    for advice in (
+    for recommendation in (
         sv.advise(box, sv.Circle((602, 603), 1)),
         sv.advise(batch.Polygons([box]), batch.Circles([(602, 603)], 1)),
     ):
-        assert advice.model.kind == BOXES and advice.facts.relations == (0, 1, 0) and advice.check()
+        assert recommendation.model.kind == AABB
+        assert recommendation.summary.relations == (0, 1, 0)
+        assert recommendation.check()
 
 
 # -- whichever way an axis is projected
@@ -259,14 +264,14 @@ def resting(rng):
 
 
 @pytest.mark.parametrize(("kind", "dtype"), [("float32", np.float32), ("float64", np.float64)])
-def test_what_is_sure_of_circles_is_so_by_ranges_too(kind, dtype):
+def test_certified_relations_of_circles_are_found_by_ranges_too(kind, dtype):
     rng, sure_of, wrong = Random(7), 0, 0
     while sure_of < 150:
         try:
             a, b = resting(rng)
         except sv.InvalidShape:
             continue
-        said = Model(kind, 4).sure(a, b)
+        said = certify(Model(kind, 4), a, b)
         with np.errstate(all="ignore"):
             answers_by_ranges = {by_ranges(*pair, dtype, unit) for pair in ((a, b), (b, a)) for unit in (False, True)}
         if said is None:
@@ -281,16 +286,19 @@ def test_circles_whose_radius_is_only_rounded_are_not_relied_on_by_what_widens_i
     u = 2.0**-54
     a = sv.Polygon([(0, 0), (3, 0), (3, 4), (0, 4)])
     b = sv.Polygon([(-u, 0), (u / 2, -u), (u / 2, u)])
-    for advice in (sv.advise(a, b), many_of(a, b)):
-        assert next(j for j in advice.judged if j.model.kind == CIRCLES).unsure == 1 and advice.check()
+    for recommendation in (sv.advise(a, b), many_of(a, b)):
+        assert next(j for j in recommendation.results if j.model.kind == BOUNDING_CIRCLES).uncertain == 1
+        assert recommendation.check()
 
 
-def test_shapes_that_no_pair_has_are_not_said_to_lie_on_the_grid_of_the_pairs():
+def test_shapes_outside_all_pairs_do_not_count_for_the_grid():
     tall = np.array([(0, 0), (6, 2), (2, 6)], float)
     shapes = batch.Polygons(np.stack([tall, tall + 3, tall + 100.1]))
-    advice = sv.advise(shapes)
-    assert advice.facts.settled == 2 and advice.scope.kind != "on a grid" and "2 convex polygons" in str(advice)
-    assert "in these pairs" in str(advice) and advice.check()
+    recommendation = sv.advise(shapes)
+    assert recommendation.summary.settled == 2
+    assert recommendation.scope.kind != "on a grid"
+    assert "2 convex polygons" in str(recommendation)
+    assert "in these pairs" in str(recommendation) and recommendation.check()
 
 
 # -- whole pipelines
@@ -299,7 +307,7 @@ def test_shapes_that_no_pair_has_are_not_said_to_lie_on_the_grid_of_the_pairs():
 def all_by(model, shapes, pairs):
     with np.errstate(all="ignore"):
         many = paired(shapes, pairs[:, 0], shapes, pairs[:, 1])
-        return answers(model, many, kept(model, shapes), kept(model, shapes), engine="numpy")
+        return evaluate(model, many, prepare(model, shapes), prepare(model, shapes), engine="numpy")
 
 
 def crowds(seed):
@@ -318,43 +326,43 @@ def crowds(seed):
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_each_pipeline_is_judged_on_all_pairs_of_a_batch(seed):
+def test_each_pipeline_is_evaluated_on_all_pairs_of_a_batch(seed):
     for shapes in crowds(seed):
-        advice = sv.advise(shapes)
+        recommendation = sv.advise(shapes)
         pairs = np.array(list(combinations(range(len(shapes)), 2)))
         truth = batch.relate(shapes, shapes, pairs)
-        boxes_apart = all_by(next(j.model for j in advice.judged if j.model.kind == BOXES), shapes, pairs) == 0
-        for j in advice.judged:
+        boxes_apart = all_by(next(j.model for j in recommendation.results if j.model.kind == AABB), shapes, pairs) == 0
+        for j in recommendation.results:
             said = all_by(j.model, shapes, pairs)
             if j.model.after_boxes:
                 said = np.where(boxes_apart, 0, said)
             assert j.model.axes == (2 if j.model.after_boxes else 0) + j.model._replace(after_boxes=False).axes - (
                 2 if j.model.after_boxes else 0
             )
-            assert j.wrong <= (said != truth).sum() <= j.wrong + j.unsure, j
-        assert (truth == 0).sum() == advice.facts.relations[0] + advice.facts.settled
-        assert advice.check()
+            assert j.wrong <= (said != truth).sum() <= j.wrong + j.uncertain, j
+        assert (truth == 0).sum() == recommendation.summary.relations[0] + recommendation.summary.settled
+        assert recommendation.check()
 
 
-def test_circles_that_are_right_behind_the_boxes_only_are_not_said_to_be_right_alone():
+def test_circles_that_are_right_after_the_boxes_only_are_not_proven_alone():
     notched = np.array([[0, 0], [4, 0], [4, 4], [2, 1], [0, 4]], float)
     shapes = batch.Polygons(notched + np.random.default_rng(3).uniform(0, 250, (500, 1, 2)), concave="split")
-    advice = sv.advise(shapes)
+    recommendation = sv.advise(shapes)
     alone, after = (
-        next(j for j in advice.judged if j.model.kind == CIRCLES and j.model.after_boxes is way)
+        next(j for j in recommendation.results if j.model.kind == BOUNDING_CIRCLES and j.model.after_boxes is way)
         for way in (False, True)
     )
     assert not alone.proven and after.proven and (alone.model.axes, after.model.axes) == (1, 3)
-    assert advice.model.kind == BOXES
+    assert recommendation.model.kind == AABB
 
 
 def test_a_pipeline_says_what_runs_first_and_counts_its_axes():
     kite = np.array([(0, -1), (1, 0.2), (0, 1.1), (-1, 0.1)])
-    advice = sv.advise(batch.Polygons(kite + np.array([(0, 0), (1.3, 1.3), (9, 9)])[:, None]))
-    first, second = str(advice).splitlines()[:2]
-    assert advice.model.after_boxes and first.startswith(f"AABB, then {advice.model.test} (")
-    assert second == f"first    AABB (2 axes) finds 2 pairs apart; {advice.model.test} decides the other 1"
-    assert f"({advice.model.axes} axes): right for all 3 pairs" in first
+    recommendation = sv.advise(batch.Polygons(kite + np.array([(0, 0), (1.3, 1.3), (9, 9)])[:, None]))
+    first, second = str(recommendation).splitlines()[:2]
+    assert recommendation.model.after_boxes and first.startswith(f"AABB, then {recommendation.model.test} (")
+    assert second == f"first    AABB (2 axes) finds 2 pairs apart; {recommendation.model.test} decides the other 1"
+    assert f"({recommendation.model.axes} axes): right for all 3 pairs" in first
 
 
 # -- bounded work
@@ -362,7 +370,7 @@ def test_a_pipeline_says_what_runs_first_and_counts_its_axes():
 
 @pytest.mark.parametrize("make", [lambda n: batch.Circles(np.zeros((n, 2)), 1.0), lambda n: boxes_at(np.zeros((n, 2)))])
 def test_pairs_are_counted_before_they_are_listed(make, monkeypatch):
-    monkeypatch.setattr("satviz.advice.many.in_order", lambda blocks: pytest.fail("listed"))
+    monkeypatch.setattr("satviz.advice.advising_batches.in_order", lambda blocks: pytest.fail("listed"))
     with pytest.raises(sv.InvalidScene, match=r"more than 2,000,000 pairs of the bounding boxes of 2,100 shapes meet"):
         sv.advise(make(2100))
 
@@ -397,31 +405,31 @@ def test_two_shapes_of_many_parts_are_advised_on_as_two_of_few_are(monkeypatch):
             monkeypatch.setattr(advising, "TESTS_BY_FRACTIONS", most)
             found.append(sv.advise(*scene))
         by_arrays, by_fractions = found
-        assert by_arrays.judged == by_fractions.judged and by_arrays.scope == by_fractions.scope
-        assert by_arrays.facts._replace(gamma=0) == by_fractions.facts._replace(gamma=0)
+        assert by_arrays.results == by_fractions.results and by_arrays.scope == by_fractions.scope
+        assert by_arrays.summary._replace(relative_margin=0) == by_fractions.summary._replace(relative_margin=0)
 
 
 def test_to_prove_again_is_refused_beyond_its_limit():
-    advice = sv.advise(*stars(12))
-    tests = advice.case.tests
-    assert advice.check(most=tests)
+    recommendation = sv.advise(*stars(12))
+    tests = recommendation.case.tests
+    assert recommendation.check(most=tests)
     with pytest.raises(sv.InvalidScene, match=rf"check\(\) would make {tests:,} tests .* the limit is {tests - 1:,}; "):
-        advice.check(most=tests - 1)
+        recommendation.check(most=tests - 1)
 
 
 def test_to_show_a_recommendation_measures_nothing(monkeypatch):
     monkeypatch.setattr(costs, "costs", lambda *args, **kwargs: pytest.fail("measured"))
-    for advice in (sv.advise("triangles"), sv.advise(boxes_at([(0, 0), (0.5, 0.5)]))):
-        assert advice._repr_mimebundle_() == {"text/plain": str(advice)}
+    for recommendation in (sv.advise("triangles"), sv.advise(boxes_at([(0, 0), (0.5, 0.5)]))):
+        assert recommendation._repr_mimebundle_() == {"text/plain": str(recommendation)}
 
 
 def test_a_pair_of_many_parts_is_not_timed_and_the_command_says_so(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(costs, "TESTS_TIMED", 10)
     monkeypatch.setattr(costs.costs, "__kwdefaults__", {**costs.costs.__kwdefaults__, "tests": 10})
-    advice = sv.advise("triangles")
-    assert set(advice.prices().values()) == {None}
+    recommendation = sv.advise("triangles")
+    assert set(recommendation.prices().values()) == {None}
     with pytest.raises(ValueError, match="not timed"):
-        advice.chart()
+        recommendation.chart()
     from satviz.cli import main
 
     assert main(["advise", "triangles"]) == 0
@@ -443,13 +451,13 @@ def test_timing_stops_when_its_seconds_are_over(monkeypatch):
         return run
 
     jobs = {"quick": job("quick", 0.1), "slow": job("slow", 0.3), "last": job("last", 0.1)}
-    found = timing.in_turn(jobs, 100, dict.fromkeys(jobs, 1), lambda: clock[0], seconds=1.0)
+    found = timing.time_in_turn(jobs, 100, dict.fromkeys(jobs, 1), lambda: clock[0], seconds=1.0)
     assert found.keys() == {"quick", "last"} and ran["slow"] == 1
     assert clock[0] < 1.2 and ran["quick"] == ran["last"] > 1
 
 
-def test_pairs_within_a_rounding_of_touching_are_not_asked_one_by_one(monkeypatch):
-    monkeypatch.setattr(margins, "signed", lambda a, b: pytest.fail("asked"))
+def test_pairs_within_a_rounding_of_touching_are_not_decided_one_by_one(monkeypatch):
+    monkeypatch.setattr(margins, "signed_relative_margin", lambda a, b: pytest.fail("by fractions"))
     turn, rng = 0.3, np.random.default_rng(6)
     x, y = np.meshgrid(np.arange(12.0), np.arange(12.0))
     ring = np.stack([x.ravel(), y.ravel()], axis=1)[:, None] + np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
@@ -458,23 +466,23 @@ def test_pairs_within_a_rounding_of_touching_are_not_asked_one_by_one(monkeypatc
     tiles = np.stack([u * math.cos(turn) - v * math.sin(turn), u * math.sin(turn) + v * math.cos(turn)], axis=2)
     coins = batch.Circles(np.stack([x.ravel(), y.ravel()], axis=1), 0.5 + rng.integers(-1, 2, 144) * 2.0**-50)
     for shapes in (batch.Polygons(tiles), coins):
-        near = sv.advise(shapes).facts
-        assert near.relations[0] > 20 and near.gamma < 64
+        near = sv.advise(shapes).summary
+        assert near.relations[0] > 20 and near.relative_margin < 64
     assert limits.MAX_PAIRS_BY_FRACTIONS == 20_000
 
 
-@pytest.mark.parametrize("kind", [EXACT, DIRECTIONS])
+@pytest.mark.parametrize("kind", [EXACT_FILTER, K_DOP])
 def test_names_of_models_after_the_boxes_say_so(kind):
     model = (
         sv.advise("triangles")
-        .judged[0]
+        .results[0]
         .model._replace(kind=kind, directions=((1.0, 0.5),) * 3, axes=5, after_boxes=True)
     )
-    assert model.name == f"AABB, then {'filtered exact' if kind == EXACT else 'ranges on 3 directions'}"
+    assert model.name == f"AABB, then {'filtered exact' if kind == EXACT_FILTER else 'ranges on 3 directions'}"
 
 
 @pytest.mark.parametrize("power", [-1000, 990])
-def test_what_only_integers_can_tell_is_counted_before_it_is_worked_out(power, monkeypatch):
+def test_pairs_that_only_integers_can_decide_are_counted_first(power, monkeypatch):
     monkeypatch.setattr(limits, "MAX_PAIRS_BY_FRACTIONS", 3)
     monkeypatch.setattr(batch, "relate", lambda *args, **kwargs: pytest.fail("worked out"))
     tall = np.array([(0, 0), (6, 2), (2, 6)]) * 2.0**power

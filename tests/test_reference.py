@@ -11,7 +11,7 @@ from satviz.cli import main
 pytest.importorskip("pdoc", reason="the reference needs pdoc: python -m pip install '.[docs]'")
 
 from satviz.site.examples import EXAMPLES
-from satviz.site.reference import reference, run
+from satviz.site.reference import reference, run_example
 
 
 @pytest.fixture(scope="module")
@@ -40,7 +40,7 @@ def test_no_example_is_lost(pages):
 
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_an_example_gives_something(name):
-    text, _ = run(EXAMPLES[name])
+    text, _ = run_example(EXAMPLES[name])
     assert text.strip() and " at 0x" not in text
 
 
@@ -48,6 +48,13 @@ def test_the_pages_need_no_network(pages):
     for page in pages.values():
         assert not re.findall(r'(?:src|href)="(?:https?:)?//(?!pdoc\.dev")', page)
         assert not re.findall(r"url\(['\"]?(?:https?:)?//|@import", page)
+
+
+def test_a_page_of_a_site_links_back_to_the_site_and_a_page_by_itself_does_not(pages):
+    in_site = {name: data.decode() for name, data in reference(in_site=True)}
+    for name, way in ("satviz.html", "../"), ("satviz/batch.html", "../../"), ("satviz/engine/axes.html", "../../../"):
+        link = f'href="{way}index.html">Back to'
+        assert link in in_site[name] and link not in pages[name]
 
 
 def test_the_command_writes_it_over_its_own_and_over_nothing_else(tmp_path, capsys):

@@ -574,7 +574,7 @@ def test_the_float_filter_alone_is_never_wrong_about_what_it_decides(float_only,
 def test_a_polygon_filter_without_room_is_wrong(float_only, monkeypatch):
     """The pairs above do lie where roundings decide: with a room of half a rounding the filter errs."""
     monkeypatch.setattr(relate_module, "ERROR_FACTOR_F64", U / 8)  # times two spans and two reaches
-    monkeypatch.setattr(relate_module, "LEAST_ROOM", 0.0)
+    monkeypatch.setattr(relate_module, "MIN_ERROR_BOUND", 0.0)
     wrong = sum(float_only(a, b) not in (None, oracle.relation(a, b)) for a, b in at_the_bound(11, 1_000, 0))
     print(f"wrong without room: {wrong} of 1000")
     assert wrong > 3

@@ -28,7 +28,8 @@ import satviz as sv
 from satviz.pictures import DARK, LIGHT, Stage, Step, Theme, letters
 from satviz.pictures.figures import FIGURES
 from satviz.render import fonts
-from satviz.render.files import animate, encode
+from satviz.render.files import encode, encode_frames
+from satviz.render.formats import FORMATS, STILL_FORMATS
 from satviz.render.pen import Pen
 from satviz.safe_write import MADE_BY, check, write
 from satviz.scenes.shape_tools import box
@@ -111,13 +112,14 @@ def test_drawing_needs_no_pyplot_and_changes_no_setting():
     code = (
         "import sys, matplotlib as m; before = m.rcParams.copy()\n"
         "import satviz as sv; t = sv.scene('aabb').record(); sv.draw(t, 3)\n"
-        "from satviz.render.files import encode; [encode(sv.picture(t), f) for f in ('svg', 'png', 'pdf')]\n"
+        "from satviz.render.files import encode; from satviz.render.formats import STILL_FORMATS\n"
+        "for form in STILL_FORMATS: encode(sv.picture(t), form)\n"
         "assert 'matplotlib.pyplot' not in sys.modules and m.rcParams.copy() == before"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
 
 
-@pytest.mark.parametrize("form", ["svg", "png", "pdf"])
+@pytest.mark.parametrize("form", STILL_FORMATS)
 @pytest.mark.slow
 def test_files_are_the_same_bytes_in_another_process_with_another_hash_seed(form, tmp_path):
     code = (
@@ -143,7 +145,7 @@ def test_every_format_carries_its_words_and_its_maker():
     assert info["Title"] == "A gap <&> a line" and info["Description"] == picture.sentence
     pdf = encode(picture, "pdf")
     assert b"/Title (A gap <&> a line)" in pdf
-    for data in (svg.encode(), encode(picture, "png"), pdf, animate([picture])):
+    for data in (svg.encode(), encode(picture, "png"), pdf, encode_frames([picture], "gif")):
         assert MADE_BY.encode() in data
 
 
@@ -163,17 +165,17 @@ def labelled(label):
 def test_a_letter_that_no_font_here_has_is_warned_of_by_name(form, monkeypatch):
     monkeypatch.setattr(fonts, "fontManager", FontManager.__new__(FontManager))
     monkeypatch.setattr(fonts.fontManager, "ttflist", [], raising=False)
-    fonts._with.cache_clear()
+    fonts._family_with.cache_clear()
     with pytest.warns(UserWarning, match=f"no font here has 日, 本.*{form.upper()}"):
         encode(labelled("日本"), form)
-    fonts._with.cache_clear()
+    fonts._family_with.cache_clear()
 
 
 def test_a_letter_that_dejavu_lacks_comes_from_a_font_that_has_it():
     """Of those that matplotlib brings along, so that it is so everywhere."""
     there = FT2Font(findfont("STIXGeneral")).get_charmap()
-    rare = next(chr(c) for c in sorted(there) if letters.lacking(chr(c)) and fonts._with(chr(c)))
-    family = fonts._with(rare)
+    rare = next(chr(c) for c in sorted(there) if letters.missing_letters(chr(c)) and fonts._family_with(chr(c)))
+    family = fonts._family_with(rare)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert family.replace(" ", "").encode() in encode(labelled(rare), "pdf").replace(b"-", b"")
@@ -183,8 +185,8 @@ def test_a_letter_that_dejavu_lacks_comes_from_a_font_that_has_it():
 
 def test_a_gif_is_the_whole_run_and_the_same_each_time():
     pictures = [sv.picture(TRIANGLES, i) for i in (0, 3, 7, 15)]
-    data = animate(pictures)
-    assert data == animate(pictures)
+    data = encode_frames(pictures, "gif")
+    assert data == encode_frames(pictures, "gif")
     image = Image.open(io.BytesIO(data))
     assert image.n_frames == 4 and image.info["loop"] == 0
     assert pictures[-1].sentence.encode() in data
@@ -192,7 +194,7 @@ def test_a_gif_is_the_whole_run_and_the_same_each_time():
 
 def test_a_frame_lasts_as_long_as_its_words_take_to_read():
     pictures = [sv.picture(TRIANGLES, i) for i in (0, 7, 15)]
-    image = Image.open(io.BytesIO(animate(pictures)))
+    image = Image.open(io.BytesIO(encode_frames(pictures, "gif")))
     for i, picture in enumerate(pictures):
         image.seek(i)
         # twenty letters a second is quick
@@ -212,11 +214,9 @@ def test_a_file_somebody_else_made_is_left_alone(tmp_path):
     write(path, ours, force=True)
     write(path, ours)
     assert path.read_bytes() == ours
-    for form in ("png", "pdf"):
-        write(tmp_path / f"a.{form}", encode(sv.picture(TRIANGLES, 0), form))
+    for form in FORMATS:
+        write(tmp_path / f"a.{form}", encode(sv.picture(TRIANGLES, 0), form), force=form == "svg")
         check(tmp_path / f"a.{form}")
-    write(tmp_path / "a.gif", animate([sv.picture(TRIANGLES, 0)]))
-    check(tmp_path / "a.gif")
     with pytest.raises(FileExistsError):
         check(tmp_path)
 
@@ -258,7 +258,7 @@ def test_nothing_is_written_through_a_link(tmp_path, there):
     assert (target.read_bytes() if target.exists() else None) == before
 
 
-@pytest.mark.parametrize("end", ["svg", "png", "pdf", "gif", "html", "csv", "json", "md", "txt"])
+@pytest.mark.parametrize("end", [*FORMATS, "html", "csv", "json", "md", "txt"])
 def test_a_file_that_only_speaks_of_satviz_is_somebody_elses(tmp_path, end):
     path = tmp_path / f"notes.{end}"
     path.write_text("my notes on files made by satviz, and more\n")

@@ -11,7 +11,7 @@ from test_pictures import boxes, meet
 
 import satviz as sv
 from satviz.engine import describe
-from satviz.pictures.insets import SMALLEST
+from satviz.pictures.insets import MIN_SHAPE_PT
 
 SEEN = 5.0  # points
 
@@ -95,15 +95,15 @@ def hold(trace, rng):
             assert max(reach) >= SEEN, (i, name)
     for run in trace.pairs or (trace,):
         for t in run.tests:
-            told = describe.digits(run, t)
-            gap = value(told.signed(t.gap).lstrip("+"))
-            assert sign(printed_gap(told.ranges(t))) == sign(t.gap) == sign(gap), (told.ranges(t), t.gap)
+            digits = describe.digits(run, t)
+            gap = value(digits.signed(t.gap).lstrip("+"))
+            assert sign(printed_gap(digits.ranges(t))) == sign(t.gap) == sign(gap), (digits.ranges(t), t.gap)
 
 
 def seen(mark, scale):
     """How large a mark of a shape is, in points."""
     if mark.kind == "dot":
-        return mark.look.size
+        return mark.style.size
     if mark.kind not in ("outline", "disc"):
         return 0.0
     return max(math.dist(p, q) for p in mark.points for q in mark.points) * scale + 2 * mark.radius * scale
@@ -129,7 +129,7 @@ def test_what_is_too_small_is_a_speck_and_larger_beside_the_picture():
     picture = sv.picture(sv.record(sv.Polygon([(-1, -1), (0.9, 0), (-1, 1)]), tiny))
     assert picture.mark("B.speck").kind == "dot" and "B, ×5,000" in picture.texts
     shown = [p for m in picture.marks if m.part == "inset-edge" and m.owner == "B" for p in m.points]
-    assert SMALLEST < max(math.dist(p, q) for p in shown for q in shown) * picture.scale < 100
+    assert MIN_SHAPE_PT < max(math.dist(p, q) for p in shown for q in shown) * picture.scale < 100
 
 
 def test_a_gap_finer_than_the_pen_is_shown_larger():

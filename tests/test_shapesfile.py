@@ -54,7 +54,7 @@ def of_another_kind(array):
 def test_an_array_of_the_wrong_kind_is_named_as_the_file_names_it(name, saved, monkeypatch):
     """Before any is unpacked."""
     assert len(load(saved(**WHOLE))[0]) == 5
-    monkeypatch.setattr(shapesfile, "_unpacked", lambda *_: pytest.fail("unpacked"))
+    monkeypatch.setattr(shapesfile, "_array", lambda *_: pytest.fail("unpacked"))
     for wrong in of_another_kind(WHOLE[name]):
         path = saved(**WHOLE | {name: wrong})
         with pytest.raises(sv.InvalidScene) as error:
@@ -81,7 +81,7 @@ BAD_NUMBERS = [
 
 
 @pytest.mark.parametrize(("name", "array", "says"), BAD_NUMBERS, ids=range(len(BAD_NUMBERS)))
-def test_a_number_at_fault_is_told_of_the_array_of_the_file(name, array, says, saved, capsys):
+def test_an_invalid_number_is_named_by_the_array_of_the_file(name, array, says, saved, capsys):
     path = saved(**WHOLE | {name: array})
     assert main(["advise", str(path)]) == 2
     told = capsys.readouterr().err
@@ -104,8 +104,8 @@ def test_two_members_of_one_name_are_refused(name, ending, saved):
     [("coords", "holds", "16"), ("offsets", "holds", "3"), ("centers and radii", "hold", "9"), ("pairs", "holds", "4")],
 )
 def test_too_many_numbers_are_refused_before_they_are_unpacked(names, verb, says, saved, monkeypatch):
-    path, unpacked, real = saved(**WHOLE), [], shapesfile._unpacked
-    monkeypatch.setattr(shapesfile, "_unpacked", lambda *what: unpacked.append(what) or real(*what))
+    path, unpacked, real = saved(**WHOLE), [], shapesfile._array
+    monkeypatch.setattr(shapesfile, "_array", lambda *what: unpacked.append(what) or real(*what))
     only = tuple(names.split(" and "))
     monkeypatch.setattr(shapesfile, "LIMITED", (only,))
     monkeypatch.setattr(shapesfile, "MAX_NUMBERS", int(says) - 1)
@@ -142,10 +142,10 @@ def test_a_member_that_numpy_would_not_write_so_is_not_unpacked(tmp_path):
     path, out = tmp_path / "odd.npz", io.BytesIO()
     np.save(out, WHOLE["radii"])
     for how, radii, says in (
-        (zipfile.ZIP_BZIP2, out.getvalue(), "radii is packed as numpy packs none"),
-        (zipfile.ZIP_LZMA, out.getvalue(), "radii is packed as numpy packs none"),
-        (zipfile.ZIP_DEFLATED, b"\x93NUMPY\x02\x00" + (10**9).to_bytes(4, "little") + b" " * 10**5, "no .npz of plain"),
-        (zipfile.ZIP_DEFLATED, b"\x93NUMPY\x03\x00" + out.getvalue()[8:], "no .npz of plain"),
+        (zipfile.ZIP_BZIP2, out.getvalue(), "radii has a compression that numpy does not use"),
+        (zipfile.ZIP_LZMA, out.getvalue(), "radii has a compression that numpy does not use"),
+        (zipfile.ZIP_DEFLATED, b"\x93NUMPY\x02\x00" + (10**9).to_bytes(4, "little") + b" " * 10**5, "not an .npz"),
+        (zipfile.ZIP_DEFLATED, b"\x93NUMPY\x03\x00" + out.getvalue()[8:], "not an .npz of plain"),
     ):
         np.savez(path, centers=WHOLE["centers"])
         with zipfile.ZipFile(path, "a", how) as made:

@@ -8,7 +8,7 @@ from test_pictures import TRACES, boxes, meet
 
 import satviz as sv
 from satviz.cli import main
-from satviz.pictures.sheet import MOST_ROWS
+from satviz.pictures.sheet import MAX_ROWS
 
 
 def gon(n, x, r=2.0):
@@ -55,8 +55,8 @@ def test_the_row_that_ended_the_run_is_marked_and_those_left_out_are_faint():
 def test_a_long_run_shows_what_tells_most_and_counts_the_rest(name):
     trace, picture = LONG[name], SHEETS[name]
     rows = [m for m in picture.marks if m.part == "name"]
-    rest = len(trace.without_early_exit().tests) - MOST_ROWS
-    assert len(rows) == MOST_ROWS and any(text.startswith(f"and {rest} more, best gap ") for text in picture.texts)
+    rest = len(trace.without_early_exit().tests) - MAX_ROWS
+    assert len(rows) == MAX_ROWS and any(text.startswith(f"and {rest} more, best gap ") for text in picture.texts)
     assert bool([m for m in picture.marks if m.part == "stop"]) == (name == "apart")
 
 

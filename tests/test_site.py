@@ -32,14 +32,14 @@ from satviz.scenes.article import SCENES
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
 from satviz.scenes.named import ALL_SCENES
 from satviz.scenes.shape_tools import translated
-from satviz.site import chapters, live, runtime
+from satviz.site import chapters, guides, live, runtime
 from satviz.widgets import goals
 from satviz.widgets.explorer_model import ExplorerModel
 
 pytest.importorskip("markdown_it", reason="a site needs markdown-it-py: python -m pip install '.[site]'")
 
 from satviz.site.build import site
-from satviz.site.themed import themed
+from satviz.site.themed import themed_svg
 
 
 @pytest.fixture(scope="module")
@@ -51,14 +51,16 @@ def files():
 
 @pytest.fixture(scope="module")
 def pages(files):
-    return {path: data.decode() for path, data in files.items() if path.endswith(".html")}
+    """The site's own pages by their path; those of the reference are pdoc's (test_reference.py)."""
+    own = {path: data for path, data in files.items() if not path.startswith("reference/")}
+    return {path: data.decode() for path, data in own.items() if path.endswith(".html")}
 
 
 def test_what_may_scroll_can_be_scrolled_with_the_keyboard(pages):
     """Also a picture's numbers that stand there only until Python has come."""
     for path, page in [*pages.items(), ("page", sv.page("triangles")), ("failing", sv.page("raw-depth"))]:
         for tag in re.findall(r"<pre\b[^>]*>", page):
-            assert path.startswith("api/") or 'tabindex="0"' in tag, f"{path}: {tag}"
+            assert 'tabindex="0"' in tag, f"{path}: {tag}"
 
 
 def test_every_link_of_the_site_leads_to_one_of_its_files(files, pages):
@@ -74,7 +76,14 @@ def test_every_link_of_the_site_leads_to_one_of_its_files(files, pages):
 
 def test_nothing_comes_from_elsewhere(files):
     for path, data in files.items():
-        found = data.decode().replace("http://www.w3.org/", "").replace("http://purl.org/", "")
+        if path.startswith("reference/"):
+            continue  # test_reference.py
+        found = (
+            data.decode()
+            .replace("http://www.w3.org/", "")
+            .replace("http://purl.org/", "")
+            .replace("https://example.org/", "")
+        )
         found = re.sub(r"https?://(creativecommons|matplotlib)\.org", "", found)  # in a picture's note of its maker
         assert "http://" not in found and "https://" not in found and "@import" not in found, path
 
@@ -266,7 +275,10 @@ def test_no_sentence_is_glued_to_the_next(pages):
 
 
 def test_a_page_does_not_speak_of_running_cells(pages):
-    for path, page in pages.items():
+    """A guide may: it is about notebooks, not made from one."""
+    about_notebooks = {guide.path for guide in guides.guides()}
+    for path in pages.keys() - about_notebooks:
+        page = pages[path]
         assert not re.search(
             r"Shift\+Enter|next cell|saved copy|[Rr]un the cell|you run|JupyterLab</|In JupyterLab", page
         ), path
@@ -285,7 +297,7 @@ def test_the_gallery_has_every_scene(files, pages):
 def test_pictures_follow_the_theme(pages, files):
     assert not re.search(r'(?:fill|stroke)="#', pages["2-sat.html"])
     assert "prefers-color-scheme: dark" in files["pictures/triangles.svg"].decode()
-    assert 'fill="var(--sv-A)"' in themed('<svg ><g style="fill: #0072b2"/></svg>')
+    assert 'fill="var(--sv-A)"' in themed_svg('<svg ><g style="fill: #0072b2"/></svg>')
 
 
 def test_the_command_writes_a_site_over_its_own_and_over_nothing_else(tmp_path, capsys, files, monkeypatch):
@@ -314,7 +326,7 @@ def test_another_pyodide_is_refused(tmp_path, version, why):
         (tmp_path / "package.json").write_text(json.dumps({"version": version}))
         for name in runtime.CORE:
             (tmp_path / name).write_text("")
-    with pytest.raises(runtime.Missing, match=why):
+    with pytest.raises(runtime.PythonMissing, match=why):
         runtime.runtime(tmp_path)
 
 
@@ -344,20 +356,20 @@ def test_open_serves_the_site_until_it_is_interrupted(tmp_path):
 
 def test_a_package_with_another_hash_is_refused(monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    monkeypatch.setattr(runtime, "_fetched", lambda: b"another")
-    with pytest.raises(runtime.Missing, match="hash"):
+    monkeypatch.setattr(runtime, "_fetch_from_npm", lambda: b"another")
+    with pytest.raises(runtime.PythonMissing, match="hash"):
         runtime.runtime(None)
     assert not list(tmp_path.rglob("*.tgz"))
 
 
 def test_what_is_packed_is_plain_gzip_the_same_each_time():
     data = bytes(range(256)) * 300
-    assert gzip.decompress(runtime.packed(data)) == data and runtime.packed(data) == runtime.packed(data)
+    assert gzip.decompress(runtime.gzipped(data)) == data and runtime.gzipped(data) == runtime.gzipped(data)
 
 
 def test_the_pages_python_needs_the_standard_library_only(tmp_path):
     """Unpacked by itself it opens a scene and answers a pose, with nothing else to import."""
-    ZipFile(io.BytesIO(runtime.zipped())).extractall(tmp_path)
+    ZipFile(io.BytesIO(runtime.satviz_zip())).extractall(tmp_path)
     code = (
         "import json, sys; from satviz.site import live\n"
         "state = json.loads(live.answer('p', json.dumps({'kind': 'open', 'hash': 'triangles'})))['first']\n"
@@ -591,7 +603,7 @@ def test_draw_prints_the_link_beside_the_files(capsys, tmp_path):
 
 
 def stands(goal, a, b, axes="needed"):
-    return goals.judged(goal, sv.Scene("mine", a, b, axes))
+    return goals.evaluate_goal(goal, sv.Scene("mine", a, b, axes))
 
 
 def test_exactly_one_axis_is_one():
@@ -624,15 +636,17 @@ def test_every_shortcut_that_can_be_broken_begins_unbroken_and_its_own_scene_bre
     asked = [start for goal, start in goals.challenges() if goal == "break"]
     assert len(asked) > 25
     for start in asked:
-        assert not goals.judged("break", start).met and goals.judged("break", sv.scene(start.axes)).met, start.name
+        assert not goals.evaluate_goal("break", start).met and goals.evaluate_goal("break", sv.scene(start.axes)).met, (
+            start.name
+        )
 
 
 @pytest.mark.slow
 def test_no_challenge_is_won_when_it_begins_and_each_has_its_link():
     for goal, start in goals.challenges():
-        assert not goals.judged(goal, start).met
+        assert not goals.evaluate_goal(goal, start).met
         first = opened(sv.link(start, goal=goal).partition("#")[2])["first"]
-        assert first["goal"]["asks"] == goals.ASKS[goal] and first["link"].endswith(f"&goal={goal}")
+        assert first["goal"]["asks"] == goals.GOAL_TASKS[goal] and first["link"].endswith(f"&goal={goal}")
 
 
 def by_the_hint(goal, start):
@@ -670,12 +684,12 @@ SOME = [pytest.param(s.name, marks=[pytest.mark.slow] if i % 5 else []) for i, s
 
 @pytest.mark.parametrize("name", SOME)
 def test_every_challenge_that_is_offered_can_be_met_as_its_hint_says(name):
-    for goal in goals.CALLED:
+    for goal in goals.GOAL_NAMES:
         try:
-            start = goals.begun(goal, sv.scene(name))
+            start = goals.challenge_start(goal, sv.scene(name))
         except InvalidScene:
             continue
-        assert any(goals.judged(goal, there).met for there in by_the_hint(goal, start)), goal
+        assert any(goals.evaluate_goal(goal, there).met for there in by_the_hint(goal, start)), goal
 
 
 def test_a_drag_is_judged_and_a_preset_ends_the_challenge():
@@ -701,3 +715,42 @@ def test_why_a_link_opens_nothing_is_one_plain_line(text):
 def test_a_link_that_opens_nothing_is_offered_every_scene(pages):
     offer = re.search(r'<nav class="offer"[^>]* hidden>(.*?)</nav>', pages["scene.html"], re.DOTALL)[1]
     assert re.findall(r'href="scene.html#([^"]+)"', offer) == [scene.name for scene in ALL_SCENES]
+
+
+# -- guides
+
+
+def test_a_guide_has_its_page_with_its_title_and_its_neighbours(pages):
+    index, *others = guides.guides()
+    assert index.path == "guides.html" and len(others) >= 10
+    for before, guide in zip([index, *others], others):
+        page = pages[guide.path]
+        assert f">{guide.title}</h1>" in page and f'rel="prev" href="{before.path}"' in page
+        assert f'href="{guide.path}"' in pages["guides.html"] and f'href="{guide.path}"' in pages["index.html"]
+
+
+def test_a_guide_links_to_chapters_and_to_headings_of_other_guides(pages):
+    assert (
+        'href="2-sat.html"' in pages["traces.html"]
+        and 'href="pictures.html#one-page-to-send"' in (pages["notebook.html"])
+    )
+    for guide in guides.guides():
+        assert not re.search(r'(?:href|src|srcset)="[^"]*(?:\.md|\.ipynb|\.\./)', pages[guide.path]), guide.path
+
+
+def test_a_guides_pictures_are_files_of_the_site(files, pages):
+    shown = {name for page in pages.values() for name in re.findall(r'(?:src|srcset)="(figures/[^"]+)"', page)}
+    assert {"figures/bench.svg", "figures/bench-dark.svg"} <= shown <= set(files)
+
+
+def test_the_reference_is_a_part_of_the_site(files, pages):
+    pytest.importorskip("pdoc")
+    assert 'href="reference/satviz.html"' in pages["index.html"] and "reference/satviz/batch.html" in files
+
+
+def test_without_pdoc_the_site_has_no_reference_and_one_line_says_so(monkeypatch):
+    monkeypatch.setitem(sys.modules, "pdoc", None)
+    found, missing = site(live=False)
+    assert len(missing) == 1 and missing[0].startswith("the site has no reference: the reference needs the extra")
+    found = dict(found)
+    assert not any(path.startswith("reference/") for path in found) and b"reference/" not in found["index.html"]

@@ -13,8 +13,8 @@ import pytest
 from matplotlib.text import Text
 
 from satviz import Circle, Polygon, batch, relate
-from satviz.advice.margins import gammas
-from satviz.advice.relative_margin import gamma
+from satviz.advice.margins import relative_margins
+from satviz.advice.relative_margin import relative_margin
 from satviz.engine.axes import needed
 from satviz.engine.geometry import Relation
 from satviz.pictures import THEMES
@@ -98,7 +98,7 @@ def test_the_relative_margin_has_no_unit():
     rng = np.random.default_rng(4)
     for kind in HARD_KINDS:
         a, b, found = hard_pairs(kind, rng, 1)
-        small, large = (gammas(batch.Polygons(a * 2.0**k), batch.Polygons(b * 2.0**k)) for k in (-90, 70))
+        small, large = (relative_margins(batch.Polygons(a * 2.0**k), batch.Polygons(b * 2.0**k)) for k in (-90, 70))
         assert np.array_equal(small, found) and np.array_equal(large, found)
 
 
@@ -110,7 +110,7 @@ def test_hard_pairs_are_valid_and_as_hard_as_asked(kind):
     assert 0.3 < (relations > 0).mean() < 0.7
     for p, q, g in list(zip(engine_shapes(a), engine_shapes(b), found, strict=True))[::20]:
         assert p.is_convex and q.is_convex and truth.relation(p, q) == relate(p, q)
-        assert gamma(p, q) == pytest.approx(g, rel=0.03)
+        assert relative_margin(p, q) == pytest.approx(g, rel=0.03)
 
 
 def test_touching_pairs_touch_and_take_more_than_whole_numbers():
@@ -184,11 +184,11 @@ FOUND = {
 def test_the_largest_margin_of_a_sample_is_no_bound(normals):
     a, b, known = FOUND[normals]
     p, q = Polygon(a), Polygon(b)
-    assert truth.relation(p, q) == Relation.APART and round(gamma(p, q), 2) == known
+    assert truth.relation(p, q) == Relation.APART and round(relative_margin(p, q), 2) == known
     assert python_rivals.sat(
         python_rivals.points_and_radius(p), python_rivals.points_and_radius(q), unit=normals == "unit normals"
     )  # a hit, which is wrong
-    for name in "README.md", "notebooks/7-speed-against-accuracy.ipynb":
+    for name in "satviz/guides/speed-and-accuracy.md", "notebooks/7-speed-against-accuracy.ipynb":
         text = (Path(__file__).parent.parent / name).read_text(encoding="utf-8")
         assert re.search(rf"{normals} (wrong )?at {known:.2f}", text), name
 
@@ -200,7 +200,7 @@ def test_where_float32_cannot_hold_the_shapes_or_their_products_the_margin_does_
     box = np.array([[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]])
     a, b = (box + away) * scale, (box + np.array([1 + gap, 0]) + away) * scale
     (float32,) = [method for method in all_methods() if method.name == "SAT, float32"]
-    assert true_relations(a, b) == [0] and gammas(batch.Polygons(a), batch.Polygons(b)) > least
+    assert true_relations(a, b) == [0] and relative_margins(batch.Polygons(a), batch.Polygons(b)) > least
     assert [wrong_answers(said, true_relations(a, b)).tolist() for _, said in answers_by_method([float32], a, b)] == [
         [True]
     ]

@@ -12,9 +12,10 @@ from speeds import one_in
 import satviz as sv
 from satviz.engine.geometry import InvalidScene, Relation
 from satviz.pictures import playback
-from satviz.pictures.caption import captioned
-from satviz.pictures.labels import Board, _put
-from satviz.pictures.layout import Layout, text_box
+from satviz.pictures.caption import add_captions
+from satviz.pictures.label_placer import LabelPlacer
+from satviz.pictures.layout import Layout
+from satviz.pictures.letters import text_size
 from satviz.render.notebook import bundle
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
 from satviz.scenes.scenefile import shape_data
@@ -37,7 +38,7 @@ def explorer(scene="triangles"):
 
 def pose(widget, n=1, **more):
     state = {"kind": "pose", "n": n, "a": widget.first["a"], "b": widget.first["b"], "degree": None, "pinned": None}
-    widget._heard(widget, state | more, [])
+    widget._receive(widget, state | more, [])
     return widget.sent[-1][0]
 
 
@@ -90,7 +91,7 @@ def test_an_invalid_pose_says_why_and_changes_nothing(b, why):
 )
 def test_messages_that_mean_nothing_are_left_alone(content):
     widget = explorer()
-    widget._heard(widget, content, [])
+    widget._receive(widget, content, [])
     assert widget.sent == []
 
 
@@ -106,7 +107,7 @@ def test_the_view_stays_while_dragging_and_is_fitted_when_the_drag_ends():
 
 
 def heard(widget, **content):
-    widget._heard(widget, content, [])
+    widget._receive(widget, content, [])
     return widget.sent[-1][0]
 
 
@@ -140,10 +141,10 @@ def test_a_shortcut_that_is_wrong_here_is_first_brought_where_it_is_right():
 def test_a_challenge_that_cannot_be_set_is_refused_and_changes_nothing(goal, why):
     for kind in "challenge", "pose":
         widget = explorer("circles")
-        before = widget._exploring.state()
+        before = widget._model.state()
         said = heard(widget, kind=kind, a=before["a"], b=before["b"], goal=goal)
         assert said["kind"] == "refused" and why in said["why"]
-        assert widget._exploring.state() == before
+        assert widget._model.state() == before
 
 
 def test_explore_sets_a_challenge():
@@ -191,10 +192,10 @@ def test_back_where_it_began_a_scene_is_framed_as_it_was(name):
 def test_presets_are_the_built_in_scenes():
     widget = explorer()
     for name in widget.presets:
-        widget._heard(widget, {"kind": "preset", "name": name}, [])
+        widget._receive(widget, {"kind": "preset", "name": name}, [])
         assert widget.sent[-1][0]["kind"] == "state" and widget.scene == sv.scene(name)
     for name in ("nothing", None, ["circles"]):
-        widget._heard(widget, {"kind": "preset", "name": name}, [])
+        widget._receive(widget, {"kind": "preset", "name": name}, [])
         assert widget.sent[-1][0]["kind"] == "refused"
 
 
@@ -214,7 +215,7 @@ def test_a_failing_scene_has_two_views_and_a_map_of_where_the_shortcut_is_wrong(
     assert back["relation"] == "overlapping" and back["heading"][1].startswith("Here it happens to be right")
     assert "claim-strike" not in {m["id"] for m in back["picture"]["marks"]}
     refused = widget.sent[-1][0]["n"]
-    widget._heard(widget, {"kind": "pose", "n": refused + 1, "a": back["a"], "b": back["b"], "view": "both"}, [])
+    widget._receive(widget, {"kind": "pose", "n": refused + 1, "a": back["a"], "b": back["b"], "view": "both"}, [])
     assert widget.sent[-1][0]["why"] == 'the view must be "shortcut" or "truth"'
 
 
@@ -244,26 +245,26 @@ def test_files_come_from_the_matplotlib_pen():
     sent = []
     widget.send = lambda content, buffers=None: sent.append((content, buffers))
     for form, magic in ("svg", b"<?xml"), ("png", b"\x89PNG"), ("gif", b"GIF89a"):
-        widget._heard(widget, {"kind": "save", "form": form, "step": 3, "which": 1}, [])
+        widget._receive(widget, {"kind": "save", "form": form, "step": 3, "which": 1}, [])
         content, (data,) = sent[-1]
         assert content["name"] == f"satviz.{form}" and data.startswith(magic)
 
 
 def test_the_step_that_is_saved_is_the_one_that_is_shown(monkeypatch):
     """Also where a playback leaves steps out, since there are too many."""
-    monkeypatch.setattr(playback, "MOST_STEPS", 20)
+    monkeypatch.setattr(playback, "MAX_STEPS", 20)
     trace = TRIANGLES.record().without_early_exit()
     (shown,) = playback.playbacks(trace)
     assert len(shown["steps"]) < len(sv.steps(trace))
     for i, step in enumerate(shown["steps"]):
-        (drawn,) = PlayerModel(trace).to_save({"form": "png", "step": i})
+        (drawn,) = PlayerModel(trace).pictures_to_save({"step": i}, every_step=False)
         assert drawn.sentence == step["sentence"]
 
 
 def test_an_animation_of_too_many_steps_is_refused(monkeypatch):
-    monkeypatch.setattr(playback, "MOST_STEPS", 5)
+    monkeypatch.setattr(playback, "MAX_STEPS", 5)
     widget = explorer()
-    widget._heard(widget, {"kind": "save", "form": "gif"}, [])
+    widget._receive(widget, {"kind": "save", "form": "gif"}, [])
     assert widget.sent[-1][0]["kind"] == "refused" and "too many to step through" in widget.sent[-1][0]["why"]
 
 
@@ -300,7 +301,7 @@ def test_an_exported_page_shows_the_picture_with_its_sentence(make):
     drawn = widget.picture() if isinstance(widget, sv.widgets.Explorer) else sv.picture(widget.trace)
     assert drawn.sentence == widget.trace.sentence
     (still,) = re.findall(r'src="data:image/svg\+xml;base64,([^"]*)"', page)
-    assert base64.b64decode(still).decode() == bundle(captioned([drawn])[0])["image/svg+xml"]
+    assert base64.b64decode(still).decode() == bundle(add_captions([drawn])[0])["image/svg+xml"]
     assert re.findall(r'alt="([^"]*)"', page) == [drawn.sentence]
 
 
@@ -432,7 +433,7 @@ def test_a_map_that_floats_cannot_hold_says_so_beside_the_picture(name, pair, wh
 def test_undo_may_go_back_to_another_scene_with_its_own_axes():
     widget = explorer()
     begun = widget.first["scene"]
-    widget._heard(widget, {"kind": "preset", "name": "aabb-turned"}, [])
+    widget._receive(widget, {"kind": "preset", "name": "aabb-turned"}, [])
     assert widget.trace.shortcut
     back = pose(widget, scene=begun)
     assert widget.scene == TRIANGLES and back["view"] is None
@@ -535,12 +536,12 @@ def test_no_name_jumps_under_the_hand_without_a_reason(name):
             was, now = before[which], stood[which]
             if which[0] not in ("name", "vertex-name") or dist(was[:2], now[:2]) < 12:
                 continue
-            board = Board(Layout(drawn.limits, drawn.size, ()))
+            board = LabelPlacer(Layout(drawn.limits, drawn.size, ()))
             for mark in drawn.marks:
                 if mark.part != f"{which[0]}-leader" and which_of(mark) != which:
-                    _put(board, mark)
-            at, (w, h) = labels[which].points[0], text_box(labels[which].text, labels[which].weight)
+                    board.cover(mark)
+            at, (w, h) = labels[which].points[0], text_size(labels[which].text, labels[which].weight)
             spot = [(p - low) * drawn.scale + old - new for p, low, old, new in zip(at, (x0, y0), was, now)]
-            covers = board._cost(spot, w / 2 + 2, h / 2 + 1, 1e9)
-            assert covers + was.price - now.price > 40, which
+            covers = board.cover_cost(spot, w / 2 + 2, h / 2 + 1, 1e9)
+            assert covers + was.cost - now.cost > 40, which
         before = stood

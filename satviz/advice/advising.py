@@ -1,4 +1,9 @@
-"""sv.advise: the least model that is right for a scene, with its proof and what each other one lacks or adds."""
+"""`sv.advise`: recommend the simplest model that is proven right for a scene, and compare the other models with it.
+
+A *model* is a way to find the relation of two shapes; a *case* is the pairs that the recommendation is made for; the
+*facts* are the summary of a case (`records.py`).  A model is *certified* for a pair where no order of its operations
+can give another relation (`certified_bounds.py`).  The *scope* says for which coordinates the proof is valid.
+"""
 
 import json
 from collections import Counter
@@ -14,12 +19,13 @@ from ..engine.shapes import Shape, checked
 from ..engine.trace import Trace, record
 from ..scenes.named import scene as named
 from ..scenes.scenefile import Scene
-from . import certified_bounds, report
-from .certified_bounds import Compound, Model, pieces
-from .facts import Case, Facts, ModelResult, Pair, anywhere, best, candidates, for_hits, kind_of
+from . import report
+from .candidates import AABB, Model, SplitPolygon, convex_parts, count_axes, shared_directions
+from .certified_bounds import certify, exact_relation
 from .limits import MAX_TESTS_CHECKED, TESTS_BY_FRACTIONS, TESTS_TIMED
-from .relative_margin import signed
-from .scope import HERE, Scope, grid_of, reach_of, scope_of
+from .records import InputSummary, ModelResult, Pair, PairsInHand, anywhere, best, candidates_of, for_hits, kind_of
+from .relative_margin import signed_relative_margin
+from .scope import HERE, Scope, grid_of, moved_bound, scope_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -31,185 +37,196 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Recommendation:
-    """The least model that is right: `judged` has every candidate from the fewest axes on, `best` is the one advised.
+    """A recommendation: `best` is the simplest model proven to find apart, touching or overlapping for all pairs.
 
-    The question is the three-way relation.  print() says it in words, `to_json()` as data; `check()` proves it once
-    more with integers, `failure()` is the trace of the pair on which the next smaller model fails, `prices()` and
-    `chart()` measure what each model costs on this machine.
+    `results` has every candidate, from the fewest axes to the most.  print() shows the recommendation in words,
+    `to_json()` returns it as data, `check()` proves it again with integers, `failure()` records the pair on which the
+    next smaller model fails, `prices()` and `chart()` measure the time of each model on this machine.
     """
 
-    facts: Facts
-    judged: tuple[ModelResult, ...]
+    summary: InputSummary
+    results: tuple[ModelResult, ...]
     scope: Scope
-    case: Case
+    case: PairsInHand
 
     @property
     def best(self) -> ModelResult:
-        """The candidate advised: the first that is proven."""
-        return best(self.judged)
+        """Return the result of the recommended model: the first that is proven."""
+        return best(self.results)
 
     @property
     def model(self) -> Model:
-        """Its model."""
+        """Return the recommended model."""
         return self.best.model
 
     @property
     def smaller(self) -> ModelResult | None:
-        """The next smaller candidate, which fails; None if there is none."""
-        place = self.judged.index(self.best)
-        return self.judged[place - 1] if place else None
+        """Return the result of the next smaller candidate, which fails; None if the recommended one is the smallest."""
+        place = self.results.index(self.best)
+        return self.results[place - 1] if place else None
 
     @property
     def anywhere(self) -> Model:
-        """The least that is right wherever these shapes lie: y and x for upright boxes, else what is exact."""
-        return anywhere(self.facts, self.judged)
+        """Return the simplest model that is right at any position: AABB for upright boxes, else the exact filter."""
+        return anywhere(self.summary, self.results)
 
     @property
     def for_hits(self) -> ModelResult:
-        """The first candidate that is proven to tell hits from misses, which may confuse touching and overlapping."""
-        return for_hits(self.judged)
+        """Return the first candidate proven to separate hits from misses; it may confuse touching and overlapping."""
+        return for_hits(self.results)
 
     @property
     def reason(self) -> str:
-        """Why it is right, in words."""
-        return report.reason(self.model, self.facts, self.scope)
+        """Return a sentence why the recommended model is right."""
+        return report.reason(self.model, self.summary, self.scope)
 
     def check(self, most: int = MAX_TESTS_CHECKED) -> bool:
-        """Prove it again with integers and fractions, pair by pair; False if anything claimed does not hold.
+        """Prove the recommendation again with integers and fractions, pair by pair; return whether all of it holds.
 
-        It checks that the candidates are all there and none twice, that each is right, wrong or in doubt on the pairs
-        as is said, what there is, and the scope; how many pairs the boxes settle is taken as it is.  InvalidScene where
-        that takes more than `most` tests of an edge against a corner, at some 30 microseconds each.
+        It compares the list of candidates, the result of each candidate on the pairs, the facts and the scope.  The
+        number of pairs that the bounding boxes settle is not checked.  InvalidScene where the proof needs more than
+        `most` tests of an edge against a corner, at some 30 microseconds each.
         """
         if self.case.tests > most:
             raise InvalidScene(
                 f"check() would make {self.case.tests:,} tests of an edge against a corner with fractions: the limit "
-                f"is {most:,}; advise on some of the pairs, or ask for more by most="
+                f"is {most:,}; advise on some of the pairs, or raise the limit by most="
             )
         models = _candidates(self.case)
-        if tuple(j.model for j in self.judged) != models:
+        if tuple(j.model for j in self.results) != models:
             return False
-        facts, judged = _counted(self.case, models)
+        facts, results = _summarize(self.case, models)
         return (
-            self._has(facts)
-            and all(self._bears(claim, found) for claim, found in zip(self.judged, judged, strict=True))
-            and self._scope()
+            self._summary_holds(facts)
+            and all(self._result_holds(claim, found) for claim, found in zip(self.results, results, strict=True))
+            and self._scope_holds()
         )
 
-    def _has(self, found: Facts) -> bool:
-        mine, place = self.facts, self._place(self.facts.at)
-        if mine != found._replace(gamma=mine.gamma, at=mine.at):
+    def _summary_holds(self, found: InputSummary) -> bool:
+        """Return whether the facts found again are those of this recommendation, up to the rounding of arrays."""
+        mine, place = self.summary, self._number_of(self.summary.at)
+        if mine != found._replace(relative_margin=mine.relative_margin, at=mine.at):
             return False
         if place is None:
             return not mine.pairs
-        # arrays have gamma good to one part in fifty
-        return all(isclose(mine.gamma, known, rel_tol=0.025) for known in (found.gamma, _gamma(self.case, place)))
+        # arrays compute the relative margin to one part in fifty
+        return all(
+            isclose(mine.relative_margin, known, rel_tol=0.025)
+            for known in (found.relative_margin, _least_margin(self.case, place))
+        )
 
-    def _bears(self, claim: ModelResult, found: ModelResult) -> bool:
-        """Arrays may doubt what integers prove, if another pair is in doubt anyway."""
-        if (claim.proven, claim.hits) != (found.proven, found.hits):
+    def _result_holds(self, claim: ModelResult, found: ModelResult) -> bool:
+        """Return whether a claimed result agrees with the one found again.
+
+        Arrays may leave more pairs uncertain than integers, if a pair is uncertain for both.
+        """
+        if (claim.proven, claim.proven_for_hits) != (found.proven, found.proven_for_hits):
             return False
-        if not claim.wrong <= found.wrong <= found.wrong + found.unsure <= claim.wrong + claim.unsure:
+        if not claim.wrong <= found.wrong <= found.wrong + found.uncertain <= claim.wrong + claim.uncertain:
             return False
         if claim.wrong and claim.wrong == found.wrong and claim.first != found.first:
             return False
-        place = None if claim.first is None else self._place(claim.first)
+        place = None if claim.first is None else self._number_of(claim.first)
         if place is None or claim.proven:
             return claim.first is None and claim.proven
-        a, b = self.case.body(place)
-        said = claim.model.sure(a, b)
-        return said is not None and said is not certified_bounds.exactly(a, b) if claim.wrong else said is None
+        a, b = self.case.shapes_of(place)
+        certified = certify(claim.model, a, b)
+        return certified not in (None, exact_relation(a, b)) if claim.wrong else certified is None
 
-    def _place(self, pair: Pair) -> int | None:
+    def _number_of(self, pair: Pair) -> int | None:
+        """Return the number of the pair with these two indices; None if the case does not have it."""
         return next((k for k in range(self.case.known) if self.case.indices(k) == pair), None)
 
-    def _scope(self) -> bool:
-        pairs = [self.case.body(k) for k in range(self.case.pairs)]
-        again = self.case._replace(reach=lambda: reach_of(pairs), grid=lambda: grid_of(pairs))
-        found = scope_of(self.model, self.facts, again)
+    def _scope_holds(self) -> bool:
+        """Return whether the scope, worked out again with integers, is at least the claimed one."""
+        pairs = [self.case.shapes_of(k) for k in range(self.case.pairs)]
+        again = self.case._replace(moved_bound=lambda: moved_bound(pairs), grid=lambda: grid_of(pairs))
+        found = scope_of(self.model, self.summary, again)
         return self.scope == Scope(HERE) or (
             self.scope._replace(bound=0) == found._replace(bound=0) and (0 <= self.scope.bound <= found.bound)
         )
 
     def failure(self) -> Trace | None:
-        """The trace of the first pair on which the next smaller model fails, by that model; None if there is none.
+        """Record the first pair on which the next smaller model fails, as that model tests it; None if there is none.
 
-        Drawn (`sv.draw`), what the model saw stands beside what is.  Where it is rounding that fails, all exact.
+        `sv.draw` shows the claimed relation beside the actual one.  Where only rounding fails, the record is exact.
         """
         from .as_shortcut import shortcut
 
         smaller = self.smaller
-        if smaller is None or smaller.first is None or (place := self._place(smaller.first)) is None:
+        if smaller is None or smaller.first is None or (place := self._number_of(smaller.first)) is None:
             return None
-        a, b = (s.outline() if isinstance(s, Compound) else s for s in self.case.body(place))
+        a, b = (s.outline() if isinstance(s, SplitPolygon) else s for s in self.case.shapes_of(place))
         return record(a, b, axes=shortcut(smaller.model, a, b))
 
     @cached_property
     def _prices(self) -> "dict[str, Cost | None]":
+        """Measure the costs; see `prices`."""
         from .costs import costs
 
         # for one pair numba would take longer to load than all else
-        engine = "numpy" if self.facts.pairs == 1 else None
-        return costs([j.model for j in self.judged], self.case.batches(), engine=engine)
+        engine = "numpy" if self.summary.pairs == 1 else None
+        return costs([j.model for j in self.results], self.case.batches(), engine=engine)
 
     def prices(self) -> "dict[str, Cost | None]":
-        """By model's name what it costs here: nanoseconds a pair, cold (with its set-up) and warm.
+        """Return the cost of each model on this machine, by its name: nanoseconds a pair, cold (with set-up) and warm.
 
-        Measured once, for about a second; None for a model of which one call would take too long.
+        They are measured once, for about a second; None stands for a model of which one call would take too long.
         """
         return self._prices
 
     def chart(self) -> "Chart":
-        """Time against wrong answers of every candidate on these pairs, the advised one marked."""
+        """Return a chart of time against wrong answers of all candidates on these pairs, the recommended one marked."""
         from .cost_chart import chart
 
-        return chart(self.model, self.facts, self.judged, self.prices())
+        return chart(self.model, self.summary, self.results, self.prices())
 
     def to_json(self, indent: int | None = None) -> str:
-        """All of it but prices as JSON; the same each time."""
-        f = self.facts
+        """Return the recommendation without prices as JSON; two calls return the same text."""
+        f = self.summary
         data = {
             "satviz": "advice 1",
             "model": _model(self.model),
             "reason": self.reason,
             "scope": {
                 "kind": self.scope.kind,
-                "text": report.holds(self.scope, self.facts),
+                "text": report.holds(self.scope, self.summary),
                 "bound": self.scope.bound,
             },
             "anywhere": self.anywhere.name,
             "for_hits": self.for_hits.model.name,
-            "facts": {**f._asdict(), "gamma": f.gamma if f.pairs else None},
+            "facts": {**f._asdict(), "relative_margin": f.relative_margin if f.pairs else None},
             "candidates": [
-                {**_model(j.model), "wrong": j.wrong, "unsure": j.unsure, "first": j.first, "proven": j.proven}
-                for j in self.judged
+                {**_model(j.model), "wrong": j.wrong, "uncertain": j.uncertain, "first": j.first, "proven": j.proven}
+                for j in self.results
             ],
         }
         return json.dumps(data, indent=indent, allow_nan=False)
 
     def __str__(self) -> str:
-        return report.told(self.facts, self.judged, self.scope)
+        return report.text(self.summary, self.results, self.scope)
 
     def __repr__(self) -> str:
         return f"Recommendation({self.model.name}, {self.scope.kind})"
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
-        """In a notebook: the recommendation in words; `chart()` measures, so it is drawn only when it is asked for."""
+        """In a notebook: the recommendation in words; `chart()` measures, so it is drawn only on request."""
         return {"text/plain": str(self)}
 
 
 def _model(model: Model) -> dict[str, Any]:
+    """Return a model as JSON data."""
     return {"name": model.name, "axes": model.axes, "directions": [list(n) for n in model.directions]}
 
 
 def advise(
     a: "Shape | Shapes | Scene | str", b: "Shape | Shapes | None" = None, pairs: "ArrayLike | None" = None
 ) -> Recommendation:
-    """The least model (fewest axes, then the plainest numbers) that is proven right for what is given.
+    """Recommend the simplest model (fewest axes, then lowest precision) that is proven right for these shapes.
 
-    a, b: two shapes; or a Scene or its name; or batch shapes, side by side or by the (K, 2) indices `pairs`; or one
-    batch, of which by default all pairs are meant whose boxes meet, as a broad phase finds them.  Two shapes need the
-    standard library only.  TypeError and ValueError for anything else.
+    a, b: two shapes; or a Scene or its name; or batch shapes, paired row by row or by the (K, 2) indices `pairs`; or
+    one batch, of which all pairs are tested (those whose boxes meet, as a broad phase finds them).  Two shapes need
+    the standard library only.  TypeError and ValueError for anything else.
     """
     if isinstance(a, str):
         a = named(a)
@@ -220,84 +237,86 @@ def advise(
     if isinstance(a, Shape) and (b is None or isinstance(b, Shape)):
         if pairs is not None:
             raise TypeError("pairs are of batch shapes: make them with batch.Polygons or batch.Circles")
-        facts, judged, case = _of_two(a, checked(b, "b"))
+        facts, results, case = _recommend_pair(a, checked(b, "b"))
     else:
-        from .many import of_many
+        from .advising_batches import recommend_batch
 
-        facts, judged, case = of_many(a, b, pairs)
-    return Recommendation(facts, judged, scope_of(best(judged).model, facts, case), case)
+        facts, results, case = recommend_batch(a, b, pairs)
+    return Recommendation(facts, results, scope_of(best(results).model, facts, case), case)
 
 
-def _of_two(a: Shape, b: Shape) -> tuple[Facts, tuple[ModelResult, ...], Case]:
-    """The same for two shapes: by fractions alone, or by arrays where that would take long."""
-    case = _two(a, b)
+def _recommend_pair(a: Shape, b: Shape) -> tuple[InputSummary, tuple[ModelResult, ...], PairsInHand]:
+    """Return (facts, results, case) of two shapes: by fractions alone, or by arrays where fractions would take long."""
+    case = _case_of_pair(a, b)
     if case.tests <= TESTS_BY_FRACTIONS:
-        return *_counted(case, _candidates(case)), case
-    from .many import as_batch, of_many
+        return *_summarize(case, _candidates(case)), case
+    from .advising_batches import recommend_batch, shape_as_batch
 
     # for one pair numba would take longer to load than all else
-    return of_many(as_batch(a), as_batch(b), None, engine="numpy")
+    return recommend_batch(shape_as_batch(a), shape_as_batch(b), None, engine="numpy")
 
 
-def _two(a: Shape, b: Shape) -> Case:
+def _case_of_pair(a: Shape, b: Shape) -> PairsInHand:
+    """Return the case of one pair of shapes."""
+
     def batches() -> Any:
-        from .many import of_shapes
+        from .advising_batches import repeated_pair
 
-        return of_shapes(a, b, copies=max(1, min(4096, TESTS_TIMED // tests)))
+        return repeated_pair(a, b, copies=max(1, min(4096, TESTS_TIMED // tests)))
 
     both = [(a, b)]
-    corners = [sum(len(p.core) for p in pieces(shape)) for shape in (a, b)]
+    corners = [sum(len(p.core) for p in convex_parts(shape)) for shape in (a, b)]
     tests = 2 * corners[0] * corners[1]
-    return Case(
+    return PairsInHand(
         1,
         both.__getitem__,
         lambda k: (0, 0),
         lambda: (a, b),
         batches,
-        lambda: reach_of(both),
+        lambda: moved_bound(both),
         lambda: grid_of(both),
         tests,
     )
 
 
-def _candidates(case: Case) -> tuple[Model, ...]:
-    """The candidate models, worked out from the bodies alone."""
+def _candidates(case: PairsInHand) -> tuple[Model, ...]:
+    """Return the candidate models of a case, from its shapes alone."""
     shapes = case.shapes()
-    axes = max((certified_bounds.axes_asked(*case.body(k)) for k in range(case.pairs)), default=1)
-    directions = certified_bounds.shared_directions(shapes) if case.pairs else ()
-    return candidates(axes, directions, {kind_of(s) for s in shapes}, case)
+    axes = max((count_axes(*case.shapes_of(k)) for k in range(case.pairs)), default=1)
+    directions = shared_directions(shapes) if case.pairs else ()
+    return candidates_of(axes, directions, {kind_of(s) for s in shapes}, case)
 
 
-def _counted(case: Case, models: Sequence[Model]) -> tuple[Facts, tuple[ModelResult, ...]]:
-    """What there is and what each model is sure of, by integers, pair by pair."""
+def _summarize(case: PairsInHand, models: Sequence[Model]) -> tuple[InputSummary, tuple[ModelResult, ...]]:
+    """Return the facts of a case and the result of each model, by integers, pair by pair."""
     relations, least, at = Counter[Relation](), inf, (0, 0)
-    wrong, unsure = Counter[Model](), Counter[Model]()
+    wrong, uncertain = Counter[Model](), Counter[Model]()
     first: dict[Model, Pair] = {}
-    doubtful: dict[Model, Pair] = {}
+    first_uncertain: dict[Model, Pair] = {}
     missing = set()
     for k in range(case.known):
-        a, b = case.body(k)
-        relation, pair = certified_bounds.exactly(a, b), case.indices(k)
+        a, b = case.shapes_of(k)
+        relation, pair = exact_relation(a, b), case.indices(k)
         if k < case.pairs:
             relations[relation] += 1
-            if (found := _gamma(case, k)) < least:
+            if (found := _least_margin(case, k)) < least:
                 least, at = found, pair
         for model in models:
-            if k >= case.pairs and (model.after_boxes or model.kind == certified_bounds.BOXES):
-                continue  # settled already
-            said = model.sure(a, b)
-            if said is None:
-                unsure[model] += 1
-                doubtful.setdefault(model, pair)
-            elif said is not relation:
+            if k >= case.pairs and (model.after_boxes or model.kind == AABB):
+                continue  # the boxes are apart, so this model does not run
+            certified = certify(model, a, b)
+            if certified is None:
+                uncertain[model] += 1
+                first_uncertain.setdefault(model, pair)
+            elif certified is not relation:
                 wrong[model] += 1
                 first.setdefault(model, pair)
-            if said is None or bool(said) is not bool(relation):
+            if certified is None or bool(certified) is not bool(relation):
                 missing.add(model)
     shapes = case.shapes()
-    corners = [len(p.core) for s in shapes if not s.core_is_point for p in pieces(s)] or [0]
+    corners = [len(p.core) for s in shapes if not s.core_is_point for p in convex_parts(s)] or [0]
     widths = [min(max(s.bounds[2] - s.bounds[0], s.bounds[3] - s.bounds[1]), float_info.max) for s in shapes] or [1.0]
-    facts = Facts(
+    facts = InputSummary(
         dict(Counter(map(kind_of, shapes))),
         (min(corners), max(corners)),
         min(max(widths) / min(widths), float_info.max),
@@ -308,10 +327,11 @@ def _counted(case: Case, models: Sequence[Model]) -> tuple[Facts, tuple[ModelRes
         at,
     )
     return facts, tuple(
-        ModelResult(m, wrong[m], unsure[m], first.get(m, doubtful.get(m)), m not in missing) for m in models
+        ModelResult(m, wrong[m], uncertain[m], first.get(m, first_uncertain.get(m)), m not in missing) for m in models
     )
 
 
-def _gamma(case: Case, k: int) -> float:
-    a, b = case.body(k)
-    return abs(min(signed(p, q) for p in pieces(a) for q in pieces(b)))
+def _least_margin(case: PairsInHand, k: int) -> float:
+    """Return the relative margin of pair k."""
+    a, b = case.shapes_of(k)
+    return abs(min(signed_relative_margin(p, q) for p in convex_parts(a) for q in convex_parts(b)))

@@ -1,30 +1,35 @@
-"""The smaller models as shortcuts of the one loop, so that a pair on which one fails can be recorded and drawn."""
+"""The smaller models as shortcuts of SAT, so that a pair on which a model fails can be recorded and drawn."""
 
 from ..engine.axes import Axis, Choice, directions, needed, world
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Circle, Shape
 from ..engine.shortcut import Shortcut
-from .certified_bounds import BOXES, DIRECTIONS, Model, around
+from .candidates import AABB, K_DOP, Model
+from .certified_bounds import bounding_circle, certify
 
 
 def shortcut(model: Model, a: Shape, b: Shape) -> Shortcut:
-    """What believers in the model do with this pair; where only rounding fails, the loop itself."""
-    if model.sure(a, b) is None:
+    """Return the shortcut that tests this pair as the model does; where only rounding fails, SAT itself."""
+    if certify(model, a, b) is None:
         return Shortcut("plain floats", "plain floats are exact enough", needed)
-    if model.kind == BOXES:
-        return Shortcut("bounding boxes", "the bounding boxes lie as the shapes do", world)
-    if model.kind == DIRECTIONS:
+    if model.kind == AABB:
+        return Shortcut("bounding boxes", "the bounding boxes give the same answer as the shapes", world)
+    if model.kind == K_DOP:
         return Shortcut(
             "shared directions", "the directions that most edges share are enough", directions(*model.directions)
         )
-    return Shortcut("bounding circles", "the circles around the shapes lie as the shapes do", _between, _by_circles)
+    return Shortcut(
+        "bounding circles", "the circles around the shapes give the same answer as the shapes", _between, _by_circles
+    )
 
 
 def _between(a: Shape, b: Shape) -> Choice:
-    (ax, ay, _), (bx, by, _) = around(a), around(b)
+    """Return the axis through the centers of the bounding circles; the x axis if they coincide."""
+    (ax, ay, _), (bx, by, _) = bounding_circle(a), bounding_circle(b)
     return directions((bx - ax, by - ay) if (ax, ay) != (bx, by) else (1, 0))(a, b)
 
 
 def _by_circles(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    (ax, ay, ar), (bx, by, br) = around(a), around(b)
+    """Return the test of the bounding circles on an axis."""
+    (ax, ay, ar), (bx, by, br) = bounding_circle(a), bounding_circle(b)
     return next(axis_tests(Circle((ax, ay), ar), Circle((bx, by), br), [axis]))

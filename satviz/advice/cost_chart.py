@@ -1,4 +1,4 @@
-"""The picture of an advice: what each model costs on these pairs against how many it gets wrong."""
+"""The chart of a recommendation: the time of each model on these pairs against its number of wrong answers."""
 
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -10,30 +10,31 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 from matplotlib.transforms import Bbox
 
 from ..pictures import LIGHT, THEMES, Theme
-from ..render.files import DPI, bare, encode_figure
-from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
+from ..render.files import bare, encode_figure
+from ..render.formats import DPI
+from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
 from .costs import Cost
-from .facts import Facts, ModelResult
+from .records import InputSummary, ModelResult
 from .report import duration
 
 SIZE = 620.0, 400.0  # points
-BOX = 0.11, 0.14, 0.85, 0.67  # left, bottom, width, height, in parts of the figure
+BOX = 0.11, 0.14, 0.85, 0.67  # left, bottom, width, height, as fractions of the figure
 TEXT, TITLE, SMALL = 10.0, 13.0, 9.0
-ROLES = {EXACT: "exact", CIRCLES: "shortcut", BOXES: "shortcut", DIRECTIONS: "shortcut"}  # the others: float
+ROLES = {EXACT_FILTER: "exact", BOUNDING_CIRCLES: "shortcut", AABB: "shortcut", K_DOP: "shortcut"}  # the others: float
 
 
 class Chart(NamedTuple):
-    """Time a pair against wrong answers: `rows` are the numbers drawn, `sentence` what they say."""
+    """A chart of time a pair against wrong answers: `rows` are the numbers drawn, `sentence` their summary."""
 
     title: str
     under: str
-    rows: tuple[tuple[str, str, Cost], ...]  # name, role, price
+    rows: tuple[tuple[str, str, Cost], ...]  # name, role of the color, cost
     advised: str
     pairs: int
     sentence: str
 
     def figure(self, theme: Theme = LIGHT) -> Figure:
-        """The chart on a Figure of its own."""
+        """Return the chart on a new Figure."""
         fig = Figure(figsize=(SIZE[0] / 72, SIZE[1] / 72), dpi=DPI)
         FigureCanvasAgg(fig)
         fig.set_facecolor(theme.paper)
@@ -41,26 +42,26 @@ class Chart(NamedTuple):
         return fig
 
     def encode(self, form: str, theme: Theme | str = LIGHT) -> bytes:
-        """Its file: form "svg", "png" or "pdf"; theme "light" or "dark"."""
-        look = THEMES[theme] if isinstance(theme, str) else theme
+        """Return the bytes of an image file: form "svg", "png" or "pdf"; theme "light" or "dark"."""
+        theme = THEMES[theme] if isinstance(theme, str) else theme
         return encode_figure(
-            lambda: self.figure(look), form, stem=f"advice-{look.name}", title=self.title, sentence=self.sentence
+            lambda: self.figure(theme), form, stem=f"advice-{theme.name}", title=self.title, sentence=self.sentence
         )
 
     def svg(self) -> str:
-        """The SVG element, for a page or a notebook."""
+        """Return the SVG element, for a page or a notebook."""
         return bare(self.encode("svg"))
 
     def __repr__(self) -> str:
         return self.sentence
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
-        """In a notebook: the chart, and what it says."""
+        """Return what a notebook shows: the chart and its sentence."""
         return {"text/plain": self.sentence, "image/svg+xml": self.svg()}
 
 
-def chart(model: Model, facts: Facts, judged: Sequence[ModelResult], found: Mapping[str, Cost | None]) -> Chart:
-    """The chart of a recommendation: the recommended model among those judged, by their prices.
+def chart(model: Model, facts: InputSummary, results: Sequence[ModelResult], found: Mapping[str, Cost | None]) -> Chart:
+    """Return the chart of a recommendation; `found` has the cost of each model, None if it is not timed.
 
     ValueError where there is nothing to draw: no pairs, or a recommended model that is not timed.
     """
@@ -69,9 +70,9 @@ def chart(model: Model, facts: Facts, judged: Sequence[ModelResult], found: Mapp
     mine = found[model.name]
     if mine is None:
         raise ValueError(f"{model.name} is not timed, as one pair of these shapes takes too long: give smaller shapes")
-    timed = [(j.model, price) for j in judged if (price := found[j.model.name]) is not None]
+    timed = [(j.model, price) for j in results if (price := found[j.model.name]) is not None]
     rows = tuple((m.name, ROLES.get(m.kind, "float"), price) for m, price in timed)
-    exact = next((price for m, price in timed if m.kind == EXACT), None)
+    exact = next((price for m, price in timed if m.kind == EXACT_FILTER), None)
     one = facts.pairs + facts.settled == 1
     what = "this pair" if one else f"{facts.pairs:,} pairs{' whose boxes meet' if facts.settled else ''}"
     sentence = (
@@ -84,6 +85,7 @@ def chart(model: Model, facts: Facts, judged: Sequence[ModelResult], found: Mapp
 
 
 def _draw(fig: Figure, chart: Chart, theme: Theme) -> None:
+    """Draw the chart on a figure."""
     ink, guide = theme.roles["ink"], theme.roles["guide"]
     at: dict[str, Any] = {"ha": "left", "va": "top", "parse_math": False}
     fig.text(0.015, 1 - 9 / SIZE[1], chart.title, color=ink, fontsize=TITLE, fontweight="bold", **at)
@@ -119,7 +121,7 @@ def _draw(fig: Figure, chart: Chart, theme: Theme) -> None:
 
 
 def _front(ax: Axes, chart: Chart, theme: Theme) -> None:
-    """The Pareto front of the warm times: no other model is both faster and more often right."""
+    """Draw the Pareto front of the warm times: no other model is both faster and more often right."""
     points = sorted((price.warm, price.wrong) for _, _, price in chart.rows)
     front: list[tuple[float, int]] = []
     for point in points:
@@ -130,17 +132,18 @@ def _front(ax: Axes, chart: Chart, theme: Theme) -> None:
 
 
 def _minor(low: float, high: float) -> Callable[[float, object], str]:
-    """Labels between the powers of ten where the axis has but one of these."""
+    """Return a formatter of labels between the powers of ten, for a time axis that shows few powers."""
     few = high / low < 200
 
     def label(value: float, _: object) -> str:
+        """Return the label of 2 and 5 times a power of ten, else an empty one."""
         return duration(value) if few and f"{value:e}"[0] in "25" else ""
 
     return label
 
 
 def _label(fig: Figure, ax: Axes, chart: Chart, theme: Theme) -> None:
-    """Each name above or below its points, in the nearest place where it covers no point and no other name."""
+    """Write each name above or below its points, in the nearest place where it covers no point and no other name."""
     renderer = fig.canvas.get_renderer()  # type: ignore[attr-defined]
     frame = ax.get_window_extent(renderer)
     dot = 6 * DPI / 72
@@ -180,6 +183,7 @@ def _label(fig: Figure, ax: Axes, chart: Chart, theme: Theme) -> None:
 
 
 def _places(wide: float, high: float, dot: float) -> Sequence[tuple[float, float]]:
+    """Return the offsets from a point at which its name may be written."""
     ups = [dot * 1.6 + k * high * 1.25 for k in range(12)]
     return [
         (dx, dy)
@@ -192,6 +196,7 @@ def _places(wide: float, high: float, dot: float) -> Sequence[tuple[float, float
 def _cost(
     x: float, y: float, wide: float, high: float, taken: Sequence[Bbox], frame: Bbox, away: tuple[float, float]
 ) -> float:
+    """Return how bad a place of a name is: overlaps with `taken`, parts outside the frame, distance `away`."""
     mine = Bbox.from_bounds(x, y, wide, high)
     out: float = max(0, frame.x0 - mine.x0) + max(0, mine.x1 - frame.x1 - 20) + max(0, frame.y0 - mine.y0)
     out += max(0, mine.y1 - frame.y1)

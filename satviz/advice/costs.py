@@ -1,4 +1,4 @@
-"""What each model costs on this machine for the pairs in hand."""
+"""The time that each model takes on this machine for the pairs of a case."""
 
 from collections.abc import Sequence
 from functools import partial
@@ -10,19 +10,19 @@ from numpy.typing import NDArray
 
 from .. import batch
 from . import models, timing
-from .certified_bounds import Model
-from .limits import SECONDS, TESTS_TIMED
-from .pairs import Pairs, paired
+from .candidates import Model
+from .limits import SECONDS_TIMED, TESTS_TIMED
+from .pairs import Pairs, paired, tests_per_pair
 
 ROUNDS = 5
-MOST = 1 << 16  # pairs timed: the first of more
-FIRST = 16  # pairs that tell what all cost
+MAX_PAIRS_TIMED = 1 << 16  # only the first pairs are timed
+PAIRS_OF_THE_ESTIMATE = 16  # pairs timed first, to estimate the time of all
 
 
 class Cost(NamedTuple):
-    """Nanoseconds a pair, `cold` with the set-up of all shapes and `warm` without.
+    """The cost of a model: nanoseconds a pair, `cold` with the set-up of all shapes and `warm` without.
 
-    `wrong`: how many answers are; `timed`: how many pairs, or copies of the one pair, were answered at once.
+    `wrong`: the number of wrong relations; `timed`: the number of pairs, or copies of one pair, in a call.
     """
 
     cold: float
@@ -32,70 +32,64 @@ class Cost(NamedTuple):
 
 
 def costs(
-    asked: Sequence[Model],
+    candidates: Sequence[Model],
     pairs: Pairs,
     *,
     rounds: int = ROUNDS,
     engine: str | None = None,
-    most: int = MOST,
+    most: int = MAX_PAIRS_TIMED,
     tests: float = TESTS_TIMED,
-    seconds: float = SECONDS,
+    seconds: float = SECONDS_TIMED,
 ) -> dict[str, Cost | None]:
-    """Medians of some rounds in turn, by the models' names; no prices where there are no pairs.
+    """Return the median cost over some rounds of each model, by its name; {} where there are no pairs.
 
-    Cold starts from checked shapes and makes what the model keeps of those in the pairs.  It times the first pairs, at
-    most `most` and of at most `tests` tests of an edge against a corner, in about `seconds` besides loading the engine.
-    None stands for a model that is not timed, as one call takes too long.
+    Cold starts from validated shapes and includes the set-up of the model.  Only the first pairs are timed: at most
+    `most` of them, with at most `tests` tests of an edge against a corner, in about `seconds` after the engine is
+    loaded.  None stands for a model that is not timed, as one call takes too long.
     """
-    fits = np.searchsorted(np.cumsum(_tests(pairs)), tests, side="right")
+    fits = np.searchsorted(np.cumsum(tests_per_pair(pairs.a, pairs.ia, pairs.b, pairs.ib)), tests, side="right")
     if not fits:
-        return dict.fromkeys([m.name for m in asked] if len(pairs.ia) else [])
-    few = min(int(fits), most, _affordable(pairs, seconds, engine))
-    if not few:
-        return dict.fromkeys(m.name for m in asked)
-    if few < len(pairs.ia):
-        pairs = paired(pairs.a, pairs.ia[:few], pairs.b, pairs.ib[:few])
-    pairs = _of_those_used(pairs)
+        return dict.fromkeys([m.name for m in candidates] if len(pairs.ia) else [])
+    count = min(int(fits), most, _pairs_in_time(pairs, seconds, engine))
+    if not count:
+        return dict.fromkeys(m.name for m in candidates)
+    if count < len(pairs.ia):
+        pairs = paired(pairs.a, pairs.ia[:count], pairs.b, pairs.ib[:count])
+    pairs = _without_unused_shapes(pairs)
     right = _relations(pairs, engine)
     different = len(pairs.ia) if len(pairs.a) + len(pairs.b) > 2 else 1  # else copies of one
     jobs, wrong = {}, {}
-    for model in asked:
-        ready = _ready(model, pairs.a, pairs.b)
-        wrong[model.name] = int((_asked(model, pairs, ready, engine) != right)[:different].sum())
-        jobs[f"{model.name} warm"] = partial(_asked, model, pairs, ready, engine)
-        jobs[f"{model.name} cold"] = partial(_from_scratch, model, pairs, engine)
-    # this thread's time, in which other programs have no part
-    found = timing.in_turn(jobs, rounds, dict.fromkeys(jobs, len(pairs.ia)), thread_time, seconds)
-    priced: dict[str, Cost | None] = {}
-    for m in asked:
+    for model in candidates:
+        ready = _prepare_both(model, pairs.a, pairs.b)
+        wrong[model.name] = int((_evaluate(model, pairs, ready, engine) != right)[:different].sum())
+        jobs[f"{model.name} warm"] = partial(_evaluate, model, pairs, ready, engine)
+        jobs[f"{model.name} cold"] = partial(_evaluate_cold, model, pairs, engine)
+    # the clock of this thread leaves out other programs
+    found = timing.time_in_turn(jobs, rounds, dict.fromkeys(jobs, len(pairs.ia)), thread_time, seconds)
+    measured: dict[str, Cost | None] = {}
+    for m in candidates:
         cold, warm = (found.get(f"{m.name} {how}") for how in ("cold", "warm"))
-        priced[m.name] = Cost(cold.median, warm.median, wrong[m.name], len(pairs.ia)) if cold and warm else None
-    return priced
+        measured[m.name] = Cost(cold.median, warm.median, wrong[m.name], len(pairs.ia)) if cold and warm else None
+    return measured
 
 
 def _relations(pairs: Pairs, engine: str | None) -> NDArray[np.int8]:
+    """Return the exact relations of the pairs."""
     return batch.relate(pairs.a, pairs.b, np.stack([pairs.ia, pairs.ib], axis=1), engine=engine)
 
 
-def _affordable(pairs: Pairs, seconds: float, engine: str | None) -> int:
-    """How many pairs the exact model answers in an eighth of the time, by the first of them: it is the dearest."""
-    first = paired(pairs.a, pairs.ia[:FIRST], pairs.b, pairs.ib[:FIRST])
-    _relations(first, engine)  # loads the engine and makes what is kept of the shapes
+def _pairs_in_time(pairs: Pairs, seconds: float, engine: str | None) -> int:
+    """Return how many pairs the exact filter, the slowest model, can decide in an eighth of the time."""
+    first = paired(pairs.a, pairs.ia[:PAIRS_OF_THE_ESTIMATE], pairs.b, pairs.ib[:PAIRS_OF_THE_ESTIMATE])
+    _relations(first, engine)  # loads the engine and fills the caches of the shapes
     start = perf_counter()
     _relations(first, engine)
     each = (perf_counter() - start) / len(first.ia)
     return int(min(len(pairs.ia), seconds / 8 / max(each, 1e-9)))
 
 
-def _tests(pairs: Pairs) -> NDArray[np.float64]:
-    """(K,) tests of an edge against a corner, of each pair."""
-    corners = [np.diff(s.rings.start[s.starts])[i].astype(float) for s, i in ((pairs.a, pairs.ia), (pairs.b, pairs.ib))]
-    found: NDArray[np.float64] = 2 * corners[0] * corners[1]
-    return found
-
-
-def _of_those_used(pairs: Pairs) -> Pairs:
-    """The same pairs of only the shapes that are in them."""
+def _without_unused_shapes(pairs: Pairs) -> Pairs:
+    """Return the pairs with batches that hold only the shapes used in them."""
     if pairs.a is pairs.b:
         every, where = np.unique(np.concatenate([pairs.ia, pairs.ib]), return_inverse=True)
         used = pairs.a[every]
@@ -104,22 +98,25 @@ def _of_those_used(pairs: Pairs) -> Pairs:
     return paired(pairs.a[one], ia, pairs.b[other], ib)
 
 
-def _asked(model: Model, pairs: Pairs, ready: tuple[object, object], engine: str | None) -> NDArray[np.int8]:
+def _evaluate(model: Model, pairs: Pairs, ready: tuple[object, object], engine: str | None) -> NDArray[np.int8]:
+    """Return the relations that the model finds, from the data prepared for both sides."""
     with np.errstate(all="ignore"):
-        return models.answers(model, pairs, *ready, engine=engine)
+        return models.evaluate(model, pairs, *ready, engine=engine)
 
 
-def _from_scratch(model: Model, pairs: Pairs, engine: str | None) -> NDArray[np.int8]:
-    a = _fresh(pairs.a)
-    return _asked(model, pairs, _ready(model, a, a if pairs.b is pairs.a else _fresh(pairs.b)), engine)
+def _evaluate_cold(model: Model, pairs: Pairs, engine: str | None) -> NDArray[np.int8]:
+    """Return the relations that the model finds, including its set-up."""
+    a = _uncached(pairs.a)
+    return _evaluate(model, pairs, _prepare_both(model, a, a if pairs.b is pairs.a else _uncached(pairs.b)), engine)
 
 
-def _ready(model: Model, a: batch.Shapes, b: batch.Shapes) -> tuple[object, object]:
-    mine = models.kept(model, a)
-    return mine, mine if b is a else models.kept(model, b)
+def _prepare_both(model: Model, a: batch.Shapes, b: batch.Shapes) -> tuple[object, object]:
+    """Return the data that the model prepares for both sides; computed once where both are the same batch."""
+    mine = models.prepare(model, a)
+    return mine, mine if b is a else models.prepare(model, b)
 
 
-def _fresh(shapes: batch.Shapes) -> batch.Shapes:
-    """The same shapes with nothing worked out beforehand but how they were made."""
+def _uncached(shapes: batch.Shapes) -> batch.Shapes:
+    """Return a copy of the shapes without cached results."""
     made = vars(shapes)
     return batch.Shapes(shapes.count, shapes.owner, rings=made.get("rings"), groups=made.get("groups"))

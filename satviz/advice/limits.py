@@ -1,4 +1,4 @@
-"""How much work `sv.advise` takes on: counted before it is done, so that the answer comes in seconds or not at all."""
+"""Limits on the work of `sv.advise`: work is counted before it is done, so that the answer takes seconds at most."""
 
 from ..engine.geometry import InvalidScene
 
@@ -6,43 +6,43 @@ from ..engine.geometry import InvalidScene
 MAX_PAIRS = 2_000_000
 # An edge against a corner, in each direction: 18 for two triangles.
 MAX_TESTS = 60_000_000
-# Pairs that arrays cannot tell and fractions can: up to 1 ms each.
+# Pairs that need fractions, because arrays of floats cannot decide them: up to 1 ms each.
 MAX_PAIRS_BY_FRACTIONS = 20_000
-# Two shapes that take more tests are looked at with arrays, which is quicker from here on.
+# Above this number of tests two shapes are classified with arrays, which are then faster than fractions.
 TESTS_BY_FRACTIONS = 2_000
-# `check()` takes fractions for every test: some 30 us each.
+# `check()` uses fractions for every test: some 30 us each.
 MAX_TESTS_CHECKED = 500_000
-# Prices: how long they are measured for a scene, and how many tests one call makes (some 50 ms).
-SECONDS = 1.0
+# Timing: seconds for all models of a scene, and tests in one timed call (some 50 ms).
+SECONDS_TIMED = 1.0
 TESTS_TIMED = 400_000
 
 
-def refuse_more(pairs: int, tests: int) -> None:
-    """InvalidScene for more pairs of convex parts, or more tests of an edge against a corner, than are taken on."""
+def refuse_too_many_tests(pairs: int, tests: int) -> None:
+    """Raise InvalidScene for too many pairs of convex parts, or too many tests of an edge against a corner."""
     for many, most, what in (
         (pairs, MAX_PAIRS, "pairs of convex parts"),
         (tests, MAX_TESTS, "tests of an edge against a corner"),
     ):
         if many > most:
             raise InvalidScene(
-                f"advise would look at {many:,} {what}: the limit is {most:,}; give fewer or simpler shapes, or "
+                f"advise would test {many:,} {what}: the limit is {most:,}; give fewer or simpler shapes, or "
                 "some of the pairs by pairs="
             )
 
 
-def refuse_more_boxes(pairs: int, shapes: int) -> None:
-    """InvalidScene for more pairs of shapes whose boxes meet than are taken on; `pairs`: counted so far."""
+def refuse_too_many_boxes(pairs: int, shapes: int) -> None:
+    """Raise InvalidScene for too many pairs of shapes whose boxes meet; `pairs` counts those found so far."""
     if pairs > MAX_PAIRS:
         raise InvalidScene(
             f"more than {MAX_PAIRS:,} pairs of the bounding boxes of {shapes:,} shapes meet, which is the most that "
-            "advise looks at: give fewer shapes, or some of the pairs by pairs="
+            "advise tests: give fewer shapes, or some of the pairs by pairs="
         )
 
 
-def refuse_more_by_fractions(asked: int, doubtful: int) -> None:
-    """InvalidScene once so many of the doubtful pairs have been asked of fractions."""
-    if asked >= MAX_PAIRS_BY_FRACTIONS:
+def refuse_too_many_fractions(decided: int, undecided: int) -> None:
+    """Raise InvalidScene once MAX_PAIRS_BY_FRACTIONS of the undecided pairs have been decided with fractions."""
+    if decided >= MAX_PAIRS_BY_FRACTIONS:
         raise InvalidScene(
-            f"{doubtful:,} pairs of convex parts are so near to touching, or of such different sizes, that fractions "
-            f"must tell them: advise asks at most {MAX_PAIRS_BY_FRACTIONS:,}; give fewer or simpler shapes"
+            f"{undecided:,} pairs of convex parts are so near to touching, or of such different sizes, that fractions "
+            f"must decide them: the limit is {MAX_PAIRS_BY_FRACTIONS:,}; give fewer or simpler shapes"
         )

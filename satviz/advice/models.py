@@ -1,5 +1,6 @@
-"""The models for many pairs: what each keeps of the shapes, and what it answers."""
+"""The models for many pairs: `prepare` sets up the data of a model for a batch, `evaluate` returns its relations."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
@@ -14,17 +15,19 @@ from ..batch.codes import TOUCHING
 from ..batch.with_numpy.filter import clearance
 from ..engine.geometry import Vec
 from ..engine.predicates import HUGE, TINY
-from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, FILLED, MOST_DIRECTIONS, PARALLEL, Model
-from .pairs import Array, Indices, Pairs, Relations, columns, in_a_row
+from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, MAX_DIRECTIONS, PARALLEL_ANGLE, Model
+from .certified_bounds import WIDENING
+from .margins import edges_from_centers
+from .pairs import Array, Indices, Pairs, Relations, pair_columns, slice_if_adjacent
 from .rounding import FORMATS
 
-BLOCK = 16384  # pairs at a time, whose columns stay in the cache
+PAIRS_PER_BLOCK = 16384  # pairs whose columns fit the cache
 DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64}
 
 
 @dataclass(frozen=True)
-class Flat:
-    """All convex parts in one float format: corners one after another with radii, and in columns."""
+class ConvertedParts:
+    """All convex parts of a batch in one float format: corners one after another with radii, and in columns."""
 
     x: NDArray[Any]
     y: NDArray[Any]
@@ -36,30 +39,30 @@ class Flat:
     groups: dict[int, Group]
 
 
-def kept(model: Model, shapes: Shapes) -> Any:
-    """What a model keeps of shapes: the set-up that its times cold have in them."""
-    if model.kind == EXACT:
+def prepare(model: Model, shapes: Shapes) -> Any:
+    """Return the data that a model needs of the shapes: its set-up, which cold times include."""
+    if model.kind == EXACT_FILTER:
         _ = shapes.groups, shapes.rings, shapes.slot
         return shapes
-    if model.kind == BOXES:
-        return boxes(shapes)
-    if model.kind == CIRCLES:
-        return discs(shapes)
-    if model.kind == DIRECTIONS:
-        return ranges(shapes, model.directions)
+    if model.kind == AABB:
+        return bounding_boxes(shapes)
+    if model.kind == BOUNDING_CIRCLES:
+        return bounding_circles(shapes)
+    if model.kind == K_DOP:
+        return direction_ranges(shapes, model.directions)
     dtype = DTYPES[model.kind]
     with np.errstate(over="ignore"):
         groups = {
             v: g._replace(x=g.x.astype(dtype), y=g.y.astype(dtype), r=None if g.r is None else g.r.astype(dtype))
             for v, g in shapes.groups.items()
         }
-        x, y, r = (c.astype(dtype) for c in (*shapes.rings[:2], radii(shapes)))
-        bounds = shapes.parts.bounds.astype(dtype)  # rounding keeps their order, so a gap that is left was there
-        return Flat(x, y, r, shapes.rings.start, bounds, shapes.count, shapes.slot, groups)
+        x, y, r = (c.astype(dtype) for c in (*shapes.rings[:2], part_radii(shapes)))
+        bounds = shapes.parts.bounds.astype(dtype)  # rounding keeps order: boxes apart after it were apart before
+        return ConvertedParts(x, y, r, shapes.rings.start, bounds, shapes.count, shapes.slot, groups)
 
 
-def radii(shapes: Shapes) -> Array:
-    """(N,) of each part: 0 of polygons."""
+def part_radii(shapes: Shapes) -> Array:
+    """Return the radius of each convex part, 0 for polygons."""
     found = np.zeros(len(shapes.count))
     if (group := shapes.groups.get(1)) is not None:
         found[shapes.count == 1] = group.r
@@ -67,25 +70,25 @@ def radii(shapes: Shapes) -> Array:
 
 
 def is_circle(shapes: Shapes) -> NDArray[np.bool_]:
-    """(N,) which shapes are circles."""
+    """Return which shapes are circles."""
     found: NDArray[np.bool_] = shapes.count[shapes.starts[:-1]] == 1
     return found
 
 
-def boxes(shapes: Shapes) -> Array:
-    """(N, 4) bounding boxes as plain floats have them: a circle's is its center less and plus its radius."""
+def bounding_boxes(shapes: Shapes) -> Array:
+    """Return (N, 4) bounding boxes in plain floats: for a circle, center minus and plus radius."""
     found = np.array(shapes.bounds)
     circle = np.flatnonzero(is_circle(shapes))
     part = shapes.starts[circle]
     x, y, start = shapes.rings
     with np.errstate(over="ignore"):
         for side, c in enumerate((x, y) * 2):
-            found[circle, side] = c[start[part]] + (1 if side > 1 else -1) * radii(shapes)[part]
+            found[circle, side] = c[start[part]] + (1 if side > 1 else -1) * part_radii(shapes)[part]
     return found
 
 
-def discs(shapes: Shapes, wider: float = FILLED) -> Array:
-    """(N, 3) x, y, radius of a circle around each shape, as `proofs.around` has them."""
+def bounding_circles(shapes: Shapes, widening: float = WIDENING) -> Array:
+    """Return (N, 3) x, y, radius of a circle around each shape, as `certified_bounds.bounding_circle`."""
     found = np.empty((len(shapes), 3))
     x, y, start = shapes.rings
     box = shapes.bounds
@@ -95,15 +98,15 @@ def discs(shapes: Shapes, wider: float = FILLED) -> Array:
         many = np.diff(np.concatenate([first, start[-1:]]))
         dx, dy = (c - np.repeat(found[:, i], many) for i, c in enumerate((x, y)))
         square = np.maximum.reduceat(dx * dx + dy * dy, first) if len(first) else np.empty(0)
-        found[:, 2] = np.where((square > TINY) & (square < HUGE), np.sqrt(square) * wider, 0.0)
+        found[:, 2] = np.where((square > TINY) & (square < HUGE), np.sqrt(square) * widening, 0.0)
     circle = np.flatnonzero(is_circle(shapes))
     part = shapes.starts[circle]
-    found[circle] = np.stack([x[start[part]], y[start[part]], radii(shapes)[part]], axis=1)
+    found[circle] = np.stack([x[start[part]], y[start[part]], part_radii(shapes)[part]], axis=1)
     return found
 
 
-def ranges(shapes: Shapes, directions: tuple[Vec, ...]) -> Array:
-    """(N, k, 2) least and most of x*nx + y*ny."""
+def direction_ranges(shapes: Shapes, directions: tuple[Vec, ...]) -> Array:
+    """Return (N, k, 2): the least and the largest x*nx + y*ny of each shape, for k directions."""
     x, y, start = shapes.rings
     first = start[shapes.starts[:-1]]
     found = np.empty((len(shapes), len(directions), 2))
@@ -114,10 +117,10 @@ def ranges(shapes: Shapes, directions: tuple[Vec, ...]) -> Array:
     return found
 
 
-def shared_directions(*many: Shapes) -> tuple[Vec, ...]:
-    """The same as `proofs.shared_directions` for many."""
+def shared_directions(*batches: Shapes) -> tuple[Vec, ...]:
+    """Return what `candidates.shared_directions` returns, for all shapes of these batches."""
     edges = []
-    for shapes in many:
+    for shapes in batches:
         if (shapes.count == 1).any():
             return ()
         x, y, start = shapes.rings
@@ -132,116 +135,125 @@ def shared_directions(*many: Shapes) -> tuple[Vec, ...]:
     left = np.ldexp(left * np.copysign(1.0, np.where(left[0], left[0], left[1])), -np.frexp(size)[1]) + 0.0
     found: list[Vec] = []
     while left.size:
-        if len(found) == MOST_DIRECTIONS:
+        if len(found) == MAX_DIRECTIONS:
             return ()
         nx = left[0].min()
         ny = left[1, left[0] == nx].min()
         found.append(Vec(float(nx), float(ny)))
-        left = left[:, np.abs(nx * left[1] - ny * left[0]) > PARALLEL]
+        left = left[:, np.abs(nx * left[1] - ny * left[0]) > PARALLEL_ANGLE]
     return tuple(found)
 
 
-# -- what is answered
+# -- relations
 
 
 @cache
-def compiled() -> Any:
-    """The compiled kernels, or None where numba does not work."""
+def numba_kernels() -> Any:
+    """Return the module of compiled kernels, or None where numba does not work."""
     if not find_spec("numba"):
         return None
     try:
         from . import kernels
-    except Exception:  # as narrow.engine_of, which warns
+    except Exception:  # `narrow_phase.engine_of` warns about it
         return None
     return kernels
 
 
-def answers(model: Model, pairs: Pairs, a: Any, b: Any, *, engine: str | None = None) -> Relations:
-    """The relations that the model gives, from what it has kept of both sides."""
+def evaluate(model: Model, pairs: Pairs, a: Any, b: Any, *, engine: str | None = None) -> Relations:
+    """Return the relations that the model finds; a and b are the prepared data of both sides."""
     ia, ib = pairs.ia, pairs.ib
-    if model.kind == EXACT:
+    if model.kind == EXACT_FILTER:
         return batch.relate(a, b, np.stack([ia, ib], axis=1), engine=engine)
-    kernels = None if engine == "numpy" else compiled()
+    kernels = None if engine == "numpy" else numba_kernels()
     out = np.empty(len(ia), np.int8)
     if model.kind in FORMATS:
-        return _sat(pairs, a, b, kernels)
+        return sat(pairs, a, b, kernels)
     if kernels is not None:
-        kernel = {BOXES: kernels.boxes, CIRCLES: kernels.circles, DIRECTIONS: kernels.ranges}[model.kind]
+        kernel = {
+            AABB: kernels.compare_boxes,
+            BOUNDING_CIRCLES: kernels.compare_circles,
+            K_DOP: kernels.compare_ranges,
+        }[model.kind]
         kernel(a, ia, b, ib, out)
         return out
-    look = {BOXES: by_boxes, CIRCLES: _by_circles, DIRECTIONS: _by_ranges}[model.kind]
-    for start in range(0, len(ia), BLOCK):
-        part = slice(start, start + BLOCK)
+    compare = {AABB: compare_boxes, BOUNDING_CIRCLES: compare_circles, K_DOP: compare_ranges}[model.kind]
+    for start in range(0, len(ia), PAIRS_PER_BLOCK):
+        part = slice(start, start + PAIRS_PER_BLOCK)
         with np.errstate(all="ignore"):
-            out[part] = look(a[in_a_row(ia[part])], b[in_a_row(ib[part])])
+            out[part] = compare(a[slice_if_adjacent(ia[part])], b[slice_if_adjacent(ib[part])])
     return out
 
 
-def told(gap: NDArray[Any]) -> Relations:
-    """The relations that gaps tell by their signs."""
-    return _counted(gap > 0, gap < 0)
+def relations_of_gaps(gap: NDArray[Any]) -> Relations:
+    """Return the relations of gaps: apart where positive, touching at 0, overlapping where negative."""
+    return relations_of(gap > 0, gap < 0)
 
 
-def by_boxes(a: Array, b: Array) -> Relations:
-    """Those of (N, 4) boxes."""
+def compare_boxes(a: Array, b: Array) -> Relations:
+    """Return the relations of bounding boxes given as rows (x0, y0, x1, y1)."""
     apart = (a[:, 0] > b[:, 2]) | (b[:, 0] > a[:, 2]) | (a[:, 1] > b[:, 3]) | (b[:, 1] > a[:, 3])
     over = (a[:, 0] < b[:, 2]) & (b[:, 0] < a[:, 2]) & (a[:, 1] < b[:, 3]) & (b[:, 1] < a[:, 3])
-    return _counted(apart, over)
+    return relations_of(apart, over)
 
 
-def _counted(apart: Any, over: Any) -> Relations:
+def relations_of(apart: Any, over: Any) -> Relations:
+    """Return the relations of pairs that are apart, that overlap, or else touch; each flag is a bool array."""
     found: Relations = over.view(np.int8) - apart.view(np.int8)
     found += TOUCHING
     return found
 
 
-def _by_circles(a: Array, b: Array) -> Relations:
-    dx, dy, total = a[:, 0] - b[:, 0], a[:, 1] - b[:, 1], a[:, 2] + b[:, 2]
-    return told(dx * dx + dy * dy - total * total)
+def compare_circles(a: Array, b: Array) -> Relations:
+    """Return the relations of circles given as rows (x, y, radius), by squared distances."""
+    return relations_of_gaps(_squared_gap(a.T, b.T))
 
 
-def _by_ranges(a: Array, b: Array) -> Relations:
+def _squared_gap(a: Iterable[NDArray[Any]], b: Iterable[NDArray[Any]]) -> NDArray[Any]:
+    """Return the squared distance less the squared sum of the radii of circles (x, y, radius)."""
+    (ax, ay, ar), (bx, by, br) = a, b
+    dx, dy, radii = ax - bx, ay - by, ar + br
+    gap: NDArray[Any] = dx * dx + dy * dy - radii * radii
+    return gap
+
+
+def compare_ranges(a: Array, b: Array) -> Relations:
+    """Return the relations of shapes by their (N, k, 2) ranges on k directions."""
     apart, over = np.zeros(len(a), bool), np.ones(len(a), bool)
     for k in range(a.shape[1]):
         apart |= (a[:, k, 0] > b[:, k, 1]) | (b[:, k, 0] > a[:, k, 1])
         over &= (a[:, k, 0] < b[:, k, 1]) & (b[:, k, 0] < a[:, k, 1])
-    return _counted(apart, over)
+    return relations_of(apart, over)
 
 
-def _sat(pairs: Pairs, a: Flat, b: Flat, kernels: Any) -> Relations:
+def sat(pairs: Pairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) -> Relations:
+    """Return the relations by SAT in the float format of the parts; `kernels` is None for NumPy."""
     found = np.empty(len(pairs.pa), np.int8)
     if kernels is not None:
         kernels.sat(a.x, a.y, a.r, a.start, a.bounds, pairs.pa, b.x, b.y, b.r, b.start, b.bounds, pairs.pb, found)
     else:
-        for mine, p, q in columns(a, pairs.pa, b, pairs.pb, BLOCK):
+        for mine, p, q in pair_columns(a, pairs.pa, b, pairs.pb, PAIRS_PER_BLOCK):
             with np.errstate(all="ignore"):
-                found[mine] = told(_gaps(p, q))
+                found[mine] = relations_of_gaps(sat_gaps(p, q))
     return pairs.whole(found)
 
 
-def _gaps(p: Group, q: Group) -> NDArray[Any]:
+def sat_gaps(p: Group, q: Group) -> NDArray[Any]:
+    """Return a number with the sign of the gap of each pair of convex parts, given in columns."""
     if p.r is not None and q.r is not None:
-        dx, dy, total = p.x[0] - q.x[0], p.y[0] - q.y[0], p.r + q.r
-        gap: NDArray[Any] = dx * dx + dy * dy - total * total
-        return gap
+        return _squared_gap((p.x[0], p.y[0], p.r), (q.x[0], q.y[0], q.r))
     if p.r is not None or q.r is not None:
-        return _from_center(p, q) if p.r is not None else _from_center(q, p)
-    look: Any = clearance  # whose types say float32, where it is used
-    found: NDArray[Any] = look(p.x, p.y, q.x, q.y, 0)
+        return circle_polygon_gap(p, q) if p.r is not None else circle_polygon_gap(q, p)
+    evaluate_clearance: Any = clearance  # annotated for float32 only
+    found: NDArray[Any] = evaluate_clearance(p.x, p.y, q.x, q.y, 0)
     return found
 
 
-def _from_center(circle: Group, ring: Group) -> NDArray[Any]:
+def circle_polygon_gap(circle: Group, ring: Group) -> NDArray[Any]:
+    """Return the squared distance from center to polygon less the squared radius; -1 with the center inside."""
     assert circle.r is not None
-    x, y = ring.x - circle.x, ring.y - circle.y
-    inside = np.ones(x.shape[1], bool)
-    nearest = np.full(x.shape[1], np.inf, x.dtype)
-    for e in range(len(x)):
-        dx, dy = ring.x[e] - ring.x[e - 1], ring.y[e] - ring.y[e - 1]
-        turn = x[e - 1] * dy - y[e - 1] * dx
+    inside = np.ones(ring.x.shape[1], bool)
+    nearest = np.full(ring.x.shape[1], np.inf, ring.x.dtype)
+    for _, _, turn, distance in edges_from_centers(circle, ring):
         inside &= turn > 0
-        along, square = -(x[e - 1] * dx + y[e - 1] * dy), dx * dx + dy * dy
-        ends = np.where(along <= 0, x[e - 1] ** 2 + y[e - 1] ** 2, x[e] ** 2 + y[e] ** 2)
-        away = np.where((along > 0) & (along < square), turn / square * turn, ends)
-        np.minimum(nearest, away, out=nearest)
+        np.minimum(nearest, distance, out=nearest)
     return np.where(inside, -1, nearest - circle.r * circle.r)

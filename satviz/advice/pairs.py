@@ -1,4 +1,7 @@
-"""Pairs of two batches, and those of their convex parts, some at a time in columns."""
+"""Pairs of shapes of two batches, the pairs of their convex parts, and blocks of these pairs in columns.
+
+Columns hold shapes with equally many corners: x and y are (corners, n) arrays, one column per shape (`Group`).
+"""
 
 from collections.abc import Iterator
 from typing import NamedTuple, Protocol
@@ -8,17 +11,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..batch.arrays import Group, Shapes
 from ..batch.codes import UNDECIDED
-from ..batch.narrow_phase import checked_pairs
+from ..batch.narrow_phase import check_pairs
 from ..engine.shapes import Circle, Polygon, Shape
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 Relations = NDArray[np.int8]
-AT_ONCE = 1 << 18  # corners times pairs
+MAX_CORNERS_AT_ONCE = 1 << 18  # corners times pairs
 
 
 class Pairs(NamedTuple):
-    """Pairs (ia, ib) of two batches; (pa, pb) those of their convex parts, `of` which pair each is of."""
+    """Pairs (ia, ib) of shapes of two batches; (pa, pb) are all pairs of their convex parts, `of` the pair of each."""
 
     a: Shapes
     b: Shapes
@@ -29,7 +32,10 @@ class Pairs(NamedTuple):
     of: Indices
 
     def whole(self, of_parts: Relations) -> Relations:
-        """The most of what the parts do; UNDECIDED unless one overlaps where the answer for some part is."""
+        """Return the relation of each pair from those of its convex parts: the largest one.
+
+        UNDECIDED for a part makes the pair UNDECIDED, unless another part overlaps.
+        """
         if self.a.owner is None and self.b.owner is None:
             return of_parts
         order = np.array([0, 1, 3, 2], np.int8)  # of the relations and, last, UNDECIDED
@@ -39,20 +45,20 @@ class Pairs(NamedTuple):
 
 
 def paired(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Pairs:
-    """Pairs of two batches."""
+    """Return the pairs (ia, ib) of two batches together with their convex parts."""
     return Pairs(a, b, ia, ib, *part_pairs(a, ia, b, ib))
 
 
-class Columned(Protocol):
-    """Convex parts in columns by their number of corners: batch shapes, or a copy of them in another format."""
+class HasColumns(Protocol):
+    """Convex parts in columns by their number of corners: batch shapes, or a copy of them in another float format."""
 
     @property
     def count(self) -> NDArray[np.int64]:
-        """(N,) corners."""
+        """(N,) The number of corners of each part."""
 
     @property
     def slot(self) -> Indices:
-        """(N,) each part's column."""
+        """(N,) The column of each part in its group."""
 
     @property
     def groups(self) -> dict[int, Group]:
@@ -60,9 +66,9 @@ class Columned(Protocol):
 
 
 def indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Indices]:
-    """The pairs as indices into both, side by side or as given; ValueError and IndexError as `batch.relate`."""
+    """Return the pairs as indices into both batches, row by row for None.  ValueError, IndexError as in `relate`."""
     if pairs is not None:
-        return checked_pairs(pairs, len(a), len(b))
+        return check_pairs(pairs, len(a), len(b))
     if len(a) != len(b):
         raise ValueError(f"{len(a)} and {len(b)} shapes: give as many of each, or pairs=")
     every = np.arange(len(a))
@@ -70,7 +76,7 @@ def indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Ind
 
 
 def part_pairs(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> tuple[Indices, Indices, Indices]:
-    """All pairs of convex parts of these pairs: the parts of either side, and which pair they are of."""
+    """Return (pa, pb, of): all pairs of convex parts of these pairs of shapes, and the pair that each belongs to."""
     first_a, first_b = a.starts[ia], b.starts[ib]
     many_b = b.starts[ib + 1] - first_b
     each = (a.starts[ia + 1] - first_a) * many_b
@@ -79,36 +85,46 @@ def part_pairs(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> tuple[Indices,
     return first_a[of] + rank // many_b[of], first_b[of] + rank % many_b[of], of
 
 
-def one(shapes: Shapes, part: int) -> Shape:
-    """A convex part as a shape of the engine."""
+def tests_per_pair(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Array:
+    """Return the tests of an edge against a corner that each pair of shapes takes, in both directions."""
+    corners = [np.diff(s.rings.start[s.starts])[i].astype(float) for s, i in ((a, ia), (b, ib))]
+    tests: Array = 2 * corners[0] * corners[1]
+    return tests
+
+
+def part_shape(shapes: Shapes, part: int) -> Shape:
+    """Return a convex part of a batch as a shape of the engine."""
     group, i = shapes.groups[int(shapes.count[part])], shapes.slot[part]
     if group.r is not None:
         return Circle((group.x[0, i], group.y[0, i]), group.r[i])
     return Polygon(np.stack([group.x[:, i], group.y[:, i]], axis=1))
 
 
-def columns(
-    a: Columned, pa: Indices, b: Columned, pb: Indices, most: int = 1 << 62
+def pair_columns(
+    a: HasColumns, pa: Indices, b: HasColumns, pb: Indices, most: int = 1 << 62
 ) -> Iterator[tuple[Indices, Group, Group]]:
-    """Pairs of parts by their numbers of corners, some at a time (at most `most`): which, and both sides' columns."""
+    """Yield (numbers of pairs, columns of a, columns of b) for blocks of pairs with the same numbers of corners.
+
+    `most` is the largest number of pairs in a block.
+    """
     key = a.count[pa] << 32 | b.count[pb]
     for kind in np.unique(key).tolist():
         one_side, other = kind >> 32, kind & 0xFFFFFFFF
         p, q = a.groups[one_side], b.groups[other]
-        mine, size = np.flatnonzero(key == kind), min(most, max(16, AT_ONCE // (one_side + other)))
+        mine, size = np.flatnonzero(key == kind), min(most, max(16, MAX_CORNERS_AT_ONCE // (one_side + other)))
         for start in range(0, len(mine), size):
             some = mine[start : start + size]
-            yield some, p.columns(in_a_row(a.slot[pa[some]])), q.columns(in_a_row(b.slot[pb[some]]))
+            yield some, p.columns(slice_if_adjacent(a.slot[pa[some]])), q.columns(slice_if_adjacent(b.slot[pb[some]]))
 
 
-def in_a_row(slots: Indices) -> Indices | slice:
-    """A slice where the columns stand side by side, which then need no copying."""
+def slice_if_adjacent(slots: Indices) -> Indices | slice:
+    """Return a slice where the columns are adjacent, so that NumPy copies nothing; else the slots themselves."""
     first, last = int(slots[0]), int(slots[-1])
-    side_by_side = last - first == len(slots) - 1 and (np.diff(slots) == 1).all()
-    return slice(first, last + 1) if side_by_side else slots
+    adjacent = last - first == len(slots) - 1 and (np.diff(slots) == 1).all()
+    return slice(first, last + 1) if adjacent else slots
 
 
-def reach(group: Group) -> Array:
-    """(n,) the largest magnitude of a coordinate of each shape."""
+def max_coordinates(group: Group) -> Array:
+    """Return the largest absolute coordinate of each column, plus the radius of circles."""
     most: Array = np.maximum(np.abs(group.x).max(axis=0), np.abs(group.y).max(axis=0))
     return most if group.r is None else most + group.r

@@ -1,99 +1,108 @@
-"""gamma: how finely a pair must be resolved, in roundings; no unit, and the same at every power of two of its size.
+"""The relative margin of a pair: how hard it is for floats, counted in roundings.
 
-    gamma = |the turn that decides| / (u * span * reach)
+    relative margin = |the turn that decides| / (u * span * max_coordinate)
 
-u is 2**-53, the rounding of float64; in units of float32's, gamma is 2**29 times smaller (`IN_FLOAT32`).
+The *turn* of a corner about an edge is the orientation determinant (orient2d) of the edge and the corner; u = 2**-53 is
+the unit roundoff of float64.  The margin has no unit and does not change when the pair is scaled by a power of two.
 
-Polygons: an edge *clears* by the least of its turns (orient2d) with the other shape's corners, positive
-where all lie beyond it.  Measured in the edge's span (its larger component) times the pair's reach (the largest
-magnitude of a coordinate of both), the edge that clears most decides: where it is positive they are apart, and
-where it is negative even the last edge is refuted by as much, so they overlap.  Touching has gamma 0, and
-only touching.  Circles: an axis of length 1 stands in for the edge, so gamma is the gap (negative by the depth
-along the way out from the center) over u * reach, where a circle reaches its radius beyond its center.  Concave
-polygons: of all pairs of their convex parts the one that clears least decides.
+Polygons: an edge's *clearance* is the least turn of the other shape's corners about it, positive where all of them lie
+beyond the edge.  It is divided by the edge's *span* (its larger component) and by the largest absolute coordinate of
+both shapes.  The edge with the largest quotient decides.  Where that is positive the shapes are apart; where it is
+negative every edge is refuted by at least as much, so they overlap.  The margin is 0 for touching pairs, and only for
+them.  Circles: the gap takes the place of clearance / span (with the center inside: minus the depth), and a circle's
+largest coordinate is that of its center plus the radius.  Concave polygons: the pair of convex parts with the least
+signed margin decides.
 
-A sum of products of rounded differences is off by some u * span * reach, so gamma says what no unit does: plain
-floats can be trusted where it is above their number of roundings, `proofs.py` says how many.  That holds while the
-floats can hold the shapes and the products of their coordinates.  Where products leave the floats' range, or where
-float32's grid is coarser than a shape, an answer can be wrong at any gamma.
+A sum of products of rounded differences is off by some u * span * max_coordinate.  So plain floats can be trusted where
+the margin is above their number of roundings; `certified_bounds.py` says how many.  That holds while the floats can
+hold the shapes and the products of their coordinates.  Where products leave the range of the floats, or where the grid
+of float32 is coarser than a shape, an answer can be wrong at any margin.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from ..engine.convex_parts import parts
 from ..engine.predicates import IntPoint, aligned, root_difference
 from ..engine.shapes import Shape, checked
 
-IN_FLOAT32 = 2.0**-29
+IN_FLOAT32 = 2.0**-29  # a margin times this is counted in roundings of float32
 
 
-def gamma(a: Shape, b: Shape) -> float:
-    """By how many roundings (2**-53 of span times reach) the pair is decided: 0 or more, and 0 only for touching.
+def relative_margin(a: Shape, b: Shape) -> float:
+    """Return the relative margin of two shapes: 0 or more, and 0 only for touching.
 
     Right to the last place of the result; exact in its sign.  TypeError for anything but Polygon and Circle.
     """
-    return abs(signed(a, b))
+    return abs(signed_relative_margin(a, b))
 
 
-def signed(a: Shape, b: Shape) -> float:
-    """The same, negative where they overlap."""
+def signed_relative_margin(a: Shape, b: Shape) -> float:
+    """Return the relative margin of two shapes, negative where they overlap."""
     checked(a, "a"), checked(b, "b")
-    return min(_convex(p, q) for p in parts(a) for q in parts(b))
+    return min(_convex_margin(p, q) for p in parts(a) for q in parts(b))
 
 
-def _convex(a: Shape, b: Shape) -> float:
+def _convex_margin(a: Shape, b: Shape) -> float:
+    """Return the signed relative margin of two convex shapes."""
     p, q, radii, _ = aligned(a, b)
     if not radii:
-        reach = max(abs(c) for ring in (p, q) for v in ring for c in v)
-        best = max(_clears(p, q), _clears(q, p)) / reach
+        max_coordinate = max(abs(c) for ring in (p, q) for v in ring for c in v)
+        clearances = (*edge_clearances(p, q), *edge_clearances(q, p))
+        best = max(Fraction(clearance, span) for clearance, span in clearances) / max_coordinate
         return float(best * 2**53) or (best > 0) * 5e-324 - (best < 0) * 5e-324
     k = max(a.integers[0], b.integers[0])
-    reach = max(
-        max(map(abs, s.integers[1][0])) + s.integers[2] << k - s.integers[0] if s.core_is_point else _most(s, k)
-        for s in (a, b)
-    )
-    size = reach.bit_length()
-    shift = size - 53  # the gap in roundings already, as what is least must not be multiplied
-    gap = _from_center(p[0], radii, q, shift) if len(p) == 1 else _from_center(q[0], radii, p, shift)
-    return gap / (reach / (1 << size))
+    max_coordinate = max(_max_coordinate(s, k) for s in (a, b))
+    size = max_coordinate.bit_length()
+    shift = size - 53  # the gap comes in roundings at once, as the least float must not be multiplied
+    gap = _gap_from_center(p[0], radii, q, shift) if len(p) == 1 else _gap_from_center(q[0], radii, p, shift)
+    return gap / (max_coordinate / (1 << size))
 
 
-def _most(shape: Shape, k: int) -> int:
-    own, ring, _ = shape.integers
-    return max(abs(c) for v in ring for c in v) << k - own
+def _max_coordinate(shape: Shape, k: int) -> int:
+    """Return the largest absolute coordinate, plus the radius, in units of 2**-k."""
+    own, ring, radius = shape.integers
+    return max(abs(c) for v in ring for c in v) + radius << k - own
 
 
-def _clears(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Fraction:
-    """The most that an edge of the ring clears the points by, over its span."""
-    best = None
+def edge_clearances(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Iterator[tuple[int, int]]:
+    """Yield (clearance of the points, span) for each edge of a ring; the first edge ends at the first corner."""
     px, py = ring[-1]
     for qx, qy in ring:
         nx, ny = qy - py, px - qx
-        clears = Fraction(min(nx * x + ny * y for x, y in points) - nx * px - ny * py, max(abs(nx), abs(ny)))
-        best = clears if best is None else max(best, clears)
+        yield min(nx * x + ny * y for x, y in points) - nx * px - ny * py, max(abs(nx), abs(ny))
         px, py = qx, qy
-    assert best is not None
-    return best
 
 
-def _from_center(center: IntPoint, r: int, ring: Sequence[IntPoint], shift: int) -> float:
-    """The gap from a center with a radius to a ring (of one corner: another circle), in units of 2**shift."""
+def edges_from_center(
+    center: IntPoint, ring: Sequence[IntPoint]
+) -> Iterator[tuple[tuple[int, int], int, tuple[int, int]]]:
+    """Yield (direction, turn, (s, q)) for each edge of a ring, from the last corner to the first one on.
+
+    The turn is positive where the center lies inside the edge; s / sqrt(q) is the exact distance of the center from
+    the edge, from an end where no point between the ends is nearer.
+    """
     cx, cy = center
-    inner, outer = [], []
     px, py = ring[-1][0] - cx, ring[-1][1] - cy
     for qx, qy in ring:
         qx, qy = qx - cx, qy - cy
         dx, dy = qx - px, qy - py
-        turn = px * dy - py * dx  # positive with the center inside this edge
-        square = dx * dx + dy * dy
-        if turn > 0:
-            inner.append(root_difference(-turn, r, square, shift))
-        else:
-            along = -(px * dx + py * dy)
-            x, y = (px, py) if along <= 0 else (qx, qy)
-            away = x * x + y * y
-            foot = 0 < along < square
-            outer.append(root_difference(-turn if foot else away, r, square if foot else away or 1, shift))
+        turn, along, square = px * dy - py * dx, -(px * dx + py * dy), dx * dx + dy * dy
+        x, y = (px, py) if along <= 0 else (qx, qy)
+        away = x * x + y * y
+        yield (dx, dy), turn, (abs(turn), square) if 0 < along < square else (away, away or 1)
         px, py = qx, qy
+
+
+def _gap_from_center(center: IntPoint, r: int, ring: Sequence[IntPoint], shift: int) -> float:
+    """Return the gap of a circle and a ring (of one corner: another circle) in units of 2**shift.
+
+    Outside, the nearest edge decides; inside, minus the depth of the center is less the radius.
+    """
+    inner, outer = [], []
+    for (dx, dy), turn, (s, q) in edges_from_center(center, ring):
+        if turn > 0:
+            inner.append(root_difference(-turn, r, dx * dx + dy * dy, shift))
+        else:
+            outer.append(root_difference(s, r, q, shift))
     return min(outer) if outer else max(inner)

@@ -1,12 +1,26 @@
-"""An advice in words: each line a fact with a number."""
+"""A recommendation in words: each line states one fact with its number.
+
+`facts` is the summary of the case, `results` the result of each candidate model, `scope` where the proof is valid
+(`records.py`, `scope.py`).
+"""
 
 from math import inf, log2
 from sys import float_info
 from typing import TYPE_CHECKING
 
-from .certified_bounds import BOXES, CIRCLES, DIRECTIONS, EXACT, Model
-from .facts import CONCAVE, CONVEX, ROUND, UPRIGHT, Facts, ModelResult, anywhere, best, for_hits
-from .limits import SECONDS
+from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
+from .limits import SECONDS_TIMED
+from .records import (
+    CIRCLES,
+    CONCAVE_POLYGONS,
+    CONVEX_POLYGONS,
+    UPRIGHT_BOXES,
+    InputSummary,
+    ModelResult,
+    anywhere,
+    best,
+    for_hits,
+)
 from .relative_margin import IN_FLOAT32
 from .rounding import FLOAT32, FLOAT64, FORMATS
 from .scope import ANYWHERE, GRID, MOVED, Scope
@@ -16,12 +30,17 @@ if TYPE_CHECKING:
 
     from .costs import Cost
 
-ONE = {UPRIGHT: "upright box", ROUND: "circle", CONVEX: "convex polygon", CONCAVE: "concave polygon"}
+SINGULAR = {
+    UPRIGHT_BOXES: "upright box",
+    CIRCLES: "circle",
+    CONVEX_POLYGONS: "convex polygon",
+    CONCAVE_POLYGONS: "concave polygon",
+}
 
 
-def told(facts: Facts, judged: "Sequence[ModelResult]", scope: Scope) -> str:
-    """The whole advice, a line each: what is advised, why, how far, what there is, what less and more would give."""
-    least, hits = best(judged), for_hits(judged)
+def text(facts: InputSummary, results: "Sequence[ModelResult]", scope: Scope) -> str:
+    """Return the recommendation as lines: the model, why, its scope, the facts, and the smaller and larger models."""
+    least, hits = best(results), for_hits(results)
     lines = [
         f"{named(least.model)}: right for {_all(facts)}",
         *_first(least.model, facts),
@@ -32,32 +51,32 @@ def told(facts: Facts, judged: "Sequence[ModelResult]", scope: Scope) -> str:
     ]
     if facts.pairs:
         lines.append(f"nearest  {nearest(facts)}")
-    place = judged.index(least)
-    lines += [f"less     {_fails(j, facts)}" for j in judged[:place]]
-    rest = judged[place + 1 :]
-    lines += [f"{'more ' if j.proven else 'other'}    {_adds(j, facts, judged)}" for j in rest]
+    place = results.index(least)
+    lines += [f"less     {_fails(j, facts)}" for j in results[:place]]
+    rest = results[place + 1 :]
+    lines += [f"{'more ' if j.proven else 'other'}    {_adds(j, facts, results)}" for j in rest]
     if scope.kind != ANYWHERE:
-        lines.append(f"anywhere {named(anywhere(facts, judged))} is right in every position, if the shapes move")
+        lines.append(f"anywhere {named(anywhere(facts, results))} is right in every position, if the shapes move")
     if hits is not least:
         lines.append(f"hits     {named(hits.model)} is enough to tell hits from misses, where touching is a hit")
     return "\n".join(lines)
 
 
-def reason(model: Model, facts: Facts, scope: Scope) -> str:
-    """Why the model is right."""
-    if not facts.pairs and model.kind == BOXES:
-        return "no two boxes meet, so there is nothing left to ask"
-    if model.kind == BOXES and scope.kind == ANYWHERE:
+def reason(model: Model, facts: InputSummary, scope: Scope) -> str:
+    """Return a sentence why the model is right."""
+    if not facts.pairs and model.kind == AABB:
+        return "no two boxes meet, so there is nothing left to test"
+    if model.kind == AABB and scope.kind == ANYWHERE:
         return "upright boxes are their bounding boxes, and comparisons round nothing"
     if scope.kind == GRID:
         return f"all coordinates are {_multiples(scope.unit)}, and {model.kind} rounds nothing of that size"
     return {
-        BOXES: "the bounding boxes give the same answers as the shapes, and comparing numbers rounds nothing",
-        CIRCLES: "circles from the middle of each box to its farthest corner give the same answers as the shapes, and "
-        "rounding errors are too small to change that",
-        DIRECTIONS: "the ranges on these directions give the same answers as the shapes, and rounding errors are too "
+        AABB: "the bounding boxes give the same answers as the shapes, and comparing numbers rounds nothing",
+        BOUNDING_CIRCLES: "circles from the middle of each box to its farthest corner give the same answers as the "
+        "shapes, and rounding errors are too small to change that",
+        K_DOP: "the ranges on these directions give the same answers as the shapes, and rounding errors are too "
         "small to change that, or there are none",
-        EXACT: "where floats cannot decide a pair, it computes with integers",
+        EXACT_FILTER: "where floats cannot decide a pair, it computes with integers",
         **{
             kind: f"the rounding errors of {kind} are too small to change the answer of any pair, or there are none"
             for kind in FORMATS
@@ -65,10 +84,10 @@ def reason(model: Model, facts: Facts, scope: Scope) -> str:
     }[model.kind]
 
 
-def holds(scope: Scope, facts: Facts) -> str:
-    """Where it holds."""
+def holds(scope: Scope, facts: InputSummary) -> str:
+    """Return a sentence where the recommendation holds."""
     if scope.kind == ANYWHERE:
-        if set(facts.kinds) == {UPRIGHT}:
+        if set(facts.kinds) == {UPRIGHT_BOXES}:
             return "anywhere: upright boxes need y and x only, whatever their coordinates"
         return "anywhere: it is exact for all coordinates"
     if scope.kind == GRID:
@@ -82,23 +101,24 @@ def holds(scope: Scope, facts: Facts) -> str:
 
 
 def _multiples(unit: int | None) -> str:
+    """Return "whole numbers", or the power of two that all coordinates are multiples of."""
     return "whole numbers" if unit == 0 else f"multiples of {_size(2.0 ** (unit or 0))}"
 
 
 def _size(value: float) -> str:
-    """A power of two as a number, where that can be read."""
+    """Return a power of two as a decimal number, or as 2^n where the number is long."""
     return f"{value:,.15g}" if 2.0**-10 <= value <= 2.0**20 else power(value, 0)
 
 
-def price(model: Model, facts: Facts, found: "Mapping[str, Cost | None]") -> str:
-    """What the recommended model costs here, beside the exact filter; empty where there are no pairs."""
+def cost_line(model: Model, facts: InputSummary, found: "Mapping[str, Cost | None]") -> str:
+    """Return the line on the cost of the recommended model beside the exact filter; "" where there are no pairs."""
     if not found:
         return ""
     mine = found[model.name]
-    exact_name, exact = next((name, p) for name, p in found.items() if name.endswith(EXACT))
+    exact_name, exact = next((name, p) for name, p in found.items() if name.endswith(EXACT_FILTER))
     after = " whose boxes meet" if facts.settled else ""
     if mine is None:
-        return f"price    not timed: one pair of these shapes takes too long for the {SECONDS:g} s of all models"
+        return f"price    not timed: one pair of these shapes takes too long for the {SECONDS_TIMED:g} s of all models"
     text = f"price    {duration(mine.warm)} a pair{after}, {duration(mine.cold)} with its set-up"
     if model.name == exact_name:
         return text
@@ -106,7 +126,7 @@ def price(model: Model, facts: Facts, found: "Mapping[str, Cost | None]") -> str
 
 
 def duration(nanoseconds: float) -> str:
-    """A time with its unit, two digits."""
+    """Return a time with its unit, to two digits."""
     for size, unit in ((1e9, "s"), (1e6, "ms"), (1e3, "µs")):
         if nanoseconds >= size * 0.9995:
             shown = nanoseconds / size
@@ -115,23 +135,23 @@ def duration(nanoseconds: float) -> str:
 
 
 def named(model: Model) -> str:
-    """A model's name and how many axes it has."""
-    return model.name if model.kind == DIRECTIONS and not model.after_boxes else f"{model.name} ({axes(model.axes)})"
+    """Return the name of a model and its number of axes."""
+    return model.name if model.kind == K_DOP and not model.after_boxes else f"{model.name} ({axes(model.axes)})"
 
 
 def axes(many: int) -> str:
-    """How many axes."""
+    """Return a number of axes in words: "1 axis", "2 axes"."""
     return f"{many:,} {'axis' if many == 1 else 'axes'}"
 
 
 def power(value: float, digits: int = 1) -> str:
-    """A number as a power of two."""
+    """Return a number as a power of two; "0" and "no end" for 0 and infinity."""
     return "0" if not value else f"2^{log2(value):.{digits}f}" if value < inf else "no end"
 
 
-def shapes(facts: Facts) -> str:
-    """What there is."""
-    kinds = ", ".join(f"{n:,} {ONE[kind] if n == 1 else kind}" for kind, n in facts.kinds.items())
+def shapes(facts: InputSummary) -> str:
+    """Return the shapes in words: kinds, corners and sizes."""
+    kinds = ", ".join(f"{n:,} {SINGULAR[kind] if n == 1 else kind}" for kind, n in facts.kinds.items())
     low, high = facts.corners
     corners = f", {low} corners" if low == high else f", {low} to {high} corners"
     corners += " in a convex part" if "concave polygons" in facts.kinds else ""
@@ -140,54 +160,58 @@ def shapes(facts: Facts) -> str:
     return f"{kinds or 'none'}{corners if high else ''}{sizes}"
 
 
-def _all(facts: Facts) -> str:
+def _all(facts: InputSummary) -> str:
+    """Return "this pair" or "all N pairs"."""
     every = facts.pairs + facts.settled
     return "this pair" if every == 1 else f"all {every:,} pairs"
 
 
-def _first(model: Model, facts: Facts) -> list[str]:
-    """What runs before the model's own test, and how many pairs it leaves."""
+def _first(model: Model, facts: InputSummary) -> list[str]:
+    """Return the line on the test of bounding boxes before the model, if there is one: pairs settled and pairs left."""
     if not model.after_boxes:
         return []
-    said = f"{BOXES} (2 axes) finds {facts.settled:,} pairs apart; {model.test} decides the other {facts.pairs:,}"
-    return [f"first    {said}"]
+    sentence = f"{AABB} (2 axes) finds {facts.settled:,} pairs apart; {model.test} decides the other {facts.pairs:,}"
+    return [f"first    {sentence}"]
 
 
-def _pairs(facts: Facts) -> str:
+def _pairs(facts: InputSummary) -> str:
+    """Return the numbers of pairs by relation."""
     apart, touching, overlapping = facts.relations
     text = f"{facts.pairs:,}: {apart:,} apart, {touching:,} touching, {overlapping:,} overlapping"
     return text + (f"; {facts.settled:,} more are apart by their boxes" if facts.settled else "")
 
 
-def nearest(facts: Facts) -> str:
-    """The pair that is hardest to tell, in roundings."""
+def nearest(facts: InputSummary) -> str:
+    """Return the pair with the smallest relative margin, and that margin in roundings."""
     where = "" if facts.pairs + facts.settled == 1 else f"pair {facts.at} "
-    if not facts.gamma:
-        return f"{where}touches: its margin (gamma) is 0"
+    if not facts.relative_margin:
+        return f"{where}touches: its relative margin is 0"
     return (
-        f"{where}{'has ' if where else ''}a margin of {power(facts.gamma)} rounding errors of float64 (its gamma), "
-        f"{power(facts.gamma * IN_FLOAT32)} of float32"
+        f"{where}{'has ' if where else ''}a relative margin of {power(facts.relative_margin)} rounding errors of "
+        f"float64, {power(facts.relative_margin * IN_FLOAT32)} of float32"
     )
 
 
-def _fails(judged: ModelResult, facts: Facts) -> str:
+def _fails(result: ModelResult, facts: InputSummary) -> str:
+    """Return why a model is not proven: its wrong and its uncertain pairs."""
     if facts.pairs + facts.settled == 1:
-        said = "wrong here" if judged.wrong else "not proven, as a rounding error could change the answer"
-        return f"{named(judged.model)}: {said}"
+        verdict = "wrong here" if result.wrong else "not proven, as a rounding error could change the answer"
+        return f"{named(result.model)}: {verdict}"
     found = []
-    if judged.wrong:
-        found.append(f"wrong on {judged.wrong:,}")
-    if judged.unsure:
-        found.append(f"not proven for {judged.unsure:,}, where a rounding error could change the answer")
-    return f"{named(judged.model)}: {' and '.join(found)}; the first is pair {judged.first}"
+    if result.wrong:
+        found.append(f"wrong on {result.wrong:,}")
+    if result.uncertain:
+        found.append(f"not proven for {result.uncertain:,}, where a rounding error could change the answer")
+    return f"{named(result.model)}: {' and '.join(found)}; the first is pair {result.first}"
 
 
-def _adds(judged: ModelResult, facts: Facts, every: "Sequence[ModelResult]") -> str:
-    if not judged.proven:
-        return _fails(judged, facts)
+def _adds(result: ModelResult, facts: InputSummary, results: "Sequence[ModelResult]") -> str:
+    """Return what a model larger than the recommended one adds, or why it fails too."""
+    if not result.proven:
+        return _fails(result, facts)
     adds = "also right, but not needed here"
-    if judged.model.kind == EXACT:
+    if result.model.kind == EXACT_FILTER:
         adds = "right for all coordinates"
-    elif judged.model.kind == FLOAT64.name and any(j.model.kind == FLOAT32.name and j.proven for j in every):
+    elif result.model.kind == FLOAT64.name and any(j.model.kind == FLOAT32.name and j.proven for j in results):
         adds = "also right, but nothing here needs rounding errors 2^29 times as small"
-    return f"{named(judged.model)}: {adds}"
+    return f"{named(result.model)}: {adds}"

@@ -1,11 +1,12 @@
-"""Whether a model rounds anything at all on a pair; where it does not, its plain floats also tell touching exactly.
+"""Check whether a model rounds anything at all on a pair; if not, its plain floats also find touching pairs exactly.
 
-Each formula names every number that a model can compute on the way: every partial sum, in every order of the terms,
-with differences of coordinates taken first or last, and every product.  It runs on one of two kinds of
-arithmetic: `Exact` below has the exact values as fractions, for one pair; `rounding_numpy.Errors` has arrays of floats
-and the error of each operation, for many.  Both note in `exact` whether the format holds every number named.
+Each formula below computes every number that a model can compute on the way: every partial sum, in every order of the
+terms, with differences of coordinates taken first or last, and every product.  It runs on one of two kinds of
+arithmetic: `Exact` below has exact values as fractions, for one pair; `rounding_numpy.Errors` has arrays of floats and
+the error of each operation, for many pairs.  Both record in `exact` whether the format *holds* (can represent) every
+number computed.
 
-A comparison, and the last sum before a sign is taken, need not be held: rounding keeps the sign of a sum.
+The last sum before a sign is taken need not be held: rounding keeps the sign of a sum.
 """
 
 from collections.abc import Iterator, Sequence
@@ -40,22 +41,22 @@ FORMATS = {f.name: f for f in (FLOAT32, FLOAT64)}
 
 
 class Arithmetic(Protocol[N]):
-    """Operations that give exact results and note in `exact` whether the format holds them."""
+    """Operations that return exact results and record in `exact` whether the format holds them."""
 
     def product(self, a: N, b: N) -> N:
-        """a * b."""
+        """Return a * b."""
 
     def root(self, a: N) -> N:
-        """The square root of a."""
+        """Return the square root of a."""
 
     def total(self, *terms: N) -> N:
-        """The sum of the terms; it and every partial sum must be held."""
+        """Return the sum of the terms; the format must hold it and every partial sum."""
 
     def compared(self, *terms: N) -> None:
-        """A sum of which only the sign is used: every partial sum must be held, but not the sum itself."""
+        """Record a sum of which only the sign is used: the format must hold every partial sum, but not the sum."""
 
     def together(self, ring: Sequence[Point[N]]) -> Sequence[Point[N]]:
-        """The corners, in as few operands as this arithmetic can take at once."""
+        """Return the corners as operands: one by one, or all at once as arrays."""
 
 
 class Exact:
@@ -66,39 +67,39 @@ class Exact:
         self.exact = True
 
     def held(self, value: Fraction) -> Fraction:
-        """The value, noted."""
+        """Return the value; record whether the format holds it."""
         self.exact = self.exact and holds(value, self.form)
         return value
 
     def product(self, a: Fraction, b: Fraction) -> Fraction:
-        """a * b."""
+        """Return a * b."""
         return self.held(a * b)
 
     def root(self, a: Fraction) -> Fraction:
-        """The square root of a, rounded down where it is no fraction."""
+        """Return the square root of a, rounded down where it is irrational."""
         found = Fraction(isqrt(a.numerator), isqrt(a.denominator))
         self.exact = self.exact and found * found == a
         return self.held(found)
 
     def total(self, *terms: Fraction) -> Fraction:
-        """The sum of the terms."""
+        """Return the sum of the terms."""
         self.compared(*terms)
         return self.held(sum(terms, Fraction(0)))
 
     def compared(self, *terms: Fraction) -> None:
-        """A sum of which only the sign is used."""
+        """Record the partial sums of the terms."""
         terms = tuple(filter(None, terms))
         for many in range(2, len(terms)):
             for some in combinations(terms, many):
                 self.held(sum(some, Fraction(0)))
 
     def together(self, ring: Sequence[Point[Fraction]]) -> Sequence[Point[Fraction]]:
-        """The corners one by one."""
+        """Return the corners unchanged: one operand each."""
         return ring
 
 
 def holds(value: Fraction, form: Format) -> bool:
-    """Is the value a number of the format?"""
+    """Return whether the value is a number of the format."""
     n, d = value.as_integer_ratio()
     if not n:
         return True
@@ -108,7 +109,7 @@ def holds(value: Fraction, form: Format) -> bool:
 
 
 def polygons(arithmetic: Arithmetic[N], p: Sequence[Point[N]], q: Sequence[Point[N]]) -> Iterator[None]:
-    """Two convex polygons by the normals of all edges; a step for each edge, so that the caller can stop.
+    """Compute SAT on two convex polygons on the normals of all edges; yield after each edge: the caller may stop there.
 
     Each corner of the other shape is compared with the edge, and each corner is projected on its normal.
     """
@@ -126,27 +127,28 @@ def polygons(arithmetic: Arithmetic[N], p: Sequence[Point[N]], q: Sequence[Point
 
 
 def landing(arithmetic: Arithmetic[N], normal: Point[N], corner: Point[N]) -> N:
-    """Where a corner lands on an axis: nx*x + ny*y."""
+    """Return the landing of a corner on an axis: nx*x + ny*y."""
     return arithmetic.total(*(arithmetic.product(n, c) for n, c in zip(normal, corner, strict=True)))
 
 
 def circles(arithmetic: Arithmetic[N], a: Sequence[N], b: Sequence[N]) -> None:
-    """Two circles (x, y, radius) by the squares of their distance and of the sum of their radii."""
+    """Compare two circles (x, y, radius) by the squares of their distance and of the sum of their radii."""
     dx, dy = (arithmetic.total(c, _minus(d)) for c, d in zip(a[:2], b[:2], strict=True))
-    reach = arithmetic.total(a[2], b[2])
-    square = arithmetic.product(reach, reach)
+    radii = arithmetic.total(a[2], b[2])
+    square = arithmetic.product(radii, radii)
     arithmetic.compared(arithmetic.product(dx, dx), arithmetic.product(dy, dy), _minus(square))
     arithmetic.total(arithmetic.product(dx, dx), arithmetic.product(dy, dy))
 
 
 def circle_ranges(arithmetic: Arithmetic[N], a: Sequence[N], b: Sequence[N]) -> None:
-    """Two circles (x, y, radius) by their ranges on the line through the centers, which is not made to unit length."""
+    """Compare two circles (x, y, radius) by their ranges on the line through the centers, without normalizing it."""
     nx, ny = (arithmetic.total(c, _minus(d)) for c, d in zip(a[:2], b[:2], strict=True))
     length = arithmetic.root(arithmetic.total(arithmetic.product(nx, nx), arithmetic.product(ny, ny)))
     for x, y, radius in (a, b):
-        center, reach = landing(arithmetic, (nx, ny), (x, y)), arithmetic.product(radius, length)
-        arithmetic.total(center, reach), arithmetic.total(center, _minus(reach))
+        center, half = landing(arithmetic, (nx, ny), (x, y)), arithmetic.product(radius, length)
+        arithmetic.total(center, half), arithmetic.total(center, _minus(half))
 
 
 def _minus(value: Any) -> Any:
+    """Return -value, for fractions and arrays."""
     return -value

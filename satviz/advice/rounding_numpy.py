@@ -1,4 +1,4 @@
-"""The arithmetic of `rounding` for many pairs: arrays of floats, and where the error of each operation is nothing."""
+"""The arithmetic of `rounding.py` for many pairs: arrays of floats with the error of each operation."""
 
 from collections.abc import Sequence
 from functools import reduce
@@ -16,10 +16,10 @@ Flags = NDArray[np.bool_]
 
 
 class Errors:
-    """Float64 arrays of n pairs, (n,) or (corners, n); `exact` (n,) is False where the format does not hold a number.
+    """The arithmetic of n pairs on float64 arrays (n,) or (corners, n); `exact` is False where a number is not held.
 
-    Exact like `rounding.Exact`, pair by pair.  float32 is a part of float64: what float64 does not hold it does not
-    either.  Values of pairs that are not exact mean nothing.
+    It finds what `rounding.Exact` finds, pair by pair.  A number that float64 does not hold is not held by float32
+    either.  Values of pairs that are not exact are meaningless.
     """
 
     def __init__(self, form: Format, pairs: int) -> None:
@@ -27,10 +27,11 @@ class Errors:
         self.exact: Flags = np.ones(pairs, bool)
 
     def held(self, value: Array) -> Array:
-        """The value, noted."""
+        """Return the value; record where the format holds it."""
         return self._held(value, np.ones(value.shape, bool))
 
     def _held(self, value: Array, exact: Flags) -> Array:
+        """Return the value; record where it is exact and the format holds it."""
         good = exact & np.isfinite(value)
         if self.form is FLOAT32:
             good &= value.astype(np.float32) == value
@@ -38,29 +39,30 @@ class Errors:
         return value
 
     def product(self, a: Array, b: Array) -> Array:
-        """a * b, of mantissas and exponents apart, so that no part of it under- or overflows by itself."""
+        """Return a * b; mantissas and exponents are multiplied apart, so that the error term does not underflow."""
         (a, i), (b, j) = np.frexp(a), np.frexp(b)
         value, error = _product(a, b)
         return self._scaled(value, i + j, error == 0)
 
     def root(self, a: Array) -> Array:
-        """The square root of a."""
+        """Return the square root of a."""
         value = np.sqrt(a)
         mantissa, power = np.frexp(value)
         square, error = _product(mantissa, mantissa)
         return self._held(value, (error == 0) & (np.ldexp(square, 2 * power) == a))
 
     def _scaled(self, value: Array, power: NDArray[Any], exact: Flags) -> Array:
+        """Return value * 2**power; record where that is exact and the format holds it."""
         result = np.ldexp(value, power)
         return self._held(result, exact & (np.ldexp(result, -power) == value))
 
     def total(self, *terms: Array) -> Array:
-        """The sum of the terms."""
+        """Return the sum of the terms."""
         self.compared(*terms)
         return self._held(*_sum(terms))
 
     def compared(self, *terms: Array) -> None:
-        """A sum of which only the sign is used: its partial sums but those that leave out only zeros."""
+        """Record the partial sums of the terms, except those that leave out only zeros and so equal the sum."""
         for many in range(2, len(terms)):
             for some in combinations(range(len(terms)), many):
                 value, exact = _sum([terms[i] for i in some])
@@ -68,11 +70,12 @@ class Errors:
                 self._held(np.where(last, 0.0, value), exact | last)
 
     def together(self, ring: Sequence[Point[Array]]) -> Sequence[Point[Array]]:
-        """All corners at once, as (corners, n) arrays."""
+        """Return all corners as one operand of (corners, n) arrays."""
         return [(np.stack([x for x, _ in ring]), np.stack([y for _, y in ring]))]
 
 
 def _product(a: Array, b: Array) -> tuple[Array, Array]:
+    """Return (a * b rounded, rounding error)."""
     a, b = np.broadcast_arrays(a, b)
     error, product = np.empty_like(a), np.empty_like(a)
     two_product(a, b, error, product)
@@ -80,7 +83,7 @@ def _product(a: Array, b: Array) -> tuple[Array, Array]:
 
 
 def _sum(terms: Sequence[Array]) -> tuple[Array, Flags]:
-    """The sum, and where no addition rounds, which is so in every order once every partial sum is held."""
+    """Return (sum, where no addition rounds); the flags hold in every order once every partial sum is held."""
     total, exact = terms[0], np.bool_(True)
     for term in terms[1:]:
         total, error = two_sum(total, term)

@@ -1,4 +1,8 @@
-"""How far an advice holds: the pairs as they lie, and further only where that follows."""
+"""Scope of a recommendation: these exact coordinates, or a larger set of scenes where that is provable.
+
+A recommended model is proven for the given coordinates.  It may be proven for more: anywhere, for all polygons on a
+*grid* (coordinates that are multiples of one power of two), or for the scene *moved as a whole* by exact translations.
+"""
 
 from collections.abc import Iterable
 from fractions import Fraction
@@ -8,20 +12,20 @@ from typing import NamedTuple
 
 from ..engine.predicates import to_integers
 from ..engine.shapes import Shape
-from . import certified_bounds
-from .certified_bounds import BOXES, EXACT, Body, Model
-from .facts import CONCAVE, ROUND, UPRIGHT, Case, Facts, Grid
-from .relative_margin import gamma
+from .candidates import AABB, EXACT_FILTER, AnyShape, Model, convex_parts, cyclic_pairs
+from .certified_bounds import SAT_ROUNDINGS
+from .records import CIRCLES, CONCAVE_POLYGONS, UPRIGHT_BOXES, Grid, InputSummary, PairsInHand
+from .relative_margin import relative_margin
 from .rounding import FLOAT64, FORMATS, Format
 
 ANYWHERE, GRID, MOVED, HERE = "anywhere", "on a grid", "moved as a whole", "these coordinates"
 
 
 class Scope(NamedTuple):
-    """Where the recommendation holds: its kind, one of those above, and its numbers in scene units.
+    """Where a recommendation holds: `kind` is one of the four constants above; lengths are in scene units.
 
-    `bound`: the largest magnitude of a coordinate (and radius); `unit`: on a grid, the exponent of the power of two
-    that all numbers are multiples of; `span`: the widest and highest that an edge may be there, 0 for any.
+    `bound`: the largest absolute coordinate allowed; `unit`: on a grid, the exponent of the power of two that all
+    coordinates are multiples of; `span`: the largest component of an edge allowed on a grid, 0 for any.
     """
 
     kind: str
@@ -30,53 +34,55 @@ class Scope(NamedTuple):
     span: float = 0.0
 
 
-def scope_of(model: Model, facts: Facts, case: Case) -> Scope:
-    """Where the model is right, if it is so for the pairs in hand."""
+def scope_of(model: Model, facts: InputSummary, case: PairsInHand) -> Scope:
+    """Return the scope of a model that is proven for the pairs of a case."""
     if not facts.pairs:
         return Scope(HERE)
-    if model.kind == EXACT or (model.kind == BOXES and set(facts.kinds) == {UPRIGHT}):
+    if model.kind == EXACT_FILTER or (model.kind == AABB and set(facts.kinds) == {UPRIGHT_BOXES}):
         return Scope(ANYWHERE)
     if model.kind not in FORMATS:
         return Scope(HERE)
-    if CONCAVE in facts.kinds:  # whose convex parts depend on where it lies, and their corners on no grid of its own
-        return Scope(HERE)
     form = FORMATS[model.kind]
-    if ROUND in facts.kinds:
+    # the convex parts of a concave polygon change when it moves
+    if CIRCLES in facts.kinds or CONCAVE_POLYGONS in facts.kinds:
         return Scope(HERE)
     if not facts.settled and (found := _on_grid(case.grid(), form)):
         return found
-    bound = case.reach() if form is FLOAT64 else 0.0
+    bound = case.moved_bound() if form is FLOAT64 else 0.0
     return Scope(MOVED, bound) if bound else Scope(HERE)
 
 
-def reach_allowed(a: Shape, b: Shape) -> Fraction:
-    """How far from the origin a pair of convex polygons may be moved as a whole, for SAT on float64 to stay proven.
+def allowed_coordinate(a: Shape, b: Shape) -> Fraction:
+    """Return the largest coordinate up to which two convex polygons may be moved with SAT in float64 still proven.
 
-    A move changes no turn and no span, so what decides stays gamma * u * span * reach: reach may grow until gamma is
-    the roundings asked (and one, as gamma itself is rounded).
+    A move of the whole pair changes no turn and no span, so relative_margin * max_coordinate is constant.  The
+    coordinate may grow until the margin has fallen to SAT_ROUNDINGS + 1 (the 1 for the rounding of the margin itself).
     """
-    reach = max(abs(c) for s in (a, b) for c in s.bounds)
-    return Fraction(gamma(a, b)) * Fraction(reach) / (certified_bounds.LOOKS + 1)
+    max_coordinate = max(abs(c) for s in (a, b) for c in s.bounds)
+    return Fraction(relative_margin(a, b)) * Fraction(max_coordinate) / (SAT_ROUNDINGS + 1)
 
 
-def reach_of(pairs: Iterable[tuple[Body, Body]]) -> float:
-    """The reach allowed for all of these polygons."""
+def moved_bound(pairs: Iterable[tuple[AnyShape, AnyShape]]) -> float:
+    """Return the power of two up to which all these pairs of polygons may be moved; 0 if they exceed it already."""
     parts = _parts(pairs)
-    allowed = min(reach_allowed(p, q) for p, q in parts)
-    return bound_of(float(min(allowed, Fraction(FLOAT64.most))), max(s.max_coordinate for pair in parts for s in pair))
+    allowed = min(allowed_coordinate(p, q) for p, q in parts)
+    return power_of_two_bound(
+        float(min(allowed, Fraction(FLOAT64.most))), max(s.max_coordinate for pair in parts for s in pair)
+    )
 
 
-def bound_of(allowed: float, reach: float) -> float:
-    """The largest power of two within what is allowed; 0 if that is no further than the shapes reach."""
+def power_of_two_bound(allowed: float, max_coordinate: float) -> float:
+    """Return the largest power of two that is at most `allowed`; 0 unless it is above `max_coordinate`."""
     bound = min(2.0 ** (frexp(allowed)[1] - 1), FLOAT64.most) if 0 < allowed < inf else 0.0
-    return bound if bound > reach else 0.0
+    return bound if bound > max_coordinate else 0.0
 
 
 def _on_grid(grid: Grid | None, form: Format) -> Scope | None:
-    """The grid on which nothing is rounded: any polygons of its multiples up to M, with edges up to S.
+    """Return the scope of polygons on this grid for which SAT rounds nothing; None where the pairs exceed it.
 
-    In units of the grid a product of an edge's part and a coordinate is at most S M.  The terms of a comparison are
-    four, and a sum of up to three of them is at most 3 S M: held if 4 S M <= 2**bits.  S = 2 M is every edge.
+    Coordinates are at most M and edge components at most S, in units of the grid.  A product of the two is at most S M.
+    A comparison adds four products; partial sums have up to three, so at most 3 S M, and are exact if 4 S M <= 2**bits.
+    S = 2 M admits every edge.
     """
     if grid is None:
         return None
@@ -90,8 +96,8 @@ def _on_grid(grid: Grid | None, form: Format) -> Scope | None:
     return Scope(GRID, 2.0 ** (grid.unit + size), grid.unit, 0.0 if size == any_edge else 2.0 ** (grid.unit + span))
 
 
-def grid_of(pairs: Iterable[tuple[Body, Body]]) -> Grid | None:
-    """The grid of these pairs; None where all numbers are 0."""
+def grid_of(pairs: Iterable[tuple[AnyShape, AnyShape]]) -> Grid | None:
+    """Return the coarsest grid of all numbers of these pairs; None where all numbers are 0."""
     shapes = list(chain.from_iterable(_parts(pairs)))
     k, found = to_integers(c for s in shapes for c in (*chain.from_iterable(s.core), s.radius))
     common = 0
@@ -100,14 +106,10 @@ def grid_of(pairs: Iterable[tuple[Body, Body]]) -> Grid | None:
     if not common:
         return None
     low = (common & -common).bit_length() - 1
-    spans = [
-        abs(Fraction(c) - Fraction(d))
-        for s in shapes
-        for p, q in certified_bounds.edges_of(s.core)
-        for c, d in zip(p, q)
-    ]
+    spans = [abs(Fraction(c) - Fraction(d)) for s in shapes for p, q in cyclic_pairs(s.core) for c, d in zip(p, q)]
     return Grid(low - k, max(map(abs, found)) >> low, int(max(spans) / Fraction(2) ** (low - k)))
 
 
-def _parts(pairs: Iterable[tuple[Body, Body]]) -> list[tuple[Shape, Shape]]:
-    return [(p, q) for a, b in pairs for p in certified_bounds.pieces(a) for q in certified_bounds.pieces(b)]
+def _parts(pairs: Iterable[tuple[AnyShape, AnyShape]]) -> list[tuple[Shape, Shape]]:
+    """Return all pairs of convex parts of these pairs of shapes."""
+    return [(p, q) for a, b in pairs for p in convex_parts(a) for q in convex_parts(b)]

@@ -1,4 +1,4 @@
-"""Many shapes as a file: an .npz of plain arrays, read without running anything."""
+"""Read many shapes from a file: an .npz of plain arrays, of which no code is run."""
 
 import zipfile
 from collections import Counter
@@ -14,18 +14,18 @@ from numpy.typing import NDArray
 
 from .. import batch
 from ..batch import validation
-from ..batch.outlines import convex
+from ..batch.outlines import convex_rings
 from ..batch.ragged import Rings
 from ..engine.geometry import InvalidScene, InvalidShape
 from ..engine.polygon_validation import shown
 
-MAX_NUMBERS = 4_000_000  # 2,000,000 circles or corners: recommended on in some 10 s and 0.8 GB
+MAX_NUMBERS = 4_000_000  # 2,000,000 circles or corners: `sv.advise` takes some 10 s and 0.8 GB
 MAX_CONCAVE_CORNERS = 50_000  # split into convex parts one outline at a time, in some 10 s
 HEADER_BYTES = 1 << 14  # NumPy itself reads no header longer than 10,000
 
 
 class Kind(NamedTuple):
-    """What an array of the file must be: the letters of its dtype, the numbers of a row, and that in words."""
+    """The form of an array of the file: the kinds of its dtype, the shape of a row, and a description of both."""
 
     dtypes: str
     row: tuple[int, ...]
@@ -40,11 +40,11 @@ KINDS = {
     "pairs": Kind("iu", (2,), "(P, 2) integers, the numbers of the two shapes of each pair"),
 }
 PACKED = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED  # by numpy.savez and numpy.savez_compressed
-LIMITED = ("coords",), ("offsets",), ("centers", "radii"), ("pairs",)  # of each of these, the numbers in all
+LIMITED = ("coords",), ("offsets",), ("centers", "radii"), ("pairs",)  # each group has MAX_NUMBERS in all, at most
 
 
 def load(path: Path) -> tuple[batch.Shapes, NDArray[Any] | None]:
-    """The shapes of a file and which pairs are meant, if it says; InvalidScene in one line for what is no such file.
+    """Return (shapes, pairs) of a file, None for pairs if it has none; InvalidScene for a file of another form.
 
     `coords` (M, 2) and `offsets` (N + 1,): polygons one after another, concave ones split; `centers` (K, 2) and
     `radii` (K,): circles, numbered after the polygons; `pairs` (P, 2): the numbers of the two shapes of each.
@@ -56,19 +56,19 @@ def load(path: Path) -> tuple[batch.Shapes, NDArray[Any] | None]:
         with zipfile.ZipFile(path) as held:
             members = _members(path, held)
             _check(path, {name: _header(held, member) for name, member in members.items()})
-            arrays = {name: _unpacked(held, member) for name, member in members.items()}
+            arrays = {name: _array(held, member) for name, member in members.items()}
     except InvalidScene:
         raise
     except OSError as error:
         raise InvalidScene(f"cannot read {path}: {error.strerror or error}") from None
-    except Exception as error:  # bytes that are no arrays raise what zlib, a tokenizer or an allocation has to say
-        said = str(error).splitlines()[:1] or [type(error).__name__]
-        raise InvalidScene(f"{path} is no .npz of plain arrays: {said[0]}") from None
+    except Exception as error:  # damaged arrays raise errors of zlib, of a tokenizer or of an allocation
+        reason = str(error).splitlines()[:1] or [type(error).__name__]
+        raise InvalidScene(f"{path} is not an .npz of plain arrays: {reason[0]}") from None
     return _shapes(path, arrays), arrays.get("pairs")
 
 
 def _members(path: Path, held: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
-    """The members by the arrays' names: each name is known and there once, and a pair of arrays is whole."""
+    """Return the members by the names of their arrays; InvalidScene for an unknown, repeated or missing name."""
     listed = [(member.filename.removesuffix(".npy"), member) for member in held.infolist()]
     names = Counter(name for name, _ in listed)
     if twice := next((name for name, count in names.items() if count > 1), None):
@@ -82,12 +82,14 @@ def _members(path: Path, held: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
         raise InvalidScene(f"{path} has no shapes: it needs coords and offsets, or centers and radii")
     # others may unpack gigabytes for the first byte
     if odd := next((name for name, member in listed if member.compress_type not in PACKED), None):
-        raise InvalidScene(f"{path}: {odd} is packed as numpy packs none: save the arrays with numpy.savez_compressed")
+        raise InvalidScene(
+            f"{path}: {odd} has a compression that numpy does not use: save the arrays with numpy.savez_compressed"
+        )
     return dict(listed)
 
 
 def _header(held: zipfile.ZipFile, member: zipfile.ZipInfo) -> tuple[tuple[int, ...], np.dtype[Any]]:
-    """The shape and the dtype of an array, from the first bytes of its member; ValueError where they hold none."""
+    """Return (shape, dtype) of an array from the first bytes of its member; ValueError where they have no header."""
     with held.open(member) as file:
         start = BytesIO(file.read(HEADER_BYTES))
     version = npy.read_magic(start)
@@ -96,12 +98,12 @@ def _header(held: zipfile.ZipFile, member: zipfile.ZipInfo) -> tuple[tuple[int, 
     elif version == (2, 0):
         shape, _, dtype = npy.read_array_header_2_0(start)
     else:
-        raise ValueError(f"{member.filename} is of version {version} of the format, which no plain array needs")
+        raise ValueError(f"{member.filename} is of version {version} of the format, which plain arrays do not need")
     return shape, dtype
 
 
 def _check(path: Path, headers: dict[str, tuple[tuple[int, ...], np.dtype[Any]]]) -> None:
-    """InvalidScene names the first array of a wrong kind or shape, and those that hold too many numbers."""
+    """Raise InvalidScene for the first array of a wrong dtype or shape, or with too many numbers."""
     for name, (shape, dtype) in headers.items():
         kind, empty = KINDS[name], shape == (0,) and dtype.kind in "fiu"  # as a list without a row is saved
         fits = dtype.kind in kind.dtypes and len(shape) == 1 + len(kind.row) and shape[1:] == kind.row
@@ -119,13 +121,15 @@ def _check(path: Path, headers: dict[str, tuple[tuple[int, ...], np.dtype[Any]]]
         raise InvalidScene(f"{path}: radii has the shape ({many},): expected ({count},), a radius for each of centers")
 
 
-def _unpacked(held: zipfile.ZipFile, member: zipfile.ZipInfo) -> NDArray[Any]:
+def _array(held: zipfile.ZipFile, member: zipfile.ZipInfo) -> NDArray[Any]:
+    """Return the array of a member; pickled objects are refused."""
     with held.open(member) as file:
         found: NDArray[Any] = npy.read_array(file, allow_pickle=False)
     return found
 
 
 def _shapes(path: Path, arrays: dict[str, NDArray[Any]]) -> batch.Shapes:
+    """Return the shapes of the arrays, polygons first; InvalidScene for an invalid shape."""
     made: list[batch.Shapes] = []
     try:
         if "coords" in arrays:
@@ -140,9 +144,10 @@ def _shapes(path: Path, arrays: dict[str, NDArray[Any]]) -> batch.Shapes:
 
 
 def _check_concave(path: Path, coords: NDArray[Any], offsets: NDArray[Any]) -> None:
-    rings = Rings(*validation.ragged(coords, offsets))
+    """Raise InvalidScene for more than MAX_CONCAVE_CORNERS corners of concave polygons."""
+    rings = Rings(*validation.rings_from_offsets(coords, offsets))
     corners = np.diff(rings.start)
-    _, plain = convex(Rings(rings.x + 0.0, rings.y + 0.0, rings.start))
+    _, plain = convex_rings(Rings(rings.x + 0.0, rings.y + 0.0, rings.start))
     if (many := int(corners[~plain].sum())) > MAX_CONCAVE_CORNERS:
         raise InvalidScene(
             f"{path}: coords holds {many:,} corners of concave polygons: the limit is {MAX_CONCAVE_CORNERS:,}; "
@@ -150,10 +155,10 @@ def _check_concave(path: Path, coords: NDArray[Any], offsets: NDArray[Any]) -> N
         )
 
 
-def _in_the_file(said: str) -> str:
-    """What the batch says of a shape, behind the name of the array of the file that it is about."""
-    if said.startswith("polygon"):
-        return f"coords: {said}"
-    if said.startswith("circle"):
-        return f"{'radii' if ': radius' in said else 'centers'}: {said}"
-    return said.replace("number of vertices", "number of rows of coords")  # of offsets, which it names
+def _in_the_file(message: str) -> str:
+    """Return an error message of a batch with the name of the array of the file that it is about."""
+    if message.startswith("polygon"):
+        return f"coords: {message}"
+    if message.startswith("circle"):
+        return f"{'radii' if ': radius' in message else 'centers'}: {message}"
+    return message.replace("number of vertices", "number of rows of coords")  # of offsets, named in the message

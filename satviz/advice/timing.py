@@ -1,6 +1,6 @@
-"""Honest times: the methods in turn within a round, so that a slow moment of the machine meets them all.
+"""Timing of several methods in turn within each round, so that a slow moment of the machine affects all of them.
 
-In a new order each round, as one finds in the cache what another left there.
+The order is new in each round, because a method finds in the cache what the previous one left there.
 """
 
 import gc
@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 
 class Spread(NamedTuple):
-    """Times of one method over the rounds, in the unit of whoever made it: the median, the least and the quartiles."""
+    """The times of one method over the rounds, in the unit of the caller: the median, the least and the quartiles."""
 
     median: float
     least: float
@@ -21,18 +21,18 @@ class Spread(NamedTuple):
     high: float
 
 
-def in_turn(
+def time_in_turn(
     jobs: Mapping[str, Callable[[], Any]],
     rounds: int,
     items: Mapping[str, int],
     clock: Callable[[], float] = perf_counter,
     seconds: float = inf,
 ) -> dict[str, Spread]:
-    """Nanoseconds an item of each job, taken in turn `rounds` times after one round of warm-up that is left out.
+    """Return the nanoseconds per item of each job, run in turn `rounds` times after an untimed round of warm-up.
 
-    `clock` gives seconds: time.thread_time leaves out what other programs took.  The whole takes about `seconds` at
-    most: a job that takes a quarter of that by itself is left out, and so are rounds for which there is no time left.
-    The garbage collector waits meanwhile, as it would charge one method for another's rubbish.
+    `clock` returns seconds: time.thread_time leaves out the time of other programs.  All runs take about `seconds` at
+    most: a job that takes a quarter of this by itself is left out, and so are rounds for which no time is left.  The
+    garbage collector is off meanwhile, as it would charge one method for the garbage of another.
     """
     times: dict[str, list[float]] = {}
     begin = perf_counter()
@@ -63,6 +63,6 @@ def in_turn(
 
 
 def spread(times: list[float]) -> Spread:
-    """The median, the least and the quartiles of some times."""
+    """Return the median, the least and the quartiles of these times."""
     low, middle, high = statistics.quantiles(times, n=4, method="inclusive") if len(times) > 1 else times * 3
     return Spread(middle, min(times), low, high)

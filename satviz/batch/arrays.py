@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ..engine.polygon_validation import refuse_masked
 from .ragged import Rings
 
-Where = SupportsIndex | slice | Sequence[int] | NDArray[np.integer[Any] | np.bool_]  # one, a range, indices, a mask
+Selection = SupportsIndex | slice | Sequence[int] | NDArray[np.integer[Any] | np.bool_]  # one, a range, indices, a mask
 
 
 class Group(NamedTuple):
@@ -32,7 +32,7 @@ class Group(NamedTuple):
     upright: bool = False
 
     def columns(self, where: slice | NDArray[np.integer[Any] | np.bool_]) -> "Group":
-        """Some of the shapes, by slice, index array or mask; row by row in memory, which x[:, indices] would not be."""
+        """Return some of the shapes, chosen by slice, index array or mask; each coordinate is contiguous."""
         r = None if self.r is None else self.r[where]
         if isinstance(where, slice):
             return self._replace(x=self.x[:, where], y=self.y[:, where], r=r)
@@ -83,14 +83,14 @@ class Shapes:
 
     def __repr__(self) -> str:
         kinds = zip(*np.unique(self.count, return_counts=True), strict=True)
-        held = [f"{n} x {_kind(v)}" for v, n in kinds]
+        held = [f"{n} x {_kind_name(v)}" for v, n in kinds]
         if self.owner is not None:
             held.append(f"parts of {len(self)}")
         return f"{type(self).__name__}({', '.join(held)})"
 
     @cached_property
     def rings(self) -> Rings:
-        """The corners of the parts one after another."""
+        """Return the corners of all parts, one outline after another."""
         start = np.concatenate([[0], np.cumsum(self.count)])
         x, y = np.empty((2, start[-1]))
         for v, group in self.groups.items():
@@ -100,16 +100,16 @@ class Shapes:
 
     @cached_property
     def groups(self) -> dict[int, Group]:
-        """The parts by their number of corners, in order."""
+        """Return the parts grouped by their number of corners, in ascending order."""
         found = {}
         for v in np.unique(self.count).tolist():
             places = self.rings.start[:-1][self.count == v] + np.arange(v)[:, None]
-            found[v] = group_of(self.rings.x[places], self.rings.y[places])
+            found[v] = make_group(self.rings.x[places], self.rings.y[places])
         return found
 
     @cached_property
     def slot(self) -> NDArray[np.intp]:
-        """(N,) each part's column in its group."""
+        """Return the column of each part in its group, (N,) integers."""
         order = np.argsort(self.count, kind="stable")
         slot = np.empty_like(order)
         sizes = np.unique(self.count, return_counts=True)[1]
@@ -118,53 +118,54 @@ class Shapes:
 
     @cached_property
     def uniform(self) -> Group | None:
-        """The only group."""
+        """Return the only group of a batch whose parts all have the same number of corners."""
         alike = self.owner is None and len(self.count) and (self.count == self.count[0]).all()
         return self.groups[int(self.count[0])] if alike else None
 
     @cached_property
     def flat(self) -> Flat:
-        """All parts one after another, with what is known of each."""
+        """Return all parts one after another with their boxes and kinds, for pairs picked by indices."""
         upright = np.zeros(len(self.count), bool)
         if (fours := np.flatnonzero(self.count == 4)).size:
             places = self.rings.start[fours] + np.arange(4)[:, None]
-            upright[fours] = upright_boxes(self.rings.x[places], self.rings.y[places])
+            upright[fours] = upright_box_mask(self.rings.x[places], self.rings.y[places])
         return Flat(*self.rings, self.parts.bounds, upright)
 
     @cached_property
     def are_upright_boxes(self) -> bool:
-        """Are all of them boxes with their sides along x and y?"""
+        """Return whether all shapes are boxes with sides along x and y."""
         if "groups" in vars(self):
             return all(group.upright for group in self.groups.values())
         return bool((self.count == 4).all() and self.flat.upright.all())
 
     @cached_property
-    def most(self) -> int:
-        """The largest number of corners; 0 of no shapes."""
+    def max_corners(self) -> int:
+        """Return the largest number of corners; 0 for an empty batch."""
         return int(self.count.max(initial=0))
 
     @cached_property
-    def least(self) -> int:
-        """The smallest number of corners, 1 where there are circles; 0 of no shapes."""
+    def min_corners(self) -> int:
+        """Return the smallest number of corners (a circle counts as 1); 0 for an empty batch."""
         return int(self.count.min()) if len(self.count) else 0
 
     @cached_property
     def starts(self) -> NDArray[np.intp]:
-        """(N + 1,) at which part each shape begins, and the last one ends."""
+        """Return the number of the first part of each shape, and the number of parts last: (N + 1,) integers."""
         places = np.arange(len(self) + 1)
         return places if self.owner is None else np.searchsorted(self.owner, places)
 
     @property
     def parts(self) -> "Shapes":
-        """The convex parts as shapes of their own."""
-        return self if self.owner is None else self._parts
+        """Return the convex parts as a batch of shapes of their own."""
+        return self if self.owner is None else self._unowned_parts
 
     @cached_property
-    def _parts(self) -> "Shapes":
+    def _unowned_parts(self) -> "Shapes":
+        """Return the batch of parts without the shapes to which they belong."""
         made = vars(self)
         return Shapes(self.count, rings=made.get("rings"), groups=made.get("groups"))
 
-    def __getitem__(self, where: Where) -> "Shapes":
+    def __getitem__(self, where: Selection) -> "Shapes":
         """Some of the shapes by slice, index array or mask; one by its index is a batch of one.
 
         Shapes count, not parts.  IndexError for what is out of range, ValueError for masked indices.
@@ -185,14 +186,14 @@ class Shapes:
             chosen = np.arange(len(owner)) + np.repeat(first - (np.cumsum(many) - many), many)
         count = self.count[chosen]
         if "rings" in vars(self) and not (count == 1).any():
-            return Shapes(count, owner, rings=self.rings.picked(chosen))
+            return Shapes(count, owner, rings=self.rings.take(chosen))
         slot = self.slot[chosen]
         groups = {v: self.groups[v].columns(slot[count == v]) for v in np.unique(count).tolist()}
         return Shapes(count, owner, groups=groups)
 
     @property
     def bounds(self) -> NDArray[np.float64]:
-        """(N, 4) boxes (x min, y min, x max, y max) in scene units, circles' rounded outwards."""
+        """Return the boxes, (N, 4) as x min, y min, x max, y max in scene units, rounded outwards for circles."""
         found = np.empty((len(self.count), 4))
         if "rings" in vars(self) and not (self.count == 1).any():
             x, y, first = self.rings.x, self.rings.y, self.rings.start[:-1]
@@ -200,30 +201,31 @@ class Shapes:
                 found[:, i] = extreme.reduceat(c, first)
         else:
             for v, group in self.groups.items():
-                found[self.count == v] = _boxes(group)
+                found[self.count == v] = _bounding_boxes(group)
         if self.owner is None:
             return found
         first = self.starts[:-1]
         return np.hstack([np.minimum.reduceat(found[:, :2], first), np.maximum.reduceat(found[:, 2:], first)])
 
 
-def group_of(x: NDArray[np.float64], y: NDArray[np.float64]) -> Group:
-    """Polygons of one number of corners, column by column."""
+def make_group(x: NDArray[np.float64], y: NDArray[np.float64]) -> Group:
+    """Return a group of polygons with one number of corners, from (corners, shapes) arrays of x and y."""
     max_coordinate = float(max(np.abs(x).max(initial=0.0), np.abs(y).max(initial=0.0)))
     with np.errstate(over="ignore"):
         max_edge_component = float(max(np.abs(c - np.roll(c, 1, axis=0)).max(initial=0.0) for c in (x, y)))
-    return Group(x, y, None, max_edge_component, max_coordinate, len(x) == 4 and bool(upright_boxes(x, y).all()))
+    return Group(x, y, None, max_edge_component, max_coordinate, len(x) == 4 and bool(upright_box_mask(x, y).all()))
 
 
-def upright_boxes(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Which columns of four corners are boxes with their sides along x and y."""
+def upright_box_mask(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return which columns of four corners are boxes with sides along x and y."""
     level: list[NDArray[np.bool_]] = [
         (c[i] == c[i + 1]) & (c[i - 2] == c[i - 1]) for c, i in ((x, 0), (y, 1), (y, 0), (x, 1))
     ]
     return (level[0] & level[1]) | (level[2] & level[3])
 
 
-def _boxes(group: Group) -> NDArray[np.float64]:
+def _bounding_boxes(group: Group) -> NDArray[np.float64]:
+    """Return the bounding boxes of a group's shapes, (N, 4)."""
     x, y = group.x, group.y
     box = np.stack([x.min(axis=0), y.min(axis=0), x.max(axis=0), y.max(axis=0)], axis=1)
     if group.r is not None:
@@ -233,20 +235,21 @@ def _boxes(group: Group) -> NDArray[np.float64]:
     return box
 
 
-def _kind(v: int) -> str:
+def _kind_name(v: int) -> str:
+    """Return the name of shapes with `v` corners for an error line."""
     return "circle" if v == 1 else f"{v}-gon"
 
 
-def checked(shapes: object, name: str) -> Shapes:
-    """The batch itself; TypeError says how to make one of anything else."""
+def check_shapes(shapes: object, name: str) -> Shapes:
+    """Return the batch itself; TypeError says how to make a batch of anything else."""
     if isinstance(shapes, Shapes):
         return shapes
     raise TypeError(f"{name} is a {type(shapes).__name__}: make it with batch.Polygons or batch.Circles first")
 
 
 def concat(many: Sequence[Shapes]) -> Shapes:
-    """One batch of several, in order: how circles and polygons are mixed."""
-    many = [checked(shapes, f"batch {i}") for i, shapes in enumerate(many)]
+    """Return one batch with the shapes of several, in order; this is how circles and polygons are mixed."""
+    many = [check_shapes(shapes, f"batch {i}") for i, shapes in enumerate(many)]
     groups: dict[int, Group] = {}
     for v in sorted({v for shapes in many for v in shapes.groups}):
         mine = [shapes.groups[v] for shapes in many if v in shapes.groups]

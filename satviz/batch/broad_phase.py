@@ -11,34 +11,36 @@ from . import validation
 from .narrow_phase import engine_of
 from .with_numpy.grid import Grid, Pairs
 
-CHEAP = 48  # looks a box that are not worth a split: a look is far cheaper than sorting again
-ALIKE = 4.0
+MAX_CANDIDATES_PER_BOX = (
+    48  # candidates per box that are not worth a split: comparing one is far cheaper than sorting again
+)
+MAX_UNSPLIT_RATIO = 4.0
 WIDE, FINE = 2.0**-1000, 2.0**-48  # of the farthest coordinate: cells whose numbers cannot overflow, nor run together
-SAMPLE = 1024  # boxes that tell how densely all lie
+SAMPLE_BOXES = 1024  # boxes that tell how densely all lie
 
 
 def candidate_pairs(bounds: validation.Points, *, engine: str | None = None) -> Pairs:
-    """(K, 2) indices i < j, in order, of the boxes that meet (closed); bounds: (N, 4) x min, y min, x max, y max.
+    """Return the (K, 2) indices i < j, in order, of the boxes that share a point; `bounds` is (N, 4).
 
     `engine`: as in `relate`.  InvalidShape for boxes that are not finite or turned inside out.
     """
     grid = engine_of(engine).grid
-    return in_order(list(candidate_blocks(validation.boxes(bounds), grid)))
+    return sort_pairs(list(candidate_blocks(validation.boxes(bounds), grid)))
 
 
-def in_order(blocks: list[Pairs]) -> Pairs:
-    """All pairs sorted by their first index, then their second."""
+def sort_pairs(blocks: list[Pairs]) -> Pairs:
+    """Return all pairs of some blocks sorted by first index, then by second."""
     pairs = np.concatenate(blocks).astype(np.int64, copy=False) if blocks else np.empty((0, 2), np.int64)
     base = int(pairs.max(initial=0)) + 1
     return np.stack(np.divmod(np.sort(pairs[:, 0] * base + pairs[:, 1]), base), axis=1)
 
 
 def candidate_blocks(bounds: NDArray[np.float64], grid: Grid) -> Iterator[Pairs]:
-    """The same pairs (i < j) a block at a time, each pair once, in no order.
+    """Yield the candidate pairs (i < j) a block at a time, each pair once, in no order.
 
     The cell is at least the largest width by the largest height of the boxes compared: then a
     box reaches at most into the next cell, and three rows of three cells hold all it
-    can meet.  Where that gives too many to look at (one large box among small ones
+    can meet.  Where that gives too many candidates (one large box among small ones
     would put everything into one cell, and a square cell a stack of needles), the
     boxes are split by width or height and the halves compared with cells of their
     own.  Boxes alike within a factor of four are not split further: few of them fit a
@@ -57,25 +59,25 @@ def candidate_blocks(bounds: NDArray[np.float64], grid: Grid) -> Iterator[Pairs]
         if len(both) < 2:
             continue
         largest = [float(size[d, both].max()) for d in (0, 1)]
-        even = [max(largest[d], _even(bounds[:, d], both), farthest * WIDE) for d in (0, 1)]
-        blocks = grid(bounds, one, other, even, CHEAP * len(both))
+        even = [max(largest[d], _cell_size_if_even(bounds[:, d], both), farthest * WIDE) for d in (0, 1)]
+        blocks = grid(bounds, one, other, even, MAX_CANDIDATES_PER_BOX * len(both))
         if blocks is None:
-            halves = _halves(size, one, other)
+            halves = _split_by_size(size, one, other)
             todo += halves
             # alike, and too many of them in the cells that would be right if they lay evenly
             blocks = None if halves else grid(bounds, one, other, [max(c, farthest * FINE) for c in largest], np.inf)
         yield from blocks or ()
 
 
-def _even(low: NDArray[np.float64], which: Pairs) -> float:
-    """How wide cells are of which there would be as many as boxes, were these spread as evenly as their middle half."""
-    some = np.sort(low[which[:: -(-len(which) // SAMPLE)]])
+def _cell_size_if_even(low: NDArray[np.float64], which: Pairs) -> float:
+    """Return the cell size that gives as many cells as boxes if all were spread as evenly as their middle half."""
+    some = np.sort(low[which[:: -(-len(which) // SAMPLE_BOXES)]])
     first, last = float(some[len(some) // 4]) / 2, float(some[-1 - len(some) // 4]) / 2
     return min(last - first, sys.float_info.max / 8) * (4 / sqrt(len(which)))
 
 
-def _halves(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[tuple[Pairs, Pairs | None]]:
-    """The same comparison with the boxes that set the cell's width or height split; nothing if they are alike.
+def _split_by_size(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[tuple[Pairs, Pairs | None]]:
+    """Return the comparisons between two sets with the boxes split by size; none if all sizes are alike.
 
     They are split half way (by ratio) between the smallest and the largest.
     """
@@ -86,7 +88,7 @@ def _halves(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[
         with np.errstate(all="ignore"):
             spreads.append((sizes.max() / sizes.min(), d, swap))
     spread, d, swap = max(spreads)
-    if spread <= ALIKE:
+    if spread <= MAX_UNSPLIT_RATIO:
         return []
     if other is not None and swap:
         one, other = other, one

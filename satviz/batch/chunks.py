@@ -8,8 +8,8 @@ from typing import Any
 
 from ..engine.polygon_validation import shown
 
-CHUNK = 1 << 20  # pairs: large enough to hide what a hand-over costs, small enough to hold a few at once
-WAITING = 8  # chunks handed over and not yet fetched: what bounds the memory
+CHUNK_PAIRS = 1 << 20  # pairs: large enough to hide what a hand-over costs, small enough to hold a few at once
+MAX_WAITING_CHUNKS = 8  # chunks handed over and not yet fetched: what bounds the memory
 
 Call = tuple[Callable[..., Any], tuple[Any, ...]]  # a function and its arguments
 Job = Callable[[int, int], Call]
@@ -30,7 +30,7 @@ class ChunkFailed(RuntimeError):
 def in_chunks(
     job: Job, n: int, executor: Executor | None, progress: Callable[[int, int], None] | None, size: int
 ) -> Iterator[tuple[int, int, Any]]:
-    """(start, stop, result) for each chunk, in order; `job(start, stop)` gives a function and its arguments.
+    """Yield (start, stop, result) for each chunk in order; `job(start, stop)` returns a function and its arguments.
 
     At most WAITING chunks are under way, so memory does not grow with n.  An
     interrupt or a failed chunk cancels those not yet started.
@@ -40,8 +40,8 @@ def in_chunks(
     try:
         if executor is None:
             for start, stop in ranges:
-                yield start, stop, _result(start, stop, job)
-                _tell(progress, stop, n)
+                yield start, stop, _run_chunk(start, stop, job)
+                _report_progress(progress, stop, n)
             return
         for start, stop in ranges:
             function, arguments = job(start, stop)
@@ -50,10 +50,10 @@ def in_chunks(
             except Exception as error:  # a pool whose workers have died takes nothing any more
                 raise ChunkFailed(start, stop, error) from error
             waiting.append((start, stop, future))
-            if len(waiting) >= WAITING:
-                yield _next(waiting, progress, n)
+            if len(waiting) >= MAX_WAITING_CHUNKS:
+                yield _pop_result(waiting, progress, n)
         while waiting:
-            yield _next(waiting, progress, n)
+            yield _pop_result(waiting, progress, n)
     finally:
         for _, _, future in waiting:
             future.cancel()
@@ -71,8 +71,8 @@ def check_progress(progress: object) -> None:
         raise TypeError(f"progress is {shown(progress)}: pass a function of (done, total), or None")
 
 
-def at_least_one(name: str, size: object) -> int:
-    """Return the size as an int; TypeError if it is no whole number, ValueError if it is less than 1."""
+def check_size(name: str, size: object) -> int:
+    """Return the size as an int; TypeError unless it is a whole number, ValueError if it is less than 1."""
     try:
         number = index(size)  # type: ignore[arg-type]
     except TypeError:
@@ -84,7 +84,8 @@ def at_least_one(name: str, size: object) -> int:
     return number
 
 
-def _result(start: int, stop: int, job: Job) -> Any:
+def _run_chunk(start: int, stop: int, job: Job) -> Any:
+    """Run one chunk; a failure becomes ChunkFailed, which names the chunk."""
     function, arguments = job(start, stop)
     try:
         return function(*arguments)
@@ -92,16 +93,18 @@ def _result(start: int, stop: int, job: Job) -> Any:
         raise ChunkFailed(start, stop, error) from error
 
 
-def _next(waiting: Waiting, progress: Callable[[int, int], None] | None, n: int) -> tuple[int, int, Any]:
+def _pop_result(waiting: Waiting, progress: Callable[[int, int], None] | None, n: int) -> tuple[int, int, Any]:
+    """Wait for the oldest chunk, report progress, and return its start, stop and result."""
     start, stop, future = waiting.popleft()
     try:
         result = future.result()
     except Exception as error:
         raise ChunkFailed(start, stop, error) from error
-    _tell(progress, stop, n)
+    _report_progress(progress, stop, n)
     return start, stop, result
 
 
-def _tell(progress: Callable[[int, int], None] | None, done: int, total: int) -> None:
+def _report_progress(progress: Callable[[int, int], None] | None, done: int, total: int) -> None:
+    """Call `progress(done, total)`."""
     if progress is not None:
         progress(done, total)

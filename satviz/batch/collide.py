@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 
 from ..engine.geometry import InvalidShape
 from . import validation
-from .arrays import Shapes, checked
-from .broad_phase import candidate_blocks, in_order
-from .chunks import CHUNK
-from .constructors import polygons_numbered
+from .arrays import Shapes, check_shapes
+from .broad_phase import candidate_blocks, sort_pairs
+from .chunks import CHUNK_PAIRS
+from .constructors import number_polygons
 from .narrow_phase import check_options, engine_of, hits
 from .with_numpy.grid import Pairs
 
-STRIP = 1 << 19  # shapes a strip of a streamed file should hold
+STRIP_SHAPES = 1 << 19  # shapes a strip of a streamed file should hold
 
 
 def colliding_pairs(
@@ -26,17 +26,17 @@ def colliding_pairs(
     engine: str | None = None,
     executor: Executor | None = None,
     progress: Callable[[int, int], None] | None = None,
-    chunk: int = CHUNK,
+    chunk: int = CHUNK_PAIRS,
 ) -> Pairs:
-    """(K, 2) indices i < j, in order, of the shapes that share a point (touching counts).
+    """Return the (K, 2) indices i < j, in order, of the shapes that share a point (touching counts).
 
     Parts of one concave polygon count as their owner.  `engine`, `executor`,
-    `progress` (told of candidates done in each block) and `chunk`: as in `relate`;
+    `progress` (called with the candidates done after each block) and `chunk`: as in `relate`;
     upright boxes alone need the engine's grid only.
     """
     chunk = check_options(engine, executor, progress, chunk)  # also where the grid alone decides
     found = []
-    parts = checked(shapes, "shapes").parts
+    parts = check_shapes(shapes, "shapes").parts
     for pairs in candidate_blocks(parts.bounds, engine_of(engine).grid):
         if shapes.owner is not None:
             owners = shapes.owner[pairs]
@@ -44,7 +44,7 @@ def colliding_pairs(
         if not parts.are_upright_boxes:  # of which those that meet by their boxes meet
             pairs = pairs[hits(parts, parts, pairs, engine=engine, executor=executor, progress=progress, chunk=chunk)]
         found.append(pairs)
-    pairs = in_order(found)
+    pairs = sort_pairs(found)
     if shapes.owner is not None:
         pairs = np.unique(np.sort(shapes.owner[pairs], axis=1), axis=0)
     return pairs
@@ -56,9 +56,9 @@ def stream_colliding_pairs(
     engine: str | None = None,
     executor: Executor | None = None,
     progress: Callable[[int, int], None] | None = None,
-    strip: int = STRIP,
+    strip: int = STRIP_SHAPES,
 ) -> Iterator[Pairs]:
-    """The colliding pairs of an (N, V, 2) array too large for memory (np.load(..., mmap_mode="r")), a strip at a time.
+    """Yield the colliding pairs of an (N, V, 2) array too large for memory, one strip at a time.
 
     The scene is cut into upright strips of about `strip` shapes each; every strip
     reads and holds only the shapes that reach into it.  A pair is
@@ -69,22 +69,25 @@ def stream_colliding_pairs(
     else of the first strip that holds one at fault.
     """
     if getattr(vertices, "ndim", 0) != 3:
-        raise InvalidShape(f"vertices is {_kind(vertices)}: expected an (N, V, 2) array; colliding_pairs takes others")
+        raise InvalidShape(
+            f"vertices is {_describe_type(vertices)}: expected an (N, V, 2) array; colliding_pairs takes others"
+        )
     strip = check_options(engine, executor, progress, strip, "strip")
-    return _streamed(vertices, engine, executor, progress, strip)
+    return _stream_strips(vertices, engine, executor, progress, strip)
 
 
-def _streamed(
+def _stream_strips(
     vertices: NDArray[Any],
     engine: str | None,
     executor: Executor | None,
     progress: Callable[[int, int], None] | None,
     strip: int,
 ) -> Iterator[Pairs]:
+    """Yield the pairs strip by strip, after the arguments were checked."""
     n = len(vertices)
     low, high = np.empty(n), np.empty(n)
     for start in range(0, max(n, 1), strip):
-        x = validation.rings(vertices[start : start + strip], _numbered_from(start))[:, :, 0]
+        x = validation.rings_from_array(vertices[start : start + strip], _names_from(start))[:, :, 0]
         low[start : start + strip], high[start : start + strip] = x.min(axis=1), x.max(axis=1)
     if not n:
         return
@@ -94,7 +97,7 @@ def _streamed(
     for k, (left, right) in enumerate(pairwise(edges)):
         ids = np.flatnonzero((low < right) & (high >= left))
         if ids.size:
-            shapes = polygons_numbered(np.asanyarray(vertices[ids]), ids, "refuse")
+            shapes = number_polygons(np.asanyarray(vertices[ids]), ids, "refuse")
             pairs = ids[colliding_pairs(shapes, engine=engine, executor=executor)]
             begins = low[pairs].max(axis=1)
             yield pairs[(begins >= left) & (begins < right)]
@@ -102,10 +105,12 @@ def _streamed(
             progress(k + 1, len(edges) - 1)
 
 
-def _numbered_from(start: int) -> Callable[[int], str]:
+def _names_from(start: int) -> Callable[[int], str]:
+    """Return a function that names shapes in error lines by their number from `start` on."""
     return lambda i: f"polygon {start + i}"
 
 
-def _kind(values: Any) -> str:
+def _describe_type(values: Any) -> str:
+    """Return the type and shape of what was passed, for an error line."""
     shape = getattr(values, "shape", None)
     return f"a {type(values).__name__}" if shape is None else f"an array of the shape {shape}"

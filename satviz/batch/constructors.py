@@ -1,4 +1,4 @@
-"""Circles and Polygons: many shapes checked at the door."""
+"""Circles and Polygons: batches of shapes, validated when they are made."""
 
 from collections.abc import Callable
 from typing import Any
@@ -10,9 +10,9 @@ from ..engine.convex_parts import parts
 from ..engine.geometry import InvalidShape
 from ..engine.shapes import Polygon
 from . import validation
-from .arrays import Group, Shapes, group_of
-from .outlines import convex
-from .ragged import FEW, Rings, joined
+from .arrays import Group, Shapes, make_group
+from .outlines import convex_rings
+from .ragged import MAX_LANE_CORNERS, Rings, concat_rings
 
 Indices = NDArray[np.intp]
 
@@ -49,22 +49,22 @@ class Polygons(Shapes):
     def __init__(
         self, vertices: validation.Rings, *, offsets: ArrayLike | None = None, concave: str = "refuse"
     ) -> None:
-        validation.check_word("concave", concave, validation.CONCAVE)
+        validation.check_word("concave", concave, validation.CONCAVE_OPTIONS)
         if offsets is None:
-            made = polygons_numbered(vertices, None, concave)
+            made = number_polygons(vertices, None, concave)
         else:
-            made = _assembled(Rings(*validation.ragged(vertices, offsets)), "polygon {}".format, concave)
+            made = _build_shapes(Rings(*validation.rings_from_offsets(vertices, offsets)), "polygon {}".format, concave)
         vars(self).update(vars(made))
 
 
 def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
-    """Polygons from an array or sequence of shapely's polygons."""
-    validation.check_word("concave", concave, validation.CONCAVE)
+    """Return a batch from an array or sequence of shapely polygons."""
+    validation.check_word("concave", concave, validation.CONCAVE_OPTIONS)
     import shapely
 
     array = np.asarray(geometries, object).ravel()
     if not shapely.is_geometry(array).all():
-        return Polygons(list(array), concave=concave)  # whose door says what each is
+        return Polygons(list(array), concave=concave)  # it says what each one is
     odd = shapely.get_type_id(array) != shapely.GeometryType.POLYGON
     odd |= shapely.is_empty(array) | shapely.has_z(array) | (shapely.get_num_interior_rings(array) > 0)
     if odd.any():
@@ -74,30 +74,33 @@ def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
     return Polygons(shapely.get_coordinates(outer), offsets=start, concave=concave)
 
 
-def polygons_numbered(vertices: validation.Rings, numbers: Indices | None, concave: str) -> Shapes:
-    """The same for some of more: `numbers` are what errors call them."""
+def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave: str) -> Shapes:
+    """Return a batch of some polygons of a larger set; error lines call them by these `numbers`."""
 
     def name(i: int) -> str:
+        """Return how error lines call polygon `i`."""
         return f"polygon {i if numbers is None else numbers[i]}"
 
     if isinstance(vertices, np.ndarray) and vertices.dtype != object:
-        array = validation.rings(vertices, name)
+        array = validation.rings_from_array(vertices, name)
         start = np.arange(len(array) + 1, dtype=np.intp) * array.shape[1]
         rings = Rings(array[:, :, 0].ravel(), array[:, :, 1].ravel(), start)
     else:
-        rings = Rings(*validation.listed_rings(vertices, name))
-    return _assembled(rings, name, concave)
+        rings = Rings(*validation.rings_from_sequence(vertices, name))
+    return _build_shapes(rings, name, concave)
 
 
-def _assembled(given: Rings, name: Callable[[int], str], concave: str) -> Shapes:
-    """The corners of all; those not convex go through the scalar door one by one."""
+def _build_shapes(given: Rings, name: Callable[[int], str], concave: str) -> Shapes:
+    """Return a batch from rings; outlines that are not plainly convex are validated one by one by satviz.Polygon."""
     given = Rings(given.x + 0.0, given.y + 0.0, given.start)  # a copy of our own, where -0.0 is 0.0
-    rings, plain = convex(given)
+    rings, plain = convex_rings(given)
     count = np.diff(rings.start)
     if plain.all():
-        if len(count) and count[0] <= FEW and (count == count[0]).all():  # pairs of such come side by side mostly
+        if (
+            len(count) and count[0] <= MAX_LANE_CORNERS and (count == count[0]).all()
+        ):  # pairs of such come side by side mostly
             columns = (c.reshape(len(count), -1).T.copy() for c in rings[:2])
-            return Shapes(count, groups={int(count[0]): group_of(*columns)})
+            return Shapes(count, groups={int(count[0]): make_group(*columns)})
         return Shapes(count, rings=rings)
     pieces: list[NDArray[np.float64]] = []
     owners = [np.flatnonzero(plain)]
@@ -119,5 +122,5 @@ def _assembled(given: Rings, name: Callable[[int], str], concave: str) -> Shapes
     start = np.cumsum([0, *map(len, pieces)])
     owner = np.concatenate(owners)
     order = np.argsort(owner, kind="stable")
-    rings = joined([rings, Rings(flat[:, 0], flat[:, 1], start)]).picked(order)
+    rings = concat_rings([rings, Rings(flat[:, 0], flat[:, 1], start)]).take(order)
     return Shapes(np.diff(rings.start), owner[order], rings=rings)

@@ -17,36 +17,38 @@ Signs = NDArray[np.int8]
 Pairs = Sequence[tuple[Array, Array]]  # the factors of products
 
 UNKNOWN = -2  # below every sign: the least of several signs is known when all are
-ROUND = 2.0**-50  # eight roundings
-FINE = 2.0**-98  # 256 roundings of roundings
-FINEST = 2.0**-101  # 32 of them
-SPLIT = 2.0**27 + 1
-MOST_PASSES = 12
-LANES = 128  # pairs side by side at least, however many corners they have: of fewer, Python would take the most time
-CORNERS = 1 << 19  # side by side at most: what bounds the memory
+ERRBOUND_A = 2.0**-50  # eight roundings
+ERRBOUND_B = 2.0**-98  # 256 roundings of roundings
+ERRBOUND_C = 2.0**-101  # 32 of them
+SPLITTER = 2.0**27 + 1
+MAX_PASSES = 12
+MIN_BLOCK_PAIRS = (
+    128  # pairs side by side at least, however many corners they have: of fewer, Python would take the most time
+)
+MAX_BLOCK_CORNERS = 1 << 19  # side by side at most: what bounds the memory
 
 
-def lanes(corners: int, at_once: int = CORNERS) -> int:
-    """How many pairs of so many corners to look at side by side."""
-    return max(LANES, at_once // corners)
+def pairs_per_block(corners: int, at_once: int = MAX_BLOCK_CORNERS) -> int:
+    """Return how many pairs with so many corners are evaluated side by side."""
+    return max(MIN_BLOCK_PAIRS, at_once // corners)
 
 
 def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
-    """The exact turns from p over q to r: 1 left, -1 right, 0 straight; arrays of one length."""
+    """Return the exact orientation of p, q, r for arrays of one length: 1 left turn, -1 right turn, 0 collinear."""
     with np.errstate(all="ignore"):
         left = (qx - px) * (ry - py)
         right = (qy - py) * (rx - px)
-        det, room = left - right, np.abs(left) + np.abs(right)
-        sure = (np.abs(det) > ROUND * room) & (room > TINY) & (room < HUGE)
-    found = np.sign(det, where=sure, out=np.zeros_like(det)).astype(np.int8)
-    rest = np.flatnonzero(~sure)
+        det, error_bound = left - right, np.abs(left) + np.abs(right)
+        certified = (np.abs(det) > ERRBOUND_A * error_bound) & (error_bound > TINY) & (error_bound < HUGE)
+    found = np.sign(det, where=certified, out=np.zeros_like(det)).astype(np.int8)
+    rest = np.flatnonzero(~certified)
     if rest.size:
-        found[rest] = _turns(*(c[rest] for c in (px, py, qx, qy, rx, ry)))
+        found[rest] = _orient_adaptive(*(c[rest] for c in (px, py, qx, qy, rx, ry)))
     return found
 
 
-def _turns(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
-    """With what the differences and their products lost; exactly where that does not tell.
+def _orient_adaptive(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
+    """Return orientations from products with their errors, and by exact sums where these do not decide.
 
     A difference is a + ea with ea at most u a (u = 2**-53), and the same for b, c and d; with S = |ab| + |cd| the turn
     is ab - cd, whose rounded products differ by so little here that their difference is exact, and the errors of both
@@ -55,11 +57,11 @@ def _turns(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
     """
     with np.errstate(all="ignore"):
         (a, ea), (b, eb), (c, ec), (d, ed) = (two_sum(u, -v) for u, v in ((qx, px), (ry, py), (qy, py), (rx, px)))
-        terms, size = _products([(a, b), (-c, d)])
+        terms, size = _expand_products([(a, b), (-c, d)])
         turn = terms[0] + terms[1]
         turn += (a * eb + ea * b) - (c * ed + ec * d)
         turn += terms[2] + terms[3]
-        found = sign_beyond(turn, FINEST * size)
+        found = certified_sign(turn, ERRBOUND_C * size)
     plain = (ea == 0) & (eb == 0) & (ec == 0) & (ed == 0)
     for mask, pairs in (
         (plain, [(a, b), (-c, d)]),
@@ -71,8 +73,8 @@ def _turns(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
     return found
 
 
-def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array) -> Signs:
-    """The exact sign of distance minus sum of radii for each pair of circles."""
+def circle_gap_signs(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array) -> Signs:
+    """Return the exact sign of (distance minus sum of radii) for each pair of circles."""
     pairs = []
     for p, q in ((ax, bx), (ay, by)):
         pairs += [(p, p), (q, q), (-p, q), (-p, q)]  # twice, as doubling could overflow
@@ -81,36 +83,36 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array) ->
 
 
 def sign_of_products(pairs: Pairs) -> Signs:
-    """The exact signs of the sums of the products, column by column."""
+    """Return the exact sign of each column's sum of products."""
     with np.errstate(all="ignore"):
-        terms, size = _products(pairs)
+        terms, size = _expand_products(pairs)
         found = np.full(len(size), UNKNOWN, np.int8)
         calm = np.flatnonzero(size < np.inf)
-        found[calm] = sign_of_sum(columns(terms, calm))
+        found[calm] = sign_of_sum(take_columns(terms, calm))
     for i in np.flatnonzero(found == UNKNOWN):
         _, n = to_integers(f[i] for pair in pairs for f in pair)
         found[i] = sign(sum(p * q for p, q in zip(n[::2], n[1::2], strict=True)))
     return found
 
 
-def nearly(pairs: Pairs, more: Array) -> tuple[Array, Array, Array]:
-    """The sums of up to three products and of `more`, how far they can be off, and the products as floats to add up.
+def sum_with_error(pairs: Pairs, more: Array) -> tuple[Array, Array, Array]:
+    """Return (float sums of up to three products and of `more`, their error bounds, the products as floats).
 
     With products of size R in all, u = 2**-53 and `more` at most 3uR: the errors of the products
     and of their sums are 3uR in all, and adding all this up rounds five times, by 30uuR.
     Granted are 256uuR: the difference is for how far `more` itself may be off.
     """
-    terms, size = _products(pairs)
-    _add_up(terms[len(pairs) :])
+    terms, size = _expand_products(pairs)
+    _vec_sum(terms[len(pairs) :])
     rest = terms[:-1].sum(axis=0)
     rest += more
     rest += terms[-1]
-    size *= FINE
+    size *= ERRBOUND_B
     return rest, size, terms
 
 
-def _products(pairs: Pairs) -> tuple[Array, Array]:
-    """Floats that add up to the products exactly, errors first, and the products' size: infinite where bits are lost.
+def _expand_products(pairs: Pairs) -> tuple[Array, Array]:
+    """Return floats whose sum is exactly the sum of products, errors first, and the size; inf where bits are lost.
 
     The error of a product above TINY, and the parts it is made of, are multiples of 1e-312: floats.
     """
@@ -130,7 +132,7 @@ def _products(pairs: Pairs) -> tuple[Array, Array]:
 
 
 def two_product(a: Array, b: Array, error: Array, product: Array) -> None:
-    """a * b as the rounded product and its error."""
+    """Return a * b as the rounded product and its error (Dekker 1971)."""
     np.multiply(a, b, out=product)
     a1, a0 = _split(a)
     b1, b0 = (a1, a0) if b is a else _split(b)
@@ -141,14 +143,14 @@ def two_product(a: Array, b: Array, error: Array, product: Array) -> None:
 
 
 def _split(a: Array) -> tuple[Array, Array]:
-    """a as two floats of half the bits."""
-    high = a * SPLIT
+    """Return a as the sum of two floats with half the bits each (Veltkamp)."""
+    high = a * SPLITTER
     high -= high - a
     return high, a - high
 
 
 def two_sum(a: Array, b: Array) -> tuple[Array, Array]:
-    """a + b as (rounded sum, error)."""
+    """Return a + b as (rounded sum, error) (Knuth)."""
     total = a + b
     part = total - a
     error = b - part
@@ -158,35 +160,35 @@ def two_sum(a: Array, b: Array) -> tuple[Array, Array]:
     return total, error
 
 
-def _add_up(terms: Array) -> None:
-    """The rounded sum of each column into its last place; what was rounded off each time into the others."""
+def _vec_sum(terms: Array) -> None:
+    """Replace each column by its rounded sum in the last place and the errors of the additions in the others."""
     for i in range(1, len(terms)):
         terms[i], terms[i - 1] = two_sum(terms[i], terms[i - 1])
 
 
-def columns(terms: Array, where: NDArray[np.intp]) -> Array:
-    """Some of the columns, in ascending order; "clip" as NumPy's check of the indices takes twice the copying."""
+def take_columns(terms: Array, where: NDArray[np.intp]) -> Array:
+    """Return some of the columns, in ascending order; mode "clip", since NumPy's index check doubles the time."""
     return terms if len(where) == terms.shape[1] else terms.take(where, axis=1, mode="clip")
 
 
-def sign_beyond(values: Array, room: Array | float) -> Signs:
-    """1 above the room, -1 below, 0 between."""
-    return (values > room).view(np.int8) - (values < -room).view(np.int8)
+def certified_sign(values: Array, error_bound: Array | float) -> Signs:
+    """Return 1 above the error bound, -1 below its negative, and 0 in between."""
+    return (values > error_bound).view(np.int8) - (values < -error_bound).view(np.int8)
 
 
 def sign_of_sum(terms: Array) -> Signs:
-    """The exact signs of the columns' sums; UNKNOWN where it takes too many passes.  The terms are used up."""
+    """Return the exact sign of each column's sum, UNKNOWN where it needs too many passes; overwrites the terms."""
     found = np.full(terms.shape[1], UNKNOWN, np.int8)
     left = np.arange(len(found))
-    for _ in range(MOST_PASSES):
+    for _ in range(MAX_PASSES):
         rest = np.abs(terms[:-1]).sum(axis=0)
         rest *= 1 + 2.0**-40
-        signs = sign_beyond(terms[-1], rest)
+        signs = certified_sign(terms[-1], rest)
         done = (signs != 0) | (rest == 0)
         found[left] = np.where(done, signs, UNKNOWN)
         more = np.flatnonzero(~done)
         if not more.size:
             break
-        left, terms = left[more], columns(terms, more)
-        _add_up(terms)
+        left, terms = left[more], take_columns(terms, more)
+        _vec_sum(terms)
     return found

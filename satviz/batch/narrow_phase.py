@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..engine.polygon_validation import refuse_masked
-from ..optional_imports import needs
+from ..optional_imports import extra_needed
 from . import validation
-from .arrays import Group, Shapes, checked
-from .chunks import CHUNK, Call, at_least_one, check_executor, check_progress, in_chunks
+from .arrays import Group, Shapes, check_shapes
+from .chunks import CHUNK_PAIRS, Call, check_executor, check_progress, check_size, in_chunks
 from .codes import APART, UNDECIDED
-from .exact_signs import lanes
-from .ragged import FEW
+from .exact_signs import pairs_per_block
+from .ragged import MAX_LANE_CORNERS
 from .with_numpy import exact
 from .with_numpy.grid import Grid
 
@@ -39,10 +39,10 @@ class Engine(NamedTuple):
     boxes: Kernel
     circles: Kernel
     circle_polygons: Kernel
-    picked: Kernel
+    indexed: Kernel
     grid: Grid
-    settle: Kernel | None = None
-    most: int = sys.maxsize  # corners of polygons that are looked at side by side, in columns
+    exact_columns: Kernel | None = None
+    max_corners: int = sys.maxsize  # corners of polygons that are looked at side by side, in columns
 
 
 class Options(TypedDict, total=False):
@@ -62,20 +62,20 @@ def relate(
     engine: str | None = None,
     executor: Executor | None = None,
     progress: Callable[[int, int], None] | None = None,
-    chunk: int = CHUNK,
+    chunk: int = CHUNK_PAIRS,
 ) -> Relations:
-    """The exact relation of each pair as int8: 0 apart, 1 touching, 2 overlapping (satviz.Relation's values).
+    """Return the exact relation of each pair as int8: 0 apart, 1 touching, 2 overlapping (satviz.Relation's values).
 
     Pairs are a[i] with b[i], one against many, or the rows (i, j) of `pairs`.
     `engine`: "numpy" or "numba" (by default the best installed; the answers are the
     same).  `executor`: any concurrent.futures.Executor; chunks of pairs come back in
-    order, `progress(done, total)` is told of each.  ValueError for lengths that do not
+    order, `progress(done, total)` is called after each.  ValueError for lengths that do not
     fit, IndexError for pairs out of range, TypeError or ValueError for an option that is none,
     ChunkFailed names the range that failed.
     """
-    checked(a, "a"), checked(b, "b")
+    check_shapes(a, "a"), check_shapes(b, "b")
     chunk = check_options(engine, executor, progress, chunk)
-    chosen = None if pairs is None else checked_pairs(pairs, len(a), len(b))
+    chosen = None if pairs is None else check_pairs(pairs, len(a), len(b))
     if chosen is None and len(a) != len(b) and 1 not in (len(a), len(b)):
         raise ValueError(f"{len(a)} shapes against {len(b)}: pass as many of both, or one against many")
     n = len(chosen[0]) if chosen is not None else 0 if 0 in (len(a), len(b)) else max(len(a), len(b))
@@ -84,9 +84,10 @@ def relate(
     shared = executor is None or isinstance(executor, ThreadPoolExecutor)
 
     def job(start: int, stop: int) -> Call:
+        """Return the function and the arguments that relate one chunk."""
         if chosen is not None:
             i, j = (indices[start:stop] for indices in chosen)
-            return _relate_some, (a, i, b, j, engine) if shared else (*_picked(a, i), *_picked(b, j), engine)
+            return _relate_some, (a, i, b, j, engine) if shared else (*_take_used(a, i), *_take_used(b, j), engine)
         if shared:
             return _relate_range, (a, b, start, stop, engine)
         mine, theirs = (s if len(s) == 1 else s[start:stop] for s in (a, b))
@@ -97,33 +98,33 @@ def relate(
 
 
 def hits(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, **options: Unpack[Options]) -> NDArray[np.bool_]:
-    """Which pairs share a point (touching counts); the arguments of `relate`."""
+    """Return which pairs share a point (touching counts), as bool; the arguments are those of `relate`."""
     hit: NDArray[np.bool_] = relate(a, b, pairs, **options) != APART
     return hit
 
 
 def check_options(engine: object, executor: object, progress: object, size: object, of: str = "chunk") -> int:
-    """Check how work is to be done, before any is; return the size of its pieces, whose argument is called `of`.
+    """Check engine, executor and progress before any work is done; return the size of a chunk.
 
     TypeError, ValueError and (where numba is not there) ImportError name the argument and say what it takes.
     """
     check_executor(executor)
     check_progress(progress)
-    number = at_least_one(of, size)
+    number = check_size(of, size)
     engine_of(engine)
     return number
 
 
 def engine_of(name: Any) -> Engine:
-    """The engine of that name, None for the best that works; TypeError and ValueError for what is no name."""
+    """Return the engine of that name, or the best one that works for None; TypeError or ValueError for a wrong name."""
     if name is not None:
         validation.check_word("engine", name, ("numpy", "numba"))
-    return loaded(name)
+    return load_engine(name)
 
 
 @cache
-def loaded(name: str | None) -> Engine:
-    """The engine of that name; numba is imported here and nowhere else.
+def load_engine(name: str | None) -> Engine:
+    """Import and return the engine of that name; this is the only place that imports numba.
 
     By default the best that works: where numba is installed but does not load or cannot keep
     what it compiles, NumPy answers, and one warning says why.
@@ -134,28 +135,29 @@ def loaded(name: str | None) -> Engine:
             from .with_numba import grid as grid_numba
             from .with_numba import indexed as indexed_numba
 
-            own = indexed_numba.polygons, grid_numba.met, indexed_numba.columns, FEW
-            return Engine(*_columns_of(filter_numba), *own)
+            own = indexed_numba.polygons, grid_numba.meeting_pairs, indexed_numba.columns, MAX_LANE_CORNERS
+            return Engine(*_column_kernels_of(filter_numba), *own)
         except Exception as error:  # an ImportError of its own, or RuntimeError where no folder can be written
             if name is None:
                 warnings.warn(f"numba does not work here, so NumPy does the work: {error}", stacklevel=2)
             elif find_spec("numba") is None:
-                raise ImportError(needs('engine "numba"', "fast")) from error
+                raise ImportError(extra_needed('engine "numba"', "fast")) from error
             else:
                 raise ImportError(f'engine "numba" does not work here: {error}; engine="numpy" does') from error
     from .with_numpy import filter as filter_numpy
     from .with_numpy import grid as grid_numpy
     from .with_numpy import indexed
 
-    return Engine(*_columns_of(filter_numpy), indexed.polygons, grid_numpy.met)
+    return Engine(*_column_kernels_of(filter_numpy), indexed.polygons, grid_numpy.meeting_pairs)
 
 
-def _columns_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
-    return module.BLOCK, module.polygons, module.boxes, module.circles, module.circle_polygons
+def _column_kernels_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
+    """Return a backend's kernels for pairs side by side, by the kinds of both shapes."""
+    return module.BLOCK_PAIRS, module.polygons, module.boxes, module.circles, module.circle_polygons
 
 
-def checked_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
-    """The two columns of (K, 2) indices into na and nb shapes; ValueError and IndexError say what is wrong."""
+def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
+    """Return the two columns of (K, 2) indices into `na` and `nb` shapes; ValueError, IndexError otherwise."""
     refuse_masked(pairs, "pairs")
     pairs = np.asarray(pairs)
     if pairs.shape == (0,):  # an empty list
@@ -168,16 +170,16 @@ def checked_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]
     return pairs[:, 0], pairs[:, 1]
 
 
-def _picked(shapes: Shapes, indices: Indices) -> tuple[Shapes, Indices]:
-    """Only the shapes that a chunk needs, to send elsewhere, and the indices into them."""
+def _take_used(shapes: Shapes, indices: Indices) -> tuple[Shapes, Indices]:
+    """Return only the shapes that a chunk needs, to be sent to another process, and the indices into them."""
     used, where = np.unique(indices, return_inverse=True)
     return shapes[used], where
 
 
 def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | None) -> Relations:
-    """Pairs start to stop of a[i] with b[i], or of one with many."""
+    """Return the relations of pairs start to stop of a[i] with b[i], or of one shape with many."""
     kernels = engine_of(engine)
-    side_by_side = len(a) == len(b) and max(a.most, b.most) <= kernels.most
+    side_by_side = len(a) == len(b) and max(a.max_corners, b.max_corners) <= kernels.max_corners
     one, other = (a.uniform, b.uniform) if side_by_side else (None, None)
     if one is None or other is None:
         indices = np.arange(start, stop)
@@ -186,25 +188,25 @@ def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | Non
     out = np.empty(stop - start, np.int8)
     left = [np.empty(0, np.intp)]  # block by block: for a mask of all, the system would have to find memory anew
     for first in range(0, len(out), kernels.block):
-        block = out[first : first + kernels.block]
-        _filter(kernels, one, other, start + first, block)
-        left.append(first + np.flatnonzero(block == UNDECIDED))
+        block_pairs = out[first : first + kernels.block]
+        _evaluate_block(kernels, one, other, start + first, block_pairs)
+        left.append(first + np.flatnonzero(block_pairs == UNDECIDED))
     rest = np.concatenate(left)
     out[rest] = exact.relations(one, start + rest, other, start + rest)
     return out
 
 
 def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | None) -> Relations:
-    """The pairs (ia, ib), group by group, block by block; their columns are copied together first."""
+    """Return the relations of the pairs (ia, ib), computed group by group and block by block."""
     if a.owner is not None or b.owner is not None:
         return _relate_parts(a, ia, b, ib, engine)
     kernels = engine_of(engine)
     out = np.full(len(ia), UNDECIDED, np.int8)
-    if min(a.least, b.least) > 1:
-        kernels.picked(a.flat, np.ascontiguousarray(ia), b.flat, np.ascontiguousarray(ib), out)
+    if min(a.min_corners, b.min_corners) > 1:
+        kernels.indexed(a.flat, np.ascontiguousarray(ia), b.flat, np.ascontiguousarray(ib), out)
     elif (polygons := np.flatnonzero((a.count[ia] > 1) & (b.count[ib] > 1))).size:
         found = np.empty(len(polygons), np.int8)
-        kernels.picked(a.flat, ia[polygons], b.flat, ib[polygons], found)
+        kernels.indexed(a.flat, ia[polygons], b.flat, ib[polygons], found)
         out[polygons] = found
     todo = np.flatnonzero(out == UNDECIDED)
     key = a.count[ia[todo]] << 32 | b.count[ib[todo]]
@@ -212,29 +214,29 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
         mine = todo[key == kind]
         one, other = a.groups[kind >> 32], b.groups[kind & 0xFFFFFFFF]
         if one.r is not None or other.r is not None:  # polygons were looked at
-            size = min(BLOCK_OF_PICKED, lanes(max(len(one.x), len(other.x))))
+            size = min(BLOCK_PAIRS, pairs_per_block(max(len(one.x), len(other.x))))
             for start in range(0, len(mine), size):
                 part = mine[start : start + size]
                 found = np.empty(len(part), np.int8)
-                _filter(kernels, one.columns(a.slot[ia[part]]), other.columns(b.slot[ib[part]]), 0, found)
+                _evaluate_block(kernels, one.columns(a.slot[ia[part]]), other.columns(b.slot[ib[part]]), 0, found)
                 out[part] = found
         rest = mine[out[mine] == UNDECIDED]
         out[rest] = exact.relations(one, a.slot[ia[rest]], other, b.slot[ib[rest]])
     return out
 
 
-BLOCK_OF_PICKED = 16384  # pairs: their columns are copied first, and where corners are few the copies stay in the cache
+BLOCK_PAIRS = 16384  # pairs: their columns are copied first, and where corners are few the copies stay in the cache
 
 
 def _relate_parts(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | None) -> Relations:
-    """Pairs of shapes, some in parts: the most of what their parts do; in blocks, as parts multiply."""
+    """Return the relations of shapes made of convex parts: the strongest relation of any two parts."""
     out = np.zeros(len(ia), np.int8)
     first_a, first_b = a.starts[ia], b.starts[ib]
     many_b = b.starts[ib + 1] - first_b
     each = (a.starts[ia + 1] - first_a) * many_b
     end = np.cumsum(each)
-    for start in range(0, end[-1], BLOCK_OF_PARTS):
-        place = np.arange(start, min(start + BLOCK_OF_PARTS, end[-1]))
+    for start in range(0, end[-1], BLOCK_PART_PAIRS):
+        place = np.arange(start, min(start + BLOCK_PART_PAIRS, end[-1]))
         of = np.searchsorted(end, place, side="right")
         rank = place - (end - each)[of]
         pa, pb = first_a[of] + rank // many_b[of], first_b[of] + rank % many_b[of]
@@ -242,11 +244,11 @@ def _relate_parts(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | 
     return out
 
 
-BLOCK_OF_PARTS = 1 << 18  # pairs of parts at a time: what bounds the memory
+BLOCK_PART_PAIRS = 1 << 18  # pairs of parts at a time: what bounds the memory
 
 
-def _filter(kernels: Engine, a: Group, b: Group, first: int, out: Relations) -> None:
-    """Relations of one block of one kind of pair, from column `first` on; UNDECIDED where floats cannot tell."""
+def _evaluate_block(kernels: Engine, a: Group, b: Group, first: int, out: Relations) -> None:
+    """Fill in the relations of one block of one kind of pair; UNDECIDED where floats cannot decide."""
     with np.errstate(all="ignore"):
         if a.upright and b.upright:
             kernels.boxes(a, b, first, out)
@@ -257,5 +259,5 @@ def _filter(kernels: Engine, a: Group, b: Group, first: int, out: Relations) -> 
             kernels.circle_polygons(circle.x[0], circle.y[0], circle.r, polygon.x, polygon.y, first, out)
         else:
             kernels.polygons(a, b, first, out)
-            if kernels.settle is not None and out.min(initial=APART) == UNDECIDED:  # rarely, and to look costs little
-                kernels.settle(a, b, first, out)
+            if kernels.exact_columns is not None and out.min(initial=APART) == UNDECIDED:  # rare, and cheap to check
+                kernels.exact_columns(a, b, first, out)

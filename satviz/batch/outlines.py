@@ -11,84 +11,86 @@ from numpy.typing import NDArray
 
 from . import exact_signs
 from .exact_signs import Array
-from .ragged import Mask, Places, Rings, joined
+from .ragged import Mask, Places, Rings, concat_rings
 
 Value = TypeVar("Value", np.float64, np.bool_)
 
-BLOCK = 1 << 15  # corners at a time: they and the scratch arrays stay in the second-level cache
+BLOCK_CORNERS = 1 << 15  # corners at a time: they and the scratch arrays stay in the second-level cache
 
 
-def convex(rings: Rings) -> tuple[Rings, Mask]:
-    """The corners of those that are plainly convex, counter-clockwise, and which they are.
+def convex_rings(rings: Rings) -> tuple[Rings, Mask]:
+    """Return the corners of the outlines that are plainly convex, counter-clockwise, and the mask of these outlines.
 
-    The others are concave, or no simple outlines: the scalar door tells.  The arrays given may be written to.
+    The others are concave or not simple: satviz.Polygon decides.  The arrays given may be overwritten.
     """
     found, masks = [], []
-    full = np.searchsorted(rings.start, np.arange(BLOCK, rings.start[-1], BLOCK), side="right") - 1
+    full = np.searchsorted(rings.start, np.arange(BLOCK_CORNERS, rings.start[-1], BLOCK_CORNERS), side="right") - 1
     cuts = np.unique(np.concatenate([[0], full, [len(rings.start) - 1]]))
     for i, j in pairwise(cuts):
         start = rings.start[i : j + 1]
         part = slice(start[0], start[-1])
-        some, mask = _convex(Rings(rings.x[part], rings.y[part], start - start[0]))
+        some, mask = _convex_in_block(Rings(rings.x[part], rings.y[part], start - start[0]))
         found.append(some)
         masks.append(mask)
     mask = np.concatenate([np.zeros(0, bool), *masks])
     if mask.all() and sum(len(some.x) for some in found) == len(rings.x):  # none left out; turned round in place
         return rings, mask
-    return joined(found), mask
+    return concat_rings(found), mask
 
 
-def _convex(rings: Rings) -> tuple[Rings, Mask]:
+def _convex_in_block(rings: Rings) -> tuple[Rings, Mask]:
+    """Return what `convex_rings` returns, for one block of outlines."""
     many = np.diff(rings.start) > 2
-    ring = rings.some(many)
-    fresh = (ring.x != _before(ring.x, ring.start)) | (ring.y != _before(ring.y, ring.start))
+    ring = rings.select(many)
+    fresh = (ring.x != _previous_in_ring(ring.x, ring.start)) | (ring.y != _previous_in_ring(ring.y, ring.start))
     if not fresh.all():
-        ring = ring.without(fresh)
+        ring = ring.keep_corners(fresh)
         enough = np.diff(ring.start) > 2
         many[many] = enough
-        ring = ring.some(enough)
+        ring = ring.select(enough)
     x, y, start = ring
     if len(start) == 1:
         return ring, many
-    px, py, nx, ny = (way(c, start) for way in (_before, _after) for c in (x, y))
+    px, py, nx, ny = (way(c, start) for way in (_previous_in_ring, _next_in_ring) for c in (x, y))
     turns = exact_signs.orient(px, py, x, y, nx, ny)
     first = start[:-1]
     least, most = np.minimum.reduceat(turns, first), np.maximum.reduceat(turns, first)
     # straight on is no corner; straight back comes with turns both ways, with going round twice, or with no turn at all
     plain = (least >= 0) != (most <= 0)
     if np.diff(start).max() > 4:  # with 3 or 4 corners the same way there is no going round twice
-        rises = _rises(x, y, nx, ny)
-        plain &= np.add.reduceat(rises != _before(rises, start), first) == 2
+        rises = _leads_right(x, y, nx, ny)
+        plain &= np.add.reduceat(rises != _previous_in_ring(rises, start), first) == 2
     back = most <= 0
     many[many] = plain
     if not turns.all():
-        ring = ring.without(turns != 0)
-    return _turned(ring.some(plain), back[plain]), many
+        ring = ring.keep_corners(turns != 0)
+    return _reverse_rings(ring.select(plain), back[plain]), many
 
 
-def _before(c: NDArray[Value], start: Places) -> NDArray[Value]:
-    """What stands before each corner of its outline."""
+def _previous_in_ring(c: NDArray[Value], start: Places) -> NDArray[Value]:
+    """Return the value before each corner in its outline."""
     found = np.empty_like(c)
     found[1:] = c[:-1]
     found[start[:-1]] = c[start[1:] - 1]
     return found
 
 
-def _after(c: NDArray[Value], start: Places) -> NDArray[Value]:
+def _next_in_ring(c: NDArray[Value], start: Places) -> NDArray[Value]:
+    """Return the value after each corner in its outline."""
     found = np.empty_like(c)
     found[:-1] = c[1:]
     found[start[1:] - 1] = c[start[:-1]]
     return found
 
 
-def _rises(px: Array, py: Array, qx: Array, qy: Array) -> Mask:
-    """Is q to the right of p, or straight above?"""
+def _leads_right(px: Array, py: Array, qx: Array, qy: Array) -> Mask:
+    """Return whether q lies to the right of p, or straight above it."""
     rises: Mask = (qx > px) | ((qx == px) & (qy > py))
     return rises
 
 
-def _turned(ring: Rings, back: Mask) -> Rings:
-    """Those of the mask the other way round."""
+def _reverse_rings(ring: Rings, back: Mask) -> Rings:
+    """Return the rings with those of the mask in reversed order."""
     if not back.any():
         return ring
     x, y, start = ring

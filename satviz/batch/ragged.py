@@ -9,7 +9,7 @@ Array = NDArray[np.float64]
 Places = NDArray[np.intp]
 Mask = NDArray[np.bool_]
 
-FEW = 8  # corners: up to so many pairs are looked at in columns or lanes, corner by corner
+MAX_LANE_CORNERS = 8  # corners: up to so many pairs are looked at in columns or lanes, corner by corner
 
 
 class Rings(NamedTuple):
@@ -19,26 +19,26 @@ class Rings(NamedTuple):
     y: Array
     start: Places
 
-    def some(self, mask: Mask) -> "Rings":
-        """The outlines of a mask."""
-        return self if mask.all() else self.without(np.repeat(mask, np.diff(self.start)), mask)
+    def select(self, mask: Mask) -> "Rings":
+        """Return the outlines of a mask."""
+        return self if mask.all() else self.keep_corners(np.repeat(mask, np.diff(self.start)), mask)
 
-    def without(self, kept: Mask, mask: Mask | None = None) -> "Rings":
-        """Only the corners kept, of those outlines (of all)."""
+    def keep_corners(self, kept: Mask, mask: Mask | None = None) -> "Rings":
+        """Return the outlines of a mask with only the corners that are kept."""
         ends = np.concatenate([[0], np.cumsum(kept)])[self.start]
         start = ends if mask is None else np.concatenate([[0], np.cumsum(np.diff(ends)[mask])])
         return Rings(self.x[kept], self.y[kept], start)
 
-    def picked(self, where: Places) -> "Rings":
-        """The outlines of these numbers, in this order."""
+    def take(self, where: Places) -> "Rings":
+        """Return the outlines with these numbers, in this order."""
         many = np.diff(self.start)[where]
         start = np.concatenate([[0], np.cumsum(many)])
         corners = np.arange(start[-1]) + np.repeat(self.start[where] - start[:-1], many)
         return Rings(self.x[corners], self.y[corners], start)
 
 
-def joined(many: list[Rings]) -> Rings:
-    """All of them, in order."""
+def concat_rings(many: list[Rings]) -> Rings:
+    """Return the outlines of several Rings, in order."""
     counts = [np.diff(rings.start) for rings in many]
     x, y = (np.concatenate([rings[i] for rings in many]) for i in (0, 1))
     return Rings(x, y, np.cumsum(np.concatenate([[0], *counts])))

@@ -1,4 +1,4 @@
-"""The batch's door: numbers in arrays, judged by the rules and in the words of satviz.Polygon and satviz.Circle."""
+"""Validation for batches: numbers in arrays, by the rules and in the words of satviz.Polygon and satviz.Circle."""
 
 import json
 from collections.abc import Callable, Iterable, Sequence
@@ -12,61 +12,65 @@ from ..engine.geometry import InvalidShape
 from ..engine.predicates import warn_if_flushed
 from ..engine.shapes import Polygon
 
-# Taken in more forms than a type can say, so type checkers let anything through and the door judges it.
+# More forms are accepted than a type can say, so type checkers allow anything and the checks here decide.
 Rings = Any  # an (N, V, 2) array, or a sequence of what satviz.Polygon takes
 Points = Any  # an (N, 2) array, or a sequence of what satviz.Circle takes as its center
 Numbers = Any  # an (N,) array, a sequence of numbers, or one number
-CONCAVE = "refuse", "split"  # what to do with concave outlines
+CONCAVE_OPTIONS = "refuse", "split"  # what to do with concave outlines
 
-EXPECTED = "expected to rise from 0 to the number of vertices"  # of offsets
+OFFSETS_RULE = "expected to rise from 0 to the number of vertices"  # of offsets
 
 
 def check_word(name: str, value: object, words: Sequence[str]) -> None:
-    """Raise TypeError for what is no text, ValueError for a text that is none of the words."""
+    """Raise TypeError unless the value is text, ValueError unless it is one of the words."""
     if not isinstance(value, str) or value not in words:
         fault = ValueError if isinstance(value, str) else TypeError
         raise fault(f"{name} is {polygon_validation.shown(value)}: choose {' or '.join(map(json.dumps, words))}")
 
 
-def rings(vertices: NDArray[Any], name: Callable[[int], str]) -> NDArray[np.float64]:
-    """An (N, V, 2) array in float64; InvalidShape names the first number that is none."""
+def rings_from_array(vertices: NDArray[Any], name: Callable[[int], str]) -> NDArray[np.float64]:
+    """Return the outlines of an (N, V, 2) array in float64; InvalidShape names the first wrong number."""
     if vertices.ndim != 3 or vertices.shape[2] != 2 or vertices.shape[1] < 3:
         raise InvalidShape(f"vertices has the shape {vertices.shape}: expected (N, V, 2) with V at least 3")
     return floats(vertices, "vertices", lambda i, j, k: f"{name(i)}: vertex {j}.{'xy'[k]}")
 
 
-def ragged(vertices: Points, offsets: Any) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
-    """x, y and where each outline starts; InvalidShape names the first number that is none and the first bad offset."""
+def rings_from_offsets(
+    vertices: Points, offsets: Any
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
+    """Return the outlines of flat (M, 2) vertices split at offsets; InvalidShape names the first wrong value."""
     start = np.asarray(offsets)
     if start.ndim != 1 or not start.size or start.dtype.kind not in "iu":
         raise InvalidShape(f"offsets is {start.dtype} of the shape {start.shape}: expected N + 1 integers")
     polygon_validation.refuse_masked(offsets, "offsets")
     if (far := np.flatnonzero(start > np.iinfo(np.intp).max)).size:
-        raise InvalidShape(f"offsets holds {start[far[0]]}: {EXPECTED}")
+        raise InvalidShape(f"offsets holds {start[far[0]]}: {OFFSETS_RULE}")
     start = start.astype(np.intp)
 
     def entry(i: int) -> str:
+        """Return how error lines call one number."""
         polygon = np.searchsorted(start, i, side="right") - 1
         return f"polygon {polygon}: vertex {i - start[polygon]}"
 
     if start[0]:
-        raise InvalidShape(f"offsets begins with {start[0]}: {EXPECTED}")
+        raise InvalidShape(f"offsets begins with {start[0]}: {OFFSETS_RULE}")
     if (fall := np.flatnonzero(np.diff(start) < 0)).size:
-        raise InvalidShape(f"offsets falls from {start[fall[0]]} to {start[fall[0] + 1]}: {EXPECTED}")
+        raise InvalidShape(f"offsets falls from {start[fall[0]]} to {start[fall[0] + 1]}: {OFFSETS_RULE}")
     found = points(vertices, "vertices", entry)
     if start[-1] != len(found):
-        raise InvalidShape(f"offsets ends with {start[-1]}: {EXPECTED}, {len(found)}")
+        raise InvalidShape(f"offsets ends with {start[-1]}: {OFFSETS_RULE}, {len(found)}")
     return found[:, 0], found[:, 1], start
 
 
-def listed_rings(
+def rings_from_sequence(
     vertices: Any, name: Callable[[int], str]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
-    """The same from a sequence of outlines."""
-    given = _listed(vertices, "vertices")
+    """Return the outlines of a sequence of outlines; InvalidShape names the first wrong one."""
+    given = _as_list(vertices, "vertices")
     arrays: list[NDArray[np.float64]] = []
 
     def joined() -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+        """Return the outlines collected so far as one array."""
         start = np.cumsum([0, *map(len, arrays)])
         flat = np.concatenate([np.empty((0, 2)), *arrays])
         if (bad := np.flatnonzero(~np.isfinite(flat).all(axis=1))).size:
@@ -75,7 +79,7 @@ def listed_rings(
         return flat, start
 
     for i, one in enumerate(given):
-        array = _quickly(one)
+        array = _plain_float_ring(one)
         if array is None:
             try:
                 array = ring(one, name(i))
@@ -87,8 +91,8 @@ def listed_rings(
     return flat[:, 0], flat[:, 1], start
 
 
-def _quickly(one: Any) -> NDArray[np.float64] | None:
-    """An outline of plain floats as an array, not yet known to be finite; None where the door must look closer."""
+def _plain_float_ring(one: Any) -> NDArray[np.float64] | None:
+    """Return an outline of plain floats as an array, perhaps not finite; None where values must be checked singly."""
     if type(one) is np.ndarray:
         return one if one.dtype == np.float64 and one.ndim == 2 and one.shape[1] == 2 else None
     if type(one) is not list and type(one) is not tuple:
@@ -102,7 +106,7 @@ def _quickly(one: Any) -> NDArray[np.float64] | None:
 
 
 def ring(vertices: Any, name: str) -> NDArray[np.float64]:
-    """One outline as (V, 2) float64, through the door of satviz.Polygon where it is no plain array."""
+    """Return one outline as (V, 2) float64, validated by satviz.Polygon unless it is a plain array."""
     if isinstance(vertices, Polygon):
         return np.array(vertices.vertices)
     try:
@@ -114,9 +118,9 @@ def ring(vertices: Any, name: str) -> NDArray[np.float64]:
 
 
 def points(values: Points, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
-    """(N, 2) float64 from an array or a sequence of points."""
+    """Return (N, 2) float64 from an array or a sequence of points; InvalidShape names the first wrong one."""
     if not _is_plain(values):
-        return np.array([polygon_validation.point(p, item(i)) for i, p in enumerate(_listed(values, name))]).reshape(
+        return np.array([polygon_validation.point(p, item(i)) for i, p in enumerate(_as_list(values, name))]).reshape(
             -1, 2
         )
     if values.ndim != 2 or values.shape[1] != 2:
@@ -125,11 +129,11 @@ def points(values: Points, name: str, item: Callable[[int], str]) -> NDArray[np.
 
 
 def boxes(values: Points) -> NDArray[np.float64]:
-    """(N, 4) float64 from an array or a sequence of boxes; InvalidShape names the first that is none."""
+    """Return (N, 4) float64 from an array or a sequence of boxes; InvalidShape names the first wrong one."""
     name = "bounds"
     if not _is_plain(values):
         rows = [
-            polygon_validation.listed(box, f"{name}[{i}]", "4 numbers") for i, box in enumerate(_listed(values, name))
+            polygon_validation.listed(box, f"{name}[{i}]", "4 numbers") for i, box in enumerate(_as_list(values, name))
         ]
         for i, row in enumerate(rows):
             if len(row) != 4:
@@ -144,26 +148,27 @@ def boxes(values: Points) -> NDArray[np.float64]:
     return found
 
 
-def _listed(values: Any, name: str) -> list[Any]:
+def _as_list(values: Any, name: str) -> list[Any]:
+    """Return a sequence as a list; InvalidShape says what was expected."""
     return polygon_validation.listed(values, name, "a sequence")
 
 
 def numbers(values: Numbers, name: str, one: str, item: Callable[[int], str]) -> NDArray[np.float64]:
-    """(N,) float64 from an array or a sequence of numbers, or () from `one`."""
+    """Return (N,) float64 from an array or a sequence of numbers, or one number repeated; InvalidShape if wrong."""
     if _is_plain(values):
         return floats(values, name, lambda *i: item(i[0]) if i else one)
     if isinstance(values, Iterable):
-        return np.array([polygon_validation.number(v, item(i)) for i, v in enumerate(_listed(values, name))])
+        return np.array([polygon_validation.number(v, item(i)) for i, v in enumerate(_as_list(values, name))])
     return np.array(polygon_validation.number(values, one))
 
 
 def _is_plain(values: Any) -> bool:
-    """Is it an array of NumPy's own numbers?  Others are looked at one by one."""
+    """Return whether this is an array of NumPy's own numbers; other values are checked one by one."""
     return isinstance(values, np.ndarray) and values.dtype != object
 
 
 def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray[np.float64]:
-    """The same values in float64; InvalidShape says of the first that has none what satviz.Polygon would."""
+    """Return the values in float64; InvalidShape says of the first wrong one what satviz.Polygon would say."""
     warn_if_flushed()
     polygon_validation.refuse_array(array, name)
     if array.dtype == object:
@@ -177,5 +182,5 @@ def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray
     elif array.dtype.itemsize > 8:
         doubtful |= found != array
     for at in np.argwhere(doubtful).tolist() if doubtful.any() else ():
-        polygon_validation.number(array[tuple(at)], entry(*at))  # the scalar door judges each
+        polygon_validation.number(array[tuple(at)], entry(*at))  # raises for the value at fault
     return found

@@ -36,7 +36,10 @@ APART, TOUCHING, OVERLAPPING = Relation
 # |error| <= 15 u D M in any order of operations, also fused; the factor is 32 u.
 ERROR_FACTOR_F64 = 2.0**-48
 MAX_SLABS_WITHOUT_PROBE = 6  # slabs of both shapes, as two triangles have: evaluating them costs no more than a probe
-LEAST_ROOM, MOST_ROOM = TINY, HUGE * ERROR_FACTOR_F64  # error bounds in this range: no product lost bits or overflowed
+MIN_ERROR_BOUND, MAX_ERROR_BOUND = (
+    TINY,
+    HUGE * ERROR_FACTOR_F64,
+)  # error bounds in this range: no product lost bits or overflowed
 
 
 def relate(a: Shape, b: Shape) -> Relation:
@@ -60,7 +63,7 @@ def relate(a: Shape, b: Shape) -> Relation:
     # the sum of both is at least the larger one, and quicker to compute
     factor = (a.max_coordinate + b.max_coordinate) * ERROR_FACTOR_F64
     bound_a, bound_b = a.max_edge_component * factor, b.max_edge_component * factor
-    if not (LEAST_ROOM < bound_a < MOST_ROOM and LEAST_ROOM < bound_b < MOST_ROOM):
+    if not (MIN_ERROR_BOUND < bound_a < MAX_ERROR_BOUND and MIN_ERROR_BOUND < bound_b < MAX_ERROR_BOUND):
         return relate_integers(*aligned(a, b)[:3])
     if len(a_slabs) + len(b_slabs) > MAX_SLABS_WITHOUT_PROBE:
         # probe the middle of what both bounding boxes share: either it is certainly inside both shapes, or it lies

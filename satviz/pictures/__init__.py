@@ -1,4 +1,4 @@
-"""Pictures: one step of a trace as marks, with no pen in sight."""
+"""Pictures: a step of a trace as marks, which any pen can draw."""
 
 from .comparison import picture
 from .marks import Mark, Picture

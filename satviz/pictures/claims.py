@@ -10,7 +10,7 @@ from ..engine.trace import Trace, record
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, FailureCase, case_of
 from ..scenes.failing.true_value import Answer
 from ..scenes.shape_tools import translated
-from .layout import box_of
+from .float_geometry import bounding_box
 
 ROUNDING = 1e-12  # numbers that differ by this part of the scene's size, or of themselves, count as equal
 
@@ -67,7 +67,7 @@ def _contradicts(case: FailureCase, trace: Trace, claimed: float, actual: Answer
 
 def _size(trace: Trace) -> float:
     """Return the largest length or absolute coordinate of the scene, to hold roundings against."""
-    x0, y0, x1, y1 = box_of([trace.a, trace.b])
+    x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
     return max(x1 - x0, y1 - y0, *map(abs, (x0, y0, x1, y1)))
 
 
@@ -99,5 +99,5 @@ def heading(trace: Trace) -> tuple[str, str]:
 
 def is_near(trace: Trace, move: Vec) -> bool:
     """Is B, moved so, still near enough for both shapes to be seen in one picture?"""
-    x0, y0, x1, y1 = box_of([trace.a, trace.b])
+    x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
     return max(map(abs, move)) < 3 * max(x1 - x0, y1 - y0)

@@ -9,22 +9,25 @@ from ..engine.trace import Trace
 from ..scenes.failing import MISSED_HIT, FailureCase, case_of
 from ..scenes.failing.failure_case import Panels
 from ..scenes.resolve import EXPECT_RUN, SceneLike, resolve
-from . import stages
-from .caption import wrapped
+from . import step_picture
 from .claims import answers, heading, verdict_words
 from .comparison_panels import PANELS, draw_pieces_panel
 from .default_panels import arrange, claimed_tests, drawable_test, panel_layouts
-from .labels import Request, with_labels
-from .layout import HEIGHT, WIDTH, Group, Layout, text_box
+from .draw_steps import draw_other_parts, draw_test
+from .label_placer import LabelRequest
+from .labels import with_labels
+from .layout import Group, Layout
+from .letters import text_size, wrap_text
 from .marks import Mark, Picture
-from .panels import moved_to
+from .panels import marks_moved_to
 from .sketch import Sketch
-from .stages import BEFORE_THE_AXIS, OF_A_TEST, Stage, Step, draw_test, others
+from .stages import STAGES_BEFORE_AXIS, TEST_STAGES, Stage, Step, resolve_step, step_sentence
+from .step_picture import LARGEST_PT
 
 CLAIMED, ACTUAL = "what the shortcut saw", "what is"
 READ_OFF_RANGES = "gap", "depth"  # quantities whose number stands at the bars of the ranges
 # a stage, and the later one whose labels leave space for what comes next, so that nothing jumps
-FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(OF_A_TEST[2:-1], Stage.GAP)
+FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(TEST_STAGES[2:-1], Stage.GAP)
 # in points
 MAX_PANEL = 340.0, 300.0
 BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0  # between the panels, for each one's heading, around the words above
@@ -38,7 +41,7 @@ def picture(
     step: int | Step = -1,
     *,
     title: str = "",
-    largest: tuple[float, float] = (WIDTH, HEIGHT),
+    largest: tuple[float, float] = LARGEST_PT,
     by_itself: bool = False,
 ) -> Picture:
     """Return the picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
@@ -51,12 +54,12 @@ def picture(
     """
     found = resolve(what, expected=EXPECT_RUN)
     if found.refused:
-        width = BOTH if largest == (WIDTH, HEIGHT) else min(BOTH, largest[0])
+        width = BOTH if largest == LARGEST_PT else min(BOTH, largest[0])
         return refused_picture(found.refused, title=title, width=width)
     trace = found.trace
     if not trace.shortcut:
-        return stages.picture(trace, step, title=title, largest=largest, by_itself=by_itself)
-    step = stages.chosen(trace, step)
+        return step_picture.picture(trace, step, title=title, largest=largest, by_itself=by_itself)
+    step = resolve_step(trace, step)
     panel, stacked = _panel_size(largest)
     pair = _claimed_step(trace, step, panel), _actual_panel(trace, panel)
     return _join(trace, *pair, _space_for_all_steps(trace, panel), title, stacked=stacked)
@@ -67,7 +70,7 @@ def _panel_size(largest: tuple[float, float]) -> tuple[tuple[float, float], bool
 
     Where the canvas has no space for both, the panels are larger than it has, and the whole is shown smaller.
     """
-    if largest == (WIDTH, HEIGHT):
+    if largest == LARGEST_PT:
         return MAX_PANEL, False
     width, height = largest
     if stacked := height > TALL * width:
@@ -83,7 +86,7 @@ def _space_for_all_steps(trace: Trace, largest: tuple[float, float]) -> tuple[fl
     tests = [test for run in trace.pairs or (trace,) for test in run.tests]
     sizes = [_claimed_panel(trace, largest).size, _actual_panel(trace, largest).size]
     sizes += [_test_layout(trace, test, largest).size for test in tests]
-    heads = [text_box(name)[0] + RIM for name in (CLAIMED, ACTUAL)]
+    heads = [text_size(name)[0] + RIM for name in (CLAIMED, ACTUAL)]
     return max(*heads, *(w for w, _ in sizes)), max(h for _, h in sizes)
 
 
@@ -106,14 +109,14 @@ def _claimed_step(trace: Trace, step: Step, largest: tuple[float, float]) -> Pic
     layout = _test_layout(trace, test, largest) if test else panel_layouts(trace, largest)[0]
     sketch = Sketch(run, layout)
     if step.pair is not None:
-        others(sketch, trace, run)
+        draw_other_parts(sketch, trace, run)
     if step.test is not None:
-        draw_test(sketch, step.stage, step.test, None if step.stage in BEFORE_THE_AXIS else layout.places[0])
+        draw_test(sketch, step.stage, step.test, None if step.stage in STAGES_BEFORE_AXIS else layout.places[0])
     else:
         sketch.shapes()
     fuller = FULLER.get(step.stage)
     kept = _claimed_step(trace, step._replace(stage=fuller), largest).labels if fuller else ()
-    return sketch.finish("", stages.sentence(run, step), kept=kept)
+    return sketch.finish("", step_sentence(run, step), kept=kept)
 
 
 def _panels(trace: Trace) -> Panels:
@@ -168,10 +171,10 @@ def strike_wrong_answers(drawn: Picture, trace: Trace) -> Picture:
 def _strike(label: Mark, scale: float) -> Mark:
     """Return a line through each line of a label."""
     (x, y), lines = label.points[0], label.text.split("\n")
-    high = text_box(label.text, label.weight)[1] / len(lines) / scale
+    high = text_size(label.text, label.weight)[1] / len(lines) / scale
     ends: list[Vec] = []
     for i, line in enumerate(lines):
-        half, level = text_box(line, label.weight)[0] / 2 / scale, y + ((len(lines) - 1) / 2 - i) * high
+        half, level = text_size(line, label.weight)[0] / 2 / scale, y + ((len(lines) - 1) / 2 - i) * high
         ends += [Vec(x - half, level), Vec(x + half, level)]
     return Mark(f"{label.part}-strike", "segment", "ink", tuple(ends), label.owner, label.axis, label.number)
 
@@ -191,12 +194,12 @@ def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH) 
         spots = [Vec(off.x + p.x * k, off.y + p.y * k) for p in ring]
         marks.append(Mark("outline", "outline", name, tuple(spots), owner=name))
         inner = Vec(sum(p.x for p in spots) / len(spots), sum(p.y for p in spots) / len(spots))
-        requests.append(Request("name", name, name, inner, owner=name, weight="title", inside=True))
+        requests.append(LabelRequest("name", name, name, inner, owner=name, weight="title", inside=True))
         for i, spot in enumerate(spots):
             marks.append(Mark("vertex", "dot", name, (spot,), owner=name, number=i))
             away = Vec(spot.x - inner.x, spot.y - inner.y + 1e-3)
             label = f"{name.lower()}{i + 1}"
-            requests.append(Request("vertex-name", label, name, spot, owner=name, number=i, prefer=away))
+            requests.append(LabelRequest("vertex-name", label, name, spot, owner=name, number=i, prefer=away))
     layout = Layout((0.0, 0.0, width, low), (width, low), ())
     drawn = with_labels(marks, requests, layout, steady=False, keep_off=())
     return _under_heading((f"Claim: {case.claim}.", f"Refused: {case.actual}."), width, low, drawn, title or case.claim)
@@ -223,7 +226,7 @@ def _join(
         spot = Vec(at.x + wide / 2, at.y + high + HEAD / 2)
         marks.append(Mark(f"{prefix}-heading", "label", "guide", (spot,), text=name))
         corner = Vec(at.x + (wide - panel.size[0]) / 2, at.y + high - panel.size[1])
-        marks += [mark._replace(part=f"{prefix}-{mark.part}") for mark in moved_to(panel, corner, "")]
+        marks += [mark._replace(part=f"{prefix}-{mark.part}") for mark in marks_moved_to(panel, corner, "")]
     across = cell + BETWEEN / 2
     line = (
         (Vec(8.0, across), Vec(width - 8.0, across)) if stacked else (Vec(width / 2, 8.0), Vec(width / 2, cell - 4.0))
@@ -236,14 +239,14 @@ def _under_heading(words: tuple[str, str], width: float, low: float, below: Sequ
     """Return marks, in points and `low` points high, under the claim and the sentence that says what is wrong."""
     claim, wrong = words
     space = width - 2 * RIM
-    if text_box(wrong)[0] > space:
+    if text_size(wrong)[0] > space:
         wrong = wrong.replace(" Right: ", "\nRight: ")
-    lines = "\n".join(wrapped(line, space) for line in wrong.split("\n"))
-    texts = [(wrapped(claim, space, "title"), "title"), (lines, "plain")]
-    height = round(low + sum(text_box(*text)[1] + 4.0 for text in texts) + RIM)
+    lines = "\n".join(wrap_text(line, space) for line in wrong.split("\n"))
+    texts = [(wrap_text(claim, space, "title"), "title"), (lines, "plain")]
+    height = round(low + sum(text_size(*text)[1] + 4.0 for text in texts) + RIM)
     marks, top = [], height - RIM
     for part, (text, weight) in zip(("heading", "wrong"), texts, strict=True):
-        tall = text_box(text, weight)[1]
+        tall = text_size(text, weight)[1]
         marks.append(Mark(part, "label", "ink", (Vec(width / 2, top - tall / 2),), text=text, weight=weight))
         top -= tall + 4.0
     limits = 0.0, 0.0, float(width), float(height)

@@ -8,12 +8,14 @@ from ..engine.trace import Trace
 from ..scenes.error_region import error_region_in_view
 from ..scenes.failing.move_space import RegionOrReason
 from ..scenes.shape_tools import vertex_mean
-from . import comparison_panels, live
+from . import comparison_panels
+from .axis_place import AxisPlace
 from .claims import answers, verdict_words
 from .comparison import draw_answer, strike_wrong_answers
 from .default_panels import draw_push
-from .labels import Standing
-from .layout import AxisPlace, Layout, place_within
+from .drag import ShownTest
+from .label_placer import LabelOffsets
+from .layout import Layout, place_axis_within
 from .marks import Mark, Picture
 from .sketch import Sketch
 
@@ -21,11 +23,11 @@ from .sketch import Sketch
 def drag_view(
     trace: Trace,
     layout: Layout,
-    chosen: live.Chosen | None,
+    shown: ShownTest | None,
     *,
-    way_out: bool = False,
-    near: Vec | None = None,
-    stood: Standing | None = None,
+    show_mtv: bool = False,
+    last_out: Vec | None = None,
+    last_offsets: LabelOffsets | None = None,
 ) -> tuple[Picture, AxisPlace | None]:
     """Return the picture of a shortcut's run while dragging, and where its axis was placed (None: none is shown).
 
@@ -34,7 +36,7 @@ def drag_view(
     sketch, place = Sketch(trace, layout), None
     region = error_region_marks(trace, layout)
     sketch.marks += [mark for mark in region if mark.part == "reference"]  # words keep off it
-    test = trace.tests[chosen.test] if chosen and trace.tests else None
+    test = trace.tests[shown.test] if shown and trace.tests else None
     if trace.pairs:
         comparison_panels.draw_pieces(sketch)
     else:
@@ -43,17 +45,17 @@ def drag_view(
     if test is not None and not any(test.axis.normal):
         sketch.no_axis(test)
     elif test is not None:
-        place = place_within(layout, (trace.a, trace.b), test, near)
+        place = place_axis_within(layout, (trace.a, trace.b), test, last_out)
         sketch.edge(test)
         sketch.normal(test)
         sketch.project(test, place, interval=False)
     draw_answer(sketch, trace, "claim", verdict_words(trace)[0], answers(trace).claimed)
-    if way_out and not trace.pairs:  # pieces show their pushes themselves
+    if show_mtv and not trace.pairs:  # pieces show their pushes themselves
         draw_push(sketch)
     if region:
         text = f"dot {'on' if region[0].kind == 'segment' else 'in'} the red:\nthe shortcut is wrong"
         sketch.note("error-region-name", text, "ink", first=6)  # red words would be lost on the red
-    drawn = strike_wrong_answers(sketch.finish("", trace.sentence, steady=False, stood=stood), trace)
+    drawn = strike_wrong_answers(sketch.finish("", trace.sentence, steady=False, last_offsets=last_offsets), trace)
     return drawn._replace(marks=(*(mark for mark in region if mark.part != "reference"), *drawn.marks)), place
 
 

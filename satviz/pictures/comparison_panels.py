@@ -21,10 +21,11 @@ from ..scenes.failing.true_value import FLIGHT, contact_times, separating_angles
 from ..scenes.failing.true_value import distance as true_distance
 from ..scenes.failing.wrong_projections import FIRST_EDGE_OF_B
 from ..scenes.shape_tools import box, translated
-from .caption import wrapped
-from .curve import direction
+from .curve import unit_vector
 from .default_panels import arrange, draw_claimed_tests, draw_proof, start_sketch
-from .layout import NARROW_PAD, Group, Layout, box_of, moved, text_box
+from .float_geometry import bounding_box, midpoint, point_along
+from .layout import NARROW_PAD_PT, Group, Layout
+from .letters import text_size, wrap_text
 from .sketch import Sketch
 
 Panel = Callable[[Trace, tuple[float, float]], Sketch]  # draws a trace on a canvas in points, returns the sketch
@@ -50,7 +51,7 @@ def draw_pieces(sketch: Sketch) -> None:
     for i, pair in enumerate(trace.pairs):
         if pair.mtv:
             start = centroid(trace.b)
-            tip = moved(start, pair.mtv, 1.0)
+            tip = point_along(start, pair.mtv, 1.0)
             sketch.add("mtv", "arrow", "move", start, tip, number=i, start=(start,))
             text = f"{pair.names.a}: push {describe.digits(trace).vector(pair.mtv)}"
             sketch.label("mtv-name", text, "move", tip, number=i, prefer=pair.mtv, first=3, far=True)
@@ -73,11 +74,11 @@ def draw_separating_directions(trace: Trace, largest: tuple[float, float]) -> Sk
     across = ((p.x + q.x) * -n.y + (p.y + q.y) * n.x) / 2
     start = Vec(n.x * nearest - n.y * across, n.y * nearest + n.x * across)
     turns = [ends[0] + (ends[1] - ends[0]) * i / 4 for i in range(5)]
-    ways = [Vec(n.x * c.x - n.y * c.y, n.x * c.y + n.y * c.x) for c in map(direction, turns)]
+    ways = [Vec(n.x * c.x - n.y * c.y, n.x * c.y + n.y * c.x) for c in map(unit_vector, turns)]
     x0, y0, x1, y1 = sketch.layout.limits
     space = min(x1 - start.x, start.x - x0, y1 - start.y, start.y - y0)
     for i, (turn, u) in enumerate(zip(turns, ways, strict=True)):
-        tip = moved(start, u, min(sketch.layout.units(ARROW_LENGTH), space))
+        tip = point_along(start, u, min(sketch.layout.units(ARROW_LENGTH), space))
         sketch.add("fan", "arrow", "gap", start, tip, number=i, weight="strong" if i in (0, 4) else "plain")
         if i in (0, 4):
             sketch.label("fan-name", f"{number(round(turn, 2))}°", "gap", tip, number=i, prefer=u, first=1)
@@ -100,7 +101,7 @@ def digits_panel(exact: bool) -> Panel:
         sketch.axis(test, place)
         sketch.drops(test, place, "B", ends_only=False, named=False)
         top = [i for i, t in enumerate(test.b.landings) if abs(t - test.b.interval.hi) < 1e-9 * abs(t)]
-        name, polygon = sketch.polygon("B")
+        name, polygon = sketch.named_polygon("B")
         lines = {i: f"{describe.vertex_name(polygon, name, polygon.corner_ids[i])} {test.b.landings[i]!r}" for i in top}
         text = "\n".join(lines[i] for i in sorted(top))
         sketch.label("landing-name", text, "B", place.at(test.b.interval.hi), prefer=place.out, first=1)
@@ -138,7 +139,7 @@ def draw_support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
     best = max(record(trace.a, trace.b, every_axis=True).tests, key=lambda test: test.gap, default=None)
     if best is None:
         return draw_shapes(trace, largest)  # with a dent B - A has none of its own
-    supports = [_support(corners, direction(45.0 * k + 10.0)) for k in range(8)]
+    supports = [_support(corners, unit_vector(45.0 * k + 10.0)) for k in range(8)]
     found = next(filter(_holds_origin, combinations(dict.fromkeys(supports), MIN_SUPPORT_POINTS)), tuple(supports[::3]))
     if not trace.hit:  # one that lies nearest on the axis of a gap
         n = best.axis.direction
@@ -149,8 +150,8 @@ def draw_support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
     rest = "and a triangle round the origin three corners" if trace.hit else "and for a miss one corner may be enough"
     wide, high = largest[0] * 0.8, largest[1] * 0.8
     lines = f"a corner of B {MINUS} A takes {count} looks,", rest
-    text = "\n".join(wrapped(line, wide - 2 * NARROW_PAD) for line in lines)
-    band = text_box(text)[1] + NARROW_PAD  # below the picture, for words
+    text = "\n".join(wrap_text(line, wide - 2 * NARROW_PAD_PT) for line in lines)
+    band = text_size(text)[1] + NARROW_PAD_PT  # below the picture, for words
     layout = arrange([Group([box(min(xs), min(ys), max(xs), max(ys))])], largest=(wide, high - band))[0]
     (x0, y0, x1, y1), (wide, high) = layout.limits, layout.size
     low = y0 - layout.units(band)
@@ -210,7 +211,7 @@ def draw_flight(trace: Trace, largest: tuple[float, float]) -> Sketch:
     test = trace.ended_by or trace.tests[0]
     sketch = start_sketch(trace, largest, [test], also=translated(trace.a, MOVE))
     start = centroid(trace.a)
-    sketch.add("flight", "arrow", "A", start, moved(start, MOVE, 1.0))
+    sketch.add("flight", "arrow", "A", start, point_along(start, MOVE, 1.0))
     for i, t in enumerate(map(float, contact_times(trace.a, trace.b))):
         if isnan(t):
             continue
@@ -228,7 +229,7 @@ def draw_distance(trace: Trace, largest: tuple[float, float]) -> Sketch:
     if not trace.truth.hit:
         sketch.add("distance", "segment", "gap", p, q, weight="strong")
         text = f"distance {number(true_distance(trace.a, trace.b))}"
-        sketch.label("distance-name", text, "gap", sketch.middle(p, q), prefer=Vec(q.y - p.y, p.x - q.x), first=1)
+        sketch.label("distance-name", text, "gap", midpoint(p, q), prefer=Vec(q.y - p.y, p.x - q.x), first=1)
     return sketch
 
 
@@ -239,7 +240,7 @@ def _nearest_points(a: Shape, b: Shape) -> tuple[Vec, Vec]:
     p, q = min(pairs, key=lambda pair: hypot(pair[1].x - pair[0].x, pair[1].y - pair[0].y))
     length = hypot(q.x - p.x, q.y - p.y) or 1.0
     way = Vec((q.x - p.x) / length, (q.y - p.y) / length)
-    return moved(p, way, a.radius), moved(q, way, -b.radius)
+    return point_along(p, way, a.radius), point_along(q, way, -b.radius)
 
 
 def _closed_ring(shape: Shape) -> Sequence[Vec]:
@@ -252,7 +253,7 @@ def _nearest_on_edge(p: Vec, edge: tuple[Vec, Vec]) -> Vec:
     q, r = edge
     x, y = r.x - q.x, r.y - q.y
     t = ((p.x - q.x) * x + (p.y - q.y) * y) / ((x * x + y * y) or 1.0)
-    return moved(q, Vec(x, y), min(1.0, max(0.0, t)))
+    return point_along(q, Vec(x, y), min(1.0, max(0.0, t)))
 
 
 def draw_shapes(trace: Trace, largest: tuple[float, float]) -> Sketch:
@@ -263,7 +264,7 @@ def draw_shapes(trace: Trace, largest: tuple[float, float]) -> Sketch:
 def _layout_of_pieces(trace: Trace, largest: tuple[float, float]) -> Layout:
     """Return a layout with space for every push of a piece, and for words above."""
     shapes = [trace.a, trace.b, *(translated(trace.b, pair.mtv) for pair in trace.pairs if pair.mtv)]
-    x0, y0, x1, y1 = box_of(shapes)
+    x0, y0, x1, y1 = bounding_box(shapes)
     words = box(x0, y1, x1, y1 + (y1 - y0) / 5)
     return arrange([Group([*shapes, words])], largest=largest)[0]
 

@@ -14,11 +14,12 @@ from ..engine.trace import Trace, record
 from ..scenes.shape_tools import translated
 from . import layout
 from .claims import is_about_push, is_near
-from .layout import NARROW_PAD, Group, Layout, moved, padded
+from .draw_steps import draw_mtv, draw_separating_line, draw_verdict
+from .float_geometry import point_along
+from .layout import NARROW_PAD_PT, Group, Layout, centered_layout
 from .sketch import Sketch
-from .stages import draw_mtv, draw_verdict, separating_line
 
-arrange = partial(layout.arrange, pad=NARROW_PAD)
+arrange = partial(layout.arrange, pad=NARROW_PAD_PT)
 
 
 def start_sketch(
@@ -68,7 +69,7 @@ def draw_push(sketch: Sketch) -> None:
     if not is_near(trace, trace.push):
         text += ",\nout of the picture"
     elif any(trace.push):
-        tip = moved(start, trace.push, 1.0)
+        tip = point_along(start, trace.push, 1.0)
         sketch.shape("B", f"{trace.names.b} pushed", translated(trace.b, trace.push), weight="faint", named=False)
         sketch.add("push", "arrow", "move", start, tip, start=(start,))
     prefer = trace.push if any(trace.push) else Vec(0.0, 1.0)
@@ -81,7 +82,7 @@ def draw_proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
     run, test = true_run(trace), true_test(trace)
     if test is None:
         sketch = Sketch(run, layout)
-        draw_verdict(sketch, layout.places, told=False)
+        draw_verdict(sketch, layout.places, named=False)
         return sketch
     run = replace(run, choice=Choice((test.axis,), complete=run.choice.complete), tests=(test,))
     place = layout.places[-1]
@@ -89,7 +90,7 @@ def draw_proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
     sketch.shapes()
     certificate = trace.truth.certificate if trace.hit else run.certificate
     if isinstance(certificate, SeparatingLine):
-        separating_line(sketch, certificate)
+        draw_separating_line(sketch, certificate)
     elif isinstance(certificate, SharedPoint):
         sketch.add("shared", "dot", "ink", certificate.point)
         sketch.label("shared-name", "in both", "ink", certificate.point, first=4)
@@ -128,12 +129,12 @@ def panel_layouts(trace: Trace, largest: tuple[float, float]) -> tuple[Layout, L
     truth = true_test(trace)
     tests = [drawable_test(trace, test) for test in claimed_tests(trace)], [truth] if truth else []
     push = trace.push if is_about_push(trace) else None
-    shapes = _shapes_and_moved(trace, push), _shapes_and_moved(trace, trace.truth.known_mtv)
+    shapes = _shapes_and_point_along(trace, push), _shapes_and_point_along(trace, trace.truth.known_mtv)
     found = [arrange([Group(*group)], largest=largest)[0] for group in zip(shapes, tests, strict=True)]
     small, large = sorted((0, 1), key=lambda k: found[k].scale)
     found[large] = _layout_on_scale(found[small].scale, shapes[large], tests[large], largest) or found[large]
     size = max(layout.size[0] for layout in found), max(layout.size[1] for layout in found)
-    return padded(found[0], size), padded(found[1], size)
+    return centered_layout(found[0], size), centered_layout(found[1], size)
 
 
 def _layout_on_scale(
@@ -159,6 +160,6 @@ def drawable_test(trace: Trace, test: AxisTest) -> AxisTest:
     return test if any(test.axis.normal) else next(t for t in trace.tests if any(t.axis.normal))
 
 
-def _shapes_and_moved(trace: Trace, move: Vec | None) -> list[Shape]:
+def _shapes_and_point_along(trace: Trace, move: Vec | None) -> list[Shape]:
     """Return both shapes, and B where it is moved to if that is near enough to be drawn."""
     return [trace.a, trace.b, *([translated(trace.b, move)] if move and is_near(trace, move) else [])]

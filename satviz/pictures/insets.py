@@ -1,93 +1,153 @@
-"""What is too small for the pen, shown larger in a box beside the picture."""
+"""Insets: what is too small for a pen, shown larger in a box beside the scene."""
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import atan2, cos, floor, hypot, log10, pi, sin
+from typing import NamedTuple
 
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape, centroid
-from .layout import Inset, Layout, around, box_of, clipped
+from .axis_place import TRACK_PT
+from .float_geometry import bounding_box, clip_segment, midpoint
+from .layout import Inset, Layout, limits_around
+from .marks import Mark
 
-# all in points
-SMALLEST = 8.0  # a shape smaller than this is shown larger, and so is a gap smaller than
-LEAST_GAP = 3.0
-THINNEST = 1.5  # and the end of a needle thinner than this
-BOX = 96.0  # an inset's side
-STRIP = 124.0  # what stands beside the picture for them
-EACH = 128.0  # an inset's height with its caption
-FILLED = 0.5  # how much of its box the small thing takes
+MIN_SHAPE_PT = 8.0  # a shape whose larger side is shorter than this has an inset
+MIN_GAP_PT = 3.0  # and so has a gap or an overlap smaller than this
+MIN_NEEDLE_PT = 1.5  # and the short edge of an outline thinner than this
+BOX_PT = 96.0  # an inset's side
+STRIP_PT = 124.0  # the width of the strip of insets beside the scene
+ROW_PT = 128.0  # the height of an inset with its caption
+DETAIL_PART = 0.5  # of the box's side: how large the detail is in it, at most
+BRACKET_PT = 4.0, 11.0  # a gap's bracket: from the axis to its ends, and to its back
 
-
-def edges_in(inset: Inset, shape: Shape) -> Iterator[tuple[Vec, Vec]]:
-    """What is seen of a shape's outline in the box."""
-    for p, q in pairwise(map(inset.at, _outline(shape, inset.spot))):
-        part = clipped(*p, *q, *inset.box)
-        if part and part[0] < part[1]:
-            yield tuple(Vec(p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t) for t in part)  # type: ignore[misc]
+Role = tuple[str, str, Shape]  # "A" or "B", the shape's name, the shape
 
 
-def _outline(shape: Shape, spot: Vec) -> list[Vec]:
-    """A closed ring of points; a circle's are close together where it passes near the spot."""
-    if isinstance(shape, Polygon):
-        return [*shape.vertices, shape.vertices[0]]
-    (x, y), r = shape.center, shape.radius
-    toward = atan2(spot.y - y, spot.x - x)
-    turns = sorted({sign * pi * 10.0 ** (-k / 4) for k in range(49) for sign in (-1, 1)} | {0.0})
-    return [Vec(x + r * cos(toward + t), y + r * sin(toward + t)) for t in turns]
+class _Detail(NamedTuple):
+    """A detail of a scene that is too small: its name ("" for a gap), its middle, its length in scene units."""
+
+    name: str
+    spot: Vec
+    length: float
+    test: AxisTest | None = None
 
 
-def small(shape: Shape, scale: float) -> bool:
-    """Is it too small to be seen, at so many points a unit?"""
+def is_too_small(shape: Shape, scale: float) -> bool:
+    """Check whether a shape is too small to be seen on a scale of so many points in a scene unit."""
     x0, y0, x1, y1 = shape.bounds
-    return max(x1 - x0, y1 - y0) * scale < SMALLEST
+    return max(x1 - x0, y1 - y0) * scale < MIN_SHAPE_PT
 
 
-def with_insets(layout: Layout, shapes: Sequence[tuple[str, Shape]]) -> Layout:
-    """The layout, and beside it a box for each shape, needle's end or gap that the pen is too coarse for."""
+def add_insets(layout: Layout, shapes: Sequence[tuple[str, Shape]]) -> Layout:
+    """Return the layout with a strip of insets, one for each named shape, needle's end or gap that is too small."""
     scale = layout.scale
-    wanted: list[Wanted] = [found for name, shape in shapes for found in _of_shape(name, shape, scale)]
+    details = [detail for name, shape in shapes for detail in _small_details(name, shape, scale)]
     for place, test in zip(layout.places, layout.tests, strict=True):
-        if test.gap and abs(test.gap) * scale < LEAST_GAP:
-            wanted.append(("", place.at(test.a.interval.lo), abs(test.gap), test))
-    if not wanted:
+        if test.gap and abs(test.gap) * scale < MIN_GAP_PT:
+            details.append(_Detail("", place.at(test.a.interval.lo), abs(test.gap), test))
+    if not details:
         return layout
-    size = layout.size[0] + STRIP, max(layout.size[1], round(EACH * len(wanted) + 24))
+    size = layout.size[0] + STRIP_PT, max(layout.size[1], round(ROW_PT * len(details) + 24))
     x0, y0, x1, y1 = layout.limits
-    limits = around(((x0 + x1 + STRIP / scale) / 2, (y0 + y1) / 2), size, scale)
+    limits = limits_around(((x0 + x1 + STRIP_PT / scale) / 2, (y0 + y1) / 2), size, scale)
     found = []
-    for i, (name, spot, length, tested) in enumerate(wanted):
-        left, top = limits[2] - (BOX + 14) / scale, limits[3] - (14 + EACH * i) / scale
-        box = left, top - BOX / scale, left + BOX / scale, top
-        found.append(Inset(name, spot, _round(FILLED * BOX / (length * scale)), box, tested))
+    for i, (name, spot, length, test_of_gap) in enumerate(details):
+        left, top = limits[2] - (BOX_PT + 14) / scale, limits[3] - (14 + ROW_PT * i) / scale
+        box = left, top - BOX_PT / scale, left + BOX_PT / scale, top
+        found.append(Inset(name, spot, _round_down(DETAIL_PART * BOX_PT / (length * scale)), box, test_of_gap))
     return layout._replace(limits=limits, size=size, insets=tuple(found))
 
 
-Wanted = tuple[str, Vec, float, AxisTest | None]  # of what, where, how long
-
-
-def _of_shape(name: str, shape: Shape, scale: float) -> list[Wanted]:
-    if small(shape, scale):
-        x0, y0, x1, y1 = box_of([shape])
-        return [(name, Vec((x0 + x1) / 2, (y0 + y1) / 2), max(x1 - x0, y1 - y0), None)]
+def _small_details(name: str, shape: Shape, scale: float) -> list[_Detail]:
+    """Return the shape if it is too small, or its shortest edge if it is a needle; else nothing."""
+    if is_too_small(shape, scale):
+        x0, y0, x1, y1 = bounding_box([shape])
+        return [_Detail(name, Vec((x0 + x1) / 2, (y0 + y1) / 2), max(x1 - x0, y1 - y0))]
     if isinstance(shape, Circle):
         return []
     ring = [*shape.corners, shape.corners[0]]
     p, q = min(pairwise(ring), key=lambda e: hypot(e[1].x - e[0].x, e[1].y - e[0].y))
     length, middle = hypot(q.x - p.x, q.y - p.y), centroid(shape)
     area = abs(sum(u.x * v.y - v.x * u.y for u, v in pairwise([Vec(c.x - p.x, c.y - p.y) for c in ring]))) / 2
-    reach = max(hypot(v.x - middle.x, v.y - middle.y) for v in shape.corners)
-    if area / reach * scale > THINNEST or length * scale > SMALLEST:
+    radius = max(hypot(v.x - middle.x, v.y - middle.y) for v in shape.corners)
+    if area / radius * scale > MIN_NEEDLE_PT or length * scale > MIN_SHAPE_PT:
         return []
-    return [(f"{name}'s end", Vec((p.x + q.x) / 2, (p.y + q.y) / 2), length, None)]
+    return [_Detail(f"{name}'s end", midpoint(p, q), length)]
 
 
-def _round(times: float) -> float:
-    """The round number (1, 2 or 5 times a power of ten) below."""
+def _round_down(times: float) -> float:
+    """Return the largest of 1, 2 or 5 times a power of ten that is not above the number."""
     power = 10.0 ** floor(log10(times))
     return power * max(step for step in (1, 2, 5) if step * power <= times * 1.0001)
 
 
-def in_words(times: float) -> str:
-    """ "×10,000"."""
+def magnification_text(times: float) -> str:
+    """Return a magnification as printed below an inset: "×10,000"."""
     return f"×{times:,.0f}" if times < 1e7 else f"×{times:.0e}".replace("e+0", "e").replace("e+", "e")
+
+
+def inset_marks(layout: Layout, shapes: Sequence[Role], test: AxisTest | None) -> list[Mark]:
+    """Return the marks of the insets that show the shapes, or of those that show the gap of a test."""
+    marks: list[Mark] = []
+    for number, inset in enumerate(layout.insets, 1):
+        outlines = [(role, name, [*visible_edges(inset, shape)]) for role, name, shape in shapes]
+        if inset.test != test or not (inset.test or any(edges for *_, edges in outlines)):
+            continue  # of another test, or of a part that this step leaves aside
+        x0, y0, x1, y1 = inset.box
+        corners = Vec(x0, y0), Vec(x1, y0), Vec(x1, y1), Vec(x0, y1)
+        marks.append(Mark("inset", "outline", "guide", corners, number=number, weight="faint"))
+        what = inset.name or ("gap" if inset.test and inset.test.gap > 0 else "overlap")
+        below = Vec(inset.center.x, y0 - layout.units(9))
+        text = f"{what}, {magnification_text(inset.times)}"
+        marks.append(Mark("inset-name", "label", "ink", (below,), number=number, text=text))
+        if inset.test is not None:
+            marks += _gap_marks(layout, inset, inset.test, shapes, number)
+            continue
+        for role, name, edges in outlines:
+            if edges:
+                ends = tuple(end for edge in edges for end in edge)
+                marks.append(Mark("inset-edge", "segment", role, ends, owner=name, number=number))
+    return marks
+
+
+def visible_edges(inset: Inset, shape: Shape) -> Iterator[tuple[Vec, Vec]]:
+    """Yield the pieces of a shape's outline that are seen in the box."""
+    for p, q in pairwise(map(inset.at, _outline_points(shape, inset.spot))):
+        part = clip_segment(*p, *q, *inset.box)
+        if part and part[0] < part[1]:
+            yield tuple(Vec(p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t) for t in part)  # type: ignore[misc]
+
+
+def _outline_points(shape: Shape, spot: Vec) -> list[Vec]:
+    """Return a closed ring of points; those of a circle lie close together where it passes near the spot."""
+    if isinstance(shape, Polygon):
+        return [*shape.vertices, shape.vertices[0]]
+    (x, y), r = shape.center, shape.radius
+    toward = atan2(spot.y - y, spot.x - x)
+    angles = sorted({sign * pi * 10.0 ** (-k / 4) for k in range(49) for sign in (-1, 1)} | {0.0})
+    return [Vec(x + r * cos(toward + t), y + r * sin(toward + t)) for t in angles]
+
+
+def _gap_marks(layout: Layout, inset: Inset, test: AxisTest, shapes: Sequence[Role], number: int) -> list[Mark]:
+    """Return the marks of a gap or overlap: the ends of both ranges that face each other, along a level line."""
+    a, b = test.a.interval, test.b.interval
+    x0, _, x1, _ = inset.box
+    units, (cx, cy) = layout.units, inset.center
+    half = test.gap * inset.times / 2
+    marks = [Mark("inset-axis", "segment", "ink", (Vec(x0, cy), Vec(x1, cy)), number=number)]
+    sides = [(x0, cx - half), (cx + half, x1)]
+    a_is_left = b.lo - a.hi >= a.lo - b.hi
+    for (role, name, _), ends in zip(shapes if a_is_left else shapes[::-1], sides, strict=True):
+        level = cy + units(TRACK_PT if role == "A" else -TRACK_PT)
+        points = tuple(Vec(x, level) for x in ends)
+        marks.append(Mark("inset-range", "interval", role, points, owner=name, number=number))
+    if half > 0:
+        near, far = (cy - units(c) for c in BRACKET_PT)
+        bracket = Vec(cx - half, near), Vec(cx - half, far), Vec(cx + half, far), Vec(cx + half, near)
+        marks.append(Mark("inset-gap", "bracket", "gap", bracket, number=number))
+    else:
+        bar = Vec(cx + half, cy), Vec(cx - half, cy)
+        marks.append(Mark("inset-gap", "interval", "overlap", bar, number=number))
+    return marks

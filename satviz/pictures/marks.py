@@ -1,4 +1,4 @@
-"""A picture: what to draw for a step, as a short list of marks in scene coordinates."""
+"""A picture is a short list of marks in scene coordinates, which every pen draws in the same way."""
 
 import json
 from collections.abc import Iterable
@@ -6,21 +6,21 @@ from typing import Any, NamedTuple, TypedDict
 
 from ..engine import hooks
 from ..engine.geometry import Vec
-from .theme import Look, look
-
-Limits = tuple[float, float, float, float]
+from .float_geometry import Box
+from .theme import Style, style_of
 
 
 class Mark(NamedTuple):
-    """One thing in a picture.
+    """One thing to draw in a picture.
 
-    `part`: what it is ("outline", "vertex", "drop"); `owner`: whose ("A", "B1"); `axis`: the axis it lies on;
-    `number`: which of several.  `kind` and `points` (scene units): outline (its vertices), disc (its center;
-    `radius`), segment (two ends a piece), arrow (tail, head), interval (a bar's ends), bracket (a polyline), dot
-    and label (one point; a label is centered on it, lines parted by newlines).  `role`: a colour of the theme.
-    `weight` is "plain", "strong" (what the step is about), "faint" or "title".  `start`: where the points come
-    from, for a pen that moves them: a point each, or one for all.
-    `panel`: which of several pictures in one it belongs to.
+    `part`: what it shows ("outline", "vertex", "drop").  `owner`: the name of its shape ("A", "B1").
+    `axis`: the id of the axis that it lies on.  `number`: its number among several of one part.
+    `kind` and `points` (scene units): outline (its vertices), disc (its center, and `radius`), segment (two ends
+    for each piece), arrow (tail, head), interval (the ends of a bar), bracket (a polyline), dot and label (one
+    point; a label is centered on it, newlines part its lines).
+    `role`: a colour of the theme.  `weight`: "plain", "strong" (what the step explains), "faint" or "title".
+    `start`: where a pen that moves marks begins to move its points: one point for each, or one for all.
+    `panel`: its picture, where several pictures are drawn as one.
     """
 
     part: str
@@ -38,18 +38,18 @@ class Mark(NamedTuple):
 
     @property
     def id(self) -> str:
-        """One name in a picture, for pens to keep what they drew by; what the mark is its fields say."""
+        """Return a name, unique in its picture, by which a pen recognises the mark in the next picture."""
         known = self.panel, self.owner, self.part, self.axis, self.number
         return ".".join(str(fact) for fact in known if fact not in ("", None))
 
     @property
-    def look(self) -> Look:
-        """How it is drawn."""
-        return look(self.kind, self.role, self.weight)
+    def style(self) -> Style:
+        """Return how every pen draws it."""
+        return style_of(self.kind, self.role, self.weight)
 
 
-class Which(TypedDict, total=False):
-    """What of a mark, or of a label that wants a place, may be left out."""
+class SharedOptions(TypedDict, total=False):
+    """The optional fields that a mark and a request for a label have in common."""
 
     owner: str
     axis: str
@@ -57,78 +57,84 @@ class Which(TypedDict, total=False):
     weight: str
 
 
-class Details(Which, total=False):
-    """What of a mark alone may be left out."""
+class MarkOptions(SharedOptions, total=False):
+    """The optional fields of a mark that is no label."""
 
     radius: float
     start: tuple[Vec, ...]
 
 
 class Picture(NamedTuple):
-    """Marks to draw in order, the limits (x0, y0, x1, y1) in scene units, the canvas in points, and the words.
+    """Marks in drawing order on a canvas.
 
-    `sentence` says what the picture shows, made from the trace: its alt text.
+    `limits`: the part of the scene that is shown (x min, y min, x max, y max), in scene units; `size`: the width and
+    height of the canvas in points.  `sentence`: what the picture shows, made from the trace; the alternative text.
     """
 
     marks: tuple[Mark, ...]
-    limits: Limits
+    limits: Box
     size: tuple[float, float]
     title: str
     sentence: str
 
     @property
     def scale(self) -> float:
-        """Points a scene unit, the same in x and y."""
+        """Return the points in a scene unit, the same in x and y."""
         return self.size[0] / (self.limits[2] - self.limits[0])
 
     def mark(self, mark_id: str) -> Mark:
-        """The mark of that id; KeyError if there is none."""
+        """Return the mark of that id; KeyError if there is none."""
         for mark in self.marks:
             if mark.id == mark_id:
                 return mark
         raise KeyError(mark_id)
 
     @property
-    def labels(self) -> "tuple[Mark, ...]":
-        """The labels, in drawing order."""
+    def labels(self) -> tuple[Mark, ...]:
+        """Return the labels, in drawing order."""
         return tuple(mark for mark in self.marks if mark.kind == "label")
 
     @property
     def texts(self) -> tuple[str, ...]:
-        """What the labels say, in drawing order."""
+        """Return the texts of the labels, in drawing order."""
         return tuple(mark.text for mark in self.labels)
 
     def __repr__(self) -> str:
         return f"<Picture: {self.sentence}>"
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
-        """In a notebook: the picture, and its sentence."""
+        """Return the picture and its sentence as a notebook shows them."""
         return hooks.mime_bundle(self)
 
     def data(self) -> dict[str, Any]:
-        """The picture as JSON values: all a pen needs."""
+        """Return the picture as JSON values: all that a pen needs."""
         data = {"satviz": "picture 1", "title": self.title, "sentence": self.sentence}
         return data | {"limits": list(self.limits), "size": list(self.size), **marks_data(self.marks)}
 
     def to_json(self, *, indent: int | None = None) -> str:
-        """The same as text."""
+        """Return the picture as JSON text."""
         return json.dumps(self.data(), indent=indent, ensure_ascii=False, allow_nan=False)
 
 
 def marks_data(marks: Iterable[Mark]) -> dict[str, Any]:
-    """Marks as JSON values, and their looks, which are few, in a table; what is as in a plain one is left out."""
-    looks: dict[Look, int] = {}
+    """Return marks as JSON values: the few different styles as a table "looks", and each mark with its index there.
+
+    Fields that have their default value are left out.
+    """
+    styles: dict[Style, int] = {}
     found = []
     for mark in marks:
-        own = {name: value for name, value in _told(mark).items() if name not in ("kind", "role", "weight")}
-        found.append({"id": mark.id, "look": looks.setdefault(mark.look, len(looks)), **own})
-    return {"looks": [_told(look) for look in looks], "marks": found}
+        own = {name: value for name, value in _changed_fields(mark).items() if name not in ("kind", "role", "weight")}
+        found.append({"id": mark.id, "look": styles.setdefault(mark.style, len(styles)), **own})
+    return {"looks": [_changed_fields(style) for style in styles], "marks": found}
 
 
-def _told(one: Mark | Look) -> dict[str, Any]:
-    plain = one._field_defaults
-    return {name: _listed(value) for name, value in one._asdict().items() if value != plain.get(name)}
+def _changed_fields(record: Mark | Style) -> dict[str, Any]:
+    """Return the fields of a record that differ from their defaults, as JSON values."""
+    defaults = record._field_defaults
+    return {name: _as_lists(value) for name, value in record._asdict().items() if value != defaults.get(name)}
 
 
-def _listed(value: Any) -> Any:
-    return [_listed(v) for v in value] if isinstance(value, tuple) else value
+def _as_lists(value: Any) -> Any:
+    """Return a value with its tuples as lists, as JSON has them."""
+    return [_as_lists(v) for v in value] if isinstance(value, tuple) else value

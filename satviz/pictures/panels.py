@@ -6,8 +6,8 @@ from ..engine.geometry import Vec
 from .marks import Mark, Picture
 
 
-def grid(pictures: Sequence[Picture], columns: int, *, title: str = "", sentence: str = "") -> Picture:
-    """The pictures row by row, each in the middle of its cell; a scene unit of the whole is a point."""
+def panel_grid(pictures: Sequence[Picture], columns: int, *, title: str = "", sentence: str = "") -> Picture:
+    """Return the pictures row by row, each in the middle of its cell; a scene unit of the whole is a point."""
     rows = [pictures[i : i + columns] for i in range(0, len(pictures), columns)]
     widths = [max(row[i].size[0] for row in rows if i < len(row)) for i in range(min(columns, len(pictures)))]
     heights = [max(picture.size[1] for picture in row) for row in rows]
@@ -17,20 +17,27 @@ def grid(pictures: Sequence[Picture], columns: int, *, title: str = "", sentence
         top -= heights[r]
         for c, picture in enumerate(row):
             left = sum(widths[:c]) + (widths[c] - picture.size[0]) / 2
-            marks += moved_to(picture, Vec(left, top + (heights[r] - picture.size[1]) / 2), f"{r * columns + c + 1}")
+            corner = Vec(left, top + (heights[r] - picture.size[1]) / 2)
+            marks += marks_moved_to(picture, corner, f"{r * columns + c + 1}")
     size = sum(widths), sum(heights)
     return Picture(tuple(marks), (0.0, 0.0, *size), size, title, sentence)
 
 
-def moved_to(picture: Picture, corner: Vec, panel: str) -> list[Mark]:
-    """A picture's marks in points, its lower left corner there; `panel` tells them from another picture's."""
+def marks_moved_to(picture: Picture, corner: Vec, panel: str) -> list[Mark]:
+    """Return a picture's marks in points, with its lower left corner at `corner`.
+
+    `panel` becomes part of each mark's id, so that the marks of two pictures differ.
+    """
     x0, y0, _, _ = picture.limits
     scale = picture.scale
 
-    def there(points: Sequence[Vec]) -> tuple[Vec, ...]:
+    def to_points(points: Sequence[Vec]) -> tuple[Vec, ...]:
+        """Return the points of the scene in points of the whole."""
         return tuple(Vec(corner.x + (p.x - x0) * scale, corner.y + (p.y - y0) * scale) for p in points)
 
     return [
-        mark._replace(panel=panel, points=there(mark.points), start=there(mark.start), radius=mark.radius * scale)
+        mark._replace(
+            panel=panel, points=to_points(mark.points), start=to_points(mark.start), radius=mark.radius * scale
+        )
         for mark in picture.marks
     ]

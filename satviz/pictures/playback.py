@@ -1,4 +1,4 @@
-"""All steps of a trace as plain data: what a player needs to show them, without a kernel."""
+"""All steps of a trace as plain data, which a player shows without a Python kernel."""
 
 from itertools import accumulate
 from typing import Any
@@ -6,14 +6,14 @@ from typing import Any
 from ..engine import describe, number_format
 from ..engine.geometry import Relation
 from ..engine.trace import Trace
-from .caption import reading
+from .caption import reading_time_ms
 from .comparison import picture
-from .layout import HEIGHT, WIDTH
 from .marks import Mark, marks_data
 from .stages import Stage, Step, steps
+from .step_picture import LARGEST_PT
 
-# the algorithm line by line, and the stages that each line is about
-CODE = (
+# the loop as pseudo-code: each line with the stages during which it is marked
+PSEUDOCODE = (
     ("for each axis to test:", (Stage.EDGE, Stage.NORMAL, Stage.AXIS)),
     ("    drop the points of both shapes onto it", (Stage.DROPS,)),
     ("    note the range of each", (Stage.RANGE, Stage.BOTH)),
@@ -21,52 +21,60 @@ CODE = (
     ("        stop: the shapes are apart", ()),
     ("no axis left: {end}", ()),
 )
-# and with concave outlines: one gap settles a pair of their parts, one hit the shapes
-CODE_OF_PAIRS = (
+# for concave outlines: one gap settles a pair of their convex parts, one colliding pair settles the shapes
+PSEUDOCODE_OF_PAIRS = (
     ("for each pair of convex parts:", (Stage.PARTS,)),
-    *((f"    {line}", stages) for line, stages in CODE[:4]),
+    *((f"    {line}", stages) for line, stages in PSEUDOCODE[:4]),
     ("            these two are apart: on to the next pair", ()),
     ("    no axis left: stop, {end}", ()),
     ("no pair left: the shapes are apart", ()),
 )
 PROVED, NOT_PROVED = "the shapes collide", "no gap found (no proof of a hit)"
 
-
-MOST_STEPS = 600
-NARROW = 340.0, 340.0  # points
-NARROW_PANELS = (340.0, 680.0), (350.0, 700.0)  # one above the other; the second where the first has no room for words
-MOST_WIDTH, FEW_STEPS = 430.0, 150  # points, steps
+MAX_STEPS = 600
+NARROW_SIZE_PT = 340.0, 340.0  # a canvas for a telephone
+# two panels, one above the other; the second size is for panels whose words need more space
+NARROW_PANEL_SIZES_PT = (340.0, 680.0), (350.0, 700.0)
+MAX_NARROW_WIDTH_PT = 430.0  # a narrow playback that gets wider than this is left out
+MAX_NARROW_STEPS = 150  # and so is one of more steps
 
 
 def playbacks(trace: Trace) -> list[dict[str, Any]]:
-    """The show of a trace and, if the early exit left something out, that of every axis."""
-    return [playback(run) for run in _runs(trace)]
+    """Return the playback of a trace and, if the early exit left out axes, the playback of the run over every axis."""
+    return [playback(run) for run in _distinct_runs(trace)]
 
 
-def _runs(trace: Trace) -> list[Trace]:
+def _distinct_runs(trace: Trace) -> list[Trace]:
+    """Return the trace and its run over every axis; the trace alone if they are the same."""
     whole = trace.without_early_exit()
     return [trace] if whole.tests == trace.tests and whole.pairs == trace.pairs else [trace, whole]
 
 
-def narrow(trace: Trace) -> list[dict[str, Any]]:
-    """The same for a telephone's screen; none where it would be hardly narrower, or of very many steps."""
-    sizes = NARROW_PANELS if trace.shortcut else (NARROW,)
-    largest = next((size for size in sizes if picture(trace, largest=size).size[0] <= size[0]), sizes[-1])
-    if picture(trace, largest=largest).size[0] > MOST_WIDTH or len(steps(trace.without_early_exit())) > FEW_STEPS:
-        return []
-    return [playback(run, largest) for run in _runs(trace)]
+def narrow_playbacks(trace: Trace) -> list[dict[str, Any]]:
+    """Return the playbacks for a telephone's screen.
 
-
-def playback(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> dict[str, Any]:
-    """Marks, steps, table and pseudo-code as JSON values; equal marks are stored once.
-
-    steps: the marks by number, the limits, the sentence and how long it takes to read, the row of the
-    table (None: no test), the lines of the code; rows: those of `rows`.  ValueError for a scene that
-    cannot be drawn, or that has too many tests.
+    The list is empty where they would be hardly narrower, or have more than 150 steps.
     """
-    every = played(trace)
+    sizes = NARROW_PANEL_SIZES_PT if trace.shortcut else (NARROW_SIZE_PT,)
+    largest = next((size for size in sizes if picture(trace, largest=size).size[0] <= size[0]), sizes[-1])
+    if (
+        picture(trace, largest=largest).size[0] > MAX_NARROW_WIDTH_PT
+        or len(steps(trace.without_early_exit())) > MAX_NARROW_STEPS
+    ):
+        return []
+    return [playback(run, largest) for run in _distinct_runs(trace)]
+
+
+def playback(trace: Trace, largest: tuple[float, float] = LARGEST_PT) -> dict[str, Any]:
+    """Return marks, steps, table and pseudo-code of a trace as JSON values; equal marks are stored once.
+
+    "steps": for each its marks by number, the limits, the sentence, the milliseconds to read it, its row of the
+    table (None for a step of no test), its lines of the code.  "rows": those of `table_rows`.
+    ValueError for a scene that cannot be drawn, or a trace of more than 600 tests.
+    """
+    every = playback_steps(trace)
     marks: dict[Mark, int] = {}
-    found, begins = [], first_rows(trace)
+    found, begins = [], first_row_numbers(trace)
     for step in every:
         drawn = picture(trace, step, largest=largest)
         ids = [marks.setdefault(mark, len(marks)) for mark in drawn.marks]
@@ -75,9 +83,9 @@ def playback(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> di
                 "marks": ids,
                 "limits": list(drawn.limits),
                 "sentence": drawn.sentence,
-                "ms": reading(drawn.sentence),
+                "ms": reading_time_ms(drawn.sentence),
                 "row": None if step.test is None else begins[step.pair or 0] + step.test,
-                "code": _lines(trace, step),
+                "code": _pseudocode_lines(trace, step),
             }
         )
     proves = trace.choice.complete or any(pair.choice.complete for pair in trace.pairs)
@@ -89,53 +97,59 @@ def playback(trace: Trace, largest: tuple[float, float] = (WIDTH, HEIGHT)) -> di
         **marks_data(marks),
         "steps": [step | {"stage": s.stage.value} for step, s in zip(found, every, strict=True)],
         "names": list(trace.names),
-        "rows": rows(trace),
-        "asks": not trace.shortcut,  # beside what a shortcut saw stands what is
-        "code": [line.format(end=PROVED if proves else NOT_PROVED) for line, _ in _code(trace)],
+        "rows": table_rows(trace),
+        "asks": not trace.shortcut,  # a shortcut's pictures show the answer beside its claim
+        "code": [line.format(end=PROVED if proves else NOT_PROVED) for line, _ in _pseudocode(trace)],
     }
 
 
-def played(trace: Trace) -> list[Step]:
-    """The steps of a playback: of very many tests only the last stage of each; ValueError for too many tests."""
+def playback_steps(trace: Trace) -> list[Step]:
+    """Return the steps of a playback: all, or of a long trace only the last stage of each test.
+
+    ValueError where even those are more than 600.
+    """
     every = steps(trace)
-    if len(every) > MOST_STEPS:
+    if len(every) > MAX_STEPS:
         every = [step for step in every if step.test is None or step.stage is Stage.GAP]
-    if len(every) > MOST_STEPS:
-        raise ValueError(f"{len(every)} tests are too many to step through: at most {MOST_STEPS}")
+    if len(every) > MAX_STEPS:
+        raise ValueError(
+            f"{len(every)} tests are too many to step through, at most {MAX_STEPS}: draw a sheet instead (sv.sheet)"
+        )
     return every
 
 
-def rows(trace: Trace) -> list[dict[str, Any]]:
-    """The table's rows: each test, then the axes left out, of each pair of parts in turn."""
+def table_rows(trace: Trace) -> list[dict[str, Any]]:
+    """Return the rows of the table: each test, then the axes left out, for each pair of convex parts in turn."""
     found = []
     for pair in trace.pairs or (trace,):
         shapes = pair.a, pair.b
         of = f"{pair.names.a} and {pair.names.b}" if trace.pairs else ""
         for i, t in enumerate(pair.tests, 1):
             row = {"pair": of, "number": i, "axis": describe.axis_name(t.axis, shapes, pair.names), "gap": t.gap}
-            told = describe.digits(pair, t)
-            row |= {"direction": number_format.vector(t.axis.direction), "outcome": describe.outcome(t, told)}
-            row |= dict(zip("ab", told.ranges(t), strict=True))
+            digits = describe.digits(pair, t)
+            row |= {"direction": number_format.vector(t.axis.direction), "outcome": describe.outcome(t, digits)}
+            row |= dict(zip("ab", digits.ranges(t), strict=True))
             found.append(row)
         found += [{"pair": of, "axis": name, "reason": why} for _, name, why in describe.untested(pair)]
     return found
 
 
-def first_rows(trace: Trace) -> list[int]:
-    """The number of the first row of each pair of parts; of a plain pair, 0."""
+def first_row_numbers(trace: Trace) -> list[int]:
+    """Return the number of each pair's first row in the table, from 0, and the count of all rows; [0] for no pairs."""
     return [*accumulate((len(run.tests) + len(describe.untested(run)) for run in trace.pairs), initial=0)]
 
 
-def _code(trace: Trace) -> tuple[tuple[str, tuple[Stage, ...]], ...]:
-    return CODE_OF_PAIRS if trace.pairs else CODE
+def _pseudocode(trace: Trace) -> tuple[tuple[str, tuple[Stage, ...]], ...]:
+    """Return the lines of the loop that the trace ran, each with its stages."""
+    return PSEUDOCODE_OF_PAIRS if trace.pairs else PSEUDOCODE
 
 
-def _lines(trace: Trace, step: Step) -> list[int]:
-    """The numbers of the code's lines that a step is about."""
+def _pseudocode_lines(trace: Trace, step: Step) -> list[int]:
+    """Return the numbers of the pseudo-code's lines that are marked during a step."""
     gap, apart, hit = (5, 7, 6) if trace.pairs else (4, 4, 5)
     if step.stage is Stage.VERDICT:
         return [apart] if trace.claim is Relation.APART else [hit]
-    lines = [i for i, (_, stages) in enumerate(_code(trace)) if step.stage in stages]
+    lines = [i for i, (_, stages) in enumerate(_pseudocode(trace)) if step.stage in stages]
     if step.stage is Stage.GAP and step.test is not None:
         run = trace if step.pair is None else trace.pairs[step.pair]
         lines += [gap] if run.tests[step.test].separates else []

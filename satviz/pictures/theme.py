@@ -1,11 +1,14 @@
-"""The look, shared by every pen: colours by role, line weights and text sizes in points."""
+"""The style of every mark, shared by all pens: colours by role, line widths and text sizes in points."""
 
 from functools import cache
 from typing import NamedTuple
 
 
 class Theme(NamedTuple):
-    """Colours of one theme, one meaning each; `text` overrides a role's colour where letters need more contrast."""
+    """The colours of one theme: each role has one meaning and one colour.
+
+    `text` has the colours of those roles whose letters need more contrast than their lines.
+    """
 
     name: str
     paper: str
@@ -13,7 +16,7 @@ class Theme(NamedTuple):
     text: dict[str, str]
 
 
-# in a picture: two shapes, what their ranges do, the way out, what is wrong; in charts: who a method is, how it errs
+# roles in a picture: two shapes, what their ranges do, the MTV, what is wrong; in charts: methods and kinds of error
 LIGHT = Theme(
     "light",
     "#FFFFFF",
@@ -36,59 +39,60 @@ PICTURE_ROLES = "A", "B", "gap", "overlap", "ink", "guide", "move", "wrong"
 CHART_ROLES = "exact", "float", "tolerance", "shortcut", "false", "missed", "ink", "guide"
 THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
 
-OUTLINE, STRONG, BAR, OVERLAP_BAR, GUIDE, SEGMENT, AXIS = 2.0, 4.0, 4.0, 5.0, 1.0, 1.5, 1.2
-FILL, FAINT = 0.15, 0.55  # opacities
-DOT = 6.5  # a dot's width
-HEAD = 8.0, 6.0  # an arrow head's length and width
-STRONG_HEAD = 15.0, 11.0
-DASH = 4.0, 2.0  # B's edges, in line widths
-DOTTED = 1.0, 2.2
-TEXT = 11.0
-TITLE_TEXT = 15.0  # the names of the shapes
-# lines lie on top of each other in this order: what guides, the shapes, then what the step is about
+# widths of lines in points
+OUTLINE_PT, STRONG_PT, BAR_PT, OVERLAP_BAR_PT, GUIDE_PT, SEGMENT_PT, AXIS_PT = 2.0, 4.0, 4.0, 5.0, 1.0, 1.5, 1.2
+FILL_OPACITY, FAINT_OPACITY = 0.15, 0.55
+DOT_PT = 6.5  # a dot's width
+ARROW_HEAD_PT = 8.0, 6.0  # length and width
+STRONG_ARROW_HEAD_PT = 15.0, 11.0
+DASHES = 4.0, 2.0  # B's outline: a dash and a space, in line widths
+DOTS = 1.0, 2.2  # a guide line: a dot and a space, in line widths
+TEXT_PT = 11.0
+TITLE_TEXT_PT = 15.0  # the names of the shapes
+# lines cover each other in this order: guides, the shapes, then what the step explains
 LAYERS = {"guide": 0, "faint": 1, "plain": 2, "strong": 3, "interval": 4, "bracket": 5}
 
 
-class Look(NamedTuple):
+class Style(NamedTuple):
     """How every pen draws a mark: finished numbers, lengths in points."""
 
     kind: str
     role: str
     layer: int = 0  # of its line
-    width: float = 0.0  # 0: it has no line
-    dash: tuple[float, ...] = ()  # in widths
-    opacity: float = 1.0
+    width: float = 0.0  # of its line; 0 means no line
+    dash: tuple[float, ...] = ()  # dash and space, in line widths; () is a solid line
+    opacity: float = 1.0  # of its line
     fill: float = 0.0  # the opacity of its inside
-    size: float = 0.0  # a dot's width or the letters' size
-    square: bool = False  # a dot else is round
+    size: float = 0.0  # the width of a dot, or the text size of a label
+    square: bool = False  # a square dot instead of a round one
     bold: bool = False
     head: tuple[float, float] = (0.0, 0.0)  # an arrow head's length and width
 
 
 @cache
-def look(kind: str, role: str, weight: str) -> Look:
-    """The look of a mark of that kind, role and weight."""
+def style_of(kind: str, role: str, weight: str) -> Style:
+    """Return the style of a mark from its kind, role and weight."""
     faint, strong = weight == "faint", weight == "strong"
     if kind == "label":
         bold = weight == "title"
-        return Look(kind, role, size=TITLE_TEXT if bold else TEXT, bold=bold)
+        return Style(kind, role, size=TITLE_TEXT_PT if bold else TEXT_PT, bold=bold)
     if kind == "dot":
         square = role == "B"
-        return Look(kind, role, size=DOT * 0.9 if square else DOT, square=square)
-    line = Look(kind, role, LAYERS.get(kind, LAYERS[weight]), OUTLINE, opacity=FAINT if faint else 1.0)
+        return Style(kind, role, size=DOT_PT * 0.9 if square else DOT_PT, square=square)
+    line = Style(kind, role, LAYERS.get(kind, LAYERS[weight]), OUTLINE_PT, opacity=FAINT_OPACITY if faint else 1.0)
     if kind == "outline" and role == "wrong":
-        return Look(kind, role, fill=FILL * 2)  # an area, and no line: what lies side by side shows no seam
+        return Style(kind, role, fill=FILL_OPACITY * 2)  # an area without a line, so that adjacent areas show no seam
     if kind in ("outline", "disc"):
-        fill = FILL / 3 if faint else FILL
-        return line._replace(width=GUIDE if faint else OUTLINE, dash=DASH if role == "B" else (), fill=fill)
+        fill, width = (FILL_OPACITY / 3, GUIDE_PT) if faint else (FILL_OPACITY, OUTLINE_PT)
+        return line._replace(width=width, dash=DASHES if role == "B" else (), fill=fill)
     if kind == "interval":
-        return line._replace(width=OVERLAP_BAR if role == "overlap" else BAR)
+        return line._replace(width=OVERLAP_BAR_PT if role == "overlap" else BAR_PT)
     if kind == "arrow":
         if strong:
-            return line._replace(width=STRONG, head=STRONG_HEAD)
-        return line._replace(width=AXIS if role in ("ink", "guide") else OUTLINE, head=HEAD)
+            return line._replace(width=STRONG_PT, head=STRONG_ARROW_HEAD_PT)
+        return line._replace(width=AXIS_PT if role in ("ink", "guide") else OUTLINE_PT, head=ARROW_HEAD_PT)
     if role == "guide":
-        return line._replace(layer=LAYERS["guide"], width=GUIDE, dash=DOTTED)
+        return line._replace(layer=LAYERS["guide"], width=GUIDE_PT, dash=DOTS)
     if kind == "segment" or strong:
-        return line._replace(width=STRONG if strong else SEGMENT)
+        return line._replace(width=STRONG_PT if strong else SEGMENT_PT)
     return line

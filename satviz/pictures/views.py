@@ -1,4 +1,4 @@
-"""Pictures that are no single step: all normals, several axes at once, lines that fail, a circle by itself."""
+"""Views: pictures that show no single step, such as all normals, several axes at once, or a circle by itself."""
 
 from math import hypot
 
@@ -10,18 +10,22 @@ from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape
 from ..engine.trace import Trace, record
-from .labels import Wishes, short_name
-from .layout import Group, arrange, moved
+from .draw_steps import draw_parts, draw_separating_line
+from .float_geometry import mean_point, midpoint, point_along
+from .label_placer import LabelOptions
+from .labels import short_name
+from .layout import Group, arrange
 from .marks import Picture
-from .panels import grid
+from .panels import panel_grid
 from .sketch import Sketch
-from .stages import draw_parts, frames, separating_line
+from .step_picture import step_layouts
 
-PANEL = 262.0, 250.0  # points of a small picture
+PANEL_PT = 262.0, 250.0  # a small picture
+MAX_FAILED_AXES = 3
 
 
-def alone(shape: Shape) -> Picture:
-    """One shape by itself."""
+def single_shape(shape: Shape) -> Picture:
+    """Draw one shape by itself."""
     sketch = Sketch(record(shape, shape, axes=Choice(())), arrange([Group([shape])])[0])
     sketch.shape("A", "A", shape, named=False)
     if isinstance(shape, Polygon) and shape.labels:
@@ -29,29 +33,29 @@ def alone(shape: Shape) -> Picture:
     return sketch.finish("", f"{describe.shape_in_words(shape, 'This')}.")
 
 
-def normals(trace: Trace, *, title: str = "") -> Picture:
-    """Both shapes with an outward normal on every edge."""
-    sketch = Sketch(trace, frames(trace, by_themselves=True)[0])
+def all_normals(trace: Trace, *, title: str = "") -> Picture:
+    """Draw both shapes with an outward normal on every edge."""
+    sketch = Sketch(trace, step_layouts(trace, by_themselves=True)[0])
     sketch.shapes()
     sketch.all_normals()
     count = sum(mark.kind == "arrow" for mark in sketch.marks)
     return sketch.finish(title, f"{describe.both(trace)} Each of the {count} edges has a normal.")
 
 
-def world(trace: Trace, *, title: str = "") -> Picture:
-    """Both shapes beside the axes they will be projected on, with nothing projected yet."""
+def world_axes(trace: Trace, *, title: str = "") -> Picture:
+    """Draw both shapes beside the world axes, with nothing projected yet."""
     (layout,) = arrange([Group([trace.a, trace.b], trace.tests)])
     sketch = Sketch(trace, layout)
     sketch.shapes()
     for test, place in zip(trace.tests, layout.places, strict=True):
         sketch.axis(test, place)
-    # projecting starts with y, as in the article, but one says x and y
+    # tests start with y, as in the article; the sentence says x and y
     names = sorted(describe.axis_name(t.axis, (trace.a, trace.b), trace.names) for t in trace.tests)
     return sketch.finish(title, f"{describe.both(trace)} They will be projected on {describe.listed(names)}.")
 
 
-def at_once(trace: Trace, *, title: str = "") -> Picture:
-    """All tests finished in one picture: every axis with both ranges, and what the run says."""
+def all_tests(trace: Trace, *, title: str = "") -> Picture:
+    """Draw all tests in one picture: every axis with both ranges, and the verdict if it is wrong."""
     (layout,) = arrange([Group([trace.a, trace.b], trace.tests)])
     sketch = Sketch(trace, layout)
     sketch.shapes()
@@ -64,10 +68,10 @@ def at_once(trace: Trace, *, title: str = "") -> Picture:
 
 
 def separation(trace: Trace, *, title: str = "") -> Picture:
-    """The separating axis and the separating line, each named: the line runs across the axis."""
+    """Draw the separating axis and, across it, the separating line, each with its name; the shapes must be apart."""
     test, certificate = trace.separating, trace.certificate
-    assert test and isinstance(certificate, SeparatingLine)  # it is for shapes that an axis separates
-    layout = frames(trace, by_themselves=True)[-1]
+    assert test and isinstance(certificate, SeparatingLine)
+    layout = step_layouts(trace, by_themselves=True)[-1]
     sketch = Sketch(trace, layout)
     sketch.shapes()
     (place,) = layout.places
@@ -80,55 +84,55 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
         sketch.range(test, place, role)
     sketch.gap(test, place)
     line = certificate.equation
-    separating_line(sketch, certificate, f"separating line: {line}")
+    draw_separating_line(sketch, certificate, f"separating line: {line}")
     return sketch.finish(
         title, f"The separating axis is {name}; the separating line {line} runs across it, through the gap."
     )
 
 
 def radii(trace: Trace, *, title: str = "") -> Picture:
-    """Two circles: radius, gap (or overlap) and radius along the line of centers, and the same on the axis."""
+    """Draw two circles with radius, gap (or overlap) and radius along the line of centers, and the test on the axis."""
     a, b, test = trace.a, trace.b, trace.tests[0]
     assert isinstance(a, Circle) and isinstance(b, Circle)
-    layout = frames(trace, by_themselves=True)[1]
+    layout = step_layouts(trace, by_themselves=True)[1]
     sketch = Sketch(trace, layout)
-    told = describe.digits(trace, test)
+    digits = describe.digits(trace, test)
     (place,) = layout.places
     p, q = a.center, b.center
     way = Vec(q.x - p.x, q.y - p.y)
     size = hypot(*way) or 1.0
     n = Vec(way.x / size, way.y / size)
-    rims = moved(p, n, a.radius), moved(q, n, -b.radius)
+    rims = point_along(p, n, a.radius), point_along(q, n, -b.radius)
     sketch.shapes()
     above = Vec(-n.y, n.x) if n.x > 0 else Vec(n.y, -n.x)
     for role, circle, rim in ("A", a, rims[0]), ("B", b, rims[1]):
         sketch.add("radius", "segment", role, circle.center, rim, owner=role, weight="strong")
         sketch.add("center", "dot", role, circle.center, owner=role)
-        text = f"r{'12'[role == 'B']} = {told.number(circle.radius)}"
-        sketch.label("radius-name", text, role, sketch.middle(circle.center, rim), owner=role, prefer=above, first=1)
+        text = f"r{'12'[role == 'B']} = {digits.number(circle.radius)}"
+        sketch.label("radius-name", text, role, midpoint(circle.center, rim), owner=role, prefer=above, first=1)
     role = "gap" if test.gap >= 0 else "overlap"
     sketch.add("between", "segment", role, *rims, weight="strong")
-    text = describe.outcome(test, told)
-    sketch.label("between-name", text, role, sketch.middle(*rims), prefer=above, first=1)
+    text = describe.outcome(test, digits)
+    sketch.label("between-name", text, role, midpoint(*rims), prefer=above, first=1)
     sketch.project(test, place)
-    # on this axis the gap is the distance less both radii, so the trace has the distance
-    reach = a.radius + b.radius
-    distance = told.number(test.gap + reach)
+    # on this axis the gap is the distance of the centers less both radii
+    radius_sum = a.radius + b.radius
+    distance = digits.number(test.gap + radius_sum)
     compare = ">" if test.gap > 0 else "<" if test.gap < 0 else "="
     follows = "apart" if test.gap > 0 else "a hit"
-    words = f"distance of the centers {distance} {compare} r1 + r2 = {told.number(reach)}: {follows}"
+    words = f"distance of the centers {distance} {compare} r1 + r2 = {digits.number(radius_sum)}: {follows}"
     sketch.note("verdict", words, "ink", first=2)
     return sketch.finish(
         title,
-        f"The centers lie {distance} apart, the radii make r1 + r2 = {told.number(reach)}. {trace.sentence}",
+        f"The centers lie {distance} apart, the radii make r1 + r2 = {digits.number(radius_sum)}. {trace.sentence}",
         steady=False,
     )
 
 
-def each_axis(trace: Trace, *, title: str = "") -> Picture:
-    """Every test in a small picture of its own: the axis, both ranges, what it says."""
+def test_panels(trace: Trace, *, title: str = "") -> Picture:
+    """Draw every test in a small picture of its own: the axis, both ranges, and whether it separates."""
     shapes = trace.a, trace.b
-    layouts = arrange([Group(shapes, [t], brief=True) for t in trace.tests], largest=PANEL, least=PANEL)
+    layouts = arrange([Group(shapes, [t], brief=True) for t in trace.tests], largest=PANEL_PT, least=PANEL_PT)
     panels = []
     for i, (test, layout) in enumerate(zip(trace.tests, layouts, strict=True)):
         sketch = Sketch(trace, layout)
@@ -141,16 +145,16 @@ def each_axis(trace: Trace, *, title: str = "") -> Picture:
         kind = f"normal of {name}"
         if test.source.kind == VERTEX:
             sketch.vertices(test.source.shape or "A", test.source.ids)
-            of, polygon = sketch.polygon(test.source.shape)
+            of, polygon = sketch.named_polygon(test.source.shape)
             kind = f"nearest vertex {short_name(polygon, of, test.source.ids[0])}"
         sketch.note("verdict", f"axis {i + 1}, {kind}: {says}", "ink", first=1)
         panels.append(sketch.finish("", ""))
     tests = " ".join(describe.test(trace, i) for i in range(len(trace.tests)))
-    return grid(panels, 2, title=title, sentence=f"{tests} {trace.sentence}")
+    return panel_grid(panels, 2, title=title, sentence=f"{tests} {trace.sentence}")
 
 
-def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title: str = "") -> Picture:
-    """The circle of a circle and polygon pair with one axis: its parts, or the two points that land furthest."""
+def single_circle(trace: Trace, number: int, role: str, *, extremes: bool, title: str = "") -> Picture:
+    """Draw the circle of a pair (its role is given) with one axis: its center and radius, or its two extreme points."""
     test = trace.tests[number]
     side, circle = (test.a, trace.a) if role == "A" else (test.b, trace.b)
     assert isinstance(circle, Circle)
@@ -159,20 +163,20 @@ def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title:
     place = layout.places[0]
     sketch = Sketch(trace, layout)
     sketch.shape(role, name, circle, named=False)
-    sketch.axis(test, place, told=False)
+    sketch.axis(test, place, named=False)
     sketch.label("axis-caption", "axis, direction n", "ink", place.at(place.hi), prefer=test.axis.direction, first=1)
     sketch.add("center", "dot", role, circle.center)
-    told = describe.digits(trace, test)
+    digits = describe.digits(trace, test)
     p2, p1 = side.points
     n = test.axis.direction
     if not extremes:
         rim = Vec(circle.center.x - n.y * circle.radius, circle.center.y + n.x * circle.radius)
         sketch.add("radius", "segment", role, circle.center, rim)
-        text = f"radius r = {told.number(circle.radius)}"
-        sketch.label("radius-name", text, role, sketch.middle(circle.center, rim), prefer=n, first=1)
+        text = f"radius r = {digits.number(circle.radius)}"
+        sketch.label("radius-name", text, role, midpoint(circle.center, rim), prefer=n, first=1)
         sketch.label("center-name", "center C", role, circle.center, prefer=Vec(0.0, -1.0), first=2)
-        words = f"A circle has no edges: its center C {told.vector(circle.center)} and radius"
-        return sketch.finish(title, f"{words} {told.number(circle.radius)} are all that a projection needs.")
+        words = f"A circle has no edges: its center C {digits.vector(circle.center)} and radius"
+        return sketch.finish(title, f"{words} {digits.number(circle.radius)} are all that a projection needs.")
     sketch.add("diameter", "segment", role, p2, p1)
     sketch.label("center-name", "C", role, circle.center, prefer=Vec(-n.y, n.x), first=2)
     for i, point, landing, sign in (1, p1, side.landings[1], "+"), (2, p2, side.landings[0], "−"):
@@ -182,39 +186,39 @@ def circle_alone(trace: Trace, number: int, role: str, *, extremes: bool, title:
         sketch.add("landing", "dot", role, spot, number=i)
         away = Vec(point.x - circle.center.x, point.y - circle.center.y)
         sketch.label("dropped-name", f"P{i} = C {sign} r n", role, point, number=i, prefer=away, first=1)
-        sketch.label("landing-name", told.landing(landing), role, spot, number=i, prefer=place.out, first=1)
+        sketch.label("landing-name", digits.landing(landing), role, spot, number=i, prefer=place.out, first=1)
     return sketch.finish(
         title,
-        f"The extremes along an axis of direction n = {number_format.vector(n)} are P1 = C + r n {told.vector(p1)} "
-        f"and P2 = C − r n {told.vector(p2)}; they land at {told.landing(side.landings[1])} "
-        f"and {told.landing(side.landings[0])}.",
+        f"The extremes along an axis of direction n = {number_format.vector(n)} are P1 = C + r n {digits.vector(p1)} "
+        f"and P2 = C − r n {digits.vector(p2)}; they land at {digits.landing(side.landings[1])} "
+        f"and {digits.landing(side.landings[0])}.",
     )
 
 
-def failed_axes(trace: Trace, *, most: int = 3, title: str = "") -> Picture:
-    """The axes that come nearest to separating, one a direction, beside how far apart the shapes really are."""
+def failed_axes(trace: Trace, *, title: str = "") -> Picture:
+    """Draw the 3 axes that come nearest to separating, of different directions, and the distance of the shapes."""
     best: list[AxisTest] = []
     for test in sorted(trace.tests, key=lambda t: -t.gap):
         if all(test.axis.direction != other.axis.direction for other in best):
             best.append(test)
-    shown = best[:most]
+    shown = best[:MAX_FAILED_AXES]
     (layout,) = arrange([Group([trace.a, trace.b], shown, brief=True)])
     sketch = Sketch(trace, layout)
     sketch.shapes()
-    told = describe.digits(trace, *shown)
+    digits = describe.digits(trace, *shown)
     for test, place in zip(shown, layout.places, strict=True):
-        sketch.axis(test, place, told=False)
+        sketch.axis(test, place, named=False)
         kind = "normal of the hull alone" if test.source.kind == HULL and not _is_edge(trace, test) else "edge normal"
-        text = f"axis, {kind}\ngap {told.signed(test.gap)}"
-        wish: Wishes = {"axis": sketch.on(test), "along": (place.at(place.lo),), "prefer": place.n}
-        sketch.label("axis-caption", text, "ink", place.at(place.hi), first=1, **wish)
+        text = f"axis, {kind}\ngap {digits.signed(test.gap)}"
+        options: LabelOptions = {"axis": sketch.axis_id(test), "along": (place.at(place.lo),), "prefer": place.n}
+        sketch.label("axis-caption", text, "ink", place.at(place.hi), first=1, **options)
         for role in "AB":
             sketch.range(test, place, role, numbers=False)
         sketch.gap(test, place, named=False)
     for n, pair in enumerate(record(trace.a, trace.b).pairs, 1):
         if pair.separating:
-            _distance(sketch, pair, pair.separating, n)
-    worst = told.signed(best[0].gap)
+            _draw_distance(sketch, pair, pair.separating, n)
+    worst = digits.signed(best[0].gap)
     sketch.note("verdict", "No axis tested shows a gap, yet they are apart.", "ink", first=1)
     return sketch.finish(
         title,
@@ -224,26 +228,26 @@ def failed_axes(trace: Trace, *, most: int = 3, title: str = "") -> Picture:
 
 
 def _is_edge(trace: Trace, test: AxisTest) -> bool:
-    """Does the hull's edge run along one of the outline?"""
+    """Check whether the hull's edge that a test's axis comes from is an edge of the outline too."""
     shape = trace.a if test.source.shape == "A" else trace.b
     i, j = test.source.ids
     return (j - i) % len(shape.core) in (1, len(shape.core) - 1)
 
 
-def _distance(sketch: Sketch, pair: Trace, test: AxisTest, number: int) -> None:
-    """How far apart two parts are, measured across the gap from the side of A's that faces it."""
+def _draw_distance(sketch: Sketch, pair: Trace, test: AxisTest, number: int) -> None:
+    """Draw the gap of two convex parts as a segment that starts on the side of A's part that faces it."""
     sign = 1 if test.b.interval.lo >= test.a.interval.hi else -1
     end = test.a.interval.hi if sign > 0 else test.a.interval.lo
     facing = [p for p, t in zip(test.a.points, test.a.landings, strict=True) if t == end]
-    start = Vec(sum(p.x for p in facing) / len(facing), sum(p.y for p in facing) / len(facing))
-    stop = moved(start, test.axis.direction, sign * test.gap)
+    start = mean_point(facing)
+    stop = point_along(start, test.axis.direction, sign * test.gap)
     sketch.add("distance", "segment", "gap", start, stop, weight="strong", number=number)
     text = describe.digits(pair, test).gap(test.gap)
-    sketch.label("distance-name", text, "gap", sketch.middle(start, stop), number=number, first=0)
+    sketch.label("distance-name", text, "gap", midpoint(start, stop), number=number, first=0)
 
 
-def split(trace: Trace, *, title: str = "") -> Picture:
-    """Concave outlines as their parts, each part pair with the axis that separates it."""
+def convex_parts(trace: Trace, *, title: str = "") -> Picture:
+    """Draw concave outlines as their convex parts, each pair of parts with the axis that separates it."""
     tests = [pair.separating for pair in trace.pairs]
     (layout,) = arrange([Group([trace.a, trace.b], [t for t in tests if t])])
     sketch = Sketch(trace, layout)
@@ -260,5 +264,6 @@ def split(trace: Trace, *, title: str = "") -> Picture:
 
 
 def _split_shapes(trace: Trace) -> list[tuple[str, list[tuple[Shape, str]]]]:
+    """Return the names of the concave shapes, each with its convex parts and their names."""
     found = [(n, named_parts(s, n)) for n, s in zip(trace.names, (trace.a, trace.b), strict=True)]
     return [(n, parts) for n, parts in found if len(parts) > 1]

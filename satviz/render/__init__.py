@@ -1,1 +1,1 @@
-"""Pens and files: the only floor that knows matplotlib's artists."""
+"""Pens and files: the only package that knows matplotlib's artists."""

@@ -1,4 +1,4 @@
-"""sv.draw: one step of a trace on a matplotlib Figure, or on Axes of one's own."""
+"""sv.draw: one step of a trace on a new matplotlib Figure, or on given Axes."""
 
 from typing import TYPE_CHECKING, overload
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-_PEN = "_satviz_pen"  # kept on the Axes themselves, so that it goes when they go
+_PEN_ATTRIBUTE = "_satviz_pen"  # kept on the Axes themselves, so that it goes when they go
 
 
 @overload
@@ -52,16 +52,16 @@ def draw(
     shown = what if isinstance(what, Picture) else picture(what, step, largest=largest)
     # a picture that needs more room than the Axes have is shown smaller, its letters too
     zoom = min(1.0, *(room / size for room, size in zip(largest, shown.size, strict=True)))
-    return _pen(ax, THEMES[theme]).draw(shown, zoom=zoom)
+    return _pen_of(ax, THEMES[theme]).draw(shown, zoom=zoom)
 
 
-def _pen(ax: Axes, theme: Theme) -> Pen:
-    """The Axes' own pen, so that a second picture takes the place of the first; a new one after ax.clear()."""
-    pen: Pen | None = getattr(ax, _PEN, None)
+def _pen_of(ax: Axes, theme: Theme) -> Pen:
+    """Return the pen kept on the Axes, so that a second picture replaces the first; a new pen after ax.clear()."""
+    pen: Pen | None = getattr(ax, _PEN_ATTRIBUTE, None)
     there = pen is not None and pen.fills in ax.collections
     if pen is None or not there or pen.theme != theme:
         if pen is not None and there:
             pen.remove()
         pen = Pen(ax, theme)
-        setattr(ax, _PEN, pen)
+        setattr(ax, _PEN_ATTRIBUTE, pen)
     return pen

@@ -1,4 +1,4 @@
-"""Letters that DejaVu Sans lacks, out of other fonts of this machine, for files that cannot leave it to the reader."""
+"""Other fonts of this machine for letters that DejaVu Sans lacks, in files that cannot leave the choice to a reader."""
 
 import warnings
 from collections.abc import Iterable
@@ -9,14 +9,14 @@ from matplotlib.ft2font import FT2Font
 
 from ..pictures import letters
 
-OWN = "DejaVu Sans"
+OWN_FAMILY = "DejaVu Sans"
 
 
 def families(texts: Iterable[str], form: str) -> list[str]:
-    """The fonts to write these texts in, for a file of that form; a warning names letters that no font here has."""
-    found, without = [OWN], ""
-    for letter in sorted(set(letters.lacking("".join(texts)))):
-        family = _with(letter)
+    """Return the fonts for these texts in a file of this format; a warning names letters that no font here has."""
+    found, without = [OWN_FAMILY], ""
+    for letter in sorted(set(letters.missing_letters("".join(texts)))):
+        family = _family_with(letter)
         if family is None:
             without += letter
         elif family not in found:
@@ -31,16 +31,17 @@ def families(texts: Iterable[str], form: str) -> list[str]:
 
 
 @lru_cache(maxsize=256)
-def _with(letter: str) -> str | None:
-    """A font family that has the letter, the first by name."""
+def _family_with(letter: str) -> str | None:
+    """Return the first font family, by name, that has the letter."""
     for font in sorted(fontManager.ttflist, key=lambda font: (font.name, font.fname)):
-        if font.style == "normal" and "last resort" not in font.name.lower() and ord(letter) in _letters(font.fname):
+        if font.style == "normal" and "last resort" not in font.name.lower() and ord(letter) in _letters_of(font.fname):
             return str(font.name)
     return None
 
 
 @lru_cache(maxsize=256)
-def _letters(path: str) -> frozenset[int]:
+def _letters_of(path: str) -> frozenset[int]:
+    """Return the letters that a font file has."""
     try:
         return frozenset(FT2Font(path).get_charmap())
     except (OSError, RuntimeError):  # a font that cannot be read has none

@@ -1,4 +1,4 @@
-"""What a notebook shows of a picture, a trace, a scene or a shape: its text and its picture, of a run the table too."""
+"""What a notebook shows of a shape, a scene, a trace or a picture."""
 
 from collections.abc import Callable
 from html import escape
@@ -9,19 +9,19 @@ from ..engine import describe
 from ..engine.shapes import Circle, Polygon
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
-from ..pictures.playback import rows
-from ..pictures.views import alone
+from ..pictures.playback import table_rows
+from ..pictures.views import single_shape
 from .files import inline_svg
 
 
 def bundle(what: Any) -> dict[str, str]:
-    """The MIME bundle: plain text, and the picture as SVG where it can be drawn; of a run HTML with its table."""
+    """Return the MIME bundle: plain text, the picture as SVG where it can be drawn, and for a run its table as HTML."""
     make: Callable[[], Picture]
     trace = None
     if isinstance(what, Picture):
         text, make = describe.printable(repr(what)), lambda: what
     elif isinstance(what, (Circle, Polygon)):
-        text, make = repr(what), lambda: alone(what)
+        text, make = repr(what), lambda: single_shape(what)
     else:
         trace = what if isinstance(what, Trace) else what.record()
         text, make = str(trace), lambda: picture(trace)
@@ -35,10 +35,10 @@ def bundle(what: Any) -> dict[str, str]:
 
 
 def table(trace: Trace) -> str:
-    """The table of a run with its sentence, as HTML."""
+    """Return the table of a run with its sentence, as HTML."""
     head = "".join(f'<th scope="col">{escape(name)}</th>' for name in ("", "axis", "direction", *trace.names, "gap"))
     lines, pair = [], ""
-    for row in rows(trace):
+    for row in table_rows(trace):
         if row["pair"] != pair:
             pair = row["pair"]
             lines.append(f'<th scope="rowgroup" colspan="6">{escape(pair)}</th>')
@@ -54,5 +54,5 @@ def table(trace: Trace) -> str:
 
 
 def _stem(drawn: Picture) -> str:
-    """Ids of its own for each picture: a page may show many."""
+    """Return a beginning for the ids of one picture, since a page may show many."""
     return f"satviz-{crc32(drawn.to_json().encode()):08x}"

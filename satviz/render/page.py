@@ -1,4 +1,7 @@
-"""sv.page: a trace as one HTML file to share, with its player; no network, no kernel, the same bytes each time."""
+"""sv.page: a trace as one HTML file to share, with its player.
+
+The page needs no network and no kernel, and the same trace gives the same bytes each time.
+"""
 
 import json
 from base64 import b64encode
@@ -8,10 +11,11 @@ from html import escape
 
 from ..engine import describe
 from ..engine.shapes import Shape
+from ..engine.trace import Trace
 from ..pictures import DARK, LIGHT, picture
 from ..pictures.claims import heading
 from ..pictures.comparison import refused_picture
-from ..pictures.playback import NARROW, narrow, playbacks
+from ..pictures.playback import NARROW_SIZE_PT, narrow_playbacks, playbacks
 from ..safe_write import MADE_BY
 from ..scenes.failing import FailureCase
 from ..scenes.resolve import SceneLike, resolve
@@ -42,27 +46,31 @@ footer { font-size: 12px; color: var(--sv-guide); margin: 12px 8px; }
 
 
 def page(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "", predict: bool = False) -> str:
-    """One self-contained HTML file: every step with its player, the table and every sentence.
+    """Return one self-contained HTML file: every step of a run with its player, the table and every sentence.
 
-    Of a scene (or its name), two shapes, or a trace.  With `predict` it asks before it shows.
+    `what` is a scene (or its name), two shapes, or a trace.  With `predict` the page asks before it shows.
     Without JavaScript, and on paper, it shows the first and the last picture instead.
-    A failing scene whose outlines are refused has no steps: its picture and the reason.
+    A failing scene whose outlines are refused has no steps: the page has its picture and the reason.
     ValueError for a scene that cannot be drawn, or one with too many steps.
     """
     found = resolve(what, b)
     if found.refused:
-        return _refused(found.refused)
-    trace = found.trace
+        return page_of_refused(found.refused)
+    return page_of_run(found.trace, title=title, predict=predict)
+
+
+def page_of_run(trace: Trace, *, title: str = "", predict: bool = False) -> str:
+    """Return the page of a trace, as `page` does."""
     if predict and trace.shortcut:
         trace = trace.truth
     shows = playbacks(trace)
-    asked = "Do A and B collide?"
-    about = describe.printable(asked if predict else trace.sentence)
-    title = " ".join(heading(trace)) if trace.shortcut else title or asked
+    question = "Do A and B collide?"
+    about = describe.printable(question if predict else trace.sentence)
+    title = " ".join(heading(trace)) if trace.shortcut else title or question
     script = javascript("player", "arrows") + START
-    policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_hash(script)}'; "
-    policy += "img-src blob:; base-uri 'none'"  # a picture on its way to a PNG
-    show = {"predict": predict, "shows": shows, "narrow": narrow(trace)}
+    policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_sha256(script)}'; "
+    policy += "img-src blob:; base-uri 'none'"  # the save menu makes a PNG from a blob
+    show = {"predict": predict, "shows": shows, "narrow": narrow_playbacks(trace)}
     data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
     first, last = (picture(trace, i) for i in (0, -1))
     sentences = [s["sentence"] for s in shows[0]["steps"]]
@@ -72,16 +80,19 @@ def page(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "", pr
         *(f"<figure>{inline_svg(drawn, stem=stem)}</figure>" for drawn, stem in ((first, "first"), (last, "last"))),
         f'<pre tabindex="0">{escape(str(trace))}</pre>',
         "<h2>Step by step</h2>",
-        *_listed(sentences),
+        "<ol>",
+        *(f"<li>{escape(sentence)}</li>" for sentence in sentences),
+        "</ol>",
         "</section>",
         f"<footer>{MADE_BY}</footer>",
         f'<script type="application/json" id="satviz-show">{data}</script>',
         f'<script type="module">{script}</script>',
     ]
-    return _page(title, about, policy, body)
+    return _document(title, about, policy, body)
 
 
-def _page(title: str, about: str, policy: str, body: Sequence[str]) -> str:
+def _document(title: str, about: str, policy: str, body: Sequence[str]) -> str:
+    """Return an HTML file with this title, description, content security policy and body."""
     lines = [
         "<!doctype html>",
         '<html lang="en">',
@@ -103,18 +114,18 @@ def _page(title: str, about: str, policy: str, body: Sequence[str]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _refused(case: FailureCase) -> str:
-    """A page without a script: the picture as wide as a telephone, in the colours of the reader's screen."""
-    drawn = refused_picture(case, width=NARROW[0])
+def page_of_refused(case: FailureCase) -> str:
+    """Return the page of a scene whose outlines are refused: its picture, without a script.
+
+    The picture is as wide as a telephone and follows the colours of the reader's screen.
+    """
+    drawn = refused_picture(case, width=NARROW_SIZE_PT[0])
     figures = (f'<figure class="sv-{t.name}">{inline_svg(drawn, t, stem=t.name)}</figure>' for t in (LIGHT, DARK))
     body = ['<section class="sv-static">', *figures, "</section>", f"<footer>{MADE_BY}</footer>"]
     policy = "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'"
-    return _page(drawn.sentence, drawn.sentence, policy, body)
+    return _document(drawn.sentence, drawn.sentence, policy, body)
 
 
-def _listed(sentences: Sequence[str]) -> list[str]:
-    return ["<ol>", *(f"<li>{escape(sentence)}</li>" for sentence in sentences), "</ol>"]
-
-
-def _hash(script: str) -> str:
+def _sha256(script: str) -> str:
+    """Return the SHA-256 hash of a script in base64, by which the page's policy allows the script."""
     return b64encode(sha256(script.encode()).digest()).decode()

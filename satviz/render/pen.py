@@ -12,7 +12,7 @@ from matplotlib.text import Text
 
 from ..engine.geometry import Vec
 from ..pictures import LIGHT, Mark, Picture, Theme
-from ..pictures.theme import Look
+from ..pictures.theme import Style
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -22,7 +22,7 @@ Painted = tuple[Path, tuple[float, float, float, float]]  # and its colour
 
 
 class Pen:
-    """Draws pictures on one Axes: three collections (fills, strokes, solids) and a pool of texts.
+    """A pen for one Axes: it draws pictures with three collections (fills, strokes, solids) and a pool of texts.
 
     Few artists, kept and given new numbers for the next picture, are what makes a
     redraw quick.
@@ -43,7 +43,7 @@ class Pen:
         self.texts: list[Text] = []
 
     def draw(self, picture: Picture, *, zoom: float = 1.0) -> "dict[str, Artist]":
-        """Put the picture on the Axes in place of the one before; returns the artist of each mark by its id.
+        """Draw the picture in place of the one before; return the artist of each mark by the mark's id.
 
         Marks of one kind share a collection, so several ids may give one artist.  `zoom`: how large the
         Axes show the picture, for what is measured in points.
@@ -51,20 +51,20 @@ class Pen:
         self._view(picture)
         fills: list[Painted] = []
         solids: list[Painted] = []
-        strokes: list[tuple[Look, Painted]] = []
+        strokes: list[tuple[Style, Painted]] = []
         artists: dict[str, Artist] = {}
         labels = [mark for mark in picture.marks if mark.kind == "label"]
         for mark in picture.marks:
             if mark.kind == "label":
                 continue
-            colour, look = self.theme.roles[mark.role], mark.look
+            colour, look = self.theme.roles[mark.role], mark.style
             artists[mark.id] = self.solids if mark.kind == "dot" else self.strokes
             if look.fill:
-                fills.append((_line(mark, picture.scale), to_rgba(colour, look.fill)))
+                fills.append((_outline_path(mark, picture.scale), to_rgba(colour, look.fill)))
             if look.width:
-                strokes.append((look, (_line(mark, picture.scale), to_rgba(colour, look.opacity))))
+                strokes.append((look, (_outline_path(mark, picture.scale), to_rgba(colour, look.opacity))))
             if mark.kind in ("dot", "arrow"):
-                solids.append((_solid(mark, picture.scale), to_rgba(colour)))
+                solids.append((_solid_path(mark, picture.scale), to_rgba(colour)))
         strokes.sort(key=lambda stroke: stroke[0].layer)
         for collection, painted in (self.fills, fills), (self.solids, solids):
             collection.set_paths([path for path, _ in painted])
@@ -76,23 +76,25 @@ class Pen:
         self._write(labels, artists, zoom)
         return artists
 
-    def write_in(self, families: Sequence[str]) -> None:
-        """Write all labels in these fonts, the first that has a letter; none: as it is."""
+    def set_fonts(self, families: Sequence[str]) -> None:
+        """Write all labels in the first of these fonts that has a letter; with none, leave the fonts as they are."""
         for text in self.texts if len(families) > 1 else ():
             text.set_fontfamily(list(families))
 
     def remove(self) -> None:
-        """Take everything drawn off the Axes."""
+        """Remove everything that this pen drew from the Axes."""
         for artist in (self.fills, self.strokes, self.solids, *self.texts):
             artist.remove()
 
     def _view(self, picture: Picture) -> None:
+        """Set the limits and the size of the Axes to those of a picture."""
         x0, y0, x1, y1 = picture.limits
         self.ax.set_xlim(x0, x1)
         self.ax.set_ylim(y0, y1)
         self.ax.set_aspect("equal", adjustable="box")
 
     def _write(self, labels: Sequence[Mark], artists: "dict[str, Artist]", zoom: float) -> None:
+        """Write the labels, reusing the texts of the picture before."""
         while len(self.texts) < len(labels):
             text = self.ax.text(0, 0, "", fontfamily="sans-serif", parse_math=False, zorder=4, clip_on=False)
             text.set(ha="center", va="center", linespacing=1.2)
@@ -101,43 +103,43 @@ class Pen:
             text.set_position(mark.points[0])
             text.set_text(mark.text)
             text.set_color(self.theme.text.get(mark.role, self.theme.roles[mark.role]))
-            text.set_fontsize(mark.look.size * zoom)
-            text.set_fontweight("bold" if mark.look.bold else "normal")
+            text.set_fontsize(mark.style.size * zoom)
+            text.set_fontweight("bold" if mark.style.bold else "normal")
             text.set_visible(True)
             artists[mark.id] = text
         for text in self.texts[len(labels) :]:
             text.set_visible(False)
 
 
-def _line(mark: Mark, scale: float) -> Path:
-    """A mark's line, which is the rim of what is filled."""
+def _outline_path(mark: Mark, scale: float) -> Path:
+    """Return the path of a mark's line, which is also the rim of a filled mark."""
     points = mark.points
     if mark.kind == "disc":
         return Path.circle(points[0], mark.radius)
     if mark.kind == "outline":
         return Path(np.asarray([*points, points[0]], dtype=float), closed=True)
     if mark.kind == "arrow":
-        u, tip, length, _ = _arrow(mark, scale)
+        u, tip, length, _ = _arrow_geometry(mark, scale)
         points = points[0], Vec(tip.x - u.x * length * 0.8, tip.y - u.y * length * 0.8)
     codes = [Path.MOVETO, Path.LINETO] * (len(points) // 2) if mark.kind == "segment" else None
     return Path(np.asarray(points, dtype=float), codes)
 
 
-def _solid(mark: Mark, scale: float) -> Path:
-    """A dot, or an arrow's head."""
+def _solid_path(mark: Mark, scale: float) -> Path:
+    """Return the path of a dot or of an arrow's head."""
     if mark.kind == "arrow":
-        u, tip, length, half = _arrow(mark, scale)
+        u, tip, length, half = _arrow_geometry(mark, scale)
         bx, by = tip.x - u.x * length, tip.y - u.y * length
         return Path([tip, (bx - u.y * half, by + u.x * half), (bx + u.y * half, by - u.x * half), tip], closed=True)
-    (x, y), r = mark.points[0], mark.look.size / 2 / scale
-    if mark.look.square:
+    (x, y), r = mark.points[0], mark.style.size / 2 / scale
+    if mark.style.square:
         return Path([(x - r, y - r), (x + r, y - r), (x + r, y + r), (x - r, y + r), (x - r, y - r)], closed=True)
     return Path.circle((x, y), r)
 
 
-def _arrow(mark: Mark, scale: float) -> tuple[Vec, Vec, float, float]:
-    """An arrow's direction and tip, its head's length and half its width in scene units."""
-    (tail, tip), (length, width) = mark.points, mark.look.head
+def _arrow_geometry(mark: Mark, scale: float) -> tuple[Vec, Vec, float, float]:
+    """Return an arrow's direction, its tip, and the length and half width of its head in scene units."""
+    (tail, tip), (length, width) = mark.points, mark.style.head
     size = hypot(tip.x - tail.x, tip.y - tail.y) or 1.0
     u = Vec((tip.x - tail.x) / size, (tip.y - tail.y) / size)
     return u, tip, min(length / scale, size), width / 2 / scale

@@ -1,4 +1,4 @@
-"""The browser's side, put together from its files: one module of JavaScript, one style sheet with the themes."""
+"""The browser's code, joined from its files: one module of JavaScript, and one style sheet with both themes."""
 
 import re
 from functools import cache
@@ -10,8 +10,9 @@ from ..pictures import DARK, LIGHT, Theme
 _PACKAGE = __package__.partition(".")[0]
 _IMPORT = re.compile(r'^import .* from "(\..*)";\n', re.MULTILINE)
 _EXPORT = re.compile(r"^export (?=class|const|function|async function)", re.MULTILINE)
-# Comments, types and empty lines are for readers of the source; each page to share would carry them.
+# Comments, types, empty lines and indentation are for readers of the source; each page to share would carry them.
 _COMMENT = re.compile(r"^ *//.*\n| // .*$|^ */\*\*[\s\S]*?\*/\n|/\*\*.*?\*/ ?|^\n", re.MULTILINE)
+_INDENT = re.compile(r"^ +", re.MULTILINE)  # no string of ours goes over two lines
 
 
 @cache
@@ -27,21 +28,23 @@ def javascript(*names: str) -> str:
 
 
 def _collect(path: str, found: dict[str, str]) -> None:
-    """Add a file after the files that it imports."""
+    """Add a file to `found` after the files that it imports."""
     if path in found:
         return
     source = (files(_PACKAGE) / path).read_text(encoding="utf-8")
     for imported in _IMPORT.findall(source):
         _collect(normpath(f"{dirname(path)}/{imported}"), found)
-    found[path] = _EXPORT.sub("", _IMPORT.sub("", _COMMENT.sub("", source)))
+    for left_out in _COMMENT, _INDENT, _IMPORT, _EXPORT:
+        source = left_out.sub("", source)
+    found[path] = source
 
 
 @cache
 def stylesheet() -> str:
-    """The style sheet, with the colours of both themes as variables."""
+    """Return the style sheet, with the colours of both themes as variables."""
     light, dark = (_variables(theme) for theme in (LIGHT, DARK))
     rules = [f".satviz {{ {light} }}", f"@media (prefers-color-scheme: dark) {{ .satviz {{ {dark} }} }}"]
-    # as the page around it is, which may be another than the system's
+    # A widget follows the theme of the page around it, which can differ from the system's.
     for theme, own in ("light", light), ("dark", dark):
         rules.append(f'.satviz[data-theme="{theme}"] {{ {own} }}')
     rules.append(f"@media print {{ .satviz, .satviz[data-theme] {{ {light} }} }}")
@@ -49,7 +52,8 @@ def stylesheet() -> str:
 
 
 def _variables(theme: Theme) -> str:
+    """Return the CSS declarations of a theme: a variable for each colour, and the colour scheme."""
     scheme = {"light": "light", "dark": "dark"}[theme.name]
-    pairs = [("paper", theme.paper), *theme.roles.items()]
-    pairs += [(f"text-{role}", theme.text.get(role, colour)) for role, colour in theme.roles.items()]
-    return " ".join(f"--sv-{name}: {colour};" for name, colour in pairs) + f" color-scheme: {scheme};"
+    colours = [("paper", theme.paper), *theme.roles.items()]
+    colours += [(f"text-{role}", theme.text.get(role, colour)) for role, colour in theme.roles.items()]
+    return " ".join(f"--sv-{name}: {colour};" for name, colour in colours) + f" color-scheme: {scheme};"

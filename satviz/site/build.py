@@ -7,8 +7,10 @@ from pathlib import Path
 
 from ..render.script import javascript, stylesheet
 from ..safe_write import MADE_BY
-from . import chapters, pages
-from .runtime import Missing as Missing
+from . import guides, pages
+from .chapters import chapter_body, chapters
+from .reference import reference
+from .runtime import PythonMissing as PythonMissing
 from .runtime import runtime
 
 ICON = (
@@ -19,61 +21,76 @@ ICON = (
 
 
 def site(*, pyodide: Path | None = None, live: bool = True) -> tuple[Iterator[tuple[str, bytes]], list[str]]:
-    """(path, content) of each file, and a line on each thing that is missing.
+    """Return (path, content) of each file of the site, and one line for each thing that is missing.
 
-    `pyodide`: a folder with its core, instead of the npm package (Missing where it has none); `live`: with
-    Python in the page.
-    ImportError says what to install where the reader of Markdown is missing.
+    `pyodide` is a folder that holds Pyodide's core; None takes the core from npm.  `live=False` leaves Python out.
+    Raise PythonMissing if that folder has no core, and ImportError if no Markdown reader is installed.
     """
     python: dict[str, bytes] = {}
-    lacks: list[str] = []
+    missing: list[str] = []
     if live:
         try:
             python, why = runtime(pyodide)
-            lacks = [why] if why else []
-        except Missing as error:
+            missing = [why] if why else []
+        except PythonMissing as error:
             if pyodide:
                 raise
-            lacks = [f"{error}: the site is whole, but its scenes stay still"]
+            missing = [f"{error}: the site is whole, but its scenes stay still"]
+    try:
+        reference_files = list(reference(in_site=True))
+    except ImportError as error:
+        reference_files = []
+        missing.append(f"the site has no reference: {error}")
     script, style = _script(), _style()
-    python |= {"worker.js": _own("worker.js")} if python else {}
+    python |= {"worker.js": _browser_file("worker.js")} if python else {}
     version = sha256(b"".join([script, style, *(python[name] for name in sorted(python))])).hexdigest()[:12]
-    return _files(script, style, python, version), lacks
+    return _files(script, style, python, version, reference_files), missing
 
 
-def _files(script: bytes, style: bytes, python: dict[str, bytes], version: str) -> Iterator[tuple[str, bytes]]:
-    frame = pages.Frame(chapters.chapters(), version, bool(python))
-    bodies = list(chapters.all_pages())  # what it needs may be missing: then nothing is written
+def _files(
+    script: bytes, style: bytes, python: dict[str, bytes], version: str, reference_files: list[tuple[str, bytes]]
+) -> Iterator[tuple[str, bytes]]:
+    """Yield (path, content) of each file of the site; the pages name their scripts with this version."""
+    frame = pages.Frame(chapters(), guides.guides(), version, bool(python), bool(reference_files))
+    chapter_bodies = [chapter_body(chapter) for chapter in frame.chapters]  # may raise: then nothing is written
     yield "site.js", script
     yield "site.css", style
-    yield "sw.js", _own("sw.js").replace(b"VERSION", version.encode())
+    yield "sw.js", _browser_file("sw.js").replace(b"VERSION", version.encode())
     yield "icon.svg", ICON.format(MADE_BY).encode()
     for name, data in python.items():
-        yield f"python/{name}", data if not name.endswith(".js") else _marked(data)
-    yield from pages.pictures()
-    for chapter, body in bodies:
-        yield chapter.path, pages.chapter(frame, chapter, body)
-    yield "gallery.html", pages.gallery(frame)
-    yield "challenges.html", pages.tasks(frame)
-    yield "scene.html", pages.explorer(frame)
-    yield "index.html", pages.front(frame)
+        yield f"python/{name}", data if not name.endswith(".js") else _with_maker(data)
+    yield from pages.scene_pictures()
+    yield from guides.pictures()
+    for chapter, body in zip(frame.chapters, chapter_bodies, strict=True):
+        yield chapter.path, pages.chapter_page(frame, chapter, body)
+    for guide in frame.guides:
+        yield guide.path, pages.guide_page(frame, guide, guides.guide_body(guide))
+    for path, data in reference_files:
+        yield f"{pages.REFERENCE}/{path}", data
+    yield "gallery.html", pages.gallery_page(frame)
+    yield "challenges.html", pages.challenges_page(frame)
+    yield "scene.html", pages.explorer_page(frame)
+    yield "index.html", pages.front_page(frame)
 
 
 def _script() -> bytes:
-    """One plain script whose names stay its own: a module would not load from a file."""
+    """Return the pages' script: a plain script in a block of its own, because a file cannot load a module."""
     script = javascript("../../site/browser/site")
-    return _marked(f'"use strict";\n{{\n{script}}}\n'.encode())
+    return _with_maker(f'"use strict";\n{{\n{script}}}\n'.encode())
 
 
 def _style() -> bytes:
-    return f"/* {MADE_BY} */\n{stylesheet()}\n{_own('site.css').decode()}".encode()
+    """Return the pages' style sheet."""
+    return f"/* {MADE_BY} */\n{stylesheet()}\n{_browser_file('site.css').decode()}".encode()
 
 
-def _own(name: str) -> bytes:
+def _browser_file(name: str) -> bytes:
+    """Return a file of the folder `browser`; a script says in its first line that satviz made it."""
     data = (files(__package__) / "browser" / name).read_bytes()
-    return _marked(data) if name.endswith(".js") else data
+    return _with_maker(data) if name.endswith(".js") else data
 
 
-def _marked(script: bytes) -> bytes:
+def _with_maker(script: bytes) -> bytes:
+    """Return the script with a first line that names satviz, so that `satviz site` may overwrite the file."""
     mark = f"// {MADE_BY}\n".encode()
     return script if script.startswith(mark) else mark + script

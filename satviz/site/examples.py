@@ -1,4 +1,4 @@
-"""Code that the reference runs and shows, by the public name it belongs to; the last line's value is shown below it."""
+"""Examples of the reference by public name: the page shows the code, what it prints, and its last value."""
 
 TWO = """a = sv.Polygon([(0, 1), (3, 2), (1, 5)])
 b = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])"""

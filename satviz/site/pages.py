@@ -1,4 +1,4 @@
-"""The site's pages: the frame of each, the front page, the gallery, the explorer."""
+"""The pages of the site as HTML: the front page, chapters, guides, the gallery, the challenges, the explorer."""
 
 from collections.abc import Sequence
 from functools import cache
@@ -8,7 +8,7 @@ from typing import NamedTuple
 from .. import __version__
 from ..engine import describe
 from ..pictures import Picture, picture
-from ..pictures.playback import NARROW_PANELS
+from ..pictures.playback import NARROW_PANEL_SIZES_PT
 from ..render.files import encode
 from ..safe_write import MADE_BY
 from ..scenes.article import SCENES
@@ -18,32 +18,46 @@ from ..scenes.link import BREAK, PAGE, link
 from ..scenes.named import ALL_SCENES, scene
 from ..scenes.scenefile import Scene
 from ..widgets.explorer_model import ExplorerModel
-from ..widgets.goals import ASKS, challenges
+from ..widgets.goals import GOAL_TASKS, challenges
 from . import parts
 from .chapters import Chapter, lead
-from .themed import themed_file
+from .guides import INDEX as GUIDES
+from .guides import Guide
+from .themed import themed_svg_file
 
-# scripts are the site's own files, wasm is Python's; a scene comes in as data only; a blob is a picture saved as PNG
+# scripts are the site's own files; WebAssembly is Python; a blob is a picture that is saved as PNG
 POLICY = (
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; "
     "style-src 'self'; img-src 'self' blob:; base-uri 'none'; form-action 'none'"
 )
+REFERENCE = "reference"  # the folder of its pages
 FAILING_ON_FRONT = "aabb-turned", "no-nearest-vertex", "far-centers", "box-in-u"
 
 
 class Frame(NamedTuple):
-    """What all pages of a site share: the chapters, and whether Python is in the page (a version of its files)."""
+    """What all pages of a site share: chapters, guides, the version of its files, and whether it has Python.
+
+    `guides` begins with their index; `reference` says whether the site has the reference.
+    """
 
     chapters: Sequence[Chapter]
+    guides: Sequence[Guide]
     version: str
     python: bool
+    reference: bool
 
 
-def page(frame: Frame, path: str, title: str, body: str, *, says: str, kind: str = "") -> bytes:
-    """One page of the site; `says` describes it to those who search."""
+def html_page(frame: Frame, path: str, title: str, body: str, *, description: str, kind: str = "") -> bytes:
+    """Return a page of the site; search engines show the description, and `kind` is a class for the style sheet."""
     python = f' data-python="python/worker.js?{frame.version}"' if frame.python else ""
-    links = [("index.html", "satviz"), ("index.html#chapters", "Chapters"), ("gallery.html", "Gallery")]
+    links = [
+        ("index.html", "satviz"),
+        ("index.html#chapters", "Chapters"),
+        (GUIDES, "Guides"),
+        ("gallery.html", "Gallery"),
+    ]
     links += [("challenges.html", "Challenges"), (PAGE, "Explorer")]
+    links += [(f"{REFERENCE}/satviz.html", "Reference")] if frame.reference else []
     here = ' aria-current="page"'
     nav = "".join(f'<a href="{to}"{here if to == path and to != "index.html" else ""}>{name}</a>' for to, name in links)
     lines = [
@@ -54,7 +68,7 @@ def page(frame: Frame, path: str, title: str, body: str, *, says: str, kind: str
         f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
         f'<meta name="generator" content="{MADE_BY}">',
-        f'<meta name="description" content="{escape(describe.printable(says))}">',
+        f'<meta name="description" content="{escape(describe.printable(description))}">',
         f"<title>{escape(title)}</title>",
         f'<link rel="stylesheet" href="site.css?{frame.version}">',
         '<link rel="icon" href="icon.svg" type="image/svg+xml">',
@@ -64,153 +78,166 @@ def page(frame: Frame, path: str, title: str, body: str, *, says: str, kind: str
         '<a class="skip" href="#main">to the text</a>',
         f'<header><nav aria-label="site">{nav}</nav></header>',
         f'<main id="main">{body}</main>',
-        f"<footer><p>{MADE_BY} {__version__}, which answers exactly: touching counts as a hit, and a verdict is never "
-        "wrong.</p></footer>",
+        f"<footer><p>This site was {MADE_BY} {__version__}. Its answers are exact. "
+        "Shapes that touch count as a hit.</p></footer>",
         "</body>",
         "</html>",
     ]
     return ("\n".join(lines) + "\n").encode()
 
 
-def front(frame: Frame) -> bytes:
-    """The front page: one scene to drag and one sentence; then what there is to read."""
+def front_page(frame: Frame) -> bytes:
+    """Return the front page: a scene to drag, the theorem in a few sentences, and lists of what there is."""
     listed = "".join(
         f'<li><a href="{chapter.path}"><b>{escape(chapter.title)}</b></a><span>{escape(lead(chapter))}</span></li>'
         for chapter in frame.chapters
     )
+    guides = "".join(f'<li><a href="{guide.path}">{escape(guide.title)}</a></li>' for guide in frame.guides[1:])
     cards = "".join(_card(name) for name in FAILING_ON_FRONT)
     body = f"""
 <div class="first">
 <div class="says">
 <h1>Do they collide?</h1>
-<p class="lead"><b>Drag a triangle.</b> As long as some direction leaves a gap between their two shadows, they are
-apart. If no direction does, they collide.</p>
+<p class="lead"><b>Drag a triangle.</b> Look at the shadows of both triangles. If some direction shows a gap between
+the shadows, the triangles are apart. If no direction shows a gap, they collide.</p>
 </div>
 <section class="stage" aria-label="two triangles to drag">{parts.explorer(ExplorerModel(scene("triangles")))}</section>
 </div>
 <section class="read">
 <h2>That is the Separating Axis Theorem</h2>
-<p>A program cannot see that two shapes are apart. It drops both onto a line, like shadows on a wall, and looks at the
-two stretches they cover. <span class="gap">A gap</span> between the shadows proves that the shapes are apart.
-<span class="overlap">An overlap</span> proves nothing, so it turns the wall and tries again. The theorem says which few
-directions are enough: those at right angles to an edge.</p>
+<p>A program cannot see that two shapes are apart. It drops both shapes onto a line, like shadows on a wall. The
+shadows are two ranges on the line. <span class="gap">A gap</span> between the ranges proves that the shapes are apart.
+<span class="overlap">An overlap</span> proves nothing, so the program turns the wall and tries again. The theorem says
+which few directions are enough: the directions at right angles to an edge.</p>
 </section>
 <section id="chapters"><h2>Seven chapters</h2><ol class="chapters">{listed}</ol></section>
 <section><h2>Where shortcuts fail</h2>
-<p>Everybody who writes a collision test leaves something out. Here is what happens then; the
-<a href="gallery.html#failing">gallery</a> has {len(FAILURE_CASES)} such scenes,
-and the <a href="challenges.html">challenges</a> let you find them yourself.</p>
+<p>A collision test is often made shorter than the theorem allows. Then it is sometimes wrong. The
+<a href="gallery.html#failing">gallery</a> has {len(FAILURE_CASES)} such scenes. In the
+<a href="challenges.html">challenges</a> you look for such scenes yourself.</p>
 <div class="cards wide">{cards}</div></section>
+<section><h2>Guides</h2>
+<p>The <a href="{GUIDES}">guides</a> say how to use satviz in Python, in a notebook and on the command line.</p>
+<ul class="challenges">{guides}</ul></section>
 """
-    says = "Drag two triangles and see why they collide or not: the Separating Axis Theorem, made visible."
-    return page(
-        frame, "index.html", "Do they collide? The Separating Axis Theorem, made visible", body, says=says, kind="front"
-    )
+    title = "Do they collide? The Separating Axis Theorem, made visible"
+    description = "Drag two triangles and see why they collide or not: the Separating Axis Theorem, made visible."
+    return html_page(frame, "index.html", title, body, description=description, kind="front")
 
 
-def gallery(frame: Frame) -> bytes:
-    """Every scene with its picture and what is to be seen."""
+def gallery_page(frame: Frame) -> bytes:
+    """Return the page with every scene: its picture and its sentence."""
     body = f"""
 <h1>Gallery</h1>
-<p class="lead">Every scene can be dragged: choose one.</p>
+<p class="lead">Choose a scene. It opens in the explorer, where you can drag it.</p>
 <section><h2>Scenes of the chapters</h2><div class="cards">{"".join(_card(s.name) for s in SCENES)}</div></section>
 <section id="failing"><h2>Where shortcuts fail</h2>
-<p>Left, what the shortcut saw; right, what is. Its claim stands above, the truth below.</p>
+<p>The left panel shows what the shortcut claims. The right panel shows what is true. The claim of the shortcut stands
+under each picture, and its mistake in the line below.</p>
 <div class="cards wide">{"".join(_card(row.name) for row in FAILURE_CASES)}</div></section>
 """
-    return page(
-        frame, "gallery.html", "Gallery: every scene of satviz", body, says="All scenes, and where shortcuts fail."
-    )
+    description = "All scenes, and where shortcuts fail."
+    return html_page(frame, "gallery.html", "Gallery: every scene of satviz", body, description=description)
 
 
-def explorer(frame: Frame) -> bytes:
-    """The page that a link opens; a link that opens nothing is told why, and offered every scene."""
-    called = [(s.name, f"“{FAILING[s.name].claim}”" if s.name in FAILING else s.title) for s in ALL_SCENES]
-    offered = "".join(f'<li><a href="{PAGE}#{name}">{escape(says)}</a></li>' for name, says in called)
+def explorer_page(frame: Frame) -> bytes:
+    """Return the page that a link opens; if a link cannot be opened, the page says why and offers every scene."""
+    titles = [(s.name, f"“{FAILING[s.name].claim}”" if s.name in FAILING else s.title) for s in ALL_SCENES]
+    offered = "".join(f'<li><a href="{PAGE}#{name}">{escape(title)}</a></li>' for name, title in titles)
     body = f"""
 <h1>Explorer</h1>
 <p class="lead">Drag the shapes, their corners, or a free axis.
-The address of this page is a link to the scene as it stands.</p>
-<noscript><p>This page needs JavaScript. Without it, nothing can be dragged, and the picture is always that of two
+The address of this page is always a link to the present scene.</p>
+<noscript><p>This page needs JavaScript. Without JavaScript you cannot drag anything, and the picture always shows two
 triangles. The <a href="gallery.html">gallery</a> has a still picture of every scene.</p></noscript>
 <section class="stage">{parts.explorer(ExplorerModel(scene("triangles")))}</section>
 <nav class="offer" aria-label="scenes" hidden><p>These scenes can be opened:</p>
 <ul class="challenges">{offered}</ul></nav>
 """
-    return page(
-        frame, PAGE, "Explorer: drag two shapes", body, says="Drag two shapes and see every axis.", kind="explorer"
-    )
+    description = "Drag two shapes and see every axis."
+    return html_page(frame, PAGE, "Explorer: drag two shapes", body, description=description, kind="explorer")
 
 
-def tasks(frame: Frame) -> bytes:
-    """The challenges, each a link into the explorer."""
-    asked = [
-        (goal, f'<li><a href="{escape(link(begin, goal=goal))}">{escape(_asked(goal, begin))}</a></li>')
+def challenges_page(frame: Frame) -> bytes:
+    """Return the page of the challenges; each of them is a link to the explorer."""
+    items = [
+        (goal, f'<li><a href="{escape(link(begin, goal=goal))}">{escape(_challenge_text(goal, begin))}</a></li>')
         for goal, begin in challenges()
     ]
     body = f"""
 <h1>Challenges</h1>
-<p class="lead">Drag until it is done. The engine judges exactly, and the address keeps your challenge: send it to
-somebody.</p>
-<ul class="challenges">{"".join(item for goal, item in asked if goal != BREAK)}</ul>
+<p class="lead">Choose a challenge, and drag the shapes until it is met. Every answer is checked exactly. The address of
+the page keeps your challenge, so you can send it to somebody.</p>
+<ul class="challenges">{"".join(item for goal, item in items if goal != BREAK)}</ul>
 <h2>Break a shortcut</h2>
-<p>Each of these is believed by many, and here it begins by being right. Find a place where it is wrong.</p>
-<ul class="challenges">{"".join(item for goal, item in asked if goal == BREAK)}</ul>
+<p>Many people believe these claims. Each challenge begins with shapes for which the claim is right. Move the shapes
+until it is wrong.</p>
+<ul class="challenges">{"".join(item for goal, item in items if goal == BREAK)}</ul>
 """
-    return page(
-        frame, "challenges.html", "Challenges", body, says="Break a shortcut, or make two shapes touch exactly."
-    )
+    description = "Break a shortcut, or make two shapes touch exactly."
+    return html_page(frame, "challenges.html", "Challenges", body, description=description)
 
 
-def _asked(goal: str, begin: Scene) -> str:
+def _challenge_text(goal: str, begin: Scene) -> str:
+    """Return the words of a challenge: a shortcut's claim, or the goal and the scene where it begins."""
     row = FAILING.get(begin.axes)
-    return f"“{row.claim}”" if row else f"{ASKS[goal].rstrip('.')} ({begin.title.lower()})"
+    return f"“{row.claim}”" if row else f"{GOAL_TASKS[goal].rstrip('.')} ({begin.title.lower()})"
 
 
-def chapter(frame: Frame, shown: Chapter, body: str) -> bytes:
-    """A chapter between its neighbours."""
-    i = frame.chapters.index(shown)
-    ways = []
-    if i:
-        ways.append(f'<a rel="prev" href="{frame.chapters[i - 1].path}">← {escape(frame.chapters[i - 1].title)}</a>')
-    if i + 1 < len(frame.chapters):
-        ways.append(f'<a rel="next" href="{frame.chapters[i + 1].path}">{escape(frame.chapters[i + 1].title)} →</a>')
-    way = f'<nav class="way" aria-label="chapters">{"".join(ways)}</nav>'
+def chapter_page(frame: Frame, chapter: Chapter, body: str) -> bytes:
+    """Return the page of a chapter, with links to the chapters before and after it."""
     note = (
-        f'<p class="note">This page is the notebook <code>{escape(shown.notebook)}</code> as it was run. '
-        "<code>satviz notebook</code> gives you your own copy, to change and to run.</p>"
+        f'<p class="note">This page is the notebook <code>{escape(chapter.notebook)}</code> after it was run. '
+        "<code>satviz notebook</code> gives you a copy that you can change and run.</p>"
     )
-    return page(
-        frame, shown.path, shown.title, f"<article>{body}{note}</article>{way}", says=lead(shown), kind="chapter"
-    )
+    body = f"<article>{body}{note}</article>{_neighbour_links(frame.chapters, chapter, 'chapters')}"
+    return html_page(frame, chapter.path, chapter.title, body, description=lead(chapter), kind="chapter")
 
 
-def pictures() -> "list[tuple[str, bytes]]":
-    """(path, file) of each scene's picture in the gallery."""
-    found = [(name, _drawn(name)) for name in (*(s.name for s in SCENES), *FAILING)]
-    found += [(f"{name}-narrow", _drawn(name, slim=True)) for name in FAILING]
-    return [(f"pictures/{name}.svg", themed_file(encode(drawn, "svg", stem=name))) for name, drawn in found]
+def guide_page(frame: Frame, guide: Guide, body: str) -> bytes:
+    """Return the page of a guide, with links to the guides before and after it."""
+    body = f"<article>{body}</article>{_neighbour_links(frame.guides, guide, 'guides')}"
+    return html_page(frame, guide.path, guide.title, body, description=guide.lead, kind="chapter")
+
+
+def _neighbour_links(pages: Sequence[Chapter] | Sequence[Guide], page: Chapter | Guide, label: str) -> str:
+    """Return the links to the pages before and after a page of this sequence, where there are such pages."""
+    i = [other.path for other in pages].index(page.path)
+    links = []
+    if i:
+        links.append(f'<a rel="prev" href="{pages[i - 1].path}">← {escape(pages[i - 1].title)}</a>')
+    if i + 1 < len(pages):
+        links.append(f'<a rel="next" href="{pages[i + 1].path}">{escape(pages[i + 1].title)} →</a>')
+    return f'<nav class="way" aria-label="{label}">{"".join(links)}</nav>'
+
+
+def scene_pictures() -> list[tuple[str, bytes]]:
+    """Return (path, content) of each picture in the gallery; a failing scene has a narrow one for telephones, too."""
+    found = [(name, _scene_picture(name)) for name in (*(s.name for s in SCENES), *FAILING)]
+    found += [(f"{name}-narrow", _scene_picture(name, narrow=True)) for name in FAILING]
+    return [(f"pictures/{name}.svg", themed_svg_file(encode(drawn, "svg", stem=name))) for name, drawn in found]
 
 
 @cache
-def _drawn(name: str, *, slim: bool = False) -> Picture:
-    """A scene's picture, `slim` as a telephone shows it: both a file and what its card is made of."""
-    return picture(name, largest=NARROW_PANELS[0]) if slim else picture(name)
+def _scene_picture(name: str, *, narrow: bool = False) -> Picture:
+    """Return a scene's picture; with `narrow` its panels stand one above the other, for a telephone."""
+    return picture(name, largest=NARROW_PANEL_SIZES_PT[0]) if narrow else picture(name)
 
 
 def _card(name: str) -> str:
-    row, drawn = FAILING.get(name), _drawn(name)
+    """Return a scene's picture, title and sentence as HTML, with a link to the explorer if the scene can be opened."""
+    row, drawn = FAILING.get(name), _scene_picture(name)
     if row is None:
-        title, said = scene(name).title, drawn.sentence
+        title, sentence = scene(name).title, drawn.sentence
     else:
-        title, said = f"“{row.claim}”", row.how
+        title, sentence = f"“{row.claim}”", row.how
     size = 'width="{:g}" height="{:g}"'.format(*drawn.size)
     image = f'<img src="pictures/{name}.svg" {size} alt="{escape(drawn.sentence)}">'
     if row:  # on a telephone one panel above the other
-        slim = 'width="{:g}" height="{:g}"'.format(*_drawn(name, slim=True).size)
-        source = f'<source media="(max-width: 600px)" srcset="pictures/{name}-narrow.svg" {slim}>'
+        narrow_size = 'width="{:g}" height="{:g}"'.format(*_scene_picture(name, narrow=True).size)
+        source = f'<source media="(max-width: 600px)" srcset="pictures/{name}-narrow.svg" {narrow_size}>'
         image = f"<picture>{source}{image}</picture>"
     shown = f"{image}<b>{escape(title)}</b>"
     if row is None or row.how != REFUSED:
         shown = f'<a href="{PAGE}#{name}">{shown}</a>'
-    return f'<article class="card">{shown}<span>{escape(said)}</span></article>'
+    return f'<article class="card">{shown}<span>{escape(sentence)}</span></article>'

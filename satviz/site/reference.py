@@ -1,4 +1,4 @@
-"""The reference: every public name with its docstring, and examples that were run for it, with their pictures."""
+"""The reference: every public name with its docstring, and examples with their output and pictures."""
 
 import ast
 import io
@@ -11,7 +11,7 @@ from pathlib import Path
 
 import satviz
 
-from ..optional_imports import needs
+from ..optional_imports import extra_needed
 from ..safe_write import MADE_BY
 from .examples import EXAMPLES
 
@@ -19,16 +19,19 @@ MODULES = "satviz", "satviz.engine.axes", "satviz.batch"
 TEMPLATES = Path(__file__).with_name("templates")
 
 
-def reference() -> Iterator[tuple[str, bytes]]:
-    """(path, content) of each file; ImportError says what to install where pdoc is missing."""
+def reference(*, in_site: bool = False) -> Iterator[tuple[str, bytes]]:
+    """Yield (path, content) of each file; with `in_site` a page links to the site one folder above.
+
+    Raise ImportError, which says what to install, if pdoc is missing.
+    """
     try:
         import pdoc
         from pdoc import render
     except ImportError:
-        raise ImportError(needs("the reference", "docs")) from None
+        raise ImportError(extra_needed("the reference", "docs")) from None
     render.configure(docformat="markdown", show_source=False, template_directory=TEMPLATES)
-    render.env.globals["example"] = example
-    for name in satviz.__all__:  # what is loaded at first use is in no module before
+    render.env.globals |= {"example": example, "in_site": in_site}
+    for name in satviz.__all__:  # pdoc sees only names that are loaded
         getattr(satviz, name)
     modules = {name: pdoc.doc.Module(import_module(name)) for name in MODULES}
     pages = {name.replace(".", "/"): render.html_module(module, modules) for name, module in modules.items()}
@@ -40,24 +43,24 @@ def reference() -> Iterator[tuple[str, bytes]]:
 
 @cache
 def example(name: str) -> str:
-    """HTML for below a name's docstring: code, and what it gave; nothing for most names."""
+    """Return the HTML of a name's example, its code and its output; "" for a name without an example."""
     code = EXAMPLES.get(name)
     if code is None:
         return ""
-    text, picture = run(code)
-    drawn = f"<figure>{picture}</figure>" if picture else ""
-    given = f'<pre class="given" tabindex="0">{escape(text)}</pre>'
-    return f'<div class="example"><pre tabindex="0">{escape(code)}</pre>{given}{drawn}</div>'
+    text, picture = run_example(code)
+    figure = f"<figure>{picture}</figure>" if picture else ""
+    output = f'<pre class="given" tabindex="0">{escape(text)}</pre>'
+    return f'<div class="example"><pre tabindex="0">{escape(code)}</pre>{output}{figure}</div>'
 
 
-def run(code: str) -> tuple[str, str]:
-    """What code prints and gives, and the picture of what it gives if it has one."""
+def run_example(code: str) -> tuple[str, str]:
+    """Return (what the code prints and its last value as text, the SVG of this value or "")."""
     *first, last = ast.parse(code).body
     assert isinstance(last, ast.Expr)
     names = {"sv": satviz}
-    said = io.StringIO()
-    with redirect_stdout(said):
+    printed = io.StringIO()
+    with redirect_stdout(printed):
         exec(compile(ast.Module(first, []), "example", "exec"), names)
         value = eval(compile(ast.Expression(last.value), "example", "eval"), names)
     shown = value._repr_mimebundle_() if hasattr(value, "_repr_mimebundle_") else {"text/plain": repr(value)}
-    return said.getvalue() + shown["text/plain"], shown.get("image/svg+xml", "")
+    return printed.getvalue() + shown["text/plain"], shown.get("image/svg+xml", "")

@@ -1,17 +1,17 @@
-"""A small web server for a site on this machine, as a host would serve it: static files, the right types."""
+"""A small web server for the site on this machine: static files with the right content types."""
 
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
-from .pages import POLICY
+from .pages import POLICY, REFERENCE
 
 
 class Handler(SimpleHTTPRequestHandler):
-    """Files of the folder, silently; the policy holds for workers too."""
+    """Serves the files of a folder and logs nothing."""
 
-    extensions_map = {  # noqa: RUF012  (the library's own shape)
+    extensions_map = {  # noqa: RUF012  (the base class has this form)
         **SimpleHTTPRequestHandler.extensions_map,
         ".js": "text/javascript",
         ".svg": "image/svg+xml",
@@ -20,15 +20,19 @@ class Handler(SimpleHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
 
     def end_headers(self) -> None:
-        """The policy, and no keeping without asking: the folder may be written anew."""
-        self.send_header("Content-Security-Policy", POLICY)
+        """Send the security policy, and ask the browser to check for newer files each time.
+
+        Workers obey the policy of this header only.  The reference has no policy, since pdoc writes inline scripts.
+        """
+        if not self.path.startswith(f"/{REFERENCE}/"):
+            self.send_header("Content-Security-Policy", POLICY)
         self.send_header("Cache-Control", "no-cache")
         super().end_headers()
 
     def log_message(self, format: str, *args: Any) -> None:
-        """Nothing."""
+        """Log nothing."""
 
 
 def server(folder: Path, port: int = 0) -> ThreadingHTTPServer:
-    """A server on this machine only; by default on a free port."""
+    """Return a server for the folder that only this machine can reach; port 0 means any free port."""
     return ThreadingHTTPServer(("127.0.0.1", port), partial(Handler, directory=str(folder)))

@@ -1,4 +1,7 @@
-"""A drawn SVG that follows the reader's theme and obeys a strict policy: no style of its own, colours as variables."""
+"""Drawn SVGs that follow the reader's theme.
+
+Colours become CSS variables.  Styles become attributes, because the pages' security policy forbids inline styles.
+"""
 
 import re
 
@@ -7,38 +10,41 @@ from ..pictures import DARK, LIGHT, Theme
 _STYLE = re.compile(r' style="([^"]*)"')
 _COLOUR = re.compile(r"#[0-9a-f]{6}\b")
 _IDS = re.compile(r' id="([^"]+)"')
-_LABELS = re.compile(r' aria-labelledby="[^"]*"')  # its title names a picture by itself
-_OWN = re.compile(r"\s*<defs>\s*<style[^>]*>[^<]*</style>\s*</defs>")
+_LABELS = re.compile(r' aria-labelledby="[^"]*"')  # not needed: the title element names the picture
+_STYLE_ELEMENT = re.compile(r"\s*<defs>\s*<style[^>]*>[^<]*</style>\s*</defs>")
 
 
-def _named(theme: Theme) -> dict[str, str]:
+def _colours(theme: Theme) -> dict[str, str]:
+    """Return the colours of a theme by the names of their CSS variables."""
     roles = {f"text-{role}": theme.text.get(role, colour) for role, colour in theme.roles.items()}
     return {"paper": theme.paper, **theme.roles, **roles}
 
 
-_ROLES = {colour.lower(): role for role, colour in reversed(_named(LIGHT).items())}
+_VARIABLES = {colour.lower(): role for role, colour in reversed(_colours(LIGHT).items())}
 
 
-def themed(svg: str) -> str:
-    """The SVG element for a page: styles as attributes, colours as variables, no ids but those that are meant."""
-    found = _LABELS.sub("", _OWN.sub("", svg))
-    # many pictures on a page would share the numbers that matplotlib gives its parts
+def themed_svg(svg: str) -> str:
+    """Return the SVG element for a page: styles as attributes, colours as variables, only ids that are used."""
+    found = _LABELS.sub("", _STYLE_ELEMENT.sub("", svg))
+    # matplotlib numbers the parts of each picture, so two pictures on a page would share ids
     found = _IDS.sub(lambda match: match[0] if f"#{match[1]}" in found else "", found)
-    return _STYLE.sub(lambda match: _attributes(match[1]), found).replace("<svg ", '<svg class="picture" ', 1)
+    return _STYLE.sub(lambda match: _style_as_attributes(match[1]), found).replace("<svg ", '<svg class="picture" ', 1)
 
 
-def _attributes(style: str) -> str:
+def _style_as_attributes(style: str) -> str:
+    """Return the declarations of an inline style as SVG attributes."""
     pairs = [part.partition(":") for part in style.split(";") if part.strip()]
-    return "".join(f' {name.strip()}="{_variable(value.strip())}"' for name, _, value in pairs)
+    return "".join(f' {name.strip()}="{_with_variables(value.strip())}"' for name, _, value in pairs)
 
 
-def _variable(text: str) -> str:
-    return _COLOUR.sub(lambda match: f"var(--sv-{_ROLES[match[0]]})" if match[0] in _ROLES else match[0], text)
+def _with_variables(text: str) -> str:
+    """Return the text with each colour of the light theme replaced by its CSS variable."""
+    return _COLOUR.sub(lambda match: f"var(--sv-{_VARIABLES[match[0]]})" if match[0] in _VARIABLES else match[0], text)
 
 
-def themed_file(svg: bytes) -> bytes:
-    """The same for an SVG file, which brings both themes' colours with it."""
-    light, dark = (" ".join(f"--sv-{role}: {colour};" for role, colour in _named(t).items()) for t in (LIGHT, DARK))
+def themed_svg_file(svg: bytes) -> bytes:
+    """Return an SVG file with the colours of both themes in it, so that it follows the reader's theme by itself."""
+    light, dark = (" ".join(f"--sv-{role}: {colour};" for role, colour in _colours(t).items()) for t in (LIGHT, DARK))
     rules = f":root {{ {light} }} @media (prefers-color-scheme: dark) {{ :root {{ {dark} }} }}"
     text = svg.decode().replace("*{stroke-linejoin", f"{rules} *{{stroke-linejoin", 1)
-    return _STYLE.sub(lambda match: f' style="{_variable(match[1])}"', text).encode()
+    return _STYLE.sub(lambda match: f' style="{_with_variables(match[1])}"', text).encode()

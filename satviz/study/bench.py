@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import batch
-from ..advice.timing import in_turn, spread
+from ..advice.timing import spread, time_in_turn
 from . import truth
 from .harness.machine import is_installed
 from .methods import COMPILED, NUMPY, PYTHON, all_methods, batch_shapes, count_mistakes, engine_shapes
@@ -124,7 +124,7 @@ def _time_jobs(
     """Run the jobs in turn and yield a row for each; `items`: how many a job does, one number or by its name."""
     items_of = dict.fromkeys(jobs, items) if isinstance(items, int) else items
     nanoseconds = {"ns": 1.0, "us": 1e3, "ms": 1e6}[unit]
-    for method, times in in_turn(jobs, rounds, items_of).items():
+    for method, times in time_in_turn(jobs, rounds, items_of).items():
         median, least, low, high = (t / nanoseconds for t in times)
         yield TimingRow(section, work, size, method, unit, median, least, low, high)
 
@@ -183,7 +183,7 @@ def _numba_peers(a: batch.Shapes, b: batch.Shapes) -> Jobs:
 
     All of them read the very arrays that satviz reads: another copy could be nearer to the processor.
     """
-    from ..batch.with_numba.filter import looks
+    from ..batch.with_numba.filter import clearance_kernel
     from .methods import numba_rivals
 
     columns = [c for shapes in (a, b) if (g := shapes.uniform) for c in (g.x, g.y)]
@@ -197,7 +197,7 @@ def _numba_peers(a: batch.Shapes, b: batch.Shapes) -> Jobs:
         READ_ONCE: lambda: [numba_rivals.read_once(c.ravel().view(np.int64)) for c in columns],
         "textbook SAT in numba": partial(run, numba_rivals.textbook_sat, True, 0.0),
         "GJK in numba": partial(run, numba_rivals.gjk),
-        "numba, no error bounds": partial(run, looks(a.most, b.most), 0, 0.0),
+        "numba, no error bounds": partial(run, clearance_kernel(a.max_corners, b.max_corners), 0, 0.0),
     }
 
 

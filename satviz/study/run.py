@@ -9,7 +9,7 @@ from types import ModuleType
 from typing import Any
 
 from ..batch.chunks import check_executor
-from ..optional_imports import needs
+from ..optional_imports import extra_needed
 from ..safe_write import MADE_BY, check, folder, write
 from .harness.cells import Failure, Settings, run_cells
 from .harness.chart import Chart, save_chart
@@ -131,7 +131,7 @@ def open_executor(kind: str | None) -> Iterator[Executor | None]:
         try:
             from distributed import Client
         except ImportError:
-            raise ValueError(needs(f"a cluster ({kind})", "cluster")) from None
+            raise ValueError(extra_needed(f"a cluster ({kind})", "cluster")) from None
         try:
             client: Any = Client(kind, timeout=10)  # type: ignore[no-untyped-call]
         except (OSError, ValueError) as error:

@@ -1,27 +1,29 @@
-"""Pictures in a notebook: step through a trace, drag a scene.  (ipywidgets and anywidget live here only.)
+"""Widgets in a notebook: step through a trace, drag a scene.  Only this package uses ipywidgets and anywidget.
 
-What a widget shows and answers is in showing.py and exploring.py, which need neither: any front end can ask them.
+What a widget shows and answers is computed in player_model.py and explorer_model.py, which need neither, so that
+other front ends can use them.
 """
 
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from ..optional_imports import needs
+from ..optional_imports import extra_needed
 
-if TYPE_CHECKING:  # what is loaded when it is asked for, as type checkers see it
+if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from .explorer import Explorer, explore
     from .player import Player, play
 
 __all__ = ["Explorer", "Player", "explore", "play"]
 
-_LATER = {"Explorer": "explorer", "Player": "player", "explore": "explorer", "play": "player"}
+_MODULE_OF = {"Explorer": "explorer", "Player": "player", "explore": "explorer", "play": "player"}
 
 
 def __getattr__(name: str) -> object:
-    if name not in _LATER:
+    """Return a public name, loading its module; ImportError says how to install what a widget needs."""
+    if name not in _MODULE_OF:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     try:
         import anywidget  # noqa: F401
     except ImportError as error:
-        raise ImportError(needs("a widget", "jupyter")) from error
-    return getattr(import_module(f".{_LATER[name]}", __name__), name)
+        raise ImportError(extra_needed("a widget", "jupyter")) from error
+    return getattr(import_module(f".{_MODULE_OF[name]}", __name__), name)

@@ -1,4 +1,4 @@
-"""What both widgets share: the browser's code, files by the matplotlib pen, the picture where no front end runs."""
+"""What both widgets share: the browser's code, files drawn by matplotlib, and the picture where no front end runs."""
 
 import os
 from base64 import b64encode
@@ -11,9 +11,10 @@ import anywidget
 import traitlets
 
 from ..engine import describe
-from ..pictures import LIGHT, Picture
-from ..pictures.caption import captioned
-from ..render.files import animate, encode
+from ..pictures import Picture
+from ..pictures.caption import add_captions
+from ..render.files import encode_frames
+from ..render.formats import FORMATS
 from ..render.notebook import bundle
 from ..render.script import stylesheet
 from ..scenes.link import site_folder
@@ -22,27 +23,31 @@ from .player_model import PlayerModel
 LOCK = RLock()  # a front end's messages can come on any thread
 
 
-class Shown(anywidget.AnyWidget):
-    """A widget whose trace is shown; its messages are answered one at a time."""
+class TraceWidget(anywidget.AnyWidget):
+    """A widget that shows a trace and answers the messages of its front end, one at a time."""
 
     _css = stylesheet()
+    formats = traitlets.List([each.name for each in FORMATS.values() if each.in_save_menu]).tag(sync=True)
     site = traitlets.Unicode(help="where links to a scene lead: http or https").tag(sync=True)
     trace = traitlets.Any(help="the Trace that is shown; observe it to follow").tag(sync=False)
 
-    def __init__(self, showing: PlayerModel, **more: Any) -> None:
-        self._showing = showing
-        super().__init__(trace=showing.trace, **more)
-        self.on_msg(self._heard)
+    def __init__(self, model: PlayerModel, **more: Any) -> None:
+        self._model = model
+        super().__init__(trace=model.trace, **more)
+        self.on_msg(self._receive)
 
     @traitlets.default("site")
-    def _site_of_the_environment(self) -> str:
+    def _site_of_environment(self) -> str:
+        """Return the address in the environment variable SATVIZ_SITE, empty where it is not set."""
         return site_folder(os.environ.get("SATVIZ_SITE", ""), "SATVIZ_SITE")
 
     @traitlets.validate("site")
     def _checked_site(self, proposal: Any) -> str:
+        """Return the address of the site's folder; InvalidScene for an address that is not http or https."""
         return site_folder(proposal["value"])
 
-    def _heard(self, _widget: Any, content: Any, _buffers: Any) -> None:
+    def _receive(self, _widget: Any, content: Any, _buffers: Any) -> None:
+        """Answer a message of the front end; a message of no known kind is ignored."""
         if not isinstance(content, dict):
             return
         with LOCK:
@@ -54,54 +59,59 @@ class Shown(anywidget.AnyWidget):
             stay_busy(self.comm)
 
     def picture(self) -> Picture:
-        """What is shown where no front end runs."""
-        return self._showing.picture()
+        """Return the picture for a place where no front end runs."""
+        return self._model.picture()
 
     def _save(self, content: dict[str, Any]) -> None:
-        form = content.get("form")
+        """Send the file that the message asks for, or why it cannot be drawn."""
+        name = content.get("form")
+        form = FORMATS.get(name) if isinstance(name, str) else None
+        if form is None:
+            return
         try:
-            drawn = self._showing.to_save(content)
+            drawn = self._model.pictures_to_save(content, every_step=form.animated)
         except ValueError as error:
             self.send({"kind": "refused", "why": str(error)})
             return
         if drawn:
-            data = animate(captioned(drawn)) if form == "gif" else encode(drawn[0], str(form), LIGHT)
-            self.send({"kind": "file", "name": f"satviz.{form}"}, [data])
+            data = encode_frames(add_captions(drawn) if form.animated else drawn, form.name)
+            self.send({"kind": "file", "name": f"satviz.{form.name}", "mime": form.mime}, [data])
 
     def _answer(self, content: dict[str, Any]) -> None:
-        answer = self._showing.answer(content)
+        """Send what the model answers to the message, if anything, and follow its trace."""
+        answer = self._model.answer(content)
         if answer is not None:
-            self.trace = self._showing.trace
+            self.trace = self._model.trace
             self.send(answer)
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {self.trace.sentence}>"
 
     def _repr_mimebundle_(self, **more: Any) -> tuple[dict[str, Any], dict[str, Any]]:
-        """The widget, and for where none runs the picture and the sentence."""
+        """Return the widget, and its picture and sentence for a place where no widget runs."""
         found: Any = super()._repr_mimebundle_(**more)
         data, metadata = found if isinstance(found, tuple) else (found or {}, {})
         return {**data, **still(self)}, metadata
 
 
 def stay_busy(comm: Any) -> None:
-    """Let the kernel be shown as busy when the message at hand is done, since many more will follow.
+    """Let JupyterLab show the kernel as busy after this message, since many more will follow in a drag.
 
-    At each busy and each idle JupyterLab fetches the page's icon and lays out its toolbar: at a drag's rate
-    more work than all the rest together.  It leaves out the idle of requests that it does not track, so
-    this message's is told as one of those.  Where the kernel is not ipykernel nothing happens.
+    At each change between busy and idle JupyterLab fetches the page's icon and lays out its toolbar.  During a drag
+    that is more work than everything else.  JupyterLab ignores the idle state after requests that it does not
+    track, so this message is relabelled as such a request.  Without ipykernel this function does nothing.
     """
     with suppress(AttributeError, KeyError, TypeError):
         comm.kernel.get_parent("shell")["header"]["msg_type"] = "comm_info_request"
 
 
 def still(widget: Any) -> dict[str, str]:
-    """What stands for a widget where no front end runs: its sentence, and the picture with the sentence in it.
+    """Return the MIME bundle for a place where no widget runs: its sentence, and the picture above the sentence.
 
-    As HTML too, which exported pages prefer: a bare picture gets no alt text there.
+    The picture is also there as HTML, which exported pages prefer: a bare picture gets no alt text there.
     """
     drawn, said = widget.picture(), describe.printable(repr(widget))
-    svg = bundle(captioned([drawn])[0])["image/svg+xml"]
+    svg = bundle(add_captions([drawn])[0])["image/svg+xml"]
     source = f"data:image/svg+xml;base64,{b64encode(svg.encode()).decode()}"
     img = f'<img alt="{escape(describe.printable(drawn.sentence))}" src="{source}">'
     return {"text/plain": said, "text/html": img, "image/svg+xml": svg}

@@ -1,4 +1,4 @@
-"""sv.explore: a scene under the hand.  The browser moves what is dragged; Python alone computes SAT."""
+"""sv.explore: a scene to drag.  The browser moves what is dragged; Python alone computes SAT."""
 
 from typing import Any, overload
 
@@ -11,32 +11,33 @@ from ..scenes.article import SCENES
 from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.resolve import EXPECT_SCENE, resolve
 from ..scenes.scenefile import Scene
-from .base import Shown
+from .base import TraceWidget
 from .explorer_model import ExplorerModel
-from .goals import CALLED
+from .goals import GOAL_NAMES
 
 
-class Explorer(Shown):
-    """Two shapes to drag, turn and reshape, with the axis that tells most (or one chosen, or a free one).
+class Explorer(TraceWidget):
+    """Two shapes to drag, turn and reshape, and one axis: the most telling one, a chosen one or a free one.
 
-    A failing scene shows the shortcut's run, its answer and a map of where it is wrong, or the truth.
-    `scene` and `trace` follow the hand; what the browser sends is checked like a scene file.
+    A failing scene shows the shortcut's run, its answer and a map of where it is wrong, or the true run.
+    `scene` and `trace` follow each drag.  Messages of the browser are checked like a scene file.
     """
 
+    _model: ExplorerModel
     _esm = javascript("explore")
     first = traitlets.Dict().tag(sync=True)
     presets = traitlets.List([s.name for s in SCENES]).tag(sync=True)
     failing = traitlets.List([case.name for case in FAILURE_CASES if case.how != REFUSED]).tag(sync=True)
-    challenges = traitlets.Dict(CALLED).tag(sync=True)
+    challenges = traitlets.Dict(GOAL_NAMES).tag(sync=True)
 
     def __init__(self, shown: Scene, goal: str | None = None) -> None:
-        self._exploring = ExplorerModel(shown, goal)
-        super().__init__(self._exploring, first=self._exploring.state())
+        model = ExplorerModel(shown, goal)
+        super().__init__(model, first=model.state())
 
     @property
     def scene(self) -> Scene:
-        """The scene as it stands."""
-        return self._exploring.scene
+        """Return the scene as it is now."""
+        return self._model.scene
 
 
 @overload
@@ -48,11 +49,11 @@ def explore(what: str = "triangles", *, goal: str | None = None) -> Any: ...  # 
 
 
 def explore(what: Scene | Shape | str = "triangles", b: Shape | None = None, *, goal: str | None = None) -> Any:
-    """A scene to drag: a built-in scene's name, a Scene, or two shapes.
+    """Return a widget in which to drag a scene: a built-in scene's name, a Scene, or two shapes.
 
     Drag shapes, vertices and handles, or Tab to one and use the arrow keys.  `goal` sets a challenge:
-    "touch", "one-axis" or, for a scene of a shortcut, "break".  A failing scene whose outlines are
-    refused has nothing to drag: its Picture, with the reason.  InvalidScene for an unknown name or goal,
+    "touch", "one-axis" or, for a scene of a shortcut, "break".  A failing scene whose outlines are refused
+    cannot be dragged: its Picture with the reason is returned.  InvalidScene for an unknown name or goal,
     ValueError for a scene that cannot be drawn, TypeError for anything else.
     """
     found = resolve(what, b, expected=EXPECT_SCENE)

@@ -1,4 +1,4 @@
-"""A scene under the hand, without the widget: a pose is answered with the picture that follows."""
+"""The explorer without its widget: each pose that a drag sends is answered with the picture that follows."""
 
 from dataclasses import replace
 from math import isfinite
@@ -11,22 +11,31 @@ from ..engine.trace import Trace, record
 from ..pictures import Picture
 from ..pictures.claims import heading
 from ..pictures.comparison_drag import describe_error_region, drag_view
-from ..pictures.curve import WIDTH, direction, gap_curve
-from ..pictures.labels import Standing
-from ..pictures.live import Chosen, canvas, field, fits, knob, live, telling_test, turned_axis
+from ..pictures.curve import CURVE_WIDTH_PT, gap_curve, unit_vector
+from ..pictures.drag import (
+    ShownTest,
+    all_marks_fit,
+    canvas_size,
+    decisive_test,
+    drag_layout,
+    drag_picture,
+    free_axis_picture,
+    knob_position,
+)
+from ..pictures.label_placer import LabelOffsets
 from ..pictures.minkowski import difference
-from ..pictures.playback import first_rows, rows
+from ..pictures.playback import first_row_numbers, table_rows
 from ..scenes.link import ViewOptions, fragment
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
 from ..scenes.strictjson import typed
-from .goals import ChallengeResult, begun, judged
+from .goals import ChallengeResult, challenge_start, evaluate_goal
 from .player_model import PlayerModel
 
 SHORTCUT, TRUTH = "shortcut", "truth"
 
 
-class Drawn(NamedTuple):
+class DrawnScene(NamedTuple):
     """The picture, the row of its axis in the table (None: not in it), and the handle that turns a free axis."""
 
     picture: Picture
@@ -35,7 +44,7 @@ class Drawn(NamedTuple):
 
 
 class ExplorerModel(PlayerModel):
-    """Two shapes to drag, turn and reshape, with the axis that tells most (or one chosen, or a free one).
+    """Two shapes to drag, turn and reshape, and one axis: the most telling one, a chosen one or a free one.
 
     A scene whose axes are a shortcut's has two views: the shortcut's run, and the truth.
     A goal is a challenge: what the scene is to become.
@@ -44,24 +53,24 @@ class ExplorerModel(PlayerModel):
 
     def __init__(self, shown: Scene, goal: str | None = None) -> None:
         self._degree: float | None = None
-        self._largest = canvas(None)
+        self._largest = canvas_size(None)
         self._way_out = self._against = False
         self._start(shown, goal)
         self._settle()
 
     def picture(self) -> Picture:
-        """The picture as it stands."""
+        """Return the picture of the scene as it is now."""
         return self._drawn.picture
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
-        """A pose, a preset by name, or a challenge: the state that follows, or why it cannot be."""
+        """Return the state after a pose, a preset or a challenge, or the reason why it is refused."""
         n, before = content.get("n"), {**vars(self), "_stood": dict(self._stood)}
         try:
             if content.get("kind") == "preset":
                 self._start(scene(typed(content.get("name"), "the preset", str)))
             elif content.get("kind") == "challenge":
                 goal = typed(content.get("goal"), "the challenge", str)
-                self._start(begun(goal, self.scene), goal)
+                self._start(challenge_start(goal, self.scene), goal)
             elif content.get("kind") == "pose":
                 self._pose(content)
             else:
@@ -73,7 +82,7 @@ class ExplorerModel(PlayerModel):
             return {"kind": "refused", "n": n, "why": str(error)}
 
     def state(self) -> dict[str, Any]:
-        """All that a front end shows."""
+        """Return all that a front end shows, as JSON values."""
         trace, drawn = self.trace, self._drawn
         found: dict[str, Any] = {
             "picture": drawn.picture.data(),
@@ -83,7 +92,7 @@ class ExplorerModel(PlayerModel):
             "relation": str(trace.relation),
             "sentence": drawn.picture.sentence,
             "enough": enough(trace)[1],
-            "rows": rows(trace),
+            "rows": table_rows(trace),
             "lit": drawn.lit,
             "json": self.scene.to_json(),
             "view": self._view,
@@ -99,30 +108,33 @@ class ExplorerModel(PlayerModel):
         if trace.shortcut and drawn.knob is None:
             found["map"] = describe_error_region(trace, self._layout)
         if drawn.knob is not None:
-            width = min(WIDTH, self._largest[0])
+            width = min(CURVE_WIDTH_PT, self._largest[0])
             found["curve"] = gap_curve(self.scene.a, self.scene.b, self._degree, width=width).data()
             found["knob"] = list(drawn.knob)
         return found
 
     def _shown(self) -> ViewOptions:
+        """Return what a link to this view contains."""
         view = self._view if self._view == TRUTH else None
         goal = self._judged.goal if self._judged else None
         return ViewOptions(self._degree, self._pinned, view, self._way_out, self._against, goal=goal)
 
     def _start(self, shown: Scene, goal: str | None = None) -> None:
-        trace, met = _trace(shown), judged(goal, shown) if goal else None
-        self._layout = field(trace, self._largest)
+        """Begin with a scene and perhaps a challenge."""
+        trace, met = _trace(shown), evaluate_goal(goal, shown) if goal else None
+        self._layout = drag_layout(trace, self._largest)
         self._at_first = shown.a, shown.b
         self._begun = shown.to_json()  # a pose says which scene it is of: undo goes back over presets too
         self._look(shown, trace, SHORTCUT if trace.shortcut else None, met)
         self._pinned: int | None = None
         self._near: Vec | None = None  # the way the axis lay before, so that it stays on its side
-        self._stood: Standing = {}  # how the labels stood, so that they do not jump
+        self._stood: LabelOffsets = {}  # how the labels stood, so that they do not jump
 
     def _pose(self, content: dict[str, Any]) -> None:
+        """Move both shapes to where the message says, after checking them like a scene file."""
         a, b = shape_from(content.get("a"), "A"), shape_from(content.get("b"), "B")
         degree, pinned = _number(content.get("degree"), "the angle"), content.get("pinned")
-        largest = canvas(_number(content.get("width"), "the width"))
+        largest = canvas_size(_number(content.get("width"), "the width"))
         if pinned is not None and not isinstance(pinned, int):
             raise InvalidScene("the axis shown must be a row's number")
         text = content.get("scene")
@@ -132,10 +144,10 @@ class ExplorerModel(PlayerModel):
         view = (content.get("view") or self._view or SHORTCUT) if trace.shortcut else None
         if view not in (None, SHORTCUT, TRUTH):
             raise InvalidScene(f'the view must be "{SHORTCUT}" or "{TRUTH}"')
-        layout = field(trace, largest)  # refused where it cannot be drawn
+        layout = drag_layout(trace, largest)  # refused where it cannot be drawn
         before = self._judged.goal if self._judged else None
         goal = content.get("goal", before)
-        met = None if goal is None else judged(typed(goal, "the challenge", str), changed)
+        met = None if goal is None else evaluate_goal(typed(goal, "the challenge", str), changed)
         if begun is not self.scene:
             self._begun, self._at_first = begun.to_json(), (begun.a, begun.b)
         # where the scene began it has the frame and the labels that it had there, whatever was shown since; while
@@ -153,46 +165,53 @@ class ExplorerModel(PlayerModel):
         self._look(changed, trace, view, met)
 
     def _look(self, scene: Scene, run: Trace, view: str | None, met: ChallengeResult | None) -> None:
-        """The run of the scene, the trace that the view shows, and how the scene stands to a challenge."""
+        """Record the scene and return the run, the trace that the view shows, and the result of the challenge."""
         self.scene, self._run, self._view, self._judged = scene, run, view, met
         self.trace = run.truth if view == TRUTH else run
 
     def _settle(self, *, final: bool = True) -> None:
-        """Draw; when a drag has ended the view is fitted anew if something lies outside."""
+        """Draw; when a drag has ended, fit the view again if something lies outside it."""
         self._drawn = self._draw()
-        if final and not fits(self._drawn.picture):
-            self._layout, self._stood = field(self.trace, self._largest), {}
+        if final and not all_marks_fit(self._drawn.picture):
+            self._layout, self._stood = drag_layout(self.trace, self._largest), {}
             self._drawn = self._draw()
 
-    def _draw(self) -> Drawn:
+    def _draw(self) -> DrawnScene:
+        """Draw the scene with its axis."""
         trace = self.trace
         if self._degree is not None:
-            free = record(self.scene.a, self.scene.b, axes=directions(direction(self._degree)))
-            drawn, place = turned_axis(free, self._layout, self._degree, near=self._near, stood=self._stood)
+            free = record(self.scene.a, self.scene.b, axes=directions(unit_vector(self._degree)))
+            drawn, place = free_axis_picture(
+                free, self._layout, self._degree, last_out=self._near, last_offsets=self._stood
+            )
             self._near = place.out
-            return Drawn(drawn, knob=knob(self._layout, place, self._degree))
+            return DrawnScene(drawn, knob=knob_position(self._layout, place, self._degree))
         chosen = self._choice()
-        show = drag_view if trace.shortcut else live
-        drawn, lies = show(trace, self._layout, chosen, way_out=self._way_out, near=self._near, stood=self._stood)
+        show = drag_view if trace.shortcut else drag_picture
+        drawn, lies = show(
+            trace, self._layout, chosen, show_mtv=self._way_out, last_out=self._near, last_offsets=self._stood
+        )
         self._near = None if lies is None else lies.out
-        return Drawn(drawn, lit=None if chosen is None else first_rows(trace)[chosen.pair or 0] + chosen.test)
+        lit = None if chosen is None else first_row_numbers(trace)[chosen.pair or 0] + chosen.test
+        return DrawnScene(drawn, lit=lit)
 
-    def _choice(self) -> Chosen | None:
-        """The axis that was asked for, as long as the trace has it; else the one that tells most."""
+    def _choice(self) -> ShownTest | None:
+        """Return the chosen axis as long as the trace has it, else the one that tells most."""
         if self._pinned is not None:
             runs = self.trace.pairs or (self.trace,)
-            for pair, (run, begin) in enumerate(zip(runs, first_rows(self.trace), strict=False)):
+            for pair, (run, begin) in enumerate(zip(runs, first_row_numbers(self.trace), strict=False)):
                 if begin <= self._pinned < begin + len(run.tests):
-                    return Chosen(pair if self.trace.pairs else None, self._pinned - begin)
-        return telling_test(self.trace)
+                    return ShownTest(pair if self.trace.pairs else None, self._pinned - begin)
+        return decisive_test(self.trace)
 
 
 def _number(value: Any, what: str) -> float | None:
+    """Return a finite number from a message; InvalidScene names `what` is wrong."""
     if value is not None and not (isinstance(value, (int, float)) and isfinite(value)):
         raise InvalidScene(f"{what} must be a number")
     return value
 
 
 def _trace(shown: Scene) -> Trace:
-    """Every axis, since the table shows them all."""
+    """Record a scene over every axis, since the table shows them all."""
     return shown.record().without_early_exit()

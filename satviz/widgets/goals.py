@@ -1,4 +1,4 @@
-"""Challenges: what a scene under the hand is to become, judged by the engine.  (Standard library only.)"""
+"""Challenges: what the reader is to turn a scene into, judged by the engine; standard library only."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -9,21 +9,21 @@ from ..engine.axes import needed
 from ..engine.geometry import InvalidScene, Relation, Vec
 from ..engine.trace import record
 from ..pictures.claims import answers
-from ..pictures.layout import box_of
-from ..pictures.live import field
+from ..pictures.drag import drag_layout
+from ..pictures.float_geometry import bounding_box
 from ..scenes.failing import FAILURE_CASES, NAMED, REFUSED, FailureCase
 from ..scenes.link import BREAK, ONE_AXIS, TOUCH
 from ..scenes.named import scene, scene_of_case
 from ..scenes.scenefile import Scene
 from ..scenes.shape_tools import translated
 
-CALLED = {TOUCH: "make them touch", ONE_AXIS: "exactly one axis", BREAK: "break the shortcut"}
-ASKS = {
+GOAL_NAMES = {TOUCH: "make them touch", ONE_AXIS: "exactly one axis", BREAK: "break the shortcut"}
+GOAL_TASKS = {
     ONE_AXIS: "Make exactly one axis separate the shapes.",
     TOUCH: "Make the shapes touch: not a hair apart, and no overlap.",
     BREAK: "Break this shortcut: find a place where it is wrong.",
 }
-HINTS = {
+GOAL_HINTS = {
     ONE_AXIS: "One axis is enough to keep them apart. Push the shapes together until all gaps but one have closed.",
     TOUCH: "Bring an edge flush with an edge, or a corner onto one. The arrow keys move a shape by the same step each "
     "time, with Shift by a tenth of it. A round shape touches exactly where its center is level with a corner or "
@@ -35,7 +35,7 @@ STEPS, WAYS = (1, 2, 3, 4, 6, 8), ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1
 
 
 class ChallengeResult(NamedTuple):
-    """The goal, is it reached, what is asked, how the scene stands to it, and a hint."""
+    """A challenge's goal, whether it is reached, the task, the state of the scene, and a hint."""
 
     goal: str
     met: bool
@@ -44,70 +44,73 @@ class ChallengeResult(NamedTuple):
     hint: str
 
 
-def judged(goal: str, shown: Scene) -> ChallengeResult:
-    """How a scene stands to a goal; InvalidScene for one that is none, or that the scene cannot have."""
-    if goal not in ASKS:
-        raise InvalidScene(f"no challenge {polygon_validation.shown(goal)}: choose one of {', '.join(ASKS)}")
-    met, says = {ONE_AXIS: _one_axis, TOUCH: _touch, BREAK: _break}[goal](shown)
-    return ChallengeResult(goal, met, ASKS[goal], says, HINTS[goal])
+def evaluate_goal(goal: str, shown: Scene) -> ChallengeResult:
+    """Return how a scene stands to a goal; InvalidScene for an unknown goal, or one that the scene cannot have."""
+    if goal not in GOAL_TASKS:
+        raise InvalidScene(f"no challenge {polygon_validation.shown(goal)}: choose one of {', '.join(GOAL_TASKS)}")
+    met, says = {ONE_AXIS: _evaluate_one_axis, TOUCH: _evaluate_touch, BREAK: _evaluate_break}[goal](shown)
+    return ChallengeResult(goal, met, GOAL_TASKS[goal], says, GOAL_HINTS[goal])
 
 
-def begun(goal: str, shown: Scene) -> Scene:
-    """Where a challenge begins that is set while a scene is shown: there, unless it is or cannot be reached there."""
-    if not judged(goal, shown).met and not (goal == ONE_AXIS and _dented(shown)):
+def challenge_start(goal: str, shown: Scene) -> Scene:
+    """Return the scene with which a challenge begins: the one shown, unless it meets the goal or never can."""
+    if not evaluate_goal(goal, shown).met and not (goal == ONE_AXIS and _has_concave_shape(shown)):
         return shown
-    start = harmless(NAMED[shown.axes]) if goal == BREAK else next(s for g, s in challenges() if g == goal)
+    start = start_where_right(NAMED[shown.axes]) if goal == BREAK else next(s for g, s in challenges() if g == goal)
     if start is None:
         raise InvalidScene("no place is near where this shortcut is right, so there is nothing to break")
     return start
 
 
 def challenges() -> Iterator[tuple[str, Scene]]:
-    """(goal, the scene to begin with) of those that the site sets."""
+    """Return (goal, first scene) of each challenge that the site offers."""
     yield TOUCH, scene("aabb")
     yield ONE_AXIS, replace(scene("triangles"), axes="needed")
     yield TOUCH, scene("circle-polygon")
     for row in FAILURE_CASES:
-        start = None if row.how == REFUSED else harmless(row)
+        start = None if row.how == REFUSED else start_where_right(row)
         if start:
             yield BREAK, start
 
 
-def harmless(row: FailureCase) -> Scene | None:
+def start_where_right(row: FailureCase) -> Scene | None:
     """The row's scene with B moved to where the shortcut happens to be right; None where no such place is near."""
     a, b = row.shapes
-    x0, y0, x1, y1 = box_of([a, b])
+    x0, y0, x1, y1 = bounding_box([a, b])
     step = float(f"{max(x1 - x0, y1 - y0) / 4:.1g}")
     for size in STEPS:
         for x, y in WAYS:
             start = replace(scene_of_case(row), b=translated(b, Vec(size * step * x, size * step * y)))
             if not answers(start.record()).is_wrong:
-                field(start.record())
+                drag_layout(start.record())
                 return start
     return None
 
 
-def _one_axis(shown: Scene) -> tuple[bool, str]:
-    if _dented(shown):
+def _evaluate_one_axis(shown: Scene) -> tuple[bool, str]:
+    """Return whether one axis is enough, and how many are needed now."""
+    if _has_concave_shape(shown):
         return False, "A shape has a dent, and only convex ones count: drag the corner out, or choose another scene."
     trace = record(shown.a, shown.b, axes=needed, every_axis=True)
-    count = len({_line(test.axis.direction) for test in trace.tests if test.separates})
+    count = len({_rounded_line(test.axis.direction) for test in trace.tests if test.separates})
     if count == 1:
         return True, "Exactly one axis separates them."
     return False, "No axis separates them: they collide." if not count else f"{count} axes separate them."
 
 
-def _dented(shown: Scene) -> bool:
+def _has_concave_shape(shown: Scene) -> bool:
+    """Return whether one of the shapes is concave."""
     return not (shown.a.is_convex and shown.b.is_convex)
 
 
-def _line(direction: Vec) -> tuple[float, float]:
-    """The axis without its sense, as finely as an eye tells axes: edges moved by a hand are parallel up to rounding."""
+def _rounded_line(direction: Vec) -> tuple[float, float]:
+    """Return an axis without its sense, rounded as an eye sees it: a dragged edge is parallel only up to rounding."""
     x, y = round(direction.x, 9) + 0.0, round(direction.y, 9) + 0.0
     return max((x, y), (0.0 - x, 0.0 - y))
 
 
-def _touch(shown: Scene) -> tuple[bool, str]:
+def _evaluate_touch(shown: Scene) -> tuple[bool, str]:
+    """Return whether the shapes touch, and what is missing."""
     trace = record(shown.a, shown.b, every_axis=True)
     if trace.relation is Relation.TOUCHING:
         return True, "They touch, exactly."
@@ -118,7 +121,8 @@ def _touch(shown: Scene) -> tuple[bool, str]:
     return False, f"They are apart: {describe.outcome(best, describe.digits(run, best))}."
 
 
-def _break(shown: Scene) -> tuple[bool, str]:
+def _evaluate_break(shown: Scene) -> tuple[bool, str]:
+    """Return whether the shortcut's answer is wrong, and what it says."""
     trace = shown.record()
     if trace.shortcut is None:
         raise InvalidScene(f"the axes {shown.axes!r} are no shortcut, so there is nothing to break")

@@ -8,13 +8,13 @@ import ipywidgets as ui
 
 from ..engine.trace import Trace
 from ..pictures import LIGHT, Picture, picture, steps
-from ..pictures.caption import reading
+from ..pictures.caption import reading_time_ms
 from ..render.files import canvas, styled
 from .base import LOCK, still
 
 
 class PlainPlayer(ui.VBox):  # type: ignore[misc]
-    """A slider, a play button and the picture, drawn anew on one Figure for each step."""
+    """A player with a slider, a play button and the picture, which is drawn again on one Figure for each step."""
 
     def __init__(self, trace: Trace) -> None:
         self.trace = trace
@@ -23,36 +23,38 @@ class PlainPlayer(ui.VBox):  # type: ignore[misc]
         self.image = ui.Image(format="png", layout={"max_width": "100%", "object_fit": "contain"})
         self.sentence = ui.HTML()
         self.slider = ui.IntSlider(0, 0, last, description="step")
-        self.player = ui.Play(value=0, min=0, max=last, interval=reading(picture(trace, 0).sentence))
+        self.player = ui.Play(value=0, min=0, max=last, interval=reading_time_ms(picture(trace, 0).sentence))
         ui.jslink((self.player, "value"), (self.slider, "value"))
         back, forward = (ui.Button(description=name, layout={"width": "80px"}) for name in ("back", "forward"))
-        back.on_click(lambda _: self._by(-1))
-        forward.on_click(lambda _: self._by(1))
+        back.on_click(lambda _: self._move(-1))
+        forward.on_click(lambda _: self._move(1))
         self.slider.observe(lambda _: self._draw(), "value")
         super().__init__([self.image, self.sentence, ui.HBox([self.player, back, forward, self.slider])])
         self._draw()
 
-    def _by(self, way: int) -> None:
-        self.slider.value = max(0, min(self.slider.max, self.slider.value + way))
+    def _move(self, count: int) -> None:
+        """Go that many steps forward, or back where `count` is negative."""
+        self.slider.value = max(0, min(self.slider.max, self.slider.value + count))
 
     def _draw(self) -> None:
+        """Show the step at which the slider stands."""
         with LOCK, styled():
             drawn = picture(self.trace, self.slider.value)
             self.pen.draw(drawn)
             out = io.BytesIO()
             self.figure.savefig(out, format="png", dpi=96)
         self.image.value = out.getvalue()
-        self.player.interval = reading(drawn.sentence)
+        self.player.interval = reading_time_ms(drawn.sentence)
         self.sentence.value = f"<p>{escape(drawn.sentence)}</p>"
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {self.trace.sentence}>"
 
     def picture(self) -> Picture:
-        """What is shown where no front end runs (a box loses its children's)."""
+        """Return the picture for a place where no front end runs; a box does not show its children's there."""
         return picture(self.trace)
 
     def _repr_mimebundle_(self, **more: Any) -> dict[str, Any]:
-        """The widget, and for where none runs the picture and the sentence."""
+        """Return the widget, and its picture and sentence for a place where no widget runs."""
         found = super()._repr_mimebundle_(**more) or {}
         return {**found, **still(self)}

@@ -8,20 +8,20 @@ from ..engine.shapes import Shape
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
 from ..pictures.comparison import refused_picture
-from ..pictures.playback import narrow, playbacks
+from ..pictures.playback import narrow_playbacks, playbacks
 from ..render.script import javascript
 from ..scenes.link import fragment_of_trace
 from ..scenes.resolve import SceneLike, resolve
 from ..scenes.scenefile import Scene
-from .base import Shown
+from .base import TraceWidget
 from .player_model import PlayerModel
 
 if TYPE_CHECKING:
     from .plain_controls import PlainPlayer
 
 
-class Player(Shown):
-    """The steps of a trace with their table, algorithm and sentences; it never plays by itself."""
+class Player(TraceWidget):
+    """A player of a trace's steps, with their table, algorithm and sentences; it never starts by itself."""
 
     _esm = javascript("play")
     shows: traitlets.List[dict[str, Any]] = traitlets.List().tag(sync=True)
@@ -33,13 +33,13 @@ class Player(Shown):
         super().__init__(
             PlayerModel(trace),
             shows=playbacks(trace),
-            narrow=narrow(trace),
+            narrow=narrow_playbacks(trace),
             predict=predict,
             link=fragment_of_trace(trace),
         )
 
     def picture(self) -> Picture:
-        """What is shown where no front end runs: to one who is asked not the answer."""
+        """Return the picture for a place where no front end runs; with `predict` it does not give the answer away."""
         return picture(self.trace, 0) if self.predict else super().picture()
 
     def __repr__(self) -> str:
@@ -65,13 +65,13 @@ def play(
 
 
 def play(what: SceneLike | Shape, b: Shape | None = None, *, predict: bool = False, pen: str = "svg") -> Any:
-    """A player for a notebook: step, play, scrub, and with `predict` a question before each answer.
+    """Return a player for a notebook: step, play, scrub, and with `predict` a question before each answer.
 
-    Of a scene (or its name), two shapes, or a trace.  `pen`: "svg" (drawn in the browser) or
+    `what` is a scene (or its name), two shapes, or a trace.  `pen` is "svg" (drawn in the browser) or
     "matplotlib" (plain ipywidgets controls, for places where anywidget does not load).
-    What a shortcut saw tells what is, so `predict` asks about the true run.
-    A failing scene whose outlines are refused has nothing to step through: its Picture, with the reason.
-    ValueError for a scene that cannot be drawn.
+    A shortcut's run is drawn beside the truth, which would give the answers away, so `predict` asks about the
+    true run.  Of a failing scene whose outlines are refused, which has no steps, its Picture with the reason is
+    returned.  ValueError for a scene that cannot be drawn.
     """
     found = resolve(what, b)
     if found.refused:

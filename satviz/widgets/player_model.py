@@ -1,36 +1,34 @@
-"""A trace on show, without the widget: its pictures, and those that a message asks to save."""
+"""The player without the widget: the pictures of a trace, and those that a message asks to save."""
 
 from typing import Any
 
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
-from ..pictures.playback import played
+from ..pictures.playback import playback_steps
 
 
 class PlayerModel:
-    """The trace that is shown, and what its front end is answered."""
+    """A trace that is shown, and the answers to its front end."""
 
     def __init__(self, trace: Trace) -> None:
         self.trace = trace
 
     def picture(self) -> Picture:
-        """What is shown where no front end runs."""
+        """Return the picture for a place where no front end runs."""
         return picture(self.trace)
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
-        """The answer to a message; None to one that means nothing."""
+        """Return the answer to a message; None for a message of unknown kind, and a player knows none."""
         return None
 
-    def to_save(self, content: dict[str, Any]) -> list[Picture]:
-        """What a message asks to save: one picture, all steps for an animation; none if it means nothing.
+    def pictures_to_save(self, content: dict[str, Any], *, every_step: bool) -> list[Picture]:
+        """Return what a message asks to save: with `every_step` each step's picture, else one picture.
 
-        ValueError for too many steps.
+        The list is empty for a step that the trace does not have.  ValueError for too many steps.
         """
-        form, step = content.get("form"), content.get("step")
-        if form not in ("svg", "png", "gif"):
-            return []
-        if form != "gif" and not isinstance(step, int):
+        step = content.get("step")
+        if not every_step and not isinstance(step, int):
             return [self.picture()]
         trace = self.trace.without_early_exit() if content.get("which") else self.trace
-        every = played(trace)
-        return [picture(trace, s) for i, s in enumerate(every) if form == "gif" or i == step]
+        shown = playback_steps(trace)
+        return [picture(trace, s) for i, s in enumerate(shown) if every_step or i == step]

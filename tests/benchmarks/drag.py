@@ -64,8 +64,11 @@ ASK = """async code => {
 
 
 class Drag(NamedTuple):
-    """What was seen: how many moves the outline followed in the same event, the pictures' ages in milliseconds,
-    how often the kernel was shown busy or idle."""
+    """What was measured during a drag.
+
+    `followed`: the moves that the outline followed in the same event; `ages`: of the pictures, in milliseconds;
+    `switches`: how often the kernel was shown as busy or idle.
+    """
 
     moves: int
     followed: int
@@ -75,16 +78,16 @@ class Drag(NamedTuple):
 
     @property
     def rate(self) -> float:
-        """Pictures a second."""
+        """Return the pictures a second."""
         return len(self.ages) / self.seconds
 
     def age(self, part: float) -> float:
-        """The age that this part of the pictures does not exceed."""
+        """Return the age in milliseconds that this part (0 to 1) of the pictures does not exceed."""
         return sorted(self.ages)[min(int(len(self.ages) * part), len(self.ages) - 1)]
 
 
-def opened(browser, lab):
-    """A page with an explorer in it."""
+def open_explorer(browser, lab):
+    """Return a page with a notebook that shows an explorer."""
     page = browser.new_page(viewport={"width": 1400, "height": 1500})
     page.add_init_script(f"({WATCH})()")
     lab.notebook("drag.ipynb", "import satviz as sv\nw = sv.explore('triangles')\nw")
@@ -95,8 +98,8 @@ def opened(browser, lab):
     return page
 
 
-def taken(page):
-    """Press on B; where."""
+def press_on_b(page):
+    """Move the pointer to B and press; return where."""
     box = page.locator("[data-handle='B-move']").bounding_box()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     page.mouse.move(x, y)
@@ -104,39 +107,40 @@ def taken(page):
     return x, y
 
 
-def dragged(page, moves=180) -> Drag:
-    """Drag B by so many moves at 60 Hz, and back to its place."""
-    found = page.evaluate(DRAG, [*taken(page), moves])
+def drag_b(page, moves=180) -> Drag:
+    """Drag B by so many moves at 60 Hz, then reset the explorer; return what was measured."""
+    found = page.evaluate(DRAG, [*press_on_b(page), moves])
     page.mouse.up()
     page.get_by_role("button", name="reset").click()
     page.wait_for_timeout(500)
     return Drag(**found)
 
 
-def kernel(page, code):
-    """What the kernel prints."""
+def run_in_kernel(page, code):
+    """Run code in the kernel and return what it prints."""
     return page.evaluate(ASK, code)
 
 
 def kernel_bytes(page):
-    """The kernel's memory."""
-    return int(kernel(page, "import gc, psutil; gc.collect(); print(psutil.Process().memory_info().rss)"))
+    """Return the bytes of memory that the kernel takes."""
+    return int(run_in_kernel(page, "import gc, psutil; gc.collect(); print(psutil.Process().memory_info().rss)"))
 
 
 def main():
+    """Drag in a real JupyterLab and print the measurements."""
     sys.path.insert(0, str(Path(__file__).parents[1]))
     from browser import chromium, jupyterlab
 
     with tempfile.TemporaryDirectory() as folder, jupyterlab(Path(folder)) as lab, chromium() as browser:
-        page = opened(browser, lab)
+        page = open_explorer(browser, lab)
         print("run  moves  followed  pictures/s  age p50    p90    max ms  busy or idle")
         for i in range(RUNS):
-            drag = dragged(page)
+            drag = drag_b(page)
             ages = f"{drag.age(0.5):7.1f}{drag.age(0.9):7.1f}{drag.age(1):7.1f}"
             print(f"{i + 1:3}{drag.moves:7}{drag.followed:10}{drag.rate:12.1f}  {ages}{drag.switches:17}")
         before = kernel_bytes(page)
         for _ in range(DRAGS):
-            x, y = taken(page)
+            x, y = press_on_b(page)
             page.mouse.move(x - 40, y)
             page.mouse.move(x, y)
             page.mouse.up()

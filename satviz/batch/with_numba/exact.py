@@ -1,39 +1,42 @@
-"""Any pair of convex polygons settled to the exact relation, compiled with numba.
+"""The exact relation of any pair of convex polygons, compiled with numba.
 
-An axis or a shared point found in a few steps, for outlines of many corners; then around both
-outlines edge by edge, with the exact sign asked of every corner within the room of zero.
+For outlines of many corners a few steps of GJK look for an axis or a shared point.  Then both outlines are
+evaluated edge by edge; the exact sign is computed for every corner within the error bound of zero.
+Names in the kernels: x, y are the coordinates of one outline (corners i0 to i1) and p, q those of the other
+(corners j0 to j1); e and f are the ends of an edge, n its normal; `terms` is scratch for exact sums;
+`max_coordinate` is the sum of the largest absolute coordinates of both shapes.
 """
 
 import numpy as np
 
 from ...engine.predicates import HUGE, TINY
-from ...engine.relate import ERROR_FACTOR_F64, LEAST_ROOM, MOST_ROOM
+from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
-from ..exact_signs import FINEST, MOST_PASSES, ROUND, SPLIT, UNKNOWN, Array
+from ..exact_signs import ERRBOUND_A, ERRBOUND_C, MAX_PASSES, SPLITTER, UNKNOWN, Array
 from .jit_cache import compiled, inlined
 
-MOST_STEPS = 20
-TERMS = 12  # floats that a turn is the sum of
+MAX_STEPS = 20  # steps of GJK or corners of a walk before it gives up
+MAX_TERMS = 12  # floats whose sum is an orientation
 
 
 @inlined
-def of_few(
-    x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, reach: float, terms: Array
+def relate_few_corners(
+    x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, max_coordinate: float, terms: Array
 ) -> int:
-    """The exact relation of corners i0 to i1 of one row with j0 to j1 of another; UNDECIDED out of range.
+    """Return the exact relation of corners i0 to i1 of one row with j0 to j1 of another; UNDECIDED out of range.
 
-    `reach`: both largest coordinates together; `terms`: scratch.
+    `max_coordinate`: both largest coordinates together; `terms`: scratch.
     """
-    side = _edges(x, y, i0, i1, i0, i1, p, q, j0, j1, reach, terms)
-    return _edges(p, q, j0, j1, j0, j1, x, y, i0, i1, reach, terms) if side == OVERLAPPING else side
+    side = _classify_edges(x, y, i0, i1, i0, i1, p, q, j0, j1, max_coordinate, terms)
+    return _classify_edges(p, q, j0, j1, j0, j1, x, y, i0, i1, max_coordinate, terms) if side == OVERLAPPING else side
 
 
 @inlined
-def of_many(
-    x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, reach: float, terms: Array
+def relate_many_corners(
+    x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, max_coordinate: float, terms: Array
 ) -> int:
-    """The same, quicker for outlines of many corners."""
-    found, i, j = _soon(x, y, i0, i1, p, q, j0, j1, reach)
+    """Return the exact relation as `relate_few_corners` does, faster for outlines of many corners."""
+    found, i, j = _gjk(x, y, i0, i1, p, q, j0, j1, max_coordinate)
     if found != UNDECIDED:
         return found
     # the edges at the corners where the search ended tell most touching shapes; then around both
@@ -41,23 +44,24 @@ def of_many(
     for first, last in ((0, 2), (2, max(i1 - i0, j1 - j0))):
         for n in range(first, min(last, i1 - i0)):
             end = i + n if i + n < i1 else i + n - (i1 - i0)
-            side, k = _side(x, y, i0, i1, end, p, q, j0, j1, k, reach, terms)
+            side, k = _classify_edge(x, y, i0, i1, end, p, q, j0, j1, k, max_coordinate, terms)
             if side != OVERLAPPING:
                 return side
         for n in range(first, min(last, j1 - j0)):
             end = j + n if j + n < j1 else j + n - (j1 - j0)
-            side, m = _side(p, q, j0, j1, end, x, y, i0, i1, m, reach, terms)
+            side, m = _classify_edge(p, q, j0, j1, end, x, y, i0, i1, m, max_coordinate, terms)
             if side != OVERLAPPING:
                 return side
     return OVERLAPPING
 
 
 @inlined
-def _edges(
-    x: Array, y: Array, i0: int, i1: int, first: int, last: int, p: Array, q: Array, j0: int, j1: int, reach: float,
+def _classify_edges(
+    x: Array, y: Array, i0: int, i1: int, first: int, last: int, p: Array, q: Array, j0: int, j1: int,
+    max_coordinate: float,
     terms: Array,
 ) -> int:  # fmt: skip
-    """What the edges that end in corners first to last tell, looking at every corner of the other shape.
+    """Return the relation that the edges ending in corners first to last prove, evaluating every other corner.
 
     APART where all corners lie beyond one.  Where some lie on its line and none before, the shapes can only
     meet there: TOUCHING, or APART, as their ranges on the line tell.  Else OVERLAPPING for now; UNDECIDED
@@ -68,19 +72,19 @@ def _edges(
     for i in range(first, last):
         fx, fy = x[i], y[i]
         nx, ny = fy - ey, ex - fx
-        at, room = nx * ex + ny * ey, (abs(nx) + abs(ny)) * reach * ERROR_FACTOR_F64
+        at, error_bound = nx * ex + ny * ey, (abs(nx) + abs(ny)) * max_coordinate * ERROR_FACTOR_F64
         least = np.inf
         for j in range(j0, j1):
             least = min(least, nx * p[j] + ny * q[j])
-        if not (room > LEAST_ROOM and room < MOST_ROOM):
+        if not (error_bound > MIN_ERROR_BOUND and error_bound < MAX_ERROR_BOUND):
             return UNDECIDED
-        if least - at > room:
+        if least - at > error_bound:
             return APART
-        if least - at >= -room:
+        if least - at >= -error_bound:
             low, high, lowest = np.inf, -np.inf, 1
             for j in range(j0, j1):
-                if nx * p[j] + ny * q[j] - at <= room:
-                    sign = turn(fx, fy, ex, ey, p[j], q[j], terms)
+                if nx * p[j] + ny * q[j] - at <= error_bound:
+                    sign = orient(fx, fy, ex, ey, p[j], q[j], terms)
                     lowest = min(lowest, sign)
                     if sign == 0:
                         on = q[j] if ex == fx else p[j]
@@ -88,40 +92,44 @@ def _edges(
             if lowest == UNKNOWN:
                 return UNDECIDED
             if lowest >= 0:
-                return TOUCHING if lowest == 0 and _meet(ex, ey, fx, fy, low, high) else APART
+                return TOUCHING if lowest == 0 and _edge_meets_range(ex, ey, fx, fy, low, high) else APART
         ex, ey = fx, fy
     return OVERLAPPING
 
 
 @compiled
-def _side(
-    x: Array, y: Array, i0: int, i1: int, end: int, p: Array, q: Array, j0: int, j1: int, k: int, reach: float,
+def _classify_edge(
+    x: Array, y: Array, i0: int, i1: int, end: int, p: Array, q: Array, j0: int, j1: int, k: int, max_coordinate: float,
     terms: Array,
 ) -> tuple[int, int]:  # fmt: skip
-    """What the edge that ends in a corner tells, and a corner of the other shape low along its normal.
+    """Return (relation that the edge ending in a corner proves, a corner of the other shape low along its normal).
 
     Down the outline from corner k one is soon found that lies before the edge.  That alone is taken from walking,
     which rounding can stop: where none is found, all are looked at.
     """
     start = end - 1 if end > i0 else i1 - 1
     nx, ny = y[end] - y[start], x[start] - x[end]
-    room = (abs(nx) + abs(ny)) * reach * ERROR_FACTOR_F64
-    k = _down(p, q, j0, j1, k, nx, ny)
-    if nx * p[k] + ny * q[k] - (nx * x[end] + ny * y[end]) < -room and room > LEAST_ROOM and room < MOST_ROOM:
+    error_bound = (abs(nx) + abs(ny)) * max_coordinate * ERROR_FACTOR_F64
+    k = _walk_down(p, q, j0, j1, k, nx, ny)
+    if (
+        nx * p[k] + ny * q[k] - (nx * x[end] + ny * y[end]) < -error_bound
+        and error_bound > MIN_ERROR_BOUND
+        and error_bound < MAX_ERROR_BOUND
+    ):
         return OVERLAPPING, k
-    return _edges(x, y, i0, i1, end, end + 1, p, q, j0, j1, reach, terms), k
+    return _classify_edges(x, y, i0, i1, end, end + 1, p, q, j0, j1, max_coordinate, terms), k
 
 
 @compiled
-def _meet(ex: float, ey: float, fx: float, fy: float, low: float, high: float) -> bool:
-    """Does an edge reach a range of its line?  Places on it are told by x, or by y where it stands upright."""
+def _edge_meets_range(ex: float, ey: float, fx: float, fy: float, low: float, high: float) -> bool:
+    """Return whether an edge meets a range on its own line; places are given by x, or by y if it is vertical."""
     e, f = (ey, fy) if ex == fx else (ex, fx)
     return low <= max(e, f) and high >= min(e, f)
 
 
 @inlined
-def _on(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> int:
-    """From corner k on, as long as the outline falls along (dx, dy)."""
+def _walk_down_onward(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> int:
+    """Return the corner reached by walking onward from k while the outline falls along (dx, dy)."""
     for _ in range(i0, i1):
         i = k + 1 if k + 1 < i1 else i0
         if dx * (x[i] - x[k]) + dy * (y[i] - y[k]) >= 0:
@@ -131,9 +139,9 @@ def _on(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> i
 
 
 @inlined
-def _down(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> int:
-    """From corner k on or back, as long as the outline falls along (dx, dy)."""
-    end = _on(x, y, i0, i1, k, dx, dy)
+def _walk_down(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> int:
+    """Return the corner reached by walking from k, onward or back, while the outline falls along (dx, dy)."""
+    end = _walk_down_onward(x, y, i0, i1, k, dx, dy)
     if end == k:
         for _ in range(i0, i1):
             i = k - 1 if k > i0 else i1 - 1
@@ -145,22 +153,22 @@ def _down(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) ->
 
 
 @inlined
-def _lowest(x: Array, y: Array, i0: int, i1: int, dx: float, dy: float) -> int:
-    """The corner lowest along (dx, dy), up to rounding: to look at all without a branch is quicker than to walk."""
+def _lowest_corner(x: Array, y: Array, i0: int, i1: int, dx: float, dy: float) -> int:
+    """Return the corner lowest along (dx, dy), up to rounding; evaluating all without a branch beats walking."""
     k, least = 0, np.inf
     for n in range(i1 - i0):
         i = np.uintp(i0 + n)  # unsigned: numba need not ask whether it counts from the end
-        look = dx * x[i] + dy * y[i]
-        k = n if look < least else k
-        least = look if look < least else least
+        value = dx * x[i] + dy * y[i]
+        k = n if value < least else k
+        least = value if value < least else least
     return i0 + k
 
 
 @compiled
-def _soon(
-    x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, reach: float
+def _gjk(
+    x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, max_coordinate: float
 ) -> tuple[int, int, int]:
-    """APART or OVERLAPPING where an axis or a shared point is found in a few steps, else UNDECIDED.
+    """Return (APART or OVERLAPPING if a few steps of GJK prove it, else UNDECIDED; the last corner of each shape).
 
     The differences of B's corners and A's span a polygon about the origin if the shapes overlap: its lowest
     corner along an axis above zero proves a gap, a triangle of its corners about the origin a shared
@@ -169,14 +177,14 @@ def _soon(
     i, j = (i0 + i1) // 2, (j0 + j1) // 2
     dx, dy = (p[j0] - x[i0]) + (p[j] - x[i]), (q[j0] - y[i0]) + (q[j] - y[i])
     ux = uy = vx = vy = 0.0
-    for step in range(MOST_STEPS):
-        i, j = _lowest(x, y, i0, i1, -dx, -dy), _lowest(p, q, j0, j1, dx, dy)
+    for step in range(MAX_STEPS):
+        i, j = _lowest_corner(x, y, i0, i1, -dx, -dy), _lowest_corner(p, q, j0, j1, dx, dy)
         wx, wy = p[j] - x[i], q[j] - y[i]
-        room = (abs(dx) + abs(dy)) * reach * ERROR_FACTOR_F64
+        error_bound = (abs(dx) + abs(dy)) * max_coordinate * ERROR_FACTOR_F64
         at = dx * wx + dy * wy
-        if not (room > LEAST_ROOM and room < MOST_ROOM) or abs(at) <= room:
+        if not (error_bound > MIN_ERROR_BOUND and error_bound < MAX_ERROR_BOUND) or abs(at) <= error_bound:
             return UNDECIDED, i, j
-        if at > room:
+        if at > error_bound:
             return APART, i, j
         if step == 0:
             ux, uy, dx, dy = wx, wy, wx, wy
@@ -184,7 +192,7 @@ def _soon(
         if step == 1:
             vx, vy = wx, wy
         else:
-            one, other = _cross(vx, vy, wx, wy), _cross(wx, wy, ux, uy)
+            one, other = _certified_cross(vx, vy, wx, wy), _certified_cross(wx, wy, ux, uy)
             if one > 0 and other > 0:
                 return OVERLAPPING, i, j
             if one < 0:
@@ -193,7 +201,7 @@ def _soon(
                 vx, vy = wx, wy
             else:
                 return UNDECIDED, i, j
-        side = _cross(ux, uy, vx, vy)
+        side = _certified_cross(ux, uy, vx, vy)
         if side < 0:
             ux, uy, vx, vy = vx, vy, ux, uy
         elif not side > 0:
@@ -204,76 +212,85 @@ def _soon(
 
 
 @inlined
-def inside(x: Array, y: Array, i0: int, i1: int, px: float, py: float, reach: float) -> bool:
-    """Does a point of a shape's box lie surely inside it?  Never sure out of range."""
-    room, left = reach * ERROR_FACTOR_F64, 0
+def is_certainly_inside(x: Array, y: Array, i0: int, i1: int, px: float, py: float, max_coordinate: float) -> bool:
+    """Return whether a point is certainly inside an outline; False out of the range of the error bound."""
+    error_bound, left = max_coordinate * ERROR_FACTOR_F64, 0
     for n in range(i1 - i0 - 1):
         i = np.uintp(i0 + n)
         j = i + np.uintp(1)
-        left += _left(x[i], y[i], x[j], y[j], px, py, room)
-    return left == i1 - i0 - 1 and _left(x[i1 - 1], y[i1 - 1], x[i0], y[i0], px, py, room) and reach * reach < HUGE
+        left += _is_certainly_left(x[i], y[i], x[j], y[j], px, py, error_bound)
+    return (
+        left == i1 - i0 - 1
+        and _is_certainly_left(x[i1 - 1], y[i1 - 1], x[i0], y[i0], px, py, error_bound)
+        and max_coordinate * max_coordinate < HUGE
+    )
 
 
 @inlined
-def _left(ex: float, ey: float, fx: float, fy: float, px: float, py: float, room: float) -> bool:
-    """Surely left of the way from e to f?  As one look of verdict; TINY is far more than products lose below it."""
+def _is_certainly_left(ex: float, ey: float, fx: float, fy: float, px: float, py: float, error_bound: float) -> bool:
+    """Return whether p is certainly left of the line from e to f; same error bound as in `relate`."""
     dx, dy = fx - ex, fy - ey
-    return dx * (py - ey) - dy * (px - ex) > (abs(dx) + abs(dy)) * room + TINY
+    return dx * (py - ey) - dy * (px - ex) > (abs(dx) + abs(dy)) * error_bound + TINY
 
 
 @compiled
-def _cross(ux: float, uy: float, vx: float, vy: float) -> float:
-    """The turn from u to v; 0 where rounding may hide its sign."""
+def _certified_cross(ux: float, uy: float, vx: float, vy: float) -> float:
+    """Return the cross product of u and v, or 0 where rounding may hide its sign."""
     left, right = ux * vy, uy * vx
     size = abs(left) + abs(right)
-    return left - right if abs(left - right) > ROUND * size and size > TINY else 0.0
+    return left - right if abs(left - right) > ERRBOUND_A * size and size > TINY else 0.0
 
 
 @compiled
-def turn(px: float, py: float, qx: float, qy: float, rx: float, ry: float, terms: Array) -> int:
-    """signs.orient for one: the exact turn from p over q to r; UNKNOWN out of range."""
+def orient(px: float, py: float, qx: float, qy: float, rx: float, ry: float, terms: Array) -> int:
+    """Return the exact orientation of p, q, r, as exact_signs.orient does for arrays; UNKNOWN out of range."""
     left, right = (qx - px) * (ry - py), (qy - py) * (rx - px)
     size = abs(left) + abs(right)
-    if abs(left - right) > ROUND * size and size > TINY and size < HUGE:
+    if abs(left - right) > ERRBOUND_A * size and size > TINY and size < HUGE:
         return 1 if left > right else -1
     if (rx == px and ry == py) or (rx == qx and ry == qy):
         return 0
     a, b, c, d = qx - px, ry - py, qy - py, rx - px
-    ea, eb, ec, ed = _lost(qx, px, a), _lost(ry, py, b), _lost(qy, py, c), _lost(rx, px, d)
+    ea, eb, ec, ed = (
+        _two_diff_tail(qx, px, a),
+        _two_diff_tail(ry, py, b),
+        _two_diff_tail(qy, py, c),
+        _two_diff_tail(rx, px, d),
+    )
     if size > TINY and size < HUGE:
         # with what the differences and the products lost: signs.orient says how far this can be off
-        (e, left), (f, right) = _product(a, b), _product(c, d)
+        (e, left), (f, right) = two_product(a, b), two_product(c, d)
         turn = (left - right) + ((e - f) + ((a * eb + ea * b) - (c * ed + ec * d)))
-        if abs(turn) > FINEST * size:
+        if abs(turn) > ERRBOUND_C * size:
             return 1 if turn > 0 else -1
     # a product beyond the floats leaves an infinity among the terms, and no sum is told of that
-    if ea == 0 and eb == 0 and ec == 0 and ed == 0 and _holds(a, b) and _holds(c, d):
-        terms[0], terms[2] = _product(a, b)
-        terms[1], terms[3] = _product(-c, d)
-        return _sign_of_sum(terms, 4)
+    if ea == 0 and eb == 0 and ec == 0 and ed == 0 and _is_product_exact(a, b) and _is_product_exact(c, d):
+        terms[0], terms[2] = two_product(a, b)
+        terms[1], terms[3] = two_product(-c, d)
+        return sign_of_sum(terms, 4)
     for i, (a, b) in enumerate(((px, qy), (-py, qx), (qx, ry), (-qy, rx), (rx, py), (-ry, px))):
-        if not _holds(a, b):
+        if not _is_product_exact(a, b):
             return UNKNOWN
-        terms[i], terms[6 + i] = _product(a, b)
-    return _sign_of_sum(terms, TERMS)
+        terms[i], terms[6 + i] = two_product(a, b)
+    return sign_of_sum(terms, MAX_TERMS)
 
 
 @compiled
-def _lost(a: float, b: float, difference: float) -> float:
-    """What a rounded difference lost: with it, it is exact."""
+def _two_diff_tail(a: float, b: float, difference: float) -> float:
+    """Return the rounding error of a difference; difference plus error is exact."""
     part = a - difference
     return (a - (difference + part)) + (part - b)
 
 
 @compiled
-def _holds(a: float, b: float) -> bool:
-    """Is the product either 0 or large enough to keep all its bits in two floats?"""
+def _is_product_exact(a: float, b: float) -> bool:
+    """Return whether the product is 0 or large enough for two floats to hold all its bits."""
     return abs(a * b) >= TINY or a == 0 or b == 0
 
 
 @compiled
-def _product(a: float, b: float) -> tuple[float, float]:
-    """(error, rounded product)."""
+def two_product(a: float, b: float) -> tuple[float, float]:
+    """Return a * b as (error, rounded product) (Dekker 1971)."""
     product = a * b
     (a1, a0), (b1, b0) = _split(a), _split(b)
     return ((a1 * b1 - product) + a0 * b1 + a1 * b0) + a0 * b0, product
@@ -281,17 +298,17 @@ def _product(a: float, b: float) -> tuple[float, float]:
 
 @compiled
 def _split(a: float) -> tuple[float, float]:
-    """a as two floats of half the bits."""
-    high = a * SPLIT
+    """Return a as the sum of two floats with half the bits each (Veltkamp)."""
+    high = a * SPLITTER
     high -= high - a
     return high, a - high
 
 
 @compiled
-def _sign_of_sum(terms: Array, count: int) -> int:
-    """The exact sign of the sum of the first terms; UNKNOWN where it takes too many passes.  The terms are used up."""
+def sign_of_sum(terms: Array, count: int) -> int:
+    """Return the exact sign of the sum of the first terms, UNKNOWN after too many passes; overwrites the terms."""
     last = count - 1
-    for _ in range(MOST_PASSES):
+    for _ in range(MAX_PASSES):
         rest = 0.0
         for i in range(last):
             rest += abs(terms[i])

@@ -1,6 +1,6 @@
 """The same filter compiled with numba: vectorised over pairs, the GIL released, cached on disk.
 
-Arrays come whole, with the first column to look at: a slice of them has rows that the
+Arrays come whole, with the first column to evaluate: a slice of them has rows that the
 compiler cannot know to be without gaps, and then it does not vectorise.
 
 Loops over corners are unrolled by the compiler where their number is a constant
@@ -13,38 +13,39 @@ from functools import cache
 import numpy as np
 
 from ...engine.predicates import HUGE, TINY
-from ...engine.relate import ERROR_FACTOR_F64, LEAST_ROOM, MOST_ROOM
+from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..arrays import Group
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from ..exact_signs import Array, Signs
 from .jit_cache import compiled
 
-BLOCK = 1 << 17  # pairs a call: long enough that Python's share vanishes
-TILE = 128  # pairs whose columns stay in the first-level cache between edges
+BLOCK_PAIRS = 1 << 17  # pairs a call: long enough that Python's share vanishes
+TILE_PAIRS = 128  # pairs whose columns stay in the first-level cache between edges
 
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
-    """APART where an edge has the other shape beyond it by more than rounding can hide."""
-    looks(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, room_of(a, b), out)
+    """Mark columns APART where an edge of one shape clears the other by more than the error bound."""
+    clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, error_bound_of(a, b), out)
 
 
-def room_of(a: Group, b: Group) -> float:
-    """How far a float64 clearance of these groups can be off; infinite outside the range where that is known."""
+def error_bound_of(a: Group, b: Group) -> float:
+    """Return the error bound of a float64 clearance of these groups; infinite outside the range where it is known."""
     found = (a.max_edge_component + b.max_edge_component) * (a.max_coordinate + b.max_coordinate) * ERROR_FACTOR_F64
-    return found if LEAST_ROOM < found < MOST_ROOM else np.inf
+    return found if MIN_ERROR_BOUND < found < MAX_ERROR_BOUND else np.inf
 
 
-def looks(va: int, vb: int) -> Callable[..., None]:
-    """The kernel for so many corners: (ax, ay, bx, by, first column, room, out)."""
-    return _unrolled(va, vb) if va <= 4 and vb <= 4 else _eight if va == vb == 8 else _general
+def clearance_kernel(va: int, vb: int) -> Callable[..., None]:
+    """Return the kernel for these numbers of corners."""
+    return _unrolled_kernel(va, vb) if va <= 4 and vb <= 4 else _kernel_8 if va == vb == 8 else _kernel_any
 
 
 @cache
-def _unrolled(va: int, vb: int) -> Callable[..., None]:
-    """A kernel for fixed numbers of corners: the compiler unrolls its inner loops and vectorises over pairs."""
+def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
+    """Return a kernel for fixed numbers of corners: the compiler unrolls its loops and vectorises over pairs."""
 
     @compiled
-    def kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
+    def kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
+        """Compute the clearances of one block of columns and classify them."""
         for k in range(out.size):
             i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end
             best = -np.inf
@@ -64,26 +65,27 @@ def _unrolled(va: int, vb: int) -> Callable[..., None]:
                 for v in range(va):
                     least = min(least, nx * ax[v, i] + ny * ay[v, i])
                 best = max(best, least - (nx * px + ny * py))
-            out[k] = APART if best > room else OVERLAPPING if best < -room else UNDECIDED
+            out[k] = APART if best > error_bound else OVERLAPPING if best < -error_bound else UNDECIDED
 
     return kernel
 
 
 @compiled
-def _eight(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
-    best = np.empty(TILE)
-    for start in range(0, out.size, TILE):
-        n = min(TILE, out.size - start)
+def _kernel_8(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
+    """Classify the columns of two groups with eight corners."""
+    best = np.empty(TILE_PAIRS)
+    for start in range(0, out.size, TILE_PAIRS):
+        n = min(TILE_PAIRS, out.size - start)
         for i in range(n):
             best[i] = -np.inf
-        edges_of_eight(ax, ay, bx, by, first + start, n, best)
-        edges_of_eight(bx, by, ax, ay, first + start, n, best)
+        raise_clearance_8(ax, ay, bx, by, first + start, n, best)
+        raise_clearance_8(bx, by, ax, ay, first + start, n, best)
         for i in range(n):
-            out[start + i] = APART if best[i] > room else OVERLAPPING if best[i] < -room else UNDECIDED
+            out[start + i] = APART if best[i] > error_bound else OVERLAPPING if best[i] < -error_bound else UNDECIDED
 
 
 @compiled
-def edges_of_eight(x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array) -> None:
+def raise_clearance_8(x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array) -> None:
     """Raise `best` to the clearances of n columns from s on; after the last row comes the first, or a ninth."""
     t = s + n
     p0, p1, p2, p3, p4, p5, p6, p7 = (
@@ -121,22 +123,24 @@ def edges_of_eight(x: Array, y: Array, px: Array, py: Array, s: int, n: int, bes
 
 
 @compiled
-def _general(ax: Array, ay: Array, bx: Array, by: Array, first: int, room: float, out: Signs) -> None:
-    best, least, nx, ny = np.empty(TILE), np.empty(TILE), np.empty(TILE), np.empty(TILE)
-    for start in range(0, out.size, TILE):
-        n = min(TILE, out.size - start)
+def _kernel_any(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
+    """Classify the columns of two groups with any numbers of corners."""
+    best, least, nx, ny = np.empty(TILE_PAIRS), np.empty(TILE_PAIRS), np.empty(TILE_PAIRS), np.empty(TILE_PAIRS)
+    for start in range(0, out.size, TILE_PAIRS):
+        n = min(TILE_PAIRS, out.size - start)
         for i in range(n):
             best[i] = -np.inf
-        _edges(ax, ay, bx, by, first + start, n, best, least, nx, ny)
-        _edges(bx, by, ax, ay, first + start, n, best, least, nx, ny)
+        _raise_clearance(ax, ay, bx, by, first + start, n, best, least, nx, ny)
+        _raise_clearance(bx, by, ax, ay, first + start, n, best, least, nx, ny)
         for i in range(n):
-            out[start + i] = APART if best[i] > room else OVERLAPPING if best[i] < -room else UNDECIDED
+            out[start + i] = APART if best[i] > error_bound else OVERLAPPING if best[i] < -error_bound else UNDECIDED
 
 
 @compiled
-def _edges(
+def _raise_clearance(
     x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array, least: Array, nx: Array, ny: Array
 ) -> None:
+    """Raise `best` to the clearances of n columns from s on; `least`, `nx` and `ny` are scratch."""
     t = s + n
     for e in range(x.shape[0]):
         f = (e + 1) % x.shape[0]
@@ -165,17 +169,19 @@ def _edges(
 
 
 def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
-    """Upright boxes: four comparisons of sides settle them, exactly."""
+    """Classify upright boxes exactly by four comparisons of sides."""
     _boxes(a.x, a.y, b.x, b.y, first, out)
 
 
 @compiled
 def _ranges(a: float, c: float, p: float, r: float) -> tuple[float, float, float, float]:
+    """Return (first end minus second start, second end minus first start) of upright boxes on one axis."""
     return min(a, c), max(a, c), min(p, r), max(p, r)
 
 
 @compiled
 def _boxes(ax: Array, ay: Array, bx: Array, by: Array, first: int, out: Signs) -> None:
+    """Fill in the relations of columns of upright boxes."""
     for k in range(out.size):
         i = np.uintp(first + k)
         ax0, ax1, bx0, bx1 = _ranges(ax[0, i], ax[2, i], bx[0, i], bx[2, i])
@@ -186,24 +192,24 @@ def _boxes(ax: Array, ay: Array, bx: Array, by: Array, first: int, out: Signs) -
 
 @compiled
 def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Signs) -> None:
-    """Distance against the sum of radii, squared."""
+    """Classify circles by the squared distance against the squared sum of radii."""
     for k in range(out.size):
         i = np.uintp(first + k)
-        dx, dy, reach = ax[i] - bx[i], ay[i] - by[i], ar[i] + br[i]
-        distance, reach = dx * dx + dy * dy, reach * reach
-        size = distance + reach
-        room = size * 2.0**-50 if size > TINY and size < HUGE else np.inf
-        gap = distance - reach
-        out[k] = APART if gap > room else OVERLAPPING if gap < -room else UNDECIDED
+        dx, dy, radius_sum = ax[i] - bx[i], ay[i] - by[i], ar[i] + br[i]
+        distance, radius_squared = dx * dx + dy * dy, radius_sum * radius_sum
+        size = distance + radius_squared
+        error_bound = size * 2.0**-50 if size > TINY and size < HUGE else np.inf
+        gap = distance - radius_squared
+        out[k] = APART if gap > error_bound else OVERLAPPING if gap < -error_bound else UNDECIDED
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-    """The squared distance from each center to the nearest edge or corner, against the squared radius."""
+    """Classify by the squared distance from each center to the nearest edge or corner, against the squared radius."""
     (_circle_unrolled(len(px)) if len(px) <= 8 else _circle_general)(cx, cy, cr, px, py, first, out)
 
 
 def _circle_kernel(corners: int | None) -> Callable[..., None]:
-    """`corners` fixed for the compiler to unroll, or None for any number."""
+    """Return a kernel for a fixed number of corners, which the compiler unrolls, or for any number (None)."""
 
     @compiled
     def kernel(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
@@ -214,8 +220,8 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
             far = r
             for v in range(count):
                 far = max(far, max(abs(px[v, i] - x0), abs(py[v, i] - y0)))
-            room, side_room = far * far * 2.0**-46, far * 2.0**-48
-            inside, safe, nearest = True, room > TINY and room < HUGE * 2.0**-46, np.inf
+            error_bound, side_room = far * far * 2.0**-46, far * 2.0**-48
+            inside, safe, nearest = True, error_bound > TINY and error_bound < HUGE * 2.0**-46, np.inf
             for v in range(count):
                 w = (v + 1) % count
                 dx, dy = px[w, i] - px[v, i], py[w, i] - py[v, i]
@@ -228,10 +234,10 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
                 distance = x * x + y * y if along <= 0 else u * u + z * z if along >= square else foot
                 inside = inside & (turn > tolerance)
                 nearest = min(nearest, distance)  # of edges that face away too: none lies nearer than the nearest
-            reach = r * r
-            over = inside | (nearest < reach - room)
+            radius_squared = r * r
+            over = inside | (nearest < radius_squared - error_bound)
             # a center inside, taken for one on an edge's line, has the boundary within twice the tolerance
-            apart = nearest > reach + room
+            apart = nearest > radius_squared + error_bound
             out[k] = UNDECIDED if not safe else OVERLAPPING if over else APART if apart else UNDECIDED
 
     return kernel

@@ -6,57 +6,58 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exact_signs import Array
-from ..with_numpy.grid import BLOCK, Cell, Pairs
+from ..with_numpy.grid import BLOCK_CANDIDATES, Cell, Pairs
 from .jit_cache import compiled
 
 Places = NDArray[np.int64]
 Starts = NDArray[np.int32]
 Table = tuple[Starts, Pairs, Places, Array, float, float, float, float, int, int, int]
 
-FARTHEST = 2.0**50  # cells from the origin: what lies farther shares the last one
-SAMPLE = 17  # of so many queries one is asked how many looks it takes
-ROUNDINGS = 2.0**-50  # more than the three that may hide what still meets
+MAX_CELL_NUMBER = 2.0**50  # cells from the origin: what lies farther shares the last one
+SAMPLE_STEP = 17  # of so many queries one is query_boxes how many candidates it takes
+START_MARGIN = 2.0**-50  # more than the three that may hide what still meets
 
 
-def met(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float) -> Iterator[Pairs] | None:
-    """Of two sets of boxes, or of one among itself, the pairs that meet (i < j), a block at a time, in no order.
+def meeting_pairs(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float) -> Iterator[Pairs] | None:
+    """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one; None beyond `most` candidates.
 
-    None where that takes more than about `most` looks.
+    None where that takes more than about `most` candidates.
     """
     stored = one if other is None else other
     size = 1 << int(2 * len(stored) - 1).bit_length()
-    table = _stored(bounds, stored, cell[0], cell[1], size)
+    table = _build_table(bounds, stored, cell[0], cell[1], size)
     queries, boxes = (table[1], table[3]) if other is None else (one, bounds[one])
-    looks = _looks(boxes, other is None, table)
-    if looks > most:
+    candidates = _count_candidates(boxes, other is None, table)
+    if candidates > most:
         return None
-    return _blocks(queries, boxes, other is None, table, min(BLOCK, max(int(looks), len(queries))))
+    return _pair_blocks(queries, boxes, other is None, table, min(BLOCK_CANDIDATES, max(int(candidates), len(queries))))
 
 
-def _blocks(queries: Pairs, boxes: Array, among: bool, table: Table, block: int) -> Iterator[Pairs]:
+def _pair_blocks(queries: Pairs, boxes: Array, among: bool, table: Table, block: int) -> Iterator[Pairs]:
+    """Yield the pairs of queries with stored boxes that meet, a block at a time."""
     first = 0
     while first < len(queries):
         out = np.empty((block + len(table[1]), 2), np.intp)  # no query finds more than all
-        first, found = _met(queries, boxes, first, among, table, out)
+        first, found = _fill_pairs(queries, boxes, first, among, table, out)
         yield out[:found]
 
 
 @compiled
-def _at(c: float, cells: float) -> int:
-    """The number of a coordinate's cell: never less for a larger coordinate, however the product rounds."""
-    return int(max(-FARTHEST, min(FARTHEST, np.floor(c * cells))))
+def _cell_number(c: float, cells: float) -> int:
+    """Return the number of a coordinate's cell; it never decreases with the coordinate, however the product rounds."""
+    return int(max(-MAX_CELL_NUMBER, min(MAX_CELL_NUMBER, np.floor(c * cells))))
 
 
 @compiled
-def _stored(bounds: Array, stored: Pairs, wide: float, high: float, size: int) -> Table:
-    """The boxes by the cell of their lower left corner, and where each place of the table begins."""
+def _build_table(bounds: Array, stored: Pairs, wide: float, high: float, size: int) -> Table:
+    """Return the boxes ordered by the cell of their lower left corner, and where each table entry begins."""
     n, wide, high = stored.size, 1 / wide, 1 / high
     column, row = np.empty(n, np.int64), np.empty(n, np.int64)
     reach_x = reach_y = 0.0
     left, right, bottom = 2**62, -(2**62), 2**62
     for k in range(n):
         i = stored[k]
-        column[k], row[k] = _at(bounds[i, 0], wide), _at(bounds[i, 1], high)
+        column[k], row[k] = _cell_number(bounds[i, 0], wide), _cell_number(bounds[i, 1], high)
         reach_x, reach_y = max(reach_x, bounds[i, 2] - bounds[i, 0]), max(reach_y, bounds[i, 3] - bounds[i, 1])
         left, right, bottom = min(left, column[k]), max(right, column[k]), min(bottom, row[k])
     stride = int(right - left) + 1
@@ -80,14 +81,14 @@ def _stored(bounds: Array, stored: Pairs, wide: float, high: float, size: int) -
 
 
 @compiled
-def _lowest(low: float, reach: float, cells: float, least: int) -> int:
-    """The first cell in which a box can begin that is at most `reach` long and ends at `low` or later."""
-    return max(least, _at(low - reach - (abs(low) + reach) * ROUNDINGS, cells))
+def _first_cell(low: float, max_length: float, cells: float, least: int) -> int:
+    """Return the first cell in which a box at most `max_length` long can begin that ends at `low` or later."""
+    return max(least, _cell_number(low - max_length - (abs(low) + max_length) * START_MARGIN, cells))
 
 
 @compiled
-def _places(start: Starts, c0: int, c1: int, row: int, stride: int, part: int) -> tuple[int, int]:
-    """Where the boxes of some cells of a row are stored, among others of the same places; part 1: behind the turn."""
+def _stored_range(start: Starts, c0: int, c1: int, row: int, stride: int, part: int) -> tuple[int, int]:
+    """Return where the boxes of some cells of a row are stored; part 1 is the rest behind the table's end."""
     size = start.size - 1
     first, many = (c0 + row * stride) & (size - 1), max(0, min(c1 - c0 + 1, size))
     if part == 0:
@@ -96,40 +97,42 @@ def _places(start: Starts, c0: int, c1: int, row: int, stride: int, part: int) -
 
 
 @compiled
-def _looks(boxes: Array, among: bool, table: Table) -> float:
-    """About how many looks all queries take."""
+def _count_candidates(boxes: Array, among: bool, table: Table) -> float:
+    """Return about how many candidates all queries have, estimated from a sample."""
     start, _, _, _, reach_x, reach_y, wide, high, stride, left, bottom = table
-    step = 1 if len(boxes) < 1000 else SAMPLE
-    looks = 0.0
+    step = 1 if len(boxes) < 1000 else SAMPLE_STEP
+    candidates = 0.0
     for k in range(0, len(boxes), step):
-        c0, c1 = _lowest(boxes[k, 0], reach_x, wide, left), _at(boxes[k, 2], wide)
-        r0 = _at(boxes[k, 1], high) if among else _lowest(boxes[k, 1], reach_y, high, bottom)
-        for row in range(r0, _at(boxes[k, 3], high) + 1):
+        c0, c1 = _first_cell(boxes[k, 0], reach_x, wide, left), _cell_number(boxes[k, 2], wide)
+        r0 = _cell_number(boxes[k, 1], high) if among else _first_cell(boxes[k, 1], reach_y, high, bottom)
+        for row in range(r0, _cell_number(boxes[k, 3], high) + 1):
             for part in range(2):
-                first, last = _places(start, c0, c1, row, stride, part)
-                looks += last - first
-    return looks * step
+                first, last = _stored_range(start, c0, c1, row, stride, part)
+                candidates += last - first
+    return candidates * step
 
 
 @compiled
-def _met(queries: Pairs, asked: Array, begin: int, among: bool, table: Table, out: Pairs) -> tuple[int, int]:
-    """The pairs of the queries from `begin` on, as `out` has room: the query to go on with, and how many pairs."""
+def _fill_pairs(
+    queries: Pairs, query_boxes: Array, begin: int, among: bool, table: Table, out: Pairs
+) -> tuple[int, int]:
+    """Fill `out` with pairs of the queries from `begin` on; return (next query, number of pairs)."""
     start, ids, cells, boxes, reach_x, reach_y, wide, high, stride, left, bottom = table
     found = 0
     for k in range(begin, queries.size):
         if found + ids.size > out.shape[0]:
             return k, found
         i = queries[k]
-        x0, y0, x1, y1 = asked[k, 0], asked[k, 1], asked[k, 2], asked[k, 3]
-        c1, r1 = _at(x1, wide), _at(y1, high)
-        low_x, low_y = _lowest(x0, reach_x, wide, left), _lowest(y0, reach_y, high, bottom)
+        x0, y0, x1, y1 = query_boxes[k, 0], query_boxes[k, 1], query_boxes[k, 2], query_boxes[k, 3]
+        c1, r1 = _cell_number(x1, wide), _cell_number(y1, high)
+        low_x, low_y = _first_cell(x0, reach_x, wide, left), _first_cell(y0, reach_y, high, bottom)
         c0, r0 = (cells[k, 0], cells[k, 1]) if among else (low_x, low_y)
         for row in range(r0, r1 + 1):
             if among and row == r0 + 1:  # in their own row only those further on, in the others all
                 c0 = low_x
             after = k if among and row == r0 else -1
             for part in range(2):
-                first, last = _places(start, c0, c1, row, stride, part)
+                first, last = _stored_range(start, c0, c1, row, stride, part)
                 for s in range(first, last):
                     meet = (boxes[s, 0] <= x1) & (x0 <= boxes[s, 2]) & (boxes[s, 1] <= y1) & (y0 <= boxes[s, 3])
                     # and not of another cell with the same place

@@ -3,43 +3,44 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ...engine.relate import ERROR_FACTOR_F64, LEAST_ROOM, MOST_ROOM
+from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..arrays import Flat, Group
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from ..exact_signs import Array, Signs
-from ..ragged import FEW
-from .exact import TERMS, inside, of_few, of_many
-from .filter import edges_of_eight
+from ..ragged import MAX_LANE_CORNERS
+from .exact import MAX_TERMS, is_certainly_inside, relate_few_corners, relate_many_corners
+from .filter import raise_clearance_8
 from .jit_cache import compiled
 
 Indices = NDArray[np.intp]
 Mask = NDArray[np.bool_]
 
 LANES = 128  # pairs whose corners stay in the first-level cache
-ROW = LANES + 8  # a power of two would put all corners of a pair into the same few places of the cache
+LANE_STRIDE = LANES + 8  # a power of two would put all corners of a pair into the same few places of the cache
 
 
 def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
-    """The exact relations of the pairs (ia, ib); UNDECIDED where floats go out of range."""
+    """Fill in the exact relations of the pairs (ia, ib); UNDECIDED where floats go out of range."""
     _polygons(a.x, a.y, a.start, a.bounds, a.upright, b.x, b.y, b.start, b.bounds, b.upright, ia, ib, out)
 
 
 def columns(a: Group, b: Group, first: int, out: Signs) -> None:
-    """The exact relations of the columns from `first` on that are UNDECIDED in `out`; UNDECIDED still out of range."""
+    """Fill in the exact relations of the columns that are UNDECIDED in `out`; some stay UNDECIDED out of range."""
     _columns(a.x, a.y, b.x, b.y, first, a.max_coordinate + b.max_coordinate, out)
 
 
 @compiled
-def _columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, reach: float, out: Signs) -> None:
+def _columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, max_coordinate: float, out: Signs) -> None:
+    """Compute the exact relations of undecided columns one by one."""
     va, vb = ax.shape[0], bx.shape[0]
-    x, y, p, q, terms = np.empty(va), np.empty(va), np.empty(vb), np.empty(vb), np.empty(TERMS)
+    x, y, p, q, terms = np.empty(va), np.empty(va), np.empty(vb), np.empty(vb), np.empty(MAX_TERMS)
     for k in range(out.size):
         if out[k] == UNDECIDED:
             for v in range(va):
                 x[v], y[v] = ax[v, first + k], ay[v, first + k]
             for v in range(vb):
                 p[v], q[v] = bx[v, first + k], by[v, first + k]
-            out[k] = of_few(x, y, 0, va, p, q, 0, vb, reach, terms)
+            out[k] = relate_few_corners(x, y, 0, va, p, q, 0, vb, max_coordinate, terms)
 
 
 @compiled
@@ -48,8 +49,14 @@ def _polygons(
     bx: Array, by: Array, sb: Indices, box_b: Array, upright_b: Mask,
     ia: Indices, ib: Indices, out: Signs,
 ) -> None:  # fmt: skip
-    terms, rooms, best = np.empty(TERMS), np.empty(LANES), np.empty(LANES)
-    x, y, p, q = np.empty((9, ROW)), np.empty((9, ROW)), np.empty((9, ROW)), np.empty((9, ROW))
+    """Compute the relations of picked pairs: by bounding boxes, then by the float filter on lanes, then exactly."""
+    terms, error_bounds, best = np.empty(MAX_TERMS), np.empty(LANES), np.empty(LANES)
+    x, y, p, q = (
+        np.empty((9, LANE_STRIDE)),
+        np.empty((9, LANE_STRIDE)),
+        np.empty((9, LANE_STRIDE)),
+        np.empty((9, LANE_STRIDE)),
+    )
     waiting, many = np.empty((2, LANES), np.intp), np.zeros(2, np.intp)  # pairs of up to four corners, of up to eight
     for k in range(out.size):
         i, j = ia[k], ib[k]
@@ -65,75 +72,89 @@ def _polygons(
             continue
         out[k] = UNDECIDED
         most = max(sa[i + 1] - sa[i], sb[j + 1] - sb[j])
-        if most <= FEW:
+        if most <= MAX_LANE_CORNERS:
             w = 0 if most <= 4 else 1
             waiting[w, many[w]] = k
             many[w] += 1
             if many[w] == LANES:
                 full, width = waiting[w], 4 * (w + 1)
-                _look(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, full, width, x, y, p, q, rooms, best, out)
+                _evaluate_lanes(
+                    ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, full, width, x, y, p, q, error_bounds, best, out
+                )
                 many[w] = 0
     for w in range(2):
         left, width = waiting[w, : many[w]], 4 * (w + 1)
-        _look(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, left, width, x, y, p, q, rooms, best, out)
+        _evaluate_lanes(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, left, width, x, y, p, q, error_bounds, best, out)
     for k in range(out.size):
         if out[k] == UNDECIDED:
             i, j = ia[k], ib[k]
-            i0, i1, j0, j1, reach = sa[i], sa[i + 1], sb[j], sb[j + 1], _reach(box_a, i) + _reach(box_b, j)
-            if max(i1 - i0, j1 - j0) <= FEW:
-                out[k] = of_few(ax, ay, i0, i1, bx, by, j0, j1, reach, terms)
+            i0, i1, j0, j1, max_coordinate = (
+                sa[i],
+                sa[i + 1],
+                sb[j],
+                sb[j + 1],
+                _max_coordinate(box_a, i) + _max_coordinate(box_b, j),
+            )
+            if max(i1 - i0, j1 - j0) <= MAX_LANE_CORNERS:
+                out[k] = relate_few_corners(ax, ay, i0, i1, bx, by, j0, j1, max_coordinate, terms)
                 continue
             # the middle of what both boxes share
             px = max(box_a[i, 0], box_b[j, 0]) / 2 + min(box_a[i, 2], box_b[j, 2]) / 2
             py = max(box_a[i, 1], box_b[j, 1]) / 2 + min(box_a[i, 3], box_b[j, 3]) / 2
-            if inside(ax, ay, i0, i1, px, py, reach) and inside(bx, by, j0, j1, px, py, reach):
+            if is_certainly_inside(ax, ay, i0, i1, px, py, max_coordinate) and is_certainly_inside(
+                bx, by, j0, j1, px, py, max_coordinate
+            ):
                 out[k] = OVERLAPPING
             else:
-                out[k] = of_many(ax, ay, i0, i1, bx, by, j0, j1, reach, terms)
+                out[k] = relate_many_corners(ax, ay, i0, i1, bx, by, j0, j1, max_coordinate, terms)
 
 
 @compiled
-def _reach(box: Array, i: int) -> float:
-    """The largest coordinate's magnitude."""
-    reach: float = max(max(-box[i, 0], box[i, 2]), max(-box[i, 1], box[i, 3]))
-    return reach
+def _max_coordinate(box: Array, i: int) -> float:
+    """Return the largest absolute coordinate of a box."""
+    max_coordinate: float = max(max(-box[i, 0], box[i, 2]), max(-box[i, 1], box[i, 3]))
+    return max_coordinate
 
 
 @compiled
-def _width(box: Array, i: int) -> float:
-    """No edge has a larger part along x or y."""
+def _max_width(box: Array, i: int) -> float:
+    """Return an upper bound of the x and y components of a shape's edges, from its box."""
     width: float = max(box[i, 2] - box[i, 0], box[i, 3] - box[i, 1])
     return width
 
 
 @compiled
-def _look(
+def _evaluate_lanes(
     ax: Array, ay: Array, sa: Indices, box_a: Array, bx: Array, by: Array, sb: Indices, box_b: Array,
     ia: Indices, ib: Indices, which: Indices, width: int,
-    x: Array, y: Array, p: Array, q: Array, rooms: Array, best: Array, out: Signs,
+    x: Array, y: Array, p: Array, q: Array, error_bounds: Array, best: Array, out: Signs,
 ) -> None:  # fmt: skip
-    """The float filter on lanes of pairs; an outline of fewer corners goes round again, so all have `width` edges."""
+    """Evaluate the float filter on lanes of pairs; an outline of fewer corners is repeated to `width` edges."""
     n = which.size
     for k in range(n):
         i, j = ia[which[k]], ib[which[k]]
-        lay(ax, ay, sa[i], sa[i + 1], width, x, y, k)
-        lay(bx, by, sb[j], sb[j + 1], width, p, q, k)
-        room = (_width(box_a, i) + _width(box_b, j)) * (_reach(box_a, i) + _reach(box_b, j)) * ERROR_FACTOR_F64
-        rooms[k] = room if room > LEAST_ROOM and room < MOST_ROOM else np.inf
+        copy_to_lane(ax, ay, sa[i], sa[i + 1], width, x, y, k)
+        copy_to_lane(bx, by, sb[j], sb[j + 1], width, p, q, k)
+        error_bound = (
+            (_max_width(box_a, i) + _max_width(box_b, j))
+            * (_max_coordinate(box_a, i) + _max_coordinate(box_b, j))
+            * ERROR_FACTOR_F64
+        )
+        error_bounds[k] = error_bound if error_bound > MIN_ERROR_BOUND and error_bound < MAX_ERROR_BOUND else np.inf
         best[k] = -np.inf
     if width == 4:
-        edges_of_four(x, y, p, q, n, best)
-        edges_of_four(p, q, x, y, n, best)
+        raise_clearance_4(x, y, p, q, n, best)
+        raise_clearance_4(p, q, x, y, n, best)
     else:
-        edges_of_eight(x, y, p, q, 0, n, best)
-        edges_of_eight(p, q, x, y, 0, n, best)
+        raise_clearance_8(x, y, p, q, 0, n, best)
+        raise_clearance_8(p, q, x, y, 0, n, best)
     for k in range(n):
-        out[which[k]] = APART if best[k] > rooms[k] else OVERLAPPING if best[k] < -rooms[k] else UNDECIDED
+        out[which[k]] = APART if best[k] > error_bounds[k] else OVERLAPPING if best[k] < -error_bounds[k] else UNDECIDED
 
 
 @compiled
-def lay(x: Array, y: Array, start: int, stop: int, width: int, to_x: Array, to_y: Array, k: int) -> None:
-    """An outline into lane k, going round again until it has `width` edges."""
+def copy_to_lane(x: Array, y: Array, start: int, stop: int, width: int, to_x: Array, to_y: Array, k: int) -> None:
+    """Copy an outline into lane k, repeated from its first corner until it has `width` edges."""
     i = start
     for v in range(width + 1):
         to_x[v, k], to_y[v, k] = x[np.uintp(i)], y[np.uintp(i)]
@@ -141,8 +162,8 @@ def lay(x: Array, y: Array, start: int, stop: int, width: int, to_x: Array, to_y
 
 
 @compiled
-def edges_of_four(x: Array, y: Array, p: Array, q: Array, n: int, best: Array) -> None:
-    """Raise `best` of n lanes to how far beyond one of four edges all four corners lie."""
+def raise_clearance_4(x: Array, y: Array, p: Array, q: Array, n: int, best: Array) -> None:
+    """Raise `best` of n lanes to the largest clearance of four edges over four corners."""
     p0, p1, p2, p3 = p[0, :n], p[1, :n], p[2, :n], p[3, :n]
     q0, q1, q2, q3 = q[0, :n], q[1, :n], q[2, :n], q[3, :n]
     for e in range(4):

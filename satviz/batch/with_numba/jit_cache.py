@@ -17,26 +17,27 @@ SOURCES = [
 ]
 
 
-def _stamp(path: Path) -> tuple[int, int]:
+def _file_stamp(path: Path) -> tuple[int, int]:
+    """Return the time and size of a file, which change when it is edited."""
     return path.stat().st_mtime_ns, path.stat().st_size
 
 
-STAMP = tuple(map(_stamp, SOURCES))
+STAMP = tuple(map(_file_stamp, SOURCES))
 
 
 def inlined(kernel: Kernel) -> Kernel:
-    """A piece of kernels, written into them: a call would count the references to each array that it is given."""
+    """Return a function that is copied into the kernels that call it; a call would count references to arrays."""
     return cast(Kernel, njit(inline="always", error_model="numpy")(kernel))
 
 
 def compiled(kernel: Kernel) -> Kernel:
-    """The kernel compiled at its first call; to type checkers the function that it was."""
+    """Return the kernel, compiled at its first call; to type checkers it is the function itself."""
     made: Any = njit(nogil=True, cache=True, error_model="numpy")(kernel)
     if made is kernel:  # NUMBA_DISABLE_JIT: to step through it, or to sow faults
         return kernel
     kept = made._cache._cache_file  # noqa: SLF001
     # numba would keep what it compiled until the kernel's own file changes; it holds calls and constants of others too
-    kept._source_stamp = (*STAMP, _stamp(Path(kernel.__code__.co_filename)))  # noqa: SLF001
+    kept._source_stamp = (*STAMP, _file_stamp(Path(kernel.__code__.co_filename)))  # noqa: SLF001
     # it counts its files and writes the index first, which then could name what was left by older code, or what another
     # process that compiles at the same moment puts there for arrays of another kind
     kept._data_name_pattern = kept._data_name_pattern.replace(".nbc", f"-{uuid4().hex}.nbc")  # noqa: SLF001

@@ -18,37 +18,39 @@ from ..exact_signs import UNKNOWN, Array, Pairs, Signs, two_sum
 
 Indices = NDArray[np.intp]
 
-BLOCK = 1 << 13  # pairs at a time, where they have few corners: their columns stay in the second-level cache
-FEW = 32  # pairs that integers settle sooner
+BLOCK_PAIRS = 1 << 13  # pairs at a time, where they have few corners: their columns stay in the second-level cache
+MAX_INTEGER_PAIRS = 32  # pairs that integers settle sooner
 
 
-def gaps(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
-    """The exact signs of distance minus radius, column by column; -1 also with the center inside."""
+def gap_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
+    """Return the exact signs of (distance minus radius), column by column; -1 also where the center is inside."""
     found = np.full(len(cx), UNKNOWN, np.int8)
     with np.errstate(all="ignore"):
-        size = min(BLOCK, exact_signs.lanes(len(px)))
-        for start in range(0, len(cx) if len(cx) > FEW else 0, size):
+        size = min(BLOCK_PAIRS, exact_signs.pairs_per_block(len(px)))
+        for start in range(0, len(cx) if len(cx) > MAX_INTEGER_PAIRS else 0, size):
             part = slice(start, start + size)
-            found[part] = _by_floats(*(c[..., part] for c in (cx, cy, cr, px, py)))
+            found[part] = _float_signs(*(c[..., part] for c in (cx, cy, cr, px, py)))
     for i in np.flatnonzero(found == UNKNOWN):
-        found[i] = _by_integers(cx[i], cy[i], cr[i], px[:, i], py[:, i])
+        found[i] = _integer_sign(cx[i], cy[i], cr[i], px[:, i], py[:, i])
     return found
 
 
-def _by_integers(cx: float, cy: float, cr: float, px: Array, py: Array) -> int:
+def _integer_sign(cx: float, cy: float, cr: float, px: Array, py: Array) -> int:
+    """Return the exact sign for one circle and polygon, with integers."""
     _, (x, y, r, *flat) = to_integers([float(cx), float(cy), float(cr), *px.tolist(), *py.tolist()])
     return 1 - relate_integers([(x, y)], list(zip(flat[: len(px)], flat[len(px) :], strict=True)), r)
 
 
-def _by_floats(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
-    """The same, or UNKNOWN: the least over all corners, and feet within their edges, that may be within reach."""
+def _float_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
+    """Return the signs of (distance minus radius), or UNKNOWN, from all corners and feet near the radius."""
     n, v = len(cx), len(px)
-    px, py = _closed(px), _closed(py)
-    corners, upright, slanted, inside, room = _within_reach(cx, cy, cr, px, py)
+    px, py = _close_rings(px), _close_rings(py)
+    corners, upright, slanted, inside, error_bound = _features_within_radius(cx, cy, cr, px, py)
     found = np.ones(v * n, np.int8)
     least = found.reshape(v, n)
 
     def taken(where: Indices, ends: int) -> tuple[Indices, list[Array]]:
+        """Return coordinates of the ends of the chosen edges."""
         pair = where - where // n * n  # NumPy's own remainder takes twice as long
         return pair, [c[pair] for c in (cx, cy, cr)] + [c.ravel()[where + n * i] for i in range(ends) for c in (px, py)]
 
@@ -58,30 +60,30 @@ def _by_floats(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
         found[upright] = np.minimum(found[upright], _upright_signs(*taken(upright, 2)[1]))
     if slanted.size:
         pair, edges = taken(slanted, 2)
-        value, doubtful = _foot_signs(*edges, room=room[pair])
+        value, doubtful = _foot_signs(*edges, error_bound=error_bound[pair])
         ask = np.flatnonzero(doubtful & (value < least.min(axis=0)[pair]))
         if ask.size:
-            value[ask] = _only_between(value[ask], *(c[ask] for c in edges))
+            value[ask] = _keep_inner_feet(value[ask], *(c[ask] for c in edges))
         found[slanted] = np.minimum(found[slanted], value)
     nearest: Signs = least.min(axis=0)
     inside = inside[nearest[inside] >= 0]
     if inside.size:
-        nearest[inside[_inside(*(c[..., inside] for c in (cx, cy, px, py)))]] = -1
-    nearest[room == np.inf] = UNKNOWN
+        nearest[inside[_contains_center(*(c[..., inside] for c in (cx, cy, px, py)))]] = -1
+    nearest[error_bound == np.inf] = UNKNOWN
     return nearest
 
 
-def _closed(c: Array) -> Array:
-    """The first corner again at the end."""
+def _close_rings(c: Array) -> Array:
+    """Return the columns with the first corner once more at the end."""
     closed = np.empty((len(c) + 1, c.shape[1]))
     closed[:-1], closed[-1] = c, c[0]
     return closed
 
 
-def _within_reach(
+def _features_within_radius(
     cx: Array, cy: Array, cr: Array, px: Array, py: Array
 ) -> tuple[Indices, Indices, Indices, Indices, Array]:
-    """Flat places of the corners, and of the edges (upright, slanted) with feet, that may lie within the radius.
+    """Return the flat indices of the corners, and of the edges, that may lie within the radius.
 
     Then the pairs whose center may be inside, and how far products of differences can be off: what
     filter_numpy.circle_polygons grants or up to twice that; infinite (and no places) out of range.
@@ -90,9 +92,9 @@ def _within_reach(
     distance = x * x
     distance += y * y
     within = cr * cr
-    room = np.maximum(distance.max(axis=0), within)
-    room *= 2.0**-46
-    within += room
+    error_bound = np.maximum(distance.max(axis=0), within)
+    error_bound *= 2.0**-46
+    within += error_bound
     near, upright = np.empty((2, *x.shape), bool)
     lowest, shortest = np.full((2, len(cx)), np.inf)
     for i in range(len(x)):
@@ -102,18 +104,18 @@ def _within_reach(
         along += y[i] * dy
         square += dy * dy
         near[i] = turn * (turn / square) <= within
-        near[i] &= np.maximum(along, -square - along) < room
+        near[i] &= np.maximum(along, -square - along) < error_bound
         upright[i] = (dx == 0) | (dy == 0)
         np.minimum(lowest, turn, out=lowest)
         np.minimum(shortest, square, out=shortest)
-    unsafe = np.flatnonzero(~((room > TINY) & (room < HUGE * 2.0**-46) & (shortest > TINY)))
-    room[unsafe], within[unsafe], near[:, unsafe], lowest[unsafe] = np.inf, -1.0, False, np.nan
-    places = [np.flatnonzero(m) for m in (distance <= within, near & upright, near & ~upright, lowest >= -room)]
-    return *places, room
+    unsafe = np.flatnonzero(~((error_bound > TINY) & (error_bound < HUGE * 2.0**-46) & (shortest > TINY)))
+    error_bound[unsafe], within[unsafe], near[:, unsafe], lowest[unsafe] = np.inf, -1.0, False, np.nan
+    places = [np.flatnonzero(m) for m in (distance <= within, near & upright, near & ~upright, lowest >= -error_bound)]
+    return *places, error_bound
 
 
 def _corner_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
-    """Corner from center, against the radius.
+    """Return the signs of (distance from corner to center minus radius).
 
     At exactly the radius no difference is rounded: let the radius be odd in units of a power of
     two, and both differences whole in units of that over 2**m, one of them odd.  One odd square,
@@ -121,11 +123,11 @@ def _corner_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Sign
     """
     (x, a), (y, b) = two_sum(px, -cx), two_sum(py, -cy)
     more = x * a + y * b
-    return _signs([(x, x), (y, y), (-cr, cr)], more + more, (a == 0) & (b == 0))
+    return _signs_of_sums([(x, x), (y, y), (-cr, cr)], more + more, (a == 0) & (b == 0))
 
 
 def _upright_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array) -> Signs:
-    """Foot on an edge along x or y from the center, against the radius; 1 where it is not between the ends.
+    """Return the signs of (distance from the foot on an axis-parallel edge minus radius); 1 if there is no foot.
 
     A difference rounds to the radius or stays on its side of it: then what was rounded off decides.
     """
@@ -138,9 +140,9 @@ def _upright_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Ar
 
 
 def _foot_signs(
-    cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array, *, room: Array
+    cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array, *, error_bound: Array
 ) -> tuple[Signs, NDArray[np.bool_]]:
-    """Center from the line of an edge, against the radius; and whether the foot may not be between the ends.
+    """Return the signs of (distance from the edge's line minus radius), and where the foot may lie beyond the ends.
 
     The length is a float and what it misses: the difference of squares over twice the float, as
     its own square is too small.  In units of exact_signs.nearly: what it misses is off by 41uu of the
@@ -149,50 +151,52 @@ def _foot_signs(
     """
     (x, a), (y, b), (dx, f), (dy, g) = two_sum(px, -cx), two_sum(py, -cy), two_sum(qx, -px), two_sum(qy, -py)
     turn, along, square = y * dx - x * dy, x * dx + y * dy, dx * dx + dy * dy
-    doubtful = np.maximum(along, -square - along) >= -room
+    doubtful = np.maximum(along, -square - along) >= -error_bound
     length = np.sqrt(square)
     more = dx * f + dy * g
-    missing, off, terms = exact_signs.nearly([(dx, dx), (dy, dy), (-length, length)], more + more)
+    missing, off, terms = exact_signs.sum_with_error([(dx, dx), (dy, dy), (-length, length)], more + more)
     exact = np.flatnonzero((np.abs(missing) <= off) & (off < np.inf) & (f == 0) & (g == 0))
-    exact = exact[exact_signs.sign_of_sum(exact_signs.columns(terms, exact)) == 0]
+    exact = exact[exact_signs.sign_of_sum(exact_signs.take_columns(terms, exact)) == 0]
     missing /= length + length
     missing[exact] = 0.0
     plain = np.zeros(len(x), bool)
     plain[exact] = (a[exact] == 0) & (b[exact] == 0)
     side = np.copysign(1.0, turn)
-    unclear = np.flatnonzero(np.abs(turn) <= room)
+    unclear = np.flatnonzero(np.abs(turn) <= error_bound)
     if unclear.size:
         side[unclear] = -exact_signs.orient(*(c[unclear] for c in (px, py, qx, qy, cx, cy)))
     more = side * (b * dx + y * f - a * dy - x * g) - cr * missing
-    return _signs([(side * y, dx), (-side * x, dy), (-cr, length)], more, plain), doubtful
+    return _signs_of_sums([(side * y, dx), (-side * x, dy), (-cr, length)], more, plain), doubtful
 
 
-def _only_between(least: Signs, cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array) -> Signs:
-    """Those signs whose foot lies strictly between the ends; 1 for the others, as a corner is nearer."""
+def _keep_inner_feet(
+    least: Signs, cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array
+) -> Signs:
+    """Return the signs whose foot lies strictly between the ends, and 1 elsewhere, where a corner is nearer."""
     (dx, f), (dy, g) = two_sum(qx, -px), two_sum(qy, -py)
     inner = []
     for way, ends in ((-1.0, (px, py)), (1.0, (qx, qy))):
         (x, a), (y, b) = two_sum(ends[0], -cx), two_sum(ends[1], -cy)
         more = way * (a * dx + x * f + b * dy + y * g)
         plain = (a == 0) & (b == 0) & (f == 0) & (g == 0)
-        inner.append(_signs([(way * x, dx), (way * y, dy)], more, plain))
+        inner.append(_signs_of_sums([(way * x, dx), (way * y, dy)], more, plain))
     worst = np.minimum(*inner)
     return np.where(worst == UNKNOWN, UNKNOWN, np.where(worst > 0, least, 1))
 
 
-def _signs(pairs: Pairs, more: Array, plain: NDArray[np.bool_]) -> Signs:
-    """Signs of the products and `more`, which is exactly 0 where `plain`; UNKNOWN where too near to 0 otherwise."""
-    total, off, terms = exact_signs.nearly(pairs, more)
-    found = exact_signs.sign_beyond(total, off)
+def _signs_of_sums(pairs: Pairs, more: Array, plain: NDArray[np.bool_]) -> Signs:
+    """Return the signs of products plus `more` (exactly 0 where `plain`), or UNKNOWN where too near to 0."""
+    total, off, terms = exact_signs.sum_with_error(pairs, more)
+    found = exact_signs.certified_sign(total, off)
     rest = np.flatnonzero(found == 0)
     found[rest] = UNKNOWN
     rest = rest[plain[rest] & (off[rest] < np.inf)]
-    found[rest] = exact_signs.sign_of_sum(exact_signs.columns(terms, rest))
+    found[rest] = exact_signs.sign_of_sum(exact_signs.take_columns(terms, rest))
     return found
 
 
-def _inside(cx: Array, cy: Array, px: Array, py: Array) -> NDArray[np.bool_]:
-    """Is the center strictly left of every edge?"""
+def _contains_center(cx: Array, cy: Array, px: Array, py: Array) -> NDArray[np.bool_]:
+    """Return whether the center lies strictly left of every edge."""
     ends = [np.ravel(c) for c in (px[:-1], py[:-1], px[1:], py[1:])]
     centers = [np.tile(c, len(px) - 1) for c in (cx, cy)]
     left = (exact_signs.orient(*ends, *centers) > 0).reshape(len(px) - 1, -1)

@@ -5,29 +5,29 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...engine.relate import ERROR_FACTOR_F64, LEAST_ROOM, MOST_ROOM
+from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from .. import exact_signs
-from ..arrays import Group, upright_boxes
+from ..arrays import Group, upright_box_mask
 from ..codes import APART, OVERLAPPING, TOUCHING
-from ..exact_signs import Array, Signs, columns
+from ..exact_signs import Array, Signs, take_columns
 from . import circle_polygons
 from .filter import boxes
 
 Indices = NDArray[np.intp]
 
-LOOKS = 1 << 16  # corners of a shape at a time, over all pairs: what bounds the memory, and stays in the cache
-AT_ONCE = 4  # corners, up to which every edge of all pairs is looked at: beyond, most are not needed
-DOUBTS = 1 << 15  # exact signs asked in one go: each takes some hundred bytes a term
+BLOCK_CORNERS = 1 << 16  # corners of a shape at a time, over all pairs: what bounds the memory, and stays in the cache
+MAX_ALL_EDGES_CORNERS = 4  # corners, up to which every edge of all pairs is looked at: beyond, most are not needed
+BLOCK_SIGNS = 1 << 15  # exact signs asked in one go: each takes some hundred bytes a term
 RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 and -1
 
 
 def relations(a: Group, ia: Indices, b: Group, ib: Indices) -> Signs:
-    """Exact relations of columns ia of one group with columns ib of another."""
+    """Return the exact relations of columns `ia` of one group with columns `ib` of another."""
     found = np.empty(len(ia), np.int8)
     corners = max(len(a.x), len(b.x))
-    settle, size = _polygons, exact_signs.lanes(corners, LOOKS)
+    settle, size = _relate_polygons, exact_signs.pairs_per_block(corners, BLOCK_CORNERS)
     if a.r is not None or b.r is not None:
-        settle, size = _circles, min(DOUBTS, exact_signs.lanes(corners))
+        settle, size = _relate_circles, min(BLOCK_SIGNS, exact_signs.pairs_per_block(corners))
     with np.errstate(all="ignore"):
         for start in range(0, len(found), size):
             part = slice(start, start + size)
@@ -35,96 +35,98 @@ def relations(a: Group, ia: Indices, b: Group, ib: Indices) -> Signs:
     return found
 
 
-def _circles(a: Group, b: Group) -> Signs:
+def _relate_circles(a: Group, b: Group) -> Signs:
+    """Return the exact relations of circles."""
     if a.r is not None and b.r is not None:
-        return RELATION_OF_SIGN[exact_signs.circles(a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r)]
+        return RELATION_OF_SIGN[exact_signs.circle_gap_signs(a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r)]
     (circle, polygon), radii = ((a, b), a.r) if a.r is not None else ((b, a), b.r)
     assert radii is not None
-    return RELATION_OF_SIGN[circle_polygons.gaps(circle.x[0], circle.y[0], radii, polygon.x, polygon.y)]
+    return RELATION_OF_SIGN[circle_polygons.gap_signs(circle.x[0], circle.y[0], radii, polygon.x, polygon.y)]
 
 
-def _polygons(a: Group, b: Group) -> Signs:
-    """Upright boxes by their sides, the others by their edges."""
+def _relate_polygons(a: Group, b: Group) -> Signs:
+    """Return the exact relations of polygons: of upright boxes by their sides, of others by their edges."""
     upright = np.zeros(a.x.shape[1], bool)
     if len(a.x) == len(b.x) == 4:
-        upright = upright_boxes(a.x, a.y) & upright_boxes(b.x, b.y)
+        upright = upright_box_mask(a.x, a.y) & upright_box_mask(b.x, b.y)
     if not upright.any():
-        return edges(Edges(a.x, a.y, len(a.x)), Edges(b.x, b.y, len(b.x)))
+        return relate_edges(Edges(a.x, a.y, len(a.x)), Edges(b.x, b.y, len(b.x)))
     found = np.empty(len(upright), np.int8)
-    for which, settle in ((upright, _boxes), (~upright, _polygons)):
+    for which, settle in ((upright, _relate_boxes), (~upright, _relate_polygons)):
         found[which] = settle(a.columns(which), b.columns(which))
     return found
 
 
-def _boxes(a: Group, b: Group) -> Signs:
+def _relate_boxes(a: Group, b: Group) -> Signs:
+    """Return the exact relations of upright boxes."""
     found = np.empty(a.x.shape[1], np.int8)
     boxes(a, b, 0, found)
     return found
 
 
 class Edges(NamedTuple):
-    """Outlines in columns, and how many edges are asked; rows beyond that number are corners come again.
+    """Outlines in columns and how many edges count; further rows repeat corners.
 
-    An edge leads from a row to the next, the last of as many as rows to the first.
+    An edge leads from one row to the next; the last edge leads back to the first row if all rows count.
     """
 
     x: Array
     y: Array
-    asked: int
+    edge_count: int
 
 
-def edges(a: Edges, b: Edges) -> Signs:
-    """Few corners: every edge of all pairs, with exact signs for those in doubt.  Many: the likely edges first."""
+def relate_edges(a: Edges, b: Edges) -> Signs:
+    """Return exact relations from edges: every edge for few corners, the likeliest edges first for many."""
     found = np.full(a.x.shape[1], OVERLAPPING, np.int8)
-    reach = (_largest(a.x, a.y) + _largest(b.x, b.y)) * ERROR_FACTOR_F64
-    most = max(a.asked, b.asked)
+    factor = (_max_coordinates(a.x, a.y) + _max_coordinates(b.x, b.y)) * ERROR_FACTOR_F64
+    most = max(a.edge_count, b.edge_count)
     left = np.arange(len(found))
-    nearest = [] if most <= AT_ONCE else [_nearest(a, b), _nearest(b, a)]
+    nearest = [] if most <= MAX_ALL_EDGES_CORNERS else [_facing_corner(a, b), _facing_corner(b, a)]
     for step in range(most):
         # around from the edges at the corner that lies furthest towards the other shape: -1, 0, -2, 1, -3, ...
         away = step // 2 if step % 2 else -1 - step // 2
         for k, (own, other) in enumerate(((a, b), (b, a))):
-            if step >= own.asked:
+            if step >= own.edge_count:
                 continue
             if not nearest:
-                which, tells = _same_edge(own, other, step, reach)
+                which, tells = _classify_numbered_edge(own, other, step, factor)
                 found[which] = np.minimum(found[which], tells)
             elif left.size:
-                tells = _edge(own, other, (nearest[k][left] + away) % own.asked, left, reach[left])
+                tells = _classify_edges(own, other, (nearest[k][left] + away) % own.edge_count, left, factor[left])
                 found[left] = tells
                 left = left[tells == OVERLAPPING]
     return found
 
 
-def _nearest(own: Edges, other: Edges) -> Indices:
-    """The corner that lies furthest towards the other shape, by floats; any would do."""
+def _facing_corner(own: Edges, other: Edges) -> Indices:
+    """Return the corner furthest towards the other shape, by floats; any corner would be correct."""
     dx, dy = (s[0] + s[len(s) // 2] - o[0] - o[len(o) // 2] for s, o in ((other.x, own.x), (other.y, own.y)))
-    look = dx * own.x
-    look += dy * own.y
-    found: Indices = look.argmax(axis=0)
+    value = dx * own.x
+    value += dy * own.y
+    found: Indices = value.argmax(axis=0)
     return found
 
 
-def _same_edge(own: Edges, other: Edges, e: int, reach: Array) -> tuple[Indices, Signs]:
-    """The pairs of which an edge does not plainly cut the other shape, and what it tells of them."""
+def _classify_numbered_edge(own: Edges, other: Edges, e: int, factor: Array) -> tuple[Indices, Signs]:
+    """Return (pairs that edge `e` does not plainly cut, what the edge proves about them)."""
     f = (e + 1) % len(own.x)
     ex, ey, fx, fy = own.x[e], own.y[e], own.x[f], own.y[f]
     nx, ny = fy - ey, ex - fx
-    least, look, part = np.full(len(nx), np.inf), np.empty_like(nx), np.empty_like(nx)
+    least, value, part = np.full(len(nx), np.inf), np.empty_like(nx), np.empty_like(nx)
     for x, y in zip(other.x, other.y, strict=True):
-        np.multiply(nx, x, out=look)
+        np.multiply(nx, x, out=value)
         np.multiply(ny, y, out=part)
-        look += part
-        np.minimum(least, look, out=least)
+        value += part
+        np.minimum(least, value, out=least)
     least -= nx * ex + ny * ey
-    room = np.maximum(np.abs(nx), np.abs(ny)) * reach
-    room[~((room > LEAST_ROOM) & (room < MOST_ROOM))] = np.inf
-    which = np.flatnonzero(~(least < -room))
-    return which, _edge(own, other, np.full(len(which), e), which, reach[which])
+    error_bound = np.maximum(np.abs(nx), np.abs(ny)) * factor
+    error_bound[~((error_bound > MIN_ERROR_BOUND) & (error_bound < MAX_ERROR_BOUND))] = np.inf
+    which = np.flatnonzero(~(least < -error_bound))
+    return which, _classify_edges(own, other, np.full(len(which), e), which, factor[which])
 
 
-def _edge(own: Edges, other: Edges, start: Indices, left: Indices, reach: Array) -> Signs:
-    """What one edge of each pair left tells, from the float looks and the exact sign of every corner within the room.
+def _classify_edges(own: Edges, other: Edges, start: Indices, left: Indices, factor: Array) -> Signs:
+    """Return what one edge of each pair proves, from float values and exact signs within the error bound.
 
     APART where all corners lie beyond it.  Where some lie on its line and none before, the shapes can only
     meet there: TOUCHING, or APART, as their ranges on the line tell.  OVERLAPPING for now where one lies before.
@@ -132,27 +134,27 @@ def _edge(own: Edges, other: Edges, start: Indices, left: Indices, reach: Array)
     end = (start + 1) % len(own.x)
     ex, ey, fx, fy = own.x[start, left], own.y[start, left], own.x[end, left], own.y[end, left]
     nx, ny = fy - ey, ex - fx
-    room = np.maximum(np.abs(nx), np.abs(ny)) * reach
-    room[~((room > LEAST_ROOM) & (room < MOST_ROOM))] = np.inf
-    px, py = columns(other.x, left), columns(other.y, left)
-    looks = nx * px
-    looks += ny * py
-    looks -= nx * ex + ny * ey
-    least = looks.min(axis=0)
-    tells = np.where(least > room, np.int8(APART), np.int8(OVERLAPPING))
-    doubtful = ~(np.abs(least) > room)
+    error_bound = np.maximum(np.abs(nx), np.abs(ny)) * factor
+    error_bound[~((error_bound > MIN_ERROR_BOUND) & (error_bound < MAX_ERROR_BOUND))] = np.inf
+    px, py = take_columns(other.x, left), take_columns(other.y, left)
+    values = nx * px
+    values += ny * py
+    values -= nx * ex + ny * ey
+    least = values.min(axis=0)
+    tells = np.where(least > error_bound, np.int8(APART), np.int8(OVERLAPPING))
+    doubtful = ~(np.abs(least) > error_bound)
     if doubtful.any():
-        corner, which = np.nonzero(~(looks > room) & doubtful)
-        found = _line(ex, ey, fx, fy, px[corner, which], py[corner, which], which)
+        corner, which = np.nonzero(~(values > error_bound) & doubtful)
+        found = _classify_on_line(ex, ey, fx, fy, px[corner, which], py[corner, which], which)
         np.copyto(tells, found, where=doubtful)
     return tells
 
 
-def _line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, which: Indices) -> Signs:
-    """The same from the exact signs of the corners p that are close, each to edge `which`; the others lie beyond."""
+def _classify_on_line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, which: Indices) -> Signs:
+    """Return what an edge proves when only corners on its line are left; the others lie beyond it."""
     side = np.empty(len(which), np.int8)
-    for start in range(0, len(which), DOUBTS):
-        part = slice(start, start + DOUBTS)
+    for start in range(0, len(which), BLOCK_SIGNS):
+        part = slice(start, start + BLOCK_SIGNS)
         w = which[part]
         # the turn from the edge's end over its start: what lies beyond is to the left
         side[part] = exact_signs.orient(fx[w], fy[w], ex[w], ey[w], px[part], py[part])
@@ -170,8 +172,8 @@ def _line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, whic
     return np.where(least < 0, OVERLAPPING, np.where((least == 0) & meet, TOUCHING, APART)).astype(np.int8)
 
 
-def _largest(x: Array, y: Array) -> Array:
-    """The largest magnitude in each column."""
+def _max_coordinates(x: Array, y: Array) -> Array:
+    """Return the largest absolute value in each column."""
     most, least = np.maximum(x.max(axis=0), y.max(axis=0)), np.minimum(x.min(axis=0), y.min(axis=0))
     largest: Array = np.maximum(most, -least)
     return largest

@@ -1,8 +1,8 @@
-"""The float filter for arrays of pairs, in NumPy: what it cannot tell stays UNDECIDED.
+"""The float filter for arrays of pairs, in NumPy: what it cannot decide stays UNDECIDED.
 
-Polygons are looked at in float32 first, which moves half the bytes.  The bounds of float64
-are those of the scalar engine (satviz.verdict); all hold for any order of operations.
-Every kernel takes one column a pair, from column `first` on, and fills `out` with relations.
+Polygons are evaluated in float32 first, which moves half the bytes.  The error bounds of float64
+are those of the scalar engine (satviz.engine.relate); all hold for any order of operations.
+Every kernel takes one column per pair, from column `first` on, and fills `out` with relations.
 """
 
 import numpy as np
@@ -16,66 +16,66 @@ from . import gjk
 
 Array32 = NDArray[np.float32]
 
-BLOCK = 16384  # pairs at a time: their columns and the scratch arrays stay in the second-level cache
+BLOCK_PAIRS = 16384  # pairs at a time: their columns and the scratch arrays stay in the second-level cache
 
-# The float32 look.  Coordinates from the first corner of A, at most m, are each off by
+# The float32 filter.  Coordinates from the first corner of A, at most m, are each off by
 # u m, u = 2^-24; an edge's parts by 3 u m, its products with a corner by 20 u m^2 in
 # all, and with the edge's own start as much: with the last subtractions below 64 u m^2.
-LOOK_32 = np.float32(2.0**-18)
-LEAST_32, MOST_32 = np.float32(2.0**-40), np.float32(2.0**50)  # m where float32 products keep their bits
+ERROR_FACTOR_F32 = np.float32(2.0**-18)
+MIN_SIZE_F32, MAX_SIZE_F32 = np.float32(2.0**-40), np.float32(2.0**50)  # m where float32 products keep their bits
 
-
-MANY = 16  # corners: beyond, float32 leaves nearly all pairs undecided, and to look at all takes too long
+MAX_F32_CORNERS = 16  # corners; above it float32 decides few pairs, and evaluating every vertex is slow
 
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
-    """APART where an edge has the other shape beyond it, in float32, with room for what rounding can hide."""
-    if max(len(a.x), len(b.x)) > MANY:
+    """Mark columns APART where an edge of one shape clears the other, in float32 with an error bound."""
+    if max(len(a.x), len(b.x)) > MAX_F32_CORNERS:
         gjk.polygons(a, b, first, out)
         return
     ax, ay, bx, by = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
-    decide(*look_32(ax, ay, bx, by, _width(a) + _width(b)), out)
+    classify_clearances(*evaluate_f32(ax, ay, bx, by, _max_width(a) + _max_width(b)), out)
 
 
-def _width(group: Group) -> float:
-    """No shape of V corners is wider than half its edges laid end to end."""
+def _max_width(group: Group) -> float:
+    """Return an upper bound of a group's widths: half of its edges laid end to end."""
     return len(group.x) // 2 * group.max_edge_component
 
 
-def look_32(
+def evaluate_f32(
     ax: Array, ay: Array, bx: Array, by: Array, width: float | Array, again: int = 0
 ) -> tuple[Array32, Array32]:
-    """Clearances in float32, and how far each can be off, from the pair's own size: far pairs widen no other's.
+    """Return (float32 clearances, error bounds); each bound comes from its own pair, so far pairs do not widen others.
 
     `again`: how many corners come again at the end, so that no edge leads from the last to the first.
     """
-    x, y, px, py = (_rounded(c, origin) for c, origin in zip((ax, ay, bx, by), (ax[0], ay[0]) * 2, strict=True))
+    x, y, px, py = (_to_f32(c, origin) for c, origin in zip((ax, ay, bx, by), (ax[0], ay[0]) * 2, strict=True))
     size = np.maximum(np.abs(px[0]), np.abs(py[0]))
     size += np.asarray(width, np.float32)
-    room = size * size
-    room *= LOOK_32
-    room[~((size > LEAST_32) & (size < MOST_32))] = np.inf
-    return clearance(x, y, px, py, 1, again), room
+    error_bound = size * size
+    error_bound *= ERROR_FACTOR_F32
+    error_bound[~((size > MIN_SIZE_F32) & (size < MAX_SIZE_F32))] = np.inf
+    return clearance(x, y, px, py, 1, again), error_bound
 
 
-def _rounded(c: Array, origin: Array) -> Array32:
+def _to_f32(c: Array, origin: Array) -> Array32:
+    """Return coordinates relative to an origin, in float32."""
     return np.subtract(c, origin).astype(np.float32)
 
 
 def clearance(ax: Array32, ay: Array32, bx: Array32, by: Array32, known: int, again: int = 0) -> Array32:
-    """The largest clearance of an edge: how far beyond it the other shape's nearest corner lies (times its length).
+    """Return the largest clearance of any edge: the distance of the other shape's nearest corner, times edge length.
 
     `known`: 1 where A's first corner is the origin, which saves its products.
     """
     best = np.full(ax.shape[1], -np.inf, ax.dtype)
     scratch = np.empty((5, ax.shape[1]), ax.dtype)
     own, other = len(ax) - again, len(bx) - again
-    _edges(ax, ay, bx[:other], by[:other], own, known, 0, best, *scratch)
-    _edges(bx, by, ax[:own], ay[:own], other, 0, known, best, *scratch)
+    _raise_clearance(ax, ay, bx[:other], by[:other], own, known, 0, best, *scratch)
+    _raise_clearance(bx, by, ax[:own], ay[:own], other, 0, known, best, *scratch)
     return best
 
 
-def _edges(
+def _raise_clearance(
     x: Array32,
     y: Array32,
     px: Array32,
@@ -87,20 +87,20 @@ def _edges(
     nx: Array32,
     ny: Array32,
     least: Array32,
-    look: Array32,
+    value: Array32,
     part: Array32,
 ) -> None:
-    """Raise `best` to the clearance of each edge; the first `own` corners and `other` corners are zeros."""
+    """Raise `best` to the clearance of each edge; `nx`, `ny`, `least`, `value` and `part` are scratch."""
     for i in range(edges):
         j = (i + 1) % len(x)
         np.subtract(y[j], y[i], out=nx)
         np.subtract(x[i], x[j], out=ny)
         least.fill(0.0 if other else np.inf)
         for k in range(other, len(px)):
-            np.multiply(nx, px[k], out=look)
+            np.multiply(nx, px[k], out=value)
             np.multiply(ny, py[k], out=part)
-            look += part
-            np.minimum(least, look, out=least)
+            value += part
+            np.minimum(least, value, out=least)
         if i >= own and j >= own:
             nx *= x[i]
             ny *= y[i]
@@ -109,15 +109,15 @@ def _edges(
         np.maximum(best, least, out=best)
 
 
-def decide(gap: Array32 | Array, room: Array32 | Array, out: Signs) -> None:
-    """Fill `out` with what clearances tell, each of which can be off by its room."""
-    np.multiply((gap < -room).view(np.int8), OVERLAPPING - UNDECIDED, out=out)
-    out += (gap > room).view(np.int8)  # by APART - UNDECIDED, which is 1
+def classify_clearances(gap: Array32 | Array, error_bound: Array32 | Array, out: Signs) -> None:
+    """Fill `out` with what the clearances prove, given their error bounds."""
+    np.multiply((gap < -error_bound).view(np.int8), OVERLAPPING - UNDECIDED, out=out)
+    out += (gap > error_bound).view(np.int8)  # by APART - UNDECIDED, which is 1
     out += UNDECIDED
 
 
 def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
-    """Upright boxes: four comparisons of sides settle them, exactly."""
+    """Classify upright boxes exactly by four comparisons of sides."""
     ax, ay, bx, by = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
     gap = np.full(out.size, -np.inf)
     for p, q in ((ax, bx), (ay, by)):
@@ -128,25 +128,25 @@ def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
 
 
 def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Signs) -> None:
-    """Distance against the sum of radii, squared."""
+    """Classify circles by the squared distance against the squared sum of radii."""
     ax, ay, ar, bx, by, br = (c[first : first + out.size] for c in (ax, ay, ar, bx, by, br))
-    dx, dy, reach = ax - bx, ay - by, ar + br
+    dx, dy, radius_sum = ax - bx, ay - by, ar + br
     distance = dx * dx + dy * dy
-    reach *= reach
-    room = distance + reach
-    sure = (room > TINY) & (room < HUGE)
-    room *= 2.0**-50
-    room[~sure] = np.inf
-    decide(distance - reach, room, out)
+    radius_sum *= radius_sum
+    error_bound = distance + radius_sum
+    certified = (error_bound > TINY) & (error_bound < HUGE)
+    error_bound *= 2.0**-50
+    error_bound[~certified] = np.inf
+    classify_clearances(distance - radius_sum, error_bound, out)
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-    """The squared distance from each center to the nearest edge or corner, against the squared radius."""
+    """Classify by the squared distance from each center to the nearest edge or corner, against the squared radius."""
     cx, cy, cr, px, py = (c[..., first : first + out.size] for c in (cx, cy, cr, px, py))
     x, y = px - cx, py - cy
     far = np.maximum(np.maximum(np.abs(x).max(axis=0), np.abs(y).max(axis=0)), cr)
-    room = far * far * 2.0**-46
-    safe = (room > TINY) & (room < HUGE * 2.0**-46)
+    error_bound = far * far * 2.0**-46
+    safe = (error_bound > TINY) & (error_bound < HUGE * 2.0**-46)
     inside, nearest = np.ones(out.size, bool), np.full(out.size, np.inf)
     for i in range(len(px)):
         j = (i + 1) % len(px)
@@ -162,8 +162,8 @@ def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first
             np.where(along >= square, x[j] * x[j] + y[j] * y[j], turn / square * turn),
         )
         np.minimum(nearest, distance, out=nearest)  # of edges that face away too: none lies nearer than the nearest
-    reach = cr * cr
+    radius_squared = cr * cr
     out.fill(UNDECIDED)
-    out[safe & (inside | (nearest < reach - room))] = OVERLAPPING
-    # a center inside, taken for one on an edge's line, has the boundary within twice the tolerance: far within the room
-    out[safe & ~inside & (nearest > reach + room)] = APART
+    out[safe & (inside | (nearest < radius_squared - error_bound))] = OVERLAPPING
+    # a center inside, taken for one on an edge's line, is within twice the tolerance of the boundary
+    out[safe & ~inside & (nearest > radius_squared + error_bound)] = APART

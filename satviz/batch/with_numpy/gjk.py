@@ -4,55 +4,55 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...engine.predicates import TINY
-from ...engine.relate import ERROR_FACTOR_F64, LEAST_ROOM, MOST_ROOM
+from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..arrays import Group
 from ..codes import APART, OVERLAPPING, UNDECIDED
-from ..exact_signs import ROUND, Array, Signs, columns
+from ..exact_signs import ERRBOUND_A, Array, Signs, take_columns
 
 Indices = NDArray[np.intp]
 
-MOST_STEPS = 12
-AT_ONCE = 1 << 16  # corners: they and the scratch arrays stay in the second-level cache
+MAX_STEPS = 12
+BLOCK_CORNERS = 1 << 16  # corners: they and the scratch arrays stay in the second-level cache
 
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
-    """APART and OVERLAPPING of the columns from `first` on, where a few steps tell.
+    """Mark columns APART or OVERLAPPING where a few steps of GJK find an axis or a shared point.
 
     The differences of B's corners and A's span a polygon about the origin if the shapes overlap: its lowest
     corner along an axis above zero proves a gap, a triangle of its corners about the origin a shared
     point (Gilbert, Johnson and Keerthi 1988).
     """
-    size = max(1, AT_ONCE // (len(a.x) + len(b.x)))
+    size = max(1, BLOCK_CORNERS // (len(a.x) + len(b.x)))
     for start in range(0, out.size, size):
         part = slice(first + start, first + min(start + size, out.size))
-        reach = (a.max_coordinate + b.max_coordinate) * ERROR_FACTOR_F64
-        few_steps(a.x[:, part], a.y[:, part], b.x[:, part], b.y[:, part], reach, out[start : start + size])
+        factor = (a.max_coordinate + b.max_coordinate) * ERROR_FACTOR_F64
+        gjk(a.x[:, part], a.y[:, part], b.x[:, part], b.y[:, part], factor, out[start : start + size])
 
 
-def few_steps(x: Array, y: Array, p: Array, q: Array, reach: float, out: Signs) -> None:
-    """The same of whole columns; `reach`: both largest coordinates together, times what a look is granted."""
+def gjk(x: Array, y: Array, p: Array, q: Array, factor: float, out: Signs) -> None:
+    """Mark whole columns by GJK; `factor` is the sum of both largest coordinates times ERROR_FACTOR_F64."""
     out.fill(UNDECIDED)
     left = np.arange(out.size)
-    d = _middle(p, q) - _middle(x, y)
+    d = _mid_point(p, q) - _mid_point(x, y)
     u = v = np.zeros_like(d)
-    for step in range(MOST_STEPS):
-        w = _lowest(p, q, d) - _lowest(x, y, -d)
+    for step in range(MAX_STEPS):
+        w = _lowest_corner(p, q, d) - _lowest_corner(x, y, -d)
         at = d[0] * w[0] + d[1] * w[1]
-        room = np.abs(d).sum(axis=0) * reach
-        room[~((room > LEAST_ROOM) & (room < MOST_ROOM))] = np.inf
-        out[left[at > room]] = APART
-        go = at < -room
+        error_bound = np.abs(d).sum(axis=0) * factor
+        error_bound[~((error_bound > MIN_ERROR_BOUND) & (error_bound < MAX_ERROR_BOUND))] = np.inf
+        out[left[at > error_bound]] = APART
+        go = at < -error_bound
         if step == 0:
             u, d = w, w
         else:
             if step == 1:
                 v = w
             else:
-                one, other = _cross(v, w), _cross(w, u)
+                one, other = _certified_cross(v, w), _certified_cross(w, u)
                 out[left[go & (one > 0) & (other > 0)]] = OVERLAPPING
                 go &= (one < 0) | (other < 0)
                 u, v = np.where(one < 0, w, u), np.where((one >= 0) & (other < 0), w, v)
-            side = _cross(u, v)
+            side = _certified_cross(u, v)
             go &= side != 0
             u, v = np.where(side < 0, v, u), np.where(side < 0, u, v)
             # the origin lies left of the way from u to v: what is looked for next lies beyond, down to the left
@@ -61,26 +61,26 @@ def few_steps(x: Array, y: Array, p: Array, q: Array, reach: float, out: Signs) 
         if not which.size:
             return
         left = left[which]
-        d, u, v, x, y, p, q = (columns(c, which) for c in (d, u, v, x, y, p, q))
+        d, u, v, x, y, p, q = (take_columns(c, which) for c in (d, u, v, x, y, p, q))
 
 
-def _middle(x: Array, y: Array) -> Array:
-    """Between two corners far from each other."""
+def _mid_point(x: Array, y: Array) -> Array:
+    """Return the point between two corners of each outline that lie far apart."""
     return np.stack([c[0] / 2 + c[len(c) // 2] / 2 for c in (x, y)])
 
 
-def _lowest(x: Array, y: Array, d: Array) -> Array:
-    """The corner of each column that is lowest along d, by floats."""
-    look = d[0] * x
-    look += d[1] * y
-    corner, column = look.argmin(axis=0), np.arange(x.shape[1])
+def _lowest_corner(x: Array, y: Array, d: Array) -> Array:
+    """Return the corner of each column that is lowest along d, by floats."""
+    value = d[0] * x
+    value += d[1] * y
+    corner, column = value.argmin(axis=0), np.arange(x.shape[1])
     return np.stack([x[corner, column], y[corner, column]])
 
 
-def _cross(u: Array, v: Array) -> Array:
-    """The turns from u to v; 0 where rounding may hide the sign."""
+def _certified_cross(u: Array, v: Array) -> Array:
+    """Return the cross products of u and v, or 0 where rounding may hide the sign."""
     left, right = u[0] * v[1], u[1] * v[0]
     size = np.abs(left) + np.abs(right)
     turn: Array = left - right
-    turn[~((np.abs(turn) > ROUND * size) & (size > TINY))] = 0.0
+    turn[~((np.abs(turn) > ERRBOUND_A * size) & (size > TINY))] = 0.0
     return turn

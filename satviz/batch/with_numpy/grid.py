@@ -12,12 +12,12 @@ Ranges = list[tuple[Pairs, Pairs, Pairs]]  # of some queries: which, from where 
 Cell = Sequence[float]  # its width and height
 Grid = Callable[[Array, Pairs, Pairs | None, Cell, float], Iterator[Pairs] | None]  # as `met` below
 
-BLOCK = 1 << 20  # candidates looked at in one go: what bounds the memory
-DENSE = 8  # cells a box that are worth a table of where each begins
+BLOCK_CANDIDATES = 1 << 20  # candidates looked at in one go: what bounds the memory
+MAX_TABLE_CELLS_PER_BOX = 8  # cells a box that are worth a table of where each begins
 
 
-def met(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float) -> Iterator[Pairs] | None:
-    """Of two sets of boxes, or of one among itself, the pairs that meet (i < j), a block at a time, in no order.
+def meeting_pairs(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float) -> Iterator[Pairs] | None:
+    """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one; None beyond `most` candidates.
 
     None where that takes more than `most` looks.  Boxes are stored by the cell of their lower
     left corner, row after row.  The numbers of cells never decrease along an axis, so a box
@@ -25,7 +25,7 @@ def met(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float)
     division rounds.
     """
     queries, stored = one, one if other is None else other
-    (low_x, high_x, own_x), (low_y, high_y, own_y) = (_cells(bounds, queries, stored, d, cell[d]) for d in (0, 1))
+    (low_x, high_x, own_x), (low_y, high_y, own_y) = (_cell_ranges(bounds, queries, stored, d, cell[d]) for d in (0, 1))
     width, height = (int(max(high.max(), own.max())) + 1 for high, own in ((high_x, own_x), (high_y, own_y)))
     key = own_y.astype(np.int64, copy=False) * width + own_x
     order = np.argsort(key)
@@ -34,7 +34,7 @@ def met(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float)
         queries = stored
         low_x, high_x, low_y, high_y = (c[order] for c in (low_x, high_x, own_y, high_y))
     begin = None
-    if width * height <= DENSE * len(key):
+    if width * height <= MAX_TABLE_CELLS_PER_BOX * len(key):
         begin = np.concatenate([[0], np.cumsum(np.bincount(key, minlength=width * height))])
     ranges: Ranges = []
     for row in range(int((high_y - low_y).max()) + 1):
@@ -47,11 +47,11 @@ def met(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float)
         ranges.append((which, first, last - first))
     if sum(int(many.sum()) for _, _, many in ranges) > most:
         return None
-    return _blocks(bounds, queries, stored, ranges)
+    return _pair_blocks(bounds, queries, stored, ranges)
 
 
-def _cells(bounds: Array, queries: Pairs, stored: Pairs, d: int, cell: float) -> tuple[Pairs, Pairs, Pairs]:
-    """Along one axis: the first and last cell in which what meets each query can be stored, and each stored box's own.
+def _cell_ranges(bounds: Array, queries: Pairs, stored: Pairs, d: int, cell: float) -> tuple[Pairs, Pairs, Pairs]:
+    """Return for one axis the first and last cell that each query must search, and the cell of each stored box.
 
     A box that meets a query begins before the query ends, and not more than its own width before the
     query begins.  Numbers that would not fit, or lie so far out that those next to one another are many cells
@@ -73,8 +73,8 @@ def _cells(bounds: Array, queries: Pairs, stored: Pairs, d: int, cell: float) ->
     return first, last, own
 
 
-def _blocks(bounds: Array, queries: Pairs, stored: Pairs, ranges: Ranges) -> Iterator[Pairs]:
-    """Of each query with what is stored in its ranges, those whose boxes meet."""
+def _pair_blocks(bounds: Array, queries: Pairs, stored: Pairs, ranges: Ranges) -> Iterator[Pairs]:
+    """Yield the pairs of queries with stored boxes in their cell ranges whose boxes meet."""
     # in the order of the cells: the looks then run through memory nearly straight on
     theirs = bounds[stored].T.copy()
     own = theirs if queries is stored else bounds[queries].T.copy()
@@ -84,7 +84,7 @@ def _blocks(bounds: Array, queries: Pairs, stored: Pairs, ranges: Ranges) -> Ite
         while start < len(which):
             # at least one query, and as many as fit the block
             done = end[start - 1] if start else 0
-            stop = max(start + 1, int(np.searchsorted(end, done + BLOCK, side="right")))
+            stop = max(start + 1, int(np.searchsorted(end, done + BLOCK_CANDIDATES, side="right")))
             each = many[start:stop]
             of = np.repeat(which[start:stop], each)
             with_ = np.arange(len(of)) + np.repeat(first[start:stop] - (end[start:stop] - each - done), each)

@@ -6,21 +6,21 @@ from numpy.typing import NDArray
 from ...engine.relate import ERROR_FACTOR_F64
 from ..arrays import Flat
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
-from ..exact_signs import Array, Signs, columns, lanes
+from ..exact_signs import Array, Signs, pairs_per_block, take_columns
 from . import gjk
-from .exact import Edges, edges
-from .filter import MANY, decide, look_32
+from .exact import Edges, relate_edges
+from .filter import MAX_F32_CORNERS, classify_clearances, evaluate_f32
 
 Indices = NDArray[np.intp]
 
-AT_ONCE = 1 << 17  # corners
+BLOCK_CORNERS = 1 << 17  # corners
 
 
 def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
-    """The exact relations of the pairs (ia, ib): by their boxes, else side by side with others of about their width."""
+    """Fill in the exact relations of the pairs (ia, ib): by bounding boxes, then in columns of like width."""
     boxes_a, boxes_b = a.bounds[ia], b.bounds[ib]
     with np.errstate(over="ignore"):
-        gap = _gap(boxes_a, boxes_b)
+        gap = _box_gaps(boxes_a, boxes_b)
     out.fill(APART)
     touch = np.flatnonzero(~(gap > 0))
     upright = a.upright[ia[touch]] & b.upright[ib[touch]]
@@ -30,15 +30,15 @@ def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
     widths = np.maximum(2 ** np.ceil(np.log2(most)).astype(np.intp), 4)
     for width in np.unique(widths).tolist():
         mine = left[widths == width]
-        size = lanes(width, AT_ONCE)
+        size = pairs_per_block(width, BLOCK_CORNERS)
         for start in range(0, len(mine), size):
             part = mine[start : start + size]
             with np.errstate(all="ignore"):
-                out[part] = _side_by_side(a, ia[part], boxes_a[part], b, ib[part], boxes_b[part])
+                out[part] = _relate_columns(a, ia[part], boxes_a[part], b, ib[part], boxes_b[part])
 
 
-def _gap(a: Array, b: Array) -> Array:
-    """The largest gap between boxes along x and y."""
+def _box_gaps(a: Array, b: Array) -> Array:
+    """Return the largest gap between boxes along x and y."""
     gap = np.full(len(a), -np.inf)
     for low, high in ((0, 2), (1, 3)):
         for one, other in ((a, b), (b, a)):
@@ -46,28 +46,29 @@ def _gap(a: Array, b: Array) -> Array:
     return gap
 
 
-def _side_by_side(a: Flat, ia: Indices, boxes_a: Array, b: Flat, ib: Indices, boxes_b: Array) -> Signs:
-    """First the filter on all, then the edges of those that it leaves undecided."""
-    (x, y), (p, q) = _laid(a, ia), _laid(b, ib)
+def _relate_columns(a: Flat, ia: Indices, boxes_a: Array, b: Flat, ib: Indices, boxes_b: Array) -> Signs:
+    """Return relations of pairs laid side by side: the filter first, then the edges of undecided pairs."""
+    (x, y), (p, q) = _corners_in_columns(a, ia), _corners_in_columns(b, ib)
     found = np.empty(len(ia), np.int8)
-    if max(len(x), len(p)) - 1 > MANY:
+    if max(len(x), len(p)) - 1 > MAX_F32_CORNERS:
         reach = float(np.abs(boxes_a).max() + np.abs(boxes_b).max()) * ERROR_FACTOR_F64
-        gjk.few_steps(x, y, p, q, reach, found)
+        gjk.gjk(x, y, p, q, reach, found)
     else:
-        decide(*look_32(x, y, p, q, _wide(boxes_a) + _wide(boxes_b), 1), found)
+        classify_clearances(*evaluate_f32(x, y, p, q, _max_widths(boxes_a) + _max_widths(boxes_b), 1), found)
     rest = np.flatnonzero(found == UNDECIDED)
-    x, y, p, q = (columns(c, rest) for c in (x, y, p, q))
-    found[rest] = edges(Edges(x, y, len(x) - 1), Edges(p, q, len(p) - 1))
+    x, y, p, q = (take_columns(c, rest) for c in (x, y, p, q))
+    found[rest] = relate_edges(Edges(x, y, len(x) - 1), Edges(p, q, len(p) - 1))
     return found
 
 
-def _wide(boxes: Array) -> Array:
+def _max_widths(boxes: Array) -> Array:
+    """Return an upper bound of each shape's edge components, from its box."""
     wide: Array = np.maximum(boxes[:, 2] - boxes[:, 0], boxes[:, 3] - boxes[:, 1])
     return wide
 
 
-def _laid(shapes: Flat, which: Indices) -> tuple[Array, Array]:
-    """Corners in columns and the first once more; outlines of fewer go round again, so all have as many edges."""
+def _corners_in_columns(shapes: Flat, which: Indices) -> tuple[Array, Array]:
+    """Return corners in columns, the first once more at the end; shorter outlines are repeated."""
     start = shapes.start[which]
     many, of = np.unique(shapes.start[which + 1] - start, return_inverse=True)
     places = (np.arange(many[-1] + 1)[:, None] % many).take(of, axis=1)  # a division a corner of each would be slow

@@ -6,16 +6,17 @@ import { element, SVG } from "./elements.js";
 
 const PIXELS_PER_POINT = 2;
 const INLINED_STYLES = ["fill", "stroke", "font-family", "font-size", "font-weight"]; // set by style sheets and variables
-/** @type {Record<string, string>} */
-const TYPES = { svg: "image/svg+xml", png: "image/png", gif: "image/gif" };
+const SVG_TYPE = "image/svg+xml";
+const PNG_TYPE = "image/png";
+export const PAGE_FORMATS = ["svg", "png"]; // what a page can draw without a kernel
 
 /**
- * @param {{ name: string }} file Its ending says its type.
- * @param {BlobPart[]} buffers
+ * Give a file to the reader as a download.
+ * @param {{ name: string, mime: string }} file
+ * @param {BlobPart[]} buffers Its content is the first.
  */
-export function download({ name }, [data]) {
-  const type = TYPES[name.split(".").pop() ?? ""];
-  const url = URL.createObjectURL(new Blob([data], { type }));
+export function download({ name, mime }, [data]) {
+  const url = URL.createObjectURL(new Blob([data], { type: mime }));
   element("a", { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), 10000);
 }
@@ -23,14 +24,15 @@ export function download({ name }, [data]) {
 /**
  * Save the pictures that are shown, one under another, without a kernel.  A picture that moves is saved as it will end.
  * @param {Pen[]} pens
- * @param {string} form "svg" or "png".
+ * @param {string} form One of PAGE_FORMATS.
  */
 export async function savePictures(pens, form) {
   const shown = pens.filter(({ svg }) => !svg.hasAttribute("hidden"));
   for (const pen of shown) pen.arrive();
   const drawn = stacked(shown.map(({ svg }) => svg));
   const text = new XMLSerializer().serializeToString(drawn);
-  download({ name: `satviz.${form}` }, [form === "svg" ? text : await png(text, drawn.viewBox.baseVal)]);
+  if (form === "svg") download({ name: "satviz.svg", mime: SVG_TYPE }, [text]);
+  else download({ name: "satviz.png", mime: PNG_TYPE }, [await png(text, drawn.viewBox.baseVal)]);
 }
 
 /**
@@ -79,11 +81,11 @@ function withStyles(svg) {
  */
 async function png(text, { width, height }) {
   const image = new Image();
-  image.src = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
+  image.src = URL.createObjectURL(new Blob([text], { type: SVG_TYPE }));
   await image.decode();
   const canvas = Object.assign(document.createElement("canvas"), { width: width * PIXELS_PER_POINT, height: height * PIXELS_PER_POINT });
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   context.drawImage(image, 0, 0, canvas.width, canvas.height);
   URL.revokeObjectURL(image.src);
-  return new Promise((resolve, reject) => canvas.toBlob((blob) => (blob ? resolve(blob) : reject()), "image/png"));
+  return new Promise((resolve, reject) => canvas.toBlob((blob) => (blob ? resolve(blob) : reject()), PNG_TYPE));
 }

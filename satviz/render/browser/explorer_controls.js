@@ -29,10 +29,10 @@ export class ExplorerControls {
     this.difference = checkbox((on) => explorer.change({ against: on }));
     const labels = [["free axis", this.freeAxis], ["way out", this.wayOut], ["B − A", this.difference]];
     const boxes = labels.map(([label, box]) => element("label", {}, box, ` ${label}`));
-    /** @type {((form: string) => void) | null} */
-    const requestFile = model.get("alone") ? null : (form) => model.send({ kind: "save", form });
+    /** @type {import("./save_menu.js").Kernel | null} */
+    const kernel = model.get("alone") ? null : { formats: model.get("formats"), request: (form) => model.send({ kind: "save", form }) };
     const copies = { "copy JSON": () => explorer.state.json, "copy link": () => sceneLink(model.get("site"), explorer.state.link) };
-    const { menu, status } = saveMenu([explorer.pen, explorer.curvePen, explorer.differencePen], requestFile, copies);
+    const { menu, status } = saveMenu([explorer.pen, explorer.curvePen, explorer.differencePen], kernel, copies);
     this.element = element("div", { class: "sv-controls", role: "group", "aria-label": "explorer" },
       this.presets, this.goals, this.viewGroup, this.undo, this.redo, reset, ...boxes, menu, status);
     this.scene = "";

@@ -41,7 +41,7 @@
  */
 /** @typedef {{ kind: "state", n?: number | null } & State} StateMessage `n` is the number of the pose that it answers. */
 /** @typedef {{ kind: "refused", n?: number | null, why: string }} RefusedMessage */
-/** @typedef {{ kind: "file", name: string }} FileMessage Its content is in the buffers. */
+/** @typedef {{ kind: "file", name: string, mime: string }} FileMessage Its content is in the buffers. */
 /** @typedef {StateMessage | RefusedMessage | FileMessage} Message */
 /** @typedef {(content: Message, buffers: BlobPart[]) => void} Listener */
 /**

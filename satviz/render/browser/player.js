@@ -35,7 +35,8 @@ import { followTheme } from "./theme.js";
 /**
  * @typedef {object} PlayerOptions
  * @property {boolean} [predict]
- * @property {RequestFile | null} [requestFile] Makes a kernel draw a file.  Without it the page saves its own picture.
+ * @property {string[]} [formats] The formats of the files that a kernel draws.
+ * @property {RequestFile | null} [requestFile] Asks the kernel for a file.  Without it the page saves its own picture.
  * @property {Show[]} [narrow] The same shows for a place where the others do not fit.
  * @property {string} [link]
  * @property {string} [site]
@@ -50,7 +51,7 @@ export class Player {
    * @param {Show[]} shows One, or that of the early exit and that of every axis.
    * @param {PlayerOptions} [options]
    */
-  constructor(root, shows, { predict = false, requestFile = null, narrow = [], link = "", site = "" } = {}) {
+  constructor(root, shows, { predict = false, requestFile = null, formats = [], narrow = [], link = "", site = "" } = {}) {
     this.root = root;
     this.shows = shows;
     this.which = 0;
@@ -79,8 +80,8 @@ export class Player {
     this.score = element("output", { class: "sv-score" });
     this.rest = button("test the rest", () => this.switchShow(), { pressed: "false" });
     const copy = () => sceneLink(site, `${link}&step=${this.at}${this.predict.checked ? "&predict=1" : ""}${this.which ? "&rest=1" : ""}`);
-    const save = requestFile && ((/** @type {string} */ form) => requestFile(form, this.at, this.which));
-    const { menu, status } = saveMenu([this.pen], save, link ? { "copy link": copy } : {});
+    const kernel = requestFile && { formats, request: (/** @type {string} */ form) => requestFile(form, this.at, this.which) };
+    const { menu, status } = saveMenu([this.pen], kernel, link ? { "copy link": copy } : {});
     this.status = status; // says what became of a file
     const side = element("div", { class: "sv-side" }, this.code, element("div", { class: "sv-fold" }, this.table.element));
     const board = element("div", { class: "sv-board sv-scrolls" }, svg);

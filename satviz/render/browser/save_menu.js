@@ -1,9 +1,10 @@
 // The menu of what a widget saves: files, and texts to copy.
 
-import { savePictures } from "./download.js";
+import { PAGE_FORMATS, savePictures } from "./download.js";
 import { button, element } from "./elements.js";
 
 /** @import { Pen } from "./pen.js" */
+/** @typedef {{ formats: string[], request: (form: string) => void }} Kernel The formats that Python offers, and how to request a file. */
 
 /**
  * The address at which a site's explorer opens a scene.
@@ -39,24 +40,24 @@ async function copyText(text) {
 /**
  * The menu, and beside it the place that says what became of a file.
  * @param {Pen[]} pens
- * @param {((form: string) => void) | null} requestFile Makes a kernel draw a file.  Without it the page saves its own pictures.
+ * @param {Kernel | null} kernel Draws the files.  Without a kernel the page saves its own pictures.
  * @param {Record<string, () => string>} texts What can be copied, by the name of its button.
  */
-export function saveMenu(pens, requestFile, texts) {
+export function saveMenu(pens, kernel, texts) {
   const status = element("span", { class: "sv-done", role: "status" });
   /** @param {string} form */
   const savePage = (form) => savePictures(pens, form).catch(() => {
     status.textContent = "This browser cannot draw the file.";
   });
-  const save = requestFile ?? savePage;
+  const { formats, request } = kernel ?? { formats: PAGE_FORMATS, request: savePage };
   /** @param {() => string} text */
   const copy = async (text) => {
     status.textContent = (await copyText(text())) ? "Copied." : "This browser does not let a page copy.";
   };
   const copies = Object.entries(texts).map(([name, text]) => button(name, () => copy(text)));
-  const forms = (requestFile ? ["svg", "png", "gif"] : ["svg", "png"]).map((form) => button(`save ${form.toUpperCase()}`, () => save(form), { content: form.toUpperCase() }));
+  const saves = formats.map((form) => button(`save ${form.toUpperCase()}`, () => request(form), { content: form.toUpperCase() }));
   const summary = element("summary", {}, "save");
-  const list = element("div", { onclick: () => menu.removeAttribute("open") }, ...forms, ...copies);
+  const list = element("div", { onclick: () => menu.removeAttribute("open") }, ...saves, ...copies);
   const menu = element("details", { class: "sv-menu" }, summary, list);
   menu.addEventListener("toggle", () => {
     if (menu.open) status.textContent = "";

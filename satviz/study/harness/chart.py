@@ -14,7 +14,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from ...pictures import LIGHT, THEMES, Theme
-from ...render.files import DPI, bare, encode_figure
+from ...render.files import bare, encode_figure
+from ...render.formats import DPI
 from ...safe_write import MADE_BY, write
 from .cells import JsonRow
 

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from time import thread_time
 from typing import Any
 
-from ...advice.timing import in_turn
+from ...advice.timing import time_in_turn
 from .cells import JsonRow, Settings
 
 BUSY_SPREAD = 0.25  # quartiles further apart than this share of the median: the machine was busy
@@ -16,7 +16,7 @@ def time_jobs(jobs: Mapping[str, Callable[[], Any]], rounds: int, items: Mapping
     gc.collect()
     gc.freeze()  # otherwise the collection after each round would visit all shapes again
     try:
-        found = in_turn(jobs, rounds, items, thread_time)
+        found = time_in_turn(jobs, rounds, items, thread_time)
     finally:
         gc.unfreeze()
     return {name: {"ns": times.median, "ns_low": times.low, "ns_high": times.high} for name, times in found.items()}

@@ -104,7 +104,7 @@ def _numba_methods() -> Iterator[Method]:
     if not is_installed("numba"):
         return
     from ...batch.codes import APART
-    from ...batch.with_numba.filter import looks
+    from ...batch.with_numba.filter import clearance_kernel
     from . import numba_rivals
 
     def on_columns(name: str, family: str, kernel: Callable[..., None], *options: Any, dtype: type = float) -> Method:
@@ -134,7 +134,7 @@ def _numba_methods() -> Iterator[Method]:
     def hits_without_filter(a: numpy_rivals.Columns, b: numpy_rivals.Columns) -> Answers:
         """Return satviz's answers with all error bounds 0; a clearance of exactly 0 counts as a hit."""
         out = np.empty(a.x.shape[1], np.int8)
-        looks(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, 0, 0.0, out)
+        clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, 0, 0.0, out)
         return np.asarray(out != APART)
 
     relation = partial(batch.relate, engine="numba")

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...batch.exact_signs import UNKNOWN
-from ...batch.with_numba.exact import TERMS, _product, _sign_of_sum, turn
+from ...batch.with_numba.exact import MAX_TERMS, orient, sign_of_sum, two_product
 from ...batch.with_numba.jit_cache import compiled
 
 Array = NDArray[np.float64]
@@ -181,7 +181,7 @@ def orientation_sat(ax: Array, ay: Array, bx: Array, by: Array, error_factor: fl
 
     `error_factor`: NO_ERROR_BOUND, ERRBOUND_A or ALWAYS_EXACT.
     """
-    terms = np.empty(TERMS)
+    terms = np.empty(MAX_TERMS)
     for i in range(out.size):
         out[i] = not (
             _edge_clears(ax, ay, bx, by, i, error_factor, terms) or _edge_clears(bx, by, ax, ay, i, error_factor, terms)
@@ -202,7 +202,7 @@ def _edge_clears(x: Array, y: Array, p: Array, q: Array, i: int, error_factor: f
                 if error_factor == ALWAYS_EXACT:
                     sign = _exact_orientation(x[e, i], y[e, i], x[f, i], y[f, i], p[v, i], q[v, i], terms)
                 else:
-                    sign = turn(x[e, i], y[e, i], x[f, i], y[f, i], p[v, i], q[v, i], terms)
+                    sign = orient(x[e, i], y[e, i], x[f, i], y[f, i], p[v, i], q[v, i], terms)
                 # where a product leaves the range of float64 the exact sign is unknown: keep the float
                 side = side if sign == UNKNOWN else float(sign)
             if side >= 0:
@@ -217,8 +217,8 @@ def _edge_clears(x: Array, y: Array, p: Array, q: Array, i: int, error_factor: f
 def _exact_orientation(px: float, py: float, qx: float, qy: float, rx: float, ry: float, terms: Array) -> int:
     """Return the sign of the orientation determinant from its six exact products, without a filter before it."""
     for k, (a, b) in enumerate(((px, qy), (-py, qx), (qx, ry), (-qy, rx), (rx, py), (-ry, px))):
-        terms[k], terms[6 + k] = _product(a, b)
-    return _sign_of_sum(terms, TERMS)
+        terms[k], terms[6 + k] = two_product(a, b)
+    return sign_of_sum(terms, MAX_TERMS)
 
 
 @compiled

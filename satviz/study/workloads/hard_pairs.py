@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ... import batch
-from ...advice.margins import gammas
+from ...advice.margins import relative_margins
 from ...engine.geometry import InvalidShape
 from ...engine.shapes import Polygon
 from .. import truth
@@ -45,7 +45,7 @@ def hard_pairs(kind: HardKind, rng: Rng, per_octave: int) -> tuple[Rings, Rings,
     if kind.power != (0, 0):
         power = rng.integers(*kind.power, len(a))[:, None, None] * rng.choice([-1, 1], (len(a), 1, 1))
         a, b = np.ldexp(a, power), np.ldexp(b, power)
-    return a, b, gammas(batch.Polygons(a), batch.Polygons(b))
+    return a, b, relative_margins(batch.Polygons(a), batch.Polygons(b))
 
 
 def moved_to_margin(rng: Rng, a: Rings, b: Rings, margin: Array) -> Pairs:

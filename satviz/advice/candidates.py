@@ -1,0 +1,153 @@
+"""The candidate models of a recommendation: simpler or faster tests of a pair, from the fewest axes to the most.
+
+A *model* is a way to find the relation of two shapes (apart, touching or overlapping): bounding circles, bounding boxes
+(AABB), ranges on a few fixed directions (a k-DOP), SAT in plain floats of one format, and the exact filter.
+A model is *certified* for a pair where no order of its operations, fused or not, can give another relation
+(`certified_bounds.py`); `models.py` evaluates the models for many pairs.
+"""
+
+from collections.abc import Collection, Iterable, Sequence
+from itertools import chain, pairwise
+from math import copysign, frexp, inf, ldexp
+from typing import NamedTuple, TypeVar
+
+from ..engine.convex_parts import parts
+from ..engine.geometry import Vec
+from ..engine.predicates import IntPoint, to_int_points
+from ..engine.shapes import Polygon, Shape
+from .rounding import FORMATS
+
+T = TypeVar("T")
+BOUNDING_CIRCLES, AABB, K_DOP, EXACT_FILTER = "bounding circles", "AABB", "shared directions", "filtered exact"
+MAX_DIRECTIONS = 8
+PARALLEL_ANGLE = 2.0**-20  # radians: closer normals count as one direction, which is then certified or refused
+
+
+class SplitPolygon:
+    """A concave polygon of which only its convex parts are known, as in a batch; it has what the models need."""
+
+    radius = 0.0
+    core_is_point = False
+
+    def __init__(self, convex_parts: Sequence[Shape]) -> None:
+        self.convex_parts = convex_parts
+        self.core = tuple(chain.from_iterable(p.core for p in convex_parts))
+        boxes = [p.bounds for p in convex_parts]
+        self.bounds = (*(min(b[i] for b in boxes) for i in (0, 1)), *(max(b[i] for b in boxes) for i in (2, 3)))
+        self.max_coordinate = max(p.max_coordinate for p in convex_parts)
+        self.is_upright_box = self.is_convex = False
+
+    def outline(self) -> Shape:
+        """Return the whole polygon: the edges that no two parts share, cut where a corner lies on them."""
+        places = list(dict.fromkeys(self.core))
+        _, at = to_int_points(places)
+        edges: set[tuple[int, int]] = set()
+        for p, q in (edge for part in self.convex_parts for edge in cyclic_pairs([places.index(v) for v in part.core])):
+            (px, py), (qx, qy) = at[p], at[q]
+            dx, dy = qx - px, qy - py
+            along = {i: dx * (x - px) + dy * (y - py) for i, (x, y) in enumerate(at) if dx * (y - py) == dy * (x - px)}
+            stops = sorted((i for i in along if along[p] <= along[i] <= along[q]), key=along.__getitem__)
+            edges.update(pairwise(stops))
+        after = dict(edge for edge in edges if edge[::-1] not in edges)
+        ring = [min(after)]
+        while after[ring[-1]] != ring[0]:
+            ring.append(after[ring[-1]])
+        return Polygon([places[i] for i in ring])
+
+    @property
+    def integers(self) -> tuple[int, list[IntPoint], int]:
+        """(k, core, 0): the corners as integers in units of 2**-k, and the radius."""
+        return (*to_int_points(self.core), 0)
+
+
+AnyShape = Shape | SplitPolygon
+
+
+def convex_parts(shape: AnyShape) -> Sequence[Shape]:
+    """Return the convex parts of a shape: the shape itself if it is convex."""
+    return shape.convex_parts if isinstance(shape, SplitPolygon) else parts(shape)
+
+
+def cyclic_pairs(ring: Sequence[T]) -> Iterable[tuple[T, T]]:
+    """Return each pair of neighbours of a closed outline, beginning with the last and the first corner."""
+    return pairwise([ring[-1], *ring])
+
+
+class Model(NamedTuple):
+    """A model and the number of axes that it tests for the largest pair.
+
+    `kind`: one of the constants above, or the name of a float format; `directions`: the fixed ones of a k-DOP, any
+    (x, y); `after_boxes`: whether it follows a test of the bounding boxes, whose two axes then count among `axes`.
+    """
+
+    kind: str
+    axes: int
+    directions: tuple[Vec, ...] = ()
+    after_boxes: bool = False
+
+    @property
+    def test(self) -> str:
+        """The name of its own test, without the test of bounding boxes before it."""
+        if self.kind == K_DOP:
+            return f"ranges on {len(self.directions)} directions"
+        return f"SAT, {self.kind}" if self.kind in FORMATS else self.kind
+
+    @property
+    def name(self) -> str:
+        """Its full name."""
+        return f"{AABB}, then {self.test}" if self.after_boxes else self.test
+
+
+def candidates(
+    axes: int, directions: tuple[Vec, ...], only_circles: bool, alone: Collection[str] | None = None
+) -> tuple[Model, ...]:
+    """Return the candidate models, from the fewest axes to the most, and from the lowest precision to the exact one.
+
+    `alone`: None for given pairs.  For all pairs of a batch, whose bounding boxes are compared first: the kinds of
+    models, with fewer axes than the boxes, that are candidates without the boxes too; all others follow the boxes.
+    """
+    found = [] if only_circles else [Model(BOUNDING_CIRCLES, 1)]
+    found.append(Model(AABB, 2))
+    upright = all(0.0 in n for n in directions)
+    if not upright and 2 <= len(directions) < axes:
+        found.append(Model(K_DOP, len(directions), directions))
+    found += [Model(kind, axes) for kind in (*FORMATS, EXACT_FILTER)]
+    if alone is not None:
+        behind = [m._replace(axes=m.axes + 2, after_boxes=True) for m in found if m.kind != AABB]
+        found = [m for m in found if m.kind == AABB or m.kind in alone] + behind
+    return tuple(sorted(found, key=lambda model: model.axes))
+
+
+def shared_directions(shapes: Iterable[AnyShape]) -> tuple[Vec, ...]:
+    """Return the directions of all edge normals, parallel ones once; () if there are more than MAX_DIRECTIONS.
+
+    The larger component of each is scaled to between a half and 1.  The least direction is always taken next, so the
+    result does not depend on the order of shapes and corners.
+    """
+    left = set()
+    for ring in (part.core for shape in shapes for part in convex_parts(shape)):
+        for (px, py), (qx, qy) in cyclic_pairs(ring):
+            nx, ny = qy - py, px - qx
+            size = max(abs(nx), abs(ny))
+            if not 0 < size < inf:  # a circle's core has one corner and no edge
+                return ()
+            scale = copysign(1.0, nx or ny)
+            left.add(Vec(*(ldexp(scale * c, -frexp(size)[1]) + 0.0 for c in (nx, ny))))
+    found: list[Vec] = []
+    while left:
+        if len(found) == MAX_DIRECTIONS:
+            return ()
+        found.append(n := min(left))
+        left = {m for m in left if abs(n.x * m.y - n.y * m.x) > PARALLEL_ANGLE}
+    return tuple(found)
+
+
+def count_axes(a: AnyShape, b: AnyShape) -> int:
+    """Return how many axes SAT tests: for two convex parts each edge, and one more if a circle is among them."""
+    return sum(_count_convex_axes(p, q) for p in convex_parts(a) for q in convex_parts(b))
+
+
+def _count_convex_axes(a: Shape, b: Shape) -> int:
+    """Return how many axes SAT tests for two convex shapes."""
+    edges = sum(0 if s.core_is_point else len(s.core) for s in (a, b))
+    return edges + (a.core_is_point or b.core_is_point)

@@ -1,0 +1,143 @@
+"""The records of a recommendation: the pairs, a summary of them, and the result of each candidate model.
+
+A *case* is the pairs that a recommendation is made for (`PairsInHand`).  The *facts* about a case are its summary
+(`InputSummary`): kinds and sizes of the shapes, relations, relative margin.  A *model* is a way to find the relation of
+two shapes (`candidates.py`); it is *proven* for a case where it is certified right on every pair.
+"""
+
+from collections.abc import Callable, Collection, Sequence
+from typing import Any, NamedTuple
+
+from ..engine.geometry import Vec
+from .candidates import AABB, EXACT_FILTER, AnyShape, Model, candidates
+
+Pair = tuple[int, int]
+UPRIGHT_BOXES, CIRCLES, CONVEX_POLYGONS, CONCAVE_POLYGONS = (
+    "upright boxes",
+    "circles",
+    "convex polygons",
+    "concave polygons",
+)
+
+
+class Grid(NamedTuple):
+    """The coarsest grid of some numbers: all are multiples of 2**unit, and the largest is `most` times 2**unit.
+
+    `span`: the largest component of an edge, in multiples of 2**unit.
+    """
+
+    unit: int
+    most: int
+    span: int
+
+
+class BroadPhaseResult(NamedTuple):
+    """The pairs that a test of bounding boxes finds apart before any model runs, for all pairs of one batch.
+
+    `pairs`: how many are apart by their boxes; `near`: how many of these a model without the boxes might not certify;
+    `alone`: the kinds of models that are candidates without the boxes too; `only_circles`: whether all shapes of the
+    batch are circles.
+    """
+
+    pairs: int
+    near: int
+    alone: frozenset[str]
+    only_circles: bool
+
+
+class PairsInHand(NamedTuple):
+    """The pairs that a recommendation is made for; large parts are computed only when called.
+
+    `shapes_of(k)` and `indices(k)` return the two shapes and the two indices of pair k, `shapes()` the unique shapes,
+    `batches()` the pairs as batches to be timed.  Pairs from number `pairs` on are the `settled.near` ones.
+    `moved_bound()` returns the largest coordinate up to which the pairs may be moved as a whole with SAT in float64
+    still proven, 0 if they exceed it already; `grid()` the grid of all numbers; `tests` counts the tests of an edge
+    against a corner.
+    """
+
+    pairs: int
+    shapes_of: Callable[[int], tuple[AnyShape, AnyShape]]
+    indices: Callable[[int], Pair]
+    shapes: Callable[[], Sequence[AnyShape]]
+    batches: Callable[[], Any]
+    moved_bound: Callable[[], float]
+    grid: Callable[[], Grid | None]
+    tests: int
+    settled: BroadPhaseResult | None = None
+
+    @property
+    def known(self) -> int:
+        """Return how many pairs have a number."""
+        return self.pairs + (self.settled.near if self.settled else 0)
+
+
+class InputSummary(NamedTuple):
+    """The facts about a case.
+
+    `kinds`: how many shapes of each kind; `corners`: the fewest and the most of a convex part; `sizes`: the width of
+    the largest shape over that of the smallest; `relations`: pairs apart, touching and overlapping; `settled`: further
+    pairs that are apart by their boxes; `relative_margin`: the smallest one, which pair `at` has.
+    """
+
+    kinds: dict[str, int]
+    corners: Pair
+    sizes: float
+    pairs: int
+    relations: tuple[int, int, int]
+    settled: int
+    relative_margin: float
+    at: Pair
+
+
+class ModelResult(NamedTuple):
+    """A model on the pairs of a case: `wrong` counts wrong pairs, `uncertain` those where rounding may decide, at most.
+
+    `first`: the first wrong pair, else the first uncertain one, else None; `proven_for_hits`: whether the model is
+    certified to separate hits (touching or overlapping) from misses.
+    """
+
+    model: Model
+    wrong: int
+    uncertain: int
+    first: Pair | None
+    proven_for_hits: bool
+
+    @property
+    def proven(self) -> bool:
+        """Return whether the model is right on every pair, in every order of its operations."""
+        return not (self.wrong or self.uncertain)
+
+
+def kind_of(shape: AnyShape) -> str:
+    """Return the kind of a shape in words: one of the four constants above."""
+    if shape.core_is_point:
+        return CIRCLES
+    return UPRIGHT_BOXES if shape.is_upright_box else CONVEX_POLYGONS if shape.is_convex else CONCAVE_POLYGONS
+
+
+def best(results: Sequence[ModelResult]) -> ModelResult:
+    """Return the first result that is proven: the recommended model."""
+    return next(j for j in results if j.proven)
+
+
+def for_hits(results: Sequence[ModelResult]) -> ModelResult:
+    """Return the first result that is proven to separate hits from misses."""
+    return next(j for j in results if j.proven_for_hits)
+
+
+def anywhere(facts: InputSummary, results: Sequence[ModelResult]) -> Model:
+    """Return the simplest model that is right at any position: AABB for upright boxes, else the exact filter."""
+    kind = AABB if set(facts.kinds) == {UPRIGHT_BOXES} else EXACT_FILTER
+    return next(j.model for j in results if j.model.kind == kind)
+
+
+def candidates_of(
+    axes: int, directions: tuple[Vec, ...], kinds: Collection[str], case: PairsInHand
+) -> tuple[Model, ...]:
+    """Return the candidate models of a case, for shapes of these kinds and the largest number of axes of a pair."""
+    if case.settled is None:
+        return candidates(axes, directions, set(kinds) == {CIRCLES})
+    found = candidates(axes, directions, case.settled.only_circles, case.settled.alone)
+    if case.pairs:
+        return found
+    return tuple(m for m in found if not m.after_boxes or m.kind == EXACT_FILTER)  # nothing is left after the boxes

@@ -1,0 +1,143 @@
+"""The picture while a shape is dragged: fixed limits, and one test with its axis or one free axis."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from ..engine import describe, number_format
+from ..engine.geometry import Vec
+from ..engine.trace import Trace
+from .axis_place import AxisPlace
+from .curve import unit_vector
+from .draw_steps import draw_move, draw_other_parts, draw_parts
+from .float_geometry import bounding_box
+from .label_placer import LabelOffsets
+from .layout import Group, Layout, arrange, limits_around, place_axis_within
+from .marks import Picture
+from .sketch import Sketch
+
+LARGEST_PT = 540.0, 390.0
+MIN_WIDTH_PT = 300.0
+SHAPES_PART = 0.6, 0.48  # of the canvas's width and height: the shapes at first; the rest is for moves and axes
+KNOB_RADIUS_PT = 7.0
+KNOB_RIM_PT = 16.0  # between the knob's center and the rim of the canvas
+
+
+class ShownTest(NamedTuple):
+    """The test that is shown: its number in its run, and the run's number in `trace.pairs` (None: the trace itself)."""
+
+    pair: int | None
+    test: int
+
+
+def canvas_size(width: float | None) -> tuple[float, float]:
+    """Return the canvas in points for a place that many points wide, so that letters keep their size there.
+
+    None means a place of unknown width, for which the canvas is the largest.
+    """
+    wide = LARGEST_PT[0] if width is None else min(max(width, MIN_WIDTH_PT), LARGEST_PT[0])
+    return wide, min(LARGEST_PT[1], wide * 0.95)
+
+
+def drag_layout(trace: Trace, largest: tuple[float, float] = LARGEST_PT) -> Layout:
+    """Return a layout with space to drag the shapes in; ValueError for shapes that cannot be drawn."""
+    arrange([Group([trace.a, trace.b])])
+    x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
+    ends = zip(largest, SHAPES_PART, (x0, y0), (x1, y1), strict=True)
+    scale = min(size * part / (hi - lo) for size, part, lo, hi in ends)
+    return Layout(limits_around(((x0 + x1) / 2, (y0 + y1) / 2), largest, scale), largest)
+
+
+def all_marks_fit(drawn: Picture) -> bool:
+    """Check whether every mark lies inside the limits."""
+    x0, y0, x1, y1 = drawn.limits
+    points = [(p, m.radius) for m in drawn.marks for p in m.points]
+    return all(x0 <= p.x - r and p.x + r <= x1 and y0 <= p.y - r and p.y + r <= y1 for p, r in points)
+
+
+def decisive_test(trace: Trace) -> ShownTest | None:
+    """Return the first test that separates, else the test of least overlap; None if there are no tests.
+
+    For convex parts it is a test of the pair that collides, else of the pair that lies closest.
+    """
+    runs: Sequence[tuple[int | None, Trace]] = list(enumerate(trace.pairs)) or [(None, trace)]
+    if trace.pairs and trace.colliding:
+        runs = [run for run in runs if run[1] is trace.colliding]
+    pair, run = min(runs, key=lambda r: max((t.gap for t in r[1].tests), default=0.0))
+    if not run.tests:
+        return None
+    best = run.ended_by or max(run.tests, key=lambda t: t.gap)
+    return ShownTest(pair, run.tests.index(best))
+
+
+def drag_picture(
+    trace: Trace,
+    layout: Layout,
+    shown: ShownTest | None,
+    *,
+    show_mtv: bool = False,
+    last_out: Vec | None = None,
+    last_offsets: LabelOffsets | None = None,
+) -> tuple[Picture, AxisPlace | None]:
+    """Return the picture of one finished test on fixed limits, and the place of its axis (None without a test).
+
+    `show_mtv` adds the MTV.  `last_out`: the direction from the shapes to the axis in the picture before; the axis
+    stays on that side.  `last_offsets`: where the labels stood in the picture before; they stay if they can.
+    """
+    run = trace if shown is None or shown.pair is None else trace.pairs[shown.pair]
+    place = None
+    sketch = Sketch(run, layout)
+    if trace.pairs and run is trace:
+        draw_parts(sketch)
+    else:
+        sketch.shapes()
+        sketch.corners({test.source.shape for test in trace.tests})
+    if run is not trace:
+        draw_other_parts(sketch, trace, run)
+    if shown is not None:
+        test = run.tests[shown.test]
+        place = place_axis_within(layout, (trace.a, trace.b), test, last_out)
+        sketch.edge(test)
+        sketch.normal(test)
+        sketch.project(test, place)
+    sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
+    if show_mtv and run is trace:
+        draw_move(sketch)
+    return sketch.finish("", trace.sentence, steady=False, last_offsets=last_offsets), place
+
+
+def free_axis_picture(
+    trace: Trace,
+    layout: Layout,
+    degree: float,
+    *,
+    last_out: Vec | None = None,
+    last_offsets: LabelOffsets | None = None,
+) -> tuple[Picture, AxisPlace]:
+    """Return the picture of a free axis at an angle in degrees, and the place of the axis.
+
+    `trace` has that one direction as its choice of axes; `last_out` and `last_offsets` are those of `drag_picture`.
+    """
+    sketch = Sketch(trace, layout)
+    sketch.shapes()
+    sketch.corners()
+    test = trace.tests[0]
+    place = place_axis_within(layout, (trace.a, trace.b), test, last_out)
+    sketch.project(test, place)
+    handle = knob_position(layout, place, degree)
+    sketch.add("knob", "disc", "ink", handle, radius=layout.units(KNOB_RADIUS_PT))  # so that no label covers it
+    says = "this axis separates them" if test.separates else "this axis shows no gap"
+    sketch.note("verdict", f"{trace.relation}: {says}", "ink", weight="title", first=1)
+    verdict = f"{' and '.join(trace.names)} {describe.ARE[trace.relation]}."
+    found = describe.outcome(test, describe.digits(trace, test))
+    sentence = f"{verdict} The axis at {number_format.number(round(degree, 1))} degrees: {found}; {says}."
+    return sketch.finish("", sentence, steady=False, last_offsets=last_offsets), place
+
+
+def knob_position(layout: Layout, place: AxisPlace, degree: float) -> Vec:
+    """Return where the handle of a free axis stands: at the end that points along `degree`, inside the canvas."""
+    x0, y0, x1, y1 = layout.limits
+    rim = layout.units(KNOB_RIM_PT)
+    n = unit_vector(degree)
+    along = place.n.x * n.x + place.n.y * n.y
+    tip = place.at(place.hi if along > 0 else place.lo)
+    return Vec(min(max(tip.x, x0 + rim), x1 - rim), min(max(tip.y, y0 + rim), y1 - rim))

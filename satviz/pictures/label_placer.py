@@ -1,0 +1,330 @@
+"""The search for the place of one label: the nearest spot that is clear of lines, dots, other labels and the rim.
+
+Every spot has a cost, without unit.  A label takes the cheapest spot.  Coordinates here are points from the lower
+left corner of the canvas; requests and marks are in scene units.
+"""
+
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
+from itertools import chain, pairwise
+from math import cos, hypot, pi, sin
+from typing import NamedTuple
+
+from ..engine.geometry import Vec
+from .float_geometry import Box, boxes_overlap, circle_points, clip_segment, on_opposite_sides
+from .layout import Layout
+from .letters import text_size, wrap_text
+from .marks import Mark, SharedOptions
+from .theme import DOT_PT
+
+Segment = tuple[Vec, Vec]
+LabelKey = tuple[str, str, str, int | None]  # part, owner, axis, number
+Spot = tuple[float, float]
+
+RIM_PT = 4.0  # kept free between a label and the rim of the canvas
+DISTANCES_PT = (3.0, 7.0, 12.0, 18.0, 26.0, 36.0, 50.0, 70.0, 95.0, 125.0)  # from an anchor to the label's box
+MAX_NEAR_DISTANCES = 2  # how many of them a label that must stay near may take
+DIRECTIONS = tuple(Vec(cos(k * pi / 8), sin(k * pi / 8)) for k in range(16))
+GRID_STEPS = 12  # across the canvas, and up it, for a label that may stand anywhere
+MIN_LEADER_PT = 22.0  # a label further from its anchor than this gets a line to it
+# costs; distances in points are added to them
+COVER_COST = 1e4  # of covering a label or a dot
+OUTSIDE_COST = 1e5  # of leaving the canvas
+STROKE_COST, FAINT_COST, GUIDE_COST, KEPT_FREE_COST = 300, 60, 40, 100  # of covering a line
+MAX_OPTIONAL_COST = 300  # an optional label whose best spot costs so much or more is left out
+OTHER_SIDE_COST = 200  # of standing beyond the separating line
+WALL_COST = 150  # of standing beyond the label's own wall
+ANYWHERE_COST = 60  # of a spot that has nothing to do with the anchor
+MOVE_COST = 50.0  # a label stays where it was unless another spot is cheaper by more; a guide line is no reason
+
+
+class LabelRequest(NamedTuple):
+    """A request for a label near its anchor (scene units), rather in the direction `prefer` than in others.
+
+    `along`: other anchors that serve nearly as well, such as points of a bar.
+    """
+
+    part: str
+    text: str
+    role: str
+    anchor: Vec
+    owner: str = ""
+    axis: str = ""
+    number: int | None = None
+    weight: str = "plain"
+    along: tuple[Vec, ...] = ()
+    prefer: Vec = Vec(0.0, 1.0)
+    inside: bool = False  # centered on an anchor if that spot is clear
+    optional: bool = False  # left out rather than drawn over something
+    near: bool = False  # near its anchor, or left out
+    far: bool = False  # may stand anywhere on the canvas
+    steady: bool = False  # stands at one spot in all steps
+    wall: Segment | None = None  # the label belongs on its anchor's side of this line
+
+    @property
+    def key(self) -> LabelKey:
+        """Return part, owner, axis and number, as its label will have them."""
+        return self.part, self.owner, self.axis, self.number
+
+
+class LabelOptions(SharedOptions, total=False):
+    """The optional fields of a request for a label."""
+
+    along: tuple[Vec, ...]
+    prefer: Vec
+    inside: bool
+    optional: bool
+    near: bool
+    far: bool
+    steady: bool
+    wall: Segment | None
+
+
+class LabelOffset(NamedTuple):
+    """Where a label stood in the last picture: points from its anchor, and the cost of that spot by itself."""
+
+    right: float
+    up: float
+    cost: float
+
+
+LabelOffsets = dict[LabelKey, LabelOffset]
+
+
+class LabelPlacer:
+    """Places labels one by one, each on the cheapest spot given the marks and labels noted so far.
+
+    `kept`: labels of other steps, which keep their spots; `last_offsets`: see `with_labels`.
+    """
+
+    def __init__(self, layout: Layout, kept: Sequence[Mark] = (), last_offsets: LabelOffsets | None = None) -> None:
+        self.layout = layout
+        self.last_offsets: LabelOffsets = {} if last_offsets is None else last_offsets
+        self.kept = [mark for mark in kept if mark.kind == "label"]
+        self.strokes: list[tuple[float, float, float, float, float]] = []  # x, y, x, y, cost of covering it
+        self.walls: list[tuple[Spot, Spot]] = []  # steady labels stay on their anchors' side of these
+        self.boxes: list[Box] = []
+
+    def cover(self, mark: Mark) -> None:
+        """Note what a mark covers, so that labels keep off it."""
+        points = mark.points
+        if mark.part == "inset":
+            self.boxes.append((*self._in_points(points[0]), *self._in_points(points[2])))
+        elif mark.kind == "dot":
+            self._add_box(points[0], DOT_PT / 2, DOT_PT / 2)
+        elif mark.kind == "label":
+            width, height = text_size(mark.text, mark.weight)
+            self._add_box(points[0], width / 2, height / 2)
+        elif mark.kind == "disc":
+            rim = circle_points(points[0], mark.radius, 32)
+            for p, q in pairwise((*rim, rim[0])):
+                self.add_stroke(p, q, STROKE_COST)
+        else:
+            plain_cost = FAINT_COST if mark.weight == "faint" else STROKE_COST
+            ring = (*points, points[0]) if mark.kind == "outline" else points
+            for p, q in pairwise(ring):
+                self.add_stroke(p, q, GUIDE_COST if mark.role == "guide" else plain_cost)
+            if mark.part == "line":  # a name beyond the separating line would seem to belong there
+                self.walls.append((self._in_points(points[0]), self._in_points(points[1])))
+
+    def add_stroke(self, p: Vec, q: Vec, cost: float) -> None:
+        """Note a line from p to q, and the cost of covering it."""
+        self.strokes.append((*self._in_points(p), *self._in_points(q), cost))
+
+    def _add_box(self, p: Vec, w: float, h: float) -> None:
+        """Note a box that reaches w points to either side of p and h points up and down."""
+        x, y = self._in_points(p)
+        self.boxes.append((x - w, y - h, x + w, y + h))
+
+    def kept_spot(self, request: LabelRequest) -> Vec | None:
+        """Return where the same label stands in another step; None if no step has it or that spot is not free."""
+        for label in self.kept:
+            if (label.part, label.owner, label.axis, label.number, label.text) == (*request.key, request.text):
+                (x, y), (w, h) = self._in_points(label.points[0]), text_size(label.text, label.weight)
+                box = x - w / 2 + 0.01, y - h / 2 + 0.01, x + w / 2 - 0.01, y + h / 2 - 0.01
+                if self._is_inside(box) and not any(boxes_overlap(box, other) for other in self.boxes):
+                    return label.points[0]
+        return None
+
+    def _is_inside(self, box: Box) -> bool:
+        """Check whether a box lies on the canvas and off its rim."""
+        width, height = self.layout.size
+        return box[0] >= RIM_PT and box[1] >= RIM_PT and box[2] <= width - RIM_PT and box[3] <= height - RIM_PT
+
+    def _in_points(self, p: Vec) -> Spot:
+        """Return a point of the scene in points from the lower left corner of the canvas."""
+        x0, y0, _, _ = self.layout.limits
+        scale = self.layout.scale
+        return (p.x - x0) * scale, (p.y - y0) * scale
+
+    def labels(self, requests: Sequence[LabelRequest]) -> list[Mark]:
+        """Return the labels of the requests that find a place, in order, with a line to an anchor that is far."""
+        found = []
+        for r in requests:
+            at = self._keep(r)
+            if at is None:
+                r, at = self._place(r)
+            if at is None:
+                continue
+            key = r.owner, r.axis, r.number
+            if not (r.far or r.inside or r.along) and (end := self._leader_end(r, at)):
+                self.add_stroke(r.anchor, end, STROKE_COST)
+                found.append(Mark(f"{r.part}-leader", "segment", "guide", (r.anchor, end), *key))
+            found.append(Mark(r.part, "label", r.role, (at,), *key, text=r.text, weight=r.weight))
+        return found
+
+    def _leader_end(self, request: LabelRequest, at: Vec) -> Vec | None:
+        """Return where a line from the anchor meets the label's box; None if the label needs no line.
+
+        None also where the line would cross another label, whose line it would seem to be.
+        """
+        w, h = (self.layout.units(c / 2 + 1) for c in text_size(request.text, request.weight))
+        a = request.anchor
+        part = clip_segment(a.x, a.y, at.x, at.y, at.x - w, at.y - h, at.x + w, at.y + h)
+        if part is None or part[0] * hypot(at.x - a.x, at.y - a.y) < self.layout.units(MIN_LEADER_PT):
+            return None
+        end = Vec(a.x + (at.x - a.x) * part[0], a.y + (at.y - a.y) * part[0])
+        line = *self._in_points(a), *self._in_points(end)
+        # the last box is the label's own
+        return None if any(clip_segment(*line, *box) and not _is_dot(box) for box in self.boxes[:-1]) else end
+
+    def _keep(self, request: LabelRequest) -> Vec | None:
+        """Return where the same label stands in another step, and take that place; None if it is not free."""
+        at = self.kept_spot(request)
+        if at is not None:
+            w, h = text_size(request.text, request.weight)
+            self._add_box(at, w / 2 + 2, h / 2 + 1)
+        return at
+
+    def _place(self, request: LabelRequest) -> tuple[LabelRequest, Vec | None]:
+        """Return the label as it is placed, and its center; the center is None for an optional one without a place.
+
+        A label that must be shown is broken into 2 or 3 lines where it would cover something in one.
+        """
+        spot, cost, own_cost = self._best_spot(request)
+        width = text_size(request.text, request.weight)[0]
+        for lines in (2, 3) if not request.optional else ():
+            if cost < COVER_COST:
+                break
+            slim = request._replace(text=wrap_text(request.text, width / lines, request.weight))
+            slim_spot, slim_cost, slim_own_cost = self._best_spot(slim)
+            if slim_cost < cost:
+                request, spot, cost, own_cost = slim, slim_spot, slim_cost, slim_own_cost
+        x, y = self._in_points(request.anchor)
+        self.last_offsets[request.key] = LabelOffset(spot[0] - x, spot[1] - y, own_cost)
+        return request, self._take(request, spot, cost)
+
+    def _best_spot(self, request: LabelRequest) -> tuple[Spot, float, float]:
+        """Return the cheapest spot, its cost, and what of the cost the spot has by itself, without what it covers."""
+        w, h = text_size(request.text, request.weight)
+        anchor = self._in_points(request.anchor)
+        wall = request.wall and (self._in_points(request.wall[0]), self._in_points(request.wall[1]))
+        best, found, found_own_cost, found_bonus = float("inf"), anchor, 0.0, 0.0
+        spots: Iterator[tuple[Spot, float, float]]
+        spots = ((spot, cost, 0.0) for spot, cost in self._near_spots(request, w / 2, h / 2))
+        if last := self.last_offsets.get(request.key):
+            spot_before = anchor[0] + last.right, anchor[1] + last.up
+            spots = chain([(spot_before, last.cost - MOVE_COST, MOVE_COST)], spots)
+        for spot, cost, bonus in spots:
+            if cost >= best:
+                break
+            own_cost = cost + bonus
+            if request.steady and any(on_opposite_sides(anchor, spot, line) for line in self.walls):
+                cost += OTHER_SIDE_COST
+            if wall and on_opposite_sides(anchor, spot, wall):
+                cost += WALL_COST
+            cost += self.cover_cost(spot, w / 2 + 2, h / 2 + 1, best - cost)
+            if cost < best:
+                best, found, found_own_cost, found_bonus = cost, spot, own_cost, bonus
+            if best <= 0:
+                break
+        best += found_bonus
+        if best >= COVER_COST and not request.far and not request.optional:
+            for spot, cost in self._spots_anywhere(w / 2, h / 2, anchor):
+                own_cost = cost
+                cost += self.cover_cost(spot, w / 2 + 2, h / 2 + 1, best - cost)
+                if cost < best:
+                    best, found, found_own_cost = cost, spot, own_cost
+        return found, best, found_own_cost
+
+    def _take(self, request: LabelRequest, spot: Spot, cost: float) -> Vec | None:
+        """Note that a label stands there, and return its center in scene units; None if it is left out.
+
+        What is too long for any spot is moved onto the canvas.
+        """
+        if request.optional and cost >= MAX_OPTIONAL_COST:
+            return None
+        w, h = text_size(request.text, request.weight)
+        width, height = self.layout.size
+        cx = min(max(spot[0], w / 2 + RIM_PT), width - w / 2 - RIM_PT)
+        cy = min(max(spot[1], h / 2 + RIM_PT), height - h / 2 - RIM_PT)
+        self.boxes.append((cx - w / 2 - 2, cy - h / 2 - 1, cx + w / 2 + 2, cy + h / 2 + 1))
+        x0, y0, _, _ = self.layout.limits
+        return Vec(x0 + cx / self.layout.scale, y0 + cy / self.layout.scale)
+
+    def _near_spots(self, request: LabelRequest, w: float, h: float) -> Iterator[tuple[Spot, float]]:
+        """Yield candidate centers near the anchors with the cost of each by itself, cheapest first.
+
+        `w` and `h`: half of the label's width and height.
+        """
+        x, y = self._in_points(request.anchor)
+        if request.inside:
+            yield (x, y), 0.0
+            for rank, anchor in enumerate(request.along, 1):
+                yield self._in_points(anchor), rank / 8
+        size = hypot(*request.prefer) or 1.0
+        toward = Vec(request.prefer.x / size, request.prefer.y / size)
+        turn_cost = 1 if request.far else 9
+        ways = [(u, (1 - (u.x * toward.x + u.y * toward.y)) * turn_cost) for u in (toward, *DIRECTIONS)]
+        anchors = [(rank, *self._in_points(anchor)) for rank, anchor in enumerate((request.anchor, *request.along))]
+        distances = DISTANCES_PT[: MAX_NEAR_DISTANCES if request.near else None]
+        # (cost, order among equals, spot); no spot costs less than its distance, so most are never worked out
+        spots: list[tuple[float, tuple[int, int, int], Spot]] = []
+        if request.far:
+            everywhere = enumerate(self._spots_anywhere(w, h, (x, y)))
+            spots += [(cost, (len(anchors), 0, k), spot) for k, (spot, cost) in everywhere]
+        for step, distance in enumerate(distances):
+            for rank, px, py in anchors:
+                for k, (u, turn) in enumerate(ways):
+                    spot = px + u.x * (w + distance), py + u.y * (h + distance)
+                    spots.append((distance + turn + rank, (rank, step, k), spot))
+            spots.sort()
+            next_cost = distances[step + 1] - 1e-6 if step + 1 < len(distances) else float("inf")
+            count = bisect_left(spots, next_cost, key=lambda s: s[0])
+            for cost, _, spot in spots[:count]:
+                yield spot, cost
+            del spots[:count]
+
+    def _spots_anywhere(self, w: float, h: float, near: Spot) -> Iterator[tuple[Spot, float]]:
+        """Yield candidate centers all over the canvas with the cost of each by itself."""
+        width, height = self.layout.size
+        for i in range(GRID_STEPS + 1):
+            for j in range(GRID_STEPS + 1):
+                x = RIM_PT + w + (width - 2 * (RIM_PT + w)) * i / GRID_STEPS
+                y = RIM_PT + h + (height - 2 * (RIM_PT + h)) * j / GRID_STEPS
+                yield (x, y), ANYWHERE_COST + hypot(x - near[0], y - near[1]) / 10
+
+    def cover_cost(self, spot: Spot, w: float, h: float, limit: float) -> float:
+        """Return the cost of what a label with its center there would cover; it stops counting at the limit."""
+        cx, cy = spot
+        x0, y0, x1, y1 = cx - w, cy - h, cx + w, cy + h
+        cost = 0.0 if self._is_inside((x0, y0, x1, y1)) else OUTSIDE_COST
+        for bx0, by0, bx1, by1 in self.boxes:  # boxes_overlap, without the call
+            if x0 < bx1 and bx0 < x1 and y0 < by1 and by0 < y1:
+                cost += COVER_COST
+                if cost >= limit:
+                    return cost
+        for sx, sy, tx, ty, stroke_cost in self.strokes:
+            if cost >= limit:
+                break
+            # most strokes are far away: this quick check rejects them without a call
+            if (sx < x0 and tx < x0) or (sx > x1 and tx > x1) or (sy < y0 and ty < y0) or (sy > y1 and ty > y1):
+                continue
+            if clip_segment(sx, sy, tx, ty, x0, y0, x1, y1):
+                cost += stroke_cost
+        return cost
+
+
+def _is_dot(box: Box) -> bool:
+    """Check whether a box is as narrow as a dot, which a line to a label may cross."""
+    return box[2] - box[0] <= DOT_PT

@@ -1,0 +1,159 @@
+"""The part of a sketch that needs no axis: shapes, vertices, lines across the canvas, words.
+
+Every number comes from the trace.  Labels are only requested here; they get their places when all marks are known.
+"""
+
+from collections.abc import Collection, Sequence
+from typing import Unpack
+
+from ..engine.geometry import Vec
+from ..engine.sat import AxisTest
+from ..engine.shapes import Circle, Polygon, Shape, centroid
+from ..engine.trace import Trace
+from .float_geometry import clip_line, point_along
+from .insets import Role, inset_marks, is_too_small
+from .label_placer import LabelOffsets, LabelOptions, LabelRequest, Segment
+from .labels import contains_point, name_spots, short_name, with_labels
+from .layout import Layout
+from .marks import Mark, MarkOptions, Picture
+
+CROWDED_SIZES = 6.0  # a shape smaller than so many of the smallest visible sizes has no marks at corners and edges
+MAX_NAMED_CORNERS = 6  # of an outline whose vertices have no labels
+NOTE_PT = 20.0  # from the top of the canvas to a note
+RIM_PT = 14.0  # between the ends of a line across the canvas and the canvas's rim
+
+
+class ShapeSketch:
+    """Collects the marks of one picture of a trace, and the requests for its labels."""
+
+    def __init__(self, trace: Trace, layout: Layout) -> None:
+        self.trace = trace
+        self.layout = layout
+        self.marks: list[Mark] = []
+        self.requests: list[tuple[int, LabelRequest]] = []
+
+    def add(self, part: str, kind: str, role: str, *points: Vec, **more: Unpack[MarkOptions]) -> None:
+        """Add a mark; the arguments are a Mark's."""
+        self.marks.append(Mark(part, kind, role, points, **more))
+
+    def label(
+        self, part: str, text: str, role: str, anchor: Vec, *, first: int = 5, **more: Unpack[LabelOptions]
+    ) -> None:
+        """Request a label; labels with a lower number `first` choose their places earlier."""
+        self.requests.append((first, LabelRequest(part, text, role, anchor, **more)))
+
+    def shape(
+        self, role: str, name: str, shape: Shape, *, weight: str = "plain", named: bool = True, quiet: bool = False
+    ) -> None:
+        """Draw a shape's outline and its name, in small letters if `quiet`; a dot too if the shape is very small."""
+        if isinstance(shape, Circle):
+            self.add("outline", "disc", role, shape.center, owner=name, radius=shape.radius, weight=weight)
+        else:
+            self.add("outline", "outline", role, *shape.vertices, owner=name, weight=weight)
+        if weight != "faint" and is_too_small(shape, self.layout.scale):
+            x0, y0, x1, y1 = shape.bounds
+            self.add("speck", "dot", role, Vec((x0 + x1) / 2, (y0 + y1) / 2), owner=name)
+        if named:
+            other = self.trace.b if role == "A" else self.trace.a
+            spot, *along = sorted(name_spots(shape), key=lambda p: contains_point(other, p))
+            options: LabelOptions = {"owner": name, "along": tuple(along), "inside": True, "steady": True}
+            options |= {"weight": "plain" if quiet else "title", "optional": quiet, "near": quiet}
+            self.label("name", name, role, spot, **options)
+
+    def is_crowded(self, shape: Shape) -> bool:
+        """Check whether a shape is too small for marks at its corners and edges."""
+        return is_too_small(shape, self.layout.scale / CROWDED_SIZES)
+
+    def shapes(self) -> None:
+        """Draw both shapes with the labels of their vertices, and insets of what is too small to be seen."""
+        self.insets()
+        for role, name, shape in self.roles():
+            self.shape(role, name, shape)
+            if isinstance(shape, Polygon) and shape.labels:
+                self.vertices(role, range(len(shape.vertices)))
+
+    def insets(self, test: AxisTest | None = None) -> None:
+        """Draw the insets that show the shapes, or the inset that shows the gap of a test."""
+        self.marks += inset_marks(self.layout, self.roles(), test)
+
+    def roles(self) -> list[Role]:
+        """Return (role, name, shape) of A and of B."""
+        return [("A", self.trace.names.a, self.trace.a), ("B", self.trace.names.b, self.trace.b)]
+
+    def named_shape(self, role: str | None) -> tuple[str, Shape]:
+        """Return the name and the shape of a role."""
+        _, name, shape = self.roles()[role != "A"]
+        return name, shape
+
+    def named_polygon(self, role: str | None) -> tuple[str, Polygon]:
+        """Return the name and the polygon of a role that is known to have edges and vertices."""
+        name, shape = self.named_shape(role)
+        assert isinstance(shape, Polygon)
+        return name, shape
+
+    def vertices(self, role: str, ids: Sequence[int], *, as_role: str = "") -> None:
+        """Draw dots with names on some of a polygon's vertices, the names in the colour of `as_role` if given."""
+        name, polygon = self.named_polygon(role)
+        middle = centroid(polygon)
+        for i in ids:
+            if any((m.part, m.owner, m.number) == ("vertex", name, i) for m in self.marks):
+                continue
+            v = polygon.vertices[i]
+            self.add("vertex", "dot", role, v, owner=name, number=i)
+            away = Vec(v.x - middle.x, v.y - middle.y)
+            options: LabelOptions = {"owner": name, "number": i, "prefer": away, "optional": True, "steady": True}
+            self.label("vertex-name", short_name(polygon, name, i), as_role or role, v, first=4, **options)
+
+    def corners(self, roles: Collection[str | None] = "AB", *, as_role: str = "") -> None:
+        """Draw dots with names on the corners of outlines with few corners and no labels of their own.
+
+        Sentences about edges use these names.
+        """
+        for role, _, shape in self.roles():
+            if role not in roles or not isinstance(shape, Polygon) or shape.labels:
+                continue
+            if len(shape.corners) <= MAX_NAMED_CORNERS and not self.is_crowded(shape):
+                self.vertices(role, shape.corner_ids, as_role=as_role)
+
+    def line_across(self, part: str, through: Vec, normal: Vec, role: str, number: int | None = None) -> Segment:
+        """Draw the line through a point across a unit normal as far as it lies on the canvas; return its ends."""
+        x0, y0, x1, y1 = self.layout.scene_limits
+        rim = self.layout.units(RIM_PT)
+        d = Vec(-normal.y, normal.x)
+        across = Vec(*(u if abs(u) > 1e-12 else 0.0 for u in d))  # what rounding left of 0 would divide to nonsense
+        start, end = clip_line(through, across, (x0 + rim, y0 + rim, x1 - rim, y1 - rim))
+        ends = point_along(through, d, start), point_along(through, d, end)
+        self.add(part, "segment", role, *ends, number=number)
+        return ends
+
+    def note(self, part: str, text: str, role: str, *, weight: str = "plain", first: int = 8) -> None:
+        """Request words that belong to no mark: near the top, or wherever there is space."""
+        x0, _, x1, y1 = self.layout.scene_limits
+        anchor = Vec((x0 + x1) / 2, y1 - self.layout.units(NOTE_PT))
+        self.label(part, text, role, anchor, weight=weight, first=first, inside=True, far=True, optional=True)
+
+    def normals_to_come(self) -> list[Segment]:
+        """Return where normals stand in other steps: steady labels keep off these."""
+        return []
+
+    def finish(
+        self,
+        title: str,
+        sentence: str,
+        *,
+        steady: bool = True,
+        kept: Sequence[Mark] = (),
+        last_offsets: LabelOffsets | None = None,
+    ) -> Picture:
+        """Place the labels and return the picture; `with_labels` explains the options."""
+        requests = [request for _, request in sorted(self.requests, key=lambda r: r[0])]
+        marks = with_labels(
+            self.marks,
+            requests,
+            self.layout,
+            steady=steady,
+            keep_off=self.normals_to_come(),
+            kept=kept,
+            last_offsets=last_offsets,
+        )
+        return Picture(tuple(marks), self.layout.limits, self.layout.size, title, sentence)
