@@ -36,7 +36,7 @@ def compare_boxes(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) 
 
 
 @compiled
-def _boxes_apart(a: Array, i: int, b: Array, j: int) -> bool:
+def _boxes_apart(a: Array, i: int, b: Array, j: int) -> Any:
     """Return whether box i of A and box j of B leave a gap."""
     aside = max(a[i, 0], b[j, 0]) > min(a[i, 2], b[j, 2])
     return aside or max(a[i, 1], b[j, 1]) > min(a[i, 3], b[j, 3])
