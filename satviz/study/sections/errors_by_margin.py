@@ -50,9 +50,7 @@ def error_rate_chart(found: dict[str, Any]) -> Chart:
     rows_of = {name: own for name in CURVE_LABELS if (own := [row for row in rows if row["method"] == name])}
 
     def draw(fig: Figure, theme: Theme) -> None:
-        line = (
-            f"Share of wrong answers by hardness. At least {fewest:,} pairs for each factor of 2. Bands: 95 % intervals"
-        )
+        line = f"Share of wrong answers; at least {fewest:,} pairs for each factor of 2. Bands show 95 % intervals."
         draw_headline(fig, theme, title, line)
         touch_ax = add_axes(fig, (0.07, 0.15, 0.06, 0.68), theme)
         ax = add_axes(fig, (0.4, 0.15, 0.585, 0.68), theme)
