@@ -266,7 +266,7 @@ def test_an_axis_is_tested_or_left_out_and_no_direction_is_none():
         axes.Choice(axes.WORLD_AXES, (axes.Skip(axes.WORLD_AXES[0], axes.PARALLEL, 1),)),
         axes.Choice(axes.WORLD_AXES, (axes.Skip(skip.axis, axes.PARALLEL, 2),)),
     ):
-        with pytest.raises(ValueError, match="which it is not"):
+        with pytest.raises(ValueError, match="which is false for these shapes"):
             sv.record(a, b, axes=twice)
 
 
@@ -288,7 +288,7 @@ def test_what_is_nearly_parallel_is_not_left_out_as_parallel():
                 (skip,) = sv.record(a, b, axes=choice).choice.skipped
                 assert skip.number and skip.axis == skipped
             else:
-                with pytest.raises(ValueError, match="which it is not"):
+                with pytest.raises(ValueError, match="which is false for these shapes"):
                     sv.record(a, b, axes=choice)
 
 
@@ -346,10 +346,10 @@ def test_an_axis_may_be_left_out_for_the_reason_given_only():
     choice = axes.needed(a, b)
     assert [skip.why for skip in choice.skipped] == [axes.PARALLEL] * 4
     for why in axes.NO_DIRECTION, axes.EARLY_EXIT, "slow":
-        with pytest.raises(ValueError, match=f"is left out as '{why}', which it is not"):
+        with pytest.raises(ValueError, match=f"is skipped for the reason '{why}', which is false"):
             sv.record(a, b, axes=choice._replace(skipped=(choice.skipped[0]._replace(why=why),)))
     slanted = next(axis for axis in choice.axes if all(axis.normal))
-    with pytest.raises(ValueError, match="is left out as 'parallel', which it is not"):
+    with pytest.raises(ValueError, match="is skipped for the reason 'parallel', which is false"):
         sv.record(a, b, axes=axes.Choice(choice.axes[:1], (axes.Skip(slanted, axes.PARALLEL, 1),)))
     ball, corner = sv.Circle((2, 2), 1), box(0, 0, 2, 2)
     (skip,) = (skip for skip in axes.needed(corner, ball).skipped if skip.why == axes.NO_DIRECTION)
@@ -1085,7 +1085,11 @@ def test_a_text_that_is_not_what_the_facts_give_is_shown_from_where_it_parts():
         assert said in trace.sentence
         with pytest.raises(sv.InvalidScene, match=r"^trace.sentence is ") as refused:
             sv.Trace.from_json(json.dumps(data))
-        told, found = str(refused.value).removeprefix("trace.sentence is ").split(", but the facts give ")
+        told, found = (
+            str(refused.value)
+            .removeprefix("trace.sentence is ")
+            .split(", but the shapes and options in the file give ")
+        )
         assert lie in eval(told) and eval(told) in data["sentence"]
         assert said in eval(found) and eval(found) in number_format.plain(trace.sentence)
 
@@ -1093,7 +1097,10 @@ def test_a_text_that_is_not_what_the_facts_give_is_shown_from_where_it_parts():
 @pytest.mark.parametrize("lie", ["", "A", "B", "A an", "A and C", "A and B are not apart"])
 def test_texts_that_part_early_are_shown_from_their_beginning(lie):
     data = json.loads(sv.record(A, B).to_json()) | {"sentence": lie}
-    with pytest.raises(sv.InvalidScene, match=rf"^trace.sentence is '{lie}', but the facts give .A and B are apart: "):
+    with pytest.raises(
+        sv.InvalidScene,
+        match=rf"^trace.sentence is '{lie}', but the shapes and options in the file give .A and B are apart: ",
+    ):
         sv.Trace.from_json(json.dumps(data))
 
 

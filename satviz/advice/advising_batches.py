@@ -144,7 +144,7 @@ def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[Bro
 
 
 def _moved_bound(both: Pairs, signed: Array) -> float:
-    """Return what `scope.moved_bound` returns for convex polygons with these signed relative margins."""
+    """Return the power of two up to which these pairs may be moved, computed by arrays; 0 if they exceed it."""
     most = np.maximum(_part_max_coordinates(both.a)[both.pa], _part_max_coordinates(both.b)[both.pb])
     # arrays compute the relative margin to one part in fifty
     return power_of_two_bound(float((np.abs(signed) * 0.9 * most).min()) / (SAT_ROUNDINGS + 1), float(most.max()))

@@ -130,7 +130,7 @@ def certify_bounding_circles(a: AnyShape, b: AnyShape) -> Relation | None:
 
 
 def certify_circles(a: Disc, b: Disc, form: Format) -> Relation | None:
-    """Certify two circles, by the squares of distance and radii as well as by ranges on the line through the centers.
+    """Certify two circles, by squared distances and by ranges on the line through the centers.
 
     Rounded coordinates move a difference by 2d, so the squared distance by 4d (|dx| + |dy|) + 8dd.
     """

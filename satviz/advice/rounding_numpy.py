@@ -57,7 +57,7 @@ class Errors:
         return self._held(result, exact & (np.ldexp(result, -power) == value))
 
     def total(self, *terms: Array) -> Array:
-        """Return the sum of the terms."""
+        """Return the sum of the terms; record for which pairs it is exact."""
         self.compared(*terms)
         return self._held(*_sum(terms))
 

@@ -144,7 +144,9 @@ def boxes(values: Points) -> NDArray[np.float64]:
     found = floats(values, name, lambda i, k: f"{name}[{i}][{k}]")
     good = (found[:, 0] <= found[:, 2]) & (found[:, 1] <= found[:, 3])
     if (bad := np.flatnonzero(~good)).size:
-        raise InvalidShape(f"{name}[{bad[0]}] is {found[bad[0]].tolist()}: expected x min, y min <= x max, y max")
+        raise InvalidShape(
+            f"{name}[{bad[0]}] is {found[bad[0]].tolist()}: expected (x min, y min, x max, y max), min <= max"
+        )
     return found
 
 

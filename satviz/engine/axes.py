@@ -279,7 +279,7 @@ def _recompute_axis(axis: Axis, known: dict[Source, Axis]) -> Axis:
 
 
 def _is_index(value: Any) -> bool:
-    """Return whether a value can be the number of a given direction."""
+    """Return whether a value is a whole number that can count the directions given by the caller."""
     return type(value) is int and 0 <= value < 2**53
 
 
@@ -301,7 +301,9 @@ def _number_skips(
         elif skip.why == PARALLEL and keys[skip.axis] in first and skip.axis not in not_parallel:
             yield skip._replace(number=first[keys[skip.axis]])
         else:
-            raise ValueError(f"{skip.axis.source} is left out as {skip.why!r}, which it is not")
+            raise ValueError(
+                f"axis {skip.axis.source} is skipped for the reason {skip.why!r}, which is false for these shapes"
+            )
 
 
 def _parallel_key(axis: Axis, a: Shape, b: Shape, corners: dict[str, dict[int, int]]) -> IntPoint:

@@ -242,13 +242,13 @@ def _validate_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | 
         return None
     if isinstance(labels, str):
         raise InvalidShape(
-            f"labels is the text {polygon_validation.shown(labels)}: pass a list with one label a vertex"
+            f"labels is the text {polygon_validation.shown(labels)}: pass a list with one label for each vertex"
         )
     try:
         labels = tuple(labels)
     except TypeError:
         raise InvalidShape(
-            f"labels is {polygon_validation.shown(labels)}: pass a list with one label a vertex"
+            f"labels is {polygon_validation.shown(labels)}: pass a list with one label for each vertex"
         ) from None
     if len(labels) != n:
         raise InvalidShape(f"{len(labels)} labels for {n} vertices: pass one a vertex")

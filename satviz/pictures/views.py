@@ -154,7 +154,7 @@ def test_panels(trace: Trace, *, title: str = "") -> Picture:
 
 
 def single_circle(trace: Trace, number: int, role: str, *, extremes: bool, title: str = "") -> Picture:
-    """Draw the circle of a pair (its role is given) with one axis: its center and radius, or its two extreme points."""
+    """Draw circle `role` ("A" or "B") on the axis of test `number`: center and radius, or two extreme points."""
     test = trace.tests[number]
     side, circle = (test.a, trace.a) if role == "A" else (test.b, trace.b)
     assert isinstance(circle, Circle)

@@ -101,7 +101,7 @@ def _accepted_mtv(trace: Trace, data: Any) -> Vec | None:
 
 
 def _axis_data(axis: Axis) -> dict[str, object]:
-    """Return an axis as JSON data."""
+    """Return an axis as the object that a trace file stores: normal, length and source."""
     kind, shape, ids = axis.source
     source = {"kind": kind, "shape": shape, "vertices": list(ids)}
     return {"normal": list(axis.normal), "length": axis.length, "source": source}
@@ -191,7 +191,9 @@ def _parse_axis(data: Any, where: str, known: dict[Source, Axis]) -> Axis:
     else:
         ours = known.get(source)
     if ours is None:
-        raise InvalidScene(f"{where}.source names vertices or a kind that these shapes do not have")
+        raise InvalidScene(
+            f"{where}.source does not fit these shapes: check its kind, its shape and its vertex numbers"
+        )
     if not axes.same_axis(axis, ours):
         raise InvalidScene(f"{where} is not the direction (or not the length) that its source has")
     return axis
@@ -238,7 +240,7 @@ def _require_equal(ours: Any, theirs: Any, where: str) -> None:
     elif ours != theirs or isinstance(ours, bool) is not isinstance(theirs, bool):
         if isinstance(ours, str) and isinstance(theirs, str):
             ours, theirs = _from_difference(ours, theirs)
-        raise InvalidScene(f"{where} is {shown(theirs)}, but the facts give {shown(ours)}")
+        raise InvalidScene(f"{where} is {shown(theirs)}, but the shapes and options in the file give {shown(ours)}")
 
 
 def _from_difference(one: str, other: str) -> tuple[str, str]:
@@ -260,7 +262,7 @@ def _record_again(trace: Trace) -> Trace:
 
 
 def _sources(choice: Choice) -> tuple[list[Source], list[object]]:
-    """Return the sources of the chosen axes, and of the skipped axes with the reasons."""
+    """Return the sources of the tested axes, and (source, reason, number) of each skipped one."""
     return [axis.source for axis in choice.axes], [(skip.axis.source, skip.why, skip.number) for skip in choice.skipped]
 
 

@@ -135,6 +135,8 @@ def open_executor(kind: str | None) -> Iterator[Executor | None]:
         try:
             client: Any = Client(kind, timeout=10)  # type: ignore[no-untyped-call]
         except (OSError, ValueError) as error:
-            raise ValueError(f"no dask scheduler at {kind!r} ({error}); or choose threads or processes") from None
+            raise ValueError(
+                f"no dask scheduler at {kind!r} ({error}): check the address, or choose threads or processes"
+            ) from None
         with client, client.get_executor() as pool:
             yield pool

@@ -125,7 +125,9 @@ def _evaluate_break(shown: Scene) -> tuple[bool, str]:
     """Return whether the shortcut's answer is wrong, and what it says."""
     trace = shown.record()
     if trace.shortcut is None:
-        raise InvalidScene(f"the axes {shown.axes!r} are no shortcut, so there is nothing to break")
+        raise InvalidScene(
+            f"the axes {shown.axes!r} are not a shortcut: choose a shortcut, which this goal is to make fail"
+        )
     found = answers(trace)
     if found.is_wrong:
         return True, f"Broken. It says {found.claimed}; right is {found.actual}."

@@ -102,7 +102,7 @@ def _classify_edge(
     x: Array, y: Array, i0: int, i1: int, end: int, p: Array, q: Array, j0: int, j1: int, k: int, max_coordinate: float,
     terms: Array,
 ) -> tuple[int, int]:  # fmt: skip
-    """Return (relation that the edge ending in a corner proves, a corner of the other shape low along its normal).
+    """Return (what the edge ending at corner `end` proves, a low corner of the other shape to start from next).
 
     Down the outline from corner k one is soon found that lies before the edge.  That alone is taken from walking,
     which rounding can stop: where none is found, all are looked at.

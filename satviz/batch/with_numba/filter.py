@@ -72,7 +72,7 @@ def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
 
 @compiled
 def _kernel_8(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
-    """Classify the columns of two groups with eight corners."""
+    """Classify pairs of polygons with eight corners each, for out.size pairs from column `first` on."""
     best = np.empty(TILE_PAIRS)
     for start in range(0, out.size, TILE_PAIRS):
         n = min(TILE_PAIRS, out.size - start)
@@ -169,13 +169,13 @@ def _raise_clearance(
 
 
 def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
-    """Classify upright boxes exactly by four comparisons of sides."""
+    """Classify upright boxes exactly by comparing sides, for out.size pairs from column `first` on."""
     _boxes(a.x, a.y, b.x, b.y, first, out)
 
 
 @compiled
 def _ranges(a: float, c: float, p: float, r: float) -> tuple[float, float, float, float]:
-    """Return (first end minus second start, second end minus first start) of upright boxes on one axis."""
+    """Return (low, high of a and c, low, high of p and r): the ranges of two upright boxes on one axis."""
     return min(a, c), max(a, c), min(p, r), max(p, r)
 
 
@@ -204,7 +204,7 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-    """Classify by the squared distance from each center to the nearest edge or corner, against the squared radius."""
+    """Classify circle against polygon by squared distance, for out.size pairs from column `first` on."""
     (_circle_unrolled(len(px)) if len(px) <= 8 else _circle_general)(cx, cy, cr, px, py, first, out)
 
 

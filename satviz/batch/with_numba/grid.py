@@ -19,7 +19,7 @@ START_MARGIN = 2.0**-50  # more than the three that may hide what still meets
 
 
 def meeting_pairs(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float) -> Iterator[Pairs] | None:
-    """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one; None beyond `most` candidates.
+    """Return blocks of pairs of meeting boxes; `one`, `other`: box numbers (`other` None: all within `one`).
 
     None where that takes more than about `most` candidates.
     """

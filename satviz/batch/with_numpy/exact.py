@@ -151,7 +151,7 @@ def _classify_edges(own: Edges, other: Edges, start: Indices, left: Indices, fac
 
 
 def _classify_on_line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, which: Indices) -> Signs:
-    """Return what an edge proves when only corners on its line are left; the others lie beyond it."""
+    """Return each edge's relation from its corners not clearly beyond it; `which`: each corner's edge."""
     side = np.empty(len(which), np.int8)
     for start in range(0, len(which), BLOCK_SIGNS):
         part = slice(start, start + BLOCK_SIGNS)

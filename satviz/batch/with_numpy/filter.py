@@ -117,7 +117,7 @@ def classify_clearances(gap: Array32 | Array, error_bound: Array32 | Array, out:
 
 
 def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
-    """Classify upright boxes exactly by four comparisons of sides."""
+    """Classify upright boxes exactly by comparing sides, for out.size pairs from column `first` on."""
     ax, ay, bx, by = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
     gap = np.full(out.size, -np.inf)
     for p, q in ((ax, bx), (ay, by)):
@@ -141,7 +141,7 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-    """Classify by the squared distance from each center to the nearest edge or corner, against the squared radius."""
+    """Classify circle against polygon by squared distance, for out.size pairs from column `first` on."""
     cx, cy, cr, px, py = (c[..., first : first + out.size] for c in (cx, cy, cr, px, py))
     x, y = px - cx, py - cy
     far = np.maximum(np.maximum(np.abs(x).max(axis=0), np.abs(y).max(axis=0)), cr)

@@ -10,16 +10,16 @@ from ..exact_signs import Array
 Pairs = NDArray[np.intp]
 Ranges = list[tuple[Pairs, Pairs, Pairs]]  # of some queries: which, from where and how many of what is stored
 Cell = Sequence[float]  # its width and height
-Grid = Callable[[Array, Pairs, Pairs | None, Cell, float], Iterator[Pairs] | None]  # as `met` below
+Grid = Callable[[Array, Pairs, Pairs | None, Cell, float], Iterator[Pairs] | None]  # as `meeting_pairs` below
 
 BLOCK_CANDIDATES = 1 << 20  # candidates looked at in one go: what bounds the memory
 MAX_TABLE_CELLS_PER_BOX = 8  # cells a box that are worth a table of where each begins
 
 
 def meeting_pairs(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float) -> Iterator[Pairs] | None:
-    """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one; None beyond `most` candidates.
+    """Return blocks of pairs of meeting boxes; `one`, `other`: box numbers (`other` None: all within `one`).
 
-    None where that takes more than `most` looks.  Boxes are stored by the cell of their lower
+    None where that takes more than `most` candidates.  Boxes are stored by the cell of their lower
     left corner, row after row.  The numbers of cells never decrease along an axis, so a box
     whose lower left corner lies between two places is stored between their cells, however the
     division rounds.

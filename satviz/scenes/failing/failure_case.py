@@ -67,7 +67,7 @@ class FailureCase(NamedTuple):
 
     @property
     def claim(self) -> str:
-        """Return the claim as people say it."""
+        """Return the mistaken rule in words, as people say it."""
         return self.shortcut.claim
 
     @property

@@ -44,7 +44,7 @@ class Linear(NamedTuple):
     down: Vec
 
     def at(self, d: Vec) -> float:
-        """Return the number for a move."""
+        """Return the value of this linear function when B is moved by d."""
         return self.rest - self.down.x * d.x - self.down.y * d.y
 
 

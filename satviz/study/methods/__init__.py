@@ -111,6 +111,7 @@ def _numba_methods() -> Iterator[Method]:
         """Return the method of a kernel that takes both polygons' columns of coordinates."""
 
         def hits(a: numpy_rivals.Columns, b: numpy_rivals.Columns) -> Answers:
+            """Run the method's kernel on both groups' columns and return which pairs hit."""
             out = np.empty(a.x.shape[1], np.int8)
             kernel(a.x, a.y, b.x, b.y, *options, out)
             return out > 0

@@ -43,6 +43,7 @@ def ready_jobs(a: Rings, b: Rings) -> dict[str, Callable[[], Any]]:
         columns = [np.ascontiguousarray(rings[:, :, d]).T for rings in (a, b) for d in (0, 1)]
 
         def run(kernel: Callable[..., None], *options: Any) -> Any:
+            """Call a kernel on the columns of both outlines and these options; return which pairs hit."""
             out = np.empty(len(a), np.int8)
             kernel(*columns, *options, out)
             return out > 0

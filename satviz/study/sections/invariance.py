@@ -47,7 +47,7 @@ def cells(settings: Settings) -> list[Cell]:
 
 
 def count_changed_answers(n: int, settings: Settings) -> list[JsonRow]:
-    """Return for each change and method how many of its answers change."""
+    """Return, for each transformation and method, how many of its answers on n random pairs change."""
     a, b = pairs_on_a_grid(settings.rng("changes"), n, MAX_MARGIN)
     methods = [m for m in all_methods() if (m.language, m.name) in COMPARED_METHODS]
     before = {(m.language, m.name): answers > 0 for m, answers in answers_by_method(methods, a, b)}
