@@ -276,11 +276,11 @@ def trace(args: argparse.Namespace) -> int:
     """Print the record of a scene, as a table or as JSON."""
     from shutil import get_terminal_size
 
-    from .engine import describe
+    from .engine import text_table
 
     trace = _load(args).record()
     width = get_terminal_size().columns if sys.stdout.isatty() else None
-    out_json(trace.to_json(indent=1)) if args.json else out(describe.table(trace, width))
+    out_json(trace.to_json(indent=1)) if args.json else out(text_table.table(trace, width))
     return 0
 
 

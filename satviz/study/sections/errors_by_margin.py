@@ -89,7 +89,7 @@ def error_rate_chart(found: dict[str, Any]) -> Chart:
         )
         ax.set_xticks(range(0, 36, 5), [f"$2^{{{k}}}$" for k in range(0, 36, 5)])
 
-    text = "This sample is no bound for other pairs. "
+    text = "The wrong answers of this sample, which is no bound for other pairs. "
     for name, (touching, *curve) in rows_of.items():
         wrong = [row["octave"] for row in curve if row["wrong"]]
         upto = f"wrong up to a relative margin of 2^{max(wrong) + 1}" if wrong else "none wrong"
