@@ -239,7 +239,7 @@ def scenes(seed, count):
 
 
 def wrong_recommendations(seed, count, engines=("numpy",)):
-    """Return the scenes whose recommended model is not certified right or errs, and how often each kind was recommended."""
+    """Return the scenes whose recommended model is not certified right or errs, and how often each kind was chosen."""
     wrong, advised = [], Counter()
     for scene in scenes(seed, count):
         truth = [oracle.relation(a, b) for a, b in scene]
@@ -319,7 +319,7 @@ def test_what_is_enough_wherever_shapes_are_moved_is_so_where_the_nearest_vertex
 
 
 def leading_number(words):
-    """How many: the first word."""
+    """Return the number that the first word stands for."""
     many = words.split()[0]
     return NUMBER_WORDS.index(many.capitalize()) if many.isalpha() else int(many.replace(",", ""))
 
