@@ -50,7 +50,7 @@ def sign_of(relation):
 def test_relative_margin_of_two_squares_is_the_gap_in_roundings_of_span_times_reach():
     a = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     b = sv.Polygon([(3, 0), (4, 0), (4, 1), (3, 1)])
-    assert relative_margin(a, b) == 2 / (2**-53 * 1 * 4)  # the turn 2 of a unit edge, the reach 4
+    assert relative_margin(a, b) == 2 / (2**-53 * 1 * 4)  # the turn 2 of a unit edge, the largest coordinate 4
     assert relative_margin(a, sv.Circle((3, 0.5), 1)) == 1 / (2**-53 * 4)
     assert relative_margin(sv.Circle((0, 0), 1), sv.Circle((3, 0), 1)) == 1 / (2**-53 * 4)
     assert signed_relative_margin(a, sv.Circle((0.5, 0.5), 1)) == -1.5 / (
@@ -149,10 +149,10 @@ def test_relations_certified_for_many_pairs_are_certified_by_fractions_and_found
     for model in MODELS:
         a, b = batch_of([a for _, a, _ in some]), batch_of([b for _, _, b in some])
         i = np.arange(len(some))
-        told = classify(model, many := paired(a, i, b, i), batch.relate(a, b)).tolist()
+        certified = classify(model, many := paired(a, i, b, i), batch.relate(a, b)).tolist()
         with np.errstate(all="ignore"):
             said = evaluate(model, many, prepare(model, a), prepare(model, b), engine=engine).tolist()
-        for (kind, p, q), one, answer in zip(some, told, said, strict=True):
+        for (kind, p, q), one, answer in zip(some, certified, said, strict=True):
             if one != -1 and not (model.kind == K_DOP and (p.radius or q.radius)):
                 known[model.name] += 1
                 assert certify(model, p, q) == one == answer, (model.name, kind, p, q)
@@ -239,7 +239,7 @@ def scenes(seed, count):
 
 
 def wrong_recommendations(seed, count, engines=("numpy",)):
-    """The scenes whose advised model is not sure of the truth or does not answer it, and what was advised how often."""
+    """Return the scenes whose recommended model is not certified right or errs, and how often each kind was chosen."""
     wrong, advised = [], Counter()
     for scene in scenes(seed, count):
         truth = [oracle.relation(a, b) for a, b in scene]
@@ -315,11 +315,11 @@ def test_what_is_enough_wherever_shapes_are_moved_is_so_where_the_nearest_vertex
         if words := enough(a, b)[1].partition("Wherever they are moved, ")[2]:
             to = [p - q for p, q in zip(a.bounds[:2], b.bounds[:2])]
             with suppress(sv.InvalidShape):
-                assert len(sv.axes.needed(a, translated(b, Vec(*to))).axes) <= told(words), kind
+                assert len(sv.axes.needed(a, translated(b, Vec(*to))).axes) <= leading_number(words), kind
 
 
-def told(words):
-    """How many: the first word."""
+def leading_number(words):
+    """Return the number that the first word stands for."""
     many = words.split()[0]
     return NUMBER_WORDS.index(many.capitalize()) if many.isalpha() else int(many.replace(",", ""))
 
@@ -755,8 +755,8 @@ def test_the_command_advises_on_a_file_of_many_shapes_and_draws_what_they_cost(t
 )
 def test_a_file_that_holds_no_shapes_gives_one_clear_line(arrays, says, tmp_path, capsys):
     assert main(["advise", shapes_file(tmp_path, **arrays)]) == 2
-    told = capsys.readouterr().err
-    assert says in told and told.count("\n") == 1
+    line = capsys.readouterr().err
+    assert says in line and line.count("\n") == 1
 
 
 def test_what_is_no_file_of_shapes_gives_one_clear_line(tmp_path, capsys):

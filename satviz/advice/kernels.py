@@ -86,7 +86,7 @@ def sat(
     waiting_count = np.zeros(2, np.intp)
     for k in range(out.size):
         i, j = ia[k], ib[k]
-        # circles are told by their one corner, as a radius can be too small for float32
+        # a circle has one corner; its radius can be too small for float32
         is_circle_a, is_circle_b = start_a[i + 1] - start_a[i] == 1, start_b[j + 1] - start_b[j] == 1
         if _boxes_apart(box_a, i, box_b, j):
             out[k] = APART
