@@ -754,11 +754,11 @@ def test_splitting_grows_almost_as_the_outline(kind, monkeypatch):
         done = getattr(owner, name)
         monkeypatch.setattr(owner, name, lambda *args: looks.update({name: work(*args)}) or done(*args))
 
-    for name in "_turn", "_turn_at":
+    for name in "orient_det", "_turn_at":
         counted(convex_parts, name, lambda *_: 1)
     for module in sweep, triangulation, polygon_validation:
         counted(module, "orient", lambda *_: 1)
-    for name in "_sees", "_extended", "_first_beside", "_cut":
+    for name in "_sees", "_extend_edge", "_first_beside", "_cut":
         counted(convex_parts._Pieces, name, lambda _, ring, *rest: len(ring))
     cost = []
     for n in (500, 4000):

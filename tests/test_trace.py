@@ -917,11 +917,11 @@ def test_the_sign_of_a_small_gap_is_its_own_however_it_was_measured(name):
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_gap_that_is_exact_on_one_machine_only_is_still_rounding(sign):
     """Just within the room of zero a gap is worked out in integers; another machine may see it just outside."""
-    close, half_room = 1024 * sat.CLOSE_GAP_FACTOR, 512 * tracefile.ROUNDING
+    close, half_tolerance = 1024 * sat.CLOSE_GAP_FACTOR, 512 * tracefile.ROUNDING
     for true, told, good in (
-        (close, close + half_room, True),
-        (close, close - half_room, False),
-        (close + half_room, close, True),
+        (close, close + half_tolerance, True),
+        (close, close - half_tolerance, False),
+        (close + half_tolerance, close, True),
     ):
         trace = sv.record(box(1, 0, 4, 2), box(1, 2 + sign * true, 1024, 512), axes=axes.world, every_axis=True)
         test, *others = trace.tests

@@ -1,4 +1,4 @@
-"""A trace in words: names of vertices and axes, the sentences of tests and results, the plain-text table."""
+"""A trace in words: names of vertices and axes, and the sentences of shapes, stages, tests and results."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from .axes import (
 from .convex_parts import named_parts
 from .geometry import Relation, Vec
 from .mtv import why_too_many_parts
-from .number_format import MINUS, Digits, of_shapes, of_tests, plain, vector
+from .number_format import MINUS, Digits, of_shapes, of_tests, vector
 from .sat import AxisTest
 from .shapes import Shape
 from .shortcut import Shortcut
@@ -78,10 +78,7 @@ class _Trace(Protocol):
     def sentence(self) -> str: ...
 
 
-MAX_TABLE_PAIRS = 20  # of parts, in a table that can be read
-
-
-_JOINERS = "\u200c\u200d\u200e\u200f"  # Persian, emoji and Hebrew are written with them
+_JOINERS = "\u200c\u200d\u200e\u200f"  # invisible characters that Persian, emoji and Hebrew need
 
 
 def printable(text: str) -> str:
@@ -147,17 +144,17 @@ def digits(trace: _Trace, *tests: AxisTest) -> Digits:
 
 
 def outcome(t: AxisTest, numbers: Digits) -> str:
-    """Return what one test says about its two ranges, and nothing else: "gap +1.2", "overlap 3"."""
+    """Return what one test says about its two ranges alone: "gap +1.2", "touching, gap 0", "overlap 3"."""
     if t.gap >= 0:
         return f"gap {numbers.signed(t.gap)}" if t.gap else "touching, gap 0"
     a, b = t.a.interval, t.b.interval
-    shared, way_out = min(a.hi, b.hi) - max(a.lo, b.lo), numbers.gap(t.gap)
-    if shared < 0:  # ranges apart, and yet a negative gap: a shortcut reads them the wrong way round
+    shared, depth = min(a.hi, b.hi) - max(a.lo, b.lo), numbers.gap(t.gap)
+    if shared < 0:  # a negative gap of ranges that are apart: a shortcut confuses the two
         return f"gap {numbers.signed(t.gap)}"
-    # where one range holds the other, getting out takes more than what they share
+    # where one range contains the other, the depth is more than the length that they share
     if -t.gap > 1.001 * shared and not numbers.fine:
-        return f"overlap {numbers.gap(shared)}, way out {way_out}"
-    return f"overlap {way_out}"
+        return f"overlap {numbers.gap(shared)}, way out {depth}"
+    return f"overlap {depth}"
 
 
 def shared(t: AxisTest, numbers: Digits) -> str:
@@ -166,8 +163,8 @@ def shared(t: AxisTest, numbers: Digits) -> str:
     lo, hi = max(a.lo, b.lo), min(a.hi, b.hi)
     if t.gap >= 0 or numbers.fine or numbers.origin or lo >= hi:
         return outcome(t, numbers)
-    way_out = f"; way out {numbers.gap(t.gap)}" if -t.gap > 1.001 * (hi - lo) else ""
-    return f"overlap {numbers.interval(lo, hi)}\n{numbers.gap(hi - lo)} long{way_out}"
+    depth = f"; way out {numbers.gap(t.gap)}" if -t.gap > 1.001 * (hi - lo) else ""
+    return f"overlap {numbers.interval(lo, hi)}\n{numbers.gap(hi - lo)} long{depth}"
 
 
 def conclusion(trace: _Trace, i: int) -> str:
@@ -272,7 +269,7 @@ def _any_of_axes(n: int) -> str:
 
 
 def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
-    """Return the sentence of a run over pairs of convex parts."""
+    """Return the sentence of a run over pairs of convex parts; `move` is the MTV of an overlap."""
     a, b = trace.names
     settling = trace.colliding
     if not settling:
@@ -281,72 +278,6 @@ def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: their parts {p} and {q} do, and no parts overlap. Touching is a hit."
     return f"{a} and {b} overlap: their parts {p} and {q} do. {_mtv_sentence(trace, move)}"
-
-
-def table(trace: _Trace, width: int | None = None) -> str:
-    """Return the trace as plain text: one row per test, then the axes that were not tested, then the sentence.
-
-    `width`: letters a line may have; where the columns need more, a test takes several lines.
-    """
-    if not trace.pairs:
-        blocks = [f"{_rows(trace, width)}\n{_wrap([trace.sentence], width, '')}"]
-    else:
-        hit = trace.colliding
-        shown = [pair for i, pair in enumerate(trace.pairs) if i < MAX_TABLE_PAIRS or pair is hit]
-        blocks = [f"{pair.names.a} against {pair.names.b}\n{table(pair, width)}" for pair in shown]
-        if left := len(trace.pairs) - len(shown):
-            blocks.append(f"(and {left:,} more pairs of parts)")
-        blocks.append(_wrap([trace.sentence], width, ""))
-    return plain("\n\n".join(blocks))  # a terminal may know no more than ASCII
-
-
-def _rows(trace: _Trace, width: int | None) -> str:
-    """Return the rows of the tests and of the untested axes as text."""
-    shapes = trace.a, trace.b
-    rows = [("axis", "direction", trace.names.a, trace.names.b, "gap", "")]
-    for i, t in enumerate(trace.tests, 1):
-        name = axis_name(t.axis, shapes, trace.names)
-        ends = trace.shortcut.separates(t) if trace.shortcut else t.separates
-        what = "separates" if ends else "touches" if t.gap == 0 else "overlaps"
-        numbers = digits(trace, t)
-        cells = vector(t.axis.direction), *numbers.ranges(t), numbers.signed(t.gap), what
-        rows.append((f"{i} {name}", *cells))
-    widths = [max(len(row[i]) for row in rows) for i in range(6)]
-    sides = "<<<<><"  # the gaps are set to the right
-    lines = ["  ".join(f"{cell:{side}{w}}" for cell, side, w in zip(row, sides, widths)).rstrip() for row in rows]
-    if width is not None and max(map(len, lines)) > width:
-        heads = "", *rows[0][1:-1]
-        blocks = [[*(f"{head} {cell}".lstrip() for head, cell in zip(heads, row)), row[-1]] for row in rows[1:]]
-        lines = [_wrap(block, width, "  ") for block in blocks]
-    for place, name, why in untested(trace):
-        lines.append(_wrap([f"- {place}{' ' if place else ''}{name}: {why}"], width, "  "))
-    return "\n".join(lines)
-
-
-def untested(trace: _Trace) -> list[tuple[str, str, str]]:
-    """Return the rows (number, name, reason) of the untested axes; those parallel to one axis share a row."""
-    places = {axis: f"{i}" for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
-    found: dict[tuple[str, str], list[str]] = {}
-    for s in sorted(trace.skipped, key=lambda s: s.axis not in places):  # those with a number first
-        row = places.get(s.axis, ""), reason(s.why, s.number)
-        found.setdefault(row, []).append(axis_name(s.axis, (trace.a, trace.b), trace.names))
-    return [(p, f"{name} and {len(more)} more" if more else name, why) for (p, why), (name, *more) in found.items()]
-
-
-def _wrap(pieces: Sequence[str], width: int | None, indent: str) -> str:
-    """The pieces in a line, or in several of at most `width` letters: broken between pieces, within one at a space."""
-    line, lines = "", []
-    for piece in pieces:
-        joined = f"{line}  {piece}" if line.strip() else f"{line}{piece}"
-        if width is not None and len(joined) > width and line.strip():
-            lines.append(line)
-            joined = f"{indent}{piece}"
-        while width is not None and len(joined) > width and " " in joined[len(indent) : width + 1].rstrip():
-            at = joined.rindex(" ", len(indent), width + 1)
-            lines.append(joined[:at])
-            joined = f"{indent}{joined[at + 1 :]}"
-        line = joined
-    return "\n".join([*lines, line])
 
 
 def scene(trace: _Trace) -> str:

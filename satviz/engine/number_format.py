@@ -48,7 +48,7 @@ class Digits(NamedTuple):
         return f"{'+' if value > 0 else MINUS if value else ''}{self.gap(value)}"
 
     def vector(self, value: Vec) -> str:
-        """Return a single vector as text: "(x, y)"."""
+        """Return a vector as text: "(x, y)"."""
         return f"({self.number(value.x)}, {self.number(value.y)})"
 
     def landing(self, value: float) -> str:
@@ -115,17 +115,17 @@ def _scientific(value: float) -> str:
 
 
 def number(value: float) -> str:
-    """A number by itself: up to three decimals."""
+    """Return a number as text with up to three decimals, where no scene decides the format."""
     return Digits().number(value)
 
 
 def signed(value: float) -> str:
-    """The same with its sign, 0 only for exactly 0."""
+    """Return a number as text with its sign and up to three decimals; "0" only for exactly 0."""
     return Digits().signed(value)
 
 
 def vector(value: Vec) -> str:
-    """(x, y) as printed, each by itself."""
+    """Return a vector as text, each component with up to three decimals."""
     return Digits().vector(value)
 
 
@@ -140,7 +140,7 @@ def of_shapes(*shapes: Shape) -> Digits:
     size = max(max(box[i + 2] for box in boxes) - min(box[i] for box in boxes) for i in (0, 1))
     if PLAIN_SIZES[0] <= size < PLAIN_SIZES[1]:
         return Digits()
-    # an infinite size is one beyond float64
+    # the size may be infinite: beyond float64
     return Digits(power=max(-300, min(300, 3 * floor(log10(min(size, 1e300)) / 3))))
 
 
@@ -153,7 +153,9 @@ def of_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digits:
         return digits
     lo, hi = min(r.lo for r in ranges) / unit, max(r.hi for r in ranges) / unit
     most = max(-lo, hi)
-    held = min(MAX_DECIMALS, floor(-log10(8 * ulp(most))))  # what float64 resolves out there
+    held = min(
+        MAX_DECIMALS, floor(-log10(8 * ulp(most)))
+    )  # decimals that float64 resolves at this distance from the origin
     gap = max(_needed_decimals(abs(t.gap) / unit, 3) for t in tests)
     width = min(max(_needed_decimals(r.hi / unit - r.lo / unit, 2) for r in ranges), held, MAX_NARROW_DECIMALS)
     least = max(0, min(held, 3), width)
@@ -166,5 +168,5 @@ def of_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digits:
 
 
 def _needed_decimals(size: float, digits: int) -> int:
-    """Return the decimals that show so many significant digits of a size; 0 for size 0 or infinity."""
+    """Return how many decimals show this many significant digits of a size; 0 for size 0 or infinity."""
     return digits - 1 - floor(log10(size)) if 0 < size < inf else 0

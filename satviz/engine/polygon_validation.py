@@ -7,7 +7,7 @@ from itertools import pairwise
 from reprlib import Repr
 from typing import Any, NamedTuple
 
-from .geometry import InvalidShape, Vec
+from .geometry import InvalidShape, Vec, cyclic_pairs, cyclic_triples
 from .predicates import orient, warn_if_flushed
 from .sweep import sweep
 
@@ -17,11 +17,11 @@ class Corners(NamedTuple):
 
     ids: tuple[int, ...]  # the number of each corner's vertex
     convex: bool
-    notes: tuple[str, ...]
+    notes: tuple[str, ...]  # a sentence for each vertex left out
 
 
 _NOT_REAL = tuple("bcSUmMV")  # NumPy's kinds: bool, complex, text, times, records
-_WHOLE = ("i", "u")
+_WHOLE = ("i", "u")  # NumPy's kinds of integers
 _REPR = Repr()
 _REPR.maxlevel, _REPR.maxstring, _REPR.maxother = 3, 60, 100
 
@@ -153,7 +153,7 @@ def shown(value: Any) -> str:
 
 
 def find_corners(points: Sequence[Vec]) -> Corners:
-    """Check that the points run once round a simple outline of positive area, and find its corners.
+    """Return the corners of a simple outline of positive area that the points go round once; InvalidShape otherwise.
 
     The first edge stays first: a clockwise outline is walked backwards from it.
     """
@@ -161,7 +161,7 @@ def find_corners(points: Sequence[Vec]) -> Corners:
     if len({points[i] for i in ring}) < 3:
         raise InvalidShape(f"{len(set(points))} distinct vertices: a polygon needs at least 3")
     turns = []
-    for before, i, after in _with_neighbours(ring):
+    for before, i, after in cyclic_triples(ring):
         turn = orient(points[before], points[i], points[after])
         if turn == 0 and _turns_back(points[before], points[i], points[after]):
             if _is_flat(points, ring):
@@ -195,11 +195,6 @@ def _without_repeats(points: Sequence[Vec]) -> tuple[list[int], list[str]]:
     return ring, notes
 
 
-def _with_neighbours(ring: Sequence[int]) -> Iterable[tuple[int, int, int]]:
-    """Return (previous, this, next) for each vertex number of a ring."""
-    return zip([ring[-1], *ring[:-1]], ring, [*ring[1:], ring[0]], strict=True)
-
-
 def _turns_back(before: Vec, here: Vec, after: Vec) -> bool:
     """Return whether three points on one line turn back; the signs of float differences are exact."""
     return (here > before) != (after > here)
@@ -213,8 +208,8 @@ def _is_flat(points: Sequence[Vec], ring: Sequence[int]) -> bool:
 
 def _winds_once(ring: Sequence[Vec]) -> bool:
     """Return whether a ring that turns one way everywhere goes round once (a pentagram goes round twice)."""
-    rising = [q > p for p, q in zip(ring, [*ring[1:], ring[0]], strict=True)]
-    return sum(r != s for r, s in zip(rising, [*rising[1:], rising[0]], strict=True)) == 2
+    rising = [q > p for p, q in cyclic_pairs(ring)]
+    return sum(r != s for r, s in cyclic_pairs(rising)) == 2
 
 
 def refuse_crossings(ring: Sequence[Vec], ids: Sequence[int]) -> None:

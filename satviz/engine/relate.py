@@ -36,10 +36,8 @@ APART, TOUCHING, OVERLAPPING = Relation
 # |error| <= 15 u D M in any order of operations, also fused; the factor is 32 u.
 ERROR_FACTOR_F64 = 2.0**-48
 MAX_SLABS_WITHOUT_PROBE = 6  # slabs of both shapes, as two triangles have: evaluating them costs no more than a probe
-MIN_ERROR_BOUND, MAX_ERROR_BOUND = (
-    TINY,
-    HUGE * ERROR_FACTOR_F64,
-)  # error bounds in this range: no product lost bits or overflowed
+# error bounds in this range: no product lost bits or overflowed
+MIN_ERROR_BOUND, MAX_ERROR_BOUND = TINY, HUGE * ERROR_FACTOR_F64
 
 
 def relate(a: Shape, b: Shape) -> Relation:

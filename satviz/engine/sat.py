@@ -63,12 +63,17 @@ def project(shape: Shape, axis: Axis) -> Projection:
     same landing on the edge's own normal.
     """
     (nx, ny), length, _ = axis
-    landings = [(x * nx + y * ny) / length for x, y in shape.core]
-    if not (r := shape.radius):
-        return new(Projection, (shape.core, tuple(landings)))
+    core, r = shape.core, shape.radius
+    if not r:
+        return new(Projection, (core, tuple([(x * nx + y * ny) / length for x, y in core])))
     rx, ry = r * nx / length, r * ny / length
-    points = [Vec(x - rx, y - ry) for x, y in shape.core] + [Vec(x + rx, y + ry) for x, y in shape.core]
-    return Projection(tuple(points), tuple([at - r for at in landings] + [at + r for at in landings]))
+    points: list[Vec] = []
+    landings: list[float] = []
+    for x, y in core:
+        at = (x * nx + y * ny) / length
+        points += new(Vec, (x - rx, y - ry)), new(Vec, (x + rx, y + ry))
+        landings += at - r, at + r
+    return new(Projection, (tuple(points), tuple(landings)))
 
 
 def axis_tests(a: Shape, b: Shape, axes: Iterable[Axis] | None = None) -> Iterator[AxisTest]:
@@ -109,11 +114,10 @@ def _exact_projection(shape: Shape, axis: Axis, dots: list[int], square: int, k:
     if not radius:
         return Projection(shape.core, tuple(root_difference(dot, 0, square, k) for dot in dots))
     radius <<= k - own_k
-    lows = [root_difference(dot, radius, square, k) for dot in dots]
-    highs = [-root_difference(-dot, radius, square, k) + 0.0 for dot in dots]
     r, (nx, ny) = shape.radius, axis.direction
-    points = (Vec(_cap(x + s * r * nx), _cap(y + s * r * ny)) for s in (-1, 1) for x, y in shape.core)
-    return Projection(tuple(points), (*lows, *highs))
+    points = (Vec(_cap(x + s * r * nx), _cap(y + s * r * ny)) for x, y in shape.core for s in (-1, 1))
+    landings = (-s * root_difference(-s * dot, radius, square, k) + 0.0 for dot in dots for s in (-1, 1))
+    return Projection(tuple(points), tuple(landings))
 
 
 def _cap(value: float) -> float:
