@@ -11,7 +11,7 @@ from types import SimpleNamespace
 
 import pytest
 import shapely
-from adversary import BOUNDS, near_look, search
+from adversary import BOUNDS, near_edge_line, search
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from oracle import relation
@@ -182,7 +182,7 @@ def test_a_center_inside_is_not_outside_of_an_edge_that_the_next_hardly_bends_fr
 def test_a_dot_of_a_circle_a_rounding_off_an_edge_is_on_its_own_side():
     rng, seen = Random(17), Counter()
     for _ in range(500):
-        px, py, qx, qy, x, y = near_look(rng)
+        px, py, qx, qy, x, y = near_edge_line(rng)
         try:
             triangle = Polygon([(px, py), (qx, qy), (px + py - qy, py + qx - px)])
         except InvalidShape:
@@ -523,7 +523,7 @@ def float_only(monkeypatch) -> Callable[[Shape, Shape], Relation | None]:
 
 def long_edges(rng: Random) -> tuple[Shape, Shape]:
     """A triangle, and another or a shape of 17 corners that has one on its edge; about as large as the box of both."""
-    px, py, qx, qy, x, y = near_look(rng)
+    px, py, qx, qy, x, y = near_edge_line(rng)
     nx, ny = qy - py, px - qx
     behind = px + nx * rng.uniform(0.1, 0.5), py + ny * rng.uniform(0.1, 0.5)
     steep = rng.uniform(0.5, 1)

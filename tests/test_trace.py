@@ -1194,7 +1194,7 @@ def test_a_trace_of_too_many_parts_is_told_drawn_and_saved_without_its_way_out()
     trace = sv.record(star(24), star(24, 1.3, 0.1))
     text = trace.to_json()
     assert json.loads(text)["mtv"] is None and sv.Trace.from_json(text) == trace
-    assert str(trace).endswith("They have too many parts to look for the shortest way out.")
+    assert str(trace).endswith("They have too many convex parts to search for the MTV.")
     assert "mtv" not in {mark.id for mark in sv.picture(trace, -1).marks}
     lied = json.loads(text) | {"mtv": [9.0, 9.0]}
     with pytest.raises(sv.InvalidScene, match="mtv"):

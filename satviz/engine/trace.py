@@ -226,7 +226,7 @@ class Trace:
 
     @staticmethod
     def from_json(text: str) -> "Trace":
-        """Return the trace that `to_json` wrote; InvalidScene if a field is missing, unknown or false for its shapes."""
+        """Return the trace that `to_json` wrote; InvalidScene if a field is missing, unknown or false."""
         trace: Trace = hooks.trace_from_json(text)
         return trace
 
