@@ -303,11 +303,11 @@ def advise(args: argparse.Namespace) -> int:
         scene = _load(args)
         recommendation = advise(scene.a, scene.b)
     if args.json:
-        prices = {name: p and p._asdict() for name, p in recommendation.prices().items()} if args.chart else None
+        costs = {name: c and c._asdict() for name, c in recommendation.costs().items()} if args.chart else None
         data = json.loads(recommendation.to_json())
-        out_json(json.dumps(data | {"prices": prices} if prices else data, indent=1, allow_nan=False))
+        out_json(json.dumps(data | {"costs": costs} if costs else data, indent=1, allow_nan=False))
     else:
-        cost = cost_line(recommendation.model, recommendation.summary, recommendation.prices())
+        cost = cost_line(recommendation.model, recommendation.summary, recommendation.costs())
         out("\n".join(filter(None, (str(recommendation), cost))))
     if args.chart:
         try:

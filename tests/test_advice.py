@@ -25,7 +25,7 @@ import satviz as sv
 from satviz import batch
 from satviz.advice.advising_batches import repeated_pair
 from satviz.advice.candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model, SplitPolygon
-from satviz.advice.certified_bounds import certify
+from satviz.advice.certified_bounds import SAT_ROUNDINGS, certify
 from satviz.advice.classify import classify
 from satviz.advice.margins import relative_margins
 from satviz.advice.models import evaluate, prepare
@@ -248,7 +248,7 @@ def wrong_recommendations(seed, count, engines=("numpy",)):
             many = repeated_pair(*scene[0], copies=1)
         else:
             recommendation = sv.advise(batch_of([a for a, _ in scene]), batch_of([b for _, b in scene]))
-            many = recommendation.case.batches()
+            many = recommendation.given.batches()
         model = recommendation.model
         advised[model.kind] += 1
         surely = [certify(model, a, b) for a, b in scene]
@@ -605,7 +605,7 @@ def test_where_boxes_never_meet_there_is_nothing_left_to_test():
     assert recommendation.model.kind == AABB
     assert recommendation.summary.pairs == 0
     assert recommendation.check()
-    assert recommendation.prices() == {}
+    assert recommendation.costs() == {}
     assert "all 3 pairs" in str(recommendation) and "no two boxes meet" in str(recommendation)
     with pytest.raises(ValueError, match="nothing to time"):
         recommendation.chart()
@@ -663,15 +663,15 @@ def test_what_is_no_scene_is_refused(wrong):
         sv.advise(*wrong)
 
 
-# -- prices and the chart
+# -- costs and the chart
 
 
 @pytest.mark.slow
-def test_prices_are_those_of_all_candidates_and_count_their_wrong_answers():
+def test_costs_are_those_of_all_candidates_and_count_their_wrong_answers():
     recommendation = sv.advise("triangles")
-    found = recommendation.prices()
+    found = recommendation.costs()
     assert found.keys() == {j.model.name for j in recommendation.results}
-    assert all(price.cold > 0 and price.warm > 0 for price in found.values())
+    assert all(cost.cold > 0 and cost.warm > 0 for cost in found.values())
     assert (found[BOUNDING_CIRCLES].wrong, found[recommendation.model.name].wrong) == (1, 0)
 
 
@@ -719,7 +719,7 @@ def shapes_file(tmp_path, **arrays):
 def test_the_command_advises_on_scenes(capsys):
     assert main(["advise", "triangles"]) == 0
     said = capsys.readouterr().out
-    assert said.startswith(f"{sv.advise('triangles')}\n") and "\nprice    " in said
+    assert said.startswith(f"{sv.advise('triangles')}\n") and "\ncost     " in said
     assert main(["advise", "far-centers", "--json"]) == 0
     assert json.loads(capsys.readouterr().out) == json.loads(sv.advise("far-centers").to_json())
 
@@ -731,7 +731,7 @@ def test_the_command_advises_on_a_file_of_many_shapes_and_draws_what_they_cost(t
     assert main(["advise", path, "--chart", str(tmp_path / "new"), "--json"]) == 0
     data = json.loads(capsys.readouterr().out)
     assert data["facts"]["kinds"] == {"upright boxes": 1, "circles": 2, "convex polygons": 1}
-    assert data["prices"].keys() == {c["name"] for c in data["candidates"]}
+    assert data["costs"].keys() == {c["name"] for c in data["candidates"]}
     assert {p.name for p in (tmp_path / "new").iterdir()} == {
         f"advice{dark}.{form}" for dark in ("", "-dark") for form in ("svg", "png")
     }
@@ -813,6 +813,17 @@ def hardly_apart(seed, count):
             yield sv.Polygon(ring * by), sv.Polygon(other * by)
         except sv.InvalidShape:
             continue
+
+
+def test_polygons_of_full_precision_are_certified_in_float64_where_the_relative_margin_is_beyond_32():
+    model, certified_pairs = Model("float64", 6), Counter()
+    for a, b in hardly_apart(64, 300):
+        beyond = relative_margin(a, b) > SAT_ROUNDINGS
+        certified_pairs[beyond] += 1
+        many = repeated_pair(a, b, 1)
+        assert (certify(model, a, b) is not None) is beyond, (a, b)
+        assert (classify(model, many, batch.relate(many.a, many.b))[0] >= 0) == beyond, (a, b)
+    assert min(certified_pairs.values()) > 50
 
 
 def test_a_recommendation_on_a_pair_is_the_same_for_many_as_for_two():

@@ -396,7 +396,7 @@ def vanishing(work):
         (["figures", "--only", "1", "--only", "2", "--out"], "satviz.render.files.encode_frames"),
         (["draw", "aabb", "--format", "gif", "--format", "html", "--out"], "satviz.render.files.encode_frames"),
         (["study", "--quick", "--out"], "satviz.study.harness.cells._load_result"),
-        (["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.in_turn"),
+        (["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.time_in_turn"),
         (["trace", "aabb"], "satviz.scenes.named.scene"),
         (["notebook", "--no-open"], "satviz.safe_write.write"),
     ],

@@ -1,4 +1,4 @@
-"""The time that each model takes on this machine for the pairs of a case."""
+"""The time that each model takes on this machine for the given pairs."""
 
 from collections.abc import Sequence
 from functools import partial

@@ -14,7 +14,7 @@ from ..engine.predicates import to_integers
 from ..engine.shapes import Shape
 from .candidates import AABB, EXACT_FILTER, AnyShape, Model, convex_parts, cyclic_pairs
 from .certified_bounds import SAT_ROUNDINGS
-from .records import CIRCLES, CONCAVE_POLYGONS, UPRIGHT_BOXES, Grid, InputSummary, PairsInHand
+from .records import CIRCLES, CONCAVE_POLYGONS, UPRIGHT_BOXES, GivenPairs, Grid, InputSummary
 from .relative_margin import relative_margin
 from .rounding import FLOAT64, FORMATS, Format
 
@@ -34,21 +34,21 @@ class Scope(NamedTuple):
     span: float = 0.0
 
 
-def scope_of(model: Model, facts: InputSummary, case: PairsInHand) -> Scope:
-    """Return the scope of a model that is proven for the pairs of a case."""
-    if not facts.pairs:
+def scope_of(model: Model, summary: InputSummary, given: GivenPairs) -> Scope:
+    """Return the scope of a model that is proven for the given pairs."""
+    if not summary.pairs:
         return Scope(HERE)
-    if model.kind == EXACT_FILTER or (model.kind == AABB and set(facts.kinds) == {UPRIGHT_BOXES}):
+    if model.kind == EXACT_FILTER or (model.kind == AABB and set(summary.kinds) == {UPRIGHT_BOXES}):
         return Scope(ANYWHERE)
     if model.kind not in FORMATS:
         return Scope(HERE)
     form = FORMATS[model.kind]
     # the convex parts of a concave polygon change when it moves
-    if CIRCLES in facts.kinds or CONCAVE_POLYGONS in facts.kinds:
+    if CIRCLES in summary.kinds or CONCAVE_POLYGONS in summary.kinds:
         return Scope(HERE)
-    if not facts.settled and (found := _on_grid(case.grid(), form)):
+    if not summary.settled and (found := _on_grid(given.grid(), form)):
         return found
-    bound = case.moved_bound() if form is FLOAT64 else 0.0
+    bound = given.moved_bound() if form is FLOAT64 else 0.0
     return Scope(MOVED, bound) if bound else Scope(HERE)
 
 

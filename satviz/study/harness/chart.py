@@ -258,7 +258,7 @@ def label_points(
     box = ax.get_window_extent()
     rim = box.x0 * scale, box.y0 * scale, box.x1 * scale, box.y1 * scale
     spots = [tuple(ax.transData.transform((p[0], p[1])) * scale) for p in (*points, *taken)]
-    placed: list[tuple[float, float, float, float]] = [(x - 4, y - 4, x + 4, y + 4) for x, y in spots]
+    placed: list[tuple[float, float, float, float]] = [(x - 9, y - 4, x + 9, y + 4) for x, y in spots]
     renderer = cast(Any, ax.figure.canvas).get_renderer()
     for (x, y), (px, py, text, shade) in sorted(zip(spots, points), key=lambda item: (-item[0][1], item[0][0])):
         note = ax.annotate(

@@ -104,15 +104,11 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     by_order = {row["order"]: row for row in rows}
     tested = {name: f"{row['tested']:.1f}" for name, row in by_order.items()}
     paths, apart = rows[0]["paths"], rows[0]["apart"]
-    title = (
-        f"Until one separates: {tested[SHUFFLED]} axes in random order, {tested[LAST_FIRST]} with the last one first, "
-        f"{tested[ALONG_CENTERS]} along the centers"
-    )
+    title = f"Axes tested until one separates: shuffled {tested[SHUFFLED]}, last one first {tested[LAST_FIRST]}, "
+    title += f"along the centers {tested[ALONG_CENTERS]}"
 
     def draw(fig: Figure, theme: Theme) -> None:
-        line = (
-            f"8-gons that move past each other on {paths} paths. They are apart in {apart:,} frames. At most 16 axes."
-        )
+        line = f"8-gons pass each other on {paths} paths and are apart in {apart:,} frames. They have 16 axes."
         draw_headline(fig, theme, title, line)
         ax = add_axes(fig, (0.235, 0.2, 0.72, 0.53), theme)
         for y, row in enumerate(rows):

@@ -85,13 +85,12 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     factors = {name: (ns[name, CORNER_COUNTS[-1]] / ns[name, 64]) ** 0.5 for name in names}  # two doublings after 64
     title = "Time against corners"
     if "GJK" in factors:
-        title = f"Twice the corners take textbook SAT {factors['SAT, every corner']:.1f} times as long, "
-        title += f"GJK {factors['GJK']:.1f}, calipers {factors['rotating calipers']:.1f}"
+        title = f"With twice the corners, textbook SAT takes {factors['SAT, every corner']:.1f} times as long, "
+        title += f"GJK {factors['GJK']:.1f} and calipers {factors['rotating calipers']:.1f}"
 
     def draw(fig: Figure, theme: Theme) -> None:
-        draw_headline(
-            fig, theme, title, "Time for a pair of regular polygons; half of the pairs are apart. Bars: quartiles"
-        )
+        line = "Time for a pair of regular polygons. Half of the pairs are apart. Bars show quartiles."
+        draw_headline(fig, theme, title, line)
         ax = add_axes(fig, (0.085, 0.14, 0.62, 0.69), theme)
         ax.set_xscale("log")
         draw_time_curves(ax, theme, CORNER_COUNTS, rows, LINE_STYLES)

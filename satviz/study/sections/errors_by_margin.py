@@ -50,9 +50,7 @@ def error_rate_chart(found: dict[str, Any]) -> Chart:
     rows_of = {name: own for name in CURVE_LABELS if (own := [row for row in rows if row["method"] == name])}
 
     def draw(fig: Figure, theme: Theme) -> None:
-        line = (
-            f"Share of wrong answers by hardness. At least {fewest:,} pairs for each factor of 2. Bands: 95 % intervals"
-        )
+        line = f"Share of wrong answers; at least {fewest:,} pairs for each factor of 2. Bands show 95 % intervals."
         draw_headline(fig, theme, title, line)
         touch_ax = add_axes(fig, (0.07, 0.15, 0.06, 0.68), theme)
         ax = add_axes(fig, (0.4, 0.15, 0.585, 0.68), theme)
@@ -91,7 +89,7 @@ def error_rate_chart(found: dict[str, Any]) -> Chart:
         )
         ax.set_xticks(range(0, 36, 5), [f"$2^{{{k}}}$" for k in range(0, 36, 5)])
 
-    text = "This sample is no bound for other pairs. "
+    text = "The wrong answers of this sample, which is no bound for other pairs. "
     for name, (touching, *curve) in rows_of.items():
         wrong = [row["octave"] for row in curve if row["wrong"]]
         upto = f"wrong up to a relative margin of 2^{max(wrong) + 1}" if wrong else "none wrong"

@@ -71,7 +71,7 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     share = {change: max(changed[name, change] for name in names) / pairs for change in CHANGES}
     worst = max(share, key=lambda change: share[change])
     others = max(value for change, value in share.items() if change != worst)
-    title = f"“{worst}” changes up to {share[worst]:.0%} of a float method's answers, the other changes {others:.1%}"
+    title = f"The change “{worst}” alters up to {share[worst]:.0%} of a float method's answers, the others {others:.1%}"
     tall = 27.0 * len(names)
     size = 820.0, 104 + tall
 

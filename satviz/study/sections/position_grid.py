@@ -96,7 +96,7 @@ def evaluate_grid(name: str, n: int) -> dict[str, Any]:
 
 
 def exact_relation(a: Shape, b: Shape) -> Relation:
-    """Return the exact relation; of concave outlines the closest one of their convex parts."""
+    """Return the exact relation of two shapes; for concave outlines the closest relation of their convex parts."""
     return max(truth.relation(p, q) for p in parts(a) for q in parts(b))
 
 

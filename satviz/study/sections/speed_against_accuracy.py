@@ -195,7 +195,7 @@ def _method_with_share(row: JsonRow) -> str:
 
 def _draw_margins(ax: Axes, theme: Theme, rows: Sequence[JsonRow]) -> None:
     """Draw the ranked methods: time against the largest relative margin that was wrong, shown as a gap at 1 km."""
-    ax.set(ylim=(-5, max(MARGIN_OCTAVES) + 1))
+    ax.set(ylim=(-9, max(MARGIN_OCTAVES) + 1))
     ax.set_yticks([log2(metres / GAP_PER_MARGIN) for metres in TICK_METRES.values()], list(TICK_METRES))
     ax.set_ylabel("wrong up to this gap\nin a scene of 1 km", fontsize=TEXT_POINTS)
     atom, guide = log2(ATOM_METRES / GAP_PER_MARGIN), theme.roles["guide"]
