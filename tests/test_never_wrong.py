@@ -133,7 +133,7 @@ def flushed() -> Iterator[None]:
         math.fesetenv(kept)
 
 
-def test_a_thread_that_takes_the_least_numbers_for_0_is_told_so():
+def test_a_thread_that_takes_the_smallest_numbers_for_0_is_warned():
     ring = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
     doors = {
         "Polygon": lambda: Polygon(ring),
