@@ -228,7 +228,7 @@ def is_complete(axes: Sequence[Axis], a: Shape, b: Shape) -> bool:
 
 
 def _make_choice(axes: tuple[Axis, ...], a: Shape, b: Shape) -> Choice:
-    """Return the choice of these axes, complete or not."""
+    """Return the choice of these axes, with `complete` as `is_complete` computes it."""
     return Choice(axes, complete=is_complete(axes, a, b))
 
 
