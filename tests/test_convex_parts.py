@@ -367,7 +367,7 @@ def test_they_have_from_any_first_vertex_and_turned_any_way(name, ring, count, t
         [(5, 0), (4, 1), (7, 3), (3, 2), (2, 7), (-2, 1), (-4, 1), (-4, -1), (3, -6)],
     ],
 )
-def test_a_cut_between_two_reflex_vertices_is_judged_by_the_edges_next_to_them(ring):
+def test_a_cut_between_two_reflex_vertices_is_decided_by_the_edges_next_to_them(ring):
     # those one further on would miss the one cut that ends two, and make a part more
     assert len(parts(Polygon(ring))) == 3 <= fewest_without_new_points(Polygon(ring))
 
@@ -510,7 +510,7 @@ def test_anything_but_a_shape_is_a_type_error(thing):
         parts(thing)
 
 
-def test_the_parts_are_worked_out_once():
+def test_the_parts_are_computed_once():
     polygon = Polygon(L)
     assert parts(polygon) is parts(polygon)
 
@@ -602,7 +602,7 @@ def test_a_box_in_and_about_the_L(x0, y0, x1, y1, right):
     assert oracle.relation(Polygon(L), box) is right
 
 
-def test_a_circle_in_the_notch_of_the_L_is_told_to_the_last_bit():
+def test_a_circle_in_the_notch_of_the_L_is_decided_to_the_last_bit():
     assert relate(Polygon(L), Circle((3, 3), 1)) is TOUCHING
     assert relate(Polygon(L), Circle((3, 3), 1 - ULP)) is APART
     assert relate(Polygon(L), Circle((3, 3), 1 + ULP)) is OVERLAPPING

@@ -20,7 +20,7 @@ LARGEST, LEAST = sys.float_info.max, 5e-324
 
 @pytest.fixture
 def no_integers(monkeypatch) -> None:
-    """From here on nothing can ask the integers."""
+    """Make every use of integers fail from here on."""
 
     def refuse(*_):
         raise AssertionError("floats can tell this")
@@ -51,7 +51,7 @@ def test_two_shapes_come_to_one_unit_whichever_is_finer():
 
 
 @pytest.mark.parametrize("size", SIZES)
-def test_a_turn_is_told_exactly_at_every_size(size):
+def test_a_turn_is_exact_at_every_size(size):
     rng = Random(str(size))
     seen = set()
     for _ in range(600):
@@ -85,7 +85,7 @@ def test_an_ordinary_turn_needs_no_integers(size, no_integers):
 
 
 def root_sign(s: int, r: int, square: int) -> int:
-    """The sign of s - r * sqrt(square), for r >= 0, from the squares."""
+    """Return the sign of s - r * sqrt(square), for r >= 0, from the squares."""
     return predicates.sign(s * abs(s) - r * r * square)
 
 
@@ -158,7 +158,7 @@ def test_a_thread_that_takes_small_numbers_for_nothing_is_warned_of(monkeypatch)
     (sys.platform, platform.machine(), platform.libc_ver()[0]) != ("linux", "x86_64", "glibc"),
     reason="sets the processor's flags as on Linux, x86-64, with its usual C library",
 )
-def test_what_a_flushing_thread_computes_is_what_the_warning_looks_at():
+def test_what_a_flushing_thread_computes_is_what_the_warning_checks():
     """The C library's environment of x86-64 floats holds the processor's register of flags from byte 28 on."""
     libm, flags, flush = ctypes.CDLL("libm.so.6"), ctypes.create_string_buffer(64), 0x8040
 

@@ -228,7 +228,7 @@ def is_complete(axes: Sequence[Axis], a: Shape, b: Shape) -> bool:
 
 
 def _make_choice(axes: tuple[Axis, ...], a: Shape, b: Shape) -> Choice:
-    """Return the choice of these axes, complete or not."""
+    """Return the choice of these axes, with `complete` as `is_complete` computes it."""
     return Choice(axes, complete=is_complete(axes, a, b))
 
 
@@ -393,7 +393,7 @@ def _make_axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = Fal
 
 
 def _integer_edge_normal(shape: Shape, role: str, kind: str, i: int, j: int) -> tuple[IntPoint, int, Source]:
-    """The normal of the edge from one corner to another, as `_axis` takes it."""
+    """Return (integer normal, k, source) of the edge from corner i to corner j, as `_make_axis` takes them."""
     k, points, _ = shape.integers
     (px, py), (qx, qy) = points[i], points[j]
     return (qy - py, px - qx), k, Source(kind, role, tuple(sorted((shape.corner_ids[i], shape.corner_ids[j]))))

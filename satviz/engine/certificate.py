@@ -133,7 +133,10 @@ def separating_line(a: Shape, b: Shape, axis: Axis) -> SeparatingLine:
 
 
 def _radius_on_axis(shape: Shape, k: int, square: int, bits: int) -> Fraction:
-    """Return radius * sqrt(square) in units of 2**-k, rounded up to a multiple of 2**-bits; 0 for a polygon."""
+    """Return a circle's radius times |normal|, or 0 for a polygon: in units of 2**-k, rounded up to 2**-bits.
+
+    `square` is |normal|**2.
+    """
     own_k, _, r = shape.integers
     return Fraction(ceil_sqrt((r << k - own_k) ** 2 * square << 2 * bits), 1 << bits)
 

@@ -322,12 +322,12 @@ class _ReflexCount:
         self.total = self.sums[-1]
 
     def fewer(self, cut: Edge) -> int:
-        """Return how many are on the side that has fewer; the ends of the cut do not count."""
+        """Return the number of reflex vertices on the side with fewer; the ends of the cut do not count."""
         i, j = sorted(map(self.place.__getitem__, cut))
         return min(self.sums[j] - self.sums[i + 1], self.total - self.sums[j + 1] + self.sums[i])
 
     def balanced(self, cut: Edge) -> bool:
-        """Return whether each side has at least an eighth of all."""
+        """Return whether each side of a cut has at least an eighth of all reflex vertices."""
         return 8 * self.fewer(cut) >= self.total
 
 

@@ -257,7 +257,7 @@ def _shortcut_verdict(trace: _Trace) -> str:
 def _mtv_sentence(trace: _Trace, move: Vec | None) -> str:
     """Return the sentence on the move that ends an overlap, or why there is none."""
     if move is None and why_too_many_parts(trace.a, trace.b):
-        return "They have too many parts to look for the shortest way out."
+        return "They have too many convex parts to search for the MTV."
     if move is None:
         return "No move that float64 can hold parts them."
     return f"Moving {trace.names.b} by {digits(trace).vector(move)} leaves them just touching."

@@ -170,7 +170,7 @@ def relate_integers(p: Sequence[IntPoint], q: Sequence[IntPoint], radii: int) ->
 def _relate_circles(a: Shape, b: Shape) -> Relation:
     """Compare the squared distance of the centers with the squared sum of the radii.
 
-    Each carries under 5 roundings; the error bound is 8 of their sum.
+    With u = 2**-53, each carries under 5 u of its size; the error bound is 8 u of their sum.
     """
     ((ax, ay),), ((bx, by),) = a.core, b.core
     dx, dy = ax - bx, ay - by
