@@ -144,7 +144,7 @@ def edge_value_share(px: float, py: float, qx: float, qy: float, x: float, y: fl
     else:
         there, edge = dy * x - dx * y, dy * px - dx * py
     error_bound = max(abs(dx), abs(dy)) * max(map(abs, (px, py, qx, qy, x, y))) * relate.ERROR_FACTOR_F64
-    exact = -truth.turn((px, py), (qx, qy), (x, y))
+    exact = -truth.orientation((px, py), (qx, qy), (x, y))
     return max(
         share_of(abs(Fraction(there) - Fraction(edge + r) - (exact - Fraction(r))), error_bound)
         for r in (error_bound, -error_bound)
@@ -171,7 +171,7 @@ def center_side_share(cx: float, cy: float, vx: float, vy: float, wx: float, wy:
     """Return the error of the determinant of an edge and a circle's center over its error bound."""
     px, py, dx, dy = vx - cx, vy - cy, wx - vx, wy - vy
     far = max(map(abs, (px, py, wx - cx, wy - cy)))
-    error = abs(Fraction(px * dy - py * dx) - truth.turn((vx, vy), (wx, wy), (cx, cy)))
+    error = abs(Fraction(px * dy - py * dx) - truth.orientation((vx, vy), (wx, wy), (cx, cy)))
     return share_of(error, (abs(dx) + abs(dy)) * far * 2.0**-48)
 
 
@@ -211,7 +211,7 @@ def _exact_clearance(p: Sequence, q: Sequence) -> Fraction:
 
     def own(ring: Sequence, points: Sequence) -> Fraction:
         edges = zip(ring, [*ring[1:], ring[0]], strict=True)
-        return max(min(-truth.turn(*edge, v) for v in points) for edge in edges)
+        return max(min(-truth.orientation(*edge, v) for v in points) for edge in edges)
 
     return max(own(p, q), own(q, p))
 
@@ -238,7 +238,7 @@ def float64_share(*numbers: float) -> float:
 def orient_share(px: float, py: float, qx: float, qy: float, rx: float, ry: float) -> float:
     """Return the error of the first stage of exact_signs.orient over its error bound."""
     left, right = (qx - px) * (ry - py), (qy - py) * (rx - px)
-    exact = truth.turn((px, py), (qx, qy), (rx, ry))
+    exact = truth.orientation((px, py), (qx, qy), (rx, ry))
     return share_of(abs(Fraction(left - right) - exact), exact_signs.ERRBOUND_A * (abs(left) + abs(right)))
 
 

@@ -70,7 +70,7 @@ def integers(*rings: Iterable[Sequence]) -> list[list[tuple[int, int]]]:
 @functools.lru_cache(maxsize=4)
 def ears(polygon: Polygon) -> list[Polygon]:
     """Return a polygon cut into triangles by clipping ears, which is not the method of satviz."""
-    vertices = polygon.vertices if truth.area2(polygon.vertices) > 0 else polygon.vertices[::-1]
+    vertices = polygon.vertices if truth.twice_signed_area(polygon.vertices) > 0 else polygon.vertices[::-1]
     (at,) = integers(vertices)
     left, found = list(range(len(at))), []
 

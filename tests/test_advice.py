@@ -34,7 +34,7 @@ from satviz.advice.relative_margin import relative_margin, signed_relative_margi
 from satviz.advice.scope import ANYWHERE, GRID, HERE, MOVED, Scope, power_of_two_bound
 from satviz.advice.shapesfile import load
 from satviz.cli import main
-from satviz.engine.axis_count import NUMBER_WORDS, enough
+from satviz.engine.axis_count import NUMBER_WORDS, count_axes
 from satviz.engine.convex_parts import parts
 from satviz.engine.geometry import Relation, Vec
 from satviz.pictures import THEMES
@@ -288,31 +288,36 @@ def test_every_recommendation_holds_when_it_is_proven_again():
 
 def test_one_axis_is_enough_where_a_gap_is_found_and_all_are_needed_for_a_hit():
     a, b = sv.scene("triangles").a, sv.scene("triangles").b
-    many, said = enough(a, b)
+    many, said = count_axes(a, b)
     assert many == 1 and "gap of 1.213" in said and "five are enough" in said
-    assert enough(a, a)[0] == 3
-    assert enough(sv.record(a, b)) == (many, said)
+    assert count_axes(a, a)[0] == 3
+    assert count_axes(sv.record(a, b)) == (many, said)
 
 
 def test_the_sentence_counts_the_axes_that_touch():
     corner = sv.Polygon([(0, 0), (1, 0), (0, 1)])
     opposite = sv.Polygon([(0, 0), (-1, 0), (0, -1)])
-    assert enough(corner, opposite) == (
+    assert count_axes(corner, opposite) == (
         3,
         "Three axes are needed here: the ranges leave no gap on any, and only all of them prove a hit.",
     )
-    assert "touch on one axis and overlap on the others" in enough(corner, sv.Polygon([(1, -1), (2, 0.5), (1, 2)]))[1]
-    assert "touch on three axes and overlap on the others" in enough(corner, sv.Polygon([(0, 0), (-1, 0), (-1, -1)]))[1]
+    assert (
+        "touch on one axis and overlap on the others" in count_axes(corner, sv.Polygon([(1, -1), (2, 0.5), (1, 2)]))[1]
+    )
+    assert (
+        "touch on three axes and overlap on the others"
+        in count_axes(corner, sv.Polygon([(0, 0), (-1, 0), (-1, -1)]))[1]
+    )
 
 
 def test_what_is_enough_wherever_shapes_are_moved_is_so_where_the_nearest_vertex_gives_no_axis_of_its_own():
     square = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     for y in (5.0, 5.5):
-        many, said = enough(square, sv.Circle((1, y), 1))
+        many, said = count_axes(square, sv.Circle((1, y), 1))
         assert many == 1 and said.endswith("Wherever they are moved, three are enough.")
-    assert enough(square, sv.Circle((1.5, 1.7), 1))[0] == 3
+    assert count_axes(square, sv.Circle((1.5, 1.7), 1))[0] == 3
     for kind, a, b in pairs(42, 2 * len(CONVEX), list(CONVEX)):
-        if words := enough(a, b)[1].partition("Wherever they are moved, ")[2]:
+        if words := count_axes(a, b)[1].partition("Wherever they are moved, ")[2]:
             to = [p - q for p, q in zip(a.bounds[:2], b.bounds[:2])]
             with suppress(sv.InvalidShape):
                 assert len(sv.axes.needed(a, translated(b, Vec(*to))).axes) <= leading_number(words), kind
@@ -348,20 +353,23 @@ def test_circles_that_reach_beyond_float64_are_advised_on():
 
 def test_two_axes_are_enough_for_upright_boxes_wherever_they_lie():
     box = sv.Polygon([(0, 0), (2, 0), (2, 1), (0, 1)])
-    assert enough(box, box) == (2, "Two axes are enough, wherever two upright boxes lie: y and x.")
+    assert count_axes(box, box) == (2, "Two axes are enough, wherever two upright boxes lie: y and x.")
 
 
 def test_one_axis_is_enough_for_circles():
     coin = sv.Circle((0, 0), 1)
-    assert enough(coin, coin) == (1, "One axis is enough, wherever two circles lie: the line through their centers.")
+    assert count_axes(coin, coin) == (
+        1,
+        "One axis is enough, wherever two circles lie: the line through their centers.",
+    )
     gap = "One axis is enough here: the line through both centers leaves a gap of 3."
-    assert enough(coin, sv.Circle((5, 0), 1)) == (1, gap)
+    assert count_axes(coin, sv.Circle((5, 0), 1)) == (1, gap)
 
 
 def test_no_range_is_said_to_touch_where_all_overlap():
     corner = sv.Polygon([(0, 0), (4, 0), (0, 4)])
     said = "Four axes are needed here: the ranges leave no gap on any, and only all of them prove a hit."
-    assert enough(corner, sv.Polygon([(1, 1), (5, 1), (1, 6)])) == (4, said)
+    assert count_axes(corner, sv.Polygon([(1, 1), (5, 1), (1, 6)])) == (4, said)
 
 
 def test_enough_axes_for_a_hit_of_parts_are_those_of_the_parts_that_meet():
@@ -369,32 +377,32 @@ def test_enough_axes_for_a_hit_of_parts_are_those_of_the_parts_that_meet():
     for x, y, many in (3.0, 0.5, "Two"), (0.2, 2.5, "Three"):
         small = sv.Polygon([(x, y), (x + 0.2, y), (x + 0.2, y + 0.2), (x, y + 0.2)])
         said = f"{many} axes are needed here: all those of two convex parts that meet."
-        assert enough(roof, small) == (NUMBER_WORDS.index(many), said)
+        assert count_axes(roof, small) == (NUMBER_WORDS.index(many), said)
 
 
 def test_enough_says_no_more_of_concave_outlines_than_of_where_they_lie_and_names_a_traces_shapes():
     notch = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
     far = sv.Polygon([(9, 9), (10, 9), (10, 10), (9, 10)])
     said = "One axis is enough here: the normal of B's hull edge b3b5 leaves a gap of 8.485."
-    assert enough(far, notch) == (1, said)
+    assert count_axes(far, notch) == (1, said)
     said = "One axis is enough here: the normal of A's hull edge a3a5 leaves a gap of 8.485."
-    assert enough(notch, far) == (1, said)
+    assert count_axes(notch, far) == (1, said)
     roof = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (0, 5)])
     pairs = sv.record(sv.Polygon([(2, 3.5), (3, 3.5), (3, 4.5)]), roof).pairs
-    assert [enough(pair)[1].partition(" leaves")[0] for pair in pairs] == [
+    assert [count_axes(pair)[1].partition(" leaves")[0] for pair in pairs] == [
         "One axis is enough here: the normal of B1's edge b1.1 to b1.2",
         "One axis is enough here: the normal of B2's edge b2.1 to b2.2",
     ]
     with pytest.raises(TypeError, match=r"^b is a str: "):
-        enough(far, "B")
+        count_axes(far, "B")
 
 
 def test_a_hulls_normal_may_be_enough_where_no_edges_is():
     dart = sv.Polygon([(-3, -3), (4, 0), (1, 1), (0, 4)])
     square = sv.Polygon([(2.2, 2.2), (3.2, 2.2), (3.2, 3.2), (2.2, 3.2)])
-    assert enough(dart, square)[0] == 1
+    assert count_axes(dart, square)[0] == 1
     notch = sv.Polygon([(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)])
-    assert enough(notch, sv.Circle((2, 2), 0.5)) == (
+    assert count_axes(notch, sv.Circle((2, 2), 0.5)) == (
         3,
         "No one normal of an edge is enough here, but one for each of the 3 pairs of convex parts is.",
     )
@@ -402,7 +410,7 @@ def test_a_hulls_normal_may_be_enough_where_no_edges_is():
 
 def test_enough_axes_are_counted_for_pairs_of_every_kind():
     for kind, a, b in pairs(41, 3 * len(KINDS)):
-        many, said = enough(a, b)
+        many, said = count_axes(a, b)
         assert many >= 1 and said.endswith("."), kind
         assert (
             sv.relate(a, b) is Relation.APART

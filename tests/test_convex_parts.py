@@ -133,7 +133,7 @@ def boxes_meet(a: Polygon, b: Polygon) -> bool:
 
 def reflex_count(polygon: Polygon) -> int:
     ring = polygon.corners
-    return sum(truth.turn(ring[i - 1], ring[i], ring[(i + 1) % len(ring)]) < 0 for i in range(len(ring)))
+    return sum(truth.orientation(ring[i - 1], ring[i], ring[(i + 1) % len(ring)]) < 0 for i in range(len(ring)))
 
 
 def refute(polygon: Polygon) -> str:
@@ -141,9 +141,9 @@ def refute(polygon: Polygon) -> str:
     found = parts(polygon)
     own, *rings = integers(polygon.corners, *(part.vertices for part in found))
     wrong = []
-    if not all(part.is_convex and not part.notes and truth.area2(part.vertices) > 0 for part in found):
+    if not all(part.is_convex and not part.notes and truth.twice_signed_area(part.vertices) > 0 for part in found):
         wrong.append("a part is not convex, not counter-clockwise, or has a straight-on vertex")
-    if sum(map(truth.area2, rings)) != truth.area2(own):
+    if sum(map(truth.twice_signed_area, rings)) != truth.twice_signed_area(own):
         wrong.append("the areas do not add up")
     if any(truth.polygons(p, q) is OVERLAPPING for p, q in combinations(found, 2) if boxes_meet(p, q)):
         wrong.append("two parts overlap")

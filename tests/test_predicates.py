@@ -45,9 +45,9 @@ def test_two_shapes_come_to_one_unit_whichever_is_finer():
             self.integers = integers
 
     fine, coarse = Given(3, [(8, 1)], 5), Given(1, [(2, 3), (4, 7)], 2)
-    assert predicates.aligned(fine, coarse) == ([(8, 1)], [(8, 12), (16, 28)], 13, 3)
-    assert predicates.aligned(coarse, fine) == ([(8, 12), (16, 28)], [(8, 1)], 13, 3)
-    assert predicates.aligned(fine, fine) == ([(8, 1)], [(8, 1)], 10, 3)
+    assert predicates.to_common_unit(fine, coarse) == ([(8, 1)], [(8, 12), (16, 28)], 13, 3)
+    assert predicates.to_common_unit(coarse, fine) == ([(8, 12), (16, 28)], [(8, 1)], 13, 3)
+    assert predicates.to_common_unit(fine, fine) == ([(8, 1)], [(8, 1)], 10, 3)
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -56,7 +56,7 @@ def test_a_turn_is_exact_at_every_size(size):
     seen = set()
     for _ in range(600):
         p, q, r = nearly_straight(rng, size)
-        turn = oracle.turn(p, q, r)
+        turn = oracle.orientation(p, q, r)
         seen.add(predicates.sign(turn))
         assert predicates.orient(p, q, r) == predicates.sign(turn), (p, q, r)
     assert seen == {-1, 0, 1}
@@ -69,7 +69,7 @@ def test_a_turn_is_exact_where_its_products_lose_bits():
         ("-0x1.3a83484c08f30p-513", "0x1.c2148935c9610p-516"),
     )
     p, q, r = (tuple(map(float.fromhex, v)) for v in (p, q, r))
-    assert predicates.orient(p, q, r) == predicates.sign(oracle.turn(p, q, r)) == 1
+    assert predicates.orient(p, q, r) == predicates.sign(oracle.orientation(p, q, r)) == 1
 
 
 @pytest.mark.parametrize("size", SIZES[5:11])
@@ -79,7 +79,7 @@ def test_an_ordinary_turn_needs_no_integers(size, no_integers):
         assert (
             predicates.orient(*points)
             == -predicates.orient(*points[::-1])
-            == predicates.sign(oracle.turn(*points))
+            == predicates.sign(oracle.orientation(*points))
             != 0
         )
 

@@ -34,7 +34,7 @@ from strategies import (
 
 from satviz.engine import relate as relate_module
 from satviz.engine.geometry import InvalidShape, Relation, Vec
-from satviz.engine.predicates import aligned
+from satviz.engine.predicates import to_common_unit
 from satviz.engine.relate import relate, relate_integers, relate_moved
 from satviz.engine.shapes import Circle, Polygon, Shape
 from satviz.engine.trace import record
@@ -63,7 +63,7 @@ def test_relate_and_its_integers_are_right_about_pairs_of_every_kind_whichever_c
         for first, second in ((a, b), (b, a)):
             assert relate(first, second) is relation(a, b), (first, second)
             if kind in CONVEX:
-                assert relate_integers(*aligned(first, second)[:3]) is relation(a, b), (first, second)
+                assert relate_integers(*to_common_unit(first, second)[:3]) is relation(a, b), (first, second)
 
 
 @pytest.mark.parametrize("place", [(50, 0), (0, 50), (-50, 0), (0, -50), (50, -50), (2**20, 2**20 + 1)], ids=str)
@@ -204,7 +204,7 @@ def test_shapes_of_other_libraries_are_refused_wherever_they_are(far):
 def test_integers_see_that_an_edge_is_nearer_than_its_end_even_if_by_one():
     """Both ends on the circle or beyond it, and the foot one unit from an end."""
     circle, triangle = Circle((0, 0), 5), Polygon([(3, 4), (4, 3), (9, 9)])
-    assert relate_integers(*aligned(circle, triangle)[:3]) is relation(circle, triangle) is OVERLAPPING
+    assert relate_integers(*to_common_unit(circle, triangle)[:3]) is relation(circle, triangle) is OVERLAPPING
 
 
 def test_integers_see_that_a_center_is_inside_even_if_by_one():
@@ -212,7 +212,7 @@ def test_integers_see_that_a_center_is_inside_even_if_by_one():
         Circle((0, 0), 1),
         Polygon([(-9, -2), (1, 0), (5, 1), (-2, 9)]),
     )  # left of the second edge's line by 1
-    assert relate_integers(*aligned(hardly, ring)[:3]) is relation(hardly, ring) is OVERLAPPING
+    assert relate_integers(*to_common_unit(hardly, ring)[:3]) is relation(hardly, ring) is OVERLAPPING
 
 
 def test_an_error_inside_a_shape_is_passed_on():
@@ -367,11 +367,13 @@ def test_a_circle_off_the_tip_of_a_needle_is_decided_by_its_distance_from_the_ti
 
 def test_the_oracle_knows_the_distance():
     box = Polygon([(0, 0), (2, 0), (2, 2), (0, 2)])
-    assert oracle.distance2(box, Polygon([(5, 6), (9, 9), (5, 9)])) == 25  # corner to corner
-    assert oracle.distance2(box, Polygon([(3, 1), (9, -9), (9, 9)])) == 1  # corner to edge
-    assert oracle.distance2(Polygon([(0, 0), (1, 0), (0, 1)]), Polygon([(1, 1), (2, 1), (1, 2)])) == Fraction(1, 2)
-    assert oracle.distance2(box, Polygon([(2, 2), (9, 9), (5, 9)])) == 0
-    assert oracle.distance2(box, Polygon([(1, 1), (9, 9), (5, 9)])) == 0
+    assert oracle.squared_distance(box, Polygon([(5, 6), (9, 9), (5, 9)])) == 25  # corner to corner
+    assert oracle.squared_distance(box, Polygon([(3, 1), (9, -9), (9, 9)])) == 1  # corner to edge
+    assert oracle.squared_distance(Polygon([(0, 0), (1, 0), (0, 1)]), Polygon([(1, 1), (2, 1), (1, 2)])) == Fraction(
+        1, 2
+    )
+    assert oracle.squared_distance(box, Polygon([(2, 2), (9, 9), (5, 9)])) == 0
+    assert oracle.squared_distance(box, Polygon([(1, 1), (9, 9), (5, 9)])) == 0
 
 
 def test_shapely_agrees_on_ordinary_pairs():
@@ -394,7 +396,7 @@ def test_shapely_agrees_on_the_distance():
     for kind, a, b in pairs(6, 1_000):
         if kind in ("random polygons", "boxes on a grid", "near touching, offset 100"):
             theirs = shapely.distance(shapely.Polygon(a.vertices), shapely.Polygon(b.vertices))
-            assert math.sqrt(oracle.distance2(a, b)) == pytest.approx(theirs, rel=1e-9, abs=1e-12)
+            assert math.sqrt(oracle.squared_distance(a, b)) == pytest.approx(theirs, rel=1e-9, abs=1e-12)
 
 
 @pytest.mark.parametrize("thing", [None, 1, "circle", [(0, 0), (1, 0), (0, 1)]])

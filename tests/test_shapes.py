@@ -440,7 +440,7 @@ def test_a_concave_outline_is_accepted_from_every_vertex_and_either_way():
         shape = Polygon(ring)
         assert not shape.is_convex
         assert shape.vertices == tuple(ring)
-        assert oracle.area2(shape.corners) == oracle.area2(DENTED)
+        assert oracle.twice_signed_area(shape.corners) == oracle.twice_signed_area(DENTED)
 
 
 @pytest.mark.parametrize(
@@ -763,7 +763,7 @@ def stars(draw: st.DrawFn) -> list[tuple[int, int]]:
 @given(ring=stars(), start=st.integers(0, 20), clockwise=st.booleans(), power=st.integers(-1070, 1010))
 def test_star_shaped_outlines_are_accepted_with_the_right_winding(ring, start, clockwise, power):
     assert oracle.is_simple(ring)
-    area = oracle.area2(ring)
+    area = oracle.twice_signed_area(ring)
     start %= len(ring)
     ring = [*ring[start:], *ring[:start]]
     if clockwise:
@@ -771,10 +771,10 @@ def test_star_shaped_outlines_are_accepted_with_the_right_winding(ring, start, c
     ring = [(math.ldexp(x, power), math.ldexp(y, power)) for x, y in ring]
     shape = Polygon(ring)
     assert shape.vertices == tuple(ring)
-    assert oracle.area2(shape.corners) == area * Fraction(4) ** power
+    assert oracle.twice_signed_area(shape.corners) == area * Fraction(4) ** power
     assert shape.corners == tuple(shape.vertices[i] for i in shape.corner_ids)
     walk = zip(shape.corners, (*shape.corners[1:], shape.corners[0]), (*shape.corners[2:], *shape.corners[:2]))
-    turns = [oracle.turn(p, q, r) for p, q, r in walk]
+    turns = [oracle.orientation(p, q, r) for p, q, r in walk]
     assert all(turns)
     assert shape.is_convex == all(turn > 0 for turn in turns)
 
@@ -802,7 +802,7 @@ def agrees_with_the_oracle(ring: Sequence[tuple[float, float]]) -> bool:
         assert_reported_place_is_on_both_edges(ring, str(error))
     else:
         assert simple, f"accepted, but not simple: {ring!r}"
-        assert oracle.area2(shape.corners) == abs(oracle.area2(ring)) > 0
+        assert oracle.twice_signed_area(shape.corners) == abs(oracle.twice_signed_area(ring)) > 0
     return simple
 
 
@@ -996,7 +996,7 @@ CENTROIDS = [
 @pytest.mark.parametrize(("ring", "middle"), CENTROIDS)
 @pytest.mark.parametrize("e", [-1000, -500, 0, 500, 1000])
 def test_the_centroid_is_the_center_of_area(ring, middle, e):
-    area = oracle.area2(ring)
+    area = oracle.twice_signed_area(ring)
     walk = zip(ring, [*ring[1:], ring[0]])
     crossed = [(Fraction(px * qy - py * qx), px + qx, py + qy) for (px, py), (qx, qy) in walk]
     exactly = (sum(c * x for c, x, _ in crossed) / area / 3, sum(c * y for c, _, y in crossed) / area / 3)

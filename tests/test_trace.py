@@ -698,7 +698,7 @@ def test_an_mtv_as_short_as_ours_is_as_good():
 
     def told(*move):
         sentence = data["sentence"].replace(
-            *(number_format.plain(number_format.vector(sv.Vec(*v))) for v in ((x, y), move))
+            *(number_format.ascii_minus(number_format.vector(sv.Vec(*v))) for v in ((x, y), move))
         )
         return sv.Trace.from_json(json.dumps(data | {"mtv": list(move), "sentence": sentence}))
 
@@ -1091,7 +1091,7 @@ def test_a_text_that_is_not_what_the_facts_give_is_shown_from_where_it_parts():
             .split(", but the shapes and options in the file give ")
         )
         assert lie in eval(told) and eval(told) in data["sentence"]
-        assert said in eval(found) and eval(found) in number_format.plain(trace.sentence)
+        assert said in eval(found) and eval(found) in number_format.ascii_minus(trace.sentence)
 
 
 @pytest.mark.parametrize("lie", ["", "A", "B", "A an", "A and C", "A and B are not apart"])

@@ -15,7 +15,7 @@ from sys import float_info
 from typing import TYPE_CHECKING, Any
 
 from ..engine.geometry import InvalidScene, Relation
-from ..engine.shapes import Shape, checked
+from ..engine.shapes import Shape, require_shape
 from ..engine.trace import Trace, record
 from ..scenes.named import scene as named
 from ..scenes.scenefile import Scene
@@ -237,7 +237,7 @@ def advise(
     if isinstance(a, Shape) and (b is None or isinstance(b, Shape)):
         if pairs is not None:
             raise TypeError("pairs are of batch shapes: make them with batch.Polygons or batch.Circles")
-        summary, results, given = _recommend_pair(a, checked(b, "b"))
+        summary, results, given = _recommend_pair(a, require_shape(b, "b"))
     else:
         from .advising_batches import recommend_batch
 

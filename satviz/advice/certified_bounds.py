@@ -18,7 +18,7 @@ from itertools import chain
 from math import inf, isfinite, nextafter, sqrt
 
 from ..engine.geometry import Relation, Vec
-from ..engine.predicates import HUGE, TINY, aligned, sign, to_integers
+from ..engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT, sign, to_common_unit, to_integers
 from ..engine.relate import relate, relate_integers
 from ..engine.shapes import Shape
 from . import rounding
@@ -55,7 +55,7 @@ Disc = tuple[float, float, float]  # x, y, radius
 
 def exact_relation(a: AnyShape, b: AnyShape) -> Relation:
     """Return the relation by integers alone, without a filter."""
-    return max(relate_integers(*aligned(p, q)[:3]) for p in convex_parts(a) for q in convex_parts(b))
+    return max(relate_integers(*to_common_unit(p, q)[:3]) for p in convex_parts(a) for q in convex_parts(b))
 
 
 def certify(model: Model, a: AnyShape, b: AnyShape) -> Relation | None:
@@ -120,7 +120,7 @@ def bounding_circle(shape: AnyShape, widening: float = WIDENING) -> Disc:
     x, y = x0 / 2 + x1 / 2, y0 / 2 + y1 / 2
     square = max((px - x) * (px - x) + (py - y) * (py - y) for px, py in shape.core)
     # under TINY bits are lost, and beyond HUGE they overflow
-    return x, y, sqrt(square) * widening if TINY < square < HUGE else 0.0
+    return x, y, sqrt(square) * widening if MIN_SAFE_PRODUCT < square < MAX_SAFE_PRODUCT else 0.0
 
 
 def certify_bounding_circles(a: AnyShape, b: AnyShape) -> Relation | None:
@@ -164,7 +164,7 @@ def certify_directions(a: AnyShape, b: AnyShape, directions: Sequence[Vec]) -> R
     """Certify the test of ranges on given directions; each landing x*nx + y*ny is a sum of two products."""
     if a.core_is_point or b.core_is_point:
         return None
-    p, q, *_ = aligned(a, b)
+    p, q, *_ = to_common_unit(a, b)
     trusted = FLOAT64.least < max(a.max_coordinate, b.max_coordinate) < FLOAT64.most
     found = []
     for n in directions:
@@ -226,7 +226,7 @@ def _certify_polygons(a: Shape, b: Shape, form: Format) -> Relation | None:
     component of the normal and of a difference E of corners moves by 2d, so the turn by 4d (D + E) + 8dd.
     """
     numbers = [c for v in (*a.core, *b.core) for c in v]
-    p, q, *_ = aligned(a, b)
+    p, q, *_ = to_common_unit(a, b)
     coordinates = [c for ring in (p, q) for v in ring for c in v]
     max_coordinate = max(map(abs, coordinates))
     if not form.least < max(a.max_coordinate, b.max_coordinate) < form.most:
@@ -253,7 +253,7 @@ def _certify_circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Rela
     components dx, dy by 2d (|dx| + |dy|) + 4dF + 8dd, and the distance by 3d, so its square by 9dF + 9dd.
     """
     numbers = (*circle.core[0], circle.radius, *chain.from_iterable(polygon.core))
-    (center,), ring, r, _ = aligned(circle, polygon)
+    (center,), ring, r, _ = to_common_unit(circle, polygon)
     cx, cy = circle.core[0]
     far = max(max(abs(x - cx), abs(y - cy)) for x, y in polygon.core)
     least = min(max(abs(x - u), abs(y - v)) for (x, y), (u, v) in cyclic_pairs(polygon.core))

@@ -13,7 +13,7 @@ from .. import batch
 from ..batch.arrays import Group, Shapes
 from ..batch.codes import APART, OVERLAPPING, UNDECIDED
 from ..batch.exact_signs import two_sum
-from ..engine.predicates import UNIT
+from ..engine.predicates import UNIT_ROUNDOFF
 from . import rounding
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
 from .certified_bounds import DISTANCE_ROUNDINGS, RANGE_ROUNDINGS, TURN_ROUNDINGS, WIDENING, certify_convex_sat
@@ -255,7 +255,7 @@ def _classify_polygons(p: Group, q: Group, form: Format) -> Relations:
             error_bound = 32.001 * 2.0**-form.bits * (span + 2 * moved) * (most + moved) + 4.001 * moved * (
                 span + wide + 2 * moved
             )
-            error_bound += 32 * UNIT * span * most
+            error_bound += 32 * UNIT_ROUNDOFF * span * most
             known = span > form.least * 1.001
             apart |= known & (clearance > error_bound)
             over &= known & (clearance < -error_bound)
@@ -270,7 +270,7 @@ def _classify_circle_polygons(circle: Group, ring: Group, form: Format) -> Relat
     most = np.maximum(far, np.maximum(*(np.abs(numbers).max(axis=1) for numbers in rows)))
     moved = np.where(_rows_are_held(form, rows[0]) & _rows_are_held(form, rows[1]), 0.0, most * 2.0**-form.bits)
     good = most < form.most
-    unit = (2.0**-form.bits + UNIT) * 1.001  # roundings of the model, and of float64 here
+    unit = (2.0**-form.bits + UNIT_ROUNDOFF) * 1.001  # roundings of the model, and of float64 here
     inside, outside = good.copy(), np.zeros(len(far), bool)
     nearest = np.full(len(far), np.inf)
     for dx, dy, turn, distance in edges_from_centers(circle, ring):

@@ -14,7 +14,7 @@ from .. import batch
 from ..batch.arrays import Group, Shapes
 from ..batch.codes import TOUCHING
 from ..batch.exact_signs import sum_with_error, two_sum
-from ..engine.predicates import UNIT
+from ..engine.predicates import UNIT_ROUNDOFF
 from .limits import refuse_too_many_fractions
 from .pairs import Array, indexed, max_coordinates, pair_columns, part_pairs, part_shape
 from .relative_margin import signed_relative_margin
@@ -89,7 +89,7 @@ def _margins_of_columns(a: Group, b: Group, polygon_gap: Measure, circle_gap: Me
         # scale all numbers below 1/2: then no difference of coordinates and no center plus radius overflows
         power = -1 - np.frexp(np.maximum(max_coordinates(_halved(a)), max_coordinates(_halved(b))))[1]
         a, b = (_scaled(g, power) for g in (a, b))
-        unit = UNIT * np.maximum(max_coordinates(a), max_coordinates(b))
+        unit = UNIT_ROUNDOFF * np.maximum(max_coordinates(a), max_coordinates(b))
         if a.r is not None and b.r is not None:
             gap = circle_gap(a, b)
         elif a.r is not None or b.r is not None:
@@ -177,5 +177,5 @@ def _circle_polygon_gap(circle: Group, ring: Group) -> Array:
         outer = np.minimum(outer, np.where(foot, np.abs(side), ends))
         inner = np.minimum(inner, side)
     gap: Array = np.where(inner > 0, -inner, outer) - circle.r
-    gap[(inner > 0) & (inner < MIN_ROUGH_MARGIN * UNIT)] = np.nan  # or outside, near the tip of a needle
+    gap[(inner > 0) & (inner < MIN_ROUGH_MARGIN * UNIT_ROUNDOFF)] = np.nan  # or outside, near the tip of a needle
     return gap

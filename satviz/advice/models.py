@@ -14,7 +14,7 @@ from ..batch.arrays import Group, Shapes
 from ..batch.codes import TOUCHING
 from ..batch.with_numpy.filter import clearance
 from ..engine.geometry import Vec
-from ..engine.predicates import HUGE, TINY
+from ..engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, MAX_DIRECTIONS, PARALLEL_ANGLE, Model
 from .certified_bounds import WIDENING
 from .margins import edges_from_centers
@@ -98,7 +98,9 @@ def bounding_circles(shapes: Shapes, widening: float = WIDENING) -> Array:
         many = np.diff(np.concatenate([first, start[-1:]]))
         dx, dy = (c - np.repeat(found[:, i], many) for i, c in enumerate((x, y)))
         square = np.maximum.reduceat(dx * dx + dy * dy, first) if len(first) else np.empty(0)
-        found[:, 2] = np.where((square > TINY) & (square < HUGE), np.sqrt(square) * widening, 0.0)
+        found[:, 2] = np.where(
+            (square > MIN_SAFE_PRODUCT) & (square < MAX_SAFE_PRODUCT), np.sqrt(square) * widening, 0.0
+        )
     circle = np.flatnonzero(is_circle(shapes))
     part = shapes.starts[circle]
     found[circle] = np.stack([x[start[part]], y[start[part]], part_radii(shapes)[part]], axis=1)

@@ -23,8 +23,8 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from ..engine.convex_parts import parts
-from ..engine.predicates import IntPoint, aligned, root_difference
-from ..engine.shapes import Shape, checked
+from ..engine.predicates import IntPoint, root_difference, to_common_unit
+from ..engine.shapes import Shape, require_shape
 
 IN_FLOAT32 = 2.0**-29  # a margin times this is counted in roundings of float32
 
@@ -39,13 +39,13 @@ def relative_margin(a: Shape, b: Shape) -> float:
 
 def signed_relative_margin(a: Shape, b: Shape) -> float:
     """Return the relative margin of two shapes, negative where they overlap."""
-    checked(a, "a"), checked(b, "b")
+    require_shape(a, "a"), require_shape(b, "b")
     return min(_convex_margin(p, q) for p in parts(a) for q in parts(b))
 
 
 def _convex_margin(a: Shape, b: Shape) -> float:
     """Return the signed relative margin of two convex shapes."""
-    p, q, radii, _ = aligned(a, b)
+    p, q, radii, _ = to_common_unit(a, b)
     if not radii:
         max_coordinate = max(abs(c) for ring in (p, q) for v in ring for c in v)
         clearances = (*edge_clearances(p, q), *edge_clearances(q, p))

@@ -17,7 +17,7 @@ from ..batch import validation
 from ..batch.outlines import convex_rings
 from ..batch.ragged import Rings
 from ..engine.geometry import InvalidScene, InvalidShape
-from ..engine.polygon_validation import shown
+from ..engine.polygon_validation import short_repr
 
 MAX_NUMBERS = 4_000_000  # 2,000,000 circles or corners: `sv.advise` takes some 10 s and 0.8 GB
 MAX_CONCAVE_CORNERS = 50_000  # split into convex parts one outline at a time, in some 10 s
@@ -72,9 +72,9 @@ def _members(path: Path, held: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
     listed = [(member.filename.removesuffix(".npy"), member) for member in held.infolist()]
     names = Counter(name for name, _ in listed)
     if twice := next((name for name, count in names.items() if count > 1), None):
-        raise InvalidScene(f"{path} has the array {shown(twice)} {names[twice]} times: keep one of them")
+        raise InvalidScene(f"{path} has the array {short_repr(twice)} {names[twice]} times: keep one of them")
     if unknown := sorted(names.keys() - KINDS.keys()):
-        raise InvalidScene(f"{path} has the unknown array {shown(unknown[0])}; known: {', '.join(sorted(KINDS))}")
+        raise InvalidScene(f"{path} has the unknown array {short_repr(unknown[0])}; known: {', '.join(sorted(KINDS))}")
     for one, other in ("coords", "offsets"), ("centers", "radii"):
         if (one in names) != (other in names):
             raise InvalidScene(f"{path} lacks {other if one in names else one!r}: {one} and {other} go together")

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..engine.predicates import HUGE, TINY, sign, to_integers
+from ..engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT, sign, to_integers
 
 Array = NDArray[np.float64]
 Signs = NDArray[np.int8]
@@ -39,7 +39,11 @@ def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
         left = (qx - px) * (ry - py)
         right = (qy - py) * (rx - px)
         det, error_bound = left - right, np.abs(left) + np.abs(right)
-        certified = (np.abs(det) > ERRBOUND_A * error_bound) & (error_bound > TINY) & (error_bound < HUGE)
+        certified = (
+            (np.abs(det) > ERRBOUND_A * error_bound)
+            & (error_bound > MIN_SAFE_PRODUCT)
+            & (error_bound < MAX_SAFE_PRODUCT)
+        )
     found = np.sign(det, where=certified, out=np.zeros_like(det)).astype(np.int8)
     rest = np.flatnonzero(~certified)
     if rest.size:
@@ -122,8 +126,8 @@ def _expand_products(pairs: Pairs) -> tuple[Array, Array]:
         two_product(a, b, terms[i], terms[k + i])
     sizes = np.abs(terms[k:])
     size = sizes.sum(axis=0)
-    lost = ~(size < HUGE)
-    small = sizes < TINY
+    lost = ~(size < MAX_SAFE_PRODUCT)
+    small = sizes < MIN_SAFE_PRODUCT
     if small.any():
         for look, (a, b) in zip(small, pairs, strict=True):
             lost |= look & (a != 0) & (b != 0)

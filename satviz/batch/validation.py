@@ -25,7 +25,7 @@ def check_word(name: str, value: object, words: Sequence[str]) -> None:
     """Raise TypeError unless the value is text, ValueError unless it is one of the words."""
     if not isinstance(value, str) or value not in words:
         fault = ValueError if isinstance(value, str) else TypeError
-        raise fault(f"{name} is {polygon_validation.shown(value)}: choose {' or '.join(map(json.dumps, words))}")
+        raise fault(f"{name} is {polygon_validation.short_repr(value)}: choose {' or '.join(map(json.dumps, words))}")
 
 
 def rings_from_array(vertices: NDArray[Any], name: Callable[[int], str]) -> NDArray[np.float64]:
@@ -112,7 +112,7 @@ def ring(vertices: Any, name: str) -> NDArray[np.float64]:
     try:
         if _is_plain(vertices) and vertices.ndim == 2 and vertices.shape[1] == 2:
             return floats(vertices, "vertices", lambda j, k: f"vertex {j}.{'xy'[k]}")
-        return np.array(polygon_validation.vertices(vertices)).reshape(-1, 2)
+        return np.array(polygon_validation.parse_vertices(vertices)).reshape(-1, 2)
     except InvalidShape as error:
         raise InvalidShape(f"{name}: {error}") from None
 
@@ -120,9 +120,9 @@ def ring(vertices: Any, name: str) -> NDArray[np.float64]:
 def points(values: Points, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
     """Return (N, 2) float64 from an array or a sequence of points; InvalidShape names the first wrong one."""
     if not _is_plain(values):
-        return np.array([polygon_validation.point(p, item(i)) for i, p in enumerate(_as_list(values, name))]).reshape(
-            -1, 2
-        )
+        return np.array(
+            [polygon_validation.parse_point(p, item(i)) for i, p in enumerate(_as_list(values, name))]
+        ).reshape(-1, 2)
     if values.ndim != 2 or values.shape[1] != 2:
         raise InvalidShape(f"{name} has the shape {values.shape}: expected (N, 2)")
     return floats(values, name, lambda i, k: f"{item(i)}.{'xy'[k]}")
@@ -133,7 +133,8 @@ def boxes(values: Points) -> NDArray[np.float64]:
     name = "bounds"
     if not _is_plain(values):
         rows = [
-            polygon_validation.listed(box, f"{name}[{i}]", "4 numbers") for i, box in enumerate(_as_list(values, name))
+            polygon_validation.parse_list(box, f"{name}[{i}]", "4 numbers")
+            for i, box in enumerate(_as_list(values, name))
         ]
         for i, row in enumerate(rows):
             if len(row) != 4:
@@ -152,7 +153,7 @@ def boxes(values: Points) -> NDArray[np.float64]:
 
 def _as_list(values: Any, name: str) -> list[Any]:
     """Return a sequence as a list; InvalidShape says what was expected."""
-    return polygon_validation.listed(values, name, "a sequence")
+    return polygon_validation.parse_list(values, name, "a sequence")
 
 
 def numbers(values: Numbers, name: str, one: str, item: Callable[[int], str]) -> NDArray[np.float64]:
@@ -160,8 +161,8 @@ def numbers(values: Numbers, name: str, one: str, item: Callable[[int], str]) ->
     if _is_plain(values):
         return floats(values, name, lambda *i: item(i[0]) if i else one)
     if isinstance(values, Iterable):
-        return np.array([polygon_validation.number(v, item(i)) for i, v in enumerate(_as_list(values, name))])
-    return np.array(polygon_validation.number(values, one))
+        return np.array([polygon_validation.parse_number(v, item(i)) for i, v in enumerate(_as_list(values, name))])
+    return np.array(polygon_validation.parse_number(values, one))
 
 
 def _is_plain(values: Any) -> bool:
@@ -174,7 +175,7 @@ def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray
     warn_if_flushed()
     polygon_validation.refuse_array(array, name)
     if array.dtype == object:
-        each = [polygon_validation.number(value, entry(*at)) for at, value in np.ndenumerate(array)]
+        each = [polygon_validation.parse_number(value, entry(*at)) for at, value in np.ndenumerate(array)]
         return np.array(each).reshape(array.shape)
     with np.errstate(all="ignore"):
         found = np.asarray(array, np.float64)
@@ -184,5 +185,5 @@ def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray
     elif array.dtype.itemsize > 8:
         doubtful |= found != array
     for at in np.argwhere(doubtful).tolist() if doubtful.any() else ():
-        polygon_validation.number(array[tuple(at)], entry(*at))  # raises for the value at fault
+        polygon_validation.parse_number(array[tuple(at)], entry(*at))  # raises for the value at fault
     return found

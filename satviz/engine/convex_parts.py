@@ -14,7 +14,7 @@ from typing import NamedTuple
 from . import triangulation
 from .geometry import Vec, cyclic_pairs, cyclic_triples
 from .predicates import IntPoint, orient_det
-from .shapes import Polygon, Shape, checked
+from .shapes import Polygon, Shape, require_shape
 
 MAX_PARTNERS = 8  # later reflex vertices that a reflex vertex is paired with, so that a big outline skips most pairs
 MAX_REFLEX_VERTICES = 100  # of one piece; cutting it takes time proportional to the square of their number
@@ -30,7 +30,7 @@ def parts(shape: Shape) -> tuple[Shape, ...]:
     on another one (label "" if the polygon has labels).  A polygon with r reflex vertices has at most 2 r + 1
     parts.  They are sorted by their lowest vertex number.
     """
-    return (shape,) if checked(shape, "shape").is_convex else shape.cached("parts", lambda: _split(shape))
+    return (shape,) if require_shape(shape, "shape").is_convex else shape.cached("parts", lambda: _split(shape))
 
 
 def _split(shape: Shape) -> tuple[Polygon, ...]:
@@ -53,7 +53,7 @@ def _split(shape: Shape) -> tuple[Polygon, ...]:
 
 
 class _LineEnd(NamedTuple):
-    """The point where an edge's line ends: on the edge from p to q, or on the vertex q."""
+    """The point where an edge, extended beyond a reflex vertex, meets the ring: inside edge pq, or at vertex q."""
 
     end: int | None  # its vertex number; None if float64 cannot hold it or it lies on a diagonal of `halve`
     p: int
@@ -78,7 +78,7 @@ class _Pieces:
         self.home = {v: ring for i, v in enumerate(ring) if _turn_at(self.at, ring, i) < 0}
 
     def halve(self) -> None:
-        """Cut until no piece has more than MAX_REFLEX_VERTICES; each cut leaves an eighth of them on both sides.
+        """Cut until no piece has over MAX_REFLEX_VERTICES; an eighth of them or more stays on each side.
 
         A cut along the line of an edge is preferred.  Otherwise it is a diagonal of a
         triangulation, which `merge` removes again if no vertex needs it.
@@ -103,7 +103,7 @@ class _Pieces:
                 todo.append((piece, [d for d in diagonals if d != best and held.issuperset(d)]))
 
     def _balanced_line(self, ring: Ring, ends: Edge, sides: "_ReflexCount") -> Edge | None:
-        """Return the first balanced cut along the line of an edge at one of two vertices; its end joins the ring."""
+        """Return a balanced cut that extends an edge at one of the two vertices in `ends`, or None."""
         for v in ends:
             for hit in self._extend_both_edges(ring, v) if self.home.get(v) is ring else ():
                 if hit.end is not None and sides.balanced((v, hit.q)):
@@ -112,7 +112,7 @@ class _Pieces:
         return None
 
     def cut_in_pairs(self) -> None:
-        """Make the cuts that end two reflex vertices at once: first those along an edge's line, then the shortest."""
+        """Cut between two reflex vertices where neither is reflex afterwards, preferring an edge's line."""
         rings = {id(ring): ring for ring in self.home.values()}
         for _, _, u, v in sorted(chain.from_iterable(map(self._pair_cuts, rings.values()))):
             ring = self.home.get(u)
@@ -120,7 +120,7 @@ class _Pieces:
                 self._cut(ring, u, v)
 
     def _pair_cuts(self, ring: Ring) -> list[tuple[bool, int, int, int]]:
-        """Return the cuts between reflex vertices of a ring that would end both.
+        """Return the cuts between two reflex vertices of a ring after which neither is reflex any more.
 
         Each is (whether it makes a new normal, its squared length, its two ends).
         """
@@ -142,13 +142,13 @@ class _Pieces:
         return pairs
 
     def cut_one_by_one(self) -> None:
-        """Make the cuts that end the remaining reflex vertices: one for each where one is enough, else two."""
+        """Cut at each remaining reflex vertex until it is convex: once where enough, else twice."""
         for v in sorted(self.home):
             while v in self.home:
                 self._cut_at(v)
 
     def merge(self) -> list[Ring]:
-        """Return the pieces without the cuts that no reflex vertex needs (Hertel and Mehlhorn 1983).
+        """Remove each cut whose removal leaves no reflex vertex (Hertel and Mehlhorn 1983); return the rings.
 
         At most two cuts remain for each reflex vertex, those of `halve` included: if it needed a
         third one, its angles would add up to more than 360 degrees.
@@ -190,7 +190,7 @@ class _Pieces:
         return rings
 
     def _cut(self, ring: Ring, u: int, v: int) -> tuple[Ring, Ring]:
-        """Split a ring between two of its vertices and return both pieces; an end that became collinear is left out."""
+        """Cut a ring from vertex u to vertex v; return both pieces, without an end that became collinear."""
         i, j = sorted((ring.index(u), ring.index(v)))
         for end in (u, v):
             if self.home.get(end) is ring:  # it may be reflex still in the piece behind an earlier cut
@@ -207,7 +207,7 @@ class _Pieces:
         return found[0][0], found[1][0]
 
     def _cut_at(self, v: int) -> None:
-        """Make the shortest of the cuts at the reflex vertex v that this method finds."""
+        """Cut the piece at its reflex vertex v, by the shortest of a few cuts that are easy to find."""
         ring = self.home[v]
         hits = ahead, back = self._extend_both_edges(ring, v)
         # A cut along an edge's own line comes first: it gives the parts no new normal, so no new axis to test.
@@ -224,12 +224,12 @@ class _Pieces:
         self._cut(ring, v, end)
 
     def _extend_both_edges(self, ring: Ring, v: int) -> tuple[_LineEnd, _LineEnd]:
-        """Return where the lines of the two edges at v end."""
+        """Return, for each of the two edges at v, where it meets the ring when extended beyond v."""
         a, b = _neighbours(ring, v)
         return self._extend_edge(ring, a, v), self._extend_edge(ring, b, v)
 
     def _sees(self, ring: Ring, u: int, v: int) -> bool:
-        """Return whether a cut from u to v, which is inside at both ends, meets the ring nowhere between them."""
+        """Return whether a cut from u to v, which starts and ends inside the piece, meets the ring nowhere between."""
         at = self.at
         (ux, uy), (vx, vy) = pu, pv = at[u], at[v]
         dx, dy = vx - ux, vy - uy
@@ -278,7 +278,7 @@ class _Pieces:
         return _LineEnd(self._number_point(vx + Fraction(num * dx, den), vy + Fraction(num * dy, den)), p, q)
 
     def _first_beside(self, ring: Ring, a: int, v: int, hit: _LineEnd, left: bool) -> int:
-        """Return the first vertex that a ray from v meets as it turns left or right from the line through a and v.
+        """Return the vertex that a ray from v first meets, turning left or right from the line through a, v.
 
         Nothing is on that line up to the edge that it hits.  So it is the vertex at the smallest
         angle among those before that edge, and of several the nearest.
@@ -314,7 +314,7 @@ class _Pieces:
 
 
 class _ReflexCount:
-    """The number of reflex vertices on either side of a cut through a ring."""
+    """Counts the reflex vertices on either side of a cut through a ring."""
 
     def __init__(self, ring: Ring, reflex: list[bool]) -> None:
         self.place = {v: i for i, v in enumerate(ring)}
@@ -322,12 +322,12 @@ class _ReflexCount:
         self.total = self.sums[-1]
 
     def fewer(self, cut: Edge) -> int:
-        """Return the number of reflex vertices on the side with fewer; the ends of the cut do not count."""
+        """Return the smaller number of reflex vertices on one side of the cut, not counting its ends."""
         i, j = sorted(map(self.place.__getitem__, cut))
         return min(self.sums[j] - self.sums[i + 1], self.total - self.sums[j + 1] + self.sums[i])
 
     def balanced(self, cut: Edge) -> bool:
-        """Return whether each side of a cut has at least an eighth of all reflex vertices."""
+        """Return whether each side of the cut has at least an eighth of the ring's reflex vertices."""
         return 8 * self.fewer(cut) >= self.total
 
 
@@ -349,7 +349,7 @@ def _squared_distance(p: IntPoint, q: IntPoint) -> int:
 
 
 def _turn_at(at: list[IntPoint], ring: Ring, i: int) -> int:
-    """Return the orientation determinant at the ring's i-th vertex: negative when it is reflex."""
+    """Return the orientation determinant at the ring's i-th vertex: negative when it is reflex; `at`: all points."""
     return orient_det(at[ring[i - 1]], at[ring[i]], at[ring[(i + 1) % len(ring)]])
 
 

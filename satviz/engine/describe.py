@@ -26,7 +26,7 @@ from .axes import (
 from .convex_parts import named_parts
 from .geometry import Relation, Vec
 from .mtv import why_too_many_parts
-from .number_format import MINUS, Digits, of_shapes, of_tests, vector
+from .number_format import MINUS, Digits, digits_for_shapes, digits_for_tests, vector
 from .sat import AxisTest
 from .shapes import Shape
 from .shortcut import Shortcut
@@ -122,7 +122,7 @@ def short_axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> st
 
 
 def edge_name(ends: list[str]) -> str:
-    """Return an edge's name from the names of its ends: "v1v3" for a letter and a number each, else "x to y"."""
+    """Return an edge's name made of its ends' names: "v1v3" for a letter and number each, else "x to y"."""
     return "".join(ends) if all(re.fullmatch(r"[^\W\d]\d{1,2}", end) for end in ends) else " to ".join(ends)
 
 
@@ -134,17 +134,17 @@ _WHY = {
 
 
 def reason(why: str, number: int | None) -> str:
-    """Return why an axis was not tested, from the fields of its Skip."""
+    """Return in words why an axis was not tested; `why`, `number`: the fields of its Skip."""
     return _WHY[why].format(number)
 
 
 def digits(trace: _Trace, *tests: AxisTest) -> Digits:
-    """Return the number format of a picture or sentence about these tests; without tests, for lengths and points."""
-    return of_tests((trace.a, trace.b), tests)
+    """Return the number format that suits these tests of a trace; without tests, one for lengths and points."""
+    return digits_for_tests((trace.a, trace.b), tests)
 
 
 def outcome(t: AxisTest, numbers: Digits) -> str:
-    """Return what one test says about its two ranges alone: "gap +1.2", "touching, gap 0", "overlap 3"."""
+    """Return in words how the two ranges of a test lie: "gap +1.2", "touching, gap 0", "overlap 3"."""
     if t.gap >= 0:
         return f"gap {numbers.signed(t.gap)}" if t.gap else "touching, gap 0"
     a, b = t.a.interval, t.b.interval
@@ -157,8 +157,8 @@ def outcome(t: AxisTest, numbers: Digits) -> str:
     return f"overlap {depth}"
 
 
-def shared(t: AxisTest, numbers: Digits) -> str:
-    """Return the outcome of a test for a picture, with the shared part as an interval."""
+def picture_outcome(t: AxisTest, numbers: Digits) -> str:
+    """Return what `outcome` says, but of ranges that overlap also the interval that they share."""
     a, b = t.a.interval, t.b.interval
     lo, hi = max(a.lo, b.lo), min(a.hi, b.hi)
     if t.gap >= 0 or numbers.fine or numbers.origin or lo >= hi:
@@ -182,8 +182,8 @@ def conclusion(trace: _Trace, i: int) -> str:
     return f"{found} on this axis too: no gap on any, so {who} {collide}."
 
 
-def claimed(trace: _Trace) -> str:
-    """Return what the tested axes say beside the truth, for a claim that is wrong."""
+def claim_and_truth(trace: _Trace) -> str:
+    """Return two short sentences for a wrong claim: what the tested axes say, and the truth."""
     who = "AABB says" if {t.source.kind for t in trace.tests} == {WORLD} else "These axes say"
     return f"{who}: {'hit' if trace.claim else 'apart'}. Truth: {'hit' if trace.hit else 'apart'}."
 
@@ -209,7 +209,7 @@ def test(trace: _Trace, i: int) -> str:
 
 
 def verdict(trace: _Trace, move: Vec | None) -> str:
-    """Return the whole run in one sentence that says no more than was proved; `move` is the MTV of an overlap."""
+    """Return a sentence on the result of the whole run and what proves it; `move`: the MTV of an overlap."""
     if trace.shortcut:
         return _shortcut_verdict(trace)
     if trace.pairs:
@@ -234,28 +234,28 @@ def verdict(trace: _Trace, move: Vec | None) -> str:
     return f"{a} and {b} overlap: {count}. {_mtv_sentence(trace, move)}"
 
 
-ARE = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
+RELATION_PHRASES = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
 
 
 def _shortcut_verdict(trace: _Trace) -> str:
-    """Return what a shortcut claims, because of which axis, and what is true."""
+    """Return a sentence on what a shortcut claims, the axis that made it do so, and what is true."""
     assert trace.shortcut
     a, b = trace.names
-    says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {ARE[trace.claim]}"
+    says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {RELATION_PHRASES[trace.claim]}"
     if trace.ended_by:
         i = trace.tests.index(trace.ended_by)
         name = axis_name(trace.ended_by.axis, (trace.a, trace.b), trace.names)
         says += f": {outcome(trace.ended_by, digits(trace, trace.ended_by))} on axis {i + 1} ({name})"
     elif trace.tests:
         says += f": no gap on {_any_of_axes(len(trace.tests))}"
-    is_so = ARE[trace.relation]
+    is_so = RELATION_PHRASES[trace.relation]
     if trace.missed_hit or trace.false_hit:
         return f"{says}. In truth they {is_so}: a {'missed' if trace.missed_hit else 'false'} hit."
     return f"{says}, and so it is." if trace.claim is trace.relation else f"{says}. In truth they {is_so}."
 
 
 def _mtv_sentence(trace: _Trace, move: Vec | None) -> str:
-    """Return the sentence on the move that ends an overlap, or why there is none."""
+    """Return a sentence that names the MTV `move`, or says why it is None."""
     if move is None and why_too_many_parts(trace.a, trace.b):
         return "They have too many convex parts to search for the MTV."
     if move is None:
@@ -269,7 +269,7 @@ def _any_of_axes(n: int) -> str:
 
 
 def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
-    """Return the sentence of a run over pairs of convex parts; `move` is the MTV of an overlap."""
+    """Return a sentence on the result of a run over pairs of convex parts; `move`: the MTV of an overlap."""
     a, b = trace.names
     settling = trace.colliding
     if not settling:
@@ -282,11 +282,11 @@ def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
 
 def scene(trace: _Trace) -> str:
     """Return the sentence that says what is given and asks whether the shapes collide."""
-    return f"{both(trace)} Do they collide?"
+    return f"{shapes_sentence(trace)} Do they collide?"
 
 
-def both(trace: _Trace) -> str:
-    """Return the sentence that says what the two shapes are."""
+def shapes_sentence(trace: _Trace) -> str:
+    """Return the sentence that names the kind of each shape: "A is a triangle, B is a circle ..."."""
     kinds = [shape_in_words(shape, "").split("is ", 1)[1] for shape in (trace.a, trace.b)]
     if kinds[0] == kinds[1] and not trace.a.core_is_point:
         return f"{trace.names.a} and {trace.names.b} are {plural(kinds[0])}."
@@ -302,14 +302,14 @@ def plural(kind: str) -> str:
 
 
 def parts(trace: _Trace) -> str:
-    """Return the sentence on how concave outlines are split."""
+    """Return a sentence that names the convex parts into which each concave shape of the trace is split."""
     names = [[name for _, name in named_parts(s, n)] for s, n in zip((trace.a, trace.b), trace.names)]
-    split = [f"{n} is split into {listed(ps)}" for ps, n in zip(names, trace.names) if len(ps) > 1]
+    split = [f"{n} is split into {join_words(ps)}" for ps, n in zip(names, trace.names) if len(ps) > 1]
     return f"{' and '.join(split)}: the shapes collide only if two of their convex parts do."
 
 
 def stage(trace: _Trace, i: int, name: str, first: str) -> str:
-    """Return the sentence of one drawing stage of test `i`; `first` is the role whose points are dropped first."""
+    """Return the sentence for the drawing stage `name` of test `i`; `first`: "A" or "B", whose points drop first."""
     t = trace.tests[i]
     shapes = trace.a, trace.b
     at = "AB".index(first)
@@ -339,7 +339,7 @@ def stage(trace: _Trace, i: int, name: str, first: str) -> str:
 
 
 def _origin(trace: _Trace, axis: Axis) -> str:
-    """Return the edge or line that an axis comes from, with its vector."""
+    """Return in words the edge, with its vector, or the line that an axis was made from."""
     kind, role, ids = axis.source
     if kind == CENTERS:
         return f"The line through the centers of {trace.names.a} and {trace.names.b}"
@@ -379,11 +379,11 @@ def outward_normal(trace: _Trace, axis: Axis) -> str:
 
 
 def edge_vector(trace: _Trace, ends: Sequence[str], p: Vec, q: Vec) -> str:
-    """Return an edge as the difference of its ends: "v1 - v2 = (-3, 2)"."""
+    """Return an edge as its ends' difference in text, from p and q with their names: "v1 - v2 = (-3, 2)"."""
     return f"{ends[0]} {MINUS} {ends[1]} = {digits(trace).vector(Vec(p.x - q.x, p.y - q.y))}"
 
 
-def listed(words: list[str]) -> str:
+def join_words(words: list[str]) -> str:
     """Return words as a list in a sentence: "x, y and z"."""
     if len(words) == 1:
         return words[0]
@@ -393,7 +393,7 @@ def listed(words: list[str]) -> str:
 def shape_in_words(shape: Shape, name: str, numbers: Digits | None = None) -> str:
     """Return what a shape is: "A is a triangle", "B is a circle of radius 1 around (2, 2)"."""
     if shape.core_is_point:
-        numbers = numbers or of_shapes(shape)
+        numbers = numbers or digits_for_shapes(shape)
         return f"{name} is a circle of radius {numbers.number(shape.radius)} around {numbers.vector(shape.core[0])}"
     n = len(shape.core)
     kind = {3: "triangle", 4: "quadrilateral"}.get(n, f"polygon with {n} corners")

@@ -30,7 +30,7 @@ class Digits(NamedTuple):
 
     @property
     def unit(self) -> str:
-        """Return what is printed behind a number, such as "e9"; "" where no power of ten is needed."""
+        """Return the text that follows each number, such as "e9"; "" where the unit is 1."""
         return f"e{self.power}".replace("-", MINUS) if self.power else ""
 
     def number(self, value: float) -> str:
@@ -39,7 +39,7 @@ class Digits(NamedTuple):
         return _scientific(value) if "e" in text else f"{text}{self.unit}" if value else text
 
     def gap(self, value: float) -> str:
-        """Return the size of a gap as text, with at least three significant digits."""
+        """Return the size of a gap as text without its sign, with at least three significant digits."""
         digits = self._for(value)
         return digits.number(abs(value)) if digits.shows(value) else _scientific(abs(value))
 
@@ -56,7 +56,7 @@ class Digits(NamedTuple):
         return self._from_origin(self._rest(value)) if self.origin else self.number(value)
 
     def ranges(self, test: AxisTest) -> tuple[str, str]:
-        """Return both ranges of a test as text; the printed ends that face each other differ by the printed gap."""
+        """Return both ranges of a test as text; the difference of their facing ends is the printed gap."""
         a, b = test.a.interval, test.b.interval
         left, right = (a, b) if b.lo - a.hi >= a.lo - b.hi else (b, a)
         end, start = self._rest(left.hi), self._rest(right.lo)
@@ -75,23 +75,23 @@ class Digits(NamedTuple):
         return self._from_origin(f"[{self._rest(lo)}, {self._rest(hi)}]")
 
     def _for(self, gap: float) -> "Digits":
-        """Return a format with enough decimals for three digits of this gap."""
+        """Return this format, with enough decimals to show three significant digits of the gap."""
         decimals = _needed_decimals(abs(gap) / 10.0**self.power, 3)
         return self._replace(decimals=decimals) if self.decimals < decimals <= MAX_NARROW_DECIMALS else self
 
     def shows(self, gap: float) -> bool:
-        """Return whether the decimals are enough for three digits of a gap."""
+        """Return whether this format's decimals show three significant digits of the gap."""
         return _needed_decimals(abs(gap) / 10.0**self.power, 3) <= self.decimals
 
     def _from_origin(self, text: str) -> str:
-        """Return the text of a rest with the origin and the unit written around it."""
+        """Return the text with the origin before it, if there is one, and the unit behind it: "(2000 + 2.5)e9"."""
         if not self.origin:
             return f"{text}{self.unit}"
         whole = f"{self.origin} + {text}".replace("-", MINUS)
         return f"({whole}){self.unit}" if self.power else whole
 
     def _rest(self, value: float) -> str:
-        """Return the text of a landing minus the origin, computed exactly, so that all its digits are kept."""
+        """Return a landing minus the origin, as text without a unit; computed exactly."""
         if self.origin:
             value = float(Fraction(value) - self.origin * Fraction(10) ** self.power)
         return self.bare(value)
@@ -129,13 +129,13 @@ def vector(value: Vec) -> str:
     return Digits().vector(value)
 
 
-def plain(text: str) -> str:
-    """Return the text with ASCII minus signs, as files and terminals need it."""
+def ascii_minus(text: str) -> str:
+    """Return the text with "-" in place of each typographic minus sign, as files and terminals need it."""
     return text.replace(MINUS, "-")
 
 
-def of_shapes(*shapes: Shape) -> Digits:
-    """Return the number format of a scene: unit 1 for ordinary sizes, else the power of a thousand that fits."""
+def digits_for_shapes(*shapes: Shape) -> Digits:
+    """Return the Digits that fit the size of some shapes: unit 1, else a fitting power of a thousand."""
     boxes = [shape.bounds for shape in shapes]
     size = max(max(box[i + 2] for box in boxes) - min(box[i] for box in boxes) for i in (0, 1))
     if PLAIN_SIZES[0] <= size < PLAIN_SIZES[1]:
@@ -144,9 +144,9 @@ def of_shapes(*shapes: Shape) -> Digits:
     return Digits(power=max(-300, min(300, 3 * floor(log10(min(size, 1e300)) / 3))))
 
 
-def of_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digits:
-    """Return one number format for some tests: three digits of the smallest gap, and no range without width."""
-    digits = of_shapes(*shapes)
+def digits_for_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digits:
+    """Return the Digits that show the smallest gap of these tests to three digits, and every range's width."""
+    digits = digits_for_shapes(*shapes)
     unit = 10.0**digits.power
     ranges = [side.interval for t in tests for side in (t.a, t.b)]
     if not ranges:

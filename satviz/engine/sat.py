@@ -7,7 +7,7 @@ from typing import NamedTuple
 from .axes import Axis, Source, exact_dots, needed
 from .geometry import Interval, Vec
 from .predicates import MAX_FLOAT, root_difference
-from .shapes import Shape, checked
+from .shapes import Shape, require_shape
 
 # With M the larger max_coordinate and u = 2**-53, a landing carries under 13 u M, a gap under 27 u M.  Gaps below
 # 2**-30 M = 2**23 u M are computed with integers, so a float gap has not only the right sign but five right digits.
@@ -77,12 +77,12 @@ def project(shape: Shape, axis: Axis) -> Projection:
 
 
 def axis_tests(a: Shape, b: Shape, axes: Iterable[Axis] | None = None) -> Iterator[AxisTest]:
-    """Yield the test of each axis (by default those of `needed`); an axis is tested only when its test is asked for.
+    """Yield the test of each axis, by default those of `needed`; each is computed only when it is asked for.
 
     So the early exit is next((t for t in axis_tests(a, b) if t.separates), None).
     TypeError for anything but Polygon and Circle.
     """
-    checked(a, "a"), checked(b, "b")
+    require_shape(a, "a"), require_shape(b, "b")
     if axes is None:
         axes = needed(a, b).axes
     max_coordinate = max(a.max_coordinate, b.max_coordinate)
@@ -121,5 +121,5 @@ def _exact_projection(shape: Shape, axis: Axis, dots: list[int], square: int, k:
 
 
 def _cap(value: float) -> float:
-    """Return the float64 nearest to a value that may be infinite."""
+    """Return the value; MAX_FLOAT with its sign if it is infinite."""
     return max(-MAX_FLOAT, min(MAX_FLOAT, value))

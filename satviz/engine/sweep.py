@@ -13,7 +13,7 @@ from .predicates import orient
 
 
 class Event(NamedTuple):
-    """The edges that the sweep line meets at a vertex; edge i goes from vertex i to the next one."""
+    """One vertex as the sweep line reaches it, with the edges there; edge i goes from vertex i to the next."""
 
     vertex: int
     ended: list[int]  # the vertex's edges that lie to its left, from below upwards
@@ -24,7 +24,7 @@ class Event(NamedTuple):
 
 
 def sweep(ring: Sequence[Vec]) -> Iterator[Event]:
-    """Yield the events from left to right; they are correct up to the first point where two edges touch or cross.
+    """Yield an Event for each vertex from left to right; correct up to the first place where edges meet.
 
     A vertex finds its place among the edges with log2(n) orientation tests.
     """

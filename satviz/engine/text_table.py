@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from .describe import _Trace, axis_name, digits, reason
-from .number_format import plain, vector
+from .number_format import ascii_minus, vector
 
 MAX_TABLE_PAIRS = 20  # pairs of convex parts in one table
 
@@ -22,11 +22,11 @@ def table(trace: _Trace, width: int | None = None) -> str:
         if left := len(trace.pairs) - len(shown):
             blocks.append(f"(and {left:,} more pairs of parts)")
         blocks.append(_wrap([trace.sentence], width, ""))
-    return plain("\n\n".join(blocks))  # a terminal may be limited to ASCII
+    return ascii_minus("\n\n".join(blocks))  # a terminal may be limited to ASCII
 
 
 def _rows(trace: _Trace, width: int | None) -> str:
-    """Return the rows of the tests and of the untested axes as text, within `width` as in `table`."""
+    """Return the lines for all tests and untested axes as text, at most `width` letters wide where possible."""
     shapes = trace.a, trace.b
     rows = [("axis", "direction", trace.names.a, trace.names.b, "gap", "")]
     for i, t in enumerate(trace.tests, 1):
@@ -49,7 +49,7 @@ def _rows(trace: _Trace, width: int | None) -> str:
 
 
 def untested_rows(trace: _Trace) -> list[tuple[str, str, str]]:
-    """Return the rows (number, name, reason) of the untested axes; those parallel to one axis share a row."""
+    """Return (number, name, reason) for untested axes; those with equal number and reason share a row."""
     places = {axis: f"{i}" for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
     found: dict[tuple[str, str], list[str]] = {}
     for s in sorted(trace.skipped, key=lambda s: s.axis not in places):  # axes with a number come first
@@ -59,7 +59,7 @@ def untested_rows(trace: _Trace) -> list[tuple[str, str, str]]:
 
 
 def _wrap(pieces: Sequence[str], width: int | None, indent: str) -> str:
-    """Return the pieces in one line, or in lines of at most `width` letters.
+    """Join the pieces into lines of at most `width` letters, the later ones indented; None: one line.
 
     A line is broken between two pieces, or within a piece at a space.  Lines after the first begin with `indent`.
     """

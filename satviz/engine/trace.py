@@ -14,7 +14,7 @@ from .geometry import InvalidScene, Relation, Vec
 from .mtv import mtv_along_axis, mtv_of_parts
 from .relate import relate
 from .sat import AxisTest, axis_tests
-from .shapes import Shape, checked
+from .shapes import Shape, require_shape
 from .shortcut import Shortcut, move_along_axis
 
 APART, TOUCHING, OVERLAPPING = Relation
@@ -22,7 +22,7 @@ APART, TOUCHING, OVERLAPPING = Relation
 MAX_SIZE = (
     200_000  # points and axes that a trace lists (see _count_listed): some 30 MB of JSON, which can be read again
 )
-PLAIN = Names()  # "A" and "B"
+DEFAULT_NAMES = Names()  # "A" and "B"
 NamedParts = Sequence[tuple[Shape, str]]  # convex parts or pieces, each with its name
 
 
@@ -43,7 +43,7 @@ class Trace:
     tests: tuple[AxisTest, ...]
     every_axis: bool
     pairs: tuple["Trace", ...]
-    names: Names = PLAIN
+    names: Names = DEFAULT_NAMES
     shortcut: Shortcut | None = None
 
     @property
@@ -84,13 +84,13 @@ class Trace:
 
     @property
     def ended_by(self) -> AxisTest | None:
-        """Return the first test that the run treats as separating, right or wrong; None if there is none."""
+        """Return the first test that the run counts as a gap, rightly or wrongly; None if there is none."""
         separates = self.shortcut.separates if self.shortcut else _separates
         return next((test for test in self.tests if separates(test)), None)
 
     @property
     def proves(self) -> bool:
-        """Return whether a gap in `tests` proves the shapes apart; False if a shortcut measures differently."""
+        """Return whether a gap in `tests` proves the shapes apart; False if a shortcut measures in its own way."""
         return self.shortcut is None or self.shortcut.measure is None
 
     @property
@@ -242,7 +242,7 @@ def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, ev
     for axes of other shapes; InvalidScene if the trace would list more than 200,000 points and axes, or
     if a shortcut's plain floats overflow.
     """
-    checked(a, "a"), checked(b, "b")
+    require_shape(a, "a"), require_shape(b, "b")
     every_axis = bool(every_axis)
     if axes is needed and not (a.is_convex and b.is_convex):
         return _record_parts(a, b, every_axis)
@@ -254,14 +254,14 @@ def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, ev
         )
     choice = axes if isinstance(axes, Choice) else axes(a, b)
     own = any(axes is choose for choose in NAMED.values())
-    return _record(a, b, choice if own else validate_choice(choice, a, b), every_axis, PLAIN)
+    return _record(a, b, choice if own else validate_choice(choice, a, b), every_axis, DEFAULT_NAMES)
 
 
 def _record_shortcut(a: Shape, b: Shape, shortcut: Shortcut, every_axis: bool) -> Trace:
-    """Run a shortcut, on the whole of A or on each of its pieces."""
+    """Run a shortcut on A, or on each piece of A, against B; return the trace."""
     pieces = shortcut.pieces(a)
     if pieces is None:
-        return _record(a, b, shortcut.choose(a, b), every_axis, PLAIN, shortcut)
+        return _record(a, b, shortcut.choose(a, b), every_axis, DEFAULT_NAMES, shortcut)
     return _record_pairs(a, b, [(p, f"A{i}") for i, p in enumerate(pieces, 1)], [(b, "B")], every_axis, shortcut)
 
 
@@ -281,14 +281,14 @@ def _record(
 
 
 def _record_parts(a: Shape, b: Shape, every_axis: bool) -> Trace:
-    """Run the loop on each pair of convex parts."""
+    """Run the loop on the pairs of convex parts of A and B; return one trace that holds all of theirs."""
     return _record_pairs(a, b, named_parts(a, "A"), named_parts(b, "B"), every_axis)
 
 
 def _record_pairs(
     a: Shape, b: Shape, of_a: NamedParts, of_b: NamedParts, every_axis: bool, shortcut: Shortcut | None = None
 ) -> Trace:
-    """Return a trace of all pairs of parts; a shortcut tests every pair, and its trace proves nothing."""
+    """Run the loop on pairs of parts, each with its name; return one trace that holds all of theirs."""
     pairs, size = [], 0
     for (p, name_a), (q, name_b) in product(of_a, of_b):
         pair = _record(p, q, needed(p, q), every_axis, Names(name_a, name_b))
@@ -300,7 +300,7 @@ def _record_pairs(
             )
         if not shortcut and pair.relation is OVERLAPPING and not every_axis:
             break
-    return Trace(a, b, Choice((), complete=not shortcut), (), every_axis, tuple(pairs), PLAIN, shortcut)
+    return Trace(a, b, Choice((), complete=not shortcut), (), every_axis, tuple(pairs), DEFAULT_NAMES, shortcut)
 
 
 def _separates(test: AxisTest) -> bool:
@@ -309,12 +309,12 @@ def _separates(test: AxisTest) -> bool:
 
 
 def _least_overlap(tests: Sequence[AxisTest]) -> AxisTest:
-    """Return the test with the largest gap, which has the least penetration depth."""
+    """Return the test with the largest gap: of overlaps, the one with the least penetration depth."""
     return max(tests, key=lambda test: test.gap)
 
 
 def _count_listed(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest]) -> int:
-    """Return how many points and axes a trace lists: the vertices, once more for each test, and every axis."""
+    """Return how many points and axes a trace lists: all vertices once, and again for each test."""
     return _count_points(a, b) * (1 + len(tests)) + len(choice.axes) + len(choice.skipped)
 
 
@@ -327,12 +327,12 @@ def _check_size(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest], n
 
 
 def _count_points(a: Shape, b: Shape) -> int:
-    """Return how many points of both shapes are projected on each axis (two for a circle)."""
+    """Return the number of points of both shapes: a polygon's vertices, two for a circle."""
     return sum(2 if shape.core_is_point else len(shape.vertices) for shape in (a, b))
 
 
 def _too_large_error(what: str) -> InvalidScene:
-    """Return the error for a trace that outgrows its limit, so that work and memory stay bounded."""
+    """Return the InvalidScene for a trace over MAX_SIZE; `what`: what is too many, in words."""
     return InvalidScene(
         f"{what}: a trace lists {MAX_SIZE:,} points and axes at most; ask relate for the verdict alone, "
         "choose fewer axes (world), or simplify the shapes"

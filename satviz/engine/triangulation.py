@@ -17,7 +17,7 @@ Chains = tuple[list[int], list[int]]
 
 
 def diagonals(ring: Sequence[Vec]) -> list[Diagonal]:
-    """Return the n - 3 diagonals between vertices of a simple outline that cut it into triangles.
+    """Return the n - 3 diagonals that cut a simple outline into triangles, as pairs of vertex numbers.
 
     Where three vertices lie on one line they may be the corners of a triangle, which has
     no area then; but no diagonal runs through a vertex, and no two cross.
@@ -25,7 +25,7 @@ def diagonals(ring: Sequence[Vec]) -> list[Diagonal]:
     found: list[Diagonal] = []
 
     def fan(w: int, chain: list[int]) -> None:
-        """Join w, a neighbour of the first vertex of the chain, with all others."""
+        """Add a diagonal from w to every vertex of the chain but the first, which is its neighbour."""
         found.extend((w, v) for v in chain[1:])
 
     def grow(w: int, chain: list[int], side: int) -> list[int]:

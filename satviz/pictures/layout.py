@@ -124,7 +124,7 @@ def _range_label_width(group: Group, test: AxisTest) -> float:
     """Return the points that a label of the test's ranges is wide."""
     if group.brief:
         return NAME_WIDTH_PT
-    digits = number_format.of_tests(group.shapes, [test])
+    digits = number_format.digits_for_tests(group.shapes, [test])
     return min(max(text_size(range_label("B2", text))[0] for text in digits.ranges(test)), MAX_WIDTH_PT / 3)
 
 

@@ -11,12 +11,12 @@ from ..engine.axes import Axis, Choice, Skip, Source
 from ..engine.describe import Names
 from ..engine.geometry import InvalidScene, InvalidShape, Vec
 from ..engine.mtv import ends_overlap
-from ..engine.polygon_validation import number, shown
+from ..engine.polygon_validation import parse_number, short_repr
 from ..engine.predicates import MAX_FLOAT, MIN_FLOAT
 from ..engine.sat import CLOSE_GAP_FACTOR, AxisTest, Projection
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
-from ..engine.trace import PLAIN, Trace, record
+from ..engine.trace import DEFAULT_NAMES, Trace, record
 from .failing import SHORTCUTS
 from .scenefile import shape_data, shape_from
 from .strictjson import keys, parse, refuse_large, typed
@@ -29,10 +29,10 @@ FLOAT_ROUNDING = 2.0**-28  # the same for what is computed in floats alone: a sh
 
 
 def dump(trace: Trace, indent: int | None) -> str:
-    """Return a trace as the text of a trace file; InvalidScene for a shortcut that is not in SHORTCUTS."""
+    """Return a trace as JSON text; InvalidScene for a shortcut not in SHORTCUTS, or a text too large to be read."""
     if trace.shortcut and SHORTCUTS.get(trace.shortcut.name) != trace.shortcut:
         raise InvalidScene(
-            f"the shortcut {shown(trace.shortcut.name)} is none of satviz's: its trace cannot be written"
+            f"the shortcut {short_repr(trace.shortcut.name)} is none of satviz's: its trace cannot be written"
         )
     data = {"satviz": "trace 1", **_trace_data(trace, trace.known_mtv)}
     text = json.dumps(data, indent=indent, ensure_ascii=False, allow_nan=False)
@@ -44,7 +44,7 @@ def dump(trace: Trace, indent: int | None) -> str:
 
 
 def load(text: str) -> Trace:
-    """Return the trace in the text of a trace file.
+    """Return the trace in the text of a trace file, after checking it against the run recorded anew.
 
     The run is recorded again from the two shapes, in bounded time; InvalidScene where the file differs from it.
     """
@@ -65,30 +65,30 @@ def load(text: str) -> Trace:
             again, pairs=tuple(_parse_pair(pair, f"trace.pairs[{i}]", ours) for i, (pair, ours) in enumerate(found))
         )
     else:
-        trace = _parse_run(data, "trace", a, b, PLAIN, shortcut)
+        trace = _parse_run(data, "trace", a, b, DEFAULT_NAMES, shortcut)
         _require_same_run(trace, _record_again(trace), "trace")
     _require_equal(_trace_data(trace, _accepted_mtv(trace, data["mtv"])), data, "trace")
     return trace
 
 
 def _parse_shortcut(name: Any) -> Shortcut | None:
-    """Return the shortcut of a name, None for null; InvalidScene for an unknown name."""
+    """Return the shortcut of this name; None for null, InvalidScene for an unknown name."""
     if name is None:
         return None
     if typed(name, "trace.shortcut", str) not in SHORTCUTS:
-        raise InvalidScene(f"trace.shortcut is {shown(name)}: no shortcut of that name")
+        raise InvalidScene(f"trace.shortcut is {short_repr(name)}: no shortcut of that name")
     return SHORTCUTS[name]
 
 
 def _parse_pair(data: Any, where: str, ours: Trace) -> Trace:
-    """Return the file's trace of one pair of parts; InvalidScene unless it is the same run as ours."""
+    """Return the file's trace of one pair of parts; InvalidScene unless it agrees with `ours`, recorded anew."""
     trace = _parse_run(data, where, ours.a, ours.b, ours.names)
     _require_same_run(trace, ours, where)
     return trace
 
 
 def _accepted_mtv(trace: Trace, data: Any) -> Vec | None:
-    """Return the file's MTV of concave outlines if it is as short as ours and ends the overlap, else ours.
+    """Return the file's MTV if it is as good as the recomputed one (for concave outlines), else the latter.
 
     Where two moves are equally short, rounding decides which one a machine finds.
     """
@@ -108,19 +108,19 @@ def _axis_data(axis: Axis) -> dict[str, object]:
 
 
 def _projection_data(side: Projection) -> dict[str, object]:
-    """Return the projection of one shape as JSON data."""
+    """Return a projection as the object that a trace file stores: points, landings and interval."""
     points = [list(p) for p in side.points]
     return {"points": points, "landings": list(side.landings), "interval": list(side.interval)}
 
 
 def _test_data(test: AxisTest) -> dict[str, object]:
-    """Return the test of one axis as JSON data."""
+    """Return a test as the object that a trace file stores: both projections, the gap, and if it separates."""
     a, b = _projection_data(test.a), _projection_data(test.b)
     return {"a": a, "b": b, "gap": test.gap, "separates": test.separates}
 
 
 def _trace_data(trace: Trace, mtv: Vec | None) -> dict[str, object]:
-    """Return a trace as JSON data, with this MTV."""
+    """Return a trace as the object that a trace file stores; `mtv`: the MTV to write into it."""
     return {
         "a": shape_data(trace.a),
         "b": shape_data(trace.b),
@@ -138,7 +138,7 @@ def _trace_data(trace: Trace, mtv: Vec | None) -> dict[str, object]:
         "relation": str(trace.relation),
         "hit": trace.hit,
         "mtv": mtv and list(mtv),
-        "sentence": number_format.plain(describe.verdict(trace, mtv)),
+        "sentence": number_format.ascii_minus(describe.verdict(trace, mtv)),
     }
 
 
@@ -148,7 +148,7 @@ _KEYS |= {"claim", "relation", "hit", "mtv", "sentence"}
 
 
 def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut: Shortcut | None = None) -> Trace:
-    """Return the trace of one run with the file's numbers; `where` names its field in error lines."""
+    """Return the Trace with the file's numbers, not yet checked against the shapes; `where`: its field's name."""
     keys(data, where, _KEYS)
     lists = {name: list(enumerate(typed(data[name], f"{where}.{name}", list))) for name in _LISTS}
     known = axes.axes_by_source(a, b)
@@ -163,7 +163,7 @@ def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut
         reason = typed(skip["reason"], f"{where}.skipped[{i}].reason", str)
         if reason not in reasons:
             raise InvalidScene(
-                f"{where}.skipped[{i}].reason is {shown(reason)}: no reason to leave out one of these axes"
+                f"{where}.skipped[{i}].reason is {short_repr(reason)}: no reason to leave out one of these axes"
             )
         skipped.append(Skip(_parse_axis(skip["axis"], f"{where}.skipped[{i}].axis", known), *reasons[reason]))
     if len(lists["tests"]) > len(found):
@@ -200,14 +200,14 @@ def _parse_axis(data: Any, where: str, known: dict[Source, Axis]) -> Axis:
 
 
 def _parse_test(data: Any, where: str, axis: Axis) -> AxisTest:
-    """Return the file's test of an axis."""
+    """Return the AxisTest that the file gives for an axis; its numbers are not yet checked."""
     keys(data, where, {"a", "b", "gap", "separates"})
     a, b = (_parse_projection(data[side], f"{where}.{side}") for side in ("a", "b"))
     return AxisTest(axis, a, b, _parse_float(data["gap"], f"{where}.gap"))
 
 
 def _parse_projection(data: Any, where: str) -> Projection:
-    """Return the file's projection of one shape."""
+    """Return the Projection that the file gives; its numbers are not yet checked."""
     keys(data, where, {"points", "landings", "interval"})
     points = tuple(_parse_vector(p, f"{where}.points") for p in typed(data["points"], f"{where}.points", list))
     landings = tuple(_parse_float(v, f"{where}.landings") for v in typed(data["landings"], f"{where}.landings", list))
@@ -215,16 +215,16 @@ def _parse_projection(data: Any, where: str) -> Projection:
 
 
 def _parse_vector(data: Any, where: str) -> Vec:
-    """Return a pair of finite numbers; InvalidScene for anything else."""
+    """Return a Vec from a list of two finite numbers; InvalidScene for anything else."""
     if not isinstance(data, list) or len(data) != 2:
         raise InvalidScene(f"{where} must be a pair of numbers")
     return Vec(*(_parse_float(v, where) for v in data))
 
 
 def _parse_float(value: Any, where: str) -> float:
-    """Return a finite number as a float, also from an integer: other writers of JSON omit the .0 of a whole number."""
+    """Return a finite number as a float, also from an integer, since JSON writers may omit the ".0"."""
     try:
-        return number(value, where)
+        return parse_number(value, where)
     except InvalidShape as error:
         raise InvalidScene(str(error)) from None
 
@@ -240,11 +240,13 @@ def _require_equal(ours: Any, theirs: Any, where: str) -> None:
     elif ours != theirs or isinstance(ours, bool) is not isinstance(theirs, bool):
         if isinstance(ours, str) and isinstance(theirs, str):
             ours, theirs = _from_difference(ours, theirs)
-        raise InvalidScene(f"{where} is {shown(theirs)}, but the shapes and options in the file give {shown(ours)}")
+        raise InvalidScene(
+            f"{where} is {short_repr(theirs)}, but the shapes and options in the file give {short_repr(ours)}"
+        )
 
 
 def _from_difference(one: str, other: str) -> tuple[str, str]:
-    """Return 50 characters of both texts, from 20 before their first difference on."""
+    """Return an excerpt of both texts, 50 letters each, that shows their first difference."""
     same = [*takewhile(lambda both: both[0] == both[1], zip(one, other))]
     begin = max(0, len(same) - 20)
     excerpt = slice(begin, begin + 50)
@@ -252,7 +254,7 @@ def _from_difference(one: str, other: str) -> tuple[str, str]:
 
 
 def _record_again(trace: Trace) -> Trace:
-    """Record the run of a trace again, with axes recomputed from its shapes; InvalidScene for a false skip."""
+    """Record the run of a trace anew from its shapes; return it, or InvalidScene for a false skip."""
     try:
         return record(trace.a, trace.b, axes=trace.shortcut or trace.choice, every_axis=trace.every_axis)
     except InvalidScene:
@@ -262,7 +264,7 @@ def _record_again(trace: Trace) -> Trace:
 
 
 def _sources(choice: Choice) -> tuple[list[Source], list[object]]:
-    """Return the sources of the tested axes, and (source, reason, number) of each skipped one."""
+    """Return the sources of the chosen axes, and (source, reason, number) of each skipped one."""
     return [axis.source for axis in choice.axes], [(skip.axis.source, skip.why, skip.number) for skip in choice.skipped]
 
 
@@ -296,5 +298,5 @@ def _require_same_run(trace: Trace, again: Trace, where: str) -> None:
 
 
 def _all_near(mine: Any, ours: Any, tolerance: float) -> bool:
-    """Return whether two sequences have the same length and no pair of their numbers differs by more."""
+    """Return whether two sequences have one length and no two numbers differ by more than the tolerance."""
     return len(mine) == len(ours) and all(abs(m - o) <= tolerance or m == o for m, o in zip(mine, ours))

@@ -57,7 +57,7 @@ def circles(a: Circle, b: Circle) -> Relation:
     return _relation_by_distance((ax - bx) ** 2 + (ay - by) ** 2, (ar + br) ** 2)
 
 
-def distance2(a: Polygon, b: Polygon) -> Fraction:
+def squared_distance(a: Polygon, b: Polygon) -> Fraction:
     """Return the exact squared distance of two convex polygons; 0 when they meet."""
     if polygons(a, b):
         return Fraction(0)
@@ -84,7 +84,7 @@ def exact_difference(a: Polygon, b: Polygon) -> list[Rational]:
         """Return one half of the hull, by Andrew's monotone chain, without its last point."""
         kept: list[Rational] = []
         for p in ordered:
-            while len(kept) > 1 and turn(kept[-2], kept[-1], p) <= 0:
+            while len(kept) > 1 and orientation(kept[-2], kept[-1], p) <= 0:
                 kept.pop()
             kept.append(p)
         return kept[:-1]
@@ -92,7 +92,7 @@ def exact_difference(a: Polygon, b: Polygon) -> list[Rational]:
     return chain(points) + chain(points[::-1])
 
 
-def turn(p: Iterable[Number], q: Iterable[Number], r: Iterable[Number]) -> Fraction:
+def orientation(p: Iterable[Number], q: Iterable[Number], r: Iterable[Number]) -> Fraction:
     """Return the orientation determinant: twice the signed area of the triangle p q r, exactly."""
     (px, py), (qx, qy), (rx, ry) = (exact(v) for v in (p, q, r))
     return (qx - px) * (ry - py) - (qy - py) * (rx - px)
@@ -104,7 +104,7 @@ def exact(v: Iterable[Number]) -> Rational:
     return x, y
 
 
-def area2(vertices: Iterable[Iterable[Number]]) -> Fraction:
+def twice_signed_area(vertices: Iterable[Iterable[Number]]) -> Fraction:
     """Return twice the signed area of an outline, exactly; positive if it runs counter-clockwise."""
     ring = [exact(v) for v in vertices]
     return sum((px * qy - py * qx for (px, py), (qx, qy) in _edges(ring)), Fraction(0))

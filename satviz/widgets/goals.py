@@ -47,7 +47,7 @@ class ChallengeResult(NamedTuple):
 def evaluate_goal(goal: str, shown: Scene) -> ChallengeResult:
     """Return how a scene stands to a goal; InvalidScene for an unknown goal, or one that the scene cannot have."""
     if goal not in GOAL_TASKS:
-        raise InvalidScene(f"no challenge {polygon_validation.shown(goal)}: choose one of {', '.join(GOAL_TASKS)}")
+        raise InvalidScene(f"no challenge {polygon_validation.short_repr(goal)}: choose one of {', '.join(GOAL_TASKS)}")
     met, says = {ONE_AXIS: _evaluate_one_axis, TOUCH: _evaluate_touch, BREAK: _evaluate_break}[goal](shown)
     return ChallengeResult(goal, met, GOAL_TASKS[goal], says, GOAL_HINTS[goal])
 

@@ -9,7 +9,7 @@ Names in the kernels: x, y are the coordinates of one outline (corners i0 to i1)
 
 import numpy as np
 
-from ...engine.predicates import HUGE, TINY
+from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from ..exact_signs import ERRBOUND_A, ERRBOUND_C, MAX_PASSES, SPLITTER, UNKNOWN, Array
@@ -222,7 +222,7 @@ def is_certainly_inside(x: Array, y: Array, i0: int, i1: int, px: float, py: flo
     return (
         left == i1 - i0 - 1
         and _is_certainly_left(x[i1 - 1], y[i1 - 1], x[i0], y[i0], px, py, error_bound)
-        and max_coordinate * max_coordinate < HUGE
+        and max_coordinate * max_coordinate < MAX_SAFE_PRODUCT
     )
 
 
@@ -230,7 +230,7 @@ def is_certainly_inside(x: Array, y: Array, i0: int, i1: int, px: float, py: flo
 def _is_certainly_left(ex: float, ey: float, fx: float, fy: float, px: float, py: float, error_bound: float) -> bool:
     """Return whether p is certainly left of the line from e to f; same error bound as in `relate`."""
     dx, dy = fx - ex, fy - ey
-    return dx * (py - ey) - dy * (px - ex) > (abs(dx) + abs(dy)) * error_bound + TINY
+    return dx * (py - ey) - dy * (px - ex) > (abs(dx) + abs(dy)) * error_bound + MIN_SAFE_PRODUCT
 
 
 @compiled
@@ -238,7 +238,7 @@ def _certified_cross(ux: float, uy: float, vx: float, vy: float) -> float:
     """Return the cross product of u and v, or 0 where rounding may hide its sign."""
     left, right = ux * vy, uy * vx
     size = abs(left) + abs(right)
-    return left - right if abs(left - right) > ERRBOUND_A * size and size > TINY else 0.0
+    return left - right if abs(left - right) > ERRBOUND_A * size and size > MIN_SAFE_PRODUCT else 0.0
 
 
 @compiled
@@ -246,7 +246,7 @@ def orient(px: float, py: float, qx: float, qy: float, rx: float, ry: float, ter
     """Return the exact orientation of p, q, r, as exact_signs.orient does for arrays; UNKNOWN out of range."""
     left, right = (qx - px) * (ry - py), (qy - py) * (rx - px)
     size = abs(left) + abs(right)
-    if abs(left - right) > ERRBOUND_A * size and size > TINY and size < HUGE:
+    if abs(left - right) > ERRBOUND_A * size and size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT:
         return 1 if left > right else -1
     if (rx == px and ry == py) or (rx == qx and ry == qy):
         return 0
@@ -257,7 +257,7 @@ def orient(px: float, py: float, qx: float, qy: float, rx: float, ry: float, ter
         _two_diff_tail(qy, py, c),
         _two_diff_tail(rx, px, d),
     )
-    if size > TINY and size < HUGE:
+    if size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT:
         # with what the differences and the products lost: signs.orient says how far this can be off
         (e, left), (f, right) = two_product(a, b), two_product(c, d)
         turn = (left - right) + ((e - f) + ((a * eb + ea * b) - (c * ed + ec * d)))
@@ -285,7 +285,7 @@ def _two_diff_tail(a: float, b: float, difference: float) -> float:
 @compiled
 def _is_product_exact(a: float, b: float) -> bool:
     """Return whether the product is 0 or large enough for two floats to hold all its bits."""
-    return abs(a * b) >= TINY or a == 0 or b == 0
+    return abs(a * b) >= MIN_SAFE_PRODUCT or a == 0 or b == 0
 
 
 @compiled

@@ -12,7 +12,7 @@ from functools import cache
 
 import numpy as np
 
-from ...engine.predicates import HUGE, TINY
+from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..arrays import Group
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
@@ -198,7 +198,7 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
         dx, dy, radius_sum = ax[i] - bx[i], ay[i] - by[i], ar[i] + br[i]
         distance, radius_squared = dx * dx + dy * dy, radius_sum * radius_sum
         size = distance + radius_squared
-        error_bound = size * 2.0**-50 if size > TINY and size < HUGE else np.inf
+        error_bound = size * 2.0**-50 if size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT else np.inf
         gap = distance - radius_squared
         out[k] = APART if gap > error_bound else OVERLAPPING if gap < -error_bound else UNDECIDED
 
@@ -221,7 +221,11 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
             for v in range(count):
                 far = max(far, max(abs(px[v, i] - x0), abs(py[v, i] - y0)))
             error_bound, side_room = far * far * 2.0**-46, far * 2.0**-48
-            inside, safe, nearest = True, error_bound > TINY and error_bound < HUGE * 2.0**-46, np.inf
+            inside, safe, nearest = (
+                True,
+                error_bound > MIN_SAFE_PRODUCT and error_bound < MAX_SAFE_PRODUCT * 2.0**-46,
+                np.inf,
+            )
             for v in range(count):
                 w = (v + 1) % count
                 dx, dy = px[w, i] - px[v, i], py[w, i] - py[v, i]
@@ -229,7 +233,7 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
                 turn = x * dy - y * dx
                 tolerance = (abs(dx) + abs(dy)) * side_room
                 along, square = -(x * dx + y * dy), dx * dx + dy * dy
-                safe = safe & (square > TINY)
+                safe = safe & (square > MIN_SAFE_PRODUCT)
                 foot = turn / square * turn
                 distance = x * x + y * y if along <= 0 else u * u + z * z if along >= square else foot
                 inside = inside & (turn > tolerance)

@@ -11,7 +11,7 @@ is a ratio, and then it is nearly always a float.
 import numpy as np
 from numpy.typing import NDArray
 
-from ...engine.predicates import HUGE, TINY, to_integers
+from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT, to_integers
 from ...engine.relate import relate_integers
 from .. import exact_signs
 from ..exact_signs import UNKNOWN, Array, Pairs, Signs, two_sum
@@ -108,7 +108,13 @@ def _features_within_radius(
         upright[i] = (dx == 0) | (dy == 0)
         np.minimum(lowest, turn, out=lowest)
         np.minimum(shortest, square, out=shortest)
-    unsafe = np.flatnonzero(~((error_bound > TINY) & (error_bound < HUGE * 2.0**-46) & (shortest > TINY)))
+    unsafe = np.flatnonzero(
+        ~(
+            (error_bound > MIN_SAFE_PRODUCT)
+            & (error_bound < MAX_SAFE_PRODUCT * 2.0**-46)
+            & (shortest > MIN_SAFE_PRODUCT)
+        )
+    )
     error_bound[unsafe], within[unsafe], near[:, unsafe], lowest[unsafe] = np.inf, -1.0, False, np.nan
     places = [np.flatnonzero(m) for m in (distance <= within, near & upright, near & ~upright, lowest >= -error_bound)]
     return *places, error_bound

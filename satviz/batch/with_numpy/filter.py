@@ -8,7 +8,7 @@ Every kernel takes one column per pair, from column `first` on, and fills `out` 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...engine.predicates import HUGE, TINY
+from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ..arrays import Group
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from ..exact_signs import Array, Signs
@@ -134,7 +134,7 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
     distance = dx * dx + dy * dy
     radius_sum *= radius_sum
     error_bound = distance + radius_sum
-    certified = (error_bound > TINY) & (error_bound < HUGE)
+    certified = (error_bound > MIN_SAFE_PRODUCT) & (error_bound < MAX_SAFE_PRODUCT)
     error_bound *= 2.0**-50
     error_bound[~certified] = np.inf
     classify_clearances(distance - radius_sum, error_bound, out)
@@ -146,7 +146,7 @@ def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first
     x, y = px - cx, py - cy
     far = np.maximum(np.maximum(np.abs(x).max(axis=0), np.abs(y).max(axis=0)), cr)
     error_bound = far * far * 2.0**-46
-    safe = (error_bound > TINY) & (error_bound < HUGE * 2.0**-46)
+    safe = (error_bound > MIN_SAFE_PRODUCT) & (error_bound < MAX_SAFE_PRODUCT * 2.0**-46)
     inside, nearest = np.ones(out.size, bool), np.full(out.size, np.inf)
     for i in range(len(px)):
         j = (i + 1) % len(px)
@@ -155,7 +155,7 @@ def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first
         tolerance = (np.abs(dx) + np.abs(dy)) * (far * 2.0**-48)
         inside &= turn > tolerance
         along, square = -(x[i] * dx + y[i] * dy), dx * dx + dy * dy
-        safe &= square > TINY
+        safe &= square > MIN_SAFE_PRODUCT
         distance = np.where(
             along <= 0,
             x[i] * x[i] + y[i] * y[i],

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ...engine.predicates import TINY
+from ...engine.predicates import MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..arrays import Group
 from ..codes import APART, OVERLAPPING, UNDECIDED
@@ -82,5 +82,5 @@ def _certified_cross(u: Array, v: Array) -> Array:
     left, right = u[0] * v[1], u[1] * v[0]
     size = np.abs(left) + np.abs(right)
     turn: Array = left - right
-    turn[~((np.abs(turn) > ERRBOUND_A * size) & (size > TINY))] = 0.0
+    turn[~((np.abs(turn) > ERRBOUND_A * size) & (size > MIN_SAFE_PRODUCT))] = 0.0
     return turn

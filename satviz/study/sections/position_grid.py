@@ -124,7 +124,7 @@ def _push_code(run: Trace, case: FailureCase) -> str:
 
 def _distance_code(run: Trace, case: FailureCase) -> str:
     """Return the letter of a distance: right but for rounding, or wrong; where the shapes meet there is none."""
-    right = truth.distance2(*_as_polygons(run.a, run.b))
+    right = truth.squared_distance(*_as_polygons(run.a, run.b))
     if not right:
         return HIT
     gap = case.claimed_value(run)

@@ -116,7 +116,7 @@ def nearly_touching_pairs(rng: np.random.Generator, n: int) -> tuple[Rings, Ring
     side = quarter_turn(out)
     far, wide = rng.uniform(0.5, 1.5, (2, n, 1))
     b = np.stack([spot, spot + far * out + wide * side, spot + far * out - wide * side], axis=1)
-    b = b[:, ::-1] if truth.area2(b[0]) < 0 else b
+    b = b[:, ::-1] if truth.twice_signed_area(b[0]) < 0 else b
     steps = rng.integers(-4, 5, n)
     at = np.argmin(np.abs(b - spot[:, None]).sum(axis=2), axis=1)
     for k in range(1, 5):

@@ -96,7 +96,7 @@ def _is_valid_ring(ring: Rings) -> bool:
         shape = Polygon(ring)
     except InvalidShape:
         return False
-    return shape.is_convex and len(shape.corners) == len(ring) and truth.area2(ring.tolist()) > 0
+    return shape.is_convex and len(shape.corners) == len(ring) and truth.twice_signed_area(ring.tolist()) > 0
 
 
 def _log_uniform(rng: Rng, n: int, octaves: int) -> Array:
