@@ -520,7 +520,7 @@ def float_only(monkeypatch) -> Callable[[Shape, Shape], Relation | None]:
         except Undecided:
             return None
 
-    monkeypatch.setattr(relate_module, "aligned", no_sign)
+    monkeypatch.setattr(relate_module, "to_common_unit", no_sign)
     monkeypatch.setattr(relate_module, "orient", no_sign)
     return decide
 

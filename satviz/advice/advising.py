@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Recommendation:
-    """A recommendation: `best` is the simplest model proven to find apart, touching or overlapping for all pairs.
+    """Hold a recommendation: `best` is the simplest model proven to find the relation of every given pair.
 
     `results` has every candidate, from the fewest axes to the most.  print() shows the recommendation in words,
     `to_json()` returns it as data, `check()` proves it again with integers, `failure()` records the pair on which the
@@ -77,7 +77,7 @@ class Recommendation:
 
     @property
     def reason(self) -> str:
-        """Return a sentence why the recommended model is right."""
+        """Return a sentence that says why the recommended model is right."""
         return report.reason(self.model, self.summary, self.scope)
 
     def check(self, most: int = MAX_TESTS_CHECKED) -> bool:
@@ -103,7 +103,7 @@ class Recommendation:
         )
 
     def _summary_holds(self, found: InputSummary) -> bool:
-        """Return whether the summary found again is that of this recommendation, up to the rounding of arrays."""
+        """Return whether this summary agrees with `found`, computed by integers, up to the rounding of arrays."""
         mine, place = self.summary, self._number_of(self.summary.at)
         if mine != found._replace(relative_margin=mine.relative_margin, at=mine.at):
             return False
@@ -116,7 +116,7 @@ class Recommendation:
         )
 
     def _result_holds(self, claim: ModelResult, found: ModelResult) -> bool:
-        """Return whether a claimed result agrees with the one found again.
+        """Return whether the claimed result of a model agrees with `found`, computed by integers.
 
         Arrays may leave more pairs uncertain than integers, if a pair is uncertain for both.
         """
@@ -134,7 +134,7 @@ class Recommendation:
         return certified not in (None, exact_relation(a, b)) if claim.wrong else certified is None
 
     def _number_of(self, pair: Pair) -> int | None:
-        """Return the number of the pair with these two indices; None if none was given."""
+        """Return the number k of the given pair with these two indices; None if it is not among them."""
         return next((k for k in range(self.given.numbered) if self.given.indices(k) == pair), None)
 
     def _scope_holds(self) -> bool:
@@ -147,7 +147,7 @@ class Recommendation:
         )
 
     def failure(self) -> Trace | None:
-        """Record the first pair on which the next smaller model fails, as that model tests it; None if there is none.
+        """Return a trace of the first pair on which the next smaller model fails; None if there is none.
 
         `sv.draw` shows the claimed relation beside the actual one.  Where only rounding fails, the record is exact.
         """
@@ -161,7 +161,7 @@ class Recommendation:
 
     @cached_property
     def _costs(self) -> "dict[str, Cost | None]":
-        """The result of `costs`, measured once."""
+        """Return the result of `costs`, measured once."""
         from .costs import costs
 
         # for one pair numba would take longer to load than all else
@@ -210,12 +210,12 @@ class Recommendation:
         return f"Recommendation({self.model.name}, {self.scope.kind})"
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
-        """In a notebook: the recommendation in words; `chart()` measures, so it is drawn only on request."""
+        """Return what a notebook shows: the words only, since `chart()` would take time to measure."""
         return {"text/plain": str(self)}
 
 
 def _model(model: Model) -> dict[str, Any]:
-    """Return a model as JSON data."""
+    """Return a model as a dict for JSON: name, number of axes, directions."""
     return {"name": model.name, "axes": model.axes, "directions": [list(n) for n in model.directions]}
 
 
@@ -246,7 +246,7 @@ def advise(
 
 
 def _recommend_pair(a: Shape, b: Shape) -> tuple[InputSummary, tuple[ModelResult, ...], GivenPairs]:
-    """Return (summary, results, given pairs) of two shapes: by integers, or by arrays where those take long."""
+    """Return (summary, results, given pairs) for two shapes: by integers, or by arrays if these are faster."""
     given = _give_pair(a, b)
     if given.tests <= TESTS_BY_FRACTIONS:
         return *_summarize(given, _candidates(given)), given
@@ -257,9 +257,10 @@ def _recommend_pair(a: Shape, b: Shape) -> tuple[InputSummary, tuple[ModelResult
 
 
 def _give_pair(a: Shape, b: Shape) -> GivenPairs:
-    """Return two shapes as the given pairs."""
+    """Return the GivenPairs record of one pair of shapes."""
 
     def batches() -> Any:
+        """Return many copies of the pair as batches, to be timed."""
         from .advising_batches import repeated_pair
 
         return repeated_pair(a, b, copies=max(1, min(4096, TESTS_TIMED // tests)))
@@ -332,6 +333,6 @@ def _summarize(given: GivenPairs, models: Sequence[Model]) -> tuple[InputSummary
 
 
 def _least_margin(given: GivenPairs, k: int) -> float:
-    """Return the relative margin of pair k."""
+    """Return the relative margin of given pair k, by its convex parts."""
     a, b = given.shapes_of(k)
     return abs(min(signed_relative_margin(p, q) for p in convex_parts(a) for q in convex_parts(b)))

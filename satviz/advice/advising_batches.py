@@ -89,7 +89,7 @@ def recommend_batch(
 
 
 def _pairs_with_meeting_boxes(bounds: Array, engine: str | None) -> tuple[Indices, Indices]:
-    """Return all pairs whose boxes meet, in order; they are counted while found, so that they never fill the memory."""
+    """Return (i, j), sorted, of all pairs whose boxes meet; InvalidScene as soon as there are too many."""
     farthest = float_info.max  # the box of a circle may exceed it
     blocks, many = [], 0
     for block in candidate_blocks(np.clip(bounds, -farthest, farthest), engine_of(engine).grid):
@@ -101,20 +101,20 @@ def _pairs_with_meeting_boxes(bounds: Array, engine: str | None) -> tuple[Indice
 
 
 def _count_work(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> tuple[int, int]:
-    """Return the number of pairs of convex parts, and of tests of an edge against a corner."""
+    """Return (number of pairs of convex parts, number of tests of an edge against a corner)."""
     parts = [np.diff(s.starts)[i] for s, i in ((a, ia), (b, ib))]
     return int((parts[0].astype(float) * parts[1]).sum()), int(tests_per_pair(a, ia, b, ib).sum())
 
 
 def _out_of_range(both: Pairs) -> int:
-    """Return how many pairs of convex parts have products beyond the range of floats, and so need integers."""
+    """Return how many pairs of convex parts have coordinates so large or small that only integers are safe."""
     with np.errstate(over="ignore"):
         most = np.maximum(_part_max_coordinates(both.a)[both.pa], _part_max_coordinates(both.b)[both.pb])
     return int(np.count_nonzero(~((most > 2.0**-450) & (most < 2.0**450))))
 
 
 def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[BroadPhaseResult, Pairs]:
-    """Return what the boxes settle, and those of the settled pairs that bounding circles alone might not certify.
+    """Return (what the boxes settle, the settled pairs that circles alone might not certify as apart).
 
     With M the larger max_coordinate (radius included) of two circles, u the unit roundoff, d their distance and R the
     sum of the radii, the circles are certified apart where d - R is 72 u M or more: the bound of `certify_circles` for
@@ -144,14 +144,14 @@ def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[Bro
 
 
 def _moved_bound(both: Pairs, signed: Array) -> float:
-    """Return the power of two up to which these pairs may be moved, computed by arrays; 0 if they exceed it."""
+    """Return the power of two up to which these convex polygons may be moved as a whole, else 0."""
     most = np.maximum(_part_max_coordinates(both.a)[both.pa], _part_max_coordinates(both.b)[both.pb])
     # arrays compute the relative margin to one part in fifty
     return power_of_two_bound(float((np.abs(signed) * 0.9 * most).min()) / (SAT_ROUNDINGS + 1), float(most.max()))
 
 
 def _grid(both: Pairs) -> Grid | None:
-    """Return the grid of all parts in the pairs; None also where its unit is near the ends of the range of float64."""
+    """Return the coarsest grid of all numbers in the pairs; None if its unit is too extreme for float64."""
     found = [PartGrids(*(c[p] for c in PartGrids.of(s.parts))) for s, p in ((both.a, both.pa), (both.b, both.pb))]
     unit = min(float(g.unit.min()) for g in found)
     most, span = (max(float(c.max()) for c in both) for both in zip(*(g[1:] for g in found), strict=True))
@@ -178,7 +178,7 @@ def repeated_pair(a: Shape, b: Shape, copies: int = 4096) -> Pairs:
 
 
 def _models(pairs: Pairs, kinds: Collection[str], given: GivenPairs) -> tuple[Model, ...]:
-    """Return the candidate models for these pairs."""
+    """Return the candidate models for these pairs, from their axes, directions and kinds of shapes."""
     edges = [np.where(s.parts.count == 1, 0, s.parts.count) for s in (pairs.a, pairs.b)]
     each = edges[0][pairs.pa] + edges[1][pairs.pb]
     each += (edges[0][pairs.pa] == 0) | (edges[1][pairs.pb] == 0)
@@ -191,7 +191,7 @@ def _models(pairs: Pairs, kinds: Collection[str], given: GivenPairs) -> tuple[Mo
 def _evaluate_model(
     model: Model, both: Pairs, exact: NDArray[np.int8], near: Pairs, given: GivenPairs, engine: str | None
 ) -> ModelResult:
-    """Return the result of a model on the pairs `both`, and on the `near` ones if it runs without the boxes."""
+    """Return how a model does on the pairs `both`, and on `near` if no test of the boxes comes before it."""
     found = _classify(model, both, exact, given, 0, engine)
     if not (model.after_boxes or model.kind == AABB):
         apart = np.zeros(len(near.ia), np.int8)
@@ -209,7 +209,7 @@ def _evaluate_model(
 def _classify(
     model: Model, pairs: Pairs, exact: NDArray[np.int8], given: GivenPairs, first: int, engine: str | None
 ) -> NDArray[np.int8]:
-    """Return the certified relations of these pairs, -1 where uncertain; the number of the first is `first`."""
+    """Return the relations that the model certainly finds, -1 where uncertain; pairs are numbered from `first`."""
     found = classify(model, pairs, exact, engine=engine)
     if model.kind not in FORMATS:  # SAT has used fractions already, part by part
         uncertain = np.flatnonzero(found < 0)
@@ -223,7 +223,7 @@ def _classify(
 
 
 def _kinds(sides: Sequence[tuple[Shapes, Indices]]) -> dict[str, int]:
-    """Return how many of the used shapes are of each kind."""
+    """Return how many of the used shapes are of each kind; `sides` lists (batch, indices of used shapes)."""
     found: dict[str, int] = {}
     for shapes, used in sides:
         parts = np.diff(shapes.starts)[used]
@@ -242,7 +242,7 @@ def _kinds(sides: Sequence[tuple[Shapes, Indices]]) -> dict[str, int]:
 
 
 def _corners(given: Pairs) -> Pair:
-    """Return the fewest and the most corners of the convex parts, (0, 0) if all are circles."""
+    """Return (fewest, most) corners of the polygonal convex parts in the pairs; (0, 0) if all are circles."""
     counts = np.concatenate([given.a.count[given.pa], given.b.count[given.pb]])
     counts = counts[counts > 1]
     return (int(counts.min()), int(counts.max())) if counts.size else (0, 0)
@@ -267,6 +267,6 @@ def _part_max_coordinates(shapes: Shapes) -> NDArray[np.float64]:
 
 
 def _shape_of(shapes: Shapes, i: int) -> AnyShape:
-    """Return shape i of a batch: a shape of the engine, or a SplitPolygon if it has several convex parts."""
+    """Return shape i of a batch as a single Shape, or as a SplitPolygon if it has several convex parts."""
     parts = [part_shape(shapes.parts, k) for k in range(shapes.starts[i], shapes.starts[i + 1])]
     return parts[0] if len(parts) == 1 else SplitPolygon(parts)

@@ -24,7 +24,7 @@ ROLES = {EXACT_FILTER: "exact", BOUNDING_CIRCLES: "shortcut", AABB: "shortcut", 
 
 
 class Chart(NamedTuple):
-    """A chart of time a pair against wrong answers: `rows` are the numbers drawn, `sentence` their summary."""
+    """Hold a chart of time per pair against wrong answers: `rows` are the numbers drawn, `sentence` their summary."""
 
     title: str
     under: str
@@ -49,7 +49,7 @@ class Chart(NamedTuple):
         )
 
     def svg(self) -> str:
-        """Return the SVG element, for a page or a notebook."""
+        """Return the chart as text of one SVG element, for a page or a notebook."""
         return bare(self.encode("svg"))
 
     def __repr__(self) -> str:
@@ -63,7 +63,7 @@ class Chart(NamedTuple):
 def chart(
     model: Model, summary: InputSummary, results: Sequence[ModelResult], found: Mapping[str, Cost | None]
 ) -> Chart:
-    """Return the chart of a recommendation; `found` has the cost of each model, None if it is not timed.
+    """Return the chart of all timed candidates; `model` is recommended, `found` has each cost (None: not timed).
 
     ValueError where there is nothing to draw: no pairs, or a recommended model that is not timed.
     """
@@ -89,7 +89,7 @@ def chart(
 
 
 def _draw(fig: Figure, chart: Chart, theme: Theme) -> None:
-    """Draw the chart on a figure."""
+    """Draw the axes, the time and wrong answers of each model, and the names on a figure."""
     ink, guide = theme.roles["ink"], theme.roles["guide"]
     at: dict[str, Any] = {"ha": "left", "va": "top", "parse_math": False}
     fig.text(0.015, 1 - 9 / SIZE[1], chart.title, color=ink, fontsize=TITLE, fontweight="bold", **at)
@@ -136,11 +136,11 @@ def _front(ax: Axes, chart: Chart, theme: Theme) -> None:
 
 
 def _minor(low: float, high: float) -> Callable[[float, object], str]:
-    """Return a formatter of labels between the powers of ten, for a time axis that shows few powers."""
+    """Return a formatter of tick labels between powers of ten, for a time axis from `low` to `high`."""
     few = high / low < 200
 
     def label(value: float, _: object) -> str:
-        """Return the label of 2 and 5 times a power of ten, else an empty one."""
+        """Return the label of a tick at 2 or 5 times a power of ten if the axis is short, else "" (no label)."""
         return duration(value) if few and f"{value:e}"[0] in "25" else ""
 
     return label
@@ -187,7 +187,7 @@ def _label(fig: Figure, ax: Axes, chart: Chart, theme: Theme) -> None:
 
 
 def _places(wide: float, high: float, dot: float) -> Sequence[tuple[float, float]]:
-    """Return the offsets from a point at which its name may be written."""
+    """Return the offsets (dx, dy) to try for a name of this size, from its point; `dot` is the radius of points."""
     ups = [dot * 1.6 + k * high * 1.25 for k in range(12)]
     return [
         (dx, dy)

@@ -24,7 +24,7 @@ INFINITY = np.float32(np.inf)  # a float32, so that float32 arithmetic stays flo
 
 @compiled
 def compare_boxes(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
-    """Fill `out` with the relations of bounding boxes, (N, 4) x0, y0, x1, y1."""
+    """Fill `out` with the relations of boxes a[ia[k]] and b[ib[k]]; boxes are rows x0, y0, x1, y1."""
     for k in range(out.size):
         i, j = ia[k], ib[k]
         if _boxes_apart(a, i, b, j):
@@ -44,7 +44,7 @@ def _boxes_apart(a: Array, i: int, b: Array, j: int) -> Any:
 
 @compiled
 def compare_circles(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
-    """Fill `out` with the relations of circles, (N, 3) x, y, radius."""
+    """Fill `out` with the relations of circles a[ia[k]] and b[ib[k]]; circles are rows x, y, radius."""
     for k in range(out.size):
         i, j = ia[k], ib[k]
         out[k] = relation_of_gap(_squared_gap(a[i, 0], a[i, 1], a[i, 2], b[j, 0], b[j, 1], b[j, 2]))
@@ -121,7 +121,7 @@ def sat(
 
 @compiled
 def relation_of_gap(gap: float) -> int:
-    """Return the relation of a gap by its sign."""
+    """Return APART for a positive gap, OVERLAPPING for a negative one, TOUCHING for 0."""
     return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
 
@@ -154,7 +154,7 @@ def _sat_in_lanes(
 def polygon_clearance(
     x_a: Array, y_a: Array, first_a: int, last_a: int, x_b: Array, y_b: Array, first_b: int, last_b: int
 ) -> float:
-    """Return the largest clearance of an edge of A: its least turn with B's corners; or the first that is positive."""
+    """Return the largest clearance of an edge of A from B's corners, or the first positive one."""
     best: float = x_a[first_a] * 0 - INFINITY
     px, py = x_a[last_a - 1], y_a[last_a - 1]
     for e in range(first_a, last_a):
@@ -175,7 +175,7 @@ def polygon_clearance(
 
 @compiled
 def circle_polygon_gap(cx: float, cy: float, r: float, x: Array, y: Array, first: int, last: int) -> Any:
-    """Return the squared distance of a center from the nearest edge less the squared radius; -1 for one inside."""
+    """Return the squared distance of the center from the boundary less r squared; -1 if it is inside."""
     inside = True
     nearest = cx * 0 + INFINITY
     px, py = x[last - 1], y[last - 1]

@@ -21,7 +21,7 @@ UPRIGHT_BOXES, CIRCLES, CONVEX_POLYGONS, CONCAVE_POLYGONS = (
 
 
 class Grid(NamedTuple):
-    """The coarsest grid of some numbers: all are multiples of 2**unit, and the largest is `most` times 2**unit.
+    """Describe the coarsest grid of some numbers: multiples of 2**unit, the largest being `most` times 2**unit.
 
     `span`: the largest component of an edge, in multiples of 2**unit.
     """
@@ -32,7 +32,7 @@ class Grid(NamedTuple):
 
 
 class BroadPhaseResult(NamedTuple):
-    """The pairs that a test of bounding boxes finds apart before any model runs, for all pairs of one batch.
+    """Hold what a test of bounding boxes finds apart before any model runs, for all pairs of one batch.
 
     `pairs`: how many are apart by their boxes; `near`: how many of these a model without the boxes might not certify;
     `alone`: the kinds of models that are candidates without the boxes too; `only_circles`: whether all shapes of the
@@ -46,7 +46,7 @@ class BroadPhaseResult(NamedTuple):
 
 
 class GivenPairs(NamedTuple):
-    """The pairs that a recommendation is made for; large parts are computed only when called.
+    """Hold the pairs that a recommendation is made for; large parts are computed only when called.
 
     `shapes_of(k)` and `indices(k)` return the two shapes and the two indices of pair k, `unique_shapes()` each
     shape once, `batches()` the pairs as batches to be timed.  Pairs from number `pairs` on are those counted in
@@ -67,12 +67,12 @@ class GivenPairs(NamedTuple):
 
     @property
     def numbered(self) -> int:
-        """Return how many pairs have a number."""
+        """Return how many pairs `shapes_of` and `indices` know: the given ones and those counted as near."""
         return self.pairs + (self.broad_phase.near if self.broad_phase else 0)
 
 
 class InputSummary(NamedTuple):
-    """The summary of the given pairs.
+    """Hold the summary of the given pairs.
 
     `kinds`: how many shapes of each kind; `corners`: the fewest and the most of a convex part; `sizes`: the width of
     the largest shape over that of the smallest; `relations`: pairs apart, touching and overlapping; `settled`: further
@@ -90,7 +90,7 @@ class InputSummary(NamedTuple):
 
 
 class ModelResult(NamedTuple):
-    """A model on the given pairs: `wrong` counts wrong pairs, `uncertain` those where rounding may decide, at most.
+    """Hold how many given pairs a model gets wrong, and (at most) how many are uncertain by rounding.
 
     `first`: the first wrong pair, else the first uncertain one, else None; `proven_for_hits`: whether the model is
     certified to separate hits (touching or overlapping) from misses.
@@ -109,7 +109,7 @@ class ModelResult(NamedTuple):
 
 
 def kind_of(shape: AnyShape) -> str:
-    """Return the kind of a shape in words: one of the four constants above."""
+    """Return the kind of a shape in words: CIRCLES, UPRIGHT_BOXES, CONVEX_POLYGONS or CONCAVE_POLYGONS."""
     if shape.core_is_point:
         return CIRCLES
     return UPRIGHT_BOXES if shape.is_upright_box else CONVEX_POLYGONS if shape.is_convex else CONCAVE_POLYGONS
@@ -134,7 +134,7 @@ def anywhere(summary: InputSummary, results: Sequence[ModelResult]) -> Model:
 def candidates_of(
     axes: int, directions: tuple[Vec, ...], kinds: Collection[str], given: GivenPairs
 ) -> tuple[Model, ...]:
-    """Return the candidate models for shapes of these kinds and the largest number of axes of a given pair."""
+    """Return the candidate models; axes: the most that SAT tests for a given pair, kinds: of its shapes."""
     if given.broad_phase is None:
         return candidates(axes, directions, set(kinds) == {CIRCLES})
     found = candidates(axes, directions, given.broad_phase.only_circles, given.broad_phase.alone)

@@ -60,13 +60,13 @@ def _convex_margin(a: Shape, b: Shape) -> float:
 
 
 def _max_coordinate(shape: Shape, k: int) -> int:
-    """Return the largest absolute coordinate, plus the radius, in units of 2**-k."""
+    """Return the largest absolute coordinate of a shape (with its radius) in units of 2**-k."""
     own, ring, radius = shape.integers
     return max(abs(c) for v in ring for c in v) + radius << k - own
 
 
 def edge_clearances(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Iterator[tuple[int, int]]:
-    """Yield (clearance of the points, span) for each edge of a ring; the first edge ends at the first corner."""
+    """Yield (clearance of `points`, span) for each edge of a ring; the first edge leads to the first corner."""
     px, py = ring[-1]
     for qx, qy in ring:
         nx, ny = qy - py, px - qx
@@ -77,7 +77,7 @@ def edge_clearances(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Ite
 def edges_from_center(
     center: IntPoint, ring: Sequence[IntPoint]
 ) -> Iterator[tuple[tuple[int, int], int, tuple[int, int]]]:
-    """Yield (direction, turn, (s, q)) for each edge of a ring, from the last corner to the first one on.
+    """Yield (direction, turn, (s, q)) for each edge of a ring; s / sqrt(q): its distance from the center.
 
     The turn is positive where the center lies inside the edge; s / sqrt(q) is the exact distance of the center from
     the edge, from an end where no point between the ends is nearer.
@@ -95,7 +95,7 @@ def edges_from_center(
 
 
 def _gap_from_center(center: IntPoint, r: int, ring: Sequence[IntPoint], shift: int) -> float:
-    """Return the gap of a circle and a ring (of one corner: another circle) in units of 2**shift.
+    """Return the gap of a circle and a ring (one corner: center of a second circle) in units of 2**shift.
 
     Outside, the nearest edge decides; inside, minus the depth of the center is less the radius.
     """

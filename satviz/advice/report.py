@@ -63,7 +63,7 @@ def text(summary: InputSummary, results: "Sequence[ModelResult]", scope: Scope) 
 
 
 def reason(model: Model, summary: InputSummary, scope: Scope) -> str:
-    """Return a sentence why the model is right."""
+    """Return a sentence that says why the model is right."""
     if not summary.pairs and model.kind == AABB:
         return "no two boxes meet, so there is nothing left to test"
     if model.kind == AABB and scope.kind == ANYWHERE:
@@ -85,7 +85,7 @@ def reason(model: Model, summary: InputSummary, scope: Scope) -> str:
 
 
 def holds(scope: Scope, summary: InputSummary) -> str:
-    """Return a sentence where the recommendation holds."""
+    """Return a sentence that says for which coordinates the recommendation is valid."""
     if scope.kind == ANYWHERE:
         if set(summary.kinds) == {UPRIGHT_BOXES}:
             return "anywhere: upright boxes need y and x only, whatever their coordinates"
@@ -103,12 +103,12 @@ def holds(scope: Scope, summary: InputSummary) -> str:
 
 
 def _multiples(unit: int | None) -> str:
-    """Return "whole numbers", or the power of two that all coordinates are multiples of."""
+    """Return what all coordinates are: "whole numbers", or "multiples of" 2**unit."""
     return "whole numbers" if unit == 0 else f"multiples of {_size(2.0 ** (unit or 0))}"
 
 
 def _size(value: float) -> str:
-    """Return a power of two as a decimal number, or as 2^n where the number is long."""
+    """Return a power of two in digits, or as "2^n" where the digits are many."""
     return f"{value:,.15g}" if 2.0**-10 <= value <= 2.0**20 else power(value, 0)
 
 
@@ -137,7 +137,7 @@ def duration(nanoseconds: float) -> str:
 
 
 def named(model: Model) -> str:
-    """Return the name of a model and its number of axes."""
+    """Return the name of a model, with its number of axes in brackets where the name does not tell it."""
     return model.name if model.kind == K_DOP and not model.after_boxes else f"{model.name} ({axes(model.axes)})"
 
 
@@ -147,12 +147,12 @@ def axes(many: int) -> str:
 
 
 def power(value: float, digits: int = 1) -> str:
-    """Return a number as a power of two; "0" and "no end" for 0 and infinity."""
+    """Return a number as text "2^x" with this many digits; "0" for 0 and "no end" for infinity."""
     return "0" if not value else f"2^{log2(value):.{digits}f}" if value < inf else "no end"
 
 
 def shapes(summary: InputSummary) -> str:
-    """Return the shapes in words: kinds, corners and sizes."""
+    """Return a description of the shapes: kinds, corners and sizes."""
     kinds = ", ".join(f"{n:,} {SINGULAR[kind] if n == 1 else kind}" for kind, n in summary.kinds.items())
     low, high = summary.corners
     corners = f", {low} corners" if low == high else f", {low} to {high} corners"
@@ -169,7 +169,7 @@ def _all(summary: InputSummary) -> str:
 
 
 def _first(model: Model, summary: InputSummary) -> list[str]:
-    """Return the line on the test of bounding boxes before the model, if there is one: pairs settled and pairs left."""
+    """Return the line (in a list) on the test of bounding boxes before the model; [] if there is none."""
     if not model.after_boxes:
         return []
     sentence = (
@@ -179,14 +179,14 @@ def _first(model: Model, summary: InputSummary) -> list[str]:
 
 
 def _pairs(summary: InputSummary) -> str:
-    """Return the numbers of pairs by relation."""
+    """Return a description of the pairs: how many are apart, touching and overlapping."""
     apart, touching, overlapping = summary.relations
     text = f"{summary.pairs:,}: {apart:,} apart, {touching:,} touching, {overlapping:,} overlapping"
     return text + (f"; {summary.settled:,} more are apart by their boxes" if summary.settled else "")
 
 
 def nearest(summary: InputSummary) -> str:
-    """Return the pair with the smallest relative margin, and that margin in roundings."""
+    """Return a description of the pair with the smallest relative margin, with that margin in roundings."""
     where = "" if summary.pairs + summary.settled == 1 else f"pair {summary.at} "
     if not summary.relative_margin:
         return f"{where}touches: its relative margin is 0"

@@ -22,7 +22,7 @@ ANYWHERE, GRID, MOVED, HERE = "anywhere", "on a grid", "moved as a whole", "thes
 
 
 class Scope(NamedTuple):
-    """Where a recommendation holds: `kind` is one of the four constants above; lengths are in scene units.
+    """Describe where a recommendation is valid: `kind` is one of the four constants above; lengths in scene units.
 
     `bound`: the largest absolute coordinate allowed; `unit`: on a grid, the exponent of the power of two that all
     coordinates are multiples of; `span`: the largest component of an edge allowed on a grid, 0 for any.
@@ -35,7 +35,7 @@ class Scope(NamedTuple):
 
 
 def scope_of(model: Model, summary: InputSummary, given: GivenPairs) -> Scope:
-    """Return the scope of a model that is proven for the given pairs."""
+    """Return the scope of a model that is proven for the given pairs: anywhere, grid, moved, or just here."""
     if not summary.pairs:
         return Scope(HERE)
     if model.kind == EXACT_FILTER or (model.kind == AABB and set(summary.kinds) == {UPRIGHT_BOXES}):
@@ -78,7 +78,7 @@ def power_of_two_bound(allowed: float, max_coordinate: float) -> float:
 
 
 def _on_grid(grid: Grid | None, form: Format) -> Scope | None:
-    """Return the scope of polygons on this grid for which SAT rounds nothing; None where the pairs exceed it.
+    """Return the largest scope on this grid in which SAT rounds nothing; None where the pairs exceed it.
 
     Coordinates are at most M and edge components at most S, in units of the grid.  A product of the two is at most S M.
     A comparison adds four products; partial sums have up to three, so at most 3 S M, and are exact if 4 S M <= 2**bits.

@@ -87,7 +87,7 @@ def check_size(name: str, size: object) -> int:
 
 
 def _run_chunk(start: int, stop: int, job: Job) -> Any:
-    """Run one chunk; a failure becomes ChunkFailed, which names the chunk."""
+    """Return the result of one chunk, run in this thread; a failure becomes ChunkFailed, which names the chunk."""
     function, arguments = job(start, stop)
     try:
         return function(*arguments)
@@ -107,6 +107,6 @@ def _pop_result(waiting: Waiting, progress: Callable[[int, int], None] | None, n
 
 
 def _report_progress(progress: Callable[[int, int], None] | None, done: int, total: int) -> None:
-    """Call `progress(done, total)`."""
+    """Call `progress(done, total)` unless `progress` is None."""
     if progress is not None:
         progress(done, total)

@@ -29,7 +29,7 @@ MAX_BLOCK_CORNERS = 1 << 19  # side by side at most: what bounds the memory
 
 
 def pairs_per_block(corners: int, at_once: int = MAX_BLOCK_CORNERS) -> int:
-    """Return how many pairs with so many corners are evaluated side by side."""
+    """Return how many pairs to evaluate at a time if each has `corners` corners; this bounds the memory."""
     return max(MIN_BLOCK_PAIRS, at_once // corners)
 
 
@@ -52,7 +52,7 @@ def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
 
 
 def _orient_adaptive(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
-    """Return orientations from products with their errors, and by exact sums where these do not decide.
+    """Return the exact orientations of p, q, r: by products with their rounding errors, else by exact sums.
 
     A difference is a + ea with ea at most u a (u = 2**-53), and the same for b, c and d; with S = |ab| + |cd| the turn
     is ab - cd, whose rounded products differ by so little here that their difference is exact, and the errors of both
@@ -87,7 +87,7 @@ def circle_gap_signs(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: 
 
 
 def sign_of_products(pairs: Pairs) -> Signs:
-    """Return the exact sign of each column's sum of products."""
+    """Return the exact sign of each column's sum of products u * v, for the factor arrays (u, v) in `pairs`."""
     with np.errstate(all="ignore"):
         terms, size = _expand_products(pairs)
         found = np.full(len(size), UNKNOWN, np.int8)
@@ -100,7 +100,7 @@ def sign_of_products(pairs: Pairs) -> Signs:
 
 
 def sum_with_error(pairs: Pairs, more: Array) -> tuple[Array, Array, Array]:
-    """Return (float sums of up to three products and of `more`, their error bounds, the products as floats).
+    """Return (float sum of the products and `more`, its error bound, floats that sum exactly to the products).
 
     With products of size R in all, u = 2**-53 and `more` at most 3uR: the errors of the products
     and of their sums are 3uR in all, and adding all this up rounds five times, by 30uuR.
@@ -116,7 +116,7 @@ def sum_with_error(pairs: Pairs, more: Array) -> tuple[Array, Array, Array]:
 
 
 def _expand_products(pairs: Pairs) -> tuple[Array, Array]:
-    """Return floats whose sum is exactly the sum of products, errors first, and the size; inf where bits are lost.
+    """Return (floats that sum exactly to the k products, sum of |products|, which is inf where bits are lost).
 
     The error of a product above TINY, and the parts it is made of, are multiples of 1e-312: floats.
     """
@@ -136,7 +136,7 @@ def _expand_products(pairs: Pairs) -> tuple[Array, Array]:
 
 
 def two_product(a: Array, b: Array, error: Array, product: Array) -> None:
-    """Return a * b as the rounded product and its error (Dekker 1971)."""
+    """Write a * b into `product`, rounded, and its rounding error into `error` (Dekker 1971)."""
     np.multiply(a, b, out=product)
     a1, a0 = _split(a)
     b1, b0 = (a1, a0) if b is a else _split(b)
@@ -165,7 +165,7 @@ def two_sum(a: Array, b: Array) -> tuple[Array, Array]:
 
 
 def _vec_sum(terms: Array) -> None:
-    """Replace each column by its rounded sum in the last place and the errors of the additions in the others."""
+    """Replace, in place, the last row by the rounded sum of each column and the other rows by rounding errors."""
     for i in range(1, len(terms)):
         terms[i], terms[i - 1] = two_sum(terms[i], terms[i - 1])
 
@@ -176,7 +176,7 @@ def take_columns(terms: Array, where: NDArray[np.intp]) -> Array:
 
 
 def certified_sign(values: Array, error_bound: Array | float) -> Signs:
-    """Return 1 above the error bound, -1 below its negative, and 0 in between."""
+    """Return 1 where a value is above its error bound, -1 where it is below the negative bound, else 0."""
     return (values > error_bound).view(np.int8) - (values < -error_bound).view(np.int8)
 
 

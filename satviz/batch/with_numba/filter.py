@@ -24,28 +24,28 @@ TILE_PAIRS = 128  # pairs whose columns stay in the first-level cache between ed
 
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
-    """Mark columns APART where an edge of one shape clears the other by more than the error bound."""
+    """Fill `out` with the relations of columns from `first` on; UNDECIDED within the float64 error bound."""
     clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, error_bound_of(a, b), out)
 
 
 def error_bound_of(a: Group, b: Group) -> float:
-    """Return the error bound of a float64 clearance of these groups; infinite outside the range where it is known."""
+    """Return the float64 error bound of any clearance of these groups; infinite where no bound is known."""
     found = (a.max_edge_component + b.max_edge_component) * (a.max_coordinate + b.max_coordinate) * ERROR_FACTOR_F64
     return found if MIN_ERROR_BOUND < found < MAX_ERROR_BOUND else np.inf
 
 
 def clearance_kernel(va: int, vb: int) -> Callable[..., None]:
-    """Return the kernel for these numbers of corners."""
+    """Return the compiled filter for polygons of va corners with polygons of vb corners."""
     return _unrolled_kernel(va, vb) if va <= 4 and vb <= 4 else _kernel_8 if va == vb == 8 else _kernel_any
 
 
 @cache
 def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
-    """Return a kernel for fixed numbers of corners: the compiler unrolls its loops and vectorises over pairs."""
+    """Return the filter compiled for exactly va and vb corners, which the compiler unrolls and vectorises."""
 
     @compiled
     def kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
-        """Compute the clearances of one block of columns and classify them."""
+        """Fill `out` with the relations of columns from `first` on, by the largest clearance of each pair."""
         for k in range(out.size):
             i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end
             best = -np.inf
@@ -72,7 +72,7 @@ def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
 
 @compiled
 def _kernel_8(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
-    """Classify pairs of polygons with eight corners each, for out.size pairs from column `first` on."""
+    """Fill `out` with the relations of columns from `first` on, for two groups of eight corners."""
     best = np.empty(TILE_PAIRS)
     for start in range(0, out.size, TILE_PAIRS):
         n = min(TILE_PAIRS, out.size - start)
@@ -86,7 +86,7 @@ def _kernel_8(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_boun
 
 @compiled
 def raise_clearance_8(x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array) -> None:
-    """Raise `best` to the clearances of n columns from s on; after the last row comes the first, or a ninth."""
+    """Raise `best` of n columns from s on to the clearance of 8 edges from 8 corners; row 9 may repeat the first."""
     t = s + n
     p0, p1, p2, p3, p4, p5, p6, p7 = (
         px[0, s:t],
@@ -124,7 +124,7 @@ def raise_clearance_8(x: Array, y: Array, px: Array, py: Array, s: int, n: int, 
 
 @compiled
 def _kernel_any(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
-    """Classify the columns of two groups with any numbers of corners."""
+    """Fill `out` with the relations of columns from `first` on, for any numbers of corners."""
     best, least, nx, ny = np.empty(TILE_PAIRS), np.empty(TILE_PAIRS), np.empty(TILE_PAIRS), np.empty(TILE_PAIRS)
     for start in range(0, out.size, TILE_PAIRS):
         n = min(TILE_PAIRS, out.size - start)
@@ -140,7 +140,7 @@ def _kernel_any(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bo
 def _raise_clearance(
     x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array, least: Array, nx: Array, ny: Array
 ) -> None:
-    """Raise `best` to the clearances of n columns from s on; `least`, `nx` and `ny` are scratch."""
+    """Raise `best` of n columns from s on to the clearance of edges (x, y) from corners (px, py); rest: scratch."""
     t = s + n
     for e in range(x.shape[0]):
         f = (e + 1) % x.shape[0]
@@ -169,19 +169,19 @@ def _raise_clearance(
 
 
 def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
-    """Classify upright boxes exactly by comparing sides, for out.size pairs from column `first` on."""
+    """Fill `out` with the exact relations of upright boxes, in columns from `first` on."""
     _boxes(a.x, a.y, b.x, b.y, first, out)
 
 
 @compiled
 def _ranges(a: float, c: float, p: float, r: float) -> tuple[float, float, float, float]:
-    """Return (low, high of a and c, low, high of p and r): the ranges of two upright boxes on one axis."""
+    """Return the ends of two boxes' ranges on one axis (lower, upper, lower, upper), from opposite corners."""
     return min(a, c), max(a, c), min(p, r), max(p, r)
 
 
 @compiled
 def _boxes(ax: Array, ay: Array, bx: Array, by: Array, first: int, out: Signs) -> None:
-    """Fill in the relations of columns of upright boxes."""
+    """Fill `out` with the exact relations of upright boxes, in columns from `first` on, by comparing sides."""
     for k in range(out.size):
         i = np.uintp(first + k)
         ax0, ax1, bx0, bx1 = _ranges(ax[0, i], ax[2, i], bx[0, i], bx[2, i])
@@ -192,7 +192,7 @@ def _boxes(ax: Array, ay: Array, bx: Array, by: Array, first: int, out: Signs) -
 
 @compiled
 def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Signs) -> None:
-    """Classify circles by the squared distance against the squared sum of radii."""
+    """Fill `out` with the relations of circles from `first` on, by squared distance and radii, or UNDECIDED."""
     for k in range(out.size):
         i = np.uintp(first + k)
         dx, dy, radius_sum = ax[i] - bx[i], ay[i] - by[i], ar[i] + br[i]
@@ -204,15 +204,16 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-    """Classify circle against polygon by squared distance, for out.size pairs from column `first` on."""
+    """Fill `out` with relations by the squared distance from center to boundary; UNDECIDED within its error bound."""
     (_circle_unrolled(len(px)) if len(px) <= 8 else _circle_general)(cx, cy, cr, px, py, first, out)
 
 
 def _circle_kernel(corners: int | None) -> Callable[..., None]:
-    """Return a kernel for a fixed number of corners, which the compiler unrolls, or for any number (None)."""
+    """Return the filter of circles with polygons compiled for `corners` corners, or for any number (None)."""
 
     @compiled
     def kernel(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
+        """Fill `out` with the relations of circles (cx, cy, cr) and polygon columns (px, py) from `first` on."""
         count = px.shape[0] if corners is None else corners
         for k in range(out.size):
             i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end

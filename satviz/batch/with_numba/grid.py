@@ -19,7 +19,7 @@ START_MARGIN = 2.0**-50  # more than the three that may hide what still meets
 
 
 def meeting_pairs(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float) -> Iterator[Pairs] | None:
-    """Return blocks of pairs of meeting boxes; `one`, `other`: box numbers (`other` None: all within `one`).
+    """Return an iterator over blocks of pairs (i < j) of meeting boxes; `other` None: within `one`.
 
     None where that takes more than about `most` candidates.
     """
@@ -34,7 +34,7 @@ def meeting_pairs(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, mo
 
 
 def _pair_blocks(queries: Pairs, boxes: Array, among: bool, table: Table, block: int) -> Iterator[Pairs]:
-    """Yield the pairs of queries with stored boxes that meet, a block at a time."""
+    """Yield blocks of pairs of a query box and a stored box that meet; `among`: the queries are the stored boxes."""
     first = 0
     while first < len(queries):
         out = np.empty((block + len(table[1]), 2), np.intp)  # no query finds more than all
@@ -44,13 +44,13 @@ def _pair_blocks(queries: Pairs, boxes: Array, among: bool, table: Table, block:
 
 @compiled
 def _cell_number(c: float, cells: float) -> int:
-    """Return the number of a coordinate's cell; it never decreases with the coordinate, however the product rounds."""
+    """Return the number of the cell of coordinate c (`cells` per unit); it never decreases as c grows."""
     return int(max(-MAX_CELL_NUMBER, min(MAX_CELL_NUMBER, np.floor(c * cells))))
 
 
 @compiled
 def _build_table(bounds: Array, stored: Pairs, wide: float, high: float, size: int) -> Table:
-    """Return the boxes ordered by the cell of their lower left corner, and where each table entry begins."""
+    """Return the hash table of the stored boxes by the cell of their lower left corner; cells are wide x high."""
     n, wide, high = stored.size, 1 / wide, 1 / high
     column, row = np.empty(n, np.int64), np.empty(n, np.int64)
     reach_x = reach_y = 0.0
@@ -82,13 +82,13 @@ def _build_table(bounds: Array, stored: Pairs, wide: float, high: float, size: i
 
 @compiled
 def _first_cell(low: float, max_length: float, cells: float, least: int) -> int:
-    """Return the first cell in which a box at most `max_length` long can begin that ends at `low` or later."""
+    """Return the first cell where a box of at most `max_length` can begin and still reach `low`; at least `least`."""
     return max(least, _cell_number(low - max_length - (abs(low) + max_length) * START_MARGIN, cells))
 
 
 @compiled
 def _stored_range(start: Starts, c0: int, c1: int, row: int, stride: int, part: int) -> tuple[int, int]:
-    """Return where the boxes of some cells of a row are stored; part 1 is the rest behind the table's end."""
+    """Return (first, end) of the stored boxes in cells c0 to c1 of a row; part 1: those past the table's end."""
     size = start.size - 1
     first, many = (c0 + row * stride) & (size - 1), max(0, min(c1 - c0 + 1, size))
     if part == 0:
@@ -98,7 +98,7 @@ def _stored_range(start: Starts, c0: int, c1: int, row: int, stride: int, part: 
 
 @compiled
 def _count_candidates(boxes: Array, among: bool, table: Table) -> float:
-    """Return about how many candidates all queries have, estimated from a sample."""
+    """Return an estimate, from a sample of the queries, of how many candidates all queries have."""
     start, _, _, _, reach_x, reach_y, wide, high, stride, left, bottom = table
     step = 1 if len(boxes) < 1000 else SAMPLE_STEP
     candidates = 0.0
@@ -116,7 +116,7 @@ def _count_candidates(boxes: Array, among: bool, table: Table) -> float:
 def _fill_pairs(
     queries: Pairs, query_boxes: Array, begin: int, among: bool, table: Table, out: Pairs
 ) -> tuple[int, int]:
-    """Fill `out` with pairs of the queries from `begin` on; return (next query, number of pairs)."""
+    """Fill `out` with meeting pairs of the queries from `begin` until it is full; return (next query, count)."""
     start, ids, cells, boxes, reach_x, reach_y, wide, high, stride, left, bottom = table
     found = 0
     for k in range(begin, queries.size):

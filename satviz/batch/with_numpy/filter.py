@@ -28,7 +28,7 @@ MAX_F32_CORNERS = 16  # corners; above it float32 decides few pairs, and evaluat
 
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
-    """Mark columns APART where an edge of one shape clears the other, in float32 with an error bound."""
+    """Fill `out` for columns from `first` on: by float32 clearances, or GJK above MAX_F32_CORNERS corners."""
     if max(len(a.x), len(b.x)) > MAX_F32_CORNERS:
         gjk.polygons(a, b, first, out)
         return
@@ -44,7 +44,7 @@ def _max_width(group: Group) -> float:
 def evaluate_f32(
     ax: Array, ay: Array, bx: Array, by: Array, width: float | Array, again: int = 0
 ) -> tuple[Array32, Array32]:
-    """Return (float32 clearances, error bounds); each bound comes from its own pair, so far pairs do not widen others.
+    """Return (float32 clearance, error bound) of each pair, from its own coordinates; width: of both shapes.
 
     `again`: how many corners come again at the end, so that no edge leads from the last to the first.
     """
@@ -63,7 +63,7 @@ def _to_f32(c: Array, origin: Array) -> Array32:
 
 
 def clearance(ax: Array32, ay: Array32, bx: Array32, by: Array32, known: int, again: int = 0) -> Array32:
-    """Return the largest clearance of any edge: the distance of the other shape's nearest corner, times edge length.
+    """Return the largest clearance of any edge of each pair: its distance from the other shape, times its length.
 
     `known`: 1 where A's first corner is the origin, which saves its products.
     """
@@ -90,7 +90,7 @@ def _raise_clearance(
     value: Array32,
     part: Array32,
 ) -> None:
-    """Raise `best` to the clearance of each edge; `nx`, `ny`, `least`, `value` and `part` are scratch."""
+    """Raise `best` to the clearances; the first `own`, `other` corners are the origin; nx to part are scratch."""
     for i in range(edges):
         j = (i + 1) % len(x)
         np.subtract(y[j], y[i], out=nx)
@@ -110,14 +110,14 @@ def _raise_clearance(
 
 
 def classify_clearances(gap: Array32 | Array, error_bound: Array32 | Array, out: Signs) -> None:
-    """Fill `out` with what the clearances prove, given their error bounds."""
+    """Fill `out`: APART above the error bound, OVERLAPPING below its negative, else UNDECIDED."""
     np.multiply((gap < -error_bound).view(np.int8), OVERLAPPING - UNDECIDED, out=out)
     out += (gap > error_bound).view(np.int8)  # by APART - UNDECIDED, which is 1
     out += UNDECIDED
 
 
 def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
-    """Classify upright boxes exactly by comparing sides, for out.size pairs from column `first` on."""
+    """Fill `out` with the exact relations of upright boxes, in columns from `first` on, by comparing sides."""
     ax, ay, bx, by = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
     gap = np.full(out.size, -np.inf)
     for p, q in ((ax, bx), (ay, by)):
@@ -128,7 +128,7 @@ def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
 
 
 def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Signs) -> None:
-    """Classify circles by the squared distance against the squared sum of radii."""
+    """Fill `out` with the relations of circles from `first` on, by squared distance and radii, or UNDECIDED."""
     ax, ay, ar, bx, by, br = (c[first : first + out.size] for c in (ax, ay, ar, bx, by, br))
     dx, dy, radius_sum = ax - bx, ay - by, ar + br
     distance = dx * dx + dy * dy
@@ -141,7 +141,7 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-    """Classify circle against polygon by squared distance, for out.size pairs from column `first` on."""
+    """Fill `out` with relations by the squared distance from center to boundary; UNDECIDED within its error bound."""
     cx, cy, cr, px, py = (c[..., first : first + out.size] for c in (cx, cy, cr, px, py))
     x, y = px - cx, py - cy
     far = np.maximum(np.maximum(np.abs(x).max(axis=0), np.abs(y).max(axis=0)), cr)

@@ -17,7 +17,7 @@ MAX_TABLE_CELLS_PER_BOX = 8  # cells a box that are worth a table of where each 
 
 
 def meeting_pairs(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float) -> Iterator[Pairs] | None:
-    """Return blocks of pairs of meeting boxes; `one`, `other`: box numbers (`other` None: all within `one`).
+    """Return an iterator over blocks of pairs (i < j) of meeting boxes; `other` None: within `one`.
 
     None where that takes more than `most` candidates.  Boxes are stored by the cell of their lower
     left corner, row after row.  The numbers of cells never decrease along an axis, so a box
@@ -74,7 +74,7 @@ def _cell_ranges(bounds: Array, queries: Pairs, stored: Pairs, d: int, cell: flo
 
 
 def _pair_blocks(bounds: Array, queries: Pairs, stored: Pairs, ranges: Ranges) -> Iterator[Pairs]:
-    """Yield the pairs of queries with stored boxes in their cell ranges whose boxes meet."""
+    """Yield blocks of pairs (i < j) of a query box and a stored box in its cell ranges that meet."""
     # in the order of the cells: the looks then run through memory nearly straight on
     theirs = bounds[stored].T.copy()
     own = theirs if queries is stored else bounds[queries].T.copy()

@@ -21,13 +21,13 @@ LINE_STYLES = {
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return one cell, which takes the times at every share."""
+    """Return one cell, which times the methods at every share of touching pairs."""
     n, rounds = (40_000, 4) if settings.quick else (100_000, 21)
     return [Cell("price-times", take_times, (n, rounds, settings), timed=True)]
 
 
 def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
-    """Return each method's nanoseconds for a pair of triangles, where a share of the pairs touches exactly."""
+    """Return each method's ns per pair of triangles at each share of pairs that touch exactly."""
     rng = settings.rng("price")
     rows = []
     random_a, random_b = ngons(rng, n, 3, 0.9), ngons(rng, n, 3, 0.9)
@@ -61,6 +61,7 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     families = {row["method"]: row["family"] for row in rows}
 
     def draw(fig: Figure, theme: Theme) -> None:
+        """Draw for each method its time against the share of touching pairs."""
         line = (
             f"Time of the answer alone; {rows[0]['pairs']:,} pairs of triangles, made beforehand. Bars show quartiles."
         )
