@@ -32,7 +32,7 @@ def in_chunks(
 ) -> Iterator[tuple[int, int, Any]]:
     """Yield (start, stop, result) for each chunk in order; `job(start, stop)` returns a function and its arguments.
 
-    At most WAITING chunks are under way, so memory does not grow with n.  An
+    At most MAX_WAITING_CHUNKS chunks are under way, so memory does not grow with n.  An
     interrupt or a failed chunk cancels those not yet started.
     """
     ranges = ((start, min(start + size, n)) for start in range(0, n, size))

@@ -30,8 +30,8 @@ Indices = NDArray[np.intp]
 class Engine(NamedTuple):
     """Hold the kernels of one engine (NumPy or numba); each fills `out`, with UNDECIDED where floats cannot tell.
 
-    The first four take columns of two groups, from one column on, and `settle` goes on with what of them is
-    undecided; `picked` takes pairs of polygons from anywhere in two batches, `grid` finds the boxes that meet.
+    The first four take columns of two groups, from one column on, and `exact_columns` decides the columns that they
+    leave undecided; `indexed` takes pairs of polygons from anywhere in two batches; `grid` finds boxes that meet.
     """
 
     block: int  # columns at a time

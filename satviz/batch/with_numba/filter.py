@@ -221,7 +221,7 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
             far = r
             for v in range(count):
                 far = max(far, max(abs(px[v, i] - x0), abs(py[v, i] - y0)))
-            error_bound, side_room = far * far * 2.0**-46, far * 2.0**-48
+            error_bound, side_error = far * far * 2.0**-46, far * 2.0**-48
             inside, safe, nearest = (
                 True,
                 error_bound > MIN_SAFE_PRODUCT and error_bound < MAX_SAFE_PRODUCT * 2.0**-46,
@@ -232,7 +232,7 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
                 dx, dy = px[w, i] - px[v, i], py[w, i] - py[v, i]
                 x, y, u, z = px[v, i] - x0, py[v, i] - y0, px[w, i] - x0, py[w, i] - y0
                 turn = x * dy - y * dx
-                tolerance = (abs(dx) + abs(dy)) * side_room
+                tolerance = (abs(dx) + abs(dy)) * side_error
                 along, square = -(x * dx + y * dy), dx * dx + dy * dy
                 safe = safe & (square > MIN_SAFE_PRODUCT)
                 foot = turn / square * turn

@@ -14,7 +14,7 @@ Starts = NDArray[np.int32]
 Table = tuple[Starts, Pairs, Places, Array, float, float, float, float, int, int, int]
 
 MAX_CELL_NUMBER = 2.0**50  # cells from the origin: what lies farther shares the last one
-SAMPLE_STEP = 17  # of so many queries one is query_boxes how many candidates it takes
+SAMPLE_STEP = 17  # queries; the candidates of one in so many are counted, to estimate those of all
 START_MARGIN = 2.0**-50  # more than the three that may hide what still meets
 
 

@@ -85,8 +85,8 @@ def _features_within_radius(
 ) -> tuple[Indices, Indices, Indices, Indices, Array]:
     """Return flat indices of the corners, upright and slanted edges that may lie within the radius.
 
-    Then the pairs whose center may be inside, and how far products of differences can be off: what
-    filter_numpy.circle_polygons grants or up to twice that; infinite (and no places) out of range.
+    Then the pairs whose center may be inside, and how far products of differences can be off: the bound
+    of filter.circle_polygons or up to twice that; infinite (and no places) out of range.
     """
     x, y = px[:-1] - cx, py[:-1] - cy
     distance = x * x
@@ -151,7 +151,7 @@ def _foot_signs(
     """Return (signs of the distance from each edge's line minus radius, mask: the foot may lie beyond the ends).
 
     The length is a float and what it misses: the difference of squares over twice the float, as
-    its own square is too small.  In units of exact_signs.nearly: what it misses is off by 41uu of the
+    its own square is too small.  In units of exact_signs.sum_with_error: what it misses is off by 41uu of the
     length, the rounded products of remainders by 16uuR, those left out uuR: with nearly's own
     30uuR in all 88uuR, of the 256uuR granted.
     """
