@@ -136,13 +136,13 @@ def _parser() -> argparse.ArgumentParser:
 
     advise = command.add_parser(
         "advise",
-        help="the least model that is right for a scene, with its proof and its price",
+        help="the least model that is right for a scene, with its proof and its cost",
         epilog="A file of many shapes is an .npz with coords (M, 2) and offsets (N + 1), polygons one after another, "
         "or centers (K, 2) and radii (K), circles numbered after the polygons, or both; and if only some pairs are "
         "meant, pairs (P, 2). Else all pairs are whose boxes meet.",
     )
     advise.add_argument("scene", metavar="SCENE", help="a built-in scene's name, a scene file, or an .npz of shapes")
-    advise.add_argument("--json", action="store_true", help="print it as JSON (with --chart, with the prices)")
+    advise.add_argument("--json", action="store_true", help="print it as JSON (with --chart, with the costs)")
     advise.add_argument(
         "--chart", type=_folder, metavar="DIR", help="draw time against wrong answers, into this folder"
     )

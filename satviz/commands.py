@@ -276,11 +276,11 @@ def trace(args: argparse.Namespace) -> int:
     """Print the record of a scene, as a table or as JSON."""
     from shutil import get_terminal_size
 
-    from .engine import describe
+    from .engine import text_table
 
     trace = _load(args).record()
     width = get_terminal_size().columns if sys.stdout.isatty() else None
-    out_json(trace.to_json(indent=1)) if args.json else out(describe.table(trace, width))
+    out_json(trace.to_json(indent=1)) if args.json else out(text_table.table(trace, width))
     return 0
 
 
@@ -303,11 +303,11 @@ def advise(args: argparse.Namespace) -> int:
         scene = _load(args)
         recommendation = advise(scene.a, scene.b)
     if args.json:
-        prices = {name: p and p._asdict() for name, p in recommendation.prices().items()} if args.chart else None
+        costs = {name: c and c._asdict() for name, c in recommendation.costs().items()} if args.chart else None
         data = json.loads(recommendation.to_json())
-        out_json(json.dumps(data | {"prices": prices} if prices else data, indent=1, allow_nan=False))
+        out_json(json.dumps(data | {"costs": costs} if costs else data, indent=1, allow_nan=False))
     else:
-        cost = cost_line(recommendation.model, recommendation.summary, recommendation.prices())
+        cost = cost_line(recommendation.model, recommendation.summary, recommendation.costs())
         out("\n".join(filter(None, (str(recommendation), cost))))
     if args.chart:
         try:

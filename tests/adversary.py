@@ -1,9 +1,9 @@
-"""A search for the worst: numbers where rounding comes nearest to a filter's room, and pairs that forms disagree about.
+"""A search for worst cases: numbers whose rounding comes nearest to an error bound, and pairs with a wrong answer.
 
     python tests/adversary.py SECONDS [SEED]     (with the tests' folder and satviz on the path)
 
-prints for each filter the worst share of its room that was found, worked out in
-rationals, and the numbers it was found at.  1 or more would be a wrong bound.
+prints for each filter the worst share of its error bound that was found, computed with
+rationals, and the numbers at which it was found.  1 or more would be a wrong bound.
 """
 
 import math
@@ -35,7 +35,11 @@ Numbers = Sequence[float]
 
 
 class Bound(NamedTuple):
-    """`share(*numbers)`: the error over the room granted; `start(rng)`: numbers to begin with; `derived`: its limit."""
+    """An error bound of a filter, and how to search for its worst case.
+
+    `share(*numbers)`: the error over the error bound; `start(rng)`: numbers to begin with; `derived`: the largest
+    share by the bound's derivation.
+    """
 
     share: Callable[..., float]
     start: Callable[[Random], Numbers]
@@ -43,6 +47,8 @@ class Bound(NamedTuple):
 
 
 class Worst(NamedTuple):
+    """The largest share of an error bound that was found, and the numbers at which it was found."""
+
     share: float
     numbers: Numbers
 
@@ -51,7 +57,7 @@ class Worst(NamedTuple):
 
 
 def climb(bound: Bound, rng: Random, steps: int = 60) -> Worst:
-    """From one start uphill, by steps of a few floats or by other bits."""
+    """Return the worst share that a random climb finds: each step changes a number by a few floats or flips a bit."""
     here = list(bound.start(rng))
     worst = bound.share(*here)
     for _ in range(steps):
@@ -59,7 +65,7 @@ def climb(bound: Bound, rng: Random, steps: int = 60) -> Worst:
         for _ in range(rng.choice((1, 1, 2))):
             i = rng.randrange(len(there))
             there[i] = (
-                nudged(there[i], rng.choice((-3, -2, -1, 1, 2, 3))) if rng.random() < 0.8 else bits(rng, there[i])
+                nudged(there[i], rng.choice((-3, -2, -1, 1, 2, 3))) if rng.random() < 0.8 else flip_bit(rng, there[i])
             )
         found = bound.share(*there)
         if found >= worst:
@@ -67,20 +73,14 @@ def climb(bound: Bound, rng: Random, steps: int = 60) -> Worst:
     return Worst(worst, here)
 
 
-def stepped(rng: Random, value: float) -> float:
-    """Some floats further; for what float32 makes of it, or the rounding of a square, some 2**29 or 2**26."""
-    far = 2.0 ** rng.choice((0, 0, 0, 13, 26, 29, 30, 40))
-    return value + rng.choice((-3, -2, -1, 1, 2, 3)) * math.ulp(value) * far
-
-
-def bits(rng: Random, value: float) -> float:
-    """One bit of the fraction turned over, or the sign."""
+def flip_bit(rng: Random, value: float) -> float:
+    """Return a number with one bit of its fraction, or its sign, flipped."""
     (whole,) = struct.unpack("<q", struct.pack("<d", value))
     return struct.unpack("<d", struct.pack("<q", whole ^ 1 << rng.randrange(52)))[0] if rng.random() < 0.9 else -value
 
 
 def search(bound: Bound, seed: int, seconds: float = math.inf, tries: int = 0) -> Worst:
-    """The worst of so many tries, or of so many seconds."""
+    """Return the worst share of so many climbs, or of so many seconds of climbing."""
     rng, worst, end = Random(seed), Worst(0.0, ()), time.monotonic() + seconds
     done = 0
     while done < tries or (not tries and time.monotonic() < end):
@@ -92,82 +92,91 @@ def search(bound: Bound, seed: int, seconds: float = math.inf, tries: int = 0) -
 # -- starts ----------------------------------------------------------------------------------------
 
 
-def rough(rng: Random) -> float:
-    """Numbers whose roundings weigh most lie just above a power of two."""
+def random_number(rng: Random) -> float:
+    """Return a number, mostly just above a power of two, where roundings are largest relative to it."""
     size = rng.choice((1.0, 1.0, 0.5, 2.0)) * (1 + rng.choice((2.0**-30, 2.0**-12, 0.03, 1)) * rng.random())
     return rng.choice((-1, 1)) * size
 
 
 def any_numbers(count: int) -> Callable[[Random], Numbers]:
-    return lambda rng: [rough(rng) for _ in range(count)]
+    """Return a function that starts a climb with so many numbers."""
+    return lambda rng: [random_number(rng) for _ in range(count)]
 
 
-def near_look(rng: Random) -> Numbers:
-    """An edge and a vertex about on its line, where roundings decide."""
-    px, py, qx, qy = (rough(rng) for _ in range(4))
+def near_edge_line(rng: Random) -> Numbers:
+    """Return an edge and a vertex close to its line, where roundings decide."""
+    px, py, qx, qy = (random_number(rng) for _ in range(4))
     along = rng.choice((0.0, 1.0, 0.5, rng.random(), rng.uniform(-1, 2)))
     return px, py, qx, qy, px + (qx - px) * along, py + (qy - py) * along
 
 
 def two_triangles(rng: Random) -> Numbers:
-    """A corner of the second about on an edge of the first."""
-    px, py, qx, qy, x, y = near_look(rng)
-    return [px, py, qx, qy, rough(rng), rough(rng), x, y, *(rough(rng) for _ in range(4))]
+    """Return two triangles, the second with a corner close to an edge of the first."""
+    px, py, qx, qy, x, y = near_edge_line(rng)
+    return [px, py, qx, qy, random_number(rng), random_number(rng), x, y, *(random_number(rng) for _ in range(4))]
 
 
 def three_products(rng: Random) -> Numbers:
-    """Factors of products that nearly cancel."""
-    a, b, c, d = (rough(rng) for _ in range(4))
-    e = rough(rng)
+    """Return the factors of three products that nearly cancel."""
+    a, b, c, d = (random_number(rng) for _ in range(4))
+    e = random_number(rng)
     return a, b, c, d, e, -(a * b + c * d) / e
 
 
-# -- errors over rooms -----------------------------------------------------------------------------
+# -- errors over bounds ----------------------------------------------------------------------------
 
 
 def fused(a: float, b: float, c: float) -> float:
-    """a * b + c rounded once."""
+    """Return a * b + c rounded once."""
     return float(Fraction(a) * Fraction(b) + Fraction(c))
 
 
-def over(error: Fraction, room: float) -> float:
-    return float(error / Fraction(room)) if 0 < room < math.inf else 0.0
+def share_of(error: Fraction, error_bound: float) -> float:
+    """Return an error as a share of an error bound; 0 for a bound that is not used."""
+    return float(error / Fraction(error_bound)) if 0 < error_bound < math.inf else 0.0
 
 
-def look(px: float, py: float, qx: float, qy: float, x: float, y: float, fuse: bool = False) -> float:
-    """relate's look at a vertex from an edge, with the least room that shapes with these can have."""
+def edge_value_share(px: float, py: float, qx: float, qy: float, x: float, y: float, fuse: bool = False) -> float:
+    """Return the error of relate's value of a vertex at an edge over the smallest error bound of such shapes."""
     dx, dy = qx - px, qy - py
     if fuse:
         there, edge = fused(dy, x, -(dx * y)), fused(-dx, py, dy * px)
     else:
         there, edge = dy * x - dx * y, dy * px - dx * py
-    room = max(abs(dx), abs(dy)) * max(map(abs, (px, py, qx, qy, x, y))) * relate.ERROR_FACTOR_F64
-    exact = -truth.turn((px, py), (qx, qy), (x, y))
-    return max(over(abs(Fraction(there) - Fraction(edge + r) - (exact - Fraction(r))), room) for r in (room, -room))
+    error_bound = max(abs(dx), abs(dy)) * max(map(abs, (px, py, qx, qy, x, y))) * relate.ERROR_FACTOR_F64
+    exact = -truth.orientation((px, py), (qx, qy), (x, y))
+    return max(
+        share_of(abs(Fraction(there) - Fraction(edge + r) - (exact - Fraction(r))), error_bound)
+        for r in (error_bound, -error_bound)
+    )
 
 
-def fused_look(*numbers: float) -> float:
-    return look(*numbers, fuse=True)
+def fused_edge_value_share(*numbers: float) -> float:
+    """Return `edge_value_share` with fused multiply-add."""
+    return edge_value_share(*numbers, fuse=True)
 
 
-def circles(ax: float, ay: float, ar: float, bx: float, by: float, br: float) -> float:
-    dx, dy, reach = ax - bx, ay - by, abs(ar) + abs(br)
-    distance, reach = dx * dx + dy * dy, reach * reach
+def circles_share(ax: float, ay: float, ar: float, bx: float, by: float, br: float) -> float:
+    """Return the error of the gap of two circles over its error bound."""
+    dx, dy, radii = ax - bx, ay - by, abs(ar) + abs(br)
+    distance_squared, radii_squared = dx * dx + dy * dy, radii * radii
     fx, fy, fr = Fraction(ax) - Fraction(bx), Fraction(ay) - Fraction(by), Fraction(abs(ar)) + Fraction(abs(br))
     exact = fx * fx + fy * fy - fr * fr
-    return over(abs(Fraction(distance - reach) - exact), (distance + reach) * 2.0**-50)
+    return share_of(
+        abs(Fraction(distance_squared - radii_squared) - exact), (distance_squared + radii_squared) * 2.0**-50
+    )
 
 
-def center_turn(cx: float, cy: float, vx: float, vy: float, wx: float, wy: float) -> float:
-    """The side of an edge that a circle's center is on."""
+def center_side_share(cx: float, cy: float, vx: float, vy: float, wx: float, wy: float) -> float:
+    """Return the error of the determinant of an edge and a circle's center over its error bound."""
     px, py, dx, dy = vx - cx, vy - cy, wx - vx, wy - vy
     far = max(map(abs, (px, py, wx - cx, wy - cy)))
-    error = abs(Fraction(px * dy - py * dx) - truth.turn((vx, vy), (wx, wy), (cx, cy)))
-    return over(error, (abs(dx) + abs(dy)) * far * 2.0**-48)
+    error = abs(Fraction(px * dy - py * dx) - truth.orientation((vx, vy), (wx, wy), (cx, cy)))
+    return share_of(error, (abs(dx) + abs(dy)) * far * 2.0**-48)
 
 
-def center_distance(cx: float, cy: float, vx: float, vy: float, wx: float, wy: float) -> float:
-    """The squared distance of a circle's center from an edge."""
+def center_distance_share(cx: float, cy: float, vx: float, vy: float, wx: float, wy: float) -> float:
+    """Return the error of the squared distance of an edge from a circle's center over its error bound."""
     px, py, qx, qy, dx, dy = vx - cx, vy - cy, wx - cx, wy - cy, wx - vx, wy - vy
     far = max(map(abs, (px, py, qx, qy)))
     turn, along, square = px * dy - py * dx, -(px * dx + py * dy), dx * dx + dy * dy
@@ -181,63 +190,68 @@ def center_distance(cx: float, cy: float, vx: float, vy: float, wx: float, wy: f
         found = turn * turn / square, turn / square * turn  # in whichever order
     c, p, q = ((Fraction(x), Fraction(y)) for x, y in ((cx, cy), (vx, vy), (wx, wy)))
     exact = truth._segment_distance2(c, p, q)
-    return max(over(abs(Fraction(d) - exact), far * far * 2.0**-46) for d in found)
+    return max(share_of(abs(Fraction(d) - exact), far * far * 2.0**-46) for d in found)
 
 
 def _triangles(numbers: Numbers) -> tuple[list, list]:
+    """Return twelve numbers as the corners of two triangles."""
     points = list(zip(numbers[::2], numbers[1::2], strict=True))
     return points[:3], points[3:]
 
 
 def _group(ring: Sequence) -> batch.arrays.Group:
+    """Return a ring as a group of one, as the filters take it."""
     x, y = (np.array([[v[k]] for v in ring]) for k in (0, 1))
     span = max(abs(p[k] - q[k]) for p, q in zip(ring, [*ring[1:], ring[0]], strict=True) for k in (0, 1))
     return batch.arrays.Group(x, y, None, span, max(abs(c) for v in ring for c in v))
 
 
 def _exact_clearance(p: Sequence, q: Sequence) -> Fraction:
+    """Return the exact largest clearance of any edge, unnormalised."""
+
     def own(ring: Sequence, points: Sequence) -> Fraction:
         edges = zip(ring, [*ring[1:], ring[0]], strict=True)
-        return max(min(-truth.turn(*edge, v) for v in points) for edge in edges)
+        return max(min(-truth.orientation(*edge, v) for v in points) for edge in edges)
 
     return max(own(p, q), own(q, p))
 
 
-def float32_look(*numbers: float) -> float:
+def float32_share(*numbers: float) -> float:
+    """Return the error of a clearance in float32 over its error bound."""
     p, q = _triangles(numbers)
     a, b = _group(p), _group(q)
     width = filter_numpy._max_width(a) + filter_numpy._max_width(b)
-    found, room = filter_numpy.evaluate_f32(a.x, a.y, b.x, b.y, width)
-    return over(abs(Fraction(float(found[0])) - _exact_clearance(p, q)), float(room[0]))
+    found, error_bound = filter_numpy.evaluate_f32(a.x, a.y, b.x, b.y, width)
+    return share_of(abs(Fraction(float(found[0])) - _exact_clearance(p, q)), float(error_bound[0]))
 
 
-def float64_look(*numbers: float) -> float:
-    """What numba's kernels look at, and the room that they are granted."""
+def float64_share(*numbers: float) -> float:
+    """Return the error of a clearance in float64 over the error bound of numba's kernels."""
     from satviz.batch.with_numba.filter import error_bound_of
 
     p, q = _triangles(numbers)
     a, b = _group(p), _group(q)
     found = filter_numpy.clearance(a.x, a.y, b.x, b.y, 0)
-    return over(abs(Fraction(float(found[0])) - _exact_clearance(p, q)), error_bound_of(a, b))
+    return share_of(abs(Fraction(float(found[0])) - _exact_clearance(p, q)), error_bound_of(a, b))
 
 
-def turn(px: float, py: float, qx: float, qy: float, rx: float, ry: float) -> float:
-    """The first look of exact_signs.orient."""
+def orient_share(px: float, py: float, qx: float, qy: float, rx: float, ry: float) -> float:
+    """Return the error of the first stage of exact_signs.orient over its error bound."""
     left, right = (qx - px) * (ry - py), (qy - py) * (rx - px)
-    exact = truth.turn((px, py), (qx, qy), (rx, ry))
-    return over(abs(Fraction(left - right) - exact), exact_signs.ERRBOUND_A * (abs(left) + abs(right)))
+    exact = truth.orientation((px, py), (qx, qy), (rx, ry))
+    return share_of(abs(Fraction(left - right) - exact), exact_signs.ERRBOUND_A * (abs(left) + abs(right)))
 
 
-def two_floats(*numbers: float) -> float:
-    """Sums of three products in two floats, beyond the last rounding of the sum itself."""
+def sum_share(*numbers: float) -> float:
+    """Return the error of sum_with_error on three products over its error bound, beyond the last rounding."""
     factors = [(np.array([a]), np.array([b])) for a, b in zip(numbers[::2], numbers[1::2], strict=True)]
     total, off, _ = exact_signs.sum_with_error(factors, np.zeros(1))
     exact = sum(Fraction(a) * Fraction(b) for a, b in zip(numbers[::2], numbers[1::2], strict=True))
-    return over(abs(Fraction(float(total[0])) - exact) - abs(exact) * Fraction(U), float(off[0]))
+    return share_of(abs(Fraction(float(total[0])) - exact) - abs(exact) * Fraction(U), float(off[0]))
 
 
-def recorded_gap(*numbers: float) -> float:
-    """The float gaps that a trace takes without a second look."""
+def gap_share(*numbers: float) -> float:
+    """Return the largest error of a float gap in a trace over the limit below which gaps are computed exactly."""
     try:
         a, b = (Polygon(ring) for ring in _triangles(numbers))
     except InvalidShape:
@@ -256,25 +270,25 @@ def recorded_gap(*numbers: float) -> float:
 
 
 BOUNDS: dict[str, Bound] = {
-    "relate: a look at a vertex": Bound(look, near_look, 15 / 32),
-    "relate: the same, fused": Bound(fused_look, near_look, 15 / 32),
-    "relate: a look anywhere": Bound(look, any_numbers(6), 15 / 32),
-    "circles": Bound(circles, any_numbers(6), 5 / 8),
-    "circle and polygon: the center's side": Bound(center_turn, near_look, 12 / 32),
-    "circle and polygon: the distance": Bound(center_distance, any_numbers(6), 45 / 128),
-    "batch: the float32 look": Bound(float32_look, two_triangles, 1),
-    "batch: the float64 look": Bound(float64_look, two_triangles, 15 / 32),
-    "signs.orient": Bound(turn, near_look, 4 / 8),
-    "signs.nearly": Bound(two_floats, three_products, 33 / 256),
-    "record: a gap": Bound(recorded_gap, two_triangles, 27 * U / CLOSE_GAP_FACTOR),
+    "relate: a vertex at an edge": Bound(edge_value_share, near_edge_line, 15 / 32),
+    "relate: a vertex at an edge, fused": Bound(fused_edge_value_share, near_edge_line, 15 / 32),
+    "relate: a vertex anywhere": Bound(edge_value_share, any_numbers(6), 15 / 32),
+    "circles": Bound(circles_share, any_numbers(6), 5 / 8),
+    "circle and polygon: the center's side": Bound(center_side_share, near_edge_line, 12 / 32),
+    "circle and polygon: the distance": Bound(center_distance_share, any_numbers(6), 45 / 128),
+    "batch: float32": Bound(float32_share, two_triangles, 1),
+    "batch: float64": Bound(float64_share, two_triangles, 15 / 32),
+    "exact_signs.orient": Bound(orient_share, near_edge_line, 4 / 8),
+    "exact_signs.sum_with_error": Bound(sum_share, three_products, 33 / 256),
+    "record: a gap": Bound(gap_share, two_triangles, 27 * U / CLOSE_GAP_FACTOR),
 }
 
 
 # -- disagreement ----------------------------------------------------------------------------------
 
 
-def mutated(rng: Random, a: Shape, b: Shape) -> tuple[Shape, Shape]:
-    """One number of either changed: by a few floats, by a bit, or to a number that the other has."""
+def mutate_pair(rng: Random, a: Shape, b: Shape) -> tuple[Shape, Shape]:
+    """Return a pair with one number changed: by a few floats, by a bit, or to a number of the other shape."""
     which = rng.random() < 0.5
     shape, other = (a, b) if which else (b, a)
     numbers, others = _numbers(shape), _numbers(other)
@@ -283,26 +297,28 @@ def mutated(rng: Random, a: Shape, b: Shape) -> tuple[Shape, Shape]:
     numbers[i] = (
         nudged(numbers[i], rng.choice((-2, -1, 1, 2)))
         if way < 0.5
-        else bits(rng, numbers[i])
+        else flip_bit(rng, numbers[i])
         if way < 0.75
         else rng.choice(others)
     )
-    made = _made(shape, numbers)
+    made = _make_shape(shape, numbers)
     return (made, b) if which else (a, made)
 
 
 def _numbers(shape: Shape) -> list[float]:
+    """Return all coordinates and the radius of a shape."""
     return [*shape.center, shape.radius] if isinstance(shape, Circle) else [c for v in shape.vertices for c in v]
 
 
-def _made(like: Shape, numbers: list[float]) -> Shape:
+def _make_shape(like: Shape, numbers: list[float]) -> Shape:
+    """Return a shape of the same kind from numbers."""
     if isinstance(like, Circle):
         return Circle(numbers[:2], numbers[2])
     return Polygon(list(zip(numbers[::2], numbers[1::2], strict=True)))
 
 
 def wrong_answers(seed: int, seconds: float) -> Iterator[tuple[str, Shape, Shape, Relation, object]]:
-    """Each (form, a, b, truth, answer) that does not fit, of pairs bred towards contact."""
+    """Yield (form, a, b, truth, answer) for each answer that is wrong, about pairs bred towards contact."""
     rng, end = Random(seed), time.monotonic() + seconds
     forms: dict[str, Form] = {name: form for name, form in FORMS.items() if form.one_in <= 8}
     alive: list[tuple[Shape, Shape, Relation]] = []
@@ -312,14 +328,14 @@ def wrong_answers(seed: int, seconds: float) -> Iterator[tuple[str, Shape, Shape
         for a, b in parents:
             for _ in range(3):
                 try:
-                    p, q = mutated(rng, a, b)
+                    p, q = mutate_pair(rng, a, b)
                     brood.append((p, q, relation(p, q)))
                 except (InvalidShape, NotConvex, OverflowError):
                     continue
         for name, form in forms.items():
             try:
                 answers = form.ask([(a, b) for a, b, _ in brood])
-            except Exception as error:  # a form that fails outright is told of, and the search goes on
+            except Exception as error:  # a form that raises is reported, and the search goes on
                 answers = [error] * len(brood)
             for (a, b, right), said in zip(brood, answers):
                 if said is not None and not form.fits(said, right):
@@ -329,16 +345,18 @@ def wrong_answers(seed: int, seconds: float) -> Iterator[tuple[str, Shape, Shape
         alive = rng.sample(touching, min(60, len(touching))) + rng.sample(brood, 20)
 
 
-def table(seed: int, seconds: float) -> None:
-    """The worst of each bound, in so many seconds each, printed as it is found."""
+def print_worst(seed: int, seconds: float) -> None:
+    """Print the worst share of each bound as it is found, in so many seconds each."""
     for name, bound in BOUNDS.items():
         share, numbers = search(bound, seed, seconds)
-        print(f"{name:38s} {share:9.3g} of the room ({bound.derived:.3g} derived), at {list(numbers)}", flush=True)
+        print(
+            f"{name:38s} {share:9.3g} of the error bound ({bound.derived:.3g} derived), at {list(numbers)}", flush=True
+        )
 
 
 if __name__ == "__main__":
     each, start = float(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 1
-    table(start, each)
+    print_worst(start, each)
     seen: set = set()
     for name, a, b, right, said in wrong_answers(start, 4 * each):
         if name not in seen:

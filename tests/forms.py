@@ -1,7 +1,7 @@
-"""Every form in which satviz gives a verdict about pairs, as a function from pairs to answers.
+"""Every form in which satviz answers how two shapes stand, as a function from pairs to answers.
 
-A new form is one line: FORMS["its name"] = Form(lambda pairs: ...), an answer a pair in
-order (None where it does not take such a pair).  Batch forms get all pairs at once.
+A new form is one line: FORMS["its name"] = Form(lambda pairs: ...).  It returns one answer a pair, in their
+order (None where it does not accept such a pair).  Batch forms get all pairs at once.
 """
 
 from collections.abc import Callable, Hashable, Sequence
@@ -28,27 +28,30 @@ Pairs = Sequence[tuple[Shape, Shape]]
 ENGINES = "numpy", "numba"
 
 
-def the_relation(answer: Any, truth: Relation) -> bool:
+def is_the_relation(answer: Any, truth: Relation) -> bool:
+    """Return whether an answer is the exact relation."""
     return answer == truth
 
 
-def a_hit(answer: Any, truth: Relation) -> bool:
+def is_the_hit(answer: Any, truth: Relation) -> bool:
+    """Return whether an answer is right about a hit."""
     return bool(answer) == bool(truth)
 
 
-def no_miss(answer: Any, truth: Relation) -> bool:
-    """The broad phase may keep a pair that is apart."""
+def misses_nothing(answer: Any, truth: Relation) -> bool:
+    """Return whether an answer misses no hit; the broad phase may keep a pair that is apart."""
     return bool(answer) or not truth
 
 
 class Form(NamedTuple):
-    """`ask(pairs)` gives the answers, `fits(answer, truth)` judges one; a dear form takes one pair in `one_in`.
+    """One way to ask for an answer: `ask(pairs)` returns the answers, `fits(answer, truth)` checks one of them.
 
-    One that `overflows` may have no answer about a pair, and one about the same pair made smaller.
+    `one_in`: a slow form is asked about one pair in so many.  `overflows`: the form may have no answer about a
+    pair although it has one about the same pair scaled down.
     """
 
     ask: Callable[[Pairs], Sequence]
-    fits: Callable[[Any, Relation], bool] = the_relation
+    fits: Callable[[Any, Relation], bool] = is_the_relation
     one_in: int = 1
     overflows: bool = False
 
@@ -57,16 +60,18 @@ FORMS: dict[str, Form] = {}
 RARE: dict[str, Form] = {}  # slow to start: asked once, about pairs of all kinds
 
 
-def each(ask: Callable[[Shape, Shape], Any]) -> Callable[[Pairs], list]:
+def one_by_one_with(ask: Callable[[Shape, Shape], Any]) -> Callable[[Pairs], list]:
+    """Return a function that asks about each pair by itself."""
     return lambda pairs: [ask(a, b) for a, b in pairs]
 
 
 def is_convex(shape: Shape) -> bool:
+    """Return whether a shape is a circle or a convex polygon."""
     return isinstance(shape, Circle) or shape.is_convex
 
 
 def by_shortcut(shortcut: Shortcut, a: Shape, b: Shape) -> Relation | None:
-    """None where what the shortcut measures in plain floats overflows, or a box has no seam in float64."""
+    """Return the relation in a shortcut's trace; None where its floats overflow or a box has no seam in float64."""
     try:
         return record(a, b, axes=shortcut).relation
     except InvalidScene as error:
@@ -79,54 +84,63 @@ def by_shortcut(shortcut: Shortcut, a: Shape, b: Shape) -> Relation | None:
 
 # -- one by one ------------------------------------------------------------------------------------
 
-FORMS["relate"] = Form(each(relate))
+FORMS["relate"] = Form(one_by_one_with(relate))
 FORMS["relate_moved by nothing"] = Form(
-    each(lambda a, b: relate_moved(a, b, Vec(0.0, 0.0)) if is_convex(a) and is_convex(b) else None)
+    one_by_one_with(lambda a, b: relate_moved(a, b, Vec(0.0, 0.0)) if is_convex(a) and is_convex(b) else None)
 )
-FORMS["record"] = Form(each(lambda a, b: record(a, b).relation), one_in=8)
-FORMS["record: its claim"] = Form(each(lambda a, b: record(a, b).claim), one_in=8)
-FORMS["record: a hit"] = Form(each(lambda a, b: record(a, b).hit), a_hit, one_in=16)
-FORMS["record every axis"] = Form(each(lambda a, b: record(a, b, every_axis=True).relation), one_in=8)
-FORMS["record every axis: its claim"] = Form(each(lambda a, b: record(a, b, every_axis=True).claim), one_in=8)
+FORMS["record"] = Form(one_by_one_with(lambda a, b: record(a, b).relation), one_in=8)
+FORMS["record: its claim"] = Form(one_by_one_with(lambda a, b: record(a, b).claim), one_in=8)
+FORMS["record: a hit"] = Form(one_by_one_with(lambda a, b: record(a, b).hit), is_the_hit, one_in=16)
+FORMS["record every axis"] = Form(one_by_one_with(lambda a, b: record(a, b, every_axis=True).relation), one_in=8)
+FORMS["record every axis: its claim"] = Form(
+    one_by_one_with(lambda a, b: record(a, b, every_axis=True).claim), one_in=8
+)
 FORMS["record all edge normals: its claim"] = Form(
-    each(lambda a, b: trace.claim if (trace := record(a, b, axes=axes.edge_normals)).choice.complete else None),
+    one_by_one_with(
+        lambda a, b: trace.claim if (trace := record(a, b, axes=axes.edge_normals)).choice.complete else None
+    ),
     one_in=16,
 )
-FORMS["record without early exit"] = Form(each(lambda a, b: record(a, b).without_early_exit().relation), one_in=16)
-FORMS["record through JSON"] = Form(each(lambda a, b: Trace.from_json(record(a, b).to_json()).relation), one_in=40)
+FORMS["record without early exit"] = Form(
+    one_by_one_with(lambda a, b: record(a, b).without_early_exit().relation), one_in=16
+)
+FORMS["record through JSON"] = Form(
+    one_by_one_with(lambda a, b: Trace.from_json(record(a, b).to_json()).relation), one_in=40
+)
 for name in ("world", "edge-normals-of-a", "edge-normals-of-b", "hull-normals", "centers", "nearest-vertex"):
     FORMS[f"record with {name}"] = Form(
-        each(lambda a, b, choice=axes.NAMED[name]: record(a, b, axes=choice).relation), one_in=16
+        one_by_one_with(lambda a, b, choice=axes.NAMED[name]: record(a, b, axes=choice).relation), one_in=16
     )
 for name in ("lengths", "raw-depth", "touch-as-apart", "tile-seam"):
     FORMS[f"record by the shortcut {name}"] = Form(
-        each(partial(by_shortcut, SHORTCUTS[name])), one_in=16, overflows=True
+        one_by_one_with(partial(by_shortcut, SHORTCUTS[name])), one_in=16, overflows=True
     )
 FORMS["record with slipped normals: a gap is a proof"] = Form(
-    each(lambda a, b: record(a, b, axes=SHORTCUTS["slipped-normal"]).claim), no_miss, one_in=16
+    one_by_one_with(lambda a, b: record(a, b, axes=SHORTCUTS["slipped-normal"]).claim), misses_nothing, one_in=16
 )
 FORMS["record with one given direction"] = Form(
-    each(lambda a, b: record(a, b, axes=axes.directions((2, 1))).relation), one_in=16
+    one_by_one_with(lambda a, b: record(a, b, axes=axes.directions((2, 1))).relation), one_in=16
 )
 
 
-def proven(a: Shape, b: Shape) -> bool | str:
-    """Is it a hit, by a certificate that holds?"""
+def certified_hit(a: Shape, b: Shape) -> bool | str:
+    """Return whether the certificate proves a hit, or a text if it does not hold."""
     certificate = record(a, b).certificate
     return isinstance(certificate, SharedPoint) if certificate.check() else "nothing proven"
 
 
 def proof_fits(answer: bool | str, truth: Relation) -> bool:
+    """Return whether a certificate proves the truth."""
     return answer is bool(truth)
 
 
-FORMS["certificate"] = Form(each(proven), proof_fits, one_in=16)
+FORMS["certificate"] = Form(one_by_one_with(certified_hit), proof_fits, one_in=16)
 
 # -- batches ---------------------------------------------------------------------------------------
 
 
 def batch_of(shapes: Sequence[Shape]) -> Shapes:
-    """A batch in this order; concave polygons are split."""
+    """Return a batch of shapes in this order; concave polygons are split."""
     runs = [list(run) for _, run in groupby(shapes, type)]
     made = [
         batch.Circles([c.center for c in run], [c.radius for c in run])
@@ -137,17 +151,18 @@ def batch_of(shapes: Sequence[Shape]) -> Shapes:
     return made[0] if len(made) == 1 else batch.concat(made)
 
 
-def sides(pairs: Pairs) -> tuple[Shapes, Shapes]:
+def both_batches(pairs: Pairs) -> tuple[Shapes, Shapes]:
+    """Return the batches of the first and of the second shapes of pairs."""
     return batch_of([a for a, _ in pairs]), batch_of([b for _, b in pairs])
 
 
 def batched(ask: Callable[..., Sequence], **options: Any) -> Callable[[Pairs], Sequence]:
-    """Answers for all pairs in one call."""
-    return lambda pairs: ask(*sides(pairs), **options)
+    """Return a function that asks about all pairs in one call."""
+    return lambda pairs: ask(*both_batches(pairs), **options)
 
 
 def grouped(ask: Callable[[Pairs], Sequence], key: Callable[[int, Shape, Shape], Hashable]) -> Callable[[Pairs], list]:
-    """Answers for the pairs of each key in a call of their own; None where the key is None."""
+    """Return a function that asks about the pairs of each key in one call; its answer is None where the key is None."""
 
     def answers(pairs: Pairs) -> list:
         groups: dict[Hashable, list[int]] = {}
@@ -163,19 +178,20 @@ def grouped(ask: Callable[[Pairs], Sequence], key: Callable[[int, Shape, Shape],
     return answers
 
 
-def corners(i: int, a: Shape, b: Shape) -> tuple[int, int] | None:
-    """Shapes with as many corners make batches of one group each, which need no gathering."""
+def corner_counts(i: int, a: Shape, b: Shape) -> tuple[int, int] | None:
+    """Return the key of shapes with as many corners, whose batches are one group each and need no gathering."""
     counts = tuple(1 if isinstance(s, Circle) else len(s.corners) for s in (a, b))
     return counts if is_convex(a) and is_convex(b) else None
 
 
-def by(size: int) -> Callable[[int, Shape, Shape], int]:
+def in_blocks_of(size: int) -> Callable[[int, Shape, Shape], int]:
+    """Return the key of blocks of so many pairs."""
     return lambda i, a, b: i // size
 
 
 def one_against_many(pairs: Pairs, engine: str) -> list:
-    """Each first shape against all second ones, and the other way round, which must say the same."""
-    a, b = sides(pairs)
+    """Return the relations of each first shape against all second ones and vice versa, which must agree."""
+    a, b = both_batches(pairs)
     found = []
     for i, (p, q) in enumerate(pairs):
         one, other = batch_of([p]), batch_of([q])
@@ -185,27 +201,30 @@ def one_against_many(pairs: Pairs, engine: str) -> list:
 
 
 def by_index(pairs: Pairs, engine: str) -> Sequence:
-    """The second shapes stored backwards, the pairs given as indices."""
+    """Return the relations of pairs given by their indices, with the second shapes stored backwards."""
     a, b = batch_of([a for a, _ in pairs]), batch_of([b for _, b in pairs][::-1])
     i = np.arange(len(pairs))
     return batch.relate(a, b, np.stack([i, i[::-1]], axis=1), engine=engine)
 
 
 def one_after_another(rings: list) -> Shapes:
+    """Return a batch from the concatenated vertices of all rings and their offsets."""
     return batch.Polygons(np.concatenate(rings), offsets=np.cumsum([0, *map(len, rings)]), concave="split")
 
 
 def padded(rings: list) -> Shapes:
+    """Return a batch from one array, in which the last vertex is repeated until all rings have as many."""
     most = max(map(len, rings))
     return batch.Polygons(np.array([[*ring, *[ring[-1]] * (most - len(ring))] for ring in rings]), concave="split")
 
 
 def of_shapely(rings: list) -> Shapes:
+    """Return a batch from shapely polygons."""
     return batch.from_shapely([shapely.Polygon(ring) for ring in rings], concave="split")
 
 
 def laid_out(make: Callable[[list], Shapes], engine: str) -> Callable[[Pairs], list]:
-    """Raw vertices in one of the ways that data comes, side by side and picked from both."""
+    """Return a function that asks about raw vertices in one memory layout, side by side and by index."""
 
     def answers(pairs: Pairs) -> list:
         a, b = (make([pair[k].vertices for pair in pairs]) for k in (0, 1))
@@ -218,7 +237,7 @@ def laid_out(make: Callable[[list], Shapes], engine: str) -> Callable[[Pairs], l
 
 
 def picked(pick: Callable[[Shapes], Shapes], around: Callable[[list], list]) -> Callable[[Pairs], Sequence]:
-    """`around` adds shapes to either side, `pick` takes them away again."""
+    """Return a function that asks about batches with more shapes (`around`), of which `pick` selects the pairs."""
 
     def answers(pairs: Pairs) -> Sequence:
         a, b = (batch_of(around([pair[k] for pair in pairs])) for k in (0, 1))
@@ -228,60 +247,69 @@ def picked(pick: Callable[[Shapes], Shapes], around: Callable[[list], list]) -> 
 
 
 def doubled(shapes: list) -> list:
+    """Return each shape twice."""
     return [s for s in shapes for _ in "ab"]
 
 
 def every_second(shapes: Shapes) -> np.ndarray:
+    """Return a mask that selects every second shape."""
     return np.arange(len(shapes)) % 2 == 0
 
 
 def shuffled(pairs: Pairs) -> list:
-    a, b = sides(pairs)
+    """Return the relations of the pairs, asked in a random order."""
+    a, b = both_batches(pairs)
     order = np.random.default_rng(len(pairs)).permutation(len(pairs))
     answers = batch.relate(a[order], b[order.tolist()])
     return answers[np.argsort(order)].tolist()
 
 
 def from_the_end(pairs: Pairs) -> Sequence:
-    a, b = sides(pairs)
+    """Return the relations of the pairs, asked from the last to the first."""
+    a, b = both_batches(pairs)
     back = -1 - np.arange(len(pairs))
     return batch.relate(a[back], b[::-1])[::-1]
 
 
 def one_by_one(pairs: Pairs) -> list:
-    a, b = sides(pairs)
+    """Return the relations of the pairs, each asked with one shape of either batch."""
+    a, b = both_batches(pairs)
     return [int(batch.relate(a[i], b[i - len(pairs)])[0]) for i in range(len(pairs))]
 
 
 def in_three(pairs: Pairs) -> Sequence:
+    """Return the relations of batches that are concatenated from three."""
     third = -(-len(pairs) // 3)
-    pieces = [sides(pairs[i : i + third]) for i in range(0, len(pairs), third)]
+    pieces = [both_batches(pairs[i : i + third]) for i in range(0, len(pairs), third)]
     a, b = (batch.concat([piece[k] for piece in pieces]) for k in (0, 1))
     return batch.relate(a, b)
 
 
 def threaded(pairs: Pairs) -> Sequence:
+    """Return the relations of the pairs, computed in two threads."""
     with ThreadPoolExecutor(2) as pool:
-        return batch.relate(*sides(pairs), executor=pool, chunk=-(-len(pairs) // 5))
+        return batch.relate(*both_batches(pairs), executor=pool, chunk=-(-len(pairs) // 5))
 
 
 def in_processes(pairs: Pairs) -> Sequence:
+    """Return the relations of the pairs, computed in two processes."""
     with ProcessPoolExecutor(2) as pool:
-        return batch.relate(*sides(pairs), engine="numpy", executor=pool, chunk=-(-len(pairs) // 5))
+        return batch.relate(*both_batches(pairs), engine="numpy", executor=pool, chunk=-(-len(pairs) // 5))
 
 
 def colliding(pairs: Pairs, engine: str) -> list[bool]:
-    """Is each pair among the colliding ones of all shapes together?"""
+    """Return for each pair whether it is among the colliding pairs of all shapes together."""
     return _found(batch.colliding_pairs(batch_of([s for pair in pairs for s in pair]), engine=engine), len(pairs))
 
 
 def candidates(pairs: Pairs, engine: str) -> list[bool]:
+    """Return for each pair whether it is among the candidate pairs of all bounding boxes."""
     bounds = [s.bounds for pair in pairs for s in pair]
     return _found(batch.candidate_pairs(bounds, engine=engine), len(pairs))
 
 
 def streamed(pairs: Pairs) -> list[bool]:
-    """In strips of 3 shapes; the last vertex is repeated until all have as many."""
+    """Return for each pair whether it collides, in a stream of strips of 3 shapes with as many vertices each."""
     rings = [list(s.vertices) for pair in pairs for s in pair]
     most = max(map(len, rings))
     array = np.array([ring + ring[-1:] * (most - len(ring)) for ring in rings])
@@ -289,34 +317,44 @@ def streamed(pairs: Pairs) -> list[bool]:
 
 
 def _found(indices: np.ndarray, n: int) -> list[bool]:
+    """Return for shapes 2 i and 2 i + 1 whether their pair of indices is listed."""
     known = set(map(tuple, indices.tolist()))
     return [(2 * i, 2 * i + 1) in known for i in range(n)]
 
 
-def some_polygons(i: int, a: Shape, b: Shape) -> int | None:
+def blocks_of_convex_polygons(i: int, a: Shape, b: Shape) -> int | None:
+    """Return the key of blocks of 8 pairs of convex polygons, None for other pairs."""
     return i // 8 if all(isinstance(s, Polygon) and s.is_convex for s in (a, b)) else None
 
 
-def bounded(size: int) -> Callable[[int, Shape, Shape], int | None]:
-    """A circle can reach beyond float64, and a box cannot."""
+def blocks_of_bounded(size: int) -> Callable[[int, Shape, Shape], int | None]:
+    """Return the key of blocks of pairs whose boxes are finite: a circle can reach beyond float64, a box cannot."""
     return lambda i, a, b: i // size if all(isfinite(c) for s in (a, b) for c in s.bounds) else None
 
 
 for engine in ENGINES:
     FORMS[f"batch, {engine}"] = Form(batched(batch.relate, engine=engine), one_in=2)
-    FORMS[f"batch of one kind, {engine}"] = Form(grouped(batched(batch.relate, engine=engine), corners), one_in=6)
-    FORMS[f"batch of one pair, {engine}"] = Form(grouped(batched(batch.relate, engine=engine), by(1)), one_in=40)
-    FORMS[f"one against many, {engine}"] = Form(grouped(partial(one_against_many, engine=engine), by(5)), one_in=60)
+    FORMS[f"batch of one kind, {engine}"] = Form(grouped(batched(batch.relate, engine=engine), corner_counts), one_in=6)
+    FORMS[f"batch of one pair, {engine}"] = Form(
+        grouped(batched(batch.relate, engine=engine), in_blocks_of(1)), one_in=40
+    )
+    FORMS[f"one against many, {engine}"] = Form(
+        grouped(partial(one_against_many, engine=engine), in_blocks_of(5)), one_in=60
+    )
     FORMS[f"pairs by index, {engine}"] = Form(partial(by_index, engine=engine), one_in=20)
     for make in (one_after_another, padded, of_shapely):
         FORMS[f"batch {make.__name__}, {engine}"] = Form(laid_out(make, engine), one_in=8)
-    FORMS[f"hits, {engine}"] = Form(batched(batch.hits, engine=engine), a_hit, one_in=20)
-    FORMS[f"colliding_pairs, {engine}"] = Form(grouped(partial(colliding, engine=engine), by(5)), a_hit, one_in=40)
+    FORMS[f"hits, {engine}"] = Form(batched(batch.hits, engine=engine), is_the_hit, one_in=20)
+    FORMS[f"colliding_pairs, {engine}"] = Form(
+        grouped(partial(colliding, engine=engine), in_blocks_of(5)), is_the_hit, one_in=40
+    )
     some = partial(candidates, engine=engine)
-    FORMS[f"candidate_pairs, {engine}"] = Form(grouped(some, bounded(40)), no_miss, one_in=2)
-    FORMS[f"candidate_pairs of two, {engine}"] = Form(grouped(some, bounded(1)), no_miss, one_in=8)
-FORMS["colliding_pairs of two"] = Form(grouped(partial(colliding, engine="numpy"), by(1)), a_hit, one_in=40)
-FORMS["stream_colliding_pairs"] = Form(grouped(streamed, some_polygons), a_hit, one_in=60)
+    FORMS[f"candidate_pairs, {engine}"] = Form(grouped(some, blocks_of_bounded(40)), misses_nothing, one_in=2)
+    FORMS[f"candidate_pairs of two, {engine}"] = Form(grouped(some, blocks_of_bounded(1)), misses_nothing, one_in=8)
+FORMS["colliding_pairs of two"] = Form(
+    grouped(partial(colliding, engine="numpy"), in_blocks_of(1)), is_the_hit, one_in=40
+)
+FORMS["stream_colliding_pairs"] = Form(grouped(streamed, blocks_of_convex_polygons), is_the_hit, one_in=60)
 FORMS["batch[1:]"] = Form(picked(lambda s: s[1:], lambda shapes: shapes[:1] + shapes), one_in=20)
 FORMS["batch[:-2]"] = Form(picked(lambda s: s[:-2], lambda shapes: shapes + shapes[:1] * 2), one_in=20)
 FORMS["batch[::2]"] = Form(picked(lambda s: s[::2], doubled), one_in=20)

@@ -1,6 +1,6 @@
-"""What the relation of two shapes is, in rationals: satviz.study.truth, carried on to concave outlines.
+"""The exact relation of two shapes in rationals: satviz.study.truth, extended to concave outlines.
 
-And once more in the most simple-minded way (`naive`), to hold that against.
+`naive` computes it a second time in the simplest way, as a check of the first.
 """
 
 import functools
@@ -16,12 +16,12 @@ APART, TOUCHING, OVERLAPPING = Relation
 
 
 def relation(a: Shape, b: Shape) -> Relation:
-    """The exact relation of any two shapes as closed sets."""
+    """Return the exact relation of any two shapes as closed sets."""
     return max(truth.relation(p, q) for p in pieces(a) for q in pieces(b))
 
 
 def pieces(shape: Shape) -> Sequence[Shape]:
-    """Convex shapes that make it up."""
+    """Return convex shapes that make up a shape."""
     return [shape] if isinstance(shape, Circle) or shape.is_convex else ears(shape)
 
 
@@ -29,20 +29,23 @@ def pieces(shape: Shape) -> Sequence[Shape]:
 
 
 def cross(p: Sequence, q: Sequence, r: Sequence) -> Fraction:
+    """Return the orientation determinant of three points."""
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
 
 def edges(ring: Sequence) -> list:
+    """Return the edges of a ring as pairs of points."""
     return list(zip(ring, [*ring[1:], ring[0]], strict=True))
 
 
 def on_segment(v: Sequence, p: Sequence, q: Sequence) -> bool:
+    """Return whether a point is on a closed segment."""
     inside = min(p[0], q[0]) <= v[0] <= max(p[0], q[0]) and min(p[1], q[1]) <= v[1] <= max(p[1], q[1])
     return inside and cross(p, q, v) == 0
 
 
 def meet(p: Sequence, q: Sequence, r: Sequence, s: Sequence) -> bool:
-    """Do two closed segments share a point?"""
+    """Return whether two closed segments share a point."""
     a, b, c, d = cross(p, q, r), cross(p, q, s), cross(r, s, p), cross(r, s, q)
     if (a > 0) != (b > 0) and (c > 0) != (d > 0) and a and b and c and d:
         return True
@@ -50,7 +53,7 @@ def meet(p: Sequence, q: Sequence, r: Sequence, s: Sequence) -> bool:
 
 
 def holds(ring: Sequence, v: Sequence) -> bool:
-    """Does the closed outline hold a point?  On an edge, or an odd number of crossings to the right."""
+    """Return whether a closed outline contains a point: on an edge, or by an odd number of crossings on its right."""
     if any(on_segment(v, p, q) for p, q in edges(ring)):
         return True
     rows = [(p, q) if p[1] < q[1] else (q, p) for p, q in edges(ring)]
@@ -58,7 +61,7 @@ def holds(ring: Sequence, v: Sequence) -> bool:
 
 
 def integers(*rings: Iterable[Sequence]) -> list[list[tuple[int, int]]]:
-    """The rings in one unit in which all their coordinates are whole."""
+    """Return the rings in one unit in which all their coordinates are integers."""
     exact = [[(Fraction(x), Fraction(y)) for x, y in ring] for ring in rings]
     unit = math.lcm(*(c.denominator for ring in exact for p in ring for c in p))
     return [[(int(x * unit), int(y * unit)) for x, y in ring] for ring in exact]
@@ -66,14 +69,15 @@ def integers(*rings: Iterable[Sequence]) -> list[list[tuple[int, int]]]:
 
 @functools.lru_cache(maxsize=4)
 def ears(polygon: Polygon) -> list[Polygon]:
-    """The polygon cut into triangles, one ear after the other: not the way satviz goes."""
-    vertices = polygon.vertices if truth.area2(polygon.vertices) > 0 else polygon.vertices[::-1]
+    """Return a polygon cut into triangles by clipping ears, which is not the method of satviz."""
+    vertices = polygon.vertices if truth.twice_signed_area(polygon.vertices) > 0 else polygon.vertices[::-1]
     (at,) = integers(vertices)
     left, found = list(range(len(at))), []
 
     def clips(a: int, b: int, c: int) -> bool:
+        """Return whether the triangle of three remaining vertices is an ear."""
         sides = [(at[a], at[b]), (at[b], at[c]), (at[c], at[a])]
-        # a repeated vertex stands in nobody's way
+        # a repeated vertex is not in the way of an ear
         others = (at[v] for v in left if at[v] not in (at[a], at[b], at[c]))
         return cross(at[a], at[b], at[c]) > 0 and not any(all(cross(*s, v) >= 0 for s in sides) for v in others)
 
@@ -91,11 +95,11 @@ def ears(polygon: Polygon) -> list[Polygon]:
     return found
 
 
-# -- the most simple-minded way --------------------------------------------------------------------
+# -- the simplest way ------------------------------------------------------------------------------
 
 
 def naive(a: Shape, b: Shape) -> Relation:
-    """In fractions throughout: the corners of what two convex outlines share, or the nearest of all points."""
+    """Return the relation in fractions, from the corners of the common part of two outlines or the nearest point."""
     if isinstance(b, Circle):
         a, b = b, a
     if not isinstance(a, Circle):
@@ -112,12 +116,13 @@ def naive(a: Shape, b: Shape) -> Relation:
 
 
 def _fractions(polygon: Polygon) -> list[tuple[Fraction, Fraction]]:
+    """Return the distinct vertices of a polygon in fractions, counter-clockwise."""
     ring = list(dict.fromkeys((Fraction(x), Fraction(y)) for x, y in polygon.vertices))
     return ring if sum(p[0] * q[1] - p[1] * q[0] for p, q in edges(ring)) > 0 else ring[::-1]
 
 
 def _common(p: Sequence, q: Sequence) -> Relation:
-    """By all corners of either inside the other and all crossings of their edges."""
+    """Return the relation of convex rings, from all corners of one inside the other and all crossings of edges."""
     found = {v for one, other in ((p, q), (q, p)) for v in one if all(cross(*e, v) >= 0 for e in edges(other))}
     for (a, b), (c, d) in ((e, f) for e in edges(p) for f in edges(q)):
         before, after = cross(c, d, a), cross(c, d, b)
@@ -131,6 +136,7 @@ def _common(p: Sequence, q: Sequence) -> Relation:
 
 
 def _distance2(c: Sequence, p: Sequence, q: Sequence) -> Fraction:
+    """Return the squared distance of a point from a segment."""
     dx, dy = q[0] - p[0], q[1] - p[1]
     square = dx * dx + dy * dy
     t = min(max(((c[0] - p[0]) * dx + (c[1] - p[1]) * dy) / square, Fraction(0)), Fraction(1)) if square else 0

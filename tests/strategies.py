@@ -1,4 +1,4 @@
-"""Pairs of shapes of every kind that the world brings, from a seed or drawn (and shrunk) by hypothesis.
+"""Pairs of shapes of every kind that occurs in practice, from a seed or drawn (and shrunk) by hypothesis.
 
 A kind is a function from a Random to a pair.  Most are made about one point: each shape
 is drawn in whole numbers, moved until it touches the origin from its own side, and only
@@ -41,11 +41,11 @@ QUARTERS = (1, 0), (0, 1), (-1, 0), (0, -1)
 
 
 class NotConvex(Exception):
-    """Rounding dented a polygon: another is drawn."""
+    """Raised when rounding made a polygon concave; another one is drawn then."""
 
 
 def pairs(seed: int, count: int, kinds: Sequence[str] = ()) -> Iterator[tuple[str, Shape, Shape]]:
-    """`count` times (kind, a, b), the kinds in turn; pairs that satviz refuses to build are replaced."""
+    """Yield `count` times (kind, a, b), the kinds in turn; a pair that satviz refuses to build is replaced."""
     rng = Random(seed)
     names = kinds or list(KINDS)
     for i in range(count):
@@ -53,7 +53,7 @@ def pairs(seed: int, count: int, kinds: Sequence[str] = ()) -> Iterator[tuple[st
 
 
 def drawn(rng: Random, kind: str) -> Pair:
-    """One pair of a kind, either shape first."""
+    """Return one pair of a kind, either shape first."""
     while True:
         try:
             a, b = KINDS[kind](rng)
@@ -64,7 +64,7 @@ def drawn(rng: Random, kind: str) -> Pair:
 
 @st.composite
 def some_pairs(draw: st.DrawFn) -> Pair:
-    """The same for hypothesis: rings drawn corner by corner and brought together, which shrinks well, or any kind."""
+    """Return a pair from hypothesis: rings drawn corner by corner and brought together, or any kind."""
     rng = draw(st.randoms(use_true_random=False))
     kind = draw(st.sampled_from(["", "", *KINDS]))
     try:
@@ -79,18 +79,19 @@ def some_pairs(draw: st.DrawFn) -> Pair:
 
 
 def convex(points: Sequence[Sequence[float]]) -> Polygon:
-    """A Polygon that came out convex after rounding."""
+    """Return a Polygon; NotConvex if it is concave after rounding."""
     return _still_convex(Polygon(points))
 
 
 def _still_convex(shape: Shape) -> Shape:
+    """Return the shape; NotConvex for a concave polygon."""
     if isinstance(shape, Polygon) and not shape.is_convex:
         raise NotConvex
     return shape
 
 
 def nudged(value: float, steps: int) -> float:
-    """The float `steps` places above (below when negative)."""
+    """Return the float that is `steps` floats above (below when negative)."""
     for _ in range(abs(steps)):
         value = math.nextafter(value, math.copysign(math.inf, steps))
     return value
@@ -100,7 +101,7 @@ SIZES = [2.0**e for e in (-1060, -900, -537, -514, -500, -300, -40, 0, 40, 300, 
 
 
 def nearly_straight(rng: Random, size: float) -> list[tuple[float, float]]:
-    """Three points about on one line, with full mantissas or on a small grid."""
+    """Return three points close to one line, with full mantissas or on a small grid."""
     if rng.random() < 0.3:
         x, y, dx, dy, t = (rng.randint(-9, 9) for _ in range(5))
         return [(u * (size / 128), v * (size / 128)) for u, v in ((x, y), (x + dx, y + dy), (x + t * dx, y + t * dy))]
@@ -116,10 +117,11 @@ def nearly_straight(rng: Random, size: float) -> list[tuple[float, float]]:
 
 
 def hull(points: Sequence[Point]) -> Ring:
-    """The strict convex hull of grid points (their differences and products are exact), counter-clockwise."""
+    """Return the strict convex hull of grid points, counter-clockwise; their differences and products are exact."""
     ordered = sorted(set(points))
 
     def half(run: Sequence[Point]) -> Ring:
+        """Return the hull on the right of the way through sorted points, without its last point."""
         chain: Ring = []
         for r in run:
             while len(chain) > 1 and _turn(chain[-2], chain[-1], r) <= 0:
@@ -131,7 +133,7 @@ def hull(points: Sequence[Point]) -> Ring:
 
 
 def solid(points: Sequence[tuple[int, int]]) -> Whole:
-    """Their hull, if it has an area."""
+    """Return the hull of points; NotConvex if it has no area."""
     ring = hull(points)
     if len(ring) < 3:
         raise NotConvex
@@ -139,17 +141,18 @@ def solid(points: Sequence[tuple[int, int]]) -> Whole:
 
 
 def few_corners(rng: Random, size: int = 0) -> Whole:
+    """Return the hull of 3 to 12 random points."""
     n, size = rng.randint(3, 12), size or rng.choice((3, 40, 40, 1000, 2**20))
     return solid([(rng.randint(-size, size), rng.randint(-size, size)) for _ in range(n)])
 
 
 def many_corners(rng: Random, most: int = 200) -> Whole:
-    """About as many corners as asked, log-uniform from 3: random steps that add up to nothing, sorted by direction."""
+    """Return a ring of 3 to `most` corners: random steps that add up to 0, sorted by direction."""
     n = rng.choice([v for v in (3, 4, 5, 6, 8, 12, 16, 24, 48, 100, 200) if v <= most])
     size = 40 * n * n
 
     def steps() -> list[int]:
-        """n whole numbers that add up to 0: up by one chain of sorted places, down by another."""
+        """Return n integers that add up to 0: up one chain of sorted numbers, down another."""
         places = sorted(rng.randint(-size, size) for _ in range(n))
         up, down = [places[0]], [places[0]]
         for place in places[1:-1]:
@@ -164,14 +167,14 @@ def many_corners(rng: Random, most: int = 200) -> Whole:
 
 
 def zonotope(rng: Random) -> Whole:
-    """Each edge has one exactly opposite: parallelograms, hexagons and on."""
+    """Return a ring whose edges each have an exactly opposite one: a parallelogram, a hexagon, ..."""
     size = rng.choice((3, 30, 2**20))
     halves = [(rng.randint(-size, size), rng.randint(-size, size)) for _ in range(rng.choice((2, 2, 3, 4, 8)))]
     return _walked(halves + [(-x, -y) for x, y in halves])
 
 
 def _walked(steps: Sequence[tuple[int, int]]) -> Whole:
-    """The convex ring with these edges."""
+    """Return the convex ring with these edges."""
     x = y = 0
     ring = []
     for dx, dy in sorted(steps, key=lambda step: math.atan2(step[1], step[0])):
@@ -181,7 +184,7 @@ def _walked(steps: Sequence[tuple[int, int]]) -> Whole:
 
 
 def needle(rng: Random) -> Whole:
-    """One long and nearly nothing wide: a triangle or a rhomb of area 1 or so."""
+    """Return a long, very narrow ring: a triangle or a rhomb of area about 1."""
     length = 2 ** rng.randint(3, 24)
     x, y = rng.randint(length // 2, length), rng.randint(-length, length)
     t = rng.randint(1, 7)
@@ -192,23 +195,25 @@ def needle(rng: Random) -> Whole:
 
 
 def upright_box(rng: Random) -> Whole:
+    """Return a box with sides along x and y."""
     w, h = (rng.choice((rng.randint(1, 9), 2 ** rng.randint(0, 30))) for _ in "wh")
     return [(0, 0), (w, 0), (w, h), (0, h)]
 
 
 def tilted_box(rng: Random) -> Whole:
+    """Return a rotated box."""
     p, q = (1, 1) if rng.random() < 0.2 else (rng.randint(1, 99), rng.randint(-99, 99))
     return solid(spun(upright_box(rng), p, q))
 
 
 def wild(rng: Random) -> Whole:
-    """Corners of very different magnitude, all of them whole."""
+    """Return a ring of integer corners of very different magnitudes."""
     ring = [(rng.randint(-99, 99), rng.randint(-99, 99)) for _ in range(rng.randint(3, 6))]
     return solid([(x << k, y << k) for (x, y), k in ((v, rng.choice((0, 0, 3, 17, 30, 45))) for v in ring)])
 
 
 def notched(rng: Random) -> Whole:
-    """Concave: a convex ring with some of its edges pressed in towards a point inside."""
+    """Return a concave ring: a convex one with some edges pressed in towards a point inside."""
     ring = [(16 * x, 16 * y) for x, y in few_corners(rng)]
     (px, py), (qx, qy), (rx, ry) = rng.sample(ring, 3)
     middle = (2 * px + qx + rx) // 4, (2 * py + qy + ry) // 4
@@ -233,21 +238,22 @@ FAMILIES: dict[str, Callable[[Random], Whole]] = {
 
 
 def spun(ring: Sequence[Point], p: int, q: int) -> Ring:
-    """Turned by the angle of (p, q) and grown by its length: exact on integers, right angles stay right."""
+    """Return a ring rotated by the angle of (p, q) and scaled by its length: exact on integers."""
     return [(p * x - q * y, q * x + p * y) for x, y in ring]
 
 
 def _turn(p: Point, q: Point, r: Point) -> float:
+    """Return the orientation determinant of three points."""
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
 
 def extreme(ring: Sequence[Point], dx: float, dy: float) -> int:
-    """Which corner lies furthest in a direction."""
+    """Return which corner lies furthest in a direction."""
     return max(range(len(ring)), key=lambda i: dx * ring[i][0] + dy * ring[i][1])
 
 
 def edge_of(ring: Sequence[Point], rng: Random) -> tuple[int, int, float, float]:
-    """An edge as two places in the ring, and its outward normal."""
+    """Return the two indices of an edge in the ring, and its outward normal."""
     i = rng.randrange(len(ring))
     j = (i + 1) % len(ring)
     return i, j, ring[j][1] - ring[i][1], ring[i][0] - ring[j][0]
@@ -257,16 +263,17 @@ def edge_of(ring: Sequence[Point], rng: Random) -> tuple[int, int, float, float]
 
 
 class Facing:
-    """A shape that touches the origin with all of itself where (nx, ny) . (x, y) <= 0: a ring, or a circle's center."""
+    """A shape that touches the origin and lies where (nx, ny) . (x, y) <= 0: a ring, or the center of a circle."""
 
     def __init__(self, ring: Sequence[tuple[int, int]], radius: int = 0) -> None:
         self.ring, self.radius = ring, radius
 
     def moved(self, dx: int, dy: int) -> "Facing":
+        """Return the ring or shape moved by (dx, dy)."""
         return Facing([(x + dx, y + dy) for x, y in self.ring], self.radius)
 
     def scaled(self, power: int) -> tuple[Ring, float]:
-        """In floats; only if exact."""
+        """Return the ring and the radius times 2**power, in floats; NotConvex if that is not exact."""
         ring = [(math.ldexp(x, power), math.ldexp(y, power)) for x, y in self.ring]
         if any(int(math.ldexp(c, -power)) != whole for v, w in zip(ring, self.ring) for c, whole in zip(v, w)):
             raise NotConvex
@@ -274,12 +281,13 @@ class Facing:
 
 
 def vertex_facing(ring: Whole, nx: int, ny: int) -> Facing:
+    """Return a ring moved so that its furthest corner in a direction is at the origin."""
     x, y = ring[extreme(ring, nx, ny)]
     return Facing([(px - x, py - y) for px, py in ring])
 
 
 def edge_facing(rng: Random, ring: Whole, nx: int, ny: int) -> Facing:
-    """A quarter of the edge at right angles to (nx, ny) is brought to the origin; one is made if there is none."""
+    """Return a ring moved so that a quarter point of its edge across (nx, ny) is at the origin."""
     top = max(nx * x + ny * y for x, y in ring)
     on_top = [(x, y) for x, y in ring if nx * x + ny * y == top]
     if len(on_top) == 1:
@@ -296,12 +304,13 @@ def edge_facing(rng: Random, ring: Whole, nx: int, ny: int) -> Facing:
 
 
 def circle_facing(rng: Random, p: int, q: int, r: int) -> Facing:
+    """Return a circle that touches the origin in the direction (p, q) of length r."""
     grow = rng.randint(1, 9)
     return Facing([(-p * grow, -q * grow)], r * grow)
 
 
 def about_a_point(family: str, rng: Random, contact: str = "") -> Pair:
-    """A shape of the family (or "circles", or "concave") against one of any, in any contact, at any two sizes."""
+    """Return a shape of the family (or "circles", or "concave") and one of any, in any contact, at any two sizes."""
     contact = contact or rng.choice(CONTACTS)
     names = [family, family if rng.random() < 0.4 else rng.choice([*FAMILIES, "circles"])]
     rings = [_ring(rng, name) for name in names]
@@ -315,7 +324,7 @@ def about_a_point(family: str, rng: Random, contact: str = "") -> Pair:
 
 
 def tiny_and_huge(rng: Random) -> Pair:
-    """A corner of a huge shape at an edge of one so small that the rounding of the huge outdoes it, or the reverse."""
+    """Return a huge shape with a corner at an edge of one smaller than its rounding, or the reverse."""
     halves = [(rng.randint(-9, 9), rng.randint(-9, 9)) for _ in range(rng.choice((2, 2, 3)))]
     rings = [_walked(halves + [(-x, -y) for x, y in halves]), few_corners(rng, 40)]
     ratio = rng.randint(16, 60)
@@ -328,7 +337,7 @@ def tiny_and_huge(rng: Random) -> Pair:
 def in_contact(
     rng: Random, rings: Sequence[Whole], contact: str, powers: tuple[int, int], direction: tuple[int, int, int]
 ) -> Pair:
-    """Two rings (a circle has none) brought together, each times its own power of two.
+    """Return two shapes brought together from rings (an empty one is a circle), each scaled by a power of two.
 
     B lies beyond the origin in the direction (nx, ny, length), A on the near side (and B too, where it is inside).
     """
@@ -358,11 +367,12 @@ def in_contact(
 
 
 def _ring(rng: Random, name: str) -> Whole:
+    """Return a ring of a family; an empty one for "circles"."""
     return [] if name == "circles" else notched(rng) if name == "concave" else FAMILIES[name](rng)
 
 
 def _direction(rng: Random, rings: Sequence[Whole]) -> tuple[int, int, int]:
-    """(nx, ny, length): across an edge, or, as circles must have it, of whole length."""
+    """Return (nx, ny, length): across an edge, or with an integer length, as circles need it."""
     if all(rings) and rng.random() < 0.6:
         _, _, nx, ny = edge_of(rng.choice(rings), rng)
         return nx, ny, 0
@@ -372,7 +382,7 @@ def _direction(rng: Random, rings: Sequence[Whole]) -> tuple[int, int, int]:
 
 
 def _place(rng: Random, points: Ring) -> Point:
-    """Where to take the contact: mostly only as far as no coordinate of the points is rounded."""
+    """Return where to move a contact: mostly only as far as no coordinate of the points is rounded."""
     if rng.random() < 0.5:
         return 0.0, 0.0
     unit = 2.0 ** rng.choice((0, 0, -10, -20, 20, 30))
@@ -387,13 +397,14 @@ def _place(rng: Random, points: Ring) -> Point:
 
 
 def _sum_is_exact(a: float, b: float) -> bool:
+    """Return whether a sum of floats is exact."""
     total = a + b
     part = total - a
     return (a - (total - part)) + (b - part) == 0
 
 
 def _stepped(rng: Random, side: tuple[Ring, float], at: Point, towards: Point) -> tuple[Ring, float]:
-    """What touches the point `at` moved by one float (where it is 0: by a float's step of some size)."""
+    """Return a shape that touches the point `at`, moved by one float (from 0 by a small number)."""
     ring, radius = side
     if radius:
         out = towards[0] * (ring[0][0] - at[0]) + towards[1] * (ring[0][1] - at[1]) > 0
@@ -401,6 +412,7 @@ def _stepped(rng: Random, side: tuple[Ring, float], at: Point, towards: Point) -
     least = rng.choice((5e-324, 2.0**-1000, 2.0 ** -rng.randint(30, 140)))
 
     def step(c: float, way: float) -> float:
+        """Return the next float in a direction."""
         return c if way == 0 else nudged(c, 1 if way > 0 else -1) if c else math.copysign(least, way)
 
     # an edge through the point does not have it as a corner: then all its corners go
@@ -411,7 +423,7 @@ def _stepped(rng: Random, side: tuple[Ring, float], at: Point, towards: Point) -
 
 
 def _dressed(rng: Random, ring: Ring, radius: float, grow: float = 1.0) -> Shape:
-    """The shape in floats, from any first vertex, either way round, sometimes with vertices that change nothing."""
+    """Return a ring's shape from any first vertex, in either winding, sometimes with vertices that change nothing."""
     ring = [(x * grow, y * grow) for x, y in ring]
     if radius:
         return Circle(ring[0], radius * grow)
@@ -422,6 +434,7 @@ def _dressed(rng: Random, ring: Ring, radius: float, grow: float = 1.0) -> Shape
 
 
 def moved(ring: Sequence[Point], dx: float, dy: float) -> Ring:
+    """Return the ring or shape moved by (dx, dy)."""
     return [(x + dx, y + dy) for x, y in ring]
 
 
@@ -429,10 +442,10 @@ def moved(ring: Sequence[Point], dx: float, dy: float) -> Ring:
 
 
 def tenths(rng: Random) -> Pair:
-    """Tiles whose sides are sums of 0.1: what should meet misses by roundings, also beside 0, or meets."""
+    """Return tiles with sides that are sums of 0.1: what should meet misses by roundings, also beside 0, or meets."""
 
     def side(k: int) -> float:
-        """k tenths, as programs work them out."""
+        """Return k tenths in one of the ways in which programs compute them."""
         way = rng.randrange(4)
         if way == 0:
             return k * 0.1
@@ -460,14 +473,16 @@ def tenths(rng: Random) -> Pair:
 
 
 def quarter_turns(rng: Random) -> Pair:
-    """Shapes turned by cosines and sines of quarters and eighths (cos(pi / 2) is 6e-17), side by side."""
+    """Return shapes side by side, rotated by cosines and sines of quarters and eighths (cos(pi / 2) is 6e-17)."""
 
     def turned(ring: Ring) -> Ring:
+        """Return the ring rotated by quarters or eighths."""
         angle = rng.randint(-4, 8) * math.pi / rng.choice((2, 2, 2, 4))
         c, s = math.cos(angle), math.sin(angle)
         return [(c * x - s * y, s * x + c * y) for x, y in ring]
 
     def ring() -> Ring:
+        """Return a regular polygon or a square."""
         if rng.random() < 0.3:  # a regular polygon about the origin
             n = rng.choice((3, 4, 6, 8, 12))
             return [(size * math.cos(2 * math.pi * i / n), size * math.sin(2 * math.pi * i / n)) for i in range(n)]
@@ -480,7 +495,7 @@ def quarter_turns(rng: Random) -> Pair:
 
 
 def map_coordinates(rng: Random) -> Pair:
-    """Something of millimetres or metres at a corner, on an edge or in the midst of a parcel of a kilometre."""
+    """Return a parcel of a kilometre and a shape of millimetres or metres at its corner or edge, or inside it."""
     x, y = rng.randint(160_000, 840_000) + rng.randint(0, 999) / 1000, rng.randint(0, 9_999_999) + rng.random()
     parcel = moved(round_ring(rng, 0.0, 0.0, rng.choice((30.0, 1000.0, 1e5))), x, y)
     size = rng.choice((0.002, 0.002, 0.5, 20.0))
@@ -498,7 +513,7 @@ def map_coordinates(rng: Random) -> Pair:
 
 
 def concave_notch(rng: Random) -> Pair:
-    """A concave polygon and a shape with a corner on one of its vertices or edges, from whichever side."""
+    """Return a concave polygon and a shape with a corner on one of its vertices or edges, from either side."""
     ring = [(4 * x, 4 * y) for x, y in notched(rng)]
     other = notched(rng) if rng.random() < 0.3 else few_corners(rng)
     i, j, nx, ny = edge_of(ring, rng)
@@ -513,13 +528,13 @@ def concave_notch(rng: Random) -> Pair:
 
 
 def star(points: int, x: float = 0.0, y: float = 0.0, inner: float = 0.4) -> Polygon:
-    """With points of length 1: one part in the middle and one a point."""
+    """Return a star with points of length 1; its convex parts are one in the middle and one for each point."""
     arms = [((1, inner)[i % 2], i * math.pi / points) for i in range(2 * points)]
     return Polygon([(x + r * math.cos(angle), y + r * math.sin(angle)) for r, angle in arms])
 
 
 def grid_ring(rng: Random, size: int = 40, step: float = 1.0) -> Ring:
-    """A convex ring of 3 to 10 corners on the integers, times a power of two."""
+    """Return a convex ring of 3 to 10 corners on the integers, times a power of two."""
     n = rng.randint(3, 10)
     while True:
         ring = hull([(rng.randint(-size, size), rng.randint(-size, size)) for _ in range(n + n // 2)])[:10]
@@ -529,7 +544,7 @@ def grid_ring(rng: Random, size: int = 40, step: float = 1.0) -> Ring:
 
 
 def round_ring(rng: Random, x: float, y: float, size: float) -> Ring:
-    """A convex ring with 3 to 10 corners on an ellipse, turned anyhow."""
+    """Return a convex ring of 3 to 10 corners on a rotated ellipse."""
     n = rng.randint(3, 10)
     angles = sorted(rng.uniform(0, math.tau) for _ in range(n))
     stretch, tilt = rng.uniform(0.2, 1), rng.uniform(0, math.tau)
@@ -539,7 +554,7 @@ def round_ring(rng: Random, x: float, y: float, size: float) -> Ring:
 
 
 def jolted(rng: Random, ring: Ring, at: int, most: int = 4) -> Ring:
-    """One coordinate of one corner moved by up to `most` floats."""
+    """Return a ring with one coordinate of one corner moved by up to `most` floats."""
     x, y = ring[at]
     steps = rng.randint(-most, most)
     moved_point = (nudged(x, steps), y) if rng.random() < 0.5 else (x, nudged(y, steps))
@@ -547,7 +562,7 @@ def jolted(rng: Random, ring: Ring, at: int, most: int = 4) -> Ring:
 
 
 def scaled(shape: Shape, power: int) -> Shape:
-    """The shape times 2**power: exact unless it goes below the normal floats."""
+    """Return the shape times 2**power: exact except among the subnormals."""
     if isinstance(shape, Circle):
         x, y, r = (math.ldexp(c, power) for c in (*shape.center, shape.radius))
         return Circle((x, y), r)
@@ -558,6 +573,7 @@ def scaled(shape: Shape, power: int) -> Shape:
 
 
 def random_polygons(rng: Random) -> Pair:
+    """Return two polygons of sizes 0.5 to 3 in a field of 6 by 6."""
     return (
         convex(round_ring(rng, rng.uniform(-3, 3), rng.uniform(-3, 3), rng.uniform(0.5, 3))),
         convex(round_ring(rng, rng.uniform(-3, 3), rng.uniform(-3, 3), rng.uniform(0.5, 3))),
@@ -565,6 +581,7 @@ def random_polygons(rng: Random) -> Pair:
 
 
 def random_circles(rng: Random) -> Pair:
+    """Return a circle and a circle or a polygon in a field of 6 by 6."""
     circle = Circle((rng.uniform(-3, 3), rng.uniform(-3, 3)), rng.uniform(0.1, 2.5))
     if rng.random() < 0.5:
         return circle, Circle((rng.uniform(-3, 3), rng.uniform(-3, 3)), rng.uniform(0.1, 2.5))
@@ -575,9 +592,10 @@ def random_circles(rng: Random) -> Pair:
 
 
 def near_touching(offset: float) -> Callable[[Random], Pair]:
-    """A corner slid to a place on an edge, as near as floats allow, then moved by -4 to 4 floats."""
+    """Return a kind: a corner moved to an edge as near as floats allow, then by -4 to 4 floats more."""
 
     def make(rng: Random) -> Pair:
+        """Return a pair of this kind."""
         exact = rng.random() < 0.6  # on a grid the contact itself is exact
         if exact:
             step = 2.0 ** rng.randint(-4, 0)
@@ -601,7 +619,7 @@ def near_touching(offset: float) -> Callable[[Random], Pair]:
 
 
 def near_parallel(rng: Random) -> Pair:
-    """Two long edges, almost parallel, a few floats apart at one end."""
+    """Return two triangles with long, almost parallel edges a few floats apart at one end."""
     offset = rng.choice(OFFSETS) * rng.uniform(-1, 1)
     if rng.random() < 0.6:  # integers: the edges can lie exactly on each other
         offset, dx, dy = float(round(offset)), float(rng.randint(4, 4000)), float(rng.randint(-4000, 4000))
@@ -623,7 +641,7 @@ def near_parallel(rng: Random) -> Pair:
 
 
 def needles(rng: Random) -> Pair:
-    """A triangle a few floats thin against another, or against a polygon, near its tip or its flank."""
+    """Return a triangle a few floats thin and another, or a polygon, near its tip or its side."""
     far = rng.choice((1.0, 1e3, 1e6)) * rng.uniform(0.5, 1)
     dx, dy = rng.uniform(1, 9), rng.uniform(-9, 9)
     tip, end = (far, far), (far + dx, far + dy)
@@ -647,9 +665,10 @@ def needles(rng: Random) -> Pair:
 
 
 def upright_boxes(rng: Random) -> Pair:
-    """Boxes along x and y, on a small grid (so that many touch) or not, or a box beside a polygon."""
+    """Return boxes along x and y, mostly on a small grid, so that many touch, or a box beside a polygon."""
 
     def box() -> Ring:
+        """Return a random box."""
         if grid:
             x, y = rng.randint(-6, 6) * unit, rng.randint(-6, 6) * unit
             w, h = rng.randint(1, 6) * unit, rng.randint(1, 6) * unit
@@ -675,7 +694,7 @@ def upright_boxes(rng: Random) -> Pair:
 
 
 def shortest_edge(rng: Random) -> Pair:
-    """Two corners so close that their products vanish, and another shape at a corner next to them."""
+    """Return a polygon with two corners so close that their products vanish, and a shape at a corner beside them."""
     ring = many_corners(rng, 48)
     x, y = ring[0]
     ring = [(px - x, py - y) for px, py in ring]
@@ -695,14 +714,14 @@ def shortest_edge(rng: Random) -> Pair:
 
 
 def level_far_side(rng: Random) -> Pair:
-    """The far side of an outline falls by less than a rounding either way; all that is near are two of many corners.
+    """Return a polygon whose far side falls by less than a rounding both ways, and one near two of its corners.
 
     B is such that the first direction from A to it is (-ux, -uy), to the last bit.
     """
     n, (ux, uy) = rng.randint(3, 9), (rng.uniform(-1, 1), rng.uniform(1, 2))
 
     def falling(way: int) -> Ring:
-        """Out from the origin, ever steeper in rationals, where floats see all level with it."""
+        """Return a chain from the origin, ever steeper in rationals, but level with it in floats."""
         found = []
         while len(found) < n:
             x = way * rng.uniform(1, 2)
@@ -721,9 +740,10 @@ def level_far_side(rng: Random) -> Pair:
 
 
 def bowls(rng: Random) -> Pair:
-    """Corners of all sizes on a parabola, and those of another upside down below it: both at the origin, or nearly."""
+    """Return corners of all sizes on a parabola, and others upside down below it: both at the origin, or nearly."""
 
     def bowl() -> Ring:
+        """Return corners on the parabola y = x * x."""
         reach = rng.choice((4, 60, 500))
         xs = {way * rng.choice((1, 3, 5)) * 2.0 ** rng.randint(-reach, reach) for way in (-1, 1) for _ in range(9)}
         return [(x, x * x) for x in sorted(xs | {0.0} if rng.random() < 0.7 else xs)]
@@ -741,6 +761,7 @@ def bowls(rng: Random) -> Pair:
 
 
 def _jolted_circle(rng: Random, circle: Circle, most: int = 2) -> Circle:
+    """Return a circle with its radius or a coordinate of its center moved by up to `most` floats."""
     (x, y), r = circle.center, circle.radius
     steps = rng.randint(-most, most)
     which = rng.randrange(3)
@@ -750,7 +771,7 @@ def _jolted_circle(rng: Random, circle: Circle, most: int = 2) -> Circle:
 
 
 def circles_near_tangent(rng: Random) -> Pair:
-    """Any two circles, the second's radius the distance as near as floats allow, then moved by two floats or less."""
+    """Return two circles that touch as nearly as floats allow, one then moved by up to two floats."""
     offset = rng.choice(OFFSETS)
     ax, ay, bx, by = (offset * rng.uniform(-1, 1) for _ in range(4))
     distance = math.hypot(ax - bx, ay - by)
@@ -759,7 +780,7 @@ def circles_near_tangent(rng: Random) -> Pair:
 
 
 def circle_polygon_near_tangent(rng: Random) -> Pair:
-    """Any polygon and a circle outside whose radius is its distance, then moved by two floats or less."""
+    """Return a polygon and a circle that touch as nearly as floats allow, the circle then moved by up to two floats."""
     offset = rng.choice(OFFSETS) * rng.choice((0.0, 1.0, 1.0))
     ring = moved(
         round_ring(rng, 0.0, 0.0, rng.uniform(0.5, 5)), offset * rng.uniform(-1, 1), offset * rng.uniform(-1, 1)
@@ -780,7 +801,7 @@ def circle_polygon_near_tangent(rng: Random) -> Pair:
 
 
 def circle_clipped_corner(rng: Random) -> Pair:
-    """A box with a corner cut off by a much shorter edge, and a circle that rests on that edge or one of its ends."""
+    """Return a box with a corner cut off by a much shorter edge, and a circle resting on that edge or an end of it."""
     cut, unit, size = (2.0 ** rng.randint(-80, 0) for _ in range(3))
     size = max(size, 2 * cut)
     ring = [(-cut, 0.0), (-size, 0.0), (-size, -size), (0.0, -size), (0.0, -cut)]
@@ -798,7 +819,7 @@ def circle_clipped_corner(rng: Random) -> Pair:
 
 
 def pointed_at_circle(rng: Random) -> Pair:
-    """A needle that points at a circle's center to less than a rounding of its own edges, be they tiny or not.
+    """Return a needle that points at a circle's center to less than a rounding of its edges, and that circle.
 
     In rationals the center lies outside; the rounded edges, each by itself, can all have it on their inner side.
     """
@@ -835,21 +856,21 @@ BASIC = (
 
 
 def any_scale(rng: Random) -> Pair:
-    """One of the pairs above times any power of two: the relation must stay."""
+    """Return an ordinary pair times any power of two, which must keep the relation."""
     a, b = rng.choice(BASIC)(rng)
     power = rng.randint(-1000, 990)
     return scaled(a, power), scaled(b, power)
 
 
 def smallest_scale(rng: Random) -> Pair:
-    """Down among the subnormals, where coordinates round to a few units of 2**-1074."""
+    """Return a pair among the subnormals, where coordinates round to a few units of 2**-1074."""
     a, b = rng.choice((*BASIC, upright_boxes))(rng)
     power = -rng.randint(1000, 1080)
     return scaled(a, power), scaled(b, power)
 
 
 def largest_scale(rng: Random) -> Pair:
-    """Up at the end of float64: differences and products overflow."""
+    """Return a pair at the end of float64, where differences and products overflow."""
     a, b = rng.choice(BASIC)(rng)
     most = max(abs(c) for shape in (a, b) for c in _numbers(shape))
     power = rng.choice((1023, 1024, 1024)) - math.frexp(most)[1]
@@ -857,15 +878,17 @@ def largest_scale(rng: Random) -> Pair:
 
 
 def _numbers(shape: Shape) -> list[float]:
+    """Return all coordinates and the radius of a shape."""
     if isinstance(shape, Circle):
         return [*shape.center, shape.radius]
     return [c for v in shape.vertices for c in v]
 
 
 def mixed_magnitudes(rng: Random) -> Pair:
-    """Triangles (and circles) whose own coordinates differ by hundreds of powers of two."""
+    """Return triangles (and circles) whose own coordinates differ by hundreds of powers of two."""
 
     def wild() -> float:
+        """Return a number of any magnitude."""
         return (
             rng.choice((-1, 1))
             * rng.uniform(1, 2)
@@ -874,6 +897,7 @@ def mixed_magnitudes(rng: Random) -> Pair:
         )
 
     def triangle() -> Ring:
+        """Return three such points."""
         return [(wild(), wild()) for _ in range(3)]
 
     a = triangle()
@@ -891,7 +915,7 @@ def mixed_magnitudes(rng: Random) -> Pair:
 
 
 def one_out_of_range(rng: Random) -> Pair:
-    """An ordinary polygon and, on a corner or an edge of it, one whose products overflow or vanish."""
+    """Return a polygon and, on a corner or an edge of it, one whose products overflow or vanish."""
     ring = few_corners(rng)
     i = rng.randrange(len(ring))
     p, q = ring[i], ring[(i + 1) % len(ring)]
@@ -902,6 +926,7 @@ def one_out_of_range(rng: Random) -> Pair:
     size = rng.choice((rng.randint(400, 1000), rng.randint(-1050, -400)))
 
     def wild() -> float:
+        """Return a number near the end of float64, or near the subnormals."""
         return rng.choice((-1, 1, 1)) * math.ldexp(rng.uniform(1, 2), size + rng.choice((0, 0, 0, -1, -20, 20)))
 
     touched = (rng.choice((0.0, 0.0, 5e-324, -5e-324, 1e-300)), 0.0)
@@ -913,7 +938,7 @@ def one_out_of_range(rng: Random) -> Pair:
 
 
 def circle_by_a_bent_side(rng: Random) -> Pair:
-    """A small circle inside or outside of a side that is hardly bent, about as far as rounding hides where it lies.
+    """Return a small circle inside or outside a side that is hardly bent, about as far as rounding hides its place.
 
     One of the two parts of the side can look as if the center lay on its line, the other as if it did not.
     """
@@ -922,6 +947,7 @@ def circle_by_a_bent_side(rng: Random) -> Pair:
     start = rng.uniform(-1, 1), rng.uniform(-1, 1)
 
     def at(s: float, h: float) -> Point:
+        """Return the point at s along the side and h inwards of it."""
         return tuple(c + s * u + h * v for c, u, v in zip(start, along, inward, strict=True))
 
     end, bend = rng.uniform(1, 1.5), rng.uniform(0.3, 0.6)
@@ -937,7 +963,7 @@ def circle_by_a_bent_side(rng: Random) -> Pair:
 
 
 def dress(rng: Random, ring: Sequence[Point]) -> Ring:
-    """The same outline with midpoints (exact on even grids), repeats, a closing vertex, the other way round."""
+    """Return the same outline with midpoints (exact on even grids), repeats, a closing vertex, in either winding."""
     full: Ring = []
     for p, q in zip(ring, [*ring[1:], ring[0]], strict=True):
         full += [p] * rng.choice((1, 1, 1, 2, 3))

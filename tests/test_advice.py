@@ -25,7 +25,7 @@ import satviz as sv
 from satviz import batch
 from satviz.advice.advising_batches import repeated_pair
 from satviz.advice.candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model, SplitPolygon
-from satviz.advice.certified_bounds import certify
+from satviz.advice.certified_bounds import SAT_ROUNDINGS, certify
 from satviz.advice.classify import classify
 from satviz.advice.margins import relative_margins
 from satviz.advice.models import evaluate, prepare
@@ -34,7 +34,7 @@ from satviz.advice.relative_margin import relative_margin, signed_relative_margi
 from satviz.advice.scope import ANYWHERE, GRID, HERE, MOVED, Scope, power_of_two_bound
 from satviz.advice.shapesfile import load
 from satviz.cli import main
-from satviz.engine.axis_count import NUMBER_WORDS, enough
+from satviz.engine.axis_count import NUMBER_WORDS, count_axes
 from satviz.engine.convex_parts import parts
 from satviz.engine.geometry import Relation, Vec
 from satviz.pictures import THEMES
@@ -50,7 +50,7 @@ def sign_of(relation):
 def test_relative_margin_of_two_squares_is_the_gap_in_roundings_of_span_times_reach():
     a = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     b = sv.Polygon([(3, 0), (4, 0), (4, 1), (3, 1)])
-    assert relative_margin(a, b) == 2 / (2**-53 * 1 * 4)  # the turn 2 of a unit edge, the reach 4
+    assert relative_margin(a, b) == 2 / (2**-53 * 1 * 4)  # the turn 2 of a unit edge, the largest coordinate 4
     assert relative_margin(a, sv.Circle((3, 0.5), 1)) == 1 / (2**-53 * 4)
     assert relative_margin(sv.Circle((0, 0), 1), sv.Circle((3, 0), 1)) == 1 / (2**-53 * 4)
     assert signed_relative_margin(a, sv.Circle((0.5, 0.5), 1)) == -1.5 / (
@@ -149,10 +149,10 @@ def test_relations_certified_for_many_pairs_are_certified_by_fractions_and_found
     for model in MODELS:
         a, b = batch_of([a for _, a, _ in some]), batch_of([b for _, _, b in some])
         i = np.arange(len(some))
-        told = classify(model, many := paired(a, i, b, i), batch.relate(a, b)).tolist()
+        certified = classify(model, many := paired(a, i, b, i), batch.relate(a, b)).tolist()
         with np.errstate(all="ignore"):
             said = evaluate(model, many, prepare(model, a), prepare(model, b), engine=engine).tolist()
-        for (kind, p, q), one, answer in zip(some, told, said, strict=True):
+        for (kind, p, q), one, answer in zip(some, certified, said, strict=True):
             if one != -1 and not (model.kind == K_DOP and (p.radius or q.radius)):
                 known[model.name] += 1
                 assert certify(model, p, q) == one == answer, (model.name, kind, p, q)
@@ -239,7 +239,7 @@ def scenes(seed, count):
 
 
 def wrong_recommendations(seed, count, engines=("numpy",)):
-    """The scenes whose advised model is not sure of the truth or does not answer it, and what was advised how often."""
+    """Return the scenes whose recommended model is not certified right or errs, and how often each kind was chosen."""
     wrong, advised = [], Counter()
     for scene in scenes(seed, count):
         truth = [oracle.relation(a, b) for a, b in scene]
@@ -248,7 +248,7 @@ def wrong_recommendations(seed, count, engines=("numpy",)):
             many = repeated_pair(*scene[0], copies=1)
         else:
             recommendation = sv.advise(batch_of([a for a, _ in scene]), batch_of([b for _, b in scene]))
-            many = recommendation.case.batches()
+            many = recommendation.given.batches()
         model = recommendation.model
         advised[model.kind] += 1
         surely = [certify(model, a, b) for a, b in scene]
@@ -288,38 +288,43 @@ def test_every_recommendation_holds_when_it_is_proven_again():
 
 def test_one_axis_is_enough_where_a_gap_is_found_and_all_are_needed_for_a_hit():
     a, b = sv.scene("triangles").a, sv.scene("triangles").b
-    many, said = enough(a, b)
+    many, said = count_axes(a, b)
     assert many == 1 and "gap of 1.213" in said and "five are enough" in said
-    assert enough(a, a)[0] == 3
-    assert enough(sv.record(a, b)) == (many, said)
+    assert count_axes(a, a)[0] == 3
+    assert count_axes(sv.record(a, b)) == (many, said)
 
 
 def test_the_sentence_counts_the_axes_that_touch():
     corner = sv.Polygon([(0, 0), (1, 0), (0, 1)])
     opposite = sv.Polygon([(0, 0), (-1, 0), (0, -1)])
-    assert enough(corner, opposite) == (
+    assert count_axes(corner, opposite) == (
         3,
         "Three axes are needed here: the ranges leave no gap on any, and only all of them prove a hit.",
     )
-    assert "touch on one axis and overlap on the others" in enough(corner, sv.Polygon([(1, -1), (2, 0.5), (1, 2)]))[1]
-    assert "touch on three axes and overlap on the others" in enough(corner, sv.Polygon([(0, 0), (-1, 0), (-1, -1)]))[1]
+    assert (
+        "touch on one axis and overlap on the others" in count_axes(corner, sv.Polygon([(1, -1), (2, 0.5), (1, 2)]))[1]
+    )
+    assert (
+        "touch on three axes and overlap on the others"
+        in count_axes(corner, sv.Polygon([(0, 0), (-1, 0), (-1, -1)]))[1]
+    )
 
 
 def test_what_is_enough_wherever_shapes_are_moved_is_so_where_the_nearest_vertex_gives_no_axis_of_its_own():
     square = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     for y in (5.0, 5.5):
-        many, said = enough(square, sv.Circle((1, y), 1))
+        many, said = count_axes(square, sv.Circle((1, y), 1))
         assert many == 1 and said.endswith("Wherever they are moved, three are enough.")
-    assert enough(square, sv.Circle((1.5, 1.7), 1))[0] == 3
+    assert count_axes(square, sv.Circle((1.5, 1.7), 1))[0] == 3
     for kind, a, b in pairs(42, 2 * len(CONVEX), list(CONVEX)):
-        if words := enough(a, b)[1].partition("Wherever they are moved, ")[2]:
+        if words := count_axes(a, b)[1].partition("Wherever they are moved, ")[2]:
             to = [p - q for p, q in zip(a.bounds[:2], b.bounds[:2])]
             with suppress(sv.InvalidShape):
-                assert len(sv.axes.needed(a, translated(b, Vec(*to))).axes) <= told(words), kind
+                assert len(sv.axes.needed(a, translated(b, Vec(*to))).axes) <= leading_number(words), kind
 
 
-def told(words):
-    """How many: the first word."""
+def leading_number(words):
+    """Return the number that the first word stands for."""
     many = words.split()[0]
     return NUMBER_WORDS.index(many.capitalize()) if many.isalpha() else int(many.replace(",", ""))
 
@@ -348,20 +353,23 @@ def test_circles_that_reach_beyond_float64_are_advised_on():
 
 def test_two_axes_are_enough_for_upright_boxes_wherever_they_lie():
     box = sv.Polygon([(0, 0), (2, 0), (2, 1), (0, 1)])
-    assert enough(box, box) == (2, "Two axes are enough, wherever two upright boxes lie: y and x.")
+    assert count_axes(box, box) == (2, "Two axes are enough, wherever two upright boxes lie: y and x.")
 
 
 def test_one_axis_is_enough_for_circles():
     coin = sv.Circle((0, 0), 1)
-    assert enough(coin, coin) == (1, "One axis is enough, wherever two circles lie: the line through their centers.")
+    assert count_axes(coin, coin) == (
+        1,
+        "One axis is enough, wherever two circles lie: the line through their centers.",
+    )
     gap = "One axis is enough here: the line through both centers leaves a gap of 3."
-    assert enough(coin, sv.Circle((5, 0), 1)) == (1, gap)
+    assert count_axes(coin, sv.Circle((5, 0), 1)) == (1, gap)
 
 
 def test_no_range_is_said_to_touch_where_all_overlap():
     corner = sv.Polygon([(0, 0), (4, 0), (0, 4)])
     said = "Four axes are needed here: the ranges leave no gap on any, and only all of them prove a hit."
-    assert enough(corner, sv.Polygon([(1, 1), (5, 1), (1, 6)])) == (4, said)
+    assert count_axes(corner, sv.Polygon([(1, 1), (5, 1), (1, 6)])) == (4, said)
 
 
 def test_enough_axes_for_a_hit_of_parts_are_those_of_the_parts_that_meet():
@@ -369,32 +377,32 @@ def test_enough_axes_for_a_hit_of_parts_are_those_of_the_parts_that_meet():
     for x, y, many in (3.0, 0.5, "Two"), (0.2, 2.5, "Three"):
         small = sv.Polygon([(x, y), (x + 0.2, y), (x + 0.2, y + 0.2), (x, y + 0.2)])
         said = f"{many} axes are needed here: all those of two convex parts that meet."
-        assert enough(roof, small) == (NUMBER_WORDS.index(many), said)
+        assert count_axes(roof, small) == (NUMBER_WORDS.index(many), said)
 
 
 def test_enough_says_no_more_of_concave_outlines_than_of_where_they_lie_and_names_a_traces_shapes():
     notch = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
     far = sv.Polygon([(9, 9), (10, 9), (10, 10), (9, 10)])
     said = "One axis is enough here: the normal of B's hull edge b3b5 leaves a gap of 8.485."
-    assert enough(far, notch) == (1, said)
+    assert count_axes(far, notch) == (1, said)
     said = "One axis is enough here: the normal of A's hull edge a3a5 leaves a gap of 8.485."
-    assert enough(notch, far) == (1, said)
+    assert count_axes(notch, far) == (1, said)
     roof = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (0, 5)])
     pairs = sv.record(sv.Polygon([(2, 3.5), (3, 3.5), (3, 4.5)]), roof).pairs
-    assert [enough(pair)[1].partition(" leaves")[0] for pair in pairs] == [
+    assert [count_axes(pair)[1].partition(" leaves")[0] for pair in pairs] == [
         "One axis is enough here: the normal of B1's edge b1.1 to b1.2",
         "One axis is enough here: the normal of B2's edge b2.1 to b2.2",
     ]
     with pytest.raises(TypeError, match=r"^b is a str: "):
-        enough(far, "B")
+        count_axes(far, "B")
 
 
 def test_a_hulls_normal_may_be_enough_where_no_edges_is():
     dart = sv.Polygon([(-3, -3), (4, 0), (1, 1), (0, 4)])
     square = sv.Polygon([(2.2, 2.2), (3.2, 2.2), (3.2, 3.2), (2.2, 3.2)])
-    assert enough(dart, square)[0] == 1
+    assert count_axes(dart, square)[0] == 1
     notch = sv.Polygon([(0, 0), (4, 0), (4, 3), (3, 3), (3, 1), (1, 1), (1, 3), (0, 3)])
-    assert enough(notch, sv.Circle((2, 2), 0.5)) == (
+    assert count_axes(notch, sv.Circle((2, 2), 0.5)) == (
         3,
         "No one normal of an edge is enough here, but one for each of the 3 pairs of convex parts is.",
     )
@@ -402,7 +410,7 @@ def test_a_hulls_normal_may_be_enough_where_no_edges_is():
 
 def test_enough_axes_are_counted_for_pairs_of_every_kind():
     for kind, a, b in pairs(41, 3 * len(KINDS)):
-        many, said = enough(a, b)
+        many, said = count_axes(a, b)
         assert many >= 1 and said.endswith("."), kind
         assert (
             sv.relate(a, b) is Relation.APART
@@ -605,7 +613,7 @@ def test_where_boxes_never_meet_there_is_nothing_left_to_test():
     assert recommendation.model.kind == AABB
     assert recommendation.summary.pairs == 0
     assert recommendation.check()
-    assert recommendation.prices() == {}
+    assert recommendation.costs() == {}
     assert "all 3 pairs" in str(recommendation) and "no two boxes meet" in str(recommendation)
     with pytest.raises(ValueError, match="nothing to time"):
         recommendation.chart()
@@ -663,15 +671,15 @@ def test_what_is_no_scene_is_refused(wrong):
         sv.advise(*wrong)
 
 
-# -- prices and the chart
+# -- costs and the chart
 
 
 @pytest.mark.slow
-def test_prices_are_those_of_all_candidates_and_count_their_wrong_answers():
+def test_costs_are_those_of_all_candidates_and_count_their_wrong_answers():
     recommendation = sv.advise("triangles")
-    found = recommendation.prices()
+    found = recommendation.costs()
     assert found.keys() == {j.model.name for j in recommendation.results}
-    assert all(price.cold > 0 and price.warm > 0 for price in found.values())
+    assert all(cost.cold > 0 and cost.warm > 0 for cost in found.values())
     assert (found[BOUNDING_CIRCLES].wrong, found[recommendation.model.name].wrong) == (1, 0)
 
 
@@ -719,7 +727,7 @@ def shapes_file(tmp_path, **arrays):
 def test_the_command_advises_on_scenes(capsys):
     assert main(["advise", "triangles"]) == 0
     said = capsys.readouterr().out
-    assert said.startswith(f"{sv.advise('triangles')}\n") and "\nprice    " in said
+    assert said.startswith(f"{sv.advise('triangles')}\n") and "\ncost     " in said
     assert main(["advise", "far-centers", "--json"]) == 0
     assert json.loads(capsys.readouterr().out) == json.loads(sv.advise("far-centers").to_json())
 
@@ -731,7 +739,7 @@ def test_the_command_advises_on_a_file_of_many_shapes_and_draws_what_they_cost(t
     assert main(["advise", path, "--chart", str(tmp_path / "new"), "--json"]) == 0
     data = json.loads(capsys.readouterr().out)
     assert data["facts"]["kinds"] == {"upright boxes": 1, "circles": 2, "convex polygons": 1}
-    assert data["prices"].keys() == {c["name"] for c in data["candidates"]}
+    assert data["costs"].keys() == {c["name"] for c in data["candidates"]}
     assert {p.name for p in (tmp_path / "new").iterdir()} == {
         f"advice{dark}.{form}" for dark in ("", "-dark") for form in ("svg", "png")
     }
@@ -755,8 +763,8 @@ def test_the_command_advises_on_a_file_of_many_shapes_and_draws_what_they_cost(t
 )
 def test_a_file_that_holds_no_shapes_gives_one_clear_line(arrays, says, tmp_path, capsys):
     assert main(["advise", shapes_file(tmp_path, **arrays)]) == 2
-    told = capsys.readouterr().err
-    assert says in told and told.count("\n") == 1
+    line = capsys.readouterr().err
+    assert says in line and line.count("\n") == 1
 
 
 def test_what_is_no_file_of_shapes_gives_one_clear_line(tmp_path, capsys):
@@ -813,6 +821,17 @@ def hardly_apart(seed, count):
             yield sv.Polygon(ring * by), sv.Polygon(other * by)
         except sv.InvalidShape:
             continue
+
+
+def test_polygons_of_full_precision_are_certified_in_float64_where_the_relative_margin_is_beyond_32():
+    model, certified_pairs = Model("float64", 6), Counter()
+    for a, b in hardly_apart(64, 300):
+        beyond = relative_margin(a, b) > SAT_ROUNDINGS
+        certified_pairs[beyond] += 1
+        many = repeated_pair(a, b, 1)
+        assert (certify(model, a, b) is not None) is beyond, (a, b)
+        assert (classify(model, many, batch.relate(many.a, many.b))[0] >= 0) == beyond, (a, b)
+    assert min(certified_pairs.values()) > 50
 
 
 def test_a_recommendation_on_a_pair_is_the_same_for_many_as_for_two():

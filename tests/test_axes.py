@@ -45,7 +45,7 @@ def exact(axis, a, b):
 
 @pytest.mark.parametrize("name", axes.NAMED)
 @pytest.mark.parametrize("e", [-1040, -400, 0, 400, 1000])
-def test_every_axis_runs_along_its_source_to_the_right_or_up_and_tells_its_length(name, e):
+def test_every_axis_runs_along_its_source_to_the_right_or_up_and_has_its_length(name, e):
     for pair in PAIRS.values():
         a, b = (sized(shape, e) for shape in pair)
         choice = axes.NAMED[name](a, b)
@@ -157,7 +157,7 @@ def test_a_source_names_the_owners_vertices_the_lower_first():
     assert sources(axes.hull_normals(clockwise, COIN)) == expected
 
 
-def test_the_hull_tells_edges_of_the_outline_from_those_across_a_notch():
+def test_the_hull_distinguishes_edges_of_the_outline_from_those_across_a_notch():
     for first in range(6):
         turned = sv.Polygon([*L.vertices[first:], *L.vertices[:first]])
         found = axes.hull_normals(A, turned).axes
@@ -173,7 +173,7 @@ def test_teeth_on_one_line_make_one_edge_of_the_hull():
     assert found == {(0, 1): axes.EDGE, (1, 2): axes.EDGE, (2, 6): axes.HULL, (0, 6): axes.EDGE}
 
 
-def test_the_normals_of_a_shape_are_worked_out_once():
+def test_the_normals_of_a_shape_are_computed_once():
     shape = sv.Polygon(A.vertices)
     assert axes.edge_normals_of_a(shape, B).axes[0] is axes.edge_normals_of_a(shape, COIN).axes[0]
     assert axes.edge_normals_of_a(shape, B).axes[0] != axes.edge_normals_of_b(B, shape).axes[0]

@@ -321,7 +321,7 @@ def test_numbas_search_finds_no_shared_point_by_turns_that_rounding_may_hide(sea
 )
 def test_no_point_of_an_edge_is_inside_for_numba_where_differences_are_rounded(search, ring, point):
     triangle, at = sv.Polygon(ring), np.array(point, float)
-    assert 0 in [oracle.turn(p, q, point) for p, q in pairwise([*triangle.core, triangle.core[0]])]
+    assert 0 in [oracle.orientation(p, q, point) for p, q in pairwise([*triangle.core, triangle.core[0]])]
     row, _, reach, _ = as_rows(np.array(triangle.core), np.array(triangle.core), None)
     assert not search.is_certainly_inside(*row, *at, reach)
     assert search.is_certainly_inside(*row, *np.array(triangle.core).mean(axis=0), reach)
@@ -352,7 +352,7 @@ def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
             ):
                 told = settle.orient(*x, *y, *z, terms)
                 seen[told, size] += 1
-                exact = oracle.turn(x, y, z)
+                exact = oracle.orientation(x, y, z)
                 assert told in (-2, (exact > 0) - (exact < 0)), (x, y, z)
     for size in SIZES:
         assert min(seen[told, size] for told in (-1, 0, 1)) > 5 or seen[-2, size] > 100
@@ -366,11 +366,11 @@ def test_numbas_turn_looks_no_further_than_it_must(scale, monkeypatch):
     turn, terms = in_python(settle.orient), np.empty(settle.MAX_TERMS)
     monkeypatch.setattr(settle, "sign_of_sum", lambda *_: pytest.fail("sums are asked"))
     for points in np.transpose([c * scale for c in in_a_row(RNG(2), 1000, 1000)]).tolist():
-        if abs(exact := oracle.turn(points[:2], points[2:4], points[4:])) > 1e-24 * scale**2:
+        if abs(exact := oracle.orientation(points[:2], points[2:4], points[4:])) > 1e-24 * scale**2:
             assert turn(*points, terms) == (1 if exact > 0 else -1)
     monkeypatch.setattr(settle, "_two_diff_tail", lambda *_: pytest.fail("what differences lost is asked"))
     for points in RNG(1).uniform(-scale, scale, (1000, 6)).tolist():
-        exact = oracle.turn(points[:2], points[2:4], points[4:])
+        exact = oracle.orientation(points[:2], points[2:4], points[4:])
         assert turn(*points, terms) == (1 if exact > 0 else -1)
         assert turn(*points[:4], *points[:2], terms) == turn(*points[:4], *points[2:4], terms) == 0
 

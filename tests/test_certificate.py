@@ -59,7 +59,7 @@ def test_a_lines_point_is_the_nearest_to_the_origin():
 
 
 def gap_on(line: SeparatingLine) -> tuple[float, float]:
-    """How far the line is from the first and from the second shape, in scene units."""
+    """Return how far the line is from the first and from the second shape, in scene units."""
     nx, ny = map(float, line.normal)
     length = (nx * nx + ny * ny) ** 0.5
     away = []
@@ -174,7 +174,7 @@ def test_where_a_float_will_do_the_shared_point_is_one():
     assert (found.x, found.y) == (Fraction(float(found.x)), Fraction(float(found.y)))
 
 
-def test_a_shared_point_is_worked_out_once():
+def test_a_shared_point_is_computed_once():
     a, b = box(0, 0, 4, 4), box(2, 2, 6, 6)
     assert certificate.shared_point(a, b) is certificate.shared_point(a, b)
 

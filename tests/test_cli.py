@@ -17,7 +17,7 @@ import pytest
 
 import satviz as sv
 from satviz.cli import DRAW_FORMATS, main
-from satviz.engine import describe
+from satviz.engine import text_table
 from satviz.pictures.figures import FIGURES
 from satviz.scenes.article import SCENES
 from satviz.study.harness.cells import Cell
@@ -396,7 +396,7 @@ def vanishing(work):
         (["figures", "--only", "1", "--only", "2", "--out"], "satviz.render.files.encode_frames"),
         (["draw", "aabb", "--format", "gif", "--format", "html", "--out"], "satviz.render.files.encode_frames"),
         (["study", "--quick", "--out"], "satviz.study.harness.cells._load_result"),
-        (["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.in_turn"),
+        (["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.time_in_turn"),
         (["trace", "aabb"], "satviz.scenes.named.scene"),
         (["notebook", "--no-open"], "satviz.safe_write.write"),
     ],
@@ -483,11 +483,11 @@ def test_a_closed_pipe_is_no_error():
 @pytest.mark.parametrize("name", [scene.name for scene in SCENES])
 def test_a_narrow_terminal_gets_a_narrow_table_that_says_the_same(name):
     trace = sv.scene(name).record()
-    wide = describe.table(trace)
-    assert wide == str(trace) == describe.table(trace, 10_000)
+    wide = text_table.table(trace)
+    assert wide == str(trace) == text_table.table(trace, 10_000)
     heads = {"axis", "direction", "gap", *(name for t in (trace, *trace.pairs) for name in t.names)}
     for width in 40, 61, 80:
-        lines = describe.table(trace, width).splitlines()
+        lines = text_table.table(trace, width).splitlines()
         assert max(map(len, lines)) <= width
         said, given = (Counter(w for w in text.split() if w not in heads) for text in (" ".join(lines), wide))
         assert said == given

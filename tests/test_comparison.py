@@ -10,7 +10,7 @@ from speeds import one_in
 
 import satviz as sv
 from satviz.cli import main
-from satviz.engine.number_format import plain
+from satviz.engine.number_format import ascii_minus
 from satviz.pictures import comparison, comparison_panels
 from satviz.pictures.label_placer import LabelPlacer, LabelRequest
 from satviz.pictures.layout import Layout
@@ -30,7 +30,9 @@ each_case = pytest.mark.parametrize("case", SHOWN, ids=lambda case: case.name)
 
 
 def texts(drawn: Picture, prefix: str) -> dict[str, str]:
-    return {mark.id: plain(mark.text) for mark in drawn.marks if mark.kind == "label" and mark.part.startswith(prefix)}
+    return {
+        mark.id: ascii_minus(mark.text) for mark in drawn.marks if mark.kind == "label" and mark.part.startswith(prefix)
+    }
 
 
 def struck(drawn: Picture) -> list[str]:
@@ -41,7 +43,7 @@ def struck(drawn: Picture) -> list[str]:
         (label,) = (m for m in drawn.labels if m._replace(part=f"{m.part}-strike").id == line.id)
         ys = [p.y for p in line.points]
         assert len(set(ys)) == len(label.text.split("\n")) and max(ys) + min(ys) == pytest.approx(2 * label.points[0].y)
-        found.append(plain(label.text))
+        found.append(ascii_minus(label.text))
     return found
 
 
@@ -92,7 +94,9 @@ def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on
     }.get(case.name, ("", ""))
     if not left:
         told = [case.in_words(answer) for answer in (case.claimed, case.actual)]
-        left, right = (plain(t).replace("gap -", "overlap ") if case.quantity == "gap" else plain(t) for t in told)
+        left, right = (
+            ascii_minus(t).replace("gap -", "overlap ") if case.quantity == "gap" else ascii_minus(t) for t in told
+        )
         if case.name == "circles-turned-round":
             left = "gap -1"
     assert left in saw and right in truth
@@ -231,7 +235,7 @@ def test_a_failing_scene_is_drawn_and_made_a_page_under_its_claim(tmp_path):
     last = sorted(tmp_path.glob("lengths-*.svg"))[-1].read_text(encoding="utf-8")
     page = (tmp_path / "lengths.html").read_text(encoding="utf-8")
     claim = "Claim: a landing place is a length, so it has no sign."
-    assert claim in last and f"<h1>{claim} Wrong: overlapping, gap -1. Right: apart, gap +4.</h1>" in plain(page)
+    assert claim in last and f"<h1>{claim} Wrong: overlapping, gap -1. Right: apart, gap +4.</h1>" in ascii_minus(page)
 
 
 def test_both_pens_and_the_player_take_both_panels():

@@ -133,7 +133,7 @@ def boxes_meet(a: Polygon, b: Polygon) -> bool:
 
 def reflex_count(polygon: Polygon) -> int:
     ring = polygon.corners
-    return sum(truth.turn(ring[i - 1], ring[i], ring[(i + 1) % len(ring)]) < 0 for i in range(len(ring)))
+    return sum(truth.orientation(ring[i - 1], ring[i], ring[(i + 1) % len(ring)]) < 0 for i in range(len(ring)))
 
 
 def refute(polygon: Polygon) -> str:
@@ -141,9 +141,9 @@ def refute(polygon: Polygon) -> str:
     found = parts(polygon)
     own, *rings = integers(polygon.corners, *(part.vertices for part in found))
     wrong = []
-    if not all(part.is_convex and not part.notes and truth.area2(part.vertices) > 0 for part in found):
+    if not all(part.is_convex and not part.notes and truth.twice_signed_area(part.vertices) > 0 for part in found):
         wrong.append("a part is not convex, not counter-clockwise, or has a straight-on vertex")
-    if sum(map(truth.area2, rings)) != truth.area2(own):
+    if sum(map(truth.twice_signed_area, rings)) != truth.twice_signed_area(own):
         wrong.append("the areas do not add up")
     if any(truth.polygons(p, q) is OVERLAPPING for p, q in combinations(found, 2) if boxes_meet(p, q)):
         wrong.append("two parts overlap")
@@ -367,7 +367,7 @@ def test_they_have_from_any_first_vertex_and_turned_any_way(name, ring, count, t
         [(5, 0), (4, 1), (7, 3), (3, 2), (2, 7), (-2, 1), (-4, 1), (-4, -1), (3, -6)],
     ],
 )
-def test_a_cut_between_two_reflex_vertices_is_judged_by_the_edges_next_to_them(ring):
+def test_a_cut_between_two_reflex_vertices_is_decided_by_the_edges_next_to_them(ring):
     # those one further on would miss the one cut that ends two, and make a part more
     assert len(parts(Polygon(ring))) == 3 <= fewest_without_new_points(Polygon(ring))
 
@@ -510,7 +510,7 @@ def test_anything_but_a_shape_is_a_type_error(thing):
         parts(thing)
 
 
-def test_the_parts_are_worked_out_once():
+def test_the_parts_are_computed_once():
     polygon = Polygon(L)
     assert parts(polygon) is parts(polygon)
 
@@ -602,7 +602,7 @@ def test_a_box_in_and_about_the_L(x0, y0, x1, y1, right):
     assert oracle.relation(Polygon(L), box) is right
 
 
-def test_a_circle_in_the_notch_of_the_L_is_told_to_the_last_bit():
+def test_a_circle_in_the_notch_of_the_L_is_decided_to_the_last_bit():
     assert relate(Polygon(L), Circle((3, 3), 1)) is TOUCHING
     assert relate(Polygon(L), Circle((3, 3), 1 - ULP)) is APART
     assert relate(Polygon(L), Circle((3, 3), 1 + ULP)) is OVERLAPPING
@@ -754,11 +754,11 @@ def test_splitting_grows_almost_as_the_outline(kind, monkeypatch):
         done = getattr(owner, name)
         monkeypatch.setattr(owner, name, lambda *args: looks.update({name: work(*args)}) or done(*args))
 
-    for name in "_turn", "_turn_at":
+    for name in "orient_det", "_turn_at":
         counted(convex_parts, name, lambda *_: 1)
     for module in sweep, triangulation, polygon_validation:
         counted(module, "orient", lambda *_: 1)
-    for name in "_sees", "_extended", "_first_beside", "_cut":
+    for name in "_sees", "_extend_edge", "_first_beside", "_cut":
         counted(convex_parts._Pieces, name, lambda _, ring, *rest: len(ring))
     cost = []
     for n in (500, 4000):

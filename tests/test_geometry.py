@@ -5,7 +5,7 @@ import pytest
 import satviz as sv
 
 
-def test_a_relation_is_a_number_true_when_it_is_a_hit_and_told_in_small_letters():
+def test_a_relation_is_a_number_true_when_it_is_a_hit_and_printed_in_small_letters():
     assert [int(relation) for relation in sv.Relation] == [0, 1, 2]
     assert [bool(relation) for relation in sv.Relation] == [False, True, True]
     assert [str(relation) for relation in sv.Relation] == ["apart", "touching", "overlapping"]

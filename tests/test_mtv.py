@@ -50,7 +50,7 @@ def test_the_mtv_is_right_where_shortcuts_go_wrong_and_exact_where_float64_holds
     assert sv.record(a, b).mtv == mtv
 
 
-def test_only_an_overlap_has_a_way_out_that_leads_anywhere():
+def test_only_an_overlap_has_an_mtv_that_is_not_zero():
     assert sv.record(A, B).mtv is None
     assert sv.record(box(2.5, 2.5, 3.5, 3.5), L).mtv is None
     assert sv.record(box(0, 0, 1, 1), box(1, 0, 2, 1)).mtv == (0, 0)
@@ -140,7 +140,7 @@ def test_a_move_beyond_float64_is_none_and_said(notch):
     assert sv.Trace.from_json(trace.to_json()) == trace
 
 
-def test_the_way_out_of_too_many_parts_is_refused_with_the_numbers_and_what_to_do():
+def test_the_mtv_of_too_many_parts_is_refused_with_the_numbers_and_what_to_do():
     trace = sv.record(star(40), star(40, 1.3, 0.1))
     with pytest.raises(
         sv.InvalidScene, match=r"1,681 pairs .* 13,120 corners.* 4,000 .*trace\.colliding\.mtv"
@@ -150,7 +150,7 @@ def test_the_way_out_of_too_many_parts_is_refused_with_the_numbers_and_what_to_d
     assert trace.colliding.mtv and trace.certificate.check()
 
 
-def test_the_limit_on_the_way_out_counts_the_corners_of_all_pairs(monkeypatch):
+def test_the_limit_on_the_mtv_counts_the_corners_of_all_pairs(monkeypatch):
     for b, corners in (box(1.5, 1.5, 3.5, 3.5), 16), (sv.Circle((3.2, 3.2), 1.5), 10), (star(3, 2, 2), 44):
         trace = sv.record(L, b)
         monkeypatch.setattr(mtv_module, "MAX_CORNERS", corners - 1)
@@ -161,7 +161,7 @@ def test_the_limit_on_the_way_out_counts_the_corners_of_all_pairs(monkeypatch):
         assert trace.mtv
 
 
-def test_the_way_out_is_looked_for_once_and_not_for_a_picture_of_what_is_apart(monkeypatch):
+def test_the_mtv_is_searched_for_once_and_not_for_a_picture_of_what_is_apart(monkeypatch):
     mtv_module.mtv_of_parts.cache_clear()
     trace = sv.record(L, sv.Circle((3.2, 3.2), 1.5))
     assert mtv_module.mtv_of_parts.cache_info().misses == 0
@@ -178,7 +178,7 @@ SPIKE = sv.Polygon([(-9, -2), (9, -2), (9, 0), (0.2, 0), (0, 1), (-0.2, 0), (-9,
 
 
 def spikes(half):
-    """Two tips at (1, 1) and (-1, 1), of half this width, on a box."""
+    """Return a box with two spikes, of half this width at the tips (1, 1) and (-1, 1)."""
     right, left = ([(t + half, 0), (t, 1), (t - half, 0)] for t in (1, -1))
     return sv.Polygon([(-9, -2), (9, -2), (9, 0), *right, *left, (-9, 0)])
 
@@ -207,7 +207,7 @@ PRONGS = sv.Polygon([(-9, -9), (9, -9), (1, 0), (0, -8), (-1, 0)])
     ],
 )
 @pytest.mark.parametrize("mirror", [(1, 1), (-1, 1), (1, -1), (-1, -1)])
-def test_the_way_out_of_a_circle_is_away_from_edges_and_corners(a, circle, mtv, mirror):
+def test_the_mtv_of_a_circle_is_away_from_edges_and_corners(a, circle, mtv, mirror):
     def seen(p):
         return p[0] * mirror[0], p[1] * mirror[1]
 
@@ -241,7 +241,7 @@ def test_no_shorter_move_of_a_circle_ends_the_overlap(a, b):
 
 
 def forbidden(a, b):
-    """The moves of b that let the shapes overlap, as shapely makes them: round ones all but a millionth."""
+    """Return the moves of b that make the shapes overlap, computed by shapely: exact but for arcs, good to 1e-6."""
     (p, q), radius = ([part.core for part in convex_parts.parts(shape)] for shape in (a, b)), a.radius + b.radius
     sums = [shapely.MultiPoint([(ux - vx, uy - vy) for ux, uy in u for vx, vy in v]) for u in p for v in q]
     return shapely.union_all([points.convex_hull.buffer(radius, quad_segs=512) for points in sums])
@@ -249,7 +249,7 @@ def forbidden(a, b):
 
 @pytest.mark.parametrize("kind", ["circle", "convex", "concave"])
 @pytest.mark.parametrize("seed", range(8))
-def test_the_way_out_of_a_concave_outline_is_to_the_nearest_move_that_is_not_forbidden(kind, seed):
+def test_the_mtv_of_a_concave_outline_is_to_the_nearest_move_that_is_not_forbidden(kind, seed):
     rng, found = Random(f"{kind} {seed}"), 0
     while found < 15:
         with suppress(sv.InvalidShape, NotConvex):
@@ -270,21 +270,21 @@ def test_the_way_out_of_a_concave_outline_is_to_the_nearest_move_that_is_not_for
 
 
 @pytest.mark.parametrize("power", [-600, -40, 0])
-def test_a_large_and_a_small_concave_outline_have_a_way_out(power):
+def test_a_large_and_a_small_concave_outline_have_an_mtv(power):
     small, large = (sv.Polygon([(c * 2.0**e, d * 2.0**e) for c, d in L.vertices]) for e in (power, 1000))
     for a, b in [(small, large), (large, small), (large, sv.Circle((0, 0), 2.0**power))]:
         trace = sv.record(a, b)
         assert ends_overlap(a, b, trace.mtv) and sv.Trace.from_json(trace.to_json()) == trace
 
 
-def test_outlines_at_the_rim_of_float64_have_a_way_out():
+def test_outlines_at_the_rim_of_float64_have_an_mtv():
     rim = sv.Polygon([(c * 4e307, d * 4e307) for c, d in L.vertices])
     circle = sv.Circle((1.7e308, 1.7e308), 1.7e308)
     for a, b in [(rim, circle), (circle, rim)]:
         assert ends_overlap(a, b, sv.record(a, b).mtv)
 
 
-def test_the_way_out_needs_no_tested_axis():
+def test_the_mtv_needs_no_tested_axis():
     for a, b in [(A, A), (box(0, 0, 4, 1), box(3, 0.5, 5, 3.5)), (A, sv.Circle((1, 2), 1))]:
         assert sv.record(a, b, axes=axes.Choice(())).mtv == sv.record(a, b).mtv
 
@@ -306,7 +306,7 @@ SMALL = [box(-0.5, 0.25, 0.5, 2), sv.Polygon([(0, 0.5), (1, 1), (0, 2)]), sv.Cir
 
 
 @pytest.mark.parametrize("b", [*(scaled(b, -600) for b in SMALL), scaled(sv.Circle((0, 1), 1.5), 499)], ids=range(4))
-def test_a_tooth_so_small_that_its_parts_vanish_at_the_size_of_its_outline_has_a_way_out(b):
+def test_a_tooth_so_small_that_its_parts_vanish_at_the_size_of_its_outline_has_an_mtv(b):
     huge, tiny = 2.0**500, 2.0**-600
     a = sv.Polygon([(-huge, -huge), (huge, -huge), (huge, 0), (tiny, 0), (0, tiny), (-tiny, 0), (-huge, 0)])
     for first, second in (a, b), (b, a):
@@ -340,7 +340,7 @@ def test_no_piece_of_border_is_nearer_than_it_says(radius):
 
 
 @pytest.mark.parametrize("far", [2.0**20, 2.0**26, 2.0**33])
-def test_the_way_out_of_concave_outlines_is_as_short_far_from_the_origin(far):
+def test_the_mtv_of_concave_outlines_is_as_short_far_from_the_origin(far):
     line = [(i / 8, 3 * (i % 2) / 8) for i in range(6)]
     ring = line + [(x, y + 1 / 16) for x, y in reversed(line)]
     near, there = (sv.Polygon([(x + at, y - at) for x, y in ring]) for at in (0.0, far))

@@ -14,7 +14,7 @@ from random import Random
 import numpy as np
 import pytest
 from adversary import wrong_answers
-from forms import ENGINES, FORMS, RARE, Form, batch_of, no_miss
+from forms import ENGINES, FORMS, RARE, Form, batch_of, misses_nothing
 from hypothesis import HealthCheck, given, note, settings
 from hypothesis import strategies as st
 from oracle import naive, relation
@@ -30,7 +30,9 @@ ALL = "everything at once"
 
 every_form = pytest.mark.parametrize("form", FORMS)
 every_kind = pytest.mark.parametrize("kind", KINDS)
-COMPARED = [name for name, form in FORMS.items() if form.fits is not no_miss]  # others may keep a pair, and then not
+COMPARED = [
+    name for name, form in FORMS.items() if form.fits is not misses_nothing
+]  # others may keep a pair, and then not
 
 Known = list[tuple[Shape, Shape, Relation]]
 
@@ -131,7 +133,7 @@ def flushed() -> Iterator[None]:
         math.fesetenv(kept)
 
 
-def test_a_thread_that_takes_the_least_numbers_for_0_is_told_so():
+def test_a_thread_that_takes_the_smallest_numbers_for_0_is_warned():
     ring = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
     doors = {
         "Polygon": lambda: Polygon(ring),

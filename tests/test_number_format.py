@@ -13,13 +13,13 @@ from satviz.scenes.shape_tools import box
 
 
 def value(text):
-    """A printed number or sum as a fraction: "727606874 + 0.957"."""
+    """Return a printed number or sum as a fraction: "727606874 + 0.957"."""
     text = text.replace(" + ", " +").replace(f" {MINUS} ", f" {MINUS}").replace(MINUS, "-")
     return sum(Fraction(piece) for piece in text.split())
 
 
 def ends(text):
-    """A printed range's ends: "727606874 + [0.957, 3.1]"."""
+    """Return the ends of a printed range: "727606874 + [0.957, 3.1]"."""
     origin, inside, unit = re.fullmatch(r"\(?(?:(\S*) \+ )?\[(.*)\]\)?(e.*)?", text).groups()
     return [(value(end) + value(origin or "0")) * value(f"1{unit or ''}") for end in inside.split(", ")]
 
@@ -63,14 +63,14 @@ def test_printed_ranges_agree_with_the_printed_gap(seed):
             assert max(map(len, text)) < 52
 
 
-def test_far_from_the_origin_the_ranges_are_told_from_near_them():
+def test_far_from_the_origin_the_ranges_are_printed_from_near_them():
     trace = sv.record(box(7.276e8, 0, 7.276e8 + 2, 1), box(7.276e8 + 2.970, 0, 7.276e8 + 5, 1))
     t = trace.separating
     assert describe.digits(trace, t).ranges(t) == ("727600000 + [0, 2]", "727600000 + [2.970, 5]")
     assert "gap +0.970" in describe.test(trace, trace.tests.index(t))
 
 
-def test_a_gap_too_fine_for_the_ranges_is_told_beside_the_end_it_is_measured_from():
+def test_a_gap_too_fine_for_the_ranges_is_printed_beside_the_end_it_is_measured_from():
     trace = sv.record(box(0, 0, 1, 1), sv.Polygon([(1 + 2**-52, 0), (2, 0), (2, 1)]))
     t = trace.separating
     assert describe.digits(trace, t).ranges(t) == ("[0, 1]", f"[1 + 2.220e{MINUS}16, 2]")

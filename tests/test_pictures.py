@@ -199,7 +199,7 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
             assert max(along) - min(along) == pytest.approx(abs(shared), abs=1e-9)
             assert test.gap <= 0 or -shared == pytest.approx(test.gap)
             assert gap.role == ("overlap" if test.gap < 0 else "gap")
-            assert picture.mark(f"gap-name.{i + 1}").text == describe.shared(test, digits)
+            assert picture.mark(f"gap-name.{i + 1}").text == describe.picture_outcome(test, digits)
             assert picture.sentence == describe.test(run, i)
 
 

@@ -20,7 +20,7 @@ LARGEST, LEAST = sys.float_info.max, 5e-324
 
 @pytest.fixture
 def no_integers(monkeypatch) -> None:
-    """From here on nothing can ask the integers."""
+    """Make every use of integers fail from here on."""
 
     def refuse(*_):
         raise AssertionError("floats can tell this")
@@ -45,18 +45,18 @@ def test_two_shapes_come_to_one_unit_whichever_is_finer():
             self.integers = integers
 
     fine, coarse = Given(3, [(8, 1)], 5), Given(1, [(2, 3), (4, 7)], 2)
-    assert predicates.aligned(fine, coarse) == ([(8, 1)], [(8, 12), (16, 28)], 13, 3)
-    assert predicates.aligned(coarse, fine) == ([(8, 12), (16, 28)], [(8, 1)], 13, 3)
-    assert predicates.aligned(fine, fine) == ([(8, 1)], [(8, 1)], 10, 3)
+    assert predicates.to_common_unit(fine, coarse) == ([(8, 1)], [(8, 12), (16, 28)], 13, 3)
+    assert predicates.to_common_unit(coarse, fine) == ([(8, 12), (16, 28)], [(8, 1)], 13, 3)
+    assert predicates.to_common_unit(fine, fine) == ([(8, 1)], [(8, 1)], 10, 3)
 
 
 @pytest.mark.parametrize("size", SIZES)
-def test_a_turn_is_told_exactly_at_every_size(size):
+def test_a_turn_is_exact_at_every_size(size):
     rng = Random(str(size))
     seen = set()
     for _ in range(600):
         p, q, r = nearly_straight(rng, size)
-        turn = oracle.turn(p, q, r)
+        turn = oracle.orientation(p, q, r)
         seen.add(predicates.sign(turn))
         assert predicates.orient(p, q, r) == predicates.sign(turn), (p, q, r)
     assert seen == {-1, 0, 1}
@@ -69,7 +69,7 @@ def test_a_turn_is_exact_where_its_products_lose_bits():
         ("-0x1.3a83484c08f30p-513", "0x1.c2148935c9610p-516"),
     )
     p, q, r = (tuple(map(float.fromhex, v)) for v in (p, q, r))
-    assert predicates.orient(p, q, r) == predicates.sign(oracle.turn(p, q, r)) == 1
+    assert predicates.orient(p, q, r) == predicates.sign(oracle.orientation(p, q, r)) == 1
 
 
 @pytest.mark.parametrize("size", SIZES[5:11])
@@ -79,13 +79,13 @@ def test_an_ordinary_turn_needs_no_integers(size, no_integers):
         assert (
             predicates.orient(*points)
             == -predicates.orient(*points[::-1])
-            == predicates.sign(oracle.turn(*points))
+            == predicates.sign(oracle.orientation(*points))
             != 0
         )
 
 
 def root_sign(s: int, r: int, square: int) -> int:
-    """The sign of s - r * sqrt(square), for r >= 0, from the squares."""
+    """Return the sign of s - r * sqrt(square), for r >= 0, from the squares."""
     return predicates.sign(s * abs(s) - r * r * square)
 
 
@@ -158,7 +158,7 @@ def test_a_thread_that_takes_small_numbers_for_nothing_is_warned_of(monkeypatch)
     (sys.platform, platform.machine(), platform.libc_ver()[0]) != ("linux", "x86_64", "glibc"),
     reason="sets the processor's flags as on Linux, x86-64, with its usual C library",
 )
-def test_what_a_flushing_thread_computes_is_what_the_warning_looks_at():
+def test_what_a_flushing_thread_computes_is_what_the_warning_checks():
     """The C library's environment of x86-64 floats holds the processor's register of flags from byte 28 on."""
     libm, flags, flush = ctypes.CDLL("libm.so.6"), ctypes.create_string_buffer(64), 0x8040
 

@@ -370,7 +370,7 @@ def test_a_pipeline_says_what_runs_first_and_counts_its_axes():
 
 @pytest.mark.parametrize("make", [lambda n: batch.Circles(np.zeros((n, 2)), 1.0), lambda n: boxes_at(np.zeros((n, 2)))])
 def test_pairs_are_counted_before_they_are_listed(make, monkeypatch):
-    monkeypatch.setattr("satviz.advice.advising_batches.in_order", lambda blocks: pytest.fail("listed"))
+    monkeypatch.setattr("satviz.advice.advising_batches.sort_pairs", lambda blocks: pytest.fail("listed"))
     with pytest.raises(sv.InvalidScene, match=r"more than 2,000,000 pairs of the bounding boxes of 2,100 shapes meet"):
         sv.advise(make(2100))
 
@@ -411,7 +411,7 @@ def test_two_shapes_of_many_parts_are_advised_on_as_two_of_few_are(monkeypatch):
 
 def test_to_prove_again_is_refused_beyond_its_limit():
     recommendation = sv.advise(*stars(12))
-    tests = recommendation.case.tests
+    tests = recommendation.given.tests
     assert recommendation.check(most=tests)
     with pytest.raises(sv.InvalidScene, match=rf"check\(\) would make {tests:,} tests .* the limit is {tests - 1:,}; "):
         recommendation.check(most=tests - 1)
@@ -427,13 +427,13 @@ def test_a_pair_of_many_parts_is_not_timed_and_the_command_says_so(tmp_path, cap
     monkeypatch.setattr(costs, "TESTS_TIMED", 10)
     monkeypatch.setattr(costs.costs, "__kwdefaults__", {**costs.costs.__kwdefaults__, "tests": 10})
     recommendation = sv.advise("triangles")
-    assert set(recommendation.prices().values()) == {None}
+    assert set(recommendation.costs().values()) == {None}
     with pytest.raises(ValueError, match="not timed"):
         recommendation.chart()
     from satviz.cli import main
 
     assert main(["advise", "triangles"]) == 0
-    assert "price    not timed: one pair of these shapes takes too long" in capsys.readouterr().out
+    assert "cost     not timed: one pair of these shapes takes too long" in capsys.readouterr().out
     assert main(["advise", "triangles", "--chart", str(tmp_path)]) == 2
     assert capsys.readouterr().err.count("\n") == 1
 

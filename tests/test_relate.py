@@ -11,7 +11,7 @@ from types import SimpleNamespace
 
 import pytest
 import shapely
-from adversary import BOUNDS, near_look, search
+from adversary import BOUNDS, near_edge_line, search
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from oracle import relation
@@ -34,7 +34,7 @@ from strategies import (
 
 from satviz.engine import relate as relate_module
 from satviz.engine.geometry import InvalidShape, Relation, Vec
-from satviz.engine.predicates import aligned
+from satviz.engine.predicates import to_common_unit
 from satviz.engine.relate import relate, relate_integers, relate_moved
 from satviz.engine.shapes import Circle, Polygon, Shape
 from satviz.engine.trace import record
@@ -42,7 +42,7 @@ from satviz.study import truth as oracle
 
 
 def recorded(a: Shape, b: Shape) -> Relation:
-    """What the recorded tests say by themselves."""
+    """Return what the recorded tests alone say."""
     return record(a, b).claim
 
 
@@ -63,7 +63,7 @@ def test_relate_and_its_integers_are_right_about_pairs_of_every_kind_whichever_c
         for first, second in ((a, b), (b, a)):
             assert relate(first, second) is relation(a, b), (first, second)
             if kind in CONVEX:
-                assert relate_integers(*aligned(first, second)[:3]) is relation(a, b), (first, second)
+                assert relate_integers(*to_common_unit(first, second)[:3]) is relation(a, b), (first, second)
 
 
 @pytest.mark.parametrize("place", [(50, 0), (0, 50), (-50, 0), (0, -50), (50, -50), (2**20, 2**20 + 1)], ids=str)
@@ -78,7 +78,7 @@ def test_relate_is_right_wherever_a_pair_lies(place):
 
 
 def bowl(half: int) -> list[tuple[int, int]]:
-    """2 * half + 1 corners, the lowest at the origin."""
+    """Return a convex ring of 2 * half + 1 corners, the lowest at the origin."""
     return [(x, x * x) for x in range(-half, half + 1)]
 
 
@@ -98,7 +98,7 @@ def test_of_many_corners_one_that_only_touches_is_not_taken_for_one_inside(half,
 
 
 def steps_of_relate(a: Shape, b: Shape) -> int:
-    """How many lines of verdict run until a and b are told, those of its loops each time."""
+    """Return how many lines of `relate` run for a pair, each line of its loops every time."""
     steps = 0
 
     def count(frame, *_):
@@ -117,7 +117,7 @@ def steps_of_relate(a: Shape, b: Shape) -> int:
 
 @pytest.mark.parametrize("apart", [0.5, 1.2, 1.9])
 @pytest.mark.parametrize("corners", [32, 128])
-def test_two_round_shapes_that_overlap_are_told_in_a_few_steps_a_corner(corners, apart):
+def test_two_round_shapes_that_overlap_are_decided_in_a_few_steps_a_corner(corners, apart):
     turns = [math.tau * i / corners for i in range(corners)]
     for way in range(12):
         x, y = way - 6 + apart * math.cos(way), 3 + apart * math.sin(way)
@@ -127,7 +127,7 @@ def test_two_round_shapes_that_overlap_are_told_in_a_few_steps_a_corner(corners,
 
 
 @pytest.mark.parametrize(("size", "steps"), [(1, 9), (8, 17)])
-def test_two_round_shapes_that_are_barely_apart_are_told_in_a_few_steps_a_corner(size, steps):
+def test_two_round_shapes_that_are_barely_apart_are_decided_in_a_few_steps_a_corner(size, steps):
     turns = [math.tau * i / 128 for i in range(128)]
     for way in range(12):
         x, y = ((1.05 + size) * u for u in (math.cos(way), math.sin(way)))
@@ -149,7 +149,7 @@ def test_a_point_on_the_edges_that_two_shapes_share_is_inside_neither_wherever_t
 
 
 @pytest.mark.parametrize("e", [-500, -520, -532, -535, -536, -537, -538, -539, -545, -1000])
-def test_a_circle_over_an_edge_so_short_that_its_square_loses_bits_is_judged_by_its_distance(e):
+def test_a_circle_over_an_edge_so_short_that_its_square_loses_bits_is_decided_by_its_distance(e):
     for turn in ((1, 0), (0, 1), (-1, 0), (3, 4)):
         for half in (1.25, 1.375):
             center, *ring = spun(
@@ -182,7 +182,7 @@ def test_a_center_inside_is_not_outside_of_an_edge_that_the_next_hardly_bends_fr
 def test_a_dot_of_a_circle_a_rounding_off_an_edge_is_on_its_own_side():
     rng, seen = Random(17), Counter()
     for _ in range(500):
-        px, py, qx, qy, x, y = near_look(rng)
+        px, py, qx, qy, x, y = near_edge_line(rng)
         try:
             triangle = Polygon([(px, py), (qx, qy), (px + py - qy, py + qx - px)])
         except InvalidShape:
@@ -204,7 +204,7 @@ def test_shapes_of_other_libraries_are_refused_wherever_they_are(far):
 def test_integers_see_that_an_edge_is_nearer_than_its_end_even_if_by_one():
     """Both ends on the circle or beyond it, and the foot one unit from an end."""
     circle, triangle = Circle((0, 0), 5), Polygon([(3, 4), (4, 3), (9, 9)])
-    assert relate_integers(*aligned(circle, triangle)[:3]) is relation(circle, triangle) is OVERLAPPING
+    assert relate_integers(*to_common_unit(circle, triangle)[:3]) is relation(circle, triangle) is OVERLAPPING
 
 
 def test_integers_see_that_a_center_is_inside_even_if_by_one():
@@ -212,10 +212,10 @@ def test_integers_see_that_a_center_is_inside_even_if_by_one():
         Circle((0, 0), 1),
         Polygon([(-9, -2), (1, 0), (5, 1), (-2, 9)]),
     )  # left of the second edge's line by 1
-    assert relate_integers(*aligned(hardly, ring)[:3]) is relation(hardly, ring) is OVERLAPPING
+    assert relate_integers(*to_common_unit(hardly, ring)[:3]) is relation(hardly, ring) is OVERLAPPING
 
 
-def test_what_fails_inside_a_shape_is_told_as_it_is():
+def test_an_error_inside_a_shape_is_passed_on():
     with pytest.raises(AttributeError, match="slabs"):
         relate(Circle((0, 0), 1), object.__new__(Polygon))
 
@@ -223,7 +223,7 @@ def test_what_fails_inside_a_shape_is_told_as_it_is():
 @pytest.mark.parametrize(
     "grains", [(0, 0, 0), (5, 0, 0), (0, 5, 0), (0, 0, 5), (20, 3, 9), (3, 9, 20), (9, 20, 3)], ids=str
 )
-def test_a_moved_shape_is_judged_where_it_comes_to_lie(grains):
+def test_a_moved_shape_is_tested_at_its_new_place(grains):
     """Whichever of a, b and the move has the finest coordinates."""
     rng = Random(14)
 
@@ -262,7 +262,7 @@ def test_relate_is_never_wrong_where_products_lose_bits_or_overflow(power):
 
 
 @pytest.mark.parametrize("size", [1e100, 1e160, 1e200, 1e280, 1e300])
-def test_a_small_triangle_beside_a_huge_one_is_apart_though_only_an_edge_of_the_huge_one_tells(size):
+def test_a_small_triangle_beside_a_huge_one_is_apart_though_only_an_edge_of_the_huge_one_shows_it(size):
     small = Polygon([(-1, 0.5), (-3, 0.5), (-3, -5)])
     for first in range(3):
         huge = [(0, 0), (size, size), (-size, size)]
@@ -310,7 +310,7 @@ def test_a_circle_beside_a_long_edge_is_right_at_the_very_size_where_products_ov
 
 @pytest.mark.parametrize("way", [(1, 0), (0, 1), (-1, 0), (0, -1)], ids=str)
 @pytest.mark.parametrize("place", [0, 2.0**520])
-def test_a_circle_at_the_tip_of_a_needle_whose_squared_length_overflows_is_judged_by_the_tip(way, place):
+def test_a_circle_at_the_tip_of_a_needle_whose_squared_length_overflows_is_decided_by_the_tip(way, place):
     far = 2.0**520
     needle = [(-place, 0.0), (far - place, -1.0), (far - place, 0.0)]
     for radius, truth in ((1, APART), (1.4, APART), (1.6, OVERLAPPING)):
@@ -352,7 +352,7 @@ def test_known_answers_of_the_oracle_and_of_relate(a, b, truth):
 @every_method
 @pytest.mark.parametrize("power", [-500, 0, 440])
 @pytest.mark.parametrize("way", [(1, 0), (3, 4), (-5, 12), (-1, -1)], ids=str)
-def test_a_circle_off_the_tip_of_a_needle_is_judged_by_its_distance_from_the_tip(method, way, power):
+def test_a_circle_off_the_tip_of_a_needle_is_decided_by_its_distance_from_the_tip(method, way, power):
     """The thinnest are so thin that no edge tells on which side of it the center lies."""
     for length, width in ((64, 1), (2**20, 1), (2**48, 1)):
         needle = spun([(-length, 0), (0, -width), (length, 0), (0, width)], *way)
@@ -367,11 +367,13 @@ def test_a_circle_off_the_tip_of_a_needle_is_judged_by_its_distance_from_the_tip
 
 def test_the_oracle_knows_the_distance():
     box = Polygon([(0, 0), (2, 0), (2, 2), (0, 2)])
-    assert oracle.distance2(box, Polygon([(5, 6), (9, 9), (5, 9)])) == 25  # corner to corner
-    assert oracle.distance2(box, Polygon([(3, 1), (9, -9), (9, 9)])) == 1  # corner to edge
-    assert oracle.distance2(Polygon([(0, 0), (1, 0), (0, 1)]), Polygon([(1, 1), (2, 1), (1, 2)])) == Fraction(1, 2)
-    assert oracle.distance2(box, Polygon([(2, 2), (9, 9), (5, 9)])) == 0
-    assert oracle.distance2(box, Polygon([(1, 1), (9, 9), (5, 9)])) == 0
+    assert oracle.squared_distance(box, Polygon([(5, 6), (9, 9), (5, 9)])) == 25  # corner to corner
+    assert oracle.squared_distance(box, Polygon([(3, 1), (9, -9), (9, 9)])) == 1  # corner to edge
+    assert oracle.squared_distance(Polygon([(0, 0), (1, 0), (0, 1)]), Polygon([(1, 1), (2, 1), (1, 2)])) == Fraction(
+        1, 2
+    )
+    assert oracle.squared_distance(box, Polygon([(2, 2), (9, 9), (5, 9)])) == 0
+    assert oracle.squared_distance(box, Polygon([(1, 1), (9, 9), (5, 9)])) == 0
 
 
 def test_shapely_agrees_on_ordinary_pairs():
@@ -394,7 +396,7 @@ def test_shapely_agrees_on_the_distance():
     for kind, a, b in pairs(6, 1_000):
         if kind in ("random polygons", "boxes on a grid", "near touching, offset 100"):
             theirs = shapely.distance(shapely.Polygon(a.vertices), shapely.Polygon(b.vertices))
-            assert math.sqrt(oracle.distance2(a, b)) == pytest.approx(theirs, rel=1e-9, abs=1e-12)
+            assert math.sqrt(oracle.squared_distance(a, b)) == pytest.approx(theirs, rel=1e-9, abs=1e-12)
 
 
 @pytest.mark.parametrize("thing", [None, 1, "circle", [(0, 0), (1, 0), (0, 1)]])
@@ -500,30 +502,32 @@ def test_beyond_the_bounds_is_apart_and_at_the_bounds_touches(method, a, b):
 
 
 class Undecided(Exception):
-    pass
+    """Raised where `relate` asks for an exact sign."""
 
 
 @pytest.fixture
 def float_only(monkeypatch) -> Callable[[Shape, Shape], Relation | None]:
-    """relate without its exact signs: None where it would ask for one."""
+    """Give `relate` without its exact signs: it returns None where it would ask for one."""
 
     def no_sign(*_):
+        """Raise Undecided."""
         raise Undecided
 
     def decide(a: Shape, b: Shape) -> Relation | None:
+        """Return the relation, or None where an exact sign is needed."""
         try:
             return relate(a, b)
         except Undecided:
             return None
 
-    monkeypatch.setattr(relate_module, "aligned", no_sign)
+    monkeypatch.setattr(relate_module, "to_common_unit", no_sign)
     monkeypatch.setattr(relate_module, "orient", no_sign)
     return decide
 
 
 def long_edges(rng: Random) -> tuple[Shape, Shape]:
-    """A triangle, and another or a shape of 17 corners that has one on its edge; about as large as the box of both."""
-    px, py, qx, qy, x, y = near_look(rng)
+    """Return a triangle, and another shape that has a corner on its edge; it is about as large as the box of both."""
+    px, py, qx, qy, x, y = near_edge_line(rng)
     nx, ny = qy - py, px - qx
     behind = px + nx * rng.uniform(0.1, 0.5), py + ny * rng.uniform(0.1, 0.5)
     steep = rng.uniform(0.5, 1)
@@ -571,7 +575,7 @@ def test_the_float_filter_alone_is_never_wrong_about_what_it_decides(float_only,
     assert not any(s is TOUCHING for s in said), "floats cannot see a touch"
 
 
-def test_a_polygon_filter_without_room_is_wrong(float_only, monkeypatch):
+def test_a_polygon_filter_without_an_error_bound_is_wrong(float_only, monkeypatch):
     """The pairs above do lie where roundings decide: with a room of half a rounding the filter errs."""
     monkeypatch.setattr(relate_module, "ERROR_FACTOR_F64", U / 8)  # times two spans and two reaches
     monkeypatch.setattr(relate_module, "MIN_ERROR_BOUND", 0.0)
@@ -581,7 +585,7 @@ def test_a_polygon_filter_without_room_is_wrong(float_only, monkeypatch):
 
 
 def tilted_boxes(rng: Random) -> tuple[Shape, Shape]:
-    """Their opposite edges run exactly opposite, so that one look serves both; never near a touch."""
+    """Return two boxes whose opposite edges are exactly opposite, so that they form slabs; never near a touch."""
     third = 21845 / 2**16
     rings = []
     for _ in "ab":
@@ -592,7 +596,7 @@ def tilted_boxes(rng: Random) -> tuple[Shape, Shape]:
 
 
 @pytest.mark.parametrize("power", [-400, -40, 0, 40, 400])
-def test_floats_tell_all_pairs_that_are_nowhere_near_a_touch(float_only, power):
+def test_floats_decide_all_pairs_that_are_nowhere_near_a_touch(float_only, power):
     rng = Random(15)
     for _ in range(150):
         a, b = (scaled(shape, power) for shape in rng.choice((random_polygons, random_circles, tilted_boxes))(rng))
@@ -602,7 +606,7 @@ def test_floats_tell_all_pairs_that_are_nowhere_near_a_touch(float_only, power):
 
 
 @pytest.mark.parametrize("power", [-1000, -400, 0, 400, 1000])
-def test_two_upright_boxes_are_told_by_their_bounds_alone(float_only, power):
+def test_two_upright_boxes_are_decided_by_their_bounds_alone(float_only, power):
     unit = 2.0**power
     for x in range(-3, 4):
         for y in range(-3, 4):

@@ -116,8 +116,9 @@ def test_pictures_hold_at_any_scale(seed):
         hold(trace, rng)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(100, 140))
+@pytest.mark.parametrize(
+    "seed", [pytest.param(seed, marks=pytest.mark.slow if seed < 108 else pytest.mark.full) for seed in range(100, 140)]
+)
 def test_many_more_pictures_hold_at_any_scale(seed):
     rng = Random(seed)
     for trace in scenes(seed, 25):

@@ -128,7 +128,7 @@ def test_an_array_of_anything_but_real_numbers_is_refused(dtype):
 
 
 @pytest.mark.parametrize("held", [None, "ab", "1.5", True, {1, 2}, {}, 1j, 5, TRIANGLE, AN_OBJECT], ids=repr)
-def test_an_object_in_an_array_without_dimensions_is_no_coordinate_point_or_outline(held):
+def test_an_object_in_an_array_without_dimensions_is_not_a_coordinate_point_or_outline(held):
     value = np.empty((), dtype=object)
     value[()] = held
     with refused("vertices is array"):
@@ -155,7 +155,7 @@ def test_an_array_whose_type_numpy_does_not_know_is_read_as_lists():
     assert Polygon(Tensor()) == Polygon(TRIANGLE)
 
 
-def test_an_array_of_one_number_is_no_number():
+def test_an_array_of_one_number_is_not_a_number():
     for one in (np.array([1.0]), np.array([[1.0]]), np.array([1])):
         with refused(r"vertex 1\.y is .*one real number"):
             Polygon([(0, 0), (4, one), (0, 4)])
@@ -189,7 +189,7 @@ def test_a_masked_array_with_nothing_masked_is_accepted():
     [None, 1, 1.5, "text", b"bytes", {0: 1, 2: 3, 4: 5}, {(0, 0), (1, 0), (0, 1)}, frozenset([(0, 0)])],
     ids=repr,
 )
-def test_vertices_that_are_no_sequence_are_refused(values):
+def test_vertices_that_are_not_a_sequence_are_refused(values):
     with refused("vertices is"):
         Polygon(values)
 
@@ -197,7 +197,7 @@ def test_vertices_that_are_no_sequence_are_refused(values):
 @pytest.mark.parametrize(
     "value", [1, (), (1,), (1, 2, 3), "ab", b"ab", None, {1: 2, 3: 4}, {1, 2}, AN_OBJECT], ids=repr
 )
-def test_a_vertex_that_is_no_pair_is_refused_naming_it(value):
+def test_a_vertex_that_is_not_a_pair_is_refused_naming_it(value):
     with refused("vertex 2 is"):
         Polygon([(0, 0), (1, 0), value])
     with refused("center is"):
@@ -265,7 +265,7 @@ def test_an_outline_that_crosses_or_touches_itself_is_refused(ring):
     for turned in rotations(ring):
         with refused(r"edges \d+ and \d+ cross|at vertex \d+ \(a spike\)") as told:
             Polygon(turned)
-        assert_told_place_is_on_both_edges(turned, str(told.value))
+        assert_reported_place_is_on_both_edges(turned, str(told.value))
 
 
 @every_crossing
@@ -277,7 +277,7 @@ def test_a_crossing_is_seen_at_every_scale(ring, power):
     assert not oracle.is_simple(ring)
     with refused(r"edges \d+ and \d+ cross|at vertex \d+ \(a spike\)") as told:
         Polygon(ring)
-    assert_told_place_is_on_both_edges(ring, str(told.value))
+    assert_reported_place_is_on_both_edges(ring, str(told.value))
 
 
 def test_the_crossing_edges_are_named_with_the_place():
@@ -287,7 +287,7 @@ def test_the_crossing_edges_are_named_with_the_place():
 
 @pytest.mark.parametrize("center", [(0, 0), (3, -2), (-40, 7)], ids=str)
 @pytest.mark.parametrize(("d", "e"), [((1, 0), (0, 1)), ((3, 1), (-1, 2)), ((1, 4), (-2, -3))])
-def test_a_crossing_anywhere_on_two_edges_is_told_with_its_place(center, d, e):
+def test_a_crossing_anywhere_on_two_edges_is_reported_with_its_place(center, d, e):
     (x, y), (dx, dy), (ex, ey) = center, d, e
     ring = [(x - dx, y - dy), (x + 3 * dx, y + 3 * dy), (x + 7 * ex, y + 7 * ey), (x - ex, y - ey)]
     for turned in rotations(ring):
@@ -317,7 +317,7 @@ def _star(n: int) -> list[tuple[float, float]]:
 
 
 @pytest.mark.parametrize("outline_of", [_in_rows, _star, lambda n: [(y, x) for x, y in _in_rows(n)[::-1]]])
-def test_looking_for_crossings_grows_almost_as_the_outline(outline_of, monkeypatch):
+def test_the_search_for_crossings_grows_almost_as_the_outline(outline_of, monkeypatch):
     """Counted in orientation tests; n log n would be 10.7 times as many."""
     asked = 0
 
@@ -407,7 +407,7 @@ def test_collinear_vertices_are_kept_noted_and_no_corners():
     assert [note.split(" lies")[0] for note in shape.notes] == ["vertex 1", "vertex 5"]
 
 
-def test_a_collinear_first_vertex_is_no_corner():
+def test_a_collinear_first_vertex_is_not_a_corner():
     assert Polygon([(2, 0), (4, 0), (0, 4), (0, 0)]).corner_ids == (1, 2, 3)
 
 
@@ -440,7 +440,7 @@ def test_a_concave_outline_is_accepted_from_every_vertex_and_either_way():
         shape = Polygon(ring)
         assert not shape.is_convex
         assert shape.vertices == tuple(ring)
-        assert oracle.area2(shape.corners) == oracle.area2(DENTED)
+        assert oracle.twice_signed_area(shape.corners) == oracle.twice_signed_area(DENTED)
 
 
 @pytest.mark.parametrize(
@@ -617,7 +617,7 @@ def test_an_interface_may_hold_arrays_and_iterators():
     assert Polygon(Interface(nested(1))) == Polygon(TRIANGLE)
 
 
-def test_the_class_and_other_things_are_no_polygon():
+def test_the_class_and_other_things_are_not_polygons():
     for thing in (Polygon, Circle((0, 0), 1), Interface(None), object(), DEEP):
         with refused("is .*: expected"):
             Polygon(thing)
@@ -763,7 +763,7 @@ def stars(draw: st.DrawFn) -> list[tuple[int, int]]:
 @given(ring=stars(), start=st.integers(0, 20), clockwise=st.booleans(), power=st.integers(-1070, 1010))
 def test_star_shaped_outlines_are_accepted_with_the_right_winding(ring, start, clockwise, power):
     assert oracle.is_simple(ring)
-    area = oracle.area2(ring)
+    area = oracle.twice_signed_area(ring)
     start %= len(ring)
     ring = [*ring[start:], *ring[:start]]
     if clockwise:
@@ -771,15 +771,15 @@ def test_star_shaped_outlines_are_accepted_with_the_right_winding(ring, start, c
     ring = [(math.ldexp(x, power), math.ldexp(y, power)) for x, y in ring]
     shape = Polygon(ring)
     assert shape.vertices == tuple(ring)
-    assert oracle.area2(shape.corners) == area * Fraction(4) ** power
+    assert oracle.twice_signed_area(shape.corners) == area * Fraction(4) ** power
     assert shape.corners == tuple(shape.vertices[i] for i in shape.corner_ids)
     walk = zip(shape.corners, (*shape.corners[1:], shape.corners[0]), (*shape.corners[2:], *shape.corners[:2]))
-    turns = [oracle.turn(p, q, r) for p, q, r in walk]
+    turns = [oracle.orientation(p, q, r) for p, q, r in walk]
     assert all(turns)
     assert shape.is_convex == all(turn > 0 for turn in turns)
 
 
-def assert_told_place_is_on_both_edges(ring: Sequence[tuple[float, float]], message: str) -> None:
+def assert_reported_place_is_on_both_edges(ring: Sequence[tuple[float, float]], message: str) -> None:
     """A crossing is told with its place: to six digits, on each of the two edges that it names."""
     if told := re.search(r"edges (\d+) and (\d+) cross near \((.*), (.*)\)", message):
         first, second, *place = told.groups()
@@ -799,10 +799,10 @@ def agrees_with_the_oracle(ring: Sequence[tuple[float, float]]) -> bool:
         shape = Polygon(ring)
     except InvalidShape as error:
         assert not simple, f"refused, but simple: {ring!r}"
-        assert_told_place_is_on_both_edges(ring, str(error))
+        assert_reported_place_is_on_both_edges(ring, str(error))
     else:
         assert simple, f"accepted, but not simple: {ring!r}"
-        assert oracle.area2(shape.corners) == abs(oracle.area2(ring)) > 0
+        assert oracle.twice_signed_area(shape.corners) == abs(oracle.twice_signed_area(ring)) > 0
     return simple
 
 
@@ -821,7 +821,7 @@ def test_a_star_with_two_vertices_swapped_is_accepted_exactly_when_simple(ring, 
     agrees_with_the_oracle(ring)
 
 
-def test_a_vertex_within_a_bit_of_another_edge_is_judged_exactly():
+def test_a_vertex_within_a_bit_of_another_edge_is_decided_exactly():
     rng = Random(8)
     simple = [0, 0]
     for _ in range(1_500):
@@ -858,7 +858,7 @@ def test_teeth_of_a_comb_on_one_line_do_not_cross(apart):
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_edges_that_cross_at_next_to_no_angle_are_told_with_a_place_on_them(seed):
+def test_edges_that_cross_at_next_to_no_angle_are_reported_with_a_place_on_them(seed):
     rng = Random(seed)
     for _ in range(60):
         (x, y), t = (rng.uniform(-9, 9), rng.uniform(-9, 9)), rng.uniform(0, 0.9)
@@ -898,7 +898,7 @@ def test_large_outlines_are_checked_quickly():
 
 
 @pytest.mark.parametrize("half", ["\ud800", "\udbff", "\udc00", "\udfff"], ids=ascii)
-def test_half_a_surrogate_pair_is_no_text(half):
+def test_half_a_surrogate_pair_is_not_text(half):
     with pytest.raises(InvalidShape, match=r"label 1 .* surrogate"):
         Polygon([(0, 0), (1, 0), (0, 1)], labels=["a", f"b{half}", "c"])
     assert Polygon(TRIANGLE, ["\ud7ff", "\ue000", "\U0010ffff"]).labels[0] == "\ud7ff"
@@ -936,7 +936,7 @@ def test_what_is_not_convex_has_no_slabs():
 
 
 @pytest.mark.parametrize("e", [-1000, 0, 1000])
-def test_reach_span_and_bounds_are_those_of_the_corners(e):
+def test_the_largest_coordinate_edge_and_bounds_are_those_of_the_corners(e):
     ring = [(math.ldexp(x, e), math.ldexp(y, e)) for x, y in ((-5, 1), (3, 2), (0, -40), (-4, -9))]
     shape = Polygon(ring)
     assert shape.bounds == tuple(math.ldexp(c, e) for c in (-5, -40, 3, 2))
@@ -996,7 +996,7 @@ CENTROIDS = [
 @pytest.mark.parametrize(("ring", "middle"), CENTROIDS)
 @pytest.mark.parametrize("e", [-1000, -500, 0, 500, 1000])
 def test_the_centroid_is_the_center_of_area(ring, middle, e):
-    area = oracle.area2(ring)
+    area = oracle.twice_signed_area(ring)
     walk = zip(ring, [*ring[1:], ring[0]])
     crossed = [(Fraction(px * qy - py * qx), px + qx, py + qy) for (px, py), (qx, qy) in walk]
     exactly = (sum(c * x for c, x, _ in crossed) / area / 3, sum(c * y for c, _, y in crossed) / area / 3)
@@ -1038,7 +1038,7 @@ def test_the_centroid_of_a_hair_is_not_far_from_it():
         assert x0 - 1e-3 < cx < x1 + 1e-3 and y0 - 1e-3 < cy < y1 + 1e-3, shape
 
 
-def test_a_shape_is_worked_out_once():
+def test_a_shape_is_computed_once():
     for shape in SHAPES.values():
         assert shape.integers is shape.integers
 

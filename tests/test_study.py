@@ -7,8 +7,8 @@ import pytest
 
 from satviz import Polygon, batch
 from satviz.cli import main
-from satviz.study import truth
-from satviz.study.bench import CHECKED_BY, TimingRow
+from satviz.study import bench, truth
+from satviz.study.bench import CHECKED_BY, TimingRow, plan_bench
 from satviz.study.bench_table import busy_warning, growth_exponent
 from satviz.study.harness import machine
 from satviz.study.methods import numba_rivals
@@ -52,6 +52,8 @@ SECTIONS = "pairs", "corners", "scenes", "broad phase", "growth", "starts", "mem
 def test_bench_prints_a_table_and_names_what_is_missing(capsys, monkeypatch):
     real = machine.find_spec
     monkeypatch.setattr(machine, "find_spec", lambda name: None if name in ("pymunk", "shapely") else real(name))
+    few = plan_bench(20, 1, 0)  # what is measured does not matter here
+    monkeypatch.setattr(bench, "plan_bench", lambda pairs, rounds, seed: few)
     assert main(["bench", "--pairs", "200", "--rounds", "1"]) == 0
     out = capsys.readouterr().out
     assert "not installed, so left out: shapely, pymunk" in out and "satviz numpy" in out and "broad phase, ms" in out

@@ -264,7 +264,7 @@ def test_the_bench_in_the_readme_was_measured_on_a_quiet_machine_and_none_was_wr
 def test_the_readme_tells_the_largest_margins_of_its_sample_and_that_it_is_one():
     margin = {row["method"]: row["relative_margin"] for row in SPEED["rows"]}
     float64 = max(margin[r["method"]] for r in SPEED["rows"] if r["family"] == "float SAT" and "32" not in r["method"])
-    assert f"in this sample SAT in float64 was wrong up to a gamma of {float64:.1f}," in GUIDES
+    assert f"in this sample SAT in float64 was wrong up to a relative margin of {float64:.1f}," in GUIDES
     assert f"float32 was wrong up to 2^{log2(margin['SAT, float32']):.1f} in this sample" in GUIDES
 
 

@@ -321,7 +321,7 @@ def test_set_up_and_the_first_question_are_counted(monkeypatch):
         rounds[method] += 1
         return (6.0, 4.0, 1.0) if rounds[method] > 1 else (600.0, 400.0, 100.0)  # the first round is left out
 
-    monkeypatch.setattr(setup_cost, "_once", once)
+    monkeypatch.setattr(setup_cost, "_time_parts", once)
     rows = setup_cost.take_times(200, 2, QUICK)
     assert {row["reuse"]: row["ns"] * 200 / 1e9 for row in rows} == pytest.approx({1: 10, 10: 1.9, 100: 1.09})
     for row in rows:

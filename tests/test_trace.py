@@ -252,7 +252,7 @@ def test_a_choice_may_hold_lists_and_other_numbers_and_its_trace_loads():
         axes.Choice((), (axes.Skip(axis, axes.PARALLEL, 1) for axis in cycle(axes.WORLD_AXES))),
     ],
 )
-def test_what_is_no_choice_of_axes_is_a_type_error(choice):
+def test_anything_but_a_choice_of_axes_is_a_type_error(choice):
     with pytest.raises(TypeError, match="expected a"):
         sv.record(A, B, axes=choice)
 
@@ -266,7 +266,7 @@ def test_an_axis_is_tested_or_left_out_and_no_direction_is_none():
         axes.Choice(axes.WORLD_AXES, (axes.Skip(axes.WORLD_AXES[0], axes.PARALLEL, 1),)),
         axes.Choice(axes.WORLD_AXES, (axes.Skip(skip.axis, axes.PARALLEL, 2),)),
     ):
-        with pytest.raises(ValueError, match="which it is not"):
+        with pytest.raises(ValueError, match="which is false for these shapes"):
             sv.record(a, b, axes=twice)
 
 
@@ -288,11 +288,11 @@ def test_what_is_nearly_parallel_is_not_left_out_as_parallel():
                 (skip,) = sv.record(a, b, axes=choice).choice.skipped
                 assert skip.number and skip.axis == skipped
             else:
-                with pytest.raises(ValueError, match="which it is not"):
+                with pytest.raises(ValueError, match="which is false for these shapes"):
                     sv.record(a, b, axes=choice)
 
 
-def test_a_chooser_that_says_it_is_one_of_ours_is_not_believed():
+def test_a_chooser_that_claims_to_be_one_of_ours_is_checked():
     class Sly:
         def __eq__(self, other):
             return True
@@ -303,7 +303,7 @@ def test_a_chooser_that_says_it_is_one_of_ours_is_not_believed():
     assert not sv.record(box(0, 0, 1, 1), box(5, 5, 6, 6), axes=Sly()).choice.complete
 
 
-def test_a_long_choice_is_looked_at_once_for_each_of_its_axes_and_bounded(monkeypatch):
+def test_a_long_choice_is_checked_once_for_each_of_its_axes_and_bounded(monkeypatch):
     a, b = box(0, 0, 1, 1), sv.Polygon([(2, 0), (3, 0), (3, 1)])
     looked, real, needed = [], axes._parallel_key, axes.needed(a, b)
     monkeypatch.setattr(axes, "_parallel_key", lambda axis, *shapes: looked.append(axis) or real(axis, *shapes))
@@ -346,10 +346,10 @@ def test_an_axis_may_be_left_out_for_the_reason_given_only():
     choice = axes.needed(a, b)
     assert [skip.why for skip in choice.skipped] == [axes.PARALLEL] * 4
     for why in axes.NO_DIRECTION, axes.EARLY_EXIT, "slow":
-        with pytest.raises(ValueError, match=f"is left out as '{why}', which it is not"):
+        with pytest.raises(ValueError, match=f"is skipped for the reason '{why}', which is false"):
             sv.record(a, b, axes=choice._replace(skipped=(choice.skipped[0]._replace(why=why),)))
     slanted = next(axis for axis in choice.axes if all(axis.normal))
-    with pytest.raises(ValueError, match="is left out as 'parallel', which it is not"):
+    with pytest.raises(ValueError, match="is skipped for the reason 'parallel', which is false"):
         sv.record(a, b, axes=axes.Choice(choice.axes[:1], (axes.Skip(slanted, axes.PARALLEL, 1),)))
     ball, corner = sv.Circle((2, 2), 1), box(0, 0, 2, 2)
     (skip,) = (skip for skip in axes.needed(corner, ball).skipped if skip.why == axes.NO_DIRECTION)
@@ -481,7 +481,7 @@ def test_a_certificate_in_words_names_its_line_as_the_pictures_do():
     assert words(A, A) == "the point (1.333, 2.667) lies in both"
 
 
-def test_the_shallowest_test_is_told_where_none_separates():
+def test_the_shallowest_test_is_given_where_none_separates():
     trace = sv.record(box(0, 0, 4, 4), box(3, 1, 9, 3))
     assert trace.shallowest is trace.tests[1] and trace.shallowest.gap == -1
     assert sv.record(box(0, 0, 4, 4), box(4, 1, 9, 3)).shallowest.gap == 0
@@ -489,7 +489,7 @@ def test_the_shallowest_test_is_told_where_none_separates():
     assert sv.record(box(1, 1, 3, 3), L).shallowest is None  # its pairs have one each
 
 
-def test_a_run_without_a_shortcut_is_the_truth_and_pushes_by_its_way_out():
+def test_a_run_without_a_shortcut_is_the_truth_and_pushes_by_its_mtv():
     for b, mtv in (box(3, 1, 9, 3), (1, 0)), (box(4, 1, 9, 3), (0, 0)), (box(5, 1, 9, 3), None):
         trace = sv.record(box(0, 0, 4, 4), b)
         assert trace.truth is trace and trace.push == trace.mtv == trace.known_mtv == mtv
@@ -592,33 +592,33 @@ AXIS_LIES = {
     ),
     "another length": (lambda axis: axis.update(length=axis["length"] * (1 + 1e-9)), "the length"),
     "no length": (lambda axis: axis.update(length=0.0), "the length"),
-    "a diagonal as an edge": (axis_of("edge normal", "A", 0, 2), "do not have"),
-    "a diagonal as a hull's edge": (axis_of("hull edge normal", "A", 0, 2), "do not have"),
-    "a vertex that is not there": (axis_of("edge normal", "A", 0, 4), "do not have"),
-    "vertices out of order": (axis_of("edge normal", "A", 1, 0), "do not have"),
-    "an edge of a circle": (axis_of("edge normal", "B", 0, 1), "do not have"),
-    "nobody's edge": (axis_of("edge normal", None, 0, 1), "do not have"),
-    "C's edge": (axis_of("edge normal", "C", 0, 1), "do not have"),
+    "a diagonal as an edge": (axis_of("edge normal", "A", 0, 2), "does not fit these shapes"),
+    "a diagonal as a hull's edge": (axis_of("hull edge normal", "A", 0, 2), "does not fit these shapes"),
+    "a vertex that is not there": (axis_of("edge normal", "A", 0, 4), "does not fit these shapes"),
+    "vertices out of order": (axis_of("edge normal", "A", 1, 0), "does not fit these shapes"),
+    "an edge of a circle": (axis_of("edge normal", "B", 0, 1), "does not fit these shapes"),
+    "nobody's edge": (axis_of("edge normal", None, 0, 1), "does not fit these shapes"),
+    "C's edge": (axis_of("edge normal", "C", 0, 1), "does not fit these shapes"),
     "a list's edge": (axis_of("edge normal", ["A"], 0, 1), "must be text"),
     "text for a vertex": (axis_of("edge normal", "A", "0", 1), "must be a whole number"),
     "true for a vertex": (axis_of("edge normal", "A", True, 0), "must be a whole number"),
-    "one vertex of an edge": (axis_of("edge normal", "A", 0), "do not have"),
-    "not the nearest vertex": (axis_of("nearest vertex", "A", 1), "do not have"),
-    "a third world axis": (axis_of("world", None, 2), "do not have"),
-    "a world axis from behind": (axis_of("world", None, -1), "do not have"),
-    "somebody's world axis": (axis_of("world", "A", 1), "do not have"),
-    "both world axes": (axis_of("world", None, 0, 1), "do not have"),
-    "two circles' centers": (axis_of("centers", None), "do not have"),
-    "circles about one center": (axis_of("any direction", None), "do not have"),
+    "one vertex of an edge": (axis_of("edge normal", "A", 0), "does not fit these shapes"),
+    "not the nearest vertex": (axis_of("nearest vertex", "A", 1), "does not fit these shapes"),
+    "a third world axis": (axis_of("world", None, 2), "does not fit these shapes"),
+    "a world axis from behind": (axis_of("world", None, -1), "does not fit these shapes"),
+    "somebody's world axis": (axis_of("world", "A", 1), "does not fit these shapes"),
+    "both world axes": (axis_of("world", None, 0, 1), "does not fit these shapes"),
+    "two circles' centers": (axis_of("centers", None), "does not fit these shapes"),
+    "circles about one center": (axis_of("any direction", None), "does not fit these shapes"),
     "not through the centroids": (axis_of("centroids", None), "not the direction"),
-    "somebody's given direction": (axis_of("given direction", "A", 0), "do not have"),
+    "somebody's given direction": (axis_of("given direction", "A", 0), "does not fit these shapes"),
     "nowhere as a given direction": (
         lambda axis: axis.update(
             normal=[0.0, 0.0], length=0.0, source={"kind": "given direction", "shape": None, "vertices": [0]}
         ),
-        "do not have",
+        "does not fit these shapes",
     ),
-    "a given direction of no number": (axis_of("given direction", None), "do not have"),
+    "a given direction of no number": (axis_of("given direction", None), "does not fit these shapes"),
 }
 
 
@@ -688,7 +688,7 @@ def test_a_trace_of_parts_with_other_axes_shapes_or_pairs_is_refused():
     lie(lambda d: d["pairs"].pop(), notched)
 
 
-def test_a_way_out_as_short_as_ours_is_as_good():
+def test_an_mtv_as_short_as_ours_is_as_good():
     """Where two ways are equally short, the rounding of another machine may choose the other."""
     mast = sv.Polygon([(-4, -2), (4, -2), (4, 0), (1, 0), (1, 9), (-1, 9), (-1, 0), (-4, 0)])
     trace = sv.record(mast, sv.Circle((0, 5), 0.5))
@@ -698,7 +698,7 @@ def test_a_way_out_as_short_as_ours_is_as_good():
 
     def told(*move):
         sentence = data["sentence"].replace(
-            *(number_format.plain(number_format.vector(sv.Vec(*v))) for v in ((x, y), move))
+            *(number_format.ascii_minus(number_format.vector(sv.Vec(*v))) for v in ((x, y), move))
         )
         return sv.Trace.from_json(json.dumps(data | {"mtv": list(move), "sentence": sentence}))
 
@@ -713,7 +713,7 @@ def test_a_way_out_as_short_as_ours_is_as_good():
 
 
 @pytest.mark.parametrize("lie", LIES)
-def test_a_trace_file_that_lies_is_refused(lie):
+def test_a_false_trace_file_is_refused(lie):
     with pytest.raises(sv.InvalidScene):
         sv.Trace.from_json(changed(LIES[lie]))
 
@@ -873,7 +873,7 @@ SMALL_AND_LARGE = box(1, 1, 4, 3), box(2, 2, 1024, 512)
 
 @pytest.mark.parametrize("shapes", [SMALL_AND_LARGE, SMALL_AND_LARGE[::-1]], ids=["small, large", "large, small"])
 @pytest.mark.parametrize("name", [None, "one-overlap", "lengths", "circles-turned-round"])
-def test_each_number_of_a_file_has_the_room_of_how_it_was_measured(name, shapes):
+def test_each_number_of_a_file_has_the_tolerance_of_how_it_was_measured(name, shapes):
     """That of a square root in a landing of its own shape; of a shortcut's own floats, that of both shapes."""
     shortcut = SHORTCUTS[name] if name else axes.world
     trace = sv.record(*shapes, axes=shortcut, every_axis=True)
@@ -893,7 +893,7 @@ def test_each_number_of_a_file_has_the_room_of_how_it_was_measured(name, shapes)
 
 
 @pytest.mark.parametrize("name", [None, "lengths"])
-def test_the_extremes_of_a_circle_have_the_room_of_its_landings(name):
+def test_the_extremes_of_a_circle_have_the_tolerance_of_its_landings(name):
     trace = sv.record(sv.Circle((1, 1), 3), sv.Circle((500, 0), 524), axes=SHORTCUTS[name] if name else axes.needed)
     test, room = trace.tests[0], 2.0**-18 if name else 2.0**-44
     for off in room, -room, room * 1.5, -room * 1.5:
@@ -917,11 +917,11 @@ def test_the_sign_of_a_small_gap_is_its_own_however_it_was_measured(name):
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_gap_that_is_exact_on_one_machine_only_is_still_rounding(sign):
     """Just within the room of zero a gap is worked out in integers; another machine may see it just outside."""
-    close, half_room = 1024 * sat.CLOSE_GAP_FACTOR, 512 * tracefile.ROUNDING
+    close, half_tolerance = 1024 * sat.CLOSE_GAP_FACTOR, 512 * tracefile.ROUNDING
     for true, told, good in (
-        (close, close + half_room, True),
-        (close, close - half_room, False),
-        (close + half_room, close, True),
+        (close, close + half_tolerance, True),
+        (close, close - half_tolerance, False),
+        (close + half_tolerance, close, True),
     ):
         trace = sv.record(box(1, 0, 4, 2), box(1, 2 + sign * true, 1024, 512), axes=axes.world, every_axis=True)
         test, *others = trace.tests
@@ -948,7 +948,7 @@ def test_a_run_that_outgrew_its_limit_in_a_file_is_refused_in_the_words_of_recor
         sv.Trace.from_json(text)
 
 
-def test_where_a_circle_reaches_beyond_float64_landings_are_looked_at_all_the_same():
+def test_where_a_circle_reaches_beyond_float64_landings_are_checked_too():
     near_the_rim, far = sv.Circle((1.76e308, 1.32e308), 4.4e307), sv.Circle((-4, -1), 2)
     data = json.loads(sv.record(near_the_rim, far, axes=axes.world).to_json())
     assert sv.Trace.from_json(json.dumps(data)).relation is sv.Relation.APART
@@ -971,7 +971,7 @@ def test_labels_stand_in_a_file_as_they_are():
     assert "é" in trace.to_json() and "😀" in trace.to_json() and sv.Trace.from_json(trace.to_json()) == trace
 
 
-def test_no_other_way_out_of_convex_shapes_is_as_good_as_the_exact_one():
+def test_no_other_mtv_of_convex_shapes_is_as_good_as_the_exact_one():
     data = json.loads(sv.record(box(0, 0, 4, 4), box(1, 1, 3, 3)).to_json())
     x, y = data["mtv"]
     assert x == 0 and data["sentence"].count(f"{y:.0f}") == 1
@@ -1041,7 +1041,7 @@ def test_given_directions_are_taken_as_given(x, y, length):
     assert test.a.interval.lo == pytest.approx(min((x * p + y * q) / hypot(x, y) for p, q in A.vertices))
 
 
-def test_record_refuses_what_is_no_shape():
+def test_record_refuses_anything_but_shapes():
     with pytest.raises(TypeError, match="b is a list: make it a satviz"):
         sv.record(A, [(0, 0)])
     for a, b in (A, None), (None, A):
@@ -1066,7 +1066,7 @@ def test_the_number_of_a_vertex_may_be_written_as_a_float():
 
 
 @pytest.mark.parametrize("text", [b"{}", None, 1, ["{}"]], ids=lambda text: type(text).__name__)
-def test_what_is_no_text_is_told_as_that(text):
+def test_anything_but_text_is_named_in_the_error(text):
     for read in sv.Trace.from_json, sv.Scene.from_json:
         with pytest.raises(TypeError, match=rf"^expected the text of a file, not {type(text).__name__}$"):
             read(text)
@@ -1085,15 +1085,22 @@ def test_a_text_that_is_not_what_the_facts_give_is_shown_from_where_it_parts():
         assert said in trace.sentence
         with pytest.raises(sv.InvalidScene, match=r"^trace.sentence is ") as refused:
             sv.Trace.from_json(json.dumps(data))
-        told, found = str(refused.value).removeprefix("trace.sentence is ").split(", but the facts give ")
+        told, found = (
+            str(refused.value)
+            .removeprefix("trace.sentence is ")
+            .split(", but the shapes and options in the file give ")
+        )
         assert lie in eval(told) and eval(told) in data["sentence"]
-        assert said in eval(found) and eval(found) in number_format.plain(trace.sentence)
+        assert said in eval(found) and eval(found) in number_format.ascii_minus(trace.sentence)
 
 
 @pytest.mark.parametrize("lie", ["", "A", "B", "A an", "A and C", "A and B are not apart"])
 def test_texts_that_part_early_are_shown_from_their_beginning(lie):
     data = json.loads(sv.record(A, B).to_json()) | {"sentence": lie}
-    with pytest.raises(sv.InvalidScene, match=rf"^trace.sentence is '{lie}', but the facts give .A and B are apart: "):
+    with pytest.raises(
+        sv.InvalidScene,
+        match=rf"^trace.sentence is '{lie}', but the shapes and options in the file give .A and B are apart: ",
+    ):
         sv.Trace.from_json(json.dumps(data))
 
 
@@ -1190,11 +1197,11 @@ def ngon(n, x=0.0):
     return sv.Polygon([(x + cos(2 * pi * i / n), sin(2 * pi * i / n)) for i in range(n)])
 
 
-def test_a_trace_of_too_many_parts_is_told_drawn_and_saved_without_its_way_out():
+def test_a_trace_of_too_many_parts_is_described_drawn_and_saved_without_its_mtv():
     trace = sv.record(star(24), star(24, 1.3, 0.1))
     text = trace.to_json()
     assert json.loads(text)["mtv"] is None and sv.Trace.from_json(text) == trace
-    assert str(trace).endswith("They have too many parts to look for the shortest way out.")
+    assert str(trace).endswith("They have too many convex parts to search for the MTV.")
     assert "mtv" not in {mark.id for mark in sv.picture(trace, -1).marks}
     lied = json.loads(text) | {"mtv": [9.0, 9.0]}
     with pytest.raises(sv.InvalidScene, match="mtv"):
@@ -1274,7 +1281,7 @@ def test_concave_outlines_of_hundreds_of_parts_are_refused_after_a_part_of_the_w
     assert len(tested) < 20_000
 
 
-def test_the_parts_of_a_shape_are_worked_out_once_for_all_that_asks_for_them(monkeypatch):
+def test_the_parts_of_a_shape_are_computed_once_for_all_uses(monkeypatch):
     made = []
     monkeypatch.setattr(
         convex_parts, "_split", lambda shape, make=convex_parts._split: made.append(shape) or make(shape)
@@ -1386,7 +1393,7 @@ def test_the_axes_of_plain_pairs_need_no_integers(e, monkeypatch):
 
 @pytest.mark.parametrize("every_axis", [False, True])
 @pytest.mark.parametrize("move", [0.0, 1.0, -0.4])
-def test_shapes_wider_than_float64_can_say_are_told_and_kept(every_axis, move):
+def test_shapes_wider_than_float64_can_hold_are_described_and_saved(every_axis, move):
     a = sv.Polygon([(-1.7e308, -1.6e308), (1.7e308, -1e300), (0, 1.7e308)])
     b = sv.Polygon([(-1.7e308 + move * 2e307, 1.7e308), (-1.6e308, 1.5e308), (1.7e308, 1.79e308)])
     trace = sv.record(a, b, every_axis=every_axis)

@@ -1,8 +1,8 @@
 """`sv.advise`: recommend the simplest model that is proven right for a scene, and compare the other models with it.
 
-A *model* is a way to find the relation of two shapes; a *case* is the pairs that the recommendation is made for; the
-*facts* are the summary of a case (`records.py`).  A model is *certified* for a pair where no order of its operations
-can give another relation (`certified_bounds.py`).  The *scope* says for which coordinates the proof is valid.
+A *model* is a way to find the relation of two shapes (`candidates.py`).  It is *certified* for a pair where no order of
+its operations can give another relation (`certified_bounds.py`), and *proven* where it is certified right on every
+pair.  The *scope* says for which coordinates the proof is valid.
 """
 
 import json
@@ -15,7 +15,7 @@ from sys import float_info
 from typing import TYPE_CHECKING, Any
 
 from ..engine.geometry import InvalidScene, Relation
-from ..engine.shapes import Shape, checked
+from ..engine.shapes import Shape, require_shape
 from ..engine.trace import Trace, record
 from ..scenes.named import scene as named
 from ..scenes.scenefile import Scene
@@ -23,7 +23,7 @@ from . import report
 from .candidates import AABB, Model, SplitPolygon, convex_parts, count_axes, shared_directions
 from .certified_bounds import certify, exact_relation
 from .limits import MAX_TESTS_CHECKED, TESTS_BY_FRACTIONS, TESTS_TIMED
-from .records import InputSummary, ModelResult, Pair, PairsInHand, anywhere, best, candidates_of, for_hits, kind_of
+from .records import GivenPairs, InputSummary, ModelResult, Pair, anywhere, best, candidates_of, for_hits, kind_of
 from .relative_margin import signed_relative_margin
 from .scope import HERE, Scope, grid_of, moved_bound, scope_of
 
@@ -37,17 +37,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Recommendation:
-    """A recommendation: `best` is the simplest model proven to find apart, touching or overlapping for all pairs.
+    """Hold a recommendation: `best` is the simplest model proven to find the relation of every given pair.
 
     `results` has every candidate, from the fewest axes to the most.  print() shows the recommendation in words,
     `to_json()` returns it as data, `check()` proves it again with integers, `failure()` records the pair on which the
-    next smaller model fails, `prices()` and `chart()` measure the time of each model on this machine.
+    next smaller model fails, `costs()` and `chart()` measure the time of each model on this machine.
     """
 
     summary: InputSummary
     results: tuple[ModelResult, ...]
     scope: Scope
-    case: PairsInHand
+    given: GivenPairs
 
     @property
     def best(self) -> ModelResult:
@@ -77,33 +77,33 @@ class Recommendation:
 
     @property
     def reason(self) -> str:
-        """Return a sentence why the recommended model is right."""
+        """Return a sentence that says why the recommended model is right."""
         return report.reason(self.model, self.summary, self.scope)
 
     def check(self, most: int = MAX_TESTS_CHECKED) -> bool:
         """Prove the recommendation again with integers and fractions, pair by pair; return whether all of it holds.
 
-        It compares the list of candidates, the result of each candidate on the pairs, the facts and the scope.  The
+        It compares the list of candidates, the result of each candidate on the pairs, the summary and the scope.  The
         number of pairs that the bounding boxes settle is not checked.  InvalidScene where the proof needs more than
         `most` tests of an edge against a corner, at some 30 microseconds each.
         """
-        if self.case.tests > most:
+        if self.given.tests > most:
             raise InvalidScene(
-                f"check() would make {self.case.tests:,} tests of an edge against a corner with fractions: the limit "
+                f"check() would make {self.given.tests:,} tests of an edge against a corner with fractions: the limit "
                 f"is {most:,}; advise on some of the pairs, or raise the limit by most="
             )
-        models = _candidates(self.case)
+        models = _candidates(self.given)
         if tuple(j.model for j in self.results) != models:
             return False
-        facts, results = _summarize(self.case, models)
+        summary, results = _summarize(self.given, models)
         return (
-            self._summary_holds(facts)
+            self._summary_holds(summary)
             and all(self._result_holds(claim, found) for claim, found in zip(self.results, results, strict=True))
             and self._scope_holds()
         )
 
     def _summary_holds(self, found: InputSummary) -> bool:
-        """Return whether the facts found again are those of this recommendation, up to the rounding of arrays."""
+        """Return whether this summary agrees with `found`, computed by integers, up to the rounding of arrays."""
         mine, place = self.summary, self._number_of(self.summary.at)
         if mine != found._replace(relative_margin=mine.relative_margin, at=mine.at):
             return False
@@ -112,11 +112,11 @@ class Recommendation:
         # arrays compute the relative margin to one part in fifty
         return all(
             isclose(mine.relative_margin, known, rel_tol=0.025)
-            for known in (found.relative_margin, _least_margin(self.case, place))
+            for known in (found.relative_margin, _least_margin(self.given, place))
         )
 
     def _result_holds(self, claim: ModelResult, found: ModelResult) -> bool:
-        """Return whether a claimed result agrees with the one found again.
+        """Return whether the claimed result of a model agrees with `found`, computed by integers.
 
         Arrays may leave more pairs uncertain than integers, if a pair is uncertain for both.
         """
@@ -129,25 +129,25 @@ class Recommendation:
         place = None if claim.first is None else self._number_of(claim.first)
         if place is None or claim.proven:
             return claim.first is None and claim.proven
-        a, b = self.case.shapes_of(place)
+        a, b = self.given.shapes_of(place)
         certified = certify(claim.model, a, b)
         return certified not in (None, exact_relation(a, b)) if claim.wrong else certified is None
 
     def _number_of(self, pair: Pair) -> int | None:
-        """Return the number of the pair with these two indices; None if the case does not have it."""
-        return next((k for k in range(self.case.known) if self.case.indices(k) == pair), None)
+        """Return the number k of the given pair with these two indices; None if it is not among them."""
+        return next((k for k in range(self.given.numbered) if self.given.indices(k) == pair), None)
 
     def _scope_holds(self) -> bool:
         """Return whether the scope, worked out again with integers, is at least the claimed one."""
-        pairs = [self.case.shapes_of(k) for k in range(self.case.pairs)]
-        again = self.case._replace(moved_bound=lambda: moved_bound(pairs), grid=lambda: grid_of(pairs))
+        pairs = [self.given.shapes_of(k) for k in range(self.given.pairs)]
+        again = self.given._replace(moved_bound=lambda: moved_bound(pairs), grid=lambda: grid_of(pairs))
         found = scope_of(self.model, self.summary, again)
         return self.scope == Scope(HERE) or (
             self.scope._replace(bound=0) == found._replace(bound=0) and (0 <= self.scope.bound <= found.bound)
         )
 
     def failure(self) -> Trace | None:
-        """Record the first pair on which the next smaller model fails, as that model tests it; None if there is none.
+        """Return a trace of the first pair on which the next smaller model fails; None if there is none.
 
         `sv.draw` shows the claimed relation beside the actual one.  Where only rounding fails, the record is exact.
         """
@@ -156,33 +156,33 @@ class Recommendation:
         smaller = self.smaller
         if smaller is None or smaller.first is None or (place := self._number_of(smaller.first)) is None:
             return None
-        a, b = (s.outline() if isinstance(s, SplitPolygon) else s for s in self.case.shapes_of(place))
+        a, b = (s.outline() if isinstance(s, SplitPolygon) else s for s in self.given.shapes_of(place))
         return record(a, b, axes=shortcut(smaller.model, a, b))
 
     @cached_property
-    def _prices(self) -> "dict[str, Cost | None]":
-        """Measure the costs; see `prices`."""
+    def _costs(self) -> "dict[str, Cost | None]":
+        """Return the result of `costs`, measured once."""
         from .costs import costs
 
         # for one pair numba would take longer to load than all else
         engine = "numpy" if self.summary.pairs == 1 else None
-        return costs([j.model for j in self.results], self.case.batches(), engine=engine)
+        return costs([j.model for j in self.results], self.given.batches(), engine=engine)
 
-    def prices(self) -> "dict[str, Cost | None]":
+    def costs(self) -> "dict[str, Cost | None]":
         """Return the cost of each model on this machine, by its name: nanoseconds a pair, cold (with set-up) and warm.
 
         They are measured once, for about a second; None stands for a model of which one call would take too long.
         """
-        return self._prices
+        return self._costs
 
     def chart(self) -> "Chart":
         """Return a chart of time against wrong answers of all candidates on these pairs, the recommended one marked."""
         from .cost_chart import chart
 
-        return chart(self.model, self.summary, self.results, self.prices())
+        return chart(self.model, self.summary, self.results, self.costs())
 
     def to_json(self, indent: int | None = None) -> str:
-        """Return the recommendation without prices as JSON; two calls return the same text."""
+        """Return the recommendation without costs as JSON; two calls return the same text."""
         f = self.summary
         data = {
             "satviz": "advice 1",
@@ -210,12 +210,12 @@ class Recommendation:
         return f"Recommendation({self.model.name}, {self.scope.kind})"
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
-        """In a notebook: the recommendation in words; `chart()` measures, so it is drawn only on request."""
+        """Return what a notebook shows: the words only, since `chart()` would take time to measure."""
         return {"text/plain": str(self)}
 
 
 def _model(model: Model) -> dict[str, Any]:
-    """Return a model as JSON data."""
+    """Return a model as a dict for JSON: name, number of axes, directions."""
     return {"name": model.name, "axes": model.axes, "directions": [list(n) for n in model.directions]}
 
 
@@ -237,29 +237,30 @@ def advise(
     if isinstance(a, Shape) and (b is None or isinstance(b, Shape)):
         if pairs is not None:
             raise TypeError("pairs are of batch shapes: make them with batch.Polygons or batch.Circles")
-        facts, results, case = _recommend_pair(a, checked(b, "b"))
+        summary, results, given = _recommend_pair(a, require_shape(b, "b"))
     else:
         from .advising_batches import recommend_batch
 
-        facts, results, case = recommend_batch(a, b, pairs)
-    return Recommendation(facts, results, scope_of(best(results).model, facts, case), case)
+        summary, results, given = recommend_batch(a, b, pairs)
+    return Recommendation(summary, results, scope_of(best(results).model, summary, given), given)
 
 
-def _recommend_pair(a: Shape, b: Shape) -> tuple[InputSummary, tuple[ModelResult, ...], PairsInHand]:
-    """Return (facts, results, case) of two shapes: by fractions alone, or by arrays where fractions would take long."""
-    case = _case_of_pair(a, b)
-    if case.tests <= TESTS_BY_FRACTIONS:
-        return *_summarize(case, _candidates(case)), case
+def _recommend_pair(a: Shape, b: Shape) -> tuple[InputSummary, tuple[ModelResult, ...], GivenPairs]:
+    """Return (summary, results, given pairs) for two shapes: by integers, or by arrays if these are faster."""
+    given = _give_pair(a, b)
+    if given.tests <= TESTS_BY_FRACTIONS:
+        return *_summarize(given, _candidates(given)), given
     from .advising_batches import recommend_batch, shape_as_batch
 
     # for one pair numba would take longer to load than all else
     return recommend_batch(shape_as_batch(a), shape_as_batch(b), None, engine="numpy")
 
 
-def _case_of_pair(a: Shape, b: Shape) -> PairsInHand:
-    """Return the case of one pair of shapes."""
+def _give_pair(a: Shape, b: Shape) -> GivenPairs:
+    """Return the GivenPairs record of one pair of shapes."""
 
     def batches() -> Any:
+        """Return many copies of the pair as batches, to be timed."""
         from .advising_batches import repeated_pair
 
         return repeated_pair(a, b, copies=max(1, min(4096, TESTS_TIMED // tests)))
@@ -267,7 +268,7 @@ def _case_of_pair(a: Shape, b: Shape) -> PairsInHand:
     both = [(a, b)]
     corners = [sum(len(p.core) for p in convex_parts(shape)) for shape in (a, b)]
     tests = 2 * corners[0] * corners[1]
-    return PairsInHand(
+    return GivenPairs(
         1,
         both.__getitem__,
         lambda k: (0, 0),
@@ -279,30 +280,30 @@ def _case_of_pair(a: Shape, b: Shape) -> PairsInHand:
     )
 
 
-def _candidates(case: PairsInHand) -> tuple[Model, ...]:
-    """Return the candidate models of a case, from its shapes alone."""
-    shapes = case.shapes()
-    axes = max((count_axes(*case.shapes_of(k)) for k in range(case.pairs)), default=1)
-    directions = shared_directions(shapes) if case.pairs else ()
-    return candidates_of(axes, directions, {kind_of(s) for s in shapes}, case)
+def _candidates(given: GivenPairs) -> tuple[Model, ...]:
+    """Return the candidate models for the given pairs, from their shapes alone."""
+    shapes = given.unique_shapes()
+    axes = max((count_axes(*given.shapes_of(k)) for k in range(given.pairs)), default=1)
+    directions = shared_directions(shapes) if given.pairs else ()
+    return candidates_of(axes, directions, {kind_of(s) for s in shapes}, given)
 
 
-def _summarize(case: PairsInHand, models: Sequence[Model]) -> tuple[InputSummary, tuple[ModelResult, ...]]:
-    """Return the facts of a case and the result of each model, by integers, pair by pair."""
+def _summarize(given: GivenPairs, models: Sequence[Model]) -> tuple[InputSummary, tuple[ModelResult, ...]]:
+    """Return the summary of the given pairs and the result of each model, by integers, pair by pair."""
     relations, least, at = Counter[Relation](), inf, (0, 0)
     wrong, uncertain = Counter[Model](), Counter[Model]()
     first: dict[Model, Pair] = {}
     first_uncertain: dict[Model, Pair] = {}
     missing = set()
-    for k in range(case.known):
-        a, b = case.shapes_of(k)
-        relation, pair = exact_relation(a, b), case.indices(k)
-        if k < case.pairs:
+    for k in range(given.numbered):
+        a, b = given.shapes_of(k)
+        relation, pair = exact_relation(a, b), given.indices(k)
+        if k < given.pairs:
             relations[relation] += 1
-            if (found := _least_margin(case, k)) < least:
+            if (found := _least_margin(given, k)) < least:
                 least, at = found, pair
         for model in models:
-            if k >= case.pairs and (model.after_boxes or model.kind == AABB):
+            if k >= given.pairs and (model.after_boxes or model.kind == AABB):
                 continue  # the boxes are apart, so this model does not run
             certified = certify(model, a, b)
             if certified is None:
@@ -313,25 +314,25 @@ def _summarize(case: PairsInHand, models: Sequence[Model]) -> tuple[InputSummary
                 first.setdefault(model, pair)
             if certified is None or bool(certified) is not bool(relation):
                 missing.add(model)
-    shapes = case.shapes()
+    shapes = given.unique_shapes()
     corners = [len(p.core) for s in shapes if not s.core_is_point for p in convex_parts(s)] or [0]
     widths = [min(max(s.bounds[2] - s.bounds[0], s.bounds[3] - s.bounds[1]), float_info.max) for s in shapes] or [1.0]
-    facts = InputSummary(
+    summary = InputSummary(
         dict(Counter(map(kind_of, shapes))),
         (min(corners), max(corners)),
         min(max(widths) / min(widths), float_info.max),
-        case.pairs,
+        given.pairs,
         (relations[Relation.APART], relations[Relation.TOUCHING], relations[Relation.OVERLAPPING]),
-        case.settled.pairs if case.settled else 0,
+        given.broad_phase.pairs if given.broad_phase else 0,
         least,
         at,
     )
-    return facts, tuple(
+    return summary, tuple(
         ModelResult(m, wrong[m], uncertain[m], first.get(m, first_uncertain.get(m)), m not in missing) for m in models
     )
 
 
-def _least_margin(case: PairsInHand, k: int) -> float:
-    """Return the relative margin of pair k."""
-    a, b = case.shapes_of(k)
+def _least_margin(given: GivenPairs, k: int) -> float:
+    """Return the relative margin of given pair k, by its convex parts."""
+    a, b = given.shapes_of(k)
     return abs(min(signed_relative_margin(p, q) for p in convex_parts(a) for q in convex_parts(b)))

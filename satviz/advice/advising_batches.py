@@ -1,4 +1,4 @@
-"""`sv.advise` for many pairs: facts, results and scope as in `advising.py`, computed with arrays.
+"""`sv.advise` for many pairs: summary, results and scope as in `advising.py`, computed with arrays.
 
 `engine` stands for the engine of `batch.relate` throughout: "numpy", "numba", or None for the faster one installed.
 """
@@ -32,11 +32,11 @@ from .records import (
     CONVEX_POLYGONS,
     UPRIGHT_BOXES,
     BroadPhaseResult,
+    GivenPairs,
     Grid,
     InputSummary,
     ModelResult,
     Pair,
-    PairsInHand,
     candidates_of,
 )
 from .rounding import FLOAT64, FORMATS
@@ -45,8 +45,8 @@ from .scope import power_of_two_bound
 
 def recommend_batch(
     a: Any, b: Any, pairs: ArrayLike | None, *, engine: str | None = None
-) -> tuple[InputSummary, tuple[ModelResult, ...], PairsInHand]:
-    """Return (facts, results, case) for batch shapes; the parameters are those of `advise`."""
+) -> tuple[InputSummary, tuple[ModelResult, ...], GivenPairs]:
+    """Return (summary, results, given pairs) for batch shapes; the parameters are those of `advise`."""
     a = check_shapes(a, "a")
     all_pairs = b is None and pairs is None
     b = a if b is None else check_shapes(b, "b")
@@ -59,35 +59,37 @@ def recommend_batch(
     extreme = _out_of_range(both)
     refuse_too_many_fractions(extreme, extreme)
     exact = batch.relate(a, b, np.stack([ia, ib], axis=1), engine=engine)
-    settled, near = None, paired(a, ia[:0], a, ia[:0])
+    broad_phase, near = None, paired(a, ia[:0], a, ia[:0])
     if all_pairs and len(ia) < (every := len(a) * (len(a) - 1) // 2):
-        settled, near = _count_apart_by_boxes(a, every - len(ia), engine)
+        broad_phase, near = _count_apart_by_boxes(a, every - len(ia), engine)
     used = [(a, np.unique([ia, ib]))] if a is b else [(a, np.unique(ia)), (b, np.unique(ib))]
     kinds = _kinds(used)
     numbers = np.concatenate([ia, near.ia]), np.concatenate([ib, near.ib])
-    case = PairsInHand(
+    signed = signed_relative_margins(a, b, np.stack([ia, ib], axis=1), engine=engine)
+    given = GivenPairs(
         len(ia),
         lambda k: (_shape_of(a, int(numbers[0][k])), _shape_of(b, int(numbers[1][k]))),
         lambda k: (int(numbers[0][k]), int(numbers[1][k])),
         lambda: [_shape_of(shapes, i) for shapes, some in used for i in some.tolist()],
         lambda: both,
-        lambda: _moved_bound(both, engine),
+        lambda: _moved_bound(both, signed),
         lambda: _grid(both),
         work[1] + _count_work(a, near.ia, a, near.ib)[1],
-        settled,
+        broad_phase,
     )
-    results = tuple(_evaluate_model(model, both, exact, near, case, engine) for model in _models(both, kinds, case))
-    signed = signed_relative_margins(a, b, np.stack([ia, ib], axis=1), engine=engine)
-    worst = int(np.abs(signed).argmin()) if case.pairs else 0
-    least, at = (float(abs(signed[worst])), case.indices(worst)) if case.pairs else (inf, (0, 0))
+    results = tuple(_evaluate_model(model, both, exact, near, given, engine) for model in _models(both, kinds, given))
+    worst = int(np.abs(signed).argmin()) if given.pairs else 0
+    least, at = (float(abs(signed[worst])), given.indices(worst)) if given.pairs else (inf, (0, 0))
     apart, touching, over = np.bincount(exact, minlength=3).tolist()
-    by_boxes = settled.pairs if settled else 0
-    facts = InputSummary(kinds, _corners(both), _sizes(both), case.pairs, (apart, touching, over), by_boxes, least, at)
-    return facts, results, case
+    by_boxes = broad_phase.pairs if broad_phase else 0
+    summary = InputSummary(
+        kinds, _corners(both), _sizes(both), given.pairs, (apart, touching, over), by_boxes, least, at
+    )
+    return summary, results, given
 
 
 def _pairs_with_meeting_boxes(bounds: Array, engine: str | None) -> tuple[Indices, Indices]:
-    """Return all pairs whose boxes meet, in order; they are counted while found, so that they never fill the memory."""
+    """Return (i, j), sorted, of all pairs whose boxes meet; InvalidScene as soon as there are too many."""
     farthest = float_info.max  # the box of a circle may exceed it
     blocks, many = [], 0
     for block in candidate_blocks(np.clip(bounds, -farthest, farthest), engine_of(engine).grid):
@@ -99,20 +101,20 @@ def _pairs_with_meeting_boxes(bounds: Array, engine: str | None) -> tuple[Indice
 
 
 def _count_work(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> tuple[int, int]:
-    """Return the number of pairs of convex parts, and of tests of an edge against a corner."""
+    """Return (number of pairs of convex parts, number of tests of an edge against a corner)."""
     parts = [np.diff(s.starts)[i] for s, i in ((a, ia), (b, ib))]
     return int((parts[0].astype(float) * parts[1]).sum()), int(tests_per_pair(a, ia, b, ib).sum())
 
 
 def _out_of_range(both: Pairs) -> int:
-    """Return how many pairs of convex parts have products beyond the range of floats, and so need integers."""
+    """Return how many pairs of convex parts have coordinates so large or small that only integers are safe."""
     with np.errstate(over="ignore"):
         most = np.maximum(_part_max_coordinates(both.a)[both.pa], _part_max_coordinates(both.b)[both.pb])
     return int(np.count_nonzero(~((most > 2.0**-450) & (most < 2.0**450))))
 
 
 def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[BroadPhaseResult, Pairs]:
-    """Return what the boxes settle, and those of the settled pairs that bounding circles alone might not certify.
+    """Return (what the boxes settle, the settled pairs that circles alone might not certify as apart).
 
     With M the larger max_coordinate (radius included) of two circles, u the unit roundoff, d their distance and R the
     sum of the radii, the circles are certified apart where d - R is 72 u M or more: the bound of `certify_circles` for
@@ -141,16 +143,15 @@ def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[Bro
     return BroadPhaseResult(many, len(near.ia), frozenset(exact | trusted.keys()), only_circles), near
 
 
-def _moved_bound(both: Pairs, engine: str | None) -> float:
-    """Return what `scope.moved_bound` returns, by arrays."""
+def _moved_bound(both: Pairs, signed: Array) -> float:
+    """Return the power of two up to which these convex polygons may be moved as a whole, else 0."""
     most = np.maximum(_part_max_coordinates(both.a)[both.pa], _part_max_coordinates(both.b)[both.pb])
-    signed = signed_relative_margins(both.a.parts, both.b.parts, np.stack([both.pa, both.pb], axis=1), engine=engine)
     # arrays compute the relative margin to one part in fifty
     return power_of_two_bound(float((np.abs(signed) * 0.9 * most).min()) / (SAT_ROUNDINGS + 1), float(most.max()))
 
 
 def _grid(both: Pairs) -> Grid | None:
-    """Return the grid of all parts in the pairs; None also where its unit is near the ends of the range of float64."""
+    """Return the coarsest grid of all numbers in the pairs; None if its unit is too extreme for float64."""
     found = [PartGrids(*(c[p] for c in PartGrids.of(s.parts))) for s, p in ((both.a, both.pa), (both.b, both.pb))]
     unit = min(float(g.unit.min()) for g in found)
     most, span = (max(float(c.max()) for c in both) for both in zip(*(g[1:] for g in found), strict=True))
@@ -176,45 +177,45 @@ def repeated_pair(a: Shape, b: Shape, copies: int = 4096) -> Pairs:
     return paired(shape_as_batch(a), nothing, shape_as_batch(b), nothing)
 
 
-def _models(pairs: Pairs, kinds: Collection[str], case: PairsInHand) -> tuple[Model, ...]:
-    """Return the candidate models for these pairs."""
+def _models(pairs: Pairs, kinds: Collection[str], given: GivenPairs) -> tuple[Model, ...]:
+    """Return the candidate models for these pairs, from their axes, directions and kinds of shapes."""
     edges = [np.where(s.parts.count == 1, 0, s.parts.count) for s in (pairs.a, pairs.b)]
     each = edges[0][pairs.pa] + edges[1][pairs.pb]
     each += (edges[0][pairs.pa] == 0) | (edges[1][pairs.pb] == 0)
     axes = np.bincount(pairs.of, each, minlength=len(pairs.ia))
     used = pairs.a[np.unique(pairs.ia)], pairs.b[np.unique(pairs.ib)]
-    directions = shared_directions(*used) if case.pairs and CIRCLES not in kinds else ()
-    return candidates_of(int(axes.max(initial=1)), directions, kinds, case)
+    directions = shared_directions(*used) if given.pairs and CIRCLES not in kinds else ()
+    return candidates_of(int(axes.max(initial=1)), directions, kinds, given)
 
 
 def _evaluate_model(
-    model: Model, both: Pairs, exact: NDArray[np.int8], near: Pairs, case: PairsInHand, engine: str | None
+    model: Model, both: Pairs, exact: NDArray[np.int8], near: Pairs, given: GivenPairs, engine: str | None
 ) -> ModelResult:
-    """Return the result of a model on the pairs `both`, and on the `near` ones if it runs without the boxes."""
-    found = _classify(model, both, exact, case, 0, engine)
+    """Return how a model does on the pairs `both`, and on `near` if no test of the boxes comes before it."""
+    found = _classify(model, both, exact, given, 0, engine)
     if not (model.after_boxes or model.kind == AABB):
         apart = np.zeros(len(near.ia), np.int8)
-        found = np.concatenate([found, _classify(model, near, apart, case, case.pairs, engine)])
+        found = np.concatenate([found, _classify(model, near, apart, given, given.pairs, engine)])
         exact = np.concatenate([exact, apart])
     uncertain = found < 0
     wrong = ~uncertain & (found != exact)
     bad = np.flatnonzero(wrong)
     bad = bad if bad.size else np.flatnonzero(uncertain)
-    first = case.indices(int(bad[0])) if bad.size else None
+    first = given.indices(int(bad[0])) if bad.size else None
     hits = not uncertain.any() and bool(((found > 0) == (exact > 0)).all())
     return ModelResult(model, int(wrong.sum()), int(uncertain.sum()), first, hits)
 
 
 def _classify(
-    model: Model, pairs: Pairs, exact: NDArray[np.int8], case: PairsInHand, first: int, engine: str | None
+    model: Model, pairs: Pairs, exact: NDArray[np.int8], given: GivenPairs, first: int, engine: str | None
 ) -> NDArray[np.int8]:
-    """Return the certified relations of these pairs, -1 where uncertain; their numbers in the case start at `first`."""
+    """Return the relations that the model certainly finds, -1 where uncertain; pairs are numbered from `first`."""
     found = classify(model, pairs, exact, engine=engine)
     if model.kind not in FORMATS:  # SAT has used fractions already, part by part
         uncertain = np.flatnonzero(found < 0)
         for many, k in enumerate(uncertain.tolist()):  # the bounds of arrays are wider than those of fractions
             refuse_too_many_fractions(many, len(uncertain))
-            relation = certify(model, *case.shapes_of(first + k))
+            relation = certify(model, *given.shapes_of(first + k))
             if relation is None:
                 break  # one uncertain pair is enough to reject the model
             found[k] = relation
@@ -222,7 +223,7 @@ def _classify(
 
 
 def _kinds(sides: Sequence[tuple[Shapes, Indices]]) -> dict[str, int]:
-    """Return how many of the used shapes are of each kind."""
+    """Return how many of the used shapes are of each kind; `sides` lists (batch, indices of used shapes)."""
     found: dict[str, int] = {}
     for shapes, used in sides:
         parts = np.diff(shapes.starts)[used]
@@ -240,20 +241,20 @@ def _kinds(sides: Sequence[tuple[Shapes, Indices]]) -> dict[str, int]:
     return found
 
 
-def _corners(case: Pairs) -> Pair:
-    """Return the fewest and the most corners of the convex parts, (0, 0) if all are circles."""
-    counts = np.concatenate([case.a.count[case.pa], case.b.count[case.pb]])
+def _corners(given: Pairs) -> Pair:
+    """Return (fewest, most) corners of the polygonal convex parts in the pairs; (0, 0) if all are circles."""
+    counts = np.concatenate([given.a.count[given.pa], given.b.count[given.pb]])
     counts = counts[counts > 1]
     return (int(counts.min()), int(counts.max())) if counts.size else (0, 0)
 
 
-def _sizes(case: Pairs) -> float:
+def _sizes(given: Pairs) -> float:
     """Return the width of the largest shape over that of the smallest."""
-    if not len(case.ia):
+    if not len(given.ia):
         return 1.0
     with np.errstate(all="ignore"):
-        widths = [(s.bounds[:, 2:] - s.bounds[:, :2]).max(axis=1) for s in (case.a, case.b)]
-        some = np.minimum(np.concatenate([widths[0][case.ia], widths[1][case.ib]]), float_info.max)
+        widths = [(s.bounds[:, 2:] - s.bounds[:, :2]).max(axis=1) for s in (given.a, given.b)]
+        some = np.minimum(np.concatenate([widths[0][given.ia], widths[1][given.ib]]), float_info.max)
         return float(min(some.max() / some.min(), float_info.max))
 
 
@@ -266,6 +267,6 @@ def _part_max_coordinates(shapes: Shapes) -> NDArray[np.float64]:
 
 
 def _shape_of(shapes: Shapes, i: int) -> AnyShape:
-    """Return shape i of a batch: a shape of the engine, or a SplitPolygon if it has several convex parts."""
+    """Return shape i of a batch as a single Shape, or as a SplitPolygon if it has several convex parts."""
     parts = [part_shape(shapes.parts, k) for k in range(shapes.starts[i], shapes.starts[i + 1])]
     return parts[0] if len(parts) == 1 else SplitPolygon(parts)

@@ -9,7 +9,7 @@ from .certified_bounds import bounding_circle, certify
 
 
 def shortcut(model: Model, a: Shape, b: Shape) -> Shortcut:
-    """Return the shortcut that tests this pair as the model does; where only rounding fails, SAT itself."""
+    """Return the SAT shortcut that tests the pair as the model does; SAT itself where only rounding can fail."""
     if certify(model, a, b) is None:
         return Shortcut("plain floats", "plain floats are exact enough", needed)
     if model.kind == AABB:
@@ -24,12 +24,12 @@ def shortcut(model: Model, a: Shape, b: Shape) -> Shortcut:
 
 
 def _between(a: Shape, b: Shape) -> Choice:
-    """Return the axis through the centers of the bounding circles; the x axis if they coincide."""
+    """Return the choice of one axis, through the centers of the bounding circles (x if these coincide)."""
     (ax, ay, _), (bx, by, _) = bounding_circle(a), bounding_circle(b)
     return directions((bx - ax, by - ay) if (ax, ay) != (bx, by) else (1, 0))(a, b)
 
 
 def _by_circles(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Return the test of the bounding circles on an axis."""
+    """Return the result of testing the bounding circles, in place of the shapes, on an axis."""
     (ax, ay, ar), (bx, by, br) = bounding_circle(a), bounding_circle(b)
     return next(axis_tests(Circle((ax, ay), ar), Circle((bx, by), br), [axis]))

@@ -24,7 +24,7 @@ PARALLEL_ANGLE = 2.0**-20  # radians: closer normals count as one direction, whi
 
 
 class SplitPolygon:
-    """A concave polygon of which only its convex parts are known, as in a batch; it has what the models need."""
+    """Hold a concave polygon known only by its convex parts, as in a batch, with what the models need."""
 
     radius = 0.0
     core_is_point = False
@@ -38,7 +38,7 @@ class SplitPolygon:
         self.is_upright_box = self.is_convex = False
 
     def outline(self) -> Shape:
-        """Return the whole polygon: the edges that no two parts share, cut where a corner lies on them."""
+        """Return the whole polygon: the edges that belong to one part only, cut where a corner lies on them."""
         places = list(dict.fromkeys(self.core))
         _, at = to_int_points(places)
         edges: set[tuple[int, int]] = set()
@@ -56,7 +56,7 @@ class SplitPolygon:
 
     @property
     def integers(self) -> tuple[int, list[IntPoint], int]:
-        """(k, core, 0): the corners as integers in units of 2**-k, and the radius."""
+        """Return (k, core, 0): the corners as integers in units of 2**-k, and the radius 0."""
         return (*to_int_points(self.core), 0)
 
 
@@ -69,12 +69,12 @@ def convex_parts(shape: AnyShape) -> Sequence[Shape]:
 
 
 def cyclic_pairs(ring: Sequence[T]) -> Iterable[tuple[T, T]]:
-    """Return each pair of neighbours of a closed outline, beginning with the last and the first corner."""
+    """Return the pairs of neighbouring corners of a closed outline, first (last corner, first corner)."""
     return pairwise([ring[-1], *ring])
 
 
 class Model(NamedTuple):
-    """A model and the number of axes that it tests for the largest pair.
+    """Describe a model (a way to test a pair) and the number of axes that it tests for the largest pair.
 
     `kind`: one of the constants above, or the name of a float format; `directions`: the fixed ones of a k-DOP, any
     (x, y); `after_boxes`: whether it follows a test of the bounding boxes, whose two axes then count among `axes`.
@@ -87,21 +87,21 @@ class Model(NamedTuple):
 
     @property
     def test(self) -> str:
-        """The name of its own test, without the test of bounding boxes before it."""
+        """Return the name of the model's own test, without the test of bounding boxes before it."""
         if self.kind == K_DOP:
             return f"ranges on {len(self.directions)} directions"
         return f"SAT, {self.kind}" if self.kind in FORMATS else self.kind
 
     @property
     def name(self) -> str:
-        """Its full name."""
+        """Return the full name, with the test of bounding boxes if that comes first."""
         return f"{AABB}, then {self.test}" if self.after_boxes else self.test
 
 
 def candidates(
     axes: int, directions: tuple[Vec, ...], only_circles: bool, alone: Collection[str] | None = None
 ) -> tuple[Model, ...]:
-    """Return the candidate models, from the fewest axes to the most, and from the lowest precision to the exact one.
+    """Return the candidate models, from the fewest axes to the most, then from the lowest precision to exact.
 
     `alone`: None for given pairs.  For all pairs of a batch, whose bounding boxes are compared first: the kinds of
     models, with fewer axes than the boxes, that are candidates without the boxes too; all others follow the boxes.
@@ -119,7 +119,7 @@ def candidates(
 
 
 def shared_directions(shapes: Iterable[AnyShape]) -> tuple[Vec, ...]:
-    """Return the directions of all edge normals, parallel ones once; () if there are more than MAX_DIRECTIONS.
+    """Return the distinct directions of all edge normals; () for more than MAX_DIRECTIONS or with circles.
 
     The larger component of each is scaled to between a half and 1.  The least direction is always taken next, so the
     result does not depend on the order of shapes and corners.
@@ -148,6 +148,6 @@ def count_axes(a: AnyShape, b: AnyShape) -> int:
 
 
 def _count_convex_axes(a: Shape, b: Shape) -> int:
-    """Return how many axes SAT tests for two convex shapes."""
+    """Return how many axes SAT tests for two convex shapes: each edge, and one more with a circle."""
     edges = sum(0 if s.core_is_point else len(s.core) for s in (a, b))
     return edges + (a.core_is_point or b.core_is_point)

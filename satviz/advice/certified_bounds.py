@@ -18,7 +18,7 @@ from itertools import chain
 from math import inf, isfinite, nextafter, sqrt
 
 from ..engine.geometry import Relation, Vec
-from ..engine.predicates import HUGE, TINY, aligned, sign, to_integers
+from ..engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT, sign, to_common_unit, to_integers
 from ..engine.relate import relate, relate_integers
 from ..engine.shapes import Shape
 from . import rounding
@@ -55,7 +55,7 @@ Disc = tuple[float, float, float]  # x, y, radius
 
 def exact_relation(a: AnyShape, b: AnyShape) -> Relation:
     """Return the relation by integers alone, without a filter."""
-    return max(relate_integers(*aligned(p, q)[:3]) for p in convex_parts(a) for q in convex_parts(b))
+    return max(relate_integers(*to_common_unit(p, q)[:3]) for p in convex_parts(a) for q in convex_parts(b))
 
 
 def certify(model: Model, a: AnyShape, b: AnyShape) -> Relation | None:
@@ -72,7 +72,7 @@ def certify(model: Model, a: AnyShape, b: AnyShape) -> Relation | None:
 
 
 def relation_of_sign(gap: int) -> Relation:
-    """Return the relation of a gap with this sign."""
+    """Return the relation for a gap: APART if positive, OVERLAPPING if negative, TOUCHING at 0."""
     return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
 
@@ -80,7 +80,7 @@ def relation_of_sign(gap: int) -> Relation:
 
 
 def certify_boxes(a: AnyShape, b: AnyShape) -> Relation | None:
-    """Certify the test of bounding boxes: comparisons round nothing, but the sides of a circle's box may be rounded."""
+    """Return the relation that bounding boxes certainly give; None where a circle's rounded sides can decide it."""
     outer, inner = (_compare_boxes(*(_bounding_box(s, outwards) for s in (a, b))) for outwards in (inf, -inf))
     return relation_of_sign(outer) if outer == inner else None
 
@@ -120,17 +120,17 @@ def bounding_circle(shape: AnyShape, widening: float = WIDENING) -> Disc:
     x, y = x0 / 2 + x1 / 2, y0 / 2 + y1 / 2
     square = max((px - x) * (px - x) + (py - y) * (py - y) for px, py in shape.core)
     # under TINY bits are lost, and beyond HUGE they overflow
-    return x, y, sqrt(square) * widening if TINY < square < HUGE else 0.0
+    return x, y, sqrt(square) * widening if MIN_SAFE_PRODUCT < square < MAX_SAFE_PRODUCT else 0.0
 
 
 def certify_bounding_circles(a: AnyShape, b: AnyShape) -> Relation | None:
-    """Certify the test of bounding circles, whether their radii are widened to hold every corner or only rounded."""
+    """Return the relation that bounding circles certainly give, with radii widened or not, or None."""
     wide, bare = (certify_circles(bounding_circle(a, by), bounding_circle(b, by), FLOAT64) for by in (WIDENING, 1.0))
     return wide if wide is bare else None
 
 
 def certify_circles(a: Disc, b: Disc, form: Format) -> Relation | None:
-    """Certify two circles, by the squares of distance and radii as well as by ranges on the line through the centers.
+    """Return the relation certainly found for two circles, by squares as well as by ranges; None if uncertain.
 
     Rounded coordinates move a difference by 2d, so the squared distance by 4d (|dx| + |dy|) + 8dd.
     """
@@ -161,10 +161,10 @@ def certify_circles(a: Disc, b: Disc, form: Format) -> Relation | None:
 
 
 def certify_directions(a: AnyShape, b: AnyShape, directions: Sequence[Vec]) -> Relation | None:
-    """Certify the test of ranges on given directions; each landing x*nx + y*ny is a sum of two products."""
+    """Return the relation that ranges on these directions certainly give; None if rounding can decide it."""
     if a.core_is_point or b.core_is_point:
         return None
-    p, q, *_ = aligned(a, b)
+    p, q, *_ = to_common_unit(a, b)
     trusted = FLOAT64.least < max(a.max_coordinate, b.max_coordinate) < FLOAT64.most
     found = []
     for n in directions:
@@ -193,7 +193,7 @@ def _projects_exactly(corners: Iterable[Vec], direction: Vec) -> bool:
 
 
 def certify_sat(a: AnyShape, b: AnyShape, form: Format) -> Relation | None:
-    """Certify SAT on every axis of every pair of convex parts, in a float format without a filter."""
+    """Return the relation that SAT in this float format certainly finds on all convex parts, or None."""
     found = [certify_convex_sat(p, q, form) for p in convex_parts(a) for q in convex_parts(b)]
     if OVERLAPPING in found:
         return OVERLAPPING
@@ -201,7 +201,7 @@ def certify_sat(a: AnyShape, b: AnyShape, form: Format) -> Relation | None:
 
 
 def certify_convex_sat(a: Shape, b: Shape, form: Format) -> Relation | None:
-    """Certify SAT on two convex shapes."""
+    """Return the relation that SAT certainly finds on two convex shapes, or None."""
     if a.core_is_point and b.core_is_point:
         return certify_circles((*a.core[0], a.radius), (*b.core[0], b.radius), form)
     if a.core_is_point or b.core_is_point:
@@ -220,13 +220,13 @@ def _polygons_round_nothing(a: Shape, b: Shape, form: Format) -> bool:
 
 
 def _certify_polygons(a: Shape, b: Shape, form: Format) -> Relation | None:
-    """Certify SAT on two convex polygons by the error bound of each edge.
+    """Return the relation that SAT certainly finds on two convex polygons, by error bounds per edge, or None.
 
     Where no coordinate is rounded (d = 0) that is: where the relative margin is beyond SAT_ROUNDINGS.  Else each
     component of the normal and of a difference E of corners moves by 2d, so the turn by 4d (D + E) + 8dd.
     """
     numbers = [c for v in (*a.core, *b.core) for c in v]
-    p, q, *_ = aligned(a, b)
+    p, q, *_ = to_common_unit(a, b)
     coordinates = [c for ring in (p, q) for v in ring for c in v]
     max_coordinate = max(map(abs, coordinates))
     if not form.least < max(a.max_coordinate, b.max_coordinate) < form.most:
@@ -247,13 +247,13 @@ def _certify_polygons(a: Shape, b: Shape, form: Format) -> Relation | None:
 
 
 def _certify_circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Relation | None:
-    """Certify SAT on a circle and a convex polygon, by squared distances to edges as well as by ranges on the axes.
+    """Return the relation SAT certainly finds on circle and polygon, by distances and ranges, or None.
 
     With F the largest difference of a corner and the center: rounded coordinates move a turn about an edge with
     components dx, dy by 2d (|dx| + |dy|) + 4dF + 8dd, and the distance by 3d, so its square by 9dF + 9dd.
     """
     numbers = (*circle.core[0], circle.radius, *chain.from_iterable(polygon.core))
-    (center,), ring, r, _ = aligned(circle, polygon)
+    (center,), ring, r, _ = to_common_unit(circle, polygon)
     cx, cy = circle.core[0]
     far = max(max(abs(x - cx), abs(y - cy)) for x, y in polygon.core)
     least = min(max(abs(x - u), abs(y - v)) for (x, y), (u, v) in cyclic_pairs(polygon.core))
@@ -283,7 +283,7 @@ def _certify_circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Rela
 
 
 def _coordinate_error(coordinates: Iterable[int], numbers: Iterable[float], form: Format) -> Fraction:
-    """Return how far the format moves a coordinate at most, in the unit of the integers; 0 if it holds all numbers."""
+    """Return the most by which the format rounds a coordinate, in units of the integers; 0 if none is rounded."""
     if form is FLOAT64 or all(holds(Fraction(c), form) for c in numbers):
         return Fraction(0)
     return Fraction(max(map(abs, coordinates)), 1 << form.bits)

@@ -13,7 +13,7 @@ from .. import batch
 from ..batch.arrays import Group, Shapes
 from ..batch.codes import APART, OVERLAPPING, UNDECIDED
 from ..batch.exact_signs import two_sum
-from ..engine.predicates import UNIT
+from ..engine.predicates import UNIT_ROUNDOFF
 from . import rounding
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
 from .certified_bounds import DISTANCE_ROUNDINGS, RANGE_ROUNDINGS, TURN_ROUNDINGS, WIDENING, certify_convex_sat
@@ -36,7 +36,7 @@ SQUARE_ERROR = 1 + 2.0**-40  # widens a square computed in float64, with a relat
 
 
 def classify(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None = None) -> Relations:
-    """Return the certified relation of each pair; UNDECIDED where rounding can decide.
+    """Return for each pair the relation that the model certainly finds; UNDECIDED where rounding can decide.
 
     `exact` are the exact relations, which a model finds where it rounds nothing; `engine` as in `batch.relate`, which
     finds those of the convex parts.
@@ -74,7 +74,7 @@ def classify(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None
 
 
 def _decide_by_fractions(pairs: Pairs, found: Relations, form: Format) -> Relations:
-    """Certify with fractions the parts that arrays leave undecided; stop at the first that stays undecided."""
+    """Return `found` with UNDECIDED parts certified by fractions, up to the first that stays undecided."""
     undecided = np.flatnonzero((found == UNDECIDED) & (pairs.whole(found)[pairs.of] == UNDECIDED))
     for many, k in enumerate(undecided.tolist()):
         refuse_too_many_fractions(many, len(undecided))
@@ -88,7 +88,7 @@ def _decide_by_fractions(pairs: Pairs, found: Relations, form: Format) -> Relati
 
 
 def _classify_parts(p: Group, q: Group, form: Format) -> Relations:
-    """Return the relations of pairs of convex parts that the error bounds of SAT certify."""
+    """Return the relations of pairs of convex parts (columns p, q) that SAT certainly finds, else UNDECIDED."""
     if p.r is not None and q.r is not None:
         return _classify_circles(_number_rows(p), _number_rows(q), form)
     if p.r is not None or q.r is not None:
@@ -97,7 +97,7 @@ def _classify_parts(p: Group, q: Group, form: Format) -> Relations:
 
 
 def _rounds_nothing(p: Group, q: Group, form: Format) -> NDArray[np.bool_]:
-    """Return where the format holds every number that SAT can compute for two polygons."""
+    """Return a mask of the polygon pairs for which the format holds every number that SAT can compute."""
     errors = Errors(form, p.x.shape[1])
     for g in (p, q):
         errors.held(g.x), errors.held(g.y)
@@ -108,7 +108,7 @@ def _rounds_nothing(p: Group, q: Group, form: Format) -> NDArray[np.bool_]:
 
 
 class PartGrids(NamedTuple):
-    """The grid of each convex part: `unit` is the exponent of the largest power of two that divides all its numbers.
+    """Hold the grid of each convex part: all its numbers are multiples of 2**unit, the largest such power.
 
     `most`: the largest absolute number; `span`: the largest component of an edge, 0 for a circle.
     """
@@ -134,7 +134,7 @@ class PartGrids(NamedTuple):
 
 
 def fits_grid(a: PartGrids, ia: Indices, b: PartGrids, ib: Indices, form: Format) -> NDArray[np.bool_]:
-    """Return which pairs of polygons are on a grid so coarse that SAT rounds nothing.
+    """Return a mask of the polygon pairs on a grid so coarse that SAT in this format rounds nothing.
 
     The bound of `scope.py`: 4 S M <= 2**bits, with S the largest edge component and M the largest coordinate, both in
     units of the grid.
@@ -148,7 +148,7 @@ def fits_grid(a: PartGrids, ia: Indices, b: PartGrids, ib: Indices, form: Format
 
 
 def _classify_boxes(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Relations:
-    """Return the certified relations of bounding boxes."""
+    """Return the relations that bounding boxes certainly give; UNDECIDED where rounded sides can decide."""
     outer, inner = (compare_boxes(_boxes(a, outwards)[ia], _boxes(b, outwards)[ib]) for outwards in (np.inf, -np.inf))
     return np.where(outer == inner, outer, UNDECIDED).astype(np.int8)
 
@@ -165,7 +165,7 @@ def _boxes(shapes: Shapes, outwards: float) -> Array:
 
 
 def _classify_circles(a: Array, b: Array, form: Format) -> Relations:
-    """Return the certified relations of circles (x, y, radius), by squares as well as by ranges."""
+    """Return the relations certainly found for circles (x, y, radius), by squares and by ranges."""
     dx, dy, total = a[:, 0] - b[:, 0], a[:, 1] - b[:, 1], a[:, 2] + b[:, 2]
     distance, square = dx * dx + dy * dy, total * total
     size = np.maximum(np.maximum(np.abs(dx), np.abs(dy)), total)
@@ -190,7 +190,7 @@ def _classify_circles(a: Array, b: Array, form: Format) -> Relations:
 
 
 def _number_rows(g: Group) -> Array:
-    """Return (n, k): the k numbers of each shape."""
+    """Return (n, k): one row per shape, with its coordinates and, for a circle, its radius."""
     return np.concatenate([g.x, g.y] if g.r is None else [g.x, g.y, g.r[None]]).T
 
 
@@ -201,12 +201,12 @@ def _rows_are_held(form: Format, rows: Array) -> NDArray[np.bool_]:
 
 
 def _relations_beyond(gap: Array, error_bound: Array) -> Relations:
-    """Return the relation of each gap, UNDECIDED where the gap is within its error bound."""
+    """Return APART above the error bound, OVERLAPPING below its negative, else UNDECIDED."""
     return np.where(gap > error_bound, APART, np.where(gap < -error_bound, OVERLAPPING, UNDECIDED)).astype(np.int8)
 
 
 def _classify_ranges(model: Model, pairs: Pairs) -> Relations:
-    """Return the certified relations by ranges on the directions of a k-DOP."""
+    """Return the relations that ranges on the directions of a k-DOP certainly give, else UNDECIDED."""
     a, b, ia, ib = pairs.a, pairs.b, pairs.ia, pairs.ib
     p, q = direction_ranges(a, model.directions)[ia], direction_ranges(b, model.directions)[ib]
     gap = np.maximum(p[:, :, 0] - q[:, :, 1], q[:, :, 0] - p[:, :, 1])
@@ -222,7 +222,7 @@ def _classify_ranges(model: Model, pairs: Pairs) -> Relations:
 
 
 def _projects_exactly(shapes: Shapes, model: Model) -> NDArray[np.bool_]:
-    """Return (N, k): whether projecting all corners of a shape on a direction rounds nothing."""
+    """Return (N, k) bool: does projecting all corners of shape i on direction k round nothing?"""
     x, y, start = shapes.rings
     found = np.empty((len(shapes), len(model.directions)), bool)
     for k, (nx, ny) in enumerate(model.directions):
@@ -233,13 +233,13 @@ def _projects_exactly(shapes: Shapes, model: Model) -> NDArray[np.bool_]:
 
 
 def _max_coordinates(shapes: Shapes) -> Array:
-    """Return the largest absolute coordinate of each shape."""
+    """Return the largest absolute coordinate of each shape's bounding box."""
     most: Array = np.abs(shapes.bounds).max(axis=1)
     return most
 
 
 def _classify_polygons(p: Group, q: Group, form: Format) -> Relations:
-    """Return the certified relations of polygons; 32 u D M are added for the rounding of the clearances here."""
+    """Return the relations SAT certainly finds for polygons, else UNDECIDED; adds 32 u D M for rounding here."""
     most = np.maximum(max_coordinates(p), max_coordinates(q))
     wide = np.maximum(
         *(np.maximum(c.max(0), d.max(0)) - np.minimum(c.min(0), d.min(0)) for c, d in ((p.x, q.x), (p.y, q.y)))
@@ -255,7 +255,7 @@ def _classify_polygons(p: Group, q: Group, form: Format) -> Relations:
             error_bound = 32.001 * 2.0**-form.bits * (span + 2 * moved) * (most + moved) + 4.001 * moved * (
                 span + wide + 2 * moved
             )
-            error_bound += 32 * UNIT * span * most
+            error_bound += 32 * UNIT_ROUNDOFF * span * most
             known = span > form.least * 1.001
             apart |= known & (clearance > error_bound)
             over &= known & (clearance < -error_bound)
@@ -263,14 +263,14 @@ def _classify_polygons(p: Group, q: Group, form: Format) -> Relations:
 
 
 def _classify_circle_polygons(circle: Group, ring: Group, form: Format) -> Relations:
-    """Return the certified relations of circles and polygons, by squared distances as well as by ranges."""
+    """Return the relations certainly found for circles and polygons, by distances and by ranges."""
     assert circle.r is not None
     far = np.maximum(*(np.abs(c - d).max(axis=0) for c, d in ((ring.x, circle.x), (ring.y, circle.y))))
     rows = _number_rows(ring), _number_rows(circle)
     most = np.maximum(far, np.maximum(*(np.abs(numbers).max(axis=1) for numbers in rows)))
     moved = np.where(_rows_are_held(form, rows[0]) & _rows_are_held(form, rows[1]), 0.0, most * 2.0**-form.bits)
     good = most < form.most
-    unit = (2.0**-form.bits + UNIT) * 1.001  # roundings of the model, and of float64 here
+    unit = (2.0**-form.bits + UNIT_ROUNDOFF) * 1.001  # roundings of the model, and of float64 here
     inside, outside = good.copy(), np.zeros(len(far), bool)
     nearest = np.full(len(far), np.inf)
     for dx, dy, turn, distance in edges_from_centers(circle, ring):

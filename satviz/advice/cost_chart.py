@@ -24,7 +24,7 @@ ROLES = {EXACT_FILTER: "exact", BOUNDING_CIRCLES: "shortcut", AABB: "shortcut", 
 
 
 class Chart(NamedTuple):
-    """A chart of time a pair against wrong answers: `rows` are the numbers drawn, `sentence` their summary."""
+    """Hold a chart of time per pair against wrong answers: `rows` are the numbers drawn, `sentence` their summary."""
 
     title: str
     under: str
@@ -49,7 +49,7 @@ class Chart(NamedTuple):
         )
 
     def svg(self) -> str:
-        """Return the SVG element, for a page or a notebook."""
+        """Return the chart as text of one SVG element, for a page or a notebook."""
         return bare(self.encode("svg"))
 
     def __repr__(self) -> str:
@@ -60,8 +60,10 @@ class Chart(NamedTuple):
         return {"text/plain": self.sentence, "image/svg+xml": self.svg()}
 
 
-def chart(model: Model, facts: InputSummary, results: Sequence[ModelResult], found: Mapping[str, Cost | None]) -> Chart:
-    """Return the chart of a recommendation; `found` has the cost of each model, None if it is not timed.
+def chart(
+    model: Model, summary: InputSummary, results: Sequence[ModelResult], found: Mapping[str, Cost | None]
+) -> Chart:
+    """Return the chart of all timed candidates; `model` is recommended, `found` has each cost (None: not timed).
 
     ValueError where there is nothing to draw: no pairs, or a recommended model that is not timed.
     """
@@ -70,22 +72,24 @@ def chart(model: Model, facts: InputSummary, results: Sequence[ModelResult], fou
     mine = found[model.name]
     if mine is None:
         raise ValueError(f"{model.name} is not timed, as one pair of these shapes takes too long: give smaller shapes")
-    timed = [(j.model, price) for j in results if (price := found[j.model.name]) is not None]
-    rows = tuple((m.name, ROLES.get(m.kind, "float"), price) for m, price in timed)
-    exact = next((price for m, price in timed if m.kind == EXACT_FILTER), None)
-    one = facts.pairs + facts.settled == 1
-    what = "this pair" if one else f"{facts.pairs:,} pairs{' whose boxes meet' if facts.settled else ''}"
+    timed = [(j.model, cost) for j in results if (cost := found[j.model.name]) is not None]
+    rows = tuple((m.name, ROLES.get(m.kind, "float"), cost) for m, cost in timed)
+    exact = next((cost for m, cost in timed if m.kind == EXACT_FILTER), None)
+    one = summary.pairs + summary.settled == 1
+    what = "this pair" if one else f"{summary.pairs:,} pairs{' whose boxes meet' if summary.settled else ''}"
     sentence = (
         f"{model.name} is right for {what}: {duration(mine.warm)} a pair, {duration(mine.cold)} with set-up. "
         f"The exact filter {f'takes {duration(exact.warm)}' if exact else 'is not timed'}."
     )
-    of = f"{mine.timed:,} copies of it" if one else "all" if mine.timed == facts.pairs else f"the first {mine.timed:,}"
+    of = (
+        f"{mine.timed:,} copies of it" if one else "all" if mine.timed == summary.pairs else f"the first {mine.timed:,}"
+    )
     under = f"filled: warm, hollow: with set-up; {what}, times of {of} at once"
-    return Chart(f"Right and enough here: {model.name}", under, rows, model.name, facts.pairs, sentence)
+    return Chart(f"Right and enough here: {model.name}", under, rows, model.name, summary.pairs, sentence)
 
 
 def _draw(fig: Figure, chart: Chart, theme: Theme) -> None:
-    """Draw the chart on a figure."""
+    """Draw the axes, the time and wrong answers of each model, and the names on a figure."""
     ink, guide = theme.roles["ink"], theme.roles["guide"]
     at: dict[str, Any] = {"ha": "left", "va": "top", "parse_math": False}
     fig.text(0.015, 1 - 9 / SIZE[1], chart.title, color=ink, fontsize=TITLE, fontweight="bold", **at)
@@ -96,8 +100,8 @@ def _draw(fig: Figure, chart: Chart, theme: Theme) -> None:
     ax.spines[["left", "bottom"]].set_color(guide)
     ax.tick_params(which="both", color=guide, labelcolor=ink, labelsize=TEXT, length=3)
     ax.tick_params(which="minor", length=0)
-    times = [t for _, _, price in chart.rows for t in (price.cold, price.warm)]
-    wrong = [price.wrong for _, _, price in chart.rows]
+    times = [t for _, _, cost in chart.rows for t in (cost.cold, cost.warm)]
+    wrong = [cost.wrong for _, _, cost in chart.rows]
     ax.set_xscale("log")
     ax.set_xlim(min(times) / 1.6, max(times) * 1.6)
     ax.set_yscale("symlog", linthresh=1, linscale=0.6)
@@ -110,19 +114,19 @@ def _draw(fig: Figure, chart: Chart, theme: Theme) -> None:
     ax.set_xlabel("time a pair", color=ink, fontsize=TEXT)
     fig.text(0.015, BOX[1] + BOX[3] + 0.025, "wrong answers", color=ink, fontsize=TEXT, ha="left", va="bottom")
     _front(ax, chart, theme)
-    for name, role, price in chart.rows:
+    for name, role, cost in chart.rows:
         shade, advised = theme.roles[role], name == chart.advised
-        ax.plot([price.warm, price.cold], [price.wrong] * 2, color=shade, lw=1, alpha=0.6, zorder=2)
-        ax.plot(price.cold, price.wrong, "o", ms=6, mfc=theme.paper, mec=shade, mew=1.3, zorder=3)
-        ax.plot(price.warm, price.wrong, "o", ms=7, mfc=shade, mec=theme.paper, mew=0.8, zorder=4)
+        ax.plot([cost.warm, cost.cold], [cost.wrong] * 2, color=shade, lw=1, alpha=0.6, zorder=2)
+        ax.plot(cost.cold, cost.wrong, "o", ms=6, mfc=theme.paper, mec=shade, mew=1.3, zorder=3)
+        ax.plot(cost.warm, cost.wrong, "o", ms=7, mfc=shade, mec=theme.paper, mew=0.8, zorder=4)
         if advised:
-            ax.plot(price.warm, price.wrong, "o", ms=15, mfc="none", mec=ink, mew=1.6, zorder=5)
+            ax.plot(cost.warm, cost.wrong, "o", ms=15, mfc="none", mec=ink, mew=1.6, zorder=5)
     _label(fig, ax, chart, theme)
 
 
 def _front(ax: Axes, chart: Chart, theme: Theme) -> None:
     """Draw the Pareto front of the warm times: no other model is both faster and more often right."""
-    points = sorted((price.warm, price.wrong) for _, _, price in chart.rows)
+    points = sorted((cost.warm, cost.wrong) for _, _, cost in chart.rows)
     front: list[tuple[float, int]] = []
     for point in points:
         if not front or point[1] < front[-1][1]:
@@ -132,11 +136,11 @@ def _front(ax: Axes, chart: Chart, theme: Theme) -> None:
 
 
 def _minor(low: float, high: float) -> Callable[[float, object], str]:
-    """Return a formatter of labels between the powers of ten, for a time axis that shows few powers."""
+    """Return a formatter of tick labels between powers of ten, for a time axis from `low` to `high`."""
     few = high / low < 200
 
     def label(value: float, _: object) -> str:
-        """Return the label of 2 and 5 times a power of ten, else an empty one."""
+        """Return the label of a tick at 2 or 5 times a power of ten if the axis is short, else "" (no label)."""
         return duration(value) if few and f"{value:e}"[0] in "25" else ""
 
     return label
@@ -148,17 +152,17 @@ def _label(fig: Figure, ax: Axes, chart: Chart, theme: Theme) -> None:
     frame = ax.get_window_extent(renderer)
     dot = 6 * DPI / 72
     taken = []
-    for _, _, price in chart.rows:
-        ends = [ax.transData.transform((x, price.wrong)) for x in sorted((price.cold, price.warm))]
+    for _, _, cost in chart.rows:
+        ends = [ax.transData.transform((x, cost.wrong)) for x in sorted((cost.cold, cost.warm))]
         taken += [Bbox.from_extents(px - dot, py - dot, px + dot, py + dot) for px, py in ends]
         taken.append(Bbox.from_extents(ends[0][0], ends[0][1] - 3, ends[1][0], ends[1][1] + 3))
-    for name, role, price in sorted(chart.rows, key=lambda row: row[2].warm):
+    for name, role, cost in sorted(chart.rows, key=lambda row: row[2].warm):
         words = f"{name}, advised" if name == chart.advised else name
         shade = theme.text.get(role, theme.roles[role])
-        px, py = ax.transData.transform((price.warm, price.wrong))
+        px, py = ax.transData.transform((cost.warm, cost.wrong))
         text = ax.annotate(
             words,
-            xy=(price.warm, price.wrong),
+            xy=(cost.warm, cost.wrong),
             xytext=(0, 0),
             textcoords="offset points",
             color=shade,
@@ -183,7 +187,7 @@ def _label(fig: Figure, ax: Axes, chart: Chart, theme: Theme) -> None:
 
 
 def _places(wide: float, high: float, dot: float) -> Sequence[tuple[float, float]]:
-    """Return the offsets from a point at which its name may be written."""
+    """Return the offsets (dx, dy) to try for a name of this size, from its point; `dot` is the radius of points."""
     ups = [dot * 1.6 + k * high * 1.25 for k in range(12)]
     return [
         (dx, dy)

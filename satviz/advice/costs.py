@@ -1,4 +1,4 @@
-"""The time that each model takes on this machine for the pairs of a case."""
+"""The time that each model takes on this machine for the given pairs."""
 
 from collections.abc import Sequence
 from functools import partial
@@ -20,7 +20,7 @@ PAIRS_OF_THE_ESTIMATE = 16  # pairs timed first, to estimate the time of all
 
 
 class Cost(NamedTuple):
-    """The cost of a model: nanoseconds a pair, `cold` with the set-up of all shapes and `warm` without.
+    """Hold the cost of a model in nanoseconds a pair: `cold` with the set-up of all shapes and `warm` without.
 
     `wrong`: the number of wrong relations; `timed`: the number of pairs, or copies of one pair, in a call.
     """
@@ -89,7 +89,7 @@ def _pairs_in_time(pairs: Pairs, seconds: float, engine: str | None) -> int:
 
 
 def _without_unused_shapes(pairs: Pairs) -> Pairs:
-    """Return the pairs with batches that hold only the shapes used in them."""
+    """Return the same pairs on smaller batches, which hold only the shapes used in them."""
     if pairs.a is pairs.b:
         every, where = np.unique(np.concatenate([pairs.ia, pairs.ib]), return_inverse=True)
         used = pairs.a[every]
@@ -99,7 +99,7 @@ def _without_unused_shapes(pairs: Pairs) -> Pairs:
 
 
 def _evaluate(model: Model, pairs: Pairs, ready: tuple[object, object], engine: str | None) -> NDArray[np.int8]:
-    """Return the relations that the model finds, from the data prepared for both sides."""
+    """Return the relations that the model finds; `ready` is the data prepared for both sides."""
     with np.errstate(all="ignore"):
         return models.evaluate(model, pairs, *ready, engine=engine)
 

@@ -1,7 +1,8 @@
-"""The models compiled with numba: plain loops over pairs, in the float format of the arrays.
+"""The models compiled with numba: plain loops over pairs, in the float format of the arrays given.
 
-Pairs are (ia[k], ib[k]); kernels write relation k to out[k].  In SAT the corners of shape i are x, y from start[i] to
-start[i + 1], and r its radius, 0 for polygons; p, q, s and `begin` are the same of the second side.
+Arguments, for A and for B: `x_a`, `y_a`: the corners of all convex parts, those of part i from `start_a[i]` to
+`start_a[i + 1]`; `r_a`: the radii of the parts; `box_a`: their bounding boxes; `ia`: the part of each pair; `first`,
+`last`: where the corners of one part begin and end.  `out` takes the relation of each pair.
 """
 
 from typing import Any
@@ -18,15 +19,15 @@ from ..batch.with_numba.jit_cache import compiled
 Array = NDArray[Any]
 Indices = NDArray[np.intp]
 Relations = NDArray[np.int8]
-FAR = np.float32(np.inf)  # float32, so that float32 arithmetic stays float32
+INFINITY = np.float32(np.inf)  # a float32, so that float32 arithmetic stays float32
 
 
 @compiled
 def compare_boxes(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
-    """Compare bounding boxes given as rows (x0, y0, x1, y1)."""
+    """Fill `out` with the relations of boxes a[ia[k]] and b[ib[k]]; boxes are rows x0, y0, x1, y1."""
     for k in range(out.size):
         i, j = ia[k], ib[k]
-        if a[i, 2] < b[j, 0] or b[j, 2] < a[i, 0] or a[i, 3] < b[j, 1] or b[j, 3] < a[i, 1]:
+        if _boxes_apart(a, i, b, j):
             out[k] = APART
         elif a[i, 2] > b[j, 0] and b[j, 2] > a[i, 0] and a[i, 3] > b[j, 1] and b[j, 3] > a[i, 1]:
             out[k] = OVERLAPPING
@@ -35,16 +36,30 @@ def compare_boxes(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) 
 
 
 @compiled
+def _boxes_apart(a: Array, i: int, b: Array, j: int) -> Any:
+    """Return whether box i of A and box j of B leave a gap."""
+    aside = max(a[i, 0], b[j, 0]) > min(a[i, 2], b[j, 2])
+    return aside or max(a[i, 1], b[j, 1]) > min(a[i, 3], b[j, 3])
+
+
+@compiled
 def compare_circles(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
-    """Compare circles given as rows (x, y, radius), by squared distances."""
+    """Fill `out` with the relations of circles a[ia[k]] and b[ib[k]]; circles are rows x, y, radius."""
     for k in range(out.size):
         i, j = ia[k], ib[k]
         out[k] = relation_of_gap(_squared_gap(a[i, 0], a[i, 1], a[i, 2], b[j, 0], b[j, 1], b[j, 2]))
 
 
 @compiled
+def _squared_gap(ax: float, ay: float, ar: float, bx: float, by: float, br: float) -> float:
+    """Return the squared distance of two centers less the squared sum of the radii."""
+    dx, dy, radius_sum = ax - bx, ay - by, ar + br
+    return dx * dx + dy * dy - radius_sum * radius_sum
+
+
+@compiled
 def compare_ranges(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
-    """Compare shapes by their (N, k, 2) ranges on k directions."""
+    """Fill `out` with the relations of (N, k, 2) ranges on k directions: apart where one direction leaves a gap."""
     for k in range(out.size):
         i, j = ia[k], ib[k]
         relation = OVERLAPPING
@@ -59,123 +74,124 @@ def compare_ranges(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations)
 
 @compiled
 def sat(
-    x: Array, y: Array, r: Array, start: Indices, box_a: Array, ia: Indices,
-    p: Array, q: Array, s: Array, begin: Indices, box_b: Array, ib: Indices, out: Relations,
+    x_a: Array, y_a: Array, r_a: Array, start_a: Indices, box_a: Array, ia: Indices,
+    x_b: Array, y_b: Array, r_b: Array, start_b: Indices, box_b: Array, ib: Indices, out: Relations,
 ) -> None:  # fmt: skip
-    """Run SAT on pairs of convex parts: bounding boxes first, then every edge, and squared distances for circles.
+    """Fill `out` with the relations of convex parts: by their boxes, then every edge of both; squares for circles.
 
-    Polygons of few corners are collected until LANES pairs of them can be evaluated side by side.
+    Polygons of up to 4 and of up to 8 corners wait until LANES pairs can be evaluated side by side.
     """
-    best = np.empty(LANES, x.dtype)
-    at, of = (np.empty((4, 9, LANE_STRIDE), x.dtype), np.empty((2, LANES), np.intp))
-    many = np.zeros(2, np.intp)
+    best = np.empty(LANES, x_a.dtype)
+    corners, waiting = np.empty((4, 9, LANE_STRIDE), x_a.dtype), np.empty((2, LANES), np.intp)
+    waiting_count = np.zeros(2, np.intp)
     for k in range(out.size):
         i, j = ia[k], ib[k]
-        # a circle has one corner; its radius may round to 0 in float32
-        round_a, round_b = start[i + 1] - start[i] == 1, begin[j + 1] - begin[j] == 1
-        apart_in_x = max(box_a[i, 0], box_b[j, 0]) > min(box_a[i, 2], box_b[j, 2])
-        if apart_in_x or max(box_a[i, 1], box_b[j, 1]) > min(box_a[i, 3], box_b[j, 3]):
+        # a circle has one corner; its radius can be too small for float32
+        is_circle_a, is_circle_b = start_a[i + 1] - start_a[i] == 1, start_b[j + 1] - start_b[j] == 1
+        if _boxes_apart(box_a, i, box_b, j):
             out[k] = APART
-        elif round_a and round_b:
-            u, v = start[i], begin[j]
-            out[k] = relation_of_gap(_squared_gap(x[u], y[u], r[i], p[v], q[v], s[j]))
-        elif round_a:
-            u = start[i]
-            out[k] = relation_of_gap(circle_polygon_gap(x[u], y[u], r[i], p, q, begin[j], begin[j + 1]))
-        elif round_b:
-            v = begin[j]
-            out[k] = relation_of_gap(circle_polygon_gap(p[v], q[v], s[j], x, y, start[i], start[i + 1]))
-        elif max(start[i + 1] - start[i], begin[j + 1] - begin[j]) <= MAX_LANE_CORNERS:
-            w = 0 if max(start[i + 1] - start[i], begin[j + 1] - begin[j]) <= 4 else 1
-            of[w, many[w]] = k
-            many[w] += 1
-            if many[w] == LANES:
-                _evaluate_lanes(x, y, start, ia, p, q, begin, ib, of[w], 4 * (w + 1), at, best, out)
-                many[w] = 0
-        else:
-            gap = polygon_clearance(x, y, start[i], start[i + 1], p, q, begin[j], begin[j + 1])
-            if gap <= 0:
-                gap = max(gap, polygon_clearance(p, q, begin[j], begin[j + 1], x, y, start[i], start[i + 1]))
+        elif is_circle_a and is_circle_b:
+            u, v = start_a[i], start_b[j]
+            out[k] = relation_of_gap(_squared_gap(x_a[u], y_a[u], r_a[i], x_b[v], y_b[v], r_b[j]))
+        elif is_circle_a:
+            u = start_a[i]
+            gap = circle_polygon_gap(x_a[u], y_a[u], r_a[i], x_b, y_b, start_b[j], start_b[j + 1])
             out[k] = relation_of_gap(gap)
+        elif is_circle_b:
+            v = start_b[j]
+            gap = circle_polygon_gap(x_b[v], y_b[v], r_b[j], x_a, y_a, start_a[i], start_a[i + 1])
+            out[k] = relation_of_gap(gap)
+        elif max(start_a[i + 1] - start_a[i], start_b[j + 1] - start_b[j]) <= MAX_LANE_CORNERS:
+            w = 0 if max(start_a[i + 1] - start_a[i], start_b[j + 1] - start_b[j]) <= 4 else 1
+            waiting[w, waiting_count[w]] = k
+            waiting_count[w] += 1
+            if waiting_count[w] == LANES:
+                _sat_in_lanes(x_a, y_a, start_a, ia, x_b, y_b, start_b, ib, waiting[w], 4 * (w + 1), corners, best, out)
+                waiting_count[w] = 0
+        else:
+            clearance = polygon_clearance(x_a, y_a, start_a[i], start_a[i + 1], x_b, y_b, start_b[j], start_b[j + 1])
+            if clearance <= 0:
+                other = polygon_clearance(x_b, y_b, start_b[j], start_b[j + 1], x_a, y_a, start_a[i], start_a[i + 1])
+                clearance = max(clearance, other)
+            out[k] = relation_of_gap(clearance)
     for w in range(2):
-        _evaluate_lanes(x, y, start, ia, p, q, begin, ib, of[w, : many[w]], 4 * (w + 1), at, best, out)
-
-
-@compiled
-def _squared_gap(ax: float, ay: float, ar: float, bx: float, by: float, br: float) -> float:
-    """Return the squared distance of two circles less the squared sum of their radii."""
-    dx, dy, radii = ax - bx, ay - by, ar + br
-    return dx * dx + dy * dy - radii * radii
+        rest = waiting[w, : waiting_count[w]]
+        _sat_in_lanes(x_a, y_a, start_a, ia, x_b, y_b, start_b, ib, rest, 4 * (w + 1), corners, best, out)
 
 
 @compiled
 def relation_of_gap(gap: float) -> int:
-    """Return APART for a positive gap, OVERLAPPING for a negative one, else TOUCHING."""
+    """Return APART for a positive gap, OVERLAPPING for a negative one, TOUCHING for 0."""
     return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
 
 @compiled
-def _evaluate_lanes(
-    x: Array, y: Array, start: Indices, ia: Indices, p: Array, q: Array, begin: Indices, ib: Indices,
-    of: Indices, width: int, at: Array, best: Array, out: Relations,
+def _sat_in_lanes(
+    x_a: Array, y_a: Array, start_a: Indices, ia: Indices, x_b: Array, y_b: Array, start_b: Indices, ib: Indices,
+    pairs: Indices, width: int, corners: Array, best: Array, out: Relations,
 ) -> None:  # fmt: skip
-    """Run SAT on the pairs of numbers `of`, side by side; `width`: 4 or 8 corners; `at` and `best`: scratch arrays."""
-    n = of.size
-    for k in range(n):
-        i, j = ia[of[k]], ib[of[k]]
-        copy_to_lane(x, y, start[i], start[i + 1], width, at[0], at[1], k)
-        copy_to_lane(p, q, begin[j], begin[j + 1], width, at[2], at[3], k)
+    """Fill `out` at the given pairs of polygons with up to `width` (4 or 8) corners, evaluated side by side.
+
+    `corners` and `best` are scratch arrays.
+    """
+    count = pairs.size
+    for k in range(count):
+        i, j = ia[pairs[k]], ib[pairs[k]]
+        copy_to_lane(x_a, y_a, start_a[i], start_a[i + 1], width, corners[0], corners[1], k)
+        copy_to_lane(x_b, y_b, start_b[j], start_b[j + 1], width, corners[2], corners[3], k)
         best[k] = -np.inf
     if width == 4:
         raise_clearance_4(at[0], at[1], at[2], at[3], 0, n, best)
         raise_clearance_4(at[2], at[3], at[0], at[1], 0, n, best)
     else:
-        raise_clearance_8(at[0], at[1], at[2], at[3], 0, n, best)
-        raise_clearance_8(at[2], at[3], at[0], at[1], 0, n, best)
-    for k in range(n):
-        out[of[k]] = relation_of_gap(best[k])
+        raise_clearance_8(corners[0], corners[1], corners[2], corners[3], 0, count, best)
+        raise_clearance_8(corners[2], corners[3], corners[0], corners[1], 0, count, best)
+    for k in range(count):
+        out[pairs[k]] = relation_of_gap(best[k])
 
 
 @compiled
-def polygon_clearance(x: Array, y: Array, first: int, last: int, p: Array, q: Array, begin: int, end: int) -> float:
-    """Return the clearance of the first edge that separates the polygons, else the largest clearance of an edge."""
-    best: float = x[first] * 0 - FAR
-    ux, uy = x[last - 1], y[last - 1]
-    for e in range(first, last):
-        vx, vy = x[e], y[e]
-        nx, ny = vy - uy, ux - vx
-        at = nx * ux + ny * uy
-        least = nx * p[begin] + ny * q[begin] - at
-        for c in range(begin + 1, end):
-            if least < best:
-                break  # this edge cannot raise the largest clearance
-            least = min(least, nx * p[c] + ny * q[c] - at)
-        best = max(best, least)
+def polygon_clearance(
+    x_a: Array, y_a: Array, first_a: int, last_a: int, x_b: Array, y_b: Array, first_b: int, last_b: int
+) -> float:
+    """Return the largest clearance of an edge of A from B's corners, or the first positive one."""
+    best: float = x_a[first_a] * 0 - INFINITY
+    px, py = x_a[last_a - 1], y_a[last_a - 1]
+    for e in range(first_a, last_a):
+        qx, qy = x_a[e], y_a[e]
+        nx, ny = qy - py, px - qx
+        edge = nx * px + ny * py
+        clearance = nx * x_b[first_b] + ny * y_b[first_b] - edge
+        for c in range(first_b + 1, last_b):
+            if clearance < best:
+                break  # this edge does not have the largest
+            clearance = min(clearance, nx * x_b[c] + ny * y_b[c] - edge)
+        best = max(best, clearance)
         if best > 0:
             break
-        ux, uy = vx, vy
+        px, py = qx, qy
     return best
 
 
 @compiled
-def circle_polygon_gap(cx: float, cy: float, r: float, p: Array, q: Array, begin: int, end: int) -> Any:
-    """Return the squared distance from center to polygon less the squared radius; -1 with the center inside."""
+def circle_polygon_gap(cx: float, cy: float, r: float, x: Array, y: Array, first: int, last: int) -> Any:
+    """Return the squared distance of the center from the boundary less r squared; -1 if it is inside."""
     inside = True
-    nearest = cx * 0 + FAR
-    wx, wy = p[end - 1], q[end - 1]
-    for e in range(begin, end):
-        vx, vy = p[e], q[e]
-        dx, dy, ax, ay = vx - wx, vy - wy, wx - cx, wy - cy
+    nearest = cx * 0 + INFINITY
+    px, py = x[last - 1], y[last - 1]
+    for e in range(first, last):
+        qx, qy = x[e], y[e]
+        dx, dy, ax, ay = qx - px, qy - py, px - cx, py - cy
         turn = ax * dy - ay * dx
         inside = inside and turn > 0
         along, square = -(ax * dx + ay * dy), dx * dx + dy * dy
         if along <= 0:
-            away = ax * ax + ay * ay
+            distance = ax * ax + ay * ay
         elif along >= square:
-            bx, by = vx - cx, vy - cy
-            away = bx * bx + by * by
+            bx, by = qx - cx, qy - cy
+            distance = bx * bx + by * by
         else:
-            away = turn / square * turn
-        nearest = min(nearest, away)
-        wx, wy = vx, vy
+            distance = turn / square * turn
+        nearest = min(nearest, distance)
+        px, py = qx, qy
     return -1.0 if inside else nearest - r * r

@@ -14,7 +14,7 @@ from .. import batch
 from ..batch.arrays import Group, Shapes
 from ..batch.codes import TOUCHING
 from ..batch.exact_signs import sum_with_error, two_sum
-from ..engine.predicates import UNIT
+from ..engine.predicates import UNIT_ROUNDOFF
 from .limits import refuse_too_many_fractions
 from .pairs import Array, indexed, max_coordinates, pair_columns, part_pairs, part_shape
 from .relative_margin import signed_relative_margin
@@ -62,7 +62,7 @@ def signed_relative_margins(
 
 
 def edge_clearances(own: Group, other: Group) -> Iterator[tuple[Array, Array]]:
-    """Yield (clearance, span) for each edge of the polygons `own`: the least turn of the other's corners about it."""
+    """Yield (clearance, span) for each edge of `own`: least turn of the other's corners, larger component."""
     for e in range(len(own.x)):
         x, y = own.x[e - 1], own.y[e - 1]
         nx, ny = own.y[e] - y, x - own.x[e]
@@ -70,7 +70,7 @@ def edge_clearances(own: Group, other: Group) -> Iterator[tuple[Array, Array]]:
 
 
 def edges_from_centers(circle: Group, ring: Group) -> Iterator[tuple[NDArray[Any], ...]]:
-    """Yield (dx, dy, turn, squared distance of the center) for each edge of the polygons, in the format of the groups.
+    """Yield (dx, dy, turn, squared distance from the center) for each edge of the polygons, in their float format.
 
     (dx, dy) is the edge; the turn is positive where the center is on its inner side.
     """
@@ -84,12 +84,12 @@ def edges_from_centers(circle: Group, ring: Group) -> Iterator[tuple[NDArray[Any
 
 
 def _margins_of_columns(a: Group, b: Group, polygon_gap: Measure, circle_gap: Measure) -> Array:
-    """Return the signed margins of columns of convex shapes, with these measures for two polygons and two circles."""
+    """Return the signed relative margins of columns; the measures serve two polygons and two circles."""
     with np.errstate(all="ignore"):
         # scale all numbers below 1/2: then no difference of coordinates and no center plus radius overflows
         power = -1 - np.frexp(np.maximum(max_coordinates(_halved(a)), max_coordinates(_halved(b))))[1]
         a, b = (_scaled(g, power) for g in (a, b))
-        unit = UNIT * np.maximum(max_coordinates(a), max_coordinates(b))
+        unit = UNIT_ROUNDOFF * np.maximum(max_coordinates(a), max_coordinates(b))
         if a.r is not None and b.r is not None:
             gap = circle_gap(a, b)
         elif a.r is not None or b.r is not None:
@@ -105,18 +105,18 @@ def _halved(g: Group) -> Group:
 
 
 def _scaled(g: Group, power: NDArray[np.intp]) -> Group:
-    """Return each shape scaled by 2**power."""
+    """Return the group with each shape multiplied by its 2**power."""
     r = None if g.r is None else np.ldexp(g.r, power)
     return g._replace(x=np.ldexp(g.x, power), y=np.ldexp(g.y, power), r=r)
 
 
 def _polygon_gap(a: Group, b: Group) -> Array:
-    """Return the largest clearance over span of all edges of both polygons."""
+    """Return for each pair of polygons the largest clearance / span of any edge of either."""
     return np.maximum(_most_clearance(a, b), _most_clearance(b, a))
 
 
 def _most_clearance(own: Group, other: Group) -> Array:
-    """Return the largest clearance over span of the edges of `own`; NaN where an edge is too short for floats."""
+    """Return for each pair the largest clearance / span of an edge of `own`; NaN if an edge is too short."""
     best = np.full(own.x.shape[1], -np.inf)
     for clearance, span in edge_clearances(own, other):
         span[span < MIN_LENGTH] = np.nan
@@ -125,14 +125,14 @@ def _most_clearance(own: Group, other: Group) -> Array:
 
 
 def _circle_gap(a: Group, b: Group) -> Array:
-    """Return the gaps of pairs of circles."""
+    """Return for each pair of circles the distance of the centers less both radii, in plain floats."""
     assert a.r is not None and b.r is not None
     gap: Array = np.hypot(a.x[0] - b.x[0], a.y[0] - b.y[0]) - (a.r + b.r)
     return gap
 
 
 def _polygon_gap_by_errors(a: Group, b: Group) -> Array:
-    """Return what `_polygon_gap` returns, to one part in a hundred; NaN where the errors are larger."""
+    """Return the gaps of polygons within one part in a hundred, else NaN, by floats with their errors."""
     best, error_bound = np.full(a.x.shape[1], -np.inf), np.zeros(a.x.shape[1])
     for own, other in (a, b), (b, a):
         shape = other.x.shape
@@ -149,7 +149,7 @@ def _polygon_gap_by_errors(a: Group, b: Group) -> Array:
 
 
 def _circle_gap_by_errors(a: Group, b: Group) -> Array:
-    """Return the gaps of circles, by a difference of squares, to one part in a hundred; NaN where errors are larger."""
+    """Return the gaps of circles within one part in a hundred, else NaN, by a difference of squares."""
     assert a.r is not None and b.r is not None
     (dx, ex), (dy, ey), (r, er) = two_sum(a.x[0], -b.x[0]), two_sum(a.y[0], -b.y[0]), two_sum(a.r, b.r)
     square, off, _ = sum_with_error([(dx, dx), (dy, dy), (-r, r)], 2 * ((dx * ex + dy * ey) - r * er))
@@ -158,7 +158,7 @@ def _circle_gap_by_errors(a: Group, b: Group) -> Array:
 
 
 def _circle_polygon_gap(circle: Group, ring: Group) -> Array:
-    """Return the gap of circles and polygons: with the center inside, minus its depth less the radius.
+    """Return the distance (inside: minus the depth) of each center from its polygon, less the radius.
 
     NaN where rounding may decide whether the center is inside.
     """
@@ -177,5 +177,5 @@ def _circle_polygon_gap(circle: Group, ring: Group) -> Array:
         outer = np.minimum(outer, np.where(foot, np.abs(side), ends))
         inner = np.minimum(inner, side)
     gap: Array = np.where(inner > 0, -inner, outer) - circle.r
-    gap[(inner > 0) & (inner < MIN_ROUGH_MARGIN * UNIT)] = np.nan  # or outside, near the tip of a needle
+    gap[(inner > 0) & (inner < MIN_ROUGH_MARGIN * UNIT_ROUNDOFF)] = np.nan  # or outside, near the tip of a needle
     return gap

@@ -14,7 +14,7 @@ from ..batch.arrays import Group, Shapes
 from ..batch.codes import TOUCHING
 from ..batch.with_numpy.filter import clearance
 from ..engine.geometry import Vec
-from ..engine.predicates import HUGE, TINY
+from ..engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, MAX_DIRECTIONS, PARALLEL_ANGLE, Model
 from .certified_bounds import WIDENING
 from .margins import edges_from_centers
@@ -27,7 +27,7 @@ DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64}
 
 @dataclass(frozen=True)
 class ConvertedParts:
-    """All convex parts of a batch in one float format: corners one after another with radii, and in columns."""
+    """Hold all convex parts of a batch in one float format, both one after another and in columns."""
 
     x: NDArray[Any]
     y: NDArray[Any]
@@ -40,7 +40,7 @@ class ConvertedParts:
 
 
 def prepare(model: Model, shapes: Shapes) -> Any:
-    """Return the data that a model needs of the shapes: its set-up, which cold times include."""
+    """Return the data that `evaluate` needs of the shapes for this model; cold times include this step."""
     if model.kind == EXACT_FILTER:
         _ = shapes.groups, shapes.rings, shapes.slot
         return shapes
@@ -98,7 +98,9 @@ def bounding_circles(shapes: Shapes, widening: float = WIDENING) -> Array:
         many = np.diff(np.concatenate([first, start[-1:]]))
         dx, dy = (c - np.repeat(found[:, i], many) for i, c in enumerate((x, y)))
         square = np.maximum.reduceat(dx * dx + dy * dy, first) if len(first) else np.empty(0)
-        found[:, 2] = np.where((square > TINY) & (square < HUGE), np.sqrt(square) * widening, 0.0)
+        found[:, 2] = np.where(
+            (square > MIN_SAFE_PRODUCT) & (square < MAX_SAFE_PRODUCT), np.sqrt(square) * widening, 0.0
+        )
     circle = np.flatnonzero(is_circle(shapes))
     part = shapes.starts[circle]
     found[circle] = np.stack([x[start[part]], y[start[part]], part_radii(shapes)[part]], axis=1)
@@ -118,7 +120,7 @@ def direction_ranges(shapes: Shapes, directions: tuple[Vec, ...]) -> Array:
 
 
 def shared_directions(*batches: Shapes) -> tuple[Vec, ...]:
-    """Return what `candidates.shared_directions` returns, for all shapes of these batches."""
+    """Return the distinct directions of all edge normals in these batches; () if too many, or for circles."""
     edges = []
     for shapes in batches:
         if (shapes.count == 1).any():
@@ -160,7 +162,7 @@ def numba_kernels() -> Any:
 
 
 def evaluate(model: Model, pairs: Pairs, a: Any, b: Any, *, engine: str | None = None) -> Relations:
-    """Return the relations that the model finds; a and b are the prepared data of both sides."""
+    """Return the relation that the model finds for each pair; a and b are what `prepare` returned for each side."""
     ia, ib = pairs.ia, pairs.ib
     if model.kind == EXACT_FILTER:
         return batch.relate(a, b, np.stack([ia, ib], axis=1), engine=engine)
@@ -197,7 +199,7 @@ def compare_boxes(a: Array, b: Array) -> Relations:
 
 
 def relations_of(apart: Any, over: Any) -> Relations:
-    """Return the relations of pairs that are apart, that overlap, or else touch; each flag is a bool array."""
+    """Return APART where `apart`, OVERLAPPING where `over`, else TOUCHING; both are bool arrays."""
     found: Relations = over.view(np.int8) - apart.view(np.int8)
     found += TOUCHING
     return found
@@ -209,7 +211,7 @@ def compare_circles(a: Array, b: Array) -> Relations:
 
 
 def _squared_gap(a: Iterable[NDArray[Any]], b: Iterable[NDArray[Any]]) -> NDArray[Any]:
-    """Return the squared distance less the squared sum of the radii of circles (x, y, radius)."""
+    """Return the squared distance less the squared sum of radii; a and b are (x, y, radius) arrays."""
     (ax, ay, ar), (bx, by, br) = a, b
     dx, dy, radii = ax - bx, ay - by, ar + br
     gap: NDArray[Any] = dx * dx + dy * dy - radii * radii
@@ -217,7 +219,7 @@ def _squared_gap(a: Iterable[NDArray[Any]], b: Iterable[NDArray[Any]]) -> NDArra
 
 
 def compare_ranges(a: Array, b: Array) -> Relations:
-    """Return the relations of shapes by their (N, k, 2) ranges on k directions."""
+    """Return the relations of shapes by their (N, k, 2) ranges: APART if one of k directions has a gap."""
     apart, over = np.zeros(len(a), bool), np.ones(len(a), bool)
     for k in range(a.shape[1]):
         apart |= (a[:, k, 0] > b[:, k, 1]) | (b[:, k, 0] > a[:, k, 1])
@@ -226,7 +228,7 @@ def compare_ranges(a: Array, b: Array) -> Relations:
 
 
 def sat(pairs: Pairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) -> Relations:
-    """Return the relations by SAT in the float format of the parts; `kernels` is None for NumPy."""
+    """Return the relations of the pairs by SAT in the float format of `a` and `b`; `kernels` None means NumPy."""
     found = np.empty(len(pairs.pa), np.int8)
     if kernels is not None:
         kernels.sat(a.x, a.y, a.r, a.start, a.bounds, pairs.pa, b.x, b.y, b.r, b.start, b.bounds, pairs.pb, found)
@@ -238,7 +240,7 @@ def sat(pairs: Pairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) -> Rel
 
 
 def sat_gaps(p: Group, q: Group) -> NDArray[Any]:
-    """Return a number with the sign of the gap of each pair of convex parts, given in columns."""
+    """Return for each pair of columns a number with the sign that SAT finds for the gap."""
     if p.r is not None and q.r is not None:
         return _squared_gap((p.x[0], p.y[0], p.r), (q.x[0], q.y[0], q.r))
     if p.r is not None or q.r is not None:
@@ -249,7 +251,7 @@ def sat_gaps(p: Group, q: Group) -> NDArray[Any]:
 
 
 def circle_polygon_gap(circle: Group, ring: Group) -> NDArray[Any]:
-    """Return the squared distance from center to polygon less the squared radius; -1 with the center inside."""
+    """Return the squared distance of each center from the boundary less r squared; -1 if it is inside."""
     assert circle.r is not None
     inside = np.ones(ring.x.shape[1], bool)
     nearest = np.full(ring.x.shape[1], np.inf, ring.x.dtype)

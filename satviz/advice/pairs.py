@@ -21,7 +21,7 @@ MAX_CORNERS_AT_ONCE = 1 << 18  # corners times pairs
 
 
 class Pairs(NamedTuple):
-    """Pairs (ia, ib) of shapes of two batches; (pa, pb) are all pairs of their convex parts, `of` the pair of each."""
+    """Hold pairs of shapes (ia, ib) of two batches, all pairs (pa, pb) of their parts, and `of`: the pair of each."""
 
     a: Shapes
     b: Shapes
@@ -32,7 +32,7 @@ class Pairs(NamedTuple):
     of: Indices
 
     def whole(self, of_parts: Relations) -> Relations:
-        """Return the relation of each pair from those of its convex parts: the largest one.
+        """Return the relation of each pair of shapes: the largest one of the pairs of their convex parts.
 
         UNDECIDED for a part makes the pair UNDECIDED, unless another part overlaps.
         """
@@ -45,28 +45,28 @@ class Pairs(NamedTuple):
 
 
 def paired(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Pairs:
-    """Return the pairs (ia, ib) of two batches together with their convex parts."""
+    """Return the Pairs record of a[ia[k]] with b[ib[k]], which includes all pairs of their convex parts."""
     return Pairs(a, b, ia, ib, *part_pairs(a, ia, b, ib))
 
 
 class HasColumns(Protocol):
-    """Convex parts in columns by their number of corners: batch shapes, or a copy of them in another float format."""
+    """Describe convex parts in columns by number of corners: a batch, or its copy in another float format."""
 
     @property
     def count(self) -> NDArray[np.int64]:
-        """(N,) The number of corners of each part."""
+        """Return the number of corners of each part, (N,)."""
 
     @property
     def slot(self) -> Indices:
-        """(N,) The column of each part in its group."""
+        """Return the column of each part in its group, (N,)."""
 
     @property
     def groups(self) -> dict[int, Group]:
-        """The columns by the number of corners."""
+        """Return the groups by number of corners."""
 
 
 def indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Indices]:
-    """Return the pairs as indices into both batches, row by row for None.  ValueError, IndexError as in `relate`."""
+    """Return (ia, ib), the indices of the pairs; row by row if `pairs` is None. Errors as in `relate`."""
     if pairs is not None:
         return check_pairs(pairs, len(a), len(b))
     if len(a) != len(b):
@@ -76,7 +76,7 @@ def indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Ind
 
 
 def part_pairs(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> tuple[Indices, Indices, Indices]:
-    """Return (pa, pb, of): all pairs of convex parts of these pairs of shapes, and the pair that each belongs to."""
+    """Return (pa, pb, of): all pairs of convex parts of the given pairs, and the index of the pair of each."""
     first_a, first_b = a.starts[ia], b.starts[ib]
     many_b = b.starts[ib + 1] - first_b
     each = (a.starts[ia + 1] - first_a) * many_b
@@ -86,14 +86,14 @@ def part_pairs(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> tuple[Indices,
 
 
 def tests_per_pair(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Array:
-    """Return the tests of an edge against a corner that each pair of shapes takes, in both directions."""
+    """Return for each pair of shapes how many tests of an edge against a corner it takes, both ways."""
     corners = [np.diff(s.rings.start[s.starts])[i].astype(float) for s, i in ((a, ia), (b, ib))]
     tests: Array = 2 * corners[0] * corners[1]
     return tests
 
 
 def part_shape(shapes: Shapes, part: int) -> Shape:
-    """Return a convex part of a batch as a shape of the engine."""
+    """Return one convex part of a batch as a single Polygon or Circle."""
     group, i = shapes.groups[int(shapes.count[part])], shapes.slot[part]
     if group.r is not None:
         return Circle((group.x[0, i], group.y[0, i]), group.r[i])
@@ -103,7 +103,7 @@ def part_shape(shapes: Shapes, part: int) -> Shape:
 def pair_columns(
     a: HasColumns, pa: Indices, b: HasColumns, pb: Indices, most: int = 1 << 62
 ) -> Iterator[tuple[Indices, Group, Group]]:
-    """Yield (numbers of pairs, columns of a, columns of b) for blocks of pairs with the same numbers of corners.
+    """Yield (indices of pairs, group for a, group for b) for blocks of pairs with equal numbers of corners.
 
     `most` is the largest number of pairs in a block.
     """
@@ -118,7 +118,7 @@ def pair_columns(
 
 
 def slice_if_adjacent(slots: Indices) -> Indices | slice:
-    """Return a slice where the columns are adjacent, so that NumPy copies nothing; else the slots themselves."""
+    """Return the column numbers as a slice if they are consecutive (then nothing is copied), else unchanged."""
     first, last = int(slots[0]), int(slots[-1])
     adjacent = last - first == len(slots) - 1 and (np.diff(slots) == 1).all()
     return slice(first, last + 1) if adjacent else slots

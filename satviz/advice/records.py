@@ -1,8 +1,8 @@
 """The records of a recommendation: the pairs, a summary of them, and the result of each candidate model.
 
-A *case* is the pairs that a recommendation is made for (`PairsInHand`).  The *facts* about a case are its summary
-(`InputSummary`): kinds and sizes of the shapes, relations, relative margin.  A *model* is a way to find the relation of
-two shapes (`candidates.py`); it is *proven* for a case where it is certified right on every pair.
+The *given pairs* are those that a recommendation is made for.  A *model* is a way to find the relation of two shapes
+(`candidates.py`); it is *proven* for the given pairs where it is certified right on every one.  For all pairs of one
+batch the *broad phase* comes first: a test of the bounding boxes, which leaves fewer pairs to the models.
 """
 
 from collections.abc import Callable, Collection, Sequence
@@ -21,7 +21,7 @@ UPRIGHT_BOXES, CIRCLES, CONVEX_POLYGONS, CONCAVE_POLYGONS = (
 
 
 class Grid(NamedTuple):
-    """The coarsest grid of some numbers: all are multiples of 2**unit, and the largest is `most` times 2**unit.
+    """Describe the coarsest grid of some numbers: multiples of 2**unit, the largest being `most` times 2**unit.
 
     `span`: the largest component of an edge, in multiples of 2**unit.
     """
@@ -32,7 +32,7 @@ class Grid(NamedTuple):
 
 
 class BroadPhaseResult(NamedTuple):
-    """The pairs that a test of bounding boxes finds apart before any model runs, for all pairs of one batch.
+    """Hold what a test of bounding boxes finds apart before any model runs, for all pairs of one batch.
 
     `pairs`: how many are apart by their boxes; `near`: how many of these a model without the boxes might not certify;
     `alone`: the kinds of models that are candidates without the boxes too; `only_circles`: whether all shapes of the
@@ -45,34 +45,34 @@ class BroadPhaseResult(NamedTuple):
     only_circles: bool
 
 
-class PairsInHand(NamedTuple):
-    """The pairs that a recommendation is made for; large parts are computed only when called.
+class GivenPairs(NamedTuple):
+    """Hold the pairs that a recommendation is made for; large parts are computed only when called.
 
-    `shapes_of(k)` and `indices(k)` return the two shapes and the two indices of pair k, `shapes()` the unique shapes,
-    `batches()` the pairs as batches to be timed.  Pairs from number `pairs` on are the `settled.near` ones.
-    `moved_bound()` returns the largest coordinate up to which the pairs may be moved as a whole with SAT in float64
-    still proven, 0 if they exceed it already; `grid()` the grid of all numbers; `tests` counts the tests of an edge
-    against a corner.
+    `shapes_of(k)` and `indices(k)` return the two shapes and the two indices of pair k, `unique_shapes()` each
+    shape once, `batches()` the pairs as batches to be timed.  Pairs from number `pairs` on are those counted in
+    `broad_phase.near`.  `moved_bound()` returns the largest coordinate up to which the pairs may be moved as a whole
+    with SAT in float64 still proven, 0 if they exceed it already; `grid()` the grid of all numbers; `tests` counts the
+    tests of an edge against a corner.
     """
 
     pairs: int
     shapes_of: Callable[[int], tuple[AnyShape, AnyShape]]
     indices: Callable[[int], Pair]
-    shapes: Callable[[], Sequence[AnyShape]]
+    unique_shapes: Callable[[], Sequence[AnyShape]]
     batches: Callable[[], Any]
     moved_bound: Callable[[], float]
     grid: Callable[[], Grid | None]
     tests: int
-    settled: BroadPhaseResult | None = None
+    broad_phase: BroadPhaseResult | None = None
 
     @property
-    def known(self) -> int:
-        """Return how many pairs have a number."""
-        return self.pairs + (self.settled.near if self.settled else 0)
+    def numbered(self) -> int:
+        """Return how many pairs `shapes_of` and `indices` know: the given ones and those counted as near."""
+        return self.pairs + (self.broad_phase.near if self.broad_phase else 0)
 
 
 class InputSummary(NamedTuple):
-    """The facts about a case.
+    """Hold the summary of the given pairs.
 
     `kinds`: how many shapes of each kind; `corners`: the fewest and the most of a convex part; `sizes`: the width of
     the largest shape over that of the smallest; `relations`: pairs apart, touching and overlapping; `settled`: further
@@ -90,7 +90,7 @@ class InputSummary(NamedTuple):
 
 
 class ModelResult(NamedTuple):
-    """A model on the pairs of a case: `wrong` counts wrong pairs, `uncertain` those where rounding may decide, at most.
+    """Hold how many given pairs a model gets wrong, and (at most) how many are uncertain by rounding.
 
     `first`: the first wrong pair, else the first uncertain one, else None; `proven_for_hits`: whether the model is
     certified to separate hits (touching or overlapping) from misses.
@@ -109,7 +109,7 @@ class ModelResult(NamedTuple):
 
 
 def kind_of(shape: AnyShape) -> str:
-    """Return the kind of a shape in words: one of the four constants above."""
+    """Return the kind of a shape in words: CIRCLES, UPRIGHT_BOXES, CONVEX_POLYGONS or CONCAVE_POLYGONS."""
     if shape.core_is_point:
         return CIRCLES
     return UPRIGHT_BOXES if shape.is_upright_box else CONVEX_POLYGONS if shape.is_convex else CONCAVE_POLYGONS
@@ -125,19 +125,19 @@ def for_hits(results: Sequence[ModelResult]) -> ModelResult:
     return next(j for j in results if j.proven_for_hits)
 
 
-def anywhere(facts: InputSummary, results: Sequence[ModelResult]) -> Model:
+def anywhere(summary: InputSummary, results: Sequence[ModelResult]) -> Model:
     """Return the simplest model that is right at any position: AABB for upright boxes, else the exact filter."""
-    kind = AABB if set(facts.kinds) == {UPRIGHT_BOXES} else EXACT_FILTER
+    kind = AABB if set(summary.kinds) == {UPRIGHT_BOXES} else EXACT_FILTER
     return next(j.model for j in results if j.model.kind == kind)
 
 
 def candidates_of(
-    axes: int, directions: tuple[Vec, ...], kinds: Collection[str], case: PairsInHand
+    axes: int, directions: tuple[Vec, ...], kinds: Collection[str], given: GivenPairs
 ) -> tuple[Model, ...]:
-    """Return the candidate models of a case, for shapes of these kinds and the largest number of axes of a pair."""
-    if case.settled is None:
+    """Return the candidate models; axes: the most that SAT tests for a given pair, kinds: of its shapes."""
+    if given.broad_phase is None:
         return candidates(axes, directions, set(kinds) == {CIRCLES})
-    found = candidates(axes, directions, case.settled.only_circles, case.settled.alone)
-    if case.pairs:
+    found = candidates(axes, directions, given.broad_phase.only_circles, given.broad_phase.alone)
+    if given.pairs:
         return found
     return tuple(m for m in found if not m.after_boxes or m.kind == EXACT_FILTER)  # nothing is left after the boxes

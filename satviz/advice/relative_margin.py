@@ -23,8 +23,8 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from ..engine.convex_parts import parts
-from ..engine.predicates import IntPoint, aligned, root_difference
-from ..engine.shapes import Shape, checked
+from ..engine.predicates import IntPoint, root_difference, to_common_unit
+from ..engine.shapes import Shape, require_shape
 
 IN_FLOAT32 = 2.0**-29  # a margin times this is counted in roundings of float32
 
@@ -39,13 +39,13 @@ def relative_margin(a: Shape, b: Shape) -> float:
 
 def signed_relative_margin(a: Shape, b: Shape) -> float:
     """Return the relative margin of two shapes, negative where they overlap."""
-    checked(a, "a"), checked(b, "b")
+    require_shape(a, "a"), require_shape(b, "b")
     return min(_convex_margin(p, q) for p in parts(a) for q in parts(b))
 
 
 def _convex_margin(a: Shape, b: Shape) -> float:
     """Return the signed relative margin of two convex shapes."""
-    p, q, radii, _ = aligned(a, b)
+    p, q, radii, _ = to_common_unit(a, b)
     if not radii:
         max_coordinate = max(abs(c) for ring in (p, q) for v in ring for c in v)
         clearances = (*edge_clearances(p, q), *edge_clearances(q, p))
@@ -60,13 +60,13 @@ def _convex_margin(a: Shape, b: Shape) -> float:
 
 
 def _max_coordinate(shape: Shape, k: int) -> int:
-    """Return the largest absolute coordinate, plus the radius, in units of 2**-k."""
+    """Return the largest absolute coordinate of a shape (with its radius) in units of 2**-k."""
     own, ring, radius = shape.integers
     return max(abs(c) for v in ring for c in v) + radius << k - own
 
 
 def edge_clearances(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Iterator[tuple[int, int]]:
-    """Yield (clearance of the points, span) for each edge of a ring; the first edge ends at the first corner."""
+    """Yield (clearance of `points`, span) for each edge of a ring; the first edge leads to the first corner."""
     px, py = ring[-1]
     for qx, qy in ring:
         nx, ny = qy - py, px - qx
@@ -77,7 +77,7 @@ def edge_clearances(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Ite
 def edges_from_center(
     center: IntPoint, ring: Sequence[IntPoint]
 ) -> Iterator[tuple[tuple[int, int], int, tuple[int, int]]]:
-    """Yield (direction, turn, (s, q)) for each edge of a ring, from the last corner to the first one on.
+    """Yield (direction, turn, (s, q)) for each edge of a ring; s / sqrt(q): its distance from the center.
 
     The turn is positive where the center lies inside the edge; s / sqrt(q) is the exact distance of the center from
     the edge, from an end where no point between the ends is nearer.
@@ -95,7 +95,7 @@ def edges_from_center(
 
 
 def _gap_from_center(center: IntPoint, r: int, ring: Sequence[IntPoint], shift: int) -> float:
-    """Return the gap of a circle and a ring (of one corner: another circle) in units of 2**shift.
+    """Return the gap of a circle and a ring (one corner: center of a second circle) in units of 2**shift.
 
     Outside, the nearest edge decides; inside, minus the depth of the center is less the radius.
     """

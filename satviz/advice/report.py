@@ -1,6 +1,6 @@
 """A recommendation in words: each line states one fact with its number.
 
-`facts` is the summary of the case, `results` the result of each candidate model, `scope` where the proof is valid
+`summary` is that of the given pairs, `results` the result of each candidate model, `scope` where the proof is valid
 (`records.py`, `scope.py`).
 """
 
@@ -38,33 +38,33 @@ SINGULAR = {
 }
 
 
-def text(facts: InputSummary, results: "Sequence[ModelResult]", scope: Scope) -> str:
-    """Return the recommendation as lines: the model, why, its scope, the facts, and the smaller and larger models."""
+def text(summary: InputSummary, results: "Sequence[ModelResult]", scope: Scope) -> str:
+    """Return the recommendation as lines: the model, why, its scope, the summary, and the other models."""
     least, hits = best(results), for_hits(results)
     lines = [
-        f"{named(least.model)}: right for {_all(facts)}",
-        *_first(least.model, facts),
-        f"why      {reason(least.model, facts, scope)}",
-        f"holds    {holds(scope, facts)}",
-        f"shapes   {shapes(facts)}{' in these pairs' if facts.settled and facts.pairs else ''}",
-        f"pairs    {_pairs(facts)}",
+        f"{named(least.model)}: right for {_all(summary)}",
+        *_first(least.model, summary),
+        f"why      {reason(least.model, summary, scope)}",
+        f"holds    {holds(scope, summary)}",
+        f"shapes   {shapes(summary)}{' in these pairs' if summary.settled and summary.pairs else ''}",
+        f"pairs    {_pairs(summary)}",
     ]
-    if facts.pairs:
-        lines.append(f"nearest  {nearest(facts)}")
+    if summary.pairs:
+        lines.append(f"nearest  {nearest(summary)}")
     place = results.index(least)
-    lines += [f"less     {_fails(j, facts)}" for j in results[:place]]
+    lines += [f"less     {_fails(j, summary)}" for j in results[:place]]
     rest = results[place + 1 :]
-    lines += [f"{'more ' if j.proven else 'other'}    {_adds(j, facts, results)}" for j in rest]
+    lines += [f"{'more ' if j.proven else 'other'}    {_adds(j, summary, results)}" for j in rest]
     if scope.kind != ANYWHERE:
-        lines.append(f"anywhere {named(anywhere(facts, results))} is right in every position, if the shapes move")
+        lines.append(f"anywhere {named(anywhere(summary, results))} is right in every position, if the shapes move")
     if hits is not least:
         lines.append(f"hits     {named(hits.model)} is enough to tell hits from misses, where touching is a hit")
     return "\n".join(lines)
 
 
-def reason(model: Model, facts: InputSummary, scope: Scope) -> str:
-    """Return a sentence why the model is right."""
-    if not facts.pairs and model.kind == AABB:
+def reason(model: Model, summary: InputSummary, scope: Scope) -> str:
+    """Return a sentence that says why the model is right."""
+    if not summary.pairs and model.kind == AABB:
         return "no two boxes meet, so there is nothing left to test"
     if model.kind == AABB and scope.kind == ANYWHERE:
         return "upright boxes are their bounding boxes, and comparisons round nothing"
@@ -84,10 +84,10 @@ def reason(model: Model, facts: InputSummary, scope: Scope) -> str:
     }[model.kind]
 
 
-def holds(scope: Scope, facts: InputSummary) -> str:
-    """Return a sentence where the recommendation holds."""
+def holds(scope: Scope, summary: InputSummary) -> str:
+    """Return a sentence that says for which coordinates the recommendation is valid."""
     if scope.kind == ANYWHERE:
-        if set(facts.kinds) == {UPRIGHT_BOXES}:
+        if set(summary.kinds) == {UPRIGHT_BOXES}:
             return "anywhere: upright boxes need y and x only, whatever their coordinates"
         return "anywhere: it is exact for all coordinates"
     if scope.kind == GRID:
@@ -95,31 +95,33 @@ def holds(scope: Scope, facts: InputSummary) -> str:
         return f"{text}, and edges up to {_size(scope.span)} wide and high" if scope.span else text
     if scope.kind == MOVED:
         return f"the scene moved as a whole, exactly, while no coordinate exceeds {power(scope.bound, 0)}"
-    if facts.settled:
+    if summary.settled:
         return "these shapes in these positions: it is proven for each pair"
-    return "this pair in this position" if facts.pairs == 1 else "these pairs in these positions: it is proven for each"
+    return (
+        "this pair in this position" if summary.pairs == 1 else "these pairs in these positions: it is proven for each"
+    )
 
 
 def _multiples(unit: int | None) -> str:
-    """Return "whole numbers", or the power of two that all coordinates are multiples of."""
+    """Return what all coordinates are: "whole numbers", or "multiples of" 2**unit."""
     return "whole numbers" if unit == 0 else f"multiples of {_size(2.0 ** (unit or 0))}"
 
 
 def _size(value: float) -> str:
-    """Return a power of two as a decimal number, or as 2^n where the number is long."""
+    """Return a power of two in digits, or as "2^n" where the digits are many."""
     return f"{value:,.15g}" if 2.0**-10 <= value <= 2.0**20 else power(value, 0)
 
 
-def cost_line(model: Model, facts: InputSummary, found: "Mapping[str, Cost | None]") -> str:
+def cost_line(model: Model, summary: InputSummary, found: "Mapping[str, Cost | None]") -> str:
     """Return the line on the cost of the recommended model beside the exact filter; "" where there are no pairs."""
     if not found:
         return ""
     mine = found[model.name]
     exact_name, exact = next((name, p) for name, p in found.items() if name.endswith(EXACT_FILTER))
-    after = " whose boxes meet" if facts.settled else ""
+    after = " whose boxes meet" if summary.settled else ""
     if mine is None:
-        return f"price    not timed: one pair of these shapes takes too long for the {SECONDS_TIMED:g} s of all models"
-    text = f"price    {duration(mine.warm)} a pair{after}, {duration(mine.cold)} with its set-up"
+        return f"cost     not timed: one pair of these shapes takes too long for the {SECONDS_TIMED:g} s of all models"
+    text = f"cost     {duration(mine.warm)} a pair{after}, {duration(mine.cold)} with its set-up"
     if model.name == exact_name:
         return text
     return f"{text}; {exact_name} {f'{duration(exact.warm)} and {duration(exact.cold)}' if exact else 'not timed'}"
@@ -135,7 +137,7 @@ def duration(nanoseconds: float) -> str:
 
 
 def named(model: Model) -> str:
-    """Return the name of a model and its number of axes."""
+    """Return the name of a model, with its number of axes in brackets where the name does not tell it."""
     return model.name if model.kind == K_DOP and not model.after_boxes else f"{model.name} ({axes(model.axes)})"
 
 
@@ -145,56 +147,58 @@ def axes(many: int) -> str:
 
 
 def power(value: float, digits: int = 1) -> str:
-    """Return a number as a power of two; "0" and "no end" for 0 and infinity."""
+    """Return a number as text "2^x" with this many digits; "0" for 0 and "no end" for infinity."""
     return "0" if not value else f"2^{log2(value):.{digits}f}" if value < inf else "no end"
 
 
-def shapes(facts: InputSummary) -> str:
-    """Return the shapes in words: kinds, corners and sizes."""
-    kinds = ", ".join(f"{n:,} {SINGULAR[kind] if n == 1 else kind}" for kind, n in facts.kinds.items())
-    low, high = facts.corners
+def shapes(summary: InputSummary) -> str:
+    """Return a description of the shapes: kinds, corners and sizes."""
+    kinds = ", ".join(f"{n:,} {SINGULAR[kind] if n == 1 else kind}" for kind, n in summary.kinds.items())
+    low, high = summary.corners
     corners = f", {low} corners" if low == high else f", {low} to {high} corners"
-    corners += " in a convex part" if "concave polygons" in facts.kinds else ""
-    more = "more than " if facts.sizes == float_info.max else ""
-    sizes = f", the largest {more}{facts.sizes:,.3g} times the smallest" if facts.sizes > 1.005 else ""
+    corners += " in a convex part" if "concave polygons" in summary.kinds else ""
+    more = "more than " if summary.sizes == float_info.max else ""
+    sizes = f", the largest {more}{summary.sizes:,.3g} times the smallest" if summary.sizes > 1.005 else ""
     return f"{kinds or 'none'}{corners if high else ''}{sizes}"
 
 
-def _all(facts: InputSummary) -> str:
+def _all(summary: InputSummary) -> str:
     """Return "this pair" or "all N pairs"."""
-    every = facts.pairs + facts.settled
+    every = summary.pairs + summary.settled
     return "this pair" if every == 1 else f"all {every:,} pairs"
 
 
-def _first(model: Model, facts: InputSummary) -> list[str]:
-    """Return the line on the test of bounding boxes before the model, if there is one: pairs settled and pairs left."""
+def _first(model: Model, summary: InputSummary) -> list[str]:
+    """Return the line (in a list) on the test of bounding boxes before the model; [] if there is none."""
     if not model.after_boxes:
         return []
-    sentence = f"{AABB} (2 axes) finds {facts.settled:,} pairs apart; {model.test} decides the other {facts.pairs:,}"
+    sentence = (
+        f"{AABB} (2 axes) finds {summary.settled:,} pairs apart; {model.test} decides the other {summary.pairs:,}"
+    )
     return [f"first    {sentence}"]
 
 
-def _pairs(facts: InputSummary) -> str:
-    """Return the numbers of pairs by relation."""
-    apart, touching, overlapping = facts.relations
-    text = f"{facts.pairs:,}: {apart:,} apart, {touching:,} touching, {overlapping:,} overlapping"
-    return text + (f"; {facts.settled:,} more are apart by their boxes" if facts.settled else "")
+def _pairs(summary: InputSummary) -> str:
+    """Return a description of the pairs: how many are apart, touching and overlapping."""
+    apart, touching, overlapping = summary.relations
+    text = f"{summary.pairs:,}: {apart:,} apart, {touching:,} touching, {overlapping:,} overlapping"
+    return text + (f"; {summary.settled:,} more are apart by their boxes" if summary.settled else "")
 
 
-def nearest(facts: InputSummary) -> str:
-    """Return the pair with the smallest relative margin, and that margin in roundings."""
-    where = "" if facts.pairs + facts.settled == 1 else f"pair {facts.at} "
-    if not facts.relative_margin:
+def nearest(summary: InputSummary) -> str:
+    """Return a description of the pair with the smallest relative margin, with that margin in roundings."""
+    where = "" if summary.pairs + summary.settled == 1 else f"pair {summary.at} "
+    if not summary.relative_margin:
         return f"{where}touches: its relative margin is 0"
     return (
-        f"{where}{'has ' if where else ''}a relative margin of {power(facts.relative_margin)} rounding errors of "
-        f"float64, {power(facts.relative_margin * IN_FLOAT32)} of float32"
+        f"{where}{'has ' if where else ''}a relative margin of {power(summary.relative_margin)} rounding errors of "
+        f"float64, {power(summary.relative_margin * IN_FLOAT32)} of float32"
     )
 
 
-def _fails(result: ModelResult, facts: InputSummary) -> str:
+def _fails(result: ModelResult, summary: InputSummary) -> str:
     """Return why a model is not proven: its wrong and its uncertain pairs."""
-    if facts.pairs + facts.settled == 1:
+    if summary.pairs + summary.settled == 1:
         verdict = "wrong here" if result.wrong else "not proven, as a rounding error could change the answer"
         return f"{named(result.model)}: {verdict}"
     found = []
@@ -205,10 +209,10 @@ def _fails(result: ModelResult, facts: InputSummary) -> str:
     return f"{named(result.model)}: {' and '.join(found)}; the first is pair {result.first}"
 
 
-def _adds(result: ModelResult, facts: InputSummary, results: "Sequence[ModelResult]") -> str:
+def _adds(result: ModelResult, summary: InputSummary, results: "Sequence[ModelResult]") -> str:
     """Return what a model larger than the recommended one adds, or why it fails too."""
     if not result.proven:
-        return _fails(result, facts)
+        return _fails(result, summary)
     adds = "also right, but not needed here"
     if result.model.kind == EXACT_FILTER:
         adds = "right for all coordinates"

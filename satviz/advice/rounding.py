@@ -20,7 +20,7 @@ Point = tuple[N, N]
 
 
 class Format(NamedTuple):
-    """A binary float format of `bits` significant bits.
+    """Describe a binary float format of `bits` significant bits.
 
     It holds n * 2**e for |n| < 2**bits from the lowest bit 2**lowest up to below 2**highest.  `least` and `most` bound
     the coordinates and spans for which bounds on rounding errors are trusted: between them no product of up to four
@@ -41,33 +41,33 @@ FORMATS = {f.name: f for f in (FLOAT32, FLOAT64)}
 
 
 class Arithmetic(Protocol[N]):
-    """Operations that return exact results and record in `exact` whether the format holds them."""
+    """Compute exactly, and record in `exact` whether the format holds every result."""
 
     def product(self, a: N, b: N) -> N:
-        """Return a * b."""
+        """Return a * b; the format must hold it."""
 
     def root(self, a: N) -> N:
-        """Return the square root of a."""
+        """Return the square root of a; the format must hold it."""
 
     def total(self, *terms: N) -> N:
         """Return the sum of the terms; the format must hold it and every partial sum."""
 
     def compared(self, *terms: N) -> None:
-        """Record a sum of which only the sign is used: the format must hold every partial sum, but not the sum."""
+        """Record partial sums of a sum of which only the sign is used; the sum itself need not be held."""
 
     def together(self, ring: Sequence[Point[N]]) -> Sequence[Point[N]]:
-        """Return the corners as operands: one by one, or all at once as arrays."""
+        """Return the corners as operands: one by one, or all at once as arrays with a row per corner."""
 
 
 class Exact:
-    """The arithmetic of one pair: fractions; `exact` is False once the format does not hold a number."""
+    """Compute with fractions, for one pair; `exact` turns False once the format does not hold a number."""
 
     def __init__(self, form: Format) -> None:
         self.form = form
         self.exact = True
 
     def held(self, value: Fraction) -> Fraction:
-        """Return the value; record whether the format holds it."""
+        """Return the value unchanged; set `exact` to False if the format does not hold it."""
         self.exact = self.exact and holds(value, self.form)
         return value
 
@@ -87,7 +87,7 @@ class Exact:
         return self.held(sum(terms, Fraction(0)))
 
     def compared(self, *terms: Fraction) -> None:
-        """Record the partial sums of the terms."""
+        """Record whether the format holds every partial sum of the terms (not the sum itself)."""
         terms = tuple(filter(None, terms))
         for many in range(2, len(terms)):
             for some in combinations(terms, many):
@@ -99,7 +99,7 @@ class Exact:
 
 
 def holds(value: Fraction, form: Format) -> bool:
-    """Return whether the value is a number of the format."""
+    """Return whether the float format can represent the value exactly."""
     n, d = value.as_integer_ratio()
     if not n:
         return True
@@ -109,7 +109,7 @@ def holds(value: Fraction, form: Format) -> bool:
 
 
 def polygons(arithmetic: Arithmetic[N], p: Sequence[Point[N]], q: Sequence[Point[N]]) -> Iterator[None]:
-    """Compute SAT on two convex polygons on the normals of all edges; yield after each edge: the caller may stop there.
+    """Compute all that SAT can compute on two convex polygons, edge by edge; yield after each, so one may stop.
 
     Each corner of the other shape is compared with the edge, and each corner is projected on its normal.
     """
@@ -132,7 +132,7 @@ def landing(arithmetic: Arithmetic[N], normal: Point[N], corner: Point[N]) -> N:
 
 
 def circles(arithmetic: Arithmetic[N], a: Sequence[N], b: Sequence[N]) -> None:
-    """Compare two circles (x, y, radius) by the squares of their distance and of the sum of their radii."""
+    """Compute all that the comparison of two circles (x, y, radius) by squares can compute."""
     dx, dy = (arithmetic.total(c, _minus(d)) for c, d in zip(a[:2], b[:2], strict=True))
     radii = arithmetic.total(a[2], b[2])
     square = arithmetic.product(radii, radii)
@@ -141,7 +141,7 @@ def circles(arithmetic: Arithmetic[N], a: Sequence[N], b: Sequence[N]) -> None:
 
 
 def circle_ranges(arithmetic: Arithmetic[N], a: Sequence[N], b: Sequence[N]) -> None:
-    """Compare two circles (x, y, radius) by their ranges on the line through the centers, without normalizing it."""
+    """Compute all that the comparison of two circles by ranges on the line of centers can compute."""
     nx, ny = (arithmetic.total(c, _minus(d)) for c, d in zip(a[:2], b[:2], strict=True))
     length = arithmetic.root(arithmetic.total(arithmetic.product(nx, nx), arithmetic.product(ny, ny)))
     for x, y, radius in (a, b):

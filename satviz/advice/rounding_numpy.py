@@ -16,7 +16,7 @@ Flags = NDArray[np.bool_]
 
 
 class Errors:
-    """The arithmetic of n pairs on float64 arrays (n,) or (corners, n); `exact` is False where a number is not held.
+    """Compute with float64 arrays, (n,) or (corners, n), for n pairs; `exact` is False where a number is not held.
 
     It finds what `rounding.Exact` finds, pair by pair.  A number that float64 does not hold is not held by float32
     either.  Values of pairs that are not exact are meaningless.
@@ -27,11 +27,11 @@ class Errors:
         self.exact: Flags = np.ones(pairs, bool)
 
     def held(self, value: Array) -> Array:
-        """Return the value; record where the format holds it."""
+        """Return the value unchanged; clear `exact` where the format does not hold it."""
         return self._held(value, np.ones(value.shape, bool))
 
     def _held(self, value: Array, exact: Flags) -> Array:
-        """Return the value; record where it is exact and the format holds it."""
+        """Return the value unchanged; clear `self.exact` where `exact` is False or the format does not hold it."""
         good = exact & np.isfinite(value)
         if self.form is FLOAT32:
             good &= value.astype(np.float32) == value
@@ -39,30 +39,30 @@ class Errors:
         return value
 
     def product(self, a: Array, b: Array) -> Array:
-        """Return a * b; mantissas and exponents are multiplied apart, so that the error term does not underflow."""
+        """Return a * b; clear `exact` where it is rounded. Scaling keeps the error term from underflow."""
         (a, i), (b, j) = np.frexp(a), np.frexp(b)
         value, error = _product(a, b)
         return self._scaled(value, i + j, error == 0)
 
     def root(self, a: Array) -> Array:
-        """Return the square root of a."""
+        """Return the square root of a; clear `exact` where it is rounded."""
         value = np.sqrt(a)
         mantissa, power = np.frexp(value)
         square, error = _product(mantissa, mantissa)
         return self._held(value, (error == 0) & (np.ldexp(square, 2 * power) == a))
 
     def _scaled(self, value: Array, power: NDArray[Any], exact: Flags) -> Array:
-        """Return value * 2**power; record where that is exact and the format holds it."""
+        """Return value * 2**power; clear `self.exact` where `exact` is False or the result is rounded."""
         result = np.ldexp(value, power)
         return self._held(result, exact & (np.ldexp(result, -power) == value))
 
     def total(self, *terms: Array) -> Array:
-        """Return the sum of the terms."""
+        """Return the sum of the terms; record for which pairs it is exact."""
         self.compared(*terms)
         return self._held(*_sum(terms))
 
     def compared(self, *terms: Array) -> None:
-        """Record the partial sums of the terms, except those that leave out only zeros and so equal the sum."""
+        """Record whether the partial sums are held, except those that leave out only zeros and so equal the sum."""
         for many in range(2, len(terms)):
             for some in combinations(range(len(terms)), many):
                 value, exact = _sum([terms[i] for i in some])
@@ -83,7 +83,7 @@ def _product(a: Array, b: Array) -> tuple[Array, Array]:
 
 
 def _sum(terms: Sequence[Array]) -> tuple[Array, Flags]:
-    """Return (sum, where no addition rounds); the flags hold in every order once every partial sum is held."""
+    """Return (sum of the terms, mask: no addition rounds); true for every order once all partial sums are held."""
     total, exact = terms[0], np.bool_(True)
     for term in terms[1:]:
         total, error = two_sum(total, term)

@@ -14,7 +14,7 @@ from ..engine.predicates import to_integers
 from ..engine.shapes import Shape
 from .candidates import AABB, EXACT_FILTER, AnyShape, Model, convex_parts, cyclic_pairs
 from .certified_bounds import SAT_ROUNDINGS
-from .records import CIRCLES, CONCAVE_POLYGONS, UPRIGHT_BOXES, Grid, InputSummary, PairsInHand
+from .records import CIRCLES, CONCAVE_POLYGONS, UPRIGHT_BOXES, GivenPairs, Grid, InputSummary
 from .relative_margin import relative_margin
 from .rounding import FLOAT64, FORMATS, Format
 
@@ -22,7 +22,7 @@ ANYWHERE, GRID, MOVED, HERE = "anywhere", "on a grid", "moved as a whole", "thes
 
 
 class Scope(NamedTuple):
-    """Where a recommendation holds: `kind` is one of the four constants above; lengths are in scene units.
+    """Describe where a recommendation is valid: `kind` is one of the four constants above; lengths in scene units.
 
     `bound`: the largest absolute coordinate allowed; `unit`: on a grid, the exponent of the power of two that all
     coordinates are multiples of; `span`: the largest component of an edge allowed on a grid, 0 for any.
@@ -34,21 +34,21 @@ class Scope(NamedTuple):
     span: float = 0.0
 
 
-def scope_of(model: Model, facts: InputSummary, case: PairsInHand) -> Scope:
-    """Return the scope of a model that is proven for the pairs of a case."""
-    if not facts.pairs:
+def scope_of(model: Model, summary: InputSummary, given: GivenPairs) -> Scope:
+    """Return the scope of a model that is proven for the given pairs: anywhere, grid, moved, or just here."""
+    if not summary.pairs:
         return Scope(HERE)
-    if model.kind == EXACT_FILTER or (model.kind == AABB and set(facts.kinds) == {UPRIGHT_BOXES}):
+    if model.kind == EXACT_FILTER or (model.kind == AABB and set(summary.kinds) == {UPRIGHT_BOXES}):
         return Scope(ANYWHERE)
     if model.kind not in FORMATS:
         return Scope(HERE)
     form = FORMATS[model.kind]
     # the convex parts of a concave polygon change when it moves
-    if CIRCLES in facts.kinds or CONCAVE_POLYGONS in facts.kinds:
+    if CIRCLES in summary.kinds or CONCAVE_POLYGONS in summary.kinds:
         return Scope(HERE)
-    if not facts.settled and (found := _on_grid(case.grid(), form)):
+    if not summary.settled and (found := _on_grid(given.grid(), form)):
         return found
-    bound = case.moved_bound() if form is FLOAT64 else 0.0
+    bound = given.moved_bound() if form is FLOAT64 else 0.0
     return Scope(MOVED, bound) if bound else Scope(HERE)
 
 
@@ -78,7 +78,7 @@ def power_of_two_bound(allowed: float, max_coordinate: float) -> float:
 
 
 def _on_grid(grid: Grid | None, form: Format) -> Scope | None:
-    """Return the scope of polygons on this grid for which SAT rounds nothing; None where the pairs exceed it.
+    """Return the largest scope on this grid in which SAT rounds nothing; None where the pairs exceed it.
 
     Coordinates are at most M and edge components at most S, in units of the grid.  A product of the two is at most S M.
     A comparison adds four products; partial sums have up to three, so at most 3 S M, and are exact if 4 S M <= 2**bits.

@@ -17,7 +17,7 @@ from ..batch import validation
 from ..batch.outlines import convex_rings
 from ..batch.ragged import Rings
 from ..engine.geometry import InvalidScene, InvalidShape
-from ..engine.polygon_validation import shown
+from ..engine.polygon_validation import short_repr
 
 MAX_NUMBERS = 4_000_000  # 2,000,000 circles or corners: `sv.advise` takes some 10 s and 0.8 GB
 MAX_CONCAVE_CORNERS = 50_000  # split into convex parts one outline at a time, in some 10 s
@@ -25,7 +25,7 @@ HEADER_BYTES = 1 << 14  # NumPy itself reads no header longer than 10,000
 
 
 class Kind(NamedTuple):
-    """The form of an array of the file: the kinds of its dtype, the shape of a row, and a description of both."""
+    """Describe what an array of the file must be: kinds of dtype, shape of a row, and both in words."""
 
     dtypes: str
     row: tuple[int, ...]
@@ -68,13 +68,13 @@ def load(path: Path) -> tuple[batch.Shapes, NDArray[Any] | None]:
 
 
 def _members(path: Path, held: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
-    """Return the members by the names of their arrays; InvalidScene for an unknown, repeated or missing name."""
+    """Return the zip members by array name; InvalidScene for an unknown, repeated or missing name."""
     listed = [(member.filename.removesuffix(".npy"), member) for member in held.infolist()]
     names = Counter(name for name, _ in listed)
     if twice := next((name for name, count in names.items() if count > 1), None):
-        raise InvalidScene(f"{path} has the array {shown(twice)} {names[twice]} times: keep one of them")
+        raise InvalidScene(f"{path} has the array {short_repr(twice)} {names[twice]} times: keep one of them")
     if unknown := sorted(names.keys() - KINDS.keys()):
-        raise InvalidScene(f"{path} has the unknown array {shown(unknown[0])}; known: {', '.join(sorted(KINDS))}")
+        raise InvalidScene(f"{path} has the unknown array {short_repr(unknown[0])}; known: {', '.join(sorted(KINDS))}")
     for one, other in ("coords", "offsets"), ("centers", "radii"):
         if (one in names) != (other in names):
             raise InvalidScene(f"{path} lacks {other if one in names else one!r}: {one} and {other} go together")
@@ -129,7 +129,7 @@ def _array(held: zipfile.ZipFile, member: zipfile.ZipInfo) -> NDArray[Any]:
 
 
 def _shapes(path: Path, arrays: dict[str, NDArray[Any]]) -> batch.Shapes:
-    """Return the shapes of the arrays, polygons first; InvalidScene for an invalid shape."""
+    """Return one batch of the polygons, then the circles, in these arrays; InvalidScene for an invalid shape."""
     made: list[batch.Shapes] = []
     try:
         if "coords" in arrays:
@@ -156,7 +156,7 @@ def _check_concave(path: Path, coords: NDArray[Any], offsets: NDArray[Any]) -> N
 
 
 def _in_the_file(message: str) -> str:
-    """Return an error message of a batch with the name of the array of the file that it is about."""
+    """Return an error message of `batch` reworded to name the file's array that is at fault."""
     if message.startswith("polygon"):
         return f"coords: {message}"
     if message.startswith("circle"):

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 
 class Spread(NamedTuple):
-    """The times of one method over the rounds, in the unit of the caller: the median, the least and the quartiles."""
+    """Hold the median, the least and the quartiles of the times of one method, in the unit of the caller."""
 
     median: float
     least: float
@@ -28,7 +28,7 @@ def time_in_turn(
     clock: Callable[[], float] = perf_counter,
     seconds: float = inf,
 ) -> dict[str, Spread]:
-    """Return the nanoseconds per item of each job, run in turn `rounds` times after an untimed round of warm-up.
+    """Return the spread of the nanoseconds per item of each job, run once per round after an untimed warm-up.
 
     `clock` returns seconds: time.thread_time leaves out the time of other programs.  All runs take about `seconds` at
     most: a job that takes a quarter of this by itself is left out, and so are rounds for which no time is left.  The

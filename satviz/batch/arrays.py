@@ -17,7 +17,7 @@ Selection = SupportsIndex | slice | Sequence[int] | NDArray[np.integer[Any] | np
 
 
 class Group(NamedTuple):
-    """The shapes with one number of corners.
+    """Hold all shapes of a batch that have the same number of corners: one row per corner, one column per shape.
 
     x, y: (V, n) counter-clockwise corners in scene units, no repeats, none straight on
     (V = 1: centers, r: (n,) radii).  max_edge_component, max_coordinate: the largest edge component and
@@ -32,7 +32,7 @@ class Group(NamedTuple):
     upright: bool = False
 
     def columns(self, where: slice | NDArray[np.integer[Any] | np.bool_]) -> "Group":
-        """Return some of the shapes, chosen by slice, index array or mask; each coordinate is contiguous."""
+        """Return the group of the shapes chosen by a slice, an index array or a mask, in contiguous rows."""
         r = None if self.r is None else self.r[where]
         if isinstance(where, slice):
             return self._replace(x=self.x[:, where], y=self.y[:, where], r=r)
@@ -41,7 +41,7 @@ class Group(NamedTuple):
 
 
 class Flat(NamedTuple):
-    """All shapes one after another: shape i has the corners start[i] to start[i + 1].
+    """Hold all shapes of a batch one after another: shape i has the corners start[i] to start[i + 1].
 
     x, y: (M,) scene units; bounds: (N, 4), circles' rounded outwards; upright: (N,) is it a box with its sides
     along x and y?
@@ -55,7 +55,7 @@ class Flat(NamedTuple):
 
 
 class Shapes:
-    """Many convex polygons and circles; make one with Polygons, Circles, from_shapely and concat.
+    """Hold many convex polygons and circles; make a batch with Polygons, Circles, from_shapely or concat.
 
     `count`: (N,) corners of each part (a circle has one); `owner`: (N,) which shape each is a
     part of, where concave polygons were split.  Made of `rings` or of `groups`; the other is
@@ -118,7 +118,7 @@ class Shapes:
 
     @cached_property
     def uniform(self) -> Group | None:
-        """Return the only group of a batch whose parts all have the same number of corners."""
+        """Return the only group if all shapes are convex and have the same number of corners, else None."""
         alike = self.owner is None and len(self.count) and (self.count == self.count[0]).all()
         return self.groups[int(self.count[0])] if alike else None
 
@@ -150,7 +150,7 @@ class Shapes:
 
     @cached_property
     def starts(self) -> NDArray[np.intp]:
-        """Return the number of the first part of each shape, and the number of parts last: (N + 1,) integers."""
+        """Return the index of the first part of each shape, then the number of all parts: (N + 1,) integers."""
         places = np.arange(len(self) + 1)
         return places if self.owner is None else np.searchsorted(self.owner, places)
 
@@ -161,7 +161,7 @@ class Shapes:
 
     @cached_property
     def _unowned_parts(self) -> "Shapes":
-        """Return the batch of parts without the shapes to which they belong."""
+        """Return the parts as a batch in which each part is a shape of its own."""
         made = vars(self)
         return Shapes(self.count, rings=made.get("rings"), groups=made.get("groups"))
 
@@ -217,7 +217,7 @@ def make_group(x: NDArray[np.float64], y: NDArray[np.float64]) -> Group:
 
 
 def upright_box_mask(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Return which columns of four corners are boxes with sides along x and y."""
+    """Return a mask of the columns (four corners each) that are boxes with sides along x and y."""
     level: list[NDArray[np.bool_]] = [
         (c[i] == c[i + 1]) & (c[i - 2] == c[i - 1]) for c, i in ((x, 0), (y, 1), (y, 0), (x, 1))
     ]
@@ -236,12 +236,12 @@ def _bounding_boxes(group: Group) -> NDArray[np.float64]:
 
 
 def _kind_name(v: int) -> str:
-    """Return the name of shapes with `v` corners for an error line."""
+    """Return the name of shapes with `v` corners: "circle" for 1, else "4-gon" and so on."""
     return "circle" if v == 1 else f"{v}-gon"
 
 
 def check_shapes(shapes: object, name: str) -> Shapes:
-    """Return the batch itself; TypeError says how to make a batch of anything else."""
+    """Return `shapes` if it is a batch; else raise TypeError that tells how to make one."""
     if isinstance(shapes, Shapes):
         return shapes
     raise TypeError(f"{name} is a {type(shapes).__name__}: make it with batch.Polygons or batch.Circles first")

@@ -36,7 +36,7 @@ def sort_pairs(blocks: list[Pairs]) -> Pairs:
 
 
 def candidate_blocks(bounds: NDArray[np.float64], grid: Grid) -> Iterator[Pairs]:
-    """Yield the candidate pairs (i < j) a block at a time, each pair once, in no order.
+    """Yield the pairs (i < j) of boxes that share a point, block by block, each pair once, unsorted.
 
     The cell is at least the largest width by the largest height of the boxes compared: then a
     box reaches at most into the next cell, and three rows of three cells hold all it
@@ -70,14 +70,14 @@ def candidate_blocks(bounds: NDArray[np.float64], grid: Grid) -> Iterator[Pairs]
 
 
 def _cell_size_if_even(low: NDArray[np.float64], which: Pairs) -> float:
-    """Return the cell size that gives as many cells as boxes if all were spread as evenly as their middle half."""
+    """Return the cell length on one axis that gives n cells to n boxes as evenly spread as their middle half."""
     some = np.sort(low[which[:: -(-len(which) // SAMPLE_BOXES)]])
     first, last = float(some[len(some) // 4]) / 2, float(some[-1 - len(some) // 4]) / 2
     return min(last - first, sys.float_info.max / 8) * (4 / sqrt(len(which)))
 
 
 def _split_by_size(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[tuple[Pairs, Pairs | None]]:
-    """Return the comparisons between two sets with the boxes split by size; none if all sizes are alike.
+    """Return the pairs of sets left to compare after a split by size, None for within one; [] if all are alike.
 
     They are split half way (by ratio) between the smallest and the largest.
     """

@@ -6,7 +6,7 @@ from concurrent.futures import Executor, Future
 from operator import index
 from typing import Any
 
-from ..engine.polygon_validation import shown
+from ..engine.polygon_validation import short_repr
 
 CHUNK_PAIRS = 1 << 20  # pairs: large enough to hide what a hand-over costs, small enough to hold a few at once
 MAX_WAITING_CHUNKS = 8  # chunks handed over and not yet fetched: what bounds the memory
@@ -32,7 +32,7 @@ def in_chunks(
 ) -> Iterator[tuple[int, int, Any]]:
     """Yield (start, stop, result) for each chunk in order; `job(start, stop)` returns a function and its arguments.
 
-    At most WAITING chunks are under way, so memory does not grow with n.  An
+    At most MAX_WAITING_CHUNKS chunks are under way, so memory does not grow with n.  An
     interrupt or a failed chunk cancels those not yet started.
     """
     ranges = ((start, min(start + size, n)) for start in range(0, n, size))
@@ -62,13 +62,15 @@ def in_chunks(
 def check_executor(executor: object) -> None:
     """Raise TypeError for anything but a concurrent.futures.Executor or None."""
     if executor is not None and not isinstance(executor, Executor):
-        raise TypeError(f"executor is {shown(executor)}: pass a concurrent.futures.Executor, or None for this thread")
+        raise TypeError(
+            f"executor is {short_repr(executor)}: pass a concurrent.futures.Executor, or None for this thread"
+        )
 
 
 def check_progress(progress: object) -> None:
     """Raise TypeError for anything but a function or None."""
     if progress is not None and not callable(progress):
-        raise TypeError(f"progress is {shown(progress)}: pass a function of (done, total), or None")
+        raise TypeError(f"progress is {short_repr(progress)}: pass a function of (done, total), or None")
 
 
 def check_size(name: str, size: object) -> int:
@@ -78,14 +80,14 @@ def check_size(name: str, size: object) -> int:
     except TypeError:
         number = None
     if number is None or isinstance(size, bool):
-        raise TypeError(f"{name} is {shown(size)}: pass a whole number of at least 1")
+        raise TypeError(f"{name} is {short_repr(size)}: pass a whole number of at least 1")
     if number < 1:
-        raise ValueError(f"{name} is {shown(number)}: it must be at least 1")
+        raise ValueError(f"{name} is {short_repr(number)}: it must be at least 1")
     return number
 
 
 def _run_chunk(start: int, stop: int, job: Job) -> Any:
-    """Run one chunk; a failure becomes ChunkFailed, which names the chunk."""
+    """Return the result of one chunk, run in this thread; a failure becomes ChunkFailed, which names the chunk."""
     function, arguments = job(start, stop)
     try:
         return function(*arguments)
@@ -105,6 +107,6 @@ def _pop_result(waiting: Waiting, progress: Callable[[int, int], None] | None, n
 
 
 def _report_progress(progress: Callable[[int, int], None] | None, done: int, total: int) -> None:
-    """Call `progress(done, total)`."""
+    """Call `progress(done, total)` unless `progress` is None."""
     if progress is not None:
         progress(done, total)

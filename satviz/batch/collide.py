@@ -83,7 +83,7 @@ def _stream_strips(
     progress: Callable[[int, int], None] | None,
     strip: int,
 ) -> Iterator[Pairs]:
-    """Yield the pairs strip by strip, after the arguments were checked."""
+    """Yield the colliding pairs of each strip; the arguments are already checked."""
     n = len(vertices)
     low, high = np.empty(n), np.empty(n)
     for start in range(0, max(n, 1), strip):
@@ -106,7 +106,7 @@ def _stream_strips(
 
 
 def _names_from(start: int) -> Callable[[int], str]:
-    """Return a function that names shapes in error lines by their number from `start` on."""
+    """Return a function that maps i to "polygon <start + i>", for error messages."""
     return lambda i: f"polygon {start + i}"
 
 

@@ -57,7 +57,7 @@ class Polygons(Shapes):
 
 
 def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
-    """Return a batch from an array or sequence of shapely polygons."""
+    """Return a batch of the polygons in an array or sequence of shapely polygons; `concave` as in Polygons."""
     validation.check_word("concave", concave, validation.CONCAVE_OPTIONS)
     import shapely
 
@@ -74,10 +74,10 @@ def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
 
 
 def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave: str) -> Shapes:
-    """Return a batch of some polygons of a larger set; error lines call them by these `numbers`."""
+    """Return a batch of polygons; error messages call polygon i `numbers[i]`, or i if `numbers` is None."""
 
     def name(i: int) -> str:
-        """Return how error lines call polygon `i`."""
+        """Return the name of polygon `i` in error messages."""
         return f"polygon {i if numbers is None else numbers[i]}"
 
     if isinstance(vertices, np.ndarray) and vertices.dtype != object:
@@ -90,7 +90,7 @@ def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave
 
 
 def _build_shapes(given: Rings, name: Callable[[int], str], concave: str) -> Shapes:
-    """Return a batch from rings; outlines that are not plainly convex are validated one by one by satviz.Polygon."""
+    """Return a batch of outlines; those not certainly convex go through satviz.Polygon. name(i): for errors."""
     given = Rings(given.x + 0.0, given.y + 0.0, given.start)  # a copy of our own, where -0.0 is 0.0
     rings, plain = convex_rings(given)
     count = np.diff(rings.start)

@@ -28,7 +28,7 @@ MAX_BLOCK_CORNERS = 1 << 19  # side by side at most: what bounds the memory
 
 
 def pairs_per_block(corners: int, at_once: int = MAX_BLOCK_CORNERS) -> int:
-    """Return how many pairs with so many corners are evaluated side by side."""
+    """Return how many pairs to evaluate at a time if each has `corners` corners; this bounds the memory."""
     return max(MIN_BLOCK_PAIRS, at_once // corners)
 
 
@@ -38,7 +38,11 @@ def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
         left = (qx - px) * (ry - py)
         right = (qy - py) * (rx - px)
         det, error_bound = left - right, np.abs(left) + np.abs(right)
-        certified = (np.abs(det) > ERRBOUND_A * error_bound) & (error_bound > TINY) & (error_bound < HUGE)
+        certified = (
+            (np.abs(det) > ERRBOUND_A * error_bound)
+            & (error_bound > MIN_SAFE_PRODUCT)
+            & (error_bound < MAX_SAFE_PRODUCT)
+        )
     found = np.sign(det, where=certified, out=np.zeros_like(det)).astype(np.int8)
     rest = np.flatnonzero(~certified)
     if rest.size:
@@ -47,7 +51,7 @@ def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
 
 
 def _orient_adaptive(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
-    """Return orientations from products with their errors, and by exact sums where these do not decide.
+    """Return the exact orientations of p, q, r: by products with their rounding errors, else by exact sums.
 
     A difference is a + ea with ea at most u a (u = 2**-53), and the same for b, c and d; with S = |ab| + |cd| the turn
     is ab - cd, whose rounded products differ by so little here that their difference is exact, and the errors of both
@@ -121,8 +125,8 @@ def _expand_products(pairs: Products) -> tuple[Array, Array]:
         two_product(a, b, terms[i], terms[k + i])
     sizes = np.abs(terms[k:])
     size = sizes.sum(axis=0)
-    lost = ~(size < HUGE)
-    small = sizes < TINY
+    lost = ~(size < MAX_SAFE_PRODUCT)
+    small = sizes < MIN_SAFE_PRODUCT
     if small.any():
         for look, (a, b) in zip(small, pairs, strict=True):
             lost |= look & (a != 0) & (b != 0)
@@ -131,7 +135,7 @@ def _expand_products(pairs: Products) -> tuple[Array, Array]:
 
 
 def two_product(a: Array, b: Array, error: Array, product: Array) -> None:
-    """Return a * b as the rounded product and its error (Dekker 1971)."""
+    """Write a * b into `product`, rounded, and its rounding error into `error` (Dekker 1971)."""
     np.multiply(a, b, out=product)
     a1, a0 = _split(a)
     b1, b0 = (a1, a0) if b is a else _split(b)
@@ -160,7 +164,7 @@ def two_sum(a: Array, b: Array) -> tuple[Array, Array]:
 
 
 def _vec_sum(terms: Array) -> None:
-    """Replace each column by its rounded sum in the last place and the errors of the additions in the others."""
+    """Replace, in place, the last row by the rounded sum of each column and the other rows by rounding errors."""
     for i in range(1, len(terms)):
         terms[i], terms[i - 1] = two_sum(terms[i], terms[i - 1])
 
@@ -171,7 +175,7 @@ def take_columns(terms: Array, where: NDArray[np.intp]) -> Array:
 
 
 def certified_sign(values: Array, error_bound: Array | float) -> Signs:
-    """Return 1 above the error bound, -1 below its negative, and 0 in between."""
+    """Return 1 where a value is above its error bound, -1 where it is below the negative bound, else 0."""
     return (values > error_bound).view(np.int8) - (values < -error_bound).view(np.int8)
 
 

@@ -27,10 +27,10 @@ Kernel = Callable[..., None]
 
 
 class Engine(NamedTuple):
-    """What does the work on float64: kernels that fill `out` with relations, and leave UNDECIDED what they cannot tell.
+    """Hold the kernels of one engine (NumPy or numba); each fills `out`, with UNDECIDED where floats cannot tell.
 
-    The first four take columns of two groups, from one column on, and `settle` goes on with what of them is
-    undecided; `picked` takes pairs of polygons from anywhere in two batches, `grid` finds the boxes that meet.
+    The first four take columns of two groups, from one column on, and `exact_columns` decides the columns that they
+    leave undecided; `indexed` takes pairs of polygons from anywhere in two batches; `grid` finds boxes that meet.
     """
 
     block: int  # columns at a time
@@ -45,7 +45,7 @@ class Engine(NamedTuple):
 
 
 class Options(TypedDict, total=False):
-    """How the work is done, as `relate` says."""
+    """Name the keyword arguments of `relate`, which `hits` passes on."""
 
     engine: str | None
     executor: Executor | None
@@ -103,7 +103,7 @@ def hits(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, **options: Unpack
 
 
 def check_options(engine: object, executor: object, progress: object, size: object, of: str = "chunk") -> int:
-    """Check engine, executor and progress before any work is done; return the size of a chunk.
+    """Check the options of `relate` before any work is done; return `size`, which errors name `of`, as an int.
 
     TypeError, ValueError and (where numba is not there) ImportError name the argument and say what it takes.
     """
@@ -151,12 +151,12 @@ def load_engine(name: str | None) -> Engine:
 
 
 def _column_kernels_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
-    """Return a backend's kernels for pairs side by side, by the kinds of both shapes."""
+    """Return a backend module's block size and its kernels for polygons, boxes, circles, circle and polygon."""
     return module.BLOCK_PAIRS, module.polygons, module.boxes, module.circles, module.circle_polygons
 
 
 def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
-    """Return the two columns of (K, 2) indices into `na` and `nb` shapes; ValueError, IndexError otherwise."""
+    """Return columns i and j of (K, 2) `pairs`; ValueError for a wrong form, IndexError if not below `na`, `nb`."""
     refuse_masked(pairs, "pairs")
     pairs = np.asarray(pairs)
     if pairs.shape == (0,):  # an empty list
@@ -170,13 +170,13 @@ def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
 
 
 def _take_used(shapes: Shapes, indices: Indices) -> tuple[Shapes, Indices]:
-    """Return only the shapes that a chunk needs, to be sent to another process, and the indices into them."""
+    """Return (the shapes that `indices` name, new indices into them), to send little to another process."""
     used, where = np.unique(indices, return_inverse=True)
     return shapes[used], where
 
 
 def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | None) -> Relations:
-    """Return the relations of pairs start to stop of a[i] with b[i], or of one shape with many."""
+    """Return the relations of pairs start to stop: a[i] with b[i], or one shape with many if a or b has one."""
     kernels = engine_of(engine)
     side_by_side = len(a) == len(b) and max(a.max_corners, b.max_corners) <= kernels.max_corners
     one, other = (a.uniform, b.uniform) if side_by_side else (None, None)
@@ -196,7 +196,7 @@ def _relate_range(a: Shapes, b: Shapes, start: int, stop: int, engine: str | Non
 
 
 def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | None) -> Relations:
-    """Return the relations of the pairs (ia, ib), computed group by group and block by block."""
+    """Return the relations of a[ia[k]] with b[ib[k]], grouped by numbers of corners and block by block."""
     if a.owner is not None or b.owner is not None:
         return _relate_parts(a, ia, b, ib, engine)
     kernels = engine_of(engine)
@@ -228,7 +228,7 @@ BLOCK_PAIRS = 16384  # pairs: their columns are copied first, and where corners 
 
 
 def _relate_parts(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | None) -> Relations:
-    """Return the relations of shapes made of convex parts: the strongest relation of any two parts."""
+    """Return the relations of shapes made of convex parts: the largest relation code of any two parts."""
     out = np.zeros(len(ia), np.int8)
     first_a, first_b = a.starts[ia], b.starts[ib]
     many_b = b.starts[ib + 1] - first_b
@@ -247,7 +247,7 @@ BLOCK_PART_PAIRS = 1 << 18  # pairs of parts at a time: what bounds the memory
 
 
 def _evaluate_block(kernels: Engine, a: Group, b: Group, first: int, out: Relations) -> None:
-    """Fill in the relations of one block of one kind of pair; UNDECIDED where floats cannot decide."""
+    """Fill `out` with the relations of columns of two groups from `first` on; UNDECIDED if floats cannot tell."""
     with np.errstate(all="ignore"):
         if a.upright and b.upright:
             kernels.boxes(a, b, first, out)

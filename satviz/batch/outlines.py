@@ -19,7 +19,7 @@ BLOCK_CORNERS = 1 << 15  # corners at a time: they and the scratch arrays stay i
 
 
 def convex_rings(rings: Rings) -> tuple[Rings, Mask]:
-    """Return the corners of the outlines that are plainly convex, counter-clockwise, and the mask of these outlines.
+    """Return (the outlines found convex, counter-clockwise, without repeated or straight-on corners; their mask).
 
     The others are concave or not simple: satviz.Polygon decides.  The arrays given may be overwritten.
     """
@@ -39,7 +39,7 @@ def convex_rings(rings: Rings) -> tuple[Rings, Mask]:
 
 
 def _convex_in_block(rings: Rings) -> tuple[Rings, Mask]:
-    """Return what `convex_rings` returns, for one block of outlines."""
+    """Return (the convex outlines of one block, their mask), as `convex_rings` does for all blocks."""
     many = np.diff(rings.start) > 2
     ring = rings.select(many)
     fresh = (ring.x != _previous_in_ring(ring.x, ring.start)) | (ring.y != _previous_in_ring(ring.y, ring.start))
@@ -84,13 +84,13 @@ def _next_in_ring(c: NDArray[Value], start: Indices) -> NDArray[Value]:
 
 
 def _leads_right(px: Array, py: Array, qx: Array, qy: Array) -> Mask:
-    """Return whether q lies to the right of p, or straight above it."""
+    """Return a mask: does the step from p to q go to the right, or straight up?"""
     rises: Mask = (qx > px) | ((qx == px) & (qy > py))
     return rises
 
 
 def _reverse_rings(ring: Rings, back: Mask) -> Rings:
-    """Return the rings with those of the mask in reversed order."""
+    """Reverse, in place, the corners of the outlines in the mask `back`; return all outlines."""
     if not back.any():
         return ring
     x, y, start = ring

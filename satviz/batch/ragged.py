@@ -10,18 +10,18 @@ MAX_LANE_CORNERS = 8  # corners: up to so many pairs are looked at in columns or
 
 
 class Rings(NamedTuple):
-    """x, y: (M,) corners in scene units; start: (N + 1,) where each outline starts, and the last one ends."""
+    """Hold N outlines: outline i has the corners start[i] to start[i + 1] of x and y, in scene units."""
 
     x: Array
     y: Array
     start: Indices
 
     def select(self, mask: Mask) -> "Rings":
-        """Return the outlines of a mask."""
+        """Return the outlines where `mask`, one value per outline, is True."""
         return self if mask.all() else self.keep_corners(np.repeat(mask, np.diff(self.start)), mask)
 
     def keep_corners(self, kept: Mask, mask: Mask | None = None) -> "Rings":
-        """Return the outlines of a mask with only the corners that are kept."""
+        """Return the outlines where `mask` is True, with only the corners where `kept` (one per corner) is True."""
         ends = np.concatenate([[0], np.cumsum(kept)])[self.start]
         start = ends if mask is None else np.concatenate([[0], np.cumsum(np.diff(ends)[mask])])
         return Rings(self.x[kept], self.y[kept], start)

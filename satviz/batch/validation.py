@@ -25,11 +25,11 @@ def check_word(name: str, value: object, words: Sequence[str]) -> None:
     """Raise TypeError unless the value is text, ValueError unless it is one of the words."""
     if not isinstance(value, str) or value not in words:
         fault = ValueError if isinstance(value, str) else TypeError
-        raise fault(f"{name} is {polygon_validation.shown(value)}: choose {' or '.join(map(json.dumps, words))}")
+        raise fault(f"{name} is {polygon_validation.short_repr(value)}: choose {' or '.join(map(json.dumps, words))}")
 
 
 def rings_from_array(vertices: NDArray[Any], name: Callable[[int], str]) -> NDArray[np.float64]:
-    """Return the outlines of an (N, V, 2) array in float64; InvalidShape names the first wrong number."""
+    """Return an (N, V, 2) array as float64; InvalidShape names the first wrong number. name(i): of outline i."""
     if vertices.ndim != 3 or vertices.shape[2] != 2 or vertices.shape[1] < 3:
         raise InvalidShape(f"vertices has the shape {vertices.shape}: expected (N, V, 2) with V at least 3")
     return floats(vertices, "vertices", lambda i, j, k: f"{name(i)}: vertex {j}.{'xy'[k]}")
@@ -38,7 +38,7 @@ def rings_from_array(vertices: NDArray[Any], name: Callable[[int], str]) -> NDAr
 def rings_from_offsets(
     vertices: Points, offsets: Any
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
-    """Return the outlines of flat (M, 2) vertices split at offsets; InvalidShape names the first wrong value."""
+    """Return (x, y, start) of (M, 2) vertices split at `offsets`; InvalidShape names the first wrong value."""
     start = np.asarray(offsets)
     if start.ndim != 1 or not start.size or start.dtype.kind not in "iu":
         raise InvalidShape(f"offsets is {start.dtype} of the shape {start.shape}: expected N + 1 integers")
@@ -48,7 +48,7 @@ def rings_from_offsets(
     start = start.astype(np.intp)
 
     def entry(i: int) -> str:
-        """Return how error lines call one number."""
+        """Return the name of one number in error messages."""
         polygon = np.searchsorted(start, i, side="right") - 1
         return f"polygon {polygon}: vertex {i - start[polygon]}"
 
@@ -65,12 +65,12 @@ def rings_from_offsets(
 def rings_from_sequence(
     vertices: Any, name: Callable[[int], str]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
-    """Return the outlines of a sequence of outlines; InvalidShape names the first wrong one."""
+    """Return (x, y, start) of a sequence of outlines; InvalidShape names the first wrong one by name(i)."""
     given = _as_list(vertices, "vertices")
     arrays: list[NDArray[np.float64]] = []
 
     def joined() -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Return the outlines collected so far as one array."""
+        """Return ((M, 2) corners read so far, their start); InvalidShape if a number is not finite."""
         start = np.cumsum([0, *map(len, arrays)])
         flat = np.concatenate([np.empty((0, 2)), *arrays])
         if (bad := np.flatnonzero(~np.isfinite(flat).all(axis=1))).size:
@@ -92,7 +92,7 @@ def rings_from_sequence(
 
 
 def _plain_float_ring(one: Any) -> NDArray[np.float64] | None:
-    """Return an outline of plain floats as an array, perhaps not finite; None where values must be checked singly."""
+    """Return an outline of plain floats as an unchecked (V, 2) array; None if its values need single checks."""
     if type(one) is np.ndarray:
         return one if one.dtype == np.float64 and one.ndim == 2 and one.shape[1] == 2 else None
     if type(one) is not list and type(one) is not tuple:
@@ -106,34 +106,35 @@ def _plain_float_ring(one: Any) -> NDArray[np.float64] | None:
 
 
 def ring(vertices: Any, name: str) -> NDArray[np.float64]:
-    """Return one outline as (V, 2) float64, validated by satviz.Polygon unless it is a plain array."""
+    """Return one outline as (V, 2) float64; InvalidShape, which begins with `name`, says what is wrong."""
     if isinstance(vertices, Polygon):
         return np.array(vertices.vertices)
     try:
         if _is_plain(vertices) and vertices.ndim == 2 and vertices.shape[1] == 2:
             return floats(vertices, "vertices", lambda j, k: f"vertex {j}.{'xy'[k]}")
-        return np.array(polygon_validation.vertices(vertices)).reshape(-1, 2)
+        return np.array(polygon_validation.parse_vertices(vertices)).reshape(-1, 2)
     except InvalidShape as error:
         raise InvalidShape(f"{name}: {error}") from None
 
 
 def points(values: Points, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
-    """Return (N, 2) float64 from an array or a sequence of points; InvalidShape names the first wrong one."""
+    """Return points as (N, 2) float64; InvalidShape names the first wrong one by item(i), the whole by `name`."""
     if not _is_plain(values):
-        return np.array([polygon_validation.point(p, item(i)) for i, p in enumerate(_as_list(values, name))]).reshape(
-            -1, 2
-        )
+        return np.array(
+            [polygon_validation.parse_point(p, item(i)) for i, p in enumerate(_as_list(values, name))]
+        ).reshape(-1, 2)
     if values.ndim != 2 or values.shape[1] != 2:
         raise InvalidShape(f"{name} has the shape {values.shape}: expected (N, 2)")
     return floats(values, name, lambda i, k: f"{item(i)}.{'xy'[k]}")
 
 
 def boxes(values: Points) -> NDArray[np.float64]:
-    """Return (N, 4) float64 from an array or a sequence of boxes; InvalidShape names the first wrong one."""
+    """Return boxes (x min, y min, x max, y max) as (N, 4) float64; InvalidShape names the first wrong one."""
     name = "bounds"
     if not _is_plain(values):
         rows = [
-            polygon_validation.listed(box, f"{name}[{i}]", "4 numbers") for i, box in enumerate(_as_list(values, name))
+            polygon_validation.parse_list(box, f"{name}[{i}]", "4 numbers")
+            for i, box in enumerate(_as_list(values, name))
         ]
         for i, row in enumerate(rows):
             if len(row) != 4:
@@ -144,22 +145,24 @@ def boxes(values: Points) -> NDArray[np.float64]:
     found = floats(values, name, lambda i, k: f"{name}[{i}][{k}]")
     good = (found[:, 0] <= found[:, 2]) & (found[:, 1] <= found[:, 3])
     if (bad := np.flatnonzero(~good)).size:
-        raise InvalidShape(f"{name}[{bad[0]}] is {found[bad[0]].tolist()}: expected x min, y min <= x max, y max")
+        raise InvalidShape(
+            f"{name}[{bad[0]}] is {found[bad[0]].tolist()}: expected (x min, y min, x max, y max), min <= max"
+        )
     return found
 
 
 def _as_list(values: Any, name: str) -> list[Any]:
-    """Return a sequence as a list; InvalidShape says what was expected."""
-    return polygon_validation.listed(values, name, "a sequence")
+    """Return a sequence as a list; InvalidShape, which calls it `name`, for anything else."""
+    return polygon_validation.parse_list(values, name, "a sequence")
 
 
 def numbers(values: Numbers, name: str, one: str, item: Callable[[int], str]) -> NDArray[np.float64]:
-    """Return (N,) float64 from an array or a sequence of numbers, or one number repeated; InvalidShape if wrong."""
+    """Return (N,) float64, or a 0-d array for one number; InvalidShape names a wrong one by item(i), or by `one`."""
     if _is_plain(values):
         return floats(values, name, lambda *i: item(i[0]) if i else one)
     if isinstance(values, Iterable):
-        return np.array([polygon_validation.number(v, item(i)) for i, v in enumerate(_as_list(values, name))])
-    return np.array(polygon_validation.number(values, one))
+        return np.array([polygon_validation.parse_number(v, item(i)) for i, v in enumerate(_as_list(values, name))])
+    return np.array(polygon_validation.parse_number(values, one))
 
 
 def _is_plain(values: Any) -> bool:
@@ -168,11 +171,11 @@ def _is_plain(values: Any) -> bool:
 
 
 def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray[np.float64]:
-    """Return the values in float64; InvalidShape says of the first wrong one what satviz.Polygon would say."""
+    """Return `array` in float64; InvalidShape names the first wrong value by `entry` of its indices."""
     warn_if_flushed()
     polygon_validation.refuse_array(array, name)
     if array.dtype == object:
-        each = [polygon_validation.number(value, entry(*at)) for at, value in np.ndenumerate(array)]
+        each = [polygon_validation.parse_number(value, entry(*at)) for at, value in np.ndenumerate(array)]
         return np.array(each).reshape(array.shape)
     with np.errstate(all="ignore"):
         found = np.asarray(array, np.float64)
@@ -182,5 +185,5 @@ def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray
     elif array.dtype.itemsize > 8:
         doubtful |= found != array
     for at in np.argwhere(doubtful).tolist() if doubtful.any() else ():
-        polygon_validation.number(array[tuple(at)], entry(*at))  # raises for the value at fault
+        polygon_validation.parse_number(array[tuple(at)], entry(*at))  # raises for the value at fault
     return found

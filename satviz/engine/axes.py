@@ -10,8 +10,8 @@ from math import gcd, hypot
 from typing import Any, NamedTuple
 
 from .geometry import Vec, cyclic_pairs
-from .polygon_validation import number, point
-from .predicates import IntPoint, aligned, orient, to_float, to_int_points, to_integers
+from .polygon_validation import parse_number, parse_point
+from .predicates import IntPoint, orient, to_common_unit, to_float, to_int_points, to_integers
 from .shapes import Shape, centroid
 
 __all__ = [
@@ -80,7 +80,7 @@ class Skip(NamedTuple):
 
 
 class Choice(NamedTuple):
-    """Axes in the order in which to test them, the axes left out, and `complete`: does no gap on these prove a hit?"""
+    """The axes to test, in order; those left out; `complete`: whether no gap on these axes proves a hit."""
 
     axes: tuple[Axis, ...]
     skipped: tuple[Skip, ...] = ()
@@ -94,7 +94,7 @@ WORLD_AXES = (Axis(Vec(0.0, 1.0), 1.0, Source(WORLD, None, (1,))), Axis(Vec(1.0,
 
 
 def needed(a: Shape, b: Shape) -> Choice:
-    """Return the smallest complete set of axes for this pair; with a concave polygon, which has none, its edge normals.
+    """Return the smallest complete set of axes for a convex pair; with a concave polygon, all edge normals.
 
     Two circles: the axis through their centers.  Upright boxes: y and x.  Circle and
     polygon: the polygon's edge normals without parallel repeats, and the nearest
@@ -135,7 +135,7 @@ def edge_normals(a: Shape, b: Shape) -> Choice:
 
 
 def hull_normals(a: Shape, b: Shape) -> Choice:
-    """Return the edge normals of both convex hulls, B's first; no gap proves that no line separates the polygons."""
+    """Return the edge normals of both convex hulls, B's first; if none has a gap, no line separates the polygons."""
     axes: list[Axis] = []
     for shape, role in (b, "B"), (a, "A"):
         hull = _hull_corners(shape.core)
@@ -175,14 +175,14 @@ def nearest_vertex(a: Shape, b: Shape) -> Choice:
 
 
 def directions(*vectors: Any) -> Chooser:
-    """Return a choice of the given (x, y) directions, taken exactly as given and never reversed."""
+    """Return a function that chooses the given (x, y) directions for any pair, as they are, never reversed."""
     axes = tuple(given_axis(vector, i) for i, vector in enumerate(vectors))
     return lambda a, b: Choice(axes)
 
 
 def given_axis(vector: Any, index: int) -> Axis:
-    """Return the axis along the direction that was given as number 0, 1, ...; ValueError for (0, 0)."""
-    v = point(vector, f"direction {index}")
+    """Return the axis along `vector`, given by the caller as number `index` (from 0); ValueError for (0, 0)."""
+    v = parse_point(vector, f"direction {index}")
     if v == (0, 0):
         raise ValueError(f"direction {index} is (0, 0): an axis needs a direction")
     k, (x, y) = to_integers(v)
@@ -202,7 +202,7 @@ NAMED: dict[str, Chooser] = {
 
 
 def axes_by_source(a: Shape, b: Shape) -> dict[Source, Axis]:
-    """Return every axis that the choices in this module find for two shapes, by its source."""
+    """Return a dict from source to axis, of all axes that the functions here find for two shapes."""
     choices = [choose(a, b) for choose in (edge_normals, hull_normals, world, centers, nearest_vertex)]
     return {axis.source: axis for c in choices for axis in (*c.axes, *(skip.axis for skip in c.skipped))}
 
@@ -228,12 +228,12 @@ def is_complete(axes: Sequence[Axis], a: Shape, b: Shape) -> bool:
 
 
 def _make_choice(axes: tuple[Axis, ...], a: Shape, b: Shape) -> Choice:
-    """Return the choice of these axes, complete or not."""
+    """Return the Choice that holds these axes, with `complete` computed."""
     return Choice(axes, complete=is_complete(axes, a, b))
 
 
 def validate_choice(choice: Choice, a: Shape, b: Shape) -> Choice:
-    """Return a choice from outside this module, checked and recomputed for this pair; it claims nothing unproven.
+    """Return a caller's choice after checking it; axes and `complete` are recomputed for this pair.
 
     `complete` is computed, whatever the choice says.  The axes may stand in any order; each axis skipped as
     parallel gets the number of the first chosen axis that it is parallel to.
@@ -254,7 +254,7 @@ def validate_choice(choice: Choice, a: Shape, b: Shape) -> Choice:
 
 
 def _require_type(value: Any, kind: type) -> Any:
-    """Return the value if it is of a class of this module, such as Axis; TypeError otherwise."""
+    """Return the value if it is an instance of `kind`, a class of this module; TypeError otherwise."""
     if isinstance(value, kind):
         return value
     raise TypeError(f"a choice of axes holds a {type(value).__name__}: expected a satviz.axes.{kind.__name__}")
@@ -268,25 +268,25 @@ def _require_list(values: Any) -> Sequence[Any]:
 
 
 def _recompute_axis(axis: Axis, known: dict[Source, Axis]) -> Axis:
-    """Return the axis with the numbers that its source gives for these shapes; ValueError if they are not its own."""
+    """Return an axis computed anew from its source; ValueError if these shapes have no axis equal to it."""
     source = axis.source
     ours = known.get(source)
     if source.kind == GIVEN and source.shape is None and len(source.ids) == 1 and _is_index(source.ids[0]):
         ours = given_axis(axis.normal, source.ids[0])
-    if ours is None or not same_axis(axis._replace(length=number(axis.length, "the length of an axis")), ours):
+    if ours is None or not same_axis(axis._replace(length=parse_number(axis.length, "the length of an axis")), ours):
         raise ValueError(f"{source} is not an axis of these shapes: choose the axes for this very pair")
     return ours
 
 
 def _is_index(value: Any) -> bool:
-    """Return whether a value can be the number of a given direction."""
+    """Return whether a value is a whole number that can count the directions given by the caller."""
     return type(value) is int and 0 <= value < 2**53
 
 
 def _number_skips(
     axes: Sequence[Axis], skipped: Sequence[Skip], without_direction: Sequence[Skip], a: Shape, b: Shape
 ) -> Iterator[Skip]:
-    """Yield the skips with the number of the first axis that each is parallel to; ValueError for a false reason."""
+    """Yield the skips, each parallel one with the number of the axis it repeats; ValueError for a false reason."""
     if not skipped:
         return
     corners = {role: {v: i for i, v in enumerate(shape.corner_ids)} for role, shape in (("A", a), ("B", b))}
@@ -301,11 +301,13 @@ def _number_skips(
         elif skip.why == PARALLEL and keys[skip.axis] in first and skip.axis not in not_parallel:
             yield skip._replace(number=first[keys[skip.axis]])
         else:
-            raise ValueError(f"{skip.axis.source} is left out as {skip.why!r}, which it is not")
+            raise ValueError(
+                f"axis {skip.axis.source} is skipped for the reason {skip.why!r}, which is false for these shapes"
+            )
 
 
 def _parallel_key(axis: Axis, a: Shape, b: Shape, corners: dict[str, dict[int, int]]) -> IntPoint:
-    """Return a key that is equal exactly for parallel axes.
+    """Return an integer vector that two axes share exactly if they are parallel.
 
     `corners`: for "A" and "B", the index in the core of each vertex number.
     """
@@ -331,7 +333,7 @@ class ExactDots(NamedTuple):
 
 def exact_dots(a: Shape, b: Shape, axis: Axis) -> ExactDots:
     """Return the exact dot products of both cores with an axis, whose vector is recomputed from its source."""
-    core_a, core_b, radii, k = aligned(a, b)
+    core_a, core_b, radii, k = to_common_unit(a, b)
     kind, role, ids = axis.source
     shape, core, other = (a, core_a, core_b) if role == "A" else (b, core_b, core_a)
     x = y = 0
@@ -360,7 +362,7 @@ def _hull_corners(ring: Sequence[Vec]) -> list[int]:
     order = sorted(range(len(ring)), key=ring.__getitem__)
 
     def chain(ids: Sequence[int]) -> list[int]:
-        """Return the hull on the right of the way through the corners in this order, without its last corner."""
+        """Return the half of the hull on the right of the way through the corners in this order, without its end."""
         kept: list[int] = []
         for i in ids:
             while len(kept) > 1 and orient(ring[kept[-2]], ring[kept[-1]], ring[i]) <= 0:
@@ -377,7 +379,7 @@ def _convex_polygons(a: Shape, b: Shape) -> bool:
 
 
 def _make_axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = False) -> Axis:
-    """Return the axis along an integer vector, not (0, 0), in units of 2**-k; it points right unless `as_given`."""
+    """Return the axis along an integer vector in units of 2**-k; turned to the right unless `as_given`."""
     x, y = normal
     if not as_given and (x, y) < (0, 0):
         x, y = -x, -y
@@ -391,19 +393,19 @@ def _make_axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = Fal
 
 
 def _integer_edge_normal(shape: Shape, role: str, kind: str, i: int, j: int) -> tuple[IntPoint, int, Source]:
-    """The normal of the edge from one corner to another, as `_axis` takes it."""
+    """Return (integer normal, its k, its source) of the edge from corner i to j, for `_make_axis`."""
     k, points, _ = shape.integers
     (px, py), (qx, qy) = points[i], points[j]
     return (qy - py, px - qx), k, Source(kind, role, tuple(sorted((shape.corner_ids[i], shape.corner_ids[j]))))
 
 
 def _keyed_normals(shape: Shape, role: str) -> tuple[tuple[Axis, IntPoint], ...]:
-    """Return the axis of each edge and a key that is equal exactly for parallel edges; cached on the shape."""
+    """Return (axis, key) for each edge normal; keys of parallel edges are equal; cached on the shape."""
     return shape.cached(role, lambda: tuple(_compute_keyed_normals(shape, role)))
 
 
 def _compute_keyed_normals(shape: Shape, role: str) -> Iterator[tuple[Axis, IntPoint]]:
-    """Yield what `_keyed_normals` returns."""
+    """Yield (axis, key) for each edge of a shape, as `_keyed_normals` caches them."""
     n = len(shape.corner_ids)
     for i in range(n):
         normal, k, source = _integer_edge_normal(shape, role, EDGE, i, (i + 1) % n)
@@ -417,17 +419,17 @@ def _direction_key(x: int, y: int) -> IntPoint:
 
 
 def _normals(shape: Shape, role: str) -> tuple[Axis, ...]:
-    """Return the axis of each edge of a shape whose role is "A" or "B"."""
+    """Return the edge normals of a shape as axes; `role`: "A" or "B", the shape's place in the pair."""
     return tuple(axis for axis, _ in _keyed_normals(shape, role))
 
 
 def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis, Skip | None]:
-    """Return the axis from the circle's center to the polygon's nearest vertex, and its Skip or None if it is needed.
+    """Return (axis from the circle's center to the polygon's nearest vertex, its Skip or None if needed).
 
     `number`: the number of each axis already chosen, by its key.
     """
     role, polygon = ("B", b) if a.core_is_point else ("A", a)
-    core_a, core_b, _, k = aligned(a, b)
+    core_a, core_b, _, k = to_common_unit(a, b)
     ring, ((cx, cy),) = (core_b, core_a) if a.core_is_point else (core_a, core_b)
     i = min(range(len(ring)), key=lambda i: (cx - ring[i][0]) ** 2 + (cy - ring[i][1]) ** 2)
     source = Source(VERTEX, role, (polygon.corner_ids[i],))

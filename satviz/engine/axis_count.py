@@ -7,22 +7,22 @@ from .describe import Names
 from .geometry import Relation
 from .relate import relate
 from .sat import axis_tests
-from .shapes import Shape, checked
-from .trace import PLAIN, Trace
+from .shapes import Shape, require_shape
+from .trace import DEFAULT_NAMES, Trace
 
 NUMBER_WORDS = "no", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten", "Eleven", "Twelve"
 
 
-def enough(a: Trace | Shape, b: Shape | None = None, names: Names = PLAIN) -> tuple[int, str]:
-    """Return how many axes decide this pair where it lies, and a sentence that names them.
+def count_axes(a: Trace | Shape, b: Shape | None = None, names: Names = DEFAULT_NAMES) -> tuple[int, str]:
+    """Return (number of axes that decide this pair at its present position, a sentence that names them).
 
     One axis with a gap proves that two shapes are apart, so it is enough.  Where no axis has a gap, a single
     axis proves nothing: all axes of a complete set must be tested.  Concave shapes need one axis for each pair
     of convex parts.  Takes a trace, or two shapes with their names.
     """
     if isinstance(a, Trace):
-        return enough(a.a, a.b, a.names)
-    b = checked(b, "b")
+        return count_axes(a.a, a.b, a.names)
+    b = require_shape(b, "b")
     choice = needed(a, b)
     axes = choice.axes if choice.complete else (*choice.axes, *hull_normals(a, b).axes)
     tests = list(axis_tests(a, b, axes))
@@ -30,7 +30,7 @@ def enough(a: Trace | Shape, b: Shape | None = None, names: Names = PLAIN) -> tu
     if test.separates:
         name = describe.axis_name(test.axis, (a, b), names)
         which = f"the line {name}" if test.source.kind in (CENTERS, VERTEX) else f"the {name.removeprefix('the ')}"
-        gap = number_format.of_tests((a, b), (test,)).number(test.gap)
+        gap = number_format.digits_for_tests((a, b), (test,)).number(test.gap)
         return 1, f"One axis is enough here: {which} leaves a gap of {gap}.{_any_position_sentence(choice.axes, a, b)}"
     if not choice.complete:
         return _count_axes_of_parts(a, b)
@@ -46,7 +46,7 @@ def enough(a: Trace | Shape, b: Shape | None = None, names: Names = PLAIN) -> tu
 
 
 def _any_position_sentence(axes: tuple[Axis, ...], a: Shape, b: Shape) -> str:
-    """Return the sentence on how many axes are enough wherever the shapes are moved, or ""."""
+    """Return a sentence on how many axes are enough in any position; "" for circles or a concave shape."""
     if not (a.is_convex and b.is_convex) or (a.core_is_point and b.core_is_point):
         return ""
     # the axis to the nearest vertex is not tested when it happens to be parallel to an edge's normal
@@ -55,7 +55,7 @@ def _any_position_sentence(axes: tuple[Axis, ...], a: Shape, b: Shape) -> str:
 
 
 def _count_axes_of_parts(a: Shape, b: Shape) -> tuple[int, str]:
-    """Return what `enough` returns, for a pair with a concave polygon."""
+    """Return (number of axes, sentence) as `enough` does, for a pair with a concave polygon."""
     pairs = [(p, q) for p in parts(a) for q in parts(b)]
     if relate(a, b) is Relation.APART:
         none = "No one normal of an edge is enough here"

@@ -44,7 +44,7 @@ class SeparatingLine(NamedTuple):
         """Return the line's equation as text: "x = 5 (parallel to y)", "4x - y = 12.5"."""
         nx, ny = self.normal
         if ny == 0 or nx == 0:
-            at = number_format.of_shapes(self.a, self.b).number(float(self.offset / (nx or ny)))
+            at = number_format.digits_for_shapes(self.a, self.b).number(float(self.offset / (nx or ny)))
             return f"{'y' if nx == 0 else 'x'} = {at} (parallel to {'x' if nx == 0 else 'y'})"
         size = max(abs(nx), abs(ny))
         unit = size if size > 1000 else 1
@@ -56,11 +56,11 @@ class SeparatingLine(NamedTuple):
         )
 
     def __str__(self) -> str:
-        return number_format.plain(f"separating line {self.equation}")
+        return number_format.ascii_minus(f"separating line {self.equation}")
 
 
 def _coefficient_text(factor: Fraction) -> str:
-    """Return a coefficient as it stands before x or y: nothing for 1, a minus sign for -1."""
+    """Return a coefficient as text to be followed by x or y: nothing for 1, only a minus sign for -1."""
     return "" if factor == 1 else MINUS if factor == -1 else number_format.number(float(factor))
 
 
@@ -82,13 +82,13 @@ class SharedPoint(NamedTuple):
         return Vec(float(self.x), float(self.y))
 
     def __str__(self) -> str:
-        return number_format.plain(
-            f"the point {number_format.of_shapes(self.a, self.b).vector(self.point)} lies in both"
+        return number_format.ascii_minus(
+            f"the point {number_format.digits_for_shapes(self.a, self.b).vector(self.point)} lies in both"
         )
 
 
 class PartLines(NamedTuple):
-    """For concave outlines: one separating line for each pair of convex parts, and the parts make up the shapes."""
+    """One separating line for each pair of convex parts: proof that two shapes, one of them concave, are apart."""
 
     a: Shape
     b: Shape
@@ -133,7 +133,10 @@ def separating_line(a: Shape, b: Shape, axis: Axis) -> SeparatingLine:
 
 
 def _radius_on_axis(shape: Shape, k: int, square: int, bits: int) -> Fraction:
-    """Return radius * sqrt(square) in units of 2**-k, rounded up to a multiple of 2**-bits; 0 for a polygon."""
+    """Return radius times normal length, rounded up to 2**-bits; square: the normal's squared length.
+
+    `square` is |normal|**2.
+    """
     own_k, _, r = shape.integers
     return Fraction(ceil_sqrt((r << k - own_k) ** 2 * square << 2 * bits), 1 << bits)
 
@@ -173,14 +176,14 @@ def _shared_point_of_polygons(a: Shape, b: Shape) -> Rational:
 
 
 def _exact_core(shape: Shape) -> list[Rational]:
-    """Return the shape's core in fractions."""
+    """Return the shape's corners (of a circle, the center) as pairs of fractions."""
     return [(Fraction(x), Fraction(y)) for x, y in shape.core]
 
 
 def _clip(
     subject: Sequence[tuple[Number, Number]], clip: Sequence[tuple[Number, Number]]
 ) -> Sequence[tuple[Number, Number]]:
-    """Return the overlap of two convex rings by the clipping of Sutherland and Hodgman; exact in fractions."""
+    """Return the ring of points that two convex rings share (Sutherland and Hodgman); exact in fractions."""
     for p, q in cyclic_pairs(clip):
         if not subject:
             break
@@ -231,5 +234,5 @@ def _side_of_line(shape: Shape, normal: Rational, offset: Fraction) -> int:
 
 
 def _doubled_area(shape: Shape) -> Fraction:
-    """Return twice the area of a shape's core: 0 for a circle, which has no other part than itself."""
+    """Return twice a polygon's area, exactly; 0 for a circle, whose only part is itself."""
     return sum((p[0] * q[1] - p[1] * q[0] for p, q in cyclic_pairs(_exact_core(shape))), Fraction(0))

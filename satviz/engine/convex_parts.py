@@ -1,8 +1,8 @@
-"""parts: a concave polygon as few convex parts that fill it exactly.
+"""parts: split a concave polygon into few convex parts that fill it exactly.
 
-Every coordinate is an integer times one power of two, so all of this is done on
-integers: each side and length is exact, and the straight lines that drawn outlines
-are full of cost no more than other turns.
+Every coordinate is an integer times one power of two, so all of this is done with
+integers: each side and length is exact, and collinear vertices, of which drawn
+outlines have many, cost no more than others.
 """
 
 from fractions import Fraction
@@ -12,25 +12,25 @@ from math import gcd, lcm
 from typing import NamedTuple
 
 from . import triangulation
-from .geometry import Vec
-from .predicates import IntPoint
-from .shapes import Polygon, Shape, checked
+from .geometry import Vec, cyclic_pairs, cyclic_triples
+from .predicates import IntPoint, orient_det
+from .shapes import Polygon, Shape, require_shape
 
-MAX_PARTNERS = 8  # partners tried for each reflex vertex among those after it: a big outline does not try all pairs
-MAX_REFLEX_VERTICES = 100  # reflex vertices of a piece; to cut it takes the square of their number
+MAX_PARTNERS = 8  # later reflex vertices that a reflex vertex is paired with, so that a big outline skips most pairs
+MAX_REFLEX_VERTICES = 100  # of one piece; cutting it takes time proportional to the square of their number
 
-Ring = list[int]  # the vertex numbers of a piece: counter-clockwise, none straight on
+Ring = list[int]  # the vertex numbers of a piece: counter-clockwise, without collinear vertices
 Edge = tuple[int, int]
 
 
 def parts(shape: Shape) -> tuple[Shape, ...]:
-    """Convex parts with disjoint insides that fill the shape exactly; a convex shape is its own only part.
+    """Return convex parts with disjoint interiors that fill the shape exactly; a convex shape is its own only part.
 
-    Their vertices are the polygon's and points where the line of an edge or cut ends
-    on another (label "" if the polygon has labels), never more parts than twice the
-    reflex vertices and one.  Sorted by the lowest vertex number they hold.
+    Their vertices are the polygon's own, and points where the line of an edge or cut ends
+    on another one (label "" if the polygon has labels).  A polygon with r reflex vertices has at most 2 r + 1
+    parts.  They are sorted by their lowest vertex number.
     """
-    return (shape,) if checked(shape, "shape").is_convex else shape.cached("parts", lambda: _split(shape))
+    return (shape,) if require_shape(shape, "shape").is_convex else shape.cached("parts", lambda: _split(shape))
 
 
 def _split(shape: Shape) -> tuple[Polygon, ...]:
@@ -41,7 +41,7 @@ def _split(shape: Shape) -> tuple[Polygon, ...]:
     pieces.cut_one_by_one()
     numbers = {p: i for i, p in reversed(list(enumerate(shape.vertices)))}
     found = []
-    for ring in pieces.merged():
+    for ring in pieces.merge():
         places = [(numbers.get(p, len(shape.vertices)), p) for p in map(pieces.points.__getitem__, ring)]
         start = places.index(min(places))
         found.append(places[start:] + places[:start])
@@ -53,9 +53,9 @@ def _split(shape: Shape) -> tuple[Polygon, ...]:
 
 
 class _LineEnd(NamedTuple):
-    """Where an edge's line ends: on the edge from p to q, or on the vertex q."""
+    """The point where an edge, extended beyond a reflex vertex, meets the ring: inside edge pq, or at vertex q."""
 
-    end: int | None  # None if float64 cannot hold the point, or inside a diagonal of `halve`
+    end: int | None  # its vertex number; None if float64 cannot hold it or it lies on a diagonal of `halve`
     p: int
     q: int
 
@@ -68,20 +68,20 @@ class _Pieces:
         self.numbers = {p: v for v, p in enumerate(self.points)}
         k, at, _ = shape.integers
         common = gcd(*(c for p in at for c in p))
-        self.unit = Fraction(common, 1 << k)  # of the integers in self.at, made as short as they can be
+        self.unit = Fraction(common, 1 << k)  # of the integers in self.at, which have no common factor
         self.at = [(x // common, y // common) for x, y in at]
         self.convex: list[Ring] = []
-        # the diagonals of `halve`, both ways round; no other cut ends inside one, so that it can be taken back
+        # the diagonals of `halve` in both directions; no other cut ends inside one, so that `merge` can remove it
         self.halving: dict[Edge, None] = {}
         ring = list(range(len(at)))
-        # the piece in which a vertex is still reflex: one at most, as all its angles add up to less than 360 degrees
+        # the piece in which a vertex is still reflex: at most one, since all its angles add up to less than 360 degrees
         self.home = {v: ring for i, v in enumerate(ring) if _turn_at(self.at, ring, i) < 0}
 
     def halve(self) -> None:
-        """Cut until no piece has more than MOST reflex vertices; each cut leaves an eighth of them on both sides.
+        """Cut until no piece has over MAX_REFLEX_VERTICES; an eighth of them or more stays on each side.
 
         A cut along the line of an edge is preferred.  Otherwise it is a diagonal of a
-        triangulation, which `merged` takes back if no vertex turned out to need it.
+        triangulation, which `merge` removes again if no vertex needs it.
         """
         todo: list[tuple[Ring, list[Edge]]] = [(next(iter(self.home.values())), [])]
         while todo:
@@ -90,7 +90,7 @@ class _Pieces:
             if sides.total <= MAX_REFLEX_VERTICES:
                 continue
             best = max(diagonals, key=sides.fewer, default=None)
-            # the diagonals that cuts along lines have left may all be near one end of the piece
+            # the diagonals that remain after cuts along lines may all be near one end of the piece
             if best is None or not sides.balanced(best):
                 diagonals = [(ring[i], ring[j]) for i, j in triangulation.diagonals([self.points[v] for v in ring])]
                 best = max(diagonals, key=sides.fewer)
@@ -103,39 +103,38 @@ class _Pieces:
                 todo.append((piece, [d for d in diagonals if d != best and held.issuperset(d)]))
 
     def _balanced_line(self, ring: Ring, ends: Edge, sides: "_ReflexCount") -> Edge | None:
-        """The first balanced cut along the line of an edge at one of two vertices; its end is put on the ring."""
+        """Return a balanced cut that extends an edge at one of the two vertices in `ends`, or None."""
         for v in ends:
-            for hit in self._both_extended(ring, v) if self.home.get(v) is ring else ():
+            for hit in self._extend_both_edges(ring, v) if self.home.get(v) is ring else ():
                 if hit.end is not None and sides.balanced((v, hit.q)):
                     _insert_vertex(ring, hit.end, hit.q)
                     return v, hit.end
         return None
 
     def cut_in_pairs(self) -> None:
-        """Cuts that end two reflex vertices at once: first those along an edge's line, then the shortest."""
+        """Cut between two reflex vertices where neither is reflex afterwards, preferring an edge's line."""
         rings = {id(ring): ring for ring in self.home.values()}
-        for _, _, u, v in sorted(chain.from_iterable(map(self._pairs, rings.values()))):
+        for _, _, u, v in sorted(chain.from_iterable(map(self._pair_cuts, rings.values()))):
             ring = self.home.get(u)
             if ring is not None and ring is self.home.get(v) and self._sees(ring, u, v):
                 self._cut(ring, u, v)
 
-    def _pairs(self, ring: Ring) -> list[tuple[bool, int, int, int]]:
-        """Return the cuts between reflex vertices of a ring that would end both.
+    def _pair_cuts(self, ring: Ring) -> list[tuple[bool, int, int, int]]:
+        """Return the cuts between two reflex vertices of a ring after which neither is reflex any more.
 
-        Each is given as: does it make a new normal, its squared length, its two ends.
+        Each is (whether it makes a new normal, its squared length, its two ends).
         """
         at = self.at
         pairs: list[tuple[bool, int, int, int]] = []
-        around = zip([ring[-1], *ring[:-1]], ring, [*ring[1:], ring[0]], strict=True)
-        bends = [(v, at[a], at[v], at[b]) for a, v, b in around if self.home.get(v) is ring]
+        bends = [(v, at[a], at[v], at[b]) for a, v, b in cyclic_triples(ring) if self.home.get(v) is ring]
         for i, (u, before_u, pu, after_u) in enumerate(bends, 1):
             found = []
             for v, before_v, pv, after_v in bends[i:]:
                 # a cut ends a reflex vertex if it goes to the left of both its edges or along one's line
-                first, second = _turn(before_u, pu, pv), _turn(pu, after_u, pv)
+                first, second = orient_det(before_u, pu, pv), orient_det(pu, after_u, pv)
                 if first < 0 or second < 0:
                     continue
-                third, fourth = _turn(before_v, pv, pu), _turn(pv, after_v, pu)
+                third, fourth = orient_det(before_v, pv, pu), orient_det(pv, after_v, pu)
                 if third >= 0 and fourth >= 0:
                     new_normal = 0 not in (first, second, third, fourth)
                     found.append((new_normal, _squared_distance(pu, pv), u, v))
@@ -143,16 +142,16 @@ class _Pieces:
         return pairs
 
     def cut_one_by_one(self) -> None:
-        """Cuts that end the other reflex vertices, one for each where there is one, else two."""
+        """Cut at each remaining reflex vertex until it is convex: once where enough, else twice."""
         for v in sorted(self.home):
             while v in self.home:
                 self._cut_at(v)
 
-    def merged(self) -> list[Ring]:
-        """The pieces without the cuts that were not needed after all (Hertel and Mehlhorn 1983).
+    def merge(self) -> list[Ring]:
+        """Remove each cut whose removal leaves no reflex vertex (Hertel and Mehlhorn 1983); return the rings.
 
         At most two cuts remain for each reflex vertex, those of `halve` included: if it needed a
-        third, its angles would add up to more than 360 degrees.
+        third one, its angles would add up to more than 360 degrees.
         """
         after: dict[Edge, Edge] = {}
         before: dict[Edge, Edge] = {}
@@ -162,15 +161,14 @@ class _Pieces:
             after[first], before[second] = second, first
 
         for ring in self.convex:
-            edges = list(zip(ring, [*ring[1:], ring[0]], strict=True))
-            for first, second in zip(edges, [*edges[1:], edges[0]], strict=True):
+            for first, second in cyclic_pairs(list(cyclic_pairs(ring))):
                 link(first, second)
         for cut in list(after):
             twin = cut[::-1]
             if cut not in after or twin not in after:
                 continue
             joints = (before[cut], after[twin]), (before[twin], after[cut])
-            turns = [_turn(self.at[p], self.at[v], self.at[q]) for (p, v), (_, q) in joints]
+            turns = [orient_det(self.at[p], self.at[v], self.at[q]) for (p, v), (_, q) in joints]
             if min(turns) < 0:
                 continue
             del after[cut], after[twin]
@@ -192,7 +190,7 @@ class _Pieces:
         return rings
 
     def _cut(self, ring: Ring, u: int, v: int) -> tuple[Ring, Ring]:
-        """Split a ring between two of its vertices; where one then lies straight on, it is left out."""
+        """Cut a ring from vertex u to vertex v; return both pieces, without an end that became collinear."""
         i, j = sorted((ring.index(u), ring.index(v)))
         for end in (u, v):
             if self.home.get(end) is ring:  # it may be reflex still in the piece behind an earlier cut
@@ -209,14 +207,14 @@ class _Pieces:
         return found[0][0], found[1][0]
 
     def _cut_at(self, v: int) -> None:
-        """The shortest of the cuts at the reflex vertex v that are worked out here."""
+        """Cut the piece at its reflex vertex v, by the shortest of a few cuts that are easy to find."""
         ring = self.home[v]
-        hits = ahead, back = self._both_extended(ring, v)
+        hits = ahead, back = self._extend_both_edges(ring, v)
         # A cut along an edge's own line comes first: it gives the parts no new normal, so no new axis to test.
         ends = [hit.end for hit in hits if hit.end is not None]
         if not ends:
-            # The next best ends v too if v sees any vertex between the two lines.  If not, both lines end on one
-            # edge, and these two cuts go to either side of them: one now, and then the other is between the lines.
+            # A cut to a vertex between the two lines ends v too, if v sees one.  If not, both lines end on one
+            # edge, and these two cuts go to either side of them: after the first, the second is between the lines.
             a, b = _neighbours(ring, v)
             ends = [self._first_beside(ring, a, v, ahead, True), self._first_beside(ring, b, v, back, False)]
         end = min(ends, key=lambda w: _squared_distance(self.at[v], self.at[w]))
@@ -225,13 +223,13 @@ class _Pieces:
                 _insert_vertex(ring, end, hit.q)
         self._cut(ring, v, end)
 
-    def _both_extended(self, ring: Ring, v: int) -> tuple[_LineEnd, _LineEnd]:
-        """Where the lines of the two edges at v end."""
+    def _extend_both_edges(self, ring: Ring, v: int) -> tuple[_LineEnd, _LineEnd]:
+        """Return, for each of the two edges at v, where it meets the ring when extended beyond v."""
         a, b = _neighbours(ring, v)
-        return self._extended(ring, a, v), self._extended(ring, b, v)
+        return self._extend_edge(ring, a, v), self._extend_edge(ring, b, v)
 
     def _sees(self, ring: Ring, u: int, v: int) -> bool:
-        """Does the cut from u to v, inside at both its ends, meet the ring nowhere between them?"""
+        """Return whether a cut from u to v, which starts and ends inside the piece, meets the ring nowhere between."""
         at = self.at
         (ux, uy), (vx, vy) = pu, pv = at[u], at[v]
         dx, dy = vx - ux, vy - uy
@@ -244,14 +242,14 @@ class _Pieces:
             if side == 0:
                 if 0 < dx * x + dy * y < square:
                     return False
-            # where the cut leaves the inside, the ring runs from right to left
-            elif before < 0 < side and _turn(p, q, pu) > 0 > _turn(p, q, pv):
+            # where the cut leaves the piece, the ring runs from right to left
+            elif before < 0 < side and orient_det(p, q, pu) > 0 > orient_det(p, q, pv):
                 return False
             p, before = q, side
         return True
 
-    def _extended(self, ring: Ring, a: int, v: int) -> _LineEnd:
-        """Where the edge from a to the reflex vertex v, made longer beyond v, first meets the ring."""
+    def _extend_edge(self, ring: Ring, a: int, v: int) -> _LineEnd:
+        """Return where the edge from a to the reflex vertex v, extended beyond v, first meets the ring."""
         at = self.at
         (ax, ay), (vx, vy) = at[a], at[v]
         dx, dy = vx - ax, vy - ay
@@ -265,7 +263,7 @@ class _Pieces:
             side = dx * qy - dy * qx - on_line
             if side == 0:
                 s, t = dx * (qx - vx) + dy * (qy - vy), dx * dx + dy * dy
-            elif before < 0 < side:  # seen from inside, the ring runs from right to left
+            elif before < 0 < side:  # where the line leaves the piece, the ring runs from right to left
                 s, t = (px - vx) * (qy - py) - (py - vy) * (qx - px), side - before
             else:
                 s = 0
@@ -277,13 +275,13 @@ class _Pieces:
             return _LineEnd(q, p, q)
         if (p, q) in self.halving:
             return _LineEnd(None, p, q)
-        return _LineEnd(self._number(vx + Fraction(num * dx, den), vy + Fraction(num * dy, den)), p, q)
+        return _LineEnd(self._number_point(vx + Fraction(num * dx, den), vy + Fraction(num * dy, den)), p, q)
 
     def _first_beside(self, ring: Ring, a: int, v: int, hit: _LineEnd, left: bool) -> int:
-        """The first vertex that a ray from v meets as it turns left or right from the line of a and v.
+        """Return the vertex that a ray from v first meets, turning left or right from the line through a, v.
 
-        That line is clear up to the edge it hits, so it is the one at the smallest
-        angle among the vertices before that edge, the nearest if there are several.
+        Nothing is on that line up to the edge that it hits.  So it is the vertex at the smallest
+        angle among those before that edge, and of several the nearest.
         """
         at = self.at
         pv, pp, pq = at[v], at[hit.p], at[hit.q]
@@ -293,14 +291,14 @@ class _Pieces:
         for w in ring:
             x, y = pw = at[w]
             if dx * y - dy * x > on_line:
-                turn = way * _turn(pv, at[best], pw)
+                turn = way * orient_det(pv, at[best], pw)
                 nearer = turn < 0 or (turn == 0 and _squared_distance(pv, pw) < _squared_distance(pv, at[best]))
-                if nearer and _turn(pp, pq, pw) > 0:
+                if nearer and orient_det(pp, pq, pw) > 0:
                     best = w
         return best
 
-    def _number(self, x: Fraction, y: Fraction) -> int | None:
-        """The number of a point given in units, a new one if need be; None if float64 cannot hold it."""
+    def _number_point(self, x: Fraction, y: Fraction) -> int | None:
+        """Return the vertex number of a point given in units, a new one if needed; None if float64 cannot hold it."""
         point = Vec(float(x * self.unit), float(y * self.unit))
         if point.x != x * self.unit or point.y != y * self.unit:
             return None
@@ -308,7 +306,7 @@ class _Pieces:
             self.numbers[point] = len(self.points)
             self.points.append(point)
             finer = lcm(x.denominator, y.denominator)
-            if finer > 1:  # some two thousand times at most, the bits from 2**1024 down to 2**-1074
+            if finer > 1:  # at most some 2,100 times: the bits from 2**1024 down to 2**-1074
                 self.unit /= finer
                 self.at = [(px * finer, py * finer) for px, py in self.at]
             self.at.append((int(x * finer), int(y * finer)))
@@ -316,7 +314,7 @@ class _Pieces:
 
 
 class _ReflexCount:
-    """How many reflex vertices lie on either side of a cut through a ring."""
+    """Counts the reflex vertices on either side of a cut through a ring."""
 
     def __init__(self, ring: Ring, reflex: list[bool]) -> None:
         self.place = {v: i for i, v in enumerate(ring)}
@@ -324,12 +322,12 @@ class _ReflexCount:
         self.total = self.sums[-1]
 
     def fewer(self, cut: Edge) -> int:
-        """Those on the side that has fewer, without the ends."""
+        """Return the smaller number of reflex vertices on one side of the cut, not counting its ends."""
         i, j = sorted(map(self.place.__getitem__, cut))
         return min(self.sums[j] - self.sums[i + 1], self.total - self.sums[j + 1] + self.sums[i])
 
     def balanced(self, cut: Edge) -> bool:
-        """Has either side an eighth of all?"""
+        """Return whether each side of the cut has at least an eighth of the ring's reflex vertices."""
         return 8 * self.fewer(cut) >= self.total
 
 
@@ -340,27 +338,22 @@ def _neighbours(ring: Ring, v: int) -> Edge:
 
 
 def _insert_vertex(ring: Ring, v: int, before: int) -> None:
-    """Insert a vertex that is not on the ring yet."""
+    """Insert vertex v into the ring before another one, unless it is that vertex itself."""
     if v != before:
         ring.insert(ring.index(before), v)
 
 
-def _turn(p: IntPoint, q: IntPoint, r: IntPoint) -> int:
-    """Positive when the way from p over q to r turns left, 0 when it is straight."""
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
-
-
 def _squared_distance(p: IntPoint, q: IntPoint) -> int:
-    """The squared distance."""
+    """Return the squared distance of two points."""
     return (q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2
 
 
 def _turn_at(at: list[IntPoint], ring: Ring, i: int) -> int:
-    """The turn at the ring's i-th vertex: negative when it is reflex."""
-    return _turn(at[ring[i - 1]], at[ring[i]], at[ring[(i + 1) % len(ring)]])
+    """Return the orientation determinant at the ring's i-th vertex: negative when it is reflex; `at`: all points."""
+    return orient_det(at[ring[i - 1]], at[ring[i]], at[ring[(i + 1) % len(ring)]])
 
 
 def named_parts(shape: Shape, name: str) -> list[tuple[Shape, str]]:
-    """The convex parts with their names: B1, B2, ... for a concave B, else just B."""
+    """Return the convex parts with their names: B1, B2, ... for a concave B, else just B."""
     found = parts(shape)
     return [(p, f"{name}{i}" if len(found) > 1 else name) for i, p in enumerate(found, 1)]

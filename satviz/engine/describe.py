@@ -1,4 +1,4 @@
-"""A trace in words: names of vertices and axes, the sentences of tests and results, the plain-text table."""
+"""A trace in words: names of vertices and axes, and the sentences of shapes, stages, tests and results."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from .axes import (
 from .convex_parts import named_parts
 from .geometry import Relation, Vec
 from .mtv import why_too_many_parts
-from .number_format import MINUS, Digits, of_shapes, of_tests, plain, vector
+from .number_format import MINUS, Digits, digits_for_shapes, digits_for_tests, vector
 from .sat import AxisTest
 from .shapes import Shape
 from .shortcut import Shortcut
@@ -78,10 +78,7 @@ class _Trace(Protocol):
     def sentence(self) -> str: ...
 
 
-MAX_TABLE_PAIRS = 20  # of parts, in a table that can be read
-
-
-_JOINERS = "\u200c\u200d\u200e\u200f"  # Persian, emoji and Hebrew are written with them
+_JOINERS = "\u200c\u200d\u200e\u200f"  # invisible characters that Persian, emoji and Hebrew need
 
 
 def printable(text: str) -> str:
@@ -125,7 +122,7 @@ def short_axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> st
 
 
 def edge_name(ends: list[str]) -> str:
-    """Return an edge's name from the names of its ends: "v1v3" for a letter and a number each, else "x to y"."""
+    """Return an edge's name made of its ends' names: "v1v3" for a letter and number each, else "x to y"."""
     return "".join(ends) if all(re.fullmatch(r"[^\W\d]\d{1,2}", end) for end in ends) else " to ".join(ends)
 
 
@@ -137,37 +134,37 @@ _WHY = {
 
 
 def reason(why: str, number: int | None) -> str:
-    """Return why an axis was not tested, from the fields of its Skip."""
+    """Return in words why an axis was not tested; `why`, `number`: the fields of its Skip."""
     return _WHY[why].format(number)
 
 
 def digits(trace: _Trace, *tests: AxisTest) -> Digits:
-    """Return the number format of a picture or sentence about these tests; without tests, for lengths and points."""
-    return of_tests((trace.a, trace.b), tests)
+    """Return the number format that suits these tests of a trace; without tests, one for lengths and points."""
+    return digits_for_tests((trace.a, trace.b), tests)
 
 
 def outcome(t: AxisTest, numbers: Digits) -> str:
-    """Return what one test says about its two ranges, and nothing else: "gap +1.2", "overlap 3"."""
+    """Return in words how the two ranges of a test lie: "gap +1.2", "touching, gap 0", "overlap 3"."""
     if t.gap >= 0:
         return f"gap {numbers.signed(t.gap)}" if t.gap else "touching, gap 0"
     a, b = t.a.interval, t.b.interval
-    shared, way_out = min(a.hi, b.hi) - max(a.lo, b.lo), numbers.gap(t.gap)
-    if shared < 0:  # ranges apart, and yet a negative gap: a shortcut reads them the wrong way round
+    shared, depth = min(a.hi, b.hi) - max(a.lo, b.lo), numbers.gap(t.gap)
+    if shared < 0:  # a negative gap of ranges that are apart: a shortcut confuses the two
         return f"gap {numbers.signed(t.gap)}"
-    # where one range holds the other, getting out takes more than what they share
+    # where one range contains the other, the depth is more than the length that they share
     if -t.gap > 1.001 * shared and not numbers.fine:
-        return f"overlap {numbers.gap(shared)}, way out {way_out}"
-    return f"overlap {way_out}"
+        return f"overlap {numbers.gap(shared)}, way out {depth}"
+    return f"overlap {depth}"
 
 
-def shared(t: AxisTest, numbers: Digits) -> str:
-    """Return the outcome of a test for a picture, with the shared part as an interval."""
+def picture_outcome(t: AxisTest, numbers: Digits) -> str:
+    """Return what `outcome` says, but of ranges that overlap also the interval that they share."""
     a, b = t.a.interval, t.b.interval
     lo, hi = max(a.lo, b.lo), min(a.hi, b.hi)
     if t.gap >= 0 or numbers.fine or numbers.origin or lo >= hi:
         return outcome(t, numbers)
-    way_out = f"; way out {numbers.gap(t.gap)}" if -t.gap > 1.001 * (hi - lo) else ""
-    return f"overlap {numbers.interval(lo, hi)}\n{numbers.gap(hi - lo)} long{way_out}"
+    depth = f"; way out {numbers.gap(t.gap)}" if -t.gap > 1.001 * (hi - lo) else ""
+    return f"overlap {numbers.interval(lo, hi)}\n{numbers.gap(hi - lo)} long{depth}"
 
 
 def conclusion(trace: _Trace, i: int) -> str:
@@ -185,8 +182,8 @@ def conclusion(trace: _Trace, i: int) -> str:
     return f"{found} on this axis too: no gap on any, so {who} {collide}."
 
 
-def claimed(trace: _Trace) -> str:
-    """Return what the tested axes say beside the truth, for a claim that is wrong."""
+def claim_and_truth(trace: _Trace) -> str:
+    """Return two short sentences for a wrong claim: what the tested axes say, and the truth."""
     who = "AABB says" if {t.source.kind for t in trace.tests} == {WORLD} else "These axes say"
     return f"{who}: {'hit' if trace.claim else 'apart'}. Truth: {'hit' if trace.hit else 'apart'}."
 
@@ -212,7 +209,7 @@ def test(trace: _Trace, i: int) -> str:
 
 
 def verdict(trace: _Trace, move: Vec | None) -> str:
-    """Return the whole run in one sentence that says no more than was proved; `move` is the MTV of an overlap."""
+    """Return a sentence on the result of the whole run and what proves it; `move`: the MTV of an overlap."""
     if trace.shortcut:
         return _shortcut_verdict(trace)
     if trace.pairs:
@@ -237,30 +234,30 @@ def verdict(trace: _Trace, move: Vec | None) -> str:
     return f"{a} and {b} overlap: {count}. {_mtv_sentence(trace, move)}"
 
 
-ARE = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
+RELATION_PHRASES = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
 
 
 def _shortcut_verdict(trace: _Trace) -> str:
-    """Return what a shortcut claims, because of which axis, and what is true."""
+    """Return a sentence on what a shortcut claims, the axis that made it do so, and what is true."""
     assert trace.shortcut
     a, b = trace.names
-    says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {ARE[trace.claim]}"
+    says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {RELATION_PHRASES[trace.claim]}"
     if trace.ended_by:
         i = trace.tests.index(trace.ended_by)
         name = axis_name(trace.ended_by.axis, (trace.a, trace.b), trace.names)
         says += f": {outcome(trace.ended_by, digits(trace, trace.ended_by))} on axis {i + 1} ({name})"
     elif trace.tests:
         says += f": no gap on {_any_of_axes(len(trace.tests))}"
-    is_so = ARE[trace.relation]
+    is_so = RELATION_PHRASES[trace.relation]
     if trace.missed_hit or trace.false_hit:
         return f"{says}. In truth they {is_so}: a {'missed' if trace.missed_hit else 'false'} hit."
     return f"{says}, and so it is." if trace.claim is trace.relation else f"{says}. In truth they {is_so}."
 
 
 def _mtv_sentence(trace: _Trace, move: Vec | None) -> str:
-    """Return the sentence on the move that ends an overlap, or why there is none."""
+    """Return a sentence that names the MTV `move`, or says why it is None."""
     if move is None and why_too_many_parts(trace.a, trace.b):
-        return "They have too many parts to look for the shortest way out."
+        return "They have too many convex parts to search for the MTV."
     if move is None:
         return "No move that float64 can hold parts them."
     return f"Moving {trace.names.b} by {digits(trace).vector(move)} leaves them just touching."
@@ -272,7 +269,7 @@ def _any_of_axes(n: int) -> str:
 
 
 def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
-    """Return the sentence of a run over pairs of convex parts."""
+    """Return a sentence on the result of a run over pairs of convex parts; `move`: the MTV of an overlap."""
     a, b = trace.names
     settling = trace.colliding
     if not settling:
@@ -283,79 +280,13 @@ def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
     return f"{a} and {b} overlap: their parts {p} and {q} do. {_mtv_sentence(trace, move)}"
 
 
-def table(trace: _Trace, width: int | None = None) -> str:
-    """Return the trace as plain text: one row per test, then the axes that were not tested, then the sentence.
-
-    `width`: letters a line may have; where the columns need more, a test takes several lines.
-    """
-    if not trace.pairs:
-        blocks = [f"{_rows(trace, width)}\n{_wrap([trace.sentence], width, '')}"]
-    else:
-        hit = trace.colliding
-        shown = [pair for i, pair in enumerate(trace.pairs) if i < MAX_TABLE_PAIRS or pair is hit]
-        blocks = [f"{pair.names.a} against {pair.names.b}\n{table(pair, width)}" for pair in shown]
-        if left := len(trace.pairs) - len(shown):
-            blocks.append(f"(and {left:,} more pairs of parts)")
-        blocks.append(_wrap([trace.sentence], width, ""))
-    return plain("\n\n".join(blocks))  # a terminal may know no more than ASCII
-
-
-def _rows(trace: _Trace, width: int | None) -> str:
-    """Return the rows of the tests and of the untested axes as text."""
-    shapes = trace.a, trace.b
-    rows = [("axis", "direction", trace.names.a, trace.names.b, "gap", "")]
-    for i, t in enumerate(trace.tests, 1):
-        name = axis_name(t.axis, shapes, trace.names)
-        ends = trace.shortcut.separates(t) if trace.shortcut else t.separates
-        what = "separates" if ends else "touches" if t.gap == 0 else "overlaps"
-        numbers = digits(trace, t)
-        cells = vector(t.axis.direction), *numbers.ranges(t), numbers.signed(t.gap), what
-        rows.append((f"{i} {name}", *cells))
-    widths = [max(len(row[i]) for row in rows) for i in range(6)]
-    sides = "<<<<><"  # the gaps are set to the right
-    lines = ["  ".join(f"{cell:{side}{w}}" for cell, side, w in zip(row, sides, widths)).rstrip() for row in rows]
-    if width is not None and max(map(len, lines)) > width:
-        heads = "", *rows[0][1:-1]
-        blocks = [[*(f"{head} {cell}".lstrip() for head, cell in zip(heads, row)), row[-1]] for row in rows[1:]]
-        lines = [_wrap(block, width, "  ") for block in blocks]
-    for place, name, why in untested(trace):
-        lines.append(_wrap([f"- {place}{' ' if place else ''}{name}: {why}"], width, "  "))
-    return "\n".join(lines)
-
-
-def untested(trace: _Trace) -> list[tuple[str, str, str]]:
-    """Return the rows (number, name, reason) of the untested axes; those parallel to one axis share a row."""
-    places = {axis: f"{i}" for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
-    found: dict[tuple[str, str], list[str]] = {}
-    for s in sorted(trace.skipped, key=lambda s: s.axis not in places):  # those with a number first
-        row = places.get(s.axis, ""), reason(s.why, s.number)
-        found.setdefault(row, []).append(axis_name(s.axis, (trace.a, trace.b), trace.names))
-    return [(p, f"{name} and {len(more)} more" if more else name, why) for (p, why), (name, *more) in found.items()]
-
-
-def _wrap(pieces: Sequence[str], width: int | None, indent: str) -> str:
-    """The pieces in a line, or in several of at most `width` letters: broken between pieces, within one at a space."""
-    line, lines = "", []
-    for piece in pieces:
-        joined = f"{line}  {piece}" if line.strip() else f"{line}{piece}"
-        if width is not None and len(joined) > width and line.strip():
-            lines.append(line)
-            joined = f"{indent}{piece}"
-        while width is not None and len(joined) > width and " " in joined[len(indent) : width + 1].rstrip():
-            at = joined.rindex(" ", len(indent), width + 1)
-            lines.append(joined[:at])
-            joined = f"{indent}{joined[at + 1 :]}"
-        line = joined
-    return "\n".join([*lines, line])
-
-
 def scene(trace: _Trace) -> str:
     """Return the sentence that says what is given and asks whether the shapes collide."""
-    return f"{both(trace)} Do they collide?"
+    return f"{shapes_sentence(trace)} Do they collide?"
 
 
-def both(trace: _Trace) -> str:
-    """Return the sentence that says what the two shapes are."""
+def shapes_sentence(trace: _Trace) -> str:
+    """Return the sentence that names the kind of each shape: "A is a triangle, B is a circle ..."."""
     kinds = [shape_in_words(shape, "").split("is ", 1)[1] for shape in (trace.a, trace.b)]
     if kinds[0] == kinds[1] and not trace.a.core_is_point:
         return f"{trace.names.a} and {trace.names.b} are {plural(kinds[0])}."
@@ -371,14 +302,14 @@ def plural(kind: str) -> str:
 
 
 def parts(trace: _Trace) -> str:
-    """Return the sentence on how concave outlines are split."""
+    """Return a sentence that names the convex parts into which each concave shape of the trace is split."""
     names = [[name for _, name in named_parts(s, n)] for s, n in zip((trace.a, trace.b), trace.names)]
-    split = [f"{n} is split into {listed(ps)}" for ps, n in zip(names, trace.names) if len(ps) > 1]
+    split = [f"{n} is split into {join_words(ps)}" for ps, n in zip(names, trace.names) if len(ps) > 1]
     return f"{' and '.join(split)}: the shapes collide only if two of their convex parts do."
 
 
 def stage(trace: _Trace, i: int, name: str, first: str) -> str:
-    """Return the sentence of one drawing stage of test `i`; `first` is the role whose points are dropped first."""
+    """Return the sentence for the drawing stage `name` of test `i`; `first`: "A" or "B", whose points drop first."""
     t = trace.tests[i]
     shapes = trace.a, trace.b
     at = "AB".index(first)
@@ -408,7 +339,7 @@ def stage(trace: _Trace, i: int, name: str, first: str) -> str:
 
 
 def _origin(trace: _Trace, axis: Axis) -> str:
-    """Return the edge or line that an axis comes from, with its vector."""
+    """Return in words the edge, with its vector, or the line that an axis was made from."""
     kind, role, ids = axis.source
     if kind == CENTERS:
         return f"The line through the centers of {trace.names.a} and {trace.names.b}"
@@ -448,11 +379,11 @@ def outward_normal(trace: _Trace, axis: Axis) -> str:
 
 
 def edge_vector(trace: _Trace, ends: Sequence[str], p: Vec, q: Vec) -> str:
-    """Return an edge as the difference of its ends: "v1 - v2 = (-3, 2)"."""
+    """Return an edge as its ends' difference in text, from p and q with their names: "v1 - v2 = (-3, 2)"."""
     return f"{ends[0]} {MINUS} {ends[1]} = {digits(trace).vector(Vec(p.x - q.x, p.y - q.y))}"
 
 
-def listed(words: list[str]) -> str:
+def join_words(words: list[str]) -> str:
     """Return words as a list in a sentence: "x, y and z"."""
     if len(words) == 1:
         return words[0]
@@ -462,7 +393,7 @@ def listed(words: list[str]) -> str:
 def shape_in_words(shape: Shape, name: str, numbers: Digits | None = None) -> str:
     """Return what a shape is: "A is a triangle", "B is a circle of radius 1 around (2, 2)"."""
     if shape.core_is_point:
-        numbers = numbers or of_shapes(shape)
+        numbers = numbers or digits_for_shapes(shape)
         return f"{name} is a circle of radius {numbers.number(shape.radius)} around {numbers.vector(shape.core[0])}"
     n = len(shape.core)
     kind = {3: "triangle", 4: "quadrilateral"}.get(n, f"polygon with {n} corners")

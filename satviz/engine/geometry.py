@@ -53,6 +53,11 @@ def cyclic_pairs(ring: Sequence[T]) -> Iterator[tuple[T, T]]:
     return zip(ring, [*ring[1:], *ring[:1]], strict=True)
 
 
+def cyclic_triples(ring: Sequence[T]) -> Iterator[tuple[T, T, T]]:
+    """Yield each item between its two neighbours: (previous, item, next)."""
+    return zip([*ring[-1:], *ring[:-1]], ring, [*ring[1:], *ring[:1]], strict=True)
+
+
 def nearest_fraction(px: Any, py: Any, dx: Any, dy: Any) -> Any:
     """Return the t from 0 to 1 for which p + t d is nearest to the origin; in floats or fractions, 0 if d is (0, 0)."""
     square = dx * dx + dy * dy

@@ -11,7 +11,7 @@ _PROVIDERS: dict[str, str] = {}
 
 
 def provide(**providers: str) -> None:
-    """Name the function behind each hook, as "module:function"; it is imported at the first call."""
+    """Register, for each hook, the function that it calls, as "module:function", imported at the first call."""
     _PROVIDERS.update(providers)
 
 

@@ -48,7 +48,7 @@ def mtv_along_axis(a: Shape, b: Shape, test: AxisTest) -> Vec | None:
 
 
 def _round_away_from_zero(value: Fraction) -> float:
-    """Return the float64 next to a fraction that is not nearer to 0; inf if there is none."""
+    """Return a fraction rounded to float64, away from 0; inf if it is beyond float64."""
     try:
         rounded = float(value)
     except OverflowError:
@@ -144,7 +144,7 @@ class _ShortestFreeMove:
         self.move: Vec | None = None
 
     def try_all(self, candidates: Iterable[Candidate]) -> None:
-        """Keep the shortest candidate that ends the overlap exactly, lengthened by a few roundings if needed."""
+        """Find the shortest candidate that ends the overlap, nudged if needed; store it in `move`."""
         for length, move, out in sorted((c for c in candidates if c.length < self.length), key=lambda c: c.length):
             if self._any_region(partial(self._certainly_forbids, move=move)):
                 continue
@@ -155,11 +155,11 @@ class _ShortestFreeMove:
                     return
 
     def is_buried(self, border: Border) -> bool:
-        """Return whether a piece is certainly inside one region, which is where its hull is."""
+        """Return whether a piece of border lies certainly inside one region, so it cannot matter."""
         return self._any_region(lambda region: all(self._certainly_forbids(region, c) for c in border.hull))
 
     def _any_region(self, forbids: Callable[[Region], bool]) -> bool:
-        """Return whether any region forbids; it moves to the front, as the likeliest to forbid the next move."""
+        """Return whether `forbids` holds for any region; move that region to the front."""
         for i, region in enumerate(self.regions):
             if forbids(region):
                 self.regions.insert(0, self.regions.pop(i))
@@ -167,7 +167,7 @@ class _ShortestFreeMove:
         return False
 
     def _certainly_forbids(self, region: Region, move: complex) -> bool:
-        """Return whether a move is inside a region by more than its error bound."""
+        """Return whether a move lies inside a region by more than its error bound."""
         x, y, radius = move.real, move.imag, self.radius
         beyond = -inf if region.sides else inf
         for nx, ny, offset in region.sides:
@@ -197,7 +197,7 @@ def _parts_overlap(region: Region, move: Vec) -> bool:
 
 
 def _make_region(p: Shape, q: Shape, size: int, radius: float) -> Region:
-    """Return the region of moves that make convex part q overlap p; radius is the sum of both radii in its units."""
+    """Return the moves for which convex q overlaps p, as a Region; `radius`: the sum of their radii."""
     core_p, core_q = ([complex(ldexp(x, -size), ldexp(y, -size)) for x, y in s.core] for s in (p, q))
     ring = _minkowski_sum(core_p, [-v for v in core_q])
     # a ring that float64 collapsed to fewer than 3 points at this size has no inside
@@ -227,7 +227,7 @@ def _cross(u: complex, v: complex) -> float:
 
 
 def _borders(ring: list[complex], radius: float) -> Iterator[Border]:
-    """Yield the border of a widened ring: each side moved out by the radius, and an arc around each corner."""
+    """Yield the border of a ring widened by the radius: each side moved outwards, an arc round each corner."""
     sides = [(p, q, -1j * (q - p) / abs(q - p)) for p, q in cyclic_pairs(ring) if p != q]
     for (p, q, normal), (_, _, after) in cyclic_pairs(sides):
         start, end = p + normal * radius, q + normal * radius
@@ -247,7 +247,7 @@ def _nearest_to_origin(p: complex, q: complex) -> complex:
 
 
 def _nearest_candidates(border: Border, radius: float) -> Iterator[Candidate]:
-    """Yield the move to a piece of border that is nearest to the origin; none for an arc around the origin."""
+    """Yield the shortest move that reaches a piece of border; none for an arc round the origin."""
     if border.normal:
         foot = _nearest_to_origin(border.p, border.q)
         yield Candidate(abs(foot), foot, border.normal)
@@ -258,7 +258,7 @@ def _nearest_candidates(border: Border, radius: float) -> Iterator[Candidate]:
 
 
 def _crossing_candidates(one: Border, other: Border, radius: float) -> Iterator[Candidate]:
-    """Yield the moves to the points where two pieces of border cross."""
+    """Yield the moves to the points where two pieces of border cross, as candidates."""
     if not one.normal:
         one, other = other, one
     for move in _line_points(one, other, radius) if one.normal else _circle_points(one.center, other.center, radius):
@@ -268,7 +268,7 @@ def _crossing_candidates(one: Border, other: Border, radius: float) -> Iterator[
 
 
 def _line_points(one: Border, other: Border, radius: float) -> Iterator[complex]:
-    """Yield where a segment's line meets the line of another segment, or the circle of an arc."""
+    """Yield the points where the line of segment `one` meets the line, or the circle, of `other`."""
     along = 1j * one.normal  # below, real parts run along the first segment
     if other.normal:
         p, q = ((end - one.p) * along.conjugate() for end in (other.p, other.q))
@@ -282,7 +282,7 @@ def _line_points(one: Border, other: Border, radius: float) -> Iterator[complex]
 
 
 def _circle_points(c: complex, d: complex, radius: float) -> Iterator[complex]:
-    """Yield where two circles of one radius meet."""
+    """Yield the points where the circles of this radius round the centers c and d cross."""
     half = (d - c) / 2
     if 0 < abs(half) <= radius:
         aside = 1j * half / abs(half) * (radius * radius - abs(half) ** 2) ** 0.5

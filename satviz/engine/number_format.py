@@ -30,7 +30,7 @@ class Digits(NamedTuple):
 
     @property
     def unit(self) -> str:
-        """Return what is printed behind a number, such as "e9"; "" where no power of ten is needed."""
+        """Return the text that follows each number, such as "e9"; "" where the unit is 1."""
         return f"e{self.power}".replace("-", MINUS) if self.power else ""
 
     def number(self, value: float) -> str:
@@ -39,7 +39,7 @@ class Digits(NamedTuple):
         return _scientific(value) if "e" in text else f"{text}{self.unit}" if value else text
 
     def gap(self, value: float) -> str:
-        """Return the size of a gap as text, with at least three significant digits."""
+        """Return the size of a gap as text without its sign, with at least three significant digits."""
         digits = self._for(value)
         return digits.number(abs(value)) if digits.shows(value) else _scientific(abs(value))
 
@@ -48,7 +48,7 @@ class Digits(NamedTuple):
         return f"{'+' if value > 0 else MINUS if value else ''}{self.gap(value)}"
 
     def vector(self, value: Vec) -> str:
-        """Return a single vector as text: "(x, y)"."""
+        """Return a vector as text: "(x, y)"."""
         return f"({self.number(value.x)}, {self.number(value.y)})"
 
     def landing(self, value: float) -> str:
@@ -56,7 +56,7 @@ class Digits(NamedTuple):
         return self._from_origin(self._rest(value)) if self.origin else self.number(value)
 
     def ranges(self, test: AxisTest) -> tuple[str, str]:
-        """Return both ranges of a test as text; the printed ends that face each other differ by the printed gap."""
+        """Return both ranges of a test as text; the difference of their facing ends is the printed gap."""
         a, b = test.a.interval, test.b.interval
         left, right = (a, b) if b.lo - a.hi >= a.lo - b.hi else (b, a)
         end, start = self._rest(left.hi), self._rest(right.lo)
@@ -75,23 +75,23 @@ class Digits(NamedTuple):
         return self._from_origin(f"[{self._rest(lo)}, {self._rest(hi)}]")
 
     def _for(self, gap: float) -> "Digits":
-        """Return a format with enough decimals for three digits of this gap."""
+        """Return this format, with enough decimals to show three significant digits of the gap."""
         decimals = _needed_decimals(abs(gap) / 10.0**self.power, 3)
         return self._replace(decimals=decimals) if self.decimals < decimals <= MAX_NARROW_DECIMALS else self
 
     def shows(self, gap: float) -> bool:
-        """Return whether the decimals are enough for three digits of a gap."""
+        """Return whether this format's decimals show three significant digits of the gap."""
         return _needed_decimals(abs(gap) / 10.0**self.power, 3) <= self.decimals
 
     def _from_origin(self, text: str) -> str:
-        """Return the text of a rest with the origin and the unit written around it."""
+        """Return the text with the origin before it, if there is one, and the unit behind it: "(2000 + 2.5)e9"."""
         if not self.origin:
             return f"{text}{self.unit}"
         whole = f"{self.origin} + {text}".replace("-", MINUS)
         return f"({whole}){self.unit}" if self.power else whole
 
     def _rest(self, value: float) -> str:
-        """Return the text of a landing minus the origin, computed exactly, so that all its digits are kept."""
+        """Return a landing minus the origin, as text without a unit; computed exactly."""
         if self.origin:
             value = float(Fraction(value) - self.origin * Fraction(10) ** self.power)
         return self.bare(value)
@@ -115,45 +115,47 @@ def _scientific(value: float) -> str:
 
 
 def number(value: float) -> str:
-    """A number by itself: up to three decimals."""
+    """Return a number as text with up to three decimals, where no scene decides the format."""
     return Digits().number(value)
 
 
 def signed(value: float) -> str:
-    """The same with its sign, 0 only for exactly 0."""
+    """Return a number as text with its sign and up to three decimals; "0" only for exactly 0."""
     return Digits().signed(value)
 
 
 def vector(value: Vec) -> str:
-    """(x, y) as printed, each by itself."""
+    """Return a vector as text, each component with up to three decimals."""
     return Digits().vector(value)
 
 
-def plain(text: str) -> str:
-    """Return the text with ASCII minus signs, as files and terminals need it."""
+def ascii_minus(text: str) -> str:
+    """Return the text with "-" in place of each typographic minus sign, as files and terminals need it."""
     return text.replace(MINUS, "-")
 
 
-def of_shapes(*shapes: Shape) -> Digits:
-    """Return the number format of a scene: unit 1 for ordinary sizes, else the power of a thousand that fits."""
+def digits_for_shapes(*shapes: Shape) -> Digits:
+    """Return the Digits that fit the size of some shapes: unit 1, else a fitting power of a thousand."""
     boxes = [shape.bounds for shape in shapes]
     size = max(max(box[i + 2] for box in boxes) - min(box[i] for box in boxes) for i in (0, 1))
     if PLAIN_SIZES[0] <= size < PLAIN_SIZES[1]:
         return Digits()
-    # an infinite size is one beyond float64
+    # the size may be infinite: beyond float64
     return Digits(power=max(-300, min(300, 3 * floor(log10(min(size, 1e300)) / 3))))
 
 
-def of_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digits:
-    """Return one number format for some tests: three digits of the smallest gap, and no range without width."""
-    digits = of_shapes(*shapes)
+def digits_for_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digits:
+    """Return the Digits that show the smallest gap of these tests to three digits, and every range's width."""
+    digits = digits_for_shapes(*shapes)
     unit = 10.0**digits.power
     ranges = [side.interval for t in tests for side in (t.a, t.b)]
     if not ranges:
         return digits
     lo, hi = min(r.lo for r in ranges) / unit, max(r.hi for r in ranges) / unit
     most = max(-lo, hi)
-    held = min(MAX_DECIMALS, floor(-log10(8 * ulp(most))))  # what float64 resolves out there
+    held = min(
+        MAX_DECIMALS, floor(-log10(8 * ulp(most)))
+    )  # decimals that float64 resolves at this distance from the origin
     gap = max(_needed_decimals(abs(t.gap) / unit, 3) for t in tests)
     width = min(max(_needed_decimals(r.hi / unit - r.lo / unit, 2) for r in ranges), held, MAX_NARROW_DECIMALS)
     least = max(0, min(held, 3), width)
@@ -166,5 +168,5 @@ def of_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digits:
 
 
 def _needed_decimals(size: float, digits: int) -> int:
-    """Return the decimals that show so many significant digits of a size; 0 for size 0 or infinity."""
+    """Return how many decimals show this many significant digits of a size; 0 for size 0 or infinity."""
     return digits - 1 - floor(log10(size)) if 0 < size < inf else 0

@@ -7,7 +7,7 @@ from itertools import pairwise
 from reprlib import Repr
 from typing import Any, NamedTuple
 
-from .geometry import InvalidShape, Vec
+from .geometry import InvalidShape, Vec, cyclic_pairs, cyclic_triples
 from .predicates import orient, warn_if_flushed
 from .sweep import sweep
 
@@ -17,11 +17,11 @@ class Corners(NamedTuple):
 
     ids: tuple[int, ...]  # the number of each corner's vertex
     convex: bool
-    notes: tuple[str, ...]
+    notes: tuple[str, ...]  # a sentence for each vertex left out
 
 
 _NOT_REAL = tuple("bcSUmMV")  # NumPy's kinds: bool, complex, text, times, records
-_WHOLE = ("i", "u")
+_WHOLE = ("i", "u")  # NumPy's kinds of integers
 _REPR = Repr()
 _REPR.maxlevel, _REPR.maxstring, _REPR.maxother = 3, 60, 100
 
@@ -31,28 +31,29 @@ def _dtype_kind(value: Any) -> str:
     return getattr(getattr(value, "dtype", None), "kind", "")
 
 
-def number(value: Any, name: str) -> float:
+def parse_number(value: Any, name: str) -> float:
     """Return one finite float64 equal to the value; InvalidShape for bool, text, complex and inexact integers."""
     if type(value) is not float:
         if getattr(value, "mask", False):
             raise InvalidShape(f"{name} is masked: fill or drop it first")
         given = value
         if getattr(value, "shape", ()) != ():
-            raise InvalidShape(f"{name} is {shown(value)}: a coordinate must be one real number")
+            raise InvalidShape(f"{name} is {short_repr(value)}: a coordinate must be one real number")
         if _dtype_kind(value) in _WHOLE:
             value = int(value)  # a NumPy integer compares in float64, which hides what it loses
         # float() accepts an array of one object, whatever the object is
         if isinstance(value, (bool, str, bytes, complex)) or _dtype_kind(value) in (*_NOT_REAL, "O"):
-            raise InvalidShape(f"{name} is {shown(given)}: a coordinate must be a real number")
+            raise InvalidShape(f"{name} is {short_repr(given)}: a coordinate must be a real number")
         try:
             as_float = float(value)
         except (TypeError, ValueError):
-            raise InvalidShape(f"{name} is {shown(value)}: a coordinate must be a real number") from None
+            raise InvalidShape(f"{name} is {short_repr(value)}: a coordinate must be a real number") from None
         except OverflowError:
             raise InvalidShape(f"{name} is too large for float64: scale the scene down") from None
         if as_float != value and as_float == as_float:
             raise InvalidShape(
-                f"{name} is {shown(value)}, which float64 cannot hold (nearest {as_float!r}): round or scale it first"
+                f"{name} is {short_repr(value)}, which float64 cannot hold (nearest {as_float!r}): "
+                "round or scale it first"
             )
         value = as_float
     if not math.isfinite(value):
@@ -60,21 +61,21 @@ def number(value: Any, name: str) -> float:
     return float(value)
 
 
-def point(value: Any, name: str) -> Vec:
+def parse_point(value: Any, name: str) -> Vec:
     """Return a pair of finite numbers as a Vec; InvalidShape for anything else."""
     try:
-        x, y = plain(value, name)
+        x, y = to_lists(value, name)
     except (TypeError, ValueError) as error:
         if isinstance(error, InvalidShape):
             raise
-        raise InvalidShape(f"{name} is {shown(value)}: expected a pair (x, y)") from None
-    return Vec(number(x, f"{name}.x"), number(y, f"{name}.y"))
+        raise InvalidShape(f"{name} is {short_repr(value)}: expected a pair (x, y)") from None
+    return Vec(parse_number(x, f"{name}.x"), parse_number(y, f"{name}.y"))
 
 
-def plain(values: Any, name: str) -> Any:
-    """Return an array as nested lists, without NumPy; InvalidShape for masked entries and unordered values."""
+def to_lists(values: Any, name: str) -> Any:
+    """Return an array as nested lists of Python numbers, a sequence unchanged; InvalidShape for text and sets."""
     if isinstance(values, (str, bytes, dict, set, frozenset)) or getattr(values, "ndim", 1) == 0:
-        raise InvalidShape(f"{name} is {shown(values)}: expected numbers in order")
+        raise InvalidShape(f"{name} is {short_repr(values)}: expected numbers in order")
     if hasattr(values, "tolist"):
         refuse_array(values, name)
         return values.tolist()
@@ -89,18 +90,18 @@ def refuse_array(array: Any, name: str) -> None:
 
 
 def refuse_masked(array: Any, name: str) -> None:
-    """Raise InvalidShape for an array with masked entries, which NumPy would mostly use as if they were valid."""
+    """Raise InvalidShape for an array with masked entries, whose hidden values NumPy would mostly use."""
     mask = getattr(array, "mask", None)
     if mask is not None and getattr(mask, "any", bool)():
         raise InvalidShape(f"{name} has masked entries: fill or drop them first")
 
 
-def vertices(values: Any) -> tuple[Vec, ...]:
+def parse_vertices(values: Any) -> tuple[Vec, ...]:
     """Return the vertices in the given order, from nested sequences, arrays or `__geo_interface__`."""
     try:
         interface = getattr(values, "__geo_interface__", None)
     except Exception as error:
-        raise InvalidShape(f"__geo_interface__ fails: {shown(error)}: pass the vertices themselves") from error
+        raise InvalidShape(f"__geo_interface__ fails: {short_repr(error)}: pass the vertices themselves") from error
     if interface is None:
         return _parse_points(values, "vertices")
     rings = _geo_rings(interface)
@@ -114,15 +115,17 @@ def vertices(values: Any) -> tuple[Vec, ...]:
 
 def _parse_points(values: Any, name: str) -> tuple[Vec, ...]:
     """Return the points of a sequence of pairs; InvalidShape names the vertex at fault."""
-    return tuple(point(v, f"vertex {i}") for i, v in enumerate(listed(values, name, "a sequence of (x, y) pairs")))
+    return tuple(
+        parse_point(v, f"vertex {i}") for i, v in enumerate(parse_list(values, name, "a sequence of (x, y) pairs"))
+    )
 
 
-def listed(values: Any, name: str, expected: str) -> list[Any]:
-    """Return an iterable's values as a list; InvalidShape says what was expected."""
+def parse_list(values: Any, name: str, expected: str) -> list[Any]:
+    """Return the items of an iterable as a list; InvalidShape says what was `expected` instead of `values`."""
     warn_if_flushed()
-    values = plain(values, name)
+    values = to_lists(values, name)
     if not isinstance(values, Iterable) or isinstance(values, type):
-        raise InvalidShape(f"{name} is {shown(values)}: expected {expected}")
+        raise InvalidShape(f"{name} is {short_repr(values)}: expected {expected}")
     return list(values)
 
 
@@ -132,28 +135,28 @@ def _geo_rings(interface: Any) -> list[Any]:
     if _geo_type(interface) == "Feature":
         interface, name = interface.get("geometry"), "the Feature's geometry"
     if not isinstance(interface, Mapping):
-        raise InvalidShape(f"{name} is {shown(interface)}: expected a dict with type and coordinates")
+        raise InvalidShape(f"{name} is {short_repr(interface)}: expected a dict with type and coordinates")
     kind, held = _geo_type(interface), interface.get("coordinates")
     if not kind:
         raise InvalidShape(f"{name} has no type: expected a dict with type and coordinates")
     if kind not in ("Polygon", "LinearRing"):
         raise InvalidShape(f"a {kind} is not a polygon: pass one Polygon at a time")
-    return [held] if kind == "LinearRing" else listed(held, "coordinates", "a sequence of (x, y) pairs")
+    return [held] if kind == "LinearRing" else parse_list(held, "coordinates", "a sequence of (x, y) pairs")
 
 
 def _geo_type(interface: Any) -> str:
-    """Return the "type" of a GeoJSON-like mapping; "" if it has none."""
+    """Return the value under the key "type" of a GeoJSON-like mapping; "" if it has none."""
     kind = interface.get("type") if isinstance(interface, Mapping) else ""
     return kind if isinstance(kind, str) else ""
 
 
-def shown(value: Any) -> str:
-    """Return a short text of a value for an error line, however large or deep the value is."""
+def short_repr(value: Any) -> str:
+    """Return a shortened repr of a value for an error message."""
     return _REPR.repr(value)
 
 
 def find_corners(points: Sequence[Vec]) -> Corners:
-    """Check that the points run once round a simple outline of positive area, and find its corners.
+    """Return the Corners of an outline; InvalidShape unless it is simple, winds once and has an area.
 
     The first edge stays first: a clockwise outline is walked backwards from it.
     """
@@ -161,7 +164,7 @@ def find_corners(points: Sequence[Vec]) -> Corners:
     if len({points[i] for i in ring}) < 3:
         raise InvalidShape(f"{len(set(points))} distinct vertices: a polygon needs at least 3")
     turns = []
-    for before, i, after in _with_neighbours(ring):
+    for before, i, after in cyclic_triples(ring):
         turn = orient(points[before], points[i], points[after])
         if turn == 0 and _turns_back(points[before], points[i], points[after]):
             if _is_flat(points, ring):
@@ -182,7 +185,7 @@ def find_corners(points: Sequence[Vec]) -> Corners:
 
 
 def _without_repeats(points: Sequence[Vec]) -> tuple[list[int], list[str]]:
-    """Return (vertex numbers without repeated neighbours, a note for each vertex left out)."""
+    """Return (vertex numbers without repeated neighbours, one sentence for each vertex left out)."""
     ring: list[int] = []
     notes = []
     for i, p in enumerate(points):
@@ -195,30 +198,25 @@ def _without_repeats(points: Sequence[Vec]) -> tuple[list[int], list[str]]:
     return ring, notes
 
 
-def _with_neighbours(ring: Sequence[int]) -> Iterable[tuple[int, int, int]]:
-    """Return (previous, this, next) for each vertex number of a ring."""
-    return zip([ring[-1], *ring[:-1]], ring, [*ring[1:], ring[0]], strict=True)
-
-
 def _turns_back(before: Vec, here: Vec, after: Vec) -> bool:
-    """Return whether three points on one line turn back; the signs of float differences are exact."""
+    """Return whether, of three points on one line, the way goes back at the second; exact in floats."""
     return (here > before) != (after > here)
 
 
 def _is_flat(points: Sequence[Vec], ring: Sequence[int]) -> bool:
-    """Return whether all vertices lie on one line."""
+    """Return whether all vertices lie on one line; `ring`: the numbers of the vertices to check."""
     first, second = points[ring[0]], points[ring[1]]
     return all(orient(first, second, points[i]) == 0 for i in ring)
 
 
 def _winds_once(ring: Sequence[Vec]) -> bool:
     """Return whether a ring that turns one way everywhere goes round once (a pentagram goes round twice)."""
-    rising = [q > p for p, q in zip(ring, [*ring[1:], ring[0]], strict=True)]
-    return sum(r != s for r, s in zip(rising, [*rising[1:], rising[0]], strict=True)) == 2
+    rising = [q > p for p, q in cyclic_pairs(ring)]
+    return sum(r != s for r, s in cyclic_pairs(rising)) == 2
 
 
 def refuse_crossings(ring: Sequence[Vec], ids: Sequence[int]) -> None:
-    """Raise InvalidShape if two edges that are not neighbours in the outline meet.
+    """Raise InvalidShape if two edges that are not neighbours meet; `ids`: each point's vertex number.
 
     Source: Shamos and Hoey (1976).  Of the edges that meet furthest left, two lie directly
     above each other just before, so only such edges are compared.

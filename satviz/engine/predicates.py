@@ -14,8 +14,8 @@ from fractions import Fraction
 from math import isqrt
 from typing import Any, TypeVar
 
-UNIT = 2.0**-53  # unit roundoff of float64
-TINY, HUGE = 1e-280, 1e290  # products inside this range neither lose bits nor overflow
+UNIT_ROUNDOFF = 2.0**-53  # unit roundoff of float64
+MIN_SAFE_PRODUCT, MAX_SAFE_PRODUCT = 1e-280, 1e290  # products inside this range neither lose bits nor overflow
 MIN_FLOAT = 5e-324  # the smallest positive float64, 2**-1074
 MAX_FLOAT = sys.float_info.max
 SCALE = 2.0**72  # c * SCALE is a whole number for c = 0 and for every float64 c with 2**-20 <= |c| < 2**951
@@ -26,12 +26,12 @@ Number = TypeVar("Number", int, float, Fraction)
 
 
 def sign(value: int) -> int:
-    """Return -1, 0 or 1."""
+    """Return the sign of a value: -1, 0 or 1."""
     return (value > 0) - (value < 0)
 
 
 def warn_if_flushed() -> None:
-    """Warn in a thread that takes numbers below 2.3e-308 for 0: no number below 1e-290 is exact there."""
+    """Warn if this thread rounds numbers below 2.3e-308 to 0, so that small numbers are not exact."""
     if MIN_FLOAT + MIN_FLOAT == 0:
         warnings.warn(
             "this thread takes numbers below 2.3e-308 for 0 (flush-to-zero, which code compiled with -ffast-math "
@@ -59,7 +59,7 @@ def to_finer_units(points: Sequence[IntPoint], bits: int) -> Sequence[IntPoint]:
     return [(x << bits, y << bits) for x, y in points] if bits else points
 
 
-def aligned(a: Any, b: Any) -> tuple[Sequence[IntPoint], Sequence[IntPoint], int, int]:
+def to_common_unit(a: Any, b: Any) -> tuple[Sequence[IntPoint], Sequence[IntPoint], int, int]:
     """Return both shapes in one integer unit, 2**-k: (a's core, b's core, sum of radii, k)."""
     ka, pa, ra = a.integers
     kb, pb, rb = b.integers
@@ -84,9 +84,9 @@ def orient(p: Point, q: Point, r: Point) -> int:
     left = (q[0] - p[0]) * (r[1] - p[1])
     right = (q[1] - p[1]) * (r[0] - p[0])
     size = abs(left) + abs(right)
-    if TINY < size < HUGE:
+    if MIN_SAFE_PRODUCT < size < MAX_SAFE_PRODUCT:
         det = left - right
-        if abs(det) > 8 * UNIT * size:
+        if abs(det) > 8 * UNIT_ROUNDOFF * size:
             return 1 if det > 0 else -1
     scaled = [c * SCALE for c in (*p, *q, *r)]
     whole = map(int, scaled) if all(map(float.is_integer, scaled)) else to_integers((*p, *q, *r))[1]

@@ -25,8 +25,17 @@ from typing import Any
 
 from .convex_parts import parts
 from .geometry import Relation, Vec, cyclic_pairs
-from .predicates import HUGE, TINY, IntPoint, Point, aligned, orient, to_finer_units, to_integers
-from .shapes import Shape, Slab, checked
+from .predicates import (
+    MAX_SAFE_PRODUCT,
+    MIN_SAFE_PRODUCT,
+    IntPoint,
+    Point,
+    orient,
+    to_common_unit,
+    to_finer_units,
+    to_integers,
+)
+from .shapes import Shape, Slab, require_shape
 
 APART, TOUCHING, OVERLAPPING = Relation
 
@@ -36,10 +45,8 @@ APART, TOUCHING, OVERLAPPING = Relation
 # |error| <= 15 u D M in any order of operations, also fused; the factor is 32 u.
 ERROR_FACTOR_F64 = 2.0**-48
 MAX_SLABS_WITHOUT_PROBE = 6  # slabs of both shapes, as two triangles have: evaluating them costs no more than a probe
-MIN_ERROR_BOUND, MAX_ERROR_BOUND = (
-    TINY,
-    HUGE * ERROR_FACTOR_F64,
-)  # error bounds in this range: no product lost bits or overflowed
+# error bounds in this range: no product lost bits or overflowed
+MIN_ERROR_BOUND, MAX_ERROR_BOUND = MIN_SAFE_PRODUCT, MAX_SAFE_PRODUCT * ERROR_FACTOR_F64
 
 
 def relate(a: Shape, b: Shape) -> Relation:
@@ -50,7 +57,7 @@ def relate(a: Shape, b: Shape) -> Relation:
     try:
         a_slabs, b_slabs = a.slabs, b.slabs  # which shapes of other libraries do not have
     except AttributeError:
-        checked(a, "a"), checked(b, "b")
+        require_shape(a, "a"), require_shape(b, "b")
         raise
     ax0, ay0, ax1, ay1 = a.bounds
     bx0, by0, bx1, by1 = b.bounds
@@ -64,7 +71,7 @@ def relate(a: Shape, b: Shape) -> Relation:
     factor = (a.max_coordinate + b.max_coordinate) * ERROR_FACTOR_F64
     bound_a, bound_b = a.max_edge_component * factor, b.max_edge_component * factor
     if not (MIN_ERROR_BOUND < bound_a < MAX_ERROR_BOUND and MIN_ERROR_BOUND < bound_b < MAX_ERROR_BOUND):
-        return relate_integers(*aligned(a, b)[:3])
+        return relate_integers(*to_common_unit(a, b)[:3])
     if len(a_slabs) + len(b_slabs) > MAX_SLABS_WITHOUT_PROBE:
         # probe the middle of what both bounding boxes share: either it is certainly inside both shapes, or it lies
         # beyond an edge, which then is the likeliest to clear and comes first
@@ -100,7 +107,7 @@ def _first_outside(slabs: Sequence[Slab], error_bound: float, x: float, y: float
 
 
 def _classify_edges(edges: Iterable[tuple[Point, Point]], points: Sequence[Point], error_bound: float) -> Relation:
-    """Return what edges of a convex polygon prove about its relation to the one with the vertices `points`.
+    """Return the relation that these edges of one convex polygon prove, `points` being the other's vertices.
 
     APART if all vertices lie strictly beyond an edge.  If some lie on the edge's line and all others beyond, the
     shapes can meet only on that line: TOUCHING or APART, as their ranges on it say.  Else OVERLAPPING, which
@@ -147,7 +154,7 @@ def _relate_mixed(a: Shape, b: Shape) -> Relation:
 
 def relate_moved(a: Shape, b: Shape, move: Vec) -> Relation:
     """Return the exact relation of convex a and b once b has moved by exactly `move` (no coordinate is rounded)."""
-    core_a, core_b, radii, k = aligned(a, b)
+    core_a, core_b, radii, k = to_common_unit(a, b)
     own_k, (dx, dy) = to_integers(move)
     finer = max(k, own_k)
     dx, dy = dx << finer - own_k, dy << finer - own_k
@@ -170,18 +177,18 @@ def relate_integers(p: Sequence[IntPoint], q: Sequence[IntPoint], radii: int) ->
 
 
 def _relate_circles(a: Shape, b: Shape) -> Relation:
-    """Compare the squared distance of the centers with the squared sum of the radii.
+    """Return the relation of two circles: compare squared distance with the squared sum of radii.
 
-    Each carries under 5 roundings; the error bound is 8 of their sum.
+    With u = 2**-53, each carries under 5 u of its size; the error bound is 8 u of their sum.
     """
     ((ax, ay),), ((bx, by),) = a.core, b.core
     dx, dy = ax - bx, ay - by
     radii = a.radius + b.radius
     distance_squared, radii_squared = dx * dx + dy * dy, radii * radii
     error_bound = (distance_squared + radii_squared) * 2.0**-50
-    if TINY < error_bound < HUGE and abs(distance_squared - radii_squared) > error_bound:
+    if MIN_SAFE_PRODUCT < error_bound < MAX_SAFE_PRODUCT and abs(distance_squared - radii_squared) > error_bound:
         return _relation_of_gap(distance_squared - radii_squared)
-    return relate_integers(*aligned(a, b)[:3])
+    return relate_integers(*to_common_unit(a, b)[:3])
 
 
 def _relation_of_gap(gap: Any) -> Relation:
@@ -190,7 +197,7 @@ def _relation_of_gap(gap: Any) -> Relation:
 
 
 def _relate_circle_polygon(circle: Shape, polygon: Shape) -> Relation:
-    """Compare the distance from the center to the polygon's nearest point with the radius.
+    """Return the relation of circle and polygon: compare the center's distance with the radius.
 
     The nearest vertex matters: without it a circle off a corner is a false hit.
     With D the largest difference of a coordinate from the center's and u = 2**-53:
@@ -206,13 +213,13 @@ def _relate_circle_polygon(circle: Shape, polygon: Shape) -> Relation:
     x0, y0, x1, y1 = polygon.bounds
     far = max(x1 - x, x - x0, y1 - y, y - y0)
     error_bound = far * far * 2.0**-46
-    if TINY < error_bound < HUGE and polygon.max_edge_component * far > TINY:
+    if MIN_SAFE_PRODUCT < error_bound < MAX_SAFE_PRODUCT and polygon.max_edge_component * far > MIN_SAFE_PRODUCT:
         inside, outside, gap = _locate_center((x, y), polygon.core, radius_squared, far * 2.0**-48)
         if inside or gap < -error_bound:
             return OVERLAPPING
         if outside and gap > error_bound:
             return APART
-    return relate_integers(*aligned(circle, polygon)[:3])
+    return relate_integers(*to_common_unit(circle, polygon)[:3])
 
 
 def _locate_center(
@@ -238,7 +245,7 @@ def _locate_center(
             inside = False
             outside = outside or det < -tolerance
             along, square = -(px * dx + py * dy), dx * dx + dy * dy
-            if error_factor and square < TINY:
+            if error_factor and square < MIN_SAFE_PRODUCT:
                 return False, False, nan
             if along <= 0:
                 gap = px * px + py * py - radius_squared

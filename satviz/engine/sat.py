@@ -7,7 +7,7 @@ from typing import NamedTuple
 from .axes import Axis, Source, exact_dots, needed
 from .geometry import Interval, Vec
 from .predicates import MAX_FLOAT, root_difference
-from .shapes import Shape, checked
+from .shapes import Shape, require_shape
 
 # With M the larger max_coordinate and u = 2**-53, a landing carries under 13 u M, a gap under 27 u M.  Gaps below
 # 2**-30 M = 2**23 u M are computed with integers, so a float gap has not only the right sign but five right digits.
@@ -63,21 +63,26 @@ def project(shape: Shape, axis: Axis) -> Projection:
     same landing on the edge's own normal.
     """
     (nx, ny), length, _ = axis
-    landings = [(x * nx + y * ny) / length for x, y in shape.core]
-    if not (r := shape.radius):
-        return new(Projection, (shape.core, tuple(landings)))
+    core, r = shape.core, shape.radius
+    if not r:
+        return new(Projection, (core, tuple([(x * nx + y * ny) / length for x, y in core])))
     rx, ry = r * nx / length, r * ny / length
-    points = [Vec(x - rx, y - ry) for x, y in shape.core] + [Vec(x + rx, y + ry) for x, y in shape.core]
-    return Projection(tuple(points), tuple([at - r for at in landings] + [at + r for at in landings]))
+    points: list[Vec] = []
+    landings: list[float] = []
+    for x, y in core:
+        at = (x * nx + y * ny) / length
+        points += new(Vec, (x - rx, y - ry)), new(Vec, (x + rx, y + ry))
+        landings += at - r, at + r
+    return new(Projection, (tuple(points), tuple(landings)))
 
 
 def axis_tests(a: Shape, b: Shape, axes: Iterable[Axis] | None = None) -> Iterator[AxisTest]:
-    """Yield the test of each axis (by default those of `needed`); an axis is tested only when its test is asked for.
+    """Yield the test of each axis, by default those of `needed`; each is computed only when it is asked for.
 
     So the early exit is next((t for t in axis_tests(a, b) if t.separates), None).
     TypeError for anything but Polygon and Circle.
     """
-    checked(a, "a"), checked(b, "b")
+    require_shape(a, "a"), require_shape(b, "b")
     if axes is None:
         axes = needed(a, b).axes
     max_coordinate = max(a.max_coordinate, b.max_coordinate)
@@ -109,13 +114,12 @@ def _exact_projection(shape: Shape, axis: Axis, dots: list[int], square: int, k:
     if not radius:
         return Projection(shape.core, tuple(root_difference(dot, 0, square, k) for dot in dots))
     radius <<= k - own_k
-    lows = [root_difference(dot, radius, square, k) for dot in dots]
-    highs = [-root_difference(-dot, radius, square, k) + 0.0 for dot in dots]
     r, (nx, ny) = shape.radius, axis.direction
-    points = (Vec(_cap(x + s * r * nx), _cap(y + s * r * ny)) for s in (-1, 1) for x, y in shape.core)
-    return Projection(tuple(points), (*lows, *highs))
+    points = (Vec(_cap(x + s * r * nx), _cap(y + s * r * ny)) for x, y in shape.core for s in (-1, 1))
+    landings = (-s * root_difference(-s * dot, radius, square, k) + 0.0 for dot in dots for s in (-1, 1))
+    return Projection(tuple(points), tuple(landings))
 
 
 def _cap(value: float) -> float:
-    """Return the float64 nearest to a value that may be infinite."""
+    """Return the value; MAX_FLOAT with its sign if it is infinite."""
     return max(-MAX_FLOAT, min(MAX_FLOAT, value))

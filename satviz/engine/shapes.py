@@ -15,7 +15,7 @@ Slab = tuple[float, float, float, float, tuple[tuple[Vec, Vec], ...]]  # nx, ny,
 
 
 class _Shape:
-    """What the engine needs of a shape, which is all points within the radius of its core."""
+    """The base class of Polygon and Circle: the points within `radius` of `core`, and values derived from them."""
 
     __slots__ = (
         "_cache",
@@ -48,12 +48,12 @@ class _Shape:
         self.__setattr__(name, None)
 
     def _set(self, **values: Any) -> None:
-        """Set attributes while the shape is made; afterwards it is immutable."""
+        """Set attributes, though the shape is immutable; called by `__init__` alone."""
         for name, value in values.items():
             object.__setattr__(self, name, value)
 
     def cached(self, name: str, compute: Callable[[], T]) -> T:
-        """Return a value derived from the shape, computed at first use."""
+        """Return the stored value of this name; at the first use, call `compute` and store its result."""
         if name not in self._cache:
             self._cache[name] = compute()
         value: T = self._cache[name]
@@ -86,7 +86,7 @@ class _Shape:
         return self.cached("integers", self._to_integers)
 
     def _to_integers(self) -> tuple[int, list[IntPoint], int]:
-        """Return what `integers` caches."""
+        """Return (k, core, radius), the value that the property `integers` caches."""
         k, (radius, *flat) = to_integers((self.radius, *chain.from_iterable(self.core)))
         return k, list(zip(flat[::2], flat[1::2], strict=True)), radius
 
@@ -111,7 +111,7 @@ class Polygon(_Shape):
     def __init__(self, vertices: Any, labels: Sequence[str] | None = None) -> None:
         if isinstance(vertices, Polygon):
             vertices, labels = vertices.vertices, vertices.labels if labels is None else labels
-        points = polygon_validation.vertices(vertices)
+        points = polygon_validation.parse_vertices(vertices)
         outline = polygon_validation.find_corners(points)
         corners = tuple(Vec(points[i].x + 0.0, points[i].y + 0.0) for i in outline.ids)  # -0.0 becomes 0.0
         xs, ys = [c.x for c in corners], [c.y for c in corners]
@@ -160,8 +160,8 @@ class Circle(_Shape):
 
     def __init__(self, center: Any, radius: Any) -> None:
         warn_if_flushed()
-        c = polygon_validation.point(center, "center")
-        r = polygon_validation.number(radius, "radius")
+        c = polygon_validation.parse_point(center, "center")
+        r = polygon_validation.parse_number(radius, "radius")
         if r <= 0:
             raise InvalidShape(f"radius is {r}: a circle needs a positive radius")
         self._set(
@@ -194,8 +194,8 @@ class Circle(_Shape):
 Shape = Polygon | Circle
 
 
-def checked(shape: Any, name: str) -> Shape:
-    """Return the shape itself; TypeError, which says how to make a shape, for anything else."""
+def require_shape(shape: Any, name: str) -> Shape:
+    """Return the shape itself; TypeError unless it is a Polygon or a Circle; `name`: the argument's name."""
     if isinstance(shape, (Polygon, Circle)):
         return shape
     raise TypeError(f"{name} is a {type(shape).__name__}: make it a satviz.Polygon or satviz.Circle first")
@@ -242,26 +242,28 @@ def _validate_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | 
         return None
     if isinstance(labels, str):
         raise InvalidShape(
-            f"labels is the text {polygon_validation.shown(labels)}: pass a list with one label a vertex"
+            f"labels is the text {polygon_validation.short_repr(labels)}: pass a list with one label for each vertex"
         )
     try:
         labels = tuple(labels)
     except TypeError:
         raise InvalidShape(
-            f"labels is {polygon_validation.shown(labels)}: pass a list with one label a vertex"
+            f"labels is {polygon_validation.short_repr(labels)}: pass a list with one label for each vertex"
         ) from None
     if len(labels) != n:
         raise InvalidShape(f"{len(labels)} labels for {n} vertices: pass one a vertex")
     for i, label in enumerate(labels):
         if not isinstance(label, str):
-            raise InvalidShape(f"label {i} is {polygon_validation.shown(label)}: a label must be text")
+            raise InvalidShape(f"label {i} is {polygon_validation.short_repr(label)}: a label must be text")
         if any("\ud800" <= c <= "\udfff" for c in label):
-            raise InvalidShape(f"label {i} is {polygon_validation.shown(label)}: half a surrogate pair is not text")
+            raise InvalidShape(
+                f"label {i} is {polygon_validation.short_repr(label)}: half a surrogate pair is not text"
+            )
     return labels
 
 
 def _to_lists(value: Any) -> Any:
-    """Return a value with plain lists and tuples, whose repr can be pasted back."""
+    """Return a value with tuples as lists and each Vec as a tuple, so that its repr can be pasted back."""
     if isinstance(value, Vec):
         return tuple(value)
     return [_to_lists(v) for v in value] if isinstance(value, tuple) else value

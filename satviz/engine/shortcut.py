@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from .axes import Axis, Chooser, needed
 from .geometry import InvalidScene, InvalidShape, Vec
-from .polygon_validation import shown
+from .polygon_validation import short_repr
 from .sat import AxisTest, axis_tests
 from .shapes import Shape
 
@@ -44,26 +44,27 @@ class Shortcut(NamedTuple):
                 finite = False
             if not finite:
                 raise InvalidScene(
-                    f"{shown(self.name)} measures in plain floats, which overflow here: bring the sizes nearer to 1"
+                    f"{short_repr(self.name)} measures in plain floats, which overflow here: "
+                    "bring the sizes nearer to 1"
                 )
             yield test
 
     def pieces(self, a: Shape) -> Sequence[Shape] | None:
-        """Return the pieces into which the shortcut cuts A, or None; InvalidScene where float64 cannot hold one."""
+        """Return the pieces of A that the shortcut tests one by one; None if it does not cut A."""
         if self.split is None:
             return None
         try:
             return list(self.split(a))
         except InvalidShape as error:
-            raise InvalidScene(f"{shown(self.name)} cannot take A apart: {error}") from None
+            raise InvalidScene(f"{short_repr(self.name)} cannot take A apart: {error}") from None
 
     def separates(self, test: AxisTest) -> bool:
-        """Return whether the shortcut takes this test for a separating one and stops."""
+        """Return whether the shortcut counts this test as a gap, and so ends the run."""
         return test.gap > 0 or (self.touching_separates and test.gap == 0)
 
 
 def _all_numbers(test: AxisTest) -> Iterator[float]:
-    """Yield every number of a test: its gap, landings and points."""
+    """Yield every number of a test: its gap, its landings, and the coordinates of its points."""
     yield test.gap
     for side in test.a, test.b:
         yield from side.landings
@@ -72,7 +73,7 @@ def _all_numbers(test: AxisTest) -> Iterator[float]:
 
 
 def move_along_axis(test: AxisTest, length: float) -> Vec:
-    """Return the move of B by a length along a test's axis, to the side on which the ranges separate sooner."""
+    """Return a move of B by `length` along a test's axis, to the side that needs the shorter move."""
     a, b, n = test.a.interval, test.b.interval, test.axis.direction
     way = length if a.hi - b.lo < b.hi - a.lo else -length
     return Vec(n.x * way, n.y * way)

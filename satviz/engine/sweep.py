@@ -1,34 +1,34 @@
-"""A vertical line swept over an outline: which edges lie directly below and above each vertex.
+"""A sweep of a vertical line over an outline: which edges lie directly below and above each vertex.
 
 Source: Shamos and Hoey (1976).  Points are compared by x and then by y, as if the outline
-were turned by next to nothing, so that no two lie on one vertical line.
+were rotated by a tiny angle, so that no two vertices lie on one vertical line.
 """
 
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from .geometry import Vec
+from .geometry import Vec, cyclic_pairs
 from .predicates import orient
 
 
 class Event(NamedTuple):
-    """What the line meets at a vertex; edge i goes from vertex i to the next one."""
+    """One vertex as the sweep line reaches it, with the edges there; edge i goes from vertex i to the next."""
 
     vertex: int
     ended: list[int]  # the vertex's edges that lie to its left, from below upwards
     begun: list[int]  # those that lie to its right
     below: int | None  # the edge directly below the vertex
     above: int | None
-    touched: int | None  # an edge of other vertices that holds the vertex
+    touched: int | None  # an edge between other vertices that contains the vertex
 
 
 def sweep(ring: Sequence[Vec]) -> Iterator[Event]:
-    """Yield the events from left to right; they are right up to the first point that two edges share.
+    """Yield an Event for each vertex from left to right; correct up to the first place where edges meet.
 
     A vertex finds its place among the edges with log2(n) orientation tests.
     """
-    edges = [(min(p, q), max(p, q)) for p, q in zip(ring, [*ring[1:], ring[0]], strict=True)]
+    edges = [(min(p, q), max(p, q)) for p, q in cyclic_pairs(ring)]
     active: list[int] = []  # the edges that the line crosses, from below upwards
     order = sorted(range(len(ring)), key=ring.__getitem__)
     for before, i in zip([None, *order], order):

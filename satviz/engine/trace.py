@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import product
 from math import isfinite
 
-from . import describe, hooks
+from . import describe, hooks, text_table
 from .axes import EARLY_EXIT, NAMED, Choice, Chooser, Skip, needed, validate_choice
 from .certificate import Certificate, PartLines, separating_line, shared_point
 from .convex_parts import named_parts
@@ -14,26 +14,27 @@ from .geometry import InvalidScene, Relation, Vec
 from .mtv import mtv_along_axis, mtv_of_parts
 from .relate import relate
 from .sat import AxisTest, axis_tests
-from .shapes import Shape, checked
+from .shapes import Shape, require_shape
 from .shortcut import Shortcut, move_along_axis
 
 APART, TOUCHING, OVERLAPPING = Relation
 
-MAX_SIZE = 200_000  # what a trace lists (see _size): some 30 MB of JSON, which can be read again
-
-
-PLAIN = Names()
-NamedParts = Sequence[tuple[Shape, str]]  # parts, and what each is called
+MAX_SIZE = (
+    200_000  # points and axes that a trace lists (see _count_listed): some 30 MB of JSON, which can be read again
+)
+DEFAULT_NAMES = Names()  # "A" and "B"
+NamedParts = Sequence[tuple[Shape, str]]  # convex parts or pieces, each with its name
 
 
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """One run of the loop over a pair of shapes: the facts in its fields, the relation derived from them.
+    """One run of the loop over a pair of shapes: its fields hold what was measured, all else is derived from them.
 
-    `choice`: the axes in order and those left out; `tests`: the axes tested, in that
-    order; `pairs`: for concave outlines, a trace for each pair of convex parts
-    looked at (then `tests` is empty); `shortcut`: what this run does otherwise than the
-    loop should, if anything.  Traces compare, hash and never change.
+    `a`, `b`: the shapes; `choice`: the axes in the order in which to test them, and those left out; `tests`: the
+    tests of the axes up to the end of the run, in that order; `every_axis`: whether the run went on after a
+    separating axis; `pairs`: for concave outlines, a trace for each tested pair of convex parts (`tests` is empty
+    then); `names`: what the shapes are called; `shortcut`: what this run does differently from the loop, or None.
+    A trace is immutable; it can be compared, hashed, and iterated (over `tests`).
     """
 
     a: Shape
@@ -42,12 +43,12 @@ class Trace:
     tests: tuple[AxisTest, ...]
     every_axis: bool
     pairs: tuple["Trace", ...]
-    names: Names = PLAIN
+    names: Names = DEFAULT_NAMES
     shortcut: Shortcut | None = None
 
     @property
     def relation(self) -> Relation:
-        """Return the exact relation, also where the chosen axes alone cannot decide (see `claim`)."""
+        """Return the exact relation of the shapes, even where the tested axes alone claim another one (see `claim`)."""
         if self.shortcut:
             return relate(self.a, self.b)
         claim = self.claim
@@ -60,9 +61,10 @@ class Trace:
 
     @property
     def claim(self) -> Relation:
-        """Return what the tested axes alone say: a gap proves APART; no gap proves a hit only if they are complete.
+        """Return the relation that follows from the tested axes alone.
 
-        Of a shortcut's run it is what the shortcut says, right or wrong.
+        APART, from a gap, is proven.  TOUCHING or OVERLAPPING, from no gap, is proven only if `choice.complete`.
+        In a run with a shortcut, it is what the shortcut says, right or wrong.
         """
         if self.pairs:
             return max(pair.relation for pair in self.pairs)
@@ -72,51 +74,53 @@ class Trace:
 
     @property
     def false_hit(self) -> bool:
-        """Return whether no tested axis separates although the shapes are apart: the chosen axes are not enough."""
+        """Return whether the run claims a hit although the shapes are apart: its axes are not enough."""
         return self.claim is not APART and self.relation is APART
 
     @property
     def missed_hit(self) -> bool:
-        """Return whether a shortcut's run says apart although the shapes share a point."""
+        """Return whether the run claims APART although the shapes share a point; only a shortcut can do so."""
         return self.shortcut is not None and self.claim is APART and self.hit
 
     @property
     def ended_by(self) -> AxisTest | None:
-        """Return the first test that the run takes for separating, right or wrong, or None."""
+        """Return the first test that the run counts as a gap, rightly or wrongly; None if there is none."""
         separates = self.shortcut.separates if self.shortcut else _separates
         return next((test for test in self.tests if separates(test)), None)
 
     @property
     def proves(self) -> bool:
-        """Return whether a gap in `tests` is a proof; it is none where a shortcut measures something else."""
+        """Return whether a gap in `tests` proves the shapes apart; False if a shortcut measures in its own way."""
         return self.shortcut is None or self.shortcut.measure is None
 
     @property
     def separating(self) -> AxisTest | None:
-        """Return the first test whose axis separates the shapes, or None (always None if `proves` is False)."""
+        """Return the first test whose axis separates the shapes; None if there is none or `proves` is False."""
         return next((test for test in self.tests if test.separates), None) if self.proves else None
 
     @property
     def colliding(self) -> "Trace | None":
-        """Return the trace of the pair of parts that decides a hit of concave outlines, or None."""
+        """Return the trace of the pair of convex parts that decides a hit; None without `pairs` or without a hit.
+
+        It is the first pair that has the relation of the whole: an overlapping one, else a touching one.
+        """
         found = self.relation
         return next((pair for pair in self.pairs if pair.relation is found), None) if found else None
 
     @property
     def shallowest(self) -> AxisTest | None:
-        """Return the test with the least measured penetration depth when none separates, or None."""
+        """Return the test with the least measured penetration depth; None if a test ended the run or none was made."""
         return _least_overlap(self.tests) if self.tests and not self.ended_by else None
 
     @property
     def mtv(self) -> Vec | None:
-        """Return the minimum translation vector: the shortest move of B found that ends the overlap, in scene units.
+        """Return the minimum translation vector (MTV): the shortest move of B that ends the overlap, in scene units.
 
-        It ends the overlap exactly, being rounded outwards; (0, 0) when the shapes only
-        touch, None when they are apart or when no float64 move is long enough.  It is the
-        shortest of all (to a rounding of the largest coordinate) where the choice of axes is
-        complete, else the shortest along the tested axes.  None also where a shortcut
-        measures otherwise or misses the hit.  Worked out when asked for; InvalidScene for
-        concave outlines of too many parts.
+        The move is rounded outwards, so that it certainly ends the overlap.  If the choice of axes is complete or
+        an outline is concave, no move is shorter by more than a rounding of the largest coordinate; otherwise it is
+        the shortest along the tested axes.  (0, 0) when the shapes only touch.  None when they are apart, when the
+        move is beyond float64, or when a shortcut measures differently or misses the hit.  It is computed at
+        each call; InvalidScene for concave outlines with too many convex parts.
         """
         if self.missed_hit or not self.proves:
             return None
@@ -129,7 +133,7 @@ class Trace:
 
     @property
     def known_mtv(self) -> Vec | None:
-        """Return `mtv`, or None where computing it would take too long; for tables, files and pictures."""
+        """Return `mtv`, or None where `mtv` raises InvalidScene because computing it would take too long."""
         try:
             return self.mtv
         except InvalidScene:
@@ -137,9 +141,10 @@ class Trace:
 
     @property
     def push(self) -> Vec | None:
-        """Return the move of B by which this run would end the overlap: the MTV, or a shortcut's version of it.
+        """Return the move of B by which this run would end the overlap: the MTV, or what its shortcut uses instead.
 
-        None also where a piece's move would take too long to find, or is too long for float64.
+        None where `mtv` or `claim` says that there is no overlap to end, where the MTV of a piece would take too
+        long to find, and where the move is beyond float64.
         """
         if self.shortcut is None:
             return self.mtv
@@ -157,20 +162,21 @@ class Trace:
 
     @property
     def truth(self) -> "Trace":
-        """Return the trace of the same pair without a shortcut: this trace itself unless it is a shortcut's."""
+        """Return the trace of the same shapes without a shortcut: this trace itself if it has none."""
         return record(self.a, self.b, every_axis=True) if self.shortcut else self
 
     @property
     def certificate(self) -> Certificate:
-        """Return evidence that anyone can check: a separating line, or a point in both shapes.
+        """Return evidence that its method `check` verifies with fractions.
 
-        InvalidScene where a shortcut measures otherwise or misses a hit: that run proves nothing.
+        A SeparatingLine or, for concave outlines, PartLines prove that the shapes are apart; a SharedPoint proves a
+        hit.  InvalidScene if a shortcut measures differently or misses a hit, since that run proves nothing.
         """
         if self.missed_hit or not self.proves:
             raise InvalidScene("this run took a shortcut, so it proves nothing: ask trace.truth for a certificate")
         if self.separating:
             return separating_line(self.a, self.b, self.separating.axis)
-        if self.pairs and not self.shortcut:  # whose pieces may leave out some of a shape
+        if self.pairs and not self.shortcut:  # the pieces of a shortcut may not cover the shape
             hit = self.colliding
             if hit:
                 return hit.certificate._replace(a=self.a, b=self.b)
@@ -182,12 +188,12 @@ class Trace:
 
     @property
     def skipped(self) -> tuple[Skip, ...]:
-        """Return each axis that was not tested, with the reason: left out by the choice, or by the early exit."""
+        """Return each axis that was not tested, with the reason: skipped by the choice, or by the early exit."""
         left = self.choice.axes[len(self.tests) :]
         return self.choice.skipped + tuple(Skip(axis, EARLY_EXIT, len(self.tests)) for axis in left)
 
     def without_early_exit(self) -> "Trace":
-        """Return the same run over every axis of the choice (and every pair of parts)."""
+        """Return the same run over every axis of the choice and every pair of parts; InvalidScene as in `record`."""
         if self.every_axis:
             return self
         if self.shortcut:
@@ -198,11 +204,11 @@ class Trace:
 
     @property
     def sentence(self) -> str:
-        """Return the result of the run as one sentence."""
+        """Return one sentence that says the relation, what proves it, and the MTV of an overlap."""
         return describe.verdict(self, self.known_mtv)
 
     def __str__(self) -> str:
-        return describe.table(self)
+        return text_table.table(self)
 
     def __iter__(self) -> Iterator[AxisTest]:
         return iter(self.tests)
@@ -212,45 +218,50 @@ class Trace:
         return hooks.mime_bundle(self)
 
     def to_json(self, *, indent: int | None = None) -> str:
-        """Return the trace as JSON: the shapes, each axis and landing, and the results for readers elsewhere."""
+        """Return the trace as JSON: the shapes, each axis and landing, and what other readers would have to derive.
+
+        InvalidScene for a shortcut that satviz does not define, and for more text than `from_json` reads.
+        """
         return hooks.trace_to_json(self, indent)
 
     @staticmethod
     def from_json(text: str) -> "Trace":
-        """Return the trace that `to_json` wrote; InvalidScene if anything in it is missing, unknown or false."""
+        """Return the trace that `to_json` wrote; InvalidScene if a field is missing, unknown or false."""
         trace: Trace = hooks.trace_from_json(text)
         return trace
 
 
 def record(a: Shape, b: Shape, *, axes: Chooser | Choice | Shortcut = needed, every_axis: bool = False) -> Trace:
-    """Run the loop, keep everything, and return a Trace whose relation is exact.
+    """Run the loop over two shapes and return its Trace, whose relation is exact.
 
-    `axes`: a choice of axes (satviz.axes), by default the smallest complete set; with
-    it, concave polygons are tested part by part.  Or a shortcut, whose `claim` the
-    trace then holds beside the exact relation.  The loop stops at the first
-    separating axis, and for parts at the first pair that overlaps, unless
-    `every_axis`.  TypeError for anything but Polygon and Circle and for no choice of axes; ValueError
-    for axes of other shapes; InvalidScene if the trace would list more than MAX_SIZE points and axes, or
-    where what a shortcut does in plain floats overflows.
+    `axes`: a choice of axes (satviz.axes) or a function that makes one, by default the smallest complete set, with
+    which concave polygons are tested part by part.  Or a shortcut: the trace then has the shortcut's `claim`
+    beside the exact relation.  The loop stops at the first separating axis, and with parts at the first pair that
+    overlaps, unless `every_axis`.
+    TypeError if a shape is neither Polygon nor Circle or `axes` is not a choice; ValueError
+    for axes of other shapes; InvalidScene if the trace would list more than 200,000 points and axes, or
+    if a shortcut's plain floats overflow.
     """
-    checked(a, "a"), checked(b, "b")
+    require_shape(a, "a"), require_shape(b, "b")
     every_axis = bool(every_axis)
     if axes is needed and not (a.is_convex and b.is_convex):
         return _record_parts(a, b, every_axis)
-    if type(axes) is Shortcut:  # one with methods of its own would compare equal to what it is not
+    if type(axes) is Shortcut:  # a subclass may have methods of its own and yet compare equal to a Shortcut
         return _record_shortcut(a, b, axes, every_axis)
     if not (isinstance(axes, Choice) or callable(axes)):
-        raise TypeError(f"axes is a {type(axes).__name__}: expected a choice of axes, or what makes one (satviz.axes)")
+        raise TypeError(
+            f"axes is a {type(axes).__name__}: expected a choice of axes, or a function that makes one (satviz.axes)"
+        )
     choice = axes if isinstance(axes, Choice) else axes(a, b)
     own = any(axes is choose for choose in NAMED.values())
-    return _record(a, b, choice if own else validate_choice(choice, a, b), every_axis, PLAIN)
+    return _record(a, b, choice if own else validate_choice(choice, a, b), every_axis, DEFAULT_NAMES)
 
 
 def _record_shortcut(a: Shape, b: Shape, shortcut: Shortcut, every_axis: bool) -> Trace:
-    """Run a shortcut, on the whole of A or on each of its pieces."""
+    """Run a shortcut on A, or on each piece of A, against B; return the trace."""
     pieces = shortcut.pieces(a)
     if pieces is None:
-        return _record(a, b, shortcut.choose(a, b), every_axis, PLAIN, shortcut)
+        return _record(a, b, shortcut.choose(a, b), every_axis, DEFAULT_NAMES, shortcut)
     return _record_pairs(a, b, [(p, f"A{i}") for i, p in enumerate(pieces, 1)], [(b, "B")], every_axis, shortcut)
 
 
@@ -270,14 +281,14 @@ def _record(
 
 
 def _record_parts(a: Shape, b: Shape, every_axis: bool) -> Trace:
-    """Run the loop on each pair of convex parts."""
+    """Run the loop on the pairs of convex parts of A and B; return one trace that holds all of theirs."""
     return _record_pairs(a, b, named_parts(a, "A"), named_parts(b, "B"), every_axis)
 
 
 def _record_pairs(
     a: Shape, b: Shape, of_a: NamedParts, of_b: NamedParts, every_axis: bool, shortcut: Shortcut | None = None
 ) -> Trace:
-    """Return a trace of all pairs of parts; a shortcut tests every pair, and its trace proves nothing."""
+    """Run the loop on pairs of parts, each with its name; return one trace that holds all of theirs."""
     pairs, size = [], 0
     for (p, name_a), (q, name_b) in product(of_a, of_b):
         pair = _record(p, q, needed(p, q), every_axis, Names(name_a, name_b))
@@ -289,7 +300,7 @@ def _record_pairs(
             )
         if not shortcut and pair.relation is OVERLAPPING and not every_axis:
             break
-    return Trace(a, b, Choice((), complete=not shortcut), (), every_axis, tuple(pairs), PLAIN, shortcut)
+    return Trace(a, b, Choice((), complete=not shortcut), (), every_axis, tuple(pairs), DEFAULT_NAMES, shortcut)
 
 
 def _separates(test: AxisTest) -> bool:
@@ -298,12 +309,12 @@ def _separates(test: AxisTest) -> bool:
 
 
 def _least_overlap(tests: Sequence[AxisTest]) -> AxisTest:
-    """Return the test with the largest gap, which has the least penetration depth."""
+    """Return the test with the largest gap: of overlaps, the one with the least penetration depth."""
     return max(tests, key=lambda test: test.gap)
 
 
 def _count_listed(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest]) -> int:
-    """Return how many points, landings and axes a trace lists."""
+    """Return how many points and axes a trace lists: all vertices once, and again for each test."""
     return _count_points(a, b) * (1 + len(tests)) + len(choice.axes) + len(choice.skipped)
 
 
@@ -316,12 +327,12 @@ def _check_size(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest], n
 
 
 def _count_points(a: Shape, b: Shape) -> int:
-    """Return how many points of both shapes are projected on each axis (two for a circle)."""
+    """Return the number of points of both shapes: a polygon's vertices, two for a circle."""
     return sum(2 if shape.core_is_point else len(shape.vertices) for shape in (a, b))
 
 
 def _too_large_error(what: str) -> InvalidScene:
-    """Return the error for a trace that outgrows its limit, so that work and memory stay bounded."""
+    """Return the InvalidScene for a trace over MAX_SIZE; `what`: what is too many, in words."""
     return InvalidScene(
         f"{what}: a trace lists {MAX_SIZE:,} points and axes at most; ask relate for the verdict alone, "
         "choose fewer axes (world), or simplify the shapes"

@@ -17,7 +17,7 @@ Chains = tuple[list[int], list[int]]
 
 
 def diagonals(ring: Sequence[Vec]) -> list[Diagonal]:
-    """Return the n - 3 diagonals between vertices of a simple outline that cut it into triangles.
+    """Return the n - 3 diagonals that cut a simple outline into triangles, as pairs of vertex numbers.
 
     Where three vertices lie on one line they may be the corners of a triangle, which has
     no area then; but no diagonal runs through a vertex, and no two cross.
@@ -25,39 +25,39 @@ def diagonals(ring: Sequence[Vec]) -> list[Diagonal]:
     found: list[Diagonal] = []
 
     def fan(w: int, chain: list[int]) -> None:
-        """Join w, a neighbour of the first vertex of the chain, with all others."""
+        """Add a diagonal from w to every vertex of the chain but the first, which is its neighbour."""
         found.extend((w, v) for v in chain[1:])
 
-    def grown(w: int, chain: list[int], side: int) -> list[int]:
-        """Join w with what it sees behind the end of the chain, which then ends with w."""
+    def grow(w: int, chain: list[int], side: int) -> list[int]:
+        """Join w with the vertices it sees behind the end of the chain, and return the chain, which ends with w."""
         while len(chain) > 1 and orient(ring[w], ring[chain[-1]], ring[chain[-2]]) == side:
             chain.pop()
             found.append((w, chain[-1]))
         chain.append(w)
         return chain
 
-    inside: dict[int, Chains] = {}  # by the lower edge
+    inside: dict[int, Chains] = {}  # keyed by the lower edge
     for w, ended, begun, below, _, _ in sweep(ring):
         if below in inside:
             lower, upper = inside.pop(below)
             if not ended:  # w splits what lies between the two edges
                 found.append((w, lower[-1]))
-                inside[below] = grown(w, lower, 1), [w]
-                inside[begun[1]] = [w], grown(w, upper, -1)
+                inside[below] = grow(w, lower, 1), [w]
+                inside[begun[1]] = [w], grow(w, upper, -1)
                 continue
             fan(w, upper)
-            lower, upper = grown(w, lower, 1), [w]
+            lower, upper = grow(w, lower, 1), [w]
             if not begun:  # w joins it with what lies above
                 above_lower, above_upper = inside.pop(ended[1])
                 fan(w, above_lower)
-                upper = grown(w, above_upper, -1)
+                upper = grow(w, above_upper, -1)
             inside[below] = lower, upper
         elif not ended:
             inside[begun[0]] = [w], [w]
         elif begun:
             lower, upper = inside.pop(ended[0])
             fan(w, lower)
-            inside[begun[0]] = [w], grown(w, upper, -1)
+            inside[begun[0]] = [w], grow(w, upper, -1)
         else:
             lower, upper = inside.pop(ended[0])
             around = [*lower, *upper[-2::-1]]  # from one neighbour of w to the other

@@ -10,7 +10,7 @@ from ..engine.axes import WORLD, Axis
 from ..engine.geometry import Vec
 from ..engine.sat import axis_tests
 from ..engine.shapes import Shape
-from ..engine.trace import PLAIN
+from ..engine.trace import DEFAULT_NAMES
 from ..scenes.resolve import SceneLike, resolve
 from .float_geometry import range_along
 from .label_placer import LabelRequest
@@ -44,7 +44,7 @@ def gap_curve(
     points = [(d, gap_at(a, b, d)) for d in sorted(grid)]
     low, high = min(0.0, *(g for _, g in points)), max(0.0, *(g for _, g in points))
     span = (high - low) or 1.0
-    digits = number_format.of_shapes(a, b)
+    digits = number_format.digits_for_shapes(a, b)
 
     def at(d: float, gap: float) -> Vec:
         """Return the point of the picture for an angle in degrees and a gap."""
@@ -126,9 +126,9 @@ def _short_axis_label(axis: Axis, a: Shape, b: Shape) -> str:
 
 def _sentence(a: Shape, b: Shape, best: tuple[float, float], candidates: Sequence[tuple[float, float, Axis]]) -> str:
     """Return the curve in words; `best` is its highest point, `candidates` are (degree, gap, axis)."""
-    (at, gap), digits = best, number_format.of_shapes(a, b)
+    (at, gap), digits = best, number_format.digits_for_shapes(a, b)
     top = max(candidates, key=lambda c: c[1])
-    name = describe.axis_name(top[2], (a, b), PLAIN)
+    name = describe.axis_name(top[2], (a, b), DEFAULT_NAMES)
     if gap >= 0:
         first = f"The gap of A and B on every axis from 0 to 180 degrees: the largest is {digits.signed(gap)}"
     else:

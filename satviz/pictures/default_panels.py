@@ -140,7 +140,7 @@ def panel_layouts(trace: Trace, largest: tuple[float, float]) -> tuple[Layout, L
 def _layout_on_scale(
     scale: float, shapes: Sequence[Shape], tests: Sequence[AxisTest], largest: tuple[float, float]
 ) -> Layout | None:
-    """Return the largest layout on no larger scale, found by halving, since the space for labels is in points.
+    """Return the largest layout whose scale (points per scene unit) is at most `scale`, found by halving.
 
     Return None where even a canvas of 0.3 times the largest has a larger scale.
     """

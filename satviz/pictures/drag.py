@@ -127,7 +127,7 @@ def free_axis_picture(
     sketch.add("knob", "disc", "ink", handle, radius=layout.units(KNOB_RADIUS_PT))  # so that no label covers it
     says = "this axis separates them" if test.separates else "this axis shows no gap"
     sketch.note("verdict", f"{trace.relation}: {says}", "ink", weight="title", first=1)
-    verdict = f"{' and '.join(trace.names)} {describe.ARE[trace.relation]}."
+    verdict = f"{' and '.join(trace.names)} {describe.RELATION_PHRASES[trace.relation]}."
     found = describe.outcome(test, describe.digits(trace, test))
     sentence = f"{verdict} The axis at {number_format.number(round(degree, 1))} degrees: {found}; {says}."
     return sketch.finish("", sentence, steady=False, last_offsets=last_offsets), place

@@ -75,7 +75,7 @@ def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace], *, named: bool = T
     else:
         sketch.shapes()
     if named and trace.false_hit:
-        sketch.note("verdict", describe.claimed(trace), "wrong", weight="title", first=1)
+        sketch.note("verdict", describe.claim_and_truth(trace), "wrong", weight="title", first=1)
     elif named:
         sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
     if isinstance(certificate, SeparatingLine):

@@ -43,7 +43,7 @@ def recorded_trace(name: str) -> Trace:
 
 
 def from_step(stage: Stage, test: int) -> Callable[[Trace, str], Picture]:
-    """Return a function that draws one stage of one test by itself."""
+    """Return a function of (trace, title) that draws one stage of test number `test` by itself."""
     return lambda trace, title: picture(trace, Step(stage, test), title=title, by_itself=True)
 
 

@@ -124,7 +124,7 @@ def _range_label_width(group: Group, test: AxisTest) -> float:
     """Return the points that a label of the test's ranges is wide."""
     if group.brief:
         return NAME_WIDTH_PT
-    digits = number_format.of_tests(group.shapes, [test])
+    digits = number_format.digits_for_tests(group.shapes, [test])
     return min(max(text_size(range_label("B2", text))[0] for text in digits.ranges(test)), MAX_WIDTH_PT / 3)
 
 
@@ -211,7 +211,7 @@ def place_axis_within(
         return max(x0 + rim - p.x, p.x - x1 + rim, y0 + rim - p.y, p.y - y1 + rim, 0.0)
 
     def lacking(place: AxisPlace) -> float:
-        """Return the sum of the distances by which both ends of the ranges lie outside the limits."""
+        """Return how far the outer ends of both ranges together lie outside the limits of the canvas."""
         ends = (r.lo for r in (test.a.interval, test.b.interval)), (r.hi for r in (test.a.interval, test.b.interval))
         return sum(distance_outside(place.at(t)) for t in (min(ends[0]), max(ends[1])))
 

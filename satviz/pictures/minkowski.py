@@ -57,7 +57,7 @@ def difference(
         run.relation
     ]
     sketch.note("verdict", str(run.relation), "ink", weight="title", first=1)
-    sentence = f"The origin lies {where} B {MINUS} A, so A and B {describe.ARE[run.relation]}{words}."
+    sentence = f"The origin lies {where} B {MINUS} A, so A and B {describe.RELATION_PHRASES[run.relation]}{words}."
     return sketch.finish(title, sentence, steady=False)
 
 

@@ -3,7 +3,7 @@
 from itertools import accumulate
 from typing import Any
 
-from ..engine import describe, number_format
+from ..engine import describe, number_format, text_table
 from ..engine.geometry import Relation
 from ..engine.trace import Trace
 from .caption import reading_time_ms
@@ -130,13 +130,13 @@ def table_rows(trace: Trace) -> list[dict[str, Any]]:
             row |= {"direction": number_format.vector(t.axis.direction), "outcome": describe.outcome(t, digits)}
             row |= dict(zip("ab", digits.ranges(t), strict=True))
             found.append(row)
-        found += [{"pair": of, "axis": name, "reason": why} for _, name, why in describe.untested(pair)]
+        found += [{"pair": of, "axis": name, "reason": why} for _, name, why in text_table.untested_rows(pair)]
     return found
 
 
 def first_row_numbers(trace: Trace) -> list[int]:
     """Return the number of each pair's first row in the table, from 0, and the count of all rows; [0] for no pairs."""
-    return [*accumulate((len(run.tests) + len(describe.untested(run)) for run in trace.pairs), initial=0)]
+    return [*accumulate((len(run.tests) + len(text_table.untested_rows(run)) for run in trace.pairs), initial=0)]
 
 
 def _pseudocode(trace: Trace) -> tuple[tuple[str, tuple[Stage, ...]], ...]:

@@ -240,7 +240,7 @@ class Sketch(ShapeSketch):
             return
         self.insets(test)
         anchor = midpoint(*points[1:3]) if kind == "bracket" else midpoint(*ends)
-        text = (describe.shared if interval else describe.outcome)(test, describe.digits(self.trace, test))
+        text = (describe.picture_outcome if interval else describe.outcome)(test, describe.digits(self.trace, test))
         self.label("gap-name", text, role, anchor, axis=self.axis_id(test), prefer=place.out, first=2)
 
     def project(

@@ -39,7 +39,7 @@ def all_normals(trace: Trace, *, title: str = "") -> Picture:
     sketch.shapes()
     sketch.all_normals()
     count = sum(mark.kind == "arrow" for mark in sketch.marks)
-    return sketch.finish(title, f"{describe.both(trace)} Each of the {count} edges has a normal.")
+    return sketch.finish(title, f"{describe.shapes_sentence(trace)} Each of the {count} edges has a normal.")
 
 
 def world_axes(trace: Trace, *, title: str = "") -> Picture:
@@ -51,7 +51,9 @@ def world_axes(trace: Trace, *, title: str = "") -> Picture:
         sketch.axis(test, place)
     # tests start with y, as in the article; the sentence says x and y
     names = sorted(describe.axis_name(t.axis, (trace.a, trace.b), trace.names) for t in trace.tests)
-    return sketch.finish(title, f"{describe.both(trace)} They will be projected on {describe.listed(names)}.")
+    return sketch.finish(
+        title, f"{describe.shapes_sentence(trace)} They will be projected on {describe.join_words(names)}."
+    )
 
 
 def all_tests(trace: Trace, *, title: str = "") -> Picture:
@@ -62,7 +64,7 @@ def all_tests(trace: Trace, *, title: str = "") -> Picture:
     for test, place in zip(trace.tests, layout.places, strict=True):
         sketch.project(test, place)
     if trace.false_hit:
-        sketch.note("verdict", describe.claimed(trace), "wrong", first=1)
+        sketch.note("verdict", describe.claim_and_truth(trace), "wrong", first=1)
     tests = " ".join(describe.test(trace, i) for i in range(len(trace.tests)))
     return sketch.finish(title, f"{tests} {trace.sentence}")
 
@@ -154,7 +156,7 @@ def test_panels(trace: Trace, *, title: str = "") -> Picture:
 
 
 def single_circle(trace: Trace, number: int, role: str, *, extremes: bool, title: str = "") -> Picture:
-    """Draw the circle of a pair (its role is given) with one axis: its center and radius, or its two extreme points."""
+    """Draw circle `role` ("A" or "B") on the axis of test `number`: center and radius, or two extreme points."""
     test = trace.tests[number]
     side, circle = (test.a, trace.a) if role == "A" else (test.b, trace.b)
     assert isinstance(circle, Circle)
@@ -259,7 +261,7 @@ def convex_parts(trace: Trace, *, title: str = "") -> Picture:
             inner.project(test, next(places))
             sketch.marks += inner.marks
             sketch.requests += inner.requests
-    parts = [f"{n} is {describe.listed([p for _, p in found])}" for n, found in _split_shapes(trace)]
+    parts = [f"{n} is {describe.join_words([p for _, p in found])}" for n, found in _split_shapes(trace)]
     return sketch.finish(title, f"{'; '.join(parts)}. {' '.join(p.sentence for p in trace.pairs)} {trace.sentence}")
 
 

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from urllib.parse import urlsplit
 
 from ..engine.geometry import InvalidScene
-from ..engine.polygon_validation import shown
+from ..engine.polygon_validation import short_repr
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import Trace
@@ -81,7 +81,7 @@ def site_folder(site: str, name: str = "site") -> str:
     InvalidScene for any other address, TypeError for anything but text; `name` names the argument in these lines.
     """
     if not isinstance(site, str):
-        raise TypeError(f"{name} is {shown(site)}: pass an address as text, such as https://example.org/satviz/")
+        raise TypeError(f"{name} is {short_repr(site)}: pass an address as text, such as https://example.org/satviz/")
     if not site:
         return ""
     try:
@@ -90,14 +90,14 @@ def site_folder(site: str, name: str = "site") -> str:
     except ValueError:  # brackets without an address in them, or a port that is not a number
         plain = False
     if not plain or set(site) & FORBIDDEN_LETTERS or not site.isprintable():
-        raise InvalidScene(f"{name} is {shown(site)}: expected an address such as https://example.org/satviz/")
+        raise InvalidScene(f"{name} is {short_repr(site)}: expected an address such as https://example.org/satviz/")
     if PAGE_ENDING.search(parts.path):
         site = site.rpartition("/")[0]
     return site if site.endswith("/") else f"{site}/"
 
 
 def fragment(found: Scene, options: ViewOptions = DEFAULT_VIEW) -> str:
-    """Return the fragment, which stands behind the #, for a scene with view options."""
+    """Return the part of a link after the # for a scene (or its name, if it is built in) and view options."""
     text = json.dumps(json.loads(found.to_json()), separators=(",", ":"), ensure_ascii=False)
     words = [found.name if found in ALL_SCENES else urlsafe_b64encode(text.encode()).decode().rstrip("=")]
     for key, value in options._asdict().items():
@@ -109,7 +109,7 @@ def fragment(found: Scene, options: ViewOptions = DEFAULT_VIEW) -> str:
 
 
 def fragment_of_trace(trace: Trace) -> str:
-    """Return the fragment for a trace's scene; "" where its axes have no name, or a shape is too large."""
+    """Return the fragment that opens a trace's scene; "" if its axes have no name or it is too large."""
     found = _scene_of(trace)
     with suppress(InvalidScene):
         return fragment(found) if found else ""
@@ -117,7 +117,7 @@ def fragment_of_trace(trace: Trace) -> str:
 
 
 def _scene_of(trace: Trace) -> Scene | None:
-    """Return the scene that a trace is a run of, built-in if possible; None where its axes have no name."""
+    """Return the Scene that records this trace, built-in if possible; None if its axes have no name."""
     axes = next((name for name in CHOICES if _is_run_of(trace, name)), None)
     if axes is None:
         return None
@@ -127,7 +127,7 @@ def _scene_of(trace: Trace) -> Scene | None:
 
 
 def _is_run_of(trace: Trace, name: str) -> bool:
-    """Is the trace a run of the choice of axes, or of the shortcut, with this name?"""
+    """Return whether the trace was recorded with the choice of axes, or shortcut, of this name."""
     choice = CHOICES[name]
     if trace.shortcut or isinstance(choice, Shortcut):
         return choice is trace.shortcut
@@ -150,14 +150,14 @@ def parse_fragment(text: str) -> tuple[Scene, ViewOptions]:
 
 
 def _scene_of_name(name: str) -> Scene:
-    """Return the built-in scene of a name; InvalidScene does not list the names, since the page offers them."""
+    """Return the built-in scene of this name; InvalidScene, without a list of names, if there is none."""
     if name not in names():
-        raise InvalidScene(f"no scene is called {shown(name)}")
+        raise InvalidScene(f"no scene is called {short_repr(name)}")
     return scene(name)
 
 
 def _decode_scene(text: str) -> Scene:
-    """Return the scene of a scene file in base64url; InvalidScene also where the text was cut off."""
+    """Return the scene from a scene file's text in base64url; InvalidScene if it cannot be read."""
     try:
         raw = b64decode(text.encode() + b"=" * (-len(text) % 4), altchars=b"-_", validate=True)
         return Scene.from_json(raw.decode())
@@ -168,7 +168,7 @@ def _decode_scene(text: str) -> Scene:
 
 
 def _parse_value(key: str, text: str) -> Any:
-    """Return the value of a view option; InvalidScene for any other text."""
+    """Return the value that `text` stands for in the view option `key`; InvalidScene if it has none."""
     if key == "free" and DEGREE.fullmatch(text) and isfinite(float(text)):
         return float(text)
     if key in ("row", "step") and WHOLE_NUMBER.fullmatch(text):
@@ -178,7 +178,7 @@ def _parse_value(key: str, text: str) -> Any:
         if text in choices:
             return text
         what = "view" if key == "view" else "challenge"
-        raise InvalidScene(f"no {what} is called {shown(text)}: choose one of {', '.join(choices)}")
+        raise InvalidScene(f"no {what} is called {short_repr(text)}: choose one of {', '.join(choices)}")
     if key in ("way-out", "against", "predict", "rest") and text == "1":
         return True
     raise InvalidScene(f"the link says {key}={text[:40]!r}, which is not a value of {key}")

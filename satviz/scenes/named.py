@@ -1,7 +1,7 @@
 """Every built-in scene by its name: the article's scenes and the failing cases."""
 
 from ..engine.geometry import InvalidScene, InvalidShape
-from ..engine.polygon_validation import shown
+from ..engine.polygon_validation import short_repr
 from .article import SCENES
 from .failing import FAILURE_CASES, REFUSED, FailureCase
 from .failing import NAMED as FAILING
@@ -23,7 +23,7 @@ def scene(name: str) -> Scene:
     if name in FAILING:
         return scene_of_case(FAILING[name])
     if name not in ARTICLE:
-        raise InvalidScene(f"no scene {shown(name)}: choose one of {', '.join(names())}, or give a file")
+        raise InvalidScene(f"no scene {short_repr(name)}: choose one of {', '.join(names())}, or give a file")
     return ARTICLE[name]
 
 

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from ..engine.shapes import Shape, checked
+from ..engine.shapes import Shape, require_shape
 from ..engine.trace import Trace
 from .failing import FailureCase
 from .named import refused_case, scene
@@ -45,18 +45,18 @@ class Resolved(NamedTuple):
 
     @property
     def trace(self) -> Trace:
-        """Return the trace that was passed, or record the scene anew; InvalidScene for a refused case."""
+        """Return the trace that was passed, or else record the scene; InvalidScene for a refused case."""
         return self.given if isinstance(self.given, Trace) else self.scene.record()
 
 
 def resolve(what: SceneLike | Shape, b: Shape | None = None, *, expected: str = EXPECT_ANY) -> Resolved:
-    """Resolve what was passed: a scene's name, a Scene, a trace, or, with `b`, two shapes.
+    """Return what a caller passed, as Resolved: a scene's name, a Scene, a trace, or, with `b`, two shapes.
 
     `expected` says for the error line what the calling function takes.
     InvalidScene for an unknown name, TypeError for anything that is not `expected`.
     """
     if b is not None:
-        return Resolved(Scene("scene", checked(what, "a"), checked(b, "b")))
+        return Resolved(Scene("scene", require_shape(what, "a"), require_shape(b, "b")))
     if isinstance(what, str):
         return Resolved(refused_case(what) or scene(what))
     if isinstance(what, Scene | Trace):

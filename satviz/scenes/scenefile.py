@@ -10,7 +10,7 @@ from typing import Any
 from ..engine import hooks
 from ..engine.axes import NAMED, Chooser
 from ..engine.geometry import InvalidScene, InvalidShape
-from ..engine.polygon_validation import shown
+from ..engine.polygon_validation import short_repr
 from ..engine.shapes import Circle, Polygon, Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import Trace, record
@@ -42,18 +42,18 @@ class Scene:
     def __post_init__(self) -> None:
         if not NAME.fullmatch(self.name) or len(self.name) > MAX_NAME_LETTERS:
             raise InvalidScene(
-                f"the name {shown(self.name)} must be small letters and digits in words joined by -, "
+                f"the name {short_repr(self.name)} must be small letters and digits in words joined by -, "
                 f"at most {MAX_NAME_LETTERS}"
             )
         if not self.title.isprintable():
-            raise InvalidScene(f"the title {shown(self.title)} must be one line of printable text")
+            raise InvalidScene(f"the title {short_repr(self.title)} must be one line of printable text")
         if self.axes not in CHOICES:
             raise InvalidScene(
-                f"unknown axes {shown(self.axes)}: choose one of {', '.join(NAMED)}, or a shortcut by name"
+                f"unknown axes {short_repr(self.axes)}: choose one of {', '.join(NAMED)}, or a shortcut by name"
             )
 
     def record(self) -> Trace:
-        """Return the scene's trace."""
+        """Run the loop on the scene's shapes and axes; return the Trace."""
         return record(self.a, self.b, axes=CHOICES[self.axes], every_axis=self.every_axis)
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
@@ -83,7 +83,7 @@ class Scene:
 
 
 def load(path: str | Path) -> Scene:
-    """Return the scene of a file; InvalidScene if it cannot be read or is not a scene."""
+    """Return the Scene in the file at `path`; InvalidScene if it cannot be read or holds none."""
     path = Path(path)
     try:
         if not S_ISREG(path.stat().st_mode):  # a pipe would wait for its writer, a device may never end
@@ -102,7 +102,7 @@ def load(path: str | Path) -> Scene:
 
 
 def shape_data(shape: Shape) -> dict[str, object]:
-    """Return a shape as plain JSON values; InvalidScene if it is too large to be read again."""
+    """Return a shape as a dict for JSON; InvalidScene if it has too many vertices to be read again."""
     if shape.core_is_point:
         return {"circle": list(shape.core[0]), "radius": shape.radius}
     if len(shape.vertices) > MAX_VERTICES:
@@ -114,7 +114,7 @@ def shape_data(shape: Shape) -> dict[str, object]:
 
 
 def shape_from(data: Any, where: str) -> Shape:
-    """Return the shape of plain JSON values; InvalidScene names the field that is wrong, which begins with `where`."""
+    """Return the shape that parsed JSON describes; InvalidScene names the wrong field, under `where`."""
     try:
         if isinstance(data, dict) and "circle" in data:
             keys(data, where, {"circle", "radius"})
@@ -131,7 +131,7 @@ def shape_from(data: Any, where: str) -> Shape:
 
 
 def _number_pair(value: Any, where: str) -> list[Any]:
-    """Return a list of two values, which the shape will check; InvalidScene for anything else."""
+    """Return the value if it is a list of two items, not checked further; InvalidScene otherwise."""
     if not isinstance(value, list) or len(value) != 2:
         raise InvalidScene(f"{where} must be a pair of numbers")
     return value

@@ -13,14 +13,14 @@ def box(x0: float, y0: float, x1: float, y1: float) -> Polygon:
 
 
 def turned_box(center: tuple[float, float], width: float, height: float, degrees: float) -> Polygon:
-    """Return a box turned counter-clockwise about its center."""
+    """Return a box of this width and height, turned counter-clockwise by `degrees` about its center."""
     c, s = cos(radians(degrees)), sin(radians(degrees))
     corners = ((-width / 2, -height / 2), (width / 2, -height / 2), (width / 2, height / 2), (-width / 2, height / 2))
     return Polygon([(center[0] + x * c - y * s, center[1] + x * s + y * c) for x, y in corners])
 
 
 def diamond(x: float, y: float, half_diagonal: float) -> Polygon:
-    """Return a square standing on its corner, with its center at (x, y)."""
+    """Return a square that stands on a corner; (x, y): its center; half_diagonal: from there to a corner."""
     r = half_diagonal
     return Polygon([(x + r, y), (x, y + r), (x - r, y), (x, y - r)])
 
@@ -39,5 +39,5 @@ def vertex_mean(shape: Shape) -> Vec:
 
 
 def decimal_vertices(shape: Shape) -> list[tuple[Fraction, Fraction]]:
-    """Return the vertices as the decimals that a person would write: 0.1 + 0.2 is 3/10.  A circle has none."""
+    """Return the vertices rounded to 12 digits as exact decimals: 0.1 + 0.2 is 3/10; none for a circle."""
     return [(Fraction(f"{x:.12g}"), Fraction(f"{y:.12g}")) for x, y in shape.vertices]

@@ -7,7 +7,7 @@ from collections.abc import Set
 from typing import Any
 
 from ..engine.geometry import InvalidScene
-from ..engine.polygon_validation import shown
+from ..engine.polygon_validation import short_repr
 
 MAX_DEPTH = 12
 MAX_PUNCTUATION = (
@@ -49,7 +49,7 @@ def parse(text: str, max_chars: int) -> Any:
 
 
 def keys(data: Any, where: str, required: Set[str], optional: Set[str] = frozenset()) -> dict[str, Any]:
-    """Return the object itself; InvalidScene unless it has all required keys and no others but the optional ones.
+    """Return `data` if it is an object with all required keys, and only optional ones besides; else InvalidScene.
 
     `where` names the object in the error line.
     """
@@ -65,7 +65,7 @@ def keys(data: Any, where: str, required: Set[str], optional: Set[str] = frozens
 
 
 def typed(value: Any, where: str, wanted: type) -> Any:
-    """Return the value itself; InvalidScene unless it has the type.  A bool is not a number, and 3.0 is a whole one."""
+    """Return the value, 3.0 as the integer 3 if wanted; InvalidScene if it has another type; a bool is no number."""
     if wanted is int and isinstance(value, float) and value.is_integer():
         return int(value)
     if not isinstance(value, wanted) or (isinstance(value, bool) and wanted is not bool):
@@ -75,7 +75,7 @@ def typed(value: Any, where: str, wanted: type) -> Any:
 
 
 def kind(value: Any) -> str:
-    """Return the name of a value's type in JSON's words."""
+    """Return the name of a value's JSON type for error lines, such as "a list" or "null"."""
     return "null" if value is None else _NAMES.get(type(value), type(value).__name__)
 
 
@@ -83,7 +83,7 @@ _NAMES = {str: "text", list: "a list", dict: "an object", bool: "true or false",
 
 
 def _object_without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    """Return the object of these pairs; InvalidScene names a key that stands twice."""
+    """Return a dict of the (key, value) pairs; InvalidScene if a key occurs twice."""
     found = dict(pairs)
     if len(found) < len(pairs):
         twice = next(key for key, times in Counter(key for key, _ in pairs).items() if times > 1)
@@ -97,21 +97,21 @@ def _refuse_constant(name: str) -> float:
 
 
 def _parse_finite(text: str) -> float:
-    """Return the number of a text; InvalidScene where float64 cannot hold it."""
+    """Return the float that the text stands for; InvalidScene if it is too large for float64."""
     value = float(text)
     if abs(value) == float("inf"):
-        raise InvalidScene(f"{shown(text)} is too large for float64")
+        raise InvalidScene(f"{short_repr(text)} is too large for float64")
     return value
 
 
 def _parse_whole(text: str) -> int:
-    """Return the whole number of a text; InvalidScene for more digits than any float64 has."""
+    """Return the integer that the text stands for; InvalidScene if it has over 400 letters."""
     if len(text) > 400:  # no float64 is longer; int() of a million digits takes seconds
         raise InvalidScene(f"a number of {len(text)} digits is too large for float64")
     return int(text)
 
 
 def _quoted(names: list[str]) -> str:
-    """Return names as quoted text with commas, cut to 20 names of 60 letters."""
+    """Return the names in quotes, joined by commas; at most 20 names of 60 letters each are shown."""
     found = ", ".join(json.dumps(name if len(name) <= 60 else f"{name[:60]}...") for name in names[:20])
     return found if len(names) <= 20 else f"{found}, and {len(names) - 20:,} more"

@@ -1,4 +1,4 @@
-"""A trace as JSON and back: the facts, and beside them the verdicts, which the reader checks."""
+"""Trace files: a trace as JSON and back, with what was measured and what follows from it, which `load` checks."""
 
 import json
 from dataclasses import replace
@@ -11,28 +11,28 @@ from ..engine.axes import Axis, Choice, Skip, Source
 from ..engine.describe import Names
 from ..engine.geometry import InvalidScene, InvalidShape, Vec
 from ..engine.mtv import ends_overlap
-from ..engine.polygon_validation import number, shown
+from ..engine.polygon_validation import parse_number, short_repr
 from ..engine.predicates import MAX_FLOAT, MIN_FLOAT
 from ..engine.sat import CLOSE_GAP_FACTOR, AxisTest, Projection
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
-from ..engine.trace import PLAIN, Trace, record
+from ..engine.trace import DEFAULT_NAMES, Trace, record
 from .failing import SHORTCUTS
 from .scenefile import shape_data, shape_from
 from .strictjson import keys, parse, refuse_large, typed
 
 MAX_CHARS = 1 << 26
-# How far another machine's square root may move a landing, relative to the reach: under 26 * 2**-53, see sat.CLOSE.
+# By how much a landing may differ on another machine, whose square roots are rounded differently, relative to the
+# largest coordinate: 2 * 13 u with u = 2**-53 (see sat.CLOSE_GAP_FACTOR), rounded up to 128 u.
 ROUNDING = 2.0**-46
-# The same where all is float work: a shortcut's own measure, and the way out of concave outlines.
-FLOAT_ROUNDING = 2.0**-28
+FLOAT_ROUNDING = 2.0**-28  # the same for what is computed in floats alone: a shortcut's measure, the MTV of parts
 
 
 def dump(trace: Trace, indent: int | None) -> str:
-    """A trace as the text of a trace file; InvalidScene for a shortcut of one's own, which nobody could run again."""
+    """Return a trace as JSON text; InvalidScene for a shortcut not in SHORTCUTS, or a text too large to be read."""
     if trace.shortcut and SHORTCUTS.get(trace.shortcut.name) != trace.shortcut:
         raise InvalidScene(
-            f"the shortcut {shown(trace.shortcut.name)} is none of satviz's: its trace cannot be written"
+            f"the shortcut {short_repr(trace.shortcut.name)} is none of satviz's: its trace cannot be written"
         )
     data = {"satviz": "trace 1", **_trace_data(trace, trace.known_mtv)}
     text = json.dumps(data, indent=indent, ensure_ascii=False, allow_nan=False)
@@ -44,7 +44,10 @@ def dump(trace: Trace, indent: int | None) -> str:
 
 
 def load(text: str) -> Trace:
-    """Everything is worked out again from the two shapes alone, in bounded time, and compared."""
+    """Return the trace in the text of a trace file, after checking it against the run recorded anew.
+
+    The run is recorded again from the two shapes, in bounded time; InvalidScene where the file differs from it.
+    """
     data = dict(keys(parse(text, MAX_CHARS), "the trace", {"satviz"}, _KEYS))
     if data.pop("satviz") != "trace 1":
         raise InvalidScene('"satviz" must be "trace 1"')
@@ -62,28 +65,33 @@ def load(text: str) -> Trace:
             again, pairs=tuple(_parse_pair(pair, f"trace.pairs[{i}]", ours) for i, (pair, ours) in enumerate(found))
         )
     else:
-        trace = _parse_run(data, "trace", a, b, PLAIN, shortcut)
+        trace = _parse_run(data, "trace", a, b, DEFAULT_NAMES, shortcut)
         _require_same_run(trace, _record_again(trace), "trace")
     _require_equal(_trace_data(trace, _accepted_mtv(trace, data["mtv"])), data, "trace")
     return trace
 
 
 def _parse_shortcut(name: Any) -> Shortcut | None:
+    """Return the shortcut of this name; None for null, InvalidScene for an unknown name."""
     if name is None:
         return None
     if typed(name, "trace.shortcut", str) not in SHORTCUTS:
-        raise InvalidScene(f"trace.shortcut is {shown(name)}: no shortcut of that name")
+        raise InvalidScene(f"trace.shortcut is {short_repr(name)}: no shortcut of that name")
     return SHORTCUTS[name]
 
 
 def _parse_pair(data: Any, where: str, ours: Trace) -> Trace:
+    """Return the file's trace of one pair of parts; InvalidScene unless it agrees with `ours`, recorded anew."""
     trace = _parse_run(data, where, ours.a, ours.b, ours.names)
     _require_same_run(trace, ours, where)
     return trace
 
 
 def _accepted_mtv(trace: Trace, data: Any) -> Vec | None:
-    """The file's move for concave outlines, if it is as good; another machine may round its way to another one."""
+    """Return the file's MTV if it is as good as the recomputed one (for concave outlines), else the latter.
+
+    Where two moves are equally short, rounding decides which one a machine finds.
+    """
     ours = trace.known_mtv
     if not trace.pairs or not ours or data is None:
         return ours
@@ -93,21 +101,26 @@ def _accepted_mtv(trace: Trace, data: Any) -> Vec | None:
 
 
 def _axis_data(axis: Axis) -> dict[str, object]:
+    """Return an axis as the object that a trace file stores: normal, length and source."""
     kind, shape, ids = axis.source
     source = {"kind": kind, "shape": shape, "vertices": list(ids)}
     return {"normal": list(axis.normal), "length": axis.length, "source": source}
 
 
-def _side_data(side: Projection) -> dict[str, object]:
+def _projection_data(side: Projection) -> dict[str, object]:
+    """Return a projection as the object that a trace file stores: points, landings and interval."""
     points = [list(p) for p in side.points]
     return {"points": points, "landings": list(side.landings), "interval": list(side.interval)}
 
 
 def _test_data(test: AxisTest) -> dict[str, object]:
-    return {"a": _side_data(test.a), "b": _side_data(test.b), "gap": test.gap, "separates": test.separates}
+    """Return a test as the object that a trace file stores: both projections, the gap, and if it separates."""
+    a, b = _projection_data(test.a), _projection_data(test.b)
+    return {"a": a, "b": b, "gap": test.gap, "separates": test.separates}
 
 
 def _trace_data(trace: Trace, mtv: Vec | None) -> dict[str, object]:
+    """Return a trace as the object that a trace file stores; `mtv`: the MTV to write into it."""
     return {
         "a": shape_data(trace.a),
         "b": shape_data(trace.b),
@@ -125,7 +138,7 @@ def _trace_data(trace: Trace, mtv: Vec | None) -> dict[str, object]:
         "relation": str(trace.relation),
         "hit": trace.hit,
         "mtv": mtv and list(mtv),
-        "sentence": number_format.plain(describe.verdict(trace, mtv)),
+        "sentence": number_format.ascii_minus(describe.verdict(trace, mtv)),
     }
 
 
@@ -135,7 +148,7 @@ _KEYS |= {"claim", "relation", "hit", "mtv", "sentence"}
 
 
 def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut: Shortcut | None = None) -> Trace:
-    """The trace of one run, with the file's numbers."""
+    """Return the Trace with the file's numbers, not yet checked against the shapes; `where`: its field's name."""
     keys(data, where, _KEYS)
     lists = {name: list(enumerate(typed(data[name], f"{where}.{name}", list))) for name in _LISTS}
     known = axes.axes_by_source(a, b)
@@ -143,14 +156,14 @@ def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut
         known |= {axis.source: axis for axis in shortcut.choose(a, b).axes}
     found = tuple(_parse_axis(axis, f"{where}.axes[{i}]", known) for i, axis in lists["axes"])
     parallel = [(axes.PARALLEL, i) for i in range(1, len(found) + 1)]
-    reasons = {describe.reason(*facts): facts for facts in [(axes.NO_DIRECTION, None), *parallel]}
+    reasons = {describe.reason(*skip): skip for skip in [(axes.NO_DIRECTION, None), *parallel]}
     skipped = []
     for i, skip in lists["skipped"]:
         keys(skip, f"{where}.skipped[{i}]", {"axis", "reason"})
         reason = typed(skip["reason"], f"{where}.skipped[{i}].reason", str)
         if reason not in reasons:
             raise InvalidScene(
-                f"{where}.skipped[{i}].reason is {shown(reason)}: no reason to leave out one of these axes"
+                f"{where}.skipped[{i}].reason is {short_repr(reason)}: no reason to leave out one of these axes"
             )
         skipped.append(Skip(_parse_axis(skip["axis"], f"{where}.skipped[{i}].axis", known), *reasons[reason]))
     if len(lists["tests"]) > len(found):
@@ -162,10 +175,13 @@ def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut
 
 
 def _parse_axis(data: Any, where: str, known: dict[Source, Axis]) -> Axis:
+    """Return the file's axis; InvalidScene unless its source, direction and length are those of a known axis."""
     keys(data, where, {"normal", "length", "source"})
-    told = keys(data["source"], f"{where}.source", {"kind", "shape", "vertices"})
-    ids = tuple(typed(i, f"{where}.source.vertices", int) for i in typed(told["vertices"], f"{where}.source", list))
-    kind, role = typed(told["kind"], f"{where}.source.kind", str), told["shape"]
+    source_data = keys(data["source"], f"{where}.source", {"kind", "shape", "vertices"})
+    ids = tuple(
+        typed(i, f"{where}.source.vertices", int) for i in typed(source_data["vertices"], f"{where}.source", list)
+    )
+    kind, role = typed(source_data["kind"], f"{where}.source.kind", str), source_data["shape"]
     source = Source(kind, role if role is None else typed(role, f"{where}.source.shape", str), ids)
     axis = Axis(
         _parse_vector(data["normal"], f"{where}.normal"), _parse_float(data["length"], f"{where}.length"), source
@@ -175,19 +191,23 @@ def _parse_axis(data: Any, where: str, known: dict[Source, Axis]) -> Axis:
     else:
         ours = known.get(source)
     if ours is None:
-        raise InvalidScene(f"{where}.source names vertices or a kind that these shapes do not have")
+        raise InvalidScene(
+            f"{where}.source does not fit these shapes: check its kind, its shape and its vertex numbers"
+        )
     if not axes.same_axis(axis, ours):
         raise InvalidScene(f"{where} is not the direction (or not the length) that its source has")
     return axis
 
 
 def _parse_test(data: Any, where: str, axis: Axis) -> AxisTest:
+    """Return the AxisTest that the file gives for an axis; its numbers are not yet checked."""
     keys(data, where, {"a", "b", "gap", "separates"})
     a, b = (_parse_projection(data[side], f"{where}.{side}") for side in ("a", "b"))
     return AxisTest(axis, a, b, _parse_float(data["gap"], f"{where}.gap"))
 
 
 def _parse_projection(data: Any, where: str) -> Projection:
+    """Return the Projection that the file gives; its numbers are not yet checked."""
     keys(data, where, {"points", "landings", "interval"})
     points = tuple(_parse_vector(p, f"{where}.points") for p in typed(data["points"], f"{where}.points", list))
     landings = tuple(_parse_float(v, f"{where}.landings") for v in typed(data["landings"], f"{where}.landings", list))
@@ -195,21 +215,22 @@ def _parse_projection(data: Any, where: str) -> Projection:
 
 
 def _parse_vector(data: Any, where: str) -> Vec:
+    """Return a Vec from a list of two finite numbers; InvalidScene for anything else."""
     if not isinstance(data, list) or len(data) != 2:
         raise InvalidScene(f"{where} must be a pair of numbers")
     return Vec(*(_parse_float(v, where) for v in data))
 
 
 def _parse_float(value: Any, where: str) -> float:
-    """A finite number; other writers of JSON leave the .0 of a whole one out."""
+    """Return a finite number as a float, also from an integer, since JSON writers may omit the ".0"."""
     try:
-        return number(value, where)
+        return parse_number(value, where)
     except InvalidShape as error:
         raise InvalidScene(str(error)) from None
 
 
 def _require_equal(ours: Any, theirs: Any, where: str) -> None:
-    """Every derived value in the file must be what the facts in it give."""
+    """Raise InvalidScene, which names the field, unless the file's data (theirs) equal the recomputed data (ours)."""
     if isinstance(ours, dict) and isinstance(theirs, dict):
         for key in {**ours, **theirs}:
             _require_equal(ours.get(key), theirs.get(key), f"{where}.{key}")
@@ -219,19 +240,21 @@ def _require_equal(ours: Any, theirs: Any, where: str) -> None:
     elif ours != theirs or isinstance(ours, bool) is not isinstance(theirs, bool):
         if isinstance(ours, str) and isinstance(theirs, str):
             ours, theirs = _from_difference(ours, theirs)
-        raise InvalidScene(f"{where} is {shown(theirs)}, but the facts give {shown(ours)}")
+        raise InvalidScene(
+            f"{where} is {short_repr(theirs)}, but the shapes and options in the file give {short_repr(ours)}"
+        )
 
 
 def _from_difference(one: str, other: str) -> tuple[str, str]:
-    """Both texts from a few words before they part, as long as a message shows."""
+    """Return an excerpt of both texts, 50 letters each, that shows their first difference."""
     same = [*takewhile(lambda both: both[0] == both[1], zip(one, other))]
     begin = max(0, len(same) - 20)
-    told = slice(begin, begin + 50)
-    return one[told], other[told]
+    excerpt = slice(begin, begin + 50)
+    return one[excerpt], other[excerpt]
 
 
 def _record_again(trace: Trace) -> Trace:
-    """The same run, with its axes in the numbers of these shapes, and no more left out than is true."""
+    """Record the run of a trace anew from its shapes; return it, or InvalidScene for a false skip."""
     try:
         return record(trace.a, trace.b, axes=trace.shortcut or trace.choice, every_axis=trace.every_axis)
     except InvalidScene:
@@ -241,11 +264,15 @@ def _record_again(trace: Trace) -> Trace:
 
 
 def _sources(choice: Choice) -> tuple[list[Source], list[object]]:
+    """Return the sources of the chosen axes, and (source, reason, number) of each skipped one."""
     return [axis.source for axis in choice.axes], [(skip.axis.source, skip.why, skip.number) for skip in choice.skipped]
 
 
 def _require_same_run(trace: Trace, again: Trace, where: str) -> None:
-    """Measured again, numbers may differ by a rounding of another machine; signs and everything else may not."""
+    """Raise InvalidScene unless a trace equals the run that was recorded again.
+
+    Numbers may differ by the rounding of another machine; signs and everything else may not.
+    """
     if _sources(trace.choice) != _sources(again.choice):
         raise InvalidScene(f"{where}.axes are not those of these shapes")
     _require_equal(again.choice.complete, trace.choice.complete, f"{where}.complete")
@@ -253,21 +280,23 @@ def _require_same_run(trace: Trace, again: Trace, where: str) -> None:
     if len(trace.tests) != len(again.tests):
         raise InvalidScene(f"{where}.tests has {len(trace.tests)} tests where the run has {len(again.tests)}")
     rounding = ROUNDING if trace.proves else FLOAT_ROUNDING
-    # beyond float64 a circle's is infinite
-    reach_a, reach_b = (min(shape.max_coordinate, MAX_FLOAT) for shape in (trace.a, trace.b))
-    reach = max(reach_a, reach_b)
+    # the largest coordinate of a circle that reaches beyond float64 is infinite
+    max_a, max_b = (min(shape.max_coordinate, MAX_FLOAT) for shape in (trace.a, trace.b))
+    max_coordinate = max(max_a, max_b)
     for i, (test, ours) in enumerate(zip(trace.tests, again.tests)):
         same_sign = (test.gap > 0) == (ours.gap > 0) and (test.gap < 0) == (ours.gap < 0)
-        exact = trace.proves and max(abs(test.gap), abs(ours.gap)) <= reach * CLOSE_GAP_FACTOR  # and rounded once
-        room = abs(ours.gap) * 2.0**-50 if exact else reach * rounding
-        if not same_sign or not _all_near((test.gap,), (ours.gap,), room):
+        # a close gap is computed exactly and rounded once
+        exact = trace.proves and max(abs(test.gap), abs(ours.gap)) <= max_coordinate * CLOSE_GAP_FACTOR
+        tolerance = abs(ours.gap) * 2.0**-50 if exact else max_coordinate * rounding
+        if not same_sign or not _all_near((test.gap,), (ours.gap,), tolerance):
             raise InvalidScene(f"{where}.tests[{i}].gap is {test.gap}, but the shapes give {ours.gap}")
-        for name, own, mine, other in ("a", reach_a, test.a, ours.a), ("b", reach_b, test.b, ours.b):
-            room = max((own if trace.proves else reach) * rounding, MIN_FLOAT)
+        for name, own_max, mine, other in ("a", max_a, test.a, ours.a), ("b", max_b, test.b, ours.b):
+            tolerance = max((own_max if trace.proves else max_coordinate) * rounding, MIN_FLOAT)
             flat = [c for p in mine.points for c in p], [c for p in other.points for c in p]
-            if not (_all_near(*flat, room) and _all_near(mine.landings, other.landings, room)):
+            if not (_all_near(*flat, tolerance) and _all_near(mine.landings, other.landings, tolerance)):
                 raise InvalidScene(f"{where}.tests[{i}].{name} is not where these shapes land")
 
 
-def _all_near(mine: Any, ours: Any, room: float) -> bool:
-    return len(mine) == len(ours) and all(abs(m - o) <= room or m == o for m, o in zip(mine, ours))
+def _all_near(mine: Any, ours: Any, tolerance: float) -> bool:
+    """Return whether two sequences have one length and no two numbers differ by more than the tolerance."""
+    return len(mine) == len(ours) and all(abs(m - o) <= tolerance or m == o for m, o in zip(mine, ours))

@@ -50,7 +50,7 @@ def site(*, pyodide: Path | None = None, live: bool = True) -> tuple[Iterator[tu
 def _files(
     script: bytes, style: bytes, python: dict[str, bytes], version: str, reference_files: list[tuple[str, bytes]]
 ) -> Iterator[tuple[str, bytes]]:
-    """Yield (path, content) of each file of the site; the pages name their scripts with this version."""
+    """Yield (path, content) of each file of the site; `version` is part of the links to its scripts and styles."""
     frame = pages.Frame(chapters(), guides.guides(), version, bool(python), bool(reference_files))
     chapter_bodies = [chapter_body(chapter) for chapter in frame.chapters]  # may raise: then nothing is written
     yield "site.js", script
@@ -74,7 +74,7 @@ def _files(
 
 
 def _script() -> bytes:
-    """Return the pages' script: a plain script in a block of its own, because a file cannot load a module."""
+    """Return the pages' script as a classic script in a block, since a page opened from disk loads no modules."""
     script = javascript("../../site/browser/site")
     return _with_maker(f'"use strict";\n{{\n{script}}}\n'.encode())
 

@@ -100,7 +100,7 @@ class _FoldedText:
         self.answer: list[str] | None = None  # the parts of the present answer; None where no question is open
 
     def add(self, html: str, *, part_of_question: bool = False) -> None:
-        """Add a part; with `part_of_question` it stays outside the fold if it follows the question directly."""
+        """Add a part; with `part_of_question` it stays unfolded if it follows the question directly."""
         outside = self.answer is None or (part_of_question and not self.answer)
         (self.parts if outside or self.answer is None else self.answer).append(html)
 
@@ -117,13 +117,13 @@ class _FoldedText:
         self.answer = None
 
     def html(self) -> str:
-        """Return the HTML of all parts."""
+        """Return the HTML of all parts, after folding the last answer."""
         self.end_answer()
         return "\n".join(self.parts)
 
 
 def _add_prose(text: _FoldedText, markdown: Any, source: str) -> None:
-    """Add a Markdown cell without the notebook's own fold around an answer, because the page folds answers itself."""
+    """Add a Markdown cell in the words of a page, without the notebook's fold: the page folds answers itself."""
     for pattern, replacement in NOTEBOOK_PHRASES:
         source = pattern.sub(replacement, source)
     source = "\n\n".join(p for p in source.split("\n\n") if not NEIGHBOUR_LINK.match(p))
@@ -201,14 +201,14 @@ class _WidgetFinder:
         return Widget(parts.player(resolve(what, *more).trace, predict=predict), answers=not predict)
 
     def _run(self, sources: list[str]) -> None:
-        """Run these cells and keep their names; what they print is dropped."""
+        """Run the code of these cells and keep the names that it defines; what it prints is dropped."""
         for source in sources:
             with redirect_stdout(io.StringIO()):
                 exec(source, self.names)
 
 
 def lead(chapter: Chapter) -> str:
-    """Return the first line of the chapter's prose, for the list of chapters."""
+    """Return the first line of a chapter's prose as plain text, for the list of chapters."""
     for paragraph in "".join(chapter.cells[0]["source"]).split("\n\n")[1:]:
         if not NEIGHBOUR_LINK.match(paragraph) and not paragraph.startswith("#"):
             return re.sub(r"[*`]|\]\([^)]*\)|\[", "", paragraph.partition("\n")[0])

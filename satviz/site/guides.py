@@ -41,7 +41,7 @@ def _read(name: str) -> str:
 
 
 def _guide(path: str, text: str) -> Guide:
-    """Return the guide with this page path and this Markdown."""
+    """Return the Guide of a page's path and its Markdown; the title and first sentence come from the Markdown."""
     title, lead, *_ = text.split("\n\n", 2)
     return Guide(path, title.removeprefix("# "), re.split(r"(?<=[.?]) ", lead, maxsplit=1)[0], text)
 

@@ -22,7 +22,7 @@ CHOICES = {
 
 
 def answer(place: str, text: str) -> str:
-    """Return the answer to a message from a place on the page, both as JSON; an unknown message gets an empty text."""
+    """Return the JSON reply to a JSON message; `place`: the explorer's id on the page; "" for an unknown message."""
     content = json.loads(text)
     if content.get("kind") == "open":
         reply: dict[str, Any] | None = _open(place, content)
@@ -32,7 +32,7 @@ def answer(place: str, text: str) -> str:
 
 
 def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
-    """Return what a link opens: an explorer's state, a player's steps, or the reason why it cannot be opened."""
+    """Return the reply to an "open" message: an explorer's state, a player's steps, or why the link is refused."""
     try:
         scene, shown = parse_fragment(typed(content.get("hash"), "the link", str))
         if shown.step is not None or shown.predict or shown.rest:
@@ -56,7 +56,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
 
 
 def _player_data(scene: Scene, shown: ViewOptions) -> dict[str, Any]:
-    """Return a player's steps and where it begins; a prediction uses the true run, not that of a shortcut."""
+    """Return a player's steps and its first one; a prediction uses the true run, not that of a shortcut."""
     trace = scene.record()
     trace = trace.truth if shown.predict and trace.shortcut else trace
     shows = playbacks(trace)

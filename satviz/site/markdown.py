@@ -36,11 +36,11 @@ def highlighted_code(code: str, language: str = "python", _attributes: str = "")
 
 
 def _indented_code(_renderer: Any, tokens: Any, i: int, _options: Any, _env: Any) -> str:
-    """Return an indented block of code as HTML, without colours."""
+    """Return an indented block of code as HTML, without colours (a render rule of markdown-it)."""
     return f'<pre tabindex="0"><code>{escape(tokens[i].content)}</code></pre>\n'
 
 
 def _heading_with_id(_renderer: Any, tokens: Any, i: int, _options: Any, _env: Any) -> str:
-    """Return the start tag of a heading with its id: small letters, hyphens for spaces, no punctuation."""
+    """Return a heading's start tag with the id that GitHub gives it: small letters, hyphens for spaces."""
     words = re.sub(r"[^\w\s-]", "", tokens[i + 1].content.lower()).replace(" ", "-")
     return f'<{tokens[i].tag} id="{words}">'

@@ -48,7 +48,7 @@ class Frame(NamedTuple):
 
 
 def html_page(frame: Frame, path: str, title: str, body: str, *, description: str, kind: str = "") -> bytes:
-    """Return a page of the site; search engines show the description, and `kind` is a class for the style sheet."""
+    """Return the HTML of a page: `body` with head, navigation and footer; `kind`: a class for the style sheet."""
     python = f' data-python="python/worker.js?{frame.version}"' if frame.python else ""
     links = [
         ("index.html", "satviz"),
@@ -201,7 +201,7 @@ def guide_page(frame: Frame, guide: Guide, body: str) -> bytes:
 
 
 def _neighbour_links(pages: Sequence[Chapter] | Sequence[Guide], page: Chapter | Guide, label: str) -> str:
-    """Return the links to the pages before and after a page of this sequence, where there are such pages."""
+    """Return links to the pages before and after `page` in a sequence, as HTML; the ends have one link."""
     i = [other.path for other in pages].index(page.path)
     links = []
     if i:
@@ -220,7 +220,7 @@ def scene_pictures() -> list[tuple[str, bytes]]:
 
 @cache
 def _scene_picture(name: str, *, narrow: bool = False) -> Picture:
-    """Return a scene's picture; with `narrow` its panels stand one above the other, for a telephone."""
+    """Return a scene's Picture; with `narrow` its panels stand one above the other, for a telephone."""
     return picture(name, largest=NARROW_PANEL_SIZES_PT[0]) if narrow else picture(name)
 
 

@@ -16,7 +16,7 @@ from .themed import themed_svg
 
 
 def svg_element(picture: Picture) -> str:
-    """Return the picture as an SVG element of the page."""
+    """Return the picture as an SVG element that follows the reader's theme."""
     return themed_svg(bundle(picture)["image/svg+xml"])
 
 

@@ -20,7 +20,7 @@ TEMPLATES = Path(__file__).with_name("templates")
 
 
 def reference(*, in_site: bool = False) -> Iterator[tuple[str, bytes]]:
-    """Yield (path, content) of each file; with `in_site` a page links to the site one folder above.
+    """Yield (path, content) of each file of the reference; `in_site`: pages link to the site one folder above.
 
     Raise ImportError, which says what to install, if pdoc is missing.
     """
@@ -43,7 +43,7 @@ def reference(*, in_site: bool = False) -> Iterator[tuple[str, bytes]]:
 
 @cache
 def example(name: str) -> str:
-    """Return the HTML of a name's example, its code and its output; "" for a name without an example."""
+    """Return the HTML of a public name's example: code, output and picture; "" for a name without an example."""
     code = EXAMPLES.get(name)
     if code is None:
         return ""
@@ -54,7 +54,7 @@ def example(name: str) -> str:
 
 
 def run_example(code: str) -> tuple[str, str]:
-    """Return (what the code prints and its last value as text, the SVG of this value or "")."""
+    """Return what the code prints with its last value as text, and the SVG of that value ("" if none)."""
     *first, last = ast.parse(code).body
     assert isinstance(last, ast.Expr)
     names = {"sv": satviz}

@@ -48,7 +48,7 @@ TIMEOUT_SECONDS = 180  # for npm, and for Node
 
 
 class PythonMissing(Exception):
-    """Python for the page cannot be had; the message is one line that says why."""
+    """Raised when Python for the page cannot be had; the message is one line that says why."""
 
 
 def runtime(pyodide: Path | None) -> tuple[dict[str, bytes], str]:
@@ -76,7 +76,7 @@ def runtime(pyodide: Path | None) -> tuple[dict[str, bytes], str]:
 
 
 def gzipped(data: bytes) -> bytes:
-    """Return the data as gzip, the same bytes each time, with satviz named in the field for a comment."""
+    """Return the data as gzip, the same bytes each time, with satviz named in the header's comment field."""
     deflate = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS)
     head = b"\x1f\x8b\x08\x10\0\0\0\0\x02\xff" + safe_write.MADE_BY.encode() + b"\0"
     tail = zlib.crc32(data).to_bytes(4, "little") + (len(data) & 0xFFFFFFFF).to_bytes(4, "little")
@@ -86,7 +86,7 @@ def gzipped(data: bytes) -> bytes:
 
 
 def satviz_zip() -> bytes:
-    """Return the parts of satviz that the page needs as a zip, the same bytes each time."""
+    """Return a zip of the parts of satviz that the page imports, the same bytes each time."""
     out = io.BytesIO()
     root = Path(__file__).parent.parent
     found = [
@@ -119,7 +119,7 @@ def _core_from_folder(folder: Path) -> dict[str, bytes]:
 
 
 def _core_from_npm() -> dict[str, bytes]:
-    """Return the files of Pyodide's core from the npm package; raise PythonMissing if its hash is not INTEGRITY."""
+    """Return Pyodide's core files from npm's package, fetched once and kept; raise PythonMissing on failure."""
     kept = cache_folder() / f"pyodide-{VERSION}.tgz"
     if not (kept.is_file() and _has_expected_hash(kept.read_bytes())):
         data = _fetch_from_npm()
@@ -131,7 +131,7 @@ def _core_from_npm() -> dict[str, bytes]:
 
 
 def _fetch_from_npm() -> bytes:
-    """Return the npm package of Pyodide; raise PythonMissing if npm is missing or fails."""
+    """Return the bytes of Pyodide's npm package; raise PythonMissing if npm is missing or fails."""
     npm = which("npm")
     if npm is None:
         raise PythonMissing("npm is not installed")
@@ -145,12 +145,12 @@ def _fetch_from_npm() -> bytes:
 
 
 def _has_expected_hash(data: bytes) -> bool:
-    """Return True if the data is the npm package that satviz was made with."""
+    """Return whether the data is the npm package that satviz was made with, by its SHA-512 hash."""
     return "sha512-" + b64encode(sha512(data).digest()).decode() == INTEGRITY
 
 
 def _stored_memory(core: dict[str, bytes], satviz: bytes) -> tuple[bytes, str]:
-    """Return (the memory of a Python that has satviz loaded, ""), or (b"", the reason why there is none)."""
+    """Return (memory image of a Python that has loaded satviz, ""), or (b"", the reason why there is none)."""
     node = which("node")
     if node is None:
         return b"", "no memory of a first start is kept, so pages start slower: node is not installed"

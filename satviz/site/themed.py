@@ -15,7 +15,7 @@ _STYLE_ELEMENT = re.compile(r"\s*<defs>\s*<style[^>]*>[^<]*</style>\s*</defs>")
 
 
 def _colours(theme: Theme) -> dict[str, str]:
-    """Return the colours of a theme by the names of their CSS variables."""
+    """Return the colours of a theme by the names of their CSS variables without the prefix."""
     roles = {f"text-{role}": theme.text.get(role, colour) for role, colour in theme.roles.items()}
     return {"paper": theme.paper, **theme.roles, **roles}
 
@@ -24,7 +24,7 @@ _VARIABLES = {colour.lower(): role for role, colour in reversed(_colours(LIGHT).
 
 
 def themed_svg(svg: str) -> str:
-    """Return the SVG element for a page: styles as attributes, colours as variables, only ids that are used."""
+    """Return an SVG element for a page: styles as attributes, colours as CSS variables, no unused ids."""
     found = _LABELS.sub("", _STYLE_ELEMENT.sub("", svg))
     # matplotlib numbers the parts of each picture, so two pictures on a page would share ids
     found = _IDS.sub(lambda match: match[0] if f"#{match[1]}" in found else "", found)

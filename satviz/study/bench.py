@@ -100,7 +100,7 @@ class BenchPlan(NamedTuple):
 
 
 def plan_bench(pairs: int, rounds: int, seed: int) -> BenchPlan:
-    """Return the plan for so many pairs: 100,000 go with scenes of 30,000 polygons, and growth up to a million."""
+    """Return the BenchPlan for a number of pairs; the sizes of all other sections follow from that number."""
     powers = tuple(10**k for k in range(1, 7) if 10**k <= 10 * pairs)[-4:]
     corners = CORNER_COUNTS if pairs >= 10_000 else CORNER_COUNTS[::2]
     side, scene = min(120, isqrt(pairs) + 1), min(30_000, -(-3 * pairs // 10))
@@ -108,7 +108,7 @@ def plan_bench(pairs: int, rounds: int, seed: int) -> BenchPlan:
 
 
 def bench(plan: BenchPlan) -> Iterator[TimingRow]:
-    """Measure and yield all rows, section by section."""
+    """Measure every section of the plan in turn and yield its rows."""
     yield from _bench_pairs(plan)
     yield from _bench_corners(plan)
     yield from _bench_scenes(plan)
@@ -121,7 +121,7 @@ def bench(plan: BenchPlan) -> Iterator[TimingRow]:
 def _time_jobs(
     section: str, work: str, size: int, jobs: Jobs, items: int | Mapping[str, int], unit: str, rounds: int
 ) -> Iterator[TimingRow]:
-    """Run the jobs in turn and yield a row for each; `items`: how many a job does, one number or by its name."""
+    """Time the jobs in turn and yield a row for each; `items`: how many items a job does, in all or by job."""
     items_of = dict.fromkeys(jobs, items) if isinstance(items, int) else items
     nanoseconds = {"ns": 1.0, "us": 1e3, "ms": 1e6}[unit]
     for method, times in time_in_turn(jobs, rounds, items_of).items():
@@ -130,7 +130,7 @@ def _time_jobs(
 
 
 def _with_wrong_count(row: TimingRow, answers: Any, right: NDArray[np.int8], by: str) -> TimingRow:
-    """Return the row with the number of wrong answers among the first ones, those whose true relation is known."""
+    """Return the row with its wrong answers counted; `right`: the true relations of the first answers."""
     answers = np.asarray(answers)[: len(right)]
     return row._replace(wrong=sum(count_mistakes(answers, right).values()), checked=len(right), by=by)
 
@@ -139,7 +139,7 @@ def _with_wrong_count(row: TimingRow, answers: Any, right: NDArray[np.int8], by:
 
 
 def _bench_pairs(plan: BenchPlan) -> Iterator[TimingRow]:
-    """Time the workloads of pairs, checked by rationals, and beside them the least time that reading takes."""
+    """Time every method on each workload of pairs, check first answers by rationals, and time reading alone."""
     with ThreadPoolExecutor(2) as pool:
         for work, make in WORKLOADS.items():
             a, b = make(np.random.default_rng(plan.seed), plan.pairs)
@@ -179,7 +179,7 @@ def _first_shapes(side: Side, n: int) -> Side:
 
 
 def _numba_peers(a: batch.Shapes, b: batch.Shapes) -> Jobs:
-    """Return jobs for textbook SAT and GJK in numba, satviz's kernel without error bounds, and reading alone.
+    """Return jobs in numba for these sides: textbook SAT, GJK, satviz without error bounds, and reading alone.
 
     All of them read the very arrays that satviz reads: another copy could be nearer to the processor.
     """
@@ -190,6 +190,7 @@ def _numba_peers(a: batch.Shapes, b: batch.Shapes) -> Jobs:
     out = np.empty(len(a), np.int8)
 
     def run(kernel: Callable[..., None], *options: Any) -> NDArray[np.bool_]:
+        """Return which pairs hit, by a kernel; `options`: its arguments between the columns and the output."""
         kernel(*columns, *options, out)
         return out > 0
 
@@ -219,7 +220,7 @@ def _bench_corners(plan: BenchPlan) -> Iterator[TimingRow]:
 
 
 def _engine_jobs(function: Callable[..., Any], *arguments: Any) -> Jobs:
-    """Return a job for each engine that is installed: `function(*arguments, engine=...)`."""
+    """Return a job for each installed engine, which calls `function(*arguments, engine=...)`."""
     return {label: partial(function, *arguments, engine=engine) for label, engine in _installed_engines()}
 
 
@@ -263,6 +264,7 @@ def _time_collisions(
     """Time finding all collisions of the shapes that `make` returns, checked by shapely's where it is installed."""
 
     def make_and_collide(*, engine: str) -> NDArray[np.intp]:
+        """Return the colliding pairs of the shapes that `make` returns, found by this engine."""
         return batch.colliding_pairs(make(), engine=engine)
 
     jobs = _engine_jobs(make_and_collide)
@@ -278,7 +280,7 @@ def _time_collisions(
 
 
 def _shapely_polygons(coords: NDArray[np.float64], offsets: NDArray[np.int64]) -> Any:
-    """Return shapely's polygons from corners one after another and the (N + 1,) offsets of the outlines."""
+    """Return shapely polygons from the (M, 2) corners of all outlines and their (N + 1,) offsets."""
     import shapely
 
     return shapely.polygons(
@@ -287,7 +289,7 @@ def _shapely_polygons(coords: NDArray[np.float64], offsets: NDArray[np.int64]) -
 
 
 def _tree_pairs(geometries: Any, predicate: str | None) -> NDArray[np.intp]:
-    """Build shapely's STRtree, query it, and return the (K, 2) pairs; without a predicate those whose boxes meet."""
+    """Return the (K, 2) pairs that shapely's STRtree finds; without a predicate those whose boxes meet."""
     import shapely
 
     i, j = shapely.STRtree(geometries).query(geometries, predicate=predicate)
@@ -317,7 +319,7 @@ def _bench_broad_phase(plan: BenchPlan) -> Iterator[TimingRow]:
 
 
 def _bench_growth(plan: BenchPlan) -> Iterator[TimingRow]:
-    """Time all collisions of more and more mixed polygons, which are made beforehand."""
+    """Time finding all collisions of N mixed polygons that are made beforehand, for growing N."""
     for n in plan.numbers:
         made = batch.Polygons(scattered_polygons(np.random.default_rng(plan.seed), n))
         jobs = _engine_jobs(batch.colliding_pairs, made)
@@ -343,7 +345,7 @@ print((perf_counter() - start) * 1e3)
 
 
 def _bench_starts(plan: BenchPlan) -> Iterator[TimingRow]:
-    """Time a new process up to its first answer by satviz.batch, with the compiled kernels already on disk."""
+    """Time a new process from its first import to the first answer of each engine, and importing NumPy alone."""
     sources = {"import numpy": NUMPY_START_SOURCE}
     sources |= {label: BATCH_START_SOURCE.format(engine=engine) for label, engine in _installed_engines()}
     for label, source in sources.items():
@@ -356,7 +358,7 @@ def _bench_starts(plan: BenchPlan) -> Iterator[TimingRow]:
 
 
 def _bench_memory(plan: BenchPlan) -> Iterator[TimingRow]:
-    """Measure the bytes a shape that remain after each work, and those at the peak of the work."""
+    """Measure the bytes for each shape that are kept after each work, and those at the peak of the work."""
     rings = scattered_polygons(np.random.default_rng(plan.seed), plan.scene)
     for label, engine in _installed_engines():
         batch.colliding_pairs(batch.Polygons(rings), engine=engine)  # so that what is loaded only once is not counted

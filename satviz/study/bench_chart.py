@@ -45,6 +45,7 @@ def bench_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
         reading += f" Wrong answers of satviz, both engines together: {wrong}."
 
     def draw(fig: Figure, theme: Theme) -> None:
+        """Draw the headline, the chart of speed ratios and the chart of times against corners."""
         draw_headline(fig, theme, "How many times as fast as shapely", SUBTITLE)
         _draw_ratios(fig, theme, charted)
         _draw_corners(fig, theme, corners)
@@ -54,7 +55,7 @@ def bench_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
 
 
 def _fastest_and_slowest(method: str, ratios: Sequence[SpeedRatio]) -> str:
-    """Return a sentence: an engine's smallest and largest ratio, and at the largest its ratio to prepared shapely."""
+    """Return a sentence with a method's smallest and largest ratio, the largest also to prepared shapely."""
     own = sorted((r for r in ratios if r.method == method), key=lambda r: r.times)
     least, most = own[0], own[-1]
     text = f"In the left chart {method} is from {_times_in_words(least.times)} as fast as shapely unprepared "
@@ -64,7 +65,7 @@ def _fastest_and_slowest(method: str, ratios: Sequence[SpeedRatio]) -> str:
 
 
 def _slower_works(slower: Sequence[SpeedRatio]) -> str:
-    """Return sentences that name every work and size at which an engine took longer than shapely."""
+    """Return sentences that name the works of these ratios, all below 1, by method; or say that there are none."""
     if not slower:
         return "At no work of this run was satviz slower than shapely unprepared."
     parts = []
@@ -87,7 +88,7 @@ def _speed_ratios(rows: Sequence[TimingRow]) -> list[SpeedRatio]:
 
 
 def _charted_ratios(rows: Sequence[TimingRow], ratios: Sequence[SpeedRatio]) -> list[SpeedRatio]:
-    """Return the ratios of the left chart: all works except corners, at their smallest and largest size."""
+    """Return the ratios of the left chart: every work except corners, at its smallest and largest size."""
     ends = {}
     for row in rows:
         sizes = [other.size for other in rows if (other.section, other.work) == (row.section, row.work)]
@@ -96,19 +97,19 @@ def _charted_ratios(rows: Sequence[TimingRow], ratios: Sequence[SpeedRatio]) -> 
 
 
 def _work_with_size(row: TimingRow) -> str:
-    """Return the name of a row's work with its size."""
+    """Return the name of a row's work, with its number of boxes or corners where that is varied."""
     if row.section == "broad phase":
         return f"{row.size:,} boxes, {row.work}"
     return f"{row.work}, {row.size} corners" if row.section == "corners" else row.work
 
 
 def _methods_in(ratios: Sequence[SpeedRatio]) -> list[str]:
-    """Return the charted methods that have a ratio."""
+    """Return the methods of the left chart that occur in these ratios, in the order of `MARKS`."""
     return [method for method in MARKS if any(r.method == method for r in ratios)]
 
 
 def _times_in_words(times: float) -> str:
-    """Return "12 times", with one decimal below 10."""
+    """Return a speed ratio in words: "12 times", or "3.4 times" with one decimal below 10."""
     return f"{times:.0f} times" if times >= 10 else f"{times:.1f} times"
 
 

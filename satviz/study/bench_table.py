@@ -49,7 +49,7 @@ def _lines_by_size(rows: list[TimingRow]) -> list[str]:
 
 
 def wrong_counts(rows: Sequence[TimingRow]) -> str:
-    """Return how many of the checked answers were wrong, counted apart for each kind of check; empty if none was."""
+    """Return a text with the wrong and the checked answers by kind of check; empty if nothing was checked."""
     parts = []
     for by, words in CHECKED_BY.items():
         own = [row for row in rows if row.by == by]
@@ -69,7 +69,7 @@ def growth_exponent(times: Mapping[int, float]) -> float:
 
 
 def busy_warning(rows: list[TimingRow]) -> str:
-    """Return a warning where more than a quarter of the times vary a lot between rounds; otherwise an empty string."""
+    """Return a warning if more than a quarter of the times have quartiles far apart; otherwise an empty string."""
     timed = [row for row in rows if row.section not in ("memory", "starts")]
     spread = [row for row in timed if row.high - row.low > BUSY_SPREAD * row.time]
     if len(spread) * 4 <= len(timed):

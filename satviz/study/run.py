@@ -94,7 +94,7 @@ def _failed_names(failed: dict[str, Failure]) -> str:
 
 
 def all_charts(found: dict[str, Any], sections: Sequence[ModuleType], settings: Settings) -> list[Chart]:
-    """Return every chart of the sections; `found`: the results of the cells by name."""
+    """Return every chart of the sections; `found`: results by cell name, with all cells of these sections."""
     return [chart for section in sections for chart in section.charts(found, settings)]
 
 
@@ -113,7 +113,7 @@ def _study_page(made: Sequence[Chart], failed: dict[str, Failure], settings: Set
 
 @contextmanager
 def open_executor(kind: str | None) -> Iterator[Executor | None]:
-    """Open the executor of that kind and close it at the end.
+    """Yield the executor of that kind, or None, and close it at the end.
 
     `kind`: None for no executor, "threads", "processes", or the address of a dask scheduler (extra `cluster`).
     Raise ValueError where there is no scheduler at the address, or dask is not installed.
@@ -135,6 +135,8 @@ def open_executor(kind: str | None) -> Iterator[Executor | None]:
         try:
             client: Any = Client(kind, timeout=10)  # type: ignore[no-untyped-call]
         except (OSError, ValueError) as error:
-            raise ValueError(f"no dask scheduler at {kind!r} ({error}); or choose threads or processes") from None
+            raise ValueError(
+                f"no dask scheduler at {kind!r} ({error}): check the address, or choose threads or processes"
+            ) from None
         with client, client.get_executor() as pool:
             yield pool

@@ -33,7 +33,7 @@ def relation(a: Shape, b: Shape) -> Relation:
 
 
 def polygons(a: Polygon, b: Polygon) -> Relation:
-    """Return the relation of two polygons, by what remains of a when everything outside b is cut off."""
+    """Return the relation of two polygons, by what is left of a after clipping it to b."""
     _, (p, q) = _rings(a, b)
     common = _clipped(p, q)
     if not common:
@@ -42,7 +42,7 @@ def polygons(a: Polygon, b: Polygon) -> Relation:
 
 
 def circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
-    """Return the relation by the squared distance from the center to the nearest point of the polygon."""
+    """Return the relation of a circle and a polygon, by the squared distance from the center to the polygon."""
     _, (cx, cy, r, *flat) = _integers((*circle.center, circle.radius, *(c for v in polygon.vertices for c in v)))
     ring = _distinct(zip(flat[::2], flat[1::2], strict=True))
     if _inside((cx, cy), ring):
@@ -52,13 +52,13 @@ def circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
 
 
 def circles(a: Circle, b: Circle) -> Relation:
-    """Return the relation by the squares of the distance of the centers and of the sum of the radii."""
+    """Return the relation of two circles, by the squares of the centers' distance and of the sum of the radii."""
     _, (ax, ay, ar, bx, by, br) = _integers((*a.center, a.radius, *b.center, b.radius))
     return _relation_by_distance((ax - bx) ** 2 + (ay - by) ** 2, (ar + br) ** 2)
 
 
-def distance2(a: Polygon, b: Polygon) -> Fraction:
-    """Return the exact squared distance of two convex polygons; 0 when they meet."""
+def squared_distance(a: Polygon, b: Polygon) -> Fraction:
+    """Return the exact squared distance of two convex polygons; 0 where they touch or overlap."""
     if polygons(a, b):
         return Fraction(0)
     k, (p, q) = _rings(a, b)
@@ -84,7 +84,7 @@ def exact_difference(a: Polygon, b: Polygon) -> list[Rational]:
         """Return one half of the hull, by Andrew's monotone chain, without its last point."""
         kept: list[Rational] = []
         for p in ordered:
-            while len(kept) > 1 and turn(kept[-2], kept[-1], p) <= 0:
+            while len(kept) > 1 and orientation(kept[-2], kept[-1], p) <= 0:
                 kept.pop()
             kept.append(p)
         return kept[:-1]
@@ -92,19 +92,19 @@ def exact_difference(a: Polygon, b: Polygon) -> list[Rational]:
     return chain(points) + chain(points[::-1])
 
 
-def turn(p: Iterable[Number], q: Iterable[Number], r: Iterable[Number]) -> Fraction:
-    """Return the orientation determinant: twice the signed area of the triangle p q r, exactly."""
+def orientation(p: Iterable[Number], q: Iterable[Number], r: Iterable[Number]) -> Fraction:
+    """Return the orientation determinant of p, q, r exactly: twice the signed area of the triangle."""
     (px, py), (qx, qy), (rx, ry) = (exact(v) for v in (p, q, r))
     return (qx - px) * (ry - py) - (qy - py) * (rx - px)
 
 
 def exact(v: Iterable[Number]) -> Rational:
-    """Return a point with rational coordinates."""
+    """Return the point v with its coordinates as Fractions, without rounding."""
     x, y = (Fraction(c) for c in v)
     return x, y
 
 
-def area2(vertices: Iterable[Iterable[Number]]) -> Fraction:
+def twice_signed_area(vertices: Iterable[Iterable[Number]]) -> Fraction:
     """Return twice the signed area of an outline, exactly; positive if it runs counter-clockwise."""
     ring = [exact(v) for v in vertices]
     return sum((px * qy - py * qx for (px, py), (qx, qy) in _edges(ring)), Fraction(0))
@@ -130,21 +130,21 @@ def is_simple(vertices: Iterable[Iterable[Number]]) -> bool:
 
 
 def _relation_by_distance(squared_distance: int | Fraction, squared_radius: int) -> Relation:
-    """Return the relation of a disc and a point at that distance from its center."""
+    """Return the relation: apart above the squared radius, touching at it, overlapping below it."""
     if squared_distance == squared_radius:
         return Relation.TOUCHING
     return Relation.APART if squared_distance > squared_radius else Relation.OVERLAPPING
 
 
 def _integers(values: Sequence[float]) -> tuple[int, list[int]]:
-    """Return k and integers n with value = n / 2**k; every float64 is an integer over a power of two."""
+    """Return k and the integers value * 2**k; every float64 is an integer over a power of two."""
     ratios = [value.as_integer_ratio() for value in values]
     unit = max(den for _, den in ratios)
     return unit.bit_length() - 1, [num * (unit // den) for num, den in ratios]
 
 
 def _rings(a: Polygon, b: Polygon) -> tuple[int, tuple[list[Ints], list[Ints]]]:
-    """Return k and both outlines as integers over 2**k, counter-clockwise, without repeated corners."""
+    """Return k and both outlines scaled to integers by 2**k, counter-clockwise, without repeated corners."""
     k, flat = _integers([c for v in (*a.vertices, *b.vertices) for c in v])
     points = list(zip(flat[::2], flat[1::2], strict=True))
     n = len(a.vertices)
@@ -160,7 +160,7 @@ def _counter_clockwise(points: Sequence[Ints]) -> list[Ints]:
 
 
 def _distinct(points: Iterable[Point]) -> list[Point]:
-    """Return a ring in which no point equals its neighbour."""
+    """Return the points as a ring, without those that equal the point before."""
     ring: list[Point] = []
     for p in points:
         if not ring or ring[-1] != p:
@@ -176,7 +176,7 @@ def _edges(ring: Sequence[Point]) -> Iterable[tuple[Point, Point]]:
 
 
 def _clipped(ring: Sequence[Ints], window: Sequence[Ints]) -> list[Homogeneous]:
-    """Return the corners of what two convex rings share, by Sutherland and Hodgman; perhaps collinear, or none."""
+    """Return the corners of the intersection of two convex rings (Sutherland and Hodgman); may be flat or empty."""
     left: list[Homogeneous] = [(x, y, 1) for x, y in ring]
     for (px, py), (qx, qy) in _edges(window):
         ex, ey = qx - px, qy - py
@@ -197,7 +197,7 @@ def _clipped(ring: Sequence[Ints], window: Sequence[Ints]) -> list[Homogeneous]:
 
 
 def _between(p: Homogeneous, s: int, q: Homogeneous, t: int) -> Homogeneous:
-    """Return the point of the segment p q on a line; s and t, of opposite signs, are the sides of p and q of it."""
+    """Return where the segment p q crosses a line; s and t: signed sides of p and q, one positive, one negative."""
     if s < 0:
         p, s, q, t = q, t, p, s
     x, y, w = (s * b - t * a for a, b in zip(p, q, strict=True))
@@ -214,7 +214,7 @@ def _has_area(points: Sequence[Homogeneous]) -> bool:
 
 
 def _inside(c: Ints, ring: Sequence[Ints]) -> bool:
-    """Return whether a ray from c to the right crosses the ring an odd number of times; on the ring either answer."""
+    """Return whether the point c lies inside the ring, by crossings of a ray; on the ring either answer."""
     cx, cy = c
     odd = False
     for (px, py), (qx, qy) in _edges(ring):

@@ -5,7 +5,7 @@ from math import isfinite
 from typing import Any, NamedTuple
 
 from ..engine.axes import directions
-from ..engine.axis_count import enough
+from ..engine.axis_count import count_axes
 from ..engine.geometry import InvalidScene, Vec
 from ..engine.trace import Trace, record
 from ..pictures import Picture
@@ -91,7 +91,7 @@ class ExplorerModel(PlayerModel):
             "names": list(trace.names),
             "relation": str(trace.relation),
             "sentence": drawn.picture.sentence,
-            "enough": enough(trace)[1],
+            "enough": count_axes(trace)[1],
             "rows": table_rows(trace),
             "lit": drawn.lit,
             "json": self.scene.to_json(),

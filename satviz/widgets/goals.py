@@ -47,7 +47,7 @@ class ChallengeResult(NamedTuple):
 def evaluate_goal(goal: str, shown: Scene) -> ChallengeResult:
     """Return how a scene stands to a goal; InvalidScene for an unknown goal, or one that the scene cannot have."""
     if goal not in GOAL_TASKS:
-        raise InvalidScene(f"no challenge {polygon_validation.shown(goal)}: choose one of {', '.join(GOAL_TASKS)}")
+        raise InvalidScene(f"no challenge {polygon_validation.short_repr(goal)}: choose one of {', '.join(GOAL_TASKS)}")
     met, says = {ONE_AXIS: _evaluate_one_axis, TOUCH: _evaluate_touch, BREAK: _evaluate_break}[goal](shown)
     return ChallengeResult(goal, met, GOAL_TASKS[goal], says, GOAL_HINTS[goal])
 
@@ -125,7 +125,9 @@ def _evaluate_break(shown: Scene) -> tuple[bool, str]:
     """Return whether the shortcut's answer is wrong, and what it says."""
     trace = shown.record()
     if trace.shortcut is None:
-        raise InvalidScene(f"the axes {shown.axes!r} are no shortcut, so there is nothing to break")
+        raise InvalidScene(
+            f"the axes {shown.axes!r} are not a shortcut: choose a shortcut, which this goal is to make fail"
+        )
     found = answers(trace)
     if found.is_wrong:
         return True, f"Broken. It says {found.claimed}; right is {found.actual}."

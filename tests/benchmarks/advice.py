@@ -120,7 +120,8 @@ def main():
     for name in args.only:
         recommendation = sv.advise(*SCENES[name](np.random.default_rng(1), PAIRS))
         right = [j.model for j in recommendation.results if j.proven]
-        found = costs(right, recommendation.case.batches(), engine=engine, most=PAIRS, tests=math.inf, seconds=math.inf)
+        pairs = recommendation.given.batches()
+        found = costs(right, pairs, engine=engine, most=PAIRS, tests=math.inf, seconds=math.inf)
         best = min(found, key=lambda key: found[key].warm)
         mine, pairs = found[recommendation.model.name].warm, min(recommendation.summary.pairs, PAIRS)
         regret = mine / found[best].warm

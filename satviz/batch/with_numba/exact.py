@@ -9,7 +9,7 @@ Names in the kernels: x, y are the coordinates of one outline (corners i0 to i1)
 
 import numpy as np
 
-from ...engine.predicates import HUGE, TINY
+from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..array_types import Array
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
@@ -24,7 +24,7 @@ MAX_TERMS = 12  # floats whose sum is an orientation
 def relate_few_corners(
     x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, max_coordinate: float, terms: Array
 ) -> int:
-    """Return the exact relation of corners i0 to i1 of one row with j0 to j1 of another; UNDECIDED out of range.
+    """Return the exact relation of (x, y) corners i0 to i1 with (p, q) corners j0 to j1; UNDECIDED out of range.
 
     `max_coordinate`: both largest coordinates together; `terms`: scratch.
     """
@@ -36,7 +36,7 @@ def relate_few_corners(
 def relate_many_corners(
     x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, max_coordinate: float, terms: Array
 ) -> int:
-    """Return the exact relation as `relate_few_corners` does, faster for outlines of many corners."""
+    """Return what `relate_few_corners` returns, for outlines of many corners: by GJK, then edge by edge."""
     found, i, j = _gjk(x, y, i0, i1, p, q, j0, j1, max_coordinate)
     if found != UNDECIDED:
         return found
@@ -62,7 +62,7 @@ def _classify_edges(
     max_coordinate: float,
     terms: Array,
 ) -> int:  # fmt: skip
-    """Return the relation that the edges ending in corners first to last prove, evaluating every other corner.
+    """Return the relation proven by the edges of (x, y) that end in corners first to last - 1.
 
     APART where all corners lie beyond one.  Where some lie on its line and none before, the shapes can only
     meet there: TOUCHING, or APART, as their ranges on the line tell.  Else OVERLAPPING for now; UNDECIDED
@@ -103,7 +103,7 @@ def _classify_edge(
     x: Array, y: Array, i0: int, i1: int, end: int, p: Array, q: Array, j0: int, j1: int, k: int, max_coordinate: float,
     terms: Array,
 ) -> tuple[int, int]:  # fmt: skip
-    """Return (relation that the edge ending in a corner proves, a corner of the other shape low along its normal).
+    """Return (relation proven by the edge that ends in corner `end`, a corner of (p, q) low along its normal).
 
     Down the outline from corner k one is soon found that lies before the edge.  That alone is taken from walking,
     which rounding can stop: where none is found, all are looked at.
@@ -123,14 +123,14 @@ def _classify_edge(
 
 @compiled
 def _edge_meets_range(ex: float, ey: float, fx: float, fy: float, low: float, high: float) -> bool:
-    """Return whether an edge meets a range on its own line; places are given by x, or by y if it is vertical."""
+    """Return whether edge e-f meets the range low to high on its line, by x (by y if it is vertical)."""
     e, f = (ey, fy) if ex == fx else (ex, fx)
     return low <= max(e, f) and high >= min(e, f)
 
 
 @inlined
 def _walk_down_onward(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> int:
-    """Return the corner reached by walking onward from k while the outline falls along (dx, dy)."""
+    """Return the corner reached from k by walking forward while dx*x + dy*y falls."""
     for _ in range(i0, i1):
         i = k + 1 if k + 1 < i1 else i0
         if dx * (x[i] - x[k]) + dy * (y[i] - y[k]) >= 0:
@@ -141,7 +141,7 @@ def _walk_down_onward(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, d
 
 @inlined
 def _walk_down(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> int:
-    """Return the corner reached by walking from k, onward or back, while the outline falls along (dx, dy)."""
+    """Return the corner reached from k by walking forward, else backward, while dx*x + dy*y falls."""
     end = _walk_down_onward(x, y, i0, i1, k, dx, dy)
     if end == k:
         for _ in range(i0, i1):
@@ -155,7 +155,7 @@ def _walk_down(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: floa
 
 @inlined
 def _lowest_corner(x: Array, y: Array, i0: int, i1: int, dx: float, dy: float) -> int:
-    """Return the corner lowest along (dx, dy), up to rounding; evaluating all without a branch beats walking."""
+    """Return the index of the corner with the least dx*x + dy*y; evaluating all without a branch beats walking."""
     k, least = 0, np.inf
     for n in range(i1 - i0):
         i = np.uintp(i0 + n)  # unsigned: numba need not ask whether it counts from the end
@@ -223,7 +223,7 @@ def is_certainly_inside(x: Array, y: Array, i0: int, i1: int, px: float, py: flo
     return (
         left == i1 - i0 - 1
         and _is_certainly_left(x[i1 - 1], y[i1 - 1], x[i0], y[i0], px, py, error_bound)
-        and max_coordinate * max_coordinate < HUGE
+        and max_coordinate * max_coordinate < MAX_SAFE_PRODUCT
     )
 
 
@@ -231,7 +231,7 @@ def is_certainly_inside(x: Array, y: Array, i0: int, i1: int, px: float, py: flo
 def _is_certainly_left(ex: float, ey: float, fx: float, fy: float, px: float, py: float, error_bound: float) -> bool:
     """Return whether p is certainly left of the line from e to f; same error bound as in `relate`."""
     dx, dy = fx - ex, fy - ey
-    return dx * (py - ey) - dy * (px - ex) > (abs(dx) + abs(dy)) * error_bound + TINY
+    return dx * (py - ey) - dy * (px - ex) > (abs(dx) + abs(dy)) * error_bound + MIN_SAFE_PRODUCT
 
 
 @compiled
@@ -239,7 +239,7 @@ def _certified_cross(ux: float, uy: float, vx: float, vy: float) -> float:
     """Return the cross product of u and v, or 0 where rounding may hide its sign."""
     left, right = ux * vy, uy * vx
     size = abs(left) + abs(right)
-    return left - right if abs(left - right) > ERRBOUND_A * size and size > TINY else 0.0
+    return left - right if abs(left - right) > ERRBOUND_A * size and size > MIN_SAFE_PRODUCT else 0.0
 
 
 @compiled
@@ -247,7 +247,7 @@ def orient(px: float, py: float, qx: float, qy: float, rx: float, ry: float, ter
     """Return the exact orientation of p, q, r, as exact_signs.orient does for arrays; UNKNOWN out of range."""
     left, right = (qx - px) * (ry - py), (qy - py) * (rx - px)
     size = abs(left) + abs(right)
-    if abs(left - right) > ERRBOUND_A * size and size > TINY and size < HUGE:
+    if abs(left - right) > ERRBOUND_A * size and size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT:
         return 1 if left > right else -1
     if (rx == px and ry == py) or (rx == qx and ry == qy):
         return 0
@@ -258,13 +258,13 @@ def orient(px: float, py: float, qx: float, qy: float, rx: float, ry: float, ter
         _two_diff_tail(qy, py, c),
         _two_diff_tail(rx, px, d),
     )
-    if size > TINY and size < HUGE:
-        # with what the differences and the products lost: signs.orient says how far this can be off
+    if size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT:
+        # with the errors of the differences and products; error bound as in exact_signs._orient_adaptive
         (e, left), (f, right) = two_product(a, b), two_product(c, d)
         turn = (left - right) + ((e - f) + ((a * eb + ea * b) - (c * ed + ec * d)))
         if abs(turn) > ERRBOUND_C * size:
             return 1 if turn > 0 else -1
-    # a product beyond the floats leaves an infinity among the terms, and no sum is told of that
+    # a product that overflows leaves an infinity among the terms, and then the sum has no certified sign
     if ea == 0 and eb == 0 and ec == 0 and ed == 0 and _is_product_exact(a, b) and _is_product_exact(c, d):
         terms[0], terms[2] = two_product(a, b)
         terms[1], terms[3] = two_product(-c, d)
@@ -278,20 +278,20 @@ def orient(px: float, py: float, qx: float, qy: float, rx: float, ry: float, ter
 
 @compiled
 def _two_diff_tail(a: float, b: float, difference: float) -> float:
-    """Return the rounding error of a difference; difference plus error is exact."""
+    """Return the rounding error of `difference` = a - b; difference plus error is exact."""
     part = a - difference
     return (a - (difference + part)) + (part - b)
 
 
 @compiled
 def _is_product_exact(a: float, b: float) -> bool:
-    """Return whether the product is 0 or large enough for two floats to hold all its bits."""
-    return abs(a * b) >= TINY or a == 0 or b == 0
+    """Return whether two floats can hold a * b exactly: it is 0 or not too small."""
+    return abs(a * b) >= MIN_SAFE_PRODUCT or a == 0 or b == 0
 
 
 @compiled
 def two_product(a: float, b: float) -> tuple[float, float]:
-    """Return a * b as (error, rounded product) (Dekker 1971)."""
+    """Return (rounding error, rounded product) of a * b; their sum is exact (Dekker 1971)."""
     product = a * b
     (a1, a0), (b1, b0) = _split(a), _split(b)
     return ((a1 * b1 - product) + a0 * b1 + a1 * b0) + a0 * b0, product
@@ -307,7 +307,7 @@ def _split(a: float) -> tuple[float, float]:
 
 @compiled
 def sign_of_sum(terms: Array, count: int) -> int:
-    """Return the exact sign of the sum of the first terms, UNKNOWN after too many passes; overwrites the terms."""
+    """Return the exact sign of the sum of the first `count` terms, else UNKNOWN; the terms are overwritten."""
     last = count - 1
     for _ in range(MAX_PASSES):
         rest = 0.0

@@ -13,7 +13,7 @@ from functools import cache
 
 import numpy as np
 
-from ...engine.predicates import HUGE, TINY
+from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..array_types import Array, Signs
 from ..arrays import Group
@@ -25,12 +25,12 @@ TILE_PAIRS = 128  # pairs at a time: their columns stay in the first-level cache
 
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
-    """Mark columns APART where an edge of one shape clears the other by more than the error bound."""
+    """Fill `out` with the relations of columns from `first` on; UNDECIDED within the float64 error bound."""
     clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, error_bound_of(a, b), out)
 
 
 def error_bound_of(a: Group, b: Group) -> float:
-    """Return the error bound of a float64 clearance of these groups; infinite outside the range where it is known."""
+    """Return the float64 error bound of any clearance of these groups; infinite where no bound is known."""
     found = (a.max_edge_component + b.max_edge_component) * (a.max_coordinate + b.max_coordinate) * ERROR_FACTOR_F64
     return found if MIN_ERROR_BOUND < found < MAX_ERROR_BOUND else np.inf
 
@@ -149,7 +149,7 @@ def _raise_clearance(
 
 
 def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
-    """Classify upright boxes exactly by four comparisons of sides."""
+    """Fill `out` with the exact relations of upright boxes, in columns from `first` on."""
     _boxes(a.x, a.y, b.x, b.y, first, out)
 
 
@@ -181,7 +181,7 @@ def relation_of_gap(gap: float) -> int:
 
 @compiled
 def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Signs) -> None:
-    """Classify circles by the squared distance against the squared sum of radii."""
+    """Fill `out` with the relations of circles from `first` on, by squared distance and radii, or UNDECIDED."""
     for k in range(out.size):
         i = np.uintp(first + k)
         dx, dy, radius_sum = ax[i] - bx[i], ay[i] - by[i], ar[i] + br[i]
@@ -192,12 +192,12 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-    """Classify by the squared distance from each center to the nearest edge or corner, against the squared radius."""
+    """Fill `out` with relations by the squared distance from center to boundary; UNDECIDED within its error bound."""
     (_circle_unrolled(len(px)) if len(px) <= 8 else _circle_general)(cx, cy, cr, px, py, first, out)
 
 
 def _circle_kernel(corners: int | None) -> Callable[..., None]:
-    """Return a kernel for a fixed number of corners, which the compiler unrolls, or for any number (None)."""
+    """Return the filter of circles with polygons compiled for `corners` corners, or for any number (None)."""
 
     @compiled
     def kernel(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
@@ -218,7 +218,7 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
                 turn = x * dy - y * dx
                 tolerance = (abs(dx) + abs(dy)) * turn_error
                 along, square = -(x * dx + y * dy), dx * dx + dy * dy
-                safe = safe & (square > TINY)
+                safe = safe & (square > MIN_SAFE_PRODUCT)
                 foot = turn / square * turn
                 distance = x * x + y * y if along <= 0 else u * u + z * z if along >= square else foot
                 inside = inside & (turn > tolerance)

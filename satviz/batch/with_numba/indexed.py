@@ -21,18 +21,18 @@ LANE_STRIDE = LANES + 8  # a power of two would put all corners of a pair into t
 
 
 def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
-    """Fill in the exact relations of the pairs (ia, ib); UNDECIDED where floats go out of range."""
+    """Fill `out` with the exact relations of polygons a[ia[k]], b[ib[k]]; UNDECIDED where floats go out of range."""
     _polygons(a.x, a.y, a.start, a.bounds, a.upright, b.x, b.y, b.start, b.bounds, b.upright, ia, ib, out)
 
 
 def columns(a: Group, b: Group, first: int, out: Signs) -> None:
-    """Fill in the exact relations of the columns that are UNDECIDED in `out`; some stay UNDECIDED out of range."""
+    """Replace UNDECIDED in `out` by exact relations, in columns from `first` on; some stay UNDECIDED."""
     _columns(a.x, a.y, b.x, b.y, first, a.max_coordinate + b.max_coordinate, out)
 
 
 @compiled
 def _columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, max_coordinate: float, out: Signs) -> None:
-    """Compute the exact relations of undecided columns one by one."""
+    """Replace UNDECIDED in `out` by the exact relations, column by column."""
     va, vb = ax.shape[0], bx.shape[0]
     x, y, p, q, terms = np.empty(va), np.empty(va), np.empty(vb), np.empty(vb), np.empty(MAX_TERMS)
     for k in range(out.size):
@@ -50,7 +50,7 @@ def _polygons(
     bx: Array, by: Array, sb: Indices, box_b: Array, upright_b: Mask,
     ia: Indices, ib: Indices, out: Signs,
 ) -> None:  # fmt: skip
-    """Compute the relations of picked pairs: by bounding boxes, then by the float filter on lanes, then exactly."""
+    """Fill `out` with the relations of pairs (ia, ib): by boxes, then the float filter in lanes, then exactly."""
     terms, error_bounds, best = np.empty(MAX_TERMS), np.empty(LANES), np.empty(LANES)
     x, y = np.empty((MAX_LANE_CORNERS + 1, LANE_STRIDE)), np.empty((MAX_LANE_CORNERS + 1, LANE_STRIDE))
     p, q = np.empty((MAX_LANE_CORNERS + 1, LANE_STRIDE)), np.empty((MAX_LANE_CORNERS + 1, LANE_STRIDE))
@@ -117,7 +117,7 @@ def _evaluate_lanes(
     ia: Indices, ib: Indices, which: Indices, width: int,
     x: Array, y: Array, p: Array, q: Array, error_bounds: Array, best: Array, out: Signs,
 ) -> None:  # fmt: skip
-    """Evaluate the float filter on lanes of pairs; an outline of fewer corners is repeated to `width` edges."""
+    """Fill `out` at the pairs `which` by the float filter, side by side, each outline extended to `width` edges."""
     n = which.size
     for k in range(n):
         i, j = ia[which[k]], ib[which[k]]

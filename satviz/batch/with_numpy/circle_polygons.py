@@ -11,7 +11,7 @@ is a ratio, and then it is nearly always a float.
 import numpy as np
 from numpy.typing import NDArray
 
-from ...engine.predicates import HUGE, TINY, to_integers
+from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT, to_integers
 from ...engine.relate import relate_integers
 from .. import exact_signs
 from ..array_types import Array, Indices, Signs
@@ -22,7 +22,7 @@ MAX_INTEGER_PAIRS = 32  # pairs that integers settle sooner
 
 
 def gap_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
-    """Return the exact signs of (distance minus radius), column by column; -1 also where the center is inside."""
+    """Return the exact sign of (distance minus radius) for each circle and polygon; -1 if the center is inside."""
     found = np.full(len(cx), UNKNOWN, np.int8)
     with np.errstate(all="ignore"):
         size = min(BLOCK_PAIRS, exact_signs.pairs_per_block(len(px)))
@@ -35,13 +35,13 @@ def gap_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
 
 
 def _integer_sign(cx: float, cy: float, cr: float, px: Array, py: Array) -> int:
-    """Return the exact sign for one circle and polygon, with integers."""
+    """Return the exact sign of (distance minus radius) for one circle and polygon, with integers."""
     _, (x, y, r, *flat) = to_integers([float(cx), float(cy), float(cr), *px.tolist(), *py.tolist()])
     return 1 - relate_integers([(x, y)], list(zip(flat[: len(px)], flat[len(px) :], strict=True)), r)
 
 
 def _float_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
-    """Return the signs of (distance minus radius), or UNKNOWN, from all corners and feet near the radius."""
+    """Return the exact signs of (distance minus radius), by floats with their errors; UNKNOWN if that fails."""
     n, v = len(cx), len(px)
     px, py = _close_rings(px), _close_rings(py)
     corners, upright, slanted, inside, error_bound = _features_within_radius(cx, cy, cr, px, py)
@@ -49,7 +49,7 @@ def _float_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs
     least = found.reshape(v, n)
 
     def taken(where: Indices, ends: int) -> tuple[Indices, list[Array]]:
-        """Return coordinates of the ends of the chosen edges."""
+        """Return (pair of each chosen corner or edge, [cx, cy, cr, then x, y of its first `ends` corners])."""
         pair = where - where // n * n  # NumPy's own remainder takes twice as long
         return pair, [c[pair] for c in (cx, cy, cr)] + [c.ravel()[where + n * i] for i in range(ends) for c in (px, py)]
 
@@ -73,7 +73,7 @@ def _float_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs
 
 
 def _close_rings(c: Array) -> Array:
-    """Return the columns with the first corner once more at the end."""
+    """Return the columns of corner coordinates with the first corner repeated at the end."""
     closed = np.empty((len(c) + 1, c.shape[1]))
     closed[:-1], closed[-1] = c, c[0]
     return closed
@@ -82,10 +82,10 @@ def _close_rings(c: Array) -> Array:
 def _features_within_radius(
     cx: Array, cy: Array, cr: Array, px: Array, py: Array
 ) -> tuple[Indices, Indices, Indices, Indices, Array]:
-    """Return the flat indices of the corners, and of the edges, that may lie within the radius.
+    """Return flat indices of the corners, upright and slanted edges that may lie within the radius.
 
-    Then the pairs whose center may be inside, and how far products of differences can be off: what
-    filter_numpy.circle_polygons grants or up to twice that; infinite (and no places) out of range.
+    Then the pairs whose center may be inside, and how far products of differences can be off: the bound
+    of filter.circle_polygons or up to twice that; infinite (and no places) out of range.
     """
     x, y = px[:-1] - cx, py[:-1] - cy
     distance = x * x
@@ -107,14 +107,20 @@ def _features_within_radius(
         upright[i] = (dx == 0) | (dy == 0)
         np.minimum(lowest, turn, out=lowest)
         np.minimum(shortest, square, out=shortest)
-    unsafe = np.flatnonzero(~((error_bound > TINY) & (error_bound < HUGE * 2.0**-46) & (shortest > TINY)))
+    unsafe = np.flatnonzero(
+        ~(
+            (error_bound > MIN_SAFE_PRODUCT)
+            & (error_bound < MAX_SAFE_PRODUCT * 2.0**-46)
+            & (shortest > MIN_SAFE_PRODUCT)
+        )
+    )
     error_bound[unsafe], within[unsafe], near[:, unsafe], lowest[unsafe] = np.inf, -1.0, False, np.nan
     places = [np.flatnonzero(m) for m in (distance <= within, near & upright, near & ~upright, lowest >= -error_bound)]
     return *places, error_bound
 
 
 def _corner_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
-    """Return the signs of (distance from corner to center minus radius).
+    """Return the exact signs of (distance from corner p to the center minus radius), or UNKNOWN.
 
     At exactly the radius no difference is rounded: let the radius be odd in units of a power of
     two, and both differences whole in units of that over 2**m, one of them odd.  One odd square,
@@ -141,10 +147,10 @@ def _upright_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Ar
 def _foot_signs(
     cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array, *, error_bound: Array
 ) -> tuple[Signs, NDArray[np.bool_]]:
-    """Return the signs of (distance from the edge's line minus radius), and where the foot may lie beyond the ends.
+    """Return (signs of the distance from each edge's line minus radius, mask: the foot may lie beyond the ends).
 
     The length is a float and what it misses: the difference of squares over twice the float, as
-    its own square is too small.  In units of exact_signs.nearly: what it misses is off by 41uu of the
+    its own square is too small.  In units of exact_signs.sum_with_error: what it misses is off by 41uu of the
     length, the rounded products of remainders by 16uuR, those left out uuR: with nearly's own
     30uuR in all 88uuR, of the 256uuR granted.
     """
@@ -171,7 +177,7 @@ def _foot_signs(
 def _keep_inner_feet(
     least: Signs, cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array
 ) -> Signs:
-    """Return the signs whose foot lies strictly between the ends, and 1 elsewhere, where a corner is nearer."""
+    """Return `least` where the foot lies strictly between the edge's ends, 1 elsewhere; UNKNOWN if unclear."""
     (dx, f), (dy, g) = two_sum(qx, -px), two_sum(qy, -py)
     inner = []
     for way, ends in ((-1.0, (px, py)), (1.0, (qx, qy))):
@@ -195,7 +201,7 @@ def _signs_of_sums(pairs: Products, more: Array, plain: NDArray[np.bool_]) -> Si
 
 
 def _contains_center(cx: Array, cy: Array, px: Array, py: Array) -> NDArray[np.bool_]:
-    """Return whether the center lies strictly left of every edge."""
+    """Return a mask: is the center strictly left of every edge, that is, inside?"""
     ends = [np.ravel(c) for c in (px[:-1], py[:-1], px[1:], py[1:])]
     centers = [np.tile(c, len(px) - 1) for c in (cx, cy)]
     left = (exact_signs.orient(*ends, *centers) > 0).reshape(len(px) - 1, -1)

@@ -20,7 +20,7 @@ RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 
 
 
 def relations(a: Group, ia: Indices, b: Group, ib: Indices) -> Signs:
-    """Return the exact relations of columns `ia` of one group with columns `ib` of another."""
+    """Return the exact relations of column ia[k] of group a with column ib[k] of group b."""
     found = np.empty(len(ia), np.int8)
     corners = max(len(a.x), len(b.x))
     settle, size = _relate_polygons, exact_signs.pairs_per_block(corners, BLOCK_CORNERS)
@@ -34,7 +34,7 @@ def relations(a: Group, ia: Indices, b: Group, ib: Indices) -> Signs:
 
 
 def _relate_circles(a: Group, b: Group) -> Signs:
-    """Return the exact relations of circles."""
+    """Return the exact relations of columns where one side or both are circles."""
     if a.r is not None and b.r is not None:
         return RELATION_OF_SIGN[exact_signs.circle_gap_signs(a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r)]
     (circle, polygon), radii = ((a, b), a.r) if a.r is not None else ((b, a), b.r)
@@ -63,7 +63,7 @@ def _relate_boxes(a: Group, b: Group) -> Signs:
 
 
 class Edges(NamedTuple):
-    """Outlines in columns and how many edges count; further rows repeat corners.
+    """Hold outlines in columns and how many of their edges count; further rows repeat corners.
 
     An edge leads from one row to the next; the last edge leads back to the first row if all rows count.
     """
@@ -74,7 +74,7 @@ class Edges(NamedTuple):
 
 
 def relate_edges(a: Edges, b: Edges) -> Signs:
-    """Return exact relations from edges: every edge for few corners, the likeliest edges first for many."""
+    """Return the exact relations of polygons by their edges: all for few corners, likeliest first for many."""
     found = np.full(a.x.shape[1], OVERLAPPING, np.int8)
     factor = (_max_coordinates(a.x, a.y) + _max_coordinates(b.x, b.y)) * ERROR_FACTOR_F64
     most = max(a.edge_count, b.edge_count)
@@ -97,7 +97,7 @@ def relate_edges(a: Edges, b: Edges) -> Signs:
 
 
 def _facing_corner(own: Edges, other: Edges) -> Indices:
-    """Return the corner furthest towards the other shape, by floats; any corner would be correct."""
+    """Return for each column the corner of `own` furthest towards `other`, by floats; any would be correct."""
     dx, dy = (s[0] + s[len(s) // 2] - o[0] - o[len(o) // 2] for s, o in ((other.x, own.x), (other.y, own.y)))
     value = dx * own.x
     value += dy * own.y
@@ -106,7 +106,7 @@ def _facing_corner(own: Edges, other: Edges) -> Indices:
 
 
 def _classify_numbered_edge(own: Edges, other: Edges, e: int, factor: Array) -> tuple[Indices, Signs]:
-    """Return (pairs that edge `e` does not plainly cut, what the edge proves about them)."""
+    """Return (columns where no corner of `other` certainly lies before edge e, what e proves there)."""
     f = (e + 1) % len(own.x)
     ex, ey, fx, fy = own.x[e], own.y[e], own.x[f], own.y[f]
     nx, ny = fy - ey, ex - fx
@@ -124,7 +124,7 @@ def _classify_numbered_edge(own: Edges, other: Edges, e: int, factor: Array) -> 
 
 
 def _classify_edges(own: Edges, other: Edges, start: Indices, left: Indices, factor: Array) -> Signs:
-    """Return what one edge of each pair proves, from float values and exact signs within the error bound.
+    """Return the relation that edge `start` of `own` proves for each column in `left`; OVERLAPPING if none.
 
     APART where all corners lie beyond it.  Where some lie on its line and none before, the shapes can only
     meet there: TOUCHING, or APART, as their ranges on the line tell.  OVERLAPPING for now where one lies before.
@@ -149,7 +149,7 @@ def _classify_edges(own: Edges, other: Edges, start: Indices, left: Indices, fac
 
 
 def _classify_on_line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, which: Indices) -> Signs:
-    """Return what an edge proves when only corners on its line are left; the others lie beyond it."""
+    """Return the relation each edge e-f proves; only corners p, of column `which`, may lie on or before it."""
     side = np.empty(len(which), np.int8)
     for start in range(0, len(which), BLOCK_SIGNS):
         part = slice(start, start + BLOCK_SIGNS)
@@ -171,7 +171,7 @@ def _classify_on_line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py:
 
 
 def _max_coordinates(x: Array, y: Array) -> Array:
-    """Return the largest absolute value in each column."""
+    """Return the largest absolute coordinate of each column."""
     most, least = np.maximum(x.max(axis=0), y.max(axis=0)), np.minimum(x.min(axis=0), y.min(axis=0))
     largest: Array = np.maximum(most, -least)
     return largest

@@ -30,7 +30,7 @@ MAX_F32_CORNERS = 16  # corners; above it float32 decides few pairs, and evaluat
 
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
-    """Mark columns APART where an edge of one shape clears the other, in float32 with an error bound."""
+    """Fill `out` for columns from `first` on: by float32 clearances, or GJK above MAX_F32_CORNERS corners."""
     if max(len(a.x), len(b.x)) > MAX_F32_CORNERS:
         gjk.polygons(a, b, first, out)
         return
@@ -46,7 +46,7 @@ def _max_width(group: Group) -> float:
 def evaluate_f32(
     ax: Array, ay: Array, bx: Array, by: Array, width: float | Array, again: int = 0
 ) -> tuple[Array32, Array32]:
-    """Return (float32 clearances, error bounds); each bound comes from its own pair, so far pairs do not widen others.
+    """Return (float32 clearance, error bound) of each pair, from its own coordinates; width: of both shapes.
 
     `again`: how many rows at the end repeat corners, so that no edge leads from the last row to the first.
     """
@@ -65,7 +65,7 @@ def _to_f32(c: Array, origin: Array) -> Array32:
 
 
 def clearance(ax: Array32, ay: Array32, bx: Array32, by: Array32, known: int, again: int = 0) -> Array32:
-    """Return the largest clearance of any edge: the distance of the other shape's nearest corner, times edge length.
+    """Return the largest clearance of any edge of each pair: its distance from the other shape, times its length.
 
     `known`: 1 where A's first corner is the origin, which saves its products.  `again`: as in `evaluate_f32`.
     """
@@ -104,7 +104,7 @@ def _raise_clearance(
 
 
 def classify_clearances(gap: Array32 | Array, error_bound: Array32 | Array, out: Signs) -> None:
-    """Fill `out` with what the clearances prove, given their error bounds."""
+    """Fill `out`: APART above the error bound, OVERLAPPING below its negative, else UNDECIDED."""
     np.multiply((gap < -error_bound).view(np.int8), OVERLAPPING - UNDECIDED, out=out)
     out += (gap > error_bound).view(np.int8)  # by APART - UNDECIDED, which is 1
     out += UNDECIDED
@@ -127,25 +127,25 @@ def box_gap(a: Array | Sequence[Array], b: Array | Sequence[Array]) -> Array:
 
 
 def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Signs) -> None:
-    """Classify circles by the squared distance against the squared sum of radii."""
+    """Fill `out` with the relations of circles from `first` on, by squared distance and radii, or UNDECIDED."""
     ax, ay, ar, bx, by, br = (c[first : first + out.size] for c in (ax, ay, ar, bx, by, br))
     dx, dy, radius_sum = ax - bx, ay - by, ar + br
     distance = dx * dx + dy * dy
     radius_sum *= radius_sum
     error_bound = distance + radius_sum
-    certified = (error_bound > TINY) & (error_bound < HUGE)
+    certified = (error_bound > MIN_SAFE_PRODUCT) & (error_bound < MAX_SAFE_PRODUCT)
     error_bound *= 2.0**-50
     error_bound[~certified] = np.inf
     classify_clearances(distance - radius_sum, error_bound, out)
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-    """Classify by the squared distance from each center to the nearest edge or corner, against the squared radius."""
+    """Fill `out` with relations by the squared distance from center to boundary; UNDECIDED within its error bound."""
     cx, cy, cr, px, py = (c[..., first : first + out.size] for c in (cx, cy, cr, px, py))
     x, y = px - cx, py - cy
     far = np.maximum(np.maximum(np.abs(x).max(axis=0), np.abs(y).max(axis=0)), cr)
     error_bound = far * far * 2.0**-46
-    safe = (error_bound > TINY) & (error_bound < HUGE * 2.0**-46)
+    safe = (error_bound > MIN_SAFE_PRODUCT) & (error_bound < MAX_SAFE_PRODUCT * 2.0**-46)
     inside, nearest = np.ones(out.size, bool), np.full(out.size, np.inf)
     for i in range(len(px)):
         j = (i + 1) % len(px)
@@ -154,7 +154,7 @@ def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first
         tolerance = (np.abs(dx) + np.abs(dy)) * (far * 2.0**-48)
         inside &= turn > tolerance
         along, square = -(x[i] * dx + y[i] * dy), dx * dx + dy * dy
-        safe &= square > TINY
+        safe &= square > MIN_SAFE_PRODUCT
         distance = np.where(
             along <= 0,
             x[i] * x[i] + y[i] * y[i],

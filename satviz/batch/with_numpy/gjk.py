@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...engine.predicates import TINY
+from ...engine.predicates import MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..array_types import Array, Signs
 from ..arrays import Group
@@ -14,7 +14,7 @@ BLOCK_CORNERS = 1 << 16  # corners: they and the scratch arrays stay in the seco
 
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
-    """Mark columns APART or OVERLAPPING where a few steps of GJK find an axis or a shared point.
+    """Fill `out`: APART or OVERLAPPING where a few steps of GJK prove it, else UNDECIDED; columns from `first` on.
 
     The differences of B's corners and A's span a polygon about the origin if the shapes overlap: its lowest
     corner along an axis above zero proves a gap, a triangle of its corners about the origin a shared
@@ -28,7 +28,7 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
 
 
 def gjk(x: Array, y: Array, p: Array, q: Array, factor: float, out: Signs) -> None:
-    """Mark whole columns by GJK; `factor` is the sum of both largest coordinates times ERROR_FACTOR_F64."""
+    """Fill `out` for the pairs of columns (x, y), (p, q); factor: both largest coordinates * ERROR_FACTOR_F64."""
     out.fill(UNDECIDED)
     left = np.arange(out.size)
     d = _mid_point(p, q) - _mid_point(x, y)
@@ -63,12 +63,12 @@ def gjk(x: Array, y: Array, p: Array, q: Array, factor: float, out: Signs) -> No
 
 
 def _mid_point(x: Array, y: Array) -> Array:
-    """Return the point between two corners of each outline that lie far apart."""
+    """Return the midpoint of the first and the middle corner of each outline."""
     return np.stack([c[0] / 2 + c[len(c) // 2] / 2 for c in (x, y)])
 
 
 def _lowest_corner(x: Array, y: Array, d: Array) -> Array:
-    """Return the corner of each column that is lowest along d, by floats."""
+    """Return the coordinates of each column's corner with the least d[0]*x + d[1]*y, by floats."""
     value = d[0] * x
     value += d[1] * y
     corner, column = value.argmin(axis=0), np.arange(x.shape[1])
@@ -80,5 +80,5 @@ def _certified_cross(u: Array, v: Array) -> Array:
     left, right = u[0] * v[1], u[1] * v[0]
     size = np.abs(left) + np.abs(right)
     turn: Array = left - right
-    turn[~((np.abs(turn) > ERRBOUND_A * size) & (size > TINY))] = 0.0
+    turn[~((np.abs(turn) > ERRBOUND_A * size) & (size > MIN_SAFE_PRODUCT))] = 0.0
     return turn

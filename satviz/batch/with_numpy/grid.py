@@ -17,7 +17,7 @@ def meeting_pairs(
 ) -> Iterator[Pairs] | None:
     """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one; None beyond `most` candidates.
 
-    None where that takes more than `most` looks.  Boxes are stored by the cell of their lower
+    None where that takes more than `most` candidates.  Boxes are stored by the cell of their lower
     left corner, row after row.  The numbers of cells never decrease along an axis, so a box
     whose lower left corner lies between two places is stored between their cells, however the
     division rounds.

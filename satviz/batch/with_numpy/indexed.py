@@ -15,7 +15,7 @@ BLOCK_CORNERS = 1 << 17  # corners of one shape of each pair at a time: what bou
 
 
 def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
-    """Fill in the exact relations of the pairs (ia, ib): by bounding boxes, then in columns of like width."""
+    """Fill `out` with the exact relations of polygons a[ia[k]] and b[ib[k]]: by their boxes, then in columns."""
     boxes_a, boxes_b = a.bounds[ia], b.bounds[ib]
     with np.errstate(over="ignore"):
         gap = box_gap(boxes_a.T, boxes_b.T)
@@ -36,7 +36,7 @@ def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
 
 
 def _relate_columns(a: Flat, ia: Indices, boxes_a: Array, b: Flat, ib: Indices, boxes_b: Array) -> Signs:
-    """Return relations of pairs laid side by side: the filter first, then the edges of undecided pairs."""
+    """Return the exact relations of the pairs (ia, ib), copied into columns: by the filter, then by edges."""
     (x, y), (p, q) = _corners_in_columns(a, ia), _corners_in_columns(b, ib)
     found = np.empty(len(ia), np.int8)
     if max(len(x), len(p)) - 1 > MAX_F32_CORNERS:
@@ -57,7 +57,7 @@ def _max_widths(boxes: Array) -> Array:
 
 
 def _corners_in_columns(shapes: Flat, which: Indices) -> tuple[Array, Array]:
-    """Return corners in columns, the first once more at the end; shorter outlines are repeated."""
+    """Return (x, y) of the shapes `which`, one column each; short outlines repeat, the first corner ends."""
     start = shapes.start[which]
     many, of = np.unique(shapes.start[which + 1] - start, return_inverse=True)
     places = (np.arange(many[-1] + 1)[:, None] % many).take(of, axis=1)  # a division a corner of each would be slow

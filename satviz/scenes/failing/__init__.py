@@ -31,6 +31,6 @@ SHORTCUTS = {case.name: case.shortcut for case in FAILURE_CASES}
 
 
 def case_of(shortcut: Shortcut | None) -> FailureCase | None:
-    """Return the failing case of one of satviz's shortcuts; None for a shortcut of one's own, and for None."""
+    """Return the failing case that has this shortcut; None for a shortcut that satviz does not define."""
     case = NAMED.get(shortcut.name) if shortcut else None
     return case if case and case.shortcut == shortcut else None

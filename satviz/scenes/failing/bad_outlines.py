@@ -19,7 +19,7 @@ from .wrong_steps import is_closing_edge, measured_test, raw_normals
 
 
 def normals_of_every_edge(a: Shape, b: Shape) -> Choice:
-    """Choose the normals of all edges, also (0, 0) for an edge between two vertices in the same place."""
+    """Return the normals of all edges as a Choice, with (0, 0) for an edge of length 0."""
     axes = list(edge_normals(a, b).axes)
     for role, points in ("B", b.vertices), ("A", a.vertices):
         for i, (p, q) in enumerate(pairwise(points)):
@@ -29,14 +29,15 @@ def normals_of_every_edge(a: Shape, b: Shape) -> Choice:
 
 
 def normals_of_open_outlines(a: Shape, b: Shape) -> Choice:
-    """Choose the normals without those of the edges from the last vertex back to the first."""
+    """Return all edge normals but those of the edges from the last vertex to the first."""
     return Choice(tuple(axis for axis in edge_normals(a, b).axes if not is_closing_edge(axis, a, b)))
 
 
 def four_extremes(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Measure with only those vertices that are extreme in x or in y."""
+    """Return the test of an axis that projects only the vertices which are extreme in x or in y."""
 
     def project_extremes(shape: Shape) -> Projection:
+        """Return the projection on the axis of those vertices that lie on the shape's bounding box."""
         whole = project(shape, axis)
         x0, y0, x1, y1 = shape.bounds
         at = [i for i, (x, y) in enumerate(whole.points) if shape.core_is_point or x in (x0, x1) or y in (y0, y1)]
@@ -46,14 +47,15 @@ def four_extremes(a: Shape, b: Shape, axis: Axis) -> AxisTest:
 
 
 def edge_vectors(points: RawOutline) -> list[Vec]:
-    """Return each vertex taken from the next, the closing edge last."""
+    """Return the vector of each edge, from a vertex to the next; the closing edge comes last."""
     return [Vec(q[0] - p[0], q[1] - p[1]) for p, q in zip(points, (*points[1:], points[0]))]
 
 
 def largest_gap_of_rods(a: RawOutline, b: RawOutline) -> float:
-    """Return the largest gap on all edge normals of outlines that nobody has checked."""
+    """Return the largest gap over all edge normals of two unchecked outlines."""
 
     def interval(points: RawOutline, dx: float, dy: float) -> Interval:
+        """Return the range of the points on the normal of the edge (dx, dy)."""
         landings = [(x * dy - y * dx) / hypot(dx, dy) for x, y in points]
         return Interval(min(landings), max(landings))
 
@@ -61,7 +63,7 @@ def largest_gap_of_rods(a: RawOutline, b: RawOutline) -> float:
 
 
 def least_turn(a: RawOutline, b: RawOutline) -> float:
-    """Return the smallest turn (cross product of neighbouring edges) of A; where it is positive, A is called convex."""
+    """Return the smallest cross product of neighbouring edges of A; positive means "convex" to the shortcut."""
     edges = edge_vectors(a)
     return min(p.x * q.y - p.y * q.x for p, q in zip(edges, (*edges[1:], edges[0])))
 

@@ -21,13 +21,13 @@ from .wrong_steps import measured_test
 
 
 def reversed_gap(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Measure with the comparison reversed: the distance beyond the sum of the radii is taken for the overlap."""
+    """Return the test of an axis with the sign of its gap reversed, as a comparison the wrong way round."""
     test = measured_test(axis, project(a, axis), project(b, axis))
     return test._replace(gap=-test.gap)
 
 
 def region_everywhere(a: Shape, b: Shape, window: Window) -> RegionOrReason:
-    """Return all moves: of two circles the reversed comparison calls every hit a miss and every miss a hit."""
+    """Return the error region of `reversed_gap` for two circles: every move but touching; else why none."""
     if not (a.core_is_point and b.core_is_point):
         return TURNING
     hits = hits_in_window(a, b, window)
@@ -35,13 +35,13 @@ def region_everywhere(a: Shape, b: Shape, window: Window) -> RegionOrReason:
 
 
 def gap_on_hull(a: Shape, b: Shape) -> float:
-    """Return the largest gap on those edges of a hull that are no edges of the outline, which proves a miss too."""
+    """Return the largest gap on those hull edges that bridge a dent; without any, the engine's gap."""
     tests = record(a, b, axes=hull_normals, every_axis=True).tests
     return max((test.gap for test in tests if test.source.kind == HULL), default=gap(a, b))
 
 
 def halves(shape: Shape) -> Sequence[Shape]:
-    """Cut a shape along the diagonal from its first vertex to the middle one; a concave one into its convex parts."""
+    """Return the two pieces of a convex polygon cut along a diagonal; of any other shape the convex parts."""
     if isinstance(shape, Circle) or not shape.is_convex:
         return parts(shape)
     points, k = shape.corners, len(shape.corners) // 2
@@ -50,7 +50,7 @@ def halves(shape: Shape) -> Sequence[Shape]:
 
 
 def excess_length(push: Vec, mtv: Vec) -> float:
-    """Return by how much the squared length of a push exceeds the MTV's."""
+    """Return the squared length of a push minus that of the MTV."""
     return push.x * push.x + push.y * push.y - mtv.x * mtv.x - mtv.y * mtv.y
 
 

@@ -11,5 +11,5 @@ def largest_gap(trace: Trace) -> float:
 
 
 def push_length(trace: Trace) -> float:
-    """Return how far the run would push B; NaN where it sees nothing to push."""
+    """Return how far the run would push B; NaN if it makes no push."""
     return hypot(*(trace.push or (nan, nan)))

@@ -67,17 +67,17 @@ class FailureCase(NamedTuple):
 
     @property
     def claim(self) -> str:
-        """Return the claim as people say it."""
+        """Return the mistaken rule in words, as people say it."""
         return self.shortcut.claim
 
     @property
     def a(self) -> Shape | RawOutline:
-        """Return shape A, or its raw vertices."""
+        """Return shape A, or its raw vertices if the engine refuses the outline."""
         return self.outlines[0]
 
     @property
     def b(self) -> Shape | RawOutline:
-        """Return shape B, or its raw vertices."""
+        """Return shape B, or its raw vertices if the engine refuses the outline."""
         return self.outlines[1]
 
     @property
@@ -88,7 +88,7 @@ class FailureCase(NamedTuple):
 
     @property
     def raw_outlines(self) -> list[RawOutline]:
-        """Return the raw vertices of the outlines that nobody has checked; none where both are shapes."""
+        """Return the raw vertices of the unchecked outlines; an empty list where both are shapes."""
         return [outline for outline in self.outlines if not isinstance(outline, Shape)]
 
     def record(self) -> Trace:
@@ -97,14 +97,14 @@ class FailureCase(NamedTuple):
 
     @property
     def claimed(self) -> float:
-        """Return the number that the shortcut gives."""
+        """Return the wrong answer: the number that the shortcut computes for these shapes."""
         if self.unchecked_value:
             return self.unchecked_value(*self.raw_outlines)
         return self.claimed_value(self.record())
 
     @property
     def actual(self) -> Answer:
-        """Return the engine's answer: a number, two numbers, or the line with which it refuses an outline."""
+        """Return the engine's answer: a number, two contact times, or the error that refuses an outline."""
         try:
             return self.true_value(*self.shapes)
         except InvalidShape as error:
@@ -125,7 +125,7 @@ class FailureCase(NamedTuple):
 
     @property
     def answers(self) -> tuple[str, str]:
-        """Return the claimed and the actual answer in words, each with its verdict where the verdict is wrong."""
+        """Return (claimed answer, actual answer) in words, with the relation where that is wrong."""
         claimed, actual = self.in_words(self.claimed), self.in_words(self.actual)
         if self.how in (FALSE_HIT, MISSED_HIT) and not isinstance(self.actual, tuple):
             trace = self.record()
@@ -134,5 +134,5 @@ class FailureCase(NamedTuple):
 
     def __str__(self) -> str:
         claimed, actual = self.answers
-        numbers = number_format.plain(f"{claimed}; right: {actual}")
+        numbers = number_format.ascii_minus(f"{claimed}; right: {actual}")
         return f"{self.number:2} {self.name:21} {self.claim}\n   {self.how}: {numbers}"

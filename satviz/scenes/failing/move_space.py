@@ -38,7 +38,7 @@ RegionOrReason = ErrorRegion | str  # a text says why no area shows where the an
 
 
 def minkowski_difference(a: Shape, b: Shape) -> Iterator[ConvexRing]:
-    """Yield A - B as a convex polygon for each pair of convex parts: the moves of B for which the parts meet."""
+    """Yield, for each pair of convex parts, the moves of B for which they meet: A - B, as a ring."""
     for p in parts(a):
         for q in parts(b):
             r = p.radius + q.radius
@@ -48,12 +48,12 @@ def minkowski_difference(a: Shape, b: Shape) -> Iterator[ConvexRing]:
 
 
 def hits_in_window(a: Shape, b: Shape, window: Window) -> tuple[ConvexRing, ...]:
-    """Return the moves in the window for which the shapes meet, one ring (or the empty one) for each pair of parts."""
+    """Return the moves in the window for which the shapes meet: one ring, perhaps (), per pair of parts."""
     return tuple(clip_to_window(ring, window) for ring in minkowski_difference(a, b))
 
 
 def wrong_number_region(a: Shape, b: Shape, window: Window, rings: Iterable[ConvexRing]) -> ErrorRegion:
-    """Return the region of a shortcut about a number, which is wrong for the moves in `rings`."""
+    """Return the ErrorRegion of a shortcut about a number; `rings`: the moves for which it is wrong."""
     hits = tuple(filter(None, hits_in_window(a, b, window)))
     return ErrorRegion((), (), hits, numbers=tuple(filter(None, rings)))
 
@@ -73,7 +73,7 @@ def clip_to_window(ring: ConvexRing, window: Window) -> ConvexRing:
 
 
 def clip_to_half_plane(ring: ConvexRing, n: Vec, limit: float) -> ConvexRing:
-    """Return the part of a convex ring where p . n <= limit (Sutherland and Hodgman); () if it has no area."""
+    """Return the part of a convex ring where p . n <= limit (Sutherland, Hodgman); () if without area."""
     sides = [p.x * n.x + p.y * n.y - limit for p in ring]
     tolerance = TOLERANCE * max(map(abs, sides), default=0.0)
     sides = [s if abs(s) > tolerance else 0.0 for s in sides]  # an edge that ends on the line is not cut near its end
@@ -89,7 +89,7 @@ def clip_to_half_plane(ring: ConvexRing, n: Vec, limit: float) -> ConvexRing:
 
 
 def subtract(ring: ConvexRing, others: Sequence[ConvexRing]) -> list[ConvexRing]:
-    """Return the part of a convex ring outside all the others, as convex pieces."""
+    """Return convex pieces that make up the part of a convex ring outside all the others."""
     left = [ring] if ring else []
     for other in filter(None, others):
         left = [piece for one in left for piece in _subtract_one(one, other)]
@@ -97,7 +97,7 @@ def subtract(ring: ConvexRing, others: Sequence[ConvexRing]) -> list[ConvexRing]
 
 
 def _subtract_one(ring: ConvexRing, other: ConvexRing) -> Iterator[ConvexRing]:
-    """Yield the pieces of a convex ring outside another: for each edge of the other the piece that it cuts off."""
+    """Yield convex pieces of a ring outside another: what lies beyond each of its edges in turn."""
     rest = ring
     for p, q in zip(other, (*other[1:], other[0]), strict=True):
         n = Vec(q.y - p.y, p.x - q.x)
@@ -125,6 +125,7 @@ def convex_hull(points: Iterable[Vec]) -> ConvexRing:
     order = sorted(set(points))
 
     def chain(in_order: Iterable[Vec]) -> list[Vec]:
+        """Return one half of the hull, of points in sorted order, without its last point."""
         kept: list[Vec] = []
         for p in in_order:
             while len(kept) > 1 and _turn(kept[-2], kept[-1], p) <= 0:

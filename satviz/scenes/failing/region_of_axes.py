@@ -35,7 +35,7 @@ FIXED_AXES = EDGE, GIVEN, HULL, SLIP, WORLD  # kinds of axes that stay where the
 def region_of_verdict(
     a: Shape, b: Shape, shortcut: Shortcut, window: Window, *, start: ConvexRing | None = None
 ) -> RegionOrReason:
-    """Return where the shortcut's verdict is wrong, or the reason why no region with straight edges shows it.
+    """Return the moves for which a shortcut's verdict is wrong, or the reason why no area shows them.
 
     `start`: the moves that the shortcut takes for hits before it tests any axis; None for all in the window.
     """
@@ -55,7 +55,7 @@ def region_of_verdict(
 
 
 def _without_gap(rings: Sequence[ConvexRing], u: Vec, ranges: Sequence[Interval]) -> tuple[ConvexRing, ...]:
-    """Return the parts of the rings where d . u lies in one of the ranges."""
+    """Return the parts of the rings where d . u, a move's component along u, lies in one of the ranges."""
     cut = (
         clip_to_half_plane(clip_to_half_plane(ring, u, hi), Vec(-u.x, -u.y), -lo) for ring in rings for lo, hi in ranges
     )
@@ -63,7 +63,7 @@ def _without_gap(rings: Sequence[ConvexRing], u: Vec, ranges: Sequence[Interval]
 
 
 def _moves_without_gap(a: Shape, b: Shape, shortcut: Shortcut, axis: Axis) -> list[Interval]:
-    """Return the ranges of d . u (u the axis, of length 1) in which the shortcut measures no gap on the axis.
+    """Return how far B may move along the axis, as ranges, so that the shortcut finds no gap on it.
 
     A range can only end where a landing of A meets one of B, with its own sign or the opposite one.  Between two
     neighbouring ends one measurement decides.

@@ -38,13 +38,13 @@ MANY_CORNERS = "both shapes together have more than {} corners, too many to work
 
 
 class Linear(NamedTuple):
-    """A number that is linear in the move d of B: `rest` - `down` . d."""
+    """A linear function of the move d of B: `rest` - `down` . d."""
 
     rest: float
     down: Vec
 
     def at(self, d: Vec) -> float:
-        """Return the number for a move."""
+        """Return the value of this linear function when B is moved by d."""
         return self.rest - self.down.x * d.x - self.down.y * d.y
 
 
@@ -60,7 +60,7 @@ class Cell(NamedTuple):
 
 
 def why_no_cells(a: Shape, b: Shape) -> str:
-    """Return why the pushes of these shapes cannot be cut into cells; "" where they can."""
+    """Return why the moves cannot be cut into cells with one push direction each; "" where they can."""
     if a.core_is_point or b.core_is_point:
         return ROUND
     if not (a.is_convex and b.is_convex):
@@ -69,7 +69,7 @@ def why_no_cells(a: Shape, b: Shape) -> str:
 
 
 def overlaps(a: Shape, b: Shape, axis: Axis) -> Iterator[tuple[Linear, Vec]]:
-    """Yield how far B must go to leave A on either side of an axis, with the direction (of length 1)."""
+    """Yield (distance, direction), to either side, that B must move along an axis to leave A's range."""
     p, q, n = project(a, axis).interval, project(b, axis).interval, axis.direction
     yield Linear(p.hi - q.lo, n), n
     back = Vec(-n.x, -n.y)
@@ -77,13 +77,13 @@ def overlaps(a: Shape, b: Shape, axis: Axis) -> Iterator[tuple[Linear, Vec]]:
 
 
 def overlaps_in_raw_units(a: Shape, b: Shape, axis: Axis) -> list[Linear]:
-    """Return the overlap to either side, in units of the normal's length."""
+    """Return both overlaps on an axis as if its normal had length 1, as functions of B's move."""
     k = axis.length
     return [Linear(rest * k, Vec(n.x * k, n.y * k)) for (rest, n), _ in overlaps(a, b, axis)]
 
 
 def shared_lengths(a: Shape, b: Shape, axis: Axis) -> list[Linear]:
-    """Return the numbers whose least is the length that both ranges share: never more than either range is long."""
+    """Return functions of B's move whose minimum is the length that both ranges on the axis share."""
     ranges = project(a, axis).interval, project(b, axis).interval
     return [*(one for one, _ in overlaps(a, b, axis)), *(Linear(r.hi - r.lo, Vec(0.0, 0.0)) for r in ranges)]
 
@@ -91,7 +91,7 @@ def shared_lengths(a: Shape, b: Shape, axis: Axis) -> list[Linear]:
 def region_of_depth(
     a: Shape, b: Shape, window: Window, choose: Chooser, measure: Callable[[Shape, Shape, Axis], list[Linear]]
 ) -> RegionOrReason:
-    """Return where the least number that `measure` finds on the chosen axes is not the depth; or why none is shown."""
+    """Return the moves where the least number from `measure` is not the depth, or why none is shown."""
     if why := why_no_cells(a, b):
         return why
     claimed = [one for axis in choose(a, b).axes for one in measure(a, b, axis)]
@@ -104,7 +104,7 @@ def region_of_depth(
 
 
 def region_of_push_to_mean(a: Shape, b: Shape, window: Window) -> RegionOrReason:
-    """Return where the MTV leads towards A's vertex mean instead of away from it; or why none is shown."""
+    """Return the moves where the MTV points towards A's vertex mean, or why none is shown."""
     if why := why_no_cells(a, b):
         return why
     p, q = vertex_mean(a), vertex_mean(b)
@@ -121,7 +121,7 @@ def region_of_pieces(
     split: Callable[[Shape], Sequence[Shape]],
     error: Callable[[Vec, Vec], float],
 ) -> RegionOrReason:
-    """Return where the sum of the pushes of A's pieces is wrong beside the MTV of A; or why none is shown.
+    """Return the moves where the summed pushes of A's pieces differ from the MTV, or why none is shown.
 
     `error` of (sum of pushes, MTV) is quadratic in both, and 0 where the sum counts as right.
     """
@@ -144,7 +144,7 @@ def region_of_pieces(
 
 
 def _push_cells(a: Shape, b: Shape, window: Window) -> Iterator[Cell]:
-    """Yield A - B cut along its medial lines: for each edge the moves that it is nearest to."""
+    """Yield the moves for which the shapes meet, cut into cells: one for each edge of A - B, nearest to it."""
     every = [side for axis in needed(a, b).axes for side in overlaps(a, b, axis)]
     (ring,) = minkowski_difference(a, b)
     inside = clip_to_window(ring, window)
@@ -154,7 +154,7 @@ def _push_cells(a: Shape, b: Shape, window: Window) -> Iterator[Cell]:
 
 
 def _where_least(ring: ConvexRing, one: Linear, others: Sequence[Linear]) -> ConvexRing:
-    """Return the part of a convex ring where one number is the least of all."""
+    """Return the part of a convex ring of moves where the linear function `one` is the smallest of all."""
     for other in others:
         n, limit = Vec(other.down.x - one.down.x, other.down.y - one.down.y), other.rest - one.rest
         if _is_same(one, other):
@@ -169,13 +169,13 @@ def _where_least(ring: ConvexRing, one: Linear, others: Sequence[Linear]) -> Con
 
 
 def _is_same(p: Linear, q: Linear) -> bool:
-    """Are two numbers the same formula in the move of B, but for rounding?"""
+    """Return whether two linear functions of B's move are equal up to rounding."""
     size = max(abs(p.rest), abs(q.rest), hypot(*p.down), hypot(*q.down))
     return max(abs(p.rest - q.rest), *(abs(u - v) for u, v in zip(p.down, q.down, strict=True))) <= TOLERANCE * size
 
 
 def _overlay(layers: Sequence[Sequence[Cell]]) -> list[tuple[ConvexRing, list[Cell]]]:
-    """Return each polygon in which one cell of every layer meet, with these cells."""
+    """Return (ring, cells) for each non-empty intersection of one cell from every layer."""
     found = [(cell.ring, [cell]) for cell in layers[0]]
     for layer in layers[1:]:
         met = ((_intersection(ring, cell.ring), [*cells, cell]) for (ring, cells), cell in product(found, layer))
@@ -184,7 +184,7 @@ def _overlay(layers: Sequence[Sequence[Cell]]) -> list[tuple[ConvexRing, list[Ce
 
 
 def _intersection(ring: ConvexRing, other: ConvexRing) -> ConvexRing:
-    """Return what two convex rings share; their bounding boxes are compared first, since most lie apart."""
+    """Return the intersection of two convex rings; () if it has no area."""
     for k in 0, 1:
         if max(p[k] for p in ring) <= min(p[k] for p in other) or max(p[k] for p in other) <= min(p[k] for p in ring):
             return ()
@@ -197,7 +197,7 @@ def _intersection(ring: ConvexRing, other: ConvexRing) -> ConvexRing:
 def _pushes_agree(
     ring: ConvexRing, cells: Sequence[Cell], error: Callable[[Vec, Vec], float], tolerance: float
 ) -> bool:
-    """Does the sum of the pieces' pushes count as right all over the ring, where `error` of it and the MTV is 0?
+    """Return whether `error` of the summed pushes and the MTV is 0, within the tolerance, in the whole ring.
 
     A quadratic is 0 all over if it is 0 at a triangle's corners and edge midpoints.
     The first cell holds the whole shape's MTV, the others hold its pieces' pushes.

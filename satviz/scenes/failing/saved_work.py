@@ -40,7 +40,7 @@ MIN_SUPPORT_POINTS = 3  # that GJK needs for a hit: a triangle round the origin
 
 
 def first_half_of_normals(a: Shape, b: Shape) -> Choice:
-    """Choose the normals of the first half of each outline's edges."""
+    """Return the normals of the first half of the edges of each outline, as a Choice."""
     kept = (
         axis
         for axis in edge_normals(a, b).axes
@@ -50,52 +50,52 @@ def first_half_of_normals(a: Shape, b: Shape) -> Choice:
 
 
 def centers_first(a: Shape, b: Shape) -> Choice:
-    """Choose the axis through both centers, and then all that the pair needs."""
+    """Return the axis through both centers followed by all needed axes, as a Choice."""
     return Choice((*centers(a, b).axes, *needed(a, b).axes))
 
 
 def within_reach(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Measure on the axis through the centers as if each shape were a circle of radius FAR_APART / 2 about its own."""
+    """Return the test of an axis; on that of the centers each shape is a circle of radius FAR_APART / 2."""
     if axis.source.kind not in (CENTERS, CENTROIDS):
         return measured_test(axis, project(a, axis), project(b, axis))
     return measured_test(axis, *(project(Circle(centroid(s), FAR_APART / 2), axis) for s in (a, b)))
 
 
 def region_of_far_centers(a: Shape, b: Shape, window: Window) -> RegionOrReason:
-    """Return where the check of the centers, followed by the needed axes, gives a wrong verdict."""
+    """Return the moves for which the shortcut far-centers gives a wrong verdict, or why none is shown."""
     near = minkowski_difference(*(Circle(centroid(shape), FAR_APART / 2) for shape in (a, b)))
     without_check = CENTERS_FAR_APART._replace(choose=needed)
     return region_of_verdict(a, b, without_check, window, start=clip_to_window(next(near), window))
 
 
 def normals_of_upright_faces(a: Shape, b: Shape) -> Choice:
-    """Choose, for the two boxes in space seen from above, the normals of those faces that stand upright."""
+    """Return the normals of the upright faces of two boxes in space, seen from above."""
     of_b = (axis for axis in edge_normals(a, b).axes if axis.source[1:] in (("B", (0, 1)), ("B", (2, 3))))
     return Choice((*edge_normals_of_a(a, b).axes, *of_b))
 
 
 def gap_in_space(a: Shape, b: Shape) -> float:
-    """Return the largest gap on all fifteen axes of the two boxes in space that the scene shows from above."""
+    """Return the largest gap on all fifteen axes of the two boxes threed.PAIR; a and b are not used."""
     return max(found.gap for found in (*threed.face_gaps(*threed.PAIR), *threed.edge_gaps(*threed.PAIR)))
 
 
 def one_test_each(trace: Trace) -> float:
-    """Return the number of tests for SHAPE_COUNT shapes, if each were tested once."""
+    """Return SHAPE_COUNT, the claimed number of tests: one for each shape."""
     return SHAPE_COUNT
 
 
 def count_pairs(a: Shape, b: Shape) -> float:
-    """Return the number of pairs of SHAPE_COUNT shapes, counted as a loop over all of them meets them."""
+    """Return the number of pairs among SHAPE_COUNT shapes; a and b are not used."""
     return sum(1 for _ in combinations(range(SHAPE_COUNT), 2))
 
 
 def region_of_count(a: Shape, b: Shape, window: Window) -> str:
-    """Return why no area shows where a count is wrong."""
+    """Return the reason why this case has no error region: a count does not depend on B's place."""
     return "the count does not depend on where B is"
 
 
 def least_evaluations_of_gjk(trace: Trace) -> float:
-    """Return the fewest vertices that GJK can evaluate: all of both shapes for each of its support points.
+    """Return the least number of vertex evaluations in GJK: all vertices per support point.
 
     A hit takes MIN_SUPPORT_POINTS support points at least, a miss one.
     """
@@ -103,14 +103,14 @@ def least_evaluations_of_gjk(trace: Trace) -> float:
 
 
 def evaluations_of_sat(a: Shape, b: Shape) -> float:
-    """Return how many vertices SAT projects until its verdict is certain."""
+    """Return how many points SAT projects, counted once for each axis, until its verdict is certain."""
     trace = record(a, b)
     tests = (test for run in trace.pairs or (trace,) for test in run.tests)
     return sum(len(test.a.points) + len(test.b.points) for test in tests)
 
 
 def region_of_few_evaluations(a: Shape, b: Shape, window: Window) -> RegionOrReason:
-    """Return where SAT evaluates no more vertices than GJK must: one axis that separates, or three that do not."""
+    """Return the moves where SAT evaluates no more vertices than GJK, or why none is shown."""
     if why := why_no_cells(a, b):
         return why
     axes, (ring,) = needed(a, b).axes, minkowski_difference(a, b)

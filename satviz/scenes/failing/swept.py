@@ -21,7 +21,7 @@ class OverlapTime(NamedTuple):
 
 
 def overlap_times(a: Sequence[ExactPoint], b: Sequence[ExactPoint], move: ExactPoint) -> list[OverlapTime]:
-    """Return the overlap times of convex a, which moves by `move` in time 0 to 1, and resting b.
+    """Return an OverlapTime for each axis, while convex a moves by `move` in time 0 to 1 and b rests.
 
     The axes are the edge normals of both, each direction once.
     """
@@ -35,7 +35,7 @@ def overlap_times(a: Sequence[ExactPoint], b: Sequence[ExactPoint], move: ExactP
 
 
 def _overlap_time(a: Sequence[ExactPoint], b: Sequence[ExactPoint], move: ExactPoint, n: ExactPoint) -> OverlapTime:
-    """Return the overlap time on one axis, cut to the way from 0 to 1."""
+    """Return the OverlapTime on the axis n, with both times clipped to 0 and 1."""
     (a0, a1), (b0, b1) = _range_on(a, n), _range_on(b, n)
     speed = move[0] * n[0] + move[1] * n[1]
     if not speed:
@@ -45,12 +45,12 @@ def _overlap_time(a: Sequence[ExactPoint], b: Sequence[ExactPoint], move: ExactP
 
 
 def contact(found: Sequence[OverlapTime]) -> tuple[ExactNumber, ExactNumber] | None:
-    """Return when the shapes meet, both ends included; None if they never do."""
+    """Return (first, last) time at which the shapes meet; None if never; `found`: the OverlapTime of each axis."""
     enter, leave = max(w.enter for w in found), min(w.leave for w in found)
     return None if any(w.never for w in found) or enter > leave else (enter, leave)
 
 
 def _range_on(ring: Sequence[ExactPoint], n: ExactPoint) -> tuple[ExactNumber, ExactNumber]:
-    """Return the range of an outline on an axis, in units of the axis's length."""
+    """Return (lowest, highest) dot product of an outline's vertices with n."""
     landings = [x * n[0] + y * n[1] for x, y in ring]
     return min(landings), max(landings)

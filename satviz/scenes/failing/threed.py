@@ -35,12 +35,12 @@ PAIR = (
 
 
 def dot(u: Vec3, v: Vec3) -> float:
-    """Return the scalar product."""
+    """Return the dot product of two vectors in space."""
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 
 
 def cross(u: Vec3, v: Vec3) -> Vec3:
-    """Return the vector product."""
+    """Return the cross product of two vectors in space."""
     return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
 
 
@@ -50,7 +50,7 @@ def face_gaps(a: SolidBox, b: SolidBox) -> list[AxisGap]:
 
 
 def edge_gaps(a: SolidBox, b: SolidBox) -> list[AxisGap]:
-    """Return the gaps on the axes across an edge of each box; parallel edges give no axis."""
+    """Return the gaps on the cross products of one edge of each box; parallel edges give no axis."""
     named = [(f"A{i} × B{j}", cross(u, v)) for i, u in enumerate(a.axes, 1) for j, v in enumerate(b.axes, 1)]
     return [gap_on_axis(a, b, name, n) for name, n in named if dot(n, n) > 1e-12]
 
@@ -68,7 +68,7 @@ def interval_on(box: SolidBox, n: Vec3) -> Interval:
 
 
 def seen_from_above(box: SolidBox) -> list[Vec]:
-    """Return the outline of a box seen from above: the shadows of its edges, joined in the order of their slopes."""
+    """Return the outline of a box seen from above: its edges, projected, joined in order of angle."""
     steps = [(2 * h * u[0], 2 * h * u[1]) for h, u in zip(box.half, box.axes, strict=True) if u[0] or u[1]]
     steps = [(x, y) if (y, x) > (0, 0) else (-x, -y) for x, y in steps]
     steps.sort(key=lambda step: atan2(step[1], step[0]))

@@ -14,19 +14,19 @@ from .wrong_steps import only_y
 
 
 def spread_of_found_axes(trace: Trace) -> float:
-    """Return how many degrees apart the separating axes lie that the early exit finds: 0, or NaN if it finds none."""
+    """Return the angle in degrees between the separating axes found, at most one: 0; NaN if none."""
     found = [degrees(atan2(*reversed(test.axis.normal))) for test in trace.tests if test.separates][:1]
     return max(found) - min(found) if found else nan
 
 
 def width_of_separating_angles(a: Shape, b: Shape) -> float:
-    """Return how many degrees wide the fan of separating directions is; NaN where none separates."""
+    """Return the width in degrees of the range of separating directions; NaN if it is empty."""
     lo, hi = separating_angles(a, b)
     return hi - lo or nan
 
 
 def region_apart(a: Shape, b: Shape, window: Window) -> RegionOrReason:
-    """Return the moves that keep the shapes apart: the claim is wrong there, since many directions separate."""
+    """Return the moves for which the shapes are apart, where more than one direction separates them."""
     if not (a.is_convex and b.is_convex):
         return "a shape has a dent, and no direction shows a gap inside a dent"
     return wrong_number_region(a, b, window, subtract(window_ring(window), list(minkowski_difference(a, b))))

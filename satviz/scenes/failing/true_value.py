@@ -18,13 +18,13 @@ FLIGHT = Fraction(4), Fraction(0)  # how far A flies in one frame, in the cases 
 
 
 def gap(a: Shape, b: Shape) -> float:
-    """Return the largest gap of all axes tested; of concave outlines that of the nearest pair of parts."""
+    """Return the largest gap on all needed axes; for concave outlines, the least such gap of all pairs of parts."""
     trace = record(a, b, every_axis=True)
     return min(max(test.gap for test in run.tests) for run in trace.pairs or (trace,))
 
 
 def mtv(a: Shape, b: Shape) -> Vec:
-    """Return the minimum translation vector of B; (0, 0) where no overlap is there to end."""
+    """Return the minimum translation vector of B; (0, 0) if the shapes do not overlap."""
     return record(a, b).mtv or Vec(0.0, 0.0)
 
 
@@ -34,7 +34,7 @@ def depth(a: Shape, b: Shape) -> float:
 
 
 def distance(a: Shape, b: Shape) -> float:
-    """Return how far the nearest points lie from each other; 0 where the shapes meet.
+    """Return the distance of two shapes between their nearest points; 0 where they meet.
 
     For convex shapes this is the largest gap, once the direction between the nearest vertices is tested too.
     """
@@ -50,13 +50,14 @@ def _convex_distance(a: Shape, b: Shape) -> float:
 
 
 def separating_angles(a: Shape, b: Shape) -> tuple[float, float]:
-    """Return between which two angles, in degrees from the best axis, every direction separates two convex shapes.
+    """Return the range (lo, hi), in degrees from the best axis, of directions that separate the shapes.
 
     Each end is found by halving, to a rounding.
     """
     best = max(axis_tests(a, b), key=lambda test: test.gap).axis.direction
 
     def separates(degrees: float) -> bool:
+        """Return whether the best axis, turned counter-clockwise by these degrees, separates the shapes."""
         c, s = cos(radians(degrees)), sin(radians(degrees))
         (test,) = axis_tests(a, b, directions((best.x * c - best.y * s, best.x * s + best.y * c))(a, b).axes)
         return test.separates
@@ -71,7 +72,7 @@ def separating_angles(a: Shape, b: Shape) -> tuple[float, float]:
 
 
 def contact_times(a: Shape, b: Shape) -> tuple[swept.ExactNumber, swept.ExactNumber]:
-    """Return when polygon A, flying by FLIGHT, first and last meets B, in parts of the way; (NaN, NaN) if never.
+    """Return (first, last) time at which A, moving by FLIGHT in time 0 to 1, meets B; NaN if never.
 
     The times are exact for the decimals in which the scene is written.
     """

@@ -35,7 +35,7 @@ from .wrong_steps import only_x
 
 
 def push_from_center(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
-    """Push by the right depth along the right axis, but from A's vertex mean towards B's."""
+    """Return a push of B along the right axis by the depth, but directed from A's vertex mean to B's."""
     if not tests:
         return Vec(0.0, 0.0)
     test = max(tests, key=lambda test: test.gap)
@@ -45,24 +45,24 @@ def push_from_center(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
 
 
 def overlap_after_push(trace: Trace) -> float:
-    """Return how deep B still overlaps A after the run's push."""
+    """Return the penetration depth that remains after the run's push of B."""
     pushed = translated(trace.b, trace.push or Vec(0.0, 0.0))
     return max(0.0, -max((test.gap for test in record(trace.a, pushed, every_axis=True).tests), default=nan))
 
 
 def overlap_after_mtv(a: Shape, b: Shape) -> float:
-    """Return how deep B, a polygon, still overlaps A after the MTV."""
+    """Return the penetration depth that remains after B is moved by the MTV: 0 but for rounding."""
     return max(0.0, -true_value.gap(a, translated(b, true_value.mtv(a, b))))
 
 
 def flat_overlap(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Measure from the larger minimum to the smaller maximum, which is too short where one range holds the other."""
+    """Return the test of an axis whose depth is the shared length: too short if one range holds the other."""
     p, q = project(a, axis), project(b, axis)
     return AxisTest(axis, p, q, max(p.interval.lo, q.interval.lo) - min(p.interval.hi, q.interval.hi))
 
 
 def tiles(shape: Shape) -> Sequence[Shape]:
-    """Cut an upright box into two tiles side by side; any other shape into its convex parts."""
+    """Return the left and right half of an upright box; of any other shape the convex parts."""
     if not shape.is_upright_box:
         return parts(shape)
     x0, y0, x1, y1 = shape.bounds
@@ -71,17 +71,17 @@ def tiles(shape: Shape) -> Sequence[Shape]:
 
 
 def distance_from_mtv(trace: Trace) -> float:
-    """Return how far the run's push ends from the MTV; NaN where the run sees nothing to push."""
+    """Return the distance between the run's push and the MTV, as vectors; NaN if it makes no push."""
     return dist(trace.push, record(trace.a, trace.b).mtv or (0.0, 0.0)) if trace.push else nan
 
 
 def zero(a: Shape, b: Shape) -> float:
-    """Return how far the MTV ends from itself."""
+    """Return 0, the distance of the MTV from itself: the true answer beside `distance_from_mtv`."""
     return 0.0
 
 
 def squared_distance(push: Vec, mtv: Vec) -> float:
-    """Return the squared distance between the ends of a push and of the MTV."""
+    """Return the squared length of the difference of a push and the MTV."""
     x, y = push.x - mtv.x, push.y - mtv.y
     return x * x + y * y
 
@@ -90,12 +90,12 @@ def squared_distance(push: Vec, mtv: Vec) -> float:
 
 
 def gap_as_distance(trace: Trace) -> float:
-    """Return the largest gap that the run measured; 0 where it found none."""
+    """Return the largest gap that the run measured, or 0 if it measured none."""
     return max(0.0, *(test.gap for test in trace.tests))
 
 
 def region_not_beside(a: Shape, b: Shape, window: Window) -> ErrorRegion:
-    """Return where the shapes are apart and B does not lie beside an upright edge of A, where x gives the distance."""
+    """Return the moves where the shapes are apart and their distance is not the gap on the x axis."""
     rings = [convex_hull(Vec(u.x - v.x, u.y - v.y) for u in p.core for v in q.core) for p in parts(a) for q in parts(b)]
     tolerance = TOLERANCE * max((abs(u) for ring in rings for p in ring for u in p), default=0.0)
     beside = []
@@ -117,14 +117,14 @@ def region_not_beside(a: Shape, b: Shape, window: Window) -> ErrorRegion:
 
 
 def gap_in_both_frames(trace: Trace) -> float:
-    """Return the smaller gap of two frames, between which A flies by FLIGHT past B."""
+    """Return the smaller of the largest gaps before and after A is moved by FLIGHT."""
     after = translated(trace.a, Vec(*map(float, true_value.FLIGHT)))
     run = record(after, trace.b, axes=trace.shortcut or needed)
     return min(max(test.gap for test in one.tests) for one in (trace, run))
 
 
 def region_on_the_way(a: Shape, b: Shape, window: Window) -> RegionOrReason:
-    """Return where A meets B between two frames, and in neither of them."""
+    """Return the moves for which A hits B only between two frames, or why none is shown."""
     if a.core_is_point or b.core_is_point:
         return "the flight of a circle is not worked out"
     if not (a.is_convex and b.is_convex):
@@ -140,7 +140,7 @@ def region_on_the_way(a: Shape, b: Shape, window: Window) -> RegionOrReason:
 
 
 def slipped_normals(a: Shape, b: Shape) -> Choice:
-    """Choose for each edge (dx, dy) the direction (dx, -dy) instead of the normal (dy, -dx)."""
+    """Return, for each edge (dx, dy), the axis along (dx, -dy) instead of the normal (dy, -dx)."""
     found = []
     for axis in edge_normals(a, b).axes:
         x, y = axis.normal.y, axis.normal.x  # the normal is (dy, -dx) or its opposite

@@ -20,19 +20,19 @@ from .wrong_steps import measured_test, raw_normals, unit_normals
 
 
 def mixed_signs(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Measure with A projected on the normal and B on its opposite."""
+    """Return the test of an axis with A projected on the normal and B on the opposite of the normal."""
     p, q = project(a, axis), project(b, axis)
     return measured_test(axis, p, q._replace(landings=tuple(-t + 0.0 for t in q.landings)))
 
 
 def without_signs(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Measure with landings taken as lengths."""
+    """Return the test of an axis with the absolute value of every landing."""
     p, q = (side._replace(landings=tuple(map(abs, side.landings))) for side in (project(a, axis), project(b, axis)))
     return measured_test(axis, p, q)
 
 
 def as_written(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Measure the decimals that people write, where 0.1 + 0.2 is 0.3, instead of the floats that they become."""
+    """Return the test of an axis for the vertices as decimals: 0.1 + 0.2 counts as exactly 0.3."""
     p, q = project(a, axis), project(b, axis)
     if a.core_is_point or b.core_is_point:
         return measured_test(axis, p, q)
@@ -47,20 +47,20 @@ FIRST_EDGE_OF_B = Source(EDGE, "B", (0, 1))
 
 
 def claimed_furthest_vertices(trace: Trace) -> float:
-    """Return how many vertices of B are furthest along the normal of its first edge, as measured; NaN for a circle."""
+    """Return how many vertices of B land furthest on its first edge's normal in this run, or NaN."""
     found = [test.b.landings for test in trace.tests if test.source == FIRST_EDGE_OF_B]
     return found[0].count(max(found[0])) if found else nan
 
 
 def true_furthest_vertices(a: Shape, b: Shape) -> float:
-    """Return how many vertices of B land on the end of its range, on its first edge's normal; NaN for a circle."""
+    """Return how many vertices of B land furthest on its first edge's normal; NaN for a circle."""
     first = (axis for axis in edge_normals(a, b).axes if axis.source == FIRST_EDGE_OF_B)
     found = [test.b for test in axis_tests(a, b, first)]
     return found[0].landings.count(found[0].interval.hi) if found else nan
 
 
 def no_region(a: Shape, b: Shape, window: Window) -> str:
-    """Return why no area shows where rounding makes an answer wrong."""
+    """Return the reason why this case has no error region: only rounding makes its answer wrong."""
     return ROUNDING
 
 

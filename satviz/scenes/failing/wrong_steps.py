@@ -15,32 +15,32 @@ Y, X = WORLD_AXES
 
 
 def only_x(a: Shape, b: Shape) -> Choice:
-    """Choose x alone."""
+    """Return a Choice of the x axis alone."""
     return Choice((X,))
 
 
 def only_y(a: Shape, b: Shape) -> Choice:
-    """Choose y alone."""
+    """Return a Choice of the y axis alone."""
     return Choice((Y,))
 
 
 def unit_normals(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Measure with the normal brought to length 1 first, which rounds it."""
+    """Return the test of an axis in plain floats, with the normal first scaled to length 1 and so rounded."""
     return measured_test(axis, *(_project_in_floats(shape, axis.direction) for shape in (a, b)))
 
 
 def raw_normals(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Measure with the normal as it comes, so that landings are in units of its length."""
+    """Return the test of an axis in plain floats, with the normal not scaled to length 1."""
     return measured_test(axis, *(_project_in_floats(shape, axis.normal) for shape in (a, b)))
 
 
 def measured_test(axis: Axis, a: Projection, b: Projection) -> AxisTest:
-    """Return the test of an axis with the gap that follows from two projections."""
+    """Return the AxisTest for two projections on an axis; its gap is that of the rounded ranges."""
     return AxisTest(axis, a, b, a.interval.gap(b.interval))
 
 
 def is_closing_edge(axis: Axis, a: Shape, b: Shape) -> bool:
-    """Is the axis the normal of the edge from an outline's last vertex back to its first?"""
+    """Return whether the axis is the normal of the edge from a shape's last vertex to its first."""
     return axis.source.ids == (0, vertex_count(axis, a, b) - 1)
 
 
@@ -50,7 +50,7 @@ def vertex_count(axis: Axis, a: Shape, b: Shape) -> int:
 
 
 def _project_in_floats(shape: Shape, n: Vec) -> Projection:
-    """Return where the points land, in units of n's length, by plain float products."""
+    """Return the projection of a shape on n in plain floats, in units of n's length."""
     if shape.core_is_point:
         ((x, y),), length = shape.core, hypot(*n)
         ends = project(shape, Axis(n, length or 1.0, Source(""))).points  # on (0, 0) both are the center

@@ -32,7 +32,7 @@ class Settings(NamedTuple):
     seed: int = 1
 
     def rng(self, *purpose: str | int) -> np.random.Generator:
-        """Return a random generator for one purpose; the same seed and purpose give the same numbers."""
+        """Return the random generator of a purpose, such as a cell's name; equal seeds give equal numbers."""
         return np.random.default_rng([self.seed, *(crc32(str(word).encode()) for word in purpose)])
 
 
@@ -46,7 +46,7 @@ class Cell(NamedTuple):
 
     @property
     def key(self) -> str:
-        """A digest of everything that decides the result."""
+        """Return a digest of everything that decides the result: work, arguments, machine and satviz's code."""
         facts = [self.work.__module__, self.work.__qualname__, self.arguments, machine_facts(), _code_digest()]
         return sha256(json.dumps(facts).encode()).hexdigest()
 
@@ -67,7 +67,7 @@ class Failure(NamedTuple):
 def run_cells(
     cells: Sequence[Cell], folder: Path, executor: Executor | None, *, force: bool = False
 ) -> Iterator[tuple[Cell, Any]]:
-    """Yield each cell with its result or Failure, first those kept in `folder`; new results are kept at once.
+    """Yield each cell with its result or Failure: those kept in `folder` first, then new ones, saved at once.
 
     A file with another key or a wrong checksum is ignored.  After a failed cell the others still run; an interrupt
     stops after the running cells.
@@ -83,6 +83,7 @@ def run_cells(
         some = [cell for cell in todo if cell.timed is timed]
 
         def job(start: int, stop: int, some: list[Cell] = some) -> tuple[Callable[..., Any], tuple[Any, ...]]:
+            """Return the function and the arguments that run cell number `start` of `some`, for `in_chunks`."""
             return _attempt, (some[start].work, some[start].arguments)
 
         left = deque(some)
@@ -98,7 +99,7 @@ def run_cells(
 
 
 def _attempt(work: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
-    """Return the result as it would be read from disk, or a Failure: a resumed study gets the very same values."""
+    """Return the result of the work after a round trip through JSON, as if read from disk; or a Failure."""
     try:
         return json.loads(json.dumps(work(*arguments), allow_nan=False))
     except Exception as error:
@@ -106,17 +107,17 @@ def _attempt(work: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
 
 
 def _failure(error: BaseException) -> Failure:
-    """Return the Failure of a cell that raised this error."""
+    """Return the Failure that holds this error's type and message."""
     return Failure(f"{type(error).__name__}: {error}")
 
 
 def _result_path(cell: Cell, folder: Path) -> Path:
-    """Return the file of a cell's result; the key in its name keeps quick and full runs apart."""
+    """Return the path of a cell's result file; the key in its name keeps quick and full runs apart."""
     return folder / f"{cell.name}-{cell.key[:8]}.json"
 
 
 def _load_result(cell: Cell, folder: Path) -> Any:
-    """Return the kept result of a cell, or None if there is no valid one."""
+    """Return the stored result of a cell, or None if no file has its key and a right checksum."""
     try:
         data = json.loads(_result_path(cell, folder).read_text(encoding="utf-8"))
         good = data["key"] == cell.key and data["checksum"] == _checksum(data["result"])
@@ -132,5 +133,5 @@ def _save_result(cell: Cell, result: Any, folder: Path, force: bool) -> None:
 
 
 def _checksum(result: Any) -> str:
-    """Return the digest of a result."""
+    """Return the SHA-256 digest of a result as JSON, by which a damaged file is noticed."""
     return sha256(json.dumps(result, sort_keys=True).encode()).hexdigest()

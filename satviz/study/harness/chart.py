@@ -73,7 +73,7 @@ class Chart(NamedTuple):
         return {"text/plain": self.reading, "image/svg+xml": bare(self.encode("svg", LIGHT))}
 
     def encode(self, form: str, theme: Theme) -> bytes:
-        """Return the content of the chart's file; `form`: "svg" or "png"."""
+        """Return the bytes of the chart's file in a theme; `form`: "svg" or "png"."""
         stem = f"{self.stem}{theme_suffix(theme)}"
         return encode_figure(lambda: self.figure(theme), form, stem=stem, title=self.title, sentence=self.reading)
 
@@ -86,7 +86,7 @@ def theme_suffix(theme: Theme) -> str:
 def save_chart(
     chart: Chart, folder: Path, facts: dict[str, Any], forms: Sequence[str], *, force: bool = False
 ) -> Iterator[Path]:
-    """Write the chart in those forms, light and dark, and its numbers as JSON (with `facts`) and CSV; yield paths."""
+    """Write the chart in each form and theme, and its numbers as JSON (with `facts`) and CSV; yield the paths."""
     for theme in THEMES.values():
         for form in forms:
             path = folder / f"{chart.stem}{theme_suffix(theme)}.{form}"
@@ -138,7 +138,7 @@ def draw_headline(fig: Figure, theme: Theme, title: str, *lines: str) -> None:
 
 
 def set_time_ticks(axis: XAxis | YAxis, limits: Sequence[float], *, labels: bool = True) -> None:
-    """Set ticks at the powers of ten of a nanosecond within the limits, labelled in ns, µs or ms."""
+    """Set ticks in ns, µs or ms at the powers of ten within the limits; without `labels` ticks have no text."""
     decades = [10.0**e for e in range(-1, 9) if limits[0] <= 10.0**e <= limits[1]]
     axis.set_ticks(decades, labels=[format_time(d).replace(".0", "") if labels else "" for d in decades])
     axis.minorticks_off()
@@ -178,7 +178,7 @@ def draw_table(
 
 
 def family_colour(theme: Theme, family: str, *, text: bool = False) -> str:
-    """Return a family's colour; with `text` the darker one for letters."""
+    """Return the colour of a family of methods; with `text` the darker shade that letters need."""
     role = FAMILY_ROLES[family]
     return theme.text.get(role, theme.roles[role]) if text else theme.roles[role]
 
@@ -209,7 +209,7 @@ def draw_time_curves(
 def label_ends(
     ax: Axes, ends: Sequence[tuple[float, float, str, str]], *, gap: float = 13.0, space: float = 12.0
 ) -> None:
-    """Write (x, y, text, colour) to the right of the axes, pushed apart to `gap` points, each tied to its point.
+    """Write a label for each (x, y, text, colour) right of the axes, `gap` points apart, tied to its point.
 
     `space`: points between the axes' right side and the letters.
     """
@@ -250,7 +250,7 @@ def label_ends(
 def label_points(
     ax: Axes, points: Sequence[tuple[float, float, str, str]], theme: Theme, taken: Sequence[tuple[float, float]] = ()
 ) -> None:
-    """Write each (x, y, text, colour) beside its point, where it covers no other label and no point.
+    """Write a label for each (x, y, text, colour) near its point, clear of other labels and points.
 
     `taken`: more (x, y) points that no label may cover.
     """
@@ -258,7 +258,7 @@ def label_points(
     box = ax.get_window_extent()
     rim = box.x0 * scale, box.y0 * scale, box.x1 * scale, box.y1 * scale
     spots = [tuple(ax.transData.transform((p[0], p[1])) * scale) for p in (*points, *taken)]
-    placed: list[tuple[float, float, float, float]] = [(x - 4, y - 4, x + 4, y + 4) for x, y in spots]
+    placed: list[tuple[float, float, float, float]] = [(x - 9, y - 4, x + 9, y + 4) for x, y in spots]
     renderer = cast(Any, ax.figure.canvas).get_renderer()
     for (x, y), (px, py, text, shade) in sorted(zip(spots, points), key=lambda item: (-item[0][1], item[0][0])):
         note = ax.annotate(
@@ -279,7 +279,7 @@ def label_points(
         w, h = size.width * scale, size.height * scale
 
         def cost(offset: tuple[float, float], at: tuple[float, float] = (x, y), w: float = w, h: float = h) -> float:
-            """Return how bad a place is: covered area, overhang beyond the axes, and distance from the point."""
+            """Return how bad an offset of a label is: covered area, overhang beyond the axes, distance to the point."""
             mine = at[0] + offset[0], at[1] + offset[1], at[0] + offset[0] + w, at[1] + offset[1] + h
             over = sum(_shared_area(mine, other) for other in placed)
             out = (
@@ -297,7 +297,7 @@ def label_points(
 
 
 def _label_offsets(w: float, h: float) -> Iterator[tuple[float, float]]:
-    """Yield offsets of a label's lower left corner from its point: beside the point, then further up and down."""
+    """Yield offsets from a point to the lower left corner of its label (w x h points), near ones first."""
     for step in range(12):
         for side in (1, -1):
             up = side * (4 + step * h * 0.75)
@@ -313,7 +313,7 @@ def _shared_area(one: Sequence[float], other: Sequence[float]) -> float:
 
 
 def wilson_interval(wrong: int, total: int) -> tuple[float, float]:
-    """Return the 95 % interval of a rate of errors (Wilson 1927), which is valid for 0 of `total` too."""
+    """Return the 95 % confidence interval (low, high) of an error rate (Wilson 1927), also for 0 wrong."""
     if not total:
         return 0.0, 1.0
     z = 1.959964

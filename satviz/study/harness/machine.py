@@ -23,7 +23,7 @@ def missing_peers() -> list[str]:
 
 
 def _processor() -> str:
-    """Return the model name of the processor; on systems without /proc/cpuinfo what Python knows, perhaps nothing."""
+    """Return the processor's model name; without /proc/cpuinfo the name that Python knows, which may be empty."""
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines()
     except OSError:
@@ -34,7 +34,7 @@ def _processor() -> str:
 
 @cache
 def machine_facts() -> dict[str, str]:
-    """Return the kind of machine, its processor and cores, and the versions of Python and the packages, by name."""
+    """Return by name: the machine, system, processor, number of cores, and versions of Python and packages."""
     found = {"python": platform.python_version(), "machine": platform.machine(), "system": platform.system()}
     found |= {"processor": _processor(), "cores": str(os.cpu_count())}
     found["satviz"] = __version__

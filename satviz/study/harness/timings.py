@@ -12,7 +12,7 @@ BUSY_SPREAD = 0.25  # quartiles further apart than this share of the median: the
 
 
 def time_jobs(jobs: Mapping[str, Callable[[], Any]], rounds: int, items: Mapping[str, int]) -> dict[str, JsonRow]:
-    """Return for each job its nanoseconds an item, median and quartiles, in processor time of this thread."""
+    """Return for each job the CPU time per item in ns, median and quartiles; `items`: how many items a job does."""
     gc.collect()
     gc.freeze()  # otherwise the collection after each round would visit all shapes again
     try:

@@ -50,7 +50,7 @@ class Method(NamedTuple):
     one: Callable[[Shape], Any] | None = None
 
     def prepare_from(self, side: Side, shapes: list[Shape]) -> Any:
-        """Return the same as `prepare(side)`, quicker: `shapes` are the engine's shapes of that side."""
+        """Return what `prepare(side)` returns, made from `shapes`, the engine's shapes of that side."""
         return [self.one(shape) for shape in shapes] if self.one else self.prepare(side)
 
 
@@ -74,26 +74,26 @@ def answers_by_method(methods: Iterable[Method], a: Side, b: Side) -> Iterator[t
 
 
 def wrong_answers(answers: Answers, right: NDArray[np.int8]) -> NDArray[np.bool_]:
-    """Return which answers are wrong; answers that are relations must tell touching from overlapping as well."""
+    """Return True for each wrong answer; only answers that are relations must tell touching from overlapping."""
     return np.asarray(answers != (right > 0) if answers.dtype == bool else answers != right)
 
 
 def count_mistakes(answers: Answers, right: NDArray[np.int8]) -> dict[str, int]:
-    """Return the numbers of false hits, of false misses, and of touches confused with overlaps."""
+    """Return by name the numbers of false hits, of false misses, and of touches confused with overlaps."""
     hit, is_hit = answers > 0, right > 0
     confused = int((wrong_answers(answers, right) & hit & is_hit).sum())
     return {"false_hits": int((hit & ~is_hit).sum()), "false_misses": int((~hit & is_hit).sum()), "confused": confused}
 
 
 def engine_shapes(side: Side) -> list[Shape]:
-    """Return the shapes of a workload's side as shapes of the engine."""
+    """Return the shapes of a workload's side as a list of the engine's Polygon or Circle objects."""
     if isinstance(side, tuple):
         return [Circle(c, r) for c, r in zip(side[0].tolist(), side[1].tolist())]
     return [Polygon(ring) for ring in unpadded_rings(side)]
 
 
 def batch_shapes(side: Side) -> batch.Shapes:
-    """Return the shapes of a workload's side as batch shapes."""
+    """Return the shapes of a workload's side as batch.Polygons or batch.Circles."""
     if isinstance(side, tuple):
         return batch.Circles(*side)
     return batch.Polygons(unpadded_rings(side) if is_padded(side) else side.copy())
@@ -108,9 +108,10 @@ def _numba_methods() -> Iterator[Method]:
     from . import numba_rivals
 
     def on_columns(name: str, family: str, kernel: Callable[..., None], *options: Any, dtype: type = float) -> Method:
-        """Return the method of a kernel that takes both polygons' columns of coordinates."""
+        """Return the Method of a kernel that takes the coordinate columns of both sides, then `options`."""
 
         def hits(a: numpy_rivals.Columns, b: numpy_rivals.Columns) -> Answers:
+            """Return for each pair whether the kernel finds a hit."""
             out = np.empty(a.x.shape[1], np.int8)
             kernel(a.x, a.y, b.x, b.y, *options, out)
             return out > 0
@@ -118,13 +119,15 @@ def _numba_methods() -> Iterator[Method]:
         return Method(name, COMPILED, family, partial(numpy_rivals.to_columns, dtype=dtype), hits)
 
     def on_bounds(name: str, bound: Callable[..., Any], kernel: Callable[..., None], *options: Any) -> Method:
-        """Return the method of a kernel that takes what `bound` has prepared from each polygon's columns."""
+        """Return the Method of a kernel on bounding volumes, which `bound(x, y, *options)` makes of a side."""
 
         def prepare(side: Side) -> Any:
+            """Return the bounding volumes of a workload's side."""
             columns = numpy_rivals.to_columns(side)
             return bound(columns.x, columns.y, *options)
 
         def hits(a: Any, b: Any) -> Answers:
+            """Return for each pair whether the bounding volumes hit."""
             out = np.empty(a.shape[1], np.int8)
             kernel(a, b, out)
             return out > 0
@@ -162,7 +165,7 @@ def _numpy_methods() -> Iterator[Method]:
     """Yield the methods whose loops run in NumPy."""
 
     def sat_on(name: str, family: str, axes: numpy_rivals.AxisChoice) -> Method:
-        """Return SAT on that choice of axes."""
+        """Return textbook SAT in NumPy as a Method; `axes(a, b)` yields the axes that it tests."""
         hits = partial(numpy_rivals.sat_hits, axes=axes)
         return Method(name, NUMPY, family, numpy_rivals.to_columns, hits, circles=True)
 
@@ -177,14 +180,14 @@ def _python_methods() -> Iterator[Method]:
     """Yield the methods in plain Python, which answer one pair at a time."""
 
     def one_by_one(name: str, family: str, test: Callable[[Any, Any], Any], one: Callable[[Shape], Any]) -> Method:
-        """Return the method that prepares each shape by `one` and tests each pair by `test`."""
+        """Return the Method that prepares each shape by `one` and answers each pair by `test`."""
         return Method(
             name, PYTHON, family, lambda side: [one(shape) for shape in engine_shapes(side)],
             libraries.one_by_one(test), circles=True, one=one,
         )  # fmt: skip
 
     def on_points(name: str, family: str, test: Callable[[Any, Any], Any]) -> Method:
-        """Return the method of a test that takes shapes as points with a radius."""
+        """Return the Method of a test that takes each shape as (points, radius)."""
         return one_by_one(name, family, test, python_rivals.points_and_radius)
 
     xy = python_rivals.even_directions(2)

@@ -10,12 +10,12 @@ from ..workloads.generators import Side, is_padded, unpadded_rings
 
 
 def one_by_one(ask: Callable[[Any, Any], Any]) -> Callable[[list[Any], list[Any]], list[Any]]:
-    """Return the function that asks `ask` about each pair of two lists and returns the list of answers."""
+    """Return a function of two lists that calls `ask` on each pair in turn and returns the list of answers."""
     return lambda a, b: [ask(p, q) for p, q in zip(a, b, strict=True)]
 
 
 def shapely_geometries(side: Side) -> Any:
-    """Return the shapes as an array of shapely; circles as (points, radii), because shapely has no true circle."""
+    """Return an array of shapely geometries; circles as (points, radii), since shapely has no true circle."""
     import shapely
 
     if isinstance(side, tuple):
@@ -28,7 +28,7 @@ def shapely_geometries(side: Side) -> Any:
 
 
 def prepared_geometries(side: Side) -> Any:
-    """Return the shapes as shapely's prepared geometries, whose edges are in a tree."""
+    """Return the shapes as prepared shapely geometries, which keep an index of their edges."""
     import shapely
 
     found = shapely_geometries(side)
@@ -37,25 +37,25 @@ def prepared_geometries(side: Side) -> Any:
 
 
 def shapely_hits(a: Any, b: Any) -> NDArray[np.bool_]:
-    """Return for each pair whether the shapes share a point."""
+    """Return for each pair whether the shapes share a point; shapes in the form of `shapely_geometries`."""
     import shapely
 
     return np.asarray(shapely.dwithin(a[0], b, a[1]) if isinstance(a, tuple) else shapely.intersects(a, b))
 
 
 def geometry_list(side: Side) -> list[Any]:
-    """Return the shapes as a list of shapely's geometries; circles as (point, radius)."""
+    """Return the shapes as a list of shapely geometries; each circle as (point, radius)."""
     found = shapely_geometries(side)
     return list(zip(found[0], found[1].tolist())) if isinstance(found, tuple) else list(found)
 
 
 def shapely_hit(a: Any, b: Any) -> bool:
-    """Return whether the shapes of one pair share a point."""
+    """Return whether two shapes share a point; shapes in the form of `geometry_list`."""
     return bool(a[0].dwithin(b, a[1]) if isinstance(a, tuple) else a.intersects(b))
 
 
 def pymunk_shapes(side: Side) -> list[Any]:
-    """Return pymunk's shapes, all on one static body."""
+    """Return the shapes as a list of pymunk shapes, all on one static body."""
     import pymunk
 
     body = pymunk.Body(body_type=pymunk.Body.STATIC)
@@ -69,7 +69,7 @@ def pymunk_shapes(side: Side) -> list[Any]:
 
 
 def pymunk_hit(a: Any, b: Any) -> bool:
-    """Return whether pymunk finds points of contact."""
+    """Return whether pymunk finds points of contact between two of its shapes."""
     try:
         return bool(a.shapes_collide(b).points)
     except AssertionError:  # what pymunk 7 raises for two shapes without a contact

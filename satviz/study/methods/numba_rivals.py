@@ -31,7 +31,7 @@ ALWAYS_EXACT = np.inf  # no float is certain, so every sign is computed exactly
 
 @compiled
 def read_once(columns: NDArray[np.int64]) -> int:
-    """Read every number once and return the bitwise sum of all: the time that no method can undercut.
+    """Return the XOR of all numbers, each read once: no method can take less time than this reading.
 
     The numbers are read as integers, because the compiler may reorder those.
     """
@@ -46,7 +46,7 @@ def read_once(columns: NDArray[np.int64]) -> int:
 
 @compiled
 def enclosing_circles(x: Array, y: Array) -> Array:
-    """Return rows (center x, center y, radius): each circle encloses its corners, about their mean."""
+    """Return rows (center x, center y, radius): for each polygon a circle about its corners' mean."""
     kept = np.empty((3, x.shape[1]))
     for i in range(x.shape[1]):
         cx, cy, far = 0.0, 0.0, 0.0
@@ -61,7 +61,7 @@ def enclosing_circles(x: Array, y: Array) -> Array:
 
 @compiled
 def circles_hit(a: Array, b: Array, out: Out) -> None:
-    """Write whether the centers are no further apart than the sum of the radii."""
+    """Write for each pair whether its circles hit: centers no further apart than the sum of the radii."""
     for i in range(out.size):
         dx, dy, radius_sum = a[0, i] - b[0, i], a[1, i] - b[1, i], a[2, i] + b[2, i]
         out[i] = dx * dx + dy * dy <= radius_sum * radius_sum
@@ -69,7 +69,7 @@ def circles_hit(a: Array, b: Array, out: Out) -> None:
 
 @compiled
 def ranges_on_directions(x: Array, y: Array, directions: Array) -> Array:
-    """Return two rows (low, high) for each of the (k, 2) directions: the range of each polygon on it."""
+    """Return each polygon's range on each of the (k, 2) directions, as two rows (low, high) for each."""
     kept = np.empty((2 * len(directions), x.shape[1]))
     for k in range(len(directions)):
         for i in range(x.shape[1]):
@@ -83,7 +83,7 @@ def ranges_on_directions(x: Array, y: Array, directions: Array) -> Array:
 
 @compiled
 def ranges_hit(a: Array, b: Array, out: Out) -> None:
-    """Write whether the prepared ranges overlap or touch on every direction."""
+    """Write for each pair whether its ranges, prepared by `ranges_on_directions`, meet on every direction."""
     for i in range(out.size):
         out[i] = 1
         for k in range(0, a.shape[0], 2):
@@ -94,7 +94,7 @@ def ranges_hit(a: Array, b: Array, out: Out) -> None:
 
 @compiled
 def boxes_hit(a: Array, b: Array, out: Out) -> None:
-    """Write whether the prepared ranges on x and y overlap or touch, without a branch: that loop is vectorised."""
+    """Write for each pair whether its prepared ranges on x and y meet; a loop without branches vectorises."""
     for i in range(out.size):
         out[i] = (a[1, i] >= b[0, i]) & (b[1, i] >= a[0, i]) & (a[3, i] >= b[2, i]) & (b[3, i] >= a[2, i])
 
@@ -123,7 +123,7 @@ def oriented_boxes(x: Array, y: Array) -> Array:
 
 @compiled
 def oriented_boxes_hit(a: Array, b: Array, out: Out) -> None:
-    """Write whether oriented boxes overlap on their four axes (Gottschalk, Lin and Manocha 1996)."""
+    """Write for each pair whether its boxes meet on their four axes (Gottschalk, Lin and Manocha 1996)."""
     for i in range(out.size):
         dx, dy = b[0, i] - a[0, i], b[1, i] - a[1, i]
         ux, uy, vx, vy = a[2, i], a[3, i], b[2, i], b[3, i]
@@ -142,7 +142,7 @@ def oriented_boxes_hit(a: Array, b: Array, out: Out) -> None:
 
 @compiled
 def textbook_sat(ax: Array, ay: Array, bx: Array, by: Array, unit: bool, tolerance: float, out: Out) -> None:
-    """SAT as articles write it: compare both ranges on each normal, stop at the first gap larger than `tolerance`.
+    """Write hits by SAT as articles write it: no hit if a normal has a gap larger than `tolerance`.
 
     `unit`: divide each normal by its length first.
     """
@@ -155,7 +155,7 @@ def textbook_sat(ax: Array, ay: Array, bx: Array, by: Array, unit: bool, toleran
 
 @compiled
 def _has_separating_normal(x: Array, y: Array, p: Array, q: Array, i: int, unit: bool, tolerance: float) -> bool:
-    """Return whether a normal of the polygon (x, y) of pair i leaves a gap larger than `tolerance`."""
+    """Return whether an edge normal of (x, y) leaves a gap to (p, q) above `tolerance`, in pair i."""
     for e in range(x.shape[0]):
         f = e + 1 if e + 1 < x.shape[0] else 0
         nx, ny = y[f, i] - y[e, i], x[e, i] - x[f, i]
@@ -177,7 +177,7 @@ def _has_separating_normal(x: Array, y: Array, p: Array, q: Array, i: int, unit:
 
 @compiled
 def orientation_sat(ax: Array, ay: Array, bx: Array, by: Array, error_factor: float, out: Out) -> None:
-    """SAT by orientation tests: apart where all corners of one polygon lie strictly beyond an edge of the other.
+    """Write hits by orientation tests: a miss if all of one polygon is strictly beyond an edge of the other.
 
     `error_factor`: NO_ERROR_BOUND, ERRBOUND_A or ALWAYS_EXACT.
     """
@@ -190,7 +190,7 @@ def orientation_sat(ax: Array, ay: Array, bx: Array, by: Array, error_factor: fl
 
 @compiled
 def _edge_clears(x: Array, y: Array, p: Array, q: Array, i: int, error_factor: float, terms: Array) -> bool:
-    """Return whether all corners of (p, q) lie strictly beyond one edge of (x, y), by signs of determinants."""
+    """Return whether all corners of (p, q) lie strictly beyond some edge of (x, y); `terms`: work space."""
     for e in range(x.shape[0]):
         f = e + 1 if e + 1 < x.shape[0] else 0
         beyond = True
@@ -215,7 +215,7 @@ def _edge_clears(x: Array, y: Array, p: Array, q: Array, i: int, error_factor: f
 
 @compiled
 def _exact_orientation(px: float, py: float, qx: float, qy: float, rx: float, ry: float, terms: Array) -> int:
-    """Return the sign of the orientation determinant from its six exact products, without a filter before it."""
+    """Return the exact sign of the orientation of points p, q, r from six products; `terms`: work space."""
     for k, (a, b) in enumerate(((px, qy), (-py, qx), (qx, ry), (-qy, rx), (rx, py), (-ry, px))):
         terms[k], terms[6 + k] = two_product(a, b)
     return sign_of_sum(terms, MAX_TERMS)
@@ -223,7 +223,7 @@ def _exact_orientation(px: float, py: float, qx: float, qy: float, rx: float, ry
 
 @compiled
 def gjk(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
-    """Gilbert, Johnson and Keerthi (1988) on floats: write whether the difference B - A contains the origin."""
+    """Write hits by GJK on floats (Gilbert, Johnson and Keerthi 1988): whether B - A contains the origin."""
     for i in range(out.size):
         dx, dy = bx[0, i] - ax[0, i], by[0, i] - ay[0, i]
         ux, uy = _support_of_difference(ax, ay, bx, by, i, -dx, -dy)
@@ -259,7 +259,7 @@ def gjk(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
 def _support_of_difference(
     ax: Array, ay: Array, bx: Array, by: Array, i: int, dx: float, dy: float
 ) -> tuple[float, float]:
-    """Return the support point of B - A: its corner furthest along (dx, dy)."""
+    """Return the support point of B - A in pair i: its corner furthest along (dx, dy)."""
     furthest, k = -np.inf, 0
     for v in range(ax.shape[0]):
         landing = -dx * ax[v, i] - dy * ay[v, i]
@@ -278,14 +278,14 @@ def _support_of_difference(
 
 @compiled
 def support_search_sat(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
-    """SAT that finds the lowest corner along each normal by binary search: V log V steps."""
+    """Write hits by SAT that finds the lowest corner along each normal by binary search: V log V steps."""
     for i in range(out.size):
         out[i] = not (_edge_clears_lowest(ax, ay, bx, by, i) or _edge_clears_lowest(bx, by, ax, ay, i))
 
 
 @compiled
 def _edge_clears_lowest(x: Array, y: Array, p: Array, q: Array, i: int) -> bool:
-    """Return whether the lowest corner of (p, q) lies strictly beyond one edge of (x, y)."""
+    """Return whether the lowest corner of (p, q), and so each, lies strictly beyond some edge of (x, y)."""
     for e in range(x.shape[0]):
         f = e + 1 if e + 1 < x.shape[0] else 0
         nx, ny = y[f, i] - y[e, i], x[e, i] - x[f, i]
@@ -297,14 +297,14 @@ def _edge_clears_lowest(x: Array, y: Array, p: Array, q: Array, i: int) -> bool:
 
 @compiled
 def _edge_rise(p: Array, q: Array, i: int, v: int, nx: float, ny: float) -> float:
-    """Return how far the edge after corner v rises along the normal; negative where it falls."""
+    """Return how far the edge from corner v to the next rises along (nx, ny); negative where it falls."""
     w = v + 1 if v + 1 < p.shape[0] else 0
     return float(nx * (p[w, i] - p[v, i]) + ny * (q[w, i] - q[v, i]))
 
 
 @compiled
 def _lowest_corner(p: Array, q: Array, i: int, nx: float, ny: float) -> int:
-    """Return the number of the lowest corner along a normal, by binary search (O'Rourke 1998).
+    """Return the index of the corner lowest along (nx, ny) in pair i, by binary search (O'Rourke 1998).
 
     Along a convex outline the heights fall, then rise, once.
     """
@@ -327,7 +327,7 @@ def _lowest_corner(p: Array, q: Array, i: int, nx: float, ny: float) -> int:
 
 @compiled
 def calipers(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
-    """Rotating calipers: go around both outlines once, in the order of the edges' angles.
+    """Write hits by rotating calipers: go around both outlines once, in the order of the edges' angles.
 
     This visits the edges of the difference A - B in order; the shapes hit where the origin lies inside all of them.
     """

@@ -40,7 +40,7 @@ AxisChoice = Callable[[Columns, Columns], Iterator[PairAxes]]
 
 
 def to_columns(side: Side, dtype: type = np.float64) -> Columns:
-    """Return the shapes of a workload's side as columns."""
+    """Return the shapes of a workload's side as Columns, with coordinates of type `dtype`."""
     at, r = side if isinstance(side, tuple) else (side, None)
     at = at[:, None] if at.ndim == 2 else at
     x, y = (np.ascontiguousarray(at[:, :, i].T, dtype=dtype) for i in (0, 1))  # type: ignore[var-annotated]
@@ -48,7 +48,7 @@ def to_columns(side: Side, dtype: type = np.float64) -> Columns:
 
 
 def sat_hits(a: Columns, b: Columns, axes: AxisChoice) -> Hits:
-    """Return for each pair whether no axis of the choice leaves a gap."""
+    """Return for each pair whether it hits: none of the axes that `axes(a, b)` yields leaves a gap."""
     found = np.ones(a.x.shape[1], bool)
     with np.errstate(all="ignore"):
         for start in range(0, len(found), BLOCK_PAIRS):
@@ -91,7 +91,7 @@ def sat_axes(a: Columns, b: Columns) -> Iterator[PairAxes]:
 
 
 def with_unit_length(choice: AxisChoice) -> AxisChoice:
-    """Return the choice of the same axes, each divided by its length."""
+    """Return a function that yields the axes of `choice`, each divided by its length."""
 
     def normalised(a: Columns, b: Columns) -> Iterator[PairAxes]:
         """Yield the axes of `choice` with length 1."""
@@ -103,11 +103,11 @@ def with_unit_length(choice: AxisChoice) -> AxisChoice:
 
 
 def fixed_directions(k: int) -> AxisChoice:
-    """Return the choice of k directions, spread evenly over a half turn, for every pair."""
+    """Return a function that yields k axes for every pair: directions spread evenly over a half turn."""
     return lambda a, b: (PairAxes(x, y, 1.0) for x, y in even_directions(k))
 
 
 def _block(c: Columns, start: int) -> Columns:
-    """Return the columns of one block of shapes."""
+    """Return the columns of BLOCK_PAIRS shapes, or of those that are left, from number `start` on."""
     stop = start + BLOCK_PAIRS
     return Columns(c.x[:, start:stop], c.y[:, start:stop], None if c.r is None else c.r[start:stop])

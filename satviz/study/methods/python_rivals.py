@@ -16,7 +16,7 @@ MAX_GJK_STEPS = 64  # rounding can make GJK cycle
 
 
 def points_and_radius(shape: Shape) -> PointsAndRadius:
-    """Return the corners of a polygon and 0, or the center of a circle and its radius."""
+    """Return a polygon as (its corners, 0), or a circle as ((its center,), its radius)."""
     return ((shape.center,), shape.radius) if isinstance(shape, Circle) else (shape.corners, 0.0)
 
 
@@ -39,7 +39,7 @@ def sat_axes(a: PointsAndRadius, b: PointsAndRadius) -> Iterator[tuple[float, fl
 
 
 def sat(a: PointsAndRadius, b: PointsAndRadius, choice: AxisChoice = sat_axes, *, unit: bool = False) -> bool:
-    """Return whether no axis of the choice leaves a gap (textbook SAT); `unit`: divide each axis by its length."""
+    """Return whether two shapes hit: no axis of `choice` leaves a gap (textbook SAT); `unit`: normalise each axis."""
     for nx, ny in choice(a, b):
         length = sqrt(nx * nx + ny * ny)
         if unit and length:
@@ -52,14 +52,14 @@ def sat(a: PointsAndRadius, b: PointsAndRadius, choice: AxisChoice = sat_axes, *
 
 
 def project(shape: PointsAndRadius, nx: float, ny: float, length: float) -> tuple[float, float]:
-    """Return (low, high): the range of a shape on the axis (nx, ny), which has that length."""
+    """Return (low, high): the range of a shape on the axis (nx, ny); `length`: the length of (nx, ny)."""
     points, r = shape
     landings = [x * nx + y * ny for x, y in points]
     return min(landings) - r * length, max(landings) + r * length
 
 
 def gjk(a: PointsAndRadius, b: PointsAndRadius) -> bool:
-    """Return whether A - B contains the origin (Gilbert, Johnson and Keerthi 1988); touching counts."""
+    """Return whether two shapes hit: A - B contains the origin (Gilbert, Johnson and Keerthi 1988)."""
     ax, ay = _support_of_difference(a, b, 1.0, 0.0)
     corners = [(ax, ay)]
     dx, dy = -ax, -ay
@@ -97,7 +97,7 @@ def _support(shape: PointsAndRadius, dx: float, dy: float) -> tuple[float, float
 
 
 def _towards_origin(corners: Simplex, ax: float, ay: float) -> tuple[Simplex, tuple[float, float]]:
-    """Add (ax, ay) to the simplex; return its part nearest to the origin, and the direction from there to the origin.
+    """Return the part of the simplex and (ax, ay) nearest to the origin, and the next search direction.
 
     Three corners are returned where the origin lies inside.
     """
@@ -115,7 +115,7 @@ def _towards_origin(corners: Simplex, ax: float, ay: float) -> tuple[Simplex, tu
 
 
 def _edge_towards_origin(a: tuple[float, float], b: tuple[float, float]) -> tuple[Simplex, tuple[float, float]]:
-    """Return the part of the edge a b nearest to the origin, and the direction from there to the origin."""
+    """Return the part of the edge from a to b nearest to the origin, and the next search direction."""
     ex, ey = b[0] - a[0], b[1] - a[1]
     if ex * -a[0] + ey * -a[1] <= 0:
         return [a], (-a[0], -a[1])

@@ -24,12 +24,12 @@ ReorderAxes = Callable[[Shape, Shape, OrderedAxes, Source | None, Rng], OrderedA
 
 
 def last_first(axes: OrderedAxes, last: Source | None) -> OrderedAxes:
-    """Return the axes with the one from the source `last` first: the warm start from the frame before."""
+    """Return the axes with the one from the source `last` moved to the front: a warm start from the last frame."""
     return tuple(sorted(axes, key=lambda axis: axis.source != last))
 
 
 def most_parallel_first(axes: OrderedAxes, dx: float, dy: float) -> OrderedAxes:
-    """Return the axes sorted by their angle to the direction (dx, dy); this takes one dot product for each axis."""
+    """Return the axes sorted by their angle to the direction (dx, dy), the smallest angle first."""
     return tuple(sorted(axes, key=lambda axis: -abs(dx * axis.normal.x + dy * axis.normal.y) / axis.length))
 
 
@@ -54,7 +54,7 @@ ORDERS: dict[str, ReorderAxes] = {
 
 
 def passing_frames(rng: Rng, frames: int) -> Iterator[tuple[Polygon, Polygon]]:
-    """Yield two random 8-gons frame by frame: B moves on a straight path past A or through it."""
+    """Yield random 8-gons A and B on each frame; A stays, B moves on a straight path past A or through it."""
     a, b = ngons(rng, 2, 8, 0.0)
     start, move = np.array([-3.0, rng.uniform(-2, 2)]), np.array([6.0, rng.uniform(-1, 1)])
     shape = Polygon(a)
@@ -63,7 +63,7 @@ def passing_frames(rng: Rng, frames: int) -> Iterator[tuple[Polygon, Polygon]]:
 
 
 def count_tested_axes(paths: int, frames: int, settings: Settings) -> list[JsonRow]:
-    """Return for each order the mean number of axes tested in a frame with the shapes apart, and the right verdicts.
+    """Return for each order its mean number of axes tested while apart, and its number of right verdicts.
 
     The interval of the mean is from the means of the single paths.
     """
@@ -94,7 +94,7 @@ def count_tested_axes(paths: int, frames: int, settings: Settings) -> list[JsonR
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return one cell, in which all orders meet the same frames."""
+    """Return one cell, which counts the axes that each order tests, all orders on the same frames."""
     return [Cell("order", count_tested_axes, ((10, 40) if settings.quick else (200, 120)) + (settings,))]
 
 
@@ -104,15 +104,12 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     by_order = {row["order"]: row for row in rows}
     tested = {name: f"{row['tested']:.1f}" for name, row in by_order.items()}
     paths, apart = rows[0]["paths"], rows[0]["apart"]
-    title = (
-        f"Until one separates: {tested[SHUFFLED]} axes in random order, {tested[LAST_FIRST]} with the last one first, "
-        f"{tested[ALONG_CENTERS]} along the centers"
-    )
+    title = f"Axes tested until one separates: shuffled {tested[SHUFFLED]}, last one first {tested[LAST_FIRST]}, "
+    title += f"along the centers {tested[ALONG_CENTERS]}"
 
     def draw(fig: Figure, theme: Theme) -> None:
-        line = (
-            f"8-gons that move past each other on {paths} paths. They are apart in {apart:,} frames. At most 16 axes."
-        )
+        """Draw for each order a dot at its mean number of axes, and a bar for the 95 % interval."""
+        line = f"8-gons pass each other on {paths} paths and are apart in {apart:,} frames. They have 16 axes."
         draw_headline(fig, theme, title, line)
         ax = add_axes(fig, (0.235, 0.2, 0.72, 0.53), theme)
         for y, row in enumerate(rows):

@@ -28,13 +28,13 @@ LINE_STYLES = {
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return one cell, which takes the times and compares every answer with how the pair was made."""
+    """Return one cell, which times the methods and checks every answer by how the pair was made."""
     corners, rounds = (20_000, 3) if settings.quick else (400_000, 11)
     return [Cell("corners-times", take_times, (corners, rounds, settings), timed=True)]
 
 
 def ready_jobs(a: Rings, b: Rings) -> dict[str, Callable[[], Any]]:
-    """Return a job for each way through the outlines, on shapes that are prepared: it returns who hits."""
+    """Return a job for each method on these pairs, prepared beforehand; a job returns which pairs hit."""
     jobs: dict[str, Callable[[], Any]] = {}
     if is_installed("numba"):
         from ..methods import numba_rivals
@@ -43,6 +43,7 @@ def ready_jobs(a: Rings, b: Rings) -> dict[str, Callable[[], Any]]:
         columns = [np.ascontiguousarray(rings[:, :, d]).T for rings in (a, b) for d in (0, 1)]
 
         def run(kernel: Callable[..., None], *options: Any) -> Any:
+            """Return which pairs hit, by a kernel; `options`: its arguments between the columns and the output."""
             out = np.empty(len(a), np.int8)
             kernel(*columns, *options, out)
             return out > 0
@@ -59,7 +60,7 @@ def ready_jobs(a: Rings, b: Rings) -> dict[str, Callable[[], Any]]:
 
 
 def take_times(corners: int, rounds: int, settings: Settings) -> list[JsonRow]:
-    """Return each way's nanoseconds for a pair of regular v-gons, half of them apart, and its wrong answers.
+    """Return for each method and corner count the ns per pair of regular v-gons, and the wrong answers.
 
     `corners`: corners in all, so that there are fewer pairs where each has more corners.
     """
@@ -85,13 +86,13 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     factors = {name: (ns[name, CORNER_COUNTS[-1]] / ns[name, 64]) ** 0.5 for name in names}  # two doublings after 64
     title = "Time against corners"
     if "GJK" in factors:
-        title = f"Twice the corners take textbook SAT {factors['SAT, every corner']:.1f} times as long, "
-        title += f"GJK {factors['GJK']:.1f}, calipers {factors['rotating calipers']:.1f}"
+        title = f"With twice the corners, textbook SAT takes {factors['SAT, every corner']:.1f} times as long, "
+        title += f"GJK {factors['GJK']:.1f} and calipers {factors['rotating calipers']:.1f}"
 
     def draw(fig: Figure, theme: Theme) -> None:
-        draw_headline(
-            fig, theme, title, "Time for a pair of regular polygons; half of the pairs are apart. Bars: quartiles"
-        )
+        """Draw for each method its time against the number of corners, on logarithmic scales."""
+        line = "Time for a pair of regular polygons. Half of the pairs are apart. Bars show quartiles."
+        draw_headline(fig, theme, title, line)
         ax = add_axes(fig, (0.085, 0.14, 0.62, 0.69), theme)
         ax.set_xscale("log")
         draw_time_curves(ax, theme, CORNER_COUNTS, rows, LINE_STYLES)

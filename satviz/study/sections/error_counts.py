@@ -34,7 +34,7 @@ FIXED_TOLERANCE = "fixed tolerance"  # a tolerance is a length, and a relative m
 
 
 def count_errors_by_margin(kind: int, per_octave: int, settings: Settings) -> list[JsonRow]:
-    """Return for each method the wrong answers to pairs of one kind, by octave, and the largest margin of those.
+    """Return each method's wrong answers on pairs of one kind, by octave, and their largest margin.
 
     `kind`: its number in `ALL_KINDS`.
     """
@@ -53,7 +53,7 @@ def count_errors_by_margin(kind: int, per_octave: int, settings: Settings) -> li
 
 
 def count_errors(work: str, n: int, settings: Settings) -> list[JsonRow]:
-    """Return for each method the wrong answers to n pairs; `work`: "touching" or "ordinary"."""
+    """Return for each method its wrong answers on n pairs, by kind of mistake; `work`: "touching" or "ordinary"."""
     rng = settings.rng(work)
     a, b = touching_triangles(rng, n) if work == "touching" else _ordinary_pairs(rng, n)
     right, rows = true_relations(a, b), []
@@ -70,7 +70,7 @@ def _ordinary_pairs(rng: np.random.Generator, n: int) -> tuple[Any, Any]:
 
 
 def take_times(pairs: dict[str, int], rounds: int, settings: Settings) -> list[JsonRow]:
-    """Return the nanoseconds of each method for one ordinary pair that is prepared; `pairs`: how many, by language."""
+    """Return each method's ns per ordinary, prepared pair; `pairs`: the number of pairs by language."""
     rows = []
     for language, n in pairs.items():
         a, b = _ordinary_pairs(settings.rng("times"), n)
@@ -82,7 +82,7 @@ def take_times(pairs: dict[str, int], rounds: int, settings: Settings) -> list[J
 
 
 def method_summaries(found: dict[str, Any]) -> list[JsonRow]:
-    """Return one row for each method: its errors, the largest relative margin of these, and its time.
+    """Return a row for each method: its errors, the largest relative margin among them, and its time.
 
     Extreme sizes are counted apart.  `lane`: empty where the largest margin of this sample ranks the method.
     """
@@ -109,7 +109,7 @@ def method_summaries(found: dict[str, Any]) -> list[JsonRow]:
 
 
 def _lane_of(row: JsonRow) -> str:
-    """Return the lane of a summary, or an empty string where its relative margin ranks the method."""
+    """Return the lane of a method's summary, or an empty string where its relative margin ranks the method."""
     if row["relative_margin"] > EVERY_MARGIN:
         return WRONG_AT_ANY_DISTANCE
     if row["family"] == "tolerance":
@@ -125,5 +125,5 @@ def method_key(row: JsonRow) -> tuple[str, str]:
 
 
 def cell_name(kind: HardKind) -> str:
-    """Return the name of the cell that counts the errors of one kind."""
+    """Return the name of the cell that counts the errors on one kind of hard pairs."""
     return f"hard-{kind.name.replace(' ', '-')}"

@@ -45,7 +45,7 @@ MAP_COLUMNS, PANEL_POINTS, HEADER_POINTS = 6, (150.0, 180.0), 60.0
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return one cell for each shortcut."""
+    """Return one cell for each shortcut, which compares it with the truth at a grid of positions of B."""
     n = 17 if settings.quick else 61
     return [
         Cell(f"map-{name}", evaluate_grid, (name, n if name != TOUCH_ON_PAPER else 25)) for name in MAPPED_SHORTCUTS
@@ -67,6 +67,7 @@ def map_chart(grids: Sequence[PositionGrid]) -> Chart:
     title = f"{mostly_false} of {verdicts} shortcuts with wrong verdicts have more false hits than missed hits"
 
     def draw(fig: Figure, theme: Theme) -> None:
+        """Draw the headline, and each map with its name above and its counts below."""
         lines = (
             "Each point is a position of B's middle. Grey: a hit, and right. White: apart, and right.",
             "Red: wrong; stripes show a wrong verdict, dots a wrong number. The numbers count positions on a grid.",
@@ -126,7 +127,7 @@ def draw_map(ax: Axes, grid: PositionGrid, case: FailureCase, theme: Theme) -> N
     region = ErrorRegion((), (), tuple(minkowski_difference(a, b))) if isinstance(found, str) else found
 
     def draw_area(rings: Sequence[ConvexRing], **style: Any) -> None:
-        """Draw rings of moves of B above the shapes' fills, so that red stays red, and below their lines."""
+        """Draw rings of moves of B, as positions of its middle: above the shapes' fills and below their lines."""
         if rings:
             style = {"facecolor": "none", "linewidth": 0, "zorder": 1.3} | style
             ax.add_patch(PathPatch(_joined_path(rings, middle), **style))
@@ -146,7 +147,7 @@ def draw_map(ax: Axes, grid: PositionGrid, case: FailureCase, theme: Theme) -> N
 
 
 def _joined_path(rings: Sequence[ConvexRing], middle: Vec) -> Path:
-    """Return one path for all rings, moved to B's middle, so that no line shows where two share a side."""
+    """Return one path for all rings, shifted by B's middle; a single path shows no seams between rings."""
     points = [(x + middle.x, y + middle.y) for ring in rings for x, y in (*ring, ring[0])]
     codes = [code for ring in rings for code in (Path.MOVETO, *[Path.LINETO] * (len(ring) - 1), Path.CLOSEPOLY)]
     return Path(points, codes)

@@ -50,9 +50,8 @@ def error_rate_chart(found: dict[str, Any]) -> Chart:
     rows_of = {name: own for name in CURVE_LABELS if (own := [row for row in rows if row["method"] == name])}
 
     def draw(fig: Figure, theme: Theme) -> None:
-        line = (
-            f"Share of wrong answers by hardness. At least {fewest:,} pairs for each factor of 2. Bands: 95 % intervals"
-        )
+        """Draw the error rates at exact touches, and beside them those by relative margin."""
+        line = f"Share of wrong answers; at least {fewest:,} pairs for each factor of 2. Bands show 95 % intervals."
         draw_headline(fig, theme, title, line)
         touch_ax = add_axes(fig, (0.07, 0.15, 0.06, 0.68), theme)
         ax = add_axes(fig, (0.4, 0.15, 0.585, 0.68), theme)
@@ -91,7 +90,7 @@ def error_rate_chart(found: dict[str, Any]) -> Chart:
         )
         ax.set_xticks(range(0, 36, 5), [f"$2^{{{k}}}$" for k in range(0, 36, 5)])
 
-    text = "This sample is no bound for other pairs. "
+    text = "The wrong answers of this sample, which is no bound for other pairs. "
     for name, (touching, *curve) in rows_of.items():
         wrong = [row["octave"] for row in curve if row["wrong"]]
         upto = f"wrong up to a relative margin of 2^{max(wrong) + 1}" if wrong else "none wrong"
@@ -101,7 +100,7 @@ def error_rate_chart(found: dict[str, Any]) -> Chart:
 
 
 def _error_rates(found: dict[str, Any]) -> list[JsonRow]:
-    """Return for each charted method a row for exactly touching pairs, then one for each octave of the margin."""
+    """Return for each charted method a row for touching pairs, then a row for each octave of the margin."""
     touching = {method_key(row): row for row in found["count-touching"]}
     rows: list[JsonRow] = []
     for name in CURVE_LABELS:
@@ -121,7 +120,7 @@ def _error_rates(found: dict[str, Any]) -> list[JsonRow]:
 
 
 def hardness_chart(found: dict[str, Any]) -> Chart:
-    """Return a table: for each kind of hardness and method the largest relative margin at which it was wrong."""
+    """Return a chart with a table: by kind of hardness and method the largest margin that was wrong."""
     counts = {
         (row["kind"], row["method"]): row
         for kind in ALL_KINDS
@@ -144,11 +143,13 @@ def hardness_chart(found: dict[str, Any]) -> Chart:
     size = 170 + wide, 132 + tall
 
     def draw(fig: Figure, theme: Theme) -> None:
+        """Draw the headline and the table, a row for each kind and a column for each method."""
         line = "The largest relative margin at which a method was wrong, by kind of hardness. Darker is worse."
         draw_headline(fig, theme, title, line)
         ax = add_axes(fig, (160 / size[0], 16 / size[1], wide / size[0], tall / size[1]), theme)
 
         def entry(y: int, x: int) -> tuple[str, str, float]:
+            """Return the text, colour and strength of the table's field in row y and column x."""
             row = counts[ALL_KINDS[y].name, names[x]]
             shade, margin = family_colour(theme, row["family"]), row["relative_margin"]
             if not margin:

@@ -21,13 +21,13 @@ LINE_STYLES = {
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return one cell, which takes the times at every share."""
+    """Return one cell, which times the methods at every share of touching pairs."""
     n, rounds = (40_000, 4) if settings.quick else (100_000, 21)
     return [Cell("price-times", take_times, (n, rounds, settings), timed=True)]
 
 
 def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
-    """Return each method's nanoseconds for a pair of triangles, where a share of the pairs touches exactly."""
+    """Return each method's ns per pair of triangles at each share of pairs that touch exactly."""
     rng = settings.rng("price")
     rows = []
     random_a, random_b = ngons(rng, n, 3, 0.9), ngons(rng, n, 3, 0.9)
@@ -52,7 +52,7 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     title, text = "The cost of exact answers", ""
     if cost:
         few, all_pairs = format_time(max(cost[0.001], 0.0)), format_time(cost[1.0])
-        title = f"An exact answer takes {few} more a pair where one in a thousand touches, {all_pairs} where all do"
+        title = f"An exact answer costs {few} more for a pair where 1 in 1,000 touches, {all_pairs} where all do"
         costs = ", ".join(f"{format_time(ns)} with {share:.1%} touching" for share, ns in cost.items())
         text = f"satviz takes longer than the same kernel without a filter by: {costs}. Making and checking the shapes "
         text += f"is not in these times. {VECTORISED} "
@@ -61,10 +61,11 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     families = {row["method"]: row["family"] for row in rows}
 
     def draw(fig: Figure, theme: Theme) -> None:
+        """Draw for each method its time against the share of touching pairs."""
         line = (
-            f"Time of the answer alone, for {rows[0]['pairs']:,} pairs of triangles that are already made and checked. "
+            f"Time of the answer alone; {rows[0]['pairs']:,} pairs of triangles, made beforehand. Bars show quartiles."
         )
-        draw_headline(fig, theme, title, line + "Bars show quartiles")
+        draw_headline(fig, theme, title, line)
         ax = add_axes(fig, (0.085, 0.14, 0.66, 0.69), theme)
         styles = {name: (families[name], LINE_STYLES[name]) for name in names}
         draw_time_curves(ax, theme, range(len(TOUCHING_SHARES)), rows, styles)

@@ -22,7 +22,7 @@ EXACT_MOVE = np.array([37.0, -50.0])  # whole numbers below 64, by which pairs o
 
 
 def _mirrored(rings: Rings) -> Rings:
-    """Return the shapes mirrored at the y axis, in reverse order and so still counter-clockwise."""
+    """Return the shapes mirrored at the y axis, their corners in reverse order to stay counter-clockwise."""
     return np.asarray(rings * np.array([-1.0, 1.0]))[:, ::-1].copy()
 
 
@@ -47,7 +47,7 @@ def cells(settings: Settings) -> list[Cell]:
 
 
 def count_changed_answers(n: int, settings: Settings) -> list[JsonRow]:
-    """Return for each change and method how many of its answers change."""
+    """Return by transformation and method how many of the method's answers change, on about n hard pairs."""
     a, b = pairs_on_a_grid(settings.rng("changes"), n, MAX_MARGIN)
     methods = [m for m in all_methods() if (m.language, m.name) in COMPARED_METHODS]
     before = {(m.language, m.name): answers > 0 for m, answers in answers_by_method(methods, a, b)}
@@ -60,7 +60,7 @@ def count_changed_answers(n: int, settings: Settings) -> list[JsonRow]:
 
 
 def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
-    """Return a table: a row for each method, a column for each change, in each field the share of changed answers."""
+    """Return one chart, a table: methods as rows, transformations as columns, the share of changed answers."""
     rows: list[JsonRow] = found["changes"]
     for row in rows:
         row["low"], row["high"] = wilson_interval(row["changed"], row["pairs"])
@@ -71,16 +71,18 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     share = {change: max(changed[name, change] for name in names) / pairs for change in CHANGES}
     worst = max(share, key=lambda change: share[change])
     others = max(value for change, value in share.items() if change != worst)
-    title = f"“{worst}” changes up to {share[worst]:.0%} of a float method's answers, the other changes {others:.1%}"
+    title = f"The change “{worst}” alters up to {share[worst]:.0%} of a float method's answers, the others {others:.1%}"
     tall = 27.0 * len(names)
     size = 820.0, 104 + tall
 
     def draw(fig: Figure, theme: Theme) -> None:
+        """Draw the headline and the table, a row for each method and a column for each transformation."""
         line = f"Answers that change, though every change is exact: {pairs:,} pairs with a relative margin below "
         draw_headline(fig, theme, title, f"{line}{MAX_MARGIN:g}. Darker is more.")
         ax = add_axes(fig, (0.2, 12 / size[1], 0.785, tall / size[1]), theme)
 
         def entry(y: int, x: int) -> tuple[str, str, float]:
+            """Return the text, colour and strength of the table's field in row y and column x."""
             share = changed[names[y], list(CHANGES)[x]] / pairs
             text = f"{share:.1%}" if share >= 0.0005 else "under 0.1%"
             return text if share else "none", family_colour(theme, families[names[y]]), share

@@ -58,17 +58,17 @@ class PositionGrid(NamedTuple):
 
     @property
     def counts(self) -> Counter[str]:
-        """How many positions have each letter."""
+        """Return how many positions have each letter."""
         return Counter("".join(self.codes))
 
     @property
     def wrong(self) -> int:
-        """How many positions are wrong in any way."""
+        """Return how many positions are wrong in any way."""
         return sum(self.counts[code] for code in ERROR_NAMES)
 
     @property
     def counts_in_words(self) -> str:
-        """The counts of each kind of error, for example "37 false hits"."""
+        """Return the counts of each kind of error in words, for example "37 false hits"."""
         counts = {code: self.counts[code] for code in ERROR_NAMES if self.counts[code]}
         return ", ".join(f"{n} {ERROR_NAMES[code][n != 1]}" for code, n in counts.items())
 
@@ -82,7 +82,7 @@ class PositionGrid(NamedTuple):
 
 
 def evaluate_grid(name: str, n: int) -> dict[str, Any]:
-    """Return the PositionGrid of a shortcut with n x n positions, as JSON values."""
+    """Return the PositionGrid of a shortcut as JSON values; `n`: positions along each side."""
     case = NAMED[name]
     code_of, (a, b) = _evaluator(case), shapes_of(case)
     at = vertex_mean(b)
@@ -96,24 +96,24 @@ def evaluate_grid(name: str, n: int) -> dict[str, Any]:
 
 
 def exact_relation(a: Shape, b: Shape) -> Relation:
-    """Return the exact relation; of concave outlines the closest one of their convex parts."""
+    """Return the exact relation of two shapes: the highest Relation over all pairs of their convex parts."""
     return max(truth.relation(p, q) for p in parts(a) for q in parts(b))
 
 
 def _evaluator(case: FailureCase) -> Callable[[Shape, Shape], str]:
-    """Return the function that gives a pair of shapes its letter: the shortcut's own run, compared with the truth."""
+    """Return a function of two shapes that runs the case's shortcut on them and returns the answer's letter."""
     code_of = _push_code if case.name in PUSHES else _distance_code if case.name in DISTANCES else _verdict_code
     return lambda a, b: code_of(record(a, b, axes=case.shortcut), case)
 
 
 def _verdict_code(run: Trace, case: FailureCase) -> str:
-    """Return the letter of a verdict: right, false hit or missed hit."""
+    """Return the letter of a run's verdict: apart or hit where it is right, false hit or missed hit."""
     claims_hit, is_hit = run.claim, bool(exact_relation(run.a, run.b))
     return (HIT if is_hit else FALSE_HIT_CODE) if claims_hit else (MISSED_HIT_CODE if is_hit else APART)
 
 
 def _push_code(run: Trace, case: FailureCase) -> str:
-    """Return the letter of a push: right, too short or too long; where nothing overlaps there is no push."""
+    """Return the letter of a run's push: HIT if it is right, too short, too long; APART without an overlap."""
     if exact_relation(run.a, run.b) is not Relation.OVERLAPPING:
         return APART
     x, y = run.push or Vec(0.0, 0.0)
@@ -123,8 +123,8 @@ def _push_code(run: Trace, case: FailureCase) -> str:
 
 
 def _distance_code(run: Trace, case: FailureCase) -> str:
-    """Return the letter of a distance: right but for rounding, or wrong; where the shapes meet there is none."""
-    right = truth.distance2(*_as_polygons(run.a, run.b))
+    """Return the letter of a run's distance: APART if right but for rounding, or wrong; HIT if shapes meet."""
+    right = truth.squared_distance(*_as_polygons(run.a, run.b))
     if not right:
         return HIT
     gap = case.claimed_value(run)
@@ -132,13 +132,13 @@ def _distance_code(run: Trace, case: FailureCase) -> str:
 
 
 def shapes_of(case: FailureCase) -> tuple[Shape, Shape]:
-    """Return the shapes of a case; not for cases whose outlines the engine refuses."""
+    """Return the two shapes of a case; its outlines must be such that the engine accepts them."""
     assert isinstance(case.a, Polygon | Circle) and isinstance(case.b, Polygon | Circle)
     return case.a, case.b
 
 
 def _as_polygons(a: Shape, b: Shape) -> tuple[Polygon, Polygon]:
-    """Return both shapes, which must be polygons, with that type."""
+    """Return both shapes typed as Polygon, after an assertion that they are polygons."""
     assert isinstance(a, Polygon) and isinstance(b, Polygon)
     return a, b
 
@@ -155,7 +155,7 @@ def contact_moves(a: Polygon, b: Polygon, n: int) -> Iterator[Vec]:
 
 
 def _lattice(case: FailureCase, n: int) -> tuple[tuple[int, float], tuple[int, float]]:
-    """Return (first number, step) in x and in y of positions all round A, with the scene's own position among them."""
+    """Return (index of the first move, step) in x and in y, for n x n moves of B all round A, no move included."""
     if case.name == TOUCH_ON_PAPER:
         return (-6 - n // 2, 0.05), (-(n // 2), 0.05)  # steps as a person would write them
     (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = (shape.bounds for shape in shapes_of(case))

@@ -35,7 +35,7 @@ MEASURES = (  # (scene, column of the rows, words): the rows of the chart
 
 
 def _box(x: Array, y: float, half: tuple[float, float]) -> Rings:
-    """Return boxes on the slope: their middles at x along it, their lower sides at height y above it."""
+    """Return boxes on the slope, middles at x along it, lower sides at height y above it; `half`: half sizes."""
     corners = [(-half[0], 0.0), (half[0], 0.0), (half[0], 2 * half[1]), (-half[0], 2 * half[1])]
     s = np.stack([x + u for u, _ in corners], axis=1)
     t = np.stack([np.full(len(x), y + v) for _, v in corners], axis=1)
@@ -43,12 +43,12 @@ def _box(x: Array, y: float, half: tuple[float, float]) -> Rings:
 
 
 def _tile(low: float, high: float) -> Rings:
-    """Return the tile of the floor from `low` to `high` along the slope, whose upper side is the floor."""
+    """Return one floor tile from `low` to `high` along the slope; its upper side lies at height 0."""
     return _box(np.array([(low + high) / 2]), -1.0, ((high - low) / 2, 0.5))
 
 
 def scenes(frames: int, rng: np.random.Generator) -> dict[str, tuple[list[Rings], Rings]]:
-    """Return by name of the scene the tiles of the floor, and the box frame by frame."""
+    """Return by name of the scene the tiles of its floor and the (F, 4, 2) box, one for each frame."""
     x, half = np.linspace(-1.5, 1.5, frames), (0.5, 0.25)
     floor, tiles = [_tile(-8.0, 8.0)], [_tile(-8.0, 0.0), _tile(0.0, 8.0)]
     # but for a shake the box stands still, DEPTH beyond the side of the second tile and DEPTH deep in the floor
@@ -62,7 +62,7 @@ def scenes(frames: int, rng: np.random.Generator) -> dict[str, tuple[list[Rings]
 
 
 def gaps_on_normals(floor: Rings, boxes: Rings, dtype: type) -> tuple[Array, Array, Array]:
-    """Return (F, 8) gaps on all edge normals, the lengths of the edges, and (F, 8, 2) unit normals towards the box."""
+    """Return (F, 8) gaps of a tile and the box on their edge normals, edge lengths, and normals to the box."""
     a: NDArray[Any] = np.broadcast_to(floor, boxes.shape).astype(dtype)
     b: NDArray[Any] = boxes.astype(dtype)
     gaps, lengths, normals = [], [], []
@@ -81,7 +81,7 @@ def gaps_on_normals(floor: Rings, boxes: Rings, dtype: type) -> tuple[Array, Arr
 
 
 def contact_axes(gap: Array, *, kept: bool) -> NDArray[np.intp]:
-    """Return the axis of least depth in each frame; `kept`: the last frame's axis unless another is much shallower."""
+    """Return each frame's axis of least depth, as an index; `kept`: keep the last one unless it is much deeper."""
     best: NDArray[np.intp] = gap.argmax(axis=1)
     if kept:
         for i in range(1, len(best)):
@@ -101,7 +101,7 @@ METHOD_OPTIONS: dict[str, tuple[type, bool, bool]] = {
 
 
 def measure_contacts(frames: int, settings: Settings) -> list[JsonRow]:
-    """Return a row for each scene and method, without and with the last axis kept.
+    """Return a row for each scene, method and choice of axis (the shallowest, or the last one kept).
 
     `apart`: frames in which the method sees no contact.  `apart_in_truth`: frames in which there is none.  `wrong`:
     wrong verdicts.  `flips`: changes of the normal between neighbouring frames of contact.  `sideways`: contacts whose
@@ -143,12 +143,12 @@ def measure_contacts(frames: int, settings: Settings) -> list[JsonRow]:
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return one cell for all scenes."""
+    """Return one cell, which measures the contacts of every method in all scenes."""
     return [Cell("resting", measure_contacts, (1000 if settings.quick else 10_000, settings))]
 
 
 def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
-    """Return a table: a row for each scene and measure, two columns for each method, with the last axis kept or not."""
+    """Return one chart, a table: a row for each scene and measure, and two columns for each method."""
     rows: list[JsonRow] = found["resting"]
     measured = {(row["scene"], row["method"], row["kept"]): row for row in rows}
     frames = rows[0]["frames"]
@@ -157,6 +157,7 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     size = 880.0, 300.0
 
     def draw(fig: Figure, theme: Theme) -> None:
+        """Draw the headline and the table, a row for each scene and measure."""
         line = (
             f"A box on a slope, {frames:,} frames. Kept: the last axis, unless another is shallower by {KEEP_WITHIN}."
         )
@@ -164,6 +165,7 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
         ax = add_axes(fig, (0.33, 0.04, 0.66, 0.6), theme)
 
         def entry(y: int, x: int) -> tuple[str, str, float]:
+            """Return the text, colour and strength of the table's field in row y and column x."""
             (scene, key, _), (name, k) = MEASURES[y], columns[x]
             value = measured[scene, name, k][key]
             if key == "noise":

@@ -31,13 +31,13 @@ OMITTED_METHODS = (
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return one cell, which takes the times."""
+    """Return one cell, which times the preparation of shapes, the first question and another one."""
     n, rounds = (20_000, 3) if settings.quick else (100_000, 9)
     return [Cell("reuse-times", take_times, (n, rounds, settings), timed=True)]
 
 
 def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
-    """Return each method's nanoseconds for a pair from an (N, 4, 2) array: preparing, first question, another one.
+    """Return for each method and number of questions its ns per pair and question, and the times of its parts.
 
     There is no warm-up, so what a method computes at the first question and keeps is counted there.  Only the first
     round is left out, because code is compiled and loaded in it.
@@ -70,7 +70,7 @@ def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
 
 
 def _time_parts(method: Method, a: Side, b: Side) -> tuple[float, float, float]:
-    """Return the seconds that a method takes to prepare both sides, for the first question and for another one."""
+    """Return the seconds that a method takes to prepare both sides, for a first question and for a second one."""
     start = thread_time()
     prepared = method.prepare(a), method.prepare(b)
     after_setup = thread_time()
@@ -81,7 +81,7 @@ def _time_parts(method: Method, a: Side, b: Side) -> tuple[float, float, float]:
 
 
 def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
-    """Return the chart of the time for a question when the shapes are asked once, ten or a hundred times."""
+    """Return the chart of the mean time per question when shapes are prepared once for 1, 10 or 100 questions."""
     rows: list[JsonRow] = found["reuse-times"]
     by_count = {(row["method"], row["reuse"]): row for row in rows}
     names = sorted(dict.fromkeys(row["method"] for row in rows), key=lambda name: by_count[name, 1]["ns"])
@@ -92,6 +92,7 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     size = 760.0, 112 + tall
 
     def draw(fig: Figure, theme: Theme) -> None:
+        """Draw for each method a row with its times per question, and a bar for preparing alone."""
         line = "Time for a question, with its share of preparing the shapes; "
         draw_headline(fig, theme, title, f"{line}{rows[0]['pairs']:,} pairs of 4-gons from one array for each side.")
         ax = add_axes(fig, (0.2, 42 / size[1], 0.78, tall / size[1]), theme)

@@ -57,7 +57,7 @@ LANE_ORDER = (WRONG_AT_ANY_DISTANCE, FIXED_TOLERANCE, "", NONE_WRONG, EXACT_BY_C
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return cells that count errors, for each kind of hardness and for touching and ordinary pairs, and the times."""
+    """Return the cells that count errors on hard, touching and ordinary pairs, and the cell that measures times."""
     per_octave, n = (12, 400) if settings.quick else (120, 10_000)
     made = [
         Cell(cell_name(kind), count_errors_by_margin, (i, per_octave, settings)) for i, kind in enumerate(ALL_KINDS)
@@ -108,7 +108,7 @@ def _largest_float64_margin(rows: Sequence[JsonRow]) -> float:
 
 
 def _gap_in_a_kilometre(margin: float) -> str:
-    """Return the gap that a relative margin means in a scene of a kilometre, with its unit."""
+    """Return in words, with its unit, the gap that a relative margin means in a scene of 1 km."""
     metres = margin * GAP_PER_MARGIN
     for size, unit in (1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm"), (1e-12, "pm"):
         if metres >= size:
@@ -117,7 +117,7 @@ def _gap_in_a_kilometre(margin: float) -> str:
 
 
 def _lane_chart(stem: str, title: str, rows: Sequence[JsonRow], settings: Settings, last_sentence: str = "") -> Chart:
-    """Return a chart with a lane for each group that a relative margin cannot rank, and the ranked methods to scale.
+    """Return a chart with a lane for each group of unranked methods, and a scale with the ranked ones.
 
     `last_sentence`: added to the reading.
     """
@@ -133,6 +133,7 @@ def _lane_chart(stem: str, title: str, rows: Sequence[JsonRow], settings: Settin
     counts = rows[0]
 
     def draw(fig: Figure, theme: Theme) -> None:
+        """Draw the headline, and below each other the lanes and the scale of the ranked methods."""
         hard = f"{counts['pairs']:,} pairs, hard in {len(HARD_KINDS)} ways"
         per_factor = f"(at least {counts['least_an_octave']:,} for each factor of 2 of the gap)"
         lines = (
@@ -182,7 +183,7 @@ def _draw_lane(ax: Axes, theme: Theme, lane: str, rows: Sequence[JsonRow]) -> No
 
 
 def _method_with_share(row: JsonRow) -> str:
-    """Return a method's name with its share of wrong answers to the kind of pairs that matters in its lane."""
+    """Return a method's name, with its share of wrong answers on the pairs that matter in its lane."""
     wrong, total, pairs = {
         WRONG_AT_ANY_DISTANCE: (row["ordinary_wrong"], row["ordinary"], "ordinary pairs"),
         FIXED_TOLERANCE: (row["wrong"], row["pairs"], "hard pairs"),
@@ -194,8 +195,8 @@ def _method_with_share(row: JsonRow) -> str:
 
 
 def _draw_margins(ax: Axes, theme: Theme, rows: Sequence[JsonRow]) -> None:
-    """Draw the ranked methods: time against the largest relative margin that was wrong, shown as a gap at 1 km."""
-    ax.set(ylim=(-5, max(MARGIN_OCTAVES) + 1))
+    """Draw time against the largest margin that was answered wrongly, in metres for a scene of 1 km."""
+    ax.set(ylim=(-9, max(MARGIN_OCTAVES) + 1))
     ax.set_yticks([log2(metres / GAP_PER_MARGIN) for metres in TICK_METRES.values()], list(TICK_METRES))
     ax.set_ylabel("wrong up to this gap\nin a scene of 1 km", fontsize=TEXT_POINTS)
     atom, guide = log2(ATOM_METRES / GAP_PER_MARGIN), theme.roles["guide"]

@@ -20,7 +20,7 @@ MakePairs = Callable[[np.random.Generator, int], tuple[Side, Side]]
 
 
 def unit_vectors(rng: np.random.Generator, *shape: int) -> Array:
-    """Return random unit vectors, uniform over the full turn: points of a square, drawn until they lie in a disc."""
+    """Return (*shape, 2) random unit vectors, uniform over the full turn, from points drawn in a disc."""
     found = rng.uniform(-1, 1, (*shape, 2))
     while True:
         squares = (found * found).sum(axis=-1, keepdims=True)
@@ -31,33 +31,33 @@ def unit_vectors(rng: np.random.Generator, *shape: int) -> Array:
 
 
 def ngons(rng: np.random.Generator, n: int, v: int, spread: float) -> Rings:
-    """Return n polygons with v random corners on a unit circle, their centers at most `spread` from the origin."""
+    """Return n polygons with v random corners on a unit circle; centers have coordinates up to `spread`."""
     corners = unit_vectors(rng, n, v)
     order = np.argsort(np.arctan2(corners[..., 1], corners[..., 0]), axis=1)
     return _random_centers(rng, n, spread) + np.take_along_axis(corners, order[..., None], axis=1)
 
 
 def turned_boxes(rng: np.random.Generator, n: int, spread: float) -> Rings:
-    """Return n boxes with half sizes 0.3 to 1 and random directions, their centers at most `spread` from the origin."""
+    """Return n boxes with half sizes 0.3 to 1, turned at random; centers have coordinates up to `spread`."""
     half = rng.uniform(0.3, 1, (n, 1, 2)) * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     return _random_centers(rng, n, spread) + turn_rings(half, unit_vectors(rng, n))
 
 
 def turn_rings(rings: Rings, directions: Array) -> Rings:
-    """Return each shape turned about the origin so that its x axis points along its unit vector."""
+    """Return each shape turned about the origin; its unit vector in `directions` is where the x axis goes."""
     c, s = directions[:, :1], directions[:, 1:]
     return np.stack([rings[..., 0] * c - rings[..., 1] * s, rings[..., 0] * s + rings[..., 1] * c], axis=2)
 
 
 def outward_normals(p: Array, q: Array) -> Array:
-    """Return the unit normals of edges from p to q (N, 2), outward for counter-clockwise shapes."""
+    """Return the (N, 2) unit normals of edges from p to q, outward for counter-clockwise shapes."""
     edge = q - p
     normal = -quarter_turn(edge)
     return np.asarray(normal / np.sqrt((edge * edge).sum(axis=1, keepdims=True)))
 
 
 def circles(rng: np.random.Generator, n: int, spread: float) -> Circles:
-    """Return n circles with radii 0.3 to 1, their centers at most `spread` from the origin."""
+    """Return n circles with radii 0.3 to 1; centers have coordinates up to `spread`."""
     return _random_centers(rng, n, spread)[:, 0], rng.uniform(0.3, 1, n)
 
 
@@ -78,12 +78,12 @@ def regular_polygons(rng: np.random.Generator, n: int, v: int) -> Rings:
 
 
 def apart_pairs(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rings]:
-    """Return pairs of regular v-gons with a distance between them."""
+    """Return n pairs of regular v-gons whose centers are 2.3 radii apart, so that there is a gap."""
     return regular_polygons(rng, n, v), regular_polygons(rng, n, v) + 2.3 * unit_vectors(rng, n, 1)
 
 
 def overlapping_pairs(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rings]:
-    """Return pairs of regular v-gons whose centers are 0.9 radii apart, so that they overlap deeply."""
+    """Return n pairs of regular v-gons whose centers are 0.9 radii apart, so that they overlap deeply."""
     return regular_polygons(rng, n, v), regular_polygons(rng, n, v) + 0.9 * unit_vectors(rng, n, 1)
 
 
@@ -108,7 +108,7 @@ def scattered_polygons(rng: np.random.Generator, n: int) -> Rings:
 
 
 def nearly_touching_pairs(rng: np.random.Generator, n: int) -> tuple[Rings, Rings]:
-    """Return pairs of triangles: a corner of B is on an edge of A, but for rounding, or up to 4 ulps off."""
+    """Return n pairs of triangles: a corner of B lies on an edge of A, but for up to 4 ulps and rounding."""
     a = ngons(rng, n, 3, 2.0)
     along = rng.uniform(0.1, 0.9, (n, 1))
     spot = a[:, 0] + along * (a[:, 1] - a[:, 0])
@@ -116,7 +116,7 @@ def nearly_touching_pairs(rng: np.random.Generator, n: int) -> tuple[Rings, Ring
     side = quarter_turn(out)
     far, wide = rng.uniform(0.5, 1.5, (2, n, 1))
     b = np.stack([spot, spot + far * out + wide * side, spot + far * out - wide * side], axis=1)
-    b = b[:, ::-1] if truth.area2(b[0]) < 0 else b
+    b = b[:, ::-1] if truth.twice_signed_area(b[0]) < 0 else b
     steps = rng.integers(-4, 5, n)
     at = np.argmin(np.abs(b - spot[:, None]).sum(axis=2), axis=1)
     for k in range(1, 5):
@@ -132,7 +132,7 @@ def quarter_turn(vectors: Array) -> Array:
 
 
 def is_padded(rings: Rings) -> bool:
-    """Return whether the last corner of some ring is repeated."""
+    """Return whether some ring ends with a repeated corner, which fills it up to V corners."""
     return bool((rings[:, -1] == rings[:, -2]).all(axis=1).any())
 
 
@@ -144,7 +144,7 @@ def unpadded_rings(rings: Rings) -> list[Rings]:
 
 
 def _random_centers(rng: np.random.Generator, n: int, spread: float) -> Array:
-    """Return (n, 1, 2) points whose coordinates are at most `spread`."""
+    """Return (n, 1, 2) random points with coordinates from -spread to spread."""
     return rng.uniform(-spread, spread, (n, 1, 2))
 
 
@@ -167,12 +167,12 @@ def _boxes_at(at: Array, size: Array) -> Array:
 
 
 def _even_places_and_sizes(rng: np.random.Generator, n: int) -> tuple[Array, Array]:
-    """Return lower left corners spread evenly, about 1.5 units apart, and sizes from 0.3 to 1."""
+    """Return n random lower left corners, on average 1.5 units apart, and sizes from 0.3 to 1."""
     return rng.uniform(0, np.sqrt(n) * 1.5, (n, 2)), rng.uniform(0.3, 1, (n, 2))
 
 
 def _even_boxes(rng: np.random.Generator, n: int) -> Array:
-    """Return boxes spread evenly."""
+    """Return (n, 4) boxes with sizes from 0.3 to 1, spread evenly."""
     return _boxes_at(*_even_places_and_sizes(rng, n))
 
 

@@ -37,7 +37,7 @@ class HardKind(NamedTuple):
 
 
 def hard_pairs(kind: HardKind, rng: Rng, per_octave: int) -> tuple[Rings, Rings, Array]:
-    """Return about `per_octave` pairs an octave, half of them overlapping, and the relative margin of each pair."""
+    """Return A's and B's of about `per_octave` pairs an octave, half overlapping, and each relative margin."""
     octaves = np.repeat(np.array(MARGIN_OCTAVES), per_octave)
     target = np.ldexp(rng.uniform(1, 2, len(octaves)), octaves)
     a, b = kind.shapes(rng, len(target))
@@ -49,7 +49,7 @@ def hard_pairs(kind: HardKind, rng: Rng, per_octave: int) -> tuple[Rings, Rings,
 
 
 def moved_to_margin(rng: Rng, a: Rings, b: Rings, margin: Array) -> Pairs:
-    """Return the pairs with B moved until its nearest corner is off A's first edge by about that relative margin.
+    """Return the pairs with B moved: its nearest corner is about `margin` (relative) off A's first edge.
 
     Pairs that rounding makes invalid or concave are left out.
     """
@@ -79,7 +79,7 @@ def touching_triangles(rng: Rng, n: int) -> Pairs:
 
 
 def pairs_on_a_grid(rng: Rng, n: int, margin: float) -> Pairs:
-    """Return pairs of 4-gons with at most about that relative margin, and coordinates that are multiples of 2**-46.
+    """Return pairs of 4-gons with relative margins up to about `margin`, on a grid of step 2**-46.
 
     The coordinates are below 8, so moving the shapes by whole numbers up to 64 is exact in float64 (53 bits).
     """
@@ -96,11 +96,11 @@ def _is_valid_ring(ring: Rings) -> bool:
         shape = Polygon(ring)
     except InvalidShape:
         return False
-    return shape.is_convex and len(shape.corners) == len(ring) and truth.area2(ring.tolist()) > 0
+    return shape.is_convex and len(shape.corners) == len(ring) and truth.twice_signed_area(ring.tolist()) > 0
 
 
 def _log_uniform(rng: Rng, n: int, octaves: int) -> Array:
-    """Return (n, 1, 1) numbers from 8 to 2**octaves, equally many in each octave, by sums and powers of 2."""
+    """Return (n, 1, 1) random numbers from 8 to 2**octaves, equally many in each octave."""
     return np.ldexp(rng.uniform(1, 2, (n, 1, 1)), rng.integers(3, octaves, (n, 1, 1)))
 
 
@@ -133,7 +133,7 @@ def _needle(rng: Rng, n: int) -> Rings:
 
 
 def _parallel(rng: Rng, n: int) -> Pairs:
-    """Return pairs with an edge of B that faces A's first edge at an angle of 2**-3 to 2**-40."""
+    """Return pairs with an edge of B that faces A's first edge at a small angle, from 2**-3 to 2**-40."""
     a = turned_boxes(rng, n, 2.0)
     p, q = a[:, 0], a[:, 1]
     edge, out = (q - p)[:, None], outward_normals(p, q)[:, None]
@@ -166,5 +166,5 @@ EXTREME_KIND = HardKind("extreme sizes", _ordinary, (400, 1000))
 
 
 def octave_of(margin: Array) -> NDArray[np.int_]:
-    """Return k for 2**k <= margin < 2**(k + 1); -10,000 for a margin of 0."""
+    """Return the octave k of each margin, 2**k <= margin < 2**(k + 1); -10,000 for a margin of 0."""
     return np.floor(np.log2(margin, where=margin > 0, out=np.full(len(margin), -1e4))).astype(int)
