@@ -141,8 +141,8 @@ def _sat_in_lanes(
         copy_to_lane(x_b, y_b, start_b[j], start_b[j + 1], width, corners[2], corners[3], k)
         best[k] = -np.inf
     if width == 4:
-        raise_clearance_4(at[0], at[1], at[2], at[3], 0, n, best)
-        raise_clearance_4(at[2], at[3], at[0], at[1], 0, n, best)
+        raise_clearance_4(corners[0], corners[1], corners[2], corners[3], 0, count, best)
+        raise_clearance_4(corners[2], corners[3], corners[0], corners[1], 0, count, best)
     else:
         raise_clearance_8(corners[0], corners[1], corners[2], corners[3], 0, count, best)
         raise_clearance_8(corners[2], corners[3], corners[0], corners[1], 0, count, best)

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..engine.predicates import HUGE, TINY, sign, to_integers
+from ..engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT, sign, to_integers
 from .array_types import Array, Signs
 
 Products = Sequence[tuple[Array, Array]]  # the two factors of each
@@ -86,7 +86,7 @@ def circle_gap_signs(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: 
 
 
 def sign_of_products(pairs: Products) -> Signs:
-    """Return the exact sign of each column's sum of products."""
+    """Return the exact sign of each column's sum of products u * v, for the factor arrays (u, v) in `pairs`."""
     with np.errstate(all="ignore"):
         terms, size = _expand_products(pairs)
         found = np.full(len(size), UNKNOWN, np.int8)
@@ -99,7 +99,7 @@ def sign_of_products(pairs: Products) -> Signs:
 
 
 def sum_with_error(pairs: Products, more: Array) -> tuple[Array, Array, Array]:
-    """Return (float sums of up to three products and of `more`, their error bounds, the products as floats).
+    """Return (float sum of up to three products and `more`, its error bound, floats that sum exactly to the products).
 
     With products of size R in all, u = 2**-53 and `more` at most 3uR: the errors of the products
     and of their sums are 3uR in all, and adding all this up rounds five times, by 30uuR.
@@ -115,9 +115,9 @@ def sum_with_error(pairs: Products, more: Array) -> tuple[Array, Array, Array]:
 
 
 def _expand_products(pairs: Products) -> tuple[Array, Array]:
-    """Return floats whose sum is exactly the sum of products, errors first, and the size; inf where bits are lost.
+    """Return (floats that sum exactly to the k products, sum of |products|, which is inf where bits are lost).
 
-    The error of a product above TINY, and the parts it is made of, are multiples of 1e-312: floats.
+    The error of a product above MIN_SAFE_PRODUCT, and the parts it is made of, are multiples of 1e-312: floats.
     """
     k = len(pairs)
     terms = np.empty((2 * k, len(pairs[0][0])))

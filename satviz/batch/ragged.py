@@ -27,7 +27,7 @@ class Rings(NamedTuple):
         return Rings(self.x[kept], self.y[kept], start)
 
     def take(self, where: Indices) -> "Rings":
-        """Return the outlines with these numbers, in this order."""
+        """Return the outlines with the indices `where`, in this order."""
         many = np.diff(self.start)[where]
         start = np.concatenate([[0], np.cumsum(many)])
         corners = np.arange(start[-1]) + np.repeat(self.start[where] - start[:-1], many)

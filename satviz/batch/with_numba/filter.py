@@ -36,7 +36,7 @@ def error_bound_of(a: Group, b: Group) -> float:
 
 
 def clearance_kernel(va: int, vb: int) -> Callable[..., None]:
-    """Return the kernel for these numbers of corners: (ax, ay, bx, by, first, error_bound, out) -> None."""
+    """Return the compiled filter for polygons of va corners with polygons of vb corners."""
     return _unrolled_kernel(va, vb) if va <= 4 and vb <= 4 else _tile_kernel
 
 
@@ -48,11 +48,11 @@ def classify(gap: float, error_bound: float) -> int:
 
 @cache
 def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
-    """Return a kernel for fixed, small numbers of corners, which holds all clearances of a pair in registers."""
+    """Return the filter compiled for exactly va and vb corners, whose loops the compiler unrolls and vectorises."""
 
     @compiled
     def kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
-        """Classify columns by their largest clearance."""
+        """Fill `out` with the relations of columns from `first` on, by the largest clearance of each pair."""
         for k in range(out.size):
             i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end
             best = -np.inf
@@ -79,7 +79,7 @@ def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
 
 @compiled
 def _tile_kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
-    """Classify columns with any numbers of corners, a tile of pairs at a time."""
+    """Fill `out` with the relations of columns from `first` on, a tile of pairs at a time."""
     best, least, nx, ny = np.empty(TILE_PAIRS), np.empty(TILE_PAIRS), np.empty(TILE_PAIRS), np.empty(TILE_PAIRS)
     for start in range(0, out.size, TILE_PAIRS):
         n = min(TILE_PAIRS, out.size - start)
@@ -155,7 +155,7 @@ def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
 
 @compiled
 def _boxes(ax: Array, ay: Array, bx: Array, by: Array, first: int, out: Signs) -> None:
-    """Classify columns of upright boxes."""
+    """Fill `out` with the exact relations of upright boxes, in columns from `first` on, by comparing sides."""
     for k in range(out.size):
         i = np.uintp(first + k)
         gap_x = range_gap(
@@ -187,7 +187,7 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
         dx, dy, radius_sum = ax[i] - bx[i], ay[i] - by[i], ar[i] + br[i]
         distance, radius_squared = dx * dx + dy * dy, radius_sum * radius_sum
         size = distance + radius_squared
-        error_bound = size * 2.0**-50 if size > TINY and size < HUGE else np.inf
+        error_bound = size * 2.0**-50 if size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT else np.inf
         out[k] = classify(distance - radius_squared, error_bound)
 
 
@@ -201,7 +201,7 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
 
     @compiled
     def kernel(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-        """Classify columns of circles with polygons."""
+        """Fill `out` with the relations of circles (cx, cy, cr) and polygon columns (px, py) from `first` on."""
         count = px.shape[0] if corners is None else corners
         for k in range(out.size):
             i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end
@@ -210,7 +210,8 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
             for v in range(count):
                 far = max(far, max(abs(px[v, i] - x0), abs(py[v, i] - y0)))
             error_bound, turn_error = far * far * 2.0**-46, far * 2.0**-48  # as relate._relate_circle_polygon derives
-            inside, safe, nearest = True, error_bound > TINY and error_bound < HUGE * 2.0**-46, np.inf
+            safe = error_bound > MIN_SAFE_PRODUCT and error_bound < MAX_SAFE_PRODUCT * 2.0**-46
+            inside, nearest = True, np.inf
             for v in range(count):
                 w = (v + 1) % count
                 dx, dy = px[w, i] - px[v, i], py[w, i] - py[v, i]

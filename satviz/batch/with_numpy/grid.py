@@ -15,12 +15,12 @@ MAX_TABLE_CELLS_PER_BOX = 8  # up to so many a table of where each cell begins i
 def meeting_pairs(
     bounds: Array, one: Indices, other: Indices | None, cell: Cell, most: float
 ) -> Iterator[Pairs] | None:
-    """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one; None beyond `most` candidates.
+    """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one.
 
-    None where that takes more than `most` candidates.  Boxes are stored by the cell of their lower
+    Return None where there are more than `most` candidates, which are the pairs of boxes to compare.  Boxes are stored by the cell of their lower
     left corner, row after row.  The numbers of cells never decrease along an axis, so a box
-    whose lower left corner lies between two places is stored between their cells, however the
-    division rounds.
+    whose lower left corner lies between two coordinates is stored between the cells of these, however
+    the division rounds.
     """
     queries, stored = one, one if other is None else other
     (low_x, high_x, own_x), (low_y, high_y, own_y) = (_cell_ranges(bounds, queries, stored, d, cell[d]) for d in (0, 1))
@@ -28,9 +28,7 @@ def meeting_pairs(
     key = own_y.astype(np.int64, copy=False) * width + own_x
     order = np.argsort(key)
     key, stored = key[order], stored[order]
-    if (
-        other is None
-    ):  # each pair once: search from a box's own row on; in the order of the cells, neighbours are near in memory
+    if other is None:  # each pair once: search from a box's own row on; in this order, neighbours are near in memory
         queries = stored
         low_x, high_x, low_y, high_y = (c[order] for c in (low_x, high_x, own_y, high_y))
     begin = None
