@@ -17,10 +17,10 @@ def meeting_pairs(
 ) -> Iterator[Pairs] | None:
     """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one.
 
-    Return None where there are more than `most` candidates, which are the pairs of boxes to compare.  Boxes are stored by the cell of their lower
-    left corner, row after row.  The numbers of cells never decrease along an axis, so a box
-    whose lower left corner lies between two coordinates is stored between the cells of these, however
-    the division rounds.
+    Return None where there are more than `most` candidates, which are the pairs of boxes to compare.
+    Boxes are stored by the cell of their lower left corner, row after row.  The numbers of cells never
+    decrease along an axis, so a box whose lower left corner lies between two coordinates is stored between
+    the cells of these, however the division rounds.
     """
     queries, stored = one, one if other is None else other
     (low_x, high_x, own_x), (low_y, high_y, own_y) = (_cell_ranges(bounds, queries, stored, d, cell[d]) for d in (0, 1))
