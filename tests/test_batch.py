@@ -107,11 +107,14 @@ def test_batch_gives_the_scalar_answers(engine, kinds):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_blocks_of_any_size_give_the_same_side_by_side(engine, monkeypatch):
-    whole = narrow_phase.engine_of(engine)
-    monkeypatch.setattr(narrow_phase, "engine_of", lambda name: whole._replace(block=7))
-    a, b = (batch.Polygons(ngons(RNG(seed), 50, 3)) for seed in (1, 2))
-    assert batch.relate(a, b, engine=engine, chunk=20).tolist() == one_by_one(a, b)
+@pytest.mark.parametrize("chunk", [1 << 20, 100_000])
+def test_pairs_beyond_a_block_are_told_as_those_in_it(engine, chunk):
+    """More pairs than any engine takes at a time, and chunks that end amid a block."""
+    a, b = (ngons(RNG(seed), 50, 3) for seed in (1, 2))
+    known, times = one_by_one(batch.Polygons(a), batch.Polygons(b)), (1 << 17) // 50 + 2
+    assert narrow_phase.engine_of(engine).block < 50 * times
+    found = batch.relate(*(batch.Polygons(np.tile(c, (times, 1, 1))) for c in (a, b)), engine=engine, chunk=chunk)
+    assert (found.reshape(times, 50) == known).all()
 
 
 def beside_mirror(v, w):
@@ -412,11 +415,13 @@ def test_numbas_search_tells_whatever_is_plain(search, size):
         assert search._gjk(*one, *other, reach)[0] == sv.relate(sv.Polygon(a), sv.Polygon(b)), n
 
 
-def test_numbas_search_tells_nothing_of_what_touches_and_no_point_of_an_edge_is_inside(search):
+def test_a_corner_on_an_edge_touches_for_numba_and_no_point_of_an_edge_is_inside(search):
     rng = Random(2)
     for _ in range(40):
-        one, other, reach, point = as_rows(*corner_on_edge(rng))
-        assert search._gjk(*one, *other, reach)[0] == search._gjk(*other, *one, reach)[0] == UNDECIDED
+        first, second, point = corner_on_edge(rng)
+        both = batch.Polygons([first, second])
+        assert batch.relate(both, both, [(0, 1), (1, 0)], engine="numba").tolist() == [1, 1]
+        one, other, reach, _ = as_rows(first, second, point)
         for row in one, other:
             assert not search.is_certainly_inside(*row, *point, reach)
             assert search.is_certainly_inside(*row, *(c[row[2] : row[3]].mean() for c in row[:2]), reach)
@@ -529,20 +534,12 @@ def test_processes_that_compile_a_kernel_at_once_never_run_each_others_code(tmp_
 
 
 @pytest.mark.slow
-def test_what_float32_decides_is_right_pair_by_pair():
-    """One pair a batch, so that no other pair widens its room; the hard pairs, near and far from the origin."""
-    decided = 0
+def test_hard_pairs_are_right_where_each_is_a_batch_of_its_own():
+    """No other pair widens the error bound of float32; near and far from the origin."""
     for _, p, q in pairs(5, 60 * len(CONVEX), list(CONVEX)):
         if isinstance(p, sv.Polygon) and isinstance(q, sv.Polygon):
             found = batch.relate(batch.Polygons([p]), batch.Polygons([q]), engine="numpy")[0]
             assert found == oracle.relation(p, q), (p, q)
-            one, other = batch.Polygons([p]).uniform, batch.Polygons([q]).uniform
-            out = np.empty(1, np.int8)
-            with np.errstate(all="ignore"):
-                filter_numpy.polygons(one, other, 0, out)
-            assert out[0] in (found, UNDECIDED), (p, q)
-            decided += out[0] != UNDECIDED
-    assert decided > 50
 
 
 @pytest.mark.parametrize("v, w", [(3, 3), (4, 4), (8, 5)])
@@ -1242,16 +1239,15 @@ def test_an_edge_whose_square_may_lose_bits_leaves_circles_to_integers():
     assert room == np.inf and not any(place.size for place in places)
 
 
-def test_circles_on_polygons_are_settled_a_block_at_a_time(monkeypatch):
-    looked, real = [], circle_polygons._float_signs
-    monkeypatch.setattr(circle_polygons, "_float_signs", lambda *c: looked.append(c[0]) or real(*c))
-    circles, polygons = (shapes.uniform for shapes in batches_from(resting_exactly(RNG(3), 100)))
-    columns = circles.x[0], circles.y[0], circles.r, polygons.x, polygons.y
-    for block, sizes in (40, [40, 40, 20]), (1 << 13, [100]):
-        monkeypatch.setattr(circle_polygons, "BLOCK_PAIRS", block)
-        assert circle_polygons.gap_signs(*columns).tolist() == [0] * 100
-        assert list(map(len, looked)) == sizes and np.array_equal(np.concatenate(looked), columns[0])
-        looked.clear()
+@pytest.mark.parametrize("engine", ENGINES)
+def test_circles_on_polygons_beyond_a_block_are_told_as_those_in_it(engine):
+    """Each third circle touches its polygon exactly, the others have the next larger or smaller radius."""
+    n = 2 * circle_polygons.BLOCK_PAIRS + 5
+    centers, radii, rings = resting_exactly(RNG(3), n)
+    kind = np.arange(n) % 3
+    radii = np.where(kind == 1, radii, np.nextafter(radii, np.where(kind, np.inf, 0)))
+    circles, polygons = batches_from((centers, radii, rings))
+    assert (batch.relate(circles, polygons, engine=engine) == kind).all()
 
 
 def on_long_edges(rng, n):
@@ -1594,15 +1590,14 @@ def test_what_a_few_steps_tell_is_right_wherever_the_other_shape_lies(other):
         assert (out == UNDECIDED).sum() <= right.count(1) + 20
 
 
-@pytest.mark.parametrize("v", [3, 5, 9])
-def test_what_a_few_steps_tell_of_polygons_that_lean_on_each_other_is_right(v):
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("v", [3, 5, 9, 17, 24])
+def test_many_polygons_that_lean_on_each_other_are_right(v, engine):
     rng = RNG(v)
     rings, others = leaning(rng, 400, v, v)
     good = [i for i in range(len(rings)) if batch_takes(rings[i], v) and batch_takes(others[i], v)]
     a, b = batch.Polygons(rings[good]), batch.Polygons(others[good])
-    p, q, out = a.uniform, b.uniform, np.empty(len(good), np.int8)
-    gjk.gjk(p.x, p.y, q.x, q.y, (p.max_coordinate + q.max_coordinate) * ERROR_FACTOR_F64, out)
-    assert all(found in (UNDECIDED, right) for found, right in zip(out.tolist(), one_by_one(a, b)))
+    assert batch.relate(a, b, engine=engine).tolist() == one_by_one(a, b)
 
 
 def test_whether_the_foot_lies_between_the_ends_is_told_rightly_next_to_an_end():
@@ -1646,10 +1641,7 @@ def test_what_was_lost_of_a_difference_is_not_forgotten_where_all_else_adds_up_t
 def test_nothing_wrong_is_told_where_float32_loses_the_bits_of_products(e):
     rng = RNG(1)
     a, b = (batch.Polygons(ngons(rng, 300, 3) * 2.0**e) for _ in "ab")
-    out = np.empty(300, np.int8)
-    with np.errstate(all="ignore"):
-        filter_numpy.polygons(a.uniform, b.uniform, 0, out)
-    assert all(found in (UNDECIDED, right) for found, right in zip(out.tolist(), one_by_one(a, b)))
+    assert batch.relate(a, b, engine="numpy").tolist() == one_by_one(a, b)
 
 
 @pytest.mark.parametrize("n", [1, 2, 30])
@@ -1719,12 +1711,14 @@ def test_candidate_pairs_are_the_boxes_that_meet_in_every_layout(n):
             assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), brute(bounds)), (name, engine)
 
 
-@pytest.mark.parametrize("block", [1, 2, 7, 100])
-def test_the_grid_finds_the_same_pairs_in_blocks_of_any_size(block, monkeypatch):
-    monkeypatch.setattr(grid_numpy, "BLOCK_CANDIDATES", block)
-    for name, at, size in layouts(40, RNG(block)):
-        bounds = np.c_[at, at + size]
-        assert np.array_equal(batch.candidate_pairs(bounds, engine="numpy"), brute(bounds)), name
+@pytest.mark.parametrize("engine", ENGINES)
+def test_candidates_beyond_a_block_are_found_as_those_in_it(engine):
+    """A crowd of more pairs than the grid takes at a time."""
+    at = RNG(1).uniform(0, 1, (1800, 2))
+    bounds = np.c_[at, at + 0.9]
+    pairs = brute(bounds)
+    assert len(pairs) > 1 << 20
+    assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), pairs)
 
 
 def in_cells(rng):
@@ -1750,7 +1744,7 @@ def in_cells(rng):
 def test_cells_of_any_size_find_what_meets_and_each_pair_once(engine, seed, monkeypatch):
     grid, rng = importlib.import_module(f"satviz.batch.with_{engine}.grid"), RNG(seed)
     for n in range(16):
-        monkeypatch.setattr(grid, "BLOCK_CANDIDATES", int(rng.choice([1, 7, 1 << 20])))
+        monkeypatch.setattr(grid, "BLOCK_PAIRS", int(rng.choice([1, 7, 1 << 20])))
         bounds, one, other, cell = in_cells(rng)
         everything, all_pairs = np.arange(len(bounds)), brute(bounds)
         for these, those in (everything, None), (one, other), (everything[1:], everything[:1]):
@@ -2331,14 +2325,13 @@ def test_picked_outlines_of_many_corners_are_looked_at_in_a_few_steps_and_edges_
     assert set(looks) == {"evaluate_f32" if max(v, w) <= 16 else "gjk"}
 
 
-def test_columns_of_three_four_and_eight_corners_have_kernels_of_their_own():
+def test_columns_of_three_and_four_corners_have_kernels_of_their_own():
     kernels = kernels_of("filter")
-    written_out = {kernels._kernel_8, kernels._kernel_any}
     own = {(v, w): kernels.clearance_kernel(v, w) for v in (3, 4) for w in (3, 4)}
-    assert len(written_out | set(own.values())) == 6 and all(kernels.clearance_kernel(*key) is own[key] for key in own)
-    assert kernels.clearance_kernel(8, 8) is kernels._kernel_8
-    for key in (4, 5), (5, 4), (5, 5), (3, 8), (8, 3), (8, 7), (7, 8), (7, 7), (9, 9):
-        assert kernels.clearance_kernel(*key) is kernels._kernel_any
+    assert len({kernels._tile_kernel, *own.values()}) == 5
+    assert all(kernels.clearance_kernel(*key) is own[key] for key in own)
+    for key in (4, 5), (5, 4), (5, 5), (3, 8), (8, 3), (8, 8), (8, 7), (7, 8), (7, 7), (9, 9):
+        assert kernels.clearance_kernel(*key) is kernels._tile_kernel
 
 
 def test_circles_beside_up_to_eight_corners_have_kernels_of_their_own(monkeypatch):
@@ -2367,21 +2360,13 @@ def test_columns_that_floats_leave_undecided_are_settled_by_numba_and_the_others
 
 @pytest.mark.parametrize("scale", [1.0, 2.0**-90])
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 8), (8, 8), (8, 5), (9, 5), (12, 12)])
-def test_picked_pairs_that_touch_are_all_settled_by_numba(v, w, scale, monkeypatch):
-    """Those of few corners edge by edge, the others after a search; whatever stood in the answer's place."""
-    picked = kernels_of("indexed")
-    as_python(monkeypatch, picked, "_polygons")
-    monkeypatch.setattr(
-        picked,
-        "relate_many_corners" if max(v, w) <= 8 else "relate_few_corners",
-        lambda *_: pytest.fail("the other way"),
-    )
+@pytest.mark.parametrize("engine", ENGINES)
+def test_picked_pairs_that_touch_touch(v, w, scale, engine):
     a, touching = beside_mirror(v, w)
     p, q = batch.Polygons(a[:8] * scale), batch.Polygons(touching[:8] * scale)
     for one, other in (p, q), (q, p):
-        out = np.full(8, 9, np.int8)
-        picked.polygons(one.flat, np.arange(8), other.flat, np.arange(8), out)
-        assert out.tolist() == one_by_one(one, other) == [1] * 8
+        found = batch.relate(one, other, np.repeat(np.arange(8)[:, None], 2, axis=1), engine=engine)
+        assert found.tolist() == one_by_one(one, other) == [1] * 8
 
 
 @pytest.mark.parametrize("e", [-600, -100, 0, 100, 400, 600])
@@ -2408,18 +2393,19 @@ def test_numbas_lanes_are_granted_room_for_the_widest_and_the_farthest(e, monkey
     assert np.isinf(right).all() == (abs(e) == 600)
 
 
-@pytest.mark.parametrize("block", [1, 7, 1000])
-def test_parts_are_looked_at_in_blocks_of_any_size(block, monkeypatch):
-    """Blocks may end amid the parts of a pair."""
-    shapes = batch.Polygons([ELL + at for at in RNG(block).uniform(0, 6, (20, 1, 2))], concave="split")
-    known = [sv.Polygon(ELL + at) for at in RNG(block).uniform(0, 6, (20, 1, 2))]
-    looked = []
-    real = narrow_phase._relate_some
-    monkeypatch.setattr(narrow_phase, "_relate_some", lambda *c: looked.append(len(c[1])) or real(*c))
-    monkeypatch.setattr(narrow_phase, "BLOCK_PART_PAIRS", block)
-    found = batch.relate(shapes, shapes[::-1], engine="numpy")
-    assert found.tolist() == [sv.relate(p, q) for p, q in zip(known, known[::-1])]
-    assert max(looked[1:]) <= block and sum(looked[1:]) == 20 * 4
+@pytest.mark.parametrize("engine", ENGINES)
+def test_parts_beyond_a_block_are_told_as_those_in_it(engine):
+    """Six pairs of parts in each pair of shapes, so that a block ends amid a pair."""
+    rng, cross = (
+        RNG(1),
+        [(1, 0), (2, 0), (2, 1), (3, 1), (3, 2), (2, 2), (2, 3), (1, 3), (1, 2), (0, 2), (0, 1), (1, 1)],
+    )
+    rings = [[ring + at for at in rng.uniform(0, 6, (20, 1, 2))] for ring in (ELL, np.array(cross))]
+    a, b = (batch.Polygons(these, concave="split") for these in rings)
+    assert (len(a.parts), len(b.parts)) == (40, 60)
+    known = np.array([[sv.relate(sv.Polygon(p), sv.Polygon(q)) for q in rings[1]] for p in rings[0]])
+    index = rng.integers(0, 20, (narrow_phase.BLOCK_PART_PAIRS // 6 + 1000, 2))
+    assert (batch.relate(a, b, index, engine=engine) == known[tuple(index.T)]).all()
 
 
 @pytest.mark.parametrize("chunk", [0, -1])

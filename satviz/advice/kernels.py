@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from ..batch.codes import APART, OVERLAPPING, TOUCHING
 from ..batch.ragged import MAX_LANE_CORNERS
-from ..batch.with_numba.filter import raise_clearance_8
-from ..batch.with_numba.indexed import LANE_STRIDE, LANES, copy_to_lane, raise_clearance_4
+from ..batch.with_numba.filter import raise_clearance_4, raise_clearance_8
+from ..batch.with_numba.indexed import LANE_STRIDE, LANES, copy_to_lane
 from ..batch.with_numba.jit_cache import compiled
 
 Array = NDArray[Any]
@@ -141,8 +141,8 @@ def _sat_in_lanes(
         copy_to_lane(x_b, y_b, start_b[j], start_b[j + 1], width, corners[2], corners[3], k)
         best[k] = -np.inf
     if width == 4:
-        raise_clearance_4(corners[0], corners[1], corners[2], corners[3], count, best)
-        raise_clearance_4(corners[2], corners[3], corners[0], corners[1], count, best)
+        raise_clearance_4(corners[0], corners[1], corners[2], corners[3], 0, count, best)
+        raise_clearance_4(corners[2], corners[3], corners[0], corners[1], 0, count, best)
     else:
         raise_clearance_8(corners[0], corners[1], corners[2], corners[3], 0, count, best)
         raise_clearance_8(corners[2], corners[3], corners[0], corners[1], 0, count, best)

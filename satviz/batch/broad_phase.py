@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import validation
+from .array_types import Grid, Pairs
 from .narrow_phase import engine_of
-from .with_numpy.grid import Grid, Pairs
 
 MAX_CANDIDATES_PER_BOX = (
     48  # candidates per box that are not worth a split: comparing one is far cheaper than sorting again

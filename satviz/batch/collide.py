@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from ..engine.geometry import InvalidShape
 from . import validation
+from .array_types import Pairs
 from .arrays import Shapes, check_shapes
 from .broad_phase import candidate_blocks, sort_pairs
 from .chunks import CHUNK_PAIRS
 from .constructors import number_polygons
 from .narrow_phase import check_options, engine_of, hits
-from .with_numpy.grid import Pairs
 
 STRIP_SHAPES = 1 << 19  # shapes a strip of a streamed file should hold
 

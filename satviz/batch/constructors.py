@@ -10,11 +10,10 @@ from ..engine.convex_parts import parts
 from ..engine.geometry import InvalidShape
 from ..engine.shapes import Polygon
 from . import validation
+from .array_types import Indices
 from .arrays import Group, Shapes, make_group
 from .outlines import convex_rings
 from .ragged import MAX_LANE_CORNERS, Rings, concat_rings
-
-Indices = NDArray[np.intp]
 
 
 class Circles(Shapes):

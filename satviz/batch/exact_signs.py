@@ -11,10 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT, sign, to_integers
+from .array_types import Array, Signs
 
-Array = NDArray[np.float64]
-Signs = NDArray[np.int8]
-Pairs = Sequence[tuple[Array, Array]]  # the factors of products
+Products = Sequence[tuple[Array, Array]]  # the two factors of each
 
 UNKNOWN = -2  # below every sign: the least of several signs is known when all are
 ERRBOUND_A = 2.0**-50  # eight roundings
@@ -86,7 +85,7 @@ def circle_gap_signs(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: 
     return sign_of_products(pairs)
 
 
-def sign_of_products(pairs: Pairs) -> Signs:
+def sign_of_products(pairs: Products) -> Signs:
     """Return the exact sign of each column's sum of products u * v, for the factor arrays (u, v) in `pairs`."""
     with np.errstate(all="ignore"):
         terms, size = _expand_products(pairs)
@@ -99,8 +98,8 @@ def sign_of_products(pairs: Pairs) -> Signs:
     return found
 
 
-def sum_with_error(pairs: Pairs, more: Array) -> tuple[Array, Array, Array]:
-    """Return (float sum of the products and `more`, its error bound, floats that sum exactly to the products).
+def sum_with_error(pairs: Products, more: Array) -> tuple[Array, Array, Array]:
+    """Return (float sum of up to three products and `more`, its error bound, floats that sum exactly to the products).
 
     With products of size R in all, u = 2**-53 and `more` at most 3uR: the errors of the products
     and of their sums are 3uR in all, and adding all this up rounds five times, by 30uuR.
@@ -115,10 +114,10 @@ def sum_with_error(pairs: Pairs, more: Array) -> tuple[Array, Array, Array]:
     return rest, size, terms
 
 
-def _expand_products(pairs: Pairs) -> tuple[Array, Array]:
+def _expand_products(pairs: Products) -> tuple[Array, Array]:
     """Return (floats that sum exactly to the k products, sum of |products|, which is inf where bits are lost).
 
-    The error of a product above TINY, and the parts it is made of, are multiples of 1e-312: floats.
+    The error of a product above MIN_SAFE_PRODUCT, and the parts it is made of, are multiples of 1e-312: floats.
     """
     k = len(pairs)
     terms = np.empty((2 * k, len(pairs[0][0])))

@@ -14,17 +14,16 @@ from numpy.typing import ArrayLike, NDArray
 from ..engine.polygon_validation import refuse_masked
 from ..optional_imports import extra_needed
 from . import validation
+from .array_types import Grid, Indices
 from .arrays import Group, Shapes, check_shapes
 from .chunks import CHUNK_PAIRS, Call, check_executor, check_progress, check_size, in_chunks
 from .codes import APART, UNDECIDED
 from .exact_signs import pairs_per_block
 from .ragged import MAX_LANE_CORNERS
 from .with_numpy import exact
-from .with_numpy.grid import Grid
 
 Relations = NDArray[np.int8]
 Kernel = Callable[..., None]
-Indices = NDArray[np.intp]
 
 
 class Engine(NamedTuple):

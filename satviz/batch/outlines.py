@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import exact_signs
-from .exact_signs import Array
-from .ragged import Mask, Places, Rings, concat_rings
+from .array_types import Array, Indices, Mask
+from .ragged import Rings, concat_rings
 
 Value = TypeVar("Value", np.float64, np.bool_)
 
@@ -67,7 +67,7 @@ def _convex_in_block(rings: Rings) -> tuple[Rings, Mask]:
     return _reverse_rings(ring.select(plain), back[plain]), many
 
 
-def _previous_in_ring(c: NDArray[Value], start: Places) -> NDArray[Value]:
+def _previous_in_ring(c: NDArray[Value], start: Indices) -> NDArray[Value]:
     """Return the value before each corner in its outline."""
     found = np.empty_like(c)
     found[1:] = c[:-1]
@@ -75,7 +75,7 @@ def _previous_in_ring(c: NDArray[Value], start: Places) -> NDArray[Value]:
     return found
 
 
-def _next_in_ring(c: NDArray[Value], start: Places) -> NDArray[Value]:
+def _next_in_ring(c: NDArray[Value], start: Indices) -> NDArray[Value]:
     """Return the value after each corner in its outline."""
     found = np.empty_like(c)
     found[:-1] = c[1:]

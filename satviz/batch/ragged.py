@@ -3,11 +3,8 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Places = NDArray[np.intp]
-Mask = NDArray[np.bool_]
+from .array_types import Array, Indices, Mask
 
 MAX_LANE_CORNERS = 8  # corners: up to so many pairs are looked at in columns or lanes, corner by corner
 
@@ -17,7 +14,7 @@ class Rings(NamedTuple):
 
     x: Array
     y: Array
-    start: Places
+    start: Indices
 
     def select(self, mask: Mask) -> "Rings":
         """Return the outlines where `mask`, one value per outline, is True."""
@@ -29,7 +26,7 @@ class Rings(NamedTuple):
         start = ends if mask is None else np.concatenate([[0], np.cumsum(np.diff(ends)[mask])])
         return Rings(self.x[kept], self.y[kept], start)
 
-    def take(self, where: Places) -> "Rings":
+    def take(self, where: Indices) -> "Rings":
         """Return the outlines with the indices `where`, in this order."""
         many = np.diff(self.start)[where]
         start = np.concatenate([[0], np.cumsum(many)])

@@ -11,8 +11,9 @@ import numpy as np
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
+from ..array_types import Array
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
-from ..exact_signs import ERRBOUND_A, ERRBOUND_C, MAX_PASSES, SPLITTER, UNKNOWN, Array
+from ..exact_signs import ERRBOUND_A, ERRBOUND_C, MAX_PASSES, SPLITTER, UNKNOWN
 from .jit_cache import compiled, inlined
 
 MAX_STEPS = 20  # steps of GJK or corners of a walk before it gives up

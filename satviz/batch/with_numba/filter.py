@@ -1,10 +1,11 @@
-"""The same filter compiled with numba: vectorised over pairs, the GIL released, cached on disk.
+"""The float filter for arrays of pairs, compiled with numba: vectorised over pairs, the GIL released, cached on disk.
 
-Arrays come whole, with the first column to evaluate: a slice of them has rows that the
-compiler cannot know to be without gaps, and then it does not vectorise.
-
-Loops over corners are unrolled by the compiler where their number is a constant
-(3 and 4 corners), written out for 8, and taken four at a time otherwise.
+Every kernel takes one column per pair, from column `first` on, and fills `out` with relations; what it
+cannot decide stays UNDECIDED.  Arrays come whole: the compiler cannot know that the rows of a slice
+have no gaps, and then it does not vectorise.
+Names in the kernels: ax, ay and bx, by are the coordinates of the corners of A and B, a row per corner and a
+column per pair; x, y are those of the shape whose edges are evaluated and p, q those of the other shape's corners.
+Loops over corners are unrolled by the compiler where their number is a constant.
 """
 
 from collections.abc import Callable
@@ -14,13 +15,13 @@ import numpy as np
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
+from ..array_types import Array, Signs
 from ..arrays import Group
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
-from ..exact_signs import Array, Signs
 from .jit_cache import compiled
 
-BLOCK_PAIRS = 1 << 17  # pairs a call: long enough that Python's share vanishes
-TILE_PAIRS = 128  # pairs whose columns stay in the first-level cache between edges
+BLOCK_PAIRS = 1 << 17  # pairs a call: enough that the time spent in Python does not matter
+TILE_PAIRS = 128  # pairs at a time: their columns stay in the first-level cache from edge to edge
 
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
@@ -36,12 +37,18 @@ def error_bound_of(a: Group, b: Group) -> float:
 
 def clearance_kernel(va: int, vb: int) -> Callable[..., None]:
     """Return the compiled filter for polygons of va corners with polygons of vb corners."""
-    return _unrolled_kernel(va, vb) if va <= 4 and vb <= 4 else _kernel_8 if va == vb == 8 else _kernel_any
+    return _unrolled_kernel(va, vb) if va <= 4 and vb <= 4 else _tile_kernel
+
+
+@compiled
+def classify(gap: float, error_bound: float) -> int:
+    """Return what a gap proves, given its error bound: APART, OVERLAPPING, or UNDECIDED within the bound."""
+    return APART if gap > error_bound else OVERLAPPING if gap < -error_bound else UNDECIDED
 
 
 @cache
 def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
-    """Return the filter compiled for exactly va and vb corners, which the compiler unrolls and vectorises."""
+    """Return the filter compiled for exactly va and vb corners, whose loops the compiler unrolls and vectorises."""
 
     @compiled
     def kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
@@ -51,118 +58,91 @@ def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
             best = -np.inf
             for e in range(va):
                 f = (e + 1) % va
-                px, py = ax[e, i], ay[e, i]
-                nx, ny = ay[f, i] - py, px - ax[f, i]
+                ex, ey = ax[e, i], ay[e, i]
+                nx, ny = ay[f, i] - ey, ex - ax[f, i]
                 least = np.inf
                 for v in range(vb):
                     least = min(least, nx * bx[v, i] + ny * by[v, i])
-                best = max(best, least - (nx * px + ny * py))
+                best = max(best, least - (nx * ex + ny * ey))
             for e in range(vb):
                 f = (e + 1) % vb
-                px, py = bx[e, i], by[e, i]
-                nx, ny = by[f, i] - py, px - bx[f, i]
+                ex, ey = bx[e, i], by[e, i]
+                nx, ny = by[f, i] - ey, ex - bx[f, i]
                 least = np.inf
                 for v in range(va):
                     least = min(least, nx * ax[v, i] + ny * ay[v, i])
-                best = max(best, least - (nx * px + ny * py))
-            out[k] = APART if best > error_bound else OVERLAPPING if best < -error_bound else UNDECIDED
+                best = max(best, least - (nx * ex + ny * ey))
+            out[k] = classify(best, error_bound)
 
     return kernel
 
 
 @compiled
-def _kernel_8(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
-    """Fill `out` with the relations of columns from `first` on, for two groups of eight corners."""
-    best = np.empty(TILE_PAIRS)
-    for start in range(0, out.size, TILE_PAIRS):
-        n = min(TILE_PAIRS, out.size - start)
-        for i in range(n):
-            best[i] = -np.inf
-        raise_clearance_8(ax, ay, bx, by, first + start, n, best)
-        raise_clearance_8(bx, by, ax, ay, first + start, n, best)
-        for i in range(n):
-            out[start + i] = APART if best[i] > error_bound else OVERLAPPING if best[i] < -error_bound else UNDECIDED
-
-
-@compiled
-def raise_clearance_8(x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array) -> None:
-    """Raise `best` of n columns from s on to the clearance of 8 edges from 8 corners; row 9 may repeat the first."""
-    t = s + n
-    p0, p1, p2, p3, p4, p5, p6, p7 = (
-        px[0, s:t],
-        px[1, s:t],
-        px[2, s:t],
-        px[3, s:t],
-        px[4, s:t],
-        px[5, s:t],
-        px[6, s:t],
-        px[7, s:t],
-    )
-    q0, q1, q2, q3, q4, q5, q6, q7 = (
-        py[0, s:t],
-        py[1, s:t],
-        py[2, s:t],
-        py[3, s:t],
-        py[4, s:t],
-        py[5, s:t],
-        py[6, s:t],
-        py[7, s:t],
-    )
-    for e in range(8):
-        f = (e + 1) % x.shape[0]
-        x0, y0, x1, y1 = x[e, s:t], y[e, s:t], x[f, s:t], y[f, s:t]
-        for i in range(n):
-            a, b = y1[i] - y0[i], x0[i] - x1[i]
-            low = min(
-                min(a * p0[i] + b * q0[i], a * p1[i] + b * q1[i]), min(a * p2[i] + b * q2[i], a * p3[i] + b * q3[i])
-            )
-            top = min(
-                min(a * p4[i] + b * q4[i], a * p5[i] + b * q5[i]), min(a * p6[i] + b * q6[i], a * p7[i] + b * q7[i])
-            )
-            best[i] = max(best[i], min(low, top) - (a * x0[i] + b * y0[i]))
-
-
-@compiled
-def _kernel_any(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
-    """Fill `out` with the relations of columns from `first` on, for any numbers of corners."""
+def _tile_kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
+    """Fill `out` with the relations of columns from `first` on, a tile of pairs at a time."""
     best, least, nx, ny = np.empty(TILE_PAIRS), np.empty(TILE_PAIRS), np.empty(TILE_PAIRS), np.empty(TILE_PAIRS)
     for start in range(0, out.size, TILE_PAIRS):
         n = min(TILE_PAIRS, out.size - start)
         for i in range(n):
             best[i] = -np.inf
-        _raise_clearance(ax, ay, bx, by, first + start, n, best, least, nx, ny)
-        _raise_clearance(bx, by, ax, ay, first + start, n, best, least, nx, ny)
+        if ax.shape[0] == 8 and bx.shape[0] == 8:
+            raise_clearance_8(ax, ay, bx, by, first + start, n, best)
+            raise_clearance_8(bx, by, ax, ay, first + start, n, best)
+        else:
+            _raise_clearance(ax, ay, bx, by, first + start, n, best, least, nx, ny)
+            _raise_clearance(bx, by, ax, ay, first + start, n, best, least, nx, ny)
         for i in range(n):
-            out[start + i] = APART if best[i] > error_bound else OVERLAPPING if best[i] < -error_bound else UNDECIDED
+            out[start + i] = classify(best[i], error_bound)
+
+
+def _raise_clearance_kernel(corners: int) -> Callable[..., None]:
+    """Return a kernel that raises clearances as `_raise_clearance` does, for a fixed number of corners of both."""
+
+    @compiled
+    def raise_clearance(x: Array, y: Array, p: Array, q: Array, start: int, n: int, best: Array) -> None:
+        """Raise `best` to the clearances of n columns from `start` on; a row after the last repeats the first."""
+        for e in range(corners):
+            f = (e + 1) % x.shape[0]
+            for k in range(n):
+                i = np.uintp(start + k)
+                ex, ey = x[e, i], y[e, i]
+                nx, ny = y[f, i] - ey, ex - x[f, i]
+                least = np.inf
+                for v in range(corners):
+                    least = min(least, nx * p[v, i] + ny * q[v, i])
+                best[k] = max(best[k], least - (nx * ex + ny * ey))
+
+    return raise_clearance
+
+
+raise_clearance_4 = _raise_clearance_kernel(4)
+raise_clearance_8 = _raise_clearance_kernel(8)
 
 
 @compiled
 def _raise_clearance(
-    x: Array, y: Array, px: Array, py: Array, s: int, n: int, best: Array, least: Array, nx: Array, ny: Array
+    x: Array, y: Array, p: Array, q: Array, start: int, n: int, best: Array, least: Array, nx: Array, ny: Array
 ) -> None:
-    """Raise `best` of n columns from s on to the clearance of edges (x, y) from corners (px, py); rest: scratch."""
-    t = s + n
+    """Raise `best` to the clearances of n columns from `start` on, four corners at a time; the rest is scratch."""
+    stop = start + n
     for e in range(x.shape[0]):
         f = (e + 1) % x.shape[0]
-        x0, y0, x1, y1 = x[e, s:t], y[e, s:t], x[f, s:t], y[f, s:t]
+        x0, y0, x1, y1 = x[e, start:stop], y[e, start:stop], x[f, start:stop], y[f, start:stop]
         for i in range(n):
             nx[i], ny[i], least[i] = y1[i] - y0[i], x0[i] - x1[i], np.inf
         v = 0
-        while v + 4 <= px.shape[0]:
-            p0, p1, p2, p3 = px[v, s:t], px[v + 1, s:t], px[v + 2, s:t], px[v + 3, s:t]
-            q0, q1, q2, q3 = py[v, s:t], py[v + 1, s:t], py[v + 2, s:t], py[v + 3, s:t]
+        while v + 4 <= p.shape[0]:
+            p0, p1, p2, p3 = p[v, start:stop], p[v + 1, start:stop], p[v + 2, start:stop], p[v + 3, start:stop]
+            q0, q1, q2, q3 = q[v, start:stop], q[v + 1, start:stop], q[v + 2, start:stop], q[v + 3, start:stop]
             for i in range(n):
                 a, b = nx[i], ny[i]
-                low, top = (
-                    min(a * p0[i] + b * q0[i], a * p1[i] + b * q1[i]),
-                    min(a * p2[i] + b * q2[i], a * p3[i] + b * q3[i]),
-                )
-                least[i] = min(least[i], min(low, top))
+                low = min(a * p0[i] + b * q0[i], a * p1[i] + b * q1[i])
+                least[i] = min(least[i], min(low, min(a * p2[i] + b * q2[i], a * p3[i] + b * q3[i])))
             v += 4
-        while v < px.shape[0]:
-            p, q = px[v, s:t], py[v, s:t]
+        while v < p.shape[0]:
+            pv, qv = p[v, start:stop], q[v, start:stop]
             for i in range(n):
-                least[i] = min(least[i], nx[i] * p[i] + ny[i] * q[i])
+                least[i] = min(least[i], nx[i] * pv[i] + ny[i] * qv[i])
             v += 1
         for i in range(n):
             best[i] = max(best[i], least[i] - (nx[i] * x0[i] + ny[i] * y0[i]))
@@ -174,20 +154,29 @@ def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
 
 
 @compiled
-def _ranges(a: float, c: float, p: float, r: float) -> tuple[float, float, float, float]:
-    """Return the ends of two boxes' ranges on one axis (lower, upper, lower, upper), from opposite corners."""
-    return min(a, c), max(a, c), min(p, r), max(p, r)
-
-
-@compiled
 def _boxes(ax: Array, ay: Array, bx: Array, by: Array, first: int, out: Signs) -> None:
     """Fill `out` with the exact relations of upright boxes, in columns from `first` on, by comparing sides."""
     for k in range(out.size):
         i = np.uintp(first + k)
-        ax0, ax1, bx0, bx1 = _ranges(ax[0, i], ax[2, i], bx[0, i], bx[2, i])
-        ay0, ay1, by0, by1 = _ranges(ay[0, i], ay[2, i], by[0, i], by[2, i])
-        gap = max(max(ax0 - bx1, bx0 - ax1), max(ay0 - by1, by0 - ay1))
-        out[k] = APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
+        gap_x = range_gap(
+            min(ax[0, i], ax[2, i]), max(ax[0, i], ax[2, i]), min(bx[0, i], bx[2, i]), max(bx[0, i], bx[2, i])
+        )
+        gap_y = range_gap(
+            min(ay[0, i], ay[2, i]), max(ay[0, i], ay[2, i]), min(by[0, i], by[2, i]), max(by[0, i], by[2, i])
+        )
+        out[k] = relation_of_gap(max(gap_x, gap_y))
+
+
+@compiled
+def range_gap(a_low: float, a_high: float, b_low: float, b_high: float) -> float:
+    """Return the gap between two ranges on one axis: 0 where they touch, negative where they overlap."""
+    return max(a_low - b_high, b_low - a_high)
+
+
+@compiled
+def relation_of_gap(gap: float) -> int:
+    """Return the relation that an exact gap means."""
+    return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
 
 @compiled
@@ -199,8 +188,7 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
         distance, radius_squared = dx * dx + dy * dy, radius_sum * radius_sum
         size = distance + radius_squared
         error_bound = size * 2.0**-50 if size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT else np.inf
-        gap = distance - radius_squared
-        out[k] = APART if gap > error_bound else OVERLAPPING if gap < -error_bound else UNDECIDED
+        out[k] = classify(distance - radius_squared, error_bound)
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
@@ -221,18 +209,15 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
             far = r
             for v in range(count):
                 far = max(far, max(abs(px[v, i] - x0), abs(py[v, i] - y0)))
-            error_bound, side_error = far * far * 2.0**-46, far * 2.0**-48
-            inside, safe, nearest = (
-                True,
-                error_bound > MIN_SAFE_PRODUCT and error_bound < MAX_SAFE_PRODUCT * 2.0**-46,
-                np.inf,
-            )
+            error_bound, turn_error = far * far * 2.0**-46, far * 2.0**-48  # as relate._relate_circle_polygon derives
+            safe = error_bound > MIN_SAFE_PRODUCT and error_bound < MAX_SAFE_PRODUCT * 2.0**-46
+            inside, nearest = True, np.inf
             for v in range(count):
                 w = (v + 1) % count
                 dx, dy = px[w, i] - px[v, i], py[w, i] - py[v, i]
                 x, y, u, z = px[v, i] - x0, py[v, i] - y0, px[w, i] - x0, py[w, i] - y0
                 turn = x * dy - y * dx
-                tolerance = (abs(dx) + abs(dy)) * side_error
+                tolerance = (abs(dx) + abs(dy)) * turn_error
                 along, square = -(x * dx + y * dy), dx * dx + dy * dy
                 safe = safe & (square > MIN_SAFE_PRODUCT)
                 foot = turn / square * turn
@@ -240,10 +225,9 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
                 inside = inside & (turn > tolerance)
                 nearest = min(nearest, distance)  # of edges that face away too: none lies nearer than the nearest
             radius_squared = r * r
-            over = inside | (nearest < radius_squared - error_bound)
             # a center inside, taken for one on an edge's line, has the boundary within twice the tolerance
-            apart = nearest > radius_squared + error_bound
-            out[k] = UNDECIDED if not safe else OVERLAPPING if over else APART if apart else UNDECIDED
+            gap = -np.inf if inside else nearest - radius_squared
+            out[k] = classify(gap, error_bound) if safe else UNDECIDED
 
     return kernel
 

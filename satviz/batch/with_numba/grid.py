@@ -1,27 +1,32 @@
-"""Boxes in the cells of a grid, compiled with numba: the cells are hashed into a table, a row of cells side by side."""
+"""Boxes in the cells of a grid, compiled with numba: a hash table in which a row of cells is one run."""
 
 from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact_signs import Array
-from ..with_numpy.grid import BLOCK_CANDIDATES, Cell, Pairs
+from ..array_types import Array, Cell, Indices, Pairs
+from .filter import range_gap
 from .jit_cache import compiled
 
-Places = NDArray[np.int64]
-Starts = NDArray[np.int32]
-Table = tuple[Starts, Pairs, Places, Array, float, float, float, float, int, int, int]
+Cells = NDArray[np.int64]  # (n, 2) column and row of the cell of each box
+Starts = NDArray[np.int32]  # where the boxes of each entry of the table begin, and the last one ends
+# start, indices, cells and boxes in the order of the table; largest width and height of a box; cells per unit along
+# x and y; cells in a row; the first column and row in use
+Table = tuple[Starts, Indices, Cells, Array, float, float, float, float, int, int, int]
 
+BLOCK_PAIRS = 1 << 20  # pairs in one block at most, besides those of its last query: what bounds the memory
 MAX_CELL_NUMBER = 2.0**50  # cells from the origin: what lies farther shares the last one
-SAMPLE_STEP = 17  # queries; the candidates of one in so many are counted, to estimate those of all
-START_MARGIN = 2.0**-50  # more than the three that may hide what still meets
+SAMPLE_STEP = 17  # the candidates of every 17th query are counted
+ROUNDING_MARGIN = 2.0**-50  # relative: above the 3 * 2**-53 by which `_first_cell` may round a start up
 
 
-def meeting_pairs(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float) -> Iterator[Pairs] | None:
-    """Return an iterator over blocks of pairs (i < j) of meeting boxes; `other` None: within `one`.
+def meeting_pairs(
+    bounds: Array, one: Indices, other: Indices | None, cell: Cell, most: float
+) -> Iterator[Pairs] | None:
+    """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one.
 
-    None where that takes more than about `most` candidates.
+    Return None where there are more than about `most` candidates, which are the pairs of boxes to compare.
     """
     stored = one if other is None else other
     size = 1 << int(2 * len(stored) - 1).bit_length()
@@ -30,11 +35,11 @@ def meeting_pairs(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, mo
     candidates = _count_candidates(boxes, other is None, table)
     if candidates > most:
         return None
-    return _pair_blocks(queries, boxes, other is None, table, min(BLOCK_CANDIDATES, max(int(candidates), len(queries))))
+    return _pair_blocks(queries, boxes, other is None, table, min(BLOCK_PAIRS, max(int(candidates), len(queries))))
 
 
-def _pair_blocks(queries: Pairs, boxes: Array, among: bool, table: Table, block: int) -> Iterator[Pairs]:
-    """Yield blocks of pairs of a query box and a stored box that meet; `among`: the queries are the stored boxes."""
+def _pair_blocks(queries: Indices, boxes: Array, among: bool, table: Table, block: int) -> Iterator[Pairs]:
+    """Yield the pairs of queries with stored boxes that meet; `among`: both are the same set."""
     first = 0
     while first < len(queries):
         out = np.empty((block + len(table[1]), 2), np.intp)  # no query finds more than all
@@ -43,52 +48,55 @@ def _pair_blocks(queries: Pairs, boxes: Array, among: bool, table: Table, block:
 
 
 @compiled
-def _cell_number(c: float, cells: float) -> int:
-    """Return the number of the cell of coordinate c (`cells` per unit); it never decreases as c grows."""
-    return int(max(-MAX_CELL_NUMBER, min(MAX_CELL_NUMBER, np.floor(c * cells))))
+def _cell_number(c: float, cells_per_unit: float) -> int:
+    """Return the number of a coordinate's cell; it never decreases with the coordinate, however the product rounds."""
+    return int(max(-MAX_CELL_NUMBER, min(MAX_CELL_NUMBER, np.floor(c * cells_per_unit))))
 
 
 @compiled
-def _build_table(bounds: Array, stored: Pairs, wide: float, high: float, size: int) -> Table:
-    """Return the hash table of the stored boxes by the cell of their lower left corner; cells are wide x high."""
-    n, wide, high = stored.size, 1 / wide, 1 / high
+def _build_table(bounds: Array, stored: Indices, cell_width: float, cell_height: float, size: int) -> Table:
+    """Return the boxes ordered by the cell of their lower left corner, and where each table entry begins."""
+    n, per_x, per_y = stored.size, 1 / cell_width, 1 / cell_height
     column, row = np.empty(n, np.int64), np.empty(n, np.int64)
-    reach_x = reach_y = 0.0
+    max_width = max_height = 0.0
     left, right, bottom = 2**62, -(2**62), 2**62
     for k in range(n):
         i = stored[k]
-        column[k], row[k] = _cell_number(bounds[i, 0], wide), _cell_number(bounds[i, 1], high)
-        reach_x, reach_y = max(reach_x, bounds[i, 2] - bounds[i, 0]), max(reach_y, bounds[i, 3] - bounds[i, 1])
+        column[k], row[k] = _cell_number(bounds[i, 0], per_x), _cell_number(bounds[i, 1], per_y)
+        max_width, max_height = (
+            max(max_width, bounds[i, 2] - bounds[i, 0]),
+            max(max_height, bounds[i, 3] - bounds[i, 1]),
+        )
         left, right, bottom = min(left, column[k]), max(right, column[k]), min(bottom, row[k])
     stride = int(right - left) + 1
     start: Starts = np.zeros(size + 1, np.int32)
     for k in range(n):
         start[((column[k] + row[k] * stride) & (size - 1)) + 1] += 1
-    for place in range(size):
-        start[place + 1] += start[place]
+    for entry in range(size):
+        start[entry + 1] += start[entry]
     free = start.copy()
-    ids: Pairs = np.empty(n, np.intp)
-    cells: Places = np.empty((n, 2), np.int64)
+    ids: Indices = np.empty(n, np.intp)
+    cells: Cells = np.empty((n, 2), np.int64)
     boxes: Array = np.empty((n, 4))
     for k in range(n):
-        place = (column[k] + row[k] * stride) & (size - 1)
-        to = free[place]
-        free[place] += 1
+        entry = (column[k] + row[k] * stride) & (size - 1)
+        to = free[entry]
+        free[entry] += 1
         ids[to], cells[to, 0], cells[to, 1] = stored[k], column[k], row[k]
         for d in range(4):
             boxes[to, d] = bounds[stored[k], d]
-    return start, ids, cells, boxes, reach_x, reach_y, wide, high, stride, int(left), int(bottom)
+    return start, ids, cells, boxes, max_width, max_height, per_x, per_y, stride, int(left), int(bottom)
 
 
 @compiled
-def _first_cell(low: float, max_length: float, cells: float, least: int) -> int:
-    """Return the first cell where a box of at most `max_length` can begin and still reach `low`; at least `least`."""
-    return max(least, _cell_number(low - max_length - (abs(low) + max_length) * START_MARGIN, cells))
+def _first_cell(low: float, max_length: float, cells_per_unit: float, least: int) -> int:
+    """Return the first cell in which a box at most `max_length` long can begin that ends at `low` or later."""
+    return max(least, _cell_number(low - max_length - (abs(low) + max_length) * ROUNDING_MARGIN, cells_per_unit))
 
 
 @compiled
 def _stored_range(start: Starts, c0: int, c1: int, row: int, stride: int, part: int) -> tuple[int, int]:
-    """Return (first, end) of the stored boxes in cells c0 to c1 of a row; part 1: those past the table's end."""
+    """Return where cells c0 to c1 of a row are stored: up to the table's end (part 0), or from its start (part 1)."""
     size = start.size - 1
     first, many = (c0 + row * stride) & (size - 1), max(0, min(c1 - c0 + 1, size))
     if part == 0:
@@ -98,14 +106,14 @@ def _stored_range(start: Starts, c0: int, c1: int, row: int, stride: int, part: 
 
 @compiled
 def _count_candidates(boxes: Array, among: bool, table: Table) -> float:
-    """Return an estimate, from a sample of the queries, of how many candidates all queries have."""
-    start, _, _, _, reach_x, reach_y, wide, high, stride, left, bottom = table
+    """Return about how many candidates all queries have, estimated from a sample."""
+    start, _, _, _, max_width, max_height, per_x, per_y, stride, left, bottom = table
     step = 1 if len(boxes) < 1000 else SAMPLE_STEP
     candidates = 0.0
     for k in range(0, len(boxes), step):
-        c0, c1 = _first_cell(boxes[k, 0], reach_x, wide, left), _cell_number(boxes[k, 2], wide)
-        r0 = _cell_number(boxes[k, 1], high) if among else _first_cell(boxes[k, 1], reach_y, high, bottom)
-        for row in range(r0, _cell_number(boxes[k, 3], high) + 1):
+        c0, c1 = _first_cell(boxes[k, 0], max_width, per_x, left), _cell_number(boxes[k, 2], per_x)
+        r0 = _cell_number(boxes[k, 1], per_y) if among else _first_cell(boxes[k, 1], max_height, per_y, bottom)
+        for row in range(r0, _cell_number(boxes[k, 3], per_y) + 1):
             for part in range(2):
                 first, last = _stored_range(start, c0, c1, row, stride, part)
                 candidates += last - first
@@ -114,29 +122,31 @@ def _count_candidates(boxes: Array, among: bool, table: Table) -> float:
 
 @compiled
 def _fill_pairs(
-    queries: Pairs, query_boxes: Array, begin: int, among: bool, table: Table, out: Pairs
+    queries: Indices, query_boxes: Array, begin: int, among: bool, table: Table, out: Pairs
 ) -> tuple[int, int]:
-    """Fill `out` with meeting pairs of the queries from `begin` until it is full; return (next query, count)."""
-    start, ids, cells, boxes, reach_x, reach_y, wide, high, stride, left, bottom = table
+    """Fill `out` with the pairs of the queries from `begin` on while it has space; return (next query, pairs found)."""
+    start, ids, cells, boxes, max_width, max_height, per_x, per_y, stride, left, bottom = table
     found = 0
     for k in range(begin, queries.size):
         if found + ids.size > out.shape[0]:
             return k, found
         i = queries[k]
         x0, y0, x1, y1 = query_boxes[k, 0], query_boxes[k, 1], query_boxes[k, 2], query_boxes[k, 3]
-        c1, r1 = _cell_number(x1, wide), _cell_number(y1, high)
-        low_x, low_y = _first_cell(x0, reach_x, wide, left), _first_cell(y0, reach_y, high, bottom)
+        c1, r1 = _cell_number(x1, per_x), _cell_number(y1, per_y)
+        low_x, low_y = _first_cell(x0, max_width, per_x, left), _first_cell(y0, max_height, per_y, bottom)
         c0, r0 = (cells[k, 0], cells[k, 1]) if among else (low_x, low_y)
         for row in range(r0, r1 + 1):
-            if among and row == r0 + 1:  # in their own row only those further on, in the others all
+            if (
+                among and row == r0 + 1
+            ):  # its own row holds each pair once, further on; the other rows are searched whole
                 c0 = low_x
             after = k if among and row == r0 else -1
             for part in range(2):
                 first, last = _stored_range(start, c0, c1, row, stride, part)
                 for s in range(first, last):
-                    meet = (boxes[s, 0] <= x1) & (x0 <= boxes[s, 2]) & (boxes[s, 1] <= y1) & (y0 <= boxes[s, 3])
-                    # and not of another cell with the same place
-                    if meet and cells[s, 1] == row and c0 <= cells[s, 0] <= c1 and (s > after or cells[s, 0] > c0):
+                    gap = max(range_gap(x0, x1, boxes[s, 0], boxes[s, 2]), range_gap(y0, y1, boxes[s, 1], boxes[s, 3]))
+                    # cells of other numbers share entries of the table
+                    if gap <= 0 and cells[s, 1] == row and c0 <= cells[s, 0] <= c1 and (s > after or cells[s, 0] > c0):
                         j = ids[s]
                         out[found, 0], out[found, 1] = min(i, j), max(i, j)
                         found += 1

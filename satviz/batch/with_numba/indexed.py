@@ -1,19 +1,20 @@
-"""Pairs of convex polygons picked from anywhere, whatever their numbers of corners, compiled with numba."""
+"""Pairs of convex polygons given by indices, with any numbers of corners, compiled with numba.
+
+Names in the kernels: sa and sb say where the corners of each shape of A and B start, box_a and box_b hold their
+bounding boxes; pair k is shape i = ia[k] of A and shape j = ib[k] of B.  A lane is a column of the scratch
+arrays x, y (corners of A) and p, q (corners of B).
+"""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
+from ..array_types import Array, Indices, Mask, Signs
 from ..arrays import Flat, Group
-from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
-from ..exact_signs import Array, Signs
+from ..codes import OVERLAPPING, UNDECIDED
 from ..ragged import MAX_LANE_CORNERS
 from .exact import MAX_TERMS, is_certainly_inside, relate_few_corners, relate_many_corners
-from .filter import raise_clearance_8
+from .filter import classify, raise_clearance_4, raise_clearance_8, range_gap, relation_of_gap
 from .jit_cache import compiled
-
-Indices = NDArray[np.intp]
-Mask = NDArray[np.bool_]
 
 LANES = 128  # pairs whose corners stay in the first-level cache
 LANE_STRIDE = LANES + 8  # a power of two would put all corners of a pair into the same few places of the cache
@@ -51,24 +52,17 @@ def _polygons(
 ) -> None:  # fmt: skip
     """Fill `out` with the relations of pairs (ia, ib): by boxes, then the float filter in lanes, then exactly."""
     terms, error_bounds, best = np.empty(MAX_TERMS), np.empty(LANES), np.empty(LANES)
-    x, y, p, q = (
-        np.empty((9, LANE_STRIDE)),
-        np.empty((9, LANE_STRIDE)),
-        np.empty((9, LANE_STRIDE)),
-        np.empty((9, LANE_STRIDE)),
-    )
+    x, y = np.empty((MAX_LANE_CORNERS + 1, LANE_STRIDE)), np.empty((MAX_LANE_CORNERS + 1, LANE_STRIDE))
+    p, q = np.empty((MAX_LANE_CORNERS + 1, LANE_STRIDE)), np.empty((MAX_LANE_CORNERS + 1, LANE_STRIDE))
     waiting, many = np.empty((2, LANES), np.intp), np.zeros(2, np.intp)  # pairs of up to four corners, of up to eight
     for k in range(out.size):
         i, j = ia[k], ib[k]
         gap = max(
-            max(box_a[i, 0] - box_b[j, 2], box_b[j, 0] - box_a[i, 2]),
-            max(box_a[i, 1] - box_b[j, 3], box_b[j, 1] - box_a[i, 3]),
+            range_gap(box_a[i, 0], box_a[i, 2], box_b[j, 0], box_b[j, 2]),
+            range_gap(box_a[i, 1], box_a[i, 3], box_b[j, 1], box_b[j, 3]),
         )
-        if gap > 0:
-            out[k] = APART
-            continue
-        if upright_a[i] and upright_b[j]:
-            out[k] = OVERLAPPING if gap < 0 else TOUCHING
+        if gap > 0 or (upright_a[i] and upright_b[j]):
+            out[k] = relation_of_gap(gap)
             continue
         out[k] = UNDECIDED
         most = max(sa[i + 1] - sa[i], sb[j + 1] - sb[j])
@@ -88,22 +82,16 @@ def _polygons(
     for k in range(out.size):
         if out[k] == UNDECIDED:
             i, j = ia[k], ib[k]
-            i0, i1, j0, j1, max_coordinate = (
-                sa[i],
-                sa[i + 1],
-                sb[j],
-                sb[j + 1],
-                _max_coordinate(box_a, i) + _max_coordinate(box_b, j),
-            )
+            i0, i1, j0, j1 = sa[i], sa[i + 1], sb[j], sb[j + 1]
+            max_coordinate = _max_coordinate(box_a, i) + _max_coordinate(box_b, j)
             if max(i1 - i0, j1 - j0) <= MAX_LANE_CORNERS:
                 out[k] = relate_few_corners(ax, ay, i0, i1, bx, by, j0, j1, max_coordinate, terms)
                 continue
             # the middle of what both boxes share
             px = max(box_a[i, 0], box_b[j, 0]) / 2 + min(box_a[i, 2], box_b[j, 2]) / 2
             py = max(box_a[i, 1], box_b[j, 1]) / 2 + min(box_a[i, 3], box_b[j, 3]) / 2
-            if is_certainly_inside(ax, ay, i0, i1, px, py, max_coordinate) and is_certainly_inside(
-                bx, by, j0, j1, px, py, max_coordinate
-            ):
+            inside = is_certainly_inside(ax, ay, i0, i1, px, py, max_coordinate)
+            if inside and is_certainly_inside(bx, by, j0, j1, px, py, max_coordinate):
                 out[k] = OVERLAPPING
             else:
                 out[k] = relate_many_corners(ax, ay, i0, i1, bx, by, j0, j1, max_coordinate, terms)
@@ -143,13 +131,13 @@ def _evaluate_lanes(
         error_bounds[k] = error_bound if error_bound > MIN_ERROR_BOUND and error_bound < MAX_ERROR_BOUND else np.inf
         best[k] = -np.inf
     if width == 4:
-        raise_clearance_4(x, y, p, q, n, best)
-        raise_clearance_4(p, q, x, y, n, best)
+        raise_clearance_4(x, y, p, q, 0, n, best)
+        raise_clearance_4(p, q, x, y, 0, n, best)
     else:
         raise_clearance_8(x, y, p, q, 0, n, best)
         raise_clearance_8(p, q, x, y, 0, n, best)
     for k in range(n):
-        out[which[k]] = APART if best[k] > error_bounds[k] else OVERLAPPING if best[k] < -error_bounds[k] else UNDECIDED
+        out[which[k]] = classify(best[k], error_bounds[k])
 
 
 @compiled
@@ -159,18 +147,3 @@ def copy_to_lane(x: Array, y: Array, start: int, stop: int, width: int, to_x: Ar
     for v in range(width + 1):
         to_x[v, k], to_y[v, k] = x[np.uintp(i)], y[np.uintp(i)]
         i = i + 1 if i + 1 < stop else start
-
-
-@compiled
-def raise_clearance_4(x: Array, y: Array, p: Array, q: Array, n: int, best: Array) -> None:
-    """Raise best[i] to the largest clearance of four edges of (x, y) from four corners (p, q), lanes 0 to n."""
-    p0, p1, p2, p3 = p[0, :n], p[1, :n], p[2, :n], p[3, :n]
-    q0, q1, q2, q3 = q[0, :n], q[1, :n], q[2, :n], q[3, :n]
-    for e in range(4):
-        x0, y0, x1, y1 = x[e, :n], y[e, :n], x[e + 1, :n], y[e + 1, :n]
-        for i in range(n):
-            a, b = y1[i] - y0[i], x0[i] - x1[i]
-            low = min(
-                min(a * p0[i] + b * q0[i], a * p1[i] + b * q1[i]), min(a * p2[i] + b * q2[i], a * p3[i] + b * q3[i])
-            )
-            best[i] = max(best[i], low - (a * x0[i] + b * y0[i]))

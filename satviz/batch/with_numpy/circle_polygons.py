@@ -14,9 +14,8 @@ from numpy.typing import NDArray
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT, to_integers
 from ...engine.relate import relate_integers
 from .. import exact_signs
-from ..exact_signs import UNKNOWN, Array, Pairs, Signs, two_sum
-
-Indices = NDArray[np.intp]
+from ..array_types import Array, Indices, Signs
+from ..exact_signs import UNKNOWN, Products, two_sum
 
 BLOCK_PAIRS = 1 << 13  # pairs at a time, where they have few corners: their columns stay in the second-level cache
 MAX_INTEGER_PAIRS = 32  # pairs that integers settle sooner
@@ -190,8 +189,8 @@ def _keep_inner_feet(
     return np.where(worst == UNKNOWN, UNKNOWN, np.where(worst > 0, least, 1))
 
 
-def _signs_of_sums(pairs: Pairs, more: Array, plain: NDArray[np.bool_]) -> Signs:
-    """Return signs of sums of products plus `more`, or UNKNOWN; where `plain`, `more` is 0 and sums are exact."""
+def _signs_of_sums(pairs: Products, more: Array, plain: NDArray[np.bool_]) -> Signs:
+    """Return the signs of products plus `more` (exactly 0 where `plain`), or UNKNOWN where too near to 0."""
     total, off, terms = exact_signs.sum_with_error(pairs, more)
     found = exact_signs.certified_sign(total, off)
     rest = np.flatnonzero(found == 0)

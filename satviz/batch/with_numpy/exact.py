@@ -3,17 +3,15 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from .. import exact_signs
+from ..array_types import Array, Indices, Signs
 from ..arrays import Group, upright_box_mask
 from ..codes import APART, OVERLAPPING, TOUCHING
-from ..exact_signs import Array, Signs, take_columns
+from ..exact_signs import take_columns
 from . import circle_polygons
 from .filter import boxes
-
-Indices = NDArray[np.intp]
 
 BLOCK_CORNERS = 1 << 16  # corners of a shape at a time, over all pairs: what bounds the memory, and stays in the cache
 MAX_ALL_EDGES_CORNERS = 4  # corners, up to which every edge of all pairs is looked at: beyond, most are not needed

@@ -5,13 +5,15 @@ are those of the scalar engine (satviz.engine.relate); all hold for any order of
 Every kernel takes one column per pair, from column `first` on, and fills `out` with relations.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
+from ..array_types import Array, Signs
 from ..arrays import Group
-from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
-from ..exact_signs import Array, Signs
+from ..codes import OVERLAPPING, TOUCHING, UNDECIDED
 from . import gjk
 
 Array32 = NDArray[np.float32]
@@ -46,7 +48,7 @@ def evaluate_f32(
 ) -> tuple[Array32, Array32]:
     """Return (float32 clearance, error bound) of each pair, from its own coordinates; width: of both shapes.
 
-    `again`: how many corners come again at the end, so that no edge leads from the last to the first.
+    `again`: how many rows at the end repeat corners, so that no edge leads from the last row to the first.
     """
     x, y, px, py = (_to_f32(c, origin) for c, origin in zip((ax, ay, bx, by), (ax[0], ay[0]) * 2, strict=True))
     size = np.maximum(np.abs(px[0]), np.abs(py[0]))
@@ -65,7 +67,7 @@ def _to_f32(c: Array, origin: Array) -> Array32:
 def clearance(ax: Array32, ay: Array32, bx: Array32, by: Array32, known: int, again: int = 0) -> Array32:
     """Return the largest clearance of any edge of each pair: its distance from the other shape, times its length.
 
-    `known`: 1 where A's first corner is the origin, which saves its products.
+    `known`: 1 where A's first corner is the origin, which saves its products.  `again`: as in `evaluate_f32`.
     """
     best = np.full(ax.shape[1], -np.inf, ax.dtype)
     scratch = np.empty((5, ax.shape[1]), ax.dtype)
@@ -76,34 +78,26 @@ def clearance(ax: Array32, ay: Array32, bx: Array32, by: Array32, known: int, ag
 
 
 def _raise_clearance(
-    x: Array32,
-    y: Array32,
-    px: Array32,
-    py: Array32,
-    edges: int,
-    own: int,
-    other: int,
-    best: Array32,
-    nx: Array32,
-    ny: Array32,
-    least: Array32,
-    value: Array32,
-    part: Array32,
-) -> None:
-    """Raise `best` to the clearances; the first `own`, `other` corners are the origin; nx to part are scratch."""
-    for i in range(edges):
-        j = (i + 1) % len(x)
-        np.subtract(y[j], y[i], out=nx)
-        np.subtract(x[i], x[j], out=ny)
-        least.fill(0.0 if other else np.inf)
-        for k in range(other, len(px)):
-            np.multiply(nx, px[k], out=value)
-            np.multiply(ny, py[k], out=part)
+    x: Array32, y: Array32, p: Array32, q: Array32, edges: int, own_zeros: int, other_zeros: int, best: Array32,
+    nx: Array32, ny: Array32, least: Array32, value: Array32, part: Array32,
+) -> None:  # fmt: skip
+    """Raise `best` to the clearances of the first `edges` edges of x, y over the corners p, q; the rest is scratch.
+
+    `own_zeros`, `other_zeros`: how many corners at the beginning of x, y and of p, q are the origin.
+    """
+    for e in range(edges):
+        f = (e + 1) % len(x)
+        np.subtract(y[f], y[e], out=nx)
+        np.subtract(x[e], x[f], out=ny)
+        least.fill(0.0 if other_zeros else np.inf)
+        for v in range(other_zeros, len(p)):
+            np.multiply(nx, p[v], out=value)
+            np.multiply(ny, q[v], out=part)
             value += part
             np.minimum(least, value, out=least)
-        if i >= own and j >= own:
-            nx *= x[i]
-            ny *= y[i]
+        if e >= own_zeros and f >= own_zeros:
+            nx *= x[e]
+            ny *= y[e]
             least -= nx
             least -= ny
         np.maximum(best, least, out=best)
@@ -117,14 +111,19 @@ def classify_clearances(gap: Array32 | Array, error_bound: Array32 | Array, out:
 
 
 def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
-    """Fill `out` with the exact relations of upright boxes, in columns from `first` on, by comparing sides."""
-    ax, ay, bx, by = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
-    gap = np.full(out.size, -np.inf)
-    for p, q in ((ax, bx), (ay, by)):
-        np.maximum(gap, np.minimum(p[0], p[2]) - np.maximum(q[0], q[2]), out=gap)
-        np.maximum(gap, np.minimum(q[0], q[2]) - np.maximum(p[0], p[2]), out=gap)
+    """Classify upright boxes exactly by four comparisons of sides."""
+    corners = ([c[k, first : first + out.size] for k in (0, 2) for c in (s.x, s.y)] for s in (a, b))
+    gap = box_gap(*([*map(np.minimum, c[:2], c[2:]), *map(np.maximum, c[:2], c[2:])] for c in corners))
     np.subtract((gap < 0).view(np.int8), (gap > 0).view(np.int8), out=out)
     out += TOUCHING
+
+
+def box_gap(a: Array | Sequence[Array], b: Array | Sequence[Array]) -> Array:
+    """Return the larger of the gaps along x and y between boxes, each given as (x min, y min, x max, y max)."""
+    gap: Array = a[0] - b[2]
+    for low, high in ((b[0], a[2]), (a[1], b[3]), (b[1], a[3])):
+        np.maximum(gap, low - high, out=gap)
+    return gap
 
 
 def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Signs) -> None:
@@ -162,8 +161,8 @@ def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first
             np.where(along >= square, x[j] * x[j] + y[j] * y[j], turn / square * turn),
         )
         np.minimum(nearest, distance, out=nearest)  # of edges that face away too: none lies nearer than the nearest
-    radius_squared = cr * cr
-    out.fill(UNDECIDED)
-    out[safe & (inside | (nearest < radius_squared - error_bound))] = OVERLAPPING
-    # a center inside, taken for one on an edge's line, is within twice the tolerance of the boundary
-    out[safe & ~inside & (nearest > radius_squared + error_bound)] = APART
+    nearest -= cr * cr
+    # a center inside, taken for one on an edge's line, has the boundary within twice the tolerance
+    nearest[inside] = -np.inf
+    error_bound[~safe] = np.inf
+    classify_clearances(nearest, error_bound, out)

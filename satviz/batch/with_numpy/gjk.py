@@ -1,15 +1,13 @@
 """Outlines of many corners, in NumPy: an axis or a shared point found in a few steps, else left UNDECIDED."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...engine.predicates import MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
+from ..array_types import Array, Signs
 from ..arrays import Group
 from ..codes import APART, OVERLAPPING, UNDECIDED
-from ..exact_signs import ERRBOUND_A, Array, Signs, take_columns
-
-Indices = NDArray[np.intp]
+from ..exact_signs import ERRBOUND_A, take_columns
 
 MAX_STEPS = 12
 BLOCK_CORNERS = 1 << 16  # corners: they and the scratch arrays stay in the second-level cache

@@ -1,28 +1,26 @@
 """Boxes in the cells of a grid, in NumPy: sorted by their cells, a row of cells side by side."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..exact_signs import Array
+from ..array_types import Array, Cell, Indices, Pairs
 
-Pairs = NDArray[np.intp]
-Ranges = list[tuple[Pairs, Pairs, Pairs]]  # of some queries: which, from where and how many of what is stored
-Cell = Sequence[float]  # its width and height
-Grid = Callable[[Array, Pairs, Pairs | None, Cell, float], Iterator[Pairs] | None]  # as `meeting_pairs` below
+Ranges = list[tuple[Indices, Indices, Indices]]  # which queries; where the stored boxes of each begin; how many
 
-BLOCK_CANDIDATES = 1 << 20  # candidates looked at in one go: what bounds the memory
-MAX_TABLE_CELLS_PER_BOX = 8  # cells a box that are worth a table of where each begins
+BLOCK_PAIRS = 1 << 20  # pairs of boxes compared at a time: what bounds the memory
+MAX_TABLE_CELLS_PER_BOX = 8  # up to so many a table of where each cell begins is worth its memory
 
 
-def meeting_pairs(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, most: float) -> Iterator[Pairs] | None:
-    """Return an iterator over blocks of pairs (i < j) of meeting boxes; `other` None: within `one`.
+def meeting_pairs(
+    bounds: Array, one: Indices, other: Indices | None, cell: Cell, most: float
+) -> Iterator[Pairs] | None:
+    """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one.
 
-    None where that takes more than `most` candidates.  Boxes are stored by the cell of their lower
-    left corner, row after row.  The numbers of cells never decrease along an axis, so a box
-    whose lower left corner lies between two places is stored between their cells, however the
-    division rounds.
+    Return None where there are more than `most` candidates, which are the pairs of boxes to compare.
+    Boxes are stored by the cell of their lower left corner, row after row.  The numbers of cells never
+    decrease along an axis, so a box whose lower left corner lies between two coordinates is stored between
+    the cells of these, however the division rounds.
     """
     queries, stored = one, one if other is None else other
     (low_x, high_x, own_x), (low_y, high_y, own_y) = (_cell_ranges(bounds, queries, stored, d, cell[d]) for d in (0, 1))
@@ -30,7 +28,7 @@ def meeting_pairs(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, mo
     key = own_y.astype(np.int64, copy=False) * width + own_x
     order = np.argsort(key)
     key, stored = key[order], stored[order]
-    if other is None:  # each pair once: rows from a box's own on; in the order of the cells, neighbours lie near
+    if other is None:  # each pair once: search from a box's own row on; in this order, neighbours are near in memory
         queries = stored
         low_x, high_x, low_y, high_y = (c[order] for c in (low_x, high_x, own_y, high_y))
     begin = None
@@ -43,14 +41,16 @@ def meeting_pairs(bounds: Array, one: Pairs, other: Pairs | None, cell: Cell, mo
         ends = base + low_x[which], base + high_x[which] + 1
         first, last = (np.searchsorted(key, c) if begin is None else begin[c] for c in ends)
         if other is None and row == 0:
-            first = np.arange(1, len(queries) + 1)  # in their own row: those further on
+            first = np.arange(1, len(queries) + 1)  # in its own row only the boxes further on
         ranges.append((which, first, last - first))
     if sum(int(many.sum()) for _, _, many in ranges) > most:
         return None
     return _pair_blocks(bounds, queries, stored, ranges)
 
 
-def _cell_ranges(bounds: Array, queries: Pairs, stored: Pairs, d: int, cell: float) -> tuple[Pairs, Pairs, Pairs]:
+def _cell_ranges(
+    bounds: Array, queries: Indices, stored: Indices, d: int, cell: float
+) -> tuple[Indices, Indices, Indices]:
     """Return for one axis the first and last cell that each query must search, and the cell of each stored box.
 
     A box that meets a query begins before the query ends, and not more than its own width before the
@@ -73,9 +73,9 @@ def _cell_ranges(bounds: Array, queries: Pairs, stored: Pairs, d: int, cell: flo
     return first, last, own
 
 
-def _pair_blocks(bounds: Array, queries: Pairs, stored: Pairs, ranges: Ranges) -> Iterator[Pairs]:
-    """Yield blocks of pairs (i < j) of a query box and a stored box in its cell ranges that meet."""
-    # in the order of the cells: the looks then run through memory nearly straight on
+def _pair_blocks(bounds: Array, queries: Indices, stored: Indices, ranges: Ranges) -> Iterator[Pairs]:
+    """Yield the pairs of queries with stored boxes in their cell ranges whose boxes meet."""
+    # in the order of the cells: the comparisons then run through memory nearly straight on
     theirs = bounds[stored].T.copy()
     own = theirs if queries is stored else bounds[queries].T.copy()
     for which, first, many in ranges:
@@ -84,11 +84,11 @@ def _pair_blocks(bounds: Array, queries: Pairs, stored: Pairs, ranges: Ranges) -
         while start < len(which):
             # at least one query, and as many as fit the block
             done = end[start - 1] if start else 0
-            stop = max(start + 1, int(np.searchsorted(end, done + BLOCK_CANDIDATES, side="right")))
+            stop = max(start + 1, int(np.searchsorted(end, done + BLOCK_PAIRS, side="right")))
             each = many[start:stop]
             of = np.repeat(which[start:stop], each)
             with_ = np.arange(len(of)) + np.repeat(first[start:stop] - (end[start:stop] - each - done), each)
-            for d in (0, 1):
+            for d in (0, 1):  # y only for those that meet along x
                 meet = (own[d][of] <= theirs[d + 2][with_]) & (theirs[d][with_] <= own[d + 2][of])
                 of, with_ = of[meet], with_[meet]
             i, j = queries[of], stored[with_]

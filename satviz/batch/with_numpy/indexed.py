@@ -1,26 +1,24 @@
-"""Pairs of convex polygons picked from anywhere, whatever their numbers of corners, in NumPy."""
+"""Pairs of convex polygons given by indices, with any numbers of corners, in NumPy."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...engine.relate import ERROR_FACTOR_F64
+from ..array_types import Array, Indices, Signs
 from ..arrays import Flat
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
-from ..exact_signs import Array, Signs, pairs_per_block, take_columns
+from ..exact_signs import pairs_per_block, take_columns
 from . import gjk
 from .exact import Edges, relate_edges
-from .filter import MAX_F32_CORNERS, classify_clearances, evaluate_f32
+from .filter import MAX_F32_CORNERS, box_gap, classify_clearances, evaluate_f32
 
-Indices = NDArray[np.intp]
-
-BLOCK_CORNERS = 1 << 17  # corners
+BLOCK_CORNERS = 1 << 17  # corners of one shape of each pair at a time: what bounds the memory
 
 
 def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
     """Fill `out` with the exact relations of polygons a[ia[k]] and b[ib[k]]: by their boxes, then in columns."""
     boxes_a, boxes_b = a.bounds[ia], b.bounds[ib]
     with np.errstate(over="ignore"):
-        gap = _box_gaps(boxes_a, boxes_b)
+        gap = box_gap(boxes_a.T, boxes_b.T)
     out.fill(APART)
     touch = np.flatnonzero(~(gap > 0))
     upright = a.upright[ia[touch]] & b.upright[ib[touch]]
@@ -37,22 +35,13 @@ def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
                 out[part] = _relate_columns(a, ia[part], boxes_a[part], b, ib[part], boxes_b[part])
 
 
-def _box_gaps(a: Array, b: Array) -> Array:
-    """Return the larger of the gaps along x and y between the boxes of each pair; negative where both overlap."""
-    gap = np.full(len(a), -np.inf)
-    for low, high in ((0, 2), (1, 3)):
-        for one, other in ((a, b), (b, a)):
-            np.maximum(gap, one[:, low] - other[:, high], out=gap)
-    return gap
-
-
 def _relate_columns(a: Flat, ia: Indices, boxes_a: Array, b: Flat, ib: Indices, boxes_b: Array) -> Signs:
     """Return the exact relations of the pairs (ia, ib), copied into columns: by the filter, then by edges."""
     (x, y), (p, q) = _corners_in_columns(a, ia), _corners_in_columns(b, ib)
     found = np.empty(len(ia), np.int8)
     if max(len(x), len(p)) - 1 > MAX_F32_CORNERS:
-        reach = float(np.abs(boxes_a).max() + np.abs(boxes_b).max()) * ERROR_FACTOR_F64
-        gjk.gjk(x, y, p, q, reach, found)
+        factor = float(np.abs(boxes_a).max() + np.abs(boxes_b).max()) * ERROR_FACTOR_F64
+        gjk.gjk(x, y, p, q, factor, found)
     else:
         classify_clearances(*evaluate_f32(x, y, p, q, _max_widths(boxes_a) + _max_widths(boxes_b), 1), found)
     rest = np.flatnonzero(found == UNDECIDED)

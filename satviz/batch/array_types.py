@@ -1,0 +1,16 @@
+"""The types of the arrays that batches work on; n is a number of pairs, N of shapes, M of corners."""
+
+from collections.abc import Callable, Iterator, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Signs = NDArray[np.int8]  # signs, or relations by their codes
+Indices = NDArray[np.intp]
+Mask = NDArray[np.bool_]
+
+Pairs = NDArray[np.intp]  # (K, 2) indices of two shapes each
+Cell = Sequence[float]  # width and height of a cell
+# (bounds, indices of boxes, indices of others or None, cell, most candidates) -> blocks of the pairs that meet
+Grid = Callable[[Array, Indices, Indices | None, Cell, float], Iterator[Pairs] | None]
