@@ -424,9 +424,9 @@ def test_enough_axes_are_counted_for_pairs_of_every_kind():
 def test_two_shapes_are_advised_on_and_counted_without_numpy():
     code = (
         "import sys, satviz as sv\n"
-        "from satviz.engine.axis_count import enough\n"
+        "from satviz.engine.axis_count import count_axes\n"
         "scene = sv.scene('triangles')\n"
-        "enough(scene.a, scene.b), str(sv.advise(scene)), sv.advise(scene).to_json(), sv.advise(scene).check()\n"
+        "count_axes(scene.a, scene.b), str(sv.advise(scene)), sv.advise(scene).to_json(), sv.advise(scene).check()\n"
         "assert not {'numpy', 'matplotlib'} & set(sys.modules)"
     )
     subprocess.run([sys.executable, "-c", code], check=True)

@@ -702,7 +702,7 @@ def test_a_drag_is_judged_and_a_preset_ends_the_challenge():
 
 
 def test_a_goal_that_the_scene_cannot_have_is_refused():
-    assert "no shortcut" in opened("triangles&goal=break")["why"]
+    assert "not a shortcut" in opened("triangles&goal=break")["why"]
     assert "no challenge is called 'win'" in opened("triangles&goal=win")["why"]
 
 

@@ -136,7 +136,7 @@ def test_a_shortcut_that_is_wrong_here_is_first_brought_where_it_is_right():
 
 
 @pytest.mark.parametrize(
-    "goal, why", [("break", "no shortcut"), ("win", "choose one of"), (3, "challenge"), ([], "ch")]
+    "goal, why", [("break", "not a shortcut"), ("win", "choose one of"), (3, "challenge"), ([], "ch")]
 )
 def test_a_challenge_that_cannot_be_set_is_refused_and_changes_nothing(goal, why):
     for kind in "challenge", "pose":
@@ -149,7 +149,7 @@ def test_a_challenge_that_cannot_be_set_is_refused_and_changes_nothing(goal, why
 
 def test_explore_sets_a_challenge():
     assert sv.explore("aabb", goal="touch").first["goal"]["asks"].startswith("Make the shapes touch")
-    with pytest.raises(InvalidScene, match="no shortcut"):
+    with pytest.raises(InvalidScene, match="not a shortcut"):
         sv.explore("aabb", goal="break")
 
 
