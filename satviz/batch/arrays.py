@@ -78,7 +78,7 @@ class Shapes:
             self.groups = groups
 
     def __len__(self) -> int:
-        """How many shapes; parts of one concave polygon count once."""
+        """Return the number of shapes; the parts of one concave polygon count once."""
         return len(self.count) if self.owner is None else int(self.owner[-1]) + 1 if len(self.owner) else 0
 
     def __repr__(self) -> str:

@@ -128,8 +128,8 @@ def _expand_products(pairs: Products) -> tuple[Array, Array]:
     lost = ~(size < MAX_SAFE_PRODUCT)
     small = sizes < MIN_SAFE_PRODUCT
     if small.any():
-        for look, (a, b) in zip(small, pairs, strict=True):
-            lost |= look & (a != 0) & (b != 0)
+        for is_small, (a, b) in zip(small, pairs, strict=True):
+            lost |= is_small & (a != 0) & (b != 0)
     size[lost] = np.inf
     return terms, size
 

@@ -1,4 +1,4 @@
-"""relate and hits for many pairs: the filter in blocks, then the exact twin for all that it left undecided."""
+"""relate and hits for many pairs: the float filter in blocks, then exact signs for the pairs it left undecided."""
 
 import sys
 import warnings
@@ -41,7 +41,7 @@ class Engine(NamedTuple):
     indexed: Kernel
     grid: Grid
     exact_columns: Kernel | None = None
-    max_corners: int = sys.maxsize  # corners of polygons that are looked at side by side, in columns
+    max_corners: int = sys.maxsize  # corners up to which polygons are evaluated side by side, in columns
 
 
 class Options(TypedDict, total=False):
@@ -212,7 +212,7 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
     for kind in np.unique(key).tolist():
         mine = todo[key == kind]
         one, other = a.groups[kind >> 32], b.groups[kind & 0xFFFFFFFF]
-        if one.r is not None or other.r is not None:  # polygons were looked at
+        if one.r is not None or other.r is not None:  # polygons have been decided above as far as floats can
             size = min(BLOCK_PAIRS, pairs_per_block(max(len(one.x), len(other.x))))
             for start in range(0, len(mine), size):
                 part = mine[start : start + size]

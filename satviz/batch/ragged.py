@@ -6,7 +6,7 @@ import numpy as np
 
 from .array_types import Array, Indices, Mask
 
-MAX_LANE_CORNERS = 8  # corners: up to so many pairs are looked at in columns or lanes, corner by corner
+MAX_LANE_CORNERS = 8  # corners up to which pairs are evaluated side by side, in columns or lanes
 
 
 class Rings(NamedTuple):

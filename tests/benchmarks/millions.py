@@ -15,30 +15,31 @@ import numpy as np
 from satviz import batch
 from satviz.study.workloads.generators import mixed_polygons
 
-PART = 250_000  # polygons made at once
+PART_POLYGONS = 250_000  # polygons generated at a time
 
 
-def written(path: Path, n: int) -> None:
-    """Polygons of 3 to 8 corners (the last repeated), spread evenly: about 1.5 collisions each."""
+def write_polygons(path: Path, n: int) -> None:
+    """Write n polygons of 3 to 8 corners (the last repeated), spread evenly: about 1.5 collisions each."""
     rng = np.random.default_rng(1)
     file = np.lib.format.open_memmap(path, "w+", np.float64, (n, 8, 2))
-    for start in range(0, n, PART):
-        rings = mixed_polygons(rng, min(PART, n - start), 0.0)
-        file[start : start + PART] = rings + rng.uniform(0, np.sqrt(n) * 1.5, (len(rings), 1, 2))
+    for start in range(0, n, PART_POLYGONS):
+        rings = mixed_polygons(rng, min(PART_POLYGONS, n - start), 0.0)
+        file[start : start + PART_POLYGONS] = rings + rng.uniform(0, np.sqrt(n) * 1.5, (len(rings), 1, 2))
     file.flush()
 
 
 def own_memory() -> int:
-    """Bytes of this process that are not pages of files."""
+    """Return the memory of this process in bytes, without pages of files."""
     fields = dict(line.split(":") for line in Path("/proc/self/status").read_text().splitlines())
     return int(fields["RssAnon"].split()[0]) * 1024
 
 
 def main(millions: float) -> None:
+    """Print the seconds and the peak memory of finding all collisions."""
     n = round(millions * 1e6)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "polygons.npy")
-        written(path, n)
+        write_polygons(path, n)
         batch.colliding_pairs(batch.Polygons(np.load(path, mmap_mode="r")[:1000]))  # kernels loaded
         before, most, done = own_memory(), [0], threading.Event()
 

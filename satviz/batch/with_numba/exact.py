@@ -105,8 +105,8 @@ def _classify_edge(
 ) -> tuple[int, int]:  # fmt: skip
     """Return (relation proven by the edge that ends in corner `end`, a corner of (p, q) low along its normal).
 
-    Down the outline from corner k one is soon found that lies before the edge.  That alone is taken from walking,
-    which rounding can stop: where none is found, all are looked at.
+    A walk down the outline from corner k soon finds a corner that lies before the edge, which refutes it.  The walk
+    proves nothing else, since rounding can stop it: if it finds no such corner, all corners are evaluated.
     """
     start = end - 1 if end > i0 else i1 - 1
     nx, ny = y[end] - y[start], x[start] - x[end]
@@ -207,7 +207,7 @@ def _gjk(
             ux, uy, vx, vy = vx, vy, ux, uy
         elif not side > 0:
             return UNDECIDED, i, j
-        # the origin lies left of the way from u to v: what is looked for next lies beyond, down to the left
+        # the origin lies left of the line from u to v: search next for the lowest corner along its left normal
         dx, dy = vy - uy, ux - vx
     return UNDECIDED, i, j
 

@@ -151,8 +151,8 @@ def _foot_signs(
 
     The length is a float and what it misses: the difference of squares over twice the float, as
     its own square is too small.  In units of exact_signs.sum_with_error: what it misses is off by 41uu of the
-    length, the rounded products of remainders by 16uuR, those left out uuR: with nearly's own
-    30uuR in all 88uuR, of the 256uuR granted.
+    length, the rounded products of remainders by 16uuR, those left out uuR: with the 30uuR of that
+    function's own sums 88uuR in all, below the 256uuR of ERRBOUND_B.
     """
     (x, a), (y, b), (dx, f), (dy, g) = two_sum(px, -cx), two_sum(py, -cy), two_sum(qx, -px), two_sum(qy, -py)
     turn, along, square = y * dx - x * dy, x * dx + y * dy, dx * dx + dy * dy

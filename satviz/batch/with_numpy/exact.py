@@ -1,4 +1,4 @@
-"""The exact twin for the pairs that the filter leaves undecided."""
+"""The exact relations of the pairs that the float filter leaves undecided."""
 
 from typing import NamedTuple
 
@@ -14,8 +14,10 @@ from . import circle_polygons
 from .filter import boxes
 
 BLOCK_CORNERS = 1 << 16  # corners of a shape at a time, over all pairs: what bounds the memory, and stays in the cache
-MAX_ALL_EDGES_CORNERS = 4  # corners, up to which every edge of all pairs is looked at: beyond, most are not needed
-BLOCK_SIGNS = 1 << 15  # exact signs asked in one go: each takes some hundred bytes a term
+MAX_ALL_EDGES_CORNERS = (
+    4  # corners up to which every edge of all pairs is evaluated; above it most edges are not needed
+)
+BLOCK_SIGNS = 1 << 15  # exact signs computed at a time: each takes some hundred bytes a term
 RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 and -1
 
 

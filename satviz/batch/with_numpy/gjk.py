@@ -9,7 +9,7 @@ from ..arrays import Group
 from ..codes import APART, OVERLAPPING, UNDECIDED
 from ..exact_signs import ERRBOUND_A, take_columns
 
-MAX_STEPS = 12
+MAX_STEPS = 12  # steps of GJK before it gives up
 BLOCK_CORNERS = 1 << 16  # corners: they and the scratch arrays stay in the second-level cache
 
 
@@ -53,7 +53,7 @@ def gjk(x: Array, y: Array, p: Array, q: Array, factor: float, out: Signs) -> No
             side = _certified_cross(u, v)
             go &= side != 0
             u, v = np.where(side < 0, v, u), np.where(side < 0, u, v)
-            # the origin lies left of the way from u to v: what is looked for next lies beyond, down to the left
+            # the origin lies left of the line from u to v: search next for the lowest corner along its left normal
             d = np.stack([v[1] - u[1], u[0] - v[0]])
         which = np.flatnonzero(go)
         if not which.size:
