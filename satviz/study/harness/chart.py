@@ -3,7 +3,7 @@
 import csv
 import io
 import json
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple, cast
 
@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from ...pictures import LIGHT, THEMES, Theme
+from ...pictures.float_geometry import clip_segment
 from ...render.files import bare, encode_figure
 from ...render.formats import DPI
 from ...safe_write import MADE_BY, write
@@ -247,6 +248,9 @@ def label_ends(
         )
 
 
+PointsBox = tuple[float, float, float, float]  # x0, y0, x1, y1 in points
+
+
 def label_points(
     ax: Axes, points: Sequence[tuple[float, float, str, str]], theme: Theme, taken: Sequence[tuple[float, float]] = ()
 ) -> None:
@@ -255,15 +259,16 @@ def label_points(
     `taken`: more (x, y) points that no label may cover.
     """
     scale = 72 / ax.figure.dpi
-    box = ax.get_window_extent()
-    rim = box.x0 * scale, box.y0 * scale, box.x1 * scale, box.y1 * scale
-    spots = [tuple(ax.transData.transform((p[0], p[1])) * scale) for p in (*points, *taken)]
-    placed: list[tuple[float, float, float, float]] = [(x - 9, y - 4, x + 9, y + 4) for x, y in spots]
+    rim = cast(PointsBox, tuple(edge * scale for edge in ax.get_window_extent().extents))
+    pixels = [ax.transData.transform((p[0], p[1])) for p in (*points, *taken)]
+    spots = [(float(x) * scale, float(y) * scale) for x, y in pixels]
+    dots: list[PointsBox] = [(x - 9, y - 4, x + 9, y + 4) for x, y in spots]
     renderer = cast(Any, ax.figure.canvas).get_renderer()
-    for (x, y), (px, py, text, shade) in sorted(zip(spots, points), key=lambda item: (-item[0][1], item[0][0])):
+    notes = []
+    for x, y, text, shade in points:
         note = ax.annotate(
             text,
-            xy=(px, py),
+            xy=(x, y),
             xytext=(0, 0),
             textcoords="offset points",
             color=shade,
@@ -276,24 +281,56 @@ def label_points(
             arrowprops={"arrowstyle": "-", "color": shade, "lw": 0.6, "alpha": 0.6, "shrinkA": 0, "shrinkB": 3},
         )
         size = note.get_window_extent(renderer)
-        w, h = size.width * scale, size.height * scale
+        notes.append((note, size.width * scale, size.height * scale))
+    sizes = [(w, h) for _, w, h in notes]
 
-        def cost(offset: tuple[float, float], at: tuple[float, float] = (x, y), w: float = w, h: float = h) -> float:
-            """Return how bad an offset of a label is: covered area, overhang beyond the axes, distance to the point."""
-            mine = at[0] + offset[0], at[1] + offset[1], at[0] + offset[0] + w, at[1] + offset[1] + h
-            over = sum(_shared_area(mine, other) for other in placed)
-            out = (
-                max(0, rim[0] - mine[0])
-                + max(0, mine[2] - rim[2])
-                + max(0, rim[1] - mine[1])
-                + max(0, mine[3] - rim[3])
-            )
-            away = abs(offset[0] + w / 2) / 2 + abs(offset[1] + h / 2)
-            return float(over * 10 + out * 50 + away)
+    def place(order: Iterable[int]) -> tuple[float, dict[int, PointsBox]]:
+        """Place the labels in this order, each at its best offset; return the sum of their costs and the boxes."""
+        total, placed = 0.0, dict[int, PointsBox]()
+        for k in order:
+            x, y = spots[k]
+            lines = [(*_middle_of(box), *spots[i]) for i, box in placed.items()]
+            others = [*placed.values(), *dots[:k], *dots[k + 1 :]]
+            boxes = [
+                (x + dx, y + dy, x + dx + sizes[k][0], y + dy + sizes[k][1]) for dx, dy in _label_offsets(*sizes[k])
+            ]
+            costs = [_label_cost(box, spots[k], others, lines, dots[k], rim) for box in boxes]
+            total += min(costs)
+            x0, y0, x1, y1 = boxes[costs.index(min(costs))]
+            placed[k] = x0 - 4, y0, x1 + 4, y1
+        return total, placed
 
-        best = min(_label_offsets(w, h), key=cost)
-        note.set_position(best)
-        placed.append((x + best[0] - 4, y + best[1], x + best[0] + w + 4, y + best[1] + h))
+    by_height = sorted(range(len(points)), key=lambda k: (-spots[k][1], spots[k][0]))
+    by_place = sorted(range(len(points)), key=lambda k: spots[k])
+    orders = by_height, by_height[::-1], by_place, by_place[::-1]  # one that comes first may stand in another's way
+    _, placed = min(map(place, orders), key=lambda found: found[0])
+    for k, (x0, y0, _, _) in placed.items():
+        notes[k][0].set_position((x0 + 4 - spots[k][0], y0 - spots[k][1]))
+
+
+def _label_cost(
+    box: PointsBox,
+    spot: tuple[float, float],
+    others: Sequence[PointsBox],
+    lines: Sequence[PointsBox],
+    dot: PointsBox,
+    rim: PointsBox,
+) -> float:
+    """Return how bad a place for a label is: covered area, crossed labels, dots and lines, overhang, distance.
+
+    `others`: the boxes of other labels and dots; `lines`: (x0, y0, x1, y1) from other labels to their dots.
+    """
+    middle = _middle_of(box)
+    covered = sum(_shared_area(box, other) for other in (*others, dot))
+    crossed = sum(clip_segment(*middle, *spot, *other) is not None for other in others)
+    crossed += sum(clip_segment(*line, *box) is not None for line in lines)
+    out = sum(max(0.0, rim[i] - box[i]) + max(0.0, box[i + 2] - rim[i + 2]) for i in (0, 1))
+    return covered * 10 + crossed * 100 + out * 50 + abs(middle[0] - spot[0]) / 2 + abs(middle[1] - spot[1])
+
+
+def _middle_of(box: PointsBox) -> tuple[float, float]:
+    """Return the middle of a box."""
+    return (box[0] + box[2]) / 2, (box[1] + box[3]) / 2
 
 
 def _label_offsets(w: float, h: float) -> Iterator[tuple[float, float]]:

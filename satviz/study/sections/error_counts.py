@@ -1,7 +1,7 @@
 """Counts of wrong answers: every method on pairs of every kind of hardness, and a summary of each method.
 
-`speed_against_accuracy` and `errors_by_margin` draw these counts by the relative margin: how hard a pair is for floats,
-as its distance from a wrong answer in rounding errors.
+`speed_against_accuracy` and `errors_by_margin` draw these counts by the relative margin: how far the deciding number is
+from 0, in rounding errors.
 """
 
 from functools import partial

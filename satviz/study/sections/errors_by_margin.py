@@ -86,7 +86,7 @@ def error_rate_chart(found: dict[str, Any]) -> Chart:
         label_ends(touch_ax, [*ends, *((0, 0.0, words, theme.roles["guide"]) for words in zeros)], gap=15)
         ax.set(
             xlim=(-2.5, max(MARGIN_OCTAVES) + 1),
-            xlabel="relative margin (distance from a wrong answer, in rounding errors)",
+            xlabel="relative margin (how far the deciding number is from 0, in rounding errors)",
         )
         ax.set_xticks(range(0, 36, 5), [f"$2^{{{k}}}$" for k in range(0, 36, 5)])
 

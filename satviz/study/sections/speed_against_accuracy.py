@@ -1,7 +1,7 @@
 """Speed against accuracy: how wrong each method was in a sample of hard pairs, and its time for a pair.
 
 Methods are ranked by the largest relative margin at which they were wrong.  The relative margin says how hard a pair is
-for floats: it is the distance from a wrong answer, in rounding errors.  A rate of wrong answers would depend on how the
+for floats: how far the deciding number is from 0, in rounding errors.  A rate of wrong answers would depend on how the
 pairs were made.  The largest margin of a sample is no bound: a search for the worst pairs finds larger ones.
 """
 
@@ -222,7 +222,7 @@ def _reading(rows: Sequence[JsonRow]) -> str:
     text += (
         f"{counts['least_an_octave']:,} for each factor of 2 of the relative margin) and {counts['touching']:,} that "
     )
-    text += "touch exactly. The relative margin is the distance from a wrong answer, in rounding errors. "
+    text += "touch exactly. The relative margin is how far the deciding number is from 0, in rounding errors. "
     text += "The margins that follow are the largest of this sample, and other pairs can be wrong at larger ones. "
     for row in sorted(by_lane[""], key=lambda row: -row["relative_margin"]):
         gap = f"{_gap_in_a_kilometre(row['relative_margin'])} in a kilometre"
