@@ -201,7 +201,7 @@ def certify_sat(a: AnyShape, b: AnyShape, form: Format) -> Relation | None:
 
 
 def certify_convex_sat(a: Shape, b: Shape, form: Format) -> Relation | None:
-    """Return the relation that SAT certainly finds on two convex shapes, or None."""
+    """Return the relation that SAT in floats of `form` must find on two convex shapes; None if not certain."""
     if a.core_is_point and b.core_is_point:
         return certify_circles((*a.core[0], a.radius), (*b.core[0], b.radius), form)
     if a.core_is_point or b.core_is_point:

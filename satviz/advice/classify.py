@@ -263,7 +263,7 @@ def _classify_polygons(p: Group, q: Group, form: Format) -> Relations:
 
 
 def _classify_circle_polygons(circle: Group, ring: Group, form: Format) -> Relations:
-    """Return the relations certainly found for circles and polygons, by distances and by ranges."""
+    """Return what the test in floats of `form` must answer for circles against convex polygons, or UNDECIDED."""
     assert circle.r is not None
     far = np.maximum(*(np.abs(c - d).max(axis=0) for c, d in ((ring.x, circle.x), (ring.y, circle.y))))
     rows = _number_rows(ring), _number_rows(circle)

@@ -28,7 +28,7 @@ Measure = Callable[[Group, Group], Array]
 
 
 def relative_margins(a: Shapes, b: Shapes, pairs: ArrayLike | None = None) -> Array:
-    """Return the (K,) relative margins of many pairs, good to one part in fifty; 0 for touching pairs only.
+    """Return each pair's gap or overlap in roundings (K,), right to one part in fifty; 0 only if touching.
 
     a, b: batch shapes paired row by row, or by the (K, 2) indices `pairs`, as in `batch.relate`.
     """
@@ -62,7 +62,7 @@ def signed_relative_margins(
 
 
 def edge_clearances(own: Group, other: Group) -> Iterator[tuple[Array, Array]]:
-    """Yield (clearance, span) for each edge of `own`: least turn of the other's corners, larger component."""
+    """Yield per edge of `own`: least orientation determinant of the other's corners, larger side of the edge."""
     for e in range(len(own.x)):
         x, y = own.x[e - 1], own.y[e - 1]
         nx, ny = own.y[e] - y, x - own.x[e]

@@ -66,7 +66,7 @@ def _max_coordinate(shape: Shape, k: int) -> int:
 
 
 def edge_clearances(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Iterator[tuple[int, int]]:
-    """Yield (clearance of `points`, span) for each edge of a ring; the first edge leads to the first corner."""
+    """Yield (least orientation determinant of the points, larger side) of each edge; the first ends at ring[0]."""
     px, py = ring[-1]
     for qx, qy in ring:
         nx, ny = qy - py, px - qx

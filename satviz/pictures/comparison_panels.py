@@ -89,6 +89,7 @@ def digits_panel(exact: bool) -> Panel:
     """Return the panel that draws where B's vertices land on the normal of its first edge, to the last digit."""
 
     def panel(trace: Trace, largest: tuple[float, float]) -> Sketch:
+        """Draw where B's vertices land on the normal of its first edge, with the digits of the furthest ones."""
         test = next((test for test in trace.tests if test.source == FIRST_EDGE_OF_B), None)
         sketch = start_sketch(trace, largest, [test] if test else [])
         if test is None:
@@ -114,6 +115,7 @@ def dots_panel(every_pair: bool) -> Panel:
     """Return the panel that draws a few dots for many shapes: each by itself, or joined to every other one."""
 
     def panel(trace: Trace, largest: tuple[float, float]) -> Sketch:
+        """Draw a ring of dots, and how many pairs or tests they make; nothing is drawn of the trace."""
         x0, y0, x1, y1 = 0.0, 0.0, 300.0, 220.0
         sketch = Sketch(trace, Layout((x0, y0, x1, y1), (x1, y1), ()))
         turns = [2 * pi * (i + 0.5) / DOT_COUNT for i in range(DOT_COUNT)]

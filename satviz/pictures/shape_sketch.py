@@ -86,7 +86,7 @@ class ShapeSketch:
         return name, shape
 
     def named_polygon(self, role: str | None) -> tuple[str, Polygon]:
-        """Return the name and the polygon of a role that is known to have edges and vertices."""
+        """Return the name and the shape of "A", or of B for any other role; the shape must be a Polygon."""
         name, shape = self.named_shape(role)
         assert isinstance(shape, Polygon)
         return name, shape

@@ -87,7 +87,7 @@ class Sketch(ShapeSketch):
         return n if describe.points_outward(self.trace, axis) else Vec(-n.x, -n.y)
 
     def normal(self, test: AxisTest, *, named: bool = False) -> None:
-        """Draw the axis's direction as an arrow where it comes from; `named` adds it as a vector."""
+        """Draw the axis's direction as an arrow where it comes from; `named` adds its label (a normal in numbers)."""
         arrow = self.normal_arrow(test)
         if arrow is None:
             return

@@ -162,9 +162,7 @@ def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut
         keys(skip, f"{where}.skipped[{i}]", {"axis", "reason"})
         reason = typed(skip["reason"], f"{where}.skipped[{i}].reason", str)
         if reason not in reasons:
-            raise InvalidScene(
-                f"{where}.skipped[{i}].reason is {short_repr(reason)}: no reason to leave out one of these axes"
-            )
+            raise InvalidScene(f"{where}.skipped[{i}].reason is {short_repr(reason)}: not a reason that satviz gives")
         skipped.append(Skip(_parse_axis(skip["axis"], f"{where}.skipped[{i}].axis", known), *reasons[reason]))
     if len(lists["tests"]) > len(found):
         raise InvalidScene(f"{where}.tests has more tests than there are axes")

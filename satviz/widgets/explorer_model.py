@@ -136,7 +136,7 @@ class ExplorerModel(PlayerModel):
         degree, pinned = _number(content.get("degree"), "the angle"), content.get("pinned")
         largest = canvas_size(_number(content.get("width"), "the width"))
         if pinned is not None and not isinstance(pinned, int):
-            raise InvalidScene("the axis shown must be a row's number")
+            raise InvalidScene("pinned must be the number of a row in the table of axes, or null")
         text = content.get("scene")
         begun = self.scene if text in (None, self._begun) else Scene.from_json(typed(text, "the scene", str))
         changed = replace(begun, a=a, b=b)

@@ -58,7 +58,7 @@ def challenge_start(goal: str, shown: Scene) -> Scene:
         return shown
     start = start_where_right(NAMED[shown.axes]) if goal == BREAK else next(s for g, s in challenges() if g == goal)
     if start is None:
-        raise InvalidScene("no place is near where this shortcut is right, so there is nothing to break")
+        raise InvalidScene("this shortcut is wrong at every place near this scene: choose another scene to break")
     return start
 
 
@@ -74,7 +74,7 @@ def challenges() -> Iterator[tuple[str, Scene]]:
 
 
 def start_where_right(row: FailureCase) -> Scene | None:
-    """The row's scene with B moved to where the shortcut happens to be right; None where no such place is near."""
+    """Return the row's scene with B moved to where the shortcut is right; None if no such place is near."""
     a, b = row.shapes
     x0, y0, x1, y1 = bounding_box([a, b])
     step = float(f"{max(x1 - x0, y1 - y0) / 4:.1g}")

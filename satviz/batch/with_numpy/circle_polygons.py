@@ -190,7 +190,7 @@ def _keep_inner_feet(
 
 
 def _signs_of_sums(pairs: Products, more: Array, plain: NDArray[np.bool_]) -> Signs:
-    """Return the signs of products plus `more` (exactly 0 where `plain`), or UNKNOWN where too near to 0."""
+    """Return the signs of products plus `more`, or UNKNOWN near 0; where the mask `plain` holds, `more` is 0."""
     total, off, terms = exact_signs.sum_with_error(pairs, more)
     found = exact_signs.certified_sign(total, off)
     rest = np.flatnonzero(found == 0)

@@ -63,7 +63,7 @@ def _without_gap(rings: Sequence[ConvexRing], u: Vec, ranges: Sequence[Interval]
 
 
 def _moves_without_gap(a: Shape, b: Shape, shortcut: Shortcut, axis: Axis) -> list[Interval]:
-    """Return how far B may move along the axis, as ranges, so that the shortcut finds no gap on it.
+    """Return the ranges of B's moves along the axis for which the shortcut finds no gap on it.
 
     A range can only end where a landing of A meets one of B, with its own sign or the opposite one.  Between two
     neighbouring ends one measurement decides.

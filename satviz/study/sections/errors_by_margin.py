@@ -149,7 +149,7 @@ def hardness_chart(found: dict[str, Any]) -> Chart:
         ax = add_axes(fig, (160 / size[0], 16 / size[1], wide / size[0], tall / size[1]), theme)
 
         def entry(y: int, x: int) -> tuple[str, str, float]:
-            """Return the text, colour and strength of the table's field in row y and column x."""
+            """Return the text, the colour and its strength (0 to 1) for the table's field in row y and column x."""
             row = counts[ALL_KINDS[y].name, names[x]]
             shade, margin = family_colour(theme, row["family"]), row["relative_margin"]
             if not margin:

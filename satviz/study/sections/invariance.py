@@ -82,7 +82,7 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
         ax = add_axes(fig, (0.2, 12 / size[1], 0.785, tall / size[1]), theme)
 
         def entry(y: int, x: int) -> tuple[str, str, float]:
-            """Return the text, colour and strength of the table's field in row y and column x."""
+            """Return the text, the colour and its strength (0 to 1) for the table's field in row y and column x."""
             share = changed[names[y], list(CHANGES)[x]] / pairs
             text = f"{share:.1%}" if share >= 0.0005 else "under 0.1%"
             return text if share else "none", family_colour(theme, families[names[y]]), share

@@ -165,7 +165,7 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
         ax = add_axes(fig, (0.33, 0.04, 0.66, 0.6), theme)
 
         def entry(y: int, x: int) -> tuple[str, str, float]:
-            """Return the text, colour and strength of the table's field in row y and column x."""
+            """Return the text, the colour and its strength (0 to 1) for the table's field in row y and column x."""
             (scene, key, _), (name, k) = MEASURES[y], columns[x]
             value = measured[scene, name, k][key]
             if key == "noise":
