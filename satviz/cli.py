@@ -37,7 +37,7 @@ SEED = _whole_number(0, 2**63 - 1)
 
 
 def _folder(text: str) -> Path:
-    """Return the path of a folder; an empty text (an unset variable) is refused: it would scatter files here."""
+    """Return the path of a folder; refuse an empty text (an unset variable), which would mean this folder."""
     if not text:
         raise argparse.ArgumentTypeError("a folder's name is empty: write . for this one")
     return Path(text)
@@ -52,7 +52,7 @@ class Parser(argparse.ArgumentParser):
         raise SystemExit(2)
 
     def _print_message(self, message: str, file: object = None) -> None:
-        """Print help and version by the functions of `terminal`."""
+        """Print help and version by `terminal.out`, which reports a stream that cannot be written."""
         out(message.rstrip("\n"))  # the help and the version, which argparse would lose where they cannot be written
 
 
@@ -226,7 +226,7 @@ def _add_scene_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_output_options(parser: argparse.ArgumentParser, out: str, formats: Sequence[str]) -> None:
-    """Add the options of commands that write files."""
+    """Add the options of commands that write files; `out`: the default folder, `formats`: choices."""
     parser.add_argument("--out", type=_folder, metavar="DIR", help=f"the folder to write to (default: {out})")
     parser.add_argument("--format", action="append", choices=formats, help="may be given several times (default: svg)")
     parser.add_argument("--theme", choices=THEMES, help="(default: light)")
@@ -235,7 +235,7 @@ def _add_output_options(parser: argparse.ArgumentParser, out: str, formats: Sequ
 
 
 def _clash_of_draw(args: argparse.Namespace) -> str | None:
-    """Return which options of `draw` cannot be given together, as an error line, or None."""
+    """Return an error line for options of `draw` that cannot be given together, or None."""
     formats = set(args.format or ["svg"])
     if args.site is not None and "link" not in formats:
         return "--site is where a link leads: give it with --format link"
@@ -258,17 +258,17 @@ def _clash_of_chart(args: argparse.Namespace) -> str | None:
 
 
 def _clash_of_bench(args: argparse.Namespace) -> str | None:
-    """Return which options of `bench` cannot be given together, as an error line, or None."""
+    """Return an error line for options of `bench` that cannot be given together, or None."""
     if args.quick and (given := _first_given(args, "pairs", "rounds")):
         return f"--quick sets the pairs and the rounds: give it without {given}"
     return _clash_of_chart(args)
 
 
 def _clash_of_site(args: argparse.Namespace) -> str | None:
-    """Return which options of `site` cannot be given together, as an error line, or None."""
+    """Return an error line for options of `site` that cannot be given together, or None."""
     return "--still has no Python in the page: give it without --pyodide" if args.still and args.pyodide else None
 
 
 def _first_given(args: argparse.Namespace, *names: str) -> str | None:
-    """Return the first of these options that was given, as it is written."""
+    """Return the first of the named options that was given, with its dashes ("--out"); None if none was."""
     return next((f"--{name}" for name in names if getattr(args, name)), None)

@@ -52,7 +52,7 @@ def _load(args: argparse.Namespace) -> "Scene":
 
 
 def _did_you_mean(name: str, known: Iterable[str]) -> str:
-    """Return the end of an error line: the known name that is most like this one, or all of them."""
+    """Return the end of an error line: the known name most like `name`, or all known names."""
     from difflib import get_close_matches
 
     near = get_close_matches(name, known, n=1)
@@ -75,7 +75,7 @@ def figures(args: argparse.Namespace) -> int:
 
 
 def _single(make: "Callable[[], Picture]") -> "list[Picture]":
-    """Return the picture that `make` draws as the only one of a file."""
+    """Return a list of the one picture that `make` draws, as `_job` expects it."""
     return [make()]
 
 
@@ -121,7 +121,7 @@ def draw(args: argparse.Namespace) -> int:
 
 
 def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawable:
-    """Return the picture of a scene whose outlines are refused; Refused for options that need a run."""
+    """Return the drawing of a scene whose outlines are refused; Refused for options that need a run."""
     from .pictures.comparison import refused_picture
     from .render.page import page_of_refused
 
@@ -135,7 +135,7 @@ def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawabl
 
 
 def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
-    """Return the pictures of a scene's run, with --sheet, --steps and --caption; Refused if it cannot be drawn."""
+    """Return a run's drawings under --sheet, --steps and --caption; Refused if it cannot be drawn."""
     from .pictures import picture, steps
     from .pictures.caption import add_captions
     from .pictures.sheet import sheet
@@ -149,7 +149,7 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
     count = len(steps(trace))
 
     def still(step: int) -> "Sequence[Picture]":
-        """Return the picture of a step, with its sentence below it if --caption asks for that."""
+        """Return a list of the picture of one step, captioned with its sentence under --caption."""
         drawn = [picture(trace, step, title=scene.title)]
         return add_captions(drawn) if args.caption else drawn
 
@@ -171,7 +171,7 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
 
 
 def _page(drawable: _Drawable) -> bytes:
-    """Return the page's file; Refused where the run has too many steps for a page."""
+    """Return the bytes of the HTML page; Refused where the run has too many steps for a page."""
     try:
         return drawable.page().encode()
     except ValueError as error:
@@ -179,7 +179,7 @@ def _page(drawable: _Drawable) -> bytes:
 
 
 def _job(args: argparse.Namespace, stem: str, form: str, make: "Pictures") -> "Job":
-    """Return the file of these pictures in --out and --theme; the names of the dark theme's files end in -dark."""
+    """Return a file's path in --out and the function that makes its bytes; dark files' names end in -dark."""
     from .pictures import LIGHT, THEMES
     from .render.files import encode_frames
 
@@ -190,9 +190,9 @@ def _job(args: argparse.Namespace, stem: str, form: str, make: "Pictures") -> "J
 
 
 def _write(args: argparse.Namespace, jobs: "Sequence[Job]") -> int:
-    """Make and write each file, after checking that all of them can be written; say what warnings came up."""
+    """Make and write each file once all are known to be writable; print warnings; return exit code 0."""
     paths = [path for path, _ in jobs]
-    safe_write.folder(args.out)
+    safe_write.make_folder(args.out)
     for path in paths:
         safe_write.check(path, force=args.force)
     with warnings.catch_warnings(record=True) as caught:
@@ -216,16 +216,16 @@ def _progress(paths: Sequence[Path]) -> Iterator[Path]:
 
 
 def notebook(args: argparse.Namespace) -> int:
-    """Copy the walkthrough beside the reader, not yet run, and open it."""
+    """Copy the walkthrough's notebooks, without outputs, to a folder, and open them in JupyterLab."""
     from importlib.util import find_spec
 
     from .site.shipped import shipped_notebooks
 
     sources = shipped_notebooks()
-    safe_write.folder(args.out)
+    safe_write.make_folder(args.out)
     for source in sources:
         copy, data = args.out / source.name, _not_yet_run(source.read_bytes())
-        if os.path.lexists(copy) and not _holds(copy, data) and not args.force:
+        if os.path.lexists(copy) and not _has_content(copy, data) and not args.force:
             say(f"{copy} was changed and is left alone (overwrite it with --force)")
         else:
             safe_write.write(copy, data, force=True)
@@ -253,8 +253,8 @@ def _not_yet_run(data: bytes) -> bytes:
     return (json.dumps(notebook, indent=1, ensure_ascii=False) + "\n").encode()
 
 
-def _holds(path: Path, data: bytes) -> bool:
-    """Return whether a file, not a link, with exactly this content exists."""
+def _has_content(path: Path, data: bytes) -> bool:
+    """Return whether the path is a file, not a link, with exactly this content."""
     return path.is_file() and not path.is_symlink() and path.read_bytes() == data
 
 
@@ -273,7 +273,7 @@ def _jupyterlab(folder: Path) -> int:
 
 
 def trace(args: argparse.Namespace) -> int:
-    """Print the record of a scene, as a table or as JSON."""
+    """Print the trace of a scene, as a table or as JSON."""
     from shutil import get_terminal_size
 
     from .engine import text_table
@@ -314,7 +314,7 @@ def advise(args: argparse.Namespace) -> int:
             chart = recommendation.chart()
         except ValueError as error:
             raise Refused(str(error)) from None
-        safe_write.folder(args.chart)
+        safe_write.make_folder(args.chart)
         for theme in ("light", "dark"):
             for form in ("svg", "png"):
                 path = args.chart / f"advice{'' if theme == 'light' else '-dark'}.{form}"
@@ -371,7 +371,7 @@ def bench(args: argparse.Namespace) -> int:
 
 
 def study(args: argparse.Namespace) -> int:
-    """Run the sections asked for, and write their tables and charts."""
+    """Run the study's cells that are not finished, and write its charts and tables into --out."""
     from tqdm import tqdm
 
     from .study.harness.cells import Settings
@@ -385,7 +385,7 @@ def study(args: argparse.Namespace) -> int:
         bar = stack.enter_context(tqdm(unit="cell", disable=None, leave=False, file=sys.stderr))
 
         def progress(done: int, total: int, name: str) -> None:
-            """Print the section that is being worked on."""
+            """Show in the bar how many cells are done and the latest cell's name; stop at an interrupt."""
             bar.total = total
             bar.set_postfix_str(name, refresh=False)
             bar.update(done - bar.n)
@@ -400,7 +400,7 @@ def study(args: argparse.Namespace) -> int:
 
 
 def reference(args: argparse.Namespace) -> int:
-    """Write the pages of the reference."""
+    """Write the HTML pages of the API reference into --out."""
     from .site.reference import reference
 
     try:
@@ -432,8 +432,8 @@ def site(args: argparse.Namespace) -> int:
 
 
 def _write_all(args: argparse.Namespace, files: Mapping[str, bytes]) -> None:
-    """Write the files, named by their paths in --out, after checking that all of them can be written."""
-    safe_write.folder(args.out)
+    """Write files, given as path in --out -> bytes, after checking that all of them can be written."""
+    safe_write.make_folder(args.out)
     for path in files:
         safe_write.check(args.out / path, force=args.force)
     for path, data in files.items():

@@ -51,7 +51,7 @@ def _is_made_by_satviz(path: Path) -> bool:
     return bool(mark) and (mark in head or mark in tail)
 
 
-def folder(path: Path) -> None:
+def make_folder(path: Path) -> None:
     """Make the folder if it does not exist; NotADirectoryError if a file has its name."""
     try:
         path.mkdir(parents=True, exist_ok=True)
@@ -62,7 +62,7 @@ def folder(path: Path) -> None:
 def write(path: Path, data: bytes, *, force: bool = False) -> None:
     """Write the bytes whole or not at all; FileExistsError as in `check`, any other OSError names the file."""
     check(path, force=force)
-    folder(path.parent)
+    make_folder(path.parent)
     beside = path.with_name(f".{path.name}.{os.getpid()}-{get_ident()}.part")
     try:
         with beside.open("xb") as file:

@@ -14,7 +14,7 @@ _interrupted = False
 
 
 def open_streams() -> None:
-    """Replace streams that were closed at the start, and let no letter fail that a stream cannot show.
+    """Replace streams closed at the start, and write letters that a stream cannot encode as escapes.
 
     In the order of their numbers: else the next file opened would get the number of a closed stream.
     """
@@ -27,12 +27,12 @@ def open_streams() -> None:
 
 
 def visible(text: str) -> str:
-    """Return the text with control characters as escapes: a file's name or a label must not steer the terminal."""
+    """Return the text with control characters escaped, since a name or label must not steer the terminal."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
 def say(text: str) -> None:
-    """Print one line on standard error, a very long one cut in its middle; a closed stream is ignored."""
+    """Print one line on standard error, cut in its middle if very long; a closed stream is ignored."""
     line = visible(text)
     if len(line) > MAX_MESSAGE_LETTERS:
         line = f"{line[: MAX_MESSAGE_LETTERS // 2]} ... {line[-MAX_MESSAGE_LETTERS // 2 :]}"
@@ -46,13 +46,13 @@ def out(text: str) -> None:
 
 
 def out_json(text: str) -> None:
-    """Print JSON on standard output; what the stream cannot hold or must not show is escaped as JSON escapes."""
+    """Print JSON on standard output; letters that the stream cannot encode or must not show are JSON-escaped."""
 
-    def plain(c: str) -> bool:
-        """Return a character, or its JSON escape."""
+    def is_plain(c: str) -> bool:
+        """Return whether a character can be printed as it is, without a JSON escape."""
         return c == "\n" or (c.isprintable() and (c.isascii() or _can_encode(c)))
 
-    _print("".join(c if plain(c) else json.dumps(c)[1:-1] for c in text))
+    _print("".join(c if is_plain(c) else json.dumps(c)[1:-1] for c in text))
 
 
 def _can_encode(c: str) -> bool:
@@ -75,7 +75,7 @@ def _print(text: str) -> None:
 
 
 def _on_interrupt(number: int, frame: FrameType | None) -> None:
-    """Remember the interrupt and raise KeyboardInterrupt."""
+    """Record that an interrupt came, and raise KeyboardInterrupt."""
     global _interrupted
     _interrupted = True
     raise KeyboardInterrupt
@@ -83,7 +83,7 @@ def _on_interrupt(number: int, frame: FrameType | None) -> None:
 
 @contextmanager
 def remembering_interrupts(*, to_the_end: bool) -> Iterator[None]:
-    """Remember that an interrupt came, since KeyboardInterrupt vanishes when it is raised in a callback.
+    """Record each interrupt, since KeyboardInterrupt vanishes when it is raised in a callback.
 
     `to_the_end`: the process has nothing to do afterwards, so that a later one just ends it.
     """
@@ -106,7 +106,7 @@ def remembering_interrupts(*, to_the_end: bool) -> Iterator[None]:
 
 @contextmanager
 def interrupts_ignored() -> Iterator[None]:
-    """Leave interrupts to a started program that shares the terminal."""
+    """Ignore interrupts for a with block, while a started program that shares the terminal gets them."""
     mine = signal.getsignal(signal.SIGINT) is _on_interrupt
     if mine:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -123,6 +123,6 @@ def interrupted() -> bool:
 
 
 def stop_if_interrupted() -> None:
-    """Raise KeyboardInterrupt if one came and vanished."""
+    """Raise KeyboardInterrupt if an interrupt came earlier and its exception vanished."""
     if _interrupted:
         raise KeyboardInterrupt

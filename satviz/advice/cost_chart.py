@@ -10,7 +10,7 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 from matplotlib.transforms import Bbox
 
 from ..pictures import LIGHT, THEMES, Theme
-from ..render.files import bare, encode_figure
+from ..render.files import encode_figure, svg_without_header
 from ..render.formats import DPI
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
 from .costs import Cost
@@ -50,7 +50,7 @@ class Chart(NamedTuple):
 
     def svg(self) -> str:
         """Return the chart as text of one SVG element, for a page or a notebook."""
-        return bare(self.encode("svg"))
+        return svg_without_header(self.encode("svg"))
 
     def __repr__(self) -> str:
         return self.sentence

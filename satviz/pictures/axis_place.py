@@ -58,21 +58,21 @@ class AxisPlace(NamedTuple):
 def place_axes(
     shapes: Sequence[Shape], tests: Sequence[AxisTest], label_widths: Sequence[float], scale: float
 ) -> list[AxisPlace]:
-    """Return a place for each test's axis, each on the side of the shapes where it fits best beside those before it.
+    """Return one place per test's axis, each on the side where it fits best with the places chosen before it.
 
     `label_widths`: points that the labels of each test's ranges are wide; `scale`: points in a scene unit.
     """
     places: list[AxisPlace] = []
     for test, width in zip(tests, label_widths, strict=True):
         sides = both_sides(shapes, test, scale, width)
-        places.append(min(sides, key=lambda p: (_count_crossings(p, places), awkwardness(shapes, test, p))))
+        places.append(min(sides, key=lambda p: (_count_crossings(p, places), placement_penalty(shapes, test, p))))
     return places
 
 
 def both_sides(
     shapes: Sequence[Shape], test: AxisTest, scale: float, label_width: float = 0.0
 ) -> tuple[AxisPlace, AxisPlace]:
-    """Return the two places of an axis, on either side of the shapes.
+    """Return the two possible places of a test's axis, one on either side of the shapes.
 
     A label `label_width` points wide has space between the shapes and the axis; 0 means no label.
     """
@@ -98,7 +98,7 @@ def both_sides(
 
 
 def _unit_and_slide(shapes: Sequence[Shape], n: Vec, lo: float, hi: float) -> tuple[float, float]:
-    """Return the scene units in a unit of the axis, and how far its 0 is slid along it, in scene units.
+    """Return the scene units in a unit of the axis, and how far coordinate 0 is moved along the axis.
 
     They are 1 and 0 where the ranges, from lo to hi, lie near the shapes.  What a shortcut measures may lie far
     from them or be much larger; it would not fit on the shapes' own scale.
@@ -117,8 +117,8 @@ def _furthest(shapes: Sequence[Shape], direction: Vec) -> float:
     return max(range_along(shape, direction).hi for shape in shapes)
 
 
-def awkwardness(shapes: Sequence[Shape], test: AxisTest, place: AxisPlace) -> float:
-    """Return a penalty for an axis there, without unit.
+def placement_penalty(shapes: Sequence[Shape], test: AxisTest, place: AxisPlace) -> float:
+    """Return the penalty, without unit, of drawing a test's axis at `place`; the lower place is better.
 
     It should not widen the scene much, should lie near the shape whose edge it comes from (so that the drop
     lines of that shape pass no other shape), and below the shapes or to their left.
@@ -141,6 +141,6 @@ def _mean_coordinate(side: Projection, direction: Vec) -> float:
 
 
 def _count_crossings(place: AxisPlace, others: Sequence[AxisPlace]) -> int:
-    """Return how many of the other axes cross this one, measured on B's tracks."""
+    """Return how many of the other axes cross this one; the tracks of B's bars are compared."""
     mine = place.at(place.lo, "B"), place.at(place.hi, "B")
     return sum(segments_cross(mine, (o.at(o.lo, "B"), o.at(o.hi, "B"))) for o in others)

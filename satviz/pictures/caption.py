@@ -11,7 +11,7 @@ MIN_READING_MS, MS_PER_LETTER = 1000, 50
 
 
 def add_captions(pictures: Sequence[Picture]) -> list[Picture]:
-    """Return the pictures with their sentences as captions; all grow by the space of the highest caption."""
+    """Return the pictures with their sentences as captions; all grow by the height of the tallest caption."""
     texts = [wrap_text(picture.sentence, picture.size[0] - 2 * MARGIN_PT) for picture in pictures]
     space = max((text_size(text)[1] for text in texts), default=0.0) + MARGIN_PT
     return [_with_caption(picture, text, space) for picture, text in zip(pictures, texts, strict=True)]
@@ -23,7 +23,7 @@ def reading_time_ms(sentence: str) -> int:
 
 
 def _with_caption(picture: Picture, text: str, space: float) -> Picture:
-    """Return the picture grown downwards by `space` points, with the text there."""
+    """Return the picture made `space` points taller at the bottom, with the text there as a label."""
     x0, y0, x1, y1 = picture.limits
     middle = Vec((x0 + x1) / 2, y0 - text_size(text)[1] / 2 / picture.scale)
     label = Mark("caption", "label", "ink", (middle,), text=text)

@@ -16,7 +16,7 @@ ROUNDING = 1e-12  # numbers that differ by this part of the scene's size, or of 
 
 
 def is_about_push(trace: Trace) -> bool:
-    """Does the shortcut's answer depend on where it pushes B?"""
+    """Return whether the shortcut's answer depends on where it pushes B."""
     case, shortcut = case_of(trace.shortcut), trace.shortcut
     return case.is_about_push if case else bool(shortcut and (shortcut.push or shortcut.split))
 
@@ -31,7 +31,7 @@ class Answers(NamedTuple):
 
 @lru_cache(maxsize=64)
 def answers(trace: Trace) -> Answers:
-    """Return what a shortcut's run answers for its shapes beside what satviz answers."""
+    """Return what a shortcut answers for its shapes and what is right, in words, and whether the first is wrong."""
     assert trace.shortcut
     case = case_of(trace.shortcut)
     if case is None and trace.push and trace.hit and is_about_push(trace):
@@ -51,7 +51,7 @@ def answers(trace: Trace) -> Answers:
 
 
 def _contradicts(case: FailureCase, trace: Trace, claimed: float, actual: Answer) -> bool:
-    """Is the claimed number wrong?  A difference that may be rounding alone does not count, but a gap's sign does."""
+    """Return whether the claimed number is wrong: by more than rounding alone, or in the sign of a gap."""
     if isinstance(actual, str):
         return True
     if isinstance(actual, tuple):
@@ -66,13 +66,13 @@ def _contradicts(case: FailureCase, trace: Trace, claimed: float, actual: Answer
 
 
 def _size(trace: Trace) -> float:
-    """Return the largest length or absolute coordinate of the scene, to hold roundings against."""
+    """Return the scene's largest length or absolute coordinate, the scale for tolerances of rounding."""
     x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
     return max(x1 - x0, y1 - y0, *map(abs, (x0, y0, x1, y1)))
 
 
 def _is_shortest_way_out(trace: Trace, push: Vec, mtv: Vec) -> bool:
-    """Does a push end the overlap, and is the MTV no shorter, but for rounding?"""
+    """Return whether `push` ends the overlap and is no longer than the MTV, up to rounding."""
     if not is_near(trace, push):
         return False
     left = record(trace.a, translated(trace.b, push)).known_mtv or Vec(0.0, 0.0)
@@ -81,14 +81,14 @@ def _is_shortest_way_out(trace: Trace, push: Vec, mtv: Vec) -> bool:
 
 
 def verdict_words(trace: Trace) -> tuple[str, str]:
-    """Return the words above both panels: the claim and the relation, or those of the failing case itself."""
+    """Return the words above the two panels: claim and relation, or those that the failing case defines."""
     case = case_of(trace.shortcut)
     own = case.verdicts if case else None
     return (str(trace.claim), str(trace.relation)) if own is None else own
 
 
 def heading(trace: Trace) -> tuple[str, str]:
-    """Return the claim, and a sentence that says what is wrong with it or that it happens to be right."""
+    """Return two lines: the claim, and what is wrong with it or that it happens to be right."""
     assert trace.shortcut
     found = answers(trace)
     claim = f"Claim: {trace.shortcut.claim}."
@@ -98,6 +98,6 @@ def heading(trace: Trace) -> tuple[str, str]:
 
 
 def is_near(trace: Trace, move: Vec) -> bool:
-    """Is B, moved so, still near enough for both shapes to be seen in one picture?"""
+    """Return whether B, translated by `move`, is near enough to A for both to be seen in one picture."""
     x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
     return max(map(abs, move)) < 3 * max(x1 - x0, y1 - y0)

@@ -31,7 +31,7 @@ FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(TE
 # in points
 MAX_PANEL = 340.0, 300.0
 BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0  # between the panels, for each one's heading, around the words above
-BOTH = 2 * MAX_PANEL[0] + BETWEEN
+BOTH_PANELS_WIDTH_PT = 2 * MAX_PANEL[0] + BETWEEN
 MIN_PANEL = 170.0  # a smaller panel has no space for its words
 TALL = 1.5  # a canvas that is this many times as tall as wide has the panels one above the other
 
@@ -44,7 +44,7 @@ def picture(
     largest: tuple[float, float] = LARGEST_PT,
     by_itself: bool = False,
 ) -> Picture:
-    """Return the picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
+    """Return the picture of one step: a Step, or its number in `steps(trace)` (negative: from the end).
 
     `what` is a trace, or a scene (or its name).  A shortcut's trace gives two panels: the step as the shortcut
     takes it, and what is.  A failing scene whose outlines are refused has one picture, with the reason.
@@ -54,7 +54,7 @@ def picture(
     """
     found = resolve(what, expected=EXPECT_RUN)
     if found.refused:
-        width = BOTH if largest == LARGEST_PT else min(BOTH, largest[0])
+        width = BOTH_PANELS_WIDTH_PT if largest == LARGEST_PT else min(BOTH_PANELS_WIDTH_PT, largest[0])
         return refused_picture(found.refused, title=title, width=width)
     trace = found.trace
     if not trace.shortcut:
@@ -66,7 +66,7 @@ def picture(
 
 
 def _panel_size(largest: tuple[float, float]) -> tuple[tuple[float, float], bool]:
-    """Return the largest panel on a canvas, and whether the panels stand one above the other.
+    """Return the largest width and height of a panel, and whether the panels stand one above the other.
 
     Where the canvas has no space for both, the panels are larger than it has, and the whole is shown smaller.
     """
@@ -101,7 +101,7 @@ def _test_layout(trace: Trace, test: AxisTest, largest: tuple[float, float]) -> 
 
 @lru_cache(maxsize=64)
 def _claimed_step(trace: Trace, step: Step, largest: tuple[float, float]) -> Picture:
-    """Return a step of the shortcut's run; the last one shows its answer, struck out where it is wrong."""
+    """Return the claimed panel at one step of the shortcut's run; at the last one it shows the answer."""
     if step.stage is Stage.VERDICT:
         return _claimed_panel(trace, largest)
     run = trace if step.pair is None else trace.pairs[step.pair]
@@ -127,7 +127,7 @@ def _panels(trace: Trace) -> Panels:
 
 @lru_cache(maxsize=64)
 def _claimed_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
-    """Return what the shortcut's answer comes from, with the answer, struck out where it is wrong."""
+    """Return the panel of what the shortcut's answer comes from, with the answer, struck out if wrong."""
     draw = draw_pieces_panel if trace.pairs else PANELS[_panels(trace).claimed]
     sketch = draw(trace, largest)
     draw_answer(sketch, trace, "claim", verdict_words(trace)[0], answers(trace).claimed)
@@ -136,14 +136,14 @@ def _claimed_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
 
 @lru_cache(maxsize=64)
 def _actual_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
-    """Return what proves the truth, with the right answer."""
+    """Return the panel of what proves the truth, with the right answer."""
     sketch = PANELS[_panels(trace).actual](trace, largest)
     draw_answer(sketch, trace, "verdict", verdict_words(trace)[1], answers(trace).actual)
     return sketch.finish("", trace.truth.sentence, steady=False)
 
 
 def draw_answer(sketch: Sketch, trace: Trace, part: str, word: str, number: str) -> None:
-    """Draw a panel's verdict as the mark `part`, and its number unless this is the gap, which stands at its bar."""
+    """Write the verdict `word` as the label `part`, and `number` unless it is a gap (shown at its bar)."""
     if word:
         sketch.note(part, word, "ink", weight="title", first=1)
     case = case_of(trace.shortcut)
@@ -152,7 +152,7 @@ def draw_answer(sketch: Sketch, trace: Trace, part: str, word: str, number: str)
 
 
 def strike_wrong_answers(drawn: Picture, trace: Trace) -> Picture:
-    """Return the picture with a line through every answer that is wrong."""
+    """Return a claimed panel with a line through each label that states a wrong answer."""
     if not answers(trace).is_wrong:
         return drawn
     claim, verdict = verdict_words(trace)
@@ -169,7 +169,7 @@ def strike_wrong_answers(drawn: Picture, trace: Trace) -> Picture:
 
 
 def _strike(label: Mark, scale: float) -> Mark:
-    """Return a line through each line of a label."""
+    """Return the mark that strikes out a label: one segment through each line of its text."""
     (x, y), lines = label.points[0], label.text.split("\n")
     high = text_size(label.text, label.weight)[1] / len(lines) / scale
     ends: list[Vec] = []
@@ -182,7 +182,7 @@ def _strike(label: Mark, scale: float) -> Mark:
 # -- outlines that the engine refuses
 
 
-def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH) -> Picture:
+def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH_PANELS_WIDTH_PT) -> Picture:
     """Return the outlines of a failing case that the engine refuses, with the reason; `width` in points."""
     rings = [[Vec(*map(float, point)) for point in ring] for ring in case.raw_outlines]
     xs, ys = [p.x for ring in rings for p in ring], [p.y for ring in rings for p in ring]
@@ -211,7 +211,7 @@ def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH) 
 def _join(
     trace: Trace, claimed: Picture, actual: Picture, space: tuple[float, float], title: str, *, stacked: bool
 ) -> Picture:
-    """Return both panels under the claim, in points; each has the same space, so that all steps are equally large.
+    """Return one picture of both panels under the claim; each gets `space`, the same in all steps.
 
     `stacked`: the claimed panel stands above the actual one, not to its left.
     """
@@ -236,7 +236,7 @@ def _join(
 
 
 def _under_heading(words: tuple[str, str], width: float, low: float, below: Sequence[Mark], title: str) -> Picture:
-    """Return marks, in points and `low` points high, under the claim and the sentence that says what is wrong."""
+    """Return a picture of the marks `below` (in points, `low` high) under the two lines `words`."""
     claim, wrong = words
     space = width - 2 * RIM
     if text_size(wrong)[0] > space:

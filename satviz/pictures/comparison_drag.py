@@ -29,7 +29,7 @@ def drag_view(
     last_out: Vec | None = None,
     last_offsets: LabelOffsets | None = None,
 ) -> tuple[Picture, AxisPlace | None]:
-    """Return the picture of a shortcut's run while dragging, and where its axis was placed (None: none is shown).
+    """Return the picture of a shortcut's run while dragging, and the place of its axis (None: no axis shown).
 
     The picture shows what the shortcut measured in the chosen test, its answer and its error region.
     """
@@ -60,7 +60,7 @@ def drag_view(
 
 
 def error_region_marks(trace: Trace, layout: Layout) -> list[Mark]:
-    """Return marks where B's vertex mean has to be for a wrong answer, and a dot where it is; [] if nowhere."""
+    """Return marks of the positions of B's vertex mean that give a wrong answer, and of its position."""
     mean, found = vertex_mean(trace.b), _error_region(trace, layout)
     if isinstance(found, str):
         return []
@@ -87,7 +87,7 @@ def describe_error_region(trace: Trace, layout: Layout) -> str:
 
 
 def _error_region(trace: Trace, layout: Layout) -> RegionOrReason:
-    """Return the error region of a shortcut's run on the canvas, or why there is none."""
+    """Return the error region of a shortcut's run within the canvas, or the reason why there is none."""
     assert trace.shortcut
     return _cached_region(trace.a, trace.b, trace.shortcut, layout.limits)
 

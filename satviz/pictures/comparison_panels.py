@@ -36,14 +36,14 @@ MOVE = Vec(*map(float, FLIGHT))  # how far A flies in one frame
 
 
 def draw_pieces_panel(trace: Trace, largest: tuple[float, float]) -> Sketch:
-    """Draw A in the pieces that are taken one by one, and where each would push B."""
+    """Draw A as the pieces that the shortcut takes one by one, and each piece's push of B."""
     sketch = Sketch(trace, _layout_of_pieces(trace, largest))
     draw_pieces(sketch)
     return sketch
 
 
 def draw_pieces(sketch: Sketch) -> None:
-    """Draw on a sketch A in its pieces, and where each would push B."""
+    """Draw, on a given sketch, A as the shortcut's pieces, and each piece's push of B."""
     trace = sketch.trace
     for pair in trace.pairs:
         sketch.shape("A", pair.names.a, pair.a)
@@ -60,7 +60,7 @@ def draw_pieces(sketch: Sketch) -> None:
 
 
 def draw_separating_directions(trace: Trace, largest: tuple[float, float]) -> Sketch:
-    """Draw the first and the last direction that separates, and three between, as arrows from the middle of the gap."""
+    """Draw 5 arrows from the middle of the gap: the outermost separating directions, 3 between."""
     if trace.truth.pairs:
         return draw_shapes(trace, largest)
     test = max(trace.truth.tests, key=lambda test: test.gap)
@@ -86,10 +86,10 @@ def draw_separating_directions(trace: Trace, largest: tuple[float, float]) -> Sk
 
 
 def digits_panel(exact: bool) -> Panel:
-    """Return the panel that draws where B's vertices land on the normal of its first edge, to the last digit."""
+    """Return a panel of B's points landing on its first edge's normal, in all digits, rounded or exact."""
 
     def panel(trace: Trace, largest: tuple[float, float]) -> Sketch:
-        """Draw where B's vertices land on the normal of its first edge, with the digits of the furthest ones."""
+        """Draw the normal as an axis, the drops of B, and the highest landings with all their digits."""
         test = next((test for test in trace.tests if test.source == FIRST_EDGE_OF_B), None)
         sketch = start_sketch(trace, largest, [test] if test else [])
         if test is None:
@@ -112,10 +112,10 @@ def digits_panel(exact: bool) -> Panel:
 
 
 def dots_panel(every_pair: bool) -> Panel:
-    """Return the panel that draws a few dots for many shapes: each by itself, or joined to every other one."""
+    """Return a panel of 12 dots that stand for shapes; `every_pair` joins each dot to every other one."""
 
     def panel(trace: Trace, largest: tuple[float, float]) -> Sketch:
-        """Draw a ring of dots, and how many pairs or tests they make; nothing is drawn of the trace."""
+        """Draw the dots, the lines between them if wanted, and how many tests or pairs there are."""
         x0, y0, x1, y1 = 0.0, 0.0, 300.0, 220.0
         sketch = Sketch(trace, Layout((x0, y0, x1, y1), (x1, y1), ()))
         turns = [2 * pi * (i + 0.5) / DOT_COUNT for i in range(DOT_COUNT)]
@@ -134,7 +134,7 @@ def dots_panel(every_pair: bool) -> Panel:
 
 
 def draw_support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
-    """Draw B - A, and a triangle of its support points round the origin, which GJK finds at best."""
+    """Draw B - A, the origin, and the fewest support points GJK may need: 3 for a hit, 1 for a miss."""
     corners = [Vec(q.x - p.x, q.y - p.y) for p in trace.a.vertices for q in trace.b.vertices]
     if len(corners) < 3:
         return draw_shapes(trace, largest)
@@ -180,13 +180,13 @@ def _support(points: Sequence[Vec], n: Vec) -> Vec:
 
 
 def _holds_origin(ring: Sequence[Vec]) -> bool:
-    """Does the origin lie strictly inside a convex ring, whichever way it winds?"""
+    """Return whether the origin lies strictly inside a convex ring of either winding order."""
     turns = [p.x * q.y - p.y * q.x for p, q in zip(ring, (*ring[1:], ring[0]), strict=True)]
     return min(turns) > 0 or max(turns) < 0
 
 
 def draw_axes_of_sat(trace: Trace, largest: tuple[float, float]) -> Sketch:
-    """Draw the axes that SAT tests until its verdict is certain; of more than three the one of the largest gap."""
+    """Draw the axes that SAT tests until it is certain; of more than 3 only that of the largest gap."""
     run = record(trace.a, trace.b)
     tests = run.tests if len(run.tests) <= MAX_AXES else (_best_test(run),)
     sketch = start_sketch(run, largest, tests)
@@ -198,7 +198,7 @@ def draw_axes_of_sat(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 
 def draw_two_frames(trace: Trace, largest: tuple[float, float]) -> Sketch:
-    """Draw A in this frame and in the next, and the gap that is left in both."""
+    """Draw A in this frame and, faintly, in the next one, and the gap on an axis in this frame."""
     test = trace.ended_by or trace.tests[0]
     after = translated(trace.a, MOVE)
     sketch = start_sketch(replace(trace, tests=(test,)), largest, [test], also=after)
@@ -209,7 +209,7 @@ def draw_two_frames(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 
 def draw_flight(trace: Trace, largest: tuple[float, float]) -> Sketch:
-    """Draw A on its way, where it first and last meets B."""
+    """Draw A's path in one frame as an arrow, and A where it first and last touches B, with the times."""
     test = trace.ended_by or trace.tests[0]
     sketch = start_sketch(trace, largest, [test], also=translated(trace.a, MOVE))
     start = centroid(trace.a)
@@ -225,7 +225,7 @@ def draw_flight(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 
 def draw_distance(trace: Trace, largest: tuple[float, float]) -> Sketch:
-    """Draw the nearest points, and the segment between them."""
+    """Draw both shapes and, if they are apart, the shortest segment between them with its length."""
     p, q = _nearest_points(trace.a, trace.b)
     sketch = start_sketch(trace, largest, [_best_test(trace)])
     if not trace.truth.hit:
@@ -236,7 +236,7 @@ def draw_distance(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 
 def _nearest_points(a: Shape, b: Shape) -> tuple[Vec, Vec]:
-    """Return a point of each shape, nearest to each other if the shapes are apart; rounded."""
+    """Return the nearest points of A and B in float64; they mean something only for shapes apart."""
     pairs = [(p, _nearest_on_edge(p, edge)) for p in _closed_ring(a) for edge in pairwise(_closed_ring(b))]
     pairs += [(_nearest_on_edge(q, edge), q) for q in _closed_ring(b) for edge in pairwise(_closed_ring(a))]
     p, q = min(pairs, key=lambda pair: hypot(pair[1].x - pair[0].x, pair[1].y - pair[0].y))
@@ -264,7 +264,7 @@ def draw_shapes(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 
 def _layout_of_pieces(trace: Trace, largest: tuple[float, float]) -> Layout:
-    """Return a layout with space for every push of a piece, and for words above."""
+    """Return a layout with space for B where each piece pushes it, and for words above the shapes."""
     shapes = [trace.a, trace.b, *(translated(trace.b, pair.mtv) for pair in trace.pairs if pair.mtv)]
     x0, y0, x1, y1 = bounding_box(shapes)
     words = box(x0, y1, x1, y1 + (y1 - y0) / 5)

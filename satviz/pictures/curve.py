@@ -104,7 +104,7 @@ def _axis_degree(axis: Axis) -> float:
 
 
 def _segments_on_side(points: Sequence[tuple[float, float]], side: int) -> list[tuple[float, float]]:
-    """Return the parts of the curve above (side 1) or below (-1) zero as segments, two ends for each."""
+    """Return the parts of the curve above (side 1) or below (-1) zero, as a flat list of segment ends."""
     found = []
     for (d, g), (e, h) in pairwise(points):
         if g * side > 0 or h * side > 0:
@@ -116,7 +116,7 @@ def _segments_on_side(points: Sequence[tuple[float, float]], side: int) -> list[
 
 
 def _short_axis_label(axis: Axis, a: Shape, b: Shape) -> str:
-    """Return a label short enough for a dot: the axis's edge or vertex, "x", "y" or "centers"."""
+    """Return a label short enough for a dot: the names of the axis's vertices, "x", "y" or "centers"."""
     kind, role, ids = axis.source
     if role:
         shape = a if role == "A" else b
@@ -125,7 +125,7 @@ def _short_axis_label(axis: Axis, a: Shape, b: Shape) -> str:
 
 
 def _sentence(a: Shape, b: Shape, best: tuple[float, float], candidates: Sequence[tuple[float, float, Axis]]) -> str:
-    """Return the curve in words; `best` is its highest point, `candidates` are (degree, gap, axis)."""
+    """Return a sentence about the curve; `best`: its highest point, `candidates`: (degree, gap, axis)."""
     (at, gap), digits = best, number_format.digits_for_shapes(a, b)
     top = max(candidates, key=lambda c: c[1])
     name = describe.axis_name(top[2], (a, b), DEFAULT_NAMES)

@@ -25,7 +25,7 @@ arrange = partial(layout.arrange, pad=NARROW_PAD_PT)
 def start_sketch(
     trace: Trace, largest: tuple[float, float], tests: Sequence[AxisTest] = (), *, also: Shape | None = None
 ) -> Sketch:
-    """Return a sketch of both shapes with a place for the axis of each test, and space for one more shape."""
+    """Return a sketch with both shapes drawn, a place for each test's axis, and space for the shape `also`."""
     shapes = [trace.a, trace.b] if also is None else [trace.a, also, trace.b]
     sketch = Sketch(trace, arrange([Group(shapes, tests)], largest=largest)[0])
     sketch.shapes()
@@ -53,7 +53,7 @@ def draw_claimed_tests(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 
 def claimed_tests(trace: Trace) -> list[AxisTest]:
-    """Return the tests that give the answer: the one that ended the run; else both of two, or the least overlap."""
+    """Return the tests behind a shortcut's answer: the deciding one; else both of two, or the shallowest."""
     if trace.ended_by:
         return [trace.ended_by]
     return list(trace.tests) if len(trace.tests) == 2 else [trace.shallowest] if trace.shallowest else []
@@ -102,7 +102,7 @@ def draw_proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
 
 
 def true_test(trace: Trace) -> AxisTest | None:
-    """Return the axis that separates best, or the shortcut's own axis with its true ranges; None for concave hits."""
+    """Return the exact test to show: that of the largest gap, or on a hit the shortcut's; None for parts."""
     run = true_run(trace)
     if run.pairs:
         return None
@@ -125,11 +125,11 @@ def true_run(trace: Trace) -> Trace:
 
 @lru_cache(maxsize=64)
 def panel_layouts(trace: Trace, largest: tuple[float, float]) -> tuple[Layout, Layout]:
-    """Return the layouts of the claimed panel and of the proof, on one scale, with a place for each test shown."""
+    """Return the layouts of the claimed and the actual panel, on one scale, with places for their tests."""
     truth = true_test(trace)
     tests = [drawable_test(trace, test) for test in claimed_tests(trace)], [truth] if truth else []
     push = trace.push if is_about_push(trace) else None
-    shapes = _shapes_and_point_along(trace, push), _shapes_and_point_along(trace, trace.truth.known_mtv)
+    shapes = _shapes_with_moved_b(trace, push), _shapes_with_moved_b(trace, trace.truth.known_mtv)
     found = [arrange([Group(*group)], largest=largest)[0] for group in zip(shapes, tests, strict=True)]
     small, large = sorted((0, 1), key=lambda k: found[k].scale)
     found[large] = _layout_on_scale(found[small].scale, shapes[large], tests[large], largest) or found[large]
@@ -156,10 +156,10 @@ def _layout_on_scale(
 
 
 def drawable_test(trace: Trace, test: AxisTest) -> AxisTest:
-    """Return the test itself; for the axis (0, 0), which has no direction, another test, to keep a place for words."""
+    """Return `test`, or another test if its axis is (0, 0), which has no direction to lay out."""
     return test if any(test.axis.normal) else next(t for t in trace.tests if any(t.axis.normal))
 
 
-def _shapes_and_point_along(trace: Trace, move: Vec | None) -> list[Shape]:
-    """Return both shapes, and B where it is moved to if that is near enough to be drawn."""
+def _shapes_with_moved_b(trace: Trace, move: Vec | None) -> list[Shape]:
+    """Return both shapes, and B translated by `move` if that is near enough to be drawn."""
     return [trace.a, trace.b, *([translated(trace.b, move)] if move and is_near(trace, move) else [])]

@@ -8,7 +8,7 @@ from ..engine.geometry import Vec
 from ..engine.trace import Trace
 from .axis_place import AxisPlace
 from .curve import unit_vector
-from .draw_steps import draw_move, draw_other_parts, draw_parts
+from .draw_steps import draw_mtv_of_overlap, draw_other_parts, draw_parts
 from .float_geometry import bounding_box
 from .label_placer import LabelOffsets
 from .layout import Group, Layout, arrange, limits_around, place_axis_within
@@ -23,14 +23,14 @@ KNOB_RIM_PT = 16.0  # between the knob's center and the rim of the canvas
 
 
 class ShownTest(NamedTuple):
-    """The test that is shown: its number in its run, and the run's number in `trace.pairs` (None: the trace itself)."""
+    """The test that is shown: the number of its run in `trace.pairs` (None: the trace), its number there."""
 
     pair: int | None
     test: int
 
 
 def canvas_size(width: float | None) -> tuple[float, float]:
-    """Return the canvas in points for a place that many points wide, so that letters keep their size there.
+    """Return the canvas (width, height) in points for a place `width` points wide; letters keep their size.
 
     None means a place of unknown width, for which the canvas is the largest.
     """
@@ -48,7 +48,7 @@ def drag_layout(trace: Trace, largest: tuple[float, float] = LARGEST_PT) -> Layo
 
 
 def all_marks_fit(drawn: Picture) -> bool:
-    """Check whether every mark lies inside the limits."""
+    """Check whether every mark of a picture lies inside the picture's limits."""
     x0, y0, x1, y1 = drawn.limits
     points = [(p, m.radius) for m in drawn.marks for p in m.points]
     return all(x0 <= p.x - r and p.x + r <= x1 and y0 <= p.y - r and p.y + r <= y1 for p, r in points)
@@ -101,7 +101,7 @@ def drag_picture(
         sketch.project(test, place)
     sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
     if show_mtv and run is trace:
-        draw_move(sketch)
+        draw_mtv_of_overlap(sketch)
     return sketch.finish("", trace.sentence, steady=False, last_offsets=last_offsets), place
 
 

@@ -17,7 +17,7 @@ MAX_TITLED_PARTS = 3  # of a shape in more convex parts the names are drawn in s
 
 
 def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace | None) -> None:
-    """Draw test `i` of the sketch's trace as far as the stage goes; `place` is None before the axis."""
+    """Draw test `i` of the sketch's trace up to its stage; `place`: its axis's, None at stages before it."""
     trace = sketch.trace
     test = trace.tests[i]
     sketch.shapes()
@@ -47,7 +47,7 @@ def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace | None) -> 
 
 
 def draw_other_parts(sketch: Sketch, whole: Trace, run: Trace) -> None:
-    """Draw faintly the convex parts of the whole that a pair of parts (`run`) does not test."""
+    """Draw faintly the convex parts of both shapes of `whole`, except the two that `run` tests."""
     for role, name, shape in zip("AB", whole.names, (whole.a, whole.b), strict=True):
         for part, part_name in named_parts(shape, name):
             if part_name not in run.names:
@@ -91,7 +91,7 @@ def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace], *, named: bool = T
         sketch.add("shared", "dot", "ink", spot)
         text = f"a point in both: {describe.digits(trace).vector(spot)}" if named else "in both"
         sketch.label("shared-name", text, "ink", spot, first=4)
-        draw_move(sketch)
+        draw_mtv_of_overlap(sketch)
 
 
 def draw_part_lines(sketch: Sketch) -> None:
@@ -111,7 +111,7 @@ def draw_part_lines(sketch: Sketch) -> None:
         sketch.note("more-lines", f"and {more} more lines, one for each pair of parts", "guide")
 
 
-def draw_move(sketch: Sketch) -> None:
+def draw_mtv_of_overlap(sketch: Sketch) -> None:
     """Draw the MTV of an overlap from a point in both shapes; draw nothing for other relations."""
     trace = sketch.trace
     move = trace.known_mtv
@@ -123,7 +123,7 @@ def draw_move(sketch: Sketch) -> None:
 
 
 def draw_mtv(sketch: Sketch, start: Vec, move: Vec) -> None:
-    """Draw the MTV as an arrow from `start`, and B where it takes B, faintly."""
+    """Draw the MTV `move` as an arrow from `start`, and faintly B translated by it."""
     ghost = moved_shape(sketch.trace.b, move)
     sketch.shape("B", f"{sketch.trace.names.b} moved", ghost, weight="faint", named=False)
     tip = point_along(start, move, 1.0)
@@ -132,7 +132,7 @@ def draw_mtv(sketch: Sketch, start: Vec, move: Vec) -> None:
 
 
 def draw_separating_line(sketch: Sketch, certificate: SeparatingLine, text: str = "separating line") -> None:
-    """Draw the certificate's line across the canvas, with a text at its upper end."""
+    """Draw the certificate's line across the canvas, with `text` at its upper end."""
     ends = sketch.line_across("line", certificate.point, _unit_normal(certificate), "gap")
     low, high = sorted(ends, key=lambda p: p.y)
     sketch.label("line-name", text, "gap", high, prefer=Vec(low.x - high.x, low.y - high.y), first=2, far=True)

@@ -48,7 +48,7 @@ def from_step(stage: Stage, test: int) -> Callable[[Trace, str], Picture]:
 
 
 def from_view(draw: Callable[..., Picture], **options: Any) -> Callable[[Trace, str], Picture]:
-    """Return a function that draws one of `views` with these options."""
+    """Return a function of (trace, title) that calls `draw`, a function of `views`, with these options."""
     return lambda trace, title: draw(trace, title=title, **options)
 
 
@@ -73,7 +73,7 @@ _FIGURE_ROWS = (
     ("sat-next-normal", "The next normal and its axis", "triangles", from_step(Stage.AXIS, 1)),
     ("sat-ranges-gap", "A gap: this axis separates", "triangles", from_step(Stage.GAP, 1)),
     ("circle-circle", "Two circles: one axis, through the centers", "circles", from_view(views.radii)),
-    ("circle-polygon", "A triangle's normals as axes", "circle-polygon", from_view(views.test_panels)),
+    ("circle-polygon", "A triangle's normals as axes", "circle-polygon", from_view(views.panels_of_tests)),
     (
         "circle-parts",
         "A circle: its center and radius",

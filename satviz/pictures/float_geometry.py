@@ -24,12 +24,12 @@ def midpoint(p: Vec, q: Vec) -> Vec:
 
 
 def mean_point(points: Sequence[Vec]) -> Vec:
-    """Return the mean of some points."""
+    """Return the arithmetic mean of the points."""
     return Vec(sum(p.x for p in points) / len(points), sum(p.y for p in points) / len(points))
 
 
 def circle_points(center: Vec, radius: float, count: int) -> list[Vec]:
-    """Return evenly spaced points of a circle, counter-clockwise from its right."""
+    """Return `count` evenly spaced points of a circle, counter-clockwise from its rightmost point."""
     angles = [k * pi / (count / 2) for k in range(count)]
     return [Vec(center.x + radius * cos(t), center.y + radius * sin(t)) for t in angles]
 
@@ -48,12 +48,12 @@ def moved_shape(shape: Shape, move: Vec) -> Shape:
 
 
 def range_along(shape: Shape, direction: Vec) -> Interval:
-    """Return the range of a shape on a unit vector, in scene units from the origin."""
+    """Return the range of a shape projected on a unit vector: signed distances from the origin."""
     return project(shape, Axis(direction, 1.0, _GIVEN)).interval
 
 
 def gap_or_overlap(test: AxisTest) -> Interval:
-    """Return the part of an axis between both ranges where they leave a gap, else the part that both cover."""
+    """Return the interval between a test's two ranges if there is a gap, else the one both cover."""
     a, b = test.a.interval, test.b.interval
     if test.gap < 0:
         return Interval(max(a.lo, b.lo), min(a.hi, b.hi))
@@ -94,7 +94,7 @@ def clip_line(
 def clip_segment(
     sx: float, sy: float, tx: float, ty: float, x0: float, y0: float, x1: float, y1: float
 ) -> tuple[float, float] | None:
-    """Return the part (from, to) of the segment from s (0) to t (1) inside an upright box, or None if it misses."""
+    """Return the parameters (from, to) of the part of segment st inside a box (s: 0, t: 1), or None."""
     if max(sx, tx) < x0 or min(sx, tx) > x1 or max(sy, ty) < y0 or min(sy, ty) > y1:
         return None
     start, end = clip_line((sx, sy), (tx - sx, ty - sy), (x0, y0, x1, y1), 0.0, 1.0)

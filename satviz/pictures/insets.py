@@ -26,7 +26,7 @@ Role = tuple[str, str, Shape]  # "A" or "B", the shape's name, the shape
 
 
 class _Detail(NamedTuple):
-    """A detail of a scene that is too small: its name ("" for a gap), its middle, its length in scene units."""
+    """A detail too small to see: its name ("" for a gap), its middle, its length, and the test of a gap."""
 
     name: str
     spot: Vec
@@ -35,13 +35,13 @@ class _Detail(NamedTuple):
 
 
 def is_too_small(shape: Shape, scale: float) -> bool:
-    """Check whether a shape is too small to be seen on a scale of so many points in a scene unit."""
+    """Check whether a shape is too small to be seen at `scale` points per scene unit."""
     x0, y0, x1, y1 = shape.bounds
     return max(x1 - x0, y1 - y0) * scale < MIN_SHAPE_PT
 
 
 def add_insets(layout: Layout, shapes: Sequence[tuple[str, Shape]]) -> Layout:
-    """Return the layout with a strip of insets, one for each named shape, needle's end or gap that is too small."""
+    """Return the layout with a strip of insets: one for each shape, needle's end or gap that is too small."""
     scale = layout.scale
     details = [detail for name, shape in shapes for detail in _small_details(name, shape, scale)]
     for place, test in zip(layout.places, layout.tests, strict=True):
@@ -61,7 +61,7 @@ def add_insets(layout: Layout, shapes: Sequence[tuple[str, Shape]]) -> Layout:
 
 
 def _small_details(name: str, shape: Shape, scale: float) -> list[_Detail]:
-    """Return the shape if it is too small, or its shortest edge if it is a needle; else nothing."""
+    """Return a shape's detail that needs an inset: all of it, or a needle's short edge; or none."""
     if is_too_small(shape, scale):
         x0, y0, x1, y1 = bounding_box([shape])
         return [_Detail(name, Vec((x0 + x1) / 2, (y0 + y1) / 2), max(x1 - x0, y1 - y0))]
@@ -78,7 +78,7 @@ def _small_details(name: str, shape: Shape, scale: float) -> list[_Detail]:
 
 
 def _round_down(times: float) -> float:
-    """Return the largest of 1, 2 or 5 times a power of ten that is not above the number."""
+    """Return the largest number of the form 1, 2 or 5 times a power of ten that is not above `times`."""
     power = 10.0 ** floor(log10(times))
     return power * max(step for step in (1, 2, 5) if step * power <= times * 1.0001)
 
@@ -89,7 +89,7 @@ def magnification_text(times: float) -> str:
 
 
 def inset_marks(layout: Layout, shapes: Sequence[Role], test: AxisTest | None) -> list[Mark]:
-    """Return the marks of the insets that show the shapes, or of those that show the gap of a test."""
+    """Return the marks of the insets that show these shapes, or the gap of `test` if it is given."""
     marks: list[Mark] = []
     for number, inset in enumerate(layout.insets, 1):
         outlines = [(role, name, [*visible_edges(inset, shape)]) for role, name, shape in shapes]
@@ -113,7 +113,7 @@ def inset_marks(layout: Layout, shapes: Sequence[Role], test: AxisTest | None) -
 
 
 def visible_edges(inset: Inset, shape: Shape) -> Iterator[tuple[Vec, Vec]]:
-    """Yield the pieces of a shape's outline that are seen in the box."""
+    """Yield the pieces of a shape's outline seen in an inset's box, magnified, as pairs of ends."""
     for p, q in pairwise(map(inset.at, _outline_points(shape, inset.spot))):
         part = clip_segment(*p, *q, *inset.box)
         if part and part[0] < part[1]:
@@ -121,7 +121,7 @@ def visible_edges(inset: Inset, shape: Shape) -> Iterator[tuple[Vec, Vec]]:
 
 
 def _outline_points(shape: Shape, spot: Vec) -> list[Vec]:
-    """Return a closed ring of points; those of a circle lie close together where it passes near the spot."""
+    """Return a shape's outline as a closed ring of points; on a circle they are denser near `spot`."""
     if isinstance(shape, Polygon):
         return [*shape.vertices, shape.vertices[0]]
     (x, y), r = shape.center, shape.radius
@@ -131,7 +131,7 @@ def _outline_points(shape: Shape, spot: Vec) -> list[Vec]:
 
 
 def _gap_marks(layout: Layout, inset: Inset, test: AxisTest, shapes: Sequence[Role], number: int) -> list[Mark]:
-    """Return the marks of a gap or overlap: the ends of both ranges that face each other, along a level line."""
+    """Return the marks of a gap's inset: the facing ends of both ranges on a level axis, and the gap."""
     a, b = test.a.interval, test.b.interval
     x0, _, x1, _ = inset.box
     units, (cx, cy) = layout.units, inset.center

@@ -39,7 +39,7 @@ MOVE_COST = 50.0  # a label stays where it was unless another spot is cheaper by
 
 
 class LabelRequest(NamedTuple):
-    """A request for a label near its anchor (scene units), rather in the direction `prefer` than in others.
+    """A request for a label near its anchor (scene units), best in the direction `prefer` from it.
 
     `along`: other anchors that serve nearly as well, such as points of a bar.
     """
@@ -105,8 +105,8 @@ class LabelPlacer:
         self.walls: list[tuple[Spot, Spot]] = []  # steady labels stay on their anchors' side of these
         self.boxes: list[Box] = []
 
-    def cover(self, mark: Mark) -> None:
-        """Note what a mark covers, so that labels keep off it."""
+    def add_mark(self, mark: Mark) -> None:
+        """Record the space that a mark takes, so that labels avoid it."""
         points = mark.points
         if mark.part == "inset":
             self.boxes.append((*self._in_points(points[0]), *self._in_points(points[2])))
@@ -128,11 +128,11 @@ class LabelPlacer:
                 self.walls.append((self._in_points(points[0]), self._in_points(points[1])))
 
     def add_stroke(self, p: Vec, q: Vec, cost: float) -> None:
-        """Note a line from p to q, and the cost of covering it."""
+        """Record a line from p to q, and what it costs a label to cover it."""
         self.strokes.append((*self._in_points(p), *self._in_points(q), cost))
 
     def _add_box(self, p: Vec, w: float, h: float) -> None:
-        """Note a box that reaches w points to either side of p and h points up and down."""
+        """Record a box to avoid: w points to either side of p, h points above and below it."""
         x, y = self._in_points(p)
         self.boxes.append((x - w, y - h, x + w, y + h))
 
@@ -158,7 +158,7 @@ class LabelPlacer:
         return (p.x - x0) * scale, (p.y - y0) * scale
 
     def labels(self, requests: Sequence[LabelRequest]) -> list[Mark]:
-        """Return the labels of the requests that find a place, in order, with a line to an anchor that is far."""
+        """Return a label for each request that finds a place, with a line to its anchor if that is far."""
         found = []
         for r in requests:
             at = self._keep(r)
@@ -197,7 +197,7 @@ class LabelPlacer:
         return at
 
     def _place(self, request: LabelRequest) -> tuple[LabelRequest, Vec | None]:
-        """Return the label as it is placed, and its center; the center is None for an optional one without a place.
+        """Return the request, perhaps broken into lines, and its label's center (None if left out).
 
         A label that must be shown is broken into 2 or 3 lines where it would cover something in one.
         """
@@ -215,7 +215,7 @@ class LabelPlacer:
         return request, self._take(request, spot, cost)
 
     def _best_spot(self, request: LabelRequest) -> tuple[Spot, float, float]:
-        """Return the cheapest spot, its cost, and what of the cost the spot has by itself, without what it covers."""
+        """Return the cheapest spot for a label, its cost, and its cost without what is covered there."""
         w, h = text_size(request.text, request.weight)
         anchor = self._in_points(request.anchor)
         wall = request.wall and (self._in_points(request.wall[0]), self._in_points(request.wall[1]))
@@ -248,7 +248,7 @@ class LabelPlacer:
         return found, best, found_own_cost
 
     def _take(self, request: LabelRequest, spot: Spot, cost: float) -> Vec | None:
-        """Note that a label stands there, and return its center in scene units; None if it is left out.
+        """Reserve the spot for a label and return its center in scene units; None if it is left out.
 
         What is too long for any spot is moved onto the canvas.
         """
@@ -263,7 +263,7 @@ class LabelPlacer:
         return Vec(x0 + cx / self.layout.scale, y0 + cy / self.layout.scale)
 
     def _near_spots(self, request: LabelRequest, w: float, h: float) -> Iterator[tuple[Spot, float]]:
-        """Yield candidate centers near the anchors with the cost of each by itself, cheapest first.
+        """Yield (center, cost) near the anchors, cheapest first; covered marks are not counted yet.
 
         `w` and `h`: half of the label's width and height.
         """
@@ -296,7 +296,7 @@ class LabelPlacer:
             del spots[:count]
 
     def _spots_anywhere(self, w: float, h: float, near: Spot) -> Iterator[tuple[Spot, float]]:
-        """Yield candidate centers all over the canvas with the cost of each by itself."""
+        """Yield (center, cost) all over the canvas; the cost grows with the distance from `near`."""
         width, height = self.layout.size
         for i in range(GRID_STEPS + 1):
             for j in range(GRID_STEPS + 1):
@@ -305,7 +305,7 @@ class LabelPlacer:
                 yield (x, y), ANYWHERE_COST + hypot(x - near[0], y - near[1]) / 10
 
     def cover_cost(self, spot: Spot, w: float, h: float, limit: float) -> float:
-        """Return the cost of what a label with its center there would cover; it stops counting at the limit."""
+        """Return the cost of what a label 2w by 2h centered at `spot` covers; stop once over `limit`."""
         cx, cy = spot
         x0, y0, x1, y1 = cx - w, cy - h, cx + w, cy + h
         cost = 0.0 if self._is_inside((x0, y0, x1, y1)) else OUTSIDE_COST

@@ -26,7 +26,7 @@ def with_labels(
     kept: Sequence[Mark] = (),
     last_offsets: LabelOffsets | None = None,
 ) -> list[Mark]:
-    """Return the marks, and a label for each request that finds a place; earlier requests choose first.
+    """Return the marks, then a label for each request that finds a place; earlier requests choose first.
 
     `steady`: the names of shapes and vertices keep off what every step has (the outlines, and `keep_off`, where
     normals will stand) and off nothing else, so that they stand at one spot in all steps.
@@ -37,7 +37,7 @@ def with_labels(
     placer = LabelPlacer(layout, kept, last_offsets)
     insets = [mark for mark in marks if mark.part in ("inset", "inset-name")]
     for mark in insets:
-        placer.cover(mark)
+        placer.add_mark(mark)
     stay = [r for r in requests if placer.kept_spot(r)]
     names = [r for r in requests if r.steady and r.part == "name" and r not in stay]
     vertex_names = [r for r in requests if r.steady and r.part != "name" and r not in stay]
@@ -47,15 +47,15 @@ def with_labels(
     others = [mark for mark in marks if mark not in outlines and mark not in vertices and mark not in insets]
     labels = placer.labels(stay)
     for mark in outlines if steady else (*outlines, *vertices, *others):
-        placer.cover(mark)
+        placer.add_mark(mark)
     for p, q in keep_off if steady else ():
         placer.add_stroke(p, q, KEPT_FREE_COST)
     labels += placer.labels(names)
     for mark in vertices if steady else ():
-        placer.cover(mark)
+        placer.add_mark(mark)
     labels += placer.labels(vertex_names)
     for mark in others if steady else ():
-        placer.cover(mark)
+        placer.add_mark(mark)
     labels += placer.labels(rest)
     labels = _without_covered(labels, requests, layout)
     boxes = [_label_box(mark, layout) for mark in labels if mark.kind == "label"]
@@ -63,7 +63,7 @@ def with_labels(
 
 
 def _without_covered(labels: Sequence[Mark], requests: Sequence[LabelRequest], layout: Layout) -> list[Mark]:
-    """Return the labels without those optional ones that a label with no free place had to be drawn over."""
+    """Return the labels without the optional ones that a required label overlaps."""
     optional = {r.key for r in requests if r.optional}
     boxes: dict[LabelKey, Box] = {
         (mark.part, mark.owner, mark.axis, mark.number): _label_box(mark, layout)
@@ -83,7 +83,7 @@ def _label_box(label: Mark, layout: Layout) -> Box:
 
 
 def _cut_at_labels(mark: Mark, boxes: Sequence[Box]) -> Mark:
-    """Return a guide line without its pieces that would run through labels."""
+    """Return a guide line without its pieces inside `boxes`, the boxes of the labels."""
     pieces = list(zip(mark.points[::2], mark.points[1::2], strict=True))
     for box in boxes:
         pieces = [rest for p, q in pieces for rest in _outside_box(p, q, box)]
@@ -100,7 +100,7 @@ def _outside_box(p: Vec, q: Vec, box: Box) -> list[Segment]:
 
 
 def short_name(shape: Shape, name: str, i: int) -> str:
-    """Return the name of vertex `i`, cut to 16 letters."""
+    """Return the name of vertex `i` of a shape called `name`, cut to 16 letters."""
     text = describe.vertex_name(shape, name, i)
     return text if len(text) <= MAX_NAME_LETTERS else f"{text[: MAX_NAME_LETTERS - 1]}\u2026"
 

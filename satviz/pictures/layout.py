@@ -7,7 +7,7 @@ from ..engine import number_format
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Shape
-from .axis_place import LABEL_HEIGHT_PT, OVERHANG_PT, AxisPlace, awkwardness, both_sides, place_axes
+from .axis_place import LABEL_HEIGHT_PT, OVERHANG_PT, AxisPlace, both_sides, place_axes, placement_penalty
 from .float_geometry import Box, bounding_box, point_along
 from .letters import text_size
 
@@ -36,11 +36,11 @@ class Inset(NamedTuple):
 
     @property
     def center(self) -> Vec:
-        """Return the middle of its box."""
+        """Return the center of the inset's box."""
         return Vec((self.box[0] + self.box[2]) / 2, (self.box[1] + self.box[3]) / 2)
 
     def at(self, p: Vec) -> Vec:
-        """Return where in the box a point of the scene is shown."""
+        """Return where in the inset's box the scene's point p is shown, magnified."""
         middle = self.center
         return Vec(middle.x + (p.x - self.spot.x) * self.times, middle.y + (p.y - self.spot.y) * self.times)
 
@@ -71,7 +71,7 @@ class Layout(NamedTuple):
         return x0, y0, min(inset.box[0] for inset in self.insets) - self.units(14), y1
 
     def units(self, points: float) -> float:
-        """Return a length on the canvas in scene units."""
+        """Return a length of so many points on the canvas in scene units."""
         return points / self.scale
 
 
@@ -115,13 +115,13 @@ def arrange(
 
 
 def range_label(name: str, text: str) -> str:
-    """Return the label of a shape's range, in two lines if it is long."""
+    """Return the label of a shape's range, its name and numbers, in two lines if it is long."""
     label = f"{name} {text}"
     return label.replace(" + [", " +\n[") if len(label) > MAX_LINE_LETTERS else label
 
 
 def _range_label_width(group: Group, test: AxisTest) -> float:
-    """Return the points that a label of the test's ranges is wide."""
+    """Return the width in points of the wider label of a test's two ranges."""
     if group.brief:
         return NAME_WIDTH_PT
     digits = number_format.digits_for_tests(group.shapes, [test])
@@ -171,7 +171,7 @@ def limits_around(center: tuple[float, float], size: tuple[float, float], scale:
 
 
 def centered_layout(layout: Layout, size: tuple[float, float]) -> Layout:
-    """Return the layout in the middle of a canvas of that size (points)."""
+    """Return the layout on a canvas of `size` points, with its contents in the middle."""
     x0, y0, x1, y1 = layout.limits
     return layout._replace(limits=limits_around(((x0 + x1) / 2, (y0 + y1) / 2), size, layout.scale), size=size)
 
@@ -179,7 +179,7 @@ def centered_layout(layout: Layout, size: tuple[float, float]) -> Layout:
 def _needed_box(
     group: Group, places: Sequence[AxisPlace], label_widths: Sequence[float], scale: float, normal_pt: float
 ) -> Box:
-    """Return the box of the shapes, the axes, and the labels on the far sides of the axes.
+    """Return the box around the shapes, the axes, and the labels on the far sides of the axes.
 
     Where an edge gives an axis, the shapes have `normal_pt` points to both sides for an arrow.
     """
@@ -198,7 +198,7 @@ def _needed_box(
 def place_axis_within(
     layout: Layout, shapes: Sequence[Shape], test: AxisTest, last_out: Vec | None = None
 ) -> AxisPlace:
-    """Return a place for an axis on given limits: clear of the shapes where it fits, else as near as it must.
+    """Return a place for an axis inside a layout's limits: clear of the shapes if that fits.
 
     `last_out`: the direction from the shapes to the axis in the picture before; the axis stays on that side if
     it fits there.
@@ -207,11 +207,11 @@ def place_axis_within(
     rim = layout.units(OVERHANG_PT)
 
     def distance_outside(p: Vec) -> float:
-        """Return how far a point lies outside the limits without their rim."""
+        """Return how far p lies outside the canvas less its rim, in scene units; 0 inside."""
         return max(x0 + rim - p.x, p.x - x1 + rim, y0 + rim - p.y, p.y - y1 + rim, 0.0)
 
-    def lacking(place: AxisPlace) -> float:
-        """Return how far the outer ends of both ranges together lie outside the limits of the canvas."""
+    def total_outside(place: AxisPlace) -> float:
+        """Return how far the two outer ends of the ranges, summed, lie outside the canvas."""
         ends = (r.lo for r in (test.a.interval, test.b.interval)), (r.hi for r in (test.a.interval, test.b.interval))
         return sum(distance_outside(place.at(t)) for t in (min(ends[0]), max(ends[1])))
 
@@ -219,12 +219,12 @@ def place_axis_within(
     if last_out is not None:
         places.sort(key=lambda p: -(p.out.x * last_out.x + p.out.y * last_out.y))
     else:
-        places.sort(key=lambda p: awkwardness(shapes, test, p))
-    best = min(places, key=lacking)
+        places.sort(key=lambda p: placement_penalty(shapes, test, p))
+    best = min(places, key=total_outside)
     step = layout.units(8.0)
     for _ in range(60):  # where it fits on neither side, it moves towards the shapes, and over them if it must
         nearer = best._replace(zero=point_along(best.zero, best.out, -step))
-        if lacking(nearer) >= lacking(best):
+        if total_outside(nearer) >= total_outside(best):
             break
         best = nearer
     return best

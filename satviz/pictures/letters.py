@@ -26,7 +26,7 @@ def missing_letters(text: str) -> str:
 
 @lru_cache(maxsize=4096)
 def text_size(text: str, weight: str = "plain") -> tuple[float, float]:
-    """Return the width and height in points of a label, whose lines newlines part; `weight` is that of its mark."""
+    """Return the width and height in points of a label's text, which may have lines; `weight`: its mark's."""
     style = style_of("label", "", weight)
     lines = text.split("\n")
     widest = max(text_width(line, bold=style.bold) for line in lines)

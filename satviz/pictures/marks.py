@@ -38,13 +38,13 @@ class Mark(NamedTuple):
 
     @property
     def id(self) -> str:
-        """Return a name, unique in its picture, by which a pen recognises the mark in the next picture."""
+        """Return an id, unique in its picture, by which a pen finds the same mark in the next picture."""
         known = self.panel, self.owner, self.part, self.axis, self.number
         return ".".join(str(fact) for fact in known if fact not in ("", None))
 
     @property
     def style(self) -> Style:
-        """Return how every pen draws it."""
+        """Return the style in which every pen draws this mark."""
         return style_of(self.kind, self.role, self.weight)
 
 
@@ -103,7 +103,7 @@ class Picture(NamedTuple):
         return f"<Picture: {self.sentence}>"
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
-        """Return the picture and its sentence as a notebook shows them."""
+        """Return the picture and its sentence as a MIME bundle, which a notebook shows."""
         return hooks.mime_bundle(self)
 
     def data(self) -> dict[str, Any]:
@@ -117,7 +117,7 @@ class Picture(NamedTuple):
 
 
 def marks_data(marks: Iterable[Mark]) -> dict[str, Any]:
-    """Return marks as JSON values: the few different styles as a table "looks", and each mark with its index there.
+    """Return marks as JSON values: a table "looks" of the distinct styles, and marks that refer to it.
 
     Fields that have their default value are left out.
     """

@@ -51,7 +51,7 @@ def difference(
     )
     origin = Vec(0.0, 0.0)
     sketch.add("origin", "dot", "ink", origin)
-    sketch.label("origin-name", "origin", "ink", origin, prefer=_away_from(inner[0]), first=1)
+    sketch.label("origin-name", "origin", "ink", origin, prefer=_vector_to_origin(inner[0]), first=1)
     words = _draw_proof(sketch, run, best, foot)
     where = {Relation.APART: "outside", Relation.TOUCHING: "on the rim of", Relation.OVERLAPPING: "inside"}[
         run.relation
@@ -62,14 +62,14 @@ def difference(
 
 
 def _foot_on_axis(best: AxisTest, found: Sequence[Sequence[Vec]]) -> Vec:
-    """Return the point of the axis through the origin at which B - A begins, `best.gap` away."""
+    """Return the point where B - A's range on the best axis begins, `best.gap` from the origin."""
     n = best.axis.direction
     far = min((p for ring in found for p in ring), key=lambda p: abs(p.x * n.x + p.y * n.y))
     return point_along(Vec(0.0, 0.0), n, best.gap if far.x * n.x + far.y * n.y > 0 else -best.gap)
 
 
 def _draw_proof(sketch: Sketch, run: Trace, best: AxisTest | None, foot: Vec) -> str:
-    """Draw the gap from the origin to B - A on the best axis, or the MTV; return it in words, "" if there is none."""
+    """Draw the gap between the origin and B - A, or the MTV; return a phrase about it, "" if neither."""
     origin = Vec(0.0, 0.0)
     if run.relation is Relation.OVERLAPPING:
         move = run.known_mtv
@@ -101,6 +101,6 @@ def _draw_proof(sketch: Sketch, run: Trace, best: AxisTest | None, foot: Vec) ->
     return f": the axis ({name}) leaves a gap of {digits.gap(best.gap)}" if best.gap else f" on the axis ({name})"
 
 
-def _away_from(p: Vec) -> Vec:
-    """Return the direction from p to the origin; downwards if p is the origin."""
+def _vector_to_origin(p: Vec) -> Vec:
+    """Return the vector from p to the origin; a unit vector downwards if p is the origin."""
     return Vec(-p.x, -p.y) if any(p) else Vec(0.0, -1.0)

@@ -7,7 +7,7 @@ from .marks import Mark, Picture
 
 
 def panel_grid(pictures: Sequence[Picture], columns: int, *, title: str = "", sentence: str = "") -> Picture:
-    """Return the pictures row by row, each in the middle of its cell; a scene unit of the whole is a point."""
+    """Return one picture of several, row by row, each centered in its cell; a scene unit is a point."""
     rows = [pictures[i : i + columns] for i in range(0, len(pictures), columns)]
     widths = [max(row[i].size[0] for row in rows if i < len(row)) for i in range(min(columns, len(pictures)))]
     heights = [max(picture.size[1] for picture in row) for row in rows]
@@ -24,7 +24,7 @@ def panel_grid(pictures: Sequence[Picture], columns: int, *, title: str = "", se
 
 
 def marks_moved_to(picture: Picture, corner: Vec, panel: str) -> list[Mark]:
-    """Return a picture's marks in points, with its lower left corner at `corner`.
+    """Return a picture's marks with coordinates in points, its lower left corner at `corner`.
 
     `panel` becomes part of each mark's id, so that the marks of two pictures differ.
     """
@@ -32,7 +32,7 @@ def marks_moved_to(picture: Picture, corner: Vec, panel: str) -> list[Mark]:
     scale = picture.scale
 
     def to_points(points: Sequence[Vec]) -> tuple[Vec, ...]:
-        """Return the points of the scene in points of the whole."""
+        """Return points of the scene as points of the picture that holds all panels."""
         return tuple(Vec(corner.x + (p.x - x0) * scale, corner.y + (p.y - y0) * scale) for p in points)
 
     return [

@@ -140,7 +140,7 @@ def first_row_numbers(trace: Trace) -> list[int]:
 
 
 def _pseudocode(trace: Trace) -> tuple[tuple[str, tuple[Stage, ...]], ...]:
-    """Return the lines of the loop that the trace ran, each with its stages."""
+    """Return the lines of pseudo-code for the trace, each with the stages during which it is marked."""
     return PSEUDOCODE_OF_PAIRS if trace.pairs else PSEUDOCODE
 
 

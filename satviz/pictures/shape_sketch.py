@@ -33,7 +33,7 @@ class ShapeSketch:
         self.requests: list[tuple[int, LabelRequest]] = []
 
     def add(self, part: str, kind: str, role: str, *points: Vec, **more: Unpack[MarkOptions]) -> None:
-        """Add a mark; the arguments are a Mark's."""
+        """Add a mark; the arguments are the fields of `Mark`."""
         self.marks.append(Mark(part, kind, role, points, **more))
 
     def label(
@@ -65,7 +65,7 @@ class ShapeSketch:
         return is_too_small(shape, self.layout.scale / CROWDED_SIZES)
 
     def shapes(self) -> None:
-        """Draw both shapes with the labels of their vertices, and insets of what is too small to be seen."""
+        """Draw both shapes with the names of labelled vertices, and insets of what is too small to see."""
         self.insets()
         for role, name, shape in self.roles():
             self.shape(role, name, shape)
@@ -73,7 +73,7 @@ class ShapeSketch:
                 self.vertices(role, range(len(shape.vertices)))
 
     def insets(self, test: AxisTest | None = None) -> None:
-        """Draw the insets that show the shapes, or the inset that shows the gap of a test."""
+        """Draw the insets of the shapes, or the inset of the gap of `test` if it is given."""
         self.marks += inset_marks(self.layout, self.roles(), test)
 
     def roles(self) -> list[Role]:
@@ -81,18 +81,18 @@ class ShapeSketch:
         return [("A", self.trace.names.a, self.trace.a), ("B", self.trace.names.b, self.trace.b)]
 
     def named_shape(self, role: str | None) -> tuple[str, Shape]:
-        """Return the name and the shape of a role."""
+        """Return the name and the shape of role "A" or "B"."""
         _, name, shape = self.roles()[role != "A"]
         return name, shape
 
     def named_polygon(self, role: str | None) -> tuple[str, Polygon]:
-        """Return the name and the shape of "A", or of B for any other role; the shape must be a Polygon."""
+        """Return the name and the shape of a role; the shape must be a polygon."""
         name, shape = self.named_shape(role)
         assert isinstance(shape, Polygon)
         return name, shape
 
     def vertices(self, role: str, ids: Sequence[int], *, as_role: str = "") -> None:
-        """Draw dots with names on some of a polygon's vertices, the names in the colour of `as_role` if given."""
+        """Draw named dots at the polygon's vertices `ids`; `as_role` gives the names another colour."""
         name, polygon = self.named_polygon(role)
         middle = centroid(polygon)
         for i in ids:
@@ -105,7 +105,7 @@ class ShapeSketch:
             self.label("vertex-name", short_name(polygon, name, i), as_role or role, v, first=4, **options)
 
     def corners(self, roles: Collection[str | None] = "AB", *, as_role: str = "") -> None:
-        """Draw dots with names on the corners of outlines with few corners and no labels of their own.
+        """Draw named dots at the corners of outlines that have few corners and no labels of their own.
 
         Sentences about edges use these names.
         """
@@ -116,7 +116,7 @@ class ShapeSketch:
                 self.vertices(role, shape.corner_ids, as_role=as_role)
 
     def line_across(self, part: str, through: Vec, normal: Vec, role: str, number: int | None = None) -> Segment:
-        """Draw the line through a point across a unit normal as far as it lies on the canvas; return its ends."""
+        """Draw the line through a point at right angles to a unit normal, across the canvas; return its ends."""
         x0, y0, x1, y1 = self.layout.scene_limits
         rim = self.layout.units(RIM_PT)
         d = Vec(-normal.y, normal.x)
@@ -127,13 +127,13 @@ class ShapeSketch:
         return ends
 
     def note(self, part: str, text: str, role: str, *, weight: str = "plain", first: int = 8) -> None:
-        """Request words that belong to no mark: near the top, or wherever there is space."""
+        """Request a label that belongs to no mark; it stands near the top, or where there is space."""
         x0, _, x1, y1 = self.layout.scene_limits
         anchor = Vec((x0 + x1) / 2, y1 - self.layout.units(NOTE_PT))
         self.label(part, text, role, anchor, weight=weight, first=first, inside=True, far=True, optional=True)
 
-    def normals_to_come(self) -> list[Segment]:
-        """Return where normals stand in other steps: steady labels keep off these."""
+    def upcoming_normals(self) -> list[Segment]:
+        """Return segments that steady labels avoid, since normals stand there in other steps; here none."""
         return []
 
     def finish(
@@ -152,7 +152,7 @@ class ShapeSketch:
             requests,
             self.layout,
             steady=steady,
-            keep_off=self.normals_to_come(),
+            keep_off=self.upcoming_normals(),
             kept=kept,
             last_offsets=last_offsets,
         )

@@ -24,7 +24,7 @@ MAX_ZERO_RANGES = 4.0  # further from 0 than so many times the widest range, eac
 
 
 class Row(NamedTuple):
-    """A row of the sheet: a test of a run, its number there, and whether the trace made it or left it out."""
+    """A row of the sheet: a run, a test's number in it, the test, and whether the trace made it or left it out."""
 
     run: Trace
     number: int
@@ -81,19 +81,19 @@ def _all_rows(trace: Trace) -> list[Row]:
 
 
 def _legend(trace: Trace, end: float) -> list[tuple[str, str, float]]:
-    """Return which shape's bar is where: role, words, and the x at which they begin."""
+    """Return each shape's legend as (role, text, x at which it begins): whose bar is above, whose below."""
     above, below = f"{trace.names.a} above,", f"{trace.names.b} below"
     return [("A", above, end + 8), ("B", below, end + 12 + text_size(above)[0])]
 
 
 def _covered_range(test: AxisTest) -> tuple[float, float]:
-    """Return the least and the largest coordinate of both ranges."""
+    """Return the least and the largest coordinate that the test's two ranges reach."""
     a, b = test.a.interval, test.b.interval
     return min(a.lo, b.lo), max(a.hi, b.hi)
 
 
 def _scale_and_zero(ends: Sequence[tuple[float, float]], end: float) -> tuple[float, float | None]:
-    """Return the points in a unit, the same in all rows, and the x of coordinate 0 (None if it lies too far away)."""
+    """Return the bars' scale (points per unit) and the x of coordinate 0, None if it is too far away."""
     widest = max((hi - lo for lo, hi in ends), default=1.0) or 1.0
     lo, hi = min((lo for lo, _ in ends), default=0.0), max((hi for _, hi in ends), default=0.0)
     lo, hi = min(lo, 0.0), max(hi, 0.0)
@@ -105,7 +105,7 @@ def _scale_and_zero(ends: Sequence[tuple[float, float]], end: float) -> tuple[fl
 
 
 def _outcome_lines(row: Row) -> list[tuple[str, str]]:
-    """Return the words on a row's test, line by line, each with its role."""
+    """Return the lines of text about a row's outcome, each with its colour role."""
     run, _, test, made = row
     found = describe.outcome(test, describe.digits(run, test)).replace(", way out", "\nway out").split("\n")
     colour = "guide" if not made else "ink" if not test.gap else "gap" if test.gap > 0 else "overlap"
@@ -118,7 +118,7 @@ def _outcome_lines(row: Row) -> list[tuple[str, str]]:
 
 
 def _row_marks(row: Row, number: int, top: float, scale: float, zero: float | None, end: float) -> list[Mark]:
-    """Return the marks of one row: `top` is its upper end, `scale` and `zero` those of all bars, `end` their right."""
+    """Return the marks of one row; `top`: its upper end, `scale`, `zero`: as of all bars, `end`: their right end."""
     run, _, test, made = row
     weight, ink = ("plain", "ink") if made else ("faint", "guide")
     y = top - ROW_PT / 2 - 6
@@ -171,7 +171,7 @@ def _thumbnail_marks(row: Row, number: int, top: float, weight: str) -> list[Mar
     scale = 0.86 * min(THUMBNAIL_PT[0] / ((x1 - x0) or 1.0), THUMBNAIL_PT[1] / ((y1 - y0) or 1.0))
 
     def at(p: Vec) -> Vec:
-        """Return the point of the sheet for a point of the scene."""
+        """Return where in the thumbnail the scene's point p is drawn, in points of the sheet."""
         return Vec(corner.x + (p.x - center.x) * scale, corner.y + (p.y - center.y) * scale)
 
     marks = []
@@ -191,7 +191,7 @@ def _thumbnail_marks(row: Row, number: int, top: float, weight: str) -> list[Mar
 
 
 def _text_from(part: str, text: str, role: str, left: float, y: float, number: int | None = None) -> Mark:
-    """Return a label of one line that begins at `left`."""
+    """Return a one-line label that begins at x = `left`."""
     return Mark(part, "label", role, (Vec(left + text_size(text)[0] / 2, y),), number=number, text=text)
 
 

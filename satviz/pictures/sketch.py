@@ -38,7 +38,7 @@ class Sketch(ShapeSketch):
     # -- where the axis comes from
 
     def edge(self, test: AxisTest, *, named: bool = False) -> None:
-        """Draw the edge, or the line to a center, that the axis comes from; `named` adds it as a vector."""
+        """Draw the edge, or the line between two points, that the axis comes from; `named` labels it as a vector."""
         (kind, _, ids), role = test.source, test.source.shape or "ink"
         if kind in FROM_EDGES:
             name, polygon = self.named_polygon(role)
@@ -66,7 +66,7 @@ class Sketch(ShapeSketch):
         return p, q
 
     def normal_arrow(self, test: AxisTest) -> Segment | None:
-        """Return tail and tip of the axis's direction where it comes from; None for an axis that has no such place."""
+        """Return tail and tip of the axis's direction at its edge or line; None if it comes from neither."""
         kind, role, ids = test.source
         if kind in FROM_EDGES:
             _, polygon = self.named_polygon(role)
@@ -77,8 +77,8 @@ class Sketch(ShapeSketch):
             return None
         return start, point_along(start, self.arrow_direction(test.axis), self.layout.units(NORMAL_PT))
 
-    def normals_to_come(self) -> list[Segment]:
-        """Return where the normals of all tests stand."""
+    def upcoming_normals(self) -> list[Segment]:
+        """Return the arrow (tail, tip) of each test's normal, drawn already or not."""
         return [arrow for arrow in map(self.normal_arrow, self.trace.tests) if arrow]
 
     def arrow_direction(self, axis: Axis) -> Vec:
@@ -87,7 +87,7 @@ class Sketch(ShapeSketch):
         return n if describe.points_outward(self.trace, axis) else Vec(-n.x, -n.y)
 
     def normal(self, test: AxisTest, *, named: bool = False) -> None:
-        """Draw the axis's direction as an arrow where it comes from; `named` adds its label (a normal in numbers)."""
+        """Draw the axis's direction as an arrow at its edge or line; `named` labels it as a vector."""
         arrow = self.normal_arrow(test)
         if arrow is None:
             return
@@ -105,7 +105,7 @@ class Sketch(ShapeSketch):
             self.label("normal-name", text, role, arrow[1], prefer=direction, first=1)
 
     def right_angle(self, foot: Vec, normal: Vec) -> None:
-        """Draw the mark of a right angle between an edge and its unit normal."""
+        """Draw the right-angle sign at `foot`, between an edge and its unit normal."""
         size = self.layout.units(RIGHT_ANGLE_PT)
         along = Vec(-normal.y, normal.x)
         up, side = point_along(foot, normal, size), point_along(foot, along, size)
@@ -113,7 +113,7 @@ class Sketch(ShapeSketch):
         self.add("right-angle", "segment", "ink", up, corner, corner, side)
 
     def no_axis(self, test: AxisTest) -> None:
-        """Draw an edge whose ends lie in one place, so that it gives no axis."""
+        """Draw the single point of an edge of length 0, and words that it gives no axis."""
         role = test.source.shape or "A"
         self.vertices(role, test.source.ids[:1])
         name, polygon = self.named_polygon(role)
@@ -130,7 +130,7 @@ class Sketch(ShapeSketch):
                 self.small_normal("normal", axis, 0.8, role, owner=name, number=i)
 
     def small_normal(self, part: str, edge_normal: Axis, size: float, role: str, **more: Unpack[MarkOptions]) -> None:
-        """Draw the outward arrow of an edge normal, `size` times as long as that of a test."""
+        """Draw an edge's outward normal as an arrow, `size` times as long as the normal of a test."""
         _, polygon = self.named_polygon(edge_normal.source.shape)
         foot = midpoint(*(polygon.vertices[i] for i in edge_normal.source.ids))
         tip = point_along(foot, self.arrow_direction(edge_normal), self.layout.units(NORMAL_PT * size))
@@ -147,7 +147,7 @@ class Sketch(ShapeSketch):
         return f"{self.prefix}{self.test_number(test)}"
 
     def axis(self, test: AxisTest, place: AxisPlace, *, named: bool = True) -> None:
-        """Draw the axis as a long arrow clear of the shapes, with a tick at coordinate 0 if it gets so far."""
+        """Draw the axis as a long arrow clear of the shapes, with a tick at coordinate 0 if that lies on it."""
         start = self.normal_arrow(test) or ()
         if start and self.arrow_direction(test.axis) != test.axis.direction:
             start = start[::-1]  # so that the axis grows out of the normal without turning over
@@ -170,7 +170,7 @@ class Sketch(ShapeSketch):
         side = test.a if role == "A" else test.b
         name, shape = self.named_shape(role)
         axis = self.axis_id(test)
-        for i in self.extreme_points(side, place) if ends_only else range(len(side.points)):
+        for i in self.extreme_point_indices(side, place) if ends_only else range(len(side.points)):
             point, spot = side.points[i], place.at(side.landings[i])
             x0, y0, x1, y1 = self.layout.limits
             on_canvas = x0 <= point.x <= x1 and y0 <= point.y <= y1  # a shortcut may project points far from the shape
@@ -198,11 +198,11 @@ class Sketch(ShapeSketch):
         names = [short_name(shape, name, i) for i in sorted(shape.corner_ids) if shape.vertices[i] in points]
         return ", ".join(names if len(names) < 4 else [*names[:2], f"{len(names) - 2} more"])
 
-    def extreme_points(self, side: Projection, place: AxisPlace) -> list[int]:
-        """Return a lowest and a highest point of a projection, of several in one place the nearest to the axis."""
+    def extreme_point_indices(self, side: Projection, place: AxisPlace) -> list[int]:
+        """Return the indices of a lowest and a highest projected point; of ties those nearest the axis."""
 
         def coordinate_out(i: int) -> float:
-            """Return the coordinate of a point in the direction from the shapes to the axis."""
+            """Return how far point i lies in the direction from the shapes to the axis."""
             return side.points[i].x * place.out.x + side.points[i].y * place.out.y
 
         close = self.layout.units(0.5) / place.unit

@@ -14,7 +14,7 @@ from ..scenes.resolve import EXPECT_RUN, SceneLike, resolve
 
 
 class Stage(StrEnum):
-    """How far a test has been drawn."""
+    """How far a test has been drawn, or what a step without a test shows."""
 
     SCENE = "scene"
     PARTS = "parts"
@@ -62,7 +62,7 @@ def _stages_of_test(trace: Trace, test: int) -> Sequence[Stage]:
 
 
 def resolve_step(trace: Trace, step: int | Step) -> Step:
-    """Return a step by its number in `steps(trace)`, or itself; IndexError for a step that the trace does not have."""
+    """Return the Step meant by a number in `steps(trace)` or by a Step; IndexError if there is none."""
     every = steps(trace)
     if not isinstance(step, Step):
         if not isinstance(step, SupportsIndex):
@@ -76,12 +76,12 @@ def resolve_step(trace: Trace, step: int | Step) -> Step:
 
 
 def first_dropped_role(trace: Trace, test: int) -> str:
-    """Return the role of the shape whose points drop first: the owner of the axis's edge, else "A"."""
+    """Return the role whose points are dropped first: the owner of the axis's edge, else "A"."""
     return trace.tests[test].source.shape or "A"
 
 
 def step_sentence(run: Trace, step: Step) -> str:
-    """Return what a step shows, in words; `run` is the trace, or its pair to which the step belongs."""
+    """Return the sentence of a step; `run`: the trace, or the pair of parts that the step belongs to."""
     stage = step.stage
     if step.test is not None:
         return describe.stage(run, step.test, stage.value, first_dropped_role(run, step.test))

@@ -24,18 +24,18 @@ def picture(
     largest: tuple[float, float] = LARGEST_PT,
     by_itself: bool = False,
 ) -> Picture:
-    """Return the picture of one step: its number in `steps(trace)` (negative counts from the end) or a Step.
+    """Return the picture of one step: a Step, or its number in `steps(trace)` (negative: from the end).
 
     `largest`: the canvas in points at most.  All steps have one scale and one canvas; `by_itself` cuts it to
     what this step shows.  IndexError for a step the trace does not have.
     """
     step = resolve_step(trace, step)
     layout = step_layouts(trace, largest, by_itself)[_layout_number(trace, step)]
-    return _draw_step(trace, step, layout, _labels_of_fuller_step(trace, step, largest, by_itself), title)
+    return _draw_step(trace, step, layout, _labels_to_keep(trace, step, largest, by_itself), title)
 
 
 def _draw_step(trace: Trace, step: Step, layout: Layout, kept: Sequence[Mark], title: str) -> Picture:
-    """Return the picture of a step on its layout; `kept` are the labels of the step whose spots it takes over."""
+    """Return the picture of a step on its layout; `kept`: labels of another step, whose spots it reuses."""
     run = trace if step.pair is None else trace.pairs[step.pair]
     sketch = Sketch(run, layout)
     if step.pair is not None:
@@ -79,18 +79,18 @@ def _layout_number(trace: Trace, step: Step) -> int:
 
 
 @lru_cache(maxsize=64)
-def _labels_of_fuller_step(trace: Trace, step: Step, largest: tuple[float, float], by_itself: bool) -> tuple[Mark, ...]:
-    """Return the labels of the later step that shows most of what this step begins, so that no label jumps."""
+def _labels_to_keep(trace: Trace, step: Step, largest: tuple[float, float], by_itself: bool) -> tuple[Mark, ...]:
+    """Return the labels of a later stage or of the bare scene, whose spots this step keeps."""
     fuller = {Stage.EDGE: Stage.NORMAL} | dict.fromkeys(TEST_STAGES[2:-1], Stage.GAP)
     if step.stage is Stage.VERDICT or step.stage is Stage.SCENE:
         return ()
     stage = fuller.get(step.stage)
     there = step._replace(stage=stage) if stage else Step(Stage.SCENE, None, step.pair)
     layout = step_layouts(trace, largest, by_itself)[_layout_number(trace, there)]
-    return _draw_step(trace, there, layout, _labels_of_fuller_step(trace, there, largest, by_itself), "").labels
+    return _draw_step(trace, there, layout, _labels_to_keep(trace, there, largest, by_itself), "").labels
 
 
 def _shapes_and_moved_b(trace: Trace) -> list[Shape]:
-    """Return both shapes, and B where the MTV takes it if the shapes overlap: the verdict shows it."""
+    """Return both shapes and, if they overlap, B translated by the MTV, as the verdict shows it."""
     move = trace.known_mtv
     return [trace.a, trace.b] if move is None else [trace.a, trace.b, moved_shape(trace.b, move)]

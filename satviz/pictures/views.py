@@ -131,7 +131,7 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
     )
 
 
-def test_panels(trace: Trace, *, title: str = "") -> Picture:
+def panels_of_tests(trace: Trace, *, title: str = "") -> Picture:
     """Draw every test in a small picture of its own: the axis, both ranges, and whether it separates."""
     shapes = trace.a, trace.b
     layouts = arrange([Group(shapes, [t], brief=True) for t in trace.tests], largest=PANEL_PT, least=PANEL_PT)
@@ -230,14 +230,14 @@ def failed_axes(trace: Trace, *, title: str = "") -> Picture:
 
 
 def _is_edge(trace: Trace, test: AxisTest) -> bool:
-    """Check whether the hull's edge that a test's axis comes from is an edge of the outline too."""
+    """Check whether the hull edge that a test's axis comes from is also an edge of the outline."""
     shape = trace.a if test.source.shape == "A" else trace.b
     i, j = test.source.ids
     return (j - i) % len(shape.core) in (1, len(shape.core) - 1)
 
 
 def _draw_distance(sketch: Sketch, pair: Trace, test: AxisTest, number: int) -> None:
-    """Draw the gap of two convex parts as a segment that starts on the side of A's part that faces it."""
+    """Draw the gap of two convex parts on a test's axis, as a segment from A's part to B's part."""
     sign = 1 if test.b.interval.lo >= test.a.interval.hi else -1
     end = test.a.interval.hi if sign > 0 else test.a.interval.lo
     facing = [p for p, t in zip(test.a.points, test.a.landings, strict=True) if t == end]
@@ -266,6 +266,6 @@ def convex_parts(trace: Trace, *, title: str = "") -> Picture:
 
 
 def _split_shapes(trace: Trace) -> list[tuple[str, list[tuple[Shape, str]]]]:
-    """Return the names of the concave shapes, each with its convex parts and their names."""
+    """Return (name, its parts with their names) for each shape that has several convex parts."""
     found = [(n, named_parts(s, n)) for n, s in zip(trace.names, (trace.a, trace.b), strict=True)]
     return [(n, parts) for n, parts in found if len(parts) > 1]

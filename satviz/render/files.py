@@ -38,7 +38,7 @@ _STYLE: "dict[RcKeyType, Any]" = {
 
 
 def canvas(size: tuple[float, float], theme: Theme = LIGHT) -> tuple[Figure, Pen]:
-    """Return a new Figure of that size in points and a pen on it, without pyplot."""
+    """Return a new Figure of `size` (width, height) in points, made without pyplot, and a pen on it."""
     fig = Figure(figsize=(size[0] / 72, size[1] / 72), dpi=DPI)
     FigureCanvasAgg(fig)
     fig.set_facecolor(theme.paper)
@@ -50,7 +50,7 @@ def canvas(size: tuple[float, float], theme: Theme = LIGHT) -> tuple[Figure, Pen
 
 @contextmanager
 def styled(more: "dict[RcKeyType, Any] | None" = None) -> Iterator[None]:
-    """Give matplotlib the settings of satviz's files, and restore its own ones afterwards.
+    """Give matplotlib the settings of satviz's files for a with block, and restore the old ones after it.
 
     matplotlib has one set of settings for the whole process, so only one thread at a time is inside.
     """
@@ -61,18 +61,18 @@ def styled(more: "dict[RcKeyType, Any] | None" = None) -> Iterator[None]:
 
 
 def encode(picture: Picture, form: str, theme: Theme = LIGHT, *, stem: str = "picture") -> bytes:
-    """Return the file of a picture in one of `FORMATS`; `stem` is the beginning of the ids in an SVG."""
+    """Return a picture as the bytes of a file in the format `form`; `stem` begins the ids in an SVG."""
     return encode_frames([picture], form, theme, stem=stem)
 
 
 def encode_frames(pictures: Sequence[Picture], form: str, theme: Theme = LIGHT, *, stem: str = "picture") -> bytes:
-    """Return all pictures as one file; only an animated format takes more than one picture."""
+    """Return the pictures as the bytes of one file; only an animated format takes more than one."""
     fonts: Sequence[str] = ()
     if _format(form).embeds_fonts:
         fonts = families([text for picture in pictures for text in picture.texts], form)
 
     def draw_frames() -> Iterator[Figure]:
-        """Yield one Figure again and again, with the next picture on it."""
+        """Yield the same Figure once for each picture, with that picture drawn on it."""
         fig, pen = canvas(pictures[0].size, theme)
         for picture in pictures:
             pen.draw(picture)
@@ -84,18 +84,18 @@ def encode_frames(pictures: Sequence[Picture], form: str, theme: Theme = LIGHT, 
 
 
 def encode_figure(make: Callable[[], Figure], form: str, *, stem: str, title: str, sentence: str) -> bytes:
-    """Return the file of a matplotlib Figure, which `make` draws under the settings of satviz's files."""
+    """Return as the bytes of a file the Figure that `make` draws under the settings of satviz's files."""
     return _encode((draw() for draw in [make]), form, [_words(title, sentence, stem)])
 
 
 def _encode(figures: Iterator[Figure], form: str, words: Sequence[Words]) -> bytes:
-    """Return the file of these Figures, which are drawn while matplotlib has the settings of satviz's files."""
+    """Return the Figures as the bytes of one file; they are drawn while satviz's settings apply."""
     with styled({"svg.hashsalt": words[0].stem}):
         return _format(form).encode(figures, words)
 
 
 def _words(title: str, sentence: str, stem: str) -> Words:
-    """Return the words inside a file, the title without control characters."""
+    """Return the title (without control characters), sentence, id stem and maker that a file holds."""
     return Words(describe.printable(title), sentence, stem, MAKER)
 
 
@@ -108,11 +108,11 @@ def _format(name: str) -> Format:
 
 def inline_svg(picture: Picture, theme: Theme = LIGHT, *, stem: str) -> str:
     """Return the picture as an SVG element, for a page or a notebook."""
-    return bare(encode(picture, "svg", theme, stem=stem))
+    return svg_without_header(encode(picture, "svg", theme, stem=stem))
 
 
-def bare(file: bytes) -> str:
-    """Return the SVG element of an SVG file, without the XML declaration and the metadata, which name the maker."""
+def svg_without_header(file: bytes) -> str:
+    """Return the SVG element of a file, without its XML declaration and its metadata (which name the maker)."""
     svg = file.decode()
     before, _, rest = svg[svg.index("<svg") :].partition(" <metadata>")
     return before + rest.partition("</metadata>\n")[2] if rest else before

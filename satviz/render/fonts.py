@@ -13,7 +13,7 @@ OWN_FAMILY = "DejaVu Sans"
 
 
 def families(texts: Iterable[str], form: str) -> list[str]:
-    """Return the fonts for these texts in a file of this format; a warning names letters that no font here has."""
+    """Return fonts of this machine that have the letters of the texts; warn, naming `form`, of missing letters."""
     found, without = [OWN_FAMILY], ""
     for letter in sorted(set(letters.missing_letters("".join(texts)))):
         family = _family_with(letter)

@@ -44,7 +44,7 @@ class Format(NamedTuple):
 
 
 def _save(figures: "Iterable[Figure]", name: str, metadata: dict[str, str | None], **options: Any) -> bytes:
-    """Return the file that matplotlib writes of a single Figure."""
+    """Return the bytes that matplotlib writes for the one Figure in `figures`; `name`: the format."""
     (figure,) = figures
     out = io.BytesIO()
     figure.savefig(out, format=name, metadata=metadata, **options)
@@ -52,7 +52,7 @@ def _save(figures: "Iterable[Figure]", name: str, metadata: dict[str, str | None
 
 
 def _encode_svg(figures: "Iterable[Figure]", words: Sequence[Words]) -> bytes:
-    """Return an SVG with a description after its title, and both named as what a screen reader says."""
+    """Return an SVG file with a description after its title, both marked as labels for screen readers."""
     ((title, sentence, stem, maker),) = words
     svg = _save(figures, "svg", {"Title": title, "Creator": maker, "Date": None}).decode()
     before, found, after = svg.partition(f"<title>{escape(title)}</title>")
@@ -65,19 +65,19 @@ def _encode_svg(figures: "Iterable[Figure]", words: Sequence[Words]) -> bytes:
 
 
 def _encode_png(figures: "Iterable[Figure]", words: Sequence[Words]) -> bytes:
-    """Return a PNG."""
+    """Return a PNG file that holds the words as metadata."""
     ((title, sentence, _, maker),) = words
     return _save(figures, "png", {"Title": title, "Description": sentence, "Software": maker}, dpi=DPI)
 
 
 def _encode_pdf(figures: "Iterable[Figure]", words: Sequence[Words]) -> bytes:
-    """Return a PDF without a date, so that the same picture gives the same bytes."""
+    """Return a PDF file without a date, so that the same picture gives the same bytes."""
     ((title, sentence, _, maker),) = words
     return _save(figures, "pdf", {"Title": title, "Subject": sentence, "Creator": maker, "CreationDate": None})
 
 
 def _encode_gif(figures: "Iterable[Figure]", words: Sequence[Words]) -> bytes:
-    """Return an animation that shows each Figure for as long as its sentence takes to read."""
+    """Return an animated GIF that shows each Figure for as long as its sentence takes to read."""
     from PIL import Image
 
     from ..pictures.caption import reading_time_ms

@@ -29,13 +29,13 @@ def bundle(what: Any) -> dict[str, str]:
         drawn = make()
     except ValueError as error:  # too far out to draw: the text is right all the same
         found = {"text/plain": f"{text}\n({error})"}
-        return found if trace is None else found | {"text/html": f"{table(trace)}<p>({escape(str(error))})</p>"}
+        return found if trace is None else found | {"text/html": f"{html_table(trace)}<p>({escape(str(error))})</p>"}
     found = {"text/plain": text, "image/svg+xml": inline_svg(drawn, stem=_stem(drawn))}
-    return found if trace is None else found | {"text/html": f"{found['image/svg+xml']}\n{table(trace)}"}
+    return found if trace is None else found | {"text/html": f"{found['image/svg+xml']}\n{html_table(trace)}"}
 
 
-def table(trace: Trace) -> str:
-    """Return the table of a run with its sentence, as HTML."""
+def html_table(trace: Trace) -> str:
+    """Return an HTML table of a run's tests, with the run's sentence below it."""
     head = "".join(f'<th scope="col">{escape(name)}</th>' for name in ("", "axis", "direction", *trace.names, "gap"))
     lines, pair = [], ""
     for row in table_rows(trace):
@@ -54,5 +54,5 @@ def table(trace: Trace) -> str:
 
 
 def _stem(drawn: Picture) -> str:
-    """Return a beginning for the ids of one picture, since a page may show many."""
+    """Return a prefix for the ids in a picture's SVG, made from its content, since a page may show many."""
     return f"satviz-{crc32(drawn.to_json().encode()):08x}"

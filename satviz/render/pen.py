@@ -77,7 +77,7 @@ class Pen:
         return artists
 
     def set_fonts(self, families: Sequence[str]) -> None:
-        """Write all labels in the first of these fonts that has a letter; with none, leave the fonts as they are."""
+        """Let labels take each letter from the first of these fonts that has it; fewer than 2 change nothing."""
         for text in self.texts if len(families) > 1 else ():
             text.set_fontfamily(list(families))
 
@@ -87,14 +87,14 @@ class Pen:
             artist.remove()
 
     def _view(self, picture: Picture) -> None:
-        """Set the limits and the size of the Axes to those of a picture."""
+        """Set the limits of the Axes to those of a picture, with one scale in x and y."""
         x0, y0, x1, y1 = picture.limits
         self.ax.set_xlim(x0, x1)
         self.ax.set_ylim(y0, y1)
         self.ax.set_aspect("equal", adjustable="box")
 
     def _write(self, labels: Sequence[Mark], artists: "dict[str, Artist]", zoom: float) -> None:
-        """Write the labels, reusing the texts of the picture before."""
+        """Write the labels, reusing the texts of the last picture, and enter them in `artists` by mark id."""
         while len(self.texts) < len(labels):
             text = self.ax.text(0, 0, "", fontfamily="sans-serif", parse_math=False, zorder=4, clip_on=False)
             text.set(ha="center", va="center", linespacing=1.2)

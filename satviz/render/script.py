@@ -17,7 +17,7 @@ _INDENT = re.compile(r"^ +", re.MULTILINE)  # no string of ours goes over two li
 
 @cache
 def javascript(*names: str) -> str:
-    """Return the named files of `render/browser`, and all that they import, as one module without imports.
+    """Return the named files of `render/browser` and all their imports as one JavaScript module.
 
     Their top-level names share one scope, so no two files may declare the same one.
     """
@@ -28,7 +28,7 @@ def javascript(*names: str) -> str:
 
 
 def _collect(path: str, found: dict[str, str]) -> None:
-    """Add a file to `found` after the files that it imports."""
+    """Add a file's source to `found`, after the sources of the files that it imports."""
     if path in found:
         return
     source = (files(_PACKAGE) / path).read_text(encoding="utf-8")

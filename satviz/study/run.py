@@ -10,7 +10,7 @@ from typing import Any
 
 from ..batch.chunks import check_executor
 from ..optional_imports import extra_needed
-from ..safe_write import MADE_BY, check, folder, write
+from ..safe_write import MADE_BY, check, make_folder, write
 from .harness.cells import Failure, Settings, run_cells
 from .harness.chart import Chart, save_chart
 from .harness.machine import machine_facts
@@ -60,7 +60,7 @@ def study(
     """
     check_executor(executor)
     sections = SECTIONS if sections is None else sections
-    folder(out)
+    make_folder(out)
     check(out / "study.md", force=force)
     cells = [cell for section in sections for cell in section.cells(settings)]
     found: dict[str, Any] = {}

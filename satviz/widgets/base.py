@@ -43,11 +43,11 @@ class TraceWidget(anywidget.AnyWidget):
 
     @traitlets.validate("site")
     def _checked_site(self, proposal: Any) -> str:
-        """Return the address of the site's folder; InvalidScene for an address that is not http or https."""
+        """Return the checked address of the site's folder; InvalidScene if it is not http or https."""
         return site_folder(proposal["value"])
 
     def _receive(self, _widget: Any, content: Any, _buffers: Any) -> None:
-        """Answer a message of the front end; a message of no known kind is ignored."""
+        """Answer a message of the front end; ignore a message of unknown kind."""
         if not isinstance(content, dict):
             return
         with LOCK:
@@ -59,11 +59,11 @@ class TraceWidget(anywidget.AnyWidget):
             stay_busy(self.comm)
 
     def picture(self) -> Picture:
-        """Return the picture for a place where no front end runs."""
+        """Return the picture to show where no front end (browser) runs."""
         return self._model.picture()
 
     def _save(self, content: dict[str, Any]) -> None:
-        """Send the file that the message asks for, or why it cannot be drawn."""
+        """Send the front end the file that its message asks for, or the reason why there is none."""
         name = content.get("form")
         form = FORMATS.get(name) if isinstance(name, str) else None
         if form is None:
@@ -78,7 +78,7 @@ class TraceWidget(anywidget.AnyWidget):
             self.send({"kind": "file", "name": f"satviz.{form.name}", "mime": form.mime}, [data])
 
     def _answer(self, content: dict[str, Any]) -> None:
-        """Send what the model answers to the message, if anything, and follow its trace."""
+        """Send the model's answer to the message, if it has one, and set `trace` to the model's trace."""
         answer = self._model.answer(content)
         if answer is not None:
             self.trace = self._model.trace
@@ -91,7 +91,7 @@ class TraceWidget(anywidget.AnyWidget):
         """Return the widget, and its picture and sentence for a place where no widget runs."""
         found: Any = super()._repr_mimebundle_(**more)
         data, metadata = found if isinstance(found, tuple) else (found or {}, {})
-        return {**data, **still(self)}, metadata
+        return {**data, **static_bundle(self)}, metadata
 
 
 def stay_busy(comm: Any) -> None:
@@ -105,8 +105,8 @@ def stay_busy(comm: Any) -> None:
         comm.kernel.get_parent("shell")["header"]["msg_type"] = "comm_info_request"
 
 
-def still(widget: Any) -> dict[str, str]:
-    """Return the MIME bundle for a place where no widget runs: its sentence, and the picture above the sentence.
+def static_bundle(widget: Any) -> dict[str, str]:
+    """Return a MIME bundle for places where the widget does not run: its repr, and its captioned picture.
 
     The picture is also there as HTML, which exported pages prefer: a bare picture gets no alt text there.
     """

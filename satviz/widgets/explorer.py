@@ -17,7 +17,7 @@ from .goals import GOAL_NAMES
 
 
 class Explorer(TraceWidget):
-    """Two shapes to drag, turn and reshape, and one axis: the most telling one, a chosen one or a free one.
+    """Two shapes to drag, turn and reshape, and one axis: the decisive one, a chosen one or a free one.
 
     A failing scene shows the shortcut's run, its answer and a map of where it is wrong, or the true run.
     `scene` and `trace` follow each drag.  Messages of the browser are checked like a scene file.

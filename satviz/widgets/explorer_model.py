@@ -36,7 +36,7 @@ SHORTCUT, TRUTH = "shortcut", "truth"
 
 
 class DrawnScene(NamedTuple):
-    """The picture, the row of its axis in the table (None: not in it), and the handle that turns a free axis."""
+    """A drawn scene: the picture, its axis's row in the table (or None), and the handle of a free axis."""
 
     picture: Picture
     lit: int | None = None
@@ -44,7 +44,7 @@ class DrawnScene(NamedTuple):
 
 
 class ExplorerModel(PlayerModel):
-    """Two shapes to drag, turn and reshape, and one axis: the most telling one, a chosen one or a free one.
+    """Two shapes to drag, turn and reshape, and one axis: the decisive one, a chosen one or a free one.
 
     A scene whose axes are a shortcut's has two views: the shortcut's run, and the truth.
     A goal is a challenge: what the scene is to become.
@@ -54,17 +54,17 @@ class ExplorerModel(PlayerModel):
     def __init__(self, shown: Scene, goal: str | None = None) -> None:
         self._degree: float | None = None
         self._largest = canvas_size(None)
-        self._way_out = self._against = False
+        self._show_mtv = self._show_difference = False
         self._start(shown, goal)
-        self._settle()
+        self._redraw()
 
     def picture(self) -> Picture:
         """Return the picture of the scene as it is now."""
         return self._drawn.picture
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
-        """Return the state after a pose, a preset or a challenge, or the reason why it is refused."""
-        n, before = content.get("n"), {**vars(self), "_stood": dict(self._stood)}
+        """Return the new state after a pose, preset or challenge message, or why it is refused."""
+        n, before = content.get("n"), {**vars(self), "_last_offsets": dict(self._last_offsets)}
         try:
             if content.get("kind") == "preset":
                 self._start(scene(typed(content.get("name"), "the preset", str)))
@@ -75,7 +75,7 @@ class ExplorerModel(PlayerModel):
                 self._pose(content)
             else:
                 return None
-            self._settle(final=bool(content.get("final", True)))
+            self._redraw(final=bool(content.get("final", True)))
             return {"kind": "state", "n": n, **self.state()}
         except ValueError as error:  # also of what a picture asks of the engine: then nothing has changed
             vars(self).update(before)
@@ -96,12 +96,12 @@ class ExplorerModel(PlayerModel):
             "lit": drawn.lit,
             "json": self.scene.to_json(),
             "view": self._view,
-            "link": fragment(self.scene, self._shown()),
-            "scene": self._begun,
+            "link": fragment(self.scene, self._view_options()),
+            "scene": self._start_json,
         }
-        if self._judged:
-            found["goal"] = self._judged._asdict()
-        if self._against:
+        if self._challenge_result:
+            found["goal"] = self._challenge_result._asdict()
+        if self._show_difference:
             found["difference"] = difference(trace, largest=(min(340.0, self._largest[0]), 300.0)).data()
         if self._run.shortcut:
             found["heading"] = list(heading(self._run))
@@ -113,90 +113,95 @@ class ExplorerModel(PlayerModel):
             found["knob"] = list(drawn.knob)
         return found
 
-    def _shown(self) -> ViewOptions:
-        """Return what a link to this view contains."""
+    def _view_options(self) -> ViewOptions:
+        """Return the options of the present view, as a link to it contains them."""
         view = self._view if self._view == TRUTH else None
-        goal = self._judged.goal if self._judged else None
-        return ViewOptions(self._degree, self._pinned, view, self._way_out, self._against, goal=goal)
+        goal = self._challenge_result.goal if self._challenge_result else None
+        return ViewOptions(self._degree, self._pinned, view, self._show_mtv, self._show_difference, goal=goal)
 
     def _start(self, shown: Scene, goal: str | None = None) -> None:
-        """Begin with a scene and perhaps a challenge."""
+        """Show a scene from its beginning, with a fresh layout; `goal`: the challenge, if any."""
         trace, met = _trace(shown), evaluate_goal(goal, shown) if goal else None
         self._layout = drag_layout(trace, self._largest)
         self._at_first = shown.a, shown.b
-        self._begun = shown.to_json()  # a pose says which scene it is of: undo goes back over presets too
-        self._look(shown, trace, SHORTCUT if trace.shortcut else None, met)
+        self._start_json = shown.to_json()  # a pose says which scene it is of: undo goes back over presets too
+        self._set_run(shown, trace, SHORTCUT if trace.shortcut else None, met)
         self._pinned: int | None = None
-        self._near: Vec | None = None  # the way the axis lay before, so that it stays on its side
-        self._stood: LabelOffsets = {}  # how the labels stood, so that they do not jump
+        self._last_out: Vec | None = None  # the way the axis lay before, so that it stays on its side
+        self._last_offsets: LabelOffsets = {}  # how the labels stood, so that they do not jump
 
     def _pose(self, content: dict[str, Any]) -> None:
-        """Move both shapes to where the message says, after checking them like a scene file."""
+        """Apply a drag's message: both shapes, the view and the challenge, all checked first."""
         a, b = shape_from(content.get("a"), "A"), shape_from(content.get("b"), "B")
         degree, pinned = _number(content.get("degree"), "the angle"), content.get("pinned")
         largest = canvas_size(_number(content.get("width"), "the width"))
         if pinned is not None and not isinstance(pinned, int):
             raise InvalidScene("pinned must be the number of a row in the table of axes, or null")
         text = content.get("scene")
-        begun = self.scene if text in (None, self._begun) else Scene.from_json(typed(text, "the scene", str))
+        begun = self.scene if text in (None, self._start_json) else Scene.from_json(typed(text, "the scene", str))
         changed = replace(begun, a=a, b=b)
         trace = _trace(changed)
         view = (content.get("view") or self._view or SHORTCUT) if trace.shortcut else None
         if view not in (None, SHORTCUT, TRUTH):
             raise InvalidScene(f'the view must be "{SHORTCUT}" or "{TRUTH}"')
         layout = drag_layout(trace, largest)  # refused where it cannot be drawn
-        before = self._judged.goal if self._judged else None
+        before = self._challenge_result.goal if self._challenge_result else None
         goal = content.get("goal", before)
         met = None if goal is None else evaluate_goal(typed(goal, "the challenge", str), changed)
         if begun is not self.scene:
-            self._begun, self._at_first = begun.to_json(), (begun.a, begun.b)
+            self._start_json, self._at_first = begun.to_json(), (begun.a, begun.b)
         # where the scene began it has the frame and the labels that it had there, whatever was shown since; while
         # only a free axis is turned there, nothing may jump
         came = degree is None or layout != self._layout or (self.scene.a, self.scene.b) != self._at_first
         returns = content.get("final", True) and (a, b) == self._at_first and came
         if begun is not self.scene or largest != self._largest or returns:
-            self._layout, self._largest, self._stood, self._near = layout, largest, {}, None
+            self._layout, self._largest, self._last_offsets, self._last_out = layout, largest, {}, None
         if pinned != self._pinned or (degree is None) != (self._degree is None) or view != self._view:
-            self._near = None
+            self._last_out = None
         if view != self._view:
             pinned = None  # the other run's rows are others
-        self._pinned, self._degree, self._way_out = pinned, degree, bool(content.get("wayOut"))
-        self._against = bool(content.get("against"))
-        self._look(changed, trace, view, met)
+        self._pinned, self._degree, self._show_mtv = pinned, degree, bool(content.get("wayOut"))
+        self._show_difference = bool(content.get("against"))
+        self._set_run(changed, trace, view, met)
 
-    def _look(self, scene: Scene, run: Trace, view: str | None, met: ChallengeResult | None) -> None:
-        """Record the scene and return the run, the trace that the view shows, and the result of the challenge."""
-        self.scene, self._run, self._view, self._judged = scene, run, view, met
+    def _set_run(self, scene: Scene, run: Trace, view: str | None, met: ChallengeResult | None) -> None:
+        """Store the scene, its run, the view with the trace it shows, and the challenge's result."""
+        self.scene, self._run, self._view, self._challenge_result = scene, run, view, met
         self.trace = run.truth if view == TRUTH else run
 
-    def _settle(self, *, final: bool = True) -> None:
-        """Draw; when a drag has ended, fit the view again if something lies outside it."""
+    def _redraw(self, *, final: bool = True) -> None:
+        """Draw the scene; after a drag (`final`), fit the view again if a mark lies outside it."""
         self._drawn = self._draw()
         if final and not all_marks_fit(self._drawn.picture):
-            self._layout, self._stood = drag_layout(self.trace, self._largest), {}
+            self._layout, self._last_offsets = drag_layout(self.trace, self._largest), {}
             self._drawn = self._draw()
 
     def _draw(self) -> DrawnScene:
-        """Draw the scene with its axis."""
+        """Return the drawn scene with its axis, and remember where axis and labels stand."""
         trace = self.trace
         if self._degree is not None:
             free = record(self.scene.a, self.scene.b, axes=directions(unit_vector(self._degree)))
             drawn, place = free_axis_picture(
-                free, self._layout, self._degree, last_out=self._near, last_offsets=self._stood
+                free, self._layout, self._degree, last_out=self._last_out, last_offsets=self._last_offsets
             )
-            self._near = place.out
+            self._last_out = place.out
             return DrawnScene(drawn, knob=knob_position(self._layout, place, self._degree))
-        chosen = self._choice()
+        chosen = self._shown_test()
         show = drag_view if trace.shortcut else drag_picture
         drawn, lies = show(
-            trace, self._layout, chosen, show_mtv=self._way_out, last_out=self._near, last_offsets=self._stood
+            trace,
+            self._layout,
+            chosen,
+            show_mtv=self._show_mtv,
+            last_out=self._last_out,
+            last_offsets=self._last_offsets,
         )
-        self._near = None if lies is None else lies.out
+        self._last_out = None if lies is None else lies.out
         lit = None if chosen is None else first_row_numbers(trace)[chosen.pair or 0] + chosen.test
         return DrawnScene(drawn, lit=lit)
 
-    def _choice(self) -> ShownTest | None:
-        """Return the chosen axis as long as the trace has it, else the one that tells most."""
+    def _shown_test(self) -> ShownTest | None:
+        """Return the test in the row that the reader chose, if the trace has it, else the decisive test."""
         if self._pinned is not None:
             runs = self.trace.pairs or (self.trace,)
             for pair, (run, begin) in enumerate(zip(runs, first_row_numbers(self.trace), strict=False)):
@@ -206,12 +211,12 @@ class ExplorerModel(PlayerModel):
 
 
 def _number(value: Any, what: str) -> float | None:
-    """Return a finite number from a message; InvalidScene names `what` is wrong."""
+    """Return a number or None from a message; InvalidScene if it is not finite, naming it `what`."""
     if value is not None and not (isinstance(value, (int, float)) and isfinite(value)):
         raise InvalidScene(f"{what} must be a number")
     return value
 
 
 def _trace(shown: Scene) -> Trace:
-    """Record a scene over every axis, since the table shows them all."""
+    """Return the trace of a scene over every axis, since the table shows them all."""
     return shown.record().without_early_exit()

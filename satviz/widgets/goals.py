@@ -31,7 +31,7 @@ GOAL_HINTS = {
     BREAK: "Ask where the shortcut and the shapes disagree. If the picture shows a red region, the shortcut is wrong "
     "while the dot lies in it.",
 }
-STEPS, WAYS = (1, 2, 3, 4, 6, 8), ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1))
+MOVE_SIZES, MOVE_DIRECTIONS = (1, 2, 3, 4, 6, 8), ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1))
 
 
 class ChallengeResult(NamedTuple):
@@ -45,7 +45,7 @@ class ChallengeResult(NamedTuple):
 
 
 def evaluate_goal(goal: str, shown: Scene) -> ChallengeResult:
-    """Return how a scene stands to a goal; InvalidScene for an unknown goal, or one that the scene cannot have."""
+    """Return whether a scene meets a goal, with task and hint; InvalidScene for an unknown or unfit goal."""
     if goal not in GOAL_TASKS:
         raise InvalidScene(f"no challenge {polygon_validation.short_repr(goal)}: choose one of {', '.join(GOAL_TASKS)}")
     met, says = {ONE_AXIS: _evaluate_one_axis, TOUCH: _evaluate_touch, BREAK: _evaluate_break}[goal](shown)
@@ -53,7 +53,7 @@ def evaluate_goal(goal: str, shown: Scene) -> ChallengeResult:
 
 
 def challenge_start(goal: str, shown: Scene) -> Scene:
-    """Return the scene with which a challenge begins: the one shown, unless it meets the goal or never can."""
+    """Return the scene a challenge begins with: `shown`, unless it meets the goal or never can."""
     if not evaluate_goal(goal, shown).met and not (goal == ONE_AXIS and _has_concave_shape(shown)):
         return shown
     start = start_where_right(NAMED[shown.axes]) if goal == BREAK else next(s for g, s in challenges() if g == goal)
@@ -74,12 +74,12 @@ def challenges() -> Iterator[tuple[str, Scene]]:
 
 
 def start_where_right(row: FailureCase) -> Scene | None:
-    """Return the row's scene with B moved to where the shortcut is right; None if no such place is near."""
+    """Return a failing case's scene with B moved so that the shortcut is right; None if nowhere near."""
     a, b = row.shapes
     x0, y0, x1, y1 = bounding_box([a, b])
     step = float(f"{max(x1 - x0, y1 - y0) / 4:.1g}")
-    for size in STEPS:
-        for x, y in WAYS:
+    for size in MOVE_SIZES:
+        for x, y in MOVE_DIRECTIONS:
             start = replace(scene_of_case(row), b=translated(b, Vec(size * step * x, size * step * y)))
             if not answers(start.record()).is_wrong:
                 drag_layout(start.record())
@@ -88,7 +88,7 @@ def start_where_right(row: FailureCase) -> Scene | None:
 
 
 def _evaluate_one_axis(shown: Scene) -> tuple[bool, str]:
-    """Return whether one axis is enough, and how many are needed now."""
+    """Return whether exactly one axis separates the shapes, and a sentence on how many do."""
     if _has_concave_shape(shown):
         return False, "A shape has a dent, and only convex ones count: drag the corner out, or choose another scene."
     trace = record(shown.a, shown.b, axes=needed, every_axis=True)
@@ -104,13 +104,13 @@ def _has_concave_shape(shown: Scene) -> bool:
 
 
 def _rounded_line(direction: Vec) -> tuple[float, float]:
-    """Return an axis without its sense, rounded as an eye sees it: a dragged edge is parallel only up to rounding."""
+    """Return a direction rounded to 9 digits, the same for its opposite, so that near-parallels are equal."""
     x, y = round(direction.x, 9) + 0.0, round(direction.y, 9) + 0.0
     return max((x, y), (0.0 - x, 0.0 - y))
 
 
 def _evaluate_touch(shown: Scene) -> tuple[bool, str]:
-    """Return whether the shapes touch, and what is missing."""
+    """Return whether the shapes touch, and a sentence on how they lie now."""
     trace = record(shown.a, shown.b, every_axis=True)
     if trace.relation is Relation.TOUCHING:
         return True, "They touch, exactly."
@@ -122,7 +122,7 @@ def _evaluate_touch(shown: Scene) -> tuple[bool, str]:
 
 
 def _evaluate_break(shown: Scene) -> tuple[bool, str]:
-    """Return whether the shortcut's answer is wrong, and what it says."""
+    """Return whether the shortcut's answer is wrong, and a sentence with both answers."""
     trace = shown.record()
     if trace.shortcut is None:
         raise InvalidScene(

@@ -10,7 +10,7 @@ from ..engine.trace import Trace
 from ..pictures import LIGHT, Picture, picture, steps
 from ..pictures.caption import reading_time_ms
 from ..render.files import canvas, styled
-from .base import LOCK, still
+from .base import LOCK, static_bundle
 
 
 class PlainPlayer(ui.VBox):  # type: ignore[misc]
@@ -51,10 +51,10 @@ class PlainPlayer(ui.VBox):  # type: ignore[misc]
         return f"<{type(self).__name__}: {self.trace.sentence}>"
 
     def picture(self) -> Picture:
-        """Return the picture for a place where no front end runs; a box does not show its children's there."""
+        """Return the picture to show where no front end runs, since a box does not show its contents."""
         return picture(self.trace)
 
     def _repr_mimebundle_(self, **more: Any) -> dict[str, Any]:
         """Return the widget, and its picture and sentence for a place where no widget runs."""
         found = super()._repr_mimebundle_(**more) or {}
-        return {**found, **still(self)}
+        return {**found, **static_bundle(self)}

@@ -39,7 +39,7 @@ class Player(TraceWidget):
         )
 
     def picture(self) -> Picture:
-        """Return the picture for a place where no front end runs; with `predict` it does not give the answer away."""
+        """Return the picture to show where no front end runs: the last step, with `predict` the first."""
         return picture(self.trace, 0) if self.predict else super().picture()
 
     def __repr__(self) -> str:

@@ -14,15 +14,15 @@ class PlayerModel:
         self.trace = trace
 
     def picture(self) -> Picture:
-        """Return the picture for a place where no front end runs."""
+        """Return the picture to show where no front end runs: the last step."""
         return picture(self.trace)
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
-        """Return the answer to a message; None for a message of unknown kind, and a player knows none."""
+        """Return the answer to a message, or None for an unknown kind; a player answers no message."""
         return None
 
     def pictures_to_save(self, content: dict[str, Any], *, every_step: bool) -> list[Picture]:
-        """Return what a message asks to save: with `every_step` each step's picture, else one picture.
+        """Return the pictures a message asks to save: all with `every_step`, else one.
 
         The list is empty for a step that the trace does not have.  ValueError for too many steps.
         """

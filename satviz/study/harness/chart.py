@@ -15,7 +15,7 @@ from matplotlib.patches import Rectangle
 
 from ...pictures import LIGHT, THEMES, Theme
 from ...pictures.float_geometry import clip_segment
-from ...render.files import bare, encode_figure
+from ...render.files import encode_figure, svg_without_header
 from ...render.formats import DPI
 from ...safe_write import MADE_BY, write
 from .cells import JsonRow
@@ -71,7 +71,7 @@ class Chart(NamedTuple):
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         """Return the chart and its reading, for a notebook."""
-        return {"text/plain": self.reading, "image/svg+xml": bare(self.encode("svg", LIGHT))}
+        return {"text/plain": self.reading, "image/svg+xml": svg_without_header(self.encode("svg", LIGHT))}
 
     def encode(self, form: str, theme: Theme) -> bytes:
         """Return the bytes of the chart's file in a theme; `form`: "svg" or "png"."""
