@@ -520,7 +520,7 @@ def dragged(hand, name):
         b = shape_data(translated(start.b, sv.Vec(2 * i / first.scale, i / first.scale)))
         said = hand.answer({"kind": "pose", "n": 1, "a": shape_data(start.a), "b": b, "final": False})
         if said["kind"] == "state":
-            yield hand.picture(), dict(hand._stood)
+            yield hand.picture(), dict(hand._last_offsets)
 
 
 def which_of(mark):
@@ -539,7 +539,7 @@ def test_no_name_jumps_under_the_hand_without_a_reason(name):
             board = LabelPlacer(Layout(drawn.limits, drawn.size, ()))
             for mark in drawn.marks:
                 if mark.part != f"{which[0]}-leader" and which_of(mark) != which:
-                    board.cover(mark)
+                    board.add_mark(mark)
             at, (w, h) = labels[which].points[0], text_size(labels[which].text, labels[which].weight)
             spot = [(p - low) * drawn.scale + old - new for p, low, old, new in zip(at, (x0, y0), was, now)]
             covers = board.cover_cost(spot, w / 2 + 2, h / 2 + 1, 1e9)

@@ -15,7 +15,7 @@ from .. import batch
 from ..batch.arrays import Shapes, check_shapes
 from ..batch.broad_phase import candidate_blocks, sort_pairs
 from ..batch.codes import APART
-from ..batch.narrow_phase import engine_of
+from ..batch.engines import engine_of
 from ..batch.ragged import Rings
 from ..engine.geometry import InvalidScene
 from ..engine.shapes import Circle, Shape
@@ -92,7 +92,7 @@ def _pairs_with_meeting_boxes(bounds: Array, engine: str | None) -> tuple[Indice
     """Return (i, j), sorted, of all pairs whose boxes meet; InvalidScene as soon as there are too many."""
     farthest = float_info.max  # the box of a circle may exceed it
     blocks, many = [], 0
-    for block in candidate_blocks(np.clip(bounds, -farthest, farthest), engine_of(engine).grid):
+    for block in candidate_blocks(np.clip(bounds, -farthest, farthest), engine_of(engine)):
         many += len(block)
         refuse_too_many_boxes(many, len(bounds))
         blocks.append(block)

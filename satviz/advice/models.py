@@ -156,7 +156,7 @@ def numba_kernels() -> Any:
         return None
     try:
         from . import kernels
-    except Exception:  # `narrow_phase.engine_of` warns about it
+    except Exception:  # `engines.engine_of` warns about it
         return None
     return kernels
 

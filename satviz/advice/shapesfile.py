@@ -145,7 +145,8 @@ def _shapes(path: Path, arrays: dict[str, NDArray[Any]]) -> batch.Shapes:
 
 def _check_concave(path: Path, coords: NDArray[Any], offsets: NDArray[Any]) -> None:
     """Raise InvalidScene for more than MAX_CONCAVE_CORNERS corners of concave polygons."""
-    rings = Rings(*validation.rings_from_offsets(coords, offsets))
+    points, start = validation.rings_from_offsets(coords, offsets)
+    rings = Rings(points[:, 0], points[:, 1], start)
     corners = np.diff(rings.start)
     _, plain = convex_rings(Rings(rings.x + 0.0, rings.y + 0.0, rings.start))
     if (many := int(corners[~plain].sum())) > MAX_CONCAVE_CORNERS:

@@ -11,45 +11,80 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.polygon_validation import refuse_masked
-from .ragged import Rings
+from .ragged import Rings, concat_rings
+
+TILE_SHAPES = 128  # columns that share error bounds; their corners stay in the first-level cache
 
 Selection = SupportsIndex | slice | Sequence[int] | NDArray[np.integer[Any] | np.bool_]  # one, a range, indices, a mask
 
 
-class Group(NamedTuple):
-    """Hold all shapes of a batch that have the same number of corners: one row per corner, one column per shape.
+class Group:
+    """Hold shapes with the same number of corners: one row per corner, one column per shape.
 
-    x, y: (V, n) counter-clockwise corners in scene units, no repeats, none straight on
-    (V = 1: centers, r: (n,) radii).  max_edge_component, max_coordinate: the largest edge component and
-    coordinate of all polygons; upright: are all of them boxes with their sides along x and y?
+    x, y: (V, n) counter-clockwise corners in scene units, no repeats, none straight on (V = 1: centers, r: (n,) radii).
     """
 
-    x: NDArray[np.float64]
-    y: NDArray[np.float64]
-    r: NDArray[np.float64] | None
-    max_edge_component: float = 0.0
-    max_coordinate: float = 0.0
-    upright: bool = False
+    def __init__(
+        self,
+        x: NDArray[np.float64],
+        y: NDArray[np.float64],
+        r: NDArray[np.float64] | None = None,
+        tile_maxima: "TileMaxima | None" = None,
+    ) -> None:
+        self.x, self.y, self.r = x, y, r
+        if tile_maxima is not None:
+            self.tile_maxima = tile_maxima
+
+    @cached_property
+    def tile_maxima(self) -> "TileMaxima":
+        """Return the largest numbers of each tile of polygons, for error bounds."""
+        starts = np.arange(0, self.x.shape[1], TILE_SHAPES)
+        if not len(starts):
+            return TileMaxima(np.zeros(0), np.zeros(0))
+        edge, coordinate = np.zeros((2, self.x.shape[1]))
+        part = np.empty_like(edge)
+        with np.errstate(over="ignore"):
+            for c in (self.x, self.y):
+                for v in range(len(c)):
+                    np.maximum(edge, np.abs(np.subtract(c[v], c[v - 1], out=part), out=part), out=edge)
+                    np.maximum(coordinate, np.abs(c[v], out=part), out=coordinate)
+        return TileMaxima(*(np.maximum.reduceat(most, starts) for most in (edge, coordinate)))
+
+    @cached_property
+    def upright(self) -> bool:
+        """Return whether all shapes are boxes with their sides along x and y."""
+        return len(self.x) == 4 and bool(upright_box_mask(self.x, self.y).all())
 
     def columns(self, where: slice | NDArray[np.integer[Any] | np.bool_]) -> "Group":
         """Return the group of the shapes chosen by a slice, an index array or a mask, in contiguous rows."""
         r = None if self.r is None else self.r[where]
         if isinstance(where, slice):
-            return self._replace(x=self.x[:, where], y=self.y[:, where], r=r)
+            return Group(self.x[:, where], self.y[:, where], r)
         places = np.flatnonzero(where) if where.dtype == bool else where
-        return self._replace(x=self.x.take(places, axis=1), y=self.y.take(places, axis=1), r=r)
+        return Group(self.x.take(places, axis=1), self.y.take(places, axis=1), r)
+
+
+class TileMaxima(NamedTuple):
+    """Hold the largest edge component and the largest absolute coordinate of each tile of TILE_SHAPES columns.
+
+    One error bound for a whole batch would make all pairs pay for one giant or far shape.
+    """
+
+    edge: NDArray[np.float64]
+    coordinate: NDArray[np.float64]
 
 
 class Flat(NamedTuple):
     """Hold all shapes of a batch one after another: shape i has the corners start[i] to start[i + 1].
 
-    x, y: (M,) scene units; bounds: (N, 4), circles' rounded outwards; upright: (N,) is it a box with its sides
-    along x and y?
+    x, y: (M,) scene units (a circle has its center); radius: (N,) 0 for polygons; bounds: (N, 4), circles' rounded
+    outwards; upright: (N,) is it a box with its sides along x and y?
     """
 
     x: NDArray[np.float64]
     y: NDArray[np.float64]
     start: NDArray[np.intp]
+    radius: NDArray[np.float64]
     bounds: NDArray[np.float64]
     upright: NDArray[np.bool_]
 
@@ -57,29 +92,36 @@ class Flat(NamedTuple):
 class Shapes:
     """Hold many convex polygons and circles; make a batch with Polygons, Circles, from_shapely or concat.
 
-    `count`: (N,) corners of each part (a circle has one); `owner`: (N,) which shape each is a
-    part of, where concave polygons were split.  Made of `rings` or of `groups`; the other is
-    worked out when it is first needed, and kept.
+    `count`: (N,) corners of each part (a circle has one; None where `groups` holds a single group); `owner`: (N,) which
+    shape each is a part of, where concave polygons were split.  Made of `rings` with (N,) radii (None: all are
+    polygons), or of `groups`; the other is worked out when it is first needed, and kept.
     """
 
     def __init__(
         self,
-        count: NDArray[np.int64],
+        count: NDArray[np.int64] | None = None,
         owner: NDArray[np.int64] | None = None,
         *,
         rings: Rings | None = None,
+        radius: NDArray[np.float64] | None = None,
         groups: dict[int, Group] | None = None,
     ) -> None:
-        self.count = count.astype(np.int64, copy=False)
         self.owner = owner
+        if count is not None:
+            self.count = count.astype(np.int64, copy=False)
         if rings is not None:
             self.rings = rings
+            self.radius = np.zeros(len(rings.start) - 1) if radius is None else radius
         if groups is not None:
             self.groups = groups
 
     def __len__(self) -> int:
         """Return the number of shapes; the parts of one concave polygon count once."""
-        return len(self.count) if self.owner is None else int(self.owner[-1]) + 1 if len(self.owner) else 0
+        if self.owner is not None:
+            return int(self.owner[-1]) + 1 if len(self.owner) else 0
+        if "groups" in vars(self):
+            return sum(group.x.shape[1] for group in self.groups.values())
+        return len(self.count)
 
     def __repr__(self) -> str:
         kinds = zip(*np.unique(self.count, return_counts=True), strict=True)
@@ -89,8 +131,17 @@ class Shapes:
         return f"{type(self).__name__}({', '.join(held)})"
 
     @cached_property
+    def count(self) -> NDArray[np.int64]:
+        """Return the number of corners of each part, (N,) integers; a circle has one."""
+        ((v, group),) = self.groups.items()
+        return np.full(group.x.shape[1], v, np.int64)
+
+    @cached_property
     def rings(self) -> Rings:
         """Return the corners of all parts, one outline after another."""
+        if len(self.groups) == 1:
+            ((v, group),) = self.groups.items()
+            return Rings(group.x.T.ravel(), group.y.T.ravel(), np.arange(0, group.x.size + 1, v))
         start = np.concatenate([[0], np.cumsum(self.count)])
         x, y = np.empty((2, start[-1]))
         for v, group in self.groups.items():
@@ -99,12 +150,26 @@ class Shapes:
         return Rings(x, y, start)
 
     @cached_property
+    def radius(self) -> NDArray[np.float64]:
+        """Return the radius of each part, (N,) scene units: 0 for polygons."""
+        found = np.zeros(len(self.count))
+        if 1 in self.groups:
+            found[self.count == 1] = self.groups[1].r
+        return found
+
+    @cached_property
     def groups(self) -> dict[int, Group]:
         """Return the parts grouped by their number of corners, in ascending order."""
         found = {}
-        for v in np.unique(self.count).tolist():
-            places = self.rings.start[:-1][self.count == v] + np.arange(v)[:, None]
-            found[v] = make_group(self.rings.x[places], self.rings.y[places])
+        values = self.count[:1].tolist() if (self.count == self.count[:1]).all() else np.unique(self.count).tolist()
+        if len(values) == 1:
+            v = values[0]
+            columns = (c.reshape(-1, v).T.copy() for c in self.rings[:2])
+            return {v: Group(*columns, self.radius if v == 1 else None)}
+        for v in values:
+            mine = self.count == v
+            places = self.rings.start[:-1][mine] + np.arange(v)[:, None]
+            found[v] = Group(self.rings.x[places], self.rings.y[places], self.radius[mine] if v == 1 else None)
         return found
 
     @cached_property
@@ -129,7 +194,7 @@ class Shapes:
         if (fours := np.flatnonzero(self.count == 4)).size:
             places = self.rings.start[fours] + np.arange(4)[:, None]
             upright[fours] = upright_box_mask(self.rings.x[places], self.rings.y[places])
-        return Flat(*self.rings, self.parts.bounds, upright)
+        return Flat(*self.rings, self.radius, self.parts.bounds, upright)
 
     @cached_property
     def are_upright_boxes(self) -> bool:
@@ -163,7 +228,7 @@ class Shapes:
     def _unowned_parts(self) -> "Shapes":
         """Return the parts as a batch in which each part is a shape of its own."""
         made = vars(self)
-        return Shapes(self.count, rings=made.get("rings"), groups=made.get("groups"))
+        return Shapes(self.count, rings=made.get("rings"), radius=made.get("radius"), groups=made.get("groups"))
 
     def __getitem__(self, where: Selection) -> "Shapes":
         """Some of the shapes by slice, index array or mask; one by its index is a batch of one.
@@ -185,8 +250,8 @@ class Shapes:
             owner = np.repeat(np.arange(len(chosen)), many)
             chosen = np.arange(len(owner)) + np.repeat(first - (np.cumsum(many) - many), many)
         count = self.count[chosen]
-        if "rings" in vars(self) and not (count == 1).any():
-            return Shapes(count, owner, rings=self.rings.take(chosen))
+        if "rings" in vars(self):
+            return Shapes(count, owner, rings=self.rings.take(chosen), radius=self.radius[chosen])
         slot = self.slot[chosen]
         groups = {v: self.groups[v].columns(slot[count == v]) for v in np.unique(count).tolist()}
         return Shapes(count, owner, groups=groups)
@@ -195,10 +260,13 @@ class Shapes:
     def bounds(self) -> NDArray[np.float64]:
         """Return the boxes, (N, 4) as x min, y min, x max, y max in scene units, rounded outwards for circles."""
         found = np.empty((len(self.count), 4))
-        if "rings" in vars(self) and not (self.count == 1).any():
+        if "rings" in vars(self):
             x, y, first = self.rings.x, self.rings.y, self.rings.start[:-1]
-            for i, (extreme, c) in enumerate(((np.minimum, x), (np.minimum, y), (np.maximum, x), (np.maximum, y))):
-                found[:, i] = extreme.reduceat(c, first)
+            if len(first):
+                for i, (extreme, c) in enumerate(((np.minimum, x), (np.minimum, y), (np.maximum, x), (np.maximum, y))):
+                    found[:, i] = extreme.reduceat(c, first)
+            if (circles := np.flatnonzero(self.radius)).size:
+                found[circles] = _widen(found[circles], self.radius[circles])
         else:
             for v, group in self.groups.items():
                 found[self.count == v] = _bounding_boxes(group)
@@ -206,14 +274,6 @@ class Shapes:
             return found
         first = self.starts[:-1]
         return np.hstack([np.minimum.reduceat(found[:, :2], first), np.maximum.reduceat(found[:, 2:], first)])
-
-
-def make_group(x: NDArray[np.float64], y: NDArray[np.float64]) -> Group:
-    """Return a group of polygons with one number of corners, from (corners, shapes) arrays of x and y."""
-    max_coordinate = float(max(np.abs(x).max(initial=0.0), np.abs(y).max(initial=0.0)))
-    with np.errstate(over="ignore"):
-        max_edge_component = float(max(np.abs(c - np.roll(c, 1, axis=0)).max(initial=0.0) for c in (x, y)))
-    return Group(x, y, None, max_edge_component, max_coordinate, len(x) == 4 and bool(upright_box_mask(x, y).all()))
 
 
 def upright_box_mask(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -228,11 +288,14 @@ def _bounding_boxes(group: Group) -> NDArray[np.float64]:
     """Return the bounding boxes of a group's shapes, (N, 4)."""
     x, y = group.x, group.y
     box = np.stack([x.min(axis=0), y.min(axis=0), x.max(axis=0), y.max(axis=0)], axis=1)
-    if group.r is not None:
-        with np.errstate(over="ignore"):
-            box += np.stack([-group.r, -group.r, group.r, group.r], axis=1)
-            box = np.nextafter(box, [-np.inf, -np.inf, np.inf, np.inf])
-    return box
+    return box if group.r is None else _widen(box, group.r)
+
+
+def _widen(box: NDArray[np.float64], radius: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the boxes (N, 4) widened by each radius on all sides, rounded outwards."""
+    with np.errstate(over="ignore"):
+        box = box + np.stack([-radius, -radius, radius, radius], axis=1)
+        return np.nextafter(box, [-np.inf, -np.inf, np.inf, np.inf])
 
 
 def _kind_name(v: int) -> str:
@@ -250,20 +313,12 @@ def check_shapes(shapes: object, name: str) -> Shapes:
 def concat(many: Sequence[Shapes]) -> Shapes:
     """Return one batch with the shapes of several, in order; this is how circles and polygons are mixed."""
     many = [check_shapes(shapes, f"batch {i}") for i, shapes in enumerate(many)]
-    groups: dict[int, Group] = {}
-    for v in sorted({v for shapes in many for v in shapes.groups}):
-        mine = [shapes.groups[v] for shapes in many if v in shapes.groups]
-        x, y = (np.concatenate([g[k] for g in mine], axis=1) for k in (0, 1))
-        r = None if v > 1 else np.concatenate([g.r for g in mine])
-        max_edge_component, max_coordinate = (
-            max(g.max_edge_component for g in mine),
-            max(g.max_coordinate for g in mine),
-        )
-        groups[v] = Group(x, y, r, max_edge_component, max_coordinate, all(g.upright for g in mine))
     owners, first = [np.empty(0, np.int64)], 0
     for shapes in many:
         owners.append((np.arange(len(shapes.count)) if shapes.owner is None else shapes.owner) + first)
         first += len(shapes)
     split = any(shapes.owner is not None for shapes in many)
     count = np.concatenate([np.empty(0, np.int64), *(s.count for s in many)])
-    return Shapes(count, np.concatenate(owners) if split else None, groups=groups)
+    rings = concat_rings([s.rings for s in many])
+    radius = np.concatenate([np.empty(0), *(s.radius for s in many)])
+    return Shapes(count, np.concatenate(owners) if split else None, rings=rings, radius=radius)

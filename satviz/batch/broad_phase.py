@@ -1,22 +1,49 @@
-"""The broad phase: which boxes meet, by uniform grids, one for each pair of size classes."""
+"""The broad phase: which boxes meet, by comparing all pairs, by sorting and sweeping, or by uniform grids.
+
+Which of the three is chosen depends on the number of boxes and on a count of comparisons, never on a time, so the
+same boxes always take the same way.  All three find the same pairs.
+"""
 
 import sys
 from collections.abc import Iterator
 from math import sqrt
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import validation
-from .array_types import Grid, Pairs
-from .narrow_phase import engine_of
+from .array_types import Pairs
+from .arrays import Shapes, check_shapes
+from .broad_rule import MAX_CANDIDATES_PER_BOX, NAMES
+from .engines import Engine, engine_of
+from .with_numpy.few import choose
 
-MAX_CANDIDATES_PER_BOX = (
-    48  # candidates per box that are not worth a split: comparing one is far cheaper than sorting again
-)
 MAX_UNSPLIT_RATIO = 4.0
 WIDE, FINE = 2.0**-1000, 2.0**-48  # of the farthest coordinate: cells whose numbers cannot overflow, nor run together
 SAMPLE_BOXES = 1024  # boxes that tell how densely all lie
+
+
+class BroadPhase(NamedTuple):
+    """The broad phase that is chosen for some shapes: "all pairs", "sort and sweep" or "grid".
+
+    comparisons: how many pairs of boxes it compares; for a grid how many a sweep would have compared, or None for
+    so many boxes that they were not counted.
+    """
+
+    name: str
+    comparisons: int | None
+
+
+def broad_phase(shapes: Shapes) -> BroadPhase:
+    """Return the broad phase that `colliding_pairs` chooses for these shapes (for the convex parts of concave ones).
+
+    Up to 48 boxes are compared all with all.  Up to 4,096 are sorted along the axis on which they are spread
+    more widely, and swept, if that makes at most 24 comparisons a box.  All others are put into grids.  Both engines
+    choose the same.
+    """
+    way, comparisons, *_ = choose(check_shapes(shapes, "shapes").parts.bounds)
+    return BroadPhase(NAMES[way], comparisons if comparisons >= 0 else None)
 
 
 def candidate_pairs(bounds: validation.Points, *, engine: str | None = None) -> Pairs:
@@ -24,8 +51,16 @@ def candidate_pairs(bounds: validation.Points, *, engine: str | None = None) -> 
 
     `engine`: as in `relate`.  InvalidShape for boxes that are not finite or turned inside out.
     """
-    grid = engine_of(engine).grid
-    return sort_pairs(list(candidate_blocks(validation.boxes(bounds), grid)))
+    return sort_pairs(list(candidate_blocks(validation.boxes(bounds), engine_of(engine))))
+
+
+def candidate_blocks(bounds: NDArray[np.float64], kernels: Engine) -> Iterator[Pairs]:
+    """Yield the pairs (i < j) of boxes that share a point, block by block, each pair once, unsorted."""
+    few = kernels.candidate_pairs(bounds)
+    if few is not None:
+        yield few
+    else:
+        yield from _grid_blocks(bounds, kernels)
 
 
 def sort_pairs(blocks: list[Pairs]) -> Pairs:
@@ -35,8 +70,8 @@ def sort_pairs(blocks: list[Pairs]) -> Pairs:
     return np.stack(np.divmod(np.sort(pairs[:, 0] * base + pairs[:, 1]), base), axis=1)
 
 
-def candidate_blocks(bounds: NDArray[np.float64], grid: Grid) -> Iterator[Pairs]:
-    """Yield the pairs (i < j) of boxes that share a point, block by block, each pair once, unsorted.
+def _grid_blocks(bounds: NDArray[np.float64], kernels: Engine) -> Iterator[Pairs]:
+    """Yield the pairs (i < j) of boxes that share a point, by grids, one for each pair of size classes.
 
     The cell is at least the largest width by the largest height of the boxes compared: then a
     box reaches at most into the next cell, and three rows of three cells hold all it
@@ -47,10 +82,12 @@ def candidate_blocks(bounds: NDArray[np.float64], grid: Grid) -> Iterator[Pairs]
     cell of their own size without nearly meeting.
     """
     most = np.finfo(float).max
-    bounds = np.clip(bounds, -most, most)  # places and widths beyond float64 are capped: that changes no order
-    with np.errstate(all="ignore"):
-        size = np.stack([np.clip(bounds[:, d + 2] - bounds[:, d], np.finfo(float).tiny, most) for d in (0, 1)])
     farthest = float(max(-bounds.min(initial=0), bounds.max(initial=0)))
+    with np.errstate(all="ignore"):
+        if farthest > most / 2:  # places and widths beyond float64 are capped: that changes no order
+            bounds = np.clip(bounds, -most, most)
+            farthest = min(farthest, most)
+        size = np.stack([np.clip(bounds[:, d + 2] - bounds[:, d], np.finfo(float).tiny, most) for d in (0, 1)])
     everything = np.arange(len(bounds), dtype=np.intp)
     todo: list[tuple[Pairs, Pairs | None]] = [(everything, None)]  # None: among themselves
     while todo:
@@ -60,12 +97,13 @@ def candidate_blocks(bounds: NDArray[np.float64], grid: Grid) -> Iterator[Pairs]
             continue
         largest = [float(size[d, both].max()) for d in (0, 1)]
         even = [max(largest[d], _cell_size_if_even(bounds[:, d], both), farthest * WIDE) for d in (0, 1)]
-        blocks = grid(bounds, one, other, even, MAX_CANDIDATES_PER_BOX * len(both))
+        blocks = kernels.grid(bounds, one, other, even, MAX_CANDIDATES_PER_BOX * len(both))
         if blocks is None:
             halves = _split_by_size(size, one, other)
             todo += halves
             # alike, and too many of them in the cells that would be right if they lay evenly
-            blocks = None if halves else grid(bounds, one, other, [max(c, farthest * FINE) for c in largest], np.inf)
+            cell = [max(c, farthest * FINE) for c in largest]
+            blocks = None if halves else kernels.grid(bounds, one, other, cell, np.inf)
         yield from blocks or ()
 
 

@@ -15,7 +15,8 @@ from .arrays import Shapes, check_shapes
 from .broad_phase import candidate_blocks, sort_pairs
 from .chunks import CHUNK_PAIRS
 from .constructors import number_polygons
-from .narrow_phase import check_options, engine_of, hits
+from .engines import engine_of
+from .narrow_phase import check_options, hits
 
 STRIP_SHAPES = 1 << 19  # shapes a strip of a streamed file should hold
 
@@ -34,10 +35,17 @@ def colliding_pairs(
     `progress` (called with the candidates done after each block) and `chunk`: as in `relate`;
     upright boxes alone need the engine's grid only.
     """
-    chunk = check_options(engine, executor, progress, chunk)  # also where the grid alone decides
+    kernels, parts = engine_of(engine), check_shapes(shapes, "shapes").parts
+    if chunk is not CHUNK_PAIRS or executor is not None or progress is not None:
+        chunk = check_options(engine, executor, progress, chunk)  # also where the grid alone decides
+    elif shapes.owner is None:
+        few: Pairs | None = kernels.colliding_pairs(parts)
+        if few is not None:
+            return few
     found = []
-    parts = check_shapes(shapes, "shapes").parts
-    for pairs in candidate_blocks(parts.bounds, engine_of(engine).grid):
+    if kernels.flatten is not None and "flat" not in vars(parts):
+        parts.flat = kernels.flatten(parts)
+    for pairs in candidate_blocks(parts.flat.bounds, kernels):
         if shapes.owner is not None:
             owners = shapes.owner[pairs]
             pairs = pairs[owners[:, 0] != owners[:, 1]]

@@ -8,10 +8,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..engine.convex_parts import parts
 from ..engine.geometry import InvalidShape
+from ..engine.predicates import warn_if_flushed
 from ..engine.shapes import Polygon
 from . import validation
-from .array_types import Indices
-from .arrays import Group, Shapes, make_group
+from .array_types import Array, Indices, Mask
+from .arrays import Group, Shapes
+from .engines import engine_of
 from .outlines import convex_rings
 from .ragged import MAX_LANE_CORNERS, Rings, concat_rings
 
@@ -49,10 +51,13 @@ class Polygons(Shapes):
         self, vertices: validation.Rings, *, offsets: ArrayLike | None = None, concave: str = "refuse"
     ) -> None:
         validation.check_word("concave", concave, validation.CONCAVE_OPTIONS)
+        if offsets is None and (group := _certified_group(vertices)) is not None:
+            super().__init__(groups={len(group.x): group})
+            return
         if offsets is None:
             made = number_polygons(vertices, None, concave)
         else:
-            made = _build_shapes(Rings(*validation.rings_from_offsets(vertices, offsets)), "polygon {}".format, concave)
+            made = _build_shapes(*validation.rings_from_offsets(vertices, offsets), "polygon {}".format, concave)
         vars(self).update(vars(made))
 
 
@@ -82,24 +87,33 @@ def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave
 
     if isinstance(vertices, np.ndarray) and vertices.dtype != object:
         array = validation.rings_from_array(vertices, name)
+        if (group := _certified_group(np.ascontiguousarray(array))) is not None:
+            return Shapes(groups={len(group.x): group})
         start = np.arange(len(array) + 1, dtype=np.intp) * array.shape[1]
-        rings = Rings(array[:, :, 0].ravel(), array[:, :, 1].ravel(), start)
-    else:
-        rings = Rings(*validation.rings_from_sequence(vertices, name))
-    return _build_shapes(rings, name, concave)
+        return _build_shapes(array.reshape(-1, 2), start, name, concave)
+    return _build_shapes(*validation.rings_from_sequence(vertices, name), name, concave)
 
 
-def _build_shapes(given: Rings, name: Callable[[int], str], concave: str) -> Shapes:
-    """Return a batch of outlines; those not certainly convex go through satviz.Polygon. name(i): for errors."""
-    given = Rings(given.x + 0.0, given.y + 0.0, given.start)  # a copy of our own, where -0.0 is 0.0
-    rings, plain = convex_rings(given)
+def _certified_group(vertices: object) -> Group | None:
+    """Return the polygons of an (N, V, 2) array of plain floats with few corners; None if one needs another look."""
+    if type(vertices) is not np.ndarray or vertices.dtype != np.float64 or not vertices.flags.carray:
+        return None
+    if vertices.ndim != 3 or vertices.shape[2] != 2 or not 3 <= vertices.shape[1] <= MAX_LANE_CORNERS:
+        return None
+    warn_if_flushed()
+    found: Group | None = engine_of(None).certified_group(vertices)
+    return found
+
+
+def _build_shapes(points: Array, start: Indices, name: Callable[[int], str], concave: str) -> Shapes:
+    """Return a batch of outlines, points[start[i]] to points[start[i + 1]]; name(i): outline i in error messages.
+
+    Those not certainly convex go through satviz.Polygon.
+    """
+    given = Rings(points[:, 0], points[:, 1], start)
+    rings, plain = _convex_rings(points, given)
     count = np.diff(rings.start)
     if plain.all():
-        if (
-            len(count) and count[0] <= MAX_LANE_CORNERS and (count == count[0]).all()
-        ):  # pairs of such come side by side mostly
-            columns = (c.reshape(len(count), -1).T.copy() for c in rings[:2])
-            return Shapes(count, groups={int(count[0]): make_group(*columns)})
         return Shapes(count, rings=rings)
     pieces: list[NDArray[np.float64]] = []
     owners = [np.flatnonzero(plain)]
@@ -123,3 +137,18 @@ def _build_shapes(given: Rings, name: Callable[[int], str], concave: str) -> Sha
     order = np.argsort(owner, kind="stable")
     rings = concat_rings([rings, Rings(flat[:, 0], flat[:, 1], start)]).take(order)
     return Shapes(np.diff(rings.start), owner[order], rings=rings)
+
+
+def _convex_rings(points: Array, given: Rings) -> tuple[Rings, Mask]:
+    """Return what `convex_rings` returns for all outlines; the engine certifies most of them in one pass."""
+    if (certified_rings := engine_of(None).certified_rings) is None:
+        return convex_rings(Rings(given.x + 0.0, given.y + 0.0, given.start))  # a copy, where -0.0 is 0.0
+    rings, doubtful = certified_rings(points, given.start)
+    plain = np.ones(len(given.start) - 1, bool)
+    if not doubtful.size:
+        return rings, plain
+    some = given.take(doubtful)
+    exact, plain[doubtful] = convex_rings(Rings(some.x + 0.0, some.y + 0.0, some.start))
+    first = np.flatnonzero(np.isin(np.arange(len(plain)), doubtful, invert=True))
+    order = np.argsort(np.concatenate([first, doubtful[plain[doubtful]]]))
+    return concat_rings([rings.take(first), exact]).take(order), plain

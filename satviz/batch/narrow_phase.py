@@ -1,47 +1,22 @@
 """relate and hits for many pairs: the float filter in blocks, then exact signs for the pairs it left undecided."""
 
-import sys
-import warnings
 from collections.abc import Callable
 from concurrent.futures import Executor, ThreadPoolExecutor
-from functools import cache
-from importlib.util import find_spec
-from typing import Any, NamedTuple, TypedDict, Unpack
+from typing import TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..engine.polygon_validation import refuse_masked
-from ..optional_imports import extra_needed
-from . import validation
-from .array_types import Grid, Indices
+from .array_types import Indices
 from .arrays import Group, Shapes, check_shapes
 from .chunks import CHUNK_PAIRS, Call, check_executor, check_progress, check_size, in_chunks
 from .codes import APART, UNDECIDED
+from .engines import Engine, engine_of
 from .exact_signs import pairs_per_block
-from .ragged import MAX_LANE_CORNERS
 from .with_numpy import exact
 
 Relations = NDArray[np.int8]
-Kernel = Callable[..., None]
-
-
-class Engine(NamedTuple):
-    """Hold the kernels of one engine (NumPy or numba); each fills `out`, with UNDECIDED where floats cannot tell.
-
-    The first four take columns of two groups, from one column on, and `exact_columns` decides the columns that they
-    leave undecided; `indexed` takes pairs of polygons from anywhere in two batches; `grid` finds boxes that meet.
-    """
-
-    block: int  # columns at a time
-    polygons: Kernel
-    boxes: Kernel
-    circles: Kernel
-    circle_polygons: Kernel
-    indexed: Kernel
-    grid: Grid
-    exact_columns: Kernel | None = None
-    max_corners: int = sys.maxsize  # corners up to which polygons are evaluated side by side, in columns
 
 
 class Options(TypedDict, total=False):
@@ -114,47 +89,6 @@ def check_options(engine: object, executor: object, progress: object, size: obje
     return number
 
 
-def engine_of(name: Any) -> Engine:
-    """Return the engine of that name, or the best one that works for None; TypeError or ValueError for a wrong name."""
-    if name is not None:
-        validation.check_word("engine", name, ("numpy", "numba"))
-    return load_engine(name)
-
-
-@cache
-def load_engine(name: str | None) -> Engine:
-    """Import and return the engine of that name; this is the only place that imports numba.
-
-    By default the best that works: where numba is installed but does not load or cannot keep
-    what it compiles, NumPy answers, and one warning says why.
-    """
-    if name == "numba" or (name is None and find_spec("numba")):
-        try:
-            from .with_numba import filter as filter_numba
-            from .with_numba import grid as grid_numba
-            from .with_numba import indexed as indexed_numba
-
-            own = indexed_numba.polygons, grid_numba.meeting_pairs, indexed_numba.columns, MAX_LANE_CORNERS
-            return Engine(*_column_kernels_of(filter_numba), *own)
-        except Exception as error:  # an ImportError of its own, or RuntimeError where no folder can be written
-            if name is None:
-                warnings.warn(f"numba does not work here, so NumPy does the work: {error}", stacklevel=2)
-            elif find_spec("numba") is None:
-                raise ImportError(extra_needed('engine "numba"', "fast")) from error
-            else:
-                raise ImportError(f'engine "numba" does not work here: {error}; engine="numpy" does') from error
-    from .with_numpy import filter as filter_numpy
-    from .with_numpy import grid as grid_numpy
-    from .with_numpy import indexed
-
-    return Engine(*_column_kernels_of(filter_numpy), indexed.polygons, grid_numpy.meeting_pairs)
-
-
-def _column_kernels_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
-    """Return a backend module's block size and its kernels for polygons, boxes, circles, circle and polygon."""
-    return module.BLOCK_PAIRS, module.polygons, module.boxes, module.circles, module.circle_polygons
-
-
 def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
     """Return columns i and j of (K, 2) `pairs`; ValueError for a wrong form, IndexError if not below `na`, `nb`."""
     refuse_masked(pairs, "pairs")
@@ -201,18 +135,13 @@ def _relate_some(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | N
         return _relate_parts(a, ia, b, ib, engine)
     kernels = engine_of(engine)
     out = np.full(len(ia), UNDECIDED, np.int8)
-    if min(a.min_corners, b.min_corners) > 1:
-        kernels.indexed(a.flat, np.ascontiguousarray(ia), b.flat, np.ascontiguousarray(ib), out)
-    elif (polygons := np.flatnonzero((a.count[ia] > 1) & (b.count[ib] > 1))).size:
-        found = np.empty(len(polygons), np.int8)
-        kernels.indexed(a.flat, ia[polygons], b.flat, ib[polygons], found)
-        out[polygons] = found
+    kernels.indexed(a.flat, ia, b.flat, ib, out)
     todo = np.flatnonzero(out == UNDECIDED)
     key = a.count[ia[todo]] << 32 | b.count[ib[todo]]
     for kind in np.unique(key).tolist():
         mine = todo[key == kind]
         one, other = a.groups[kind >> 32], b.groups[kind & 0xFFFFFFFF]
-        if one.r is not None or other.r is not None:  # polygons have been decided above as far as floats can
+        if one.r is not None or other.r is not None:  # where `indexed` decides polygons only
             size = min(BLOCK_PAIRS, pairs_per_block(max(len(one.x), len(other.x))))
             for start in range(0, len(mine), size):
                 part = mine[start : start + size]

@@ -35,10 +35,8 @@ def rings_from_array(vertices: NDArray[Any], name: Callable[[int], str]) -> NDAr
     return floats(vertices, "vertices", lambda i, j, k: f"{name(i)}: vertex {j}.{'xy'[k]}")
 
 
-def rings_from_offsets(
-    vertices: Points, offsets: Any
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
-    """Return (x, y, start) of (M, 2) vertices split at `offsets`; InvalidShape names the first wrong value."""
+def rings_from_offsets(vertices: Points, offsets: Any) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+    """Return ((M, 2) corners, start) of vertices split at `offsets`; InvalidShape names the first wrong value."""
     start = np.asarray(offsets)
     if start.ndim != 1 or not start.size or start.dtype.kind not in "iu":
         raise InvalidShape(f"offsets is {start.dtype} of the shape {start.shape}: expected N + 1 integers")
@@ -59,13 +57,11 @@ def rings_from_offsets(
     found = points(vertices, "vertices", entry)
     if start[-1] != len(found):
         raise InvalidShape(f"offsets ends with {start[-1]}: {OFFSETS_RULE}, {len(found)}")
-    return found[:, 0], found[:, 1], start
+    return found, start
 
 
-def rings_from_sequence(
-    vertices: Any, name: Callable[[int], str]
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
-    """Return (x, y, start) of a sequence of outlines; InvalidShape names the first wrong one by name(i)."""
+def rings_from_sequence(vertices: Any, name: Callable[[int], str]) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+    """Return ((M, 2) corners, start) of a sequence of outlines; InvalidShape names the first wrong one by name(i)."""
     given = _as_list(vertices, "vertices")
     arrays: list[NDArray[np.float64]] = []
 
@@ -87,8 +83,7 @@ def rings_from_sequence(
                 joined()  # one before it may be at fault as well
                 raise
         arrays.append(array)
-    flat, start = joined()
-    return flat[:, 0], flat[:, 1], start
+    return joined()
 
 
 def _plain_float_ring(one: Any) -> NDArray[np.float64] | None:

@@ -183,6 +183,7 @@ def _numba_peers(a: batch.Shapes, b: batch.Shapes) -> Jobs:
 
     All of them read the very arrays that satviz reads: another copy could be nearer to the processor.
     """
+    from ..batch.arrays import TILE_SHAPES
     from ..batch.with_numba.filter import clearance_kernel
     from .methods import numba_rivals
 
@@ -198,7 +199,9 @@ def _numba_peers(a: batch.Shapes, b: batch.Shapes) -> Jobs:
         READ_ONCE: lambda: [numba_rivals.read_once(c.ravel().view(np.int64)) for c in columns],
         "textbook SAT in numba": partial(run, numba_rivals.textbook_sat, True, 0.0),
         "GJK in numba": partial(run, numba_rivals.gjk),
-        "numba, no error bounds": partial(run, clearance_kernel(a.max_corners, b.max_corners), 0, 0.0),
+        "numba, no error bounds": partial(
+            run, clearance_kernel(a.max_corners, b.max_corners), 0, np.zeros(-(-len(a) // TILE_SHAPES))
+        ),
     }
 
 

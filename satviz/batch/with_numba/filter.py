@@ -16,23 +16,25 @@ import numpy as np
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..array_types import Array, Signs
-from ..arrays import Group
+from ..arrays import TILE_SHAPES, Group
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
-from .jit_cache import compiled
+from .jit_cache import compiled, inlined
 
 BLOCK_PAIRS = 1 << 17  # pairs a call: enough that the time spent in Python does not matter
-TILE_PAIRS = 128  # pairs at a time: their columns stay in the first-level cache from edge to edge
 
 
 def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     """Fill `out` with the relations of columns from `first` on; UNDECIDED within the float64 error bound."""
-    clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, error_bound_of(a, b), out)
+    clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, error_bounds(a, b), out)
 
 
-def error_bound_of(a: Group, b: Group) -> float:
-    """Return the float64 error bound of any clearance of these groups; infinite where no bound is known."""
-    found = (a.max_edge_component + b.max_edge_component) * (a.max_coordinate + b.max_coordinate) * ERROR_FACTOR_F64
-    return found if MIN_ERROR_BOUND < found < MAX_ERROR_BOUND else np.inf
+def error_bounds(a: Group, b: Group) -> Array:
+    """Return the float64 error bound of the clearances in each tile of columns; infinite where no bound is known."""
+    with np.errstate(over="ignore"):
+        found: Array = (a.tile_maxima.edge + b.tile_maxima.edge) * ERROR_FACTOR_F64
+        found *= a.tile_maxima.coordinate + b.tile_maxima.coordinate
+    found[~((found > MIN_ERROR_BOUND) & (found < MAX_ERROR_BOUND))] = np.inf
+    return found
 
 
 def clearance_kernel(va: int, vb: int) -> Callable[..., None]:
@@ -51,38 +53,41 @@ def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
     """Return the filter compiled for exactly va and vb corners, whose loops the compiler unrolls and vectorises."""
 
     @compiled
-    def kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
+    def kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bounds: Array, out: Signs) -> None:
         """Fill `out` with the relations of columns from `first` on, by the largest clearance of each pair."""
-        for k in range(out.size):
-            i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end
-            best = -np.inf
-            for e in range(va):
-                f = (e + 1) % va
-                ex, ey = ax[e, i], ay[e, i]
-                nx, ny = ay[f, i] - ey, ex - ax[f, i]
-                least = np.inf
-                for v in range(vb):
-                    least = min(least, nx * bx[v, i] + ny * by[v, i])
-                best = max(best, least - (nx * ex + ny * ey))
-            for e in range(vb):
-                f = (e + 1) % vb
-                ex, ey = bx[e, i], by[e, i]
-                nx, ny = by[f, i] - ey, ex - bx[f, i]
-                least = np.inf
-                for v in range(va):
-                    least = min(least, nx * ax[v, i] + ny * ay[v, i])
-                best = max(best, least - (nx * ex + ny * ey))
-            out[k] = classify(best, error_bound)
+        for tile in range(first // TILE_SHAPES, (first + out.size - 1) // TILE_SHAPES + 1):
+            error_bound = error_bounds[tile]
+            for k in range(max(0, tile * TILE_SHAPES - first), min(out.size, (tile + 1) * TILE_SHAPES - first)):
+                i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end
+                best = -np.inf
+                for e in range(va):
+                    f = (e + 1) % va
+                    ex, ey = ax[e, i], ay[e, i]
+                    nx, ny = ay[f, i] - ey, ex - ax[f, i]
+                    least = np.inf
+                    for v in range(vb):
+                        least = min(least, nx * bx[v, i] + ny * by[v, i])
+                    best = max(best, least - (nx * ex + ny * ey))
+                for e in range(vb):
+                    f = (e + 1) % vb
+                    ex, ey = bx[e, i], by[e, i]
+                    nx, ny = by[f, i] - ey, ex - bx[f, i]
+                    least = np.inf
+                    for v in range(va):
+                        least = min(least, nx * ax[v, i] + ny * ay[v, i])
+                    best = max(best, least - (nx * ex + ny * ey))
+                out[np.uintp(k)] = classify(best, error_bound)
 
     return kernel
 
 
 @compiled
-def _tile_kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bound: float, out: Signs) -> None:
+def _tile_kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bounds: Array, out: Signs) -> None:
     """Fill `out` with the relations of columns from `first` on, a tile of pairs at a time."""
-    best, least, nx, ny = np.empty(TILE_PAIRS), np.empty(TILE_PAIRS), np.empty(TILE_PAIRS), np.empty(TILE_PAIRS)
-    for start in range(0, out.size, TILE_PAIRS):
-        n = min(TILE_PAIRS, out.size - start)
+    best, least, nx, ny = np.empty(TILE_SHAPES), np.empty(TILE_SHAPES), np.empty(TILE_SHAPES), np.empty(TILE_SHAPES)
+    for tile in range(first // TILE_SHAPES, (first + out.size - 1) // TILE_SHAPES + 1):
+        start = max(0, tile * TILE_SHAPES - first)
+        n = min(out.size, (tile + 1) * TILE_SHAPES - first) - start
         for i in range(n):
             best[i] = -np.inf
         if ax.shape[0] == 8 and bx.shape[0] == 8:
@@ -92,7 +97,7 @@ def _tile_kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_b
             _raise_clearance(ax, ay, bx, by, first + start, n, best, least, nx, ny)
             _raise_clearance(bx, by, ax, ay, first + start, n, best, least, nx, ny)
         for i in range(n):
-            out[start + i] = classify(best[i], error_bound)
+            out[start + i] = classify(best[i], error_bounds[tile])
 
 
 def _raise_clearance_kernel(corners: int) -> Callable[..., None]:
@@ -184,16 +189,37 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
     """Fill `out` with the relations of circles from `first` on, by squared distance and radii, or UNDECIDED."""
     for k in range(out.size):
         i = np.uintp(first + k)
-        dx, dy, radius_sum = ax[i] - bx[i], ay[i] - by[i], ar[i] + br[i]
-        distance, radius_squared = dx * dx + dy * dy, radius_sum * radius_sum
-        size = distance + radius_squared
-        error_bound = size * 2.0**-50 if size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT else np.inf
-        out[k] = classify(distance - radius_squared, error_bound)
+        out[k] = relate_circles(ax[i], ay[i], ar[i], bx[i], by[i], br[i])
+
+
+@compiled
+def relate_circles(ax: float, ay: float, ar: float, bx: float, by: float, br: float) -> int:
+    """Return the relation of two circles by squared distance and radii; UNDECIDED within the error bound."""
+    dx, dy, radius_sum = ax - bx, ay - by, ar + br
+    distance, radius_squared = dx * dx + dy * dy, radius_sum * radius_sum
+    size = distance + radius_squared
+    error_bound = size * 2.0**-50 if size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT else np.inf
+    return classify(distance - radius_squared, error_bound)
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
     """Fill `out` with relations by the squared distance from center to boundary; UNDECIDED within its error bound."""
     (_circle_unrolled(len(px)) if len(px) <= 8 else _circle_general)(cx, cy, cr, px, py, first, out)
+
+
+@inlined
+def _distance_from_edge(
+    x: float, y: float, u: float, z: float, dx: float, dy: float, turn_error: float
+) -> tuple[float, bool, float]:
+    """Return (squared distance of the origin from an edge, is it certainly left of it, the edge's squared length).
+
+    The edge leads from (x, y) to (u, z), by (dx, dy) as computed from coordinates that were not moved.
+    """
+    turn = x * dy - y * dx
+    along, square = -(x * dx + y * dy), dx * dx + dy * dy
+    foot = turn / square * turn
+    distance = x * x + y * y if along <= 0 else u * u + z * z if along >= square else foot
+    return distance, turn > (abs(dx) + abs(dy)) * turn_error, square
 
 
 def _circle_kernel(corners: int | None) -> Callable[..., None]:
@@ -216,13 +242,9 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
                 w = (v + 1) % count
                 dx, dy = px[w, i] - px[v, i], py[w, i] - py[v, i]
                 x, y, u, z = px[v, i] - x0, py[v, i] - y0, px[w, i] - x0, py[w, i] - y0
-                turn = x * dy - y * dx
-                tolerance = (abs(dx) + abs(dy)) * turn_error
-                along, square = -(x * dx + y * dy), dx * dx + dy * dy
+                distance, left, square = _distance_from_edge(x, y, u, z, dx, dy, turn_error)
                 safe = safe & (square > MIN_SAFE_PRODUCT)
-                foot = turn / square * turn
-                distance = x * x + y * y if along <= 0 else u * u + z * z if along >= square else foot
-                inside = inside & (turn > tolerance)
+                inside = inside & left
                 nearest = min(nearest, distance)  # of edges that face away too: none lies nearer than the nearest
             radius_squared = r * r
             # a center inside, taken for one on an edge's line, has the boundary within twice the tolerance
@@ -230,6 +252,27 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
             out[k] = classify(gap, error_bound) if safe else UNDECIDED
 
     return kernel
+
+
+@compiled
+def relate_circle_polygon(x0: float, y0: float, r: float, px: Array, py: Array, start: int, stop: int) -> int:
+    """Return the relation of a circle and the polygon of corners start to stop, as `_circle_kernel` does."""
+    far = r
+    for v in range(start, stop):
+        far = max(far, max(abs(px[v] - x0), abs(py[v] - y0)))
+    error_bound, turn_error = far * far * 2.0**-46, far * 2.0**-48
+    safe = error_bound > MIN_SAFE_PRODUCT and error_bound < MAX_SAFE_PRODUCT * 2.0**-46
+    inside, nearest = True, np.inf
+    x, y = px[stop - 1] - x0, py[stop - 1] - y0
+    for v in range(start, stop):
+        dx, dy = px[v] - px[v - 1 if v > start else stop - 1], py[v] - py[v - 1 if v > start else stop - 1]
+        u, z = px[v] - x0, py[v] - y0
+        distance, left, square = _distance_from_edge(x, y, u, z, dx, dy, turn_error)
+        safe = safe & (square > MIN_SAFE_PRODUCT)
+        inside = inside & left
+        nearest = min(nearest, distance)
+        x, y = u, z
+    return classify(-np.inf if inside else nearest - r * r, error_bound) if safe else UNDECIDED
 
 
 _circle_unrolled = cache(_circle_kernel)

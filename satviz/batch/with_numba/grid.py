@@ -30,9 +30,9 @@ def meeting_pairs(
     """
     stored = one if other is None else other
     size = 1 << int(2 * len(stored) - 1).bit_length()
-    table = _build_table(bounds, stored, cell[0], cell[1], size)
+    table = build_table(bounds, stored, cell[0], cell[1], size)
     queries, boxes = (table[1], table[3]) if other is None else (one, bounds[one])
-    candidates = _count_candidates(boxes, other is None, table)
+    candidates = count_candidates(boxes, other is None, table)
     if candidates > most:
         return None
     return _pair_blocks(queries, boxes, other is None, table, min(BLOCK_PAIRS, max(int(candidates), len(queries))))
@@ -43,7 +43,7 @@ def _pair_blocks(queries: Indices, boxes: Array, among: bool, table: Table, bloc
     first = 0
     while first < len(queries):
         out = np.empty((block + len(table[1]), 2), np.intp)  # no query finds more than all
-        first, found = _fill_pairs(queries, boxes, first, among, table, out)
+        first, found = fill_pairs(queries, boxes, first, among, table, out)
         yield out[:found]
 
 
@@ -54,7 +54,7 @@ def _cell_number(c: float, cells_per_unit: float) -> int:
 
 
 @compiled
-def _build_table(bounds: Array, stored: Indices, cell_width: float, cell_height: float, size: int) -> Table:
+def build_table(bounds: Array, stored: Indices, cell_width: float, cell_height: float, size: int) -> Table:
     """Return the boxes ordered by the cell of their lower left corner, and where each table entry begins."""
     n, per_x, per_y = stored.size, 1 / cell_width, 1 / cell_height
     column, row = np.empty(n, np.int64), np.empty(n, np.int64)
@@ -105,7 +105,7 @@ def _stored_range(start: Starts, c0: int, c1: int, row: int, stride: int, part: 
 
 
 @compiled
-def _count_candidates(boxes: Array, among: bool, table: Table) -> float:
+def count_candidates(boxes: Array, among: bool, table: Table) -> float:
     """Return about how many candidates all queries have, estimated from a sample."""
     start, _, _, _, max_width, max_height, per_x, per_y, stride, left, bottom = table
     step = 1 if len(boxes) < 1000 else SAMPLE_STEP
@@ -121,7 +121,7 @@ def _count_candidates(boxes: Array, among: bool, table: Table) -> float:
 
 
 @compiled
-def _fill_pairs(
+def fill_pairs(
     queries: Indices, query_boxes: Array, begin: int, among: bool, table: Table, out: Pairs
 ) -> tuple[int, int]:
     """Fill `out` with the pairs of the queries from `begin` on while it has space; return (next query, pairs found)."""

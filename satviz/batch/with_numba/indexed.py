@@ -1,38 +1,54 @@
-"""Pairs of convex polygons given by indices, with any numbers of corners, compiled with numba.
+"""Pairs of convex polygons and circles given by indices, compiled with numba.
 
-Names in the kernels: sa and sb say where the corners of each shape of A and B start, box_a and box_b hold their
-bounding boxes; pair k is shape i = ia[k] of A and shape j = ib[k] of B.  A lane is a column of the scratch
-arrays x, y (corners of A) and p, q (corners of B).
+Names in the kernels: sa and sb say where the corners of each shape of A and B start, ra and rb hold their radii (0 for
+polygons), box_a and box_b their bounding boxes; pair k is shape i = ia[k] of A and shape j = ib[k] of B.  A lane is a
+column of the scratch arrays x, y (corners of A) and p, q (corners of B).
 """
 
 import numpy as np
 
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..array_types import Array, Indices, Mask, Signs
-from ..arrays import Flat, Group
+from ..arrays import TILE_SHAPES, Flat, Group
 from ..codes import OVERLAPPING, UNDECIDED
 from ..ragged import MAX_LANE_CORNERS
 from .exact import MAX_TERMS, is_certainly_inside, relate_few_corners, relate_many_corners
-from .filter import classify, raise_clearance_4, raise_clearance_8, range_gap, relation_of_gap
+from .filter import (
+    classify,
+    raise_clearance_4,
+    raise_clearance_8,
+    range_gap,
+    relate_circle_polygon,
+    relate_circles,
+    relation_of_gap,
+)
 from .jit_cache import compiled
 
 LANES = 128  # pairs whose corners stay in the first-level cache
 LANE_STRIDE = LANES + 8  # a power of two would put all corners of a pair into the same few places of the cache
 
 
-def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
-    """Fill `out` with the exact relations of polygons a[ia[k]], b[ib[k]]; UNDECIDED where floats go out of range."""
-    _polygons(a.x, a.y, a.start, a.bounds, a.upright, b.x, b.y, b.start, b.bounds, b.upright, ia, ib, out)
+def relations(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
+    """Fill `out` with the relations of a[ia[k]] and b[ib[k]].
+
+    Polygons are decided exactly, but UNDECIDED where floats go out of range; pairs with a circle are UNDECIDED within
+    the error bound.
+    """
+    fill_relations(
+        *(a.x, a.y, a.start, a.radius, a.bounds, a.upright),
+        *(b.x, b.y, b.start, b.radius, b.bounds, b.upright),
+        *(np.ascontiguousarray(ia), np.ascontiguousarray(ib), out),
+    )
 
 
 def columns(a: Group, b: Group, first: int, out: Signs) -> None:
     """Replace UNDECIDED in `out` by exact relations, in columns from `first` on; some stay UNDECIDED."""
-    _columns(a.x, a.y, b.x, b.y, first, a.max_coordinate + b.max_coordinate, out)
+    _columns(a.x, a.y, b.x, b.y, first, a.tile_maxima.coordinate + b.tile_maxima.coordinate, out)
 
 
 @compiled
-def _columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, max_coordinate: float, out: Signs) -> None:
-    """Replace UNDECIDED in `out` by the exact relations, column by column."""
+def _columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, max_coordinates: Array, out: Signs) -> None:
+    """Replace UNDECIDED in `out` by the exact relations, `max_coordinates`: the sum of both of a tile."""
     va, vb = ax.shape[0], bx.shape[0]
     x, y, p, q, terms = np.empty(va), np.empty(va), np.empty(vb), np.empty(vb), np.empty(MAX_TERMS)
     for k in range(out.size):
@@ -41,13 +57,14 @@ def _columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, max_coordin
                 x[v], y[v] = ax[v, first + k], ay[v, first + k]
             for v in range(vb):
                 p[v], q[v] = bx[v, first + k], by[v, first + k]
+            max_coordinate = max_coordinates[(first + k) // TILE_SHAPES]
             out[k] = relate_few_corners(x, y, 0, va, p, q, 0, vb, max_coordinate, terms)
 
 
 @compiled
-def _polygons(
-    ax: Array, ay: Array, sa: Indices, box_a: Array, upright_a: Mask,
-    bx: Array, by: Array, sb: Indices, box_b: Array, upright_b: Mask,
+def fill_relations(
+    ax: Array, ay: Array, sa: Indices, ra: Array, box_a: Array, upright_a: Mask,
+    bx: Array, by: Array, sb: Indices, rb: Array, box_b: Array, upright_b: Mask,
     ia: Indices, ib: Indices, out: Signs,
 ) -> None:  # fmt: skip
     """Fill `out` with the relations of pairs (ia, ib): by boxes, then the float filter in lanes, then exactly."""
@@ -63,6 +80,14 @@ def _polygons(
         )
         if gap > 0 or (upright_a[i] and upright_b[j]):
             out[k] = relation_of_gap(gap)
+            continue
+        if ra[i] > 0 or rb[j] > 0:
+            if ra[i] > 0 and rb[j] > 0:
+                out[k] = relate_circles(ax[sa[i]], ay[sa[i]], ra[i], bx[sb[j]], by[sb[j]], rb[j])
+            elif ra[i] > 0:
+                out[k] = relate_circle_polygon(ax[sa[i]], ay[sa[i]], ra[i], bx, by, sb[j], sb[j + 1])
+            else:
+                out[k] = relate_circle_polygon(bx[sb[j]], by[sb[j]], rb[j], ax, ay, sa[i], sa[i + 1])
             continue
         out[k] = UNDECIDED
         most = max(sa[i + 1] - sa[i], sb[j + 1] - sb[j])
@@ -80,7 +105,7 @@ def _polygons(
         left, width = waiting[w, : many[w]], 4 * (w + 1)
         _evaluate_lanes(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, left, width, x, y, p, q, error_bounds, best, out)
     for k in range(out.size):
-        if out[k] == UNDECIDED:
+        if out[k] == UNDECIDED and ra[ia[k]] == 0 and rb[ib[k]] == 0:
             i, j = ia[k], ib[k]
             i0, i1, j0, j1 = sa[i], sa[i + 1], sb[j], sb[j + 1]
             max_coordinate = _max_coordinate(box_a, i) + _max_coordinate(box_b, j)

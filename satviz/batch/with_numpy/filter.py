@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ..array_types import Array, Signs
-from ..arrays import Group
+from ..arrays import TILE_SHAPES, Group
 from ..codes import OVERLAPPING, TOUCHING, UNDECIDED
 from . import gjk
 
@@ -35,12 +35,16 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
         gjk.polygons(a, b, first, out)
         return
     ax, ay, bx, by = (c[:, first : first + out.size] for c in (a.x, a.y, b.x, b.y))
-    classify_clearances(*evaluate_f32(ax, ay, bx, by, _max_width(a) + _max_width(b)), out)
+    width = _max_widths(a, first, out.size)
+    width += _max_widths(b, first, out.size)
+    classify_clearances(*evaluate_f32(ax, ay, bx, by, width), out)
 
 
-def _max_width(group: Group) -> float:
-    """Return an upper bound of a group's widths: half of its edges laid end to end."""
-    return len(group.x) // 2 * group.max_edge_component
+def _max_widths(group: Group, first: int, n: int) -> Array:
+    """Return an upper bound of the widths of n columns from `first` on: half of the edges of a tile laid end to end."""
+    tiles = slice(first // TILE_SHAPES, (first + n - 1) // TILE_SHAPES + 1)
+    widths: Array = np.repeat(group.tile_maxima.edge[tiles] * (len(group.x) // 2), TILE_SHAPES)
+    return widths[first % TILE_SHAPES :][:n]
 
 
 def evaluate_f32(

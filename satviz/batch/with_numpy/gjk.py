@@ -5,7 +5,7 @@ import numpy as np
 from ...engine.predicates import MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..array_types import Array, Signs
-from ..arrays import Group
+from ..arrays import TILE_SHAPES, Group
 from ..codes import APART, OVERLAPPING, UNDECIDED
 from ..exact_signs import ERRBOUND_A, take_columns
 
@@ -23,12 +23,13 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     size = max(1, BLOCK_CORNERS // (len(a.x) + len(b.x)))
     for start in range(0, out.size, size):
         part = slice(first + start, first + min(start + size, out.size))
-        factor = (a.max_coordinate + b.max_coordinate) * ERROR_FACTOR_F64
+        factor = (a.tile_maxima.coordinate + b.tile_maxima.coordinate)[np.arange(part.start, part.stop) // TILE_SHAPES]
+        factor *= ERROR_FACTOR_F64
         gjk(a.x[:, part], a.y[:, part], b.x[:, part], b.y[:, part], factor, out[start : start + size])
 
 
-def gjk(x: Array, y: Array, p: Array, q: Array, factor: float, out: Signs) -> None:
-    """Fill `out` for the pairs of columns (x, y), (p, q); factor: both largest coordinates * ERROR_FACTOR_F64."""
+def gjk(x: Array, y: Array, p: Array, q: Array, factor: Array, out: Signs) -> None:
+    """Fill `out` for the columns (x, y), (p, q); factor: both largest coordinates, added, * ERROR_FACTOR_F64."""
     out.fill(UNDECIDED)
     left = np.arange(out.size)
     d = _mid_point(p, q) - _mid_point(x, y)
@@ -58,7 +59,7 @@ def gjk(x: Array, y: Array, p: Array, q: Array, factor: float, out: Signs) -> No
         which = np.flatnonzero(go)
         if not which.size:
             return
-        left = left[which]
+        left, factor = left[which], factor[which]
         d, u, v, x, y, p, q = (take_columns(c, which) for c in (d, u, v, x, y, p, q))
 
 

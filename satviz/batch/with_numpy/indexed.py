@@ -1,4 +1,4 @@
-"""Pairs of convex polygons given by indices, with any numbers of corners, in NumPy."""
+"""Pairs of shapes given by indices, with any numbers of corners, in NumPy."""
 
 import numpy as np
 
@@ -14,7 +14,20 @@ from .filter import MAX_F32_CORNERS, box_gap, classify_clearances, evaluate_f32
 BLOCK_CORNERS = 1 << 17  # corners of one shape of each pair at a time: what bounds the memory
 
 
-def polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
+def relations(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
+    """Fill `out` with the exact relations of a[ia[k]] and b[ib[k]]; UNDECIDED where one is a circle."""
+    circles = (a.radius[ia] > 0) | (b.radius[ib] > 0)
+    if not circles.any():
+        _relate_polygons(a, ia, b, ib, out)
+        return
+    out.fill(UNDECIDED)
+    polygons = np.flatnonzero(~circles)
+    found = np.empty(len(polygons), np.int8)
+    _relate_polygons(a, ia[polygons], b, ib[polygons], found)
+    out[polygons] = found
+
+
+def _relate_polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
     """Fill `out` with the exact relations of polygons a[ia[k]] and b[ib[k]]: by their boxes, then in columns."""
     boxes_a, boxes_b = a.bounds[ia], b.bounds[ib]
     with np.errstate(over="ignore"):
@@ -40,7 +53,7 @@ def _relate_columns(a: Flat, ia: Indices, boxes_a: Array, b: Flat, ib: Indices, 
     (x, y), (p, q) = _corners_in_columns(a, ia), _corners_in_columns(b, ib)
     found = np.empty(len(ia), np.int8)
     if max(len(x), len(p)) - 1 > MAX_F32_CORNERS:
-        factor = float(np.abs(boxes_a).max() + np.abs(boxes_b).max()) * ERROR_FACTOR_F64
+        factor = (np.abs(boxes_a).max(axis=1) + np.abs(boxes_b).max(axis=1)) * ERROR_FACTOR_F64
         gjk.gjk(x, y, p, q, factor, found)
     else:
         classify_clearances(*evaluate_f32(x, y, p, q, _max_widths(boxes_a) + _max_widths(boxes_b), 1), found)

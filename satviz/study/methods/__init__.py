@@ -103,6 +103,7 @@ def _numba_methods() -> Iterator[Method]:
     """Yield the methods compiled with numba, if it is installed."""
     if not is_installed("numba"):
         return
+    from ...batch.arrays import TILE_SHAPES
     from ...batch.codes import APART
     from ...batch.with_numba.filter import clearance_kernel
     from . import numba_rivals
@@ -137,7 +138,7 @@ def _numba_methods() -> Iterator[Method]:
     def hits_without_filter(a: numpy_rivals.Columns, b: numpy_rivals.Columns) -> Answers:
         """Return satviz's answers with all error bounds 0; a clearance of exactly 0 counts as a hit."""
         out = np.empty(a.x.shape[1], np.int8)
-        clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, 0, 0.0, out)
+        clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, 0, np.zeros(-(-out.size // TILE_SHAPES)), out)
         return np.asarray(out != APART)
 
     relation = partial(batch.relate, engine="numba")

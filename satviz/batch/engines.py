@@ -1,0 +1,99 @@
+"""The two engines of `batch`, NumPy and numba: which one answers, and the kernels of each."""
+
+import sys
+import warnings
+from collections.abc import Callable
+from functools import cache
+from importlib.util import find_spec
+from typing import Any, NamedTuple
+
+from ..optional_imports import extra_needed
+from . import validation
+from .array_types import Grid
+from .ragged import MAX_LANE_CORNERS
+
+Kernel = Callable[..., None]
+
+
+class Engine(NamedTuple):
+    """Hold the kernels of one engine (NumPy or numba); each fills `out`, with UNDECIDED where floats cannot tell.
+
+    The first four take columns of two groups, from one column on, and `exact_columns` decides the columns that they
+    leave undecided; `indexed` takes pairs from anywhere in two batches; `all_pairs`, `sweep` and `grid` find boxes that
+    meet; `certified_group` and `certified_rings` validate outlines; `flatten` makes the Flat of a batch.
+    """
+
+    block: int  # columns at a time
+    polygons: Kernel
+    boxes: Kernel
+    circles: Kernel
+    circle_polygons: Kernel
+    indexed: Kernel
+    grid: Grid
+    candidate_pairs: Callable[..., Any]
+    colliding_pairs: Callable[..., Any]
+    certified_group: Callable[..., Any]
+    certified_rings: Callable[..., Any] | None = None
+    flatten: Callable[..., Any] | None = None
+    exact_columns: Kernel | None = None
+    max_corners: int = sys.maxsize  # corners up to which polygons are evaluated side by side, in columns
+
+
+def engine_of(name: Any) -> Engine:
+    """Return the engine of that name, or the best one that works for None; TypeError or ValueError for a wrong name."""
+    if name is not None:
+        validation.check_word("engine", name, ("numpy", "numba"))
+    return load_engine(name)
+
+
+@cache
+def load_engine(name: str | None) -> Engine:
+    """Import and return the engine of that name; this is the only place that imports numba.
+
+    By default the best that works: where numba is installed but does not load or cannot keep
+    what it compiles, NumPy answers, and one warning says why.
+    """
+    if name == "numba" or (name is None and find_spec("numba")):
+        try:
+            from .with_numba import few as few_numba
+            from .with_numba import filter as filter_numba
+            from .with_numba import grid as grid_numba
+            from .with_numba import indexed as indexed_numba
+            from .with_numba import outlines as outlines_numba
+
+            return Engine(
+                *_column_kernels_of(filter_numba),
+                indexed_numba.relations,
+                grid_numba.meeting_pairs,
+                few_numba.candidate_pairs,
+                few_numba.colliding_pairs,
+                outlines_numba.certified_group,
+                outlines_numba.certified_rings,
+                few_numba.flatten,
+                indexed_numba.columns,
+                MAX_LANE_CORNERS,
+            )
+        except Exception as error:  # an ImportError of its own, or RuntimeError where no folder can be written
+            if name is None:
+                warnings.warn(f"numba does not work here, so NumPy does the work: {error}", stacklevel=2)
+            elif find_spec("numba") is None:
+                raise ImportError(extra_needed('engine "numba"', "fast")) from error
+            else:
+                raise ImportError(f'engine "numba" does not work here: {error}; engine="numpy" does') from error
+    from .with_numpy import few, indexed, outlines
+    from .with_numpy import filter as filter_numpy
+    from .with_numpy import grid as grid_numpy
+
+    return Engine(
+        *_column_kernels_of(filter_numpy),
+        indexed.relations,
+        grid_numpy.meeting_pairs,
+        few.candidate_pairs,
+        few.colliding_pairs,
+        outlines.certified_group,
+    )
+
+
+def _column_kernels_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
+    """Return a backend module's block size and its kernels for polygons, boxes, circles, circle and polygon."""
+    return module.BLOCK_PAIRS, module.polygons, module.boxes, module.circles, module.circle_polygons

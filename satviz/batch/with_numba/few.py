@@ -1,0 +1,213 @@
+"""Up to some thousand shapes, compiled with numba: from their corners to all colliding pairs in one call.
+
+For few shapes Python between the calls takes longer than the work.
+Names in the kernels: x, y are corners, those of shape i from start[i] to start[i + 1]; radius is 0 for polygons;
+bounds are boxes (x min, y min, x max, y max).
+"""
+
+import numpy as np
+
+from ..array_types import Array, Indices, Mask, Pairs, Signs
+from ..arrays import Flat, Shapes
+from ..broad_rule import MAX_ALL_PAIRS, MAX_CANDIDATES_PER_BOX, MAX_SWEEP, MAX_SWEEP_COMPARISONS
+from ..codes import APART, UNDECIDED
+from .grid import build_table, count_candidates, fill_pairs
+from .indexed import fill_relations
+from .jit_cache import compiled
+
+MAX_SHAPES = 1 << 14  # above it blocks of pairs bound the memory, and Python no longer matters
+MIN_CELL = 2.0**-48  # of the farthest coordinate: smaller cells run together
+
+
+def colliding_pairs(shapes: Shapes) -> Pairs | None:
+    """Return the pairs i < j, in order, of the shapes that share a point; None where this way does not decide them."""
+    if len(shapes) > MAX_SHAPES:
+        return None
+    if "groups" in vars(shapes) and len(shapes.groups) == 1:
+        (group,) = shapes.groups.values()
+        pairs, decided = _collide_columns(group.x, group.y, NO_RADII if group.r is None else group.r)
+    else:
+        pairs, decided = _collide(*shapes.rings, shapes.radius)
+    return pairs if decided else None
+
+
+NO_RADII = np.zeros(0)
+
+
+@compiled
+def _collide_columns(columns_x: Array, columns_y: Array, radius: Array) -> tuple[Pairs, bool]:
+    """Return what `_collide` returns, for shapes of one number of corners in columns; no radii for polygons."""
+    corners, n = columns_x.shape
+    x, y = np.empty(corners * n), np.empty(corners * n)
+    for v in range(corners):
+        for i in range(n):
+            x[i * corners + v], y[i * corners + v] = columns_x[v, i], columns_y[v, i]
+    start = np.arange(0, corners * n + 1, corners)
+    return _collide(x, y, start, radius if corners == 1 else np.zeros(n))
+
+
+@compiled
+def _collide(x: Array, y: Array, start: Indices, radius: Array) -> tuple[Pairs, bool]:
+    """Return (pairs i < j of the shapes that share a point, in order; False if there is a pair that is not decided)."""
+    n = radius.size
+    bounds, upright = np.empty((n, 4)), np.empty(n, np.bool_)
+    fill_boxes(x, y, start, radius, bounds, upright)
+    candidates, counted = _candidate_pairs(bounds)
+    if not counted:
+        return candidates, False
+    first, second = candidates[:, 0].copy(), candidates[:, 1].copy()
+    found = np.empty(len(candidates), np.int8)
+    fill_relations(x, y, start, radius, bounds, upright, x, y, start, radius, bounds, upright, first, second, found)
+    return _hits_in_order(first, second, found, n)
+
+
+@compiled
+def _hits_in_order(first: Indices, second: Indices, found: Signs, n: int) -> tuple[Pairs, bool]:
+    """Return (the pairs that are not apart, in order, for n shapes; False if there is a pair that is not decided)."""
+    place = np.zeros(n + 2, np.intp)
+    for k in range(found.size):
+        if found[k] == UNDECIDED:
+            return np.empty((0, 2), np.intp), False
+        place[first[k] + 2] += found[k] != APART
+    for i in range(n):
+        place[i + 2] += place[i + 1]
+    out = np.empty((place[n + 1], 2), np.intp)
+    for k in range(found.size):
+        if found[k] != APART:
+            to = place[first[k] + 1]
+            place[first[k] + 1] += 1
+            while to > place[first[k]] and out[to - 1, 1] > second[k]:  # few pairs begin with one shape
+                out[to, 1] = out[to - 1, 1]
+                to -= 1
+            out[to, 1] = second[k]
+    for i in range(n):
+        out[place[i] : place[i + 1], 0] = i
+    return out, True
+
+
+def flatten(shapes: Shapes) -> Flat:
+    """Return all convex parts of a batch one after another, with their boxes."""
+    x, y, start = shapes.rings
+    bounds, upright = np.empty((len(start) - 1, 4)), np.empty(len(start) - 1, bool)
+    fill_boxes(x, y, start, shapes.radius, bounds, upright)
+    return Flat(x, y, start, shapes.radius, bounds, upright)
+
+
+@compiled
+def fill_boxes(x: Array, y: Array, start: Indices, radius: Array, bounds: Array, upright: Mask) -> None:
+    """Fill `bounds` with the bounding boxes, circles' rounded outwards; `upright`: is it a box along x and y?"""
+    for i in range(radius.size):
+        x0 = y0 = np.inf
+        x1 = y1 = -np.inf
+        for j in range(start[i], start[i + 1]):
+            x0, y0, x1, y1 = min(x0, x[j]), min(y0, y[j]), max(x1, x[j]), max(y1, y[j])
+        if radius[i] > 0:
+            x0, y0 = np.nextafter(x0 - radius[i], -np.inf), np.nextafter(y0 - radius[i], -np.inf)
+            x1, y1 = np.nextafter(x1 + radius[i], np.inf), np.nextafter(y1 + radius[i], np.inf)
+        bounds[i, 0], bounds[i, 1], bounds[i, 2], bounds[i, 3] = x0, y0, x1, y1
+        upright[i] = False
+        if start[i + 1] - start[i] == 4:
+            j = start[i]
+            flat = x[j] == x[j + 1] and x[j + 2] == x[j + 3] and y[j + 1] == y[j + 2] and y[j + 3] == y[j]
+            steep = y[j] == y[j + 1] and y[j + 2] == y[j + 3] and x[j + 1] == x[j + 2] and x[j + 3] == x[j]
+            upright[i] = flat or steep
+
+
+def candidate_pairs(bounds: Array) -> Pairs | None:
+    """Return the pairs i < j of boxes that share a point, unsorted; None where one grid would compare too many."""
+    if len(bounds) > MAX_SHAPES:
+        return None
+    pairs, counted = _candidate_pairs(np.ascontiguousarray(bounds))
+    return pairs if counted else None
+
+
+@compiled
+def _candidate_pairs(bounds: Array) -> tuple[Pairs, bool]:
+    """Return (pairs i < j of boxes that share a point, True); False where one grid would compare too many boxes.
+
+    The broad phase is chosen by the rule of `broad_rule`.
+    """
+    n = len(bounds)
+    if n <= MAX_ALL_PAIRS:
+        return _all_pairs(bounds), True
+    if n <= MAX_SWEEP:
+        out, compared = _sweep(bounds, MAX_SWEEP_COMPARISONS * n)
+        if compared <= MAX_SWEEP_COMPARISONS * n:
+            return out, True
+    width = height = farthest = 0.0
+    for i in range(n):
+        width, height = max(width, bounds[i, 2] - bounds[i, 0]), max(height, bounds[i, 3] - bounds[i, 1])
+        farthest = max(farthest, max(max(-bounds[i, 0], bounds[i, 2]), max(-bounds[i, 1], bounds[i, 3])))
+    width, height = max(width, farthest * MIN_CELL), max(height, farthest * MIN_CELL)
+    if not (width > 1e-300 and height > 1e-300 and farthest < 1e300):  # cells whose numbers could overflow
+        return np.empty((0, 2), np.intp), False
+    size = 1
+    while size < 2 * n:
+        size *= 2
+    table = build_table(bounds, np.arange(n), width, height, size)
+    most = count_candidates(table[3], True, table)
+    if most > MAX_CANDIDATES_PER_BOX * n:
+        return np.empty((0, 2), np.intp), False
+    out = np.empty((int(most) + 2 * n, 2), np.intp)
+    begin, found = fill_pairs(table[1], table[3], 0, True, table, out)
+    while begin < n:  # the candidates were estimated from a sample
+        more = np.empty((2 * len(out), 2), np.intp)
+        more[:found] = out[:found]
+        begin, added = fill_pairs(table[1], table[3], begin, True, table, more[found:])
+        out, found = more, found + added
+    return out[:found], True
+
+
+@compiled
+def _all_pairs(bounds: Array) -> Pairs:
+    """Return the pairs i < j of boxes that share a point, by comparing all."""
+    n = len(bounds)
+    out = np.empty((n * (n - 1) // 2, 2), np.intp)
+    found = 0
+    for i in range(n):
+        x0, y0, x1, y1 = bounds[i, 0], bounds[i, 1], bounds[i, 2], bounds[i, 3]
+        for j in range(i + 1, n):
+            if x0 <= bounds[j, 2] and bounds[j, 0] <= x1 and y0 <= bounds[j, 3] and bounds[j, 1] <= y1:
+                out[found, 0], out[found, 1] = i, j
+                found += 1
+    return out[:found]
+
+
+@compiled
+def _sweep(bounds: Array, most: int) -> tuple[Pairs, int]:
+    """Return (pairs i < j of boxes that share a point, how many were compared); stop after `most` comparisons."""
+    n = len(bounds)
+    axis = sweep_axis(bounds)
+    order = np.argsort(bounds[:, axis])
+    low, high, side_low, side_high = np.empty(n), np.empty(n), np.empty(n), np.empty(n)
+    for k in range(n):
+        i = order[k]
+        low[k], high[k] = bounds[i, axis], bounds[i, axis + 2]
+        side_low[k], side_high[k] = bounds[i, 1 - axis], bounds[i, 3 - axis]
+    out = np.empty((most + n, 2), np.intp)
+    found = compared = 0
+    for k in range(n):
+        m = k + 1
+        while m < n and low[m] <= high[k]:
+            if side_low[k] <= side_high[m] and side_low[m] <= side_high[k]:
+                i, j = order[k], order[m]
+                out[found, 0], out[found, 1] = min(i, j), max(i, j)
+                found += 1
+            m += 1
+        compared += m - k - 1
+        if compared > most:
+            break
+    return out[:found], compared
+
+
+@compiled
+def sweep_axis(bounds: Array) -> int:
+    """Return the axis on which boxes are spread more widely in units of the largest box: 0 for x, 1 for y."""
+    least_x = least_y = np.inf
+    most_x = most_y = -np.inf
+    width = height = 0.0
+    for i in range(len(bounds)):
+        least_x, most_x = min(least_x, bounds[i, 0]), max(most_x, bounds[i, 0])
+        least_y, most_y = min(least_y, bounds[i, 1]), max(most_y, bounds[i, 1])
+        width, height = max(width, bounds[i, 2] - bounds[i, 0]), max(height, bounds[i, 3] - bounds[i, 1])
+    return 0 if (most_x - least_x) * height >= (most_y - least_y) * width else 1

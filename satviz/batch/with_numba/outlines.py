@@ -1,0 +1,125 @@
+"""Outlines validated while they are copied, compiled with numba: finite, convex, counter-clockwise, without repeats.
+
+A turn counts only where a float64 error bound certifies its sign, which no NaN, infinity or underflow passes.
+What is not certified is left to `outlines.convex_rings`, which decides exactly.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
+from ..array_types import Array, Indices
+from ..arrays import TILE_SHAPES, Group, TileMaxima
+from ..exact_signs import ERRBOUND_A
+from ..ragged import Rings
+from .jit_cache import compiled, inlined
+
+
+def certified_group(vertices: Array) -> Group | None:
+    """Return (N, V, 2) outlines as a group, counter-clockwise; None if one is not certified convex."""
+    n, corners, _ = vertices.shape
+    columns, maxima = np.empty((2, corners, n)), np.empty((2, -(-n // TILE_SHAPES)))
+    kernel = (_fill_columns_3, _fill_columns_4)[corners - 3] if corners <= 4 else _fill_columns
+    if not kernel(vertices, columns, maxima):
+        return None
+    return Group(columns[0], columns[1], None, TileMaxima(maxima[0], maxima[1]))
+
+
+def _columns_kernel(fixed: int | None) -> Callable[[Array, Array, Array], bool]:
+    """Return the kernel of `certified_group` compiled for `fixed` corners, or for any number (None)."""
+
+    @compiled
+    def fill_columns(vertices: Array, columns: Array, maxima: Array) -> bool:
+        """Fill the columns of x and of y, and the maxima of tiles; return False at an outline not certified convex."""
+        corners = vertices.shape[1] if fixed is None else fixed
+        for tile in range(maxima.shape[1]):
+            max_edge = max_coordinate = 0.0
+            for i in range(tile * TILE_SHAPES, min((tile + 1) * TILE_SHAPES, vertices.shape[0])):
+                left = right = changes = 0
+                for v in range(corners):
+                    w = v + 1 if v + 1 < corners else 0
+                    u = w + 1 if w + 1 < corners else 0
+                    vx, vy, wx, wy = vertices[i, v, 0], vertices[i, v, 1], vertices[i, w, 0], vertices[i, w, 1]
+                    dx, dy, ex, ey = wx - vx, wy - vy, vertices[i, u, 0] - wx, vertices[i, u, 1] - wy
+                    turn = _certified_turn(dx, dy, ex, ey)
+                    left += turn > 0
+                    right += turn < 0
+                    changes += _leads_right(dx, dy) != _leads_right(ex, ey)
+                    max_edge = max(max_edge, max(abs(dx), abs(dy)))
+                    max_coordinate = max(max_coordinate, max(abs(vx), abs(vy)))
+                # turns of one sign go round once if they are at most 4, or if the way along x changes twice
+                if (left != corners and right != corners) or (corners > 4 and changes != 2):
+                    return False
+                for v in range(corners):
+                    w = v if left else corners - 1 - v
+                    columns[0, v, i], columns[1, v, i] = vertices[i, w, 0] + 0.0, vertices[i, w, 1] + 0.0  # no -0.0
+            maxima[0, tile], maxima[1, tile] = max_edge, max_coordinate
+        return True
+
+    return fill_columns
+
+
+_fill_columns_3, _fill_columns_4, _fill_columns = map(_columns_kernel, (3, 4, None))
+
+
+def certified_rings(points: Array, start: Indices) -> tuple[Rings, Indices]:
+    """Return (outlines without repeats, counter-clockwise, as Rings; the indices of those not certified convex).
+
+    points: (M, 2) corners, those of outline i from start[i] to start[i + 1].  What is not certified has no corners.
+    """
+    x, y, kept = np.empty(len(points)), np.empty(len(points)), np.empty(len(start), np.intp)
+    doubtful = np.empty(len(start) - 1, np.intp)
+    found = _fill_rings(points, start, x, y, kept, doubtful)
+    return Rings(x[: kept[-1]], y[: kept[-1]], kept), doubtful[:found]
+
+
+@compiled
+def _fill_rings(points: Array, start: Indices, x: Array, y: Array, kept: Indices, doubtful: Indices) -> int:
+    """Fill x, y and where each outline starts in them; list the outlines not certified and return their number."""
+    kept[0] = found = to = 0
+    for i in range(start.size - 1):
+        first = to
+        for j in range(start[i], start[i + 1]):
+            px, py = points[j, 0] + 0.0, points[j, 1] + 0.0  # -0.0 becomes 0.0
+            if to == first or px != x[to - 1] or py != y[to - 1]:
+                x[to], y[to] = px, py
+                to += 1
+        while to - first > 1 and x[to - 1] == x[first] and y[to - 1] == y[first]:
+            to -= 1
+        left = right = changes = 0
+        corners = to - first
+        for v in range(first, to):
+            w = v + 1 if v + 1 < to else first
+            u = w + 1 if w + 1 < to else first
+            dx, dy, ex, ey = x[w] - x[v], y[w] - y[v], x[u] - x[w], y[u] - y[w]
+            turn = _certified_turn(dx, dy, ex, ey)
+            left += turn > 0
+            right += turn < 0
+            changes += _leads_right(dx, dy) != _leads_right(ex, ey)
+        if corners < 3 or (left != corners and right != corners) or (corners > 4 and changes != 2):
+            doubtful[found] = i
+            found += 1
+            to = first
+        elif right:
+            for v in range(corners // 2):
+                j, k = first + v, to - 1 - v
+                x[j], x[k] = x[k], x[j]
+                y[j], y[k] = y[k], y[j]
+        kept[i + 1] = to
+    return found
+
+
+@inlined
+def _certified_turn(dx: float, dy: float, ex: float, ey: float) -> int:
+    """Return the sign of the turn from edge d to edge e, or 0 where rounding may hide it."""
+    ahead, behind = dx * ey, dy * ex
+    size = abs(ahead) + abs(behind)
+    certified = (abs(ahead - behind) > ERRBOUND_A * size) & (size > MIN_SAFE_PRODUCT) & (size < MAX_SAFE_PRODUCT)
+    return (1 if ahead > behind else -1) if certified else 0
+
+
+@inlined
+def _leads_right(dx: float, dy: float) -> bool:
+    """Return whether an edge goes to the right, or straight up."""
+    return (dx > 0) | ((dx == 0) & (dy > 0))

@@ -1,0 +1,54 @@
+"""Outlines of one number of corners validated while they are copied, in NumPy: a few expressions for all of them."""
+
+import numpy as np
+
+from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
+from ..array_types import Array, Mask
+from ..arrays import Group
+from ..exact_signs import ERRBOUND_A
+
+BLOCK_CORNERS = 1 << 15  # corners at a time: they and the scratch arrays stay in the second-level cache
+
+
+def certified_group(vertices: Array) -> Group | None:
+    """Return (N, V, 2) outlines as a group, counter-clockwise; None if one is not certified convex.
+
+    A turn counts only where a float64 error bound certifies its sign, which no NaN, infinity or underflow passes.
+    """
+    n, corners = vertices.shape[:2]
+    columns = np.empty((2, corners, n))
+    size = max(1, BLOCK_CORNERS // corners)
+    with np.errstate(all="ignore"):
+        for start in range(0, n, size):
+            part = columns[:, :, start : start + size]
+            np.add(vertices[start : start + size].transpose(2, 1, 0), 0.0, out=part)  # -0.0 becomes 0.0
+            left, right = _turns_one_way(part)
+            if right.any():
+                part[:, :, right] = part[:, ::-1, right]
+            if not (left | right).all():
+                return None
+    return Group(columns[0], columns[1])
+
+
+def _turns_one_way(xy: Array) -> tuple[Mask, Mask]:
+    """Return two masks of outlines (2, V, n): certified to turn left at each corner and go round once; or right."""
+    edges = np.empty_like(xy)
+    np.subtract(xy[:, 1:], xy[:, :-1], out=edges[:, :-1])
+    np.subtract(xy[:, 0], xy[:, -1], out=edges[:, -1])
+    dx, dy = edges
+    ahead, behind = np.empty((2, *dx.shape))
+    for product, first, second in ((ahead, dx, dy), (behind, dy, dx)):
+        np.multiply(first[:-1], second[1:], out=product[:-1])
+        np.multiply(first[-1], second[0], out=product[-1])
+    turn = ahead - behind
+    size = np.abs(ahead, out=ahead)
+    size += np.abs(behind, out=behind)
+    certified = np.ones(xy.shape[2], bool)
+    if not (size.min(initial=1.0) > MIN_SAFE_PRODUCT and size.max(initial=1.0) < MAX_SAFE_PRODUCT):
+        certified = ((size > MIN_SAFE_PRODUCT) & (size < MAX_SAFE_PRODUCT)).all(axis=0)
+    if len(dx) > 4:  # with 3 or 4 turns of one sign there is no going round twice
+        rises = (dx > 0) | ((dx == 0) & (dy > 0))
+        certified &= (rises[1:] != rises[:-1]).sum(axis=0) + (rises[0] != rises[-1]) == 2
+    size *= ERRBOUND_A
+    left, right = ((way > size).all(axis=0) & certified for way in (turn, -turn))
+    return left, right
