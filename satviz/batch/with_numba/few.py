@@ -64,24 +64,22 @@ def _collide(x: Array, y: Array, start: Indices, radius: Array) -> tuple[Pairs, 
 @compiled
 def _hits_in_order(first: Indices, second: Indices, found: Signs, n: int) -> tuple[Pairs, bool]:
     """Return (the pairs that are not apart, in order, for n shapes; False if there is a pair that is not decided)."""
-    place = np.zeros(n + 2, np.intp)
+    start = np.zeros(n + 1, np.intp)
     for k in range(found.size):
         if found[k] == UNDECIDED:
             return np.empty((0, 2), np.intp), False
-        place[first[k] + 2] += found[k] != APART
+        start[first[k] + 1] += found[k] != APART
     for i in range(n):
-        place[i + 2] += place[i + 1]
-    out = np.empty((place[n + 1], 2), np.intp)
+        start[i + 1] += start[i]
+    out, end = np.empty((start[n], 2), np.intp), start.copy()
     for k in range(found.size):
         if found[k] != APART:
-            to = place[first[k] + 1]
-            place[first[k] + 1] += 1
-            while to > place[first[k]] and out[to - 1, 1] > second[k]:  # few pairs begin with one shape
+            i, to = first[k], end[first[k]]
+            end[i] += 1
+            while to > start[i] and out[to - 1, 1] > second[k]:  # few pairs begin with one shape
                 out[to, 1] = out[to - 1, 1]
                 to -= 1
-            out[to, 1] = second[k]
-    for i in range(n):
-        out[place[i] : place[i + 1], 0] = i
+            out[end[i] - 1, 0], out[to, 1] = i, second[k]
     return out, True
 
 
