@@ -6,9 +6,10 @@ from dataclasses import dataclass
 from matplotlib.figure import Figure
 
 from ..pictures import Theme
-from .bench import ENGINES, TimingRow
+from .bench import TimingRow
 from .bench_table import growth_exponent, wrong_counts
 from .harness.chart import TEXT_POINTS, Chart, add_axes, draw_headline, label_ends
+from .methods import ENGINES
 
 CHART_SIZE = 900.0, 560.0  # points
 PREPARED = "shapely, prepared"

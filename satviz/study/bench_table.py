@@ -43,7 +43,7 @@ def _lines_by_size(rows: list[TimingRow]) -> list[str]:
     lines = [f"{section + ', ' + unit:52}" + "".join(f"{n:>10,}" for n in sizes) + f"{'growth':>8}"]
     for work, method in dict.fromkeys((row.work, row.method) for row in rows):
         times = {row.size: row.time for row in rows if (row.work, row.method) == (work, method)}
-        line = "".join(f"{times[n]:10.1f}" for n in sizes)
+        line = "".join(f"{times[n]:10.1f}" if n in times else f"{'':10}" for n in sizes)
         lines.append(f"  {work + ', ' + method:50}{line}{growth_exponent(times):8.2f}")
     return [*lines, f"  wrong: {wrong}"] if (wrong := wrong_counts(rows)) else lines
 
