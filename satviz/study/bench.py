@@ -59,6 +59,7 @@ BENCHED_METHODS = {
     (PYTHON, "pymunk"): "pymunk, one by one",
 }
 CORNER_COUNTS = (3, 4, 8, 16, 32, 64, 128, 256)
+FRAME_SECTIONS = "frames", "arrays"
 FRAME_SIZES = 10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000, 1_000_000
 MAX_SAMPLE = 300  # shapes of a frame whose pairs are all checked
 READ_ONCE = "reading the arrays once"
@@ -345,7 +346,7 @@ def _bench_frames(plan: BenchPlan) -> Iterator[TimingRow]:
             scene = moving_scene(rng, make(rng, n))
             repeats = max(1, 300 // n)  # so that a call takes long enough to be timed
             jobs = {name: FrameJob(find, scene, repeats) for name, find in scene_methods(scene).items()}
-            rounds = min(plan.rounds, max(2, 300_000 // n))
+            rounds = plan.rounds if n < 30_000 else min(plan.rounds, 3) if n < 1_000_000 else 1
             samples: dict[int, FrameSample] = {}
             for row in _time_jobs("frames", work, n, dict(jobs), repeats, "us", rounds):
                 job = jobs[row.method]
@@ -396,7 +397,7 @@ def _bench_uneven(plan: BenchPlan) -> Iterator[TimingRow]:
         import shapely
 
         right = {work: _tree_pairs(shapely.polygons(boxes), "intersects") for work, boxes in works.items()}
-    for row in _time_jobs("arrays", f"{plan.pairs:,} boxes, all collisions", 0, jobs, 1, "ms", plan.rounds):
+    for row in _time_jobs("arrays", f"{plan.pairs:,} boxes, all collisions", 0, jobs, 1, "ms", min(plan.rounds, 5)):
         yield _with_wrong_pairs(row, answers[row.method], right.get(row.method.partition(", ")[2]))
 
 

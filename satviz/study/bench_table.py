@@ -68,6 +68,14 @@ def growth_exponent(times: Mapping[int, float]) -> float:
     return float(((x - x.mean()) * (y - y.mean())).sum() / ((x - x.mean()) ** 2).sum())
 
 
+def faster_from(own: Mapping[int, float], rival: Mapping[int, float]) -> int | None:
+    """Return the smallest size from which on `own` is never slower than the rival; None if it is at the largest."""
+    start = None
+    for size in sorted(own.keys() & rival.keys()):
+        start = None if own[size] > rival[size] else size if start is None else start
+    return start
+
+
 def busy_warning(rows: list[TimingRow]) -> str:
     """Return a warning if more than a quarter of the times have quartiles far apart; otherwise an empty string."""
     timed = [row for row in rows if row.section not in ("memory", "starts")]

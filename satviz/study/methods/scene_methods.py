@@ -17,14 +17,14 @@ from . import installed_engines
 
 FindPairs = Callable[[Frame], Any]  # returns (K, 2) indices, or a set of pairs
 # the largest number of shapes for which a slow method is timed
-MAX_SHAPES = {"brute force": 10_000, "STRtree": 30_000, "STRtree, prepared": 30_000, "Box2D": 30_000}
+MAX_SHAPES = {"brute force": 10_000, "STRtree": 30_000, "prepared STRtree": 30_000, "Box2D": 30_000}
 # what the answers of a method leave out, as a sentence
 DIFFERENCES = {
     "brute force": "Brute force and sort and sweep are compiled by numba and round in float64.",
     "cKDTree": "cKDTree takes coins of one radius only.",
     "STRtree": "For STRtree a coin is a point with a distance, and a circle among polygons is a polygon of 32 corners.",
-    "Box2D": "Box2D keeps its world between frames, rounds in float32, counts gaps below 0.02 as touching, "
-    "takes polygons of at most 8 corners, and also solves the contacts.",
+    "Box2D": "Box2D keeps its world between frames, rounds in float32 and counts gaps below 0.02 as touching. "
+    "Its polygons have at most 8 corners, and its time includes the response to contacts.",
 }
 BOX2D_STEP = 2.0**-20  # seconds: nothing moves by itself in so short a time
 
@@ -42,7 +42,7 @@ def scene_methods(scene: MovingScene) -> dict[str, FindPairs]:
             found["STRtree"] = _tree_coin_pairs
         else:
             found["STRtree"] = partial(_tree_pairs, prepared=False)
-            found["STRtree, prepared"] = partial(_tree_pairs, prepared=True)
+            found["prepared STRtree"] = partial(_tree_pairs, prepared=True)
     if is_installed("scipy") and kind == 1:
         found["cKDTree"] = _kd_tree_pairs
     n = len(scene.frames[0].centers)
