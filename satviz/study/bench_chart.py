@@ -71,15 +71,16 @@ def _summary(method: str, charted: Sequence[SpeedRatio], corners: Sequence[Timin
     """Return in one line a method's largest ratio, to shapely unprepared and prepared, and where it is slower."""
     most = max((r for r in charted if r.method == method), key=lambda r: r.times)
     prepared = next((r for r in charted if (r.work, r.method) == (most.work, PREPARED)), None)
-    text = f"{method}: up to {_times_in_words(most.times)} as fast ({most.work}"
-    text += f"; {_times_in_words(most.times / prepared.times)} as prepared)" if prepared else ")"
+    text = f"{method}: up to {_times_in_words(most.times)} as fast"
+    text += f", {_times_in_words(most.times / prepared.times)} as fast as prepared" if prepared else ""
     works = sum(r.method == method and r.times < 1 for r in charted)
-    slower = [f"at {works} works of the left chart"] if works else []
+    many = []
     for work in dict.fromkeys(row.work for row in corners):
         own, shapely = ({r.size: r.time for r in corners if (r.work, r.method) == (work, m)} for m in (method, SHAPELY))
         if (start := faster_from(shapely, own)) is not None:
-            slower.append(f"{work} from {start} corners on")
-    return f"{text}. Slower than shapely unprepared: {', '.join(slower) or 'nowhere'}."
+            many.append(f"{work} from {start}")
+    slower = [f"{works} works at the left"] * bool(works) + [f"{', '.join(many)} corners on"] * bool(many)
+    return f"{text} ({most.work}). Slower: {'; '.join(slower) or 'nowhere'}."
 
 
 def _slower_works(slower: Sequence[SpeedRatio]) -> str:
