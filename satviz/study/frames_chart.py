@@ -40,7 +40,7 @@ def frames_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
     """Return the chart of the sections "frames" and "arrays"; `warning`: why their times are only rough, or empty."""
     works = {work: times_of(rows, work) for work in dict.fromkeys(r.work for r in rows if r.section == "frames")}
     fastest = {work: fastest_by_size(times) for work, times in works.items()}
-    below = {work: [crossings(times, m) for m in times if m in ENGINES] for work, times in works.items()}
+    below = {work: [crossings(times, m) for m in sorted(ENGINES) if m in times] for work, times in works.items()}
     differences = [words for method, words in DIFFERENCES.items() if any(method in times for times in works.values())]
     notes = [*_notes_of_arrays(rows), " ".join(differences)]
     reading = " ".join(f"{work.capitalize()}. {fastest[work]} {' '.join(said)}" for work, said in below.items())
@@ -62,7 +62,7 @@ def frames_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
         for k, (work, times) in enumerate(works.items()):
             left = 0.05 + 0.325 * k
             ax = add_axes(fig, (left, 0.41, 0.165, 0.415), theme)
-            _draw_times(ax, theme, times, (low / 1.5, high * 1.5))
+            _draw_times(ax, theme, times, (low / 1.5, high * 3))
             _write_lines(fig, theme, left - 0.038, 0.91, [work.capitalize()], fontweight="bold")
             _write_lines(fig, theme, left - 0.038, 0.885, wrap(fastest[work], LINE_LETTERS))
             lines = [line for said in below[work] for line in wrap(said, LINE_LETTERS)]
@@ -152,9 +152,10 @@ def _draw_times(ax: Axes, theme: Theme, times: Times, limits: tuple[float, float
                 marker="o" if strong else None, ms=4, zorder=3 if strong else 2)  # fmt: skip
         label = sizes[-1], values[-1], method, theme.text.get(role, theme.roles[role])
         (ends if sizes[-1] == last else inner).append(label)
-        along = np.linspace(0, len(sizes) - 1, BETWEEN * (len(sizes) - 1) + 1)[:-1]
+        along = np.linspace(0, len(sizes) - 1, BETWEEN * (len(sizes) - 1) + 1)
         at, logs = np.arange(len(sizes)), (np.log(sizes), np.log(values))
-        points += zip(*(np.exp(np.interp(along, at, log)).tolist() for log in logs))
+        on_line = list(zip(*(np.exp(np.interp(along, at, log)).tolist() for log in logs)))
+        points += on_line if sizes[-1] == last else on_line[:-1]  # the end of another line is where its own label is
     ax.set(xscale="log", yscale="log", ylim=limits)
     ax.set_xticks(TICKS, [f"{n:,}" for n in TICKS])
     ax.set_xlabel("shapes")
