@@ -1,7 +1,7 @@
 """Many pairs at once: exact like satviz.relate, near the machine's speed (loads NumPy)."""
 
 from .arrays import Shapes, concat
-from .broad_phase import broad_phase, candidate_pairs
+from .broad_phase import broad_phase_of, candidate_pairs
 from .collide import colliding_pairs, stream_colliding_pairs
 from .constructors import Circles, Polygons, from_shapely
 from .moving import move, place
@@ -11,7 +11,7 @@ __all__ = [
     "Circles",
     "Polygons",
     "Shapes",
-    "broad_phase",
+    "broad_phase_of",
     "candidate_pairs",
     "colliding_pairs",
     "concat",

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.polygon_validation import refuse_masked
-from .ragged import Rings, concat_rings
+from .ragged import Rings
 
 TILE_SHAPES = 128  # columns that share error bounds; their corners stay in the first-level cache
 
@@ -22,10 +22,7 @@ class Group:
     """Hold shapes with the same number of corners: one row per corner, one column per shape.
 
     x, y: (V, n) counter-clockwise corners in scene units, no repeats, none straight on (V = 1: centers, r: (n,) radii).
-    memory: (2, V, n) array that x and y are views of, where a batch that moves can use it again.
     """
-
-    memory: NDArray[np.float64] | None = None
 
     def __init__(
         self,
@@ -144,7 +141,7 @@ class Shapes:
         """Return the corners of all parts, one outline after another."""
         if len(self.groups) == 1:
             ((v, group),) = self.groups.items()
-            return Rings(group.x.T.ravel(), group.y.T.ravel(), np.arange(0, group.x.size + 1, v))
+            return Rings(group.x.ravel("F"), group.y.ravel("F"), np.arange(0, group.x.size + 1, v))
         start = np.concatenate([[0], np.cumsum(self.count)])
         x, y = np.empty((2, start[-1]))
         for v, group in self.groups.items():
@@ -155,6 +152,8 @@ class Shapes:
     @cached_property
     def radius(self) -> NDArray[np.float64]:
         """Return the radius of each part, (N,) scene units: 0 for polygons."""
+        if len(self.groups) == 1 and 1 in self.groups and (r := self.groups[1].r) is not None:
+            return r
         found = np.zeros(len(self.count))
         if 1 in self.groups:
             found[self.count == 1] = self.groups[1].r
@@ -315,13 +314,18 @@ def check_shapes(shapes: object, name: str) -> Shapes:
 
 def concat(many: Sequence[Shapes]) -> Shapes:
     """Return one batch with the shapes of several, in order; this is how circles and polygons are mixed."""
-    many = [check_shapes(shapes, f"batch {i}") for i, shapes in enumerate(many)]
-    owners, first = [np.empty(0, np.int64)], 0
-    for shapes in many:
-        owners.append((np.arange(len(shapes.count)) if shapes.owner is None else shapes.owner) + first)
-        first += len(shapes)
-    split = any(shapes.owner is not None for shapes in many)
+    for i, shapes in enumerate(many):
+        check_shapes(shapes, f"batch {i}")
+    owner = None
+    if any(shapes.owner is not None for shapes in many):
+        first, owners = 0, []
+        for shapes in many:
+            owners.append((np.arange(len(shapes.count)) if shapes.owner is None else shapes.owner) + first)
+            first += len(shapes)
+        owner = np.concatenate(owners)
     count = np.concatenate([np.empty(0, np.int64), *(s.count for s in many)])
-    rings = concat_rings([s.rings for s in many])
-    radius = np.concatenate([np.empty(0), *(s.radius for s in many)])
-    return Shapes(count, np.concatenate(owners) if split else None, rings=rings, radius=radius)
+    rings, radii = [s.rings for s in many], [s.radius for s in many]
+    x, y = (np.concatenate([np.empty(0), *(r[i] for r in rings)]) for i in (0, 1))
+    start = np.zeros(len(count) + 1, np.intp)
+    np.cumsum(count, out=start[1:])
+    return Shapes(count, owner, rings=Rings(x, y, start), radius=np.concatenate([np.empty(0), *radii]))

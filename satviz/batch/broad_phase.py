@@ -38,7 +38,7 @@ class BroadPhase(NamedTuple):
     comparisons: int | None
 
 
-def broad_phase(shapes: Shapes) -> BroadPhase:
+def broad_phase_of(shapes: Shapes) -> BroadPhase:
     """Return the broad phase that `colliding_pairs` chooses for these shapes (for the convex parts of concave ones).
 
     Up to 48 boxes are compared all with all.  Up to 512 are sorted along the axis on which they are spread
@@ -54,7 +54,8 @@ def candidate_pairs(bounds: validation.Points, *, engine: str | None = None) -> 
 
     `engine`: as in `relate`.  InvalidShape for boxes that are not finite or turned inside out.
     """
-    return sort_pairs(list(candidate_blocks(validation.boxes(bounds), engine_of(engine))))
+    kernels = engine_of(engine)
+    return sort_pairs(list(candidate_blocks(validation.boxes(bounds), kernels)))
 
 
 def candidate_blocks(bounds: NDArray[np.float64], kernels: Engine) -> Iterator[Pairs]:

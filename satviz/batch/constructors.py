@@ -22,6 +22,11 @@ class Circles(Shapes):
     """Circles from (N, 2) centers and (N,) radii, or one radius (scene units); InvalidShape names the first bad one."""
 
     def __init__(self, centers: validation.Points, radii: validation.Numbers) -> None:
+        columns = _plain_columns(centers)
+        plain = None if columns is None else _plain_radii(radii, columns.shape[2])
+        if columns is not None and plain is not None:
+            super().__init__(groups={1: Group(columns[0], columns[1], plain)})
+            return
         centers = validation.points(centers, "centers", lambda i: f"circle {i}: center")
         n = len(centers)
         r = validation.numbers(radii, "radii", "radius", lambda i: f"circle {i}: radius")
@@ -31,7 +36,26 @@ class Circles(Shapes):
         if (bad := np.flatnonzero(~(r > 0))).size:
             raise InvalidShape(f"circle {bad[0]}: radius is {r[bad[0]]}: a circle needs a positive radius")
         x, y = (np.array(centers[:, i][None]) for i in (0, 1))
-        super().__init__(np.ones(n, np.int64), groups={1: Group(x, y, r)})
+        super().__init__(groups={1: Group(x, y, r)})
+
+
+def _plain_columns(centers: object) -> Array | None:
+    """Return (2, 1, n) coordinates of an (n, 2) array of plain finite floats; None if it needs another look."""
+    if type(centers) is not np.ndarray or centers.dtype != np.float64 or centers.ndim != 2 or centers.shape[1] != 2:
+        return None
+    warn_if_flushed()
+    columns = np.empty((2, 1, len(centers)))
+    np.add(centers.T, 0.0, out=columns[:, 0])  # -0.0 becomes 0.0
+    return columns if np.isfinite(columns).all() else None
+
+
+def _plain_radii(radii: object, n: int) -> Array | None:
+    """Return (n,) radii of one plain float or an array of them; None if they need another look."""
+    if type(radii) is float:
+        return np.full(n, radii) if 0 < radii < np.inf else None
+    if type(radii) is not np.ndarray or radii.dtype != np.float64 or radii.shape != (n,):
+        return None
+    return radii.copy() if np.logical_and(radii > 0, radii < np.inf).all() else None
 
 
 class Polygons(Shapes):
@@ -51,10 +75,9 @@ class Polygons(Shapes):
         self, vertices: validation.Rings, *, offsets: ArrayLike | None = None, concave: str = "refuse"
     ) -> None:
         validation.check_word("concave", concave, validation.CONCAVE_OPTIONS)
-        if offsets is None and (group := _certified_group(vertices)) is not None:
-            super().__init__(groups={len(group.x): group})
-            return
-        if offsets is None:
+        if offsets is None and (made := _certified_shapes(vertices)) is not None:
+            pass
+        elif offsets is None:
             made = number_polygons(vertices, None, concave)
         else:
             made = build_shapes(*validation.rings_from_offsets(vertices, offsets), "polygon {}".format, concave)
@@ -87,22 +110,28 @@ def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave
 
     if isinstance(vertices, np.ndarray) and vertices.dtype != object:
         array = validation.rings_from_array(vertices, name)
-        if (group := _certified_group(np.ascontiguousarray(array))) is not None:
-            return Shapes(groups={len(group.x): group})
+        if array is not vertices and (certified := _certified_shapes(np.ascontiguousarray(array))) is not None:
+            return certified
         start = np.arange(len(array) + 1, dtype=np.intp) * array.shape[1]
         return build_shapes(array.reshape(-1, 2), start, name, concave)
     return build_shapes(*validation.rings_from_sequence(vertices, name), name, concave)
 
 
-def _certified_group(vertices: object) -> Group | None:
-    """Return the polygons of an (N, V, 2) array of plain floats with few corners; None if one needs another look."""
+def _certified_shapes(vertices: object) -> Shapes | None:
+    """Return the polygons of an (N, V, 2) array of plain floats; None if one needs more than a certified look."""
     if type(vertices) is not np.ndarray or vertices.dtype != np.float64 or not vertices.flags.carray:
         return None
-    if vertices.ndim != 3 or vertices.shape[2] != 2 or not 3 <= vertices.shape[1] <= MAX_LANE_CORNERS:
+    if vertices.ndim != 3 or vertices.shape[2] != 2 or vertices.shape[1] < 3:
         return None
     warn_if_flushed()
-    found: Group | None = engine_of(None).certified_group(vertices)
-    return found
+    kernels = engine_of(None)
+    n, corners = vertices.shape[:2]
+    if corners <= MAX_LANE_CORNERS and (group := kernels.certified_group(vertices)) is not None:
+        return Shapes(groups={corners: group})
+    if kernels.certified_rings is None:
+        return None
+    rings, doubtful = kernels.certified_rings(vertices.reshape(-1, 2), np.arange(n + 1, dtype=np.intp) * corners)
+    return None if doubtful.size else Shapes(np.diff(rings.start), rings=rings)
 
 
 def build_shapes(points: Array, start: Indices, name: Callable[[int], str], concave: str | None) -> Shapes:
@@ -120,7 +149,7 @@ def build_shapes(points: Array, start: Indices, name: Callable[[int], str], conc
     for i in np.flatnonzero(~plain).tolist():
         part = slice(given.start[i], given.start[i + 1])
         try:
-            polygon = Polygon(np.stack([given.x[part], given.y[part]], axis=1))
+            polygon = Polygon(np.stack([given.x[part], given.y[part]], axis=1) + 0.0)  # -0.0 becomes 0.0
         except InvalidShape as error:
             raise InvalidShape(f"{name(i)}: {error}") from None
         if concave is None:

@@ -31,11 +31,10 @@ class Frame:
         self.radius: Array = shapes.radius
         self.corners = int(shapes.count[0]) if shapes.uniform is not None else 0
         self.outlines: Array = np.stack(shapes.rings[:2], axis=1)
-        self.spare: Group | None = None
 
 
 def move(shapes: Shapes, corners: validation.Points) -> Shapes:
-    """Give the shapes of a batch new coordinates, in its own memory, and return the batch.
+    """Give the shapes of a batch new coordinates and return the batch.
 
     corners: (N, V, 2), or (M, 2) corners one after another as the batch holds them (`shapes.count` of each shape; the
     center of a circle), in scene units.  Finiteness, winding and convexity are checked exactly in one pass; what is
@@ -44,7 +43,6 @@ def move(shapes: Shapes, corners: validation.Points) -> Shapes:
     """
     frame = _frame_of(check_shapes(shapes, "shapes"))
     _set_corners(shapes, frame, corners)
-    vars(shapes)["_frame"] = frame
     return shapes
 
 
@@ -67,8 +65,7 @@ def place(shapes: Shapes, offsets: validation.Points, angles: Any = 0.0) -> Shap
     corners = np.repeat(offsets, many, axis=0)
     corners[:, 0] += cos * x - sin * y
     corners[:, 1] += sin * x + cos * y
-    _set_corners(shapes, frame, corners.reshape(n, -1, 2) if frame.corners else corners)
-    vars(shapes)["_frame"] = frame
+    _set_corners(shapes, frame, corners)
     return shapes
 
 
@@ -79,21 +76,26 @@ def _frame_of(shapes: Shapes) -> Frame:
 
 
 def _set_corners(shapes: Shapes, frame: Frame, corners: Any) -> None:
-    """Check the coordinates and make them those of the batch; its own memory of two moves before is used again."""
-    n = len(frame.start) - 1
-    fast = type(corners) is np.ndarray and corners.dtype == np.float64 and corners.flags.carray
-    if fast and 3 <= frame.corners <= MAX_LANE_CORNERS and corners.shape == (n, frame.corners, 2):
-        warn_if_flushed()
-        group = engine_of(None).certified_group(corners, frame.spare)
-        if group is not None:
-            frame.spare = vars(shapes).get("groups", {}).get(frame.corners)
-            vars(shapes).clear()
-            Shapes.__init__(shapes, groups={frame.corners: group})
-            return
-    made = _checked(frame, corners)
-    frame.spare = None
+    """Check the coordinates and make them those of the batch, whose old arrays stay as they are for who holds them."""
+    made = _certified(frame, corners) or _checked(frame, corners)
     vars(shapes).clear()
-    vars(shapes).update(vars(made))
+    vars(shapes).update(vars(made), _frame=frame)
+
+
+def _certified(frame: Frame, corners: Any) -> Shapes | None:
+    """Return a batch of the frame's shapes with these plain coordinates; None if they need another look."""
+    if type(corners) is not np.ndarray or corners.dtype != np.float64 or not corners.flags.carray:
+        return None
+    warn_if_flushed()
+    kernels, n = engine_of(None), len(frame.start) - 1
+    forms = (n, frame.corners, 2), (n * frame.corners, 2)
+    if 3 <= frame.corners <= MAX_LANE_CORNERS and corners.shape in forms:
+        group = kernels.certified_group(corners.reshape(forms[0]))
+        return None if group is None else Shapes(groups={frame.corners: group})
+    if kernels.certified_rings is None or corners.shape != (frame.start[-1], 2):
+        return None
+    rings, doubtful = kernels.certified_rings(corners, frame.start, True)
+    return None if doubtful.size else Shapes(np.diff(rings.start), rings=rings, radius=frame.radius)
 
 
 def _checked(frame: Frame, corners: Any) -> Shapes:

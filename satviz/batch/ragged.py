@@ -37,5 +37,5 @@ class Rings(NamedTuple):
 def concat_rings(many: list[Rings]) -> Rings:
     """Return the outlines of several Rings, in order."""
     counts = [np.diff(rings.start) for rings in many]
-    x, y = (np.concatenate([rings[i] for rings in many]) for i in (0, 1))
+    x, y = (np.concatenate([np.empty(0), *(rings[i] for rings in many)]) for i in (0, 1))
     return Rings(x, y, np.cumsum(np.concatenate([[0], *counts])))

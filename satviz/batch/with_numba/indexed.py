@@ -138,7 +138,7 @@ def _max_width(box: Array, i: int) -> float:
 
 @inlined
 def _error_bound(box_a: Array, i: int, box_b: Array, j: int) -> float:
-    """Return the float64 error bound of the clearances of two shapes, from their boxes; infinite where none is known."""
+    """Return the float64 error bound of the clearances of two shapes, from their boxes; or infinity."""
     width = _max_width(box_a, i) + _max_width(box_b, j)
     error_bound = width * (_max_coordinate(box_a, i) + _max_coordinate(box_b, j)) * ERROR_FACTOR_F64
     return error_bound if error_bound > MIN_ERROR_BOUND and error_bound < MAX_ERROR_BOUND else np.inf
@@ -170,7 +170,7 @@ def _evaluate_lanes(
     ia: Indices, ib: Indices, which: Indices,
     x: Array, y: Array, p: Array, q: Array, error_bounds: Array, best: Array, out: Signs,
 ) -> None:  # fmt: skip
-    """Fill `out` at the pairs `which` by the float filter, side by side, each outline extended to the same number of edges."""
+    """Fill `out` at the pairs `which` by the float filter, side by side, each outline repeated up to as many edges."""
     n = which.size
     for k in range(n):
         i, j = ia[which[k]], ib[which[k]]

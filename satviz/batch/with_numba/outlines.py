@@ -16,20 +16,14 @@ from ..ragged import Rings
 from .jit_cache import compiled, inlined
 
 
-def certified_group(vertices: Array, spare: Group | None = None) -> Group | None:
-    """Return (N, V, 2) outlines as a group, counter-clockwise; None if one is not certified convex.
-
-    `spare`: a group of this size that is not used any more; its memory is overwritten.
-    """
+def certified_group(vertices: Array) -> Group | None:
+    """Return (N, V, 2) outlines as a group, counter-clockwise; None if one is not certified convex."""
     n, corners, _ = vertices.shape
-    columns = np.empty((2, corners, n)) if spare is None or spare.memory is None else spare.memory
-    maxima = np.empty((2, -(-n // TILE_SHAPES)))
+    columns, maxima = np.empty((2, corners, n)), np.empty((2, -(-n // TILE_SHAPES)))
     kernel = (_fill_columns_3, _fill_columns_4)[corners - 3] if corners <= 4 else _fill_columns
     if not kernel(vertices, columns, maxima):
         return None
-    group = Group(columns[0], columns[1], None, TileMaxima(maxima[0], maxima[1]))
-    group.memory = columns
-    return group
+    return Group(columns[0], columns[1], None, TileMaxima(maxima[0], maxima[1]))
 
 
 def _columns_kernel(fixed: int | None) -> Callable[[Array, Array, Array], bool]:
@@ -69,19 +63,22 @@ def _columns_kernel(fixed: int | None) -> Callable[[Array, Array, Array], bool]:
 _fill_columns_3, _fill_columns_4, _fill_columns = map(_columns_kernel, (3, 4, None))
 
 
-def certified_rings(points: Array, start: Indices) -> tuple[Rings, Indices]:
+def certified_rings(points: Array, start: Indices, centers: bool = False) -> tuple[Rings, Indices]:
     """Return (outlines without repeats, counter-clockwise, as Rings; the indices of those not certified convex).
 
-    points: (M, 2) corners, those of outline i from start[i] to start[i + 1].  What is not certified has no corners.
+    points: (M, 2) corners, those of outline i from start[i] to start[i + 1].  `centers`: a single finite corner is
+    the center of a circle and certified too.  What is not certified has no corners.
     """
     x, y, kept = np.empty(len(points)), np.empty(len(points)), np.empty(len(start), np.intp)
     doubtful = np.empty(len(start) - 1, np.intp)
-    found = _fill_rings(points, start, x, y, kept, doubtful)
+    found = _fill_rings(points, start, centers, x, y, kept, doubtful)
     return Rings(x[: kept[-1]], y[: kept[-1]], kept), doubtful[:found]
 
 
 @compiled
-def _fill_rings(points: Array, start: Indices, x: Array, y: Array, kept: Indices, doubtful: Indices) -> int:
+def _fill_rings(
+    points: Array, start: Indices, centers: bool, x: Array, y: Array, kept: Indices, doubtful: Indices
+) -> int:
     """Fill x, y and where each outline starts in them; list the outlines not certified and return their number."""
     kept[0] = found = to = 0
     for i in range(start.size - 1):
@@ -103,7 +100,9 @@ def _fill_rings(points: Array, start: Indices, x: Array, y: Array, kept: Indices
             left += turn > 0
             right += turn < 0
             changes += _leads_right(dx, dy) != _leads_right(ex, ey)
-        if corners < 3 or (left != corners and right != corners) or (corners > 4 and changes != 2):
+        if centers and start[i + 1] - start[i] == 1 and np.isfinite(x[first]) and np.isfinite(y[first]):
+            pass
+        elif corners < 3 or (left != corners and right != corners) or (corners > 4 and changes != 2):
             doubtful[found] = i
             found += 1
             to = first
