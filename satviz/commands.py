@@ -360,13 +360,17 @@ def bench(args: argparse.Namespace) -> int:
     if warning:
         say(warning)
     if args.chart:
+        from .study.bench import FRAME_SECTIONS
         from .study.bench_chart import bench_chart
+        from .study.frames_chart import frames_chart
         from .study.harness.chart import save_chart
 
-        for path in save_chart(
-            bench_chart(rows, warning), args.chart, {"machine": machine_facts()}, ("svg", "png"), force=args.force
-        ):
-            say(f"wrote {path}")
+        of_frames = [row for row in rows if row.section in FRAME_SECTIONS]
+        others = [row for row in rows if row.section not in FRAME_SECTIONS]
+        facts = {"machine": machine_facts()}
+        for chart in frames_chart(of_frames, warning), bench_chart(others, warning):
+            for path in save_chart(chart, args.chart, facts, ("svg", "png"), force=args.force):
+                say(f"wrote {path}")
     return 0
 
 

@@ -1,16 +1,19 @@
 """Redraw the README's charts from their stored rows, after the code that writes their texts has changed.
 
-    python tests/refresh_charts.py
+    python tests/refresh_charts.py [DIR]
 
-Nothing is measured.  Title and reading are worked out again, and both SVGs are drawn.  The README's alternative texts
+DIR is where `satviz bench --chart` or `satviz study --out` has stored new rows, which are copied first.  Nothing is
+measured.  Title and reading are worked out again, and both SVGs are drawn.  The README's alternative texts
 are the titles, and what a reading begins with: a test says where they differ.
 """
 
 import json
+import sys
 from pathlib import Path
+from shutil import copyfile
 
 from satviz.pictures import THEMES
-from satviz.study import bench_chart
+from satviz.study import bench_chart, frames_chart
 from satviz.study.bench import TimingRow
 from satviz.study.harness.cells import Settings
 from satviz.study.harness.chart import Chart, theme_suffix
@@ -24,15 +27,24 @@ def stored(stem: str) -> dict:
     return json.loads((FIGURES / f"{stem}.json").read_text(encoding="utf-8"))
 
 
-SPEED, BENCH = stored("speed-against-accuracy"), stored("bench")
-IN_README: dict[str, Chart] = {
-    "speed-against-accuracy": speed_against_accuracy.main_chart(SPEED["rows"], Settings(**SPEED["settings"])),
-    "bench": bench_chart.bench_chart([TimingRow(**row) for row in BENCH["rows"]], BENCH["rough"]),
-}
+def charts() -> dict[str, Chart]:
+    """Each chart of the README by its stem, from what is stored."""
+    speed, bench, frames = map(stored, ("speed-against-accuracy", "bench", "frames"))
+    return {
+        "speed-against-accuracy": speed_against_accuracy.main_chart(speed["rows"], Settings(**speed["settings"])),
+        "bench": bench_chart.bench_chart([TimingRow(**row) for row in bench["rows"]], bench["rough"]),
+        "frames": frames_chart.frames_chart([TimingRow(**row) for row in frames["rows"]], frames["rough"]),
+    }
 
 
-def main() -> None:
-    for stem, chart in IN_README.items():
+SPEED, BENCH, IN_README = stored("speed-against-accuracy"), stored("bench"), charts()
+
+
+def main(folder: Path | None = None) -> None:
+    for stem in IN_README:
+        if folder and (folder / f"{stem}.json").is_file():
+            copyfile(folder / f"{stem}.json", FIGURES / f"{stem}.json")
+    for stem, chart in charts().items():
         data = stored(stem) | {"title": chart.title, "reading": chart.reading}
         (FIGURES / f"{stem}.json").write_text(json.dumps(data, indent=1) + "\n", encoding="utf-8")
         for theme in THEMES.values():
@@ -40,4 +52,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    main(*map(Path, sys.argv[1:]))

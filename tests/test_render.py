@@ -303,9 +303,12 @@ def test_the_committed_figures_are_what_the_code_draws(figure, theme: Theme):
     assert numbers == pytest.approx(committed_numbers, abs=0.05)
 
 
+CHARTS = "speed-against-accuracy", "bench", "frames"
+
+
 def test_there_are_twenty_figures_and_beside_them_only_the_charts_of_the_readme_with_their_numbers():
     files = {f"{f.stem}{end}.svg" for f in FIGURES for end in ("", "-dark")}
-    charts = {f"{stem}{end}" for stem in ("speed-against-accuracy", "bench") for end in (".svg", "-dark.svg", ".json")}
+    charts = {f"{stem}{end}" for stem in CHARTS for end in (".svg", "-dark.svg", ".json")}
     assert len(FIGURES) == 20 and {p.name for p in COMMITTED.iterdir()} == files | charts
 
 

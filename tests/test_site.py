@@ -740,7 +740,8 @@ def test_a_guide_links_to_chapters_and_to_headings_of_other_guides(pages):
 
 def test_a_guides_pictures_are_files_of_the_site(files, pages):
     shown = {name for page in pages.values() for name in re.findall(r'(?:src|srcset)="(figures/[^"]+)"', page)}
-    assert {"figures/bench.svg", "figures/bench-dark.svg"} <= shown <= set(files)
+    charts = {f"figures/{stem}{end}.svg" for stem in ("bench", "frames") for end in ("", "-dark")}
+    assert charts <= shown <= set(files)
 
 
 def test_the_reference_is_a_part_of_the_site(files, pages):

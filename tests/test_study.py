@@ -1,6 +1,7 @@
 """The benchmark: it runs, counts wrong answers against rationals, and says what it left out."""
 
 import json
+from itertools import chain
 
 import numpy as np
 import pytest
@@ -9,10 +10,13 @@ from satviz import Polygon, batch
 from satviz.cli import main
 from satviz.study import bench, truth
 from satviz.study.bench import CHECKED_BY, TimingRow, plan_bench
-from satviz.study.bench_table import busy_warning, growth_exponent
+from satviz.study.bench_table import busy_warning, faster_from, growth_exponent
+from satviz.study.frames_chart import crossings, fastest_by_size, frames_chart
 from satviz.study.harness import machine
-from satviz.study.methods import numba_rivals
-from satviz.study.workloads.generators import BOX_LAYOUTS, CORNER_WORKLOADS, WORKLOADS
+from satviz.study.methods import numba_rivals, scene_rivals
+from satviz.study.methods.scene_methods import DIFFERENCES, FrameJob, FrameSample, scene_methods
+from satviz.study.workloads.generators import BOX_LAYOUTS, CORNER_WORKLOADS, WORKLOADS, turned_boxes
+from satviz.study.workloads.moving import FAR, MOVING_SHAPES, moving_scene, uneven_boxes
 
 pytestmark = pytest.mark.slow
 
@@ -28,6 +32,7 @@ def test_bench_times_every_method_and_satviz_is_never_wrong(capsys, tmp_path):
         works["pairs"] == set(WORKLOADS)
         and works["corners"] == set(CORNER_WORKLOADS)
         and works["broad phase"] == set(BOX_LAYOUTS)
+        and works["frames"] == set(MOVING_SHAPES)
     )
     for row in rows:
         assert 0 < row["least"] <= row["low"] <= row["time"] <= row["high"], row
@@ -43,20 +48,29 @@ def test_bench_times_every_method_and_satviz_is_never_wrong(capsys, tmp_path):
     inexact = {row["method"] for row in rows if row["work"] == "nearly touching" and row["wrong"]}
     assert inexact >= {"plain NumPy", "textbook SAT in numba", "GJK in numba"}  # hard enough to tell methods apart
     assert set(found["machine"]) >= {"python", "numpy", "satviz"}
-    assert {path.name for path in chart.iterdir()} >= {"bench.svg", "bench-dark.png", "bench.json", "bench.csv"}
+    assert {path.name for path in chart.iterdir()} >= {"bench.svg", "bench-dark.png", "bench.json", "frames.csv"}
+    stored = [json.loads((chart / f"{stem}.json").read_text(encoding="utf-8"))["rows"] for stem in ("frames", "bench")]
+    assert sorted(map(str, chain.from_iterable(stored))) == sorted(map(str, rows))  # each row is in one of the two
 
 
-SECTIONS = "pairs", "corners", "scenes", "broad phase", "growth", "starts", "memory"
+SECTIONS = "pairs", "corners", "scenes", "broad phase", "growth", "frames", "arrays", "starts", "memory"
+
+
+MISSING = "shapely", "pymunk", "scipy", "pyb2d3"
 
 
 def test_bench_prints_a_table_and_names_what_is_missing(capsys, monkeypatch):
     real = machine.find_spec
-    monkeypatch.setattr(machine, "find_spec", lambda name: None if name in ("pymunk", "shapely") else real(name))
+    monkeypatch.setattr(machine, "find_spec", lambda name: None if name in MISSING else real(name))
     few = plan_bench(20, 1, 0)  # what is measured does not matter here
     monkeypatch.setattr(bench, "plan_bench", lambda pairs, rounds, seed: few)
     assert main(["bench", "--pairs", "200", "--rounds", "1"]) == 0
     out = capsys.readouterr().out
-    assert "not installed, so left out: shapely, pymunk" in out and "satviz numpy" in out and "broad phase, ms" in out
+    assert (
+        f"not installed, so left out: {', '.join(MISSING)}" in out
+        and "satviz numpy" in out
+        and "broad phase, ms" in out
+    )
     assert "growth" in out and "bytes a shape" in out
 
 
@@ -87,6 +101,123 @@ def test_peers_in_numba_are_right_where_nothing_is_near(work):
         out = np.empty(len(a), np.int8)
         kernel(*columns, *more, out)
         assert np.array_equal(out > 0, right)
+
+
+def scene_of(work, n, seed):
+    rng = np.random.default_rng(seed)
+    return moving_scene(rng, MOVING_SHAPES[work](rng, n))
+
+
+def as_set(pairs):
+    """The pairs of any method: an array, or a set of tuples."""
+    return {tuple(sorted(map(int, pair))) for pair in pairs}
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("n", [1, 10, 150, 1000])
+@pytest.mark.parametrize("work", MOVING_SHAPES)
+def test_rivals_that_round_in_float64_agree_with_satviz_on_ordinary_scenes(work, n, seed):
+    scene = scene_of(work, n, seed)
+    methods = scene_methods(scene)
+    assert {"satviz numpy", "satviz numba", "brute force", "sort and sweep", "STRtree"} < set(methods)
+    for frame in scene.frames:
+        right = as_set(methods["satviz numpy"](frame))
+        assert n < 150 or len(right) > n / 10
+        for name, find in methods.items():
+            found = as_set(find(frame))
+            if name == "Box2D" or (work == "mixed" and "STRtree" in name):  # their shapes are a little different
+                assert name.split()[-1] in DIFFERENCES and len(found ^ right) <= 2 + 0.08 * len(right), name
+            else:
+                assert found == right, name
+
+
+def test_a_rival_finds_more_pairs_than_it_has_space_for_at_first():
+    for corners in turned_boxes(np.random.default_rng(1), 60, 0.1), np.zeros((60, 1, 2)):
+        v = corners.shape[1]
+        for sweep in False, True:
+            for kind in v, scene_rivals.MIXED:
+                found = scene_rivals.colliding_pairs(corners, np.full(60, v), np.zeros(60), kind=kind, sweep=sweep)
+                assert len(as_set(found)) == len(found) == 60 * 59 // 2 > scene_rivals.PAIRS_A_SHAPE * 60
+
+
+def test_plain_sat_reads_pairs_as_satviz_does():
+    a, b = (turned_boxes(np.random.default_rng(seed), 2000, 1.7) for seed in (1, 2))
+    assert np.array_equal(scene_rivals.box_pairs_hit(a, b), batch.hits(batch.Polygons(a), batch.Polygons(b)))
+
+
+@pytest.mark.parametrize("work", MOVING_SHAPES)
+def test_a_sample_of_a_frame_counts_pairs_that_lack_and_pairs_too_many(work):
+    frame = scene_of(work, 400, 5).frames[0]
+    sample = FrameSample(frame, 100)
+    pairs = scene_methods(scene_of(work, 400, 5))["satviz numba"](frame)
+    assert sample.wrong(pairs) == 0 < len(sample.right) < sample.checked < 4950
+    assert sample.wrong(pairs[:0]) == len(sample.right)
+    every = [(i, j) for i in range(400) for j in range(i)]
+    assert sample.wrong(set(every)) == 4950 - len(sample.right)
+
+
+def test_a_frame_job_goes_from_frame_to_frame():
+    scene = scene_of("boxes", 20, 1)
+    seen = []
+    job = FrameJob(lambda frame: seen.append(frame) or len(seen), scene, 3)
+    job()
+    assert [frame is scene.frames[k] for frame, k in zip(seen, (1, 0, 1))] == [True] * 3 and (
+        job.frame,
+        job.answer,
+    ) == (1, 3)
+    assert not np.array_equal(*(frame.padded.corners for frame in scene.frames))
+
+
+def test_uneven_boxes_differ_from_the_plain_ones_in_one_box():
+    plain, giant, far = uneven_boxes(np.random.default_rng(1), 500).values()
+    assert np.array_equal(plain[1:], giant[1:]) and np.array_equal(plain[1:], far[1:]) and far[0].min() > FAR / 2
+    touched = batch.hits(batch.Polygons(giant[:1]), batch.Polygons(giant[1:])).sum()
+    assert np.ptp(giant[0, :, 0]) > 500 * np.ptp(plain[1:, :, 0], axis=1).max() and 1 <= touched < 25
+
+
+def in_frames(method, times, work="boxes", **more):
+    return [TimingRow("frames", work, n, method, "us", t, t, t, t, **more) for n, t in times.items()]
+
+
+CROSSING = [
+    *in_frames("satviz numba", {10: 9.0, 100: 10.0, 1000: 11.0, 10_000: 50.0}, wrong=0, checked=5, by="rationals"),
+    *in_frames("brute force", {10: 1.0, 100: 9.0, 1000: 90.0}),
+    *in_frames("STRtree", {10: 20.0, 100: 30.0, 1000: 40.0, 10_000: 400.0}),
+    *in_frames("sort and sweep", {10: 2.0, 100: 5.0, 1000: 10.0, 10_000: 40.0}, wrong=2, checked=7, by="rationals"),
+    *in_frames("cKDTree", {10: 12.0, 100: 12.0, 1000: 12.0, 10_000: 12.0}),
+]
+
+
+def times_by_method(rows):
+    found = {}
+    for row in rows:
+        found.setdefault(row.method, {})[row.size] = row.time
+    return found
+
+
+def test_where_lines_cross_is_computed_from_the_rows():
+    times = times_by_method(CROSSING)
+    assert fastest_by_size(times) == "Fastest: brute force at 10, sort and sweep 100 to 1,000, cKDTree at 10,000."
+    assert crossings(times, "satviz numba") == (
+        "satviz numba: faster than brute force from 1,000 on, than STRtree at all sizes; "
+        "slower than sort and sweep at all sizes, than cKDTree at 10,000."
+    )
+    capped = times_by_method([r for r in CROSSING if r.method != "brute force" or r.size < 1000])
+    assert "slower than brute force up to 100, than sort and sweep" in crossings(capped, "satviz numba")
+    assert faster_from({1: 1.0, 2: 9.0, 3: 2.0, 4: 1.0}, {1: 5.0, 2: 5.0, 3: 2.0, 5: 0.0}) == 3
+    assert faster_from({1: 1.0, 2: 9.0}, {1: 5.0, 2: 5.0}) is None is faster_from({1: 1.0}, {2: 1.0})
+
+
+def test_the_chart_of_frames_says_where_lines_cross_what_differs_and_what_was_wrong():
+    uneven = [TimingRow("arrays", "9 boxes, all collisions", 0, f"satviz numba, {what}", "ms", t, t, t, t)
+              for what, t in (("plain", 2.0), ("one 1e12 away", 3.0))]  # fmt: skip
+    pairs = [TimingRow("arrays", "hits of 9 pairs", 0, m, "ns", t, t, t, t)
+             for m, t in (("satviz numba", 30.0), (bench.PLAIN_SAT, 12.0))]  # fmt: skip
+    said = frames_chart(CROSSING + uneven + pairs, "").reading
+    assert said.startswith("Boxes. Fastest: brute force at 10, sort and sweep 100 to 1,000, cKDTree at 10,000. satviz")
+    assert "satviz numba 30 (2.5 times)" in said and "satviz numba, one 1e12 away 1.50" in said
+    assert DIFFERENCES["cKDTree"] in said and DIFFERENCES["Box2D"] not in said
+    assert "both engines together: 0 of 20 checked" in said and "all together: 8 of 28 checked" in said
 
 
 def test_bench_refuses_nonsense(capsys):

@@ -18,10 +18,10 @@ from refresh_charts import BENCH, IN_README, SPEED, stored
 from satviz.cli import main
 from satviz.pictures import THEMES
 from satviz.study import bench_chart, run
-from satviz.study.bench import CHECKED_BY, ENGINES, TimingRow
+from satviz.study.bench import CHECKED_BY, TimingRow
 from satviz.study.harness.cells import Cell, Failure, Settings, run_cells
 from satviz.study.harness.chart import Chart, add_axes, theme_suffix, wilson_interval
-from satviz.study.methods import COMPILED
+from satviz.study.methods import COMPILED, ENGINES
 from satviz.study.run import study
 from satviz.study.sections import axis_order, error_counts, speed_against_accuracy
 

@@ -53,7 +53,7 @@ def prepare(model: Model, shapes: Shapes) -> Any:
     dtype = DTYPES[model.kind]
     with np.errstate(over="ignore"):
         groups = {
-            v: g._replace(x=g.x.astype(dtype), y=g.y.astype(dtype), r=None if g.r is None else g.r.astype(dtype))
+            v: Group(g.x.astype(dtype), g.y.astype(dtype), None if g.r is None else g.r.astype(dtype))
             for v, g in shapes.groups.items()
         }
         x, y, r = (c.astype(dtype) for c in (*shapes.rings[:2], part_radii(shapes)))

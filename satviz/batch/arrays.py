@@ -22,7 +22,10 @@ class Group:
     """Hold shapes with the same number of corners: one row per corner, one column per shape.
 
     x, y: (V, n) counter-clockwise corners in scene units, no repeats, none straight on (V = 1: centers, r: (n,) radii).
+    memory: (2, V, n) array that x and y are views of, where a batch that moves can use it again.
     """
+
+    memory: NDArray[np.float64] | None = None
 
     def __init__(
         self,
@@ -164,8 +167,8 @@ class Shapes:
         values = self.count[:1].tolist() if (self.count == self.count[:1]).all() else np.unique(self.count).tolist()
         if len(values) == 1:
             v = values[0]
-            columns = (c.reshape(-1, v).T.copy() for c in self.rings[:2])
-            return {v: Group(*columns, self.radius if v == 1 else None)}
+            x, y = (c.reshape(-1, v).T.copy() for c in self.rings[:2])
+            return {v: Group(x, y, self.radius if v == 1 else None)}
         for v in values:
             mine = self.count == v
             places = self.rings.start[:-1][mine] + np.arange(v)[:, None]

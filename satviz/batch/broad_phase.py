@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import validation
-from .array_types import Pairs
+from .array_types import Indices, Mask, Pairs
 from .arrays import Shapes, check_shapes
 from .broad_rule import MAX_CANDIDATES_PER_BOX, NAMES
 from .engines import Engine, engine_of
@@ -21,7 +21,10 @@ from .with_numpy.few import choose
 
 MAX_UNSPLIT_RATIO = 4.0
 WIDE, FINE = 2.0**-1000, 2.0**-48  # of the farthest coordinate: cells whose numbers cannot overflow, nor run together
-SAMPLE_BOXES = 1024  # boxes that tell how densely all lie
+SAMPLE_BOXES = 1024  # boxes that tell how large all are and how densely they lie
+OUTLIER_SIZE = 64.0  # times the median size, above which a box is taken out
+OUTLIER_SPREAD = 64.0  # times the middle half of all boxes, beyond which a box is taken out
+MAX_OUTLIERS = 8  # boxes taken out; of more, grids of their own are made
 
 
 class BroadPhase(NamedTuple):
@@ -88,8 +91,9 @@ def _grid_blocks(bounds: NDArray[np.float64], kernels: Engine) -> Iterator[Pairs
             bounds = np.clip(bounds, -most, most)
             farthest = min(farthest, most)
         size = np.stack([np.clip(bounds[:, d + 2] - bounds[:, d], np.finfo(float).tiny, most) for d in (0, 1)])
-    everything = np.arange(len(bounds), dtype=np.intp)
-    todo: list[tuple[Pairs, Pairs | None]] = [(everything, None)]  # None: among themselves
+    ordinary, outliers = _take_out_outliers(bounds)
+    yield from _pairs_of_outliers(bounds, outliers)
+    todo: list[tuple[Pairs, Pairs | None]] = [(ordinary, None)]  # None: among themselves
     while todo:
         one, other = todo.pop()
         both = one if other is None else np.concatenate([one, other])
@@ -105,6 +109,35 @@ def _grid_blocks(bounds: NDArray[np.float64], kernels: Engine) -> Iterator[Pairs
             cell = [max(c, farthest * FINE) for c in largest]
             blocks = None if halves else kernels.grid(bounds, one, other, cell, np.inf)
         yield from blocks or ()
+
+
+def _take_out_outliers(bounds: NDArray[np.float64]) -> tuple[Indices, Indices]:
+    """Return (indices of the ordinary boxes, of a few that are far larger than the others or far away from them).
+
+    A giant or far box would spoil the cells of all others; against it, comparing all boxes is cheaper.
+    """
+    is_outlier: Mask = np.zeros(len(bounds), bool)
+    some = bounds[:: -(-len(bounds) // SAMPLE_BOXES)]
+    with np.errstate(all="ignore"):
+        for d in (0, 1):
+            size = np.median(some[:, d + 2] - some[:, d])
+            first, last = np.quantile(some[:, d], (0.25, 0.75))
+            away = OUTLIER_SPREAD * (last - first + size)
+            is_outlier |= (bounds[:, d] < first - away) | (bounds[:, d + 2] > last + away)
+            is_outlier |= bounds[:, d + 2] - bounds[:, d] > OUTLIER_SIZE * size
+    outliers = np.flatnonzero(is_outlier)
+    if len(outliers) > MAX_OUTLIERS:
+        outliers = outliers[:0]
+    return np.delete(np.arange(len(bounds), dtype=np.intp), outliers), outliers
+
+
+def _pairs_of_outliers(bounds: NDArray[np.float64], outliers: Indices) -> Iterator[Pairs]:
+    """Yield the pairs (i < j) of boxes that share a point of which one or both are outliers."""
+    for k, i in enumerate(outliers.tolist()):
+        meet = np.asarray((bounds[:, :2] <= bounds[i, 2:]).all(axis=1) & (bounds[:, 2:] >= bounds[i, :2]).all(axis=1))
+        meet[outliers[: k + 1]] = False
+        j = np.flatnonzero(meet)
+        yield np.stack([np.minimum(i, j), np.maximum(i, j)], axis=1)
 
 
 def _cell_size_if_even(low: NDArray[np.float64], which: Pairs) -> float:

@@ -57,7 +57,7 @@ class Polygons(Shapes):
         if offsets is None:
             made = number_polygons(vertices, None, concave)
         else:
-            made = _build_shapes(*validation.rings_from_offsets(vertices, offsets), "polygon {}".format, concave)
+            made = build_shapes(*validation.rings_from_offsets(vertices, offsets), "polygon {}".format, concave)
         vars(self).update(vars(made))
 
 
@@ -90,8 +90,8 @@ def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave
         if (group := _certified_group(np.ascontiguousarray(array))) is not None:
             return Shapes(groups={len(group.x): group})
         start = np.arange(len(array) + 1, dtype=np.intp) * array.shape[1]
-        return _build_shapes(array.reshape(-1, 2), start, name, concave)
-    return _build_shapes(*validation.rings_from_sequence(vertices, name), name, concave)
+        return build_shapes(array.reshape(-1, 2), start, name, concave)
+    return build_shapes(*validation.rings_from_sequence(vertices, name), name, concave)
 
 
 def _certified_group(vertices: object) -> Group | None:
@@ -105,7 +105,7 @@ def _certified_group(vertices: object) -> Group | None:
     return found
 
 
-def _build_shapes(points: Array, start: Indices, name: Callable[[int], str], concave: str) -> Shapes:
+def build_shapes(points: Array, start: Indices, name: Callable[[int], str], concave: str | None) -> Shapes:
     """Return a batch of outlines, points[start[i]] to points[start[i + 1]]; name(i): outline i in error messages.
 
     Those not certainly convex go through satviz.Polygon.
@@ -123,6 +123,8 @@ def _build_shapes(points: Array, start: Indices, name: Callable[[int], str], con
             polygon = Polygon(np.stack([given.x[part], given.y[part]], axis=1))
         except InvalidShape as error:
             raise InvalidShape(f"{name(i)}: {error}") from None
+        if concave is None:
+            raise InvalidShape(f"{name(i)} is not convex with these coordinates: nothing was moved")
         if concave == "refuse":
             raise InvalidShape(
                 f"{name(i)} is not convex: split it with satviz.parts first, "

@@ -21,7 +21,19 @@ from .. import batch
 from ..advice.timing import spread, time_in_turn
 from . import truth
 from .harness.machine import is_installed
-from .methods import COMPILED, NUMPY, PYTHON, all_methods, batch_shapes, count_mistakes, engine_shapes
+from .methods import (
+    COMPILED,
+    ENGINES,
+    NUMPY,
+    PYTHON,
+    all_methods,
+    batch_shapes,
+    count_mistakes,
+    engine_shapes,
+    installed_engines,
+    true_relations,
+)
+from .methods.scene_methods import FrameJob, FrameSample, scene_methods
 from .workloads.generators import (
     BOX_LAYOUTS,
     CORNER_WORKLOADS,
@@ -29,8 +41,10 @@ from .workloads.generators import (
     Side,
     scattered_polygons,
     tiles,
+    turned_boxes,
     unpadded_rings,
 )
+from .workloads.moving import MOVING_SHAPES, moving_scene, uneven_boxes
 
 # (language, name) of the methods that take part, and their names in the table
 BENCHED_METHODS = {
@@ -44,9 +58,12 @@ BENCHED_METHODS = {
     (PYTHON, "shapely"): "shapely, one by one",
     (PYTHON, "pymunk"): "pymunk, one by one",
 }
-ENGINES = {"satviz numpy": "numpy", "satviz numba": "numba"}
 CORNER_COUNTS = (3, 4, 8, 16, 32, 64, 128, 256)
+FRAME_SECTIONS = "frames", "arrays"
+FRAME_SIZES = 10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000, 1_000_000
+MAX_SAMPLE = 300  # shapes of a frame whose pairs are all checked
 READ_ONCE = "reading the arrays once"
+PLAIN_SAT = "plain SAT in numba"
 
 # what the answers are compared with, and the words for that in a sentence; what others are compared with has no entry
 CHECKED_BY = {
@@ -85,7 +102,7 @@ class BenchPlan(NamedTuple):
     """How much work the benchmark does: pairs a workload, rounds, checked pairs, and the sizes of the other sections.
 
     `scene`: polygons in a scene; `side`: tiles along one side of a map; `corners`, `numbers` and `boxes`: the numbers
-    of corners, of polygons and of boxes that are varied.
+    of corners, of polygons and of boxes that are varied; `frames`: the numbers of moving shapes.
     """
 
     pairs: int
@@ -97,6 +114,7 @@ class BenchPlan(NamedTuple):
     corners: tuple[int, ...]
     numbers: tuple[int, ...]
     boxes: tuple[int, ...]
+    frames: tuple[int, ...]
 
 
 def plan_bench(pairs: int, rounds: int, seed: int) -> BenchPlan:
@@ -104,7 +122,8 @@ def plan_bench(pairs: int, rounds: int, seed: int) -> BenchPlan:
     powers = tuple(10**k for k in range(1, 7) if 10**k <= 10 * pairs)[-4:]
     corners = CORNER_COUNTS if pairs >= 10_000 else CORNER_COUNTS[::2]
     side, scene = min(120, isqrt(pairs) + 1), min(30_000, -(-3 * pairs // 10))
-    return BenchPlan(pairs, rounds, seed, min(2000, pairs), scene, side, corners, powers, powers[-4:-1] or powers)
+    boxes, frames = powers[-4:-1] or powers, tuple(n for n in FRAME_SIZES if n <= max(10, 10 * pairs))
+    return BenchPlan(pairs, rounds, seed, min(2000, pairs), scene, side, corners, powers, boxes, frames)
 
 
 def bench(plan: BenchPlan) -> Iterator[TimingRow]:
@@ -114,6 +133,9 @@ def bench(plan: BenchPlan) -> Iterator[TimingRow]:
     yield from _bench_scenes(plan)
     yield from _bench_broad_phase(plan)
     yield from _bench_growth(plan)
+    yield from _bench_frames(plan)
+    yield from _bench_hits(plan)
+    yield from _bench_uneven(plan)
     yield from _bench_starts(plan)
     yield from _bench_memory(plan)
 
@@ -224,14 +246,7 @@ def _bench_corners(plan: BenchPlan) -> Iterator[TimingRow]:
 
 def _engine_jobs(function: Callable[..., Any], *arguments: Any) -> Jobs:
     """Return a job for each installed engine, which calls `function(*arguments, engine=...)`."""
-    return {label: partial(function, *arguments, engine=engine) for label, engine in _installed_engines()}
-
-
-def _installed_engines() -> Iterator[tuple[str, str]]:
-    """Yield (name in the table, engine) of the engines that work here."""
-    for label, engine in ENGINES.items():
-        if engine == "numpy" or is_installed(engine):
-            yield label, engine
+    return {label: partial(function, *arguments, engine=engine) for label, engine in installed_engines()}
 
 
 # -- scenes, from raw arrays -------------------------------------------------------------------------
@@ -276,10 +291,15 @@ def _time_collisions(
     answers = {label: job() for label, job in jobs.items()}
     right = answers.get("shapely")
     for row in _time_jobs("scenes", work, 0, jobs, 1, "ms", plan.rounds):
-        if right is not None and row.method != "shapely":
-            wrong = len(set(map(tuple, right.tolist())) ^ set(map(tuple, answers[row.method].tolist())))
-            row = row._replace(wrong=wrong, checked=len(right), by="shapely")
-        yield row
+        yield row if row.method == "shapely" else _with_wrong_pairs(row, answers[row.method], right)
+
+
+def _with_wrong_pairs(row: TimingRow, pairs: NDArray[np.intp], right: NDArray[np.intp] | None) -> TimingRow:
+    """Return the row with its wrong pairs counted against shapely's; unchanged without those."""
+    if right is None:
+        return row
+    wrong = len(set(map(tuple, right.tolist())) ^ set(map(tuple, pairs.tolist())))
+    return row._replace(wrong=wrong, checked=len(right), by="shapely")
 
 
 def _shapely_polygons(coords: NDArray[np.float64], offsets: NDArray[np.int64]) -> Any:
@@ -318,6 +338,72 @@ def _bench_broad_phase(plan: BenchPlan) -> Iterator[TimingRow]:
                 yield row
 
 
+# -- frames: moving shapes, from raw arrays ----------------------------------------------------------
+
+
+def _bench_frames(plan: BenchPlan) -> Iterator[TimingRow]:
+    """Time the way from the raw arrays of a frame to all colliding pairs for N moving shapes, for growing N."""
+    for work, make in MOVING_SHAPES.items():
+        for n in plan.frames:
+            rng = np.random.default_rng(plan.seed)
+            scene = moving_scene(rng, make(rng, n))
+            repeats = min(30, max(1, 1000 // n))  # so that a call takes long enough to be timed
+            jobs = {name: FrameJob(find, scene, repeats) for name, find in scene_methods(scene).items()}
+            rounds = plan.rounds if n < 30_000 else min(plan.rounds, 3) if n < 1_000_000 else 1
+            samples: dict[int, FrameSample] = {}
+            for row in _time_jobs("frames", work, n, dict(jobs), repeats, "us", rounds):
+                job = jobs[row.method]
+                sample = samples.get(job.frame) or FrameSample(scene.frames[job.frame], min(plan.checked, MAX_SAMPLE))
+                samples[job.frame] = sample
+                yield row._replace(wrong=sample.wrong(job.answer), checked=sample.checked, by="rationals")
+
+
+def _bench_hits(plan: BenchPlan) -> Iterator[TimingRow]:
+    """Time the way from two raw arrays of boxes to which pairs hit, beside plain SAT that reads the arrays as they are.
+
+    Answers are checked by rationals.
+    """
+    rng = np.random.default_rng(plan.seed)
+    a, b = turned_boxes(rng, plan.pairs, 1.7), turned_boxes(rng, plan.pairs, 1.7)
+
+    def hits(*, engine: str) -> NDArray[np.bool_]:
+        """Return which pairs hit, from the raw arrays."""
+        return batch.hits(batch.Polygons(a), batch.Polygons(b), engine=engine)
+
+    jobs = _engine_jobs(hits)
+    if is_installed("numba"):
+        from .methods.scene_rivals import box_pairs_hit
+
+        jobs[PLAIN_SAT] = partial(box_pairs_hit, a, b)
+    right = true_relations(a[: plan.checked], b[: plan.checked])
+    answers = {label: job() for label, job in jobs.items()}
+    for row in _time_jobs("arrays", f"hits of {plan.pairs:,} pairs of boxes", 0, jobs, plan.pairs, "ns", plan.rounds):
+        yield _with_wrong_count(row, answers[row.method], right, "rationals")
+
+
+def _bench_uneven(plan: BenchPlan) -> Iterator[TimingRow]:
+    """Time all collisions of boxes from a raw array; and where one is much larger, or far away.
+
+    The three works are timed in turn with each other, since their ratio is what counts.
+    """
+    works = uneven_boxes(np.random.default_rng(plan.seed), plan.pairs)
+
+    def collide(boxes: NDArray[np.float64], *, engine: str) -> NDArray[np.intp]:
+        """Return the colliding pairs of these boxes."""
+        return batch.colliding_pairs(batch.Polygons(boxes), engine=engine)
+
+    jobs = {
+        f"{label}, {work}": job for work, boxes in works.items() for label, job in _engine_jobs(collide, boxes).items()
+    }
+    answers, right = {name: job() for name, job in jobs.items()}, dict[str, NDArray[np.intp]]()
+    if is_installed("shapely"):
+        import shapely
+
+        right = {work: _tree_pairs(shapely.polygons(boxes), "intersects") for work, boxes in works.items()}
+    for row in _time_jobs("arrays", f"{plan.pairs:,} boxes, all collisions", 0, jobs, 1, "ms", min(plan.rounds, 5)):
+        yield _with_wrong_pairs(row, answers[row.method], right.get(row.method.partition(", ")[2]))
+
+
 # -- growth, starts, memory --------------------------------------------------------------------------
 
 
@@ -350,7 +436,7 @@ print((perf_counter() - start) * 1e3)
 def _bench_starts(plan: BenchPlan) -> Iterator[TimingRow]:
     """Time a new process from its first import to the first answer of each engine, and importing NumPy alone."""
     sources = {"import numpy": NUMPY_START_SOURCE}
-    sources |= {label: BATCH_START_SOURCE.format(engine=engine) for label, engine in _installed_engines()}
+    sources |= {label: BATCH_START_SOURCE.format(engine=engine) for label, engine in installed_engines()}
     for label, source in sources.items():
         runs = [
             subprocess.run([sys.executable, "-c", source], capture_output=True, check=True)
@@ -363,7 +449,7 @@ def _bench_starts(plan: BenchPlan) -> Iterator[TimingRow]:
 def _bench_memory(plan: BenchPlan) -> Iterator[TimingRow]:
     """Measure the bytes for each shape that are kept after each work, and those at the peak of the work."""
     rings = scattered_polygons(np.random.default_rng(plan.seed), plan.scene)
-    for label, engine in _installed_engines():
+    for label, engine in installed_engines():
         batch.colliding_pairs(batch.Polygons(rings), engine=engine)  # so that what is loaded only once is not counted
         tracemalloc.start()
         try:

@@ -6,11 +6,12 @@ from dataclasses import dataclass
 from matplotlib.figure import Figure
 
 from ..pictures import Theme
-from .bench import ENGINES, TimingRow
-from .bench_table import growth_exponent, wrong_counts
+from .bench import TimingRow
+from .bench_table import faster_from, growth_exponent, wrong_counts
 from .harness.chart import TEXT_POINTS, Chart, add_axes, draw_headline, label_ends
+from .methods import ENGINES
 
-CHART_SIZE = 900.0, 560.0  # points
+CHART_SIZE = 900.0, 590.0  # points
 PREPARED = "shapely, prepared"
 MARKS = {"satviz numba": "o", "satviz numpy": "s", PREPARED: "D"}
 SHADES = {"satviz numba": "gap", "satviz numpy": "A", PREPARED: "guide", "shapely": "guide"}
@@ -44,9 +45,11 @@ def bench_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
     if wrong := wrong_counts([row for row in rows if row.method in ENGINES]):
         reading += f" Wrong answers of satviz, both engines together: {wrong}."
 
+    summary = [_summary(method, charted, corners) for method in _methods_in(charted) if method in ENGINES]
+
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw the headline, the chart of speed ratios and the chart of times against corners."""
-        draw_headline(fig, theme, "How many times as fast as shapely", SUBTITLE)
+        draw_headline(fig, theme, "How many times as fast as shapely", SUBTITLE, *summary)
         _draw_ratios(fig, theme, charted)
         _draw_corners(fig, theme, corners)
 
@@ -62,6 +65,22 @@ def _fastest_and_slowest(method: str, ratios: Sequence[SpeedRatio]) -> str:
     text += f"({least.work}) to {_times_in_words(most.times)} ({most.work}"
     prepared = next((r for r in ratios if (r.work, r.method) == (most.work, PREPARED)), None)
     return text + (f"; {_times_in_words(most.times / prepared.times)} as fast as prepared)." if prepared else ").")
+
+
+def _summary(method: str, charted: Sequence[SpeedRatio], corners: Sequence[TimingRow]) -> str:
+    """Return in one line a method's largest ratio, to shapely unprepared and prepared, and where it is slower."""
+    most = max((r for r in charted if r.method == method), key=lambda r: r.times)
+    prepared = next((r for r in charted if (r.work, r.method) == (most.work, PREPARED)), None)
+    text = f"{method}: up to {_times_in_words(most.times)} as fast"
+    text += f", {_times_in_words(most.times / prepared.times)} as fast as prepared" if prepared else ""
+    works = sum(r.method == method and r.times < 1 for r in charted)
+    many = []
+    for work in dict.fromkeys(row.work for row in corners):
+        own, shapely = ({r.size: r.time for r in corners if (r.work, r.method) == (work, m)} for m in (method, SHAPELY))
+        if (start := faster_from(shapely, own)) is not None:
+            many.append(f"{work} from {start}")
+    slower = [f"{works} works at the left"] * bool(works) + [f"{', '.join(many)} corners on"] * bool(many)
+    return f"{text} ({most.work}). Slower: {'; '.join(slower) or 'nowhere'}."
 
 
 def _slower_works(slower: Sequence[SpeedRatio]) -> str:
@@ -115,7 +134,7 @@ def _times_in_words(times: float) -> str:
 
 def _draw_ratios(fig: Figure, theme: Theme, ratios: Sequence[SpeedRatio]) -> None:
     """Draw the left chart: a row for each work, a mark for each method, bars for quartiles."""
-    ax = add_axes(fig, (0.275, 0.1, 0.26, 0.75), theme)
+    ax = add_axes(fig, (0.275, 0.095, 0.26, 0.72), theme)
     works = list(dict.fromkeys(r.work for r in ratios))
     places = {work: -k for k, work in enumerate(works)}
     ax.axvline(1, color=theme.roles["guide"], lw=1)
@@ -138,7 +157,7 @@ def _draw_ratios(fig: Figure, theme: Theme, ratios: Sequence[SpeedRatio]) -> Non
 
 def _draw_corners(fig: Figure, theme: Theme, rows: Sequence[TimingRow]) -> None:
     """Draw the right chart: time against the number of corners, with the exponent of the growth at each line's end."""
-    ax = add_axes(fig, (0.6, 0.1, 0.22, 0.75), theme)
+    ax = add_axes(fig, (0.6, 0.095, 0.22, 0.72), theme)
     ends = []
     for work, method in dict.fromkeys((row.work, row.method) for row in rows):
         own = [row for row in rows if (row.work, row.method) == (work, method)]

@@ -43,7 +43,7 @@ def _lines_by_size(rows: list[TimingRow]) -> list[str]:
     lines = [f"{section + ', ' + unit:52}" + "".join(f"{n:>10,}" for n in sizes) + f"{'growth':>8}"]
     for work, method in dict.fromkeys((row.work, row.method) for row in rows):
         times = {row.size: row.time for row in rows if (row.work, row.method) == (work, method)}
-        line = "".join(f"{times[n]:10.1f}" for n in sizes)
+        line = "".join(f"{times[n]:10.1f}" if n in times else f"{'':10}" for n in sizes)
         lines.append(f"  {work + ', ' + method:50}{line}{growth_exponent(times):8.2f}")
     return [*lines, f"  wrong: {wrong}"] if (wrong := wrong_counts(rows)) else lines
 
@@ -66,6 +66,14 @@ def growth_exponent(times: Mapping[int, float]) -> float:
         return float("nan")
     x, y = np.log(last), np.log([times[n] for n in last])
     return float(((x - x.mean()) * (y - y.mean())).sum() / ((x - x.mean()) ** 2).sum())
+
+
+def faster_from(own: Mapping[int, float], rival: Mapping[int, float]) -> int | None:
+    """Return the smallest size from which on `own` is never slower than the rival; None if it is at the largest."""
+    start = None
+    for size in sorted(own.keys() & rival.keys()):
+        start = None if own[size] > rival[size] else size if start is None else start
+    return start
 
 
 def busy_warning(rows: list[TimingRow]) -> str:

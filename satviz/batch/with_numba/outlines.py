@@ -16,14 +16,20 @@ from ..ragged import Rings
 from .jit_cache import compiled, inlined
 
 
-def certified_group(vertices: Array) -> Group | None:
-    """Return (N, V, 2) outlines as a group, counter-clockwise; None if one is not certified convex."""
+def certified_group(vertices: Array, spare: Group | None = None) -> Group | None:
+    """Return (N, V, 2) outlines as a group, counter-clockwise; None if one is not certified convex.
+
+    `spare`: a group of this size that is not used any more; its memory is overwritten.
+    """
     n, corners, _ = vertices.shape
-    columns, maxima = np.empty((2, corners, n)), np.empty((2, -(-n // TILE_SHAPES)))
+    columns = np.empty((2, corners, n)) if spare is None or spare.memory is None else spare.memory
+    maxima = np.empty((2, -(-n // TILE_SHAPES)))
     kernel = (_fill_columns_3, _fill_columns_4)[corners - 3] if corners <= 4 else _fill_columns
     if not kernel(vertices, columns, maxima):
         return None
-    return Group(columns[0], columns[1], None, TileMaxima(maxima[0], maxima[1]))
+    group = Group(columns[0], columns[1], None, TileMaxima(maxima[0], maxima[1]))
+    group.memory = columns
+    return group
 
 
 def _columns_kernel(fixed: int | None) -> Callable[[Array, Array, Array], bool]:

@@ -8,8 +8,14 @@ from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..array_types import Array, Indices, Mask, Pairs
 from ..arrays import Shapes
 from ..broad_rule import ALL_PAIRS, GRID, MAX_ALL_PAIRS, MAX_SWEEP, MAX_SWEEP_COMPARISONS, SWEEP
+from ..codes import APART, UNDECIDED
+from .filter import classify_clearances
+from .indexed import relations
 
-MAX_WHOLE_SHAPES = 24  # shapes up to which all pairs are tested by their edges without comparing boxes first
+MAX_WHOLE_SHAPES = 12  # shapes up to which all pairs are tested by their edges without comparing boxes first
+MAX_SHAPES, MAX_CORNERS = 1 << 10, 8  # above these, blocks of pairs in float32 are faster
+MAX_PRODUCTS = 1 << 17  # of normals and corners at a time, so that they stay in the second-level cache
+OUTWARD = np.array([1.0, -1.0])[:, None, None]  # turns (dy, dx) of a counter-clockwise edge into its outward normal
 
 
 def choose(bounds: Array) -> tuple[int, int, Indices | None, Indices | None]:
@@ -56,41 +62,88 @@ def _all_pairs(n: int) -> tuple[Indices, Indices]:
     return np.triu_indices(n, 1)
 
 
+@lru_cache(maxsize=MAX_WHOLE_SHAPES + 1)
+def _all_orders(n: int) -> tuple[Indices, Indices, Indices, Indices]:
+    """Return (i, j of all pairs of n shapes; i then j; j then i)."""
+    i, j = _all_pairs(n)
+    return i, j, np.concatenate([i, j]), np.concatenate([j, i])
+
+
 def _meet(a: Array, b: Array) -> Mask:
     """Return a mask: do the boxes of each row share a point?"""
-    found: Mask = ((a[:, :2] <= b[:, 2:]) & (b[:, :2] <= a[:, 2:])).all(axis=1)
-    return found
+    return np.asarray(((a[:, :2] <= b[:, 2:]) & (b[:, :2] <= a[:, 2:])).all(axis=1))
 
 
 def colliding_pairs(shapes: Shapes) -> Pairs | None:
-    """Return the pairs i < j, in order, of few polygons with one number of corners; None where others decide them."""
-    n = len(shapes.count)
-    if not 1 < n <= MAX_WHOLE_SHAPES or "groups" not in vars(shapes) or len(shapes.groups) > 1 or 1 in shapes.groups:
-        return None
-    (group,) = shapes.groups.values()
-    i, j = _all_pairs(n)
-    x, y = np.concatenate([group.x, group.x[:1]]), np.concatenate([group.y, group.y[:1]])
-    with np.errstate(all="ignore"):
-        nx, ny = y[1:] - y[:-1], x[:-1] - x[1:]
-        gap = np.maximum(_clearance(nx, ny, group.x, group.y, i, j), _clearance(nx, ny, group.x, group.y, j, i))
-        edge = max(nx.max(), ny.max(), -nx.min(), -ny.min())
-        coordinate = max(group.x.max(), group.y.max(), -group.x.min(), -group.y.min())
-        error_bound = 4 * edge * coordinate * ERROR_FACTOR_F64
-        if not MIN_ERROR_BOUND < error_bound < MAX_ERROR_BOUND or np.abs(gap).min() <= error_bound:
-            return None
-    hits = np.flatnonzero(gap < 0)
-    return np.stack([i[hits], j[hits]], axis=1)
+    """Return the pairs i < j, in order, of few polygons that share a point; None where others must decide.
 
-
-def _clearance(nx: Array, ny: Array, x: Array, y: Array, own: Indices, other: Indices) -> Array:
-    """Return for each pair the largest clearance of any edge of shape `own` from shape `other`.
-
-    nx, ny: (V, n) outward normals, each at the corner x, y.
+    The clearances of all pairs are evaluated in float64 by a few expressions, since calls take longer than the work.
     """
-    nx, ny = nx[:, own], ny[:, own]
-    values = nx[:, None] * x[:, other]
-    values += ny[:, None] * y[:, other]
-    least = values.min(axis=1)
-    least -= nx * x[:, own] + ny * y[:, own]
-    found: Array = least.max(axis=0)
-    return found
+    closed = _closed_columns(shapes)
+    if closed is None:
+        return None
+    n = closed.shape[2]
+    if n <= MAX_WHOLE_SHAPES:
+        i, j, own, other = _all_orders(n)
+    else:
+        pairs = candidate_pairs(np.concatenate([closed.min(axis=1), closed.max(axis=1)]).T)
+        if pairs is None:
+            return None
+        i, j = pairs.T
+        own, other = np.concatenate([i, j]), np.concatenate([j, i])
+    corners, edges = closed[:, :-1], closed[:, 1:] - closed[:, :-1]
+    with np.errstate(all="ignore"):
+        normals = edges[::-1] * OUTWARD
+        at = normals * corners
+        at = at[0] + at[1]
+        gap = np.empty(len(own))
+        size = MAX_PRODUCTS // len(at) ** 2
+        for start in range(0, len(own), size):
+            part = slice(start, start + size)
+            products = normals.take(own[part], axis=2)[:, :, None] * corners.take(other[part], axis=2)[:, None]
+            values = np.add(products[0], products[1], out=products[0])
+            least = np.minimum.reduce(values, axis=1)
+            least -= at.take(own[part], axis=1)
+            np.maximum.reduce(least, axis=0, out=gap[part])
+        gap = np.maximum(gap[: len(i)], gap[len(i) :])
+        edge, coordinate = (np.maximum.reduce(np.abs(c).reshape(-1, n), axis=0) for c in (edges, closed))
+        error_bound = 4 * edge.max() * coordinate.max() * ERROR_FACTOR_F64  # of all, then pair by pair
+        if MIN_ERROR_BOUND < error_bound < MAX_ERROR_BOUND and (np.abs(gap) > error_bound).all():
+            hits = np.flatnonzero(gap < 0)
+        else:
+            bounds = (edge[i] + edge[j]) * (coordinate[i] + coordinate[j]) * ERROR_FACTOR_F64
+            bounds[~((bounds > MIN_ERROR_BOUND) & (bounds < MAX_ERROR_BOUND))] = np.inf
+            found = np.empty(len(i), np.int8)
+            classify_clearances(gap, bounds, found)
+            rest = np.flatnonzero(found == UNDECIDED)
+            settled = np.empty(len(rest), np.int8)
+            relations(shapes.flat, i[rest], shapes.flat, j[rest], settled)
+            found[rest] = settled
+            hits = np.flatnonzero(found != APART)
+    i, j = i[hits], j[hits]
+    if n > MAX_ALL_PAIRS:
+        order = np.lexsort((j, i))
+        i, j = i[order], j[order]
+    out = np.empty((len(i), 2), np.intp)
+    out[:, 0], out[:, 1] = i, j
+    return out
+
+
+def _closed_columns(shapes: Shapes) -> Array | None:
+    """Return (2, V + 1, n) corners, one column a shape; the row after an outline's last corner starts it again.
+
+    None for circles, for many shapes and for many corners.
+    """
+    if "groups" in vars(shapes) and len(shapes.groups) == 1:
+        (group,) = shapes.groups.values()
+        corners, n = group.x.shape
+        if not 2 < corners <= MAX_CORNERS or not 1 < n <= MAX_SHAPES:
+            return None
+        closed = np.empty((2, corners + 1, n))
+        closed[0, :-1], closed[1, :-1], closed[:, -1] = group.x, group.y, (group.x[0], group.y[0])
+        return closed
+    if not 1 < len(shapes.count) <= MAX_SHAPES or shapes.min_corners < 3 or shapes.max_corners > MAX_CORNERS:
+        return None
+    x, y, start = shapes.rings
+    places = start[:-1] + np.arange(shapes.max_corners + 1)[:, None] % shapes.count
+    return np.stack([x[places], y[places]])

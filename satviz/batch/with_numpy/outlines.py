@@ -10,13 +10,14 @@ from ..exact_signs import ERRBOUND_A
 BLOCK_CORNERS = 1 << 15  # corners at a time: they and the scratch arrays stay in the second-level cache
 
 
-def certified_group(vertices: Array) -> Group | None:
+def certified_group(vertices: Array, spare: Group | None = None) -> Group | None:
     """Return (N, V, 2) outlines as a group, counter-clockwise; None if one is not certified convex.
 
     A turn counts only where a float64 error bound certifies its sign, which no NaN, infinity or underflow passes.
+    `spare`: a group of this size that is not used any more; its memory is overwritten.
     """
     n, corners = vertices.shape[:2]
-    columns = np.empty((2, corners, n))
+    columns = np.empty((2, corners, n)) if spare is None or spare.memory is None else spare.memory
     size = max(1, BLOCK_CORNERS // corners)
     with np.errstate(all="ignore"):
         for start in range(0, n, size):
@@ -27,7 +28,9 @@ def certified_group(vertices: Array) -> Group | None:
                 part[:, :, right] = part[:, ::-1, right]
             if not (left | right).all():
                 return None
-    return Group(columns[0], columns[1])
+    group = Group(columns[0], columns[1])
+    group.memory = columns
+    return group
 
 
 def _turns_one_way(xy: Array) -> tuple[Mask, Mask]:

@@ -139,15 +139,15 @@ def draw_headline(fig: Figure, theme: Theme, title: str, *lines: str) -> None:
 
 
 def set_time_ticks(axis: XAxis | YAxis, limits: Sequence[float], *, labels: bool = True) -> None:
-    """Set ticks in ns, µs or ms at the powers of ten within the limits; without `labels` ticks have no text."""
-    decades = [10.0**e for e in range(-1, 9) if limits[0] <= 10.0**e <= limits[1]]
+    """Set ticks in ns, µs, ms or s at the powers of ten within the limits; without `labels` ticks have no text."""
+    decades = [10.0**e for e in range(-1, 11) if limits[0] <= 10.0**e <= limits[1]]
     axis.set_ticks(decades, labels=[format_time(d).replace(".0", "") if labels else "" for d in decades])
     axis.minorticks_off()
 
 
 def format_time(ns: float) -> str:
-    """Return a time in ns, µs or ms with two or three digits."""
-    size, unit = next(((s, u) for s, u in ((1e6, "ms"), (1e3, "µs")) if ns >= s), (1.0, "ns"))
+    """Return a time in ns, µs, ms or s with two or three digits."""
+    size, unit = next(((s, u) for s, u in ((1e9, "s"), (1e6, "ms"), (1e3, "µs")) if ns >= s), (1.0, "ns"))
     return f"{ns / size:.{0 if ns >= 10 * size else 1}f} {unit}"
 
 

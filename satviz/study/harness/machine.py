@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ... import __version__
 
-PEER_PACKAGES = ("numba", "shapely", "pymunk")
+PEER_PACKAGES = ("numba", "shapely", "pymunk", "scipy", "pyb2d3")
 
 
 def is_installed(name: str) -> bool:

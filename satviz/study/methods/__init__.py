@@ -29,6 +29,7 @@ VECTORISED = (
     "The kernels of satviz (with and without its filter), of the bounding circles and of the boxes are vectorised. "
     "The other kernels go pair by pair. So the times compare these programs and not only the methods."
 )
+ENGINES = {"satviz numpy": "numpy", "satviz numba": "numba"}  # by their names in tables
 Answers = NDArray[Any]  # one for each pair: bool for hit or not, or int8 for the relation
 
 
@@ -52,6 +53,13 @@ class Method(NamedTuple):
     def prepare_from(self, side: Side, shapes: list[Shape]) -> Any:
         """Return what `prepare(side)` returns, made from `shapes`, the engine's shapes of that side."""
         return [self.one(shape) for shape in shapes] if self.one else self.prepare(side)
+
+
+def installed_engines() -> Iterator[tuple[str, str]]:
+    """Yield (name in the table, engine) of the engines that work here."""
+    for label, engine in ENGINES.items():
+        if engine == "numpy" or is_installed(engine):
+            yield label, engine
 
 
 def all_methods(*, circles: bool = False) -> list[Method]:

@@ -1,0 +1,141 @@
+"""Shapes that move: new coordinates for a batch whose shapes stay the same, checked as exactly as when it was made."""
+
+from typing import Any
+
+import numpy as np
+
+from ..engine.geometry import InvalidShape
+from ..engine.polygon_validation import refuse_masked
+from ..engine.predicates import warn_if_flushed
+from . import validation
+from .array_types import Array, Indices
+from .arrays import Group, Shapes, check_shapes
+from .constructors import build_shapes
+from .engines import engine_of
+from .ragged import MAX_LANE_CORNERS, Rings
+
+
+class Frame:
+    """Hold what stays the same while a batch moves, and the memory of the coordinates before the present ones.
+
+    start: (N + 1,) where each shape's corners begin, as the batch held them at its first move; radius: (N,), 0 for
+    polygons; corners: their number if all shapes have the same; outlines: (M, 2) coordinates that `place` turns.
+    """
+
+    def __init__(self, shapes: Shapes) -> None:
+        if shapes.owner is not None:
+            raise InvalidShape(
+                "this batch holds parts of concave polygons, which change as they move: make a new batch"
+            )
+        self.start: Indices = shapes.rings.start
+        self.radius: Array = shapes.radius
+        self.corners = int(shapes.count[0]) if shapes.uniform is not None else 0
+        self.outlines: Array = np.stack(shapes.rings[:2], axis=1)
+        self.spare: Group | None = None
+
+
+def move(shapes: Shapes, corners: validation.Points) -> Shapes:
+    """Give the shapes of a batch new coordinates, in its own memory, and return the batch.
+
+    corners: (N, V, 2), or (M, 2) corners one after another as the batch holds them (`shapes.count` of each shape; the
+    center of a circle), in scene units.  Finiteness, winding and convexity are checked exactly in one pass; what is
+    given is not kept.  InvalidShape names the first shape at fault, and the batch stays as it was; likewise for
+    another number of corners and for parts of concave polygons.  No other thread may use the batch meanwhile.
+    """
+    frame = _frame_of(check_shapes(shapes, "shapes"))
+    _set_corners(shapes, frame, corners)
+    vars(shapes)["_frame"] = frame
+    return shapes
+
+
+def place(shapes: Shapes, offsets: validation.Points, angles: Any = 0.0) -> Shapes:
+    """Turn each shape about (0, 0), then move it, and return the batch; it starts from its first outlines each time.
+
+    offsets: (N, 2) in scene units; angles: (N,) in radians, or one for all, counter-clockwise.  The first outlines are
+    those that the batch was made with.  The new coordinates are floats, rounded, and are checked as in `move`: a corner
+    that is nearly straight can become straight or concave.  InvalidShape as in `move`.
+    """
+    frame = _frame_of(check_shapes(shapes, "shapes"))
+    n = len(frame.start) - 1
+    offsets = validation.points(offsets, "offsets", lambda i: f"offset {i}")
+    angles = validation.numbers(angles, "angles", "angle", lambda i: f"angle {i}")
+    if len(offsets) != n or angles.shape not in ((), (1,), (n,)):
+        raise InvalidShape(f"there are {len(offsets)} offsets and {angles.size} angles for {n} shapes")
+    many = np.diff(frame.start)
+    cos, sin = (np.repeat(np.broadcast_to(f(angles), (n,)), many) for f in (np.cos, np.sin))
+    x, y = frame.outlines.T
+    corners = np.repeat(offsets, many, axis=0)
+    corners[:, 0] += cos * x - sin * y
+    corners[:, 1] += sin * x + cos * y
+    _set_corners(shapes, frame, corners.reshape(n, -1, 2) if frame.corners else corners)
+    vars(shapes)["_frame"] = frame
+    return shapes
+
+
+def _frame_of(shapes: Shapes) -> Frame:
+    """Return the Frame of a batch, made at its first move."""
+    frame = vars(shapes).get("_frame")
+    return frame if isinstance(frame, Frame) else Frame(shapes)
+
+
+def _set_corners(shapes: Shapes, frame: Frame, corners: Any) -> None:
+    """Check the coordinates and make them those of the batch; its own memory of two moves before is used again."""
+    n = len(frame.start) - 1
+    fast = type(corners) is np.ndarray and corners.dtype == np.float64 and corners.flags.carray
+    if fast and 3 <= frame.corners <= MAX_LANE_CORNERS and corners.shape == (n, frame.corners, 2):
+        warn_if_flushed()
+        group = engine_of(None).certified_group(corners, frame.spare)
+        if group is not None:
+            frame.spare = vars(shapes).get("groups", {}).get(frame.corners)
+            vars(shapes).clear()
+            Shapes.__init__(shapes, groups={frame.corners: group})
+            return
+    made = _checked(frame, corners)
+    frame.spare = None
+    vars(shapes).clear()
+    vars(shapes).update(vars(made))
+
+
+def _checked(frame: Frame, corners: Any) -> Shapes:
+    """Return a batch of the frame's shapes with these coordinates; InvalidShape names the first one at fault."""
+    refuse_masked(corners, "corners")
+    total = int(frame.start[-1])
+    if isinstance(corners, np.ndarray) and corners.ndim == 3:
+        expected = (len(frame.start) - 1, frame.corners or "as many corners as each shape has", 2)
+        if not frame.corners or corners.shape != expected:
+            raise InvalidShape(f"corners has the shape {corners.shape}: expected {_form(frame)}")
+        corners = corners.reshape(-1, 2)
+
+    def name(k: int) -> str:
+        """Return the name of corner `k` in error messages."""
+        i = int(np.searchsorted(frame.start, k, side="right")) - 1
+        return f"circle {i}: center" if frame.radius[i] else f"polygon {i}: vertex {k - frame.start[i]}"
+
+    points = validation.points(corners, "corners", lambda k: name(k) if k < total else f"corner {k}")
+    if len(points) != total:
+        raise InvalidShape(f"corners holds {len(points)} points: expected {_form(frame)}")
+    circles = frame.radius > 0
+    if circles.all():
+        x, y = points.T[:, None] + 0.0
+        return Shapes(groups={1: Group(x, y, frame.radius)})
+    if not circles.any():
+        return build_shapes(points, frame.start, "polygon {}".format, None)
+    rings = Rings(points[:, 0], points[:, 1], frame.start)
+    of = np.flatnonzero(~circles)
+    some = rings.take(of)
+    polygons = build_shapes(np.stack(some[:2], axis=1), some.start, lambda i: f"polygon {of[i]}", None)
+    count = np.ones(len(circles), np.int64)
+    count[of] = polygons.count
+    start = np.concatenate([[0], np.cumsum(count)])
+    x, y = np.empty((2, start[-1]))
+    is_center = np.repeat(circles, count)
+    for c, made, given in ((x, polygons.rings.x, points[:, 0]), (y, polygons.rings.y, points[:, 1])):
+        c[~is_center], c[is_center] = made, given[frame.start[:-1][circles]] + 0.0
+    return Shapes(count, rings=Rings(x, y, start), radius=frame.radius)
+
+
+def _form(frame: Frame) -> str:
+    """Return which array of corners this batch takes, in words."""
+    n, total = len(frame.start) - 1, int(frame.start[-1])
+    whole = f"({total}, 2), all corners one after another"
+    return f"({n}, {frame.corners}, 2) or {whole}" if frame.corners else whole

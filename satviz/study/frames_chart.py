@@ -1,0 +1,173 @@
+"""The benchmark's frames as a chart: time from raw arrays to all colliding pairs against the number of shapes."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import groupby
+from textwrap import wrap
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ..pictures import Theme
+from .bench import PLAIN_SAT, TimingRow
+from .bench_table import faster_from, wrong_counts
+from .harness.chart import TEXT_POINTS, Chart, add_axes, draw_headline, label_ends, label_points, set_time_ticks
+from .methods import ENGINES
+from .methods.scene_methods import DIFFERENCES
+
+CHART_SIZE = 900.0, 680.0  # points
+SHADES = {"satviz numba": "gap", "satviz numpy": "A"}  # the others are grey
+DASHES = {
+    "brute force": ":",
+    "STRtree": "--",
+    "prepared STRtree": (0, (5, 1, 1, 1)),
+    "Box2D": "-.",
+    "cKDTree": (0, (3, 1)),
+}
+LINE_POINTS = 13.0
+LINE_LETTERS, NOTE_LETTERS = 52, 158  # of the text at each of the three charts, and at the bottom
+TICKS = 10, 1000, 100_000
+BETWEEN = 6  # points on a line between two sizes that labels keep off
+TITLE = "Time from arrays to all colliding pairs"
+SUBTITLE = "One frame of moving shapes, against the number of shapes. satviz answers exactly, the others in floats."
+
+EndLabel = tuple[float, float, str, str]  # x, y, text, colour
+Times = Mapping[str, Mapping[int, float]]  # the times of one work in ns, by method and by number of shapes
+
+
+def frames_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
+    """Return the chart of the sections "frames" and "arrays"; `warning`: why their times are only rough, or empty."""
+    works = {work: times_of(rows, work) for work in dict.fromkeys(r.work for r in rows if r.section == "frames")}
+    fastest = {work: fastest_by_size(times) for work, times in works.items()}
+    below = {work: [crossings(times, m) for m in sorted(ENGINES) if m in times] for work, times in works.items()}
+    differences = [words for method, words in DIFFERENCES.items() if any(method in times for times in works.values())]
+    notes = [*_notes_of_arrays(rows), " ".join(differences)]
+    reading = " ".join(f"{work.capitalize()}. {fastest[work]} {' '.join(said)}" for work, said in below.items())
+    counted = (
+        f"Wrong answers {whose}: {wrong}."
+        for whose, own in (
+            ("of satviz, both engines together", [r for r in rows if r.method.startswith(tuple(ENGINES))]),
+            ("of the others, all together", [r for r in rows if not r.method.startswith(tuple(ENGINES))]),
+        )
+        if (wrong := wrong_counts(own))
+    )
+    reading = " ".join([reading, *notes, *counted])
+
+    def draw(fig: Figure, theme: Theme) -> None:
+        """Draw a chart for each work, with the sentences about it below, and the notes at the bottom."""
+        draw_headline(fig, theme, TITLE, SUBTITLE)
+        low = min(t for times in works.values() for own in times.values() for t in own.values())
+        high = max(t for times in works.values() for own in times.values() for t in own.values())
+        for k, (work, times) in enumerate(works.items()):
+            left = 0.05 + 0.325 * k
+            ax = add_axes(fig, (left, 0.41, 0.165, 0.415), theme)
+            _draw_times(ax, theme, times, (low / 1.5, high * 3))
+            _write_lines(fig, theme, left - 0.038, 0.91, [work.capitalize()], fontweight="bold")
+            _write_lines(fig, theme, left - 0.038, 0.885, wrap(fastest[work], LINE_LETTERS))
+            lines = [line for said in below[work] for line in wrap(said, LINE_LETTERS)]
+            _write_lines(fig, theme, left - 0.038, 0.34, lines)
+        _write_lines(fig, theme, 0.012, 0.145, [line for note in notes for line in wrap(note, NOTE_LETTERS)])
+
+    own = [row._asdict() for row in rows]
+    return Chart("frames", TITLE, CHART_SIZE, draw, own, reading, warning)
+
+
+def times_of(rows: Sequence[TimingRow], work: str) -> Times:
+    """Return the times of one work of the frames, in ns."""
+    found: dict[str, dict[int, float]] = {}
+    for row in rows:
+        if (row.section, row.work) == ("frames", work):
+            found.setdefault(row.method, {})[row.size] = row.time * 1e3
+    return found
+
+
+def fastest_by_size(times: Times) -> str:
+    """Return a sentence with the fastest method of one work at each size, neighbouring sizes together."""
+    sizes = sorted({size for own in times.values() for size in own})
+    fastest = [min((own[size], method) for method, own in times.items() if size in own)[1] for size in sizes]
+    runs = [(method, [sizes[k] for k in run]) for method, run in groupby(range(len(sizes)), fastest.__getitem__)]
+    return f"Fastest: {', '.join(f'{method} {_from_to(run)}' for method, run in runs)}."
+
+
+def crossings(times: Times, engine: str) -> str:
+    """Return a sentence that says from which size on an engine is faster than each rival, and than which it is not."""
+    faster: dict[str, list[str]] = {}
+    slower: dict[str, list[str]] = {}
+    for rival, other in times.items():
+        sizes = sorted(times[engine].keys() & other.keys())
+        if rival in ENGINES or not sizes:
+            continue
+        start = faster_from(times[engine], other)
+        behind = [size for size in sizes if times[engine][size] > other[size]]
+        if start is not None:
+            faster.setdefault(f"from {start:,} on" if behind else "at all sizes", []).append(rival)
+        elif behind != sizes:
+            slower.setdefault(f"at {behind[-1]:,}", []).append(rival)
+        else:
+            slower.setdefault("at all sizes" if sizes[-1] == max(times[engine]) else f"up to {sizes[-1]:,}", []).append(
+                rival
+            )
+    parts = []
+    for word, found in (("faster", faster), ("slower", slower)):
+        than = [f"than {' and '.join(rivals)} {where}" for where, rivals in found.items()]
+        parts += [f"{word} {', '.join(than)}"] if than else []
+    return f"{engine}: {'; '.join(parts)}." if parts else f"{engine}: timed alone."
+
+
+def _from_to(sizes: Sequence[int]) -> str:
+    """Return the first and the last of these sizes in words."""
+    return f"{sizes[0]:,} to {sizes[-1]:,}" if len(sizes) > 1 else f"at {sizes[0]:,}"
+
+
+def _notes_of_arrays(rows: Sequence[TimingRow]) -> Iterator[str]:
+    """Yield what `hits` takes from raw arrays beside plain SAT, and what one large or far box costs each engine."""
+    arrays = [row for row in rows if row.section == "arrays"]
+    times = {row.method: row for row in arrays}
+    if (plain := times.get(PLAIN_SAT)) is not None:
+        said = (f"{m} {times[m].time:.0f} ({times[m].time / plain.time:.1f} times)" for m in ENGINES if m in times)
+        yield f"{plain.work.capitalize()}, from arrays, ns a pair: {PLAIN_SAT} {plain.time:.0f}, {', '.join(said)}."
+    parts = [
+        f"{row.method} {row.time / base.time:.2f}"
+        for engine in ENGINES
+        if (base := times.get(f"{engine}, plain"))
+        for row in arrays
+        if row.method.startswith(f"{engine}, ") and row is not base
+    ]
+    if parts:
+        (work,) = {row.work for row in arrays if row.method.endswith(", plain")}
+        yield f"{work.capitalize()}, as a multiple of the same without it: {'; '.join(parts)}."
+
+
+def _draw_times(ax: Axes, theme: Theme, times: Times, limits: tuple[float, float]) -> None:
+    """Draw the lines of one work, satviz's on top, each with its name at its end."""
+    last = max(size for own in times.values() for size in own)
+    ends, inner = list[EndLabel](), list[EndLabel]()
+    points = list[tuple[float, float]]()
+    for method, own in times.items():
+        sizes, strong = sorted(own), method in ENGINES
+        role = SHADES.get(method, "guide")
+        values = [own[size] for size in sizes]
+        ax.plot(sizes, values, ls=DASHES.get(method, "-"), color=theme.roles[role], lw=2.6 if strong else 1.3,
+                marker="o" if strong else None, ms=4, zorder=3 if strong else 2)  # fmt: skip
+        label = sizes[-1], values[-1], method, theme.text.get(role, theme.roles[role])
+        (ends if sizes[-1] == last else inner).append(label)
+        along = np.linspace(0, len(sizes) - 1, BETWEEN * (len(sizes) - 1) + 1)
+        at, logs = np.arange(len(sizes)), (np.log(sizes), np.log(values))
+        on_line = list(zip(*(np.exp(np.interp(along, at, log)).tolist() for log in logs)))
+        points += on_line if sizes[-1] == last else on_line[:-1]  # the end of another line is where its own label is
+    ax.set(xscale="log", yscale="log", ylim=limits)
+    ax.set_xticks(TICKS, [f"{n:,}" for n in TICKS])
+    ax.set_xlabel("shapes")
+    ax.minorticks_off()
+    set_time_ticks(ax.yaxis, limits)
+    label_ends(ax, ends)
+    label_points(ax, inner, theme, points)
+
+
+def _write_lines(fig: Figure, theme: Theme, left: float, top: float, lines: Sequence[str], **style: Any) -> None:
+    """Write lines of text below each other, from a place that is given as shares of the figure."""
+    step = LINE_POINTS / (fig.get_size_inches()[1] * 72)
+    for k, line in enumerate(lines):
+        style = {"fontsize": TEXT_POINTS, "va": "top", "parse_math": False, **style}
+        fig.text(left, top - k * step, line, color=theme.roles["ink"], **style)
