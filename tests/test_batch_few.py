@@ -143,7 +143,7 @@ def test_all_colliding_pairs_of_few_shapes_are_found_in_order(kind, engine):
     for n in SIZES:
         shapes, right = scene(kind, n)
         assert n < 24 or 0 < len(right) < n * (n - 1) / 2
-        for e in SCALES:
+        for e in SCALES if n < 50 else SCALES[1:]:  # at the first all signs are exact ones, which takes long
             made = batch_of(shapes, 2.0**e)
             for form in made, batch.concat([made, made[:0]]), made[np.arange(n)]:
                 found = batch.colliding_pairs(form, engine=engine)
@@ -191,8 +191,8 @@ def oddly_placed(rng):
         yield "a far one", [*some, BOX + 2.0**50]
         yield "a far one on each side", [BOX - 2.0**50, *some[1:], BOX * 2.0**40 + 2.0**50]
         yield "a giant circle", [*some, ((-(2**20), 0), 2**20)]
-        yield "columns", [BOX + [0, k // 2] for k in rng.permutation(n)]
-        yield "rows", [BOX + [k // 2, 0] for k in rng.permutation(n)]
+        yield "columns", [np.add(BOX, [0, k // 2]) for k in rng.permutation(n)]
+        yield "rows", [np.add(BOX, [k // 2, 0]) for k in rng.permutation(n)]
         yield "columns of two widths", [BOX * [1 + k % 2 * 7, 1] + [0, k] for k in rng.permutation(n)]
         yield "a diagonal", [BOX + k for k in rng.permutation(n)]
         yield "sizes of every scale", [BOX * 2.0 ** (k - 40) for k in rng.permutation(n)]
@@ -304,7 +304,7 @@ def test_the_broad_phase_that_is_chosen_is_named():
         assert batch.broad_phase(boxes_of(row[:n])) == right
         assert batch.broad_phase(boxes_of(row[:n, [1, 0, 3, 2]])) == right
         assert batch.broad_phase(batch.Circles(row[:n, :2], 0.25)) == right
-    ells = [np.array([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]) + [3 * k, 0] for k in range(30)]
+    ells = [np.add([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], [3 * k, 0]) for k in range(30)]
     parts = batch.Polygons(ells, concave="split")
     assert batch.broad_phase(parts) == batch.broad_phase(parts.parts) == ("sort and sweep", 30)
     with pytest.raises(TypeError, match="make it with"):
