@@ -41,7 +41,7 @@ class BroadPhase(NamedTuple):
 def broad_phase(shapes: Shapes) -> BroadPhase:
     """Return the broad phase that `colliding_pairs` chooses for these shapes (for the convex parts of concave ones).
 
-    Up to 48 boxes are compared all with all.  Up to 4,096 are sorted along the axis on which they are spread
+    Up to 48 boxes are compared all with all.  Up to 512 are sorted along the axis on which they are spread
     more widely, and swept, if that makes at most 24 comparisons a box.  All others are put into grids.  Both engines
     choose the same.
     """

@@ -9,6 +9,6 @@ ALL_PAIRS, SWEEP, GRID = range(3)
 NAMES = "all pairs", "sort and sweep", "grid"
 
 MAX_ALL_PAIRS = 48  # boxes; above it sorting costs less than it saves
-MAX_SWEEP = 4096  # boxes; above it too many overlap along one axis
+MAX_SWEEP = 512  # boxes; above it too many overlap along one axis
 MAX_SWEEP_COMPARISONS = 24  # per box; above it a grid is faster
 MAX_CANDIDATES_PER_BOX = 48  # in one grid; above it grids for each size are faster

@@ -146,9 +146,9 @@ def _candidate_pairs(bounds: Array) -> tuple[Pairs, bool]:
     most = count_candidates(table[3], True, table)
     if most > MAX_CANDIDATES_PER_BOX * n:
         return np.empty((0, 2), np.intp), False
-    out = np.empty((int(most) + 2 * n, 2), np.intp)
+    out = np.empty((4 * n, 2), np.intp)
     begin, found = fill_pairs(table[1], table[3], 0, True, table, out)
-    while begin < n:  # the candidates were estimated from a sample
+    while begin < n:
         more = np.empty((2 * len(out), 2), np.intp)
         more[:found] = out[:found]
         begin, added = fill_pairs(table[1], table[3], begin, True, table, more[found:])
@@ -182,9 +182,13 @@ def _sweep(bounds: Array, most: int) -> tuple[Pairs, int]:
         i = order[k]
         low[k], high[k] = bounds[i, axis], bounds[i, axis + 2]
         side_low[k], side_high[k] = bounds[i, 1 - axis], bounds[i, 3 - axis]
-    out = np.empty((most + n, 2), np.intp)
+    out = np.empty((4 * n, 2), np.intp)
     found = compared = 0
     for k in range(n):
+        if found + n > len(out):
+            more = np.empty((2 * len(out), 2), np.intp)
+            more[:found] = out[:found]
+            out = more
         m = k + 1
         while m < n and low[m] <= high[k]:
             if side_low[k] <= side_high[m] and side_low[m] <= side_high[k]:

@@ -120,7 +120,6 @@ def _raise_clearance_kernel(corners: int) -> Callable[..., None]:
     return raise_clearance
 
 
-raise_clearance_4 = _raise_clearance_kernel(4)
 raise_clearance_8 = _raise_clearance_kernel(8)
 
 

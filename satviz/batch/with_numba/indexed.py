@@ -15,14 +15,13 @@ from ..ragged import MAX_LANE_CORNERS
 from .exact import MAX_TERMS, is_certainly_inside, relate_few_corners, relate_many_corners
 from .filter import (
     classify,
-    raise_clearance_4,
     raise_clearance_8,
     range_gap,
     relate_circle_polygon,
     relate_circles,
     relation_of_gap,
 )
-from .jit_cache import compiled
+from .jit_cache import compiled, inlined
 
 LANES = 128  # pairs whose corners stay in the first-level cache
 LANE_STRIDE = LANES + 8  # a power of two would put all corners of a pair into the same few places of the cache
@@ -69,9 +68,9 @@ def fill_relations(
 ) -> None:  # fmt: skip
     """Fill `out` with the relations of pairs (ia, ib): by boxes, then the float filter in lanes, then exactly."""
     terms, error_bounds, best = np.empty(MAX_TERMS), np.empty(LANES), np.empty(LANES)
-    x, y = np.empty((MAX_LANE_CORNERS + 1, LANE_STRIDE)), np.empty((MAX_LANE_CORNERS + 1, LANE_STRIDE))
-    p, q = np.empty((MAX_LANE_CORNERS + 1, LANE_STRIDE)), np.empty((MAX_LANE_CORNERS + 1, LANE_STRIDE))
-    waiting, many = np.empty((2, LANES), np.intp), np.zeros(2, np.intp)  # pairs of up to four corners, of up to eight
+    lanes = np.empty((4, MAX_LANE_CORNERS + 1, LANE_STRIDE))
+    x, y, p, q = lanes[0], lanes[1], lanes[2], lanes[3]
+    waiting, many = np.empty(LANES, np.intp), 0  # pairs of up to eight corners
     for k in range(out.size):
         i, j = ia[k], ib[k]
         gap = max(
@@ -91,19 +90,20 @@ def fill_relations(
             continue
         out[k] = UNDECIDED
         most = max(sa[i + 1] - sa[i], sb[j + 1] - sb[j])
-        if most <= MAX_LANE_CORNERS:
-            w = 0 if most <= 4 else 1
-            waiting[w, many[w]] = k
-            many[w] += 1
-            if many[w] == LANES:
-                full, width = waiting[w], 4 * (w + 1)
+        if most <= 4:
+            one = _clearance_of_few(ax, ay, sa[i], sa[i + 1], bx, by, sb[j], sb[j + 1])
+            other = _clearance_of_few(bx, by, sb[j], sb[j + 1], ax, ay, sa[i], sa[i + 1])
+            out[k] = classify(max(one, other), _error_bound(box_a, i, box_b, j))
+        elif most <= MAX_LANE_CORNERS:
+            waiting[many] = k
+            many += 1
+            if many == LANES:
                 _evaluate_lanes(
-                    ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, full, width, x, y, p, q, error_bounds, best, out
+                    ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, waiting, x, y, p, q, error_bounds, best, out
                 )
-                many[w] = 0
-    for w in range(2):
-        left, width = waiting[w, : many[w]], 4 * (w + 1)
-        _evaluate_lanes(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, left, width, x, y, p, q, error_bounds, best, out)
+                many = 0
+    left = waiting[:many]
+    _evaluate_lanes(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, left, x, y, p, q, error_bounds, best, out)
     for k in range(out.size):
         if out[k] == UNDECIDED and ra[ia[k]] == 0 and rb[ib[k]] == 0:
             i, j = ia[k], ib[k]
@@ -136,31 +136,49 @@ def _max_width(box: Array, i: int) -> float:
     return width
 
 
+@inlined
+def _error_bound(box_a: Array, i: int, box_b: Array, j: int) -> float:
+    """Return the float64 error bound of the clearances of two shapes, from their boxes; infinite where none is known."""
+    width = _max_width(box_a, i) + _max_width(box_b, j)
+    error_bound = width * (_max_coordinate(box_a, i) + _max_coordinate(box_b, j)) * ERROR_FACTOR_F64
+    return error_bound if error_bound > MIN_ERROR_BOUND and error_bound < MAX_ERROR_BOUND else np.inf
+
+
+@inlined
+def _clearance_of_few(x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int) -> float:
+    """Return the largest clearance of any edge of corners i0 to i1 over corners j0 to j1; both are 3 or 4 corners.
+
+    A triangle starts again: its first edge and its first corner are evaluated twice.
+    """
+    i, j, k = np.uintp(i0), np.uintp(j0), np.uintp(j1 - 1)
+    j2 = j + np.uintp(2)
+    best = -np.inf
+    for e in range(4):
+        s = i + np.uintp(e if i0 + e < i1 else 0)
+        t = i + np.uintp(e + 1 if i0 + e + 1 < i1 else i0 + e + 1 - i1)
+        ex, ey = x[s], y[s]
+        nx, ny = y[t] - ey, ex - x[t]
+        low = min(nx * p[j] + ny * q[j], nx * p[j + np.uintp(1)] + ny * q[j + np.uintp(1)])
+        low = min(low, min(nx * p[j2] + ny * q[j2], nx * p[k] + ny * q[k]))
+        best = max(best, low - (nx * ex + ny * ey))
+    return best
+
+
 @compiled
 def _evaluate_lanes(
     ax: Array, ay: Array, sa: Indices, box_a: Array, bx: Array, by: Array, sb: Indices, box_b: Array,
-    ia: Indices, ib: Indices, which: Indices, width: int,
+    ia: Indices, ib: Indices, which: Indices,
     x: Array, y: Array, p: Array, q: Array, error_bounds: Array, best: Array, out: Signs,
 ) -> None:  # fmt: skip
-    """Fill `out` at the pairs `which` by the float filter, side by side, each outline extended to `width` edges."""
+    """Fill `out` at the pairs `which` by the float filter, side by side, each outline extended to the same number of edges."""
     n = which.size
     for k in range(n):
         i, j = ia[which[k]], ib[which[k]]
-        copy_to_lane(ax, ay, sa[i], sa[i + 1], width, x, y, k)
-        copy_to_lane(bx, by, sb[j], sb[j + 1], width, p, q, k)
-        error_bound = (
-            (_max_width(box_a, i) + _max_width(box_b, j))
-            * (_max_coordinate(box_a, i) + _max_coordinate(box_b, j))
-            * ERROR_FACTOR_F64
-        )
-        error_bounds[k] = error_bound if error_bound > MIN_ERROR_BOUND and error_bound < MAX_ERROR_BOUND else np.inf
-        best[k] = -np.inf
-    if width == 4:
-        raise_clearance_4(x, y, p, q, 0, n, best)
-        raise_clearance_4(p, q, x, y, 0, n, best)
-    else:
-        raise_clearance_8(x, y, p, q, 0, n, best)
-        raise_clearance_8(p, q, x, y, 0, n, best)
+        copy_to_lane(ax, ay, sa[i], sa[i + 1], MAX_LANE_CORNERS, x, y, k)
+        copy_to_lane(bx, by, sb[j], sb[j + 1], MAX_LANE_CORNERS, p, q, k)
+        error_bounds[k], best[k] = _error_bound(box_a, i, box_b, j), -np.inf
+    raise_clearance_8(x, y, p, q, 0, n, best)
+    raise_clearance_8(p, q, x, y, 0, n, best)
     for k in range(n):
         out[which[k]] = classify(best[k], error_bounds[k])
 
