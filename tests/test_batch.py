@@ -2308,10 +2308,8 @@ def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeyp
     for name in "relate_few_corners", "relate_many_corners":
         monkeypatch.setattr(picked, name, lambda *_: pytest.fail("looked at longer"))
     monkeypatch.setattr(exact_numpy, "relations", lambda *_: pytest.fail("left to the exact twin"))
-    look, widths = picked._evaluate_lanes, []
-    monkeypatch.setattr(
-        picked, "_evaluate_lanes", lambda *given: widths.extend([given[11]] * given[10].size) or look(*given)
-    )
+    look, sizes = picked._evaluate_lanes, []
+    monkeypatch.setattr(picked, "_evaluate_lanes", lambda *given: sizes.append(given[10].size) or look(*given))
     box = batch.Polygons([[(5, 0), (6, 0), (6, 1), (5, 1)], [(6, 1), (7, 1), (7, 2), (6, 2)]])
     rng = RNG(2)
     index = np.r_[[(0, 1), (1, 1), (2, 0)], 2 + rng.integers(0, 30, (150, 2))]
@@ -2320,9 +2318,9 @@ def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeyp
         assert batch.relate(a, b, index, engine="numba").tolist() == [1, 2, 0] + [2] * 150
         far = batch.concat([box, batch.Polygons(regular(rng, 30, w) + 1.8)])
         if max(v, w) <= 8:
-            widths.clear()
+            sizes.clear()
             assert batch.relate(a, far, index, engine="numba").tolist() == [1, 2, 0] + [0] * 150
-            assert 7 < len(widths) < 151 and set(widths) == {4 if max(v, w) <= 4 else 8}
+            assert sum(sizes) == 0 if max(v, w) <= 4 else 7 < sum(sizes) < 151 and max(sizes) <= lanes
     for x, y, size in product((-0.6, 0.0, 0.6), (-0.3, 0.2), (0.1, 0.2)):
         large, small = (
             batch.Polygons(regular(rng, 1, 40) * u + [[[30 + v, 50 + w]]]) for u, v, w in ((1, 0, 0), (size, x, y))
@@ -2425,19 +2423,20 @@ def test_picked_pairs_that_touch_touch(v, w, scale, engine):
         assert found.tolist() == one_by_one(one, other) == [1] * 8
 
 
+@pytest.mark.parametrize("w", [4, 7])  # one by one and in lanes
 @pytest.mark.parametrize("e", [-600, -100, 0, 100, 400, 600])
-def test_numbas_lanes_are_granted_room_for_the_widest_and_the_farthest(e, monkeypatch):
+def test_numbas_picked_pairs_are_granted_an_error_bound_for_the_widest_and_the_farthest(e, w, monkeypatch):
     picked = kernels_of("indexed")
-    look, granted = in_python(picked._evaluate_lanes), {}
+    bound, granted = in_python(picked._error_bound), {}
 
-    def seen(*given):
-        look(*given)
-        granted.update(zip(given[10].tolist(), given[16].tolist()))
+    def seen(box_a, i, box_b, j):
+        granted[i, j] = bound(box_a, i, box_b, j)
+        return granted[i, j]
 
-    as_python(monkeypatch, picked, "fill_relations")
-    monkeypatch.setattr(picked, "_evaluate_lanes", seen)
+    as_python(monkeypatch, picked, "fill_relations", "_evaluate_lanes")
+    monkeypatch.setattr(picked, "_error_bound", seen)
     rng = RNG(7)
-    a, b = (batch.Polygons((ngons(rng, 40, v, 2) * rng.uniform(0.2, 5, (40, 1, 2))) * 2.0**e) for v in (3, 7))
+    a, b = (batch.Polygons((ngons(rng, 40, v, 2) * rng.uniform(0.2, 5, (40, 1, 2))) * 2.0**e) for v in (3, w))
     index = rng.integers(0, 40, (200, 2))
     batch.relate(a, b, index, engine="numba")
     boxes = a.bounds[index[:, 0]], b.bounds[index[:, 1]]
@@ -2445,8 +2444,9 @@ def test_numbas_lanes_are_granted_room_for_the_widest_and_the_farthest(e, monkey
     with np.errstate(all="ignore"):
         room = wide * sum(np.abs(c).max(axis=1) for c in boxes) * ERROR_FACTOR_F64
     right = np.where((room > MIN_ERROR_BOUND) & (room < MAX_ERROR_BOUND), room, np.inf)
-    assert len(granted) > 20 and all(granted[k] == right[k] for k in granted)
-    assert np.isinf(right).all() == (abs(e) == 600)
+    right = dict(zip(map(tuple, index.tolist()), right.tolist()))
+    assert len(granted) > 20 and all(granted[pair] == right[pair] for pair in granted)
+    assert np.isinf(list(right.values())).all() == (abs(e) == 600)
 
 
 @pytest.mark.parametrize("engine", ENGINES)
