@@ -333,7 +333,7 @@ def way_of_numba(bounds, monkeypatch):
         patch.setattr(few, "build_table", lambda *_: (None, None, None, None))
         patch.setattr(few, "count_candidates", lambda *_: 0)
         patch.setattr(few, "fill_pairs", lambda *_: taken.append(("grid", None)) or (len(bounds), 0))
-        return taken[0] if few.candidate_pairs(bounds) is not None else ("grid", None)
+        return taken[-1] if few.candidate_pairs(bounds) is not None else ("grid", None)
 
 
 def way_of_numpy(bounds, monkeypatch):
@@ -583,7 +583,7 @@ OUTLINES = {
 def dressed(rng, ring):
     """Return the outline from another corner on, either way round, some corners repeated, with minus zeros, scaled."""
     ring = np.roll(ring, rng.integers(len(ring)), axis=0)[:: rng.choice([1, -1])]
-    match rng.integers(7):
+    match rng.integers(8):
         case 0:
             ring = np.concatenate([ring[:1], ring])
         case 1:
@@ -593,10 +593,10 @@ def dressed(rng, ring):
         case 3:
             k = rng.integers(len(ring))
             ring = np.insert(ring, k, ring[k], axis=0)
-        case 4:
-            ring = ring - ring[rng.integers(len(ring))]
-            ring = np.where(ring == 0, -0.0, ring)
-    return ring * 2.0 ** rng.choice([0, 0, 0, -40, -530, -560, -1065, 500, 1000])
+    if rng.random() < 0.5:
+        ring = ring - ring[rng.integers(len(ring))]
+        ring = np.where((ring == 0) & (rng.random(ring.shape) < 0.7), -0.0, ring)
+    return ring * 2.0 ** rng.choice([0, 0, 0, 0, 0, -40, -530, -560, -1065, 500, 1000])
 
 
 def forms_of(array, folder):
@@ -653,15 +653,16 @@ def check(make, rings):
 @pytest.mark.parametrize("kind", OUTLINES)
 def test_outlines_are_judged_as_one_by_one_in_every_form(kind, made_by, tmp_path):
     rng = RNG(len(kind))
-    for n in range(40):
+    for n in range(60):
         ring = dressed(rng, OUTLINES[kind](rng))
-        others = [next(hulls(rng, [3, 4, 5], 9)) * 1.0 for _ in range(n % 3)]
+        alike = [len(ring)] if n % 2 and 3 <= len(ring) <= 8 else [3, 4, 5]  # as an array needs no repeats then
+        others = [next(hulls(rng, alike, 20)) for _ in range(n % 3)]
         rings = [*others, ring, *others[:1]]
         most = max(map(len, rings))
         padded = np.array([np.concatenate([r, np.repeat(r[-1:], most - len(r), axis=0)]) for r in rings])
         for name, given in forms_of(padded, tmp_path):
             before = np.array(given)
-            check(lambda: batch.Polygons(given), padded)  # noqa: B023
+            check(lambda: batch.Polygons(given), before.astype(float))  # noqa: B023
             assert np.array_equal(given, before), name
         check(lambda: batch.Polygons(rings), rings)  # noqa: B023
         start = np.cumsum([0, *map(len, rings)])
