@@ -25,7 +25,7 @@ from strategies import CONVEX, SIZES, drawn, edge_facing, many_corners, nearly_s
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import arrays, broad_phase, chunks, collide, exact_signs, narrow_phase
+from satviz.batch import arrays, chunks, collide, engines, exact_signs, narrow_phase
 from satviz.batch.chunks import ChunkFailed
 from satviz.batch.codes import UNDECIDED
 from satviz.batch.with_numpy import circle_polygons, gjk, indexed
@@ -34,6 +34,8 @@ from satviz.batch.with_numpy import filter as filter_numpy
 from satviz.batch.with_numpy import grid as grid_numpy
 from satviz.engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from satviz.study import truth as oracle
+
+broad_phase = importlib.import_module("satviz.batch.broad_phase")  # the module, whatever batch calls so
 
 ENGINES = ["numpy", "numba"]
 ELL = np.array([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)])
@@ -247,7 +249,7 @@ def test_numbas_search_finds_no_shared_point_on_the_edge_whose_ends_it_finds_fir
 
 def test_a_few_steps_find_no_shared_point_on_the_edge_whose_ends_they_find_first():
     one, other = (np.array(rings).transpose(2, 1, 0).copy() for rings in zip(*standing_on_edges()))
-    reach = (np.abs(one).max() + np.abs(other).max()) * ERROR_FACTOR_F64
+    reach = np.full(100, (np.abs(one).max() + np.abs(other).max()) * ERROR_FACTOR_F64)
     for p, q in (one, other), (other, one):
         out = np.zeros(100, np.int8)
         indexed.gjk.gjk(*p, *q, reach, out)
@@ -560,35 +562,49 @@ def test_the_float32_look_errs_less_than_its_room(v, w, far):
     assert 0 < error.max() < 64
 
 
+def tiles(edge, coordinate):
+    """A group of which only the largest numbers of its tiles are known."""
+    x = np.zeros((3, 1))
+    return arrays.Group(x, x, None, arrays.TileMaxima(np.array(edge), np.array(coordinate)))
+
+
 @pytest.mark.parametrize("spans", [*product([2.0**-30, 1, 2.0**20], repeat=2)])
 @pytest.mark.parametrize("reaches", [*product([2.0**-20, 1, 2.0**30], repeat=2)])
-def test_the_room_of_numbas_look_is_what_rounding_needs_and_little_more(spans, reaches):
-    """See verdict.LOOK: 15 roundings of the longest edge's part times the farthest coordinate; asked are 32 of both."""
-    kernels, x = kernels_of("filter"), np.zeros((3, 1))
-    a, b = (arrays.Group(x, x, None, span, reach) for span, reach in zip(spans, reaches))
-    assert (
-        15 / 32 * ERROR_FACTOR_F64 <= kernels.error_bound_of(a, b) / (max(spans) * max(reaches)) <= 4 * ERROR_FACTOR_F64
-    )
+def test_numbas_error_bound_is_what_rounding_needs_and_little_more(spans, reaches):
+    """15 roundings of the longest edge's part times the farthest coordinate are needed, 32 of both are granted.
+
+    See relate.ERROR_FACTOR_F64.  Each tile has a bound of its own.
+    """
+    kernels = kernels_of("filter")
+    a, b = (tiles([1.0, span, 1.0], [1.0, reach, 1.0]) for span, reach in zip(spans, reaches))
+    bounds = kernels.error_bounds(a, b)
+    assert bounds.shape == (3,) and bounds[0] == bounds[2] == 4 * ERROR_FACTOR_F64
+    assert 15 / 32 * ERROR_FACTOR_F64 <= bounds[1] / (max(spans) * max(reaches)) <= 4 * ERROR_FACTOR_F64
 
 
 @pytest.mark.parametrize("e", [-560, -480, -430, 0, 430, 500, 560])
-def test_the_room_of_numbas_look_is_infinite_where_products_lose_bits_or_overflow(e):
-    kernels, x = kernels_of("filter"), np.zeros((3, 1))
-    group = arrays.Group(x, x, None, 2.0**e, 2.0**e)
-    assert (kernels.error_bound_of(group, group) < np.inf) == (abs(e) <= 430)
+def test_numbas_error_bound_is_infinite_where_products_lose_bits_or_overflow(e):
+    kernels = kernels_of("filter")
+    group = tiles([1.0, 2.0**e], [1.0, 2.0**e])
+    assert (kernels.error_bounds(group, group) < np.inf).tolist() == [True, abs(e) <= 430]
 
 
 @pytest.mark.parametrize("v", range(3, 17))
-def test_the_float32_look_takes_no_shape_for_narrower_than_it_is(v):
-    group = batch.Polygons(ngons(RNG(v), 50, v)).uniform
-    assert (np.ptp([group.x, group.y], axis=1) <= filter_numpy._max_width(group)).all()
+def test_the_float32_filter_takes_no_shape_for_narrower_than_it_is(v):
+    """Of whichever columns, in whichever tiles."""
+    rng = RNG(v)
+    group = batch.Polygons(ngons(rng, 300, v) * rng.uniform(0.01, 1, (300, 1, 1))).uniform
+    wide = np.ptp([group.x, group.y], axis=1).max(axis=0)
+    for first, n in (0, 300), (0, 1), (127, 2), (128, 128), (100, 200), (299, 1):
+        widths = filter_numpy._max_widths(group, first, n)
+        assert widths.shape == (n,) and (wide[first : first + n] <= widths).all()
 
 
 @pytest.mark.parametrize("half", range(2, 9))
 def test_no_shape_is_wider_than_one_whose_edges_lead_there_and_back_by_as_much(half):
     there = np.stack([np.ones(half), (2 * np.arange(half) + 1 - half) / half], axis=1)
     group = batch.Polygons(np.cumsum([*there, *-there], axis=0)[None]).uniform
-    assert np.ptp(group.x) == filter_numpy._max_width(group) == half
+    assert np.ptp(group.x) == half and filter_numpy._max_widths(group, 0, 1).tolist() == [half]
 
 
 @pytest.mark.full
@@ -1571,7 +1587,9 @@ def test_the_few_steps_of_many_corners_are_granted_room_for_the_largest_coordina
     index = np.arange(30)
     batch.relate(a, b, engine="numpy")
     batch.relate(a, b, np.c_[index, index], engine="numpy")
-    assert seen == [sum(np.abs(r).max() for r in rings) * ERROR_FACTOR_F64] * 2
+    tile, pair = seen
+    assert tile.tolist() == [sum(np.abs(r).max() for r in rings) * ERROR_FACTOR_F64] * 30
+    assert np.array_equal(pair, sum(np.abs(r).max(axis=(1, 2)) for r in rings) * ERROR_FACTOR_F64)
 
 
 @pytest.mark.parametrize(
@@ -1585,7 +1603,7 @@ def test_what_a_few_steps_tell_is_right_wherever_the_other_shape_lies(other):
     right = one_by_one(a, b)
     for p, q in ((a.uniform, b.uniform), (b.uniform, a.uniform)):
         out = np.empty(len(right), np.int8)
-        gjk.gjk(p.x, p.y, q.x, q.y, 30 * ERROR_FACTOR_F64, out)
+        gjk.gjk(p.x, p.y, q.x, q.y, np.full(len(right), 30 * ERROR_FACTOR_F64), out)
         assert all(found in (UNDECIDED, told) for found, told in zip(out.tolist(), right))
         assert (out == UNDECIDED).sum() <= right.count(1) + 20
 
@@ -1644,12 +1662,22 @@ def test_nothing_wrong_is_told_where_float32_loses_the_bits_of_products(e):
     assert batch.relate(a, b, engine="numpy").tolist() == one_by_one(a, b)
 
 
-@pytest.mark.parametrize("n", [1, 2, 30])
-def test_the_span_of_a_group_is_its_largest_edge_component(n):
-    rings = ngons(RNG(n), 1, 5) + 0.01 * np.arange(n)[:, None, None]
-    edges = np.abs(rings - np.roll(rings, 1, axis=1))
-    group = batch.Polygons(rings).uniform
-    assert group.max_edge_component == edges.max() and group.max_coordinate == np.abs(rings).max()
+@pytest.mark.parametrize("v", [3, 4, 5, 8, 9])
+@pytest.mark.parametrize("n", [1, 2, 128, 129, 300])
+def test_the_maxima_of_a_tile_are_its_largest_edge_component_and_coordinate(n, v):
+    """However the batch was made: validated by either engine, of rings, joined or chosen."""
+    rng = RNG(n + v)
+    rings = ngons(rng, n, v) * 2.0 ** rng.integers(-9, 9, (n, 1, 1))
+    rings[::2] = rings[::2, ::-1]  # clockwise
+    edges = np.abs(rings - np.roll(rings, 1, axis=1)).max(axis=(1, 2))
+    starts = np.arange(0, n, 128)
+    right = [np.maximum.reduceat(most, starts).tolist() for most in (edges, np.abs(rings).max(axis=(1, 2)))]
+    groups = [batch.Polygons(rings).uniform, batch.Polygons(list(rings)).uniform]
+    groups += [batch.Polygons(rings)[::-1][::-1].uniform, batch.concat([batch.Polygons(rings)]).uniform]
+    if v <= 8:  # more corners are not validated in columns
+        groups += [engines.engine_of(engine).certified_group(rings) for engine in ENGINES]
+    for group in groups:
+        assert [most.tolist() for most in group.tile_maxima] == right
 
 
 def test_what_has_only_some_sides_of_an_upright_box_is_none():
@@ -1753,6 +1781,11 @@ def test_cells_of_any_size_find_what_meets_and_each_pair_once(engine, seed, monk
             assert np.array_equal(found[np.lexsort(found.T[::-1])], right), n
 
 
+def grid_alone(grid):
+    """An engine that finds all candidates by this grid, however few the boxes."""
+    return engines.engine_of("numpy")._replace(grid=grid, candidate_pairs=lambda _: None)
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_once_each(seed):
     rng, sets = RNG(seed), []
@@ -1775,7 +1808,7 @@ def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_
         assert np.array_equal(cell, np.maximum(size[both].max(axis=0), even))
         return None
 
-    assert list(broad_phase.candidate_blocks(bounds, too_many)) == []
+    assert list(broad_phase.candidate_blocks(bounds, grid_alone(too_many))) == []
     times = np.zeros((60, 60), int)
     for one, other in sets:
         assert len(one) and (other is None or len(other))
@@ -1795,7 +1828,7 @@ def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_
 def test_cells_of_boxes_on_one_spot_are_as_fine_as_numbers_of_cells_can_be_told_apart(x, y):
     cells = []
     bounds = np.tile([x, y, x, y], (20, 1)).astype(float)
-    assert list(broad_phase.candidate_blocks(bounds, lambda *given: cells.append(given[3:]))) == []
+    assert list(broad_phase.candidate_blocks(bounds, grid_alone(lambda *given: cells.append(given[3:])))) == []
     far = max(abs(x), abs(y))
     assert cells == [([far * 2.0**-1000] * 2, broad_phase.MAX_CANDIDATES_PER_BOX * 20), ([far * 2.0**-48] * 2, np.inf)]
 
@@ -1852,22 +1885,22 @@ def test_the_grid_of_numpy_keeps_no_table_of_cells_in_which_hardly_anything_lies
 @pytest.mark.parametrize("seed", range(4))
 def test_the_grid_of_numba_looks_as_often_as_it_says(seed, monkeypatch):
     grid, rng = kernels_of("grid"), RNG(seed)
-    as_python(monkeypatch, grid, "_build_table", "_count_candidates", "_fill_pairs", "_first_cell", "_cell_number")
+    as_python(monkeypatch, grid, "build_table", "count_candidates", "fill_pairs", "_first_cell", "_cell_number")
     places, asked = in_python(grid._stored_range), []
     monkeypatch.setattr(grid, "_stored_range", lambda *given: asked.append(places(*given)) or asked[-1])
     for _ in range(15):
         bounds, one, other, cell = in_cells(rng)
         size = 1 << int(2 * len(other) - 1).bit_length()
-        table = grid._build_table(bounds, other, *cell, size)
-        told = grid._count_candidates(bounds[one], False, table)
+        table = grid.build_table(bounds, other, *cell, size)
+        told = grid.count_candidates(bounds[one], False, table)
         asked.clear()
         pairs = sum(map(len, grid._pair_blocks(one, bounds[one], False, table, 100)))
         assert told == sum(last - first for first, last in asked) >= pairs
         assert grid.meeting_pairs(bounds, one, other, cell, told) is not None
         assert told == 0 or grid.meeting_pairs(bounds, one, other, cell, told - 1) is None
         # among themselves in rows from a box's own on, so some more than are needed
-        table = grid._build_table(bounds, one, *cell, size)
-        told = grid._count_candidates(bounds[one], True, table)
+        table = grid.build_table(bounds, one, *cell, size)
+        told = grid.count_candidates(bounds[one], True, table)
         asked.clear()
         pairs = sum(map(len, grid._pair_blocks(table[1], table[3], True, table, 100)))
         looked = sum(last - first for first, last in asked)
@@ -1878,16 +1911,16 @@ def test_of_many_boxes_the_grid_of_numba_asks_some_how_often_all_will_be_looked_
     grid = kernels_of("grid")
     x, y = (c.ravel()[:1000] for c in np.meshgrid(np.arange(33.0), np.arange(33.0)))
     bounds = np.c_[x, y, x + 1, y + 1]
-    table = grid._build_table(bounds, np.arange(1000), 1.0, 1.0, 2048)
+    table = grid.build_table(bounds, np.arange(1000), 1.0, 1.0, 2048)
     queried = []
     monkeypatch.setattr(grid, "_first_cell", lambda *given: queried.append(given) or 0)
-    looks = in_python(grid._count_candidates)
+    looks = in_python(grid.count_candidates)
     for n, each in ((999, 1), (1000, grid.SAMPLE_STEP)):
         queried.clear()
         looks(bounds[:n], False, table)
         assert len(queried) == 2 * -(-n // each)
     monkeypatch.undo()
-    exact, told = grid._count_candidates(bounds[:999], True, table), grid._count_candidates(bounds, True, table)
+    exact, told = grid.count_candidates(bounds[:999], True, table), grid.count_candidates(bounds, True, table)
     assert 0.9 < told / exact < 1.1
 
 
@@ -2010,14 +2043,31 @@ def test_pairs_keep_their_order_where_an_index_has_32_bits():
     assert found.tolist() == [[1, 2], [50_000, 60_000]]
 
 
+def test_of_few_boxes_a_grid_of_numba_finds_all_pairs_whatever_its_samples_say():
+    """A row of cells with 16 boxes in each second one, so that every 17th, which is sampled, meets no other box."""
+    grid, n = kernels_of("grid"), 17 * 300
+    place = np.arange(n) // 17 * 6 + np.where(np.arange(n) % 17, 3.1, 0.1)
+    bounds = np.stack([place, 0 * place, place + 0.8, 0 * place + 1], axis=1)
+    pairs = np.stack(np.triu_indices(16, 1), axis=1) + np.arange(1, n, 17)[:, None, None]
+    table = grid.build_table(bounds, np.arange(n), 0.8, 1.0, 1 << 14)
+    assert grid.count_candidates(table[3], True, table) == n  # it is said that each meets itself
+    for engine in ENGINES:
+        assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), pairs.reshape(-1, 2))
+
+
 def test_a_grid_of_numba_takes_few_blocks_whatever_its_samples_say(monkeypatch):
     grid = kernels_of("grid")
-    monkeypatch.setattr(grid, "_count_candidates", lambda *_: 0.0)
-    x, y = (c.ravel() for c in np.meshgrid(np.arange(60.0), np.arange(60.0)))
-    bounds, blocks, real = np.c_[x, y, x + 1, y + 1], [], grid._fill_pairs
-    monkeypatch.setattr(grid, "_fill_pairs", lambda *given: blocks.append(1) or real(*given))
-    assert np.array_equal(batch.candidate_pairs(bounds, engine="numba"), brute(bounds))
-    assert len(blocks) < 10
+    monkeypatch.setattr(grid, "count_candidates", lambda *_: 0.0)
+    x, y = (c.ravel() for c in np.meshgrid(np.arange(130.0), np.arange(130.0)))  # more than are told in one call
+    bounds, blocks, real = np.c_[x, y, x + 1, y + 1], [], grid.fill_pairs
+    monkeypatch.setattr(grid, "fill_pairs", lambda *given: blocks.append(1) or real(*given))
+    i = np.arange(130 * 130)
+    beside = [(i[inside], i[inside] + step) for step, inside in (
+        (1, x < 129), (129, (x > 0) & (y < 129)), (130, y < 129), (131, (x < 129) & (y < 129)),
+    )]  # fmt: skip
+    pairs = np.concatenate([np.stack(both, axis=1) for both in beside])
+    assert np.array_equal(batch.candidate_pairs(bounds, engine="numba"), pairs[np.lexsort(pairs.T[::-1])])
+    assert 0 < len(blocks) < 10
 
 
 def test_candidate_pairs_of_little_or_bad_input():
@@ -2041,7 +2091,7 @@ def test_the_looks_of_the_grid_grow_like_shapes_and_pairs(monkeypatch, engine):
         if engine == "numpy":
             looked.append(sum(int(many.sum()) for _, _, many in more[-1]))
         else:
-            looked.append(grid._count_candidates(boxes, *more[:2]))
+            looked.append(grid.count_candidates(boxes, *more[:2]))
         return blocks(queries, boxes, *more)
 
     monkeypatch.setattr(grid, "_pair_blocks", counted)
@@ -2049,7 +2099,8 @@ def test_the_looks_of_the_grid_grow_like_shapes_and_pairs(monkeypatch, engine):
         if name == "every scale":  # 600 decades of sizes: as many size classes as shapes
             continue
         looked.clear()
-        found = len(batch.candidate_pairs(np.c_[at, at + size], engine=engine))
+        kernels = engines.engine_of(engine)._replace(candidate_pairs=lambda _: None)  # also of few boxes
+        found = sum(map(len, broad_phase.candidate_blocks(np.c_[at, at + size], kernels)))
         assert 0 < sum(looked) <= 5 * broad_phase.MAX_CANDIDATES_PER_BOX * (1500 + found), (name, sum(looked), found)
 
 
@@ -2081,8 +2132,9 @@ def test_the_grid_alone_decides_only_where_all_are_upright_boxes(engine, come, k
         shapes = batch.Polygons(rings)
     else:
         shapes = batch.Polygons([WEDGE, *rings])[1:]
-    assert batch.colliding_pairs(shapes, engine=engine).tolist() == right
+    assert batch.colliding_pairs(shapes, engine=engine, chunk=1000).tolist() == right  # as many shapes take it
     assert bool(asked) == (len(kinds) > 1 or kinds[0] is not BOX)
+    assert batch.colliding_pairs(shapes, engine=engine).tolist() == right
 
 
 @pytest.mark.parametrize("v", [1, 4])
@@ -2234,7 +2286,7 @@ def outlines_of_all_numbers(rng, across):
 def test_picked_outlines_of_all_numbers_of_corners_are_told_as_one_by_one(lanes, engine, monkeypatch):
     if engine == "numba":
         picked = kernels_of("indexed")
-        as_python(monkeypatch, picked, "_polygons")
+        as_python(monkeypatch, picked, "fill_relations")
         monkeypatch.setattr(picked, "LANES", lanes)
     monkeypatch.setattr(indexed, "pairs_per_block", lambda *_: lanes)
     rng = RNG(lanes)
@@ -2251,15 +2303,13 @@ def test_picked_outlines_of_all_numbers_of_corners_are_told_as_one_by_one(lanes,
 def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeypatch):
     """Nor upright boxes, nor, where the middle of what their boxes share is inside both, many corners for an axis."""
     picked = kernels_of("indexed")
-    as_python(monkeypatch, picked, "_polygons")
+    as_python(monkeypatch, picked, "fill_relations")
     monkeypatch.setattr(picked, "LANES", lanes)
     for name in "relate_few_corners", "relate_many_corners":
         monkeypatch.setattr(picked, name, lambda *_: pytest.fail("looked at longer"))
     monkeypatch.setattr(exact_numpy, "relations", lambda *_: pytest.fail("left to the exact twin"))
-    look, widths = picked._evaluate_lanes, []
-    monkeypatch.setattr(
-        picked, "_evaluate_lanes", lambda *given: widths.extend([given[11]] * given[10].size) or look(*given)
-    )
+    look, sizes = picked._evaluate_lanes, []
+    monkeypatch.setattr(picked, "_evaluate_lanes", lambda *given: sizes.append(given[10].size) or look(*given))
     box = batch.Polygons([[(5, 0), (6, 0), (6, 1), (5, 1)], [(6, 1), (7, 1), (7, 2), (6, 2)]])
     rng = RNG(2)
     index = np.r_[[(0, 1), (1, 1), (2, 0)], 2 + rng.integers(0, 30, (150, 2))]
@@ -2268,9 +2318,9 @@ def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeyp
         assert batch.relate(a, b, index, engine="numba").tolist() == [1, 2, 0] + [2] * 150
         far = batch.concat([box, batch.Polygons(regular(rng, 30, w) + 1.8)])
         if max(v, w) <= 8:
-            widths.clear()
+            sizes.clear()
             assert batch.relate(a, far, index, engine="numba").tolist() == [1, 2, 0] + [0] * 150
-            assert 7 < len(widths) < 151 and set(widths) == {4 if max(v, w) <= 4 else 8}
+            assert sum(sizes) == 0 if max(v, w) <= 4 else 7 < sum(sizes) < 151 and max(sizes) <= lanes
     for x, y, size in product((-0.6, 0.0, 0.6), (-0.3, 0.2), (0.1, 0.2)):
         large, small = (
             batch.Polygons(regular(rng, 1, 40) * u + [[[30 + v, 50 + w]]]) for u, v, w in ((1, 0, 0), (size, x, y))
@@ -2283,7 +2333,8 @@ def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeyp
 def test_columns_of_every_number_of_corners_are_told_by_numba_from_their_clearances(v, w):
     """Far beyond a room, or far within it, as if rounding could hide so much: the clearance itself is looked at."""
     kernels = kernels_of("filter")
-    rng, first, n, room = RNG(v * w), 5, 300, 0.1
+    rng, first, n = RNG(v * w), 5, 300
+    room = np.array([0.1, 0.2, 0.05])[np.arange(first, first + n) // arrays.TILE_SHAPES]  # each tile has its own
     a, b = (rng.uniform(-1.5, 1.5, (n + first, 1, 2)) + ngons(rng, n + first, k, 0.0) for k in (v, w))
     best = np.full(n, -np.inf)
     for p, q in (a, b), (b, a):
@@ -2293,7 +2344,10 @@ def test_columns_of_every_number_of_corners_are_told_by_numba_from_their_clearan
         best = np.maximum(best, beyond.max(axis=1))
     out = np.full(n, 9, np.int8)
     kernels.clearance_kernel(v, w)(
-        *(np.ascontiguousarray(c) for s in (a, b) for c in s.transpose(2, 1, 0)), first, room, out
+        *(np.ascontiguousarray(c) for s in (a, b) for c in s.transpose(2, 1, 0)),
+        first,
+        np.array([0.1, 0.2, 0.05]),
+        out,
     )
     assert out.tolist() == np.select([best > room, best < -room], [0, 2], UNDECIDED).tolist()
     assert min((out == told).sum() for told in (0, 2, UNDECIDED)) > 10
@@ -2317,7 +2371,7 @@ def test_picked_outlines_of_many_corners_are_looked_at_in_a_few_steps_and_edges_
     for one, other, right, left in (a, b, 2, 0), (a, far, 0, 0), (p, q, 1, 20):
         asked.clear()
         out = np.full(20, 9, np.int8)
-        indexed.polygons(one.flat, np.arange(20), other.flat, np.arange(20), out)
+        indexed.relations(one.flat, np.arange(20), other.flat, np.arange(20), out)
         assert out.tolist() == [right] * 20 and sum(asked) == left
     if max(v, w) <= 16:
         wide = [(s.bounds[:, 2:] - s.bounds[:, :2]).max(axis=1) for s in (a, b)]
@@ -2369,19 +2423,20 @@ def test_picked_pairs_that_touch_touch(v, w, scale, engine):
         assert found.tolist() == one_by_one(one, other) == [1] * 8
 
 
+@pytest.mark.parametrize("w", [4, 7])  # one by one and in lanes
 @pytest.mark.parametrize("e", [-600, -100, 0, 100, 400, 600])
-def test_numbas_lanes_are_granted_room_for_the_widest_and_the_farthest(e, monkeypatch):
+def test_numbas_picked_pairs_are_granted_an_error_bound_for_the_widest_and_the_farthest(e, w, monkeypatch):
     picked = kernels_of("indexed")
-    look, granted = in_python(picked._evaluate_lanes), {}
+    bound, granted = in_python(picked._error_bound), {}
 
-    def seen(*given):
-        look(*given)
-        granted.update(zip(given[10].tolist(), given[16].tolist()))
+    def seen(box_a, i, box_b, j):
+        granted[i, j] = bound(box_a, i, box_b, j)
+        return granted[i, j]
 
-    as_python(monkeypatch, picked, "_polygons")
-    monkeypatch.setattr(picked, "_evaluate_lanes", seen)
+    as_python(monkeypatch, picked, "fill_relations", "_evaluate_lanes")
+    monkeypatch.setattr(picked, "_error_bound", seen)
     rng = RNG(7)
-    a, b = (batch.Polygons((ngons(rng, 40, v, 2) * rng.uniform(0.2, 5, (40, 1, 2))) * 2.0**e) for v in (3, 7))
+    a, b = (batch.Polygons((ngons(rng, 40, v, 2) * rng.uniform(0.2, 5, (40, 1, 2))) * 2.0**e) for v in (3, w))
     index = rng.integers(0, 40, (200, 2))
     batch.relate(a, b, index, engine="numba")
     boxes = a.bounds[index[:, 0]], b.bounds[index[:, 1]]
@@ -2389,8 +2444,9 @@ def test_numbas_lanes_are_granted_room_for_the_widest_and_the_farthest(e, monkey
     with np.errstate(all="ignore"):
         room = wide * sum(np.abs(c).max(axis=1) for c in boxes) * ERROR_FACTOR_F64
     right = np.where((room > MIN_ERROR_BOUND) & (room < MAX_ERROR_BOUND), room, np.inf)
-    assert len(granted) > 20 and all(granted[k] == right[k] for k in granted)
-    assert np.isinf(right).all() == (abs(e) == 600)
+    right = dict(zip(map(tuple, index.tolist()), right.tolist()))
+    assert len(granted) > 20 and all(granted[pair] == right[pair] for pair in granted)
+    assert np.isinf(list(right.values())).all() == (abs(e) == 600)
 
 
 @pytest.mark.parametrize("engine", ENGINES)

@@ -1,5 +1,6 @@
 """The batch's door: the rules and the words of the scalar one, and nothing of the caller's is touched."""
 
+import importlib
 import inspect
 import sys
 import warnings
@@ -12,9 +13,11 @@ import pytest
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import broad_phase, collide, constructors, narrow_phase, outlines, validation
+from satviz.batch import arrays, collide, constructors, engines, narrow_phase, outlines, validation
 from satviz.batch.with_numpy import filter as filter_numpy
 from satviz.engine import predicates
+
+broad_phase = importlib.import_module("satviz.batch.broad_phase")  # the module, whatever batch calls so
 
 TRIANGLE = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
 ELL = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
@@ -211,7 +214,7 @@ def test_of_circles_and_boxes_too_the_first_number_at_fault_is_named(made):
 @pytest.mark.parametrize("layout", [name for name in LAYOUTS if name != "a stream"])
 def test_minus_zero_is_zero(layout):
     made = LAYOUTS[layout]([[[-0.0, -1.0], [1.0, -0.0], [-0.0, 1.0], [-1.0, -0.0]]] * 3)
-    for corners in (*made.rings[:2], *made.uniform[:2]):
+    for corners in (*made.rings[:2], made.uniform.x, made.uniform.y):
         assert not np.signbit(corners[corners == 0]).any()
 
 
@@ -606,17 +609,12 @@ def test_what_is_known_of_joined_shapes_holds_for_them_all():
         rings, upright = [ring * size for ring, _ in chosen], [is_upright for _, is_upright in chosen]
         joined = batch.concat([batch.Polygons([ring]) for ring in rings])
         group = joined.groups[4]
-        assert (
-            group.max_coordinate
-            == np.abs(rings).max()
-            == max(group.x.max(), -group.x.min(), group.y.max(), -group.y.min())
-        )
-        assert group.max_edge_component == max(
-            np.abs(ring - np.roll(ring, 1, axis=0)).max() for ring in np.array(rings)
-        )
+        edges = np.array(rings) - np.roll(rings, 1, axis=1)
+        assert group.tile_maxima == arrays.TileMaxima(np.abs(edges).max(), np.abs(rings).max())
         assert group.upright == joined.are_upright_boxes == all(upright)
         assert joined.flat.upright.tolist() == upright
-        assert batch.Polygons(np.array(rings)).uniform[3:] == group[3:]
+        made = batch.Polygons(np.array(rings)).uniform
+        assert made.tile_maxima == group.tile_maxima and made.upright == group.upright
 
 
 def test_the_largest_and_least_numbers_of_corners_are_told_also_of_no_shapes():
@@ -739,9 +737,9 @@ def test_a_size_may_be_any_whole_number():
 
 @pytest.fixture
 def fresh_choice():
-    narrow_phase.load_engine.cache_clear()
+    engines.load_engine.cache_clear()
     yield
-    narrow_phase.load_engine.cache_clear()
+    engines.load_engine.cache_clear()
 
 
 @pytest.mark.parametrize(
@@ -758,9 +756,9 @@ def test_numpy_answers_where_numba_does_not_work_and_says_so_once(fresh_choice, 
         return import_(name, globals, locals, fromlist, level)
 
     monkeypatch.setattr(builtins, "__import__", broken)
-    shapes = batch.Polygons([TRIANGLE])
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
+        shapes = batch.Polygons([TRIANGLE])
         assert batch.relate(shapes, shapes).tolist() == [2] == batch.relate(shapes, shapes).tolist()
     assert [str(w.message) for w in told] == [f"numba does not work here, so NumPy does the work: {fault}"]
     with pytest.raises(ImportError, match=r"does not work here: .*engine=.numpy. does"):
@@ -768,25 +766,25 @@ def test_numpy_answers_where_numba_does_not_work_and_says_so_once(fresh_choice, 
 
 
 def test_where_numba_is_not_installed_asking_for_it_says_what_to_install(fresh_choice, monkeypatch):
-    monkeypatch.setattr(narrow_phase, "find_spec", lambda name: None)
+    monkeypatch.setattr(engines, "find_spec", lambda name: None)
     monkeypatch.setitem(sys.modules, "numba", None)
     for name in [name for name in sys.modules if name.startswith("satviz.batch.with_numba")]:
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.delattr(batch, "with_numba", raising=False)
     with pytest.raises(ImportError, match=r"engine .numba. needs .*pip install"):
-        narrow_phase.engine_of("numba")
-    assert narrow_phase.engine_of(None).circles is filter_numpy.circles
+        engines.engine_of("numba")
+    assert engines.engine_of(None).circles is filter_numpy.circles
 
 
 @pytest.mark.parametrize("name", ["numpy", "numba"])
 def test_an_engine_does_all_its_work_in_its_own_modules(name):
     if name == "numba":
         pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
-    engine = narrow_phase.engine_of(name)
+    engine = engines.engine_of(name)
     kernels = [part for part in engine if callable(part)]
-    assert len(kernels) == (7 if name == "numba" else 6)
+    assert len(kernels) == (12 if name == "numba" else 9)
     assert all(f".with_{name}." in kernel.__module__ for kernel in kernels)
-    assert engine is narrow_phase.engine_of(name)
+    assert engine is engines.engine_of(name)
 
 
 def test_masked_indices_are_refused_and_a_tuple_is_a_list():

@@ -1,0 +1,718 @@
+"""Few shapes and many: all colliding pairs whichever broad phase finds them, and outlines validated while copied.
+
+What is expected comes from `sv.relate`, pair by pair, and from `sv.Polygon`, outline by outline.
+"""
+
+import importlib
+from functools import cache
+from itertools import combinations, pairwise
+from random import Random
+
+import numpy as np
+import pytest
+from strategies import nearly_straight
+
+import satviz as sv
+from satviz import batch
+from satviz.batch import broad_rule, constructors, engines
+from satviz.batch.arrays import TILE_SHAPES
+from satviz.batch.codes import UNDECIDED
+from satviz.batch.with_numpy import few as few_numpy
+
+ENGINES = ["numpy", "numba"]
+RNG = np.random.default_rng
+SCALES = [-500, -40, 0, 480]  # powers of two; products of coordinates vanish at the first
+BOX = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
+DIAMOND = np.array([(1, 0), (2, 1), (1, 2), (0, 1)])
+
+
+def kernels_of(name):
+    """Return one of numba's modules, where numba is installed."""
+    pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
+    return importlib.import_module(f"satviz.batch.with_numba.{name}")
+
+
+def in_python(kernel):
+    """Return a kernel as Python, which calls what stands in its module."""
+    return getattr(kernel, "py_func", kernel)
+
+
+# -- scenes: outlines, or center and radius of circles, all in whole numbers and halves
+
+
+def hulls(rng, corners, size):
+    """Yield convex outlines of whole numbers with some of these numbers of corners."""
+    while True:
+        v = int(rng.choice(corners))
+        turns = np.sort(rng.uniform(0, 2 * np.pi, v))
+        ring = np.round(size * np.stack([np.cos(turns), np.sin(turns)], axis=1)) + size
+        try:
+            polygon = sv.Polygon(ring)
+        except sv.InvalidShape:
+            continue
+        if polygon.is_convex and len(polygon.core) == v:
+            yield np.array(polygon.core)
+
+
+def polygons_of(corners, size):
+    def made(rng, n, wide):
+        return [ring + rng.integers(0, wide * size // 3, 2) for ring, _ in zip(hulls(rng, corners, size), range(n))]
+
+    return made
+
+
+def upright_boxes(rng, n, wide):
+    return [BOX * rng.integers(1, 4, 2) + rng.integers(0, wide, 2) for _ in range(n)]
+
+
+def touching(rng, n, wide):
+    """Unit boxes and diamonds on a grid: nearly every pair near each other touches, at corners or along sides."""
+    return [(BOX, DIAMOND)[k] + rng.integers(0, wide, 2) for k in rng.integers(0, 2, n)]
+
+
+def circles(rng, n, wide):
+    """Radii and distances of Pythagorean triples, so that many touch."""
+    return [(rng.integers(0, wide, 2) * (3, 4)[k], (1, 4, 2.5)[k + 1]) for k in rng.integers(0, 2, n)]
+
+
+def circles_and_polygons(rng, n, wide):
+    some = [*circles(rng, n, wide), *polygons_of([3, 4, 9], 3)(rng, n, wide)]
+    return [some[k] for k in rng.permutation(2 * n)[:n]]
+
+
+SCENES = {
+    "triangles": polygons_of([3], 3),
+    "boxes, turned": lambda rng, n, wide: [DIAMOND @ [[2, 1], [-1, 2]] + rng.integers(0, wide, 2) for _ in range(n)],
+    "upright boxes": upright_boxes,
+    "five corners": polygons_of([5], 8),
+    "eight corners": polygons_of([8], 20),
+    "nine corners": polygons_of([9], 24),
+    "mixed, up to eight corners": polygons_of([3, 4, 5, 8], 18),
+    "mixed": polygons_of([3, 4, 7, 9, 12], 30),
+    "touching": touching,
+    "circles": circles,
+    "circles and polygons": circles_and_polygons,
+}
+
+
+def single(shape, scale=1.0):
+    """Return one shape by itself."""
+    if isinstance(shape, tuple):
+        return sv.Circle(np.asarray(shape[0]) * scale, shape[1] * scale)
+    return sv.Polygon(np.asarray(shape) * scale)
+
+
+def batch_of(shapes, scale=1.0):
+    """Return a batch: in columns where all have one number of corners, else one after another."""
+    round_ = [k for k, shape in enumerate(shapes) if isinstance(shape, tuple)]
+    plain = [k for k, shape in enumerate(shapes) if not isinstance(shape, tuple)]
+    made = []
+    if round_ or not plain:
+        centers = np.array([shapes[k][0] for k in round_], float).reshape(-1, 2)
+        made.append(batch.Circles(centers * scale, np.array([shapes[k][1] for k in round_], float) * scale))
+    if plain:
+        rings = [np.asarray(shapes[k]) * scale for k in plain]
+        alike = len(set(map(len, rings))) == 1
+        made.append(batch.Polygons(np.array(rings) if alike else rings))
+    if len(made) == 1:
+        return made[0]
+    return batch.concat(made)[np.argsort(round_ + plain)]
+
+
+def brute(shapes):
+    """Return the pairs i < j that share a point, by `relate` of each pair."""
+    known = list(map(single, shapes))
+    return [[i, j] for i, j in combinations(range(len(known)), 2) if sv.relate(known[i], known[j])]
+
+
+@cache
+def scene(kind, n):
+    """Return n shapes and their colliding pairs."""
+    shapes = SCENES[kind](RNG(n), n, max(3, int(2 * n**0.5)))
+    return shapes, brute(shapes)
+
+
+AROUND = [few_numpy.MAX_WHOLE_SHAPES, 24, broad_rule.MAX_ALL_PAIRS]
+SIZES = sorted({0, 1, 2, 3, 5, 100, *(n + more for n in AROUND for more in (-1, 0, 1))})
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("kind", SCENES)
+def test_all_colliding_pairs_of_few_shapes_are_found_in_order(kind, engine):
+    """In columns and one after another, at every scale."""
+    for n in SIZES:
+        shapes, right = scene(kind, n)
+        assert n < 24 or 0 < len(right) < n * (n - 1) / 2
+        for e in SCALES if n < 50 else SCALES[1:]:  # at the first all signs are exact ones, which takes long
+            made = batch_of(shapes, 2.0**e)
+            for form in made, batch.concat([made, made[:0]]), made[np.arange(n)]:
+                found = batch.colliding_pairs(form, engine=engine)
+                assert found.dtype == np.int64 and found.shape == (len(right), 2)
+                assert found.tolist() == right, (n, e)
+
+
+def copies(kind, n):
+    """Return n shapes, copies of a few, far enough from each other in rows of 70, and their colliding pairs."""
+    few, known = scene(kind, 12)
+    k = np.arange(n) // 12
+    at = np.stack([k % 70, k // 70], axis=1) * 128.0
+    if all(isinstance(shape, tuple) for shape in few):
+        centers, radii = (np.array([shape[d] for shape in few], float)[np.arange(n) % 12] for d in (0, 1))
+        made = batch.Circles(centers + at, radii)
+    else:
+        counts = [len(ring) for ring in few]
+        points = np.concatenate([few[i % 12] + at[i] for i in range(n)])
+        made = batch.Polygons(points, offsets=np.concatenate([[0], np.cumsum(np.resize(counts, n))]))
+    pairs = (12 * np.arange(-(-n // 12))[:, None, None] + np.array(known)).reshape(-1, 2)
+    pairs = pairs[pairs.max(axis=1) < n]
+    return made, pairs[np.lexsort(pairs.T[::-1])].tolist()
+
+
+MANY = [broad_rule.MAX_SWEEP, few_numpy.MAX_SHAPES, 4096, 1 << 14]
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("kind", ["triangles", "upright boxes", "mixed", "touching", "circles"])
+@pytest.mark.parametrize("n", [n + more for n in MANY for more in (0, 1)])
+def test_all_colliding_pairs_of_many_shapes_are_found_in_order(n, kind, engine):
+    shapes, right = copies(kind, n)
+    assert batch.colliding_pairs(shapes, engine=engine).tolist() == right
+
+
+def oddly_placed(rng):
+    """Yield (name, shapes) of layouts in which a broad phase may go wrong."""
+    for n in 20, 60, 90:
+        some = touching(rng, n - 1, 12)
+        yield "all in one place", [BOX] * n
+        yield "all about one point", [ring - BOX[k % 4] for k, ring in enumerate([BOX] * n)]
+        yield "a giant among them", [*some, DIAMOND * 2**30]
+        yield "a giant around them", [*some, BOX * 2**31 - 2**30]
+        yield "a needle among them", [*some, np.array([(-(2**40), 3), (2**40, 3), (0, 4)])]
+        yield "a far one", [*some, BOX + 2.0**50]
+        yield "a far one on each side", [BOX - 2.0**50, *some[1:], BOX * 2.0**40 + 2.0**50]
+        yield "a giant circle", [*some, ((-(2**20), 0), 2**20)]
+        yield "columns", [np.add(BOX, [0, k // 2]) for k in rng.permutation(n)]
+        yield "rows", [np.add(BOX, [k // 2, 0]) for k in rng.permutation(n)]
+        yield "columns of two widths", [BOX * [1 + k % 2 * 7, 1] + [0, k] for k in rng.permutation(n)]
+        yield "a diagonal", [BOX + k for k in rng.permutation(n)]
+        yield "sizes of every scale", [BOX * 2.0 ** (k - 40) for k in rng.permutation(n)]
+        yield "ever farther", [BOX + 2.0 ** (k % 50) for k in range(n)]
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_pairs_are_found_wherever_shapes_lie(engine):
+    for name, shapes in oddly_placed(RNG(1)):
+        right = brute(shapes)
+        for e in (-500, 0, 480):
+            found = batch.colliding_pairs(batch_of(shapes, 2.0**e), engine=engine).tolist()
+            assert found == right, (name, len(shapes), e)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("n", [100, 1 << 13, (1 << 14) + 1])
+def test_a_giant_and_a_far_shape_hide_no_pair_of_many(n, engine):
+    rings = BOX + 1.0 * np.stack([np.arange(n) % 90, np.arange(n) // 90], axis=1)[:, None] * 2
+    rings[1::2] -= [1, 0]  # each touches the one before
+    rings[7], rings[n // 2] = np.array([(-1e9, -1), (1e9, -1), (1e9, -0.5), (-1e9, -0.5)]), BOX + 1e12
+    rings[n - 1] = np.array([(-1e9, -1e9), (1e9, -1e9), (1e9, 1e9), (-1e9, 1e9)])
+    low, high = rings.min(axis=1), rings.max(axis=1)
+    i = np.arange(n - 1)
+    right = np.argwhere(((low[:-1] <= high[1:]) & (low[1:] <= high[:-1])).all(axis=1))[:, 0]
+    right = {(k, k + 1) for k in right.tolist()} | {(k, n - 1) for k in i.tolist() if k != n // 2}
+    found = batch.colliding_pairs(batch.Polygons(rings), engine=engine)
+    assert sorted(right) == list(map(tuple, found.tolist()))
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_numbers_that_are_none_never_reach_a_broad_phase(bad):
+    for n in 1, 49, 5000:
+        for place in np.ndindex(4, 2):
+            rings = np.tile(BOX * 1.0, (n, 1, 1))
+            rings[(n - 1, *place)] = bad
+            with pytest.raises(sv.InvalidShape, match=f"polygon {n - 1}: vertex {place[0]}.{'xy'[place[1]]} is"):
+                batch.Polygons(rings)
+        with pytest.raises(sv.InvalidShape, match=f"circle {n - 1}: radius is"):
+            batch.Circles(np.zeros((n, 2)), [1.0] * (n - 1) + [bad])
+
+
+# -- which broad phase
+
+
+def boxes_of(bounds):
+    """Return upright boxes with these bounds as shapes."""
+    return batch.Polygons(np.asarray(bounds, float)[:, [[0, 1], [2, 1], [2, 3], [0, 3]]])
+
+
+def swept(n, comparisons):
+    """Return n bounds that a sweep along x compares that often."""
+    end = np.minimum(np.arange(n) + 20, n - 1)
+    missing = comparisons - int((end - np.arange(n)).sum())
+    for k in range(n):
+        more = min(missing, n - 1 - int(end[k]))
+        end[k] += more
+        missing -= more
+    assert not missing
+    x, y = np.arange(n), np.arange(n) * 7 % 10
+    bounds = np.stack([x, y, end + 0.5, y + 6], axis=1).astype(float)
+    bounds[0, 3] = 10.0 * n  # so high that the boxes are spread more widely along x
+    return bounds[RNG(n).permutation(n)]
+
+
+def meeting(bounds):
+    """Return the pairs i < j of boxes that share a point, by comparing all."""
+    i, j = np.triu_indices(len(bounds), 1)
+    p, q = bounds[i], bounds[j]
+    return np.stack([i, j], axis=1)[((p[:, :2] <= q[:, 2:]) & (q[:, :2] <= p[:, 2:])).all(axis=1)].tolist()
+
+
+@pytest.mark.parametrize(
+    ("n", "more", "name"),
+    [
+        (49, 0, "sort and sweep"),
+        (50, 0, "sort and sweep"),
+        (50, 1, "grid"),
+        (100, 0, "sort and sweep"),
+        (100, 1, "grid"),
+        (512, 0, "sort and sweep"),
+    ],
+)
+def test_boxes_are_swept_up_to_24_comparisons_each(n, more, name, monkeypatch):
+    bounds = swept(n, 24 * n + more)
+    assert batch.broad_phase(boxes_of(bounds)) == (name, 24 * n + more)
+    kernels_of("few")
+    assert ways_of(bounds, monkeypatch) == [(name, 24 * n + more if name != "grid" else None)] * 2
+    for engine in ENGINES:
+        assert batch.candidate_pairs(bounds, engine=engine).tolist() == meeting(bounds)
+        assert batch.colliding_pairs(boxes_of(bounds), engine=engine).tolist() == meeting(bounds)
+        corners = boxes_of(bounds).rings
+        kites = np.stack(corners[:2], axis=1).reshape(-1, 4, 2)
+        kites = (kites + np.roll(kites, 1, axis=1)) / 2  # in the middle of the sides: with the same bounds
+        known = brute(list(kites)) if n <= 100 else None
+        assert known is None or batch.colliding_pairs(batch.Polygons(kites), engine=engine).tolist() == known
+
+
+def test_the_broad_phase_that_is_chosen_is_named():
+    row = np.arange(5000)[:, None] * [1.0, 0, 1, 0] + [0, 0, 0.5, 1]
+    for n, right in (
+        (0, ("all pairs", 0)),
+        (1, ("all pairs", 0)),
+        (48, ("all pairs", 48 * 47 // 2)),
+        (49, ("sort and sweep", 0)),
+        (512, ("sort and sweep", 0)),
+        (513, ("grid", None)),
+    ):
+        assert batch.broad_phase(boxes_of(row[:n])) == right
+        assert batch.broad_phase(boxes_of(row[:n, [1, 0, 3, 2]])) == right
+        assert batch.broad_phase(batch.Circles(row[:n, :2], 0.25)) == right
+    ells = [np.add([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], [3 * k, 0]) for k in range(30)]
+    parts = batch.Polygons(ells, concave="split")
+    assert batch.broad_phase(parts) == batch.broad_phase(parts.parts) == ("sort and sweep", 30)
+    with pytest.raises(TypeError, match="make it with"):
+        batch.broad_phase(ells)
+
+
+def way_of_numba(bounds, monkeypatch):
+    """Return (the broad phase that numba takes, the comparisons of a sweep that it makes)."""
+    few, taken = kernels_of("few"), []
+    all_pairs, sweep = few._all_pairs, few._sweep
+
+    def compared_all(bounds):
+        taken.append(("all pairs", len(bounds) * (len(bounds) - 1) // 2))
+        return all_pairs(bounds)
+
+    def swept_along_an_axis(bounds, most):
+        pairs, compared = sweep(bounds, most)
+        if compared <= most:
+            taken.append(("sort and sweep", compared))
+        return pairs, compared
+
+    with monkeypatch.context() as patch:
+        patch.setattr(few, "_candidate_pairs", in_python(few._candidate_pairs))
+        patch.setattr(few, "_all_pairs", compared_all)
+        patch.setattr(few, "_sweep", swept_along_an_axis)
+        patch.setattr(few, "build_table", lambda *_: (None, None, None, None))
+        patch.setattr(few, "count_candidates", lambda *_: 0)
+        patch.setattr(few, "fill_pairs", lambda *_: taken.append(("grid", None)) or (len(bounds), 0))
+        return taken[-1] if few.candidate_pairs(bounds) is not None else ("grid", None)
+
+
+def way_of_numpy(bounds, monkeypatch):
+    """Return what `way_of_numba` returns, for NumPy; of sweeps the pairs compared are counted."""
+    taken, met = [], few_numpy._meet
+
+    def compared(a, b):
+        taken.append(len(a))
+        return met(a, b)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(few_numpy, "_meet", compared)
+        if few_numpy.candidate_pairs(bounds) is None:
+            return "grid", None
+        return "all pairs" if len(bounds) <= broad_rule.MAX_ALL_PAIRS else "sort and sweep", *taken
+
+
+def ways_of(bounds, monkeypatch):
+    """Return for each engine (the broad phase that it takes, the comparisons that it makes)."""
+    return [way_of_numpy(bounds, monkeypatch), way_of_numba(bounds, monkeypatch)]
+
+
+def any_bounds(rng):
+    """Return bounds of which the axis, the comparisons and the order may be in doubt."""
+    n = int(rng.choice([2, 48, 49, 60, 120]))
+    low = rng.choice([rng.integers(0, 9, (n, 2)), rng.integers(0, 300, (n, 2)), rng.uniform(-9, 9, (n, 2))]) * 1.0
+    size = rng.choice([rng.integers(0, 3, (n, 2)), rng.integers(1, 30, (n, 2)), np.zeros((n, 2))]) * 1.0
+    stretch = rng.choice([[1, 1], [0, 1], [1, 0], [5, 1], [1e-9, 1]])
+    scale = 2.0 ** rng.choice([-1070, -500, 0, 480, 1012])
+    with np.errstate(over="ignore"):
+        return np.clip(np.hstack([low, low + size]) * np.tile(stretch, 2) * scale, -1.7e308, 1.7e308)
+
+
+def test_both_engines_take_the_very_same_way(monkeypatch):
+    kernels_of("few")
+    rng, seen = RNG(4), []
+    for _ in range(300):
+        bounds = any_bounds(rng)
+        way, comparisons, *_ = few_numpy.choose(bounds)
+        right = (broad_rule.NAMES[way], None if way == broad_rule.GRID else comparisons)
+        assert ways_of(bounds, monkeypatch) == [right, right], bounds.tolist()
+        seen.append(right[0])
+    assert min(map(seen.count, broad_rule.NAMES)) > 20
+
+
+TURNS = {
+    "permuted": None,
+    "mirrored in x": [[-1, 0], [0, 1]],
+    "mirrored in y": [[1, 0], [0, -1]],
+    "turned by 90 degrees": [[0, 1], [-1, 0]],
+    "x and y exchanged": [[0, 1], [1, 0]],
+}
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("change", TURNS)
+@pytest.mark.parametrize("kind", SCENES)
+def test_no_pair_depends_on_the_order_or_on_the_axes(kind, change, engine):
+    for n in (12, 40, 100):
+        shapes, right = scene(kind, n)
+        order = RNG(n).permutation(n) if TURNS[change] is None else np.arange(n)
+        turn = np.eye(2) if TURNS[change] is None else np.array(TURNS[change])
+        turned = [(np.asarray(s[0]) @ turn, s[1]) if isinstance(s, tuple) else s @ turn for s in shapes]
+        found = order[batch.colliding_pairs(batch_of([turned[k] for k in order]), engine=engine)]
+        assert sorted(np.sort(found, axis=1).tolist()) == right
+
+
+# -- how many pairs need exact signs
+
+
+def strewn(rng, n, v, spread=20.0):
+    """Return outlines of v corners in general position, most of them apart."""
+    turns = np.sort(rng.uniform(0, 2 * np.pi, (n, v)), axis=1)
+    ring = np.stack([np.cos(turns), np.sin(turns)], axis=2)
+    return ring * rng.uniform(0.5, 2, (n, 1, 1)) + rng.uniform(-spread, spread, (n, 1, 2))
+
+
+def plain_one(v):
+    """Return an outline of v corners in multiples of 2**-20."""
+    return np.round(strewn(RNG(v), 1, v)[0] * 2.0**20) * 2.0**-20
+
+
+ODD_ONES = {
+    "a giant": lambda v: plain_one(v) * 2.0**46,
+    "a far one": lambda v: np.round(plain_one(v) * 2.0**16) * 2.0**-8 + 2.0**44,
+    "a giant needle": lambda v: plain_one(v) * [2.0**46, 2.0**-10],
+    "a tiny one": lambda v: plain_one(v) * 2.0**-60,
+}
+
+
+@pytest.fixture
+def decided(monkeypatch):
+    """Return a function of an engine: the list of pairs that it decides exactly, by index or as few shapes.
+
+    Pairs are the indices of shapes where numba or few shapes in NumPy decide them, else None.
+    """
+
+    def watched(engine):
+        found = []
+        if engine == "numpy":
+            indexed = importlib.import_module("satviz.batch.with_numpy.indexed")
+            real, by_edges = few_numpy.relations, indexed.relate_edges
+            monkeypatch.setattr(
+                few_numpy, "relations", lambda a, i, b, j, out: found.extend(zip(i, j)) or real(a, i, b, j, out)
+            )
+            monkeypatch.setattr(
+                indexed, "relate_edges", lambda a, b: found.extend([None] * a.x.shape[1]) or by_edges(a, b)
+            )
+            return found
+        few, indexed = kernels_of("few"), kernels_of("indexed")
+        few_corners, fill = indexed.relate_few_corners, in_python(indexed.fill_relations)
+        for name in ("_collide", "_collide_columns"):
+            monkeypatch.setattr(few, name, in_python(getattr(few, name)))
+        for module in few, indexed:
+            monkeypatch.setattr(module, "fill_relations", fill)
+
+        def counted(ax, ay, i0, i1, bx, by, j0, j1, *more):
+            found.append((i0 // (i1 - i0), j0 // (j1 - j0)))
+            return few_corners(ax, ay, i0, i1, bx, by, j0, j1, *more)
+
+        monkeypatch.setattr(indexed, "relate_few_corners", counted)
+        return found
+
+    return watched
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("odd", ODD_ONES)
+@pytest.mark.parametrize("v", [3, 4, 5, 8])
+def test_one_odd_shape_among_few_leaves_all_other_pairs_to_the_filter(v, odd, engine, decided):
+    """Where it comes first, amid the others or last."""
+    exactly = decided(engine)
+    for n in 10, 40, 300:
+        plain = strewn(RNG(n), n, v, 2 * n**0.5)
+        for k in (0, n // 2, n - 1):
+            rings = plain.copy()
+            rings[k] = ODD_ONES[odd](v)
+            exactly.clear()
+            pairs = batch.colliding_pairs(batch.Polygons(rings), engine=engine).tolist()
+            known = [sv.Polygon(ring) for ring in rings]
+            for i in {*range(0, n, 7)} - {k}:
+                assert ([min(i, k), max(i, k)] in pairs) == (sv.relate(known[i], known[k]) > 0)
+            assert all(pair is None or k in pair for pair in exactly), (n, k)
+            assert exactly.count(None) <= sum(pair is not None for pair in exactly)
+
+
+@pytest.mark.parametrize("odd", ODD_ONES)
+@pytest.mark.parametrize("v", [3, 4, 5, 8, 20])
+@pytest.mark.parametrize("engine", ENGINES)
+def test_one_odd_shape_side_by_side_leaves_other_tiles_to_the_filter(engine, odd, v):
+    """The columns of a tile share an error bound."""
+    n, k = 600, 300
+    plain, b = strewn(RNG(v), n, v, 1.0), strewn(RNG(v + 1), n, v, 1.0)
+    a = plain.copy()
+    a[k] = ODD_ONES[odd](v)
+    undecided = []
+    for rings in plain, a:
+        out = np.empty(n, np.int8)
+        with np.errstate(all="ignore"):
+            engines.engine_of(engine).polygons(batch.Polygons(rings).uniform, batch.Polygons(b).uniform, 0, out)
+        undecided.append(out == UNDECIDED)
+        right = [sv.relate(sv.Polygon(p), sv.Polygon(q)) for p, q in zip(rings[::5], b[::5])]
+        assert all(found in (UNDECIDED, told) for found, told in zip(out[::5], right))
+    before, now = undecided
+    assert before.sum() < n / 20
+    others = np.arange(n) // TILE_SHAPES != k // TILE_SHAPES
+    assert np.array_equal(before[others], now[others])
+
+
+@pytest.mark.parametrize("odd", ODD_ONES)
+@pytest.mark.parametrize("v", [3, 4, 5, 8])
+@pytest.mark.parametrize("engine", ENGINES)
+def test_one_odd_shape_by_index_leaves_all_other_pairs_to_the_filter(engine, odd, v, decided):
+    exactly, n, k = decided(engine), 300, 150
+    plain, b = strewn(RNG(v), n, v, 1.0), strewn(RNG(v + 1), n, v, 1.0)
+    a = plain.copy()
+    a[k] = ODD_ONES[odd](v)
+    index, many = np.repeat(np.arange(n)[:, None], 2, axis=1), []
+    for rings in plain, a:
+        exactly.clear()
+        found = batch.relate(batch.Polygons(rings), batch.Polygons(b), index, engine=engine)
+        assert found[::5].tolist() == [sv.relate(sv.Polygon(p), sv.Polygon(q)) for p, q in zip(rings[::5], b[::5])]
+        many.append(len(exactly))
+    assert many[1] <= many[0] + 1 and many[0] < n / 20
+
+
+# -- outlines
+
+
+@pytest.fixture(params=ENGINES)
+def made_by(request, monkeypatch):
+    """Batches are made by this engine."""
+    engine = engines.engine_of(request.param)
+    monkeypatch.setattr(constructors, "engine_of", lambda _: engine)
+    return request.param
+
+
+def around(corners):
+    """Return the corners from the lowest on."""
+    corners = [tuple(map(float, corner)) for corner in corners]
+    first = corners.index(min(corners))
+    return corners[first:] + corners[:first]
+
+
+def expected(ring):
+    """Return (the corners of a convex outline from the lowest on, None), or (None, what is wrong with it)."""
+    try:
+        polygon = sv.Polygon(ring)
+    except sv.InvalidShape as error:
+        return None, f"polygon {{}}: {error}"
+    if polygon.is_convex:
+        return around(polygon.core), None
+    return None, "polygon {} is not convex: split it with satviz.parts first, or pass "
+
+
+def star(v, step, size):
+    """Return a star polygon in whole numbers, which turns one way at all its corners and goes round `step` times."""
+    turns = 2 * np.pi * step * np.arange(v) / v
+    return np.round(np.stack([np.cos(turns), np.sin(turns)], axis=1) * size)
+
+
+def bent(rng, away):
+    """Return an outline with a corner nearly straight on: `away` units in the last place outside, or inside."""
+    p, q = np.array([0.0, 0.0]), rng.integers(1, 2**20, 2) * 2.0
+    middle = q / 2
+    normal = np.array([q[1], -q[0]])
+    middle = np.where(normal > 0, np.nextafter(middle, away * np.inf), np.nextafter(middle, -away * np.inf))
+    return np.array([p, middle if away else q / 2, q, q - normal, p - normal])
+
+
+OUTLINES = {
+    "convex": lambda rng: next(hulls(rng, [3, 4, 5, 6, 8, 9, 12], 20)),
+    "a star gone round twice or more": lambda rng: star(*((5, 2), (7, 2), (7, 3), (8, 3), (9, 2))[rng.integers(5)], 50),
+    "gone round twice": lambda rng: np.tile(next(hulls(rng, [3, 4, 5], 20)), (2, 1)),
+    "a straight-on corner": lambda rng: bent(rng, 0),
+    "a corner an ulp outside": lambda rng: bent(rng, 1),
+    "a corner an ulp inside": lambda rng: bent(rng, -1),
+    "nearly straight": lambda rng: np.array(nearly_straight(Random(int(rng.integers(1e9))), 1.0)),
+    "flat": lambda rng: np.array([(0.0, 0), (1, 1), (3, 3), (2, 2)]) * rng.integers(1, 9),
+    "concave": lambda rng: np.array([(0.0, 0), (4, 0), (4, 4), (3, 1)]) + rng.integers(0, 9, 2),
+    "crossed": lambda rng: np.array([(0.0, 0), (4, 4), (4, 0), (0, 3)]) + rng.integers(0, 9, 2),
+    "a spike": lambda rng: np.array([(0.0, 0), (4, 0), (2, 0), (2, 3)]) + rng.integers(0, 9, 2),
+    "one point": lambda rng: np.ones((4, 2)) * rng.integers(0, 9),
+}
+
+
+def dressed(rng, ring):
+    """Return the outline from another corner on, either way round, some corners repeated, with minus zeros, scaled."""
+    ring = np.roll(ring, rng.integers(len(ring)), axis=0)[:: rng.choice([1, -1])]
+    match rng.integers(8):
+        case 0:
+            ring = np.concatenate([ring[:1], ring])
+        case 1:
+            ring = np.concatenate([ring, ring[:1]])
+        case 2:
+            ring = np.concatenate([ring, ring[-1:], ring[-1:]])
+        case 3:
+            k = rng.integers(len(ring))
+            ring = np.insert(ring, k, ring[k], axis=0)
+    if rng.random() < 0.5:
+        ring = ring - ring[rng.integers(len(ring))]
+        ring = np.where((ring == 0) & (rng.random(ring.shape) < 0.7), -0.0, ring)
+    return ring * 2.0 ** rng.choice([0, 0, 0, 0, 0, -40, -530, -560, -1065, 500, 1000])
+
+
+def forms_of(array, folder):
+    """Yield (name, the same outlines in another array): another order in memory, another type, a mapped file."""
+    yield "an array", array.copy()
+    yield "Fortran", np.asfortranarray(array)
+    yield "by coordinate", np.ascontiguousarray(array.transpose(2, 0, 1)).transpose(1, 2, 0)
+    yield "every second", np.repeat(array, 2, axis=0)[::2]
+    yield "backwards", array[::-1].copy()[::-1]
+    yield "byte-swapped", array.astype(">f8")
+    frozen = array.copy()
+    frozen.flags.writeable = False
+    yield "read-only", frozen
+    yield "a class of its own", array.view(type("Mine", (np.ndarray,), {}))
+    np.save(folder / "rings.npy", array)
+    yield "a mapped file", np.load(folder / "rings.npy", mmap_mode="r")
+    with np.errstate(over="ignore"):
+        single_, whole = (
+            array.astype(np.float32),
+            array.astype(np.int64, casting="unsafe") if big_enough(array) else None,
+        )
+    if (single_ == array).all():
+        yield "float32", single_
+    if whole is not None and (whole == array).all():
+        yield "integers", whole
+        yield "small integers", whole.astype(np.int32)
+
+
+def big_enough(array):
+    """Return whether all numbers fit into 32 bits."""
+    return bool((np.abs(array) < 2**31).all())
+
+
+def check(make, rings):
+    """Assert that what is made of the outlines is what `sv.Polygon` says of each."""
+    known = [expected(ring) for ring in rings]
+    faults = [fault.format(i) for i, (_, fault) in enumerate(known) if fault]
+    if faults:
+        with pytest.raises(sv.InvalidShape) as error:
+            make()
+        assert str(error.value).startswith(faults[0])
+        return
+    made = make()
+    x, y, start = made.rings
+    assert [around(zip(x[i:j], y[i:j])) for i, j in pairwise(start)] == [core for core, _ in known]
+    assert not np.signbit(np.concatenate([x, y])[np.concatenate([x, y]) == 0]).any()
+    assert made.owner is None and made.count.tolist() == [len(core) for core, _ in known]
+    alone = batch.Polygons([sv.Polygon(ring) for ring in rings])
+    assert np.array_equal(made.bounds, alone.bounds) and repr(made) == repr(alone)
+    for group, again in zip(made.groups.values(), alone.groups.values()):
+        assert np.array_equal(group.tile_maxima, again.tile_maxima)
+
+
+@pytest.mark.parametrize("kind", OUTLINES)
+def test_outlines_are_judged_as_one_by_one_in_every_form(kind, made_by, tmp_path):
+    rng = RNG(len(kind))
+    for n in range(60):
+        ring = dressed(rng, OUTLINES[kind](rng))
+        alike = [len(ring)] if n % 2 and 3 <= len(ring) <= 8 else [3, 4, 5]  # as an array needs no repeats then
+        others = [next(hulls(rng, alike, 20)) for _ in range(n % 3)]
+        rings = [*others, ring, *others[:1]]
+        most = max(map(len, rings))
+        padded = np.array([np.concatenate([r, np.repeat(r[-1:], most - len(r), axis=0)]) for r in rings])
+        for name, given in forms_of(padded, tmp_path):
+            before = np.array(given)
+            check(lambda: batch.Polygons(given), before.astype(float))  # noqa: B023
+            assert np.array_equal(given, before), name
+        check(lambda: batch.Polygons(rings), rings)  # noqa: B023
+        start = np.cumsum([0, *map(len, rings)])
+        for joined in np.concatenate(rings), np.asfortranarray(np.concatenate(rings)):
+            check(lambda: batch.Polygons(joined, offsets=start), rings)  # noqa: B023
+
+
+def test_a_number_that_is_none_is_named_wherever_it_stands(made_by):
+    good = np.array([(0.0, 0), (2, 0), (3, 2), (1, 4), (-1, 2)])
+    for v in 3, 4, 5:
+        for bad in np.nan, np.inf, -np.inf:
+            for place in np.ndindex(3, v, 2):
+                rings = np.tile(good[:v], (3, 1, 1))
+                rings[place] = bad
+                for given in (rings, np.asfortranarray(rings), list(rings), rings.astype(np.float32)):
+                    with pytest.raises(sv.InvalidShape) as error:
+                        batch.Polygons(given)
+                    i, j, k = place
+                    assert str(error.value) == f"polygon {i}: vertex {j}.{'xy'[k]} is {bad}: coordinates must be finite"
+
+
+def test_of_two_outlines_at_fault_the_first_is_named(made_by):
+    """A number that is none counts before every outline that is no polygon, as all numbers are checked first."""
+    good, crossed = np.array([(0.0, 0), (2, 0), (2, 2), (0, 2)]), np.array([(0.0, 0), (2, 2), (2, 0), (0, 1)])
+    dart, none = np.array([(0.0, 0), (4, 0), (1, 1), (0, 4)]), good.copy()
+    none[2, 1] = np.nan
+    said = {"crossed": "edges 0 and 2 cross", "dart": "is not convex", "none": "vertex 2.y is nan"}
+    faults = {"crossed": crossed, "dart": dart, "none": none}
+    for (one, first), (other, second) in [(p, q) for p in faults.items() for q in faults.items()]:
+        rings = np.array([good, first, good, second])
+        at, name = (3, other) if other == "none" and one != "none" else (1, one)
+        for given in rings, list(rings):
+            with pytest.raises(sv.InvalidShape, match=f"polygon {at}:? .*{said[name]}|polygon {at} {said[name]}"):
+                batch.Polygons(given)
+
+
+def test_what_the_caller_changes_later_changes_no_batch(made_by):
+    rng = RNG(2)
+    for v in 3, 4, 5, 8, 9:
+        rings = np.array([next(hulls(rng, [v], 30)) for _ in range(5)])
+        for given in rings.copy(), rings[:, ::-1].copy(), np.asfortranarray(rings):
+            for made in (
+                batch.Polygons(given),
+                batch.Polygons(list(given)),
+                batch.Polygons(flat := given.reshape(-1, 2), offsets=np.arange(0, 5 * v + 1, v)),
+            ):
+                before = made.bounds.tolist()
+                saved = given.copy()
+                given += 1000
+                flat += 1000
+                assert made.bounds.tolist() == before and made.rings.x.max() < 100
+                assert not np.shares_memory(made.rings.x, given)
+                given[:] = saved
