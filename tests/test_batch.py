@@ -35,7 +35,7 @@ from satviz.batch.with_numpy import grid as grid_numpy
 from satviz.engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from satviz.study import truth as oracle
 
-broad_phase = importlib.import_module("satviz.batch.broad_phase")  # the module, whatever batch calls so
+broad_phase = importlib.import_module("satviz.batch.broad_phase")
 
 ENGINES = ["numpy", "numba"]
 ELL = np.array([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)])

@@ -278,7 +278,7 @@ def meeting(bounds):
 )
 def test_boxes_are_swept_up_to_24_comparisons_each(n, more, name, monkeypatch):
     bounds = swept(n, 24 * n + more)
-    assert batch.broad_phase(boxes_of(bounds)) == (name, 24 * n + more)
+    assert batch.broad_phase_of(boxes_of(bounds)) == (name, 24 * n + more)
     kernels_of("few")
     assert ways_of(bounds, monkeypatch) == [(name, 24 * n + more if name != "grid" else None)] * 2
     for engine in ENGINES:
@@ -301,14 +301,14 @@ def test_the_broad_phase_that_is_chosen_is_named():
         (512, ("sort and sweep", 0)),
         (513, ("grid", None)),
     ):
-        assert batch.broad_phase(boxes_of(row[:n])) == right
-        assert batch.broad_phase(boxes_of(row[:n, [1, 0, 3, 2]])) == right
-        assert batch.broad_phase(batch.Circles(row[:n, :2], 0.25)) == right
+        assert batch.broad_phase_of(boxes_of(row[:n])) == right
+        assert batch.broad_phase_of(boxes_of(row[:n, [1, 0, 3, 2]])) == right
+        assert batch.broad_phase_of(batch.Circles(row[:n, :2], 0.25)) == right
     ells = [np.add([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], [3 * k, 0]) for k in range(30)]
     parts = batch.Polygons(ells, concave="split")
-    assert batch.broad_phase(parts) == batch.broad_phase(parts.parts) == ("sort and sweep", 30)
+    assert batch.broad_phase_of(parts) == batch.broad_phase_of(parts.parts) == ("sort and sweep", 30)
     with pytest.raises(TypeError, match="make it with"):
-        batch.broad_phase(ells)
+        batch.broad_phase_of(ells)
 
 
 def way_of_numba(bounds, monkeypatch):

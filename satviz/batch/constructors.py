@@ -149,7 +149,7 @@ def build_shapes(points: Array, start: Indices, name: Callable[[int], str], conc
     for i in np.flatnonzero(~plain).tolist():
         part = slice(given.start[i], given.start[i + 1])
         try:
-            polygon = Polygon(np.stack([given.x[part], given.y[part]], axis=1) + 0.0)  # -0.0 becomes 0.0
+            polygon = Polygon(np.stack([given.x[part], given.y[part]], axis=1))
         except InvalidShape as error:
             raise InvalidShape(f"{name(i)}: {error}") from None
         if concave is None:

@@ -19,8 +19,9 @@ class Engine(NamedTuple):
     """Hold the kernels of one engine (NumPy or numba); each fills `out`, with UNDECIDED where floats cannot tell.
 
     The first four take columns of two groups, from one column on, and `exact_columns` decides the columns that they
-    leave undecided; `indexed` takes pairs from anywhere in two batches; `all_pairs`, `sweep` and `grid` find boxes that
-    meet; `certified_group` and `certified_rings` validate outlines; `flatten` makes the Flat of a batch.
+    leave undecided; `indexed` takes pairs from anywhere in two batches; `candidate_pairs` (of few) and `grid` find
+    boxes that meet, `colliding_pairs` does the whole way for few shapes; `certified_group` and `certified_rings` validate
+    outlines; `flatten` makes the Flat of a batch.
     """
 
     block: int  # columns at a time

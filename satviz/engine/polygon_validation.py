@@ -232,7 +232,7 @@ def refuse_crossings(ring: Sequence[Vec], ids: Sequence[int]) -> None:
             if (i - j) % n in (1, n - 1) or not _segments_meet(p, q, r, s):
                 continue
             first, second = sorted((ids[i], ids[j]))
-            x, y = _meeting_point(p, q, r, s)
+            x, y = (c + 0.0 for c in _meeting_point(p, q, r, s))  # -0.0 becomes 0.0
             raise InvalidShape(
                 f"edges {first} and {second} cross near ({x:.6g}, {y:.6g}): "
                 "an outline must not cross or touch itself; reorder the vertices"
