@@ -38,14 +38,14 @@ class BroadPhase(NamedTuple):
     comparisons: int | None
 
 
-def broad_phase_of(shapes: Shapes) -> BroadPhase:
+def broad_phase_of(shapes: Shapes, *, engine: str | None = None) -> BroadPhase:
     """Return the broad phase that `colliding_pairs` chooses for these shapes (for the convex parts of concave ones).
 
-    Up to 48 boxes are compared all with all.  Up to 512 are sorted along the axis on which they are spread
-    more widely, and swept, if that makes at most 24 comparisons a box.  All others are put into grids.  Both engines
-    choose the same.
+    Up to 48 boxes are compared all with all.  Up to 512 (with NumPy 4,096) are sorted along the axis on
+    which they are spread more widely, and swept, if that makes at most 32 comparisons a box.  All others are put into
+    grids.  `engine`: as in `relate`.
     """
-    way, comparisons, *_ = choose(check_shapes(shapes, "shapes").parts.bounds)
+    way, comparisons, *_ = choose(check_shapes(shapes, "shapes").parts.bounds, engine_of(engine).max_sweep)
     return BroadPhase(NAMES[way], comparisons if comparisons >= 0 else None)
 
 

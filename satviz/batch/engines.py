@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from ..optional_imports import extra_needed
 from . import validation
 from .array_types import Grid
+from .broad_rule import MAX_SWEEP_NUMBA, MAX_SWEEP_NUMPY
 from .ragged import MAX_LANE_CORNERS
 
 Kernel = Callable[..., None]
@@ -20,7 +21,7 @@ class Engine(NamedTuple):
 
     The first four take columns of two groups, from one column on, and `exact_columns` decides the columns that they
     leave undecided; `indexed` takes pairs from anywhere in two batches; `candidate_pairs` (of few) and `grid` find
-    boxes that meet, `colliding_pairs` does the whole way for few shapes; `certified_group` and `certified_rings` validate
+    boxes that meet, `colliding_pairs` does the whole way for few shapes; `certified_group` and `certified_rings` check
     outlines; `flatten` makes the Flat of a batch.
     """
 
@@ -31,6 +32,7 @@ class Engine(NamedTuple):
     circle_polygons: Kernel
     indexed: Kernel
     grid: Grid
+    max_sweep: int  # boxes up to which sorting and sweeping is tried
     candidate_pairs: Callable[..., Any]
     colliding_pairs: Callable[..., Any]
     certified_group: Callable[..., Any]
@@ -66,6 +68,7 @@ def load_engine(name: str | None) -> Engine:
                 *_column_kernels_of(filter_numba),
                 indexed_numba.relations,
                 grid_numba.meeting_pairs,
+                MAX_SWEEP_NUMBA,
                 few_numba.candidate_pairs,
                 few_numba.colliding_pairs,
                 outlines_numba.certified_group,
@@ -89,6 +92,7 @@ def load_engine(name: str | None) -> Engine:
         *_column_kernels_of(filter_numpy),
         indexed.relations,
         grid_numpy.meeting_pairs,
+        MAX_SWEEP_NUMPY,
         few.candidate_pairs,
         few.colliding_pairs,
         outlines.certified_group,

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..array_types import Array, Indices, Mask, Pairs, Signs
 from ..arrays import Flat, Shapes
-from ..broad_rule import MAX_ALL_PAIRS, MAX_CANDIDATES_PER_BOX, MAX_SWEEP, MAX_SWEEP_COMPARISONS
+from ..broad_rule import MAX_ALL_PAIRS, MAX_CANDIDATES_PER_BOX, MAX_SWEEP_COMPARISONS, MAX_SWEEP_NUMBA
 from ..codes import APART, UNDECIDED
 from .grid import build_table, count_candidates, fill_pairs
 from .indexed import fill_relations
@@ -128,7 +128,7 @@ def _candidate_pairs(bounds: Array) -> tuple[Pairs, bool]:
     n = len(bounds)
     if n <= MAX_ALL_PAIRS:
         return _all_pairs(bounds), True
-    if n <= MAX_SWEEP:
+    if n <= MAX_SWEEP_NUMBA:
         out, compared = _sweep(bounds, MAX_SWEEP_COMPARISONS * n)
         if compared <= MAX_SWEEP_COMPARISONS * n:
             return out, True

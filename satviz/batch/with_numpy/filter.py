@@ -26,6 +26,8 @@ BLOCK_PAIRS = 16384  # pairs at a time: their columns and the scratch arrays sta
 ERROR_FACTOR_F32 = np.float32(2.0**-18)
 MIN_SIZE_F32, MAX_SIZE_F32 = np.float32(2.0**-40), np.float32(2.0**50)  # m where float32 products keep their bits
 
+MAX_AT_ONCE = 1 << 13  # corners of circles' partners up to which all edges are evaluated at once
+
 MAX_F32_CORNERS = 16  # corners; above it float32 decides few pairs, and evaluating every vertex is slow
 
 
@@ -146,27 +148,40 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
     """Fill `out` with relations by the squared distance from center to boundary; UNDECIDED within its error bound."""
     cx, cy, cr, px, py = (c[..., first : first + out.size] for c in (cx, cy, cr, px, py))
-    x, y = px - cx, py - cy
+    closed = np.empty((2, len(px) + 1, out.size))
+    closed[0, :-1], closed[1, :-1], closed[:, -1] = px, py, (px[0], py[0])
+    classify_clearances(*circle_polygon_gaps(cx, cy, cr, closed), out)
+
+
+def circle_polygon_gaps(cx: Array, cy: Array, cr: Array, closed: Array) -> tuple[Array, Array]:
+    """Return (squared distance from center to boundary minus squared radius, its error bound) for each column.
+
+    The gap is -inf for a center certainly inside.  closed: (2, V + 1, n) corners of polygons, the first one again at
+    the end.  Few columns are evaluated for all edges at once, since calls take longer than the work.
+    """
+    x, y = closed[0] - cx, closed[1] - cy
     far = np.maximum(np.maximum(np.abs(x).max(axis=0), np.abs(y).max(axis=0)), cr)
     error_bound = far * far * 2.0**-46
     safe = (error_bound > MIN_SAFE_PRODUCT) & (error_bound < MAX_SAFE_PRODUCT * 2.0**-46)
-    inside, nearest = np.ones(out.size, bool), np.full(out.size, np.inf)
-    for i in range(len(px)):
-        j = (i + 1) % len(px)
-        dx, dy = px[j] - px[i], py[j] - py[i]
-        turn = x[i] * dy - y[i] * dx
+    inside, nearest = np.ones(len(cx), bool), np.full(len(cx), np.inf)
+    edges = len(x) - 1
+    rows = edges if x.size <= MAX_AT_ONCE else 1
+    for start in range(0, edges, rows):
+        one, other = slice(start, start + rows), slice(start + 1, start + rows + 1)
+        dx, dy = closed[0, other] - closed[0, one], closed[1, other] - closed[1, one]
+        turn = x[one] * dy - y[one] * dx
         tolerance = (np.abs(dx) + np.abs(dy)) * (far * 2.0**-48)
-        inside &= turn > tolerance
-        along, square = -(x[i] * dx + y[i] * dy), dx * dx + dy * dy
-        safe &= square > MIN_SAFE_PRODUCT
+        inside &= (turn > tolerance).all(axis=0)
+        along, square = -(x[one] * dx + y[one] * dy), dx * dx + dy * dy
+        safe &= (square > MIN_SAFE_PRODUCT).all(axis=0)
         distance = np.where(
             along <= 0,
-            x[i] * x[i] + y[i] * y[i],
-            np.where(along >= square, x[j] * x[j] + y[j] * y[j], turn / square * turn),
+            x[one] * x[one] + y[one] * y[one],
+            np.where(along >= square, x[other] * x[other] + y[other] * y[other], turn / square * turn),
         )
-        np.minimum(nearest, distance, out=nearest)  # of edges that face away too: none lies nearer than the nearest
+        np.minimum(nearest, distance.min(axis=0), out=nearest)  # of edges that face away too: none lies nearer
     nearest -= cr * cr
     # a center inside, taken for one on an edge's line, has the boundary within twice the tolerance
     nearest[inside] = -np.inf
     error_bound[~safe] = np.inf
-    classify_clearances(nearest, error_bound, out)
+    return nearest, error_bound
