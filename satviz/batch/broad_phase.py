@@ -91,7 +91,6 @@ def _grid_blocks(bounds: NDArray[np.float64], kernels: Engine) -> Iterator[Pairs
         if farthest > most / 2:  # places and widths beyond float64 are capped: that changes no order
             bounds = np.clip(bounds, -most, most)
             farthest = min(farthest, most)
-        size = np.stack([np.clip(bounds[:, d + 2] - bounds[:, d], np.finfo(float).tiny, most) for d in (0, 1)])
     ordinary, outliers = _take_out_outliers(bounds)
     yield from _pairs_of_outliers(bounds, outliers)
     todo: list[tuple[Pairs, Pairs | None]] = [(ordinary, None)]  # None: among themselves
@@ -100,11 +99,11 @@ def _grid_blocks(bounds: NDArray[np.float64], kernels: Engine) -> Iterator[Pairs
         both = one if other is None else np.concatenate([one, other])
         if len(both) < 2:
             continue
-        largest = [float(size[d, both].max()) for d in (0, 1)]
+        largest = [float(_sizes(bounds, both, d).max()) for d in (0, 1)]
         even = [max(largest[d], _cell_size_if_even(bounds[:, d], both), farthest * WIDE) for d in (0, 1)]
         blocks = kernels.grid(bounds, one, other, even, MAX_CANDIDATES_PER_BOX * len(both))
         if blocks is None:
-            halves = _split_by_size(size, one, other)
+            halves = _split_by_size(bounds, one, other)
             todo += halves
             # alike, and too many of them in the cells that would be right if they lay evenly
             cell = [max(c, farthest * FINE) for c in largest]
@@ -129,7 +128,7 @@ def _take_out_outliers(bounds: NDArray[np.float64]) -> tuple[Indices, Indices]:
     outliers = np.flatnonzero(is_outlier)
     if len(outliers) > MAX_OUTLIERS:
         outliers = outliers[:0]
-    return np.delete(np.arange(len(bounds), dtype=np.intp), outliers), outliers
+    return np.delete(np.arange(len(bounds), dtype=np.int32), outliers), outliers  # half the memory of intp
 
 
 def _pairs_of_outliers(bounds: NDArray[np.float64], outliers: Indices) -> Iterator[Pairs]:
@@ -148,15 +147,22 @@ def _cell_size_if_even(low: NDArray[np.float64], which: Pairs) -> float:
     return min(last - first, sys.float_info.max / 8) * (4 / sqrt(len(which)))
 
 
-def _split_by_size(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[tuple[Pairs, Pairs | None]]:
+def _sizes(bounds: NDArray[np.float64], which: Indices, d: int) -> NDArray[np.float64]:
+    """Return the widths (d = 0) or heights (d = 1) of some boxes, between the smallest and the largest normal float."""
+    with np.errstate(over="ignore"):
+        size = bounds[which, d + 2] - bounds[which, d]
+    return np.asarray(np.clip(size, np.finfo(float).tiny, np.finfo(float).max))
+
+
+def _split_by_size(bounds: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[tuple[Pairs, Pairs | None]]:
     """Return the pairs of sets left to compare after a split by size, None for within one; [] if all are alike.
 
     They are split half way (by ratio) between the smallest and the largest.
     """
     spreads = []
     for d in (0, 1):
-        swap = other is not None and size[d, other].max() > size[d, one].max()
-        sizes = size[d, other if swap else one]
+        swap = other is not None and _sizes(bounds, other, d).max() > _sizes(bounds, one, d).max()
+        sizes = _sizes(bounds, other if swap and other is not None else one, d)
         with np.errstate(all="ignore"):
             spreads.append((sizes.max() / sizes.min(), d, swap))
     spread, d, swap = max(spreads)
@@ -164,7 +170,7 @@ def _split_by_size(size: NDArray[np.float64], one: Pairs, other: Pairs | None) -
         return []
     if other is not None and swap:
         one, other = other, one
-    logs = np.log2(size[d, one])
+    logs = np.log2(_sizes(bounds, one, d))
     is_small = logs <= (logs.min() + logs.max()) / 2
     small, large = one[is_small], one[~is_small]
     if other is None:

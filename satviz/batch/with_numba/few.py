@@ -142,16 +142,16 @@ def _candidate_pairs(bounds: Array) -> tuple[Pairs, bool]:
     size = 1
     while size < 2 * n:
         size *= 2
-    table = build_table(bounds, np.arange(n), width, height, size)
-    most = count_candidates(table[3], True, table)
+    table = build_table(bounds, np.arange(n).astype(np.int32), width, height, size)
+    most = count_candidates(table[2], True, table)
     if most > MAX_CANDIDATES_PER_BOX * n:
         return np.empty((0, 2), np.intp), False
     out = np.empty((4 * n, 2), np.intp)
-    begin, found = fill_pairs(table[1], table[3], 0, True, table, out)
+    begin, found = fill_pairs(table[1], table[2], 0, True, table, out)
     while begin < n:
         more = np.empty((2 * len(out), 2), np.intp)
         more[:found] = out[:found]
-        begin, added = fill_pairs(table[1], table[3], begin, True, table, more[found:])
+        begin, added = fill_pairs(table[1], table[2], begin, True, table, more[found:])
         out, found = more, found + added
     return out[:found], True
 

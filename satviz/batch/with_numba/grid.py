@@ -7,13 +7,13 @@ from numpy.typing import NDArray
 
 from ..array_types import Array, Cell, Indices, Pairs
 from .filter import range_gap
-from .jit_cache import compiled
+from .jit_cache import compiled, inlined
 
-Cells = NDArray[np.int64]  # (n, 2) column and row of the cell of each box
+Ids = NDArray[np.int32] | Indices  # indices of boxes
 Starts = NDArray[np.int32]  # where the boxes of each entry of the table begin, and the last one ends
-# start, indices, cells and boxes in the order of the table; largest width and height of a box; cells per unit along
+# start, indices and boxes in the order of the table; largest width and height of a box; cells per unit along
 # x and y; cells in a row; the first column and row in use
-Table = tuple[Starts, Indices, Cells, Array, float, float, float, float, int, int, int]
+Table = tuple[Starts, Ids, Array, float, float, float, float, int, int, int]
 
 BLOCK_PAIRS = 1 << 20  # pairs in one block at most, besides those of its last query: what bounds the memory
 MAX_CELL_NUMBER = 2.0**50  # cells from the origin: what lies farther shares the last one
@@ -29,16 +29,16 @@ def meeting_pairs(
     Return None where there are more than about `most` candidates, which are the pairs of boxes to compare.
     """
     stored = one if other is None else other
-    size = 1 << int(2 * len(stored) - 1).bit_length()
+    size = 1 << int(3 * len(stored) // 2).bit_length()
     table = build_table(bounds, stored, cell[0], cell[1], size)
-    queries, boxes = (table[1], table[3]) if other is None else (one, bounds[one])
+    queries, boxes = (table[1], table[2]) if other is None else (one, bounds[one])
     candidates = count_candidates(boxes, other is None, table)
     if candidates > most:
         return None
     return _pair_blocks(queries, boxes, other is None, table, min(BLOCK_PAIRS, max(int(candidates), len(queries))))
 
 
-def _pair_blocks(queries: Indices, boxes: Array, among: bool, table: Table, block: int) -> Iterator[Pairs]:
+def _pair_blocks(queries: Ids, boxes: Array, among: bool, table: Table, block: int) -> Iterator[Pairs]:
     """Yield the pairs of queries with stored boxes that meet; `among`: both are the same set."""
     first = 0
     while first < len(queries):
@@ -55,37 +55,44 @@ def _cell_number(c: float, cells_per_unit: float) -> int:
 
 @compiled
 def build_table(bounds: Array, stored: Indices, cell_width: float, cell_height: float, size: int) -> Table:
-    """Return the boxes ordered by the cell of their lower left corner, and where each table entry begins."""
+    """Return the boxes ordered by the cell of their lower left corner, and where each table entry begins.
+
+    Cells are computed where they are needed: keeping them would take more time and memory.
+    """
     n, per_x, per_y = stored.size, 1 / cell_width, 1 / cell_height
-    column, row = np.empty(n, np.int64), np.empty(n, np.int64)
     max_width = max_height = 0.0
     left, right, bottom = 2**62, -(2**62), 2**62
     for k in range(n):
         i = stored[k]
-        column[k], row[k] = _cell_number(bounds[i, 0], per_x), _cell_number(bounds[i, 1], per_y)
-        max_width, max_height = (
-            max(max_width, bounds[i, 2] - bounds[i, 0]),
-            max(max_height, bounds[i, 3] - bounds[i, 1]),
-        )
-        left, right, bottom = min(left, column[k]), max(right, column[k]), min(bottom, row[k])
+        column = _cell_number(bounds[i, 0], per_x)
+        left, right, bottom = min(left, column), max(right, column), min(bottom, _cell_number(bounds[i, 1], per_y))
+        max_width = max(max_width, bounds[i, 2] - bounds[i, 0])
+        max_height = max(max_height, bounds[i, 3] - bounds[i, 1])
     stride = int(right - left) + 1
-    start: Starts = np.zeros(size + 1, np.int32)
+    # entry e is counted at e + 2 and filled from start[e + 1] on, which then is where entry e + 1 begins
+    start: Starts = np.zeros(size + 2, np.int32)
     for k in range(n):
-        start[((column[k] + row[k] * stride) & (size - 1)) + 1] += 1
+        i = stored[k]
+        start[_entry(bounds[i, 0], bounds[i, 1], per_x, per_y, stride, size) + 2] += 1
     for entry in range(size):
-        start[entry + 1] += start[entry]
-    free = start.copy()
-    ids: Indices = np.empty(n, np.intp)
-    cells: Cells = np.empty((n, 2), np.int64)
+        start[entry + 2] += start[entry + 1]
+    ids: Ids = np.empty(n, np.int32)
     boxes: Array = np.empty((n, 4))
     for k in range(n):
-        entry = (column[k] + row[k] * stride) & (size - 1)
-        to = free[entry]
-        free[entry] += 1
-        ids[to], cells[to, 0], cells[to, 1] = stored[k], column[k], row[k]
+        i = stored[k]
+        entry = _entry(bounds[i, 0], bounds[i, 1], per_x, per_y, stride, size)
+        to = start[entry + 1]
+        start[entry + 1] += 1
+        ids[to] = i
         for d in range(4):
-            boxes[to, d] = bounds[stored[k], d]
-    return start, ids, cells, boxes, max_width, max_height, per_x, per_y, stride, int(left), int(bottom)
+            boxes[to, d] = bounds[i, d]
+    return start[: size + 1], ids, boxes, max_width, max_height, per_x, per_y, stride, int(left), int(bottom)
+
+
+@inlined
+def _entry(x: float, y: float, per_x: float, per_y: float, stride: int, size: int) -> int:
+    """Return the table entry of the cell of a point; `size` is a power of two."""
+    return (_cell_number(x, per_x) + _cell_number(y, per_y) * stride) & (size - 1)
 
 
 @compiled
@@ -107,7 +114,7 @@ def _stored_range(start: Starts, c0: int, c1: int, row: int, stride: int, part: 
 @compiled
 def count_candidates(boxes: Array, among: bool, table: Table) -> float:
     """Return about how many candidates all queries have, estimated from a sample."""
-    start, _, _, _, max_width, max_height, per_x, per_y, stride, left, bottom = table
+    start, _, _, max_width, max_height, per_x, per_y, stride, left, bottom = table
     step = 1 if len(boxes) < 1000 else SAMPLE_STEP
     candidates = 0.0
     for k in range(0, len(boxes), step):
@@ -121,11 +128,9 @@ def count_candidates(boxes: Array, among: bool, table: Table) -> float:
 
 
 @compiled
-def fill_pairs(
-    queries: Indices, query_boxes: Array, begin: int, among: bool, table: Table, out: Pairs
-) -> tuple[int, int]:
+def fill_pairs(queries: Ids, query_boxes: Array, begin: int, among: bool, table: Table, out: Pairs) -> tuple[int, int]:
     """Fill `out` with the pairs of the queries from `begin` on while it has space; return (next query, pairs found)."""
-    start, ids, cells, boxes, max_width, max_height, per_x, per_y, stride, left, bottom = table
+    start, ids, boxes, max_width, max_height, per_x, per_y, stride, left, bottom = table
     found = 0
     for k in range(begin, queries.size):
         if found + ids.size > out.shape[0]:
@@ -134,7 +139,7 @@ def fill_pairs(
         x0, y0, x1, y1 = query_boxes[k, 0], query_boxes[k, 1], query_boxes[k, 2], query_boxes[k, 3]
         c1, r1 = _cell_number(x1, per_x), _cell_number(y1, per_y)
         low_x, low_y = _first_cell(x0, max_width, per_x, left), _first_cell(y0, max_height, per_y, bottom)
-        c0, r0 = (cells[k, 0], cells[k, 1]) if among else (low_x, low_y)
+        c0, r0 = (_cell_number(x0, per_x), _cell_number(y0, per_y)) if among else (low_x, low_y)
         for row in range(r0, r1 + 1):
             if (
                 among and row == r0 + 1
@@ -145,8 +150,12 @@ def fill_pairs(
                 first, last = _stored_range(start, c0, c1, row, stride, part)
                 for s in range(first, last):
                     gap = max(range_gap(x0, x1, boxes[s, 0], boxes[s, 2]), range_gap(y0, y1, boxes[s, 1], boxes[s, 3]))
-                    # cells of other numbers share entries of the table
-                    if gap <= 0 and cells[s, 1] == row and c0 <= cells[s, 0] <= c1 and (s > after or cells[s, 0] > c0):
+                    if gap > 0:
+                        continue
+                    column = _cell_number(boxes[s, 0], per_x)
+                    if column < c0 or column > c1 or _cell_number(boxes[s, 1], per_y) != row:
+                        continue  # cells of other numbers share entries of the table
+                    if s > after or column > c0:
                         j = ids[s]
                         out[found, 0], out[found, 1] = min(i, j), max(i, j)
                         found += 1
