@@ -105,7 +105,7 @@ class Recommendation:
     def _summary_holds(self, found: InputSummary) -> bool:
         """Return whether this summary agrees with `found`, computed by integers, up to the rounding of arrays."""
         mine, place = self.summary, self._number_of(self.summary.at)
-        if mine != found._replace(relative_margin=mine.relative_margin, at=mine.at):
+        if mine != found._replace(relative_margin=mine.relative_margin, at=mine.at, search=mine.search):
             return False
         if place is None:
             return not mine.pairs

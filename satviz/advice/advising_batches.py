@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import batch
 from ..batch.arrays import Shapes, check_shapes
-from ..batch.broad_phase import candidate_blocks, sort_pairs
+from ..batch.broad_phase import broad_phase_of, candidate_blocks, sort_pairs
 from ..batch.codes import APART
 from ..batch.engines import engine_of
 from ..batch.ragged import Rings
@@ -82,8 +82,9 @@ def recommend_batch(
     least, at = (float(abs(signed[worst])), given.indices(worst)) if given.pairs else (inf, (0, 0))
     apart, touching, over = np.bincount(exact, minlength=3).tolist()
     by_boxes = broad_phase.pairs if broad_phase else 0
+    search = broad_phase_of(a, engine="numpy") if all_pairs else None  # the same wherever it is asked
     summary = InputSummary(
-        kinds, _corners(both), _sizes(both), given.pairs, (apart, touching, over), by_boxes, least, at
+        kinds, _corners(both), _sizes(both), given.pairs, (apart, touching, over), by_boxes, least, at, search
     )
     return summary, results, given
 

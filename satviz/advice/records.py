@@ -6,10 +6,13 @@ batch the *broad phase* comes first: a test of the bounding boxes, which leaves 
 """
 
 from collections.abc import Callable, Collection, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..engine.geometry import Vec
 from .candidates import AABB, EXACT_FILTER, AnyShape, Model, candidates
+
+if TYPE_CHECKING:
+    from ..batch.broad_phase import BroadPhase
 
 Pair = tuple[int, int]
 UPRIGHT_BOXES, CIRCLES, CONVEX_POLYGONS, CONCAVE_POLYGONS = (
@@ -76,7 +79,8 @@ class InputSummary(NamedTuple):
 
     `kinds`: how many shapes of each kind; `corners`: the fewest and the most of a convex part; `sizes`: the width of
     the largest shape over that of the smallest; `relations`: pairs apart, touching and overlapping; `settled`: further
-    pairs that are apart by their boxes; `relative_margin`: the smallest one, which pair `at` has.
+    pairs that are apart by their boxes; `relative_margin`: the smallest one, which pair `at` has; `search`: the broad
+    phase that suffices where all pairs of one batch are given, else None.
     """
 
     kinds: dict[str, int]
@@ -87,6 +91,7 @@ class InputSummary(NamedTuple):
     settled: int
     relative_margin: float
     at: Pair
+    search: "BroadPhase | None" = None
 
 
 class ModelResult(NamedTuple):

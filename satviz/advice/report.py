@@ -48,6 +48,7 @@ def text(summary: InputSummary, results: "Sequence[ModelResult]", scope: Scope) 
         f"holds    {holds(scope, summary)}",
         f"shapes   {shapes(summary)}{' in these pairs' if summary.settled and summary.pairs else ''}",
         f"pairs    {_pairs(summary)}",
+        *_search(summary),
     ]
     if summary.pairs:
         lines.append(f"nearest  {nearest(summary)}")
@@ -166,6 +167,19 @@ def _all(summary: InputSummary) -> str:
     """Return "this pair" or "all N pairs"."""
     every = summary.pairs + summary.settled
     return "this pair" if every == 1 else f"all {every:,} pairs"
+
+
+def _search(summary: InputSummary) -> list[str]:
+    """Return the line (in a list) on the broad phase that suffices; [] unless all pairs of one batch are given."""
+    if summary.search is None or summary.pairs + summary.settled == 1:
+        return []
+    name, compared = summary.search
+    every = f"{summary.pairs + summary.settled:,}"
+    if name == "grid":
+        sweep = "" if compared is None else f", a sweep {compared:,}"
+        return [f"search   a grid finds the boxes that meet; comparing all pairs would make {every} comparisons{sweep}"]
+    found = f"search   {name} suffices to find the boxes that meet: {compared:,} comparisons"
+    return [found if name == "all pairs" else f"{found} instead of {every}"]
 
 
 def _first(model: Model, summary: InputSummary) -> list[str]:
