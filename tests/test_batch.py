@@ -1885,7 +1885,9 @@ def test_the_grid_of_numpy_keeps_no_table_of_cells_in_which_hardly_anything_lies
 @pytest.mark.parametrize("seed", range(4))
 def test_the_grid_of_numba_looks_as_often_as_it_says(seed, monkeypatch):
     grid, rng = kernels_of("grid"), RNG(seed)
-    as_python(monkeypatch, grid, "build_table", "count_candidates", "fill_pairs", "_first_cell", "_cell_number", "_entry")
+    as_python(
+        monkeypatch, grid, "build_table", "count_candidates", "fill_pairs", "_first_cell", "_cell_number", "_entry"
+    )
     places, asked = in_python(grid._stored_range), []
     monkeypatch.setattr(grid, "_stored_range", lambda *given: asked.append(places(*given)) or asked[-1])
     for _ in range(15):

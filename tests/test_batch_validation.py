@@ -658,6 +658,7 @@ OUTLINES = np.array([TRIANGLE, TRIANGLE])
 # each public function that takes options, called with those given
 TAKERS = {
     "Polygons": lambda **how: batch.Polygons(OUTLINES, **how),
+    "broad_phase_of": lambda **how: batch.broad_phase_of(SOME, **how),
     "candidate_pairs": lambda **how: batch.candidate_pairs([(0, 0, 1, 1)] * 2, **how),
     "colliding_pairs": lambda **how: batch.colliding_pairs(SOME, **how),
     "from_shapely": lambda **how: batch.from_shapely([], **how),

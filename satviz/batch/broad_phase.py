@@ -45,7 +45,8 @@ def broad_phase_of(shapes: Shapes, *, engine: str | None = None) -> BroadPhase:
     which they are spread more widely, and swept, if that makes at most 32 comparisons a box.  All others are put into
     grids.  `engine`: as in `relate`.
     """
-    way, comparisons, *_ = choose(check_shapes(shapes, "shapes").parts.bounds, engine_of(engine).max_sweep)
+    most = engine_of(engine).max_sweep
+    way, comparisons, *_ = choose(check_shapes(shapes, "shapes").parts.bounds, most)
     return BroadPhase(NAMES[way], comparisons if comparisons >= 0 else None)
 
 

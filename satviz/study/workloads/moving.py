@@ -26,10 +26,14 @@ class PaddedArrays(NamedTuple):
 
 
 class Frame(NamedTuple):
-    """The shapes at one moment: raw arrays by kind, the same padded, and each shape's center and direction."""
+    """The shapes at one moment: raw arrays by kind, the same padded, and each shape's center and direction.
+
+    corners: (M, 2) corners of all shapes one after another; a circle has its center.
+    """
 
     sides: Sequence[Side]
     padded: PaddedArrays
+    corners: Array
     centers: Array
     directions: Array
 
@@ -57,7 +61,8 @@ def _frame(shapes: Sequence[Array], centers: Array, directions: Array) -> Frame:
     sides: list[Side] = []
     for own, at, turn in zip(shapes, np.split(centers, ends), np.split(directions, ends)):
         sides.append((at, own) if own.ndim == 1 else turn_rings(own, turn) + at[:, None])
-    return Frame(sides, _padded(sides), centers, directions)
+    corners = np.concatenate([side[0] if isinstance(side, tuple) else side.reshape(-1, 2) for side in sides])
+    return Frame(sides, _padded(sides), corners, centers, directions)
 
 
 def _padded(sides: Sequence[Side]) -> PaddedArrays:
