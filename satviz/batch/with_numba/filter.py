@@ -20,6 +20,7 @@ from ..arrays import TILE_SHAPES, Group
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .jit_cache import compiled, inlined
 
+MAX_DIRECT_SHAPES = 1 << 17  # shapes up to which the rows of 8 corners stay near enough to be read where they lie
 BLOCK_PAIRS = 1 << 17  # pairs a call: enough that the time spent in Python does not matter
 
 
@@ -85,12 +86,23 @@ def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
 def _tile_kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bounds: Array, out: Signs) -> None:
     """Fill `out` with the relations of columns from `first` on, a tile of pairs at a time."""
     best, least, nx, ny = np.empty(TILE_SHAPES), np.empty(TILE_SHAPES), np.empty(TILE_SHAPES), np.empty(TILE_SHAPES)
+    lanes = np.empty(
+        (4, 8, TILE_SHAPES + 8)
+    )  # a power of two would put all corners into the same few places of the cache
     for tile in range(first // TILE_SHAPES, (first + out.size - 1) // TILE_SHAPES + 1):
         start = max(0, tile * TILE_SHAPES - first)
         n = min(out.size, (tile + 1) * TILE_SHAPES - first) - start
         for i in range(n):
             best[i] = -np.inf
-        if ax.shape[0] == 8 and bx.shape[0] == 8:
+        if ax.shape[0] == 8 and bx.shape[0] == 8 and ax.shape[1] > MAX_DIRECT_SHAPES:
+            for v in range(8):
+                for i in range(n):
+                    k = np.uintp(first + start + i)
+                    lanes[0, v, i], lanes[1, v, i] = ax[v, k], ay[v, k]
+                    lanes[2, v, i], lanes[3, v, i] = bx[v, k], by[v, k]
+            raise_clearance_8(lanes[0], lanes[1], lanes[2], lanes[3], 0, n, best)
+            raise_clearance_8(lanes[2], lanes[3], lanes[0], lanes[1], 0, n, best)
+        elif ax.shape[0] == 8 and bx.shape[0] == 8:
             raise_clearance_8(ax, ay, bx, by, first + start, n, best)
             raise_clearance_8(bx, by, ax, ay, first + start, n, best)
         else:
