@@ -203,7 +203,8 @@ def _group(ring: Sequence) -> batch.arrays.Group:
     """Return a ring as a group of one, as the filters take it."""
     x, y = (np.array([[v[k]] for v in ring]) for k in (0, 1))
     span = max(abs(p[k] - q[k]) for p, q in zip(ring, [*ring[1:], ring[0]], strict=True) for k in (0, 1))
-    return batch.arrays.Group(x, y, None, span, max(abs(c) for v in ring for c in v))
+    coordinate = max(abs(c) for v in ring for c in v)
+    return batch.arrays.Group(x, y, None, batch.arrays.TileMaxima(np.array([span]), np.array([coordinate])))
 
 
 def _exact_clearance(p: Sequence, q: Sequence) -> Fraction:
@@ -220,19 +221,19 @@ def float32_share(*numbers: float) -> float:
     """Return the error of a clearance in float32 over its error bound."""
     p, q = _triangles(numbers)
     a, b = _group(p), _group(q)
-    width = filter_numpy._max_width(a) + filter_numpy._max_width(b)
+    width = filter_numpy._max_widths(a, 0, 1) + filter_numpy._max_widths(b, 0, 1)
     found, error_bound = filter_numpy.evaluate_f32(a.x, a.y, b.x, b.y, width)
     return share_of(abs(Fraction(float(found[0])) - _exact_clearance(p, q)), float(error_bound[0]))
 
 
 def float64_share(*numbers: float) -> float:
     """Return the error of a clearance in float64 over the error bound of numba's kernels."""
-    from satviz.batch.with_numba.filter import error_bound_of
+    from satviz.batch.with_numba.filter import error_bounds
 
     p, q = _triangles(numbers)
     a, b = _group(p), _group(q)
     found = filter_numpy.clearance(a.x, a.y, b.x, b.y, 0)
-    return share_of(abs(Fraction(float(found[0])) - _exact_clearance(p, q)), error_bound_of(a, b))
+    return share_of(abs(Fraction(float(found[0])) - _exact_clearance(p, q)), float(error_bounds(a, b)[0]))
 
 
 def orient_share(px: float, py: float, qx: float, qy: float, rx: float, ry: float) -> float:
