@@ -22,7 +22,7 @@ MERGED = {
     "clockwise": "run clockwise (with y up; counter-clockwise with y down).",
     "closed-outline": "end with their first corner again.",
 }
-ROUNDINGS = 2.0**-40  # a gap below this share of the largest coordinate looks like rounding
+NEARLY_TOUCHING = 2.0**-23  # a gap below this share of the largest coordinate is finer than float32
 
 # The kinds, the gravest first: the first finding is the main one.
 KINDS = (
@@ -41,9 +41,9 @@ KINDS = (
     "swapped-arguments",
     "containment",
     "whole-numbers",
-    "clear",
     "repeated-corner",
     "collinear-corner",
+    "clear",
     "clockwise",
     "closed-outline",
     "note",
@@ -239,7 +239,7 @@ def of_pair(pair: Pair, *, decimals: bool) -> Iterator[Finding]:
             f"{_first_rounded(a, b)}, and with rounded numbers they are {_words(relation)} ({_gap_words(pair.gap)}).",
             "No test in floating point can tell: use numbers that float64 holds, or allow a tolerance.",
         )
-    elif pair.gap and abs(pair.gap) < size * ROUNDINGS:
+    elif pair.gap and abs(pair.gap) < size * NEARLY_TOUCHING:
         yield Finding(
             "near-touch",
             both,

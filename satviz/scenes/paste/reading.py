@@ -90,6 +90,13 @@ class Obj(Value):
 
     fields: dict[str | int, Any] = field(default_factory=dict)
     rest: list[Any] = field(default_factory=list)
+    twice: str = ""  # a key that stands twice
+
+    def before(self, name: str, place: int) -> Any:
+        """Return the value that a name had at a place in the text, or None: the last one that was assigned before."""
+        found = [v for k, v in self.fields.items() if k == name or str(k).startswith(f"{name} (")]
+        earlier = [v for v in found if (v.start if isinstance(v, Obj) else v.end) <= place]
+        return max(earlier, key=lambda v: v.start, default=None)
 
     def get(self, *meanings: str) -> Any:
         """Return the value of the first key with one of these meanings, or None."""
@@ -203,7 +210,7 @@ class Reader:
                 break
             node: Any = self.env
             for part in value.text.replace("->", ".").replace("::", ".").split("."):
-                node = node.fields.get(part) if isinstance(node, Obj) else None
+                node = node.before(part, value.start) if isinstance(node, Obj) else None
             if node is None:
                 break
             value = node
@@ -227,6 +234,8 @@ class Reader:
                         child = Obj(item.start, item.end)
                         node.fields[part] = child
                     node = child
+                if item.path[-1] in node.fields:
+                    made.twice = str(item.path[-1])
                 node.fields.setdefault(item.path[-1], item.value)
             elif item is not None:
                 made.rest.append(item)
@@ -269,12 +278,20 @@ class Reader:
         if row and row.kind != POINT and not (row.kind == RING and value.bracket in "[("):
             return None
         if any(isinstance(item, Pair) for item in value.items):
-            return self._xy(self.as_object(value))
+            made = self.as_object(value)
+            found = self._xy(made)
+            if found and any(isinstance(v, (Num, Bad)) for v in made.rest):
+                raise Unreadable("there is something beside x and y")
+            return found
         items = value.items
         if len(items) == 1 and isinstance(items[0], Group) and items[0].bracket in " ({[" and not items[0].name:
             items = items[0].items
         if not items and row and row.kind == POINT:
             return ZERO
+        if len(items) == 2 and any(isinstance(v, Num) for v in items) and (not row or row.kind == POINT):
+            call = next((v for v in items if isinstance(v, Group) and v.name and not notation(v.name)), None)
+            if call is not None and not value.name and self.point(call) is None:
+                self.number(call)  # says that it is not evaluated
         if len(items) not in (2, 3) or any(isinstance(self.resolve(v), (Group, Obj)) for v in items):
             return None
         plain = sum(isinstance(self.resolve(v), Num) for v in items)
@@ -290,6 +307,8 @@ class Reader:
     def _xy(self, obj: Obj) -> Pt | None:
         """Return the point of an object with x and y."""
         x, y = obj.get("x"), obj.get("y")
+        if obj.twice and (x is not None or y is not None):
+            raise Unreadable(f"the key {obj.twice} stands twice")
         if x is None or y is None or obj.get("radius", "width", "half", "size", "points") is not None:
             return None
         return self.number(x), self.number(y)
@@ -321,7 +340,7 @@ class Reader:
         self._refuse_methods(value)
         items = [item for item in value.items if not (isinstance(item, Group) and not item.items and not item.name)]
         if len(items) == 1 and isinstance(self.resolve(items[0]), (Group, Obj)):
-            if isinstance(items[0], Name) and value.name and not row:
+            if isinstance(items[0], Name) and not row:
                 return None  # the argument of a call that makes no shape: p.intersects(q)
             return self.ring(items[0])
         if value.bracket == "," and any(isinstance(v, Group) and v.bracket == " " for v in items):
@@ -563,6 +582,7 @@ class Reader:
         if len(arguments) == 4 and not named.fields and row.ask == ANY_BOX:
             self._ask_order()
         made = self._made_box(flat[:4], form, group, label, angle, RADIANS if row.form == CENTER_HALF else row.unit)
+        made = replace(made, keyed=bool(row.form))
         return [_moved(made, place) if place else made]
 
     def _overridden(self, form: str) -> str:
@@ -636,6 +656,8 @@ class Reader:
     def _object(self, obj: Obj, label: str, row: Notation | None = None) -> list[Read]:
         """Return the shape that an object describes by its keys, or else the shapes in its fields."""
         kind = obj.fields.get("type")
+        if obj.twice and key(obj.twice):
+            raise Unreadable(f"the key {obj.twice} stands twice")
         if isinstance(kind, Name) and "coordinates" in obj.fields:
             inside = obj.fields["coordinates"]
             if kind.text == "Polygon":
@@ -750,6 +772,10 @@ class Reader:
             center, size = self.point(items[0]), self.point(items[1])
             if center is not None and size is not None:
                 return [self._made_box([*center, *size], CENTER_SIZE, group, label, items[2])]
+        if not _is_call(group) and len(items) > 1:
+            pairs = [self.point(item) is not None for item in items if isinstance(item, Group)]
+            if any(pairs) and not all(pairs):
+                raise Unreadable("a list of corners has something else in it")
         return list(self._each(items, label))
 
     def _is_number(self, item: Any) -> bool:
@@ -790,11 +816,12 @@ def _begins_with_numbers(items: Sequence[Any]) -> bool:
 
 def _is_block(group: Group) -> bool:
     """Return whether braces hold statements and not the fields of one object."""
-    deep = any(isinstance(item, Pair) and len(item.path) > 1 and isinstance(item.path[0], str) for item in group.items)
-    return deep or (
-        any(isinstance(item, (Bad, Group)) and not isinstance(item, Pair) for item in group.items)
-        and group.bracket == "{"
-    )
+    pairs = [item for item in group.items if isinstance(item, Pair)]
+    if any(len(item.path) > 1 and isinstance(item.path[0], str) for item in pairs):
+        return True
+    statements = any(isinstance(item, (Bad, Group)) for item in group.items)
+    said = pairs or any(isinstance(item, Bad) for item in group.items)
+    return bool(said) and statements and group.bracket == "{"
 
 
 def _is_call(group: Group) -> bool:

@@ -31,6 +31,7 @@ _TOKEN = re.compile(
     (?P<space>[ \t\r\f\v\ufeff\u00a0]+|\\\n|'''|"\""+|```\w*)
   | (?P<comment>(?<![\d)\]])//[^\n]*|\#[^\n]*|--(?=[ \[])[^\n]*|/\*.*?\*/|<!--.*?-->)
   | (?P<line>\n)
+  | (?P<tag><(?:polygon|polyline)\b|/>)
   | (?P<number>(?:(?<![\w)\].])[+\-\u2212])?
         (?:0[xX][0-9a-fA-F]+(?:\.[0-9a-fA-F]*)?(?:[pP][+-]?[0-9]+)?
          |(?:[0-9][0-9_]*(?:'[0-9]{3})*(?:\.(?!\.)[0-9_]*)?|\.[0-9][0-9_]*)(?:[eE][+\-\u2212]?[0-9]+)?)
@@ -83,6 +84,9 @@ def _scan(text: str) -> Iterator[Token]:
         kind = match.lastgroup or OTHER
         kind = NUMBER if kind == "suffix" else kind
         if kind in ("space", "comment"):
+            continue
+        if kind == "tag":  # of SVG: it ends what stands before it
+            yield Token(MARK, ";", match.start(), match.end())
             continue
         if kind != NUMBER:
             yield Token(kind, match[0], match.start(), match.end())

@@ -232,8 +232,17 @@ class _Parser:
             if _is_mark(atoms[mark], (":",)):  # `let a: Type = value`: the value stands behind the =
                 sign = next((i for i, a in enumerate(atoms) if i > mark and _is_mark(a, ("=",))), mark)
             path = _path(atoms[:mark])
-            rest = self.value(atoms[sign + 1 :], bracket)
-            if not path or rest is None:
+            after = atoms[sign + 1 :]
+            second = any(_is_mark(a, ("=", ":")) for a in after[1:2])
+            if second and isinstance(after[0], Token) and after[0].kind == NUMBER:
+                rest: Any = Bad(_start(after[0]), _end(after[-1]), "two values for one key")
+            else:
+                rest = self.value(after, bracket)
+            if rest is None:  # nothing follows the sign: a heading such as `body:`, or a slip among numbers
+                groups = [a for a in atoms[:mark] if isinstance(a, Group)]
+                slips = groups or any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[:mark])
+                return Bad(_start(atoms[0]), _end(atoms[-1]), "a key without a value", groups) if slips else None
+            if not path:
                 return rest
             pair = Pair(_start(atoms[0]), rest.end, path, rest)
             before = [a for a in atoms[:mark] if isinstance(a, Group) and a.bracket in "({" and a.items]
@@ -242,12 +251,8 @@ class _Parser:
 
     def plain(self, atoms: list[Any]) -> Any:
         """Return the value of atoms without `=` and `:`."""
-        while (
-            atoms
-            and isinstance(atoms[0], Token)
-            and (atoms[0].text in IGNORED_NAMES or atoms[0].text in ("&", "*", "|", ">", "@", "\u2022"))
-        ):
-            atoms = atoms[1:]
+        first = next((i for i, a in enumerate(atoms) if not _says_nothing(a)), len(atoms))
+        atoms = atoms[first:]
         if len(atoms) > 1 and _is_operator(atoms[0]) and not (isinstance(atoms[1], Token) and atoms[1].kind == NUMBER):
             atoms = atoms[1:]  # a bullet before a line
         if not atoms:
@@ -280,10 +285,12 @@ class _Parser:
                 last = values[-1] if values else None
                 # new float[3] {...}: the bracket with the length comes before the list
                 if isinstance(last, Name) and atom.bracket in "([{" and atom.bracket:
+                    length = atom
                     while atom.bracket == "[" and len(atom.items) < 2 and i < len(atoms) and _is_open(atoms[i]):
                         atom = atoms[i]
                         i += 1
-                    values[-1] = Group(last.start, atom.end, atom.items, atom.bracket, last.text)
+                    name = last.text if atom is length else ""  # the list after Vector2[] is no Vector2
+                    values[-1] = Group(last.start, atom.end, atom.items, atom.bracket, name)
                 else:
                     values.append(atom)
             elif not isinstance(atom, Token):
@@ -319,6 +326,11 @@ class _Parser:
 def _is_mark(atom: Any, texts: tuple[str, ...]) -> bool:
     """Return whether an atom is one of these marks."""
     return isinstance(atom, Token) and atom.kind == MARK and atom.text in texts
+
+
+def _says_nothing(atom: Any) -> bool:
+    """Return whether an atom before a value is a word such as `new`, a reference, or a bullet."""
+    return isinstance(atom, Token) and (atom.text in IGNORED_NAMES or atom.text in ("&", "*", "|", ">", "@", "\u2022"))
 
 
 def _is_operator(atom: Any) -> bool:
