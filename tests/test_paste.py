@@ -108,6 +108,7 @@ def test_a_number_that_float64_cannot_hold_has_a_reason(text):
         ("0xFF", "hexadecimal"),
         ("1e400", "beyond float64"),
         ("0.5.sin()", "not evaluated"),
+        ("0.04-", "not evaluated"),
     ],
 )
 def test_what_is_no_number_is_never_taken_for_one(bad, why):
@@ -123,7 +124,11 @@ def test_nothing_is_evaluated(tmp_path):
 
 
 def test_a_duplicate_key_and_a_second_value_are_refused():
-    for text in '[{"x":1,"y":2,"y":3},{"x":4,"y":2},{"x":0,"y":9}]', '[{"x":1:5,"y":2},{"x":4,"y":2},{"x":0,"y":9}]':
+    for text in (
+        '[{"x":1,"y":2,"y":3},{"x":4,"y":2},{"x":0,"y":9}]',
+        '[{"x":1:5,"y":2},{"x":4,"y":2},{"x":0,"y":9}]',
+        ('[{"x":9=2,"y":2},{"x":4,"y":2},{"x":0,"y":9}]'),
+    ):
         with pytest.raises(sv.InvalidScene):
             sv.paste(text)
 

@@ -231,6 +231,8 @@ class _Parser:
             sign = mark
             if _is_mark(atoms[mark], (":",)):  # `let a: Type = value`: the value stands behind the =
                 sign = next((i for i, a in enumerate(atoms) if i > mark and _is_mark(a, ("=",))), mark)
+                if any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[mark:sign]):
+                    sign = mark
             path = _path(atoms[:mark])
             after = atoms[sign + 1 :]
             second = any(_is_mark(a, ("=", ":")) for a in after[1:2])
@@ -260,8 +262,9 @@ class _Parser:
         values, operators = self.joined(atoms)
         start, end = _start(atoms[0]), _end(atoms[-1])
         if operators:
-            if len(values) == 1 and operators == ["-"] and isinstance(values[0], Num) and values[0].value is not None:
-                return Num(start, end, -values[0].value)
+            only = values[0] if len(values) == 1 else None
+            if isinstance(only, Num) and only.value is not None and operators == ["-"] and atoms[0].end <= only.start:
+                return Num(start, end, -only.value)
             if any(o in OPERATORS for o in operators):
                 return Bad(start, end, "an expression, which is not evaluated")
             return Bad(start, end, "not a number", [v for v in values if isinstance(v, Group)])
