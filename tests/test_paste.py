@@ -16,8 +16,10 @@ import satviz as sv
 from satviz.cli import main
 from satviz.scenes.minimal_test import LANGUAGES, minimal_test, scenes_json, wkt
 from satviz.scenes.paste import others
+from satviz.scenes.paste.exact import crossing
 from satviz.scenes.paste.findings import KINDS
 from satviz.scenes.paste.tokens import MAX_CHARS, number
+from satviz.widgets.explorer_model import ExplorerModel
 
 SQUARE = "POLYGON((0 0, 4 0, 4 4, 0 4))"
 
@@ -408,7 +410,7 @@ def test_a_crossing_outline_is_shown_with_its_crossing_and_the_order_that_was_me
     pasted = sv.paste(f"[0,0, 4,4, 4,0, 0,4]\n{SQUARE}")
     (bad, _) = pasted.readings
     assert bad.shape is None and bad.meant == sv.Polygon([(0, 0), (4, 0), (4, 4), (0, 4)])
-    assert "near (2, 2)" in pasted.findings[0].text and "Z order" in pasted.findings[0].text
+    assert "its edges a1a2 and a3a4 cross at (2, 2)" in pasted.findings[0].text and "Z order" in pasted.findings[0].text
     assert "(0, 0), (4, 0), (4, 4), (0, 4)" in pasted.findings[0].help
     assert pasted.pairs[0].trace.relation is sv.Relation.OVERLAPPING and pasted.traces == ()
     dented = sv.paste("[0,0, 4,4, 4,0, 0,4, 2,3]").readings[0]
@@ -690,3 +692,69 @@ def test_scenes_as_json(capsys):
     assert main(["scenes", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["satviz"] == "scenes 1"
     assert main(["scenes", "--json", "--failing"]) == 2
+
+
+# -- the paste box without its page
+
+
+def test_the_explorer_shows_what_was_pasted():
+    model = ExplorerModel(sv.scene("triangles"))
+    reply = model.answer({"kind": "paste", "text": f"{SQUARE} circle((5, 2), 1)"})
+    assert reply["kind"] == "state" and "n" not in reply and reply["relation"] == "touching"
+    pasted = reply["pasted"]
+    assert "A and B touch" in pasted["sentence"] and pasted["findings"][0]["kind"] == "touching"
+    assert set(pasted["tests"]) == set(LANGUAGES) and pasted["link"] == reply["link"]
+    assert json.dumps(reply, allow_nan=False)
+    assert model.scene.b == sv.Circle((5, 2), 1)
+
+
+def test_a_text_without_an_answer_leaves_the_scene_alone():
+    model = ExplorerModel(sv.scene("triangles"))
+    before = model.state()
+    for text, said in (
+        ("nothing", "no shape was found"),
+        (SQUARE, "paste a second one"),
+        ("new Box({x: 115, y: 152}, 100, 100); circle((100, 100), 50)", "choose one"),
+    ):
+        reply = model.answer({"kind": "paste", "text": text})
+        assert reply["kind"] == "pasted" and said in reply["pasted"].get("why", reply["pasted"].get("sentence"))
+    for bad in ({"text": 5}, {"text": SQUARE, "as": "x"}, {"text": SQUARE, "as": [5]}, {"text": "x" * 2**21}, {}):
+        assert model.answer({"kind": "paste", **bad})["pasted"]["why"]
+    assert model.state() == before
+
+
+def test_the_box_asks_and_takes_the_answer():
+    model = ExplorerModel(sv.scene("triangles"))
+    text = "new Box({x: 115, y: 152}, 100, 100); circle((100, 100), 50)"
+    (question,) = model.answer({"kind": "paste", "text": text})["pasted"]["questions"]
+    for answer in question["answers"]:
+        assert model.answer({"kind": "paste", "text": text, "as": [answer["choice"]]})["relation"] == answer["gives"]
+
+
+def test_another_pair_of_several_is_shown():
+    model = ExplorerModel(sv.scene("triangles"))
+    text = "circle((0,0),2) circle((3,0),2) circle((5,0),2)"
+    first, second = (model.answer({"kind": "paste", "text": text, "pair": number}) for number in (0, 1))
+    assert first["pasted"]["note"] == "The picture calls B A, and C B." and "note" not in second["pasted"]
+    assert first["a"]["circle"] == [3, 0] and second["a"]["circle"] == [0, 0]
+
+
+def test_a_crossing_outline_has_a_picture_with_its_crossing_and_the_order_that_was_meant():
+    model = ExplorerModel(sv.scene("triangles"))
+    reply = model.answer({"kind": "paste", "text": f"[0,0, 4,4, 4,0, 0,4] {SQUARE}"})
+    drawn = reply["pasted"]["refused"]
+    assert "dotted line is the order that was probably meant" in drawn["sentence"]
+    parts = [mark["part"] for mark in drawn["marks"]]
+    assert parts.count("meant") == 4 and parts.count("crossing") == 1 and parts.count("vertex-name") == 4
+    assert any(mark.get("text") == "crosses at (2, 2)" for mark in drawn["marks"])
+    assert reply["kind"] == "state" and reply["a"]["polygon"] == [[0, 0], [4, 0], [4, 4], [0, 4]]
+    assert crossing([(Fraction(x), Fraction(y)) for x, y in ((0, 0), (4, 0), (4, 4), (0, 4))]) is None
+
+
+def test_the_page_of_the_site_answers_a_paste():
+    from satviz.site import live
+
+    live.answer("paste-test", json.dumps({"kind": "open", "hash": "triangles"}))
+    reply = json.loads(live.answer("paste-test", json.dumps({"kind": "paste", "text": f"{SQUARE} circle((5, 2), 1)"})))
+    assert reply["pasted"]["pairs"][0]["relation"] == "touching"
+    live._models.pop("paste-test")

@@ -34,6 +34,9 @@ def read_paste(content: dict[str, Any]) -> tuple[Scene | None, dict[str, Any]]:
     number = number if 0 <= number < len(found.pairs) else 0
     scene = found.scene(number)
     tests = {language: found.test(language, number) for language in LANGUAGES}
+    pair = found.pairs[number]
+    if (pair.a.name, pair.b.name) != ("A", "B"):
+        data["note"] = f"The picture calls {pair.a.name} A, and {pair.b.name} B."
     return scene, data | {"pair": number, "tests": tests, "scene": scene.to_json(), "link": fragment(scene)}
 
 
@@ -43,8 +46,8 @@ def _refused(found: Pasted) -> dict[str, Any] | None:
     if not bad:
         return None
     each = bad[0]
-    spot = crossing(each.read.points)
-    at = None if spot is None else Vec(float(spot[0]), float(spot[1]))
+    met = crossing(each.read.points)
+    at = Vec(*map(float, met.point)) if met else None
     ring = [Vec(x, y) for x, y in each.vertices]
     meant = [Vec(*v) for v in each.meant.corners] if each.meant else []
     try:

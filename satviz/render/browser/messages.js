@@ -55,6 +55,7 @@
  * @property {PastedFinding[]} [findings]
  * @property {PastedPair[]} [pairs]
  * @property {number} [pair] The pair that the explorer shows.
+ * @property {string} [note] What the picture calls the shapes of the pair.
  * @property {Picture} [refused] An outline that crosses itself.
  * @property {string} [wkt]
  * @property {string} [json]

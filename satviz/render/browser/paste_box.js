@@ -59,7 +59,7 @@ export class PasteBox {
     for (const question of questions) yield this.question(question);
     if (refused) yield drawn(refused);
     if (findings.length) yield element("ul", { class: "sv-findings" }, ...findings.map(finding));
-    if (pairs.length > 1) yield element("div", { class: "sv-controls", role: "group", "aria-label": "pairs" }, ...pairs.map((pair, i) => this.pairButton(pair, i, pasted.pair ?? 0)));
+    if (pairs.length > 1) yield element("div", { class: "sv-controls", role: "group", "aria-label": "pairs" }, ...pairs.map((pair, i) => this.pairButton(pair, i, pasted.pair ?? 0)), element("span", { class: "sv-hint" }, pasted.note ?? ""));
     yield fold("how it was read", element("ul", {}, ...shapes.map(read)));
     const shown = pairs[pasted.pair ?? 0];
     if (!shown) return;

@@ -59,15 +59,23 @@ def twice_area(ring: Sequence[tuple[Fraction, Fraction]]) -> Fraction:
     return sum((p[0] * q[1] - p[1] * q[0] for p, q in cyclic_pairs(ring)), Fraction(0))
 
 
-def crossing(points: Sequence[Pt]) -> Pt | None:
-    """Return a point in which two edges of an outline cross; None where none do, or it has over 300 corners."""
+class Crossing(NamedTuple):
+    """Where two edges of an outline cross: the point, and the numbers of both edges, from 0."""
+
+    point: Pt
+    first: int
+    second: int
+
+
+def crossing(points: Sequence[Pt]) -> Crossing | None:
+    """Return where two edges of an outline cross; None where none do, or it has over 300 corners."""
     edges = list(cyclic_pairs(points)) if len(points) <= 300 else []
     for i, (a, b) in enumerate(edges):
-        for r, s in edges[:i]:
+        for j, (r, s) in enumerate(edges[:i]):
             before, after = orient_det(r, s, a), orient_det(r, s, b)
             if before * after < 0 and orient_det(a, b, r) * orient_det(a, b, s) < 0:
                 t = before / (before - after)
-                return a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])
+                return Crossing((a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])), j, i)
     return None
 
 

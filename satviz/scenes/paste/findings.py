@@ -12,7 +12,7 @@ from ...engine.relate import relate
 from ...engine.shapes import Circle, Polygon, Shape
 from ...engine.trace import Trace
 from . import others
-from .exact import Exact, Pt, Where, hull, twice_area, where
+from .exact import Exact, Pt, Where, crossing, hull, twice_area, where
 from .notations import ANY_BOX, CENTER_SIZE, CORNER_SIZE
 from .reading import FORM_WORDS, ZERO, Read, plain
 
@@ -143,14 +143,14 @@ def of_shape(each: PastedShape) -> Iterator[Finding]:
         yield Finding(
             "repeated-corner",
             (each.name,),
-            f"{name} has a corner twice: {repeated[0].split(':')[0]}.",
+            f"{name} has a corner twice: {repeated[0].split(':')[0]} (counted from 0).",
             "Its edge has no length and no normal: a test without a check divides by 0 or finds a gap of 0. Remove it.",
         )
     if straight:
         yield Finding(
             "collinear-corner",
             (each.name,),
-            f"{name} has a corner that does not turn: {straight[0]}.",
+            f"{name} has a corner that does not turn: {straight[0]} (counted from 0).",
             "It changes nothing here; builders of hulls and convex tests can refuse or drop it. Remove it.",
         )
     if twice_area(read.points) < 0:
@@ -179,9 +179,8 @@ def _of_refused(each: PastedShape) -> Finding:
         if each.meant:
             around = ", ".join(f"({x:.12g}, {y:.12g})" for x, y in each.meant.vertices)
             help_line = f"The convex order is probably meant: {around}."
-        return Finding(
-            "crossing-outline", (each.name,), f"{name} crosses itself: {why.split(':')[0]}.{order}", help_line
-        )
+        text = f"{name} crosses itself: {_crossing_words(each)}.{order}"
+        return Finding("crossing-outline", (each.name,), text, help_line)
     if "one line" in why or "distinct" in why or "radius is 0" in why:
         return Finding(
             "zero-area",
@@ -198,6 +197,17 @@ def _of_refused(each: PastedShape) -> Finding:
             "Pass its absolute value.",
         )
     return Finding("refused", (each.name,), f"{name} is refused: {why}.")
+
+
+def _crossing_words(each: PastedShape) -> str:
+    """Return which edges cross and where, by the names that pictures give to corners: a2a3."""
+    met = crossing(each.read.points)
+    if met is None:
+        return each.refused.split(":")[0]
+    count = len(each.read.points)
+    first, second = (f"{each.name.lower()}{i + 1}{each.name.lower()}{(i + 1) % count + 1}" for i in met[1:])
+    x, y = met.point
+    return f"its edges {first} and {second} cross at ({float(x):.6g}, {float(y):.6g})"
 
 
 def merged(found: Sequence[Finding]) -> list[Finding]:
