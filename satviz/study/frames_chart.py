@@ -96,7 +96,7 @@ def crossings(times: Times, engine: str) -> str:
     slower: dict[str, list[str]] = {}
     for rival, other in times.items():
         sizes = sorted(times[engine].keys() & other.keys())
-        if rival in ENGINES or not sizes:
+        if rival.startswith(tuple(ENGINES)) or not sizes:
             continue
         start = faster_from(times[engine], other)
         behind = [size for size in sizes if times[engine][size] > other[size]]
