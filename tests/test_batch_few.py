@@ -296,22 +296,26 @@ def test_boxes_are_swept_up_to_so_many_comparisons_each(n, more, name, monkeypat
         assert known is None or batch.colliding_pairs(batch.Polygons(kites), engine=engine).tolist() == known
 
 
-def test_the_broad_phase_that_is_chosen_is_named():
+@pytest.mark.parametrize("engine, most", [("numpy", 4096), ("numba", 512)])
+def test_the_broad_phase_that_is_chosen_is_named(engine, most):
+    if engine == "numba":
+        kernels_of("few")
     row = np.arange(5000)[:, None] * [1.0, 0, 1, 0] + [0, 0, 0.5, 1]
     for n, right in (
         (0, ("all pairs", 0)),
         (1, ("all pairs", 0)),
         (48, ("all pairs", 48 * 47 // 2)),
         (49, ("sort and sweep", 0)),
-        (512, ("sort and sweep", 0)),
-        (513, ("grid", None)),
+        (most, ("sort and sweep", 0)),
+        (most + 1, ("grid", None)),
     ):
-        assert batch.broad_phase_of(boxes_of(row[:n])) == right
-        assert batch.broad_phase_of(boxes_of(row[:n, [1, 0, 3, 2]])) == right
-        assert batch.broad_phase_of(batch.Circles(row[:n, :2], 0.25)) == right
+        assert batch.broad_phase_of(boxes_of(row[:n]), engine=engine) == right
+        assert batch.broad_phase_of(boxes_of(row[:n, [1, 0, 3, 2]]), engine=engine) == right
+        assert batch.broad_phase_of(batch.Circles(row[:n, :2], 0.25), engine=engine) == right
     ells = [np.add([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], [3 * k, 0]) for k in range(30)]
     parts = batch.Polygons(ells, concave="split")
-    assert batch.broad_phase_of(parts) == batch.broad_phase_of(parts.parts) == ("sort and sweep", 30)
+    way = batch.broad_phase_of(parts, engine=engine)
+    assert way == batch.broad_phase_of(parts.parts, engine=engine) == ("sort and sweep", 30)
     with pytest.raises(TypeError, match="make it with"):
         batch.broad_phase_of(ells)
 

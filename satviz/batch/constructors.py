@@ -157,7 +157,7 @@ def build_shapes(points: Array, start: Indices, name: Callable[[int], str], conc
         if concave == "refuse":
             raise InvalidShape(
                 f"{name(i)} is not convex: split it with satviz.parts first, "
-                'or pass concave="split", which keeps the owner of each part'
+                'or pass concave="split", which remembers the polygon of each part'
             )
         found = parts(polygon)
         pieces += [np.asarray(piece.core) for piece in found]

@@ -25,7 +25,8 @@ class Frame:
     def __init__(self, shapes: Shapes) -> None:
         if shapes.owner is not None:
             raise InvalidShape(
-                "this batch holds parts of concave polygons, which change as they move: make a new batch"
+                "a batch with split concave polygons cannot be moved, since rounded coordinates may split in another "
+                "way: make a new batch from the moved outlines"
             )
         self.start: Indices = shapes.rings.start
         self.radius: Array = shapes.radius
