@@ -42,7 +42,7 @@ SEED = _whole_number(0, 2**63 - 1)
 def _folder(text: str) -> Path:
     """Return the path of a folder; refuse an empty text (an unset variable), which would mean this folder."""
     if not text:
-        raise argparse.ArgumentTypeError("a folder's name is empty: write . for this one")
+        raise argparse.ArgumentTypeError("the folder's name is empty: write . for the current folder")
     return Path(text)
 
 
