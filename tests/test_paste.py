@@ -254,7 +254,7 @@ def test_a_polygon_with_position_and_angle():
     text = '{"position": [10, 0], "angle": 90, "vertices": [[0, 0], [2, 0], [0, 1]]}'
     (shape,) = sv.paste(text, "degrees relative").shapes
     assert shape.vertices == ((10, 0), (10, 2), (9, 0))
-    asked = [question.what for question in sv.paste(text).questions]
+    asked = [question.what for question in sv.paste(text.replace("90", "1.5")).questions]
     assert asked == ["corners", "angle"]
 
 
@@ -323,6 +323,18 @@ def test_two_readings_with_one_answer_are_said():
 def test_degrees_or_radians_is_asked():
     pasted = sv.paste("((0, 0), (10, 1), 1.5)\ncircle((0, 5), 1)")
     assert [q.what for q in pasted.questions if q.matters] == ["angle"]
+
+
+def test_an_angle_of_more_than_a_turn_is_in_degrees_and_said():
+    pasted = sv.paste("((0, 0), (10, 1), -177.8)\ncircle((0, 5), 1)")
+    assert not pasted.questions and pasted.readings[0].said.endswith("turned by -177.8 degrees")
+    assert sv.paste("((0, 0), (10, 1), -177.8)", "radians").readings[0].said.endswith("radians")
+
+
+def test_a_reading_that_makes_no_shapes_is_named_but_decides_nothing():
+    pasted = sv.paste("Rect((0.1, 0), (10, 10))\nRect((10, 0), (10, 10))")
+    (question,) = pasted.questions
+    assert "refused" in question.answers[1].gives and not question.matters and not pasted.open
 
 
 def test_an_unknown_reading_is_refused():

@@ -173,7 +173,7 @@ def _of_refused(each: PastedShape) -> Finding:
     """Return the finding for a shape that the engine refuses."""
     name, why = each.title, each.refused
     if "cross" in why or "turns back" in why:
-        corners = len(each.read.points)
+        corners = len(set(each.read.points))
         order = " Its corners look like rows instead of a way around (Z order)." if corners == 4 and each.meant else ""
         help_line = "List the corners in the order in which you meet them on a walk around the shape."
         if each.meant:

@@ -307,7 +307,8 @@ def _questions(reader: Reader, root: Group, text: str, chosen: tuple[str, ...]) 
         if any(choice in chosen for choice in choices):
             continue
         answers = tuple(Answer(c, CHOICE_WORDS[c], _gives(root, text, (*chosen, c))) for c in choices)
-        matters = len({answer.gives for answer in answers}) > 1
+        possible = {answer.gives for answer in answers if "refused" not in answer.gives}
+        matters = len(possible) > 1 or (bool(possible) and answers[0].gives not in possible)
         if matters or what not in ONLY_IF_IT_MATTERS:
             yield Question(what, ASKS[what], answers, matters)
 

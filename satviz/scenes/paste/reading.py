@@ -48,6 +48,7 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
     CORNERS: (RELATIVE, ABSOLUTE),
 }
 ALL_CHOICES = tuple(choice for choices in CHOICES.values() for choice in choices)
+FULL_TURN = Fraction(63, 10)  # an angle beyond a full turn in radians is in degrees
 ONLY_IF_IT_MATTERS = (TURN, ORDER)  # asked only where the answer changes
 FORM_WORDS = {
     CORNER_SIZE: "a box by a corner and its size",
@@ -127,7 +128,11 @@ class Reader:
         entries += [(value.start, "", value) for value in self.loose]
         found: list[tuple[int, Read]] = []
         for _, name, value in sorted(entries, key=lambda entry: entry[0]):
-            found += [(id(value), shape) for shape in self.shapes(value, name.split(" (")[0])]
+            label = name.split(" (")[0]
+            shapes = self.shapes(value, label)
+            if len(shapes) > 1:  # the name is that of a result, or of a list, and of no single shape
+                shapes = [replace(s, label="") if s.label == label else s for s in shapes]
+            found += [(id(value), shape) for shape in shapes]
         return [shape for owner, shape in found if owner not in self.used]
 
     def _begin(self, value: Any) -> int:
@@ -636,8 +641,9 @@ class Reader:
         if value == 0 or shape.is_circle:
             return shape
         if not unit:
-            likely = (DEGREES, RADIANS) if abs(value) > 6.3 or value.denominator == 1 else (RADIANS, DEGREES)
-            unit = self._choose(ANGLE, likely)
+            likely = (DEGREES, RADIANS) if value.denominator == 1 else (RADIANS, DEGREES)
+            more_than_a_turn = abs(value) > FULL_TURN and RADIANS not in self.chosen
+            unit = DEGREES if more_than_a_turn else self._choose(ANGLE, likely)
         self.asked.setdefault(TURN, CHOICES[TURN])
         signed = -value if Y_DOWN in self.chosen else value
         if unit == DEGREES and signed % 90 == 0:
