@@ -49,7 +49,8 @@ NOTATIONS = (
     # boxes
     Notation("bodies.rectangle add.rectangle bodies.rect boxshape2d centered_rect rotatedrect", BOX, CENTER_SIZE),
     Notation(
-        "rectangle rectanglef rect2 rect2i newrect qrect qrectf cgrect cgrectmake sf::floatrect sf::rect floatrect intrect "
+        "rectangle rectanglef rect2 rect2i newrect qrect qrectf cgrect cgrectmake sf::floatrect "
+        "sf::rect floatrect intrect "
         "sf::intrect pygame.rect "
         "sdl_rect sdl_frect domrect rectangle2d.double rectangle2d.float geom.rectangle recti",
         BOX,
