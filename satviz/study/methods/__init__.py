@@ -36,8 +36,8 @@ class Method(NamedTuple):
     """One way to answer pairs: `hits(prepare(side_a), prepare(side_b))` returns the answers.
 
     `language`: the language of its loop over pairs.  `family`: the group that decides its colour in charts; "exact" is
-    exact by construction for all float64.  `circles`: whether it takes circles too.  `one`: prepares one shape of the engine; None if `prepare` does
-    not go through the engine's shapes.
+    exact by construction for all float64.  `circles`: whether it takes circles too.  `one`: prepares one shape of the
+    engine; None if `prepare` does not go through the engine's shapes.
     """
 
     name: str

@@ -41,7 +41,9 @@ def shapely_hits(a: Any, b: Any) -> NDArray[np.bool_]:
     import shapely
 
     if isinstance(a, tuple):
-        return np.asarray(shapely.dwithin(a[0], b[0], a[1] + b[1]) if isinstance(b, tuple) else shapely.dwithin(a[0], b, a[1]))
+        return np.asarray(
+            shapely.dwithin(a[0], b[0], a[1] + b[1]) if isinstance(b, tuple) else shapely.dwithin(a[0], b, a[1])
+        )
     return np.asarray(shapely.intersects(a, b))
 
 

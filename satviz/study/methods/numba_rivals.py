@@ -220,7 +220,7 @@ def _has_separating_normal(x: Array, y: Array, p: Array, q: Array, i: int, unit:
 
 
 @inlined
-def _support(x: Array, y: Array, i: int, corners: int, dx: float, dy: float) -> tuple[float, float]:
+def _support(x: Array, y: Array, i: Any, corners: int, dx: float, dy: float) -> tuple[float, float]:
     """Return the corner of polygon i that is furthest along (dx, dy)."""
     furthest, sx, sy = x[0, i] * dx + y[0, i] * dy, x[0, i], y[0, i]
     for v in range(1, corners):

@@ -51,10 +51,10 @@ from ..workloads.hard_pairs import (
 from .speed_against_accuracy import PROVEN_MARGINS
 
 SHAPES, CIRCLES, TOUCHING = "polygons", "circles", "touching"
-# squares of a distance and of a sum of radii: 7 roundings of the square, so 3.5 of the distance, which is below 3 reaches
+# the squares of the distance and of the sum of radii carry 7 roundings, the distance 3.5, and it is below 3 reaches
 CIRCLE_MARGIN = 11
 ROWS = (  # (what is tested, method), from the top
-    (SHAPES, "AABB"), (SHAPES, "SAT, float32"), (SHAPES, "SAT, tolerance 1e-9"), (SHAPES, "SAT, unit normals"),
+    (SHAPES, "AABB"), (SHAPES, "SAT, float32"), (SHAPES, "SAT, unit normals"),
     (SHAPES, "SAT, raw normals"), (SHAPES, "GJK"), (SHAPES, "shapely"), (SHAPES, "satviz"),
     (CIRCLES, "squares, float64"), (CIRCLES, "shapely"), (CIRCLES, "satviz"),
 )  # fmt: skip
@@ -195,15 +195,15 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
         places = [k + (k >= sum(row["what"] == SHAPES for row in rows)) for k in range(len(rows))]
         for y, row in zip(places, rows, strict=True):
             shade = family_colour(theme, row["family"])
-            shares = [(k, w / p if p else 0.0) for k, w, p in zip(MARGIN_OCTAVES, row["wrong"], row["pairs"])]
+            shares = [(float(k), w / p if p else 0.0) for k, w, p in zip(MARGIN_OCTAVES, row["wrong"], row["pairs"])]
             if row["what"] == SHAPES:
                 shares.append((TOUCH_AT, row["touches_wrong"] / row["touches"]))
             for x, share in shares:
                 alpha = 0.07 + 0.93 * min(1.0, 2 * share)
                 ax.add_patch(Rectangle((x, y - 0.36), 1, 0.72, fc=shade, alpha=alpha, lw=0))
-            if row["worst"] > 2.0 ** MARGIN_OCTAVES.start:
-                x = min(log2(row["worst"]), MARGIN_OCTAVES.stop - 0.3)
-                ax.plot([x], [y], "^", color=theme.roles["ink"], mec=theme.paper, ms=8)
+            if row["worst"] > 2.0**MARGIN_OCTAVES.start:
+                worst = min(log2(row["worst"]), MARGIN_OCTAVES.stop - 0.3)
+                ax.plot([worst], [y], "^", color=theme.roles["ink"], mec=theme.paper, ms=8)
             if row["proven"]:
                 ax.plot([log2(row["proven"])], [y], "|", color=theme.roles["ink"], ms=15, mew=2)
         ax.set(xlim=(TOUCH_AT - 0.4, MARGIN_OCTAVES.stop), ylim=(places[-1] + 0.6, -0.6))

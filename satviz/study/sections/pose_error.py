@@ -101,7 +101,9 @@ def _by_angle(at: tuple[float, float], angle: float, dtype: Any) -> dict[int, tu
     The angle of all steps is a product in float64; cosine and sine of it are rounded to the format of the corners.
     """
     x, y = dtype(at[0]), dtype(at[1])
-    turns: dict[int, NDArray[Any]] = {step: np.array([np.cos(step * angle), np.sin(step * angle)], dtype) for step in STEPS}
+    turns: dict[int, NDArray[Any]] = {
+        step: np.array([np.cos(step * angle), np.sin(step * angle)], dtype) for step in STEPS
+    }
     return {step: (x * c - y * s, x * s + y * c) for step, (c, s) in turns.items()}
 
 
@@ -127,7 +129,7 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw both panels, and the bound of SAT as a dotted line."""
         draw_headline(fig, theme, title, *lines)
-        boxes = (58.0, 104.0, "distance in metres"), (190.0, 136.0, "turns at 1 km")
+        boxes = (58.0, 120.0, "distance from the origin"), (204.0, 136.0, "turns at 1 km")
         for k, (left, wide, words) in enumerate(boxes):
             ax = add_axes(fig, (left / WIDTH, 44 / size[1], wide / WIDTH, 246 / size[1]), theme)
             xs = STEPS if k else DISTANCES
@@ -144,7 +146,8 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
             ticks = [1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 1.0, 1e3]
             names = ["1 fm", "1 pm", "1 nm", "1 µm", "1 mm", "1 m", "1 km"]
             ax.set_yticks(ticks, [""] * len(ticks) if k else names)
-            ax.set_xticks(xs[:: 4 if k else 3], [f"{x:,.0f}" for x in xs[:: 4 if k else 3]])
+            marks = {1: "1", 100: "100", 10_000: "10,000"} if k else {1.0: "1 m", 1e3: "1 km", 1e6: "1,000 km"}
+            ax.set_xticks(list(marks), list(marks.values()))
             ax.minorticks_off()
             if k:
                 label_ends(ax, ends, gap=15, space=8)

@@ -44,8 +44,8 @@ from ..workloads.generators import Rings
 from ..workloads.hard_pairs import EXTREME_KIND, hard_pairs, touching_triangles
 
 GRID_METRES = 2.0**-43  # the step between neighbouring float64 numbers from 512 to 1024
-# roundings u * span * reach: the rounded normal carries 4 (with unit length 8), the landing of the corner 4, and that of
-# the edge 4.  So SAT on outward normals is right where the relative margin is above 12 (16).
+# in roundings u * span * reach the rounded normal costs 4 (with unit length 8), the landing of the corner 4, and that
+# of the edge 4.  So SAT on outward normals is right where the relative margin is above 12 (16).
 PROVEN_MARGINS = {"SAT, raw normals": 12, "SAT, unit normals": 16}
 ATOM_METRES = 1e-10
 LABELS = {
@@ -128,7 +128,7 @@ def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
         return method.hits(method.prepare(a), method.prepare(b))
 
     jobs = {(name, "ns"): partial(m.hits, m.prepare(a), m.prepare(b)) for name, m in found.items()}
-    jobs |= {(name, "whole"): partial(whole, method) for name, method in found.items()}  # type: ignore[misc]
+    jobs |= {(name, "whole"): partial(whole, method) for name, method in found.items()}
     named = {"/".join(key): job for key, job in jobs.items()}
     times = time_jobs(named, rounds, dict.fromkeys(named, n))
     return [{"method": name, "ns": times[f"{name}/ns"], "whole": times[f"{name}/whole"]} for name in found]
@@ -138,7 +138,9 @@ def summaries(found: dict[str, Any]) -> list[JsonRow]:
     """Return a row for each method: its worst gap, its wrong answers by workload, and its times."""
     rows = []
     for times in over_processes(found, "speed", ("ns", "whole")):
-        (worst,) = (row for name, row in found.items() if name.startswith("worst-") and row["method"] == times["method"])
+        (worst,) = (
+            row for name, row in found.items() if name.startswith("worst-") and row["method"] == times["method"]
+        )
         row = {**worst, "proven": proven_metres(times["method"])}
         for work in WORKS:
             (count,) = (row for row in found[f"count-{work}"] if row["method"] == times["method"])
@@ -157,7 +159,7 @@ def in_metres(gap: float) -> str:
     """Return a length with its unit, to two digits."""
     for size, unit in (1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm"), (1e-12, "pm"), (1e-15, "fm"):
         if gap >= size:
-            return f"{float(f'{gap / size:.2g}'):g} {unit}"
+            return f"{float(f'{gap / size:.2g}'):g}\u00a0{unit}"  # not parted at the end of a line
     return f"{gap:.1g} m" if gap else "none"
 
 
@@ -237,8 +239,8 @@ def all_methods_chart(rows: list[JsonRow], settings: Settings) -> Chart:
     title = f"From arrays to answers, exact satviz takes {ratio:.1f} times as long as plain SAT: it checks the shapes"
     lines = (
         "Full dot: the answer alone. Open dot: from the arrays to the answer, once. Bars: the spread of the processes. "
-        f"On the right: wrong answers of {exact['touching_pairs']:,} exact touches and of {exact['extreme_pairs']:,} pairs of sizes "
-        "at 2^400 and beyond.",
+        f"On the right: wrong answers of {exact['touching_pairs']:,} exact touches and of {exact['extreme_pairs']:,} "
+        "pairs of sizes at 2^400 and beyond.",
     )
     head, tall = head_height(title, lines, WIDTH), 22.0 * len(rows)
     size = WIDTH, head + tall + 70
@@ -271,6 +273,8 @@ def all_methods_chart(rows: list[JsonRow], settings: Settings) -> Chart:
 
     text = f"{title} ({low:.2f} to {high:.2f}, 95 % interval over {len(sat['ns_runs'])} processes). "
     for row in rows:
-        text += f"{row['method']}: {format_time(row['ns'])} for the answer, {format_time(row['whole'])} from the arrays; "
+        text += (
+            f"{row['method']}: {format_time(row['ns'])} for the answer, {format_time(row['whole'])} from the arrays; "
+        )
         text += f"wrong at {row['touching_wrong']:,} touches and {row['extreme_wrong']:,} extreme pairs. "
     return Chart("all-methods", title, size, draw, rows, text + VECTORISED, timing_warning(rows, settings))

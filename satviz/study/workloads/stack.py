@@ -53,8 +53,7 @@ class ContactPoint:
     i: int
     j: int
     at: Point
-    normal: Point
-    depth: float
+    contact: tuple[Point, float]
     impulses: list[float]
 
 
@@ -97,8 +96,9 @@ def _stepped(bodies: list[Body], test: Test, kept: dict[tuple[int, int, int], li
         for j in range(i + 1, len(bodies)):
             near = hypot(a.at[0] - bodies[j].at[0], a.at[1] - bodies[j].at[1]) < hypot(*a.half) + hypot(*HALF)
             found = test(outlines[i], outlines[j]) if near else None
-            for k, at in enumerate(contact_points(outlines[i].corners, outlines[j].corners, found[0]) if found else ()):
-                points[i, j, k] = ContactPoint(i, j, at, *found, kept.get((i, j, k), [0.0, 0.0]))  # type: ignore[misc]
+            if found:
+                for k, at in enumerate(contact_points(outlines[i].corners, outlines[j].corners, found[0])):
+                    points[i, j, k] = ContactPoint(i, j, at, found, kept.get((i, j, k), [0.0, 0.0]))
     for point in points.values():
         for k in (0, 1):
             _apply(bodies, speeds, point, k, point.impulses[k])
@@ -126,7 +126,7 @@ def contact_points(a: tuple[Point, ...], b: tuple[Point, ...], normal: Point) ->
 
 def _arms(bodies: list[Body], point: ContactPoint, k: int) -> tuple[Point, float, float]:
     """Return the direction of impulse k (0: the normal, 1: across it) and its arms about the middles of A and B."""
-    (nx, ny), (px, py) = point.normal, point.at
+    (nx, ny), (px, py) = point.contact[0], point.at
     x, y = (nx, ny) if k == 0 else (-ny, nx)
     (ax, ay), (bx, by) = bodies[point.i].at, bodies[point.j].at
     return (x, y), (px - ax) * y - (py - ay) * x, (px - bx) * y - (py - by) * x
@@ -149,7 +149,7 @@ def _push(bodies: list[Body], speeds: list[list[float]], point: ContactPoint) ->
         (x, y), arm_a, arm_b = _arms(bodies, point, k)
         along = (vb[0] - va[0]) * x + (vb[1] - va[1]) * y + vb[2] * arm_b - va[2] * arm_a
         mass = a.inverse + b.inverse + arm_a * arm_a * a.inverse_inertia + arm_b * arm_b * b.inverse_inertia
-        wanted = 0.0 if k else CORRECTION / STEP * max(0.0, point.depth - SLOP)
+        wanted = 0.0 if k else CORRECTION / STEP * max(0.0, point.contact[1] - SLOP)
         limit = FRICTION * point.impulses[0] if k else inf
         after = min(max(point.impulses[k] + (wanted - along) / mass, -limit if k else 0.0), limit)
         change, point.impulses[k] = after - point.impulses[k], after
