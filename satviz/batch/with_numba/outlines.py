@@ -15,6 +15,8 @@ from ..exact_signs import ERRBOUND_A
 from ..ragged import Rings
 from .jit_cache import compiled, inlined
 
+MIN_FULL = 7 / 8  # share of the corners that must remain for their arrays to be kept as they are
+
 
 def certified_group(vertices: Array) -> Group | None:
     """Return (N, V, 2) outlines as a group, counter-clockwise; None if one is not certified convex."""
@@ -72,7 +74,10 @@ def certified_rings(points: Array, start: Indices, centers: bool = False) -> tup
     x, y, kept = np.empty(len(points)), np.empty(len(points)), np.empty(len(start), np.intp)
     doubtful = np.empty(len(start) - 1, np.intp)
     found = _fill_rings(points, start, centers, x, y, kept, doubtful)
-    return Rings(x[: kept[-1]], y[: kept[-1]], kept), doubtful[:found]
+    x, y = x[: kept[-1]], y[: kept[-1]]
+    if len(x) < MIN_FULL * len(points):
+        x, y = x.copy(), y.copy()
+    return Rings(x, y, kept), doubtful[:found]
 
 
 @compiled
