@@ -61,7 +61,7 @@ def recommend(n: int, settings: Settings) -> list[JsonRow]:
     rows = []
     for words, shapes in scenes.items():
         found = advise(shapes)
-        rows.append({"have": words, "shapes": len(shapes), "kind": _kind(found.model.kind), "model": found.model.name,
+        rows.append({"have": words, "shapes": len(shapes), "kind": _kind(found.model.kind, shapes), "model": found.model.name,
                      "search": found.summary.search.name if found.summary.search else "",
                      "relative_margin": found.summary.relative_margin, "proven": True,
                      "anywhere": found.anywhere.name})  # fmt: skip
@@ -71,9 +71,9 @@ def recommend(n: int, settings: Settings) -> list[JsonRow]:
     return rows
 
 
-def _kind(kind: str) -> str:
-    """Return the short name of a kind of model, under which its time is found."""
-    return "exact" if "exact" in kind else kind
+def _kind(kind: str, shapes: batch.Shapes) -> str:
+    """Return the short name of a kind of model, under which its time is found; circles are not timed."""
+    return "circles" if shapes.max_corners < 3 else "exact" if "exact" in kind else kind
 
 
 def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
@@ -88,6 +88,11 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
         rows.append({"have": "sparks and crowds, where a wrong hit costs nothing", "shapes": 0, "kind": "circles",
                      "model": "bounding circles", "search": "", "relative_margin": 0.0, "proven": False,
                      "anywhere": "", "ns": sparks["ns"], "wrong_metres": sparks["metres"]})  # fmt: skip
+    return [table_chart(rows, timing_warning(list(measured.values()), settings))]
+
+
+def table_chart(rows: list[JsonRow], warning: str) -> Chart:
+    """Return the chart of the table's rows; `warning`: why their times are only rough, or empty."""
     least = sum(row["kind"] != "exact" for row in rows)
     title = f"{least} of {len(rows)} kinds of scenes need no exact test: model no more than a scene needs"
     lines = (
@@ -123,12 +128,12 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
             down += height
 
     text = f"{title}. " + " ".join(f"{own[0][0].upper()}{own[0][1:]}: {own[1]}." for own in told)
-    return [Chart("decision-table", title, size, draw, rows, text, timing_warning(list(measured.values()), settings))]
+    return Chart("decision-table", title, size, draw, rows, text, warning)
 
 
 def _told(row: JsonRow) -> tuple[str, str, str, str]:
     """Return the four fields of a row in words."""
-    time = format_time(row["ns"]) if row["ns"] else "not timed"
+    time = format_time(row["ns"]) if row["ns"] else "–"
     wrong = f"gaps up to {in_metres(row['wrong_metres'])} in 1 km" if row["wrong_metres"] else "nothing: proven"
     return row["have"], row["model"], time, wrong
 

@@ -206,7 +206,7 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
         for name in shown:
             row, shade = by_name[name], family_colour(theme, by_name[name]["family"])
             y = log10(row["metres"]) if row["metres"] else NONE
-            ax.plot([row["ns"]], [y], "D" if name == "satviz" else "o", color=shade, ms=8, clip_on=False)
+            ax.plot([row["ns"]], [y], "D" if name == "satviz" else "o", color=shade, ms=8, clip_on=False, zorder=5)
             if row["proven"]:
                 ax.plot([row["ns"]] * 2, [y, log10(row["proven"])], color=shade, lw=1.2)
                 ax.plot([row["ns"]], [log10(row["proven"])], "_", color=shade, ms=12, mew=2)
