@@ -1,7 +1,7 @@
 """The decision table: what you have, and the least model that does.
 
-Question: which model is enough for a scene?  Workload: small scenes of the kinds that people have.  The model is the
-one that `satviz.advise` proves right for every pair of the scene, the time is the median of `speed_against_accuracy`.
+Question: which model is enough for a scene?  Workload: small scenes of the kinds that people have.  Methods: the
+candidates of `satviz.advice`, from bounding circles to the exact filter.  The model of a scene is the smallest one that `satviz.advise` proves right for every pair of the scene, the time is the median of `speed_against_accuracy`.
 The claim is refuted by a pair of a scene that its model answers wrongly, or by a smaller model that is proven.
 """
 

@@ -70,7 +70,7 @@ def proven_metres(name: str) -> float | None:
 
 def cells(settings: Settings) -> list[Cell]:
     """Return a search for each method, the counts of wrong answers, and the times of each process."""
-    n, generations = (1000, 12) if settings.quick else (20_000, 60)
+    n, generations = (1000, 12) if settings.quick else (20_000, 40)
     found = [
         Cell(f"worst-{method.name.replace(' ', '-').replace(',', '')}", search, (method.name, n, generations, settings))
         for method in compiled_methods()
@@ -97,7 +97,7 @@ def search(name: str, n: int, generations: int, settings: Settings) -> JsonRow:
 def _near_pairs(rng: np.random.Generator, n: int) -> tuple[Rings, Rings]:
     """Return pairs in a scene of 1 km with gaps and overlaps of every size from 1e-16 m on."""
     a, b = kilometre_shapes(rng, n)
-    return a, beside(rng, a, b, 10 ** rng.uniform(-16, 0, n) * rng.choice([-1.0, 1.0], n))
+    return a, beside(rng, a, b, np.ldexp(rng.uniform(1, 2, n), rng.integers(-53, 0, n)) * rng.choice([-1.0, 1.0], n))
 
 
 WORKS: dict[str, Any] = {

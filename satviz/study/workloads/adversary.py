@@ -85,10 +85,10 @@ def worst_pair(method: Method, make: MakePairs, rng: Rng, n: int, generations: i
     best, tried = np.empty(0), 0
     for _ in range(generations):
         new_a, new_b = make(rng, n)
-        gaps = np.exp2(rng.uniform(HARDEST, EASIEST, n))
+        gaps = np.ldexp(rng.uniform(1, 2, n), rng.integers(HARDEST, EASIEST, n))
         if len(best):  # near the gaps at which the method is still wrong
             unit = best[0] if metres else best[0] * 2.0**-53
-            gaps = np.where(rng.random(n) < 0.2, gaps, unit * np.exp2(rng.uniform(-1, 1, n)))
+            gaps = np.where(rng.random(n) < 0.2, gaps, unit * rng.uniform(0.5, 2, n))
         new_b = beside(rng, new_a, new_b, gaps * rng.choice([-1.0, 1.0], n))
         if len(best):
             child_a, child_b = _changed(rng, a, b, n)
