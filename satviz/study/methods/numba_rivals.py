@@ -27,7 +27,7 @@ from ...batch.with_numba.jit_cache import compiled, inlined
 Array = NDArray[Any]
 Out = NDArray[np.int8]
 MAX_GJK_STEPS = 64  # rounding can make GJK cycle
-MAX_UNROLLED = 8  # corners; more make the code so long that compiling takes minutes
+MAX_UNROLLED = 6  # corners; of more the compiler unrolls only some, and then it computes pair by pair
 PLAIN, UNIT, WITH_TOLERANCE = 0, 1, 2  # forms of `sat_kernel`
 
 

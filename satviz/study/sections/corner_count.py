@@ -99,7 +99,8 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
         title = f"With twice the corners, textbook SAT takes {factors['SAT, every corner']:.1f} times as long, "
         title += f"GJK {factors['GJK']:.1f} and calipers {factors['rotating calipers']:.1f}"
 
-    lines = ("Time for a pair of regular polygons, half of them apart. Bars: the spread of the processes.",)
+    few = "SAT with every corner is unrolled for few corners; for more it stops at the first gap."
+    lines = (f"Time for a pair of regular polygons, half of them apart. {few} Bars: the spread of the processes.",)
     head = head_height(title, lines, WIDTH)
     size = WIDTH, head + 300
 

@@ -1,8 +1,9 @@
 """The decision table: what you have, and the least model that does.
 
 Question: which model is enough for a scene?  Workload: small scenes of the kinds that people have.  Methods: the
-candidates of `satviz.advice`, from bounding circles to the exact filter.  The model of a scene is the smallest one that `satviz.advise` proves right for every pair of the scene, the time is the median of `speed_against_accuracy`.
-The claim is refuted by a pair of a scene that its model answers wrongly, or by a smaller model that is proven.
+candidates of `satviz.advice`, from bounding circles to the exact filter.  The model of a scene is the smallest one that
+`satviz.advise` proves right for every pair, and its time is the median of `speed_against_accuracy`.  The claim is
+refuted by a pair of a scene that its model answers wrongly, or by a smaller model that is proven.
 """
 
 from textwrap import wrap
@@ -58,13 +59,13 @@ def recommend(n: int, settings: Settings) -> list[JsonRow]:
             turn_rings(grid, np.repeat(TURN, len(grid), axis=0))
         ),
     }
-    rows = []
+    rows: list[JsonRow] = []
     for words, shapes in scenes.items():
         found = advise(shapes)
-        rows.append({"have": words, "shapes": len(shapes), "kind": _kind(found.model.kind, shapes), "model": found.model.name,
-                     "search": found.summary.search.name if found.summary.search else "",
-                     "relative_margin": found.summary.relative_margin, "proven": True,
-                     "anywhere": found.anywhere.name})  # fmt: skip
+        model, search = found.model, found.summary.search
+        row: JsonRow = {"have": words, "shapes": len(shapes), "kind": _kind(model.kind, shapes), "model": model.name}
+        row |= {"search": search.name if search else "", "relative_margin": found.summary.relative_margin}
+        rows.append({**row, "proven": True, "anywhere": found.anywhere.name})
     moving = rows[3]["anywhere"]
     unknown = {"have": "anything that moves: positions not known before", "shapes": 0, "kind": "exact", "search": ""}
     rows.append({**unknown, "model": moving, "relative_margin": 0.0, "proven": True, "anywhere": moving})

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ...pictures import Theme
 from ..harness.cells import Cell, JsonRow, Settings
 from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height, label_ends
-from .speed_against_accuracy import PROVEN_MARGINS, in_metres
+from .speed_against_accuracy import SAT_MARGIN, in_metres
 
 STEPS = (1, 10, 100, 1000, 10_000)
 DISTANCES = (1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6)  # metres
@@ -113,7 +113,7 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     last = STEPS[-1]
     by = {(row["format"], row["way"], row["distance"], row["steps"]): row["worst"] for row in rows}
     fine, coarse = (by[form, "steps", KILOMETRE, last] for form in ("float64", "float32"))
-    sat = PROVEN_MARGINS["SAT, raw normals"] * 2.0**-53
+    sat = SAT_MARGIN * 2.0**-53
     rebuilt = by["float64", "angle", KILOMETRE, last]
     title = (
         f"{last:,} turns step by step put corners at 1 km off by {in_metres(fine)} in float64 and {in_metres(coarse)} "

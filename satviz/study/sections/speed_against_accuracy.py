@@ -47,6 +47,7 @@ GRID_METRES = 2.0**-43  # the step between neighbouring float64 numbers from 512
 # in roundings u * span * reach the rounded normal costs 4 (with unit length 8), the landing of the corner 4, and that
 # of the edge 4.  So SAT on outward normals is right where the relative margin is above 12 (16).
 PROVEN_MARGINS = {"SAT, raw normals": 12, "SAT, unit normals": 16}
+SAT_MARGIN = max(PROVEN_MARGINS.values())
 ATOM_METRES = 1e-10
 LABELS = {
     "bounding circles": "circles", "AABB": "boxes (AABB)", "SAT, float32": "SAT, float32",
@@ -160,7 +161,7 @@ def in_metres(gap: float) -> str:
     for size, unit in (1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm"), (1e-12, "pm"), (1e-15, "fm"):
         if gap >= size:
             return f"{float(f'{gap / size:.2g}'):g}\u00a0{unit}"  # not parted at the end of a line
-    return f"{gap:.1g} m" if gap else "none"
+    return f"{float(f'{gap / 1e-15:.1g}'):g}\u00a0fm" if gap else "none"
 
 
 def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
@@ -169,7 +170,7 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
     sat, exact = by_name["SAT, raw normals"], by_name["satviz"]
     ratio, low, high = ratio_interval(exact["ns_runs"], sat["ns_runs"])
     title = (
-        f"In 1 km, SAT in float64 is right about every gap above {in_metres(sat['proven'])}; "
+        f"In 1 km, SAT in float64 is right about every gap above {in_metres(SAT_MARGIN * 2.0**-53 * METRES_WIDE)}; "
         f"exact answers take {ratio:.1f} times as long"
     )
     lines = (
