@@ -17,7 +17,7 @@ from typing import NamedTuple
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Shape
-from .float_geometry import bounding_box, point_along, range_along, segments_cross
+from .float_geometry import Box, bounding_box, common_box, point_along, range_along, segments_cross
 
 CLEARANCE_PT = 34.0  # from the shapes to an axis, at least
 LABEL_HEIGHT_PT = 18.0  # space for the label of a range
@@ -56,16 +56,24 @@ class AxisPlace(NamedTuple):
 
 
 def place_axes(
-    shapes: Sequence[Shape], tests: Sequence[AxisTest], label_widths: Sequence[float], scale: float
+    shapes: Sequence[Shape],
+    tests: Sequence[AxisTest],
+    label_widths: Sequence[float],
+    scale: float,
+    boxes: Sequence[Box] = (),
 ) -> list[AxisPlace]:
     """Return one place per test's axis, each on the side where it fits best with the places chosen before it.
 
-    `label_widths`: points that the labels of each test's ranges are wide; `scale`: points in a scene unit.
+    `label_widths`: points that the labels of each test's ranges are wide; `scale`: points in a scene unit;
+    `boxes`: what else the picture shows or another picture on the same frame.
     """
+    around = common_box([bounding_box(shapes), *boxes])
     places: list[AxisPlace] = []
     for test, width in zip(tests, label_widths, strict=True):
         sides = both_sides(shapes, test, scale, width)
-        places.append(min(sides, key=lambda p: (_count_crossings(p, places), placement_penalty(shapes, test, p))))
+        places.append(
+            min(sides, key=lambda p: (_count_crossings(p, places), placement_penalty(shapes, test, p, around)))
+        )
     return places
 
 
@@ -117,13 +125,13 @@ def _furthest(shapes: Sequence[Shape], direction: Vec) -> float:
     return max(range_along(shape, direction).hi for shape in shapes)
 
 
-def placement_penalty(shapes: Sequence[Shape], test: AxisTest, place: AxisPlace) -> float:
+def placement_penalty(shapes: Sequence[Shape], test: AxisTest, place: AxisPlace, around: Box | None = None) -> float:
     """Return the penalty, without unit, of drawing a test's axis at `place`; the lower place is better.
 
-    It should not widen the scene much, should lie near the shape whose edge it comes from (so that the drop
-    lines of that shape pass no other shape), and below the shapes or to their left.
+    It should not widen the scene (or the box `around`) much, should lie near the shape whose edge it comes from (so
+    that the drop lines of that shape pass no other shape), and below the shapes or to their left.
     """
-    x0, y0, x1, y1 = bounding_box(shapes)
+    x0, y0, x1, y1 = around or bounding_box(shapes)
     xs, ys = [x0, x1, *(p.x for p in place.ends)], [y0, y1, *(p.y for p in place.ends)]
     size = max(x1 - x0, y1 - y0)
     area = (max(xs) - min(xs)) / size * ((max(ys) - min(ys)) / size)

@@ -43,8 +43,8 @@ def recorded_trace(name: str) -> Trace:
 
 
 def from_step(stage: Stage, test: int) -> Callable[[Trace, str], Picture]:
-    """Return a function of (trace, title) that draws one stage of test number `test` by itself."""
-    return lambda trace, title: picture(trace, Step(stage, test), title=title, by_itself=True)
+    """Return a function of (trace, title) that draws one stage of test number `test`."""
+    return lambda trace, title: picture(trace, Step(stage, test), title=title)
 
 
 def from_view(draw: Callable[..., Picture], **options: Any) -> Callable[[Trace, str], Picture]:

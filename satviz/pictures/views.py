@@ -35,7 +35,7 @@ def single_shape(shape: Shape) -> Picture:
 
 def all_normals(trace: Trace, *, title: str = "") -> Picture:
     """Draw both shapes with an outward normal on every edge."""
-    sketch = Sketch(trace, step_layouts(trace, by_themselves=True)[0])
+    sketch = Sketch(trace, step_layouts(trace)[0])
     sketch.shapes()
     sketch.all_normals()
     count = sum(mark.kind == "arrow" for mark in sketch.marks)
@@ -73,7 +73,7 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
     """Draw the separating axis and, across it, the separating line, each with its name; the shapes must be apart."""
     test, certificate = trace.separating, trace.certificate
     assert test and isinstance(certificate, SeparatingLine)
-    layout = step_layouts(trace, by_themselves=True)[-1]
+    layout = step_layouts(trace)[-1]
     sketch = Sketch(trace, layout)
     sketch.shapes()
     (place,) = layout.places
@@ -96,7 +96,7 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
     """Draw two circles with radius, gap (or overlap) and radius along the line of centers, and the test on the axis."""
     a, b, test = trace.a, trace.b, trace.tests[0]
     assert isinstance(a, Circle) and isinstance(b, Circle)
-    layout = step_layouts(trace, by_themselves=True)[1]
+    layout = step_layouts(trace)[1]
     sketch = Sketch(trace, layout)
     digits = describe.digits(trace, test)
     (place,) = layout.places
