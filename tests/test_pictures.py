@@ -96,7 +96,7 @@ def test_no_label_runs_over_another_or_off_the_canvas(name):
     picture = pictured(name)
     placed = list(boxes(picture))
     for (one, p), (other, q) in combinations(placed, 2):
-        assert not meet(p, q), (one.text, other.text)
+        assert of_one_text(one, other) or not meet(p, q), (one.text, other.text)
     width, height = picture.size
     for mark, (left, low, right, high) in placed:
         assert (
@@ -195,9 +195,17 @@ def test_a_ranges_label_stands_on_its_bars_own_side(number):
     picture = FIGURES[number - 1].picture()
     for label in picture.labels:
         if label.part == "range-name":
-            (axis,) = (m.points for m in picture.marks if (m.part, m.axis) == ("axis", label.axis))
-            bar = picture.mark(f"{label.owner}.range.{label.axis}").points[0]
+            own = (label.axis, label.panel)
+            (axis,) = (m.points for m in picture.marks if (m.part, m.axis, m.panel) == ("axis", *own))
+            (bar, _), *_ = (
+                m.points for m in picture.marks if (m.part, m.axis, m.panel, m.owner) == ("range", *own, label.owner)
+            )
             assert beyond(*axis, bar) * beyond(*axis, label.points[0]) > 0, label.text
+
+
+def of_one_text(m, n):
+    """Are both labels pieces of one text, which has several colours?"""
+    return m.part == n.part and m.part in ("landing-sum", "turn-name")
 
 
 def beyond(p, q, r):
@@ -339,7 +347,7 @@ def describes_outward(trace, test):
 
 def test_a_normal_that_points_against_its_axis_is_drawn_outward_and_the_sentence_says_both():
     picture = sv.picture(TRACES["triangles"], Step(Stage.NORMAL, 1))
-    assert "normal (−4, 1)\n(either direction will do)" in picture.texts
+    assert "normal\n(−4, 1)" in picture.texts
     assert picture.sentence.endswith("A quarter turn makes it the normal (−4, 1); axis 2 of 6 takes it as (4, −1).")
     (p, q), (lo, hi) = (
         picture.mark("normal").points,
@@ -517,7 +525,9 @@ def test_any_scene_is_drawn_at_every_step_with_its_labels_apart(a, b):
     for i in range(len(sv.steps(trace))):
         picture = sv.picture(trace, i)
         placed = list(boxes(picture))
-        overlaps = [(m.text, n.text) for (m, p), (n, q) in combinations(placed, 2) if meet(p, q)]
+        overlaps = [
+            (m.text, n.text) for (m, p), (n, q) in combinations(placed, 2) if not of_one_text(m, n) and meet(p, q)
+        ]
         assert not overlaps, (a, b, i, overlaps)
         width, height = picture.size
         for mark, (left, low, right, high) in placed:
