@@ -763,6 +763,24 @@ def test_a_crossing_outline_has_a_picture_with_its_crossing_and_the_order_that_w
     assert crossing([(Fraction(x), Fraction(y)) for x, y in ((0, 0), (4, 0), (4, 4), (0, 4))]) is None
 
 
+def test_a_scene_and_a_trace_are_read_with_their_shapes():
+    scene = sv.scene("circle-polygon")
+    for what in scene, scene.record(), scene.to_json():
+        assert sv.paste(what).shapes == (scene.a, scene.b)
+    assert repr(sv.paste(scene)).startswith("<Pasted: A and B")
+
+
+def test_the_widget_in_a_notebook_answers_a_paste():
+    pytest.importorskip("anywidget")
+    widget = sv.explore("triangles")
+    sent = []
+    widget.send = lambda content, buffers=None: sent.append(content)
+    for text, kind in (f"{SQUARE} circle((5, 2), 1)", "state"), ("nothing", "pasted"):
+        widget._receive(widget, {"kind": "paste", "text": text}, [])
+        assert sent[-1]["kind"] == kind
+    assert widget.scene.b == sv.Circle((5, 2), 1) and widget.trace.relation is sv.Relation.TOUCHING
+
+
 def test_the_page_of_the_site_answers_a_paste():
     from satviz.site import live
 
