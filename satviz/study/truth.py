@@ -100,7 +100,8 @@ def squared_gap(a: Polygon, b: Polygon) -> Fraction:
     k, ring = _difference(a, b)
     sides = [(px * qy - py * qx, (qx - px) ** 2 + (qy - py) ** 2) for (px, py), (qx, qy) in _edges(ring)]
     beyond = [Fraction(side * side, square) for side, square in sides if side < 0]
-    return (max(beyond) if beyond else min(Fraction(side * side, square) for side, square in sides)) / 4**k
+    largest = max(beyond) if beyond else min(Fraction(side * side, square) for side, square in sides)
+    return largest / Fraction(4**k)
 
 
 def _difference(a: Polygon, b: Polygon) -> tuple[int, list[Ints]]:
