@@ -130,6 +130,38 @@ def test_a_refused_outline_stays_with_the_reason_and_can_be_mended(desk, width):
 
 
 @WIDTHS
+def test_an_outline_that_keys_make_cross_stays_with_the_reason(desk, width):
+    handle = desk.page.locator('[data-handle="A-vertex-0"]')
+    desk.page.locator('[data-handle="A-move"]').focus()
+    desk.page.keyboard.press("PageDown")
+    desk.press("draw polygon")
+    desk.click((0.2, 0.2), (0.5, 0.2), (0.5, 0.5), (0.2, 0.5))
+    desk.press("done")
+    handle.focus()
+    for _ in range(60):
+        desk.page.keyboard.press("ArrowRight")
+        desk.page.wait_for_timeout(60)
+        if desk.page.locator(".sv-drawing.sv-wrong path").count():
+            break
+    assert desk.page.locator(".sv-drawing.sv-wrong circle").count() == 4
+    assert "Not possible" in desk.page.locator(".sv-stage > .sv-why, .sv-columns > .sv-why").first.inner_text()
+    desk.press("undo")
+    assert desk.page.locator(".sv-drawing circle").count() == 0
+
+
+@WIDTHS
+def test_the_scene_above_can_be_taken_after_a_drag(desk, width):
+    desk.page.locator(".sv-paste > summary").click()
+    desk.page.locator('[data-handle="B-move"]').focus()
+    desk.page.keyboard.press("ArrowLeft")
+    desk.page.wait_for_timeout(200)
+    desk.press("take the shapes above")
+    assert desk.model.scene.b.vertices[0][0] < 5 and "apart" in desk.text(".sv-verdict")
+    desk.page.get_by_text("send it on").click()
+    assert desk.page.get_by_role("button", name="copy minimal test").count() == 1
+
+
+@WIDTHS
 def test_a_circle_is_made_and_corners_come_and_go(desk, width):
     desk.page.get_by_label("which shape").select_option("b")
     desk.press("draw circle")

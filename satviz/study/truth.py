@@ -91,22 +91,17 @@ def relation_by_difference(a: Polygon, b: Polygon) -> Relation:
     return Relation.OVERLAPPING if least > 0 else Relation.APART if least < 0 else Relation.TOUCHING
 
 
-def squared_depth(a: Polygon, b: Polygon) -> Fraction:
-    """Return the exact squared penetration depth of two overlapping convex polygons.
+def squared_gap(a: Polygon, b: Polygon) -> Fraction:
+    """Return the exact square of the gap between two convex polygons, on the edge normal where it is largest.
 
-    It is the squared distance of the origin from the nearest side of the difference a - b.
+    Where they overlap it is the square of the penetration depth, the least of the overlaps on the edge normals.  Where
+    two corners face each other, the distance of the polygons is larger than this gap.
     """
-    return min(square for square, _ in squared_depths(a, b))
-
-
-def squared_depths(a: Polygon, b: Polygon) -> list[tuple[Fraction, Ints]]:
-    """Return for each side of a - b its squared distance from the origin, and its outward normal, not normalised."""
     k, ring = _difference(a, b)
-    found = []
-    for (px, py), (qx, qy) in _edges(ring):
-        dx, dy = qx - px, qy - py
-        found.append((Fraction((px * qy - py * qx) ** 2, (dx * dx + dy * dy) * 4**k), (dy, -dx)))
-    return found
+    sides = [(px * qy - py * qx, (qx - px) ** 2 + (qy - py) ** 2) for (px, py), (qx, qy) in _edges(ring)]
+    beyond = [Fraction(side * side, square) for side, square in sides if side < 0]
+    largest = max(beyond) if beyond else min(Fraction(side * side, square) for side, square in sides)
+    return largest / Fraction(4**k)
 
 
 def _difference(a: Polygon, b: Polygon) -> tuple[int, list[Ints]]:

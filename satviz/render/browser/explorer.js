@@ -145,6 +145,7 @@ export class Explorer {
       if (this.refusal.hidden || this.refusal.textContent !== why) this.refusal.textContent = why; // said aloud once
       this.refusal.hidden = false;
       this.refused = true;
+      this.editor.showRefused(this.pose);
       if (!this.ahead) this.show(this.state);
     } else if (content.kind === "state") {
       this.refusal.hidden = true;

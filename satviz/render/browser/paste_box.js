@@ -26,7 +26,7 @@ export class PasteBox {
     this.why = element("p", { class: "sv-why", role: "alert", hidden: true });
     this.answer = element("div", { class: "sv-answer", "aria-live": "polite" });
     const what = element("p", { class: "sv-hint" }, "WKT, GeoJSON, JSON, or lines of code with two shapes or more. Nothing in it is run. Control and Enter explain it too.");
-    this.element = element("details", { class: "sv-paste" }, element("summary", {}, "paste your own shapes"), what, this.text, element("div", { class: "sv-controls" }, button("explain", () => this.explain([]))), this.why, this.answer);
+    this.element = element("details", { class: "sv-paste" }, element("summary", {}, "paste your own shapes"), what, this.text, element("div", { class: "sv-controls" }, button("explain", () => this.explain([])), button("take the shapes above", () => this.take())), this.why, this.answer);
     if (explorer.model.get("pasting")) this.element.open = true;
     /** @type {Listener} */
     this.onmessage = (content) => {
@@ -43,6 +43,12 @@ export class PasteBox {
     this.chosen = chosen;
     this.asked = this.text.value;
     this.explorer.choose({ kind: "paste", text: this.asked, as: chosen, pair });
+  }
+
+  // The scene of the explorer, also after a drag, so that it can be explained and sent on.
+  take() {
+    this.text.value = this.explorer.state.json;
+    this.explain([]);
   }
 
   /** @param {Pasted} pasted */

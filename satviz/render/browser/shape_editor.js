@@ -50,8 +50,7 @@ export class ShapeEditor {
     explorer.board.append(this.drawing, this.plane);
     /** @type {Listener} */
     this.onmessage = (content) => {
-      if (content.kind === "refused" && this.sent) this.refused();
-      else if (content.kind === "state") this.answered();
+      if (content.kind === "state") this.answered();
     };
     explorer.model.on("msg:custom", this.onmessage);
   }
@@ -178,21 +177,33 @@ export class ShapeEditor {
     this.explorer.change({ [this.key]: shape, pinned: null });
   }
 
-  // Python has taken the outline: the next one can be drawn.
+  // Python has taken the outline: the next one can be drawn, and what was refused before goes.
   answered() {
-    if (!this.sent) return;
+    if (!this.sent) {
+      if (!this.tool && this.points.length) this.choose(null);
+      return;
+    }
     this.sent = false;
     this.points = [];
     if (this.tool === "polygon" || this.tool === "circle") this.choose(null);
     this.draw();
   }
 
-  // The outline stays, so that its last corner can be taken back or its tool ended.
-  refused() {
+  /**
+   * An outline that Python refuses stays on the screen.  One that is being drawn can be mended: its last corner can be
+   * taken back.
+   * @param {{ a: Shape, b: Shape }} pose
+   */
+  showRefused(pose) {
+    const { state, drag } = this.explorer;
+    const own = this.sent;
     this.sent = false;
-    if (this.tool === "circle") this.points = [];
+    const key = /** @type {Key[]} */ (["a", "b"]).find((k) => JSON.stringify(pose[k]) !== JSON.stringify(state[k]));
+    if (!key || drag) return; // what is dragged is drawn already
+    this.which.value = key;
+    if (!own || this.tool !== "polygon") this.points = pose[key].polygon ?? [];
     this.draw(true);
-    if (this.tool === "add" || this.tool === "take") this.points = [];
+    if (this.tool && this.tool !== "polygon") this.points = [];
   }
 
   /**

@@ -1,10 +1,12 @@
-"""Python objects as text: shapes of satviz, shapely and pymunk, lists and arrays, so that one reader reads all."""
+"""Python objects as text: shapes and scenes of satviz, shapely, pymunk, lists, arrays, so that one reader reads all."""
 
 import json
 from typing import Any
 
 from ...engine.geometry import InvalidScene
 from ...engine.shapes import Circle, Polygon
+from ...engine.trace import Trace
+from ..scenefile import Scene
 
 MAX_ITEMS = 40_000
 
@@ -33,6 +35,8 @@ def _line(value: Any) -> str:
         return f"circle(({value.center.x!r}, {value.center.y!r}), {value.radius!r})"
     if isinstance(value, Polygon):
         return f"polygon({[list(v) for v in value.vertices]!r})"
+    if isinstance(value, (Scene, Trace)):
+        return f"{_line(value.a)}\n{_line(value.b)}"
     interface = getattr(value, "__geo_interface__", None)
     if interface is not None:
         return json.dumps(interface)

@@ -77,7 +77,7 @@ class Question(NamedTuple):
         return "\n".join(lines)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Pasted:
     """Shapes out of a text, and what is to be said of them.
 
@@ -158,6 +158,9 @@ class Pasted:
         """Return a pair as a minimal test in "javascript", "python", "cpp", "csharp", "rust" or "java"."""
         scene = self.scene(number)
         return minimal_test.minimal_test(scene.a, scene.b, language)
+
+    def __repr__(self) -> str:
+        return f"<Pasted: {self.sentence}>"
 
     def __str__(self) -> str:
         return "\n".join(self._lines())

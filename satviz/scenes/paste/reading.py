@@ -96,7 +96,7 @@ class Obj(Value):
     def before(self, name: str, place: int) -> Any:
         """Return the value that a name had at a place in the text, or None: the last one that was assigned before."""
         found = [v for k, v in self.fields.items() if k == name or str(k).startswith(f"{name} (")]
-        earlier = [v for v in found if (v.start if isinstance(v, Obj) else v.end) <= place]
+        earlier = [v for v in found if v.start <= place and not _holds(v, place)]
         return max(earlier, key=lambda v: v.start, default=None)
 
     def get(self, *meanings: str) -> Any:
@@ -285,7 +285,7 @@ class Reader:
         if any(isinstance(item, Pair) for item in value.items):
             made = self.as_object(value)
             found = self._xy(made)
-            if found and any(isinstance(v, (Num, Bad)) for v in made.rest):
+            if found and made.rest:
                 raise Unreadable("there is something beside x and y")
             return found
         items = value.items
@@ -507,11 +507,13 @@ class Reader:
         loose = Group(group.start, group.end, arguments, group.bracket, group.name)
         outline = self.ring(loose)
         taken = arguments
+        count_of_position = 0
         if outline is None and len(arguments) > 1:
             first = self.point(arguments[0])
             rest = self.ring(arguments[1])
             if first is None and len(arguments) > 2 and self.numbers(arguments[:2]):
                 first = self.point(Group(group.start, group.end, arguments[:2], "("))
+                count_of_position = 2
                 rest = self.ring(arguments[2])
             if first is not None and rest is not None:
                 place, outline = first, rest
@@ -528,6 +530,11 @@ class Reader:
             cx, cy = _centroid(outline)
             place = place[0] - cx, place[1] - cy  # Matter puts the center of mass there
         self.consume(taken)
+        if any(not key(name) and self.point(value) is not None for name, value in named.fields.items()):
+            raise Unreadable("a list of corners has something else in it")
+        beside = sum(self._is_number(a) for a in arguments)
+        if beside and not (outline is not None and self.numbers(arguments)) and beside != count_of_position:
+            self.remark("numbers beside a list of corners were left out")
         shift = place or ZERO
         made = self._outline(outline, group, label, shift, " and a position" if shift != ZERO else "")
         return [self._turned(made, angle, _unit_of(named), shift)] if angle is not None else [made]
@@ -813,6 +820,13 @@ class Reader:
                 turned = self._turned(shape, angle, RADIANS, None) if angle is not None else shape
                 yield _moved(turned, move) if move else turned
                 move, angle = None, None
+
+
+def _holds(value: Any, place: int) -> bool:
+    """Return whether a place in the text lies in a value, or in a field of an object: then it cannot name it."""
+    if isinstance(value, Obj):
+        return any(_holds(v, place) for v in (*value.fields.values(), *value.rest))
+    return bool(value.start <= place < value.end)
 
 
 def _begins_with_numbers(items: Sequence[Any]) -> bool:

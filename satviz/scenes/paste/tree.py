@@ -234,6 +234,8 @@ class _Parser:
                 if any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[mark:sign]):
                     sign = mark
             path = _path(atoms[:mark])
+            if bracket == "{" and mark > 1 and any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[:mark]):
+                return Bad(_start(atoms[0]), _end(atoms[-1]), "a number beside a key")
             after = atoms[sign + 1 :]
             second = any(_is_mark(a, ("=", ":")) for a in after[1:2])
             if second and isinstance(after[0], Token) and after[0].kind == NUMBER:

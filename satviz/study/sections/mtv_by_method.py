@@ -134,7 +134,7 @@ def _parts(shape: Polygon) -> list[Polygon]:
 def least_push(kind: str, a: Polygon, b: Polygon) -> float:
     """Return the length of the least push, exact but for its last rounding (concave: for some roundings)."""
     if kind != CONCAVE:
-        return math.sqrt(truth.squared_depth(a, b))
+        return math.sqrt(truth.squared_gap(a, b))
     import shapely
 
     differences = ([(px - qx, py - qy) for px, py in one.vertices for qx, qy in other.vertices]

@@ -6,6 +6,7 @@ for SAT in float64 the proven bound beside it; time is the median over processes
 the proven bound that SAT tells wrongly, by one wrong answer of satviz, or by a faster form of a rival.
 """
 
+import math
 from functools import partial
 from math import log10
 from typing import Any
@@ -90,7 +91,7 @@ def search(name: str, n: int, generations: int, settings: Settings) -> JsonRow:
     if found.margin:
         a, b = Polygon(found.a[0]), Polygon(found.b[0])
         hit = truth.agreed(a, b) > 0
-        row["metres"] = float(truth.squared_depth(a, b) if hit else truth.squared_distance(a, b)) ** 0.5
+        row["metres"] = math.sqrt(truth.squared_gap(a, b))
         row |= {"mistake": "false miss" if hit else "false hit", "a": found.a[0].tolist(), "b": found.b[0].tolist()}
     return row
 
@@ -175,7 +176,8 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
     )
     lines = (
         "Left is faster, down is more accurate. A dot is the largest gap (or depth of an overlap) told wrongly that a "
-        "search found among shapes of 1 m to 14 m; a dash above it is the proven bound. Of the two dots of SAT in "
+        "search found among shapes of 1 m to 14 m, measured on the edge normal where it is largest; a dash above it is "
+        "the proven bound. Of the two dots of SAT in "
         "float64, the right one has normals of length 1.",
     )
     head = head_height(title, lines, WIDTH)
