@@ -520,6 +520,47 @@ def test_one_odd_shape_by_index_leaves_all_other_pairs_to_the_filter(engine, odd
     assert many[1] <= many[0] + 1 and many[0] < n / 20
 
 
+# -- arrays of other forms
+
+
+MOVED = [(1.0, 1.0), (3.0, 1.0), (3.0, 3.0), (1.0, 3.0)]
+
+
+def test_a_batch_moves_with_the_kind_of_array_that_it_was_made_of():
+    square, triangle = np.array(MOVED), np.array([MOVED[0], *MOVED[1:3], MOVED[2]])
+    padded = np.array([square, triangle])
+    shapes = batch.move(batch.Polygons(padded), padded + 1)
+    assert shapes.bounds.tolist() == [[2, 2, 4, 4]] * 2 and shapes.count.tolist() == [4, 3]
+    for corners in [square.tolist()], (square,), iter([MOVED]), square[None], MOVED:
+        assert batch.move(batch.Polygons([BOX]), corners).bounds.tolist() == [[1, 1, 3, 3]]
+    with pytest.raises(sv.InvalidShape, match="polygon 1 has 4 corners with these coordinates: it had 3"):
+        batch.move(batch.Polygons(padded), np.array([square, square]))
+    empty = batch.Polygons(np.zeros((0, 4, 2)))
+    assert len(batch.move(batch.move(empty, np.zeros((0, 4, 2))), np.zeros((0, 2)))) == 0
+    assert len(batch.concat(map(batch.Polygons, [square[None]] * 3))) == 3
+
+
+def test_offsets_in_a_plain_array_are_checked_like_any_others():
+    points = np.array([*MOVED, *MOVED[:3]])
+    for start in np.array([0, 4, 7]), np.array([0, 4, 7], np.int32), [0, 4, 7]:
+        assert batch.Polygons(points, offsets=start).count.tolist() == [4, 3]
+    for wrong in [1, 4, 7], [0, 5, 4, 7], [0, 4, 6], [0, 4, 8], [], [[0, 7]]:
+        for start in wrong, np.array(wrong, np.intp):
+            with pytest.raises(sv.InvalidShape, match="offsets"):
+                batch.Polygons(points, offsets=start)
+    with pytest.raises(sv.InvalidShape, match="polygon 1: "):
+        batch.Polygons(points, offsets=np.array([0, 5, 7]))
+
+
+def test_a_place_beyond_float64_or_too_far_for_the_corners_is_refused_in_one_line():
+    shapes = batch.Polygons(np.array([BOX], float) * 8e307)
+    with pytest.raises(sv.InvalidShape, match=r"vertex .* rounded to floats"):
+        batch.place(shapes, [(1.7e308, 0)])
+    with pytest.raises(sv.InvalidShape, match=r"distinct vertices.*rounded to floats"):
+        batch.place(batch.Polygons([BOX]), [(1e17, 0)])
+    assert shapes.bounds[0].tolist() == [0, 0, 8e307, 8e307]
+
+
 # -- outlines
 
 

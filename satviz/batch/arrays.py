@@ -3,7 +3,7 @@
 No outline is padded: a repeated vertex would be an edge without a direction.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple, SupportsIndex
 
@@ -94,7 +94,8 @@ class Shapes:
 
     `count`: (N,) corners of each part (a circle has one; None where `groups` holds a single group); `owner`: (N,) which
     shape each is a part of, where concave polygons were split.  Made of `rings` with (N,) radii (None: all are
-    polygons), or of `groups`; the other is worked out when it is first needed, and kept.
+    polygons), or of `groups`; the other is worked out when it is first needed, and kept.  These arrays are the
+    batch's own memory: read them, but do not write to them, since what is written there is not checked.
     """
 
     def __init__(
@@ -317,8 +318,9 @@ def check_shapes(shapes: object, name: str) -> Shapes:
     raise TypeError(f"{name} is a {type(shapes).__name__}: make it with batch.Polygons or batch.Circles first")
 
 
-def concat(many: Sequence[Shapes]) -> Shapes:
+def concat(many: Iterable[Shapes]) -> Shapes:
     """Return one batch with the shapes of several, in order; this is how circles and polygons are mixed."""
+    many = list(many)
     for i, shapes in enumerate(many):
         check_shapes(shapes, f"batch {i}")
     owner = None

@@ -30,8 +30,8 @@ MAX_OUTLIERS = 8  # boxes taken out; of more, grids of their own are made
 class BroadPhase(NamedTuple):
     """The broad phase that is chosen for some shapes: "all pairs", "sort and sweep" or "grid".
 
-    comparisons: how many pairs of boxes it compares; for a grid how many a sweep would have compared, or None for
-    so many boxes that they were not counted.
+    comparisons: how many pairs of boxes it compares.  For a grid it is why a sweep was not chosen: how many the sweep
+    would have compared, or None for so many boxes that they were not counted.
     """
 
     name: str
@@ -41,9 +41,9 @@ class BroadPhase(NamedTuple):
 def broad_phase_of(shapes: Shapes, *, engine: str | None = None) -> BroadPhase:
     """Return the broad phase that `colliding_pairs` chooses for these shapes (for the convex parts of concave ones).
 
-    Up to 48 boxes are compared all with all.  Up to 512 (with NumPy 4,096) are sorted along the axis on
-    which they are spread more widely, and swept, if that makes at most 20 comparisons a box.  All others are put into
-    grids.  `engine`: as in `relate`.
+    Up to 48 boxes are compared all with all.  Up to 512 (with NumPy 4,096) are sorted along one axis and swept, if
+    that makes at most 20 comparisons a box: the axis on which they are spread more widely, in units of the largest
+    box.  All others are put into grids.  `engine`: as in `relate`.
     """
     most = engine_of(engine).max_sweep
     way, comparisons, *_ = choose(check_shapes(shapes, "shapes").parts.bounds, most)

@@ -33,7 +33,7 @@ def colliding_pairs(
 
     Parts of one concave polygon count as their owner.  `engine`, `executor`,
     `progress` (called with the candidates done after each block) and `chunk`: as in `relate`;
-    upright boxes alone need the engine's grid only.
+    for upright boxes alone the broad phase decides.
     """
     kernels, parts = engine_of(engine), check_shapes(shapes, "shapes").parts
     if chunk is not CHUNK_PAIRS or executor is not None or progress is not None:

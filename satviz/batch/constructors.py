@@ -75,7 +75,7 @@ class Polygons(Shapes):
         self, vertices: validation.Rings, *, offsets: ArrayLike | None = None, concave: str = "refuse"
     ) -> None:
         validation.check_word("concave", concave, validation.CONCAVE_OPTIONS)
-        if offsets is None and (made := _certified_shapes(vertices)) is not None:
+        if (made := _certified_shapes(vertices, offsets)) is not None:
             pass
         elif offsets is None:
             made = number_polygons(vertices, None, concave)
@@ -101,7 +101,7 @@ def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
     return Polygons(shapely.get_coordinates(outer), offsets=start, concave=concave)
 
 
-def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave: str) -> Shapes:
+def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave: str | None) -> Shapes:
     """Return a batch of polygons; error messages call polygon i `numbers[i]`, or i if `numbers` is None."""
 
     def name(i: int) -> str:
@@ -117,21 +117,31 @@ def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave
     return build_shapes(*validation.rings_from_sequence(vertices, name), name, concave)
 
 
-def _certified_shapes(vertices: object) -> Shapes | None:
-    """Return the polygons of an (N, V, 2) array of plain floats; None if one needs more than a certified look."""
+def _certified_shapes(vertices: object, offsets: object = None) -> Shapes | None:
+    """Return the polygons of plain float arrays, as `Polygons` takes them; None if one is not certified convex."""
     if type(vertices) is not np.ndarray or vertices.dtype != np.float64 or not vertices.flags.carray:
         return None
-    if vertices.ndim != 3 or vertices.shape[2] != 2 or vertices.shape[1] < 3:
+    if vertices.ndim != (3 if offsets is None else 2) or vertices.shape[-1] != 2:
         return None
+    kernels = engine_for_checks(vertices.size // 2)
     warn_if_flushed()
-    n, corners = vertices.shape[:2]
-    kernels = engine_for_checks(n * corners)
-    if corners <= MAX_LANE_CORNERS and (group := kernels.certified_group(vertices)) is not None:
-        return Shapes(groups={corners: group})
+    if offsets is None:
+        n, corners = vertices.shape[:2]
+        if corners < 3:
+            return None
+        if corners <= MAX_LANE_CORNERS and (group := kernels.certified_group(vertices)) is not None:
+            return Shapes(groups={corners: group})
+        start = np.arange(n + 1, dtype=np.intp) * corners
+    elif type(offsets) is np.ndarray and offsets.dtype == np.intp and offsets.ndim == 1 and offsets.flags.carray:
+        start = offsets
+        if not start.size or start[0] or start[-1] != len(vertices) or not (start[1:] >= start[:-1]).all():
+            return None
+    else:
+        return None
     if kernels.certified_rings is None:
         return None
-    rings, doubtful = kernels.certified_rings(vertices.reshape(-1, 2), np.arange(n + 1, dtype=np.intp) * corners)
-    return None if doubtful.size else Shapes(np.diff(rings.start), rings=rings)
+    rings, doubtful = kernels.certified_rings(vertices.reshape(-1, 2), start)
+    return None if doubtful.size else Shapes(rings.start[1:] - rings.start[:-1], rings=rings)
 
 
 def build_shapes(points: Array, start: Indices, name: Callable[[int], str], concave: str | None) -> Shapes:

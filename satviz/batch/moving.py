@@ -10,7 +10,7 @@ from ..engine.predicates import warn_if_flushed
 from . import validation
 from .array_types import Array, Indices
 from .arrays import Group, Shapes, check_shapes
-from .constructors import build_shapes
+from .constructors import build_shapes, number_polygons
 from .engines import engine_for_checks
 from .ragged import MAX_LANE_CORNERS, Rings
 
@@ -37,10 +37,11 @@ class Frame:
 def move(shapes: Shapes, corners: validation.Points) -> Shapes:
     """Give the shapes of a batch new coordinates and return the batch.
 
-    corners: (N, V, 2), or (M, 2) corners one after another as the batch holds them (`shapes.count` of each shape; the
-    center of a circle), in scene units.  Finiteness, winding and convexity are checked exactly in one pass; what is
-    given is not kept.  InvalidShape names the first shape at fault, and the batch stays as it was; likewise for
-    another number of corners and for parts of concave polygons.  No other thread may use the batch meanwhile.
+    corners: (N, V, 2), where an outline with fewer than V corners repeats one; or (M, 2) corners one after another, as
+    many of each shape as it had when the batch was made (the center of a circle); in scene units.  Finiteness, winding
+    and convexity are checked exactly in one pass; what is given is not kept.  InvalidShape names the first shape at
+    fault, and the batch stays as it was; likewise for another number of corners and for parts of concave polygons.
+    No other thread may use the batch meanwhile.
     """
     frame = _frame_of(check_shapes(shapes, "shapes"))
     _set_corners(shapes, frame, corners)
@@ -64,9 +65,13 @@ def place(shapes: Shapes, offsets: validation.Points, angles: Any = 0.0) -> Shap
     cos, sin = (np.repeat(np.broadcast_to(f(angles), (n,)), many) for f in (np.cos, np.sin))
     x, y = frame.outlines.T
     corners = np.repeat(offsets, many, axis=0)
-    corners[:, 0] += cos * x - sin * y
-    corners[:, 1] += sin * x + cos * y
-    _set_corners(shapes, frame, corners)
+    with np.errstate(all="ignore"):
+        corners[:, 0] += cos * x - sin * y
+        corners[:, 1] += sin * x + cos * y
+    try:
+        _set_corners(shapes, frame, corners)
+    except InvalidShape as error:
+        raise InvalidShape(f"{error} (the coordinates of the new place are rounded to floats)") from None
     return shapes
 
 
@@ -103,10 +108,13 @@ def _checked(frame: Frame, corners: Any) -> Shapes:
     """Return a batch of the frame's shapes with these coordinates; InvalidShape names the first one at fault."""
     refuse_masked(corners, "corners")
     total = int(frame.start[-1])
+    if not isinstance(corners, np.ndarray):
+        corners = _array_of_outlines(corners)
     if isinstance(corners, np.ndarray) and corners.ndim == 3:
-        expected = (len(frame.start) - 1, frame.corners or "as many corners as each shape has", 2)
-        if not frame.corners or corners.shape != expected:
+        if corners.shape[0] != len(frame.start) - 1 or corners.shape[2] != 2:
             raise InvalidShape(f"corners has the shape {corners.shape}: expected {_form(frame)}")
+        if corners.shape[1] != frame.corners and not frame.radius.any():
+            return _same_topology(frame, number_polygons(corners, None, None))
         corners = corners.reshape(-1, 2)
 
     def name(k: int) -> str:
@@ -118,7 +126,7 @@ def _checked(frame: Frame, corners: Any) -> Shapes:
     if len(points) != total:
         raise InvalidShape(f"corners holds {len(points)} points: expected {_form(frame)}")
     circles = frame.radius > 0
-    if circles.all():
+    if total and circles.all():
         x, y = points.T[:, None] + 0.0
         return Shapes(groups={1: Group(x, y, frame.radius)})
     if not circles.any():
@@ -135,6 +143,25 @@ def _checked(frame: Frame, corners: Any) -> Shapes:
     for c, made, given in ((x, polygons.rings.x, points[:, 0]), (y, polygons.rings.y, points[:, 1])):
         c[~is_center], c[is_center] = made, given[frame.start[:-1][circles]] + 0.0
     return Shapes(count, rings=Rings(x, y, start), radius=frame.radius)
+
+
+def _array_of_outlines(corners: Any) -> Any:
+    """Return a sequence of outlines with one number of corners as an (N, V, 2) array; anything else as it is."""
+    try:
+        corners = list(corners)
+        array = np.array(corners) if corners and np.ndim(corners[0]) == 2 else None
+    except (TypeError, ValueError):  # not a sequence, or outlines of several lengths
+        return corners
+    return corners if array is None or array.ndim != 3 or array.dtype.kind not in "fiu" else array
+
+
+def _same_topology(frame: Frame, made: Shapes) -> Shapes:
+    """Return the polygons made of an array in which outlines repeat corners; InvalidShape for another topology."""
+    own = np.diff(frame.start)
+    if (other := np.flatnonzero(made.count != own)).size:
+        i = other[0]
+        raise InvalidShape(f"polygon {i} has {made.count[i]} corners with these coordinates: it had {own[i]}")
+    return made
 
 
 def _form(frame: Frame) -> str:
