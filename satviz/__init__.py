@@ -25,6 +25,7 @@ if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from .render.page import page
     from .scenes.link import link
     from .scenes.named import scene
+    from .scenes.paste.pasted import Pasted, paste
     from .scenes.scenefile import Scene
     from .widgets import explore, play
 
@@ -36,6 +37,7 @@ __all__ = [
     "Interval",
     "InvalidScene",
     "InvalidShape",
+    "Pasted",
     "Picture",
     "Polygon",
     "Recommendation",
@@ -58,6 +60,7 @@ __all__ = [
     "link",
     "page",
     "parts",
+    "paste",
     "picture",
     "play",
     "record",
@@ -78,6 +81,7 @@ hooks.provide(
 _MODULE_OF = {
     "Recommendation": "advice.advising",
     "AxisTest": "engine.sat",
+    "Pasted": "scenes.paste.pasted",
     "Picture": "pictures",
     "Scene": "scenes.scenefile",
     "Shortcut": "engine.shortcut",
@@ -93,6 +97,7 @@ _MODULE_OF = {
     "link": "scenes.link",
     "page": "render.page",
     "parts": "engine.convex_parts",
+    "paste": "scenes.paste.pasted",
     "picture": "pictures",
     "play": "widgets",
     "record": "engine.trace",
