@@ -13,6 +13,18 @@ def pytest_xdist_auto_num_workers(config):
     return 0 if some else min(os.cpu_count() or 1, 4)
 
 
+# The files that take longest, in the order in which processes take them: those that end a run are short.  While numba
+# compiles the kernels for `batch`, the others take what needs none; so none is compiled twice.
+ORDER = ("browser_page", "browser_site", "batch", "failing", "batch_few", "trace", "comparison", "widgets")
+ORDER += ("convex_parts", "cli", "pictures", "render", "never_wrong", "advice", "relate", "site")
+ORDER += ("study_run", "study", "notebooks")
+
+
+def pytest_collection_modifyitems(items):
+    places = {f"test_{name}.py": place for place, name in enumerate(ORDER)}
+    items.sort(key=lambda item: places.get(item.path.name, len(places)))
+
+
 @pytest.fixture(scope="session")
 def browser():
     with chromium() as found:

@@ -479,7 +479,7 @@ HARD = [
 def test_hard_pairs_are_told_as_one_by_one_side_by_side_and_picked(engine, kind):
     """Whichever edge or corner meets which, whichever comes first, beside any others in memory."""
     rng, pairs = Random(kind), []
-    while len(pairs) < 60:
+    while len(pairs) < 40:
         pair = drawn(rng, kind)
         if not any(isinstance(s, sv.Circle) for s in pair) and max(len(s.vertices) for s in pair) < 60:
             pairs.append(pair)
@@ -1970,8 +1970,9 @@ def test_a_width_that_rounds_down_to_the_cell_hides_no_touch():
     corners = np.stack([x, y, x + 1, y + 1], axis=1) - 20
     for turned in (corners * 1.0, corners * 0.1, corners + TURNED, np.where(corners == 0, TURNED, corners)):
         bounds = turned.astype(float)
+        right = brute(bounds)
         for engine in ENGINES:
-            assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), brute(bounds))
+            assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), right)
 
 
 MOST = sys.float_info.max
@@ -2294,6 +2295,7 @@ def test_picked_outlines_of_all_numbers_of_corners_are_told_as_one_by_one(lanes,
     rng = RNG(lanes)
     shapes = batch.concat(outlines_of_all_numbers(rng, 5) + outlines_of_all_numbers(rng, 8))
     known, every = scalar(shapes), np.argwhere(np.ones((len(shapes), len(shapes))))
+    every = every[:: 3 if engine == "numba" else 1]  # which is slow as Python
     found = batch.relate(shapes, shapes, every, engine=engine)
     assert found.tolist() == [int(sv.relate(known[i], known[j])) for i, j in every]
     most = shapes.count[every].max(axis=1)

@@ -62,10 +62,10 @@ def test_trace_prints_the_table_or_the_json(tmp_path, capsys):
 
 def test_draw_writes_every_step(tmp_path, capsys):
     out = tmp_path / "out"
-    assert main(["draw", scene_file(tmp_path), "--out", str(out), "--format", "png", "--format", "gif"]) == 0
+    assert main(["draw", scene_file(tmp_path), "--out", str(out), "--format", "svg", "--format", "html"]) == 0
     count = len(sv.steps(sv.Scene.from_json(json.dumps(GOOD)).record()))
     names = sorted(p.name for p in out.iterdir())
-    assert names == sorted(["scene.gif", *(f"scene-{i:0{len(str(count - 1))}}.png" for i in range(count))])
+    assert names == sorted(["scene.html", *(f"scene-{i:0{len(str(count - 1))}}.svg" for i in range(count))])
 
 
 def test_a_caption_says_the_sentence_under_the_picture(tmp_path):

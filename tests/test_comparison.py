@@ -385,7 +385,7 @@ OWN_PANELS = {case.name for case in FAILURE_CASES if case.panels != ("tests", "p
 @pytest.mark.parametrize("name", sorted(OWN_PANELS))
 @pytest.mark.parametrize(
     "corners",
-    one_in(4, [(3, 60), (7, 12), (30, 4), (60, 45)]),
+    one_in(4, [(7, 12), (3, 60), (30, 4), (60, 45)]),
     ids=str,
 )
 def test_panels_of_their_own_hold_their_words_for_shapes_of_any_number_of_corners(name, corners):
@@ -412,7 +412,7 @@ LARGER = [pytest.param(size, marks=pytest.mark.slow) for size in ((3.1, 4.6), (4
 
 
 @pytest.mark.parametrize("size", [(2.3, 2.3), *LARGER])
-@pytest.mark.parametrize("name", [case.name for case in FAILURE_CASES])
+@pytest.mark.parametrize("name", one_in(2, [case.name for case in FAILURE_CASES]))
 def test_both_panels_hold_on_axes_of_any_size(name, size):
     """On Axes of one's own, however small: each word inside, none over another (a small picture loops no more)."""
     fig = Figure(figsize=size)

@@ -9,6 +9,7 @@ from random import Random
 
 import numpy as np
 import pytest
+from speeds import one_in
 
 import satviz as sv
 from satviz import batch
@@ -270,7 +271,7 @@ def test_pieces_that_touch_push_by_nothing():
         assert repr(sv.record(box(0, 0, 4, 2), b, axes=SHORTCUTS["tile-seam"]).push) == push
 
 
-@pytest.mark.parametrize("name", ["tile-seam", "sum-of-parts"])
+@pytest.mark.parametrize("name", one_in(2, ["tile-seam", "sum-of-parts"]))
 def test_pieces_with_too_many_parts_are_recorded_and_written_without_their_pushes(name):
     ring = [(cos(2 * pi * i / 140), sin(2 * pi * i / 140)) for i in range(140)]
     star = [(x * (1 - i % 2 / 10), y * (1 - i % 2 / 10)) for i, (x, y) in enumerate(ring)]
@@ -317,7 +318,7 @@ def of_size(s):
     return [*(sv.Polygon([(x * s, y * s) for x, y in ring]) for ring in rings), sv.Circle((s, s), s / 8 or s)]
 
 
-@pytest.mark.parametrize("name", SHORTCUTS)
+@pytest.mark.parametrize("name", one_in(3, SHORTCUTS))
 def test_a_shortcut_is_recorded_in_finite_numbers_and_loads_again_or_says_that_it_overflows(name):
     refused = set()
     for sizes in SIZES:
@@ -347,7 +348,7 @@ def test_what_cannot_be_taken_apart_is_refused_as_that_also_in_a_file():
     assert len(sv.record(sv.Polygon(thin), scene.b, axes=SHORTCUTS["sum-of-parts"]).pairs) == 2
 
 
-@pytest.mark.parametrize("name", SHORTCUTS)
+@pytest.mark.parametrize("name", one_in(2, SHORTCUTS))
 def test_every_shortcut_runs_on_pairs_of_every_kind_beside_the_exact_relation(name):
     shapes = [
         box(0, 0, 2, 2),

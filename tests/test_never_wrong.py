@@ -256,7 +256,7 @@ def changed(kind: str, count: int) -> list[tuple[str, Shape, Shape, int]]:
 
 def refute_by_changes(form: Form, kind: str, name: str = "") -> None:
     ask, one_in = form.ask, form.one_in
-    cases = changed(kind, (6 if one_in < 20 else 2) * (5 if kind == ALL else 1))
+    cases = changed(kind, (6 if one_in < 8 else 4 if one_in < 20 else 2) * (5 if kind == ALL else 1))
     answers = ask([(a, b) for _, a, b, _ in cases])
     base = {i: answer for (change, *_, i), answer in zip(cases, answers, strict=True) if change == "nothing"}
     wrong = [
@@ -422,7 +422,8 @@ def dressed(find: str) -> Known:
 @every_form
 @pytest.mark.parametrize("find", FINDS)
 def test_no_form_is_wrong_about_a_find(form, find):
-    refute(FORMS[form]._replace(one_in=1), dressed(find))
+    few = FORMS[form].one_in < 16 or len(dressed(find)) < 30
+    refute(FORMS[form]._replace(one_in=1 if few else 5), dressed(find))  # 5 divides no number of first vertices
 
 
 def started(shape: Shape) -> list[Shape]:

@@ -59,7 +59,7 @@ def test_the_scene_file_loads():
 
 LINES = chain.from_iterable(block.splitlines() for text in DOCUMENTS.values() for block in blocks("sh", text))
 COMMANDS = [line for line in dict.fromkeys(LINES) if line.startswith("satviz ")]
-SLOW = "satviz study", "satviz bench", "satviz site", "satviz advise", "satviz figures --"
+SLOW = "satviz study", "satviz bench", "satviz site", "satviz advise", "satviz figures --", "satviz reference"
 
 
 @pytest.mark.parametrize(
