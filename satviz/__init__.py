@@ -26,6 +26,7 @@ if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from .render.page import page
     from .scenes.link import link
     from .scenes.named import scene
+    from .scenes.paste.pasted import Pasted, paste
     from .scenes.scenefile import Scene
     from .widgets import explore, play
 
@@ -37,6 +38,7 @@ __all__ = [
     "Interval",
     "InvalidScene",
     "InvalidShape",
+    "Pasted",
     "Picture",
     "Polygon",
     "Recommendation",
@@ -59,6 +61,7 @@ __all__ = [
     "link",
     "page",
     "parts",
+    "paste",
     "picture",
     "play",
     "record",
@@ -80,6 +83,7 @@ hooks.provide(
 _MODULE_OF = {
     "Recommendation": "advice.advising",
     "AxisTest": "engine.sat",
+    "Pasted": "scenes.paste.pasted",
     "Picture": "pictures",
     "Scene": "scenes.scenefile",
     "Shortcut": "engine.shortcut",
@@ -95,6 +99,7 @@ _MODULE_OF = {
     "link": "scenes.link",
     "page": "render.page",
     "parts": "engine.convex_parts",
+    "paste": "scenes.paste.pasted",
     "picture": "pictures",
     "play": "widgets",
     "record": "engine.trace",

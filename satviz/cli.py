@@ -11,11 +11,14 @@ from . import __version__, commands
 from .commands import Failed, Refused
 from .engine.geometry import InvalidScene
 from .render.formats import FORMATS, STILL_FORMATS
+from .scenes.minimal_test import LANGUAGES
+from .scenes.paste.reading import ALL_CHOICES
 from .terminal import interrupted, open_streams, out, remembering_interrupts, say
 
 MAX_SPEED = 20.0
 
 THEMES = ("light", "dark")
+EXPLAIN_FORMS = ("json", "scene", "wkt", "link", "svg", *LANGUAGES)
 DRAW_FORMATS = (*FORMATS, "html", "link")  # a page of the run, and a line with its link
 
 
@@ -41,7 +44,7 @@ SEED = _whole_number(0, 2**63 - 1)
 def _folder(text: str) -> Path:
     """Return the path of a folder; refuse an empty text (an unset variable), which would mean this folder."""
     if not text:
-        raise argparse.ArgumentTypeError("a folder's name is empty: write . for this one")
+        raise argparse.ArgumentTypeError("the folder's name is empty: write . for the current folder")
     return Path(text)
 
 
@@ -120,6 +123,30 @@ def _parser() -> argparse.ArgumentParser:
     _add_scene_options(trace)
     trace.add_argument("--json", action="store_true", help="print the whole trace as JSON")
     trace.set_defaults(run=commands.trace)
+
+    explain = command.add_parser(
+        "explain",
+        help="read shapes from any text, and say how they lie and why",
+        epilog="The text may be WKT, GeoJSON, JSON, or lines in Python, JavaScript, C, C++, C#, Java, Rust, Scala or "
+        "GDScript. Nothing in it is run. Where two readings are possible, both are named with what they give.",
+    )
+    explain.add_argument("file", metavar="FILE", help="a file with the text, or - for standard input")
+    explain.add_argument(
+        "--as",
+        dest="as_",
+        action="append",
+        default=[],
+        metavar="READING",
+        help=f"the reading to take where several are possible: {', '.join(ALL_CHOICES)}; may be given several times",
+    )
+    explain.add_argument(
+        "--to", choices=EXPLAIN_FORMS, help="print only this, to send it on (default: the explanation)"
+    )
+    explain.add_argument(
+        "--pair", type=_whole_number(1, 10_000), default=1, metavar="N", help="which pair --to is about"
+    )
+    explain.add_argument("--site", default="", metavar="URL", help="where the site is that --to link leads to")
+    explain.set_defaults(run=commands.explain, clash=_clash_of_explain)
 
     draw = command.add_parser("draw", help="draw every step of a scene")
     _add_scene_options(draw)
@@ -223,8 +250,9 @@ def _parser() -> argparse.ArgumentParser:
     site.set_defaults(run=commands.site, clash=_clash_of_site)
 
     scenes = command.add_parser("scenes", help="list the built-in scenes")
+    scenes.add_argument("--json", action="store_true", help="print every scene with its expected answer as JSON")
     scenes.add_argument("--failing", action="store_true", help="those where shortcuts fail, and what is right")
-    scenes.set_defaults(run=commands.scenes)
+    scenes.set_defaults(run=commands.scenes, clash=_clash_of_scenes)
     return parser
 
 
@@ -277,6 +305,16 @@ def _clash_of_draw(args: argparse.Namespace) -> str | None:
     if files == {"html"} and args.theme:
         return "a page has both themes, and shows its reader's: leave out --theme, or add the format of a picture"
     return None
+
+
+def _clash_of_explain(args: argparse.Namespace) -> str | None:
+    """Return an error line for options of `explain` that cannot be given together, or None."""
+    return "--site is where a link leads: give it with --to link" if args.site and args.to != "link" else None
+
+
+def _clash_of_scenes(args: argparse.Namespace) -> str | None:
+    """Return an error line for --failing with --json, which lists all scenes, or None."""
+    return "--json lists the failing scenes too: leave out --failing" if args.json and args.failing else None
 
 
 def _clash_of_chart(args: argparse.Namespace) -> str | None:

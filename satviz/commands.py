@@ -314,6 +314,50 @@ def trace(args: argparse.Namespace) -> int:
     return 0
 
 
+def explain(args: argparse.Namespace) -> int:
+    """Print what a text says of its shapes, or one thing to send on; exit code 2 where there is no answer yet."""
+    from .scenes.minimal_test import LANGUAGES
+    from .scenes.paste.pasted import paste
+
+    found = paste(_text_of(args.file), args.as_)
+    number = args.pair - 1
+    if args.to in (None, "json", "wkt"):
+        out_json(found.to_json()) if args.to == "json" else out(found.wkt if args.to == "wkt" else str(found))
+    elif number >= len(found.pairs):
+        raise Refused(f"there is no pair {args.pair}: {found.sentence}")
+    elif args.to == "link":
+        out(found.link(number, site=args.site))
+    elif args.to in LANGUAGES:
+        out(found.test(args.to, number))
+    elif args.to == "scene":
+        out_json(found.scene(number).to_json())
+    else:
+        from .pictures import picture
+        from .render.files import encode
+
+        out(encode(picture(found.pairs[number].trace, -1), "svg", stem="pasted").decode())
+    if not found.traces:
+        say(found.sentence)
+        return 2
+    return 0
+
+
+def _text_of(name: str) -> str:
+    """Return the text of a file, or of standard input for "-"; Refused for more than can be read, and for no text."""
+    from .scenes.paste.tokens import MAX_CHARS
+
+    limit = 4 * MAX_CHARS + 1  # the bytes of a text that is not too long
+    if name == "-":
+        raw = sys.stdin.buffer.read(limit)
+    else:
+        with open(name, "rb") as file:
+            raw = file.read(limit)
+    try:
+        return raw.decode("utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig")
+    except UnicodeDecodeError:
+        raise Refused(f"{'standard input' if name == '-' else name}: not UTF-8 text") from None
+
+
 def advise(args: argparse.Namespace) -> int:
     """Print the simplest model that is right for a scene or for many shapes; draw the cost of each model if asked."""
     import json
@@ -491,6 +535,11 @@ def _serve(folder: Path) -> int:
 
 def scenes(args: argparse.Namespace) -> int:
     """List the built-in scenes, or those where shortcuts fail."""
+    if args.json:
+        from .scenes.minimal_test import scenes_json
+
+        out_json(scenes_json())
+        return 0
     if args.failing:
         from .scenes.failing import FAILURE_CASES
 

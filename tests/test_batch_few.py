@@ -4,6 +4,8 @@ What is expected comes from `sv.relate`, pair by pair, and from `sv.Polygon`, ou
 """
 
 import importlib
+import subprocess
+import sys
 from functools import cache
 from itertools import combinations, pairwise
 from random import Random
@@ -294,22 +296,26 @@ def test_boxes_are_swept_up_to_so_many_comparisons_each(n, more, name, monkeypat
         assert known is None or batch.colliding_pairs(batch.Polygons(kites), engine=engine).tolist() == known
 
 
-def test_the_broad_phase_that_is_chosen_is_named():
+@pytest.mark.parametrize("engine, most", [("numpy", 4096), ("numba", 512)])
+def test_the_broad_phase_that_is_chosen_is_named(engine, most):
+    if engine == "numba":
+        kernels_of("few")
     row = np.arange(5000)[:, None] * [1.0, 0, 1, 0] + [0, 0, 0.5, 1]
     for n, right in (
         (0, ("all pairs", 0)),
         (1, ("all pairs", 0)),
         (48, ("all pairs", 48 * 47 // 2)),
         (49, ("sort and sweep", 0)),
-        (512, ("sort and sweep", 0)),
-        (513, ("grid", None)),
+        (most, ("sort and sweep", 0)),
+        (most + 1, ("grid", None)),
     ):
-        assert batch.broad_phase_of(boxes_of(row[:n])) == right
-        assert batch.broad_phase_of(boxes_of(row[:n, [1, 0, 3, 2]])) == right
-        assert batch.broad_phase_of(batch.Circles(row[:n, :2], 0.25)) == right
+        assert batch.broad_phase_of(boxes_of(row[:n]), engine=engine) == right
+        assert batch.broad_phase_of(boxes_of(row[:n, [1, 0, 3, 2]]), engine=engine) == right
+        assert batch.broad_phase_of(batch.Circles(row[:n, :2], 0.25), engine=engine) == right
     ells = [np.add([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], [3 * k, 0]) for k in range(30)]
     parts = batch.Polygons(ells, concave="split")
-    assert batch.broad_phase_of(parts) == batch.broad_phase_of(parts.parts) == ("sort and sweep", 30)
+    way = batch.broad_phase_of(parts, engine=engine)
+    assert way == batch.broad_phase_of(parts.parts, engine=engine) == ("sort and sweep", 30)
     with pytest.raises(TypeError, match="make it with"):
         batch.broad_phase_of(ells)
 
@@ -339,24 +345,16 @@ def way_of_numba(bounds, monkeypatch):
         return taken[-1] if few.candidate_pairs(bounds) is not None else ("grid", None)
 
 
-def way_of_numpy(bounds, monkeypatch):
-    """Return what `way_of_numba` returns, for NumPy; of sweeps the pairs compared are counted."""
-    taken, met = [], few_numpy._meet
-
-    def compared(a, b):
-        taken.append(len(a))
-        return met(a, b)
-
-    with monkeypatch.context() as patch:
-        patch.setattr(few_numpy, "_meet", compared)
-        if few_numpy.candidate_pairs(bounds) is None:
-            return "grid", None
-        return "all pairs" if len(bounds) <= broad_rule.MAX_ALL_PAIRS else "sort and sweep", *taken
+def way_of_numpy(bounds):
+    """Return what `way_of_numba` returns, for NumPy."""
+    way, comparisons, *_ = few_numpy.choose(bounds)
+    assert (few_numpy.candidate_pairs(bounds) is None) == (way == broad_rule.GRID)
+    return broad_rule.NAMES[way], None if way == broad_rule.GRID else comparisons
 
 
 def ways_of(bounds, monkeypatch):
     """Return for each engine (the broad phase that it takes, the comparisons that it makes)."""
-    return [way_of_numpy(bounds, monkeypatch), way_of_numba(bounds, monkeypatch)]
+    return [way_of_numpy(bounds), way_of_numba(bounds, monkeypatch)]
 
 
 def any_bounds(rng):
@@ -375,10 +373,9 @@ def test_both_engines_take_the_very_same_way(monkeypatch):
     rng, seen = RNG(4), []
     for _ in range(300):
         bounds = any_bounds(rng)
-        way, comparisons, *_ = few_numpy.choose(bounds)
-        right = (broad_rule.NAMES[way], None if way == broad_rule.GRID else comparisons)
-        assert ways_of(bounds, monkeypatch) == [right, right], bounds.tolist()
-        seen.append(right[0])
+        one, other = ways_of(bounds, monkeypatch)
+        assert one == other, bounds.tolist()
+        seen.append(one[0])
     assert min(map(seen.count, broad_rule.NAMES)) > 10
 
 
@@ -526,11 +523,23 @@ def test_one_odd_shape_by_index_leaves_all_other_pairs_to_the_filter(engine, odd
 # -- outlines
 
 
+def test_numpy_makes_batches_and_answers_without_loading_numba():
+    code = (
+        "import sys; from satviz import batch; square = [(0, 0), (1, 0), (1, 1), (0, 1)]\n"
+        "import numpy as np; a = batch.Polygons(np.array([square] * 9, float))\n"
+        "b = batch.move(batch.concat([a, batch.Circles(np.zeros((1, 2)), 1.0)]), np.zeros((1, 2)).repeat(37, 0)"
+        " + [*square * 9, (0, 0)])\n"
+        "assert len(batch.colliding_pairs(b, engine='numpy')) == 45 and batch.hits(a, a, engine='numpy').all()\n"
+        "assert 'numba' not in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
 @pytest.fixture(params=ENGINES)
 def made_by(request, monkeypatch):
     """Batches are made by this engine."""
     engine = engines.engine_of(request.param)
-    monkeypatch.setattr(constructors, "engine_of", lambda _: engine)
+    monkeypatch.setattr(constructors, "engine_for_checks", lambda _: engine)
     return request.param
 
 

@@ -103,7 +103,7 @@ BAD = {
     "text": ({**GOOD, "b": {"circle": ["1", 0], "radius": 1}}, "center.x is '1'"),
     "no shape": ({**GOOD, "b": 7}, "b must be an object"),
     "too many vertices": ({**GOOD, "a": {"polygon": [[i, i * i] for i in range(1001)]}}, "the limit is 1000"),
-    "too long": (" " * 1_100_000, "limit is 1048576"),
+    "too long": (" " * 1_100_000, "limit is 1,048,576"),
     "axes": ({**GOOD, "axes": "all"}, "unknown axes 'all'"),
     "name": ({**GOOD, "name": "../../etc/passwd"}, "the name '../../etc/passwd'"),
     "title": ({**GOOD, "title": "two\nlines"}, "title"),
@@ -336,7 +336,7 @@ def test_an_empty_name_is_no_folder(args, capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(SystemExit) as stop:
         main([*args, "--out", ""])
-    assert stop.value.code == 2 and "a folder's name is empty" in capsys.readouterr().err
+    assert stop.value.code == 2 and "the folder's name is empty" in capsys.readouterr().err
     with pytest.raises(SystemExit):
         main(["notebook", "--no-open", ""])
     assert main(["trace", ""]) == 2 and "no scene ''" in capsys.readouterr().err

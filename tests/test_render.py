@@ -303,7 +303,7 @@ def test_the_committed_figures_are_what_the_code_draws(figure, theme: Theme):
     assert numbers == pytest.approx(committed_numbers, abs=0.05)
 
 
-CHARTS = "speed-against-accuracy", "bench", "frames"
+CHARTS = "speed-against-accuracy", "decision-table", "pose-error", "bench", "frames"
 
 
 def test_there_are_twenty_figures_and_beside_them_only_the_charts_of_the_readme_with_their_numbers():

@@ -11,7 +11,7 @@ from satviz.cli import main
 from satviz.study import bench, truth
 from satviz.study.bench import CHECKED_BY, TimingRow, plan_bench
 from satviz.study.bench_table import busy_warning, faster_from, growth_exponent
-from satviz.study.frames_chart import crossings, fastest_by_size, frames_chart
+from satviz.study.frames_chart import crossings, fastest_by_size, frames_chart, headline_of
 from satviz.study.harness import machine
 from satviz.study.methods import numba_rivals, scene_rivals
 from satviz.study.methods.scene_methods import DIFFERENCES, FrameJob, FrameSample, scene_methods
@@ -206,6 +206,21 @@ def test_where_lines_cross_is_computed_from_the_rows():
     assert "slower than brute force up to 100, than sort and sweep" in crossings(capped, "satviz numba")
     assert faster_from({1: 1.0, 2: 9.0, 3: 2.0, 4: 1.0}, {1: 5.0, 2: 5.0, 3: 2.0, 5: 0.0}) == 3
     assert faster_from({1: 1.0, 2: 9.0}, {1: 5.0, 2: 5.0}) is None is faster_from({1: 1.0}, {2: 1.0})
+
+
+def test_the_headline_of_the_frames_states_where_all_libraries_are_passed_and_what_short_programs_take():
+    times = times_by_method(CROSSING)
+    title, subtitle = headline_of({"boxes": times})
+    assert title == "satviz numba beside the fastest methods"  # cKDTree is never passed
+    assert subtitle.endswith("; short programs in floats take 0.1 to 0.9 times as long.")
+    without = {method: own for method, own in times.items() if method != "cKDTree"}
+    passed = "satviz numba is faster than every library from {} shapes on"
+    assert headline_of({"boxes": without})[0] == passed.format(10)
+    late = without | {"STRtree": {10: 1.0, 100: 30.0}}
+    assert headline_of({"boxes": without, "mixed": late}) == (passed.format(100), subtitle)
+    moved = without | {"satviz numba, moved": {10: 0.1}, "satviz numpy": {10: 0.1}}
+    assert headline_of({"boxes": moved})[0] == passed.format(10)
+    assert headline_of({"boxes": {"satviz numpy": {10: 1.0}}})[1].endswith("satviz is exact.")
 
 
 def test_the_chart_of_frames_says_where_lines_cross_what_differs_and_what_was_wrong():

@@ -944,7 +944,7 @@ def test_the_smallest_shapes_land_within_the_smallest_float(name):
 def test_a_run_that_outgrew_its_limit_in_a_file_is_refused_in_the_words_of_record(name, monkeypatch):
     text = sv.record(A, B, axes=SHORTCUTS[name] if name else axes.needed).to_json()
     monkeypatch.setattr(trace_module, "MAX_SIZE", 10)
-    with pytest.raises(sv.InvalidScene, match=r"^A and B have 6 points to drop on"):
+    with pytest.raises(sv.InvalidScene, match=r"^A and B have 6 points to project on"):
         sv.Trace.from_json(text)
 
 
@@ -1219,7 +1219,7 @@ def test_a_trace_ends_where_it_outgrows_its_limit(shapes, points, every_axis, mo
     monkeypatch.setattr(trace_module, "MAX_SIZE", size)
     assert sv.record(*shapes, every_axis=every_axis) == whole
     monkeypatch.setattr(trace_module, "MAX_SIZE", size - 1)
-    told = rf"A and B have {points} points to drop on {len(whole.choice.axes)} axes: .* {size - 1} .*relate.*world"
+    told = rf"A and B have {points} points to project on {len(whole.choice.axes)} axes: .* {size - 1} .*relate.*world"
     with pytest.raises(sv.InvalidScene, match=told):
         sv.record(*shapes, every_axis=every_axis)
     assert len(sv.record(*shapes, axes=axes.world).tests) == 2
@@ -1262,7 +1262,7 @@ def test_two_polygons_of_a_thousand_vertices_are_refused_after_a_hundredth_of_th
 
     monkeypatch.setattr(trace_module, "axis_tests", counted)
     a, b = ngon(1000), ngon(1000, 0.1)
-    with pytest.raises(sv.InvalidScene, match="2,000 points to drop on"):
+    with pytest.raises(sv.InvalidScene, match="2,000 points to project on"):
         sv.record(a, b)
     assert len(tested) <= 100
     assert sv.record(a, b, axes=axes.world).relation is sv.relate(a, b)
@@ -1318,7 +1318,7 @@ def test_what_is_written_can_be_read_again_or_is_not_written(monkeypatch):
     size = len(trace.to_json())
     monkeypatch.setattr(tracefile, "MAX_CHARS", size)
     assert sv.Trace.from_json(trace.to_json()) == trace
-    with pytest.raises(sv.InvalidScene, match=rf"cannot|too large .*the limit is {size}"):
+    with pytest.raises(sv.InvalidScene, match=rf"cannot|too large .*the limit is {size:,}"):
         trace.to_json(indent=1)
     many = ngon(1001)
     with pytest.raises(sv.InvalidScene, match="1,001 vertices: a file holds 1,000 at most"):
@@ -1331,7 +1331,7 @@ def test_what_is_written_can_be_read_again_or_is_not_written(monkeypatch):
 def test_a_text_of_too_many_values_is_refused_before_it_is_read(unit, monkeypatch):
     monkeypatch.setattr(strictjson.json, "loads", None)
     monkeypatch.setattr(strictjson, "MAX_PUNCTUATION", 1000)
-    with pytest.raises(sv.InvalidScene, match="the limit is 1000"):
+    with pytest.raises(sv.InvalidScene, match="the limit is 1,000"):
         sv.Trace.from_json(unit * 1001)
 
 

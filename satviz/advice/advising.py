@@ -118,7 +118,8 @@ class Recommendation:
     def _result_holds(self, claim: ModelResult, found: ModelResult) -> bool:
         """Return whether the claimed result of a model agrees with `found`, computed by integers.
 
-        Arrays may leave more pairs uncertain than integers, if a pair is uncertain for both.
+        The claim was computed with arrays, which may leave more pairs uncertain than integers do.  So its counts must
+        enclose those of `found`.  Its first pair must be wrong for the integers too, or uncertain for them too.
         """
         if (claim.proven, claim.proven_for_hits) != (found.proven, found.proven_for_hits):
             return False

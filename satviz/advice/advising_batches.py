@@ -84,7 +84,7 @@ def recommend_batch(
     by_boxes = broad_phase.pairs if broad_phase else 0
     search = broad_phase_of(a, engine="numpy") if all_pairs else None  # the same wherever it is asked
     summary = InputSummary(
-        kinds, _corners(both), _sizes(both), given.pairs, (apart, touching, over), by_boxes, least, at, search
+        kinds, _corners(both), _size_ratio(both), given.pairs, (apart, touching, over), by_boxes, least, at, search
     )
     return summary, results, given
 
@@ -249,8 +249,11 @@ def _corners(given: Pairs) -> Pair:
     return (int(counts.min()), int(counts.max())) if counts.size else (0, 0)
 
 
-def _sizes(given: Pairs) -> float:
-    """Return the width of the largest shape over that of the smallest."""
+def _size_ratio(given: Pairs) -> float:
+    """Return the largest shape's size divided by the smallest one's, at most the largest float; 1 without pairs.
+
+    The size is the longer side of the bounding box.
+    """
     if not len(given.ia):
         return 1.0
     with np.errstate(all="ignore"):

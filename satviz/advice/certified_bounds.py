@@ -23,7 +23,7 @@ from ..engine.relate import relate, relate_integers
 from ..engine.shapes import Shape
 from . import rounding
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, AnyShape, Model, convex_parts, cyclic_pairs
-from .relative_margin import edge_clearances, edges_from_center
+from .relative_margin import edge_clearances, edge_distances
 from .rounding import FLOAT64, FORMATS, Exact, Format, holds
 
 APART, TOUCHING, OVERLAPPING = Relation
@@ -222,8 +222,9 @@ def _polygons_round_nothing(a: Shape, b: Shape, form: Format) -> bool:
 def _certify_polygons(a: Shape, b: Shape, form: Format) -> Relation | None:
     """Return the relation that SAT certainly finds on two convex polygons, by error bounds per edge, or None.
 
-    Where no coordinate is rounded (d = 0) that is: where the relative margin is beyond SAT_ROUNDINGS.  Else each
-    component of the normal and of a difference E of corners moves by 2d, so the turn by 4d (D + E) + 8dd.
+    Where no coordinate is rounded (d = 0), the result is certain if the relative margin is beyond SAT_ROUNDINGS.
+    Otherwise d is the largest rounding error of a coordinate, D the largest component of the normal and E that of a
+    difference of corners.  Each component changes by at most 2d, so the turn changes by at most 4d (D + E) + 8dd.
     """
     numbers = [c for v in (*a.core, *b.core) for c in v]
     p, q, *_ = to_common_unit(a, b)
@@ -263,7 +264,7 @@ def _certify_circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Rela
         return None
     widest = max(max(abs(x - center[0]), abs(y - center[1])) for x, y in ring)
     inside, outside, distances = True, False, []
-    for (dx, dy), turn, (s, q) in edges_from_center(center, ring):
+    for (dx, dy), turn, (s, q) in edge_distances(center, ring):
         length = abs(dx) + abs(dy)
         error_bound = TURN_ROUNDINGS * (widest + 2 * moved) * (length + 4 * moved) / (1 << form.bits)
         error_bound += 2 * moved * length + 4 * moved * widest + 8 * moved**2

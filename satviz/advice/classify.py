@@ -18,7 +18,7 @@ from . import rounding
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
 from .certified_bounds import DISTANCE_ROUNDINGS, RANGE_ROUNDINGS, TURN_ROUNDINGS, WIDENING, certify_convex_sat
 from .limits import refuse_too_many_fractions
-from .margins import edge_clearances, edges_from_centers
+from .margins import edge_clearances, edge_distances
 from .models import (
     DTYPES,
     bounding_boxes,
@@ -165,13 +165,13 @@ def _boxes(shapes: Shapes, outwards: float) -> Array:
 
 
 def _classify_circles(a: Array, b: Array, form: Format) -> Relations:
-    """Return the relations certainly found for circles (x, y, radius), by squares and by ranges."""
+    """Return the relations of circles (x, y, radius) that squares of distances and ranges both certainly find."""
     dx, dy, total = a[:, 0] - b[:, 0], a[:, 1] - b[:, 1], a[:, 2] + b[:, 2]
     distance, square = dx * dx + dy * dy, total * total
     size = np.maximum(np.maximum(np.abs(dx), np.abs(dy)), total)
     most = np.maximum(np.abs(a).max(axis=1), np.abs(b).max(axis=1))
     known = (a[:, 2] > 0) & (b[:, 2] > 0)
-    moved = np.where(_rows_are_held(form, a) & _rows_are_held(form, b), 0.0, most * 2.0**-form.bits)
+    moved = np.where(_rows_fit_format(form, a) & _rows_fit_format(form, b), 0.0, most * 2.0**-form.bits)
     error_bound = (12.001 * 2.0**-form.bits + 2.0**-49) * (distance + square)
     error_bound += 5.001 * moved * (np.abs(dx) + np.abs(dy)) + 9.001 * moved * moved
     error_bound[~(known & (size > form.least * 1.001) & (most < form.most))] = np.inf
@@ -194,7 +194,7 @@ def _number_rows(g: Group) -> Array:
     return np.concatenate([g.x, g.y] if g.r is None else [g.x, g.y, g.r[None]]).T
 
 
-def _rows_are_held(form: Format, rows: Array) -> NDArray[np.bool_]:
+def _rows_fit_format(form: Format, rows: Array) -> NDArray[np.bool_]:
     """Return which rows hold only numbers of the format."""
     found: NDArray[np.bool_] = (form is FLOAT64) | (rows.astype(DTYPES[form.name]) == rows).all(axis=1)
     return found
@@ -246,7 +246,7 @@ def _classify_polygons(p: Group, q: Group, form: Format) -> Relations:
     )
     moved = np.zeros_like(most)
     if form is not FLOAT64:
-        held = np.logical_and(*(_rows_are_held(form, _number_rows(g)) for g in (p, q)))
+        held = np.logical_and(*(_rows_fit_format(form, _number_rows(g)) for g in (p, q)))
         moved = np.where(held, 0.0, most * 2.0**-form.bits)
     good = (most > form.least) & (most < form.most)
     apart, over = np.zeros(len(most), bool), good.copy()
@@ -268,12 +268,12 @@ def _classify_circle_polygons(circle: Group, ring: Group, form: Format) -> Relat
     far = np.maximum(*(np.abs(c - d).max(axis=0) for c, d in ((ring.x, circle.x), (ring.y, circle.y))))
     rows = _number_rows(ring), _number_rows(circle)
     most = np.maximum(far, np.maximum(*(np.abs(numbers).max(axis=1) for numbers in rows)))
-    moved = np.where(_rows_are_held(form, rows[0]) & _rows_are_held(form, rows[1]), 0.0, most * 2.0**-form.bits)
+    moved = np.where(_rows_fit_format(form, rows[0]) & _rows_fit_format(form, rows[1]), 0.0, most * 2.0**-form.bits)
     good = most < form.most
     unit = (2.0**-form.bits + UNIT_ROUNDOFF) * 1.001  # roundings of the model, and of float64 here
     inside, outside = good.copy(), np.zeros(len(far), bool)
     nearest = np.full(len(far), np.inf)
-    for dx, dy, turn, distance in edges_from_centers(circle, ring):
+    for dx, dy, turn, distance in edge_distances(circle, ring):
         good &= np.maximum(np.abs(dx), np.abs(dy)) > (form.least + 2 * moved) * 1.001
         long = np.abs(dx) + np.abs(dy)
         size = TURN_ROUNDINGS * unit * (far + 2 * moved) * (long + 4 * moved)

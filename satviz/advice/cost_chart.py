@@ -71,7 +71,7 @@ def chart(
         raise ValueError("there are no pairs, so there is nothing to time: give shapes of which some boxes meet")
     mine = found[model.name]
     if mine is None:
-        raise ValueError(f"{model.name} is not timed, as one pair of these shapes takes too long: give smaller shapes")
+        raise ValueError(f"{model.name} was not timed, since one pair takes too long: give shapes with fewer corners")
     timed = [(j.model, cost) for j in results if (cost := found[j.model.name]) is not None]
     rows = tuple((m.name, ROLES.get(m.kind, "float"), cost) for m, cost in timed)
     exact = next((cost for m, cost in timed if m.kind == EXACT_FILTER), None)

@@ -40,7 +40,10 @@ def refuse_too_many_boxes(pairs: int, shapes: int) -> None:
 
 
 def refuse_too_many_fractions(decided: int, undecided: int) -> None:
-    """Raise InvalidScene once MAX_PAIRS_BY_FRACTIONS of the undecided pairs have been decided with fractions."""
+    """Raise InvalidScene if `decided` pairs, those decided with fractions so far, reach MAX_PAIRS_BY_FRACTIONS.
+
+    undecided: how many pairs need fractions, for the message.
+    """
     if decided >= MAX_PAIRS_BY_FRACTIONS:
         raise InvalidScene(
             f"{undecided:,} pairs of convex parts are so near to touching, or of such different sizes, that fractions "

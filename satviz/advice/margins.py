@@ -69,7 +69,7 @@ def edge_clearances(own: Group, other: Group) -> Iterator[tuple[Array, Array]]:
         yield (nx * (other.x - x) + ny * (other.y - y)).min(axis=0), np.maximum(np.abs(nx), np.abs(ny))
 
 
-def edges_from_centers(circle: Group, ring: Group) -> Iterator[tuple[NDArray[Any], ...]]:
+def edge_distances(circle: Group, ring: Group) -> Iterator[tuple[NDArray[Any], ...]]:
     """Yield (dx, dy, turn, squared distance from the center) for each edge of the polygons, in their float format.
 
     (dx, dy) is the edge; the turn is positive where the center is on its inner side.

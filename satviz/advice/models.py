@@ -17,7 +17,7 @@ from ..engine.geometry import Vec
 from ..engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, MAX_DIRECTIONS, PARALLEL_ANGLE, Model
 from .certified_bounds import WIDENING
-from .margins import edges_from_centers
+from .margins import edge_distances
 from .pairs import Array, Indices, Pairs, Relations, pair_columns, slice_if_adjacent
 from .rounding import FORMATS
 
@@ -255,7 +255,7 @@ def circle_polygon_gap(circle: Group, ring: Group) -> NDArray[Any]:
     assert circle.r is not None
     inside = np.ones(ring.x.shape[1], bool)
     nearest = np.full(ring.x.shape[1], np.inf, ring.x.dtype)
-    for _, _, turn, distance in edges_from_centers(circle, ring):
+    for _, _, turn, distance in edge_distances(circle, ring):
         inside &= turn > 0
         np.minimum(nearest, distance, out=nearest)
     return np.where(inside, -1, nearest - circle.r * circle.r)

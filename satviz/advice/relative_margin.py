@@ -74,13 +74,13 @@ def edge_clearances(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Ite
         px, py = qx, qy
 
 
-def edges_from_center(
+def edge_distances(
     center: IntPoint, ring: Sequence[IntPoint]
 ) -> Iterator[tuple[tuple[int, int], int, tuple[int, int]]]:
-    """Yield (direction, turn, (s, q)) for each edge of a ring; s / sqrt(q): its distance from the center.
+    """Yield (direction, turn, (s, q)) for each edge of a ring.
 
-    The turn is positive where the center lies inside the edge; s / sqrt(q) is the exact distance of the center from
-    the edge, from an end where no point between the ends is nearer.
+    turn: the cross product of the edge's start, seen from the center, and its direction; positive where the center
+    lies on the inner side.  s / sqrt(q): the exact distance of the center from the edge as a segment.
     """
     cx, cy = center
     px, py = ring[-1][0] - cx, ring[-1][1] - cy
@@ -100,7 +100,7 @@ def _gap_from_center(center: IntPoint, r: int, ring: Sequence[IntPoint], shift: 
     Outside, the nearest edge decides; inside, minus the depth of the center is less the radius.
     """
     inner, outer = [], []
-    for (dx, dy), turn, (s, q) in edges_from_center(center, ring):
+    for (dx, dy), turn, (s, q) in edge_distances(center, ring):
         if turn > 0:
             inner.append(root_difference(-turn, r, dx * dx + dy * dy, shift))
         else:

@@ -44,13 +44,13 @@ class Arithmetic(Protocol[N]):
     """Compute exactly, and record in `exact` whether the format holds every result."""
 
     def product(self, a: N, b: N) -> N:
-        """Return a * b; the format must hold it."""
+        """Return a * b; `exact` becomes False if the format cannot hold it."""
 
     def root(self, a: N) -> N:
-        """Return the square root of a; the format must hold it."""
+        """Return the square root of a; `exact` becomes False if the format cannot hold it."""
 
     def total(self, *terms: N) -> N:
-        """Return the sum of the terms; the format must hold it and every partial sum."""
+        """Return the sum of the terms; `exact` becomes False if the format cannot hold it or a partial sum."""
 
     def compared(self, *terms: N) -> None:
         """Record partial sums of a sum of which only the sign is used; the sum itself need not be held."""

@@ -119,6 +119,11 @@ class Shapes:
         """Return the number of shapes; the parts of one concave polygon count once."""
         if self.owner is not None:
             return int(self.owner[-1]) + 1 if len(self.owner) else 0
+        return self.part_count
+
+    @property
+    def part_count(self) -> int:
+        """Return the number of convex parts: more than `len` where concave polygons were split."""
         if "groups" in vars(self):
             return sum(group.x.shape[1] for group in self.groups.values())
         return len(self.count)
@@ -323,9 +328,21 @@ def concat(many: Sequence[Shapes]) -> Shapes:
             owners.append((np.arange(len(shapes.count)) if shapes.owner is None else shapes.owner) + first)
             first += len(shapes)
         owner = np.concatenate(owners)
-    count = np.concatenate([np.empty(0, np.int64), *(s.count for s in many)])
-    rings, radii = [s.rings for s in many], [s.radius for s in many]
-    x, y = (np.concatenate([np.empty(0), *(r[i] for r in rings)]) for i in (0, 1))
-    start = np.zeros(len(count) + 1, np.intp)
+    total = sum(shapes.part_count for shapes in many)
+    count, radius, first = np.empty(total, np.int64), np.zeros(total), 0
+    x, y = [np.empty(0)], [np.empty(0)]
+    for shapes in many:
+        place = slice(first, first + shapes.part_count)
+        first = place.stop
+        if "groups" in vars(shapes) and len(shapes.groups) == 1:  # read as it lies: few shapes are joined in each frame
+            ((count[place], group),) = shapes.groups.items()
+            corners: Sequence[NDArray[np.float64]] = group.x.ravel("F"), group.y.ravel("F")
+            if group.r is not None:
+                radius[place] = group.r
+        else:
+            count[place], corners, radius[place] = shapes.count, shapes.rings[:2], shapes.radius
+        x.append(corners[0])
+        y.append(corners[1])
+    start = np.zeros(total + 1, np.intp)
     np.cumsum(count, out=start[1:])
-    return Shapes(count, owner, rings=Rings(x, y, start), radius=np.concatenate([np.empty(0), *radii]))
+    return Shapes(count, owner, rings=Rings(np.concatenate(x), np.concatenate(y), start), radius=radius)

@@ -42,7 +42,7 @@ def broad_phase_of(shapes: Shapes, *, engine: str | None = None) -> BroadPhase:
     """Return the broad phase that `colliding_pairs` chooses for these shapes (for the convex parts of concave ones).
 
     Up to 48 boxes are compared all with all.  Up to 512 (with NumPy 4,096) are sorted along the axis on
-    which they are spread more widely, and swept, if that makes at most 32 comparisons a box.  All others are put into
+    which they are spread more widely, and swept, if that makes at most 20 comparisons a box.  All others are put into
     grids.  `engine`: as in `relate`.
     """
     most = engine_of(engine).max_sweep
@@ -121,8 +121,9 @@ def _take_out_outliers(bounds: NDArray[np.float64]) -> tuple[Indices, Indices]:
     some = bounds[:: -(-len(bounds) // SAMPLE_BOXES)]
     with np.errstate(all="ignore"):
         for d in (0, 1):
-            size = np.median(some[:, d + 2] - some[:, d])
-            first, last = np.quantile(some[:, d], (0.25, 0.75))
+            size = np.sort(some[:, d + 2] - some[:, d])[len(some) // 2]
+            low = np.sort(some[:, d])
+            first, last = low[len(low) // 4], low[-1 - len(low) // 4]
             away = OUTLIER_SPREAD * (last - first + size)
             is_outlier |= (bounds[:, d] < first - away) | (bounds[:, d + 2] > last + away)
             is_outlier |= bounds[:, d + 2] - bounds[:, d] > OUTLIER_SIZE * size

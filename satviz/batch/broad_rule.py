@@ -10,5 +10,5 @@ NAMES = "all pairs", "sort and sweep", "grid"
 
 MAX_ALL_PAIRS = 48  # boxes; above it sorting costs less than it saves
 MAX_SWEEP_NUMBA, MAX_SWEEP_NUMPY = 512, 4096  # boxes; above it grids are faster however boxes lie
-MAX_SWEEP_COMPARISONS = 32  # per box; above it a grid is faster
+MAX_SWEEP_COMPARISONS = 20  # per box; above it a grid is faster
 MAX_CANDIDATES_PER_BOX = 48  # in one grid; above it grids for each size are faster

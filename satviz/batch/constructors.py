@@ -13,7 +13,7 @@ from ..engine.shapes import Polygon
 from . import validation
 from .array_types import Array, Indices, Mask
 from .arrays import Group, Shapes
-from .engines import engine_of
+from .engines import engine_for_checks
 from .outlines import convex_rings
 from .ragged import MAX_LANE_CORNERS, Rings, concat_rings
 
@@ -124,8 +124,8 @@ def _certified_shapes(vertices: object) -> Shapes | None:
     if vertices.ndim != 3 or vertices.shape[2] != 2 or vertices.shape[1] < 3:
         return None
     warn_if_flushed()
-    kernels = engine_of(None)
     n, corners = vertices.shape[:2]
+    kernels = engine_for_checks(n * corners)
     if corners <= MAX_LANE_CORNERS and (group := kernels.certified_group(vertices)) is not None:
         return Shapes(groups={corners: group})
     if kernels.certified_rings is None:
@@ -157,7 +157,7 @@ def build_shapes(points: Array, start: Indices, name: Callable[[int], str], conc
         if concave == "refuse":
             raise InvalidShape(
                 f"{name(i)} is not convex: split it with satviz.parts first, "
-                'or pass concave="split", which keeps the owner of each part'
+                'or pass concave="split", which remembers the polygon of each part'
             )
         found = parts(polygon)
         pieces += [np.asarray(piece.core) for piece in found]
@@ -172,7 +172,7 @@ def build_shapes(points: Array, start: Indices, name: Callable[[int], str], conc
 
 def _convex_rings(points: Array, given: Rings) -> tuple[Rings, Mask]:
     """Return what `convex_rings` returns for all outlines; the engine certifies most of them in one pass."""
-    if (certified_rings := engine_of(None).certified_rings) is None:
+    if (certified_rings := engine_for_checks(len(points)).certified_rings) is None:
         return convex_rings(Rings(given.x + 0.0, given.y + 0.0, given.start))  # a copy, where -0.0 is 0.0
     rings, doubtful = certified_rings(points, given.start)
     plain = np.ones(len(given.start) - 1, bool)

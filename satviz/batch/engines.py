@@ -14,6 +14,7 @@ from .broad_rule import MAX_SWEEP_NUMBA, MAX_SWEEP_NUMPY
 from .ragged import MAX_LANE_CORNERS
 
 Kernel = Callable[..., None]
+MAX_NUMPY_CORNERS = 1 << 24  # NumPy checks these in less time than numba takes to load
 
 
 class Engine(NamedTuple):
@@ -47,6 +48,15 @@ def engine_of(name: Any) -> Engine:
     if name is not None:
         validation.check_word("engine", name, ("numpy", "numba"))
     return load_engine(name)
+
+
+def engine_for_checks(corners: int) -> Engine:
+    """Return the engine that checks outlines with so many corners in all; both find the same.
+
+    Until numba is needed for something else, or for very many corners, NumPy does it without loading numba.
+    """
+    is_loaded = f"{__package__}.with_numba.outlines" in sys.modules
+    return load_engine(None if is_loaded or corners > MAX_NUMPY_CORNERS else "numpy")
 
 
 @cache

@@ -170,7 +170,10 @@ def _vec_sum(terms: Array) -> None:
 
 
 def take_columns(terms: Array, where: NDArray[np.intp]) -> Array:
-    """Return some of the columns, in ascending order; mode "clip", since NumPy's index check doubles the time."""
+    """Return the columns `where`, which must ascend; all of them are `terms` itself, not a copy.
+
+    Indices are not checked (mode "clip"), since NumPy's check doubles the time.
+    """
     return terms if len(where) == terms.shape[1] else terms.take(where, axis=1, mode="clip")
 
 

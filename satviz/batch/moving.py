@@ -11,7 +11,7 @@ from . import validation
 from .array_types import Array, Indices
 from .arrays import Group, Shapes, check_shapes
 from .constructors import build_shapes
-from .engines import engine_of
+from .engines import engine_for_checks
 from .ragged import MAX_LANE_CORNERS, Rings
 
 
@@ -25,7 +25,8 @@ class Frame:
     def __init__(self, shapes: Shapes) -> None:
         if shapes.owner is not None:
             raise InvalidShape(
-                "this batch holds parts of concave polygons, which change as they move: make a new batch"
+                "a batch with split concave polygons cannot be moved, since rounded coordinates may split in another "
+                "way: make a new batch from the moved outlines"
             )
         self.start: Indices = shapes.rings.start
         self.radius: Array = shapes.radius
@@ -87,7 +88,7 @@ def _certified(frame: Frame, corners: Any) -> Shapes | None:
     if type(corners) is not np.ndarray or corners.dtype != np.float64 or not corners.flags.carray:
         return None
     warn_if_flushed()
-    kernels, n = engine_of(None), len(frame.start) - 1
+    kernels, n = engine_for_checks(int(frame.start[-1])), len(frame.start) - 1
     forms = (n, frame.corners, 2), (n * frame.corners, 2)
     if 3 <= frame.corners <= MAX_LANE_CORNERS and corners.shape in forms:
         group = kernels.certified_group(corners.reshape(forms[0]))

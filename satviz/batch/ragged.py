@@ -21,7 +21,10 @@ class Rings(NamedTuple):
         return self if mask.all() else self.keep_corners(np.repeat(mask, np.diff(self.start)), mask)
 
     def keep_corners(self, kept: Mask, mask: Mask | None = None) -> "Rings":
-        """Return the outlines where `mask` is True, with only the corners where `kept` (one per corner) is True."""
+        """Return the outlines where `mask` is True, with only the corners where `kept` (one per corner) is True.
+
+        `kept` must be False at all corners of the outlines that `mask` drops.
+        """
         ends = np.concatenate([[0], np.cumsum(kept)])[self.start]
         start = ends if mask is None else np.concatenate([[0], np.cumsum(np.diff(ends)[mask])])
         return Rings(self.x[kept], self.y[kept], start)

@@ -89,11 +89,11 @@ class _Pieces:
             sides = _ReflexCount(ring, [self.home.get(v) is ring for v in ring])
             if sides.total <= MAX_REFLEX_VERTICES:
                 continue
-            best = max(diagonals, key=sides.fewer, default=None)
+            best = max(diagonals, key=sides.min_reflex_on_a_side, default=None)
             # the diagonals that remain after cuts along lines may all be near one end of the piece
             if best is None or not sides.balanced(best):
                 diagonals = [(ring[i], ring[j]) for i, j in triangulation.diagonals([self.points[v] for v in ring])]
-                best = max(diagonals, key=sides.fewer)
+                best = max(diagonals, key=sides.min_reflex_on_a_side)
             cut = self._balanced_line(ring, best, sides)
             if cut is None:
                 cut = best
@@ -321,14 +321,14 @@ class _ReflexCount:
         self.sums = [0, *accumulate(reflex)]
         self.total = self.sums[-1]
 
-    def fewer(self, cut: Edge) -> int:
-        """Return the smaller number of reflex vertices on one side of the cut, not counting its ends."""
+    def min_reflex_on_a_side(self, cut: Edge) -> int:
+        """Return the number of reflex vertices on the side of the cut that has fewer, without the ends of the cut."""
         i, j = sorted(map(self.place.__getitem__, cut))
         return min(self.sums[j] - self.sums[i + 1], self.total - self.sums[j + 1] + self.sums[i])
 
     def balanced(self, cut: Edge) -> bool:
         """Return whether each side of the cut has at least an eighth of the ring's reflex vertices."""
-        return 8 * self.fewer(cut) >= self.total
+        return 8 * self.min_reflex_on_a_side(cut) >= self.total
 
 
 def _neighbours(ring: Ring, v: int) -> Edge:

@@ -251,7 +251,7 @@ def _validate_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | 
             f"labels is {polygon_validation.short_repr(labels)}: pass a list with one label for each vertex"
         ) from None
     if len(labels) != n:
-        raise InvalidShape(f"{len(labels)} labels for {n} vertices: pass one a vertex")
+        raise InvalidShape(f"{len(labels)} labels for {n} vertices: pass one label for each vertex")
     for i, label in enumerate(labels):
         if not isinstance(label, str):
             raise InvalidShape(f"label {i} is {polygon_validation.short_repr(label)}: a label must be text")

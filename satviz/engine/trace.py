@@ -322,7 +322,7 @@ def _check_size(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest], n
     """Raise InvalidScene if a trace would list more than MAX_SIZE points and axes."""
     if _count_listed(a, b, choice, tests) > MAX_SIZE:
         raise _too_large_error(
-            f"{' and '.join(names)} have {_count_points(a, b):,} points to drop on {len(choice.axes):,} axes"
+            f"{' and '.join(names)} have {_count_points(a, b):,} points to project on {len(choice.axes):,} axes"
         )
 
 
@@ -335,5 +335,5 @@ def _too_large_error(what: str) -> InvalidScene:
     """Return the InvalidScene for a trace over MAX_SIZE; `what`: what is too many, in words."""
     return InvalidScene(
         f"{what}: a trace lists {MAX_SIZE:,} points and axes at most; ask relate for the verdict alone, "
-        "choose fewer axes (world), or simplify the shapes"
+        "choose fewer axes (such as satviz.axes.world), or simplify the shapes"
     )

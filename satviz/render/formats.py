@@ -45,7 +45,7 @@ class Format(NamedTuple):
 
 
 def _save(figures: "Iterable[Figure]", name: str, metadata: dict[str, str | None], **options: Any) -> bytes:
-    """Return the bytes that matplotlib writes for the one Figure in `figures`; `name`: the format."""
+    """Return the bytes that matplotlib writes in the format `name`; `figures` holds exactly one Figure."""
     (figure,) = figures
     out = io.BytesIO()
     figure.savefig(out, format=name, metadata=metadata, **options)

@@ -143,7 +143,7 @@ def parse_fragment(text: str) -> tuple[Scene, ViewOptions]:
     for word in rest:
         key, _, value = word.partition("=")
         if key.replace("-", "_") not in ViewOptions._fields or key.replace("-", "_") in values:
-            raise InvalidScene(f"the link says {key[:40]!r}, which is unknown or said twice")
+            raise InvalidScene(f"the link has the option {key[:40]!r}, which is unknown or given twice")
         values[key.replace("-", "_")] = _parse_value(key, value)
     found = _scene_of_name(first) if NAME.fullmatch(first) else _decode_scene(first)
     return found, ViewOptions(**values)

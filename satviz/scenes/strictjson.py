@@ -19,9 +19,11 @@ STRING = re.compile(r'"(?:[^"\\]|\\.)*+(?:"|$)', re.DOTALL)  # an unended one ru
 def refuse_large(text: str, max_chars: int) -> None:
     """Raise InvalidScene for a text too large to be read; only its length and its punctuation are counted."""
     if len(text) > max_chars:
-        raise InvalidScene(f"{len(text)} characters: the limit is {max_chars}")
+        raise InvalidScene(f"the text has {len(text):,} characters: the limit is {max_chars:,}")
     if (count := sum(map(text.count, ',[{"'))) > MAX_PUNCTUATION:
-        raise InvalidScene(f"{count} commas, brackets and quotes: the limit is {MAX_PUNCTUATION}")
+        raise InvalidScene(
+            f"the text has {count:,} commas, brackets and quotes: the limit is {MAX_PUNCTUATION:,}; give fewer vertices"
+        )
 
 
 def parse(text: str, max_chars: int) -> Any:

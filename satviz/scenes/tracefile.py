@@ -50,7 +50,7 @@ def load(text: str) -> Trace:
     """
     data = dict(keys(parse(text, MAX_CHARS), "the trace", {"satviz"}, _KEYS))
     if data.pop("satviz") != "trace 1":
-        raise InvalidScene('"satviz" must be "trace 1"')
+        raise InvalidScene('this is no trace file of this version: the key "satviz" must have the value "trace 1"')
     keys(data, "trace", _KEYS)
     a, b = (shape_from(data[name], f"trace.{name}") for name in ("a", "b"))
     shortcut = _parse_shortcut(data["shortcut"])

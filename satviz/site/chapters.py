@@ -117,7 +117,7 @@ class _FoldedText:
         self.answer = None
 
     def html(self) -> str:
-        """Return the HTML of all parts, after folding the last answer."""
+        """Return the HTML of all parts, after folding the answer that is still open."""
         self.end_answer()
         return "\n".join(self.parts)
 

@@ -15,7 +15,7 @@ def markdown_parser(*, anchors: bool = False) -> Any:
     try:
         from markdown_it import MarkdownIt
     except ImportError:
-        raise ImportError(extra_needed("a site's chapters and guides", "site")) from None
+        raise ImportError(extra_needed("making the chapters and guides of a site", "site")) from None
     markdown = MarkdownIt("commonmark", {"html": True, "highlight": highlighted_code}).enable("table")
     markdown.add_render_rule("code_block", _indented_code)
     if anchors:

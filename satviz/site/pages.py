@@ -147,6 +147,8 @@ def explorer_page(frame: Frame) -> bytes:
     body = f"""
 <h1>Explorer</h1>
 <p class="lead">Drag the shapes, their corners, or a free axis.
+<b>Paste your own shapes</b> in the box below the picture: WKT, JSON or lines of code, as they stand in a log or in a
+report. It says whether they collide, and why.
 The address of this page is always a link to the present scene.</p>
 <noscript><p>This page needs JavaScript. Without JavaScript you cannot drag anything, and the picture always shows two
 triangles. The <a href="gallery.html">gallery</a> has a still picture of every scene.</p></noscript>

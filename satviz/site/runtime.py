@@ -28,6 +28,7 @@ PACKED_PATHS = (
         "widgets/player_model.py",
         "widgets/explorer_model.py",
         "widgets/goals.py",
+        "widgets/paste_model.py",
         "site/__init__.py",
         "site/live.py",
     ),
@@ -41,6 +42,7 @@ from satviz.site import live
 for link in "triangles", "triangles&free=30", "triangles&against=1&way-out=1", "far-centers", "circles":
     state = json.loads(live.answer("warm", json.dumps({"kind": "open", "hash": link})))["first"]
     live.answer("warm", json.dumps({"kind": "pose", "n": 1, "a": state["a"], "b": state["b"]}))
+live.answer("warm", json.dumps({"kind": "paste", "text": "circle((0, 0), 1) [0,0, 4,4, 4,0, 0,4]"}))
 live._models.clear()
 gc.collect()
 """

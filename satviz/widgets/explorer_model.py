@@ -30,6 +30,7 @@ from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
 from ..scenes.strictjson import typed
 from .goals import ChallengeResult, challenge_start, evaluate_goal
+from .paste_model import read_paste
 from .player_model import PlayerModel
 
 SHORTCUT, TRUTH = "shortcut", "truth"
@@ -68,6 +69,8 @@ class ExplorerModel(PlayerModel):
         try:
             if content.get("kind") == "preset":
                 self._start(scene(typed(content.get("name"), "the preset", str)))
+            elif content.get("kind") == "paste":
+                return self._paste(content)
             elif content.get("kind") == "challenge":
                 goal = typed(content.get("goal"), "the challenge", str)
                 self._start(challenge_start(goal, self.scene), goal)
@@ -112,6 +115,20 @@ class ExplorerModel(PlayerModel):
             found["curve"] = gap_curve(self.scene.a, self.scene.b, self._degree, width=width).data()
             found["knob"] = list(drawn.knob)
         return found
+
+    def _paste(self, content: dict[str, Any]) -> dict[str, Any]:
+        """Return what is said of a pasted text, with the new state where it has a pair; the scene stays where not."""
+        shown, pasted = read_paste(content)
+        if shown is None:
+            return {"kind": "pasted", "pasted": pasted}
+        before = {**vars(self), "_last_offsets": dict(self._last_offsets)}
+        try:
+            self._start(shown)
+            self._redraw()
+        except ValueError as error:  # two shapes that are too far apart to be drawn are answered all the same
+            vars(self).update(before)
+            return {"kind": "pasted", "pasted": {**pasted, "why": f"The picture is not drawn: {error}."}}
+        return {"kind": "state", **self.state(), "pasted": pasted}
 
     def _view_options(self) -> ViewOptions:
         """Return the options of the present view, as a link to it contains them."""

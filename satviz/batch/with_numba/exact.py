@@ -36,7 +36,10 @@ def relate_few_corners(
 def relate_many_corners(
     x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, max_coordinate: float, terms: Array
 ) -> int:
-    """Return what `relate_few_corners` returns, for outlines of many corners: by GJK, then edge by edge."""
+    """Return the exact relation as `relate_few_corners` does, for many corners: by GJK, then edge by edge.
+
+    terms: scratch.
+    """
     found, i, j = _gjk(x, y, i0, i1, p, q, j0, j1, max_coordinate)
     if found != UNDECIDED:
         return found

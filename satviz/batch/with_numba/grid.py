@@ -38,12 +38,12 @@ def meeting_pairs(
     return _pair_blocks(queries, boxes, other is None, table, min(BLOCK_PAIRS, max(int(candidates), len(queries))))
 
 
-def _pair_blocks(queries: Ids, boxes: Array, among: bool, table: Table, block: int) -> Iterator[Pairs]:
-    """Yield the pairs of queries with stored boxes that meet; `among`: both are the same set."""
+def _pair_blocks(queries: Ids, boxes: Array, same_set: bool, table: Table, block: int) -> Iterator[Pairs]:
+    """Yield the pairs of queries with stored boxes that meet; `same_set`: the queries are the stored boxes."""
     first = 0
     while first < len(queries):
         out = np.empty((block + len(table[1]), 2), np.intp)  # no query finds more than all
-        first, found = fill_pairs(queries, boxes, first, among, table, out)
+        first, found = fill_pairs(queries, boxes, first, same_set, table, out)
         yield out[:found]
 
 
@@ -112,14 +112,17 @@ def _stored_range(start: Starts, c0: int, c1: int, row: int, stride: int, part: 
 
 
 @compiled
-def count_candidates(boxes: Array, among: bool, table: Table) -> float:
-    """Return about how many candidates all queries have, estimated from a sample."""
+def count_candidates(boxes: Array, same_set: bool, table: Table) -> float:
+    """Return about how many candidates all queries have, estimated from a sample.
+
+    same_set: the queries are the stored boxes, so only rows from the query's own row on are counted.
+    """
     start, _, _, max_width, max_height, per_x, per_y, stride, left, bottom = table
     step = 1 if len(boxes) < 1000 else SAMPLE_STEP
     candidates = 0.0
     for k in range(0, len(boxes), step):
         c0, c1 = _first_cell(boxes[k, 0], max_width, per_x, left), _cell_number(boxes[k, 2], per_x)
-        r0 = _cell_number(boxes[k, 1], per_y) if among else _first_cell(boxes[k, 1], max_height, per_y, bottom)
+        r0 = _cell_number(boxes[k, 1], per_y) if same_set else _first_cell(boxes[k, 1], max_height, per_y, bottom)
         for row in range(r0, _cell_number(boxes[k, 3], per_y) + 1):
             for part in range(2):
                 first, last = _stored_range(start, c0, c1, row, stride, part)
@@ -128,7 +131,9 @@ def count_candidates(boxes: Array, among: bool, table: Table) -> float:
 
 
 @compiled
-def fill_pairs(queries: Ids, query_boxes: Array, begin: int, among: bool, table: Table, out: Pairs) -> tuple[int, int]:
+def fill_pairs(
+    queries: Ids, query_boxes: Array, begin: int, same_set: bool, table: Table, out: Pairs
+) -> tuple[int, int]:
     """Fill `out` with the pairs of the queries from `begin` on while it has space; return (next query, pairs found)."""
     start, ids, boxes, max_width, max_height, per_x, per_y, stride, left, bottom = table
     found = 0
@@ -139,13 +144,13 @@ def fill_pairs(queries: Ids, query_boxes: Array, begin: int, among: bool, table:
         x0, y0, x1, y1 = query_boxes[k, 0], query_boxes[k, 1], query_boxes[k, 2], query_boxes[k, 3]
         c1, r1 = _cell_number(x1, per_x), _cell_number(y1, per_y)
         low_x, low_y = _first_cell(x0, max_width, per_x, left), _first_cell(y0, max_height, per_y, bottom)
-        c0, r0 = (_cell_number(x0, per_x), _cell_number(y0, per_y)) if among else (low_x, low_y)
+        c0, r0 = (_cell_number(x0, per_x), _cell_number(y0, per_y)) if same_set else (low_x, low_y)
         for row in range(r0, r1 + 1):
             if (
-                among and row == r0 + 1
+                same_set and row == r0 + 1
             ):  # its own row holds each pair once, further on; the other rows are searched whole
                 c0 = low_x
-            after = k if among and row == r0 else -1
+            after = k if same_set and row == r0 else -1
             for part in range(2):
                 first, last = _stored_range(start, c0, c1, row, stride, part)
                 for s in range(first, last):

@@ -123,9 +123,9 @@ def fill_relations(
 
 
 @compiled
-def _max_coordinate(box: Array, i: int) -> float:
-    """Return the largest absolute coordinate of a box."""
-    max_coordinate: float = max(max(-box[i, 0], box[i, 2]), max(-box[i, 1], box[i, 3]))
+def _max_coordinate(boxes: Array, i: int) -> float:
+    """Return the largest absolute coordinate of box i."""
+    max_coordinate: float = max(max(-boxes[i, 0], boxes[i, 2]), max(-boxes[i, 1], boxes[i, 3]))
     return max_coordinate
 
 

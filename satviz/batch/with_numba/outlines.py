@@ -15,6 +15,8 @@ from ..exact_signs import ERRBOUND_A
 from ..ragged import Rings
 from .jit_cache import compiled, inlined
 
+MIN_FULL = 7 / 8  # share of the corners that must remain for their arrays to be kept as they are
+
 
 def certified_group(vertices: Array) -> Group | None:
     """Return (N, V, 2) outlines as a group, counter-clockwise; None if one is not certified convex."""
@@ -63,23 +65,30 @@ def _columns_kernel(fixed: int | None) -> Callable[[Array, Array, Array], bool]:
 _fill_columns_3, _fill_columns_4, _fill_columns = map(_columns_kernel, (3, 4, None))
 
 
-def certified_rings(points: Array, start: Indices, centers: bool = False) -> tuple[Rings, Indices]:
+def certified_rings(points: Array, start: Indices, accept_centers: bool = False) -> tuple[Rings, Indices]:
     """Return (outlines without repeats, counter-clockwise, as Rings; the indices of those not certified convex).
 
-    points: (M, 2) corners, those of outline i from start[i] to start[i + 1].  `centers`: a single finite corner is
-    the center of a circle and certified too.  What is not certified has no corners.
+    points: (M, 2) corners, those of outline i from start[i] to start[i + 1].  `accept_centers`: a single finite
+    corner is the center of a circle and certified too.  What is not certified has no corners.
     """
     x, y, kept = np.empty(len(points)), np.empty(len(points)), np.empty(len(start), np.intp)
     doubtful = np.empty(len(start) - 1, np.intp)
-    found = _fill_rings(points, start, centers, x, y, kept, doubtful)
-    return Rings(x[: kept[-1]], y[: kept[-1]], kept), doubtful[:found]
+    found = _fill_rings(points, start, accept_centers, x, y, kept, doubtful)
+    x, y = x[: kept[-1]], y[: kept[-1]]
+    if len(x) < MIN_FULL * len(points):
+        x, y = x.copy(), y.copy()
+    return Rings(x, y, kept), doubtful[:found]
 
 
 @compiled
 def _fill_rings(
-    points: Array, start: Indices, centers: bool, x: Array, y: Array, kept: Indices, doubtful: Indices
+    points: Array, start: Indices, accept_centers: bool, x: Array, y: Array, kept: Indices, doubtful: Indices
 ) -> int:
-    """Fill x, y and where each outline starts in them; list the outlines not certified and return their number."""
+    """Copy the outlines into x and y without repeated corners, counter-clockwise; return how many are `doubtful`.
+
+    kept: where each outline starts in x and y.  doubtful: the outlines that are not certified convex.
+    accept_centers: a single finite corner is a circle's center.
+    """
     kept[0] = found = to = 0
     for i in range(start.size - 1):
         first = to
@@ -100,7 +109,7 @@ def _fill_rings(
             left += turn > 0
             right += turn < 0
             changes += _leads_right(dx, dy) != _leads_right(ex, ey)
-        if centers and start[i + 1] - start[i] == 1 and np.isfinite(x[first]) and np.isfinite(y[first]):
+        if accept_centers and start[i + 1] - start[i] == 1 and np.isfinite(x[first]) and np.isfinite(y[first]):
             pass
         elif corners < 3 or (left != corners and right != corners) or (corners > 4 and changes != 2):
             doubtful[found] = i

@@ -1,6 +1,7 @@
 """Few shapes, in NumPy: which boxes meet by comparing all or by sorting and sweeping, and all collisions of few."""
 
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,17 +19,27 @@ MAX_PRODUCTS = 1 << 17  # of normals and corners at a time, so that they stay in
 OUTWARD = np.array([1.0, -1.0])[:, None, None]  # turns (dy, dx) of a counter-clockwise edge into its outward normal
 
 
-def choose(bounds: Array, max_sweep: int = MAX_SWEEP_NUMPY) -> tuple[int, int, Indices | None, Indices | None]:
-    """Return (code of the broad phase, comparisons, order, ends), by the rule of `broad_rule`.
+class Sweep(NamedTuple):
+    """Boxes sorted along an axis: `order` by their lower sides, `ends` for each the place after the last it reaches.
 
-    For a sweep, `order` is the boxes by their lower sides along an axis, and `ends` for each the place after the last
-    one that begins within it.
+    axis: 0 for x, 1 for y; order and ends: (n,).
+    """
+
+    axis: int
+    order: Indices
+    ends: Indices
+
+
+def choose(bounds: Array, max_sweep: int = MAX_SWEEP_NUMPY) -> tuple[int, int, Sweep | None]:
+    """Return (code of the broad phase, comparisons, the sorted boxes if a sweep was tried), as `broad_rule` says.
+
+    For a grid the comparisons are those that a sweep would have made; -1 where they were not counted.
     """
     n = len(bounds)
     if n <= MAX_ALL_PAIRS:
-        return ALL_PAIRS, n * (n - 1) // 2, None, None
+        return ALL_PAIRS, n * (n - 1) // 2, None
     if n > max_sweep:
-        return GRID, -1, None, None
+        return GRID, -1, None
     low, high = bounds.T[:2], bounds.T[2:]
     with np.errstate(all="ignore"):
         (spread_x, spread_y), (width, height) = low.max(axis=1) - low.min(axis=1), (high - low).max(axis=1)
@@ -36,23 +47,23 @@ def choose(bounds: Array, max_sweep: int = MAX_SWEEP_NUMPY) -> tuple[int, int, I
     order = np.argsort(low[axis])
     ends = np.searchsorted(low[axis][order], high[axis][order], side="right")
     comparisons = int(ends.sum()) - n * (n + 1) // 2
-    return (SWEEP if comparisons <= MAX_SWEEP_COMPARISONS * n else GRID), comparisons, order, ends
+    return (SWEEP if comparisons <= MAX_SWEEP_COMPARISONS * n else GRID), comparisons, Sweep(axis, order, ends)
 
 
 def candidate_pairs(bounds: Array) -> Pairs | None:
     """Return the pairs i < j of boxes that share a point; None where a grid is chosen."""
-    way, _, order, ends = choose(bounds)
+    way, _, sweep = choose(bounds)
     if way == ALL_PAIRS:
         i, j = _all_pairs(len(bounds))
         return np.stack([i, j], axis=1)[_meet(bounds[i], bounds[j])]
-    if way == GRID or order is None or ends is None:
+    if way == GRID or sweep is None:
         return None
-    first = np.arange(1, len(order) + 1)
-    many = ends - first
-    i = np.repeat(order, many)
-    j = order[np.arange(len(i)) + np.repeat(first - (np.cumsum(many) - many), many)]
-    meet = np.flatnonzero(_meet(bounds[i], bounds[j]))
-    i, j = i[meet], j[meet]
+    first = np.arange(1, len(bounds) + 1)
+    many = sweep.ends - first
+    later = np.arange(many.sum()) + np.repeat(first - (np.cumsum(many) - many), many)
+    low, high = bounds[sweep.order, 1 - sweep.axis], bounds[sweep.order, 3 - sweep.axis]  # on the other axis
+    meet = np.flatnonzero((np.repeat(low, many) <= high[later]) & (low[later] <= np.repeat(high, many)))
+    i, j = sweep.order[np.repeat(first - 1, many)[meet]], sweep.order[later[meet]]
     return np.stack([np.minimum(i, j), np.maximum(i, j)], axis=1)
 
 
@@ -145,11 +156,12 @@ def _relate_polygons(closed: Array, i: Indices, j: Indices, out: Signs) -> None:
         least -= at.take(own[part], axis=1)
         np.maximum.reduce(least, axis=0, out=gap[part])
     gap = np.maximum(gap[: len(i)], gap[len(i) :])
-    edge, coordinate = (np.maximum.reduce(np.abs(c).reshape(-1, c.shape[2]), axis=0) for c in (edges, closed))
-    error_bound: Array = 4 * edge.max() * coordinate.max() * ERROR_FACTOR_F64  # of all, then pair by pair
+    largest = [np.abs(c) for c in (edges, closed)]
+    error_bound: Array = 4 * largest[0].max() * largest[1].max() * ERROR_FACTOR_F64  # of all, then pair by pair
     if MIN_ERROR_BOUND < error_bound < MAX_ERROR_BOUND and (np.abs(gap) > error_bound).all():
         np.multiply(gap < 0, OVERLAPPING, out=out)
         return
+    edge, coordinate = (c.max(axis=(0, 1)) for c in largest)
     error_bound = (edge[i] + edge[j]) * (coordinate[i] + coordinate[j]) * ERROR_FACTOR_F64
     error_bound[~((error_bound > MIN_ERROR_BOUND) & (error_bound < MAX_ERROR_BOUND))] = np.inf
     classify_clearances(gap, error_bound, out)

@@ -87,7 +87,10 @@ def _raise_clearance(
     x: Array32, y: Array32, p: Array32, q: Array32, edges: int, own_zeros: int, other_zeros: int, best: Array32,
     nx: Array32, ny: Array32, least: Array32, value: Array32, part: Array32,
 ) -> None:  # fmt: skip
-    """Raise `best` to the clearances of the first `edges` edges of x, y over the corners p, q; the rest is scratch.
+    """Raise `best` to the largest clearance of the first `edges` edges of x, y.
+
+    The clearance of an edge is the least value of n . (v - its start) over the corners v of p, q; n is its outward
+    normal, not normalised.  nx, ny, least, value and part are scratch.
 
     `own_zeros`, `other_zeros`: how many corners at the beginning of x, y and of p, q are the origin.
     """

@@ -8,8 +8,10 @@ import { GoalPanel } from "./goal_panel.js";
 import { Handles } from "./handles.js";
 import { PoseHistory } from "./history.js";
 import { LiveTable } from "./live_table.js";
+import { PasteBox } from "./paste_box.js";
 import { Pen } from "./pen.js";
 import { PoseSender } from "./pose_sender.js";
+import { ShapeEditor } from "./shape_editor.js";
 import { centerOf, roundDown, rotated, snap, translated, withRadius, withVertex } from "./shapes.js";
 import { followTheme } from "./theme.js";
 
@@ -87,6 +89,9 @@ export class Explorer {
     root.classList.add("satviz");
     root.setAttribute("data-lm-suppress-shortcuts", "true");
     root.append(this.columns);
+    this.editor = new ShapeEditor(this);
+    this.pasteBox = new PasteBox(this);
+    this.stage.append(this.editor.element, this.pasteBox.element);
 
     this.board.addEventListener("pointerdown", (event) => this.pointerDown(event));
     this.board.addEventListener("pointermove", (event) => this.pointerMove(event));
@@ -140,6 +145,7 @@ export class Explorer {
       if (this.refusal.hidden || this.refusal.textContent !== why) this.refusal.textContent = why; // said aloud once
       this.refusal.hidden = false;
       this.refused = true;
+      this.editor.showRefused(this.pose);
       if (!this.ahead) this.show(this.state);
     } else if (content.kind === "state") {
       this.refusal.hidden = true;
@@ -391,7 +397,7 @@ export class Explorer {
     else this.change({ goal: null });
   }
 
-  /** @param {Record<string, string>} request */
+  /** @param {Record<string, unknown>} request */
   choose(request) {
     this.hint.hidden = true;
     this.sender.discard(); // a pose that still waits is of the scene that leaves
@@ -408,6 +414,8 @@ export class Explorer {
     this.root.removeEventListener("keydown", this.onkey);
     this.model.off("msg:custom", this.onmessage);
     this.pen.remove();
+    this.editor.remove();
+    this.pasteBox.remove();
     this.root.replaceChildren();
   }
 }

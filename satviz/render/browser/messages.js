@@ -39,10 +39,35 @@
  * @property {Picture} [curve]
  * @property {Point} [knob] The handle of the free axis.
  */
-/** @typedef {{ kind: "state", n?: number | null } & State} StateMessage `n` is the number of the pose that it answers. */
+/** @typedef {{ name: string, label: string, said: string, excerpt: string, refused: string }} PastedShape */
+/** @typedef {{ choice: string, meaning: string, gives: string }} PastedAnswer */
+/** @typedef {{ what: string, asks: string, answers: PastedAnswer[], matters: boolean }} PastedQuestion */
+/** @typedef {{ kind: string, text: string, help: string }} PastedFinding */
+/** @typedef {{ definition: string, answer: string, why: string }} PastedView */
+/** @typedef {{ a: string, b: string, relation: string, others: PastedView[] }} PastedPair */
+/**
+ * What Python says of a pasted text; `why` alone where nothing could be read.
+ * @typedef {object} Pasted
+ * @property {string} [why]
+ * @property {string} [sentence]
+ * @property {PastedShape[]} [shapes]
+ * @property {PastedQuestion[]} [questions]
+ * @property {PastedFinding[]} [findings]
+ * @property {PastedPair[]} [pairs]
+ * @property {number} [pair] The pair that the explorer shows.
+ * @property {string} [note] What the picture calls the shapes of the pair.
+ * @property {Picture} [refused] An outline that crosses itself.
+ * @property {string} [wkt]
+ * @property {string} [json]
+ * @property {string} [scene]
+ * @property {string} [link]
+ * @property {Record<string, string>} [tests] Minimal tests, by language.
+ */
+/** @typedef {{ kind: "pasted", n?: undefined, pasted: Pasted }} PastedMessage A text without a pair to show. */
+/** @typedef {{ kind: "state", n?: number | null, pasted?: Pasted } & State} StateMessage `n` is the number of the pose that it answers. */
 /** @typedef {{ kind: "refused", n?: number | null, why: string }} RefusedMessage */
 /** @typedef {{ kind: "file", name: string, mime: string }} FileMessage Its content is in the buffers. */
-/** @typedef {StateMessage | RefusedMessage | FileMessage} Message */
+/** @typedef {StateMessage | RefusedMessage | FileMessage | PastedMessage} Message */
 /** @typedef {(content: Message, buffers: BlobPart[]) => void} Listener */
 /**
  * What a widget needs of its model: that of anywidget, or the site's own.

@@ -20,7 +20,7 @@ export function sceneLink(site, link) {
  * browser may forbid it there.
  * @param {string} text
  */
-async function copyText(text) {
+export async function copyText(text) {
   try {
     await navigator.clipboard.writeText(text);
     return true;

@@ -88,7 +88,7 @@ class FailureCase(NamedTuple):
 
     @property
     def raw_outlines(self) -> list[RawOutline]:
-        """Return the raw vertices of the unchecked outlines; an empty list where both are shapes."""
+        """Return the vertices of those outlines that were not validated; an empty list if both are Shapes."""
         return [outline for outline in self.outlines if not isinstance(outline, Shape)]
 
     def record(self) -> Trace:

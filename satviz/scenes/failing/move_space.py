@@ -53,7 +53,10 @@ def hits_in_window(a: Shape, b: Shape, window: Window) -> tuple[ConvexRing, ...]
 
 
 def wrong_number_region(a: Shape, b: Shape, window: Window, rings: Iterable[ConvexRing]) -> ErrorRegion:
-    """Return the ErrorRegion of a shortcut about a number; `rings`: the moves for which it is wrong."""
+    """Return the ErrorRegion of a shortcut that gives a number (a depth, a distance, a push), not a relation.
+
+    rings: the moves of B for which this number is wrong.
+    """
     hits = tuple(filter(None, hits_in_window(a, b, window)))
     return ErrorRegion((), (), hits, numbers=tuple(filter(None, rings)))
 

@@ -97,7 +97,7 @@ export class ScenePlace {
       arrowKeys(player);
       this.widget = player;
     } else {
-      this.model.values = { ...content, alone: true, site: SITE };
+      this.model.values = { ...content, alone: true, pasting: this.linked, site: SITE };
       this.model.listeners.clear();
       this.widget = new Explorer(this.model, made);
     }

@@ -1,0 +1,184 @@
+"""The table of notations: what a name before a bracket, or a key in an object, means.  A new notation is one row.
+
+Names are compared without case, and by their end: `new SAT.Vector` is found as "vector", and `Bodies.rectangle`
+before "rectangle" because the longer ending comes first.
+"""
+
+from typing import NamedTuple
+
+POINT, RING, CIRCLE, BOX, MANY, MOVE, ARC = "point", "ring", "circle", "box", "many", "move", "arc"
+# How the four numbers of a box are meant, in the words of `--as`.
+CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF = "corner-size", "corner-corner", "center-size", "center-half"
+DEGREES, RADIANS = "degrees", "radians"
+
+
+class Notation(NamedTuple):
+    """One row: what the names mean; of a box its form, or () where it is asked; of an angle its unit, or ""."""
+
+    names: str
+    kind: str
+    form: str = ""
+    ask: tuple[str, ...] = ()
+    unit: str = ""
+    note: str = ""
+
+
+ANY_BOX = (CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF)
+CORNER_OR_CENTER = (CORNER_SIZE, CENTER_SIZE)
+
+NOTATIONS = (
+    Notation(
+        "vector vector2 vector2f vector2d vector2i vec vec2 vec2f dvec2 point point2 point2d pointf point2f dpoint "
+        "coord coordinate position c2v b2vec2 cpv v2 v pt xy float2 double2 make_point make_float2 pvector "
+        "vector.create point! coord! cgpoint qpoint qpointf offset latlng makepoint st_point st_makepoint p",
+        POINT,
+    ),
+    # polygons, and the lists that hold their points
+    Notation(
+        "polygon polygon2d poly convexpolygon simplepolygon convex_polygon polygonshape path2d linestring linearring "
+        "line_string polygon! line_string! list vec! array np.array numpy.array asarray tuple list.of arrays.aslist "
+        "listof arrayof floatarrayof doublearrayof packedvector2array poolvector2array float double int long f32 f64 "
+        "createpolygon polygon.new convexhull convex_hull_shape from_convex_hull c2poly vertices points shape geometry "
+        "seq set z zm double[][] float32array float64array makepolygon fromvertices create_polygon convex newpolygon",
+        RING,
+    ),
+    Notation(
+        "circle circle2d ball disc disk createcircle circleshape addcircle drawcircle bodies.circle c2circle", CIRCLE
+    ),
+    Notation("circle.new ball::new newcircle circleimpl makecircle create_circle b2circle arc ellipse2d", CIRCLE),
+    # boxes
+    Notation("bodies.rectangle add.rectangle bodies.rect boxshape2d centered_rect rotatedrect", BOX, CENTER_SIZE),
+    Notation(
+        "rectangle rectanglef rect2 rect2i newrect qrect qrectf cgrect cgrectmake sf::floatrect "
+        "sf::rect floatrect intrect "
+        "sf::intrect pygame.rect "
+        "sdl_rect sdl_frect domrect rectangle2d.double rectangle2d.float geom.rectangle recti",
+        BOX,
+        CORNER_SIZE,
+    ),
+    Notation(
+        "shapely.box geometry.box shapely.geometry.box st_makeenvelope makeenvelope envelope bbox boundingbox ltrb",
+        BOX,
+        CORNER_CORNER,
+    ),
+    Notation("c2aabb aabb aabb::new aabb2 box2 box2d b2aabb extent", BOX, ask=(CORNER_CORNER, CENTER_HALF)),
+    Notation("cuboid cuboid::new b2makebox setasbox b2makeoffsetbox pl.box planck.box", BOX, CENTER_HALF),
+    Notation("rect box createbox sat.box obb orientedbox", BOX, ask=ANY_BOX),
+    # what moves the next shape
+    Notation(
+        "isometry::translation isometry2::translation isometry::new isometry2::new translation translation2 "
+        "isometry::identity isometry2::identity pose::translation pose2::translation transform",
+        MOVE,
+        unit=RADIANS,
+    ),
+    # many shapes in one
+    Notation("circularstring", ARC),
+    Notation("multipolygon geometrycollection featurecollection multipolygon! scene world", MANY),
+)
+NAMES = {name: row for row in NOTATIONS for name in row.names.split()}
+
+# Keys of objects, and what is assigned to a variable's fields, without case, `_` and a leading `m`.
+KEYS = {
+    name: meaning
+    for meaning, names in {
+        "points": "vertices verts points corners polygon coords path hull outline pts vertexlist ring exterior poly "
+        "pointlist vertex coordinates vertices2d",
+        "center": "center centre pos position translation location circle middle mid c p origin centroid",
+        "corner": "corner topleft bottomleft start",
+        "radius": "radius r",
+        "x": "x posx px cx lon lng longitude",
+        "y": "y posy py cy lat latitude",
+        "width": "width w sx dx",
+        "height": "height h sy dy",
+        "size": "size dimensions extent wh dims",
+        "half": "halfextents half extents halfsize he halfextent",
+        "halfwidth": "hx halfwidth hw",
+        "halfheight": "hy halfheight hh",
+        "min": "min mins lower lowerbound minimum minpoint southwest",
+        "max": "max maxs upper upperbound maximum maxpoint northeast",
+        "x0": "x0 xmin minx left l x1of2 west",
+        "y0": "y0 ymin miny top t south",
+        "x1": "xmax maxx right east",
+        "y1": "ymax maxy bottom north",
+        "angle": "angle rotation rot theta orientation yaw heading",
+        "degrees": "degrees angledeg rotationdegrees deg angledegrees",
+        "radians": "radians anglerad rad angleradians",
+    }.items()
+    for name in names.split()
+}
+# Calls behind a shape that do not change it, that move it, and that turn it.
+HARMLESS = frozenset(
+    [
+        "topolygon",
+        "unwrap",
+        "into",
+        "tovec",
+        "to_vec",
+        "clone",
+        "copy",
+        "astype",
+        "reshape",
+        "tolist",
+        "to_owned",
+        "as_ref",
+        "expect",
+        "isvalid",
+        "is_valid",
+        "normalize",
+        "toarray",
+        "asarray",
+        "build",
+        "collect",
+        "iter",
+        "close",
+        "closepath",
+        "endfill",
+        "normalise",
+        "toimmutable",
+        "freeze",
+        "wkt",
+        "intersects",
+        "overlaps",
+        "contains",
+        "touches",
+        "within",
+        "disjoint",
+        "equals",
+        "intersection",
+        "relate",
+        "crosses",
+        "covers",
+        "almostequals",
+        "distance",
+    ]
+)
+MOVES = frozenset(["translate", "setposition", "moveto", "setoffset", "set_position"])
+TURNS = {
+    "rotate": "",
+    "setangle": "",
+    "setrotation": "",
+    "set_rotation": "",
+    "set_angle": "",
+    "rotatedeg": DEGREES,
+    "rotatedegrees": DEGREES,
+}
+SETTERS = frozenset(["set", "setxy"])
+
+
+def notation(name: str) -> Notation | None:
+    """Return the row of a name, by its longest ending that the table has; None for an unknown name."""
+    plain = name.lower().split("<")[0].rstrip("!") if "<" in name else name.lower()
+    plain = plain.removesuffix("::new").removesuffix("::from") if plain not in NAMES else plain
+    words = plain.replace("::", ".").replace("->", ".").split(".")
+    for candidate in (plain, *(".".join(words[i:]) for i in range(len(words))), words[-1].rstrip("!")):
+        if candidate in NAMES:
+            return NAMES[candidate]
+    return None
+
+
+def key(name: str | int) -> str:
+    """Return what a key means, or "" for an unknown one."""
+    if isinstance(name, int):
+        return ""
+    plain = name.lower().replace("_", "").replace("-", "").replace(" ", "")
+    return KEYS.get(plain) or KEYS.get(plain.removeprefix("m"), "")

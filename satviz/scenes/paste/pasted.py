@@ -1,0 +1,386 @@
+"""sv.paste: shapes out of a text, how they lie, why, and what others would say."""
+
+import json
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import Any, NamedTuple
+
+from ...engine import number_format, text_table
+from ...engine.describe import Names
+from ...engine.geometry import InvalidScene, InvalidShape, Relation
+from ...engine.relate import relate
+from ...engine.shapes import Shape
+from ...engine.trace import Trace, record
+from .. import minimal_test
+from ..link import link
+from ..scenefile import MAX_VERTICES, Scene
+from . import findings, others
+from .findings import KINDS, Finding, Pair, PastedShape
+from .objects import as_text
+from .reading import ALL_CHOICES, ONLY_IF_IT_MATTERS, Read, Reader
+from .tree import Group, parse
+
+MAX_SHAPES = 40
+MAX_TRACES = 60
+NOTHING = (
+    "no shape was found: paste two shapes or more, as WKT, GeoJSON, JSON or lines of code, "
+    "for example POLYGON((0 0, 4 0, 0 3)) and circle((5, 1), 2)"
+)
+ASKS = {
+    "box": "What are the numbers of the box?",
+    "angle": "Is the angle in degrees or in radians?",
+    "turn": "Does y point up or down? A positive angle turns the other way there.",
+    "order": "Does the width come first, or the height?",
+    "pivot": "Is the box turned around its center or around its corner?",
+    "corners": "Are the corners relative to the position, or absolute already?",
+}
+CHOICE_WORDS = {
+    "corner-size": "a corner, then width and height",
+    "corner-corner": "two opposite corners",
+    "center-size": "the center, then width and height",
+    "center-half": "the center, then half of width and height",
+    "degrees": "the angle in degrees",
+    "radians": "the angle in radians",
+    "y-up": "y up, angles counter-clockwise",
+    "y-down": "y down, angles clockwise",
+    "width-first": "width before height",
+    "height-first": "height before width",
+    "around-center": "turned around its center",
+    "around-corner": "turned around its corner",
+    "relative": "corners relative to the position",
+    "absolute": "corners absolute already",
+}
+
+
+class Answer(NamedTuple):
+    """One reading that is possible: its name for `as_`, what it means, and the relation that it gives."""
+
+    choice: str
+    meaning: str
+    gives: str
+
+
+class Question(NamedTuple):
+    """A place where two readings are possible; `matters`: they give different relations, so none was taken."""
+
+    what: str
+    asks: str
+    answers: tuple[Answer, ...]
+    matters: bool
+
+    def __str__(self) -> str:
+        lines = [f"{self.asks}"]
+        lines += [f"  --as {answer.choice}: {answer.meaning} -> {answer.gives}" for answer in self.answers]
+        if not self.matters:
+            lines.append(f"  The relation is the same; {self.answers[0].choice} was taken.")
+        return "\n".join(lines)
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Pasted:
+    """Shapes out of a text, and what is to be said of them.
+
+    `readings`: every shape as it was read, also those that are refused; `questions`: where two readings are possible;
+    `pairs`: the pairs that are answered, the nearest first; `findings`: the diagnosis, the main one first.
+    """
+
+    text: str
+    chosen: tuple[str, ...]
+    readings: tuple[PastedShape, ...]
+    questions: tuple[Question, ...]
+    pairs: tuple[Pair, ...]
+    findings: tuple[Finding, ...]
+
+    @property
+    def open(self) -> bool:
+        """Return whether a question must be answered first, because the relation depends on it."""
+        return any(question.matters for question in self.questions)
+
+    @property
+    def shapes(self) -> tuple[Shape, ...]:
+        """Return the shapes that are valid; none while a question is open whose answers give different relations."""
+        return () if self.open else tuple(each.shape for each in self.readings if each.shape)
+
+    @property
+    def traces(self) -> tuple[Trace, ...]:
+        """Return a trace for each pair of valid shapes that meet, the nearest first; the nearest pair if none meet."""
+        return tuple(pair.trace for pair in self.pairs if pair.a.shape and pair.b.shape)
+
+    @property
+    def sentence(self) -> str:
+        """Return the answer in one sentence."""
+        if self.open:
+            return "Two readings are possible, and they give different answers: choose one."
+        if len(self.readings) == 1:
+            unread = next((str(f) for f in self.findings if f.kind == "not-read"), "")
+            only = f"One shape was read ({self.readings[0].said}): paste a second one to compare it with."
+            return f"{only} {unread}".strip()
+        refused = [each for each in self.readings if not each.shape]
+        if not self.traces:
+            names = " and ".join(each.name for each in refused)
+            start = (
+                f"{names} {'are no valid shapes' if len(refused) > 1 else 'is no valid shape'}, so there is no answer"
+            )
+            if self.pairs:
+                (first, *_) = self.pairs
+                names = f"{first.a.name} and {first.b.name}"
+                return f"{start}; in the order that was probably meant {names} are {first.trace.relation}."
+            return f"{start}."
+        hits = [t for t in self.traces if t.hit]
+        if len(self.readings) > 2:
+            said = f"{len(hits)} of {_pair_count(len(self.shapes))} pairs meet."
+            return f"{said} {self.traces[0].sentence}"
+        return self.traces[0].sentence
+
+    def others(self, number: int = 0) -> tuple[others.View, ...]:
+        """Return what other definitions say of a pair, by its number in `pairs`."""
+        pair = self.pairs[number]
+        return tuple(others.views(pair.trace.a, pair.trace.b, pair.lies, pair.gap))
+
+    def scene(self, number: int = 0) -> Scene:
+        """Return a pair as a scene, for a link, a scene file or a picture; InvalidScene where there is no pair."""
+        if not self.pairs:
+            raise InvalidScene(self.sentence)
+        pair = self.pairs[number]
+        return Scene("pasted", pair.trace.a, pair.trace.b, title=f"{pair.a.title} and {pair.b.title}"[:200])
+
+    def link(self, number: int = 0, *, site: str = "") -> str:
+        """Return the link that opens a pair on a site; InvalidScene where there is no pair."""
+        return link(self.scene(number), site=site)
+
+    @property
+    def wkt(self) -> str:
+        """Return the valid shapes as WKT, one a line."""
+        return "\n".join(minimal_test.wkt(each.shape) for each in self.readings if each.shape)
+
+    def test(self, language: str, number: int = 0) -> str:
+        """Return a pair as a minimal test in "javascript", "python", "cpp", "csharp", "rust" or "java"."""
+        scene = self.scene(number)
+        return minimal_test.minimal_test(scene.a, scene.b, language)
+
+    def __repr__(self) -> str:
+        return f"<Pasted: {self.sentence}>"
+
+    def __str__(self) -> str:
+        return "\n".join(self._lines())
+
+    def _lines(self) -> Iterator[str]:
+        """Yield the lines of the report."""
+        for each in self.readings:
+            yield f"{each.title}: {each.said}{', refused' if not each.shape else ''}"
+            yield f"    read from: {each.excerpt}"
+        for question in self.questions:
+            yield ""
+            yield str(question)
+        yield ""
+        yield number_format.ascii_minus(self.sentence)
+        if self.findings:
+            yield ""
+            yield "What lies behind it:"
+            yield from (f"- {number_format.ascii_minus(str(finding))}" for finding in self.findings)
+        for number, pair in enumerate(self.pairs):
+            if number == 3:
+                yield ""
+                yield f"and {len(self.pairs) - 3} more pairs"
+                break
+            yield ""
+            order = "" if pair.a.shape and pair.b.shape else ", in the order that was probably meant"
+            yield f"{pair.a.name} and {pair.b.name}{order}: {pair.trace.relation}"
+            yield text_table.table(pair.trace)
+            yield "What other definitions say:"
+            yield from (
+                f"- {view.definition}: {view.answer} ({number_format.ascii_minus(view.why)})"
+                for view in self.others(number)
+            )
+
+    def data(self) -> dict[str, Any]:
+        """Return all that a page shows, as JSON values."""
+        return {
+            "sentence": self.sentence,
+            "open": self.open,
+            "shapes": [
+                {
+                    "name": each.name,
+                    "label": each.label,
+                    "said": each.said,
+                    "excerpt": each.excerpt,
+                    "start": each.read.start,
+                    "end": each.read.end,
+                    "vertices": [list(v) for v in each.vertices],
+                    "radius": None if each.read.radius is None else float(each.read.radius),
+                    "refused": each.refused,
+                    "meant": [list(v) for v in each.meant.vertices] if each.meant else None,
+                }
+                for each in self.readings
+            ],
+            "questions": [{**q._asdict(), "answers": [a._asdict() for a in q.answers]} for q in self.questions],
+            "findings": [{**f._asdict(), "about": list(f.about)} for f in self.findings],
+            "pairs": [
+                {
+                    "a": pair.a.name,
+                    "b": pair.b.name,
+                    "relation": str(pair.trace.relation),
+                    "sentence": pair.trace.sentence,
+                    "valid": bool(pair.a.shape and pair.b.shape),
+                    "others": [view._asdict() for view in self.others(number)],
+                }
+                for number, pair in enumerate(self.pairs)
+            ],
+        }
+
+    def to_json(self) -> str:
+        """Return the shapes, the relation of each pair, the questions and the findings as JSON."""
+        return json.dumps({"satviz": "pasted 1", **self.data()}, ensure_ascii=False, indent=1)
+
+
+def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
+    """Return the shapes in a text, or in Python objects, with their relation and the diagnosis.
+
+    `what`: WKT, GeoJSON, JSON, or lines in Python, JavaScript, C, C++, C#, Java, Rust, Scala or GDScript; nothing in it
+    is evaluated.  Or shapes of satviz, shapely or pymunk, lists and arrays.
+    `as_`: the readings to take where several are possible, such as "center-size" or "degrees, y-down".
+    InvalidScene where nothing can be read, or for more than a megabyte, 40 shapes or 1,000 corners.
+    """
+    text = what if isinstance(what, str) else as_text(what)
+    chosen = _choices(as_)
+    root, remarks = parse(text)
+    reader = Reader(text, chosen)
+    reads = _checked(reader.read(root), reader)
+    shapes = _named(reads, text)
+    questions = tuple(_questions(reader, root, text, chosen))
+    made = Pasted(text, chosen, tuple(shapes), questions, (), ())
+    notes = [Finding("not-read", (), f"Not read: {problem}.") for problem in reader.problems[:5]]
+    notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in (*reader.remarks, *remarks)]
+    if made.open:
+        return replace(made, findings=tuple(notes))
+    pairs = _pairs(shapes)
+    found = [finding for each in shapes for finding in findings.of_shape(each)]
+    for pair in pairs[:MAX_TRACES]:
+        found += findings.of_pair(pair, decimals=isinstance(what, str))
+    found = findings.merged([*found, *notes])
+    if pairs and not any(KINDS.index(finding.kind) < KINDS.index("clear") for finding in found):
+        found.append(findings.clear(pairs[0]))
+    found.sort(key=lambda finding: KINDS.index(finding.kind))
+    return replace(made, pairs=tuple(pairs), findings=tuple(found))
+
+
+def _choices(as_: str | Sequence[str]) -> tuple[str, ...]:
+    """Return the readings that were chosen; InvalidScene for an unknown one."""
+    words = as_.replace(",", " ").split() if isinstance(as_, str) else [str(word) for word in as_]
+    for word in words:
+        if word not in ALL_CHOICES:
+            raise InvalidScene(f"no reading is called {word[:40]!r}: choose of {', '.join(ALL_CHOICES)}")
+    return tuple(words)
+
+
+def _checked(reads: list[Read], reader: Reader) -> list[Read]:
+    """Return the shapes that were read; InvalidScene where there is none, or too much."""
+    if not reads:
+        raise InvalidScene(reader.problems[0] if reader.problems else NOTHING)
+    if len(reads) > MAX_SHAPES:
+        raise InvalidScene(f"{len(reads)} shapes: the limit is {MAX_SHAPES}, so paste those that matter")
+    for read in reads:
+        if len(read.points) > MAX_VERTICES:
+            raise InvalidScene(f"a polygon of {len(read.points):,} corners: the limit is {MAX_VERTICES:,}")
+    return reads
+
+
+def _named(reads: Sequence[Read], text: str) -> list[PastedShape]:
+    """Return the shapes with their names, each with the engine's shape or why it is refused."""
+    found = []
+    for number, read in enumerate(reads):
+        name = chr(ord("A") + number) if number < 26 else f"S{number + 1}"
+        excerpt = " ".join(text[read.start : read.end].split())
+        excerpt = excerpt if len(excerpt) <= 120 else f"{excerpt[:117]}..."
+        shape: Shape | None = None
+        refused = ""
+        try:
+            shape = findings.make_shape(read)
+        except InvalidShape as error:
+            refused = str(error)
+        meant = findings.meant_order(read) if refused and not read.is_circle else None
+        found.append(PastedShape(name, read.label[:60], read.said, excerpt, read, shape, refused, meant))
+    return found
+
+
+def _questions(reader: Reader, root: Group, text: str, chosen: tuple[str, ...]) -> Iterator[Question]:
+    """Yield what must be asked: each possible reading with the relation that it gives."""
+    for what, choices in reader.asked.items():
+        if any(choice in chosen for choice in choices):
+            continue
+        answers = tuple(Answer(c, CHOICE_WORDS[c], _gives(root, text, (*chosen, c))) for c in choices)
+        possible = {answer.gives for answer in answers if "refused" not in answer.gives}
+        matters = len(possible) > 1 or (bool(possible) and answers[0].gives not in possible)
+        if matters or what not in ONLY_IF_IT_MATTERS:
+            yield Question(what, ASKS[what], answers, matters)
+
+
+def _gives(root: Group, text: str, chosen: tuple[str, ...]) -> str:
+    """Return in words the relations of all pairs under a reading."""
+    reader = Reader(text, chosen)
+    shapes = _named(reader.read(root), text)
+    if len(shapes) < 2:
+        return shapes[0].refused.split(":")[0] or "one shape" if shapes else "no shape"
+    if len(shapes) == 2:
+        a, b = shapes
+        if a.shape and b.shape:
+            return str(relate(a.shape, b.shape))
+        return "; ".join(f"{each.name} is refused ({each.refused.split(':')[0]})" for each in shapes if not each.shape)
+    valid = [each for each in shapes if each.shape]
+    related = ((p, q, relate(p.shape, q.shape)) for p, q in combinations(valid, 2) if p.shape and q.shape)
+    meeting = [f"{p.name} and {q.name} {'touch' if r is Relation.TOUCHING else 'overlap'}" for p, q, r in related if r]
+    return ", ".join(meeting[:8]) + (f" and {len(meeting) - 8} more" if len(meeting) > 8 else "") or "no pair meets"
+
+
+def _pairs(shapes: Sequence[PastedShape]) -> list[Pair]:
+    """Return the pairs that meet, the deepest first; if none meets, the nearest pair."""
+    apart: list[tuple[float, PastedShape, PastedShape]] = []
+    met = []
+    for a, b in combinations(shapes, 2):
+        p, q = a.usable, b.usable
+        if p is None or q is None:
+            continue
+        if relate(p, q):
+            met.append((a, b))
+        else:
+            apart.append((_distance_of_boxes(p, q), a, b))
+    wanted = met[: 4 * MAX_TRACES]
+    if not wanted:
+        apart.sort(key=lambda each: each[0])
+        wanted = [(a, b) for _, a, b in apart[:8]]
+    made = sorted((_pair(a, b) for a, b in wanted), key=lambda pair: pair.gap)
+    return made[:MAX_TRACES] if met else made[:1]
+
+
+def _pair(a: PastedShape, b: PastedShape) -> Pair:
+    """Return a pair with its trace over every axis."""
+    p, q = a.usable, b.usable
+    assert p is not None and q is not None
+    try:
+        trace = record(p, q, every_axis=True)
+    except InvalidScene:
+        raise InvalidScene(
+            f"{a.name} and {b.name} are {relate(p, q)}, but have too many corners to show every axis: simplify them"
+        ) from None
+    if (a.name, b.name) != ("A", "B"):
+        parts = tuple(replace(t, names=Names(a.name + t.names.a[1:], b.name + t.names.b[1:])) for t in trace.pairs)
+        trace = replace(trace, names=Names(a.name, b.name), pairs=parts)
+    return Pair(a, b, trace, others.lie(p, q), _gap(trace))
+
+
+def _gap(trace: Trace) -> float:
+    """Return the largest gap of the axes, negative for an overlap; of concave outlines that of the nearest parts."""
+    runs = trace.pairs or (trace,)
+    return min(max(test.gap for test in run.tests) for run in runs)
+
+
+def _distance_of_boxes(a: Shape, b: Shape) -> float:
+    """Return the larger of the gaps of two bounding boxes in x and in y."""
+    p, q = a.bounds, b.bounds
+    return max(p[0] - q[2], q[0] - p[2], p[1] - q[3], q[1] - p[3])
+
+
+def _pair_count(shapes: int) -> int:
+    """Return the number of pairs."""
+    return shapes * (shapes - 1) // 2

@@ -1,0 +1,378 @@
+"""Tokens as a tree of values: what is written inside what.  It knows brackets, calls, pairs and lines, but no library.
+
+Every notation has the same few forms, so one grammar reads them all: a list in any bracket (with commas, semicolons
+or spaces between its items), a call or an array with a type before its bracket, `key = value` and `key: value`, and
+lines such as `verts[0] = c2V(-1, 1);`.  What a name means stands in `notations.py`.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from ...engine.geometry import InvalidScene
+from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
+
+MAX_DEPTH = 24
+PAIRS = {"(": ")", "[": "]", "{": "}"}
+IGNORED_NAMES = frozenset(  # words of a language before a value
+    [
+        "new",
+        "const",
+        "constexpr",
+        "let",
+        "var",
+        "val",
+        "auto",
+        "mut",
+        "final",
+        "static",
+        "return",
+        "ref",
+        "in",
+        "out",
+        "pub",
+        "private",
+        "public",
+        "readonly",
+        "local",
+        "struct",
+        "boxed",
+        "await",
+        "export",
+        "default",
+        "def",
+        "type",
+    ]
+)
+OPERATORS = frozenset("+-*/%^\u2212")
+
+
+@dataclass(slots=True)
+class Value:
+    """A part of the text: where it begins and ends."""
+
+    start: int
+    end: int
+
+
+@dataclass(slots=True)
+class Num(Value):
+    """A number; `value` is None where it cannot be taken, and `why` says why."""
+
+    value: Fraction | None
+    why: str = ""
+
+
+@dataclass(slots=True)
+class Name(Value):
+    """A name that stands alone."""
+
+    text: str
+
+
+@dataclass(slots=True)
+class Bad(Value):
+    """What is not evaluated (`why`); `inside`: values in it that stand for themselves, such as lists amid words."""
+
+    why: str
+    inside: list[Any] = field(default_factory=list)
+
+
+@dataclass(slots=True)
+class Pair(Value):
+    """`key = value` or `key: value`; the key is a path, such as ("poly", "verts", 0)."""
+
+    path: tuple[str | int, ...]
+    value: Any
+
+
+@dataclass(slots=True)
+class Group(Value):
+    """What stands in a bracket, or side by side: its items.  With a name before it, it is a call or a typed list."""
+
+    items: list[Any]
+    bracket: str = ""
+    name: str = ""
+    methods: list[tuple[str, "Group"]] = field(default_factory=list)  # calls behind it: .rotate(45)
+
+
+def parse(text: str) -> tuple[Group, list[str]]:
+    """Return the whole text as one group of lines, and sentences about brackets that do not fit."""
+    parser = _Parser(text, tokens(text))
+    root = Group(0, len(text), parser.items("", 0))
+    return root, parser.remarks
+
+
+class _Parser:
+    """Reads tokens from left to right, one bracket at a time."""
+
+    def __init__(self, text: str, found: Sequence[Token]) -> None:
+        self.text = text
+        self.tokens = found
+        self.at = 0
+        self.remarks: list[str] = []
+
+    def items(self, bracket: str, depth: int) -> list[Any]:
+        """Return the items up to the bracket that closes this group ("" is the whole text)."""
+        if depth > MAX_DEPTH:
+            raise InvalidScene(f"brackets are nested deeper than {MAX_DEPTH} levels: paste the shapes alone")
+        items: list[Any] = []
+        row: list[Any] = []  # values between commas on one line of the whole text
+        atoms: list[Any] = []
+
+        def end_item() -> None:
+            """Take the atoms as one value."""
+            value = self.value(atoms, bracket)
+            atoms.clear()
+            if value is None:
+                return
+            if bracket:
+                items.append(value)
+            elif row and isinstance(row[-1], Pair) and not isinstance(value, Pair):
+                pair = row[-1]  # b.position = 300, 125
+                many = isinstance(pair.value, Group) and pair.value.bracket == ","
+                first = pair.value.items if many else [pair.value]
+                pair.value = Group(first[0].start, value.end, [*first, value], ",")
+                pair.end = value.end
+            else:
+                row.append(value)
+
+        def end_line() -> None:
+            """Take the row of values on this line as one item."""
+            end_item()
+            if row:
+                plain = not any(isinstance(v, Pair) for v in row)
+                items.extend([Group(row[0].start, row[-1].end, list(row), ",")] if plain and len(row) > 1 else row)
+                row.clear()
+
+        while self.at < len(self.tokens):
+            token = self.tokens[self.at]
+            self.at += 1
+            if token.kind == CLOSE:
+                if bracket and PAIRS[bracket] == token.text:
+                    break
+                if bracket and any(PAIRS[bracket] == later.text for later in self.tokens[self.at : self.at + 1]):
+                    continue
+                if not bracket:
+                    continue  # one too many, as "A)" in prose
+                self.remark(f"a bracket {bracket} is closed by {token.text}")
+                if depth > 1:
+                    self.at -= 1  # it may close the bracket outside
+                break
+            if token.kind == OPEN:
+                group = Group(token.start, token.end, self.items(token.text, depth + 1), token.text)
+                group.end = self.tokens[self.at - 1].end if self.at else token.end
+                atoms.append(group)
+            elif token.kind == LINE:
+                if bracket == "" and not self.goes_on(atoms):
+                    end_line()
+                    if self.next_is(LINE):
+                        items.append(None)  # an empty line ends a column of points
+                elif bracket == "{" and atoms and not self.goes_on(atoms):
+                    end_item()
+            elif token.text == "," and token.kind == MARK:
+                end_item()
+                if not bracket and self.next_is(LINE):
+                    self.at += 1
+            elif token.text == ";" and token.kind == MARK:
+                if bracket:
+                    end_item()
+                else:
+                    end_line()
+            elif token.kind == TEXT:
+                atoms.append(self.quoted(token, depth))
+            else:
+                atoms.append(token)
+        else:
+            if bracket:
+                self.remark(f"a bracket {bracket} is never closed, so the text may be cut off")
+        end_item() if bracket else end_line()
+        return items
+
+    def remark(self, text: str) -> None:
+        """Note what is wrong with a bracket, once."""
+        if text not in self.remarks:
+            self.remarks.append(text)
+
+    def next_is(self, kind: str) -> bool:
+        """Return whether the next token is of this kind."""
+        return self.at < len(self.tokens) and self.tokens[self.at].kind == kind
+
+    def goes_on(self, atoms: Sequence[Any]) -> bool:
+        """Return whether the value goes on after the end of this line."""
+        following = next((t for t in self.tokens[self.at : self.at + 8] if t.kind != LINE), None)
+        last = atoms[-1] if atoms else None
+        if isinstance(last, Token) and last.kind == MARK:
+            return True
+        starts = following is not None and (following.text == "{" or following.kind == FIELD)
+        field_follows = following is not None and following.kind == FIELD
+        return bool(atoms) and starts and (isinstance(last, Token) or field_follows)
+
+    def quoted(self, token: Token, depth: int) -> Any:
+        """Return the values inside quotes, where they hold some: WKT, JSON; otherwise the text as a token."""
+        inner = token.text[1:-1]
+        if not any(c.isdigit() for c in inner) or not any(c in inner for c in "([{ ,"):
+            return token
+        begin = token.start + 1
+        parser = _Parser(self.text, [t._replace(start=t.start + begin, end=t.end + begin) for t in tokens(inner)])
+        items = [item for item in parser.items("", depth + 1) if item is not None]
+        self.remarks += [r for r in parser.remarks if r not in self.remarks]
+        return items[0] if len(items) == 1 else Group(token.start, token.end, items, '"')
+
+    # -- one item
+
+    def value(self, atoms: list[Any], bracket: str) -> Any:
+        """Return the value of the atoms between two separators; None where there is none."""
+        if not atoms:
+            return None
+        mark = next((i for i, a in enumerate(atoms) if _is_mark(a, ("=", ":=", "=>", ":"))), None)
+        if mark is not None and not any(_is_mark(a, ("==", "<=", ">=", "!=")) for a in atoms[:mark]):
+            sign = mark
+            if _is_mark(atoms[mark], (":",)):  # `let a: Type = value`: the value stands behind the =
+                sign = next((i for i, a in enumerate(atoms) if i > mark and _is_mark(a, ("=",))), mark)
+                if any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[mark:sign]):
+                    sign = mark
+            path = _path(atoms[:mark])
+            if bracket == "{" and mark > 1 and any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[:mark]):
+                return Bad(_start(atoms[0]), _end(atoms[-1]), "a number beside a key")
+            after = atoms[sign + 1 :]
+            second = any(_is_mark(a, ("=", ":")) for a in after[1:2])
+            if second and isinstance(after[0], Token) and after[0].kind == NUMBER:
+                rest: Any = Bad(_start(after[0]), _end(after[-1]), "two values for one key")
+            else:
+                rest = self.value(after, bracket)
+            if rest is None:  # nothing follows the sign: a heading such as `body:`, or a slip among numbers
+                groups = [a for a in atoms[:mark] if isinstance(a, Group)]
+                slips = groups or any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[:mark])
+                return Bad(_start(atoms[0]), _end(atoms[-1]), "a key without a value", groups) if slips else None
+            if not path:
+                return rest
+            pair = Pair(_start(atoms[0]), rest.end, path, rest)
+            before = [a for a in atoms[:mark] if isinstance(a, Group) and a.bracket in "({" and a.items]
+            return Group(pair.start, pair.end, [*before, pair], "+") if before else pair  # {x: 1, y: 2} radius: 5
+        return self.plain(atoms)
+
+    def plain(self, atoms: list[Any]) -> Any:
+        """Return the value of atoms without `=` and `:`."""
+        first = next((i for i, a in enumerate(atoms) if not _says_nothing(a)), len(atoms))
+        atoms = atoms[first:]
+        if len(atoms) > 1 and _is_operator(atoms[0]) and not (isinstance(atoms[1], Token) and atoms[1].kind == NUMBER):
+            atoms = atoms[1:]  # a bullet before a line
+        if not atoms:
+            return None
+        values, operators = self.joined(atoms)
+        start, end = _start(atoms[0]), _end(atoms[-1])
+        if operators:
+            only = values[0] if len(values) == 1 else None
+            if isinstance(only, Num) and only.value is not None and operators == ["-"] and atoms[0].end <= only.start:
+                return Num(start, end, -only.value)
+            if any(o in OPERATORS for o in operators):
+                return Bad(start, end, "an expression, which is not evaluated")
+            return Bad(start, end, "not a number", [v for v in values if isinstance(v, Group)])
+        if len(values) == 1:
+            return values[0]
+        if all(isinstance(v, Num) for v in values):
+            return Group(start, end, values, " ")
+        if all(isinstance(v, Group) for v in values):
+            return Group(start, end, values, " ")
+        return Bad(start, end, "words", [v for v in values if not isinstance(v, (Name, Bad))])
+
+    def joined(self, atoms: list[Any]) -> tuple[list[Any], list[str]]:
+        """Return the values among the atoms, each name joined with the brackets behind it, and the operators."""
+        values: list[Any] = []
+        operators: list[str] = []
+        i = 0
+        while i < len(atoms):
+            atom = atoms[i]
+            i += 1
+            if isinstance(atom, Group):
+                last = values[-1] if values else None
+                # new float[3] {...}: the bracket with the length comes before the list
+                if isinstance(last, Name) and atom.bracket in "([{" and atom.bracket:
+                    length = atom
+                    while atom.bracket == "[" and len(atom.items) < 2 and i < len(atoms) and _is_open(atoms[i]):
+                        atom = atoms[i]
+                        i += 1
+                    name = last.text if atom is length else ""  # the list after Vector2[] is no Vector2
+                    values[-1] = Group(last.start, atom.end, atom.items, atom.bracket, name)
+                else:
+                    values.append(atom)
+            elif not isinstance(atom, Token):
+                values.append(atom)
+            elif atom.kind == NUMBER:
+                touching = bool(values) and isinstance(values[-1], Num) and values[-1].end == atom.start
+                if touching:
+                    values[-1] = Num(
+                        values[-1].start, atom.end, None, f"{self.text[values[-1].start : atom.end]!r} is not a number"
+                    )
+                else:
+                    values.append(Num(atom.start, atom.end, atom.value, atom.why))
+            elif atom.kind == NAME:
+                if atom.text not in IGNORED_NAMES:
+                    values.append(Name(atom.start, atom.end, atom.text))
+            elif atom.kind == FIELD:
+                last = values[-1] if values else None
+                if isinstance(last, Group) and i < len(atoms) and _is_open(atoms[i]):
+                    last.methods.append((atom.text.lstrip(".->:"), atoms[i]))
+                    last.end = atoms[i].end
+                    i += 1
+                elif isinstance(last, Num):
+                    values[-1] = Num(last.start, atom.end, None, "an expression, which is not evaluated")
+                else:
+                    values.append(Name(atom.start, atom.end, atom.text))
+            elif atom.kind == TEXT:
+                values.append(Name(atom.start, atom.end, atom.text[1:-1]))
+            elif atom.kind in (MARK, OTHER) and atom.text not in "&":
+                operators.append("-" if atom.text == "\u2212" else atom.text)
+        return values, operators
+
+
+def _is_mark(atom: Any, texts: tuple[str, ...]) -> bool:
+    """Return whether an atom is one of these marks."""
+    return isinstance(atom, Token) and atom.kind == MARK and atom.text in texts
+
+
+def _says_nothing(atom: Any) -> bool:
+    """Return whether an atom before a value is a word such as `new`, a reference, or a bullet."""
+    return isinstance(atom, Token) and (atom.text in IGNORED_NAMES or atom.text in ("&", "*", "|", ">", "@", "\u2022"))
+
+
+def _is_operator(atom: Any) -> bool:
+    """Return whether an atom is an operator of arithmetic."""
+    return isinstance(atom, Token) and atom.kind == OTHER and atom.text in OPERATORS
+
+
+def _is_open(atom: Any) -> bool:
+    """Return whether an atom is a bracket with its items."""
+    return isinstance(atom, Group) and atom.bracket in ("(", "[", "{") and not atom.name
+
+
+def _start(atom: Any) -> int:
+    """Return where an atom begins."""
+    found: int = atom.start
+    return found
+
+
+def _end(atom: Any) -> int:
+    """Return where an atom ends."""
+    found: int = atom.end
+    return found
+
+
+def _path(atoms: Sequence[Any]) -> tuple[str | int, ...]:
+    """Return the path that is assigned to: the last name before the sign, with the indices and fields behind it."""
+    names = [i for i, a in enumerate(atoms) if isinstance(a, Token) and a.kind in (NAME, TEXT)]
+    parts: list[str | int] = []
+    begin = names[-1] if names else 0
+    for atom in atoms[begin:]:
+        if isinstance(atom, Token) and atom.kind in (NAME, TEXT, FIELD):
+            text = atom.text[1:-1] if atom.kind == TEXT else atom.text
+            parts += [p for p in text.replace("->", ".").replace("::", ".").split(".") if p]
+        elif isinstance(atom, Token) and atom.kind == NUMBER and not names:
+            parts.append(atom.text)
+        elif isinstance(atom, Group) and atom.bracket == "[" and len(atom.items) == 1:
+            index = atom.items[0]
+            if isinstance(index, Num) and index.value is not None and index.value.denominator == 1:
+                parts.append(int(index.value))
+    return tuple(parts)

@@ -1,0 +1,56 @@
+"""The paste box without its page: a text is answered with its shapes, the diagnosis, and what can be sent on."""
+
+from typing import Any
+
+from ..engine.geometry import InvalidScene, Vec
+from ..pictures.outlines import outlines_picture
+from ..scenes.link import fragment
+from ..scenes.minimal_test import LANGUAGES
+from ..scenes.paste.exact import crossing
+from ..scenes.paste.pasted import Pasted, paste
+from ..scenes.scenefile import Scene
+from ..scenes.strictjson import typed
+
+MAX_DRAWN_CORNERS = 60  # of an outline that is refused
+
+
+def read_paste(content: dict[str, Any]) -> tuple[Scene | None, dict[str, Any]]:
+    """Return the scene of the pair that a message asks for, or None, and all that a page shows, as JSON values.
+
+    Nothing raises: a text in which nothing can be read is answered with the reason, `why`.
+    """
+    try:
+        text = typed(content.get("text"), "the text", str)
+        chosen = [typed(word, "a reading", str) for word in typed(content.get("as", []), "the readings", list)]
+        number = typed(content.get("pair", 0), "the pair", int)
+        found = paste(text, chosen)
+    except InvalidScene as error:
+        return None, {"why": f"{str(error).rstrip('.')}."}
+    data = found.data() | {"chosen": list(found.chosen), "wkt": found.wkt, "json": found.to_json()}
+    if drawn := _refused(found):
+        data["refused"] = drawn
+    if not found.pairs:
+        return None, data
+    number = number if 0 <= number < len(found.pairs) else 0
+    scene = found.scene(number)
+    tests = {language: found.test(language, number) for language in LANGUAGES}
+    pair = found.pairs[number]
+    if (pair.a.name, pair.b.name) != ("A", "B"):
+        data["note"] = f"The picture calls {pair.a.name} A, and {pair.b.name} B."
+    return scene, data | {"pair": number, "tests": tests, "scene": scene.to_json(), "link": fragment(scene)}
+
+
+def _refused(found: Pasted) -> dict[str, Any] | None:
+    """Return the picture of the outlines that cross themselves, with the crossing and the order that was meant."""
+    bad = [r for r in found.readings if not r.shape and not r.read.is_circle and len(r.vertices) <= MAX_DRAWN_CORNERS]
+    if not bad:
+        return None
+    each = bad[0]
+    met = crossing(each.read.points)
+    at = Vec(*map(float, met.point)) if met else None
+    ring = [Vec(x, y) for x, y in each.vertices]
+    meant = [Vec(*v) for v in each.meant.corners] if each.meant else []
+    try:
+        return outlines_picture(each.name, ring, at, meant, each.refused).data()
+    except (ValueError, OverflowError):  # coordinates that no canvas holds
+        return None
