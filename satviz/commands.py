@@ -127,14 +127,17 @@ def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawabl
     from .pictures.moves import animation
     from .render.page import page_of_refused
 
-    if args.axes or args.every_axis or args.sheet or args.steps:
+    if args.axes or args.every_axis or args.sheet or args.steps or args.sweep:
         raise Refused(
             f"{case.name} has no run, since its outlines are refused: leave out --axes, --every-axis, "
-            "--sheet and --steps"
+            "--sheet, --steps and --sweep"
         )
     drawn = refused_picture(case)
     return _Drawable(
-        case.name, [(case.name, lambda: [drawn])], lambda: animation([drawn]), lambda: page_of_refused(case)
+        case.name,
+        [(case.name, lambda: [drawn])],
+        lambda: animation([drawn], speed=args.speed or 1.0),
+        lambda: page_of_refused(case),
     )
 
 
@@ -156,8 +159,7 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
 
     def still(step: int) -> "Sequence[Picture]":
         """Return a list of the picture of one step, captioned with its sentence under --caption."""
-        drawn = [picture(trace, step, title=scene.title)]
-        return add_captions(drawn) if args.caption else drawn
+        return _captioned(picture(trace, step, title=scene.title), args)
 
     def frames() -> "Animation":
         """Return the animation of the run, or of the axis that turns, with the sentences below."""
@@ -172,8 +174,10 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
     if args.sweep:
         turned = sweep(trace, title=scene.title)
         digits = len(str(len(turned) - 1))
-        stills = [(f"{scene.name}-sweep-{n:0{digits}}", partial(list, [drawn])) for n, drawn in enumerate(turned)]
-        return _Drawable(f"{scene.name}-sweep", stills, frames, page)
+        turns = [
+            (f"{scene.name}-sweep-{n:0{digits}}", partial(_captioned, drawn, args)) for n, drawn in enumerate(turned)
+        ]
+        return _Drawable(f"{scene.name}-sweep", turns, frames, page)
 
     if not args.sheet and (count <= MAX_STEP_FILES or args.steps):
         digits = len(str(count - 1))
@@ -182,6 +186,13 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
     whole = [(f"{scene.name}-sheet", lambda: [sheet(trace, title=scene.title)])]
     note = "" if args.sheet else f"one sheet instead of a picture of each of the {count} steps (--steps makes those)"
     return _Drawable(scene.name, whole, frames, page, note)
+
+
+def _captioned(drawn: "Picture", args: argparse.Namespace) -> "Sequence[Picture]":
+    """Return a list of the picture, with its sentence below it under --caption."""
+    from .pictures.caption import add_captions
+
+    return add_captions([drawn]) if args.caption else [drawn]
 
 
 def _page(drawable: _Drawable) -> bytes:

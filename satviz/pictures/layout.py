@@ -154,7 +154,8 @@ def _layouts_on(
     """
     scale = start = min(largest) / size / 2
     for _ in range(8):
-        places, boxes = [], []
+        places: list[list[AxisPlace]] = []
+        boxes: list[Box] = []
         for group, widths in zip(groups, label_widths, strict=True):
             places.append(place_axes(group.shapes, group.tests, widths, scale, boxes if one_frame else ()))
             boxes.append(_needed_box(group, places[-1], widths, scale, PAD_PT - pad))

@@ -266,8 +266,13 @@ class Sketch(ShapeSketch):
             if who := self.vertex_names(name, shape, side.points[i : i + 1]):
                 pieces = ((f"{who}: ", role), *pieces)
             text = "".join(piece for piece, _ in pieces)
-            options: LabelOptions = {"axis": self.axis_id(test), "pieces": pieces, "optional": True}
-            self.label("landing-sum", text, "guide", place.at(side.landings[i]), prefer=place.out, first=6, **options)
+            options: LabelOptions = {
+                "axis": self.axis_id(test),
+                "pieces": pieces,
+                "optional": True,
+                "prefer": place.out,
+            }
+            self.label("landing-sum", text, "guide", place.at(side.landings[i]), first=6, **options)
 
     def vertex_names(self, name: str, shape: Shape, points: Sequence[Vec]) -> str:
         """Return the names of a shape's corners at some points, as "v1, v2"; "" if its vertices have no labels."""

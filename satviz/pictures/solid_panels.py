@@ -82,13 +82,14 @@ def _draw_crossing_edges(sketch: Sketch, best: AxisGap, at: Callable[[Vec3], Vec
     a, b = PAIR
     i, j = int(best.name[1]) - 1, int(best.name[-1]) - 1
     n = cross(a.axes[i], b.axes[j])
-    toward = tuple(q - p for p, q in zip(a.center, b.center, strict=True))
-    n = n if dot(n, toward) > 0 else tuple(-c for c in n)  # type: ignore[assignment]
+    if dot(n, b.center) < dot(n, a.center):
+        n = -n[0], -n[1], -n[2]
     for role, box, k, sign in (("A", a, i, 1), ("B", b, j, -1)):
-        corner = max(corners(box), key=lambda p, sign=sign: sign * dot(p, n) + 1e-6 * dot(p, EYE))
+        furthest = max(sign * dot(p, n) for p in corners(box))
+        ends = [p for p in corners(box) if abs(sign * dot(p, n) - furthest) < 1e-9]
         along = box.axes[k]
-        ends = [p for p in corners(box) if abs(dot(p, n) - dot(corner, n)) < 1e-9]
-        p, q = min(ends, key=lambda e: dot(e, along)), max(ends, key=lambda e: dot(e, along))
+        ends.sort(key=lambda e, along=along: dot(e, along))  # type: ignore[misc]
+        p, q = ends[0], ends[-1]
         sketch.add("facing-edge", "segment", role, at(p), at(q), owner=role, weight="strong")
     start = tuple((p + q) / 2 for p, q in zip(a.center, b.center, strict=True))
     _draw_axis(sketch, at, start, n, f"{best.name}: gap {signed(best.gap)}", "gap")

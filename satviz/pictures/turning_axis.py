@@ -91,8 +91,8 @@ def _axis_marks(shapes: tuple[Shape, Shape], degree: float) -> list[Mark]:
     foot = point_along(Vec(*STAGE_CENTER_PT), out, SHAPES_PT + CLEARANCE_PT)
     middle = center.x * n.x + center.y * n.y
     axis = Axis(n, 1.0, Source(GIVEN))
-    sides = [project(shape, axis) for shape in shapes]
-    test = AxisTest(axis, *sides, sides[0].interval.gap(sides[1].interval))
+    sides = project(shapes[0], axis), project(shapes[1], axis)
+    test = AxisTest(axis, sides[0], sides[1], sides[0].interval.gap(sides[1].interval))
 
     def at(t: float, level: float = 0.0) -> Vec:
         """Return the point of coordinate t on the axis, `level` points off it."""

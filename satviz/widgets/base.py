@@ -13,7 +13,7 @@ import traitlets
 from ..engine import describe
 from ..pictures import Picture
 from ..pictures.caption import add_captions
-from ..pictures.moves import animation, turning
+from ..pictures.moves import Animation, animation, turning
 from ..render.files import encode_frames
 from ..render.formats import FORMATS
 from ..render.notebook import bundle
@@ -75,11 +75,10 @@ class TraceWidget(anywidget.AnyWidget):
             self.send({"kind": "refused", "why": str(error)})
             return
         if drawn:
-            times = None
+            shown = Animation(drawn, [0] * len(drawn))
             if form.animated:
-                captioned = add_captions(drawn)
-                drawn, times = turning(captioned) if self._model.turns else animation(captioned)
-            data = encode_frames(drawn, form.name, times=times)
+                shown = (turning if self._model.turns else animation)(add_captions(drawn))
+            data = encode_frames(shown.pictures, form.name, times=shown.times)
             self.send({"kind": "file", "name": f"satviz.{form.name}", "mime": form.mime}, [data])
 
     def _answer(self, content: dict[str, Any]) -> None:
