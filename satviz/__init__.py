@@ -21,6 +21,7 @@ if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from .pictures.curve import gap_curve
     from .pictures.minkowski import difference
     from .pictures.sheet import sheet
+    from .pictures.turning_axis import sweep
     from .render.draw import draw
     from .render.page import page
     from .scenes.link import link
@@ -68,6 +69,7 @@ __all__ = [
     "scene",
     "sheet",
     "steps",
+    "sweep",
 ]
 
 # Shapes, traces and scenes show and save themselves with these functions of higher layers.
@@ -104,6 +106,7 @@ _MODULE_OF = {
     "scene": "scenes.named",
     "sheet": "pictures.sheet",
     "steps": "pictures",
+    "sweep": "pictures.turning_axis",
 }
 
 

@@ -15,6 +15,8 @@ from .scenes.minimal_test import LANGUAGES
 from .scenes.paste.reading import ALL_CHOICES
 from .terminal import interrupted, open_streams, out, remembering_interrupts, say
 
+MAX_SPEED = 20.0
+
 THEMES = ("light", "dark")
 EXPLAIN_FORMS = ("json", "scene", "wkt", "link", "svg", *LANGUAGES)
 DRAW_FORMATS = (*FORMATS, "html", "link")  # a page of the run, and a line with its link
@@ -156,11 +158,20 @@ def _parser() -> argparse.ArgumentParser:
     )
     draw.add_argument("--site", metavar="URL", help="where the site is that --format link leads to: http or https")
     which = draw.add_mutually_exclusive_group()
+    which.add_argument(
+        "--sweep", action="store_true", help="an axis that turns through 180 degrees, instead of the steps of the run"
+    )
     which.add_argument("--sheet", action="store_true", help="one picture of the whole run, a row for each axis")
     which.add_argument(
         "--steps",
         action="store_true",
         help=f"every step, also of a run of more than {commands.MAX_STEP_FILES} (which else gets a sheet)",
+    )
+    draw.add_argument(
+        "--speed",
+        type=_speed,
+        metavar="TIMES",
+        help="of a GIF: 2 is twice as fast, 0.25 leaves time to read (default: 1)",
     )
     draw.set_defaults(run=commands.draw, clash=_clash_of_draw)
 
@@ -265,6 +276,17 @@ def _add_output_options(parser: argparse.ArgumentParser, out: str, formats: Sequ
     parser.set_defaults(usual={"out": Path(out), "format": ["svg"], "theme": "light"})
 
 
+def _speed(text: str) -> float:
+    """Return a speed from the command line; ArgumentTypeError if it is not a number from 0.05 to 20."""
+    try:
+        speed = float(text)
+    except ValueError:
+        speed = 0.0
+    if not 1 / MAX_SPEED <= speed <= MAX_SPEED:
+        raise argparse.ArgumentTypeError(f"{text!r} is no speed: give a number from {1 / MAX_SPEED:g} to {MAX_SPEED:g}")
+    return speed
+
+
 def _clash_of_draw(args: argparse.Namespace) -> str | None:
     """Return an error line for options of `draw` that cannot be given together, or None."""
     formats = set(args.format or ["svg"])
@@ -275,8 +297,10 @@ def _clash_of_draw(args: argparse.Namespace) -> str | None:
     if args.sheet and (others := formats - {*STILL_FORMATS, "link"}):
         apart = " or ".join(sorted(others))
         return f"--sheet is one picture, for {', '.join(STILL_FORMATS)}: ask for --format {apart} in another run"
+    if args.speed is not None and "gif" not in formats:
+        return "--speed is of an animation: give it with --format gif"
     files = formats - {"link"}
-    if not files and (given := _first_given(args, "out", "theme", "force", "caption", "sheet", "steps")):
+    if not files and (given := _first_given(args, "out", "theme", "force", "caption", "sheet", "steps", "sweep")):
         return f"--format link prints a line: {given} is for files, so add the format of a file"
     if files == {"html"} and args.theme:
         return "a page has both themes, and shows its reader's: leave out --theme, or add the format of a picture"

@@ -19,6 +19,7 @@ from .terminal import interrupts_ignored, out, out_json, say, stop_if_interrupte
 
 if TYPE_CHECKING:
     from .pictures import Picture
+    from .pictures.moves import Animation
     from .scenes.failing import FailureCase
     from .scenes.scenefile import Scene
 
@@ -84,7 +85,7 @@ class _Drawable(NamedTuple):
 
     name: str  # the stem of the animation's and the page's file
     stills: "Sequence[tuple[str, Pictures]]"  # the stem of each file, and its one picture
-    frames: "Pictures"
+    frames: "Callable[[], Animation]"
     page: Callable[[], str]
     note: str = ""  # printed where still pictures were written
 
@@ -111,7 +112,7 @@ def draw(args: argparse.Namespace) -> int:
         if form == "html":
             jobs.append((args.out / f"{drawable.name}.html", partial(_page, drawable)))  # a page has both themes
         elif FORMATS[form].animated:
-            jobs.append(_job(args, drawable.name, form, drawable.frames))
+            jobs.append(_animated_job(args, drawable, form))
         else:
             jobs += [_job(args, stem, form, make) for stem, make in drawable.stills]
     done = _write(args, jobs)
@@ -123,22 +124,30 @@ def draw(args: argparse.Namespace) -> int:
 def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawable:
     """Return the drawing of a scene whose outlines are refused; Refused for options that need a run."""
     from .pictures.comparison import refused_picture
+    from .pictures.moves import animation
     from .render.page import page_of_refused
 
-    if args.axes or args.every_axis or args.sheet or args.steps:
+    if args.axes or args.every_axis or args.sheet or args.steps or args.sweep:
         raise Refused(
             f"{case.name} has no run, since its outlines are refused: leave out --axes, --every-axis, "
-            "--sheet and --steps"
+            "--sheet, --steps and --sweep"
         )
     drawn = refused_picture(case)
-    return _Drawable(case.name, [(case.name, lambda: [drawn])], lambda: [drawn], lambda: page_of_refused(case))
+    return _Drawable(
+        case.name,
+        [(case.name, lambda: [drawn])],
+        lambda: animation([drawn], speed=args.speed or 1.0),
+        lambda: page_of_refused(case),
+    )
 
 
 def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
     """Return a run's drawings under --sheet, --steps and --caption; Refused if it cannot be drawn."""
     from .pictures import picture, steps
     from .pictures.caption import add_captions
+    from .pictures.moves import animation, turning
     from .pictures.sheet import sheet
+    from .pictures.turning_axis import sweep
     from .render.page import page_of_run
 
     trace = scene.record()
@@ -150,16 +159,25 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
 
     def still(step: int) -> "Sequence[Picture]":
         """Return a list of the picture of one step, captioned with its sentence under --caption."""
-        drawn = [picture(trace, step, title=scene.title)]
-        return add_captions(drawn) if args.caption else drawn
+        return _captioned(picture(trace, step, title=scene.title), args)
 
-    def frames() -> "Sequence[Picture]":
-        """Return the picture of every step, each with its sentence below it."""
-        return add_captions([picture(trace, step) for step in range(count)])
+    def frames() -> "Animation":
+        """Return the animation of the run, or of the axis that turns, with the sentences below."""
+        if args.sweep:
+            return turning(add_captions(sweep(trace)), speed=args.speed or 1.0)
+        return animation(add_captions([picture(trace, step) for step in range(count)]), speed=args.speed or 1.0)
 
     def page() -> str:
         """Return the page of the run."""
-        return page_of_run(trace, title=scene.title)
+        return page_of_run(trace, title=scene.title, sweep=args.sweep)
+
+    if args.sweep:
+        turned = sweep(trace, title=scene.title)
+        digits = len(str(len(turned) - 1))
+        turns = [
+            (f"{scene.name}-sweep-{n:0{digits}}", partial(_captioned, drawn, args)) for n, drawn in enumerate(turned)
+        ]
+        return _Drawable(f"{scene.name}-sweep", turns, frames, page)
 
     if not args.sheet and (count <= MAX_STEP_FILES or args.steps):
         digits = len(str(count - 1))
@@ -168,6 +186,13 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
     whole = [(f"{scene.name}-sheet", lambda: [sheet(trace, title=scene.title)])]
     note = "" if args.sheet else f"one sheet instead of a picture of each of the {count} steps (--steps makes those)"
     return _Drawable(scene.name, whole, frames, page, note)
+
+
+def _captioned(drawn: "Picture", args: argparse.Namespace) -> "Sequence[Picture]":
+    """Return a list of the picture, with its sentence below it under --caption."""
+    from .pictures.caption import add_captions
+
+    return add_captions([drawn]) if args.caption else [drawn]
 
 
 def _page(drawable: _Drawable) -> bytes:
@@ -187,6 +212,22 @@ def _job(args: argparse.Namespace, stem: str, form: str, make: "Pictures") -> "J
     if theme is not LIGHT:
         stem = f"{stem}-{theme.name}"
     return args.out / f"{stem}.{form}", lambda: encode_frames(make(), form, theme, stem=stem)
+
+
+def _animated_job(args: argparse.Namespace, drawable: _Drawable, form: str) -> "Job":
+    """Return an animated file's path in --out and the function that makes its bytes."""
+    from .pictures import LIGHT, THEMES
+    from .render.files import encode_frames
+
+    theme = THEMES[args.theme]
+    stem = drawable.name if theme is LIGHT else f"{drawable.name}-{theme.name}"
+
+    def encode() -> bytes:
+        """Return the bytes of the animation."""
+        pictures, times = drawable.frames()
+        return encode_frames(pictures, form, theme, stem=stem, times=times)
+
+    return args.out / f"{stem}.{form}", encode
 
 
 def _write(args: argparse.Namespace, jobs: "Sequence[Job]") -> int:

@@ -10,6 +10,7 @@ from browser import jupyterlab
 import satviz as sv
 from satviz.pictures import DARK, LIGHT, playback
 from satviz.pictures.caption import add_captions
+from satviz.pictures.moves import animation
 from satviz.render.files import MADE_BY, encode, encode_frames
 from satviz.site.shipped import shipped_notebooks
 
@@ -336,7 +337,8 @@ def test_files_come_from_the_matplotlib_pen(hand):
     for form in "svg", "png":
         assert hand.file(f"save {form.upper()}", 2) == (f"satviz.{form}", encode(drawn, form, LIGHT))
     every = add_captions([sv.picture(trace, i) for i in range(len(sv.steps(trace)))])
-    assert hand.file("save GIF", 2) == ("satviz.gif", encode_frames(every, "gif"))
+    pictures, times = animation(every)
+    assert hand.file("save GIF", 2) == ("satviz.gif", encode_frames(pictures, "gif", times=times))
     hand.press("reset", 2)
 
 

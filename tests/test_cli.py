@@ -559,8 +559,8 @@ def test_options_that_cannot_be_together_get_one_line(line, capsys, tmp_path, mo
 def test_no_option_of_draw_is_taken_in_silence(form, scene, capsys, tmp_path, monkeypatch):
     """What is given changes what is made, or is refused; or it is so in any case, as the help says."""
 
-    def files(pictures, form, theme, stem):
-        return f"{form} {len(pictures)} {theme.name} {pictures[-1].to_json()}".encode()
+    def files(pictures, form, theme, stem, times=()):
+        return f"{form} {len(pictures)} {theme.name} {pictures[-1].to_json()} {times}".encode()
 
     monkeypatch.setattr("satviz.render.files.encode_frames", files)
 
@@ -578,6 +578,8 @@ def test_no_option_of_draw_is_taken_in_silence(form, scene, capsys, tmp_path, mo
         ["--caption"],
         ["--sheet"],
         ["--steps"],
+        ["--sweep"],
+        ["--speed", "2"],
         ["--every-axis"],
         ["--axes", "world"],
         ["--theme", "dark"],

@@ -1,6 +1,7 @@
 """The claim beside the truth: each failing scene's picture shows the wrong number, struck out, and the right one."""
 
 import math
+import re
 from importlib.util import find_spec
 
 import pytest
@@ -100,7 +101,9 @@ def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on
         if case.name == "circles-turned-round":
             left = "gap -1"
     assert left in saw and right in truth
-    assert any(left in text for text in struck(drawn)) or case.name == "tunnelling"
+    true_overlap = "true, but proves nothing" in saw or case.name == "faces-in-3d"  # only the verdict is wrong
+    assert any(left in text for text in struck(drawn)) is not (true_overlap or case.name == "tunnelling")
+    assert not true_overlap or struck(drawn) == ["overlapping"]
 
 
 @each_case
@@ -202,11 +205,17 @@ def test_every_shortcut_is_drawn_for_pairs_of_every_kind(name):
         assert sv.picture(trace).marks and sv.picture(trace, 0).marks
 
 
+def refusal(case):
+    """The error line, in which the picture names the edges by their corners."""
+    named = "edges a1a2 and a4a5 cross (rings)"
+    return f"Refused: {re.sub(r'edges 0 and 3 cross near [(][^)]*[)]', named, case.actual)}."
+
+
 @each_refused
 def test_what_is_refused_shows_its_outline_and_the_reason(case, tmp_path):
     drawn = comparison.refused_picture(case)
     assert [mark.owner for mark in drawn.marks if mark.part == "outline"] == ["A", "B"]
-    assert " ".join(drawn.mark("wrong").text.split()) == f"Refused: {case.actual}."
+    assert " ".join(drawn.mark("wrong").text.split()) == refusal(case)
     for form in "svg", "png", "gif", "html":
         assert main(["draw", case.name, "--out", str(tmp_path), "--format", form]) == 0
         assert (tmp_path / f"{case.name}.{form}").stat().st_size
@@ -215,7 +224,7 @@ def test_what_is_refused_shows_its_outline_and_the_reason(case, tmp_path):
 
 @each_refused
 def test_whatever_shows_a_scene_shows_why_an_outline_is_refused(case):
-    reason = f"Refused: {case.actual}."
+    reason = refusal(case)
     page = sv.page(case.name)
     assert page.count(reason) >= 3 and "<script" not in page  # its title, its heading, the pictures' words
     assert page.count("<svg") == 2 and f"<h1>Claim: {case.claim}. {reason}</h1>" in page
@@ -379,7 +388,9 @@ def round_polygon(corners, x, y, size):
     return sv.Polygon([(x + size * math.cos(t), y + 0.6 * size * math.sin(t)) for t in turns])
 
 
-OWN_PANELS = {case.name for case in FAILURE_CASES if case.panels != ("tests", "proof") or case.shortcut.split}
+OWN_PANELS = {"faces-in-3d"} ^ {
+    case.name for case in FAILURE_CASES if case.panels != ("tests", "proof") or case.shortcut.split
+}
 
 
 @pytest.mark.parametrize("name", sorted(OWN_PANELS))

@@ -1,7 +1,9 @@
 """A shortcut's claim beside the truth: two panels in one picture, on one scale."""
 
+import re
 from collections.abc import Sequence
 from functools import lru_cache
+from itertools import combinations, pairwise
 from typing import NamedTuple
 
 from ..engine.geometry import Vec
@@ -14,9 +16,9 @@ from . import step_picture
 from .axis_place import AxisPlace
 from .claims import answers, heading, verdict_words
 from .comparison_panels import PANELS, PIECES
-from .default_panels import Panel, claimed_tests, drawable_test
+from .default_panels import RING_PT, Panel, PanelSketch, claimed_tests, drawable_test, is_as_measured
 from .draw_steps import draw_other_parts, draw_test
-from .float_geometry import bounding_box
+from .float_geometry import bounding_box, point_along, segments_cross
 from .insets import add_insets
 from .label_placer import LabelRequest
 from .labels import with_labels
@@ -107,8 +109,11 @@ def _frame(trace: Trace, largest: tuple[float, float]) -> _Frame:
     rim = max(x1 - x0, y1 - y0) * AXES_RIM if tests else 0.0
     groups = [panel.needs(trace) for panel in _panels(trace)]
     groups.append(Group([box(x0 - rim, y0 - rim, x1 + rim, y1 + rim)]))
+    # on a telephone small shapes are better than small letters
+    shrink = 2.5 if largest == MAX_PANEL else 5.0
     for _ in range(2):
-        claimed, actual, *_ = add_insets(arrange(groups, largest=largest, pad=NARROW_PAD_PT, one_frame=True), named)
+        found = arrange(groups, largest=largest, pad=NARROW_PAD_PT, one_frame=True, shrink=shrink)
+        claimed, actual, *_ = add_insets(found, named)
         places = [place_axis_within(claimed, shapes, test) for test in tests]
         outside = [t for t, place in zip(tests, places, strict=True) if not _is_inside(place, claimed)]
         groups += [Group(shapes, [test]) for test in outside]
@@ -142,7 +147,7 @@ def _claimed_step(trace: Trace, step: Step, largest: tuple[float, float]) -> Pic
     frame = _frame(trace, largest)
     number = sum(len(pair.tests) for pair in trace.pairs[: step.pair or 0]) + (step.test or 0)
     layout = frame.claimed if step.test is None else frame.tests[number]
-    sketch = Sketch(run, layout)
+    sketch = PanelSketch(run, layout)
     if step.pair is not None:
         draw_other_parts(sketch, trace, run)
     if step.test is not None:
@@ -193,7 +198,9 @@ def strike_wrong_answers(drawn: Picture, trace: Trace) -> Picture:
     claim, verdict = verdict_words(trace)
     tests, case = claimed_tests(trace), case_of(trace.shortcut)
     best = max((test.gap for test in tests), default=0.0)
-    axes = {str(trace.tests.index(test) + 1) for test in tests if test.gap == best}
+    # an overlap that is as measured is true: only what was concluded from it is wrong
+    false = [test for test in tests if test.gap == best and not (trace.false_hit and is_as_measured(trace, test))]
+    axes = {str(trace.tests.index(test) + 1) for test in false}
     wrong = {"push-name", "number"} | ({"claim"} if claim != verdict else set())
     missed = trace.missed_hit or (case is not None and case.how == MISSED_HIT)
     if not (missed and trace.proves):  # there the gap is right, and only what follows from it is wrong
@@ -235,9 +242,33 @@ def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH_P
             away = Vec(spot.x - inner.x, spot.y - inner.y + 1e-3)
             label = f"{name.lower()}{i + 1}"
             requests.append(LabelRequest("vertex-name", label, name, spot, owner=name, number=i, prefer=away))
+        for n, (spot, _, _) in enumerate(_crossings(spots)):
+            marks.append(Mark("crossing", "disc", "wrong", (spot,), owner=name, number=n, radius=RING_PT))
     layout = Layout((0.0, 0.0, width, low), (width, low), ())
     drawn = with_labels(marks, requests, layout, steady=False, keep_off=())
-    return _under_heading((f"Claim: {case.claim}.", f"Refused: {case.actual}."), width, low, drawn, title or case.claim)
+    words = f"Claim: {case.claim}.", f"Refused: {_with_corner_names(str(case.actual), rings)}."
+    return _under_heading(words, width, low, drawn, title or case.claim)
+
+
+def _crossings(ring: Sequence[Vec]) -> list[tuple[Vec, int, int]]:
+    """Return each point where two edges of a ring cross, with the numbers of both edges."""
+    edges = list(pairwise([*ring, ring[0]]))
+    found = []
+    for (i, (p, q)), (j, (r, s)) in combinations(enumerate(edges), 2):
+        if segments_cross((p, q), (r, s)):
+            across = (q.x - p.x) * (s.y - r.y) - (q.y - p.y) * (s.x - r.x)
+            t = ((r.x - p.x) * (s.y - r.y) - (r.y - p.y) * (s.x - r.x)) / across
+            found.append((point_along(p, Vec(q.x - p.x, q.y - p.y), t), i, j))
+    return found
+
+
+def _with_corner_names(words: str, rings: Sequence[Sequence[Vec]]) -> str:
+    """Return an error line with the edges that cross named by their corners and their place by the rings drawn."""
+    for name, ring in zip("ab", rings, strict=False):
+        for _, i, j in _crossings(ring):
+            one, other = (f"{name}{k + 1}{name}{(k + 1) % len(ring) + 1}" for k in (i, j))
+            words = re.sub(rf"edges {i} and {j} cross near \([^)]*\)", f"edges {one} and {other} cross (rings)", words)
+    return words
 
 
 # -- the parts put together

@@ -10,7 +10,8 @@ from itertools import combinations, pairwise
 from math import cos, hypot, isnan, pi, sin
 
 from ..engine import describe
-from ..engine.geometry import Vec
+from ..engine.certificate import SeparatingLine
+from ..engine.geometry import Relation, Vec
 from ..engine.number_format import MINUS, number
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
@@ -21,12 +22,24 @@ from ..scenes.failing.true_value import FLIGHT, contact_times, separating_angles
 from ..scenes.failing.true_value import distance as true_distance
 from ..scenes.failing.wrong_projections import FIRST_EDGE_OF_B
 from ..scenes.shape_tools import box, translated
+from .claims import is_near
 from .curve import unit_vector
-from .default_panels import Panel, draw_claimed_tests, draw_proof, needs_claimed_tests, needs_proof
+from .default_panels import (
+    Panel,
+    PanelSketch,
+    draw_claimed_tests,
+    draw_proof,
+    draw_push,
+    needs_claimed_tests,
+    needs_proof,
+    true_run,
+)
+from .draw_steps import draw_mtv, draw_separating_line
 from .float_geometry import bounding_box, midpoint, point_along
 from .layout import NARROW_PAD_PT, Group, Layout, arrange
 from .letters import text_size, wrap_text
 from .sketch import Sketch
+from .solid_panels import solid_panel
 
 DOT_COUNT = 12  # dots that stand for many shapes
 MAX_AXES = 3  # axes that have space side by side
@@ -52,8 +65,8 @@ def draw_pieces(sketch: Sketch) -> None:
             start = centroid(trace.b)
             tip = point_along(start, pair.mtv, 1.0)
             sketch.add("mtv", "arrow", "move", start, tip, number=i, start=(start,))
-            text = f"{pair.names.a}: push {describe.digits(trace).vector(pair.mtv)}"
-            sketch.label("mtv-name", text, "move", tip, number=i, prefer=pair.mtv, first=3, far=True)
+            text = f"{pair.names.a} pushes\n{describe.digits(trace).vector(pair.mtv)}"
+            sketch.label("mtv-name", text, "move", tip, number=i, prefer=pair.mtv, first=3)
     if trace.push:
         sketch.note("push-name", f"in all: push {describe.digits(trace).vector(trace.push)}", "move", first=2)
 
@@ -266,9 +279,73 @@ def _nearest_on_edge(p: Vec, edge: tuple[Vec, Vec]) -> Vec:
     return point_along(q, Vec(x, y), min(1.0, max(0.0, t)))
 
 
+def draw_line_as_axis(trace: Trace, layout: Layout) -> Sketch:
+    """Draw the claimed tests, and the separating line whose direction was taken for that of the axis."""
+    sketch = draw_claimed_tests(trace, layout)
+    certificate = true_run(trace).certificate
+    if isinstance(certificate, SeparatingLine) and layout.places:
+        draw_separating_line(sketch, certificate, "the line between them")
+        place, point = layout.places[0], certificate.point
+        start = Vec(point.x, layout.limits[1] + layout.units(40.0))
+        tip = Vec(place.at(0.0).x, start.y)
+        sketch.add("taken", "arrow", "wrong", start, tip)
+        sketch.label("taken-name", "taken as the axis", "wrong", midpoint(start, tip), first=1)
+    return sketch
+
+
+def needs_push(trace: Trace) -> Group:
+    """Return both shapes, and B where the shortcut pushes it and where the MTV moves it."""
+    moves = [move for move in (trace.push, trace.truth.known_mtv) if move and is_near(trace, move)]
+    return Group([trace.a, trace.b, *(translated(trace.b, move) for move in moves)])
+
+
+def draw_push_alone(trace: Trace, layout: Layout) -> Sketch:
+    """Draw B where the shortcut pushes it, and the area in which it still overlaps A."""
+    sketch = draw_shapes(trace, layout)
+    draw_push(sketch)
+    return sketch
+
+
+def draw_way_out(trace: Trace, layout: Layout) -> Sketch:
+    """Draw B moved by the MTV, and the MTV."""
+    sketch = draw_shapes(trace, layout)
+    move = trace.truth.known_mtv
+    if trace.relation is Relation.OVERLAPPING and move:
+        draw_mtv(sketch, centroid(trace.b), move)
+    return sketch
+
+
+def needs_fold(trace: Trace) -> Group:
+    """Return both shapes, and the exact tests of the shortcut's axes."""
+    return Group([trace.a, trace.b], list(axis_tests(trace.a, trace.b, [test.axis for test in trace.tests[-1:]])))
+
+
+def draw_fold(trace: Trace, layout: Layout) -> Sketch:
+    """Draw the true range of each shape on the last axis, and how a range below 0 is folded over onto the lengths."""
+    sketch = draw_shapes(trace, layout)
+    for measured, exact, place in zip(trace.tests[-1:], layout.tests, layout.places, strict=False):
+        sketch.axis(measured, place)
+        for role, name, _ in sketch.roles():
+            seen, true = ((t.a if role == "A" else t.b).interval for t in (measured, exact))
+            if true.hi < 0:
+                ends = place.at(true.lo, role), place.at(true.hi, role)
+                sketch.add("true-range", "segment", "guide", *ends, owner=name, weight="strong")
+                middle = (true.lo + true.hi) / 2
+                arc = [place.at(middle * cos(t)) for t in (k * pi / 24 for k in range(25))]
+                arc = [point_along(p, place.out, -middle * sin(k * pi / 24) * 0.5) for k, p in enumerate(arc)]
+                sketch.add("fold", "segment", "wrong", *(end for piece in pairwise(arc[:-1]) for end in piece))
+                sketch.add("fold-tip", "arrow", "wrong", arc[-3], arc[-1])
+                digits = describe.digits(trace, exact)
+                text = f"folded over: {digits.interval(*true)} is taken for {digits.interval(*seen)}"
+                sketch.label("fold-name", text, "wrong", arc[12], prefer=place.out, first=2)
+            sketch.range(measured, place, role)
+        sketch.gap(measured, place, interval=False)
+    return sketch
+
+
 def draw_shapes(trace: Trace, layout: Layout) -> Sketch:
     """Draw both shapes alone."""
-    sketch = Sketch(trace, layout)
+    sketch = PanelSketch(trace, layout)
     sketch.shapes()
     return sketch
 
@@ -304,5 +381,11 @@ PANELS: dict[str, Panel] = {
     "two frames": Panel(needs_flight, draw_two_frames),
     "flight": Panel(needs_flight, draw_flight),
     "distance": Panel(_shapes_and, draw_distance),
+    "line as axis": Panel(needs_claimed_tests, draw_line_as_axis),
+    "push": Panel(needs_push, draw_push_alone),
+    "way out": Panel(needs_push, draw_way_out),
+    "fold": Panel(needs_fold, draw_fold),
+    "solid boxes": solid_panel(actual=False),
+    "solid boxes apart": solid_panel(actual=True),
 }
 """The panels by the names that failing cases give (`Panels` in satviz/scenes/failing/failure_case.py)."""

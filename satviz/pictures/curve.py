@@ -39,9 +39,7 @@ def gap_curve(
     if degree is not None and not (isinstance(degree, Real) and isfinite(degree)):
         raise ValueError(f"degree is {degree!r}: pass a finite number")
     a, b = resolve(what, b).shapes
-    candidates = [(_axis_degree(t.axis), t.gap, t.axis) for t in axis_tests(a, b)]
-    grid = {float(d) for d in range(181)} | {d for d, _, _ in candidates}
-    points = [(d, gap_at(a, b, d)) for d in sorted(grid)]
+    points, candidates = sampled_gaps(a, b)
     low, high = min(0.0, *(g for _, g in points)), max(0.0, *(g for _, g in points))
     span = (high - low) or 1.0
     digits = number_format.digits_for_shapes(a, b)
@@ -53,7 +51,7 @@ def gap_curve(
     marks = [Mark("zero", "segment", "guide", (at(0, 0), at(180, 0)))]
     requests = [LabelRequest("zero-name", "gap 0", "guide", at(180, 0), prefer=Vec(-1.0, 0.3), optional=True)]
     for role, side in ("overlap", -1), ("gap", 1):
-        ends = _segments_on_side(points, side)
+        ends = segments_on_side(points, side)
         if ends:
             marks.append(Mark(f"{role}-curve", "segment", role, tuple(at(*p) for p in ends), weight="plain"))
     best = max(points, key=lambda p: p[1])
@@ -81,7 +79,14 @@ def gap_curve(
     ]
     layout = Layout((0.0, 0.0, width, CURVE_HEIGHT_PT), (width, CURVE_HEIGHT_PT), ())
     marks = with_labels(marks, requests, layout, steady=False, keep_off=())
-    return Picture(tuple(marks), layout.limits, layout.size, "", _sentence(a, b, best, candidates))
+    return Picture(tuple(marks), layout.limits, layout.size, "", curve_sentence(a, b, best, candidates))
+
+
+def sampled_gaps(a: Shape, b: Shape) -> tuple[list[tuple[float, float]], list[tuple[float, float, Axis]]]:
+    """Return (degree, gap) at each whole degree and at each axis of SAT, and (degree, gap, axis) of those axes."""
+    candidates = [(_axis_degree(t.axis), t.gap, t.axis) for t in axis_tests(a, b)]
+    grid = {float(d) for d in range(181)} | {d for d, _, _ in candidates}
+    return [(d, gap_at(a, b, d)) for d in sorted(grid)], candidates
 
 
 def gap_at(a: Shape, b: Shape, degree: float) -> float:
@@ -103,7 +108,7 @@ def _axis_degree(axis: Axis) -> float:
     return degrees(atan2(axis.normal.y, axis.normal.x) % pi)
 
 
-def _segments_on_side(points: Sequence[tuple[float, float]], side: int) -> list[tuple[float, float]]:
+def segments_on_side(points: Sequence[tuple[float, float]], side: int) -> list[tuple[float, float]]:
     """Return the parts of the curve above (side 1) or below (-1) zero, as a flat list of segment ends."""
     found = []
     for (d, g), (e, h) in pairwise(points):
@@ -124,7 +129,9 @@ def _short_axis_label(axis: Axis, a: Shape, b: Shape) -> str:
     return "xy"[ids[0]] if kind == WORLD else "centers"
 
 
-def _sentence(a: Shape, b: Shape, best: tuple[float, float], candidates: Sequence[tuple[float, float, Axis]]) -> str:
+def curve_sentence(
+    a: Shape, b: Shape, best: tuple[float, float], candidates: Sequence[tuple[float, float, Axis]]
+) -> str:
     """Return a sentence about the curve; `best`: its highest point, `candidates`: (degree, gap, axis)."""
     (at, gap), digits = best, number_format.digits_for_shapes(a, b)
     top = max(candidates, key=lambda c: c[1])

@@ -3,21 +3,55 @@
 from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
+from math import hypot, isclose
 from typing import NamedTuple
 
 from ..engine import describe
-from ..engine.axes import Choice, hull_normals
+from ..engine.axes import (
+    CENTERS,
+    CENTROIDS,
+    EDGE,
+    FROM_EDGES,
+    SLIP,
+    VERTEX,
+    Axis,
+    Choice,
+    edge_normals,
+    hull_normals,
+    world,
+)
 from ..engine.certificate import SeparatingLine, SharedPoint
 from ..engine.geometry import Vec
+from ..engine.number_format import MINUS, number
 from ..engine.sat import AxisTest, axis_tests
-from ..engine.shapes import Shape, centroid
+from ..engine.shapes import Polygon, Shape, centroid
 from ..engine.trace import Trace, record
 from ..scenes.shape_tools import translated
 from .claims import is_about_push, is_near
 from .draw_steps import draw_mtv, draw_separating_line, draw_verdict
-from .float_geometry import point_along
+from .float_geometry import midpoint, point_along
+from .labels import short_name
 from .layout import Group, Layout
 from .sketch import Sketch
+
+PROVES_NOTHING = "true, but proves nothing"
+RING_PT = 8.0  # the radius of a ring round a corner
+
+
+class PanelSketch(Sketch):
+    """A sketch of a panel: both panels have axes of their own, so each is named by the edge that it comes from."""
+
+    def axis_label(self, test: AxisTest) -> str:
+        """Return "normal of a1a2", or what else the axis comes from."""
+        (kind, role, ids), names = test.source, self.trace.names
+        if kind not in (*FROM_EDGES, VERTEX):
+            return {CENTERS: "through the centers", CENTROIDS: "through the centroids"}.get(kind, "axis")
+        name, polygon = self.named_polygon(role)
+        ends = [short_name(polygon, name, i) for i in ids]
+        other = names.b if role == "A" else names.a
+        if kind == VERTEX:
+            return f"through {ends[0]} and\n{other}'s center"
+        return f"{'(dx, -dy)' if kind == SLIP else 'normal'} of {describe.edge_name(ends)}".replace("-", MINUS)
 
 
 class Panel(NamedTuple):
@@ -34,16 +68,21 @@ def needs_claimed_tests(trace: Trace) -> Group:
 
 
 def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
-    """Draw the tests that the shortcut's answer comes from, and its push."""
-    sketch = Sketch(trace, layout)
-    sketch.shapes()
+    """Draw the tests that the shortcut's answer comes from, what it left out, and its push."""
+    sketch = PanelSketch(trace, layout)
     tests = claimed_tests(trace)
+    if {test.source for test in trace.tests} == {axis.source for axis in world(trace.a, trace.b).axes} and not (
+        trace.a.is_upright_box and trace.b.is_upright_box
+    ):
+        sketch.bounding_boxes()
+    sketch.shapes()
     for test, place in zip(tests, layout.places, strict=False):
         if any(test.axis.normal):
             if len(tests) == 1:
                 sketch.edge(test)
                 sketch.normal(test)
-            sketch.project(test, place, drops=len(tests) == 1, interval=False)
+                _draw_what_is_missing(sketch, test)
+            sketch.project(test, place, drops=len(tests) == 1, interval=False, remark=remark_on(trace, test))
         else:
             sketch.no_axis(test)
     if len(tests) < len(trace.tests) and not trace.ended_by:
@@ -52,11 +91,80 @@ def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
+def remark_on(trace: Trace, test: AxisTest) -> str:
+    """Return a remark on a test, or "": that it proves nothing, how touching is compared, how long its normal is."""
+    if trace.shortcut and trace.shortcut.touching_separates and test.gap == 0:
+        return f"{meeting_point(trace, test)} \u2264 {meeting_point(trace, test)}: yes"
+    if is_as_measured(trace, test):
+        return PROVES_NOTHING if trace.false_hit and test.gap < 0 else ""
+    exact = next(axis_tests(trace.a, trace.b, [test.axis])).gap
+    if is_about_push(trace) and test.axis.length != 1 and isclose(exact * test.axis.length, test.gap, rel_tol=1e-9):
+        return f"its normal is {number(test.axis.length)} long"
+    return ""
+
+
+def meeting_point(trace: Trace, test: AxisTest) -> str:
+    """Return the coordinate at which two ranges touch, as text."""
+    a, b = test.a.interval, test.b.interval
+    return describe.digits(trace, test).landing(a.hi if a.hi == b.lo else b.hi)
+
+
+def is_as_measured(trace: Trace, test: AxisTest) -> bool:
+    """Check whether a shortcut measured the gap on its axis as it is, up to rounding."""
+    if not any(test.axis.normal):
+        return False
+    exact = next(axis_tests(trace.a, trace.b, [test.axis])).gap
+    return isclose(exact, test.gap, rel_tol=1e-9, abs_tol=1e-300)
+
+
+def forgotten_normals(trace: Trace) -> list[Axis]:
+    """Return the edge normals that are parallel to no axis of the trace, if its axes are edge normals at all."""
+    if not all(test.source.kind == EDGE for test in trace.tests):
+        return []
+    tested = [test.axis for test in trace.tests]
+    every = edge_normals(trace.a, trace.b).axes
+    return [axis for axis in every if not any(_are_parallel(axis, other) for other in tested)]
+
+
+def _draw_what_is_missing(sketch: Sketch, test: AxisTest) -> None:
+    """Draw the normals that a shortcut never tested, the corners that it never looked at, and its circles."""
+    trace = sketch.trace
+    left_out = forgotten_normals(trace) if trace.false_hit and trace.ended_by is None else []
+    sketch.crossed_normals(left_out)
+    if left_out:
+        sketch.note("left-out-name", "crossed: never tested", "wrong", first=7)
+    for (role, name, shape), side in zip(sketch.roles(), (test.a, test.b), strict=True):
+        if test.source.kind == CENTROIDS:
+            p, q = side.points[0], side.points[-1]
+            radius = hypot(q.x - p.x, q.y - p.y) / 2
+            sketch.add("believed", "disc", role, midpoint(p, q), owner=name, radius=radius, weight="faint")
+        elif isinstance(shape, Polygon) and set(side.points) < set(shape.corners):
+            missed = [v for v in shape.corners if v not in side.points]
+            for i, v in enumerate(missed):
+                radius = sketch.layout.units(RING_PT)
+                sketch.add("missed", "disc", "wrong", v, owner=name, number=i, radius=radius)
+            text = "never looked at"
+            sketch.label("missed-name", text, "wrong", missed[0], owner=name, along=tuple(missed[1:]), first=3)
+
+
 def claimed_tests(trace: Trace) -> list[AxisTest]:
     """Return the tests behind a shortcut's answer: the deciding one; else both of two, or the shallowest."""
     if trace.ended_by:
         return [trace.ended_by]
-    return list(trace.tests) if len(trace.tests) == 2 else [trace.shallowest] if trace.shallowest else []
+    if len(trace.tests) == 2 or not trace.shallowest:
+        return list(trace.tests) if len(trace.tests) == 2 else []
+    best = max(trace.truth.tests, key=lambda test: test.gap, default=None)
+    if best and is_about_push(trace):
+        rivals = (test for test in trace.tests if _are_parallel(test.axis, best.axis))
+        rival = max(rivals, key=lambda test: test.gap, default=None)
+        if rival and not is_as_measured(trace, rival) and not _are_parallel(rival.axis, trace.shallowest.axis):
+            return [trace.shallowest, rival]
+    return [trace.shallowest]
+
+
+def _are_parallel(p: Axis, q: Axis) -> bool:
+    """Check whether two axes have one direction, up to the rounding of their normals."""
+    return p.normal.x * q.normal.y == p.normal.y * q.normal.x
 
 
 def draw_push(sketch: Sketch) -> None:
@@ -91,18 +199,21 @@ def draw_proof(trace: Trace, layout: Layout) -> Sketch:
         return sketch
     run = replace(run, choice=Choice((test.axis,), complete=run.choice.complete), tests=(test,))
     place = layout.places[-1]
-    sketch = Sketch(run, layout)
+    sketch = PanelSketch(run, layout)
     sketch.shapes()
     certificate = trace.truth.certificate if trace.hit else run.certificate
     if isinstance(certificate, SeparatingLine):
         draw_separating_line(sketch, certificate)
+        sketch.right_angle_of_line(certificate.point, place)
     elif isinstance(certificate, SharedPoint):
         sketch.add("shared", "dot", "ink", certificate.point)
         sketch.label("shared-name", "in both", "ink", certificate.point, first=4)
         move = trace.truth.known_mtv
         if move and any(move):
             draw_mtv(sketch, certificate.point, move)
-    sketch.project(test, place, drops=False, interval=False)
+    spot = meeting_point(trace, test) if trace.shortcut and trace.shortcut.touching_separates else ""
+    remark = f"{spot} < {spot}: no" if spot and test.gap == 0 else ""
+    sketch.project(test, place, drops=False, interval=False, remark=remark)
     return sketch
 
 

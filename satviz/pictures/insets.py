@@ -10,13 +10,12 @@ from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape, centroid
 from .axis_place import TRACK_PT
 from .float_geometry import bounding_box, clip_segment, midpoint
-from .layout import Inset, Layout, limits_around
+from .layout import NARROW_PT, Inset, Layout, limits_around
 from .marks import Mark
 
 MIN_SHAPE_PT = 8.0  # a shape whose larger side is shorter than this has an inset
 MIN_GAP_PT = 3.0  # and so has a gap or an overlap smaller than this
 MIN_NEEDLE_PT = 1.5  # and the short edge of an outline thinner than this
-NARROW_PT = 400.0  # a narrower canvas has its insets below the scene
 BOX_PT = 96.0  # an inset's side
 STRIP_PT = 124.0  # the width of the strip of insets beside the scene
 ROW_PT = 128.0  # the height of an inset with its caption

@@ -59,7 +59,8 @@ def with_labels(
     labels += placer.labels(rest)
     labels = _without_covered(labels, requests, layout)
     boxes = [_label_box(mark, layout) for mark in labels if mark.kind == "label"]
-    return [_cut_at_labels(m, boxes) if m.role == "guide" and m.kind == "segment" else m for m in marks] + labels
+    cut = (_cut_at_labels(m, boxes) if m.role == "guide" and m.kind == "segment" else m for m in marks)
+    return [mark for mark in cut if mark.points] + labels
 
 
 def _without_covered(labels: Sequence[Mark], requests: Sequence[LabelRequest], layout: Layout) -> list[Mark]:

@@ -18,6 +18,7 @@ MIN_WIDTH_PT, MIN_HEIGHT_PT = 420.0, 190.0
 PAD_PT = 36.0  # kept free on all sides
 NARROW_PAD_PT = 12.0  # kept free to the left and right in a panel beside another one
 HEAD_PT = 16.0  # a line of words above the scene
+NARROW_PT = 400.0  # a canvas narrower than this is for a telephone
 NAME_WIDTH_PT = 24.0  # of a label that is a name alone
 
 
@@ -96,12 +97,14 @@ def arrange(
     least: tuple[float, float] = (MIN_WIDTH_PT, MIN_HEIGHT_PT),
     pad: float = PAD_PT,
     one_frame: bool = False,
+    shrink: float = 2.5,
 ) -> list[Layout]:
     """Return a layout for each group, all on one scale, with each axis clear of the shapes and of the other axes.
 
     `largest` and `least`: bounds of the canvas in points; `pad`: points that are kept free to the left and right.
     `one_frame`: all layouts have the same limits, around the contents of all groups, so that no shape moves from one
-    picture to the next.
+    picture to the next.  `shrink`: how much smaller than half of the canvas the shapes may become before the canvas
+    is made larger.
     ValueError for a scene whose outlines float64 cannot draw.
     """
     x0, y0, x1, y1 = bounding_box([shape for group in groups for shape in group.shapes])
@@ -113,7 +116,7 @@ def arrange(
         )
     label_widths = [[_range_label_width(group, test) for test in group.tests] for group in groups]
     while True:
-        layouts = _layouts_on(largest, least, groups, label_widths, size, pad, one_frame)
+        layouts = _layouts_on(largest, least, groups, label_widths, size, pad, one_frame, shrink)
         if layouts is not None:
             return layouts
         # labels have a fixed size in points: a scene too small for them gets a larger canvas, which is shown smaller
@@ -142,6 +145,7 @@ def _layouts_on(
     size: float,
     pad: float,
     one_frame: bool,
+    shrink: float,
 ) -> list[Layout] | None:
     """Return the layouts on canvases of at most the largest size; None if the shapes would be too small there.
 
@@ -150,7 +154,8 @@ def _layouts_on(
     """
     scale = start = min(largest) / size / 2
     for _ in range(8):
-        places, boxes = [], []
+        places: list[list[AxisPlace]] = []
+        boxes: list[Box] = []
         for group, widths in zip(groups, label_widths, strict=True):
             places.append(place_axes(group.shapes, group.tests, widths, scale, boxes if one_frame else ()))
             boxes.append(_needed_box(group, places[-1], widths, scale, PAD_PT - pad))
@@ -158,7 +163,7 @@ def _layouts_on(
             boxes = [common_box(boxes)] * len(boxes)
         space = largest[0] - 2 * pad, largest[1] - 2 * PAD_PT - HEAD_PT
         before, scale = scale, min(most / (box[i + 2] - box[i]) for box in boxes for i, most in enumerate(space))
-        if not scale > start / (3.2 if one_frame else 2.5):  # one frame has space for the axes of other pictures
+        if not scale > start / shrink:
             return None
         if abs(scale - before) < 1e-3 * scale:
             break

@@ -9,8 +9,10 @@ from ..engine.trace import Trace
 from .caption import reading_time_ms
 from .comparison import picture
 from .marks import Mark, marks_data
+from .moves import TURN_FRAME_MS
 from .stages import Stage, Step, steps
 from .step_picture import LARGEST_PT
+from .turning_axis import sweep
 
 # the loop as pseudo-code: each line with the stages during which it is marked
 PSEUDOCODE = (
@@ -34,7 +36,7 @@ PROVED, NOT_PROVED = "the shapes collide", "no gap found (no proof of a hit)"
 MAX_STEPS = 600
 NARROW_SIZE_PT = 340.0, 340.0  # a canvas for a telephone
 # two panels, one above the other; the second size is for panels whose words need more space
-NARROW_PANEL_SIZES_PT = (340.0, 680.0), (350.0, 700.0)
+NARROW_PANEL_SIZES_PT = (338.0, 680.0), (350.0, 700.0)
 MAX_NARROW_WIDTH_PT = 430.0  # a narrow playback that gets wider than this is left out
 MAX_NARROW_STEPS = 150  # and so is one of more steps
 
@@ -100,6 +102,29 @@ def playback(trace: Trace, largest: tuple[float, float] = LARGEST_PT) -> dict[st
         "rows": table_rows(trace),
         "asks": not trace.shortcut,  # a shortcut's pictures show the answer beside its claim
         "code": [line.format(end=PROVED if proves else NOT_PROVED) for line, _ in _pseudocode(trace)],
+    }
+
+
+def sweep_playback(trace: Trace) -> dict[str, Any]:
+    """Return the pictures of an axis that turns (`sv.sweep`) as a playback, which has no table and no code."""
+    pictures = sweep(trace)
+    marks: dict[Mark, int] = {}
+    found = []
+    for drawn in pictures:
+        ids = [marks.setdefault(mark, len(marks)) for mark in drawn.marks]
+        step = {"marks": ids, "limits": list(drawn.limits), "sentence": drawn.sentence, "ms": TURN_FRAME_MS}
+        found.append(step | {"row": None, "code": [], "stage": "sweep"})
+    return {
+        "satviz": "show 1",
+        "sentence": pictures[-1].sentence,
+        "relation": str(trace.relation),
+        "size": list(pictures[-1].size),
+        **marks_data(marks),
+        "steps": found,
+        "names": list(trace.names),
+        "rows": [],
+        "asks": False,
+        "code": [],
     }
 
 

@@ -25,6 +25,7 @@ from .shape_sketch import ShapeSketch
 from .theme import BAR_PT
 
 NORMAL_PT = 34.0  # the length of a normal's arrow
+CROSS_PT = 4.5  # half of the side of a cross
 RIGHT_ANGLE_PT = 7.0  # the side of the mark between an edge and its normal
 MIN_TICK_PT = 24.0  # between two ticks
 ZERO_TICK_PT = 4.5  # half of the tick at coordinate 0
@@ -134,6 +135,15 @@ class Sketch(ShapeSketch):
         low = Vec((self.layout.limits[0] + self.layout.limits[2]) / 2, self.layout.limits[1])
         self.label("no-axis", text, "ink", low, first=1, far=True)
 
+    def crossed_normals(self, axes: Sequence[Axis]) -> None:
+        """Draw in grey the normals of edges that were left out, each with a cross over it."""
+        size = self.layout.units(CROSS_PT)
+        for n, axis in enumerate(axes):
+            self.small_normal("left-out", axis, 0.8, "guide", number=n)
+            middle = midpoint(*self.marks[-1].points)
+            ends = [Vec(middle.x + x * size, middle.y + y * size) for x, y in ((-1, -1), (1, 1), (-1, 1), (1, -1))]
+            self.add("left-out-cross", "segment", "wrong", *ends, number=n)
+
     def all_normals(self) -> None:
         """Draw a small outward arrow on every edge of both shapes."""
         axes = edge_normals(self.trace.a, self.trace.b).axes
@@ -158,6 +168,10 @@ class Sketch(ShapeSketch):
         """Return the id of the test's axis in the picture."""
         return f"{self.prefix}{self.test_number(test)}"
 
+    def axis_label(self, test: AxisTest) -> str:
+        """Return the words at the tip of a test's axis."""
+        return f"axis {self.test_number(test)}"
+
     def axis(self, test: AxisTest, place: AxisPlace, *, named: bool = True) -> None:
         """Draw the axis as a long arrow clear of the shapes, with a tick at coordinate 0 if that lies on it."""
         start = self.normal_arrow(test) or ()
@@ -167,7 +181,7 @@ class Sketch(ShapeSketch):
         self.add("axis", "arrow", "ink", *place.ends, axis=axis, start=start)
         if named:
             kind, _, ids = test.source
-            text = "xy"[ids[0]] if kind == WORLD else f"axis {self.test_number(test)}"
+            text = "xy"[ids[0]] if kind == WORLD else self.axis_label(test)
             text += "\n(not to scale)" if place.slid else ""
             self.label("axis-name", text, "ink", place.at(place.hi), axis=axis, prefer=place.n, first=3)
         if place.lo < 0 < place.hi:
@@ -176,6 +190,12 @@ class Sketch(ShapeSketch):
             self.add("zero", "segment", "ink", *tick, axis=axis)
             options: LabelOptions = {"axis": axis, "prefer": place.out, "optional": True}
             self.label("zero-name", "0", "ink", place.at(0.0), first=7, **options)
+
+    def right_angle_of_line(self, point: Vec, place: AxisPlace) -> None:
+        """Draw the right-angle sign where the line through `point`, across an axis, meets the axis."""
+        off = Vec(point.x - place.zero.x, point.y - place.zero.y)
+        foot = point_along(place.zero, place.n, off.x * place.n.x + off.y * place.n.y)
+        self.right_angle(foot, Vec(-place.out.x, -place.out.y), owner="line")
 
     def ticks(self, test: AxisTest, place: AxisPlace) -> None:
         """Draw ticks on an axis at whole steps, with their numbers."""
@@ -246,8 +266,13 @@ class Sketch(ShapeSketch):
             if who := self.vertex_names(name, shape, side.points[i : i + 1]):
                 pieces = ((f"{who}: ", role), *pieces)
             text = "".join(piece for piece, _ in pieces)
-            options: LabelOptions = {"axis": self.axis_id(test), "pieces": pieces, "optional": True}
-            self.label("landing-sum", text, "guide", place.at(side.landings[i]), prefer=place.out, first=6, **options)
+            options: LabelOptions = {
+                "axis": self.axis_id(test),
+                "pieces": pieces,
+                "optional": True,
+                "prefer": place.out,
+            }
+            self.label("landing-sum", text, "guide", place.at(side.landings[i]), first=6, **options)
 
     def vertex_names(self, name: str, shape: Shape, points: Sequence[Vec]) -> str:
         """Return the names of a shape's corners at some points, as "v1, v2"; "" if its vertices have no labels."""
@@ -286,8 +311,10 @@ class Sketch(ShapeSketch):
         options["wall"] = place.ends  # the label stays on its own side of the axis
         self.label("range-name", text, role, spot, first=1, **options)
 
-    def gap(self, test: AxisTest, place: AxisPlace, *, named: bool = True, interval: bool = True) -> None:
-        """Draw a gap as an open bracket or an overlap as a filled bar, with its size, and its ends if `interval`."""
+    def gap(
+        self, test: AxisTest, place: AxisPlace, *, named: bool = True, interval: bool = True, remark: str = ""
+    ) -> None:
+        """Draw a gap as an open bracket or an overlap as a bar, its size, its ends if `interval`, and a remark."""
         ends = points = tuple(place.at(t) for t in gap_or_overlap(test))
         role, kind = "overlap", "interval"
         if test.gap >= 0:
@@ -300,10 +327,25 @@ class Sketch(ShapeSketch):
         self.insets(test)
         anchor = midpoint(*points[1:3]) if kind == "bracket" else midpoint(*ends)
         text = (describe.picture_outcome if interval else describe.outcome)(test, describe.digits(self.trace, test))
-        self.label("gap-name", text, role, anchor, axis=self.axis_id(test), prefer=place.out, first=2)
+        self.label(
+            "gap-name",
+            f"{text}\n{remark}" if remark else text,
+            role,
+            anchor,
+            axis=self.axis_id(test),
+            prefer=place.out,
+            first=2,
+        )
 
     def project(
-        self, test: AxisTest, place: AxisPlace, *, drops: bool = True, numbers: bool = True, interval: bool = True
+        self,
+        test: AxisTest,
+        place: AxisPlace,
+        *,
+        drops: bool = True,
+        numbers: bool = True,
+        interval: bool = True,
+        remark: str = "",
     ) -> None:
         """Draw a finished test: the axis, the drops of the extreme points, both ranges, the gap or overlap."""
         self.axis(test, place)
@@ -311,7 +353,7 @@ class Sketch(ShapeSketch):
             if drops:
                 self.drops(test, place, role, ends_only=True, named=False)
             self.range(test, place, role, numbers=numbers)
-        self.gap(test, place, interval=numbers and interval)
+        self.gap(test, place, interval=numbers and interval, remark=remark)
 
     def untested_axes(self) -> None:
         """List the axes that the early exit made unnecessary, in grey, with a small normal on each edge."""

@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 
 from ..engine import describe
 from ..pictures import LIGHT, Picture, Theme
+from ..pictures.caption import reading_time_ms
 from ..safe_write import MADE_BY
 from .fonts import families
 from .formats import DPI, FORMATS, Format, Words
@@ -65,8 +66,19 @@ def encode(picture: Picture, form: str, theme: Theme = LIGHT, *, stem: str = "pi
     return encode_frames([picture], form, theme, stem=stem)
 
 
-def encode_frames(pictures: Sequence[Picture], form: str, theme: Theme = LIGHT, *, stem: str = "picture") -> bytes:
-    """Return the pictures as the bytes of one file; only an animated format takes more than one."""
+def encode_frames(
+    pictures: Sequence[Picture],
+    form: str,
+    theme: Theme = LIGHT,
+    *,
+    stem: str = "picture",
+    times: Sequence[int] | None = None,
+) -> bytes:
+    """Return the pictures as the bytes of one file; only an animated format takes more than one.
+
+    `times`: the milliseconds for which each is shown, by default as long as its sentence takes to read.
+    """
+    times = [reading_time_ms(picture.sentence) for picture in pictures] if times is None else times
     fonts: Sequence[str] = ()
     if _format(form).embeds_fonts:
         fonts = families([text for picture in pictures for text in picture.texts], form)
@@ -79,7 +91,10 @@ def encode_frames(pictures: Sequence[Picture], form: str, theme: Theme = LIGHT, 
             pen.set_fonts(fonts)
             yield fig
 
-    words = [_words(picture.title or picture.sentence, picture.sentence, stem) for picture in pictures]
+    words = [
+        _words(picture.title or picture.sentence, picture.sentence, stem)._replace(ms=ms)
+        for picture, ms in zip(pictures, times, strict=True)
+    ]
     return _encode(draw_frames(), form, words)
 
 

@@ -26,6 +26,7 @@ class Words(NamedTuple):
     sentence: str  # what the picture shows, for readers who cannot see it
     stem: str  # the beginning of the ids in an SVG
     maker: str
+    ms: int = 0  # how long a picture of an animation is shown
 
 
 Encoder = Callable[["Iterable[Figure]", Sequence[Words]], bytes]
@@ -53,7 +54,7 @@ def _save(figures: "Iterable[Figure]", name: str, metadata: dict[str, str | None
 
 def _encode_svg(figures: "Iterable[Figure]", words: Sequence[Words]) -> bytes:
     """Return an SVG file with a description after its title, both marked as labels for screen readers."""
-    ((title, sentence, stem, maker),) = words
+    ((title, sentence, stem, maker, _),) = words
     svg = _save(figures, "svg", {"Title": title, "Creator": maker, "Date": None}).decode()
     before, found, after = svg.partition(f"<title>{escape(title)}</title>")
     if not found:
@@ -66,21 +67,19 @@ def _encode_svg(figures: "Iterable[Figure]", words: Sequence[Words]) -> bytes:
 
 def _encode_png(figures: "Iterable[Figure]", words: Sequence[Words]) -> bytes:
     """Return a PNG file that holds the words as metadata."""
-    ((title, sentence, _, maker),) = words
+    ((title, sentence, _, maker, _),) = words
     return _save(figures, "png", {"Title": title, "Description": sentence, "Software": maker}, dpi=DPI)
 
 
 def _encode_pdf(figures: "Iterable[Figure]", words: Sequence[Words]) -> bytes:
     """Return a PDF file without a date, so that the same picture gives the same bytes."""
-    ((title, sentence, _, maker),) = words
+    ((title, sentence, _, maker, _),) = words
     return _save(figures, "pdf", {"Title": title, "Subject": sentence, "Creator": maker, "CreationDate": None})
 
 
 def _encode_gif(figures: "Iterable[Figure]", words: Sequence[Words]) -> bytes:
-    """Return an animated GIF that shows each Figure for as long as its sentence takes to read."""
+    """Return an animated GIF that shows each Figure for the milliseconds of its words, and the last one longer."""
     from PIL import Image
-
-    from ..pictures.caption import reading_time_ms
 
     frames = []
     for figure in figures:
@@ -89,7 +88,7 @@ def _encode_gif(figures: "Iterable[Figure]", words: Sequence[Words]) -> bytes:
         size = canvas.get_width_height()
         frame = Image.frombuffer("RGBA", size, canvas.buffer_rgba(), "raw", "RGBA", 0, 1)
         frames.append(frame.convert("RGB").quantize(128, dither=Image.Dither.NONE))
-    times = [reading_time_ms(each.sentence) for each in words]
+    times = [each.ms for each in words]
     times[-1] += LAST_FRAME_MS
     comment = f"{MADE_BY}. {words[-1].sentence}".encode()
     out = io.BytesIO()

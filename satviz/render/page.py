@@ -12,10 +12,10 @@ from html import escape
 from ..engine import describe
 from ..engine.shapes import Shape
 from ..engine.trace import Trace
-from ..pictures import DARK, LIGHT, picture
+from ..pictures import DARK, LIGHT, picture, turning_axis
 from ..pictures.claims import heading
 from ..pictures.comparison import refused_picture
-from ..pictures.playback import NARROW_SIZE_PT, narrow_playbacks, playbacks
+from ..pictures.playback import NARROW_SIZE_PT, narrow_playbacks, playbacks, sweep_playback
 from ..safe_write import MADE_BY
 from ..scenes.failing import FailureCase
 from ..scenes.resolve import SceneLike, resolve
@@ -45,10 +45,13 @@ footer { font-size: 12px; color: var(--sv-guide); margin: 12px 8px; }
 """
 
 
-def page(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "", predict: bool = False) -> str:
+def page(
+    what: SceneLike | Shape, b: Shape | None = None, *, title: str = "", predict: bool = False, sweep: bool = False
+) -> str:
     """Return one self-contained HTML file: every step of a run with its player, the table and every sentence.
 
-    `what` is a scene (or its name), two shapes, or a trace.  With `predict` the page asks before it shows.
+    `what` is a scene (or its name), two shapes, or a trace.  With `predict` the page asks before it shows; with
+    `sweep` it shows an axis that turns, as `satviz.sweep` does, instead of the run.
     Without JavaScript, and on paper, it shows the first and the last picture instead.
     A failing scene whose outlines are refused has no steps: the page has its picture and the reason.
     ValueError for a scene that cannot be drawn, or one with too many steps.
@@ -56,24 +59,25 @@ def page(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "", pr
     found = resolve(what, b)
     if found.refused:
         return page_of_refused(found.refused)
-    return page_of_run(found.trace, title=title, predict=predict)
+    return page_of_run(found.trace, title=title, predict=predict, sweep=sweep)
 
 
-def page_of_run(trace: Trace, *, title: str = "", predict: bool = False) -> str:
+def page_of_run(trace: Trace, *, title: str = "", predict: bool = False, sweep: bool = False) -> str:
     """Return the page of a trace, as `page` does."""
     if predict and trace.shortcut:
         trace = trace.truth
-    shows = playbacks(trace)
+    shows = [sweep_playback(trace)] if sweep else playbacks(trace)
     question = "Do A and B collide?"
     about = describe.printable(question if predict else trace.sentence)
     title = " ".join(heading(trace)) if trace.shortcut else title or question
     script = javascript("player", "arrows") + START
     policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_sha256(script)}'; "
     policy += "img-src blob:; base-uri 'none'"  # the save menu makes a PNG from a blob
-    show = {"predict": predict, "shows": shows, "narrow": narrow_playbacks(trace)}
+    show = {"predict": predict, "shows": shows, "narrow": [] if sweep else narrow_playbacks(trace)}
     data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
-    first, last = (picture(trace, i) for i in (0, -1))
-    sentences = [s["sentence"] for s in shows[0]["steps"]]
+    turned = turning_axis.sweep(trace) if sweep else ()
+    first, last = (turned[i] if turned else picture(trace, i) for i in (0, -1))
+    sentences = list(dict.fromkeys(s["sentence"] for s in shows[0]["steps"]))
     body = [
         '<div id="satviz-player"></div>',
         '<section class="sv-static">',

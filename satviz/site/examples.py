@@ -22,6 +22,7 @@ EXAMPLES = {
     "satviz.sheet": 'sv.sheet(sv.scene("triangles").record())',
     "satviz.difference": f"{TWO}\nsv.difference(sv.record(a, b))",
     "satviz.gap_curve": f"{TWO}\nsv.gap_curve(a, b)",
+    "satviz.sweep": 'sv.sweep("triangles")[20]',
     "satviz.engine.axes.needed": f"{TWO}\nsv.record(a, b, axes=sv.axes.needed)",
     "satviz.engine.axes.world": f"{TWO}\nsv.record(a, b, axes=sv.axes.world)",
     "satviz.engine.axes.directions": f"{TWO}\nsv.record(a, b, axes=sv.axes.directions((4, -1)))",

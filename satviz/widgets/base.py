@@ -13,6 +13,7 @@ import traitlets
 from ..engine import describe
 from ..pictures import Picture
 from ..pictures.caption import add_captions
+from ..pictures.moves import Animation, animation, turning
 from ..render.files import encode_frames
 from ..render.formats import FORMATS
 from ..render.notebook import bundle
@@ -74,7 +75,10 @@ class TraceWidget(anywidget.AnyWidget):
             self.send({"kind": "refused", "why": str(error)})
             return
         if drawn:
-            data = encode_frames(add_captions(drawn) if form.animated else drawn, form.name)
+            shown = Animation(drawn, [0] * len(drawn))
+            if form.animated:
+                shown = (turning if self._model.turns else animation)(add_captions(drawn))
+            data = encode_frames(shown.pictures, form.name, times=shown.times)
             self.send({"kind": "file", "name": f"satviz.{form.name}", "mime": form.mime}, [data])
 
     def _answer(self, content: dict[str, Any]) -> None:

@@ -8,7 +8,7 @@ from ..engine.shapes import Shape
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
 from ..pictures.comparison import refused_picture
-from ..pictures.playback import narrow_playbacks, playbacks
+from ..pictures.playback import narrow_playbacks, playbacks, sweep_playback
 from ..render.script import javascript
 from ..scenes.link import fragment_of_trace
 from ..scenes.resolve import SceneLike, resolve
@@ -29,11 +29,11 @@ class Player(TraceWidget):
     predict = traitlets.Bool(False).tag(sync=True)
     link = traitlets.Unicode("").tag(sync=True)
 
-    def __init__(self, trace: Trace, *, predict: bool = False) -> None:
+    def __init__(self, trace: Trace, *, predict: bool = False, sweep: bool = False) -> None:
         super().__init__(
-            PlayerModel(trace),
-            shows=playbacks(trace),
-            narrow=narrow_playbacks(trace),
+            PlayerModel(trace, turns=sweep),
+            shows=[sweep_playback(trace)] if sweep else playbacks(trace),
+            narrow=[] if sweep else narrow_playbacks(trace),
             predict=predict,
             link=fragment_of_trace(trace),
         )
@@ -48,7 +48,12 @@ class Player(TraceWidget):
 
 @overload
 def play(
-    what: Trace | Scene | Shape, b: Shape | None = None, *, predict: bool = False, pen: Literal["svg"] = "svg"
+    what: Trace | Scene | Shape,
+    b: Shape | None = None,
+    *,
+    predict: bool = False,
+    pen: Literal["svg"] = "svg",
+    sweep: bool = False,
 ) -> Player: ...
 
 
@@ -60,18 +65,21 @@ def play(
 
 @overload
 def play(
-    what: SceneLike | Shape, b: Shape | None = None, *, predict: bool = False, pen: str = "svg"
+    what: SceneLike | Shape, b: Shape | None = None, *, predict: bool = False, pen: str = "svg", sweep: bool = False
 ) -> Any: ...  # by name it may be a Picture: that of a scene that is refused
 
 
-def play(what: SceneLike | Shape, b: Shape | None = None, *, predict: bool = False, pen: str = "svg") -> Any:
+def play(
+    what: SceneLike | Shape, b: Shape | None = None, *, predict: bool = False, pen: str = "svg", sweep: bool = False
+) -> Any:
     """Return a player for a notebook: step, play, scrub, and with `predict` a question before each answer.
 
     `what` is a scene (or its name), two shapes, or a trace.  `pen` is "svg" (drawn in the browser) or
     "matplotlib" (plain ipywidgets controls, for places where anywidget does not load).
     A shortcut's run is drawn beside the truth, which would give the answers away, so `predict` asks about the
-    true run.  Of a failing scene whose outlines are refused, which has no steps, its Picture with the reason is
-    returned.  ValueError for a scene that cannot be drawn.
+    true run.  With `sweep` it plays an axis that turns, as `satviz.sweep` draws it.  Of a failing scene whose
+    outlines are refused, which has no steps, its Picture with the reason is returned.  ValueError for a scene that
+    cannot be drawn.
     """
     found = resolve(what, b)
     if found.refused:
@@ -80,7 +88,9 @@ def play(what: SceneLike | Shape, b: Shape | None = None, *, predict: bool = Fal
     if predict and trace.shortcut:
         trace = trace.truth
     if pen == "svg":
-        return Player(trace, predict=predict)
+        return Player(trace, predict=predict, sweep=sweep)
+    if sweep:
+        raise ValueError('sweep needs pen="svg"')
     if pen != "matplotlib":
         raise ValueError(f'pen is {pen!r}: choose "svg" or "matplotlib"')
     from .plain_controls import PlainPlayer

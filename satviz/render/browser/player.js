@@ -133,6 +133,8 @@ export class Player {
     });
     this.scrub.max = String(this.last);
     const [width] = this.show.size;
+    this.code.hidden = !this.show.code.length;
+    this.table.element.hidden = !rows.length;
     this.svg.style.minWidth = `${width}px`; // no letter is shown smaller than it is
     this.root.classList.toggle("sv-wide", width > MAX_WIDTH_BESIDE_TABLE);
     this.predictLabel.hidden = !this.show.asks;
@@ -166,7 +168,7 @@ export class Player {
     const hides = open > 0; // how many steps there are tells how it ends
     const forward = to === this.at + 1;
     this.at = to;
-    this.pen.draw(this.picture(to), { animate: animate && forward });
+    this.pen.draw(this.picture(to), { animate: animate && forward && this.show.steps[to].stage !== "sweep" });
     const { sentence, row, code } = this.show.steps[to];
     this.sentence.textContent = sentence;
     this.scrub.value = String(to);

@@ -155,6 +155,7 @@ CASES = (
         FALSE_HIT,
         (Polygon(threed.seen_from_above(threed.PAIR[0])), Polygon(threed.seen_from_above(threed.PAIR[1]))),
         true_value=gap_in_space,
+        panels=Panels("solid boxes", "solid boxes apart"),
     ),
     FailureCase(
         Shortcut("gjk-looks-less", "GJK always has less to look at"),

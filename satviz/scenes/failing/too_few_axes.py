@@ -54,6 +54,7 @@ CASES = (
         Shortcut("line-for-axis", "the line between them runs along y, so y is the axis", only_y),
         FALSE_HIT,
         (SQUARE, BESIDE),
+        panels=Panels(claimed="line as axis"),
     ),
     FailureCase(
         Shortcut("only-one-axis", "of all directions exactly one separates them"),

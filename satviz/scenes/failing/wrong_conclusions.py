@@ -164,6 +164,7 @@ CASES = (
         true_value=overlap_after_mtv,
         is_about_push=True,
         error_region=region_of_push_to_mean,
+        panels=Panels("push", "way out"),
     ),
     FailureCase(
         Shortcut(

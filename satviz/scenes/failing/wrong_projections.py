@@ -90,6 +90,7 @@ CASES = (
         Shortcut("lengths", "a landing place is a length, so it has no sign", needed, without_signs),
         FALSE_HIT,
         (box(-3, 0, -2, 1), box(2, 0, 3, 1)),
+        panels=Panels(claimed="fold"),
     ),
     FailureCase(
         Shortcut("one-maximum", "on any axis one vertex is the furthest", edge_normals, unit_normals),
