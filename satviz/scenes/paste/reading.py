@@ -272,8 +272,11 @@ class Reader:
             return None
         return [self.number(item) for item in items]
 
-    def point(self, value: Any) -> Pt | None:
-        """Return a point, or None for anything else; Unreadable for a point with a coordinate that is no number."""
+    def point(self, value: Any, *, origin: bool = False) -> Pt | None:
+        """Return a point, or None for anything else; Unreadable for a point with a coordinate that is no number.
+
+        `origin`: a call without numbers, `new Vector()`, is the origin; a corner must have its numbers.
+        """
         value = self.resolve(value)
         if isinstance(value, Obj):
             return self._xy(value)
@@ -291,7 +294,7 @@ class Reader:
         items = value.items
         if len(items) == 1 and isinstance(items[0], Group) and items[0].bracket in " ({[" and not items[0].name:
             items = items[0].items
-        if not items and row and row.kind == POINT:
+        if not items and origin and row and row.kind == POINT:
             return ZERO
         if len(items) == 2 and any(isinstance(v, Num) for v in items) and (not row or row.kind == POINT):
             call = next((v for v in items if isinstance(v, Group) and v.name and not notation(v.name)), None)
@@ -406,7 +409,10 @@ class Reader:
         row = notation(group.name) if group.name else None
         kind = row.kind if row else ""
         if kind in (POINT, MOVE):
+            self._refuse_methods(group)  # Point(0, 0).buffer(1)
             return []
+        if group.name == "LINESTRING":
+            raise Unreadable("a line is no polygon: satviz takes outlines with an area")
         if kind == ARC:
             ring = self._points(group.items) or []
             if len(ring) == 3 and ring[0] == ring[2] and ring[0][1] == ring[1][1]:
@@ -509,7 +515,7 @@ class Reader:
         taken = arguments
         count_of_position = 0
         if outline is None and len(arguments) > 1:
-            first = self.point(arguments[0])
+            first = self.point(arguments[0], origin=True)
             rest = self.ring(arguments[1])
             if first is None and len(arguments) > 2 and self.numbers(arguments[:2]):
                 first = self.point(Group(group.start, group.end, arguments[:2], "("))
@@ -547,7 +553,8 @@ class Reader:
             return self._object(replace(named, start=group.start, end=group.end), label)
         if not arguments:
             return []
-        points = [p for p in (self.point(a) for a in arguments if isinstance(self.resolve(a), (Group, Obj))) if p]
+        places = (self.point(a, origin=True) for a in arguments if isinstance(self.resolve(a), (Group, Obj)))
+        points = [p for p in places if p]
         flat = self.numbers([a for a in arguments if not isinstance(self.resolve(a), (Group, Obj))]) or []
         if not points and len(flat) >= 3:
             points, flat = [(flat[0], flat[1])], flat[2:]
