@@ -110,7 +110,10 @@ def _parser() -> argparse.ArgumentParser:
     figures = command.add_parser("figures", help="make the article's twenty figures")
     _add_output_options(figures, "figures", STILL_FORMATS)
     figures.add_argument(
-        "--only", metavar="NAME", action="append", help="only this figure, by name or number; may be repeated"
+        "--only",
+        metavar="NAME",
+        action="append",
+        help="only this figure, by name or number; may be repeated (sat-strip: figures 6 to 14 in one)",
     )
     figures.set_defaults(run=commands.figures)
 

@@ -61,15 +61,15 @@ def _did_you_mean(name: str, known: Iterable[str]) -> str:
 
 def figures(args: argparse.Namespace) -> int:
     """Write the figures asked for, in one theme."""
-    from .pictures.figures import FIGURES, Figure
+    from .pictures.figures import FIGURES, STRIP, Figure
 
     wanted: Sequence[Figure] = FIGURES
     if args.only:
-        known = {key: f for f in FIGURES for key in (f.name, f.stem, str(f.number), f"{f.number:02}")}
+        known = {key: f for f in (*FIGURES, STRIP) for key in (f.name, f.stem, str(f.number), f"{f.number:02}")}
         for name in args.only:
             if name not in known:
                 raise Refused(f"no figure {name!r}{_did_you_mean(name, known)}")
-        wanted = [figure for figure in FIGURES if figure in [known[name] for name in args.only]]
+        wanted = [figure for figure in (*FIGURES, STRIP) if figure in [known[name] for name in args.only]]
     forms = dict.fromkeys(args.format)
     return _write(args, [_job(args, f.stem, form, partial(_single, f.picture)) for f in wanted for form in forms])
 

@@ -1,4 +1,4 @@
-"""Redraw the README's charts from their stored rows, after the code that writes their texts has changed.
+"""Redraw the guides' charts from their stored rows, after the code that writes their texts has changed.
 
     python tests/refresh_charts.py [DIR]
 
@@ -17,9 +17,10 @@ from satviz.study import bench_chart, frames_chart
 from satviz.study.bench import TimingRow
 from satviz.study.harness.cells import Settings
 from satviz.study.harness.chart import Chart, theme_suffix
-from satviz.study.sections import speed_against_accuracy
+from satviz.study.sections import decision_table, pose_error, speed_against_accuracy
 
 FIGURES = Path(__file__).parent.parent / "figures"
+STEMS = "speed-against-accuracy", "decision-table", "pose-error", "bench", "frames"
 
 
 def stored(stem: str) -> dict:
@@ -29,9 +30,12 @@ def stored(stem: str) -> dict:
 
 def charts() -> dict[str, Chart]:
     """Each chart of the README by its stem, from what is stored."""
-    speed, bench, frames = map(stored, ("speed-against-accuracy", "bench", "frames"))
+    speed, table, pose, bench, frames = map(stored, STEMS)
+    settings = Settings(**speed["settings"])
     return {
-        "speed-against-accuracy": speed_against_accuracy.main_chart(speed["rows"], Settings(**speed["settings"])),
+        "speed-against-accuracy": speed_against_accuracy.main_chart(speed["rows"], settings),
+        "decision-table": decision_table.table_chart(table["rows"], table["rough"]),
+        "pose-error": pose_error.charts({"pose": pose["rows"]}, settings)[0],
         "bench": bench_chart.bench_chart([TimingRow(**row) for row in bench["rows"]], bench["rough"]),
         "frames": frames_chart.frames_chart([TimingRow(**row) for row in frames["rows"]], frames["rough"]),
     }

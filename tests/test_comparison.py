@@ -13,7 +13,7 @@ from satviz.cli import main
 from satviz.engine.number_format import ascii_minus
 from satviz.pictures import comparison, comparison_panels
 from satviz.pictures.label_placer import LabelPlacer, LabelRequest
-from satviz.pictures.layout import Layout
+from satviz.pictures.layout import Group, Layout, arrange
 from satviz.pictures.letters import text_size
 from satviz.pictures.marks import Picture
 from satviz.pictures.playback import NARROW_PANEL_SIZES_PT, narrow_playbacks
@@ -312,7 +312,7 @@ def test_the_pieces_of_a_shortcut_of_ones_own_are_drawn_with_their_pushes():
 def test_there_is_room_for_a_push_only_where_one_is_drawn():
     drawn = sv.picture(NAMED["one-overlap"].record())
     outline = drawn.mark("A.claimed-outline").points
-    assert max(p.x for p in outline) - min(p.x for p in outline) > 60
+    assert max(p.x for p in outline) - min(p.x for p in outline) > 50
 
 
 def test_a_gap_that_is_right_is_not_struck_out_with_the_wrong_answer():
@@ -327,16 +327,15 @@ def test_the_line_of_a_distance_is_as_long_as_the_distance():
     for a in shapes:
         for b in others:
             trace = sv.record(a, b, axes=SHORTCUTS["gap-as-distance"])
-            sketch = comparison_panels.draw_distance(trace, (340.0, 300.0))
+            sketch = comparison_panels.draw_distance(trace, arrange([Group([a, b])])[0])
             (p, q) = next(m.points for m in sketch.marks if m.part == "distance")
             assert math.dist(p, q) == pytest.approx(true_value.distance(a, b))
 
 
 def test_a_fan_of_directions_stays_on_its_panel():
     for b in box(2.01, 0, 4, 1), box(2.01, -1, 2.2, 3), box(-0.1, 1.01, 30, 4), sv.Polygon([(1, 1.1), (3, 2), (2, 9)]):
-        sketch = comparison_panels.draw_separating_directions(
-            sv.record(box(0, 0, 2, 1), b, axes=SHORTCUTS["only-one-axis"]), (340.0, 300.0)
-        )
+        trace = sv.record(box(0, 0, 2, 1), b, axes=SHORTCUTS["only-one-axis"])
+        sketch = comparison_panels.draw_separating_directions(trace, arrange([Group([trace.a, b])])[0])
         x0, y0, x1, y1 = sketch.layout.limits
         assert all(x0 <= p.x <= x1 and y0 <= p.y <= y1 for m in sketch.marks if m.part == "fan" for p in m.points)
 

@@ -25,7 +25,8 @@ from satviz.pictures.playback import first_row_numbers, table_rows
 from satviz.pictures.theme import CHART_ROLES, DOT_PT, PICTURE_ROLES
 from satviz.pictures.views import convex_parts
 from satviz.scenes.article import SCENES
-from satviz.scenes.named import names, refused_case, scene
+from satviz.scenes.failing import FAILURE_CASES, REFUSED
+from satviz.scenes.named import ALL_SCENES, names, refused_case, scene
 from satviz.scenes.shape_tools import box
 
 L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
@@ -95,7 +96,7 @@ def test_no_label_runs_over_another_or_off_the_canvas(name):
     picture = pictured(name)
     placed = list(boxes(picture))
     for (one, p), (other, q) in combinations(placed, 2):
-        assert not meet(p, q), (one.text, other.text)
+        assert of_one_text(one, other) or not meet(p, q), (one.text, other.text)
     width, height = picture.size
     for mark, (left, low, right, high) in placed:
         assert (
@@ -148,12 +149,44 @@ def test_nothing_jumps_while_a_test_is_drawn(name):
                 assert spots.setdefault((step.pair, mark.id, mark.text), mark.points) == mark.points
 
 
+@pytest.mark.parametrize("name", [scene.name for scene in ALL_SCENES])
+def test_no_shape_moves_between_the_steps_of_a_run(name):
+    trace = sv.scene(name).record()
+    places = {}
+    for step in sv.steps(trace):
+        if step.test is None or step.stage is Stage.GAP:
+            picture = sv.picture(trace, step)
+            for mark in picture.marks:
+                if mark.part.endswith("outline") and mark.weight == "plain":
+                    spot = [((p.x - picture.limits[0]) * picture.scale, p.y * picture.scale) for p in mark.points]
+                    corner = picture.limits[1] * picture.scale
+                    at = [(round(x, 6), round(y - corner, 6)) for x, y in spot]
+                    assert places.setdefault(mark.id, at) == at, (step, mark.id)
+    assert len(places) >= 2
+
+
+@pytest.mark.parametrize("case", [case for case in FAILURE_CASES if case.how != REFUSED], ids=lambda case: case.name)
+def test_both_panels_show_the_shapes_at_one_place_and_scale(case):
+    picture = sv.picture(case.record())
+    offset = set()
+    for owner in "AB":
+        ids = [f"{owner}.{side}-outline" for side in ("claimed", "actual")]
+        left, right = ([m for m in picture.marks if m.id == mark_id] for mark_id in ids)
+        for m, n in zip(left, right, strict=False):
+            assert len(m.points) == len(n.points)
+            offset |= {(round(q.x - p.x, 6), round(q.y - p.y, 6)) for p, q in zip(m.points, n.points)}
+    assert len(offset) <= 1
+
+
 @pytest.mark.parametrize("name", [figure.stem for figure in FIGURES])
 def test_no_half_of_a_figure_is_empty(name):
-    picture = pictured(name)
-    x0, y0, x1, y1 = picture.limits
+    (scene,) = (figure.scene for figure in FIGURES if figure.stem == name)
+    sequence = [pictured(figure.stem) for figure in FIGURES if figure.scene == scene]
+    frame = pictured(name).limits
+    marks = [m for picture in sequence if picture.limits == frame for m in picture.marks]
+    x0, y0, x1, y1 = frame
     for i, (lo, hi) in enumerate(((x0, x1), (y0, y1))):
-        spots = [p[i] + r for m in picture.marks for p in m.points for r in (m.radius, -m.radius)]
+        spots = [p[i] + r for m in marks for p in m.points for r in (m.radius, -m.radius)]
         assert min(spots) < lo + 0.3 * (hi - lo) and max(spots) > hi - 0.3 * (hi - lo)
 
 
@@ -162,9 +195,17 @@ def test_a_ranges_label_stands_on_its_bars_own_side(number):
     picture = FIGURES[number - 1].picture()
     for label in picture.labels:
         if label.part == "range-name":
-            (axis,) = (m.points for m in picture.marks if (m.part, m.axis) == ("axis", label.axis))
-            bar = picture.mark(f"{label.owner}.range.{label.axis}").points[0]
+            own = (label.axis, label.panel)
+            (axis,) = (m.points for m in picture.marks if (m.part, m.axis, m.panel) == ("axis", *own))
+            (bar, _), *_ = (
+                m.points for m in picture.marks if (m.part, m.axis, m.panel, m.owner) == ("range", *own, label.owner)
+            )
             assert beyond(*axis, bar) * beyond(*axis, label.points[0]) > 0, label.text
+
+
+def of_one_text(m, n):
+    """Are both labels pieces of one text, which has several colours?"""
+    return m.part == n.part and m.part in ("landing-sum", "turn-name")
 
 
 def beyond(p, q, r):
@@ -306,7 +347,7 @@ def describes_outward(trace, test):
 
 def test_a_normal_that_points_against_its_axis_is_drawn_outward_and_the_sentence_says_both():
     picture = sv.picture(TRACES["triangles"], Step(Stage.NORMAL, 1))
-    assert "normal (−4, 1)\n(either direction will do)" in picture.texts
+    assert "normal\n(−4, 1)" in picture.texts
     assert picture.sentence.endswith("A quarter turn makes it the normal (−4, 1); axis 2 of 6 takes it as (4, −1).")
     (p, q), (lo, hi) = (
         picture.mark("normal").points,
@@ -484,7 +525,9 @@ def test_any_scene_is_drawn_at_every_step_with_its_labels_apart(a, b):
     for i in range(len(sv.steps(trace))):
         picture = sv.picture(trace, i)
         placed = list(boxes(picture))
-        overlaps = [(m.text, n.text) for (m, p), (n, q) in combinations(placed, 2) if meet(p, q)]
+        overlaps = [
+            (m.text, n.text) for (m, p), (n, q) in combinations(placed, 2) if not of_one_text(m, n) and meet(p, q)
+        ]
         assert not overlaps, (a, b, i, overlaps)
         width, height = picture.size
         for mark, (left, low, right, high) in placed:
@@ -578,7 +621,7 @@ def test_a_curve_needs_two_shapes_and_an_angle():
 def test_a_picture_by_itself_has_no_room_for_what_other_steps_show():
     trace = sv.scene("triangles").record()
     first, whole = sv.picture(trace, 0, by_itself=True), sv.picture(trace, 0)
-    assert first.size[1] < 0.6 * whole.size[1] and first.scale == pytest.approx(whole.scale)
+    assert first.size[1] < 0.6 * whole.size[1] and first.scale >= whole.scale
 
 
 def test_two_panels_have_one_canvas_however_they_are_asked_for():

@@ -2,28 +2,30 @@
 
 import csv
 import json
+import math
 import os
 import re
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import nullcontext
-from math import log2
 from pathlib import Path
 from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import matplotlib
+import numpy as np
 import pytest
 from refresh_charts import BENCH, IN_README, SPEED, stored
 
+from satviz import Polygon
 from satviz.cli import main
 from satviz.pictures import THEMES
-from satviz.study import bench_chart, run
+from satviz.study import bench_chart, run, truth
 from satviz.study.bench import CHECKED_BY, TimingRow
 from satviz.study.harness.cells import Cell, Failure, Settings, run_cells
 from satviz.study.harness.chart import Chart, add_axes, theme_suffix, wilson_interval
-from satviz.study.methods import COMPILED, ENGINES
+from satviz.study.methods import ENGINES, answers_by_method
 from satviz.study.run import study
-from satviz.study.sections import axis_order, error_counts, speed_against_accuracy
+from satviz.study.sections import axis_order, speed_against_accuracy
 
 pytestmark = pytest.mark.slow
 
@@ -261,13 +263,6 @@ def test_the_bench_in_the_readme_was_measured_on_a_quiet_machine_and_none_was_wr
     assert all(row["wrong"] == 0 for row in BENCH["rows"] if row["method"].startswith("satviz"))
 
 
-def test_the_readme_tells_the_largest_margins_of_its_sample_and_that_it_is_one():
-    margin = {row["method"]: row["relative_margin"] for row in SPEED["rows"]}
-    float64 = max(margin[r["method"]] for r in SPEED["rows"] if r["family"] == "float SAT" and "32" not in r["method"])
-    assert f"in this sample SAT in float64 was wrong up to a relative margin of {float64:.1f}," in GUIDES
-    assert f"float32 was wrong up to 2^{log2(margin['SAT, float32']):.1f} in this sample" in GUIDES
-
-
 def of_bench(method, time=1.0, work="tiles", section="scenes", size=0, **more):
     return TimingRow(section, work, size, method, "ns", time, time, time, time, **more)
 
@@ -312,23 +307,58 @@ def test_times_as_fast_as_shapely_say_which_shapely():
     assert "shapely" not in told.replace("shapely unprepared", "")
 
 
-def test_the_chart_in_the_readme_comes_from_a_full_run_and_its_exact_methods_were_never_wrong():
+def test_the_chart_in_the_guide_comes_from_a_full_run_and_satviz_was_never_wrong_in_it():
     assert SPEED["settings"] == Settings()._asdict() and not SPEED["rough"].endswith("quick run")
-    for row in SPEED["rows"]:
-        assert (row["lane"] == "exact by construction") == (row["family"] == "exact")
-        assert row["family"] != "exact" or row["wrong"] == row["touching_wrong"] == row["ordinary_wrong"] == 0
+    of = {row["method"]: row for row in SPEED["rows"]}
+    assert (
+        not any(of["satviz"][f"{work}_wrong"] for work in speed_against_accuracy.WORKS) and not of["satviz"]["metres"]
+    )
+    for name in speed_against_accuracy.PROVEN_MARGINS:
+        assert 0 < of[name]["metres"] < of[name]["proven"]
+    assert all(len(row["ns_runs"]) == 5 for row in SPEED["rows"])
+
+
+@pytest.mark.parametrize("row", [row for row in SPEED["rows"] if row["metres"]], ids=lambda row: row["method"])
+def test_the_worst_pair_of_the_guide_is_what_it_says(row):
+    a, b = Polygon(row["a"]), Polygon(row["b"])
+    hit = truth.agreed(a, b) > 0
+    gap = math.sqrt(truth.squared_gap(a, b))
+    assert gap == row["metres"] and row["mistake"] == ("false miss" if hit else "false hit")
+    (method,) = (m for m in speed_against_accuracy.compiled_methods() if m.name == row["method"])
+    ((_, answers),) = answers_by_method([method], np.array([row["a"]]), np.array([row["b"]]))
+    assert answers.tolist() == [not hit]
+
+
+GUIDE = (COMMITTED.parent / "satviz/guides/speed-and-accuracy.md").read_text(encoding="utf-8")
+
+
+def test_every_measured_number_of_the_guide_comes_from_the_stored_charts():
+    """Beside the numbers of the readings, the guide names only those that it explains."""
+    known = " ".join(stored(stem)[key] for stem in ("speed-against-accuracy", "decision-table", "pose-error")
+                     for key in ("reading", "title"))  # fmt: skip
+    text = re.sub(
+        r"```.*?```|<picture>.*?</picture>|\]\([^)]*\)|float(32|64)|`[^`]*`|[Cc]hapter 7", "", GUIDE, flags=re.S
+    )
+    known = known.replace("\u00a0", " ")
+    for number in re.findall(r"\d[\d,.]*\d|\d", text.replace("\u00a0", " ")):
+        assert re.search(rf"(?<![\d.,]){re.escape(number)}(?!\d)", known) or number in EXPLAINED, number
+
+
+EXPLAINED = "1", "8", "95"  # a unit, the number of labels, the interval
 
 
 @pytest.mark.full
-def test_the_counts_in_the_readme_are_counted_again():
+def test_the_counts_in_the_guide_are_counted_again():
     found = {
         cell.name: cell.work(*cell.arguments) for cell in speed_against_accuracy.cells(Settings()) if not cell.timed
     }
-    times = {"ns": 1.0, "ns_low": 1.0, "ns_high": 1.0}
-    found["resolution-times"] = [{**row, **times} for row in found["count-ordinary"]]
-    again = {row["method"]: row for row in error_counts.method_summaries(found) if row["language"] == COMPILED}
     for row in SPEED["rows"]:
-        assert {**again[row["method"]], **times} == {**row, **times}
+        (worst,) = (again for name, again in found.items()
+                    if name.startswith("worst-") and again["method"] == row["method"])  # fmt: skip
+        assert {key: row[key] for key in worst} == worst
+        for work in speed_against_accuracy.WORKS:
+            (count,) = (again for again in found[f"count-{work}"] if again["method"] == row["method"])
+            assert (row[f"{work}_pairs"], row[f"{work}_wrong"]) == (count["pairs"], count["wrong"])
 
 
 def test_a_cluster_gives_the_same_numbers(tmp_path):

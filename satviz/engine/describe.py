@@ -234,6 +234,13 @@ def verdict(trace: _Trace, move: Vec | None) -> str:
     return f"{a} and {b} overlap: {count}. {_mtv_sentence(trace, move)}"
 
 
+def verdict_in_brief(trace: _Trace) -> str:
+    """Return the verdict of a run in a few words: "axis 2 leaves a gap: apart"."""
+    if trace.separating:
+        return f"Axis {trace.tests.index(trace.separating) + 1} leaves a gap: {trace.relation}"
+    return f"No axis leaves a gap: {trace.relation}"
+
+
 RELATION_PHRASES = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
 
 

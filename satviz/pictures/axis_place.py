@@ -14,15 +14,17 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from ..engine.axes import WORLD
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Shape
-from .float_geometry import bounding_box, point_along, range_along, segments_cross
+from .float_geometry import Box, bounding_box, common_box, point_along, range_along, segments_cross
 
 CLEARANCE_PT = 34.0  # from the shapes to an axis, at least
 LABEL_HEIGHT_PT = 18.0  # space for the label of a range
 OVERHANG_PT = 20.0  # by which an axis runs on beyond the ranges
 MAX_ZERO_DISTANCE_PT = 45.0  # an axis is prolonged to coordinate 0 where that lies no further from the ranges
+MAX_WORLD_DISTANCE_PT = 130.0  # the x axis and the y axis are drawn in their true places no further from the shapes
 TRACK_PT = 5.5  # from the axis to the bars: A's on the side of the shapes, B's on the other
 
 
@@ -56,16 +58,24 @@ class AxisPlace(NamedTuple):
 
 
 def place_axes(
-    shapes: Sequence[Shape], tests: Sequence[AxisTest], label_widths: Sequence[float], scale: float
+    shapes: Sequence[Shape],
+    tests: Sequence[AxisTest],
+    label_widths: Sequence[float],
+    scale: float,
+    boxes: Sequence[Box] = (),
 ) -> list[AxisPlace]:
     """Return one place per test's axis, each on the side where it fits best with the places chosen before it.
 
-    `label_widths`: points that the labels of each test's ranges are wide; `scale`: points in a scene unit.
+    `label_widths`: points that the labels of each test's ranges are wide; `scale`: points in a scene unit;
+    `boxes`: what else the picture shows or another picture on the same frame.
     """
+    around = common_box([bounding_box(shapes), *boxes])
     places: list[AxisPlace] = []
     for test, width in zip(tests, label_widths, strict=True):
         sides = both_sides(shapes, test, scale, width)
-        places.append(min(sides, key=lambda p: (_count_crossings(p, places), placement_penalty(shapes, test, p))))
+        places.append(
+            min(sides, key=lambda p: (_count_crossings(p, places), placement_penalty(shapes, test, p, around)))
+        )
     return places
 
 
@@ -87,7 +97,14 @@ def both_sides(
         hi = 0.0
 
     def on_side(out: Vec) -> AxisPlace:
-        """Return the place on the side of the shapes to which `out` points."""
+        """Return the place on the side of the shapes to which `out` points.
+
+        A world axis that lies near the shapes and clear of them stays where it is.
+        """
+        beyond = -_furthest(shapes, out)
+        if test.source.kind == WORLD and CLEARANCE_PT / scale <= beyond <= MAX_WORLD_DISTANCE_PT / scale and not slide:
+            first, last = min(lo, 0.0) - OVERHANG_PT / points, max(hi, 0.0) + OVERHANG_PT / points
+            return AxisPlace(n, out, Vec(0.0, 0.0), first, last, TRACK_PT / scale)
         label = abs(out.x) * label_width + abs(out.y) * LABEL_HEIGHT_PT + TRACK_PT + 7.0
         away = _furthest(shapes, out) + max(CLEARANCE_PT, label if label_width else 0.0) / scale
         zero = point_along(Vec(out.x * away, out.y * away), n, slide)
@@ -117,13 +134,13 @@ def _furthest(shapes: Sequence[Shape], direction: Vec) -> float:
     return max(range_along(shape, direction).hi for shape in shapes)
 
 
-def placement_penalty(shapes: Sequence[Shape], test: AxisTest, place: AxisPlace) -> float:
+def placement_penalty(shapes: Sequence[Shape], test: AxisTest, place: AxisPlace, around: Box | None = None) -> float:
     """Return the penalty, without unit, of drawing a test's axis at `place`; the lower place is better.
 
-    It should not widen the scene much, should lie near the shape whose edge it comes from (so that the drop
-    lines of that shape pass no other shape), and below the shapes or to their left.
+    It should not widen the scene (or the box `around`) much, should lie near the shape whose edge it comes from (so
+    that the drop lines of that shape pass no other shape), and below the shapes or to their left.
     """
-    x0, y0, x1, y1 = bounding_box(shapes)
+    x0, y0, x1, y1 = around or bounding_box(shapes)
     xs, ys = [x0, x1, *(p.x for p in place.ends)], [y0, y1, *(p.y for p in place.ends)]
     size = max(x1 - x0, y1 - y0)
     area = (max(xs) - min(xs)) / size * ((max(ys) - min(ys)) / size)

@@ -22,6 +22,12 @@ def reading_time_ms(sentence: str) -> int:
     return MIN_READING_MS + MS_PER_LETTER * len(sentence)
 
 
+def with_words_below(picture: Picture, words: str) -> Picture:
+    """Return the picture with a caption of its own, in as many lines as fit it, on space for two lines."""
+    text = wrap_text(words, picture.size[0] - 2 * MARGIN_PT)
+    return _with_caption(picture, text, text_size("\n")[1] + MARGIN_PT)
+
+
 def _with_caption(picture: Picture, text: str, space: float) -> Picture:
     """Return the picture made `space` points taller at the bottom, with the text there as a label."""
     x0, y0, x1, y1 = picture.limits

@@ -2,21 +2,25 @@
 
 from collections.abc import Sequence
 from functools import lru_cache
+from typing import NamedTuple
 
 from ..engine.geometry import Vec
-from ..engine.sat import AxisTest
 from ..engine.trace import Trace
 from ..scenes.failing import MISSED_HIT, FailureCase, case_of
 from ..scenes.failing.failure_case import Panels
 from ..scenes.resolve import EXPECT_RUN, SceneLike, resolve
+from ..scenes.shape_tools import box
 from . import step_picture
+from .axis_place import AxisPlace
 from .claims import answers, heading, verdict_words
-from .comparison_panels import PANELS, draw_pieces_panel
-from .default_panels import arrange, claimed_tests, drawable_test, panel_layouts
+from .comparison_panels import PANELS, PIECES
+from .default_panels import Panel, claimed_tests, drawable_test
 from .draw_steps import draw_other_parts, draw_test
+from .float_geometry import bounding_box
+from .insets import add_insets
 from .label_placer import LabelRequest
 from .labels import with_labels
-from .layout import Group, Layout
+from .layout import NARROW_PAD_PT, Group, Layout, arrange, place_axis_within
 from .letters import text_size, wrap_text
 from .marks import Mark, Picture
 from .panels import marks_moved_to
@@ -33,6 +37,7 @@ MAX_PANEL = 340.0, 300.0
 BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0  # between the panels, for each one's heading, around the words above
 BOTH_PANELS_WIDTH_PT = 2 * MAX_PANEL[0] + BETWEEN
 MIN_PANEL = 170.0  # a smaller panel has no space for its words
+AXES_RIM = 0.2  # of the shapes' size: space on all sides for the axes of the steps
 TALL = 1.5  # a canvas that is this many times as tall as wide has the panels one above the other
 
 
@@ -49,8 +54,8 @@ def picture(
     `what` is a trace, or a scene (or its name).  A shortcut's trace gives two panels: the step as the shortcut
     takes it, and what is.  A failing scene whose outlines are refused has one picture, with the reason.
     `largest`: the canvas in points at most; on one much taller than wide the panels stand one above the other.
-    All steps have one scale and one canvas; `by_itself` cuts it to what this step shows (never of two panels).
-    IndexError for a step the trace does not have.
+    All steps have one frame: no shape moves between them; `by_itself` cuts it to what this step shows (never of two
+    panels).  IndexError for a step the trace does not have.
     """
     found = resolve(what, expected=EXPECT_RUN)
     if found.refused:
@@ -80,20 +85,49 @@ def _panel_size(largest: tuple[float, float]) -> tuple[tuple[float, float], bool
     return (max(width, MIN_PANEL), max(height, MIN_PANEL)), stacked
 
 
+class _Frame(NamedTuple):
+    """The layouts of one frame: of each test by its number among all tests, and of both panels."""
+
+    tests: tuple[Layout, ...]
+    claimed: Layout
+    actual: Layout
+
+
+@lru_cache(maxsize=64)
+def _frame(trace: Trace, largest: tuple[float, float]) -> _Frame:
+    """Return the layouts of all steps and of both panels, on one frame: no shape moves between any of them.
+
+    The last step, which is the one that is printed, decides how large the shapes are.  The axes of the steps before
+    it are drawn where they fit on that frame; only for one that fits nowhere the frame is made larger.
+    """
+    shapes = trace.a, trace.b
+    named = list(zip(trace.names, shapes, strict=True))
+    tests = [drawable_test(trace, test) for run in trace.pairs or (trace,) for test in run.tests]
+    x0, y0, x1, y1 = bounding_box(shapes)
+    rim = max(x1 - x0, y1 - y0) * AXES_RIM if tests else 0.0
+    groups = [panel.needs(trace) for panel in _panels(trace)]
+    groups.append(Group([box(x0 - rim, y0 - rim, x1 + rim, y1 + rim)]))
+    for _ in range(2):
+        claimed, actual, *_ = add_insets(arrange(groups, largest=largest, pad=NARROW_PAD_PT, one_frame=True), named)
+        places = [place_axis_within(claimed, shapes, test) for test in tests]
+        outside = [t for t, place in zip(tests, places, strict=True) if not _is_inside(place, claimed)]
+        groups += [Group(shapes, [test]) for test in outside]
+    steps = zip(tests, places, strict=True)
+    return _Frame(tuple(claimed._replace(tests=(t,), places=(place,)) for t, place in steps), claimed, actual)
+
+
+def _is_inside(place: AxisPlace, layout: Layout) -> bool:
+    """Check whether both ends of an axis lie on a layout's canvas."""
+    x0, y0, x1, y1 = layout.limits
+    return all(x0 <= p.x <= x1 and y0 <= p.y <= y1 for p in place.ends)
+
+
 @lru_cache(maxsize=64)
 def _space_for_all_steps(trace: Trace, largest: tuple[float, float]) -> tuple[float, float]:
     """Return the width and height of the largest panel of all steps."""
-    tests = [test for run in trace.pairs or (trace,) for test in run.tests]
-    sizes = [_claimed_panel(trace, largest).size, _actual_panel(trace, largest).size]
-    sizes += [_test_layout(trace, test, largest).size for test in tests]
-    heads = [text_size(name)[0] + RIM for name in (CLAIMED, ACTUAL)]
+    sizes = _frame(trace, largest).claimed.size, _claimed_panel(trace, largest).size, _actual_panel(trace, largest).size
+    heads = (text_size(name)[0] + RIM for name in (CLAIMED, ACTUAL))
     return max(*heads, *(w for w, _ in sizes)), max(h for _, h in sizes)
-
-
-@lru_cache(maxsize=256)
-def _test_layout(trace: Trace, test: AxisTest, largest: tuple[float, float]) -> Layout:
-    """Return the layout that all steps of one test share, so that nothing jumps between them."""
-    return arrange([Group([trace.a, trace.b], [drawable_test(trace, test)])], largest=largest)[0]
 
 
 # -- the two panels
@@ -105,8 +139,9 @@ def _claimed_step(trace: Trace, step: Step, largest: tuple[float, float]) -> Pic
     if step.stage is Stage.VERDICT:
         return _claimed_panel(trace, largest)
     run = trace if step.pair is None else trace.pairs[step.pair]
-    test = None if step.test is None else run.tests[step.test]
-    layout = _test_layout(trace, test, largest) if test else panel_layouts(trace, largest)[0]
+    frame = _frame(trace, largest)
+    number = sum(len(pair.tests) for pair in trace.pairs[: step.pair or 0]) + (step.test or 0)
+    layout = frame.claimed if step.test is None else frame.tests[number]
     sketch = Sketch(run, layout)
     if step.pair is not None:
         draw_other_parts(sketch, trace, run)
@@ -119,17 +154,17 @@ def _claimed_step(trace: Trace, step: Step, largest: tuple[float, float]) -> Pic
     return sketch.finish("", step_sentence(run, step), kept=kept)
 
 
-def _panels(trace: Trace) -> Panels:
-    """Return the names of a trace's panels: the failing case's own, or the default ones."""
+def _panels(trace: Trace) -> tuple[Panel, Panel]:
+    """Return the claimed and the actual panel of a trace: the failing case's own, or the default ones."""
     case = case_of(trace.shortcut)
-    return case.panels if case else Panels()
+    claimed, actual = case.panels if case else Panels()
+    return PIECES if trace.pairs else PANELS[claimed], PANELS[actual]
 
 
 @lru_cache(maxsize=64)
 def _claimed_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
     """Return the panel of what the shortcut's answer comes from, with the answer, struck out if wrong."""
-    draw = draw_pieces_panel if trace.pairs else PANELS[_panels(trace).claimed]
-    sketch = draw(trace, largest)
+    sketch = _panels(trace)[0].draw(trace, _frame(trace, largest).claimed)
     draw_answer(sketch, trace, "claim", verdict_words(trace)[0], answers(trace).claimed)
     return strike_wrong_answers(sketch.finish("", trace.sentence, steady=False), trace)
 
@@ -137,7 +172,7 @@ def _claimed_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
 @lru_cache(maxsize=64)
 def _actual_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
     """Return the panel of what proves the truth, with the right answer."""
-    sketch = PANELS[_panels(trace).actual](trace, largest)
+    sketch = _panels(trace)[1].draw(trace, _frame(trace, largest).actual)
     draw_answer(sketch, trace, "verdict", verdict_words(trace)[1], answers(trace).actual)
     return sketch.finish("", trace.truth.sentence, steady=False)
 

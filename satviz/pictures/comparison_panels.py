@@ -1,10 +1,10 @@
 """The panels of failing cases by name, and those that show something else than tests and proofs.
 
-A new panel is a function of a trace and the largest canvas (in points) that returns the sketch it has drawn; it gets
-a name in `PANELS` below.
+A new panel is a `Panel` in `PANELS` below: what it needs space for, and a function of a trace and of a layout with
+that space, which returns the sketch it has drawn.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import combinations, pairwise
 from math import cos, hypot, isnan, pi, sin
@@ -22,22 +22,21 @@ from ..scenes.failing.true_value import distance as true_distance
 from ..scenes.failing.wrong_projections import FIRST_EDGE_OF_B
 from ..scenes.shape_tools import box, translated
 from .curve import unit_vector
-from .default_panels import arrange, draw_claimed_tests, draw_proof, start_sketch
+from .default_panels import Panel, draw_claimed_tests, draw_proof, needs_claimed_tests, needs_proof
 from .float_geometry import bounding_box, midpoint, point_along
-from .layout import NARROW_PAD_PT, Group, Layout
+from .layout import NARROW_PAD_PT, Group, Layout, arrange
 from .letters import text_size, wrap_text
 from .sketch import Sketch
 
-Panel = Callable[[Trace, tuple[float, float]], Sketch]  # draws a trace on a canvas in points, returns the sketch
 DOT_COUNT = 12  # dots that stand for many shapes
 MAX_AXES = 3  # axes that have space side by side
 ARROW_LENGTH = 74.0  # points
 MOVE = Vec(*map(float, FLIGHT))  # how far A flies in one frame
 
 
-def draw_pieces_panel(trace: Trace, largest: tuple[float, float]) -> Sketch:
+def draw_pieces_panel(trace: Trace, layout: Layout) -> Sketch:
     """Draw A as the pieces that the shortcut takes one by one, and each piece's push of B."""
-    sketch = Sketch(trace, _layout_of_pieces(trace, largest))
+    sketch = Sketch(trace, layout)
     draw_pieces(sketch)
     return sketch
 
@@ -59,13 +58,11 @@ def draw_pieces(sketch: Sketch) -> None:
         sketch.note("push-name", f"in all: push {describe.digits(trace).vector(trace.push)}", "move", first=2)
 
 
-def draw_separating_directions(trace: Trace, largest: tuple[float, float]) -> Sketch:
+def draw_separating_directions(trace: Trace, layout: Layout) -> Sketch:
     """Draw 5 arrows from the middle of the gap: the outermost separating directions, 3 between."""
-    if trace.truth.pairs:
-        return draw_shapes(trace, largest)
-    test = max(trace.truth.tests, key=lambda test: test.gap)
-    sketch = start_sketch(trace, largest, [test])
-    if test.gap <= 0:
+    sketch = draw_shapes(trace, layout)
+    test = max(trace.truth.tests, key=lambda test: test.gap, default=None)
+    if trace.truth.pairs or test is None or test.gap <= 0:
         return sketch
     ends = separating_angles(trace.a, trace.b)
     n = test.axis.direction
@@ -85,15 +82,20 @@ def draw_separating_directions(trace: Trace, largest: tuple[float, float]) -> Sk
     return sketch
 
 
+def first_edge_test(trace: Trace) -> list[AxisTest]:
+    """Return the trace's test on the normal of B's first edge; an empty list if it has none."""
+    return [test for test in trace.tests if test.source == FIRST_EDGE_OF_B][:1]
+
+
 def digits_panel(exact: bool) -> Panel:
     """Return a panel of B's points landing on its first edge's normal, in all digits, rounded or exact."""
 
-    def panel(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    def panel(trace: Trace, layout: Layout) -> Sketch:
         """Draw the normal as an axis, the drops of B, and the highest landings with all their digits."""
-        test = next((test for test in trace.tests if test.source == FIRST_EDGE_OF_B), None)
-        sketch = start_sketch(trace, largest, [test] if test else [])
-        if test is None:
+        sketch, found = draw_shapes(trace, layout), first_edge_test(trace)
+        if not found:
             return sketch
+        (test,) = found
         if exact:
             test = next(axis_tests(trace.a, trace.b, [test.axis]))
         place = sketch.layout.places[0]
@@ -108,13 +110,13 @@ def digits_panel(exact: bool) -> Panel:
         sketch.label("landing-name", text, "B", place.at(test.b.interval.hi), prefer=place.out, first=1)
         return sketch
 
-    return panel
+    return Panel(lambda trace: _shapes_and(trace, first_edge_test(trace)), panel)
 
 
 def dots_panel(every_pair: bool) -> Panel:
     """Return a panel of 12 dots that stand for shapes; `every_pair` joins each dot to every other one."""
 
-    def panel(trace: Trace, largest: tuple[float, float]) -> Sketch:
+    def panel(trace: Trace, layout: Layout) -> Sketch:
         """Draw the dots, the lines between them if wanted, and how many tests or pairs there are."""
         x0, y0, x1, y1 = 0.0, 0.0, 300.0, 220.0
         sketch = Sketch(trace, Layout((x0, y0, x1, y1), (x1, y1), ()))
@@ -130,17 +132,17 @@ def dots_panel(every_pair: bool) -> Panel:
         sketch.label("few", what, "guide", Vec(150.0, 95.0), prefer=Vec(0.0, -1.0), first=1, far=True)
         return sketch
 
-    return panel
+    return Panel(_shapes_and, panel)
 
 
-def draw_support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
+def draw_support_points(trace: Trace, layout: Layout) -> Sketch:
     """Draw B - A, the origin, and the fewest support points GJK may need: 3 for a hit, 1 for a miss."""
     corners = [Vec(q.x - p.x, q.y - p.y) for p in trace.a.vertices for q in trace.b.vertices]
     if len(corners) < 3:
-        return draw_shapes(trace, largest)
+        return draw_shapes(trace, layout)
     best = max(record(trace.a, trace.b, every_axis=True).tests, key=lambda test: test.gap, default=None)
     if best is None:
-        return draw_shapes(trace, largest)  # with a dent B - A has none of its own
+        return draw_shapes(trace, layout)  # with a dent B - A has none of its own
     supports = [_support(corners, unit_vector(45.0 * k + 10.0)) for k in range(8)]
     found = next(filter(_holds_origin, combinations(dict.fromkeys(supports), MIN_SUPPORT_POINTS)), tuple(supports[::3]))
     if not trace.hit:  # one that lies nearest on the axis of a gap
@@ -150,11 +152,12 @@ def draw_support_points(trace: Trace, largest: tuple[float, float]) -> Sketch:
     xs, ys = [0.0, *(v.x for v in corners)], [0.0, *(v.y for v in corners)]
     count = len(trace.a.vertices) + len(trace.b.vertices)
     rest = "and a triangle round the origin three corners" if trace.hit else "and for a miss one corner may be enough"
-    wide, high = largest[0] * 0.8, largest[1] * 0.8
+    wide, high = layout.size
     lines = f"a corner of B {MINUS} A takes {count} looks,", rest
     text = "\n".join(wrap_text(line, wide - 2 * NARROW_PAD_PT) for line in lines)
     band = text_size(text)[1] + NARROW_PAD_PT  # below the picture, for words
-    layout = arrange([Group([box(min(xs), min(ys), max(xs), max(ys))])], largest=(wide, high - band))[0]
+    around = Group([box(min(xs), min(ys), max(xs), max(ys))])
+    layout = arrange([around], largest=(wide, high - band), least=(wide, high - band), pad=NARROW_PAD_PT)[0]
     (x0, y0, x1, y1), (wide, high) = layout.limits, layout.size
     low = y0 - layout.units(band)
     sketch = Sketch(trace, layout._replace(limits=(x0, low, x1, y1), size=(wide, high + band)))
@@ -185,11 +188,17 @@ def _holds_origin(ring: Sequence[Vec]) -> bool:
     return min(turns) > 0 or max(turns) < 0
 
 
-def draw_axes_of_sat(trace: Trace, largest: tuple[float, float]) -> Sketch:
+def axes_of_sat(run: Trace) -> Sequence[AxisTest]:
+    """Return the tests of a run of SAT; of more than 3 only that of the largest gap."""
+    tests = run.tests
+    return tests if len(tests) <= MAX_AXES else [max(tests, key=lambda test: test.gap)]
+
+
+def draw_axes_of_sat(trace: Trace, layout: Layout) -> Sketch:
     """Draw the axes that SAT tests until it is certain; of more than 3 only that of the largest gap."""
     run = record(trace.a, trace.b)
-    tests = run.tests if len(run.tests) <= MAX_AXES else (_best_test(run),)
-    sketch = start_sketch(run, largest, tests)
+    tests = axes_of_sat(run)
+    sketch = draw_shapes(run, layout)
     for test, place in zip(tests, sketch.layout.places, strict=True):
         sketch.project(test, place, interval=False)
     if len(run.tests) > len(tests):
@@ -197,21 +206,20 @@ def draw_axes_of_sat(trace: Trace, largest: tuple[float, float]) -> Sketch:
     return sketch
 
 
-def draw_two_frames(trace: Trace, largest: tuple[float, float]) -> Sketch:
+def draw_two_frames(trace: Trace, layout: Layout) -> Sketch:
     """Draw A in this frame and, faintly, in the next one, and the gap on an axis in this frame."""
     test = trace.ended_by or trace.tests[0]
     after = translated(trace.a, MOVE)
-    sketch = start_sketch(replace(trace, tests=(test,)), largest, [test], also=after)
+    sketch = draw_shapes(replace(trace, tests=(test,)), layout)
     sketch.shape("A", "A next", after, weight="faint", named=False)
     sketch.label("next-name", "next frame", "A", centroid(after), prefer=Vec(0.0, 1.0), first=2)
     sketch.project(test, sketch.layout.places[0], drops=False, interval=False)
     return sketch
 
 
-def draw_flight(trace: Trace, largest: tuple[float, float]) -> Sketch:
+def draw_flight(trace: Trace, layout: Layout) -> Sketch:
     """Draw A's path in one frame as an arrow, and A where it first and last touches B, with the times."""
-    test = trace.ended_by or trace.tests[0]
-    sketch = start_sketch(trace, largest, [test], also=translated(trace.a, MOVE))
+    sketch = draw_shapes(trace, layout)
     start = centroid(trace.a)
     sketch.add("flight", "arrow", "A", start, point_along(start, MOVE, 1.0))
     for i, t in enumerate(map(float, contact_times(trace.a, trace.b))):
@@ -224,10 +232,10 @@ def draw_flight(trace: Trace, largest: tuple[float, float]) -> Sketch:
     return sketch
 
 
-def draw_distance(trace: Trace, largest: tuple[float, float]) -> Sketch:
+def draw_distance(trace: Trace, layout: Layout) -> Sketch:
     """Draw both shapes and, if they are apart, the shortest segment between them with its length."""
     p, q = _nearest_points(trace.a, trace.b)
-    sketch = start_sketch(trace, largest, [_best_test(trace)])
+    sketch = draw_shapes(trace, layout)
     if not trace.truth.hit:
         sketch.add("distance", "segment", "gap", p, q, weight="strong")
         text = f"distance {number(true_distance(trace.a, trace.b))}"
@@ -258,36 +266,43 @@ def _nearest_on_edge(p: Vec, edge: tuple[Vec, Vec]) -> Vec:
     return point_along(q, Vec(x, y), min(1.0, max(0.0, t)))
 
 
-def draw_shapes(trace: Trace, largest: tuple[float, float]) -> Sketch:
+def draw_shapes(trace: Trace, layout: Layout) -> Sketch:
     """Draw both shapes alone."""
-    return start_sketch(trace, largest)
+    sketch = Sketch(trace, layout)
+    sketch.shapes()
+    return sketch
 
 
-def _layout_of_pieces(trace: Trace, largest: tuple[float, float]) -> Layout:
-    """Return a layout with space for B where each piece pushes it, and for words above the shapes."""
+def _shapes_and(trace: Trace, tests: Sequence[AxisTest] = ()) -> Group:
+    """Return both shapes, and tests whose axes are drawn."""
+    return Group([trace.a, trace.b], tests)
+
+
+def needs_flight(trace: Trace) -> Group:
+    """Return both shapes, A in the next frame, and the test that is shown."""
+    return Group([trace.a, translated(trace.a, MOVE), trace.b], [trace.ended_by or trace.tests[0]])
+
+
+def needs_pieces(trace: Trace) -> Group:
+    """Return both shapes, B where each piece pushes it, and space for words above the shapes."""
     shapes = [trace.a, trace.b, *(translated(trace.b, pair.mtv) for pair in trace.pairs if pair.mtv)]
     x0, y0, x1, y1 = bounding_box(shapes)
-    words = box(x0, y1, x1, y1 + (y1 - y0) / 5)
-    return arrange([Group([*shapes, words])], largest=largest)[0]
+    return Group([*shapes, box(x0, y1, x1, y1 + (y1 - y0) / 5)])
 
 
-def _best_test(trace: Trace) -> AxisTest:
-    """Return the test of the largest gap, which is the least overlap where none separates."""
-    return max(trace.tests, key=lambda test: test.gap)
-
-
+PIECES = Panel(needs_pieces, draw_pieces_panel)
 PANELS: dict[str, Panel] = {
-    "tests": draw_claimed_tests,
-    "proof": draw_proof,
-    "separating directions": draw_separating_directions,
+    "tests": Panel(needs_claimed_tests, draw_claimed_tests),
+    "proof": Panel(needs_proof, draw_proof),
+    "separating directions": Panel(_shapes_and, draw_separating_directions),
     "rounded digits": digits_panel(exact=False),
     "exact digits": digits_panel(exact=True),
     "separate dots": dots_panel(every_pair=False),
     "joined dots": dots_panel(every_pair=True),
-    "support points": draw_support_points,
-    "axes of SAT": draw_axes_of_sat,
-    "two frames": draw_two_frames,
-    "flight": draw_flight,
-    "distance": draw_distance,
+    "support points": Panel(_shapes_and, draw_support_points),
+    "axes of SAT": Panel(lambda trace: _shapes_and(trace, axes_of_sat(record(trace.a, trace.b))), draw_axes_of_sat),
+    "two frames": Panel(needs_flight, draw_two_frames),
+    "flight": Panel(needs_flight, draw_flight),
+    "distance": Panel(_shapes_and, draw_distance),
 }
 """The panels by the names that failing cases give (`Panels` in satviz/scenes/failing/failure_case.py)."""

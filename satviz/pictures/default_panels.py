@@ -1,8 +1,9 @@
 """The two panels of most shortcuts: the tests that its answer comes from, and what proves the truth."""
 
-from collections.abc import Sequence
+from collections.abc import Callable
 from dataclasses import replace
-from functools import lru_cache, partial
+from functools import lru_cache
+from typing import NamedTuple
 
 from ..engine import describe
 from ..engine.axes import Choice, hull_normals
@@ -12,29 +13,28 @@ from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
 from ..scenes.shape_tools import translated
-from . import layout
 from .claims import is_about_push, is_near
 from .draw_steps import draw_mtv, draw_separating_line, draw_verdict
 from .float_geometry import point_along
-from .layout import NARROW_PAD_PT, Group, Layout, centered_layout
+from .layout import Group, Layout
 from .sketch import Sketch
 
-arrange = partial(layout.arrange, pad=NARROW_PAD_PT)
+
+class Panel(NamedTuple):
+    """A panel: what it needs space for, and the function that draws it on the layout with that space."""
+
+    needs: Callable[[Trace], Group]
+    draw: Callable[[Trace, Layout], Sketch]
 
 
-def start_sketch(
-    trace: Trace, largest: tuple[float, float], tests: Sequence[AxisTest] = (), *, also: Shape | None = None
-) -> Sketch:
-    """Return a sketch with both shapes drawn, a place for each test's axis, and space for the shape `also`."""
-    shapes = [trace.a, trace.b] if also is None else [trace.a, also, trace.b]
-    sketch = Sketch(trace, arrange([Group(shapes, tests)], largest=largest)[0])
-    sketch.shapes()
-    return sketch
+def needs_claimed_tests(trace: Trace) -> Group:
+    """Return both shapes, B where the shortcut pushes it, and the tests that its answer comes from."""
+    push = trace.push if is_about_push(trace) else None
+    return Group(_shapes_with_moved_b(trace, push), [drawable_test(trace, test) for test in claimed_tests(trace)])
 
 
-def draw_claimed_tests(trace: Trace, largest: tuple[float, float]) -> Sketch:
+def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
     """Draw the tests that the shortcut's answer comes from, and its push."""
-    layout, _ = panel_layouts(trace, largest)
     sketch = Sketch(trace, layout)
     sketch.shapes()
     tests = claimed_tests(trace)
@@ -76,9 +76,14 @@ def draw_push(sketch: Sketch) -> None:
     sketch.label("push-name", text, "move", tip, prefer=prefer, far=not is_near(trace, trace.push), first=3)
 
 
-def draw_proof(trace: Trace, largest: tuple[float, float]) -> Sketch:
+def needs_proof(trace: Trace) -> Group:
+    """Return both shapes, B moved by the MTV, and the exact test that is shown."""
+    test = true_test(trace)
+    return Group(_shapes_with_moved_b(trace, trace.truth.known_mtv), [test] if test else [])
+
+
+def draw_proof(trace: Trace, layout: Layout) -> Sketch:
     """Draw what proves the truth: the separating axis and line, or a shared point, the true ranges and the MTV."""
-    _, layout = panel_layouts(trace, largest)
     run, test = true_run(trace), true_test(trace)
     if test is None:
         sketch = Sketch(run, layout)
@@ -121,38 +126,6 @@ def true_run(trace: Trace) -> Trace:
         return truth
     hulls = record(trace.a, trace.b, axes=hull_normals, every_axis=True)
     return hulls if hulls.separating else truth
-
-
-@lru_cache(maxsize=64)
-def panel_layouts(trace: Trace, largest: tuple[float, float]) -> tuple[Layout, Layout]:
-    """Return the layouts of the claimed and the actual panel, on one scale, with places for their tests."""
-    truth = true_test(trace)
-    tests = [drawable_test(trace, test) for test in claimed_tests(trace)], [truth] if truth else []
-    push = trace.push if is_about_push(trace) else None
-    shapes = _shapes_with_moved_b(trace, push), _shapes_with_moved_b(trace, trace.truth.known_mtv)
-    found = [arrange([Group(*group)], largest=largest)[0] for group in zip(shapes, tests, strict=True)]
-    small, large = sorted((0, 1), key=lambda k: found[k].scale)
-    found[large] = _layout_on_scale(found[small].scale, shapes[large], tests[large], largest) or found[large]
-    size = max(layout.size[0] for layout in found), max(layout.size[1] for layout in found)
-    return centered_layout(found[0], size), centered_layout(found[1], size)
-
-
-def _layout_on_scale(
-    scale: float, shapes: Sequence[Shape], tests: Sequence[AxisTest], largest: tuple[float, float]
-) -> Layout | None:
-    """Return the largest layout whose scale (points per scene unit) is at most `scale`, found by halving.
-
-    Return None where even a canvas of 0.3 times the largest has a larger scale.
-    """
-    least, most, found = 0.3, 1.0, None
-    for _ in range(8):
-        part = (least + most) / 2
-        layout = arrange([Group(shapes, tests)], largest=(largest[0] * part, largest[1] * part))[0]
-        if layout.scale > scale:
-            most = part
-        else:
-            least, found = part, layout
-    return found
 
 
 def drawable_test(trace: Trace, test: AxisTest) -> AxisTest:

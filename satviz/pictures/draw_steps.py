@@ -29,6 +29,8 @@ def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace | None) -> 
     if place is None:
         return
     sketch.axis(test, place)
+    if stage is Stage.AXIS:
+        sketch.slide(test, place)
     one = first_dropped_role(trace, i)
     other = "B" if one == "A" else "A"
     if stage is Stage.DROPS:

@@ -43,8 +43,8 @@ def recorded_trace(name: str) -> Trace:
 
 
 def from_step(stage: Stage, test: int) -> Callable[[Trace, str], Picture]:
-    """Return a function of (trace, title) that draws one stage of test number `test` by itself."""
-    return lambda trace, title: picture(trace, Step(stage, test), title=title, by_itself=True)
+    """Return a function of (trace, title) that draws one stage of test number `test`."""
+    return lambda trace, title: picture(trace, Step(stage, test), title=title)
 
 
 def from_view(draw: Callable[..., Picture], **options: Any) -> Callable[[Trace, str], Picture]:
@@ -65,7 +65,7 @@ _FIGURE_ROWS = (
     ),
     ("sat-normals", "Every edge has a normal", "triangles", from_view(views.all_normals)),
     ("sat-edge", "One edge of B", "triangles", from_step(Stage.EDGE, 0)),
-    ("sat-normal", "The normal of that edge", "triangles", from_step(Stage.NORMAL, 0)),
+    ("sat-normal", "The normal of that edge", "triangles", from_view(views.quarter_turn, number=0)),
     ("sat-axis-apart", "The normal moved clear: an axis", "triangles", from_step(Stage.AXIS, 0)),
     ("sat-project-b", "B's vertices dropped onto the axis", "triangles", from_step(Stage.DROPS, 0)),
     ("sat-range-b", "B's range on the axis", "triangles", from_step(Stage.RANGE, 0)),
@@ -95,3 +95,14 @@ _FIGURE_ROWS = (
     ("concave-parts", "Split into convex parts, each is apart from A", "concave", from_view(views.convex_parts)),
 )
 FIGURES = tuple(Figure(i, *row) for i, row in enumerate(_FIGURE_ROWS, 1))
+STRIP_NUMBERS = range(6, 15)
+
+
+def _strip(trace: Trace, title: str) -> Picture:
+    """Draw the figures of the article's pair of triangles as one picture of small multiples, in their order."""
+    figures = [figure for figure in FIGURES if figure.number in STRIP_NUMBERS]
+    return views.strip([(f"{f.number} {f.title}", f.draw(trace, "")) for f in figures], title=title)
+
+
+STRIP = Figure(21, "sat-strip", "SAT on two triangles, step by step", "triangles", _strip)
+"""Not one of the article's figures: figures 6 to 14 in one picture, made only where it is asked for."""

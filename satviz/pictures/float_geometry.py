@@ -36,7 +36,11 @@ def circle_points(center: Vec, radius: float, count: int) -> list[Vec]:
 
 def bounding_box(shapes: Iterable[Shape]) -> Box:
     """Return the smallest upright box around the shapes."""
-    boxes = [s.bounds for s in shapes]
+    return common_box([s.bounds for s in shapes])
+
+
+def common_box(boxes: Sequence[Box]) -> Box:
+    """Return the smallest upright box around other boxes."""
     return (min(b[0] for b in boxes), min(b[1] for b in boxes), max(b[2] for b in boxes), max(b[3] for b in boxes))
 
 

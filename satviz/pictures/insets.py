@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from math import atan2, cos, floor, hypot, log10, pi, sin
+from math import atan2, ceil, cos, floor, hypot, log10, pi, sin
 from typing import NamedTuple
 
 from ..engine.geometry import Vec
@@ -16,6 +16,7 @@ from .marks import Mark
 MIN_SHAPE_PT = 8.0  # a shape whose larger side is shorter than this has an inset
 MIN_GAP_PT = 3.0  # and so has a gap or an overlap smaller than this
 MIN_NEEDLE_PT = 1.5  # and the short edge of an outline thinner than this
+NARROW_PT = 400.0  # a narrower canvas has its insets below the scene
 BOX_PT = 96.0  # an inset's side
 STRIP_PT = 124.0  # the width of the strip of insets beside the scene
 ROW_PT = 128.0  # the height of an inset with its caption
@@ -40,21 +41,46 @@ def is_too_small(shape: Shape, scale: float) -> bool:
     return max(x1 - x0, y1 - y0) * scale < MIN_SHAPE_PT
 
 
-def add_insets(layout: Layout, shapes: Sequence[tuple[str, Shape]]) -> Layout:
-    """Return the layout with a strip of insets: one for each shape, needle's end or gap that is too small."""
-    scale = layout.scale
-    details = [detail for name, shape in shapes for detail in _small_details(name, shape, scale)]
+def add_insets(layouts: Sequence[Layout], shapes: Sequence[tuple[str, Shape]]) -> list[Layout]:
+    """Return layouts of one frame with a strip of insets, still as one frame.
+
+    Each shape, needle's end or gap that is too small to be seen has an inset.
+    """
+    found = [_details(layout, shapes) for layout in layouts]
+    rows = max(map(len, found))
+    return [_with_insets(*each, rows) for each in zip(layouts, found, strict=True)] if rows else list(layouts)
+
+
+def _details(layout: Layout, shapes: Sequence[tuple[str, Shape]]) -> list[_Detail]:
+    """Return the details of a layout that are too small to be seen: of the shapes first, then the gaps."""
+    details = [detail for name, shape in shapes for detail in _small_details(name, shape, layout.scale)]
     for place, test in zip(layout.places, layout.tests, strict=True):
-        if test.gap and abs(test.gap) * scale < MIN_GAP_PT:
+        if test.gap and abs(test.gap) * layout.scale < MIN_GAP_PT:
             details.append(_Detail("", place.at(test.a.interval.lo), abs(test.gap), test))
-    if not details:
-        return layout
-    size = layout.size[0] + STRIP_PT, max(layout.size[1], round(ROW_PT * len(details) + 24))
-    x0, y0, x1, y1 = layout.limits
-    limits = limits_around(((x0 + x1 + STRIP_PT / scale) / 2, (y0 + y1) / 2), size, scale)
+    return details
+
+
+def _with_insets(layout: Layout, details: Sequence[_Detail], rows: int) -> Layout:
+    """Return the layout with space for so many insets, and an inset of each detail.
+
+    They stand in a strip beside the scene; below it where the canvas is as narrow as a telephone.
+    """
+    scale = layout.scale
+    (x0, y0, x1, y1), (wide, high) = layout.limits, layout.size
+    if wide < NARROW_PT:
+        in_row = max(1, int(wide // STRIP_PT))
+        size = wide, high + ROW_PT * ceil(rows / in_row)
+        limits = limits_around(((x0 + x1) / 2, (y0 + y1 - (size[1] - high) / scale) / 2), size, scale)
+        corners = [
+            (limits[0] + (14 + STRIP_PT * (i % in_row)) / scale, y0 - ROW_PT * (i // in_row) / scale)
+            for i in range(rows)
+        ]
+    else:
+        size = wide + STRIP_PT, max(high, round(ROW_PT * rows + 24))
+        limits = limits_around(((x0 + x1 + STRIP_PT / scale) / 2, (y0 + y1) / 2), size, scale)
+        corners = [(limits[2] - (BOX_PT + 14) / scale, limits[3] - (14 + ROW_PT * i) / scale) for i in range(rows)]
     found = []
-    for i, (name, spot, length, test_of_gap) in enumerate(details):
-        left, top = limits[2] - (BOX_PT + 14) / scale, limits[3] - (14 + ROW_PT * i) / scale
+    for (left, top), (name, spot, length, test_of_gap) in zip(corners, details, strict=False):
         box = left, top - BOX_PT / scale, left + BOX_PT / scale, top
         found.append(Inset(name, spot, _round_down(DETAIL_PART * BOX_PT / (length * scale)), box, test_of_gap))
     return layout._replace(limits=limits, size=size, insets=tuple(found))

@@ -60,6 +60,7 @@ class LabelRequest(NamedTuple):
     far: bool = False  # may stand anywhere on the canvas
     steady: bool = False  # stands at one spot in all steps
     wall: Segment | None = None  # the label belongs on its anchor's side of this line
+    pieces: tuple[tuple[str, str], ...] = ()  # the text in pieces, each with its own role: (text, role)
 
     @property
     def key(self) -> LabelKey:
@@ -78,6 +79,7 @@ class LabelOptions(SharedOptions, total=False):
     far: bool
     steady: bool
     wall: Segment | None
+    pieces: tuple[tuple[str, str], ...]
 
 
 class LabelOffset(NamedTuple):
@@ -169,9 +171,24 @@ class LabelPlacer:
             key = r.owner, r.axis, r.number
             if not (r.far or r.inside or r.along) and (end := self._leader_end(r, at)):
                 self.add_stroke(r.anchor, end, STROKE_COST)
-                found.append(Mark(f"{r.part}-leader", "segment", "guide", (r.anchor, end), *key))
-            found.append(Mark(r.part, "label", r.role, (at,), *key, text=r.text, weight=r.weight))
+                found.append(Mark(f"{r.part}-leader", "segment", "guide", (r.anchor, end), *key, weight="faint"))
+            if r.pieces:
+                found += self._pieces(r, at)
+            else:
+                found.append(Mark(r.part, "label", r.role, (at,), *key, text=r.text, weight=r.weight))
         return found
+
+    def _pieces(self, request: LabelRequest, at: Vec) -> Iterator[Mark]:
+        """Yield a label for each piece of a text of one line; together they stand centered at `at`."""
+        x = at.x - self.layout.units(text_size(request.text)[0] / 2)
+        for number, (text, role) in enumerate(request.pieces):
+            bare = text.strip()
+            before = len(text) - len(text.lstrip())
+            width = self.layout.units(text_size(text)[0])
+            left = x + self.layout.units(text_size(text[:before])[0])
+            spot = Vec(left + self.layout.units(text_size(bare)[0]) / 2, at.y)
+            yield Mark(request.part, "label", role, (spot,), request.owner, request.axis, number, text=bare)
+            x += width
 
     def _leader_end(self, request: LabelRequest, at: Vec) -> Vec | None:
         """Return where a line from the anchor meets the label's box; None if the label needs no line.
@@ -203,7 +220,7 @@ class LabelPlacer:
         """
         spot, cost, own_cost = self._best_spot(request)
         width = text_size(request.text, request.weight)[0]
-        for lines in (2, 3) if not request.optional else ():
+        for lines in (2, 3) if not (request.optional or request.pieces) else ():
             if cost < COVER_COST:
                 break
             slim = request._replace(text=wrap_text(request.text, width / lines, request.weight))

@@ -8,7 +8,7 @@ from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Shape
 from .axis_place import LABEL_HEIGHT_PT, OVERHANG_PT, AxisPlace, both_sides, place_axes, placement_penalty
-from .float_geometry import Box, bounding_box, point_along
+from .float_geometry import Box, bounding_box, common_box, point_along
 from .letters import text_size
 
 MAX_OFFSET_SIZES = 2.0**41  # further from the origin than so many of its sizes, float64 rounds an outline away
@@ -64,11 +64,14 @@ class Layout(NamedTuple):
 
     @property
     def scene_limits(self) -> Box:
-        """Return the limits without the strip of insets beside the scene."""
+        """Return the limits without the strip of insets beside or below the scene."""
         if not self.insets:
             return self.limits
-        x0, y0, _, y1 = self.limits
-        return x0, y0, min(inset.box[0] for inset in self.insets) - self.units(14), y1
+        x0, y0, x1, y1 = self.limits
+        left, top = min(inset.box[0] for inset in self.insets), max(inset.box[3] for inset in self.insets)
+        if left > (x0 + x1) / 2:
+            return x0, y0, left - self.units(14), y1
+        return x0, top, x1, y1
 
     def units(self, points: float) -> float:
         """Return a length of so many points on the canvas in scene units."""
@@ -92,10 +95,13 @@ def arrange(
     largest: tuple[float, float] = (MAX_WIDTH_PT, MAX_HEIGHT_PT),
     least: tuple[float, float] = (MIN_WIDTH_PT, MIN_HEIGHT_PT),
     pad: float = PAD_PT,
+    one_frame: bool = False,
 ) -> list[Layout]:
     """Return a layout for each group, all on one scale, with each axis clear of the shapes and of the other axes.
 
     `largest` and `least`: bounds of the canvas in points; `pad`: points that are kept free to the left and right.
+    `one_frame`: all layouts have the same limits, around the contents of all groups, so that no shape moves from one
+    picture to the next.
     ValueError for a scene whose outlines float64 cannot draw.
     """
     x0, y0, x1, y1 = bounding_box([shape for group in groups for shape in group.shapes])
@@ -107,7 +113,7 @@ def arrange(
         )
     label_widths = [[_range_label_width(group, test) for test in group.tests] for group in groups]
     while True:
-        layouts = _layouts_on(largest, least, groups, label_widths, size, pad)
+        layouts = _layouts_on(largest, least, groups, label_widths, size, pad, one_frame)
         if layouts is not None:
             return layouts
         # labels have a fixed size in points: a scene too small for them gets a larger canvas, which is shown smaller
@@ -135,6 +141,7 @@ def _layouts_on(
     label_widths: Sequence[Sequence[float]],
     size: float,
     pad: float,
+    one_frame: bool,
 ) -> list[Layout] | None:
     """Return the layouts on canvases of at most the largest size; None if the shapes would be too small there.
 
@@ -143,21 +150,22 @@ def _layouts_on(
     """
     scale = start = min(largest) / size / 2
     for _ in range(8):
-        places = [
-            place_axes(group.shapes, group.tests, widths, scale)
-            for group, widths in zip(groups, label_widths, strict=True)
-        ]
-        boxes = [_needed_box(*each, scale, PAD_PT - pad) for each in zip(groups, places, label_widths, strict=True)]
+        places, boxes = [], []
+        for group, widths in zip(groups, label_widths, strict=True):
+            places.append(place_axes(group.shapes, group.tests, widths, scale, boxes if one_frame else ()))
+            boxes.append(_needed_box(group, places[-1], widths, scale, PAD_PT - pad))
+        if one_frame:
+            boxes = [common_box(boxes)] * len(boxes)
         space = largest[0] - 2 * pad, largest[1] - 2 * PAD_PT - HEAD_PT
         before, scale = scale, min(most / (box[i + 2] - box[i]) for box in boxes for i, most in enumerate(space))
-        if not scale > start / 2.5:
+        if not scale > start / (3.2 if one_frame else 2.5):  # one frame has space for the axes of other pictures
             return None
         if abs(scale - before) < 1e-3 * scale:
             break
     found = []
     for group, (x0, y0, x1, y1), there in zip(groups, boxes, places, strict=True):
         width = round(min(largest[0], max(least[0], (x1 - x0) * scale + 2 * pad)))
-        head = HEAD_PT if there else 0.0
+        head = HEAD_PT if there or one_frame else 0.0
         height = round(min(largest[1], max(least[1], (y1 - y0) * scale + 2 * PAD_PT + head)))
         limits = limits_around(((x0 + x1) / 2, (y0 + y1 + head / scale) / 2), (width, height), scale)
         found.append(Layout(limits, (width, height), tuple(there), tuple(group.tests)))
@@ -168,12 +176,6 @@ def limits_around(center: tuple[float, float], size: tuple[float, float], scale:
     """Return the limits of a canvas of that size (points) with `center` in its middle."""
     (x, y), (w, h) = center, (side / scale / 2 for side in size)
     return x - w, y - h, x + w, y + h
-
-
-def centered_layout(layout: Layout, size: tuple[float, float]) -> Layout:
-    """Return the layout on a canvas of `size` points, with its contents in the middle."""
-    x0, y0, x1, y1 = layout.limits
-    return layout._replace(limits=limits_around(((x0 + x1) / 2, (y0 + y1) / 2), size, layout.scale), size=size)
 
 
 def _needed_box(

@@ -18,7 +18,8 @@ class Mark(NamedTuple):
     `kind` and `points` (scene units): outline (its vertices), disc (its center, and `radius`), segment (two ends
     for each piece), arrow (tail, head), interval (the ends of a bar), bracket (a polyline), dot and label (one
     point; a label is centered on it, newlines part its lines).
-    `role`: a colour of the theme.  `weight`: "plain", "strong" (what the step explains), "faint" or "title".
+    `role`: a colour of the theme.  `weight`: "plain", "strong" (what the step explains), "faint", "tint" (an area
+    with a stronger tint) or "title".
     `start`: where a pen that moves marks begins to move its points: one point for each, or one for all.
     `panel`: its picture, where several pictures are drawn as one.
     """

@@ -5,6 +5,8 @@ from collections.abc import Sequence
 from ..engine.geometry import Vec
 from .marks import Mark, Picture
 
+HEADLINE_PT = 34.0
+
 
 def panel_grid(pictures: Sequence[Picture], columns: int, *, title: str = "", sentence: str = "") -> Picture:
     """Return one picture of several, row by row, each centered in its cell; a scene unit is a point."""
@@ -21,6 +23,14 @@ def panel_grid(pictures: Sequence[Picture], columns: int, *, title: str = "", se
             marks += marks_moved_to(picture, corner, f"{r * columns + c + 1}")
     size = sum(widths), sum(heights)
     return Picture(tuple(marks), (0.0, 0.0, *size), size, title, sentence)
+
+
+def with_headline(picture: Picture, text: str) -> Picture:
+    """Return a picture whose scene unit is a point, made taller for a line of bold words above it."""
+    width, height = picture.size
+    mark = Mark("headline", "label", "ink", (Vec(width / 2, height + HEADLINE_PT / 2),), text=text, weight="title")
+    size = width, height + HEADLINE_PT
+    return picture._replace(marks=(mark, *picture.marks), limits=(0.0, 0.0, *size), size=size)
 
 
 def marks_moved_to(picture: Picture, corner: Vec, panel: str) -> list[Mark]:

@@ -4,13 +4,14 @@ Every number comes from the trace.  Labels are only requested here; they get the
 """
 
 from collections.abc import Collection, Sequence
+from itertools import pairwise
 from typing import Unpack
 
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape, centroid
 from ..engine.trace import Trace
-from .float_geometry import clip_line, point_along
+from .float_geometry import clip_line, clip_segment, point_along
 from .insets import Role, inset_marks, is_too_small
 from .label_placer import LabelOffsets, LabelOptions, LabelRequest, Segment
 from .labels import contains_point, name_spots, short_name, with_labels
@@ -19,6 +20,7 @@ from .marks import Mark, MarkOptions, Picture
 
 CROWDED_SIZES = 6.0  # a shape smaller than so many of the smallest visible sizes has no marks at corners and edges
 MAX_NAMED_CORNERS = 6  # of an outline whose vertices have no labels
+HATCH_PT = 6.0  # between the lines of a hatched area
 NOTE_PT = 20.0  # from the top of the canvas to a note
 RIM_PT = 14.0  # between the ends of a line across the canvas and the canvas's rim
 
@@ -59,6 +61,25 @@ class ShapeSketch:
             options: LabelOptions = {"owner": name, "along": tuple(along), "inside": True, "steady": True}
             options |= {"weight": "plain" if quiet else "title", "optional": quiet, "near": quiet}
             self.label("name", name, role, spot, **options)
+
+    def bounding_boxes(self) -> None:
+        """Draw the upright box around each shape, and hatch the area that both boxes share."""
+        boxes = [shape.bounds for _, _, shape in self.roles()]
+        for (role, name, _), (x0, y0, x1, y1) in zip(self.roles(), boxes, strict=True):
+            ring = Vec(x0, y0), Vec(x1, y0), Vec(x1, y1), Vec(x0, y1), Vec(x0, y0)
+            self.add(
+                "box", "segment", role, *(end for side in pairwise(ring) for end in side), owner=name, weight="faint"
+            )
+        p, q = boxes
+        shared = max(p[0], q[0]), max(p[1], q[1]), min(p[2], q[2]), min(p[3], q[3])
+        x0, y0, x1, y1 = shared
+        step, high = self.layout.units(HATCH_PT), y1 - y0
+        if x1 <= x0 or y1 <= y0:
+            return
+        lines = [(Vec(x, y0), Vec(x + high, y1)) for k in range(200) if (x := x0 - high + step * (k + 0.5)) < x1]
+        parts = [(s, t, part) for s, t in lines if (part := clip_segment(*s, *t, *shared)) and part[0] < part[1]]
+        ends = (Vec(s.x + (t.x - s.x) * u, s.y + (t.y - s.y) * u) for s, t, part in parts for u in part)
+        self.add("shared-box", "segment", "overlap", *ends, weight="faint")
 
     def is_crowded(self, shape: Shape) -> bool:
         """Check whether a shape is too small for marks at its corners and edges."""

@@ -4,9 +4,10 @@ Every number comes from the trace.
 """
 
 from collections.abc import Sequence
+from math import ceil, floor, hypot
 from typing import Unpack
 
-from ..engine import describe
+from ..engine import describe, number_format
 from ..engine.axes import CENTERS, EARLY_EXIT, EDGE, FROM_EDGES, HULL, SLIP, VERTEX, WORLD, Axis, edge_normals
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, Projection
@@ -17,12 +18,15 @@ from .float_geometry import gap_or_overlap, midpoint, point_along
 from .insets import BRACKET_PT
 from .label_placer import LabelOptions, Segment
 from .labels import short_name
+from .landing_sum import AXIS, PLAIN, POINT, landing_sum
 from .layout import MAX_LINE_LETTERS, Layout, range_label
 from .marks import MarkOptions
 from .shape_sketch import ShapeSketch
+from .theme import BAR_PT
 
 NORMAL_PT = 34.0  # the length of a normal's arrow
 RIGHT_ANGLE_PT = 7.0  # the side of the mark between an edge and its normal
+MIN_TICK_PT = 24.0  # between two ticks
 ZERO_TICK_PT = 4.5  # half of the tick at coordinate 0
 MAX_LIST_LETTERS = 34  # in a line of the list of axes that were not tested
 MAX_LISTED_AXES = 8
@@ -100,17 +104,25 @@ class Sketch(ShapeSketch):
             text = "direction"
             if kind in FROM_EDGES:
                 what = "one sign changed:" if kind == SLIP else "normal"
-                text = f"{what} {describe.outward_normal(self.trace, test.axis)}"
-                text += "\n(either direction will do)" if direction != test.axis.direction else ""
-            self.label("normal-name", text, role, arrow[1], prefer=direction, first=1)
+                between = " " if direction == test.axis.direction or kind == SLIP else "\n"
+                text = f"{what}{between}{describe.outward_normal(self.trace, test.axis)}"
+            middle = midpoint(*arrow)
+            self.label("normal-name", text, role, arrow[1], prefer=direction, along=(middle,), first=1)
 
-    def right_angle(self, foot: Vec, normal: Vec) -> None:
-        """Draw the right-angle sign at `foot`, between an edge and its unit normal."""
+    def right_angle(self, foot: Vec, normal: Vec, **more: Unpack[MarkOptions]) -> None:
+        """Draw the right-angle sign at `foot`, between an edge (or an axis) and the unit vector `normal`."""
         size = self.layout.units(RIGHT_ANGLE_PT)
         along = Vec(-normal.y, normal.x)
         up, side = point_along(foot, normal, size), point_along(foot, along, size)
         corner = point_along(up, along, size)
-        self.add("right-angle", "segment", "ink", up, corner, corner, side)
+        self.add("right-angle", "segment", "ink", up, corner, corner, side, **more)
+
+    def right_angle_at_axis(self, test: AxisTest, place: AxisPlace, point: Vec, foot: Vec) -> None:
+        """Draw the right-angle sign where the line from `point` meets the axis in `foot`, if there is space for it."""
+        away = Vec(point.x - foot.x, point.y - foot.y)
+        length, along = hypot(*away), away.x * place.n.x + away.y * place.n.y
+        if length > 3 * self.layout.units(RIGHT_ANGLE_PT) and abs(along) < length / 1e3:
+            self.right_angle(foot, Vec(away.x / length, away.y / length), axis=self.axis_id(test))
 
     def no_axis(self, test: AxisTest) -> None:
         """Draw the single point of an edge of length 0, and words that it gives no axis."""
@@ -165,6 +177,34 @@ class Sketch(ShapeSketch):
             options: LabelOptions = {"axis": axis, "prefer": place.out, "optional": True}
             self.label("zero-name", "0", "ink", place.at(0.0), first=7, **options)
 
+    def ticks(self, test: AxisTest, place: AxisPlace) -> None:
+        """Draw ticks on an axis at whole steps, with their numbers."""
+        longest = self.layout.units(MIN_TICK_PT)
+        step = next(s * 10.0**k for k in range(-300, 300) for s in (1, 2, 5) if s * 10.0**k >= longest)
+        half = self.layout.units(ZERO_TICK_PT) * 0.7
+        for k in range(ceil(place.lo / step), floor((place.hi - longest) / step) + 1):
+            spot = place.at(k * step)
+            if k:
+                ends = (point_along(spot, place.out, side * half) for side in (-1, 1))
+                self.add("tick", "segment", "ink", *ends, axis=self.axis_id(test), number=k)
+                options: LabelOptions = {"axis": self.axis_id(test), "number": k, "near": True, "prefer": place.out}
+                self.label("tick-name", number_format.number(k * step), "ink", spot, first=7, **options)
+
+    def slide(self, test: AxisTest, place: AxisPlace) -> None:
+        """Draw the way by which the normal is moved clear of the shapes, and that either of its directions will do."""
+        arrow = self.normal_arrow(test)
+        if arrow is None:
+            return
+        (x, y), n = arrow[0], place.n
+        off = Vec(x - place.zero.x, y - place.zero.y)
+        foot = point_along(place.zero, n, off.x * n.x + off.y * n.y)
+        self.add("slide", "segment", "guide", arrow[0], foot, axis=self.axis_id(test), start=arrow[:1])
+        self.right_angle_at_axis(test, place, arrow[0], foot)
+        if self.arrow_direction(test.axis) != test.axis.direction:
+            text = "the other way round: either direction will do"
+            options: LabelOptions = {"axis": self.axis_id(test), "prefer": place.out, "optional": True}
+            self.label("either-way", text, "ink", place.at((place.lo + 3 * place.hi) / 4), first=6, **options)
+
     def drops(self, test: AxisTest, place: AxisPlace, role: str, *, ends_only: bool, named: bool) -> None:
         """Draw dotted lines from a shape's points, or from its extreme points only, to where they land."""
         side = test.a if role == "A" else test.b
@@ -181,6 +221,10 @@ class Sketch(ShapeSketch):
             self.add("landing", "dot", role, spot, owner=name, axis=axis, number=i, start=start)
         if not named:
             return
+        i = self.extreme_point_indices(side, place)[0]
+        self.right_angle_at_axis(test, place, side.points[i], place.at(side.landings[i]))
+        if test.source.kind != WORLD:
+            self.sum_behind_landing(test, place, role)
         digits, turn = describe.digits(self.trace, test), 1 if role == "B" else -1
         for end, way, part in zip(side.interval, (-1, 1), ("lowest", "highest"), strict=True):
             text = digits.landing(end)
@@ -190,6 +234,20 @@ class Sketch(ShapeSketch):
             between = " " if len(names + text) < MAX_LINE_LETTERS else "\n"
             text = f"{names}:{between}{text}" if names else text
             self.label(part, text, role, place.at(end), owner=name, axis=axis, prefer=prefer)
+
+    def sum_behind_landing(self, test: AxisTest, place: AxisPlace, role: str) -> None:
+        """Write the sum behind the highest landing of a role, its numbers in the colours of point and axis."""
+        side = test.a if role == "A" else test.b
+        i = max(range(len(side.landings)), key=lambda k: side.landings[k])
+        colours = {AXIS: "ink", POINT: role, PLAIN: "guide"}
+        pieces = tuple((text, colours[whose]) for text, whose in landing_sum(self.trace, test, role, i))
+        name, shape = self.named_shape(role)
+        if pieces:
+            if who := self.vertex_names(name, shape, side.points[i : i + 1]):
+                pieces = ((f"{who}: ", role), *pieces)
+            text = "".join(piece for piece, _ in pieces)
+            options: LabelOptions = {"axis": self.axis_id(test), "pieces": pieces, "optional": True}
+            self.label("landing-sum", text, "guide", place.at(side.landings[i]), prefer=place.out, first=6, **options)
 
     def vertex_names(self, name: str, shape: Shape, points: Sequence[Vec]) -> str:
         """Return the names of a shape's corners at some points, as "v1, v2"; "" if its vertices have no labels."""
@@ -216,12 +274,13 @@ class Sketch(ShapeSketch):
         """Draw one shape's range as a bar beside the axis, with its name and, if `numbers`, its ends."""
         side = test.a if role == "A" else test.b
         name, _ = self.named_shape(role)
-        p, q = ends = tuple(place.at(t, role) for t in side.interval)
+        ends = tuple(place.at(t, role) for t in side.interval)
         self.add("range", "interval", role, *ends, owner=name, axis=self.axis_id(test), start=ends[:1])
         if not named:
             return
         out = place.out if role == "B" else Vec(-place.out.x, -place.out.y)
         text = range_label(name, describe.digits(self.trace, test).ranges(test)["AB".index(role)]) if numbers else name
+        p, q = (point_along(end, out, self.layout.units(BAR_PT)) for end in ends)  # a gutter between bar and label
         spot, *along = (Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for f in (0.5, 0.3, 0.7, 0.1, 0.9))
         options: LabelOptions = {"owner": name, "axis": self.axis_id(test), "along": tuple(along), "prefer": out}
         options["wall"] = place.ends  # the label stays on its own side of the axis

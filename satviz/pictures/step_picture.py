@@ -8,7 +8,7 @@ from ..engine.trace import Trace
 from .draw_steps import draw_other_parts, draw_parts, draw_test, draw_verdict
 from .float_geometry import moved_shape
 from .insets import add_insets
-from .layout import MAX_HEIGHT_PT, MAX_WIDTH_PT, Group, Layout, arrange, centered_layout
+from .layout import MAX_HEIGHT_PT, MAX_WIDTH_PT, Group, Layout, arrange
 from .marks import Mark, Picture
 from .sketch import Sketch
 from .stages import STAGES_BEFORE_AXIS, TEST_STAGES, Stage, Step, resolve_step, step_sentence
@@ -26,8 +26,8 @@ def picture(
 ) -> Picture:
     """Return the picture of one step: a Step, or its number in `steps(trace)` (negative: from the end).
 
-    `largest`: the canvas in points at most.  All steps have one scale and one canvas; `by_itself` cuts it to
-    what this step shows.  IndexError for a step the trace does not have.
+    `largest`: the canvas in points at most.  All steps have one frame: no shape moves between them; `by_itself`
+    cuts it to what this step shows.  IndexError for a step the trace does not have.
     """
     step = resolve_step(trace, step)
     layout = step_layouts(trace, largest, by_itself)[_layout_number(trace, step)]
@@ -55,18 +55,15 @@ def _draw_step(trace: Trace, step: Step, layout: Layout, kept: Sequence[Mark], t
 def step_layouts(trace: Trace, largest: tuple[float, float] = LARGEST_PT, by_themselves: bool = False) -> list[Layout]:
     """Return a layout for the shapes, one for each test with its axis, and one for the verdict; all on one scale.
 
-    They have one canvas too, unless each is to be shown by itself.
+    They have one frame too, unless each is to be shown by itself.
     """
     shapes = trace.a, trace.b
     tests = [t for pair in trace.pairs for t in pair.tests] or trace.tests
     end = [trace.separating] if trace.separating else []
     groups = [Group(shapes), *(Group(shapes, [t]) for t in tests), Group(_shapes_and_moved_b(trace), end)]
     named = list(zip(trace.names, shapes, strict=True))
-    found = [add_insets(layout, named) for layout in arrange(groups, largest=largest)]
-    if by_themselves:
-        return found
-    size = max(layout.size[0] for layout in found), max(layout.size[1] for layout in found)
-    return [centered_layout(layout, size) for layout in found]
+    found = arrange(groups, largest=largest, one_frame=not by_themselves)
+    return [add_insets([each], named)[0] for each in found] if by_themselves else add_insets(found, named)
 
 
 def _layout_number(trace: Trace, step: Step) -> int:

@@ -41,6 +41,7 @@ THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
 
 # widths of lines in points
 OUTLINE_PT, STRONG_PT, BAR_PT, OVERLAP_BAR_PT, GUIDE_PT, SEGMENT_PT, AXIS_PT = 2.0, 4.0, 4.0, 5.0, 1.0, 1.5, 1.2
+LEADER_PT = 0.8  # from a label to what it names
 FILL_OPACITY, FAINT_OPACITY = 0.15, 0.55
 DOT_PT = 6.5  # a dot's width
 ARROW_HEAD_PT = 8.0, 6.0  # length and width
@@ -50,7 +51,7 @@ DOTS = 1.0, 2.2  # a guide line: a dot and a space, in line widths
 TEXT_PT = 11.0
 TITLE_TEXT_PT = 15.0  # the names of the shapes
 # lines cover each other in this order: guides, the shapes, then what the step explains
-LAYERS = {"guide": 0, "faint": 1, "plain": 2, "strong": 3, "interval": 4, "bracket": 5}
+LAYERS = {"guide": 0, "faint": 1, "plain": 2, "tint": 2, "strong": 3, "interval": 4, "bracket": 5}
 
 
 class Style(NamedTuple):
@@ -82,6 +83,8 @@ def style_of(kind: str, role: str, weight: str) -> Style:
     line = Style(kind, role, LAYERS.get(kind, LAYERS[weight]), OUTLINE_PT, opacity=FAINT_OPACITY if faint else 1.0)
     if kind == "outline" and role == "wrong":
         return Style(kind, role, fill=FILL_OPACITY * 2)  # an area without a line, so that adjacent areas show no seam
+    if weight == "tint":
+        return line._replace(dash=DASHES if role == "B" else (), fill=FILL_OPACITY * 2.2)
     if kind in ("outline", "disc"):
         fill, width = (FILL_OPACITY / 3, GUIDE_PT) if faint else (FILL_OPACITY, OUTLINE_PT)
         return line._replace(width=width, dash=DASHES if role == "B" else (), fill=fill)
@@ -91,8 +94,14 @@ def style_of(kind: str, role: str, weight: str) -> Style:
         if strong:
             return line._replace(width=STRONG_PT, head=STRONG_ARROW_HEAD_PT)
         return line._replace(width=AXIS_PT if role in ("ink", "guide") else OUTLINE_PT, head=ARROW_HEAD_PT)
+    if role == "guide" and faint and kind == "segment":
+        return line._replace(layer=LAYERS["guide"], width=LEADER_PT)  # solid: no drop
     if role == "guide":
         return line._replace(layer=LAYERS["guide"], width=GUIDE_PT, dash=DOTS)
+    if kind == "segment" and faint and role in ("A", "B"):
+        return line._replace(layer=LAYERS["guide"], width=GUIDE_PT, dash=DOTS, opacity=1.0)
+    if kind == "segment" and faint:
+        return line._replace(layer=LAYERS["guide"], width=GUIDE_PT)
     if kind == "segment" or strong:
         return line._replace(width=STRONG_PT if strong else SEGMENT_PT)
     return line

@@ -1,26 +1,33 @@
 """Views: pictures that show no single step, such as all normals, several axes at once, or a circle by itself."""
 
-from math import hypot
+from collections.abc import Sequence
+from itertools import pairwise
+from math import cos, hypot, pi, sin
 
 from ..engine import describe, number_format
-from ..engine.axes import HULL, VERTEX, Choice
+from ..engine.axes import EDGE, HULL, VERTEX, WORLD, Choice
 from ..engine.certificate import SeparatingLine
 from ..engine.convex_parts import named_parts
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape
 from ..engine.trace import Trace, record
-from .draw_steps import draw_parts, draw_separating_line
+from .caption import with_words_below
+from .draw_steps import draw_separating_line
 from .float_geometry import mean_point, midpoint, point_along
 from .label_placer import LabelOptions
 from .labels import short_name
-from .layout import Group, arrange
+from .layout import NARROW_PAD_PT, Group, arrange
 from .marks import Picture
-from .panels import panel_grid
+from .panels import panel_grid, with_headline
 from .sketch import Sketch
+from .stages import Stage, Step, step_sentence
 from .step_picture import step_layouts
 
-PANEL_PT = 262.0, 250.0  # a small picture
+PANEL_PT = 340.0, 310.0  # a small picture beside another one
+INSET_PT = 270.0, 260.0  # the axis that was forgotten, beside the others
+QUARTER_TURN_PART = 0.45  # of an edge's length: the radius of the arc of a quarter turn
+STRIP_WIDTH_PT = 230.0  # one of several small multiples
 MAX_FAILED_AXES = 3
 
 
@@ -35,7 +42,7 @@ def single_shape(shape: Shape) -> Picture:
 
 def all_normals(trace: Trace, *, title: str = "") -> Picture:
     """Draw both shapes with an outward normal on every edge."""
-    sketch = Sketch(trace, step_layouts(trace, by_themselves=True)[0])
+    sketch = Sketch(trace, step_layouts(trace)[0])
     sketch.shapes()
     sketch.all_normals()
     count = sum(mark.kind == "arrow" for mark in sketch.marks)
@@ -43,12 +50,16 @@ def all_normals(trace: Trace, *, title: str = "") -> Picture:
 
 
 def world_axes(trace: Trace, *, title: str = "") -> Picture:
-    """Draw both shapes beside the world axes, with nothing projected yet."""
-    (layout,) = arrange([Group([trace.a, trace.b], trace.tests)])
-    sketch = Sketch(trace, layout)
+    """Draw both shapes beside the world axes, with ticks and numbers, and nothing projected yet."""
+    layouts = step_layouts(trace)
+    sketch = Sketch(trace, layouts[0])
     sketch.shapes()
-    for test, place in zip(trace.tests, layout.places, strict=True):
+    for test, layout in zip(trace.tests, layouts[1:-1], strict=True):
+        (place,) = layout.places
         sketch.axis(test, place)
+        sketch.ticks(test, place)
+    zeros = [pair for pair in sketch.requests if pair[1].part == "zero-name"]
+    sketch.requests = [pair for pair in sketch.requests if pair not in zeros[1:]]  # both axes share their 0
     # tests start with y, as in the article; the sentence says x and y
     names = sorted(describe.axis_name(t.axis, (trace.a, trace.b), trace.names) for t in trace.tests)
     return sketch.finish(
@@ -56,24 +67,76 @@ def world_axes(trace: Trace, *, title: str = "") -> Picture:
     )
 
 
+def quarter_turn(trace: Trace, number: int, *, title: str = "") -> Picture:
+    """Draw the edge of test `number` as a vector, and the normal as that vector after a quarter turn."""
+    sketch, test = Sketch(trace, step_layouts(trace)[0]), trace.tests[number]
+    sketch.shapes()
+    sketch.edge(test)
+    (kind, role, ids) = test.source
+    assert kind == EDGE and role
+    _, polygon = sketch.named_polygon(role)
+    p, q = (polygon.vertices[i] for i in ids)
+    edge, n = Vec(p.x - q.x, p.y - q.y), sketch.arrow_direction(test.axis)
+    length = hypot(*edge)
+    tip = point_along(q, n, length)
+    sketch.right_angle(q, n)
+    sketch.add("normal", "arrow", "ink", q, tip, weight="strong", start=(p,))
+    turn = [
+        point_along(point_along(q, edge, cos(t) * QUARTER_TURN_PART), n, sin(t) * length * QUARTER_TURN_PART)
+        for t in (k * pi / 24 for k in range(13))
+    ]
+    sketch.add("turn", "segment", "guide", *(end for piece in pairwise(turn) for end in piece))
+    digits = describe.digits(trace)
+    normal = Vec(n.x * length, n.y * length)
+    pieces = (
+        ("edge ", "guide"),
+        (digits.vector(edge), role),
+        (" \u2192 normal ", "guide"),
+        (digits.vector(normal), "ink"),
+    )
+    text = "".join(piece for piece, _ in pieces)
+    sketch.label("turn-name", text, "ink", tip, pieces=pieces, prefer=Vec(1.0, 1.0), first=1)
+    return sketch.finish(title, step_sentence(trace, Step(Stage.NORMAL, number)))
+
+
 def all_tests(trace: Trace, *, title: str = "") -> Picture:
     """Draw all tests in one picture: every axis with both ranges, and the verdict if it is wrong."""
     (layout,) = arrange([Group([trace.a, trace.b], trace.tests)])
     sketch = Sketch(trace, layout)
+    if {test.source.kind for test in trace.tests} == {WORLD}:
+        sketch.bounding_boxes()
     sketch.shapes()
     for test, place in zip(trace.tests, layout.places, strict=True):
         sketch.project(test, place)
     if trace.false_hit:
         sketch.note("verdict", describe.claim_and_truth(trace), "wrong", first=1)
     tests = " ".join(describe.test(trace, i) for i in range(len(trace.tests)))
-    return sketch.finish(title, f"{tests} {trace.sentence}")
+    drawn = sketch.finish(title, f"{tests} {trace.sentence}")
+    if not trace.false_hit:
+        return drawn
+    return panel_grid([drawn, _missing_axis(trace)], 2, title=title, sentence=drawn.sentence)
+
+
+def _missing_axis(trace: Trace) -> Picture:
+    """Draw small the axis of the largest gap, which the trace's choice of axes left out."""
+    run = record(trace.a, trace.b)
+    test = max(run.tests, key=lambda test: test.gap)
+    (layout,) = arrange([Group([trace.a, trace.b], [test], brief=True)], largest=INSET_PT, least=INSET_PT)
+    sketch = Sketch(run, layout)
+    sketch.shapes()
+    sketch.edge(test)
+    sketch.normal(test)
+    sketch.project(test, layout.places[0], numbers=False)
+    name = describe.axis_name(test.axis, (trace.a, trace.b), trace.names)
+    sketch.note("verdict", f"not tested: {name}", "ink", first=1)
+    return sketch.finish("", "")
 
 
 def separation(trace: Trace, *, title: str = "") -> Picture:
     """Draw the separating axis and, across it, the separating line, each with its name; the shapes must be apart."""
     test, certificate = trace.separating, trace.certificate
     assert test and isinstance(certificate, SeparatingLine)
-    layout = step_layouts(trace, by_themselves=True)[-1]
+    layout = step_layouts(trace)[-1]
     sketch = Sketch(trace, layout)
     sketch.shapes()
     (place,) = layout.places
@@ -96,7 +159,7 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
     """Draw two circles with radius, gap (or overlap) and radius along the line of centers, and the test on the axis."""
     a, b, test = trace.a, trace.b, trace.tests[0]
     assert isinstance(a, Circle) and isinstance(b, Circle)
-    layout = step_layouts(trace, by_themselves=True)[1]
+    layout = step_layouts(trace)[1]
     sketch = Sketch(trace, layout)
     digits = describe.digits(trace, test)
     (place,) = layout.places
@@ -132,9 +195,10 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
 
 
 def panels_of_tests(trace: Trace, *, title: str = "") -> Picture:
-    """Draw every test in a small picture of its own: the axis, both ranges, and whether it separates."""
+    """Draw every test in a picture of its own: the axis, both ranges, and whether it separates."""
     shapes = trace.a, trace.b
-    layouts = arrange([Group(shapes, [t], brief=True) for t in trace.tests], largest=PANEL_PT, least=PANEL_PT)
+    groups = [Group(shapes, [t], brief=True) for t in trace.tests]
+    layouts = arrange(groups, largest=PANEL_PT, least=PANEL_PT, pad=NARROW_PAD_PT, one_frame=True)
     panels = []
     for i, (test, layout) in enumerate(zip(trace.tests, layouts, strict=True)):
         sketch = Sketch(trace, layout)
@@ -142,7 +206,7 @@ def panels_of_tests(trace: Trace, *, title: str = "") -> Picture:
         sketch.edge(test)
         sketch.normal(test)
         sketch.project(test, layout.places[0], numbers=False)
-        says = "separates" if test.separates else "no gap"
+        says = "a gap" if test.separates else "no gap"
         name = describe.short_axis_name(test.axis, shapes, trace.names)
         kind = f"normal of {name}"
         if test.source.kind == VERTEX:
@@ -152,7 +216,8 @@ def panels_of_tests(trace: Trace, *, title: str = "") -> Picture:
         sketch.note("verdict", f"axis {i + 1}, {kind}: {says}", "ink", first=1)
         panels.append(sketch.finish("", ""))
     tests = " ".join(describe.test(trace, i) for i in range(len(trace.tests)))
-    return panel_grid(panels, 2, title=title, sentence=f"{tests} {trace.sentence}")
+    drawn = panel_grid(panels, 2, title=title, sentence=f"{tests} {trace.sentence}")
+    return with_headline(drawn, describe.verdict_in_brief(trace))
 
 
 def single_circle(trace: Trace, number: int, role: str, *, extremes: bool, title: str = "") -> Picture:
@@ -186,6 +251,8 @@ def single_circle(trace: Trace, number: int, role: str, *, extremes: bool, title
         sketch.add("drop", "segment", "guide", point, spot, number=i)
         sketch.add("dropped", "dot", role, point, number=i)
         sketch.add("landing", "dot", role, spot, number=i)
+        if i == 1:
+            sketch.right_angle_at_axis(test, place, point, spot)
         away = Vec(point.x - circle.center.x, point.y - circle.center.y)
         sketch.label("dropped-name", f"P{i} = C {sign} r n", role, point, number=i, prefer=away, first=1)
         sketch.label("landing-name", digits.landing(landing), role, spot, number=i, prefer=place.out, first=1)
@@ -211,22 +278,32 @@ def failed_axes(trace: Trace, *, title: str = "") -> Picture:
     for test, place in zip(shown, layout.places, strict=True):
         sketch.axis(test, place, named=False)
         kind = "normal of the hull alone" if test.source.kind == HULL and not _is_edge(trace, test) else "edge normal"
-        text = f"axis, {kind}\ngap {digits.signed(test.gap)}"
+        text = f"{kind}:\noverlap {digits.gap(test.gap)}"
         options: LabelOptions = {"axis": sketch.axis_id(test), "along": (place.at(place.lo),), "prefer": place.n}
         sketch.label("axis-caption", text, "ink", place.at(place.hi), first=1, **options)
         for role in "AB":
             sketch.range(test, place, role, numbers=False)
         sketch.gap(test, place, named=False)
+        _draw_line_that_cuts(sketch, test)
     for n, pair in enumerate(record(trace.a, trace.b).pairs, 1):
         if pair.separating:
             _draw_distance(sketch, pair, pair.separating, n)
-    worst = digits.signed(best[0].gap)
-    sketch.note("verdict", "No axis tested shows a gap, yet they are apart.", "ink", first=1)
+    worst = digits.gap(best[0].gap)
+    sketch.note("verdict", "No axis tested shows a gap: each dotted line cuts B.\nYet they are apart.", "ink", first=1)
     return sketch.finish(
         title,
-        f"No axis here separates {trace.names.a} and {trace.names.b}: the best gap is {worst}. {trace.sentence}",
+        f"No axis here separates {trace.names.a} and {trace.names.b}: the least overlap is {worst}. {trace.sentence}",
         steady=False,
     )
+
+
+def _draw_line_that_cuts(sketch: Sketch, test: AxisTest) -> None:
+    """Draw faintly the line across an axis that leaves A on one side; it cuts B, since the ranges overlap."""
+    middle = (test.b.interval.lo + test.b.interval.hi) / 2
+    ends = test.a.interval
+    edge = ends.lo if abs(ends.lo - middle) < abs(ends.hi - middle) else ends.hi
+    n = test.axis.direction
+    sketch.line_across("cuts", Vec(n.x * edge, n.y * edge), n, "guide", sketch.test_number(test))
 
 
 def _is_edge(trace: Trace, test: AxisTest) -> bool:
@@ -249,20 +326,38 @@ def _draw_distance(sketch: Sketch, pair: Trace, test: AxisTest, number: int) -> 
 
 
 def convex_parts(trace: Trace, *, title: str = "") -> Picture:
-    """Draw concave outlines as their convex parts, each pair of parts with the axis that separates it."""
+    """Draw each pair of convex parts in a panel of its own, with the axis that separates it; the parts have tints."""
     tests = [pair.separating for pair in trace.pairs]
-    (layout,) = arrange([Group([trace.a, trace.b], [t for t in tests if t])])
-    sketch = Sketch(trace, layout)
-    draw_parts(sketch)
-    places = iter(layout.places)
-    for pair, test in zip(trace.pairs, tests, strict=True):
+    groups = [Group([trace.a, trace.b], [test] if test else []) for test in tests]
+    layouts = arrange(groups, largest=PANEL_PT, least=PANEL_PT, pad=NARROW_PAD_PT, one_frame=True)
+    panels = []
+    for pair, test, layout in zip(trace.pairs, tests, layouts, strict=True):
+        sketch = Sketch(pair, layout)
+        for role, name, shape in zip("AB", trace.names, (trace.a, trace.b), strict=True):
+            for i, (part, part_name) in enumerate(named_parts(shape, name)):
+                sketch.shape(role, part_name, part, weight="tint" if i % 2 else "plain")
         if test:
-            inner = Sketch(pair, layout, f"{pair.names.a}.{pair.names.b}.")
-            inner.project(test, next(places))
-            sketch.marks += inner.marks
-            sketch.requests += inner.requests
+            sketch.project(test, layout.places[0])
+        sketch.note("verdict", f"{' and '.join(pair.names)}: {pair.relation}", "ink", first=1)
+        panels.append(sketch.finish("", "", steady=False))
     parts = [f"{n} is {describe.join_words([p for _, p in found])}" for n, found in _split_shapes(trace)]
-    return sketch.finish(title, f"{'; '.join(parts)}. {' '.join(p.sentence for p in trace.pairs)} {trace.sentence}")
+    sentence = f"{'; '.join(parts)}. {' '.join(p.sentence for p in trace.pairs)} {trace.sentence}"
+    return panel_grid(panels, 2, title=title, sentence=sentence)
+
+
+def strip(pictures: Sequence[tuple[str, Picture]], *, title: str = "") -> Picture:
+    """Return pictures of one frame as small multiples, three in a row, each with its words below it.
+
+    Each keeps its marks and the names of the shapes; other labels would be too small to read.
+    """
+    panels, sentences = [], []
+    for words, picture in pictures:
+        marks = tuple(m for m in picture.marks if m.kind != "label" or m.part == "name")
+        marks = tuple(m for m in marks if not m.part.endswith("-leader"))
+        size = STRIP_WIDTH_PT, STRIP_WIDTH_PT * picture.size[1] / picture.size[0]
+        panels.append(with_words_below(picture._replace(marks=marks, size=size), words))
+        sentences.append(picture.sentence)
+    return panel_grid(panels, 3, title=title, sentence=" ".join(dict.fromkeys(sentences)))
 
 
 def _split_shapes(trace: Trace) -> list[tuple[str, list[tuple[Shape, str]]]]:

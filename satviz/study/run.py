@@ -17,23 +17,25 @@ from .harness.machine import machine_facts
 from .sections import (
     axis_order,
     corner_count,
-    error_maps,
+    decision_table,
     exactness_cost,
-    invariance,
-    resting_contact,
-    setup_cost,
+    margin_strips,
+    mtv_by_method,
+    pose_error,
+    resting_stack,
     speed_against_accuracy,
 )
 
 SECTIONS: tuple[ModuleType, ...] = (
     speed_against_accuracy,
+    decision_table,
     exactness_cost,
-    setup_cost,
+    margin_strips,
+    pose_error,
+    mtv_by_method,
+    resting_stack,
     corner_count,
-    invariance,
-    resting_contact,
     axis_order,
-    error_maps,
 )
 CELLS_FOLDER = "cells"  # the folder of the finished cells, inside the folder of the study
 MAX_NAMED_FAILURES = 5  # failed cells that an error line names

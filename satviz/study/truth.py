@@ -4,6 +4,7 @@ It shares nothing with the engine but the shapes, so that a mistake in one is se
 integers over one power of two, and everything that follows is exact:
 - two polygons: one is clipped by the edges of the other; the rest has an area (overlapping), is a point or a segment
   (touching), or is empty (apart);
+  a second oracle asks where the origin lies in the difference A - B (`relation_by_difference`);
 - a circle and a polygon: the squared distance from the center to each edge, and whether the center is inside, by the
   crossings of a ray;
 - two circles: the squares of their distance and of the sum of their radii.
@@ -66,30 +67,61 @@ def squared_distance(a: Polygon, b: Polygon) -> Fraction:
     return min(_segment_distance2(v, *edge) for v, edge in pairs) / Fraction(4) ** k
 
 
-def squared_depth(a: Polygon, b: Polygon) -> Fraction:
-    """Return the exact squared penetration depth of two overlapping convex polygons.
+def agreed(a: Shape, b: Shape) -> Relation:
+    """Return the exact relation of two convex shapes; for polygons two oracles must agree on it."""
+    found = relation(a, b)
+    if isinstance(a, Polygon) and isinstance(b, Polygon) and relation_by_difference(a, b) != found:
+        raise AssertionError(f"the oracles disagree about {a} and {b}")
+    return found
 
-    It is the squared distance of the origin from the nearest side of the difference a - b.
+
+def relation_moved(a: Polygon, b: Polygon, move: tuple[float, float]) -> Relation:
+    """Return the relation of two convex polygons after b has moved by exactly `move`, without rounding."""
+    k, ring = _difference(a, b)
+    x, y = (Fraction(part) * (1 << k) for part in move)
+    sides = ((qx - px) * (y - py) - (qy - py) * (x - px) for (px, py), (qx, qy) in _edges(ring))
+    least = min(sides)  # a - b - move holds the origin where a - b holds the move
+    return Relation.OVERLAPPING if least > 0 else Relation.APART if least < 0 else Relation.TOUCHING
+
+
+def relation_by_difference(a: Polygon, b: Polygon) -> Relation:
+    """Return the relation of two convex polygons, by the side of each edge of a - b on which the origin lies."""
+    _, ring = _difference(a, b)
+    least = min(px * qy - py * qx for (px, py), (qx, qy) in _edges(ring))
+    return Relation.OVERLAPPING if least > 0 else Relation.APART if least < 0 else Relation.TOUCHING
+
+
+def squared_gap(a: Polygon, b: Polygon) -> Fraction:
+    """Return the exact square of the gap between two convex polygons, on the edge normal where it is largest.
+
+    Where they overlap it is the square of the penetration depth, the least of the overlaps on the edge normals.  Where
+    two corners face each other, the distance of the polygons is larger than this gap.
     """
-    sides = _edges(exact_difference(a, b))
-    return min((px * qy - py * qx) ** 2 / ((qx - px) ** 2 + (qy - py) ** 2) for (px, py), (qx, qy) in sides)
+    k, ring = _difference(a, b)
+    sides = [(px * qy - py * qx, (qx - px) ** 2 + (qy - py) ** 2) for (px, py), (qx, qy) in _edges(ring)]
+    beyond = [Fraction(side * side, square) for side, square in sides if side < 0]
+    largest = max(beyond) if beyond else min(Fraction(side * side, square) for side, square in sides)
+    return largest / Fraction(4**k)
 
 
-def exact_difference(a: Polygon, b: Polygon) -> list[Rational]:
-    """Return the Minkowski difference a - b exactly: the convex hull of all p - q, counter-clockwise."""
-    corners = [[exact(v) for v in polygon.vertices] for polygon in (a, b)]
-    points = sorted({(px - qx, py - qy) for px, py in corners[0] for qx, qy in corners[1]})
+def _difference(a: Polygon, b: Polygon) -> tuple[int, list[Ints]]:
+    """Return k and the Minkowski difference a - b scaled by 2**k: the convex hull of all p - q, counter-clockwise."""
+    k, (ring_a, ring_b) = _rings(a, b)
+    points = sorted({(px - qx, py - qy) for px, py in ring_a for qx, qy in ring_b})
 
-    def chain(ordered: Sequence[Rational]) -> list[Rational]:
+    def chain(ordered: Sequence[Ints]) -> list[Ints]:
         """Return one half of the hull, by Andrew's monotone chain, without its last point."""
-        kept: list[Rational] = []
-        for p in ordered:
-            while len(kept) > 1 and orientation(kept[-2], kept[-1], p) <= 0:
+        kept: list[Ints] = []
+        for x, y in ordered:
+            while len(kept) > 1:
+                (ox, oy), (px, py) = kept[-2:]
+                if (px - ox) * (y - oy) - (py - oy) * (x - ox) > 0:
+                    break
                 kept.pop()
-            kept.append(p)
+            kept.append((x, y))
         return kept[:-1]
 
-    return chain(points) + chain(points[::-1])
+    return k, chain(points) + chain(points[::-1])
 
 
 def orientation(p: Iterable[Number], q: Iterable[Number], r: Iterable[Number]) -> Fraction:

@@ -48,7 +48,7 @@ class Cell(NamedTuple):
     def key(self) -> str:
         """Return a digest of everything that decides the result: work, arguments, machine and satviz's code."""
         facts = [self.work.__module__, self.work.__qualname__, self.arguments, machine_facts(), _code_digest()]
-        return sha256(json.dumps(facts).encode()).hexdigest()
+        return sha256(json.dumps(facts, default=lambda work: work.__qualname__).encode()).hexdigest()
 
 
 @cache

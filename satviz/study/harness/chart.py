@@ -5,6 +5,7 @@ import io
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
+from textwrap import wrap
 from typing import Any, NamedTuple, cast
 
 from matplotlib.axes import Axes
@@ -21,10 +22,11 @@ from ...safe_write import MADE_BY, write
 from .cells import JsonRow
 
 TEXT_POINTS, TITLE_POINTS = 10.0, 13.0  # at final size
+TITLE_LETTER, TEXT_LETTER = 9.0, 6.0  # points that a letter takes, by which lines are wrapped
+WIDTH = 520.0  # points of a chart: on a phone its letters can still be read
 # the colour role of each family of methods; every mark has its name beside it as well
 FAMILY_ROLES = {
     "exact": "exact",
-    "exact in range": "exact",
     "float SAT": "float",
     "tolerance": "tolerance",
     "bounds": "shortcut",
@@ -129,13 +131,28 @@ def add_axes(fig: Figure, box: tuple[float, float, float, float], theme: Theme, 
     return ax
 
 
+def head_height(title: str, lines: Sequence[str], width: float) -> float:
+    """Return the height in points of what `draw_headline` draws on a chart of this width."""
+    return 12.0 + sum(17 if is_title else 14 for _, is_title in _headline(title, lines, width))
+
+
 def draw_headline(fig: Figure, theme: Theme, title: str, *lines: str) -> None:
-    """Draw the chart's title at its upper left, and smaller lines below it."""
-    height = fig.get_size_inches()[1] * 72
+    """Draw the chart's title at its upper left, and smaller lines below it, wrapped to the chart's width."""
+    width, height = (size * 72 for size in fig.get_size_inches())
     style: dict[str, Any] = {"ha": "left", "va": "top", "parse_math": False}
-    fig.text(0.012, 1 - 8 / height, title, color=theme.roles["ink"], fontsize=TITLE_POINTS, fontweight="bold", **style)
-    for i, line in enumerate(lines):
-        fig.text(0.012, 1 - (27 + 15 * i) / height, line, color=theme.roles["guide"], fontsize=TEXT_POINTS, **style)
+    down = 8.0
+    for text, is_title in _headline(title, lines, width):
+        look: dict[str, Any] = {"color": theme.roles["guide"], "fontsize": TEXT_POINTS}
+        if is_title:
+            look = {"color": theme.roles["ink"], "fontsize": TITLE_POINTS, "fontweight": "bold"}
+        fig.text(6 / width, 1 - down / height, text, **look, **style)
+        down += 17 if is_title else 14
+
+
+def _headline(title: str, lines: Sequence[str], width: float) -> list[tuple[str, bool]]:
+    """Return the lines of a title (True) and of the text below it (False), wrapped to a width in points."""
+    found = [(text, True) for text in wrap(title, int(width / TITLE_LETTER))]
+    return found + [(text, False) for line in lines for text in wrap(line, int(width / TEXT_LETTER))]
 
 
 def set_time_ticks(axis: XAxis | YAxis, limits: Sequence[float], *, labels: bool = True) -> None:

@@ -1,25 +1,72 @@
-"""Times as columns of rows, and a warning where the times are only rough."""
+"""Times as columns of rows, repeated in whole processes, with the spread between these.
+
+Two processes can differ more than the rounds of one: memory lies elsewhere, the machine is busier.  So each process is
+a cell of its own, and an interval comes from drawing processes with replacement (bootstrap).
+"""
 
 import gc
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
+from statistics import median
 from time import thread_time
 from typing import Any
 
+import numpy as np
+
 from ...advice.timing import time_in_turn
-from .cells import JsonRow, Settings
+from .cells import Cell, JsonRow, Settings
 
-BUSY_SPREAD = 0.25  # quartiles further apart than this share of the median: the machine was busy
+BUSY_SPREAD = 0.25  # processes further apart than this share of their median: the machine was busy
+DRAWS = 2000  # of the bootstrap
 
 
-def time_jobs(jobs: Mapping[str, Callable[[], Any]], rounds: int, items: Mapping[str, int]) -> dict[str, JsonRow]:
-    """Return for each job the CPU time per item in ns, median and quartiles; `items`: how many items a job does."""
+def in_new_process(work: Callable[..., Any], *arguments: Any) -> Any:
+    """Return `work(*arguments)`, done in a process of its own."""
+    with ProcessPoolExecutor(1, get_context("spawn")) as pool:
+        return pool.submit(work, *arguments).result()
+
+
+def cells_by_process(name: str, work: Callable[..., Any], arguments: tuple[Any, ...], settings: Settings) -> list[Cell]:
+    """Return a timed cell for each process in which `work` is done."""
+    processes = range(2 if settings.quick else 5)
+    return [Cell(f"{name}-{k}-times", in_new_process, (work, *arguments), timed=True) for k in processes]
+
+
+def time_jobs(jobs: Mapping[str, Callable[[], Any]], rounds: int, items: Mapping[str, int]) -> dict[str, float]:
+    """Return for each job its median CPU time per item in ns; `items`: how many items a job does."""
     gc.collect()
     gc.freeze()  # otherwise the collection after each round would visit all shapes again
     try:
-        found = time_in_turn(jobs, rounds, items, thread_time)
+        return {name: t.median for name, t in time_in_turn(jobs, rounds, items, thread_time).items()}
     finally:
         gc.unfreeze()
-    return {name: {"ns": times.median, "ns_low": times.low, "ns_high": times.high} for name, times in found.items()}
+
+
+def over_processes(found: Mapping[str, Any], name: str, columns: Sequence[str] = ("ns",)) -> list[JsonRow]:
+    """Return the rows of one process with the times of all: `ns` is the median over processes, `ns_low` and `ns_high`
+    the least and the largest, `ns_runs` all of them.
+    """
+    runs = [rows for cell, rows in found.items() if cell.startswith(f"{name}-") and cell.endswith("-times")]
+    merged = []
+    for same in zip(*runs, strict=True):
+        row = dict(same[0])
+        for column in columns:
+            times = [round(one[column], 3) for one in same]
+            row |= {column: median(times), f"{column}_low": min(times), f"{column}_high": max(times)}
+            row[f"{column}_runs"] = times
+        merged.append(row)
+    return merged
+
+
+def ratio_interval(own: Sequence[float], other: Sequence[float]) -> tuple[float, float, float]:
+    """Return (ratio, low, high): the ratio of medians over processes and its 95 % interval by bootstrap."""
+    rng = np.random.default_rng(len(own))
+    x, y = np.array(own), np.array(other)
+    drawn = rng.integers(0, len(x), (DRAWS, len(x)))  # a process keeps both of its times
+    ratios = np.median(x[drawn], axis=1) / np.median(y[drawn], axis=1)
+    low, high = np.percentile(ratios, [2.5, 97.5])
+    return float(np.median(x) / np.median(y)), float(low), float(high)
 
 
 def timing_warning(rows: Sequence[JsonRow], settings: Settings) -> str:

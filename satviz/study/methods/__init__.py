@@ -1,7 +1,7 @@
 """The methods under study: every form of the engine, and rival methods on the same shapes.
 
-The rivals are plain: they keep no record and evaluate nothing twice.  A method is compared with others in the same
-language.  Even so a time belongs to a program and not to its method alone (`VECTORISED`).
+The rivals keep no record and evaluate nothing twice, and each is the fastest form of its method that we could write.
+Even so a time belongs to a program and not to its method alone (`VECTORISED`).
 
 A method prepares the shapes of each side once (its set-up) and then answers all pairs.
 """
@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from ... import batch
 from ...engine.relate import relate
 from ...engine.shapes import Circle, Polygon, Shape
-from ...engine.trace import record
 from .. import truth
 from ..harness.machine import is_installed
 from ..workloads.generators import Side, is_padded, unpadded_rings
@@ -26,8 +25,8 @@ COMPILED, NUMPY, PYTHON = "compiled", "NumPy", "Python"
 TOLERANCE = 1e-9  # scene units
 # found in numba's machine code on x86: a loop that can end early is not vectorised
 VECTORISED = (
-    "The kernels of satviz (with and without its filter), of the bounding circles and of the boxes are vectorised. "
-    "The other kernels go pair by pair. So the times compare these programs and not only the methods."
+    "SAT, satviz and the bounding shapes compute several pairs at a time; GJK and shapely go pair by pair. "
+    "So the times compare these programs and not only the methods."
 )
 ENGINES = {"satviz numpy": "numpy", "satviz numba": "numba"}  # by their names in tables
 Answers = NDArray[Any]  # one for each pair: bool for hit or not, or int8 for the relation
@@ -37,9 +36,8 @@ class Method(NamedTuple):
     """One way to answer pairs: `hits(prepare(side_a), prepare(side_b))` returns the answers.
 
     `language`: the language of its loop over pairs.  `family`: the group that decides its colour in charts; "exact" is
-    exact by construction for all float64, "exact in range" only while the products of coordinates stay in the range of
-    float64.  `circles`: whether it takes circles too.  `one`: prepares one shape of the engine; None if `prepare` does
-    not go through the engine's shapes.
+    exact by construction for all float64.  `circles`: whether it takes circles too.  `one`: prepares one shape of the
+    engine; None if `prepare` does not go through the engine's shapes.
     """
 
     name: str
@@ -69,8 +67,8 @@ def all_methods(*, circles: bool = False) -> list[Method]:
 
 
 def true_relations(a: Side, b: Side) -> NDArray[np.int8]:
-    """Return the exact relation of each pair, by rational arithmetic."""
-    return np.array([truth.relation(p, q) for p, q in zip(engine_shapes(a), engine_shapes(b), strict=True)], np.int8)
+    """Return the exact relation of each pair, on which both oracles of `truth` must agree."""
+    return np.array([truth.agreed(p, q) for p, q in zip(engine_shapes(a), engine_shapes(b), strict=True)], np.int8)
 
 
 def answers_by_method(methods: Iterable[Method], a: Side, b: Side) -> Iterator[tuple[Method, Answers]]:
@@ -111,21 +109,28 @@ def _numba_methods() -> Iterator[Method]:
     """Yield the methods compiled with numba, if it is installed."""
     if not is_installed("numba"):
         return
-    from ...batch.arrays import TILE_SHAPES
-    from ...batch.codes import APART
-    from ...batch.with_numba.filter import clearance_kernel
     from . import numba_rivals
 
-    def on_columns(name: str, family: str, kernel: Callable[..., None], *options: Any, dtype: type = float) -> Method:
-        """Return the Method of a kernel that takes the coordinate columns of both sides, then `options`."""
+    def on_columns(name: str, family: str, kernel_for: Callable[[int, int], Any], dtype: type = np.float64) -> Method:
+        """Return the Method of a kernel on the coordinate columns of both sides, from their numbers of corners."""
 
         def hits(a: numpy_rivals.Columns, b: numpy_rivals.Columns) -> Answers:
             """Return for each pair whether the kernel finds a hit."""
             out = np.empty(a.x.shape[1], np.int8)
-            kernel(a.x, a.y, b.x, b.y, *options, out)
-            return out > 0
+            kernel_for(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, out)
+            return out.view(np.bool_)
 
         return Method(name, COMPILED, family, partial(numpy_rivals.to_columns, dtype=dtype), hits)
+
+    def sat(name: str, family: str, form: int, tolerance: float = 0.0, dtype: Any = np.float64) -> Method:
+        """Return SAT as a Method; its kernel takes the tolerance in the format of the columns."""
+
+        def kernel_for(va: int, vb: int) -> Callable[..., None]:
+            """Return the kernel for these numbers of corners, without the tolerance among its arguments."""
+            kernel = numba_rivals.sat_kernel(numba_rivals.unrolled(va), numba_rivals.unrolled(vb), form)
+            return lambda ax, ay, bx, by, out: kernel(ax, ay, bx, by, dtype(tolerance), out)
+
+        return on_columns(name, family, kernel_for, dtype)
 
     def on_bounds(name: str, bound: Callable[..., Any], kernel: Callable[..., None], *options: Any) -> Method:
         """Return the Method of a kernel on bounding volumes, which `bound(x, y, *options)` makes of a side."""
@@ -139,35 +144,25 @@ def _numba_methods() -> Iterator[Method]:
             """Return for each pair whether the bounding volumes hit."""
             out = np.empty(a.shape[1], np.int8)
             kernel(a, b, out)
-            return out > 0
+            return out.view(np.bool_)
 
         return Method(name, COMPILED, "bounds", prepare, hits)
 
-    def hits_without_filter(a: numpy_rivals.Columns, b: numpy_rivals.Columns) -> Answers:
-        """Return satviz's answers with all error bounds 0; a clearance of exactly 0 counts as a hit."""
-        out = np.empty(a.x.shape[1], np.int8)
-        clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, 0, np.zeros(-(-out.size // TILE_SHAPES)), out)
-        return np.asarray(out != APART)
+    def gjk(va: int, vb: int) -> Callable[..., None]:
+        """Return the kernel of GJK for these numbers of corners."""
+        return numba_rivals.gjk_kernel(numba_rivals.unrolled(va), numba_rivals.unrolled(vb))
 
     relation = partial(batch.relate, engine="numba")
-    xy, sixteen = (np.array(python_rivals.even_directions(k)) for k in (2, 16))
-    orientation_sat, textbook_sat = numba_rivals.orientation_sat, numba_rivals.textbook_sat
-    ranges = numba_rivals.ranges_on_directions
+    xy = np.array([(1.0, 0.0), (0.0, 1.0)])
     yield Method("satviz", COMPILED, "exact", batch_shapes, relation, circles=True)
-    yield Method("satviz, no filter", COMPILED, "float SAT", numpy_rivals.to_columns, hits_without_filter)
-    yield on_columns("orientation, adaptive", "exact in range", orientation_sat, numba_rivals.ERRBOUND_A)
-    yield on_columns("orientation, expansions", "exact in range", orientation_sat, numba_rivals.ALWAYS_EXACT)
-    yield on_columns("orientation, floats", "float SAT", orientation_sat, numba_rivals.NO_ERROR_BOUND)
-    yield on_columns("SAT, raw normals", "float SAT", textbook_sat, False, 0.0)
-    yield on_columns("SAT, unit normals", "float SAT", textbook_sat, True, 0.0)
-    yield on_columns("SAT, float32", "float SAT", textbook_sat, False, 0.0, dtype=np.float32)
-    yield on_columns("SAT, 1e-9 counts as a hit", "tolerance", textbook_sat, True, TOLERANCE)
-    yield on_columns("SAT, 1e-9 counts as a miss", "tolerance", textbook_sat, True, -TOLERANCE)
-    yield on_columns("GJK", "GJK", numba_rivals.gjk)
+    yield sat("SAT, raw normals", "float SAT", numba_rivals.PLAIN)
+    yield sat("SAT, unit normals", "float SAT", numba_rivals.UNIT)
+    yield sat("SAT, float32", "float SAT", numba_rivals.PLAIN, dtype=np.float32)
+    yield sat("SAT, tolerance 1e-9", "tolerance", numba_rivals.WITH_TOLERANCE, TOLERANCE)
+    yield on_columns("GJK", "GJK", gjk)
     yield on_bounds("bounding circles", numba_rivals.enclosing_circles, numba_rivals.circles_hit)
-    yield on_bounds("AABB", ranges, numba_rivals.boxes_hit, xy)
+    yield on_bounds("AABB", numba_rivals.ranges_on_directions, numba_rivals.boxes_hit, xy)
     yield on_bounds("oriented boxes", numba_rivals.oriented_boxes, numba_rivals.oriented_boxes_hit)
-    yield on_bounds("16 axes", ranges, numba_rivals.ranges_hit, sixteen)
 
 
 def _numpy_methods() -> Iterator[Method]:
@@ -181,8 +176,6 @@ def _numpy_methods() -> Iterator[Method]:
     yield Method("satviz", NUMPY, "exact", batch_shapes, partial(batch.relate, engine="numpy"), circles=True)
     yield sat_on("SAT, raw normals", "float SAT", numpy_rivals.sat_axes)
     yield sat_on("SAT, unit normals", "float SAT", numpy_rivals.with_unit_length(numpy_rivals.sat_axes))
-    yield sat_on("16 axes", "bounds", numpy_rivals.fixed_directions(16))
-    yield sat_on("AABB", "bounds", numpy_rivals.fixed_directions(2))
 
 
 def _python_methods() -> Iterator[Method]:
@@ -195,17 +188,10 @@ def _python_methods() -> Iterator[Method]:
             libraries.one_by_one(test), circles=True, one=one,
         )  # fmt: skip
 
-    def on_points(name: str, family: str, test: Callable[[Any, Any], Any]) -> Method:
-        """Return the Method of a test that takes each shape as (points, radius)."""
-        return one_by_one(name, family, test, python_rivals.points_and_radius)
-
-    xy = python_rivals.even_directions(2)
     yield one_by_one("satviz", "exact", relate, lambda shape: shape)
-    yield one_by_one("satviz, recorded", "exact", lambda a, b: record(a, b).relation, lambda shape: shape)
-    yield on_points("SAT, raw normals", "float SAT", python_rivals.sat)
-    yield on_points("SAT, unit normals", "float SAT", partial(python_rivals.sat, unit=True))
-    yield on_points("GJK", "GJK", python_rivals.gjk)
-    yield on_points("AABB", "bounds", partial(python_rivals.sat, choice=lambda a, b: xy))
+    points = python_rivals.points_and_radius
+    yield one_by_one("SAT, unit normals", "float SAT", partial(python_rivals.sat, unit=True), points)
+    yield one_by_one("GJK", "GJK", python_rivals.gjk, points)
 
 
 def _library_methods() -> Iterator[Method]:

@@ -40,7 +40,11 @@ def shapely_hits(a: Any, b: Any) -> NDArray[np.bool_]:
     """Return for each pair whether the shapes share a point; shapes in the form of `shapely_geometries`."""
     import shapely
 
-    return np.asarray(shapely.dwithin(a[0], b, a[1]) if isinstance(a, tuple) else shapely.intersects(a, b))
+    if isinstance(a, tuple):
+        return np.asarray(
+            shapely.dwithin(a[0], b[0], a[1] + b[1]) if isinstance(b, tuple) else shapely.dwithin(a[0], b, a[1])
+        )
+    return np.asarray(shapely.intersects(a, b))
 
 
 def geometry_list(side: Side) -> list[Any]:

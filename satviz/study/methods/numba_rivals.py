@@ -1,10 +1,12 @@
-"""Rival methods compiled with numba, written as a reader of the literature would write them.
+"""Rival methods compiled with numba, each written to be fast.
 
 They stay beside the models of `satviz/advice` because their own speed and accuracy are what the study measures: each
 gives hit or no hit, with nothing recorded and nothing evaluated twice, where `advice.kernels` gives relations of any
-pairs of a batch.  The method is not the only difference between two times.  The compiler vectorises the enclosing
-circles, both kinds of boxes and satviz's own kernel; the loops that can end early (textbook SAT, orientation SAT, GJK,
-ranges on many directions) go pair by pair.
+pairs of a batch.
+
+`sat_kernel` and `gjk_kernel` are compiled for the numbers of corners, so that the compiler unrolls their loops.  SAT
+and the bounding volumes have no branch: the compiler computes several pairs at once, in float32 twice as many as in
+float64.  GJK and the methods for many corners end early and go pair by pair.
 
 All kernels take polygons with one number of corners, counter-clockwise, as columns:
     ax, ay, bx, by   (V, N) coordinates of A's and of B's corners: [v, i] is corner v of pair i
@@ -13,20 +15,20 @@ All kernels take polygons with one number of corners, counter-clockwise, as colu
     out              (N,) int8, written by the kernel: 1 for a hit, 0 for apart
 """
 
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
-from ...batch.exact_signs import UNKNOWN
-from ...batch.with_numba.exact import MAX_TERMS, orient, sign_of_sum, two_product
-from ...batch.with_numba.jit_cache import compiled
+from ...batch.with_numba.jit_cache import compiled, inlined
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 Out = NDArray[np.int8]
 MAX_GJK_STEPS = 64  # rounding can make GJK cycle
-# error bounds of `orientation_sat`, as a factor of |left| + |right|, the sizes of the two products
-NO_ERROR_BOUND = -1.0  # the sign of the float is taken as it is
-ERRBOUND_A = (3 + 16 * 2.0**-53) * 2.0**-53  # (3 + 16 u) u with u = 2**-53: Shewchuk (1997), first stage
-ALWAYS_EXACT = np.inf  # no float is certain, so every sign is computed exactly
+MAX_UNROLLED = 6  # corners; of more the compiler unrolls only some, and then it computes pair by pair
+PLAIN, UNIT, WITH_TOLERANCE = 0, 1, 2  # forms of `sat_kernel`
 
 
 @compiled
@@ -82,17 +84,6 @@ def ranges_on_directions(x: Array, y: Array, directions: Array) -> Array:
 
 
 @compiled
-def ranges_hit(a: Array, b: Array, out: Out) -> None:
-    """Write for each pair whether its ranges, prepared by `ranges_on_directions`, meet on every direction."""
-    for i in range(out.size):
-        out[i] = 1
-        for k in range(0, a.shape[0], 2):
-            if a[k + 1, i] < b[k, i] or b[k + 1, i] < a[k, i]:
-                out[i] = 0
-                break
-
-
-@compiled
 def boxes_hit(a: Array, b: Array, out: Out) -> None:
     """Write for each pair whether its prepared ranges on x and y meet; a loop without branches vectorises."""
     for i in range(out.size):
@@ -140,9 +131,62 @@ def oriented_boxes_hit(a: Array, b: Array, out: Out) -> None:
 # -- complete methods --------------------------------------------------------------------------------
 
 
+def unrolled(corners: int) -> int | None:
+    """Return the number of corners that a kernel is compiled for, or None for the kernel that takes any number."""
+    return corners if corners <= MAX_UNROLLED else None
+
+
+@cache
+def sat_kernel(va: int | None, vb: int | None, form: int) -> Callable[..., None]:
+    """Return SAT on edge normals for va and vb corners: kernel(ax, ay, bx, by, tolerance, out).
+
+    The columns are of float64 or of float32, and `tolerance` is a number of the same format.
+    `form`: PLAIN normals, UNIT normals, or WITH_TOLERANCE: a gap up to `tolerance` scene units counts as a hit.
+    """
+
+    @compiled
+    def kernel(ax: Array, ay: Array, bx: Array, by: Array, tolerance: float, out: Out) -> None:
+        """Write for each pair whether no edge has all corners of the other polygon beyond it."""
+        count_a, count_b = ax.shape[0] if va is None else va, bx.shape[0] if vb is None else vb
+        for k in range(out.size):
+            i = np.uintp(k)  # unsigned: numba need not ask whether it counts from the end
+            best = ax.dtype.type(-np.inf)  # all numbers have the format of the columns
+            for e in range(count_a):
+                f = (e + 1) % count_a
+                ex, ey = ax[e, i], ay[e, i]
+                nx, ny = ay[f, i] - ey, ex - ax[f, i]
+                if form == UNIT:
+                    length = np.sqrt(nx * nx + ny * ny)
+                    nx, ny = nx / length, ny / length
+                least = ax.dtype.type(np.inf)
+                for v in range(count_b):
+                    least = min(least, nx * bx[v, i] + ny * by[v, i])
+                gap = least - (nx * ex + ny * ey)
+                if form == WITH_TOLERANCE:
+                    gap = gap - tolerance * np.sqrt(nx * nx + ny * ny)
+                best = max(best, gap)
+            for e in range(count_b):
+                f = (e + 1) % count_b
+                ex, ey = bx[e, i], by[e, i]
+                nx, ny = by[f, i] - ey, ex - bx[f, i]
+                if form == UNIT:
+                    length = np.sqrt(nx * nx + ny * ny)
+                    nx, ny = nx / length, ny / length
+                least = ax.dtype.type(np.inf)
+                for v in range(count_a):
+                    least = min(least, nx * ax[v, i] + ny * ay[v, i])
+                gap = least - (nx * ex + ny * ey)
+                if form == WITH_TOLERANCE:
+                    gap = gap - tolerance * np.sqrt(nx * nx + ny * ny)
+                best = max(best, gap)
+            out[i] = best <= 0
+
+    return kernel
+
+
 @compiled
 def textbook_sat(ax: Array, ay: Array, bx: Array, by: Array, unit: bool, tolerance: float, out: Out) -> None:
-    """Write hits by SAT as articles write it: no hit if a normal has a gap larger than `tolerance`.
+    """Write hits by SAT as articles write it, for any number of corners: no hit if a gap is larger than `tolerance`.
 
     `unit`: divide each normal by its length first.
     """
@@ -175,102 +219,66 @@ def _has_separating_normal(x: Array, y: Array, p: Array, q: Array, i: int, unit:
     return False
 
 
-@compiled
-def orientation_sat(ax: Array, ay: Array, bx: Array, by: Array, error_factor: float, out: Out) -> None:
-    """Write hits by orientation tests: a miss if all of one polygon is strictly beyond an edge of the other.
-
-    `error_factor`: NO_ERROR_BOUND, ERRBOUND_A or ALWAYS_EXACT.
-    """
-    terms = np.empty(MAX_TERMS)
-    for i in range(out.size):
-        out[i] = not (
-            _edge_clears(ax, ay, bx, by, i, error_factor, terms) or _edge_clears(bx, by, ax, ay, i, error_factor, terms)
-        )
-
-
-@compiled
-def _edge_clears(x: Array, y: Array, p: Array, q: Array, i: int, error_factor: float, terms: Array) -> bool:
-    """Return whether all corners of (p, q) lie strictly beyond some edge of (x, y); `terms`: work space."""
-    for e in range(x.shape[0]):
-        f = e + 1 if e + 1 < x.shape[0] else 0
-        beyond = True
-        for v in range(p.shape[0]):
-            left = (x[f, i] - x[e, i]) * (q[v, i] - y[e, i])
-            right = (y[f, i] - y[e, i]) * (p[v, i] - x[e, i])
-            side = left - right
-            if not abs(side) > error_factor * (abs(left) + abs(right)):
-                if error_factor == ALWAYS_EXACT:
-                    sign = _exact_orientation(x[e, i], y[e, i], x[f, i], y[f, i], p[v, i], q[v, i], terms)
-                else:
-                    sign = orient(x[e, i], y[e, i], x[f, i], y[f, i], p[v, i], q[v, i], terms)
-                # where a product leaves the range of float64 the exact sign is unknown: keep the float
-                side = side if sign == UNKNOWN else float(sign)
-            if side >= 0:
-                beyond = False
-                break
-        if beyond:
-            return True
-    return False
+@inlined
+def _support(x: Array, y: Array, i: Any, corners: int, dx: float, dy: float) -> tuple[float, float]:
+    """Return the corner of polygon i that is furthest along (dx, dy)."""
+    furthest, sx, sy = x[0, i] * dx + y[0, i] * dy, x[0, i], y[0, i]
+    for v in range(1, corners):
+        landing = x[v, i] * dx + y[v, i] * dy
+        further = landing > furthest
+        furthest = landing if further else furthest
+        sx, sy = x[v, i] if further else sx, y[v, i] if further else sy
+    return sx, sy
 
 
-@compiled
-def _exact_orientation(px: float, py: float, qx: float, qy: float, rx: float, ry: float, terms: Array) -> int:
-    """Return the exact sign of the orientation of points p, q, r from six products; `terms`: work space."""
-    for k, (a, b) in enumerate(((px, qy), (-py, qx), (qx, ry), (-qy, rx), (rx, py), (-ry, px))):
-        terms[k], terms[6 + k] = two_product(a, b)
-    return sign_of_sum(terms, MAX_TERMS)
+@cache
+def gjk_kernel(va: int | None, vb: int | None) -> Callable[..., None]:
+    """Return GJK on floats (Gilbert, Johnson and Keerthi 1988) for va and vb corners; None for any number."""
 
-
-@compiled
-def gjk(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
-    """Write hits by GJK on floats (Gilbert, Johnson and Keerthi 1988): whether B - A contains the origin."""
-    for i in range(out.size):
-        dx, dy = bx[0, i] - ax[0, i], by[0, i] - ay[0, i]
-        ux, uy = _support_of_difference(ax, ay, bx, by, i, -dx, -dy)
-        vx, vy, wx, wy, corners = 0.0, 0.0, 0.0, 0.0, 1
-        dx, dy = -ux, -uy
-        out[i] = 1
-        for _ in range(MAX_GJK_STEPS):
-            if dx == 0 and dy == 0:
-                break
-            px, py = _support_of_difference(ax, ay, bx, by, i, dx, dy)
-            if px * dx + py * dy < 0:
-                out[i] = 0
-                break
-            if corners == 1:
-                vx, vy, corners = px, py, 2
-            else:
-                wx, wy = px, py
-                # beyond which of the two edges at the new corner does the origin lie?
-                side = 1.0 if (vx - ux) * (wy - uy) - (vy - uy) * (wx - ux) > 0 else -1.0
-                if side * (vx * wy - vy * wx) < 0:
-                    ux, uy = wx, wy
-                elif side * (wx * uy - wy * ux) < 0:
-                    vx, vy = wx, wy
-                else:
+    @compiled
+    def kernel(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
+        """Write for each pair whether B - A contains the origin."""
+        count_a, count_b = ax.shape[0] if va is None else va, bx.shape[0] if vb is None else vb
+        for k in range(out.size):
+            i = np.uintp(k)
+            dx, dy = bx[0, i] - ax[0, i], by[0, i] - ay[0, i]
+            px, py = _support(bx, by, i, count_b, -dx, -dy)
+            qx, qy = _support(ax, ay, i, count_a, dx, dy)
+            ux, uy = px - qx, py - qy
+            vx, vy, wx, wy, corners = 0.0, 0.0, 0.0, 0.0, 1
+            dx, dy = -ux, -uy
+            hit = 1
+            for _ in range(MAX_GJK_STEPS):
+                if dx == 0 and dy == 0:
                     break
-            ex, ey = vx - ux, vy - uy
-            dx, dy = -ey, ex
-            if dx * ux + dy * uy > 0:
-                dx, dy = -dx, -dy
+                px, py = _support(bx, by, i, count_b, dx, dy)
+                qx, qy = _support(ax, ay, i, count_a, -dx, -dy)
+                px, py = px - qx, py - qy  # the support point of B - A
+                if px * dx + py * dy < 0:
+                    hit = 0
+                    break
+                if corners == 1:
+                    vx, vy, corners = px, py, 2
+                else:
+                    wx, wy = px, py
+                    # beyond which of the two edges at the new corner does the origin lie?
+                    side = 1.0 if (vx - ux) * (wy - uy) - (vy - uy) * (wx - ux) > 0 else -1.0
+                    if side * (vx * wy - vy * wx) < 0:
+                        ux, uy = wx, wy
+                    elif side * (wx * uy - wy * ux) < 0:
+                        vx, vy = wx, wy
+                    else:
+                        break
+                ex, ey = vx - ux, vy - uy
+                dx, dy = -ey, ex
+                if dx * ux + dy * uy > 0:
+                    dx, dy = -dx, -dy
+            out[i] = hit
+
+    return kernel
 
 
-@compiled
-def _support_of_difference(
-    ax: Array, ay: Array, bx: Array, by: Array, i: int, dx: float, dy: float
-) -> tuple[float, float]:
-    """Return the support point of B - A in pair i: its corner furthest along (dx, dy)."""
-    furthest, k = -np.inf, 0
-    for v in range(ax.shape[0]):
-        landing = -dx * ax[v, i] - dy * ay[v, i]
-        if landing > furthest:
-            furthest, k = landing, v
-    furthest, m = -np.inf, 0
-    for v in range(bx.shape[0]):
-        landing = dx * bx[v, i] + dy * by[v, i]
-        if landing > furthest:
-            furthest, m = landing, v
-    return bx[m, i] - ax[k, i], by[m, i] - ay[k, i]
+gjk = gjk_kernel(None, None)
 
 
 # -- methods for many corners --------------------------------------------------------------------------------

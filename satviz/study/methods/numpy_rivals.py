@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..workloads.generators import Side
-from .python_rivals import even_directions
 
 Array = NDArray[np.floating]
 Hits = NDArray[np.bool_]
@@ -100,11 +99,6 @@ def with_unit_length(choice: AxisChoice) -> AxisChoice:
             yield PairAxes(nx / length, ny / length, 1.0)
 
     return normalised
-
-
-def fixed_directions(k: int) -> AxisChoice:
-    """Return a function that yields k axes for every pair: directions spread evenly over a half turn."""
-    return lambda a, b: (PairAxes(x, y, 1.0) for x, y in even_directions(k))
 
 
 def _block(c: Columns, start: int) -> Columns:

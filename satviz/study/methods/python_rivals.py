@@ -4,7 +4,7 @@ A shape here is (points, radius): a polygon's corners with radius 0, or a circle
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from math import cos, hypot, inf, pi, sin, sqrt
+from math import hypot, inf, sqrt
 
 from ...engine.shapes import Circle, Shape
 
@@ -121,8 +121,3 @@ def _edge_towards_origin(a: tuple[float, float], b: tuple[float, float]) -> tupl
         return [a], (-a[0], -a[1])
     turn = ex * -a[1] - ey * -a[0]
     return [b, a], (-ey * turn, ex * turn)
-
-
-def even_directions(k: int) -> list[tuple[float, float]]:
-    """Return k unit vectors spread evenly over a half turn, beginning with the x axis."""
-    return [(0.0, 1.0) if 2 * i == k else (cos(pi * i / k), sin(pi * i / k)) for i in range(k)]

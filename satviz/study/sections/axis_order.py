@@ -1,6 +1,8 @@
 """The order of axes: how many are tested before one separates, while a shape moves past another.
 
-The order never changes the verdict.  Where the shapes overlap, every order tests all axes.
+Question: which order finds a separating axis soonest?  Workload: 8-gons that pass each other, frame by frame.  Methods:
+four orders of the same axes.  The order never changes the verdict, and where the shapes overlap every order tests all
+axes.  The claim is refuted by paths on which the intervals of two orders change places.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -15,7 +17,7 @@ from ...engine.trace import record
 from ...pictures import Theme
 from .. import truth
 from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import TEXT_POINTS, Chart, add_axes, draw_headline
+from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height
 from ..workloads.generators import ngons
 
 Rng = np.random.Generator
@@ -107,11 +109,14 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     title = f"Axes tested until one separates: shuffled {tested[SHUFFLED]}, last one first {tested[LAST_FIRST]}, "
     title += f"along the centers {tested[ALONG_CENTERS]}"
 
+    lines = (f"8-gons pass each other on {paths} paths and are apart in {apart:,} frames. They have 16 axes.",)
+    head = head_height(title, lines, WIDTH)
+    size = WIDTH, head + 176
+
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw for each order a dot at its mean number of axes, and a bar for the 95 % interval."""
-        line = f"8-gons pass each other on {paths} paths and are apart in {apart:,} frames. They have 16 axes."
-        draw_headline(fig, theme, title, line)
-        ax = add_axes(fig, (0.235, 0.2, 0.72, 0.53), theme)
+        draw_headline(fig, theme, title, *lines)
+        ax = add_axes(fig, (128 / WIDTH, 46 / size[1], (WIDTH - 146) / WIDTH, 120 / size[1]), theme)
         for y, row in enumerate(rows):
             role = "exact" if row["order"] == LAST_FIRST else "guide" if row["order"] == SHUFFLED else "shortcut"
             ax.plot([row["low"], row["high"]], [y, y], color=theme.roles[role], lw=1.6)
@@ -121,7 +126,7 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
         ax.axvline(1, color=theme.roles["guide"], lw=1, ls=(0, (1, 2.2)))
         ax.set_yticks(range(len(rows)), [row["order"] for row in rows])
         ax.set(ylim=(len(rows) - 0.5, -0.5), xlim=(0, max(row["high"] for row in rows) * 1.15))
-        ax.set_xlabel("axes tested: mean and its 95 % interval (dotted line: 1, the minimum)")
+        ax.set_xlabel("axes tested: mean, 95 % interval (dotted: 1, the minimum)")
         ax.spines["left"].set_visible(False)
         ax.tick_params(axis="y", length=0)
 
@@ -129,4 +134,4 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
     right, total = sum(row["right"] for row in rows), sum(row["frames"] for row in rows)
     text = f"Axes tested in a frame with the shapes apart, mean over {paths} paths with its 95 % interval: {each}. "
     text += f"The verdict is exact in {right:,} of {total:,} runs: the order does not change it."
-    return [Chart("order-of-axes", title, (800.0, 230.0), draw, rows, text)]
+    return [Chart("order-of-axes", title, size, draw, rows, text)]

@@ -1,77 +1,149 @@
-"""The cost of exactness: the same pairs with more and more of them touching, and each method's time for a pair."""
+"""The price of exactness: satviz against plain SAT in float64, where more and more pairs touch, and beside an outlier.
+
+Question: what does an exact answer cost more than a float answer?  Workload: pairs of triangles, a share of which touch
+exactly, and the same with one triangle 2^k times as large.  Methods: plain SAT and satviz, for the answer alone and
+from the arrays; shapely.  The claim is refuted by a workload of such pairs on which satviz takes longer than the
+chart's largest price.
+"""
 
 from functools import partial
 from typing import Any
 
+import numpy as np
 from matplotlib.figure import Figure
 
 from ...pictures import Theme
 from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import Chart, add_axes, draw_headline, draw_time_curves, format_time
-from ..harness.timings import time_jobs, timing_warning
-from ..methods import COMPILED, VECTORISED, all_methods
-from ..workloads.generators import ngons
+from ..harness.chart import (
+    TEXT_POINTS,
+    WIDTH,
+    Chart,
+    add_axes,
+    draw_headline,
+    family_colour,
+    format_time,
+    head_height,
+    label_ends,
+    set_time_ticks,
+)
+from ..harness.timings import cells_by_process, over_processes, ratio_interval, time_jobs, timing_warning
+from ..methods import COMPILED, VECTORISED, Method, all_methods
+from ..workloads.generators import Rings, ngons
 from ..workloads.hard_pairs import touching_triangles
 
-TOUCHING_SHARES = (0.0, 0.001, 0.01, 0.1, 0.3, 1.0)
-LINE_STYLES = {
-    "satviz": "-", "satviz, no filter": "-", "orientation, adaptive": "--", "orientation, floats": "--",
-    "orientation, expansions": ":", "SAT, unit normals": "-", "shapely": "-",
-}  # fmt: skip
+TOUCHING_SHARES = (0.0, 0.001, 0.01, 0.1, 1.0)
+OUTLIERS = (5, 10, 20)  # log2 of how much larger one triangle is
+TICKS = {0.0: "0%", 0.001: "0.1%", 0.01: "1%", 0.1: "10%", 1.0: "100%", 5: "2⁵", 10: "2¹⁰", 20: "2²⁰"}
+PLAIN, EXACT = "SAT, raw normals", "satviz"
+LINES = {  # by (method, column): (label, family, line style)
+    ("shapely", "ns"): ("shapely", "library", "-"),
+    (EXACT, "whole"): ("satviz from arrays", "exact", "--"),
+    (PLAIN, "whole"): ("SAT from arrays", "float SAT", "--"),
+    (EXACT, "ns"): ("satviz, answer", "exact", "-"),
+    (PLAIN, "ns"): ("SAT, answer", "float SAT", "-"),
+}
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return one cell, which times the methods at every share of touching pairs."""
-    n, rounds = (40_000, 4) if settings.quick else (100_000, 21)
-    return [Cell("price-times", take_times, (n, rounds, settings), timed=True)]
+    """Return a cell for each process, which times the methods at every share of touching pairs and every outlier."""
+    return cells_by_process(
+        "price", take_times, ((20_000, 3) if settings.quick else (100_000, 7)) + (settings,), settings
+    )
+
+
+def workloads(n: int, rng: np.random.Generator) -> dict[tuple[str, float], tuple[Rings, Rings]]:
+    """Return pairs of triangles by (what changes, how much)."""
+    random_a, random_b = ngons(rng, n, 3, 0.9), ngons(rng, n, 3, 0.9)
+    touching_a, touching_b = touching_triangles(rng, n)
+    order, found = rng.permutation(n), {}
+    for share in TOUCHING_SHARES:
+        a, b, chosen = random_a.copy(), random_b.copy(), order[: round(share * n)]
+        a[chosen], b[chosen] = touching_a[chosen], touching_b[chosen]
+        found["touching", share] = a, b
+    for power in OUTLIERS:
+        a = random_a.copy()
+        a[n // 2] *= 2.0**power
+        found["outlier", float(power)] = a, random_b
+    return found
 
 
 def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
-    """Return each method's ns per pair of triangles at each share of pairs that touch exactly."""
-    rng = settings.rng("price")
+    """Return for each workload and method the ns for a pair: of the answer alone, and from the arrays."""
     rows = []
-    random_a, random_b = ngons(rng, n, 3, 0.9), ngons(rng, n, 3, 0.9)
-    touching_a, touching_b = touching_triangles(rng, n)
-    order = rng.permutation(n)
-    for share in TOUCHING_SHARES:
-        chosen = order[: round(share * n)]
-        a, b = random_a.copy(), random_b.copy()
-        a[chosen], b[chosen] = touching_a[chosen], touching_b[chosen]
-        methods = {m.name: m for m in all_methods() if m.language == COMPILED and m.name in LINE_STYLES}
-        jobs = {name: partial(m.hits, m.prepare(a), m.prepare(b)) for name, m in methods.items()}
-        for name, times in time_jobs(jobs, rounds, dict.fromkeys(jobs, n)).items():
-            rows.append({"share": share, "method": name, "family": methods[name].family, "pairs": n, **times})
+    methods = {m.name: m for m in all_methods() if m.language == COMPILED and (m.name, "ns") in LINES}
+
+    def whole(method: Method, a: Rings, b: Rings) -> Any:
+        """Prepare both sides of the pairs and answer."""
+        return method.hits(method.prepare(a), method.prepare(b))
+
+    for (what, much), (a, b) in workloads(n, settings.rng("price")).items():
+        jobs = {f"{name}/ns": partial(m.hits, m.prepare(a), m.prepare(b)) for name, m in methods.items()}
+        jobs |= {f"{name}/whole": partial(whole, methods[name], a, b) for name, key in LINES if key == "whole"}
+        times = time_jobs(jobs, rounds, dict.fromkeys(jobs, n))
+        rows += [{"what": what, "much": much, "method": name, "pairs": n, "ns": times[f"{name}/ns"],
+                  "whole": times.get(f"{name}/whole", 0.0)} for name in methods]  # fmt: skip
     return rows
 
 
 def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
-    """Return the chart of time against the share of touching pairs, one line for each method."""
-    rows: list[JsonRow] = found["price-times"]
-    ns = {(row["method"], row["share"]): row["ns"] for row in rows}
-    cost = {s: ns["satviz", s] - ns["satviz, no filter", s] for s in TOUCHING_SHARES if ("satviz", s) in ns}
-    title, text = "The cost of exact answers", ""
-    if cost:
-        few, all_pairs = format_time(max(cost[0.001], 0.0)), format_time(cost[1.0])
-        title = f"An exact answer costs {few} more for a pair where 1 in 1,000 touches, {all_pairs} where all do"
-        costs = ", ".join(f"{format_time(ns)} with {share:.1%} touching" for share, ns in cost.items())
-        text = f"satviz takes longer than the same kernel without a filter by: {costs}. Making and checking the shapes "
-        text += f"is not in these times. {VECTORISED} "
-    names = [name for name in LINE_STYLES if (name, 0.0) in ns]
-    each = [f"{n}: {format_time(ns[n, 0.0])} where none touch, {format_time(ns[n, 1.0])} where all do." for n in names]
-    families = {row["method"]: row["family"] for row in rows}
+    """Return the chart of two panels: times against the share of touching pairs, and against the outlier's size."""
+    rows = over_processes(found, "price", ("ns", "whole"))
+    by = {(row["what"], row["much"], row["method"]): row for row in rows}
+    if ("touching", 0.0, EXACT) not in by:
+        return []
+
+    def ratio(what: str, much: float, column: str = "ns") -> tuple[float, float, float]:
+        """Return how many times as long as plain SAT satviz takes, with its interval."""
+        own, plain = (by[what, much, name][f"{column}_runs"] for name in (EXACT, PLAIN))
+        return ratio_interval(own, plain)
+
+    none, every, outlier = ratio("touching", 0.0), ratio("touching", 1.0), ratio("outlier", float(OUTLIERS[-1]))
+    title = (
+        f"An exact answer takes {none[0]:.1f} times as long as plain SAT where no pair touches, {every[0]:.0f} times "
+        f"where all do, and {outlier[0]:.1f} times beside one shape that is a million times as large"
+    )
+    lines = (f"Time for a pair of {rows[0]['pairs']:,} pairs of triangles. Bars: the spread of the processes.",)
+    head = head_height(title, lines, WIDTH)
+    size = WIDTH, head + 300
 
     def draw(fig: Figure, theme: Theme) -> None:
-        """Draw for each method its time against the share of touching pairs."""
-        line = (
-            f"Time of the answer alone; {rows[0]['pairs']:,} pairs of triangles, made beforehand. Bars show quartiles."
+        """Draw both panels on one scale of time."""
+        draw_headline(fig, theme, title, *lines)
+        shown = [row[column] for row in rows for name, column in LINES if row["method"] == name]
+        limits = min(shown) / 1.5, max(shown) * 1.5
+        panels = (
+            ("touching", TOUCHING_SHARES, 62.0, "share of pairs that touch"),
+            ("outlier", OUTLIERS, 250.0, "one triangle larger"),
         )
-        draw_headline(fig, theme, title, line)
-        ax = add_axes(fig, (0.085, 0.14, 0.66, 0.69), theme)
-        styles = {name: (families[name], LINE_STYLES[name]) for name in names}
-        draw_time_curves(ax, theme, range(len(TOUCHING_SHARES)), rows, styles)
-        ax.set_xlabel("share of pairs that touch exactly")
-        labels = [f"{share:.1%}" if 0 < share < 0.01 else f"{share:.0%}" for share in TOUCHING_SHARES]
-        ax.set_xticks(range(len(labels)), labels)
+        for what, steps, left, words in panels:
+            ax = add_axes(fig, (left / WIDTH, 44 / size[1], 150 / WIDTH, 246 / size[1]), theme)
+            ax.set(yscale="log", ylim=limits)
+            ends = []
+            for (name, column), (label, family, style) in LINES.items():
+                own = [by[what, float(much), name] for much in steps if (what, float(much), name) in by]
+                if not own:
+                    continue
+                shade = family_colour(theme, family)
+                ax.plot(range(len(own)), [r[column] for r in own], color=shade, ls=style, lw=1.8, marker="o", ms=4)
+                for x, row in enumerate(own):
+                    ax.plot([x, x], [row[f"{column}_low"], row[f"{column}_high"]], color=shade, lw=1)
+                ends.append((len(own) - 1, own[-1][column], label, family_colour(theme, family, text=True)))
+            names = [TICKS[step] for step in steps]
+            ax.set_xticks(range(len(steps)), names)
+            ax.set_xlabel(words, fontsize=TEXT_POINTS)
+            set_time_ticks(ax.yaxis, limits, labels=what == "touching")
+            if what == "outlier":
+                label_ends(ax, ends, gap=15, space=8)
 
-    warning = timing_warning(rows, settings)
-    return [Chart("price-of-exactness", title, (760.0, 400.0), draw, rows, text + " ".join(each), warning)]
+    text = f"{title}. satviz against plain SAT, with the 95 % interval over {len(rows[0]['ns_runs'])} processes: "
+    told = []
+    for what, steps in ("touching", TOUCHING_SHARES), ("outlier", OUTLIERS):
+        for much in steps:
+            for column, kind in ("ns", "the answer"), ("whole", "from the arrays"):
+                mid, low, high = ratio(what, float(much), column)
+                words = f"{much:.1%} touching" if what == "touching" else f"one triangle 2^{much} times as large"
+                plain, exact = (by[what, float(much), name][column] for name in (PLAIN, EXACT))
+                told.append(f"{words}, {kind}: {mid:.1f} times ({low:.1f} to {high:.1f}), {format_time(exact)} "
+                            f"against {format_time(plain)}")  # fmt: skip
+    text += f"{'; '.join(told)}. {VECTORISED}"
+    return [Chart("price-of-exactness", title, size, draw, rows, text, timing_warning(rows, settings))]

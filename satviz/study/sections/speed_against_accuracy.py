@@ -1,243 +1,283 @@
-"""Speed against accuracy: how wrong each method was in a sample of hard pairs, and its time for a pair.
+"""Speed against accuracy: the time for a pair, and the largest gap that a method tells wrongly in a scene of 1 km.
 
-Methods are ranked by the largest relative margin at which they were wrong.  The relative margin says how hard a pair is
-for floats: how far the deciding number is from 0, in rounding errors.  A rate of wrong answers would depend on how the
-pairs were made.  The largest margin of a sample is no bound: a search for the worst pairs finds larger ones.
+Question: what does an exact answer cost, and what does it gain?  Workload: 4-gons of 1 m to 14 m with coordinates up to
+1 km.  Methods: all compiled ones, each at its fastest.  Accuracy is the worst that a search found (`adversary`), and
+for SAT in float64 the proven bound beside it; time is the median over processes.  The claim is refuted by a gap above
+the proven bound that SAT tells wrongly, by one wrong answer of satviz, or by a faster form of a rival.
 """
 
-from collections.abc import Sequence
-from math import log2
+import math
+from functools import partial
+from math import log10
 from typing import Any
 
-from matplotlib.axes import Axes
+import numpy as np
 from matplotlib.figure import Figure
 
+from ...engine.shapes import Polygon
 from ...pictures import Theme
+from .. import truth
 from ..harness.cells import Cell, JsonRow, Settings
 from ..harness.chart import (
     TEXT_POINTS,
+    WIDTH,
     Chart,
     add_axes,
     draw_headline,
     family_colour,
     format_time,
+    head_height,
     label_points,
     set_time_ticks,
 )
-from ..harness.machine import is_installed
-from ..harness.timings import timing_warning
-from ..methods import COMPILED, NUMPY, PYTHON, VECTORISED
-from ..workloads.hard_pairs import HARD_KINDS, MARGIN_OCTAVES
-from . import errors_by_margin
-from .error_counts import (
-    ALL_KINDS,
-    EXACT_BY_CONSTRUCTION,
-    FIXED_TOLERANCE,
-    NONE_WRONG,
-    WRONG_AT_ANY_DISTANCE,
-    cell_name,
-    count_errors,
-    count_errors_by_margin,
-    method_summaries,
-    take_times,
+from ..harness.timings import cells_by_process, over_processes, ratio_interval, time_jobs, timing_warning
+from ..methods import (
+    COMPILED,
+    VECTORISED,
+    Method,
+    all_methods,
+    answers_by_method,
+    count_mistakes,
+    true_relations,
 )
+from ..workloads.adversary import METRES_WIDE, beside, kilometre_shapes, worst_pair
+from ..workloads.generators import Rings
+from ..workloads.hard_pairs import EXTREME_KIND, hard_pairs, touching_triangles
 
-# the gap in metres of a relative margin of 1, where coordinates go up to a kilometre: u * 1000 m with u = 2**-53
-GAP_PER_MARGIN = 2.0**-53 * 1e3
+GRID_METRES = 2.0**-43  # the step between neighbouring float64 numbers from 512 to 1024
+# in roundings u * span * reach the rounded normal costs 4 (with unit length 8), the landing of the corner 4, and that
+# of the edge 4.  So SAT on outward normals is right where the relative margin is above 12 (16).
+PROVEN_MARGINS = {"SAT, raw normals": 12, "SAT, unit normals": 16}
+SAT_MARGIN = max(PROVEN_MARGINS.values())
 ATOM_METRES = 1e-10
-TICK_METRES = {"1 mm": 1e-3, "1 µm": 1e-6, "1 nm": 1e-9, "1 pm": 1e-12}
-WIDTH_POINTS, ROW_POINTS, SCALE_POINTS = 640.0, 17.0, 190.0
-LANE_LABELS = {
-    WRONG_AT_ANY_DISTANCE: "wrong at\nany gap",
-    FIXED_TOLERANCE: "a fixed\ntolerance",
-    NONE_WRONG: "none wrong in\nthis sample",
-    EXACT_BY_CONSTRUCTION: "exact by\nconstruction",
-}
-LANE_ORDER = (WRONG_AT_ANY_DISTANCE, FIXED_TOLERANCE, "", NONE_WRONG, EXACT_BY_CONSTRUCTION)  # "": the ranked methods
+LABELS = {
+    "bounding circles": "circles", "AABB": "boxes (AABB)", "SAT, float32": "SAT, float32",
+    "SAT, raw normals": "SAT, float64", "SAT, tolerance 1e-9": "SAT, tolerance 1e-9 m", "GJK": "GJK",
+    "satviz": "satviz: exact, proven", "shapely": "shapely: none found",
+}  # fmt: skip
+NONE = -18.5  # log10 of the height at which methods without a wrong answer are drawn
+TICKS = {"1 m": 0, "1 mm": -3, "1 µm": -6, "1 nm": -9, "1 pm": -12, "1 fm": -15}
+
+
+def compiled_methods() -> list[Method]:
+    """Return the compiled methods."""
+    return [method for method in all_methods() if method.language == COMPILED]
+
+
+def proven_metres(name: str) -> float | None:
+    """Return the gap in metres above which a method is proven right in a scene of 1 km, or None."""
+    margin = 0 if name == "satviz" else PROVEN_MARGINS.get(name)
+    return None if margin is None else margin * 2.0**-53 * METRES_WIDE
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return the cells that count errors on hard, touching and ordinary pairs, and the cell that measures times."""
-    per_octave, n = (12, 400) if settings.quick else (120, 10_000)
-    made = [
-        Cell(cell_name(kind), count_errors_by_margin, (i, per_octave, settings)) for i, kind in enumerate(ALL_KINDS)
+    """Return a search for each method, the counts of wrong answers, and the times of each process."""
+    n, generations = (1000, 12) if settings.quick else (20_000, 40)
+    found = [
+        Cell(f"worst-{method.name.replace(' ', '-').replace(',', '')}", search, (method.name, n, generations, settings))
+        for method in compiled_methods()
     ]
-    made += [Cell(f"count-{work}", count_errors, (work, n, settings)) for work in ("touching", "ordinary")]
-    full, quick = (100_000, 20_000, 1000), (30_000, 4000, 200)
-    pairs = dict(zip((COMPILED, NUMPY, PYTHON), quick if settings.quick else full, strict=True))
-    rounds = 5 if settings.quick else 21
-    return [*made, Cell("resolution-times", take_times, (pairs, rounds, settings), timed=True)]
+    pairs = 200 if settings.quick else 4000
+    found += [Cell(f"count-{work}", count_errors, (work, pairs, settings)) for work in WORKS]
+    n, rounds = (20_000, 3) if settings.quick else (100_000, 9)
+    return [*found, *cells_by_process("speed", take_times, (n, rounds, settings), settings)]
+
+
+def search(name: str, n: int, generations: int, settings: Settings) -> JsonRow:
+    """Return the worst pair of a method in a scene of 1 km; `metres`: its gap, or the depth of its overlap."""
+    (method,) = (method for method in compiled_methods() if method.name == name)
+    found = worst_pair(method, kilometre_shapes, settings.rng("worst", name), n, generations, metres=True)
+    row: JsonRow = {"method": name, "family": method.family, "metres": 0.0, "mistake": "", "tried": found.tried}
+    if found.margin:
+        a, b = Polygon(found.a[0]), Polygon(found.b[0])
+        hit = truth.agreed(a, b) > 0
+        row["metres"] = math.sqrt(truth.squared_gap(a, b))
+        row |= {"mistake": "false miss" if hit else "false hit", "a": found.a[0].tolist(), "b": found.b[0].tolist()}
+    return row
+
+
+def _near_pairs(rng: np.random.Generator, n: int) -> tuple[Rings, Rings]:
+    """Return pairs in a scene of 1 km with gaps and overlaps of every size from 1e-16 m on."""
+    a, b = kilometre_shapes(rng, n)
+    return a, beside(rng, a, b, np.ldexp(rng.uniform(1, 2, n), rng.integers(-53, 0, n)) * rng.choice([-1.0, 1.0], n))
+
+
+WORKS: dict[str, Any] = {
+    "near": _near_pairs,
+    "touching": touching_triangles,
+    "extreme": lambda rng, n: hard_pairs(EXTREME_KIND, rng, max(2, n // 40))[:2],
+}
+
+
+def count_errors(work: str, n: int, settings: Settings) -> list[JsonRow]:
+    """Return for each method its wrong answers on about n pairs of `WORKS`, which both oracles check."""
+    a, b = WORKS[work](settings.rng(work), n)
+    right, rows = true_relations(a, b), []
+    for method, answers in answers_by_method(compiled_methods(), a, b):
+        mistakes = count_mistakes(answers, right)
+        rows.append({"method": method.name, "pairs": len(a), "wrong": sum(mistakes.values()), **mistakes})
+    return rows
+
+
+def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
+    """Return each method's ns for a pair: of the answer alone, and from the arrays to the answer."""
+    a, b = kilometre_shapes(settings.rng("times"), n)
+    b = b + settings.rng("moves").uniform(-8, 8, (n, 1, 2))
+    found = {method.name: method for method in compiled_methods()}
+
+    def whole(method: Method) -> Any:
+        """Prepare both sides of the pairs and answer."""
+        return method.hits(method.prepare(a), method.prepare(b))
+
+    jobs = {(name, "ns"): partial(m.hits, m.prepare(a), m.prepare(b)) for name, m in found.items()}
+    jobs |= {(name, "whole"): partial(whole, method) for name, method in found.items()}
+    named = {"/".join(key): job for key, job in jobs.items()}
+    times = time_jobs(named, rounds, dict.fromkeys(named, n))
+    return [{"method": name, "ns": times[f"{name}/ns"], "whole": times[f"{name}/whole"]} for name in found]
+
+
+def summaries(found: dict[str, Any]) -> list[JsonRow]:
+    """Return a row for each method: its worst gap, its wrong answers by workload, and its times."""
+    rows = []
+    for times in over_processes(found, "speed", ("ns", "whole")):
+        (worst,) = (
+            row for name, row in found.items() if name.startswith("worst-") and row["method"] == times["method"]
+        )
+        row = {**worst, "proven": proven_metres(times["method"])}
+        for work in WORKS:
+            (count,) = (row for row in found[f"count-{work}"] if row["method"] == times["method"])
+            row |= {f"{work}_wrong": count["wrong"], f"{work}_pairs": count["pairs"]}
+        rows.append({**row, **times})
+    return rows
 
 
 def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
-    """Return the chart of compiled methods, two charts of details about them, and the chart of interpreted methods."""
-    summaries = method_summaries(found)
-    interpreted = _interpreted_chart(summaries, settings)
-    if not is_installed("numba"):
-        return [interpreted]
-    details = [errors_by_margin.error_rate_chart(found), errors_by_margin.hardness_chart(found)]
-    return [main_chart(summaries, settings), *details, interpreted]
+    """Return the chart of eight methods, and the chart of all methods for experts."""
+    rows = summaries(found)
+    return [main_chart(rows, settings), all_methods_chart(rows, settings)] if len(rows) > 2 else []
 
 
-def main_chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
-    """Return the chart of the compiled methods, from the rows of `method_summaries`."""
-    compiled = [row for row in rows if row["language"] == COMPILED]
-    margin = _largest_float64_margin(compiled)
-    is_small = 0 < margin * GAP_PER_MARGIN < ATOM_METRES
-    gaps = "gaps smaller than an atom" if is_small else f"gaps below {_gap_in_a_kilometre(margin)}"
-    title = f"In this sample, at 1 km, float64 SAT was wrong only at {gaps}"
-    return _lane_chart("speed-against-accuracy", title, compiled, settings, VECTORISED)
+def in_metres(gap: float) -> str:
+    """Return a length with its unit, to two digits."""
+    for size, unit in (1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm"), (1e-12, "pm"), (1e-15, "fm"):
+        if gap >= size:
+            return f"{float(f'{gap / size:.2g}'):g}\u00a0{unit}"  # not parted at the end of a line
+    return f"{float(f'{gap / 1e-15:.1g}'):g}\u00a0fm" if gap else "none"
 
 
-def _interpreted_chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
-    """Return the chart of the methods in NumPy and in Python; its title compares textbook SAT in all languages."""
-    interpreted = [
-        {**row, "method": f"{row['method']}, {row['language']}"} for row in rows if row["language"] != COMPILED
-    ]
-    sat = {row["language"]: row for row in rows if row["method"] == "SAT, raw normals"}
-    times = [f"{format_time(sat[name]['ns'])} {name}" for name in (COMPILED, NUMPY, PYTHON) if name in sat]
-    errors = {(row["relative_margin"], row["wrong"], row["touching_wrong"]) for row in sat.values()}
-    alike = "same errors in this sample" if len(errors) == 1 else "not the same errors in this sample"
-    return _lane_chart("interpreted", f"SAT: {', '.join(times)}; {alike}", interpreted, settings)
-
-
-def _largest_float64_margin(rows: Sequence[JsonRow]) -> float:
-    """Return the largest relative margin at which SAT in float64 was wrong."""
-    float64 = [row for row in rows if row["family"] == "float SAT" and "float32" not in row["method"]]
-    return max((row["relative_margin"] for row in float64), default=0.0)
-
-
-def _gap_in_a_kilometre(margin: float) -> str:
-    """Return in words, with its unit, the gap that a relative margin means in a scene of 1 km."""
-    metres = margin * GAP_PER_MARGIN
-    for size, unit in (1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm"), (1e-12, "pm"):
-        if metres >= size:
-            return f"{float(f'{metres / size:.2g}'):g} {unit}"
-    return f"{metres / 1e-12:.1g} pm"
-
-
-def _lane_chart(stem: str, title: str, rows: Sequence[JsonRow], settings: Settings, last_sentence: str = "") -> Chart:
-    """Return a chart with a lane for each group of unranked methods, and a scale with the ranked ones.
-
-    `last_sentence`: added to the reading.
-    """
-    lanes = {
-        lane: own
-        for lane in LANE_ORDER
-        if (own := sorted((row for row in rows if row["lane"] == lane), key=lambda row: row["ns"]))
-    }
-    heights = {lane: 24 + ROW_POINTS * len(own) if lane else SCALE_POINTS for lane, own in lanes.items()}
-    head, foot = 66.0, 42.0
-    size = WIDTH_POINTS, head + foot + sum(heights.values()) + 10 * (len(heights) - 1)
-    limits = min(row["ns"] for row in rows) / 1.6, max(row["ns"] for row in rows) * 14
-    counts = rows[0]
+def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
+    """Return the chart of time against the largest gap told wrongly, with at most eight labels."""
+    by_name = {row["method"]: row for row in rows}
+    sat, exact = by_name["SAT, raw normals"], by_name["satviz"]
+    ratio, low, high = ratio_interval(exact["ns_runs"], sat["ns_runs"])
+    title = (
+        f"In 1 km, SAT in float64 is right about every gap above {in_metres(SAT_MARGIN * 2.0**-53 * METRES_WIDE)}; "
+        f"exact answers take {ratio:.1f} times as long"
+    )
+    lines = (
+        "Left is faster, down is more accurate. A dot is the largest gap (or depth of an overlap) told wrongly that a "
+        "search found among shapes of 1 m to 14 m, measured on the edge normal where it is largest; a dash above it is "
+        "the proven bound. Of the two dots of SAT in "
+        "float64, the right one has normals of length 1.",
+    )
+    head = head_height(title, lines, WIDTH)
+    size = WIDTH, head + 390
+    shown = [*LABELS, "SAT, unit normals"]
+    limits = min(by_name[name]["ns"] for name in shown) / 1.5, max(by_name[name]["ns"] for name in shown) * 2
 
     def draw(fig: Figure, theme: Theme) -> None:
-        """Draw the headline, and below each other the lanes and the scale of the ranked methods."""
-        hard = f"{counts['pairs']:,} pairs, hard in {len(HARD_KINDS)} ways"
-        per_factor = f"(at least {counts['least_an_octave']:,} for each factor of 2 of the gap)"
-        lines = (
-            "Further left is faster. Further down is more accurate. Bars show quartiles of the time.",
-            f"{hard} {per_factor}, and {counts['touching']:,} that touch.",
-        )
+        """Draw a dot for each method, in metres and in steps of float64."""
         draw_headline(fig, theme, title, *lines)
-        top = size[1] - head
-        for lane, own in lanes.items():
-            top -= heights[lane]
-            share = (WIDTH_POINTS - 100) / WIDTH_POINTS, heights[lane] / size[1]
-            ax = add_axes(fig, (86 / WIDTH_POINTS, top / size[1], *share), theme)
-            ax.set(xscale="log", xlim=limits)
-            is_last = lane == list(lanes)[-1]
-            set_time_ticks(ax.xaxis, limits, labels=is_last)
-            if is_last:
-                ax.set_xlabel("time for a pair of ordinary 4-gons (without preparing the shapes)")
-            if lane:
-                _draw_lane(ax, theme, lane, own)
+        guide = theme.roles["guide"]
+        ax = add_axes(fig, (66 / size[0], 46 / size[1], (WIDTH - 162) / size[0], 334 / size[1]), theme)
+        ax.set(xscale="log", xlim=limits, ylim=(NONE - 1, 2))
+        set_time_ticks(ax.xaxis, limits)
+        ax.set_xlabel("time for a pair: answer only, one core")
+        ax.set_yticks([*TICKS.values(), NONE], [*TICKS, "none\nfound"])
+        ax.set_ylabel("largest gap told wrongly in 1 km", labelpad=0)
+        ax.axhline(log10(ATOM_METRES), color=guide, lw=0.8, ls=(0, (1, 2.2)))
+        style: dict[str, Any] = {"fontsize": TEXT_POINTS, "color": guide, "parse_math": False}
+        ax.text(0.99, log10(ATOM_METRES) + 0.1, "an atom", transform=ax.get_yaxis_transform(), ha="right", **style)
+        ax.axhline(NONE + 1.6, color=guide, lw=0.8)
+        steps = ax.secondary_yaxis("right")
+        decades = [log10(GRID_METRES) + k for k in (0, 3, 6, 9, 12)]
+        steps.set_yticks(decades, ["1", "a thousand", "a million", "10⁹", "10¹²"])
+        steps.tick_params(color=guide, labelcolor=guide, labelsize=TEXT_POINTS, length=3)
+        steps.spines["right"].set_color(guide)
+        steps.set_ylabel("in steps of float64 at 1 km", color=guide, fontsize=TEXT_POINTS)
+        labels, taken = [], []
+        for name in shown:
+            row, shade = by_name[name], family_colour(theme, by_name[name]["family"])
+            y = log10(row["metres"]) if row["metres"] else NONE
+            ax.plot([row["ns"]], [y], "D" if name == "satviz" else "o", color=shade, ms=8, clip_on=False, zorder=5)
+            if row["proven"]:
+                ax.plot([row["ns"]] * 2, [y, log10(row["proven"])], color=shade, lw=1.2)
+                ax.plot([row["ns"]], [log10(row["proven"])], "_", color=shade, ms=12, mew=2)
+            if name in LABELS:
+                labels.append((row["ns"], y, LABELS[name], family_colour(theme, row["family"], text=True)))
             else:
-                _draw_margins(ax, theme, own)
-            top -= 10
+                taken.append((row["ns"], y))
+        unit = by_name["SAT, unit normals"]
+        ax.plot([sat["ns"], unit["ns"]], [log10(row["metres"] or 1e-18) for row in (sat, unit)],
+                color=family_colour(theme, "float SAT"), lw=1, ls=":")  # fmt: skip
+        label_points(ax, labels, theme, taken)
 
-    reading = f"{_reading(rows)} {last_sentence}".strip()
-    return Chart(stem, title, size, draw, list(rows), reading, timing_warning(rows, settings))
-
-
-def _draw_lane(ax: Axes, theme: Theme, lane: str, rows: Sequence[JsonRow]) -> None:
-    """Draw the methods of a lane below each other; their order is that of their times and says nothing of accuracy."""
-    ax.set(yticks=[], ylim=(24 + ROW_POINTS * len(rows), 0))
-    ax.spines["left"].set_visible(False)
-    style: dict[str, Any] = {"textcoords": "offset points", "fontsize": TEXT_POINTS, "annotation_clip": False}
-    beside: dict[str, Any] = {"xycoords": "axes fraction", "ha": "right", "va": "center"}
-    ax.annotate(LANE_LABELS[lane], (0, 0.5), (-8, 0), color=theme.roles["ink"], **style, **beside)
-    for i, row in enumerate(rows):
-        y, shade = 12 + ROW_POINTS * (i + 0.5), family_colour(theme, row["family"])
-        ax.plot([row["ns_low"], row["ns_high"]], [y, y], color=shade, lw=1)
-        ax.plot([row["ns"]], [y], "D" if lane == EXACT_BY_CONSTRUCTION else "o", color=shade, ms=6)
-        # a label without space to the right of its point is written to the left of it
-        if log2(row["ns"]) < sum(map(log2, ax.get_xlim())) / 2:
-            x, offset, side = row["ns_high"], 6, "left"
-        else:
-            x, offset, side = row["ns_low"], -6, "right"
-        letters: dict[str, Any] = {"ha": side, "va": "center_baseline", "parse_math": False}
-        letters["color"] = family_colour(theme, row["family"], text=True)
-        ax.annotate(_method_with_share(row), (x, y), (offset, 0), **letters, **style)
+    text = f"{title} ({low:.2f} to {high:.2f}, 95 % interval over {len(sat['ns_runs'])} processes). "
+    for name in shown:
+        row = by_name[name]
+        worst = f"wrong at {in_metres(row['metres'])}" if row["metres"] else "none wrong"
+        text += f"{name}: {worst} ({row['tried']:,} pairs tried), {format_time(row['ns'])}. "
+    checked = sum(exact[f"{work}_pairs"] for work in WORKS)
+    wrong = sum(exact[f"{work}_wrong"] for work in WORKS)
+    text += f"satviz was wrong on {wrong} of {checked:,} hard pairs that two exact oracles checked. {VECTORISED}"
+    return Chart("speed-against-accuracy", title, size, draw, rows, text, timing_warning(rows, settings))
 
 
-def _method_with_share(row: JsonRow) -> str:
-    """Return a method's name, with its share of wrong answers on the pairs that matter in its lane."""
-    wrong, total, pairs = {
-        WRONG_AT_ANY_DISTANCE: (row["ordinary_wrong"], row["ordinary"], "ordinary pairs"),
-        FIXED_TOLERANCE: (row["wrong"], row["pairs"], "hard pairs"),
-    }.get(row["lane"], (row["extreme_wrong"], row["extreme"], "extreme sizes"))
-    if not wrong:
-        return str(row["method"])
-    share = f"{wrong / total:.0%}" if wrong >= 0.01 * total else "under 1%"
-    return f"{row['method']}: {share} of {pairs} wrong"
-
-
-def _draw_margins(ax: Axes, theme: Theme, rows: Sequence[JsonRow]) -> None:
-    """Draw time against the largest margin that was answered wrongly, in metres for a scene of 1 km."""
-    ax.set(ylim=(-9, max(MARGIN_OCTAVES) + 1))
-    ax.set_yticks([log2(metres / GAP_PER_MARGIN) for metres in TICK_METRES.values()], list(TICK_METRES))
-    ax.set_ylabel("wrong up to this gap\nin a scene of 1 km", fontsize=TEXT_POINTS)
-    atom, guide = log2(ATOM_METRES / GAP_PER_MARGIN), theme.roles["guide"]
-    ax.axhline(atom, color=guide, lw=0.8, ls=(0, (1, 2.2)))
-    style: dict[str, Any] = {"ha": "right", "va": "bottom", "color": guide, "fontsize": TEXT_POINTS}
-    place: dict[str, Any] = {"xycoords": ax.get_yaxis_transform(), "textcoords": "offset points"}
-    ax.annotate("size of an atom", (1, atom), (0, 2), **place, **style)
-    labels = []
-    for row in rows:
-        margin, shade = row["relative_margin"], family_colour(theme, row["family"])
-        y = log2(margin) if margin else -4.0
-        ax.plot([row["ns_low"], row["ns_high"]], [y, y], color=shade, lw=1)
-        ax.plot([row["ns"]], [y], "o", color=shade, ms=6.5)
-        labels.append((row["ns"], y, row["method"], family_colour(theme, row["family"], text=True)))
-    label_points(ax, labels, theme)
-
-
-def _reading(rows: Sequence[JsonRow]) -> str:
-    """Return the chart in words: every method with its errors and its time, lane by lane."""
-    counts = rows[0]
-    by_lane = {lane: [row for row in rows if row["lane"] == lane] for lane in LANE_ORDER}
-    text = f"{len(rows)} methods on {counts['pairs']:,} pairs made hard in {len(HARD_KINDS)} ways (at least "
-    text += (
-        f"{counts['least_an_octave']:,} for each factor of 2 of the relative margin) and {counts['touching']:,} that "
+def all_methods_chart(rows: list[JsonRow], settings: Settings) -> Chart:
+    """Return the chart for experts: every method's time with and without preparing, and its wrong answers."""
+    rows = sorted(rows, key=lambda row: row["ns"])
+    by_name = {row["method"]: row for row in rows}
+    exact, sat = by_name["satviz"], by_name["SAT, raw normals"]
+    ratio, low, high = ratio_interval(exact["whole_runs"], sat["whole_runs"])
+    title = f"From arrays to answers, exact satviz takes {ratio:.1f} times as long as plain SAT: it checks the shapes"
+    lines = (
+        "Full dot: the answer alone. Open dot: from the arrays to the answer, once. Bars: the spread of the processes. "
+        f"On the right: wrong answers of {exact['touching_pairs']:,} exact touches and of {exact['extreme_pairs']:,} "
+        "pairs of sizes at 2^400 and beyond.",
     )
-    text += "touch exactly. The relative margin is how far the deciding number is from 0, in rounding errors. "
-    text += "The margins that follow are the largest of this sample, and other pairs can be wrong at larger ones. "
-    for row in sorted(by_lane[""], key=lambda row: -row["relative_margin"]):
-        gap = f"{_gap_in_a_kilometre(row['relative_margin'])} in a kilometre"
-        touches = f", and at {row['touching_wrong']:,} of the touches" if row["touching_wrong"] else ""
-        text += f"{row['method']}: wrong up to a relative margin of {row['relative_margin']:.2g} ({gap}){touches}; "
-        text += f"{format_time(row['ns'])}. "
-    if by_lane[FIXED_TOLERANCE]:
-        text += "A fixed tolerance is a length, so its relative margin changes with the scene. "
-    for row in by_lane[FIXED_TOLERANCE]:
-        touches = f" and at {row['touching_wrong']:,} of the touches" if row["touching_wrong"] else ""
-        text += f"{row['method']}: wrong on {row['wrong']:,} of the hard pairs{touches}; {format_time(row['ns'])}. "
-    for lane in (WRONG_AT_ANY_DISTANCE, NONE_WRONG, EXACT_BY_CONSTRUCTION):
-        names = [f"{row['method']} ({format_time(row['ns'])})" for row in by_lane[lane]]
-        text += f"{lane[0].upper()}{lane[1:]}: {', '.join(names)}. " if names else ""
-    text += f"The chart leaves out {counts['extreme']:,} pairs of extreme sizes (2^400 and more, either way), "
-    text += "where products leave the range of float64. Wrong on those: "
-    unranked = [row for row in rows if row["lane"] in (NONE_WRONG, EXACT_BY_CONSTRUCTION)]
-    return text + "; ".join(f"{row['method']}: {row['extreme_wrong']:,}" for row in unranked) + "."
+    head, tall = head_height(title, lines, WIDTH), 22.0 * len(rows)
+    size = WIDTH, head + tall + 70
+
+    def draw(fig: Figure, theme: Theme) -> None:
+        """Draw a row for each method: both times, and on the right its wrong answers."""
+        draw_headline(fig, theme, title, *lines)
+        ax = add_axes(fig, (122 / WIDTH, 42 / size[1], 210 / WIDTH, tall / size[1]), theme)
+        style: dict[str, Any] = {"fontsize": TEXT_POINTS, "va": "center_baseline", "parse_math": False}
+        heads = ("worst gap\nin 1 km", "touches\nwrong", "extreme\nwrong")
+        for x, words in zip((1.22, 1.5, 1.76), heads, strict=True):
+            ax.text(x, -1.1, words, transform=ax.get_yaxis_transform(), color=theme.roles["guide"], ha="center",
+                    fontsize=TEXT_POINTS, va="center", linespacing=1.1)  # fmt: skip
+        for y, row in enumerate(rows):
+            shade, ink = family_colour(theme, row["family"]), theme.roles["ink"]
+            ax.plot([row["ns"], row["whole"]], [y, y], color=shade, lw=1.4, alpha=0.6)
+            for key, fill in ("ns", shade), ("whole", theme.paper):
+                ax.plot([row[f"{key}_low"], row[f"{key}_high"]], [y, y], color=ink, lw=1, zorder=4)
+                ax.plot([row[key]], [y], "o", mec=shade, mfc=fill, ms=7, mew=1.5, zorder=3)
+            told = (in_metres(row["metres"]), f"{row['touching_wrong']:,}", f"{row['extreme_wrong']:,}")
+            for x, words in zip((1.22, 1.5, 1.76), told, strict=True):
+                ax.text(x, y, words, transform=ax.get_yaxis_transform(), color=ink, ha="center", **style)
+        ax.set(xscale="log", ylim=(len(rows) - 0.5, -0.5), xlabel="time for a pair")
+        ax.set_yticks(range(len(rows)), [row["method"] for row in rows])
+        limits = ax.get_xlim()
+        ax.set_xlim(limits)
+        set_time_ticks(ax.xaxis, limits)
+        ax.tick_params(axis="y", length=0)
+        ax.spines["left"].set_visible(False)
+
+    text = f"{title} ({low:.2f} to {high:.2f}, 95 % interval over {len(sat['ns_runs'])} processes). "
+    for row in rows:
+        text += (
+            f"{row['method']}: {format_time(row['ns'])} for the answer, {format_time(row['whole'])} from the arrays; "
+        )
+        text += f"wrong at {row['touching_wrong']:,} touches and {row['extreme_wrong']:,} extreme pairs. "
+    return Chart("all-methods", title, size, draw, rows, text + VECTORISED, timing_warning(rows, settings))

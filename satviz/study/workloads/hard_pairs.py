@@ -16,7 +16,18 @@ from ...advice.margins import relative_margins
 from ...engine.geometry import InvalidShape
 from ...engine.shapes import Polygon
 from .. import truth
-from .generators import Array, Rings, ngons, outward_normals, quarter_turn, turn_rings, turned_boxes, unit_vectors
+from .generators import (
+    Array,
+    Circles,
+    Rings,
+    circles,
+    ngons,
+    outward_normals,
+    quarter_turn,
+    turn_rings,
+    turned_boxes,
+    unit_vectors,
+)
 
 Rng = np.random.Generator
 Pairs = tuple[Rings, Rings]
@@ -78,16 +89,14 @@ def touching_triangles(rng: Rng, n: int) -> Pairs:
     return a, np.stack([spot, spot + far * out - wide * side, spot + far * out + wide * side], axis=1)
 
 
-def pairs_on_a_grid(rng: Rng, n: int, margin: float) -> Pairs:
-    """Return pairs of 4-gons with relative margins up to about `margin`, on a grid of step 2**-46.
-
-    The coordinates are below 8, so moving the shapes by whole numbers up to 64 is exact in float64 (53 bits).
-    """
-    p, q = (ngons(rng, n, 4, 2.0) for _ in "AB")
-    a, b = moved_to_margin(rng, np.round(p * 2.0**46) * 2.0**-46, q, np.full(n, margin) * rng.uniform(-1, 1, n))
-    b = np.round(b * 2.0**46) * 2.0**-46
-    good = np.array([_is_valid_ring(ring) for ring in b])
-    return a[good], b[good]
+def hard_circles(rng: Rng, per_octave: int) -> tuple[Circles, Circles, Array]:
+    """Return A's and B's of `per_octave` pairs of circles an octave, half overlapping, and each relative margin."""
+    octaves = np.repeat(np.array(MARGIN_OCTAVES), per_octave)
+    n = len(octaves)
+    a, b = circles(rng, n, 2.0), circles(rng, n, 2.0)
+    gap = np.ldexp(rng.uniform(1, 2, n), octaves) * rng.choice([-1.0, 1.0], n) * ROUNDING_UNIT * 3
+    b = a[0] + unit_vectors(rng, n) * (a[1] + b[1] + gap)[:, None], b[1]
+    return a, b, relative_margins(batch.Circles(*a), batch.Circles(*b))
 
 
 def _is_valid_ring(ring: Rings) -> bool:

@@ -1,0 +1,231 @@
+"""The relative margin: how near to touching a pair must be before a method can be wrong.
+
+The relative margin is the distance from touching, counted in rounding errors (`satviz/advice/relative_margin.py`).
+Question: up to which relative margin is each method wrong, and how often?  Workload: pairs made hard in seven ways,
+equally many in each factor of 2 of the margin, pairs that touch exactly, and circles.  Methods: upright boxes, SAT in
+float32 and in float64, GJK, shapely and satviz, and for circles the comparison of squares.  A sample shows how often a
+method is wrong, a search (`adversary`) how far, and a proof where that ends.  The claim is refuted by a wrong answer of
+SAT in float64 above its proven margin, while no product of coordinates leaves the range of float64.
+"""
+
+from math import log2
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+
+from ...advice.margins import relative_margins
+from ...engine.shapes import Polygon
+from ...pictures import Theme
+from .. import truth
+from ..harness.cells import Cell, JsonRow, Settings
+from ..harness.chart import (
+    TEXT_POINTS,
+    WIDTH,
+    Chart,
+    add_axes,
+    draw_headline,
+    family_colour,
+    head_height,
+    wilson_interval,
+)
+from ..methods import (
+    COMPILED,
+    Method,
+    all_methods,
+    answers_by_method,
+    batch_shapes,
+    true_relations,
+    wrong_answers,
+)
+from ..workloads.adversary import far_boxes, worst_pair
+from ..workloads.generators import Circles
+from ..workloads.hard_pairs import (
+    HARD_KINDS,
+    MARGIN_OCTAVES,
+    hard_circles,
+    hard_pairs,
+    octave_of,
+    touching_triangles,
+)
+from .speed_against_accuracy import PROVEN_MARGINS
+
+SHAPES, CIRCLES, TOUCHING = "polygons", "circles", "touching"
+# the squares of the distance and of the sum of radii carry 7 roundings, the distance 3.5, and it is below 3 reaches
+CIRCLE_MARGIN = 11
+ROWS = (  # (what is tested, method), from the top
+    (SHAPES, "AABB"), (SHAPES, "SAT, float32"), (SHAPES, "SAT, unit normals"),
+    (SHAPES, "SAT, raw normals"), (SHAPES, "GJK"), (SHAPES, "shapely"), (SHAPES, "satviz"),
+    (CIRCLES, "squares, float64"), (CIRCLES, "shapely"), (CIRCLES, "satviz"),
+)  # fmt: skip
+SEARCHED = tuple(name for what, name in ROWS if what == SHAPES and name not in ("AABB", "satviz"))
+FLOAT32_BEYOND = {"2^70 times as large": (2.0**70, 0.0, 0.5), "2^25 away from the origin": (1.0, 2.0**25, 2.0**21)}
+
+
+def cells(settings: Settings) -> list[Cell]:
+    """Return the counts on each kind of hard pairs, on touches and on circles, and a search for each method."""
+    per_octave = 3 if settings.quick else 60
+    n, generations = (1000, 12) if settings.quick else (20_000, 40)
+    found = [Cell(f"margin-{kind.name.replace(' ', '-')}", count_by_margin, (k, per_octave, settings))
+             for k, kind in enumerate(HARD_KINDS)]  # fmt: skip
+    found += [Cell("margin-circles", count_circles, (per_octave * 3, settings))]
+    found += [Cell("margin-touching", count_touching, (200 if settings.quick else 4000, settings))]
+    found += [Cell("margin-float32", float32_beyond, (settings,))]
+    return found + [Cell(f"search-{name.replace(' ', '-').replace(',', '')}", search, (name, n, generations, settings))
+                    for name in SEARCHED]  # fmt: skip
+
+
+def count_by_margin(kind: int, per_octave: int, settings: Settings) -> list[JsonRow]:
+    """Return each method's wrong answers on pairs of one kind of hardness, by octave of the relative margin."""
+    a, b, margin = hard_pairs(HARD_KINDS[kind], settings.rng("hard", HARD_KINDS[kind].name), per_octave)
+    right = true_relations(a, b)
+    methods = [m for m in all_methods() if m.language == COMPILED and (SHAPES, m.name) in ROWS]
+    return [_counted(SHAPES, m, wrong_answers(answers, right), margin)
+            for m, answers in answers_by_method(methods, a, b)]  # fmt: skip
+
+
+def count_touching(n: int, settings: Settings) -> list[JsonRow]:
+    """Return each method's wrong answers on pairs of triangles that touch exactly."""
+    a, b = touching_triangles(settings.rng("margin-touching"), n)
+    right = true_relations(a, b)
+    methods = [m for m in all_methods() if m.language == COMPILED and (SHAPES, m.name) in ROWS]
+    return [{"what": SHAPES, "method": m.name, "pairs": n, "wrong": int(wrong_answers(answers, right).sum())}
+            for m, answers in answers_by_method(methods, a, b)]  # fmt: skip
+
+
+def _squares(a: Circles, b: Circles) -> Any:
+    """Return which circles hit, by the squares of their distance and of the sum of their radii, in float64."""
+    (dx, dy), reach = (a[0] - b[0]).T, a[1] + b[1]
+    return dx * dx + dy * dy <= reach * reach
+
+
+def count_circles(per_octave: int, settings: Settings) -> list[JsonRow]:
+    """Return each method's wrong answers on pairs of circles, by octave of the relative margin."""
+    a, b, margin = hard_circles(settings.rng("circles"), per_octave)
+    right = true_relations(a, b)
+    methods = [m for m in all_methods(circles=True) if m.language == COMPILED]
+    methods += [Method("squares, float64", COMPILED, "float SAT", lambda side: side, _squares, circles=True)]
+    return [_counted(CIRCLES, m, wrong_answers(answers, right), margin)
+            for m, answers in answers_by_method(methods, a, b)]  # fmt: skip
+
+
+def _counted(what: str, method: Method, wrong: Any, margin: Any) -> JsonRow:
+    """Return the row of one method: pairs and wrong answers by octave, and the largest wrong margin."""
+    bins = np.clip(octave_of(margin) - MARGIN_OCTAVES.start, 0, len(MARGIN_OCTAVES) - 1)
+    row: JsonRow = {"what": what, "method": method.name, "family": method.family}
+    row |= {"pairs": len(wrong), "wrong": int(wrong.sum()), "largest": float(max(margin[wrong], default=0.0))}
+    row["pairs_by_octave"] = np.bincount(bins, minlength=len(MARGIN_OCTAVES)).tolist()
+    row["wrong_by_octave"] = np.bincount(bins[wrong], minlength=len(MARGIN_OCTAVES)).tolist()
+    return row
+
+
+def search(name: str, n: int, generations: int, settings: Settings) -> JsonRow:
+    """Return the largest relative margin at which a search finds a method wrong, confirmed by both oracles."""
+    (method,) = (m for m in all_methods() if (m.language, m.name) == (COMPILED, name))
+    found = worst_pair(method, far_boxes, settings.rng("search", name), n, generations, metres=False)
+    row: JsonRow = {"method": name, "margin": found.margin, "tried": found.tried}
+    if found.margin:
+        a, b = Polygon(found.a[0]), Polygon(found.b[0])
+        row |= {"relation": truth.agreed(a, b).name, "a": found.a[0].tolist(), "b": found.b[0].tolist()}
+    return row
+
+
+def float32_beyond(settings: Settings) -> list[JsonRow]:
+    """Return the relative margins of two pairs of boxes apart, and whether float32 calls each a hit.
+
+    float32 holds neither the products of the first nor the coordinates of the second.
+    """
+    box, rows = np.array([[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]]), []
+    (method,) = (m for m in all_methods() if m.name == "SAT, float32")
+    for words, (scale, away, gap) in FLOAT32_BEYOND.items():
+        a, b = (box + away) * scale, (box + np.array([1 + gap, 0]) + away) * scale
+        ((_, answers),) = answers_by_method([method], a, b)
+        rows.append({"where": words, "margin": float(relative_margins(batch_shapes(a), batch_shapes(b))[0]),
+                     "wrong": bool(wrong_answers(answers, true_relations(a, b))[0])})  # fmt: skip
+    return rows
+
+
+def rows_of(found: dict[str, Any]) -> list[JsonRow]:
+    """Return a row for each strip: shares by octave, at touches, and the largest margins, found and proven."""
+    counted = [row for name, rows in found.items() if name.startswith("margin-") and name != "margin-float32"
+               for row in rows if "family" in row]  # fmt: skip
+    rows = []
+    for what, name in ROWS:
+        own = [row for row in counted if (row["what"], row["method"]) == (what, name)]
+        if not own:
+            continue
+        pairs, wrong = (np.sum([row[f"{key}_by_octave"] for row in own], axis=0).tolist() for key in ("pairs", "wrong"))
+        row: JsonRow = {"what": what, "method": name, "family": own[0]["family"]}
+        row |= {"pairs": pairs, "wrong": wrong, "largest_in_sample": max(row["largest"] for row in own)}
+        if what == SHAPES:
+            (touch,) = (r for r in found["margin-touching"] if r["method"] == name)
+            row |= {"touches": touch["pairs"], "touches_wrong": touch["wrong"]}
+            row["proven"] = 0 if name == "satviz" else PROVEN_MARGINS.get(name)
+        else:
+            row["proven"] = CIRCLE_MARGIN if "squares" in name else 0 if name == "satviz" else None
+        searched = [r for key, r in found.items() if key.startswith("search-") and r["method"] == name]
+        row["tried"] = sum(r["tried"] for r in searched) if what == SHAPES else 0
+        row["worst"] = max([row["largest_in_sample"], *(r["margin"] for r in searched if what == SHAPES)])
+        rows.append(row)
+    return rows
+
+
+def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
+    """Return the chart of strips, one for each method, along the relative margin."""
+    rows = rows_of(found)
+    by = {(row["what"], row["method"]): row for row in rows}
+    if (SHAPES, "SAT, raw normals") not in by:
+        return []
+    raw, unit = by[SHAPES, "SAT, raw normals"], by[SHAPES, "SAT, unit normals"]
+    title = (
+        f"SAT in float64 is proven right from {raw['proven']} roundings off touching (unit normals {unit['proven']}); "
+        f"the worst found is {raw['worst']:.1f} ({unit['worst']:.1f})"
+    )
+    lines = (
+        "Dark: half of the answers are wrong, no better than a coin. Pale: none of this sample is wrong. "
+        "▲ the worst that a sample or a search found. | proven right from here on.",
+    )
+    head, tall = head_height(title, lines, WIDTH), 22.0 * (len(rows) + 1)
+    size = WIDTH, head + tall + 66
+
+    def draw(fig: Figure, theme: Theme) -> None:
+        """Draw a strip of octaves for each method, and before it a field for exact touches."""
+        draw_headline(fig, theme, title, *lines)
+        ax = add_axes(fig, (124 / WIDTH, 44 / size[1], (WIDTH - 140) / WIDTH, (tall + 14) / size[1]), theme)
+        places = [k + (k >= sum(row["what"] == SHAPES for row in rows)) for k in range(len(rows))]
+        for y, row in zip(places, rows, strict=True):
+            shade = family_colour(theme, row["family"])
+            shares = [(float(k), w / p if p else 0.0) for k, w, p in zip(MARGIN_OCTAVES, row["wrong"], row["pairs"])]
+            if row["what"] == SHAPES:
+                shares.append((TOUCH_AT, row["touches_wrong"] / row["touches"]))
+            for x, share in shares:
+                alpha = 0.07 + 0.93 * min(1.0, 2 * share)
+                ax.add_patch(Rectangle((x, y - 0.36), 1, 0.72, fc=shade, alpha=alpha, lw=0))
+            if row["worst"] > 2.0**MARGIN_OCTAVES.start:
+                worst = min(log2(row["worst"]), MARGIN_OCTAVES.stop - 0.3)
+                ax.plot([worst], [y], "^", color=theme.roles["ink"], mec=theme.paper, ms=8)
+            if row["proven"]:
+                ax.plot([log2(row["proven"])], [y], "|", color=theme.roles["ink"], ms=15, mew=2)
+        ax.set(xlim=(TOUCH_AT - 0.4, MARGIN_OCTAVES.stop), ylim=(places[-1] + 0.6, -0.6))
+        ax.set_xticks([TOUCH_AT + 0.5, 0, 10, 20, 30], ["touch", "1", "2¹⁰", "2²⁰", "2³⁰"])
+        ax.set_yticks(places, [row["method"] if row["what"] == SHAPES else f"circles: {row['method']}" for row in rows])
+        ax.tick_params(axis="y", length=0)
+        ax.spines["left"].set_visible(False)
+        ax.set_xlabel("relative margin: the distance from touching, in roundings of float64", fontsize=TEXT_POINTS)
+
+    text = f"{title}. "
+    for row in rows:
+        pairs, wrong = sum(row["pairs"]), sum(row["wrong"])
+        low, high = wilson_interval(wrong, pairs)
+        text += f"{row['method']} ({row['what']}): {wrong:,} of {pairs:,} wrong ({low:.1%} to {high:.1%})"
+        text += f", up to a margin of {row['worst']:.3g}" if row["worst"] else ""
+        text += f", {row['touches_wrong']:,} of {row['touches']:,} touches wrong. " if "touches" in row else ". "
+    for row in found["margin-float32"]:
+        text += f"float32 is {'wrong' if row['wrong'] else 'right'} about boxes {row['where']}, at a margin of 2^"
+        text += f"{log2(row['margin']):.0f}: "
+        text += "no relative margin is enough there. "
+    return [Chart("relative-margin", title, size, draw, [*rows, *found["margin-float32"]], text.strip())]
+
+
+TOUCH_AT = MARGIN_OCTAVES.start - 2.5  # where the field for exact touches stands, in octaves
