@@ -12,7 +12,7 @@ from .commands import Failed, Refused
 from .engine.geometry import InvalidScene
 from .render.formats import FORMATS, STILL_FORMATS
 from .scenes.minimal_test import LANGUAGES
-from .scenes.paste.reading import ALL_CHOICES
+from .scenes.paste.boxes import ALL_CHOICES
 from .terminal import interrupted, open_streams, out, remembering_interrupts, say
 
 MAX_SPEED = 20.0

@@ -81,7 +81,7 @@ def test_an_error_keeps_the_text_and_the_scene_and_markup_stays_text(desk, width
     before = desk.model.state()
     bad = "<img src=x onerror='document.title = 1'> \u05de\u05e8\u05d5\u05d1\u05e2"
     desk.paste(bad)
-    assert "no shape was found" in desk.page.locator(".sv-paste .sv-why").inner_text()
+    assert "no shape was found" in desk.page.locator(".sv-paste .sv-unread").inner_text()
     assert desk.page.locator(".sv-text").input_value() == bad and desk.model.state()["json"] == before["json"]
     desk.paste("<b>x</b> = circle((0, 0), 1)\n<b>y</b> = circle((1, 0), 1)")
     assert desk.page.locator(".sv-answer b b").count() == 0 and "overlap" in desk.text(".sv-verdict")

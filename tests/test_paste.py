@@ -141,6 +141,18 @@ def test_a_number_beside_a_key_or_a_list_is_refused_or_told():
     assert any("left out" in str(f) for f in sv.paste("Polygon([0,0, 1,0, 0,1], 5) circle((9, 9), 1)").findings)
 
 
+def test_a_corner_without_numbers_is_refused_but_a_position_may_be_empty():
+    with pytest.raises(sv.InvalidScene, match="item 1"):
+        sv.paste("[new Vector(0, 0), new Vector(), new Vector(0, 3)]")
+    assert sv.paste("new Circle(new Vector(), 5)").shapes == (sv.Circle((0, 0), 5),)
+
+
+@pytest.mark.parametrize("text", ["LINESTRING (0 0, 4 0, 0 3)", "Point(0, 0).buffer(1)"])
+def test_what_is_no_polygon_is_refused(text):
+    with pytest.raises(sv.InvalidScene, match=r"no polygon|not evaluated"):
+        sv.paste(text)
+
+
 def test_a_name_within_its_own_value_ends():
     for text in ("a = [a, a, a]", "p.v[0] = (1, p); p.v[1] = (p, 2); p.v[2] = p", "a = b\nb = a\nPolygon(a)"):
         with pytest.raises(sv.InvalidScene):
@@ -199,6 +211,15 @@ TRIANGLE = [(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)]
         "a = [(0, 0), # first\n (4, 0), (0, 3)]",
         "Polygon(points=[(0, 0), (4, 0), (0, 3)])",
         "sv.Polygon([(0, 0), (4, 0), (0, 3)])",
+        '[{"x": "0", "y": "0"}, {"x": "4", "y": "0"}, {"x": "0", "y": "3"}]',
+        "[[[0, 0]], [[4, 0]], [[0, 3]]]",
+        "SRID=4326;POLYGON((0 0, 4 0, 0 3))",
+        "SELECT ST_Intersects(ST_GeomFromText('POLYGON((0 0, 4 0, 0 3))'), g)",
+        "GEOMETRYCOLLECTION(POINT(9 9), POLYGON((0 0, 4 0, 0 3)))",
+        "Polygon::new(LineString::from(vec![(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)]), vec![])",
+        "[Point(x=0, y=0), Point(x=4, y=0), Point(x=0, y=3)]",
+        "val a = listOf(Point(0.0, 0.0), Point(4.0, 0.0), Point(0.0, 3.0))",
+        "{(0|0), (4|0), (0|3)}".replace("|", ", "),
     ],
 )
 def test_one_triangle_in_many_notations(text):

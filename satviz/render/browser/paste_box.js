@@ -23,9 +23,9 @@ export class PasteBox {
       if ((event.ctrlKey || event.metaKey) && event.key === "Enter") this.explain([]);
     };
     this.text = element("textarea", { class: "sv-text", rows: 7, spellcheck: "false", autocomplete: "off", "aria-label": "shapes as text", placeholder: PLACEHOLDER, onkeydown });
-    this.why = element("p", { class: "sv-why", role: "alert", hidden: true });
+    this.why = element("p", { class: "sv-unread", role: "alert", hidden: true });
     this.answer = element("div", { class: "sv-answer", "aria-live": "polite" });
-    const what = element("p", { class: "sv-hint" }, "WKT, GeoJSON, JSON, or lines of code with two shapes or more. Nothing in it is run. Control and Enter explain it too.");
+    const what = element("p", { class: "sv-note" }, "WKT, GeoJSON, JSON, or lines of code with two shapes or more. Nothing in it is run. Control and Enter explain it too.");
     this.element = element("details", { class: "sv-paste" }, element("summary", {}, "paste your own shapes"), what, this.text, element("div", { class: "sv-controls" }, button("explain", () => this.explain([])), button("take the shapes above", () => this.take())), this.why, this.answer);
     if (explorer.model.get("pasting")) this.element.open = true;
     /** @type {Listener} */
@@ -65,7 +65,7 @@ export class PasteBox {
     for (const question of questions) yield this.question(question);
     if (refused) yield drawn(refused);
     if (findings.length) yield element("ul", { class: "sv-findings" }, ...findings.map(finding));
-    if (pairs.length > 1) yield element("div", { class: "sv-controls", role: "group", "aria-label": "pairs" }, ...pairs.map((pair, i) => this.pairButton(pair, i, pasted.pair ?? 0)), element("span", { class: "sv-hint" }, pasted.note ?? ""));
+    if (pairs.length > 1) yield element("div", { class: "sv-controls", role: "group", "aria-label": "pairs" }, ...pairs.map((pair, i) => this.pairButton(pair, i, pasted.pair ?? 0)), element("span", { class: "sv-note" }, pasted.note ?? ""));
     yield fold("how it was read", element("ul", {}, ...shapes.map(read)));
     const shown = pairs[pasted.pair ?? 0];
     if (!shown) return;
@@ -77,7 +77,7 @@ export class PasteBox {
   /** @param {PastedQuestion} question */
   question({ asks, answers, matters }) {
     const buttons = answers.map(({ choice, meaning, gives }) => button(`${meaning}: ${gives}`, () => this.explain([...this.chosen, choice])));
-    const taken = matters ? [] : [element("span", { class: "sv-hint" }, `The first was taken: the relation is the same.`)];
+    const taken = matters ? [] : [element("span", { class: "sv-note" }, `The first was taken: the relation is the same.`)];
     return element("div", { class: "sv-question", role: "group", "aria-label": asks }, element("b", {}, asks), ...buttons, ...taken);
   }
 

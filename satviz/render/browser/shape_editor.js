@@ -42,7 +42,7 @@ export class ShapeEditor {
     this.buttons = /** @type {[Tool, string][]} */ (Object.entries(names)).map(([tool, name]) => ({ tool, button: button(name, () => this.choose(this.tool === tool ? null : tool), { pressed: "false" }) }));
     this.done = button("done", () => this.finish());
     this.done.hidden = true;
-    this.help = element("p", { class: "sv-hint", role: "status", hidden: true });
+    this.help = element("p", { class: "sv-note", role: "status", hidden: true });
     this.element = element("div", { class: "sv-edit" },
       element("div", { class: "sv-controls", role: "group", "aria-label": "shapes by hand" }, element("label", {}, "by hand: ", this.which), ...this.buttons.map((each) => each.button), this.done), this.help);
     this.drawing = element("svg", { class: "sv-drawing", "aria-hidden": "true" });

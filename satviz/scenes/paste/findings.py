@@ -12,9 +12,10 @@ from ...engine.relate import relate
 from ...engine.shapes import Circle, Polygon, Shape
 from ...engine.trace import Trace
 from . import others
+from .boxes import FORM_WORDS, Read, plain
 from .exact import Exact, Pt, Where, crossing, hull, twice_area, where
 from .notations import ANY_BOX, CENTER_SIZE, CORNER_SIZE
-from .reading import FORM_WORDS, ZERO, Read, plain
+from .points import ZERO
 
 APART, TOUCHING, OVERLAPPING = Relation
 CUT_SIZE = 4.0  # shapes smaller than this are never meant in whole numbers

@@ -16,9 +16,10 @@ from .. import minimal_test
 from ..link import link
 from ..scenefile import MAX_VERTICES, Scene
 from . import findings, others
+from .boxes import ALL_CHOICES, ONLY_IF_IT_MATTERS, Read
 from .findings import KINDS, Finding, Pair, PastedShape
 from .objects import as_text
-from .reading import ALL_CHOICES, ONLY_IF_IT_MATTERS, Read, Reader
+from .reading import Reader
 from .tree import Group, parse
 
 MAX_SHAPES = 40

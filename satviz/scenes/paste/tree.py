@@ -5,14 +5,16 @@ or spaces between its items), a call or an array with a type before its bracket,
 lines such as `verts[0] = c2V(-1, 1);`.  What a name means stands in `notations.py`.
 """
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
 from ...engine.geometry import InvalidScene
-from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
+from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, number, tokens
 
+NUMERAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 MAX_DEPTH = 24
 PAIRS = {"(": ")", "[": "]", "{": "}"}
 IGNORED_NAMES = frozenset(  # words of a language before a value
@@ -322,7 +324,7 @@ class _Parser:
                 else:
                     values.append(Name(atom.start, atom.end, atom.text))
             elif atom.kind == TEXT:
-                values.append(Name(atom.start, atom.end, atom.text[1:-1]))
+                values.append(_text(atom))
             elif atom.kind in (MARK, OTHER) and atom.text not in "&":
                 operators.append("-" if atom.text == "\u2212" else atom.text)
         return values, operators
@@ -331,6 +333,14 @@ class _Parser:
 def _is_mark(atom: Any, texts: tuple[str, ...]) -> bool:
     """Return whether an atom is one of these marks."""
     return isinstance(atom, Token) and atom.kind == MARK and atom.text in texts
+
+
+def _text(atom: Token) -> Num | Name:
+    """Return a text in quotes: a number that is written as text, or a name."""
+    inner = atom.text[1:-1].strip()
+    if NUMERAL.fullmatch(inner):
+        return Num(atom.start, atom.end, *number(inner))
+    return Name(atom.start, atom.end, atom.text[1:-1])
 
 
 def _says_nothing(atom: Any) -> bool:

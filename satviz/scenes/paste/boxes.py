@@ -1,0 +1,206 @@
+"""Boxes in each form, shapes that are turned or moved, and what is asked where two readings are possible."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import cos, radians, sin
+from typing import Any
+
+from .names import Obj
+from .notations import (
+    ANY_BOX,
+    CENTER_HALF,
+    CENTER_SIZE,
+    CORNER_CORNER,
+    CORNER_OR_CENTER,
+    CORNER_SIZE,
+    DEGREES,
+    RADIANS,
+    Notation,
+    key,
+)
+from .points import ZERO, Points, Pt
+from .tree import Value
+
+# What can be asked, and the words of `--as`.
+BOX_FORM, ANGLE, TURN, ORDER, PIVOT, CORNERS = "box", "angle", "turn", "order", "pivot", "corners"
+Y_UP, Y_DOWN, WIDTH_FIRST, HEIGHT_FIRST = "y-up", "y-down", "width-first", "height-first"
+AROUND_CENTER, AROUND_CORNER, RELATIVE, ABSOLUTE = "around-center", "around-corner", "relative", "absolute"
+CHOICES: Mapping[str, tuple[str, ...]] = {
+    BOX_FORM: ANY_BOX,
+    ANGLE: (DEGREES, RADIANS),
+    TURN: (Y_UP, Y_DOWN),
+    ORDER: (WIDTH_FIRST, HEIGHT_FIRST),
+    PIVOT: (AROUND_CENTER, AROUND_CORNER),
+    CORNERS: (RELATIVE, ABSOLUTE),
+}
+ALL_CHOICES = tuple(choice for choices in CHOICES.values() for choice in choices)
+FULL_TURN = Fraction(63, 10)  # an angle beyond a full turn in radians is in degrees
+ONLY_IF_IT_MATTERS = (TURN, ORDER)  # asked only where the answer changes
+FORM_WORDS = {
+    CORNER_SIZE: "a box by a corner and its size",
+    CORNER_CORNER: "a box by two opposite corners",
+    CENTER_SIZE: "a box by its center and its size",
+    CENTER_HALF: "a box by its center and half its size",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Read:
+    """A shape as it was read: exact points (of a circle its center), the words for it, and where it stands."""
+
+    points: tuple[Pt, ...]
+    radius: Fraction | None
+    said: str
+    start: int
+    end: int
+    label: str = ""
+    rounded: bool = False  # turned by an angle, so its corners are no decimals any more
+    negative: str = ""  # the negative size that was given
+    box: tuple[Fraction, ...] = ()  # the four numbers of a box, with its form
+    form: str = ""
+    keyed: bool = False  # the numbers of a box have names: width, height
+    shift: Pt = ZERO  # the position that was added to its corners
+
+    @property
+    def is_circle(self) -> bool:
+        """Return whether it is a circle."""
+        return self.radius is not None
+
+
+class Boxes(Points):
+    """Makes boxes, and turns shapes, as the readings that were chosen say; `asked` notes what is open."""
+
+    def __init__(self, text: str, chosen: Sequence[str] = ()) -> None:
+        super().__init__(text)
+        self.chosen = chosen
+        self.asked: dict[str, tuple[str, ...]] = {}
+
+    def _overridden(self, form: str) -> str:
+        """Return the form of a row, or the one that the user chose for all boxes."""
+        return next((c for c in self.chosen if c in ANY_BOX), form)
+
+    def _ask_order(self) -> None:
+        """Note that width and height could be the other way round."""
+        self.asked.setdefault(ORDER, CHOICES[ORDER])
+
+    def _choose(self, what: str, ask: Sequence[str]) -> str:
+        """Return the chosen reading; if none is, the first, and note that it is asked."""
+        for choice in self.chosen:
+            if choice in ask:
+                return choice
+        self.asked[what] = tuple(dict.fromkeys((*self.asked.get(what, ()), *ask)))
+        return ask[0]
+
+    def _made_box(
+        self, four: Sequence[Fraction], form: str, at: Value, label: str, angle: Any = None, unit: str = ""
+    ) -> Read:
+        """Return a box of four numbers in a form, turned if an angle is given."""
+        a, b, w, h = four
+        if HEIGHT_FIRST in self.chosen and form in (CORNER_SIZE, CENTER_SIZE, CENTER_HALF):
+            w, h = h, w
+        if form == CORNER_SIZE:
+            x0, y0, x1, y1 = a, b, a + w, b + h
+        elif form == CORNER_CORNER:
+            x0, y0, x1, y1 = a, b, w, h
+        else:
+            rx, ry = (w / 2, h / 2) if form == CENTER_SIZE else (w, h)
+            x0, y0, x1, y1 = a - rx, b - ry, a + rx, b + ry
+        negative = ""
+        if form != CORNER_CORNER and (w < 0 or h < 0):
+            negative = " and ".join(f"{n} {plain(v)}" for n, v in (("width", w), ("height", h)) if v < 0)
+        xs, ys = sorted((x0, x1)), sorted((y0, y1))
+        corners = ((xs[0], ys[0]), (xs[1], ys[0]), (xs[1], ys[1]), (xs[0], ys[1]))
+        made = Read(
+            corners, None, FORM_WORDS[form], at.start, at.end, label, negative=negative, box=tuple(four), form=form
+        )
+        if angle is None or self.number(angle) == 0:
+            return made
+        pivot = ((xs[0] + xs[1]) / 2, (ys[0] + ys[1]) / 2)
+        if form == CORNER_SIZE and self._choose(PIVOT, CHOICES[PIVOT]) == AROUND_CORNER:
+            pivot = (a, b)
+        return self._turned(made, angle, unit, pivot)
+
+    def _turned(self, shape: Read, angle: Any, unit: str, pivot: Pt | None) -> Read:
+        """Return a shape turned by an angle about a pivot (None: the origin); the unit is asked where none is named."""
+        value = self.number(angle)
+        if value == 0 or shape.is_circle:
+            return shape
+        if not unit:
+            likely = (DEGREES, RADIANS) if value.denominator == 1 else (RADIANS, DEGREES)
+            more_than_a_turn = abs(value) > FULL_TURN and RADIANS not in self.chosen
+            unit = DEGREES if more_than_a_turn else self._choose(ANGLE, likely)
+        self.asked.setdefault(TURN, CHOICES[TURN])
+        signed = -value if Y_DOWN in self.chosen else value
+        if unit == DEGREES and signed % 90 == 0:
+            quarter = int(signed / 90) % 4
+            c, s = map(Fraction, ((1, 0), (0, 1), (-1, 0), (0, -1))[quarter])
+            exact = True
+        else:
+            turn = radians(float(signed)) if unit == DEGREES else float(signed)
+            c, s = Fraction(cos(turn)), Fraction(sin(turn))
+            exact = False
+        px, py = pivot or ZERO
+        points = tuple((px + (x - px) * c - (y - py) * s, py + (x - px) * s + (y - py) * c) for x, y in shape.points)
+        said = f"{shape.said}, turned by {plain(value)} {unit}"
+        return replace(shape, points=points, said=said, rounded=shape.rounded or not exact)
+
+    def _box_of_keys(
+        self, obj: Obj, place: Pt | None, center: Any, row: Notation | None
+    ) -> tuple[list[Fraction], str] | None:
+        """Return (four numbers, form) of an object whose keys describe a box, or None."""
+        get = obj.get
+        least, most = get("min"), get("max")
+        if least is not None and most is not None:
+            p, q = self.point(least), self.point(most)
+            return ([*p, *q], CORNER_CORNER) if p and q else None
+        corners = [get(name) for name in ("x0", "y0", "x1", "y1")]
+        if corners[2] is None and corners[0] is None and "x1" in obj.fields and "x2" in obj.fields:
+            corners = [obj.fields.get(name) for name in ("x1", "y1", "x2", "y2")]
+        elif corners[0] is not None and corners[2] is None:
+            corners[2:] = [obj.fields.get("x1"), obj.fields.get("y1")]
+        if all(c is not None for c in corners):
+            return [self.number(c) for c in corners], CORNER_CORNER
+        if place is None and all(c is not None for c in corners[:2]):
+            place = (self.number(corners[0]), self.number(corners[1]))
+        half = get("half")
+        if half is not None or (get("halfwidth") is not None and get("halfheight") is not None):
+            size = (
+                self.point(half)
+                if half is not None
+                else (self.number(get("halfwidth")), self.number(get("halfheight")))
+            )
+            return ([*(place or ZERO), *size], CENTER_HALF) if size else None
+        size = self.point(get("size")) if get("size") is not None else None
+        if size is None and get("width") is not None and get("height") is not None:
+            size = (self.number(get("width")), self.number(get("height")))
+        if size is None or place is None:
+            return None
+        named_center = any(
+            isinstance(n, str) and n.lower() in ("center", "centre", "centroid", "middle") for n in obj.fields
+        )
+        named_center = named_center or any(isinstance(n, str) and n.lower() in ("cx", "center_x") for n in obj.fields)
+        named_corner = get("corner") is not None or get("x0") is not None
+        if named_center or named_corner:
+            return [*place, *size], CENTER_SIZE if named_center else CORNER_SIZE
+        if row and row.form in CORNER_OR_CENTER:
+            return [*place, *size], self._overridden(row.form)
+        return [*place, *size], self._choose(BOX_FORM, CORNER_OR_CENTER)
+
+
+def moved(shape: Read, move: Pt) -> Read:
+    """Return a shape that was moved."""
+    points = tuple((x + move[0], y + move[1]) for x, y in shape.points)
+    said = shape.said.replace(", at the origin", " and a position") if move else shape.said
+    return replace(shape, points=points, said=said)
+
+
+def unit_of(obj: Obj) -> str:
+    """Return the unit that a key names, or ""."""
+    named = {key(name) for name in obj.fields}
+    return DEGREES if "degrees" in named else RADIANS if "radians" in named else ""
+
+
+def plain(value: Fraction) -> str:
+    """Return a number as a short decimal."""
+    return f"{float(value):.12g}"

@@ -1,0 +1,176 @@
+"""What a text gives a name: lines as assignments, names as values, groups of pairs as objects."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from .notations import MOVES, SETTERS, TURNS, key
+from .tree import Bad, Group, Name, Num, Pair, Value
+
+
+class Unreadable(Exception):
+    """Raised for what looks like a shape but has a part that is not a number."""
+
+
+@dataclass(slots=True)
+class Obj(Value):
+    """An object: its fields, and values without a key."""
+
+    fields: dict[str | int, Any] = field(default_factory=dict)
+    rest: list[Any] = field(default_factory=list)
+    twice: str = ""  # a key that stands twice
+
+    def before(self, name: str, place: int) -> Any:
+        """Return the value that a name had at a place in the text, or None: the last one that was assigned before."""
+        found = [v for k, v in self.fields.items() if k == name or str(k).startswith(f"{name} (")]
+        earlier = [v for v in found if v.start <= place and not _holds(v, place)]
+        return max(earlier, key=lambda v: v.start, default=None)
+
+    def get(self, *meanings: str) -> Any:
+        """Return the value of the first key with one of these meanings, or None."""
+        for meaning in meanings:
+            for name, value in self.fields.items():
+                if key(name) == meaning:
+                    return value
+        return None
+
+
+class Names:
+    """The variables of a text, and what stands alone in it."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.env = Obj(0, len(text))
+        self.loose: list[Any] = []  # values without a name
+        self.used: set[int] = set()  # values that another one refers to by name
+        self.remarks: list[str] = []
+
+    def assign(self, items: Sequence[Any]) -> None:
+        """Sort the lines of a text or block: what gets a name, and what stands alone."""
+        column: list[Group] = []
+        for item in (*items, None):
+            if isinstance(item, Group) and item.bracket in (",", " ") and self._is_row(item):
+                column.append(item)
+                continue
+            if len(column) > 2:
+                self.loose.append(Group(column[0].start, column[-1].end, list(column), "lines"))
+            else:
+                self.loose += [row for row in column if len(row.items) != 2]
+            column = []
+            self._line(item)
+
+    def _is_row(self, item: Group) -> bool:
+        """Return whether a line consists of two numbers."""
+        return len(item.items) == 2 and all(isinstance(v, Num) for v in item.items)
+
+    def _line(self, item: Any) -> None:
+        """Take one line."""
+        if isinstance(item, Pair):
+            self._insert(item)
+        elif isinstance(item, Bad):
+            for inner in item.inside:
+                self._line(inner)
+        elif isinstance(item, Group):
+            last = item.name.replace("->", ".").replace("::", ".").split(".")[-1].lower()
+            if item.bracket == "{" and not item.name and is_block(item):
+                self.assign(item.items)
+            elif item.bracket == "," and any(isinstance(v, (Pair, Bad)) for v in item.items):
+                for inner in item.items:
+                    self._line(inner)
+            elif item.bracket == "[" and item.name and len(item.methods) == 1 and item.methods[0][0].lower() in SETTERS:
+                index = item.items[0] if item.items else None
+                number = int(index.value or 0) if isinstance(index, Num) else 0
+                path: tuple[str | int, ...] = (*item.name.split("."), number)
+                self._insert(Pair(item.start, item.end, path, item.methods[0][1]))
+            elif last in (*MOVES, *TURNS) and "." in item.name and len(item.items) in (1, 2):
+                field_name = "position" if last in MOVES else "angle"
+                value = item if last in MOVES and len(item.items) == 2 else item.items[0]
+                value = Group(item.start, item.end, item.items, "(") if value is item else value
+                self._insert(Pair(item.start, item.end, (*item.name.split(".")[:-1], field_name), value))
+            else:
+                self.loose.append(item)
+
+    def _insert(self, pair: Pair) -> None:
+        """Store a value under its path; a variable that is declared again keeps its earlier value as another shape."""
+        node = self.env
+        for part in pair.path[:-1]:
+            child = node.fields.get(part)
+            if not isinstance(child, Obj):
+                child = Obj(pair.start, pair.end, rest=[] if child is None else [child])
+                node.fields[part] = child
+            node = child
+            node.start, node.end = min(node.start, pair.start), max(node.end, pair.end)
+        last = pair.path[-1]
+        if last in node.fields:
+            old = node.fields.pop(last)
+            node.fields[f"{last} ({len(node.fields)})"] = old
+        value = pair.value
+        if isinstance(value, Bad) and value.inside:
+            value = Group(value.start, value.end, value.inside, "words")
+        node.fields[last] = value
+
+    def resolve(self, value: Any) -> Any:
+        """Return what a name stands for, if it was assigned; an object for a group of pairs; else the value itself."""
+        for _ in range(8):
+            if not isinstance(value, Name):
+                break
+            node: Any = self.env
+            for part in value.text.replace("->", ".").replace("::", ".").split("."):
+                node = node.before(part, value.start) if isinstance(node, Obj) else None
+            if node is None:
+                break
+            value = node
+        if isinstance(value, Pair):
+            return value.value
+        return value
+
+    def consume(self, items: Sequence[Any]) -> None:
+        """Note that the values behind these names belong to a shape, so that they are not shapes of their own."""
+        self.used |= {id(self.resolve(item)) for item in items if isinstance(item, Name)}
+
+    def as_object(self, group: Group) -> Obj:
+        """Return a group with pairs as an object."""
+        made = Obj(group.start, group.end)
+        for item in group.items:
+            if isinstance(item, Pair):
+                node = made
+                for part in item.path[:-1]:
+                    child = node.fields.get(part)
+                    if not isinstance(child, Obj):
+                        child = Obj(item.start, item.end)
+                        node.fields[part] = child
+                    node = child
+                if item.path[-1] in node.fields:
+                    made.twice = str(item.path[-1])
+                node.fields.setdefault(item.path[-1], item.value)
+            elif item is not None:
+                made.rest.append(item)
+        return made
+
+    def remark(self, text: str) -> None:
+        """Note something about the reading, once."""
+        if text not in self.remarks:
+            self.remarks.append(text)
+
+
+def _holds(value: Any, place: int) -> bool:
+    """Return whether a place in the text lies in a value, or in a field of an object: then it cannot name it."""
+    if isinstance(value, Obj):
+        return any(_holds(v, place) for v in (*value.fields.values(), *value.rest))
+    return bool(value.start <= place < value.end)
+
+
+def is_block(group: Group) -> bool:
+    """Return whether braces hold statements and not the fields of one object."""
+    pairs = [item for item in group.items if isinstance(item, Pair)]
+    if any(len(item.path) > 1 and isinstance(item.path[0], str) for item in pairs):
+        return True
+    statements = any(isinstance(item, (Bad, Group)) for item in group.items)
+    said = pairs or any(isinstance(item, Bad) for item in group.items)
+    return bool(said) and statements and group.bracket == "{"
+
+
+def short(text: str) -> str:
+    """Return a part of the text in one line, shortened."""
+    one = " ".join(text.split())
+    return one if len(one) <= 60 else f"{one[:60]}..."

@@ -1,0 +1,152 @@
+"""Numbers, points and outlines among the values of a text.  A part that is no number is never taken for one."""
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+from .names import Names, Obj, Unreadable, short
+from .notations import HARMLESS, POINT, RING, notation
+from .tree import Group, Name, Num, Pair, Value
+
+Pt = tuple[Fraction, Fraction]
+ZERO = (Fraction(0), Fraction(0))
+
+
+class Points(Names):
+    """Reads numbers, points and outlines; Unreadable says why one that looks so is none."""
+
+    def number(self, value: Any) -> Fraction:
+        """Return an exact number; Unreadable says why there is none."""
+        given = value
+        value = self.resolve(value)
+        if isinstance(value, Num):
+            if value.value is None:
+                raise Unreadable(value.why)
+            return value.value
+        if isinstance(given, Name):
+            name = given.text
+            if name.lower().rsplit(".", 1)[-1] in ("nan", "inf", "infinity", "positive_infinity"):
+                raise Unreadable(f"{name} is not a finite number")
+            raise Unreadable(f"{short(name)} is a name and no number: write its value")
+        part = self.text[given.start : given.end] if isinstance(given, Value) else ""
+        raise Unreadable(f"{short(part)} is not evaluated: write the number that it stands for")
+
+    def numbers(self, items: Sequence[Any]) -> list[Fraction] | None:
+        """Return the items as numbers; None if most are none; Unreadable if one among numbers is none."""
+        found = [self.resolve(item) for item in items]
+        count = sum(isinstance(v, Num) for v in found)
+        if not found or count * 2 < len(found) or any(isinstance(v, (Group, Obj)) for v in found):
+            return None
+        return [self.number(item) for item in items]
+
+    def point(self, value: Any, *, origin: bool = False) -> Pt | None:
+        """Return a point, or None for anything else; Unreadable for a point with a coordinate that is no number.
+
+        `origin`: a call without numbers, `new Vector()`, is the origin; a corner must have its numbers.
+        """
+        value = self.resolve(value)
+        if isinstance(value, Obj):
+            return self._xy(value)
+        if not isinstance(value, Group):
+            return None
+        row = notation(value.name) if value.name else None
+        if row and row.kind != POINT and not (row.kind == RING and value.bracket in "[("):
+            return None
+        if any(isinstance(item, Pair) for item in value.items):
+            made = self.as_object(value)
+            found = self._xy(made)
+            if found and made.rest:
+                raise Unreadable("there is something beside x and y")
+            return found
+        items = value.items
+        if len(items) == 1 and isinstance(items[0], Group) and items[0].bracket in " ({[" and not items[0].name:
+            items = items[0].items
+        if not items and origin and row and row.kind == POINT:
+            return ZERO
+        if len(items) == 2 and any(isinstance(v, Num) for v in items) and (not row or row.kind == POINT):
+            call = next((v for v in items if isinstance(v, Group) and v.name and not notation(v.name)), None)
+            if call is not None and not value.name and self.point(call) is None:
+                self.number(call)  # says that it is not evaluated
+        if len(items) not in (2, 3) or any(isinstance(self.resolve(v), (Group, Obj)) for v in items):
+            return None
+        plain = sum(isinstance(self.resolve(v), Num) for v in items)
+        if len(items) == 3:
+            if plain < 3 or not row or row.kind != POINT:
+                return None
+            self.remark("a third coordinate was left out: the shapes are read in x and y")
+        if plain == 0 and not (row and row.kind == POINT):
+            return None
+        self._refuse_methods(value)
+        return self.number(items[0]), self.number(items[1])
+
+    def _xy(self, obj: Obj) -> Pt | None:
+        """Return the point of an object with x and y."""
+        x, y = obj.get("x"), obj.get("y")
+        if obj.twice and (x is not None or y is not None):
+            raise Unreadable(f"the key {obj.twice} stands twice")
+        if x is None or y is None or obj.get("radius", "width", "half", "size", "points") is not None:
+            return None
+        return self.number(x), self.number(y)
+
+    def _refuse_methods(self, group: Group) -> None:
+        """Raise Unreadable for a call behind a value that would change it."""
+        for name, arguments in group.methods:
+            if name.lower() not in HARMLESS and arguments.items:
+                raise Unreadable(f".{name}(...) is not evaluated: write the result")
+
+    def ring(self, value: Any) -> list[Pt] | None:
+        """Return the points of an outline, or None; Unreadable where one among points has no numbers."""
+        value = self.resolve(value)
+        if isinstance(value, Obj):
+            numbered = {k: v for k, v in value.fields.items() if isinstance(k, int)}
+            if not numbered:
+                return None
+            return self._points([numbered[k] for k in sorted(numbered)])
+        if not isinstance(value, Group) or any(isinstance(item, Pair) for item in value.items):
+            return None
+        row = notation(value.name) if value.name else None
+        if row and row.kind not in (RING, POINT):
+            return None
+        self._refuse_methods(value)
+        items = [item for item in value.items if not (isinstance(item, Group) and not item.items and not item.name)]
+        if len(items) == 1 and isinstance(self.resolve(items[0]), (Group, Obj)):
+            if isinstance(items[0], Name) and not row:
+                return None  # the argument of a call that makes no shape: p.intersects(q)
+            return self.ring(items[0])
+        if value.bracket == "," and any(isinstance(v, Group) and v.bracket == " " for v in items):
+            items = [n for v in items for n in (v.items if isinstance(v, Group) and v.bracket == " " else [v])]  # SVG
+        flat = self.numbers(items)
+        if flat is not None:
+            if len(flat) < 6 or (row and row.kind == POINT):
+                return None
+            if len(flat) % 2:
+                raise Unreadable(f"a list of {len(flat)} numbers is no list of x and y: one is missing or too many")
+            return list(zip(flat[::2], flat[1::2], strict=True))
+        return self._points(items)
+
+    def _points(self, items: Sequence[Any]) -> list[Pt] | None:
+        """Return the items as points; None if fewer than two are; Unreadable if only some are."""
+        found: list[Pt | None] = []
+        why = ""
+        for number, item in enumerate(items):
+            try:
+                found.append(self.point(item))
+            except Unreadable as error:
+                found.append(None)
+                why = why or f"corner {number}: {error}"
+        count = sum(p is not None for p in found)
+        threes = [v for v in map(self.resolve, items) if isinstance(v, Group) and len(v.items) == 3 and not v.name]
+        if count == 0 and len(threes) == len(items) > 1 and all(isinstance(n, Num) for v in threes for n in v.items):
+            raise Unreadable("each point has three numbers: satviz is about two dimensions, so leave out the third")
+        if count < max(2, len(items) // 2) and not (why and len(items) > 2):
+            return None
+        if count == 2 and len(items) == 3 and self._is_number(items[2]):
+            return None  # a center, a size and an angle
+        if count < len(items):
+            place = next(i for i, p in enumerate(found) if p is None)
+            raise Unreadable(why or f"item {place} of a list of corners is no pair of numbers")
+        return [p for p in found if p is not None]
+
+    def _is_number(self, item: Any) -> bool:
+        """Return whether an item is a number, or a name that stands for one."""
+        return isinstance(self.resolve(item), Num)
