@@ -13,6 +13,8 @@ from .engine.shapes import Circle, Polygon
 if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from . import batch
     from .advice.advising import Recommendation, advise
+    from .checking.checked import Checked
+    from .checking.checker import check
     from .engine.convex_parts import parts
     from .engine.sat import AxisTest, axis_tests
     from .engine.shortcut import Shortcut
@@ -32,6 +34,7 @@ __version__ = "0.1.0"
 
 __all__ = [
     "AxisTest",
+    "Checked",
     "Circle",
     "Interval",
     "InvalidScene",
@@ -51,6 +54,7 @@ __all__ = [
     "axes",
     "axis_tests",
     "batch",
+    "check",
     "difference",
     "draw",
     "explore",
@@ -78,6 +82,7 @@ hooks.provide(
 _MODULE_OF = {
     "Recommendation": "advice.advising",
     "AxisTest": "engine.sat",
+    "Checked": "checking.checked",
     "Picture": "pictures",
     "Scene": "scenes.scenefile",
     "Shortcut": "engine.shortcut",
@@ -86,6 +91,7 @@ _MODULE_OF = {
     "Trace": "engine.trace",
     "advise": "advice.advising",
     "axis_tests": "engine.sat",
+    "check": "checking.checker",
     "difference": "pictures.minkowski",
     "draw": "render.draw",
     "explore": "widgets",
