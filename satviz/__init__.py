@@ -13,6 +13,7 @@ from .engine.shapes import Circle, Polygon
 if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from . import batch
     from .advice.advising import Recommendation, advise
+    from .checking import testing
     from .checking.checked import Checked
     from .checking.checker import check
     from .engine.convex_parts import parts
@@ -69,6 +70,7 @@ __all__ = [
     "scene",
     "sheet",
     "steps",
+    "testing",
 ]
 
 # Shapes, traces and scenes show and save themselves with these functions of higher layers.
@@ -107,13 +109,16 @@ _MODULE_OF = {
     "steps": "pictures",
 }
 
+# Public modules that are loaded at first use.
+_MODULES = {"batch": "satviz.batch", "testing": "satviz.checking.testing"}
+
 
 def __getattr__(name: str) -> object:
     """Return a public name, loading its module at the first use."""
     from importlib import import_module
 
-    if name == "batch":
-        return import_module("satviz.batch")
+    if name in _MODULES:
+        return import_module(_MODULES[name])
     if name not in _MODULE_OF:
         raise AttributeError(f"module 'satviz' has no attribute {name!r}")
     value = getattr(import_module(f"{__name__}.{_MODULE_OF[name]}"), name)

@@ -62,7 +62,7 @@ class CalledHere:
 def error_line(error: BaseException, fn: Callable[..., Any] | None = None) -> str:
     """Return one line on an exception: its type, its words, and the line of the function's own file."""
     words = short_repr(str(error))[1:-1]
-    file = getattr(getattr(fn, "__code__", None), "co_filename", None)
+    file = getattr(fn, "file", None) or getattr(getattr(fn, "__code__", None), "co_filename", None)
     lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if file and frame.filename == file]
     place = f" in line {lines[-1]}" if lines else ""
     return f"raises {type(error).__name__}{place}{': ' if words else ''}{words}"
@@ -71,8 +71,8 @@ def error_line(error: BaseException, fn: Callable[..., Any] | None = None) -> st
 class CalledInProcess:
     """A Python function that is called in a process of its own, which is ended where a call takes too long."""
 
-    def __init__(self, fn: Callable[[Any, Any], Any], form: Form, seconds: float) -> None:
-        self.fn, self.form, self.seconds = fn, form, seconds
+    def __init__(self, fn: Callable[[Any, Any], Any], form: Form, seconds: float, start_seconds: float = 0.0) -> None:
+        self.fn, self.form, self.seconds, self.start_seconds = fn, form, seconds, start_seconds
         self.process: Any = None
 
     def _start(self) -> None:
@@ -92,10 +92,12 @@ class CalledInProcess:
     def ask(self, a: Shape, b: Shape) -> Outcome:
         """Call the function in the process; end the process after `seconds`."""
         try:
+            seconds = self.seconds
             if self.process is None:
                 self._start()
+                seconds += self.start_seconds
             self.pipe.send((a, b))
-            if self.pipe.poll(self.seconds):
+            if self.pipe.poll(seconds):
                 outcome: Outcome = self.pipe.recv()
                 return outcome
         except (EOFError, OSError):
@@ -105,7 +107,7 @@ class CalledInProcess:
             self.close()
             return Outcome(problem=ENDED, line=f"cannot be sent to a process of its own: {short_repr(str(error))}")
         self.close()
-        return Outcome(problem=NO_ANSWER, line=f"gives no answer within {self.seconds:g} s: an endless loop?")
+        return Outcome(problem=NO_ANSWER, line=f"gives no answer within {seconds:g} s: an endless loop?")
 
     def close(self) -> None:
         """End the process."""

@@ -13,6 +13,7 @@ from ..pictures.caption import add_captions
 from ..pictures.panels import panel_grid
 from ..scenes.failing import NAMED
 from ..scenes.scenefile import Scene
+from ..scenes.shape_tools import translated
 from .answers import DEPTH, HIT_AND_MTV, MTV, Rules, in_words, true_in_words
 from .forms import pasteable
 from .mistakes import Likeness, symptom_of
@@ -160,8 +161,15 @@ class Checked:
         if scene.axes != "needed":
             return picture(scene)
         trace = scene.record()
-        said = self.line if self.finding != WRONG else f"Your function says: {self.said_in_words}."
-        panels = [picture(trace, 0)._replace(sentence=said), picture(trace)._replace(sentence=trace.sentence)]
+        said, before = f"Your function {self.line}.", trace
+        if self.finding == WRONG:
+            said = f"Your function says: {self.said_in_words}."
+            move = self.smallest.answer[1] if self.rules.returns == HIT_AND_MTV else self.smallest.answer
+            if self.rules.returns in (MTV, HIT_AND_MTV) and move is not None and max(map(abs, move)) < 1e6:
+                sign = 1 if self.rules.moves == "B" else -1
+                before = record(scene.a, translated(scene.b, Vec(sign * move.x, sign * move.y)))
+                said += " After it the shapes lie like this."
+        panels = [picture(before, 0)._replace(sentence=said), picture(trace)._replace(sentence=trace.sentence)]
         return panel_grid(add_captions(panels), 2, title=scene.title, sentence=f"{said} {trace.sentence}")
 
     @property

@@ -26,7 +26,7 @@ from .answers import (
     same_answer,
     size_of,
 )
-from .pairs import BOXES, CONVEX, kind_of
+from .pairs import BOXES, CONVEX, KNOWN_SCENES, kind_of
 from .results import Result
 
 Predict = Callable[[Shape, Shape], tuple[Relation, Vec | None]]  # the claimed relation, and the push of B
@@ -143,12 +143,20 @@ def _raw_push(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
 NOT_AT_REST = "faces-in-3d", "tunnelling"  # about boxes in space, and about motion: no answer for two shapes shows them
 
 
+def _own_kind(name: str) -> str:
+    """Return the kind of a mistake's own scene, where upright boxes are convex polygons."""
+    kind = kind_of(*NAMED[name].shapes)
+    return CONVEX if kind == BOXES else kind
+
+
 def _hypotheses() -> Iterator[Hypothesis]:
     """Yield each failing case once, and the ways in which people write the same mistake differently."""
-    seen: list[Shortcut] = []
+    seen: list[tuple[Shortcut, str]] = []
     for case in FAILURE_CASES:
-        alike = case.shortcut._replace(name="", claim="")
-        if case.how == REFUSED or alike in seen or case.name in NOT_AT_REST:
+        if case.how == REFUSED or case.name in NOT_AT_REST:
+            continue
+        alike = case.shortcut._replace(name="", claim=""), _own_kind(case.name)
+        if alike in seen:
             continue
         seen.append(alike)
         yield Hypothesis(case.name, partial(_by_shortcut, case.shortcut))
@@ -169,7 +177,8 @@ def likenesses(results: Sequence[Result], rules: Rules) -> list[Likeness]:
     readable = [result for result in results if not result.problem]
     wrong = [result for result in readable if not result.right]
     compared = [*wrong[: MAX_COMPARED // 2]]
-    others = [result for result in readable if result.right]
+    compared += [result for result in readable if result.right and result.pair.group == KNOWN_SCENES]
+    others = [result for result in readable if result.right and result.pair.group != KNOWN_SCENES]
     step = max(1, len(others) // (MAX_COMPARED - len(compared)))
     compared += others[::step][: MAX_COMPARED - len(compared)]
     found: dict[str, Likeness] = {}
@@ -178,12 +187,11 @@ def likenesses(results: Sequence[Result], rules: Rules) -> list[Likeness]:
         best = found.get(hypothesis.name)
         if likeness and (best is None or _rank(likeness) < _rank(best)):
             found[hypothesis.name] = likeness
-    kinds = {result.pair.kind for result in wrong}
+    kinds = {CONVEX if result.pair.kind == BOXES else result.pair.kind for result in wrong}
 
     def is_elsewhere(likeness: Likeness) -> bool:
         """Return whether the mistake's own scene is of a kind about which the function is never wrong."""
-        kind = kind_of(*NAMED[likeness.name].shapes)
-        return kind not in kinds and not (kind == BOXES and CONVEX in kinds)
+        return _own_kind(likeness.name) not in kinds
 
     return sorted(found.values(), key=lambda likeness: (_rank(likeness), is_elsewhere(likeness)))
 

@@ -29,6 +29,7 @@ KINDS = {
     ROUND: "a circle and a convex polygon",
     REPEATED: "a vertex that is listed twice",
 }
+KNOWN_SCENES = "scenes of known mistakes"
 DEFAULT_KINDS = BOXES, CONVEX
 SIZES = (3, 4, 6, 8, 12, 20, 60, 400)  # of the grids that later pairs lie on, in whole numbers
 PAIRS_PER_SIZE = 24  # where there are many ways to lie beside each other; of the other kinds a third
@@ -74,8 +75,10 @@ def whole_number_pairs(kinds: Sequence[str], seed: int) -> list[Pair]:
         if case.how == REFUSED:
             continue
         a, b = case.shapes
+        if not _is_whole(a, b):
+            a, b = _in_tenths(a), _in_tenths(b)
         if kind_of(a, b) in kinds and _is_whole(a, b):
-            found.append(Pair(a, b, kind_of(a, b), "scenes of known mistakes"))
+            found.append(Pair(a, b, kind_of(a, b), KNOWN_SCENES))
     for size in SIZES[3:]:
         found += _seeded(kinds, random, size, f"coordinates up to {size}")
     return found
@@ -84,6 +87,18 @@ def whole_number_pairs(kinds: Sequence[str], seed: int) -> list[Pair]:
 def _weight(pair: Pair) -> tuple[int, float]:
     """Return how large a pair is to read: its corners, then its largest coordinate."""
     return sum(len(s.vertices) or 1 for s in pair[:2]), max(s.max_coordinate for s in pair[:2])
+
+
+def _in_tenths(shape: Shape) -> Shape:
+    """Return the shape ten times as large, with what are tenths up to rounding as whole numbers."""
+
+    def ten(value: float) -> float:
+        """Return ten times the value, whole where it is nearly so."""
+        return float(round(10 * value)) if abs(10 * value - round(10 * value)) < 1e-9 else 10 * value
+
+    if isinstance(shape, Circle):
+        return Circle(tuple(map(ten, shape.center)), ten(shape.radius))
+    return Polygon([tuple(map(ten, point)) for point in shape.vertices])
 
 
 def _is_whole(*shapes: Shape) -> bool:
@@ -116,7 +131,7 @@ def _seeded(kinds: Sequence[str], random: Random, size: int, group: str) -> Iter
             REPEATED: (_repeated, _box if size < 6 else _convex),
         }
         makers = of_kind[kind]
-        for i in range(PAIRS_PER_SIZE if kind in (CONVEX, ROUND) else PAIRS_PER_SIZE // 3):
+        for i in range(PAIRS_PER_SIZE if kind in (CONVEX, ROUND, CONCAVE) else PAIRS_PER_SIZE // 3):
             a, b = (make(random, size) for make in makers)
             if i % 2 and kind in (CIRCLES, ROUND):
                 a, b = b, a
