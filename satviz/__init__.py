@@ -13,6 +13,9 @@ from .engine.shapes import Circle, Polygon
 if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from . import batch
     from .advice.advising import Recommendation, advise
+    from .checking import testing
+    from .checking.checked import Checked
+    from .checking.checker import check
     from .engine.convex_parts import parts
     from .engine.sat import AxisTest, axis_tests
     from .engine.shortcut import Shortcut
@@ -34,6 +37,7 @@ __version__ = "0.1.0"
 
 __all__ = [
     "AxisTest",
+    "Checked",
     "Circle",
     "Interval",
     "InvalidScene",
@@ -54,6 +58,7 @@ __all__ = [
     "axes",
     "axis_tests",
     "batch",
+    "check",
     "difference",
     "draw",
     "explore",
@@ -70,6 +75,7 @@ __all__ = [
     "sheet",
     "steps",
     "sweep",
+    "testing",
 ]
 
 # Shapes, traces and scenes show and save themselves with these functions of higher layers.
@@ -84,6 +90,7 @@ _MODULE_OF = {
     "Recommendation": "advice.advising",
     "AxisTest": "engine.sat",
     "Pasted": "scenes.paste.pasted",
+    "Checked": "checking.checked",
     "Picture": "pictures",
     "Scene": "scenes.scenefile",
     "Shortcut": "engine.shortcut",
@@ -92,6 +99,7 @@ _MODULE_OF = {
     "Trace": "engine.trace",
     "advise": "advice.advising",
     "axis_tests": "engine.sat",
+    "check": "checking.checker",
     "difference": "pictures.minkowski",
     "draw": "render.draw",
     "explore": "widgets",
@@ -109,13 +117,16 @@ _MODULE_OF = {
     "sweep": "pictures.turning_axis",
 }
 
+# Public modules that are loaded at first use.
+_MODULES = {"batch": "satviz.batch", "testing": "satviz.checking.testing"}
+
 
 def __getattr__(name: str) -> object:
     """Return a public name, loading its module at the first use."""
     from importlib import import_module
 
-    if name == "batch":
-        return import_module("satviz.batch")
+    if name in _MODULES:
+        return import_module(_MODULES[name])
     if name not in _MODULE_OF:
         raise AttributeError(f"module 'satviz' has no attribute {name!r}")
     value = getattr(import_module(f"{__name__}.{_MODULE_OF[name]}"), name)

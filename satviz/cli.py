@@ -8,6 +8,10 @@ from pathlib import Path
 from typing import NoReturn
 
 from . import __version__, commands
+from .checking.answers import EXPECTED as RETURNED
+from .checking.answers import TOUCHING_AS
+from .checking.forms import FORMS
+from .checking.pairs import KINDS as PAIR_KINDS
 from .commands import Failed, Refused
 from .engine.geometry import InvalidScene
 from .render.formats import FORMATS, STILL_FORMATS
@@ -190,6 +194,34 @@ def _parser() -> argparse.ArgumentParser:
     advise.add_argument("--force", action="store_true", help="overwrite what satviz did not make")
     advise.set_defaults(run=commands.advise, axes=None, every_axis=False, clash=_clash_of_chart)
 
+    check = command.add_parser(
+        "check",
+        help="find the smallest scene where your own function is wrong",
+        epilog='A program reads one pair a line, {"a": [[x, y], ...], "b": [[x, y], ...]}, and writes one answer '
+        'a line: true or false, "apart", "touching" or "overlapping", a depth, a move [x, y], null, or '
+        "[true, [x, y]].  It must flush each line.",
+    )
+    check.add_argument("target", nargs="?", metavar="FILE.py[:function]", help="a function of two shapes")
+    check.add_argument("--command", metavar="COMMAND", help='a program in any language, such as "node mine.js"')
+    check.add_argument("--symptom", metavar="WORDS", help='list the known mistakes that look so: "falls through"')
+    check.add_argument("--returns", choices=RETURNED, help="what it returns (default: found out)")
+    check.add_argument(
+        "--kinds", action="append", choices=PAIR_KINDS, help="of pairs, may be repeated (default: boxes, convex)"
+    )
+    check.add_argument("--form", choices=FORMS, default="points", help="how a function gets shapes (default: points)")
+    check.add_argument("--touching", choices=TOUCHING_AS, default="hit", help="what is right for touching shapes")
+    check.add_argument("--tolerance", type=float, default=0.0, metavar="X", help="judge no verdict so near to touching")
+    check.add_argument("--whole-numbers", action="store_true", help="leave out the pairs in rounded numbers")
+    check.add_argument("--counter-clockwise", action="store_true", help="give all vertices in this order")
+    check.add_argument("--seed", type=SEED, default=1, metavar="N", help="of the random pairs (default: 1)")
+    check.add_argument("--seconds", type=float, default=5.0, metavar="S", help="then ask no more (default: 5)")
+    check.add_argument("--call-seconds", type=float, default=2.0, metavar="S", help="for one call (default: 2)")
+    check.add_argument("--json", action="store_true", help="print what was found as JSON")
+    check.add_argument("--out", type=_folder, metavar="DIR", help="draw the counterexample, into this folder")
+    check.add_argument("--theme", choices=THEMES, default="light", help="(default: light)")
+    check.add_argument("--force", action="store_true", help="overwrite what satviz did not make")
+    check.set_defaults(run=commands.check, clash=_clash_of_check)
+
     notebook = command.add_parser("notebook", help="copy the walkthrough's notebooks and open them in JupyterLab")
     notebook.add_argument(
         "out",
@@ -327,6 +359,13 @@ def _clash_of_bench(args: argparse.Namespace) -> str | None:
     if args.quick and (given := _first_given(args, "pairs", "rounds")):
         return f"--quick sets the pairs and the rounds: give it without {given}"
     return _clash_of_chart(args)
+
+
+def _clash_of_check(args: argparse.Namespace) -> str | None:
+    """Return the error line unless exactly one of a file, --command and --symptom is given, or None."""
+    if sum(map(bool, (args.target, args.command, args.symptom))) != 1:
+        return 'give a file, FILE.py:function, or a program, --command "node mine.js", or --symptom WORDS'
+    return None
 
 
 def _clash_of_site(args: argparse.Namespace) -> str | None:

@@ -562,3 +562,39 @@ def scenes(args: argparse.Namespace) -> int:
     for scene in SCENES:
         out(f"{scene.name:{width}}  {scene.title}")
     return 0
+
+
+def check(args: argparse.Namespace) -> int:
+    """Check a function or a program; print the report, and write the counterexample if asked; 1 where it is wrong."""
+    import json
+
+    from .checking.asking import Asker, CalledInProcess, form_named
+    from .checking.checker import check_asker, options
+    from .checking.mistakes import SYMPTOMS, mistakes_with
+    from .checking.programs import START_SECONDS, Program, function_of
+    from .scenes.failing import NAMED
+
+    if args.symptom:
+        found = mistakes_with(args.symptom)
+        if not found:
+            raise Refused(f"no known symptom is like {args.symptom!r}: {'; '.join(SYMPTOMS)}")
+        out("\n".join(str(NAMED[name]) for name in found))
+        return 0
+    try:
+        wanted = options(
+            args.returns, args.kinds or ("boxes", "convex"), args.touching, args.tolerance,
+            args.whole_numbers, not args.counter_clockwise, args.seed, args.seconds,
+        )  # fmt: skip
+        asker: Asker
+        if args.command:
+            asker = Program(args.command, args.call_seconds)
+        else:
+            asker = CalledInProcess(function_of(args.target), form_named(args.form), args.call_seconds, START_SECONDS)
+    except ValueError as error:
+        raise Refused(str(error)) from None
+    checked = check_asker(asker, wanted)
+    out_json(json.dumps(checked.data(), indent=1, ensure_ascii=False)) if args.json else out(str(checked))
+    if args.out and checked.counterexample:
+        drawn = checked.picture()
+        _write(args, [_job(args, "counterexample", form, lambda: [drawn]) for form in ("svg", "png")])
+    return 0 if checked.right else 1

@@ -16,6 +16,7 @@ from satviz.study.bench import plan_bench
 
 DOCUMENTS = documents()
 README = DOCUMENTS["README.md"]
+CHECK_GUIDE = DOCUMENTS["satviz/guides/check.md"]
 NOTEBOOK_GUIDE = DOCUMENTS["satviz/guides/notebook.md"]
 MAX_README_WORDS = 900
 
@@ -59,7 +60,10 @@ def test_the_scene_file_loads():
 
 LINES = chain.from_iterable(block.splitlines() for text in DOCUMENTS.values() for block in blocks("sh", text))
 COMMANDS = [line for line in dict.fromkeys(LINES) if line.startswith("satviz ")]
-SLOW = "satviz study", "satviz bench", "satviz site", "satviz advise", "satviz figures --", "satviz reference"
+SLOW = (
+    "satviz study", "satviz bench", "satviz site", "satviz advise", "satviz figures --", "satviz reference",
+    "satviz check --command",
+)  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -68,6 +72,9 @@ SLOW = "satviz study", "satviz bench", "satviz site", "satviz advise", "satviz f
 def test_every_command_runs(line, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "my-scene.json").write_text(SCENE_FILE, encoding="utf-8")
+    (tmp_path / "mine.py").write_text(blocks("python", CHECK_GUIDE)[2], encoding="utf-8")
+    mine = (ROOT / "tests" / "own_functions" / "right.js").read_text() + blocks("js", CHECK_GUIDE)[0]
+    (tmp_path / "mine.js").write_text(mine, encoding="utf-8")
     # at its own size, a quick bench would take as long as all other commands together: with a tenth of the pairs
     monkeypatch.setattr(bench, "plan_bench", lambda pairs, rounds, seed: plan_bench(pairs // 10, 1, seed))
     program, *args = shlex.split(line)

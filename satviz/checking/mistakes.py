@@ -1,0 +1,258 @@
+"""Known mistakes as hypotheses: what each failing case would have answered, compared with what a function answered."""
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from math import hypot
+from typing import NamedTuple
+
+from ..engine.axes import edge_normals, edge_normals_of_b
+from ..engine.geometry import Relation, Vec
+from ..engine.sat import AxisTest, axis_tests
+from ..engine.shapes import Shape
+from ..engine.shortcut import Shortcut, move_along_axis
+from ..engine.trace import Trace, record
+from ..scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED, REFUSED
+from ..scenes.failing.wrong_steps import only_x, raw_normals
+from .answers import (
+    DEPTH,
+    HIT,
+    HIT_AND_MTV,
+    MTV,
+    NUMBER_TOLERANCE,
+    RELATION,
+    Answer,
+    Rules,
+    is_right,
+    same_answer,
+    size_of,
+)
+from .pairs import BOXES, CONVEX, KNOWN_SCENES, kind_of
+from .results import Result
+
+Predict = Callable[[Shape, Shape], tuple[Relation, Vec | None]]  # the claimed relation, and the push of B
+APART, TOUCHING, OVERLAPPING = Relation
+
+# what the mistake looks like in a game or a drawing program, in the words of the people who see it
+SYMPTOMS: dict[str, tuple[str, ...]] = {
+    "collides with nothing: a hit where there is space": (
+        "aabb-not-upright",
+        "one-overlap",
+        "one-shapes-normals",
+        "half-the-normals",
+        "open-outline",
+        "no-nearest-vertex",
+        "dart",
+        "box-in-u",
+        "lengths",
+        "slipped-normal",
+        "same-shape",
+    ),
+    "falls through: no hit where the shapes overlap": (
+        "far-centers",
+        "extremes-once",
+        "mixed-signs",
+        "tunnelling",
+        "circles-turned-round",
+        "touch-as-apart",
+    ),
+    "jitters: touching is a hit in one frame and none in the next": (
+        "unit-normals",
+        "touch-on-paper",
+        "touch-as-apart",
+    ),
+    "sticks, or is not pushed out all the way": ("range-inside", "push-from-center", "repeated-vertex", "tile-seam"),
+    "is pushed the wrong way": ("push-from-center", "tile-seam", "sum-of-parts"),
+    "is pushed too far": ("raw-depth", "sum-of-parts", "repeated-vertex"),
+}
+SYMPTOMS = {words: tuple(n for n in names if n in NAMED) for words, names in SYMPTOMS.items()}
+
+
+def symptom_of(name: str) -> str:
+    """Return what a mistake looks like, in the words of the people who see it; "" where it is never seen."""
+    return next((words for words, names in SYMPTOMS.items() if name in names), "")
+
+
+def mistakes_with(words: str) -> list[str]:
+    """Return the known mistakes that look like these words, such as "falls through"; [] if no symptom is like them."""
+    asked = {word.strip(".,:;!?").lower() for word in words.split()} - {"it", "the", "a", "is", "in", "my", "and", "to"}
+    scored = [
+        (len(asked & set(symptom.lower().replace(":", "").replace(",", "").split())), symptom) for symptom in SYMPTOMS
+    ]
+    most = max(score for score, _ in scored)
+    return [n for score, symptom in scored if score == most and most for n in SYMPTOMS[symptom]]
+
+
+class Likeness(NamedTuple):
+    """How much a function's answers are like those of a known mistake.
+
+    `agrees`: on how many of the `pairs` both give the same answer, or both a right one; `wrong_alike`: on how many
+    of those that either is wrong about (`either_wrong`) both give the same wrong answer.
+    """
+
+    name: str
+    agrees: int
+    pairs: int
+    wrong_alike: int
+    either_wrong: int
+
+    @property
+    def claim(self) -> str:
+        """Return the mistake as people say it."""
+        return NAMED[self.name].claim
+
+    def __str__(self) -> str:
+        return f"{self.name} on {self.agrees} of {self.pairs} pairs"
+
+
+class Hypothesis(NamedTuple):
+    """A known mistake by the name of its failing case, and what a function with this mistake answers."""
+
+    name: str
+    predict: Predict
+
+    def is_about(self, rules: Rules) -> bool:
+        """Return whether the mistake can be seen in answers of this kind."""
+        case = NAMED[self.name]
+        return case.how in (FALSE_HIT, MISSED_HIT) or (
+            case.is_about_push and rules.returns in (DEPTH, MTV, HIT_AND_MTV)
+        )
+
+
+def _of_trace(trace: Trace) -> tuple[Relation, Vec | None]:
+    """Return what a shortcut's run claims."""
+    return trace.claim, trace.push
+
+
+def _by_shortcut(shortcut: Shortcut, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
+    """Return what a shortcut answers for a pair."""
+    return _of_trace(record(a, b, axes=shortcut, every_axis=True))
+
+
+def _any_overlap(a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
+    """Return OVERLAPPING if the ranges meet on any edge normal: `any` written for `all`."""
+    gaps = [test.gap for test in axis_tests(a, b, edge_normals(a, b).axes)]
+    return (OVERLAPPING if gaps and min(gaps) < 0 else TOUCHING if gaps and min(gaps) == 0 else APART), None
+
+
+def _raw_push(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
+    """Return the push of a raw normal times a raw depth: neither was divided by the normal's length."""
+    test = max(tests, key=lambda test: test.gap)
+    return move_along_axis(test, -test.gap * test.axis.length)
+
+
+NOT_AT_REST = "faces-in-3d", "tunnelling"  # about boxes in space, and about motion: no answer for two shapes shows them
+
+
+def _own_kind(name: str) -> str:
+    """Return the kind of a mistake's own scene, where upright boxes are convex polygons."""
+    kind = kind_of(*NAMED[name].shapes)
+    return CONVEX if kind == BOXES else kind
+
+
+def _hypotheses() -> Iterator[Hypothesis]:
+    """Yield each failing case once, and the ways in which people write the same mistake differently."""
+    seen: list[tuple[Shortcut, str]] = []
+    for case in FAILURE_CASES:
+        if case.how == REFUSED or case.name in NOT_AT_REST:
+            continue
+        alike = case.shortcut._replace(name="", claim=""), _own_kind(case.name)
+        if alike in seen:
+            continue
+        seen.append(alike)
+        yield Hypothesis(case.name, partial(_by_shortcut, case.shortcut))
+    b_only = NAMED["one-shapes-normals"].shortcut._replace(choose=edge_normals_of_b)
+    yield Hypothesis("one-shapes-normals", partial(_by_shortcut, b_only))
+    yield Hypothesis("one-overlap", _any_overlap)
+    yield Hypothesis("one-overlap", partial(_by_shortcut, NAMED["one-overlap"].shortcut._replace(choose=only_x)))
+    raw = NAMED["raw-depth"].shortcut._replace(measure=raw_normals, push=_raw_push)
+    yield Hypothesis("raw-depth", partial(_by_shortcut, raw))
+
+
+HYPOTHESES = tuple(_hypotheses())
+MAX_COMPARED = 160  # pairs on which each hypothesis is run, those first about which the function is wrong
+
+
+def likenesses(results: Sequence[Result], rules: Rules) -> list[Likeness]:
+    """Return the known mistakes that a function behaves like, the likest first; none that agrees on no wrong answer."""
+    readable = [result for result in results if not result.problem]
+    wrong = [result for result in readable if not result.right]
+    compared = [*wrong[: MAX_COMPARED // 2]]
+    compared += [result for result in readable if result.right and result.pair.group == KNOWN_SCENES]
+    others = [result for result in readable if result.right and result.pair.group != KNOWN_SCENES]
+    step = max(1, len(others) // (MAX_COMPARED - len(compared)))
+    compared += others[::step][: MAX_COMPARED - len(compared)]
+    found: dict[str, Likeness] = {}
+    for hypothesis in HYPOTHESES:
+        likeness = _likeness(hypothesis, compared, rules) if hypothesis.is_about(rules) else None
+        best = found.get(hypothesis.name)
+        if likeness and (best is None or _rank(likeness) < _rank(best)):
+            found[hypothesis.name] = likeness
+    kinds = {CONVEX if result.pair.kind == BOXES else result.pair.kind for result in wrong}
+
+    def is_elsewhere(likeness: Likeness) -> bool:
+        """Return whether the mistake's own scene is of a kind about which the function is never wrong."""
+        return _own_kind(likeness.name) not in kinds
+
+    return sorted(found.values(), key=lambda likeness: (_rank(likeness), is_elsewhere(likeness)))
+
+
+def _rank(likeness: Likeness) -> tuple[float, int]:
+    """Return the key by which likenesses are sorted: the share of equal wrong answers, then of equal answers."""
+    return -likeness.wrong_alike / likeness.either_wrong, -likeness.agrees
+
+
+def _likeness(hypothesis: Hypothesis, results: Sequence[Result], rules: Rules) -> Likeness | None:
+    """Return how like the answers are to the hypothesis's; None where no wrong answer is shared."""
+    agrees = alike = either = missed = 0
+    for i, result in enumerate(results):
+        predicted = predicted_answer(hypothesis, result.a, result.b, rules)
+        fits = predicted is not None and is_right(predicted[0], result.a, result.b, result.truth, rules)
+        margin = 1e3 * NUMBER_TOLERANCE * size_of(result.a, result.b)
+        equal = predicted is not None and _alike(
+            predicted[0], result.answer, rules.returns, margin, fits or result.right
+        )
+        agrees += equal or (fits and result.right)
+        either += not (fits and result.right)
+        alike += equal and not result.right
+        missed += not result.right and not equal
+        if i == 11 and missed == 12:
+            return None  # none of the first wrong answers is explained
+    return Likeness(hypothesis.name, agrees, len(results), alike, either) if alike else None
+
+
+def _alike(one: Answer, other: Answer, kind: str, margin: float, one_is_right: bool) -> bool:
+    """Return whether two answers are equal, or both wrong moves of one length: several axes may have one depth."""
+    if same_answer(one, other, kind, margin):
+        return True
+    if kind == HIT_AND_MTV:
+        return bool(one[0] == other[0]) and _alike(one[1], other[1], MTV, margin, one_is_right)
+    return kind == MTV and not one_is_right and bool(one and other) and abs(hypot(*one) - hypot(*other)) <= margin
+
+
+def predicted_answer(hypothesis: Hypothesis, a: Shape, b: Shape, rules: Rules) -> tuple[Answer] | None:
+    """Return (the answer that the mistake gives,) in the kind of `rules`; None where it cannot answer."""
+    try:
+        claim, push = hypothesis.predict(a, b)
+    except (ValueError, ArithmeticError):
+        return None
+    hit = claim is OVERLAPPING or (claim is TOUCHING and rules.touching != "miss")
+    if push is not None and rules.moves == "A":
+        push = Vec(-push.x, -push.y)
+    if claim is APART:
+        push = None
+    answers: dict[str, Answer] = {
+        HIT: hit,
+        RELATION: claim,
+        DEPTH: hypot(*(push or (0.0, 0.0))),
+        MTV: push,
+        HIT_AND_MTV: (hit, push if hit else None),
+    }
+    return (answers[rules.returns],)
+
+
+def explains(name: str, a: Shape, b: Shape, answer: Answer, rules: Rules) -> bool:
+    """Return whether the failing case of this name gives this very answer for a pair, so that its picture shows it."""
+    hypothesis = Hypothesis(name, partial(_by_shortcut, NAMED[name].shortcut))
+    predicted = predicted_answer(hypothesis, a, b, rules)
+    margin = 1e3 * NUMBER_TOLERANCE * size_of(a, b)
+    return predicted is not None and same_answer(predicted[0], answer, rules.returns, margin)

@@ -1,0 +1,47 @@
+"""What came of one pair: the call, the answer as a value, and whether it is right."""
+
+from typing import Any, NamedTuple
+
+from ..engine.shapes import Shape
+from .answers import Answer, Rules, Truth, Unreadable, is_right, read, truth_of
+from .asking import Outcome
+from .pairs import Pair
+
+UNREADABLE, WRONG, UNSTEADY = "unreadable", "wrong", "unsteady"
+
+
+class Result(NamedTuple):
+    """One pair, what the function said, and whether that is right; `problem` and `line` where it is no answer."""
+
+    pair: Pair
+    raw: Any
+    answer: Answer
+    truth: Truth
+    right: bool
+    problem: str = ""
+    line: str = ""
+
+    @property
+    def a(self) -> Shape:
+        """Return shape A."""
+        return self.pair.a
+
+    @property
+    def b(self) -> Shape:
+        """Return shape B."""
+        return self.pair.b
+
+
+def judge(pair: Pair, outcome: Outcome, rules: Rules) -> Result:
+    """Return the Result of a call."""
+    truth = truth_of(pair.a, pair.b, rules.returns)
+    if outcome.problem:
+        return Result(pair, outcome.value, None, truth, False, outcome.problem, outcome.line)
+    try:
+        answer = read(outcome.value, rules.returns)
+    except Unreadable as error:
+        line = "returns None" if outcome.value is None else str(error).replace("returned", "returns", 1)
+        if outcome.value is None:
+            line += ": every way through the function must end in a return"
+        return Result(pair, outcome.value, None, truth, False, UNREADABLE, line)
+    return Result(pair, outcome.value, answer, truth, is_right(answer, pair.a, pair.b, truth, rules))

@@ -1,0 +1,257 @@
+"""The course of a check, as a generator: it yields pairs, gets sent what came of each, and returns a Checked.
+
+Whoever runs it decides how a function is asked: a call here, a process, a program, or a worker of a page.
+"""
+
+from collections.abc import Generator, Sequence
+from math import hypot, inf
+from time import monotonic
+from typing import Any, NamedTuple
+
+from ..advice.relative_margin import relative_margin
+from ..engine.geometry import Relation, Vec
+from ..engine.polygon_validation import short_repr
+from ..engine.shapes import Polygon, Shape
+from .answers import (
+    DEPTH,
+    HIT,
+    HIT_AND_MTV,
+    MTV,
+    RELATION,
+    Rules,
+    is_right,
+    is_tolerated,
+    plain,
+    recognize,
+    truth_of,
+)
+from .asking import LAST, Outcome
+from .checked import Checked, Near, scene_of, wrong_line
+from .mistakes import Likeness, explains, likenesses
+from .pairs import Pair, near_pairs, whole_number_pairs
+from .results import UNSTEADY, WRONG, Result, judge
+from .shrinking import shrink
+
+FIRST_PAIRS = 24  # from whose answers it is found out what the function returns
+CHUNK = 32  # pairs that are asked at a time
+ASKED_TWICE = 12  # pairs that are asked a second time, to see whether the answer stays
+NEAR_PAIRS = 120
+SHRINK_SECONDS = 2.0
+
+Asked = Sequence[tuple[Shape, Shape]]
+Steps = Generator[Asked, list[Outcome], Checked]
+
+
+class Options(NamedTuple):
+    """What `check` was asked for; its docstring says what each option means."""
+
+    returns: str | None
+    kinds: tuple[str, ...]
+    touching: str
+    tolerance: float
+    whole_numbers: bool
+    clockwise: bool
+    seed: int
+    seconds: float
+
+
+def steps(options: Options) -> Steps:
+    """Check a function: yield the pairs to ask, get sent an Outcome for each, return what was found.
+
+    Where fewer outcomes than pairs are sent, the last of them must be one without an answer.
+    """
+    begun = monotonic()
+    pairs = whole_number_pairs(options.kinds, options.seed)
+    if not options.clockwise:
+        pairs = [Pair(_counter_clockwise(p.a), _counter_clockwise(p.b), p.kind, p.group) for p in pairs]
+    outcomes: list[Outcome] = []
+    while len(outcomes) < len(pairs) and not _is_over(outcomes):
+        if outcomes and monotonic() - begun > options.seconds:
+            break
+        chunk = pairs[len(outcomes) :][: CHUNK if outcomes else FIRST_PAIRS]
+        outcomes += yield [(pair.a, pair.b) for pair in chunk]
+    unasked = tuple(pairs[len(outcomes) :])
+    rules, notes = _rules(options, outcomes, pairs)
+    results = [judge(pair, outcome, rules) for pair, outcome in zip(pairs, outcomes, strict=False)]
+    if unasked and not _is_over(outcomes):
+        notes.append(f"Stopped after {options.seconds:g} s: {len(results)} of {len(pairs)} pairs were asked.")
+    bad = next((result for result in results if not result.right), None)
+    if _is_over(outcomes):
+        return _found(results[-1], rules, results, unasked, notes, ())
+    if results:
+        again = [*range(0, len(results), max(1, len(results) // ASKED_TWICE)), results.index(bad) if bad else 0]
+        second = yield [(results[i].a, results[i].b) for i in again]
+        changed = _changed([results[i] for i in again], [outcomes[i] for i in again], second)
+        if changed:
+            return _found(changed, rules, results, unasked, notes, ())
+    if bad is None:
+        if rules.tolerance:
+            left = sum(is_tolerated(r.a, r.b, r.truth, rules) for r in results)
+            notes.append(f"The tolerance of {rules.tolerance:g} leaves {left} of {len(results)} pairs unjudged.")
+        near = None if options.whole_numbers else (yield from _near(options, rules))
+        return Checked(True, rules, results=tuple(results), unasked=unasked, near=near, notes=tuple(notes))
+    if bad.problem:
+        return _found(bad, rules, results, unasked, notes, ())
+    bad = yield from _shrunk(_easiest(results), rules, options)
+    notes += _touching_notes(results, rules) + _order_notes(results)
+    return _found(bad, rules, results, unasked, notes, tuple(likenesses(results, rules)))
+
+
+def _is_over(outcomes: Sequence[Outcome]) -> bool:
+    """Return whether the last call had a problem after which nothing more is asked."""
+    return bool(outcomes) and outcomes[-1].problem in LAST
+
+
+def _counter_clockwise(shape: Shape) -> Shape:
+    """Return a polygon with its vertices in counter-clockwise order."""
+    if not isinstance(shape, Polygon):
+        return shape
+    area = sum(p.x * q.y - q.x * p.y for p, q in zip(shape.vertices, (*shape.vertices[1:], shape.vertices[0])))
+    return shape if area > 0 else Polygon(shape.vertices[::-1])
+
+
+def _rules(options: Options, outcomes: Sequence[Outcome], pairs: Sequence[Pair]) -> tuple[Rules, list[str]]:
+    """Return what counts as right, with what the function returns found out from its answers, and notes on it."""
+    told = [(outcome.value, (p.a, p.b)) for outcome, p in zip(outcomes, pairs, strict=False) if not outcome.problem]
+    raws, asked = [raw for raw, _ in told[:FIRST_PAIRS]], [pair for _, pair in told[:FIRST_PAIRS]]
+    kind = options.returns or recognize(raws, asked, options.touching) or HIT
+    rules = Rules(kind, options.touching, options.tolerance)
+    if kind in (MTV, HIT_AND_MTV):
+        counts = {moves: _right_count(told, rules._replace(moves=moves)) for moves in "BA"}
+        rules = rules._replace(moves="A" if counts["A"] > counts["B"] else "B")
+    return rules, []
+
+
+def _right_count(told: Sequence[tuple[Any, tuple[Shape, Shape]]], rules: Rules) -> int:
+    """Return how many of the first overlapping pairs the raw answers are right about."""
+    count = looked = 0
+    for raw, (a, b) in told:
+        result = judge(Pair(a, b, "", ""), Outcome(raw), rules)
+        if result.truth.relation is Relation.OVERLAPPING:
+            count, looked = count + result.right, looked + 1
+        if looked > 2 * FIRST_PAIRS:
+            break
+    return count
+
+
+def _changed(results: Sequence[Result], before: Sequence[Outcome], after: Sequence[Outcome]) -> Result | None:
+    """Return the first pair whose second answer differs from its first one, as a Result with that problem."""
+    for result, one, other in zip(results, before, after, strict=False):
+        if (one.problem, plain(one.value)) != (other.problem, plain(other.value)):
+            first, second = (outcome.line or short_repr(outcome.value) for outcome in (one, other))
+            line = f"changes its answer about the same shapes: first {first}, then {second}"
+            return result._replace(right=False, problem=UNSTEADY, line=line)
+    return None
+
+
+def _easiest(results: Sequence[Result]) -> Result:
+    """Return the first wrong answer about shapes that do not touch, among the first few; else the first wrong one.
+
+    A wrong verdict about touching shapes says less about the mistake than one about shapes that overlap or are apart.
+    """
+    wrong = [result for result in results if not result.right and not result.problem]
+    return next((r for r in wrong[:40] if r.truth.relation is not Relation.TOUCHING), wrong[0])
+
+
+def _shrunk(bad: Result, rules: Rules, options: Options) -> Generator[Asked, list[Outcome], Result]:
+    """Return the smallest scene about which the function is wrong in the same way."""
+    smallest, begun = bad, monotonic()
+    trials = shrink(bad.a, bad.b)
+    wrong: bool | None = None
+    while monotonic() - begun < SHRINK_SECONDS:
+        try:
+            a, b = next(trials) if wrong is None else trials.send(wrong)
+        except StopIteration:
+            break
+        wrong = False
+        pair = Pair(a, b, bad.pair.kind, bad.pair.group)
+        if _is_fit(pair, bad, options):
+            result = judge(pair, (yield [(a, b)])[0], rules)
+            wrong = not result.right and not result.problem and result.truth.relation is bad.truth.relation
+            smallest = result if wrong else smallest
+    return smallest
+
+
+def _is_fit(pair: Pair, bad: Result, options: Options) -> bool:
+    """Return whether a smaller pair is one that the function must know: no new dent, and no new order."""
+    if any(shape.is_convex < old.is_convex for shape, old in zip(pair[:2], bad.pair[:2], strict=True)):
+        return False
+    if not options.clockwise:
+        return all(_counter_clockwise(shape) == shape for shape in pair[:2])
+    return truth_of(pair.a, pair.b, HIT).relation is bad.truth.relation
+
+
+def _touching_notes(results: Sequence[Result], rules: Rules) -> list[str]:
+    """Return a note where the function is wrong about touching shapes only."""
+    wrong = [result for result in results if not result.right]
+    if rules.touching == "either" or any(r.problem or r.truth.relation is not Relation.TOUCHING for r in wrong):
+        return []
+    for touching in ("miss", "hit"):
+        other = rules._replace(touching=touching)
+        if all(is_right(r.answer, r.a, r.b, r.truth, other) for r in results):
+            return [f'It is right on all pairs if touching shapes count as a {touching}: touching="{touching}".']
+    return ['It is wrong about shapes that touch, and about no others: with touching="either" it is right.']
+
+
+def _order_notes(results: Sequence[Result]) -> list[str]:
+    """Return a note where the function is wrong only about shapes with vertices in clockwise order."""
+    wrong = [result for result in results if not result.right]
+    if any(_counter_clockwise(r.a) == r.a and _counter_clockwise(r.b) == r.b for r in wrong):
+        return []
+    return ["It is wrong only where vertices are in clockwise order: with clockwise=False it is right."]
+
+
+def _near(options: Options, rules: Rules) -> Generator[Asked, list[Outcome], Near | None]:
+    """Return how the function does on pairs that nearly touch, in rounded numbers; None where it gives no verdict."""
+    if rules.returns not in (HIT, RELATION, HIT_AND_MTV):
+        return None
+    pairs = list(near_pairs(options.kinds, options.seed, NEAR_PAIRS))
+    if not options.clockwise:
+        pairs = [Pair(_counter_clockwise(p.a), _counter_clockwise(p.b), p.kind, p.group) for p in pairs]
+    outcomes = yield [(pair.a, pair.b) for pair in pairs]
+    asked, wrong, largest, smallest = 0, 0, 0.0, inf
+    for pair, outcome in zip(pairs, outcomes, strict=False):
+        result = judge(pair, outcome, rules)
+        if result.problem or result.truth.relation is Relation.TOUCHING:
+            continue
+        hit = result.answer[0] if rules.returns == HIT_AND_MTV else result.answer
+        asked += 1
+        margin = relative_margin(pair.a, pair.b)
+        if not is_right(
+            hit, pair.a, pair.b, result.truth, rules._replace(returns=RELATION if rules.returns == RELATION else HIT)
+        ):
+            wrong, largest = wrong + 1, max(largest, margin)
+        else:
+            smallest = min(smallest, margin)
+    return Near(asked, wrong, largest, smallest)
+
+
+def _found(
+    bad: Result,
+    rules: Rules,
+    results: Sequence[Result],
+    unasked: tuple[Pair, ...],
+    notes: Sequence[str],
+    alike: tuple[Likeness, ...],
+) -> Checked:
+    """Return the Checked of a function with a fault."""
+    shown = alike[0].name if alike and explains(alike[0].name, bad.a, bad.b, bad.answer, rules) else ""
+    truth: Relation | float | Vec | None = bad.truth.relation
+    if rules.returns == DEPTH:
+        truth = hypot(*(bad.truth.mtv or (0.0, 0.0)))
+    elif rules.returns in (MTV, HIT_AND_MTV) and bad.truth.mtv is not None:
+        truth = bad.truth.mtv if rules.moves == "B" else Vec(-bad.truth.mtv.x, -bad.truth.mtv.y)
+    return Checked(
+        right=False,
+        rules=rules,
+        finding=bad.problem or WRONG,
+        line=bad.line or wrong_line(bad, rules),
+        counterexample=scene_of(bad, shown),
+        said=bad.raw,
+        truth=truth,
+        smallest=bad,
+        behaves_like=alike,
+        results=tuple(results),
+        unasked=unasked,
+        notes=tuple(notes),
+    )

@@ -1,0 +1,293 @@
+"""A function of the user's own: the smallest scene where it is wrong, and the known mistake it behaves like."""
+
+import pytest
+from own_functions.right import RIGHT, sat
+from own_functions.wrong import WRONG, bounding_boxes, far_apart_first, normals_of_a, raw_depth, touching_is_apart
+
+import satviz as sv
+from satviz.checking.checked import Checked
+from satviz.checking.mistakes import HYPOTHESES, SYMPTOMS, mistakes_with
+from satviz.checking.pairs import KINDS, kind_of, near_pairs, whole_number_pairs
+from satviz.scenes.failing import NAMED
+
+
+def corners(checked):
+    return sum(len(shape.vertices) for shape in (checked.counterexample.a, checked.counterexample.b))
+
+
+@pytest.mark.parametrize(("fn", "mistake", "more"), WRONG, ids=[mistake for _, mistake, _ in WRONG])
+def test_a_function_with_a_known_mistake_is_caught_and_named(fn, mistake, more):
+    found = sv.check(fn, **more)
+    assert not found.right and found.finding == "wrong" and found.behaves_like[0].name == mistake
+    scene = found.counterexample
+    assert corners(found) <= 8 and all(x == int(x) for s in (scene.a, scene.b) for p in s.vertices for x in p)
+    assert found.behaves_like[0].agrees >= 0.95 * found.behaves_like[0].pairs
+    assert NAMED[mistake].claim in str(found)
+
+
+@pytest.mark.parametrize(("fn", "more"), RIGHT, ids=[fn.__name__ for fn, _ in RIGHT])
+def test_a_correct_function_gives_no_false_alarm(fn, more):
+    found = sv.check(fn, **more)
+    assert found.right and found and found.counterexample is None, str(found)
+
+
+@pytest.mark.parametrize("fn", [bounding_boxes, touching_is_apart], ids=["hit", "touching"])
+def test_the_counterexample_shows_what_was_said_and_what_is_true(fn):
+    found = sv.check(fn)
+    a, b = found.counterexample.a, found.counterexample.b
+    assert found.said == fn(a.vertices, b.vertices) and found.truth is sv.relate(a, b)
+    assert bool(found.said) is not (found.truth is not sv.Relation.APART)
+
+
+def test_the_counterexample_cannot_lose_a_corner_or_come_nearer_by_one():
+    """The shrinking ended because nothing smaller is wrong, not because it ran out of tries."""
+    from satviz.checking.shrinking import cost, numbers_of, shape_of, smaller
+
+    found = sv.check(bounding_boxes)
+    scene = numbers_of(found.counterexample.a), numbers_of(found.counterexample.b)
+    for less in smaller(scene):
+        try:
+            a, b = map(shape_of, less)
+        except sv.InvalidShape:
+            continue
+        wrong = bounding_boxes(a.vertices, b.vertices) and sv.relate(a, b) is sv.Relation.APART
+        assert cost(less) >= cost(scene) or not wrong, less
+
+
+def test_the_report_names_the_mistake_and_can_be_pasted():
+    text = str(sv.check(bounding_boxes))
+    assert text.startswith("Wrong. Your function says hit. True: apart.")
+    assert "It behaves like aabb-not-upright" in text and "the same answer on 160 of 160 pairs" in text
+    names = {"sv": sv}
+    exec("\n".join(line for line in text.splitlines() if line.startswith(("a = ", "b = "))), names)
+    assert sv.relate(names["a"], names["b"]) is sv.Relation.APART
+
+
+def test_a_function_without_fault_hears_what_it_passed_and_where_its_floats_fail():
+    found = sv.check(sat)
+    assert sum(found.passed.values()) == len(found.results) > 300
+    assert found.near.asked > 50 and 0 < found.near.wrong < found.near.asked / 5
+    assert found.near.largest_wrong < 20  # roundings: a float dot product is no worse
+    assert "in rounded numbers, it is wrong on" in str(found) and "Not tried: outlines with dents" in str(found)
+
+
+@pytest.mark.parametrize(
+    ("fn", "kind"),
+    [
+        (lambda a, b: sv.relate(sv.Polygon(a), sv.Polygon(b)), "relation"),
+        (lambda a, b: str(sv.relate(sv.Polygon(a), sv.Polygon(b))), "relation"),
+        (lambda a, b: sv.record(sv.Polygon(a), sv.Polygon(b)).mtv, "mtv"),
+        (lambda a, b: {"hit": bool(t := sv.record(sv.Polygon(a), sv.Polygon(b)).mtv), "mtv": t}, "hit and mtv"),
+        (lambda a, b: int(bool(sv.relate(sv.Polygon(a), sv.Polygon(b)))), "hit"),
+    ],
+)
+def test_what_a_function_returns_is_found_out(fn, kind):
+    found = sv.check(fn)
+    assert found.right and found.rules.returns == kind, str(found)
+
+
+@pytest.mark.parametrize("form", ["points", "dicts", "xy", "shapes", lambda shape: shape])
+def test_shapes_come_in_the_form_that_is_asked_for(form):
+    seen = []
+
+    def fn(a, b):
+        seen.append(a)
+        return True
+
+    sv.check(fn, form=form, kinds=("convex", "circles"))
+    circle, polygon = {
+        "points": (((int, int), int), [(int, int)] * 3),
+        "dicts": ({"circle": [int, int], "radius": int}, {"polygon": [[int, int]] * 3}),
+        "xy": ((int, int, int), ([int] * 3, [int] * 3)),
+    }.get(form, (sv.Circle, sv.Polygon))
+
+    def type_of(value):
+        if isinstance(value, dict):
+            return {key: type_of(item) for key, item in value.items()}
+        return type(value)(map(type_of, value)) if isinstance(value, (list, tuple)) else type(value)
+
+    assert {str(circle), str(polygon)} <= {str(type_of(shape)) for shape in seen}
+
+
+def raising(a, b):
+    return 1 / (len(a) - 4)
+
+
+def forgets_to_return(a, b):
+    if sat(a, b):
+        return True
+
+
+def returns_text(a, b):
+    return "yes"
+
+
+def writes(a, b):
+    a.append(a[0])
+    return sat(a, b)
+
+
+def make_unsteady():
+    calls = []
+
+    def unsteady(a, b):
+        calls.append(1)
+        return len(calls) % 2 == 0
+
+    return unsteady
+
+
+def without_end(a, b):
+    return without_end(b, a)
+
+
+def leaves(a, b):
+    raise SystemExit
+
+
+@pytest.mark.parametrize(
+    ("fn", "finding", "line"),
+    [
+        (raising, "error", "raises ZeroDivisionError in line"),
+        (forgets_to_return, "unreadable", "returns None: every way through the function must end in a return"),
+        (returns_text, "unreadable", "returns 'yes': expected True or False"),
+        (writes, "wrote", "changes its argument A"),
+        (make_unsteady(), "unsteady", "changes its answer about the same shapes"),
+        (without_end, "error", "calls itself without end (RecursionError)"),
+        (leaves, "error", "raises SystemExit in line"),
+        (lambda a: True, "error", "raises TypeError"),
+    ],
+)
+def test_a_misbehaviour_is_one_line(fn, finding, line):
+    found = sv.check(fn)
+    assert not found.right and found.finding == finding and found.line.startswith(line), found.line
+    assert "\n" not in found.line and "Traceback" not in str(found) and found.counterexample is not None
+
+
+def test_an_endless_loop_is_ended_where_that_is_asked_for():
+    def loops(a, b):
+        while len(a) == 3:
+            pass
+        return True
+
+    found = sv.check(loops, call_seconds=0.2)
+    assert found.finding == "no answer" and "gives no answer within 0.2 s: an endless loop?" in str(found)
+    assert found.counterexample and not sv.check(loops, call_seconds=0.2).score().passed.count("convex")
+
+
+def test_a_function_in_a_process_of_its_own_answers_as_it_does_here():
+    one, other = sv.check(bounding_boxes, call_seconds=2), sv.check(bounding_boxes)
+    assert str(one) == str(other)
+
+
+def test_a_process_that_ends_itself_is_said_in_one_line():
+    import os
+
+    found = sv.check(lambda a, b: os._exit(3), call_seconds=2)
+    assert found.line == "ends its process"
+
+
+def test_what_counts_as_right_for_touching_shapes_is_an_option():
+    assert sv.check(touching_is_apart, touching="miss").right and sv.check(touching_is_apart, touching="either").right
+    assert not sv.check(sat, touching="miss").right and sv.check(sat, touching="either").right
+    assert 'touching="miss"' in str(sv.check(touching_is_apart))
+
+
+def test_a_tolerance_says_what_it_costs():
+    found = sv.check(touching_is_apart, tolerance=1e-9)
+    touching = sum(r.truth.relation is sv.Relation.TOUCHING for r in found.results)
+    assert found.right and f"leaves {touching} of {len(found.results)} pairs unjudged" in str(found)
+    assert not sv.check(far_apart_first, tolerance=1e-9).right
+
+
+def test_only_counter_clockwise_outlines_on_request():
+    def needs_order(a, b):
+        def area(p):
+            return sum(x0 * y1 - x1 * y0 for (x0, y0), (x1, y1) in zip(p, [*p[1:], p[0]]))
+
+        return sat(a, b) and area(a) > 0 and area(b) > 0
+
+    assert sv.check(needs_order, clockwise=False).right
+    assert "with clockwise=False it is right" in str(sv.check(needs_order))
+
+
+def test_the_same_seed_gives_the_same_report_and_another_seed_other_pairs():
+    assert str(sv.check(bounding_boxes)) == str(sv.check(bounding_boxes))
+    assert whole_number_pairs(("convex",), 1) != whole_number_pairs(("convex",), 2)
+
+
+def test_a_check_ends_in_time():
+    import time
+
+    def slow(a, b):
+        time.sleep(0.01)
+        return sat(a, b)
+
+    found = sv.check(slow, seconds=0.1, whole_numbers=True)
+    assert found.right and "Stopped after 0.1 s" in str(found) and found.unasked
+
+
+@pytest.mark.parametrize(
+    "more",
+    [{"returns": "colour"}, {"kinds": "cubes"}, {"kinds": ()}, {"touching": "no"}, {"tolerance": -1}, {"form": "x"}],
+)
+def test_an_option_that_is_none_is_refused(more):
+    with pytest.raises(ValueError, match=r"choose|must be"):
+        sv.check(sat, **more)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_pairs_hold_all_that_they_promise(kind):
+    pairs = whole_number_pairs((kind,), 1)
+    relations = [sv.relate(p.a, p.b) for p in pairs]
+    for relation in sv.Relation:
+        assert relations.count(relation) >= (3 if kind != "repeated" else 1), relation
+    assert len(pairs) >= 60 and all(kind_of(p.a, p.b) in (kind, "boxes", "convex") for p in pairs)
+    assert all(x == int(x) for p in pairs for s in p[:2] for v in s.core for x in (*v, s.radius))
+
+
+def test_the_first_pairs_are_small_boxes():
+    assert all(
+        p.kind == "boxes" and max(p.a.max_coordinate, p.b.max_coordinate) <= 6
+        for p in whole_number_pairs(KINDS, 1)[:50]
+    )
+
+
+def test_pairs_in_rounded_numbers_are_near():
+    from satviz.advice.relative_margin import relative_margin
+
+    margins = [relative_margin(p.a, p.b) for p in near_pairs(("convex",), 1, 60)]
+    assert sum(margin < 2.0**34 for margin in margins) > 50 and sum(0 < margin < 20 for margin in margins) > 3
+
+
+def test_what_users_see_leads_to_mistakes():
+    assert "far-centers" in mistakes_with("it falls through the floor")
+    assert "push-from-center" in mistakes_with("my box is pushed the wrong way")
+    assert "unit-normals" in mistakes_with("jitters") and mistakes_with("xyzzy") == []
+    assert {name for names in SYMPTOMS.values() for name in names} <= NAMED.keys()
+
+
+def test_every_hypothesis_names_a_failing_case():
+    assert {hypothesis.name for hypothesis in HYPOTHESES} <= NAMED.keys() and len(HYPOTHESES) > 20
+
+
+def test_a_score_gives_credit_by_kind_of_scene():
+    right, boxes, moves = sv.check(sat).score(), sv.check(bounding_boxes).score(), sv.check(raw_depth).score()
+    assert right.total == 1 and set(right.parts) == {"upright boxes", "convex", "touching"}
+    assert boxes.passed == ["upright boxes", "touching"] or boxes.passed == ["upright boxes"]
+    assert moves.parts["MTV"][0] < moves.parts["MTV"][1] and "MTV" not in moves.passed
+    assert sv.check(bounding_boxes).score({"convex": 0, "touching": 0}).total == 1
+    assert sv.check(lambda a, b: True).score().total < 0.5
+    every = sv.check(lambda a, b: sv.relate(a, b) > 0, form="shapes", kinds="all").score()
+    assert set(every.parts) == {"upright boxes", "convex", "circles", "concave", "touching"} and every.total == 1
+
+
+def test_the_truth_is_the_exact_engine():
+    found = sv.check(normals_of_a)
+    assert all(r.truth.relation is sv.relate(r.a, r.b) for r in found.results)
+
+
+def test_a_checked_is_a_plain_value():
+    found = sv.check(bounding_boxes)
+    assert isinstance(found, Checked) and found.data()["right"] is False
+    assert sv.Scene.from_json(found.data()["scene"]) == found.counterexample

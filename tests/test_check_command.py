@@ -1,0 +1,157 @@
+"""`satviz check`: functions of a file, and programs in other languages."""
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from satviz.checking.checker import check_asker, options
+from satviz.checking.programs import Program
+from satviz.cli import main
+
+OWN = Path(__file__).parent / "own_functions"
+SAT = "def collide(a, b):\n    return True\n"
+ANSWERS = "import json, sys\nfor line in sys.stdin:\n    a, b = json.loads(line).values()\n    {}\n"
+
+
+def written(folder, text, name="mine.py"):
+    (folder / name).write_text(text)
+    return str(folder / name)
+
+
+def program(folder, body, **more):
+    file = written(folder, ANSWERS.format(body), "program.py")
+    return check_asker(Program(f"{sys.executable} {file}", more.pop("seconds", 5)), options(whole_numbers=True, **more))
+
+
+def test_a_wrong_function_of_a_file_is_reported_with_exit_code_1(tmp_path, capsys):
+    assert main(["check", written(tmp_path, SAT), "--whole-numbers"]) == 1
+    said = capsys.readouterr().out
+    assert said.startswith("Wrong. Your function says hit. True: apart.") and "sv.Polygon([" in said
+
+
+def test_a_function_is_named_and_a_right_one_gives_exit_code_0(tmp_path, capsys):
+    file = written(tmp_path, "from fractions import Fraction\n" + (OWN / "wrong.py").read_text())
+    assert main(["check", f"{file}:touching_is_apart", "--touching", "miss", "--seed", "3"]) == 0
+    assert capsys.readouterr().out.startswith("Right on all")
+
+
+def test_the_report_as_json_and_the_counterexample_as_files(tmp_path, capsys):
+    file = written(tmp_path, SAT)
+    assert main(["check", file, "--json", "--out", str(tmp_path / "out"), "--whole-numbers"]) == 1
+    text = capsys.readouterr().out
+    data = json.loads(text[: text.rindex("}") + 1])
+    assert data["finding"] == "wrong" and data["behaves_like"][0]["claim"] and data["scene"]
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {"counterexample.svg", "counterexample.png"}
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("def f(a, b) return", "is not Python"),
+        ("x = 1", "has no function of two shapes"),
+        ("def f(a, b): pass\ndef g(a, b): pass", "has 2 functions of two arguments: name one"),
+        (None, "cannot read"),
+    ],
+)
+def test_a_file_without_a_function_is_refused_in_one_line(tmp_path, capsys, text, line):
+    file = str(tmp_path / "none.py") if text is None else written(tmp_path, text)
+    assert main(["check", file]) == 2
+    said = capsys.readouterr().err
+    assert line in said and said.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    "options", [[], ["x.py", "--command", "y"], ["--symptom", "xyzzy"], ["x.py", "--tolerance", "-1"]]
+)
+def test_options_that_do_not_fit_are_refused(options, capsys):
+    assert main(["check", *options]) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_symptoms_lead_to_mistakes(capsys):
+    assert main(["check", "--symptom", "falls through"]) == 0
+    assert "far-centers" in capsys.readouterr().out
+
+
+def test_a_file_that_never_ends_or_prints_does_no_harm(tmp_path, capsys):
+    file = written(tmp_path, "print('hello')\ndef f(a, b):\n    print('hello')\n    while b: pass\n")
+    assert main(["check", file, "--call-seconds", "-9.8"]) == 1
+    said = capsys.readouterr().out
+    assert "an endless loop?" in said and "hello" not in said
+
+
+def test_a_program_answers_line_by_line(tmp_path):
+    wrong = program(tmp_path, "print('true', flush=True)")
+    assert wrong.finding == "wrong" and wrong.counterexample
+
+
+@pytest.mark.parametrize(
+    ("body", "line"),
+    [
+        ("print('yes', flush=True)", "answers with 'yes': expected one line of JSON"),
+        ("sys.exit('no memory')", "ends with exit code 1 before it answers: no memory"),
+        (
+            "import time; time.sleep(9)",
+            "gives no answer within 0.2 s: an endless loop, or an answer that is not flushed?",
+        ),
+    ],
+)
+def test_what_is_wrong_with_a_program_is_one_line(tmp_path, body, line, monkeypatch):
+    monkeypatch.setattr("satviz.checking.programs.START_SECONDS", 0.0 if "endless" in line else 10.0)
+    found = program(tmp_path, body, seconds=0.2)
+    assert found.line.startswith(line), found.line
+
+
+def test_a_program_that_is_not_there_is_said():
+    found = check_asker(Program("there-is-no-such-program x", 1), options())
+    assert found.line == "cannot be started: there is no 'there-is-no-such-program'"
+
+
+def needs(tool):
+    if shutil.which(tool) is None:
+        pytest.skip(f"no {tool} is installed")
+
+
+def caught(command, mistake, **more):
+    found = check_asker(Program(command, 5), options(**more))
+    assert found.finding == "wrong" and found.behaves_like[0].name == mistake, str(found)
+    scene = found.counterexample
+    assert sum(len(shape.vertices) for shape in (scene.a, scene.b)) <= 8
+    assert all(x == int(x) for s in (scene.a, scene.b) for p in s.core for x in p)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "more"),
+    [
+        ("slipped_normal", {}),
+        ("range_inside", {}),
+        ("unit_normals", {}),
+        ("circles_turned_round", {"kinds": "circles"}),
+        ("dart", {"kinds": ("convex", "concave")}),
+    ],
+)
+def test_a_wrong_function_in_javascript_is_caught_and_named(tmp_path, name, more):
+    needs("node")
+    both = (OWN / f"{name}.js").read_text() + (OWN / "harness.js").read_text()
+    caught(f"node {written(tmp_path, both, 'mine.js')}", name.replace("_", "-"), **more)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "more"), [("lengths", {}), ("repeated_vertex", {"kinds": ("convex", "repeated")})])
+def test_a_wrong_function_in_cpp_is_caught_and_named(tmp_path, name, more):
+    needs("g++")
+    subprocess.run(["g++", "-std=c++17", "-o", tmp_path / "mine", OWN / f"{name}.cpp"], check=True, timeout=120)
+    caught(str(tmp_path / "mine"), name.replace("_", "-"), **more)
+
+
+@pytest.mark.slow
+def test_a_right_function_in_rust_passes(tmp_path):
+    needs("rustc")
+    subprocess.run(["rustc", "-o", tmp_path / "mine", OWN / "correct.rs"], check=True, timeout=120)
+    found = check_asker(Program(str(tmp_path / "mine"), 5), options())
+    assert found.right and found.near.asked, str(found)
