@@ -404,7 +404,7 @@ def test_panels_of_their_own_hold_their_words_for_shapes_of_any_number_of_corner
     for move in (0, 0), (5, 1):
         trace = sv.record(a, translated(b, sv.Vec(*move)), axes=SHORTCUTS[name])
         for drawn in sv.picture(trace), sv.picture(trace, largest=NARROW_PANEL_SIZES_PT[0]):
-            assert no_overlap(drawn) and drawn.size[0] < 1000
+            assert no_overlap(drawn) and drawn.size[0] < 1125  # both panels hold the axes of both
 
 
 @pytest.mark.parametrize("case", one_in(4, SHOWN), ids=lambda case: case.name)

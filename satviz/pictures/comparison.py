@@ -110,7 +110,7 @@ def _frame(trace: Trace, largest: tuple[float, float]) -> _Frame:
     groups = [panel.needs(trace) for panel in _panels(trace)]
     groups.append(Group([box(x0 - rim, y0 - rim, x1 + rim, y1 + rim)]))
     # on a telephone small shapes are better than small letters
-    shrink = 2.5 if largest == MAX_PANEL else 5.0
+    shrink = 2.5 if largest == MAX_PANEL else 10.0
     for _ in range(2):
         found = arrange(groups, largest=largest, pad=NARROW_PAD_PT, one_frame=True, shrink=shrink)
         claimed, actual, *_ = add_insets(found, named)

@@ -284,8 +284,10 @@ def draw_line_as_axis(trace: Trace, layout: Layout) -> Sketch:
     sketch = draw_claimed_tests(trace, layout)
     certificate = true_run(trace).certificate
     if isinstance(certificate, SeparatingLine) and layout.places:
+        place, point, normal = layout.places[0], certificate.point, certificate.normal
+        if float(normal[0]) * place.n.x + float(normal[1]) * place.n.y:
+            return sketch  # the line does not run along the axis, so nobody took one for the other
         draw_separating_line(sketch, certificate, "the line between them")
-        place, point = layout.places[0], certificate.point
         start = Vec(point.x, layout.limits[1] + layout.units(40.0))
         tip = Vec(place.at(0.0).x, start.y)
         sketch.add("taken", "arrow", "wrong", start, tip)
