@@ -11,9 +11,8 @@ from .engine.relate import relate
 from .engine.shapes import Circle, Polygon
 
 if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
-    from . import batch
+    from . import batch, testing
     from .advice.advising import Recommendation, advise
-    from .checking import testing
     from .checking.checked import Checked
     from .checking.checker import check
     from .engine.convex_parts import parts
@@ -110,7 +109,7 @@ _MODULE_OF = {
 }
 
 # Public modules that are loaded at first use.
-_MODULES = {"batch": "satviz.batch", "testing": "satviz.checking.testing"}
+_MODULES = {"batch": "satviz.batch", "testing": "satviz.testing"}
 
 
 def __getattr__(name: str) -> object:

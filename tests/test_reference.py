@@ -23,14 +23,15 @@ def pages():
 
 def test_every_public_name_is_told(pages):
     for page, names in (
-        ("satviz.html", set(sv.__all__) - {"__version__", "axes", "batch"}),
+        ("satviz.html", set(sv.__all__) - {"__version__", "axes", "batch", "testing"}),
         ("satviz/batch.html", sv.batch.__all__),
+        ("satviz/testing.html", sv.testing.__all__),
         ("satviz/engine/axes.html", sv.axes.__all__),
     ):
         ids = set(re.findall(r'<section id="([^"]+)"', pages[page]))
         assert set(names) <= ids, page
     links = {name: set(re.findall(r'<li><a href="([^"#]+)"', page)) for name, page in pages.items()}
-    assert links["satviz.html"] >= {"satviz/batch.html", "satviz/engine/axes.html"}
+    assert links["satviz.html"] >= {"satviz/batch.html", "satviz/engine/axes.html", "satviz/testing.html"}
 
 
 def test_no_example_is_lost(pages):

@@ -15,7 +15,7 @@ from ..optional_imports import extra_needed
 from ..safe_write import MADE_BY
 from .examples import EXAMPLES
 
-MODULES = "satviz", "satviz.engine.axes", "satviz.batch"
+MODULES = "satviz", "satviz.engine.axes", "satviz.batch", "satviz.testing"
 TEMPLATES = Path(__file__).with_name("templates")
 
 

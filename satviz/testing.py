@@ -8,15 +8,17 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from .. import safe_write
-from ..engine.geometry import Relation
-from ..engine.relate import relate
-from ..engine.shapes import Circle, Polygon, Shape
-from ..engine.trace import record
-from ..scenes.scenefile import Scene
-from .answers import HIT, RELATION, Rules, Truth, Unreadable, in_words, is_right, read
-from .asking import form_named
-from .forms import Form, pasteable
+from . import safe_write
+from .checking.answers import HIT, RELATION, Rules, Truth, Unreadable, in_words, is_right, read
+from .checking.asking import form_named
+from .checking.forms import Form, pasteable
+from .engine.geometry import Relation
+from .engine.relate import relate
+from .engine.shapes import Circle, Polygon, Shape
+from .engine.trace import record
+from .scenes.scenefile import Scene
+
+__all__ = ["assert_apart", "assert_overlapping", "assert_same_relation", "assert_touching"]
 
 
 def assert_apart(a: Any, b: Any) -> None:
@@ -88,8 +90,8 @@ def _failure(a: Shape, b: Shape, why: str) -> AssertionError:
 
 def _picture_file(a: Shape, b: Shape) -> Path:
     """Write the picture of two shapes as SVG and return its path; its name is made from the shapes."""
-    from ..pictures import picture
-    from ..render.files import encode
+    from .pictures import picture
+    from .render.files import encode
 
     scene = Scene("scene", a, b)
     stem = f"satviz-{sha256(scene.to_json().encode()).hexdigest()[:12]}"
