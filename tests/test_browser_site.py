@@ -1,9 +1,11 @@
 """The site in a real browser, from a server of its own: drag without waiting for anything from elsewhere."""
 
 import io
+import re
 import shutil
 import threading
 from contextlib import contextmanager
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from xml.etree import ElementTree
 
 import pytest
@@ -584,3 +586,138 @@ def test_a_challenge_is_chosen_undone_and_kept_in_the_address(visit):
     goal.get_by_text("Make the shapes touch").wait_for()
     choice.select_option("")
     goal.wait_for(state="hidden")
+
+
+# -- the page "Is yours right?"
+
+
+def run_code(page, language=None, code=None):
+    """Run what stands in the editor, and return what the page says of it."""
+    if language:
+        page.locator(f'[value="{language}"]').check()
+    if code is not None:
+        page.locator("textarea").fill(code)
+    page.locator(".run").click()
+    page.wait_for_function("() => document.querySelector('.run').textContent === 'Run'", timeout=LIVE)
+    return page.locator(".check-status").inner_text()
+
+
+@pytest.fixture
+def check_page(visit):
+    page = visit("yours.html", live=False)
+    page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=LIVE)
+    return page
+
+
+@pytest.mark.parametrize("language", ["python", "javascript"])
+def test_a_wrong_function_is_caught_and_asked_while_its_counterexample_is_moved(check_page, language):
+    assert run_code(check_page, language) == "Wrong. Your function says hit. True: apart."
+    assert "It behaves like aabb-not-upright" in check_page.locator(".report").inner_text()
+    check_page.locator(".yours.wrong").wait_for()
+    check_page.locator('[data-handle="B-move"]').focus()
+    for _ in range(20):
+        check_page.keyboard.press("ArrowRight")
+    check_page.locator(".yours.right").wait_for()
+    assert check_page.locator(".yours").inner_text() == "✓ Your function says: hit. True: overlapping."
+
+
+@pytest.mark.parametrize(
+    ("language", "code"),
+    [("python", "def collide(a, b):\n    while True: pass\n"), ("javascript", "function collide(a, b) { for (;;); }")],
+)
+def test_an_endless_loop_is_stopped_and_the_explorer_stays(check_page, language, code):
+    assert run_code(check_page, language, code) == "Your function gives no answer within 2 s: an endless loop?"
+    assert run_code(check_page, language, code.replace("while True: pass", "return 1").replace("for (;;);", "return 1"))
+
+
+def test_code_is_kept_in_this_browser_until_it_is_deleted_and_no_link_has_it(check_page):
+    check_page.locator("textarea").fill("# mine")
+    check_page.reload()
+    check_page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=LIVE)
+    assert check_page.locator("textarea").input_value() == "# mine" and "#" not in check_page.url
+    check_page.locator(".forget").click()
+    assert check_page.locator("textarea").input_value().startswith("def collide")
+    assert check_page.evaluate("() => localStorage.length") == 0
+
+
+HOSTILE = [
+    "fetch('{}')",
+    "new WebSocket('{}')",
+    "import('{}').then(() => 1)",
+    "importScripts('{}')",
+    "navigator.sendBeacon('{}')",
+    "new EventSource('{}')",
+    "new Worker('data:text/javascript,1')",
+    "caches.open('x')",
+    "indexedDB.open('x')",
+    "localStorage.length",
+    "document.title",
+    "parent.document",
+]
+IN_JAVASCRIPT = """function collide(a, b) {
+  const reached = [];
+  for (const [name, f] of [%s]) try { f(); reached.push(name); } catch {}
+  throw new Error("reached " + reached);
+}"""
+IN_PYTHON = """from pyodide.code import run_js
+def collide(a, b):
+    reached = []
+    for name, code in [%s]:
+        try:
+            run_js(code)
+            reached.append(name)
+        except BaseException: pass
+    raise ValueError(f"reached {reached}")
+"""
+
+
+@pytest.mark.parametrize("language", ["python", "javascript"])
+def test_a_hostile_function_reaches_neither_the_page_nor_another_server(browser, url, language):
+    with served_spy() as (address, asked):
+        context = browser.new_context()
+        page = context.new_page()
+        page.goto(url + "yours.html")
+        page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=LIVE)
+        tries = [each.format(address) for each in HOSTILE]
+        if language == "javascript":
+            code = IN_JAVASCRIPT % ", ".join(f'["{t.split("(")[0]}", () => {t}]' for t in tries)
+        else:
+            code = IN_PYTHON % ", ".join(f'("{t.split("(")[0]}", "{t}")' for t in tries)
+        run_code(page, language, code)
+        report = page.locator(".report").inner_text()
+        reached = report.partition("reached ")[2].splitlines()[0]
+        page.wait_for_timeout(300)
+        assert "raises" in report and not asked, (report, asked)
+        # a module that is asked for from elsewhere is refused later, by the policy
+        assert set(re.findall(r"[a-zA-Z]{4,}", reached)) <= {"import"}, reached
+        context.close()
+
+
+@contextmanager
+def served_spy():
+    """A server of another origin that remembers what it is asked, and answers anybody."""
+    asked = []
+
+    class Spy(BaseHTTPRequestHandler):
+        def do_GET(self):
+            asked.append(self.path)
+            self.send_response(200)
+            self.send_header("Access-Control-Allow-Origin", "*")
+            self.send_header("Content-Type", "text/javascript")
+            self.end_headers()
+
+        do_POST = do_GET
+
+        def log_message(self, *args):
+            pass
+
+    with ThreadingHTTPServer(("127.0.0.1", 0), Spy) as spy:
+        threading.Thread(target=spy.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{spy.server_address[1]}/x.js", asked
+        spy.shutdown()
+
+
+def test_the_check_page_shuts_nobody_out(check_page, axe_core):
+    run_code(check_page)
+    check_page.locator(".yours").wait_for()
+    assert shut_out(axe_core, check_page) == []

@@ -291,3 +291,68 @@ def test_a_checked_is_a_plain_value():
     found = sv.check(bounding_boxes)
     assert isinstance(found, Checked) and found.data()["right"] is False
     assert sv.Scene.from_json(found.data()["scene"]) == found.counterexample
+
+
+def test_a_check_in_a_page_goes_on_by_messages():
+    """The trusted side asks, the side of the reader's code answers; both speak JSON only."""
+    import json
+
+    from satviz.site import live
+
+    def tell(content):
+        return json.loads(live.answer("check", json.dumps(content)))
+
+    code = "def collide(a, b):\n    return max(p[0] for p in a) >= min(p[0] for p in b)\n"
+    assert tell({"kind": "define", "code": code}) == {"why": ""}
+    reply = tell({"kind": "check", "kinds": ["boxes", "convex"], "touching": "hit"})
+    while reply["kind"] == "ask":
+        outcomes = [tell({"kind": "call", **pair}) for pair in reply["pairs"]]
+        pair = reply["pairs"][-1]
+        reply = tell({"kind": "outcomes", "outcomes": outcomes})
+    assert not reply["right"] and reply["link"] and sv.Scene.from_json(reply["scene"])
+    judged = tell({"kind": "judge", **pair, "outcome": tell({"kind": "call", **pair})})
+    assert judged["kind"] == "judged" and judged["said"] in ("hit", "no hit")
+
+
+@pytest.mark.parametrize(
+    ("code", "why"),
+    [
+        ("def f(a, b:", "This is not Python: '(' was never closed in line 1."),
+        ("1 / 0", "The code raises ZeroDivisionError: division by zero."),
+        ("x = 1", "There is no function of two shapes"),
+    ],
+)
+def test_code_without_a_function_is_said_in_one_line(code, why):
+    from satviz.checking.reading import ReaderPython
+
+    said = ReaderPython().answer({"kind": "define", "code": code})["why"]
+    assert said.startswith(why) and "\n" not in said
+
+
+@pytest.mark.parametrize("forged", [None, 5, [], {"value": {"a": [1]}}, {"problem": "x\n" * 999, "line": ["y"]}])
+def test_a_forged_outcome_is_a_wrong_answer_and_no_fault(forged):
+    from satviz.checking.answers import Rules
+    from satviz.checking.reading import outcome_from
+    from satviz.checking.results import judge
+
+    result = judge(whole_number_pairs(("boxes",), 1)[0], outcome_from(forged), Rules())
+    assert not result.right and len(result.line) < 600
+
+
+def test_an_assertion_that_fails_shows_the_sentence_the_data_and_a_picture():
+    from pathlib import Path
+
+    a, b = [(0, 0), (2, 0), (0, 2)], [(2, 0), (4, 0), (2, 2)]
+    sv.testing.assert_touching(a, b)
+    sv.testing.assert_apart(a, sv.Circle((5, 5), 1))
+    sv.testing.assert_overlapping(a, a)
+    sv.testing.assert_same_relation(sat, [(a, b)])
+    with pytest.raises(AssertionError) as failed:
+        sv.testing.assert_apart(a, b)
+    lines = str(failed.value).splitlines()
+    assert lines[0] == "the shapes are not apart" and "touch" in lines[1]
+    assert lines[2] == "a = sv.Polygon([(0, 0), (2, 0), (0, 2)])"
+    path = Path(lines[-1].removeprefix("picture: "))
+    assert path.read_text(encoding="utf-8").startswith("<?xml") and "pytest" in str(path)
+    with pytest.raises(AssertionError, match="pair 1: the function says no hit"):
+        sv.testing.assert_same_relation(touching_is_apart, [(a, a), (a, b)])

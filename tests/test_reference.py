@@ -25,6 +25,7 @@ def test_every_public_name_is_told(pages):
     for page, names in (
         ("satviz.html", set(sv.__all__) - {"__version__", "axes", "batch", "testing"}),
         ("satviz/batch.html", sv.batch.__all__),
+        ("satviz/testing.html", sv.testing.__all__),
         ("satviz/engine/axes.html", sv.axes.__all__),
         ("satviz/testing.html", sv.testing.__all__),
     ):

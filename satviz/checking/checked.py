@@ -119,7 +119,7 @@ class Checked:
         """Return the report, a line each."""
         if self.right:
             return [*_passed_lines(self), *self.notes]
-        lines = [f"Wrong. {self.line}" if self.finding == WRONG else f"Your function {self.line}."]
+        lines = [f"Wrong. {self.line}" if self.finding == WRONG else _sentence(f"Your function {self.line}")]
         if self.counterexample:
             lines += ["", f"a = {pasteable(self.counterexample.a)}", f"b = {pasteable(self.counterexample.b)}"]
             run = record(self.counterexample.a, self.counterexample.b)
@@ -161,7 +161,7 @@ class Checked:
         if scene.axes != "needed":
             return picture(scene)
         trace = scene.record()
-        said, before = f"Your function {self.line}.", trace
+        said, before = _sentence(f"Your function {self.line}"), trace
         if self.finding == WRONG:
             said = f"Your function says: {self.said_in_words}."
             move = self.smallest.answer[1] if self.rules.returns == HIT_AND_MTV else self.smallest.answer
@@ -214,6 +214,11 @@ class Checked:
         return Score(
             {part: parts[part] for part in order}, {part: float((weights or {}).get(part, 1.0)) for part in order}
         )
+
+
+def _sentence(words: str) -> str:
+    """Return the words with a full stop, unless they end in a question mark."""
+    return words if words.endswith("?") else f"{words}."
 
 
 def _likeness_lines(likenesses: Sequence[Likeness]) -> list[str]:

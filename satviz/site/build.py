@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ..render.script import javascript, stylesheet
 from ..safe_write import MADE_BY
-from . import guides, pages
+from . import check_page, guides, pages
 from .chapters import chapter_body, chapters
 from .reference import reference
 from .runtime import PythonMissing as PythonMissing
@@ -42,7 +42,7 @@ def site(*, pyodide: Path | None = None, live: bool = True) -> tuple[Iterator[tu
         reference_files = []
         missing.append(f"the site has no reference: {error}")
     script, style = _script(), _style()
-    python |= {"worker.js": _browser_file("worker.js")} if python else {}
+    python |= {"worker.js": javascript("../../site/browser/worker").encode()} if python else {}
     version = sha256(b"".join([script, style, *(python[name] for name in sorted(python))])).hexdigest()[:12]
     return _files(script, style, python, version, reference_files), missing
 
@@ -69,6 +69,7 @@ def _files(
         yield f"{pages.REFERENCE}/{path}", data
     yield "gallery.html", pages.gallery_page(frame)
     yield "challenges.html", pages.challenges_page(frame)
+    yield check_page.PATH, check_page.check_page(frame)
     yield "scene.html", pages.explorer_page(frame)
     yield "index.html", pages.front_page(frame)
 

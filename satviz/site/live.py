@@ -3,6 +3,8 @@
 import json
 from typing import Any
 
+from ..checking.page import MESSAGES, PageCheck
+from ..checking.reading import ReaderPython
 from ..engine.geometry import InvalidScene
 from ..pictures.playback import narrow_playbacks, playbacks
 from ..scenes.article import SCENES
@@ -14,6 +16,7 @@ from ..widgets.explorer_model import ExplorerModel
 from ..widgets.goals import GOAL_NAMES
 
 _models: dict[str, ExplorerModel] = {}  # by the place on the page
+_check, _reader = PageCheck(), ReaderPython()  # the latter is used in the worker of the reader's code alone
 CHOICES = {
     "presets": [s.name for s in SCENES],
     "failing": [row.name for row in FAILURE_CASES if row.how != REFUSED],
@@ -26,6 +29,10 @@ def answer(place: str, text: str) -> str:
     content = json.loads(text)
     if content.get("kind") == "open":
         reply: dict[str, Any] | None = _open(place, content)
+    elif content.get("kind") in MESSAGES:
+        reply = _check.answer(content)
+    elif content.get("kind") in ("define", "call"):
+        reply = _reader.answer(content)
     else:
         reply = _models[place].answer(content) if place in _models else None
     return "" if reply is None else json.dumps(reply, ensure_ascii=False, separators=(",", ":"))

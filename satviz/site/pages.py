@@ -47,7 +47,9 @@ class Frame(NamedTuple):
     reference: bool
 
 
-def html_page(frame: Frame, path: str, title: str, body: str, *, description: str, kind: str = "") -> bytes:
+def html_page(
+    frame: Frame, path: str, title: str, body: str, *, description: str, kind: str = "", policy: str = POLICY
+) -> bytes:
     """Return the HTML of a page: `body` with head, navigation and footer; `kind`: a class for the style sheet."""
     python = f' data-python="python/worker.js?{frame.version}"' if frame.python else ""
     links = [
@@ -56,7 +58,7 @@ def html_page(frame: Frame, path: str, title: str, body: str, *, description: st
         (GUIDES, "Guides"),
         ("gallery.html", "Gallery"),
     ]
-    links += [("challenges.html", "Challenges"), (PAGE, "Explorer")]
+    links += [("challenges.html", "Challenges"), ("yours.html", "Is yours right?"), (PAGE, "Explorer")]
     links += [(f"{REFERENCE}/satviz.html", "Reference")] if frame.reference else []
     here = ' aria-current="page"'
     nav = "".join(f'<a href="{to}"{here if to == path and to != "index.html" else ""}>{name}</a>' for to, name in links)
@@ -65,7 +67,7 @@ def html_page(frame: Frame, path: str, title: str, body: str, *, description: st
         '<html lang="en">',
         "<head>",
         '<meta charset="utf-8">',
-        f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">',
+        f'<meta http-equiv="Content-Security-Policy" content="{policy}">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
         f'<meta name="generator" content="{MADE_BY}">',
         f'<meta name="description" content="{escape(describe.printable(description))}">',

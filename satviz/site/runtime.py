@@ -20,10 +20,17 @@ from .. import safe_write
 VERSION = "314.0.7"
 INTEGRITY = "sha512-0YvXxEhfEdpLfb/XkM2BFAeMROq0iMUX2bzzH9pOttyMcWkwq+HbE5uyuGD82LN7y2q+SNvi/6V5JEsOlD2R1A=="
 CORE = "pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json"
+CHECKING = (
+    *("__init__", "forms", "answers", "asking", "pairs", "shrinking", "results", "mistakes", "checked", "steps"),
+    *("checker", "reading", "page"),
+)
 # the parts of satviz that the pages import; neither NumPy nor matplotlib is in the page
 PACKED_PATHS = (
     *("__init__.py", "optional_imports.py", "engine", "scenes", "pictures"),
     *(
+        "advice/__init__.py",
+        "advice/relative_margin.py",
+        *(f"checking/{name}.py" for name in CHECKING),
         "widgets/__init__.py",
         "widgets/player_model.py",
         "widgets/explorer_model.py",
@@ -44,6 +51,10 @@ for link in "triangles", "triangles&free=30", "triangles&against=1&way-out=1", "
     live.answer("warm", json.dumps({"kind": "pose", "n": 1, "a": state["a"], "b": state["b"]}))
 live.answer("warm", json.dumps({"kind": "paste", "text": "circle((0, 0), 1) [0,0, 4,4, 4,0, 0,4]"}))
 live._models.clear()
+asked = json.loads(live.answer("check", json.dumps({"kind": "check", "kinds": "convex", "touching": "hit"})))
+while asked["kind"] == "ask":
+    outcomes = [{"value": True} for _ in asked["pairs"]]
+    asked = json.loads(live.answer("check", json.dumps({"kind": "outcomes", "outcomes": outcomes})))
 gc.collect()
 """
 TIMEOUT_SECONDS = 180  # for npm, and for Node

@@ -5,6 +5,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
+from .check_page import CHECK_POLICY, PATH
 from .pages import POLICY, REFERENCE
 
 
@@ -25,7 +26,8 @@ class Handler(SimpleHTTPRequestHandler):
         Workers obey the policy of this header only.  The reference has no policy, since pdoc writes inline scripts.
         """
         if not self.path.startswith(f"/{REFERENCE}/"):
-            self.send_header("Content-Security-Policy", POLICY)
+            own = self.path.startswith(f"/{PATH}")
+            self.send_header("Content-Security-Policy", CHECK_POLICY if own else POLICY)
         self.send_header("Cache-Control", "no-cache")
         super().end_headers()
 

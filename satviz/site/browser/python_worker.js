@@ -12,7 +12,7 @@
 export class PythonWorker {
   /** @param {string} script */
   constructor(script) {
-    /** @type {Map<string, SiteModel>} By the name of the place. */
+    /** @type {Map<string, { receive: (content: any) => void }>} By the name of the place. */
     this.models = new Map();
     /** @type {((start: Start) => void)[]} */
     this.startListeners = [];

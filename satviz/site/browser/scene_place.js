@@ -6,6 +6,7 @@ import { Explorer } from "../../render/browser/explorer.js";
 import { Player } from "../../render/browser/player.js";
 import { SiteModel } from "./python_worker.js";
 
+/** @import { State } from "../../render/browser/messages.js" */
 /** @import { NotOpened, Opened, PythonWorker, Start } from "./python_worker.js" */
 
 export const SITE = new URL(".", location.href).href;
@@ -31,7 +32,9 @@ export class ScenePlace {
     this.widget = null;
     this.opening = false;
     this.updatingAddress = 0;
-    this.model = new SiteModel(python, this.name, { opened: (content) => this.opened(content), changed: ({ link }) => this.updateLink(link) });
+    /** @type {((state: State) => void) | null} Is told of each state of an explorer. */
+    this.onstate = null;
+    this.model = new SiteModel(python, this.name, { opened: (content) => this.opened(content), changed: (state) => this.changed(state) });
     python.startListeners.push((start) => this.showStart(start));
     this.open();
     if (linked) addEventListener("hashchange", () => this.open());
@@ -54,6 +57,12 @@ export class ScenePlace {
     } else if (failed) this.say("This picture stays still: Python could not start in this browser.");
     else if (progress < 1) this.say(`Python is on its way: ${Math.floor(progress * 10) * 10} %. Then you can drag.`);
     else this.say("Python is starting. Then you can drag.");
+  }
+
+  /** @param {State} state */
+  changed(state) {
+    this.updateLink(state.link);
+    this.onstate?.(state);
   }
 
   /**
@@ -100,6 +109,7 @@ export class ScenePlace {
       this.model.values = { ...content, alone: true, pasting: this.linked, site: SITE };
       this.model.listeners.clear();
       this.widget = new Explorer(this.model, made);
+      this.onstate?.(content.first);
     }
     this.root.replaceChildren(made);
     this.root.classList.add("ready");

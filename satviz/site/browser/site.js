@@ -3,6 +3,7 @@
 import { arrowKeys } from "../../render/browser/arrows.js";
 import { element } from "../../render/browser/elements.js";
 import { Player } from "../../render/browser/player.js";
+import { CheckPage } from "./check.js";
 import { PythonWorker } from "./python_worker.js";
 import { SITE, ScenePlace, statusOf } from "./scene_place.js";
 
@@ -27,6 +28,8 @@ else if (location.protocol === "file:") stayStill("A browser starts Python only 
 else if (scenes.length) {
   const python = new PythonWorker(workerScript);
   const linked = document.body.classList.contains("explorer");
-  for (const [i, root] of scenes.entries()) new ScenePlace(root, python, i, linked);
+  const places = scenes.map((root, i) => new ScenePlace(root, python, i, linked));
+  const check = /** @type {HTMLElement | null} */ (document.querySelector(".check"));
+  if (check) new CheckPage(check, python, workerScript, places[0]);
 }
 if (isSecureContext && "serviceWorker" in navigator) navigator.serviceWorker.register("sw.js").catch(() => {});

@@ -1,6 +1,8 @@
 // Python beside the page.  It starts from the memory kept when the site was built, else from nothing, and answers.
 // The big files are compressed with gzip (.bin), since plain servers do not compress; they are unpacked as they arrive.
 
+import { shutOff } from "./shut_off.js";
+
 /** @typedef {{ place: string, content: Record<string, any> }} Request */
 /** @typedef {(place: string, text: string) => string} Answer Of satviz.site.live: from JSON to JSON, empty for none. */
 /** @typedef {{ answer: Answer, from: "memory" | "nothing", fetchLibrary?: () => Promise<void> }} Python */
@@ -24,10 +26,14 @@ self.onmessage = ({ data }) => {
   waiting.push(data);
   turns.port2.postMessage(null);
 };
-turns.port1.onmessage = () => {
+turns.port1.onmessage = async () => {
   const request = python && waiting.shift();
   if (!python || !request) return;
   const { place, content } = request;
+  if (content.kind === "define") {
+    await python.fetchLibrary?.(); // the reader's code may import any module of it
+    shutOff();
+  }
   const stale = content.kind === "pose" && waiting.some((later) => later.place === place && later.content.kind === "pose");
   const text = stale ? "" : python.answer(place, JSON.stringify(content));
   if (text) self.postMessage({ place, text });
@@ -104,7 +110,12 @@ try {
   python = await start();
   self.postMessage({ ready: python.from });
   for (const _ of waiting) turns.port2.postMessage(null);
-  setTimeout(() => python?.fetchLibrary?.(), LIBRARY_DELAY_MS);
+  const { fetchLibrary } = python;
+  if (fetchLibrary) {
+    let fetched = /** @type {Promise<void> | null} */ (null);
+    python.fetchLibrary = () => (fetched ??= fetchLibrary());
+    setTimeout(() => python?.fetchLibrary?.(), LIBRARY_DELAY_MS);
+  }
 } catch (error) {
   self.postMessage({ failed: String(error) });
 }

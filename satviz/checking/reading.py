@@ -1,0 +1,82 @@
+"""The reader's function in a page: Python code in a worker of its own, and outcomes as JSON values."""
+
+import inspect
+import json
+from collections.abc import Callable
+from typing import Any
+
+from ..engine.polygon_validation import short_repr
+from ..scenes.scenefile import shape_from
+from .answers import plain
+from .asking import ERROR, CalledHere, Outcome
+from .forms import as_points
+
+FILE = "your code"  # the file name in which errors count lines
+MAX_TEXT = 400  # letters of a line that comes from a worker
+
+
+class ReaderPython:
+    """The code that the reader wrote: "define" runs it, and "ask" calls its function about one pair."""
+
+    def __init__(self) -> None:
+        self.called: CalledHere | None = None
+
+    def answer(self, content: dict[str, Any]) -> dict[str, Any]:
+        """Return the reply to a message: whether the function is there, or what came of one call."""
+        if content["kind"] == "define":
+            return self._define(content["code"])
+        a, b = shape_from(content["a"], "A"), shape_from(content["b"], "B")
+        if self.called is None:
+            return {"problem": ERROR, "line": "is not defined"}
+        return outcome_data(self.called.ask(a, b))
+
+    def _define(self, code: str) -> dict[str, Any]:
+        """Run the code, and keep its function `collide`, or its only function of two arguments."""
+        names: dict[str, Any] = {"__name__": "reader"}
+        try:
+            exec(compile(code, FILE, "exec"), names)
+        except SyntaxError as error:
+            return {"why": f"This is not Python: {error.msg} in line {error.lineno}."}
+        except (Exception, SystemExit) as error:
+            return {"why": f"The code raises {type(error).__name__}: {short_repr(str(error))[1:-1]}."}
+        fn = names.get("collide") or _only_function_of_two(names)
+        if not callable(fn):
+            return {"why": "There is no function of two shapes: write def collide(a, b): ..."}
+        self.called = CalledHere(fn, as_points)
+        return {"why": ""}
+
+
+def _only_function_of_two(names: dict[str, Any]) -> Callable[..., Any] | None:
+    """Return the last function of two arguments that the code defines, or None."""
+    found = [f for f in names.values() if inspect.isfunction(f) and f.__code__.co_argcount == 2]
+    return found[-1] if found else None
+
+
+def outcome_data(outcome: Outcome) -> dict[str, Any]:
+    """Return an outcome as JSON values; a value that JSON does not know becomes its text."""
+    value = plain(outcome.value)
+    try:
+        json.dumps(value, allow_nan=False)
+    except (TypeError, ValueError):
+        try:
+            value = float(value)  # a fraction
+            json.dumps(value, allow_nan=False)
+        except (TypeError, ValueError):
+            value = _as_floats(outcome.value)
+    return {"value": value, "problem": outcome.problem, "line": outcome.line}
+
+
+def _as_floats(value: Any) -> Any:
+    """Return a pair with fractions as floats; of anything else its text."""
+    try:
+        return [each if each is None or isinstance(each, bool) else float(each) for each in value]
+    except (TypeError, ValueError):
+        return short_repr(value)
+
+
+def outcome_from(data: Any) -> Outcome:
+    """Return the Outcome in JSON values that come from a worker, which the reader's code may have forged."""
+    if not isinstance(data, dict):
+        return Outcome(problem=ERROR, line="answers with something that is no outcome")
+    problem, line = (str(data.get(key) or "")[:MAX_TEXT] for key in ("problem", "line"))
+    return Outcome(data.get("value"), problem, line if line.isprintable() else repr(line))

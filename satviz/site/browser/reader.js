@@ -1,0 +1,132 @@
+// The reader's function, in a worker of its own: Python beside a second Pyodide, JavaScript in a worker without an origin.
+// It is asked about one pair at a time.  Where no answer comes, the worker is ended.
+
+import { shutOff } from "./shut_off.js";
+
+/** @typedef {{ value?: unknown, problem?: string, line?: string }} Outcome */
+/** @typedef {{ a: unknown, b: unknown }} Pair Shapes as in a scene file. */
+/** @typedef {"python" | "javascript"} Language */
+
+const CALL_MS = 2000; // that one call may take
+const START_MS = 60000; // that Python may take to start; a script starts at once
+export const NO_ANSWER = "no answer";
+
+export class Reader {
+  /**
+   * @param {Language} language
+   * @param {string} code
+   * @param {string} pythonScript
+   */
+  constructor(language, code, pythonScript) {
+    this.language = language;
+    this.code = code;
+    /** @type {((data: any) => void) | null} */
+    this.waiting = null;
+    this.ended = false;
+    const source = language === "python" ? `import ${JSON.stringify(new URL(pythonScript, location.href).href)};` : harness(code);
+    // A worker made from such an address obeys the policy of this page, also where a server sends no policy.
+    this.url = language === "python" ? URL.createObjectURL(new Blob([source], { type: "text/javascript" })) : `data:text/javascript;charset=utf-8,${encodeURIComponent(source)}`;
+    this.worker = new Worker(this.url, language === "python" ? { type: "module" } : {});
+    this.worker.onmessage = ({ data }) => this.receive(data);
+    this.worker.onerror = (event) => {
+      event.preventDefault();
+      const number = event.lineno - HARNESS_LINES;
+      const line = number > 0 && number <= code.split("\n").length ? ` in line ${number}` : "";
+      this.settle({ why: `${event.message || "The code does not load"}${line}.`.replace(/^Uncaught /, "") });
+    };
+  }
+
+  /** @returns {Promise<string>} Why there is no function; empty where there is one. */
+  async define() {
+    if (this.language === "python") {
+      const { failed } = await this.next(START_MS);
+      if (failed !== undefined) return failed;
+      this.worker.postMessage({ place: "reader", content: { kind: "define", code: this.code } });
+    }
+    const found = await this.next(this.language === "python" ? START_MS / 4 : CALL_MS);
+    return found.problem ? "The code does not come to its end: an endless loop?" : String(found.why ?? "");
+  }
+
+  /**
+   * @param {Pair} pair
+   * @returns {Promise<Outcome>}
+   */
+  async call(pair) {
+    if (this.ended) return { problem: NO_ANSWER, line: "was stopped" };
+    this.worker.postMessage(this.language === "python" ? { place: "reader", content: { kind: "call", ...pair } } : pair);
+    return this.next(CALL_MS);
+  }
+
+  /**
+   * @param {number} milliseconds
+   * @returns {Promise<any>}
+   */
+  next(milliseconds) {
+    return new Promise((resolve) => {
+      const timer = setTimeout(() => {
+        this.stop();
+        this.settle({ problem: NO_ANSWER, line: `gives no answer within ${milliseconds / 1000} s: an endless loop?` });
+      }, milliseconds);
+      this.waiting = (data) => {
+        clearTimeout(timer);
+        resolve(data);
+      };
+    });
+  }
+
+  /** @param {any} data */
+  receive(data) {
+    if (this.language === "python") {
+      if (data?.ready || data?.failed) this.settle(data.failed ? { failed: String(data.failed) } : {});
+      else if (typeof data?.text === "string") this.settle(JSON.parse(data.text));
+    } else this.settle(typeof data === "string" ? JSON.parse(data) : {});
+  }
+
+  /** @param {any} data */
+  settle(data) {
+    const { waiting } = this;
+    this.waiting = null;
+    waiting?.(data);
+  }
+
+  stop() {
+    this.ended = true;
+    this.worker.terminate();
+    if (this.language === "python") URL.revokeObjectURL(this.url);
+  }
+}
+
+const BEFORE = `(${shutOff})();
+{
+const post = self.postMessage.bind(self);
+const shape = (data) => data.polygon ? data.polygon : data;
+const said = (error) => (error && error.name ? error.name + ": " + error.message : String(error)).slice(0, 300);
+self.onmessage = ({ data }) => {
+  let answer;
+  try {
+    const a = shape(data.a), b = shape(data.b), before = JSON.stringify([a, b]);
+    const value = self.satvizCollide(a, b);
+    answer = { value: value === undefined ? null : value };
+    if (typeof value === "number" && !Number.isFinite(value)) answer = { value: String(value) };
+    if (JSON.stringify([a, b]) !== before) answer = { ...answer, problem: "wrote", line: "changes its arguments: the caller's shapes are not the same afterwards" };
+  } catch (error) {
+    answer = { problem: "error", line: "raises " + said(error) };
+  }
+  let text;
+  try {
+    text = JSON.stringify(answer);
+  } catch (error) {
+    text = JSON.stringify({ problem: "error", line: "answers with something that is not JSON" });
+  }
+  post(text);
+};
+Promise.resolve().then(() => post(JSON.stringify({ why: typeof self.satvizCollide === "function" ? "" : "There is no function of two shapes: write function collide(a, b) { ... }" })));
+}
+self.satvizCollide = (() => {
+`;
+const HARNESS_LINES = BEFORE.split("\n").length - 1;
+
+/** @param {string} code */
+function harness(code) {
+  return `${BEFORE}${code}\n;return typeof collide === "function" ? collide : null;\n})();`;
+}

@@ -1,0 +1,80 @@
+"""The page "Is yours right?": an editor for the reader's function, and the scene where it is wrong."""
+
+import json
+
+from ..scenes.named import scene
+from ..widgets.explorer_model import ExplorerModel
+from . import parts
+from .pages import POLICY, Frame, html_page
+
+PATH = "yours.html"
+# A worker of the reader's code is made by the page itself, so that it obeys the policy of the page.
+CHECK_POLICY = POLICY.replace("worker-src 'self'", "worker-src 'self' blob: data:")
+SKELETONS = {
+    "python": """def collide(a, b):
+    # a and b are lists of (x, y).
+    # Say True if they share a point.
+    for axis in 0, 1:
+        on_a = [p[axis] for p in a]
+        on_b = [p[axis] for p in b]
+        if max(on_a) < min(on_b) or max(on_b) < min(on_a):
+            return False
+    return True
+""",
+    "javascript": """function collide(a, b) {
+    // a and b are lists of [x, y].
+    // Say true if they share a point.
+    for (const axis of [0, 1]) {
+        const onA = a.map((p) => p[axis]), onB = b.map((p) => p[axis]);
+        if (Math.max(...onA) < Math.min(...onB)) return false;
+        if (Math.max(...onB) < Math.min(...onA)) return false;
+    }
+    return true;
+}
+""",
+}
+CHOICES = {
+    "boxes|convex": "convex shapes",
+    "boxes": "upright boxes only",
+    "boxes|convex|concave": "also outlines with dents",
+    "circles": "two circles",
+}
+TOUCHING = {"hit": "a hit", "miss": "no hit", "either": "either"}
+
+
+def check_page(frame: Frame) -> bytes:
+    """Return the page; without Python in the site it says how to check a function on one's own machine."""
+
+    def options(choices: dict[str, str]) -> str:
+        """Return the options of a list of choices as HTML."""
+        return "".join(f'<option value="{value}">{words}</option>' for value, words in choices.items())
+
+    data = json.dumps(SKELETONS).replace("<", "\\u003c")
+    body = f"""
+<h1>Is yours right?</h1>
+<p class="lead">Write a collision test. <b>Run</b> finds the smallest scene where it is wrong, and says which known
+mistake it behaves like. The test in the editor has such a mistake: it looks at x and y only.</p>
+<noscript><p>This page needs JavaScript. On your own machine, <code>satviz check mine.py</code> does the same.</p>
+</noscript>
+<section class="check" aria-label="your function">
+<fieldset><legend>Language</legend>
+<label><input type="radio" name="language" value="python" checked> Python</label>
+<label><input type="radio" name="language" value="javascript"> JavaScript</label></fieldset>
+<label class="editor">Your function <textarea rows="13" spellcheck="false" autocapitalize="off" autocomplete="off"
+autocorrect="off" wrap="off" aria-describedby="editor-keys"></textarea></label>
+<p class="keys" id="editor-keys">Ctrl+Enter runs it. Tab indents; press Escape before Tab to leave the editor.</p>
+<p class="choices"><label>Shapes <select name="kinds">{options(CHOICES)}</select></label>
+<label>Touching is <select name="touching">{options(TOUCHING)}</select></label>
+<button class="run" type="button" disabled>Run</button>
+<button class="forget" type="button">Delete my code</button></p>
+<p class="keys">Your code stays in this browser. It is not sent anywhere, and no link contains it.</p>
+<p class="check-status" role="status"></p>
+<p class="yours" hidden></p>
+<div class="found" hidden>{parts.explorer(ExplorerModel(scene("triangles")))}</div>
+<div class="report" hidden></div>
+<script type="application/json" class="skeletons">{data}</script>
+</section>
+"""
+    description = "Write a collision test, and see the smallest scene where it is wrong."
+    title = "Is yours right? Check your own function"
+    return html_page(frame, PATH, title, body, description=description, kind="checks", policy=CHECK_POLICY)
