@@ -133,7 +133,7 @@ def test_what_a_step_explains_moves_from_where_it_comes(browser, errors, pages):
                 assert spot == pytest.approx(at, abs=0.01), mark.id
                 moved.add(mark.part)
         before = {mark.id for mark in drawn.marks}
-    assert moved == {"normal", "axis", "drop", "landing", "range", "gap"}
+    assert moved == {"normal", "slide", "axis", "drop", "landing", "range", "gap"}
     page.close()
 
 

@@ -462,6 +462,12 @@ def test_a_crossing_outline_is_shown_with_its_crossing_and_the_order_that_was_me
     assert dented.shape is None and dented.meant is None, "one corner is inside the hull: no convex order holds all"
 
 
+def test_all_pairs_that_meet_are_counted_also_where_not_all_are_shown():
+    boxes = "\n".join(f"box({i * 0.5}, 0, 10, 10)" for i in range(12))
+    said = sv.paste(boxes, as_="corner-size").sentence
+    assert said.startswith("66 of 66 pairs meet; 60 of them are shown."), said
+
+
 def test_several_shapes_give_every_pair_that_meets_the_deepest_first():
     text = "circle((0,0),2) circle((3,0),2) circle((5,0),2) circle((50,0),2)"
     pasted = sv.paste(text)

@@ -128,9 +128,11 @@ class Pasted:
                 names = f"{first.a.name} and {first.b.name}"
                 return f"{start}; in the order that was probably meant {names} are {first.trace.relation}."
             return f"{start}."
-        hits = [t for t in self.traces if t.hit]
         if len(self.readings) > 2:
-            said = f"{len(hits)} of {_pair_count(len(self.shapes))} pairs meet."
+            usable = [shape for each in self.readings if (shape := each.usable)]
+            hits = sum(relate(a, b) is not Relation.APART for a, b in combinations(usable, 2))
+            shown = f"; {len(self.traces)} of them are shown" if hits > len(self.traces) else ""
+            said = f"{hits} of {_pair_count(len(self.shapes))} pairs meet{shown}."
             return f"{said} {self.traces[0].sentence}"
         return self.traces[0].sentence
 
