@@ -462,6 +462,23 @@ def test_a_crossing_outline_is_shown_with_its_crossing_and_the_order_that_was_me
     assert dented.shape is None and dented.meant is None, "one corner is inside the hull: no convex order holds all"
 
 
+BOX = "box = [(-2, -1), (2, -1), (2, 1), (-2, 1)]"
+
+
+@pytest.mark.parametrize(
+    ("text", "numbers"),
+    [
+        (f"circle.m_p.Set(3.0f, 0.0f); circle.m_radius = 1.0f; {BOX}", "3.0f, 0.0f."),
+        (f"let b = Ball::new(0.5); let at = Isometry2::new(Vector2::new(1.2, 0.8), 7); {BOX}", "1.2, 0.8, 7."),
+        ("a = {x: 10, y: 10, radius: 5}; b = {x: 19, y: 10, diameter: 8}; c = {cx: 30, cy: 30, r: 2};", "19, 10, 8."),
+        (f"c = {{x: 9, y: 9, r: 1}}; {BOX}", None),
+    ],
+)
+def test_numbers_that_no_shape_has_are_named(text, numbers):
+    said = [finding for finding in sv.paste(text).findings if finding.kind == "left-out"]
+    assert [str(finding).partition(": ")[2] for finding in said] == ([numbers] if numbers else [])
+
+
 def test_all_pairs_that_meet_are_counted_also_where_not_all_are_shown():
     boxes = "\n".join(f"box({i * 0.5}, 0, 10, 10)" for i in range(12))
     said = sv.paste(boxes, as_="corner-size").sentence

@@ -45,6 +45,7 @@ KINDS = (
     "repeated-corner",
     "collinear-corner",
     "clear",
+    "left-out",
     "clockwise",
     "closed-outline",
     "note",

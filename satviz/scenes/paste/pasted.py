@@ -20,10 +20,12 @@ from .boxes import ALL_CHOICES, ONLY_IF_IT_MATTERS, Read
 from .findings import KINDS, Finding, Pair, PastedShape
 from .objects import as_text
 from .reading import Reader
+from .tokens import tokens
 from .tree import Group, parse
 
 MAX_SHAPES = 40
 MAX_TRACES = 60
+MAX_NAMED = 6  # numbers that belong to no shape
 NOTHING = (
     "no shape was found: paste two shapes or more, as WKT, GeoJSON, JSON or lines of code, "
     "for example POLYGON((0 0, 4 0, 0 3)) and circle((5, 1), 2)"
@@ -255,6 +257,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     made = Pasted(text, chosen, tuple(shapes), questions, (), ())
     notes = [Finding("not-read", (), f"Not read: {problem}.") for problem in reader.problems[:5]]
     notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in (*reader.remarks, *remarks)]
+    notes += _left_out(text, shapes)
     if made.open:
         return replace(made, findings=tuple(notes))
     pairs = _pairs(shapes)
@@ -266,6 +269,17 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
         found.append(findings.clear(pairs[0]))
     found.sort(key=lambda finding: KINDS.index(finding.kind))
     return replace(made, pairs=tuple(pairs), findings=tuple(found))
+
+
+def _left_out(text: str, shapes: Sequence[PastedShape]) -> Iterator[Finding]:
+    """Yield a finding that names the first numbers of the text that stand in no shape, if there are any."""
+    spans = [(each.read.start, each.read.end) for each in shapes]
+    numbers = [token for token in tokens(text) if token.kind == "number"]
+    outside = [each.text for each in numbers if not any(start <= each.start < end for start, end in spans)]
+    if outside:
+        more = f" and {len(outside) - MAX_NAMED} more" if len(outside) > MAX_NAMED else ""
+        named = ", ".join(one[:20] for one in outside[:MAX_NAMED])
+        yield Finding("left-out", (), f"Left out, since no shape has them: {named}{more}.")
 
 
 def _choices(as_: str | Sequence[str]) -> tuple[str, ...]:
