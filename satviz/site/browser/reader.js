@@ -1,6 +1,7 @@
 // The reader's function, in a worker of its own: Python beside a second Pyodide, JavaScript in a worker without an origin.
 // It is asked about one pair at a time.  Where no answer comes, the worker is ended.
 
+import { answerPairs } from "./answer_pairs.js";
 import { shutOff } from "./shut_off.js";
 
 /** @typedef {{ value?: unknown, problem?: string, line?: string }} Outcome */
@@ -96,34 +97,7 @@ export class Reader {
   }
 }
 
-const BEFORE = `(${shutOff})();
-{
-const post = self.postMessage.bind(self);
-const shape = (data) => data.polygon ? data.polygon : data;
-const said = (error) => (error && error.name ? error.name + ": " + error.message : String(error)).slice(0, 300);
-self.onmessage = ({ data }) => {
-  let answer;
-  try {
-    const a = shape(data.a), b = shape(data.b), before = JSON.stringify([a, b]);
-    const value = self.satvizCollide(a, b);
-    answer = { value: value === undefined ? null : value };
-    if (typeof value === "number" && !Number.isFinite(value)) answer = { value: String(value) };
-    if (JSON.stringify([a, b]) !== before) answer = { ...answer, problem: "wrote", line: "changes its arguments: the caller's shapes are not the same afterwards" };
-  } catch (error) {
-    answer = { problem: "error", line: "raises " + said(error) };
-  }
-  let text;
-  try {
-    text = JSON.stringify(answer);
-  } catch (error) {
-    text = JSON.stringify({ problem: "error", line: "answers with something that is not JSON" });
-  }
-  post(text);
-};
-Promise.resolve().then(() => post(JSON.stringify({ why: typeof self.satvizCollide === "function" ? "" : "There is no function of two shapes: write function collide(a, b) { ... }" })));
-}
-self.satvizCollide = (() => {
-`;
+const BEFORE = `(${shutOff})();\n(${answerPairs})();\nself.satvizCollide = (() => {\n`;
 const HARNESS_LINES = BEFORE.split("\n").length - 1;
 
 /** @param {string} code */
