@@ -596,7 +596,7 @@ def run_code(page, language=None, code=None):
     if language:
         page.locator(f'[value="{language}"]').check()
     if code is not None:
-        page.locator("textarea").fill(code)
+        page.get_by_role("textbox", name="Your function").fill(code)
     page.locator(".run").click()
     page.wait_for_function("() => document.querySelector('.run').textContent === 'Run'", timeout=LIVE)
     return page.locator(".check-status").inner_text()
@@ -631,12 +631,14 @@ def test_an_endless_loop_is_stopped_and_the_explorer_stays(check_page, language,
 
 
 def test_code_is_kept_in_this_browser_until_it_is_deleted_and_no_link_has_it(check_page):
-    check_page.locator("textarea").fill("# mine")
+    check_page.get_by_role("textbox", name="Your function").fill("# mine")
     check_page.reload()
     check_page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=LIVE)
-    assert check_page.locator("textarea").input_value() == "# mine" and "#" not in check_page.url
+    assert (
+        check_page.get_by_role("textbox", name="Your function").input_value() == "# mine" and "#" not in check_page.url
+    )
     check_page.locator(".forget").click()
-    assert check_page.locator("textarea").input_value().startswith("def collide")
+    assert check_page.get_by_role("textbox", name="Your function").input_value().startswith("def collide")
     assert check_page.evaluate("() => localStorage.length") == 0
 
 
