@@ -99,8 +99,3 @@ def shrink(a: Shape, b: Shape) -> Generator[tuple[Shape, Shape], bool, tuple[Sha
                 break
         else:
             return shape_of(best[0]), shape_of(best[1])
-
-
-def vertices_in_words(shape: Shape) -> str:
-    """Return a shape's numbers as text: "[(0, 0), (2, 0), (0, 2)]"."""
-    return str([tuple(map(plain_number, point)) for point in numbers_of(shape)])

@@ -8,8 +8,6 @@ from ...engine.shapes import Circle, Polygon
 from ...engine.trace import Trace
 from ..scenefile import Scene
 
-MAX_ITEMS = 40_000
-
 
 def as_text(value: Any) -> str:
     """Return shapes as a text that `paste` reads, with every digit; InvalidScene for what holds no shapes."""
