@@ -8,7 +8,6 @@ from math import isfinite
 
 from ..engine.geometry import InvalidShape
 from ..engine.shapes import Circle, Polygon, Shape
-from .forms import plain_number
 
 MAX_TRIES = 400  # smaller scenes that are tried for one counterexample
 
