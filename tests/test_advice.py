@@ -823,6 +823,7 @@ def hardly_apart(seed, count):
             continue
 
 
+@pytest.mark.slow
 def test_polygons_of_full_precision_are_certified_in_float64_where_the_relative_margin_is_beyond_32():
     model, certified_pairs = Model("float64", 6), Counter()
     for a, b in hardly_apart(64, 300):
@@ -834,6 +835,7 @@ def test_polygons_of_full_precision_are_certified_in_float64_where_the_relative_
     assert min(certified_pairs.values()) > 50
 
 
+@pytest.mark.slow
 def test_a_recommendation_on_a_pair_is_the_same_for_many_as_for_two():
     kinds = pairs(62, len(KINDS))
     for a, b in [*hardly_apart(62, 40), *((a, b) for _, a, b in kinds)]:
@@ -844,6 +846,7 @@ def test_a_recommendation_on_a_pair_is_the_same_for_many_as_for_two():
         assert two.check() and many.check()
 
 
+@pytest.mark.slow
 def test_every_failure_can_be_drawn_and_tells_the_truth():
     seen = Counter()
     for kind, a, b in pairs(63, 2 * len(KINDS)):

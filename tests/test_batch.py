@@ -1350,7 +1350,7 @@ def leaning(rng, n, v, w):
 
 
 @pytest.mark.parametrize("scale", [2.0**-525, 2.0**-70, 2.0**-30, 1.0, 2.0**200, 2.0**511])
-@pytest.mark.parametrize("far", [(0, 0), (1000, -1000)])
+@pytest.mark.parametrize("far", one_in(2, [(0, 0), (1000, -1000)]))
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (8, 5), (20, 20)])
 def test_polygons_that_lean_on_each_other_are_exact(v, w, far, scale):
     rng = RNG(v)
@@ -1609,7 +1609,7 @@ def test_what_a_few_steps_tell_is_right_wherever_the_other_shape_lies(other):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("v", [3, 5, 9, 17, 24])
+@pytest.mark.parametrize("v", one_in(2, [3, 5, 9, 17, 24]))
 def test_many_polygons_that_lean_on_each_other_are_right(v, engine):
     rng = RNG(v)
     rings, others = leaning(rng, 400, v, v)
@@ -2285,7 +2285,7 @@ def outlines_of_all_numbers(rng, across):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("lanes", [1, 3, 128])
+@pytest.mark.parametrize("lanes", one_in(2, [3, 1, 128]))
 def test_picked_outlines_of_all_numbers_of_corners_are_told_as_one_by_one(lanes, engine, monkeypatch):
     if engine == "numba":
         picked = kernels_of("indexed")
@@ -2587,7 +2587,7 @@ def test_touching_shapes_of_many_corners_take_little_memory(engine, v):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("other", one_in(2, ["touching circles", "few corners", "as many corners", "circles"]))
+@pytest.mark.parametrize("other", one_in(4, ["few corners", "touching circles", "as many corners", "circles"]))
 def test_one_shape_of_many_corners_against_many_takes_little_memory(engine, other):
     """However it is copied beside each of them."""
     v, n = 2_000, 900

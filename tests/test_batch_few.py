@@ -12,6 +12,7 @@ from random import Random
 
 import numpy as np
 import pytest
+from speeds import one_in
 from strategies import nearly_straight
 
 import satviz as sv
@@ -141,7 +142,7 @@ QUICK_TO_DECIDE = "triangles", "upright boxes", "touching", "circles"
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("kind", SCENES)
+@pytest.mark.parametrize("kind", one_in(2, SCENES))
 def test_all_colliding_pairs_of_few_shapes_are_found_in_order(kind, engine):
     """In columns and one after another, at every scale."""
     for n in SIZES:
@@ -177,7 +178,7 @@ MANY = [broad_rule.MAX_SWEEP_NUMBA, broad_rule.MAX_SWEEP_NUMPY, 1 << 14]
 
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("kind", ["triangles", "upright boxes", "mixed", "touching", "circles"])
-@pytest.mark.parametrize("n", [n + more for n in MANY for more in (0, 1)])
+@pytest.mark.parametrize("n", one_in(3, [n + more for n in MANY for more in (0, 1)]))
 def test_all_colliding_pairs_of_many_shapes_are_found_in_order(n, kind, engine):
     shapes, right = copies(kind, n)
     assert batch.colliding_pairs(shapes, engine=engine).tolist() == right
@@ -204,6 +205,7 @@ def oddly_placed(rng):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.slow
 def test_pairs_are_found_wherever_shapes_lie(engine):
     for name, shapes in oddly_placed(RNG(1)):
         right = brute(shapes)
@@ -710,7 +712,7 @@ def check(make, cores, fault, alone):
         assert np.array_equal(group.tile_maxima, again.tile_maxima)
 
 
-@pytest.mark.parametrize("kind", OUTLINES)
+@pytest.mark.parametrize("kind", one_in(2, OUTLINES))
 def test_outlines_are_judged_as_one_by_one_in_every_form(kind, made_by, tmp_path):
     rng = RNG([len(kind), ENGINES.index(made_by)])
     for n in range(24):

@@ -67,7 +67,9 @@ SLOW = (
 
 
 @pytest.mark.parametrize(
-    "line", [pytest.param(c, marks=pytest.mark.slow) if c.startswith(SLOW) else c for c in COMMANDS], ids=COMMANDS
+    "line",
+    [pytest.param(c, marks=pytest.mark.slow) if c.startswith(SLOW) or " gif" in c else c for c in COMMANDS],
+    ids=COMMANDS,
 )
 def test_every_command_runs(line, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)

@@ -59,6 +59,7 @@ def test_a_page_of_a_site_links_back_to_the_site_and_a_page_by_itself_does_not(p
         assert link in in_site[name] and link not in pages[name]
 
 
+@pytest.mark.slow
 def test_the_command_writes_it_over_its_own_and_over_nothing_else(tmp_path, capsys):
     out = tmp_path / "pages"
     for _ in range(2):

@@ -169,7 +169,7 @@ def test_a_row_that_is_picked_stays_picked():
     assert pose(widget, pinned=4, b=moved_b(widget, 1, 1))["lit"] == 4
 
 
-@pytest.mark.parametrize("name", ["triangles", "circles", "concave", "far-centers"])
+@pytest.mark.parametrize("name", one_in(4, ["triangles", "circles", "concave", "far-centers"]))
 def test_back_where_it_began_a_scene_is_framed_as_it_was(name):
     """Whatever the view was fitted to since: by reset, by undo, or by hand."""
     scene = sv.scene(name)
@@ -225,6 +225,7 @@ def test_a_scene_without_a_shortcut_has_no_views():
     assert pose(widget, view="truth")["view"] is None
 
 
+@pytest.mark.slow
 def test_every_failing_scene_can_be_explored_dragged_and_seen_in_truth():
     for name in explorer().failing:
         widget = sv.explore(name)
@@ -394,7 +395,7 @@ EXTREME = {
 
 @pytest.mark.parametrize("pair", EXTREME)
 @pytest.mark.parametrize(
-    "name", one_in(8, [*(row.name for row in FAILURE_CASES if row.how != REFUSED), "triangles", "concave"])
+    "name", one_in(16, [*(row.name for row in FAILURE_CASES if row.how != REFUSED), "triangles", "concave"])
 )
 def test_the_strangest_pose_is_shown_or_refused_and_then_nothing_has_changed(name, pair):
     explored, (a, b) = ExplorerModel(sv.scene(name)), EXTREME[pair]
