@@ -1,12 +1,13 @@
 """What a trace records, what it says, and what follows from it."""
 
 import json
+import re
 import sys
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from itertools import cycle, islice, product
-from math import cos, hypot, ldexp, pi, sin
+from math import cos, hypot, ldexp, pi, sin, sqrt
 from random import Random
 
 import numpy as np
@@ -1022,6 +1023,33 @@ def test_the_table_has_a_row_a_test_and_says_no_more_than_was_proved():
     assert text.endswith("A and B are apart: axis 2 (normal of B's edge v1v3) leaves a gap of 1.213.")
     partial = str(sv.record(A, A, axes=axes.world))
     assert "not a proof" in partial
+
+
+def test_the_table_shows_on_request_the_sums_behind_the_ends_of_the_ranges():
+    trace = sv.record(A, B)
+    plain, rows = trace.table().splitlines(), trace.table(sums=True).splitlines()
+    assert "    v2: 2*8 + 3*3 = 25; 25 / sqrt(13) = 6.934" in rows
+    found = [row for row in rows if row not in plain]
+    assert [row for row in rows if row in plain] == plain and len(found) == 4 * len(trace.tests)
+    for row in found:  # each sum is true, and its result is an end of a range
+        whole, *rest = row.split(": ", 1)[1].split("; ")
+        left, right = whole.split(" = ")
+        assert eval(left) == float(right)
+        if rest:
+            left, landing = rest[0].split(" = ")
+            assert round(eval(left, {"sqrt": sqrt}), 3) == float(landing)
+        ends = {end for t in trace.tests for side in (t.a, t.b) for end in side.interval}
+        assert any(abs(float(row.rsplit(" = ", 1)[1]) - end) < 5e-4 for end in ends)
+
+
+@pytest.mark.parametrize("what", ["aabb-rotated", "lengths", "unit-normals", "concave", "circle-polygon"])
+def test_a_sum_of_the_table_is_left_out_rather_than_printed_falsely(what):
+    trace = sv.scene(what).record()
+    for run in trace.pairs or (trace,):
+        ends = [end for t in run.tests for side in (t.a, t.b) for end in side.interval]
+        for row in run.table(sums=True).splitlines():
+            if re.match(r"    \w+: ", row):
+                assert any(abs(float(row.rsplit(" = ", 1)[1]) - end) < 5e-4 for end in ends)
 
 
 def test_touching_counts_as_a_hit():

@@ -208,7 +208,15 @@ class Trace:
         return describe.verdict_sentence(self, self.known_mtv)
 
     def __str__(self) -> str:
-        return text_table.table(self)
+        return self.table()
+
+    def table(self, *, width: int | None = None, sums: bool = False) -> str:
+        """Return the table that `print(trace)` shows, in lines of at most `width` letters.
+
+        `sums`: below each test stand the sums behind the ends of both ranges, such as
+        "v1: 2*8 + 3*3 = 25; 25 / sqrt(13) = 6.934"; a sum whose numbers are not printed in full is left out.
+        """
+        return text_table.table(self, width, sums=sums)
 
     def __iter__(self) -> Iterator[AxisTest]:
         return iter(self.tests)
