@@ -59,7 +59,7 @@ def test_ties_on_an_edges_own_normal_land_on_one_spot():
 
 def test_the_sentence_of_a_step_is_made_from_the_trace():
     trace = sv.record(A, B, axes=axes.edge_normals)
-    assert describe.test(trace, 1) == (
+    assert describe.test_sentence(trace, 1) == (
         "Axis 2 of 6, normal of B's edge v1v3: A [−0.243, 2.425], B [3.638, 7.034], gap +1.213: "
         "separating, so the shapes are apart."
     )
@@ -1425,7 +1425,7 @@ def test_shapes_wider_than_float64_can_hold_are_described_and_saved(every_axis, 
     a = sv.Polygon([(-1.7e308, -1.6e308), (1.7e308, -1e300), (0, 1.7e308)])
     b = sv.Polygon([(-1.7e308 + move * 2e307, 1.7e308), (-1.6e308, 1.5e308), (1.7e308, 1.79e308)])
     trace = sv.record(a, b, every_axis=every_axis)
-    assert str(trace) and trace.sentence and all(describe.test(trace, i) for i in range(len(trace.tests)))
+    assert str(trace) and trace.sentence and all(describe.test_sentence(trace, i) for i in range(len(trace.tests)))
     assert sv.Trace.from_json(trace.to_json()) == trace
 
 
