@@ -13,6 +13,7 @@ from satviz.scenes.shape_tools import translated
 from satviz.widgets.explorer_model import ExplorerModel
 
 EXPLORED = [scene.name for scene in sv.scenes.article.SCENES] + [c.name for c in FAILURE_CASES if c.how != REFUSED]
+STEADY = "triangles", "aabb", "circle-polygon", "circles", "concave", "aabb-turned"
 NUMBER = r"-?\d+(?:\.\d+)?(?:e-?\d+)?"
 
 
@@ -61,9 +62,7 @@ def test_sentence_picture_number_line_and_table_speak_of_one_axis_with_one_numbe
         assert not re.search(r"gap of|leaves a gap", state["enough"])
 
 
-@pytest.mark.parametrize(
-    "name", one_in(3, ["triangles", "aabb", "circle-polygon", "circles", "concave", "aabb-turned"])
-)
+@pytest.mark.parametrize("name", one_in(3, STEADY))
 def test_numbers_keep_their_places_in_one_drag(name):
     decimals = set()
     for _, state in poses(name):
@@ -73,9 +72,7 @@ def test_numbers_keep_their_places_in_one_drag(name):
     assert len(decimals) == 1
 
 
-@pytest.mark.parametrize(
-    "name", one_in(3, ["triangles", "aabb", "circle-polygon", "circles", "concave", "aabb-turned"])
-)
+@pytest.mark.parametrize("name", one_in(3, STEADY))
 def test_the_ticks_of_an_axis_stay_where_they_are_in_one_drag(name):
     ticks = {}
     for model, state in poses(name):
@@ -104,7 +101,7 @@ def test_no_words_of_a_number_line_meet(name, width):
     model = ExplorerModel(sv.scene(name))
     state = model.state()
     model.answer({"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "width": width})
-    line = model._drawn.line
+    line = model.number_line()
     found = [box for _, box in boxes(line)]
     assert not [(p, q) for i, p in enumerate(found) for q in found[:i] if meet(p, q)]
     assert all(x0 >= 0 and x1 <= line.size[0] for x0, _, x1, _ in found)

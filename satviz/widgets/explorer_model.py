@@ -72,6 +72,10 @@ class ExplorerModel(PlayerModel):
         """Return the picture of the scene as it is now."""
         return self._drawn.picture
 
+    def number_line(self) -> Picture | None:
+        """Return the picture of the number line below it; None where no axis is shown."""
+        return self._drawn.line
+
     def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
         """Return the new state after a pose, preset or challenge message, or why it is refused."""
         n, before = content.get("n"), {**vars(self), "_last_offsets": dict(self._last_offsets)}
@@ -213,7 +217,7 @@ class ExplorerModel(PlayerModel):
                 free, self._layout, self._degree, last_out=self._last_out, last_offsets=self._last_offsets
             )
             self._last_out = place.out
-            line = self._number_line(free, free.tests[0], degree_text(self._degree))
+            line = self._line_of(free, free.tests[0], degree_text(self._degree))
             return DrawnScene(drawn, line, knob=knob_position(self._layout, place, self._degree))
         chosen = self._shown_test()
         show = drag_view if trace.shortcut else drag_picture
@@ -230,10 +234,10 @@ class ExplorerModel(PlayerModel):
             return DrawnScene(drawn)
         run = trace if chosen.pair is None else trace.pairs[chosen.pair]
         test = run.tests[chosen.test]
-        line = self._number_line(run, test, f"axis {chosen.test + 1}") if any(test.axis.normal) else None
+        line = self._line_of(run, test, f"axis {chosen.test + 1}") if any(test.axis.normal) else None
         return DrawnScene(drawn, line, lit=first_row_numbers(trace)[chosen.pair or 0] + chosen.test)
 
-    def _number_line(self, run: Trace, test: AxisTest, name: str) -> Picture:
+    def _line_of(self, run: Trace, test: AxisTest, name: str) -> Picture:
         """Return the number line of a test, whose numbers have the format of the picture and the table."""
         return number_line(run, test, self._layout, drag_digits(self._layout)(run, test), name)
 
