@@ -176,7 +176,7 @@ def test_python_starts_from_the_memory_that_was_kept(visit):
 
 def test_the_live_scene_takes_the_room_of_the_still_one(visit):
     """So that nothing jumps under the reader's eyes when Python is ready."""
-    still = visit("", live=False, java_script_enabled=False).locator(".live .picture").bounding_box()
+    still = visit("", live=False, java_script_enabled=False).locator(".live .picture").first.bounding_box()
     live = visit("").locator(".live svg.sv-picture").first.bounding_box()
     assert [live[k] for k in ("x", "width", "height")] == pytest.approx(
         [still[k] for k in ("x", "width", "height")], abs=2
@@ -186,7 +186,7 @@ def test_the_live_scene_takes_the_room_of_the_still_one(visit):
 
 def test_without_javascript_every_page_is_there(visit):
     page = visit("", live=False, java_script_enabled=False)
-    assert page.locator(".live svg.picture").is_visible() and "gap of 1.213" in page.locator(".live").inner_text()
+    assert page.locator(".live svg.picture").first.is_visible() and "gap of 1.213" in page.locator(".live").inner_text()
     page.goto(page.url + "2-sat.html")
     assert page.locator("svg.picture").count() > 8 and page.locator(".player .still svg").is_visible()
     page.get_by_text("step by step, in words").first.click()

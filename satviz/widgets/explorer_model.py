@@ -217,8 +217,8 @@ class ExplorerModel(PlayerModel):
                 free, self._layout, self._degree, last_out=self._last_out, last_offsets=self._last_offsets
             )
             self._last_out = place.out
-            line = self._line_of(free, free.tests[0], degree_text(self._degree))
-            return DrawnScene(drawn, line, knob=knob_position(self._layout, place, self._degree))
+            free_line = self._line_of(free, free.tests[0], degree_text(self._degree))
+            return DrawnScene(drawn, free_line, knob=knob_position(self._layout, place, self._degree))
         chosen = self._shown_test()
         show = drag_view if trace.shortcut else drag_picture
         drawn, lies = show(
