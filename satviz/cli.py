@@ -126,7 +126,8 @@ def _parser() -> argparse.ArgumentParser:
     trace = command.add_parser("trace", help="print every test of a scene as a table")
     _add_scene_options(trace)
     trace.add_argument("--json", action="store_true", help="print the whole trace as JSON")
-    trace.set_defaults(run=commands.trace)
+    trace.add_argument("--sums", action="store_true", help="print the sums behind the ends of the ranges too")
+    trace.set_defaults(run=commands.trace, clash=_clash_of_trace)
 
     explain = command.add_parser(
         "explain",
@@ -337,6 +338,11 @@ def _clash_of_draw(args: argparse.Namespace) -> str | None:
     if files == {"html"} and args.theme:
         return "a page has both themes, and shows its reader's: leave out --theme, or add the format of a picture"
     return None
+
+
+def _clash_of_trace(args: argparse.Namespace) -> str | None:
+    """Return the error line for --sums with --json, which has every number, or None."""
+    return "--sums is of the table: leave out --json" if args.sums and args.json else None
 
 
 def _clash_of_explain(args: argparse.Namespace) -> str | None:

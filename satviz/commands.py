@@ -317,11 +317,9 @@ def trace(args: argparse.Namespace) -> int:
     """Print the trace of a scene, as a table or as JSON."""
     from shutil import get_terminal_size
 
-    from .engine import text_table
-
     trace = _load(args).record()
     width = get_terminal_size().columns if sys.stdout.isatty() else None
-    out_json(trace.to_json(indent=1)) if args.json else out(text_table.table(trace, width))
+    out_json(trace.to_json(indent=1)) if args.json else out(trace.table(width=width, sums=args.sums))
     return 0
 
 

@@ -122,7 +122,7 @@ def drag_sentence(trace: Trace, layout: Layout, shown: ShownTest | None) -> str:
     Its numbers are those of the picture, the number line and the table.
     """
     digits = drag_digits(layout)
-    verdict = describe.verdict(trace, trace.known_mtv, digits)
+    verdict = describe.verdict_sentence(trace, trace.known_mtv, digits)
     if shown is None or trace.shortcut or trace.relation is not Relation.APART:
         return verdict
     run = trace if shown.pair is None else trace.pairs[shown.pair]
