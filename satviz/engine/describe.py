@@ -193,7 +193,7 @@ def both_ranges(trace: _Trace, t: AxisTest, numbers: Digits) -> str:
     return ", ".join(f"{name} {text}" for name, text in zip(trace.names, numbers.ranges(t)))
 
 
-def test(trace: _Trace, i: int) -> str:
+def test_sentence(trace: _Trace, i: int) -> str:
     """Return the sentence of one test: the axis, both ranges, the gap, and what follows."""
     t = trace.tests[i]
     head = f"Axis {i + 1} of {len(trace.choice.axes)}, {axis_name(t.axis, (trace.a, trace.b), trace.names)}"
@@ -208,7 +208,7 @@ def test(trace: _Trace, i: int) -> str:
     return f"{head}: {found}: not a separating axis."
 
 
-def verdict(trace: _Trace, move: Vec | None) -> str:
+def verdict_sentence(trace: _Trace, move: Vec | None) -> str:
     """Return a sentence on the result of the whole run and what proves it; `move`: the MTV of an overlap."""
     if trace.shortcut:
         return _shortcut_verdict(trace)
@@ -315,7 +315,7 @@ def parts(trace: _Trace) -> str:
     return f"{' and '.join(split)}: the shapes collide only if two of their convex parts do."
 
 
-def stage(trace: _Trace, i: int, name: str, first: str) -> str:
+def stage_sentence(trace: _Trace, i: int, name: str, first: str) -> str:
     """Return the sentence for the drawing stage `name` of test `i`; `first`: "A" or "B", whose points drop first."""
     t = trace.tests[i]
     shapes = trace.a, trace.b
@@ -342,7 +342,7 @@ def stage(trace: _Trace, i: int, name: str, first: str) -> str:
         return f"{owner}'s range on {axis} is {numbers.ranges(t)[at]}."
     if name == "both ranges":
         return f"Both ranges on {axis}: {both_ranges(trace, t, numbers)}."
-    return test(trace, i)
+    return test_sentence(trace, i)
 
 
 def _origin(trace: _Trace, axis: Axis) -> str:

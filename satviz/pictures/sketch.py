@@ -10,6 +10,7 @@ from typing import Unpack
 from ..engine import describe, number_format
 from ..engine.axes import CENTERS, EARLY_EXIT, EDGE, FROM_EDGES, HULL, SLIP, VERTEX, WORLD, Axis, edge_normals
 from ..engine.geometry import Vec
+from ..engine.landing_sum import AXIS, PLAIN, POINT, landing_sum
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
@@ -18,7 +19,6 @@ from .float_geometry import gap_or_overlap, midpoint, point_along
 from .insets import BRACKET_PT
 from .label_placer import LabelOptions, Segment
 from .labels import short_name
-from .landing_sum import AXIS, PLAIN, POINT, landing_sum
 from .layout import MAX_LINE_LETTERS, Layout, range_label
 from .marks import MarkOptions
 from .shape_sketch import ShapeSketch
@@ -260,7 +260,8 @@ class Sketch(ShapeSketch):
         side = test.a if role == "A" else test.b
         i = max(range(len(side.landings)), key=lambda k: side.landings[k])
         colours = {AXIS: "ink", POINT: role, PLAIN: "guide"}
-        pieces = tuple((text, colours[whose]) for text, whose in landing_sum(self.trace, test, role, i))
+        digits = describe.digits(self.trace, test)
+        pieces = tuple((text, colours[whose]) for text, whose in landing_sum(digits, test, role, i))
         name, shape = self.named_shape(role)
         if pieces:
             if who := self.vertex_names(name, shape, side.points[i : i + 1]):

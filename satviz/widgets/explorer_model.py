@@ -28,7 +28,7 @@ from ..pictures.playback import first_row_numbers, table_rows
 from ..scenes.link import ViewOptions, fragment
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
-from ..scenes.strictjson import typed
+from ..scenes.strictjson import require_type
 from .goals import ChallengeResult, challenge_start, evaluate_goal
 from .paste_model import read_paste
 from .player_model import PlayerModel
@@ -68,11 +68,11 @@ class ExplorerModel(PlayerModel):
         n, before = content.get("n"), {**vars(self), "_last_offsets": dict(self._last_offsets)}
         try:
             if content.get("kind") == "preset":
-                self._start(scene(typed(content.get("name"), "the preset", str)))
+                self._start(scene(require_type(content.get("name"), "the preset", str)))
             elif content.get("kind") == "paste":
                 return self._paste(content)
             elif content.get("kind") == "challenge":
-                goal = typed(content.get("goal"), "the challenge", str)
+                goal = require_type(content.get("goal"), "the challenge", str)
                 self._start(challenge_start(goal, self.scene), goal)
             elif content.get("kind") == "pose":
                 self._pose(content)
@@ -155,7 +155,9 @@ class ExplorerModel(PlayerModel):
         if pinned is not None and not isinstance(pinned, int):
             raise InvalidScene("pinned must be the number of a row in the table of axes, or null")
         text = content.get("scene")
-        begun = self.scene if text in (None, self._start_json) else Scene.from_json(typed(text, "the scene", str))
+        begun = (
+            self.scene if text in (None, self._start_json) else Scene.from_json(require_type(text, "the scene", str))
+        )
         changed = replace(begun, a=a, b=b)
         trace = _trace(changed)
         view = (content.get("view") or self._view or SHORTCUT) if trace.shortcut else None
@@ -164,7 +166,7 @@ class ExplorerModel(PlayerModel):
         layout = drag_layout(trace, largest)  # refused where it cannot be drawn
         before = self._challenge_result.goal if self._challenge_result else None
         goal = content.get("goal", before)
-        met = None if goal is None else evaluate_goal(typed(goal, "the challenge", str), changed)
+        met = None if goal is None else evaluate_goal(require_type(goal, "the challenge", str), changed)
         if begun is not self.scene:
             self._start_json, self._at_first = begun.to_json(), (begun.a, begun.b)
         # where the scene began it has the frame and the labels that it had there, whatever was shown since; while
