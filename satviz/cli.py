@@ -126,7 +126,8 @@ def _parser() -> argparse.ArgumentParser:
     trace = command.add_parser("trace", help="print every test of a scene as a table")
     _add_scene_options(trace)
     trace.add_argument("--json", action="store_true", help="print the whole trace as JSON")
-    trace.set_defaults(run=commands.trace)
+    trace.add_argument("--sums", action="store_true", help="print the sums behind the ends of the ranges too")
+    trace.set_defaults(run=commands.trace, clash=_clash_of_trace)
 
     explain = command.add_parser(
         "explain",
@@ -165,6 +166,9 @@ def _parser() -> argparse.ArgumentParser:
     which.add_argument(
         "--sweep", action="store_true", help="an axis that turns through 180 degrees, instead of the steps of the run"
     )
+    which.add_argument(
+        "--difference", action="store_true", help="how B - A comes about, instead of the steps of the run"
+    )
     which.add_argument("--sheet", action="store_true", help="one picture of the whole run, a row for each axis")
     which.add_argument(
         "--steps",
@@ -175,7 +179,7 @@ def _parser() -> argparse.ArgumentParser:
         "--speed",
         type=_speed,
         metavar="TIMES",
-        help="of a GIF: 2 is twice as fast, 0.25 leaves time to read (default: 1)",
+        help="of a GIF or a page: 2 is twice as fast, 0.25 leaves time to read (default: 1)",
     )
     draw.set_defaults(run=commands.draw, clash=_clash_of_draw)
 
@@ -329,14 +333,21 @@ def _clash_of_draw(args: argparse.Namespace) -> str | None:
     if args.sheet and (others := formats - {*STILL_FORMATS, "link"}):
         apart = " or ".join(sorted(others))
         return f"--sheet is one picture, for {', '.join(STILL_FORMATS)}: ask for --format {apart} in another run"
-    if args.speed is not None and "gif" not in formats:
-        return "--speed is of an animation: give it with --format gif"
+    if args.speed is not None and not formats & {"gif", "html"}:
+        return "--speed is of an animation or a page: give it with --format gif or html"
     files = formats - {"link"}
-    if not files and (given := _first_given(args, "out", "theme", "force", "caption", "sheet", "steps", "sweep")):
+    if not files and (
+        given := _first_given(args, "out", "theme", "force", "caption", "sheet", "steps", "sweep", "difference")
+    ):
         return f"--format link prints a line: {given} is for files, so add the format of a file"
     if files == {"html"} and args.theme:
         return "a page has both themes, and shows its reader's: leave out --theme, or add the format of a picture"
     return None
+
+
+def _clash_of_trace(args: argparse.Namespace) -> str | None:
+    """Return the error line for --sums with --json, which has every number, or None."""
+    return "--sums is of the table: leave out --json" if args.sums and args.json else None
 
 
 def _clash_of_explain(args: argparse.Namespace) -> str | None:

@@ -176,7 +176,7 @@ def test_python_starts_from_the_memory_that_was_kept(visit):
 
 def test_the_live_scene_takes_the_room_of_the_still_one(visit):
     """So that nothing jumps under the reader's eyes when Python is ready."""
-    still = visit("", live=False, java_script_enabled=False).locator(".live .picture").bounding_box()
+    still = visit("", live=False, java_script_enabled=False).locator(".live .picture").first.bounding_box()
     live = visit("").locator(".live svg.sv-picture").first.bounding_box()
     assert [live[k] for k in ("x", "width", "height")] == pytest.approx(
         [still[k] for k in ("x", "width", "height")], abs=2
@@ -186,7 +186,7 @@ def test_the_live_scene_takes_the_room_of_the_still_one(visit):
 
 def test_without_javascript_every_page_is_there(visit):
     page = visit("", live=False, java_script_enabled=False)
-    assert page.locator(".live svg.picture").is_visible() and "gap of 1.213" in page.locator(".live").inner_text()
+    assert page.locator(".live svg.picture").first.is_visible() and "gap of 1.213" in page.locator(".live").inner_text()
     page.goto(page.url + "2-sat.html")
     assert page.locator("svg.picture").count() > 8 and page.locator(".player .still svg").is_visible()
     page.get_by_text("step by step, in words").first.click()
@@ -235,7 +235,7 @@ def test_a_link_that_opens_nothing_says_why_and_offers_the_scenes(visit, link, s
     page.get_by_text("This link cannot be opened").wait_for(timeout=LIVE)
     why, offer = page.locator(".status"), page.locator(".offer")
     assert len(why.inner_text()) < 240 and why.bounding_box()["y"] < 400
-    assert not page.locator(".live .picture").is_visible()  # nothing that only looks as if it could be dragged
+    assert not page.locator(".live .picture").first.is_visible()  # nothing that only looks as if it could be dragged
     assert page.evaluate("document.documentElement.scrollWidth") <= page.viewport_size["width"]
     offer.get_by_role("link", name="Two circles").click()
     page.locator(".live.ready").wait_for(timeout=LIVE)
@@ -552,7 +552,7 @@ def test_a_site_without_python_says_so_and_has_its_pictures(visit, tmp_path):
     with served(tmp_path) as at:
         page = visit("", at=at, live=False)
         page.get_by_text("no Python in it").wait_for()
-        assert page.locator(".live .picture").is_visible()
+        assert page.locator(".live .picture").first.is_visible()
         page.context.close()
 
 

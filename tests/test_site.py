@@ -385,7 +385,7 @@ def test_another_pyodide_is_refused(tmp_path, version, why):
         for name in runtime.CORE:
             (tmp_path / name).write_text("")
     with pytest.raises(runtime.PythonMissing, match=why):
-        runtime.runtime(tmp_path)
+        runtime.runtime_files(tmp_path)
 
 
 def test_a_folder_without_pyodide_is_bad_input(tmp_path, capsys):
@@ -416,7 +416,7 @@ def test_a_package_with_another_hash_is_refused(monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(runtime, "_fetch_from_npm", lambda: b"another")
     with pytest.raises(runtime.PythonMissing, match="hash"):
-        runtime.runtime(None)
+        runtime.runtime_files(None)
     assert not list(tmp_path.rglob("*.tgz"))
 
 

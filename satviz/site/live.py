@@ -11,7 +11,7 @@ from ..scenes.article import SCENES
 from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.link import DEFAULT_VIEW, ViewOptions, fragment, parse_fragment
 from ..scenes.scenefile import Scene, shape_data
-from ..scenes.strictjson import typed
+from ..scenes.strictjson import require_type
 from ..widgets.explorer_model import ExplorerModel
 from ..widgets.goals import GOAL_NAMES
 
@@ -41,7 +41,7 @@ def answer(place: str, text: str) -> str:
 def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
     """Return the reply to an "open" message: an explorer's state, a player's steps, or why the link is refused."""
     try:
-        scene, shown = parse_fragment(typed(content.get("hash"), "the link", str))
+        scene, shown = parse_fragment(require_type(content.get("hash"), "the link", str))
         if shown.step is not None or shown.predict or shown.rest:
             return _player_data(scene, shown)
         model = ExplorerModel(scene, shown.goal)

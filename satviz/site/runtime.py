@@ -64,7 +64,7 @@ class PythonMissing(Exception):
     """Raised when Python for the page cannot be had; the message is one line that says why."""
 
 
-def runtime(pyodide: Path | None) -> tuple[dict[str, bytes], str]:
+def runtime_files(pyodide: Path | None) -> tuple[dict[str, bytes], str]:
     """Return the files of the page's Python by name, and a line that says what is missing ("" if nothing is).
 
     `pyodide` is a folder that holds Pyodide's core; None takes the core from npm.  Raise PythonMissing without a core.
