@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple, Protocol
 
 from .axes import (
@@ -150,6 +150,9 @@ def gap_in_words(gap: float, numbers: Digits) -> str:
     return f"gap {numbers.signed(gap)}" if gap > 0 else f"overlap {numbers.gap(gap)}"
 
 
+NumberFormat = Callable[..., Digits]  # of a trace and some of its tests, as `digits`
+
+
 def outcome(t: AxisTest, numbers: Digits) -> str:
     """Return the gap of a test in words; where one range holds the other also the way out: "overlap 1, way out 3"."""
     shared = _shared_interval(t)
@@ -214,12 +217,12 @@ def test_sentence(trace: _Trace, i: int) -> str:
     return f"{head}: {found}: not a separating axis."
 
 
-def verdict_sentence(trace: _Trace, move: Vec | None) -> str:
+def verdict_sentence(trace: _Trace, move: Vec | None, digits: NumberFormat = digits) -> str:
     """Return a sentence on the result of the whole run and what proves it; `move`: the MTV of an overlap."""
     if trace.shortcut:
-        return _shortcut_verdict(trace)
+        return _shortcut_verdict(trace, digits)
     if trace.pairs:
-        return _parts_verdict(trace, move)
+        return _parts_verdict(trace, move, digits)
     a, b = trace.names
     separating = trace.separating
     if separating:
@@ -237,7 +240,7 @@ def verdict_sentence(trace: _Trace, move: Vec | None) -> str:
         count += " (not a proof; the exact test decides)"
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: {count}, and they share no interior point. Touching is a hit."
-    return f"{a} and {b} overlap: {count}. {_mtv_sentence(trace, move)}"
+    return f"{a} and {b} overlap: {count}. {_mtv_sentence(trace, move, digits)}"
 
 
 def verdict_in_brief(trace: _Trace) -> str:
@@ -250,7 +253,7 @@ def verdict_in_brief(trace: _Trace) -> str:
 RELATION_PHRASES = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
 
 
-def _shortcut_verdict(trace: _Trace) -> str:
+def _shortcut_verdict(trace: _Trace, digits: NumberFormat) -> str:
     """Return a sentence on what a shortcut claims, the axis that made it do so, and what is true."""
     assert trace.shortcut
     a, b = trace.names
@@ -267,7 +270,7 @@ def _shortcut_verdict(trace: _Trace) -> str:
     return f"{says}, and so it is." if trace.claim is trace.relation else f"{says}. In truth they {is_so}."
 
 
-def _mtv_sentence(trace: _Trace, move: Vec | None) -> str:
+def _mtv_sentence(trace: _Trace, move: Vec | None, digits: NumberFormat) -> str:
     """Return a sentence that names the MTV `move`, or says why it is None."""
     if move is None and why_too_many_parts(trace.a, trace.b):
         return "They have too many convex parts to search for the MTV."
@@ -281,7 +284,7 @@ def _any_of_axes(n: int) -> str:
     return "the one axis" if n == 1 else "either axis" if n == 2 else f"any of the {n} axes"
 
 
-def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
+def _parts_verdict(trace: _Trace, move: Vec | None, digits: NumberFormat) -> str:
     """Return a sentence on the result of a run over pairs of convex parts; `move`: the MTV of an overlap."""
     a, b = trace.names
     settling = trace.colliding
@@ -290,7 +293,7 @@ def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
     p, q = settling.names
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: their parts {p} and {q} do, and no parts overlap. Touching is a hit."
-    return f"{a} and {b} overlap: their parts {p} and {q} do. {_mtv_sentence(trace, move)}"
+    return f"{a} and {b} overlap: their parts {p} and {q} do. {_mtv_sentence(trace, move, digits)}"
 
 
 def scene(trace: _Trace) -> str:
