@@ -570,8 +570,9 @@ def check(args: argparse.Namespace) -> int:
     import json
 
     from .checking.asking import Asker, CalledInProcess, form_named
-    from .checking.checker import check_asker, options
+    from .checking.checker import check_asker
     from .checking.mistakes import SYMPTOMS, mistakes_with
+    from .checking.options import Options
     from .checking.programs import START_SECONDS, Program, function_of
     from .scenes.failing import NAMED
 
@@ -582,9 +583,10 @@ def check(args: argparse.Namespace) -> int:
         out("\n".join(str(NAMED[name]) for name in found))
         return 0
     try:
-        wanted = options(
-            args.returns, args.kinds or ("boxes", "convex"), args.touching, args.tolerance,
-            args.whole_numbers, not args.counter_clockwise, args.seed, args.seconds,
+        wanted = Options(
+            returns=args.returns, kinds=args.kinds or Options.kinds, touching=args.touching, tolerance=args.tolerance,
+            whole_numbers=args.whole_numbers, clockwise=not args.counter_clockwise,
+            seed=args.seed, seconds=args.seconds,
         )  # fmt: skip
         asker: Asker
         if args.command:
