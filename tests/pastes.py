@@ -312,7 +312,7 @@ circle((5, 0), 1)""",
         "Phaser's ellipse circle and origin",
         """this.add.circle(100, 100, 40)
 this.add.rectangle(150, 100, 40, 20).setOrigin(0, 0)""",
-        ((60, 60, 140, 140), (130, 90, 170, 110)),
+        ((60, 60, 140, 140),),
         says="setOrigin",
     ),
     # -- x and y apart
@@ -707,7 +707,7 @@ BB(left=10.0, bottom=0.0, right=20.0, top=10.0)""",
 Bodies.polygon(140, 100, 6, 20)
 Bodies.rectangle(100, 140, 40, 40, { angle: 0 })""",
         ((80, 80, 120, 120), (80, 120, 120, 160)),
-        says="regular",
+        says="Bodies.polygon",
     ),
     Paste(
         "Box2D",
@@ -854,15 +854,16 @@ new PIXI.Polygon(0, 0, 4, 0, 0, 3)""",
         "Konva",
         """new Konva.Rect({ x: 0, y: 0, width: 10, height: 10, offsetX: 5, offsetY: 5 })
 new Konva.Circle({ x: 10, y: 0, radius: 5 })""",
-        ((-5, -5, 5, 5), (5, -5, 15, 5)),
+        ((0, 0, 10, 10), (5, -5, 15, 5)),
         as_="corner-size",
+        says="offsetX",
     ),
     Paste(
         "Kaboom",
         """add([rect(20, 40), pos(100, 50), area()])
 add([rect(20, 40), pos(120, 50), area()])""",
-        ((100, 50, 120, 90), (120, 50, 140, 90)),
-        as_="corner-size",
+        (),
+        says="something else",
     ),
     Paste(
         "macroquad",
@@ -889,7 +890,7 @@ ColliderBuilder::ball(1.0).translation(vector![7.0, 5.0])""",
         "a scaled shape in shapely",
         """a = affinity.scale(Polygon([(0, 0), (4, 0), (0, 3)]), 2, 2)
 b = Point(5, 0).buffer(1)""",
-        (),
+        ((0, 0, 4, 3),),
         says="scale",
     ),
     Paste(
@@ -909,8 +910,8 @@ love.graphics.circle("fill", 60, 5, 5)""",
         "bump.lua",
         """world:add(A, 0, 0, 64, 256)
 world:add(B, 64, 0, 32, 32)""",
-        ((0, 0, 64, 256), (64, 0, 96, 32)),
-        as_="corner-size",
+        (),
+        says="world",
     ),
     Paste(
         "YAML",

@@ -329,6 +329,8 @@ class _Parser:
             only = values[0] if len(values) == 1 else None
             if isinstance(only, Num) and only.value is not None and operators == ["-"] and atoms[0].end <= only.start:
                 return Num(start, end, -only.value)
+            if operators == ["-"] and len(values) == 2 and all(_is_pair(v) for v in values):
+                return Group(start, end, values, " ")  # (0, 0)-(10, 10), as Go prints a box
             if any(o in OPERATORS for o in operators):
                 return Bad(start, end, "an expression, which is not evaluated")
             return Bad(start, end, "not a number", [v for v in values if isinstance(v, Group)])
@@ -427,6 +429,12 @@ def _text(atom: Token) -> Num | Name:
     if NUMERAL.fullmatch(inner):
         return Num(atom.start, atom.end, *number(inner))
     return Name(atom.start, atom.end, atom.text[1:-1])
+
+
+def _is_pair(value: Any) -> bool:
+    """Return whether a value is a bracket with two numbers and no name."""
+    plain = isinstance(value, Group) and value.bracket == "(" and not value.name and len(value.items) == 2
+    return plain and all(isinstance(v, Num) for v in value.items)
 
 
 def _is_cast(group: Group) -> bool:
