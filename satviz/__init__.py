@@ -25,6 +25,7 @@ if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from .pictures.sheet import sheet
     from .pictures.turning_axis import sweep
     from .render.draw import draw
+    from .render.embed import embed
     from .render.page import page
     from .scenes.link import link
     from .scenes.named import scene
@@ -60,6 +61,7 @@ __all__ = [
     "check",
     "difference",
     "draw",
+    "embed",
     "explore",
     "gap_curve",
     "link",
@@ -101,6 +103,7 @@ _MODULE_OF = {
     "check": "checking.checker",
     "difference": "pictures.minkowski",
     "draw": "render.draw",
+    "embed": "render.embed",
     "explore": "widgets",
     "gap_curve": "pictures.curve",
     "link": "scenes.link",

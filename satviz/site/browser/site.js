@@ -4,6 +4,7 @@ import { arrowKeys } from "../../render/browser/arrows.js";
 import { element } from "../../render/browser/elements.js";
 import { Player } from "../../render/browser/player.js";
 import { CheckPage } from "./check.js";
+import { fitFrame } from "./frame.js";
 import { PythonWorker } from "./python_worker.js";
 import { SITE, ScenePlace, statusOf } from "./scene_place.js";
 
@@ -32,4 +33,5 @@ else if (scenes.length) {
   const check = /** @type {HTMLElement | null} */ (document.querySelector(".check"));
   if (check) new CheckPage(check, python, workerScript, places[0]);
 }
+if (document.body.classList.contains("embed")) fitFrame();
 if (isSecureContext && "serviceWorker" in navigator) navigator.serviceWorker.register("sw.js").catch(() => {});
