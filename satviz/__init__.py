@@ -21,6 +21,7 @@ if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from .engine.trace import Trace, record
     from .pictures import Picture, Stage, Step, picture, steps
     from .pictures.curve import gap_curve
+    from .pictures.difference_steps import difference_steps
     from .pictures.minkowski import difference
     from .pictures.sheet import sheet
     from .pictures.turning_axis import sweep
@@ -60,6 +61,7 @@ __all__ = [
     "batch",
     "check",
     "difference",
+    "difference_steps",
     "draw",
     "embed",
     "explore",
@@ -102,6 +104,7 @@ _MODULE_OF = {
     "axis_tests": "engine.sat",
     "check": "checking.checker",
     "difference": "pictures.minkowski",
+    "difference_steps": "pictures.difference_steps",
     "draw": "render.draw",
     "embed": "render.embed",
     "explore": "widgets",

@@ -129,7 +129,8 @@ def _parser() -> argparse.ArgumentParser:
     trace = command.add_parser("trace", help="print every test of a scene as a table")
     _add_scene_options(trace)
     trace.add_argument("--json", action="store_true", help="print the whole trace as JSON")
-    trace.set_defaults(run=commands.trace)
+    trace.add_argument("--sums", action="store_true", help="print the sums behind the ends of the ranges too")
+    trace.set_defaults(run=commands.trace, clash=_clash_of_trace)
 
     explain = command.add_parser(
         "explain",
@@ -168,6 +169,9 @@ def _parser() -> argparse.ArgumentParser:
     which.add_argument(
         "--sweep", action="store_true", help="an axis that turns through 180 degrees, instead of the steps of the run"
     )
+    which.add_argument(
+        "--difference", action="store_true", help="how B - A comes about, instead of the steps of the run"
+    )
     which.add_argument("--sheet", action="store_true", help="one picture of the whole run, a row for each axis")
     which.add_argument(
         "--steps",
@@ -185,7 +189,7 @@ def _parser() -> argparse.ArgumentParser:
         "--speed",
         type=_speed,
         metavar="TIMES",
-        help="of a GIF: 2 is twice as fast, 0.25 leaves time to read (default: 1)",
+        help="of a GIF or a page: 2 is twice as fast, 0.25 leaves time to read (default: 1)",
     )
     usual = {"out": Path("satviz-out"), "format": ["svg"], "show": []}  # a frame is not light where nothing is said
     draw.set_defaults(run=commands.draw, clash=_clash_of_draw, usual=usual)
@@ -354,10 +358,12 @@ def _clash_of_draw(args: argparse.Namespace) -> str | None:
     if args.sheet and (others := formats - {*STILL_FORMATS, *PRINTED_FORMATS}):
         apart = " or ".join(sorted(others))
         return f"--sheet is one picture, for {', '.join(STILL_FORMATS)}: ask for --format {apart} in another run"
-    if args.speed is not None and "gif" not in formats:
-        return "--speed is of an animation: give it with --format gif"
+    if args.speed is not None and not formats & {"gif", "html"}:
+        return "--speed is of an animation or a page: give it with --format gif or html"
     files = formats - PRINTED_FORMATS
-    of_files = ["out", "force", "caption", "sheet", "steps", "sweep"] + ["theme"] * ("embed" not in formats)
+    of_files = ["out", "force", "caption", "sheet", "steps", "sweep", "difference"] + ["theme"] * (
+        "embed" not in formats
+    )
     if not files and (given := _first_given(args, *of_files)):
         printed = "a line" if "link" in formats else "a frame"
         return f"--format {min(formats)} prints {printed}: {given} is for files, so add the format of a file"
@@ -379,6 +385,11 @@ def _clash_of_frame(args: argparse.Namespace, formats: set[str]) -> str | None:
     if args.step and args.step[0] != args.step[1] and formats == {"link"}:
         return "a link opens one step: give --step one number, or --format embed"
     return None
+
+
+def _clash_of_trace(args: argparse.Namespace) -> str | None:
+    """Return the error line for --sums with --json, which has every number, or None."""
+    return "--sums is of the table: leave out --json" if args.sums and args.json else None
 
 
 def _clash_of_explain(args: argparse.Namespace) -> str | None:

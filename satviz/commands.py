@@ -156,10 +156,11 @@ def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawabl
     from .pictures.moves import animation
     from .render.page import page_of_refused
 
-    if args.axes or args.every_axis or args.sheet or args.steps or args.sweep or args.step or args.predict:
+    options = "axes", "every_axis", "sheet", "step", "steps", "sweep", "difference", "predict"
+    if any(getattr(args, name) for name in options):
         raise Refused(
             f"{case.name} has no run, since its outlines are refused: leave out --axes, --every-axis, "
-            "--sheet, --step, --steps, --sweep and --predict"
+            "--sheet, --step, --steps, --sweep, --difference and --predict"
         )
     drawn = refused_picture(case)
     return _Drawable(
@@ -174,6 +175,7 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
     """Return a run's drawings under --sheet, --steps and --caption; Refused if it cannot be drawn."""
     from .pictures import picture, steps
     from .pictures.caption import add_captions
+    from .pictures.difference_steps import difference_steps
     from .pictures.moves import animation, turning
     from .pictures.sheet import sheet
     from .pictures.turning_axis import sweep
@@ -193,23 +195,25 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
         return _captioned(picture(trace, step, title=scene.title), args)
 
     def frames() -> "Animation":
-        """Return the animation of the run, or of the axis that turns, with the sentences below."""
+        """Return the animation of the run, of the axis that turns or of how B - A comes about; sentences are below."""
         if args.sweep:
             return turning(add_captions(sweep(trace)), speed=args.speed or 1.0)
-        shown = [picture(trace, step) for step in range(first, last + 1)]
-        return animation(add_captions(shown), speed=args.speed or 1.0)
+        drawn = difference_steps(trace) if args.difference else [picture(trace, s) for s in range(first, last + 1)]
+        return animation(add_captions(drawn), speed=args.speed or 1.0)
 
     def page() -> str:
         """Return the page of the run."""
-        return page_of_run(trace, title=scene.title, predict=args.predict, sweep=args.sweep)
+        return page_of_run(
+            trace, title=scene.title, predict=args.predict, sweep=args.sweep, difference=args.difference,
+            speed=args.speed or 1.0,
+        )  # fmt: skip
 
-    if args.sweep:
-        turned = sweep(trace, title=scene.title)
-        digits = len(str(len(turned) - 1))
-        turns = [
-            (f"{scene.name}-sweep-{n:0{digits}}", partial(_captioned, drawn, args)) for n, drawn in enumerate(turned)
-        ]
-        return _Drawable(f"{scene.name}-sweep", turns, frames, page)
+    if args.sweep or args.difference:
+        name = f"{scene.name}-{'sweep' if args.sweep else 'difference'}"
+        every = (sweep if args.sweep else difference_steps)(trace, title=scene.title)
+        digits = len(str(len(every) - 1))
+        own = [(f"{name}-{n:0{digits}}", partial(_captioned, drawn, args)) for n, drawn in enumerate(every)]
+        return _Drawable(name, own, frames, page)
 
     if not args.sheet and (last - first < MAX_STEP_FILES or args.steps):
         digits = len(str(count - 1))
@@ -349,11 +353,9 @@ def trace(args: argparse.Namespace) -> int:
     """Print the trace of a scene, as a table or as JSON."""
     from shutil import get_terminal_size
 
-    from .engine import text_table
-
     trace = _load(args).record()
     width = get_terminal_size().columns if sys.stdout.isatty() else None
-    out_json(trace.to_json(indent=1)) if args.json else out(text_table.table(trace, width))
+    out_json(trace.to_json(indent=1)) if args.json else out(trace.table(width=width, sums=args.sums))
     return 0
 
 
@@ -601,8 +603,9 @@ def check(args: argparse.Namespace) -> int:
     import json
 
     from .checking.asking import Asker, CalledInProcess, form_named
-    from .checking.checker import check_asker, options
+    from .checking.checker import check_asker
     from .checking.mistakes import SYMPTOMS, mistakes_with
+    from .checking.options import Options
     from .checking.programs import START_SECONDS, Program, function_of
     from .scenes.failing import NAMED
 
@@ -613,9 +616,10 @@ def check(args: argparse.Namespace) -> int:
         out("\n".join(str(NAMED[name]) for name in found))
         return 0
     try:
-        wanted = options(
-            args.returns, args.kinds or ("boxes", "convex"), args.touching, args.tolerance,
-            args.whole_numbers, not args.counter_clockwise, args.seed, args.seconds,
+        wanted = Options(
+            returns=args.returns, kinds=args.kinds or Options.kinds, touching=args.touching, tolerance=args.tolerance,
+            whole_numbers=args.whole_numbers, clockwise=not args.counter_clockwise,
+            seed=args.seed, seconds=args.seconds,
         )  # fmt: skip
         asker: Asker
         if args.command:

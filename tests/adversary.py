@@ -204,7 +204,7 @@ def _group(ring: Sequence) -> batch.arrays.Group:
     x, y = (np.array([[v[k]] for v in ring]) for k in (0, 1))
     span = max(abs(p[k] - q[k]) for p, q in zip(ring, [*ring[1:], ring[0]], strict=True) for k in (0, 1))
     coordinate = max(abs(c) for v in ring for c in v)
-    return batch.arrays.Group(x, y, None, batch.arrays.TileMaxima(np.array([span]), np.array([coordinate])))
+    return batch.arrays.Group(x, y, maxima=np.array([[span], [coordinate]]))
 
 
 def _exact_clearance(p: Sequence, q: Sequence) -> Fraction:

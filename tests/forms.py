@@ -302,6 +302,26 @@ def colliding(pairs: Pairs, engine: str) -> list[bool]:
     return _found(batch.colliding_pairs(batch_of([s for pair in pairs for s in pair]), engine=engine), len(pairs))
 
 
+def colliding_kinds(pairs: Pairs, engine: str) -> list[bool]:
+    """Return for each pair whether it collides in a batch joined of one array for each number of corners."""
+    shapes = [s for pair in pairs for s in pair]
+    counts = np.array([corner_counts(0, s, s)[0] for s in shapes])
+    made = []
+    for v in np.unique(counts).tolist():
+        own = [s for s, count in zip(shapes, counts, strict=True) if count == v]
+        if v == 1:
+            made.append(batch.Circles(np.array([s.center for s in own]), np.array([s.radius for s in own])))
+        else:
+            made.append(batch.Polygons(np.array([s.core for s in own])))
+    order = np.argsort(counts, kind="stable")
+    return _found(np.sort(order[batch.colliding_pairs(batch.concat(made), engine=engine)], axis=1), len(pairs))
+
+
+def convex_blocks(i: int, a: Shape, b: Shape) -> int | None:
+    """Return the key of blocks of 8 pairs of convex shapes, None for other pairs."""
+    return i // 8 if is_convex(a) and is_convex(b) else None
+
+
 def candidates(pairs: Pairs, engine: str) -> list[bool]:
     """Return for each pair whether it is among the candidate pairs of all bounding boxes."""
     bounds = [s.bounds for pair in pairs for s in pair]
@@ -347,6 +367,9 @@ for engine in ENGINES:
     FORMS[f"hits, {engine}"] = Form(batched(batch.hits, engine=engine), is_the_hit, one_in=20)
     FORMS[f"colliding_pairs, {engine}"] = Form(
         grouped(partial(colliding, engine=engine), in_blocks_of(5)), is_the_hit, one_in=40
+    )
+    FORMS[f"colliding_pairs of kinds, {engine}"] = Form(
+        grouped(partial(colliding_kinds, engine=engine), convex_blocks), is_the_hit, one_in=20
     )
     some = partial(candidates, engine=engine)
     FORMS[f"candidate_pairs, {engine}"] = Form(grouped(some, blocks_of_bounded(40)), misses_nothing, one_in=2)

@@ -532,7 +532,7 @@ def wrong_claims(recommendation):
         {"kinds": {"upright boxes": 1}} if set(facts.kinds) != {"upright boxes"} else {"kinds": {"circles": 1}},
         {"kinds": {kind: n + 1 for kind, n in facts.kinds.items()}},
         {"corners": (facts.corners[0], facts.corners[1] + 1)},
-        {"sizes": facts.sizes * 2},
+        {"size_ratio": facts.size_ratio * 2},
         {"pairs": facts.pairs + 1, "relations": (a + 1, b, c)},
         {"relations": (a - 1, b + 1, c) if a else (a, b + 1, c - 1)},
         {"relative_margin": facts.relative_margin * 2 + 1},
@@ -603,7 +603,7 @@ def test_shapes_as_large_as_float64_holds_are_json_too():
         wide = sv.Polygon([(-1.6e308, 0), (1.6e308, 0), (0, 1.6e308)])
         tiny = sv.Polygon([(0, 0), (least, 0), (0, least)])
         for recommendation in (sv.advise(wide, tiny), sv.advise(batch_of([wide]), batch_of([tiny]))):
-            assert json.loads(recommendation.to_json())["facts"]["sizes"] > 1
+            assert json.loads(recommendation.to_json())["facts"]["size_ratio"] > 1
             assert recommendation.check()
             assert str(recommendation)
 

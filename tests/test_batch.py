@@ -565,7 +565,7 @@ def test_the_float32_look_errs_less_than_its_room(v, w, far):
 def tiles(edge, coordinate):
     """A group of which only the largest numbers of its tiles are known."""
     x = np.zeros((3, 1))
-    return arrays.Group(x, x, None, arrays.TileMaxima(np.array(edge), np.array(coordinate)))
+    return arrays.Group(x, x, maxima=np.array([edge, coordinate]))
 
 
 @pytest.mark.parametrize("spans", [*product([2.0**-30, 1, 2.0**20], repeat=2)])

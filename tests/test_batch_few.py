@@ -4,8 +4,10 @@ What is expected comes from `sv.relate`, pair by pair, and from `sv.Polygon`, ou
 """
 
 import importlib
+import pickle
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from itertools import combinations, pairwise
 from random import Random
@@ -20,6 +22,7 @@ from satviz import batch
 from satviz.batch import broad_rule, constructors, engines
 from satviz.batch.arrays import TILE_SHAPES
 from satviz.batch.codes import UNDECIDED
+from satviz.batch.ragged import concat_rings
 from satviz.batch.with_numpy import few as few_numpy
 
 ENGINES = ["numpy", "numba"]
@@ -133,6 +136,54 @@ def scene(kind, n):
     """Return n shapes and their colliding pairs."""
     shapes = SCENES[kind](RNG(n), n, max(3, int(2 * n**0.5)))
     return shapes, brute(shapes)
+
+
+def kinds_of(rng, n):
+    """Return batches of circles, triangles, boxes, and so on, each made of one array, of n shapes each."""
+    made = [batch.Circles(rng.integers(0, 9, (n, 2)).astype(float), rng.integers(1, 3, n) / 2)]
+    for v in (3, 4, 5, 8):
+        rings = [ring for ring, _ in zip(hulls(rng, [v], 3 * v), range(n))]
+        made.append(batch.Polygons(np.array(rings).reshape(n, v, 2) / v + rng.integers(0, 9, (n, 1, 2))))
+    return made
+
+
+READ = {
+    "colliding_pairs": lambda shapes: [batch.colliding_pairs(shapes, engine=engine).tolist() for engine in ENGINES],
+    "broad_phase_of": batch.broad_phase_of,
+    "bounds": lambda shapes: shapes.bounds.tolist(),
+    "len": len,
+    "repr": repr,
+    "some": lambda shapes: batch.colliding_pairs(shapes[::2]).tolist(),
+    "range": lambda shapes: shapes[1:].bounds.tolist(),
+    "relate": lambda shapes: batch.relate(shapes, shapes[::-1]).tolist(),
+    "pickle": lambda shapes: pickle.loads(pickle.dumps(shapes)).bounds.tolist(),
+    "concat": lambda shapes: batch.colliding_pairs(batch.concat([shapes, shapes[:1]])).tolist(),
+    "move": lambda shapes: batch.move(shapes, np.stack(shapes.rings[:2], axis=1)).bounds.tolist(),
+    "threads": lambda shapes: [b.tolist() for b in ThreadPoolExecutor(4).map(lambda _: shapes.bounds, range(8))],
+}
+
+
+@pytest.mark.parametrize("read", READ)
+def test_a_batch_joined_of_kinds_is_that_of_its_shapes_whatever_is_read_first(read):
+    for kinds, n in ((1, 3), (3, 4), (4, 2), (5, 2), (5, 0), (4, 20)):
+        made = kinds_of(RNG(n), n)[-kinds:] + kinds_of(RNG(n + 1), 1)[:1]
+        shapes = [
+            (tuple(xy.tolist()), float(r)) if r else None
+            for own in made for xy, r in zip(np.stack(own.rings[:2], axis=1)[own.rings.start[:-1]], own.radius)
+        ]  # fmt: skip
+        rings = [ring for own in made for ring in np.split(np.stack(own.rings[:2], axis=1), own.rings.start[1:-1])]
+        single = [
+            batch.Circles([circle[0]], circle[1]) if circle else batch.Polygons([ring.tolist()])
+            for circle, ring in zip(shapes, filter(len, rings), strict=True)
+        ]
+        for own in single:  # joined as outlines
+            own.rings  # noqa: B018
+        expected = batch.Shapes(
+            np.concatenate([own.count for own in single]),
+            rings=concat_rings([own.rings for own in single]),
+            radius=np.concatenate([own.radius for own in single]),
+        )
+        assert READ[read](batch.concat(made)) == READ[read](expected)
 
 
 AROUND = [few_numpy.MAX_WHOLE_SHAPES, 24, broad_rule.MAX_ALL_PAIRS]

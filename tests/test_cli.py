@@ -514,6 +514,14 @@ def test_a_narrow_terminal_gets_a_narrow_table_that_says_the_same(name):
         assert said == given
 
 
+def test_the_sums_are_of_the_table_and_keep_to_its_width(capsys):
+    assert main(["trace", "triangles", "--sums"]) == 0
+    assert capsys.readouterr().out == sv.scene("triangles").record().table(sums=True) + "\n"
+    assert max(map(len, sv.scene("triangles").record().table(width=40, sums=True).splitlines())) <= 40
+    assert main(["trace", "triangles", "--sums", "--json"]) == 2
+    assert "leave out --json" in capsys.readouterr().err
+
+
 def test_the_terminals_width_is_asked_for(monkeypatch, capsys):
     monkeypatch.setenv("COLUMNS", "40")
     monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)

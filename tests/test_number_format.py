@@ -67,7 +67,7 @@ def test_far_from_the_origin_the_ranges_are_printed_from_near_them():
     trace = sv.record(box(7.276e8, 0, 7.276e8 + 2, 1), box(7.276e8 + 2.970, 0, 7.276e8 + 5, 1))
     t = trace.separating
     assert describe.digits(trace, t).ranges(t) == ("727600000 + [0, 2]", "727600000 + [2.970, 5]")
-    assert "gap +0.970" in describe.test(trace, trace.tests.index(t))
+    assert "gap +0.970" in describe.test_sentence(trace, trace.tests.index(t))
 
 
 def test_a_gap_too_fine_for_the_ranges_is_printed_beside_the_end_it_is_measured_from():

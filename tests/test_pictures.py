@@ -242,7 +242,7 @@ def test_bars_brackets_and_numbers_are_the_traces(name):
             assert test.gap <= 0 or -shared == pytest.approx(test.gap)
             assert gap.role == ("overlap" if test.gap < 0 else "gap")
             assert picture.mark(f"gap-name.{i + 1}").text == describe.picture_outcome(test, digits)
-            assert picture.sentence == describe.test(run, i)
+            assert picture.sentence == describe.test_sentence(run, i)
 
 
 @pytest.mark.parametrize("name", TRACES)
@@ -538,7 +538,7 @@ def test_any_scene_is_drawn_at_every_step_with_its_labels_apart(a, b):
 
 def test_where_one_range_holds_the_other_the_overlap_and_the_depth_are_both_said():
     trace = sv.record(box(0, 0, 10, 1), box(4, 0, 5, 1))
-    assert "overlap 1, way out 5" in describe.test(trace, 1)
+    assert "overlap 1, way out 5" in describe.test_sentence(trace, 1)
     picture = sv.picture(trace, Step(Stage.GAP, 1))
     (p, q) = picture.mark("gap.2").points
     assert q.x - p.x == pytest.approx(1)
@@ -560,7 +560,7 @@ def test_vertices_without_a_label_among_labelled_ones_are_drawn(shape):
 def test_a_part_pair_that_is_apart_does_not_say_that_the_shapes_are():
     trace = sv.record(sv.Polygon([(1, 3), (3.5, 3), (3.5, 3.5), (1, 3.5)]), L)
     apart = next(pair for pair in trace.pairs if pair.separating)
-    assert trace.hit and "so A and B1 are apart" in describe.test(apart, len(apart.tests) - 1)
+    assert trace.hit and "so A and B1 are apart" in describe.test_sentence(apart, len(apart.tests) - 1)
 
 
 def test_every_choice_of_axes_can_be_drawn():

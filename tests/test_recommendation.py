@@ -75,7 +75,10 @@ def test_a_number_is_held_exactly_where_rounding_to_the_format_keeps_it():
                     there = float(dtype(float(value)))
                 except OverflowError:
                     there = math.inf
-            assert rounding.holds(value, form) is (math.isfinite(there) and Fraction(there) == value), (value, form)
+            assert rounding.is_representable(value, form) is (math.isfinite(there) and Fraction(there) == value), (
+                value,
+                form,
+            )
 
 
 # -- the least

@@ -1,12 +1,13 @@
 """What a trace records, what it says, and what follows from it."""
 
 import json
+import re
 import sys
 from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from itertools import cycle, islice, product
-from math import cos, hypot, ldexp, pi, sin
+from math import cos, hypot, ldexp, pi, sin, sqrt
 from random import Random
 
 import numpy as np
@@ -58,7 +59,7 @@ def test_ties_on_an_edges_own_normal_land_on_one_spot():
 
 def test_the_sentence_of_a_step_is_made_from_the_trace():
     trace = sv.record(A, B, axes=axes.edge_normals)
-    assert describe.test(trace, 1) == (
+    assert describe.test_sentence(trace, 1) == (
         "Axis 2 of 6, normal of B's edge v1v3: A [−0.243, 2.425], B [3.638, 7.034], gap +1.213: "
         "separating, so the shapes are apart."
     )
@@ -1024,6 +1025,33 @@ def test_the_table_has_a_row_a_test_and_says_no_more_than_was_proved():
     assert "not a proof" in partial
 
 
+def test_the_table_shows_on_request_the_sums_behind_the_ends_of_the_ranges():
+    trace = sv.record(A, B)
+    plain, rows = trace.table().splitlines(), trace.table(sums=True).splitlines()
+    assert "    v2: 2*8 + 3*3 = 25; 25 / sqrt(13) = 6.934" in rows
+    found = [row for row in rows if row not in plain]
+    assert [row for row in rows if row in plain] == plain and len(found) == 4 * len(trace.tests)
+    for row in found:  # each sum is true, and its result is an end of a range
+        whole, *rest = row.split(": ", 1)[1].split("; ")
+        left, right = whole.split(" = ")
+        assert eval(left) == float(right)
+        if rest:
+            left, landing = rest[0].split(" = ")
+            assert round(eval(left, {"sqrt": sqrt}), 3) == float(landing)
+        ends = {end for t in trace.tests for side in (t.a, t.b) for end in side.interval}
+        assert any(abs(float(row.rsplit(" = ", 1)[1]) - end) < 5e-4 for end in ends)
+
+
+@pytest.mark.parametrize("what", ["aabb-rotated", "lengths", "unit-normals", "concave", "circle-polygon"])
+def test_a_sum_of_the_table_is_left_out_rather_than_printed_falsely(what):
+    trace = sv.scene(what).record()
+    for run in trace.pairs or (trace,):
+        ends = [end for t in run.tests for side in (t.a, t.b) for end in side.interval]
+        for row in run.table(sums=True).splitlines():
+            if re.match(r"    \w+: ", row):
+                assert any(abs(float(row.rsplit(" = ", 1)[1]) - end) < 5e-4 for end in ends)
+
+
 def test_touching_counts_as_a_hit():
     trace = sv.record(box(0, 0, 1, 1), box(1, 0, 2, 1))
     assert trace.hit and trace.relation is sv.Relation.TOUCHING and "touch" in trace.sentence
@@ -1397,7 +1425,7 @@ def test_shapes_wider_than_float64_can_hold_are_described_and_saved(every_axis, 
     a = sv.Polygon([(-1.7e308, -1.6e308), (1.7e308, -1e300), (0, 1.7e308)])
     b = sv.Polygon([(-1.7e308 + move * 2e307, 1.7e308), (-1.6e308, 1.5e308), (1.7e308, 1.79e308)])
     trace = sv.record(a, b, every_axis=every_axis)
-    assert str(trace) and trace.sentence and all(describe.test(trace, i) for i in range(len(trace.tests)))
+    assert str(trace) and trace.sentence and all(describe.test_sentence(trace, i) for i in range(len(trace.tests)))
     assert sv.Trace.from_json(trace.to_json()) == trace
 
 

@@ -191,7 +191,7 @@ class Recommendation:
             "reason": self.reason,
             "scope": {
                 "kind": self.scope.kind,
-                "text": report.holds(self.scope, self.summary),
+                "text": report.validity_sentence(self.scope, self.summary),
                 "bound": self.scope.bound,
             },
             "anywhere": self.anywhere.name,

@@ -24,7 +24,7 @@ from ..engine.shapes import Shape
 from . import rounding
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, AnyShape, Model, convex_parts, cyclic_pairs
 from .relative_margin import edge_clearances, edge_distances
-from .rounding import FLOAT64, FORMATS, Exact, Format, holds
+from .rounding import FLOAT64, FORMATS, Exact, Format, is_representable
 
 APART, TOUCHING, OVERLAPPING = Relation
 
@@ -285,6 +285,6 @@ def _certify_circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Rela
 
 def _coordinate_error(coordinates: Iterable[int], numbers: Iterable[float], form: Format) -> Fraction:
     """Return the most by which the format rounds a coordinate, in units of the integers; 0 if none is rounded."""
-    if form is FLOAT64 or all(holds(Fraction(c), form) for c in numbers):
+    if form is FLOAT64 or all(is_representable(Fraction(c), form) for c in numbers):
         return Fraction(0)
     return Fraction(max(map(abs, coordinates)), 1 << form.bits)

@@ -77,15 +77,15 @@ class GivenPairs(NamedTuple):
 class InputSummary(NamedTuple):
     """Hold the summary of the given pairs.
 
-    `kinds`: how many shapes of each kind; `corners`: the fewest and the most of a convex part; `sizes`: the width of
-    the largest shape over that of the smallest; `relations`: pairs apart, touching and overlapping; `settled`: further
-    pairs that are apart by their boxes; `relative_margin`: the smallest one, which pair `at` has; `search`: the broad
-    phase that suffices where all pairs of one batch are given, else None.
+    `kinds`: how many shapes of each kind; `corners`: the fewest and the most of a convex part; `size_ratio`: the width
+    of the largest shape over that of the smallest; `relations`: pairs apart, touching and overlapping; `settled`:
+    further pairs that are apart by their boxes; `relative_margin`: the smallest one, which pair `at` has; `search`:
+    the broad phase that suffices where all pairs of one batch are given, else None.
     """
 
     kinds: dict[str, int]
     corners: Pair
-    sizes: float
+    size_ratio: float
     pairs: int
     relations: tuple[int, int, int]
     settled: int

@@ -45,7 +45,7 @@ def text(summary: InputSummary, results: "Sequence[ModelResult]", scope: Scope) 
         f"{named(least.model)}: right for {_all(summary)}",
         *_first(least.model, summary),
         f"why      {reason(least.model, summary, scope)}",
-        f"holds    {holds(scope, summary)}",
+        f"holds    {validity_sentence(scope, summary)}",
         f"shapes   {shapes(summary)}{' in these pairs' if summary.settled and summary.pairs else ''}",
         f"pairs    {_pairs(summary)}",
         *_search(summary),
@@ -85,7 +85,7 @@ def reason(model: Model, summary: InputSummary, scope: Scope) -> str:
     }[model.kind]
 
 
-def holds(scope: Scope, summary: InputSummary) -> str:
+def validity_sentence(scope: Scope, summary: InputSummary) -> str:
     """Return a sentence that says for which coordinates the recommendation is valid."""
     if scope.kind == ANYWHERE:
         if set(summary.kinds) == {UPRIGHT_BOXES}:
@@ -158,8 +158,8 @@ def shapes(summary: InputSummary) -> str:
     low, high = summary.corners
     corners = f", {low} corners" if low == high else f", {low} to {high} corners"
     corners += " in a convex part" if "concave polygons" in summary.kinds else ""
-    more = "more than " if summary.sizes == float_info.max else ""
-    sizes = f", the largest {more}{summary.sizes:,.3g} times the smallest" if summary.sizes > 1.005 else ""
+    more = "more than " if summary.size_ratio == float_info.max else ""
+    sizes = f", the largest {more}{summary.size_ratio:,.3g} times the smallest" if summary.size_ratio > 1.005 else ""
     return f"{kinds or 'none'}{corners if high else ''}{sizes}"
 
 

@@ -68,7 +68,7 @@ class Exact:
 
     def held(self, value: Fraction) -> Fraction:
         """Return the value unchanged; set `exact` to False if the format does not hold it."""
-        self.exact = self.exact and holds(value, self.form)
+        self.exact = self.exact and is_representable(value, self.form)
         return value
 
     def product(self, a: Fraction, b: Fraction) -> Fraction:
@@ -98,7 +98,7 @@ class Exact:
         return ring
 
 
-def holds(value: Fraction, form: Format) -> bool:
+def is_representable(value: Fraction, form: Format) -> bool:
     """Return whether the float format can represent the value exactly."""
     n, d = value.as_integer_ratio()
     if not n:

@@ -3,7 +3,7 @@
 No outline is padded: a repeated vertex would be an edge without a direction.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 from typing import Any, NamedTuple, SupportsIndex
 
@@ -22,6 +22,8 @@ class Group:
     """Hold shapes with the same number of corners: one row per corner, one column per shape.
 
     x, y: (V, n) counter-clockwise corners in scene units, no repeats, none straight on (V = 1: centers, r: (n,) radii).
+    block: the contiguous array that x, y and, for circles, r are rows of, (2 or 3, V, n), if they lie in one.
+    maxima: the rows of `tile_maxima`, if they are known.
     """
 
     def __init__(
@@ -29,15 +31,16 @@ class Group:
         x: NDArray[np.float64],
         y: NDArray[np.float64],
         r: NDArray[np.float64] | None = None,
-        tile_maxima: "TileMaxima | None" = None,
+        block: NDArray[np.float64] | None = None,
+        maxima: NDArray[np.float64] | None = None,
     ) -> None:
-        self.x, self.y, self.r = x, y, r
-        if tile_maxima is not None:
-            self.tile_maxima = tile_maxima
+        self.x, self.y, self.r, self.block, self._maxima = x, y, r, block, maxima
 
     @cached_property
     def tile_maxima(self) -> "TileMaxima":
         """Return the largest numbers of each tile of polygons, for error bounds."""
+        if self._maxima is not None:
+            return TileMaxima(*self._maxima)
         starts = np.arange(0, self.x.shape[1], TILE_SHAPES)
         if not len(starts):
             return TileMaxima(np.zeros(0), np.zeros(0))
@@ -94,8 +97,9 @@ class Shapes:
 
     `count`: (N,) corners of each part (a circle has one; None where `groups` holds a single group); `owner`: (N,) which
     shape each is a part of, where concave polygons were split.  Made of `rings` with (N,) radii (None: all are
-    polygons), or of `groups`; the other is worked out when it is first needed, and kept.  These arrays are the
-    batch's own memory: read them, but do not write to them, since what is written there is not checked.
+    polygons), or of `groups`; the other is worked out when it is first needed, and kept.  Made of the `blocks` of
+    groups, which follow each other, they are joined when one of both is first needed.  These arrays are the batch's own
+    memory: read them, but do not write to them, since what is written there is not checked.
     """
 
     def __init__(
@@ -106,8 +110,11 @@ class Shapes:
         rings: Rings | None = None,
         radius: NDArray[np.float64] | None = None,
         groups: dict[int, Group] | None = None,
+        blocks: Sequence[NDArray[np.float64]] | None = None,
     ) -> None:
         self.owner = owner
+        if blocks is not None:
+            self.blocks = blocks
         if count is not None:
             self.count = count.astype(np.int64, copy=False)
         if rings is not None:
@@ -127,6 +134,8 @@ class Shapes:
         """Return the number of convex parts: more than `len` where concave polygons were split."""
         if "groups" in vars(self):
             return sum(group.x.shape[1] for group in self.groups.values())
+        if "blocks" in vars(self):
+            return sum(block.shape[2] for block in self.blocks)
         return len(self.count)
 
     def __repr__(self) -> str:
@@ -139,12 +148,16 @@ class Shapes:
     @cached_property
     def count(self) -> NDArray[np.int64]:
         """Return the number of corners of each part, (N,) integers; a circle has one."""
+        if "groups" not in vars(self):
+            return self._joined()[0]
         ((v, group),) = self.groups.items()
         return np.full(group.x.shape[1], v, np.int64)
 
     @cached_property
     def rings(self) -> Rings:
         """Return the corners of all parts, one outline after another."""
+        if "groups" not in vars(self):
+            return self._joined()[1]
         if len(self.groups) == 1:
             ((v, group),) = self.groups.items()
             return Rings(group.x.ravel("F"), group.y.ravel("F"), np.arange(0, group.x.size + 1, v))
@@ -158,12 +171,27 @@ class Shapes:
     @cached_property
     def radius(self) -> NDArray[np.float64]:
         """Return the radius of each part, (N,) scene units: 0 for polygons."""
+        if "groups" not in vars(self):
+            return self._joined()[2]
         if len(self.groups) == 1 and 1 in self.groups and (r := self.groups[1].r) is not None:
             return r
         found = np.zeros(len(self.count))
         if 1 in self.groups:
             found[self.count == 1] = self.groups[1].r
         return found
+
+    def _joined(self) -> tuple[NDArray[np.int64], Rings, NDArray[np.float64]]:
+        """Return (count, rings, radius) of the blocks, one after another, and keep these in the place of the blocks."""
+        if (blocks := vars(self).get("blocks")) is not None:
+            sizes = [block.shape[2] for block in blocks]
+            count = np.repeat([block.shape[1] for block in blocks], sizes)
+            start = np.zeros(len(count) + 1, np.intp)
+            np.cumsum(count, out=start[1:])
+            x, y = (np.concatenate([block[k].ravel("F") for block in blocks]) for k in (0, 1))
+            radius = np.concatenate([block[2, 0] if len(block) == 3 else np.zeros(block.shape[2]) for block in blocks])
+            vars(self).update(count=count, rings=Rings(x, y, start), radius=radius)
+            vars(self).pop("blocks", None)  # another thread may have been first
+        return self.count, self.rings, self.radius
 
     @cached_property
     def groups(self) -> dict[int, Group]:
@@ -316,35 +344,3 @@ def check_shapes(shapes: object, name: str) -> Shapes:
     if isinstance(shapes, Shapes):
         return shapes
     raise TypeError(f"{name} is a {type(shapes).__name__}: make it with batch.Polygons or batch.Circles first")
-
-
-def concat(many: Iterable[Shapes]) -> Shapes:
-    """Return one batch with the shapes of several, in order; this is how circles and polygons are mixed."""
-    many = list(many)
-    for i, shapes in enumerate(many):
-        check_shapes(shapes, f"batch {i}")
-    owner = None
-    if any(shapes.owner is not None for shapes in many):
-        first, owners = 0, []
-        for shapes in many:
-            owners.append((np.arange(len(shapes.count)) if shapes.owner is None else shapes.owner) + first)
-            first += len(shapes)
-        owner = np.concatenate(owners)
-    total = sum(shapes.part_count for shapes in many)
-    count, radius, first = np.empty(total, np.int64), np.zeros(total), 0
-    x, y = [np.empty(0)], [np.empty(0)]
-    for shapes in many:
-        place = slice(first, first + shapes.part_count)
-        first = place.stop
-        if "groups" in vars(shapes) and len(shapes.groups) == 1:  # read as it lies: few shapes are joined in each frame
-            ((count[place], group),) = shapes.groups.items()
-            corners: Sequence[NDArray[np.float64]] = group.x.ravel("F"), group.y.ravel("F")
-            if group.r is not None:
-                radius[place] = group.r
-        else:
-            count[place], corners, radius[place] = shapes.count, shapes.rings[:2], shapes.radius
-        x.append(corners[0])
-        y.append(corners[1])
-    start = np.zeros(total + 1, np.intp)
-    np.cumsum(count, out=start[1:])
-    return Shapes(count, owner, rings=Rings(np.concatenate(x), np.concatenate(y), start), radius=radius)

@@ -1,7 +1,7 @@
 """Circles and Polygons: batches of shapes, validated when they are made."""
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, TypeGuard
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,7 +12,7 @@ from ..engine.predicates import warn_if_flushed
 from ..engine.shapes import Polygon
 from . import validation
 from .array_types import Array, Indices, Mask
-from .arrays import Group, Shapes
+from .arrays import Group, Shapes, check_shapes
 from .engines import engine_for_checks
 from .outlines import convex_rings
 from .ragged import MAX_LANE_CORNERS, Rings, concat_rings
@@ -22,10 +22,8 @@ class Circles(Shapes):
     """Circles from (N, 2) centers and (N,) radii, or one radius (scene units); InvalidShape names the first bad one."""
 
     def __init__(self, centers: validation.Points, radii: validation.Numbers) -> None:
-        columns = _plain_columns(centers)
-        plain = None if columns is None else _plain_radii(radii, columns.shape[2])
-        if columns is not None and plain is not None:
-            super().__init__(groups={1: Group(columns[0], columns[1], plain)})
+        if (group := _certified_circles(centers, radii)) is not None:
+            super().__init__(groups={1: group})
             return
         centers = validation.points(centers, "centers", lambda i: f"circle {i}: center")
         n = len(centers)
@@ -35,27 +33,27 @@ class Circles(Shapes):
         r = np.array(np.broadcast_to(r, (n,)))
         if (bad := np.flatnonzero(~(r > 0))).size:
             raise InvalidShape(f"circle {bad[0]}: radius is {r[bad[0]]}: a circle needs a positive radius")
-        x, y = (np.array(centers[:, i][None]) for i in (0, 1))
+        x, y = centers.T[:, None] + 0.0  # -0.0 becomes 0.0
         super().__init__(groups={1: Group(x, y, r)})
 
 
-def _plain_columns(centers: object) -> Array | None:
-    """Return (2, 1, n) coordinates of an (n, 2) array of plain finite floats; None if it needs another look."""
-    if type(centers) is not np.ndarray or centers.dtype != np.float64 or centers.ndim != 2 or centers.shape[1] != 2:
+def _certified_circles(centers: object, radii: object) -> Group | None:
+    """Return circles of plain float arrays, as `Circles` takes them; None if they need another look."""
+    if not _is_carray(centers, 2) or centers.shape[1] != 2:
+        return None
+    n = len(centers)
+    if type(radii) is float:
+        radii = np.full(n, radii)
+    elif not _is_carray(radii, 1) or len(radii) != n:
         return None
     warn_if_flushed()
-    columns = np.empty((2, 1, len(centers)))
-    np.add(centers.T, 0.0, out=columns[:, 0])  # -0.0 becomes 0.0
-    return columns if np.isfinite(columns).all() else None
+    group: Group | None = engine_for_checks(n).certified_circles(centers, radii)
+    return group
 
 
-def _plain_radii(radii: object, n: int) -> Array | None:
-    """Return (n,) radii of one plain float or an array of them; None if they need another look."""
-    if type(radii) is float:
-        return np.full(n, radii) if 0 < radii < np.inf else None
-    if type(radii) is not np.ndarray or radii.dtype != np.float64 or radii.shape != (n,):
-        return None
-    return radii.copy() if np.logical_and(radii > 0, radii < np.inf).all() else None
+def _is_carray(values: object, axes: int) -> TypeGuard[Array]:
+    """Return whether this is a plain array of float64, as it lies in memory, with so many axes."""
+    return type(values) is np.ndarray and values.dtype == np.float64 and values.ndim == axes and values.flags.carray
 
 
 class Polygons(Shapes):
@@ -75,6 +73,9 @@ class Polygons(Shapes):
         self, vertices: validation.Rings, *, offsets: ArrayLike | None = None, concave: str = "refuse"
     ) -> None:
         validation.check_word("concave", concave, validation.CONCAVE_OPTIONS)
+        if offsets is None and (group := _certified_group(vertices)) is not None:
+            super().__init__(groups={len(group.x): group})
+            return
         if (made := _certified_shapes(vertices, offsets)) is not None:
             pass
         elif offsets is None:
@@ -101,6 +102,47 @@ def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
     return Polygons(shapely.get_coordinates(outer), offsets=start, concave=concave)
 
 
+def concat(many: Iterable[Shapes]) -> Shapes:
+    """Return one batch with the shapes of several, in order; this is how circles and polygons are mixed."""
+    many = list(many)
+    for i, shapes in enumerate(many):
+        check_shapes(shapes, f"batch {i}")
+    blocks = [block for shapes in many if (block := _block_of(shapes)) is not None]
+    if len(blocks) == len(many) > 0:
+        return Shapes(blocks=blocks)
+    owner = None
+    if any(shapes.owner is not None for shapes in many):
+        first, owners = 0, []
+        for shapes in many:
+            owners.append((np.arange(len(shapes.count)) if shapes.owner is None else shapes.owner) + first)
+            first += len(shapes)
+        owner = np.concatenate(owners)
+    total = sum(shapes.part_count for shapes in many)
+    count, radius, first = np.empty(total, np.int64), np.zeros(total), 0
+    x, y = [np.empty(0)], [np.empty(0)]
+    for shapes in many:
+        place = slice(first, first + shapes.part_count)
+        first = place.stop
+        if "groups" in vars(shapes) and len(shapes.groups) == 1:  # read as it lies: few shapes are joined in each frame
+            ((count[place], group),) = shapes.groups.items()
+            corners: Sequence[NDArray[np.float64]] = group.x.ravel("F"), group.y.ravel("F")
+            if group.r is not None:
+                radius[place] = group.r
+        else:
+            count[place], corners, radius[place] = shapes.count, shapes.rings[:2], shapes.radius
+        x.append(corners[0])
+        y.append(corners[1])
+    start = np.zeros(total + 1, np.intp)
+    np.cumsum(count, out=start[1:])
+    return Shapes(count, owner, rings=Rings(np.concatenate(x), np.concatenate(y), start), radius=radius)
+
+
+def _block_of(shapes: Shapes) -> Array | None:
+    """Return the array that holds all numbers of a batch of one kind as it was made; None where there is none."""
+    groups = vars(shapes).get("groups", ())
+    return next(iter(groups.values())).block if len(groups) == 1 and shapes.owner is None else None
+
+
 def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave: str | None) -> Shapes:
     """Return a batch of polygons; error messages call polygon i `numbers[i]`, or i if `numbers` is None."""
 
@@ -110,27 +152,37 @@ def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave
 
     if isinstance(vertices, np.ndarray) and vertices.dtype != object:
         array = validation.rings_from_array(vertices, name)
-        if array is not vertices and (certified := _certified_shapes(np.ascontiguousarray(array))) is not None:
-            return certified
+        if array is not vertices:
+            array = np.ascontiguousarray(array)
+            if (group := _certified_group(array)) is not None:
+                return Shapes(groups={len(group.x): group})
+            if (certified := _certified_shapes(array)) is not None:
+                return certified
         start = np.arange(len(array) + 1, dtype=np.intp) * array.shape[1]
         return build_shapes(array.reshape(-1, 2), start, name, concave)
     return build_shapes(*validation.rings_from_sequence(vertices, name), name, concave)
 
 
+def _certified_group(vertices: object) -> Group | None:
+    """Return the polygons of an (N, V, 2) plain float array as a group; None if one is not certified convex."""
+    if not _is_carray(vertices, 3):
+        return None
+    _, corners, axes = vertices.shape
+    if axes != 2 or not 3 <= corners <= MAX_LANE_CORNERS:
+        return None
+    warn_if_flushed()
+    group: Group | None = engine_for_checks(vertices.size // 2).certified_group(vertices)
+    return group
+
+
 def _certified_shapes(vertices: object, offsets: object = None) -> Shapes | None:
     """Return the polygons of plain float arrays, as `Polygons` takes them; None if one is not certified convex."""
-    if type(vertices) is not np.ndarray or vertices.dtype != np.float64 or not vertices.flags.carray:
+    if not _is_carray(vertices, 3 if offsets is None else 2) or vertices.shape[-1] != 2:
         return None
-    if vertices.ndim != (3 if offsets is None else 2) or vertices.shape[-1] != 2:
-        return None
-    kernels = engine_for_checks(vertices.size // 2)
-    warn_if_flushed()
     if offsets is None:
         n, corners = vertices.shape[:2]
         if corners < 3:
             return None
-        if corners <= MAX_LANE_CORNERS and (group := kernels.certified_group(vertices)) is not None:
-            return Shapes(groups={corners: group})
         start = np.arange(n + 1, dtype=np.intp) * corners
     elif type(offsets) is np.ndarray and offsets.dtype == np.intp and offsets.ndim == 1 and offsets.flags.carray:
         start = offsets
@@ -138,9 +190,10 @@ def _certified_shapes(vertices: object, offsets: object = None) -> Shapes | None
             return None
     else:
         return None
-    if kernels.certified_rings is None:
+    warn_if_flushed()
+    if (certified_rings := engine_for_checks(vertices.size // 2).certified_rings) is None:
         return None
-    rings, doubtful = kernels.certified_rings(vertices.reshape(-1, 2), start)
+    rings, doubtful = certified_rings(vertices.reshape(-1, 2), start)
     return None if doubtful.size else Shapes(rings.start[1:] - rings.start[:-1], rings=rings)
 
 

@@ -14,6 +14,7 @@ from .broad_rule import MAX_SWEEP_NUMBA, MAX_SWEEP_NUMPY
 from .ragged import MAX_LANE_CORNERS
 
 Kernel = Callable[..., None]
+NUMBA_MODULE = f"{__package__}.with_numba.outlines"  # it is there if numba has been loaded
 MAX_NUMPY_CORNERS = 1 << 24  # NumPy checks these in less time than numba takes to load
 
 
@@ -22,8 +23,8 @@ class Engine(NamedTuple):
 
     The first four take columns of two groups, from one column on, and `exact_columns` decides the columns that they
     leave undecided; `indexed` takes pairs from anywhere in two batches; `candidate_pairs` (of few) and `grid` find
-    boxes that meet, `colliding_pairs` does the whole way for few shapes; `certified_group` and `certified_rings` check
-    outlines; `flatten` makes the Flat of a batch.
+    boxes that meet, `colliding_pairs` does the whole way for few shapes; `certified_group`, `certified_circles` and
+    `certified_rings` check shapes; `flatten` makes the Flat of a batch.
     """
 
     block: int  # columns at a time
@@ -37,6 +38,7 @@ class Engine(NamedTuple):
     candidate_pairs: Callable[..., Any]
     colliding_pairs: Callable[..., Any]
     certified_group: Callable[..., Any]
+    certified_circles: Callable[..., Any]
     certified_rings: Callable[..., Any] | None = None
     flatten: Callable[..., Any] | None = None
     exact_columns: Kernel | None = None
@@ -55,8 +57,7 @@ def engine_for_checks(corners: int) -> Engine:
 
     Until numba is needed for something else, or for very many corners, NumPy does it without loading numba.
     """
-    is_loaded = f"{__package__}.with_numba.outlines" in sys.modules
-    return load_engine(None if is_loaded or corners > MAX_NUMPY_CORNERS else "numpy")
+    return load_engine(None if NUMBA_MODULE in sys.modules or corners > MAX_NUMPY_CORNERS else "numpy")
 
 
 @cache
@@ -82,6 +83,7 @@ def load_engine(name: str | None) -> Engine:
                 few_numba.candidate_pairs,
                 few_numba.colliding_pairs,
                 outlines_numba.certified_group,
+                outlines_numba.certified_circles,
                 outlines_numba.certified_rings,
                 few_numba.flatten,
                 indexed_numba.columns,
@@ -106,6 +108,7 @@ def load_engine(name: str | None) -> Engine:
         few.candidate_pairs,
         few.colliding_pairs,
         outlines.certified_group,
+        outlines.certified_circles,
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple, Protocol
 
 from .axes import (
@@ -143,6 +143,9 @@ def digits(trace: _Trace, *tests: AxisTest) -> Digits:
     return digits_for_tests((trace.a, trace.b), tests)
 
 
+NumberFormat = Callable[..., Digits]  # of a trace and some of its tests, as `digits`
+
+
 def outcome(t: AxisTest, numbers: Digits) -> str:
     """Return in words how the two ranges of a test lie: "gap +1.2", "touching, gap 0", "overlap 3"."""
     if t.gap >= 0:
@@ -193,7 +196,7 @@ def both_ranges(trace: _Trace, t: AxisTest, numbers: Digits) -> str:
     return ", ".join(f"{name} {text}" for name, text in zip(trace.names, numbers.ranges(t)))
 
 
-def test(trace: _Trace, i: int) -> str:
+def test_sentence(trace: _Trace, i: int) -> str:
     """Return the sentence of one test: the axis, both ranges, the gap, and what follows."""
     t = trace.tests[i]
     head = f"Axis {i + 1} of {len(trace.choice.axes)}, {axis_name(t.axis, (trace.a, trace.b), trace.names)}"
@@ -208,12 +211,12 @@ def test(trace: _Trace, i: int) -> str:
     return f"{head}: {found}: not a separating axis."
 
 
-def verdict(trace: _Trace, move: Vec | None) -> str:
+def verdict_sentence(trace: _Trace, move: Vec | None, digits: NumberFormat = digits) -> str:
     """Return a sentence on the result of the whole run and what proves it; `move`: the MTV of an overlap."""
     if trace.shortcut:
-        return _shortcut_verdict(trace)
+        return _shortcut_verdict(trace, digits)
     if trace.pairs:
-        return _parts_verdict(trace, move)
+        return _parts_verdict(trace, move, digits)
     a, b = trace.names
     separating = trace.separating
     if separating:
@@ -231,7 +234,7 @@ def verdict(trace: _Trace, move: Vec | None) -> str:
         count += " (not a proof; the exact test decides)"
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: {count}, and they share no interior point. Touching is a hit."
-    return f"{a} and {b} overlap: {count}. {_mtv_sentence(trace, move)}"
+    return f"{a} and {b} overlap: {count}. {_mtv_sentence(trace, move, digits)}"
 
 
 def verdict_in_brief(trace: _Trace) -> str:
@@ -244,7 +247,7 @@ def verdict_in_brief(trace: _Trace) -> str:
 RELATION_PHRASES = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
 
 
-def _shortcut_verdict(trace: _Trace) -> str:
+def _shortcut_verdict(trace: _Trace, digits: NumberFormat) -> str:
     """Return a sentence on what a shortcut claims, the axis that made it do so, and what is true."""
     assert trace.shortcut
     a, b = trace.names
@@ -261,7 +264,7 @@ def _shortcut_verdict(trace: _Trace) -> str:
     return f"{says}, and so it is." if trace.claim is trace.relation else f"{says}. In truth they {is_so}."
 
 
-def _mtv_sentence(trace: _Trace, move: Vec | None) -> str:
+def _mtv_sentence(trace: _Trace, move: Vec | None, digits: NumberFormat) -> str:
     """Return a sentence that names the MTV `move`, or says why it is None."""
     if move is None and why_too_many_parts(trace.a, trace.b):
         return "They have too many convex parts to search for the MTV."
@@ -275,7 +278,7 @@ def _any_of_axes(n: int) -> str:
     return "the one axis" if n == 1 else "either axis" if n == 2 else f"any of the {n} axes"
 
 
-def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
+def _parts_verdict(trace: _Trace, move: Vec | None, digits: NumberFormat) -> str:
     """Return a sentence on the result of a run over pairs of convex parts; `move`: the MTV of an overlap."""
     a, b = trace.names
     settling = trace.colliding
@@ -284,7 +287,7 @@ def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
     p, q = settling.names
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: their parts {p} and {q} do, and no parts overlap. Touching is a hit."
-    return f"{a} and {b} overlap: their parts {p} and {q} do. {_mtv_sentence(trace, move)}"
+    return f"{a} and {b} overlap: their parts {p} and {q} do. {_mtv_sentence(trace, move, digits)}"
 
 
 def scene(trace: _Trace) -> str:
@@ -315,7 +318,7 @@ def parts(trace: _Trace) -> str:
     return f"{' and '.join(split)}: the shapes collide only if two of their convex parts do."
 
 
-def stage(trace: _Trace, i: int, name: str, first: str) -> str:
+def stage_sentence(trace: _Trace, i: int, name: str, first: str) -> str:
     """Return the sentence for the drawing stage `name` of test `i`; `first`: "A" or "B", whose points drop first."""
     t = trace.tests[i]
     shapes = trace.a, trace.b
@@ -342,7 +345,7 @@ def stage(trace: _Trace, i: int, name: str, first: str) -> str:
         return f"{owner}'s range on {axis} is {numbers.ranges(t)[at]}."
     if name == "both ranges":
         return f"Both ranges on {axis}: {both_ranges(trace, t, numbers)}."
-    return test(trace, i)
+    return test_sentence(trace, i)
 
 
 def _origin(trace: _Trace, axis: Axis) -> str:

@@ -1,31 +1,35 @@
 """A trace as a table of plain text: what `print(trace)` shows."""
 
+import re
 from collections.abc import Sequence
 
-from .describe import _Trace, axis_name, digits, reason
+from .describe import _Trace, axis_name, digits, reason, vertex_name
+from .landing_sum import landing_sum
 from .number_format import ascii_minus, vector
+from .sat import AxisTest
 
 MAX_TABLE_PAIRS = 20  # pairs of convex parts in one table
 
 
-def table(trace: _Trace, width: int | None = None) -> str:
+def table(trace: _Trace, width: int | None = None, *, sums: bool = False) -> str:
     """Return the trace as plain text: one row per test, then the axes that were not tested, then the sentence.
 
     `width`: the largest number of letters in a line; where the columns need more, a test takes several lines.
+    `sums`: below each test stand the sums behind the ends of both ranges, where all their numbers are printed in full.
     """
     if not trace.pairs:
-        blocks = [f"{_rows(trace, width)}\n{_wrap([trace.sentence], width, '')}"]
+        blocks = [f"{_rows(trace, width, sums)}\n{_wrap([trace.sentence], width, '')}"]
     else:
         hit = trace.colliding
         shown = [pair for i, pair in enumerate(trace.pairs) if i < MAX_TABLE_PAIRS or pair is hit]
-        blocks = [f"{pair.names.a} against {pair.names.b}\n{table(pair, width)}" for pair in shown]
+        blocks = [f"{pair.names.a} against {pair.names.b}\n{table(pair, width, sums=sums)}" for pair in shown]
         if left := len(trace.pairs) - len(shown):
             blocks.append(f"(and {left:,} more pairs of parts)")
         blocks.append(_wrap([trace.sentence], width, ""))
     return ascii_minus("\n\n".join(blocks))  # a terminal may be limited to ASCII
 
 
-def _rows(trace: _Trace, width: int | None) -> str:
+def _rows(trace: _Trace, width: int | None, sums: bool) -> str:
     """Return the lines for all tests and untested axes as text, at most `width` letters wide where possible."""
     shapes = trace.a, trace.b
     rows = [("axis", "direction", trace.names.a, trace.names.b, "gap", "")]
@@ -43,9 +47,36 @@ def _rows(trace: _Trace, width: int | None) -> str:
         heads = "", *rows[0][1:-1]
         blocks = [[*(f"{head} {cell}".lstrip() for head, cell in zip(heads, row)), row[-1]] for row in rows[1:]]
         lines = [_wrap(block, width, "  ") for block in blocks]
+    if sums:
+        first = len(lines) - len(trace.tests)
+        for i, t in enumerate(trace.tests):
+            below = [_wrap([f"    {line}"], width, "      ") for line in _sums_of_ends(trace, t)]
+            lines[first + i] = "\n".join([lines[first + i], *below])
     for place, name, why in untested_rows(trace):
         lines.append(_wrap([f"- {place}{' ' if place else ''}{name}: {why}"], width, "  "))
     return "\n".join(lines)
+
+
+def _sums_of_ends(trace: _Trace, test: AxisTest) -> list[str]:
+    """Return the sums behind both ends of both ranges, those of A first: "v1: 2*8 + 3*3 = 25; 25 / sqrt(13) = 6.934".
+
+    A sum whose numbers are not printed in full is left out.
+    """
+    found, numbers = [], digits(trace, test)
+    for role, side, shape, name in zip("AB", (test.a, test.b), (trace.a, trace.b), trace.names):
+        for i in dict.fromkeys(side.landings.index(end) for end in side.interval):
+            text = "".join(piece for piece, _ in landing_sum(numbers, test, role, i))
+            who = name
+            if side.points[i] in shape.vertices:
+                who = vertex_name(shape, name, shape.vertices.index(side.points[i]))
+            if text:
+                found.append(f"{who}: {_in_ascii(text)}")
+    return found
+
+
+def _in_ascii(text: str) -> str:
+    """Return a sum with "*" and "sqrt(13)", which every terminal can print."""
+    return re.sub(r"\u221a(\S+)", r"sqrt(\1)", text.replace("\u00b7", "*")).replace(";  ", "; ")
 
 
 def untested_rows(trace: _Trace) -> list[tuple[str, str, str]]:

@@ -89,14 +89,14 @@ class Trace:
         return next((test for test in self.tests if separates(test)), None)
 
     @property
-    def proves(self) -> bool:
+    def gaps_are_proofs(self) -> bool:
         """Return whether a gap in `tests` proves the shapes apart; False if a shortcut measures in its own way."""
         return self.shortcut is None or self.shortcut.measure is None
 
     @property
     def separating(self) -> AxisTest | None:
         """Return the first test whose axis separates the shapes; None if there is none or `proves` is False."""
-        return next((test for test in self.tests if test.separates), None) if self.proves else None
+        return next((test for test in self.tests if test.separates), None) if self.gaps_are_proofs else None
 
     @property
     def colliding(self) -> "Trace | None":
@@ -122,7 +122,7 @@ class Trace:
         move is beyond float64, or when a shortcut measures differently or misses the hit.  It is computed at
         each call; InvalidScene for concave outlines with too many convex parts.
         """
-        if self.missed_hit or not self.proves:
+        if self.missed_hit or not self.gaps_are_proofs:
             return None
         relation = self.relation
         if relation is not OVERLAPPING:
@@ -172,7 +172,7 @@ class Trace:
         A SeparatingLine or, for concave outlines, PartLines prove that the shapes are apart; a SharedPoint proves a
         hit.  InvalidScene if a shortcut measures differently or misses a hit, since that run proves nothing.
         """
-        if self.missed_hit or not self.proves:
+        if self.missed_hit or not self.gaps_are_proofs:
             raise InvalidScene("this run took a shortcut, so it proves nothing: ask trace.truth for a certificate")
         if self.separating:
             return separating_line(self.a, self.b, self.separating.axis)
@@ -205,10 +205,18 @@ class Trace:
     @property
     def sentence(self) -> str:
         """Return one sentence that says the relation, what proves it, and the MTV of an overlap."""
-        return describe.verdict(self, self.known_mtv)
+        return describe.verdict_sentence(self, self.known_mtv)
 
     def __str__(self) -> str:
-        return text_table.table(self)
+        return self.table()
+
+    def table(self, *, width: int | None = None, sums: bool = False) -> str:
+        """Return the table that `print(trace)` shows, in lines of at most `width` letters.
+
+        `sums`: below each test stand the sums behind the ends of both ranges, such as
+        "v1: 2*8 + 3*3 = 25; 25 / sqrt(13) = 6.934"; a sum whose numbers are not printed in full is left out.
+        """
+        return text_table.table(self, width, sums=sums)
 
     def __iter__(self) -> Iterator[AxisTest]:
         return iter(self.tests)

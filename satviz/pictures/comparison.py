@@ -203,7 +203,7 @@ def strike_wrong_answers(drawn: Picture, trace: Trace) -> Picture:
     axes = {str(trace.tests.index(test) + 1) for test in false}
     wrong = {"push-name", "number"} | ({"claim"} if claim != verdict else set())
     missed = trace.missed_hit or (case is not None and case.how == MISSED_HIT)
-    if not (missed and trace.proves):  # there the gap is right, and only what follows from it is wrong
+    if not (missed and trace.gaps_are_proofs):  # there the gap is right, and only what follows from it is wrong
         wrong |= {"gap-name"} if claim != verdict or (case and case.quantity in READ_OFF_RANGES) else set()
     labels = (mark for mark in drawn.labels if mark.part in wrong)
     lines = [_strike(mark, drawn.scale) for mark in labels if mark.part != "gap-name" or mark.axis in axes]

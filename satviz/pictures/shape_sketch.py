@@ -7,6 +7,7 @@ from collections.abc import Collection, Sequence
 from itertools import pairwise
 from typing import Unpack
 
+from ..engine import describe
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape, centroid
@@ -31,6 +32,7 @@ class ShapeSketch:
     def __init__(self, trace: Trace, layout: Layout) -> None:
         self.trace = trace
         self.layout = layout
+        self.digits: describe.NumberFormat = describe.digits
         self.marks: list[Mark] = []
         self.requests: list[tuple[int, LabelRequest]] = []
 

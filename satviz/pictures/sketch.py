@@ -10,6 +10,7 @@ from typing import Unpack
 from ..engine import describe, number_format
 from ..engine.axes import CENTERS, EARLY_EXIT, EDGE, FROM_EDGES, HULL, SLIP, VERTEX, WORLD, Axis, edge_normals
 from ..engine.geometry import Vec
+from ..engine.landing_sum import AXIS, PLAIN, POINT, landing_sum
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
@@ -18,7 +19,6 @@ from .float_geometry import gap_or_overlap, midpoint, point_along
 from .insets import BRACKET_PT
 from .label_placer import LabelOptions, Segment
 from .labels import short_name
-from .landing_sum import AXIS, PLAIN, POINT, landing_sum
 from .layout import MAX_LINE_LETTERS, Layout, range_label
 from .marks import MarkOptions
 from .shape_sketch import ShapeSketch
@@ -260,7 +260,8 @@ class Sketch(ShapeSketch):
         side = test.a if role == "A" else test.b
         i = max(range(len(side.landings)), key=lambda k: side.landings[k])
         colours = {AXIS: "ink", POINT: role, PLAIN: "guide"}
-        pieces = tuple((text, colours[whose]) for text, whose in landing_sum(self.trace, test, role, i))
+        digits = describe.digits(self.trace, test)
+        pieces = tuple((text, colours[whose]) for text, whose in landing_sum(digits, test, role, i))
         name, shape = self.named_shape(role)
         if pieces:
             if who := self.vertex_names(name, shape, side.points[i : i + 1]):
@@ -304,7 +305,7 @@ class Sketch(ShapeSketch):
         if not named:
             return
         out = place.out if role == "B" else Vec(-place.out.x, -place.out.y)
-        text = range_label(name, describe.digits(self.trace, test).ranges(test)["AB".index(role)]) if numbers else name
+        text = range_label(name, self.digits(self.trace, test).ranges(test)["AB".index(role)]) if numbers else name
         p, q = (point_along(end, out, self.layout.units(BAR_PT)) for end in ends)  # a gutter between bar and label
         spot, *along = (Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for f in (0.5, 0.3, 0.7, 0.1, 0.9))
         options: LabelOptions = {"owner": name, "axis": self.axis_id(test), "along": tuple(along), "prefer": out}
@@ -326,7 +327,7 @@ class Sketch(ShapeSketch):
             return
         self.insets(test)
         anchor = midpoint(*points[1:3]) if kind == "bracket" else midpoint(*ends)
-        text = (describe.picture_outcome if interval else describe.outcome)(test, describe.digits(self.trace, test))
+        text = (describe.picture_outcome if interval else describe.outcome)(test, self.digits(self.trace, test))
         self.label(
             "gap-name",
             f"{text}\n{remark}" if remark else text,

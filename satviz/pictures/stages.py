@@ -84,7 +84,7 @@ def step_sentence(run: Trace, step: Step) -> str:
     """Return the sentence of a step; `run`: the trace, or the pair of parts that the step belongs to."""
     stage = step.stage
     if step.test is not None:
-        return describe.stage(run, step.test, stage.value, first_dropped_role(run, step.test))
+        return describe.stage_sentence(run, step.test, stage.value, first_dropped_role(run, step.test))
     if stage is Stage.PARTS:
         return describe.parts(run)
     return describe.scene(run) if stage is Stage.SCENE else run.sentence

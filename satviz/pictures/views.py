@@ -110,7 +110,7 @@ def all_tests(trace: Trace, *, title: str = "") -> Picture:
         sketch.project(test, place)
     if trace.false_hit:
         sketch.note("verdict", describe.claim_and_truth(trace), "wrong", first=1)
-    tests = " ".join(describe.test(trace, i) for i in range(len(trace.tests)))
+    tests = " ".join(describe.test_sentence(trace, i) for i in range(len(trace.tests)))
     drawn = sketch.finish(title, f"{tests} {trace.sentence}")
     if not trace.false_hit:
         return drawn
@@ -215,7 +215,7 @@ def panels_of_tests(trace: Trace, *, title: str = "") -> Picture:
             kind = f"nearest vertex {short_name(polygon, of, test.source.ids[0])}"
         sketch.note("verdict", f"axis {i + 1}, {kind}: {says}", "ink", first=1)
         panels.append(sketch.finish("", ""))
-    tests = " ".join(describe.test(trace, i) for i in range(len(trace.tests)))
+    tests = " ".join(describe.test_sentence(trace, i) for i in range(len(trace.tests)))
     drawn = panel_grid(panels, 2, title=title, sentence=f"{tests} {trace.sentence}")
     return with_headline(drawn, describe.verdict_in_brief(trace))
 

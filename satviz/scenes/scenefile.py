@@ -15,7 +15,7 @@ from ..engine.shapes import Circle, Polygon, Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import Trace, record
 from .failing import SHORTCUTS
-from .strictjson import keys, parse, typed
+from .strictjson import parse, require_keys, require_type
 
 MAX_CHARS = 1 << 20  # of a scene file
 MAX_VERTICES = 1000  # of a polygon: a trace has n + m axes with n + m landings each
@@ -69,16 +69,18 @@ class Scene:
     @staticmethod
     def from_json(text: str) -> "Scene":
         """Return the scene of a scene file's text; InvalidScene names the field that is wrong."""
-        data = keys(parse(text, MAX_CHARS), "the scene", {"satviz", "a", "b"}, {"name", "title", "axes", "every_axis"})
+        data = require_keys(
+            parse(text, MAX_CHARS), "the scene", {"satviz", "a", "b"}, {"name", "title", "axes", "every_axis"}
+        )
         if data["satviz"] != "scene 1":
             raise InvalidScene('"satviz" must be "scene 1", the name of the format')
         return Scene(
-            name=typed(data.get("name", "scene"), "name", str),
+            name=require_type(data.get("name", "scene"), "name", str),
             a=shape_from(data["a"], "a"),
             b=shape_from(data["b"], "b"),
-            axes=typed(data.get("axes", "needed"), "axes", str),
-            every_axis=typed(data.get("every_axis", False), "every_axis", bool),
-            title=typed(data.get("title", ""), "title", str),
+            axes=require_type(data.get("axes", "needed"), "axes", str),
+            every_axis=require_type(data.get("every_axis", False), "every_axis", bool),
+            title=require_type(data.get("title", ""), "title", str),
         )
 
 
@@ -117,15 +119,15 @@ def shape_from(data: Any, where: str) -> Shape:
     """Return the shape that parsed JSON describes; InvalidScene names the wrong field, under `where`."""
     try:
         if isinstance(data, dict) and "circle" in data:
-            keys(data, where, {"circle", "radius"})
+            require_keys(data, where, {"circle", "radius"})
             return Circle(_number_pair(data["circle"], f"{where}.circle"), data["radius"])
-        keys(data, where, {"polygon"}, {"labels"})
-        vertices = typed(data["polygon"], f"{where}.polygon", list)
+        require_keys(data, where, {"polygon"}, {"labels"})
+        vertices = require_type(data["polygon"], f"{where}.polygon", list)
         if len(vertices) > MAX_VERTICES:
             raise InvalidScene(f"{where}.polygon has {len(vertices)} vertices: the limit is {MAX_VERTICES}")
         vertices = [_number_pair(v, f"{where}.polygon[{i}]") for i, v in enumerate(vertices)]
         labels = data.get("labels")
-        return Polygon(vertices, labels if labels is None else typed(labels, f"{where}.labels", list))
+        return Polygon(vertices, labels if labels is None else require_type(labels, f"{where}.labels", list))
     except InvalidShape as error:
         raise InvalidScene(f"{where}: {error}") from None
 

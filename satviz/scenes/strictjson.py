@@ -50,13 +50,13 @@ def parse(text: str, max_chars: int) -> Any:
         raise InvalidScene(f"not JSON: {error}") from None
 
 
-def keys(data: Any, where: str, required: Set[str], optional: Set[str] = frozenset()) -> dict[str, Any]:
+def require_keys(data: Any, where: str, required: Set[str], optional: Set[str] = frozenset()) -> dict[str, Any]:
     """Return `data` if it is an object with all required keys, and only optional ones besides; else InvalidScene.
 
     `where` names the object in the error line.
     """
     if not isinstance(data, dict):
-        raise InvalidScene(f"{where} must be an object, not {kind(data)}")
+        raise InvalidScene(f"{where} must be an object, not {json_type_name(data)}")
     if missing := sorted(required - data.keys()):
         raise InvalidScene(f"{where} lacks {_quoted(missing)}")
     if unknown := sorted(data.keys() - required - optional):
@@ -66,17 +66,17 @@ def keys(data: Any, where: str, required: Set[str], optional: Set[str] = frozens
     return data
 
 
-def typed(value: Any, where: str, wanted: type) -> Any:
+def require_type(value: Any, where: str, wanted: type) -> Any:
     """Return the value, 3.0 as the integer 3 if wanted; InvalidScene if it has another type; a bool is no number."""
     if wanted is int and isinstance(value, float) and value.is_integer():
         return int(value)
     if not isinstance(value, wanted) or (isinstance(value, bool) and wanted is not bool):
         expected = "a whole number" if wanted is int else _NAMES[wanted]
-        raise InvalidScene(f"{where} must be {expected}, not {kind(value)}")
+        raise InvalidScene(f"{where} must be {expected}, not {json_type_name(value)}")
     return value
 
 
-def kind(value: Any) -> str:
+def json_type_name(value: Any) -> str:
     """Return the name of a value's JSON type for error lines, such as "a list" or "null"."""
     return "null" if value is None else _NAMES.get(type(value), type(value).__name__)
 

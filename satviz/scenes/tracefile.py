@@ -19,7 +19,7 @@ from ..engine.shortcut import Shortcut
 from ..engine.trace import DEFAULT_NAMES, Trace, record
 from .failing import SHORTCUTS
 from .scenefile import shape_data, shape_from
-from .strictjson import keys, parse, refuse_large, typed
+from .strictjson import parse, refuse_large, require_keys, require_type
 
 MAX_CHARS = 1 << 26
 # By how much a landing may differ on another machine, whose square roots are rounded differently, relative to the
@@ -48,15 +48,15 @@ def load(text: str) -> Trace:
 
     The run is recorded again from the two shapes, in bounded time; InvalidScene where the file differs from it.
     """
-    data = dict(keys(parse(text, MAX_CHARS), "the trace", {"satviz"}, _KEYS))
+    data = dict(require_keys(parse(text, MAX_CHARS), "the trace", {"satviz"}, _KEYS))
     if data.pop("satviz") != "trace 1":
         raise InvalidScene('this is no trace file of this version: the key "satviz" must have the value "trace 1"')
-    keys(data, "trace", _KEYS)
+    require_keys(data, "trace", _KEYS)
     a, b = (shape_from(data[name], f"trace.{name}") for name in ("a", "b"))
     shortcut = _parse_shortcut(data["shortcut"])
-    pairs = typed(data["pairs"], "trace.pairs", list)
+    pairs = require_type(data["pairs"], "trace.pairs", list)
     if pairs or (shortcut and shortcut.split):
-        every_axis = typed(data["every_axis"], "trace.every_axis", bool)
+        every_axis = require_type(data["every_axis"], "trace.every_axis", bool)
         again = record(a, b, axes=shortcut or axes.needed, every_axis=every_axis)
         if len(pairs) != len(again.pairs):
             raise InvalidScene("trace.pairs are not those of the shapes' convex parts")
@@ -75,7 +75,7 @@ def _parse_shortcut(name: Any) -> Shortcut | None:
     """Return the shortcut of this name; None for null, InvalidScene for an unknown name."""
     if name is None:
         return None
-    if typed(name, "trace.shortcut", str) not in SHORTCUTS:
+    if require_type(name, "trace.shortcut", str) not in SHORTCUTS:
         raise InvalidScene(f"trace.shortcut is {short_repr(name)}: no shortcut of that name")
     return SHORTCUTS[name]
 
@@ -138,7 +138,7 @@ def _trace_data(trace: Trace, mtv: Vec | None) -> dict[str, object]:
         "relation": str(trace.relation),
         "hit": trace.hit,
         "mtv": mtv and list(mtv),
-        "sentence": number_format.ascii_minus(describe.verdict(trace, mtv)),
+        "sentence": number_format.ascii_minus(describe.verdict_sentence(trace, mtv)),
     }
 
 
@@ -149,8 +149,8 @@ _KEYS |= {"claim", "relation", "hit", "mtv", "sentence"}
 
 def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut: Shortcut | None = None) -> Trace:
     """Return the Trace with the file's numbers, not yet checked against the shapes; `where`: its field's name."""
-    keys(data, where, _KEYS)
-    lists = {name: list(enumerate(typed(data[name], f"{where}.{name}", list))) for name in _LISTS}
+    require_keys(data, where, _KEYS)
+    lists = {name: list(enumerate(require_type(data[name], f"{where}.{name}", list))) for name in _LISTS}
     known = axes.axes_by_source(a, b)
     if shortcut:
         known |= {axis.source: axis for axis in shortcut.choose(a, b).axes}
@@ -159,28 +159,29 @@ def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut
     reasons = {describe.reason(*skip): skip for skip in [(axes.NO_DIRECTION, None), *parallel]}
     skipped = []
     for i, skip in lists["skipped"]:
-        keys(skip, f"{where}.skipped[{i}]", {"axis", "reason"})
-        reason = typed(skip["reason"], f"{where}.skipped[{i}].reason", str)
+        require_keys(skip, f"{where}.skipped[{i}]", {"axis", "reason"})
+        reason = require_type(skip["reason"], f"{where}.skipped[{i}].reason", str)
         if reason not in reasons:
             raise InvalidScene(f"{where}.skipped[{i}].reason is {short_repr(reason)}: not a reason that satviz gives")
         skipped.append(Skip(_parse_axis(skip["axis"], f"{where}.skipped[{i}].axis", known), *reasons[reason]))
     if len(lists["tests"]) > len(found):
         raise InvalidScene(f"{where}.tests has more tests than there are axes")
     tests = tuple(_parse_test(test, f"{where}.tests[{i}]", found[i]) for i, test in lists["tests"])
-    choice = Choice(found, tuple(skipped), typed(data["complete"], f"{where}.complete", bool))
-    every_axis = typed(data["every_axis"], f"{where}.every_axis", bool)
+    choice = Choice(found, tuple(skipped), require_type(data["complete"], f"{where}.complete", bool))
+    every_axis = require_type(data["every_axis"], f"{where}.every_axis", bool)
     return Trace(a, b, choice, tests, every_axis, (), names, shortcut)
 
 
 def _parse_axis(data: Any, where: str, known: dict[Source, Axis]) -> Axis:
     """Return the file's axis; InvalidScene unless its source, direction and length are those of a known axis."""
-    keys(data, where, {"normal", "length", "source"})
-    source_data = keys(data["source"], f"{where}.source", {"kind", "shape", "vertices"})
+    require_keys(data, where, {"normal", "length", "source"})
+    source_data = require_keys(data["source"], f"{where}.source", {"kind", "shape", "vertices"})
     ids = tuple(
-        typed(i, f"{where}.source.vertices", int) for i in typed(source_data["vertices"], f"{where}.source", list)
+        require_type(i, f"{where}.source.vertices", int)
+        for i in require_type(source_data["vertices"], f"{where}.source", list)
     )
-    kind, role = typed(source_data["kind"], f"{where}.source.kind", str), source_data["shape"]
-    source = Source(kind, role if role is None else typed(role, f"{where}.source.shape", str), ids)
+    kind, role = require_type(source_data["kind"], f"{where}.source.kind", str), source_data["shape"]
+    source = Source(kind, role if role is None else require_type(role, f"{where}.source.shape", str), ids)
     axis = Axis(
         _parse_vector(data["normal"], f"{where}.normal"), _parse_float(data["length"], f"{where}.length"), source
     )
@@ -199,16 +200,18 @@ def _parse_axis(data: Any, where: str, known: dict[Source, Axis]) -> Axis:
 
 def _parse_test(data: Any, where: str, axis: Axis) -> AxisTest:
     """Return the AxisTest that the file gives for an axis; its numbers are not yet checked."""
-    keys(data, where, {"a", "b", "gap", "separates"})
+    require_keys(data, where, {"a", "b", "gap", "separates"})
     a, b = (_parse_projection(data[side], f"{where}.{side}") for side in ("a", "b"))
     return AxisTest(axis, a, b, _parse_float(data["gap"], f"{where}.gap"))
 
 
 def _parse_projection(data: Any, where: str) -> Projection:
     """Return the Projection that the file gives; its numbers are not yet checked."""
-    keys(data, where, {"points", "landings", "interval"})
-    points = tuple(_parse_vector(p, f"{where}.points") for p in typed(data["points"], f"{where}.points", list))
-    landings = tuple(_parse_float(v, f"{where}.landings") for v in typed(data["landings"], f"{where}.landings", list))
+    require_keys(data, where, {"points", "landings", "interval"})
+    points = tuple(_parse_vector(p, f"{where}.points") for p in require_type(data["points"], f"{where}.points", list))
+    landings = tuple(
+        _parse_float(v, f"{where}.landings") for v in require_type(data["landings"], f"{where}.landings", list)
+    )
     return Projection(points, landings)
 
 
@@ -277,19 +280,19 @@ def _require_same_run(trace: Trace, again: Trace, where: str) -> None:
     _require_equal(again.every_axis, trace.every_axis, f"{where}.every_axis")
     if len(trace.tests) != len(again.tests):
         raise InvalidScene(f"{where}.tests has {len(trace.tests)} tests where the run has {len(again.tests)}")
-    rounding = ROUNDING if trace.proves else FLOAT_ROUNDING
+    rounding = ROUNDING if trace.gaps_are_proofs else FLOAT_ROUNDING
     # the largest coordinate of a circle that reaches beyond float64 is infinite
     max_a, max_b = (min(shape.max_coordinate, MAX_FLOAT) for shape in (trace.a, trace.b))
     max_coordinate = max(max_a, max_b)
     for i, (test, ours) in enumerate(zip(trace.tests, again.tests)):
         same_sign = (test.gap > 0) == (ours.gap > 0) and (test.gap < 0) == (ours.gap < 0)
         # a close gap is computed exactly and rounded once
-        exact = trace.proves and max(abs(test.gap), abs(ours.gap)) <= max_coordinate * CLOSE_GAP_FACTOR
+        exact = trace.gaps_are_proofs and max(abs(test.gap), abs(ours.gap)) <= max_coordinate * CLOSE_GAP_FACTOR
         tolerance = abs(ours.gap) * 2.0**-50 if exact else max_coordinate * rounding
         if not same_sign or not _all_near((test.gap,), (ours.gap,), tolerance):
             raise InvalidScene(f"{where}.tests[{i}].gap is {test.gap}, but the shapes give {ours.gap}")
         for name, own_max, mine, other in ("a", max_a, test.a, ours.a), ("b", max_b, test.b, ours.b):
-            tolerance = max((own_max if trace.proves else max_coordinate) * rounding, MIN_FLOAT)
+            tolerance = max((own_max if trace.gaps_are_proofs else max_coordinate) * rounding, MIN_FLOAT)
             flat = [c for p in mine.points for c in p], [c for p in other.points for c in p]
             if not (_all_near(*flat, tolerance) and _all_near(mine.landings, other.landings, tolerance)):
                 raise InvalidScene(f"{where}.tests[{i}].{name} is not where these shapes land")

@@ -11,7 +11,7 @@ from . import check_page, guides, pages
 from .chapters import chapter_body, chapters
 from .reference import reference
 from .runtime import PythonMissing as PythonMissing
-from .runtime import runtime
+from .runtime import runtime_files
 
 ICON = (
     '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 32 32">'
@@ -30,7 +30,7 @@ def site(*, pyodide: Path | None = None, live: bool = True) -> tuple[Iterator[tu
     missing: list[str] = []
     if live:
         try:
-            python, why = runtime(pyodide)
+            python, why = runtime_files(pyodide)
             missing = [why] if why else []
         except PythonMissing as error:
             if pyodide:

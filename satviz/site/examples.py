@@ -22,6 +22,7 @@ EXAMPLES = {
     'sv.picture(sv.scene("triangles").record(), -1)  # the same picture, as this page shows it',
     "satviz.sheet": 'sv.sheet(sv.scene("triangles").record())',
     "satviz.difference": f"{TWO}\nsv.difference(sv.record(a, b))",
+    "satviz.difference_steps": 'sv.difference_steps("triangles")[-3]',
     "satviz.gap_curve": f"{TWO}\nsv.gap_curve(a, b)",
     "satviz.sweep": 'sv.sweep("triangles")[20]',
     "satviz.engine.axes.needed": f"{TWO}\nsv.record(a, b, axes=sv.axes.needed)",

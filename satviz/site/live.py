@@ -12,7 +12,7 @@ from ..scenes.embedding import EmbedOptions, parse_query
 from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.link import BREAK, DEFAULT_VIEW, TOUCH, ViewOptions, fragment, parse_fragment
 from ..scenes.scenefile import Scene, shape_data
-from ..scenes.strictjson import typed
+from ..scenes.strictjson import require_type
 from ..widgets.explorer_model import ExplorerModel
 from ..widgets.goals import GOAL_NAMES, challenge_start
 
@@ -42,8 +42,8 @@ def answer(place: str, text: str) -> str:
 def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
     """Return the reply to an "open" message: an explorer's state, a player's steps, or why the link is refused."""
     try:
-        scene, shown = parse_fragment(typed(content.get("hash"), "the link", str))
-        options = parse_query(typed(content.get("query", ""), "the address", str))
+        scene, shown = parse_fragment(require_type(content.get("hash"), "the link", str))
+        options = parse_query(require_type(content.get("query", ""), "the address", str))
         if options.plays or (options.challenge is None and (shown.step is not None or shown.predict or shown.rest)):
             return _player_data(scene, shown, options)
         if options.challenge is not None:

@@ -21,7 +21,19 @@ VERSION = "314.0.7"
 INTEGRITY = "sha512-0YvXxEhfEdpLfb/XkM2BFAeMROq0iMUX2bzzH9pOttyMcWkwq+HbE5uyuGD82LN7y2q+SNvi/6V5JEsOlD2R1A=="
 CORE = "pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json"
 CHECKING = (
-    *("__init__", "forms", "answers", "asking", "pairs", "shrinking", "results", "mistakes", "checked", "steps"),
+    *(
+        "__init__",
+        "forms",
+        "answers",
+        "asking",
+        "pairs",
+        "shrinking",
+        "results",
+        "variants",
+        "mistakes",
+        "checked",
+        "steps",
+    ),
     *("checker", "reading", "page"),
 )
 # the parts of satviz that the pages import; neither NumPy nor matplotlib is in the page
@@ -64,7 +76,7 @@ class PythonMissing(Exception):
     """Raised when Python for the page cannot be had; the message is one line that says why."""
 
 
-def runtime(pyodide: Path | None) -> tuple[dict[str, bytes], str]:
+def runtime_files(pyodide: Path | None) -> tuple[dict[str, bytes], str]:
     """Return the files of the page's Python by name, and a line that says what is missing ("" if nothing is).
 
     `pyodide` is a folder that holds Pyodide's core; None takes the core from npm.  Raise PythonMissing without a core.

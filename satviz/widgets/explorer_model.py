@@ -5,8 +5,9 @@ from math import isfinite
 from typing import Any, NamedTuple
 
 from ..engine.axes import directions
-from ..engine.axis_count import count_axes
+from ..engine.axis_count import axes_hint
 from ..engine.geometry import InvalidScene, Vec
+from ..engine.sat import AxisTest
 from ..engine.trace import Trace, record
 from ..pictures import Picture
 from ..pictures.claims import heading
@@ -17,6 +18,8 @@ from ..pictures.drag import (
     all_marks_fit,
     canvas_size,
     decisive_test,
+    degree_text,
+    drag_digits,
     drag_layout,
     drag_picture,
     free_axis_picture,
@@ -24,22 +27,28 @@ from ..pictures.drag import (
 )
 from ..pictures.label_placer import LabelOffsets
 from ..pictures.minkowski import difference
+from ..pictures.number_line import number_line
 from ..pictures.playback import first_row_numbers, table_rows
 from ..scenes.link import ViewOptions, fragment
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
-from ..scenes.strictjson import typed
+from ..scenes.strictjson import require_type
 from .goals import ChallengeResult, challenge_start, evaluate_goal
 from .paste_model import read_paste
 from .player_model import PlayerModel
 
 SHORTCUT, TRUTH = "shortcut", "truth"
+NEEDED, EVERY_NORMAL = "needed", "edge-normals"  # choices of axes
 
 
 class DrawnScene(NamedTuple):
-    """A drawn scene: the picture, its axis's row in the table (or None), and the handle of a free axis."""
+    """A drawn scene: the picture, its number line, its axis's row in the table, and the handle of a free axis.
+
+    Without an axis only the picture is there.
+    """
 
     picture: Picture
+    line: Picture | None = None
     lit: int | None = None
     knob: Vec | None = None
 
@@ -63,16 +72,20 @@ class ExplorerModel(PlayerModel):
         """Return the picture of the scene as it is now."""
         return self._drawn.picture
 
+    def number_line(self) -> Picture | None:
+        """Return the picture of the number line below it; None where no axis is shown."""
+        return self._drawn.line
+
     def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
         """Return the new state after a pose, preset or challenge message, or why it is refused."""
         n, before = content.get("n"), {**vars(self), "_last_offsets": dict(self._last_offsets)}
         try:
             if content.get("kind") == "preset":
-                self._start(scene(typed(content.get("name"), "the preset", str)))
+                self._start(scene(require_type(content.get("name"), "the preset", str)))
             elif content.get("kind") == "paste":
                 return self._paste(content)
             elif content.get("kind") == "challenge":
-                goal = typed(content.get("goal"), "the challenge", str)
+                goal = require_type(content.get("goal"), "the challenge", str)
                 self._start(challenge_start(goal, self.scene), goal)
             elif content.get("kind") == "pose":
                 self._pose(content)
@@ -94,14 +107,16 @@ class ExplorerModel(PlayerModel):
             "names": list(trace.names),
             "relation": str(trace.relation),
             "sentence": drawn.picture.sentence,
-            "enough": count_axes(trace)[1],
-            "rows": table_rows(trace),
+            "enough": axes_hint(trace),
+            "rows": table_rows(trace, drag_digits(self._layout)),
             "lit": drawn.lit,
             "json": self.scene.to_json(),
             "view": self._view,
             "link": fragment(self.scene, self._view_options()),
             "scene": self._start_json,
         }
+        if drawn.line:
+            found["line"] = drawn.line.data()
         if self._challenge_result:
             found["goal"] = self._challenge_result._asdict()
         if self._show_difference:
@@ -155,7 +170,9 @@ class ExplorerModel(PlayerModel):
         if pinned is not None and not isinstance(pinned, int):
             raise InvalidScene("pinned must be the number of a row in the table of axes, or null")
         text = content.get("scene")
-        begun = self.scene if text in (None, self._start_json) else Scene.from_json(typed(text, "the scene", str))
+        begun = (
+            self.scene if text in (None, self._start_json) else Scene.from_json(require_type(text, "the scene", str))
+        )
         changed = replace(begun, a=a, b=b)
         trace = _trace(changed)
         view = (content.get("view") or self._view or SHORTCUT) if trace.shortcut else None
@@ -164,7 +181,7 @@ class ExplorerModel(PlayerModel):
         layout = drag_layout(trace, largest)  # refused where it cannot be drawn
         before = self._challenge_result.goal if self._challenge_result else None
         goal = content.get("goal", before)
-        met = None if goal is None else evaluate_goal(typed(goal, "the challenge", str), changed)
+        met = None if goal is None else evaluate_goal(require_type(goal, "the challenge", str), changed)
         if begun is not self.scene:
             self._start_json, self._at_first = begun.to_json(), (begun.a, begun.b)
         # where the scene began it has the frame and the labels that it had there, whatever was shown since; while
@@ -202,7 +219,8 @@ class ExplorerModel(PlayerModel):
                 free, self._layout, self._degree, last_out=self._last_out, last_offsets=self._last_offsets
             )
             self._last_out = place.out
-            return DrawnScene(drawn, knob=knob_position(self._layout, place, self._degree))
+            free_line = self._line_of(free, free.tests[0], degree_text(self._degree))
+            return DrawnScene(drawn, free_line, knob=knob_position(self._layout, place, self._degree))
         chosen = self._shown_test()
         show = drag_view if trace.shortcut else drag_picture
         drawn, lies = show(
@@ -214,8 +232,16 @@ class ExplorerModel(PlayerModel):
             last_offsets=self._last_offsets,
         )
         self._last_out = None if lies is None else lies.out
-        lit = None if chosen is None else first_row_numbers(trace)[chosen.pair or 0] + chosen.test
-        return DrawnScene(drawn, lit=lit)
+        if chosen is None:
+            return DrawnScene(drawn)
+        run = trace if chosen.pair is None else trace.pairs[chosen.pair]
+        test = run.tests[chosen.test]
+        line = self._line_of(run, test, f"axis {chosen.test + 1}") if any(test.axis.normal) else None
+        return DrawnScene(drawn, line, lit=first_row_numbers(trace)[chosen.pair or 0] + chosen.test)
+
+    def _line_of(self, run: Trace, test: AxisTest, name: str) -> Picture:
+        """Return the number line of a test, whose numbers have the format of the picture and the table."""
+        return number_line(run, test, self._layout, drag_digits(self._layout)(run, test), name)
 
     def _shown_test(self) -> ShownTest | None:
         """Return the test in the row that the reader chose, if the trace has it, else the decisive test."""
@@ -235,5 +261,7 @@ def _number(value: Any, what: str) -> float | None:
 
 
 def _trace(shown: Scene) -> Trace:
-    """Return the trace of a scene over every axis, since the table shows them all."""
+    """Return the trace of a scene over every axis, since the table shows them all; parallel normals have one row."""
+    if shown.axes == EVERY_NORMAL and shown.a.is_convex and shown.b.is_convex:
+        shown = replace(shown, axes=NEEDED)
     return shown.record().without_early_exit()

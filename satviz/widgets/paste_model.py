@@ -9,7 +9,7 @@ from ..scenes.minimal_test import LANGUAGES
 from ..scenes.paste.exact import crossing
 from ..scenes.paste.pasted import Pasted, paste
 from ..scenes.scenefile import Scene
-from ..scenes.strictjson import typed
+from ..scenes.strictjson import require_type
 
 MAX_DRAWN_CORNERS = 60  # of an outline that is refused
 
@@ -20,9 +20,11 @@ def read_paste(content: dict[str, Any]) -> tuple[Scene | None, dict[str, Any]]:
     Nothing raises: a text in which nothing can be read is answered with the reason, `why`.
     """
     try:
-        text = typed(content.get("text"), "the text", str)
-        chosen = [typed(word, "a reading", str) for word in typed(content.get("as", []), "the readings", list)]
-        number = typed(content.get("pair", 0), "the pair", int)
+        text = require_type(content.get("text"), "the text", str)
+        chosen = [
+            require_type(word, "a reading", str) for word in require_type(content.get("as", []), "the readings", list)
+        ]
+        number = require_type(content.get("pair", 0), "the pair", int)
         found = paste(text, chosen)
     except InvalidScene as error:
         return None, {"why": f"{str(error).rstrip('.')}."}

@@ -26,12 +26,16 @@ def colliding_pairs(shapes: Shapes) -> Pairs | None:
     if "groups" in vars(shapes) and len(shapes.groups) == 1:
         (group,) = shapes.groups.values()
         pairs, decided = _collide_columns(group.x, group.y, NO_RADII if group.r is None else group.r)
+    elif "blocks" in vars(shapes) and len(shapes.blocks) <= MAX_BLOCKS:
+        pairs, decided = _collide_blocks(*shapes.blocks, *[NO_BLOCK] * (MAX_BLOCKS - len(shapes.blocks)))
     else:
         pairs, decided = _collide(*shapes.rings, shapes.radius)
     return pairs if decided else None
 
 
 NO_RADII = np.zeros(0)
+MAX_BLOCKS = 4  # kinds of shapes that one call takes as they lie
+NO_BLOCK = np.empty((2, 1, 0))
 
 
 @compiled
@@ -44,6 +48,25 @@ def _collide_columns(columns_x: Array, columns_y: Array, radius: Array) -> tuple
             x[i * corners + v], y[i * corners + v] = columns_x[v, i], columns_y[v, i]
     start = np.arange(0, corners * n + 1, corners)
     return _collide(x, y, start, radius if corners == 1 else np.zeros(n))
+
+
+@compiled
+def _collide_blocks(a: Array, b: Array, c: Array, d: Array) -> tuple[Pairs, bool]:
+    """Return what `_collide` returns, for the shapes of four blocks of groups, in order."""
+    n = a.shape[2] + b.shape[2] + c.shape[2] + d.shape[2]
+    corners = a[0].size + b[0].size + c[0].size + d[0].size
+    x, y, start, radius = np.empty(corners), np.empty(corners), np.zeros(n + 1, np.intp), np.zeros(n)
+    i = to = 0
+    for block in (a, b, c, d):
+        for k in range(block.shape[2]):
+            for v in range(block.shape[1]):
+                x[to], y[to] = block[0, v, k], block[1, v, k]
+                to += 1
+            if block.shape[0] == 3:
+                radius[i] = block[2, 0, k]
+            i += 1
+            start[i] = to
+    return _collide(x, y, start, radius)
 
 
 @compiled

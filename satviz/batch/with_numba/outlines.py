@@ -10,7 +10,7 @@ import numpy as np
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ..array_types import Array, Indices
-from ..arrays import TILE_SHAPES, Group, TileMaxima
+from ..arrays import TILE_SHAPES, Group
 from ..exact_signs import ERRBOUND_A
 from ..ragged import Rings
 from .jit_cache import compiled, inlined
@@ -25,7 +25,24 @@ def certified_group(vertices: Array) -> Group | None:
     kernel = (_fill_columns_3, _fill_columns_4)[corners - 3] if corners <= 4 else _fill_columns
     if not kernel(vertices, columns, maxima):
         return None
-    return Group(columns[0], columns[1], None, TileMaxima(maxima[0], maxima[1]))
+    return Group(columns[0], columns[1], None, columns, maxima)
+
+
+def certified_circles(centers: Array, radii: Array) -> Group | None:
+    """Return circles from (N, 2) centers and (N,) radii as a group; None if a number is not finite or not positive."""
+    block = np.empty((3, 1, len(centers)))
+    return Group(block[0], block[1], block[2, 0], block) if _fill_circles(centers, radii, block) else None
+
+
+@compiled
+def _fill_circles(centers: Array, radii: Array, block: Array) -> bool:
+    """Fill the block with the x, y and radii of circles; return False at a number that is not finite or positive."""
+    for i in range(radii.size):
+        x, y, r = centers[i, 0], centers[i, 1], radii[i]
+        if not (abs(x) < np.inf and abs(y) < np.inf and 0 < r < np.inf):
+            return False
+        block[0, 0, i], block[1, 0, i], block[2, 0, i] = x + 0.0, y + 0.0, r  # no -0.0
+    return True
 
 
 def _columns_kernel(fixed: int | None) -> Callable[[Array, Array, Array], bool]:

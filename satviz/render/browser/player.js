@@ -35,6 +35,7 @@ import { followTheme } from "./theme.js";
 /**
  * @typedef {object} PlayerOptions
  * @property {boolean} [predict]
+ * @property {number} [speed] How many times as fast it plays at first.
  * @property {string[]} [formats] The formats of the files that a kernel draws.
  * @property {RequestFile | null} [requestFile] Asks the kernel for a file.  Without it the page saves its own picture.
  * @property {Show[]} [narrow] The same shows for a place where the others do not fit.
@@ -52,7 +53,7 @@ export class Player {
    * @param {Show[]} shows One, or that of the early exit and that of every axis.
    * @param {PlayerOptions} [options]
    */
-  constructor(root, shows, { predict = false, requestFile = null, formats = [], narrow = [], link = "", site = "", range = null } = {}) {
+  constructor(root, shows, { predict = false, speed = 1, requestFile = null, formats = [], narrow = [], link = "", site = "", range = null } = {}) {
     this.root = root;
     this.shows = shows;
     this.range = range;
@@ -75,7 +76,8 @@ export class Player {
     this.playButton = button("play", () => this.toggle(), { content: icon("play") });
     this.scrub = element("input", { type: "range", min: this.first, step: 1, "aria-label": "step", oninput: () => this.go(Number(this.scrub.value)) });
     this.count = element("output", { class: "sv-count" });
-    const speeds = [0.5, 1, 2].map((v) => element("option", { value: v, selected: v === 1 }, `${v}×`));
+    const known = [...new Set([0.25, 0.5, 1, 2, 4, speed])].sort((p, q) => p - q);
+    const speeds = known.map((v) => element("option", { value: v, selected: v === speed }, `${v}×`));
     this.speed = element("select", { "aria-label": "speed" }, ...speeds);
     this.predict = element("input", { type: "checkbox", checked: predict, onchange: () => this.go(this.at) });
     this.predictLabel = element("label", {}, this.predict, " predict");

@@ -6,7 +6,7 @@ from fractions import Fraction
 from math import cos, radians, sin
 from typing import Any
 
-from .names import Obj
+from .names import Obj, Unreadable
 from .notations import (
     ANY_BOX,
     CENTER_HALF,
@@ -19,8 +19,8 @@ from .notations import (
     Notation,
     key,
 )
-from .points import ZERO, Points, Pt
-from .tree import Value
+from .points import ZERO, Points, Pt, places
+from .tree import Name, Value
 
 # What can be asked, and the words of `--as`.
 BOX_FORM, ANGLE, TURN, ORDER, PIVOT, CORNERS = "box", "angle", "turn", "order", "pivot", "corners"
@@ -61,6 +61,7 @@ class Read:
     form: str = ""
     keyed: bool = False  # the numbers of a box have names: width, height
     shift: Pt = ZERO  # the position that was added to its corners
+    used: frozenset[int] = frozenset()  # where the numbers of the text end that stand in it
 
     @property
     def is_circle(self) -> bool:
@@ -114,16 +115,18 @@ class Boxes(Points):
         made = Read(
             corners, None, FORM_WORDS[form], at.start, at.end, label, negative=negative, box=tuple(four), form=form
         )
-        if angle is None or self.number(angle) == 0:
+        made = replace(made, used=places(*four))
+        if angle is None:
             return made
         pivot = ((xs[0] + xs[1]) / 2, (ys[0] + ys[1]) / 2)
-        if form == CORNER_SIZE and self._choose(PIVOT, CHOICES[PIVOT]) == AROUND_CORNER:
+        if form == CORNER_SIZE and self.number(angle) and self._choose(PIVOT, CHOICES[PIVOT]) == AROUND_CORNER:
             pivot = (a, b)
         return self._turned(made, angle, unit, pivot)
 
     def _turned(self, shape: Read, angle: Any, unit: str, pivot: Pt | None) -> Read:
         """Return a shape turned by an angle about a pivot (None: the origin); the unit is asked where none is named."""
         value = self.number(angle)
+        shape = replace(shape, used=shape.used | places(value))
         if value == 0 or shape.is_circle:
             return shape
         if not unit:
@@ -143,7 +146,8 @@ class Boxes(Points):
         px, py = pivot or ZERO
         points = tuple((px + (x - px) * c - (y - py) * s, py + (x - px) * s + (y - py) * c) for x, y in shape.points)
         said = f"{shape.said}, turned by {plain(value)} {unit}"
-        return replace(shape, points=points, said=said, rounded=shape.rounded or not exact)
+        rounded = shape.rounded or not exact
+        return replace(shape, points=points, said=said, rounded=rounded, box=(), form="")
 
     def _box_of_keys(
         self, obj: Obj, place: Pt | None, center: Any, row: Notation | None
@@ -154,13 +158,21 @@ class Boxes(Points):
         if least is not None and most is not None:
             p, q = self.point(least), self.point(most)
             return ([*p, *q], CORNER_CORNER) if p and q else None
+        letters = {str(k).lower(): v for k, v in obj.fields.items()}
+        if all(side in letters for side in "ltrb"):  # Rect64(l: 0, t: 0, r: 4, b: 4)
+            return [self.number(letters[side]) for side in "ltrb"], CORNER_CORNER
         corners = [get(name) for name in ("x0", "y0", "x1", "y1")]
         if corners[2] is None and corners[0] is None and "x1" in obj.fields and "x2" in obj.fields:
             corners = [obj.fields.get(name) for name in ("x1", "y1", "x2", "y2")]
         elif corners[0] is not None and corners[2] is None:
             corners[2:] = [obj.fields.get("x1"), obj.fields.get("y1")]
         if all(c is not None for c in corners):
-            return [self.number(c) for c in corners], CORNER_CORNER
+            four = [self.number(c) for c in corners]
+            if get("width") is not None and get("height") is not None:  # a DOMRect has both, and they must agree
+                w, h = self.number(get("width")), self.number(get("height"))
+                if (w, h) != (four[2] - four[0], abs(four[3] - four[1])):
+                    raise Unreadable(f"its sides are not {plain(w)} and {plain(h)} long: two readings of one box")
+            return four, CORNER_CORNER
         if place is None and all(c is not None for c in corners[:2]):
             place = (self.number(corners[0]), self.number(corners[1]))
         half = get("half")
@@ -174,8 +186,15 @@ class Boxes(Points):
         size = self.point(get("size")) if get("size") is not None else None
         if size is None and get("width") is not None and get("height") is not None:
             size = (self.number(get("width")), self.number(get("height")))
+        if size is not None and place is None and row and (row.form in (CENTER_SIZE, CENTER_HALF) or row.alone):
+            return [*ZERO, *size], CENTER_SIZE if row.form == CENTER_HALF else row.form  # where its body is
         if size is None or place is None:
             return None
+        sides = {origin_of(obj, "originx", "left"), origin_of(obj, "originy", "top")}
+        if sides - {"left", "top", "center"} or (len(sides) == 2 and "center" in sides):
+            raise Unreadable("an origin that is neither the corner nor the center: write the corner")
+        if "center" in sides:
+            return [*place, *size], CENTER_SIZE
         named_center = any(
             isinstance(n, str) and n.lower() in ("center", "centre", "centroid", "middle") for n in obj.fields
         )
@@ -191,8 +210,19 @@ class Boxes(Points):
 def moved(shape: Read, move: Pt) -> Read:
     """Return a shape that was moved."""
     points = tuple((x + move[0], y + move[1]) for x, y in shape.points)
-    said = shape.said.replace(", at the origin", " and a position") if move else shape.said
-    return replace(shape, points=points, said=said)
+    said = shape.said.replace(", at the origin", "")
+    said = said if said.endswith(" and a position") else f"{said} and a position"
+    box = shape.box
+    if box:
+        last = (box[2] + move[0], box[3] + move[1]) if shape.form == CORNER_CORNER else box[2:]
+        box = (box[0] + move[0], box[1] + move[1], *last)
+    return replace(shape, points=points, said=said, box=box, used=shape.used | places(*move))
+
+
+def origin_of(obj: Obj, name: str, usual: str) -> str:
+    """Return what an object gives as the origin of its position: left, center, ..."""
+    found = next((v for k, v in obj.fields.items() if str(k).lower() == name), None)
+    return found.text.lower() if isinstance(found, Name) else usual
 
 
 def unit_of(obj: Obj) -> str:

@@ -9,6 +9,20 @@ from .notations import HARMLESS, POINT, RING, notation
 from .tree import Group, Name, Num, Pair, Value
 
 Pt = tuple[Fraction, Fraction]
+
+
+class Numeral(Fraction):
+    """An exact number of the text that knows the place where it ends, so that no number is lost without a word."""
+
+    __slots__ = ("at",)
+    at: int
+
+
+def places(*numbers: Fraction) -> frozenset[int]:
+    """Return where numbers of the text end; what was computed stands nowhere."""
+    return frozenset(n.at for n in numbers if isinstance(n, Numeral))
+
+
 ZERO = (Fraction(0), Fraction(0))
 
 
@@ -22,7 +36,9 @@ class Points(Names):
         if isinstance(value, Num):
             if value.value is None:
                 raise Unreadable(value.why)
-            return value.value
+            found = Numeral(value.value)
+            found.at = value.end
+            return found
         if isinstance(given, Name):
             name = given.text
             if name.lower().rsplit(".", 1)[-1] in ("nan", "inf", "infinity", "positive_infinity"):
@@ -101,7 +117,7 @@ class Points(Names):
             numbered = {k: v for k, v in value.fields.items() if isinstance(k, int)}
             if not numbered:
                 return None
-            return self._points([numbered[k] for k in sorted(numbered)])
+            return self._points(self._all_numbered(value, numbered))
         if not isinstance(value, Group) or any(isinstance(item, Pair) for item in value.items):
             return None
         row = notation(value.name) if value.name else None
@@ -123,6 +139,18 @@ class Points(Names):
                 raise Unreadable(f"a list of {len(flat)} numbers is no list of x and y: one is missing or too many")
             return list(zip(flat[::2], flat[1::2], strict=True))
         return self._points(items)
+
+    def _all_numbered(self, obj: Obj, numbered: dict[int, Any]) -> list[Any]:
+        """Return the elements v[0], v[1], ... in their order; Unreadable where one is missing, or was set before."""
+        first, last = min(numbered), max(numbered)
+        missing = next((k for k in range(first, last) if k not in numbered), None)
+        if first not in (0, 1):
+            raise Unreadable(f"the elements begin with [{first}]: those before it are missing")
+        if missing is not None:
+            raise Unreadable(f"v[{missing}] is missing between v[{first}] and v[{last}]")
+        if any(isinstance(v, Group) and v.items and not isinstance(v.items[0], Num) for v in obj.rest):
+            raise Unreadable("a list is changed after it was made: write its last corners")
+        return [numbered[k] for k in range(first, last + 1)]
 
     def _points(self, items: Sequence[Any]) -> list[Pt] | None:
         """Return the items as points; None if fewer than two are; Unreadable if only some are."""

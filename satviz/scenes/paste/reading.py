@@ -13,6 +13,7 @@ from .boxes import (
     Boxes,
     Read,
     moved,
+    origin_of,
     unit_of,
 )
 from .names import Obj, Unreadable, is_block, short
@@ -26,6 +27,7 @@ from .notations import (
     CORNER_CORNER,
     CORNER_OR_CENTER,
     CORNER_SIZE,
+    ELLIPSE,
     HARMLESS,
     MANY,
     MOVE,
@@ -38,16 +40,12 @@ from .notations import (
     key,
     notation,
 )
-from .points import ZERO, Pt
+from .points import ZERO, Pt, places
 from .tree import Bad, Group, Name, Num, Pair, Value
 
 
 class Reader(Boxes):
     """Reads a tree once, with the readings that were chosen; `problems` says what could not be read."""
-
-    def __init__(self, text: str, chosen: Sequence[str] = ()) -> None:
-        super().__init__(text, chosen)
-        self.problems: list[str] = []
 
     def read(self, root: Group) -> list[Read]:
         """Return every shape of a tree, in the order of the text."""
@@ -102,12 +100,20 @@ class Reader(Boxes):
                 (x0, y), (x1, _), _ = ring
                 return [
                     Read(
-                        (((x0 + x1) / 2, y),), abs(x1 - x0) / 2, "a circle by two points", group.start, group.end, label
+                        (((x0 + x1) / 2, y),),
+                        abs(x1 - x0) / 2,
+                        "a circle by two points",
+                        group.start,
+                        group.end,
+                        label,
+                        used=places(*(c for p in ring for c in p)),
                     )
                 ]
             raise Unreadable("an outline with arcs: satviz takes polygons and circles")
         if kind == CIRCLE:
             found = self._circle(group, label)
+        elif kind == ELLIPSE:
+            found = self._ellipse(group, label)
         elif kind == BOX and row:
             found = self._box(group, row, label)
         elif kind == RING and group.bracket != '"':
@@ -122,6 +128,9 @@ class Reader(Boxes):
         """Return shapes with the moves and turns behind them applied; Unreadable for any other change."""
         for name, arguments in group.methods if found else ():
             plain = name.lower()
+            if plain in HARMLESS and any(isinstance(v, Group) for v in arguments.items):
+                found = [*found, *self._each(arguments.items, "")]  # a.intersects(b)
+                continue
             if plain in MOVES and len(arguments.items) in (1, 2):
                 move = self.point(arguments) or self.point(arguments.items[0])
                 if move:
@@ -149,7 +158,8 @@ class Reader(Boxes):
         """Return a polygon; `how`: words about the position that was added."""
         moved = tuple((x + shift[0], y + shift[1]) for x, y in points)
         said = f"a polygon of {len(points)} corners{how}"
-        return Read(moved, None, said, value.start, value.end, label, shift=shift)
+        used = places(*(c for p in points for c in p), *shift)
+        return Read(moved, None, said, value.start, value.end, label, shift=shift, used=used)
 
     def _arguments(self, group: Group) -> tuple[list[Any], Obj]:
         """Return the arguments of a call that say something, and its named ones."""
@@ -197,6 +207,7 @@ class Reader(Boxes):
         outline = self.ring(loose)
         taken = arguments
         count_of_position = 0
+        given: frozenset[int] = frozenset()
         if outline is None and len(arguments) > 1:
             first = self.point(arguments[0], origin=True)
             rest = self.ring(arguments[1])
@@ -217,7 +228,7 @@ class Reader(Boxes):
             return self._plain(group, label)
         if place is not None and group.name.lower().endswith("fromvertices"):
             cx, cy = _centroid(outline)
-            place = place[0] - cx, place[1] - cy  # Matter puts the center of mass there
+            given, place = places(*place), (place[0] - cx, place[1] - cy)  # Matter puts the center of mass there
         self.consume(taken)
         if any(not key(name) and self.point(value) is not None for name, value in named.fields.items()):
             raise Unreadable("a list of corners has something else in it")
@@ -226,18 +237,28 @@ class Reader(Boxes):
             self.remark("numbers beside a list of corners were left out")
         shift = place or ZERO
         made = self._outline(outline, group, label, shift, " and a position" if shift != ZERO else "")
+        made = replace(made, used=made.used | given)
         return [self._turned(made, angle, unit_of(named), shift)] if angle is not None else [made]
+
+    def _options(self, arguments: Sequence[Any]) -> Obj | None:
+        """Return the only argument of a call as an object, if it is one with keys: new Circle({radius: 1})."""
+        value = self.resolve(arguments[0]) if len(arguments) == 1 else None
+        if not isinstance(value, Group) or value.name or not any(isinstance(v, Pair) for v in value.items):
+            return None
+        made = self.as_object(value)
+        return made if made.get("radius", "diameter", "width", "size", "half", "halfwidth", "min", "x1") else None
 
     def _circle(self, group: Group, label: str) -> list[Read]:
         """Return the circle of a call: (center, radius), (x, y, radius), or (radius) where a position is given."""
         arguments, named = self._arguments(group)
         arguments, place, _ = self._body(arguments)
-        if named.fields and named.get("radius") is not None and not arguments:
-            return self._object(replace(named, start=group.start, end=group.end), label)
+        only = self._options(arguments)
+        if only or (named.fields and named.get("radius", "diameter") is not None and not arguments):
+            return self._object(replace(only or named, start=group.start, end=group.end), label, notation(group.name))
         if not arguments:
             return []
-        places = (self.point(a, origin=True) for a in arguments if isinstance(self.resolve(a), (Group, Obj)))
-        points = [p for p in places if p]
+        found = (self.point(a, origin=True) for a in arguments if isinstance(self.resolve(a), (Group, Obj)))
+        points = [p for p in found if p]
         flat = self.numbers([a for a in arguments if not isinstance(self.resolve(a), (Group, Obj))]) or []
         if not points and len(flat) >= 3:
             points, flat = [(flat[0], flat[1])], flat[2:]
@@ -246,10 +267,13 @@ class Reader(Boxes):
         if not flat:
             raise Unreadable("a circle without a radius")
         x, y = points[0] if points else ZERO
-        if place:
-            x, y = x + place[0], y + place[1]
         said = "a circle by its center and radius" if points or place else "a circle by its radius, at the origin"
-        return [Read(((x, y),), flat[0], said, group.start, group.end, label)]
+        row = notation(group.name)
+        if row and row.alone and len(flat) == 1 and not points and not place:  # SFML's: the corner of its box is there
+            x, y, said = flat[0], flat[0], "a circle by its radius, with its box at the origin"
+        used = places(x, y, *(place or ()), flat[0])
+        x, y = (x + place[0], y + place[1]) if place else (x, y)
+        return [Read(((x, y),), flat[0], said, group.start, group.end, label, used=used)]
 
     def _box(self, group: Group, row: Notation, label: str) -> list[Read]:
         """Return the box of a call, in the form of its row or as it is asked."""
@@ -257,6 +281,8 @@ class Reader(Boxes):
         arguments, place, angle = self._body(arguments)
         if angle is None:
             angle = named.get("angle", "degrees", "radians")
+        if only := self._options(arguments):
+            return self._object(replace(only, start=group.start, end=group.end), label, row)
         if named.fields and not (angle is not None and len(named.fields) == 1 and arguments):
             return self._object(replace(named, start=group.start, end=group.end, rest=arguments), label, row)
         parts = [self.point(a) if isinstance(self.resolve(a), (Group, Obj)) else None for a in arguments]
@@ -270,7 +296,7 @@ class Reader(Boxes):
             flat = [*flat[2:4], *flat[:2], *flat[4:]]  # b2 and planck: half sizes, then the center
         if len(flat) == 2:  # a size alone: its center is where its body is
             form = row.form or CENTER_SIZE
-            form = form if form in (CENTER_SIZE, CENTER_HALF) else CENTER_SIZE
+            form = form if form in (CENTER_SIZE, CENTER_HALF) or row.alone else CENTER_SIZE
             flat = [*(place or ZERO), *flat]
             return [self._made_box(flat, form, group, label, angle, row.unit)]
         if len(flat) not in (4, 5):
@@ -305,23 +331,34 @@ class Reader(Boxes):
         if place is None and obj.get("x") is not None and obj.get("y") is not None:
             place = (self.number(obj.get("x")), self.number(obj.get("y")))
         if place is None:
-            place = next((p for p in (self.point(v) for v in obj.rest if isinstance(v, (Group, Obj))) if p), None)
+            rest = () if any(isinstance(k, int) for k in obj.fields) else obj.rest
+            place = next((p for p in (self.point(v) for v in rest if isinstance(v, (Group, Obj))) if p), None)
+        if row is None:  # var s = RectangleShape2D.new(), and its fields
+            made_by = (notation(v.name) for v in obj.rest if isinstance(v, Group) and v.name and not v.items)
+            row = next((found for found in made_by if found), None)
+        offset = self.point(obj.get("offset")) if obj.get("offset") is not None else None
+        if offset is not None and angle is not None and self.number(angle):
+            raise Unreadable("an offset and an angle in one shape: write the corners that result")
         points = obj.get("points")
         outline = self.ring(points) if points is not None else None
         if outline is None and any(isinstance(k, int) for k in obj.fields):
             outline = self.ring(obj)
         if outline is not None and len(outline) > 2:
-            shift = place or ZERO
+            shift, given = place or ZERO, places(*(place or ()))
             if shift != ZERO and self._choose(CORNERS, CHOICES[CORNERS]) == ABSOLUTE:
                 shift = ZERO
             made = self._outline(outline, obj, label, shift, " and a position" if shift != ZERO else "")
-            return [self._turned(made, angle, unit, shift) if angle is not None else made]
-        radius = obj.get("radius")
-        if radius is not None and isinstance(self.resolve(radius), (Num, Bad)):
-            said = "a circle by its center and radius" if place else "a circle by its radius, at the origin"
-            return [Read((place or ZERO,), self.number(radius), said, obj.start, obj.end, label)]
+            made = replace(made, used=made.used | given)
+            made = self._turned(made, angle, unit, shift) if angle is not None else made
+            return [moved(made, offset) if offset else made]
+        radius = obj.get("radius", "diameter")
+        sides = all(side in {str(k).lower() for k in obj.fields} for side in "ltrb")
+        if radius is not None and isinstance(self.resolve(radius), (Num, Bad)) and not sides:
+            made = self._circle_of_keys(obj, place, label, row)
+            return [moved(made, offset) if offset else made]
         if four := self._box_of_keys(obj, place, center, row):
-            return [replace(self._made_box(*four, obj, label, angle, unit), keyed=True)]
+            made = replace(self._made_box(*four, obj, label, angle, unit), keyed=True)
+            return [moved(made, offset) if offset else made]
         if obj.rest and (place is not None or angle is not None):
             found = [s for v in obj.rest for s in self.shapes(v, label)]
             found = [moved(s, place) if place and self.point(obj.get("center")) else s for s in found]
@@ -332,6 +369,38 @@ class Reader(Boxes):
                 wrapper = isinstance(name, int) or name in ("geometry", "features", "geometries", "shape")
                 inner += self.shapes(value, label if wrapper else str(name).split(" (")[0])
         return inner
+
+    def _circle_of_keys(self, obj: Obj, place: Pt | None, label: str, row: Notation | None) -> Read:
+        """Return the circle of an object with a radius or a diameter, and a center or its left and top sides."""
+        given = obj.get("radius")
+        size = self.number(given if given is not None else obj.get("diameter"))
+        used = places(*(place or ()), size)
+        radius = size if given is not None else size / 2
+        keys = {str(k).lower(): v for k, v in obj.fields.items()}
+        said = "a circle by its center and radius" if place else "a circle by its radius, at the origin"
+        if place is None and "left" in keys and "top" in keys:
+            place = self.number(keys["left"]), self.number(keys["top"])
+            used |= places(*place)
+            origins = origin_of(obj, "originx", "left"), origin_of(obj, "originy", "top")
+            if origins == ("left", "top"):
+                place, said = (
+                    (place[0] + radius, place[1] + radius),
+                    "a circle by its left and top sides and a position",
+                )
+            elif origins != ("center", "center"):
+                raise Unreadable("an origin that is neither the corner nor the center: write the center")
+        if given is None:
+            said = said.replace("radius", "diameter")
+        return Read((place or ZERO,), radius, said, obj.start, obj.end, label, used=used)
+
+    def _ellipse(self, group: Group, label: str) -> list[Read]:
+        """Return the circle of an ellipse with equal axes: (x, y, width, height); Unreadable for any other."""
+        flat = self.numbers(group.items) or []
+        if len(flat) not in (3, 4) or flat[2] != flat[-1]:
+            raise Unreadable("an ellipse: satviz takes polygons and circles")
+        said = "a circle by its center and diameter"
+        used = places(*flat)
+        return [Read(((flat[0], flat[1]),), flat[2] / 2, said, group.start, group.end, label, used=used)]
 
     def _plain(self, group: Group, label: str) -> list[Read]:
         """Return the shapes of a bracket that no name explains."""
@@ -356,7 +425,8 @@ class Reader(Boxes):
             center = self.point(items[0])
             if center is not None and len(items) == 2:
                 radius = self.number(items[1])
-                return [Read((center,), radius, "a circle by its center and radius", group.start, group.end, label)]
+                said, used = "a circle by its center and radius", places(*center, radius)
+                return [Read((center,), radius, said, group.start, group.end, label, used=used)]
             if center is not None and _is_call(group):
                 four = [*center, self.number(items[1]), self.number(items[2])]
                 return [self._made_box(four, self._choose(BOX_FORM, CORNER_OR_CENTER), group, label)]

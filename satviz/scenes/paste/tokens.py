@@ -50,6 +50,9 @@ _TOKEN = re.compile(
 # what a Python or IPython session writes before each line; replaced by spaces, so that places in the text stay
 _PROMPT = re.compile(r"^[ \t]*(?:>>>|\.\.\.:?|In \[\d+\]:|Out\[\d+\]:)(?=\s)", re.MULTILINE)
 
+# two numbers with commas for points, and a semicolon between them
+_DECIMAL_COMMA = re.compile(r"\([ ]?[-+]?\d+,\d+[ ]?;[ ]?[-+]?\d+,\d+[ ]?\)")
+
 
 class Token(NamedTuple):
     """One token: its kind, its text, where it begins and ends, and of a number its exact value or why it has none."""
@@ -70,6 +73,8 @@ def tokens(text: str) -> list[Token]:
         raise InvalidScene(
             f"the text has {len(text):,} characters: the limit is {MAX_CHARS:,}, so paste the shapes alone"
         )
+    if comma := _DECIMAL_COMMA.search(text):
+        raise InvalidScene(f"{_short(comma[0])} has decimal commas: write the numbers with points, such as 0.5")
     found: list[Token] = []
     for token in _scan(_PROMPT.sub(lambda m: " " * len(m[0]), text)):
         found.append(token)

@@ -9,7 +9,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any
+from itertools import pairwise
+from typing import Any, NamedTuple
 
 from ...engine.geometry import InvalidScene
 from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, number, tokens
@@ -87,6 +88,7 @@ class Pair(Value):
 
     path: tuple[str | int, ...]
     value: Any
+    before: str = ""  # the word before the key, such as the type in `Rect r = {0, 0, 1, 1}`
 
 
 @dataclass(slots=True)
@@ -97,13 +99,22 @@ class Group(Value):
     bracket: str = ""
     name: str = ""
     methods: list[tuple[str, "Group"]] = field(default_factory=list)  # calls behind it: .rotate(45)
+    before: str = ""  # the word before its name, such as the type in `Circle c(0, 0, 1)`
 
 
-def parse(text: str) -> tuple[Group, list[str]]:
-    """Return the whole text as one group of lines, and sentences about brackets that do not fit."""
+class Tree(NamedTuple):
+    """A text as one group of lines; sentences about brackets that do not fit; where indices and lengths end."""
+
+    root: Group
+    remarks: list[str]
+    indices: frozenset[int]
+
+
+def parse(text: str) -> Tree:
+    """Return the tree of a text."""
     parser = _Parser(text, tokens(text))
     root = Group(0, len(text), parser.items("", 0))
-    return root, parser.remarks
+    return Tree(root, parser.remarks, frozenset(parser.indices))
 
 
 class _Parser:
@@ -114,6 +125,7 @@ class _Parser:
         self.tokens = found
         self.at = 0
         self.remarks: list[str] = []
+        self.indices: set[int] = set()  # where numbers end that count: v[2], float[3]
 
     def items(self, bracket: str, depth: int) -> list[Any]:
         """Return the items up to the bracket that closes this group ("" is the whole text)."""
@@ -219,6 +231,7 @@ class _Parser:
         begin = token.start + 1
         parser = _Parser(self.text, [t._replace(start=t.start + begin, end=t.end + begin) for t in tokens(inner)])
         items = [item for item in parser.items("", depth + 1) if item is not None]
+        self.indices |= parser.indices
         self.remarks += [r for r in parser.remarks if r not in self.remarks]
         return items[0] if len(items) == 1 else Group(token.start, token.end, items, '"')
 
@@ -235,7 +248,7 @@ class _Parser:
                 sign = next((i for i, a in enumerate(atoms) if i > mark and _is_mark(a, ("=",))), mark)
                 if any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[mark:sign]):
                     sign = mark
-            path = _path(atoms[:mark])
+            path = self.path(atoms[:mark])
             if bracket == "{" and mark > 1 and any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[:mark]):
                 return Bad(_start(atoms[0]), _end(atoms[-1]), "a number beside a key")
             after = atoms[sign + 1 :]
@@ -250,7 +263,9 @@ class _Parser:
                 return Bad(_start(atoms[0]), _end(atoms[-1]), "a key without a value", groups) if slips else None
             if not path:
                 return rest
-            pair = Pair(_start(atoms[0]), rest.end, path, rest)
+            words = [a.text for a in atoms[:mark] if isinstance(a, Token) and a.kind == NAME]
+            words = [word for word in words if word not in IGNORED_NAMES]
+            pair = Pair(_start(atoms[0]), rest.end, path, rest, words[-2] if len(words) > 1 else "")
             before = [a for a in atoms[:mark] if isinstance(a, Group) and a.bracket in "({" and a.items]
             return Group(pair.start, pair.end, [*before, pair], "+") if before else pair  # {x: 1, y: 2} radius: 5
         return self.plain(atoms)
@@ -278,6 +293,9 @@ class _Parser:
             return Group(start, end, values, " ")
         if all(isinstance(v, Group) for v in values):
             return Group(start, end, values, " ")
+        for word, group in pairwise(values):
+            if isinstance(word, Name) and isinstance(group, Group) and group.name:
+                group.before = word.text
         return Bad(start, end, "words", [v for v in values if not isinstance(v, (Name, Bad))])
 
     def joined(self, atoms: list[Any]) -> tuple[list[Any], list[str]]:
@@ -290,9 +308,14 @@ class _Parser:
             i += 1
             if isinstance(atom, Group):
                 last = values[-1] if values else None
+                if isinstance(last, Group) and _is_cast(last) and atom.bracket == "{":  # (Vector2){ 5, 5 }
+                    values[-1] = Group(last.start, atom.end, atom.items, atom.bracket, last.items[0].text)
+                    continue
                 # new float[3] {...}: the bracket with the length comes before the list
                 if isinstance(last, Name) and atom.bracket in "([{" and atom.bracket:
                     length = atom
+                    if atom.bracket == "[" and len(atom.items) == 1 and isinstance(atom.items[0], Num):
+                        self.indices.add(atom.items[0].end)  # v[2], or the length in b2Vec2 v[3]
                     while atom.bracket == "[" and len(atom.items) < 2 and i < len(atoms) and _is_open(atoms[i]):
                         atom = atoms[i]
                         i += 1
@@ -329,6 +352,24 @@ class _Parser:
                 operators.append("-" if atom.text == "\u2212" else atom.text)
         return values, operators
 
+    def path(self, atoms: Sequence[Any]) -> tuple[str | int, ...]:
+        """Return the path that is assigned to: the last name before the sign, with the indices and fields behind it."""
+        names = [i for i, a in enumerate(atoms) if isinstance(a, Token) and a.kind in (NAME, TEXT)]
+        parts: list[str | int] = []
+        begin = names[-1] if names else 0
+        for atom in atoms[begin:]:
+            if isinstance(atom, Token) and atom.kind in (NAME, TEXT, FIELD):
+                text = atom.text[1:-1] if atom.kind == TEXT else atom.text
+                parts += [p for p in text.replace("->", ".").replace("::", ".").split(".") if p]
+            elif isinstance(atom, Token) and atom.kind == NUMBER and not names:
+                parts.append(atom.text)
+            elif isinstance(atom, Group) and atom.bracket == "[" and len(atom.items) == 1:
+                index = atom.items[0]
+                if isinstance(index, Num) and index.value is not None and index.value.denominator == 1:
+                    parts.append(int(index.value))
+                    self.indices.add(index.end)
+        return tuple(parts)
+
 
 def _is_mark(atom: Any, texts: tuple[str, ...]) -> bool:
     """Return whether an atom is one of these marks."""
@@ -341,6 +382,11 @@ def _text(atom: Token) -> Num | Name:
     if NUMERAL.fullmatch(inner):
         return Num(atom.start, atom.end, *number(inner))
     return Name(atom.start, atom.end, atom.text[1:-1])
+
+
+def _is_cast(group: Group) -> bool:
+    """Return whether a group is a type in brackets."""
+    return group.bracket == "(" and not group.name and len(group.items) == 1 and isinstance(group.items[0], Name)
 
 
 def _says_nothing(atom: Any) -> bool:
@@ -368,21 +414,3 @@ def _end(atom: Any) -> int:
     """Return where an atom ends."""
     found: int = atom.end
     return found
-
-
-def _path(atoms: Sequence[Any]) -> tuple[str | int, ...]:
-    """Return the path that is assigned to: the last name before the sign, with the indices and fields behind it."""
-    names = [i for i, a in enumerate(atoms) if isinstance(a, Token) and a.kind in (NAME, TEXT)]
-    parts: list[str | int] = []
-    begin = names[-1] if names else 0
-    for atom in atoms[begin:]:
-        if isinstance(atom, Token) and atom.kind in (NAME, TEXT, FIELD):
-            text = atom.text[1:-1] if atom.kind == TEXT else atom.text
-            parts += [p for p in text.replace("->", ".").replace("::", ".").split(".") if p]
-        elif isinstance(atom, Token) and atom.kind == NUMBER and not names:
-            parts.append(atom.text)
-        elif isinstance(atom, Group) and atom.bracket == "[" and len(atom.items) == 1:
-            index = atom.items[0]
-            if isinstance(index, Num) and index.value is not None and index.value.denominator == 1:
-                parts.append(int(index.value))
-    return tuple(parts)

@@ -2,21 +2,20 @@
 
 from math import sqrt
 
-from ..engine import describe
-from ..engine.number_format import ascii_minus, number
-from ..engine.sat import AxisTest
-from ..engine.trace import Trace
+from .number_format import Digits, ascii_minus, number
+from .sat import AxisTest
 
 AXIS, POINT, PLAIN = "axis", "point", ""
 
 
-def landing_sum(trace: Trace, test: AxisTest, role: str, i: int) -> list[tuple[str, str]]:
+def landing_sum(digits: Digits, test: AxisTest, role: str, i: int) -> list[tuple[str, str]]:
     """Return the sum of the landing of point `i` of role "A" or "B" in pieces: "2", "\u00b7", "8" ... " = 6.934".
 
-    Each piece comes with whose number it is: AXIS, POINT or PLAIN.  The list is empty where a number would not be
-    printed in full, and where a shortcut measures something else than this sum.
+    Each piece comes with whose number it is: AXIS, POINT or PLAIN.  `digits`: how the test's numbers are printed.
+    The list is empty where a number would not be printed in full, and where a shortcut measures something else than
+    this sum.
     """
-    side, digits = (test.a, test.b)["AB".index(role)], describe.digits(trace, test)
+    side = (test.a, test.b)["AB".index(role)]
     (nx, ny), (x, y) = test.axis.normal, side.points[i]
     if digits.origin or digits.power or digits.fine or not all(map(_is_printed_in_full, (nx, ny, x, y))):
         return []
