@@ -19,6 +19,12 @@ class Numeral(Fraction):
     at: int
 
 
+def angle_of(at: Value, flat: Sequence[Fraction]) -> Num:
+    """Return the fifth number of a box, its angle, as a value with its own place in the text."""
+    number = flat[4]
+    return Num(at.start, number.at if isinstance(number, Numeral) else at.end, number)
+
+
 def places(*numbers: Fraction) -> frozenset[int]:
     """Return where numbers of the text end; what was computed stands nowhere."""
     return frozenset(n.at for n in numbers if isinstance(n, Numeral))

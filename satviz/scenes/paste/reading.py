@@ -27,13 +27,14 @@ from .notations import (
     MANY,
     MOVE,
     MOVES,
+    OTHER_SHAPE,
     POINT,
     RADIANS,
     RING,
     TURNS,
     notation,
 )
-from .points import ZERO, Pt, places
+from .points import ZERO, Pt, angle_of, places
 from .statements import ATTACHERS
 from .tree import Bad, Group, Name, Num, Pair, Value
 
@@ -104,6 +105,8 @@ class Reader(Calls):
         """Return the shapes of a bracket, a call or a typed list, with the calls behind it."""
         row = notation(group.name) if group.name else None
         kind = row.kind if row else ""
+        if kind == OTHER_SHAPE and self._has_numbers(group):
+            raise Unreadable(f"{short(group.name)}: satviz takes polygons, boxes and circles")
         if kind in (POINT, MOVE):
             self._refuse_methods(group)  # Point(0, 0).buffer(1)
             return []
@@ -140,6 +143,11 @@ class Reader(Calls):
         else:
             found = self._plain(group, label)
         return self._after(group, found)
+
+    def _has_numbers(self, value: Any) -> bool:
+        """Return whether there is a number in a value."""
+        inner = value.items if isinstance(value, Group) else [value.value] if isinstance(value, Pair) else []
+        return isinstance(value, Num) or any(map(self._has_numbers, inner))
 
     def _attached(self, group: Group, label: str) -> list[Read]:
         """Return the shapes that a call gives to a body, at the body's position: body.addShape(circle)."""
@@ -208,11 +216,16 @@ class Reader(Calls):
             form = self._choose(BOX_FORM, (CORNER_CORNER, CORNER_SIZE, CENTER_SIZE, CENTER_HALF))
             return [self._made_box([*outline[0], *outline[1]], form, group, label)]
         items = [item for item in group.items if item is not None]
+        if group.bracket == "[" and len(items) > 2 and all(isinstance(v, Bad) and not v.inside for v in items):
+            self.number(items[0])  # a list of expressions: says that they are not evaluated
+        sizes = {len(v.items) if isinstance(v, Group) and _is_numeric(v) else 0 for v in items}
+        if len(items) > 2 and len(sizes) > 1 and min(sizes) > 2:
+            raise Unreadable(f"lists of {' and '.join(map(str, sorted(sizes)))} numbers in one list are no corners")
         flat = self.numbers(items) if not _is_call(group) else None
         if flat is not None and len(flat) in (4, 5):
             self._ask_order()
             if len(flat) == 5:
-                return [self._made_box(flat[:4], CENTER_SIZE, group, label, Num(group.start, group.end, flat[4]))]
+                return [self._made_box(flat[:4], CENTER_SIZE, group, label, angle_of(group, flat))]
             return [self._made_box(flat, self._choose(BOX_FORM, ANY_BOX), group, label)]
         if len(items) in (2, 3) and all(self._is_number(item) for item in items[1:]):
             center = self.point(items[0])
@@ -258,6 +271,11 @@ class Reader(Calls):
                 turned = self._turned(shape, angle, RADIANS, None) if angle is not None else shape
                 yield moved(turned, move) if move else turned
                 move, angle = None, None
+
+
+def _is_numeric(group: Group) -> bool:
+    """Return whether a group holds numbers alone."""
+    return not group.name and all(isinstance(v, Num) for v in group.items)
 
 
 def _is_call(group: Group) -> bool:

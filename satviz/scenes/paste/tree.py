@@ -52,6 +52,8 @@ IGNORED_NAMES = frozenset(  # words of a language before a value
 )
 SEPARATORS = frozenset(["vs", "versus", "and", "against", "intersects", "overlaps", "touches", "collides"])
 ARROWS = frozenset(["->", "<->", "\u2192", "\u2194", "\u21d2"])
+# Types around one number.
+CASTS = frozenset(["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double"])
 OPERATORS = frozenset("+-*/%^\u2212")
 
 
@@ -93,6 +95,7 @@ class Pair(Value):
     path: tuple[str | int, ...]
     value: Any
     before: str = ""  # the word before the key, such as the type in `Rect r = {0, 0, 1, 1}`
+    number: str = ""  # a number behind the key: Vertex 0: (1, 2)
 
 
 @dataclass(slots=True)
@@ -244,8 +247,13 @@ class _Parser:
         if isinstance(last, Token) and last.kind == MARK:
             return True
         starts = following is not None and (following.text == "{" or following.kind == FIELD)
-        field_follows = following is not None and following.kind == FIELD
+        field_follows = following is not None and following.kind == FIELD and not self.opens_block()
         return bool(atoms) and starts and (isinstance(last, Token) or field_follows)
+
+    def opens_block(self) -> bool:
+        """Return whether the next lines begin with a name and a brace, as rules of CSS do: .a {"""
+        found = [token for token in self.tokens[self.at : self.at + 8] if token.kind != LINE]
+        return len(found) > 1 and found[1].text == "{"
 
     def quoted(self, token: Token, depth: int) -> Any:
         """Return the values inside quotes, where they hold some: WKT, JSON; otherwise the text as a token."""
@@ -292,6 +300,10 @@ class _Parser:
             words = [a.text for a in atoms[:mark] if isinstance(a, Token) and a.kind == NAME]
             words = [word for word in words if word not in IGNORED_NAMES]
             pair = Pair(_start(atoms[0]), rest.end, path, rest, words[-2] if len(words) > 1 else "")
+            last = atoms[mark - 1]
+            if words and isinstance(last, Token) and last.kind == NUMBER and last.text.isdigit():
+                pair.number = last.text
+                self.indices.add(last.end)
             before = [a for a in atoms[:mark] if isinstance(a, Group) and a.bracket in "({" and a.items]
             return Group(pair.start, pair.end, [*before, pair], "+") if before else pair  # {x: 1, y: 2} radius: 5
         return self.plain(atoms)
@@ -366,6 +378,9 @@ class _Parser:
                     while atom.bracket == "[" and len(atom.items) < 2 and i < len(atoms) and _is_open(atoms[i]):
                         atom = atoms[i]
                         i += 1
+                    if last.text in CASTS and len(atom.items) == 1 and isinstance(atom.items[0], Num):
+                        values[-1] = atom.items[0]  # np.float64(0.5) is 0.5
+                        continue
                     name = last.text if atom is length else ""  # the list after Vector2[] is no Vector2
                     values[-1] = Group(last.start, atom.end, atom.items, atom.bracket, name)
                 else:

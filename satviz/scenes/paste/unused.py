@@ -25,7 +25,7 @@ HARMLESS = """
     velocity speed bounds axes force torque gravity mass inertia density friction restitution color colour fill stroke
     alpha opacity window canvas screen viewport viewbox svg area count length index id label layer category mask group
     time timestamp step size_t sleep stiffness damping damp slop constraint render print printf println log assert
-    prev previous impulse motion tolerance epsilon eps expected distance camera version line error warn info
+    prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
     background strokeweight fps framerate
 """
 CHANGING_WORDS, HARMLESS_WORDS = frozenset(CHANGING.split()), frozenset(HARMLESS.split())
@@ -124,7 +124,7 @@ def _changes(left: Left, inside: bool) -> bool:
     words = _words(left.key)
     same = left.value == (1 if any("scal" in word or word == "zoom" for word in words) else 0)
     known = {key(part) for part in left.key.split(".") if len(part) > 1 or inside} - {""}
-    known -= set() if inside else {"x", "y", "points"}
+    known -= set() if inside else {"points"}
     row = notation(left.key) if left.key else None
     moving = row is not None and row.kind == MOVE
     changes = bool(words & CHANGING_WORDS or moving) and not same
