@@ -21,10 +21,12 @@ if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from .engine.trace import Trace, record
     from .pictures import Picture, Stage, Step, picture, steps
     from .pictures.curve import gap_curve
+    from .pictures.difference_steps import difference_steps
     from .pictures.minkowski import difference
     from .pictures.sheet import sheet
     from .pictures.turning_axis import sweep
     from .render.draw import draw
+    from .render.embed import embed
     from .render.page import page
     from .scenes.link import link
     from .scenes.named import scene
@@ -59,7 +61,9 @@ __all__ = [
     "batch",
     "check",
     "difference",
+    "difference_steps",
     "draw",
+    "embed",
     "explore",
     "gap_curve",
     "link",
@@ -100,7 +104,9 @@ _MODULE_OF = {
     "axis_tests": "engine.sat",
     "check": "checking.checker",
     "difference": "pictures.minkowski",
+    "difference_steps": "pictures.difference_steps",
     "draw": "render.draw",
+    "embed": "render.embed",
     "explore": "widgets",
     "gap_curve": "pictures.curve",
     "link": "scenes.link",

@@ -327,7 +327,7 @@ def test_each_step_stays_as_long_as_its_words_take_to_read(browser, errors, page
     page = browser.new_page(reduced_motion="reduce")
     page.add_init_script(
         "window.waits = []; const later = window.setTimeout;"
-        "window.setTimeout = (does, ms) => { if (ms >= 1000) waits.push(ms); return later(does, Math.min(ms, 30)); };"
+        "window.setTimeout = (does, ms) => { if (ms >= 600) waits.push(ms); return later(does, Math.min(ms, 30)); };"
     )
     page.goto((pages / "triangles.html").as_uri())
     page.get_by_role("button", name="play").click()

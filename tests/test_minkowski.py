@@ -5,6 +5,7 @@ from random import Random
 import pytest
 
 import satviz as sv
+from satviz.engine.describe import RELATION_PHRASES
 from satviz.scenes.named import ALL_SCENES
 from satviz.scenes.shape_tools import box
 
@@ -83,3 +84,77 @@ def test_the_gap_lies_on_the_canvas_and_the_difference_is_seen_however_far_and_s
     assert all(x0 <= p.x <= x1 and y0 <= p.y <= y1 for m in drawn.marks for p in m.points)
     size = max(abs(p.x - q.x) + abs(p.y - q.y) for p in seen[0].points for q in seen[0].points) * drawn.scale
     assert size >= 8 or seen[1].kind == "dot"
+
+
+@pytest.mark.parametrize(
+    "name", ["triangles", "circle-polygon", "circles", "concave", "gap-as-distance", "touch-as-apart"]
+)
+def test_while_b_minus_a_comes_about_the_shapes_stay_and_the_turned_a_covers_only_what_belongs_to_it(name):
+    trace = sv.scene(name).record()
+    steps = sv.difference_steps(trace)
+    assert len({step.limits for step in steps}) == 1 and len({step.mark("B.outline") for step in steps}) == 1
+    rings = [m.points for m in sv.difference(trace.a, trace.b).marks if m.part == "difference"]
+    whole = next(step for step in steps if any(m.part == "difference" for m in step.marks))
+    assert [m.points for m in whole.marks if m.part == "difference"] == rings
+    assert f"so A and B {RELATION_PHRASES[trace.relation]}." in whole.sentence
+    every = [p for step in steps for m in step.marks if m.part == "covered" for p in m.points]
+    assert every
+    for p in every:
+        assert max(depth_in_ring(ring, p) for ring in rings) > -0.01  # circles are drawn as polygons
+    if len(rings) == 1 and trace.a.vertices and trace.b.vertices:  # every corner of B - A is passed
+        close = [min((p.x - q.x) ** 2 + (p.y - q.y) ** 2 for q in every) for p in rings[0]]
+        assert max(close) < 1e-18
+    for step in steps:
+        assert len({mark.id for mark in step.marks}) == len(step.marks)
+
+
+def depth_in_ring(ring, p):
+    """Return the distance of p from the nearest edge line of a counter-clockwise ring, positive inside."""
+    edges = zip(ring, (*ring[1:], ring[0]), strict=True)
+    return min(
+        ((q.x - r.x) * (p.y - r.y) - (q.y - r.y) * (p.x - r.x)) / ((q.x - r.x) ** 2 + (q.y - r.y) ** 2) ** 0.5
+        for r, q in edges
+    )
+
+
+@pytest.mark.parametrize("far", [0.0, 1e7])
+def test_the_range_of_b_minus_a_is_the_range_of_b_minus_that_of_a(far):
+    a, b = box(far, 0, far + 4, 2), sv.Polygon([(far + x, y) for x, y in TRIANGLE.vertices])
+    trace = sv.record(a, b, every_axis=True)
+    last = sv.difference_steps(a, b)[-1]
+    best = max(trace.tests, key=lambda test: test.gap)
+    p, q = last.mark("range").points
+    length = ((p.x - q.x) ** 2 + (p.y - q.y) ** 2) ** 0.5
+    assert length == pytest.approx(best.b.interval.hi - best.a.interval.lo - best.b.interval.lo + best.a.interval.hi)
+    assert last.scale * length > 20
+    assert ("next to the origin" in sv.difference_steps(a, b)[0].sentence) is (far > 0)
+    assert "that is the overlap" in last.sentence
+
+
+def test_the_drawing_of_b_minus_a_is_a_choice_of_the_command_line_and_of_a_page(tmp_path, capsys):
+    from satviz.cli import main
+
+    assert (
+        main(
+            [
+                "draw",
+                "aabb",
+                "--difference",
+                "--format",
+                "svg",
+                "--format",
+                "html",
+                "--speed",
+                "0.5",
+                "--out",
+                str(tmp_path),
+            ]
+        )
+        == 0
+    )
+    count = len(sv.difference_steps("aabb"))
+    assert len(list(tmp_path.glob("aabb-difference-*.svg"))) == count
+    page = (tmp_path / "aabb-difference.html").read_text(encoding="utf-8")
+    assert page.count('"stage":"difference"') == count and '"speed":0.5' in page
+    assert main(["draw", "no-area", "--difference", "--out", str(tmp_path)]) == 2
+    assert "--difference" in capsys.readouterr().err

@@ -466,17 +466,24 @@ BOX = "box = [(-2, -1), (2, -1), (2, 1), (-2, 1)]"
 
 
 @pytest.mark.parametrize(
-    ("text", "numbers"),
+    ("text", "kind", "said"),
     [
-        (f"circle.m_p.Set(3.0f, 0.0f); circle.m_radius = 1.0f; {BOX}", "3.0f, 0.0f."),
-        (f"let b = Ball::new(0.5); let at = Isometry2::new(Vector2::new(1.2, 0.8), 7); {BOX}", "1.2, 0.8, 7."),
-        ("a = {x: 10, y: 10, radius: 5}; b = {x: 19, y: 10, diameter: 8}; c = {cx: 30, cy: 30, r: 2};", "19, 10, 8."),
-        (f"c = {{x: 9, y: 9, r: 1}}; {BOX}", None),
+        (f"let at = Isometry2::new(Vector2::new(1.2, 0.8), 7); {BOX}", "not-applied", "Isometry2::new 1.2, 0.8, 7"),
+        (f"a = {{x: 1, y: 1, radius: 5, scale: 2}}; {BOX}", "not-applied", "a.scale 2"),
+        (f"a = {{x: 1, y: 1, radius: 5, anchor: {{x: 0.5, y: 0}}}}; {BOX}", "not-applied", "a.anchor 0.5, 0"),
+        (f"bodyDef.position.Set(0.0f, 10.0f); {BOX}", "not-applied", "bodyDef.position.Set 0.0f, 10.0f"),
+        (f"Bodies.polygon(140, 100, 6, 20); {BOX}", "not-read", "Bodies.polygon 140, 100, 6, 20"),
+        (f"a = {{x: 1, y: 1, radius: 5, scale: 1}}; {BOX}", "left-out", "a.scale 1"),
+        (f"a = {{x: 1, y: 1, radius: 5, density: 2, id: 7}}; {BOX}", "left-out", "a.density 2, a.id 7"),
+        (f"world.gravity = (0, -10); {BOX}", "left-out", "world.gravity 0, -10"),
+        (f"c = {{x: 9, y: 9, r: 1}}; {BOX}", "", ""),
+        (f"b2Vec2 v[3]; poly.count = 4; {BOX}", "left-out", "poly.count 4"),
     ],
 )
-def test_numbers_that_no_shape_has_are_named(text, numbers):
-    said = [finding for finding in sv.paste(text).findings if finding.kind == "left-out"]
-    assert [str(finding).partition(": ")[2] for finding in said] == ([numbers] if numbers else [])
+def test_numbers_that_no_shape_has_are_named_with_their_key(text, kind, said):
+    kinds = ("not-read", "not-applied", "left-out")
+    lines = [(f.kind, f.text.partition(": ")[2].rstrip(".")) for f in sv.paste(text).findings if f.kind in kinds]
+    assert lines == ([(kind, said)] if kind else [])
 
 
 def test_all_pairs_that_meet_are_counted_also_where_not_all_are_shown():

@@ -50,6 +50,7 @@ from satviz.study.workloads.adversary import beside, far_boxes, kilometre_shapes
 from satviz.study.workloads.generators import (
     WORKLOADS,
     apart_pairs,
+    circles,
     ngons,
     overlapping_pairs,
     regular_polygons,
@@ -142,9 +143,57 @@ def test_two_oracles_agree_and_a_pair_on_which_they_differ_is_an_error(monkeypat
         a, b = make(np.random.default_rng(2), 60)
         by_clipping = [truth.relation(p, q) for p, q in zip(engine_shapes(a), engine_shapes(b), strict=True)]
         assert true_relations(a, b).tolist() == by_clipping
-    monkeypatch.setattr(truth, "relation_by_difference", lambda p, q: Relation.APART)
+    monkeypatch.setattr(truth, "_relation_by_difference", lambda p, q: Relation.APART)
     with pytest.raises(AssertionError, match="oracles disagree"):
         true_relations(a, b)
+
+
+CIRCLE_PAIRS = {  # by what is exact about them: 3, 4, 5 and 5, 12, 13
+    "circles side by side": (Circle((0, 0), 2), Circle((3, 4), 3)),
+    "a corner": (Circle((0, 0), 13), Polygon([(5, 12), (40, 12), (5, 40)])),
+    "an edge that is not upright": (Circle((7, -1), 5), Polygon([(0, 0), (8, 6), (0, 6)])),
+    "an upright edge": (Circle((3, -2), 2), Polygon([(0, 0), (8, 0), (8, 6), (0, 6)])),
+}
+
+
+@pytest.mark.parametrize("words", CIRCLE_PAIRS)
+def test_both_oracles_of_circles_see_the_next_float(words):
+    circle, other = CIRCLE_PAIRS[words]
+    for radius, right in (
+        (circle.radius, Relation.TOUCHING),
+        (math.nextafter(circle.radius, 0), Relation.APART),
+        (math.nextafter(circle.radius, 99), Relation.OVERLAPPING),
+    ):
+        one = Circle(circle.center, radius)
+        for a, b in (one, other), (other, one):
+            assert truth.relation(a, b) is truth.relation_by_axes(a, b) is truth.agreed(a, b) is right
+
+
+def test_both_oracles_of_circles_agree_on_hard_pairs_and_with_the_engine(monkeypatch):
+    rng = np.random.default_rng(5)
+    rings = ngons(rng, 300, 5, 1.3)
+    pairs = [(circle, Polygon(ring)) for circle, ring in zip(engine_shapes(circles(rng, 300, 1.3)), rings, strict=True)]
+    pairs += list(zip(*map(engine_shapes, hard_circles(rng, 3)[:2]), strict=True))
+    seen = Counter()
+    for a, b in pairs:
+        seen[truth.agreed(a, b)] += 1
+        assert truth.agreed(a, b) is relate(a, b)
+    assert min(seen[Relation.APART], seen[Relation.OVERLAPPING]) > 50
+    same = Circle((1, 2), 1.0)
+    assert truth.agreed(same, Circle((1, 2), 0.5)) is Relation.OVERLAPPING
+    assert truth.agreed(same, Polygon([(1, 2), (9, 2), (9, 9)])) is Relation.OVERLAPPING  # the center is a corner
+    monkeypatch.setattr(truth, "relation_by_axes", lambda p, q: Relation.TOUCHING)
+    with pytest.raises(AssertionError, match="oracles disagree"):
+        truth.agreed(*pairs[0])
+
+
+def test_the_least_pushes_of_a_square_in_a_square_are_all_named():
+    a = Polygon([(0, 0), (8, 0), (8, 8), (0, 8)])
+    square = Polygon([(3, 3), (5, 3), (5, 5), (3, 5)])
+    assert len(truth.least_pushes(a, square)) == 4 and truth.squared_gap(a, square) == 25
+    right = Polygon([(4, 3), (6, 3), (6, 5), (4, 5)])
+    ((x, y),) = truth.least_pushes(a, right)
+    assert x > 0 == y and truth.squared_gap(a, right) == 16
 
 
 def test_a_move_is_judged_without_rounding():
@@ -199,7 +248,7 @@ def test_an_unrolled_gjk_answers_as_the_loop():
     a, b = kilometre_shapes(np.random.default_rng(1), 3000)
     b = beside(np.random.default_rng(2), a, b, np.random.default_rng(3).normal(0, 1e-12, len(a)))
     one, other = np.empty(len(a), np.int8), np.empty(len(a), np.int8)
-    numba_rivals.gjk(*columns_of(a, b), one)
+    numba_rivals.gjk_kernel(None, None)(*columns_of(a, b), one)
     numba_rivals.gjk_kernel(4, 4)(*columns_of(a, b), other)
     assert np.array_equal(one, other) and 0 < one.sum() < len(a)
 
@@ -551,7 +600,7 @@ def test_padding_is_taken_off_again():
 
 
 def test_every_method_says_what_it_is():
-    for circles in (False, True):
-        found = all_methods(circles=circles)
-        assert len({(m.language, m.name) for m in found}) == len(found) > 5 - 2 * circles
+    for circles_too in (False, True):
+        found = all_methods(circles=circles_too)
+        assert len({(m.language, m.name) for m in found}) == len(found) > 5 - 2 * circles_too
     assert {m.language for m in all_methods()} >= {COMPILED, PYTHON}

@@ -8,10 +8,10 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from ..engine.geometry import Vec
+from .caption import reading_time_ms
 from .marks import Mark, Picture
 
 MOVE_FRAMES, MOVE_FRAME_MS = 6, 50  # pictures between two steps, and how long each is shown
-STEP_MS, MS_PER_LETTER = 300, 5  # how long a step is shown at speed 1
 TURN_FRAME_MS = 90  # for each picture of an axis that turns
 MAX_MOVED_STEPS = 100  # a longer run jumps from step to step: its file would be too large
 
@@ -28,11 +28,12 @@ def animation(steps: Sequence[Picture], *, speed: float = 1.0) -> Animation:
     pictures: list[Picture] = []
     times: list[float] = []
     for number, step in enumerate(steps):
-        for k in range(1, MOVE_FRAMES + 1) if number and len(steps) <= MAX_MOVED_STEPS else ():
+        frames = MOVE_FRAMES if number and len(steps) <= MAX_MOVED_STEPS else 0
+        for k in range(1, frames + 1):
             pictures.append(in_between(steps[number - 1], step, k / (MOVE_FRAMES + 1)))
             times.append(MOVE_FRAME_MS)
         pictures.append(step)
-        times.append(STEP_MS + MS_PER_LETTER * len(step.sentence))
+        times.append(reading_time_ms(step.sentence) - frames * MOVE_FRAME_MS)
     return Animation(pictures, [max(20, round(ms / speed)) for ms in times])
 
 

@@ -1,5 +1,6 @@
 """All steps of a trace as plain data, which a player shows without a Python kernel."""
 
+from collections.abc import Sequence
 from itertools import accumulate
 from typing import Any
 
@@ -8,7 +9,8 @@ from ..engine.geometry import Relation
 from ..engine.trace import Trace
 from .caption import reading_time_ms
 from .comparison import picture
-from .marks import Mark, marks_data
+from .difference_steps import difference_steps
+from .marks import Mark, Picture, marks_data
 from .moves import TURN_FRAME_MS
 from .stages import Stage, Step, steps
 from .step_picture import LARGEST_PT
@@ -107,13 +109,25 @@ def playback(trace: Trace, largest: tuple[float, float] = LARGEST_PT) -> dict[st
 
 def sweep_playback(trace: Trace) -> dict[str, Any]:
     """Return the pictures of an axis that turns (`sv.sweep`) as a playback, which has no table and no code."""
-    pictures = sweep(trace)
+    return _playback_of_pictures(trace, sweep(trace), "sweep", TURN_FRAME_MS)
+
+
+def difference_playback(trace: Trace) -> dict[str, Any]:
+    """Return the pictures of how B - A comes about as a playback, which has no table and no code."""
+    return _playback_of_pictures(trace, difference_steps(trace), "difference")
+
+
+def _playback_of_pictures(
+    trace: Trace, pictures: Sequence[Picture], stage: str, frame_ms: int | None = None
+) -> dict[str, Any]:
+    """Return pictures as a playback; each is shown for `frame_ms` milliseconds, or as long as its words take."""
     marks: dict[Mark, int] = {}
-    found = []
+    found: list[dict[str, Any]] = []
     for drawn in pictures:
         ids = [marks.setdefault(mark, len(marks)) for mark in drawn.marks]
-        step = {"marks": ids, "limits": list(drawn.limits), "sentence": drawn.sentence, "ms": TURN_FRAME_MS}
-        found.append(step | {"row": None, "code": [], "stage": "sweep"})
+        step: dict[str, Any] = {"marks": ids, "limits": list(drawn.limits), "sentence": drawn.sentence}
+        step["ms"] = reading_time_ms(drawn.sentence) if frame_ms is None else frame_ms
+        found.append(step | {"row": None, "code": [], "stage": stage})
     return {
         "satviz": "show 1",
         "sentence": pictures[-1].sentence,
@@ -143,7 +157,7 @@ def playback_steps(trace: Trace) -> list[Step]:
     return every
 
 
-def table_rows(trace: Trace) -> list[dict[str, Any]]:
+def table_rows(trace: Trace, number_format_of: describe.NumberFormat = describe.digits) -> list[dict[str, Any]]:
     """Return the rows of the table: each test, then the axes left out, for each pair of convex parts in turn."""
     found = []
     for pair in trace.pairs or (trace,):
@@ -151,7 +165,7 @@ def table_rows(trace: Trace) -> list[dict[str, Any]]:
         of = f"{pair.names.a} and {pair.names.b}" if trace.pairs else ""
         for i, t in enumerate(pair.tests, 1):
             row = {"pair": of, "number": i, "axis": describe.axis_name(t.axis, shapes, pair.names), "gap": t.gap}
-            digits = describe.digits(pair, t)
+            digits = number_format_of(pair, t)
             row |= {"direction": number_format.vector(t.axis.direction), "outcome": describe.outcome(t, digits)}
             row |= dict(zip("ab", digits.ranges(t), strict=True))
             found.append(row)

@@ -12,10 +12,12 @@ from html import escape
 from ..engine import describe
 from ..engine.shapes import Shape
 from ..engine.trace import Trace
-from ..pictures import DARK, LIGHT, picture, turning_axis
+from ..pictures import DARK, LIGHT, picture
 from ..pictures.claims import heading
 from ..pictures.comparison import refused_picture
-from ..pictures.playback import NARROW_SIZE_PT, narrow_playbacks, playbacks, sweep_playback
+from ..pictures.difference_steps import difference_steps
+from ..pictures.playback import NARROW_SIZE_PT, difference_playback, narrow_playbacks, playbacks, sweep_playback
+from ..pictures.turning_axis import sweep as turning_axis
 from ..safe_write import MADE_BY
 from ..scenes.failing import FailureCase
 from ..scenes.resolve import SceneLike, resolve
@@ -46,12 +48,20 @@ footer { font-size: 12px; color: var(--sv-guide); margin: 12px 8px; }
 
 
 def page(
-    what: SceneLike | Shape, b: Shape | None = None, *, title: str = "", predict: bool = False, sweep: bool = False
+    what: SceneLike | Shape,
+    b: Shape | None = None,
+    *,
+    title: str = "",
+    predict: bool = False,
+    sweep: bool = False,
+    difference: bool = False,
+    speed: float = 1.0,
 ) -> str:
     """Return one self-contained HTML file: every step of a run with its player, the table and every sentence.
 
-    `what` is a scene (or its name), two shapes, or a trace.  With `predict` the page asks before it shows; with
-    `sweep` it shows an axis that turns, as `satviz.sweep` does, instead of the run.
+    `what` is a scene (or its name), two shapes, or a trace.  With `predict` the page asks before it shows.  Instead
+    of the run, with `sweep` it shows an axis that turns, as `satviz.sweep` does, and with `difference` how B - A
+    comes about, as `satviz.difference_steps` does.  `speed`: how many times as fast it plays at first.
     Without JavaScript, and on paper, it shows the first and the last picture instead.
     A failing scene whose outlines are refused has no steps: the page has its picture and the reason.
     ValueError for a scene that cannot be drawn, or one with too many steps.
@@ -59,29 +69,38 @@ def page(
     found = resolve(what, b)
     if found.refused:
         return page_of_refused(found.refused)
-    return page_of_run(found.trace, title=title, predict=predict, sweep=sweep)
+    return page_of_run(found.trace, title=title, predict=predict, sweep=sweep, difference=difference, speed=speed)
 
 
-def page_of_run(trace: Trace, *, title: str = "", predict: bool = False, sweep: bool = False) -> str:
+def page_of_run(
+    trace: Trace,
+    *,
+    title: str = "",
+    predict: bool = False,
+    sweep: bool = False,
+    difference: bool = False,
+    speed: float = 1.0,
+) -> str:
     """Return the page of a trace, as `page` does."""
     if predict and trace.shortcut:
         trace = trace.truth
-    shows = [sweep_playback(trace)] if sweep else playbacks(trace)
+    own = sweep_playback if sweep else difference_playback if difference else None
+    shows = [own(trace)] if own else playbacks(trace)
     question = "Do A and B collide?"
     about = describe.printable(question if predict else trace.sentence)
     title = " ".join(heading(trace)) if trace.shortcut else title or question
     script = javascript("player", "arrows") + START
     policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_sha256(script)}'; "
     policy += "img-src blob:; base-uri 'none'"  # the save menu makes a PNG from a blob
-    show = {"predict": predict, "shows": shows, "narrow": [] if sweep else narrow_playbacks(trace)}
+    show = {"predict": predict, "speed": speed, "shows": shows, "narrow": [] if own else narrow_playbacks(trace)}
     data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
-    turned = turning_axis.sweep(trace) if sweep else ()
-    first, last = (turned[i] if turned else picture(trace, i) for i in (0, -1))
+    drawn = turning_axis(trace) if sweep else difference_steps(trace) if difference else ()
+    first, last = (drawn[i] if drawn else picture(trace, i) for i in (0, -1))
     sentences = list(dict.fromkeys(s["sentence"] for s in shows[0]["steps"]))
     body = [
         '<div id="satviz-player"></div>',
         '<section class="sv-static">',
-        *(f"<figure>{inline_svg(drawn, stem=stem)}</figure>" for drawn, stem in ((first, "first"), (last, "last"))),
+        *(f"<figure>{inline_svg(one, stem=stem)}</figure>" for one, stem in ((first, "first"), (last, "last"))),
         f'<pre tabindex="0">{escape(str(trace))}</pre>',
         "<h2>Step by step</h2>",
         "<ol>",

@@ -19,7 +19,6 @@ from numpy.typing import NDArray
 
 from .. import batch
 from ..advice.timing import spread, time_in_turn
-from . import truth
 from .harness.machine import is_installed
 from .methods import (
     COMPILED,
@@ -29,7 +28,6 @@ from .methods import (
     all_methods,
     batch_shapes,
     count_mistakes,
-    engine_shapes,
     installed_engines,
     true_relations,
 )
@@ -67,7 +65,7 @@ PLAIN_SAT = "plain SAT in numba"
 
 # what the answers are compared with, and the words for that in a sentence; what others are compared with has no entry
 CHECKED_BY = {
-    "rationals": "checked by rationals",
+    "rationals": "checked by two exact oracles",
     "construction": "by how the pairs were made",
     "shapely": "against shapely's collisions",
     "count": "box pairs by their number alone, against shapely's",
@@ -161,12 +159,12 @@ def _with_wrong_count(row: TimingRow, answers: Any, right: NDArray[np.int8], by:
 
 
 def _bench_pairs(plan: BenchPlan) -> Iterator[TimingRow]:
-    """Time every method on each workload of pairs, check first answers by rationals, and time reading alone."""
+    """Time every method on each workload of pairs, check first answers by two exact oracles, and time reading alone."""
     with ThreadPoolExecutor(2) as pool:
         for work, make in WORKLOADS.items():
             a, b = make(np.random.default_rng(plan.seed), plan.pairs)
             first = [_first_shapes(side, plan.checked) for side in (a, b)]
-            right = np.array([truth.relation(p, q) for p, q in zip(*map(engine_shapes, first))], np.int8)
+            right = true_relations(*first)
             jobs: Jobs = {}
             items: dict[str, int] = {}
             for method in all_methods(circles=isinstance(a, tuple)):
@@ -201,29 +199,25 @@ def _first_shapes(side: Side, n: int) -> Side:
 
 
 def _numba_peers(a: batch.Shapes, b: batch.Shapes) -> Jobs:
-    """Return jobs in numba for these sides: textbook SAT, GJK, satviz without error bounds, and reading alone.
+    """Return jobs in numba for these sides: plain SAT, GJK, and reading alone, each as fast as we could write it.
 
     All of them read the very arrays that satviz reads: another copy could be nearer to the processor.
     """
-    from ..batch.arrays import TILE_SHAPES
-    from ..batch.with_numba.filter import clearance_kernel
     from .methods import numba_rivals
 
     columns = [c for shapes in (a, b) if (g := shapes.uniform) for c in (g.x, g.y)]
+    va, vb = a.max_corners, b.max_corners
     out = np.empty(len(a), np.int8)
 
-    def run(kernel: Callable[..., None], *options: Any) -> NDArray[np.bool_]:
-        """Return which pairs hit, by a kernel; `options`: its arguments between the columns and the output."""
-        kernel(*columns, *options, out)
+    def run(kernel: Callable[..., None]) -> NDArray[np.bool_]:
+        """Return which pairs hit, by a kernel."""
+        kernel(*columns, out)
         return out > 0
 
     return {
         READ_ONCE: lambda: [numba_rivals.read_once(c.ravel().view(np.int64)) for c in columns],
-        "textbook SAT in numba": partial(run, numba_rivals.textbook_sat, True, 0.0),
-        "GJK in numba": partial(run, numba_rivals.gjk),
-        "numba, no error bounds": partial(
-            run, clearance_kernel(a.max_corners, b.max_corners), 0, np.zeros(-(-len(a) // TILE_SHAPES))
-        ),
+        "SAT in numba": partial(run, numba_rivals.plain_sat(va, vb)),
+        "GJK in numba": partial(run, numba_rivals.gjk_kernel(*map(numba_rivals.unrolled, (va, vb)))),
     }
 
 
@@ -361,7 +355,7 @@ def _bench_frames(plan: BenchPlan) -> Iterator[TimingRow]:
 def _bench_hits(plan: BenchPlan) -> Iterator[TimingRow]:
     """Time the way from two raw arrays of boxes to which pairs hit, beside plain SAT that reads the arrays as they are.
 
-    Answers are checked by rationals.
+    Answers are checked by two exact oracles.
     """
     rng = np.random.default_rng(plan.seed)
     a, b = turned_boxes(rng, plan.pairs, 1.7), turned_boxes(rng, plan.pairs, 1.7)

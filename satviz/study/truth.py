@@ -1,18 +1,18 @@
-"""The oracle: exact relations, distances and depths of convex shapes, by other methods than satviz's.
+"""The oracles: exact relations, distances and depths of convex shapes, by other methods than satviz's.
 
-It shares nothing with the engine but the shapes, so that a mistake in one is seen by the other.  Coordinates become
-integers over one power of two, and everything that follows is exact:
-- two polygons: one is clipped by the edges of the other; the rest has an area (overlapping), is a point or a segment
-  (touching), or is empty (apart);
-  a second oracle asks where the origin lies in the difference A - B (`relation_by_difference`);
+They share nothing with the engine but the shapes, so that a mistake in one is seen by the other.  Coordinates become
+integers over one power of two, and everything that follows is exact.  Each kind of pair has two oracles, and `agreed`
+compares them:
+- two polygons: one is clipped by the edges of the other, and the rest has an area (overlapping), is a point or a
+  segment (touching), or is empty (apart); or where the origin lies in the difference A - B;
 - a circle and a polygon: the squared distance from the center to each edge, and whether the center is inside, by the
-  crossings of a ray;
-- two circles: the squares of their distance and of the sum of their radii.
+  crossings of a ray; or the gaps on axes, compared with the radius by whole square roots;
+- two circles: the squares of their distance and of the sum of their radii; or the distance as a whole square root.
 """
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from math import gcd
+from math import gcd, isqrt
 from typing import TypeVar
 
 from ..engine.geometry import Relation
@@ -35,11 +35,8 @@ def relation(a: Shape, b: Shape) -> Relation:
 
 def polygons(a: Polygon, b: Polygon) -> Relation:
     """Return the relation of two polygons, by what is left of a after clipping it to b."""
-    _, (p, q) = _rings(a, b)
-    common = _clipped(p, q)
-    if not common:
-        return Relation.APART
-    return Relation.OVERLAPPING if _has_area(common) else Relation.TOUCHING
+    _, rings = _rings(a, b)
+    return _relation_by_clipping(*rings)
 
 
 def circle_polygon(circle: Circle, polygon: Polygon) -> Relation:
@@ -68,27 +65,51 @@ def squared_distance(a: Polygon, b: Polygon) -> Fraction:
 
 
 def agreed(a: Shape, b: Shape) -> Relation:
-    """Return the exact relation of two convex shapes; for polygons two oracles must agree on it."""
+    """Return the exact relation of two convex shapes, on which two oracles must agree."""
+    if isinstance(a, Polygon) and isinstance(b, Polygon):
+        return relation_moved(a, b, (0.0, 0.0))
     found = relation(a, b)
-    if isinstance(a, Polygon) and isinstance(b, Polygon) and relation_by_difference(a, b) != found:
+    if relation_by_axes(a, b) != found:
         raise AssertionError(f"the oracles disagree about {a} and {b}")
     return found
 
 
 def relation_moved(a: Polygon, b: Polygon, move: tuple[float, float]) -> Relation:
-    """Return the relation of two convex polygons after b has moved by exactly `move`, without rounding."""
-    k, ring = _difference(a, b)
-    x, y = (Fraction(part) * (1 << k) for part in move)
-    sides = ((qx - px) * (y - py) - (qy - py) * (x - px) for (px, py), (qx, qy) in _edges(ring))
-    least = min(sides)  # a - b - move holds the origin where a - b holds the move
-    return Relation.OVERLAPPING if least > 0 else Relation.APART if least < 0 else Relation.TOUCHING
+    """Return the relation of two convex polygons after b has moved by exactly `move`; both oracles must agree on it."""
+    _, rings = _rings(a, b, move)
+    found = _relation_by_clipping(*rings)
+    if _relation_by_difference(*rings) != found:
+        raise AssertionError(f"the oracles disagree about {a} and {b} moved by {move}")
+    return found
 
 
 def relation_by_difference(a: Polygon, b: Polygon) -> Relation:
     """Return the relation of two convex polygons, by the side of each edge of a - b on which the origin lies."""
-    _, ring = _difference(a, b)
-    least = min(px * qy - py * qx for (px, py), (qx, qy) in _edges(ring))
-    return Relation.OVERLAPPING if least > 0 else Relation.APART if least < 0 else Relation.TOUCHING
+    _, rings = _rings(a, b)
+    return _relation_by_difference(*rings)
+
+
+def relation_by_axes(a: Shape, b: Shape) -> Relation:
+    """Return the relation of two convex shapes, of which one is a circle, by the largest gap less the radii."""
+    a, b = (a, b) if isinstance(a, Circle) else (b, a)
+    assert isinstance(a, Circle), "two polygons have no radius"
+    points, other_radius = ((b.center,), b.radius) if isinstance(b, Circle) else (b.vertices, 0.0)
+    _, (cx, cy, r, s, *flat) = _integers((*a.center, a.radius, other_radius, *(c for v in points for c in v)))
+    ring = [(x - cx, y - cy) for x, y in zip(flat[::2], flat[1::2], strict=True)]  # the center is the origin
+    if len(ring) > 2:
+        ring = _counter_clockwise(ring)
+    normals = [(qy - py, px - qx) for (px, py), (qx, qy) in _edges(ring)] if len(ring) > 2 else []
+    nx, ny = min(ring, key=lambda v: v[0] ** 2 + v[1] ** 2)
+    found = Relation.OVERLAPPING
+    for ux, uy in (*((-x, -y) for x, y in normals), (nx, ny)):  # from the circle to the other shape
+        gap = min(ux * x + uy * y for x, y in ring)
+        reach = (r + s) ** 2 * (ux * ux + uy * uy)  # the square of the radii, as long as this normal makes them
+        root = isqrt(reach)
+        if gap > root:
+            return Relation.APART
+        if gap == root and root * root == reach and reach:
+            found = Relation.TOUCHING
+    return found
 
 
 def squared_gap(a: Polygon, b: Polygon) -> Fraction:
@@ -97,17 +118,49 @@ def squared_gap(a: Polygon, b: Polygon) -> Fraction:
     Where they overlap it is the square of the penetration depth, the least of the overlaps on the edge normals.  Where
     two corners face each other, the distance of the polygons is larger than this gap.
     """
-    k, ring = _difference(a, b)
-    sides = [(px * qy - py * qx, (qx - px) ** 2 + (qy - py) ** 2) for (px, py), (qx, qy) in _edges(ring)]
-    beyond = [Fraction(side * side, square) for side, square in sides if side < 0]
-    largest = max(beyond) if beyond else min(Fraction(side * side, square) for side, square in sides)
-    return largest / Fraction(4**k)
+    k, sides = _sides_of_difference(a, b)
+    beyond = [Fraction(side * side, nx * nx + ny * ny) for side, (nx, ny) in sides if side < 0]
+    return (max(beyond) if beyond else _least_square(sides)) / Fraction(4**k)
 
 
-def _difference(a: Polygon, b: Polygon) -> tuple[int, list[Ints]]:
-    """Return k and the Minkowski difference a - b scaled by 2**k: the convex hull of all p - q, counter-clockwise."""
-    k, (ring_a, ring_b) = _rings(a, b)
-    points = sorted({(px - qx, py - qy) for px, py in ring_a for qx, qy in ring_b})
+def least_pushes(a: Polygon, b: Polygon) -> list[Ints]:
+    """Return the directions in which the shortest push of b ends the overlap of two convex polygons, of any length."""
+    _, sides = _sides_of_difference(a, b)
+    least = _least_square(sides)
+    return [(nx, ny) for side, (nx, ny) in sides if Fraction(side * side, nx * nx + ny * ny) == least]
+
+
+def _least_square(sides: Iterable[tuple[int, Ints]]) -> Fraction:
+    """Return the square of the least distance of the origin from these sides."""
+    return min(Fraction(side * side, nx * nx + ny * ny) for side, (nx, ny) in sides)
+
+
+def _sides_of_difference(a: Polygon, b: Polygon) -> tuple[int, list[tuple[int, Ints]]]:
+    """Return k, and for each edge of a - b scaled by 2**k: the origin's side, above 0 inside, and the outward normal.
+
+    The side is the distance of the origin from the edge, times the length of the normal.
+    """
+    k, rings = _rings(a, b)
+    return k, [(px * qy - py * qx, (qy - py, px - qx)) for (px, py), (qx, qy) in _edges(_difference(*rings))]
+
+
+def _relation_by_clipping(p: Sequence[Ints], q: Sequence[Ints]) -> Relation:
+    """Return the relation of two convex rings, by what is left of p after clipping it to q."""
+    common = _clipped(p, q)
+    if not common:
+        return Relation.APART
+    return Relation.OVERLAPPING if _has_area(common) else Relation.TOUCHING
+
+
+def _relation_by_difference(p: Sequence[Ints], q: Sequence[Ints]) -> Relation:
+    """Return the relation of two convex rings, by the side of each edge of p - q on which the origin lies."""
+    least = min(px * qy - py * qx for (px, py), (qx, qy) in _edges(_difference(p, q)))
+    return Relation.OVERLAPPING if least > 0 else Relation.APART if least < 0 else Relation.TOUCHING
+
+
+def _difference(p: Sequence[Ints], q: Sequence[Ints]) -> list[Ints]:
+    """Return the Minkowski difference p - q: the convex hull of all differences of corners, counter-clockwise."""
+    points = sorted({(px - qx, py - qy) for px, py in p for qx, qy in q})
 
     def chain(ordered: Sequence[Ints]) -> list[Ints]:
         """Return one half of the hull, by Andrew's monotone chain, without its last point."""
@@ -121,7 +174,7 @@ def _difference(a: Polygon, b: Polygon) -> tuple[int, list[Ints]]:
             kept.append((x, y))
         return kept[:-1]
 
-    return k, chain(points) + chain(points[::-1])
+    return chain(points) + chain(points[::-1])
 
 
 def orientation(p: Iterable[Number], q: Iterable[Number], r: Iterable[Number]) -> Fraction:
@@ -175,12 +228,12 @@ def _integers(values: Sequence[float]) -> tuple[int, list[int]]:
     return unit.bit_length() - 1, [num * (unit // den) for num, den in ratios]
 
 
-def _rings(a: Polygon, b: Polygon) -> tuple[int, tuple[list[Ints], list[Ints]]]:
-    """Return k and both outlines scaled to integers by 2**k, counter-clockwise, without repeated corners."""
-    k, flat = _integers([c for v in (*a.vertices, *b.vertices) for c in v])
+def _rings(a: Polygon, b: Polygon, move: tuple[float, float] = (0.0, 0.0)) -> tuple[int, tuple[list[Ints], list[Ints]]]:
+    """Return k and both outlines scaled to integers by 2**k, counter-clockwise, without repeated corners; b moved."""
+    k, (dx, dy, *flat) = _integers([*move, *(c for v in (*a.vertices, *b.vertices) for c in v)])
     points = list(zip(flat[::2], flat[1::2], strict=True))
     n = len(a.vertices)
-    return k, (_counter_clockwise(points[:n]), _counter_clockwise(points[n:]))
+    return k, (_counter_clockwise(points[:n]), _counter_clockwise([(x + dx, y + dy) for x, y in points[n:]]))
 
 
 def _counter_clockwise(points: Sequence[Ints]) -> list[Ints]:

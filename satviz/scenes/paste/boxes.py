@@ -6,7 +6,7 @@ from fractions import Fraction
 from math import cos, radians, sin
 from typing import Any
 
-from .names import Obj
+from .names import Obj, Unreadable
 from .notations import (
     ANY_BOX,
     CENTER_HALF,
@@ -19,11 +19,13 @@ from .notations import (
     Notation,
     key,
 )
-from .points import ZERO, Points, Pt
-from .tree import Value
+from .points import ZERO, Points, Pt, places
+from .tree import Group, Name, Value
 
+SKETCH_MODES = {"corner": CORNER_SIZE, "corners": CORNER_CORNER, "center": CENTER_SIZE, "radius": CENTER_HALF}
 # What can be asked, and the words of `--as`.
 BOX_FORM, ANGLE, TURN, ORDER, PIVOT, CORNERS = "box", "angle", "turn", "order", "pivot", "corners"
+ROUND, RADIUS, DIAMETER = "round", "radius", "diameter"
 Y_UP, Y_DOWN, WIDTH_FIRST, HEIGHT_FIRST = "y-up", "y-down", "width-first", "height-first"
 AROUND_CENTER, AROUND_CORNER, RELATIVE, ABSOLUTE = "around-center", "around-corner", "relative", "absolute"
 CHOICES: Mapping[str, tuple[str, ...]] = {
@@ -33,10 +35,11 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
     ORDER: (WIDTH_FIRST, HEIGHT_FIRST),
     PIVOT: (AROUND_CENTER, AROUND_CORNER),
     CORNERS: (RELATIVE, ABSOLUTE),
+    ROUND: (RADIUS, DIAMETER),
 }
 ALL_CHOICES = tuple(choice for choices in CHOICES.values() for choice in choices)
 FULL_TURN = Fraction(63, 10)  # an angle beyond a full turn in radians is in degrees
-ONLY_IF_IT_MATTERS = (TURN, ORDER)  # asked only where the answer changes
+ONLY_IF_IT_MATTERS = (TURN, ORDER, ROUND)  # asked only where the answer changes
 FORM_WORDS = {
     CORNER_SIZE: "a box by a corner and its size",
     CORNER_CORNER: "a box by two opposite corners",
@@ -61,6 +64,7 @@ class Read:
     form: str = ""
     keyed: bool = False  # the numbers of a box have names: width, height
     shift: Pt = ZERO  # the position that was added to its corners
+    used: frozenset[int] = frozenset()  # where the numbers of the text end that stand in it
 
     @property
     def is_circle(self) -> bool:
@@ -80,17 +84,33 @@ class Boxes(Points):
         """Return the form of a row, or the one that the user chose for all boxes."""
         return next((c for c in self.chosen if c in ANY_BOX), form)
 
+    def mode(self, group: Group) -> str:
+        """Return how a sketch of Processing means the numbers of rect(...), or "" for other calls."""
+        if not self.sketch or group.name not in ("rect", "square"):
+            return ""
+        before = [mode for start, mode in self.modes if start < group.start]
+        return SKETCH_MODES.get(before[-1] if before else "corner", "")
+
     def _ask_order(self) -> None:
         """Note that width and height could be the other way round."""
         self.asked.setdefault(ORDER, CHOICES[ORDER])
 
-    def _choose(self, what: str, ask: Sequence[str]) -> str:
-        """Return the chosen reading; if none is, the first, and note that it is asked."""
+    def _choose(self, what: str, ask: Sequence[str], sure: str = "") -> str:
+        """Return the chosen reading; if none is, the one that is sure, else the first, and note that it is asked."""
         for choice in self.chosen:
             if choice in ask:
                 return choice
+        if sure:
+            return sure
         self.asked[what] = tuple(dict.fromkeys((*self.asked.get(what, ()), *ask)))
         return ask[0]
+
+    def _outline(self, points: list[Pt], value: Value, label: str, shift: Pt = ZERO, how: str = "") -> Read:
+        """Return a polygon; `how`: words about the position that was added."""
+        moved = tuple((x + shift[0], y + shift[1]) for x, y in points)
+        said = f"a polygon of {len(points)} corners{how}"
+        used = places(*(c for p in points for c in p), *shift)
+        return Read(moved, None, said, value.start, value.end, label, shift=shift, used=used)
 
     def _made_box(
         self, four: Sequence[Fraction], form: str, at: Value, label: str, angle: Any = None, unit: str = ""
@@ -114,16 +134,18 @@ class Boxes(Points):
         made = Read(
             corners, None, FORM_WORDS[form], at.start, at.end, label, negative=negative, box=tuple(four), form=form
         )
-        if angle is None or self.number(angle) == 0:
+        made = replace(made, used=places(*four))
+        if angle is None:
             return made
         pivot = ((xs[0] + xs[1]) / 2, (ys[0] + ys[1]) / 2)
-        if form == CORNER_SIZE and self._choose(PIVOT, CHOICES[PIVOT]) == AROUND_CORNER:
+        if form == CORNER_SIZE and self.number(angle) and self._choose(PIVOT, CHOICES[PIVOT]) == AROUND_CORNER:
             pivot = (a, b)
         return self._turned(made, angle, unit, pivot)
 
     def _turned(self, shape: Read, angle: Any, unit: str, pivot: Pt | None) -> Read:
         """Return a shape turned by an angle about a pivot (None: the origin); the unit is asked where none is named."""
         value = self.number(angle)
+        shape = replace(shape, used=shape.used | places(value))
         if value == 0 or shape.is_circle:
             return shape
         if not unit:
@@ -143,7 +165,8 @@ class Boxes(Points):
         px, py = pivot or ZERO
         points = tuple((px + (x - px) * c - (y - py) * s, py + (x - px) * s + (y - py) * c) for x, y in shape.points)
         said = f"{shape.said}, turned by {plain(value)} {unit}"
-        return replace(shape, points=points, said=said, rounded=shape.rounded or not exact)
+        rounded = shape.rounded or not exact
+        return replace(shape, points=points, said=said, rounded=rounded, box=(), form="")
 
     def _box_of_keys(
         self, obj: Obj, place: Pt | None, center: Any, row: Notation | None
@@ -152,30 +175,45 @@ class Boxes(Points):
         get = obj.get
         least, most = get("min"), get("max")
         if least is not None and most is not None:
-            p, q = self.point(least), self.point(most)
+            p, q = self.vector(least), self.vector(most)
             return ([*p, *q], CORNER_CORNER) if p and q else None
+        letters = {str(k).lower(): v for k, v in obj.fields.items()}
+        if all(side in letters for side in "ltrb"):  # Rect64(l: 0, t: 0, r: 4, b: 4)
+            return [self.number(letters[side]) for side in "ltrb"], CORNER_CORNER
         corners = [get(name) for name in ("x0", "y0", "x1", "y1")]
         if corners[2] is None and corners[0] is None and "x1" in obj.fields and "x2" in obj.fields:
             corners = [obj.fields.get(name) for name in ("x1", "y1", "x2", "y2")]
         elif corners[0] is not None and corners[2] is None:
             corners[2:] = [obj.fields.get("x1"), obj.fields.get("y1")]
         if all(c is not None for c in corners):
-            return [self.number(c) for c in corners], CORNER_CORNER
+            four = [self.number(c) for c in corners]
+            if get("width") is not None and get("height") is not None:  # a DOMRect has both, and they must agree
+                w, h = self.number(get("width")), self.number(get("height"))
+                if (w, h) != (four[2] - four[0], abs(four[3] - four[1])):
+                    raise Unreadable(f"its sides are not {plain(w)} and {plain(h)} long: two readings of one box")
+            return four, CORNER_CORNER
         if place is None and all(c is not None for c in corners[:2]):
             place = (self.number(corners[0]), self.number(corners[1]))
         half = get("half")
         if half is not None or (get("halfwidth") is not None and get("halfheight") is not None):
             size = (
-                self.point(half)
+                self.vector(half)
                 if half is not None
                 else (self.number(get("halfwidth")), self.number(get("halfheight")))
             )
             return ([*(place or ZERO), *size], CENTER_HALF) if size else None
-        size = self.point(get("size")) if get("size") is not None else None
+        size = self.vector(get("size")) if get("size") is not None else None
         if size is None and get("width") is not None and get("height") is not None:
             size = (self.number(get("width")), self.number(get("height")))
+        if size is not None and place is None and row and (row.form in (CENTER_SIZE, CENTER_HALF) or row.alone):
+            return [*ZERO, *size], CENTER_SIZE if row.form == CENTER_HALF else row.form  # where its body is
         if size is None or place is None:
             return None
+        sides = {origin_of(obj, "originx", "left"), origin_of(obj, "originy", "top")}
+        if sides - {"left", "top", "center"} or (len(sides) == 2 and "center" in sides):
+            raise Unreadable("an origin that is neither the corner nor the center: write the corner")
+        if "center" in sides:
+            return [*place, *size], CENTER_SIZE
         named_center = any(
             isinstance(n, str) and n.lower() in ("center", "centre", "centroid", "middle") for n in obj.fields
         )
@@ -191,8 +229,19 @@ class Boxes(Points):
 def moved(shape: Read, move: Pt) -> Read:
     """Return a shape that was moved."""
     points = tuple((x + move[0], y + move[1]) for x, y in shape.points)
-    said = shape.said.replace(", at the origin", " and a position") if move else shape.said
-    return replace(shape, points=points, said=said)
+    said = shape.said.replace(", at the origin", "")
+    said = said if said.endswith(" and a position") else f"{said} and a position"
+    box = shape.box
+    if box:
+        last = (box[2] + move[0], box[3] + move[1]) if shape.form == CORNER_CORNER else box[2:]
+        box = (box[0] + move[0], box[1] + move[1], *last)
+    return replace(shape, points=points, said=said, box=box, used=shape.used | places(*move))
+
+
+def origin_of(obj: Obj, name: str, usual: str) -> str:
+    """Return what an object gives as the origin of its position: left, center, ..."""
+    found = next((v for k, v in obj.fields.items() if str(k).lower() == name), None)
+    return found.text.lower() if isinstance(found, Name) else usual
 
 
 def unit_of(obj: Obj) -> str:

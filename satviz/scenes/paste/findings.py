@@ -32,6 +32,7 @@ KINDS = (
     "negative-size",
     "refused",
     "not-read",
+    "not-applied",
     "decimals",
     "concave",
     "near-touch",
@@ -212,6 +213,11 @@ def _crossing_words(each: PastedShape) -> str:
     return f"its edges {first} and {second} cross at ({float(x):.6g}, {float(y):.6g})"
 
 
+def listed(names: Sequence[str]) -> str:
+    """Return names as a list in words: A, B and D."""
+    return f"{', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else "".join(names)
+
+
 def merged(found: Sequence[Finding]) -> list[Finding]:
     """Return the findings with those of one kind that say the same of several shapes in one line."""
     kept: list[Finding] = []
@@ -221,7 +227,7 @@ def merged(found: Sequence[Finding]) -> list[Finding]:
             kept.append(finding)
             continue
         about = tuple(dict.fromkeys((*first.about, *finding.about)))
-        text = f"{', '.join(about[:-1])} and {about[-1]} {MERGED[first.kind]}"
+        text = f"{listed(about)} {MERGED[first.kind]}"
         kept[kept.index(first)] = first._replace(about=about, text=text)
     return kept
 
@@ -378,7 +384,7 @@ def clear(pair: Pair) -> Finding:
     return Finding(
         "clear",
         (a, b),
-        f"{a} and {b} are clearly {relation} ({_gap_words(pair.gap)}): these numbers hold none of the usual traps.",
+        f"{a} and {b} are clearly {relation}: these numbers hold none of the usual traps.",
         "A test that says otherwise is wrong, or got other numbers: send it the minimal test.",
     )
 

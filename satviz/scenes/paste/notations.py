@@ -7,6 +7,7 @@ before "rectangle" because the longer ending comes first.
 from typing import NamedTuple
 
 POINT, RING, CIRCLE, BOX, MANY, MOVE, ARC = "point", "ring", "circle", "box", "many", "move", "arc"
+ELLIPSE = "ellipse"
 # How the four numbers of a box are meant, in the words of `--as`.
 CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF = "corner-size", "corner-corner", "center-size", "center-half"
 DEGREES, RADIANS = "degrees", "radians"
@@ -20,7 +21,7 @@ class Notation(NamedTuple):
     form: str = ""
     ask: tuple[str, ...] = ()
     unit: str = ""
-    note: str = ""
+    alone: bool = False  # of a box or circle given by its size: its corner, not its center, is where its body is
 
 
 ANY_BOX = (CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF)
@@ -30,7 +31,9 @@ NOTATIONS = (
     Notation(
         "vector vector2 vector2f vector2d vector2i vec vec2 vec2f dvec2 point point2 point2d pointf point2f dpoint "
         "coord coordinate position c2v b2vec2 cpv v2 v pt xy float2 double2 make_point make_float2 pvector "
-        "vector.create point! coord! cgpoint qpoint qpointf offset latlng makepoint st_point st_makepoint p",
+        "vector.create point! coord! cgpoint qpoint qpointf offset latlng vector3 vector3f vec3 point3d "
+        "cgsize qsize qsizef size size2 vector! vertex ccp point64 pointd intpoint offset.new vec2.new "
+        "vector.new pointsingle corner pvec2 makepoint st_point st_makepoint p",
         POINT,
     ),
     # polygons, and the lists that hold their points
@@ -38,32 +41,59 @@ NOTATIONS = (
         "polygon polygon2d poly convexpolygon simplepolygon convex_polygon polygonshape path2d linestring linearring "
         "line_string polygon! line_string! list vec! array np.array numpy.array asarray tuple list.of arrays.aslist "
         "listof arrayof floatarrayof doublearrayof packedvector2array poolvector2array float double int long f32 f64 "
-        "createpolygon polygon.new convexhull convex_hull_shape from_convex_hull c2poly vertices points shape geometry "
+        "createpolygon polygon.new convexhull convex_hull_shape from_convex_hull c2poly vertices points shape "
+        "geometry "
+        "svg.path svg.polyline "
+        "clipper.makepath makepath path64 pathd paths64 pathsd addface polyshape triangle quad addpolygon "
+        "simplepolygon2d collisionpolygon2d convexpolygonshape2d convexpolygon2d graphics.polygon p2.convex "
+        "zip column_stack "
+        "edgecollider polygoncollider2d addpoly "
         "seq set z zm double[][] float32array float64array makepolygon fromvertices create_polygon convex newpolygon",
         RING,
     ),
     Notation(
         "circle circle2d ball disc disk createcircle circleshape addcircle drawcircle bodies.circle c2circle", CIRCLE
     ),
-    Notation("circle.new ball::new newcircle circleimpl makecircle create_circle b2circle arc ellipse2d", CIRCLE),
+    Notation(
+        "circle.new ball::new newcircle circleimpl circlef colliderbuilder::ball circleshape2d "
+        "circlecollider2d  makecircle create_circle b2circle arc ellipse2d",
+        CIRCLE,
+    ),
     # boxes
-    Notation("bodies.rectangle add.rectangle bodies.rect boxshape2d centered_rect rotatedrect", BOX, CENTER_SIZE),
+    Notation(
+        "bodies.rectangle add.rectangle bodies.rect boxshape2d centered_rect rotatedrect p2.box p2.rectangle "
+        "create_box "
+        "poly.create_box bounds rect.fromcenter rectangleshape2d boxcollider2d",
+        BOX,
+        CENTER_SIZE,
+    ),
     Notation(
         "rectangle rectanglef rect2 rect2i newrect qrect qrectf cgrect cgrectmake sf::floatrect "
         "sf::rect floatrect intrect "
         "sf::intrect pygame.rect "
+        "svg.rect rect.fromltwh makerect rectmake qrect.new fillrect strokerect rect2.new rectangle.new "
+        "graphics.rectangle drawrectangle "
         "sdl_rect sdl_frect domrect rectangle2d.double rectangle2d.float geom.rectangle recti",
         BOX,
         CORNER_SIZE,
     ),
     Notation(
-        "shapely.box geometry.box shapely.geometry.box st_makeenvelope makeenvelope envelope bbox boundingbox ltrb",
+        "shapely.box geometry.box shapely.geometry.box st_makeenvelope makeenvelope envelope bbox boundingbox ltrb "
+        "pixel.r image.rect rect64 rectd rect.fromltrb rect.frompoints rectf bb pymunk.bb box2.new",
         BOX,
         CORNER_CORNER,
     ),
     Notation("c2aabb aabb aabb::new aabb2 box2 box2d b2aabb extent", BOX, ask=(CORNER_CORNER, CENTER_HALF)),
-    Notation("cuboid cuboid::new b2makebox setasbox b2makeoffsetbox pl.box planck.box", BOX, CENTER_HALF),
+    Notation(
+        "cuboid cuboid::new colliderbuilder::cuboid setasbox.new b2makebox setasbox b2makeoffsetbox pl.box planck.box",
+        BOX,
+        CENTER_HALF,
+    ),
     Notation("rect box createbox sat.box obb orientedbox", BOX, ask=ANY_BOX),
+    Notation("rectangleshape", BOX, CORNER_SIZE, alone=True),
+    Notation("sf::circleshape", CIRCLE, alone=True),
+    Notation("ellipse svg.ellipse", ELLIPSE),
+    Notation("square", BOX, ask=(CORNER_SIZE, CENTER_SIZE)),
     # what moves the next shape
     Notation(
         "isometry::translation isometry2::translation isometry::new isometry2::new translation translation2 "
@@ -83,14 +113,16 @@ KEYS = {
     for meaning, names in {
         "points": "vertices verts points corners polygon coords path hull outline pts vertexlist ring exterior poly "
         "pointlist vertex coordinates vertices2d",
-        "center": "center centre pos position translation location circle middle mid c p origin centroid",
-        "corner": "corner topleft bottomleft start",
+        "center": "center centre pos position translation location circle middle mid c p centroid",
+        "corner": "corner topleft bottomleft start origin",
         "radius": "radius r",
         "x": "x posx px cx lon lng longitude",
         "y": "y posy py cy lat latitude",
         "width": "width w sx dx",
         "height": "height h sy dy",
-        "size": "size dimensions extent wh dims",
+        "size": "size dimensions extent wh dims s",
+        "offset": "offset",
+        "diameter": "diameter diam",
         "half": "halfextents half extents halfsize he halfextent",
         "halfwidth": "hx halfwidth hw",
         "halfheight": "hy halfheight hh",
@@ -152,7 +184,7 @@ HARMLESS = frozenset(
         "distance",
     ]
 )
-MOVES = frozenset(["translate", "setposition", "moveto", "setoffset", "set_position"])
+MOVES = frozenset(["translate", "translation", "setposition", "moveto", "setoffset", "set_position"])
 TURNS = {
     "rotate": "",
     "setangle": "",
@@ -168,7 +200,8 @@ SETTERS = frozenset(["set", "setxy"])
 def notation(name: str) -> Notation | None:
     """Return the row of a name, by its longest ending that the table has; None for an unknown name."""
     plain = name.lower().split("<")[0].rstrip("!") if "<" in name else name.lower()
-    plain = plain.removesuffix("::new").removesuffix("::from") if plain not in NAMES else plain
+    for ending in ("::new", "::from", ".new"):
+        plain = plain.removesuffix(ending) if plain not in NAMES else plain
     words = plain.replace("::", ".").replace("->", ".").split(".")
     for candidate in (plain, *(".".join(words[i:]) for i in range(len(words))), words[-1].rstrip("!")):
         if candidate in NAMES:

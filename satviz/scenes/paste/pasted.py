@@ -17,15 +17,14 @@ from ..link import link
 from ..scenefile import MAX_VERTICES, Scene
 from . import findings, others
 from .boxes import ALL_CHOICES, ONLY_IF_IT_MATTERS, Read
-from .findings import KINDS, Finding, Pair, PastedShape
+from .findings import KINDS, Finding, Pair, PastedShape, listed
 from .objects import as_text
 from .reading import Reader
-from .tokens import tokens
 from .tree import Group, parse
+from .unused import unused
 
 MAX_SHAPES = 40
 MAX_TRACES = 60
-MAX_NAMED = 6  # numbers that belong to no shape
 NOTHING = (
     "no shape was found: paste two shapes or more, as WKT, GeoJSON, JSON or lines of code, "
     "for example POLYGON((0 0, 4 0, 0 3)) and circle((5, 1), 2)"
@@ -36,6 +35,7 @@ ASKS = {
     "turn": "Does y point up or down? A positive angle turns the other way there.",
     "order": "Does the width come first, or the height?",
     "pivot": "Is the box turned around its center or around its corner?",
+    "round": "Is the last number of the circle its radius or its diameter?",
     "corners": "Are the corners relative to the position, or absolute already?",
 }
 CHOICE_WORDS = {
@@ -53,6 +53,8 @@ CHOICE_WORDS = {
     "around-corner": "turned around its corner",
     "relative": "corners relative to the position",
     "absolute": "corners absolute already",
+    "radius": "the radius",
+    "diameter": "the diameter",
 }
 
 
@@ -114,14 +116,16 @@ class Pasted:
     def sentence(self) -> str:
         """Return the answer in one sentence."""
         if self.open:
-            return "Two readings are possible, and they give different answers: choose one."
+            count = max(len(question.answers) for question in self.questions if question.matters)
+            words = {2: "Two", 3: "Three", 4: "Four"}.get(count, "Several")
+            return f"{words} readings are possible, and they give different answers: choose one."
         if len(self.readings) == 1:
-            unread = next((str(f) for f in self.findings if f.kind == "not-read"), "")
-            only = f"One shape was read ({self.readings[0].said}): paste a second one to compare it with."
-            return f"{only} {unread}".strip()
+            unread = any(finding.kind == "not-read" for finding in self.findings)
+            more = "mend what was not read, or paste" if unread else "paste"
+            return f"One shape was read ({self.readings[0].said}): {more} a second one to compare it with."
         refused = [each for each in self.readings if not each.shape]
         if not self.traces:
-            names = " and ".join(each.name for each in refused)
+            names = listed([each.name for each in refused])
             start = (
                 f"{names} {'are no valid shapes' if len(refused) > 1 else 'is no valid shape'}, so there is no answer"
             )
@@ -249,15 +253,15 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     """
     text = what if isinstance(what, str) else as_text(what)
     chosen = _choices(as_)
-    root, remarks = parse(text)
+    tree = parse(text)
     reader = Reader(text, chosen)
-    reads = _checked(reader.read(root), reader)
+    reads = _checked(reader.read(tree.root), reader)
     shapes = _named(reads, text)
-    questions = tuple(_questions(reader, root, text, chosen))
+    questions = tuple(_questions(reader, tree.root, text, chosen))
     made = Pasted(text, chosen, tuple(shapes), questions, (), ())
     notes = [Finding("not-read", (), f"Not read: {problem}.") for problem in reader.problems[:5]]
-    notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in (*reader.remarks, *remarks)]
-    notes += _left_out(text, shapes)
+    notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in (*reader.remarks, *tree.remarks)]
+    notes += unused(tree._replace(indices=tree.indices | reader.counts), reads, text)
     if made.open:
         return replace(made, findings=tuple(notes))
     pairs = _pairs(shapes)
@@ -269,17 +273,6 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
         found.append(findings.clear(pairs[0]))
     found.sort(key=lambda finding: KINDS.index(finding.kind))
     return replace(made, pairs=tuple(pairs), findings=tuple(found))
-
-
-def _left_out(text: str, shapes: Sequence[PastedShape]) -> Iterator[Finding]:
-    """Yield a finding that names the first numbers of the text that stand in no shape, if there are any."""
-    spans = [(each.read.start, each.read.end) for each in shapes]
-    numbers = [token for token in tokens(text) if token.kind == "number"]
-    outside = [each.text for each in numbers if not any(start <= each.start < end for start, end in spans)]
-    if outside:
-        more = f" and {len(outside) - MAX_NAMED} more" if len(outside) > MAX_NAMED else ""
-        named = ", ".join(one[:20] for one in outside[:MAX_NAMED])
-        yield Finding("left-out", (), f"Left out, since no shape has them: {named}{more}.")
 
 
 def _choices(as_: str | Sequence[str]) -> tuple[str, ...]:

@@ -9,9 +9,11 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any
+from itertools import pairwise
+from typing import Any, NamedTuple
 
 from ...engine.geometry import InvalidScene
+from .markup import all_tokens
 from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, number, tokens
 
 NUMERAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
@@ -45,8 +47,11 @@ IGNORED_NAMES = frozenset(  # words of a language before a value
         "default",
         "def",
         "type",
+        "with",
     ]
 )
+SEPARATORS = frozenset(["vs", "versus", "and", "against", "intersects", "overlaps", "touches", "collides"])
+ARROWS = frozenset(["->", "<->", "\u2192", "\u2194", "\u21d2"])
 OPERATORS = frozenset("+-*/%^\u2212")
 
 
@@ -87,6 +92,7 @@ class Pair(Value):
 
     path: tuple[str | int, ...]
     value: Any
+    before: str = ""  # the word before the key, such as the type in `Rect r = {0, 0, 1, 1}`
 
 
 @dataclass(slots=True)
@@ -97,13 +103,25 @@ class Group(Value):
     bracket: str = ""
     name: str = ""
     methods: list[tuple[str, "Group"]] = field(default_factory=list)  # calls behind it: .rotate(45)
+    before: str = ""  # the word before its name, such as the type in `Circle c(0, 0, 1)`
 
 
-def parse(text: str) -> tuple[Group, list[str]]:
-    """Return the whole text as one group of lines, and sentences about brackets that do not fit."""
-    parser = _Parser(text, tokens(text))
+class Tree(NamedTuple):
+    """A text as one group of lines; sentences about brackets; where indices and lengths end; all its numbers."""
+
+    root: Group
+    remarks: list[str]
+    indices: frozenset[int]
+    numbers: list[Token]
+
+
+def parse(text: str) -> Tree:
+    """Return the tree of a text."""
+    found = all_tokens(text)
+    parser = _Parser(text, found)
     root = Group(0, len(text), parser.items("", 0))
-    return root, parser.remarks
+    numbers = [token for token in found if token.kind == NUMBER and token.start < token.end]
+    return Tree(root, parser.remarks, frozenset(parser.indices), numbers)
 
 
 class _Parser:
@@ -114,6 +132,7 @@ class _Parser:
         self.tokens = found
         self.at = 0
         self.remarks: list[str] = []
+        self.indices: set[int] = set()  # where numbers end that count: v[2], float[3]
 
     def items(self, bracket: str, depth: int) -> list[Any]:
         """Return the items up to the bracket that closes this group ("" is the whole text)."""
@@ -130,7 +149,10 @@ class _Parser:
             if value is None:
                 return
             if bracket:
-                items.append(value)
+                many = (
+                    isinstance(value, Group) and value.bracket == "+" and all(isinstance(v, Pair) for v in value.items)
+                )
+                items.extend(value.items if many else [value])
             elif row and isinstance(row[-1], Pair) and not isinstance(value, Pair):
                 pair = row[-1]  # b.position = 300, 125
                 many = isinstance(pair.value, Group) and pair.value.bracket == ","
@@ -145,7 +167,8 @@ class _Parser:
             end_item()
             if row:
                 plain = not any(isinstance(v, Pair) for v in row)
-                items.extend([Group(row[0].start, row[-1].end, list(row), ",")] if plain and len(row) > 1 else row)
+                one = (plain or all(isinstance(v, Pair) for v in row)) and len(row) > 1  # x = 0, y = 0, r = 5
+                items.extend([Group(row[0].start, row[-1].end, list(row), ",")] if one else row)
                 row.clear()
 
         while self.at < len(self.tokens):
@@ -182,6 +205,9 @@ class _Parser:
                     end_item()
                 else:
                     end_line()
+            elif not bracket and self.separates(token, atoms, row):
+                end_line()
+                items.append(None)
             elif token.kind == TEXT:
                 atoms.append(self.quoted(token, depth))
             else:
@@ -196,6 +222,16 @@ class _Parser:
         """Note what is wrong with a bracket, once."""
         if text not in self.remarks:
             self.remarks.append(text)
+
+    def separates(self, token: Token, atoms: Sequence[Any], row: Sequence[Any]) -> bool:
+        """Return whether a word or an arrow stands between two shapes on one line: A vs B."""
+        arrow = token.kind == MARK and token.text in ARROWS
+        if not arrow and not (token.kind == NAME and token.text.lower() in SEPARATORS):
+            return False
+        said = any(isinstance(a, Group) or (isinstance(a, Token) and a.kind in (NUMBER, TEXT)) for a in atoms)
+        if said and self.at < len(self.tokens) and self.tokens[self.at].text == ".":
+            self.at += 1  # vs.
+        return (said or bool(row)) and not (atoms and _is_mark(atoms[-1], ("=", ":", ":=")))
 
     def next_is(self, kind: str) -> bool:
         """Return whether the next token is of this kind."""
@@ -219,6 +255,7 @@ class _Parser:
         begin = token.start + 1
         parser = _Parser(self.text, [t._replace(start=t.start + begin, end=t.end + begin) for t in tokens(inner)])
         items = [item for item in parser.items("", depth + 1) if item is not None]
+        self.indices |= parser.indices
         self.remarks += [r for r in parser.remarks if r not in self.remarks]
         return items[0] if len(items) == 1 else Group(token.start, token.end, items, '"')
 
@@ -228,6 +265,8 @@ class _Parser:
         """Return the value of the atoms between two separators; None where there is none."""
         if not atoms:
             return None
+        if pairs := self.run_of_pairs(atoms, bracket):
+            return pairs
         mark = next((i for i, a in enumerate(atoms) if _is_mark(a, ("=", ":=", "=>", ":"))), None)
         if mark is not None and not any(_is_mark(a, ("==", "<=", ">=", "!=")) for a in atoms[:mark]):
             sign = mark
@@ -235,7 +274,7 @@ class _Parser:
                 sign = next((i for i, a in enumerate(atoms) if i > mark and _is_mark(a, ("=",))), mark)
                 if any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[mark:sign]):
                     sign = mark
-            path = _path(atoms[:mark])
+            path = self.path(atoms[:mark])
             if bracket == "{" and mark > 1 and any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[:mark]):
                 return Bad(_start(atoms[0]), _end(atoms[-1]), "a number beside a key")
             after = atoms[sign + 1 :]
@@ -250,10 +289,31 @@ class _Parser:
                 return Bad(_start(atoms[0]), _end(atoms[-1]), "a key without a value", groups) if slips else None
             if not path:
                 return rest
-            pair = Pair(_start(atoms[0]), rest.end, path, rest)
+            words = [a.text for a in atoms[:mark] if isinstance(a, Token) and a.kind == NAME]
+            words = [word for word in words if word not in IGNORED_NAMES]
+            pair = Pair(_start(atoms[0]), rest.end, path, rest, words[-2] if len(words) > 1 else "")
             before = [a for a in atoms[:mark] if isinstance(a, Group) and a.bracket in "({" and a.items]
             return Group(pair.start, pair.end, [*before, pair], "+") if before else pair  # {x: 1, y: 2} radius: 5
         return self.plain(atoms)
+
+    def run_of_pairs(self, atoms: list[Any], bracket: str) -> Group | None:
+        """Return the pairs of `x: 0 y: 0 width: 4`, where no comma stands between them; None for anything else."""
+        marks = [i for i, a in enumerate(atoms) if _is_mark(a, ("=", ":"))]
+        if len(marks) < 2 or len({atoms[i].text for i in marks}) > 1 or marks[0] == 0:
+            return None
+        begins = [marks[0] - 1, *(i - 1 for i in marks[1:]), len(atoms)]
+        pairs: list[Any] = []
+        for begin, mark, end in zip(begins, marks, begins[1:], strict=False):
+            a_key, value = atoms[begin], atoms[mark + 1 : end]
+            named = isinstance(a_key, Token) and a_key.kind in (NAME, TEXT)
+            says = any(isinstance(v, Group) or (isinstance(v, Token) and v.kind in (NUMBER, TEXT)) for v in value)
+            if not named or not says:
+                return None
+            found = self.value([a_key, atoms[mark], *value], bracket)
+            if not isinstance(found, Pair):
+                return None
+            pairs.append(found)
+        return Group(pairs[0].start, pairs[-1].end, pairs, "+")
 
     def plain(self, atoms: list[Any]) -> Any:
         """Return the value of atoms without `=` and `:`."""
@@ -269,6 +329,8 @@ class _Parser:
             only = values[0] if len(values) == 1 else None
             if isinstance(only, Num) and only.value is not None and operators == ["-"] and atoms[0].end <= only.start:
                 return Num(start, end, -only.value)
+            if operators == ["-"] and len(values) == 2 and all(_is_pair(v) for v in values):
+                return Group(start, end, values, " ")  # (0, 0)-(10, 10), as Go prints a box
             if any(o in OPERATORS for o in operators):
                 return Bad(start, end, "an expression, which is not evaluated")
             return Bad(start, end, "not a number", [v for v in values if isinstance(v, Group)])
@@ -278,6 +340,9 @@ class _Parser:
             return Group(start, end, values, " ")
         if all(isinstance(v, Group) for v in values):
             return Group(start, end, values, " ")
+        for word, group in pairwise(values):
+            if isinstance(word, Name) and isinstance(group, Group) and group.name:
+                group.before = word.text
         return Bad(start, end, "words", [v for v in values if not isinstance(v, (Name, Bad))])
 
     def joined(self, atoms: list[Any]) -> tuple[list[Any], list[str]]:
@@ -290,9 +355,14 @@ class _Parser:
             i += 1
             if isinstance(atom, Group):
                 last = values[-1] if values else None
+                if isinstance(last, Group) and _is_cast(last) and atom.bracket == "{":  # (Vector2){ 5, 5 }
+                    values[-1] = Group(last.start, atom.end, atom.items, atom.bracket, last.items[0].text)
+                    continue
                 # new float[3] {...}: the bracket with the length comes before the list
                 if isinstance(last, Name) and atom.bracket in "([{" and atom.bracket:
                     length = atom
+                    if atom.bracket == "[" and len(atom.items) == 1 and isinstance(atom.items[0], Num):
+                        self.indices.add(atom.items[0].end)  # v[2], or the length in b2Vec2 v[3]
                     while atom.bracket == "[" and len(atom.items) < 2 and i < len(atoms) and _is_open(atoms[i]):
                         atom = atoms[i]
                         i += 1
@@ -329,6 +399,24 @@ class _Parser:
                 operators.append("-" if atom.text == "\u2212" else atom.text)
         return values, operators
 
+    def path(self, atoms: Sequence[Any]) -> tuple[str | int, ...]:
+        """Return the path that is assigned to: the last name before the sign, with the indices and fields behind it."""
+        names = [i for i, a in enumerate(atoms) if isinstance(a, Token) and a.kind in (NAME, TEXT)]
+        parts: list[str | int] = []
+        begin = names[-1] if names else 0
+        for atom in atoms[begin:]:
+            if isinstance(atom, Token) and atom.kind in (NAME, TEXT, FIELD):
+                text = atom.text[1:-1] if atom.kind == TEXT else atom.text
+                parts += [p for p in text.replace("->", ".").replace("::", ".").split(".") if p]
+            elif isinstance(atom, Token) and atom.kind == NUMBER and not names:
+                parts.append(atom.text)
+            elif isinstance(atom, Group) and atom.bracket == "[" and len(atom.items) == 1:
+                index = atom.items[0]
+                if isinstance(index, Num) and index.value is not None and index.value.denominator == 1:
+                    parts.append(int(index.value))
+                    self.indices.add(index.end)
+        return tuple(parts)
+
 
 def _is_mark(atom: Any, texts: tuple[str, ...]) -> bool:
     """Return whether an atom is one of these marks."""
@@ -341,6 +429,17 @@ def _text(atom: Token) -> Num | Name:
     if NUMERAL.fullmatch(inner):
         return Num(atom.start, atom.end, *number(inner))
     return Name(atom.start, atom.end, atom.text[1:-1])
+
+
+def _is_pair(value: Any) -> bool:
+    """Return whether a value is a bracket with two numbers and no name."""
+    plain = isinstance(value, Group) and value.bracket == "(" and not value.name and len(value.items) == 2
+    return plain and all(isinstance(v, Num) for v in value.items)
+
+
+def _is_cast(group: Group) -> bool:
+    """Return whether a group is a type in brackets."""
+    return group.bracket == "(" and not group.name and len(group.items) == 1 and isinstance(group.items[0], Name)
 
 
 def _says_nothing(atom: Any) -> bool:
@@ -368,21 +467,3 @@ def _end(atom: Any) -> int:
     """Return where an atom ends."""
     found: int = atom.end
     return found
-
-
-def _path(atoms: Sequence[Any]) -> tuple[str | int, ...]:
-    """Return the path that is assigned to: the last name before the sign, with the indices and fields behind it."""
-    names = [i for i, a in enumerate(atoms) if isinstance(a, Token) and a.kind in (NAME, TEXT)]
-    parts: list[str | int] = []
-    begin = names[-1] if names else 0
-    for atom in atoms[begin:]:
-        if isinstance(atom, Token) and atom.kind in (NAME, TEXT, FIELD):
-            text = atom.text[1:-1] if atom.kind == TEXT else atom.text
-            parts += [p for p in text.replace("->", ".").replace("::", ".").split(".") if p]
-        elif isinstance(atom, Token) and atom.kind == NUMBER and not names:
-            parts.append(atom.text)
-        elif isinstance(atom, Group) and atom.bracket == "[" and len(atom.items) == 1:
-            index = atom.items[0]
-            if isinstance(index, Num) and index.value is not None and index.value.denominator == 1:
-                parts.append(int(index.value))
-    return tuple(parts)

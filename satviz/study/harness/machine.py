@@ -9,6 +9,12 @@ from pathlib import Path
 
 from ... import __version__
 
+SIMD_WIDTHS = {
+    "avx512f": "512 bits",
+    "avx2": "256 bits",
+    "sse2": "128 bits",
+    "asimd": "128 bits",
+}
 PEER_PACKAGES = ("numba", "shapely", "pymunk", "scipy", "pyb2d3")
 
 
@@ -22,21 +28,30 @@ def missing_peers() -> list[str]:
     return [name for name in PEER_PACKAGES if not is_installed(name)]
 
 
-def _processor() -> str:
-    """Return the processor's model name; without /proc/cpuinfo the name that Python knows, which may be empty."""
+def _processor() -> dict[str, str]:
+    """Return the processor's model and the width of its SIMD registers, which decide how methods rank; or less.
+
+    Without /proc/cpuinfo the model is the name that Python knows, and the width is left out.
+    """
     try:
-        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines()
+        text = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace")
     except OSError:
-        lines = []
-    models = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
-    return models[0] if models else platform.processor()
+        text = ""
+    pairs = (line.partition(":")[::2] for line in reversed(text.splitlines()))
+    known = {name.strip(): value.strip() for name, value in pairs}  # of the first core
+    model = known.get("model name") or platform.processor()
+    if "cpu family" in known:  # a virtual machine may tell no more of the name than its maker
+        model += f" (family {known['cpu family']}, model {known.get('model')})"
+    flags = set((known.get("flags") or known.get("Features") or "").split())
+    width = next((bits for flag, bits in SIMD_WIDTHS.items() if flag in flags), "")
+    return {"processor": model} | ({"SIMD": width} if width else {})
 
 
 @cache
 def machine_facts() -> dict[str, str]:
-    """Return by name: the machine, system, processor, number of cores, and versions of Python and packages."""
+    """Return by name: machine, system, processor, SIMD width, number of cores, versions of Python and packages."""
     found = {"python": platform.python_version(), "machine": platform.machine(), "system": platform.system()}
-    found |= {"processor": _processor(), "cores": str(os.cpu_count())}
+    found |= {**_processor(), "cores": str(os.cpu_count())}
     found["satviz"] = __version__
     for name in ("numpy", *PEER_PACKAGES):
         try:

@@ -17,18 +17,31 @@ All kernels take polygons with one number of corners, counter-clockwise, as colu
 
 from collections.abc import Callable
 from functools import cache
-from typing import Any
+from typing import Any, TypeVar, cast
 
 import numpy as np
+from numba import njit
 from numpy.typing import NDArray
 
+from ...batch.arrays import TILE_SHAPES
+from ...batch.with_numba.filter import clearance_kernel
 from ...batch.with_numba.jit_cache import compiled, inlined
 
+Kernel = TypeVar("Kernel", bound=Callable[..., object])
 Array = NDArray[Any]
 Out = NDArray[np.int8]
 MAX_GJK_STEPS = 64  # rounding can make GJK cycle
-MAX_UNROLLED = 6  # corners; of more the compiler unrolls only some, and then it computes pair by pair
+MAX_LANE_CORNERS = 6  # of more corners the compiler unrolls only some, and then it computes pair by pair
+MAX_UNROLLED = 8  # corners for which a kernel is compiled by itself
 PLAIN, UNIT, WITH_TOLERANCE = 0, 1, 2  # forms of `sat_kernel`
+
+
+def _merged(kernel: Kernel) -> Kernel:
+    """Return a function that LLVM merges into its callers: the numbers they pass become constants and loops unroll.
+
+    `inlined` merges before LLVM sees the code; then the loops are not vectorised.
+    """
+    return cast(Kernel, njit(forceinline=True, error_model="numpy")(kernel))
 
 
 @compiled
@@ -136,6 +149,29 @@ def unrolled(corners: int) -> int | None:
     return corners if corners <= MAX_UNROLLED else None
 
 
+@_merged
+def _largest_gap(
+    x: Array, y: Array, p: Array, q: Array, i: Any, corners: int, others: int, form: int, tolerance: float
+) -> float:
+    """Return how far the other polygon lies beyond that edge of polygon i which is best for this; below 0: nowhere."""
+    best = x.dtype.type(-np.inf)  # all numbers have the format of the columns
+    for e in range(corners):
+        f = (e + 1) % corners
+        ex, ey = x[e, i], y[e, i]
+        nx, ny = y[f, i] - ey, ex - x[f, i]
+        if form == UNIT:
+            length = np.sqrt(nx * nx + ny * ny)
+            nx, ny = nx / length, ny / length
+        least = x.dtype.type(np.inf)
+        for v in range(others):
+            least = min(least, nx * p[v, i] + ny * q[v, i])
+        gap = least - (nx * ex + ny * ey)
+        if form == WITH_TOLERANCE:
+            gap = gap - tolerance * np.sqrt(nx * nx + ny * ny)
+        best = max(best, gap)
+    return best  # type: ignore[no-any-return]
+
+
 @cache
 def sat_kernel(va: int | None, vb: int | None, form: int) -> Callable[..., None]:
     """Return SAT on edge normals for va and vb corners: kernel(ax, ay, bx, by, tolerance, out).
@@ -150,73 +186,29 @@ def sat_kernel(va: int | None, vb: int | None, form: int) -> Callable[..., None]
         count_a, count_b = ax.shape[0] if va is None else va, bx.shape[0] if vb is None else vb
         for k in range(out.size):
             i = np.uintp(k)  # unsigned: numba need not ask whether it counts from the end
-            best = ax.dtype.type(-np.inf)  # all numbers have the format of the columns
-            for e in range(count_a):
-                f = (e + 1) % count_a
-                ex, ey = ax[e, i], ay[e, i]
-                nx, ny = ay[f, i] - ey, ex - ax[f, i]
-                if form == UNIT:
-                    length = np.sqrt(nx * nx + ny * ny)
-                    nx, ny = nx / length, ny / length
-                least = ax.dtype.type(np.inf)
-                for v in range(count_b):
-                    least = min(least, nx * bx[v, i] + ny * by[v, i])
-                gap = least - (nx * ex + ny * ey)
-                if form == WITH_TOLERANCE:
-                    gap = gap - tolerance * np.sqrt(nx * nx + ny * ny)
-                best = max(best, gap)
-            for e in range(count_b):
-                f = (e + 1) % count_b
-                ex, ey = bx[e, i], by[e, i]
-                nx, ny = by[f, i] - ey, ex - bx[f, i]
-                if form == UNIT:
-                    length = np.sqrt(nx * nx + ny * ny)
-                    nx, ny = nx / length, ny / length
-                least = ax.dtype.type(np.inf)
-                for v in range(count_a):
-                    least = min(least, nx * ax[v, i] + ny * ay[v, i])
-                gap = least - (nx * ex + ny * ey)
-                if form == WITH_TOLERANCE:
-                    gap = gap - tolerance * np.sqrt(nx * nx + ny * ny)
-                best = max(best, gap)
-            out[i] = best <= 0
+            gap_a = _largest_gap(ax, ay, bx, by, i, count_a, count_b, form, tolerance)
+            gap_b = _largest_gap(bx, by, ax, ay, i, count_b, count_a, form, tolerance)
+            out[i] = max(gap_a, gap_b) <= 0
 
     return kernel
 
 
-@compiled
-def textbook_sat(ax: Array, ay: Array, bx: Array, by: Array, unit: bool, tolerance: float, out: Out) -> None:
-    """Write hits by SAT as articles write it, for any number of corners: no hit if a gap is larger than `tolerance`.
+def plain_sat(va: int, vb: int) -> Callable[..., None]:
+    """Return plain SAT in float64 at its fastest for va and vb corners: kernel(ax, ay, bx, by, out).
 
-    `unit`: divide each normal by its length first.
+    For few corners it is `sat_kernel`; for more it is the float filter of satviz itself, without its error bounds.
     """
-    for i in range(out.size):
-        out[i] = not (
-            _has_separating_normal(ax, ay, bx, by, i, unit, tolerance)
-            or _has_separating_normal(bx, by, ax, ay, i, unit, tolerance)
-        )
+    if max(va, vb) <= MAX_LANE_CORNERS:
+        kernel = sat_kernel(va, vb, PLAIN)
+        return lambda ax, ay, bx, by, out: kernel(ax, ay, bx, by, 0.0, out)
+    gaps = clearance_kernel(va, vb)
 
+    def hits(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
+        """Write for each pair whether no clearance is above 0."""
+        gaps(ax, ay, bx, by, 0, np.zeros(-(-out.size // TILE_SHAPES)), out)
+        out[:] = out > 0
 
-@compiled
-def _has_separating_normal(x: Array, y: Array, p: Array, q: Array, i: int, unit: bool, tolerance: float) -> bool:
-    """Return whether an edge normal of (x, y) leaves a gap to (p, q) above `tolerance`, in pair i."""
-    for e in range(x.shape[0]):
-        f = e + 1 if e + 1 < x.shape[0] else 0
-        nx, ny = y[f, i] - y[e, i], x[e, i] - x[f, i]
-        if unit:
-            length = np.sqrt(nx * nx + ny * ny)
-            nx, ny = nx / length, ny / length
-        own_low, own_high = nx * x[0, i] + ny * y[0, i], nx * x[0, i] + ny * y[0, i]
-        other_low, other_high = np.inf, -np.inf
-        for v in range(1, x.shape[0]):
-            landing = nx * x[v, i] + ny * y[v, i]
-            own_low, own_high = min(own_low, landing), max(own_high, landing)
-        for v in range(p.shape[0]):
-            landing = nx * p[v, i] + ny * q[v, i]
-            other_low, other_high = min(other_low, landing), max(other_high, landing)
-        if max(other_low - own_high, own_low - other_high) > tolerance:
-            return True
-    return False
+    return hits
 
 
 @inlined
@@ -276,9 +268,6 @@ def gjk_kernel(va: int | None, vb: int | None) -> Callable[..., None]:
             out[i] = hit
 
     return kernel
-
-
-gjk = gjk_kernel(None, None)
 
 
 # -- methods for many corners --------------------------------------------------------------------------------

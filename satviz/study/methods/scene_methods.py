@@ -179,7 +179,7 @@ class FrameSample:
         meet = ((low[:, None] <= high) & (low <= high[:, None])).all(axis=2)
         tested = self.chosen[np.argwhere(np.triu(meet, 1))].tolist()
         self.checked = len(tested)
-        self.right = {(i, j) for i, j in tested if truth.relation(shapes[i], shapes[j])}
+        self.right = {(i, j) for i, j in tested if truth.agreed(shapes[i], shapes[j])}
 
     def wrong(self, answer: Any) -> int:
         """Return how many pairs of the sample an answer lacks, or has too many."""

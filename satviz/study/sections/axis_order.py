@@ -76,7 +76,7 @@ def count_tested_axes(paths: int, frames: int, settings: Settings) -> list[JsonR
         last: dict[str, Source | None] = dict.fromkeys(ORDERS)
         sums, frames_apart = dict.fromkeys(ORDERS, 0), 0
         for a, b in passing_frames(rng, frames):
-            choice, verdict = needed(a, b), truth.relation(a, b)
+            choice, verdict = needed(a, b), truth.agreed(a, b)
             frames_apart += not verdict
             for name, order in ORDERS.items():
                 trace = record(a, b, axes=choice._replace(axes=order(a, b, choice.axes, last[name], rng)))

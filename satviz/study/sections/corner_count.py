@@ -19,7 +19,7 @@ from ..harness.chart import WIDTH, Chart, add_axes, draw_headline, draw_time_cur
 from ..harness.machine import is_installed
 from ..harness.timings import cells_by_process, over_processes, time_jobs, timing_warning
 from ..methods import libraries
-from ..workloads.generators import Rings, apart_pairs, overlapping_pairs
+from ..workloads.generators import Array, Rings, apart_pairs, overlapping_pairs
 
 CORNER_COUNTS = (3, 4, 8, 16, 32, 64, 128, 256)
 LINE_STYLES = {
@@ -45,23 +45,21 @@ def ready_jobs(a: Rings, b: Rings) -> dict[str, Callable[[], Any]]:
     if is_installed("numba"):
         from ..methods import numba_rivals
 
+        rows = [np.ascontiguousarray(rings[:, :, d].T) for rings in (a, b) for d in (0, 1)]
         # transposed views, so that the corners of one outline are side by side in memory, as for long outlines
-        columns = [np.ascontiguousarray(rings[:, :, d]).T for rings in (a, b) for d in (0, 1)]
+        columns = [np.ascontiguousarray(row.T).T for row in rows]
+        v, out = a.shape[1], np.empty(len(a), np.int8)
 
-        def run(kernel: Callable[..., None], *options: Any) -> Any:
-            """Return which pairs hit, by a kernel; `options`: its arguments between the columns and the output."""
-            out = np.empty(len(a), np.int8)
-            kernel(*columns, *options, out)
+        def run(kernel: Callable[..., None], columns: list[Array]) -> Any:
+            """Return which pairs hit, by a kernel on these columns."""
+            kernel(*columns, out)
             return out > 0
 
-        if (few := numba_rivals.unrolled(a.shape[1])) is not None:
-            columns = [np.ascontiguousarray(column) for column in columns]
-            jobs["SAT, every corner"] = partial(run, numba_rivals.sat_kernel(few, few, numba_rivals.PLAIN), 0.0)
-        else:
-            jobs["SAT, every corner"] = partial(run, numba_rivals.textbook_sat, False, 0.0)
-        jobs["SAT, support search"] = partial(run, numba_rivals.support_search_sat)
-        jobs["rotating calipers"] = partial(run, numba_rivals.calipers)
-        jobs["GJK"] = partial(run, numba_rivals.gjk_kernel(few, few))
+        jobs["SAT, every corner"] = partial(run, numba_rivals.plain_sat(v, v), rows)
+        jobs["SAT, support search"] = partial(run, numba_rivals.support_search_sat, columns)
+        jobs["rotating calipers"] = partial(run, numba_rivals.calipers, columns)
+        few = numba_rivals.unrolled(v)
+        jobs["GJK"] = partial(run, numba_rivals.gjk_kernel(few, few), columns if few is None else rows)
         shapes = batch.Polygons(a.copy()), batch.Polygons(b.copy())
         jobs["satviz"] = lambda: batch.relate(*shapes, engine="numba") > 0
     if is_installed("shapely"):

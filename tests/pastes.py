@@ -1,0 +1,985 @@
+"""Texts as they stand in trackers, logs and files, in notations of many libraries, with what they mean, by hand.
+
+`bounds`: the bounding box of each shape (x0, y0, x1, y1), in the order of the text.  `as_`: the reading to take, for a
+text that can mean several things.  `says`: words of a finding, for a text with a part that must be named instead.
+A name with `#` is that of a public thread (facts only: retyped numbers and notation).
+"""
+
+from typing import NamedTuple
+
+Box = tuple[float, float, float, float]
+
+
+class Paste(NamedTuple):
+    """A text, the bounds of its shapes, the reading to take, and words that a finding must have."""
+
+    name: str
+    text: str
+    bounds: tuple[Box, ...]
+    as_: str = ""
+    says: str = ""
+
+
+PASTES = (
+    # -- of public threads
+    Paste(
+        "alexbol99/flatten-js#42",
+        """const { polygon } = require('@flatten-js/core');
+const item1 = polygon([
+  [0, 30],
+  [30, 30],
+  [30, 0],
+  [0, 0],
+  [0, 30],
+]);
+
+const item2 = polygon([
+  [10, 20],
+  [20, 20],
+  [20, 10],
+  [10, 10],
+  [10, 20],
+]);
+const intersection = intersect(item1, item2);""",
+        ((0, 0, 30, 30), (10, 10, 20, 20)),
+    ),
+    Paste(
+        "alexbol99/flatten-js#42 (as it prints)",
+        """item1
+<path stroke="black" stroke-width="1" fill="lightcyan" fill-rule="evenodd" fill-opacity="1"   d="
+M0,30 L30,30 L30,0 L0,0 L0,30 L0,30 z" >
+</path>
+item2
+<path stroke="black" stroke-width="1" fill="lightcyan" fill-rule="evenodd" fill-opacity="1"   d="
+M10,20 L20,20 L20,10 L10,10 L10,20 L10,20 z" >
+</path>""",
+        ((0, 0, 30, 30), (10, 10, 20, 20)),
+    ),
+    Paste(
+        "alexbol99/flatten-js#50",
+        """  let a = new Polygon([
+    point(10,10),
+    point(10, 100),
+    point(100, 100),
+    point(100, 10),
+  ]);
+  let b = new Polygon([
+    point(90,50),
+    point(120, 10),
+    point(120, 100)
+  ]);
+  let stage = d3.select(DOM.svg(400, 400));""",
+        ((10, 10, 100, 100), (90, 10, 120, 100)),
+    ),
+    Paste(
+        "alexbol99/flatten-js#171",
+        """const polygon = new Flatten.Polygon();
+polygon.addFace([ point(90, 10), point(100, 10), point(100, 50), point(90, 50) ]);
+polygon.addFace([ point(100, 0), point(120, 0), point(120, 10), point(100, 10) ]);
+let contains = ray_shoot(polygon, point(85, 10)); // should be OUTSIDE, returns INSIDE instead""",
+        ((90, 10, 100, 50), (100, 0, 120, 10)),
+    ),
+    Paste(
+        "AngusJohnson/Clipper2#771",
+        """    Rect64 rcClip = { 0, 0, 100, 100 };
+
+    Path64 phClip = {
+        { -50, 50 },
+        { 50, 50 },
+        { -50, 60 }
+    };""",
+        ((0, 0, 100, 100), (-50, 50, 50, 60)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "AngusJohnson/Clipper2#1095",
+        """    clipper::Rect64 rect(19669914, -390330085, 24669914, -385330085);
+
+    clipper::Paths64 polygon;
+    polygon.push_back(
+        {{8821540, -379573701},
+         {27274660, -333900624},
+         {72947737, -352353745},
+         {54494616, -398026821}}
+    );""",
+        ((19669914, -390330085, 24669914, -385330085), (8821540, -398026821, 72947737, -333900624)),
+    ),
+    Paste(
+        "AngusJohnson/Clipper2#470",
+        """subj.Add(Clipper.MakePath(new double[] { 2217.08, -44400.32, 2217.08, -44385.16, 1992.08, -44385.16,
+    1992.08, -44403.69 }));
+
+clip.Add(Clipper.MakePath(new double[] { 2217.08, -44208.84, 1992.08, -44208.84, 1992.08, -44468.84,
+    2217.08, -44468.84 }));""",
+        ((1992.08, -44403.69, 2217.08, -44385.16), (1992.08, -44468.84, 2217.08, -44208.84)),
+    ),
+    Paste(
+        "AngusJohnson/Clipper2#828",
+        """var rect = new Rect64(l: 0, t: 0, r: 19000, b: 27700);
+
+var polyline = new Path64
+([
+        new (0    , 0     ), new (0    , 27700 ), new (19000, 27700 ), new (19000, 0     ),
+]);""",
+        ((0, 0, 19000, 27700), (0, 0, 19000, 27700)),
+    ),
+    Paste(
+        "AngusJohnson/Clipper2#807",
+        """     List<PointD> ps = new List<PointD>();
+     ps.Add(new PointD(200, 1000));
+     ps.Add(new PointD(3300, 1000));
+     ps.Add(new PointD(3300, 600));
+     ps.Add(new PointD(200, 600));
+     ps.Add(new PointD(200, 1000));
+     List<PointD> qs = new List<PointD>();
+     qs.Add(new PointD(0, 0));
+     qs.Add(new PointD(500, 0));
+     qs.Add(new PointD(500, 1520));
+     qs.Add(new PointD(0, 1520));""",
+        ((200, 600, 3300, 1000), (0, 0, 500, 1520)),
+    ),
+    Paste(
+        "schteppe/p2.js#373",
+        """    function triangle(a, b, c) {
+        var shape = new p2.Convex({ vertices: [a, b, c] });
+        var body = new p2.Body({ mass: 1 });
+        body.addShape(shape)
+    }
+    triangle([0, 2], [-1, 0], [1, 0])
+    triangle([-1.5, 1.5], [-2, 1], [-1, 1]).velocity = [0.3, 0]""",
+        ((-1, 0, 1, 2), (-2, 1, -1, 1.5)),
+    ),
+    Paste(
+        "raysan5/raylib#3742",
+        """    std::vector<Vector2> vertices_b = {
+        { 668.678406, 60.9284592 },
+        { 629.318420, 53.7983131 },
+        { 622.188721, 93.1581116 },
+        { 661.548462, 100.287857 }
+    };
+    std::vector<Vector2> vertices_a = {
+        { 600, 40 }, { 640, 40 }, { 640, 80 }, { 600, 80 }
+    };""",
+        ((622.188721, 53.7983131, 668.678406, 100.287857), (600, 40, 640, 80)),
+    ),
+    Paste(
+        "kikito/bump.lua#33",
+        """- blue rectangle is at (0,32) and is 16x16
+- red rectangle is at (16,0) and is 32x32""",
+        ((0, 32, 16, 48), (16, 0, 48, 32)),
+        as_="corner-size",
+    ),
+    Paste(
+        "godotengine/godot#32159",
+        """     var t = new Rect2(0, 0, 16f, 16f);
+    var t1 = new Rect2(16f, 16f, 16f, 16f);
+    var intersects = t.Intersects(t1); // True but should be false""",
+        ((0, 0, 16, 16), (16, 16, 32, 32)),
+    ),
+    Paste(
+        "FNA-XNA/FNA#748 (as it prints)",
+        """it returns `{X:831 Y:831 Width:1142 Height:514}`, which is incorrect.
+then the result is correct: `{X:476 Y:831 Width:1497 Height:514}`""",
+        ((831, 831, 1973, 1345), (476, 831, 1973, 1345)),
+        as_="corner-size",
+    ),
+    Paste(
+        "tidwall/geojson#14",
+        """    exterior := make([]geometry.Point, 5)
+    exterior[0] = geometry.Point{X: 0, Y: 0}
+    exterior[1] = geometry.Point{X: 6000, Y: 0}
+    exterior[2] = geometry.Point{X: 10, Y: 10.1}
+    exterior[3] = geometry.Point{X: 0, Y: 10}
+    exterior[4] = geometry.Point{X: 0, Y: 0}
+
+    polygon := geometry.NewPoly(exterior, nil, nil)
+    rectangle := geometry.Rect{
+        Min: geometry.Point{X: 2560, Y: 0},
+        Max: geometry.Point{X: 5120, Y: 2560},
+    }""",
+        ((0, 0, 6000, 10.1), (2560, 0, 5120, 2560)),
+    ),
+    Paste(
+        "faiface/pixel#277",
+        """    r1 := pixel.R(0, 0, 10, 10)
+    r2 := pixel.R(10, 10, 20, 20)     // No real overlap, just corners touching.
+    fmt.Println(r1.Intersect(r2))     // Output Rect(0, 0, 0, 0)""",
+        ((0, 0, 10, 10), (10, 10, 20, 20)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "fabricjs/fabric.js#112",
+        """this.getCoords() = [
+    {
+        "x": 184.3121256194882,
+        "y": 240.11726225449226
+    },
+    {
+        "x": 118.66702533880131,
+        "y": 163.35971663753963
+    },
+    {
+        "x": 142.22627201331153,
+        "y": 143.21122051178426
+    }
+]
+
+t.getCoords() = [
+    {
+        "x": -40.478773405749614,
+        "y": -22.726386584929344
+    },
+    {
+        "x": -106.12387368643653,
+        "y": -99.48393220188196
+    },
+    {
+        "x": -82.56462701192632,
+        "y": -119.63242832763734
+    }
+]""",
+        (
+            (118.66702533880131, 143.21122051178426, 184.3121256194882, 240.11726225449226),
+            (-106.12387368643653, -119.63242832763734, -40.478773405749614, -22.726386584929344),
+        ),
+    ),
+    Paste(
+        "alexbol99/flatten-boolean-op#6",
+        """    let polygon1 = new Polygon();
+    polygon1.addFace([point(0.0594, 0.1436), point(0.1011, 0.0883),
+    point(0.1091, 0.0943), point(0.0674, 0.1497)]);
+
+    let circle1 = new Polygon();
+    circle1.addFace([arc(point(0.06444813, 0.1461997), 0.01, 0, 2*Math.PI, false)]);""",
+        ((0.0594, 0.0883, 0.1091, 0.1497),),
+        says="arc",
+    ),
+    # -- keys that change a shape
+    Paste(
+        "scale in an object",
+        """{"type": "rect", "x": 0, "y": 0, "width": 10, "height": 10, "scaleX": 2, "scaleY": 2}
+circle((15, 5), 1)""",
+        ((0, 0, 10, 10), (14, 4, 16, 6)),
+        as_="corner-size",
+        says="scaleX",
+    ),
+    Paste(
+        "offset of a circle collider",
+        """a = {position: {x: 0, y: 0}, offset: {x: 5, y: 0}, radius: 1}
+b = circle((5, 0), 1)""",
+        ((4, -1, 6, 1), (4, -1, 6, 1)),
+    ),
+    Paste(
+        "offset of a polygon",
+        """{"vertices": [[0,0],[4,0],[0,3]], "offset": [10, 0]}
+circle((0, 0), 1)""",
+        ((10, 0, 14, 3), (-1, -1, 1, 1)),
+        as_="relative",
+    ),
+    Paste(
+        "transform in an SVG rect",
+        """<rect x="0" y="0" width="10" height="10" transform="translate(20, 5)"/>
+<circle cx="5" cy="5" r="3"/>""",
+        ((20, 5, 30, 15), (2, 2, 8, 8)),
+    ),
+    Paste(
+        "a matrix in an SVG rect",
+        """<rect x="0" y="0" width="10" height="10" transform="matrix(2 0.3 -0.2 3 4 5)"/>
+<circle cx="5" cy="5" r="3"/>""",
+        ((2, 2, 8, 8),),
+        says="transform",
+    ),
+    Paste(
+        "originX of Fabric",
+        """new fabric.Rect({ left: 100, top: 100, originX: 'center', originY: 'center', width: 20, height: 20 })
+new fabric.Circle({ left: 0, top: 0, radius: 5 })""",
+        ((90, 90, 110, 110), (0, 0, 10, 10)),
+    ),
+    Paste(
+        "diameter",
+        """{"center": [0, 0], "diameter": 10}
+{"center": [9, 0], "diameter": 10}""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "scale of a polygon",
+        """poly = Polygon(points=[(0,0),(4,0),(0,3)], scale=2)
+circle((5, 0), 1)""",
+        ((0, 0, 4, 3), (4, -1, 6, 1)),
+        says="scale",
+    ),
+    Paste(
+        "Phaser's ellipse circle and origin",
+        """this.add.circle(100, 100, 40)
+this.add.rectangle(150, 100, 40, 20).setOrigin(0, 0)""",
+        ((60, 60, 140, 140),),
+        says="setOrigin",
+    ),
+    # -- x and y apart
+    Paste(
+        "Java's arrays",
+        """int[] xa = {0, 10, 10, 0};
+int[] ya = {0, 0, 10, 10};
+Polygon a = new Polygon(xa, ya, 4);
+int[] xb = {10, 20, 20, 10};
+int[] yb = {0, 0, 5, 5};
+Polygon b = new Polygon(xb, yb, 4);""",
+        ((0, 0, 10, 10), (10, 0, 20, 5)),
+    ),
+    Paste(
+        "Java's arrays in the call",
+        """new Polygon(new int[]{0, 10, 10, 0}, new int[]{0, 0, 10, 10}, 4)
+new Polygon(new int[]{30, 40, 40}, new int[]{0, 0, 10}, 3)""",
+        ((0, 0, 10, 10), (30, 0, 40, 10)),
+    ),
+    Paste(
+        "x and y lists in Python",
+        """x1 = [0, 4, 4, 0]
+y1 = [0, 0, 4, 4]
+x2 = [5, 9, 9, 5, 5]
+y2 = [0, 0, 4, 4, 2]""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "MATLAB's polyshape",
+        """poly1 = polyshape([0 0 1 1],[1 0 0 1]);
+poly2 = polyshape([0.75 1.25 1.25 0.75],[0.25 0.25 0.75 0.75]);""",
+        ((0, 0, 1, 1), (0.75, 0.25, 1.25, 0.75)),
+    ),
+    Paste(
+        "xs and ys as keys",
+        """{"xs": [0, 4, 4], "ys": [0, 0, 4]}
+{"xs": [3, 9, 9], "ys": [0, 0, 4]}""",
+        ((0, 0, 4, 4), (3, 0, 9, 4)),
+    ),
+    # -- indices
+    Paste(
+        "a missing index",
+        """v[0] = Vec2(0, 0);
+v[1] = Vec2(4, 0);
+v[3] = Vec2(0, 4);
+circle((9, 9), 1)""",
+        ((8, 8, 10, 10),),
+        says="v[2]",
+    ),
+    Paste(
+        "indices from 1",
+        """v[1] = Vec2(0, 0)
+v[2] = Vec2(4, 0)
+v[3] = Vec2(0, 4)
+circle((9, 9), 1)""",
+        ((0, 0, 4, 4), (8, 8, 10, 10)),
+    ),
+    # -- text around shapes
+    Paste(
+        "timestamps",
+        """[2023-10-05 12:13:14.123] INFO polygon A: [(0,0), (4,0), (4,4), (0,4)]
+[2023-10-05 12:13:14.125] INFO polygon B: [(5,0), (9,0), (9,4), (5,4)]""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "timestamps without brackets",
+        """2023-10-05T12:13:14.123Z DEBUG a = (0,0), (4,0), (4,4), (0,4)
+2023-10-05T12:13:14.125Z DEBUG b = (5,0), (9,0), (9,4), (5,4)""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "a log prefix with a thread",
+        """12:00:01 [main/INFO]: box 1: Rect(0, 0, 10, 10)
+12:00:02 [main/INFO]: box 2: Rect(10, 0, 10, 10)""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "text behind a bracket",
+        """[(0,0), (4,0), (4,4), (0,4)] is the first polygon (4 corners)
+[(5,0), (9,0), (9,4), (5,4)] is the second one, 1 away""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "numbered lines",
+        """1: (0,0) (4,0) (4,4) (0,4)
+2: (5,0) (9,0) (9,4) (5,4)""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "numbered list",
+        """1. (0,0), (4,0), (4,4), (0,4)
+2. (5,0), (9,0), (9,4), (5,4)""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    # -- two lists on one line
+    Paste("vs", "[(0,0), (4,0), (0,3)] vs [(5,0), (9,0), (9,4)]", ((0, 0, 4, 3), (5, 0, 9, 4))),
+    Paste("and", "(0,0) (4,0) (0,3) and (5,0) (9,0) (9,4)", ((0, 0, 4, 3), (5, 0, 9, 4))),
+    Paste("an arrow", "[0,0,4,0,0,3] -> [5,0,9,0,9,4]", ((0, 0, 4, 3), (5, 0, 9, 4))),
+    Paste("a semicolon", "0,0 4,0 0,3; 5,0 9,0 9,4", ((0, 0, 4, 3), (5, 0, 9, 4))),
+    Paste("vs without brackets", "0,0 4,0 0,3 vs 5,0 9,0 9,4", ((0, 0, 4, 3), (5, 0, 9, 4))),
+    Paste("and between points", "(0,0), (4,0), (0,3) and (5,0), (9,0), (9,4)", ((0, 0, 4, 3), (5, 0, 9, 4))),
+    Paste(
+        "with",
+        "polygon (0,0), (4,0), (0,3) collides with polygon (5,0), (9,0), (9,4)",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    # -- languages and libraries
+    Paste(
+        "C++ declarations",
+        """sf::Vector2f a1(0, 0), a2(4, 0), a3(0, 3);
+sf::CircleShape c(2.f);
+c.setPosition(10, 10);""",
+        ((10, 10, 14, 14),),
+        says="a1",
+    ),
+    Paste(
+        "C++ variables",
+        """Circle c(Vec2(0, 0), 2.0f);
+Rect r{1, 1, 4, 4};""",
+        ((-2, -2, 2, 2), (1, 1, 5, 5)),
+        as_="corner-size",
+    ),
+    Paste(
+        "SFML",
+        """sf::RectangleShape rect(sf::Vector2f(120.f, 50.f));
+rect.setPosition(10.f, 20.f);
+sf::RectangleShape rect2(sf::Vector2f(20.f, 50.f));
+rect2.setPosition(sf::Vector2f(130.f, 20.f));""",
+        ((10, 20, 130, 70), (130, 20, 150, 70)),
+    ),
+    Paste(
+        "SFML's circle",
+        """sf::CircleShape c(10.f);
+c.setPosition(0.f, 0.f);
+sf::FloatRect r(18, 18, 5, 5);""",
+        ((0, 0, 20, 20), (18, 18, 23, 23)),
+    ),
+    Paste(
+        "XNA",
+        """Rectangle player = new Rectangle(100, 100, 32, 48);
+Rectangle wall = new Rectangle(132, 100, 64, 64);""",
+        ((100, 100, 132, 148), (132, 100, 196, 164)),
+    ),
+    Paste(
+        "Unity's Bounds",
+        """var a = new Bounds(new Vector3(0, 0, 0), new Vector3(2, 2, 0));
+var b = new Bounds(new Vector3(2, 0, 0), new Vector3(2, 2, 0));""",
+        ((-1, -1, 1, 1), (1, -1, 3, 1)),
+    ),
+    Paste(
+        "Unity's Bounds as printed",
+        """Center: (0.0, 0.0, 0.0), Extents: (1.0, 1.0, 0.0)
+Center: (2.0, 0.0, 0.0), Extents: (1.0, 1.0, 0.0)""",
+        ((-1, -1, 1, 1), (1, -1, 3, 1)),
+    ),
+    Paste(
+        "Unity's Rect",
+        """new Rect(0, 0, 10, 10).Overlaps(new Rect(10, 0, 10, 10))""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "Unity's Rect as printed",
+        """(x:0.00, y:0.00, width:10.00, height:10.00)
+(x:5.00, y:0.00, width:10.00, height:10.00)""",
+        ((0, 0, 10, 10), (5, 0, 15, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "Unity's colliders",
+        """collider.points = new Vector2[] { new Vector2(0, 0), new Vector2(4, 0), new Vector2(0, 3) };
+collider.offset = new Vector2(10, 0);
+other.points = new Vector2[] { new Vector2(0, 0), new Vector2(4, 0), new Vector2(0, 3) };""",
+        ((10, 0, 14, 3), (0, 0, 4, 3)),
+        as_="relative",
+    ),
+    Paste(
+        "Godot's prints",
+        """[P: (0, 0), S: (10, 10)]
+[P: (10, 0), S: (5, 5)]""",
+        ((0, 0, 10, 10), (10, 0, 15, 5)),
+        as_="corner-size",
+    ),
+    Paste(
+        "Godot's Transform2D",
+        """var t = Transform2D(0, Vector2(10, 0))
+var a = PackedVector2Array([Vector2(0, 0), Vector2(4, 0), Vector2(0, 3)])
+var b = PackedVector2Array([Vector2(10, 0), Vector2(14, 0), Vector2(10, 3)])
+print(t * a)""",
+        ((0, 0, 4, 3), (10, 0, 14, 3)),
+        says="Transform2D",
+    ),
+    Paste(
+        "Godot's scene file",
+        """[node name="A" type="CollisionPolygon2D" parent="."]
+position = Vector2(100, 0)
+polygon = PackedVector2Array(0, 0, 10, 0, 10, 10, 0, 10)
+
+[node name="B" type="CollisionPolygon2D" parent="."]
+polygon = PackedVector2Array(0, 0, 10, 0, 10, 10, 0, 10)""",
+        ((100, 0, 110, 10), (0, 0, 10, 10)),
+        as_="relative",
+    ),
+    Paste(
+        "Godot's shapes",
+        """var s = RectangleShape2D.new()
+s.size = Vector2(20, 10)
+var c = CircleShape2D.new()
+c.radius = 5""",
+        ((-10, -5, 10, 5), (-5, -5, 5, 5)),
+    ),
+    Paste(
+        "CSV with a header",
+        """id,x,y,w,h
+a,0,0,10,10
+b,10,0,10,10""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "CSV of corners",
+        """shape,x,y
+A,0,0
+A,4,0
+A,0,3
+B,5,0
+B,9,0
+B,9,4""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "CSV of circles",
+        """x,y,radius
+0,0,5
+10,0,5""",
+        ((-5, -5, 5, 5), (5, -5, 15, 5)),
+    ),
+    Paste(
+        "a Markdown table",
+        """| name | x | y | width | height |
+|------|---|---|-------|--------|
+| a | 0 | 0 | 10 | 10 |
+| b | 10 | 0 | 10 | 10 |""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "a Markdown table of corners",
+        """| A | B |
+|---|---|
+| (0, 0) | (5, 0) |
+| (4, 0) | (9, 0) |
+| (0, 3) | (9, 4) |""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "a table with spaces",
+        """x    y    w    h
+0    0    10   10
+10   0    10   10""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "SVG",
+        """<svg viewBox="0 0 100 100">
+  <circle cx="50" cy="50" r="10" fill="red"/>
+  <rect x="60" y="40" width="20" height="20"/>
+  <polygon points="0,0 10,0 10,10"/>
+  <ellipse cx="5" cy="5" rx="3" ry="2"/>
+</svg>""",
+        ((40, 40, 60, 60), (60, 40, 80, 60), (0, 0, 10, 10)),
+        says="ellipse",
+    ),
+    Paste(
+        "an SVG path, relative",
+        """<path d="M 10 10 h 10 v 10 h -10 z"/>
+<path d="m 30,10 10,0 0,10 z"/>""",
+        ((10, 10, 20, 20), (30, 10, 40, 20)),
+    ),
+    Paste(
+        "an SVG path with curves",
+        """<path d="M 10 10 C 20 20, 40 20, 50 10 z"/>
+<circle cx="50" cy="50" r="10"/>""",
+        ((40, 40, 60, 60),),
+        says="curve",
+    ),
+    Paste(
+        "paths in a script",
+        """const a = new Path2D("M0 0 L10 0 L10 10 Z");
+const b = new Path2D("M5 5 H15 V15 Z");""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+    ),
+    Paste(
+        "GeoJSON strings",
+        r"""SELECT ST_AsGeoJSON(a): "{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[4,0],[0,3],[0,0]]]}"
+b: '{"type":"Polygon","coordinates":[[[5,0],[9,0],[9,4],[5,0]]]}'""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "raylib",
+        """Rectangle a = { 0, 0, 10, 10 };
+Rectangle b = { 10, 0, 10, 10 };
+bool hit = CheckCollisionRecs(a, b);""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "raylib's circle",
+        """CheckCollisionCircleRec((Vector2){ 5, 5 }, 2.0f, (Rectangle){ 7, 0, 10, 10 })""",
+        ((3, 3, 7, 7), (7, 0, 17, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "raylib's circles",
+        """CheckCollisionCircles((Vector2){0, 0}, 5, (Vector2){9, 0}, 5);""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "p2.js",
+        """var box = new p2.Box({ width: 2, height: 1 });
+var body = new p2.Body({ mass: 1, position: [3, 4] });
+body.addShape(box);
+var circle = new p2.Circle({ radius: 1 });
+var body2 = new p2.Body({ mass: 1, position: [5, 4] });
+body2.addShape(circle);""",
+        ((2, 3.5, 4, 4.5), (4, 3, 6, 5)),
+    ),
+    Paste(
+        "planck.js",
+        """const a = world.createBody({ position: Vec2(0, 10) });
+a.createFixture(planck.Box(2, 1), { density: 1 });
+const b = world.createBody(Vec2(5, 10));
+b.createFixture(planck.Circle(1), 1.0);""",
+        ((-2, 9, 2, 11), (4, 9, 6, 11)),
+    ),
+    Paste(
+        "planck.js with a center",
+        """pl.Box(2, 1, Vec2(10, 0), 0)
+pl.Circle(Vec2(13, 0), 1)""",
+        ((8, -1, 12, 1), (12, -1, 14, 1)),
+    ),
+    Paste(
+        "pymunk",
+        """body = pymunk.Body(1, 100)
+body.position = (50, 60)
+shape = pymunk.Poly.create_box(body, (20, 10))
+body2 = pymunk.Body(1, 100)
+body2.position = (70, 60)
+shape2 = pymunk.Circle(body2, 10)""",
+        ((40, 55, 60, 65), (60, 50, 80, 70)),
+    ),
+    Paste(
+        "pymunk's prints",
+        """BB(left=0.0, bottom=0.0, right=10.0, top=10.0)
+BB(left=10.0, bottom=0.0, right=20.0, top=10.0)""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "a body of Matter.js as printed",
+        """{
+  "id": 3, "type": "body", "label": "Rectangle Body", "angle": 0,
+  "vertices": [
+    {"x": 0, "y": 0, "index": 0, "isInternal": false},
+    {"x": 40, "y": 0, "index": 1, "isInternal": false},
+    {"x": 40, "y": 40, "index": 2, "isInternal": false},
+    {"x": 0, "y": 40, "index": 3, "isInternal": false}
+  ],
+  "position": {"x": 20, "y": 20},
+  "velocity": {"x": 0, "y": 0}, "mass": 1.6, "density": 0.001,
+  "bounds": {"min": {"x": 0, "y": 0}, "max": {"x": 40, "y": 40}}
+}
+{
+  "id": 4, "type": "body", "label": "Rectangle Body", "angle": 0,
+  "vertices": [
+    {"x": 40, "y": 0, "index": 0, "isInternal": false},
+    {"x": 80, "y": 0, "index": 1, "isInternal": false},
+    {"x": 80, "y": 40, "index": 2, "isInternal": false},
+    {"x": 40, "y": 40, "index": 3, "isInternal": false}
+  ],
+  "position": {"x": 60, "y": 20},
+  "velocity": {"x": 0, "y": 0}, "mass": 1.6, "density": 0.001,
+  "bounds": {"min": {"x": 40, "y": 0}, "max": {"x": 80, "y": 40}}
+}""",
+        ((0, 0, 40, 40), (40, 0, 80, 40)),
+        as_="absolute",
+    ),
+    Paste(
+        "Matter.js",
+        """Bodies.circle(100, 100, 20)
+Bodies.polygon(140, 100, 6, 20)
+Bodies.rectangle(100, 140, 40, 40, { angle: 0 })""",
+        ((80, 80, 120, 120), (80, 120, 120, 160)),
+        says="Bodies.polygon",
+    ),
+    Paste(
+        "Box2D",
+        """b2PolygonShape box;
+box.SetAsBox(1.0f, 2.0f, b2Vec2(5, 5), 0);
+b2CircleShape circle;
+circle.m_p.Set(7, 5);
+circle.m_radius = 1.0f;""",
+        ((4, 3, 6, 7), (6, 4, 8, 6)),
+    ),
+    Paste(
+        "Box2D's bodies",
+        """bodyDef.position.Set(0.0f, 10.0f);
+b2PolygonShape box;
+box.SetAsBox(1.0f, 2.0f);
+circle((1.5, 10), 1)""",
+        ((-1, -2, 1, 2), (0.5, 9, 2.5, 11)),
+        says="bodyDef.position",
+    ),
+    Paste(
+        "Processing",
+        """rect(10, 10, 50, 50);
+ellipse(60, 35, 20, 20);
+circle(200, 200, 30);""",
+        ((10, 10, 60, 60), (50, 25, 70, 45), (185, 185, 215, 215)),
+    ),
+    Paste(
+        "p5.js with rectMode",
+        """rectMode(CENTER);
+rect(50, 50, 20, 20);
+rect(75, 50, 20, 20);""",
+        ((40, 40, 60, 60), (65, 40, 85, 60)),
+    ),
+    Paste(
+        "Processing's triangle and quad",
+        """triangle(30, 75, 58, 20, 86, 75);
+quad(38, 31, 86, 20, 69, 63, 30, 76);""",
+        ((30, 20, 86, 75), (30, 20, 86, 76)),
+    ),
+    Paste(
+        "Processing's shapes",
+        """beginShape();
+vertex(0, 0);
+vertex(40, 0);
+vertex(0, 30);
+endShape(CLOSE);
+beginShape();
+vertex(50, 0);
+vertex(90, 0);
+vertex(90, 40);
+endShape(CLOSE);""",
+        ((0, 0, 40, 30), (50, 0, 90, 40)),
+    ),
+    Paste(
+        "a canvas",
+        """ctx.beginPath();
+ctx.moveTo(0, 0);
+ctx.lineTo(40, 0);
+ctx.lineTo(0, 30);
+ctx.closePath();
+ctx.beginPath();
+ctx.arc(100, 75, 50, 0, 2 * Math.PI);
+ctx.fillRect(10, 10, 5, 5);""",
+        ((0, 0, 40, 30), (50, 25, 150, 125), (10, 10, 15, 15)),
+    ),
+    Paste(
+        "line by line, boxes",
+        """x1 = 0; y1 = 0; w1 = 10; h1 = 10
+x2 = 10; y2 = 0; w2 = 10; h2 = 10""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "line by line, circles",
+        """x1 = 0
+y1 = 0
+r1 = 5
+x2 = 9
+y2 = 0
+r2 = 5""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "line by line, fields",
+        """a.x = 0; a.y = 0; a.width = 10; a.height = 10;
+b.x = 10; b.y = 0; b.width = 10; b.height = 10;""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "line by line, corners",
+        """ax = 0; ay = 0; bx = 4; by = 0; cx = 0; cy = 3;
+circle((9, 9), 1)""",
+        ((8, 8, 10, 10),),
+        says="ax 0, ay 0",
+    ),
+    Paste(
+        "Kotlin and Android",
+        """val a = Rect(0, 0, 10, 10)
+val b = RectF(10f, 0f, 20f, 10f)""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "Swift",
+        """let a = CGRect(x: 0, y: 0, width: 10, height: 10)
+let b = CGRect(origin: CGPoint(x: 10, y: 0), size: CGSize(width: 5, height: 5))""",
+        ((0, 0, 10, 10), (10, 0, 15, 5)),
+    ),
+    Paste(
+        "Flutter",
+        """Rect.fromLTWH(0, 0, 10, 10).overlaps(Rect.fromLTRB(10, 0, 20, 10))
+Rect.fromCenter(center: Offset(5, 5), width: 2, height: 2)""",
+        ((0, 0, 10, 10), (10, 0, 20, 10), (4, 4, 6, 6)),
+    ),
+    Paste(
+        "Go",
+        """a := image.Rect(0, 0, 10, 10)
+b := image.Rect(10, 0, 20, 10)
+fmt.Println(a.Overlaps(b))""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "Go as printed",
+        """(0,0)-(10,10) overlaps (10,0)-(20,10)""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "three.js",
+        """new THREE.Box2(new THREE.Vector2(0, 0), new THREE.Vector2(10, 10))
+new THREE.Box2(new THREE.Vector2(10, 0), new THREE.Vector2(20, 10))""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "Pixi",
+        """new PIXI.Circle(0, 0, 5)
+new PIXI.Rectangle(5, -5, 10, 10)
+new PIXI.Polygon(0, 0, 4, 0, 0, 3)""",
+        ((-5, -5, 5, 5), (5, -5, 15, 5), (0, 0, 4, 3)),
+    ),
+    Paste(
+        "Konva",
+        """new Konva.Rect({ x: 0, y: 0, width: 10, height: 10, offsetX: 5, offsetY: 5 })
+new Konva.Circle({ x: 10, y: 0, radius: 5 })""",
+        ((0, 0, 10, 10), (5, -5, 15, 5)),
+        as_="corner-size",
+        says="offsetX",
+    ),
+    Paste(
+        "Kaboom",
+        """add([rect(20, 40), pos(100, 50), area()])
+add([rect(20, 40), pos(120, 50), area()])""",
+        (),
+        says="something else",
+    ),
+    Paste(
+        "macroquad",
+        """let a = Rect::new(0.0, 0.0, 10.0, 10.0);
+let b = Rect { x: 10.0, y: 0.0, w: 10.0, h: 10.0 };
+assert!(!a.overlaps(&b));""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "Rust's debug prints",
+        """Rect { min: Vec2(0.0, 0.0), max: Vec2(10.0, 10.0) }
+Polygon { exterior: LineString([Coord { x: 0.0, y: 0.0 },
+    Coord { x: 4.0, y: 0.0 }, Coord { x: 0.0, y: 3.0 }]), interiors: [] }""",
+        ((0, 0, 10, 10), (0, 0, 4, 3)),
+    ),
+    Paste(
+        "Rapier",
+        """ColliderBuilder::cuboid(1.0, 2.0).translation(vector![5.0, 5.0])
+ColliderBuilder::ball(1.0).translation(vector![7.0, 5.0])""",
+        ((4, 3, 6, 7), (6, 4, 8, 6)),
+    ),
+    Paste(
+        "a scaled shape in shapely",
+        """a = affinity.scale(Polygon([(0, 0), (4, 0), (0, 3)]), 2, 2)
+b = Point(5, 0).buffer(1)""",
+        ((0, 0, 4, 3),),
+        says="scale",
+    ),
+    Paste(
+        "shapely's prints",
+        """<POLYGON ((0 0, 4 0, 0 3, 0 0))>
+<POLYGON ((5 0, 9 0, 9 4, 5 0))>""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "LÖVE",
+        """love.graphics.polygon("fill", 0, 0, 40, 0, 0, 30)
+love.graphics.rectangle("line", 40, 0, 10, 10)
+love.graphics.circle("fill", 60, 5, 5)""",
+        ((0, 0, 40, 30), (40, 0, 50, 10), (55, 0, 65, 10)),
+    ),
+    Paste(
+        "bump.lua",
+        """world:add(A, 0, 0, 64, 256)
+world:add(B, 64, 0, 32, 32)""",
+        (),
+        says="world",
+    ),
+    Paste(
+        "YAML",
+        """a:
+  x: 0
+  y: 0
+  radius: 5
+b:
+  x: 9
+  y: 0
+  radius: 5""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "YAML lists",
+        """- x: 0
+  y: 0
+  width: 10
+  height: 10
+- x: 10
+  y: 0
+  width: 10
+  height: 10""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "YOLO labels",
+        """0 0.5 0.5 0.2 0.2
+0 0.6 0.5 0.2 0.2""",
+        ((0.4, 0.4, 0.6, 0.6), (0.5, 0.4, 0.7, 0.6)),
+        says="five",
+    ),
+    Paste(
+        "DOMRect",
+        """DOMRect {x: 8, y: 8, width: 100, height: 50, top: 8, right: 108, bottom: 58, left: 8}
+DOMRect {x: 108, y: 8, width: 100, height: 50, top: 8, right: 208, bottom: 58, left: 108}""",
+        ((8, 8, 108, 58), (108, 8, 208, 58)),
+    ),
+    Paste(
+        "boxes of a detector",
+        """xmin=0, ymin=0, xmax=10, ymax=10
+xmin=10, ymin=0, xmax=20, ymax=10""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "a wider box",
+        """box1 = {'x1': 0, 'x2': 10, 'y1': 0, 'y2': 10}
+box2 = {'x1': 10, 'x2': 20, 'y1': 0, 'y2': 10}""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "decimal commas",
+        """(0,5; 0,5) (4,5; 0,5) (0,5; 3,5)
+(5,5; 0,5) (9,5; 0,5) (9,5; 4,5)""",
+        (),
+        says="comma",
+    ),
+    Paste(
+        "words around numbers",
+        """circle 1 at (0, 0) with radius 5
+circle 2 at (9, 0) with radius 5""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "words without brackets",
+        """Circle A: center 0, 0 radius 5
+Circle B: center 9, 0 radius 5""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+    ),
+)
