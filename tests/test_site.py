@@ -27,20 +27,21 @@ import pytest
 import satviz as sv
 from satviz.cli import main
 from satviz.engine.geometry import InvalidScene, InvalidShape
+from satviz.lessons import chapter_text as chapters
 from satviz.scenes import link as links
 from satviz.scenes.article import SCENES
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
 from satviz.scenes.named import ALL_SCENES
 from satviz.scenes.shape_tools import translated
-from satviz.site import chapters, guides, live, runtime
+from satviz.site import guides, live, runtime
 from satviz.widgets import goals
 from satviz.widgets.explorer_model import ExplorerModel
 
 pytest.importorskip("markdown_it", reason="a site needs markdown-it-py: python -m pip install '.[site]'")
 
+from satviz.lessons.themed import themed_svg
 from satviz.site import build
 from satviz.site.build import site
-from satviz.site.themed import themed_svg
 
 
 @pytest.fixture(scope="module")
