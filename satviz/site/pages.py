@@ -191,8 +191,8 @@ def _challenge_text(goal: str, begin: Scene) -> str:
 def chapter_page(frame: Frame, chapter: Chapter, body: str) -> bytes:
     """Return the page of a chapter, with links to the chapters before and after it."""
     note = (
-        f'<p class="note">This page is the notebook <code>{escape(chapter.notebook)}</code> after it was run. '
-        "<code>satviz notebook</code> gives you a copy that you can change and run.</p>"
+        '<p class="note">This chapter is also a notebook in which you can change the programs: see '
+        '<a href="notebook.html">Drag and play in a notebook</a>.</p>'
     )
     body = f"<article>{body}{note}</article>{_neighbour_links(frame.chapters, chapter, 'chapters')}"
     return html_page(frame, chapter.path, chapter.title, body, description=lead(chapter), kind="chapter")
