@@ -286,7 +286,7 @@ circle((0, 0), 1)""",
         "a matrix in an SVG rect",
         """<rect x="0" y="0" width="10" height="10" transform="matrix(2 0.3 -0.2 3 4 5)"/>
 <circle cx="5" cy="5" r="3"/>""",
-        ((0, 0, 10, 10), (2, 2, 8, 8)),
+        ((2, 2, 8, 8),),
         says="transform",
     ),
     Paste(
@@ -359,7 +359,7 @@ poly2 = polyshape([0.75 1.25 1.25 0.75],[0.25 0.25 0.75 0.75]);""",
 v[1] = Vec2(4, 0);
 v[3] = Vec2(0, 4);
 circle((9, 9), 1)""",
-        (),
+        ((8, 8, 10, 10),),
         says="v[2]",
     ),
     Paste(
@@ -426,7 +426,7 @@ circle((9, 9), 1)""",
         """sf::Vector2f a1(0, 0), a2(4, 0), a3(0, 3);
 sf::CircleShape c(2.f);
 c.setPosition(10, 10);""",
-        (),
+        ((10, 10, 14, 14),),
         says="a1",
     ),
     Paste(

@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 from .boxes import Read
 from .findings import Finding
 from .notations import MOVE, POINT, key, notation
-from .tokens import NUMBER, tokens
 from .tree import Bad, Group, Num, Pair, Tree
 
 MAX_NAMED = 6  # keys that are named in a line, and numbers without a key
@@ -50,9 +49,8 @@ def unused(tree: Tree, reads: Sequence[Read], text: str) -> Iterator[Finding]:
     """Yield the findings about numbers of a text that stand in no shape: not applied, or left out."""
     used = frozenset().union(*(read.used for read in reads)) | tree.indices
     known = {left.end: left for left in _walk(tree.root, "")}
-    for token in tokens(text):
-        if token.kind == NUMBER:
-            known.setdefault(token.end, Left(token.start, token.end, "", token.value))
+    for token in tree.numbers:
+        known.setdefault(token.end, Left(token.start, token.end, "", token.value))
     unread = dict(_unread(tree.root, used))
     rest = sorted((left for left in known.values() if left.end not in used), key=lambda left: left.start)
     not_read = [left._replace(key=unread[left.end]) for left in rest if left.end in unread]
@@ -78,7 +76,7 @@ def unused(tree: Tree, reads: Sequence[Read], text: str) -> Iterator[Finding]:
 
 def _walk(value: Any, name: str) -> Iterator[Left]:
     """Yield every number of a tree with the key or the call before it."""
-    if isinstance(value, Num):
+    if isinstance(value, Num) and value.start < value.end:
         yield Left(value.start, value.end, name, value.value)
     elif isinstance(value, Pair):
         path = ".".join(str(part) for part in value.path if isinstance(part, str))
