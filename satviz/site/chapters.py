@@ -194,6 +194,46 @@ def _code(source: str, *, is_open: bool) -> str:
     return f'<details class="cell"{opened}><summary>{summary}</summary>{highlighted_code(source)}</details>'
 
 
+def programs(chapter: Chapter) -> dict[str, tuple[str, str]]:
+    """Return the programs that a chapter opens on the page "Is yours right?": by its function, (heading, code).
+
+    The code of a program is its function and all that it uses, as defined in the chapter up to there, and what its
+    own cell imports.
+    """
+    opened = {name for cell in chapter.cells for name in re.findall(r"yours\.html#(\w+)", "".join(cell["source"]))}
+    found, known, heading = {}, dict[str, str](), ""
+    for cell in chapter.cells:
+        source = "".join(cell["source"])
+        if cell["cell_type"] == "markdown":
+            heading = ([heading, *re.findall(r"^##+ (.+)$", source, re.MULTILINE)])[-1]
+            continue
+        imported = set[str]()
+        for node in ast.parse(source).body:
+            code = ast.get_source_segment(source, node) or ""
+            if isinstance(node, ast.FunctionDef):
+                known.pop(node.name, None)  # what is defined again comes after what it uses
+                known[node.name] = f"\n\n{code}\n"
+            elif isinstance(node, ast.ImportFrom):
+                known |= {alias.name: f"from {node.module} import {alias.name}\n" for alias in node.names}
+                imported |= {alias.name for alias in node.names}
+        name = _checked_function(source)
+        if name in opened:
+            imports_first = sorted(_used_by({name} | imported, known), key=lambda n: known[n].startswith("\n"))
+            found[name] = heading, "".join(known[n] for n in imports_first).lstrip("\n")
+    return found
+
+
+def _used_by(names: set[str], known: dict[str, str]) -> list[str]:
+    """Return these names and the known ones that they use, directly or not, in the order of `known`."""
+    needed, new = set[str](), names
+    while new:
+        needed |= new
+        trees = [ast.parse(known[each]) for each in new]
+        used = {node.id for tree in trees for node in ast.walk(tree) if isinstance(node, ast.Name)}
+        new = (used & known.keys()) - needed
+    return [each for each in known if each in needed]
+
+
 def _checked_function(source: str) -> str:
     """Return the name of the function that a cell gives to `sv.check`; "" if its last line is no such call."""
     last = (ast.parse(source).body or [ast.Pass()])[-1]
