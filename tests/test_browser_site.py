@@ -603,6 +603,125 @@ def test_a_challenge_is_chosen_undone_and_kept_in_the_address(visit):
     goal.wait_for(state="hidden")
 
 
+# -- a scene in a frame of another page
+
+
+@pytest.fixture
+def framed(browser, errors, url):
+    """Open a page of somebody else with a frame; return the page and its frame."""
+    contexts = []
+
+    def opened(what, *, more=(), before="", scripts=True, **options):
+        context = browser.new_context(**{"viewport": {"width": 1000, "height": 900}, **dict(more)})
+        contexts.append(context)
+        page = context.new_page()
+        page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
+        html = sv.embed(what, site=url, **options)
+        page.set_content(f"<!doctype html><body>{before}{html if scripts else html.partition('<script>')[0]}")
+        frame = page.frame_locator("iframe")
+        frame.locator(".live.ready").wait_for(timeout=LIVE)
+        return page, frame
+
+    yield opened
+    for context in contexts:
+        context.close()
+
+
+@pytest.mark.parametrize("width", [390, 1000])
+@pytest.mark.parametrize("options", [{}, {"play": True}, {"show": ["tools", "table"]}], ids=["drag", "play", "tools"])
+def test_a_frame_is_as_high_as_its_content(framed, options, width):
+    page, frame = framed("triangles", more={"viewport": {"width": width, "height": 900}}, **options)
+    fits = "() => document.documentElement.scrollHeight === innerHeight && document.body.offsetHeight > innerHeight - 2"
+    page.frames[1].wait_for_function(fits)
+    assert page.frames[1].evaluate("document.documentElement.scrollWidth <= innerWidth")
+    for hidden in "header", "footer", "h1", ".lead":
+        assert not frame.locator(hidden).is_visible(), hidden
+    assert frame.locator(".sv-fold").is_visible() == ("table" in options.get("show", ()))
+    assert frame.get_by_role("button", name="undo").is_visible() == ("tools" in options.get("show", ()))
+
+
+def test_a_frame_that_stays_low_shows_a_smaller_picture(framed):
+    page, frame = framed("triangles", scripts=False)
+    high = frame.locator(".sv-board").bounding_box()["height"]
+    page.evaluate("document.querySelector('iframe').height = 600")
+    page.frames[1].wait_for_function(f"() => document.querySelector('.sv-board').clientHeight < {high} - 20")
+    page.frames[1].wait_for_function("() => document.documentElement.scrollHeight <= innerHeight")
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_a_frame_is_light_or_dark_as_it_was_told_from_the_first_paint_on(framed, theme):
+    other = {"light": "dark", "dark": "light"}[theme]
+    _, frame = framed("circle-polygon", theme=theme, more={"color_scheme": other})
+    paper = {"light": LIGHT, "dark": DARK}[theme].paper
+    colour = f"rgb({', '.join(str(c) for c in bytes.fromhex(paper[1:]))})"
+    for each in "body", ".live .satviz":
+        assert frame.locator(each).first.evaluate("e => getComputedStyle(e).backgroundColor") == colour, each
+    assert frame.locator("body > script:first-child").get_attribute("src").startswith("embed.js?")
+
+
+def test_a_frame_of_some_steps_plays_these_alone(framed):
+    _, frame = framed("triangles", steps=(3, 8))
+    count = frame.locator(".sv-count")
+    assert count.inner_text() == "4 / 16"
+    for name, number in (("last step", 9), ("step forward", 9), ("first step", 4), ("step back", 4)):
+        frame.get_by_role("button", name=name).click()
+        assert count.inner_text() == f"{number} / 16", name
+    assert not frame.get_by_role("button", name="test the rest").is_visible()
+
+
+def test_a_frame_asks_and_a_frame_challenges(framed):
+    _, frame = framed("triangles", predict=True)
+    frame.get_by_role("button", name="last step").click()
+    assert frame.locator(".sv-question").is_visible()
+    _, frame = framed("aabb", challenge="")
+    assert "Make the shapes touch" in frame.locator(".sv-goal").inner_text()
+    link = frame.locator(".open a")
+    assert link.get_attribute("target") == "_blank" and link.get_attribute("href").endswith("#aabb&goal=touch")
+
+
+def test_without_scripts_a_frame_is_its_picture_and_its_sentence(browser, url):
+    context = browser.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.set_content(sv.embed("triangles", site=url))
+    assert not page.locator("iframe").is_visible()
+    assert (
+        page.locator("img").evaluate("i => i.checkVisibility()") and page.locator("img").bounding_box()["height"] > 200
+    )
+    assert page.locator("p").bounding_box()["height"] > 10
+    assert page.locator("p").text_content() == sv.scene("triangles").record().sentence
+    context.close()
+
+
+@pytest.mark.parametrize(
+    "more", [{"color_scheme": "dark"}, {"viewport": {"width": 390, "height": 844}}], ids=["dark", "phone"]
+)
+@pytest.mark.parametrize("query", ["embed", "embed&play&show=table", "embed&challenge=touch&show=tools"])
+def test_no_frame_shuts_anyone_out(visit, axe_core, query, more):
+    assert shut_out(axe_core, visit(f"scene.html?{query}#aabb", **more)) == []
+
+
+def test_a_frames_file_is_kept_once_and_is_there_without_a_server(built, visit):
+    with served(built) as at:
+        page = visit("scene.html?embed#triangles", at=at)
+        page.evaluate("navigator.serviceWorker.ready")
+        page.reload()
+        page.locator(".live.ready").wait_for(timeout=LIVE)
+        page.wait_for_timeout(500)
+        kept = "async () => (await (await caches.open((await caches.keys())[0])).keys()).map(({ url }) => url)"
+        keys = page.evaluate(kept)
+        assert f"{at}scene.html" in keys and not [key for key in keys if "embed&" in key or "?embed" in key]
+    page.goto(f"{at}scene.html?embed&play#circles")
+    page.locator(".live.ready").wait_for(timeout=LIVE)
+    assert page.locator(".sv-count").is_visible()
+
+
+def test_a_built_in_scene_has_its_own_picture_until_python_has_come(visit):
+    page = visit("scene.html#circles", live=False, service_workers="block")
+    page.context.route("**/worker.js*", lambda route: route.fulfill(body="", content_type="text/javascript"))
+    page.reload()
+    assert page.locator(".live .still img").get_attribute("src") == "pictures/circles.svg"
+
+
 # -- the page "Is yours right?"
 
 
@@ -738,3 +857,27 @@ def test_the_check_page_shuts_nobody_out(check_page, axe_core):
     run_code(check_page)
     check_page.locator(".yours").wait_for()
     assert shut_out(axe_core, check_page) == []
+
+
+def test_a_program_of_a_chapter_is_opened_mended_and_does_not_replace_the_readers_own(check_page):
+    editor, program = check_page.get_by_role("textbox", name="Your function"), check_page.get_by_label("Program")
+    editor.fill("# mine")
+    check_page.evaluate("() => { location.hash = '#collide_2'; }")
+    check_page.wait_for_function("() => document.querySelector('[name=program]').value === 'collide_2'")
+    assert "def collide_2(a, b):" in editor.input_value()
+    assert run_code(check_page) == "Wrong. Your function says hit. True: apart."
+    before, _ = editor.input_value().split("        if a0 <= b1")
+    mended = before + "        if a1 < b0 or b1 < a0:\n            return False\n    return True\n"
+    assert run_code(check_page, code=mended).startswith("Right on all")
+    program.select_option("your own")
+    assert editor.input_value() == "# mine"
+    program.select_option("collide_2")
+    assert editor.input_value() == mended
+    check_page.locator(".forget").click()
+    assert "if a0 <= b1 and b0 <= a1:" in editor.input_value() and check_page.evaluate("() => localStorage.length") == 0
+
+
+def test_a_symptom_leads_to_the_mistakes_that_look_so(check_page):
+    check_page.get_by_text("It falls through", exact=False).click()
+    check_page.get_by_role("link", name="the centers are far apart, so the shapes are").click()
+    check_page.wait_for_url("**/scene.html#far-centers")

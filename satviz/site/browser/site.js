@@ -5,6 +5,7 @@ import { element } from "../../render/browser/elements.js";
 import { Player } from "../../render/browser/player.js";
 import { CheckPage } from "./check.js";
 import { judgedChoices } from "./choices.js";
+import { fitFrame } from "./fit_frame.js";
 import { slidingFrames } from "./frames.js";
 import { PythonWorker } from "./python_worker.js";
 import { SITE, ScenePlace, statusOf } from "./scene_place.js";
@@ -37,4 +38,5 @@ else if (scenes.length) {
   const check = /** @type {HTMLElement | null} */ (document.querySelector(".check"));
   if (check) new CheckPage(check, python, workerScript, places[0]);
 }
+if (document.body.classList.contains("embed")) fitFrame();
 if (isSecureContext && "serviceWorker" in navigator) navigator.serviceWorker.register("sw.js").catch(() => {});
