@@ -4,12 +4,14 @@ import re
 from html import escape
 from typing import Any, NamedTuple
 
-from .chapter_text import CHOICES, FOLD, QUESTION, Chapter, blocks, choices_of, page_words
+from .chapter_text import CHOICES, FOLD, QUESTION, SUMMARY, Chapter, blocks, choices_of, page_words
 from .markdown import markdown_parser
 from .themed import themed_svg
 
 LINK = re.compile(r"\[([^\]]*)\]\([^)]*\)")  # paper has no links
 EXERCISE_FOLD = "<details><summary>Solution</summary>"
+# what helps with a program that the reader changes, which paper cannot ask for
+OTHER_FOLD = re.compile(rf"<details>(?!{SUMMARY})[\s\S]*?</details>")
 EXERCISES = "## Exercises\n\n"  # the heading, which the first exercise follows in its cell
 TOOLS = "sv.explore(", "slide("  # a question before these is answered by moving something, which paper cannot
 
@@ -31,18 +33,19 @@ def questions(chapter: Chapter) -> tuple[list[Question], list[Question]]:
 
     ImportError if no Markdown reader is installed.
     """
-    found = _Collector()
+    found, in_exercises = _Collector(), False
     for cell in chapter.cells:
         source = "".join(cell["source"])
         if cell["cell_type"] == "code":
             found.add_outputs(cell, source)
             continue
         before, heading, exercise = page_words(source).rpartition(EXERCISES)
-        if EXERCISE_FOLD in source:
+        in_exercises = in_exercises or bool(heading)
+        if in_exercises and EXERCISE_FOLD in source:
             found.add_prose(before)
             found.add_exercise(exercise)
         else:
-            found.add_prose(before + heading + exercise)
+            found.add_prose(OTHER_FOLD.sub("", before + heading + exercise))
     found.close()
     return found.questions, found.exercises
 

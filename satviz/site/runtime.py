@@ -29,6 +29,7 @@ CHECKING = (
         "pairs",
         "shrinking",
         "results",
+        "options",
         "variants",
         "mistakes",
         "checked",
