@@ -1,9 +1,12 @@
 """What an explorer shows while a shape is dragged: one number for one thing, in one place, and no label that leaps."""
 
+import random
 import re
+from math import cos, dist, pi, sin
 
 import pytest
 from speeds import one_in
+from test_pictures import boxes, meet
 
 import satviz as sv
 from satviz.pictures import theme
@@ -96,8 +99,6 @@ def test_a_number_line_has_the_scale_of_its_picture():
 @pytest.mark.parametrize("name", ["triangles", "circles", "far-centers", "lengths", "tile-seam"])
 @pytest.mark.parametrize("width", [None, 350])
 def test_no_words_of_a_number_line_meet(name, width):
-    from test_pictures import boxes, meet
-
     model = ExplorerModel(sv.scene(name))
     state = model.state()
     model.answer({"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "width": width})
@@ -130,3 +131,102 @@ def test_a_small_gap_is_not_hidden_by_fixed_places():
     far, near = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]), sv.Polygon([(1 + 2**-20, 0), (2, 0), (2, 1), (1.5, 1)])
     state = ExplorerModel(sv.Scene("near", far, near)).state()
     assert plain(state["rows"][state["lit"]]["outcome"]) == "gap +0.000000954"
+
+
+# -- labels do not leap
+
+STEP_PX, LEAP_PX, POSES = 4, 24, 38
+WIDEST_PX, WIDEST_PT = 760, 540  # a wide picture is shown so much larger; one of a phone as it is drawn
+
+
+def drag(seed):
+    """(pixels in a unit, picture) of each pose of a drag: what is dragged, and where to, comes from the seed."""
+    rng = random.Random(seed)
+    model = ExplorerModel(sv.scene(EXPLORED[seed % len(EXPLORED)]))
+    state, width, key = model.state(), rng.choice([None, 350]), rng.choice("ab")
+    corner, degree, way = rng.random() < 0.3, 30.0 if rng.random() < 0.25 else None, rng.uniform(0, 2 * pi)
+    state = model.answer({"kind": "pose", "n": 0, "a": state["a"], "b": state["b"], "width": width, "degree": degree})
+    per_unit = model.picture().scale * (1 if width else WIDEST_PX / WIDEST_PT)
+    for n in range(1, POSES):
+        way += rng.uniform(-0.3, 0.3)
+        dx, dy = STEP_PX / per_unit * cos(way), STEP_PX / per_unit * sin(way)
+        shape = dict(state[key])
+        if "circle" in shape:
+            shape["circle"] = [shape["circle"][0] + dx, shape["circle"][1] + dy]
+        else:
+            count = len(shape["polygon"])
+            moved = {seed % count} if corner else range(count)
+            shape["polygon"] = [[x + dx, y + dy] if i in moved else [x, y] for i, (x, y) in enumerate(shape["polygon"])]
+        pose = {"kind": "pose", "n": n, "a": state["a"], "b": state["b"], key: shape, "degree": degree}
+        answer = model.answer(pose | {"width": width, "final": False})
+        if answer["kind"] == "state":
+            state = answer
+            yield per_unit, model.picture()
+        else:
+            way += 2.0  # an outline that would cross itself, or leave what float64 can draw
+
+
+def middle(points):
+    return sum(p[0] for p in points) / len(points), sum(p[1] for p in points) / len(points)
+
+
+def target_of(label, picture):
+    """What a label names: the middle of its shape, its corner, its bar, the tip of its axis; else the canvas."""
+    marks = {(m.part, m.owner, m.axis, m.number): m for m in picture.marks}
+
+    def points(part, owner="", axis="", number=None):
+        return marks[part, owner, axis, number].points
+
+    if label.part == "name":
+        return middle(points("outline", label.owner))
+    if label.part == "vertex-name":
+        return points("vertex", label.owner, number=label.number)[0]
+    if label.part == "range-name":
+        return middle(points("range", label.owner, label.axis))
+    if label.part == "axis-name":
+        return points("axis", axis=label.axis)[1]
+    if label.part == "zero-name":
+        return middle(points("zero", axis=label.axis))
+    if label.part == "gap-name":
+        bracket = points("gap", axis=label.axis)
+        return middle(bracket[1:3] if len(bracket) == 4 else bracket)
+    arrow = marks.get((label.part.removesuffix("-name"), label.owner, label.axis, label.number))
+    return middle(arrow.points) if arrow else picture.limits[:2]
+
+
+def leaps_and_missing(seed):
+    """The labels that leap in a drag, how often a label goes missing, and how many labels there are."""
+    leaps, missing, shown, before = [], 0, 0, {}
+    for per_unit, picture in drag(seed):
+        now = {m.id: (m.points[0], target_of(m, picture)) for m in picture.labels}
+        axes = {m.axis for m in picture.marks}
+        for name in now.keys() & before.keys():
+            (at, target), (was, target_was) = now[name], before[name]
+            if dist(at, was) * per_unit > LEAP_PX >= dist(target, target_was) * per_unit:
+                leaps.append((name, was, at))
+        missing += sum(name not in now and before_axis(name, axes) for name in before)
+        shown += len(now)
+        before = now
+    return leaps, missing, shown
+
+
+def before_axis(name, axes):
+    """Is the axis of a label still shown?"""
+    number = name.rsplit(".", 1)[1] if "range-name" in name or "gap-name" in name or "axis-name" in name else ""
+    return not number or number in axes
+
+
+@pytest.mark.parametrize("seeds", [range(3), pytest.param(range(3, 200), marks=pytest.mark.slow)], ids=["few", "many"])
+def test_no_label_leaps_unless_what_it_names_does_and_few_are_left_out(seeds):
+    found = {seed: leaps_and_missing(seed) for seed in seeds}
+    assert not {seed: leaps for seed, (leaps, _, _) in found.items() if leaps}
+    missing, shown = (sum(each[i] for each in found.values()) for i in (1, 2))
+    assert shown > 200 * len(seeds) and missing < 0.01 * shown
+
+
+def test_when_the_drag_rests_no_label_covers_another():
+    for seed in range(0, 36, 6):
+        *_, (model, state) = poses(EXPLORED[seed % len(EXPLORED)])
+        model.answer({"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "final": True})
+        found = [box for _, box in boxes(model.picture())]
+        assert not [(p, q) for i, p in enumerate(found) for q in found[:i] if meet(p, q)]

@@ -14,7 +14,7 @@ from .claims import answers, verdict_words
 from .comparison import draw_answer, strike_wrong_answers
 from .default_panels import draw_push
 from .drag import ShownTest, drag_digits, drag_sentence
-from .label_placer import LabelOffsets
+from .label_placer import LabelMemory
 from .layout import Layout, place_axis_within
 from .marks import Mark, Picture
 from .sketch import Sketch
@@ -27,7 +27,7 @@ def drag_view(
     *,
     show_mtv: bool = False,
     last_out: Vec | None = None,
-    last_offsets: LabelOffsets | None = None,
+    memory: LabelMemory | None = None,
 ) -> tuple[Picture, AxisPlace | None]:
     """Return the picture of a shortcut's run while dragging, and the place of its axis (None: no axis shown).
 
@@ -57,7 +57,7 @@ def drag_view(
         text = f"dot {'on' if region[0].kind == 'segment' else 'in'} the red:\nthe shortcut is wrong"
         sketch.note("error-region-name", text, "ink", first=6)  # red words would be lost on the red
     drawn = strike_wrong_answers(
-        sketch.finish("", drag_sentence(trace, layout, shown), steady=False, last_offsets=last_offsets), trace
+        sketch.finish("", drag_sentence(trace, layout, shown), steady=False, memory=memory), trace
     )
     return drawn._replace(marks=(*(mark for mark in region if mark.part != "reference"), *drawn.marks)), place
 

@@ -12,7 +12,7 @@ from .axis_place import AxisPlace
 from .curve import unit_vector
 from .draw_steps import draw_mtv_of_overlap, draw_other_parts, draw_parts
 from .float_geometry import bounding_box
-from .label_placer import LabelOffsets
+from .label_placer import LabelMemory
 from .layout import Group, Layout, arrange, limits_around, place_axis_within
 from .marks import Picture
 from .sketch import Sketch
@@ -86,12 +86,12 @@ def drag_picture(
     *,
     show_mtv: bool = False,
     last_out: Vec | None = None,
-    last_offsets: LabelOffsets | None = None,
+    memory: LabelMemory | None = None,
 ) -> tuple[Picture, AxisPlace | None]:
     """Return the picture of one finished test on fixed limits, and the place of its axis (None without a test).
 
     `show_mtv` adds the MTV.  `last_out`: the direction from the shapes to the axis in the picture before; the axis
-    stays on that side.  `last_offsets`: where the labels stood in the picture before; they stay if they can.
+    stays on that side.  `memory`: how the labels stood in the picture before; none leaps.
     """
     run = trace if shown is None or shown.pair is None else trace.pairs[shown.pair]
     place = None
@@ -113,7 +113,7 @@ def drag_picture(
     sketch.note("verdict", str(trace.relation), "ink", weight="title", first=1)
     if show_mtv and run is trace:
         draw_mtv_of_overlap(sketch)
-    return sketch.finish("", drag_sentence(trace, layout, shown), steady=False, last_offsets=last_offsets), place
+    return sketch.finish("", drag_sentence(trace, layout, shown), steady=False, memory=memory), place
 
 
 def drag_sentence(trace: Trace, layout: Layout, shown: ShownTest | None) -> str:
@@ -158,11 +158,11 @@ def free_axis_picture(
     degree: float,
     *,
     last_out: Vec | None = None,
-    last_offsets: LabelOffsets | None = None,
+    memory: LabelMemory | None = None,
 ) -> tuple[Picture, AxisPlace]:
     """Return the picture of a free axis at an angle in degrees, and the place of the axis.
 
-    `trace` has that one direction as its choice of axes; `last_out` and `last_offsets` are those of `drag_picture`.
+    `trace` has that one direction as its choice of axes; `last_out` and `memory` are those of `drag_picture`.
     """
     sketch = FreeSketch(trace, layout)
     sketch.digits = drag_digits(layout)
@@ -179,7 +179,7 @@ def free_axis_picture(
     verdict = f"{' and '.join(trace.names)} {describe.RELATION_PHRASES[trace.relation]}."
     found = describe.outcome(test, sketch.digits(trace, test))
     sentence = f"{verdict} The axis at {number_format.number(round(degree, 1))} degrees: {found}; {says}."
-    return sketch.finish("", sentence, steady=False, last_offsets=last_offsets), place
+    return sketch.finish("", sentence, steady=False, memory=memory), place
 
 
 def knob_position(layout: Layout, place: AxisPlace, degree: float) -> Vec:

@@ -309,6 +309,7 @@ class Sketch(ShapeSketch):
         p, q = (point_along(end, out, self.layout.units(BAR_PT)) for end in ends)  # a gutter between bar and label
         spot, *along = (Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for f in (0.5, 0.3, 0.7, 0.1, 0.9))
         options: LabelOptions = {"owner": name, "axis": self.axis_id(test), "along": tuple(along), "prefer": out}
+        options["target"] = midpoint(*ends)
         options["wall"] = place.ends  # the label stays on its own side of the axis
         self.label("range-name", text, role, spot, first=1, **options)
 

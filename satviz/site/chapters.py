@@ -66,7 +66,8 @@ def chapter_body(chapter: Chapter) -> str:
             continue
         shown = widgets.widget(i)
         if shown is None or len(ast.parse(source).body) > 1:  # the code of a widget alone says nothing more
-            text.add(_folded_code(source), part_of_question=True, before_choices=shown is not None)
+            checks = _checked_function(source) != ""
+            text.add(_code(source, is_open=checks), part_of_question=True, before_choices=checks or shown is not None)
         if shown:
             text.add(shown.html, part_of_question=not shown.answers, before_choices=True)
         else:
@@ -185,11 +186,59 @@ def _blocks(tokens: list[Any]) -> Iterator[list[Any]]:
             begin = end
 
 
-def _folded_code(source: str) -> str:
-    """Return the code of a cell as HTML, folded."""
+def _code(source: str, *, is_open: bool) -> str:
+    """Return the code of a cell as HTML, folded unless it is to be read at once."""
     lines = source.count("\n") + 1
     summary = "the code" if lines == 1 else f"the code, {lines} lines"
-    return f'<details class="cell"><summary>{summary}</summary>{highlighted_code(source)}</details>'
+    opened = " open" if is_open else ""
+    return f'<details class="cell"{opened}><summary>{summary}</summary>{highlighted_code(source)}</details>'
+
+
+def programs(chapter: Chapter) -> dict[str, tuple[str, str]]:
+    """Return the programs that a chapter opens on the page "Is yours right?": by its function, (heading, code).
+
+    The code of a program is its function and all that it uses, as defined in the chapter up to there, and what its
+    own cell imports.
+    """
+    opened = {name for cell in chapter.cells for name in re.findall(r"yours\.html#(\w+)", "".join(cell["source"]))}
+    found, known, heading = {}, dict[str, str](), ""
+    for cell in chapter.cells:
+        source = "".join(cell["source"])
+        if cell["cell_type"] == "markdown":
+            heading = ([heading, *re.findall(r"^##+ (.+)$", source, re.MULTILINE)])[-1]
+            continue
+        imported = set[str]()
+        for node in ast.parse(source).body:
+            code = ast.get_source_segment(source, node) or ""
+            if isinstance(node, ast.FunctionDef):
+                known.pop(node.name, None)  # what is defined again comes after what it uses
+                known[node.name] = f"\n\n{code}\n"
+            elif isinstance(node, ast.ImportFrom):
+                known |= {alias.name: f"from {node.module} import {alias.name}\n" for alias in node.names}
+                imported |= {alias.name for alias in node.names}
+        name = _checked_function(source)
+        if name in opened:
+            imports_first = sorted(_used_by({name} | imported, known), key=lambda n: known[n].startswith("\n"))
+            found[name] = heading, "".join(known[n] for n in imports_first).lstrip("\n")
+    return found
+
+
+def _used_by(names: set[str], known: dict[str, str]) -> list[str]:
+    """Return these names and the known ones that they use, directly or not, in the order of `known`."""
+    needed, new = set[str](), names
+    while new:
+        needed |= new
+        trees = [ast.parse(known[each]) for each in new]
+        used = {node.id for tree in trees for node in ast.walk(tree) if isinstance(node, ast.Name)}
+        new = (used & known.keys()) - needed
+    return [each for each in known if each in needed]
+
+
+def _checked_function(source: str) -> str:
+    """Return the name of the function that a cell gives to `sv.check`; "" if its last line is no such call."""
+    last = (ast.parse(source).body or [ast.Pass()])[-1]
+    called = re.fullmatch(r"sv\.check\((\w+)\)", ast.unparse(last))
+    return called[1] if called else ""
 
 
 def _is_question_picture(output: dict[str, Any]) -> bool:
@@ -202,9 +251,11 @@ def _output_html(output: dict[str, Any]) -> str:
     if output["output_type"] == "stream":
         return f'<pre class="out" tabindex="0">{escape("".join(output["text"]))}</pre>'
     data = {kind: "".join(value) for kind, value in output.get("data", {}).items()}
+    words = f'<pre class="out" tabindex="0">{escape(data.get("text/plain", ""))}</pre>'
     if "image/svg+xml" in data:
-        return f"<figure>{themed_svg(data['image/svg+xml'])}</figure>"
-    return f'<pre class="out" tabindex="0">{escape(data.get("text/plain", ""))}</pre>'
+        report = words if "<pre>" in data.get("text/html", "") else ""  # what `sv.check` found has both
+        return f"<figure>{themed_svg(data['image/svg+xml'])}</figure>{report}"
+    return words
 
 
 class _WidgetFinder:

@@ -25,7 +25,7 @@ from ..pictures.drag import (
     free_axis_picture,
     knob_position,
 )
-from ..pictures.label_placer import LabelOffsets
+from ..pictures.label_placer import LabelMemory
 from ..pictures.minkowski import difference
 from ..pictures.number_line import number_line
 from ..pictures.playback import first_row_numbers, table_rows
@@ -79,7 +79,7 @@ class ExplorerModel(PlayerModel):
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
         """Return the new state after a pose, preset or challenge message, or why it is refused."""
-        n, before = content.get("n"), {**vars(self), "_last_offsets": dict(self._last_offsets)}
+        n, before = content.get("n"), {**vars(self), "_memory": self._memory.copy()}
         try:
             if content.get("kind") == "preset":
                 self._start(scene(require_type(content.get("name"), "the preset", str)))
@@ -137,7 +137,7 @@ class ExplorerModel(PlayerModel):
         shown, pasted = read_paste(content)
         if shown is None:
             return {"kind": "pasted", "pasted": pasted}
-        before = {**vars(self), "_last_offsets": dict(self._last_offsets)}
+        before = {**vars(self), "_memory": self._memory.copy()}
         try:
             self._start(shown)
             self._redraw()
@@ -161,7 +161,7 @@ class ExplorerModel(PlayerModel):
         self._set_run(shown, trace, SHORTCUT if trace.shortcut else None, met)
         self._pinned: int | None = None
         self._last_out: Vec | None = None  # the way the axis lay before, so that it stays on its side
-        self._last_offsets: LabelOffsets = {}  # how the labels stood, so that they do not jump
+        self._memory = LabelMemory()  # how the labels stood, so that they do not jump
 
     def _pose(self, content: dict[str, Any]) -> None:
         """Apply a drag's message: both shapes, the view and the challenge, all checked first."""
@@ -188,7 +188,7 @@ class ExplorerModel(PlayerModel):
         came = degree is None or layout != self._layout or (self.scene.a, self.scene.b) != self._at_first
         returns = content.get("final", True) and (a, b) == self._at_first and came
         if begun is not self.scene or largest != self._largest or returns:
-            self._layout, self._largest, self._last_offsets, self._last_out = layout, largest, {}, None
+            self._layout, self._largest, self._memory, self._last_out = layout, largest, LabelMemory(), None
         if pinned != self._pinned or (degree is None) != (self._degree is None) or view != self._view:
             self._last_out = None
         if view != self._view:
@@ -210,9 +210,10 @@ class ExplorerModel(PlayerModel):
 
     def _redraw(self, *, final: bool = True) -> None:
         """Draw the scene; after a drag (`final`), fit the view again if a mark lies outside it."""
+        self._memory.resting = final
         self._drawn = self._draw()
         if final and not all_marks_fit(self._drawn.picture):
-            self._layout, self._last_offsets = drag_layout(self.trace, self._largest), {}
+            self._layout, self._memory = drag_layout(self.trace, self._largest), LabelMemory()
             self._drawn = self._draw()
 
     def _draw(self) -> DrawnScene:
@@ -221,7 +222,7 @@ class ExplorerModel(PlayerModel):
         if self._degree is not None:
             free = record(self.scene.a, self.scene.b, axes=directions(unit_vector(self._degree)))
             drawn, place = free_axis_picture(
-                free, self._layout, self._degree, last_out=self._last_out, last_offsets=self._last_offsets
+                free, self._layout, self._degree, last_out=self._last_out, memory=self._memory
             )
             self._last_out = place.out
             free_line = self._line_of(free, free.tests[0], degree_text(self._degree))
@@ -234,7 +235,7 @@ class ExplorerModel(PlayerModel):
             chosen,
             show_mtv=self._show_mtv,
             last_out=self._last_out,
-            last_offsets=self._last_offsets,
+            memory=self._memory,
         )
         self._last_out = None if lies is None else lies.out
         if chosen is None:

@@ -40,6 +40,7 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
 ALL_CHOICES = tuple(choice for choices in CHOICES.values() for choice in choices)
 FULL_TURN = Fraction(63, 10)  # an angle beyond a full turn in radians is in degrees
 ONLY_IF_IT_MATTERS = (TURN, ORDER, ROUND)  # asked only where the answer changes
+AT_ORIGIN = ", at the origin"  # of a shape for which the text gives no position
 FORM_WORDS = {
     CORNER_SIZE: "a box by a corner and its size",
     CORNER_CORNER: "a box by two opposite corners",
@@ -229,7 +230,7 @@ class Boxes(Points):
 def moved(shape: Read, move: Pt) -> Read:
     """Return a shape that was moved."""
     points = tuple((x + move[0], y + move[1]) for x, y in shape.points)
-    said = shape.said.replace(", at the origin", "")
+    said = shape.said.replace(AT_ORIGIN, "")
     said = said if said.endswith(" and a position") else f"{said} and a position"
     box = shape.box
     if box:

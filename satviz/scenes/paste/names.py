@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from .notations import BOX, CIRCLE, key, notation
+from .notations import BOX, CIRCLE, OTHER_SHAPE, key, notation
 from .tree import Bad, Group, Name, Pair, Value
 
 
@@ -63,7 +63,7 @@ class Names:
             node.fields[f"{last} ({len(node.fields)})"] = old
         value = pair.value
         declared = notation(pair.before) if pair.before and isinstance(value, Group) and not value.name else None
-        if declared and declared.kind in (BOX, CIRCLE) and value.bracket in "({":  # Rect r = {0, 0, 1, 1}
+        if declared and declared.kind in (BOX, CIRCLE, OTHER_SHAPE) and value.bracket in "({":  # Rect r = {0, 0, 1, 1}
             value = replace(value, name=pair.before)
         if isinstance(value, Bad) and value.inside:
             value = Group(value.start, value.end, value.inside, "words")

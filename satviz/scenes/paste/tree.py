@@ -52,6 +52,8 @@ IGNORED_NAMES = frozenset(  # words of a language before a value
 )
 SEPARATORS = frozenset(["vs", "versus", "and", "against", "intersects", "overlaps", "touches", "collides"])
 ARROWS = frozenset(["->", "<->", "\u2192", "\u2194", "\u21d2"])
+# Types around one number.
+CASTS = frozenset(["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double"])
 OPERATORS = frozenset("+-*/%^\u2212")
 
 
@@ -84,6 +86,7 @@ class Bad(Value):
 
     why: str
     inside: list[Any] = field(default_factory=list)
+    hides: bool = False  # an expression with a list of numbers in it: `np.array([...]) * 2`
 
 
 @dataclass(slots=True)
@@ -93,6 +96,7 @@ class Pair(Value):
     path: tuple[str | int, ...]
     value: Any
     before: str = ""  # the word before the key, such as the type in `Rect r = {0, 0, 1, 1}`
+    number: str = ""  # a number behind the key: Vertex 0: (1, 2)
 
 
 @dataclass(slots=True)
@@ -244,8 +248,13 @@ class _Parser:
         if isinstance(last, Token) and last.kind == MARK:
             return True
         starts = following is not None and (following.text == "{" or following.kind == FIELD)
-        field_follows = following is not None and following.kind == FIELD
+        field_follows = following is not None and following.kind == FIELD and not self.opens_block()
         return bool(atoms) and starts and (isinstance(last, Token) or field_follows)
+
+    def opens_block(self) -> bool:
+        """Return whether the next lines begin with a name and a brace, as rules of CSS do: .a {"""
+        found = [token for token in self.tokens[self.at : self.at + 8] if token.kind != LINE]
+        return len(found) > 1 and found[1].text == "{"
 
     def quoted(self, token: Token, depth: int) -> Any:
         """Return the values inside quotes, where they hold some: WKT, JSON; otherwise the text as a token."""
@@ -292,6 +301,10 @@ class _Parser:
             words = [a.text for a in atoms[:mark] if isinstance(a, Token) and a.kind == NAME]
             words = [word for word in words if word not in IGNORED_NAMES]
             pair = Pair(_start(atoms[0]), rest.end, path, rest, words[-2] if len(words) > 1 else "")
+            last = atoms[mark - 1]
+            if words and isinstance(last, Token) and last.kind == NUMBER and last.text.isdigit():
+                pair.number = last.text
+                self.indices.add(last.end)
             before = [a for a in atoms[:mark] if isinstance(a, Group) and a.bracket in "({" and a.items]
             return Group(pair.start, pair.end, [*before, pair], "+") if before else pair  # {x: 1, y: 2} radius: 5
         return self.plain(atoms)
@@ -329,8 +342,10 @@ class _Parser:
             only = values[0] if len(values) == 1 else None
             if isinstance(only, Num) and only.value is not None and operators == ["-"] and atoms[0].end <= only.start:
                 return Num(start, end, -only.value)
+            if operators == ["-"] and len(values) == 2 and all(_is_pair(v) for v in values):
+                return Group(start, end, values, " ")  # (0, 0)-(10, 10), as Go prints a box
             if any(o in OPERATORS for o in operators):
-                return Bad(start, end, "an expression, which is not evaluated")
+                return Bad(start, end, "an expression, which is not evaluated", hides=any(map(_is_long, values)))
             return Bad(start, end, "not a number", [v for v in values if isinstance(v, Group)])
         if len(values) == 1:
             return values[0]
@@ -364,6 +379,9 @@ class _Parser:
                     while atom.bracket == "[" and len(atom.items) < 2 and i < len(atoms) and _is_open(atoms[i]):
                         atom = atoms[i]
                         i += 1
+                    if last.text in CASTS and len(atom.items) == 1 and isinstance(atom.items[0], Num):
+                        values[-1] = atom.items[0]  # np.float64(0.5) is 0.5
+                        continue
                     name = last.text if atom is length else ""  # the list after Vector2[] is no Vector2
                     values[-1] = Group(last.start, atom.end, atom.items, atom.bracket, name)
                 else:
@@ -402,6 +420,10 @@ class _Parser:
         names = [i for i, a in enumerate(atoms) if isinstance(a, Token) and a.kind in (NAME, TEXT)]
         parts: list[str | int] = []
         begin = names[-1] if names else 0
+        while begin > 1 and _is_hyphen(atoms, begin - 1):  # border-radius is no radius
+            begin -= 2
+        if begin < (names[-1] if names else 0):
+            return (self.text[_start(atoms[begin]) : _end(atoms[names[-1]])],)
         for atom in atoms[begin:]:
             if isinstance(atom, Token) and atom.kind in (NAME, TEXT, FIELD):
                 text = atom.text[1:-1] if atom.kind == TEXT else atom.text
@@ -427,6 +449,26 @@ def _text(atom: Token) -> Num | Name:
     if NUMERAL.fullmatch(inner):
         return Num(atom.start, atom.end, *number(inner))
     return Name(atom.start, atom.end, atom.text[1:-1])
+
+
+def _is_pair(value: Any) -> bool:
+    """Return whether a value is a bracket with two numbers and no name."""
+    plain = isinstance(value, Group) and value.bracket == "(" and not value.name and len(value.items) == 2
+    return plain and all(isinstance(v, Num) for v in value.items)
+
+
+def _is_long(value: Any) -> bool:
+    """Return whether a value is a bracket with a list of numbers or of brackets in it."""
+    if not isinstance(value, Group):
+        return False
+    return sum(isinstance(v, (Num, Group)) for v in value.items) > 2 or any(map(_is_long, value.items))
+
+
+def _is_hyphen(atoms: Sequence[Any], i: int) -> bool:
+    """Return whether an atom is a hyphen within a name."""
+    before, at, after = atoms[i - 1 : i + 2]
+    hyphen = isinstance(at, Token) and at.text == "-" and isinstance(before, Token) and before.kind == NAME
+    return hyphen and _end(before) == at.start and at.end == _start(after)
 
 
 def _is_cast(group: Group) -> bool:
