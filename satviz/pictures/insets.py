@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from math import atan2, ceil, cos, floor, hypot, log10, pi, sin
+from math import atan2, ceil, cos, floor, hypot, log10, pi, sin, ulp
 from typing import NamedTuple
 
 from ..engine.geometry import Vec
@@ -20,6 +20,7 @@ BOX_PT = 96.0  # an inset's side
 STRIP_PT = 124.0  # the width of the strip of insets beside the scene
 ROW_PT = 128.0  # the height of an inset with its caption
 DETAIL_PART = 0.5  # of the box's side: how large the detail is in it, at most
+MIN_FLOAT_STEP_PT, FLOAT_TICK_PT = 8.0, 8.0  # between two neighbouring floats that are drawn; half of a tick
 BRACKET_PT = 4.0, 11.0  # a gap's bracket: from the axis to its ends, and to its back
 
 Role = tuple[str, str, Shape]  # "A" or "B", the shape's name, the shape
@@ -126,6 +127,9 @@ def inset_marks(layout: Layout, shapes: Sequence[Role], test: AxisTest | None) -
         what = inset.name or ("gap" if inset.test and inset.test.gap > 0 else "overlap")
         below = Vec(inset.center.x, y0 - layout.units(9))
         text = f"{what}, {magnification_text(inset.times)}"
+        if inset.test and _float_ticks(layout, inset, inset.test):
+            text += "\nticks: float64"
+            below = Vec(below.x, below.y - layout.units(7))
         marks.append(Mark("inset-name", "label", "ink", (below,), number=number, text=text))
         if inset.test is not None:
             marks += _gap_marks(layout, inset, inset.test, shapes, number)
@@ -155,6 +159,19 @@ def _outline_points(shape: Shape, spot: Vec) -> list[Vec]:
     return [Vec(x + r * cos(toward + t), y + r * sin(toward + t)) for t in angles]
 
 
+def _float_ticks(layout: Layout, inset: Inset, test: AxisTest) -> tuple[Vec, ...]:
+    """Return ticks on the axis of a gap's inset where float64 has a number; () where they are too dense to be seen."""
+    end = min(test.a.interval.hi, test.b.interval.hi)  # of the range on the left
+    step = ulp(end) * inset.times
+    if step < layout.units(MIN_FLOAT_STEP_PT):
+        return ()
+    x0, _, x1, _ = inset.box
+    (cx, cy), half = inset.center, test.gap * inset.times / 2
+    up, first = layout.units(FLOAT_TICK_PT), cx - half
+    spots = [first + k * step for k in range(-100, 101) if x0 < first + k * step < x1]
+    return tuple(Vec(x, cy + side * up) for x in spots for side in (-1, 1))
+
+
 def _gap_marks(layout: Layout, inset: Inset, test: AxisTest, shapes: Sequence[Role], number: int) -> list[Mark]:
     """Return the marks of a gap's inset: the facing ends of both ranges on a level axis, and the gap."""
     a, b = test.a.interval, test.b.interval
@@ -162,6 +179,8 @@ def _gap_marks(layout: Layout, inset: Inset, test: AxisTest, shapes: Sequence[Ro
     units, (cx, cy) = layout.units, inset.center
     half = test.gap * inset.times / 2
     marks = [Mark("inset-axis", "segment", "ink", (Vec(x0, cy), Vec(x1, cy)), number=number)]
+    if ticks := _float_ticks(layout, inset, test):
+        marks.append(Mark("inset-floats", "segment", "ink", ticks, number=number))
     sides = [(x0, cx - half), (cx + half, x1)]
     a_is_left = b.lo - a.hi >= a.lo - b.hi
     for (role, name, _), ends in zip(shapes if a_is_left else shapes[::-1], sides, strict=True):
