@@ -30,7 +30,7 @@ if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from .render.embed import embed
     from .render.page import page
     from .scenes.link import link
-    from .scenes.named import scene
+    from .scenes.named import scene, scenes
     from .scenes.paste.pasted import Pasted, paste
     from .scenes.scenefile import Scene
     from .widgets import explore, play
@@ -77,6 +77,7 @@ __all__ = [
     "record",
     "relate",
     "scene",
+    "scenes",
     "sheet",
     "steps",
     "sweep",
@@ -126,7 +127,7 @@ _MODULE_OF = {
 }
 
 # Public modules that are loaded at first use.
-_MODULES = {"batch": "satviz.batch", "testing": "satviz.testing"}
+_MODULES = {"batch": "satviz.batch", "scenes": "satviz.scenes", "testing": "satviz.testing"}  # scenes() is called
 
 
 def __getattr__(name: str) -> object:
