@@ -9,8 +9,8 @@ from ..lessons.chapter_text import chapters
 from ..lessons.handout import style_sheet as handout_style
 from ..render.script import javascript, stylesheet
 from ..safe_write import MADE_BY
-from . import check_page, guides, pages
-from .chapters import chapter_body
+from . import check_page, glossary_page, guides, pages
+from .chapters import GLOSSARY, chapter_body
 from .reference import reference
 from .runtime import PythonMissing as PythonMissing
 from .runtime import runtime_files
@@ -65,6 +65,7 @@ def _files(
     for name, data in python.items():
         yield f"python/{name}", data if not name.endswith(".js") else _with_maker(data)
     yield from pages.scene_pictures()
+    yield from glossary_page.pictures()
     yield from guides.pictures()
     for chapter, body in zip(frame.chapters, chapter_bodies, strict=True):
         yield chapter.path, pages.chapter_page(frame, chapter, body)
@@ -75,6 +76,7 @@ def _files(
         yield guide.path, pages.guide_page(frame, guide, guides.guide_body(guide))
     for path, data in reference_files:
         yield f"{pages.REFERENCE}/{path}", data
+    yield GLOSSARY, glossary_page.glossary_page(frame)
     yield "gallery.html", pages.gallery_page(frame)
     yield "challenges.html", pages.challenges_page(frame)
     yield check_page.PATH, check_page.check_page(frame)
