@@ -27,6 +27,7 @@ METHODS = {  # by test: (name, colour role)
     "exact": ("satviz", "exact"), "float64": ("SAT, float64", "float"),
     "float32": ("SAT, float32", "tolerance"), "boxes": ("upright boxes", "shortcut"),
 }  # fmt: skip
+TENTH = 6  # steps of a tenth of a second
 PLACES = {0.0: "origin", FAR: "1,000 km"}
 LIMITS = -20.0, 60.0  # mm, of the panels
 MOST_ENERGY, LINEAR_ENERGY = 1e4, 1e-6  # joules: the highest that is drawn, and below which the scale is linear
@@ -68,13 +69,17 @@ def cells(settings: Settings) -> list[Cell]:
 
 
 def measure(test: str, away: float, seconds: int) -> JsonRow:
-    """Return how far the top box has sunk in metres and the energy in joules, for each step."""
+    """Return how far the top box has sunk in metres, and the energy in joules, for each tenth of a second.
+
+    The energy is the largest of the tenth.  `jitter` and `largest_energy` are of all steps in the second half.
+    """
     frames = simulate(TESTS[test], BOXES, round(seconds / STEP), away)
     late = frames[len(frames) // 2 :]
     sunk = [frame.sunk for frame in late]
     return {"test": test, "away": away, "seconds": seconds,
-            "sunk": [float(f"{frame.sunk:.4g}") for frame in frames],
-            "energy": [float(f"{frame.energy:.3g}") for frame in frames],
+            "sunk": [float(f"{frame.sunk:.4g}") for frame in frames[TENTH - 1 :: TENTH]],
+            "energy": [float(f"{max(frame.energy for frame in frames[k : k + TENTH]):.3g}")
+                       for k in range(0, len(frames), TENTH)],
             "sunk_at_end": sunk[-1], "jitter": max(sunk) - min(sunk),
             "largest_energy": max(frame.energy for frame in late)}  # fmt: skip
 
@@ -118,7 +123,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
                              color=theme.text.get(role, shade), fontweight="bold")  # fmt: skip
                 box = left / WIDTH, 1 - (top + 20 + tall) / size[1], wide / WIDTH, tall / size[1]
                 ax = add_axes(fig, box, theme)
-                xs = np.arange(1, len(row[what]) + 1) * STEP
+                xs = np.arange(1, len(row[what]) + 1) * STEP * TENTH
                 ax.axhline(0, color=ink, lw=1, ls=(0, (1, 2.2)))
                 ax.set(xlim=(0, seconds))
                 if what == "sunk":

@@ -146,7 +146,7 @@ def summaries(found: dict[str, Any]) -> list[JsonRow]:
         row = {**worst, "proven": proven_metres(times["method"])}
         for work in WORKS:
             (count,) = (row for row in found[f"count-{work}"] if row["method"] == times["method"])
-            row |= {f"{work}_wrong": count["wrong"], f"{work}_pairs": count["pairs"]}
+            row |= {f"{work}_{what}": count[what] for what in ("pairs", "wrong", "false_hits", "false_misses")}
         rows.append({**row, **times})
     return rows
 
@@ -181,7 +181,7 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
     head = head_height(title, lines)
     size = WIDTH, head + 390
     shown = [*LABELS, "SAT, unit normals"]
-    limits = min(by_name[name]["ns"] for name in shown) / 1.5, max(by_name[name]["ns"] for name in shown) * 2
+    limits = min(by_name[name]["ns"] for name in shown) / 3, max(by_name[name]["ns"] for name in shown) * 2
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw a dot for each method, in metres and in steps of float64."""
