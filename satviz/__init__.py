@@ -26,6 +26,7 @@ if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from .pictures.sheet import sheet
     from .pictures.turning_axis import sweep
     from .render.draw import draw
+    from .render.embed import embed
     from .render.page import page
     from .scenes.link import link
     from .scenes.named import scene
@@ -62,6 +63,7 @@ __all__ = [
     "difference",
     "difference_steps",
     "draw",
+    "embed",
     "explore",
     "gap_curve",
     "link",
@@ -104,6 +106,7 @@ _MODULE_OF = {
     "difference": "pictures.minkowski",
     "difference_steps": "pictures.difference_steps",
     "draw": "render.draw",
+    "embed": "render.embed",
     "explore": "widgets",
     "gap_curve": "pictures.curve",
     "link": "scenes.link",

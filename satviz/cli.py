@@ -15,6 +15,8 @@ from .checking.pairs import KINDS as PAIR_KINDS
 from .commands import Failed, Refused
 from .engine.geometry import InvalidScene
 from .render.formats import FORMATS, STILL_FORMATS
+from .scenes.embedding import PARTS
+from .scenes.link import GOALS
 from .scenes.minimal_test import LANGUAGES
 from .scenes.paste.boxes import ALL_CHOICES
 from .terminal import interrupted, open_streams, out, remembering_interrupts, say
@@ -23,7 +25,8 @@ MAX_SPEED = 20.0
 
 THEMES = ("light", "dark")
 EXPLAIN_FORMS = ("json", "scene", "wkt", "link", "svg", *LANGUAGES)
-DRAW_FORMATS = (*FORMATS, "html", "link")  # a page of the run, and a line with its link
+DRAW_FORMATS = (*FORMATS, "html", "link", "embed")  # a page of the run; its link and a frame with it are printed
+PRINTED_FORMATS = {"link", "embed"}
 
 
 def _whole_number(least: int, most: int) -> Callable[[str], int]:
@@ -161,7 +164,7 @@ def _parser() -> argparse.ArgumentParser:
         action="store_true",
         help="put each sentence under its picture (a GIF, a page and a sheet always have it)",
     )
-    draw.add_argument("--site", metavar="URL", help="where the site is that --format link leads to: http or https")
+    draw.add_argument("--site", metavar="URL", help="where the site is of --format link and embed: http or https")
     which = draw.add_mutually_exclusive_group()
     which.add_argument(
         "--sweep", action="store_true", help="an axis that turns through 180 degrees, instead of the steps of the run"
@@ -175,13 +178,21 @@ def _parser() -> argparse.ArgumentParser:
         action="store_true",
         help=f"every step, also of a run of more than {commands.MAX_STEP_FILES} (which else gets a sheet)",
     )
+    which.add_argument(
+        "--step", type=_step_range, metavar="N[-M]", help="only this step, or the steps from N to M; the first is 0"
+    )
+    draw.add_argument("--predict", action="store_true", help="a page, link or frame that asks before it shows")
+    draw.add_argument("--goal", choices=GOALS, help="a link or frame with this challenge")
+    draw.add_argument("--play", action="store_true", help="a frame that steps through the run")
+    draw.add_argument("--show", action="append", choices=PARTS, help="a frame that has this too; may be repeated")
     draw.add_argument(
         "--speed",
         type=_speed,
         metavar="TIMES",
         help="of a GIF or a page: 2 is twice as fast, 0.25 leaves time to read (default: 1)",
     )
-    draw.set_defaults(run=commands.draw, clash=_clash_of_draw)
+    usual = {"out": Path("satviz-out"), "format": ["svg"], "show": []}  # a frame is not light where nothing is said
+    draw.set_defaults(run=commands.draw, clash=_clash_of_draw, usual=usual)
 
     advise = command.add_parser(
         "advise",
@@ -323,25 +334,56 @@ def _speed(text: str) -> float:
     return speed
 
 
+def _step_range(text: str) -> tuple[int, int]:
+    """Return the first and the last step of "5" or "3-8"; ArgumentTypeError for anything else."""
+    first, dash, last = text.partition("-")
+    number = _whole_number(0, 10**6 - 1)
+    found = number(first), number(last if dash else first)
+    if found[0] > found[1]:
+        raise argparse.ArgumentTypeError(f"{text!r} ends before it begins: write the smaller number first")
+    return found
+
+
 def _clash_of_draw(args: argparse.Namespace) -> str | None:
     """Return an error line for options of `draw` that cannot be given together, or None."""
     formats = set(args.format or ["svg"])
-    if args.site is not None and "link" not in formats:
-        return "--site is where a link leads: give it with --format link"
+    if args.site is not None and not formats & PRINTED_FORMATS:
+        return "--site is where a link leads: give it with --format link or embed"
     if args.site == "":
         return "--site is empty: expected an address such as https://example.org/satviz/, or no --site"
-    if args.sheet and (others := formats - {*STILL_FORMATS, "link"}):
+    if "embed" in formats and args.site is None:
+        return "--format embed needs the address of your site: give --site URL"
+    if clash := _clash_of_frame(args, formats):
+        return clash
+    if args.sheet and (others := formats - {*STILL_FORMATS, *PRINTED_FORMATS}):
         apart = " or ".join(sorted(others))
         return f"--sheet is one picture, for {', '.join(STILL_FORMATS)}: ask for --format {apart} in another run"
     if args.speed is not None and not formats & {"gif", "html"}:
         return "--speed is of an animation or a page: give it with --format gif or html"
-    files = formats - {"link"}
-    if not files and (
-        given := _first_given(args, "out", "theme", "force", "caption", "sheet", "steps", "sweep", "difference")
-    ):
-        return f"--format link prints a line: {given} is for files, so add the format of a file"
+    files = formats - PRINTED_FORMATS
+    of_files = ["out", "force", "caption", "sheet", "steps", "sweep", "difference"] + ["theme"] * (
+        "embed" not in formats
+    )
+    if not files and (given := _first_given(args, *of_files)):
+        printed = "a line" if "link" in formats else "a frame"
+        return f"--format {min(formats)} prints {printed}: {given} is for files, so add the format of a file"
     if files == {"html"} and args.theme:
         return "a page has both themes, and shows its reader's: leave out --theme, or add the format of a picture"
+    return None
+
+
+def _clash_of_frame(args: argparse.Namespace, formats: set[str]) -> str | None:
+    """Return an error line for an option of pages, links and frames that none of the formats takes, or None."""
+    takes = {"predict": {"html", *PRINTED_FORMATS}, "goal": PRINTED_FORMATS, "play": {"embed"}, "show": {"embed"}}
+    for name, forms in takes.items():
+        if getattr(args, name) and not formats & forms:
+            return f"--{name} is not for these formats: give it with --format {' or '.join(sorted(forms))}"
+    if args.goal and (given := _first_given(args, "predict", "play", "step")):
+        return f"a challenge is dragged, and {given} is for steps: leave out one of them"
+    if args.step and formats == {"html"}:
+        return "a page has all steps: leave out --step, or add the format of a picture"
+    if args.step and args.step[0] != args.step[1] and formats == {"link"}:
+        return "a link opens one step: give --step one number, or --format embed"
     return None
 
 

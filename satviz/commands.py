@@ -91,19 +91,17 @@ class _Drawable(NamedTuple):
 
 
 def draw(args: argparse.Namespace) -> int:
-    """Draw every step of a scene, or of a long run its contact sheet, in each format asked for; print its link."""
+    """Draw steps of a scene, or of a long run its contact sheet, in each format; print its link and its frame."""
     from .render.formats import FORMATS, STILL_FORMATS
-    from .scenes.link import link
     from .scenes.named import refused_case
 
     case = refused_case(args.scene)
-    forms = [form for form in dict.fromkeys(args.format) if form != "link"]
+    forms = [form for form in dict.fromkeys(args.format) if form not in ("link", "embed")]
     if case and len(forms) == len(set(args.format)):
         drawable = _drawable_refused(args, case)
     else:
         scene = _load(args)  # says why a refused case has no link
-        if "link" in args.format:
-            out(link(scene, site=args.site or ""))
+        _print_link_and_frame(args, scene)
         if not forms:
             return 0
         drawable = _drawable_run(args, scene)
@@ -121,16 +119,48 @@ def draw(args: argparse.Namespace) -> int:
     return done
 
 
+def _print_link_and_frame(args: argparse.Namespace, scene: "Scene") -> None:
+    """Print the link of a scene and the HTML of a frame with it, each if its format is asked for."""
+    from .pictures import steps
+    from .render.embed import embed
+    from .scenes.link import link
+    from .widgets.goals import evaluate_goal
+
+    if not {"link", "embed"} & set(args.format):
+        return
+    if args.goal:
+        evaluate_goal(args.goal, scene)  # refuses a goal that the scene cannot have
+    first, last = args.step or (None, None)
+    if last is not None:
+        _require_step(last, len(steps(scene.record())))
+    if "link" in args.format:
+        out(link(scene, site=args.site or "", step=first, predict=args.predict, goal=args.goal))
+    if "embed" in args.format:
+        part = args.step if first != last else None
+        frame = embed(
+            scene, site=args.site, play=args.play or first is not None, predict=args.predict, challenge=args.goal,
+            steps=part, theme=args.theme, show=args.show, step=None if part else first,
+        )  # fmt: skip
+        out(frame.rstrip("\n"))
+
+
+def _require_step(step: int, count: int) -> None:
+    """Raise Refused for a step that a run of `count` steps does not have."""
+    if step >= count:
+        raise Refused(f"the run has no step {step}: its steps are 0 to {count - 1}")
+
+
 def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawable:
     """Return the drawing of a scene whose outlines are refused; Refused for options that need a run."""
     from .pictures.comparison import refused_picture
     from .pictures.moves import animation
     from .render.page import page_of_refused
 
-    if args.axes or args.every_axis or args.sheet or args.steps or args.sweep or args.difference:
+    options = "axes", "every_axis", "sheet", "step", "steps", "sweep", "difference", "predict"
+    if any(getattr(args, name) for name in options):
         raise Refused(
             f"{case.name} has no run, since its outlines are refused: leave out --axes, --every-axis, "
-            "--sheet, --steps, --sweep and --difference"
+            "--sheet, --step, --steps, --sweep, --difference and --predict"
         )
     drawn = refused_picture(case)
     return _Drawable(
@@ -157,6 +187,8 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
     except ValueError as error:
         raise Refused(str(error)) from None
     count = len(steps(trace))
+    first, last = args.step or (0, count - 1)
+    _require_step(last, count)
 
     def still(step: int) -> "Sequence[Picture]":
         """Return a list of the picture of one step, captioned with its sentence under --caption."""
@@ -166,14 +198,15 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
         """Return the animation of the run, of the axis that turns or of how B - A comes about; sentences are below."""
         if args.sweep:
             return turning(add_captions(sweep(trace)), speed=args.speed or 1.0)
-        drawn = difference_steps(trace) if args.difference else [picture(trace, step) for step in range(count)]
+        drawn = difference_steps(trace) if args.difference else [picture(trace, s) for s in range(first, last + 1)]
         return animation(add_captions(drawn), speed=args.speed or 1.0)
 
     def page() -> str:
         """Return the page of the run."""
         return page_of_run(
-            trace, title=scene.title, sweep=args.sweep, difference=args.difference, speed=args.speed or 1.0
-        )
+            trace, title=scene.title, predict=args.predict, sweep=args.sweep, difference=args.difference,
+            speed=args.speed or 1.0,
+        )  # fmt: skip
 
     if args.sweep or args.difference:
         name = f"{scene.name}-{'sweep' if args.sweep else 'difference'}"
@@ -182,9 +215,9 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
         own = [(f"{name}-{n:0{digits}}", partial(_captioned, drawn, args)) for n, drawn in enumerate(every)]
         return _Drawable(name, own, frames, page)
 
-    if not args.sheet and (count <= MAX_STEP_FILES or args.steps):
+    if not args.sheet and (last - first < MAX_STEP_FILES or args.steps):
         digits = len(str(count - 1))
-        stills = [(f"{scene.name}-{step:0{digits}}", partial(still, step)) for step in range(count)]
+        stills = [(f"{scene.name}-{step:0{digits}}", partial(still, step)) for step in range(first, last + 1)]
         return _Drawable(scene.name, stills, frames, page)
     whole = [(f"{scene.name}-sheet", lambda: [sheet(trace, title=scene.title)])]
     note = "" if args.sheet else f"one sheet instead of a picture of each of the {count} steps (--steps makes those)"
@@ -211,7 +244,7 @@ def _job(args: argparse.Namespace, stem: str, form: str, make: "Pictures") -> "J
     from .pictures import LIGHT, THEMES
     from .render.files import encode_frames
 
-    theme = THEMES[args.theme]
+    theme = THEMES[args.theme or "light"]
     if theme is not LIGHT:
         stem = f"{stem}-{theme.name}"
     return args.out / f"{stem}.{form}", lambda: encode_frames(make(), form, theme, stem=stem)
@@ -222,7 +255,7 @@ def _animated_job(args: argparse.Namespace, drawable: _Drawable, form: str) -> "
     from .pictures import LIGHT, THEMES
     from .render.files import encode_frames
 
-    theme = THEMES[args.theme]
+    theme = THEMES[args.theme or "light"]
     stem = drawable.name if theme is LIGHT else f"{drawable.name}-{theme.name}"
 
     def encode() -> bytes:
@@ -570,8 +603,9 @@ def check(args: argparse.Namespace) -> int:
     import json
 
     from .checking.asking import Asker, CalledInProcess, form_named
-    from .checking.checker import check_asker, options
+    from .checking.checker import check_asker
     from .checking.mistakes import SYMPTOMS, mistakes_with
+    from .checking.options import Options
     from .checking.programs import START_SECONDS, Program, function_of
     from .scenes.failing import NAMED
 
@@ -582,9 +616,10 @@ def check(args: argparse.Namespace) -> int:
         out("\n".join(str(NAMED[name]) for name in found))
         return 0
     try:
-        wanted = options(
-            args.returns, args.kinds or ("boxes", "convex"), args.touching, args.tolerance,
-            args.whole_numbers, not args.counter_clockwise, args.seed, args.seconds,
+        wanted = Options(
+            returns=args.returns, kinds=args.kinds or Options.kinds, touching=args.touching, tolerance=args.tolerance,
+            whole_numbers=args.whole_numbers, clockwise=not args.counter_clockwise,
+            seed=args.seed, seconds=args.seconds,
         )  # fmt: skip
         asker: Asker
         if args.command:

@@ -176,7 +176,7 @@ def test_python_starts_from_the_memory_that_was_kept(visit):
 
 def test_the_live_scene_takes_the_room_of_the_still_one(visit):
     """So that nothing jumps under the reader's eyes when Python is ready."""
-    still = visit("", live=False, java_script_enabled=False).locator(".live .picture").bounding_box()
+    still = visit("", live=False, java_script_enabled=False).locator(".live .picture").first.bounding_box()
     live = visit("").locator(".live svg.sv-picture").first.bounding_box()
     assert [live[k] for k in ("x", "width", "height")] == pytest.approx(
         [still[k] for k in ("x", "width", "height")], abs=2
@@ -186,7 +186,7 @@ def test_the_live_scene_takes_the_room_of_the_still_one(visit):
 
 def test_without_javascript_every_page_is_there(visit):
     page = visit("", live=False, java_script_enabled=False)
-    assert page.locator(".live svg.picture").is_visible() and "gap of 1.213" in page.locator(".live").inner_text()
+    assert page.locator(".live svg.picture").first.is_visible() and "gap of 1.213" in page.locator(".live").inner_text()
     page.goto(page.url + "2-sat.html")
     assert page.locator("svg.picture").count() > 8 and page.locator(".player .still svg").is_visible()
     page.get_by_text("step by step, in words").first.click()
@@ -214,16 +214,6 @@ def test_an_answer_is_opened_with_the_keyboard_and_without_javascript(visit):
         assert page.get_by_text("Only one. The table").is_visible() == answer.locator("pre.out").is_visible() == open_
 
 
-def test_on_paper_an_answer_is_printed_under_its_line(visit):
-    for path in "1-aabb.html", "7-speed-against-accuracy.html":
-        page = visit(path, live=False)
-        page.emulate_media(media="print")
-        for answer in page.locator("details.later").all():
-            assert answer.locator("> summary").is_visible()
-            for part in answer.locator("> p:not(.status, .open), > pre, > figure").all():
-                assert part.evaluate("p => p.checkVisibility() && p.getBoundingClientRect().height > 0")
-
-
 def test_what_is_in_an_answer_comes_to_life_when_it_is_opened(visit):
     page = visit("6-where-it-fails.html")
     answer = page.locator("details.later", has=page.locator(".live"))
@@ -245,7 +235,7 @@ def test_a_link_that_opens_nothing_says_why_and_offers_the_scenes(visit, link, s
     page.get_by_text("This link cannot be opened").wait_for(timeout=LIVE)
     why, offer = page.locator(".status"), page.locator(".offer")
     assert len(why.inner_text()) < 240 and why.bounding_box()["y"] < 400
-    assert not page.locator(".live .picture").is_visible()  # nothing that only looks as if it could be dragged
+    assert not page.locator(".live .picture").first.is_visible()  # nothing that only looks as if it could be dragged
     assert page.evaluate("document.documentElement.scrollWidth") <= page.viewport_size["width"]
     offer.get_by_role("link", name="Two circles").click()
     page.locator(".live.ready").wait_for(timeout=LIVE)
@@ -408,17 +398,42 @@ def test_opened_as_files_the_pages_are_whole_their_players_play_and_a_line_says_
     assert page.locator(".live .picture").first.is_visible()
 
 
-def test_a_printed_page_hides_nothing(visit):
-    page = visit("2-sat.html", live=False, java_script_enabled=False)
+@pytest.mark.parametrize("scripts", [True, False])
+def test_a_printed_chapter_asks_and_does_not_answer(visit, scripts):
+    """What is folded stays folded on paper; what the reader has opened is printed."""
+    page = visit("2-sat.html", live=False, java_script_enabled=scripts)
     page.emulate_media(media="print")
-    solution = page.locator("details", has_text="Solution").last.locator("p").first
-    assert solution.evaluate(
-        "p => p.checkVisibility({contentVisibilityAuto: true}) && p.getBoundingClientRect().height > 0"
-    )
-    for out in page.locator("pre").all():
-        assert out.evaluate("pre => pre.scrollWidth <= pre.clientWidth + 1")
+    folds = page.locator("article > details:not(.cell)")
+    seen = "each => [...each.children].slice(1).some(it => it.checkVisibility({contentVisibilityAuto: true}))"
+    assert folds.count() > 6 and not any(fold.evaluate(seen) for fold in folds.all())
+    assert page.locator(".choices").count() == 5 and not page.locator(".cell").first.is_visible()
+    folds.first.evaluate("fold => { fold.open = true; }")
+    assert folds.first.evaluate(seen)
+    assert page.evaluate("[...document.querySelectorAll('pre')].every(pre => pre.scrollWidth <= pre.clientWidth + 1)")
     page.goto(page.url.replace("2-sat", "gallery"))
     assert page.locator("img").count() > 40 and not page.locator("img[loading]").count()
+
+
+def test_a_question_is_answered_by_choosing_and_the_answer_is_judged(visit):
+    page = visit("2-sat.html", live=False)
+    question = page.locator("ul.judges", has_text="v2v3")
+    fold, said = question.locator("~ details.later").first, question.locator("+ .judged")
+    assert fold.get_attribute("open") is None and said.inner_text() == ""
+    question.get_by_role("button", name="v2v3").click()
+    assert said.inner_text().startswith("Not so. This edge faces away from A.") and fold.get_attribute("open") is None
+    question.get_by_role("button", name="v1v3").press("Enter")
+    assert said.inner_text() == "Right. It is the edge of B that faces A."
+    assert fold.get_attribute("open") is not None and fold.locator("figure").is_visible()
+
+
+def test_a_slider_shows_one_of_its_pictures(visit):
+    page = visit("5-doing-less.html", live=False)
+    place = page.locator(".frames").first
+    slider = place.get_by_role("slider")
+    before = place.locator("figure:visible").inner_text()
+    slider.press("ArrowRight")
+    after = place.locator("figure:visible").inner_text()
+    assert "comparisons so far" in after != before and slider.get_attribute("aria-valuetext") == after.strip()
 
 
 def test_no_label_of_a_link_makes_the_page_wider(visit):
@@ -537,7 +552,7 @@ def test_a_site_without_python_says_so_and_has_its_pictures(visit, tmp_path):
     with served(tmp_path) as at:
         page = visit("", at=at, live=False)
         page.get_by_text("no Python in it").wait_for()
-        assert page.locator(".live .picture").is_visible()
+        assert page.locator(".live .picture").first.is_visible()
         page.context.close()
 
 
@@ -586,6 +601,125 @@ def test_a_challenge_is_chosen_undone_and_kept_in_the_address(visit):
     goal.get_by_text("Make the shapes touch").wait_for()
     choice.select_option("")
     goal.wait_for(state="hidden")
+
+
+# -- a scene in a frame of another page
+
+
+@pytest.fixture
+def framed(browser, errors, url):
+    """Open a page of somebody else with a frame; return the page and its frame."""
+    contexts = []
+
+    def opened(what, *, more=(), before="", scripts=True, **options):
+        context = browser.new_context(**{"viewport": {"width": 1000, "height": 900}, **dict(more)})
+        contexts.append(context)
+        page = context.new_page()
+        page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
+        html = sv.embed(what, site=url, **options)
+        page.set_content(f"<!doctype html><body>{before}{html if scripts else html.partition('<script>')[0]}")
+        frame = page.frame_locator("iframe")
+        frame.locator(".live.ready").wait_for(timeout=LIVE)
+        return page, frame
+
+    yield opened
+    for context in contexts:
+        context.close()
+
+
+@pytest.mark.parametrize("width", [390, 1000])
+@pytest.mark.parametrize("options", [{}, {"play": True}, {"show": ["tools", "table"]}], ids=["drag", "play", "tools"])
+def test_a_frame_is_as_high_as_its_content(framed, options, width):
+    page, frame = framed("triangles", more={"viewport": {"width": width, "height": 900}}, **options)
+    fits = "() => document.documentElement.scrollHeight === innerHeight && document.body.offsetHeight > innerHeight - 2"
+    page.frames[1].wait_for_function(fits)
+    assert page.frames[1].evaluate("document.documentElement.scrollWidth <= innerWidth")
+    for hidden in "header", "footer", "h1", ".lead":
+        assert not frame.locator(hidden).is_visible(), hidden
+    assert frame.locator(".sv-fold").is_visible() == ("table" in options.get("show", ()))
+    assert frame.get_by_role("button", name="undo").is_visible() == ("tools" in options.get("show", ()))
+
+
+def test_a_frame_that_stays_low_shows_a_smaller_picture(framed):
+    page, frame = framed("triangles", scripts=False)
+    high = frame.locator(".sv-board").bounding_box()["height"]
+    page.evaluate("document.querySelector('iframe').height = 600")
+    page.frames[1].wait_for_function(f"() => document.querySelector('.sv-board').clientHeight < {high} - 20")
+    page.frames[1].wait_for_function("() => document.documentElement.scrollHeight <= innerHeight")
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_a_frame_is_light_or_dark_as_it_was_told_from_the_first_paint_on(framed, theme):
+    other = {"light": "dark", "dark": "light"}[theme]
+    _, frame = framed("circle-polygon", theme=theme, more={"color_scheme": other})
+    paper = {"light": LIGHT, "dark": DARK}[theme].paper
+    colour = f"rgb({', '.join(str(c) for c in bytes.fromhex(paper[1:]))})"
+    for each in "body", ".live .satviz":
+        assert frame.locator(each).first.evaluate("e => getComputedStyle(e).backgroundColor") == colour, each
+    assert frame.locator("body > script:first-child").get_attribute("src").startswith("embed.js?")
+
+
+def test_a_frame_of_some_steps_plays_these_alone(framed):
+    _, frame = framed("triangles", steps=(3, 8))
+    count = frame.locator(".sv-count")
+    assert count.inner_text() == "4 / 16"
+    for name, number in (("last step", 9), ("step forward", 9), ("first step", 4), ("step back", 4)):
+        frame.get_by_role("button", name=name).click()
+        assert count.inner_text() == f"{number} / 16", name
+    assert not frame.get_by_role("button", name="test the rest").is_visible()
+
+
+def test_a_frame_asks_and_a_frame_challenges(framed):
+    _, frame = framed("triangles", predict=True)
+    frame.get_by_role("button", name="last step").click()
+    assert frame.locator(".sv-question").is_visible()
+    _, frame = framed("aabb", challenge="")
+    assert "Make the shapes touch" in frame.locator(".sv-goal").inner_text()
+    link = frame.locator(".open a")
+    assert link.get_attribute("target") == "_blank" and link.get_attribute("href").endswith("#aabb&goal=touch")
+
+
+def test_without_scripts_a_frame_is_its_picture_and_its_sentence(browser, url):
+    context = browser.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.set_content(sv.embed("triangles", site=url))
+    assert not page.locator("iframe").is_visible()
+    assert (
+        page.locator("img").evaluate("i => i.checkVisibility()") and page.locator("img").bounding_box()["height"] > 200
+    )
+    assert page.locator("p").bounding_box()["height"] > 10
+    assert page.locator("p").text_content() == sv.scene("triangles").record().sentence
+    context.close()
+
+
+@pytest.mark.parametrize(
+    "more", [{"color_scheme": "dark"}, {"viewport": {"width": 390, "height": 844}}], ids=["dark", "phone"]
+)
+@pytest.mark.parametrize("query", ["embed", "embed&play&show=table", "embed&challenge=touch&show=tools"])
+def test_no_frame_shuts_anyone_out(visit, axe_core, query, more):
+    assert shut_out(axe_core, visit(f"scene.html?{query}#aabb", **more)) == []
+
+
+def test_a_frames_file_is_kept_once_and_is_there_without_a_server(built, visit):
+    with served(built) as at:
+        page = visit("scene.html?embed#triangles", at=at)
+        page.evaluate("navigator.serviceWorker.ready")
+        page.reload()
+        page.locator(".live.ready").wait_for(timeout=LIVE)
+        page.wait_for_timeout(500)
+        kept = "async () => (await (await caches.open((await caches.keys())[0])).keys()).map(({ url }) => url)"
+        keys = page.evaluate(kept)
+        assert f"{at}scene.html" in keys and not [key for key in keys if "embed&" in key or "?embed" in key]
+    page.goto(f"{at}scene.html?embed&play#circles")
+    page.locator(".live.ready").wait_for(timeout=LIVE)
+    assert page.locator(".sv-count").is_visible()
+
+
+def test_a_built_in_scene_has_its_own_picture_until_python_has_come(visit):
+    page = visit("scene.html#circles", live=False, service_workers="block")
+    page.context.route("**/worker.js*", lambda route: route.fulfill(body="", content_type="text/javascript"))
+    page.reload()
+    assert page.locator(".live .still img").get_attribute("src") == "pictures/circles.svg"
 
 
 # -- the page "Is yours right?"

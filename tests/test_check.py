@@ -361,3 +361,37 @@ def test_an_assertion_that_fails_shows_the_sentence_the_data_and_a_picture():
     assert path.read_text(encoding="utf-8").startswith("<?xml") and "pytest" in str(path)
     with pytest.raises(AssertionError, match="pair 1: the function says no hit"):
         sv.testing.assert_same_relation(touching_is_apart, [(a, a), (a, b)])
+
+
+def test_a_wrong_function_unlike_all_known_mistakes_is_not_given_one_of_their_names():
+    """No failing case looks at areas; and though its first answers are all False, it returns verdicts."""
+
+    def by_area(a, b):
+        return sat(a, b) and abs(sum(x0 * y1 - x1 * y0 for (x0, y0), (x1, y1) in zip(a, [*a[1:], a[0]]))) != 8
+
+    found = sv.check(by_area)
+    assert (
+        found.finding == "wrong"
+        and found.rules.returns == "hit"
+        and not any(like.is_close for like in found.behaves_like)
+    )
+    assert "behaves like" not in str(found)
+
+
+def test_a_smaller_scene_is_of_a_kind_that_the_function_was_asked_about():
+    def on_x(a, b):
+        return max(p[0] for p in a) >= min(p[0] for p in b)
+
+    scene = sv.check(on_x, kinds="boxes").counterexample
+    assert kind_of(scene.a, scene.b) == "boxes"
+
+
+def test_a_function_that_knows_whole_numbers_only_is_told_so():
+    def whole(a, b):
+        if any(not isinstance(x, int) for point in a for x in point):
+            raise TypeError("whole numbers, please")
+        return sat(a, b)
+
+    found = sv.check(whole)
+    assert found.finding == "error" and found.line.endswith("(whole_numbers=True leaves such pairs out)")
+    assert "whole numbers, please" in found.line and sv.check(whole, whole_numbers=True).right

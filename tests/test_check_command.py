@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from satviz.checking.checker import check_asker, options
+from satviz.checking.checker import check_asker
+from satviz.checking.options import Options
 from satviz.checking.programs import Program
 from satviz.cli import main
 
@@ -24,7 +25,7 @@ def written(folder, text, name="mine.py"):
 
 def program(folder, body, **more):
     file = written(folder, ANSWERS.format(body), "program.py")
-    return check_asker(Program(f"{sys.executable} {file}", more.pop("seconds", 5)), options(whole_numbers=True, **more))
+    return check_asker(Program(f"{sys.executable} {file}", more.pop("seconds", 5)), Options(whole_numbers=True, **more))
 
 
 def test_a_wrong_function_of_a_file_is_reported_with_exit_code_1(tmp_path, capsys):
@@ -107,7 +108,7 @@ def test_what_is_wrong_with_a_program_is_one_line(tmp_path, body, line, monkeypa
 
 
 def test_a_program_that_is_not_there_is_said():
-    found = check_asker(Program("there-is-no-such-program x", 1), options())
+    found = check_asker(Program("there-is-no-such-program x", 1), Options())
     assert found.line == "cannot be started: there is no 'there-is-no-such-program'"
 
 
@@ -117,7 +118,7 @@ def needs(tool):
 
 
 def caught(command, mistake, **more):
-    found = check_asker(Program(command, 5), options(**more))
+    found = check_asker(Program(command, 5), Options(**more))
     assert found.finding == "wrong" and found.behaves_like[0].name == mistake, str(found)
     scene = found.counterexample
     assert sum(len(shape.vertices) for shape in (scene.a, scene.b)) <= 8
@@ -153,5 +154,5 @@ def test_a_wrong_function_in_cpp_is_caught_and_named(tmp_path, name, more):
 def test_a_right_function_in_rust_passes(tmp_path):
     needs("rustc")
     subprocess.run(["rustc", "-o", tmp_path / "mine", OWN / "correct.rs"], check=True, timeout=120)
-    found = check_asker(Program(str(tmp_path / "mine"), 5), options())
+    found = check_asker(Program(str(tmp_path / "mine"), 5), Options())
     assert found.right and found.near.asked, str(found)

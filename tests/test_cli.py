@@ -68,6 +68,27 @@ def test_draw_writes_every_step(tmp_path, capsys):
     assert names == sorted(["scene.html", *(f"scene-{i:0{len(str(count - 1))}}.svg" for i in range(count))])
 
 
+def test_draw_writes_one_step_or_some(tmp_path, capsys):
+    assert main(["draw", "triangles", "--step", "5", "--out", str(tmp_path / "one")]) == 0
+    assert [path.name for path in (tmp_path / "one").iterdir()] == ["triangles-05.svg"]
+    made = ["draw", "triangles", "--step", "3-5", "--format", "svg", "--format", "gif", "--speed", "2"]
+    assert main([*made, "--out", str(tmp_path / "some")]) == 0
+    names = ["triangles-03.svg", "triangles-04.svg", "triangles-05.svg", "triangles.gif"]
+    assert sorted(path.name for path in (tmp_path / "some").iterdir()) == names
+    assert main(["draw", "triangles", "--out", str(tmp_path / "all")]) == 0
+    assert (tmp_path / "one" / names[2]).read_bytes() == (tmp_path / "all" / names[2]).read_bytes()
+
+
+def test_a_page_a_link_and_a_frame_ask_what_they_are_told_to(tmp_path, capsys):
+    made = ["draw", "far-centers", "--predict", "--format", "html", "--out", str(tmp_path), "--format", "link"]
+    assert main([*made, "--format", "embed", "--site", "https://example.org/s"]) == 0
+    page, told = (tmp_path / "far-centers.html").read_text(), capsys.readouterr().out
+    assert page == sv.page("far-centers", predict=True, title=sv.scene("far-centers").title)
+    link, *frame = told.splitlines()[:-1]
+    assert link == sv.link("far-centers", site="https://example.org/s", predict=True)
+    assert "\n".join(frame) == sv.embed("far-centers", site="https://example.org/s", predict=True).rstrip()
+
+
 def test_a_caption_says_the_sentence_under_the_picture(tmp_path):
     assert main(["draw", "aabb", "--caption", "--out", str(tmp_path)]) == 0
     svg = (tmp_path / f"aabb-{len(sv.steps(sv.scene('aabb').record())) - 1}.svg").read_text()
@@ -538,8 +559,22 @@ CLASHES = {
     "draw triangles --steps --format link": "--format link prints a line: --steps is for files",
     "draw triangles --format link --out somewhere": "--format link prints a line: --out is for files",
     "draw triangles --format link --theme light": "--format link prints a line: --theme is for files",
-    "draw triangles --site https://example.org": "give it with --format link",
+    "draw triangles --site https://example.org": "give it with --format link or embed",
     "draw triangles --site https://example.org --format svg": "give it with --format link",
+    "draw triangles --format embed": "--format embed needs the address of your site",
+    "draw triangles --format embed --site https://example.org --sheet": "--format embed prints a frame: --sheet is",
+    "draw triangles --predict": "--predict is not for these formats: give it with --format embed or html or link",
+    "draw triangles --goal touch --format html": "--goal is not for these formats: give it with --format embed or link",
+    "draw triangles --play --format link": "--play is not for these formats: give it with --format embed",
+    "draw triangles --show table": "--show is not for these formats: give it with --format embed",
+    "draw triangles --format link --goal touch --predict": "a challenge is dragged, and --predict is for steps",
+    "draw triangles --format link --goal break": "are not a shortcut",
+    "draw triangles --format link --step 3-8": "a link opens one step",
+    "draw triangles --format html --step 3": "a page has all steps",
+    "draw triangles --step 16": "the run has no step 16: its steps are 0 to 15",
+    "draw triangles --step 99 --format link": "the run has no step 99: its steps are 0 to 15",
+    "draw no-area --step 0": "no-area has no run",
+    "draw no-area --predict --format html": "no-area has no run",
     "draw triangles --theme dark --format html": "a page has both themes",
     "draw no-area --sheet": "no-area has no run",
     "draw no-area --steps --format gif": "no-area has no run",
@@ -579,7 +614,8 @@ def test_no_option_of_draw_is_taken_in_silence(form, scene, capsys, tmp_path, mo
         code = main(["draw", scene, "--format", form, *options])
         return code, capsys.readouterr().out, {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*.*")}
 
-    plain = made()
+    site = ["--site", "https://example.org"] if form == "embed" else []
+    plain = made(*site)
     in_any_case = {"--steps"} | ({"--caption"} if form in ("gif", "html") or scene == "no-area" else set())
     in_any_case |= {"--every-axis"} if scene == "circles" else set()  # it has one
     for options in (
@@ -592,8 +628,14 @@ def test_no_option_of_draw_is_taken_in_silence(form, scene, capsys, tmp_path, mo
         ["--axes", "world"],
         ["--theme", "dark"],
         ["--out", "elsewhere"],
-        ["--site", "https://example.org"],
+        ["--site", "https://example.org/elsewhere"],
+        ["--step", "1"],
+        ["--step", "0-1"],
+        ["--predict"],
+        ["--goal", "touch"],
+        ["--play"],
+        ["--show", "table"],
     ):
-        found = made(*options)
+        found = made(*site, *options)
         assert found[0] in (0, 2)
         assert found[0] == 2 or found != plain or options[0] in in_any_case, options

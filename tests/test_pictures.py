@@ -639,3 +639,17 @@ def test_a_normal_is_said_to_be_its_edge_turned_by_a_quarter_and_is():
         assert f"{made}; axis {i + 1} of" in said if turned else f"{made}, the direction of axis {i + 1}" in said
         assert normal in ((y, -x), (-y, x))
         assert not turned or turned == [(-normal[0], -normal[1])]
+
+
+OTHER_WORDING = re.compile(
+    r"gap [-\N{MINUS SIGN}]|gap \d*[1-9]|overlaps? by|overlap [-+\N{MINUS SIGN}]|^\S+ long", re.M
+)
+
+
+@pytest.mark.parametrize("name", one_in(4, [scene.name for scene in ALL_SCENES]))
+def test_every_picture_says_gap_and_overlap_in_one_wording(name):
+    trace = sv.scene(name).record()
+    pictures = [sv.picture(trace, step) for step in sv.steps(trace)[-2:]]
+    pictures += [sv.sheet(trace), sv.difference(trace), *sv.sweep(trace, step=45)]
+    for text in (text for picture in pictures for text in (*picture.texts, picture.sentence)):
+        assert not OTHER_WORDING.search(text), text

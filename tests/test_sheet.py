@@ -56,7 +56,7 @@ def test_a_long_run_shows_what_tells_most_and_counts_the_rest(name):
     trace, picture = LONG[name], SHEETS[name]
     rows = [m for m in picture.marks if m.part == "name"]
     rest = len(trace.without_early_exit().tests) - MAX_ROWS
-    assert len(rows) == MAX_ROWS and any(text.startswith(f"and {rest} more, best gap ") for text in picture.texts)
+    assert len(rows) == MAX_ROWS and any(text.startswith(f"and {rest} more, at best ") for text in picture.texts)
     assert bool([m for m in picture.marks if m.part == "stop"]) == (name == "apart")
 
 

@@ -133,18 +133,22 @@ def test_what_a_notebook_plays_and_explores_is_played_and_explored_by_its_page(p
     assert links.parse_fragment(shown)[0].b == sv.Circle((7, 4), 1.5)
 
 
-def test_where_only_the_notebook_has_something_to_move_the_page_says_so(pages):
-    """A widget of the notebook's own leaves no output; its page must not tell the reader to move what is not there."""
+def test_a_slider_of_the_notebook_is_a_slider_of_the_page(pages):
+    """A widget of the notebook's own leaves no output; its page has pictures of it, one of which is shown."""
     for chapter in chapters.chapters():
         code = [cell for cell in chapter.cells if cell["cell_type"] == "code" and not cell["outputs"]]
         ends = [ast.parse("".join(cell["source"])).body[-1] for cell in code]
         shown = sum(isinstance(end, ast.Expr) for end in ends)
-        assert pages[chapter.path].count('class="instead"') == shown, chapter.path
-    assert pages["5-doing-less.html"].count('class="instead"') == 2
+        places = re.findall(r'<div class="frames">(.*?)</div>', pages[chapter.path], re.DOTALL)
+        assert len(places) == shown, chapter.path
+        for place in places:
+            frames = re.findall(r"<figure( hidden)?>(.*?)</figure>", place, re.DOTALL)
+            assert len({svg for _, svg in frames}) > 9 and [hidden for hidden, _ in frames].count("") == 1
+    assert pages["5-doing-less.html"].count('class="frames"') == 2
 
 
 BLOCKS = {"h1", "h2", "h3", "p", "li", "pre", "figure", "blockquote", "table"}
-WHOLE = {"live", "player", "cell"}  # classes of parts of a page whose insides are their own matter
+WHOLE = {"live", "player", "cell", "frames", "choices"}  # classes of parts of a page whose insides are their own matter
 
 
 class Block(NamedTuple):
@@ -178,7 +182,7 @@ class Reader(HTMLParser):
         classes = set((dict(attributes).get("class") or "").split())
         closed = tag == "details" and "open" not in dict(attributes)
         self.path.append((tag, classes, closed))
-        kind = next(iter(classes & WHOLE | classes & {"instead", "status", "open"}), tag)
+        kind = next(iter(classes & WHOLE | classes & {"status", "open"}), tag)
         if self.begun is None and (kind in WHOLE or tag in BLOCKS):
             self.begun = len(self.path), kind, [], []
         if self.begun and tag == "code":
@@ -205,14 +209,17 @@ class Reader(HTMLParser):
 
 
 def test_what_answers_a_question_is_folded_and_what_it_is_about_is_not(pages):
-    """Folded: all up to the next heading or question.  Not: what stands before, code, shapes, what can be tried."""
+    """Folded: all up to the next heading or question.  Not: what stands before, code, shapes, what can be tried.
+
+    The choices come last of what is not folded, so that the reader has seen what they are about.
+    """
     for chapter in chapters.chapters():
         tries = iter(
             "predict=True" in "".join(c["source"]) for c in chapter.cells if "sv.play(" in "".join(c["source"])
         )
         answers = state = None  # what the question has for an answer, and what comes next
         for block in Reader(pages[chapter.path]).found:
-            tool = block.kind in ("live", "instead") or (block.kind == "player" and next(tries))
+            tool = block.kind in ("live", "frames", "choices") or (block.kind == "player" and next(tries))
             tool = tool or (block.kind == "figure" and block.text.strip().endswith("Do they collide?"))
             where = chapter.path, block.text[:80]
             if block.asks or block.kind in ("h1", "h2", "h3"):
@@ -237,15 +244,25 @@ def test_who_is_to_guess_is_asked_in_the_form_that_a_page_knows():
                 assert chapters.QUESTION.search(paragraph), (chapter.path, paragraph)
 
 
+def asked_in(chapter):
+    """Yield each question of a chapter with the comment that has its choices ("" if it has none)."""
+    for cell in chapter.cells:
+        source = chapters.page_words("".join(cell["source"])) if cell["cell_type"] == "markdown" else ""
+        question, _, choices = source.partition(chapters.CHOICES)
+        last = question.strip().split("\n\n")[-1]
+        if source and chapters.QUESTION.search(last):
+            yield last, choices and chapters.CHOICES + choices
+
+
 def test_a_notebook_folds_the_text_that_answers():
-    """Its output is not there until the cell is run; of the text only what tells which cell is next stands open."""
+    """Its output is not there until the cell is run.  Directly behind a fold stands one line at most."""
     for chapter in chapters.chapters():
         asked = False
         for cell in chapter.cells:
             if cell["cell_type"] == "code":
                 continue
             text = re.sub(rf"{chapters.FOLD}.*?</details>", "FOLDED", "".join(cell["source"]), flags=re.DOTALL)
-            parts = text.split("\n\n")
+            parts = [part for part in text.split("\n\n") if not part.startswith(chapters.CHOICES)]
             for part in parts:
                 if part.startswith("#"):
                     asked = False
@@ -254,7 +271,43 @@ def test_a_notebook_folds_the_text_that_answers():
                     assert part is parts[-1], (chapter.path, part)
                     asked = True
                 elif asked:
-                    assert part == "FOLDED" or "next cell" in part, (chapter.path, part)
+                    introduces = parts[0] == "FOLDED" and part is parts[-1] and len(part) < 160
+                    assert part == "FOLDED" or introduces, (chapter.path, part)
+            if parts[0] == "FOLDED":
+                asked = asked and chapters.QUESTION.search(parts[-1])
+
+
+def test_a_question_has_choices_of_which_one_is_right_and_each_has_a_reason(pages):
+    """A question without them asks for something to be found by trying; chapter 7 asks for guesses of sizes."""
+    for chapter in chapters.chapters():
+        asked = [*asked_in(chapter)]
+        judged = [chapters.choices_of(choices) for _, choices in asked if choices]
+        assert pages[chapter.path].count('<ul class="choices">') == len(judged)
+        for choices in judged:
+            assert len(choices) == 3 and all(len(why) > 10 for _, _, why in choices)
+        open_ended = [question for question, choices in asked if not choices]
+        if chapter.path != "7-speed-against-accuracy.html":
+            assert all("Can you find" in question or "is wrong.**" in question for question in open_ended), open_ended
+    places = [
+        [sign for sign, *_ in chapters.choices_of(c)].index("+")
+        for ch in chapters.chapters()
+        for _, c in asked_in(ch)
+        if c
+    ]
+    assert all(places.count(i) > 3 for i in range(3)), "the right choice is not always at the same place"
+
+
+@pytest.mark.parametrize(
+    "lines", ["- one | why", "+ one | why\n+ two | why", "- one | why\n- two | why", "+ one\n- two | why"]
+)
+def test_choices_that_cannot_be_judged_are_refused(lines):
+    with pytest.raises(ValueError, match="expected lines such as"):
+        chapters.choices_of(f"{chapters.CHOICES}\n{lines}\n-->")
+
+
+def test_a_page_has_words_of_its_own_where_the_notebook_has_a_marker():
+    source = "# T\n\nRun it. **Why?** <!-- page: See it.\n**Why?** -->\n\nIn Jupyter only. <!-- page: -->\n\nBoth."
+    assert chapters.page_words(source) == "# T\n\nSee it.\n**Why?**\n\nBoth."
 
 
 def test_an_answer_is_opened_without_a_script(pages):
@@ -275,14 +328,18 @@ def test_no_sentence_is_glued_to_the_next(pages):
     assert GLUED.search("the point (4, 2) is.Sometimes") and not GLUED.search("It is. Sometimes “so”, e. g. 0.3, 1,000")
 
 
-def test_a_page_does_not_speak_of_running_cells(pages):
-    """A guide may: it is about notebooks, not made from one."""
-    about_notebooks = {guide.path for guide in guides.guides()}
-    for path in pages.keys() - about_notebooks:
-        page = pages[path]
-        assert not re.search(
-            r"Shift\+Enter|next cell|saved copy|[Rr]un the cell|you run|JupyterLab</|In JupyterLab", page
-        ), path
+NOTEBOOK_WORDS = re.compile(
+    r"Shift\+Enter|JupyterLab|(next|this) cell\b|cell (below|after)|[Rr]un (it|the|a cell)\b"
+    r"|you run|[Tt]he code below|\bmouse\b|[Tt]erminal|[Cc]ommand line|[Cc]lick|[Tt]he notebook\b"
+)
+
+
+def test_a_chapter_reads_as_a_page_and_not_as_a_notebook(pages):
+    """On a telephone there is no cell to run, no mouse and no terminal."""
+    for chapter in chapters.chapters():
+        for block in Reader(pages[chapter.path]).found:
+            if block.kind in ("p", "li", "h1", "h2", "h3", "table", "blockquote"):
+                assert not NOTEBOOK_WORDS.search(block.text), (chapter.path, block.text)
 
 
 def test_the_gallery_has_every_scene(files, pages):

@@ -178,6 +178,8 @@ def recognize(raws: Sequence[Any], pairs: Sequence[tuple[Shape, Shape]], touchin
     best, found = (0, -1), None
     for kind in KINDS:
         readable = right = 0
+        if kind in (MTV, DEPTH) and all(raw is None or isinstance(plain(raw), bool) for raw in raws):
+            continue  # False alone is a verdict, and a move or a depth only beside others
         for raw, (a, b) in zip(raws, pairs, strict=True):
             try:
                 answer = read(raw, kind)

@@ -226,10 +226,10 @@ def _likeness_lines(likenesses: Sequence[Likeness]) -> list[str]:
     if not likenesses:
         return []
     first, *others = likenesses
-    lines = [
-        "",
-        f"It behaves like {first.name}: “{first.claim}”: the same answer on {first.agrees} of {first.pairs} pairs.",
-    ]
+    same = f"{first.name}: “{first.claim}”: the same answer on {first.agrees} of {first.pairs} pairs."
+    if not first.is_close:
+        return ["", f"No known mistake explains most of its wrong answers. The nearest is {same}"]
+    lines = ["", f"It behaves like {same}"]
     if symptom := symptom_of(first.name):
         lines.append(f"In a game, something {symptom}.")
     lines += [

@@ -3,27 +3,25 @@
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from ..engine.polygon_validation import short_repr
-from .answers import EXPECTED, TOUCHING_AS
 from .asking import Asker, CalledHere, CalledInProcess, ask_all, form_named
 from .checked import Checked
 from .forms import Form
-from .pairs import DEFAULT_KINDS, KINDS
-from .steps import Options, steps
+from .options import Options
+from .steps import steps
 
 
 def check(
     fn: Callable[[Any, Any], Any],
     *,
-    returns: str | None = None,
     form: str | Form = "points",
-    kinds: str | Sequence[str] = DEFAULT_KINDS,
-    touching: str = "hit",
-    tolerance: float = 0.0,
-    whole_numbers: bool = False,
-    clockwise: bool = True,
-    seed: int = 1,
-    seconds: float = 5.0,
+    returns: str | None = Options.returns,
+    kinds: str | Sequence[str] = Options.kinds,
+    touching: str = Options.touching,
+    tolerance: float = Options.tolerance,
+    whole_numbers: bool = Options.whole_numbers,
+    clockwise: bool = Options.clockwise,
+    seed: int = Options.seed,
+    seconds: float = Options.seconds,
     call_seconds: float | None = None,
 ) -> Checked:
     """Check a collision function, and find the smallest scene where it is wrong and the mistake it behaves like.
@@ -46,33 +44,11 @@ def check(
         if call_seconds is None
         else CalledInProcess(fn, form_named(form), call_seconds)
     )
-    return check_asker(asker, options(returns, kinds, touching, tolerance, whole_numbers, clockwise, seed, seconds))
-
-
-def options(
-    returns: str | None = None,
-    kinds: str | Sequence[str] = DEFAULT_KINDS,
-    touching: str = "hit",
-    tolerance: float = 0.0,
-    whole_numbers: bool = False,
-    clockwise: bool = True,
-    seed: int = 1,
-    seconds: float = 5.0,
-) -> Options:
-    """Return the options of a check, after checking them; ValueError names the one that is wrong."""
-    named = tuple(KINDS) if kinds == "all" else (kinds,) if isinstance(kinds, str) else tuple(kinds)
-    for name in named:
-        if name not in KINDS:
-            raise ValueError(f"unknown kind {short_repr(name)}: choose of {', '.join(KINDS)}, or all")
-    if not named:
-        raise ValueError(f"kinds is empty: choose of {', '.join(KINDS)}, or all")
-    if returns is not None and returns not in EXPECTED:
-        raise ValueError(f"unknown returns {short_repr(returns)}: choose one of {', '.join(EXPECTED)}")
-    if touching not in TOUCHING_AS:
-        raise ValueError(f"unknown touching {short_repr(touching)}: choose one of {', '.join(TOUCHING_AS)}")
-    if not tolerance >= 0:
-        raise ValueError(f"the tolerance is {tolerance}: it must be 0 or more")
-    return Options(returns, named, touching, tolerance, whole_numbers, clockwise, seed, seconds)
+    options = Options(
+        returns=returns, kinds=kinds, touching=touching, tolerance=tolerance,
+        whole_numbers=whole_numbers, clockwise=clockwise, seed=seed, seconds=seconds,
+    )  # fmt: skip
+    return check_asker(asker, options)
 
 
 def check_asker(asker: Asker, options: Options) -> Checked:

@@ -1,18 +1,14 @@
 """Known mistakes as hypotheses: what each failing case would have answered, compared with what a function answered."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from math import hypot
 from typing import NamedTuple
 
-from ..engine.axes import edge_normals, edge_normals_of_b
 from ..engine.geometry import Relation, Vec
-from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape
-from ..engine.shortcut import Shortcut, move_along_axis
-from ..engine.trace import Trace, record
+from ..engine.shortcut import Shortcut
 from ..scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED, REFUSED
-from ..scenes.failing.wrong_steps import only_x, raw_normals
 from .answers import (
     DEPTH,
     HIT,
@@ -28,8 +24,8 @@ from .answers import (
 )
 from .pairs import BOXES, CONVEX, KNOWN_SCENES, kind_of
 from .results import Result
+from .variants import VARIANTS, Predict, by_shortcut
 
-Predict = Callable[[Shape, Shape], tuple[Relation, Vec | None]]  # the claimed relation, and the push of B
 APART, TOUCHING, OVERLAPPING = Relation
 
 # what the mistake looks like in a game or a drawing program, in the words of the people who see it
@@ -96,6 +92,11 @@ class Likeness(NamedTuple):
     either_wrong: int
 
     @property
+    def is_close(self) -> bool:
+        """Return whether at least half of the wrong answers of either are wrong in the same way."""
+        return 2 * self.wrong_alike >= self.either_wrong
+
+    @property
     def claim(self) -> str:
         """Return the mistake as people say it."""
         return NAMED[self.name].claim
@@ -118,28 +119,6 @@ class Hypothesis(NamedTuple):
         )
 
 
-def _of_trace(trace: Trace) -> tuple[Relation, Vec | None]:
-    """Return what a shortcut's run claims."""
-    return trace.claim, trace.push
-
-
-def _by_shortcut(shortcut: Shortcut, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
-    """Return what a shortcut answers for a pair."""
-    return _of_trace(record(a, b, axes=shortcut, every_axis=True))
-
-
-def _any_overlap(a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
-    """Return OVERLAPPING if the ranges meet on any edge normal: `any` written for `all`."""
-    gaps = [test.gap for test in axis_tests(a, b, edge_normals(a, b).axes)]
-    return (OVERLAPPING if gaps and min(gaps) < 0 else TOUCHING if gaps and min(gaps) == 0 else APART), None
-
-
-def _raw_push(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
-    """Return the push of a raw normal times a raw depth: neither was divided by the normal's length."""
-    test = max(tests, key=lambda test: test.gap)
-    return move_along_axis(test, -test.gap * test.axis.length)
-
-
 NOT_AT_REST = "faces-in-3d", "tunnelling"  # about boxes in space, and about motion: no answer for two shapes shows them
 
 
@@ -159,13 +138,8 @@ def _hypotheses() -> Iterator[Hypothesis]:
         if alike in seen:
             continue
         seen.append(alike)
-        yield Hypothesis(case.name, partial(_by_shortcut, case.shortcut))
-    b_only = NAMED["one-shapes-normals"].shortcut._replace(choose=edge_normals_of_b)
-    yield Hypothesis("one-shapes-normals", partial(_by_shortcut, b_only))
-    yield Hypothesis("one-overlap", _any_overlap)
-    yield Hypothesis("one-overlap", partial(_by_shortcut, NAMED["one-overlap"].shortcut._replace(choose=only_x)))
-    raw = NAMED["raw-depth"].shortcut._replace(measure=raw_normals, push=_raw_push)
-    yield Hypothesis("raw-depth", partial(_by_shortcut, raw))
+        yield Hypothesis(case.name, partial(by_shortcut, case.shortcut))
+    yield from (Hypothesis(*variant) for variant in VARIANTS)
 
 
 HYPOTHESES = tuple(_hypotheses())
@@ -252,7 +226,7 @@ def predicted_answer(hypothesis: Hypothesis, a: Shape, b: Shape, rules: Rules) -
 
 def explains(name: str, a: Shape, b: Shape, answer: Answer, rules: Rules) -> bool:
     """Return whether the failing case of this name gives this very answer for a pair, so that its picture shows it."""
-    hypothesis = Hypothesis(name, partial(_by_shortcut, NAMED[name].shortcut))
+    hypothesis = Hypothesis(name, partial(by_shortcut, NAMED[name].shortcut))
     predicted = predicted_answer(hypothesis, a, b, rules)
     margin = 1e3 * NUMBER_TOLERANCE * size_of(a, b)
     return predicted is not None and same_answer(predicted[0], answer, rules.returns, margin)

@@ -7,7 +7,7 @@ from ..scenes.scenefile import shape_data, shape_from
 from .answers import Rules, in_words, true_in_words
 from .asking import NO_ANSWER
 from .checked import Checked
-from .checker import options
+from .options import Options
 from .pairs import Pair
 from .reading import outcome_from
 from .results import judge
@@ -30,7 +30,7 @@ class PageCheck:
             return self._judged(content)
         try:
             if kind == "check":
-                self.running = steps(options(kinds=content["kinds"], touching=content["touching"], seconds=60.0))
+                self.running = steps(Options(kinds=content["kinds"], touching=content["touching"], seconds=60.0))
                 return self._ask(next(self.running))
             if self.running is None:
                 return {"kind": "refused", "why": "no check is running"}

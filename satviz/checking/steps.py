@@ -6,7 +6,7 @@ Whoever runs it decides how a function is asked: a call here, a process, a progr
 from collections.abc import Generator, Sequence
 from math import hypot, inf
 from time import monotonic
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..advice.relative_margin import relative_margin
 from ..engine.geometry import Relation, Vec
@@ -28,11 +28,13 @@ from .answers import (
 from .asking import LAST, Outcome
 from .checked import Checked, Near, scene_of, wrong_line
 from .mistakes import Likeness, explains, likenesses
-from .pairs import Pair, near_pairs, whole_number_pairs
+from .options import Options
+from .pairs import BOXES, Pair, kind_of, near_pairs, whole_number_pairs
 from .results import UNSTEADY, WRONG, Result, judge
 from .shrinking import shrink
 
 FIRST_PAIRS = 24  # from whose answers it is found out what the function returns
+OF_EACH_TYPE = 4  # later answers of each type that count for that, too, since the first may all be False
 CHUNK = 32  # pairs that are asked at a time
 ASKED_TWICE = 12  # pairs that are asked a second time, to see whether the answer stays
 NEAR_PAIRS = 120
@@ -42,26 +44,13 @@ Asked = Sequence[tuple[Shape, Shape]]
 Steps = Generator[Asked, list[Outcome], Checked]
 
 
-class Options(NamedTuple):
-    """What `check` was asked for; its docstring says what each option means."""
-
-    returns: str | None
-    kinds: tuple[str, ...]
-    touching: str
-    tolerance: float
-    whole_numbers: bool
-    clockwise: bool
-    seed: int
-    seconds: float
-
-
 def steps(options: Options) -> Steps:
     """Check a function: yield the pairs to ask, get sent an Outcome for each, return what was found.
 
     Where fewer outcomes than pairs are sent, the last of them must be one without an answer.
     """
     begun = monotonic()
-    pairs = whole_number_pairs(options.kinds, options.seed)
+    pairs = whole_number_pairs(options.named_kinds, options.seed)
     if not options.clockwise:
         pairs = [Pair(_counter_clockwise(p.a), _counter_clockwise(p.b), p.kind, p.group) for p in pairs]
     outcomes: list[Outcome] = []
@@ -89,6 +78,8 @@ def steps(options: Options) -> Steps:
             left = sum(is_tolerated(r.a, r.b, r.truth, rules) for r in results)
             notes.append(f"The tolerance of {rules.tolerance:g} leaves {left} of {len(results)} pairs unjudged.")
         near = None if options.whole_numbers else (yield from _near(options, rules))
+        if isinstance(near, Result):
+            return _found(near, rules, results, unasked, notes, ())
         return Checked(True, rules, results=tuple(results), unasked=unasked, near=near, notes=tuple(notes))
     if bad.problem:
         return _found(bad, rules, results, unasked, notes, ())
@@ -113,8 +104,10 @@ def _counter_clockwise(shape: Shape) -> Shape:
 def _rules(options: Options, outcomes: Sequence[Outcome], pairs: Sequence[Pair]) -> tuple[Rules, list[str]]:
     """Return what counts as right, with what the function returns found out from its answers, and notes on it."""
     told = [(outcome.value, (p.a, p.b)) for outcome, p in zip(outcomes, pairs, strict=False) if not outcome.problem]
-    raws, asked = [raw for raw, _ in told[:FIRST_PAIRS]], [pair for _, pair in told[:FIRST_PAIRS]]
-    kind = options.returns or recognize(raws, asked, options.touching) or HIT
+    first = told[:FIRST_PAIRS]
+    for kind_of_value in {type(raw) for raw, _ in told[FIRST_PAIRS:]}:
+        first += [each for each in told[FIRST_PAIRS:] if type(each[0]) is kind_of_value][:OF_EACH_TYPE]
+    kind = options.returns or recognize([raw for raw, _ in first], [pair for _, pair in first], options.touching) or HIT
     rules = Rules(kind, options.touching, options.tolerance)
     if kind in (MTV, HIT_AND_MTV):
         counts = {moves: _right_count(told, rules._replace(moves=moves)) for moves in "BA"}
@@ -173,12 +166,23 @@ def _shrunk(bad: Result, rules: Rules, options: Options) -> Generator[Asked, lis
 
 
 def _is_fit(pair: Pair, bad: Result, options: Options) -> bool:
-    """Return whether a smaller pair is one that the function must know: no new dent, and no new order."""
-    if any(shape.is_convex < old.is_convex for shape, old in zip(pair[:2], bad.pair[:2], strict=True)):
+    """Return whether a smaller pair is one that the function must know: nothing that it was not asked about is new.
+
+    That is a dent, a vertex that is listed twice, clockwise order, or a slanted edge beside upright boxes only.
+    """
+    for shape, old in zip(pair[:2], bad.pair[:2], strict=True):
+        if shape.is_convex < old.is_convex or _has_repeats(shape) > _has_repeats(old):
+            return False
+    if set(options.named_kinds) == {BOXES} and kind_of(*pair[:2]) != BOXES:
         return False
     if not options.clockwise:
         return all(_counter_clockwise(shape) == shape for shape in pair[:2])
     return truth_of(pair.a, pair.b, HIT).relation is bad.truth.relation
+
+
+def _has_repeats(shape: Shape) -> bool:
+    """Return whether a vertex is listed twice."""
+    return len(set(shape.vertices)) < len(shape.vertices)
 
 
 def _touching_notes(results: Sequence[Result], rules: Rules) -> list[str]:
@@ -201,18 +205,23 @@ def _order_notes(results: Sequence[Result]) -> list[str]:
     return ["It is wrong only where vertices are in clockwise order: with clockwise=False it is right."]
 
 
-def _near(options: Options, rules: Rules) -> Generator[Asked, list[Outcome], Near | None]:
-    """Return how the function does on pairs that nearly touch, in rounded numbers; None where it gives no verdict."""
-    if rules.returns not in (HIT, RELATION, HIT_AND_MTV):
-        return None
-    pairs = list(near_pairs(options.kinds, options.seed, NEAR_PAIRS))
+def _near(options: Options, rules: Rules) -> Generator[Asked, list[Outcome], Near | Result | None]:
+    """Return how the function does on pairs that nearly touch, in rounded numbers; None where it gives no verdict.
+
+    Where it gives no answer for such numbers at all, the Result says so: that is no rounding.
+    """
+    gives_verdict = rules.returns in (HIT, RELATION, HIT_AND_MTV)
+    pairs = list(near_pairs(options.named_kinds, options.seed, NEAR_PAIRS))
     if not options.clockwise:
         pairs = [Pair(_counter_clockwise(p.a), _counter_clockwise(p.b), p.kind, p.group) for p in pairs]
     outcomes = yield [(pair.a, pair.b) for pair in pairs]
     asked, wrong, largest, smallest = 0, 0, 0.0, inf
     for pair, outcome in zip(pairs, outcomes, strict=False):
         result = judge(pair, outcome, rules)
-        if result.problem or result.truth.relation is Relation.TOUCHING:
+        if result.problem:
+            hint = "the numbers are not whole there (whole_numbers=True leaves such pairs out)"
+            return result._replace(line=f"{result.line}; {hint}")
+        if not gives_verdict or result.truth.relation is Relation.TOUCHING:
             continue
         hit = result.answer[0] if rules.returns == HIT_AND_MTV else result.answer
         asked += 1
@@ -223,7 +232,7 @@ def _near(options: Options, rules: Rules) -> Generator[Asked, list[Outcome], Nea
             wrong, largest = wrong + 1, max(largest, margin)
         else:
             smallest = min(smallest, margin)
-    return Near(asked, wrong, largest, smallest)
+    return Near(asked, wrong, largest, smallest) if gives_verdict else None
 
 
 def _found(

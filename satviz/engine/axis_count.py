@@ -45,6 +45,22 @@ def count_axes(a: Trace | Shape, b: Shape | None = None, names: Names = DEFAULT_
     return many, f"{_number_word(many)} axes are needed here: the ranges {meets}, and only all of them prove a hit."
 
 
+def axes_hint(trace: Trace) -> str:
+    """Return a sentence on how many axes are enough, without any gap; "" for a shortcut's run.
+
+    It fits beside a table of the trace's tests and a picture of any of them.
+    """
+    a, b = trace.a, trace.b
+    if trace.shortcut:
+        return ""
+    many, said = count_axes(trace)
+    if trace.relation is Relation.APART and many == 1:
+        return f"One axis with a gap is enough here.{_any_position_sentence(needed(a, b).axes, a, b)}"
+    if not trace.choice.complete and not trace.pairs:
+        return "The axes of this scene are not all that are needed: without a gap on them, nothing is proven."
+    return said
+
+
 def _any_position_sentence(axes: tuple[Axis, ...], a: Shape, b: Shape) -> str:
     """Return a sentence on how many axes are enough in any position; "" for circles or a concave shape."""
     if not (a.is_convex and b.is_convex) or (a.core_is_point and b.core_is_point):

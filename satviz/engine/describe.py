@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple, Protocol
 
 from .axes import (
@@ -24,7 +24,7 @@ from .axes import (
     Skip,
 )
 from .convex_parts import named_parts
-from .geometry import Relation, Vec
+from .geometry import Interval, Relation, Vec
 from .mtv import why_too_many_parts
 from .number_format import MINUS, Digits, digits_for_shapes, digits_for_tests, vector
 from .sat import AxisTest
@@ -143,28 +143,37 @@ def digits(trace: _Trace, *tests: AxisTest) -> Digits:
     return digits_for_tests((trace.a, trace.b), tests)
 
 
+def gap_in_words(gap: float, numbers: Digits) -> str:
+    """Return a gap in the one wording that every picture and table has: "gap +1.2", "touching, gap 0", "overlap 3"."""
+    if not gap:
+        return "touching, gap 0"
+    return f"gap {numbers.signed(gap)}" if gap > 0 else f"overlap {numbers.gap(gap)}"
+
+
+NumberFormat = Callable[..., Digits]  # of a trace and some of its tests, as `digits`
+
+
 def outcome(t: AxisTest, numbers: Digits) -> str:
-    """Return in words how the two ranges of a test lie: "gap +1.2", "touching, gap 0", "overlap 3"."""
-    if t.gap >= 0:
-        return f"gap {numbers.signed(t.gap)}" if t.gap else "touching, gap 0"
-    a, b = t.a.interval, t.b.interval
-    shared, depth = min(a.hi, b.hi) - max(a.lo, b.lo), numbers.gap(t.gap)
-    if shared < 0:  # a negative gap of ranges that are apart: a shortcut confuses the two
-        return f"gap {numbers.signed(t.gap)}"
-    # where one range contains the other, the depth is more than the length that they share
-    if -t.gap > 1.001 * shared and not numbers.fine:
-        return f"overlap {numbers.gap(shared)}, way out {depth}"
-    return f"overlap {depth}"
+    """Return the gap of a test in words; where one range holds the other also the way out: "overlap 1, way out 3"."""
+    shared = _shared_interval(t)
+    # the depth is then more than the length that they share
+    if 0 < shared.hi - shared.lo < -t.gap / 1.001 and not numbers.fine:
+        return f"{gap_in_words(shared.lo - shared.hi, numbers)}, way out {numbers.gap(t.gap)}"
+    return gap_in_words(t.gap, numbers)
 
 
 def picture_outcome(t: AxisTest, numbers: Digits) -> str:
     """Return what `outcome` says, but of ranges that overlap also the interval that they share."""
-    a, b = t.a.interval, t.b.interval
-    lo, hi = max(a.lo, b.lo), min(a.hi, b.hi)
-    if t.gap >= 0 or numbers.fine or numbers.origin or lo >= hi:
+    shared = _shared_interval(t)
+    if t.gap >= 0 or numbers.fine or numbers.origin or shared.lo >= shared.hi:
         return outcome(t, numbers)
-    depth = f"; way out {numbers.gap(t.gap)}" if -t.gap > 1.001 * (hi - lo) else ""
-    return f"overlap {numbers.interval(lo, hi)}\n{numbers.gap(hi - lo)} long{depth}"
+    return f"{outcome(t, numbers)}\n{numbers.interval(*shared)}"
+
+
+def _shared_interval(t: AxisTest) -> Interval:
+    """Return the interval that both ranges of a test cover; its `lo` is above its `hi` where there is none."""
+    a, b = t.a.interval, t.b.interval
+    return Interval(max(a.lo, b.lo), min(a.hi, b.hi))
 
 
 def conclusion(trace: _Trace, i: int) -> str:
@@ -208,12 +217,12 @@ def test_sentence(trace: _Trace, i: int) -> str:
     return f"{head}: {found}: not a separating axis."
 
 
-def verdict_sentence(trace: _Trace, move: Vec | None) -> str:
+def verdict_sentence(trace: _Trace, move: Vec | None, digits: NumberFormat = digits) -> str:
     """Return a sentence on the result of the whole run and what proves it; `move`: the MTV of an overlap."""
     if trace.shortcut:
-        return _shortcut_verdict(trace)
+        return _shortcut_verdict(trace, digits)
     if trace.pairs:
-        return _parts_verdict(trace, move)
+        return _parts_verdict(trace, move, digits)
     a, b = trace.names
     separating = trace.separating
     if separating:
@@ -231,7 +240,7 @@ def verdict_sentence(trace: _Trace, move: Vec | None) -> str:
         count += " (not a proof; the exact test decides)"
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: {count}, and they share no interior point. Touching is a hit."
-    return f"{a} and {b} overlap: {count}. {_mtv_sentence(trace, move)}"
+    return f"{a} and {b} overlap: {count}. {_mtv_sentence(trace, move, digits)}"
 
 
 def verdict_in_brief(trace: _Trace) -> str:
@@ -244,7 +253,7 @@ def verdict_in_brief(trace: _Trace) -> str:
 RELATION_PHRASES = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
 
 
-def _shortcut_verdict(trace: _Trace) -> str:
+def _shortcut_verdict(trace: _Trace, digits: NumberFormat) -> str:
     """Return a sentence on what a shortcut claims, the axis that made it do so, and what is true."""
     assert trace.shortcut
     a, b = trace.names
@@ -261,7 +270,7 @@ def _shortcut_verdict(trace: _Trace) -> str:
     return f"{says}, and so it is." if trace.claim is trace.relation else f"{says}. In truth they {is_so}."
 
 
-def _mtv_sentence(trace: _Trace, move: Vec | None) -> str:
+def _mtv_sentence(trace: _Trace, move: Vec | None, digits: NumberFormat) -> str:
     """Return a sentence that names the MTV `move`, or says why it is None."""
     if move is None and why_too_many_parts(trace.a, trace.b):
         return "They have too many convex parts to search for the MTV."
@@ -275,7 +284,7 @@ def _any_of_axes(n: int) -> str:
     return "the one axis" if n == 1 else "either axis" if n == 2 else f"any of the {n} axes"
 
 
-def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
+def _parts_verdict(trace: _Trace, move: Vec | None, digits: NumberFormat) -> str:
     """Return a sentence on the result of a run over pairs of convex parts; `move`: the MTV of an overlap."""
     a, b = trace.names
     settling = trace.colliding
@@ -284,7 +293,7 @@ def _parts_verdict(trace: _Trace, move: Vec | None) -> str:
     p, q = settling.names
     if trace.relation is Relation.TOUCHING:
         return f"{a} and {b} touch: their parts {p} and {q} do, and no parts overlap. Touching is a hit."
-    return f"{a} and {b} overlap: their parts {p} and {q} do. {_mtv_sentence(trace, move)}"
+    return f"{a} and {b} overlap: their parts {p} and {q} do. {_mtv_sentence(trace, move, digits)}"
 
 
 def scene(trace: _Trace) -> str:

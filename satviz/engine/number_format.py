@@ -21,12 +21,14 @@ class Digits(NamedTuple):
     """How the numbers of a scene are printed: their decimals, in units of 10**power, landings relative to `origin`.
 
     `origin` is in those units.  `fine` means: the gap is so small that ranges with these decimals cannot show it.
+    `padded`: every number has all decimals, zeros at its end too, so that its width does not change in a drag.
     """
 
     decimals: int = 3
     power: int = 0
     origin: int = 0
     fine: bool = False
+    padded: bool = False
 
     @property
     def unit(self) -> str:
@@ -75,13 +77,15 @@ class Digits(NamedTuple):
         return self._from_origin(f"[{self._rest(lo)}, {self._rest(hi)}]")
 
     def _for(self, gap: float) -> "Digits":
-        """Return this format, with enough decimals to show three significant digits of the gap."""
+        """Return this format, with enough decimals to show three significant digits of the gap unless it is padded."""
+        if self.padded:
+            return self
         decimals = _needed_decimals(abs(gap) / 10.0**self.power, 3)
         return self._replace(decimals=decimals) if self.decimals < decimals <= MAX_NARROW_DECIMALS else self
 
     def shows(self, gap: float) -> bool:
-        """Return whether this format's decimals show three significant digits of the gap."""
-        return _needed_decimals(abs(gap) / 10.0**self.power, 3) <= self.decimals
+        """Return whether this format's decimals show three significant digits of the gap, or one if it is padded."""
+        return _needed_decimals(abs(gap) / 10.0**self.power, 1 if self.padded else 3) <= self.decimals
 
     def _from_origin(self, text: str) -> str:
         """Return the text with the origin before it, if there is one, and the unit behind it: "(2000 + 2.5)e9"."""
@@ -100,10 +104,13 @@ class Digits(NamedTuple):
         """Return a number without its unit as text, in scientific notation where the decimals cannot show it."""
         scaled = value / 10.0**self.power
         text = f"{scaled + 0.0:.{self.decimals}f}"
-        if abs(scaled) >= MAX_WHOLE_NUMBER or (scaled and float(text) == 0):
+        if abs(scaled) >= MAX_WHOLE_NUMBER or (scaled and float(text) == 0 and not self.padded):
             return _scientific(scaled)
+        if float(text) == 0:
+            text = text.removeprefix("-")
         # a change of unit may cost the last bit
-        if isclose(float(text), scaled, rel_tol=1e-15 if self.power else 0.0) and "." in text:
+        exact = isclose(float(text), scaled, rel_tol=1e-15 if self.power else 0.0)
+        if exact and "." in text and not self.padded:
             text = text.rstrip("0").rstrip(".")
         return text.replace("-", MINUS)
 
@@ -142,6 +149,19 @@ def digits_for_shapes(*shapes: Shape) -> Digits:
         return Digits()
     # the size may be infinite: beyond float64
     return Digits(power=max(-300, min(300, 3 * floor(log10(min(size, 1e300)) / 3))))
+
+
+def steady_digits(shapes: Sequence[Shape], tests: Sequence[AxisTest], least_length: float) -> Digits:
+    """Return Digits for a drag, whose decimals depend on the least length that a reader can see, not on the gap.
+
+    Every number has the same decimals then.  Where they would hide a gap that is not 0, or where the numbers lie far
+    from the origin, the result is that of `digits_for_tests`.
+    """
+    usual = digits_for_tests(shapes, tests)
+    decimals = max(0, min(_needed_decimals(least_length / 10.0**usual.power, 1), MAX_NARROW_DECIMALS))
+    steady = usual._replace(decimals=decimals, padded=True)
+    hidden = any(t.gap and not steady.shows(t.gap) for t in tests)
+    return usual if usual.fine or usual.origin or hidden else steady
 
 
 def digits_for_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digits:

@@ -44,7 +44,7 @@ def answers(trace: Trace) -> Answers:
         return Answers(str(trace.claim), str(trace.relation), False)  # there is nothing to push
     claimed, actual = case.claimed_value(trace), case.true_value(trace.a, trace.b)
     if case.how in (FALSE_HIT, MISSED_HIT) and not isinstance(actual, tuple):
-        words = f"{trace.claim}, {case.in_words(claimed)}", f"{trace.relation}, {case.in_words(actual)}"
+        words = case.verdict_in_words(trace.claim, claimed), case.verdict_in_words(trace.relation, actual)
         return Answers(*words, bool(trace.claim) is not trace.hit)
     is_wrong = _contradicts(case, trace, claimed, actual)
     return Answers(case.in_words(claimed), case.in_words(actual), is_wrong)

@@ -13,8 +13,8 @@ from .axis_place import AxisPlace
 from .claims import answers, verdict_words
 from .comparison import draw_answer, strike_wrong_answers
 from .default_panels import draw_push
-from .drag import ShownTest
-from .label_placer import LabelOffsets
+from .drag import ShownTest, drag_digits, drag_sentence
+from .label_placer import LabelMemory
 from .layout import Layout, place_axis_within
 from .marks import Mark, Picture
 from .sketch import Sketch
@@ -27,13 +27,14 @@ def drag_view(
     *,
     show_mtv: bool = False,
     last_out: Vec | None = None,
-    last_offsets: LabelOffsets | None = None,
+    memory: LabelMemory | None = None,
 ) -> tuple[Picture, AxisPlace | None]:
     """Return the picture of a shortcut's run while dragging, and the place of its axis (None: no axis shown).
 
     The picture shows what the shortcut measured in the chosen test, its answer and its error region.
     """
     sketch, place = Sketch(trace, layout), None
+    sketch.digits = drag_digits(layout)
     region = error_region_marks(trace, layout)
     sketch.marks += [mark for mark in region if mark.part == "reference"]  # words keep off it
     test = trace.tests[shown.test] if shown and trace.tests else None
@@ -48,14 +49,16 @@ def drag_view(
         place = place_axis_within(layout, (trace.a, trace.b), test, last_out)
         sketch.edge(test)
         sketch.normal(test)
-        sketch.project(test, place, interval=False)
+        sketch.project(test, place, numbers=False)
     draw_answer(sketch, trace, "claim", verdict_words(trace)[0], answers(trace).claimed)
     if show_mtv and not trace.pairs:  # pieces show their pushes themselves
         draw_push(sketch)
     if region:
         text = f"dot {'on' if region[0].kind == 'segment' else 'in'} the red:\nthe shortcut is wrong"
         sketch.note("error-region-name", text, "ink", first=6)  # red words would be lost on the red
-    drawn = strike_wrong_answers(sketch.finish("", trace.sentence, steady=False, last_offsets=last_offsets), trace)
+    drawn = strike_wrong_answers(
+        sketch.finish("", drag_sentence(trace, layout, shown), steady=False, memory=memory), trace
+    )
     return drawn._replace(marks=(*(mark for mark in region if mark.part != "reference"), *drawn.marks)), place
 
 

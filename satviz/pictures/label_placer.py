@@ -6,8 +6,9 @@ left corner of the canvas; requests and marks are in scene units.
 
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
-from itertools import chain, pairwise
-from math import cos, hypot, pi, sin
+from dataclasses import dataclass, field
+from itertools import pairwise
+from math import cos, dist, hypot, pi, sin
 from typing import NamedTuple
 
 from ..engine.geometry import Vec
@@ -35,7 +36,15 @@ MAX_OPTIONAL_COST = 300  # an optional label whose best spot costs so much or mo
 OTHER_SIDE_COST = 200  # of standing beyond the separating line
 WALL_COST = 150  # of standing beyond the label's own wall
 ANYWHERE_COST = 60  # of a spot that has nothing to do with the anchor
-MOVE_COST = 50.0  # a label stays where it was unless another spot is cheaper by more; a guide line is no reason
+# while a shape is dragged
+MAX_MOVE_PT = (
+    16.5  # of a label from one pose to the next, unless its target moves more: 24 px where the picture is largest
+)
+LEAP_PT = 24.0  # a label whose target moves more may stand elsewhere
+GLIDES_PT = 4.0, 8.0, 12.0  # by which a label may move off its target in one pose
+MOVE_COST = 6.0  # a label stays where it was unless another spot is cheaper by more
+MISSING_POSES = 12  # for which a label without a clear spot nearby is left out, before it may stand elsewhere
+TOUCH_COST, NEAR_PT = 10.0, 3.0  # for each point that a label is nearer to its anchor than it should be
 
 
 class LabelRequest(NamedTuple):
@@ -61,6 +70,7 @@ class LabelRequest(NamedTuple):
     steady: bool = False  # stands at one spot in all steps
     wall: Segment | None = None  # the label belongs on its anchor's side of this line
     pieces: tuple[tuple[str, str], ...] = ()  # the text in pieces, each with its own role: (text, role)
+    target: Vec | None = None  # what the label follows in a drag, where its anchor may change; else its anchor
 
     @property
     def key(self) -> LabelKey:
@@ -80,28 +90,45 @@ class LabelOptions(SharedOptions, total=False):
     steady: bool
     wall: Segment | None
     pieces: tuple[tuple[str, str], ...]
+    target: Vec | None
 
 
-class LabelOffset(NamedTuple):
-    """Where a label stood in the last picture: points from its anchor, and the cost of that spot by itself."""
+class LabelSpot(NamedTuple):
+    """Where a label and its target stood in the last picture (points), in how many lines, and since when it is missing.
 
-    right: float
-    up: float
-    cost: float
+    `missing`: for how many poses it has been left out; 0 for a label that is shown.
+    """
+
+    at: Spot
+    target: Spot
+    lines: int = 1
+    missing: int = 0
 
 
-LabelOffsets = dict[LabelKey, LabelOffset]
+@dataclass
+class LabelMemory:
+    """How the labels stood in the last picture of a drag, so that none leaps; a placer updates it.
+
+    `resting`: the drag has ended, so a label that covers something or is missing may go anywhere.
+    """
+
+    spots: dict[LabelKey, LabelSpot] = field(default_factory=dict)
+    resting: bool = True
+
+    def copy(self) -> "LabelMemory":
+        """Return a memory that can be changed without changing this one."""
+        return LabelMemory(dict(self.spots), self.resting)
 
 
 class LabelPlacer:
     """Places labels one by one, each on the cheapest spot given the marks and labels noted so far.
 
-    `kept`: labels of other steps, which keep their spots; `last_offsets`: see `with_labels`.
+    `kept`: labels of other steps, which keep their spots; `memory`: see `with_labels`.
     """
 
-    def __init__(self, layout: Layout, kept: Sequence[Mark] = (), last_offsets: LabelOffsets | None = None) -> None:
+    def __init__(self, layout: Layout, kept: Sequence[Mark] = (), memory: LabelMemory | None = None) -> None:
         self.layout = layout
-        self.last_offsets: LabelOffsets = {} if last_offsets is None else last_offsets
+        self.memory = memory
         self.kept = [mark for mark in kept if mark.kind == "label"]
         self.strokes: list[tuple[float, float, float, float, float]] = []  # x, y, x, y, cost of covering it
         self.walls: list[tuple[Spot, Spot]] = []  # steady labels stay on their anchors' side of these
@@ -214,55 +241,114 @@ class LabelPlacer:
         return at
 
     def _place(self, request: LabelRequest) -> tuple[LabelRequest, Vec | None]:
-        """Return the request, perhaps broken into lines, and its label's center (None if left out).
+        """Return the request, perhaps broken into lines, and its label's center (None if left out)."""
+        target = self._in_points(request.target or request.anchor)
+        last = self.memory.spots.get(request.key) if self.memory else None
+        if self.memory is None or last is None:
+            return self._place_freely(request, target)
+        moved = dist(target, last.target)
+        if moved > LEAP_PT or last.missing >= MISSING_POSES:
+            return self._place_freely(request, target)
+        if last.lines > 1:
+            width = text_size(request.text, request.weight)[0]
+            request = request._replace(text=wrap_text(request.text, width / last.lines, request.weight))
+        spot, cost = self._spot_nearby(request, last, target, MAX_MOVE_PT - moved)
+        if self.memory.resting and (last.missing or cost >= STROKE_COST):
+            return self._place_freely(request._replace(text=request.text.replace("\n", " ")), target)
+        if cost >= (MAX_OPTIONAL_COST if request.optional and not request.far else COVER_COST):
+            self.memory.spots[request.key] = LabelSpot(spot, target, last.lines, last.missing + 1)
+            return request, None
+        self.memory.spots[request.key] = LabelSpot(spot, target, last.lines)
+        return request, self._take(request, spot, cost)
+
+    def _place_freely(self, request: LabelRequest, target: Spot) -> tuple[LabelRequest, Vec | None]:
+        """Return the request and its label's center, wherever its label stood before (None if left out).
 
         A label that must be shown is broken into 2 or 3 lines where it would cover something in one.
         """
-        spot, cost, own_cost = self._best_spot(request)
-        width = text_size(request.text, request.weight)[0]
+        spot, cost = self._best_spot(request)
+        width, count = text_size(request.text, request.weight)[0], 1
         for lines in (2, 3) if not (request.optional or request.pieces) else ():
             if cost < COVER_COST:
                 break
             slim = request._replace(text=wrap_text(request.text, width / lines, request.weight))
-            slim_spot, slim_cost, slim_own_cost = self._best_spot(slim)
+            slim_spot, slim_cost = self._best_spot(slim)
             if slim_cost < cost:
-                request, spot, cost, own_cost = slim, slim_spot, slim_cost, slim_own_cost
-        x, y = self._in_points(request.anchor)
-        self.last_offsets[request.key] = LabelOffset(spot[0] - x, spot[1] - y, own_cost)
-        return request, self._take(request, spot, cost)
+                request, spot, cost, count = slim, slim_spot, slim_cost, lines
+        at = self._take(request, spot, cost)
+        if self.memory is not None:
+            stands = spot if at is None else self._in_points(at)
+            self.memory.spots[request.key] = LabelSpot(stands, target, count, int(at is None))
+        return request, at
 
-    def _best_spot(self, request: LabelRequest) -> tuple[Spot, float, float]:
-        """Return the cheapest spot for a label, its cost, and its cost without what is covered there."""
+    def _spot_nearby(self, request: LabelRequest, last: LabelSpot, target: Spot, most: float) -> tuple[Spot, float]:
+        """Return the cheapest spot no more than `most` points from where the label has followed its target to.
+
+        Guide lines cost nothing: they end at labels.
+        """
+        w, h = (side / 2 for side in text_size(request.text, request.weight))
+        x, y = last.at[0] + target[0] - last.target[0], last.at[1] + target[1] - last.target[1]
+        spots = [(x, y)]
+        for size in GLIDES_PT:
+            spots += [(x + u.x * size, y + u.y * size) for u in DIRECTIONS if size <= most]
+        width, height = self.layout.size
+        best, found = float("inf"), (x, y)
+        for i, (sx, sy) in enumerate(spots):
+            inside = (
+                min(max(sx, w + RIM_PT), max(width - w - RIM_PT, w + RIM_PT)),
+                min(max(sy, h + RIM_PT), max(height - h - RIM_PT, h + RIM_PT)),
+            )
+            spot = inside if dist(inside, (x, y)) <= most else (sx, sy)
+            cost = self._cost_of_distance(request, spot, w, h) + (MOVE_COST if i else 0.0)
+            if cost < best:
+                cost += self.cover_cost(spot, w + 2, h + 1, best - cost, guides=False)
+            if cost < best:
+                best, found = cost, spot
+        return found, best
+
+    def _cost_of_distance(self, request: LabelRequest, spot: Spot, w: float, h: float) -> float:
+        """Return the cost of a spot for a label 2w by 2h without what it covers: its distance from the anchors."""
+        (x, y), cost = spot, float("inf")
+        for rank, anchor in enumerate((request.anchor, *request.along)):
+            ax, ay = self._in_points(anchor)
+            if request.inside or request.far:
+                away = dist(spot, (ax, ay)) + rank / 8
+            else:
+                off = hypot(max(abs(x - ax) - w, 0.0), max(abs(y - ay) - h, 0.0))
+                away = off + max(NEAR_PT - off, 0.0) * TOUCH_COST + rank
+            cost = min(cost, away)
+        return cost + self._cost_of_side(request, spot)
+
+    def _cost_of_side(self, request: LabelRequest, spot: Spot) -> float:
+        """Return the cost of standing on the wrong side of a separating line or of the label's own wall."""
+        anchor, cost = self._in_points(request.anchor), 0.0
+        if request.steady and any(on_opposite_sides(anchor, spot, line) for line in self.walls):
+            cost += OTHER_SIDE_COST
+        if request.wall:
+            wall = self._in_points(request.wall[0]), self._in_points(request.wall[1])
+            cost += WALL_COST if on_opposite_sides(anchor, spot, wall) else 0.0
+        return cost
+
+    def _best_spot(self, request: LabelRequest) -> tuple[Spot, float]:
+        """Return the cheapest spot for a label, and its cost."""
         w, h = text_size(request.text, request.weight)
         anchor = self._in_points(request.anchor)
-        wall = request.wall and (self._in_points(request.wall[0]), self._in_points(request.wall[1]))
-        best, found, found_own_cost, found_bonus = float("inf"), anchor, 0.0, 0.0
-        spots: Iterator[tuple[Spot, float, float]]
-        spots = ((spot, cost, 0.0) for spot, cost in self._near_spots(request, w / 2, h / 2))
-        if last := self.last_offsets.get(request.key):
-            spot_before = anchor[0] + last.right, anchor[1] + last.up
-            spots = chain([(spot_before, last.cost - MOVE_COST, MOVE_COST)], spots)
-        for spot, cost, bonus in spots:
+        best, found = float("inf"), anchor
+        for spot, cost in self._near_spots(request, w / 2, h / 2):
             if cost >= best:
                 break
-            own_cost = cost + bonus
-            if request.steady and any(on_opposite_sides(anchor, spot, line) for line in self.walls):
-                cost += OTHER_SIDE_COST
-            if wall and on_opposite_sides(anchor, spot, wall):
-                cost += WALL_COST
+            cost += self._cost_of_side(request, spot)
             cost += self.cover_cost(spot, w / 2 + 2, h / 2 + 1, best - cost)
             if cost < best:
-                best, found, found_own_cost, found_bonus = cost, spot, own_cost, bonus
+                best, found = cost, spot
             if best <= 0:
                 break
-        best += found_bonus
         if best >= COVER_COST and not request.far and not request.optional:
             for spot, cost in self._spots_anywhere(w / 2, h / 2, anchor):
-                own_cost = cost
                 cost += self.cover_cost(spot, w / 2 + 2, h / 2 + 1, best - cost)
                 if cost < best:
-                    best, found, found_own_cost = cost, spot, own_cost
-        return found, best, found_own_cost
+                    best, found = cost, spot
+        return found, best
 
     def _take(self, request: LabelRequest, spot: Spot, cost: float) -> Vec | None:
         """Reserve the spot for a label and return its center in scene units; None if it is left out.
@@ -321,8 +407,11 @@ class LabelPlacer:
                 y = RIM_PT + h + (height - 2 * (RIM_PT + h)) * j / GRID_STEPS
                 yield (x, y), ANYWHERE_COST + hypot(x - near[0], y - near[1]) / 10
 
-    def cover_cost(self, spot: Spot, w: float, h: float, limit: float) -> float:
-        """Return the cost of what a label 2w by 2h centered at `spot` covers; stop once over `limit`."""
+    def cover_cost(self, spot: Spot, w: float, h: float, limit: float, *, guides: bool = True) -> float:
+        """Return the cost of what a label 2w by 2h centered at `spot` covers; stop once over `limit`.
+
+        Without `guides` a guide line costs nothing.
+        """
         cx, cy = spot
         x0, y0, x1, y1 = cx - w, cy - h, cx + w, cy + h
         cost = 0.0 if self._is_inside((x0, y0, x1, y1)) else OUTSIDE_COST
@@ -337,7 +426,7 @@ class LabelPlacer:
             # most strokes are far away: this quick check rejects them without a call
             if (sx < x0 and tx < x0) or (sx > x1 and tx > x1) or (sy < y0 and ty < y0) or (sy > y1 and ty > y1):
                 continue
-            if clip_segment(sx, sy, tx, ty, x0, y0, x1, y1):
+            if (guides or stroke_cost != GUIDE_COST) and clip_segment(sx, sy, tx, ty, x0, y0, x1, y1):
                 cost += stroke_cost
         return cost
 

@@ -8,7 +8,7 @@ from ..engine import describe
 from ..engine.geometry import Vec
 from ..engine.shapes import Circle, Shape, centroid
 from .float_geometry import Box, boxes_overlap, clip_segment, midpoint, point_along
-from .label_placer import KEPT_FREE_COST, LabelKey, LabelOffsets, LabelPlacer, LabelRequest, Segment
+from .label_placer import KEPT_FREE_COST, LabelKey, LabelMemory, LabelPlacer, LabelRequest, Segment
 from .layout import Layout
 from .letters import text_size
 from .marks import Mark
@@ -24,17 +24,17 @@ def with_labels(
     steady: bool = False,
     keep_off: Sequence[Segment] = (),
     kept: Sequence[Mark] = (),
-    last_offsets: LabelOffsets | None = None,
+    memory: LabelMemory | None = None,
 ) -> list[Mark]:
     """Return the marks, then a label for each request that finds a place; earlier requests choose first.
 
     `steady`: the names of shapes and vertices keep off what every step has (the outlines, and `keep_off`, where
     normals will stand) and off nothing else, so that they stand at one spot in all steps.
     `kept`: labels of other steps; a label that is requested again stays where it is.
-    `last_offsets`: where the labels stood in the picture before, while a shape is dragged; a label whose spot is
-    still clear stays there.  It is updated.
+    `memory`: how the labels stood in the picture before, while a shape is dragged; they follow their targets, and
+    move off what comes in their way by a little at a time.  It is updated.
     """
-    placer = LabelPlacer(layout, kept, last_offsets)
+    placer = LabelPlacer(layout, kept, memory)
     insets = [mark for mark in marks if mark.part in ("inset", "inset-name")]
     for mark in insets:
         placer.add_mark(mark)
@@ -57,6 +57,9 @@ def with_labels(
     for mark in others if steady else ():
         placer.add_mark(mark)
     labels += placer.labels(rest)
+    if memory is not None:
+        there = {r.key for r in requests}
+        memory.spots = {key: spot for key, spot in memory.spots.items() if key in there}
     labels = _without_covered(labels, requests, layout)
     boxes = [_label_box(mark, layout) for mark in labels if mark.kind == "label"]
     cut = (_cut_at_labels(m, boxes) if m.role == "guide" and m.kind == "segment" else m for m in marks)

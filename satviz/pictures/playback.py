@@ -157,7 +157,7 @@ def playback_steps(trace: Trace) -> list[Step]:
     return every
 
 
-def table_rows(trace: Trace) -> list[dict[str, Any]]:
+def table_rows(trace: Trace, number_format_of: describe.NumberFormat = describe.digits) -> list[dict[str, Any]]:
     """Return the rows of the table: each test, then the axes left out, for each pair of convex parts in turn."""
     found = []
     for pair in trace.pairs or (trace,):
@@ -165,7 +165,7 @@ def table_rows(trace: Trace) -> list[dict[str, Any]]:
         of = f"{pair.names.a} and {pair.names.b}" if trace.pairs else ""
         for i, t in enumerate(pair.tests, 1):
             row = {"pair": of, "number": i, "axis": describe.axis_name(t.axis, shapes, pair.names), "gap": t.gap}
-            digits = describe.digits(pair, t)
+            digits = number_format_of(pair, t)
             row |= {"direction": number_format.vector(t.axis.direction), "outcome": describe.outcome(t, digits)}
             row |= dict(zip("ab", digits.ranges(t), strict=True))
             found.append(row)

@@ -7,13 +7,14 @@ from collections.abc import Collection, Sequence
 from itertools import pairwise
 from typing import Unpack
 
+from ..engine import describe
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape, centroid
 from ..engine.trace import Trace
 from .float_geometry import clip_line, clip_segment, point_along
 from .insets import Role, inset_marks, is_too_small
-from .label_placer import LabelOffsets, LabelOptions, LabelRequest, Segment
+from .label_placer import LabelMemory, LabelOptions, LabelRequest, Segment
 from .labels import contains_point, name_spots, short_name, with_labels
 from .layout import Layout
 from .marks import Mark, MarkOptions, Picture
@@ -31,6 +32,7 @@ class ShapeSketch:
     def __init__(self, trace: Trace, layout: Layout) -> None:
         self.trace = trace
         self.layout = layout
+        self.digits: describe.NumberFormat = describe.digits
         self.marks: list[Mark] = []
         self.requests: list[tuple[int, LabelRequest]] = []
 
@@ -59,7 +61,12 @@ class ShapeSketch:
             other = self.trace.b if role == "A" else self.trace.a
             spot, *along = sorted(name_spots(shape), key=lambda p: contains_point(other, p))
             options: LabelOptions = {"owner": name, "along": tuple(along), "inside": True, "steady": True}
-            options |= {"weight": "plain" if quiet else "title", "optional": quiet, "near": quiet}
+            options |= {
+                "target": centroid(shape),
+                "weight": "plain" if quiet else "title",
+                "optional": quiet,
+                "near": quiet,
+            }
             self.label("name", name, role, spot, **options)
 
     def bounding_boxes(self) -> None:
@@ -164,7 +171,7 @@ class ShapeSketch:
         *,
         steady: bool = True,
         kept: Sequence[Mark] = (),
-        last_offsets: LabelOffsets | None = None,
+        memory: LabelMemory | None = None,
     ) -> Picture:
         """Place the labels and return the picture; `with_labels` explains the options."""
         requests = [request for _, request in sorted(self.requests, key=lambda r: r[0])]
@@ -175,6 +182,6 @@ class ShapeSketch:
             steady=steady,
             keep_off=self.upcoming_normals(),
             kept=kept,
-            last_offsets=last_offsets,
+            memory=memory,
         )
         return Picture(tuple(marks), self.layout.limits, self.layout.size, title, sentence)

@@ -60,9 +60,9 @@ def sheet(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "") -
     y = top - ROW_PT * len(shown)
     if rest:
         best = max(rest, key=lambda row: row.test.gap)
-        gap = describe.digits(best.run, best.test).signed(best.test.gap)
+        gap = describe.gap_in_words(best.test.gap, describe.digits(best.run, best.test))
         y -= 16
-        marks.append(_text_from("rest", f"and {len(rest)} more, best gap {gap}", "guide", MARGIN_PT, y))
+        marks.append(_text_from("rest", f"and {len(rest)} more, at best {gap}", "guide", MARGIN_PT, y))
     for n, line in enumerate(lines):
         marks.append(_text_from("sentence", line, "ink", MARGIN_PT, y - MARGIN_PT - 8 - 16 * n, number=n))
     count = f"{len(every)} {'axis' if len(every) == 1 else 'axes'}"

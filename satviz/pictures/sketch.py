@@ -305,10 +305,11 @@ class Sketch(ShapeSketch):
         if not named:
             return
         out = place.out if role == "B" else Vec(-place.out.x, -place.out.y)
-        text = range_label(name, describe.digits(self.trace, test).ranges(test)["AB".index(role)]) if numbers else name
+        text = range_label(name, self.digits(self.trace, test).ranges(test)["AB".index(role)]) if numbers else name
         p, q = (point_along(end, out, self.layout.units(BAR_PT)) for end in ends)  # a gutter between bar and label
         spot, *along = (Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for f in (0.5, 0.3, 0.7, 0.1, 0.9))
         options: LabelOptions = {"owner": name, "axis": self.axis_id(test), "along": tuple(along), "prefer": out}
+        options["target"] = midpoint(*ends)
         options["wall"] = place.ends  # the label stays on its own side of the axis
         self.label("range-name", text, role, spot, first=1, **options)
 
@@ -327,7 +328,7 @@ class Sketch(ShapeSketch):
             return
         self.insets(test)
         anchor = midpoint(*points[1:3]) if kind == "bracket" else midpoint(*ends)
-        text = (describe.picture_outcome if interval else describe.outcome)(test, describe.digits(self.trace, test))
+        text = (describe.picture_outcome if interval else describe.outcome)(test, self.digits(self.trace, test))
         self.label(
             "gap-name",
             f"{text}\n{remark}" if remark else text,

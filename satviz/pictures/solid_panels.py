@@ -3,8 +3,9 @@
 from collections.abc import Callable, Sequence
 from math import sqrt
 
+from ..engine.describe import gap_in_words
 from ..engine.geometry import Vec
-from ..engine.number_format import number, signed
+from ..engine.number_format import Digits
 from ..engine.shapes import Polygon
 from ..engine.trace import Trace
 from ..scenes.failing.move_space import convex_hull
@@ -63,7 +64,7 @@ def solid_panel(*, actual: bool) -> Panel:
                 at,
                 start,
                 n,
-                f"face normal {best.name}: overlap {number(-best.gap)}\n{PROVES_NOTHING}",
+                f"face normal {best.name}: {gap_in_words(best.gap, Digits())}\n{PROVES_NOTHING}",
                 best.name[0],
             )
         _draw_plan(sketch, wide, high)
@@ -92,7 +93,7 @@ def _draw_crossing_edges(sketch: Sketch, best: AxisGap, at: Callable[[Vec3], Vec
         p, q = ends[0], ends[-1]
         sketch.add("facing-edge", "segment", role, at(p), at(q), owner=role, weight="strong")
     start = tuple((p + q) / 2 for p, q in zip(a.center, b.center, strict=True))
-    _draw_axis(sketch, at, start, n, f"{best.name}: gap {signed(best.gap)}", "gap")
+    _draw_axis(sketch, at, start, n, f"{best.name}: {gap_in_words(best.gap, Digits())}", "gap")
 
 
 def _draw_axis(

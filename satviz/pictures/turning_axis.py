@@ -12,7 +12,7 @@ One angle moves everything: the axis, the needle of the dial and the playhead of
 from collections.abc import Sequence
 from math import hypot
 
-from ..engine import number_format
+from ..engine import describe, number_format
 from ..engine.axes import GIVEN, Axis, Source
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest, project
@@ -113,11 +113,8 @@ def _axis_marks(shapes: tuple[Shape, Shape], degree: float) -> list[Mark]:
         marks.append(Mark("gap", "bracket", "gap", (at(lo, near), at(lo, far), at(hi, far), at(hi, near))))
     elif test.gap < 0:
         marks.append(Mark("overlap", "interval", "overlap", (at(lo), at(hi))))
-    says = "a gap" if test.gap > 0 else "the ranges overlap" if test.gap < 0 else "the ranges touch"
-    digits = number_format.digits_for_shapes(*shapes)
-    size = f" {digits.signed(test.gap)}" if test.gap > 0 else f" by {digits.gap(test.gap)}" if test.gap < 0 else ""
     role = "gap" if test.gap > 0 else "overlap" if test.gap < 0 else "ink"
-    text = f"{degree}\u00b0: {says}{size}"
+    text = f"{degree}\u00b0: {describe.gap_in_words(test.gap, number_format.digits_for_shapes(*shapes))}"
     left = Vec(20.0 + text_size(text)[0] / 2, HEAD_PT)
     return [*marks, Mark("says", "label", role, (left,), text=text)]
 

@@ -278,7 +278,7 @@ def failed_axes(trace: Trace, *, title: str = "") -> Picture:
     for test, place in zip(shown, layout.places, strict=True):
         sketch.axis(test, place, named=False)
         kind = "normal of the hull alone" if test.source.kind == HULL and not _is_edge(trace, test) else "edge normal"
-        text = f"{kind}:\noverlap {digits.gap(test.gap)}"
+        text = f"{kind}:\n{describe.gap_in_words(test.gap, digits)}"
         options: LabelOptions = {"axis": sketch.axis_id(test), "along": (place.at(place.lo),), "prefer": place.n}
         sketch.label("axis-caption", text, "ink", place.at(place.hi), first=1, **options)
         for role in "AB":

@@ -43,7 +43,9 @@ def site(*, pyodide: Path | None = None, live: bool = True) -> tuple[Iterator[tu
         missing.append(f"the site has no reference: {error}")
     script, style = _script(), _style()
     python |= {"worker.js": javascript("../../site/browser/worker").encode()} if python else {}
-    version = sha256(b"".join([script, style, *(python[name] for name in sorted(python))])).hexdigest()[:12]
+    version = sha256(
+        b"".join([script, style, _browser_file("embed.js"), *(python[name] for name in sorted(python))])
+    ).hexdigest()[:12]
     return _files(script, style, python, version, reference_files), missing
 
 
@@ -55,6 +57,7 @@ def _files(
     chapter_bodies = [chapter_body(chapter) for chapter in frame.chapters]  # may raise: then nothing is written
     yield "site.js", script
     yield "site.css", style
+    yield "embed.js", _browser_file("embed.js")
     yield "sw.js", _browser_file("sw.js").replace(b"VERSION", version.encode())
     yield "icon.svg", ICON.format(MADE_BY).encode()
     for name, data in python.items():

@@ -4,7 +4,7 @@ import ast
 import io
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import redirect_stdout
 from html import escape
 from typing import Any, NamedTuple
@@ -19,30 +19,19 @@ from .shipped import shipped_notebooks
 from .themed import themed_svg
 
 NEIGHBOUR_LINK = re.compile(r"(Back|Next): \[")  # a notebook's links to its neighbours; a page has other ones
-# phrases that are true of a notebook only, and the words of the page instead
-NOTEBOOK_PHRASES = [
-    (re.compile(r"(?<!\S)[^.\n]*Shift\+Enter[^.\n]*\. Then drag"), "Drag"),
-    # a removed sentence leaves the space before it, so that the sentences around it stay separate
-    (re.compile(r"(?<!\S)[^.\s][^.\n]*Shift\+Enter[^.\n]*\.|\([^()]*(web page|run the cell)[^()]*\)"), ""),
-    (re.compile(r"(?<=efore you )run (the next cell|the cell after it|a cell|it)\b"), "look"),
-    (re.compile(r"\bThe next cell (shows|draws)\b"), "Below you see"),
-    (re.compile(r"\bIn the next cell\b"), "Below"),
-    (re.compile(r"\bin the next cell\b"), "below"),
-    (re.compile(r"\bThe (next )?cell\b(?= [a-z]+s\b)"), "The code below"),
-    (re.compile(r"\bthe (next cell|cell after it)\b"), "the code below"),
-]
+# a comment in a paragraph of a notebook: the words that stand there on the page; none leave the paragraph out
+PAGE_WORDS = re.compile(r"[\s\S]*<!-- page:\s*([\s\S]*?)\s*-->[\s\S]*")
+CHOICES = "<!-- choices:"  # begins the comment with the choices of a question
+CHOICE = re.compile(r"([+-]) (.+?) \| (.+)")  # a line of it: whether it is right, the choice, what is said about it
 # a question: bold words that end in a question mark, or in a colon with a question behind them
 QUESTION = re.compile(r"\*\*[^*]*(\?\*\*|:\*\*.*\?)", re.DOTALL)
 SUMMARY = "<summary>The answer</summary>"
 FOLD = f"<details>{SUMMARY}"  # a notebook hides the answer to a question with this tag
-SLIDER_NOTE = (
-    '<p class="instead">The notebook has a slider here. It needs Python on your machine: <code>satviz notebook</code> '
-    "gives you a copy of the notebook.</p>"
-)
+FRAMES = 13  # pictures of a slider
 
 
 class Widget(NamedTuple):
-    """An explorer or a player as HTML; `answers` is True if it shows the answer to the question before it."""
+    """An explorer, a player or a slider as HTML; `answers`: does it show the answer to the question before it?"""
 
     html: str
     answers: bool
@@ -77,14 +66,13 @@ def chapter_body(chapter: Chapter) -> str:
             continue
         shown = widgets.widget(i)
         if shown is None or len(ast.parse(source).body) > 1:  # the code of a widget alone says nothing more
-            text.add(_folded_code(source), part_of_question=True)
+            text.add(_folded_code(source), part_of_question=True, before_choices=shown is not None)
         if shown:
-            text.add(shown.html, part_of_question=not shown.answers)
-        elif not cell["outputs"] and isinstance(ast.parse(source).body[-1], ast.Expr):
-            text.add(SLIDER_NOTE, part_of_question=True)  # the notebook's own widget, which has no picture
+            text.add(shown.html, part_of_question=not shown.answers, before_choices=True)
         else:
             for output in sorted(cell["outputs"], key=_is_question_picture, reverse=True):
-                text.add(_output_html(output), part_of_question=_is_question_picture(output))
+                asked = _is_question_picture(output)
+                text.add(_output_html(output), part_of_question=asked, before_choices=asked)
     return text.html()
 
 
@@ -92,16 +80,19 @@ class _FoldedText:
     """The parts of a chapter in order, with the answer to each question folded.
 
     An answer is everything from its question up to the next heading or question.  What belongs to the question stays
-    outside the fold: code, shapes and explorers that follow the question directly.  A printed page shows all answers.
+    outside the fold: code, shapes and explorers that follow the question directly, then its choices.
     """
 
     def __init__(self) -> None:
         self.parts: list[str] = []
         self.answer: list[str] | None = None  # the parts of the present answer; None where no question is open
+        self.choices = ""  # the choices of the present question, until they are placed
 
-    def add(self, html: str, *, part_of_question: bool = False) -> None:
+    def add(self, html: str, *, part_of_question: bool = False, before_choices: bool = False) -> None:
         """Add a part; with `part_of_question` it stays unfolded if it follows the question directly."""
         outside = self.answer is None or (part_of_question and not self.answer)
+        if not before_choices or not outside:
+            self._place_choices()
         (self.parts if outside or self.answer is None else self.answer).append(html)
 
     def ask(self, question: str) -> None:
@@ -110,8 +101,20 @@ class _FoldedText:
         self.parts.append(question)
         self.answer = []
 
+    def offer(self, choices: str) -> None:
+        """Add the choices of the question that was just asked, below the shapes that it is about."""
+        assert self.answer == [], f"these choices follow no question: {choices}"
+        self.choices = choices
+
+    def _place_choices(self) -> None:
+        """Add the choices that have no place yet."""
+        if self.choices:
+            self.parts.append(self.choices)
+        self.choices = ""
+
     def end_answer(self) -> None:
-        """Fold the answer that was added so far, if there is one."""
+        """Place the choices, and fold the answer that was added so far, if there is one."""
+        self._place_choices()
         if self.answer:
             self.parts.append(f'<details class="later">{SUMMARY}{"".join(self.answer)}</details>')
         self.answer = None
@@ -122,11 +125,15 @@ class _FoldedText:
         return "\n".join(self.parts)
 
 
+def page_words(source: str) -> str:
+    """Return a notebook's Markdown in the words of a page: without links to neighbours, and with other paragraphs."""
+    paragraphs = (PAGE_WORDS.sub(r"\1", p) for p in source.split("\n\n") if not NEIGHBOUR_LINK.match(p))
+    return "\n\n".join(filter(None, paragraphs))
+
+
 def _add_prose(text: _FoldedText, markdown: Any, source: str) -> None:
     """Add a Markdown cell in the words of a page, without the notebook's fold: the page folds answers itself."""
-    for pattern, replacement in NOTEBOOK_PHRASES:
-        source = pattern.sub(replacement, source)
-    source = "\n\n".join(p for p in source.split("\n\n") if not NEIGHBOUR_LINK.match(p))
+    source = page_words(source)
     env: dict[str, Any] = {}
     tokens = markdown.parse(re.sub(r"\]\(([\w-]+)\.ipynb\)", r"](\1.html)", source), env)
     folded = False
@@ -137,12 +144,35 @@ def _add_prose(text: _FoldedText, markdown: Any, source: str) -> None:
         ):
             folded = not folded
             continue
+        if first.content.startswith(CHOICES):
+            text.offer(_choices_html(markdown, first.content))
+            continue
         if first.type == "heading_open":
             text.end_answer()
         if first.type == "paragraph_open" and QUESTION.search(block[1].content):
             text.ask(html)
         else:
             text.add(html)
+
+
+def _choices_html(markdown: Any, comment: str) -> str:
+    """Return the choices of a question as a list; what is said about each is shown once it is chosen."""
+    items = []
+    for sign, choice, why in choices_of(comment):
+        right = " data-right" if sign == "+" else ""
+        words, reason = markdown.renderInline(choice), markdown.renderInline(why)
+        items.append(f'<li{right}><span>{words}</span> <span class="why" hidden>{reason}</span></li>')
+    return f'<ul class="choices">{"".join(items)}</ul>'
+
+
+def choices_of(comment: str) -> list[tuple[str, str, str]]:
+    """Return (sign, choice, reason) of each line of a comment with choices; the sign of the right one is "+"."""
+    lines = comment.strip().removeprefix(CHOICES).removesuffix("-->").strip().splitlines()
+    found = [CHOICE.fullmatch(line.strip()) for line in lines]
+    signs = [match[1] for match in found if match]
+    if len(signs) < len(lines) or len(signs) < 2 or signs.count("+") != 1:
+        raise ValueError(f"expected lines such as '- choice | reason', one of them with +: {comment}")
+    return [(match[1], match[2], match[3]) for match in found if match]
 
 
 def _blocks(tokens: list[Any]) -> Iterator[list[Any]]:
@@ -186,16 +216,19 @@ class _WidgetFinder:
         self.names: dict[str, Any] = {"sv": satviz}
 
     def widget(self, i: int) -> Widget | None:
-        """Return the explorer or the player that cell i shows; None if it shows none."""
+        """Return the explorer, the player or the slider that cell i shows; None if it shows none."""
         *before, last = ast.parse(self.sources[i]).body or [ast.Pass()]
         call = last.value if isinstance(last, ast.Expr) else None
-        if not isinstance(call, ast.Call) or ast.unparse(call.func) not in ("sv.play", "sv.explore"):
+        function = ast.unparse(call.func) if isinstance(call, ast.Call) else ""
+        if not isinstance(call, ast.Call) or function not in ("sv.play", "sv.explore", "slide"):
             return None
         if any(isinstance(node, ast.Name) and node.id != "sv" for each in call.args for node in ast.walk(each)):
             self._run([*self.sources[self.next_to_run : i], *map(ast.unparse, before)])
             self.next_to_run = i + 1
         what, *more = [eval(ast.unparse(argument), self.names) for argument in call.args]
-        if ast.unparse(call.func) == "sv.explore":
+        if function == "slide":
+            return Widget(_slider_html(what, *more), answers=False)
+        if function == "sv.explore":
             return Widget(parts.explorer(ExplorerModel(resolve(what, *more).scene)), answers=False)
         predict = any(word.arg == "predict" for word in call.keywords)
         return Widget(parts.player(resolve(what, *more).trace, predict=predict), answers=not predict)
@@ -207,9 +240,19 @@ class _WidgetFinder:
                 exec(source, self.names)
 
 
+def _slider_html(draw: Callable[[float], Any], least: float, most: float, begin: float) -> str:
+    """Return pictures of a notebook's slider from `least` to `most`, of which the page's slider shows one."""
+    values = sorted({begin, *(least + (most - least) * i / (FRAMES - 1) for i in range(FRAMES))})
+    frames = (
+        f"<figure{'' if value == begin else ' hidden'}>{themed_svg(draw(value)._repr_svg_())}</figure>"
+        for value in values
+    )
+    return f'<div class="frames">{"".join(frames)}</div>'
+
+
 def lead(chapter: Chapter) -> str:
     """Return the first line of a chapter's prose as plain text, for the list of chapters."""
-    for paragraph in "".join(chapter.cells[0]["source"]).split("\n\n")[1:]:
-        if not NEIGHBOUR_LINK.match(paragraph) and not paragraph.startswith("#"):
+    for paragraph in page_words("".join(chapter.cells[0]["source"])).split("\n\n")[1:]:
+        if not paragraph.startswith("#"):
             return re.sub(r"[*`]|\]\([^)]*\)|\[", "", paragraph.partition("\n")[0])
     return ""

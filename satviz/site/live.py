@@ -8,12 +8,13 @@ from ..checking.reading import ReaderPython
 from ..engine.geometry import InvalidScene
 from ..pictures.playback import narrow_playbacks, playbacks
 from ..scenes.article import SCENES
+from ..scenes.embedding import EmbedOptions, parse_query
 from ..scenes.failing import FAILURE_CASES, REFUSED
-from ..scenes.link import DEFAULT_VIEW, ViewOptions, fragment, parse_fragment
+from ..scenes.link import BREAK, DEFAULT_VIEW, TOUCH, ViewOptions, fragment, parse_fragment
 from ..scenes.scenefile import Scene, shape_data
 from ..scenes.strictjson import require_type
 from ..widgets.explorer_model import ExplorerModel
-from ..widgets.goals import GOAL_NAMES
+from ..widgets.goals import GOAL_NAMES, challenge_start
 
 _models: dict[str, ExplorerModel] = {}  # by the place on the page
 _check, _reader = PageCheck(), ReaderPython()  # the latter is used in the worker of the reader's code alone
@@ -42,8 +43,12 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
     """Return the reply to an "open" message: an explorer's state, a player's steps, or why the link is refused."""
     try:
         scene, shown = parse_fragment(require_type(content.get("hash"), "the link", str))
-        if shown.step is not None or shown.predict or shown.rest:
-            return _player_data(scene, shown)
+        options = parse_query(require_type(content.get("query", ""), "the address", str))
+        if options.plays or (options.challenge is None and (shown.step is not None or shown.predict or shown.rest)):
+            return _player_data(scene, shown, options)
+        if options.challenge is not None:
+            goal = options.challenge or (BREAK if scene.record().shortcut else TOUCH)
+            scene, shown = challenge_start(goal, scene), DEFAULT_VIEW._replace(goal=goal)
         model = ExplorerModel(scene, shown.goal)
         pose: dict[str, Any] = {
             "degree": shown.free,
@@ -62,12 +67,20 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
     return {"kind": "opened", "title": scene.title, "first": model.state(), "pose": pose, **CHOICES}
 
 
-def _player_data(scene: Scene, shown: ViewOptions) -> dict[str, Any]:
-    """Return a player's steps and its first one; a prediction uses the true run, not that of a shortcut."""
+def _player_data(scene: Scene, shown: ViewOptions, options: EmbedOptions) -> dict[str, Any]:
+    """Return a player's steps and its first one; a prediction uses the true run, not that of a shortcut.
+
+    "range" holds the first and the last step if only these are played.
+    """
+    predict = shown.predict or options.predict
     trace = scene.record()
-    trace = trace.truth if shown.predict and trace.shortcut else trace
+    trace = trace.truth if predict and trace.shortcut else trace
     shows = playbacks(trace)
+    first, last = options.steps or (0, len(shows[0]["steps"]) - 1)
+    if last >= len(shows[0]["steps"]):
+        raise InvalidScene(f"the run has no step {last}: its steps are 0 to {len(shows[0]['steps']) - 1}")
     found: dict[str, Any] = {"kind": "opened", "title": scene.title, "shows": shows, "narrow": narrow_playbacks(trace)}
-    rest = shown.rest and len(shows) > 1
-    found |= {"step": min(shown.step or 0, len(shows[rest]["steps"]) - 1), "predict": shown.predict, "rest": rest}
+    rest = shown.rest and len(shows) > 1 and not options.steps
+    step = min(shown.step or first, len(shows[rest]["steps"]) - 1)
+    found |= {"step": step, "predict": predict, "rest": rest, "range": [first, last] if options.steps else None}
     return found | {"link": fragment(scene)}

@@ -48,9 +48,21 @@ class Frame(NamedTuple):
 
 
 def html_page(
-    frame: Frame, path: str, title: str, body: str, *, description: str, kind: str = "", policy: str = POLICY
+    frame: Frame,
+    path: str,
+    title: str,
+    body: str,
+    *,
+    description: str,
+    kind: str = "",
+    policy: str = POLICY,
+    script: str = "",
 ) -> bytes:
-    """Return the HTML of a page: `body` with head, navigation and footer; `kind`: a class for the style sheet."""
+    """Return the HTML of a page: `body` with head, navigation and footer.
+
+    `kind` is a class for the style sheet, `script` a file that is run before anything is painted.
+    """
+    first = f'<script src="{script}?{frame.version}"></script>' if script else ""
     python = f' data-python="python/worker.js?{frame.version}"' if frame.python else ""
     links = [
         ("index.html", "satviz"),
@@ -76,7 +88,7 @@ def html_page(
         '<link rel="icon" href="icon.svg" type="image/svg+xml">',
         f'<script defer src="site.js?{frame.version}"></script>',
         "</head>",
-        f'<body class="satviz site {kind}"{python}>',
+        f'<body class="satviz site {kind}"{python}>{first}',
         '<a class="skip" href="#main">to the text</a>',
         f'<header><nav aria-label="site">{nav}</nav></header>',
         f'<main id="main">{body}</main>',
@@ -159,7 +171,8 @@ triangles. The <a href="gallery.html">gallery</a> has a still picture of every s
 <ul class="challenges">{offered}</ul></nav>
 """
     description = "Drag two shapes and see every axis."
-    return html_page(frame, PAGE, "Explorer: drag two shapes", body, description=description, kind="explorer")
+    title = "Explorer: drag two shapes"
+    return html_page(frame, PAGE, title, body, description=description, kind="explorer", script="embed.js")
 
 
 def challenges_page(frame: Frame) -> bytes:
@@ -191,8 +204,8 @@ def _challenge_text(goal: str, begin: Scene) -> str:
 def chapter_page(frame: Frame, chapter: Chapter, body: str) -> bytes:
     """Return the page of a chapter, with links to the chapters before and after it."""
     note = (
-        f'<p class="note">This page is the notebook <code>{escape(chapter.notebook)}</code> after it was run. '
-        "<code>satviz notebook</code> gives you a copy that you can change and run.</p>"
+        '<p class="note">This chapter is also a notebook in which you can change the programs: see '
+        '<a href="notebook.html">Drag and play in a notebook</a>.</p>'
     )
     body = f"<article>{body}{note}</article>{_neighbour_links(frame.chapters, chapter, 'chapters')}"
     return html_page(frame, chapter.path, chapter.title, body, description=lead(chapter), kind="chapter")

@@ -22,10 +22,11 @@ def svg_element(picture: Picture) -> str:
 
 def explorer(model: ExplorerModel) -> str:
     """Return an explorer as HTML: the still scene, its sentence and its table, until Python has started."""
-    link, drawing = escape(fragment(model.scene)), model.picture()
+    link, drawing, line = escape(fragment(model.scene)), model.picture(), model.number_line()
+    still = svg_element(drawing) + (svg_element(line) if line else "")
     return (
         f'<div class="live" data-hash="{link}"><div class="satviz still"><div class="sv-columns">'
-        f'<div class="sv-stage">{svg_element(drawing)}<p class="sv-sentence">{escape(drawing.sentence)}</p></div>'
+        f'<div class="sv-stage">{still}<p class="sv-sentence">{escape(drawing.sentence)}</p></div>'
         f'<div class="sv-side"><pre class="out" tabindex="0">{escape(str(model.trace))}</pre></div></div></div></div>'
         f'<p class="status" role="status"></p><p class="open"><a href="{PAGE}#{link}">Open in the explorer</a></p>'
     )

@@ -5,8 +5,9 @@ from math import isfinite
 from typing import Any, NamedTuple
 
 from ..engine.axes import directions
-from ..engine.axis_count import count_axes
+from ..engine.axis_count import axes_hint
 from ..engine.geometry import InvalidScene, Vec
+from ..engine.sat import AxisTest
 from ..engine.trace import Trace, record
 from ..pictures import Picture
 from ..pictures.claims import heading
@@ -17,13 +18,16 @@ from ..pictures.drag import (
     all_marks_fit,
     canvas_size,
     decisive_test,
+    degree_text,
+    drag_digits,
     drag_layout,
     drag_picture,
     free_axis_picture,
     knob_position,
 )
-from ..pictures.label_placer import LabelOffsets
+from ..pictures.label_placer import LabelMemory
 from ..pictures.minkowski import difference
+from ..pictures.number_line import number_line
 from ..pictures.playback import first_row_numbers, table_rows
 from ..scenes.link import ViewOptions, fragment
 from ..scenes.named import scene
@@ -34,12 +38,17 @@ from .paste_model import read_paste
 from .player_model import PlayerModel
 
 SHORTCUT, TRUTH = "shortcut", "truth"
+NEEDED, EVERY_NORMAL = "needed", "edge-normals"  # choices of axes
 
 
 class DrawnScene(NamedTuple):
-    """A drawn scene: the picture, its axis's row in the table (or None), and the handle of a free axis."""
+    """A drawn scene: the picture, its number line, its axis's row in the table, and the handle of a free axis.
+
+    Without an axis only the picture is there.
+    """
 
     picture: Picture
+    line: Picture | None = None
     lit: int | None = None
     knob: Vec | None = None
 
@@ -63,9 +72,13 @@ class ExplorerModel(PlayerModel):
         """Return the picture of the scene as it is now."""
         return self._drawn.picture
 
+    def number_line(self) -> Picture | None:
+        """Return the picture of the number line below it; None where no axis is shown."""
+        return self._drawn.line
+
     def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
         """Return the new state after a pose, preset or challenge message, or why it is refused."""
-        n, before = content.get("n"), {**vars(self), "_last_offsets": dict(self._last_offsets)}
+        n, before = content.get("n"), {**vars(self), "_memory": self._memory.copy()}
         try:
             if content.get("kind") == "preset":
                 self._start(scene(require_type(content.get("name"), "the preset", str)))
@@ -94,14 +107,16 @@ class ExplorerModel(PlayerModel):
             "names": list(trace.names),
             "relation": str(trace.relation),
             "sentence": drawn.picture.sentence,
-            "enough": count_axes(trace)[1],
-            "rows": table_rows(trace),
+            "enough": axes_hint(trace),
+            "rows": table_rows(trace, drag_digits(self._layout)),
             "lit": drawn.lit,
             "json": self.scene.to_json(),
             "view": self._view,
             "link": fragment(self.scene, self._view_options()),
             "scene": self._start_json,
         }
+        if drawn.line:
+            found["line"] = drawn.line.data()
         if self._challenge_result:
             found["goal"] = self._challenge_result._asdict()
         if self._show_difference:
@@ -121,7 +136,7 @@ class ExplorerModel(PlayerModel):
         shown, pasted = read_paste(content)
         if shown is None:
             return {"kind": "pasted", "pasted": pasted}
-        before = {**vars(self), "_last_offsets": dict(self._last_offsets)}
+        before = {**vars(self), "_memory": self._memory.copy()}
         try:
             self._start(shown)
             self._redraw()
@@ -145,7 +160,7 @@ class ExplorerModel(PlayerModel):
         self._set_run(shown, trace, SHORTCUT if trace.shortcut else None, met)
         self._pinned: int | None = None
         self._last_out: Vec | None = None  # the way the axis lay before, so that it stays on its side
-        self._last_offsets: LabelOffsets = {}  # how the labels stood, so that they do not jump
+        self._memory = LabelMemory()  # how the labels stood, so that they do not jump
 
     def _pose(self, content: dict[str, Any]) -> None:
         """Apply a drag's message: both shapes, the view and the challenge, all checked first."""
@@ -174,7 +189,7 @@ class ExplorerModel(PlayerModel):
         came = degree is None or layout != self._layout or (self.scene.a, self.scene.b) != self._at_first
         returns = content.get("final", True) and (a, b) == self._at_first and came
         if begun is not self.scene or largest != self._largest or returns:
-            self._layout, self._largest, self._last_offsets, self._last_out = layout, largest, {}, None
+            self._layout, self._largest, self._memory, self._last_out = layout, largest, LabelMemory(), None
         if pinned != self._pinned or (degree is None) != (self._degree is None) or view != self._view:
             self._last_out = None
         if view != self._view:
@@ -190,9 +205,10 @@ class ExplorerModel(PlayerModel):
 
     def _redraw(self, *, final: bool = True) -> None:
         """Draw the scene; after a drag (`final`), fit the view again if a mark lies outside it."""
+        self._memory.resting = final
         self._drawn = self._draw()
         if final and not all_marks_fit(self._drawn.picture):
-            self._layout, self._last_offsets = drag_layout(self.trace, self._largest), {}
+            self._layout, self._memory = drag_layout(self.trace, self._largest), LabelMemory()
             self._drawn = self._draw()
 
     def _draw(self) -> DrawnScene:
@@ -201,10 +217,11 @@ class ExplorerModel(PlayerModel):
         if self._degree is not None:
             free = record(self.scene.a, self.scene.b, axes=directions(unit_vector(self._degree)))
             drawn, place = free_axis_picture(
-                free, self._layout, self._degree, last_out=self._last_out, last_offsets=self._last_offsets
+                free, self._layout, self._degree, last_out=self._last_out, memory=self._memory
             )
             self._last_out = place.out
-            return DrawnScene(drawn, knob=knob_position(self._layout, place, self._degree))
+            free_line = self._line_of(free, free.tests[0], degree_text(self._degree))
+            return DrawnScene(drawn, free_line, knob=knob_position(self._layout, place, self._degree))
         chosen = self._shown_test()
         show = drag_view if trace.shortcut else drag_picture
         drawn, lies = show(
@@ -213,11 +230,19 @@ class ExplorerModel(PlayerModel):
             chosen,
             show_mtv=self._show_mtv,
             last_out=self._last_out,
-            last_offsets=self._last_offsets,
+            memory=self._memory,
         )
         self._last_out = None if lies is None else lies.out
-        lit = None if chosen is None else first_row_numbers(trace)[chosen.pair or 0] + chosen.test
-        return DrawnScene(drawn, lit=lit)
+        if chosen is None:
+            return DrawnScene(drawn)
+        run = trace if chosen.pair is None else trace.pairs[chosen.pair]
+        test = run.tests[chosen.test]
+        line = self._line_of(run, test, f"axis {chosen.test + 1}") if any(test.axis.normal) else None
+        return DrawnScene(drawn, line, lit=first_row_numbers(trace)[chosen.pair or 0] + chosen.test)
+
+    def _line_of(self, run: Trace, test: AxisTest, name: str) -> Picture:
+        """Return the number line of a test, whose numbers have the format of the picture and the table."""
+        return number_line(run, test, self._layout, drag_digits(self._layout)(run, test), name)
 
     def _shown_test(self) -> ShownTest | None:
         """Return the test in the row that the reader chose, if the trace has it, else the decisive test."""
@@ -237,5 +262,7 @@ def _number(value: Any, what: str) -> float | None:
 
 
 def _trace(shown: Scene) -> Trace:
-    """Return the trace of a scene over every axis, since the table shows them all."""
+    """Return the trace of a scene over every axis, since the table shows them all; parallel normals have one row."""
+    if shown.axes == EVERY_NORMAL and shown.a.is_convex and shown.b.is_convex:
+        shown = replace(shown, axes=NEEDED)
     return shown.record().without_early_exit()

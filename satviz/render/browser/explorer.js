@@ -66,6 +66,8 @@ export class Explorer {
 
     this.svg = element("svg", { class: "sv-picture", role: "img" });
     this.pen = new Pen(this.svg);
+    this.line = element("svg", { class: "sv-picture sv-line", role: "img" });
+    this.linePen = new Pen(this.line);
     this.curve = element("svg", { class: "sv-picture sv-curve", role: "img", hidden: true });
     this.curvePen = new Pen(this.curve);
     this.difference = element("svg", { class: "sv-picture sv-difference", role: "img", hidden: true });
@@ -84,7 +86,7 @@ export class Explorer {
     this.table = new LiveTable(this.state.names, { pick: (row) => this.change({ pinned: this.pose.pinned === row ? null : row }) });
     this.controls = new ExplorerControls(this);
     const side = element("div", { class: "sv-side" }, this.curve, this.difference, element("div", { class: "sv-fold" }, this.table.element));
-    this.stage = element("div", { class: "sv-stage" }, this.goal.element, this.heading, this.board, this.map, this.hint, this.refusal, this.sentence, this.enough, this.announcement, keysHelp, this.controls.element);
+    this.stage = element("div", { class: "sv-stage" }, this.goal.element, this.heading, this.board, this.line, this.map, this.hint, this.refusal, this.sentence, this.enough, this.announcement, keysHelp, this.controls.element);
     this.columns = element("div", { class: "sv-columns" }, this.stage, side);
     root.classList.add("satviz");
     root.setAttribute("data-lm-suppress-shortcuts", "true");
@@ -181,6 +183,8 @@ export class Explorer {
     this.enough.textContent = state.enough;
     this.goal.show(state.goal);
     this.table.update(state.names, state.rows, state.lit);
+    this.line.classList.toggle("sv-empty", !state.line);
+    if (state.line) this.linePen.draw(state.line);
     this.curve.toggleAttribute("hidden", !state.curve);
     if (state.curve) this.curvePen.draw(state.curve);
     this.difference.toggleAttribute("hidden", !state.difference);

@@ -36,6 +36,7 @@
  * @property {Picture} [difference]
  * @property {string[]} [heading]
  * @property {string} [map]
+ * @property {Picture} [line] Both ranges of the shown test on a line with ticks.
  * @property {Picture} [curve]
  * @property {Point} [knob] The handle of the free axis.
  */

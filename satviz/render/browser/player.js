@@ -41,6 +41,7 @@ import { followTheme } from "./theme.js";
  * @property {Show[]} [narrow] The same shows for a place where the others do not fit.
  * @property {string} [link]
  * @property {string} [site]
+ * @property {Point | null} [range] The first and the last step, if only these are played.
  */
 
 const ANSWER_STAGES = new Set(["range", "both ranges", "gap"]); // these stages give the answer away
@@ -52,11 +53,12 @@ export class Player {
    * @param {Show[]} shows One, or that of the early exit and that of every axis.
    * @param {PlayerOptions} [options]
    */
-  constructor(root, shows, { predict = false, speed = 1, requestFile = null, formats = [], narrow = [], link = "", site = "" } = {}) {
+  constructor(root, shows, { predict = false, speed = 1, requestFile = null, formats = [], narrow = [], link = "", site = "", range = null } = {}) {
     this.root = root;
     this.shows = shows;
+    this.range = range;
     this.which = 0;
-    this.at = 0;
+    this.at = this.first;
     this.timer = 0;
     /** @type {Map<number, boolean>} By row: was the guess right? */
     this.answered = new Map();
@@ -72,7 +74,7 @@ export class Player {
     this.table = new Table(this.show.names);
     this.code = element("ol", { class: "sv-code", "aria-label": "the algorithm" });
     this.playButton = button("play", () => this.toggle(), { content: icon("play") });
-    this.scrub = element("input", { type: "range", min: 0, step: 1, "aria-label": "step", oninput: () => this.go(Number(this.scrub.value)) });
+    this.scrub = element("input", { type: "range", min: this.first, step: 1, "aria-label": "step", oninput: () => this.go(Number(this.scrub.value)) });
     this.count = element("output", { class: "sv-count" });
     const known = [...new Set([0.25, 0.5, 1, 2, 4, speed])].sort((p, q) => p - q);
     const speeds = known.map((v) => element("option", { value: v, selected: v === speed }, `${v}×`));
@@ -107,14 +109,17 @@ export class Player {
   get show() {
     return this.shows[this.which];
   }
+  get first() {
+    return this.range?.[0] ?? 0;
+  }
   get last() {
-    return this.show.steps.length - 1;
+    return this.range?.[1] ?? this.show.steps.length - 1;
   }
 
   /** @param {HTMLElement} menu */
   controls(menu) {
     return element("div", { class: "sv-controls", role: "group", "aria-label": "player", "data-lm-suppress-shortcuts": "true" },
-      button("first step", () => this.go(0), { content: icon("first") }),
+      button("first step", () => this.go(this.first), { content: icon("first") }),
       button("step back", () => this.go(this.at - 1), { content: icon("back") }),
       this.playButton,
       button("step forward", () => this.go(this.at + 1), { content: icon("forward") }),
@@ -160,9 +165,9 @@ export class Player {
    * @param {number} step
    */
   go(step, { animate = true } = {}) {
-    let to = Math.max(0, Math.min(this.last, step));
+    let to = Math.max(this.first, Math.min(this.last, step));
     this.asking = null;
-    const open = this.predict.checked ? this.show.steps.findIndex((s) => s.row !== null && ANSWER_STAGES.has(s.stage) && !this.answered.has(s.row)) : -1;
+    const open = this.predict.checked ? this.show.steps.findIndex((s, i) => i > this.first && s.row !== null && ANSWER_STAGES.has(s.stage) && !this.answered.has(s.row)) : -1;
     if (open > 0 && open <= to) {
       to = open - 1;
       this.asking = this.show.steps[open].row;
@@ -174,9 +179,9 @@ export class Player {
     const { sentence, row, code } = this.show.steps[to];
     this.sentence.textContent = sentence;
     this.scrub.value = String(to);
-    this.count.textContent = hides ? `${to + 1}` : `${to + 1} / ${this.last + 1}`;
+    this.count.textContent = hides ? `${to + 1}` : `${to + 1} / ${this.show.steps.length}`;
     this.scrub.hidden = hides;
-    this.rest.hidden = hides || this.shows.length < 2;
+    this.rest.hidden = hides || this.shows.length < 2 || this.range !== null;
     const known = (/** @type {number} */ i) => this.knownAt[i] <= to && (!this.predict.checked || "reason" in this.show.rows[i] || this.answered.has(i));
     this.table.show(this.show.rows, { lit: row, known });
     for (const [i, line] of [...this.code.children].entries()) line.classList.toggle("sv-lit", code.includes(i));
@@ -210,7 +215,7 @@ export class Player {
 
   toggle() {
     if (this.timer) return this.pause();
-    if (this.at === this.last) this.go(0);
+    if (this.at === this.last) this.go(this.first);
     this.playButton.replaceChildren(icon("pause"));
     this.playButton.setAttribute("aria-label", "pause");
     const next = () => {
@@ -232,7 +237,7 @@ export class Player {
     this.answered.clear();
     this.pause();
     if (this.which) this.switchShow();
-    this.go(0, { animate: false });
+    this.go(this.first, { animate: false });
   }
 
   // Change between the steps of the early exit and those of every axis.
@@ -248,7 +253,7 @@ export class Player {
     const inside = event.target.closest("input, select, .sv-question");
     if (event.ctrlKey || event.metaKey || event.altKey || (inside && inside !== this.scrub)) return;
     /** @type {Record<string, number>} */
-    const steps = { ArrowRight: this.at + 1, ArrowLeft: this.at - 1, Home: 0, End: this.last };
+    const steps = { ArrowRight: this.at + 1, ArrowLeft: this.at - 1, Home: this.first, End: this.last };
     const step = steps[event.key];
     if (step !== undefined) this.go(step);
     else if (event.key === " " && !event.target.closest("input, button, summary")) this.toggle();

@@ -4,8 +4,8 @@ from collections.abc import Callable, Sequence
 from math import isnan
 from typing import NamedTuple
 
-from ...engine import number_format
-from ...engine.geometry import InvalidShape
+from ...engine import describe, number_format
+from ...engine.geometry import InvalidShape, Relation
 from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
 from ...engine.trace import Trace, record
@@ -111,7 +111,7 @@ class FailureCase(NamedTuple):
             return str(error)
 
     def in_words(self, answer: Answer) -> str:
-        """Return an answer in words: "gap +0.424"."""
+        """Return an answer in words: "gap +0.424", "overlap 1.5", "depth 2"."""
         if isinstance(answer, str):
             return f"refused ({answer})"
         if isinstance(answer, tuple):
@@ -120,16 +120,26 @@ class FailureCase(NamedTuple):
             return "contact from {:g} to {:g} of the way".format(*map(float, answer))
         if isnan(answer):
             return f"{self.quantity} none"
-        text = number_format.signed(answer) if self.quantity == "gap" else number_format.number(answer)
-        return f"{self.quantity} {text}"
+        if self.quantity == "gap":
+            return describe.gap_in_words(answer, number_format.Digits())
+        return f"{self.quantity} {number_format.number(answer)}"
+
+    def verdict_in_words(self, relation: Relation, answer: Answer) -> str:
+        """Return an answer in words, with the relation before it where the number alone would say another one."""
+        words = self.in_words(answer)
+        if not isinstance(answer, float | int) or self.quantity != "gap":
+            return f"{relation}, {words}"
+        said = Relation.APART if answer > 0 else Relation.OVERLAPPING if answer < 0 else Relation.TOUCHING
+        return words if said is relation else f"{relation}, {words.removeprefix('touching, ')}"
 
     @property
     def answers(self) -> tuple[str, str]:
-        """Return (claimed answer, actual answer) in words, with the relation where that is wrong."""
+        """Return (claimed answer, actual answer) in words."""
         claimed, actual = self.in_words(self.claimed), self.in_words(self.actual)
         if self.how in (FALSE_HIT, MISSED_HIT) and not isinstance(self.actual, tuple):
             trace = self.record()
-            return f"{trace.claim}, {claimed}", f"{trace.relation}, {actual}"
+            claimed = self.verdict_in_words(trace.claim, self.claimed)
+            return claimed, self.verdict_in_words(trace.relation, self.actual)
         return claimed, actual
 
     def __str__(self) -> str:

@@ -20,10 +20,12 @@ from .notations import (
     key,
 )
 from .points import ZERO, Points, Pt, places
-from .tree import Name, Value
+from .tree import Group, Name, Value
 
+SKETCH_MODES = {"corner": CORNER_SIZE, "corners": CORNER_CORNER, "center": CENTER_SIZE, "radius": CENTER_HALF}
 # What can be asked, and the words of `--as`.
 BOX_FORM, ANGLE, TURN, ORDER, PIVOT, CORNERS = "box", "angle", "turn", "order", "pivot", "corners"
+ROUND, RADIUS, DIAMETER = "round", "radius", "diameter"
 Y_UP, Y_DOWN, WIDTH_FIRST, HEIGHT_FIRST = "y-up", "y-down", "width-first", "height-first"
 AROUND_CENTER, AROUND_CORNER, RELATIVE, ABSOLUTE = "around-center", "around-corner", "relative", "absolute"
 CHOICES: Mapping[str, tuple[str, ...]] = {
@@ -33,10 +35,12 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
     ORDER: (WIDTH_FIRST, HEIGHT_FIRST),
     PIVOT: (AROUND_CENTER, AROUND_CORNER),
     CORNERS: (RELATIVE, ABSOLUTE),
+    ROUND: (RADIUS, DIAMETER),
 }
 ALL_CHOICES = tuple(choice for choices in CHOICES.values() for choice in choices)
 FULL_TURN = Fraction(63, 10)  # an angle beyond a full turn in radians is in degrees
-ONLY_IF_IT_MATTERS = (TURN, ORDER)  # asked only where the answer changes
+ONLY_IF_IT_MATTERS = (TURN, ORDER, ROUND)  # asked only where the answer changes
+AT_ORIGIN = ", at the origin"  # of a shape for which the text gives no position
 FORM_WORDS = {
     CORNER_SIZE: "a box by a corner and its size",
     CORNER_CORNER: "a box by two opposite corners",
@@ -81,17 +85,33 @@ class Boxes(Points):
         """Return the form of a row, or the one that the user chose for all boxes."""
         return next((c for c in self.chosen if c in ANY_BOX), form)
 
+    def mode(self, group: Group) -> str:
+        """Return how a sketch of Processing means the numbers of rect(...), or "" for other calls."""
+        if not self.sketch or group.name not in ("rect", "square"):
+            return ""
+        before = [mode for start, mode in self.modes if start < group.start]
+        return SKETCH_MODES.get(before[-1] if before else "corner", "")
+
     def _ask_order(self) -> None:
         """Note that width and height could be the other way round."""
         self.asked.setdefault(ORDER, CHOICES[ORDER])
 
-    def _choose(self, what: str, ask: Sequence[str]) -> str:
-        """Return the chosen reading; if none is, the first, and note that it is asked."""
+    def _choose(self, what: str, ask: Sequence[str], sure: str = "") -> str:
+        """Return the chosen reading; if none is, the one that is sure, else the first, and note that it is asked."""
         for choice in self.chosen:
             if choice in ask:
                 return choice
+        if sure:
+            return sure
         self.asked[what] = tuple(dict.fromkeys((*self.asked.get(what, ()), *ask)))
         return ask[0]
+
+    def _outline(self, points: list[Pt], value: Value, label: str, shift: Pt = ZERO, how: str = "") -> Read:
+        """Return a polygon; `how`: words about the position that was added."""
+        moved = tuple((x + shift[0], y + shift[1]) for x, y in points)
+        said = f"a polygon of {len(points)} corners{how}"
+        used = places(*(c for p in points for c in p), *shift)
+        return Read(moved, None, said, value.start, value.end, label, shift=shift, used=used)
 
     def _made_box(
         self, four: Sequence[Fraction], form: str, at: Value, label: str, angle: Any = None, unit: str = ""
@@ -156,7 +176,7 @@ class Boxes(Points):
         get = obj.get
         least, most = get("min"), get("max")
         if least is not None and most is not None:
-            p, q = self.point(least), self.point(most)
+            p, q = self.vector(least), self.vector(most)
             return ([*p, *q], CORNER_CORNER) if p and q else None
         letters = {str(k).lower(): v for k, v in obj.fields.items()}
         if all(side in letters for side in "ltrb"):  # Rect64(l: 0, t: 0, r: 4, b: 4)
@@ -178,12 +198,12 @@ class Boxes(Points):
         half = get("half")
         if half is not None or (get("halfwidth") is not None and get("halfheight") is not None):
             size = (
-                self.point(half)
+                self.vector(half)
                 if half is not None
                 else (self.number(get("halfwidth")), self.number(get("halfheight")))
             )
             return ([*(place or ZERO), *size], CENTER_HALF) if size else None
-        size = self.point(get("size")) if get("size") is not None else None
+        size = self.vector(get("size")) if get("size") is not None else None
         if size is None and get("width") is not None and get("height") is not None:
             size = (self.number(get("width")), self.number(get("height")))
         if size is not None and place is None and row and (row.form in (CENTER_SIZE, CENTER_HALF) or row.alone):
@@ -210,7 +230,7 @@ class Boxes(Points):
 def moved(shape: Read, move: Pt) -> Read:
     """Return a shape that was moved."""
     points = tuple((x + move[0], y + move[1]) for x, y in shape.points)
-    said = shape.said.replace(", at the origin", "")
+    said = shape.said.replace(AT_ORIGIN, "")
     said = said if said.endswith(" and a position") else f"{said} and a position"
     box = shape.box
     if box:

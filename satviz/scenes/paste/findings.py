@@ -12,7 +12,7 @@ from ...engine.relate import relate
 from ...engine.shapes import Circle, Polygon, Shape
 from ...engine.trace import Trace
 from . import others
-from .boxes import FORM_WORDS, Read, plain
+from .boxes import AT_ORIGIN, FORM_WORDS, Read, plain
 from .exact import Exact, Pt, Where, crossing, hull, twice_area, where
 from .notations import ANY_BOX, CENTER_SIZE, CORNER_SIZE
 from .points import ZERO
@@ -33,6 +33,7 @@ KINDS = (
     "refused",
     "not-read",
     "not-applied",
+    "no-position",
     "decimals",
     "concave",
     "near-touch",
@@ -133,6 +134,13 @@ def of_shape(each: PastedShape) -> Iterator[Finding]:
             (each.name,),
             f"{name} has a negative size: {read.negative}. It was read as the box on the other side of its corner.",
             "Many programs take such a box for empty, so pass the smaller corner and a positive size.",
+        )
+    if AT_ORIGIN in read.said:
+        yield Finding(
+            "no-position",
+            (each.name,),
+            f"{name} has no position in the text, so it was put at the origin.",
+            "If it has one, write it beside the shape.",
         )
     if each.shape is None:
         yield _of_refused(each)

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from .notations import BOX, CIRCLE, MOVES, SETTERS, TURNS, key, notation
-from .tree import Bad, Group, Name, Num, Pair, Value
+from .notations import BOX, CIRCLE, OTHER_SHAPE, key, notation
+from .tree import Bad, Group, Name, Pair, Value
 
 
 class Unreadable(Exception):
@@ -47,67 +47,6 @@ class Names:
         self.problems: list[str] = []  # what could not be read
         self.counts: set[int] = set()  # where indices end: v[0].Set(1, 2)
 
-    def assign(self, items: Sequence[Any]) -> None:
-        """Sort the lines of a text or block: what gets a name, and what stands alone."""
-        column: list[Group] = []
-        for item in (*items, None):
-            if isinstance(item, Group) and item.bracket in (",", " ") and self._is_row(item):
-                column.append(item)
-                continue
-            if len(column) > 2:
-                self.loose.append(Group(column[0].start, column[-1].end, list(column), "lines"))
-            else:
-                self.loose += [row for row in column if len(row.items) != 2]
-            column = []
-            self._line(item)
-
-    def _is_row(self, item: Group) -> bool:
-        """Return whether a line consists of two numbers."""
-        return len(item.items) == 2 and self._are_numbers(item)
-
-    def _are_numbers(self, item: Group) -> bool:
-        """Return whether a group holds numbers alone."""
-        return all(isinstance(v, Num) for v in item.items)
-
-    def _line(self, item: Any) -> None:
-        """Take one line."""
-        if isinstance(item, Pair):
-            self._insert(item)
-        elif isinstance(item, Bad):
-            for inner in item.inside:
-                self._line(inner)
-        elif isinstance(item, Group):
-            last = item.name.replace("->", ".").replace("::", ".").split(".")[-1].lower()
-            declared = notation(item.before) if item.before else None
-            if declared and (declared.kind in (BOX, CIRCLE) or not notation(item.name)):  # Circle c(0, 0, 1)
-                made = replace(item, name=item.before, before="")
-                self._insert(Pair(item.start, item.end, (*item.name.split("."),), made))
-            elif item.bracket == "{" and not item.name and is_block(item):
-                self.assign(item.items)
-            elif item.bracket == "," and any(isinstance(v, (Pair, Bad)) for v in item.items):
-                for inner in item.items:
-                    self._line(inner)
-            elif item.bracket == "[" and item.name and len(item.methods) == 1 and item.methods[0][0].lower() in SETTERS:
-                index = item.items[0] if item.items else None
-                number = int(index.value or 0) if isinstance(index, Num) else 0
-                self.counts |= {index.end} if isinstance(index, Num) else set()
-                path: tuple[str | int, ...] = (*item.name.split("."), number)
-                self._insert(Pair(item.start, item.end, path, item.methods[0][1]))
-            elif last in SETTERS and "." in item.name and len(item.items) == 2:  # circle.m_p.Set(1, 2)
-                self._insert(Pair(item.start, item.end, tuple(item.name.split(".")[:-1]), replace(item, name="")))
-            elif last in (*MOVES, *TURNS) and "." in item.name and len(item.items) in (1, 2):
-                field_name = "position" if last in MOVES else "angle"
-                value = item if last in MOVES and len(item.items) == 2 else item.items[0]
-                value = Group(item.start, item.end, item.items, "(") if value is item else value
-                self._insert(Pair(item.start, item.end, (*item.name.split(".")[:-1], field_name), value))
-            elif not item.name and item.bracket in (" ", ",") and len(item.items) == 5 and self._are_numbers(item):
-                part = short(self.text[item.start : item.end])
-                self.problems.append(
-                    f"{part}: five numbers can be a box and its angle, or a label and a box; write the four of the box"
-                )
-            else:
-                self.loose.append(item)
-
     def _insert(self, pair: Pair) -> None:
         """Store a value under its path; a variable that is declared again keeps its earlier value as another shape."""
         node = self.env
@@ -124,7 +63,7 @@ class Names:
             node.fields[f"{last} ({len(node.fields)})"] = old
         value = pair.value
         declared = notation(pair.before) if pair.before and isinstance(value, Group) and not value.name else None
-        if declared and declared.kind in (BOX, CIRCLE) and value.bracket in "({":  # Rect r = {0, 0, 1, 1}
+        if declared and declared.kind in (BOX, CIRCLE, OTHER_SHAPE) and value.bracket in "({":  # Rect r = {0, 0, 1, 1}
             value = replace(value, name=pair.before)
         if isinstance(value, Bad) and value.inside:
             value = Group(value.start, value.end, value.inside, "words")

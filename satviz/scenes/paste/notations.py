@@ -7,7 +7,7 @@ before "rectangle" because the longer ending comes first.
 from typing import NamedTuple
 
 POINT, RING, CIRCLE, BOX, MANY, MOVE, ARC = "point", "ring", "circle", "box", "many", "move", "arc"
-ELLIPSE = "ellipse"
+ELLIPSE, OTHER_SHAPE = "ellipse", "other"
 # How the four numbers of a box are meant, in the words of `--as`.
 CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF = "corner-size", "corner-corner", "center-size", "center-half"
 DEGREES, RADIANS = "degrees", "radians"
@@ -43,8 +43,10 @@ NOTATIONS = (
         "listof arrayof floatarrayof doublearrayof packedvector2array poolvector2array float double int long f32 f64 "
         "createpolygon polygon.new convexhull convex_hull_shape from_convex_hull c2poly vertices points shape "
         "geometry "
+        "svg.path svg.polyline "
         "clipper.makepath makepath path64 pathd paths64 pathsd addface polyshape triangle quad addpolygon "
         "simplepolygon2d collisionpolygon2d convexpolygonshape2d convexpolygon2d graphics.polygon p2.convex "
+        "zip column_stack rbind newpolygonshape "
         "edgecollider polygoncollider2d addpoly "
         "seq set z zm double[][] float32array float64array makepolygon fromvertices create_polygon convex newpolygon",
         RING,
@@ -53,7 +55,7 @@ NOTATIONS = (
         "circle circle2d ball disc disk createcircle circleshape addcircle drawcircle bodies.circle c2circle", CIRCLE
     ),
     Notation(
-        "circle.new ball::new newcircle circleimpl circlef colliderbuilder::ball circleshape2d "
+        "circle.new ball::new newcircle circleimpl circlef colliderbuilder::ball circleshape2d newcircleshape "
         "circlecollider2d  makecircle create_circle b2circle arc ellipse2d",
         CIRCLE,
     ),
@@ -61,7 +63,7 @@ NOTATIONS = (
     Notation(
         "bodies.rectangle add.rectangle bodies.rect boxshape2d centered_rect rotatedrect p2.box p2.rectangle "
         "create_box "
-        "poly.create_box bounds rect.fromcenter rectangleshape2d boxcollider2d",
+        "newrectangleshape poly.create_box bounds rect.fromcenter rectangleshape2d boxcollider2d",
         BOX,
         CENTER_SIZE,
     ),
@@ -69,7 +71,7 @@ NOTATIONS = (
         "rectangle rectanglef rect2 rect2i newrect qrect qrectf cgrect cgrectmake sf::floatrect "
         "sf::rect floatrect intrect "
         "sf::intrect pygame.rect "
-        "rect.fromltwh makerect rectmake qrect.new fillrect strokerect rect2.new rectangle.new "
+        "svg.rect rect.fromltwh makerect rectmake qrect.new fillrect strokerect rect2.new rectangle.new "
         "graphics.rectangle drawrectangle "
         "sdl_rect sdl_frect domrect rectangle2d.double rectangle2d.float geom.rectangle recti",
         BOX,
@@ -90,7 +92,13 @@ NOTATIONS = (
     Notation("rect box createbox sat.box obb orientedbox", BOX, ask=ANY_BOX),
     Notation("rectangleshape", BOX, CORNER_SIZE, alone=True),
     Notation("sf::circleshape", CIRCLE, alone=True),
-    Notation("ellipse", ELLIPSE),
+    Notation("ellipse svg.ellipse", ELLIPSE),
+    Notation(
+        "capsule b2capsule capsule2d capsuleshape2d segment b2segment linesegment line ray edge roundedrect roundedbox "
+        "b2makeroundedbox makeroundedbox triangleshape stadium matrix",
+        OTHER_SHAPE,
+    ),
+    Notation("square", BOX, ask=(CORNER_SIZE, CENTER_SIZE)),
     # what moves the next shape
     Notation(
         "isometry::translation isometry2::translation isometry::new isometry2::new translation translation2 "
@@ -197,7 +205,8 @@ SETTERS = frozenset(["set", "setxy"])
 def notation(name: str) -> Notation | None:
     """Return the row of a name, by its longest ending that the table has; None for an unknown name."""
     plain = name.lower().split("<")[0].rstrip("!") if "<" in name else name.lower()
-    plain = plain.removesuffix("::new").removesuffix("::from") if plain not in NAMES else plain
+    for ending in ("::new", "::from", ".new"):
+        plain = plain.removesuffix(ending) if plain not in NAMES else plain
     words = plain.replace("::", ".").replace("->", ".").split(".")
     for candidate in (plain, *(".".join(words[i:]) for i in range(len(words))), words[-1].rstrip("!")):
         if candidate in NAMES:

@@ -35,6 +35,7 @@ ASKS = {
     "turn": "Does y point up or down? A positive angle turns the other way there.",
     "order": "Does the width come first, or the height?",
     "pivot": "Is the box turned around its center or around its corner?",
+    "round": "Is the last number of the circle its radius or its diameter?",
     "corners": "Are the corners relative to the position, or absolute already?",
 }
 CHOICE_WORDS = {
@@ -52,6 +53,8 @@ CHOICE_WORDS = {
     "around-corner": "turned around its corner",
     "relative": "corners relative to the position",
     "absolute": "corners absolute already",
+    "radius": "the radius",
+    "diameter": "the diameter",
 }
 
 

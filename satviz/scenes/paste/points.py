@@ -4,8 +4,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from .names import Names, Obj, Unreadable, short
+from .names import Obj, Unreadable, short
 from .notations import HARMLESS, POINT, RING, notation
+from .statements import Statements
 from .tree import Group, Name, Num, Pair, Value
 
 Pt = tuple[Fraction, Fraction]
@@ -18,6 +19,12 @@ class Numeral(Fraction):
     at: int
 
 
+def angle_of(at: Value, flat: Sequence[Fraction]) -> Num:
+    """Return the fifth number of a box, its angle, as a value with its own place in the text."""
+    number = flat[4]
+    return Num(at.start, number.at if isinstance(number, Numeral) else at.end, number)
+
+
 def places(*numbers: Fraction) -> frozenset[int]:
     """Return where numbers of the text end; what was computed stands nowhere."""
     return frozenset(n.at for n in numbers if isinstance(n, Numeral))
@@ -26,7 +33,7 @@ def places(*numbers: Fraction) -> frozenset[int]:
 ZERO = (Fraction(0), Fraction(0))
 
 
-class Points(Names):
+class Points(Statements):
     """Reads numbers, points and outlines; Unreadable says why one that looks so is none."""
 
     def number(self, value: Any) -> Fraction:
@@ -36,6 +43,8 @@ class Points(Names):
         if isinstance(value, Num):
             if value.value is None:
                 raise Unreadable(value.why)
+            if value is not given:
+                self.used.add(id(value))
             found = Numeral(value.value)
             found.at = value.end
             return found
@@ -95,6 +104,21 @@ class Points(Names):
         self._refuse_methods(value)
         return self.number(items[0]), self.number(items[1])
 
+    def vector(self, value: Any) -> Pt | None:
+        """Return the value of a key as a point or a size: also (x, y, z), and {width, height}."""
+        value = self.resolve(value)
+        made = (
+            self.as_object(value)
+            if isinstance(value, Group) and any(isinstance(v, Pair) for v in value.items)
+            else value
+        )
+        if isinstance(made, Obj) and made.get("width") is not None and made.get("height") is not None:
+            return self.number(made.get("width")), self.number(made.get("height"))
+        if isinstance(value, Group) and not value.name and len(value.items) == 3 and self.numbers(value.items):
+            self.remark("a third coordinate was left out: the shapes are read in x and y")
+            value = Group(value.start, value.end, value.items[:2], value.bracket)
+        return self.point(value)
+
     def _xy(self, obj: Obj) -> Pt | None:
         """Return the point of an object with x and y."""
         x, y = obj.get("x"), obj.get("y")
@@ -148,7 +172,7 @@ class Points(Names):
             raise Unreadable(f"the elements begin with [{first}]: those before it are missing")
         if missing is not None:
             raise Unreadable(f"v[{missing}] is missing between v[{first}] and v[{last}]")
-        if any(isinstance(v, Group) and v.items and not isinstance(v.items[0], Num) for v in obj.rest):
+        if any(isinstance(v, Group) and any(_is_pair(n) for n in v.items) for v in obj.rest):
             raise Unreadable("a list is changed after it was made: write its last corners")
         return [numbered[k] for k in range(first, last + 1)]
 
@@ -178,3 +202,8 @@ class Points(Names):
     def _is_number(self, item: Any) -> bool:
         """Return whether an item is a number, or a name that stands for one."""
         return isinstance(self.resolve(item), Num)
+
+
+def _is_pair(value: Any) -> bool:
+    """Return whether a value is a bracket with two numbers."""
+    return isinstance(value, Group) and len(value.items) == 2 and all(isinstance(v, Num) for v in value.items)

@@ -9,6 +9,7 @@ from ...engine.geometry import InvalidScene
 
 MAX_CHARS = 1 << 20
 MAX_TOKENS = 120_000  # some 20,000 points; a second of work
+TOO_MANY = f"the text has more than {MAX_TOKENS:,} words and numbers: paste the shapes alone"
 MAX_DIGITS = 400  # no float64 needs more, and no exponent beyond this size fits one
 
 NUMBER, NAME, FIELD, TEXT, OPEN, CLOSE, MARK, LINE, OTHER = (
@@ -31,7 +32,7 @@ _TOKEN = re.compile(
     (?P<space>[ \t\r\f\v\ufeff\u00a0]+|\\\n|'''|"\""+|```\w*)
   | (?P<comment>(?<![\d)\]])//[^\n]*|\#[^\n]*|--(?=[ \[])[^\n]*|/\*.*?\*/|<!--.*?-->)
   | (?P<line>\n)
-  | (?P<tag><(?:polygon|polyline)\b|/>)
+  | (?P<tag>/>)
   | (?P<number>(?:(?<![\w)\].])[+\-\u2212])?
         (?:0[xX][0-9a-fA-F]+(?:\.[0-9a-fA-F]*)?(?:[pP][+-]?[0-9]+)?
          |(?:[0-9][0-9_]*(?:'[0-9]{3})*(?:\.(?!\.)[0-9_]*)?|\.[0-9][0-9_]*)(?:[eE][+\-\u2212]?[0-9]+)?)
@@ -42,7 +43,7 @@ _TOKEN = re.compile(
   | (?P<field>(?:\.|->|::)[^\W\d]\w*)
   | (?P<open>[(\[{])
   | (?P<close>[)\]}])
-  | (?P<mark>=>|==|:=|<=|>=|!=|[,;:=])
+  | (?P<mark><-(?=[ ])|<?->|[\u2192\u2194\u21d2]|=>|==|:=|<=|>=|!=|[,;:=])
   | (?P<other>.)
     """,
     re.VERBOSE | re.DOTALL,
@@ -50,6 +51,16 @@ _TOKEN = re.compile(
 # what a Python or IPython session writes before each line; replaced by spaces, so that places in the text stay
 _PROMPT = re.compile(r"^[ \t]*(?:>>>|\.\.\.:?|In \[\d+\]:|Out\[\d+\]:)(?=\s)", re.MULTILINE)
 
+# what a log or a list writes before a shape: a date and a time, a level, a source, a number
+_STAMP = (
+    r"\d{4}[-/]\d\d[-/]\d\d(?:[T ]\d\d:\d\d(?::\d\d(?:[.,]\d+)?)?(?:Z|[+-]\d\d:?\d\d)?)?|\d\d:\d\d:\d\d(?:[.,]\d+)?"
+)
+_PREFIX = re.compile(
+    rf"""^[ \t]*(?:[\[(<]?(?:{_STAMP})[\])>]?[ \t:|,-]*)?
+    (?:(?:\[[A-Za-z][\w\ ./:\#-]*\]|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b)[ \t:|-]+)*
+    (?:\d{{1,3}}[.)][ \t]+(?=[A-Za-z(\[{{]))?""",
+    re.MULTILINE | re.VERBOSE,
+)
 # two numbers with commas for points, and a semicolon between them
 _DECIMAL_COMMA = re.compile(r"\([ ]?[-+]?\d+,\d+[ ]?;[ ]?[-+]?\d+,\d+[ ]?\)")
 
@@ -76,11 +87,16 @@ def tokens(text: str) -> list[Token]:
     if comma := _DECIMAL_COMMA.search(text):
         raise InvalidScene(f"{_short(comma[0])} has decimal commas: write the numbers with points, such as 0.5")
     found: list[Token] = []
-    for token in _scan(_PROMPT.sub(lambda m: " " * len(m[0]), text)):
+    for token in _scan(_PREFIX.sub(_blank, _PROMPT.sub(_blank, text))):
         found.append(token)
         if len(found) > MAX_TOKENS:
-            raise InvalidScene(f"the text has more than {MAX_TOKENS:,} words and numbers: paste the shapes alone")
+            raise InvalidScene(TOO_MANY)
     return found
+
+
+def _blank(match: re.Match[str]) -> str:
+    """Return spaces in the place of a match, so that places in the text stay."""
+    return " " * len(match[0])
 
 
 def _scan(text: str) -> Iterator[Token]:
@@ -90,8 +106,11 @@ def _scan(text: str) -> Iterator[Token]:
         kind = NUMBER if kind == "suffix" else kind
         if kind in ("space", "comment"):
             continue
-        if kind == "tag":  # of SVG: it ends what stands before it
+        if kind == "tag":  # the end of an element of XML
             yield Token(MARK, ";", match.start(), match.end())
+            continue
+        if match[0] == "<-":  # R
+            yield Token(MARK, "=", match.start(), match.end())
             continue
         if kind != NUMBER:
             yield Token(kind, match[0], match.start(), match.end())

@@ -13,6 +13,7 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 from ...engine.geometry import InvalidScene
+from .markup import all_tokens
 from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, number, tokens
 
 NUMERAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
@@ -46,8 +47,13 @@ IGNORED_NAMES = frozenset(  # words of a language before a value
         "default",
         "def",
         "type",
+        "with",
     ]
 )
+SEPARATORS = frozenset(["vs", "versus", "and", "against", "intersects", "overlaps", "touches", "collides"])
+ARROWS = frozenset(["->", "<->", "\u2192", "\u2194", "\u21d2"])
+# Types around one number.
+CASTS = frozenset(["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double"])
 OPERATORS = frozenset("+-*/%^\u2212")
 
 
@@ -89,6 +95,7 @@ class Pair(Value):
     path: tuple[str | int, ...]
     value: Any
     before: str = ""  # the word before the key, such as the type in `Rect r = {0, 0, 1, 1}`
+    number: str = ""  # a number behind the key: Vertex 0: (1, 2)
 
 
 @dataclass(slots=True)
@@ -103,18 +110,21 @@ class Group(Value):
 
 
 class Tree(NamedTuple):
-    """A text as one group of lines; sentences about brackets that do not fit; where indices and lengths end."""
+    """A text as one group of lines; sentences about brackets; where indices and lengths end; all its numbers."""
 
     root: Group
     remarks: list[str]
     indices: frozenset[int]
+    numbers: list[Token]
 
 
 def parse(text: str) -> Tree:
     """Return the tree of a text."""
-    parser = _Parser(text, tokens(text))
+    found = all_tokens(text)
+    parser = _Parser(text, found)
     root = Group(0, len(text), parser.items("", 0))
-    return Tree(root, parser.remarks, frozenset(parser.indices))
+    numbers = [token for token in found if token.kind == NUMBER and token.start < token.end]
+    return Tree(root, parser.remarks, frozenset(parser.indices), numbers)
 
 
 class _Parser:
@@ -142,7 +152,10 @@ class _Parser:
             if value is None:
                 return
             if bracket:
-                items.append(value)
+                many = (
+                    isinstance(value, Group) and value.bracket == "+" and all(isinstance(v, Pair) for v in value.items)
+                )
+                items.extend(value.items if many else [value])
             elif row and isinstance(row[-1], Pair) and not isinstance(value, Pair):
                 pair = row[-1]  # b.position = 300, 125
                 many = isinstance(pair.value, Group) and pair.value.bracket == ","
@@ -157,7 +170,8 @@ class _Parser:
             end_item()
             if row:
                 plain = not any(isinstance(v, Pair) for v in row)
-                items.extend([Group(row[0].start, row[-1].end, list(row), ",")] if plain and len(row) > 1 else row)
+                one = (plain or all(isinstance(v, Pair) for v in row)) and len(row) > 1  # x = 0, y = 0, r = 5
+                items.extend([Group(row[0].start, row[-1].end, list(row), ",")] if one else row)
                 row.clear()
 
         while self.at < len(self.tokens):
@@ -194,6 +208,9 @@ class _Parser:
                     end_item()
                 else:
                     end_line()
+            elif not bracket and self.separates(token, atoms, row):
+                end_line()
+                items.append(None)
             elif token.kind == TEXT:
                 atoms.append(self.quoted(token, depth))
             else:
@@ -209,6 +226,16 @@ class _Parser:
         if text not in self.remarks:
             self.remarks.append(text)
 
+    def separates(self, token: Token, atoms: Sequence[Any], row: Sequence[Any]) -> bool:
+        """Return whether a word or an arrow stands between two shapes on one line: A vs B."""
+        arrow = token.kind == MARK and token.text in ARROWS
+        if not arrow and not (token.kind == NAME and token.text.lower() in SEPARATORS):
+            return False
+        said = any(isinstance(a, Group) or (isinstance(a, Token) and a.kind in (NUMBER, TEXT)) for a in atoms)
+        if said and self.at < len(self.tokens) and self.tokens[self.at].text == ".":
+            self.at += 1  # vs.
+        return (said or bool(row)) and not (atoms and _is_mark(atoms[-1], ("=", ":", ":=")))
+
     def next_is(self, kind: str) -> bool:
         """Return whether the next token is of this kind."""
         return self.at < len(self.tokens) and self.tokens[self.at].kind == kind
@@ -220,8 +247,13 @@ class _Parser:
         if isinstance(last, Token) and last.kind == MARK:
             return True
         starts = following is not None and (following.text == "{" or following.kind == FIELD)
-        field_follows = following is not None and following.kind == FIELD
+        field_follows = following is not None and following.kind == FIELD and not self.opens_block()
         return bool(atoms) and starts and (isinstance(last, Token) or field_follows)
+
+    def opens_block(self) -> bool:
+        """Return whether the next lines begin with a name and a brace, as rules of CSS do: .a {"""
+        found = [token for token in self.tokens[self.at : self.at + 8] if token.kind != LINE]
+        return len(found) > 1 and found[1].text == "{"
 
     def quoted(self, token: Token, depth: int) -> Any:
         """Return the values inside quotes, where they hold some: WKT, JSON; otherwise the text as a token."""
@@ -241,6 +273,8 @@ class _Parser:
         """Return the value of the atoms between two separators; None where there is none."""
         if not atoms:
             return None
+        if pairs := self.run_of_pairs(atoms, bracket):
+            return pairs
         mark = next((i for i, a in enumerate(atoms) if _is_mark(a, ("=", ":=", "=>", ":"))), None)
         if mark is not None and not any(_is_mark(a, ("==", "<=", ">=", "!=")) for a in atoms[:mark]):
             sign = mark
@@ -266,9 +300,32 @@ class _Parser:
             words = [a.text for a in atoms[:mark] if isinstance(a, Token) and a.kind == NAME]
             words = [word for word in words if word not in IGNORED_NAMES]
             pair = Pair(_start(atoms[0]), rest.end, path, rest, words[-2] if len(words) > 1 else "")
+            last = atoms[mark - 1]
+            if words and isinstance(last, Token) and last.kind == NUMBER and last.text.isdigit():
+                pair.number = last.text
+                self.indices.add(last.end)
             before = [a for a in atoms[:mark] if isinstance(a, Group) and a.bracket in "({" and a.items]
             return Group(pair.start, pair.end, [*before, pair], "+") if before else pair  # {x: 1, y: 2} radius: 5
         return self.plain(atoms)
+
+    def run_of_pairs(self, atoms: list[Any], bracket: str) -> Group | None:
+        """Return the pairs of `x: 0 y: 0 width: 4`, where no comma stands between them; None for anything else."""
+        marks = [i for i, a in enumerate(atoms) if _is_mark(a, ("=", ":"))]
+        if len(marks) < 2 or len({atoms[i].text for i in marks}) > 1 or marks[0] == 0:
+            return None
+        begins = [marks[0] - 1, *(i - 1 for i in marks[1:]), len(atoms)]
+        pairs: list[Any] = []
+        for begin, mark, end in zip(begins, marks, begins[1:], strict=False):
+            a_key, value = atoms[begin], atoms[mark + 1 : end]
+            named = isinstance(a_key, Token) and a_key.kind in (NAME, TEXT)
+            says = any(isinstance(v, Group) or (isinstance(v, Token) and v.kind in (NUMBER, TEXT)) for v in value)
+            if not named or not says:
+                return None
+            found = self.value([a_key, atoms[mark], *value], bracket)
+            if not isinstance(found, Pair):
+                return None
+            pairs.append(found)
+        return Group(pairs[0].start, pairs[-1].end, pairs, "+")
 
     def plain(self, atoms: list[Any]) -> Any:
         """Return the value of atoms without `=` and `:`."""
@@ -284,6 +341,8 @@ class _Parser:
             only = values[0] if len(values) == 1 else None
             if isinstance(only, Num) and only.value is not None and operators == ["-"] and atoms[0].end <= only.start:
                 return Num(start, end, -only.value)
+            if operators == ["-"] and len(values) == 2 and all(_is_pair(v) for v in values):
+                return Group(start, end, values, " ")  # (0, 0)-(10, 10), as Go prints a box
             if any(o in OPERATORS for o in operators):
                 return Bad(start, end, "an expression, which is not evaluated")
             return Bad(start, end, "not a number", [v for v in values if isinstance(v, Group)])
@@ -319,6 +378,9 @@ class _Parser:
                     while atom.bracket == "[" and len(atom.items) < 2 and i < len(atoms) and _is_open(atoms[i]):
                         atom = atoms[i]
                         i += 1
+                    if last.text in CASTS and len(atom.items) == 1 and isinstance(atom.items[0], Num):
+                        values[-1] = atom.items[0]  # np.float64(0.5) is 0.5
+                        continue
                     name = last.text if atom is length else ""  # the list after Vector2[] is no Vector2
                     values[-1] = Group(last.start, atom.end, atom.items, atom.bracket, name)
                 else:
@@ -382,6 +444,12 @@ def _text(atom: Token) -> Num | Name:
     if NUMERAL.fullmatch(inner):
         return Num(atom.start, atom.end, *number(inner))
     return Name(atom.start, atom.end, atom.text[1:-1])
+
+
+def _is_pair(value: Any) -> bool:
+    """Return whether a value is a bracket with two numbers and no name."""
+    plain = isinstance(value, Group) and value.bracket == "(" and not value.name and len(value.items) == 2
+    return plain and all(isinstance(v, Num) for v in value.items)
 
 
 def _is_cast(group: Group) -> bool:

@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 from .boxes import Read
 from .findings import Finding
 from .notations import MOVE, POINT, key, notation
-from .tokens import NUMBER, tokens
 from .tree import Bad, Group, Num, Pair, Tree
 
 MAX_NAMED = 6  # keys that are named in a line, and numbers without a key
@@ -26,7 +25,7 @@ HARMLESS = """
     velocity speed bounds axes force torque gravity mass inertia density friction restitution color colour fill stroke
     alpha opacity window canvas screen viewport viewbox svg area count length index id label layer category mask group
     time timestamp step size_t sleep stiffness damping damp slop constraint render print printf println log assert
-    prev previous impulse motion tolerance epsilon eps expected distance camera version line error warn info
+    prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
     background strokeweight fps framerate
 """
 CHANGING_WORDS, HARMLESS_WORDS = frozenset(CHANGING.split()), frozenset(HARMLESS.split())
@@ -50,9 +49,8 @@ def unused(tree: Tree, reads: Sequence[Read], text: str) -> Iterator[Finding]:
     """Yield the findings about numbers of a text that stand in no shape: not applied, or left out."""
     used = frozenset().union(*(read.used for read in reads)) | tree.indices
     known = {left.end: left for left in _walk(tree.root, "")}
-    for token in tokens(text):
-        if token.kind == NUMBER:
-            known.setdefault(token.end, Left(token.start, token.end, "", token.value))
+    for token in tree.numbers:
+        known.setdefault(token.end, Left(token.start, token.end, "", token.value))
     unread = dict(_unread(tree.root, used))
     rest = sorted((left for left in known.values() if left.end not in used), key=lambda left: left.start)
     not_read = [left._replace(key=unread[left.end]) for left in rest if left.end in unread]
@@ -78,7 +76,7 @@ def unused(tree: Tree, reads: Sequence[Read], text: str) -> Iterator[Finding]:
 
 def _walk(value: Any, name: str) -> Iterator[Left]:
     """Yield every number of a tree with the key or the call before it."""
-    if isinstance(value, Num):
+    if isinstance(value, Num) and value.start < value.end:
         yield Left(value.start, value.end, name, value.value)
     elif isinstance(value, Pair):
         path = ".".join(str(part) for part in value.path if isinstance(part, str))
@@ -126,7 +124,7 @@ def _changes(left: Left, inside: bool) -> bool:
     words = _words(left.key)
     same = left.value == (1 if any("scal" in word or word == "zoom" for word in words) else 0)
     known = {key(part) for part in left.key.split(".") if len(part) > 1 or inside} - {""}
-    known -= set() if inside else {"x", "y", "points"}
+    known -= set() if inside else {"points"}
     row = notation(left.key) if left.key else None
     moving = row is not None and row.kind == MOVE
     changes = bool(words & CHANGING_WORDS or moving) and not same

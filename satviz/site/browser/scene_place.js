@@ -46,7 +46,21 @@ export class ScenePlace {
     const withinPage = document.getElementById(fragment) !== null;
     if (this.widget && withinPage) return;
     this.opening = true;
-    this.python.send(this.name, { kind: "open", hash: fragment && !withinPage ? fragment : this.root.dataset.hash });
+    if (this.linked && !this.widget && !withinPage) this.showStill(fragment);
+    const query = this.linked ? location.search.slice(1) : "";
+    this.python.send(this.name, { kind: "open", hash: fragment && !withinPage ? fragment : this.root.dataset.hash, query });
+  }
+
+  /**
+   * Until Python has started, a built-in scene has its picture, and any other one has none.
+   * @param {string} fragment
+   */
+  showStill(fragment) {
+    const [name] = fragment.split("&");
+    if (!name || name === this.root.dataset.hash) return;
+    const known = [...(this.sceneList?.querySelectorAll("a") ?? [])].some(({ hash }) => hash === `#${name}`);
+    const picture = element("img", { src: `pictures/${name}.svg`, alt: "", class: "picture" });
+    this.root.firstElementChild?.replaceChildren(...(known ? [picture] : []));
   }
 
   /** @param {Start} start */
@@ -104,11 +118,13 @@ export class ScenePlace {
       if (content.rest) player.switchShow();
       player.go(content.step, { animate: false });
       arrowKeys(player);
+      this.link.hash = `${content.link}&step=${content.step}${content.predict ? "&predict=1" : ""}`;
       this.widget = player;
     } else {
       this.model.values = { ...content, alone: true, pasting: this.linked, site: SITE };
       this.model.listeners.clear();
       this.widget = new Explorer(this.model, made);
+      this.link.hash = content.first.link;
       this.onstate?.(content.first);
     }
     this.root.replaceChildren(made);

@@ -4,6 +4,9 @@ import { arrowKeys } from "../../render/browser/arrows.js";
 import { element } from "../../render/browser/elements.js";
 import { Player } from "../../render/browser/player.js";
 import { CheckPage } from "./check.js";
+import { judgedChoices } from "./choices.js";
+import { fitFrame } from "./fit_frame.js";
+import { slidingFrames } from "./frames.js";
 import { PythonWorker } from "./python_worker.js";
 import { SITE, ScenePlace, statusOf } from "./scene_place.js";
 
@@ -13,6 +16,9 @@ for (const root of document.querySelectorAll(".player")) {
   arrowKeys(new Player(made, shows, { ...options, site: SITE }));
   root.replaceChildren(made);
 }
+
+for (const list of document.querySelectorAll(/** @type {"ul"} */ ("ul.choices"))) judgedChoices(list);
+for (const place of document.querySelectorAll(/** @type {"div"} */ (".frames"))) slidingFrames(place);
 
 /** @type {HTMLElement[]} */
 const scenes = [...document.querySelectorAll(/** @type {"div"} */ (".live"))];
@@ -32,4 +38,5 @@ else if (scenes.length) {
   const check = /** @type {HTMLElement | null} */ (document.querySelector(".check"));
   if (check) new CheckPage(check, python, workerScript, places[0]);
 }
+if (document.body.classList.contains("embed")) fitFrame();
 if (isSecureContext && "serviceWorker" in navigator) navigator.serviceWorker.register("sw.js").catch(() => {});

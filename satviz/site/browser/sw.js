@@ -8,7 +8,7 @@ worker.addEventListener("install", () => worker.skipWaiting());
 worker.addEventListener("activate", (event) => event.waitUntil(removeOldCaches()));
 worker.addEventListener("fetch", (event) => {
   const { url, method } = event.request;
-  if (method === "GET" && url.startsWith(worker.registration.scope)) event.respondWith(answer(event, url.includes("?")));
+  if (method === "GET" && url.startsWith(worker.registration.scope)) event.respondWith(answer(event, url.endsWith("?VERSION")));
 });
 
 async function removeOldCaches() {
@@ -18,17 +18,17 @@ async function removeOldCaches() {
 
 /**
  * @param {FetchEvent} event
- * @param {boolean} versioned
+ * @param {boolean} versioned A page may have a query of its own, which changes nothing in its file.
  */
 async function answer(event, versioned) {
   const { request } = event;
   const cache = await caches.open(CACHE_NAME);
-  const kept = await cache.match(request);
+  const kept = await cache.match(request, { ignoreSearch: !versioned });
   if (kept && versioned) return kept;
   try {
     const found = await fetch(request);
     // The page does not wait until a file is kept, and gets it also where there is no space to keep it.
-    if (found.ok) event.waitUntil(cache.put(request, found.clone()).catch(() => {}));
+    if (found.ok) event.waitUntil(cache.put(versioned ? request : request.url.replace(/[?#].*/, ""), found.clone()).catch(() => {}));
     return found;
   } catch (error) {
     if (kept) return kept;

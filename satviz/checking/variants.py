@@ -1,0 +1,122 @@
+"""Other ways in which people write a known mistake: (the name of its failing case, what such a function claims)."""
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from math import dist, hypot
+from statistics import mean
+
+from ..engine.axes import Axis, Choice, Chooser, directions, edge_normals, edge_normals_of_a, edge_normals_of_b
+from ..engine.geometry import Relation, Vec
+from ..engine.sat import AxisTest, Projection, axis_tests, project
+from ..engine.shapes import Shape
+from ..engine.shortcut import Shortcut, move_along_axis
+from ..engine.trace import record
+from ..scenes.failing import NAMED
+from ..scenes.failing.wrong_steps import measured_test, only_x, raw_normals
+from ..scenes.shape_tools import vertex_mean
+
+Predict = Callable[[Shape, Shape], tuple[Relation, Vec | None]]  # the claimed relation, and the push of B
+Reach = Callable[[Shape], float]
+APART, TOUCHING, OVERLAPPING = Relation
+
+
+def by_shortcut(shortcut: Shortcut, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
+    """Return what a shortcut claims for a pair."""
+    trace = record(a, b, axes=shortcut, every_axis=True)
+    return trace.claim, trace.push
+
+
+def any_overlap(a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
+    """Return OVERLAPPING if the ranges meet on any edge normal: `any` written for `all`."""
+    gaps = [test.gap for test in axis_tests(a, b, edge_normals(a, b).axes)]
+    return (OVERLAPPING if gaps and min(gaps) < 0 else TOUCHING if gaps and min(gaps) == 0 else APART), None
+
+
+def raw_push(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
+    """Return the push of a raw normal times a raw depth: neither was divided by the normal's length."""
+    test = max(tests, key=lambda test: test.gap)
+    return move_along_axis(test, -test.gap * test.axis.length)
+
+
+def along_edges(a: Shape, b: Shape) -> Choice:
+    """Return the directions of all edges as axes, without the quarter turn that makes a normal."""
+    return directions(*(Vec(-axis.normal.y, axis.normal.x) for axis in edge_normals(a, b).axes))(a, b)
+
+
+def one_for_equal_counts(a: Shape, b: Shape) -> Choice:
+    """Return the edge normals of A alone where both shapes have as many vertices, else of both."""
+    return (edge_normals_of_a if len(a.vertices) == len(b.vertices) else edge_normals)(a, b)
+
+
+def one_extreme_each(step: int, a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Return the test of an axis that projects one vertex for each side of the bounding box, the first or the last."""
+
+    def project_extremes(shape: Shape) -> Projection:
+        """Return the projection of these four vertices; of several on one side the first counts (step -1: the last)."""
+        whole = project(shape, axis)
+        order, coordinates = range(len(whole.points))[::step], list(zip(*whole.points))
+        at = [pick(order, key=values.__getitem__) for pick in (min, max) for values in coordinates]
+        return Projection(tuple(whole.points[i] for i in at), tuple(whole.landings[i] for i in at))
+
+    return measured_test(axis, project_extremes(a), project_extremes(b))
+
+
+def push_along_centers(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
+    """Return a push of B by the depth along the line from A's vertex mean to B's; along x where both are one point."""
+    depth, (px, py), (qx, qy) = -max(test.gap for test in tests), vertex_mean(a), vertex_mean(b)
+    length = hypot(qx - px, qy - py)
+    return Vec((qx - px) / length * depth, (qy - py) / length * depth) if length else Vec(depth, 0.0)
+
+
+def beyond_reach(reach: Reach, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
+    """Return APART where the vertex means are further apart than both reaches, else the right answer."""
+    if dist(vertex_mean(a), vertex_mean(b)) > reach(a) + reach(b):
+        return APART, None
+    trace = record(a, b)
+    return trace.relation, trace.mtv
+
+
+def _distances(shape: Shape) -> list[float]:
+    """Return how far each vertex is from the vertex mean; of a circle its radius."""
+    middle = vertex_mean(shape)
+    return [dist(middle, vertex) for vertex in shape.vertices] or [shape.radius]
+
+
+def _half_sides(shape: Shape) -> list[float]:
+    """Return half the width and half the height of the bounding box."""
+    (x0, y0), (x1, y1) = (tuple(f(axis) for axis in zip(*shape.core)) for f in (min, max))
+    return [(x1 - x0) / 2 + shape.radius, (y1 - y0) / 2 + shape.radius]
+
+
+REACHES: tuple[Reach, ...] = (
+    lambda shape: mean(_distances(shape)),
+    lambda shape: min(_distances(shape)),
+    lambda shape: min(_half_sides(shape)),
+    lambda shape: mean(_half_sides(shape)),
+)
+
+
+def _variants() -> Iterator[tuple[str, Predict]]:
+    """Yield the name of each mistake with another way to write it."""
+
+    def chosen(name: str, choose: Chooser) -> tuple[str, Predict]:
+        """Return the mistake with another choice of axes."""
+        return name, partial(by_shortcut, NAMED[name].shortcut._replace(choose=choose))
+
+    yield chosen("one-shapes-normals", edge_normals_of_b)
+    yield chosen("one-overlap", only_x)
+    yield "one-overlap", any_overlap
+    yield chosen("line-for-axis", along_edges)
+    yield chosen("same-shape", one_for_equal_counts)
+    for step in (1, -1):
+        few = NAMED["extremes-once"].shortcut._replace(measure=partial(one_extreme_each, step))
+        yield "extremes-once", partial(by_shortcut, few)
+    raw = NAMED["raw-depth"].shortcut._replace(measure=raw_normals, push=raw_push)
+    yield "raw-depth", partial(by_shortcut, raw)
+    along_line = NAMED["push-from-center"].shortcut._replace(push=push_along_centers)
+    yield "push-from-center", partial(by_shortcut, along_line)
+    for reach in REACHES:
+        yield "far-centers", partial(beyond_reach, reach)
+
+
+VARIANTS = tuple(_variants())

@@ -1,0 +1,87 @@
+"""sv.embed: the HTML that puts a scene of a site into another page."""
+
+from base64 import b64encode
+from collections.abc import Sequence
+from html import escape
+from typing import Any
+
+from ..engine import describe
+from ..engine.geometry import InvalidScene
+from ..engine.shapes import Shape
+from ..engine.trace import Trace
+from ..pictures import THEMES, picture
+from ..pictures import steps as steps_of
+from ..scenes.embedding import TABLE, TOOLS, EmbedOptions, query
+from ..scenes.link import PAGE, link
+from ..scenes.resolve import SceneLike, resolve
+from .files import encode
+
+WIDTH_PX = 760  # of the largest picture
+LINE_PX = 150  # for the sentence, the buttons and the link below the picture
+TABLE_PX = 260
+# The frame says how high its content is.  Where a page allows no script, the height stays as it is written.
+SCRIPT = (
+    'addEventListener("message",(e)=>{for(const f of document.querySelectorAll(".satviz-embed iframe"))'
+    'if(f.contentWindow===e.source&&e.data?.satviz==="height")f.height=Math.min(Number(e.data.height)||0,4000)})'
+)
+
+
+def embed(
+    what: SceneLike | Shape,
+    b: Shape | None = None,
+    *,
+    site: str,
+    play: bool = False,
+    predict: bool = False,
+    steps: tuple[int, int] | None = None,
+    challenge: str | None = None,
+    theme: str | None = None,
+    show: Sequence[str] = (),
+    **more: Any,
+) -> str:
+    """Return the HTML of a frame with a scene of a site; readers without scripts get a picture and its sentence.
+
+    `what` is a scene (or its name), two shapes, or a trace, as `link` takes it; `more` are the options of `link`.
+    `site` is the address of the site's folder, http or https.
+    By default the shapes can be dragged.  `play` steps through the run, `predict` asks before it shows, and
+    `steps=(3, 8)` plays these steps alone.  `challenge` is "touch", "one-axis" or "break", or "" for the one that
+    fits the scene.  `theme` is "light" or "dark", by default that of the reader.
+    `show` names what is shown beside the picture: "tools" and "table".
+    InvalidScene for an address or a value that cannot be opened, ValueError for a scene that cannot be drawn.
+    """
+    if not site:
+        raise InvalidScene("a frame needs the address of a site: pass site, such as https://example.org/satviz/")
+    options = EmbedOptions(play, predict, steps, challenge, theme, tuple(show))
+    folder, _, fragment = link(what, b, site=site, **more).partition(f"{PAGE}#")
+    address = f"{folder}{PAGE}?{query(options)}#{fragment}"
+    trace = resolve(what, b).trace
+    asks = predict or bool(more.get("predict"))
+    if asks and trace.shortcut:
+        trace = trace.truth
+    drawn = picture(trace, 0 if asks else _last_step(trace, options, more.get("step")))
+    sentence = escape(describe.printable(drawn.sentence))
+    data = b64encode(encode(drawn, "svg", THEMES[theme or "light"], stem="satviz")).decode()
+    width, height = drawn.size
+    tall = round(height * min(1.0, WIDTH_PX / width) if width > WIDTH_PX else height * WIDTH_PX / width)
+    tall += LINE_PX + (TABLE_PX if TABLE in options.show else 0) + (LINE_PX // 2 if TOOLS in options.show else 0)
+    title = "A collision test, step by step" if options.plays else "Two shapes to drag, and why they collide or not"
+    lines = [
+        '<figure class="satviz-embed" style="margin: 16px 0">',
+        f'<iframe src="{escape(address)}" title="{title}" width="100%" height="{tall}" loading="lazy" '
+        'style="border: 0; max-width: 1200px" allow="clipboard-write"></iframe>',
+        "<noscript><style>.satviz-embed iframe { display: none }</style>"
+        f'<img src="data:image/svg+xml;base64,{data}" width="{width:g}" height="{height:g}" '
+        f'style="max-width: 100%; height: auto" alt=""><p>{sentence}</p></noscript>',
+        f"<script>{SCRIPT}</script>",
+        "</figure>",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _last_step(trace: Trace, options: EmbedOptions, step: int | None) -> int:
+    """Return the number of the step that a frame ends with; InvalidScene for a step that the run does not have."""
+    count = len(steps_of(trace))
+    last = options.steps[1] if options.steps else count - 1 if step is None else step
+    if last >= count:
+        raise InvalidScene(f"the run has no step {last}: its steps are 0 to {count - 1}")
+    return last

@@ -1,0 +1,89 @@
+"""A scene in a frame of another page: what the query of its address says, before the # of the link.
+
+scene.html?embed&steps=3-8&theme=dark#triangles
+"""
+
+import re
+from collections.abc import Iterable
+from typing import NamedTuple
+from urllib.parse import parse_qsl
+
+from ..engine.geometry import InvalidScene
+from ..engine.polygon_validation import short_repr
+from .link import GOALS
+
+EMBED = "embed"
+THEMES = "light", "dark"
+PARTS = TOOLS, TABLE = "tools", "table"  # of an explorer or a player, beside the picture and its sentence
+STEPS = re.compile(r"([0-9]{1,6})-([0-9]{1,6})")
+
+
+class EmbedOptions(NamedTuple):
+    """What an embedded scene is and shows; the default is two shapes to drag, with a sentence below them.
+
+    `play` steps through the run; `predict` asks before it shows; `steps` are the first and the last step of the
+    player.  `challenge` is a goal, or "" for the one that fits the scene; None sets no challenge.
+    `theme` is one of THEMES, or None for that of the reader's system; `show` names parts that are shown as well.
+    """
+
+    play: bool = False
+    predict: bool = False
+    steps: tuple[int, int] | None = None
+    challenge: str | None = None
+    theme: str | None = None
+    show: tuple[str, ...] = ()
+
+    @property
+    def plays(self) -> bool:
+        """Return whether the scene is shown step by step, and not dragged."""
+        return self.play or self.predict or self.steps is not None
+
+
+def query(options: EmbedOptions) -> str:
+    """Return the query of an address; InvalidScene for options that cannot be read again."""
+    words = [EMBED, *(name for name in ("play", "predict") if getattr(options, name))]
+    if options.steps:
+        words.append("steps={}-{}".format(*options.steps))
+    if options.challenge is not None:
+        words.append(f"challenge={options.challenge}".rstrip("="))
+    if options.theme is not None:
+        words.append(f"theme={options.theme}")
+    if options.show:
+        words.append(f"show={','.join(options.show)}")
+    made = "&".join(words)
+    parse_query(made)
+    return made
+
+
+def parse_query(text: str) -> EmbedOptions:
+    """Return what the query of an address says; InvalidScene for a bad value.
+
+    Other keys are left out, since other programs add their own to an address.
+    """
+    found = dict(parse_qsl(text[:2000], keep_blank_values=True))
+    theme = _one_of("theme", found["theme"], THEMES) if "theme" in found else None
+    show = tuple(_one_of("show", part, PARTS) for part in found.get("show", "").split(",") if part)
+    goal = found.get("challenge")
+    if goal:
+        _one_of("challenge", goal, GOALS)
+    options = EmbedOptions("play" in found, "predict" in found, _steps(found.get("steps")), goal, theme, show)
+    if options.plays and goal is not None:
+        raise InvalidScene("the link asks for a challenge and for steps: a challenge is dragged, so leave out one")
+    return options
+
+
+def _steps(text: str | None) -> tuple[int, int] | None:
+    """Return the first and the last step; InvalidScene if the text names none."""
+    if text is None:
+        return None
+    match = STEPS.fullmatch(text)
+    if not match or int(match[1]) > int(match[2]):
+        raise InvalidScene(f"the link says steps={text[:40]!r}: expected the first and the last one, such as 3-8")
+    return int(match[1]), int(match[2])
+
+
+def _one_of(key: str, text: str, choices: Iterable[str]) -> str:
+    """Return the text if it is one of the choices; InvalidScene lists them."""
+    if text not in choices:
+        raise InvalidScene(f"the link says {key}={short_repr(text)}: choose one of {', '.join(choices)}")
+    return text

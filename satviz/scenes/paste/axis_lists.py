@@ -1,0 +1,63 @@
+"""Corners whose x and y stand in two lists: `int[] xs = {0, 4, 4}; int[] ys = {0, 0, 3};`."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from .tree import Group, Name, Num
+
+OTHER_AXIS = {"x": "y", "X": "Y", "lon": "lat", "lng": "lat", "Lon": "Lat", "Lng": "Lat"}
+MAX_NAME = 40  # letters: longer names are no x and y
+LEAST = 3  # corners of an outline
+
+
+def other_names(name: str) -> Iterator[str]:
+    """Yield the names that a list of y can have, for the name of a list of x: ya for xa, polyY for polyX."""
+    for x, y in OTHER_AXIS.items() if len(name) <= MAX_NAME else ():
+        for i in range(len(name)):
+            if name.startswith(x, i):
+                yield name[:i] + y + name[i + len(x) :]
+
+
+def pairs_of_lists(fields: Mapping[str | int, Any]) -> Iterator[tuple[str, Group, Group]]:
+    """Yield (name, list of x, list of y) for the variables or keys that belong together."""
+    for name, value in fields.items():
+        if is_flat(value) and isinstance(name, str):
+            other = next((fields[n] for n in other_names(name) if n in fields and is_flat(fields[n])), None)
+            if other is not None:
+                yield name, value, other
+
+
+def is_flat(value: Any) -> bool:
+    """Return whether a value is a list of three numbers or more, and nothing else."""
+    inner = value.items if isinstance(value, Group) else []
+    if len(inner) == 1 and isinstance(inner[0], Group) and not inner[0].name:  # np.array([0, 1]), [0 1 2]
+        inner = inner[0].items
+    return len(inner) >= LEAST and all(isinstance(v, Num) for v in inner)
+
+
+def numbers_of(value: Group) -> list[Num]:
+    """Return the numbers of a flat list."""
+    return value.items[0].items if isinstance(value.items[0], Group) else value.items
+
+
+def joined(x: Group, y: Group, count: int | None = None) -> Group | None:
+    """Return the list of points of two lists, the first `count` of them; None where one is longer than the other."""
+    xs, ys = numbers_of(x), numbers_of(y)
+    if len(xs) != len(ys) or (count is not None and not LEAST <= count <= len(xs)):
+        return None
+    points = [Group(px.start, px.end, [px, py], "(") for px, py in zip(xs[:count], ys[:count], strict=True)]
+    return Group(min(x.start, y.start), max(x.end, y.end), points, "[")
+
+
+def are_axes(given: Sequence[Any], values: Sequence[Any], name: str) -> bool:
+    """Return whether the arguments of a call are a list of x and a list of y, and no two outlines.
+
+    They are two lists of one length of which at least one sign says so: an odd length, fewer than three pairs in each,
+    a number of corners behind them, names of x and y, or a call that takes nothing else.
+    """
+    if len(values) < 2 or not (is_flat(values[0]) and is_flat(values[1])):
+        return False
+    size = len(numbers_of(values[0]))
+    named = all(isinstance(v, Name) for v in given[:2]) and given[1].text in set(other_names(given[0].text))
+    counted = len(values) == 3 and isinstance(values[2], Num) and values[2].value == size
+    return size % 2 == 1 or size < 2 * LEAST or named or counted or name.lower() == "polyshape"

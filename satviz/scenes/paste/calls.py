@@ -1,0 +1,270 @@
+"""Shapes that a call makes: new Circle(center, radius), Rect(x, y, w, h), Polygon(position, corners)."""
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+from .axis_lists import are_axes, joined
+from .boxes import (
+    AT_ORIGIN,
+    BOX_FORM,
+    CHOICES,
+    DIAMETER,
+    ROUND,
+    Read,
+    moved,
+    unit_of,
+)
+from .keyed import Keyed
+from .names import Obj, Unreadable
+from .notations import (
+    ANY_BOX,
+    CENTER_HALF,
+    CENTER_SIZE,
+    CORNER_CORNER,
+    CORNER_OR_CENTER,
+    CORNER_SIZE,
+    RADIANS,
+    Notation,
+    key,
+    notation,
+)
+from .points import ZERO, Pt, angle_of, places
+from .tree import Bad, Group, Name, Num, Pair
+
+FULL_TURNS = frozenset(["2*pi", "pi*2", "2pi", "tau", "two_pi", "360", "6.283185307179586"])
+
+
+class Calls(Keyed):
+    """Reads the calls and typed lists that the table of notations knows."""
+
+    def _plain(self, group: Group, label: str) -> list[Read]:
+        """Return the shapes of a bracket that no name explains."""
+        raise NotImplementedError
+
+    def _each(self, items: Sequence[Any], label: str) -> Iterator[Read]:
+        """Yield the shapes of several values."""
+        raise NotImplementedError
+
+    def _arguments(self, group: Group) -> tuple[list[Any], Obj]:
+        """Return the arguments of a call that say something, and its named ones."""
+        named = self.as_object(group)
+        kept = []
+        for item in named.rest:
+            value = self.resolve(item)
+            if isinstance(value, (Name, Bad)) and not (isinstance(value, Bad) and value.inside):
+                if isinstance(value, Bad):
+                    kept.append(item)
+                continue  # null, a body, options
+            if isinstance(value, Group) and not value.items and not value.name:
+                continue
+            if isinstance(value, Group) and any(isinstance(v, Pair) for v in value.items) and not value.name:
+                options = self.as_object(value)
+                if options.get("x") is None and not any(isinstance(k, int) for k in options.fields):
+                    angle = next((k for k in options.fields if key(k) in ("angle", "degrees", "radians")), None)
+                    if angle is not None and _begins_with_numbers(named.rest):
+                        named.fields[angle] = options.fields[angle]
+                        continue
+                    if options.get("points", "radius", "width", "size", "min", "half") is None:
+                        continue
+            kept.append(item)
+        named.rest = []
+        return kept, named
+
+    def _options(self, arguments: Sequence[Any]) -> Obj | None:
+        """Return the only argument of a call as an object, if it is one with keys: new Circle({radius: 1})."""
+        value = self.resolve(arguments[0]) if len(arguments) == 1 else None
+        if not isinstance(value, Group) or value.name or not any(isinstance(v, Pair) for v in value.items):
+            return None
+        made = self.as_object(value)
+        return made if made.get("radius", "diameter", "width", "size", "half", "halfwidth", "min", "x1") else None
+
+    def _body(self, arguments: list[Any]) -> tuple[list[Any], Pt | None, Any]:
+        """Return the arguments without a body, and that body's position and angle."""
+        for i, item in enumerate(arguments):
+            value = self.resolve(item)
+            if isinstance(value, Obj) and self._xy(value) is None and not any(isinstance(k, int) for k in value.fields):
+                place = value.get("center")
+                return [*arguments[:i], *arguments[i + 1 :]], place and self.point(place), value.get("angle")
+        return arguments, None, None
+
+    def _polygon(self, group: Group, label: str) -> list[Read]:
+        """Return the polygon of a call or typed list: corners, or a position and corners."""
+        arguments, named = self._arguments(group)
+        values = [self.resolve(a) for a in arguments]
+        if are_axes(arguments, values, group.name):
+            count = values[2] if len(values) > 2 else None
+            points = joined(values[0], values[1], int(count.value or 0) if isinstance(count, Num) else None)
+            if points is None:
+                raise Unreadable("the lists of x and y, and the number of corners, do not fit together")
+            self.consume(arguments)
+            made = self._outline(self._points(points.items) or [], group, label)
+            return [replace(made, used=made.used | ({count.end} if count else set()))]
+        arguments, place, angle = self._body(arguments)
+        if named.fields and not arguments:
+            return self._object(replace(named, start=group.start, end=group.end), label)
+        angle = angle if angle is not None else named.get("angle", "degrees", "radians")
+        place = place or (self.point(named.get("center")) if named.get("center") is not None else None)
+        loose = Group(group.start, group.end, arguments, group.bracket, group.name)
+        outline = self.ring(loose)
+        taken = arguments
+        count_of_position = 0
+        given: frozenset[int] = frozenset()
+        if outline is None and len(arguments) > 1:
+            first = self.point(arguments[0], origin=True)
+            rest = self.ring(arguments[1])
+            if first is None and len(arguments) > 2 and self.numbers(arguments[:2]):
+                first = self.point(Group(group.start, group.end, arguments[:2], "("))
+                count_of_position = 2
+                rest = self.ring(arguments[2])
+            if first is not None and rest is not None:
+                place, outline = first, rest
+            elif first is None and self.ring(arguments[0]):
+                outline = self.ring(arguments[0])
+                others = [self.resolve(a) for a in arguments[1:]]
+                if any(isinstance(a, Group) and self.ring(a) for a in others):
+                    if notation(group.name) and group.name.lower().split("::")[0].split(".")[-1] in ("polygon",):
+                        raise Unreadable("a polygon with holes: satviz takes outlines without holes")
+                    outline = None
+        if outline is None or len(outline) < 3:
+            return self._plain(group, label)
+        if place is not None and group.name.lower().endswith("fromvertices"):
+            cx, cy = _centroid(outline)
+            given, place = places(*place), (place[0] - cx, place[1] - cy)  # Matter puts the center of mass there
+        self.consume(taken)
+        if any(not key(name) and self.point(value) is not None for name, value in named.fields.items()):
+            raise Unreadable("a list of corners has something else in it")
+        beside = sum(self._is_number(a) for a in arguments)
+        if beside and not (outline is not None and self.numbers(arguments)) and beside != count_of_position:
+            self.remark("numbers beside a list of corners were left out")
+        shift = place or ZERO
+        made = self._outline(outline, group, label, shift, " and a position" if shift != ZERO else "")
+        made = replace(made, used=made.used | given)
+        return [self._turned(made, angle, unit_of(named), shift)] if angle is not None else [made]
+
+    def _circle(self, group: Group, label: str) -> list[Read]:
+        """Return the circle of a call: (center, radius), (x, y, radius), or (radius) where a position is given."""
+        word = group.name.split(".")[-1]
+        if word == "arc" and len(group.items) > 4:  # of a canvas: an arc from 0 to a full turn is a circle
+            turn = re.sub(r"\s|Math\.|\.0*(?!\d)", "", self.text[group.items[4].start : group.items[4].end]).lower()
+            if self.number(group.items[3]) != 0 or turn not in FULL_TURNS:
+                raise Unreadable("an arc that is no full circle: satviz takes polygons and circles")
+            group = replace(group, items=group.items[:3])
+        arguments, named = self._arguments(group)
+        arguments, place, _ = self._body(arguments)
+        only = self._options(arguments)
+        if only or (named.fields and named.get("radius", "diameter") is not None and not arguments):
+            return self._object(replace(only or named, start=group.start, end=group.end), label, notation(group.name))
+        if not arguments:
+            return []
+        found = (self.point(a, origin=True) for a in arguments if isinstance(self.resolve(a), (Group, Obj)))
+        points = [p for p in found if p]
+        flat = self.numbers([a for a in arguments if not isinstance(self.resolve(a), (Group, Obj))]) or []
+        if not points and len(flat) >= 3:
+            points, flat = [(flat[0], flat[1])], flat[2:]
+        if not flat and named.get("radius") is not None:
+            flat = [self.number(named.get("radius"))]
+        if not flat:
+            raise Unreadable("a circle without a radius")
+        x, y = points[0] if points else ZERO
+        said = "a circle by its center and radius" if points or place else f"a circle by its radius{AT_ORIGIN}"
+        row = notation(group.name)
+        if row and row.alone and len(flat) == 1 and not points and not place:  # SFML's: the corner of its box is there
+            x, y, said = flat[0], flat[0], f"a circle by its radius{AT_ORIGIN}"
+        used = places(x, y, *(place or ()), flat[0])
+        bare = group.name == "circle" and len(group.items) == 3 and all(isinstance(v, Num) for v in group.items)
+        if bare and self._choose(ROUND, CHOICES[ROUND], sure=DIAMETER if self.sketch else "") == DIAMETER:
+            flat[0], said = flat[0] / 2, "a circle by its center and diameter"
+        x, y = (x + place[0], y + place[1]) if place else (x, y)
+        return [Read(((x, y),), flat[0], said, group.start, group.end, label, used=used)]
+
+    def _ellipse(self, group: Group, label: str) -> list[Read]:
+        """Return the circle of an ellipse with equal axes: (x, y, width, height); Unreadable for any other."""
+        keys = self.as_object(group).fields
+        if {"cx", "cy", "rx", "ry"} <= set(keys):
+            x, y, radius, other = (self.number(keys[name]) for name in ("cx", "cy", "rx", "ry"))
+            if radius == other:
+                said, used = "a circle by its center and radius", places(x, y, radius, other)
+                return [Read(((x, y),), radius, said, group.start, group.end, label, used=used)]
+        flat = self.numbers(group.items) or []
+        if len(flat) not in (3, 4) or flat[2] != flat[-1]:
+            raise Unreadable("an ellipse: satviz takes polygons and circles")
+        said = "a circle by its center and diameter"
+        used = places(*flat)
+        return [Read(((flat[0], flat[1]),), flat[2] / 2, said, group.start, group.end, label, used=used)]
+
+    def _box(self, group: Group, row: Notation, label: str) -> list[Read]:
+        """Return the box of a call, in the form of its row or as it is asked."""
+        arguments, named = self._arguments(group)
+        arguments, place, angle = self._body(arguments)
+        if angle is None:
+            angle = named.get("angle", "degrees", "radians")
+        if only := self._options(arguments):
+            return self._object(replace(only, start=group.start, end=group.end), label, row)
+        if named.fields and not (angle is not None and len(named.fields) == 1 and arguments):
+            return self._object(replace(named, start=group.start, end=group.end, rest=arguments), label, row)
+        parts = [self.point(a) if isinstance(self.resolve(a), (Group, Obj)) else None for a in arguments]
+        if parts and any(p is not None for p in parts):
+            flat: list[Fraction] = []
+            for argument, part in zip(arguments, parts, strict=True):
+                flat += part if part is not None else [self.number(argument)]
+        else:
+            flat = self.numbers(arguments) or []
+        if row.form == CENTER_HALF and len(flat) >= 4 and parts[0] is None:
+            flat = [*flat[2:4], *flat[:2], *flat[4:]]  # b2 and planck: half sizes, then the center
+        if len(flat) == 2:  # a size alone: its center is where its body is
+            form = row.form or CENTER_SIZE
+            form = form if form in (CENTER_SIZE, CENTER_HALF) or row.alone else CENTER_SIZE
+            flat = [*(place or ZERO), *flat]
+            made = self._made_box(flat, form, group, label, angle, row.unit)
+            return [made if place else replace(made, said=f"{made.said}{AT_ORIGIN}")]
+        if len(flat) not in (4, 5):
+            return self._plain(replace(group, name="", methods=[]), label)
+        ask = row.ask or ()
+        if not row.form and len(arguments) == 3:
+            ask = CORNER_OR_CENTER  # a point, a width and a height
+        if group.bracket == "[" and row.form == CORNER_SIZE:  # Mathematica: Rectangle[{0, 0}, {1, 1}]
+            row, ask = row._replace(form=CORNER_CORNER), ()
+        form = self._choose(BOX_FORM, ask, sure=self.mode(group)) if ask else self._overridden(row.form)
+        if len(flat) == 5 and angle is None:
+            angle = angle_of(group, flat)
+        if len(arguments) == 4 and not named.fields and row.ask == ANY_BOX:
+            self._ask_order()
+        made = self._made_box(flat[:4], form, group, label, angle, RADIANS if row.form == CENTER_HALF else row.unit)
+        made = replace(made, keyed=bool(row.form))
+        return [moved(made, place) if place else made]
+
+    def _centers_and_radii(self, items: Sequence[Any], label: str) -> list[Read]:
+        """Return the shapes of a call such as CheckCollisionCircleRec(center, radius, box)."""
+        found: list[Read] = []
+        rest: list[Any] = []
+        center: Pt | None = None
+        for item in items:
+            if center is not None and self._is_number(item):
+                radius = self.number(item)
+                said, used = "a circle by its center and radius", places(*center, radius)
+                found.append(Read((center,), radius, said, item.start, item.end, label, used=used))
+                center = None
+            elif (center := self.point(item)) is None:
+                rest.append(item)
+        return [*found, *self._each(rest, label)] if found else []
+
+
+def _begins_with_numbers(items: Sequence[Any]) -> bool:
+    """Return whether a call's arguments begin with two numbers, as a box's do."""
+    return len(items) > 1 and all(isinstance(item, Num) for item in items[:2])
+
+
+def _centroid(ring: Sequence[Pt]) -> Pt:
+    """Return the center of area of an outline; the mean of its corners if it has no area."""
+    area = x = y = Fraction(0)
+    for (px, py), (qx, qy) in zip(ring, (*ring[1:], ring[0]), strict=True):
+        cross = px * qy - py * qx
+        area += cross
+        x += cross * (px + qx)
+        y += cross * (py + qy)
+    if not area:
+        return sum((p[0] for p in ring), Fraction(0)) / len(ring), sum((p[1] for p in ring), Fraction(0)) / len(ring)
+    return x / area / 3, y / area / 3

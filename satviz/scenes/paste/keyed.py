@@ -1,0 +1,138 @@
+"""Shapes that an object describes by its keys: a center, a radius, a size, corners, an offset, an angle."""
+
+from dataclasses import replace
+from typing import Any
+
+from .axis_lists import joined, pairs_of_lists
+from .boxes import (
+    ABSOLUTE,
+    AT_ORIGIN,
+    CHOICES,
+    CORNERS,
+    Boxes,
+    Read,
+    moved,
+    origin_of,
+    unit_of,
+)
+from .names import Obj, Unreadable
+from .notations import (
+    CORNER_CORNER,
+    Notation,
+    key,
+    notation,
+)
+from .points import ZERO, Numeral, Pt, places
+from .tree import Bad, Group, Name, Num
+
+
+class Keyed(Boxes):
+    """Reads objects with keys."""
+
+    def shapes(self, value: Any, label: str = "") -> list[Read]:
+        """Return the shapes in a value."""
+        raise NotImplementedError
+
+    def _rings(self, value: Any, label: str) -> list[Read]:
+        """Return the polygon of an outer ring and its holes."""
+        raise NotImplementedError
+
+    def _object(self, obj: Obj, label: str, row: Notation | None = None) -> list[Read]:
+        """Return the shape that an object describes by its keys, or else the shapes in its fields."""
+        kind = obj.fields.get("type")
+        if obj.twice and key(obj.twice):
+            raise Unreadable(f"the key {obj.twice} stands twice")
+        if isinstance(kind, Name) and "coordinates" in obj.fields:
+            inside = obj.fields["coordinates"]
+            if kind.text == "Polygon":
+                return self._rings(inside, label)
+            if kind.text == "MultiPolygon" and isinstance(inside, Group):
+                return [s for each in inside.items for s in self._rings(each, label)]
+            return []
+        sort = obj.fields.get(
+            "shape_type"
+        )  # of labelme: two points are corners of a box, or a center and a border point
+        if isinstance(sort, Name) and sort.text == "circle":
+            raise Unreadable("a circle by its center and a point of it: write its radius")
+        if isinstance(sort, Name) and sort.text == "rectangle" and obj.get("points") is not None:
+            two = self.resolve(obj.get("points"))
+            ends = [self.point(v) for v in two.items] if isinstance(two, Group) else []
+            if len(ends) == 2 and ends[0] and ends[1]:
+                return [self._made_box([*ends[0], *ends[1]], CORNER_CORNER, obj, label)]
+        angle, unit = obj.get("angle", "degrees", "radians"), unit_of(obj)
+        center = obj.get("center", "corner")
+        if isinstance(self.resolve(center), Name) and obj.get("x0") is not None:
+            center = None  # position: absolute
+        place = None if center is None else self.vector(center)
+        if place is None and obj.get("x") is not None and obj.get("y") is not None:
+            place = (self.number(obj.get("x")), self.number(obj.get("y")))
+        if place is None:
+            rest = () if any(isinstance(k, int) for k in obj.fields) else obj.rest
+            place = next((p for p in (self.point(v) for v in rest if isinstance(v, (Group, Obj))) if p), None)
+        if row is None:  # var s = RectangleShape2D.new(), and its fields
+            made_by = (notation(v.name) for v in obj.rest if isinstance(v, Group) and v.name and not v.items)
+            row = next((found for found in made_by if found), None)
+        offset = self.point(obj.get("offset")) if obj.get("offset") is not None else None
+        if offset is not None and angle is not None and self.number(angle):
+            raise Unreadable("an offset and an angle in one shape: write the corners that result")
+        points = obj.get("points")
+        outline = self.ring(points) if points is not None else None
+        if outline is None and any(isinstance(k, int) for k in obj.fields):
+            outline = self.ring(obj)
+        if outline is None and (lists := list(pairs_of_lists(obj.fields))):
+            joint = joined(*lists[0][1:])
+            if joint is None or len(lists) > 1:
+                raise Unreadable("the lists of x and y do not have the same number of numbers")
+            outline = self.ring(joint)
+        if outline is not None and len(outline) > 2:
+            shift, given = place or ZERO, places(*(place or ()))
+            if shift != ZERO and self._choose(CORNERS, CHOICES[CORNERS]) == ABSOLUTE:
+                shift = ZERO
+            made = self._outline(outline, obj, label, shift, " and a position" if shift != ZERO else "")
+            made = replace(made, used=made.used | given)
+            made = self._turned(made, angle, unit, shift) if angle is not None else made
+            return [moved(made, offset) if offset else made]
+        radius = obj.get("radius", "diameter")
+        sides = all(side in {str(k).lower() for k in obj.fields} for side in "ltrb")
+        if radius is not None and isinstance(self.resolve(radius), (Num, Bad)) and not sides:
+            made = self._circle_of_keys(obj, place, label, row)
+            return [moved(made, offset) if offset else made]
+        if four := self._box_of_keys(obj, place, center, row):
+            made = replace(self._made_box(*four, obj, label, angle, unit), keyed=True)
+            if not any(isinstance(number, Numeral) for number in four[0][:2]):
+                made = replace(made, said=f"{made.said}{AT_ORIGIN}")
+            return [moved(made, offset) if offset else made]
+        if obj.rest and (place is not None or angle is not None):
+            self.consume(obj.rest)
+            found = [s for v in obj.rest for s in self.shapes(v, label)]
+            found = [moved(s, place) if place and self.point(obj.get("center")) else s for s in found]
+            return [self._turned(s, angle, unit, place) if angle is not None else s for s in found]
+        inner = [s for v in obj.rest if not isinstance(v, Name) for s in self.shapes(v, label)]
+        for name, value in obj.fields.items():
+            if not (isinstance(kind, Name) and name in ("bbox", "properties")):
+                wrapper = isinstance(name, int) or name in ("geometry", "features", "geometries", "shape")
+                inner += self.shapes(value, label if wrapper else str(name).split(" (")[0])
+        return inner
+
+    def _circle_of_keys(self, obj: Obj, place: Pt | None, label: str, row: Notation | None) -> Read:
+        """Return the circle of an object with a radius or a diameter, and a center or its left and top sides."""
+        given = obj.get("radius")
+        size = self.number(given if given is not None else obj.get("diameter"))
+        used = places(*(place or ()), size)
+        radius = size if given is not None else size / 2
+        keys = {str(k).lower(): v for k, v in obj.fields.items()}
+        said = "a circle by its center and radius" if place else f"a circle by its radius{AT_ORIGIN}"
+        if place is None and "left" in keys and "top" in keys:
+            place = self.number(keys["left"]), self.number(keys["top"])
+            used |= places(*place)
+            origins = origin_of(obj, "originx", "left"), origin_of(obj, "originy", "top")
+            if origins == ("left", "top"):
+                place, said = (
+                    (place[0] + radius, place[1] + radius),
+                    "a circle by its left and top sides and a position",
+                )
+            elif origins != ("center", "center"):
+                raise Unreadable("an origin that is neither the corner nor the center: write the center")
+        if given is None:
+            said = said.replace("radius", "diameter")
+        return Read((place or ZERO,), radius, said, obj.start, obj.end, label, used=used)

@@ -1,0 +1,127 @@
+"""Elements of SVG as calls: <circle cx="1" cy="2" r="3"/> is read as svg.circle(cx=1, cy=2, r=3)."""
+
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import islice
+
+from ...engine.geometry import InvalidScene
+from .prose import sentences
+from .svg_path import PATH_DATA, path_tokens
+from .tables import tables
+from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, OPEN, TOO_MANY, Token, tokens
+
+_QUOTED = r"\"[^\"<>]*\"|'[^'<>]*'"
+_ELEMENT = re.compile(rf"<(circle|ellipse|rect|polygon|polyline|path)\b((?:[^<>\"']|{_QUOTED})*)>")
+_ATTRIBUTE = re.compile(rf"([\w:-]+)[ \t\r\n]*=[ \t\r\n]*({_QUOTED})")
+_BARE = re.compile(rf"([\"'`])(?=\s*[Mm])({PATH_DATA.pattern})\1")
+_TRANSFORM = re.compile(r"(\w+)\s*\(([^()]*)\)")
+_VIEW = re.compile(r"\bviewBox\s*=\s*(?:\"[^\"<>]*\"|'[^'<>]*')", re.IGNORECASE)
+# The attributes that are numbers of a shape; 0 is what SVG takes for a place that is not given.
+_NUMBERS = {
+    "circle": ("cx", "cy", "r"),
+    "ellipse": ("cx", "cy", "rx", "ry"),
+    "rect": ("x", "y", "width", "height", "rx", "ry"),
+}
+_PLACES = frozenset(["x", "y", "cx", "cy"])
+
+
+def all_tokens(text: str) -> list[Token]:
+    """Return the tokens of a text, with SVG elements, path data and tables as calls and lists."""
+    plain = tokens(text)
+    parts = [(m.start(), m.end(), list(_element(m))) for m in _ELEMENT.finditer(text)]
+    ends = [(start, end) for start, end, _ in parts]
+    inside = iter([*ends, (len(text), len(text))])
+    start, end = next(inside)
+    for m in _BARE.finditer(text):
+        while end <= m.start():
+            start, end = next(inside)
+        if m.start() < start:
+            found = [_mark(OPEN, "[", m.start()), *path_tokens(m[2], m.start(2)), _mark(CLOSE, "]", m.end())]
+            parts.append((m.start(), m.end(), found))
+    parts += [(m.start(), m.end(), []) for m in _VIEW.finditer(text)]
+    parts += [*tables(text), *sentences(text)]
+    if not parts:
+        return plain
+    parts.sort(key=lambda part: part[0])
+    found = list(islice(_replaced(plain, parts), MAX_TOKENS + 1))
+    if len(found) > MAX_TOKENS:
+        raise InvalidScene(TOO_MANY)
+    return found
+
+
+def _replaced(plain: list[Token], parts: list[tuple[int, int, list[Token]]]) -> Iterator[Token]:
+    """Yield the tokens with those of each part in the place of what they were."""
+    rest = iter(parts)
+    part = next(rest, None)
+    reached = 0
+    for token in plain:
+        while part is not None and part[0] <= token.start:
+            if part[0] >= reached:
+                yield from part[2]
+                reached = part[1]
+            part = next(rest, None)
+        if token.start >= reached:
+            yield token
+    while part is not None:
+        yield from part[2] if part[0] >= reached else ()
+        part = next(rest, None)
+
+
+def _element(match: re.Match[str]) -> Iterator[Token]:
+    """Yield the call that an element stands for, on a line of its own."""
+    tag, begin = match[1], match.start(2)
+    found = {m[1]: (m[2][1:-1], begin + m.start(2) + 1) for m in _ATTRIBUTE.finditer(match[2])}
+    yield _mark(MARK, ";", match.start())
+    yield Token(NAME, f"svg.{tag}", match.start(), match.start())
+    yield _mark(OPEN, "(", match.start())
+    if tag == "path":
+        yield from path_tokens(*found.get("d", ("", match.start())))
+    elif tag in ("polygon", "polyline"):
+        for token in _inner(*found.get("points", ("", match.start()))):
+            yield token
+            yield _mark(MARK, ",", token.end)
+    else:
+        for name in _NUMBERS[tag]:
+            if name in found:
+                yield from _pair(name, _inner(*found[name]))
+            elif name in _PLACES:
+                yield from _pair(name, [Token(NUMBER, "0", match.start(), match.start(), Fraction(0))])
+    yield _mark(CLOSE, ")", match.end())
+    if "transform" in found:
+        yield from _changes(*found["transform"])
+    yield _mark(MARK, ";", match.end())
+
+
+def _pair(name: str, value: list[Token]) -> Iterator[Token]:
+    """Yield a named argument."""
+    if value:
+        yield Token(NAME, name, value[0].start, value[0].start)
+        yield _mark(MARK, "=", value[0].start)
+        yield from value
+        yield _mark(MARK, ",", value[-1].end)
+
+
+def _changes(text: str, at: int) -> Iterator[Token]:
+    """Yield the calls behind a shape that its transform stands for: a move is applied, all else is refused."""
+    for m in _TRANSFORM.finditer(text):
+        name = ".translate" if m[1] == "translate" else f".transform-{m[1]}"
+        yield Token(FIELD, name, at + m.start(), at + m.start())
+        yield _mark(OPEN, "(", at + m.start(2))
+        values = _inner(m[2], at + m.start(2))
+        if name == ".translate" and len(values) == 1:
+            values.append(Token(NUMBER, "0", values[0].end, values[0].end, Fraction(0)))
+        for value in values:
+            yield value
+            yield _mark(MARK, ",", value.end)
+        yield _mark(CLOSE, ")", at + m.end())
+
+
+def _inner(text: str, at: int) -> list[Token]:
+    """Return the numbers and words of an attribute."""
+    return [t._replace(start=t.start + at, end=t.end + at) for t in tokens(text) if t.kind in (NUMBER, NAME)]
+
+
+def _mark(kind: str, text: str, at: int) -> Token:
+    """Return a token that does not stand in the text."""
+    return Token(kind, text, at, at)

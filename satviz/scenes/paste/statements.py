@@ -1,0 +1,264 @@
+"""What the lines of a text do: give names, add corners, draw with a pen, and set the fields of a shape."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+from .names import Names, Obj, is_block, short
+from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, SETTERS, TURNS, key, notation
+from .tree import Bad, Group, Num, Pair
+
+# Calls that add a corner to a list, that draw an outline with a pen, and that give a shape to a body.
+ADDERS = frozenset(
+    ["add", "push", "push_back", "emplace_back", "append", "addpoint", "addvertex", "add_point", "add_vertex"]
+)
+PENS = frozenset(["moveto", "lineto", "vertex", "curvevertex"])
+PEN_STARTS = frozenset(["moveto", "beginpath", "beginshape", "endshape", "closepath", "endpath"])
+ATTACHERS = frozenset(["addshape", "add_shape", "createfixture", "create_fixture", "addfixture", "setshape"])
+# Calls that only sketches of Processing and p5.js have.
+_SKETCH = re.compile(r"\b(?:rectMode|ellipseMode|createCanvas|beginShape|noStroke|strokeWeight|ellipse|quad)\(")
+# Names such as x1, rect_w, ballRadius and bx: whose number it is, and which.
+_LETTERS = "x|y|w|h|r|cx|cy|width|height|radius|diameter"
+_NUMBERED = re.compile(rf"(?P<key>{_LETTERS}|left|top|right|bottom)_?(?P<owner>\d+|[a-dA-D])")
+_PREFIXED = re.compile(rf"(?P<owner>\w+?)(?:_(?P<key>{_LETTERS})|(?P<camel>X|Y|W|H|R|Width|Height|Radius|Diameter))")
+_CORNER = re.compile(r"(?P<name>(?:v|p|pt|point|vertex|vert|corner)?)[ _]?(?P<number>\d{1,4})", re.IGNORECASE)
+_LETTERED = re.compile(r"(?P<owner>[a-dA-DpPqQ])(?P<key>[xywhr])")
+
+
+class Run(NamedTuple):
+    """A shape whose numbers have names of their own; none if a shape uses one of these names."""
+
+    value: Obj
+    label: str
+
+
+class Statements(Names):
+    """Sorts the lines of a text: variables with their fields, and what stands alone."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self.runs: list[Run] = []
+        self.taken: set[int] = set()  # values that a run has
+        self.modes: list[tuple[int, str]] = []  # rectMode(CENTER), where it stands
+        self._open: dict[str, Obj] = {}  # runs that may go on
+        self._grown: set[int] = set()  # lists to which corners were added
+        self._pen: Group | None = None
+        self._corners: Obj | None = None  # a numbered list that may go on
+        self._next, self._named = 0, ""
+        self.sketch = bool(_SKETCH.search(text))  # of Processing or p5.js
+        self._draws = "lineto" in text.lower()  # moveTo is that of a pen, and of no body
+
+    def assign(self, items: Sequence[Any]) -> None:
+        """Sort the lines of a text or block: what gets a name, and what stands alone."""
+        column: list[Group] = []
+        for item in (*items, None):
+            if isinstance(item, Group) and item.bracket in (",", " ") and self._is_row(item):
+                column.append(item)
+                continue
+            if len(column) > 2:
+                self.loose.append(Group(column[0].start, column[-1].end, list(column), "lines"))
+            else:
+                self.loose += [row for row in column if len(row.items) != 2]
+            column = []
+            if item is None or not isinstance(item, Pair):
+                self._end_run("")
+                self._end_corners()
+            self._line(item)
+        for owner in list(self._open):
+            self._end_run(owner)
+        self._end_pen()
+        self._end_corners()
+
+    def _is_row(self, item: Group) -> bool:
+        """Return whether a line consists of two numbers."""
+        return len(item.items) == 2 and _are_numbers(item)
+
+    def _line(self, item: Any) -> None:
+        """Take one line."""
+        if isinstance(item, Pair) and isinstance(item.value, Pair):  # a heading over the lines of an object: a:
+            self._end_run("")
+            self._line(item.value)
+        elif isinstance(item, Pair):
+            self._insert(item)
+            self._number(item)
+            self._go_on(item)
+        elif isinstance(item, Bad):
+            for inner in item.inside:
+                self._line(inner)
+        elif isinstance(item, Group):
+            declared = notation(item.before) if item.before else None
+            if declared and (
+                declared.kind in (BOX, CIRCLE, OTHER_SHAPE) or not notation(item.name)
+            ):  # Circle c(0, 0, 1)
+                made = replace(item, name=item.before, before="")
+                self._insert(Pair(item.start, item.end, _path(item.name), made))
+            elif item.bracket == "{" and not item.name and is_block(item):
+                self.assign(item.items)
+            elif item.bracket in (",", "+") and item.items and all(isinstance(v, Pair) for v in item.items):
+                self._end_run("")  # x = 0, y = 0, r = 5
+                for inner in item.items:
+                    self._line(inner)
+                self._end_run("")
+            elif item.bracket == "," and any(isinstance(v, (Pair, Bad)) for v in item.items):
+                for inner in item.items:
+                    self._line(inner)
+            elif not self._statement(item):
+                if not item.name and item.bracket in (" ", ",") and len(item.items) == 5 and _are_numbers(item):
+                    part = short(self.text[item.start : item.end])
+                    why = "five numbers can be a box and its angle, or a label and a box: write the four of the box"
+                    self.problems.append(f"{part}: {why}")
+                else:
+                    self.loose.append(item)
+
+    def _statement(self, item: Group) -> bool:
+        """Take a call that changes something that has a name; return whether it is one."""
+        words = item.name.replace("->", ".").replace("::", ".").split(".")
+        last, owner = words[-1].lower(), tuple(words[:-1])
+        if item.bracket == "[" and item.name and len(item.methods) == 1 and item.methods[0][0].lower() in SETTERS:
+            index = item.items[0] if item.items else None
+            number = int(index.value or 0) if isinstance(index, Num) else 0
+            self.counts |= {index.end} if isinstance(index, Num) else set()
+            self._insert(Pair(item.start, item.end, (*item.name.split("."), number), item.methods[0][1]))
+        elif last in SETTERS and owner and len(item.items) == 2:  # circle.m_p.Set(1, 2)
+            self._insert(Pair(item.start, item.end, owner, replace(item, name="")))
+        elif (
+            last in (*MOVES, *TURNS) and owner and not (last == "moveto" and self._draws) and len(item.items) in (1, 2)
+        ):
+            value = item if last in MOVES and len(item.items) == 2 else item.items[0]
+            value = Group(item.start, item.end, item.items, "(") if value is item else value
+            self._insert(Pair(item.start, item.end, (*owner, "position" if last in MOVES else "angle"), value))
+        elif last in ADDERS and owner and (point := _point_of(item)):
+            self._add(owner, point)
+        elif last in PENS or last in PEN_STARTS:
+            if last in PEN_STARTS:
+                self._end_pen()
+            if last in PENS and (point := _point_of(item)):
+                self._pen = self._pen or Group(item.start, item.end, [], "[")
+                self._pen.items.append(point)
+                self._pen.end = item.end
+        elif last == "rectmode" and item.items:
+            self.modes.append((item.start, getattr(item.items[0], "text", "").lower()))
+        else:
+            return False
+        return True
+
+    def _add(self, path: tuple[str, ...], point: Group) -> None:
+        """Add a corner to the list of this name."""
+        parent: Any = self.env
+        for part in path[:-1]:
+            parent = parent.fields.get(part) if isinstance(parent, Obj) else None
+        node = parent.fields.get(path[-1]) if isinstance(parent, Obj) else None
+        if isinstance(node, Group):
+            if id(node) not in self._grown:  # the tree is read more than once, so its own list stays as it is
+                capacity = len(node.items) == 1 and isinstance(node.items[0], Num)
+                node = parent.fields[path[-1]] = replace(node, items=[] if capacity else list(node.items))
+                self._grown.add(id(node))
+            node.items.append(point)
+            node.end = max(node.end, point.end)
+        else:
+            made = Group(point.start, point.end, [point], "[")
+            self._grown.add(id(made))
+            self._insert(Pair(point.start, point.end, path, made))
+
+    def _end_pen(self) -> None:
+        """End the outline that a pen draws."""
+        if self._pen is not None and len(self._pen.items) > 2:
+            self.loose.append(self._pen)
+        self._pen = None
+
+    # -- corners and numbers with names of their own
+
+    def _number(self, pair: Pair) -> None:
+        """Take a corner of a numbered list: v0: 0 0, Vertex 1: (4, 0), 2: {x: 0, y: 3}."""
+        found = _CORNER.fullmatch(f"{pair.path[0]}{pair.number}") if len(pair.path) == 1 else None
+        if found is None or not _is_point(pair.value):
+            self._end_corners()
+            return
+        number = int(found["number"])
+        if self._corners is None or number != self._next or found["name"] != self._named:
+            self._end_corners()
+            self._corners = Obj(pair.start, pair.end)
+        self._corners.fields[number] = pair.value
+        self._corners.end = pair.end
+        self._next, self._named = number + 1, found["name"]
+
+    def _end_corners(self) -> None:
+        """End a numbered list of corners."""
+        if self._corners is not None and len(self._corners.fields) > 2:
+            self.runs.append(Run(self._corners, ""))
+        self._corners = None
+
+    def _go_on(self, pair: Pair) -> None:
+        """Go on with the shape whose number this is: x1 = 0; y1 = 0; r1 = 5."""
+        name = str(pair.path[0]) if len(pair.path) == 1 else ""
+        owner, meaning = _owner(name) if name else ("", "")
+        if not meaning:
+            self._end_run("")
+            return
+        if owner and not isinstance(pair.value, Num):
+            return
+        run = self._open.get(owner)
+        if run is not None and meaning in {key(k) for k in run.fields}:
+            self._end_run(owner)
+            run = None
+        if run is None:
+            run = self._open[owner] = Obj(pair.start, pair.end)
+        run.fields[name if not owner else meaning] = pair.value
+        run.end = pair.end
+
+    def _end_run(self, owner: str) -> None:
+        """End a run; it is a shape if it has all the numbers of one."""
+        run = self._open.pop(owner, None)
+        if run is None:
+            return
+        has = {key(name) for name in run.fields}
+        sized = bool(has & {"size", "half"}) or {"width", "height"} <= has or {"halfwidth", "halfheight"} <= has
+        placed = {"x", "y"} <= has or "center" in has or {"x0", "y0"} <= has
+        round_ = "radius" in has or "diameter" in has
+        corners = {"x0", "y0", "x1", "y1"} <= has
+        outline = "points" in has and bool(has & {"center", "angle", "degrees", "radians", "offset"}) and not round_
+        if (placed and (sized or round_)) or corners or outline:
+            self.runs.append(Run(run, "" if owner.isdigit() else owner))
+            self.taken |= {id(value) for value in run.fields.values() if not isinstance(value, Num)}
+
+
+def _owner(name: str) -> tuple[str, str]:
+    """Return whose number a name holds, and its meaning: ("1", "x") of x1, ("", "x") of x; ("", "") of other names."""
+    if meaning := key(name):
+        return "", meaning
+    for pattern in (_NUMBERED, _PREFIXED, _LETTERED):
+        if found := pattern.fullmatch(name):
+            parts = found.groupdict()
+            return parts["owner"], key(parts["key"] or parts["camel"])
+    return "", ""
+
+
+def _are_numbers(item: Group) -> bool:
+    """Return whether a group holds numbers alone."""
+    return all(isinstance(v, Num) for v in item.items)
+
+
+def _path(name: str) -> tuple[str, ...]:
+    """Return the parts of a name."""
+    return tuple(name.replace("->", ".").replace("::", ".").split("."))
+
+
+def _point_of(call: Group) -> Group | None:
+    """Return the point that a call gets: two numbers, or one bracket or point with two numbers."""
+    (inner,) = call.items if len(call.items) == 1 else (None,)
+    if isinstance(inner, Group):
+        row = notation(inner.name) if inner.name else None
+        if inner.name and not (row and row.kind == POINT):
+            return None
+        return inner if len(inner.items) in (2, 3) and _are_numbers(inner) else None
+    pair = len(call.items) == 2 and all(not isinstance(v, (Group, Pair)) for v in call.items)
+    return Group(call.start, call.end, call.items, "(") if pair else None
+
+
+def _is_point(value: Any) -> bool:
+    """Return whether a value is a point: two numbers, or x and y."""
+    if not isinstance(value, Group) or len(value.items) != 2:
+        return False
+    keys = {key(v.path[0]) for v in value.items if isinstance(v, Pair) and len(v.path) == 1}
+    return _are_numbers(value) or keys == {"x", "y"}

@@ -1,0 +1,226 @@
+"""Wrong functions as thirteen people write them, each with one mistake.  The test knows which."""
+
+import itertools
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+
+def game_jam_boxes(a, b):
+    """NumPy, one expression: all of a shape's corners become its box."""
+    a, b = np.asarray(a), np.asarray(b)
+    return bool(np.all(a.max(axis=0) >= b.min(axis=0)) and np.all(b.max(axis=0) >= a.min(axis=0)))
+
+
+class Projection:
+    """A range on an axis, in a class of its own."""
+
+    def __init__(self, points, axis):
+        values = [x * axis[0] + y * axis[1] for x, y in points]
+        self.min, self.max = min(values), max(values)
+
+    def overlaps(self, other):
+        return not (self.max < other.min or other.max < self.min)
+
+
+class Collider:
+    """Asks the other collider for nothing but its points."""
+
+    def __init__(self, points):
+        self.points = points
+
+    def axes(self):
+        for i, (x, y) in enumerate(self.points):
+            px, py = self.points[i - 1]
+            yield py - y, x - px
+
+    def hits(self, other):
+        return all(Projection(self.points, n).overlaps(Projection(other.points, n)) for n in self.axes())
+
+
+def classes_second_first(a, b):
+    return Collider(b).hits(Collider(a))
+
+
+def _directions(poly):
+    closed = itertools.chain(poly, poly[:1])
+    for (x1, y1), (x2, y2) in itertools.pairwise(closed):
+        yield y2 - y1, x1 - x2
+
+
+def _scalar_projections(poly, d):
+    return sorted(np.dot(poly, d).tolist())
+
+
+def any_for_all(a, b):
+    """Generators, with the wrong one of two words."""
+    overlaps = (
+        pa[0] <= pb[-1] and pb[0] <= pa[-1]
+        for d in itertools.chain(_directions(a), _directions(b))
+        for pa, pb in [(_scalar_projections(a, d), _scalar_projections(b, d))]
+    )
+    return any(overlaps)
+
+
+def stops_before_the_last_edge(a, b):
+    """A range that is one too short."""
+    for p in [a, b]:
+        for i in range(len(p) - 1):
+            ax = -(p[i + 1][1] - p[i][1])
+            ay = p[i + 1][0] - p[i][0]
+            min_a = max_a = ax * a[0][0] + ay * a[0][1]
+            for q in a[1:]:
+                d = ax * q[0] + ay * q[1]
+                min_a = min(min_a, d)
+                max_a = max(max_a, d)
+            min_b = max_b = ax * b[0][0] + ay * b[0][1]
+            for q in b[1:]:
+                d = ax * q[0] + ay * q[1]
+                min_b = min(min_b, d)
+                max_b = max(max_b, d)
+            if max_a < min_b or max_b < min_a:
+                return False
+    return True
+
+
+def saves_half(a, b):
+    """An optimisation that is right for rectangles."""
+
+    def normals(p):
+        n = len(p)
+        for i in range((n + 1) // 2):
+            (x0, y0), (x1, y1) = p[i], p[(i + 1) % n]
+            yield np.array([y1 - y0, x0 - x1])
+
+    A, B = np.array(a), np.array(b)
+    for n in (*normals(a), *normals(b)):
+        s, t = A @ n, B @ n
+        if s.max() < t.min():
+            return False
+        if t.max() < s.min():
+            return False
+    return True
+
+
+def compass_points(a, b):
+    """Keeps the corners furthest to the west, east, south and north, to project fewer."""
+
+    def few_of(p):
+        p = np.array(p)
+        return p[[p[:, 0].argmin(), p[:, 0].argmax(), p[:, 1].argmin(), p[:, 1].argmax()]]
+
+    few = [few_of(a), few_of(b)]
+    for p in (a, b):
+        for (x0, y0), (x1, y1) in zip(p, p[1:] + p[:1]):
+            s, t = (f @ (y1 - y0, x0 - x1) for f in few)
+            if s.max() < t.min() or t.max() < s.min():
+                return False
+    return True
+
+
+def complex_conjugate(a, b):
+    """Points as complex numbers; a quarter turn is a factor, and conjugate() is none."""
+    a, b = ([complex(*p) for p in poly] for poly in (a, b))
+
+    def dots(poly, n):
+        return [(z * n.conjugate()).real for z in poly]
+
+    for poly in (a, b):
+        for k in range(len(poly)):
+            n = (poly[k] - poly[k - 1]).conjugate()
+            da, db = dots(a, n), dots(b, n)
+            if max(da) < min(db) or max(db) < min(da):
+                return False
+    return True
+
+
+@dataclass(frozen=True)
+class Vector2:
+    x: float
+    y: float
+
+    def dot(self, o):
+        return self.x * o.x + self.y * o.y
+
+    def project_on(self, o):
+        k = self.dot(o) / o.dot(o)
+        return Vector2(k * o.x, k * o.y)
+
+    def magnitude(self):
+        return math.sqrt(self.dot(self))
+
+
+def vector_projection(a, b):
+    """Projects onto the axis as a vector, as in the lecture, and takes its magnitude."""
+    A, B = [Vector2(*p) for p in a], [Vector2(*p) for p in b]
+    axes = []
+    for P in (A, B):
+        for p, q in zip(P, [*P[1:], P[0]]):
+            axes.append(Vector2(p.y - q.y, q.x - p.x))
+    for axis in axes:
+        on_a = [p.project_on(axis).magnitude() for p in A]
+        on_b = [p.project_on(axis).magnitude() for p in B]
+        if min(on_a) > max(on_b) or min(on_b) > max(on_a):
+            return False
+    return True
+
+
+def axes_along_the_edges(a, b):
+    """Forgets the quarter turn."""
+    edges = [(x2 - x1, y2 - y1) for p in (a, b) for (x1, y1), (x2, y2) in zip(p, p[1:] + p[:1])]
+    for ex, ey in edges:
+        pa = [x * ex + y * ey for (x, y) in a]
+        pb = [x * ex + y * ey for (x, y) in b]
+        if not (min(pa) <= max(pb) and min(pb) <= max(pa)):
+            return False
+    return True
+
+
+def quick_reject(a, b):
+    """Returns early where the middles are further apart than the shapes are wide."""
+
+    def middle(p):
+        return sum(x for x, _ in p) / len(p), sum(y for _, y in p) / len(p)
+
+    def reach(p):
+        mx, my = middle(p)
+        return sum(math.hypot(x - mx, y - my) for x, y in p) / len(p)
+
+    if math.dist(middle(a), middle(b)) > reach(a) + reach(b):
+        return False
+    for d in itertools.chain(_directions(a), _directions(b)):
+        pa, pb = _scalar_projections(a, d), _scalar_projections(b, d)
+        if pa[-1] < pb[0] or pb[-1] < pa[0]:
+            return False
+    return True
+
+
+def twins(a, b):
+    """Shapes of one kind need one set of normals, somebody said."""
+    polys = [a] if len(a) == len(b) else [a, b]
+    for p in polys:
+        for d in _directions(p):
+            pa, pb = _scalar_projections(a, d), _scalar_projections(b, d)
+            if pa[-1] < pb[0] or pb[-1] < pa[0]:
+                return False
+    return True
+
+
+def strict(a, b):
+    """The comparison of a tutorial: an overlap is where both are strictly so."""
+    for d in itertools.chain(_directions(a), _directions(b)):
+        (a0, *_, a1), (b0, *_, b1) = _scalar_projections(a, d), _scalar_projections(b, d)
+        if not (a0 < b1 and a1 > b0):
+            return False
+    return True
+
+
+def depth_of_any_length(a, b):
+    """NumPy, all axes at once; the smallest overlap is returned as it is."""
+    a, b = np.array(a, float), np.array(b, float)
+    edges = np.vstack([np.roll(a, -1, 0) - a, np.roll(b, -1, 0) - b])
+    normals = edges[:, ::-1] * [1, -1]
+    pa, pb = a @ normals.T, b @ normals.T
+    overlap = np.minimum(pa.max(0) - pb.min(0), pb.max(0) - pa.min(0))
+    return max(0.0, overlap.min())
