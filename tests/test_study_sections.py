@@ -47,6 +47,7 @@ from satviz.study.sections import (
     margin_strips,
     mtv_by_method,
     pose_error,
+    resting_stack,
     speed_against_accuracy,
 )
 from satviz.study.stored_run import stored_charts
@@ -68,7 +69,7 @@ from satviz.study.workloads.hard_pairs import (
     octave_of,
     touching_triangles,
 )
-from satviz.study.workloads.stack import contact_points
+from satviz.study.workloads.stack import SLOP, contact_points
 
 pytestmark = pytest.mark.slow
 
@@ -463,6 +464,11 @@ def test_a_stack_rests_with_exact_tests_and_not_with_upright_boxes():
     of = {(row["test"], row["away"]): row for row in results("stack-").values()}
     assert abs(of["exact", 0.0]["sunk_at_end"]) < 0.03 and of["exact", 0.0]["jitter"] < 1e-3
     assert of["boxes", 0.0]["sunk_at_end"] > 0.5
+    stored = {(row["test"], row["away"]): row for row in CHARTS["resting-stack"].rows}
+    for away in resting_stack.PLACES:
+        assert all(stored[test, away]["sunk_at_end"] < resting_stack.BOXES * SLOP for test in ("exact", "float64"))
+        assert stored["float64", away]["jitter"] < 10 * stored["exact", away]["jitter"] < 1e-7
+    assert stored["float32", resting_stack.FAR]["jitter"] > 0.1
     for row in of.values():
         assert len(row["sunk"]) == len(row["energy"]) == row["seconds"] * 10 and min(row["energy"]) >= 0
 

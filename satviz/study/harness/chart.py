@@ -12,7 +12,6 @@ from matplotlib.axes import Axes
 from matplotlib.axis import XAxis, YAxis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
 
 from ...pictures import LIGHT, THEMES, Theme
 from ...pictures.float_geometry import clip_segment
@@ -169,33 +168,6 @@ def format_time(ns: float) -> str:
     """Return a time in ns, µs, ms or s with two or three digits."""
     size, unit = next(((s, u) for s, u in ((1e9, "s"), (1e6, "ms"), (1e3, "µs")) if ns >= s), (1.0, "ns"))
     return f"{ns / size:.{0 if ns >= 10 * size else 1}f} {unit}"
-
-
-def draw_table(
-    ax: Axes,
-    theme: Theme,
-    columns: Sequence[str],
-    rows: Sequence[str],
-    entry: Callable[[int, int], tuple[str, str, float]],
-) -> None:
-    """Draw a table; `entry(row, column)` returns its text, its colour, and the strength of the colour from 0 to 1.
-
-    Strength 0 draws the text alone, in grey.
-    """
-    ax.set(xlim=(-0.5, len(columns) - 0.5), ylim=(len(rows) - 0.5, -0.5))
-    ax.spines[["left", "bottom"]].set_visible(False)
-    ax.tick_params(length=0)
-    ax.xaxis.tick_top()
-    ax.set_xticks(range(len(columns)), columns)
-    ax.set_yticks(range(len(rows)), rows)
-    for y in range(len(rows)):
-        for x in range(len(columns)):
-            words, shade, strength = entry(y, x)
-            if strength:
-                alpha = 0.1 + 0.5 * strength
-                ax.add_patch(Rectangle((x - 0.48, y - 0.45), 0.96, 0.9, color=shade, alpha=alpha, lw=0))
-            ink = theme.roles["ink" if strength else "guide"]
-            ax.text(x, y, words, ha="center", va="center_baseline", fontsize=TEXT_POINTS, color=ink)
 
 
 def family_colour(theme: Theme, family: str, *, text: bool = False) -> str:

@@ -9,6 +9,7 @@ SAT in float64 above its proven margin, while no product of coordinates leaves t
 """
 
 from collections.abc import Sequence
+from itertools import groupby
 from math import log2
 from typing import Any
 
@@ -200,9 +201,10 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
             shares = [(float(k), w / p if p else 0.0) for k, w, p in zip(MARGIN_OCTAVES, row["wrong"], row["pairs"])]
             if row["what"] == SHAPES:
                 shares.append((TOUCH_AT, row["touches_wrong"] / row["touches"]))
-            for x, share in shares:
+            for (share, _), same in groupby(shares, lambda pair: (round(pair[1], 2), pair[0] == TOUCH_AT)):
+                xs = [x for x, _ in same]
                 alpha = 0.07 + 0.93 * min(1.0, 2 * share)
-                ax.add_patch(Rectangle((x, y - 0.36), 1, 0.72, fc=shade, alpha=alpha, lw=0))
+                ax.add_patch(Rectangle((xs[0], y - 0.36), xs[-1] + 1 - xs[0], 0.72, fc=shade, alpha=alpha, lw=0))
             if row["worst"] > 2.0**MARGIN_OCTAVES.start:
                 worst = min(log2(row["worst"]), MARGIN_OCTAVES.stop - 0.3)
                 ax.plot([worst], [y], "^", color=theme.roles["ink"], mec=theme.paper, ms=8)

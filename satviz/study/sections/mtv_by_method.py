@@ -237,6 +237,8 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
             start = 0.0
             for outcome, (role, hatch) in OUTCOMES.items():
                 share = row[outcome] / row["pairs"]
+                if not share:
+                    continue
                 ax.barh(at, share, 0.74, start, color=theme.roles[role], hatch=hatch, edgecolor=theme.paper, lw=0)
                 start += share
         ax.set_yticks(places, [row["method"] for row in rows])
