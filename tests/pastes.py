@@ -1593,4 +1593,584 @@ box B: 10x10 at (10, 0)""",
         (),
         says="no shape",
     ),
+    # -- changes in code, transforms, other shapes, and files of annotations
+    Paste(
+        "a field set afterwards",
+        """r1 = pygame.Rect(0, 0, 10, 10)
+r1.x = 20
+r2 = pygame.Rect(5, 0, 10, 10)""",
+        ((0, 0, 10, 10), (5, 0, 15, 10)),
+        says="r1.x 20",
+    ),
+    Paste(
+        "field plus",
+        """r1 = pygame.Rect(0, 0, 10, 10)
+r1.x += 20
+r2 = pygame.Rect(5, 0, 10, 10)""",
+        ((0, 0, 10, 10), (5, 0, 15, 10)),
+        says="20",
+    ),
+    Paste(
+        "topleft",
+        """r1 = pygame.Rect(0, 0, 10, 10)
+r1.topleft = (20, 0)
+r2 = pygame.Rect(5, 0, 10, 10)""",
+        ((0, 0, 10, 10), (5, 0, 15, 10)),
+        says="topleft",
+    ),
+    Paste(
+        "move_ip",
+        """r1 = pygame.Rect(0, 0, 10, 10)
+r1.move_ip(20, 0)
+r2 = pygame.Rect(5, 0, 10, 10)""",
+        ((0, 0, 10, 10), (5, 0, 15, 10)),
+        says="move_ip",
+    ),
+    Paste(
+        "inflate",
+        """r1 = pygame.Rect(0, 0, 10, 10).inflate(4, 4)
+r2 = pygame.Rect(5, 0, 10, 10)""",
+        ((5, 0, 15, 10),),
+        says="inflate",
+    ),
+    Paste(
+        "setRadius",
+        """CircleShape c(2.f);
+c.setRadius(5.f);
+Rect r(3, 0, 4, 4);""",
+        ((-2, -2, 2, 2), (3, 0, 7, 4)),
+        as_="corner-size",
+        says="setRadius",
+    ),
+    Paste(
+        "ctx translate",
+        """ctx.translate(100, 0);
+ctx.fillRect(0, 0, 10, 10);
+ctx.fillRect(5, 5, 10, 10);""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+        says="translate",
+    ),
+    Paste(
+        "ctx scale",
+        """ctx.scale(2, 2);
+ctx.fillRect(0, 0, 10, 10);
+ctx.fillRect(5, 5, 10, 10);""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+        says="scale",
+    ),
+    Paste(
+        "processing translate",
+        """noStroke();
+translate(100, 0);
+rect(0, 0, 10, 10);
+rotate(PI/4);
+rect(5, 5, 10, 10);""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+        says="translate",
+    ),
+    Paste(
+        "svg g",
+        """<g transform="translate(100 0)"><rect x="0" y="0" width="10" height="10"/></g>
+<rect x="5" y="5" width="10" height="10"/>""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+        says="translate",
+    ),
+    Paste(
+        "matter setPosition",
+        """const a = Bodies.rectangle(0, 0, 10, 10);
+Body.setPosition(a, {x: 100, y: 0});
+const b = Bodies.circle(0, 0, 5);""",
+        ((-5, -5, 5, 5), (-5, -5, 5, 5)),
+        says="setPosition",
+    ),
+    Paste(
+        "matter translate",
+        """const a = Bodies.rectangle(0, 0, 10, 10);
+Body.translate(a, {x: 100, y: 0});
+const b = Bodies.circle(0, 0, 5);""",
+        ((-5, -5, 5, 5), (-5, -5, 5, 5)),
+        says="translate",
+    ),
+    Paste(
+        "matter rotate",
+        """const a = Bodies.rectangle(0, 0, 10, 10);
+Body.rotate(a, Math.PI/4);
+const b = Bodies.circle(0, 0, 5);""",
+        ((-5, -5, 5, 5), (-5, -5, 5, 5)),
+        says="rotate",
+    ),
+    Paste(
+        "matter angle option",
+        """Bodies.rectangle(0, 0, 10, 10, { angle: Math.PI/4 })
+Bodies.circle(0, 0, 5)""",
+        ((-5, -5, 5, 5),),
+        says="not evaluated",
+    ),
+    Paste(
+        "planck setTransform",
+        """a.setTransform(Vec2(10, 0), 0.5);
+a.createFixture(planck.Circle(1));
+planck.Circle(Vec2(0, 0), 1)""",
+        ((-1, -1, 1, 1), (-1, -1, 1, 1)),
+        says="setTransform",
+    ),
+    Paste(
+        "bodyDef",
+        """bodyDef.angle = 0.5;
+b2PolygonShape s; s.SetAsBox(1, 1);
+circle((0,0),1)""",
+        ((-1, -1, 1, 1), (-1, -1, 1, 1)),
+        says="angle",
+    ),
+    Paste(
+        "unity scale",
+        """collider.size = new Vector2(2, 2);
+collider.offset = new Vector2(1, 0);
+transform.localScale = new Vector3(2, 2, 1);
+new Bounds(new Vector3(0,0,0), new Vector3(1,1,0))""",
+        ((-0.5, -0.5, 0.5, 0.5),),
+        says="localScale",
+    ),
+    Paste(
+        "alias",
+        """a = [(0,0),(4,0),(0,3)]
+b = a
+c = [(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "comprehension",
+        """a = [(0,0),(4,0),(0,3)]
+b = [(x + 5, y) for x, y in a]
+c = [(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="x + 5",
+    ),
+    Paste(
+        "numpy times",
+        """a = np.array([(0,0),(4,0),(0,3)]) * 2
+b = [(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+        says="not evaluated",
+    ),
+    Paste(
+        "numpy plus",
+        """a = np.array([(0,0),(4,0),(0,3)]) + np.array([5, 0])
+b = [(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+        says="not evaluated",
+    ),
+    Paste(
+        "translate fn",
+        """a = Polygon([(0,0),(4,0),(0,3)])
+b = translate(a, xoff=5)
+c = Polygon([(5,0),(9,0),(9,4)])""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="xoff",
+    ),
+    Paste(
+        "affinity rotate",
+        """a = affinity.rotate(Polygon([(0,0),(4,0),(0,3)]), 45)
+b = Polygon([(5,0),(9,0),(9,4)])""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="rotate",
+    ),
+    Paste(
+        "buffer",
+        """a = Polygon([(0,0),(4,0),(0,3)]).buffer(2)
+b = Polygon([(5,0),(9,0),(9,4)])""",
+        ((5, 0, 9, 4),),
+        says="buffer",
+    ),
+    Paste(
+        "loop",
+        """for i in range(3):
+    v[i] = (i * 2, 0)
+a = [(0,0),(4,0),(0,3)]
+b = [(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="3",
+    ),
+    Paste(
+        "chain",
+        """a = b = Rect(0, 0, 10, 10)
+c = Rect(5, 0, 10, 10)""",
+        ((0, 0, 10, 10), (5, 0, 15, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "reassigned",
+        """a = [(0,0),(4,0),(0,3)]
+a = [(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "negative spaced",
+        """[(- 4, 0), (4, 0), (0, 3)]
+[(5,0),(9,0),(9,4)]""",
+        ((-4, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "unary",
+        """[(-4, -0), (+4, 0), (0, 3)]
+[(5,0),(9,0),(9,4)]""",
+        ((-4, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "thousands",
+        """[(1,000, 0), (4, 0), (0, 3)]
+[(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+        says="item 0",
+    ),
+    Paste(
+        "thousand apostrophes",
+        """[(1'000, 0), (4'000, 0), (0, 3'000)]
+[(5'000, 0), (9'000, 0), (9'000, 4'000)]""",
+        ((0, 0, 4000, 3000), (5000, 0, 9000, 4000)),
+    ),
+    Paste(
+        "scientific",
+        """[(1e1, 0), (4.0E+1, 0), (0, 3e1)]
+[(5,0),(9,0),(9,4)]""",
+        ((0, 0, 40, 30), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "fraction",
+        """[(1/2, 0), (4, 0), (0, 3)]
+[(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+        says="1/2",
+    ),
+    Paste(
+        "fraction call",
+        """[(Fraction(1, 2), 0), (4, 0), (0, 3)]
+[(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+        says="Fraction",
+    ),
+    Paste(
+        "complex",
+        """[0+0j, 4+0j, 0+3j]
+[(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+        says="not",
+    ),
+    Paste(
+        "degrees sign",
+        """((0, 0), (4, 2), 30°)
+[(5,0),(9,0),(9,4)]""",
+        ((-2.232050807568877, -1.8660254037844386, 2.232050807568877, 1.8660254037844386), (5, 0, 9, 4)),
+        as_="y-up",
+    ),
+    Paste(
+        "rounded rect",
+        """new RoundRectangle2D.Double(0, 0, 10, 10, 4, 4)
+new Rectangle2D.Double(9, 9, 5, 5)""",
+        ((9, 9, 14, 14),),
+        says="RoundRectangle2D",
+    ),
+    Paste(
+        "css radius",
+        """.a { left: 0; top: 0; width: 10px; height: 10px; border-radius: 5px; }
+.b { left: 9px; top: 9px; width: 5px; height: 5px; }""",
+        ((0, 0, 10, 10), (9, 9, 14, 14)),
+        says="radius",
+    ),
+    Paste(
+        "css transform",
+        """.a { left: 0; top: 0; width: 10px; height: 10px; transform: translate(5px, 5px); }
+.b { left: 9px; top: 9px; width: 5px; height: 5px; }""",
+        ((0, 0, 10, 10), (9, 9, 14, 14)),
+        says="translate",
+    ),
+    Paste(
+        "stroke width",
+        """<rect x="0" y="0" width="10" height="10" stroke-width="4"/>
+<rect x="9" y="9" width="5" height="5"/>""",
+        ((0, 0, 10, 10), (9, 9, 14, 14)),
+    ),
+    Paste(
+        "skin",
+        """b2Polygon p = {.vertices = {{0,0},{4,0},{0,3}}, .count = 3, .radius = 0.5};
+[(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="radius",
+    ),
+    Paste(
+        "poly with radius pymunk",
+        """pymunk.Poly(body, [(0,0),(4,0),(0,3)], radius=1)
+pymunk.Circle(body, 2, (6, 0))""",
+        ((0, 0, 4, 3), (4, -2, 8, 2)),
+        says="radius",
+    ),
+    Paste(
+        "pymunk transform",
+        """pymunk.Poly(None, [(0,0),(4,0),(0,3)], transform=pymunk.Transform(tx=5))
+pymunk.Poly(None, [(5,0),(9,0),(9,4)])""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="tx",
+    ),
+    Paste(
+        "pymunk moment",
+        """body = pymunk.Body(10, pymunk.moment_for_circle(10, 0, 25))
+body.position = 100, 100
+shape = pymunk.Circle(body, 25)
+box = pymunk.BB(120, 90, 200, 110)""",
+        ((75, 75, 125, 125), (120, 90, 200, 110)),
+    ),
+    Paste(
+        "circle offset pymunk",
+        """body.position = 10, 0
+c = pymunk.Circle(body, 2, (1, 0))
+d = pymunk.Circle(body2, 2, (14, 0))""",
+        ((9, -2, 13, 2), (12, -2, 16, 2)),
+    ),
+    Paste(
+        "closed false",
+        """Polygon(exterior=[(0,0),(4,0),(0,3)], interiors=[[(1,1),(2,1),(1,2)]])
+[(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="interiors",
+    ),
+    Paste(
+        "geojson holes",
+        """{"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9],[0,0]],[[1,1],[2,1],[2,2],[1,1]]]}
+[(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+        says="holes",
+    ),
+    Paste(
+        "multi polygon",
+        '{"type":"MultiPolygon","coordinates":[[[[0,0],[4,0],[0,3],[0,0]]],[[[5,0],[9,0],[9,4],[5,0]]]]}',
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "topojson",
+        """{"type":"Topology","transform":{"scale":[0.1,0.1],"translate":[5,5]},"arcs":[[[0,0],[40,0],[0,30]]]}
+[(5,0),(9,0),(9,4)]""",
+        ((0, 0, 40, 30), (5, 0, 9, 4)),
+        says="scale",
+    ),
+    Paste(
+        "world file",
+        """poly: 0 0 4 0 0 3
+origin: 100 200
+pixel size: 0.5
+poly: 5 0 9 0 9 4""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="origin",
+    ),
+    Paste(
+        "screen y",
+        """height = 600
+a = [(0,0),(4,0),(0,3)]
+b = [(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="600",
+    ),
+    Paste(
+        "three shapes one point",
+        "Point(1, 1) in [(0,0),(4,0),(0,3)] and [(5,0),(9,0),(9,4)]",
+        ((5, 0, 9, 4),),
+        says="Point(1, 1)",
+    ),
+    Paste(
+        "point test",
+        """pt = (1, 1)
+a = [(0,0),(4,0),(0,3)]
+b = [(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="1, 1",
+    ),
+    Paste(
+        "moved later",
+        """a.position = (10, 0)
+a.vertices = [(0,0),(4,0),(0,3)]
+a.position = (20, 0)
+b = [(5,0),(9,0),(9,4)]""",
+        ((20, 0, 24, 3), (5, 0, 9, 4)),
+        as_="relative",
+        says="position",
+    ),
+    Paste(
+        "update loop",
+        """circle1 = {x: 0, y: 0, r: 5}
+circle2 = {x: 20, y: 0, r: 5}
+circle1.x += 12""",
+        ((-5, -5, 5, 5), (15, -5, 25, 5)),
+        says="12",
+    ),
+    Paste(
+        "vel",
+        """a = {x: 0, y: 0, r: 5, vx: 3, vy: 4}
+b = {x: 20, y: 0, r: 5, dx: 1, dy: 1}""",
+        ((-5, -5, 5, 5), (15, -5, 25, 5)),
+    ),
+    Paste(
+        "hitbox inset",
+        """a = {x: 0, y: 0, w: 10, h: 10, inset: 2}
+b = {x: 8, y: 0, w: 10, h: 10}""",
+        ((0, 0, 10, 10), (8, 0, 18, 10)),
+        as_="corner-size",
+        says="inset",
+    ),
+    Paste(
+        "margin",
+        """a = {x: 0, y: 0, w: 10, h: 10, marginLeft: 2}
+b = {x: 8, y: 0, w: 10, h: 10}""",
+        ((0, 0, 10, 10), (8, 0, 18, 10)),
+        as_="corner-size",
+        says="marginLeft",
+    ),
+    Paste(
+        "three d",
+        """{x: 0, y: 0, z: 9, r: 5}
+{x: 9, y: 0, z: 0, r: 5}""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+        says="z 9",
+    ),
+    Paste(
+        "ellipse radii",
+        """{cx: 0, cy: 0, rx: 5, ry: 2}
+{cx: 9, cy: 0, rx: 5, ry: 5}""",
+        (),
+        says="no shape",
+    ),
+    Paste(
+        "sector",
+        """{x: 0, y: 0, r: 5, startAngle: 0, endAngle: 1.57}
+{x: 9, y: 0, r: 5}""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+        says="endAngle",
+    ),
+    Paste(
+        "annulus",
+        """{x: 0, y: 0, r: 5, innerRadius: 3}
+{x: 1, y: 0, r: 1}""",
+        ((-5, -5, 5, 5), (0, -1, 2, 1)),
+        says="innerRadius",
+    ),
+    Paste(
+        "regular",
+        """{x: 0, y: 0, sides: 6, radius: 5}
+{x: 9, y: 0, r: 5}""",
+        ((4, -5, 14, 5),),
+        says="sides",
+    ),
+    Paste(
+        "star",
+        """new Konva.Star({x: 0, y: 0, numPoints: 5, innerRadius: 2, outerRadius: 5})
+new Konva.Circle({x: 9, y: 0, radius: 5})""",
+        ((4, -5, 14, 5),),
+        says="Star",
+    ),
+    Paste(
+        "wedge",
+        """new Konva.RegularPolygon({x: 0, y: 0, sides: 3, radius: 5})
+new Konva.Circle({x: 9, y: 0, radius: 5})""",
+        ((4, -5, 14, 5),),
+        says="sides",
+    ),
+    Paste(
+        "rhombus",
+        """Diamond(0, 0, 5)
+circle((9,0),5)
+circle((0,0),1)""",
+        ((4, -5, 14, 5), (-1, -1, 1, 1)),
+        says="Diamond",
+    ),
+    Paste(
+        "anchor phaser",
+        """this.add.rectangle(0, 0, 10, 10)
+this.add.circle(6, 0, 2)""",
+        ((-5, -5, 5, 5), (4, -2, 8, 2)),
+    ),
+    Paste(
+        "phaser geom",
+        """new Phaser.Geom.Rectangle(0, 0, 10, 10)
+new Phaser.Geom.Circle(12, 0, 2)""",
+        ((0, 0, 10, 10), (10, -2, 14, 2)),
+    ),
+    Paste(
+        "arcade sprite",
+        """SpriteSolidColor(50, 50, center_x=50, center_y=0)
+SpriteSolidColor(50, 50, center_x=100, center_y=0)""",
+        (),
+        says="no shape",
+    ),
+    Paste(
+        "kivy",
+        """Rectangle(pos=(0, 0), size=(10, 10))
+Ellipse(pos=(5, 5), size=(10, 10))""",
+        ((0, 0, 10, 10),),
+        says="ellipse",
+    ),
+    Paste(
+        "tk",
+        """canvas.create_rectangle(0, 0, 10, 10)
+canvas.create_oval(10, 0, 20, 10)
+canvas.create_polygon(0, 0, 4, 0, 0, 3)""",
+        ((0, 0, 4, 3),),
+        says="create_oval",
+    ),
+    Paste(
+        "pil",
+        """draw.rectangle((0, 0, 10, 10))
+draw.rectangle([10, 0, 20, 10])""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "matplotlib",
+        """plt.Rectangle((0, 0), 10, 10)
+plt.Circle((12, 0), 2)
+Rectangle((0, 0), 10, 10, angle=45)""",
+        ((0, 0, 10, 10), (10, -2, 14, 2), (-7.0710678118654755, 0, 7.0710678118654755, 14.142135623730951)),
+        as_="around-corner degrees y-up corner-size",
+    ),
+    Paste(
+        "cv rect",
+        """cv2.rectangle(img, (0, 0), (10, 10), (255, 0, 0), 2)
+cv2.circle(img, (12, 0), 2, (0, 0, 255), -1)""",
+        ((10, -2, 14, 2),),
+        says="cv2.circle",
+    ),
+    Paste(
+        "contours",
+        """np.array([[[0, 0]], [[4, 0]], [[0, 3]]], dtype=int32)
+np.array([[[5, 0]], [[9, 0]], [[9, 4]]], dtype=int32)""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "flat xyxyxyxy",
+        """[0,0,4,0,4,4,0,4]
+[5,0,9,0,9,4,5,4]""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "dota",
+        """0.0 0.0 4.0 0.0 4.0 4.0 0.0 4.0 plane 0
+5.0 0.0 9.0 0.0 9.0 4.0 5.0 4.0 ship 1""",
+        (),
+        says="no shape",
+    ),
+    Paste(
+        "pascal voc",
+        """<bndbox><xmin>0</xmin><ymin>0</ymin><xmax>10</xmax><ymax>10</ymax></bndbox>
+<bndbox><xmin>10</xmin><ymin>0</ymin><xmax>20</xmax><ymax>10</ymax></bndbox>""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "kml",
+        """<coordinates>0,0 4,0 0,3 0,0</coordinates>
+<coordinates>5,0 9,0 9,4 5,0</coordinates>""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "gml",
+        """<gml:posList>0 0 4 0 0 3 0 0</gml:posList>
+<gml:posList>5 0 9 0 9 4 5 0</gml:posList>""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
 )

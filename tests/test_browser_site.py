@@ -857,3 +857,27 @@ def test_the_check_page_shuts_nobody_out(check_page, axe_core):
     run_code(check_page)
     check_page.locator(".yours").wait_for()
     assert shut_out(axe_core, check_page) == []
+
+
+def test_a_program_of_a_chapter_is_opened_mended_and_does_not_replace_the_readers_own(check_page):
+    editor, program = check_page.get_by_role("textbox", name="Your function"), check_page.get_by_label("Program")
+    editor.fill("# mine")
+    check_page.evaluate("() => { location.hash = '#collide_2'; }")
+    check_page.wait_for_function("() => document.querySelector('[name=program]').value === 'collide_2'")
+    assert "def collide_2(a, b):" in editor.input_value()
+    assert run_code(check_page) == "Wrong. Your function says hit. True: apart."
+    before, _ = editor.input_value().split("        if a0 <= b1")
+    mended = before + "        if a1 < b0 or b1 < a0:\n            return False\n    return True\n"
+    assert run_code(check_page, code=mended).startswith("Right on all")
+    program.select_option("your own")
+    assert editor.input_value() == "# mine"
+    program.select_option("collide_2")
+    assert editor.input_value() == mended
+    check_page.locator(".forget").click()
+    assert "if a0 <= b1 and b0 <= a1:" in editor.input_value() and check_page.evaluate("() => localStorage.length") == 0
+
+
+def test_a_symptom_leads_to_the_mistakes_that_look_so(check_page):
+    check_page.get_by_text("It falls through", exact=False).click()
+    check_page.get_by_role("link", name="the centers are far apart, so the shapes are").click()
+    check_page.wait_for_url("**/scene.html#far-centers")

@@ -23,24 +23,28 @@ from urllib.parse import urldefrag
 from zipfile import ZipFile
 
 import pytest
+from speeds import one_in
 
 import satviz as sv
+from satviz.checking.mistakes import SYMPTOMS
 from satviz.cli import main
 from satviz.engine.geometry import InvalidScene, InvalidShape
+from satviz.lessons import chapter_text as chapters
 from satviz.scenes import link as links
 from satviz.scenes.article import SCENES
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
 from satviz.scenes.named import ALL_SCENES
 from satviz.scenes.shape_tools import translated
-from satviz.site import chapters, guides, live, runtime
+from satviz.site import chapters as page_chapters
+from satviz.site import guides, live, runtime
 from satviz.widgets import goals
 from satviz.widgets.explorer_model import ExplorerModel
 
 pytest.importorskip("markdown_it", reason="a site needs markdown-it-py: python -m pip install '.[site]'")
 
+from satviz.lessons.themed import themed_svg
 from satviz.site import build
 from satviz.site.build import site
-from satviz.site.themed import themed_svg
 
 
 @pytest.fixture(scope="module")
@@ -73,6 +77,14 @@ def test_every_link_of_the_site_leads_to_one_of_its_files(files, pages):
                 assert links.parse_fragment(to.partition("#")[2]), to
             elif "#" in to:
                 assert f'id="{to.partition("#")[2]}"' in pages[to.partition("#")[0] or path], to
+
+
+def test_what_users_see_leads_to_every_mistake_that_looks_so(pages):
+    page = pages["yours.html"]
+    shown = page[page.index('<section class="symptoms"') :]
+    for words, names in SYMPTOMS.items():
+        part = shown[shown.index(f"<summary>It {words}</summary>") :].partition("</details>")[0]
+        assert re.findall(r'href="scene.html#([^"]+)"', part) == list(names)
 
 
 def test_nothing_comes_from_elsewhere(files):
@@ -308,6 +320,31 @@ def test_choices_that_cannot_be_judged_are_refused(lines):
 def test_a_page_has_words_of_its_own_where_the_notebook_has_a_marker():
     source = "# T\n\nRun it. **Why?** <!-- page: See it.\n**Why?** -->\n\nIn Jupyter only. <!-- page: -->\n\nBoth."
     assert chapters.page_words(source) == "# T\n\nSee it.\n**Why?**\n\nBoth."
+
+
+MISTAKES = {
+    "collide_1": "open-outline",
+    "collide_2": "one-overlap",
+    "collide_3": "far-centers",
+    "way_out": "raw-depth",
+    "away_from_middle": "push-from-center",
+}
+
+
+@pytest.mark.parametrize("name", one_in(5, MISTAKES))
+def test_a_program_of_chapter_8_stands_alone_and_its_one_mistake_is_mended_by_its_solution(name):
+    chapter = chapters.chapters()[7]
+    given = page_chapters.programs(chapter)
+    assert given.keys() == MISTAKES.keys()
+    names = {}
+    exec(given[name][1], names)
+    found = sv.check(names[name])
+    assert found.finding == "wrong" and found.behaves_like[0].name == MISTAKES[name]
+    prose = "\n".join("".join(cell["source"]) for cell in chapter.cells)
+    folds = re.findall(r"<summary>Solution</summary>\n\n.*?```python\n(.*?)```", prose, re.DOTALL)
+    (solution,) = [code for code in folds if f"def {name}(" in code]
+    exec(solution, names)
+    assert sv.check(names[name]).right
 
 
 def test_an_answer_is_opened_without_a_script(pages):

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from math import atan2, ceil, cos, floor, hypot, log10, pi, sin
+from math import atan2, ceil, cos, floor, hypot, log10, pi, sin, ulp
 from typing import NamedTuple
 
 from ..engine.geometry import Vec
@@ -19,7 +19,9 @@ MIN_NEEDLE_PT = 1.5  # and the short edge of an outline thinner than this
 BOX_PT = 96.0  # an inset's side
 STRIP_PT = 124.0  # the width of the strip of insets beside the scene
 ROW_PT = 128.0  # the height of an inset with its caption
+EVEN_POINTS = 32  # on half of a circle
 DETAIL_PART = 0.5  # of the box's side: how large the detail is in it, at most
+MIN_FLOAT_STEP_PT, FLOAT_TICK_PT = 8.0, 8.0  # between two neighbouring floats that are drawn; half of a tick
 BRACKET_PT = 4.0, 11.0  # a gap's bracket: from the axis to its ends, and to its back
 
 Role = tuple[str, str, Shape]  # "A" or "B", the shape's name, the shape
@@ -81,7 +83,7 @@ def _with_insets(layout: Layout, details: Sequence[_Detail], rows: int) -> Layou
     found = []
     for (left, top), (name, spot, length, test_of_gap) in zip(corners, details, strict=False):
         box = left, top - BOX_PT / scale, left + BOX_PT / scale, top
-        found.append(Inset(name, spot, _round_down(DETAIL_PART * BOX_PT / (length * scale)), box, test_of_gap))
+        found.append(Inset(name, spot, round_down(DETAIL_PART * BOX_PT / (length * scale)), box, test_of_gap))
     return layout._replace(limits=limits, size=size, insets=tuple(found))
 
 
@@ -102,7 +104,7 @@ def _small_details(name: str, shape: Shape, scale: float) -> list[_Detail]:
     return [_Detail(f"{name}'s end", midpoint(p, q), length)]
 
 
-def _round_down(times: float) -> float:
+def round_down(times: float) -> float:
     """Return the largest number of the form 1, 2 or 5 times a power of ten that is not above `times`."""
     power = 10.0 ** floor(log10(times))
     return power * max(step for step in (1, 2, 5) if step * power <= times * 1.0001)
@@ -126,6 +128,9 @@ def inset_marks(layout: Layout, shapes: Sequence[Role], test: AxisTest | None) -
         what = inset.name or ("gap" if inset.test and inset.test.gap > 0 else "overlap")
         below = Vec(inset.center.x, y0 - layout.units(9))
         text = f"{what}, {magnification_text(inset.times)}"
+        if inset.test and _float_ticks(layout, inset, inset.test):
+            text += "\nticks: float64"
+            below = Vec(below.x, below.y - layout.units(7))
         marks.append(Mark("inset-name", "label", "ink", (below,), number=number, text=text))
         if inset.test is not None:
             marks += _gap_marks(layout, inset, inset.test, shapes, number)
@@ -146,13 +151,27 @@ def visible_edges(inset: Inset, shape: Shape) -> Iterator[tuple[Vec, Vec]]:
 
 
 def _outline_points(shape: Shape, spot: Vec) -> list[Vec]:
-    """Return a shape's outline as a closed ring of points; on a circle they are denser near `spot`."""
+    """Return a shape's outline as a closed ring of points; on a circle they are dense near `spot`."""
     if isinstance(shape, Polygon):
         return [*shape.vertices, shape.vertices[0]]
     (x, y), r = shape.center, shape.radius
     toward = atan2(spot.y - y, spot.x - x)
-    angles = sorted({sign * pi * 10.0 ** (-k / 4) for k in range(49) for sign in (-1, 1)} | {0.0})
+    near = {sign * pi * 10.0 ** (-k / 4) for k in range(49) for sign in (-1, 1)}
+    angles = sorted(near | {pi * k / EVEN_POINTS for k in range(-EVEN_POINTS, EVEN_POINTS + 1)})
     return [Vec(x + r * cos(toward + t), y + r * sin(toward + t)) for t in angles]
+
+
+def _float_ticks(layout: Layout, inset: Inset, test: AxisTest) -> tuple[Vec, ...]:
+    """Return ticks on the axis of a gap's inset where float64 has a number; () where they are too dense to be seen."""
+    end = min(test.a.interval.hi, test.b.interval.hi)  # of the range on the left
+    step = ulp(end) * inset.times
+    if step < layout.units(MIN_FLOAT_STEP_PT):
+        return ()
+    x0, _, x1, _ = inset.box
+    (cx, cy), half = inset.center, test.gap * inset.times / 2
+    up, first = layout.units(FLOAT_TICK_PT), cx - half
+    spots = [first + k * step for k in range(-100, 101) if x0 < first + k * step < x1]
+    return tuple(Vec(x, cy + side * up) for x in spots for side in (-1, 1))
 
 
 def _gap_marks(layout: Layout, inset: Inset, test: AxisTest, shapes: Sequence[Role], number: int) -> list[Mark]:
@@ -162,6 +181,8 @@ def _gap_marks(layout: Layout, inset: Inset, test: AxisTest, shapes: Sequence[Ro
     units, (cx, cy) = layout.units, inset.center
     half = test.gap * inset.times / 2
     marks = [Mark("inset-axis", "segment", "ink", (Vec(x0, cy), Vec(x1, cy)), number=number)]
+    if ticks := _float_ticks(layout, inset, test):
+        marks.append(Mark("inset-floats", "segment", "ink", ticks, number=number))
     sides = [(x0, cx - half), (cx + half, x1)]
     a_is_left = b.lo - a.hi >= a.lo - b.hi
     for (role, name, _), ends in zip(shapes if a_is_left else shapes[::-1], sides, strict=True):

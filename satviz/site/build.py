@@ -5,10 +5,12 @@ from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
 
+from ..lessons.chapter_text import chapters
+from ..lessons.handout import style_sheet as handout_style
 from ..render.script import javascript, stylesheet
 from ..safe_write import MADE_BY
 from . import check_page, guides, pages
-from .chapters import chapter_body, chapters
+from .chapters import chapter_body
 from .reference import reference
 from .runtime import PythonMissing as PythonMissing
 from .runtime import runtime_files
@@ -66,6 +68,9 @@ def _files(
     yield from guides.pictures()
     for chapter, body in zip(frame.chapters, chapter_bodies, strict=True):
         yield chapter.path, pages.chapter_page(frame, chapter, body)
+    for chapter in frame.chapters:
+        for path, data in pages.handout_pages(frame, chapter):
+            yield path, data
     for guide in frame.guides:
         yield guide.path, pages.guide_page(frame, guide, guides.guide_body(guide))
     for path, data in reference_files:
@@ -85,7 +90,7 @@ def _script() -> bytes:
 
 def _style() -> bytes:
     """Return the pages' style sheet."""
-    return f"/* {MADE_BY} */\n{stylesheet()}\n{_browser_file('site.css').decode()}".encode()
+    return f"/* {MADE_BY} */\n{stylesheet()}\n{_browser_file('site.css').decode()}\n{handout_style()}".encode()
 
 
 def _browser_file(name: str) -> bytes:

@@ -11,7 +11,7 @@ from ..engine.trace import record
 from ..pictures.claims import answers
 from ..pictures.drag import drag_layout
 from ..pictures.float_geometry import bounding_box
-from ..scenes.failing import FAILURE_CASES, NAMED, REFUSED, FailureCase
+from ..scenes.failing import FAILURE_CASES, NAMED, REFUSED
 from ..scenes.link import BREAK, ONE_AXIS, TOUCH
 from ..scenes.named import scene, scene_of_case
 from ..scenes.scenefile import Scene
@@ -56,7 +56,10 @@ def challenge_start(goal: str, shown: Scene) -> Scene:
     """Return the scene a challenge begins with: `shown`, unless it meets the goal or never can."""
     if not evaluate_goal(goal, shown).met and not (goal == ONE_AXIS and _has_concave_shape(shown)):
         return shown
-    start = start_where_right(NAMED[shown.axes]) if goal == BREAK else next(s for g, s in challenges() if g == goal)
+    if goal == BREAK:
+        start = start_where_right(scene_of_case(NAMED[shown.axes]) if shown.axes in NAMED else shown)
+    else:
+        start = next(s for g, s in challenges() if g == goal)
     if start is None:
         raise InvalidScene("this shortcut is wrong at every place near this scene: choose another scene to break")
     return start
@@ -68,19 +71,18 @@ def challenges() -> Iterator[tuple[str, Scene]]:
     yield ONE_AXIS, replace(scene("triangles"), axes="needed")
     yield TOUCH, scene("circle-polygon")
     for row in FAILURE_CASES:
-        start = None if row.how == REFUSED else start_where_right(row)
+        start = None if row.how == REFUSED else start_where_right(scene_of_case(row))
         if start:
             yield BREAK, start
 
 
-def start_where_right(row: FailureCase) -> Scene | None:
-    """Return a failing case's scene with B moved so that the shortcut is right; None if nowhere near."""
-    a, b = row.shapes
-    x0, y0, x1, y1 = bounding_box([a, b])
+def start_where_right(shown: Scene) -> Scene | None:
+    """Return a shortcut's scene with B moved so that the shortcut is right; None if nowhere near."""
+    x0, y0, x1, y1 = bounding_box([shown.a, shown.b])
     step = float(f"{max(x1 - x0, y1 - y0) / 4:.1g}")
     for size in MOVE_SIZES:
         for x, y in MOVE_DIRECTIONS:
-            start = replace(scene_of_case(row), b=translated(b, Vec(size * step * x, size * step * y)))
+            start = replace(shown, b=translated(shown.b, Vec(size * step * x, size * step * y)))
             if not answers(start.record()).is_wrong:
                 drag_layout(start.record())
                 return start

@@ -116,6 +116,8 @@ class Keyed(Boxes):
 
     def _circle_of_keys(self, obj: Obj, place: Pt | None, label: str, row: Notation | None) -> Read:
         """Return the circle of an object with a radius or a diameter, and a center or its left and top sides."""
+        if any(str(k).lower() in ("sides", "numpoints", "num_points", "numsides") for k in obj.fields):
+            raise Unreadable("a regular polygon by its radius: write its corners")
         given = obj.get("radius")
         size = self.number(given if given is not None else obj.get("diameter"))
         used = places(*(place or ()), size)

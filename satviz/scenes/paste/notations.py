@@ -4,6 +4,7 @@ Names are compared without case, and by their end: `new SAT.Vector` is found as 
 before "rectangle" because the longer ending comes first.
 """
 
+import re
 from typing import NamedTuple
 
 POINT, RING, CIRCLE, BOX, MANY, MOVE, ARC = "point", "ring", "circle", "box", "many", "move", "arc"
@@ -95,7 +96,8 @@ NOTATIONS = (
     Notation("ellipse svg.ellipse", ELLIPSE),
     Notation(
         "capsule b2capsule capsule2d capsuleshape2d segment b2segment linesegment line ray edge roundedrect roundedbox "
-        "b2makeroundedbox makeroundedbox triangleshape stadium matrix",
+        "b2makeroundedbox makeroundedbox stadium matrix roundrectangle2d.double roundrectangle2d.float roundrect rrect "
+        "create_oval oval rhombus star wedge ring arcshape regularpolygon konva.regularpolygon konva.star",
         OTHER_SHAPE,
     ),
     Notation("square", BOX, ask=(CORNER_SIZE, CENTER_SIZE)),
@@ -200,6 +202,17 @@ TURNS = {
     "rotatedegrees": DEGREES,
 }
 SETTERS = frozenset(["set", "setxy"])
+
+
+# Words in the name of a call that makes a shape, and of one that takes a list of numbers as corners.
+SHAPE_WORDS = re.compile(
+    r"polygon|circle|ellipse|rect|box|ball|triangle|quad|capsule|\barc|cuboid|hull|aabb|cylinder|disc|disk",
+    re.IGNORECASE,
+)
+LIST_WORDS = re.compile(
+    r"poly|triangle|quad|path|hull|point|vert|shape|convex|outline|contour|coord|ring|geom|array|list|vec|tuple|line|\bc$",
+    re.IGNORECASE,
+)
 
 
 def notation(name: str) -> Notation | None:

@@ -19,6 +19,26 @@ SENTENCES = (
 _NUMBER = re.compile(_N)
 
 
+_FIELD = re.compile(rf"<([A-Za-z]\w*)>\s*({_N})\s*</\1>")
+
+
+def fields(text: str) -> Iterator[tuple[int, int, list[Token]]]:
+    """Yield (start, end, tokens) for each element of XML that holds a number, as a key: <xmin>4</xmin> is xmin = 4."""
+    for match in _FIELD.finditer(text):
+        (number,) = tokens(match[2])
+        at = match.start(2)
+        yield (
+            match.start(),
+            match.end(),
+            [
+                Token(NAME, match[1], match.start(), match.start()),
+                Token(MARK, "=", at, at),
+                number._replace(start=at, end=match.end(2)),
+                Token(MARK, ";", match.end(), match.end()),
+            ],
+        )
+
+
 def sentences(text: str) -> Iterator[tuple[int, int, list[Token]]]:
     """Yield (start, end, tokens) for each shape in a sentence, with the tokens of a call."""
     for name, pattern in SENTENCES:

@@ -1,5 +1,6 @@
 """Values of a text as shapes, by the table of notations."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
@@ -31,6 +32,7 @@ from .notations import (
     POINT,
     RADIANS,
     RING,
+    SHAPE_WORDS,
     TURNS,
     notation,
 )
@@ -60,7 +62,7 @@ class Reader(Calls):
                 self.axes.append((points, (x, y)))
                 entries.append((points.start, name, points))
             self.taken |= {id(x), id(y)}
-        entries = [entry for entry in entries if id(entry[2]) not in self.taken]
+        entries = [e for e in entries if id(e[2]) not in self.taken and not isinstance(e[2], Name)]  # b = a
         entries += [(run.value.start, run.label, run.value) for run in self.runs]
         found: list[tuple[int, Read]] = []
         for _, name, value in sorted(entries, key=lambda entry: entry[0]):
@@ -88,12 +90,14 @@ class Reader(Calls):
         """Return the shapes in a value; what cannot be read is noted in `problems`."""
         value = self.resolve(value)
         try:
+            if isinstance(value, Bad) and value.hides:
+                raise Unreadable("an expression, which is not evaluated")
             if isinstance(value, Bad):
                 return [s for inner in value.inside for s in self.shapes(inner, label)]
             if isinstance(value, Obj):
                 return self._object(value, label)
             if isinstance(value, Group):
-                return self._group(value, label)
+                return self._group(self._by_its_name(value), label)
         except Unreadable as error:
             where = f"{label}: " if label else ""
             part = short(self.text[value.start : value.end]) if isinstance(value, Value) else ""
@@ -143,6 +147,11 @@ class Reader(Calls):
         else:
             found = self._plain(group, label)
         return self._after(group, found)
+
+    def _by_its_name(self, group: Group) -> Group:
+        """Return a call with the name that its own stands for: var C = SAT.Circle; new C(...)."""
+        other = self.env.before(group.name, group.start) if group.name and not notation(group.name) else None
+        return replace(group, name=other.text) if isinstance(other, Name) else group
 
     def _has_numbers(self, value: Any) -> bool:
         """Return whether there is a number in a value."""
@@ -209,6 +218,9 @@ class Reader(Calls):
             return self._object(self.as_object(group), label)
         if "circle" in group.name.lower() and (circles := self._centers_and_radii(group.items, label)):
             return circles
+        said = self.text[group.start : group.end] if any(isinstance(v, Bad) for v in group.items) else ""
+        if group.bracket in ("[", "(") and re.search(r"\bfor\s+[(\w]", said):
+            raise Unreadable("a comprehension, which is not evaluated")
         outline = self.ring(group)
         if outline is not None and len(outline) > 2:
             return [self._outline(outline, group, label)]
@@ -227,7 +239,8 @@ class Reader(Calls):
             if len(flat) == 5:
                 return [self._made_box(flat[:4], CENTER_SIZE, group, label, angle_of(group, flat))]
             return [self._made_box(flat, self._choose(BOX_FORM, ANY_BOX), group, label)]
-        if len(items) in (2, 3) and all(self._is_number(item) for item in items[1:]):
+        shaped = not group.name or SHAPE_WORDS.search(group.name)
+        if shaped and len(items) in (2, 3) and all(self._is_number(item) for item in items[1:]):
             center = self.point(items[0])
             if center is not None and len(items) == 2:
                 radius = self.number(items[1])

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from .names import Names, Obj, is_block, short
 from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, SETTERS, TURNS, key, notation
-from .tree import Bad, Group, Num, Pair
+from .tree import Bad, Group, Name, Num, Pair
 
 # Calls that add a corner to a list, that draw an outline with a pen, and that give a shape to a body.
 ADDERS = frozenset(
@@ -122,9 +122,7 @@ class Statements(Names):
             self._insert(Pair(item.start, item.end, (*item.name.split("."), number), item.methods[0][1]))
         elif last in SETTERS and owner and len(item.items) == 2:  # circle.m_p.Set(1, 2)
             self._insert(Pair(item.start, item.end, owner, replace(item, name="")))
-        elif (
-            last in (*MOVES, *TURNS) and owner and not (last == "moveto" and self._draws) and len(item.items) in (1, 2)
-        ):
+        elif last in (*MOVES, *TURNS) and owner and len(item.items) in (1, 2) and not self._is_drawn(last, item):
             value = item if last in MOVES and len(item.items) == 2 else item.items[0]
             value = Group(item.start, item.end, item.items, "(") if value is item else value
             self._insert(Pair(item.start, item.end, (*owner, "position" if last in MOVES else "angle"), value))
@@ -142,6 +140,10 @@ class Statements(Names):
         else:
             return False
         return True
+
+    def _is_drawn(self, last: str, call: Group) -> bool:
+        """Return whether a call moves a pen, or what its first argument names: Body.setPosition(a, {x: 1, y: 2})."""
+        return (last == "moveto" and self._draws) or (len(call.items) > 1 and isinstance(call.items[0], Name))
 
     def _add(self, path: tuple[str, ...], point: Group) -> None:
         """Add a corner to the list of this name."""

@@ -86,6 +86,7 @@ class Bad(Value):
 
     why: str
     inside: list[Any] = field(default_factory=list)
+    hides: bool = False  # an expression with a list of numbers in it: `np.array([...]) * 2`
 
 
 @dataclass(slots=True)
@@ -344,7 +345,7 @@ class _Parser:
             if operators == ["-"] and len(values) == 2 and all(_is_pair(v) for v in values):
                 return Group(start, end, values, " ")  # (0, 0)-(10, 10), as Go prints a box
             if any(o in OPERATORS for o in operators):
-                return Bad(start, end, "an expression, which is not evaluated")
+                return Bad(start, end, "an expression, which is not evaluated", hides=any(map(_is_long, values)))
             return Bad(start, end, "not a number", [v for v in values if isinstance(v, Group)])
         if len(values) == 1:
             return values[0]
@@ -419,6 +420,10 @@ class _Parser:
         names = [i for i, a in enumerate(atoms) if isinstance(a, Token) and a.kind in (NAME, TEXT)]
         parts: list[str | int] = []
         begin = names[-1] if names else 0
+        while begin > 1 and _is_hyphen(atoms, begin - 1):  # border-radius is no radius
+            begin -= 2
+        if begin < (names[-1] if names else 0):
+            return (self.text[_start(atoms[begin]) : _end(atoms[names[-1]])],)
         for atom in atoms[begin:]:
             if isinstance(atom, Token) and atom.kind in (NAME, TEXT, FIELD):
                 text = atom.text[1:-1] if atom.kind == TEXT else atom.text
@@ -450,6 +455,20 @@ def _is_pair(value: Any) -> bool:
     """Return whether a value is a bracket with two numbers and no name."""
     plain = isinstance(value, Group) and value.bracket == "(" and not value.name and len(value.items) == 2
     return plain and all(isinstance(v, Num) for v in value.items)
+
+
+def _is_long(value: Any) -> bool:
+    """Return whether a value is a bracket with a list of numbers or of brackets in it."""
+    if not isinstance(value, Group):
+        return False
+    return sum(isinstance(v, (Num, Group)) for v in value.items) > 2 or any(map(_is_long, value.items))
+
+
+def _is_hyphen(atoms: Sequence[Any], i: int) -> bool:
+    """Return whether an atom is a hyphen within a name."""
+    before, at, after = atoms[i - 1 : i + 2]
+    hyphen = isinstance(at, Token) and at.text == "-" and isinstance(before, Token) and before.kind == NAME
+    return hyphen and _end(before) == at.start and at.end == _start(after)
 
 
 def _is_cast(group: Group) -> bool:
