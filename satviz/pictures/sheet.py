@@ -11,6 +11,7 @@ from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
 from ..scenes.resolve import SceneLike, resolve
 from .float_geometry import bounding_box, circle_points, gap_or_overlap
+from .insets import MIN_GAP_PT, magnification_text, round_down
 from .letters import text_size, wrap_text
 from .marks import Mark, Picture
 
@@ -20,6 +21,7 @@ THUMBNAIL_PT = 74.0, 48.0  # a row's small picture
 BARS_LEFT_PT, MAX_BARS_RIGHT_PT = 100.0, 376.0  # where the ranges begin and end; they end earlier beside long words
 MIN_BAR_PT = 3.0  # a shorter range or shape gets a dot
 TRACK_PT = 5.0  # from the line of a row to A's bar above it and B's bar below it
+INSET_PT, INSET_RIM_PT, INSET_TRACK_PT = (60.0, 18.0), 4.0, 5.0  # of a gap's inset: size, rim, from its middle to a bar
 MAX_ZERO_RANGES = 4.0  # further from 0 than so many times the widest range, each row has an origin of its own
 
 
@@ -145,14 +147,14 @@ def _row_marks(row: Row, number: int, top: float, scale: float, zero: float | No
     bar("range", "A", *test.a.interval, y + TRACK_PT, run.names.a)
     bar("range", "B", *test.b.interval, y - TRACK_PT, run.names.b)
     if test.gap:
-        bar("gap", "gap" if test.gap > 0 else "overlap", *gap_or_overlap(test), y)
+        role = "gap" if test.gap > 0 else "overlap"
+        bar("gap", role, *gap_or_overlap(test), y)
+    inset = _inset_marks(row, number, top, scale, end)
+    space = end - BARS_LEFT_PT - (INSET_PT[0] + text_size(inset[1].text)[0] + 4 * INSET_RIM_PT if inset else 0.0)
+    marks += inset
     name = describe.axis_name(test.axis, (run.a, run.b), run.names)
     pair = "" if run.names == ("A", "B") else f"{run.names.a} | {run.names.b}: "
-    marks.append(
-        text_from(
-            "name", truncate(f"{pair}{row.number} {name}", end - BARS_LEFT_PT), ink, BARS_LEFT_PT, top - 10, number
-        )
-    )
+    marks.append(text_from("name", truncate(f"{pair}{row.number} {name}", space), ink, BARS_LEFT_PT, top - 10, number))
     lines = _outcome_lines(row)
     for n, (line, role) in enumerate(lines):
         up = y + 7 * (len(lines) - 1) - 14 * n
@@ -161,6 +163,39 @@ def _row_marks(row: Row, number: int, top: float, scale: float, zero: float | No
         box = Vec(4, top - ROW_PT + 1), Vec(WIDTH_PT - 4, top - ROW_PT + 1), Vec(WIDTH_PT - 4, top - 1), Vec(4, top - 1)
         marks.append(Mark("stop", "outline", "gap", box, number=number, weight="faint"))
     return marks
+
+
+def _inset_marks(row: Row, number: int, top: float, scale: float, end: float) -> list[Mark]:
+    """Return a small inset of a gap or overlap that the row's bars are too small to show, with its magnification first.
+
+    It holds the facing ends of both ranges, and stands at the right end of the line with the axis's name.
+    """
+    run, _, test, made = row
+    size = abs(test.gap) * scale
+    if not 1e-300 < size < MIN_GAP_PT:
+        return []
+    times = round_down(INSET_PT[0] / 3 / size)
+    x0, cx, cy = end - INSET_PT[0], end - INSET_PT[0] / 2, top - 10
+    half, high, weight = test.gap * scale * times / 2, INSET_PT[1] / 2, "plain" if made else "faint"
+    corners = Vec(x0, cy - high), Vec(end, cy - high), Vec(end, cy + high), Vec(x0, cy + high)
+    text = magnification_text(times)
+    spot = Vec(x0 - INSET_RIM_PT - text_size(text)[0] / 2, cy)
+    marks = [
+        Mark("inset", "outline", "guide", corners, number=number, weight="faint"),
+        Mark("inset-name", "label", "guide", (spot,), number=number, text=text),
+    ]
+    a, b = test.a.interval, test.b.interval
+    facing = [("A", run.names.a), ("B", run.names.b)]
+    sides = zip(
+        facing if b.lo - a.hi >= a.lo - b.hi else facing[::-1], ((x0, cx - half), (cx + half, end)), strict=True
+    )
+    for (role, name), (left, right) in sides:
+        level = cy + (INSET_TRACK_PT if role == "A" else -INSET_TRACK_PT)
+        points = Vec(left, level), Vec(right, level)
+        marks.append(Mark("inset-range", "interval", role, points, owner=name, number=number, weight=weight))
+    points = Vec(cx - abs(half), cy), Vec(cx + abs(half), cy)
+    role = "gap" if test.gap > 0 else "overlap"
+    return [*marks, Mark("inset-gap", "interval", role, points, number=number, weight=weight)]
 
 
 def _thumbnail_marks(row: Row, number: int, top: float, weight: str) -> list[Mark]:
