@@ -7,7 +7,8 @@ from pathlib import Path
 
 from ..render.script import javascript, stylesheet
 from ..safe_write import MADE_BY
-from . import check_page, guides, pages
+from ..scenes.link import site_folder
+from . import check_page, guides, hosting, pages
 from .chapters import chapter_body, chapters
 from .reference import reference
 from .runtime import PythonMissing as PythonMissing
@@ -20,10 +21,13 @@ ICON = (
 )
 
 
-def site(*, pyodide: Path | None = None, live: bool = True) -> tuple[Iterator[tuple[str, bytes]], list[str]]:
+def site(
+    *, pyodide: Path | None = None, live: bool = True, url: str = ""
+) -> tuple[Iterator[tuple[str, bytes]], list[str]]:
     """Return (path, content) of each file of the site, and one line for each thing that is missing.
 
     `pyodide` is a folder that holds Pyodide's core; None takes the core from npm.  `live=False` leaves Python out.
+    `url` is the address of the site's folder: with it, pages say where they are, and there is a sitemap.
     Raise PythonMissing if that folder has no core, and ImportError if no Markdown reader is installed.
     """
     python: dict[str, bytes] = {}
@@ -46,14 +50,19 @@ def site(*, pyodide: Path | None = None, live: bool = True) -> tuple[Iterator[tu
     version = sha256(
         b"".join([script, style, _browser_file("embed.js"), *(python[name] for name in sorted(python))])
     ).hexdigest()[:12]
-    return _files(script, style, python, version, reference_files), missing
+    return _files(script, style, python, version, reference_files, site_folder(url, "the address")), missing
 
 
 def _files(
-    script: bytes, style: bytes, python: dict[str, bytes], version: str, reference_files: list[tuple[str, bytes]]
+    script: bytes,
+    style: bytes,
+    python: dict[str, bytes],
+    version: str,
+    reference_files: list[tuple[str, bytes]],
+    url: str,
 ) -> Iterator[tuple[str, bytes]]:
     """Yield (path, content) of each file of the site; `version` is part of the links to its scripts and styles."""
-    frame = pages.Frame(chapters(), guides.guides(), version, bool(python), bool(reference_files))
+    frame = pages.Frame(chapters(), guides.guides(), version, bool(python), bool(reference_files), url)
     chapter_bodies = [chapter_body(chapter) for chapter in frame.chapters]  # may raise: then nothing is written
     yield "site.js", script
     yield "site.css", style
@@ -63,6 +72,7 @@ def _files(
     for name, data in python.items():
         yield f"python/{name}", data if not name.endswith(".js") else _with_maker(data)
     yield from pages.scene_pictures()
+    yield from hosting.social_pictures(frame)
     yield from guides.pictures()
     for chapter, body in zip(frame.chapters, chapter_bodies, strict=True):
         yield chapter.path, pages.chapter_page(frame, chapter, body)
@@ -70,11 +80,21 @@ def _files(
         yield guide.path, pages.guide_page(frame, guide, guides.guide_body(guide))
     for path, data in reference_files:
         yield f"{pages.REFERENCE}/{path}", data
-    yield "gallery.html", pages.gallery_page(frame)
-    yield "challenges.html", pages.challenges_page(frame)
-    yield check_page.PATH, check_page.check_page(frame)
-    yield "scene.html", pages.explorer_page(frame)
-    yield "index.html", pages.front_page(frame)
+    others = {
+        "gallery.html": pages.gallery_page,
+        "challenges.html": pages.challenges_page,
+        check_page.PATH: check_page.check_page,
+        "scene.html": pages.explorer_page,
+        "index.html": pages.front_page,
+    }
+    for path, make in others.items():
+        yield path, make(frame)
+    yield hosting.NOT_FOUND, pages.not_found_page(frame)
+    yield "robots.txt", hosting.robots_txt(url)
+    if url:
+        listed = [*(chapter.path for chapter in frame.chapters), *(guide.path for guide in frame.guides)]
+        listed += [path for path in others if path != "index.html"]
+        yield "sitemap.xml", hosting.sitemap(url, ["index.html", *listed])
 
 
 def _script() -> bytes:
