@@ -19,6 +19,7 @@ if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from .engine.sat import AxisTest, axis_tests
     from .engine.shortcut import Shortcut
     from .engine.trace import Trace, record
+    from .lessons.handout import handout
     from .pictures import Picture, Stage, Step, picture, steps
     from .pictures.curve import gap_curve
     from .pictures.difference_steps import difference_steps
@@ -66,6 +67,7 @@ __all__ = [
     "embed",
     "explore",
     "gap_curve",
+    "handout",
     "link",
     "page",
     "parts",
@@ -110,6 +112,7 @@ _MODULE_OF = {
     "embed": "render.embed",
     "explore": "widgets",
     "gap_curve": "pictures.curve",
+    "handout": "lessons.handout",
     "link": "scenes.link",
     "page": "render.page",
     "parts": "engine.convex_parts",

@@ -8,11 +8,11 @@ import pytest
 from browser import jupyterlab
 
 import satviz as sv
+from satviz.lessons.shipped import shipped_notebooks
 from satviz.pictures import DARK, LIGHT, playback
 from satviz.pictures.caption import add_captions
 from satviz.pictures.moves import animation
 from satviz.render.files import MADE_BY, encode, encode_frames
-from satviz.site.shipped import shipped_notebooks
 
 pytestmark = pytest.mark.slow
 

@@ -17,7 +17,8 @@ from satviz.pictures.drag import all_marks_fit
 
 pytest.importorskip("markdown_it", reason="a site needs markdown-it-py: python -m pip install '.[site]'")
 
-from satviz.site import build, chapters, guides, hosting
+from satviz.lessons import chapter_text as chapters
+from satviz.site import build, guides, hosting
 from satviz.site import pages as pages_of_site
 from satviz.site.serving import server
 

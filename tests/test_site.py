@@ -29,20 +29,22 @@ import satviz as sv
 from satviz.checking.mistakes import SYMPTOMS
 from satviz.cli import main
 from satviz.engine.geometry import InvalidScene, InvalidShape
+from satviz.lessons import chapter_text as chapters
 from satviz.scenes import link as links
 from satviz.scenes.article import SCENES
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
 from satviz.scenes.named import ALL_SCENES
 from satviz.scenes.shape_tools import translated
-from satviz.site import chapters, guides, live, runtime
+from satviz.site import chapters as page_chapters
+from satviz.site import guides, live, runtime
 from satviz.widgets import goals
 from satviz.widgets.explorer_model import ExplorerModel
 
 pytest.importorskip("markdown_it", reason="a site needs markdown-it-py: python -m pip install '.[site]'")
 
+from satviz.lessons.themed import themed_svg
 from satviz.site import build
 from satviz.site.build import site
-from satviz.site.themed import themed_svg
 
 
 @pytest.fixture(scope="module")
@@ -333,7 +335,7 @@ MISTAKES = {
 @pytest.mark.parametrize("name", one_in(5, MISTAKES))
 def test_a_program_of_chapter_8_stands_alone_and_its_one_mistake_is_mended_by_its_solution(name):
     chapter = chapters.chapters()[7]
-    given = chapters.programs(chapter)
+    given = page_chapters.programs(chapter)
     assert given.keys() == MISTAKES.keys()
     names = {}
     exec(given[name][1], names)

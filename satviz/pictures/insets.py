@@ -19,6 +19,7 @@ MIN_NEEDLE_PT = 1.5  # and the short edge of an outline thinner than this
 BOX_PT = 96.0  # an inset's side
 STRIP_PT = 124.0  # the width of the strip of insets beside the scene
 ROW_PT = 128.0  # the height of an inset with its caption
+EVEN_POINTS = 32  # on half of a circle
 DETAIL_PART = 0.5  # of the box's side: how large the detail is in it, at most
 MIN_FLOAT_STEP_PT, FLOAT_TICK_PT = 8.0, 8.0  # between two neighbouring floats that are drawn; half of a tick
 BRACKET_PT = 4.0, 11.0  # a gap's bracket: from the axis to its ends, and to its back
@@ -82,7 +83,7 @@ def _with_insets(layout: Layout, details: Sequence[_Detail], rows: int) -> Layou
     found = []
     for (left, top), (name, spot, length, test_of_gap) in zip(corners, details, strict=False):
         box = left, top - BOX_PT / scale, left + BOX_PT / scale, top
-        found.append(Inset(name, spot, _round_down(DETAIL_PART * BOX_PT / (length * scale)), box, test_of_gap))
+        found.append(Inset(name, spot, round_down(DETAIL_PART * BOX_PT / (length * scale)), box, test_of_gap))
     return layout._replace(limits=limits, size=size, insets=tuple(found))
 
 
@@ -103,7 +104,7 @@ def _small_details(name: str, shape: Shape, scale: float) -> list[_Detail]:
     return [_Detail(f"{name}'s end", midpoint(p, q), length)]
 
 
-def _round_down(times: float) -> float:
+def round_down(times: float) -> float:
     """Return the largest number of the form 1, 2 or 5 times a power of ten that is not above `times`."""
     power = 10.0 ** floor(log10(times))
     return power * max(step for step in (1, 2, 5) if step * power <= times * 1.0001)
@@ -150,12 +151,13 @@ def visible_edges(inset: Inset, shape: Shape) -> Iterator[tuple[Vec, Vec]]:
 
 
 def _outline_points(shape: Shape, spot: Vec) -> list[Vec]:
-    """Return a shape's outline as a closed ring of points; on a circle they are denser near `spot`."""
+    """Return a shape's outline as a closed ring of points; on a circle they are dense near `spot`."""
     if isinstance(shape, Polygon):
         return [*shape.vertices, shape.vertices[0]]
     (x, y), r = shape.center, shape.radius
     toward = atan2(spot.y - y, spot.x - x)
-    angles = sorted({sign * pi * 10.0 ** (-k / 4) for k in range(49) for sign in (-1, 1)} | {0.0})
+    near = {sign * pi * 10.0 ** (-k / 4) for k in range(49) for sign in (-1, 1)}
+    angles = sorted(near | {pi * k / EVEN_POINTS for k in range(-EVEN_POINTS, EVEN_POINTS + 1)})
     return [Vec(x + r * cos(toward + t), y + r * sin(toward + t)) for t in angles]
 
 

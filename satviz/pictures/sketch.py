@@ -27,11 +27,13 @@ from .theme import BAR_PT
 NORMAL_PT = 34.0  # the length of a normal's arrow
 RING_PT = 8.0  # the radius of a ring round a corner
 CROSS_PT = 4.5  # half of the side of a cross
+MIN_ARROW_PT, MIN_STRONG_PT = 14.0, 28.0  # a shorter edge is drawn without an arrow head, or with a thin arrow
 RIGHT_ANGLE_PT = 7.0  # the side of the mark between an edge and its normal
 MIN_TICK_PT = 24.0  # between two ticks
 ZERO_TICK_PT = 4.5  # half of the tick at coordinate 0
 MAX_LIST_LETTERS = 34  # in a line of the list of axes that were not tested
 MAX_LISTED_AXES = 8
+MAX_GREY_NORMALS = 16  # more of them would fill the gap
 
 
 class Sketch(ShapeSketch):
@@ -49,7 +51,13 @@ class Sketch(ShapeSketch):
         if kind in FROM_EDGES:
             name, polygon = self.named_polygon(role)
             p, q = (polygon.vertices[i] for i in ids)
-            self.add("edge", "arrow", role, q, p, weight="strong")  # the edge as the difference of its ends
+            # the edge as the difference of its ends; an arrow head must not hide a short one
+            length = hypot(p.x - q.x, p.y - q.y) * self.layout.scale
+            kind, weight = (
+                "arrow" if length > MIN_ARROW_PT else "segment",
+                "strong" if length > MIN_STRONG_PT else "plain",
+            )
+            self.add("edge", kind, role, q, p, weight=weight)
             if named:
                 self.vertices(role, ids)
                 ends = [short_name(polygon, name, i) for i in ids]
@@ -368,7 +376,7 @@ class Sketch(ShapeSketch):
         if not left:
             return
         self.corners(as_role="guide")
-        for n, axis in enumerate(left, 1):
+        for n, axis in enumerate(left if len(left) <= MAX_GREY_NORMALS else (), 1):
             if axis.source.kind in (EDGE, HULL) and not self.is_crowded(self.named_shape(axis.source.shape)[1]):
                 self.small_normal("untested", axis, 0.6, "guide", number=n)
         names = [describe.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names) for axis in left]

@@ -5,11 +5,13 @@ from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
 
+from ..lessons.chapter_text import chapters
+from ..lessons.handout import style_sheet as handout_style
 from ..render.script import javascript, stylesheet
 from ..safe_write import MADE_BY
 from ..scenes.link import site_folder
 from . import check_page, guides, hosting, pages
-from .chapters import chapter_body, chapters
+from .chapters import chapter_body
 from .reference import reference
 from .runtime import PythonMissing as PythonMissing
 from .runtime import runtime_files
@@ -50,7 +52,8 @@ def site(
     version = sha256(
         b"".join([script, style, _browser_file("embed.js"), *(python[name] for name in sorted(python))])
     ).hexdigest()[:12]
-    return _files(script, style, python, version, reference_files, site_folder(url, "the address")), missing
+    url = site_folder(url, "the address")
+    return _with_sitemap(_files(script, style, python, version, reference_files, url), url), missing
 
 
 def _files(
@@ -72,29 +75,35 @@ def _files(
     for name, data in python.items():
         yield f"python/{name}", data if not name.endswith(".js") else _with_maker(data)
     yield from pages.scene_pictures()
-    yield from hosting.social_pictures(frame)
+    yield from hosting.social_pictures(frame.chapters)
     yield from guides.pictures()
     for chapter, body in zip(frame.chapters, chapter_bodies, strict=True):
         yield chapter.path, pages.chapter_page(frame, chapter, body)
+    for chapter in frame.chapters:
+        for path, data in pages.handout_pages(frame, chapter):
+            yield path, data
     for guide in frame.guides:
         yield guide.path, pages.guide_page(frame, guide, guides.guide_body(guide))
     for path, data in reference_files:
         yield f"{pages.REFERENCE}/{path}", data
-    others = {
-        "gallery.html": pages.gallery_page,
-        "challenges.html": pages.challenges_page,
-        check_page.PATH: check_page.check_page,
-        "scene.html": pages.explorer_page,
-        "index.html": pages.front_page,
-    }
-    for path, make in others.items():
-        yield path, make(frame)
+    yield "gallery.html", pages.gallery_page(frame)
+    yield "challenges.html", pages.challenges_page(frame)
+    yield check_page.PATH, check_page.check_page(frame)
+    yield "scene.html", pages.explorer_page(frame)
+    yield "index.html", pages.front_page(frame)
     yield hosting.NOT_FOUND, pages.not_found_page(frame)
     yield "robots.txt", hosting.robots_txt(url)
+
+
+def _with_sitemap(found: Iterator[tuple[str, bytes]], url: str) -> Iterator[tuple[str, bytes]]:
+    """Yield the files, and then a sitemap of the pages among them if the site's address is known."""
+    listed = []
+    for path, data in found:
+        yield path, data
+        if path.endswith(".html") and "/" not in path and path != hosting.NOT_FOUND:
+            listed.append(path)
     if url:
-        listed = [*(chapter.path for chapter in frame.chapters), *(guide.path for guide in frame.guides)]
-        listed += [path for path in others if path != "index.html"]
-        yield "sitemap.xml", hosting.sitemap(url, ["index.html", *listed])
+        yield "sitemap.xml", hosting.sitemap(url, listed)
 
 
 def _script() -> bytes:
@@ -105,7 +114,7 @@ def _script() -> bytes:
 
 def _style() -> bytes:
     """Return the pages' style sheet."""
-    return f"/* {MADE_BY} */\n{stylesheet()}\n{_browser_file('site.css').decode()}".encode()
+    return f"/* {MADE_BY} */\n{stylesheet()}\n{_browser_file('site.css').decode()}\n{handout_style()}".encode()
 
 
 def _browser_file(name: str) -> bytes:

@@ -5,18 +5,14 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from html import escape, unescape
-from typing import TYPE_CHECKING
 from urllib.parse import urlsplit
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
+from ..lessons.chapter_text import Chapter
 from ..pictures import Picture, picture
 from ..render.files import encode
 from ..safe_write import MADE_BY
 from ..scenes.named import names
-from .chapters import Chapter
-
-if TYPE_CHECKING:
-    from .pages import Frame
 
 NOT_FOUND = "404.html"  # GitHub Pages, GitLab Pages and Netlify send it, with the status 404, where there is no file
 MANIFEST = "imsmanifest.xml"
@@ -28,19 +24,19 @@ RELATIVE = re.compile(r'\b(href|src)="(?!#|/|https?:)')
 SITEMAPS = "http://www.sitemaps.org/schemas/sitemap/0.9"
 
 
-def head_lines(frame: "Frame", path: str, title: str, description: str) -> list[str]:
+def head_lines(chapters: Sequence[Chapter], url: str, path: str, title: str, description: str) -> list[str]:
     """Return the lines of a page's head that a social network reads; a missing page has none but "do not list me".
 
-    Without the address of the site the picture's address is relative, which only some networks understand.
+    `url` is the address of the site.  Without it the picture's address is relative, which only some networks read.
     """
     if path == NOT_FOUND:
         return ['<meta name="robots" content="noindex">']
-    name = scene_of_page(path, frame.chapters)
-    found = {"type": "website", "title": title, "description": description, "image": f"{frame.url}{card_path(name)}"}
+    name = scene_of_page(path, chapters)
+    found = {"type": "website", "title": title, "description": description, "image": f"{url}{card_path(name)}"}
     found |= {"image:alt": social_card(name).sentence, "image:width": "1200", "image:height": "630"}
     lines = ['<meta name="twitter:card" content="summary_large_image">']
-    if frame.url:
-        page = frame.url + path.removesuffix("index.html")
+    if url:
+        page = url + path.removesuffix("index.html")
         found["url"] = page
         lines.append(f'<link rel="canonical" href="{escape(page)}">')
     return lines + [f'<meta property="og:{key}" content="{escape(value)}">' for key, value in found.items()]
@@ -71,10 +67,10 @@ def social_card(name: str) -> Picture:
     return drawn._replace(size=CARD_PT, limits=(x - dx, y - dy, x + dx, y + dy))
 
 
-def social_pictures(frame: "Frame") -> Iterator[tuple[str, bytes]]:
+def social_pictures(chapters: Sequence[Chapter]) -> Iterator[tuple[str, bytes]]:
     """Yield (path, content) of each picture that stands for a page."""
-    paths = [*(chapter.path for chapter in frame.chapters), *SCENE_OF_PAGE, "index.html"]
-    for name in dict.fromkeys(scene_of_page(path, frame.chapters) for path in paths):
+    paths = [*(chapter.path for chapter in chapters), *SCENE_OF_PAGE, "index.html"]
+    for name in dict.fromkeys(scene_of_page(path, chapters) for path in paths):
         yield card_path(name), encode(social_card(name), "png", stem=name)
 
 

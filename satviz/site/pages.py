@@ -7,6 +7,9 @@ from typing import NamedTuple
 
 from .. import __version__
 from ..engine import describe
+from ..lessons.chapter_text import Chapter
+from ..lessons.handout import chapter_sheets
+from ..lessons.themed import themed_svg_file
 from ..pictures import Picture, picture
 from ..pictures.playback import NARROW_PANEL_SIZES_PT
 from ..render.files import encode
@@ -20,10 +23,9 @@ from ..scenes.scenefile import Scene
 from ..widgets.explorer_model import ExplorerModel
 from ..widgets.goals import GOAL_TASKS, challenges
 from . import hosting, parts
-from .chapters import Chapter, lead
+from .chapters import lead
 from .guides import INDEX as GUIDES
 from .guides import Guide
-from .themed import themed_svg_file
 
 # scripts are the site's own files; WebAssembly is Python; a blob is a picture that is saved as PNG
 POLICY = (
@@ -86,7 +88,7 @@ def html_page(
         f'<meta name="generator" content="{MADE_BY}">',
         f'<meta name="description" content="{escape(describe.printable(description))}">',
         f"<title>{escape(title)}</title>",
-        *hosting.head_lines(frame, path, title, describe.printable(description)),
+        *hosting.head_lines(frame.chapters, frame.url, path, title, describe.printable(description)),
         f'<link rel="stylesheet" href="site.css?{frame.version}">',
         '<link rel="icon" href="icon.svg" type="image/svg+xml">',
         f'<script defer src="site.js?{frame.version}"></script>',
@@ -221,10 +223,33 @@ def chapter_page(frame: Frame, chapter: Chapter, body: str) -> bytes:
     """Return the page of a chapter, with links to the chapters before and after it."""
     note = (
         '<p class="note">This chapter is also a notebook in which you can change the programs: see '
-        '<a href="notebook.html">Drag and play in a notebook</a>.</p>'
+        '<a href="notebook.html">Drag and play in a notebook</a>. For a class there are '
+        f'<a href="{_handout_path(chapter)}">its questions on paper</a>, and their solutions.</p>'
     )
     body = f"<article>{body}{note}</article>{_neighbour_links(frame.chapters, chapter, 'chapters')}"
     return html_page(frame, chapter.path, chapter.title, body, description=lead(chapter), kind="chapter")
+
+
+def handout_pages(frame: Frame, chapter: Chapter) -> list[tuple[str, bytes]]:
+    """Return (path, content) of the page with a chapter's questions to print, and of the page with their solutions."""
+    asked, solved = chapter_sheets(chapter)
+    pages = (_handout_path(chapter), asked, "solutions"), (_handout_path(chapter, "-solutions"), solved, "questions")
+    found = []
+    for i, (path, sheet, other) in enumerate(pages):
+        note = (
+            '<p class="to-print">Print this page, or save it as a PDF. It fits A4 and Letter. '
+            f'See also <a href="{pages[1 - i][0]}">the {other}</a> and '
+            f'<a href="{chapter.path}">the chapter</a>.</p>'
+        )
+        title, description = f"{sheet.title} (handout)", f"A handout to print: {sheet.title}."
+        made = html_page(frame, path, title, note + sheet.body, description=description, kind="handout")
+        found.append((path, made))
+    return found
+
+
+def _handout_path(chapter: Chapter, end: str = "") -> str:
+    """Return the path of the page with a chapter's handout."""
+    return f"handout-{chapter.title.split()[0]}{end}.html"
 
 
 def guide_page(frame: Frame, guide: Guide, body: str) -> bytes:
