@@ -29,6 +29,9 @@ if TYPE_CHECKING:
 MAX_STEP_FILES = 120  # a longer run is drawn as one sheet unless --steps asks for a file of each step
 
 
+MAX_STEM = 80  # letters of a handout's file name
+
+
 class Refused(Exception):
     """The input is bad: `main` prints one line and returns exit code 2."""
 
@@ -41,15 +44,20 @@ def _load(args: argparse.Namespace) -> "Scene":
     """Return the scene of that name or file, with --axes and --every-axis applied; Refused for an unknown name."""
     from dataclasses import replace
 
+    found = _scene_named(args.scene)
+    return replace(found, axes=args.axes or found.axes, every_axis=args.every_axis or found.every_axis)
+
+
+def _scene_named(name: str) -> "Scene":
+    """Return the scene of that name or file; Refused for an unknown name."""
     from .scenes.named import names, scene
     from .scenes.scenefile import load
 
-    is_file = any(c in args.scene for c in "./\\") or os.path.exists(args.scene)
+    is_file = any(c in name for c in "./\\") or os.path.exists(name)
     known = names()
-    if args.scene not in known and not is_file:
-        raise Refused(f"no scene {args.scene!r}{_did_you_mean(args.scene, known)}, or give a file")
-    found = scene(args.scene) if args.scene in known else load(args.scene)
-    return replace(found, axes=args.axes or found.axes, every_axis=args.every_axis or found.every_axis)
+    if name not in known and not is_file:
+        raise Refused(f"no scene {name!r}{_did_you_mean(name, known)}, or give a file")
+    return scene(name) if name in known else load(name)
 
 
 def _did_you_mean(name: str, known: Iterable[str]) -> str:
@@ -292,11 +300,31 @@ def _progress(paths: Sequence[Path]) -> Iterator[Path]:
             stop_if_interrupted()
 
 
+def handout(args: argparse.Namespace) -> int:
+    """Write the questions of chapters and scenes as one HTML file to print, and their solutions as another."""
+    from .lessons.handout import chapter_named, handout
+
+    given: list[Scene | str] = []
+    for name in args.what:
+        chapter = chapter_named(name)
+        given.append(chapter.title.split()[0] if chapter else _scene_named(name))
+    try:
+        texts = [handout(*given, paper=args.paper, solutions=solutions) for solutions in (False, True)]
+    except ImportError as error:
+        raise Failed(str(error)) from None
+    stem = "-".join(["handout", *(each if isinstance(each, str) else each.name for each in given)])[:MAX_STEM]
+    files = {f"{stem}.html": texts[0].encode(), f"{stem}-solutions.html": texts[1].encode()}
+    _write_all(args, files)
+    for path in files:
+        out(visible(str(args.out / path)))
+    return 0
+
+
 def notebook(args: argparse.Namespace) -> int:
     """Copy the walkthrough's notebooks, without outputs, to a folder, and open them in JupyterLab."""
     from importlib.util import find_spec
 
-    from .site.shipped import shipped_notebooks
+    from .lessons.shipped import shipped_notebooks
 
     sources = shipped_notebooks()
     safe_write.make_folder(args.out)

@@ -5,10 +5,12 @@ from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
 
+from ..lessons.chapter_text import chapters
+from ..lessons.handout import style_sheet as handout_style
 from ..render.script import javascript, stylesheet
 from ..safe_write import MADE_BY
-from . import check_page, guides, pages
-from .chapters import chapter_body, chapters
+from . import check_page, glossary_page, guides, pages
+from .chapters import GLOSSARY, chapter_body
 from .reference import reference
 from .runtime import PythonMissing as PythonMissing
 from .runtime import runtime_files
@@ -63,13 +65,18 @@ def _files(
     for name, data in python.items():
         yield f"python/{name}", data if not name.endswith(".js") else _with_maker(data)
     yield from pages.scene_pictures()
+    yield from glossary_page.pictures()
     yield from guides.pictures()
     for chapter, body in zip(frame.chapters, chapter_bodies, strict=True):
         yield chapter.path, pages.chapter_page(frame, chapter, body)
+    for chapter in frame.chapters:
+        for path, data in pages.handout_pages(frame, chapter):
+            yield path, data
     for guide in frame.guides:
         yield guide.path, pages.guide_page(frame, guide, guides.guide_body(guide))
     for path, data in reference_files:
         yield f"{pages.REFERENCE}/{path}", data
+    yield GLOSSARY, glossary_page.glossary_page(frame)
     yield "gallery.html", pages.gallery_page(frame)
     yield "challenges.html", pages.challenges_page(frame)
     yield check_page.PATH, check_page.check_page(frame)
@@ -85,7 +92,7 @@ def _script() -> bytes:
 
 def _style() -> bytes:
     """Return the pages' style sheet."""
-    return f"/* {MADE_BY} */\n{stylesheet()}\n{_browser_file('site.css').decode()}".encode()
+    return f"/* {MADE_BY} */\n{stylesheet()}\n{_browser_file('site.css').decode()}\n{handout_style()}".encode()
 
 
 def _browser_file(name: str) -> bytes:

@@ -2,31 +2,33 @@
 
 import ast
 import io
-import json
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import redirect_stdout
 from html import escape
 from typing import Any, NamedTuple
 
 import satviz
 
+from ..lessons.chapter_text import (
+    CHOICES,
+    FOLD,
+    QUESTION,
+    SUMMARY,
+    Chapter,
+    blocks,
+    choices_of,
+    link_targets,
+    page_words,
+)
+from ..lessons.glossary import TermLinker
+from ..lessons.markdown import highlighted_code, markdown_parser
+from ..lessons.themed import themed_svg
 from ..scenes.resolve import resolve
 from ..widgets.explorer_model import ExplorerModel
 from . import parts
-from .markdown import highlighted_code, markdown_parser
-from .shipped import shipped_notebooks
-from .themed import themed_svg
 
-NEIGHBOUR_LINK = re.compile(r"(Back|Next): \[")  # a notebook's links to its neighbours; a page has other ones
-# a comment in a paragraph of a notebook: the words that stand there on the page; none leave the paragraph out
-PAGE_WORDS = re.compile(r"[\s\S]*<!-- page:\s*([\s\S]*?)\s*-->[\s\S]*")
-CHOICES = "<!-- choices:"  # begins the comment with the choices of a question
-CHOICE = re.compile(r"([+-]) (.+?) \| (.+)")  # a line of it: whether it is right, the choice, what is said about it
-# a question: bold words that end in a question mark, or in a colon with a question behind them
-QUESTION = re.compile(r"\*\*[^*]*(\?\*\*|:\*\*.*\?)", re.DOTALL)
-SUMMARY = "<summary>The answer</summary>"
-FOLD = f"<details>{SUMMARY}"  # a notebook hides the answer to a question with this tag
+GLOSSARY = "glossary.html"
 FRAMES = 13  # pictures of a slider
 
 
@@ -37,32 +39,14 @@ class Widget(NamedTuple):
     answers: bool
 
 
-class Chapter(NamedTuple):
-    """A chapter: the path of its page, its title with the number, the notebook's file name and its cells."""
-
-    path: str
-    title: str
-    notebook: str
-    cells: list[dict[str, Any]]
-
-
-def chapters() -> list[Chapter]:
-    """Return all chapters in their order."""
-    found = []
-    for path in shipped_notebooks():
-        cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
-        title = "".join(cells[0]["source"]).partition("\n")[0].removeprefix("# ")
-        found.append(Chapter(f"{path.stem}.html", title, path.name, cells))
-    return found
-
-
 def chapter_body(chapter: Chapter) -> str:
     """Return the chapter's HTML, which needs no JavaScript; raise ImportError if no Markdown reader is installed."""
     markdown, text, widgets = markdown_parser(), _FoldedText(), _WidgetFinder(chapter.cells)
+    terms = TermLinker(GLOSSARY)
     for i, cell in enumerate(chapter.cells):
         source = "".join(cell["source"])
         if cell["cell_type"] == "markdown":
-            _add_prose(text, markdown, source)
+            _add_prose(text, markdown, terms, source)
             continue
         shown = widgets.widget(i)
         if shown is None or len(ast.parse(source).body) > 1:  # the code of a widget alone says nothing more
@@ -126,19 +110,13 @@ class _FoldedText:
         return "\n".join(self.parts)
 
 
-def page_words(source: str) -> str:
-    """Return a notebook's Markdown in the words of a page: without links to neighbours, and with other paragraphs."""
-    paragraphs = (PAGE_WORDS.sub(r"\1", p) for p in source.split("\n\n") if not NEIGHBOUR_LINK.match(p))
-    return "\n\n".join(filter(None, paragraphs))
-
-
-def _add_prose(text: _FoldedText, markdown: Any, source: str) -> None:
+def _add_prose(text: _FoldedText, markdown: Any, terms: TermLinker, source: str) -> None:
     """Add a Markdown cell in the words of a page, without the notebook's fold: the page folds answers itself."""
     source = page_words(source)
     env: dict[str, Any] = {}
-    tokens = markdown.parse(re.sub(r"\]\(([\w-]+)\.ipynb\)", r"](\1.html)", source), env)
+    tokens = markdown.parse(link_targets(source), env)
     folded = False
-    for block in _blocks(tokens):
+    for block in blocks(tokens):
         first, html = block[0], markdown.renderer.render(block, markdown.options, env)
         if first.type == "html_block" and (
             first.content.startswith(FOLD) or (folded and html.startswith("</details>"))
@@ -150,6 +128,8 @@ def _add_prose(text: _FoldedText, markdown: Any, source: str) -> None:
             continue
         if first.type == "heading_open":
             text.end_answer()
+        if first.type in ("paragraph_open", "bullet_list_open", "ordered_list_open"):
+            html = terms.linked(html)
         if first.type == "paragraph_open" and QUESTION.search(block[1].content):
             text.ask(html)
         else:
@@ -164,26 +144,6 @@ def _choices_html(markdown: Any, comment: str) -> str:
         words, reason = markdown.renderInline(choice), markdown.renderInline(why)
         items.append(f'<li{right}><span>{words}</span> <span class="why" hidden>{reason}</span></li>')
     return f'<ul class="choices">{"".join(items)}</ul>'
-
-
-def choices_of(comment: str) -> list[tuple[str, str, str]]:
-    """Return (sign, choice, reason) of each line of a comment with choices; the sign of the right one is "+"."""
-    lines = comment.strip().removeprefix(CHOICES).removesuffix("-->").strip().splitlines()
-    found = [CHOICE.fullmatch(line.strip()) for line in lines]
-    signs = [match[1] for match in found if match]
-    if len(signs) < len(lines) or len(signs) < 2 or signs.count("+") != 1:
-        raise ValueError(f"expected lines such as '- choice | reason', one of them with +: {comment}")
-    return [(match[1], match[2], match[3]) for match in found if match]
-
-
-def _blocks(tokens: list[Any]) -> Iterator[list[Any]]:
-    """Yield the tokens of each top-level block: a heading, a paragraph, a list and so on."""
-    begin = depth = 0
-    for end, token in enumerate(tokens, 1):
-        depth += token.nesting
-        if not depth:
-            yield tokens[begin:end]
-            begin = end
 
 
 def _code(source: str, *, is_open: bool) -> str:
