@@ -14,6 +14,7 @@ import satviz as sv
 from satviz.cli import main
 from satviz.engine.number_format import ascii_minus
 from satviz.pictures import comparison, comparison_panels
+from satviz.pictures.float_geometry import clip_segment
 from satviz.pictures.label_placer import LabelPlacer, LabelRequest
 from satviz.pictures.layout import Group, Layout, arrange
 from satviz.pictures.letters import text_size
@@ -486,3 +487,17 @@ def test_short_pushes_are_drawn_longer_and_the_picture_says_how_much():
     arrows = [m.points for m in drawn.marks if m.part == "claimed-mtv"]
     assert min(((p.x - q.x) ** 2 + (p.y - q.y) ** 2) ** 0.5 for p, q in arrows) >= 20
     assert any("times as long" in text for text in drawn.texts)
+
+
+def test_one_inset_of_a_panel_stands_in_a_free_corner_of_it():
+    for name in "unit-normals", "half-the-normals", "touch-on-paper":
+        drawn = sv.picture(name)
+        assert drawn.size[1] < 400, name
+        (corners,) = (mark.points for mark in drawn.marks if mark.part.endswith("-inset"))
+        box_ = corners[0].x, corners[0].y, corners[2].x, corners[2].y
+        for mark in drawn.marks:
+            if mark.part in ("claimed-outline", "claimed-axis", "claimed-range") and mark.kind != "disc":
+                for p, q in pairwise(mark.points):
+                    side = drawn.size[0] / 2
+                    if (p.x < side) is (box_[0] < side):
+                        assert clip_segment(*p, *q, *box_) is None, (name, mark.id)

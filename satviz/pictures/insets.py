@@ -9,7 +9,7 @@ from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape, centroid
 from .axis_place import TRACK_PT
-from .float_geometry import bounding_box, clip_segment, midpoint
+from .float_geometry import bounding_box, boxes_overlap, clip_segment, midpoint
 from .layout import NARROW_PT, Inset, Layout, limits_around
 from .marks import Mark
 
@@ -19,6 +19,7 @@ MIN_NEEDLE_PT = 1.5  # and the short edge of an outline thinner than this
 BOX_PT = 96.0  # an inset's side
 STRIP_PT = 124.0  # the width of the strip of insets beside the scene
 ROW_PT = 128.0  # the height of an inset with its caption
+HEAD_PT = 40.0  # above a scene, for a verdict
 EVEN_POINTS = 32  # on half of a circle
 DETAIL_PART = 0.5  # of the box's side: how large the detail is in it, at most
 MIN_FLOAT_STEP_PT, FLOAT_TICK_PT = 8.0, 8.0  # between two neighbouring floats that are drawn; half of a tick
@@ -49,7 +50,36 @@ def add_insets(layouts: Sequence[Layout], shapes: Sequence[tuple[str, Shape]]) -
     """
     found = [_details(layout, shapes) for layout in layouts]
     rows = max(map(len, found))
-    return [_with_insets(*each, rows) for each in zip(layouts, found, strict=True)] if rows else list(layouts)
+    if not rows:
+        return list(layouts)
+    both = list(zip(layouts, found, strict=True))
+    if rows == 1 and layouts[0].size[0] < NARROW_PT:
+        corner = _free_corner([layout for layout, details in both if details], [shape for _, shape in shapes])
+        if corner:
+            return [each._replace(insets=_insets(each, details, [corner]), strip=False) for each, details in both]
+    return [_with_insets(*each, rows) for each in both]
+
+
+def _free_corner(layouts: Sequence[Layout], shapes: Sequence[Shape]) -> tuple[float, float] | None:
+    """Return where an inset's box begins (left, top) in a corner of the canvas that no axis and no shape needs.
+
+    The lower corners come first; None if none is free.
+    """
+    layout = layouts[0]
+    (x0, y0, x1, y1), units = layout.limits, layout.units
+    wide, high, rim = units(BOX_PT + 14), units(ROW_PT + 6), units(TRACK_PT + 6)
+    axes = [place.ends for each in layouts for place in each.places]
+    for left, low in (
+        (x0, y0),
+        (x1 - wide, y0),
+        (x1 - wide, y1 - high - units(HEAD_PT)),
+        (x0, y1 - high - units(HEAD_PT)),
+    ):
+        corner = left - rim, low - rim, left + wide + rim, low + high + rim
+        clear = not any(boxes_overlap(corner, shape.bounds) for shape in shapes)
+        if clear and not any(clip_segment(*p, *q, *corner) for p, q in axes):
+            return left + units(7), low + high - units(2)
+    return None
 
 
 def _details(layout: Layout, shapes: Sequence[tuple[str, Shape]]) -> list[_Detail]:
@@ -80,11 +110,16 @@ def _with_insets(layout: Layout, details: Sequence[_Detail], rows: int) -> Layou
         size = wide + STRIP_PT, max(high, round(ROW_PT * rows + 24))
         limits = limits_around(((x0 + x1 + STRIP_PT / scale) / 2, (y0 + y1) / 2), size, scale)
         corners = [(limits[2] - (BOX_PT + 14) / scale, limits[3] - (14 + ROW_PT * i) / scale) for i in range(rows)]
-    found = []
+    return layout._replace(limits=limits, size=size, insets=_insets(layout, details, corners))
+
+
+def _insets(layout: Layout, details: Sequence[_Detail], corners: Sequence[tuple[float, float]]) -> tuple[Inset, ...]:
+    """Return an inset of each detail; `corners`: where their boxes begin (left, top)."""
+    found, scale = [], layout.scale
     for (left, top), (name, spot, length, test_of_gap) in zip(corners, details, strict=False):
         box = left, top - BOX_PT / scale, left + BOX_PT / scale, top
         found.append(Inset(name, spot, round_down(DETAIL_PART * BOX_PT / (length * scale)), box, test_of_gap))
-    return layout._replace(limits=limits, size=size, insets=tuple(found))
+    return tuple(found)
 
 
 def _small_details(name: str, shape: Shape, scale: float) -> list[_Detail]:

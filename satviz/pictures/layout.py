@@ -50,6 +50,7 @@ class Layout(NamedTuple):
     """The canvas of a picture: the limits it shows in scene units, its size in points, and the places on it.
 
     There is one place for each test, in the same order.  `brief`: as of the Group that it was made for.
+    `strip`: the insets have space of their own beside or below the scene, instead of a free corner of it.
     """
 
     limits: Box
@@ -58,6 +59,7 @@ class Layout(NamedTuple):
     tests: tuple[AxisTest, ...] = ()
     insets: tuple[Inset, ...] = ()
     brief: bool = False
+    strip: bool = True
 
     @property
     def scale(self) -> float:
@@ -67,7 +69,7 @@ class Layout(NamedTuple):
     @property
     def scene_limits(self) -> Box:
         """Return the limits without the strip of insets beside or below the scene."""
-        if not self.insets:
+        if not (self.insets and self.strip):
             return self.limits
         x0, y0, x1, y1 = self.limits
         left, top = min(inset.box[0] for inset in self.insets), max(inset.box[3] for inset in self.insets)

@@ -10,8 +10,8 @@ from ..lessons.handout import style_sheet as handout_style
 from ..render.script import javascript, stylesheet
 from ..safe_write import MADE_BY
 from ..scenes.link import site_folder
-from . import check_page, guides, hosting, pages
-from .chapters import chapter_body
+from . import check_page, glossary_page, guides, hosting, pages
+from .chapters import GLOSSARY, chapter_body
 from .reference import reference
 from .runtime import PythonMissing as PythonMissing
 from .runtime import runtime_files
@@ -76,6 +76,7 @@ def _files(
         yield f"python/{name}", data if not name.endswith(".js") else _with_maker(data)
     yield from pages.scene_pictures()
     yield from hosting.social_pictures(frame.chapters)
+    yield from glossary_page.pictures()
     yield from guides.pictures()
     for chapter, body in zip(frame.chapters, chapter_bodies, strict=True):
         yield chapter.path, pages.chapter_page(frame, chapter, body)
@@ -86,6 +87,7 @@ def _files(
         yield guide.path, pages.guide_page(frame, guide, guides.guide_body(guide))
     for path, data in reference_files:
         yield f"{pages.REFERENCE}/{path}", data
+    yield GLOSSARY, glossary_page.glossary_page(frame)
     yield "gallery.html", pages.gallery_page(frame)
     yield "challenges.html", pages.challenges_page(frame)
     yield check_page.PATH, check_page.check_page(frame)
