@@ -213,7 +213,8 @@ def _output_html(output: dict[str, Any]) -> str:
     data = {kind: "".join(value) for kind, value in output.get("data", {}).items()}
     words = f'<pre class="out" tabindex="0">{escape(data.get("text/plain", ""))}</pre>'
     if "image/svg+xml" in data:
-        report = words if "<pre>" in data.get("text/html", "") else ""  # what `sv.check` found has both
+        # what `sv.check` found has both
+        report = f'<div class="report">{words}</div>' if "<pre>" in data.get("text/html", "") else ""
         return f"<figure>{themed_svg(data['image/svg+xml'])}</figure>{report}"
     return words
 
