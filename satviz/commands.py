@@ -568,18 +568,35 @@ def site(args: argparse.Namespace) -> int:
     from .site.build import PythonMissing, site
 
     try:
-        pages, lacks = site(pyodide=args.pyodide, live=not args.still)
+        pages, lacks = site(pyodide=args.pyodide, live=not args.still, url=args.url)
         files = dict(pages)
     except ImportError as error:
         raise Failed(str(error)) from None
     except PythonMissing as error:
         raise Refused(str(error)) from None
+    if args.zip:
+        return _write_archive(args, files, lacks)
     _write_all(args, files)
     for line in lacks:
         say(line)
     megabytes = sum(map(len, files.values())) / 1e6
     out(f"{len(files)} files ({megabytes:.1f} MB) in {visible(str(args.out))}")
     return _serve(args.out) if args.open else 0
+
+
+def _write_archive(args: argparse.Namespace, files: Mapping[str, bytes], lacks: Sequence[str]) -> int:
+    """Write the site as one zip beside the folder that it would have; return exit code 0."""
+    from .lessons.chapter_text import chapters
+    from .site.hosting import archive
+
+    path = args.out.with_name(f"{args.out.name}.zip")
+    safe_write.check(path, force=args.force)
+    data = archive(files, chapters())
+    safe_write.write(path, data, force=args.force)
+    for line in lacks:
+        say(line)
+    out(f"{visible(str(path))} ({len(data) / 1e6:.1f} MB, {len(files)} files)")
+    return 0
 
 
 def _write_all(args: argparse.Namespace, files: Mapping[str, bytes]) -> None:

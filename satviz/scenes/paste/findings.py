@@ -355,6 +355,15 @@ def _of_other_readings(pair: Pair) -> Iterator[Finding]:
                     f"If {owner} {be}, they would be {_words(told)} instead of {_words(relation)}.",
                     f"It was read as {FORM_WORDS[read.form]}: check what the library wants.",
                 )
+            opposite = _relation_of_corners(a, b) if read.keyed and not read.named else None
+            if opposite is not None and opposite is not relation and each is a:
+                yield Finding(
+                    "corner-for-center",
+                    (a.name, b.name),
+                    f"If the last two numbers of {a.title} and {b.title} were the opposite corner, "
+                    f"they would be {_words(opposite)} instead of {_words(relation)}.",
+                    f"It was read as {FORM_WORDS[read.form]}: check what the library wants.",
+                )
             swapped = None
             if not read.keyed:
                 swapped = _relation_with(box_points((*read.box[:2], read.box[3], read.box[2]), read.form), other)
@@ -440,6 +449,18 @@ def _relation_of_boxes(a: PastedShape, b: PastedShape, form: str) -> Relation | 
     except InvalidShape:
         return None
     return _relation_with(box_points(a.read.box, form), moved)
+
+
+def _relation_of_corners(a: PastedShape, b: PastedShape) -> Relation | None:
+    """Return the relation of two boxes once their last two numbers are the opposite corner; None for other shapes."""
+    made = []
+    for each in (a, b):
+        box = each.read.box
+        if each.read.form != CORNER_SIZE or each.read.rounded or not (box[2] > box[0] and box[3] > box[1]):
+            return None
+        x0, y0, x1, y1 = map(float, box)
+        made.append(Polygon([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]))
+    return relate(*made)
 
 
 def _in_decimals(a: PastedShape, b: PastedShape) -> Relation | None:
