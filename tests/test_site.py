@@ -23,6 +23,7 @@ from urllib.parse import urldefrag
 from zipfile import ZipFile
 
 import pytest
+import refresh_pyodide
 from speeds import one_in
 
 import satviz as sv
@@ -457,6 +458,18 @@ def test_a_package_with_another_hash_is_refused(monkeypatch, tmp_path):
     with pytest.raises(runtime.PythonMissing, match="hash"):
         runtime.runtime_files(None)
     assert not list(tmp_path.rglob("*.tgz"))
+
+
+def test_one_command_pins_another_pyodide():
+    source = refresh_pyodide.RUNTIME.read_text(encoding="utf-8")
+    assert refresh_pyodide.pinned(source, runtime.VERSION, runtime.INTEGRITY) == source
+    other = refresh_pyodide.pinned(source, "400.1.2", f"sha512-{'a' * 86}==")
+    names = {}
+    exec("\n".join(line for line in other.splitlines() if line.startswith(("VERSION =", "INTEGRITY ="))), names)
+    assert (names["VERSION"], names["INTEGRITY"]) == ("400.1.2", f"sha512-{'a' * 86}==")
+    for version, integrity in ("latest", runtime.INTEGRITY), (runtime.VERSION, "sha1-x"):
+        with pytest.raises(ValueError, match="npm says"):
+            refresh_pyodide.pinned(source, version, integrity)
 
 
 def test_what_is_packed_is_plain_gzip_the_same_each_time():
