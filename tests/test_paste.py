@@ -417,6 +417,11 @@ def test_an_unknown_reading_is_refused():
             "Rectangle(0, 0, 4, 4) circle((9, 9), 1)",
         ),
         (
+            "corner-for-center",
+            "Rectangle(10, 10, 20, 20) Rectangle(25, 15, 29, 25)",
+            "Rectangle(10, 10, 20, 20) Rectangle(15, 15, 29, 25)",
+        ),
+        (
             "swapped-arguments",
             "[(48.1, 2.1), (48.3, 2.1), (48.2, 2.3)]\n[(2.1, 48.1), (2.3, 48.1), (2.2, 48.3)]",
             "[(48.1, 2.1), (48.3, 2.1), (48.2, 2.3)]\n[(9.1, 48.1), (9.3, 48.1), (9.2, 48.3)]",

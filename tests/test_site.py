@@ -293,7 +293,7 @@ def test_a_notebook_folds_the_text_that_answers():
 
 
 def test_a_question_has_choices_of_which_one_is_right_and_each_has_a_reason(pages):
-    """A question without them asks for something to be found by trying; chapter 7 asks for guesses of sizes."""
+    """A question without them asks for something to be found by trying."""
     for chapter in chapters.chapters():
         asked = [*asked_in(chapter)]
         judged = [chapters.choices_of(choices) for _, choices in asked if choices]
@@ -301,8 +301,7 @@ def test_a_question_has_choices_of_which_one_is_right_and_each_has_a_reason(page
         for choices in judged:
             assert len(choices) == 3 and all(len(why) > 10 for _, _, why in choices)
         open_ended = [question for question, choices in asked if not choices]
-        if chapter.path != "7-speed-against-accuracy.html":
-            assert all("Can you find" in question or "is wrong.**" in question for question in open_ended), open_ended
+        assert all("Can you find" in question or "is wrong.**" in question for question in open_ended), open_ended
     places = [
         [sign for sign, *_ in chapters.choices_of(c)].index("+")
         for ch in chapters.chapters()

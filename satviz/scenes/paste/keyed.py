@@ -98,7 +98,7 @@ class Keyed(Boxes):
             made = self._circle_of_keys(obj, place, label, row)
             return [moved(made, offset) if offset else made]
         if four := self._box_of_keys(obj, place, center, row):
-            made = replace(self._made_box(*four, obj, label, angle, unit), keyed=True)
+            made = replace(self._made_box(*four, obj, label, angle, unit), keyed=True, named=True)
             if not any(isinstance(number, Numeral) for number in four[0][:2]):
                 made = replace(made, said=f"{made.said}{AT_ORIGIN}")
             return [moved(made, offset) if offset else made]

@@ -17,10 +17,12 @@ from ..link import link
 from ..scenefile import MAX_VERTICES, Scene
 from . import findings, others
 from .boxes import ALL_CHOICES, ONLY_IF_IT_MATTERS, Read
-from .findings import KINDS, Finding, Pair, PastedShape, listed
+from .findings import KINDS, Finding, PastedShape, listed
 from .objects import as_text
+from .pair_findings import Pair, clear, of_pair
+from .parser import parse
 from .reading import Reader
-from .tree import Group, parse
+from .tree import Group
 from .unused import unused
 
 MAX_SHAPES = 40
@@ -267,10 +269,10 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     pairs = _pairs(shapes)
     found = [finding for each in shapes for finding in findings.of_shape(each)]
     for pair in pairs[:MAX_TRACES]:
-        found += findings.of_pair(pair, decimals=isinstance(what, str))
+        found += of_pair(pair, decimals=isinstance(what, str))
     found = findings.merged([*found, *notes])
     if pairs and not any(KINDS.index(finding.kind) < KINDS.index("clear") for finding in found):
-        found.append(findings.clear(pairs[0]))
+        found.append(clear(pairs[0]))
     found.sort(key=lambda finding: KINDS.index(finding.kind))
     return replace(made, pairs=tuple(pairs), findings=tuple(found))
 

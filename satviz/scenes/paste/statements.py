@@ -53,7 +53,7 @@ class Statements(Names):
         """Sort the lines of a text or block: what gets a name, and what stands alone."""
         column: list[Group] = []
         for item in (*items, None):
-            if isinstance(item, Group) and item.bracket in (",", " ") and self._is_row(item):
+            if isinstance(item, Group) and not item.name and item.bracket != '"' and self._is_row(item):
                 column.append(item)
                 continue
             if len(column) > 2:

@@ -10,7 +10,8 @@ from typing import Any, NamedTuple
 from .boxes import Read
 from .findings import Finding
 from .notations import MOVE, POINT, SHAPE_WORDS, key, notation
-from .tree import Bad, Group, Num, Pair, Tree
+from .parser import Tree
+from .tree import Bad, Group, Num, Pair
 
 MAX_NAMED = 6  # keys that are named in a line, and numbers without a key
 
