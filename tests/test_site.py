@@ -11,7 +11,8 @@ import subprocess
 import sys
 import urllib.error
 import urllib.request
-from base64 import urlsafe_b64encode
+import zlib
+from base64 import b64decode, urlsafe_b64encode
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -70,8 +71,14 @@ def test_what_may_scroll_can_be_scrolled_with_the_keyboard(pages):
             assert 'tabindex="0"' in tag, f"{path}: {tag}"
 
 
+def without_code(page):
+    """The page without the code that it shows."""
+    return re.sub(r"<pre\b.*?</pre>", "", page, flags=re.DOTALL)
+
+
 def test_every_link_of_the_site_leads_to_one_of_its_files(files, pages):
     for path, page in pages.items():
+        page = without_code(page)
         for to in map(unescape, re.findall(r'(?:href|src)="([^"]+)"', page)):
             name = urldefrag(to).url.partition("?")[0]
             assert not name or name in files, f"{path} -> {to}"
@@ -107,8 +114,7 @@ def test_scripts_and_styles_are_files_only(pages):
     """So that the policy needs no exception: an inline style or script would be blocked, and drawn wrong."""
     for path, page in pages.items():
         assert "unsafe-inline" not in page and "default-src 'none'" in page
-        shown = re.sub(r"<pre\b.*?</pre>", "", page, flags=re.DOTALL)  # code that a guide shows
-        assert not re.search(r"<style|\sstyle=|\son[a-z]+=|javascript:", shown), path
+        assert not re.search(r"<style|\sstyle=|\son[a-z]+=|javascript:", without_code(page)), path
         assert all('type="application/json"' in tag or 'src="' in tag for tag in re.findall(r"<script[^>]*>", page)), (
             path
         )
@@ -395,6 +401,15 @@ def test_pictures_follow_the_theme(pages, files):
     assert not re.search(r'(?:fill|stroke)="#', pages["2-sat.html"])
     assert "prefers-color-scheme: dark" in files["pictures/triangles.svg"].decode()
     assert 'fill="var(--sv-A)"' in themed_svg('<svg ><g style="fill: #0072b2"/></svg>')
+
+
+def test_a_page_carries_no_more_than_is_seen(pages):
+    """Coordinates to hundredths of a point; steps of a player compressed.  Numbers that are read stay whole."""
+    short = themed_svg('<svg ><path d="M 1.23456 2 L 3.999999 0.5"/><text x="7.777">gap 1.213</text></svg>')
+    assert '<path d="M 1.23 2 L 3.99 0.5"/><text x="7.77">gap 1.213</text>' in short
+    (packed,) = re.findall(r'<script type="application/json">(".*?")</script>', pages["2-sat.html"])
+    show = json.loads(zlib.decompress(b64decode(json.loads(packed)), -zlib.MAX_WBITS))
+    assert show["predict"] and len(show["shows"][0]["steps"]) > 15
 
 
 def test_the_command_writes_a_site_over_its_own_and_over_nothing_else(tmp_path, capsys, files, monkeypatch):

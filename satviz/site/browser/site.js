@@ -12,11 +12,21 @@ import { PythonWorker } from "./python_worker.js";
 import { SITE, ScenePlace, statusOf } from "./scene_place.js";
 import { showSolved } from "./solved.js";
 
+/**
+ * The JSON of a player, which is compressed in its page.
+ * @param {Element} root
+ */
+async function unpackedShows(root) {
+  const bytes = Uint8Array.from(atob(JSON.parse(root.querySelector("script")?.textContent ?? "")), (letter) => letter.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"))).json();
+}
+
 for (const root of document.querySelectorAll(".player")) {
-  const { shows, ...options } = JSON.parse(root.querySelector("script")?.textContent ?? "");
-  const made = element("div");
-  arrowKeys(new Player(made, shows, { ...options, site: SITE }));
-  root.replaceChildren(made);
+  unpackedShows(root).then(({ shows, ...options }) => {
+    const made = element("div");
+    arrowKeys(new Player(made, shows, { ...options, site: SITE }));
+    root.replaceChildren(made);
+  });
 }
 
 for (const list of document.querySelectorAll(/** @type {"ul"} */ ("ul.choices"))) judgedChoices(list);
