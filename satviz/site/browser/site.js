@@ -34,6 +34,22 @@ for (const place of document.querySelectorAll(/** @type {"div"} */ (".frames")))
 for (const stage of document.querySelectorAll(/** @type {"section"} */ (".front .stage"))) playFirstMinute(stage);
 for (const place of document.querySelectorAll(/** @type {"p"} */ (".progress"))) showSolved(place);
 
+/**
+ * A scene is opened when it is less than a screen away, so that a long page does not draw all of them at once.
+ * @param {ScenePlace[]} places
+ */
+function openWhenNear(places) {
+  const observer = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target } of entries) {
+      if (!isIntersecting) continue;
+      observer.unobserve(target);
+      const place = places.find(({ root }) => root === target);
+      if (place && !place.widget && !place.opening) place.open();
+    }
+  }, { rootMargin: "100%" });
+  for (const { root } of places) observer.observe(root);
+}
+
 /** @type {HTMLElement[]} */
 const scenes = [...document.querySelectorAll(/** @type {"div"} */ (".live"))];
 const workerScript = document.body.dataset.python;
@@ -51,6 +67,8 @@ else if (scenes.length) {
   const places = scenes.map((root, i) => new ScenePlace(root, python, i, linked));
   const check = /** @type {HTMLElement | null} */ (document.querySelector(".check"));
   if (check) new CheckPage(check, python, workerScript, places[0]);
+  if (linked) for (const place of places) place.open();
+  else openWhenNear(places);
 }
 if (document.body.classList.contains("embed")) fitFrame();
 if (isSecureContext && "serviceWorker" in navigator) navigator.serviceWorker.register("sw.js").catch(() => {});
