@@ -316,7 +316,9 @@ class _Parser:
             elif not isinstance(atom, Token):
                 values.append(atom)
             elif atom.kind == NUMBER:
-                touching = bool(values) and isinstance(values[-1], Num) and values[-1].end == atom.start
+                after = bool(values) and isinstance(values[-1], Num)
+                quote = after and self.text[atom.start - 1] in "'\"`"  # '3'000 is no pair of numbers
+                touching = after and (values[-1].end == atom.start or quote)
                 if touching:
                     values[-1] = Num(
                         values[-1].start, atom.end, None, f"{self.text[values[-1].start : atom.end]!r} is not a number"

@@ -174,9 +174,13 @@ class Pasted:
         return f"<Pasted: {self.sentence}>"
 
     def __str__(self) -> str:
-        return "\n".join(self._lines())
+        return self.report()
 
-    def _lines(self) -> Iterator[str]:
+    def report(self, *, sentence: bool = True) -> str:
+        """Return everything as text; without the `sentence` where it is said elsewhere."""
+        return "\n".join(self._lines(sentence))
+
+    def _lines(self, sentence: bool) -> Iterator[str]:
         """Yield the lines of the report."""
         for each in self.readings:
             yield f"{each.title}: {each.said}{', refused' if not each.shape else ''}"
@@ -184,8 +188,9 @@ class Pasted:
         for question in self.questions:
             yield ""
             yield str(question)
-        yield ""
-        yield number_format.ascii_minus(self.sentence)
+        if sentence:
+            yield ""
+            yield number_format.ascii_minus(self.sentence)
         if self.findings:
             yield ""
             yield "What lies behind it:"
@@ -263,7 +268,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     made = Pasted(text, chosen, tuple(shapes), questions, (), ())
     notes = [Finding("not-read", (), f"Not read: {problem}.") for problem in reader.problems[:5]]
     notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in (*reader.remarks, *tree.remarks)]
-    notes += unused(tree._replace(indices=tree.indices | reader.counts), reads, text)
+    notes += unused(tree._replace(indices=tree.indices | reader.counts), reads, text, reader.named)
     if made.open:
         return replace(made, findings=tuple(notes))
     pairs = _pairs(shapes)
